@@ -1,0 +1,52 @@
+#pragma once  // core/blending/field.h: the field F of posed primitives, its gradient and its bounds.
+
+#include <span>
+#include <vector>
+
+#include "core/blending/blending_graph.h"
+#include "core/primitives/ellipsoid.h"
+
+namespace sinew {
+
+/// A primitive as the field needs it, resolved from the rig (rig/attachment.h).
+struct FieldPrimitive {
+  int bone = 0;
+  Placement placement;    ///< Bone space.
+  float reach = 1.4142135f;  ///< k > 1.
+  float strength = 1.0f;  ///< sign * s, s from strengthFor(iso, reach).
+  int group = 0;
+};
+
+/// A primitive in a pose.
+struct PosedPrimitive {
+  UnitBallMap influence;  ///< r < 1 exactly where f_i != 0.
+  float strength = 1.0f;
+};
+
+/// A primitive seen from one place of the skin: its territory weight there, m_i (DESIGN 3), 0 < weight <= 1.
+struct Candidate {
+  int primitive = 0;
+  float weight = 1.0f;
+};
+
+/// Which candidates add up: lists of indices into a candidate span, one list per clique.
+using CliqueLists = std::vector<std::vector<int>>;
+
+/// F and grad F at one point.
+struct FieldSample {
+  float value = 0.0f;
+  glm::vec3 gradient{0.0f};  ///< Per character unit, world space; of the winning clique.
+};
+
+/// Places all primitives. @param boneInWorld [bones].
+void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::mat4> boneInWorld,
+               std::vector<PosedPrimitive>& out);
+
+/// F(x) = max over cliques of the sum of its positive m_i f_i, plus the sum of all carving m_i f_i (<= 0).
+/// Carves stand outside the maximum: inside it, any unlinked group anywhere would lift max(..., 0) over a carve and undo
+/// it, and culling would change values. See docs/field.md. Without carves, or with all groups linked, this is DESIGN 3.
+/// @param cliques empty: everything sums.
+[[nodiscard]] FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
+                                      const CliqueLists& cliques, const glm::vec3& point);
+
+}  // namespace sinew

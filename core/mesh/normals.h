@@ -1,0 +1,16 @@
+#pragma once  // core/mesh/normals.h: vertex normals from faces.
+
+#include <span>
+#include <vector>
+
+#include "core/mesh/control_mesh.h"
+
+namespace sinew {
+
+/// One unit normal per vertex: face normals weighted by the corner's angle (Thuermer & Wuethrich 1998), so that it does
+/// not depend on how the faces are cut into triangles. A vertex whose faces cancel or have no area gets +Y.
+/// @param positions [V] any space.  @return [V] same space.
+[[nodiscard]] std::vector<glm::vec3> vertexNormals(std::span<const glm::vec3> positions,
+                                                   std::span<const ControlTriangle> triangles);
+
+}  // namespace sinew

@@ -1,0 +1,28 @@
+#pragma once  // core/mesh/weld.h: split file vertices -> geometric vertices + wedges.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/mesh/control_mesh.h"
+
+namespace sinew {
+
+/// Vertices and triangles as the file splits them (at uv, normal and material seams). Arrays of one length [N].
+struct TriangleSoup {
+  std::vector<glm::vec3> positions;  ///< [N] bind pose, world space; finite.
+  std::vector<glm::vec2> uvs;        ///< [N] finite.
+  std::vector<int> influenceBegin;   ///< [N+1]
+  std::vector<Influence> influences; ///< Sorted by binding within a vertex, each binding once, weights > 0, sum 1.
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Indices < N, counter-clockwise from outside.
+  std::vector<int> materials;                           ///< [triangles]
+};
+
+/// Merges vertices that lie within `tolerance` (1e-6 of the height) of each other and follow the same bindings with
+/// the same weights (to 1e-4) into geometric vertices; vertices that agree in uv too become one wedge. A triangle that
+/// loses a corner is dropped and counted; a sliver with three corners stays, for without it a closed mesh would open.
+/// Vertices no triangle uses vanish. Fills edges and normals too. Same input, same order of everything. DESIGN 4.
+[[nodiscard]] ControlMesh weld(const TriangleSoup& soup, float tolerance);
+
+}  // namespace sinew

@@ -1,0 +1,43 @@
+#include "core/primitives/ellipsoid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace sinew {
+
+UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& boneInWorld) {
+  // In double: a bone in metres under a parent scaled by 0.01 loses digits that the field would show.
+  const glm::dmat3 bone{glm::mat3(boneInWorld)};
+  const glm::dmat3 rotation = glm::mat3_cast(glm::dquat(inBone.rotation));
+  glm::dmat3 axes = bone * rotation;
+  for (int i = 0; i < 3; ++i) axes[i] *= static_cast<double>(inBone.radii[i] * reach);
+
+  UnitBallMap map;
+  map.center = glm::vec3(boneInWorld * glm::vec4(inBone.center, 1.0f));
+  const double volume = std::abs(glm::determinant(axes));
+  const double lengths = glm::length(axes[0]) * glm::length(axes[1]) * glm::length(axes[2]);
+  if (!(volume > 1e-12 * lengths) || !std::isfinite(volume)) {
+    map.toUnit = glm::mat3(0.0f);
+    map.boundingRadius = 0.0f;
+    return map;
+  }
+  map.toUnit = glm::mat3(glm::inverse(axes));
+  // Half extents of the world box around the ellipsoid: row norms of the axes.
+  glm::dvec3 half(0.0);
+  for (int row = 0; row < 3; ++row) {
+    half[row] = std::sqrt(axes[0][row] * axes[0][row] + axes[1][row] * axes[1][row] + axes[2][row] * axes[2][row]);
+  }
+  const double frobenius = std::sqrt(glm::dot(axes[0], axes[0]) + glm::dot(axes[1], axes[1]) + glm::dot(axes[2], axes[2]));
+  map.boundingRadius = static_cast<float>(std::min(glm::length(half), frobenius) * (1.0 + 1e-6));
+  return map;
+}
+
+glm::mat4 shapeInWorld(const Placement& inBone, float scale, const glm::mat4& boneInWorld) {
+  const glm::mat4 moved = glm::translate(boneInWorld, inBone.center) * glm::mat4_cast(inBone.rotation);
+  return glm::scale(moved, inBone.radii * scale);
+}
+
+}  // namespace sinew

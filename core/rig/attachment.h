@@ -1,0 +1,32 @@
+#pragma once  // core/rig/attachment.h: a rig meets a character: bones found, groups numbered, territories laid out.
+
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/blending/blending_graph.h"
+#include "core/blending/field.h"
+#include "core/character/character.h"
+#include "core/rig/rig.h"
+
+namespace sinew {
+
+/// A rig resolved against a character. Primitives whose bone is missing are left out here, never in the rig.
+struct Attachment {
+  std::vector<FieldPrimitive> primitives;  ///< [A] attached ones, in rig order.
+  std::vector<int> rigIndex;               ///< [A] index into Rig::primitives.
+  std::vector<int> unattached;             ///< Indices into Rig::primitives.
+  BlendingGraph graph;
+  std::vector<std::vector<Candidate>> candidatesOfVertex;  ///< [V] primitives with m_i(v) > 0, ascending.
+};
+
+/// Bones of a primitive's territory: those the rig names (unknown names are skipped), or by default the primitive's bone,
+/// its nearest joint ancestor and its nearest joint children. Sorted. DESIGN 3.
+[[nodiscard]] std::vector<int> territoryBones(const Primitive& primitive, int bone, const Skeleton& skeleton);
+
+/// m_i(v) = smoothstep(0, 0.5, sum of v's weights on the territory).
+[[nodiscard]] float territoryWeight(const Character& character, int vertex, const std::vector<bool>& isTerritoryBone);
+
+/// `rig` has passed validate(). Error: the blending graph is too large.
+[[nodiscard]] Result<Attachment> attach(const Rig& rig, const Character& character);
+
+}  // namespace sinew

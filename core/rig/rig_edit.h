@@ -1,0 +1,37 @@
+#pragma once  // core/rig/rig_edit.h: every change of a rig, as pure functions rig -> rig.
+//
+// Nothing here touches the rig it is given. Each result has passed what can break by that edit; an Error names the reason
+// and the caller's rig stands. Indices are into Rig::primitives or Rig::groups and must be in range (asserted).
+
+#include <span>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/rig/rig.h"
+
+namespace sinew {
+
+/// Appends; the name is made unique; an empty group becomes the first group, made ("muscles") if there is none.
+[[nodiscard]] Result<Rig> addPrimitive(const Rig& rig, Primitive primitive);
+/// Removes several; twins of removed ones lose their link.
+[[nodiscard]] Rig removePrimitives(const Rig& rig, std::span<const int> indices);
+/// Copies of several, appended, with free names; the copies have no twins.
+[[nodiscard]] Rig duplicatePrimitives(const Rig& rig, std::span<const int> indices);
+[[nodiscard]] Result<Rig> setPlacement(const Rig& rig, int index, const Placement& placement);
+[[nodiscard]] Result<Rig> setReach(const Rig& rig, int index, float reach);
+[[nodiscard]] Result<Rig> setSign(const Rig& rig, int index, int sign);
+[[nodiscard]] Result<Rig> renamePrimitive(const Rig& rig, int index, const std::string& name);
+/// Moves the primitive to another bone; the placement is the caller's (it knows the pose).
+[[nodiscard]] Result<Rig> setBone(const Rig& rig, int index, const std::string& bone, const Placement& placement);
+[[nodiscard]] Result<Rig> setTerritory(const Rig& rig, int index, std::optional<std::vector<std::string>> territory);
+[[nodiscard]] Result<Rig> setGroupOf(const Rig& rig, int index, const std::string& group);
+[[nodiscard]] Result<Rig> addGroup(const Rig& rig, const std::string& name);
+[[nodiscard]] Result<Rig> renameGroup(const Rig& rig, int group, const std::string& name);
+/// Refused while primitives are in it.
+[[nodiscard]] Result<Rig> removeGroup(const Rig& rig, int group);
+/// Links or unlinks two different groups.
+[[nodiscard]] Result<Rig> setLink(const Rig& rig, int groupA, int groupB, bool linked);
+[[nodiscard]] Result<Rig> setSurface(const Rig& rig, const SurfaceSettings& surface);
+[[nodiscard]] Result<Rig> setSmoothing(const Rig& rig, const SmoothingSettings& smoothing);
+
+}  // namespace sinew

@@ -1,0 +1,40 @@
+#pragma once  // core/smoothing/smoother.h: the one pipeline from character, rig and pose to the surface.
+
+#include <memory>
+
+#include "core/base/result.h"
+#include "core/character/character.h"
+#include "core/rig/rig.h"
+#include "core/skeleton/pose.h"
+#include "core/smoothing/surface.h"
+
+namespace sinew {
+
+/// prepare() once per edit, smooth() once per pose. Editor, command line, export and tests all go through here.
+/// The surface depends on the character, the rig and the pose alone, never on what was smoothed before.
+/// Not thread-safe; use one Smoother a thread (the character is shared, read-only).
+class Smoother {
+ public:
+  explicit Smoother(std::shared_ptr<const Character> character);
+  ~Smoother();
+  Smoother(Smoother&&) noexcept;
+  Smoother& operator=(Smoother&&) noexcept;
+
+  /// Takes the rig: attachment, candidate lists, refinement tables, triangle classes. Keeps what did not change.
+  /// Error: the rig is invalid, the blending graph too large, or the refined mesh would not fit memory; then the
+  /// former preparation stays in force.
+  [[nodiscard]] Result<void> prepare(const Rig& rig);
+
+  /// Fills `out` for a pose of this skeleton. prepare() must have succeeded once. Reuses the output's memory.
+  void smooth(const Pose& pose, Surface& out);
+
+  [[nodiscard]] const Character& character() const;
+  /// Indices into the prepared rig's primitives whose bone this character lacks.
+  [[nodiscard]] const std::vector<int>& unattached() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sinew

@@ -1,0 +1,52 @@
+#pragma once  // core/smoothing/surface.h: the smoothed mesh of one moment, and what is told about it.
+
+#include <memory>
+#include <vector>
+
+#include "core/rig/rig.h"
+#include "core/smoothing/refinement.h"
+
+namespace sinew {
+
+/// Class of a control triangle under `replace` (paper 3).
+enum class TriangleClass : std::uint8_t { kNormal, kStraddling, kImplicit };
+
+/// Seconds of the last smoothing, by stage.
+struct StageSeconds {
+  double skin = 0.0;
+  double patch = 0.0;
+  double project = 0.0;
+  [[nodiscard]] double total() const { return skin + patch + project; }
+};
+
+/// Counts and measures of the last smoothing. Keys of --report (DESIGN 7).
+struct SmoothingReport {
+  SurfaceMode mode = SurfaceMode::kSwell;
+  PatchKind patch = PatchKind::kPn;
+  ProjectionKind projection = ProjectionKind::kNewton;
+  int depth = 1;
+  int controlTriangles = 0;
+  int refinedTriangles = 0;
+  int refinedVertices = 0;
+  int implicitTriangles = 0;
+  int straddlingTriangles = 0;
+  int normalTriangles = 0;
+  int primitives = 0;  ///< Attached.
+  int cliques = 0;
+  int projected = 0;   ///< Vertices for which a root was sought.
+  int unresolved = 0;  ///< ... and none found: they lie on the patch.
+  double residualMax = 0.0;  ///< Largest |phi| at the found roots.
+  StageSeconds seconds;
+};
+
+/// Refined surface in world space. Positions and normals change per pose; topology is shared and constant per depth.
+struct Surface {
+  std::shared_ptr<const Refinement> refinement;
+  std::vector<glm::vec3> positions;  ///< [V'] world.
+  std::vector<glm::vec3> normals;    ///< [V'] unit, outward.
+  std::vector<float> displacement;   ///< [V'] signed distance from the patch, character units: along the patch normal.
+  std::vector<TriangleClass> classes;  ///< [T] of the control triangles.
+  SmoothingReport report;
+};
+
+}  // namespace sinew
