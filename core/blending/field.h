@@ -23,13 +23,14 @@ struct PosedPrimitive {
   float strength = 1.0f;
 };
 
-/// A primitive seen from one place of the skin: its territory weight there, m_i (DESIGN 3), 0 < weight <= 1.
+/// A primitive seen from one place of the skin.
 struct Candidate {
   int primitive = 0;
-  float weight = 1.0f;
+  float weight = 1.0f;  ///< Territory weight there, m_i (DESIGN 3), 0..1.
+  int slot = 0;         ///< Its group, numbered among the groups present at that place.
 };
 
-/// Which candidates add up: lists of indices into a candidate span, one list per clique.
+/// Which groups add up at a place: lists of slots, one list per clique; empty: everything sums.
 using CliqueLists = std::vector<std::vector<int>>;
 
 /// F and grad F at one point.
@@ -44,8 +45,7 @@ void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::
 
 /// F(x) = max over cliques of the sum of its positive m_i f_i, plus the sum of all carving m_i f_i (<= 0).
 /// Carves stand outside the maximum: inside it, any unlinked group anywhere would lift max(..., 0) over a carve and undo
-/// it, and culling would change values. See docs/field.md. Without carves, or with all groups linked, this is DESIGN 3.
-/// @param cliques empty: everything sums.
+/// it, and culling would change values. See docs/design.md. Without carves, or with all groups linked, this is DESIGN 3.
 [[nodiscard]] FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
                                       const CliqueLists& cliques, const glm::vec3& point);
 

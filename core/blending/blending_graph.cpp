@@ -1,0 +1,124 @@
+// core/blending/blending_graph.cpp: maximal cliques by Bron & Kerbosch, "Algorithm 457", CACM 16(9), 1973, with pivoting.
+#include "core/blending/blending_graph.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <tuple>
+
+namespace sinew {
+namespace {
+
+using Groups = std::vector<int>;  // sorted
+
+class CliqueSearch {
+ public:
+  CliqueSearch(std::vector<Groups> neighbours, std::vector<Groups>& found)
+      : neighbours_(std::move(neighbours)), found_(found) {}
+
+  /// False: too many.
+  bool run() {
+    Groups all(neighbours_.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
+    Groups clique;
+    return extend(clique, all, {});
+  }
+
+ private:
+  const Groups& neighboursOf(int group) const { return neighbours_[static_cast<std::size_t>(group)]; }
+
+  /// Looks the smaller set's members up in the larger: sparse graphs of thousands of groups stay quick.
+  static Groups intersection(const Groups& a, const Groups& b) {
+    const auto& [smaller, larger] = a.size() <= b.size() ? std::tie(a, b) : std::tie(b, a);
+    Groups both;
+    std::ranges::copy_if(smaller, std::back_inserter(both),
+                         [&larger = larger](int group) { return std::ranges::binary_search(larger, group); });
+    return both;
+  }
+
+  /// The candidate or excluded group with the most neighbours among the candidates: its neighbours need no branch.
+  int pivot(const Groups& candidates, const Groups& excluded) const {
+    int best = -1;
+    std::size_t most = 0;
+    for (const Groups* list : {&candidates, &excluded}) {
+      for (const int group : *list) {
+        const std::size_t count = intersection(neighboursOf(group), candidates).size();
+        if (best < 0 || count > most) {
+          best = group;
+          most = count;
+        }
+      }
+    }
+    return best;
+  }
+
+  bool extend(Groups& clique, Groups candidates, Groups excluded) {
+    if (candidates.empty() && excluded.empty()) {
+      if (found_.size() == static_cast<std::size_t>(kMaxCliques)) return false;
+      Groups sorted = clique;
+      std::ranges::sort(sorted);
+      found_.push_back(std::move(sorted));
+      return true;
+    }
+    if (candidates.empty()) return true;
+    Groups branches;
+    std::ranges::set_difference(candidates, neighboursOf(pivot(candidates, excluded)), std::back_inserter(branches));
+    for (const int group : branches) {
+      clique.push_back(group);
+      if (!extend(clique, intersection(candidates, neighboursOf(group)), intersection(excluded, neighboursOf(group)))) {
+        return false;
+      }
+      clique.pop_back();
+      candidates.erase(std::ranges::lower_bound(candidates, group));
+      excluded.insert(std::ranges::lower_bound(excluded, group), group);
+    }
+    return true;
+  }
+
+  std::vector<Groups> neighbours_;
+  std::vector<Groups>& found_;
+};
+
+}  // namespace
+
+Result<BlendingGraph> makeBlendingGraph(int groupCount, std::span<const std::array<int, 2>> links) {
+  std::vector<Groups> neighbours(static_cast<std::size_t>(groupCount));
+  for (const auto& [a, b] : links) {
+    if (a == b) continue;
+    neighbours[static_cast<std::size_t>(a)].push_back(b);
+    neighbours[static_cast<std::size_t>(b)].push_back(a);
+  }
+  for (Groups& list : neighbours) {
+    std::ranges::sort(list);
+    list.erase(std::ranges::unique(list).begin(), list.end());
+  }
+  BlendingGraph graph;
+  graph.groupCount = groupCount;
+  if (groupCount > 0 && !CliqueSearch(std::move(neighbours), graph.cliques).run()) {
+    return errorAt("links", "the blending graph has more than " + std::to_string(kMaxCliques) +
+                                " maximal sets of mutually linked groups; merge groups or remove links");
+  }
+  std::ranges::sort(graph.cliques);
+  return graph;
+}
+
+std::vector<std::vector<int>> cliquesAmong(const BlendingGraph& graph, std::span<const int> presentGroups) {
+  std::vector<Groups> cut;
+  for (const Groups& clique : graph.cliques) {
+    Groups left;
+    std::ranges::set_intersection(clique, presentGroups, std::back_inserter(left));
+    if (!left.empty()) cut.push_back(std::move(left));
+  }
+  std::ranges::sort(cut, [](const Groups& a, const Groups& b) {
+    return a.size() != b.size() ? a.size() > b.size() : a < b;
+  });
+  std::vector<Groups> maximal;
+  for (const Groups& set : cut) {
+    const bool contained = std::ranges::any_of(
+        maximal, [&](const Groups& larger) { return std::ranges::includes(larger, set); });
+    if (!contained) maximal.push_back(set);
+  }
+  return maximal;
+}
+
+}  // namespace sinew

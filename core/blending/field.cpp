@@ -1,0 +1,70 @@
+// core/blending/field.cpp: sums and maxima of potentials.
+#include "core/blending/field.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "core/primitives/potential.h"
+
+namespace sinew {
+namespace {
+
+/// Value and gradient of one candidate, weight and sign included.
+FieldSample sampleCandidate(const PosedPrimitive& primitive, float weight, const glm::vec3& point) {
+  const glm::vec3 y = primitive.influence.toUnit * (point - primitive.influence.center);
+  const float rSquared = glm::dot(y, y);
+  if (!(rSquared < 1.0f) || primitive.influence.boundingRadius == 0.0f) return {};
+  const float factor = primitive.strength * weight;
+  // d(r^2)/dx = 2 A^T A (x - c)
+  const glm::vec3 slope = 2.0f * (glm::transpose(primitive.influence.toUnit) * y);
+  return {factor * potential(rSquared), factor * potentialSlope(rSquared) * slope};
+}
+
+void add(FieldSample& sum, const FieldSample& part) {
+  sum.value += part.value;
+  sum.gradient += part.gradient;
+}
+
+}  // namespace
+
+void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::mat4> boneInWorld,
+               std::vector<PosedPrimitive>& out) {
+  out.resize(primitives.size());
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    const FieldPrimitive& primitive = primitives[i];
+    out[i].influence =
+        unitBallMap(primitive.placement, primitive.reach, boneInWorld[static_cast<std::size_t>(primitive.bone)]);
+    out[i].strength = primitive.strength;
+  }
+}
+
+FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
+                        const CliqueLists& cliques, const glm::vec3& point) {
+  FieldSample carved;
+  FieldSample best;
+  std::vector<FieldSample> ofSlot;
+  for (const Candidate& candidate : candidates) {
+    const PosedPrimitive& primitive = primitives[static_cast<std::size_t>(candidate.primitive)];
+    const FieldSample part = sampleCandidate(primitive, candidate.weight, point);
+    if (primitive.strength < 0.0f) {
+      add(carved, part);
+    } else if (cliques.empty()) {
+      add(best, part);
+    } else {
+      const auto slot = static_cast<std::size_t>(candidate.slot);
+      if (ofSlot.size() <= slot) ofSlot.resize(slot + 1);
+      add(ofSlot[slot], part);
+    }
+  }
+  for (const std::vector<int>& clique : cliques) {
+    FieldSample sum;
+    for (const int slot : clique) {
+      if (static_cast<std::size_t>(slot) < ofSlot.size()) add(sum, ofSlot[static_cast<std::size_t>(slot)]);
+    }
+    if (sum.value > best.value) best = sum;
+  }
+  add(best, carved);
+  return best;
+}
+
+}  // namespace sinew

@@ -1,0 +1,61 @@
+// core/skeleton/pose.cpp: local transforms -> world matrices of the bones.
+#include "core/skeleton/pose.h"
+
+#include <algorithm>
+
+namespace sinew {
+namespace {
+
+/// Walks the tree once, parents first. In double: a metre-sized bone may hang under a node scaled by 0.01.
+Pose poseFromLocals(const Skeleton& skeleton, const std::vector<LocalTransform>& locals) {
+  std::vector<glm::dmat4> inWorld(locals.size());
+  for (std::size_t i = 0; i < locals.size(); ++i) {
+    const glm::dmat4 local(locals[i].toMatrix());
+    const int parent = skeleton.nodes[i].parent;
+    inWorld[i] = parent >= 0 ? inWorld[static_cast<std::size_t>(parent)] * local : local;
+  }
+  Pose pose;
+  pose.boneInWorld.reserve(skeleton.bones.size());
+  for (const Bone& bone : skeleton.bones) {
+    pose.boneInWorld.emplace_back(inWorld[static_cast<std::size_t>(bone.node)]);
+  }
+  return pose;
+}
+
+std::vector<LocalTransform> restLocals(const Skeleton& skeleton) {
+  std::vector<LocalTransform> locals;
+  locals.reserve(skeleton.nodes.size());
+  for (const Node& node : skeleton.nodes) locals.push_back(node.rest);
+  return locals;
+}
+
+void applyChannel(const Channel& channel, float time, LocalTransform& local) {
+  const glm::vec4 value = sampleChannel(channel, time);
+  switch (channel.path) {
+    case ChannelPath::kTranslation: local.translation = glm::vec3(value); break;
+    case ChannelPath::kRotation: local.rotation = glm::quat(value.w, value.x, value.y, value.z); break;
+    case ChannelPath::kScale: local.scale = glm::vec3(value); break;
+  }
+}
+
+}  // namespace
+
+Pose bindPose(const Skeleton& skeleton) {
+  Pose pose;
+  pose.boneInWorld.reserve(skeleton.bones.size());
+  for (const Bone& bone : skeleton.bones) pose.boneInWorld.push_back(bone.bindInWorld);
+  return pose;
+}
+
+Pose restPose(const Skeleton& skeleton) { return poseFromLocals(skeleton, restLocals(skeleton)); }
+
+Pose samplePose(const Skeleton& skeleton, const AnimationClip& clip, float time) {
+  std::vector<LocalTransform> locals = restLocals(skeleton);
+  const float clamped = std::clamp(time, 0.0f, clip.duration);
+  for (const Channel& channel : clip.channels) {
+    applyChannel(channel, clamped, locals[static_cast<std::size_t>(channel.node)]);
+  }
+  return poseFromLocals(skeleton, locals);
+}
+
+}  // namespace sinew

@@ -1,0 +1,82 @@
+// tests/blending/field_test.cpp: sums, maxima, carves, gradients.
+#include "core/blending/field.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "core/primitives/potential.h"
+
+namespace sinew {
+namespace {
+
+PosedPrimitive sphere(const glm::vec3& center, float radius, float strength = 1.0f) {
+  Placement placement;
+  placement.center = center;
+  placement.radii = glm::vec3(radius);
+  return {unitBallMap(placement, 1.4142135f, glm::mat4(1.0f)), strength};
+}
+
+TEST(Field, LoneSphereHasTheIsoValueOnItsVisibleSurface) {
+  const std::vector<PosedPrimitive> one{sphere({1, 2, 3}, 0.5f)};
+  const std::vector<Candidate> all{{0, 1.0f, 0}};
+  EXPECT_NEAR(sampleField(one, all, {}, {1.5f, 2, 3}).value, 0.25f, 1e-5f);
+  EXPECT_EQ(sampleField(one, all, {}, {1.0f, 2, 3.8f}).value, 0.0f);
+}
+
+TEST(Field, ChainBlendsWithTheMiddleOnly) {
+  const std::vector<PosedPrimitive> three{sphere({0, 0, 0}, 1), sphere({0.2f, 0, 0}, 1), sphere({0.4f, 0, 0}, 1)};
+  const std::vector<Candidate> all{{0, 1.0f, 0}, {1, 1.0f, 1}, {2, 1.0f, 2}};
+  const glm::vec3 x(0.3f, 0.5f, 0.1f);
+  std::array<float, 3> f{};
+  for (std::size_t i = 0; i < 3; ++i) f[i] = sampleField(three, std::span(all).subspan(i, 1), {}, x).value;
+  const CliqueLists chain{{0, 1}, {1, 2}};
+  EXPECT_NEAR(sampleField(three, all, chain, x).value, f[1] + std::max(f[0], f[2]), 1e-6f);
+  EXPECT_NEAR(sampleField(three, all, {}, x).value, f[0] + f[1] + f[2], 1e-6f);
+}
+
+TEST(Field, CarveWorksWhateverUnlinkedGroupsExist) {
+  const std::vector<PosedPrimitive> two{sphere({0, 0, 0}, 1, -1.0f), sphere({9, 0, 0}, 1)};
+  const std::vector<Candidate> all{{0, 1.0f, 0}, {1, 1.0f, 1}};
+  const CliqueLists unlinked{{0}, {1}};
+  const glm::vec3 x(0.2f, 0.1f, 0);
+  const float alone = sampleField(two, std::span(all).first(1), {}, x).value;
+  EXPECT_LT(alone, 0.0f);
+  EXPECT_EQ(sampleField(two, all, unlinked, x).value, alone) << "a far, unlinked group must not undo a carve";
+}
+
+TEST(Field, GradientMatchesDifferences) {
+  std::mt19937 random(17);
+  std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
+  std::vector<PosedPrimitive> some;
+  std::vector<Candidate> all;
+  for (int i = 0; i < 6; ++i) {
+    some.push_back(sphere({unit(random), unit(random), unit(random)}, 0.6f, i == 5 ? -0.7f : 1.0f));
+    all.push_back({i, 0.5f + 0.5f * unit(random), i % 3});
+  }
+  const CliqueLists cliques{{0, 1}, {1, 2}};
+  int compared = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const glm::vec3 x(unit(random), unit(random), unit(random));
+    const FieldSample here = sampleField(some, all, cliques, x);
+    glm::vec3 numeric;
+    float curvature = 0.0f;
+    constexpr float kStep = 2e-3f;
+    for (int axis = 0; axis < 3; ++axis) {
+      glm::vec3 step(0.0f);
+      step[axis] = kStep;
+      const float up = sampleField(some, all, cliques, x + step).value;
+      const float down = sampleField(some, all, cliques, x - step).value;
+      numeric[axis] = (up - down) / (2 * kStep);
+      curvature = std::max(curvature, std::abs(up + down - 2 * here.value) / (kStep * kStep));
+    }
+    if (curvature > 30.0f) continue;  // a crease between cliques runs through the stencil
+    ++compared;
+    EXPECT_NEAR(glm::distance(here.gradient, numeric), 0.0f, 0.02f) << "round " << round;
+  }
+  EXPECT_GT(compared, 1500);
+}
+
+}  // namespace
+}  // namespace sinew

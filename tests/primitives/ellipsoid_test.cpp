@@ -1,0 +1,62 @@
+// tests/primitives/ellipsoid_test.cpp: the potential's promises and the unit-ball map.
+#include "core/primitives/ellipsoid.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "core/primitives/potential.h"
+
+namespace sinew {
+namespace {
+
+TEST(Potential, HasTheDefinedValuesAndSlope) {
+  EXPECT_EQ(potential(0.0f), 1.0f);
+  EXPECT_EQ(potential(1.0f), 0.0f);
+  EXPECT_EQ(potential(4.0f), 0.0f);
+  for (float q = 0.0f; q < 1.2f; q += 0.01f) {
+    const float numeric = (potential(q + 1e-3f) - potential(std::max(q - 1e-3f, 0.0f))) / (q < 1e-3f ? 1e-3f + q : 2e-3f);
+    EXPECT_NEAR(potentialSlope(q), numeric, 5e-3f) << q;
+  }
+}
+
+TEST(Potential, StrengthPutsTheIsoValueOnTheVisibleSurface) {
+  for (const float iso : {0.05f, 0.25f, 0.9f}) {
+    EXPECT_NEAR(potential(isoRadius(iso) * isoRadius(iso)), iso, 1e-6f);
+    for (const float reach : {1.05f, 1.4142135f, 3.0f}) {
+      EXPECT_NEAR(strengthFor(iso, reach) * potential(1.0f / (reach * reach)), iso, 1e-5f);
+    }
+  }
+  EXPECT_NEAR(strengthFor(0.25f, std::sqrt(2.0f)), 1.0f, 1e-5f) << "DESIGN 3: default reach, default iso";
+}
+
+TEST(UnitBallMap, TakesTheInfluenceSurfaceToTheUnitSphereUnderAnyBone) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
+  for (int round = 0; round < 500; ++round) {
+    Placement placement;
+    placement.center = 50.0f * glm::vec3(unit(random), unit(random), unit(random));
+    placement.rotation = glm::normalize(glm::quat(unit(random), unit(random), unit(random), 1.1f));
+    placement.radii = glm::vec3(1.5f) + glm::vec3(unit(random), unit(random), unit(random));
+    glm::mat4 bone = glm::translate(glm::mat4(1.0f), 20.0f * glm::vec3(unit(random), unit(random), unit(random)));
+    bone = glm::scale(glm::rotate(bone, 3.0f * unit(random), glm::vec3(1, 2, 3)), {0.1f, 2.0f, 1.0f + unit(random) * 0.9f});
+    const UnitBallMap map = unitBallMap(placement, 1.7f, bone);
+    const glm::mat4 shape = shapeInWorld(placement, 1.7f, bone);
+    for (int i = 0; i < 10; ++i) {
+      const glm::vec3 onBall = glm::normalize(glm::vec3(unit(random), unit(random), unit(random) + 1e-3f));
+      const glm::vec3 inWorld(shape * glm::vec4(onBall, 1.0f));
+      EXPECT_NEAR(glm::length(map.toUnit * (inWorld - map.center)), 1.0f, 1e-3f);
+      EXPECT_LE(glm::distance(inWorld, map.center), map.boundingRadius * 1.0001f);
+    }
+  }
+}
+
+TEST(UnitBallMap, FlattenedBoneReachesNothing) {
+  const glm::mat4 flat = glm::scale(glm::mat4(1.0f), {1.0f, 0.0f, 1.0f});
+  EXPECT_EQ(unitBallMap({}, 2.0f, flat).boundingRadius, 0.0f);
+}
+
+}  // namespace
+}  // namespace sinew
