@@ -1,5 +1,6 @@
 #pragma once  // core/smoothing/surface.h: the smoothed mesh of one moment, and what is told about it.
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -8,7 +9,7 @@
 
 namespace sinew {
 
-/// Class of a control triangle under `replace` (paper 3).
+/// Class of a control triangle (paper 3). In `swell`, which has no classes of its own, by the region of influence alone.
 enum class TriangleClass : std::uint8_t { kNormal, kStraddling, kImplicit };
 
 /// Seconds of the last smoothing, by stage.
@@ -35,6 +36,7 @@ struct SmoothingReport {
   int cliques = 0;
   int projected = 0;   ///< Vertices for which a root was sought.
   int unresolved = 0;  ///< ... and none found: they lie on the patch.
+  int anchorFallbacks = 0;  ///< `replace`: anchors outside the implicit surface; the normal served instead.
   double residualMax = 0.0;  ///< Largest |phi| at the found roots.
   StageSeconds seconds;
 };

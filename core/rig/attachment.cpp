@@ -1,0 +1,89 @@
+// core/rig/attachment.cpp: names -> indices, territories -> weights per control vertex.
+#include "core/rig/attachment.h"
+
+#include <algorithm>
+
+#include "core/primitives/potential.h"
+
+namespace sinew {
+namespace {
+
+Result<BlendingGraph> graphOf(const Rig& rig) {
+  std::vector<std::array<int, 2>> links;
+  for (const auto& [a, b] : rig.links) links.push_back({findGroup(rig, a), findGroup(rig, b)});
+  return makeBlendingGraph(static_cast<int>(rig.groups.size()), links);
+}
+
+FieldPrimitive fieldPrimitive(const Rig& rig, const Primitive& primitive, int bone) {
+  FieldPrimitive field;
+  field.bone = bone;
+  field.placement = primitive.placement;
+  field.reach = primitive.reach;
+  field.strength = static_cast<float>(primitive.sign) * strengthFor(rig.surface.iso, primitive.reach);
+  field.group = findGroup(rig, primitive.group);
+  return field;
+}
+
+/// Appends primitive `index` to the vertices its territory holds.
+void addCandidates(const Character& character, const std::vector<int>& territory, int index,
+                   std::vector<std::vector<Candidate>>& candidatesOfVertex) {
+  std::vector<bool> isTerritoryBone(character.skeleton.bones.size(), false);
+  for (const int bone : territory) isTerritoryBone[static_cast<std::size_t>(bone)] = true;
+  for (std::size_t v = 0; v < candidatesOfVertex.size(); ++v) {
+    const float weight = territoryWeight(character, static_cast<int>(v), isTerritoryBone);
+    if (weight > 0.0f) candidatesOfVertex[v].push_back({index, weight, 0});
+  }
+}
+
+}  // namespace
+
+std::vector<int> territoryBones(const Primitive& primitive, int bone, const Skeleton& skeleton) {
+  std::vector<int> bones;
+  if (primitive.territory) {
+    for (const std::string& name : *primitive.territory) {
+      if (const std::optional<int> found = skeleton.findBone(name)) bones.push_back(*found);
+    }
+  } else {
+    const Bone& own = skeleton.bones[static_cast<std::size_t>(bone)];
+    bones = own.children;
+    bones.push_back(bone);
+    if (own.parent >= 0) bones.push_back(own.parent);
+  }
+  std::ranges::sort(bones);
+  bones.erase(std::ranges::unique(bones).begin(), bones.end());
+  return bones;
+}
+
+float territoryWeight(const Character& character, int vertex, const std::vector<bool>& isTerritoryBone) {
+  float sum = 0.0f;
+  for (const Influence& influence : character.mesh.influencesOf(vertex)) {
+    const int bone = character.skeleton.bindings[static_cast<std::size_t>(influence.binding)].bone;
+    if (isTerritoryBone[static_cast<std::size_t>(bone)]) sum += influence.weight;
+  }
+  const float t = std::clamp(sum / 0.5f, 0.0f, 1.0f);
+  return t * t * (3.0f - 2.0f * t);
+}
+
+Result<Attachment> attach(const Rig& rig, const Character& character) {
+  Result<BlendingGraph> graph = graphOf(rig);
+  if (!graph) return graph.error();
+  Attachment attachment;
+  attachment.graph = std::move(graph).value();
+  attachment.candidatesOfVertex.resize(character.mesh.positions.size());
+  for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
+    const Primitive& primitive = rig.primitives[i];
+    const std::optional<int> bone = character.skeleton.findBone(primitive.bone);
+    if (!bone) {
+      attachment.unattached.push_back(static_cast<int>(i));
+      continue;
+    }
+    const int index = static_cast<int>(attachment.primitives.size());
+    attachment.primitives.push_back(fieldPrimitive(rig, primitive, *bone));
+    attachment.rigIndex.push_back(static_cast<int>(i));
+    addCandidates(character, territoryBones(primitive, *bone, character.skeleton), index,
+                  attachment.candidatesOfVertex);
+  }
+  return attachment;
+}
+
+}  // namespace sinew

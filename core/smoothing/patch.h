@@ -1,0 +1,28 @@
+#pragma once  // core/smoothing/patch.h: curved patches over control triangles: position and normal of refined vertices.
+//
+// An edge vertex is computed from its edge's two ends alone, in the edge's own direction: no cracks by construction.
+
+#include <span>
+#include <vector>
+
+#include "core/mesh/control_mesh.h"
+#include "core/rig/rig.h"
+#include "core/smoothing/refinement.h"
+
+namespace sinew {
+
+/// A point of a patch with its unit normal.
+struct PatchPoint {
+  glm::vec3 position{0.0f};
+  glm::vec3 normal{0.0f, 1.0f, 0.0f};
+};
+
+/// Fills all refined vertices from skinned control vertices.
+/// pn: cubic position, quadratic normal (Vlachos et al. 2001). phong: Boubekeur & Alexa 2008, alpha 3/4. spherigon: Volino &
+/// Magnenat-Thalmann 1998, corner weights squared. flat: barycentric; for all but pn the normal is barycentric too.
+/// @param positions, normals [V] world, normals unit.  @param outPositions, outNormals [V'] world, normals unit.
+void evaluatePatches(PatchKind kind, const ControlMesh& mesh, const Refinement& refinement,
+                     std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+                     std::span<glm::vec3> outPositions, std::span<glm::vec3> outNormals);
+
+}  // namespace sinew

@@ -1,0 +1,98 @@
+// core/smoothing/ray_field.cpp: quadratics along a ray.
+#include "core/smoothing/ray_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace sinew {
+namespace {
+
+RaySample sampleTerm(const RayTerm& term, double t) {
+  const double w = 1.0 - term.rSquared(t);
+  if (w <= 0.0 || t < term.enter || t > term.leave) return {};
+  return {term.factor * w * w, -4.0 * term.factor * w * (term.a * t + term.b)};
+}
+
+void add(RaySample& sum, const RaySample& part) {
+  sum.value += part.value;
+  sum.slope += part.slope;
+}
+
+}  // namespace
+
+void RayField::reset(double iso, const CliqueLists& cliques) {
+  terms_.clear();
+  iso_ = iso;
+  cliques_ = &cliques;
+}
+
+void RayField::addPrimitive(const PosedPrimitive& primitive, float weight, int slot, const glm::vec3& origin,
+                            const glm::vec3& direction) {
+  const glm::dmat3 toUnit(primitive.influence.toUnit);
+  const glm::dvec3 y = toUnit * glm::dvec3(origin - primitive.influence.center);
+  const glm::dvec3 yd = toUnit * glm::dvec3(direction);
+  RayTerm term;
+  term.a = glm::dot(yd, yd);
+  term.b = glm::dot(y, yd);
+  term.c = glm::dot(y, y);
+  const double discriminant = term.b * term.b - term.a * (term.c - 1.0);
+  if (!(term.a > 0.0) || !(discriminant > 0.0)) return;
+  const double root = std::sqrt(discriminant);
+  term.enter = (-term.b - root) / term.a;
+  term.leave = (-term.b + root) / term.a;
+  if (term.leave <= 0.0) return;
+  term.factor = static_cast<double>(primitive.strength) * static_cast<double>(weight);
+  term.slot = primitive.strength < 0.0f ? RayTerm::kEverySum : slot;
+  terms_.push_back(term);
+}
+
+RaySample RayField::sample(double t) const {
+  RaySample everywhere{-iso_, 0.0};
+  if (cliques_->empty()) {
+    for (const RayTerm& term : terms_) add(everywhere, sampleTerm(term, t));
+    // Without cliques all positive terms form one sum: nothing to take the maximum of.
+    return everywhere;
+  }
+  ofSlot_.clear();
+  for (const RayTerm& term : terms_) {
+    if (term.slot == RayTerm::kEverySum) {
+      add(everywhere, sampleTerm(term, t));
+      continue;
+    }
+    const auto slot = static_cast<std::size_t>(term.slot);
+    if (ofSlot_.size() <= slot) ofSlot_.resize(slot + 1);
+    add(ofSlot_[slot], sampleTerm(term, t));
+  }
+  RaySample best;
+  for (const std::vector<int>& clique : *cliques_) {
+    RaySample sum;
+    for (const int slot : clique) {
+      if (static_cast<std::size_t>(slot) < ofSlot_.size()) add(sum, ofSlot_[static_cast<std::size_t>(slot)]);
+    }
+    if (sum.value > best.value) best = sum;
+  }
+  add(best, everywhere);
+  return best;
+}
+
+std::span<const double> RayField::breakpoints(double end) const {
+  breakpoints_.assign(1, 0.0);
+  for (const RayTerm& term : terms_) {
+    for (const double t : {term.enter, term.leave}) {
+      if (t > 0.0 && t < end) breakpoints_.push_back(t);
+    }
+  }
+  std::ranges::sort(breakpoints_);
+  breakpoints_.push_back(end);
+  return breakpoints_;
+}
+
+double RayField::lastLeave() const {
+  double last = 0.0;
+  for (const RayTerm& term : terms_) last = std::max(last, term.leave);
+  return last;
+}
+
+}  // namespace sinew

@@ -1,0 +1,181 @@
+// core/smoothing/refinement.cpp: the n^2 split with shared vertices.
+#include "core/smoothing/refinement.h"
+
+#include <cassert>
+
+#include "core/rig/rig.h"
+
+namespace sinew {
+namespace {
+
+/// Position in a control triangle's lattice: barycentric (n-j-k, j, k) / n.
+struct LatticePoint {
+  int j = 0;
+  int k = 0;
+};
+
+/// Index of (j, k) among the inner lattice points, row by row (j = 1 first).
+int interiorIndex(int depth, int j, int k) {
+  int index = k - 1;
+  for (int row = 1; row < j; ++row) index += depth - 1 - row;
+  return index;
+}
+
+/// Refined vertices along control edges as drawn: one run per pair of wedges at the edge's ends.
+struct EdgeRun {
+  int wedgeAtFirst = 0;
+  int wedgeAtSecond = 0;
+  int base = 0;   ///< Drawn vertex of step 1.
+  int next = -1;  ///< Next run of the same edge.
+};
+
+class Builder {
+ public:
+  Builder(const ControlMesh& mesh, int depth) : mesh_(mesh) {
+    out_.depth = depth;
+    out_.controlVertices = static_cast<int>(mesh.positions.size());
+    out_.controlEdges = static_cast<int>(mesh.edges.size());
+    out_.edgeVertices = depth - 1;
+    out_.interiorVertices = (depth - 1) * (depth - 2) / 2;
+    out_.vertexCount = static_cast<int>(refinedVertexCount(mesh, depth));
+  }
+
+  Refinement build() {
+    fillInterior();
+    fillCornerWedges();
+    firstRun_.assign(mesh_.edges.size(), -1);
+    lattice_.resize(static_cast<std::size_t>((out_.depth + 1) * (out_.depth + 1)));
+    drawLattice_.resize(lattice_.size());
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) splitTriangle(static_cast<int>(t));
+    return std::move(out_);
+  }
+
+ private:
+  void fillInterior() {
+    for (int j = 1; j <= out_.depth - 2; ++j) {
+      for (int k = 1; k <= out_.depth - 1 - j; ++k) out_.interior.push_back({j, k});
+    }
+  }
+
+  void fillCornerWedges() {
+    for (const Wedge& wedge : mesh_.wedges) addDrawn(wedge.vertex, wedge.uv);
+  }
+
+  int addDrawn(int refinedVertex, const glm::vec2& uv) {
+    out_.drawVertex.push_back(refinedVertex);
+    out_.drawUv.push_back(uv);
+    return static_cast<int>(out_.drawVertex.size()) - 1;
+  }
+
+  std::size_t at(LatticePoint p) const { return static_cast<std::size_t>(p.j * (out_.depth + 1) + p.k); }
+
+  void splitTriangle(int t) {
+    const ControlTriangle& triangle = mesh_.triangles[static_cast<std::size_t>(t)];
+    placeCorners(triangle);
+    for (int side = 0; side < 3; ++side) placeEdge(triangle, side);
+    placeInterior(t, triangle);
+    emitTriangles();
+  }
+
+  void placeCorners(const ControlTriangle& triangle) {
+    const std::array<LatticePoint, 3> corners{{{0, 0}, {out_.depth, 0}, {0, out_.depth}}};
+    for (std::size_t c = 0; c < 3; ++c) {
+      lattice_[at(corners[c])] = triangle.vertices[c];
+      drawLattice_[at(corners[c])] = triangle.wedges[c];
+    }
+  }
+
+  /// Lattice point `step` from corner `side` towards corner side + 1.
+  LatticePoint onSide(int side, int step) const {
+    if (side == 0) return {step, 0};
+    if (side == 1) return {out_.depth - step, step};
+    return {0, out_.depth - step};
+  }
+
+  void placeEdge(const ControlTriangle& triangle, int side) {
+    if (out_.edgeVertices == 0) return;
+    const auto from = static_cast<std::size_t>(side);
+    const auto to = static_cast<std::size_t>((side + 1) % 3);
+    const int edge = triangle.edges[from];
+    const bool forward = mesh_.edges[static_cast<std::size_t>(edge)].vertices[0] == triangle.vertices[from];
+    const int base = forward ? edgeRun(edge, triangle.wedges[from], triangle.wedges[to])
+                             : edgeRun(edge, triangle.wedges[to], triangle.wedges[from]);
+    for (int step = 1; step < out_.depth; ++step) {
+      const int stepOnEdge = forward ? step : out_.depth - step;
+      lattice_[at(onSide(side, step))] = out_.edgeVertex(edge, stepOnEdge);
+      drawLattice_[at(onSide(side, step))] = base + stepOnEdge - 1;
+    }
+  }
+
+  /// First drawn vertex of the edge between these two wedges; made when first asked for.
+  int edgeRun(int edge, int wedgeAtFirst, int wedgeAtSecond) {
+    int& head = firstRun_[static_cast<std::size_t>(edge)];
+    for (int i = head; i >= 0; i = runs_[static_cast<std::size_t>(i)].next) {
+      const EdgeRun& run = runs_[static_cast<std::size_t>(i)];
+      if (run.wedgeAtFirst == wedgeAtFirst && run.wedgeAtSecond == wedgeAtSecond) return run.base;
+    }
+    const int base = static_cast<int>(out_.drawVertex.size());
+    const glm::vec2 uv0 = mesh_.wedges[static_cast<std::size_t>(wedgeAtFirst)].uv;
+    const glm::vec2 uv1 = mesh_.wedges[static_cast<std::size_t>(wedgeAtSecond)].uv;
+    for (int step = 1; step < out_.depth; ++step) {
+      const float w = static_cast<float>(step) / static_cast<float>(out_.depth);
+      addDrawn(out_.edgeVertex(edge, step), uv0 * (1.0f - w) + uv1 * w);
+    }
+    runs_.push_back({wedgeAtFirst, wedgeAtSecond, base, head});
+    head = static_cast<int>(runs_.size()) - 1;
+    return base;
+  }
+
+  void placeInterior(int t, const ControlTriangle& triangle) {
+    const glm::vec2 uv0 = mesh_.wedges[static_cast<std::size_t>(triangle.wedges[0])].uv;
+    const glm::vec2 uv1 = mesh_.wedges[static_cast<std::size_t>(triangle.wedges[1])].uv;
+    const glm::vec2 uv2 = mesh_.wedges[static_cast<std::size_t>(triangle.wedges[2])].uv;
+    const float n = static_cast<float>(out_.depth);
+    for (const auto& [j, k] : out_.interior) {
+      const int vertex = out_.interiorVertex(t, interiorIndex(out_.depth, j, k));
+      const float v = static_cast<float>(j) / n;
+      const float w = static_cast<float>(k) / n;
+      lattice_[at({j, k})] = vertex;
+      drawLattice_[at({j, k})] = addDrawn(vertex, uv0 * (1.0f - v - w) + uv1 * v + uv2 * w);
+    }
+  }
+
+  void emitTriangles() {
+    const int n = out_.depth;
+    for (int j = 0; j < n; ++j) {
+      for (int k = 0; k < n - j; ++k) {
+        emit({j, k}, {j + 1, k}, {j, k + 1});
+        if (k < n - j - 1) emit({j + 1, k}, {j + 1, k + 1}, {j, k + 1});
+      }
+    }
+  }
+
+  void emit(LatticePoint a, LatticePoint b, LatticePoint c) {
+    out_.triangles.push_back({lattice_[at(a)], lattice_[at(b)], lattice_[at(c)]});
+    out_.drawTriangles.push_back({static_cast<std::uint32_t>(drawLattice_[at(a)]),
+                                  static_cast<std::uint32_t>(drawLattice_[at(b)]),
+                                  static_cast<std::uint32_t>(drawLattice_[at(c)])});
+  }
+
+  const ControlMesh& mesh_;
+  Refinement out_;
+  std::vector<EdgeRun> runs_;
+  std::vector<int> firstRun_;     ///< [E] into runs_, or -1.
+  std::vector<int> lattice_;      ///< Refined vertices of the triangle at hand.
+  std::vector<int> drawLattice_;  ///< Drawn vertices of the triangle at hand.
+};
+
+}  // namespace
+
+Refinement refine(const ControlMesh& mesh, int depth) {
+  assert(depth >= 1 && depth <= kMaxDepth);
+  return Builder(mesh, depth).build();
+}
+
+std::int64_t refinedVertexCount(const ControlMesh& mesh, int depth) {
+  const std::int64_t n = depth;
+  return static_cast<std::int64_t>(mesh.positions.size()) + static_cast<std::int64_t>(mesh.edges.size()) * (n - 1) +
+         static_cast<std::int64_t>(mesh.triangles.size()) * ((n - 1) * (n - 2) / 2);
+}
+
+}  // namespace sinew

@@ -1,0 +1,37 @@
+#pragma once  // core/smoothing/replace.h: the paper's mode: vertices inside the influence go to the implicit surface.
+
+#include <span>
+
+#include "core/mesh/control_mesh.h"
+#include "core/rig/rig.h"
+#include "core/smoothing/carrier_walk.h"
+#include "core/smoothing/surface.h"
+
+namespace sinew {
+
+/// Constants of one character and rig.
+struct ReplaceSettings {
+  float iso = kDefaultIso;
+  float searchLength = 0.2f;  ///< L, world units. The result's weight fades from 1 at 0.8 L to 0 at L.
+  ProjectionKind projection = ProjectionKind::kNewton;
+  double tolerance = 1e-6;
+};
+
+/// The refined mesh without elevation, in one pose: what is projected, from where and towards what.
+struct FlatVertices {
+  std::span<const glm::vec3> positions;  ///< [V'] barycentric, world.
+  std::span<const glm::vec3> normals;    ///< [V'] barycentric, unit.
+  std::span<const glm::vec3> anchors;    ///< [V'] world. Analytic projection does not look at them.
+};
+
+/// omega at the control vertices (paper 3.3), from the bind pose: 1 where the vertex is inside the region of influence and
+/// its projection exists within the search length, else 0. @param flat of the bind pose; its first V entries are read.
+[[nodiscard]] std::vector<float> implicitWeights(const ControlMesh& mesh, const FieldView& bindField,
+                                                 const ReplaceSettings& settings, const FlatVertices& flat);
+
+/// p' = w p_implicit + (1 - w) p_normal, w = omega faded over the last part of the search length; likewise normals. The
+/// surface holds the patch on entry. Vertices with omega > 0 and no root stay on it and count as unresolved.
+void replace(const ControlMesh& mesh, const FieldView& field, const ReplaceSettings& settings, const FlatVertices& flat,
+             std::span<const float> omega, Surface& surface);
+
+}  // namespace sinew

@@ -1,0 +1,205 @@
+// core/smoothing/smoother.cpp: the stages in order: skin -> patch -> project.
+#include "core/smoothing/smoother.h"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+
+#include <glm/geometric.hpp>
+
+#include "core/character/skinning.h"
+#include "core/rig/attachment.h"
+#include "core/rig/validation.h"
+#include "core/smoothing/anchors.h"
+#include "core/smoothing/candidates.h"
+#include "core/smoothing/patch.h"
+#include "core/smoothing/replace.h"
+#include "core/smoothing/swell.h"
+#include "core/smoothing/triangle_classes.h"
+
+namespace sinew {
+namespace {
+
+constexpr double kRootTolerance = 1e-6;           ///< Fraction of H: a hundredth of what DESIGN 5 asks.
+constexpr float kSearchLength = 0.2f;             ///< L of `replace`, fraction of H.
+constexpr std::int64_t kMaxRefinedVertices = 32'000'000;  ///< About 2 GiB with all that is kept per vertex.
+
+class Stopwatch {
+ public:
+  /// Seconds since the last call, or since construction.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> passed = now - last_;
+    last_ = now;
+    return passed.count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// All that follows from a rig and a character, before any pose.
+struct Prepared {
+  Rig rig;
+  Attachment attachment;
+  CandidateLists candidates;
+  std::shared_ptr<const Refinement> refinement;
+  std::vector<Anchor> anchors;  ///< [V'] in `replace` with an anchored projection, else empty.
+  std::vector<float> omega;     ///< [V]
+  std::vector<TriangleClass> classes;
+};
+
+SwellSettings swellSettings(const Rig& rig, const Character& character) {
+  return {rig.surface.iso, rig.surface.skinBlend * character.height, rig.smoothing.projection,
+          kRootTolerance * static_cast<double>(character.height)};
+}
+
+ReplaceSettings replaceSettings(const Rig& rig, const Character& character) {
+  return {rig.surface.iso, kSearchLength * character.height, rig.smoothing.projection,
+          kRootTolerance * static_cast<double>(character.height)};
+}
+
+/// In `swell` only the overlay and the report ask: inside the region of influence or not.
+std::vector<float> influenceWeights(const ControlMesh& mesh, const FieldView& bindField) {
+  std::vector<float> omega(mesh.positions.size(), 0.0f);
+  for (std::size_t v = 0; v < omega.size(); ++v) {
+    for (const CarrierCandidate& candidate : bindField.lists->of(static_cast<int>(v))) {
+      const UnitBallMap& ball = bindField.primitives[static_cast<std::size_t>(candidate.primitive)].influence;
+      const glm::vec3 y = ball.toUnit * (mesh.positions[v] - ball.center);
+      if (ball.boundingRadius > 0.0f && glm::dot(y, y) < 1.0f) omega[v] = 1.0f;
+    }
+  }
+  return omega;
+}
+
+}  // namespace
+
+struct Smoother::State {
+  std::shared_ptr<const Character> character;
+  Prepared prepared;
+
+  // Memory kept from pose to pose; never read before it is written.
+  SkinnedMesh skinned;
+  std::vector<PosedPrimitive> posed;
+  std::vector<glm::vec3> flatPositions;
+  std::vector<glm::vec3> flatNormals;
+  std::vector<glm::vec3> anchorsInWorld;
+
+  [[nodiscard]] const ControlMesh& mesh() const { return character->mesh; }
+
+  std::shared_ptr<const Refinement> refinementFor(int depth) const {
+    if (prepared.refinement && prepared.refinement->depth == depth) return prepared.refinement;
+    return std::make_shared<const Refinement>(refine(mesh(), depth));
+  }
+
+  void evaluate(PatchKind kind, const Refinement& refinement, const SkinnedMesh& control,
+                std::vector<glm::vec3>& positions, std::vector<glm::vec3>& normals) const {
+    positions.resize(static_cast<std::size_t>(refinement.vertexCount));
+    normals.resize(positions.size());
+    evaluatePatches(kind, mesh(), refinement, control.positions, control.normals, positions, normals);
+  }
+
+  /// omega, classes and anchors: read off the bind pose.
+  void prepareClasses(Prepared& next) {
+    std::vector<PosedPrimitive> bindPrimitives;
+    const Pose bind = bindPose(character->skeleton);
+    poseField(next.attachment.primitives, bind.boneInWorld, bindPrimitives);
+    const FieldView bindField{bindPrimitives, &next.candidates};
+    if (next.rig.surface.mode == SurfaceMode::kReplace) {
+      const SkinnedMesh control{mesh().positions, mesh().normals};
+      evaluate(PatchKind::kFlat, *next.refinement, control, flatPositions, flatNormals);
+      next.anchors = findAnchors(character->skeleton, flatPositions);
+      poseAnchors(next.anchors, bind, anchorsInWorld);
+      next.omega = implicitWeights(mesh(), bindField, replaceSettings(next.rig, *character),
+                                   {flatPositions, flatNormals, anchorsInWorld});
+    } else {
+      next.omega = influenceWeights(mesh(), bindField);
+    }
+    next.classes = classifyTriangles(mesh(), next.omega);
+  }
+
+  void project(const Pose& pose, Surface& out) {
+    const Prepared& p = prepared;
+    if (p.attachment.primitives.empty()) return;
+    poseField(p.attachment.primitives, pose.boneInWorld, posed);
+    const FieldView field{posed, &p.candidates};
+    if (p.rig.surface.mode == SurfaceMode::kSwell) {
+      swell(mesh(), field, swellSettings(p.rig, *character), out);
+      return;
+    }
+    evaluate(PatchKind::kFlat, *p.refinement, skinned, flatPositions, flatNormals);
+    poseAnchors(p.anchors, pose, anchorsInWorld);
+    replace(mesh(), field, replaceSettings(p.rig, *character), {flatPositions, flatNormals, anchorsInWorld}, p.omega, out);
+  }
+
+  void startReport(Surface& out) const {
+    const Prepared& p = prepared;
+    SmoothingReport& report = out.report;
+    report = {};
+    report.mode = p.rig.surface.mode;
+    report.patch = p.rig.smoothing.patch;
+    report.projection = p.rig.smoothing.projection;
+    report.depth = p.refinement->depth;
+    report.controlTriangles = static_cast<int>(mesh().triangles.size());
+    report.refinedTriangles = static_cast<int>(p.refinement->triangles.size());
+    report.refinedVertices = p.refinement->vertexCount;
+    report.implicitTriangles = static_cast<int>(std::ranges::count(p.classes, TriangleClass::kImplicit));
+    report.straddlingTriangles = static_cast<int>(std::ranges::count(p.classes, TriangleClass::kStraddling));
+    report.normalTriangles = static_cast<int>(std::ranges::count(p.classes, TriangleClass::kNormal));
+    report.primitives = static_cast<int>(p.attachment.primitives.size());
+    report.cliques = static_cast<int>(p.attachment.graph.cliques.size());
+  }
+};
+
+Smoother::Smoother(std::shared_ptr<const Character> character) : state_(std::make_unique<State>()) {
+  assert(character);
+  state_->character = std::move(character);
+}
+
+Smoother::~Smoother() = default;
+Smoother::Smoother(Smoother&&) noexcept = default;
+Smoother& Smoother::operator=(Smoother&&) noexcept = default;
+
+Result<void> Smoother::prepare(const Rig& rig) {
+  if (Result<void> valid = validate(rig); !valid) return valid.error();
+  const std::int64_t vertices = refinedVertexCount(state_->mesh(), rig.smoothing.depth);
+  if (vertices > kMaxRefinedVertices) {
+    return errorAt("smoothing.depth", "depth " + std::to_string(rig.smoothing.depth) + " makes " +
+                                          std::to_string(vertices) + " vertices of this character; at most " +
+                                          std::to_string(kMaxRefinedVertices) + " are possible");
+  }
+  Result<Attachment> attachment = attach(rig, *state_->character);
+  if (!attachment) return attachment.error();
+  Prepared next;
+  next.rig = rig;
+  next.attachment = std::move(attachment).value();
+  next.candidates = makeCandidateLists(state_->mesh(), next.attachment);
+  next.refinement = state_->refinementFor(rig.smoothing.depth);
+  state_->prepareClasses(next);
+  state_->prepared = std::move(next);
+  return {};
+}
+
+void Smoother::smooth(const Pose& pose, Surface& out) {
+  State& state = *state_;
+  assert(state.prepared.refinement && "prepare() first");
+  Stopwatch watch;
+  skin(*state.character, pose, state.skinned);
+  const double skinSeconds = watch.lap();
+
+  out.refinement = state.prepared.refinement;
+  out.classes = state.prepared.classes;
+  state.evaluate(state.prepared.rig.smoothing.patch, *out.refinement, state.skinned, out.positions, out.normals);
+  out.displacement.assign(out.positions.size(), 0.0f);
+  state.startReport(out);
+  const double patchSeconds = watch.lap();
+
+  state.project(pose, out);
+  out.report.seconds = {skinSeconds, patchSeconds, watch.lap()};
+}
+
+const Character& Smoother::character() const { return *state_->character; }
+
+const std::vector<int>& Smoother::unattached() const { return state_->prepared.attachment.unattached; }
+
+}  // namespace sinew

@@ -1,0 +1,15 @@
+#pragma once  // core/smoothing/triangle_classes.h: implicit, straddling and normal control triangles (paper 3).
+
+#include <span>
+#include <vector>
+
+#include "core/mesh/control_mesh.h"
+#include "core/smoothing/surface.h"
+
+namespace sinew {
+
+/// Implicit where omega is 1 at all three corners, normal where it is 0 at all, straddling between.
+/// @param omega [V] 0 or 1.  @return [T]
+[[nodiscard]] std::vector<TriangleClass> classifyTriangles(const ControlMesh& mesh, std::span<const float> omega);
+
+}  // namespace sinew

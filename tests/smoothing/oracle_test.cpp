@@ -1,0 +1,197 @@
+// tests/smoothing/oracle_test.cpp: the smoother's vertices against a double-precision brute-force solver.
+
+#include <iostream>
+
+#include <gtest/gtest.h>
+
+#include "core/smoothing/smoother.h"
+#include "tests/support/mesh_checks.h"
+#include "tests/support/oracle_compare.h"
+#include "tests/support/random_rigs.h"
+#include "tests/support/real_characters.h"
+#include "tests/support/synthetic_characters.h"
+
+namespace sinew::test {
+namespace {
+
+using CharacterPtr = std::shared_ptr<const Character>;
+
+RigRecipe recipeOf(int primitives) {
+  RigRecipe recipe;
+  recipe.primitives = primitives;
+  recipe.groups = primitives == 1 ? 1 : primitives < 10 ? 3 : 6;
+  if (primitives == 1) recipe.carveChance = 0.0f;
+  return recipe;
+}
+
+/// The bind pose, then `count` moments spread over the character's first clip.
+std::vector<Pose> posesOf(const Character& character, int count) {
+  std::vector<Pose> out{bindPose(character.skeleton)};
+  const AnimationClip& clip = character.clips.back();
+  for (int i = 0; i < count; ++i) {
+    const float time = clip.duration * (static_cast<float>(i) + 0.37f) / static_cast<float>(count);
+    out.push_back(samplePose(character.skeleton, clip, time));
+  }
+  return out;
+}
+
+oracle::Tally tallyOf(const CharacterPtr& character, const Rig& rig, int poses, int wanted) {
+  Smoother smoother(character);
+  const auto prepared = smoother.prepare(rig);
+  EXPECT_TRUE(prepared.ok()) << prepared.error().text();
+  if (!prepared) return {};
+  oracle::Oracle oracle(*character, rig);
+  oracle::Tally total;
+  Surface surface;
+  int first = 0;
+  for (const Pose& pose : posesOf(*character, poses)) {
+    smoother.smooth(pose, surface);
+    EXPECT_TRUE(allFinite(surface.positions));
+    EXPECT_TRUE(allFinite(surface.normals));
+    EXPECT_TRUE(allUnit(surface.normals));
+    oracle.pose(pose);
+    const int stride = std::max(1, static_cast<int>(surface.positions.size()) * (poses + 1) / wanted);
+    total.add(oracle::compare(oracle, *character, surface, stride, first++ % stride));
+  }
+  return total;
+}
+
+void expectAgreement(const std::string& what, const oracle::Tally& tally) {
+  std::cout << "  " << what << ": " << tally.text() << "\n";
+  EXPECT_GT(tally.compared, 0);
+  EXPECT_LE(tally.farShare(), 0.008) << what << "; " << tally.firstFar;
+  EXPECT_EQ(tally.unexplained, 0) << what << "; " << tally.firstFar;
+  EXPECT_EQ(tally.farUnsought, 0) << what << "; " << tally.firstFar;
+  EXPECT_LE(tally.normalsOffShare(), 0.01) << what;
+}
+
+const std::vector<ProjectionKind> kProjections{ProjectionKind::kNewton, ProjectionKind::kBisection,
+                                               ProjectionKind::kAnalytic};
+
+void expectSwellAgrees(const CharacterPtr& character, int primitives, int wanted) {
+  int sought = 0;
+  for (const ProjectionKind projection : kProjections) {
+    Rig rig = randomRig(*character, recipeOf(primitives), static_cast<std::uint64_t>(primitives));
+    rig.smoothing.projection = projection;
+    const oracle::Tally tally = tallyOf(character, rig, 5, wanted);
+    expectAgreement(character->name + ", swell, " + nameOf(projection) + ", " + std::to_string(primitives), tally);
+    sought += tally.sought;
+  }
+  EXPECT_GT(sought, 0) << "no primitive reached the skin: the comparison says nothing";
+}
+
+/// `replace` is for bodies that primitives wrap: fat ellipsoids around every bone.
+Rig wrappingRig(const Character& character, int primitives) {
+  RigRecipe recipe = recipeOf(primitives);
+  recipe.carveChance = 0.05f;
+  recipe.radiusLow = 0.06f;
+  recipe.radiusHigh = 0.14f;
+  Rig rig = randomRig(character, recipe, 77);
+  rig.surface.mode = SurfaceMode::kReplace;
+  return rig;
+}
+
+void expectReplaceAgrees(const CharacterPtr& character, ProjectionKind projection, int primitives, int wanted) {
+  Rig rig = wrappingRig(*character, primitives);
+  rig.smoothing.projection = projection;
+  const oracle::Tally tally = tallyOf(character, rig, 5, wanted);
+  expectAgreement(character->name + ", replace, " + nameOf(projection) + ", " + std::to_string(primitives), tally);
+  EXPECT_GT(tally.sought, 0);
+}
+
+void expectReplaceAgrees(ProjectionKind projection) {
+  for (const CharacterPtr& character : {makeLimb(), makeTwoLegged(), makeStrip(), makeTube()}) {
+    for (const int primitives : {5, 40}) expectReplaceAgrees(character, projection, primitives, 1500);
+  }
+  for (const char* file : {"Fox.glb", "greenman.glb"}) {
+    if (const CharacterPtr character = realCharacter(file)) expectReplaceAgrees(character, projection, 40, 1500);
+  }
+}
+
+// The comparison itself must see what it is there to see.
+TEST(Oracle, ComparisonNoticesWrongSurfaces) {
+  const CharacterPtr character = makeLimb();
+  const Rig rig = randomRig(*character, recipeOf(12), 2);
+  Smoother smoother(character);
+  ASSERT_TRUE(smoother.prepare(rig).ok());
+  const oracle::Oracle oracle(*character, rig);
+  Surface right;
+  smoother.smooth(bindPose(character->skeleton), right);
+  const oracle::Tally good = oracle::compare(oracle, *character, right, 1, 0);
+  EXPECT_EQ(good.far + good.farUnsought + good.normalsOff, 0) << good.text() << "; " << good.firstFar;
+  ASSERT_GT(good.sought, 50);
+
+  Surface wrong = right;
+  for (glm::vec3& p : wrong.positions) p.y += 2e-4f * character->height;
+  const oracle::Tally moved = oracle::compare(oracle, *character, wrong, 1, 0);
+  EXPECT_EQ(moved.far + moved.farUnsought, moved.compared);
+  wrong = right;
+  for (glm::vec3& n : wrong.normals) n = glm::normalize(n + glm::vec3(0.05f, -0.04f, 0.03f));
+  EXPECT_GT(oracle::compare(oracle, *character, wrong, 1, 0).normalsOff, good.sought / 2);
+}
+
+TEST(Oracle, SwellOnSyntheticCharacters) {
+  for (const CharacterPtr& character : {makeLimb(), makeTwoLegged(), makeStrip(), makeTube()}) {
+    for (const int primitives : {1, 5, 40}) expectSwellAgrees(character, primitives, 2500);
+  }
+}
+
+TEST(Oracle, ReplaceByNewton) { expectReplaceAgrees(ProjectionKind::kNewton); }
+
+TEST(Oracle, ReplaceByAnalytic) { expectReplaceAgrees(ProjectionKind::kAnalytic); }
+
+TEST(Oracle, ReplaceByBisection) { expectReplaceAgrees(ProjectionKind::kBisection); }
+
+TEST(Oracle, EveryPatchUnderMuscles) {
+  const CharacterPtr character = makeTwoLegged();
+  for (const PatchKind patch : {PatchKind::kPn, PatchKind::kPhong, PatchKind::kFlat}) {
+    Rig rig = randomRig(*character, recipeOf(12), 3);
+    rig.smoothing.patch = patch;
+    rig.smoothing.depth = 4;
+    expectAgreement(std::string("two-legged, swell, ") + nameOf(patch), tallyOf(character, rig, 3, 3000));
+  }
+}
+
+TEST(Oracle, OtherIsoAndSkinBlend) {
+  const CharacterPtr character = makeLimb();
+  for (const float iso : {0.05f, 0.5f, 0.9f}) {
+    for (const float blend : {0.01f, 0.15f}) {
+      Rig rig = randomRig(*character, recipeOf(12), 9);
+      rig.surface.iso = iso;
+      rig.surface.skinBlend = blend;
+      expectAgreement("limb, iso " + std::to_string(iso) + ", blend " + std::to_string(blend),
+                      tallyOf(character, rig, 2, 1500));
+    }
+  }
+}
+
+TEST(Oracle, UnevenBoneScale) {
+  const CharacterPtr character = makeTwoLegged();
+  const Rig rig = randomRig(*character, recipeOf(20), 21);
+  Smoother smoother(character);
+  ASSERT_TRUE(smoother.prepare(rig).ok());
+  oracle::Oracle oracle(*character, rig);
+  oracle::Tally total;
+  Surface surface;
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    const Pose pose = randomPose(character->skeleton, 0.6f, 0.35f, seed);
+    smoother.smooth(pose, surface);
+    oracle.pose(pose);
+    total.add(oracle::compare(oracle, *character, surface, 5, static_cast<int>(seed)));
+  }
+  expectAgreement("two-legged, stretched bones", total);
+}
+
+TEST(Oracle, SwellOnRealCharacters) {
+  int found = 0;
+  for (const char* file : {"Fox.glb", "greenman.glb"}) {
+    const CharacterPtr character = realCharacter(file);
+    if (!character) continue;
+    ++found;
+    for (const int primitives : {1, 5, 40}) expectSwellAgrees(character, primitives, 4000);
+  }
+  if (found == 0) GTEST_SKIP() << "left out: real characters are not at hand";
+}
+
+}  // namespace
+}  // namespace sinew::test

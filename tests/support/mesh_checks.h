@@ -1,0 +1,36 @@
+#pragma once  // tests/support/mesh_checks.h: what every surface must be, checked without the code under test.
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/mesh/control_mesh.h"
+
+namespace sinew::test {
+
+/// Counts found by sorting directed edges.
+struct EdgeCensus {
+  int vertices = 0;  ///< Used by a triangle.
+  int edges = 0;
+  int triangles = 0;
+  int borderEdges = 0;        ///< In one triangle.
+  int crowdedEdges = 0;       ///< In more than two.
+  int inconsistentEdges = 0;  ///< Run twice in the same direction: neighbours that disagree about the outside.
+  [[nodiscard]] int euler() const { return vertices - edges + triangles; }
+};
+
+[[nodiscard]] EdgeCensus censusOf(std::span<const std::array<int, 3>> triangles);
+[[nodiscard]] std::vector<std::array<int, 3>> trianglesOf(const ControlMesh& mesh);
+
+/// Every edge has two triangles that run it in opposite directions.
+[[nodiscard]] ::testing::AssertionResult isClosed(std::span<const std::array<int, 3>> triangles);
+[[nodiscard]] ::testing::AssertionResult allFinite(std::span<const glm::vec3> points);
+/// Lengths within 1e-4 of 1.
+[[nodiscard]] ::testing::AssertionResult allUnit(std::span<const glm::vec3> normals);
+/// Equal bit for bit.
+[[nodiscard]] ::testing::AssertionResult sameBytes(std::span<const glm::vec3> a, std::span<const glm::vec3> b);
+[[nodiscard]] bool sameBits(const glm::vec3& a, const glm::vec3& b);
+
+}  // namespace sinew::test

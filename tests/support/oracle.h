@@ -1,0 +1,94 @@
+#pragma once  // tests/support/oracle.h: what every refined vertex should be, in double, by brute force.
+//
+// Written from DESIGN 2 to 5 and the paper alone. It shares no code with the smoothing: own skinning, patches, field,
+// anchors and root search (thousands of samples and halving). Slow on purpose; tests ask it about some of the vertices.
+
+#include <array>
+#include <vector>
+
+#include "core/character/character.h"
+#include "core/rig/rig.h"
+#include "core/skeleton/pose.h"
+#include "core/smoothing/refinement.h"
+#include "tests/support/oracle_field.h"
+#include "tests/support/oracle_patch.h"
+
+namespace sinew::oracle {
+
+/// A refined vertex as a weighted mean of control vertices.
+struct Site {
+  std::array<int, 3> vertices{};
+  std::array<double, 3> barycentric{};  ///< Sum 1; on an edge the last is 0, at a control vertex the last two.
+};
+
+/// @param vertex of the refinement, numbered as its header says.
+Site siteOf(const ControlMesh& mesh, const Refinement& refinement, int vertex);
+
+struct Answer {
+  Vec position;
+  Vec normal;  ///< Unit.
+  PatchPoint patch;
+  double field = 0.0;    ///< F at the start of the ray, territories counted.
+  double nearest = 0.0;  ///< Smallest r of a primitive at the patch point; >= 1: none reaches it.
+  double offset = 0.0;   ///< Signed distance along the ray to the root that was taken.
+  double lead = 0.0;     ///< Field::lead at the position: near 0 the gradient is on a crease.
+  double weight = 1.0;   ///< `replace`: share of the projected position, fade included.
+  bool sought = false;   ///< A root was looked for.
+  bool resolved = false;
+  bool fellBack = false;  ///< `replace`: the anchor was not inside, so the normal was followed.
+  Vec rayOrigin;
+  Vec rayDirection;                  ///< Unit.
+  std::vector<double> fieldWeights;  ///< m_i there.
+  std::vector<double> roots;         ///< Every root along the ray the other choices could have meant.
+};
+
+class Oracle {
+ public:
+  Oracle(const Character& character, const Rig& rig);
+
+  void pose(const Pose& pose);
+  [[nodiscard]] Answer evaluate(const Site& site) const;
+  /// What the mode solves for zero, at a distance along the answer's ray.
+  [[nodiscard]] double phiAt(const Answer& answer, double t) const;
+  [[nodiscard]] const Field& field() const { return field_; }
+  /// m_i at a site.
+  [[nodiscard]] std::vector<double> weightsAt(const Site& site) const;
+  /// omega of a control vertex, `replace` only.
+  [[nodiscard]] double omega(int vertex) const { return omega_[static_cast<std::size_t>(vertex)]; }
+
+ private:
+  struct Anchor {
+    int bone = 0;
+    Vec inBone;
+  };
+  struct Hit {
+    bool found = false;
+    bool fellBack = false;
+    double t = 0.0;
+    std::vector<double> roots;
+    Vec origin;
+    Vec direction;
+  };
+
+  [[nodiscard]] double skinWidth() const;  ///< W
+  [[nodiscard]] double skinRadius(double s) const;
+  [[nodiscard]] Corners cornersOf(const Site& site) const;
+  [[nodiscard]] Anchor anchorOf(const Vec& bindPoint) const;
+  [[nodiscard]] Answer swell(const Site& site) const;
+  [[nodiscard]] Answer replace(const Site& site) const;
+  [[nodiscard]] Hit project(const PatchPoint& flat, const Vec& anchor, const std::vector<double>& weights) const;
+  [[nodiscard]] Vec anchorInWorld(const Site& site) const;
+  void findOmegas();
+
+  const Character& character_;
+  Rig rig_;
+  Field field_;
+  double height_ = 1.0;
+  std::vector<std::vector<double>> vertexWeights_;  ///< [V][primitives]
+  std::vector<double> omega_;                       ///< [V]
+  std::vector<Affine> bones_;                       ///< [bones] posed.
+  std::vector<Vec> positions_;                      ///< [V] posed.
+  std::vector<Vec> normals_;                        ///< [V] posed.
+};
+
+}  // namespace sinew::oracle
