@@ -1,3 +1,4 @@
+// core/base/geometry.cpp: boxes, safe normalising, the matrix of normals.
 #include "core/base/geometry.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// core/base/result.cpp: an error as one line.
 #include "core/base/result.h"
 
 namespace sinew {

@@ -1,3 +1,4 @@
+// core/primitives/ellipsoid.cpp: placements through bone matrices.
 #include "core/primitives/ellipsoid.h"
 
 #include <algorithm>

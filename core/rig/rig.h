@@ -70,7 +70,8 @@ struct Rig {
 [[nodiscard]] int findPrimitive(const Rig& rig, const std::string& name);
 [[nodiscard]] int findGroup(const Rig& rig, const std::string& name);
 
-/// `wanted`, or `wanted 2`, `wanted 3` ...: the first that no primitive (or group) has.
+/// `wanted`, or `wanted 2`, `wanted 3` ...: the first that no primitive (or group) has. A number at the end of `wanted`
+/// counts on: a taken "thigh 2" gives "thigh 3".
 [[nodiscard]] std::string freePrimitiveName(const Rig& rig, const std::string& wanted);
 [[nodiscard]] std::string freeGroupName(const Rig& rig, const std::string& wanted);
 

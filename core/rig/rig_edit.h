@@ -11,11 +11,12 @@
 
 namespace sinew {
 
-/// Appends; the name is made unique; an empty group becomes the first group, made ("muscles") if there is none.
+/// Appends; the name is made unique; an empty group becomes the first group, made ("muscles") if there is none. If `mirror`
+/// names a primitive of the rig, the two become each other's twins (a former twin is let go).
 [[nodiscard]] Result<Rig> addPrimitive(const Rig& rig, Primitive primitive);
 /// Removes several; twins of removed ones lose their link.
 [[nodiscard]] Rig removePrimitives(const Rig& rig, std::span<const int> indices);
-/// Copies of several, appended, with free names; the copies have no twins.
+/// Copies of several, appended, with free names; the copies have no twins. Stops at kMaxPrimitives.
 [[nodiscard]] Rig duplicatePrimitives(const Rig& rig, std::span<const int> indices);
 [[nodiscard]] Result<Rig> setPlacement(const Rig& rig, int index, const Placement& placement);
 [[nodiscard]] Result<Rig> setReach(const Rig& rig, int index, float reach);
@@ -24,6 +25,10 @@ namespace sinew {
 /// Moves the primitive to another bone; the placement is the caller's (it knows the pose).
 [[nodiscard]] Result<Rig> setBone(const Rig& rig, int index, const std::string& bone, const Placement& placement);
 [[nodiscard]] Result<Rig> setTerritory(const Rig& rig, int index, std::optional<std::vector<std::string>> territory);
+/// Makes two different primitives each other's twins; former twins are let go. Placements stay as they are.
+[[nodiscard]] Rig setMirror(const Rig& rig, int index, int twin);
+/// Lets go of the twin, on both sides.
+[[nodiscard]] Rig clearMirror(const Rig& rig, int index);
 [[nodiscard]] Result<Rig> setGroupOf(const Rig& rig, int index, const std::string& group);
 [[nodiscard]] Result<Rig> addGroup(const Rig& rig, const std::string& name);
 [[nodiscard]] Result<Rig> renameGroup(const Rig& rig, int group, const std::string& name);

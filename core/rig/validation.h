@@ -1,5 +1,7 @@
 #pragma once  // core/rig/validation.h: what makes a rig a rig, in one place for files and editor alike.
 
+#include <string>
+
 #include "core/base/result.h"
 #include "core/rig/rig.h"
 
@@ -7,9 +9,22 @@ namespace sinew {
 
 inline constexpr int kMaxPrimitives = 65536;
 
-/// Checks ranges, finiteness, unique names, that groups and mirrors exist, and the blending graph's size.
+/// Checks ranges, finiteness, unique names, that groups exist, that twins name each other, and the blending graph's size.
 /// Bones are not checked: a rig may meet another character. The Error's place is a JSON path such as
 /// "primitives[2].radii[1]"; its reason says what was expected.
 [[nodiscard]] Result<void> validate(const Rig& rig);
+
+// Its parts, for edits that can break no more than one of them. The Error's place begins with `place`.
+
+/// Center and rotation finite, rotation within 1e-3 of unit length, radii finite and > 0.
+[[nodiscard]] Result<void> validatePlacement(const Placement& placement, const std::string& place);
+/// All of a primitive that needs no look at the rest of the rig.
+[[nodiscard]] Result<void> validatePrimitive(const Primitive& primitive, const std::string& place);
+[[nodiscard]] Result<void> validateSurface(const SurfaceSettings& surface);
+[[nodiscard]] Result<void> validateSmoothing(const SmoothingSettings& smoothing);
+/// Links name two different groups that exist, and the blending graph has few enough cliques.
+[[nodiscard]] Result<void> validateLinks(const Rig& rig);
+/// A name is not empty and UTF-8. Whether it is unique is validate()'s affair.
+[[nodiscard]] Result<void> validateName(const std::string& name, const std::string& place);
 
 }  // namespace sinew

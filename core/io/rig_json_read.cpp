@@ -1,0 +1,293 @@
+// core/io/rig_json_read.cpp: text -> Rig, strictly, every refusal with its JSON path.
+#include "core/io/rig_json.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "core/io/json_text.h"
+#include "core/rig/validation.h"
+
+namespace sinew {
+namespace {
+
+using Kind = JsonNode::Kind;
+
+constexpr long long kNewestVersion = 1;
+
+std::string describe(const JsonNode& node) {
+  switch (node.kind) {
+    case Kind::kNull: return "null";
+    case Kind::kFalse: return "false";
+    case Kind::kTrue: return "true";
+    case Kind::kNumber: return node.text;
+    case Kind::kString: return node.text.size() <= 40 ? '"' + node.text + '"' : "a text";
+    case Kind::kArray: return "an array of " + std::to_string(node.children.size());
+    case Kind::kObject: break;
+  }
+  return "an object";
+}
+
+/// Takes a tree apart. The first thing found wrong is kept; after it every answer is a default.
+class Reader {
+ public:
+  [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+
+  void refuse(const std::string& place, std::string reason) {
+    if (!error_) error_ = errorAt(place, std::move(reason));
+  }
+
+  void expect(const std::string& place, const std::string& expected, const JsonNode& node) {
+    refuse(place, "expected " + expected + ", got " + describe(node));
+  }
+
+  /// Null, after a refusal, if the key is missing.
+  const JsonNode* need(const JsonNode& object, const std::string& place, const char* key, const std::string& expected) {
+    const JsonNode* child = object.find(key);
+    if (!child) refuse(join(place, key), "expected " + expected + ", but the key is missing");
+    return child;
+  }
+
+  std::string text(const JsonNode& node, const std::string& place) {
+    if (node.kind == Kind::kString) return node.text;
+    expect(place, "a text", node);
+    return {};
+  }
+
+  float number(const JsonNode& node, const std::string& place) {
+    if (node.kind != Kind::kNumber) {
+      expect(place, "a number", node);
+      return 0.0f;
+    }
+    float value = 0.0f;
+    const char* const end = node.text.data() + node.text.size();
+    if (std::from_chars(node.text.data(), end, value).ec == std::errc{}) return value;
+    // Out of a float's range: too close to 0 rounds to 0, too far from it is no number we can keep.
+    double wide = 0.0;
+    if (std::from_chars(node.text.data(), end, wide).ec != std::errc{} || std::abs(wide) < 1.0) return 0.0f;
+    expect(place, "a number of at most 3.4028235e+38", node);
+    return 0.0f;
+  }
+
+  int wholeNumber(const JsonNode& node, const std::string& place, const std::string& expected) {
+    int value = 0;
+    const char* const end = node.text.data() + node.text.size();
+    const auto [stop, status] = std::from_chars(node.text.data(), end, value);
+    if (node.kind == Kind::kNumber && status == std::errc{} && stop == end) return value;
+    expect(place, expected, node);
+    return 0;
+  }
+
+  template <std::size_t N>
+  std::array<float, N> vector(const JsonNode& node, const std::string& place) {
+    std::array<float, N> values{};
+    if (node.kind != Kind::kArray || node.children.size() != N) {
+      expect(place, "an array of " + std::to_string(N) + " numbers", node);
+      return values;
+    }
+    for (std::size_t i = 0; i < N; ++i) values[i] = number(node.children[i], at(place, i));
+    return values;
+  }
+
+  /// The children, each with its place; none, after a refusal, if the node is no array.
+  template <class Read>
+  void each(const JsonNode& node, const std::string& place, Read read) {
+    if (node.kind != Kind::kArray) expect(place, "an array", node);
+    for (std::size_t i = 0; !error_ && i < node.children.size(); ++i) read(node.children[i], at(place, i));
+  }
+
+  bool object(const JsonNode& node, const std::string& place) {
+    if (node.kind != Kind::kObject) expect(place, "an object", node);
+    return node.kind == Kind::kObject;
+  }
+
+  static std::string join(const std::string& place, const char* key) { return place.empty() ? key : place + '.' + key; }
+  static std::string at(const std::string& place, std::size_t i) { return place + '[' + std::to_string(i) + ']'; }
+
+ private:
+  std::optional<Error> error_;
+};
+
+/// What the object holds beyond `known`, as the text of an object; "" for nothing.
+std::string unknownKeys(const JsonNode& object, std::initializer_list<std::string_view> known) {
+  JsonNode rest{Kind::kObject, {}, {}, {}};
+  for (const JsonNode& child : object.children) {
+    if (std::ranges::find(known, child.key) == known.end()) rest.children.push_back(child);
+  }
+  return rest.children.empty() ? std::string() : writeJson(rest, false);
+}
+
+/// A member that is one of a few words; absent: as it was.
+template <class Enum>
+void readWord(Reader& reader, const JsonNode& object, const std::string& place, const char* key, const char* words,
+              std::optional<Enum> (*named)(const std::string&), Enum& value) {
+  const JsonNode* node = object.find(key);
+  if (!node) return;
+  const auto found = node->kind == Kind::kString ? named(node->text) : std::nullopt;
+  if (found) {
+    value = *found;
+  } else {
+    reader.expect(Reader::join(place, key), words, *node);
+  }
+}
+
+void readFloat(Reader& reader, const JsonNode& object, const std::string& place, const char* key, float& value) {
+  if (const JsonNode* node = object.find(key)) value = reader.number(*node, Reader::join(place, key));
+}
+
+std::string readNeededText(Reader& reader, const JsonNode& object, const std::string& place, const char* key) {
+  const JsonNode* node = reader.need(object, place, key, "a text");
+  return node ? reader.text(*node, Reader::join(place, key)) : std::string();
+}
+
+SurfaceSettings readSurface(Reader& reader, const JsonNode& node) {
+  SurfaceSettings surface;
+  if (!reader.object(node, "surface")) return surface;
+  readWord(reader, node, "surface", "mode", "\"swell\" or \"replace\"", surfaceModeNamed, surface.mode);
+  readFloat(reader, node, "surface", "iso", surface.iso);
+  readFloat(reader, node, "surface", "skin_blend", surface.skinBlend);
+  surface.unknownKeys = unknownKeys(node, {"mode", "iso", "skin_blend"});
+  return surface;
+}
+
+SmoothingSettings readSmoothing(Reader& reader, const JsonNode& node) {
+  SmoothingSettings smoothing;
+  if (!reader.object(node, "smoothing")) return smoothing;
+  if (const JsonNode* depth = node.find("depth")) {
+    smoothing.depth =
+        reader.wholeNumber(*depth, "smoothing.depth", "a whole number from 1 to " + std::to_string(kMaxDepth));
+  }
+  readWord(reader, node, "smoothing", "patch", "\"pn\", \"phong\", \"spherigon\" or \"flat\"", patchKindNamed,
+           smoothing.patch);
+  readWord(reader, node, "smoothing", "projection", "\"newton\", \"bisection\" or \"analytic\"", projectionKindNamed,
+           smoothing.projection);
+  smoothing.unknownKeys = unknownKeys(node, {"depth", "patch", "projection"});
+  return smoothing;
+}
+
+Group readGroup(Reader& reader, const JsonNode& node, const std::string& place) {
+  if (!reader.object(node, place)) return {};
+  return {readNeededText(reader, node, place, "name"), unknownKeys(node, {"name"})};
+}
+
+std::array<std::string, 2> readLink(Reader& reader, const JsonNode& node, const std::string& place) {
+  if (node.kind != Kind::kArray || node.children.size() != 2) {
+    reader.expect(place, "an array of two groups' names", node);
+    return {};
+  }
+  return {reader.text(node.children[0], Reader::at(place, 0)), reader.text(node.children[1], Reader::at(place, 1))};
+}
+
+Placement readPlacement(Reader& reader, const JsonNode& node, const std::string& place) {
+  Placement placement;
+  if (const JsonNode* center = reader.need(node, place, "center", "an array of 3 numbers")) {
+    const auto [x, y, z] = reader.vector<3>(*center, place + ".center");
+    placement.center = {x, y, z};
+  }
+  if (const JsonNode* rotation = node.find("rotation")) {
+    const auto [x, y, z, w] = reader.vector<4>(*rotation, place + ".rotation");
+    placement.rotation = glm::quat(w, x, y, z);
+  }
+  if (const JsonNode* radii = reader.need(node, place, "radii", "an array of 3 numbers")) {
+    const auto [x, y, z] = reader.vector<3>(*radii, place + ".radii");
+    placement.radii = {x, y, z};
+  }
+  return placement;
+}
+
+void readKind(Reader& reader, const JsonNode& node, const std::string& place) {
+  const JsonNode* kind = node.find("kind");
+  if (kind && !(kind->kind == Kind::kString && kind->text == "ellipsoid")) {
+    reader.expect(place + ".kind", "\"ellipsoid\"", *kind);
+  }
+}
+
+Primitive readPrimitive(Reader& reader, const JsonNode& node, const std::string& place) {
+  Primitive primitive;
+  if (!reader.object(node, place)) return primitive;
+  primitive.name = readNeededText(reader, node, place, "name");
+  primitive.bone = readNeededText(reader, node, place, "bone");
+  primitive.group = readNeededText(reader, node, place, "group");
+  readKind(reader, node, place);
+  primitive.placement = readPlacement(reader, node, place);
+  readFloat(reader, node, place, "reach", primitive.reach);
+  if (const JsonNode* sign = node.find("sign")) {
+    primitive.sign = reader.wholeNumber(*sign, place + ".sign", "1 or -1");
+  }
+  if (const JsonNode* mirror = node.find("mirror")) {
+    primitive.mirror = reader.text(*mirror, place + ".mirror");
+    if (primitive.mirror.empty()) reader.expect(place + ".mirror", "the name of another primitive", *mirror);
+  }
+  if (const JsonNode* territory = node.find("territory")) {
+    primitive.territory.emplace();
+    reader.each(*territory, place + ".territory", [&](const JsonNode& bone, const std::string& bonePlace) {
+      primitive.territory->push_back(reader.text(bone, bonePlace));
+    });
+  }
+  primitive.unknownKeys = unknownKeys(node, {"name", "bone", "group", "kind", "center", "rotation", "radii", "reach",
+                                             "sign", "mirror", "territory"});
+  return primitive;
+}
+
+/// Is it a rig at all, and one this program can read?
+void readHeader(Reader& reader, const JsonNode& root) {
+  if (!reader.object(root, "")) return;
+  const JsonNode* format = reader.need(root, "", "format", "\"sinew-rig\"");
+  if (!format) return;
+  if (format->kind != Kind::kString || format->text != "sinew-rig") reader.expect("format", "\"sinew-rig\"", *format);
+  const JsonNode* version = reader.need(root, "", "version", "1");
+  if (!version || reader.error()) return;
+  const int number = reader.wholeNumber(*version, "version", "1");
+  if (number > kNewestVersion) {
+    reader.refuse("version", "this rig is of version " + std::to_string(number) +
+                                 ", made by a newer Sinew; this one reads version " + std::to_string(kNewestVersion));
+  } else if (number < 1) {
+    reader.expect("version", "1", *version);
+  }
+}
+
+Rig readRig(Reader& reader, const JsonNode& root) {
+  Rig rig;
+  rig.character = readNeededText(reader, root, "", "character");
+  if (rig.character.empty()) reader.refuse("character", "expected the path of a character, got nothing");
+  if (const JsonNode* surface = root.find("surface")) rig.surface = readSurface(reader, *surface);
+  if (const JsonNode* smoothing = root.find("smoothing")) rig.smoothing = readSmoothing(reader, *smoothing);
+  if (const JsonNode* groups = root.find("groups")) {
+    reader.each(*groups, "groups", [&](const JsonNode& node, const std::string& place) {
+      rig.groups.push_back(readGroup(reader, node, place));
+    });
+  }
+  if (const JsonNode* links = root.find("links")) {
+    reader.each(*links, "links", [&](const JsonNode& node, const std::string& place) {
+      rig.links.push_back(readLink(reader, node, place));
+    });
+  }
+  if (const JsonNode* primitives = root.find("primitives")) {
+    reader.each(*primitives, "primitives", [&](const JsonNode& node, const std::string& place) {
+      rig.primitives.push_back(readPrimitive(reader, node, place));
+    });
+  }
+  rig.unknownKeys = unknownKeys(
+      root, {"format", "version", "character", "surface", "smoothing", "groups", "links", "primitives"});
+  return rig;
+}
+
+}  // namespace
+
+Result<Rig> rigFromJson(const std::string& text) {
+  const auto root = parseJson(text);
+  if (!root) return root.error();
+  Reader reader;
+  readHeader(reader, root.value());
+  if (reader.error()) return *reader.error();
+  Rig rig = readRig(reader, root.value());
+  if (reader.error()) return *reader.error();
+  if (auto valid = validate(rig); !valid) return valid.error();
+  return rig;
+}
+
+}  // namespace sinew

@@ -1,0 +1,154 @@
+// core/io/surface_obj_ply.cpp: the two formats without a scene: Wavefront .obj with .mtl, and binary .ply.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <set>
+
+#include "core/io/surface_formats.h"
+
+namespace sinew {
+namespace {
+
+void appendLine(std::string& out, const char* word, std::initializer_list<float> values, int digits) {
+  out += word;
+  for (const float value : values) {
+    std::array<char, 40> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr;
+    out += ' ';
+    out.append(text.data(), end);
+  }
+  out += '\n';
+}
+
+/// Nine digits tell any float from its neighbours.
+void appendExact(std::string& out, const char* word, std::initializer_list<float> values) { appendLine(out, word, values, 9); }
+
+/// Colours and the like: what eight bits of a screen cannot tell is left out.
+void appendRounded(std::string& out, const char* word, std::initializer_list<float> values) { appendLine(out, word, values, 6); }
+
+/// Words in these formats end at white space, and names must not start a comment.
+std::string asWord(std::string name) {
+  for (char& c : name) {
+    if (static_cast<unsigned char>(c) <= ' ' || c == '#' || c == 0x7f) c = '_';
+  }
+  return name;
+}
+
+/// One word per used material, [materials of the character]; unused ones stay empty.
+std::vector<std::string> materialWords(const std::vector<int>& used, const Character& character) {
+  std::vector<std::string> words(character.materials.size());
+  std::set<std::string> taken;
+  for (const int material : used) {
+    const auto m = static_cast<std::size_t>(material);
+    std::string word = asWord(character.materials[m].name);
+    if (word.empty() || taken.contains(word)) word += (word.empty() ? "material_" : "_") + std::to_string(m);
+    while (!taken.insert(word).second) word += '_';
+    words[m] = word;
+  }
+  return words;
+}
+
+std::string mtlText(const std::vector<int>& used, const Character& character, const std::vector<std::string>& words,
+                    const std::vector<std::string>& textureNames) {
+  std::string out = "# Made by Sinew\n";
+  for (const int index : used) {
+    const Material& material = character.materials[static_cast<std::size_t>(index)];
+    out += "newmtl " + words[static_cast<std::size_t>(index)] + '\n';
+    appendRounded(out, "Kd", {material.baseColor.r, material.baseColor.g, material.baseColor.b});
+    appendRounded(out, "Ks", {0.04f, 0.04f, 0.04f});
+    // Shininess that looks about as rough (Blinn's exponent for a GGX lobe of roughness^2).
+    const float roughness = std::clamp(material.roughness, 0.05f, 1.0f);
+    appendRounded(out, "Ns", {std::min(2.0f / (roughness * roughness * roughness * roughness) - 2.0f, 1000.0f)});
+    appendRounded(out, "Ke", {material.emissive.r, material.emissive.g, material.emissive.b});
+    const bool opaque = material.alphaMode == AlphaMode::kOpaque;
+    appendRounded(out, "d", {opaque ? 1.0f : material.baseColor.a});
+    out += "illum 2\n";
+    if (material.baseColorTexture < 0) continue;
+    const std::string& texture = textureNames[static_cast<std::size_t>(material.baseColorTexture)];
+    out += "map_Kd " + texture + '\n';
+    if (!opaque) out += "map_d -imfchan m " + texture + '\n';
+  }
+  return out;
+}
+
+void appendFace(std::string& out, const Refinement& refinement, const std::array<std::uint32_t, 3>& drawn) {
+  out += 'f';
+  for (const std::uint32_t corner : drawn) {
+    const std::string vertex = std::to_string(refinement.drawVertex[corner] + 1);
+    out += ' ' + vertex + '/' + std::to_string(corner + 1) + '/' + vertex;
+  }
+  out += '\n';
+}
+
+std::string objText(const Surface& surface, const Character& character, const std::vector<std::string>& words,
+                    const std::string& mtlName) {
+  const Refinement& refinement = *surface.refinement;
+  std::string out = "# Made by Sinew\nmtllib " + mtlName + '\n';
+  if (!character.name.empty()) out += "o " + asWord(character.name) + '\n';
+  for (const glm::vec3& p : surface.positions) appendExact(out, "v", {p.x, p.y, p.z});
+  for (const glm::vec2& uv : refinement.drawUv) appendExact(out, "vt", {uv.x, 1.0f - uv.y});
+  for (const glm::vec3& n : surface.normals) appendExact(out, "vn", {n.x, n.y, n.z});
+  for (const MaterialRun& run : materialRuns(surface, character)) {
+    out += "usemtl " + words[static_cast<std::size_t>(run.material)] + '\n';
+    for (std::size_t t = run.begin; t < run.end; ++t) appendFace(out, refinement, refinement.drawTriangles[t]);
+  }
+  return out;
+}
+
+template <class Value>
+void appendRaw(std::string& out, const Value& value) {
+  static_assert(std::endian::native == std::endian::little, "files are little endian, as the machine");
+  std::array<char, sizeof(Value)> bytes{};
+  std::memcpy(bytes.data(), &value, sizeof(Value));
+  out.append(bytes.data(), bytes.size());
+}
+
+}  // namespace
+
+ObjFiles objFiles(const Surface& surface, const Character& character, const std::string& stem) {
+  ObjFiles files;
+  const std::string base = asWord(stem);
+  const std::vector<int> materials = usedMaterials(surface, character);
+  std::vector<std::string> textureNames(character.textures.size());
+  int number = 0;
+  for (const int texture : usedTextures(materials, character)) {
+    ImageFile image = imageFile(character.textures[static_cast<std::size_t>(texture)]);
+    std::string& name = textureNames[static_cast<std::size_t>(texture)];
+    name = base + '_' + std::to_string(number++) + image.ending;
+    files.sides.push_back({name, std::move(image.bytes)});
+  }
+  const std::vector<std::string> words = materialWords(materials, character);
+  files.sides.push_back({base + ".mtl", mtlText(materials, character, words, textureNames)});
+  files.obj = objText(surface, character, words, files.sides.back().name);
+  return files;
+}
+
+std::string plyBytes(const Surface& surface) {
+  const Refinement& refinement = *surface.refinement;
+  const std::size_t vertices = refinement.drawVertex.size();
+  std::string out = "ply\nformat binary_little_endian 1.0\ncomment Made by Sinew\nelement vertex " +
+                    std::to_string(vertices) + '\n';
+  for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "s", "t"}) {
+    out += std::string("property float ") + name + '\n';
+  }
+  out += "element face " + std::to_string(refinement.drawTriangles.size()) +
+         "\nproperty list uchar int vertex_indices\nend_header\n";
+  out.reserve(out.size() + vertices * 8 * sizeof(float) + refinement.drawTriangles.size() * 13);
+  for (std::size_t d = 0; d < vertices; ++d) {
+    const auto vertex = static_cast<std::size_t>(refinement.drawVertex[d]);
+    const glm::vec3& p = surface.positions[vertex];
+    const glm::vec3& n = surface.normals[vertex];
+    const glm::vec2& uv = refinement.drawUv[d];
+    appendRaw(out, std::array{p.x, p.y, p.z, n.x, n.y, n.z, uv.x, 1.0f - uv.y});
+  }
+  for (const auto& triangle : refinement.drawTriangles) {
+    out += '\3';
+    appendRaw(out, triangle);
+  }
+  return out;
+}
+
+}  // namespace sinew

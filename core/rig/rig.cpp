@@ -1,0 +1,129 @@
+// core/rig/rig.cpp: equality, look-ups and names of the document.
+#include "core/rig/rig.h"
+
+#include <algorithm>
+#include <charconv>
+#include <span>
+#include <string_view>
+#include <system_error>
+
+namespace sinew {
+namespace {
+
+bool samePlacement(const Placement& a, const Placement& b) {
+  return a.center == b.center && a.rotation == b.rotation && a.radii == b.radii;
+}
+
+bool sameSurface(const SurfaceSettings& a, const SurfaceSettings& b) {
+  return a.mode == b.mode && a.iso == b.iso && a.skinBlend == b.skinBlend && a.unknownKeys == b.unknownKeys;
+}
+
+bool sameSmoothing(const SmoothingSettings& a, const SmoothingSettings& b) {
+  return a.depth == b.depth && a.patch == b.patch && a.projection == b.projection && a.unknownKeys == b.unknownKeys;
+}
+
+bool sameGroup(const Group& a, const Group& b) { return a.name == b.name && a.unknownKeys == b.unknownKeys; }
+
+bool samePrimitive(const Primitive& a, const Primitive& b) {
+  return a.name == b.name && a.bone == b.bone && a.group == b.group && samePlacement(a.placement, b.placement) &&
+         a.reach == b.reach && a.sign == b.sign && a.mirror == b.mirror && a.territory == b.territory &&
+         a.unknownKeys == b.unknownKeys;
+}
+
+template <class Named>
+int findNamed(std::span<const Named> items, const std::string& name) {
+  const auto found = std::ranges::find(items, name, &Named::name);
+  return found == items.end() ? -1 : static_cast<int>(found - items.begin());
+}
+
+/// "thigh 12" -> "thigh" and 12; anything else -> itself and 1.
+struct CountedName {
+  std::string base;
+  long long count = 1;
+};
+
+CountedName splitCount(const std::string& name) {
+  const std::size_t space = name.rfind(' ');
+  if (space == std::string::npos || space == 0) return {name, 1};
+  const std::string_view digits = std::string_view(name).substr(space + 1);
+  if (digits.empty() || digits.size() > 9 || digits[0] == '0') return {name, 1};
+  long long count = 1;
+  const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
+  const bool whole = status == std::errc{} && end == digits.data() + digits.size() && count > 0;
+  return whole ? CountedName{name.substr(0, space), count} : CountedName{name, 1};
+}
+
+template <class Named>
+std::string freeName(std::span<const Named> items, const std::string& wanted) {
+  if (findNamed(items, wanted) < 0) return wanted;
+  const auto [base, count] = splitCount(wanted);
+  for (long long next = count + 1;; ++next) {
+    std::string candidate = base + ' ' + std::to_string(next);
+    if (findNamed(items, candidate) < 0) return candidate;
+  }
+}
+
+template <class Enum, std::size_t N>
+std::optional<Enum> named(const std::array<Enum, N>& values, const std::string& name) {
+  for (const Enum value : values) {
+    if (name == nameOf(value)) return value;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool operator==(const Rig& a, const Rig& b) {
+  return a.character == b.character && sameSurface(a.surface, b.surface) && sameSmoothing(a.smoothing, b.smoothing) &&
+         std::ranges::equal(a.groups, b.groups, sameGroup) && a.links == b.links &&
+         std::ranges::equal(a.primitives, b.primitives, samePrimitive) && a.unknownKeys == b.unknownKeys;
+}
+
+int findPrimitive(const Rig& rig, const std::string& name) {
+  return findNamed(std::span<const Primitive>(rig.primitives), name);
+}
+
+int findGroup(const Rig& rig, const std::string& name) { return findNamed(std::span<const Group>(rig.groups), name); }
+
+std::string freePrimitiveName(const Rig& rig, const std::string& wanted) {
+  return freeName(std::span<const Primitive>(rig.primitives), wanted);
+}
+
+std::string freeGroupName(const Rig& rig, const std::string& wanted) {
+  return freeName(std::span<const Group>(rig.groups), wanted);
+}
+
+const char* nameOf(SurfaceMode mode) { return mode == SurfaceMode::kSwell ? "swell" : "replace"; }
+
+const char* nameOf(PatchKind patch) {
+  switch (patch) {
+    case PatchKind::kPn: return "pn";
+    case PatchKind::kPhong: return "phong";
+    case PatchKind::kSpherigon: return "spherigon";
+    case PatchKind::kFlat: break;
+  }
+  return "flat";
+}
+
+const char* nameOf(ProjectionKind projection) {
+  switch (projection) {
+    case ProjectionKind::kNewton: return "newton";
+    case ProjectionKind::kBisection: return "bisection";
+    case ProjectionKind::kAnalytic: break;
+  }
+  return "analytic";
+}
+
+std::optional<SurfaceMode> surfaceModeNamed(const std::string& name) {
+  return named(std::array{SurfaceMode::kSwell, SurfaceMode::kReplace}, name);
+}
+
+std::optional<PatchKind> patchKindNamed(const std::string& name) {
+  return named(std::array{PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon, PatchKind::kFlat}, name);
+}
+
+std::optional<ProjectionKind> projectionKindNamed(const std::string& name) {
+  return named(std::array{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic}, name);
+}
+
+}  // namespace sinew

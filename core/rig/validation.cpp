@@ -1,0 +1,212 @@
+// core/rig/validation.cpp: the checks, each naming the JSON path of what it refuses.
+#include "core/rig/validation.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "core/blending/blending_graph.h"
+
+namespace sinew {
+namespace {
+
+constexpr double kUnitTolerance = 1e-3;  // Of a quaternion's length; files written by hand have few digits.
+
+std::string numberText(float value) {
+  if (std::isnan(value)) return "NaN";
+  if (std::isinf(value)) return value > 0.0f ? "infinity" : "-infinity";
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
+
+Error outOfRange(std::string place, const std::string& expected, float value) {
+  return errorAt(std::move(place), "expected " + expected + ", got " + numberText(value));
+}
+
+std::string indexed(const char* list, std::size_t index) { return list + ('[' + std::to_string(index) + ']'); }
+
+/// Bytes of the UTF-8 sequence that begins at `text`, 0 if it is ill-formed (overlong, surrogate, past U+10FFFF).
+std::size_t utf8Length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+  const auto follows = [&](std::size_t i) { return (byte(i) & 0xC0u) == 0x80u; };
+  const unsigned lead = byte(0);
+  if (lead < 0x80) return 1;
+  if (lead >= 0xC2 && lead <= 0xDF) return follows(1) ? 2 : 0;
+  if (lead >= 0xE0 && lead <= 0xEF) {
+    const bool badSecond = (lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xED && byte(1) > 0x9F);
+    return follows(1) && follows(2) && !badSecond ? 3 : 0;
+  }
+  if (lead >= 0xF0 && lead <= 0xF4) {
+    const bool badSecond = (lead == 0xF0 && byte(1) < 0x90) || (lead == 0xF4 && byte(1) > 0x8F);
+    return follows(1) && follows(2) && follows(3) && !badSecond ? 4 : 0;
+  }
+  return 0;
+}
+
+bool isUtf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = utf8Length(text);
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+Result<void> validateRotation(const glm::quat& rotation, const std::string& place) {
+  const std::array<float, 4> parts{rotation.x, rotation.y, rotation.z, rotation.w};
+  double squared = 0.0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!std::isfinite(parts[i])) return outOfRange(place + indexed("", i), "a finite number", parts[i]);
+    squared += static_cast<double>(parts[i]) * static_cast<double>(parts[i]);
+  }
+  const double length = std::sqrt(squared);
+  if (std::abs(length - 1.0) <= kUnitTolerance) return {};
+  return outOfRange(place, "a quaternion x, y, z, w of length 1", static_cast<float>(length));
+}
+
+Result<void> validateText(const std::string& text, const std::string& place) {
+  if (isUtf8(text)) return {};
+  return errorAt(place, "expected text in UTF-8");
+}
+
+using NameIndex = std::unordered_map<std::string_view, std::size_t>;
+
+template <class Named>
+Result<NameIndex> indexNames(const std::vector<Named>& items, const char* list) {
+  NameIndex index;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const std::string place = indexed(list, i) + ".name";
+    if (const auto name = validateName(items[i].name, place); !name) return name.error();
+    if (const auto [first, isNew] = index.emplace(items[i].name, i); !isNew) {
+      return errorAt(place, "expected a name of its own, but \"" + items[i].name + "\" is also the name of " +
+                                indexed(list, first->second));
+    }
+  }
+  return index;
+}
+
+Result<void> validateMirror(const Rig& rig, std::size_t i, const NameIndex& primitives) {
+  const Primitive& primitive = rig.primitives[i];
+  if (primitive.mirror.empty()) return {};
+  const std::string place = indexed("primitives", i) + ".mirror";
+  const auto twin = primitives.find(primitive.mirror);
+  if (twin == primitives.end()) {
+    return errorAt(place, "expected the name of another primitive, but there is no \"" + primitive.mirror + '"');
+  }
+  if (twin->second == i) return errorAt(place, "expected the name of another primitive, got its own");
+  if (rig.primitives[twin->second].mirror == primitive.name) return {};
+  return errorAt(place, "expected a primitive whose mirror is this one, but that of \"" + primitive.mirror + "\" is \"" +
+                            rig.primitives[twin->second].mirror + '"');
+}
+
+Result<void> validateLinksAmong(const Rig& rig, const NameIndex& groups) {
+  std::vector<std::array<int, 2>> links;
+  links.reserve(rig.links.size());
+  for (std::size_t i = 0; i < rig.links.size(); ++i) {
+    std::array<int, 2> link{};
+    for (std::size_t end = 0; end < 2; ++end) {
+      const auto group = groups.find(rig.links[i][end]);
+      if (group == groups.end()) {
+        return errorAt(indexed("links", i) + indexed("", end),
+                       "expected the name of a group, but there is no \"" + rig.links[i][end] + '"');
+      }
+      link[end] = static_cast<int>(group->second);
+    }
+    if (link[0] == link[1]) return errorAt(indexed("links", i), "expected two different groups, got the same one twice");
+    links.push_back(link);
+  }
+  if (const auto graph = makeBlendingGraph(static_cast<int>(rig.groups.size()), links); !graph) {
+    return errorAt("links", graph.error().reason);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> validateName(const std::string& name, const std::string& place) {
+  if (name.empty()) return errorAt(place, "expected a name, got nothing");
+  return validateText(name, place);
+}
+
+Result<void> validatePlacement(const Placement& placement, const std::string& place) {
+  for (int i = 0; i < 3; ++i) {
+    if (std::isfinite(placement.center[i])) continue;
+    return outOfRange(place + indexed(".center", static_cast<std::size_t>(i)), "a finite number", placement.center[i]);
+  }
+  if (auto rotation = validateRotation(placement.rotation, place + ".rotation"); !rotation) return rotation;
+  for (int i = 0; i < 3; ++i) {
+    if (std::isfinite(placement.radii[i]) && placement.radii[i] > 0.0f) continue;
+    return outOfRange(place + indexed(".radii", static_cast<std::size_t>(i)), "a number > 0", placement.radii[i]);
+  }
+  return {};
+}
+
+Result<void> validatePrimitive(const Primitive& primitive, const std::string& place) {
+  if (auto name = validateName(primitive.name, place + ".name"); !name) return name;
+  if (auto bone = validateName(primitive.bone, place + ".bone"); !bone) return bone;
+  if (auto placement = validatePlacement(primitive.placement, place); !placement) return placement;
+  if (!std::isfinite(primitive.reach) || !(primitive.reach > 1.0f)) {
+    return outOfRange(place + ".reach", "a number > 1", primitive.reach);
+  }
+  if (primitive.sign != 1 && primitive.sign != -1) {
+    return errorAt(place + ".sign", "expected 1 or -1, got " + std::to_string(primitive.sign));
+  }
+  if (!primitive.territory) return {};
+  for (std::size_t i = 0; i < primitive.territory->size(); ++i) {
+    if (auto bone = validateName((*primitive.territory)[i], place + indexed(".territory", i)); !bone) return bone;
+  }
+  return {};
+}
+
+Result<void> validateSurface(const SurfaceSettings& surface) {
+  if (!(surface.iso > 0.0f && surface.iso < 1.0f)) {
+    return outOfRange("surface.iso", "a number between 0 and 1, neither included", surface.iso);
+  }
+  if (!std::isfinite(surface.skinBlend) || !(surface.skinBlend > 0.0f)) {
+    return outOfRange("surface.skin_blend", "a number > 0", surface.skinBlend);
+  }
+  return {};
+}
+
+Result<void> validateSmoothing(const SmoothingSettings& smoothing) {
+  if (smoothing.depth >= 1 && smoothing.depth <= kMaxDepth) return {};
+  return errorAt("smoothing.depth", "expected a whole number from 1 to " + std::to_string(kMaxDepth) + ", got " +
+                                        std::to_string(smoothing.depth));
+}
+
+Result<void> validateLinks(const Rig& rig) {
+  const auto groups = indexNames(rig.groups, "groups");
+  if (!groups) return groups.error();
+  return validateLinksAmong(rig, groups.value());
+}
+
+Result<void> validate(const Rig& rig) {
+  if (auto character = validateText(rig.character, "character"); !character) return character;
+  if (auto surface = validateSurface(rig.surface); !surface) return surface;
+  if (auto smoothing = validateSmoothing(rig.smoothing); !smoothing) return smoothing;
+  const auto groups = indexNames(rig.groups, "groups");
+  if (!groups) return groups.error();
+  if (auto links = validateLinksAmong(rig, groups.value()); !links) return links;
+
+  if (rig.primitives.size() > static_cast<std::size_t>(kMaxPrimitives)) {
+    return errorAt("primitives", "expected at most " + std::to_string(kMaxPrimitives) + " primitives, got " +
+                                     std::to_string(rig.primitives.size()));
+  }
+  const auto primitives = indexNames(rig.primitives, "primitives");
+  if (!primitives) return primitives.error();
+  for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
+    const std::string place = indexed("primitives", i);
+    if (auto own = validatePrimitive(rig.primitives[i], place); !own) return own;
+    if (!groups->contains(rig.primitives[i].group)) {
+      return errorAt(place + ".group", "expected the name of a group, but there is no \"" + rig.primitives[i].group + '"');
+    }
+    if (auto mirror = validateMirror(rig, i, primitives.value()); !mirror) return mirror;
+  }
+  return {};
+}
+
+}  // namespace sinew
