@@ -1,1 +1,28 @@
-int main() { return 0; }
+// app/main.cpp: picks verb or window.
+#include <exception>
+#include <new>
+
+#include "app/cli/console.h"
+#include "app/cli/verbs.h"
+#include "app/editor.h"
+
+namespace {
+
+int edit(const sinew::app::EditRequest& request) {
+  sinew::app::EditorOptions options;
+  options.file = request.file;
+  options.logState = request.logState;
+  return sinew::app::runEditor(options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return sinew::app::runCommandLine(argc, argv, edit);
+  } catch (const std::bad_alloc&) {
+    return sinew::app::badInput(sinew::errorAt({}, "out of memory"));
+  } catch (const std::exception& error) {
+    return sinew::app::badInput(sinew::errorAt({}, error.what()));
+  }
+}

@@ -1,0 +1,194 @@
+// app/cli/inspect.cpp: counts, names and defects of a character, as JSON or for people.
+#include "app/cli/inspect.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <sstream>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/console.h"
+#include "app/document/document.h"
+#include "core/io/json.h"
+#include "core/mesh/topology.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr std::size_t kEdgesListed = 50;
+
+int count(std::size_t size) { return static_cast<int>(size); }
+
+std::vector<std::string> unattached(const Document& document) {
+  std::vector<std::string> names;
+  for (const Primitive& primitive : document.rig().primitives) {
+    if (!document.character->skeleton.findBone(primitive.bone)) names.push_back(primitive.name);
+  }
+  return names;
+}
+
+template <class Items, class Show>
+Json listOf(const Items& items, Show show) {
+  Json list = Json::array();
+  for (const auto& item : items) list.push(show(item));
+  return list;
+}
+
+void addRig(Json& json, const Document& document) {
+  const Rig& rig = document.rig();
+  const auto asIs = [](const std::string& name) { return name; };
+  json.set("character", document.characterFile.string());
+  json.set("primitives", count(rig.primitives.size()));
+  json.set("groups", listOf(rig.groups, [](const Group& group) { return group.name; }));
+  json.set("links", listOf(rig.links, [&](const auto& link) { return listOf(link, asIs); }));
+  json.set("unattached", listOf(unattached(document), asIs));
+}
+
+std::string jsonText(const Document& document, const Topology& topology) {
+  const Character& character = *document.character;
+  Json json = Json::object();
+  json.set("triangles", count(character.mesh.triangles.size()));
+  json.set("triangles_dropped", character.mesh.trianglesDropped);
+  json.set("vertices", count(character.mesh.positions.size()));
+  json.set("wedges", count(character.mesh.wedges.size()));
+  json.set("closed", topology.closed());
+  json.set("border_edges", count(topology.borderEdges.size()));
+  json.set("non_manifold_edges", count(topology.nonManifoldEdges.size()));
+  json.set("height", character.height);
+  json.set("joints", count(character.skeleton.bones.size()));
+  json.set("joint_names", listOf(character.skeleton.bones, [](const Bone& bone) { return bone.name; }));
+  json.set("clips", listOf(character.clips, [](const AnimationClip& clip) {
+             return Json::object().set("name", clip.name).set("duration", clip.duration);
+           }));
+  json.set("materials", count(character.materials.size()));
+  json.set("textures", count(character.textures.size()));
+  json.set("ignored", listOf(character.ignored, [](const std::string& what) { return what; }));
+  if (!document.rigFile.empty()) addRig(json, document);
+  return json.dump(true) + '\n';
+}
+
+std::string plural(std::size_t number, const std::string& singular, const std::string& many) {
+  return std::to_string(number) + ' ' + (number == 1 ? singular : many);
+}
+
+std::string shortNumber(float value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6).ptr;
+  return {text.data(), end};
+}
+
+std::string pointText(const glm::vec3& p) {
+  return '(' + shortNumber(p.x) + ", " + shortNumber(p.y) + ", " + shortNumber(p.z) + ')';
+}
+
+/// The bone a vertex follows most.
+const std::string& strongestBone(const Character& character, int vertex) {
+  const auto influences = character.mesh.influencesOf(vertex);
+  const auto strongest = std::ranges::max_element(influences, {}, &Influence::weight);
+  const Binding& binding = character.skeleton.bindings[static_cast<std::size_t>(strongest->binding)];
+  return character.skeleton.bones[static_cast<std::size_t>(binding.bone)].name;
+}
+
+/// Where an edge is, so that a modeller finds it: its ends, the bone it follows, the materials it lies between.
+std::string edgeText(const Character& character, const std::array<int, 2>& edge) {
+  const auto& positions = character.mesh.positions;
+  std::size_t triangles = 0;
+  std::vector<std::string> materials;
+  for (const ControlTriangle& triangle : character.mesh.triangles) {
+    if (std::ranges::find(triangle.vertices, edge[0]) == triangle.vertices.end() ||
+        std::ranges::find(triangle.vertices, edge[1]) == triangle.vertices.end()) {
+      continue;
+    }
+    ++triangles;
+    const std::string& name = character.materials[static_cast<std::size_t>(triangle.material)].name;
+    if (std::ranges::find(materials, name) == materials.end()) materials.push_back(name);
+  }
+  std::string text = pointText(positions[static_cast<std::size_t>(edge[0])]) + " - " +
+                     pointText(positions[static_cast<std::size_t>(edge[1])]) + ": " +
+                     plural(triangles, "triangle", "triangles") + ", bone \"" + strongestBone(character, edge[0]) + "\", material";
+  for (const std::string& material : materials) text += " \"" + material + '"';
+  return text;
+}
+
+void putSurface(std::ostream& out, const Character& character, const Topology& topology) {
+  const std::size_t borders = topology.borderEdges.size();
+  const std::size_t nonManifold = topology.nonManifoldEdges.size();
+  out << "  surface     ";
+  if (topology.closed()) {
+    out << "closed\n";
+    return;
+  }
+  out << "open: " << plural(borders, "border edge", "border edges") << ", "
+      << plural(nonManifold, "edge", "edges") << " with more than two triangles\n";
+  for (std::size_t i = 0; i < std::min(nonManifold, kEdgesListed); ++i) {
+    out << "              " << edgeText(character, topology.nonManifoldEdges[i]) << '\n';
+  }
+  if (nonManifold > kEdgesListed) out << "              and " << nonManifold - kEdgesListed << " more\n";
+}
+
+void putNames(std::ostream& out, const char* title, const std::vector<std::string>& names) {
+  out << "  " << title << names.size();
+  const char* before = ": ";
+  for (const std::string& name : names) {
+    out << before << name;
+    before = ", ";
+  }
+  out << '\n';
+}
+
+void putRig(std::ostream& out, const Document& document) {
+  const Rig& rig = document.rig();
+  std::vector<std::string> groups;
+  for (const Group& group : rig.groups) groups.push_back(group.name);
+  std::vector<std::string> links;
+  for (const auto& [a, b] : rig.links) links.push_back(a + " - " + b);
+  out << "  character   " << document.characterFile.string() << '\n';
+  out << "  primitives  " << rig.primitives.size() << '\n';
+  putNames(out, "groups      ", groups);
+  putNames(out, "links       ", links);
+  putNames(out, "unattached  ", unattached(document));
+}
+
+std::string plainText(const Document& document, const Topology& topology) {
+  const Character& character = *document.character;
+  std::vector<std::string> joints;
+  for (const Bone& bone : character.skeleton.bones) joints.push_back(bone.name);
+  std::vector<std::string> clips;
+  for (const AnimationClip& clip : character.clips) clips.push_back(clip.name + ' ' + shortNumber(clip.duration) + " s");
+
+  std::ostringstream out;
+  out << document.name() << '\n';
+  if (!document.rigFile.empty()) putRig(out, document);
+  out << "  triangles   " << character.mesh.triangles.size();
+  if (character.mesh.trianglesDropped > 0) out << ", and " << character.mesh.trianglesDropped << " dropped as degenerate";
+  out << "\n  vertices    " << character.mesh.positions.size() << " after welding, " << character.mesh.wedges.size()
+      << " wedges\n";
+  putSurface(out, character, topology);
+  out << "  height      " << shortNumber(character.height) << '\n';
+  putNames(out, "joints      ", joints);
+  putNames(out, "clips       ", clips);
+  out << "  materials   " << character.materials.size() << '\n';
+  out << "  textures    " << character.textures.size() << '\n';
+  out << "  ignored     " << (character.ignored.empty() ? "nothing" : "") << '\n';
+  for (const std::string& what : character.ignored) out << "              " << what << '\n';
+  return out.str();
+}
+
+}  // namespace
+
+void addInspectOptions(CLI::App& verb, InspectOptions& options) {
+  verb.add_option_function<std::string>("FILE", [&](const std::string& file) { options.file = file; },
+                                        "Character (.glb, .gltf) or rig (.rig.json)")
+      ->required();
+  verb.add_flag("--json", options.json, "For programs");
+}
+
+int runInspect(const InspectOptions& options) {
+  const auto document = openDocument(options.file);
+  if (!document) return badInput(document.error());
+  const Topology topology = topologyOf(document->character->mesh);
+  return putResult(options.json ? jsonText(document.value(), topology) : plainText(document.value(), topology));
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,161 @@
+// app/cli/smooth.cpp: open, override, pose, smooth, export, report.
+#include "app/cli/smooth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/console.h"
+#include "app/document/document.h"
+#include "core/io/atomic_file.h"
+#include "core/io/json.h"
+#include "core/io/surface_export.h"
+#include "core/smoothing/smoother.h"
+
+namespace sinew::app {
+namespace {
+
+/// The rig with what the command line overrides. The words have passed the parser.
+Rig overridden(Rig rig, const SmoothOptions& options) {
+  if (options.depth) rig.smoothing.depth = *options.depth;
+  if (options.mode) rig.surface.mode = surfaceModeNamed(*options.mode).value_or(rig.surface.mode);
+  if (options.patch) rig.smoothing.patch = patchKindNamed(*options.patch).value_or(rig.smoothing.patch);
+  if (options.projection) {
+    rig.smoothing.projection = projectionKindNamed(*options.projection).value_or(rig.smoothing.projection);
+  }
+  return rig;
+}
+
+std::string clipNames(const Character& character) {
+  if (character.clips.empty()) return "nothing, for it has no clips";
+  std::string names;
+  for (const AnimationClip& clip : character.clips) names += (names.empty() ? "\"" : ", \"") + clip.name + '"';
+  return character.clips.size() == 1 ? names : "one of " + names;
+}
+
+Result<Pose> poseOf(const Document& document, const SmoothOptions& options) {
+  const Character& character = *document.character;
+  if (!options.clip) return bindPose(character.skeleton);
+  const auto clip = std::ranges::find(character.clips, *options.clip, &AnimationClip::name);
+  if (clip == character.clips.end()) {
+    return Error{document.characterFile.string(), "clip \"" + *options.clip + '"', "expected " + clipNames(character)};
+  }
+  if (options.time > static_cast<double>(clip->duration)) {
+    message(document.characterFile.string() + ": clip \"" + clip->name + "\": the time is past its end; its end is used");
+  }
+  return samplePose(character.skeleton, *clip, static_cast<float>(options.time));
+}
+
+/// Whether a file to be written is one that was read.
+bool wouldOverwriteInput(const std::filesystem::path& written, const Document& document) {
+  std::error_code absent;  // A file that is not there yet is no input.
+  return std::filesystem::equivalent(written, document.characterFile, absent) ||
+         std::filesystem::equivalent(written, document.rigFile, absent);
+}
+
+void tellUnattached(const Document& document, const Rig& rig, const std::vector<int>& unattached) {
+  for (const int index : unattached) {
+    const Primitive& primitive = rig.primitives[static_cast<std::size_t>(index)];
+    message(document.rigFile.string() + ": primitives[" + std::to_string(index) + "].bone: \"" + primitive.name +
+            "\" is left out, for this character has no bone \"" + primitive.bone + '"');
+  }
+}
+
+std::string reportText(const SmoothingReport& report) {
+  Json seconds = Json::object();
+  seconds.set("skin", report.seconds.skin).set("patch", report.seconds.patch).set("project", report.seconds.project);
+  seconds.set("total", report.seconds.total());
+  Json json = Json::object();
+  json.set("mode", nameOf(report.mode)).set("depth", report.depth);
+  json.set("patch", nameOf(report.patch)).set("projection", nameOf(report.projection));
+  json.set("control_triangles", report.controlTriangles);
+  json.set("refined_triangles", report.refinedTriangles).set("refined_vertices", report.refinedVertices);
+  json.set("implicit", report.implicitTriangles).set("straddling", report.straddlingTriangles);
+  json.set("normal", report.normalTriangles);
+  json.set("primitives", report.primitives).set("cliques", report.cliques);
+  json.set("unresolved", report.unresolved).set("residual_max", report.residualMax);
+  json.set("seconds", seconds);
+  return json.dump(true) + '\n';
+}
+
+std::string isTime(const std::string& text) {
+  try {
+    std::size_t used = 0;
+    const double seconds = std::stod(text, &used);
+    if (used == text.size() && std::isfinite(seconds) && seconds >= 0.0) return {};
+  } catch (const std::exception&) {
+    // Falls through: what is no number is no time.
+  }
+  return "expected seconds >= 0, got \"" + text + '"';
+}
+
+std::string isOutput(const std::string& text) {
+  return isExportName(text) ? std::string() : "expected a name that ends in .obj, .ply or .glb, got \"" + text + '"';
+}
+
+void addSettings(CLI::App& verb, SmoothOptions& options) {
+  verb.add_option("--depth", options.depth, "Every triangle becomes N x N")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMaxDepth));
+  verb.add_option("--mode", options.mode, "swell (the skin rises over the muscles) or replace (the paper's method)")
+      ->type_name("M")
+      ->check(CLI::IsMember({"swell", "replace"}));
+  verb.add_option("--patch", options.patch, "Curved patch over each triangle: pn, phong, spherigon or flat")
+      ->type_name("P")
+      ->check(CLI::IsMember({"pn", "phong", "spherigon", "flat"}));
+  verb.add_option("--projection", options.projection, "How roots are found: newton, bisection or analytic")
+      ->type_name("P")
+      ->check(CLI::IsMember({"newton", "bisection", "analytic"}));
+}
+
+}  // namespace
+
+void addSmoothOptions(CLI::App& verb, SmoothOptions& options) {
+  const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
+  verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf)")->required();
+  CLI::Option* clip = verb.add_option("--clip", options.clip, "Pose from this clip; without it, the bind pose");
+  clip->type_name("NAME");
+  verb.add_option("--time", options.time, "Seconds into the clip (0)")->type_name("S")->check(isTime)->needs(clip);
+  addSettings(verb, options);
+  verb.add_option_function<std::string>("-o,--output", to(options.output), "Surface to write: .obj, .ply or .glb")
+      ->type_name("OUT")
+      ->required()
+      ->check(isOutput);
+  verb.add_option_function<std::string>("--report", to(options.report), "Counts, class sizes, residuals and seconds as JSON")
+      ->type_name("FILE.json");
+}
+
+int runSmooth(const SmoothOptions& options) {
+  progress("reading " + options.file.string());
+  const auto document = openDocument(options.file);
+  if (!document) return badInput(document.error());
+  for (const std::filesystem::path& written : {options.output, options.report}) {
+    if (wouldOverwriteInput(written, document.value())) return badCommandLine(written.string() + ": is the input, and is kept");
+  }
+  const Rig rig = overridden(document->rig(), options);
+  const auto pose = poseOf(document.value(), options);
+  if (!pose) return badInput(pose.error());
+
+  progress("smoothing");
+  Smoother smoother(document->character);
+  if (const auto prepared = smoother.prepare(rig); !prepared) {
+    return badInput({options.file.string(), prepared.error().place, prepared.error().reason});
+  }
+  tellUnattached(document.value(), rig, smoother.unattached());
+  Surface surface;
+  smoother.smooth(pose.value(), surface);
+
+  progress("writing " + options.output.string());
+  if (const auto written = exportSurface(surface, *document->character, options.output); !written) {
+    return badInput(written.error());
+  }
+  if (!options.report.empty()) {
+    const auto written = writeFileAtomically(options.report, reportText(surface.report));
+    if (!written) return badInput(written.error());
+  }
+  return putResult(options.output.string() + '\n');
+}
+
+}  // namespace sinew::app

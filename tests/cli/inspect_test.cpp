@@ -1,0 +1,75 @@
+// tests/cli/inspect_test.cpp: `sinew inspect` as a program sees it.
+#include "core/io/json.h"
+#include "tests/cli/program.h"
+
+namespace sinew {
+namespace {
+
+using test::Program;
+
+TEST_F(Program, InspectJsonHasEveryKeyAndNothingElseOnStdout) {
+  const auto result = run({"inspect", demo("demo.glb"), "--json"});
+  ASSERT_EQ(result.status, 0) << result.error;
+  EXPECT_EQ(result.error, "");
+  const auto json = Json::parse(result.out);
+  ASSERT_TRUE(json.ok()) << json.error().text();
+  EXPECT_EQ(json->keys(), (std::vector<std::string>{"triangles", "triangles_dropped", "vertices", "wedges", "closed",
+                                                    "border_edges", "non_manifold_edges", "height", "joints",
+                                                    "joint_names", "clips", "materials", "textures", "ignored"}));
+  EXPECT_TRUE(json->at("closed").boolean(false));
+  EXPECT_EQ(json->at("border_edges").number(-1), 0);
+  // Euler: a closed mesh of one piece and no handles has V = T / 2 + 2; of more pieces, 2 more for each.
+  const double euler = json->at("vertices").number(0) - json->at("triangles").number(0) / 2;
+  EXPECT_EQ(euler, 2);
+  EXPECT_EQ(json->at("joint_names").items().size(), static_cast<std::size_t>(json->at("joints").number(0)));
+  ASSERT_GE(json->at("clips").items().size(), 1u);
+  EXPECT_EQ(json->at("clips").items()[0].at("name").text(""), "Walk");
+  EXPECT_GT(json->at("clips").items()[0].at("duration").number(0), 0);
+}
+
+TEST_F(Program, InspectOfARigTellsOfItsPrimitivesToo) {
+  const auto result = run({"inspect", demo("demo.rig.json"), "--json"});
+  ASSERT_EQ(result.status, 0) << result.error;
+  const auto json = Json::parse(result.out);
+  ASSERT_TRUE(json.ok());
+  EXPECT_GT(json->at("primitives").number(0), 0);
+  EXPECT_FALSE(json->at("groups").items().empty());
+  EXPECT_TRUE(json->at("unattached").items().empty());
+}
+
+TEST_F(Program, InspectNamesUnattachedPrimitives) {
+  const std::string rig = R"({"format": "sinew-rig", "version": 1, "character": ")" + demo("demo.glb") +
+                          R"(", "groups": [{"name": "g"}], "primitives": [{"name": "wing", "bone": "no such bone",
+                          "group": "g", "center": [0, 0, 0], "radii": [1, 1, 1]}]})";
+  ASSERT_TRUE(writeFileAtomically(folder_ / "lost.rig.json", rig).ok());
+  const auto result = run({"inspect", "lost.rig.json"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_NE(result.out.find("unattached  1: wing"), std::string::npos) << result.out;
+}
+
+TEST_F(Program, InspectForPeopleNamesWhatIsOpen) {
+  const std::string character = std::string(SINEW_CHARACTERS_DIR) + "/SimpleSkin.gltf";
+  if (!std::filesystem::exists(character)) GTEST_SKIP() << "left out: real characters are not at hand";
+  const auto result = run({"inspect", character});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_NE(result.out.find("open: 10 border edges, 0 edges with more than two triangles"), std::string::npos) << result.out;
+}
+
+TEST_F(Program, InspectOfBadFilesIsStatus1AndOneLine) {
+  ASSERT_TRUE(writeFileAtomically(folder_ / "empty.glb", "").ok());
+  ASSERT_TRUE(writeFileAtomically(folder_ / "text.gltf", "hello").ok());
+  ASSERT_TRUE(writeFileAtomically(folder_ / "bad.rig.json", "{\"format\": \"sinew-rig\",\n \"version\": 9}").ok());
+  ASSERT_TRUE(writeFileAtomically(folder_ / "lone.rig.json",
+                                  R"({"format": "sinew-rig", "version": 1, "character": "gone.glb"})").ok());
+  std::filesystem::create_directory(folder_ / "folder.glb");
+  for (const char* file : {"absent.glb", "empty.glb", "text.gltf", "bad.rig.json", "lone.rig.json", "folder.glb", "two\nlines.glb", ""}) {
+    const auto result = run({"inspect", file});
+    EXPECT_EQ(result.status, 1) << file << '\n' << result.error;
+    EXPECT_TRUE(result.oneErrorLine()) << file << '\n' << result.error;
+    EXPECT_EQ(result.out, "") << file;
+  }
+  EXPECT_NE(run({"inspect", "bad.rig.json"}).error.find("bad.rig.json: version: "), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sinew

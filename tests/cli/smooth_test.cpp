@@ -1,0 +1,119 @@
+// tests/cli/smooth_test.cpp: `sinew smooth` as a program sees it.
+#include <algorithm>
+#include <sstream>
+
+#include "core/io/json.h"
+#include "tests/cli/program.h"
+#include "tests/support/mesh_checks.h"
+
+namespace sinew {
+namespace {
+
+using test::Program;
+
+std::vector<std::array<int, 3>> facesOf(const std::string& obj) {
+  std::vector<std::array<int, 3>> faces;
+  std::istringstream lines(obj);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("f ")) continue;
+    std::istringstream words(line.substr(2));
+    std::array<int, 3> face{};
+    for (int& vertex : face) {
+      std::string corner;
+      words >> corner;
+      vertex = std::stoi(corner);
+    }
+    faces.push_back(face);
+  }
+  return faces;
+}
+
+TEST_F(Program, SmoothWritesAClosedSurfaceAndATrueReport) {
+  const auto result = run({"smooth", demo("demo.rig.json"), "--clip", "Walk", "--time", "0.4", "--depth", "4", "-o", "out.obj",
+                           "--report", "report.json"});
+  ASSERT_EQ(result.status, 0) << result.error;
+  EXPECT_EQ(result.out, "out.obj\n");
+  EXPECT_EQ(result.error, "");
+  const std::string obj = readWholeFile(folder_ / "out.obj", 1 << 26).value();
+  const auto faces = facesOf(obj);
+  EXPECT_TRUE(test::isClosed(faces));
+
+  const auto report = Json::parse(readWholeFile(folder_ / "report.json", 1 << 20).value());
+  ASSERT_TRUE(report.ok());
+  EXPECT_EQ(report->keys(), (std::vector<std::string>{"mode", "depth", "patch", "projection", "control_triangles",
+                                                      "refined_triangles", "refined_vertices", "implicit", "straddling",
+                                                      "normal", "primitives", "cliques", "unresolved", "residual_max",
+                                                      "seconds"}));
+  EXPECT_EQ(report->at("depth").number(0), 4);
+  EXPECT_EQ(report->at("refined_triangles").number(0), static_cast<double>(faces.size()));
+  EXPECT_EQ(report->at("refined_triangles").number(0), 16 * report->at("control_triangles").number(0));
+  EXPECT_EQ(report->at("implicit").number(0) + report->at("straddling").number(0) + report->at("normal").number(0),
+            report->at("control_triangles").number(0));
+  EXPECT_EQ(report->at("seconds").keys(), (std::vector<std::string>{"skin", "patch", "project", "total"}));
+}
+
+TEST_F(Program, SmoothTakesEverySetting) {
+  for (const char* mode : {"swell", "replace"}) {
+    for (const char* patch : {"pn", "phong", "spherigon", "flat"}) {
+      for (const char* projection : {"newton", "bisection", "analytic"}) {
+        const auto result = run({"smooth", demo("demo.rig.json"), "--mode", mode, "--patch", patch, "--projection", projection,
+                                 "--depth", "2", "-o", "out.ply", "--report", "r.json"});
+        ASSERT_EQ(result.status, 0) << result.error;
+        const auto report = Json::parse(readWholeFile(folder_ / "r.json", 1 << 20).value());
+        ASSERT_TRUE(report.ok());
+        EXPECT_EQ(report->at("mode").text(""), mode);
+        EXPECT_EQ(report->at("patch").text(""), patch);
+        EXPECT_EQ(report->at("projection").text(""), projection);
+      }
+    }
+  }
+}
+
+TEST_F(Program, SmoothOfACharacterHasNoPrimitives) {
+  const auto result = run({"smooth", demo("demo.glb"), "-o", "out.glb", "--report", "r.json"});
+  ASSERT_EQ(result.status, 0) << result.error;
+  EXPECT_EQ(Json::parse(readWholeFile(folder_ / "r.json", 1 << 20).value())->at("primitives").number(-1), 0);
+}
+
+TEST_F(Program, SameMomentSameBytes) {
+  ASSERT_EQ(run({"smooth", demo("demo.rig.json"), "--clip", "Walk", "--time", "0.25", "-o", "a.glb"}).status, 0);
+  ASSERT_EQ(run({"smooth", demo("demo.rig.json"), "--clip", "Walk", "--time", "0.25", "-o", "b.glb"}).status, 0);
+  ASSERT_EQ(run({"smooth", demo("demo.rig.json"), "--clip", "Walk", "--time", "0.5", "-o", "c.glb"}).status, 0);
+  const std::string a = readWholeFile(folder_ / "a.glb", 1 << 26).value();
+  EXPECT_EQ(a, readWholeFile(folder_ / "b.glb", 1 << 26).value());
+  EXPECT_NE(a, readWholeFile(folder_ / "c.glb", 1 << 26).value());
+}
+
+TEST_F(Program, UnknownClipsAreToldTheKnownOnes) {
+  const auto result = run({"smooth", demo("demo.glb"), "--clip", "Wlk", "-o", "out.obj"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_TRUE(result.oneErrorLine());
+  EXPECT_NE(result.error.find("\"Walk\", \"Idle\""), std::string::npos) << result.error;
+  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+}
+
+TEST_F(Program, ATimePastTheEndIsTheEndAndSaysSo) {
+  const auto result = run({"smooth", demo("demo.glb"), "--clip", "Walk", "--time", "99", "-o", "out.obj"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_TRUE(result.oneErrorLine()) << result.error;
+}
+
+TEST_F(Program, SmoothNeverOverwritesItsInput) {
+  std::filesystem::copy_file(demo("demo.glb"), folder_ / "demo.glb");
+  const std::string before = readWholeFile(folder_ / "demo.glb", 1 << 26).value();
+  const auto result = run({"smooth", "demo.glb", "-o", "./demo.glb"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_TRUE(result.oneErrorLine()) << result.error;
+  EXPECT_EQ(run({"smooth", "demo.glb", "-o", "out.obj", "--report", "demo.glb"}).status, 2);
+  EXPECT_EQ(readWholeFile(folder_ / "demo.glb", 1 << 26).value(), before);
+}
+
+TEST_F(Program, SmoothIntoAnAbsentFolderIsStatus1) {
+  const auto result = run({"smooth", demo("demo.glb"), "-o", "absent/out.ply"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_TRUE(result.oneErrorLine()) << result.error;
+  EXPECT_NE(result.error.find("absent/out.ply: cannot be written"), std::string::npos) << result.error;
+}
+
+}  // namespace
+}  // namespace sinew
