@@ -13,9 +13,9 @@ inline constexpr int kMaxControlTriangles = 2'000'000;
 inline constexpr int kMaxJoints = 4096;
 inline constexpr int kMaxClips = 1000;
 
-/// Reads a character. Untrusted input: every accessor, index and size is checked; buffers and images may be data: uris or
-/// files inside the file's own folder, nothing else. What Sinew cannot use is listed in Character::ignored.
-/// Error: file, place (JSON path, accessor, byte), reason. Never throws.
+/// Reads a character. Untrusted input: every accessor, index and size is checked; buffers and images may be data: uris
+/// or files inside the file's own folder, nothing else. What Sinew cannot use is listed in Character::ignored. Error:
+/// file, place (JSON path, accessor, byte), reason. Never throws.
 [[nodiscard]] Result<std::shared_ptr<const Character>> importGltf(const std::filesystem::path& file);
 
 }  // namespace sinew

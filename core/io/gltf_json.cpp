@@ -25,8 +25,10 @@ void checkSize(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     if (inString) {
-      if (c == '\\') ++i;
-      else if (c == '"') inString = false;
+      if (c == '\\')
+        ++i;
+      else if (c == '"')
+        inString = false;
       continue;
     }
     if (c == '"') inString = true;
@@ -120,7 +122,8 @@ std::string_view Field::text(std::string_view fallback) const {
 std::uint64_t Field::count(std::uint64_t fallback) const {
   if (!exists()) return fallback;
   const double value = number(0.0);
-  if (value < 0.0 || value > kLargestWhole || value != std::floor(value)) refuse(place_, "expected a whole number >= 0");
+  if (value < 0.0 || value > kLargestWhole || value != std::floor(value))
+    refuse(place_, "expected a whole number >= 0");
   return static_cast<std::uint64_t>(value);
 }
 
@@ -133,8 +136,8 @@ std::optional<int> Field::index(std::size_t size, std::string_view what) const {
   if (!exists()) return std::nullopt;
   const std::uint64_t value = count(0);
   if (value >= size) {
-    refuse(place_, "there is no " + std::string(what) + " " + std::to_string(value) + "; the file has " +
-                       std::to_string(size));
+    refuse(place_,
+           "there is no " + std::string(what) + " " + std::to_string(value) + "; the file has " + std::to_string(size));
   }
   return static_cast<int>(value);
 }

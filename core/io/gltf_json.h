@@ -55,8 +55,8 @@ class Field {
   std::string place_;
 };
 
-/// Parsed JSON. Refuses text that is no JSON object, is nested deeper than any glTF file needs, or holds so many values that
-/// they would not fit memory; the place is the byte.
+/// Parsed JSON. Refuses text that is no JSON object, is nested deeper than any glTF file needs, or holds so many values
+/// that they would not fit memory; the place is the byte.
 [[nodiscard]] std::shared_ptr<const nlohmann::json> parseJson(std::string_view text);
 
 }  // namespace sinew::gltf

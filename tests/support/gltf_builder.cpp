@@ -84,8 +84,8 @@ int GltfBuilder::view(std::string_view bytes) {
   return static_cast<int>(json["bufferViews"].size()) - 1;
 }
 
-int GltfBuilder::accessorOfBytes(const std::string& bytes, int componentType, std::size_t components, const std::string& type,
-                                 bool normalized) {
+int GltfBuilder::accessorOfBytes(const std::string& bytes, int componentType, std::size_t components,
+                                 const std::string& type, bool normalized) {
   ordered_json accessor{{"bufferView", view(bytes)},
                         {"componentType", componentType},
                         {"count", components / componentsOf(type)},
@@ -121,7 +121,8 @@ std::string base64(std::string_view bytes) {
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     std::uint32_t group = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      group = group << 8 | (i + k < bytes.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i + k])) : 0U);
+      group = group << 8 |
+              (i + k < bytes.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i + k])) : 0U);
     }
     for (std::size_t k = 0; k < 4; ++k) {
       text += i + k <= bytes.size() ? kAlphabet[group >> (18 - 6 * k) & 63] : '=';

@@ -48,8 +48,8 @@ class GltfBuilder {
   }
 
   [[nodiscard]] const std::string& binary() const { return binary_; }
-  [[nodiscard]] std::string glb() const;                                ///< Buffer 0 in the binary chunk.
-  [[nodiscard]] std::string gltf() const;                               ///< Buffer 0 as a data: uri.
+  [[nodiscard]] std::string glb() const;   ///< Buffer 0 in the binary chunk.
+  [[nodiscard]] std::string gltf() const;  ///< Buffer 0 as a data: uri.
   [[nodiscard]] std::string gltfWithBufferAt(const std::string& uri) const;
 
  private:
@@ -79,10 +79,10 @@ class GltfBuilder {
 ///   clip 0 "bend": knee turns about x to 90 degrees in 1 s, linear
 struct Post {
   GltfBuilder file;
-  std::vector<float> positions;         // [12 * 3]
-  std::vector<std::uint16_t> indices;   // [60]
-  std::vector<std::uint8_t> joints;     // [12 * 4]
-  std::vector<float> weights;           // [12 * 4]
+  std::vector<float> positions;        // [12 * 3]
+  std::vector<std::uint16_t> indices;  // [60]
+  std::vector<std::uint8_t> joints;    // [12 * 4]
+  std::vector<float> weights;          // [12 * 4]
 
   [[nodiscard]] nlohmann::ordered_json& primitive() { return file.json["meshes"][0]["primitives"][0]; }
   [[nodiscard]] nlohmann::ordered_json& attributes() { return primitive()["attributes"]; }

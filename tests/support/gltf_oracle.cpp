@@ -8,11 +8,11 @@
 #include <map>
 #include <string>
 
+#include <gtest/gtest.h>
+#include <tiny_gltf.h>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
-#include <gtest/gtest.h>
-#include <tiny_gltf.h>
 
 #include "core/character/skinning.h"
 #include "core/io/gltf_import.h"
@@ -29,12 +29,18 @@ double component(const unsigned char* from, int type, bool normalized) {
     return normalized ? std::max(-1.0, static_cast<double>(value) / largest) : static_cast<double>(value);
   };
   switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE: return load(std::int8_t{}, 127.0);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return load(std::uint8_t{}, 255.0);
-    case TINYGLTF_COMPONENT_TYPE_SHORT: return load(std::int16_t{}, 32767.0);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return load(std::uint16_t{}, 65535.0);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return load(std::uint32_t{}, 1.0);
-    default: return load(float{}, 1.0);
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return load(std::int8_t{}, 127.0);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return load(std::uint8_t{}, 255.0);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return load(std::int16_t{}, 32767.0);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return load(std::uint16_t{}, 65535.0);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+      return load(std::uint32_t{}, 1.0);
+    default:
+      return load(float{}, 1.0);
   }
 }
 
@@ -59,7 +65,8 @@ std::vector<double> numbers(const tinygltf::Model& model, int index) {
   }
   if (a.sparse.isSparse) {
     const auto& sparse = a.sparse;
-    const auto indexSize = at(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(sparse.indices.componentType)));
+    const auto indexSize =
+        at(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(sparse.indices.componentType)));
     for (std::size_t i = 0; i < at(sparse.count); ++i) {
       const unsigned char* where = bytesOf(sparse.indices.bufferView, at(sparse.indices.byteOffset)) + i * indexSize;
       const auto element = static_cast<std::size_t>(component(where, sparse.indices.componentType, false));
@@ -78,7 +85,8 @@ struct Local {
   glm::dmat4 toMatrix() const {
     if (matrix) return *matrix;
     const glm::dvec4 r = rotation / glm::length(rotation);
-    return glm::scale(glm::translate(glm::dmat4(1.0), translation) * glm::mat4_cast(glm::dquat(r.w, r.x, r.y, r.z)), scale);
+    return glm::scale(glm::translate(glm::dmat4(1.0), translation) * glm::mat4_cast(glm::dquat(r.w, r.x, r.y, r.z)),
+                      scale);
   }
 };
 
@@ -159,9 +167,12 @@ struct GltfOracle::Impl {
       const bool rotation = channel.target_path == "rotation";
       const glm::dvec4 v = sample(model, animation.samplers.at(at(channel.sampler)), rotation, time);
       Local& local = locals.at(at(channel.target_node));
-      if (rotation) local.rotation = v;
-      else if (channel.target_path == "scale") local.scale = glm::dvec3(v);
-      else local.translation = glm::dvec3(v);
+      if (rotation)
+        local.rotation = v;
+      else if (channel.target_path == "scale")
+        local.scale = glm::dvec3(v);
+      else
+        local.translation = glm::dvec3(v);
     }
   }
 
@@ -170,7 +181,8 @@ struct GltfOracle::Impl {
     std::vector<glm::dmat4> result;
     if (node.skin < 0) return result;
     const tinygltf::Skin& skin = model.skins.at(at(node.skin));
-    const std::vector<double> binds = skin.inverseBindMatrices < 0 ? std::vector<double>{} : numbers(model, skin.inverseBindMatrices);
+    const std::vector<double> binds =
+        skin.inverseBindMatrices < 0 ? std::vector<double>{} : numbers(model, skin.inverseBindMatrices);
     for (std::size_t j = 0; j < skin.joints.size(); ++j) {
       glm::dmat4 inverseBind(1.0);
       for (int i = 0; i < 16 && !binds.empty(); ++i) inverseBind[i / 4][i % 4] = binds[16 * j + at(i)];
@@ -179,18 +191,21 @@ struct GltfOracle::Impl {
     return result;
   }
 
-  void addPrimitive(const tinygltf::Primitive& primitive, const glm::dmat4& world, const std::vector<glm::dmat4>& joints,
-                    std::vector<RawTriangle>& out) const {
+  void addPrimitive(const tinygltf::Primitive& primitive, const glm::dmat4& world,
+                    const std::vector<glm::dmat4>& joints, std::vector<RawTriangle>& out) const {
     const std::vector<double> positions = numbers(model, primitive.attributes.at("POSITION"));
     std::vector<glm::dmat4> matrices(positions.size() / 3, joints.empty() ? world : glm::dmat4(0.0));
     if (!joints.empty()) blend(primitive, joints, matrices);
     std::vector<glm::dvec3> vertices;
     for (std::size_t v = 0; v < matrices.size(); ++v) {
-      vertices.emplace_back(matrices[v] * glm::dvec4(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2], 1.0));
+      vertices.emplace_back(matrices[v] *
+                            glm::dvec4(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2], 1.0));
     }
     std::vector<double> indices;
-    if (primitive.indices >= 0) indices = numbers(model, primitive.indices);
-    else for (std::size_t v = 0; v < vertices.size(); ++v) indices.push_back(static_cast<double>(v));
+    if (primitive.indices >= 0)
+      indices = numbers(model, primitive.indices);
+    else
+      for (std::size_t v = 0; v < vertices.size(); ++v) indices.push_back(static_cast<double>(v));
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
       RawTriangle triangle;
       for (std::size_t k = 0; k < 3; ++k) triangle[k] = vertices.at(static_cast<std::size_t>(indices[i + k]));
@@ -217,8 +232,9 @@ GltfOracle::GltfOracle(const std::filesystem::path& file) : impl_(std::make_uniq
   tinygltf::TinyGLTF reader;
   std::string error;
   std::string warning;
-  const bool read = file.extension() == ".glb" ? reader.LoadBinaryFromFile(&impl_->model, &error, &warning, file.string())
-                                               : reader.LoadASCIIFromFile(&impl_->model, &error, &warning, file.string());
+  const bool read = file.extension() == ".glb"
+                        ? reader.LoadBinaryFromFile(&impl_->model, &error, &warning, file.string())
+                        : reader.LoadASCIIFromFile(&impl_->model, &error, &warning, file.string());
   if (!read) ADD_FAILURE() << file << ": " << error;
   impl_->parents.assign(impl_->model.nodes.size(), -1);
   for (std::size_t n = 0; n < impl_->model.nodes.size(); ++n) {
@@ -274,7 +290,8 @@ std::vector<std::size_t> keptTriangles(const std::vector<RawTriangle>& triangles
   std::vector<std::size_t> kept;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const RawTriangle& p = triangles[t];
-    if (glm::length(p[0] - p[1]) > tolerance && glm::length(p[1] - p[2]) > tolerance && glm::length(p[2] - p[0]) > tolerance) {
+    if (glm::length(p[0] - p[1]) > tolerance && glm::length(p[1] - p[2]) > tolerance &&
+        glm::length(p[2] - p[0]) > tolerance) {
       kept.push_back(t);
     }
   }
@@ -311,7 +328,8 @@ void expectSkinsLikeTheFile(const std::filesystem::path& file, double tolerance)
     for (const double share : {0.0, 0.1, 0.37, 0.5, 0.81, 1.0}) {
       const auto time = static_cast<float>(share * duration);
       compare(samplePose(character.skeleton, character.clips[clip], time),
-              oracle.triangles(clip, static_cast<double>(time)), character.clips[clip].name + " at " + std::to_string(time));
+              oracle.triangles(clip, static_cast<double>(time)),
+              character.clips[clip].name + " at " + std::to_string(time));
     }
   }
 }

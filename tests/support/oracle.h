@@ -61,15 +61,25 @@ class Oracle {
     int bone = 0;
     Vec inBone;
   };
-  struct Hit {
-    bool found = false;
-    bool fellBack = false;
-    double t = 0.0;
-    std::vector<double> roots;
-    Vec origin;
-    Vec direction;
+  /// One stretch of F > T on a ray: where it begins as seen from outside, and the share of the vertex it gets.
+  struct Layer {
+    Vec point;
+    double t = 0.0;  ///< Distance from the start, along `direction` of its Line.
+    double share = 0.0;
   };
-
+  struct Line {
+    Vec origin;
+    Vec inwards;  ///< Unit.
+    double length = 0.0;
+    bool inside = false;  ///< The origin has F > T.
+  };
+  struct Hit {
+    std::vector<Layer> layers;
+    bool fellBack = false;
+    Line line;  ///< The first one followed.
+    [[nodiscard]] bool found() const { return !layers.empty(); }
+  };
+  void lay(const Line& line, const std::vector<double>& weights, double& left, Hit& hit) const;
   [[nodiscard]] double skinWidth() const;  ///< W
   [[nodiscard]] double skinRadius(double s) const;
   [[nodiscard]] Corners cornersOf(const Site& site) const;

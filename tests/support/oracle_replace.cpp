@@ -9,14 +9,27 @@ namespace sinew::oracle {
 namespace {
 
 constexpr int kSteps = 2400;
-constexpr int kOtherRoots = 8;
+constexpr int kStretches = 8;
+constexpr int kProminenceSamples = 9;
 constexpr double kSearchLength = 0.2;  ///< L as a fraction of H.
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-double fade(double t, double limit) {
-  const double x = std::clamp((std::abs(t) - 0.8 * limit) / (0.2 * limit), 0.0, 1.0);
-  return 1.0 - x * x * (3.0 - 2.0 * x);
+double smoothstep(double t) {
+  const double x = std::clamp(t, 0.0, 1.0);
+  return x * x * (3.0 - 2.0 * x);
+}
+
+/// Share before others are laid over it: by the largest F - T of the stretch and by how far its beginning is.
+double ownShare(double prominence, double iso, double t, double searchLength) {
+  return smoothstep(prominence / (0.25 * iso)) * (1.0 - smoothstep((std::abs(t) / searchLength - 0.8) / 0.2));
+}
+
+/// The largest of nine samples spaced evenly inside a stretch (docs/design.md).
+double prominence(const Function& phi, double from, double to) {
+  double most = 0.0;
+  for (int i = 1; i <= kProminenceSamples; ++i) most = std::max(most, phi(from + (to - from) * i / (kProminenceSamples + 1)));
+  return most;
 }
 
 Vec closestOnSegment(const Vec& a, const Vec& b, const Vec& point) {
@@ -73,34 +86,54 @@ void Oracle::findOmegas() {
     const Site site{{vertex, vertex, vertex}, {1.0, 0.0, 0.0}};
     const PatchPoint at{vec(character_.mesh.positions[v]), vec(character_.mesh.normals[v])};
     if (!field_.inRegion(at.position, vertexWeights_[v])) continue;
-    if (project(at, anchorInWorld(site), vertexWeights_[v]).found) omega_[v] = 1.0;
+    if (project(at, anchorInWorld(site), vertexWeights_[v]).found()) omega_[v] = 1.0;
+  }
+}
+
+void Oracle::lay(const Line& line, const std::vector<double>& weights, double& left, Hit& hit) const {
+  const Field::Ray ray = field_.along(line.origin, line.inwards, weights);
+  if (ray.isEmpty()) return;
+  const double searchLength = kSearchLength * height_;
+  const Function phi = [&](double t) { return ray.value(t) - field_.iso(); };
+  const auto add = [&](double t, double prominent) {
+    const double share = left * ownShare(prominent, field_.iso(), t, searchLength);
+    hit.layers.push_back({line.origin + t * line.inwards, t, share});
+    left -= share;
+  };
+  double begin = 0.0;
+  if (line.inside) {
+    const std::vector<double> ends = signChanges(phi, 0.0, line.length, kSteps, 1);
+    begin = ends.empty() ? line.length : ends.front();
+    const std::vector<double> outer = signChanges(phi, 0.0, -searchLength, kSteps, 1);
+    if (!outer.empty()) {
+      add(outer.front(), std::max({prominence(phi, outer.front(), 0.0), prominence(phi, 0.0, begin), phi(0.0)}));
+    }
+  }
+  if (begin >= line.length) return;
+  const double start = line.inside ? begin + 1e-7 * height_ : 0.0;
+  const std::vector<double> changes = signChanges(phi, start, line.length, kSteps, 2 * kStretches);
+  for (std::size_t i = 0; i < changes.size() && changes[i] < searchLength && left > 0.0; i += 2) {
+    add(changes[i], prominence(phi, changes[i], i + 1 < changes.size() ? changes[i + 1] : line.length));
   }
 }
 
 Oracle::Hit Oracle::project(const PatchPoint& flat, const Vec& anchor, const std::vector<double>& weights) const {
-  const double iso = field_.iso();
-  double limit = kSearchLength * height_;
-  const bool inside = field_.value(flat.position, weights) >= iso;
-  const double anchorDistance = length(anchor - flat.position);
-  // Paper 4.2: the anchor ends the bracket of a point outside, so it must be inside; from inside only its direction
-  // counts.
-  const bool anchorFails = anchorDistance == 0.0 || (!inside && field_.value(anchor, weights) < iso);
-  const bool alongNormal = rig_.smoothing.projection == ProjectionKind::kAnalytic || anchorFails;
+  const bool inside = field_.value(flat.position, weights) > field_.iso();
+  const double searchLength = kSearchLength * height_;
+  const Line alongNormal{flat.position, -1.0 * flat.normal, searchLength, inside};
   Hit hit;
-  hit.origin = flat.position;
-  hit.direction = flat.normal;
-  hit.fellBack = rig_.smoothing.projection != ProjectionKind::kAnalytic && anchorFails;
-  if (!alongNormal) {
-    hit.direction = (1.0 / anchorDistance) * (flat.position - anchor);
-    if (!inside) limit = std::min(limit, anchorDistance);
+  double left = 1.0;
+  if (rig_.smoothing.projection == ProjectionKind::kAnalytic) {
+    hit.line = alongNormal;
+    lay(hit.line, weights, left, hit);
+    return hit;
   }
-  const Field::Ray ray = field_.along(hit.origin, hit.direction, weights);
-  if (ray.isEmpty()) return hit;
-  // Outwards (away from the anchor, along the normal) from inside; inwards from outside.
-  const Function phi = [&](double t) { return ray.value(t) - iso; };
-  hit.roots = signChanges(phi, 0.0, inside ? limit : -limit, kSteps, kOtherRoots);
-  hit.found = !hit.roots.empty();
-  if (hit.found) hit.t = hit.roots.front();
+  // Paper 4.2: the anchor ends the bracket of a point outside; from inside only its direction counts.
+  const double distance = length(anchor - flat.position);
+  hit.line = {flat.position, unitOr(anchor - flat.position, -1.0 * flat.normal), distance, inside};
+  lay(hit.line, weights, left, hit);
+  hit.fellBack = !inside && left > 0.0;
+  if (hit.fellBack) lay(alongNormal, weights, left, hit);
   return hit;
 }
 
@@ -121,19 +154,26 @@ Answer Oracle::replace(const Site& site) const {
   const Hit hit = project(flat, anchorInWorld(site), weights);
   out.field = field_.value(flat.position, weights);
   out.sought = true;
-  out.resolved = hit.found;
-  out.rayOrigin = hit.origin;
-  out.rayDirection = hit.direction;
+  out.resolved = hit.found();
+  out.rayOrigin = hit.line.origin;
+  out.rayDirection = hit.line.inwards;
   out.fellBack = hit.fellBack;
-  if (!hit.found) return out;
-  out.offset = hit.t;
-  out.roots = hit.roots;
-  out.weight *= fade(hit.t, kSearchLength * height_);
-  const Vec onSurface = hit.origin + hit.t * hit.direction;
-  const Vec outward = unitOr(-1.0 * field_.gradient(onSurface, weights), out.patch.normal);
-  out.lead = field_.lead(onSurface, weights);
-  out.position = out.weight * onSurface + (1.0 - out.weight) * out.patch.position;
-  out.normal = unitOr(out.weight * outward + (1.0 - out.weight) * out.patch.normal, out.patch.normal);
+  if (!hit.found()) return out;
+  out.offset = hit.layers.front().t;
+  const double omega = out.weight;
+  out.weight = 0.0;
+  Vec position;
+  Vec normal;
+  for (const Layer& layer : hit.layers) {
+    if (!hit.fellBack) out.roots.push_back(layer.t);
+    const Vec outward = unitOr(-1.0 * field_.gradient(layer.point, weights), flat.normal);
+    position = position + layer.share * layer.point;
+    normal = normal + layer.share * outward;
+    out.weight += omega * layer.share;
+    if (layer.share > 0.0) out.lead = out.lead == 0.0 ? field_.lead(layer.point, weights) : std::min(out.lead, field_.lead(layer.point, weights));
+  }
+  out.position = omega * position + (1.0 - out.weight) * out.patch.position;
+  out.normal = unitOr(omega * normal + (1.0 - out.weight) * out.patch.normal, out.patch.normal);
   return out;
 }
 

@@ -1,0 +1,68 @@
+#pragma once  // core/mesh/index_table.h: a hash table of indices whose keys lie elsewhere.
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+namespace sinew {
+
+/// Spreads the bits of `value` over the whole word and folds them into `seed` (finalizer of SplitMix64, Steele 2014).
+[[nodiscard]] inline std::uint64_t hashCombine(std::uint64_t seed, std::uint64_t value) {
+  std::uint64_t x = seed + 0x9e3779b97f4a7c15ULL + value;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+  return x ^ (x >> 31);
+}
+
+/// Bits of a float, the same for 0 and -0.
+[[nodiscard]] inline std::uint64_t floatBits(float value) {
+  const float positive = value + 0.0f;
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &positive, sizeof bits);
+  return bits;
+}
+
+/// Open addressing with linear probing; never holds more than half its slots. Order of lookups does not depend on
+/// addresses, so the same input gives the same result everywhere.
+class IndexTable {
+ public:
+  /// @param most entries that will be inserted at most; more is the caller's mistake.
+  explicit IndexTable(std::size_t most) {
+    std::size_t slots = 16;
+    while (slots < 2 * most) slots *= 2;
+    slots_.assign(slots, kEmpty);
+  }
+
+  /// The entry with this hash for which equals(entry), or -1.
+  template <class Equals>
+  [[nodiscard]] int find(std::uint64_t hash, Equals&& equals) const {
+    for (std::size_t slot = hash & mask(); slots_[slot] != kEmpty; slot = (slot + 1) & mask()) {
+      if (equals(slots_[slot])) return slots_[slot];
+    }
+    return kEmpty;
+  }
+
+  /// The entry equal to it if there is one, else `entry`, which is put in.
+  template <class Equals>
+  int findOrInsert(std::uint64_t hash, int entry, Equals&& equals) {
+    std::size_t slot = hash & mask();
+    for (; slots_[slot] != kEmpty; slot = (slot + 1) & mask()) {
+      if (equals(slots_[slot])) return slots_[slot];
+    }
+    slots_[slot] = entry;
+    ++used_;
+    assert(2 * used_ <= slots_.size());
+    return entry;
+  }
+
+ private:
+  static constexpr int kEmpty = -1;
+  [[nodiscard]] std::size_t mask() const { return slots_.size() - 1; }
+
+  std::vector<int> slots_;
+  std::size_t used_ = 0;
+};
+
+}  // namespace sinew

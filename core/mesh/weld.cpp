@@ -1,0 +1,256 @@
+// core/mesh/weld.cpp: merging split vertices with a hash grid.
+
+#include "core/mesh/weld.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "core/mesh/index_table.h"
+#include "core/mesh/normals.h"
+
+namespace sinew {
+namespace {
+
+/// Two weights closer than this are the same: the step of an 8-bit weight is 0.004.
+constexpr float kWeightTolerance = 1e-4f;
+/// Cells are this many tolerances wide: wide enough that a vertex rarely has to look into a neighbour cell.
+constexpr double kCellInTolerances = 8.0;
+/// At most this many cells along the longest axis, so that cell numbers stay exact in double and in 64 bits.
+constexpr double kMostCells = 1e15;
+/// So many vertices of one cell are compared by tolerance; in a denser crowd only exactly equal ones merge. It bounds
+/// the work for files that put very many differently bound vertices in one place.
+constexpr int kMostCompared = 64;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+using Cell = std::array<std::int64_t, 3>;
+
+/// For every soup vertex in use, the soup vertex that stands for it.
+class Welder {
+ public:
+  Welder(const TriangleSoup& soup, float tolerance)
+      : soup_(soup),
+        tolerance_(tolerance),
+        exact_(soup.positions.size()),
+        cells_(soup.positions.size()),
+        nextInCell_(soup.positions.size(), -1),
+        representative_(soup.positions.size(), -1) {
+    const Bounds bounds = boundsOf(soup.positions);
+    if (bounds.isEmpty()) return;
+    low_ = glm::dvec3(bounds.low);
+    const glm::dvec3 extent = glm::dvec3(bounds.high) - low_;
+    const double longest = std::max({extent.x, extent.y, extent.z, 1e-300});
+    cellSize_ = std::max(kCellInTolerances * static_cast<double>(tolerance), longest / kMostCells);
+  }
+
+  int representativeOf(int vertex) {
+    int& known = representative_[at(vertex)];
+    if (known < 0) known = find(vertex);
+    return known;
+  }
+
+ private:
+  int find(int vertex) {
+    const int same =
+        exact_.findOrInsert(exactHash(vertex), vertex, [&](int other) { return exactlyEqual(vertex, other); });
+    if (same != vertex) return representative_[at(same)];
+    const int near = nearest(vertex);
+    if (near >= 0) return near;
+    addToCell(vertex);
+    return vertex;
+  }
+
+  [[nodiscard]] std::uint64_t exactHash(int vertex) const {
+    std::uint64_t hash = 0;
+    for (int axis = 0; axis < 3; ++axis) hash = hashCombine(hash, floatBits(soup_.positions[at(vertex)][axis]));
+    for (const Influence& influence : influencesOf(vertex)) {
+      hash = hashCombine(hash, static_cast<std::uint64_t>(influence.binding));
+      hash = hashCombine(hash, floatBits(influence.weight));
+    }
+    return hash;
+  }
+
+  [[nodiscard]] bool exactlyEqual(int a, int b) const {
+    return soup_.positions[at(a)] == soup_.positions[at(b)] &&
+           std::ranges::equal(influencesOf(a), influencesOf(b), [](const Influence& x, const Influence& y) {
+             return x.binding == y.binding && x.weight == y.weight;
+           });
+  }
+
+  /// First representative, in order of arrival within the cells, that lies within the tolerance and is bound alike.
+  [[nodiscard]] int nearest(int vertex) const {
+    const glm::dvec3 p = glm::dvec3(soup_.positions[at(vertex)]);
+    const double reach = static_cast<double>(tolerance_);
+    const Cell first = cellOf(p - reach);
+    const Cell last = cellOf(p + reach);
+    int best = -1;
+    for (std::int64_t x = first[0]; x <= last[0]; ++x) {
+      for (std::int64_t y = first[1]; y <= last[1]; ++y) {
+        for (std::int64_t z = first[2]; z <= last[2]; ++z) {
+          const int found = firstAlike(vertex, Cell{x, y, z});
+          // Across cells the earliest wins, whatever the order of the cells.
+          if (found >= 0 && (best < 0 || order_[at(found)] < order_[at(best)])) best = found;
+        }
+      }
+    }
+    return best;
+  }
+
+  [[nodiscard]] int firstAlike(int vertex, const Cell& cell) const {
+    int other = cells_.find(cellHash(cell), [&](int head) { return cellOf(head) == cell; });
+    for (int compared = 0; other >= 0 && compared < kMostCompared; ++compared, other = nextInCell_[at(other)]) {
+      if (alike(vertex, other)) return other;
+    }
+    return -1;
+  }
+
+  [[nodiscard]] bool alike(int a, int b) const {
+    const glm::dvec3 offset = glm::dvec3(soup_.positions[at(a)]) - glm::dvec3(soup_.positions[at(b)]);
+    const double reach = static_cast<double>(tolerance_);
+    return glm::dot(offset, offset) <= reach * reach &&
+           std::ranges::equal(influencesOf(a), influencesOf(b), [](const Influence& x, const Influence& y) {
+             return x.binding == y.binding && std::abs(x.weight - y.weight) <= kWeightTolerance;
+           });
+  }
+
+  void addToCell(int vertex) {
+    if (order_.empty()) {
+      order_.assign(soup_.positions.size(), -1);
+      tailOfCell_.assign(soup_.positions.size(), -1);
+    }
+    order_[at(vertex)] = count_++;
+    const Cell cell = cellOf(vertex);
+    const int head = cells_.findOrInsert(cellHash(cell), vertex, [&](int other) { return cellOf(other) == cell; });
+    if (head != vertex) nextInCell_[at(tailOfCell_[at(head)])] = vertex;
+    tailOfCell_[at(head)] = vertex;
+  }
+
+  [[nodiscard]] Cell cellOf(const glm::dvec3& p) const {
+    const glm::dvec3 cell = glm::floor((p - low_) / cellSize_);
+    return {static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y), static_cast<std::int64_t>(cell.z)};
+  }
+  [[nodiscard]] Cell cellOf(int vertex) const { return cellOf(glm::dvec3(soup_.positions[at(vertex)])); }
+
+  [[nodiscard]] static std::uint64_t cellHash(const Cell& cell) {
+    std::uint64_t hash = 0;
+    for (const std::int64_t number : cell) hash = hashCombine(hash, static_cast<std::uint64_t>(number));
+    return hash;
+  }
+
+  [[nodiscard]] std::span<const Influence> influencesOf(int vertex) const {
+    const int begin = soup_.influenceBegin[at(vertex)];
+    return std::span(soup_.influences).subspan(at(begin), at(soup_.influenceBegin[at(vertex) + 1] - begin));
+  }
+
+  const TriangleSoup& soup_;
+  float tolerance_;
+  glm::dvec3 low_{0.0};
+  double cellSize_ = 1.0;
+  IndexTable exact_;             // one entry for each distinct (position, influences)
+  IndexTable cells_;             // first representative of each cell
+  std::vector<int> nextInCell_;  // [N] chain of the representatives of one cell
+  std::vector<int> tailOfCell_;  // [N] for a cell's first representative: the last one
+  std::vector<int> order_;       // [N] for representatives: when they came
+  std::vector<int> representative_;
+  int count_ = 0;
+};
+
+/// Soup triangle -> representative corners; dropped ones are left out.
+struct KeptTriangle {
+  std::array<int, 3> representatives{};
+  std::size_t soupTriangle = 0;
+};
+
+std::vector<KeptTriangle> keepTriangles(const TriangleSoup& soup, float tolerance) {
+  Welder welder(soup, tolerance);
+  std::vector<KeptTriangle> kept;
+  kept.reserve(soup.triangles.size());
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    KeptTriangle triangle{.representatives = {}, .soupTriangle = t};
+    for (std::size_t i = 0; i < 3; ++i) {
+      triangle.representatives[i] = welder.representativeOf(static_cast<int>(soup.triangles[t][i]));
+    }
+    const auto [a, b, c] = triangle.representatives;
+    if (a != b && b != c && c != a) kept.push_back(triangle);
+  }
+  return kept;
+}
+
+/// Numbers vertices and wedges in order of first use while triangles are added.
+class MeshBuilder {
+ public:
+  MeshBuilder(const TriangleSoup& soup, std::size_t triangles)
+      : soup_(soup), vertexOf_(soup.positions.size(), -1), wedgeTable_(3 * triangles), edgeTable_(3 * triangles) {
+    mesh_.triangles.reserve(triangles);
+    mesh_.influenceBegin.push_back(0);
+  }
+
+  void add(const KeptTriangle& kept) {
+    ControlTriangle triangle;
+    triangle.material = soup_.materials[kept.soupTriangle];
+    for (std::size_t i = 0; i < 3; ++i) {
+      triangle.vertices[i] = vertex(kept.representatives[i]);
+      triangle.wedges[i] = wedge(triangle.vertices[i], soup_.uvs[soup_.triangles[kept.soupTriangle][i]]);
+    }
+    for (std::size_t i = 0; i < 3; ++i) triangle.edges[i] = edge(triangle.vertices[i], triangle.vertices[(i + 1) % 3]);
+    mesh_.triangles.push_back(triangle);
+  }
+
+  ControlMesh take() && { return std::move(mesh_); }
+
+ private:
+  int vertex(int representative) {
+    int& number = vertexOf_[at(representative)];
+    if (number >= 0) return number;
+    number = static_cast<int>(mesh_.positions.size());
+    mesh_.positions.push_back(soup_.positions[at(representative)]);
+    for (int i = soup_.influenceBegin[at(representative)]; i < soup_.influenceBegin[at(representative) + 1]; ++i) {
+      mesh_.influences.push_back(soup_.influences[at(i)]);
+    }
+    mesh_.influenceBegin.push_back(static_cast<int>(mesh_.influences.size()));
+    return number;
+  }
+
+  int wedge(int vertex, const glm::vec2& uv) {
+    const std::uint64_t hash =
+        hashCombine(hashCombine(static_cast<std::uint64_t>(vertex), floatBits(uv.x)), floatBits(uv.y));
+    const int next = static_cast<int>(mesh_.wedges.size());
+    const int found = wedgeTable_.findOrInsert(
+        hash, next, [&](int w) { return mesh_.wedges[at(w)].vertex == vertex && mesh_.wedges[at(w)].uv == uv; });
+    if (found == next) mesh_.wedges.push_back({.vertex = vertex, .uv = uv});
+    return found;
+  }
+
+  int edge(int a, int b) {
+    const std::array<int, 2> ends{std::min(a, b), std::max(a, b)};
+    const std::uint64_t hash = hashCombine(static_cast<std::uint64_t>(ends[0]), static_cast<std::uint64_t>(ends[1]));
+    const int next = static_cast<int>(mesh_.edges.size());
+    const int found = edgeTable_.findOrInsert(hash, next, [&](int e) { return mesh_.edges[at(e)].vertices == ends; });
+    if (found == next) mesh_.edges.push_back({.vertices = ends});
+    ++mesh_.edges[at(found)].triangleCount;
+    return found;
+  }
+
+  const TriangleSoup& soup_;
+  ControlMesh mesh_;
+  std::vector<int> vertexOf_;  // [N] representative -> geometric vertex
+  IndexTable wedgeTable_;
+  IndexTable edgeTable_;
+};
+
+}  // namespace
+
+ControlMesh weld(const TriangleSoup& soup, float tolerance) {
+  assert(tolerance >= 0.0f && soup.uvs.size() == soup.positions.size());
+  assert(soup.influenceBegin.size() == soup.positions.size() + 1 && soup.materials.size() == soup.triangles.size());
+  const std::vector<KeptTriangle> kept = keepTriangles(soup, tolerance);
+  MeshBuilder builder(soup, kept.size());
+  for (const KeptTriangle& triangle : kept) builder.add(triangle);
+  ControlMesh mesh = std::move(builder).take();
+  mesh.trianglesDropped = static_cast<int>(soup.triangles.size() - kept.size());
+  mesh.normals = vertexNormals(mesh.positions, mesh.triangles);
+  return mesh;
+}
+
+}  // namespace sinew

@@ -1,0 +1,70 @@
+// tests/character/skinning_test.cpp: skinned characters against an independent double-precision skinning of the raw
+// files.
+
+#include "core/character/skinning.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/io/gltf_import.h"
+#include "tests/support/characters.h"
+#include "tests/support/gltf_builder.h"
+#include "tests/support/gltf_oracle.h"
+
+namespace sinew {
+namespace {
+
+class RealCharacter : public testing::TestWithParam<const char*> {};
+
+TEST_P(RealCharacter, SkinsLikeTheFile) {
+  const auto file = test::characterFile(GetParam());
+  if (!file) SINEW_SKIP_WITHOUT_CHARACTERS();
+  test::expectSkinsLikeTheFile(*file);
+}
+
+/// In the bind pose every vertex stays where the control mesh has it.
+TEST_P(RealCharacter, BindPoseLeavesTheMeshAlone) {
+  const auto file = test::characterFile(GetParam());
+  if (!file) SINEW_SKIP_WITHOUT_CHARACTERS();
+  const auto imported = importGltf(*file);
+  ASSERT_TRUE(imported.ok()) << imported.error().text();
+  const Character& character = *imported.value();
+  SkinnedMesh skinned;
+  skin(character, bindPose(character.skeleton), skinned);
+  ASSERT_EQ(skinned.positions.size(), character.mesh.positions.size());
+  for (std::size_t v = 0; v < skinned.positions.size(); ++v) {
+    EXPECT_LE(glm::distance(skinned.positions[v], character.mesh.positions[v]), 1e-5f * character.height);
+    EXPECT_GE(glm::dot(skinned.normals[v], character.mesh.normals[v]), 0.999f);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, RealCharacter,
+                         testing::Values("Fox.glb", "greenman.glb", "robot.glb", "cesium_man.gltf",
+                                         "rigged_simple.gltf", "SimpleSkin.gltf"));
+
+TEST(Skinning, BentPostSkinsLikeTheFile) {
+  const test::TemporaryFolder folder;
+  test::expectSkinsLikeTheFile(folder.write("post.glb", test::makePost().file.glb()));
+}
+
+/// Worked out by hand: the knee turns its ring by 90 degrees about x, so that up becomes forward.
+TEST(Skinning, BentPostByHand) {
+  const test::TemporaryFolder folder;
+  const auto imported = importGltf(folder.write("post.glb", test::makePost().file.glb()));
+  ASSERT_TRUE(imported.ok()) << imported.error().text();
+  const Character& character = *imported.value();
+  SkinnedMesh skinned;
+  skin(character, samplePose(character.skeleton, character.clips.at(0), 1.0f), skinned);
+  for (std::size_t v = 0; v < skinned.positions.size(); ++v) {
+    const glm::vec3 p = character.mesh.positions[v];
+    const glm::vec3 turned(p.x, 1.0f - p.z, p.y - 1.0f);
+    const float knee = 0.5f * p.y;
+    const glm::vec3 expected = (1.0f - knee) * p + knee * turned;
+    EXPECT_LE(glm::distance(skinned.positions[v], expected), 1e-6f) << v;
+    EXPECT_NEAR(glm::length(skinned.normals[v]), 1.0f, 1e-5f);
+  }
+}
+
+}  // namespace
+}  // namespace sinew

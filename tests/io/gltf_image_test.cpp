@@ -1,0 +1,107 @@
+// tests/io/gltf_image_test.cpp: textures, whole, damaged and made to exhaust memory.
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "core/io/gltf_import.h"
+#include "tests/support/gltf_builder.h"
+
+namespace sinew {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string bigEndian(std::uint32_t value) {
+  std::string bytes;
+  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xff);
+  return bytes;
+}
+
+/// Checksums are zero: the decoder does not look at them.
+std::string chunk(const std::string& type, const std::string& data) {
+  return bigEndian(static_cast<std::uint32_t>(data.size())) + type + data + bigEndian(0);
+}
+
+/// zlib stream of stored (not compressed) blocks.
+std::string stored(const std::string& data) {
+  std::string stream("\x78\x01", 2);
+  for (std::size_t at = 0; at < data.size(); at += 65535) {
+    const std::size_t length = std::min<std::size_t>(65535, data.size() - at);
+    stream += static_cast<char>(at + length == data.size() ? 1 : 0);
+    for (const std::size_t part : {length, ~length}) {
+      stream += static_cast<char>(part & 0xff);
+      stream += static_cast<char>(part >> 8 & 0xff);
+    }
+    stream += data.substr(at, length);
+  }
+  return stream + bigEndian(0);
+}
+
+/// RGB, 8 bits; `pixels` with a filter byte before each row.
+std::string png(std::uint32_t width, std::uint32_t height, const std::string& pixels) {
+  const std::string header = bigEndian(width) + bigEndian(height) + std::string("\x08\x02\x00\x00\x00", 5);
+  return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", stored(pixels)) + chunk("IEND", "");
+}
+
+const std::string kTwoPixels("\x00\xff\x00\x00\x00\x00\xff", 7);  // red, blue
+
+/// A post whose material shows the image.
+std::shared_ptr<const Character> importWith(const std::string& image) {
+  test::Post post = test::makePost();
+  post.file.json["images"].push_back({{"bufferView", post.file.view(image)}, {"mimeType", "image/png"}});
+  post.file.json["samplers"].push_back({{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}});
+  post.file.json["textures"].push_back({{"source", 0}, {"sampler", 0}});
+  ordered_json color{{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0.5}};
+  post.file.json["materials"].push_back({{"pbrMetallicRoughness", color}});
+  post.primitive()["material"] = 0;
+  const test::TemporaryFolder folder;
+  const auto imported = importGltf(folder.write("post.glb", post.file.glb()));
+  EXPECT_TRUE(imported.ok()) << (imported.ok() ? "" : imported.error().text());
+  return imported.ok() ? imported.value() : std::make_shared<const Character>();
+}
+
+void expectLeftOut(const std::string& image, const std::string& why) {
+  const auto character = importWith(image);
+  ASSERT_EQ(character->materials.size(), 1u);
+  EXPECT_EQ(character->materials[0].baseColorTexture, -1);
+  EXPECT_TRUE(character->textures.empty());
+  ASSERT_EQ(character->ignored.size(), 1u);
+  EXPECT_NE(character->ignored[0].find("images[0]: "), std::string::npos) << character->ignored[0];
+  EXPECT_NE(character->ignored[0].find(why), std::string::npos) << character->ignored[0];
+}
+
+TEST(GltfImage, PixelsSamplerAndFileArrive) {
+  const std::string image = png(2, 1, kTwoPixels);
+  const auto character = importWith(image);
+  ASSERT_EQ(character->textures.size(), 1u);
+  const Texture& texture = character->textures[0];
+  EXPECT_EQ(texture.width, 2);
+  EXPECT_EQ(texture.height, 1);
+  EXPECT_EQ(texture.rgba, (std::vector<std::uint8_t>{255, 0, 0, 255, 0, 0, 255, 255}));
+  EXPECT_EQ(std::string(texture.encoded.begin(), texture.encoded.end()), image);
+  EXPECT_EQ(texture.mimeType, "image/png");
+  EXPECT_EQ(texture.wrapU, TextureWrap::kClampToEdge);
+  EXPECT_EQ(texture.wrapV, TextureWrap::kMirroredRepeat);
+  EXPECT_TRUE(texture.nearest);
+  EXPECT_EQ(character->materials[0].baseColorTexture, 0);
+  EXPECT_EQ(character->materials[0].metallic, 0.5f);
+}
+
+TEST(GltfImage, UnreadableOnesAreLeftOut) {
+  expectLeftOut("GIF89a", "not a PNG or JPEG");
+  expectLeftOut("\xff\xd8\xff\xe0 broken", "damaged");
+  expectLeftOut(png(2, 1, "\x07"), "damaged");
+}
+
+TEST(GltfImage, HugeDimensionsAreRefusedBeforeDecoding) {
+  expectLeftOut(png(8193, 1, kTwoPixels), "8193 x 1");
+  expectLeftOut(png(12000, 9000, kTwoPixels), "12000 x 9000");
+}
+
+TEST(GltfImage, ThatUnpacksToMoreThanItsPixelsIsRefused) {
+  expectLeftOut(png(2, 1, std::string(400'000, '\0')), "unpacks to more");
+}
+
+}  // namespace
+}  // namespace sinew
