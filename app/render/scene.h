@@ -1,0 +1,50 @@
+#pragma once  // app/render/scene.h: all that one picture shows, as plain references; nothing here owns.
+
+#include <vector>
+
+#include "core/character/character.h"
+#include "core/skeleton/pose.h"
+#include "core/smoothing/surface.h"
+
+namespace sinew::app {
+
+enum class Shading { kTextured, kClay, kClasses, kHeat };
+
+/// What is shown and how. View state, not document state: never saved in a rig.
+struct DisplaySettings {
+  Shading shading = Shading::kTextured;
+  bool surface = true;
+  bool wire = false;       ///< Refined mesh's edges over the shading.
+  bool controlMesh = false;  ///< Edges of the skinned control mesh.
+  bool skeleton = false;   ///< In x-ray.
+  bool primitives = false; ///< Visible ellipsoids, translucent.
+  bool influence = false;  ///< Their regions of influence, fainter.
+  bool ground = true;      ///< Grid and shadow.
+  bool background = true;  ///< Off: transparent where nothing is drawn.
+  bool lighting = true;    ///< Off: Shading::kTextured shows the bare base colour.
+  float lineScale = 1.0f;  ///< Factor on line widths, for dense displays.
+  float heatRange = 0.05f; ///< Displacement at the ends of the heat scale, fraction of the height, > 0.
+};
+
+/// One ellipsoid to draw.
+struct PrimitiveShape {
+  int rigIndex = 0;
+  glm::mat4 unitBallInWorld{1.0f};       ///< Unit ball -> visible ellipsoid.
+  float reach = 1.4142135f;
+  int sign = 1;
+  bool selected = false;
+  bool hovered = false;
+};
+
+/// One moment of a character. Pointers are valid for the call; surface may be null before the first smoothing.
+struct Scene {
+  const Character* character = nullptr;
+  const Surface* surface = nullptr;
+  const Pose* pose = nullptr;
+  std::vector<PrimitiveShape> primitives;
+  int selectedBone = -1;
+  int hoveredBone = -1;
+  std::vector<glm::vec3> skinnedControlPositions;  ///< [V] for DisplaySettings::controlMesh; may be empty.
+};
+
+}  // namespace sinew::app

@@ -1,0 +1,330 @@
+// app/tools/gizmo_drag.cpp: from the pointer's way over the picture to a new placement.
+
+#include <algorithm>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "app/tools/gizmo.h"
+#include "app/tools/gizmo_frame.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kPrecise = 0.1f;
+constexpr float kMoveStep = 0.01f;      ///< Of H.
+constexpr float kAngleStep = kPi / 12.0f;
+constexpr float kFactorStep = 0.1f;
+constexpr float kLeastRadius = 0.002f;  ///< Of H, in the world.
+constexpr float kFarthestMove = 50.0f;  ///< Of H: beyond that the pointer is near an axis' vanishing point.
+constexpr float kPlanarRing = 0.2f;     ///< |cosine| of ring normal and sight below which a ring counts as edge-on.
+constexpr std::array<const char*, 7> kLabels = {"X", "Y", "Z", "XY", "YZ", "ZX", ""};
+
+glm::mat3 axesMatrix(const GizmoFrame& frame) { return {frame.axes[0], frame.axes[1], frame.axes[2]}; }
+
+std::string number(float value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", static_cast<double>(std::abs(value) < 1e-9f ? 0.0f : value));
+  return text.data();
+}
+
+std::string lengthText(float length, float characterHeight) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), " (%.1f %% of H)", static_cast<double>(100.0f * length / characterHeight));
+  return number(length) + text.data();
+}
+
+float snapped(float value, float step) { return std::round(value / step) * step; }
+
+// Pointer -> tracks -----------------------------------------------------------------------------------------------
+
+/// World point, relative to the origin, that a pixel means for a move along one way.
+std::optional<glm::vec3> movePoint(int way, const glm::vec2& pixel, const GizmoFrame& frame, const View& view) {
+  const Ray ray = view.rayThrough(pixel);
+  if (way < 3) {
+    const glm::vec3 direction = frame.axes[static_cast<std::size_t>(way)];
+    const std::optional<float> along = alongLine(frame.origin, direction, ray);
+    if (!along) return std::nullopt;
+    return *along * direction;
+  }
+  glm::vec3 normal = view.forwardInWorld();
+  if (way < 6) {
+    const std::array<int, 2> pair = planeAxes(way);
+    normal = normalizeOr(glm::cross(frame.axes[static_cast<std::size_t>(pair[0])],
+                                    frame.axes[static_cast<std::size_t>(pair[1])]), normal);
+  }
+  const std::optional<glm::vec3> hit = onPlane(frame.origin, normal, ray);
+  if (!hit) return std::nullopt;
+  return *hit - frame.origin;
+}
+
+/// Adds the motion from the track's last pixel. What a pixel cannot say (vanishing points) is left until it can.
+void advanceMove(GizmoTrack& track, int way, const glm::vec2& pixel, float speed, const GizmoFrame& frame,
+                 const GizmoContext& context) {
+  const std::optional<glm::vec3> now = movePoint(way, pixel, frame, context.view);
+  if (!now || glm::length(*now) > kFarthestMove * context.characterHeight) return;
+  const std::optional<glm::vec3> before = movePoint(way, track.lastPixel, frame, context.view);
+  track.lastPixel = pixel;
+  if (!before) return;
+  const glm::vec3 delta = *now - *before;
+  // Axes need not be orthogonal on sheared bones, so coordinates are solved for.
+  glm::vec3 coordinates(0.0f);
+  if (way < 3) coordinates[way] = glm::dot(delta, frame.axes[static_cast<std::size_t>(way)]);
+  else coordinates = glm::inverse(axesMatrix(frame)) * delta;
+  if (way >= 3 && way < 6) coordinates[3 - planeAxes(way)[0] - planeAxes(way)[1]] = 0.0f;
+  track.travelled += speed * coordinates;
+}
+
+glm::vec3 ringNormal(int way, const GizmoFrame& frame) {
+  return way == 6 ? frame.toEye : frame.axes[static_cast<std::size_t>(way)];
+}
+
+void advanceRotation(GizmoTrack& track, int way, const glm::vec2& pixel, float speed, const GizmoFrame& frame,
+                     const GizmoContext& context) {
+  const glm::vec3 normal = ringNormal(way, frame);
+  const glm::vec2 before = track.lastPixel;
+  track.lastPixel = pixel;
+  if (std::abs(glm::dot(normal, frame.toEye)) > kPlanarRing) {
+    const std::optional<glm::vec3> from = onPlane(frame.origin, normal, context.view.rayThrough(before));
+    const std::optional<glm::vec3> to = onPlane(frame.origin, normal, context.view.rayThrough(pixel));
+    if (!from || !to) return;
+    const glm::vec3 a = *from - frame.origin;
+    const glm::vec3 b = *to - frame.origin;
+    const float tooNear = 0.03f * frame.arm;
+    if (glm::length(a) < tooNear || glm::length(b) < tooNear) return;
+    track.travelled.x += speed * std::atan2(glm::dot(normal, glm::cross(a, b)), glm::dot(a, b));
+    return;
+  }
+  // Edge-on the ring is a line across the picture: rolled along it, an arm's length is one radian.
+  const glm::vec3 tangent = normalizeOr(glm::cross(normal, frame.toEye), across(normal));
+  const glm::vec2 onScreen = glm::vec2(context.view.toPixel(frame.origin + frame.arm * tangent)) -
+                             glm::vec2(context.view.toPixel(frame.origin));
+  const float lengthSquared = glm::dot(onScreen, onScreen);
+  if (lengthSquared > 1.0f) track.travelled.x += speed * glm::dot(pixel - before, onScreen) / lengthSquared;
+}
+
+void advanceTracks(GizmoDrag& drag, const glm::vec2& pixel, float speed, const GizmoFrame& frame,
+                   const GizmoContext& context) {
+  const HandleParts parts = partsOf(drag.handle);
+  for (int way = 0; way < 7; ++way) {
+    GizmoTrack& track = drag.tracks[static_cast<std::size_t>(way)];
+    if (track.lastPixel == pixel) continue;
+    if (parts.kind == HandleKind::kRotate) {
+      if (way < 3 || way == 6) advanceRotation(track, way, pixel, speed, frame, context);
+    } else if (parts.kind == HandleKind::kScale && way == 6) {
+      track.travelled.x += speed * ((pixel.x - track.lastPixel.x) - (pixel.y - track.lastPixel.y));
+      track.lastPixel = pixel;
+    } else {
+      advanceMove(track, way, pixel, speed, frame, context);
+    }
+  }
+  drag.pointer = pixel;
+}
+
+// Keys ------------------------------------------------------------------------------------------------------------
+
+void readKeys(GizmoDrag& drag, const FrameInput& input) {
+  if (partsOf(drag.handle).kind != HandleKind::kPole) {
+    constexpr std::array<Key, 3> axisKeys = {Key::kX, Key::kY, Key::kZ};
+    for (int axis = 0; axis < 3; ++axis) {
+      if (input.keyPressed(axisKeys[static_cast<std::size_t>(axis)])) drag.lock = drag.lock == axis ? -1 : axis;
+    }
+  }
+  if (input.keyPressed(Key::kBackspace) && !drag.typed.empty()) drag.typed.pop_back();
+  for (const char typed : input.typed) {
+    const char c = typed == ',' ? '.' : typed;
+    if (c == '-') {
+      if (drag.typed.starts_with('-')) drag.typed.erase(0, 1);
+      else drag.typed.insert(0, 1, '-');
+      continue;
+    }
+    const bool digit = c >= '0' && c <= '9' && drag.typed.size() < 12;
+    if (digit || (c == '.' && drag.typed.find('.') == std::string::npos)) {
+      drag.typed.push_back(c);
+    }
+  }
+}
+
+/// Nothing while what is typed is not yet a number ("-", ".").
+std::optional<float> typedValue(const std::string& typed) {
+  float value = 0.0f;
+  const char* end = typed.data() + typed.size();
+  const auto parsed = std::from_chars(typed.data(), end, value);
+  if (typed.empty() || parsed.ec != std::errc() || parsed.ptr != end) return std::nullopt;
+  return value;
+}
+
+// Tracks -> placement ---------------------------------------------------------------------------------------------
+
+struct Evaluation {
+  GizmoDrag& drag;
+  const FrameInput& input;
+  const GizmoContext& context;
+  const GizmoFrame& frame;
+  int way;  ///< After the lock.
+  float sign;
+  std::optional<float> typed;
+
+  [[nodiscard]] const glm::vec3& travelled() const { return drag.tracks[static_cast<std::size_t>(way)].travelled; }
+  [[nodiscard]] float step(float coarse) const { return input.shift ? kPrecise * coarse : coarse; }
+  [[nodiscard]] bool snaps() const { return input.ctrl && !typed; }
+};
+
+void setValue(const Evaluation& e, const std::string& value) {
+  const std::string label = kLabels[static_cast<std::size_t>(e.way)];
+  e.drag.value = label + (label.empty() ? "" : " ") + value + (e.drag.typed.empty() ? "" : " [" + e.drag.typed + "]");
+}
+
+Placement evaluateMove(const Evaluation& e) {
+  glm::vec3 coordinates = e.travelled();
+  const glm::mat3 axes = axesMatrix(e.frame);
+  if (e.snaps()) {
+    for (int i = 0; i < 3; ++i) coordinates[i] = snapped(coordinates[i], e.step(kMoveStep * e.context.characterHeight));
+  }
+  if (e.typed) {
+    glm::vec3 first(0.0f);
+    first[e.way < 3 ? e.way : (e.way < 6 ? planeAxes(e.way)[0] : 0)] = 1.0f;
+    const float length = glm::length(axes * coordinates);
+    const bool moved = e.way >= 3 && length > 1e-6f * e.context.characterHeight;
+    coordinates = *e.typed * (moved ? coordinates / length : first);
+  }
+  const glm::vec3 inWorld = axes * coordinates;
+  setValue(e, lengthText(e.way < 3 ? coordinates[e.way] : glm::length(inWorld), e.context.characterHeight));
+  Placement placement = e.drag.start;
+  placement.center = glm::vec3(glm::dvec3(e.drag.start.center) + e.frame.boneInverse * glm::dvec3(inWorld));
+  return placement;
+}
+
+Placement evaluateRotation(const Evaluation& e) {
+  float angle = e.travelled().x;
+  if (e.snaps()) angle = snapped(angle, e.step(kAngleStep));
+  if (e.typed) angle = *e.typed * kPi / 180.0f;
+  e.drag.angle = angle;
+  setValue(e, number(angle * 180.0f / kPi) + " deg");
+  if (angle == 0.0f) return e.drag.start;
+  const glm::vec3 normal = ringNormal(e.way, e.frame);
+  const glm::vec3 axisInBone = normalizeOr(glm::vec3(e.frame.boneInverse * glm::dvec3(normal)), normal);
+  const float inBone = glm::determinant(e.frame.boneInverse) < 0.0 ? -angle : angle;
+  Placement placement = e.drag.start;
+  placement.rotation = glm::normalize(glm::angleAxis(inBone, axisInBone) * e.drag.start.rotation);
+  return placement;
+}
+
+/// World length of one bone unit along the primitive's axis.
+float worldPerUnit(const Evaluation& e, int axis) {
+  glm::vec3 unit(0.0f);
+  unit[axis] = 1.0f;
+  return glm::length(e.frame.bone * (e.drag.start.rotation * unit));
+}
+
+Placement evaluateScale(const Evaluation& e) {
+  const bool uniform = partsOf(e.drag.handle).way == 6;
+  const GizmoTrack& track = e.drag.tracks[static_cast<std::size_t>(uniform ? 6 : e.way)];
+  float factor = uniform ? std::exp2(track.travelled.x / (kGizmoArmPixels * e.context.uiScale))
+                         : 1.0f + track.travelled[e.way] / e.drag.grabbedLength;
+  if (e.snaps()) factor = std::max(snapped(factor, e.step(kFactorStep)), e.step(kFactorStep));
+  factor = std::clamp(e.typed.value_or(factor), 0.01f, 1000.0f);
+  e.drag.factor = factor;
+  setValue(e, "x " + number(factor));
+  Placement placement = e.drag.start;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (e.way != 6 && e.way != axis) continue;
+    const float least = kLeastRadius * e.context.characterHeight / worldPerUnit(e, axis);
+    placement.radii[axis] = std::max(e.drag.start.radii[axis] * factor, std::min(least, e.drag.start.radii[axis]));
+  }
+  return placement;
+}
+
+Placement evaluatePole(const Evaluation& e) {
+  const float perUnit = worldPerUnit(e, e.way);
+  const float before = perUnit * e.drag.start.radii[e.way];
+  const float pulled = e.sign * e.travelled()[e.way];
+  const bool bothEnds = e.input.alt;
+  float length = before + (bothEnds ? pulled : 0.5f * pulled);
+  if (e.snaps()) length = snapped(length, e.step(kMoveStep * e.context.characterHeight));
+  length = e.typed.value_or(length);
+  length = std::max(length, std::min(before, kLeastRadius * e.context.characterHeight));
+  setValue(e, lengthText(length, e.context.characterHeight));
+  Placement placement = e.drag.start;
+  if (length == before) return placement;
+  placement.radii[e.way] = length / perUnit;
+  if (!bothEnds) {
+    glm::vec3 unit(0.0f);
+    unit[e.way] = e.sign;
+    placement.center += (placement.radii[e.way] - e.drag.start.radii[e.way]) * (e.drag.start.rotation * unit);
+  }
+  return placement;
+}
+
+Placement evaluate(GizmoDrag& drag, const FrameInput& input, const GizmoContext& context, const GizmoFrame& frame) {
+  const HandleParts parts = partsOf(drag.handle);
+  const int way = drag.lock >= 0 ? drag.lock : parts.way;
+  const Evaluation e{drag, input, context, frame, way, parts.sign, typedValue(drag.typed)};
+  switch (parts.kind) {
+    case HandleKind::kNone: break;
+    case HandleKind::kMove: return evaluateMove(e);
+    case HandleKind::kRotate: return evaluateRotation(e);
+    case HandleKind::kScale: return evaluateScale(e);
+    case HandleKind::kPole: return evaluatePole(e);
+  }
+  return drag.start;
+}
+
+/// Scale and poles work along the primitive's axes whatever axes are chosen.
+GizmoAxes axesOfDrag(const GizmoState& state, GizmoHandle handle) {
+  const HandleKind kind = partsOf(handle).kind;
+  return kind == HandleKind::kScale || kind == HandleKind::kPole ? GizmoAxes::kPrimitive : state.axes;
+}
+
+}  // namespace
+
+void beginDrag(GizmoState& state, GizmoHandle handle, const Placement& inBone, const glm::vec2& pixel,
+               const GizmoContext& context) {
+  assert(handle != GizmoHandle::kNone);
+  GizmoDrag drag;
+  drag.handle = handle;
+  drag.start = inBone;
+  drag.current = inBone;
+  drag.pressPixel = pixel;
+  drag.pointer = pixel;
+  for (GizmoTrack& track : drag.tracks) track.lastPixel = pixel;
+  const std::optional<GizmoFrame> frame = gizmoFrame(axesOfDrag(state, handle), inBone, context);
+  const HandleParts parts = partsOf(handle);
+  if (frame) {
+    drag.grabbedLength = frame->arm;
+    if (parts.kind == HandleKind::kScale && parts.way < 3) {
+      const std::optional<glm::vec3> grabbed = movePoint(parts.way, pixel, *frame, context.view);
+      const float length = grabbed ? glm::dot(*grabbed, frame->axes[static_cast<std::size_t>(parts.way)]) : 0.0f;
+      if (length > 0.1f * frame->arm) drag.grabbedLength = length;
+    }
+  }
+  state.drag = drag;
+}
+
+DragResult updateDrag(GizmoState& state, const FrameInput& input, const GizmoContext& context) {
+  assert(state.drag);
+  GizmoDrag& drag = *state.drag;
+  if (input.keyPressed(Key::kEscape) || input.button(MouseButton::kRight).pressed) {
+    const DragResult cancelled{drag.start, DragOutcome::kCancelled};
+    state.drag.reset();
+    return cancelled;
+  }
+  readKeys(drag, input);
+  // The placement at the start, carried by the bone of this frame: what was dragged so far is added to that.
+  if (const std::optional<GizmoFrame> frame = gizmoFrame(axesOfDrag(state, drag.handle), drag.start, context)) {
+    advanceTracks(drag, input.mouse, input.shift ? kPrecise : 1.0f, *frame, context);
+    drag.current = evaluate(drag, input, context, *frame);
+  }
+  const bool committed = input.keyPressed(Key::kEnter) || input.keyPressed(Key::kKeypadEnter) ||
+                         input.button(MouseButton::kLeft).released;
+  const DragResult result{drag.current, committed ? DragOutcome::kCommitted : DragOutcome::kDragging};
+  if (committed) state.drag.reset();
+  return result;
+}
+
+}  // namespace sinew::app

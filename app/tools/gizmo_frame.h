@@ -1,0 +1,59 @@
+#pragma once  // app/tools/gizmo_frame.h: where a gizmo's axes stand in one frame; shared by its layout and its drags.
+
+#include <array>
+#include <optional>
+
+#include "app/tools/gizmo.h"
+
+namespace sinew::app {
+
+/// What a handle does, taken apart.
+enum class HandleKind { kNone, kMove, kRotate, kScale, kPole };
+
+struct HandleParts {
+  HandleKind kind = HandleKind::kNone;
+  int way = -1;      ///< Index of GizmoDrag::tracks: 0..2 axis, 3..5 planes xy, yz, zx, 6 screen or uniform.
+  float sign = 1.0f;  ///< Poles: which end.
+};
+
+[[nodiscard]] HandleParts partsOf(GizmoHandle handle);
+[[nodiscard]] GizmoHandle moveHandle(int way);
+[[nodiscard]] GizmoHandle rotateHandle(int way);
+[[nodiscard]] GizmoHandle scaleHandle(int way);
+[[nodiscard]] GizmoHandle poleHandle(int axis, float sign);
+
+/// The two axes of plane `way` 3..5.
+[[nodiscard]] std::array<int, 2> planeAxes(int way);
+
+/// A gizmo in one frame's pose.
+struct GizmoFrame {
+  glm::mat3 bone{1.0f};         ///< B.
+  glm::dmat3 boneInverse{1.0};  ///< In double: a bone in metres under a scale of 0.01 loses digits otherwise.
+  glm::vec3 origin{0.0f};       ///< The ellipsoid's centre, world.
+  std::array<glm::vec3, 3> axes;  ///< Unit, world.
+  glm::vec3 toEye{0.0f, 0.0f, 1.0f};  ///< Unit, from the origin.
+  float arm = 1.0f;             ///< World length of kGizmoArmPixels at the origin.
+};
+
+inline constexpr float kGizmoArmPixels = 95.0f;
+
+/// Nothing if the bone is flattened or not finite, or the origin is not in front of the eye.
+[[nodiscard]] std::optional<GizmoFrame> gizmoFrame(GizmoAxes axes, const Placement& inBone,
+                                                   const GizmoContext& context);
+
+/// Scale is always along the primitive's own axes.
+[[nodiscard]] inline GizmoAxes effectiveAxes(GizmoMode mode, GizmoAxes axes) {
+  return mode == GizmoMode::kScale || mode == GizmoMode::kPoles ? GizmoAxes::kPrimitive : axes;
+}
+
+/// Parameter, in units of the unit direction, of the line's point nearest to the ray; nothing if they are parallel
+/// (within 2 degrees), or that point lies behind the eye.
+[[nodiscard]] std::optional<float> alongLine(const glm::vec3& origin, const glm::vec3& direction, const Ray& ray);
+
+/// Where the ray meets a plane; nothing if it grazes it (within 1 degree) or the point lies behind the eye.
+[[nodiscard]] std::optional<glm::vec3> onPlane(const glm::vec3& origin, const glm::vec3& normal, const Ray& ray);
+
+/// Any unit vector across a unit vector.
+[[nodiscard]] glm::vec3 across(const glm::vec3& direction);
+
+}  // namespace sinew::app

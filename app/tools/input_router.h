@@ -1,0 +1,59 @@
+#pragma once  // app/tools/input_router.h: who gets the mouse: ImGui, gizmo, tool, camera, in this order.
+
+#include <string>
+
+#include "app/tools/add_muscle.h"
+#include "app/tools/camera.h"
+#include "app/tools/gizmo.h"
+#include "app/tools/select.h"
+
+namespace sinew::app {
+
+enum class ToolKind { kSelect, kMove, kRotate, kScale, kAddMuscle };  ///< Select shows the pole handles alone.
+
+[[nodiscard]] const char* nameOf(ToolKind tool);  ///< "select", "move", "rotate", "scale", "add muscle"
+
+/// Who holds the mouse from a press to its release.
+enum class PressOwner { kNone, kOutside, kGizmo, kTool, kClick, kOrbit, kPan };
+
+/// All that the viewport's tools remember between frames.
+struct ViewportTools {
+  ToolKind tool = ToolKind::kMove;  ///< Through setTool.
+  GizmoState gizmo;                 ///< `axes` is free to set between drags.
+  AddMuscleState addMuscle;
+  Camera camera;
+  ViewportHover hover;
+  PressOwner owner = PressOwner::kNone;
+  MouseButton ownerButton = MouseButton::kLeft;
+  glm::vec2 pressPixel{0.0f};
+  glm::vec2 lastPixel{0.0f};
+  std::string gizmoPrimitive;  ///< Name of the primitive being dragged.
+};
+
+/// Changes the tool; ignored while a gizmo or muscle drag is in progress. Sets the gizmo's mode.
+void setTool(ViewportTools& tools, ToolKind tool);
+
+/// While true, X, Y, Z, digits, Enter, Esc and Backspace belong to a drag: menus and keymaps leave them alone, undo
+/// too.
+[[nodiscard]] bool ownsKeyboard(const ViewportTools& tools);
+
+/// Ends a drag without a trace (the document is about to be replaced).
+void cancelDrags(ViewportTools& tools, Document& document);
+
+struct RouteResult {
+  View view;                   ///< After the input: what to draw with.
+  GizmoLayout gizmo;           ///< In that view: for drawGizmo and --log-state. Not visible: nothing to draw.
+  GizmoContext gizmoContext;   ///< For drawGizmo, if visible.
+  std::string status;          ///< What the tool does next: the status line.
+  std::string message;         ///< Why an edit was refused, for the messages panel; else "".
+  bool needsFrame = false;     ///< Something moves or is being dragged: draw again soon.
+};
+
+/// One frame. Called when ImGui has had its input and the pose of this frame is known; the surface may still be the one
+/// drawn before. The rig may differ afterwards (watch CommandStack::revision). The skin is picked at most once a frame,
+/// only when the pointer has moved or presses, never during a drag.
+///   left: gizmo, else the tool (add muscle: a press on the skin), else a click picks and a drag orbits
+///   Alt+left or middle: orbit; Shift+middle or right: pan; wheel: zoom to the pointer
+RouteResult routeInput(ViewportTools& tools, const FrameInput& input, const ViewportContext& context);
+
+}  // namespace sinew::app

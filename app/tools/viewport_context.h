@@ -1,0 +1,21 @@
+#pragma once  // app/tools/viewport_context.h: what every viewport tool is told about the frame.
+
+#include "app/document/document.h"
+#include "app/render/scene.h"
+#include "app/render/view.h"
+#include "core/skeleton/pose.h"
+#include "core/smoothing/surface.h"
+
+namespace sinew::app {
+
+/// References and pointers are valid for the call. Tools change the document's commands and selection, nothing else.
+struct ViewportContext {
+  Document& document;
+  const Pose& pose;                  ///< Of the frame on the screen.
+  const Surface* surface = nullptr;  ///< Null before the first smoothing: nothing can be picked on the skin.
+  DisplaySettings display;           ///< Shown primitives can be picked, hidden ones not.
+  glm::ivec2 size{1, 1};             ///< Viewport, pixels.
+  float uiScale = 1.0f;              ///< Pixels per design pixel.
+};
+
+}  // namespace sinew::app

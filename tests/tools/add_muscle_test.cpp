@@ -1,0 +1,208 @@
+// tests/tools/add_muscle_test.cpp: a muscle lies where and how it was drawn.
+
+#include "app/tools/add_muscle.h"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "tests/support/real_characters.h"
+#include "tests/tools/limb_scene.h"
+#include "tests/tools/random_gizmo.h"
+
+namespace sinew::app {
+namespace {
+
+using test::BoneScale;
+using test::LimbScene;
+using test::Random;
+
+/// Largest extent of the world ellipsoid along a unit direction, from its centre.
+float extentAlong(const glm::mat4& shape, const glm::vec3& direction) {
+  return glm::length(glm::transpose(glm::mat3(shape)) * direction);
+}
+
+TEST(PlacementOnSkin, LiesAlongTheDragHalfBuriedOnEveryBone) {
+  Random random(51);
+  for (int i = 0; i < 300; ++i) {
+    const float height = i % 2 ? 1.8f : 155.0f;
+    const glm::mat4 bone = test::randomBone(random, static_cast<BoneScale>(i % 3), height);
+    const SkinPoint start{height * glm::vec3(random.uniform(-1, 1), random.uniform(0, 1), 0.2f),
+                          random.rotation() * glm::vec3(0, 0, 1)};
+    glm::vec3 drag = random.rotation() * glm::vec3(random.uniform(0.05f, 0.4f) * height, 0, 0);
+    drag -= glm::dot(drag, start.normal) * start.normal;
+    if (glm::length(drag) < 0.04f * height) continue;
+    const glm::vec3 eye = start.point + height * (2.0f * start.normal + random.rotation() * glm::vec3(0.5f, 0, 0));
+    const Ray ray{eye, glm::normalize(start.point + drag - eye)};
+    const Placement placement = placementOnSkin(start, ray, bone, glm::vec3(0, 1, 0), height);
+    const glm::mat4 shape = shapeInWorld(placement, 1.0f, bone);
+
+    EXPECT_NEAR(glm::length(placement.rotation), 1.0f, 1e-5f);
+    const glm::vec3 longAxis(shape[0]);
+    EXPECT_GT(std::abs(glm::dot(glm::normalize(longAxis), glm::normalize(drag))), 0.9999f) << i;
+    EXPECT_NEAR(glm::length(longAxis), 0.5f * glm::length(drag), 0.001f * height);
+    const glm::vec3 center(shape[3]);
+    const float depth = glm::dot(center - start.point, start.normal);
+    const float thickness = extentAlong(shape, start.normal);
+    EXPECT_LT(depth, 0.0f) << "below the skin";
+    EXPECT_GT(depth + thickness, 0.5f * thickness) << "yet out of it";
+    EXPECT_LT(glm::length(center - (start.point + 0.5f * drag)), 0.06f * height);
+    EXPECT_GT(glm::dot(glm::vec3(shape[2]), start.normal), 0.0f);
+  }
+}
+
+TEST(PlacementOnSkin, AClickLiesAlongTheBone) {
+  Random random(52);
+  for (int i = 0; i < 100; ++i) {
+    const glm::mat4 bone = test::randomBone(random, static_cast<BoneScale>(i % 3), 1.8f);
+    const SkinPoint start{glm::vec3(0.1f, 0.9f, 0.2f), random.rotation() * glm::vec3(0, 0, 1)};
+    const glm::vec3 axis = random.rotation() * glm::vec3(0.3f, 0, 0);
+    const glm::mat4 shape = shapeInWorld(placementOnSkin(start, std::nullopt, bone, axis, 1.8f), 1.0f, bone);
+    const glm::vec3 flat = axis - glm::dot(axis, start.normal) * start.normal;
+    if (glm::length(flat) < 0.02f) continue;
+    EXPECT_GT(glm::dot(glm::normalize(glm::vec3(shape[0])), glm::normalize(flat)), 0.999f);
+    EXPECT_NEAR(glm::length(glm::vec3(shape[0])), 0.05f * 1.8f, 1e-4f);
+  }
+}
+
+TEST(PlacementOnSkin, WildPointersGiveSaneShapes) {
+  const SkinPoint start{glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)};
+  const std::array<Ray, 4> rays = {Ray{{0, 1, 5}, {1, 0, 0}},                                   // Along the plane.
+                                   Ray{{0, 1, 5}, {0, 0, 1}},                                   // Away from it.
+                                   Ray{{0, 1, 5}, glm::normalize(glm::vec3(1, 0, -0.02f))},     // Meets it far off.
+                                   Ray{{0, 1, 5}, {0, 0, -1}}};                                 // At the start.
+  for (const Ray& ray : rays) {
+    const Placement placement = placementOnSkin(start, ray, glm::mat4(1.0f), glm::vec3(0, 0, 1), 2.0f);
+    EXPECT_TRUE(isFinite(placement.center) && isFinite(placement.radii));
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_GE(placement.radii[i], 0.01f * 2.0f * 0.999f);
+      EXPECT_LE(placement.radii[i], 0.75f * 2.0f * 1.001f);
+    }
+  }
+}
+
+TEST(AddMuscle, OneDragIsOneStepAndSelected) {
+  LimbScene scene;
+  setTool(scene.tools, ToolKind::kAddMuscle);
+  const glm::vec2 pixel = scene.skinPixel();
+  const RouteResult hover = scene.move(pixel);
+  ASSERT_TRUE(scene.tools.hover.skin.has_value());
+  const int bone = boneAt(*scene.document.character, *scene.tools.hover.skin);
+  const std::string boneName = scene.document.character->skeleton.bones[static_cast<std::size_t>(bone)].name;
+  EXPECT_NE(hover.status.find(boneName), std::string::npos);
+  scene.press(pixel);
+  EXPECT_EQ(scene.document.rig().primitives.size(), 1u) << "there at once";
+  for (int i = 1; i < 5; ++i) {
+    scene.drag(pixel + static_cast<float>(i) * glm::vec2(2, -15));
+    EXPECT_EQ(scene.document.rig().primitives.size(), 1u);
+  }
+  scene.release(pixel + glm::vec2(8, -60));
+  EXPECT_EQ(scene.document.commands.stepCount(), 1u);
+  EXPECT_FALSE(scene.document.commands.inGesture());
+  EXPECT_EQ(scene.document.rig().primitives[0].name, boneName + " muscle");
+  EXPECT_EQ(scene.document.rig().primitives[0].bone, boneName);
+  EXPECT_EQ(scene.document.selection.active(), boneName + " muscle");
+  EXPECT_FALSE(scene.document.rig().primitives[0].group.empty());
+  scene.document.commands.undo();
+  EXPECT_TRUE(scene.document.rig().primitives.empty());
+}
+
+TEST(AddMuscle, ASecondOneHasAFreeName) {
+  LimbScene scene;
+  setTool(scene.tools, ToolKind::kAddMuscle);
+  scene.click(scene.skinPixel());
+  scene.click(scene.skinPixel() + glm::vec2(0, 3));
+  ASSERT_EQ(scene.document.rig().primitives.size(), 2u);
+  EXPECT_EQ(scene.document.rig().primitives[1].name, scene.document.rig().primitives[0].name + " 2");
+}
+
+TEST(AddMuscle, EscapeAndTheRightButtonLeaveNoTrace) {
+  FrameInput escape;
+  escape.keysPressed = {Key::kEscape};
+  FrameInput right;
+  right.buttons[1].pressed = true;
+  for (const FrameInput& leave : {escape, right}) {
+    LimbScene scene;
+    scene.document.selection.bone = 1;
+    setTool(scene.tools, ToolKind::kAddMuscle);
+    const CameraStand before = scene.tools.camera.stand;
+    const glm::vec2 pixel = scene.skinPixel();
+    scene.move(pixel);
+    scene.press(pixel);
+    scene.drag(pixel + glm::vec2(0, 40));
+    scene.drag(pixel + glm::vec2(0, 50), MouseButton::kLeft, leave);
+    EXPECT_TRUE(scene.document.rig().primitives.empty());
+    EXPECT_EQ(scene.document.commands.stepCount(), 0u);
+    EXPECT_TRUE(scene.document.selection.primitives.empty());
+    EXPECT_EQ(scene.document.selection.bone, 1);
+    scene.drag(pixel + glm::vec2(0, 90));
+    scene.release(pixel + glm::vec2(0, 90));
+    EXPECT_TRUE(test::sameStand(before, scene.tools.camera.stand));
+  }
+}
+
+TEST(AddMuscle, TheAnchorRidesAlongWithTheSkin) {
+  LimbScene scene;
+  setTool(scene.tools, ToolKind::kAddMuscle);
+  const glm::vec2 pixel = scene.skinPixel();
+  scene.move(pixel);
+  scene.press(pixel);
+  const Placement before = scene.document.rig().primitives[0].placement;
+  const SkinAnchor anchor = scene.tools.addMuscle.drag->anchor;
+  // The whole character is carried off: in bone space nothing changes while the pointer rests.
+  const glm::mat4 carry = glm::translate(glm::mat4(1.0f), glm::vec3(0.3f, 0.1f, -0.2f)) *
+                          glm::mat4_cast(glm::angleAxis(0.4f, glm::vec3(0, 1, 0)));
+  const SkinPoint here = skinPointAt(*scene.document.character, scene.pose, anchor);
+  for (glm::mat4& bone : scene.pose.boneInWorld) bone = carry * bone;
+  const SkinPoint there = skinPointAt(*scene.document.character, scene.pose, anchor);
+  EXPECT_LT(glm::length(there.point - glm::vec3(carry * glm::vec4(here.point, 1.0f))), 1e-4f);
+  scene.drag(pixel);
+  const Placement after = scene.document.rig().primitives[0].placement;
+  EXPECT_LT(glm::length(after.center - before.center), 1e-4f);
+  EXPECT_LT(glm::length(after.radii - before.radii), 1e-4f);
+}
+
+TEST(AddMuscle, FromTheOutlinerItSurroundsTheBone) {
+  LimbScene scene;
+  const Result<std::string> name = addMuscleOnBone(scene.document, 1);
+  ASSERT_TRUE(name.ok());
+  EXPECT_EQ(scene.document.selection.active(), name.value());
+  EXPECT_EQ(scene.document.commands.stepCount(), 1u);
+  const Bone& bone = scene.document.character->skeleton.bones[1];
+  const Primitive& muscle = scene.document.rig().primitives[0];
+  EXPECT_LT(glm::length(muscle.placement.center - 0.5f * bone.tip), 1e-4f);
+  const glm::mat4 shape = shapeInWorld(muscle.placement, 1.0f, bone.bindInWorld);
+  const glm::vec3 along = glm::normalize(glm::mat3(bone.bindInWorld) * bone.tip);
+  EXPECT_GT(std::abs(glm::dot(glm::normalize(glm::vec3(shape[0])), along)), 0.999f);
+}
+
+TEST(AddMuscle, OnAFoxWhoseBonesAreScaled) {
+  const auto fox = test::realCharacter("Fox.glb");
+  if (!fox) GTEST_SKIP() << "left out: real characters are not at hand";
+  LimbScene scene(fox);
+  setTool(scene.tools, ToolKind::kAddMuscle);
+  scene.tools.camera.stand.yaw = 1.5f;
+  Random random(53);
+  int added = 0;
+  for (int i = 0; i < 40; ++i) {
+    const glm::vec2 pixel(random.uniform(200, 800), random.uniform(200, 600));
+    scene.move(pixel);
+    if (!scene.tools.hover.skin) continue;
+    const glm::vec3 hit = scene.tools.hover.pointInWorld;
+    const int bone = boneAt(*fox, *scene.tools.hover.skin);
+    scene.press(pixel);
+    scene.drag(pixel + glm::vec2(25, 0));
+    scene.release(pixel + glm::vec2(25, 0));
+    ASSERT_EQ(static_cast<int>(scene.document.rig().primitives.size()), ++added);
+    const Primitive& muscle = scene.document.rig().primitives.back();
+    EXPECT_EQ(muscle.bone, fox->skeleton.fileName(bone));
+    const glm::mat4& boneInWorld = scene.pose.boneInWorld[static_cast<std::size_t>(bone)];
+    const glm::vec3 center(boneInWorld * glm::vec4(muscle.placement.center, 1.0f));
+    EXPECT_LT(glm::length(center - hit), 0.8f * fox->height);
+  }
+  EXPECT_GT(added, 3);
+}
+
+}  // namespace
+}  // namespace sinew::app

@@ -1,0 +1,217 @@
+// tests/tools/camera_test.cpp: what a camera must keep, whatever is done to it.
+
+#include "app/tools/camera.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "tests/support/random_rigs.h"
+
+namespace sinew::app {
+namespace {
+
+using test::Random;
+
+constexpr float kPi = std::numbers::pi_v<float>;
+constexpr glm::ivec2 kSize{1000, 700};
+
+Camera randomCamera(Random& random) {
+  Camera camera;
+  camera.characterHeight = random.chance(0.5f) ? 1.8f : 155.0f;
+  const float h = camera.characterHeight;
+  setScene(camera, {glm::vec3(-0.4f * h, 0.0f, -0.6f * h), glm::vec3(0.4f * h, h, 0.6f * h)}, h);
+  camera.orthographic = random.chance(0.5f);
+  camera.stand = {h * glm::vec3(random.uniform(-1, 1), random.uniform(0, 1), random.uniform(-1, 1)),
+                  h * random.uniform(0.5f, 5.0f), random.uniform(-3.0f, 3.0f), random.uniform(-1.5f, 1.5f)};
+  return camera;
+}
+
+glm::vec2 pixelOf(const Camera& camera, const glm::vec3& point) {
+  return glm::vec2(viewOf(camera, kSize).toPixel(point));
+}
+
+TEST(Camera, ZoomKeepsThePointUnderThePointer) {
+  Random random(11);
+  for (int i = 0; i < 300; ++i) {
+    Camera camera = randomCamera(random);
+    const glm::vec2 pixel(random.uniform(50, 950), random.uniform(50, 650));
+    const Ray ray = viewOf(camera, kSize).rayThrough(pixel);
+    const float depth = glm::length(camera.stand.target - ray.origin) * random.uniform(0.8f, 1.2f);
+    const glm::vec3 point = ray.origin + depth * ray.direction;
+    zoomToward(camera, random.uniform(-4, 4), pixel, kSize, point);
+    EXPECT_LT(glm::length(pixelOf(camera, point) - pixel), 0.1f) << i;
+  }
+}
+
+TEST(Camera, ZoomWithoutAPointKeepsTheTargetPlane) {
+  Random random(12);
+  for (int i = 0; i < 100; ++i) {
+    Camera camera = randomCamera(random);
+    const glm::vec2 pixel(random.uniform(50, 950), random.uniform(50, 650));
+    const View view = viewOf(camera, kSize);
+    const Ray ray = view.rayThrough(pixel);
+    const glm::vec3 forward = view.forwardInWorld();
+    const float depth = glm::dot(camera.stand.target - ray.origin, forward) / glm::dot(ray.direction, forward);
+    const glm::vec3 point = ray.origin + depth * ray.direction;
+    zoomToward(camera, 3.0f, pixel, kSize, std::nullopt);
+    EXPECT_LT(glm::length(pixelOf(camera, point) - pixel), 0.1f) << i;
+  }
+}
+
+TEST(Camera, ZoomStopsAtItsLimitsAndStillKeepsThePoint) {
+  Random random(13);
+  Camera camera = randomCamera(random);
+  for (int i = 0; i < 200; ++i) zoomToward(camera, 5.0f, {500, 350}, kSize, camera.stand.target);
+  EXPECT_FLOAT_EQ(camera.stand.distance, kNearestView * camera.characterHeight);
+  for (int i = 0; i < 200; ++i) zoomToward(camera, -5.0f, {500, 350}, kSize, camera.stand.target);
+  EXPECT_FLOAT_EQ(camera.stand.distance, kFarthestView * camera.characterHeight);
+}
+
+TEST(Camera, PanKeepsTheTargetUnderThePointer) {
+  Random random(14);
+  for (int i = 0; i < 100; ++i) {
+    Camera camera = randomCamera(random);
+    const glm::vec3 grabbed = camera.stand.target;
+    const glm::vec2 drag(random.uniform(-200, 200), random.uniform(-200, 200));
+    const glm::vec2 before = pixelOf(camera, grabbed);
+    pan(camera, drag, kSize);
+    EXPECT_LT(glm::length(pixelOf(camera, grabbed) - (before + drag)), 0.1f) << i;
+  }
+}
+
+TEST(Camera, OrbitKeepsTheTargetAndNeverFlips) {
+  Random random(15);
+  Camera camera = randomCamera(random);
+  for (int i = 0; i < 500; ++i) {
+    const glm::vec3 target = camera.stand.target;
+    orbit(camera, {random.uniform(-300, 300), random.uniform(-600, 600)}, kSize);
+    const View view = viewOf(camera, kSize);
+    EXPECT_EQ(camera.stand.target, target);
+    EXPECT_LT(glm::length(glm::vec2(view.toPixel(target)) - 0.5f * glm::vec2(kSize)), 0.05f);
+    // World up never points down in the picture.
+    EXPECT_GE(view.viewFromWorld[1][1], -1e-6f);
+    EXPECT_LE(std::abs(camera.stand.pitch), 0.5f * kPi);
+  }
+}
+
+TEST(Camera, OrbitTurnsTheSceneWithThePointer) {
+  Camera camera;
+  camera.stand = {glm::vec3(0.0f), 4.0f, 0.0f, 0.0f};
+  const glm::vec3 nose(0.0f, 0.0f, 0.3f);  // Towards the eye.
+  const glm::vec2 before = pixelOf(camera, nose);
+  orbit(camera, {40, 30}, kSize);
+  EXPECT_GT(pixelOf(camera, nose).x, before.x + 1.0f);
+  EXPECT_GT(pixelOf(camera, nose).y, before.y + 1.0f);
+}
+
+TEST(Camera, FramingHoldsTheBoxTightly) {
+  Random random(16);
+  for (int i = 0; i < 300; ++i) {
+    Camera camera = randomCamera(random);
+    const float h = camera.characterHeight;
+    Bounds box;
+    for (int k = 0; k < 2; ++k) {
+      box.add(h * glm::vec3(random.uniform(-1, 1), random.uniform(0, 1), random.uniform(-1, 1)));
+    }
+    frameBounds(camera, box, kSize, false);
+    const View view = viewOf(camera, kSize);
+    glm::vec2 largest(0.0f);
+    for (int corner = 0; corner < 8; ++corner) {
+      const glm::vec3 point((corner & 1) ? box.low.x : box.high.x, (corner & 2) ? box.low.y : box.high.y,
+                            (corner & 4) ? box.low.z : box.high.z);
+      const glm::vec3 pixel = view.toPixel(point);
+      EXPECT_TRUE(pixel.x >= 0 && pixel.x <= 1000 && pixel.y >= 0 && pixel.y <= 700) << i;
+      EXPECT_LE(std::abs(pixel.z), 1.0f);
+      largest = glm::max(largest, glm::abs(glm::vec2(pixel) / glm::vec2(kSize) - 0.5f));
+    }
+    if (glm::length(box.extent()) > 0.3f * h) {
+      EXPECT_GT(std::max(largest.x, largest.y), 0.3f) << "wastes the picture";
+    }
+  }
+}
+
+TEST(Camera, FramingAPointStaysAwayFromIt) {
+  Camera camera;
+  frameBounds(camera, {glm::vec3(1.0f), glm::vec3(1.0f)}, kSize, false);
+  EXPECT_GT(camera.stand.distance, 0.05f * camera.characterHeight);
+  const CameraStand before = camera.stand;
+  frameBounds(camera, Bounds{}, kSize, false);
+  EXPECT_EQ(camera.stand.distance, before.distance);
+  EXPECT_EQ(camera.stand.target, before.target);
+}
+
+TEST(Camera, TransitionsEndWhereTheyShouldAndMoveEvenly) {
+  Random random(17);
+  for (int i = 0; i < 50; ++i) {
+    Camera camera = randomCamera(random);
+    Camera direct = camera;
+    const Bounds box{glm::vec3(-0.1f) * camera.characterHeight, glm::vec3(0.2f) * camera.characterHeight};
+    frameBounds(direct, box, kSize, false);
+    const float start = glm::length(camera.stand.target - direct.stand.target);
+    frameBounds(camera, box, kSize, true);
+    float before = start;
+    int frames = 0;
+    while (advance(camera, 0.016f)) {
+      const float left = glm::length(camera.stand.target - direct.stand.target);
+      EXPECT_LE(left, before * 1.0001f);
+      before = left;
+      ASSERT_LT(++frames, 20);
+    }
+    EXPECT_GE(frames, 5);
+    EXPECT_EQ(camera.stand.target, direct.stand.target);
+    EXPECT_EQ(camera.stand.distance, direct.stand.distance);
+  }
+}
+
+TEST(Camera, InputEndsATransition) {
+  Camera camera;
+  showStandardView(camera, StandardView::kBack);
+  EXPECT_TRUE(advance(camera, 0.05f));
+  orbit(camera, {5, 0}, kSize);
+  EXPECT_FALSE(isMoving(camera));
+}
+
+TEST(Camera, SixViewsLookAlongTheirAxes) {
+  const std::array<std::pair<StandardView, glm::vec3>, 6> expected = {{{StandardView::kFront, {0, 0, -1}},
+                                                                       {StandardView::kBack, {0, 0, 1}},
+                                                                       {StandardView::kLeft, {-1, 0, 0}},
+                                                                       {StandardView::kRight, {1, 0, 0}},
+                                                                       {StandardView::kTop, {0, -1, 0}},
+                                                                       {StandardView::kBottom, {0, 1, 0}}}};
+  for (const auto& [which, forward] : expected) {
+    Camera camera;
+    showStandardView(camera, which);
+    advance(camera, 1.0f);
+    const View view = viewOf(camera, kSize);
+    EXPECT_LT(glm::length(view.forwardInWorld() - forward), 1e-5f);
+    EXPECT_TRUE(isFinite(view.clipFromWorld()));
+  }
+}
+
+TEST(Camera, TurnsTheShortWay) {
+  Camera camera;
+  camera.stand.yaw = -3.0f;
+  showStandardView(camera, StandardView::kBack);  // Yaw pi, 0.14 away from -3.
+  advance(camera, 0.075f);
+  EXPECT_GT(std::abs(camera.stand.yaw), 2.9f);
+}
+
+TEST(Camera, DepthResolvesSmallAndLargeCharacters) {
+  for (const float height : {0.02f, 1.8f, 155.0f}) {
+    Camera camera;
+    setScene(camera, {height * glm::vec3(-0.4f, 0.0f, -0.4f), height * glm::vec3(0.4f, 1.0f, 0.4f)}, height);
+    frameBounds(camera, camera.scene, kSize, false);
+    const View view = viewOf(camera, kSize);
+    const glm::vec3 forward = view.forwardInWorld();
+    const float near = view.toPixel(camera.stand.target).z;
+    const float far = view.toPixel(camera.stand.target + 1e-3f * height * forward).z;
+    // A thousandth of H is many steps of a 24-bit depth buffer.
+    EXPECT_GT((far - near) * 0.5f * 16777216.0f, 50.0f) << height;
+  }
+}
+
+}  // namespace
+}  // namespace sinew::app
