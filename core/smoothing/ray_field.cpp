@@ -77,11 +77,11 @@ RaySample RayField::sample(double t) const {
   return best;
 }
 
-std::span<const double> RayField::breakpoints(double end) const {
-  breakpoints_.assign(1, 0.0);
+std::span<const double> RayField::breakpoints(double begin, double end) const {
+  breakpoints_.assign(1, begin);
   for (const RayTerm& term : terms_) {
     for (const double t : {term.enter, term.leave}) {
-      if (t > 0.0 && t < end) breakpoints_.push_back(t);
+      if (t > begin && t < end) breakpoints_.push_back(t);
     }
   }
   std::ranges::sort(breakpoints_);

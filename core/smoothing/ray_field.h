@@ -47,8 +47,8 @@ class RayField {
 
   /// phi and its derivative (of the winning clique).
   [[nodiscard]] RaySample sample(double t) const;
-  /// Where phi changes its formula within (0, end), sorted, with 0 and end.
-  [[nodiscard]] std::span<const double> breakpoints(double end) const;
+  /// Where phi changes its formula within (begin, end), sorted, with begin and end.
+  [[nodiscard]] std::span<const double> breakpoints(double begin, double end) const;
   /// Beyond this t only -T is left.
   [[nodiscard]] double lastLeave() const;
 

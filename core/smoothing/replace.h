@@ -9,6 +9,11 @@
 
 namespace sinew {
 
+// Where the paper takes one root or none, several are laid over each other: along the ray, each stretch with F > T counts
+// by its prominence, the largest F - T in it, from 0 at 0 to all at a quarter of T; what weight is left goes to the next
+// stretch, then (from outside) to the ray along the normal, then to the patch. A stretch that vanishes as primitives move
+// has faded out by then, and one that appears fades in: nothing pops. Prominent stretches give the paper's result exactly.
+
 /// Constants of one character and rig.
 struct ReplaceSettings {
   float iso = kDefaultIso;

@@ -109,22 +109,26 @@ std::optional<double> firstFallOfAny(const std::vector<Quartic>& sums, Projectio
 
 }  // namespace
 
-std::optional<double> firstRoot(const RayField& field, double end, ProjectionKind method, double tolerance) {
-  const double start = field.sample(0.0).value;
-  if (start == 0.0) return 0.0;
-  const double sign = start > 0.0 ? 1.0 : -1.0;
+std::optional<double> firstChange(const RayField& field, double begin, double end, bool fromPositive,
+                                  ProjectionKind method, double tolerance) {
   Scratch& space = scratch();
-  const std::span<const double> breaks = field.breakpoints(end);
+  const std::span<const double> breaks = field.breakpoints(begin, end);
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
     const double length = breaks[i + 1] - breaks[i];
     if (!(length > 0.0)) continue;
-    fillStretch(field, breaks[i], breaks[i + 1], sign, space);
+    fillStretch(field, breaks[i], breaks[i + 1], fromPositive ? 1.0 : -1.0, space);
     const double localTolerance = tolerance / length;
-    const auto root = sign > 0.0 ? firstFallOfMaximum(space.stretch.sums, method, localTolerance)
-                                 : firstFallOfAny(space.stretch.sums, method, localTolerance);
+    const auto root = fromPositive ? firstFallOfMaximum(space.stretch.sums, method, localTolerance)
+                                   : firstFallOfAny(space.stretch.sums, method, localTolerance);
     if (root) return breaks[i] + *root * length;
   }
   return std::nullopt;
+}
+
+std::optional<double> firstRoot(const RayField& field, double end, ProjectionKind method, double tolerance) {
+  const double start = field.sample(0.0).value;
+  if (start == 0.0) return 0.0;
+  return firstChange(field, 0.0, end, start > 0.0, method, tolerance);
 }
 
 }  // namespace sinew

@@ -17,4 +17,8 @@ namespace sinew {
 /// @param tolerance world units, > 0.
 [[nodiscard]] std::optional<double> firstRoot(const RayField& field, double end, ProjectionKind method, double tolerance);
 
+/// The same from `begin`, where phi is known to be positive (or not): the first t in [begin, end] where that ends.
+[[nodiscard]] std::optional<double> firstChange(const RayField& field, double begin, double end, bool fromPositive,
+                                                ProjectionKind method, double tolerance);
+
 }  // namespace sinew
