@@ -1,0 +1,241 @@
+// app/cli/render.cpp: open, frame all moments at once, then pose, smooth, draw and write each.
+#include "app/cli/render.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/console.h"
+#include "app/cli/render_plan.h"
+#include "app/document/document.h"
+#include "app/render/framing.h"
+#include "app/render/offscreen.h"
+#include "app/render/picking.h"
+#include "app/render/png.h"
+#include "app/render/viewport.h"
+#include "core/character/skinning.h"
+#include "core/io/atomic_file.h"
+#include "core/smoothing/smoother.h"
+
+namespace sinew::app {
+namespace {
+
+Rig overridden(Rig rig, const RenderOptions& options) {
+  if (options.depth) rig.smoothing.depth = *options.depth;
+  rig.surface.mode = surfaceModeNamed(options.mode).value_or(rig.surface.mode);
+  rig.smoothing.patch = patchKindNamed(options.patch).value_or(rig.smoothing.patch);
+  rig.smoothing.projection = projectionKindNamed(options.projection).value_or(rig.smoothing.projection);
+  return rig;
+}
+
+/// The clip asked for; null: the bind pose.
+Result<const AnimationClip*> clipOf(const Document& document, const RenderOptions& options, const RenderPlan& plan) {
+  const AnimationClip* none = nullptr;
+  if (!plan.animated) return none;
+  const std::vector<AnimationClip>& clips = document.character->clips;
+  const std::string file = document.characterFile.string();
+  if (clips.empty()) return Error{file, "", "has no clips; without --clip, --time and --frames its bind pose is drawn"};
+  if (options.clip.empty()) return &clips.front();
+  const auto found = std::ranges::find(clips, options.clip, &AnimationClip::name);
+  if (found != clips.end()) return &*found;
+  std::string names;
+  for (const AnimationClip& clip : clips) names += (names.empty() ? "\"" : ", \"") + clip.name + '"';
+  return Error{file, "clip \"" + options.clip + '"', "expected one of " + names};
+}
+
+Pose poseAtTime(const Character& character, const AnimationClip* clip, double time) {
+  return clip == nullptr ? bindPose(character.skeleton) : samplePose(character.skeleton, *clip, static_cast<float>(time));
+}
+
+std::vector<PrimitiveShape> shapesOf(const Rig& rig, const Skeleton& skeleton, const Pose& pose) {
+  std::vector<PrimitiveShape> shapes;
+  for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
+    const Primitive& primitive = rig.primitives[i];
+    const auto bone = skeleton.findBone(primitive.bone);
+    if (!bone) continue;
+    PrimitiveShape shape;
+    shape.rigIndex = static_cast<int>(i);
+    shape.unitBallInWorld = shapeInWorld(primitive.placement, 1.0f, pose.boneInWorld[static_cast<std::size_t>(*bone)]);
+    shape.reach = primitive.reach;
+    shape.sign = primitive.sign;
+    shapes.push_back(shape);
+  }
+  return shapes;
+}
+
+/// Points that hold all that one moment shows: skin, ellipsoids, and bones where they are drawn.
+void addFramedPoints(const Character& character, const Rig& rig, const Pose& pose, const DisplaySettings& display,
+                     std::vector<glm::vec3>& points) {
+  SkinnedMesh skinned;
+  skin(character, pose, skinned);
+  const std::vector<glm::vec3> extremes = extremePoints(skinned.positions);
+  points.insert(points.end(), extremes.begin(), extremes.end());
+  for (const PrimitiveShape& shape : shapesOf(rig, character.skeleton, pose)) {
+    if (shape.sign < 0 && !display.primitives && !display.influence) continue;
+    const glm::vec3 centre(shape.unitBallInWorld[3]);
+    const float scale = display.influence ? shape.reach : 1.0f;
+    for (int axis = 0; axis < 3; ++axis) {
+      const glm::vec3 radius = scale * glm::vec3(shape.unitBallInWorld[axis]);
+      points.push_back(centre + radius);
+      points.push_back(centre - radius);
+    }
+  }
+  if (!display.skeleton) return;
+  for (const BoneSegment& segment : boneSegments(character.skeleton, pose)) {
+    points.push_back(segment.head);
+    points.push_back(segment.tail);
+  }
+}
+
+/// One view for all moments, so that a clip's pictures stand still.
+View steadyView(const Document& document, const Rig& rig, const AnimationClip* clip, const RenderOptions& options,
+                const RenderPlan& plan) {
+  std::vector<glm::vec3> points;
+  for (const PlannedPicture& picture : plan.pictures) {
+    addFramedPoints(*document.character, rig, poseAtTime(*document.character, clip, picture.time), plan.display, points);
+  }
+  return framedView(points, plan.yaw, plan.pitch, plan.size, options.orthographic);
+}
+
+struct RenderSeconds {
+  double smooth = 0.0, upload = 0.0, draw = 0.0, write = 0.0;
+};
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Result<void> makePicture(const PlannedPicture& picture, const AnimationClip* clip, const View& view, const Rig& rig,
+                         const RenderPlan& plan, Smoother& smoother, Viewport& viewport, RenderSeconds& seconds) {
+  const Character& character = smoother.character();
+  const Pose pose = poseAtTime(character, clip, picture.time);
+  const auto start = std::chrono::steady_clock::now();
+  Surface surface;
+  smoother.smooth(pose, surface);
+  seconds.smooth += secondsSince(start);
+  Scene scene;
+  scene.character = &character;
+  scene.surface = &surface;
+  scene.pose = &pose;
+  scene.primitives = shapesOf(rig, character.skeleton, pose);
+  if (plan.display.controlMesh) {
+    SkinnedMesh skinned;
+    skin(character, pose, skinned);
+    scene.skinnedControlPositions = std::move(skinned.positions);
+  }
+  viewport.draw(scene, view, plan.display);
+  seconds.upload += viewport.seconds().upload;
+  seconds.draw += viewport.seconds().draw;
+  const auto drawn = std::chrono::steady_clock::now();
+  const Result<std::string> bytes = pngBytes(viewport.readPixels());
+  if (!bytes) return bytes.error();
+  const Result<void> written = writeFileAtomically(picture.file, bytes.value());
+  seconds.write += secondsSince(drawn);
+  return written;
+}
+
+void tellTimes(const RenderSeconds& seconds, std::size_t pictures) {
+  char line[160];
+  const double each = 1000.0 / static_cast<double>(pictures);
+  std::snprintf(line, sizeof line, "%zu picture%s, each: smooth %.1f ms, upload %.1f ms, draw %.1f ms, write %.1f ms",
+                pictures, pictures == 1 ? "" : "s", seconds.smooth * each, seconds.upload * each, seconds.draw * each,
+                seconds.write * each);
+  message(line);
+}
+
+void tellOddities(const Document& document, const Rig& rig, const Smoother& smoother, const AnimationClip* clip,
+                  const RenderPlan& plan) {
+  for (const int index : smoother.unattached()) {
+    const Primitive& primitive = rig.primitives[static_cast<std::size_t>(index)];
+    message(document.rigFile.string() + ": primitives[" + std::to_string(index) + "].bone: \"" + primitive.name +
+            "\" is left out, for this character has no bone \"" + primitive.bone + '"');
+  }
+  if (clip != nullptr && plan.pictures.back().time > static_cast<double>(clip->duration) + 1e-4) {
+    message(document.characterFile.string() + ": clip \"" + clip->name + "\": a time is past its end; its end is used");
+  }
+}
+
+void addLook(CLI::App& verb, RenderOptions& options) {
+  verb.add_option("--view", options.view, "front, back, left, right, top, bottom, three-quarter, or YAW,PITCH in degrees")
+      ->type_name("VIEW");
+  verb.add_flag("--orthographic", options.orthographic, "Without perspective");
+  verb.add_option("--shading", options.shading, "textured, clay, classes (implicit, straddling, normal) or heat (displacement)")
+      ->type_name("S");
+  verb.add_option("--show", options.show, "Any of skeleton, primitives, influence, wire, control, classes")
+      ->type_name("WHAT,...")
+      ->delimiter(',')
+      ->expected(1)
+      ->take_all();
+  verb.add_flag("--ground,!--no-ground", options.ground, "Grid and shadow (on)");
+  verb.add_flag("--transparent", options.transparent, "No background: an alpha channel instead");
+  verb.add_option("--size", options.size, "Pixels, each 16 to 8192 (1280x800)")->type_name("WxH");
+  verb.add_option("--samples", options.samples, "Per pixel, as far as the driver goes (4)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 64));
+}
+
+void addSmoothing(CLI::App& verb, RenderOptions& options) {
+  verb.add_option("--depth", options.depth, "Every triangle becomes N x N")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMaxDepth));
+  verb.add_option("--mode", options.mode, "swell or replace")->type_name("M")->check(CLI::IsMember({"swell", "replace"}));
+  verb.add_option("--patch", options.patch, "pn, phong, spherigon or flat")
+      ->type_name("P")
+      ->check(CLI::IsMember({"pn", "phong", "spherigon", "flat"}));
+  verb.add_option("--projection", options.projection, "newton, bisection or analytic")
+      ->type_name("P")
+      ->check(CLI::IsMember({"newton", "bisection", "analytic"}));
+}
+
+}  // namespace
+
+void addRenderOptions(CLI::App& verb, RenderOptions& options) {
+  const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
+  verb.add_option_function<std::string>("FILE", to(options.input), "Rig (.rig.json) or character (.glb, .gltf)")->required();
+  verb.add_option("--clip", options.clip, "Pose from this clip; without any of these, the bind pose")->type_name("NAME");
+  verb.add_option("--time", options.time, "Seconds into the clip (of the first, if none is named)")->type_name("S");
+  verb.add_option("--frames", options.frames, "One picture per clip frame, both ends included")->type_name("A:B");
+  verb.add_option("--fps", options.framesPerSecond, "Clip frames per second (30)")->type_name("N");
+  addLook(verb, options);
+  addSmoothing(verb, options);
+  verb.add_option_function<std::string>("-o,--output", to(options.output), "Picture to write: OUT.png, or OUT_%04d.png with --frames")
+      ->type_name("OUT")
+      ->required();
+}
+
+int runRender(const RenderOptions& options) {
+  const auto plan = planRender(options);
+  if (!plan) return badCommandLine(plan.error().text());
+  progress("reading " + options.input.string());
+  const auto document = openDocument(options.input);
+  if (!document) return badInput(document.error());
+  const Rig rig = overridden(document->rig(), options);
+  const auto clip = clipOf(document.value(), options, plan.value());
+  if (!clip) return badInput(clip.error());
+  Smoother smoother(document->character);
+  if (const auto prepared = smoother.prepare(rig); !prepared) {
+    return badInput({options.input.string(), prepared.error().place, prepared.error().reason});
+  }
+  tellOddities(document.value(), rig, smoother, clip.value(), plan.value());
+
+  const auto context = OffscreenContext::create();
+  if (!context) return badInput(context.error());
+  const auto viewport = Viewport::create(options.samples);
+  if (!viewport) return badInput(viewport.error());
+  viewport.value()->setCharacter(*document->character);
+  viewport.value()->setFinishFrames(true);
+  const View view = steadyView(document.value(), rig, clip.value(), options, plan.value());
+  RenderSeconds seconds;
+  for (const PlannedPicture& picture : plan->pictures) {
+    progress("drawing " + picture.file.string());
+    const auto made = makePicture(picture, clip.value(), view, rig, plan.value(), smoother, *viewport.value(), seconds);
+    if (!made) return badInput(made.error());
+    if (const int status = putResult(picture.file.string() + '\n'); status != kDone) return status;
+  }
+  tellTimes(seconds, plan->pictures.size());
+  return kDone;
+}
+
+}  // namespace sinew::app

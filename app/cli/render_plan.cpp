@@ -1,0 +1,166 @@
+// app/cli/render_plan.cpp: words of the command line become numbers.
+#include "app/cli/render_plan.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string_view>
+
+namespace sinew::app {
+namespace {
+
+constexpr int kSmallestPicture = 16;
+constexpr int kLargestPicture = 8192;
+constexpr int kMostFrames = 100000;
+
+struct NamedView {
+  std::string_view name;
+  float yaw, pitch;  ///< Degrees.
+};
+constexpr std::array<NamedView, 7> kViews{{{"front", 0, 0}, {"back", 180, 0}, {"left", 90, 0}, {"right", -90, 0},
+                                           {"top", 0, 90}, {"bottom", 0, -90}, {"three-quarter", 36, 14}}};
+
+/// The whole text as a number, or nullopt.
+template <class Number>
+std::optional<Number> numberIn(std::string_view text) {
+  Number value{};
+  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failed != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+template <class Number>
+std::optional<std::array<Number, 2>> pairIn(std::string_view text, char between) {
+  const std::size_t at = text.find(between);
+  if (at == std::string_view::npos) return std::nullopt;
+  const auto first = numberIn<Number>(text.substr(0, at)), second = numberIn<Number>(text.substr(at + 1));
+  if (!first || !second) return std::nullopt;
+  return std::array<Number, 2>{*first, *second};
+}
+
+Result<void> readView(const std::string& text, RenderPlan& plan) {
+  constexpr float kRadians = std::numbers::pi_v<float> / 180.0f;
+  const auto named = std::ranges::find(kViews, std::string_view(text), &NamedView::name);
+  float yaw = 0.0f, pitch = 0.0f;
+  if (named != kViews.end()) {
+    yaw = named->yaw;
+    pitch = named->pitch;
+  } else {
+    const auto angles = pairIn<float>(text, ',');
+    if (!angles || !std::isfinite((*angles)[0]) || !(std::abs((*angles)[1]) <= 90.0f)) {
+      return errorAt("--view", "expected front, back, left, right, top, bottom, three-quarter, or yaw,pitch in degrees "
+                               "(pitch -90 to 90), got \"" + text + '"');
+    }
+    yaw = std::fmod((*angles)[0], 360.0f);
+    pitch = (*angles)[1];
+  }
+  plan.yaw = yaw * kRadians;
+  plan.pitch = pitch * kRadians;
+  return {};
+}
+
+Result<void> readSize(const std::string& text, RenderPlan& plan) {
+  const auto size = pairIn<int>(text, 'x');
+  const auto fits = [](int length) { return length >= kSmallestPicture && length <= kLargestPicture; };
+  if (!size || !fits((*size)[0]) || !fits((*size)[1])) {
+    return errorAt("--size", "expected WIDTHxHEIGHT, each 16 to 8192, got \"" + text + '"');
+  }
+  plan.size = {(*size)[0], (*size)[1]};
+  return {};
+}
+
+Result<void> readDisplay(const RenderOptions& options, DisplaySettings& display) {
+  if (options.shading == "textured") display.shading = Shading::kTextured;
+  else if (options.shading == "clay") display.shading = Shading::kClay;
+  else if (options.shading == "classes") display.shading = Shading::kClasses;
+  else if (options.shading == "heat") display.shading = Shading::kHeat;
+  else return errorAt("--shading", "expected textured, clay, classes or heat, got \"" + options.shading + '"');
+  for (const std::string& shown : options.show) {
+    if (shown == "skeleton") display.skeleton = true;
+    else if (shown == "primitives") display.primitives = true;
+    else if (shown == "influence") display.influence = true;
+    else if (shown == "wire") display.wire = true;
+    else if (shown == "control") display.controlMesh = true;
+    else if (shown == "classes") display.shading = Shading::kClasses;
+    else {
+      return errorAt("--show", "expected skeleton, primitives, influence, wire, control or classes, got \"" + shown + '"');
+    }
+  }
+  display.ground = options.ground;
+  display.background = !options.transparent;
+  return {};
+}
+
+/// The place of a %d or %0Nd field in a file name; length 0: none.
+struct FrameField {
+  std::size_t at = 0, length = 0;
+  int width = 0;
+  bool zeros = false;
+};
+
+/// nullopt: there is a '%' that is no such field, or more than one field.
+std::optional<FrameField> frameField(const std::string& name) {
+  FrameField field;
+  const std::size_t at = name.find('%');
+  if (at == std::string::npos) return field;
+  std::size_t end = at + 1;
+  while (end < name.size() && name[end] >= '0' && name[end] <= '9') ++end;
+  if (end == name.size() || name[end] != 'd' || end - at > 3 || name.find('%', end) != std::string::npos) return std::nullopt;
+  field.at = at;
+  field.length = end + 1 - at;
+  field.zeros = name[at + 1] == '0';
+  field.width = numberIn<int>(std::string_view(name).substr(at + 1, end - at - 1)).value_or(0);
+  return field;
+}
+
+std::string withFrame(const std::string& name, const FrameField& field, int frame) {
+  std::string digits = std::to_string(frame);
+  const auto width = static_cast<std::size_t>(field.width);
+  if (digits.size() < width) digits.insert(0, width - digits.size(), field.zeros ? '0' : ' ');
+  return std::string(name).replace(field.at, field.length, digits);
+}
+
+Result<void> readMoments(const RenderOptions& options, RenderPlan& plan) {
+  std::string ending = options.output.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  if (ending != ".png") return errorAt("--output", "expected a name that ends in .png, got \"" + options.output.string() + '"');
+  plan.animated = !options.clip.empty() || options.time || !options.frames.empty();
+  if (options.frames.empty()) {
+    const double time = options.time.value_or(0.0);
+    if (!(time >= 0.0) || !std::isfinite(time)) return errorAt("--time", "expected seconds >= 0");
+    plan.pictures.push_back({time, options.output});
+    return {};
+  }
+  if (options.time) return errorAt("--time", "goes without --frames: a frame's number is its time");
+  if (!(options.framesPerSecond > 0.0) || !std::isfinite(options.framesPerSecond)) return errorAt("--fps", "expected a number > 0");
+  const auto range = pairIn<int>(options.frames, ':');
+  if (!range || (*range)[0] < 0 || (*range)[1] < (*range)[0] || (*range)[1] - (*range)[0] >= kMostFrames) {
+    return errorAt("--frames", "expected FIRST:LAST with 0 <= FIRST <= LAST and at most 100000 frames, got \"" +
+                               options.frames + '"');
+  }
+  const std::string name = options.output.string();
+  const auto field = frameField(name);
+  if (!field || field->length == 0) {
+    return errorAt("--output", "expected one frame number field such as %04d in the name, got \"" + name + '"');
+  }
+  for (int frame = (*range)[0]; frame <= (*range)[1]; ++frame) {
+    plan.pictures.push_back({frame / options.framesPerSecond, withFrame(name, *field, frame)});
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<RenderPlan> planRender(const RenderOptions& options) {
+  RenderPlan plan;
+  if (const auto read = readView(options.view, plan); !read) return read.error();
+  if (const auto read = readSize(options.size, plan); !read) return read.error();
+  if (const auto read = readDisplay(options, plan.display); !read) return read.error();
+  if (const auto read = readMoments(options, plan); !read) return read.error();
+  return plan;
+}
+
+}  // namespace sinew::app

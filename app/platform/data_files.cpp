@@ -1,0 +1,40 @@
+// app/platform/data_files.cpp: the folders the program's own files are looked for in.
+#include "app/platform/data_files.h"
+
+#include <cstdlib>
+#include <system_error>
+#include <vector>
+
+namespace sinew::app {
+namespace {
+
+std::vector<std::filesystem::path> dataFolders() {
+  std::vector<std::filesystem::path> folders;
+  if (const char* named = std::getenv("SINEW_DATA_DIR"); named != nullptr && *named != '\0') folders.emplace_back(named);
+  folders.emplace_back(SINEW_SOURCE_DATA_DIR);
+  folders.emplace_back(SINEW_INSTALLED_DATA_DIR);
+  if (const std::filesystem::path beside = executableFolder(); !beside.empty()) {
+    folders.push_back(beside);
+    folders.push_back(beside.parent_path() / "share" / "sinew");
+  }
+  return folders;
+}
+
+}  // namespace
+
+std::filesystem::path executableFolder() {
+  std::error_code failed;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", failed);
+  return failed ? std::filesystem::path{} : program.parent_path();
+}
+
+std::filesystem::path dataFile(const std::filesystem::path& relative) {
+  const std::vector<std::filesystem::path> folders = dataFolders();
+  for (const std::filesystem::path& folder : folders) {
+    std::error_code failed;
+    if (std::filesystem::exists(folder / relative, failed)) return folder / relative;
+  }
+  return folders.front() / relative;
+}
+
+}  // namespace sinew::app

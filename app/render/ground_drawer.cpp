@@ -1,0 +1,138 @@
+// app/render/ground_drawer.cpp: what the character stands on and in front of.
+#include "app/render/ground_drawer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sinew::app {
+namespace {
+
+constexpr float kShadowSoftness = 0.018f;   ///< Standard deviation, fraction of the height.
+constexpr float kContactSoftness = 0.007f;
+constexpr float kGroundReach = 3.4f;        ///< Half the floor's extent, heights.
+
+/// Box on the floor that holds the bounds' shadow along the key light, with room for the blur.
+glm::vec4 shadowArea(const Frame& frame) {
+  const glm::vec3 key = keyDirection();
+  const Bounds& box = frame.surfaceBounds;
+  glm::vec2 low(box.low.x, box.low.z), high(box.high.x, box.high.z);
+  const float top = std::max(box.high.y - frame.floor, 0.0f);
+  const glm::vec2 slide = -glm::vec2(key.x, key.z) / key.y * top;
+  low += glm::min(slide, glm::vec2(0.0f));
+  high += glm::max(slide, glm::vec2(0.0f));
+  const float room = 4.0f * kShadowSoftness * frame.height;
+  return {low - room, 1.0f / (high - low + 2.0f * room)};
+}
+
+}  // namespace
+
+float gridCell(float height) {
+  const float wanted = 0.3f * height;
+  const float decade = std::pow(10.0f, std::floor(std::log10(wanted)));
+  const float share = wanted / decade;
+  return decade * (share < 1.5f ? 1.0f : share < 3.5f ? 2.0f : share < 7.5f ? 5.0f : 10.0f);
+}
+
+GroundDrawer::GroundDrawer() : empty_(makeVertexArray()), shadowSize_(isSoftwareRenderer() ? 160 : 512) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    shadowTextures_[i] = makeTexture(GL_TEXTURE_2D);
+    const GLuint id = shadowTextures_[i].id();
+    glTextureStorage2D(id, 1, GL_RG8, shadowSize_, shadowSize_);
+    glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    shadowTargets_[i] = makeFramebuffer();
+    glNamedFramebufferTexture(shadowTargets_[i].id(), GL_COLOR_ATTACHMENT0, id, 0);
+  }
+}
+
+Result<GroundDrawer> GroundDrawer::create() {
+  GroundDrawer drawer;
+  struct Wanted {
+    GlProgram* program;
+    const char* vertex;
+    const char* fragment;
+  };
+  for (const Wanted& wanted : {Wanted{&drawer.shadowProgram_, "shaders/shadow.vert", "shaders/shadow.frag"},
+                               Wanted{&drawer.blurProgram_, "shaders/fullscreen.vert", "shaders/blur.frag"},
+                               Wanted{&drawer.groundProgram_, "shaders/ground.vert", "shaders/ground.frag"},
+                               Wanted{&drawer.groundShadowProgram_, "shaders/ground_shadow.vert", "shaders/ground_shadow.frag"},
+                               Wanted{&drawer.backgroundProgram_, "shaders/fullscreen.vert", "shaders/background.frag"}}) {
+    Result<GlProgram> program = GlProgram::load({wanted.vertex, wanted.fragment});
+    if (!program) return program.error();
+    *wanted.program = std::move(program).value();
+  }
+  return drawer;
+}
+
+void GroundDrawer::prepareShadow(const Frame& frame, const SurfaceDrawer& surface) {
+  area_ = glm::vec4(0.0f);
+  if (frame.surfaceBounds.isEmpty()) return;
+  area_ = shadowArea(frame);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_FRAMEBUFFER_SRGB);
+  glViewport(0, 0, shadowSize_, shadowSize_);
+
+  glBindFramebuffer(GL_FRAMEBUFFER, shadowTargets_[0].id());
+  glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_MAX);
+  glBlendFunc(GL_ONE, GL_ONE);
+  shadowProgram_.use();
+  shadowProgram_.set("area", area_);
+  surface.drawForShadow();
+  glBlendEquation(GL_FUNC_ADD);
+  glDisable(GL_BLEND);
+
+  // A standard deviation of blur.frag is 1.8 taps.
+  const glm::vec2 perUnit(area_.z, area_.w);
+  const glm::vec2 wide = perUnit * (kShadowSoftness * frame.height / 1.8f);
+  const glm::vec2 narrow = perUnit * (kContactSoftness * frame.height / 1.8f);
+  blurProgram_.use();
+  blurProgram_.set("source", 0);
+  glBindVertexArray(empty_.id());
+  for (std::size_t pass = 0; pass < 2; ++pass) {
+    const glm::vec2 direction = pass == 0 ? glm::vec2(1, 0) : glm::vec2(0, 1);
+    glBindFramebuffer(GL_FRAMEBUFFER, shadowTargets_[1 - pass].id());
+    glBindTextureUnit(0, shadowTextures_[pass].id());
+    blurProgram_.set("stepX", wide * direction);
+    blurProgram_.set("stepY", narrow * direction);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+}
+
+void GroundDrawer::drawBackground(const Frame& frame) const {
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  backgroundProgram_.use();
+  backgroundProgram_.set("aspect", static_cast<float>(frame.view.size.x) / static_cast<float>(frame.view.size.y));
+  glBindVertexArray(empty_.id());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void GroundDrawer::drawGround(const Frame& frame) const {
+  const glm::vec3 centre = frame.surfaceBounds.isEmpty() ? glm::vec3(0.0f) : frame.surfaceBounds.center();
+  groundProgram_.use();
+  groundProgram_.set("ground", glm::vec4(centre.x, centre.z, kGroundReach * frame.height, gridCell(frame.height)));
+  glBindVertexArray(empty_.id());
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_FALSE);
+  glDisable(GL_CULL_FACE);
+  blendPremultiplied();
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  if (!frame.surfaceBounds.isEmpty()) {
+    groundShadowProgram_.use();
+    groundShadowProgram_.set("area", area_);
+    groundShadowProgram_.set("shadow", 0);
+    glBindTextureUnit(0, shadowTextures_[0].id());
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  }
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+}
+
+}  // namespace sinew::app

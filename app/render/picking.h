@@ -1,0 +1,56 @@
+#pragma once  // app/render/picking.h: what lies under the pointer. On the processor, without OpenGL.
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "app/render/scene.h"
+#include "app/render/view.h"
+
+namespace sinew::app {
+
+/// A ray meets the surface.
+struct SurfaceHit {
+  float distance = 0.0f;  ///< Along the ray, > 0.
+  int refinedTriangle = -1;
+  int controlTriangle = -1;
+  glm::vec3 barycentric{0.0f};         ///< In the refined triangle.
+  glm::vec3 controlBarycentric{0.0f};  ///< In the control triangle: where the skin weights are interpolated.
+  glm::vec3 position{0.0f};            ///< World.
+  glm::vec3 normal{0.0f};              ///< World, unit, smooth.
+};
+
+/// Nearest hit from the front (both sides where the material is double-sided). surface must come from this mesh.
+/// @param materials of the character; empty: every triangle is single-sided.
+[[nodiscard]] std::optional<SurfaceHit> pickSurface(const Ray& ray, const Surface& surface, const ControlMesh& mesh,
+                                                    std::span<const Material> materials);
+
+struct PrimitiveHit {
+  int shape = -1;         ///< Index into the shapes.
+  int rigIndex = -1;
+  float distance = 0.0f;  ///< Along the ray; 0 if the ray starts inside.
+  glm::vec3 position{0.0f};
+};
+
+/// Nearest visible ellipsoid, else nullopt. Flattened ones are never hit.
+[[nodiscard]] std::optional<PrimitiveHit> pickPrimitive(const Ray& ray, std::span<const PrimitiveShape> shapes);
+
+/// A bone as drawn: from its joint to each child's joint, or to its tip. World space.
+struct BoneSegment {
+  int bone = -1;
+  glm::vec3 head{0.0f};
+  glm::vec3 tail{0.0f};
+};
+[[nodiscard]] std::vector<BoneSegment> boneSegments(const Skeleton& skeleton, const Pose& pose);
+
+struct BoneHit {
+  int bone = -1;
+  float pixels = 0.0f;  ///< Distance on screen.
+};
+
+/// The bone whose segment (or joint) is nearest on screen within `withinPixels`; equally near ones: nearest to the eye.
+[[nodiscard]] std::optional<BoneHit> pickBone(const glm::vec2& pixel, const View& view, const Skeleton& skeleton,
+                                              const Pose& pose, float withinPixels);
+
+}  // namespace sinew::app

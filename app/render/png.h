@@ -1,0 +1,13 @@
+#pragma once  // app/render/png.h: a picture as the bytes of a .png file.
+
+#include <string>
+
+#include "app/render/viewport.h"
+#include "core/base/result.h"
+
+namespace sinew::app {
+
+/// Same picture, same bytes. Opaque pictures are written without alpha. Error: the encoder had no memory.
+[[nodiscard]] Result<std::string> pngBytes(const Image& image);
+
+}  // namespace sinew::app

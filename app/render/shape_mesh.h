@@ -1,0 +1,44 @@
+#pragma once  // app/render/shape_mesh.h: a small fixed mesh drawn many times: balls and bones.
+
+#include <cstdint>
+#include <span>
+
+#include "app/render/gl_objects.h"
+
+namespace sinew::app {
+
+/// One copy, as shaders/shape.vert and ring.vert read it.
+struct ShapeInstance {
+  glm::mat4 shapeInWorld{1.0f};
+  glm::vec4 color{1.0f};  ///< Linear, opacity in w.
+  glm::vec4 style{0.0f};  ///< Outline, glow: 0..1.
+};
+
+class ShapeMesh {
+ public:
+  [[nodiscard]] static ShapeMesh ball(std::uint32_t rows);  ///< Radius 1 around the origin; twice as many columns as rows.
+  [[nodiscard]] static ShapeMesh octahedron();              ///< From the origin to +Y at 1; half width 1 at a sixth of the way.
+
+  void setInstances(std::span<const ShapeInstance> instances);
+  /// Draws the mesh once an instance with the program in use.
+  void draw() const;
+  /// Draws `vertices` numbered vertices an instance instead of the mesh: for programs that make their own shape.
+  void drawNumbered(int vertices) const;
+
+ private:
+  struct Vertex {
+    glm::vec3 position;
+    glm::vec3 normal;
+  };
+  ShapeMesh(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices);
+
+  GlVertexArray array_;
+  GlVertexArray instanceArray_;  ///< Without the mesh, for drawNumbered.
+  GlBuffer vertices_;
+  GlBuffer indices_;
+  GlBuffer instances_;
+  GLsizei indexCount_ = 0;
+  GLsizei instanceCount_ = 0;
+};
+
+}  // namespace sinew::app

@@ -1,0 +1,22 @@
+#pragma once  // app/render/skeleton_drawer.h: bones as octahedra and joints as balls, over everything.
+
+#include "app/render/frame.h"
+#include "app/render/shape_mesh.h"
+
+namespace sinew::app {
+
+class SkeletonDrawer {
+ public:
+  [[nodiscard]] static Result<SkeletonDrawer> create();
+  /// Clears the depth, so that bones hide only one another: draw last.
+  void draw(const Frame& frame);
+
+ private:
+  SkeletonDrawer();
+
+  GlProgram program_;
+  ShapeMesh bones_;
+  ShapeMesh joints_;
+};
+
+}  // namespace sinew::app

@@ -1,0 +1,254 @@
+// app/render/surface_drawer.cpp: the smoothed surface on the graphics processor.
+#include "app/render/surface_drawer.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+#include "app/render/heat_scale.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr std::array<const char*, 4> kShadingDefines{"SHADING_TEXTURED", "SHADING_CLAY", "SHADING_CLASSES", "SHADING_HEAT"};
+
+GLint wrapOf(TextureWrap wrap) {
+  switch (wrap) {
+    case TextureWrap::kClampToEdge: return GL_CLAMP_TO_EDGE;
+    case TextureWrap::kMirroredRepeat: return GL_MIRRORED_REPEAT;
+    case TextureWrap::kRepeat: break;
+  }
+  return GL_REPEAT;
+}
+
+GLsizei levelsFor(int width, int height) {
+  return 1 + static_cast<GLsizei>(std::floor(std::log2(static_cast<float>(std::max(width, height)))));
+}
+
+GlTexture uploadTexture(const Texture& image) {
+  GlTexture texture = makeTexture(GL_TEXTURE_2D);
+  const GLuint id = texture.id();
+  glTextureStorage2D(id, levelsFor(image.width, image.height), GL_SRGB8_ALPHA8, image.width, image.height);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTextureSubImage2D(id, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  glGenerateTextureMipmap(id);
+  glTextureParameteri(id, GL_TEXTURE_WRAP_S, wrapOf(image.wrapU));
+  glTextureParameteri(id, GL_TEXTURE_WRAP_T, wrapOf(image.wrapV));
+  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, image.nearest ? GL_NEAREST : GL_LINEAR);
+  // On the processor, anisotropic reading costs more than all the rest of the shading.
+  if (!isSoftwareRenderer() && (epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") ||
+                                epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic"))) {
+    GLfloat most = 1.0f;
+    glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
+    glTextureParameterf(id, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::min(most, 8.0f));
+  }
+  return texture;
+}
+
+void attribute(GLuint array, GLuint location, GLuint binding, GLint count, std::size_t offset) {
+  glEnableVertexArrayAttrib(array, location);
+  glVertexArrayAttribFormat(array, location, count, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
+  glVertexArrayAttribBinding(array, location, binding);
+}
+
+/// Drawn vertices at the corners of every control triangle: they alone are refined vertices below controlVertices.
+std::vector<std::uint32_t> controlCorners(const Refinement& refinement) {
+  std::vector<std::uint32_t> corners;
+  for (const auto& triangle : refinement.drawTriangles) {
+    for (const std::uint32_t vertex : triangle) {
+      if (refinement.drawVertex[vertex] < refinement.controlVertices) corners.push_back(vertex);
+    }
+  }
+  return corners;  // With n > 1 each corner is in exactly one of the n^2 triangles: three a control triangle.
+}
+
+bool blends(const Frame& frame, const Material& material) {
+  return frame.settings.shading == Shading::kTextured && material.alphaMode == AlphaMode::kBlend;
+}
+
+}  // namespace
+
+SurfaceDrawer::SurfaceDrawer()
+    : array_(makeVertexArray()), vertices_(makeBuffer()), uvs_(makeBuffer()), indices_(makeBuffer()),
+      coarseIndices_(makeBuffer()), classes_(makeBuffer()) {
+  const GLuint array = array_.id();
+  glVertexArrayVertexBuffer(array, 0, vertices_.id(), 0, sizeof(Vertex));
+  glVertexArrayVertexBuffer(array, 1, uvs_.id(), 0, sizeof(glm::vec2));
+  glVertexArrayElementBuffer(array, indices_.id());
+  attribute(array, 0, 0, 3, offsetof(Vertex, position));
+  attribute(array, 1, 0, 3, offsetof(Vertex, normal));
+  attribute(array, 2, 0, 1, offsetof(Vertex, displacement));
+  attribute(array, 3, 1, 2, 0);
+  Texture white;
+  white.width = white.height = 1;
+  white.rgba = {255, 255, 255, 255};
+  white_ = uploadTexture(white);
+}
+
+Result<SurfaceDrawer> SurfaceDrawer::create() {
+  SurfaceDrawer drawer;
+  for (std::size_t i = 0; i < kShadingDefines.size(); ++i) {
+    Result<GlProgram> plain = GlProgram::load({"shaders/surface.vert", "shaders/surface.frag"}, {kShadingDefines[i]});
+    if (!plain) return plain.error();
+    Result<GlProgram> wire = GlProgram::load(
+        {"shaders/surface.vert", "shaders/surface_wire.geom", "shaders/surface.frag"}, {kShadingDefines[i], "WIRE"});
+    if (!wire) return wire.error();
+    drawer.programs_[i] = std::move(plain).value();
+    drawer.wirePrograms_[i] = std::move(wire).value();
+  }
+  return drawer;
+}
+
+void SurfaceDrawer::setCharacter(const Character& character) {
+  refinement_.reset();
+  ranges_.clear();
+  bounds_ = {};
+  materials_ = character.materials;
+  textures_.clear();
+  for (const Texture& image : character.textures) {
+    const bool whole = image.width > 0 && image.height > 0 &&
+                       image.rgba.size() >= 4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    textures_.push_back(whole ? uploadTexture(image) : GlTexture{});
+  }
+}
+
+void SurfaceDrawer::rebuildTopology(const ControlMesh& mesh) {
+  const Refinement& refinement = *refinement_;
+  const int perControl = refinement.depth * refinement.depth;
+  controlOrder_.resize(mesh.triangles.size());
+  std::iota(controlOrder_.begin(), controlOrder_.end(), 0);
+  const auto materialIndex = [&](int t) { return mesh.triangles[static_cast<std::size_t>(t)].material; };
+  std::ranges::stable_sort(controlOrder_, {}, materialIndex);
+  std::vector<std::array<std::uint32_t, 3>> ordered;
+  ordered.reserve(refinement.drawTriangles.size());
+  ranges_.clear();
+  for (const int t : controlOrder_) {
+    if (ranges_.empty() || ranges_.back().material != materialIndex(t)) {
+      ranges_.push_back({materialIndex(t), static_cast<int>(ordered.size()), 0});
+    }
+    const auto first = refinement.drawTriangles.begin() + std::ptrdiff_t{t} * perControl;
+    ordered.insert(ordered.end(), first, first + perControl);
+    ranges_.back().triangles += perControl;
+  }
+  uploadBuffer(indices_, std::span<const std::array<std::uint32_t, 3>>(ordered), GL_STATIC_DRAW);
+  uploadBuffer(uvs_, std::span<const glm::vec2>(refinement.drawUv), GL_STATIC_DRAW);
+  coarseIndexCount_ = 0;
+  if (refinement.depth < 2 || !isSoftwareRenderer()) return;
+  const std::vector<std::uint32_t> corners = controlCorners(refinement);
+  uploadBuffer(coarseIndices_, std::span<const std::uint32_t>(corners), GL_STATIC_DRAW);
+  coarseIndexCount_ = static_cast<GLsizei>(corners.size());
+}
+
+void SurfaceDrawer::upload(const Surface& surface, const ControlMesh& mesh) {
+  if (refinement_ != surface.refinement) {
+    refinement_ = surface.refinement;
+    rebuildTopology(mesh);
+  }
+  const std::vector<int>& drawVertex = refinement_->drawVertex;
+  staging_.resize(drawVertex.size());
+  const bool displaced = surface.displacement.size() == surface.positions.size();
+  for (std::size_t i = 0; i < staging_.size(); ++i) {
+    const auto vertex = static_cast<std::size_t>(drawVertex[i]);
+    staging_[i] = {surface.positions[vertex], surface.normals[vertex], displaced ? surface.displacement[vertex] : 0.0f};
+  }
+  uploadBuffer(vertices_, std::span<const Vertex>(staging_));
+  bounds_ = boundsOf(surface.positions);
+  std::vector<std::uint32_t> classes(controlOrder_.size(), 0);
+  if (surface.classes.size() == classes.size()) {
+    std::ranges::transform(controlOrder_, classes.begin(), [&](int t) {
+      return static_cast<std::uint32_t>(surface.classes[static_cast<std::size_t>(t)]);
+    });
+  }
+  uploadBuffer(classes_, std::span<const std::uint32_t>(classes));
+}
+
+const GlProgram& SurfaceDrawer::prepareProgram(const Frame& frame) const {
+  const auto shading = static_cast<std::size_t>(frame.settings.shading);
+  const GlProgram& program = frame.settings.wire ? wirePrograms_[shading] : programs_[shading];
+  program.use();
+  program.set("baseMap", 0);
+  program.set("wireScale", frame.settings.lineScale);
+  program.set("unlit", frame.settings.lighting ? 0 : 1);
+  program.set("heatRange", std::max(frame.settings.heatRange, 1e-6f) * frame.height);
+  std::array<glm::vec4, 9> stops{};
+  std::ranges::transform(heatStops(), stops.begin(), [](const glm::vec3& stop) { return glm::vec4(stop, 1.0f); });
+  program.set("heatStops", std::span<const glm::vec4>(stops));
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, classes_.id());
+  glBindVertexArray(array_.id());
+  return program;
+}
+
+const Material& SurfaceDrawer::materialOf(const Range& range) const {
+  const auto index = static_cast<std::size_t>(range.material);
+  assert(index < materials_.size());
+  return materials_[index];
+}
+
+void SurfaceDrawer::drawRange(const GlProgram& program, const Frame& frame, const Range& range) const {
+  const Material& material = materialOf(range);
+  const bool masked = material.alphaMode == AlphaMode::kMask;
+  const auto map = static_cast<std::size_t>(material.baseColorTexture);
+  const bool mapped = material.baseColorTexture >= 0 && map < textures_.size() && textures_[map];
+  program.set("baseColor", material.baseColor);
+  program.set("finish", glm::vec4(material.metallic, material.roughness, masked ? material.alphaCutoff : -1.0f,
+                                  blends(frame, material) ? 1.0f : 0.0f));
+  program.set("emissive", material.emissive);
+  program.set("classLookup", glm::ivec2(range.firstTriangle, refinement_->depth * refinement_->depth));
+  glBindTextureUnit(0, mapped ? textures_[map].id() : white_.id());
+  const auto offset = static_cast<std::uintptr_t>(range.firstTriangle) * 3 * sizeof(std::uint32_t);
+  glDrawElements(GL_TRIANGLES, range.triangles * 3, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
+}
+
+void SurfaceDrawer::drawOpaque(const Frame& frame) const {
+  if (refinement_ == nullptr) return;
+  const GlProgram& program = prepareProgram(frame);
+  glDisable(GL_BLEND);
+  glCullFace(GL_BACK);
+  for (const Range& range : ranges_) {
+    const Material& material = materialOf(range);
+    if (blends(frame, material)) continue;
+    if (material.doubleSided) glDisable(GL_CULL_FACE);
+    else glEnable(GL_CULL_FACE);
+    drawRange(program, frame, range);
+  }
+  glDisable(GL_CULL_FACE);
+}
+
+void SurfaceDrawer::drawBlended(const Frame& frame) const {
+  if (refinement_ == nullptr) return;
+  const bool any = std::ranges::any_of(ranges_, [&](const Range& range) {
+    return blends(frame, materialOf(range));
+  });
+  if (!any) return;
+  const GlProgram& program = prepareProgram(frame);
+  blendPremultiplied();
+  glDepthMask(GL_FALSE);
+  glEnable(GL_CULL_FACE);
+  for (const Range& range : ranges_) {
+    const Material& material = materialOf(range);
+    if (!blends(frame, material)) continue;
+    for (const GLenum hidden : {GL_FRONT, GL_BACK}) {
+      if (hidden == GL_FRONT && !material.doubleSided) continue;
+      glCullFace(hidden);
+      drawRange(program, frame, range);
+    }
+  }
+  glDisable(GL_CULL_FACE);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+}
+
+void SurfaceDrawer::drawForShadow() const {
+  if (refinement_ == nullptr) return;
+  const bool coarse = coarseIndexCount_ > 0;
+  const GLsizei all = static_cast<GLsizei>(refinement_->drawTriangles.size()) * 3;
+  glBindVertexArray(array_.id());
+  if (coarse) glVertexArrayElementBuffer(array_.id(), coarseIndices_.id());
+  glDrawElements(GL_TRIANGLES, coarse ? coarseIndexCount_ : all, GL_UNSIGNED_INT, nullptr);
+  if (coarse) glVertexArrayElementBuffer(array_.id(), indices_.id());
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,61 @@
+#pragma once  // app/render/surface_drawer.h: streams and draws the smoothed surface.
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "app/render/frame.h"
+
+namespace sinew::app {
+
+class SurfaceDrawer {
+ public:
+  [[nodiscard]] static Result<SurfaceDrawer> create();
+
+  /// Textures with mipmaps, and materials.
+  void setCharacter(const Character& character);
+  /// Fills the vertex buffer; the index buffer only when the refinement is another one.
+  void upload(const Surface& surface, const ControlMesh& mesh);
+
+  void drawOpaque(const Frame& frame) const;
+  /// Materials whose alpha blends: back sides first, then front sides.
+  void drawBlended(const Frame& frame) const;
+  /// All triangles with the program in use, for shadows. Where the processor draws: one for each control triangle, between
+  /// its corners as they are on the surface, since a blurred shadow does not show the difference.
+  void drawForShadow() const;
+  [[nodiscard]] const Bounds& bounds() const { return bounds_; }
+
+ private:
+  struct Vertex {
+    glm::vec3 position;
+    glm::vec3 normal;
+    float displacement;
+  };
+  /// Consecutive triangles of the index buffer with one material.
+  struct Range {
+    int material = 0;
+    int firstTriangle = 0;
+    int triangles = 0;
+  };
+  SurfaceDrawer();
+  void rebuildTopology(const ControlMesh& mesh);
+  const GlProgram& prepareProgram(const Frame& frame) const;
+  const Material& materialOf(const Range& range) const;
+  void drawRange(const GlProgram& program, const Frame& frame, const Range& range) const;
+
+  std::array<GlProgram, 4> programs_;      ///< By Shading.
+  std::array<GlProgram, 4> wirePrograms_;
+  GlVertexArray array_;
+  GlBuffer vertices_, uvs_, indices_, coarseIndices_, classes_;
+  GlTexture white_;
+  std::vector<GlTexture> textures_;
+  std::vector<Material> materials_;
+  std::shared_ptr<const Refinement> refinement_;
+  std::vector<int> controlOrder_;  ///< Control triangles as the index buffer holds them: by material.
+  std::vector<Range> ranges_;
+  GLsizei coarseIndexCount_ = 0;   ///< 0: the shadow is cast by all triangles.
+  std::vector<Vertex> staging_;
+  Bounds bounds_;
+};
+
+}  // namespace sinew::app

@@ -1,0 +1,178 @@
+// app/render/viewport.cpp: the order in which a picture is made.
+#include "app/render/viewport.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <chrono>
+#include <cmath>
+
+#include "app/render/frame.h"
+#include "app/render/ground_drawer.h"
+#include "app/render/line_drawer.h"
+#include "app/render/primitive_drawer.h"
+#include "app/render/render_target.h"
+#include "app/render/skeleton_drawer.h"
+#include "app/render/surface_drawer.h"
+
+namespace sinew::app {
+
+struct Viewport::State {
+  SurfaceDrawer surface;
+  GroundDrawer ground;
+  PrimitiveDrawer primitives;
+  SkeletonDrawer skeleton;
+  LineDrawer lines;
+  GlBuffer frameBlock;
+  RenderTarget target{};
+  int samples = 1;
+  bool finish = false;
+  bool transparent = false;
+  float floor = 0.0f;
+  DrawSeconds seconds{};
+};
+
+namespace {
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+FrameBlock blockOf(const Frame& frame) {
+  FrameBlock block;
+  block.clipFromWorld = frame.view.clipFromWorld();
+  block.viewFromWorld = frame.view.viewFromWorld;
+  block.eye = glm::vec4(frame.view.eyeInWorld, frame.view.orthographic ? 1.0f : 0.0f);
+  block.forward = glm::vec4(frame.view.forwardInWorld(), 0.0f);
+  block.picture = glm::vec4(glm::vec2(frame.view.size), frame.height, frame.floor);
+  block.key = glm::vec4(keyDirection(), 0.0f);
+  return block;
+}
+
+void resetState() {
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_STENCIL_TEST);
+  glDisable(GL_FRAMEBUFFER_SRGB);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_LESS);
+  glFrontFace(GL_CCW);
+  glBindSampler(0, 0);
+}
+
+/// Colours were multiplied by alpha in linear light; files hold them whole.
+void divideByAlpha(std::vector<std::uint8_t>& rgba) {
+  const auto decode = [](double s) { return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4); };
+  const auto encode = [](double l) { return l <= 0.0031308 ? l * 12.92 : 1.055 * std::pow(l, 1.0 / 2.4) - 0.055; };
+  for (std::size_t at = 0; at < rgba.size(); at += 4) {
+    const double alpha = rgba[at + 3] / 255.0;
+    if (rgba[at + 3] == 0 || rgba[at + 3] == 255) continue;
+    for (std::size_t c = at; c < at + 3; ++c) {
+      const double whole = std::min(decode(rgba[c] / 255.0) / alpha, 1.0);
+      rgba[c] = static_cast<std::uint8_t>(std::lround(encode(whole) * 255.0));
+    }
+  }
+}
+
+}  // namespace
+
+Viewport::Viewport() = default;
+Viewport::~Viewport() = default;
+
+Result<std::unique_ptr<Viewport>> Viewport::create(int samples) {
+  if (epoxy_gl_version() < 45) return Error{"", "", "the graphics driver does not offer OpenGL 4.5: " + rendererName()};
+  Result<SurfaceDrawer> surface = SurfaceDrawer::create();
+  if (!surface) return surface.error();
+  Result<GroundDrawer> ground = GroundDrawer::create();
+  if (!ground) return ground.error();
+  Result<PrimitiveDrawer> primitives = PrimitiveDrawer::create();
+  if (!primitives) return primitives.error();
+  Result<SkeletonDrawer> skeleton = SkeletonDrawer::create();
+  if (!skeleton) return skeleton.error();
+  Result<LineDrawer> lines = LineDrawer::create();
+  if (!lines) return lines.error();
+  std::unique_ptr<Viewport> viewport(new Viewport);
+  viewport->state_ = std::make_unique<State>(State{
+      std::move(surface).value(), std::move(ground).value(), std::move(primitives).value(), std::move(skeleton).value(),
+      std::move(lines).value(), makeBuffer()});
+  viewport->state_->samples = samples;
+  return viewport;
+}
+
+int Viewport::defaultSamples() { return isSoftwareRenderer() ? 1 : 4; }
+
+void Viewport::setCharacter(const Character& character) {
+  state_->surface.setCharacter(character);
+  state_->floor = 0.0f;
+  if (!character.mesh.positions.empty()) {
+    state_->floor = std::ranges::min(character.mesh.positions, {}, &glm::vec3::y).y;
+  }
+}
+
+void Viewport::draw(const Scene& scene, const View& view, const DisplaySettings& settings) {
+  assert(scene.character != nullptr && view.size.x > 0 && view.size.y > 0);
+  State& s = *state_;
+  const double start = now();
+  resetState();
+  const bool surfaced = scene.surface != nullptr && scene.surface->refinement != nullptr;
+  if (surfaced) s.surface.upload(*scene.surface, scene.character->mesh);
+  const Frame frame{scene, view, settings, scene.character->height, s.floor, surfaced ? s.surface.bounds() : Bounds{}};
+  const std::array<FrameBlock, 1> block{blockOf(frame)};
+  uploadBuffer(s.frameBlock, std::span<const FrameBlock>(block));
+  glBindBufferBase(GL_UNIFORM_BUFFER, 0, s.frameBlock.id());
+  s.target.resize(view.size, s.samples);
+  s.transparent = !settings.background;
+  if (s.finish) glFinish();
+  const double uploaded = now();
+
+  const bool showSurface = surfaced && settings.surface;
+  if (settings.ground) s.ground.prepareShadow(frame, s.surface);
+  s.target.begin();
+  glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  glClearDepth(1.0);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  if (settings.background) s.ground.drawBackground(frame);
+  glEnable(GL_DEPTH_TEST);
+  if (showSurface) s.surface.drawOpaque(frame);
+  if (settings.ground) s.ground.drawGround(frame);
+  if (showSurface) s.surface.drawBlended(frame);
+  if (settings.controlMesh) s.lines.drawControlMesh(frame);
+  if (settings.primitives || settings.influence) s.primitives.draw(frame);
+  if (settings.skeleton && scene.pose != nullptr) s.skeleton.draw(frame);
+  s.target.end();
+  resetState();
+  glBindVertexArray(0);
+  glUseProgram(0);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  if (s.finish) glFinish();
+  s.seconds = {uploaded - start, now() - uploaded};
+}
+
+void Viewport::setSamples(int samples) { state_->samples = samples; }
+int Viewport::samples() const { return state_->target.samples() > 0 ? state_->target.samples() : state_->samples; }
+void Viewport::setFinishFrames(bool finish) { state_->finish = finish; }
+const DrawSeconds& Viewport::seconds() const { return state_->seconds; }
+unsigned Viewport::colorTexture() const { return state_->target.texture(); }
+
+Image Viewport::readPixels() const {
+  const glm::ivec2 size = state_->target.size();
+  Image image{size.x, size.y, {}};
+  const std::size_t row = 4 * static_cast<std::size_t>(size.x);
+  std::vector<std::uint8_t> bottomUp(row * static_cast<std::size_t>(size.y));
+  if (bottomUp.empty()) return image;
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glGetTextureImage(colorTexture(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(bottomUp.size()), bottomUp.data());
+  image.rgba.reserve(bottomUp.size());
+  for (std::size_t y = static_cast<std::size_t>(size.y); y-- > 0;) {
+    const auto first = bottomUp.begin() + static_cast<std::ptrdiff_t>(y * row);
+    image.rgba.insert(image.rgba.end(), first, first + static_cast<std::ptrdiff_t>(row));
+  }
+  if (state_->transparent) divideByAlpha(image.rgba);
+  return image;
+}
+
+}  // namespace sinew::app

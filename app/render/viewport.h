@@ -1,0 +1,63 @@
+#pragma once  // app/render/viewport.h: draws a scene into a picture of its own. Needs a current OpenGL 4.5 core context.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "app/render/scene.h"
+#include "app/render/view.h"
+#include "core/base/result.h"
+
+namespace sinew::app {
+
+/// RGBA, 8 bits, sRGB, top row first; width * height * 4 bytes.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+/// Where the last picture's time went. Without `finishFrames` the graphics processor's share is not in it.
+struct DrawSeconds {
+  double upload = 0.0;
+  double draw = 0.0;
+};
+
+/// One picture of one character. Every call needs the context it was made in to be current.
+class Viewport {
+ public:
+  /// @param samples per pixel, 1 or more; clamped to what the driver offers.
+  /// Error: a shader is missing or refused, or the driver lacks OpenGL 4.5.
+  [[nodiscard]] static Result<std::unique_ptr<Viewport>> create(int samples);
+  ~Viewport();
+  Viewport(const Viewport&) = delete;
+  Viewport& operator=(const Viewport&) = delete;
+
+  /// Samples that suit the renderer at hand: 4, or 1 where the processor draws.
+  [[nodiscard]] static int defaultSamples();
+
+  /// Takes textures and materials. Call when the character changes, before drawing it. Copies what it needs.
+  void setCharacter(const Character& character);
+
+  /// Draws into the own framebuffer, resized to view.size. Leaves framebuffer 0 bound, and depth test, blending, culling off.
+  /// scene.character must be the one of setCharacter; scene.surface may be null (then no surface is drawn).
+  void draw(const Scene& scene, const View& view, const DisplaySettings& settings);
+
+  void setSamples(int samples);
+  [[nodiscard]] int samples() const;
+  /// Wait for the picture at the end of draw(), so that seconds() holds all of it. Off by default.
+  void setFinishFrames(bool finish);
+  [[nodiscard]] const DrawSeconds& seconds() const;
+
+  /// OpenGL texture of the last picture for ImGui::Image: values are display-ready (not decoded on reading), bottom row
+  /// first, so show it with uv0 = (0, 1), uv1 = (1, 0). Changes when the size changes; 0 before the first draw().
+  [[nodiscard]] unsigned colorTexture() const;
+  [[nodiscard]] Image readPixels() const;
+
+ private:
+  Viewport();
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sinew::app

@@ -1,0 +1,33 @@
+#version 450 core
+// shaders/ground.frag: grid, axes and a pool of light. Premultiplied.
+#include "frame.glsl"
+in vec3 world;
+uniform vec4 ground;
+layout(location = 0) out vec4 outColor;
+
+// How much of a pixel a line at every integer covers; fades out before lines run together.
+float lines(vec2 cells, vec2 width) {
+  vec2 away = abs(fract(cells - 0.5) - 0.5) / width;
+  vec2 line = clamp(1.0 - away, 0.0, 1.0) * clamp(1.25 - 3.0 * width, 0.0, 1.0);
+  return max(line.x, line.y);
+}
+
+void paint(inout vec4 below, vec3 color, float alpha) { below = vec4(color * alpha, alpha) + below * (1.0 - alpha); }
+
+void main() {
+  vec2 from = (world.xz - ground.xy) / picture.z;
+  float away2 = dot(from, from);
+  float near = clamp(1.0 - away2 / 11.5, 0.0, 1.0);
+  float sight = toEye(world).y;
+  float fade = near * near * clamp(10.0 * abs(sight), 0.0, 1.0);
+  vec2 cells = world.xz / ground.w;
+  vec2 width = max(fwidth(cells), vec2(1e-6));
+  vec2 axes = clamp(1.2 - abs(cells) / width, 0.0, 1.0) * 0.85 * fade;
+  float pool = fade * fade;
+  vec4 color = vec4(vec3(0.23, 0.235, 0.245), 1.0) * (0.40 * pool * pool);
+  paint(color, vec3(0.36, 0.37, 0.39), 0.085 * lines(cells * 5.0, width * 5.0) * fade);
+  paint(color, vec3(0.40, 0.41, 0.43), 0.27 * lines(cells, width) * fade);
+  paint(color, vec3(0.52, 0.055, 0.050), axes.y);
+  paint(color, vec3(0.045, 0.150, 0.58), axes.x);
+  outColor = color * (sight < 0.0 ? 0.35 : 1.0);
+}

@@ -1,0 +1,26 @@
+#version 450 core
+// shaders/shape.vert: a small mesh, once per instance: ellipsoids, bones, joints.
+#include "frame.glsl"
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 placeX;  // Columns of shape -> world.
+layout(location = 3) in vec4 placeY;
+layout(location = 4) in vec4 placeZ;
+layout(location = 5) in vec4 placeAt;
+layout(location = 6) in vec4 tint;   // Linear colour and opacity.
+layout(location = 7) in vec4 style;  // Outline 0..1, glow 0..1.
+out vec3 world;
+out vec3 shapeNormal;
+flat out vec4 color;
+flat out vec4 look;
+
+void main() {
+  mat3 linear = mat3(placeX.xyz, placeY.xyz, placeZ.xyz);
+  world = linear * position + placeAt.xyz;
+  // Cofactors carry normals, also through flattened shapes.
+  shapeNormal = mat3(cross(linear[1], linear[2]), cross(linear[2], linear[0]), cross(linear[0], linear[1])) * normal;
+  if (dot(cross(linear[0], linear[1]), linear[2]) < 0.0) shapeNormal = -shapeNormal;
+  color = tint;
+  look = style;
+  gl_Position = clipFromWorld * vec4(world, 1.0);
+}

@@ -1,0 +1,178 @@
+// tests/render/picking_test.cpp: what is picked is what is drawn, and what geometry says.
+#include "app/render/picking.h"
+
+#include <random>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "tests/render/pictures.h"
+#include "tests/support/synthetic_characters.h"
+
+namespace sinew::test {
+namespace {
+
+using app::Image;
+using app::PrimitiveShape;
+using app::Ray;
+using app::View;
+
+/// A copy in which every control triangle has a colour of its own: triangle t is drawn as t + 1 in base 40.
+std::shared_ptr<Character> numbered(const Character& original) {
+  auto character = std::make_shared<Character>(original);
+  character->materials.clear();
+  for (std::size_t t = 0; t < character->mesh.triangles.size(); ++t) {
+    const int number = static_cast<int>(t) + 1;
+    Material material;
+    material.baseColor = {linearOf(6 * (number % 40)), linearOf(6 * (number / 40 % 40)), linearOf(6 * (number / 1600)), 1};
+    character->materials.push_back(material);
+    character->mesh.triangles[t].material = static_cast<int>(t);
+  }
+  return character;
+}
+
+/// Control triangle a pixel shows, or -1.
+int triangleShown(const Image& image, int x, int y) {
+  const Pixel pixel = pixelAt(image, x, y);
+  const auto digit = [](int value) { return (value + 3) / 6; };
+  return pixel[3] == 0 ? -1 : digit(pixel[0]) + 40 * digit(pixel[1]) + 1600 * digit(pixel[2]) - 1;
+}
+
+TEST_F(Drawing, PickingAgreesWithThePictureAtEveryPixel) {
+  const auto character = numbered(*makeTwoLegged());
+  const Moment moment = bindMoment(character, 3);
+  const auto viewport = viewportFor(*character);
+  for (const bool orthographic : {false, true}) {
+    const View view = app::framedView(boundsOf(moment.surface.positions), 0.7f, 0.4f, {150, 150}, orthographic);
+    viewport->draw(sceneOf(*character, moment), view, bareColors());
+    const Image image = viewport->readPixels();
+    int checked = 0, hits = 0;
+    for (int y = 1; y < 149; ++y) {
+      for (int x = 1; x < 149; ++x) {
+        const int shown = triangleShown(image, x, y);
+        bool inside = true;  // Away from edges, where rounding may choose either side.
+        for (int near = 0; near < 9; ++near) inside = inside && triangleShown(image, x + near % 3 - 1, y + near / 3 - 1) == shown;
+        if (!inside) continue;
+        const Ray ray = view.rayThrough({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
+        const auto hit = app::pickSurface(ray, moment.surface, character->mesh, character->materials);
+        ASSERT_EQ(hit ? hit->controlTriangle : -1, shown) << x << ' ' << y;
+        ++checked;
+        if (!hit) continue;
+        ++hits;
+        EXPECT_LT(glm::distance(glm::vec2(view.toPixel(hit->position)), glm::vec2(x, y) + 0.5f), 0.05f);
+      }
+    }
+    EXPECT_GT(checked, 8000);
+    EXPECT_GT(hits, 500);
+  }
+}
+
+TEST(PickSurface, BarycentricsLeadToTheHit) {
+  const auto character = makeTwoLegged();
+  const Moment moment = bindMoment(character, 4, PatchKind::kFlat);
+  const View view = app::framedView(boundsOf(moment.surface.positions), 0.5f, 0.2f, {200, 200}, false);
+  int hits = 0;
+  for (int i = 0; i < 40 * 40; ++i) {
+    const Ray ray = view.rayThrough(5.0f * glm::vec2(i % 40, i / 40) + 0.37f);
+    const auto hit = app::pickSurface(ray, moment.surface, character->mesh, character->materials);
+    if (!hit) continue;
+    ++hits;
+    const auto& refined = moment.surface.refinement->triangles[static_cast<std::size_t>(hit->refinedTriangle)];
+    const auto& control = character->mesh.triangles[static_cast<std::size_t>(hit->controlTriangle)].vertices;
+    glm::vec3 onRefined(0.0f), onControl(0.0f);
+    for (int corner = 0; corner < 3; ++corner) {
+      const auto c = static_cast<std::size_t>(corner);
+      onRefined += hit->barycentric[corner] * moment.surface.positions[static_cast<std::size_t>(refined[c])];
+      onControl += hit->controlBarycentric[corner] * character->mesh.positions[static_cast<std::size_t>(control[c])];
+    }
+    EXPECT_LT(glm::distance(onRefined, hit->position), 1e-4f);
+    EXPECT_LT(glm::distance(onControl, hit->position), 1e-4f);  // Flat patches: the surface is the control mesh.
+    EXPECT_LT(glm::dot(hit->normal, ray.direction), 0.3f);
+    EXPECT_NEAR(glm::length(hit->normal), 1.0f, 1e-4f);
+  }
+  EXPECT_GT(hits, 100);
+}
+
+TEST(PickSurface, BackSidesAreHitOnlyOnDoubleSidedMaterials) {
+  const auto quad = makeQuad();
+  const Moment moment = bindMoment(quad, 2, PatchKind::kFlat);
+  const Ray ahead{{0.1f, 0.2f, 5}, {0, 0, -1}}, behind{{0.1f, 0.2f, -5}, {0, 0, 1}}, away{{0.1f, 0.2f, 5}, {0, 0, 1}};
+  EXPECT_TRUE(app::pickSurface(ahead, moment.surface, quad->mesh, quad->materials));
+  EXPECT_FALSE(app::pickSurface(behind, moment.surface, quad->mesh, quad->materials));
+  EXPECT_FALSE(app::pickSurface(away, moment.surface, quad->mesh, quad->materials));
+  quad->materials[0].doubleSided = true;
+  EXPECT_TRUE(app::pickSurface(behind, moment.surface, quad->mesh, quad->materials));
+}
+
+TEST(PickPrimitive, MatchesASearchAlongTheRay) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> any(-1.0f, 1.0f);
+  int hits = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    std::vector<PrimitiveShape> shapes(3);
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      const glm::vec3 axis = glm::normalize(glm::vec3(any(random), any(random), 1.1f));
+      glm::mat4 place = glm::translate(glm::mat4(1), glm::vec3(any(random), any(random), any(random)));
+      place = glm::rotate(place, 3.0f * any(random), axis);
+      shapes[i].unitBallInWorld = glm::scale(place, glm::vec3(0.6f + 0.4f * any(random), 0.4f, 0.7f + 0.5f * any(random)));
+      shapes[i].rigIndex = 10 + static_cast<int>(i);
+    }
+    const glm::vec3 origin = 6.0f * glm::normalize(glm::vec3(any(random), any(random), 1.2f));
+    const Ray ray{origin, glm::normalize(glm::vec3(any(random), any(random), any(random)) - origin)};
+    int first = -1;
+    float at = 0.0f;
+    for (float t = 0.0f; t < 12.0f && first < 0; t += 0.002f) {
+      for (std::size_t i = 0; i < shapes.size() && first < 0; ++i) {
+        const glm::vec4 local = glm::inverse(shapes[i].unitBallInWorld) * glm::vec4(ray.origin + t * ray.direction, 1);
+        if (glm::length(glm::vec3(local)) <= 1.0f) first = static_cast<int>(i), at = t;
+      }
+    }
+    const auto hit = app::pickPrimitive(ray, shapes);
+    if (first < 0) {
+      EXPECT_TRUE(!hit || hit->distance > 0.0f);  // At most a graze between two steps of the search.
+      continue;
+    }
+    ++hits;
+    ASSERT_TRUE(hit);
+    EXPECT_NEAR(hit->distance, at, 0.003f);
+    if (std::abs(hit->distance - at) < 0.0021f && hit->shape != first) continue;  // Two shells within one step.
+    EXPECT_EQ(hit->rigIndex, 10 + first);
+  }
+  EXPECT_GT(hits, 100);
+}
+
+TEST(PickPrimitive, FlatAndDistantOnesAreNotHit) {
+  std::vector<PrimitiveShape> flat(1);
+  flat[0].unitBallInWorld = glm::scale(glm::mat4(1), glm::vec3(1, 0, 1));
+  EXPECT_FALSE(app::pickPrimitive({{0, 5, 0}, {0, -1, 0}}, flat));
+  std::vector<PrimitiveShape> ball(1);
+  EXPECT_FALSE(app::pickPrimitive({{0, 5, 0}, {0, 1, 0}}, ball));  // Behind.
+  const auto inside = app::pickPrimitive({{0, 0.5f, 0}, {0, 1, 0}}, ball);
+  ASSERT_TRUE(inside);
+  EXPECT_EQ(inside->distance, 0.0f);
+  const auto far = app::pickPrimitive({{0.9f, 0, 1e5f}, {0, 0, -1}}, ball);  // Far origins must not cost the hit.
+  ASSERT_TRUE(far);
+  EXPECT_NEAR(far->position.z, std::sqrt(1.0f - 0.81f), 0.02f);
+}
+
+TEST(PickBone, FindsTheBoneUnderThePixel) {
+  const auto body = makeTwoLegged();
+  const Pose pose = bindPose(body->skeleton);
+  const View view = app::framedView(boundsOf(body->mesh.positions), 0.3f, 0.1f, {400, 400}, false);
+  for (const app::BoneSegment& segment : app::boneSegments(body->skeleton, pose)) {
+    const glm::vec3 middle = view.toPixel(glm::mix(segment.head, segment.tail, 0.5f));
+    const auto hit = app::pickBone(glm::vec2(middle) + glm::vec2(1, 0), view, body->skeleton, pose, 4.0f);
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(body->skeleton.bones[static_cast<std::size_t>(hit->bone)].name,
+              body->skeleton.bones[static_cast<std::size_t>(segment.bone)].name);
+    EXPECT_LE(hit->pixels, 1.5f);
+  }
+  for (std::size_t i = 0; i < body->skeleton.bones.size(); ++i) {  // On a joint: the bone that starts there.
+    const auto hit = app::pickBone(glm::vec2(view.toPixel(glm::vec3(pose.boneInWorld[i][3]))), view, body->skeleton, pose, 4.0f);
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->bone, static_cast<int>(i));
+  }
+  EXPECT_FALSE(app::pickBone({3, 3}, view, body->skeleton, pose, 4.0f));
+}
+
+}  // namespace
+}  // namespace sinew::test
