@@ -1,4 +1,4 @@
-# One target carries the language level, the warnings and the sanitizers for all others.
+# cmake/warnings.cmake: one target carries the language level, the warnings and the sanitizers for all others.
 add_library(sinew_flags INTERFACE)
 target_compile_features(sinew_flags INTERFACE cxx_std_20)
 target_compile_options(sinew_flags INTERFACE
@@ -7,6 +7,7 @@ target_compile_options(sinew_flags INTERFACE
   -ffp-contract=off
   $<$<BOOL:${SINEW_WARNINGS_FATAL}>:-Werror>)
 if(SINEW_SANITIZE)
-  target_compile_options(sinew_flags INTERFACE -fsanitize=${SINEW_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_compile_options(sinew_flags INTERFACE
+    -fsanitize=${SINEW_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(sinew_flags INTERFACE -fsanitize=${SINEW_SANITIZE})
 endif()

@@ -1,0 +1,27 @@
+#!/usr/bin/env python3
+# assets/make_demo.py: makes the demo character, demo.glb and demo.rig.json, from nothing but this code.
+"""Usage: make_demo.py [FOLDER]     (default: the folder of this script)
+
+Standard library only. The same code writes the same bytes, so the files in the project can be checked against it.
+"""
+import pathlib
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+sys.dont_write_bytecode = True
+
+from maker import body, glb, motion, muscles, paint  # noqa: E402
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else HERE
+    cage = body.build()
+    image = paint.bake(cage)
+    clips = [motion.walk(), motion.idle()]
+    (folder / "demo.glb").write_bytes(glb.pack(cage.mirrored(), image, clips))
+    (folder / "demo.rig.json").write_text(muscles.rig_text(), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

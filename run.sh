@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# run.sh: from a bare Debian 12 to a running Sinew. Arguments go to the program: ./run.sh inspect FILE --json
+set -euo pipefail
+root=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")" && pwd)
+source "$root/cmake/packages.sh"
+
+sinewInstallPackages "${sinewRunPackages[@]}"
+sinewBuild "$root" release sinew
+program=$root/build/release/app/sinew
+
+# Nothing asked for and no screen to open a window on: show the demo's playback as pictures.
+if (($# == 0)) && [[ -z ${DISPLAY:-} && -z ${WAYLAND_DISPLAY:-} ]]; then
+  mkdir -p "$root/out"
+  sinewSay "no display (DISPLAY and WAYLAND_DISPLAY are empty): rendering 24 frames of the demo into $root/out"
+  exec "$program" render "$root/assets/demo.rig.json" --clip Walk --fps 20 --frames 0:23 -o "$root/out/demo_%04d.png"
+fi
+exec "$program" "$@"

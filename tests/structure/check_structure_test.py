@@ -1,0 +1,72 @@
+# tests/structure/check_structure_test.py: each rule of check_structure.py finds what breaks it, and only that.
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+import check_structure  # noqa: E402
+
+
+class Structure(unittest.TestCase):
+    def problems(self, **tree):
+        """`tree`: path with "/" as "__" and "." as "_DOT_" -> text."""
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for name, text in {"tests__CMakeLists_DOT_txt": "foreach(room mesh)", **tree}.items():
+                path = root / name.replace("__", "/").replace("_DOT_", ".")
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text(text)
+            return list(check_structure.problems(root))
+
+    def header(self, path, body=""):
+        return "#pragma once  // %s: x\n%s" % (path, body)
+
+    def one(self, words, **tree):
+        found = self.problems(**tree)
+        self.assertEqual(len(found), 1, found)
+        self.assertIn(words, found[0])
+
+    def test_a_good_tree_has_no_problem(self):
+        self.assertEqual([], self.problems(
+            core__mesh__weld_DOT_h=self.header("core/mesh/weld.h", '#include <array>\n#include "core/base/result.h"\n'),
+            core__io__gltf_DOT_cpp="// core/io/gltf.cpp: x\n#include <tiny_gltf.h>\n#include <nlohmann/json.hpp>\n",
+            app__main_DOT_cpp='// app/main.cpp: x\n#include "app/cli/verbs.h"\n#include "core/io/gltf.h"\n',
+            tests__mesh__weld_test_DOT_cpp="// tests/mesh/weld_test.cpp: x\n#include <tiny_gltf.h>\n",
+            run_DOT_sh="#!/bin/sh\n# run.sh: x\n", shaders__a_DOT_frag="#version 450 core\n// shaders/a.frag: x\n"))
+
+    def test_core_including_app(self):
+        body = '#include "app/document/document.h"\n'
+        self.one("core never includes app", core__rig__a_DOT_h=self.header("core/rig/a.h", body))
+
+    def test_core_including_a_window(self):
+        for header in ("epoxy/gl.h", "GLFW/glfw3.h", "imgui.h"):
+            self.one("core knows no window", core__io__a_DOT_h=self.header("core/io/a.h", "#include <%s>\n" % header))
+
+    def test_file_libraries_outside_io(self):
+        for header in ("tiny_gltf.h", "nlohmann/json.hpp"):
+            self.one("only core/io", core__rig__a_DOT_h=self.header("core/rig/a.h", "#include <%s>\n" % header))
+            self.one("only core/io", app__cli__a_DOT_h=self.header("app/cli/a.h", "#include <%s>\n" % header))
+
+    def test_a_room_above_and_a_room_beside(self):
+        self.one("floor 5", core__mesh__a_DOT_h=self.header("core/mesh/a.h", '#include "core/smoothing/surface.h"\n'))
+        self.one("floor 2", core__mesh__a_DOT_h=self.header("core/mesh/a.h", '#include "core/skeleton/pose.h"\n'))
+        self.one("floor 3", app__render__a_DOT_h=self.header("app/render/a.h", '#include "app/tools/gizmo.h"\n'))
+
+    def test_an_unknown_room(self):
+        self.one("no floor", core__attic__a_DOT_h=self.header("core/attic/a.h", '#include "core/base/result.h"\n'))
+
+    def test_a_first_line_that_names_another_file(self):
+        self.one("does not name the file", core__rig__a_DOT_h=self.header("core/rig/b.h"))
+
+    def test_a_long_file(self):
+        self.one("more than 400", core__rig__a_DOT_h=self.header("core/rig/a.h", "\n" * 400))
+        self.assertEqual([], self.problems(core__rig__a_DOT_h=self.header("core/rig/a.h", "\n" * 399)))
+
+    def test_a_test_no_one_runs(self):
+        self.one("names 'attic'", tests__attic__a_test_DOT_cpp="// tests/attic/a_test.cpp: x\n")
+        self.one("names 'a_test.py'", tests__mesh__a_test_DOT_py="# tests/mesh/a_test.py: x\n")
+
+
+if __name__ == "__main__":
+    unittest.main()
