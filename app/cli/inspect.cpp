@@ -7,11 +7,13 @@
 #include <sstream>
 
 #include <CLI/CLI.hpp>
+#include <glm/geometric.hpp>
 
 #include "app/cli/console.h"
 #include "app/document/document.h"
 #include "core/io/json.h"
 #include "core/mesh/topology.h"
+#include "core/mesh/weld.h"
 
 namespace sinew::app {
 namespace {
@@ -45,16 +47,34 @@ void addRig(Json& json, const Document& document) {
   json.set("unattached", listOf(unattached(document), asIs));
 }
 
-std::string jsonText(const Document& document, const Topology& topology) {
+/// The mesh as it is bound, and the same joined where separately moving parts touch: only there do edges with more than
+/// two triangles show that no single part has.
+struct Shape {
+  Topology bound;
+  ControlMesh joined;
+  Topology touching;
+  float tolerance = 0.0f;
+};
+
+Shape shapeOf(const Character& character) {
+  Shape shape;
+  shape.tolerance = 1e-6f * character.height;
+  shape.bound = topologyOf(character.mesh);
+  shape.joined = joinedByPosition(character.mesh, shape.tolerance);
+  shape.touching = topologyOf(shape.joined);
+  return shape;
+}
+
+std::string jsonText(const Document& document, const Shape& shape) {
   const Character& character = *document.character;
   Json json = Json::object();
   json.set("triangles", count(character.mesh.triangles.size()));
   json.set("triangles_dropped", character.mesh.trianglesDropped);
   json.set("vertices", count(character.mesh.positions.size()));
   json.set("wedges", count(character.mesh.wedges.size()));
-  json.set("closed", topology.closed());
-  json.set("border_edges", count(topology.borderEdges.size()));
-  json.set("non_manifold_edges", count(topology.nonManifoldEdges.size()));
+  json.set("closed", shape.bound.closed());
+  json.set("border_edges", count(shape.bound.borderEdges.size()));
+  json.set("non_manifold_edges", count(shape.touching.nonManifoldEdges.size()));
   json.set("height", character.height);
   json.set("joints", count(character.skeleton.bones.size()));
   json.set("joint_names", listOf(character.skeleton.bones, [](const Bone& bone) { return bone.name; }));
@@ -90,39 +110,54 @@ const std::string& strongestBone(const Character& character, int vertex) {
   return character.skeleton.bones[static_cast<std::size_t>(binding.bone)].name;
 }
 
-/// Where an edge is, so that a modeller finds it: its ends, the bone it follows, the materials it lies between.
-std::string edgeText(const Character& character, const std::array<int, 2>& edge) {
-  const auto& positions = character.mesh.positions;
-  std::size_t triangles = 0;
-  std::vector<std::string> materials;
-  for (const ControlTriangle& triangle : character.mesh.triangles) {
-    if (std::ranges::find(triangle.vertices, edge[0]) == triangle.vertices.end() ||
-        std::ranges::find(triangle.vertices, edge[1]) == triangle.vertices.end()) {
-      continue;
-    }
-    ++triangles;
-    const std::string& name = character.materials[static_cast<std::size_t>(triangle.material)].name;
-    if (std::ranges::find(materials, name) == materials.end()) materials.push_back(name);
-  }
-  std::string text = pointText(positions[static_cast<std::size_t>(edge[0])]) + " - " +
-                     pointText(positions[static_cast<std::size_t>(edge[1])]) + ": " +
-                     plural(triangles, "triangle", "triangles") + ", bone \"" + strongestBone(character, edge[0]) + "\", material";
-  for (const std::string& material : materials) text += " \"" + material + '"';
+std::string quotedList(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "\"" : ", \"") + name + '"';
   return text;
 }
 
-void putSurface(std::ostream& out, const Character& character, const Topology& topology) {
-  const std::size_t borders = topology.borderEdges.size();
-  const std::size_t nonManifold = topology.nonManifoldEdges.size();
-  out << "  surface     ";
-  if (topology.closed()) {
-    out << "closed\n";
-    return;
+void addOnce(std::vector<std::string>& names, const std::string& name) {
+  if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+}
+
+/// Where a joined edge is, so that a modeller finds it: its ends, the bones it follows, the materials it lies between.
+std::string edgeText(const Character& character, const Shape& shape, const std::array<int, 2>& edge) {
+  const glm::vec3 a = shape.joined.positions[static_cast<std::size_t>(edge[0])];
+  const glm::vec3 b = shape.joined.positions[static_cast<std::size_t>(edge[1])];
+  const auto cornerAt = [&](const ControlTriangle& triangle, const glm::vec3& place) {
+    return std::ranges::find_if(triangle.vertices, [&](int vertex) {
+      return glm::distance(character.mesh.positions[static_cast<std::size_t>(vertex)], place) <= 2.0f * shape.tolerance;
+    });
+  };
+  std::size_t triangles = 0;
+  std::vector<std::string> materials;
+  std::vector<std::string> bones;
+  for (const ControlTriangle& triangle : character.mesh.triangles) {
+    const auto atA = cornerAt(triangle, a);
+    if (atA == triangle.vertices.end() || cornerAt(triangle, b) == triangle.vertices.end()) continue;
+    ++triangles;
+    addOnce(bones, strongestBone(character, *atA));
+    addOnce(materials, character.materials[static_cast<std::size_t>(triangle.material)].name);
   }
-  out << "open: " << plural(borders, "border edge", "border edges") << ", "
-      << plural(nonManifold, "edge", "edges") << " with more than two triangles\n";
+  return pointText(a) + " - " + pointText(b) + ": " + plural(triangles, "triangle", "triangles") + ", bone " +
+         quotedList(bones) + ", material " + quotedList(materials);
+}
+
+void putSurface(std::ostream& out, const Character& character, const Shape& shape) {
+  const std::size_t borders = shape.bound.borderEdges.size();
+  const std::size_t nonManifold = shape.touching.nonManifoldEdges.size();
+  out << "  surface     ";
+  if (shape.bound.closed()) {
+    out << "closed\n";
+  } else {
+    out << "open: " << plural(borders, "border edge", "border edges") << '\n';
+  }
+  if (nonManifold == 0) return;
+  out << "  meeting     " << plural(nonManifold, "edge", "edges") << " where more than two triangles meet";
+  if (shape.bound.nonManifoldEdges.empty()) out << ", all between parts that follow different bones";
+  out << '\n';
   for (std::size_t i = 0; i < std::min(nonManifold, kEdgesListed); ++i) {
-    out << "              " << edgeText(character, topology.nonManifoldEdges[i]) << '\n';
+    out << "              " << edgeText(character, shape, shape.touching.nonManifoldEdges[i]) << '\n';
   }
   if (nonManifold > kEdgesListed) out << "              and " << nonManifold - kEdgesListed << " more\n";
 }
@@ -150,7 +185,7 @@ void putRig(std::ostream& out, const Document& document) {
   putNames(out, "unattached  ", unattached(document));
 }
 
-std::string plainText(const Document& document, const Topology& topology) {
+std::string plainText(const Document& document, const Shape& shape) {
   const Character& character = *document.character;
   std::vector<std::string> joints;
   for (const Bone& bone : character.skeleton.bones) joints.push_back(bone.name);
@@ -164,7 +199,7 @@ std::string plainText(const Document& document, const Topology& topology) {
   if (character.mesh.trianglesDropped > 0) out << ", and " << character.mesh.trianglesDropped << " dropped as degenerate";
   out << "\n  vertices    " << character.mesh.positions.size() << " after welding, " << character.mesh.wedges.size()
       << " wedges\n";
-  putSurface(out, character, topology);
+  putSurface(out, character, shape);
   out << "  height      " << shortNumber(character.height) << '\n';
   putNames(out, "joints      ", joints);
   putNames(out, "clips       ", clips);
@@ -187,8 +222,8 @@ void addInspectOptions(CLI::App& verb, InspectOptions& options) {
 int runInspect(const InspectOptions& options) {
   const auto document = openDocument(options.file);
   if (!document) return badInput(document.error());
-  const Topology topology = topologyOf(document->character->mesh);
-  return putResult(options.json ? jsonText(document.value(), topology) : plainText(document.value(), topology));
+  const Shape shape = shapeOf(*document->character);
+  return putResult(options.json ? jsonText(document.value(), shape) : plainText(document.value(), shape));
 }
 
 }  // namespace sinew::app

@@ -253,4 +253,19 @@ ControlMesh weld(const TriangleSoup& soup, float tolerance) {
   return mesh;
 }
 
+ControlMesh joinedByPosition(const ControlMesh& mesh, float tolerance) {
+  TriangleSoup soup;
+  soup.positions = mesh.positions;
+  soup.uvs.assign(mesh.positions.size(), glm::vec2(0.0f));
+  soup.influences.assign(mesh.positions.size(), Influence{0, 1.0f});
+  for (std::size_t v = 0; v <= mesh.positions.size(); ++v) soup.influenceBegin.push_back(static_cast<int>(v));
+  for (const ControlTriangle& triangle : mesh.triangles) {
+    const auto& v = triangle.vertices;
+    soup.triangles.push_back(
+        {static_cast<std::uint32_t>(v[0]), static_cast<std::uint32_t>(v[1]), static_cast<std::uint32_t>(v[2])});
+    soup.materials.push_back(triangle.material);
+  }
+  return weld(soup, tolerance);
+}
+
 }  // namespace sinew

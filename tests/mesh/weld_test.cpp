@@ -257,5 +257,31 @@ TEST(Weld, CrowdsInOnePlaceAreNoTrouble) {
   }
 }
 
+/// Three sheets of different bones along one edge: no edge of the bound mesh has more than one triangle, the shape does.
+TEST(JoinedByPosition, ShowsWherePartsOfDifferentBonesMeet) {
+  TriangleSoup soup;
+  for (int sheet = 0; sheet < 3; ++sheet) {
+    const auto base = static_cast<std::uint32_t>(soup.positions.size());
+    const float angle = 2.0f * static_cast<float>(sheet);
+    addVertex(soup, {0, 0, 0}, {}, {{sheet, 1.0f}});
+    addVertex(soup, {0, 1, 0}, {}, {{sheet, 1.0f}});
+    addVertex(soup, {std::cos(angle), 0, std::sin(angle)}, {}, {{sheet, 1.0f}});
+    addTriangle(soup, base, base + 1, base + 2);
+  }
+  const ControlMesh bound = weld(soup, kTolerance);
+  EXPECT_EQ(bound.positions.size(), 9u);
+  EXPECT_TRUE(topologyOf(bound).nonManifoldEdges.empty());
+  const ControlMesh joined = joinedByPosition(bound, kTolerance);
+  EXPECT_EQ(joined.positions.size(), 5u);
+  EXPECT_EQ(topologyOf(joined).nonManifoldEdges.size(), 1u);
+}
+
+TEST(JoinedByPosition, LeavesAWeldedMeshAsItIs) {
+  const ControlMesh mesh = weld(torus(7, 9), kTolerance);
+  const ControlMesh joined = joinedByPosition(mesh, kTolerance);
+  EXPECT_EQ(joined.positions, mesh.positions);
+  EXPECT_EQ(joined.triangles.size(), mesh.triangles.size());
+}
+
 }  // namespace
 }  // namespace sinew

@@ -1,0 +1,33 @@
+// core/smoothing/auto_depth.cpp: one division and a dead band.
+#include "core/smoothing/auto_depth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace sinew {
+namespace {
+
+constexpr float kDeadBand = 0.75f;  ///< Steps; more than 0.5, or there would be none.
+
+}  // namespace
+
+float meanEdgeFraction(const ControlMesh& mesh, float height) {
+  if (mesh.edges.empty()) return 1.0f;
+  double sum = 0.0;
+  for (const Edge& edge : mesh.edges) {
+    sum += static_cast<double>(glm::distance(mesh.positions[static_cast<std::size_t>(edge.vertices[0])],
+                                             mesh.positions[static_cast<std::size_t>(edge.vertices[1])]));
+  }
+  return static_cast<float>(sum / static_cast<double>(mesh.edges.size())) / height;
+}
+
+int autoDepth(float meanEdgeFraction, float heightPixels, int current) {
+  const float ideal = std::clamp(meanEdgeFraction * heightPixels / kAutoEdgePixels, 1.0f, static_cast<float>(kMaxAutoDepth));
+  if (!std::isfinite(ideal)) return current > 0 ? current : 1;
+  const bool settled = current >= 1 && current <= kMaxAutoDepth && std::abs(ideal - static_cast<float>(current)) <= kDeadBand;
+  return settled ? current : static_cast<int>(std::lround(ideal));
+}
+
+}  // namespace sinew
