@@ -1,0 +1,84 @@
+// app/document/command_stack.cpp: the only writer of the rig: undo, redo, gestures.
+
+#include "app/document/command_stack.h"
+
+#include <cassert>
+#include <utility>
+
+namespace sinew::app {
+
+CommandStack::CommandStack(Rig rig) : current_(std::make_shared<const Rig>(std::move(rig))), saved_(current_) {
+  steps_.push_back({"Open", current_});
+}
+
+void CommandStack::show(std::shared_ptr<const Rig> rig) {
+  if (current_ == rig) return;
+  current_ = std::move(rig);
+  ++revision_;
+}
+
+void CommandStack::apply(const std::string& label, Rig rig) {
+  beginGesture(label);
+  updateGesture(std::move(rig));
+  endGesture();
+}
+
+void CommandStack::beginGesture(const std::string& label) {
+  if (gesture_) endGesture();
+  gesture_ = true;
+  gestureLabel_ = label;
+}
+
+void CommandStack::updateGesture(Rig rig) {
+  assert(gesture_);
+  if (*current_ == rig) return;
+  show(std::make_shared<const Rig>(std::move(rig)));
+}
+
+void CommandStack::endGesture() {
+  if (!gesture_) return;
+  gesture_ = false;
+  const std::shared_ptr<const Rig> before = steps_[position_].rig;
+  if (current_ == before) return;
+  if (*current_ == *before) {
+    // Equal as a value: nothing for watchers to see, so the revision stays.
+    current_ = before;
+    return;
+  }
+  steps_.resize(position_ + 1);
+  steps_.push_back({gestureLabel_, current_});
+  ++position_;
+}
+
+void CommandStack::cancelGesture() {
+  if (!gesture_) return;
+  gesture_ = false;
+  show(steps_[position_].rig);
+}
+
+bool CommandStack::canUndo() const { return gesture_ || position_ > 0; }
+
+bool CommandStack::canRedo() const { return !gesture_ && position_ + 1 < steps_.size(); }
+
+void CommandStack::undo() {
+  if (gesture_) {
+    cancelGesture();
+  } else if (position_ > 0) {
+    show(steps_[--position_].rig);
+  }
+}
+
+void CommandStack::redo() {
+  if (canRedo()) show(steps_[++position_].rig);
+}
+
+void CommandStack::jumpTo(std::size_t step) {
+  assert(step < steps_.size());
+  cancelGesture();
+  position_ = step;
+  show(steps_[position_].rig);
+}
+
+bool CommandStack::modified() const { return saved_ != current_ && !(*saved_ == *current_); }
+
+}  // namespace sinew::app

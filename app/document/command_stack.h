@@ -1,0 +1,61 @@
+#pragma once  // app/document/command_stack.h: the only writer of the rig: undo, redo, gestures.
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/rig/rig.h"
+
+namespace sinew::app {
+
+/// A linear history of rigs. Each step is a whole rig (a value of a few kilobytes, shared, never copied on undo).
+/// A gesture (one drag) shows its states at once and leaves one step, or none if cancelled or without effect.
+class CommandStack {
+ public:
+  explicit CommandStack(Rig rig);
+
+  [[nodiscard]] const Rig& rig() const { return *current_; }
+  [[nodiscard]] std::shared_ptr<const Rig> sharedRig() const { return current_; }
+  /// Grows with every change of rig(), undo and redo included: what watchers compare.
+  [[nodiscard]] std::size_t revision() const { return revision_; }
+
+  /// One step, redo is forgotten. No step if nothing changes. Ends an open gesture first (kept).
+  void apply(const std::string& label, Rig rig);
+
+  void beginGesture(const std::string& label);
+  void updateGesture(Rig rig);  ///< Only inside a gesture.
+  void endGesture();
+  void cancelGesture();  ///< The rig is as it was at beginGesture.
+  [[nodiscard]] bool inGesture() const { return gesture_; }
+
+  [[nodiscard]] bool canUndo() const;
+  [[nodiscard]] bool canRedo() const;
+  void undo();  ///< Inside a gesture: cancels it.
+  void redo();
+  void jumpTo(std::size_t step);  ///< 0 = the start.
+
+  [[nodiscard]] std::size_t position() const { return position_; }  ///< Steps done.
+  [[nodiscard]] std::size_t stepCount() const { return steps_.size() - 1; }
+  [[nodiscard]] const std::string& label(std::size_t step) const { return steps_[step].label; }  ///< 0 = "Open".
+
+  void markSaved() { saved_ = current_; }
+  [[nodiscard]] bool modified() const;  ///< Differs from what was last saved, as a value.
+
+ private:
+  struct Step {
+    std::string label;
+    std::shared_ptr<const Rig> rig;
+  };
+  void show(std::shared_ptr<const Rig> rig);
+
+  std::vector<Step> steps_;
+  std::size_t position_ = 0;
+  std::shared_ptr<const Rig> current_;
+  std::shared_ptr<const Rig> saved_;
+  bool gesture_ = false;
+  std::string gestureLabel_;
+  std::size_t revision_ = 0;
+};
+
+}  // namespace sinew::app

@@ -1,0 +1,76 @@
+// app/document/document.cpp: opening and saving.
+
+#include "app/document/document.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "core/io/gltf_import.h"
+#include "core/io/rig_json.h"
+
+namespace sinew::app {
+namespace {
+
+std::string lowerCaseName(const std::filesystem::path& file) {
+  std::string name = file.filename().string();
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return name;
+}
+
+Result<Document> openCharacter(const std::filesystem::path& file) {
+  auto character = importGltf(file);
+  if (!character) return character.error();
+  Document document;
+  document.character = std::move(character).value();
+  document.characterFile = file;
+  Rig rig;
+  rig.character = file.filename().generic_string();
+  document.commands = CommandStack(std::move(rig));
+  return document;
+}
+
+Result<Document> openRig(const std::filesystem::path& file) {
+  auto rig = loadRig(file);
+  if (!rig) return rig.error();
+  const std::filesystem::path characterFile = characterPath(rig.value(), file);
+  auto character = importGltf(characterFile);
+  if (!character) return Error{file.string(), "character", character.error().text()};
+  Document document;
+  document.character = std::move(character).value();
+  document.characterFile = characterFile;
+  document.rigFile = file;
+  document.commands = CommandStack(std::move(rig).value());
+  return document;
+}
+
+}  // namespace
+
+int Document::activePrimitive() const { return findPrimitive(rig(), selection.active()); }
+
+std::string Document::name() const {
+  if (!rigFile.empty()) return rigFile.filename().string();
+  if (!characterFile.empty()) return characterFile.filename().string();
+  return "untitled";
+}
+
+Result<Document> openDocument(const std::filesystem::path& file) {
+  const std::string name = lowerCaseName(file);
+  if (name.ends_with(".json")) return openRig(file);
+  if (name.ends_with(".glb") || name.ends_with(".gltf")) return openCharacter(file);
+  return Error{file.string(), "", "expected a character (.glb, .gltf) or a rig (.rig.json)"};
+}
+
+Result<void> saveDocument(Document& document, const std::filesystem::path& rigFile) {
+  Rig written = document.rig();
+  // A path the designer typed as absolute stays; any other follows the rig file to its new folder.
+  if (!std::filesystem::path(written.character).is_absolute()) {
+    written.character = relativeCharacterPath(document.characterFile, rigFile);
+  }
+  if (Result<void> saved = saveRig(written, rigFile); !saved) return saved;
+  document.rigFile = rigFile;
+  document.commands.markSaved();
+  return {};
+}
+
+}  // namespace sinew::app

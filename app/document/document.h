@@ -1,0 +1,35 @@
+#pragma once  // app/document/document.h: one open character with its rig.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "app/document/command_stack.h"
+#include "app/document/selection.h"
+#include "core/base/result.h"
+#include "core/character/character.h"
+
+namespace sinew::app {
+
+/// The document: a read-only character, the rig (through its command stack alone), the selection, the paths.
+struct Document {
+  std::shared_ptr<const Character> character;
+  std::filesystem::path characterFile;
+  std::filesystem::path rigFile;  ///< Empty until saved or opened from one.
+  CommandStack commands{Rig{}};
+  Selection selection;
+
+  [[nodiscard]] const Rig& rig() const { return commands.rig(); }
+  /// Rig index of the active primitive, or -1.
+  [[nodiscard]] int activePrimitive() const;
+  /// For the title: file name, "*" added by the caller when modified.
+  [[nodiscard]] std::string name() const;
+};
+
+/// Opens a .glb / .gltf (with an empty rig) or a .rig.json (with the character it names). Error: the open document is untouched.
+[[nodiscard]] Result<Document> openDocument(const std::filesystem::path& file);
+
+/// Writes the rig; on success rigFile is set and the document counts as saved.
+[[nodiscard]] Result<void> saveDocument(Document& document, const std::filesystem::path& rigFile);
+
+}  // namespace sinew::app

@@ -1,0 +1,14 @@
+#pragma once  // app/document/reparent.h: what becomes of a placement when its primitive moves to another bone.
+
+#include "core/base/geometry.h"
+#include "core/primitives/ellipsoid.h"
+
+namespace sinew::app {
+
+/// The placement in `to` that looks as `inFrom` does in `from`, in one pose: the centre exactly; rotation and radii
+/// exactly where both bones are rotations with even scale, else the nearest turn that its longest axes ask for, each
+/// radius with the scale along its axis. A flattened target bone: the placement as it was.
+[[nodiscard]] Placement carriedToBone(const Placement& inFrom, const glm::mat4& fromInWorld,
+                                      const glm::mat4& toInWorld);
+
+}  // namespace sinew::app

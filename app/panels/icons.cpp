@@ -1,0 +1,175 @@
+// app/panels/icons.cpp: small pictures drawn as vectors, on a grid of 16 units.
+
+#include "app/panels/icons.h"
+
+#include <array>
+#include <cmath>
+#include <initializer_list>
+
+namespace sinew::app {
+namespace {
+
+constexpr float kPi = 3.14159265f;
+
+/// Draws on the 16-unit grid.
+struct Pen {
+  ImDrawList& list;
+  ImVec2 origin;
+  float unit;
+  ImU32 color;
+
+  [[nodiscard]] ImVec2 at(float x, float y) const { return {origin.x + x * unit, origin.y + y * unit}; }
+  [[nodiscard]] float width() const { return 1.4f * unit; }
+  void line(float x0, float y0, float x1, float y1) const { list.AddLine(at(x0, y0), at(x1, y1), color, width()); }
+  void fill(std::initializer_list<ImVec2> points) const {
+    for (const ImVec2& p : points) list.PathLineTo(at(p.x, p.y));
+    list.PathFillConvex(color);
+  }
+  void outline(std::initializer_list<ImVec2> points, bool closed) const {
+    for (const ImVec2& p : points) list.PathLineTo(at(p.x, p.y));
+    list.PathStroke(color, closed ? ImDrawFlags_Closed : ImDrawFlags_None, width());
+  }
+  void arc(float x, float y, float radius, float from, float to) const {
+    list.PathArcTo(at(x, y), radius * unit, from, to, 20);
+    list.PathStroke(color, ImDrawFlags_None, width());
+  }
+  void ellipse(float x, float y, float a, float b, float turn, bool filled) const {
+    constexpr int kSteps = 24;
+    for (int i = 0; i < kSteps; ++i) {
+      const float angle = 2.0f * kPi * static_cast<float>(i) / kSteps;
+      const float u = a * std::cos(angle);
+      const float v = b * std::sin(angle);
+      list.PathLineTo(at(x + u * std::cos(turn) - v * std::sin(turn), y + u * std::sin(turn) + v * std::cos(turn)));
+    }
+    if (filled) {
+      list.PathFillConvex(color);
+    } else {
+      list.PathStroke(color, ImDrawFlags_Closed, width());
+    }
+  }
+};
+
+void drawMove(const Pen& pen) {
+  pen.line(8, 2.5f, 8, 13.5f);
+  pen.line(2.5f, 8, 13.5f, 8);
+  pen.fill({{8, 0.5f}, {10.4f, 3.6f}, {5.6f, 3.6f}});
+  pen.fill({{8, 15.5f}, {5.6f, 12.4f}, {10.4f, 12.4f}});
+  pen.fill({{0.5f, 8}, {3.6f, 5.6f}, {3.6f, 10.4f}});
+  pen.fill({{15.5f, 8}, {12.4f, 10.4f}, {12.4f, 5.6f}});
+}
+
+void drawRotate(const Pen& pen) {
+  pen.arc(8, 8, 5.6f, -0.35f * kPi, 1.3f * kPi);
+  pen.fill({{8.0f, 0.6f}, {13.0f, 2.6f}, {9.0f, 6.0f}});
+}
+
+void drawScale(const Pen& pen) {
+  pen.outline({{2, 9}, {7, 9}, {7, 14}, {2, 14}}, true);
+  pen.line(8.5f, 7.5f, 13, 3);
+  pen.outline({{8.6f, 2.4f}, {13.6f, 2.4f}, {13.6f, 7.4f}}, false);
+}
+
+void drawLoop(const Pen& pen) {
+  pen.outline({{4, 5}, {12, 5}, {14, 7}, {14, 9}}, false);
+  pen.outline({{12, 12}, {4, 12}, {2, 10}, {2, 8}}, false);
+  pen.fill({{7.0f, 2.2f}, {7.0f, 7.8f}, {3.2f, 5.0f}});
+  pen.fill({{9.0f, 9.2f}, {12.8f, 12.0f}, {9.0f, 14.8f}});
+}
+
+void drawAxes(const Pen& pen) {
+  pen.line(5, 11, 5, 2);
+  pen.line(5, 11, 14, 11);
+  pen.line(5, 11, 1.5f, 14.5f);
+  pen.fill({{5, 0.6f}, {7, 3.6f}, {3, 3.6f}});
+  pen.fill({{15.4f, 11}, {12.4f, 13}, {12.4f, 9}});
+}
+
+void drawTransport(const Pen& pen, Icon icon) {
+  switch (icon) {
+    case Icon::kPlay:
+      pen.fill({{4, 2.4f}, {13.4f, 8}, {4, 13.6f}});
+      break;
+    case Icon::kPause:
+      pen.fill({{3.6f, 2.6f}, {6.6f, 2.6f}, {6.6f, 13.4f}, {3.6f, 13.4f}});
+      pen.fill({{9.4f, 2.6f}, {12.4f, 2.6f}, {12.4f, 13.4f}, {9.4f, 13.4f}});
+      break;
+    case Icon::kNext:
+      pen.fill({{3.4f, 3.4f}, {10.4f, 8}, {3.4f, 12.6f}});
+      pen.line(12, 3.4f, 12, 12.6f);
+      break;
+    case Icon::kPrevious:
+      pen.fill({{12.6f, 3.4f}, {12.6f, 12.6f}, {5.6f, 8}});
+      pen.line(4, 3.4f, 4, 12.6f);
+      break;
+    default:
+      pen.fill({{8.6f, 3.4f}, {8.6f, 12.6f}, {3.2f, 8}});
+      pen.fill({{14.2f, 3.4f}, {14.2f, 12.6f}, {8.8f, 8}});
+      pen.line(2, 3.4f, 2, 12.6f);
+      break;
+  }
+}
+
+}  // namespace
+
+void drawIcon(ImDrawList& list, Icon icon, const ImVec2& topLeft, float size, ImU32 color) {
+  const Pen pen{list, topLeft, size / 16.0f, color};
+  switch (icon) {
+    case Icon::kNone:
+      break;
+    case Icon::kSelect:
+      pen.outline({{4, 2}, {13, 8.6f}, {8.6f, 9.4f}, {6, 13.6f}}, true);
+      break;
+    case Icon::kMove:
+      drawMove(pen);
+      break;
+    case Icon::kRotate:
+      drawRotate(pen);
+      break;
+    case Icon::kScale:
+      drawScale(pen);
+      break;
+    case Icon::kAddMuscle:
+      pen.ellipse(6.8f, 9.2f, 6.0f, 3.4f, -0.6f, false);
+      pen.line(12.6f, 1.6f, 12.6f, 6.8f);
+      pen.line(10, 4.2f, 15.2f, 4.2f);
+      break;
+    case Icon::kPlay:
+    case Icon::kPause:
+    case Icon::kNext:
+    case Icon::kPrevious:
+    case Icon::kStart:
+      drawTransport(pen, icon);
+      break;
+    case Icon::kLoop:
+      drawLoop(pen);
+      break;
+    case Icon::kPlus:
+      pen.line(8, 3.4f, 8, 12.6f);
+      pen.line(3.4f, 8, 12.6f, 8);
+      break;
+    case Icon::kClose:
+      pen.line(4.2f, 4.2f, 11.8f, 11.8f);
+      pen.line(11.8f, 4.2f, 4.2f, 11.8f);
+      break;
+    case Icon::kBone:
+      pen.outline({{3, 13}, {3.6f, 8.6f}, {13, 3}, {7.4f, 12.4f}}, true);
+      break;
+    case Icon::kMuscle:
+      pen.ellipse(8, 8, 6.2f, 3.6f, -0.6f, true);
+      break;
+    case Icon::kCarve:
+      pen.ellipse(8, 8, 6.0f, 3.4f, -0.6f, false);
+      break;
+    case Icon::kAxes:
+      drawAxes(pen);
+      break;
+    case Icon::kFolder:
+      pen.outline({{2, 4}, {6.4f, 4}, {7.8f, 5.8f}, {14, 5.8f}, {14, 13}, {2, 13}}, true);
+      break;
+    case Icon::kFile:
+      pen.outline({{4, 2}, {9.6f, 2}, {12.4f, 4.8f}, {12.4f, 14}, {4, 14}}, true);
+      break;
+  }
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,33 @@
+#pragma once  // app/panels/icons.h: small pictures drawn as vectors, so that no icon font is needed.
+
+#include <imgui.h>
+
+namespace sinew::app {
+
+enum class Icon {
+  kNone,
+  kSelect,
+  kMove,
+  kRotate,
+  kScale,
+  kAddMuscle,
+  kPlay,
+  kPause,
+  kNext,
+  kPrevious,
+  kStart,
+  kLoop,
+  kPlus,
+  kClose,
+  kBone,
+  kMuscle,
+  kCarve,
+  kAxes,
+  kFolder,
+  kFile,
+};
+
+/// Draws into a square. @param topLeft, size  screen coordinates.
+void drawIcon(ImDrawList& list, Icon icon, const ImVec2& topLeft, float size, ImU32 color);
+
+}  // namespace sinew::app

@@ -1,0 +1,214 @@
+// app/panels/layout.cpp: where panels stand, and the splitters between them.
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+
+#include "app/panels/commands.h"
+#include "app/panels/panels.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr float kTimelineHeight = 84.0f;  // Design pixels, as all here.
+constexpr float kStatusHeight = 28.0f;
+constexpr float kGap = 5.0f;
+constexpr float kNarrowest = 180.0f;
+constexpr float kViewportNarrowest = 240.0f;
+
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+struct Box {
+  float x = 0.0f;
+  float y = 0.0f;
+  float width = 0.0f;
+  float height = 0.0f;
+};
+
+/// All regions of this frame, window coordinates.
+struct Regions {
+  Box left;
+  Box right;
+  Box viewport;
+  Box bottom;
+  Box status;
+};
+
+Regions divide(Ui& ui, float menuHeight) {
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  LayoutState& layout = ui.state.layout;
+  const float room = display.x / ui.state.uiScale - kViewportNarrowest - 2.0f * kGap;
+  layout.left = std::clamp(layout.left, kNarrowest, std::max(kNarrowest, room - kNarrowest));
+  layout.right = std::clamp(layout.right, kNarrowest, std::max(kNarrowest, room - layout.left));
+  const float gap = ui.px(kGap);
+  const float bottomTop = display.y - ui.px(kStatusHeight) - ui.px(kTimelineHeight);
+  const float height = bottomTop - menuHeight - gap;
+  const float left = ui.px(layout.left);
+  const float right = ui.px(layout.right);
+  Regions regions;
+  regions.left = {0.0f, menuHeight, left, height};
+  regions.right = {display.x - right, menuHeight, right, height};
+  regions.viewport = {left + gap, menuHeight, display.x - left - right - 2.0f * gap, height};
+  regions.bottom = {0.0f, bottomTop, display.x, ui.px(kTimelineHeight)};
+  regions.status = {0.0f, display.y - ui.px(kStatusHeight), display.x, ui.px(kStatusHeight)};
+  return regions;
+}
+
+void beginRegion(const char* name, const Box& box, ImGuiWindowFlags more) {
+  ImGui::SetNextWindowPos({box.x, box.y});
+  ImGui::SetNextWindowSize({std::max(box.width, 1.0f), std::max(box.height, 1.0f)});
+  ImGui::Begin(name, nullptr, kFixed | more);
+}
+
+/// A bar that drags `value` (design pixels); sign: which way it grows.
+void splitter(Ui& ui, const std::string& id, const Box& box, bool upright, float sign, float& value) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0f, 1.0f});
+  beginRegion(id.c_str(), box, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar);
+  ImGui::InvisibleButton("bar", {box.width, box.height});
+  ui.widgets.note(id);
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+    ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+    ImGui::GetWindowDrawList()->AddRectFilled({box.x + 1.0f, box.y + 1.0f},
+                                              {box.x + box.width - 1.0f, box.y + box.height - 1.0f},
+                                              palette::kAccent.faded(0.7f).packed(), 2.0f);
+  }
+  if (ImGui::IsItemActive()) {
+    const ImVec2 moved = ImGui::GetIO().MouseDelta;
+    value += sign * (upright ? moved.x : moved.y) / ui.state.uiScale;
+  }
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+bool isDrawn(const Ui& ui, const Panel& panel) { return panel.always || ui.state.hasCharacter(); }
+
+/// Panels of one region that share it: a title, then the panel.
+void drawTitled(Ui& ui, Region region) {
+  for (const Panel& panel : panels()) {
+    if (panel.region != region) continue;
+    if (panel.title[0] != '\0') heading(ui, panel.title);
+    if (isDrawn(ui, panel)) panel.draw(ui);
+  }
+}
+
+void drawLeft(Ui& ui, const Box& box) {
+  LayoutState& layout = ui.state.layout;
+  const float highest = std::max(90.0f, box.height / ui.state.uiScale - 160.0f);
+  layout.history = std::clamp(layout.history, 90.0f, highest);
+  const float gap = ui.px(kGap);
+  const float lower = ui.px(layout.history);
+  const Box top{box.x, box.y, box.width, box.height - lower - gap};
+  const Box bar{box.x, box.y + top.height, box.width, gap};
+  const Box bottom{box.x, bar.y + gap, box.width, lower};
+  beginRegion("region-outliner", top, 0);
+  drawTitled(ui, Region::kLeftTop);
+  ImGui::End();
+  splitter(ui, "layout/history", bar, false, -1.0f, layout.history);
+  beginRegion("region-history", bottom, 0);
+  drawTitled(ui, Region::kLeftBottom);
+  ImGui::End();
+}
+
+void drawRight(Ui& ui, const Box& box) {
+  beginRegion("region-right", box, 0);
+  for (const Panel& panel : panels()) {
+    if (panel.region != Region::kRight) continue;
+    ImGui::PushStyleColor(ImGuiCol_Header, palette::kRaised);
+    ImGui::PushFont(ui.fonts.strong);
+    const bool open = ImGui::CollapsingHeader(panel.title, ImGuiTreeNodeFlags_DefaultOpen);
+    ImGui::PopFont();
+    ImGui::PopStyleColor();
+    ui.widgets.note(std::string(panel.id) + "/header");
+    if (!open || !isDrawn(ui, panel)) continue;
+    ImGui::PushID(panel.id);
+    panel.draw(ui);
+    ImGui::PopID();
+    ImGui::Dummy({0.0f, ui.px(6)});
+  }
+  ImGui::End();
+}
+
+void drawStatus(Ui& ui, const Box& box) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(12), ui.px(5)});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::kBackground);
+  beginRegion("region-status", box, ImGuiWindowFlags_NoScrollbar);
+  const EditorState& state = ui.state;
+  if (!state.fieldError.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
+    ImGui::TextUnformatted(state.fieldError.c_str());
+    ImGui::PopStyleColor();
+  } else {
+    mutedText(state.hasCharacter() ? state.route.status.c_str() : "Drop a .glb, .gltf or .rig.json here");
+  }
+  ui.widgets.note("status/line");
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+}
+
+void drawWelcome(Ui& ui, const Box& box) {
+  const auto centered = [&](const char* text, float y) {
+    ImGui::SetCursorPos({0.5f * (box.width - ImGui::CalcTextSize(text).x), y});
+    mutedText(text);
+  };
+  const float middle = 0.45f * box.height;
+  ImGui::PushFont(ui.fonts.strong);
+  const char* title = "No character is open";
+  ImGui::SetCursorPos({0.5f * (box.width - ImGui::CalcTextSize(title).x), middle - ui.px(34)});
+  ImGui::TextUnformatted(title);
+  ImGui::PopFont();
+  centered("Drop a .glb, .gltf or .rig.json on the window, or", middle - ui.px(6));
+  const ImVec2 size{ui.px(150), ui.px(32)};
+  ImGui::SetCursorPos({0.5f * (box.width - size.x), middle + ui.px(24)});
+  if (ImGui::Button("Open a file...", size)) showOpenDialog(ui.state);
+  ui.widgets.note("viewport/open");
+}
+
+/// The picture itself is drawn behind all windows once this frame's edits are known; here is what lies over it.
+bool drawViewport(Ui& ui, const Box& box) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
+  beginRegion("region-viewport", box,
+              ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  const bool free = ImGui::IsWindowHovered();
+  if (!ui.state.hasCharacter()) drawWelcome(ui, box);
+  for (const Panel& panel : panels()) {
+    if (panel.region == Region::kInViewport && isDrawn(ui, panel)) panel.draw(ui);
+  }
+  ImGui::End();
+  return free;
+}
+
+}  // namespace
+
+bool drawLayout(Ui& ui) {
+  closeMenuOnEscape();
+  const float menuHeight = drawMenuBar(ui);
+  const Regions regions = divide(ui, menuHeight);
+  const Box& v = regions.viewport;
+  ui.state.viewport = {v.x, v.y, v.width, v.height};
+  const ImVec2 pixelsPerUnit = ImGui::GetIO().DisplayFramebufferScale;
+  ui.state.viewportPixels = {std::max(1, static_cast<int>(v.width * pixelsPerUnit.x)),
+                             std::max(1, static_cast<int>(v.height * pixelsPerUnit.y))};
+  drawLeft(ui, regions.left);
+  drawRight(ui, regions.right);
+  const bool free = drawViewport(ui, v);
+  beginRegion("region-bottom", regions.bottom, ImGuiWindowFlags_NoScrollbar);
+  drawTitled(ui, Region::kBottom);
+  ImGui::End();
+  drawStatus(ui, regions.status);
+  const float gap = ui.px(kGap);
+  splitter(ui, "layout/left", {v.x - gap, v.y, gap, v.height}, true, 1.0f, ui.state.layout.left);
+  splitter(ui, "layout/right", {v.x + v.width, v.y, gap, v.height}, true, -1.0f, ui.state.layout.right);
+  for (const Panel& panel : panels()) {
+    if (panel.region == Region::kDialog) panel.draw(ui);
+  }
+  endAbandonedEdit(ui.state);
+  return free;
+}
+
+}  // namespace sinew::app

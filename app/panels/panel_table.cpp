@@ -1,0 +1,28 @@
+// app/panels/panel_table.cpp: every panel, where it stands.
+
+#include "app/panels/panels.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr Panel kPanels[] = {
+    {"outliner", "Bones and muscles", Region::kLeftTop, drawOutliner},
+    {"history", "History", Region::kLeftBottom, drawHistory},
+    {"inspector", "Muscle", Region::kRight, drawInspector},
+    {"surface", "Surface", Region::kRight, drawSurfacePanel},
+    {"smoothing", "Smoothing", Region::kRight, drawSmoothingPanel},
+    {"timeline", "", Region::kBottom, drawTimeline},
+    {"display", "", Region::kInViewport, drawDisplayBar},
+    {"toolstrip", "", Region::kInViewport, drawToolStrip},
+    {"overlay", "", Region::kInViewport, drawNumbers},
+    {"messages", "", Region::kInViewport, drawMessages, true},
+    {"dialog", "", Region::kDialog, drawFileDialog, true},
+    {"unsaved", "", Region::kDialog, drawUnsavedQuestion, true},
+    {"keys", "", Region::kDialog, drawKeySheet, true},
+};
+
+}  // namespace
+
+std::span<const Panel> panels() { return kPanels; }
+
+}  // namespace sinew::app

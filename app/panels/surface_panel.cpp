@@ -1,0 +1,95 @@
+// app/panels/surface_panel.cpp: how the surface is made: mode, iso value, skin blend; depth, patch, projection.
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "app/panels/panels.h"
+#include "core/rig/rig_edit.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr int kDepthOfSlider = 8;
+constexpr float kIsoRange[] = {0.05f, 0.9f};
+constexpr float kBlendRange[] = {0.5f, 15.0f};  // Per cent of the height.
+
+/// A choice among named values. @param apply  (value) -> Result<Rig>
+template <class Kind, std::size_t kCount, class Apply>
+void choiceRow(Ui& ui, const char* label, const std::string& id, Kind current, const std::array<Kind, kCount>& kinds,
+               const char* hint, Apply apply) {
+  beginRow(ui, label);
+  const bool open = ImGui::BeginCombo(("##" + id).c_str(), nameOf(current));
+  ui.widgets.note(id);
+  if (!open) {
+    tooltip(ui, hint);
+    return;
+  }
+  for (const Kind kind : kinds) {
+    const bool chosen = ImGui::Selectable(nameOf(kind), kind == current);
+    ui.widgets.note(id + "/" + nameOf(kind));
+    if (chosen && kind != current) applyFieldEdit(ui, label, apply(kind));
+  }
+  ImGui::EndCombo();
+}
+
+}  // namespace
+
+void drawSurfacePanel(Ui& ui) {
+  const SurfaceSettings before = ui.state.document.rig().surface;
+  const auto changed = [&](auto change) {
+    SurfaceSettings settings = before;
+    change(settings);
+    return setSurface(ui.state.document.rig(), settings);
+  };
+  choiceRow(ui, "Mode", "surface/mode", before.mode, std::array{SurfaceMode::kSwell, SurfaceMode::kReplace},
+            "swell: the skin rises over the muscles. replace: the muscles become the surface.",
+            [&](SurfaceMode mode) { return changed([&](SurfaceSettings& s) { s.mode = mode; }); });
+  beginRow(ui, "Iso value");
+  float iso = before.iso;
+  beginFilledSlider();
+  bool edited = ImGui::SliderFloat("##iso", &iso, kIsoRange[0], kIsoRange[1], "%.3f");
+  endFilledSlider(ui, (iso - kIsoRange[0]) / (kIsoRange[1] - kIsoRange[0]));
+  editField(ui, "surface/iso", "Iso value", edited, [&] { return changed([&](SurfaceSettings& s) { s.iso = iso; }); });
+  tooltip(ui, "Where muscles that blend count as surface. A lone muscle keeps its radii; higher blends tighter.");
+  beginRow(ui, "Skin blend");
+  float percent = before.skinBlend * 100.0f;
+  beginFilledSlider();
+  edited =
+      ImGui::SliderFloat("##blend", &percent, kBlendRange[0], kBlendRange[1], "%.1f %%", ImGuiSliderFlags_Logarithmic);
+  endFilledSlider(ui, std::log(percent / kBlendRange[0]) / std::log(kBlendRange[1] / kBlendRange[0]));
+  editField(ui, "surface/skin-blend", "Skin blend", edited,
+            [&] { return changed([&](SurfaceSettings& s) { s.skinBlend = percent / 100.0f; }); });
+  tooltip(ui, "How softly the skin runs out into a muscle, in per cent of the character's height.");
+}
+
+void drawSmoothingPanel(Ui& ui) {
+  const SmoothingSettings before = ui.state.document.rig().smoothing;
+  const auto changed = [&](auto change) {
+    SmoothingSettings settings = before;
+    change(settings);
+    return setSmoothing(ui.state.document.rig(), settings);
+  };
+  beginRow(ui, "Depth");
+  int depth = before.depth;
+  const int deepest = std::max(kDepthOfSlider, before.depth);
+  beginFilledSlider();
+  const bool edited = ImGui::SliderInt("##depth", &depth, 1, deepest, "%d", ImGuiSliderFlags_AlwaysClamp);
+  endFilledSlider(ui, static_cast<float>(depth) / static_cast<float>(deepest));
+  editField(ui, "smoothing/depth", "Depth", edited,
+            [&] { return changed([&](SmoothingSettings& s) { s.depth = depth; }); });
+  tooltip(ui, "Every triangle of the file becomes depth x depth.");
+  choiceRow(ui, "Patch", "smoothing/patch", before.patch,
+            std::array{PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon, PatchKind::kFlat},
+            "How the skin curves between the file's vertices.",
+            [&](PatchKind patch) { return changed([&](SmoothingSettings& s) { s.patch = patch; }); });
+  choiceRow(ui, "Projection", "smoothing/projection", before.projection,
+            std::array{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic},
+            "How points are brought onto the surface.",
+            [&](ProjectionKind kind) { return changed([&](SmoothingSettings& s) { s.projection = kind; }); });
+}
+
+}  // namespace sinew::app

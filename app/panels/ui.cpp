@@ -1,0 +1,181 @@
+// app/panels/ui.cpp: the controls that panels share.
+
+#include "app/panels/ui.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>  // GetItemID, hover times and open popups, which 1.86 keeps to itself.
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+
+namespace sinew::app {
+namespace {
+
+constexpr float kLabelColumn = 84.0f;  // Design pixels.
+constexpr double kTooltipSeconds = 0.45;
+
+ImU32 iconColor(bool active, bool hovered) {
+  if (active) return palette::kAccent.packed();
+  return (hovered ? palette::kText : palette::kMuted).packed();
+}
+
+}  // namespace
+
+void heading(Ui& ui, const char* text) {
+  ImGui::PushFont(ui.fonts.strong);
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
+}
+
+void mutedText(const char* text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, palette::kMuted);
+  ImGui::TextUnformatted(text);
+  ImGui::PopStyleColor();
+}
+
+void tooltip(Ui& ui, const std::string& text) {
+  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  const double left = kTooltipSeconds - static_cast<double>(ImGui::GetCurrentContext()->HoveredIdTimer);
+  if (ImGui::GetHoveredID() != 0 && left > 0.0) {
+    ui.state.wakeAfter = left;
+    return;
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(7)});
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ui.px(320));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
+std::string tooltipOf(const Action& action) {
+  std::string text = action.label;
+  if (const std::string keys = textOf(action.shortcut); !keys.empty()) text += "  (" + keys + ")";
+  return text + "\n" + action.hint;
+}
+
+bool iconButton(Ui& ui, const std::string& id, Icon icon, bool active, float size) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const bool pressed = ImGui::InvisibleButton(id.c_str(), {size, size});
+  ui.widgets.note(id);
+  const bool hovered = ImGui::IsItemHovered();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 end{corner.x + size, corner.y + size};
+  if (active || hovered) {
+    const Tint back = active ? palette::kAccent.faded(0.20f) : palette::kText.faded(0.08f);
+    list.AddRectFilled(corner, end, back.packed(), ui.px(5));
+  }
+  const float inner = std::min(size, std::max(size * 0.56f, ui.px(13)));
+  const float margin = 0.5f * (size - inner);
+  drawIcon(list, icon, {corner.x + margin, corner.y + margin}, inner, iconColor(active, hovered));
+  return pressed;
+}
+
+void actionButton(Ui& ui, const std::string& id, const Action& action, Icon icon, float size) {
+  const bool enabled = action.enabled(ui.state);
+  const bool active = enabled && action.checked != nullptr && action.checked(ui.state);
+  ImGui::BeginDisabled(!enabled);
+  const bool pressed = iconButton(ui, id, icon, active, size);
+  ImGui::EndDisabled();
+  tooltip(ui, tooltipOf(action));
+  if (pressed) run(action, ui.state);
+}
+
+void actionPill(Ui& ui, const std::string& id, const Action& action) {
+  const bool active = action.checked != nullptr && action.checked(ui.state);
+  ImGui::PushStyleColor(ImGuiCol_Button, active ? palette::kAccent.faded(0.22f) : palette::kRaised.faded(0.0f));
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, active ? palette::kAccent.faded(0.30f) : palette::kText.faded(0.08f));
+  ImGui::PushStyleColor(ImGuiCol_Text, active ? palette::kText : palette::kMuted);
+  ImGui::PushID(id.c_str());
+  const bool pressed = ImGui::Button(action.label);
+  ImGui::PopID();
+  ImGui::PopStyleColor(3);
+  ui.widgets.note(id);
+  tooltip(ui, tooltipOf(action));
+  if (pressed) run(action, ui.state);
+}
+
+void beginFilledSlider() {
+  ImGui::PushStyleColor(ImGuiCol_SliderGrab, palette::kAccent.faded(0.0f));
+  ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, palette::kAccent.faded(0.0f));
+}
+
+void endFilledSlider(Ui& ui, float fraction) {
+  ImGui::PopStyleColor(2);
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const ImVec2 high = ImGui::GetItemRectMax();
+  const float end = low.x + std::clamp(fraction, 0.0f, 1.0f) * (high.x - low.x);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
+  list.AddRectFilled(low, {end, high.y}, palette::kAccent.faded(lit ? 0.30f : 0.22f).packed(),
+                     ImGui::GetStyle().FrameRounding);
+  const float left = std::max(end - ui.px(3), low.x);
+  list.AddRectFilled({left, low.y}, {left + ui.px(3), high.y}, palette::kAccent.packed(), ui.px(1.5f));
+}
+
+void beginRow(Ui& ui, const char* label) {
+  ImGui::AlignTextToFramePadding();
+  mutedText(label);
+  ImGui::SameLine(ui.px(kLabelColumn) + ImGui::GetStyle().WindowPadding.x);
+  ImGui::SetNextItemWidth(-1.0f);
+}
+
+void pushDialogStyle(Ui& ui) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(16), ui.px(14)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(8));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+}
+
+void popDialogStyle() { ImGui::PopStyleVar(3); }
+
+void closeMenuOnEscape() {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  if (context.OpenPopupStack.empty() || !ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) return;
+  const ImGuiWindow* window = context.OpenPopupStack.back().Window;
+  const bool modal = window != nullptr && (window->Flags & ImGuiWindowFlags_Modal) != 0;
+  if (!modal) ImGui::ClosePopupToLevel(context.OpenPopupStack.Size - 1, true);
+}
+
+void beginFieldEdit(Ui& ui, const std::string& id, const char* label) {
+  ui.widgets.note(id);
+  if (!ImGui::IsItemActivated()) return;
+  ui.state.document.commands.beginGesture(label);
+  ui.state.gestureItem = ImGui::GetItemID();
+}
+
+void applyFieldEdit(Ui& ui, const char* label, const Result<Rig>& rig) {
+  if (!rig) {
+    ui.state.fieldError = rig.error().text();
+    return;
+  }
+  ui.state.fieldError.clear();
+  CommandStack& commands = ui.state.document.commands;
+  if (commands.inGesture()) {
+    commands.updateGesture(rig.value());
+  } else {
+    commands.apply(label, rig.value());
+  }
+}
+
+void endFieldEdit(Ui& ui) {
+  if (!ImGui::IsItemDeactivated() || ui.state.gestureItem != ImGui::GetItemID()) return;
+  // Esc puts the text back that the field began with, which is the value rounded for reading: take the value itself.
+  if (ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
+    ui.state.document.commands.cancelGesture();
+  } else {
+    ui.state.document.commands.endGesture();
+  }
+  ui.state.gestureItem = 0;
+  ui.state.fieldError.clear();
+}
+
+void endAbandonedEdit(EditorState& state) {
+  if (state.gestureItem == 0 || ImGui::IsAnyItemActive()) return;
+  state.document.commands.endGesture();
+  state.gestureItem = 0;
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,58 @@
+#pragma once  // app/platform/window.h: the one window: OpenGL 4.5 core, events into a queue, dropped files.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "app/platform/input_queue.h"
+#include "core/base/result.h"
+
+struct GLFWwindow;
+
+namespace sinew::app {
+
+/// Owns GLFW and the window. One at a time, main thread only. Its address is what the callbacks know, so it never
+/// moves.
+class Window {
+ public:
+  /// Opens the window and makes its context current. Error: no display, or no OpenGL 4.5.
+  [[nodiscard]] static Result<std::unique_ptr<Window>> open(const glm::ivec2& size, const std::string& title);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  [[nodiscard]] GLFWwindow* handle() const { return window_; }
+  [[nodiscard]] InputQueue& input() { return input_; }
+  [[nodiscard]] glm::ivec2 size() const;             ///< Window coordinates, as the mouse has them.
+  [[nodiscard]] glm::ivec2 framebufferSize() const;  ///< Pixels.
+  [[nodiscard]] float contentScale() const;          ///< 1 on ordinary screens, 2 on dense ones.
+  [[nodiscard]] bool softwareRendered() const { return software_; }
+
+  void setTitle(const std::string& title);
+  [[nodiscard]] bool closeRequested() const;
+  void clearCloseRequest();
+
+  void poll();                ///< Takes what has come.
+  void wait(double seconds);  ///< Sleeps until something comes, or that long.
+  void swap();
+  /// Files dropped since the last call.
+  [[nodiscard]] std::vector<std::filesystem::path> takeDrops();
+  /// Since the last call, the system asked for a new picture (uncovered, resized).
+  [[nodiscard]] bool takeRefresh();
+
+ private:
+  Window() = default;
+  void installCallbacks();
+
+  GLFWwindow* window_ = nullptr;
+  InputQueue input_;
+  std::vector<std::filesystem::path> drops_;
+  std::string title_;
+  bool refresh_ = true;
+  bool software_ = false;
+};
+
+}  // namespace sinew::app

@@ -1,0 +1,79 @@
+#pragma once  // app/playback.h: clip time -> pose -> surface.
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+#include "app/document/command_stack.h"
+#include "core/base/result.h"
+#include "core/character/character.h"
+#include "core/smoothing/smoother.h"
+
+namespace sinew::app {
+
+inline constexpr double kFrameSeconds = 1.0 / 30.0;  ///< What "one frame" of a clip is when stepping.
+
+/// Which moment is shown. View state: not part of the document.
+struct Transport {
+  int clip = -1;      ///< Index into Character::clips, or -1: the bind pose.
+  double time = 0.0;  ///< Seconds, 0..duration.
+  bool playing = false;
+  bool loop = true;
+  float speed = 1.0f;  ///< Factor, 0.1..4.
+};
+
+/// Length of the chosen clip, seconds; 0 for the bind pose.
+[[nodiscard]] double clipDuration(const Transport& transport, const Character& character);
+
+/// Time passes. At the end a looping clip goes on from its start by what was left over, another stops there.
+void advance(Transport& transport, double seconds, const Character& character);
+
+/// One clip frame (kFrameSeconds) onwards or back, landing on whole frames; wraps when looping; pauses.
+void stepFrames(Transport& transport, int frames, const Character& character);
+
+/// Chooses a clip (or -1) from its start. Keeps `playing` for a clip that moves.
+void chooseClip(Transport& transport, int clip, const Character& character);
+
+/// Plays or pauses; a clip that stands at its end starts over. The bind pose cannot play.
+void togglePlaying(Transport& transport, const Character& character);
+
+/// The pose the transport points at.
+[[nodiscard]] Pose poseAt(const Transport& transport, const Character& character);
+
+/// The surface kept in step with rig and time: prepares after an edit, smooths after an edit or when time has moved.
+class LiveSurface {
+ public:
+  /// Error: the rig cannot be prepared for this character.
+  [[nodiscard]] static Result<LiveSurface> create(std::shared_ptr<const Character> character,
+                                                  const CommandStack& commands, const Transport& transport);
+
+  /// Brings the pose to the transport's moment; the surface follows with the next update().
+  void movePose(const Transport& transport);
+
+  /// Brings the surface up to date with rig and pose. True if it changed. Error: the rig was refused; the surface then
+  /// goes on with the last rig that was accepted, and the same rig is not tried again.
+  [[nodiscard]] Result<bool> update(const CommandStack& commands);
+
+  [[nodiscard]] const Pose& pose() const { return pose_; }
+  [[nodiscard]] const Surface& surface() const { return surface_; }
+  [[nodiscard]] const std::vector<int>& unattached() const { return smoother_.unattached(); }
+  /// Counts smoothings: what a picture of the surface compares.
+  [[nodiscard]] std::size_t revision() const { return revision_; }
+  [[nodiscard]] double prepareSeconds() const { return prepareSeconds_; }
+
+ private:
+  explicit LiveSurface(std::shared_ptr<const Character> character);
+  [[nodiscard]] Result<bool> prepareIfEdited(const CommandStack& commands);
+
+  std::shared_ptr<const Character> character_;
+  Smoother smoother_;
+  Pose pose_;
+  Surface surface_;
+  std::size_t revision_ = 0;
+  std::optional<std::size_t> triedRig_;  ///< CommandStack::revision() last given to prepare().
+  std::optional<Transport> posed_;       ///< What pose_ shows: clip and time count.
+  bool moved_ = false;                   ///< pose_ is newer than surface_.
+  double prepareSeconds_ = 0.0;
+};
+
+}  // namespace sinew::app

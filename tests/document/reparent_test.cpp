@@ -1,0 +1,80 @@
+// tests/document/reparent_test.cpp: a primitive that changes bones stays where it is.
+
+#include "app/document/reparent.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace sinew::app {
+namespace {
+
+glm::quat randomRotation(std::mt19937& random) {
+  std::normal_distribution<float> normal;
+  return glm::normalize(glm::quat(normal(random), normal(random), normal(random), normal(random)));
+}
+
+glm::mat4 randomBone(std::mt19937& random, float scale) {
+  std::uniform_real_distribution<float> place(-2.0f, 2.0f);
+  const glm::vec3 offset(place(random), place(random), place(random));
+  return glm::scale(glm::translate(glm::mat4(1.0f), offset) * glm::mat4_cast(randomRotation(random)), glm::vec3(scale));
+}
+
+Placement randomPlacement(std::mt19937& random) {
+  std::uniform_real_distribution<float> place(-1.0f, 1.0f);
+  std::uniform_real_distribution<float> radius(0.1f, 1.0f);
+  return {{place(random), place(random), place(random)},
+          randomRotation(random),
+          {radius(random), radius(random), radius(random)}};
+}
+
+/// Largest difference of the two ellipsoids' quadrics, which do not care how axes are named or flipped.
+float difference(const glm::mat4& a, const glm::mat4& b) {
+  const glm::mat3 qa = glm::mat3(a) * glm::transpose(glm::mat3(a));
+  const glm::mat3 qb = glm::mat3(b) * glm::transpose(glm::mat3(b));
+  float most = glm::length(glm::vec3(a[3]) - glm::vec3(b[3]));
+  for (int i = 0; i < 3; ++i) most = std::max(most, glm::length(qa[i] - qb[i]));
+  return most;
+}
+
+TEST(CarriedToBone, LooksTheSameUnderRotationsAndEvenScale) {
+  std::mt19937 random(3);
+  for (int i = 0; i < 500; ++i) {
+    const glm::mat4 from = randomBone(random, i % 2 == 0 ? 1.0f : 3.0f);
+    const glm::mat4 to = randomBone(random, i % 3 == 0 ? 1.0f : 0.5f);
+    const Placement before = randomPlacement(random);
+    const Placement after = carriedToBone(before, from, to);
+    EXPECT_LT(difference(shapeInWorld(before, 1.0f, from), shapeInWorld(after, 1.0f, to)), 2e-4f);
+    EXPECT_NEAR(glm::length(after.rotation), 1.0f, 1e-5f);
+  }
+}
+
+TEST(CarriedToBone, KeepsTheCentreUnderUnevenScale) {
+  std::mt19937 random(4);
+  for (int i = 0; i < 200; ++i) {
+    const glm::mat4 from = glm::scale(randomBone(random, 1.0f), {1.0f, 2.5f, 0.4f});
+    const glm::mat4 to = randomBone(random, 1.0f);
+    const Placement before = randomPlacement(random);
+    const Placement after = carriedToBone(before, from, to);
+    const glm::vec3 was(from * glm::vec4(before.center, 1.0f));
+    const glm::vec3 is(to * glm::vec4(after.center, 1.0f));
+    EXPECT_LT(glm::length(was - is), 1e-4f);
+    EXPECT_GT(std::min({after.radii.x, after.radii.y, after.radii.z}), 0.0f);
+  }
+}
+
+TEST(CarriedToBone, AFlatBoneChangesNothing) {
+  std::mt19937 random(5);
+  const Placement before = randomPlacement(random);
+  const glm::mat4 flat = glm::scale(glm::mat4(1.0f), {1.0f, 0.0f, 1.0f});
+  const Placement after = carriedToBone(before, randomBone(random, 1.0f), flat);
+  EXPECT_EQ(after.center, before.center);
+  EXPECT_EQ(after.radii, before.radii);
+}
+
+}  // namespace
+}  // namespace sinew::app

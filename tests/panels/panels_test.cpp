@@ -1,0 +1,207 @@
+// tests/panels/panels_test.cpp: what a hand does to the panels, and what becomes of the rig.
+
+#include "tests/panels/headless_editor.h"
+
+#include <cmath>
+
+namespace sinew::app {
+namespace {
+
+class Panels : public HeadlessEditor {};
+
+TEST_F(Panels, NamesAreOnTheScreenInEveryState) {
+  const auto check = [&] {
+    for (const auto& [id, box] : widgets.rectangles()) {
+      EXPECT_GE(box.x, 0.0f) << id;
+      EXPECT_GE(box.y, 0.0f) << id;
+      EXPECT_LE(box.x + box.z, 1280.0f) << id;
+      EXPECT_LE(box.y + box.w, 800.0f) << id;
+      EXPECT_GT(box.z, 0.0f) << id;
+      EXPECT_GT(box.w, 0.0f) << id;
+    }
+  };
+  check();
+  addOne();
+  check();
+  for (const Menu& menu : menus()) {
+    click(std::string("menu/") + menu.id);
+    for (const Action& action : actions()) {
+      if (action.menu() == menu.id) {
+        EXPECT_TRUE(shown(action.id)) << action.id;
+      }
+    }
+    check();
+    press(kEscape);
+  }
+  for (const char* combo : {"inspector/bone", "inspector/group", "surface/mode", "smoothing/patch", "timeline/clip"}) {
+    click(combo);
+    check();
+    press(kEscape);
+  }
+  showOpenDialog(state);
+  settle();
+  check();
+  EXPECT_TRUE(shown("dialog/path") && shown("dialog/ok") && shown("dialog/cancel"));
+}
+
+TEST_F(Panels, ADragOfAFieldIsOneStep) {
+  addOne();
+  const float before = muscle().placement.radii.x;
+  const std::size_t done = steps();
+  drag("inspector/radius.x", {40.0f, 0.0f});
+  EXPECT_GT(muscle().placement.radii.x, before);
+  EXPECT_EQ(steps(), done + 1);
+  press(kKeyZ, true);
+  EXPECT_EQ(muscle().placement.radii.x, before);
+}
+
+TEST_F(Panels, ATypedValueIsOneStepAndExact) {
+  addOne();
+  const std::size_t done = steps();
+  doubleClick("inspector/center.y");
+  press(kKeyA, true);
+  type("0.375");
+  press(kEnter);
+  EXPECT_EQ(muscle().placement.center.y, 0.375f);
+  EXPECT_EQ(steps(), done + 1);
+}
+
+TEST_F(Panels, EscapeRestoresTheValueNotItsRoundedText) {
+  addOne();
+  Placement odd = muscle().placement;
+  odd.center = {0.123456789f, 0.2f, 0.3f};
+  state.document.commands.apply("Odd", setPlacementOf(odd));
+  settle();
+  const std::size_t done = steps();
+  doubleClick("inspector/center.x");
+  press(kKeyA, true);
+  type("7");
+  press(kEscape);
+  EXPECT_EQ(muscle().placement.center.x, odd.center.x);
+  EXPECT_EQ(steps(), done);
+}
+
+TEST_F(Panels, LookingAtARotationNeverChangesIt) {
+  addOne();
+  Placement odd = muscle().placement;
+  odd.rotation = glm::normalize(glm::quat(0.3f, 0.5f, -0.7f, 0.2f));
+  state.document.commands.apply("Odd", setPlacementOf(odd));
+  for (int i = 0; i < 100; ++i) frame();
+  EXPECT_EQ(muscle().placement.rotation, odd.rotation);
+  doubleClick("inspector/rotation.z");
+  press(kEnter);
+  EXPECT_EQ(muscle().placement.rotation, odd.rotation);
+}
+
+TEST_F(Panels, TypedAnglesAreShownAsTyped) {
+  addOne();
+  // At 90 degrees about y the three angles are not unique: shown back from the rotation they would jump.
+  for (const char* field : {"inspector/rotation.x", "inspector/rotation.y", "inspector/rotation.z"}) {
+    doubleClick(field);
+    press(kKeyA, true);
+    type(std::string(field).back() == 'y' ? "90" : "30");
+    press(kEnter);
+  }
+  EXPECT_EQ(state.euler.degrees, glm::vec3(30.0f, 90.0f, 30.0f));
+  EXPECT_NEAR(glm::length(muscle().placement.rotation), 1.0f, 1e-6f);
+}
+
+TEST_F(Panels, ARadiusOfZeroIsRefused) {
+  addOne();
+  doubleClick("inspector/radius.x");
+  press(kKeyA, true);
+  type("0");
+  press(kEnter);
+  EXPECT_GT(muscle().placement.radii.x, 0.0f);
+}
+
+TEST_F(Panels, DepthSliderIsLiveAndOneStep) {
+  const std::size_t triangles = state.live->surface().refinement->triangles.size();
+  drag("smoothing/depth", {80.0f, 0.0f});
+  EXPECT_GT(state.live->surface().refinement->triangles.size(), triangles);
+  EXPECT_EQ(steps(), 1u);
+}
+
+TEST_F(Panels, KeysEditAndUndo) {
+  addOne();
+  const std::string name = muscle().name;
+  press(kDelete);
+  EXPECT_TRUE(state.document.rig().primitives.empty());
+  press(kKeyZ, true);
+  ASSERT_EQ(state.document.rig().primitives.size(), 1u);
+  EXPECT_EQ(state.document.activePrimitive(), 0);
+  press(kF2);
+  ASSERT_TRUE(shown("outliner/rename"));
+  press(kKeyA, true);
+  type("biceps");
+  press(kEnter);
+  EXPECT_EQ(muscle().name, "biceps");
+  EXPECT_EQ(state.document.selection.active(), "biceps");
+  press(kKeyZ, true);
+  EXPECT_EQ(muscle().name, name);
+  EXPECT_EQ(state.document.activePrimitive(), 0);
+}
+
+TEST_F(Panels, TypingInTheSearchDoesNotRunShortcuts) {
+  addOne();
+  click("outliner/search");
+  press(kDelete);
+  press(kSpace);
+  EXPECT_EQ(state.document.rig().primitives.size(), 1u);
+  EXPECT_FALSE(state.transport.playing);
+}
+
+TEST_F(Panels, PlayButtonAndSpaceToggle) {
+  click("timeline/play");
+  EXPECT_TRUE(state.transport.playing);
+  press(kSpace);
+  EXPECT_FALSE(state.transport.playing);
+}
+
+TEST_F(Panels, UnsavedChangesAreAskedAbout) {
+  addOne();
+  request(state, {IntentKind::kQuit, {}});
+  settle();
+  EXPECT_FALSE(state.quit);
+  click("unsaved/cancel");
+  EXPECT_FALSE(state.quit);
+  EXPECT_FALSE(shown("unsaved/cancel"));
+  request(state, {IntentKind::kQuit, {}});
+  settle();
+  click("unsaved/discard");
+  EXPECT_TRUE(state.quit);
+}
+
+TEST_F(Panels, AFileThatCannotBeOpenedLeavesTheDocumentAndAMessage) {
+  addOne();
+  EXPECT_FALSE(openFile(state, "/nowhere/absent.glb"));
+  settle();
+  EXPECT_EQ(state.document.rig().primitives.size(), 1u);
+  ASSERT_EQ(state.messages.size(), 1u);
+  EXPECT_NE(state.messages[0].text.find("absent.glb"), std::string::npos);
+  click("messages/dismiss/0");
+  EXPECT_TRUE(state.messages.empty());
+}
+
+TEST_F(Panels, SplittersResizeAndResetBringsThemBack) {
+  const float before = state.layout.left;
+  drag("layout/left", {60.0f, 0.0f});
+  EXPECT_NEAR(state.layout.left, before + 60.0f, 1.0f);
+  run(action("view/reset-layout"), state);
+  EXPECT_EQ(state.layout.left, before);
+}
+
+TEST_F(Panels, SignBoneAndGroupAreSingleSteps) {
+  addOne();
+  click("inspector/carves");
+  EXPECT_EQ(muscle().sign, -1);
+  EXPECT_EQ(steps(), 2u);
+  click("inspector/group");
+  click("inspector/group-new");
+  EXPECT_EQ(state.document.rig().groups.size(), 2u);
+  EXPECT_EQ(muscle().group, state.document.rig().groups[1].name);
+  EXPECT_EQ(steps(), 3u);
+}
+
+}  // namespace
+}  // namespace sinew::app
