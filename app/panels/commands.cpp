@@ -3,8 +3,10 @@
 #include "app/panels/commands.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
+#include "app/platform/data_files.h"
 #include "core/rig/rig_edit.h"
 
 namespace sinew::app {
@@ -66,6 +68,18 @@ void travel(EditorState& state, Move move) {
     const int index = findPrimitive(*before, name);
     if (index >= 0 && findPrimitive(after, name) < 0) name = after.primitives[static_cast<std::size_t>(index)].name;
   }
+}
+
+/// A file that ships with the program: saved elsewhere, so that the next start shows it as it was.
+bool isBundled(const std::filesystem::path& file) {
+  std::error_code failed;
+  return !file.empty() && std::filesystem::equivalent(file.parent_path(), dataFile("assets"), failed) && !failed;
+}
+
+std::filesystem::path homeFolder() {
+  const char* const home = std::getenv("HOME");
+  std::error_code ignored;
+  return home && *home ? std::filesystem::path(home) : std::filesystem::current_path(ignored);
 }
 
 }  // namespace
@@ -143,13 +157,14 @@ void showSaveDialog(EditorState& state, const Intent& then) {
     file = document.characterFile;
     file.replace_extension(".rig.json");
   }
+  if (isBundled(file)) file = homeFolder() / file.filename();
   file = std::filesystem::absolute(file, ignored);
   state.dialog = {DialogKind::kSaveAs, file.parent_path(), file.filename().string(), "", true, then};
 }
 
 bool save(EditorState& state, const Intent& then) {
   if (!state.hasCharacter()) return false;
-  if (state.document.rigFile.empty()) {
+  if (state.document.rigFile.empty() || isBundled(state.document.rigFile)) {
     showSaveDialog(state, then);
     return false;
   }

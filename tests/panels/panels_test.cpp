@@ -172,6 +172,13 @@ TEST_F(Panels, UnsavedChangesAreAskedAbout) {
   EXPECT_TRUE(state.quit);
 }
 
+TEST_F(Panels, TheBundledRigIsNeverOverwritten) {
+  ASSERT_TRUE(openFile(state, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "demo.rig.json"));
+  EXPECT_FALSE(save(state, {}));
+  EXPECT_EQ(state.dialog.kind, DialogKind::kSaveAs);
+  EXPECT_NE(state.dialog.folder.filename(), "assets");
+}
+
 TEST_F(Panels, AFileThatCannotBeOpenedLeavesTheDocumentAndAMessage) {
   addOne();
   EXPECT_FALSE(openFile(state, "/nowhere/absent.glb"));
