@@ -19,6 +19,8 @@ constexpr float kTremor = 4.0f;        ///< Design pixels a click may move.
 constexpr float kClickLength = 0.05f;  ///< Semi-axes, of H.
 constexpr float kClickWidth = 0.032f;
 constexpr float kClickThickness = 0.026f;
+constexpr float kWidth = 0.6f;       ///< Of the half length of a drag: full enough to show under the skin at once.
+constexpr float kThickness = 0.55f;
 constexpr float kShortestDrag = 0.01f;  ///< Of H.
 constexpr float kLongestDrag = 1.5f;
 constexpr float kSunk = 0.3f;  ///< Of the thickness: how deep the centre lies under the skin.
@@ -64,8 +66,8 @@ Stroke strokeOf(const SkinPoint& start, const std::optional<Ray>& pointer, const
   } else {
     stroke.along = drag / length;
     const float half = std::max(0.5f * length, 0.015f * height);
-    stroke.semiAxes = {half, std::clamp(0.45f * half, 0.01f * height, 0.15f * height),
-                       std::clamp(0.4f * half, 0.01f * height, 0.1f * height)};
+    stroke.semiAxes = {half, std::clamp(kWidth * half, 0.02f * height, 0.2f * height),
+                       std::clamp(kThickness * half, 0.02f * height, 0.15f * height)};
     stroke.center = start.point + 0.5f * drag;
   }
   stroke.center -= kSunk * stroke.semiAxes.z * stroke.normal;
