@@ -1,0 +1,393 @@
+# tests/gui/driver.py: the real window on a screen of its own, moved by xdotool, understood through --log-state.
+"""Nothing here sleeps for effect: every wait is for a state that the editor writes, or for a file, or for an end."""
+import ctypes
+import json
+import math
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+PATIENCE = 60.0  # Seconds that any one wait may take: generous, the picture is drawn in software on a shared machine.
+POLL = 0.004
+SCREEN = (1280, 800)
+LEFT, MIDDLE, RIGHT = 1, 2, 3
+SKIPPED = 77  # What CTest takes as "left out".
+
+
+class Failure(Exception):
+    """A check did not hold, or what was waited for did not come."""
+
+
+class Skip(Exception):
+    """The scenario cannot run here; the text says why."""
+
+
+def die_with_parent():
+    """In the child: killed when the test is, however that ends."""
+    ctypes.CDLL(None).prctl(1, signal.SIGKILL)
+
+
+def wait_for(what, condition, timeout=PATIENCE):
+    """Until condition() is true (returned) or the patience is over."""
+    end = time.monotonic() + timeout
+    while True:
+        found = condition()
+        if found:
+            return found
+        if time.monotonic() > end:
+            raise Failure("waited %.0f s in vain: %s" % (timeout, what))
+        time.sleep(POLL)
+
+
+class Display:
+    """An Xvfb on a number of its own choosing."""
+
+    def __init__(self, folder):
+        read, write = os.pipe()
+        self.complaints = open(folder / "xvfb.txt", "wb")
+        self.process = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", "%dx%dx24" % SCREEN, "-nolisten", "tcp", "-noreset"],
+            pass_fds=[write], stdin=subprocess.DEVNULL, stdout=self.complaints, stderr=self.complaints,
+            preexec_fn=die_with_parent)
+        os.close(write)
+        with os.fdopen(read) as answer:
+            number = answer.readline().strip()
+        if not number:
+            raise Failure("Xvfb did not start; see %s" % (folder / "xvfb.txt"))
+        self.name = ":" + number
+
+    def stop(self):
+        self.process.kill()
+        self.process.wait()
+        self.complaints.close()
+
+
+class Editor:
+    """One run of the editor. State is the last line of its log, as a dictionary (keys: the design's section 7)."""
+
+    def __init__(self, scenario, file, name):
+        self.scenario = scenario
+        self.log_path = scenario.folder / (name + ".log.jsonl")
+        self.log_path.write_bytes(b"")
+        self.log = open(self.log_path, "rb")
+        self.error_path = scenario.folder / (name + ".stderr.txt")
+        with open(self.error_path, "wb") as errors:
+            self.process = subprocess.Popen(
+                [scenario.program, "edit", str(file), "--log-state", str(self.log_path)], env=scenario.environment,
+                cwd=scenario.folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=errors,
+                preexec_fn=die_with_parent)
+        self.rest = b""
+        self.last = None
+        self.mouse = None
+        self.wait_until("the first frame", lambda s: s["viewport"][2] > 0)
+
+    # What the editor says ------------------------------------------------------------------------------------------
+
+    def read_new(self):
+        """The states logged since the last call, in order."""
+        data = self.rest + self.log.read()
+        *lines, self.rest = data.split(b"\n")
+        states = [json.loads(line) for line in lines if line]
+        if states:
+            self.last = states[-1]
+        return states
+
+    def state(self):
+        """The newest state there is."""
+        self.read_new()
+        return self.last
+
+    def wait_until(self, what, predicate, timeout=PATIENCE):
+        """The first state for which it holds: of the newest at the call and all after it."""
+        found = []
+
+        def look():
+            candidates = [self.last] if self.last is not None and not found else []
+            found.append(None)
+            for state in candidates + self.read_new():
+                if predicate(state):
+                    return state
+            if self.process.poll() is not None:
+                raise Failure("the editor ended with %d while waiting: %s\n%s" % (
+                    self.process.returncode, what, self.error_path.read_text(errors="replace")))
+            return None
+
+        return wait_for(what, look, timeout)
+
+    def next_frames(self, count):
+        """The next states that are logged. Only while something moves."""
+        states = []
+
+        def look():
+            states.extend(self.read_new())
+            return len(states) >= count
+
+        self.read_new()
+        wait_for("%d more frames" % count, look)
+        return states
+
+    # Hands ---------------------------------------------------------------------------------------------------------
+
+    def xdotool(self, *arguments):
+        done = subprocess.run(["xdotool", *map(str, arguments)], env=self.scenario.environment, capture_output=True,
+                              text=True, timeout=PATIENCE)
+        if done.returncode != 0:
+            raise Failure("xdotool %s: %s" % (" ".join(map(str, arguments)), done.stderr.strip()))
+        return done.stdout
+
+    def move(self, point):
+        """The pointer goes there and the editor has drawn a frame with it there."""
+        x, y = round(point[0]), round(point[1])
+        self.xdotool("mousemove", x, y)
+        self.mouse = (x, y)
+        self.wait_until("the pointer at %d, %d" % (x, y),
+                        lambda s: abs(s["mouse"][0] - x) < 0.1 and abs(s["mouse"][1] - y) < 0.1)
+
+    def press(self, button=LEFT):
+        self.xdotool("mousedown", button)
+
+    def release(self, button=LEFT):
+        self.xdotool("mouseup", button)
+
+    def key(self, *names):
+        """Taps: down and up at once."""
+        for name in names:
+            self.xdotool("key", name)
+
+    def hold(self, name):
+        self.xdotool("keydown", name)
+
+    def let_go(self, name):
+        self.xdotool("keyup", name)
+
+    def type(self, text):
+        self.xdotool("type", "--delay", 0, "--", text)
+
+    def widget(self, name, along=0.5):
+        """Where a control is: its middle, or that part of its width."""
+        box = self.wait_until("the control %s on the screen" % name, lambda s: name in s["widgets"])["widgets"][name]
+        return box[0] + along * box[2], box[1] + 0.5 * box[3]
+
+    def point_at(self, where):
+        """Moves to where() and stays with it until it stands still under the pointer."""
+        def aim():
+            self.move(where())
+            return math.dist(where(), self.mouse) < 1.5
+
+        wait_for("a thing that stands still", aim)
+
+    def click(self, name, along=0.5, held=None):
+        """A short click in the middle of a control, with a key held down if one is named."""
+        self.point_at(lambda: self.widget(name, along))
+        if held:
+            self.hold(held)
+        self.xdotool("click", LEFT)
+        if held:
+            self.let_go(held)
+
+    def drag(self, start, end, steps=4, button=LEFT):
+        """Press, steps, release; a frame is seen after every step."""
+        self.move(start)
+        self.press(button)
+        for i in range(1, steps + 1):
+            self.move([a + (b - a) * i / steps for a, b in zip(start, end)])
+        self.release(button)
+
+    # Whole acts ----------------------------------------------------------------------------------------------------
+
+    def act(self, what, do, predicate):
+        """Does it and waits for a state in which predicate holds."""
+        do()
+        return self.wait_until(what, predicate)
+
+    def tap(self, key, what, predicate):
+        return self.act(what, lambda: self.key(key), predicate)
+
+    def fill(self, field, text):
+        """Replaces what a text field holds and confirms."""
+        self.click(field)
+        self.key("ctrl+a")
+        self.type(text)
+        self.key("Return")
+
+    def type_number(self, field, text):
+        """A number into a drag or slider field: Ctrl and a click open it for typing."""
+        self.click(field, held="ctrl")
+        self.key("ctrl+a")
+        self.type(text)
+        self.key("Return")
+
+    def choose_clip(self, index, name):
+        self.click("timeline/clip")
+        self.click("timeline/clip/%d" % index)
+        return self.wait_until("the clip '%s'" % name, lambda s: s["clip"] == name and "timeline/clip/0" not in s["widgets"])
+
+    def grab(self, handle):
+        """Hovers a gizmo handle and presses on it."""
+        self.wait_until("the handle " + handle, lambda s: handle in s["gizmo"]["handles"])
+
+        def aim():
+            at = self.state()["gizmo"]["handles"].get(handle)
+            if at is None:
+                return False
+            self.move(at)
+            return self.state()["gizmo"]["hovered"] == handle
+
+        wait_for("the handle %s under the pointer" % handle, aim)
+        self.press()
+        self.wait_until("a drag of " + handle, lambda s: s["gizmo"]["dragging"])
+
+    def drag_handle(self, handle, way, during=None):
+        """Pulls a gizmo handle along offsets in pixels from where it was grabbed; during() happens before the release."""
+        undo = self.state()["document"]["undo"]
+        self.grab(handle)
+        start = self.mouse
+        for offset in way:
+            self.move((start[0] + offset[0], start[1] + offset[1]))
+        if during:
+            during()
+        self.release()
+        return self.wait_until("the drag of %s to be a step" % handle,
+                               lambda s: not s["gizmo"]["dragging"] and s["document"]["undo"] == undo + 1)
+
+    def save_as(self, path):
+        """Through the dialog, the path typed."""
+        self.tap("ctrl+shift+s", "the save dialog", lambda s: s["dialog"] == "save")
+        self.fill("dialog/path", str(path))
+        return self.wait_until("%s to be saved" % path,
+                               lambda s: s["dialog"] == "" and "dialog/path" not in s["widgets"] and
+                               s["document"]["path"] == str(path) and not s["document"]["modified"])
+
+    def saved_rig(self):
+        """Saves to the document's own file and reads it. Written atomically: a new file is a finished file."""
+        path = pathlib.Path(self.state()["document"]["path"])
+        before = path.stat()
+        self.key("ctrl+s")
+        wait_for("%s to be written anew" % path,
+                 lambda: (path.stat().st_ino, path.stat().st_mtime_ns) != (before.st_ino, before.st_mtime_ns))
+        self.wait_until("the document to count as saved", lambda s: not s["document"]["modified"])
+        return json.loads(path.read_text())
+
+    def title(self):
+        window = self.xdotool("search", "--onlyvisible", "--name", ".").split()[0]
+        return self.xdotool("getwindowname", window).strip()
+
+    def screenshot(self, path):
+        subprocess.run(["import", "-window", "root", str(path)], env=self.scenario.environment, check=True, timeout=PATIENCE)
+
+    def wait_for_end(self):
+        """The exit status of an editor that was told to quit."""
+        wait_for("the editor to end", lambda: self.process.poll() is not None)
+        return self.process.returncode
+
+    def quit(self):
+        self.key("ctrl+q")
+        return self.wait_for_end()
+
+    def stop(self):
+        self.process.kill()
+        self.process.wait()
+        self.log.close()
+
+
+class Scenario:
+    """Checks, and all that has to be ended. Arguments of every script: PROGRAM ROOT OUT CHARACTERS."""
+
+    def __init__(self, name):
+        program, root, out, characters = sys.argv[1:5]
+        self.name = name
+        self.program = str(pathlib.Path(program).resolve())
+        self.assets = pathlib.Path(root).resolve() / "assets"
+        self.characters = pathlib.Path(characters).resolve()
+        self.out = pathlib.Path(out).resolve()
+        self.out.mkdir(parents=True, exist_ok=True)
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="sinew-gui-"))
+        self.editors = []
+        self.display = None
+        # A home of its own: nothing of the user's is read, nothing is left there.
+        self.environment = dict(os.environ, HOME=str(self.folder), XDG_CONFIG_HOME=str(self.folder / "config"),
+                                XDG_STATE_HOME=str(self.folder / "state"), XDG_DATA_HOME=str(self.folder / "data"),
+                                XDG_CACHE_HOME=str(self.folder / "cache"))
+        self.environment.pop("WAYLAND_DISPLAY", None)
+        # The driver is unloaded before leaks are sought, so that its own count as ours.
+        self.environment.setdefault("ASAN_OPTIONS", "detect_leaks=0")
+
+    def start_display(self):
+        missing = [tool for tool in ("Xvfb", "xdotool", "import") if shutil.which(tool) is None]
+        if missing:
+            raise Skip("no window can be driven here without " + ", ".join(missing))
+        self.display = Display(self.folder)
+        self.environment["DISPLAY"] = self.display.name
+
+    def copy(self, source, name=None):
+        """A file to work on, in the scenario's own folder."""
+        target = self.folder / (name or source.name)
+        shutil.copyfile(source, target)
+        return target
+
+    def edit(self, file):
+        editor = Editor(self, file, "editor-%d" % (len(self.editors) + 1))
+        self.editors.append(editor)
+        return editor
+
+    def run_program(self, *arguments):
+        """A verb, or an editor that should refuse to start."""
+        return subprocess.run([self.program, *map(str, arguments)], env=self.environment, cwd=self.folder,
+                              stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=PATIENCE)
+
+    def check(self, what, holds, seen=""):
+        if not holds:
+            raise Failure("%s%s" % (what, "; seen: %s" % (seen,) if seen != "" else ""))
+        print("ok: " + what, flush=True)
+
+    def check_equal(self, what, seen, wanted):
+        self.check(what, seen == wanted, "%r, expected %r" % (seen, wanted))
+
+    def keep_evidence(self):
+        """What is on the screen and what was logged, for whoever looks into a failure."""
+        kept = self.out / (self.name + "-failed")
+        shutil.rmtree(kept, ignore_errors=True)
+        kept.mkdir(parents=True)
+        running = [editor for editor in self.editors if editor.process.poll() is None]
+        if running:
+            try:
+                running[-1].process.send_signal(signal.SIGCONT)
+                running[-1].screenshot(kept / "screen.png")
+            except (OSError, subprocess.SubprocessError) as error:
+                print("no screenshot: %s" % error)
+        for path in self.folder.iterdir():
+            if path.is_file():
+                shutil.copyfile(path, kept / path.name)
+        print("what was seen is kept in %s" % kept)
+
+    def stop(self):
+        for editor in self.editors:
+            editor.stop()
+        if self.display:
+            self.display.stop()
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+
+def run(name, story):
+    """Runs story(scenario) and gives the exit status: 0, 1, or SKIPPED."""
+    scenario = Scenario(name)
+    begun = time.monotonic()
+    try:
+        scenario.start_display()
+        story(scenario)
+    except Skip as reason:
+        print("left out: %s" % reason)
+        return SKIPPED
+    except (Failure, subprocess.SubprocessError, OSError, KeyError) as failure:
+        print("FAILED: %s: %s" % (type(failure).__name__, failure), flush=True)
+        scenario.keep_evidence()
+        return 1
+    finally:
+        scenario.stop()
+    print("done in %.1f s" % (time.monotonic() - begun))
+    return 0
