@@ -42,12 +42,12 @@ class Editor {
     state_.uiScale = imgui_.scale();
   }
 
-  /// What the command line names, else the bundled character. Error: what was named cannot be opened.
-  Result<void> open(const std::filesystem::path& file) {
+  /// The document the command line named, else the bundled character. Error: it cannot be smoothed.
+  Result<void> open(std::optional<Document> document) {
     const std::filesystem::path sample = dataFile("assets/demo.rig.json");
     std::error_code ignored;
-    if (!file.empty()) {
-      if (!openFile(state_, file)) return Error{"", "", state_.messages.back().text};
+    if (document) {
+      if (!showDocument(state_, std::move(*document))) return Error{"", "", state_.messages.back().text};
     } else if (std::filesystem::is_regular_file(sample, ignored)) {
       openFile(state_, sample);
     }
@@ -192,12 +192,19 @@ int runEditor(const EditorOptions& options) {
     if (!opened) return refuse(opened.error());
     log = std::move(opened).value();
   }
+  // Before the window: a bad file is told apart from a missing display, and nothing flashes up.
+  std::optional<Document> document;
+  if (!options.file.empty()) {
+    Result<Document> opened = openDocument(options.file);
+    if (!opened) return refuse(opened.error());
+    document = std::move(opened).value();
+  }
   const Result<std::unique_ptr<Window>> window = Window::open(kWindowSize, kTitle);
   if (!window) return refuse(window.error());
   const Result<std::unique_ptr<Viewport>> viewport = Viewport::create(Viewport::defaultSamples());
   if (!viewport) return refuse(viewport.error());
   Editor editor(*window.value(), *viewport.value(), std::move(log));
-  if (const Result<void> opened = editor.open(options.file); !opened) return refuse(opened.error());
+  if (const Result<void> opened = editor.open(std::move(document)); !opened) return refuse(opened.error());
   editor.run();
   return 0;
 }

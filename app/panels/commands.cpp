@@ -100,14 +100,17 @@ bool openFile(EditorState& state, const std::filesystem::path& file) {
     addMessage(state, MessageKind::kError, opened.error().text());
     return false;
   }
-  Document document = std::move(opened).value();
+  return showDocument(state, std::move(opened).value());
+}
+
+bool showDocument(EditorState& state, Document document) {
   Transport transport;
   transport.clip = document.character->clips.empty() ? -1 : 0;
   transport.playing = clipDuration(transport, *document.character) > 0.0;
   Result<LiveSurface> live = LiveSurface::create(document.character, document.commands, transport);
   if (!live) {
     Error error = live.error();
-    error.file = file.string();
+    error.file = (document.rigFile.empty() ? document.characterFile : document.rigFile).string();
     addMessage(state, MessageKind::kError, error.text());
     return false;
   }

@@ -12,6 +12,8 @@ void addMessage(EditorState& state, MessageKind kind, const std::string& text);
 /// Opens at once, without asking about changes. On an error the open document stays, and a message says why.
 /// The first clip plays. @return whether it was opened.
 bool openFile(EditorState& state, const std::filesystem::path& file);
+/// The same with what has been read already.
+bool showDocument(EditorState& state, Document document);
 
 /// Does it, or first asks what becomes of unsaved changes.
 void request(EditorState& state, const Intent& intent);

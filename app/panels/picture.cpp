@@ -11,6 +11,7 @@
 
 #include "app/panels/commands.h"
 #include "app/tools/gizmo_draw.h"
+#include "app/tools/hover_draw.h"
 #include "core/character/skinning.h"
 
 namespace sinew::app {
@@ -85,6 +86,10 @@ void Picture::draw(EditorState& state, const View& view, ImDrawList& list) {
   if (state.route.gizmo.visible) {
     drawGizmo(list, state.tools.gizmo, state.route.gizmo, state.route.gizmoContext, {v.x, v.y},
               v.z / static_cast<float>(state.viewportPixels.x));
+  }
+  if (state.tools.tool == ToolKind::kAddMuscle && !state.tools.addMuscle.drag) {
+    drawLanding(list, state.tools.hover, state.character(), state.live->pose(), view, {v.x, v.y},
+                v.z / static_cast<float>(state.viewportPixels.x));
   }
   list.PopClipRect();
 }
