@@ -12,6 +12,7 @@
 #include "app/cli/console.h"
 #include "app/document/document.h"
 #include "core/io/json.h"
+#include "core/mesh/creases.h"
 #include "core/mesh/topology.h"
 #include "core/mesh/weld.h"
 
@@ -37,14 +38,23 @@ Json listOf(const Items& items, Show show) {
   return list;
 }
 
+/// Wedges as the rig's crease angle splits them.
+std::vector<Wedge> shadedWedges(const Document& document) {
+  return creased(document.character->mesh, document.rig().smoothing.creaseAngle).wedges;
+}
+
 void addRig(Json& json, const Document& document) {
   const Rig& rig = document.rig();
+  const std::vector<Wedge> wedges = shadedWedges(document);
   const auto asIs = [](const std::string& name) { return name; };
   json.set("character", document.characterFile.string());
   json.set("primitives", count(rig.primitives.size()));
   json.set("groups", listOf(rig.groups, [](const Group& group) { return group.name; }));
   json.set("links", listOf(rig.links, [&](const auto& link) { return listOf(link, asIs); }));
   json.set("unattached", listOf(unattached(document), asIs));
+  json.set("crease_angle", rig.smoothing.creaseAngle);
+  json.set("shaded_wedges", count(wedges.size()));
+  json.set("creased_wedges", static_cast<int>(std::ranges::count(wedges, true, &Wedge::creased)));
 }
 
 /// The mesh as it is bound, and the same joined where separately moving parts touch: only there do edges with more than
@@ -183,6 +193,10 @@ void putRig(std::ostream& out, const Document& document) {
   putNames(out, "groups      ", groups);
   putNames(out, "links       ", links);
   putNames(out, "unattached  ", unattached(document));
+  if (rig.smoothing.creaseAngle >= kNoCreases) return;
+  const std::vector<Wedge> wedges = shadedWedges(document);
+  out << "  creases     over " << shortNumber(rig.smoothing.creaseAngle) << " degrees: " << wedges.size()
+      << " wedges, " << std::ranges::count(wedges, true, &Wedge::creased) << " of them creased\n";
 }
 
 std::string plainText(const Document& document, const Shape& shape) {

@@ -152,7 +152,7 @@ void SurfaceDrawer::upload(const Surface& surface, const ControlMesh& mesh) {
   const bool displaced = surface.displacement.size() == surface.positions.size();
   for (std::size_t i = 0; i < staging_.size(); ++i) {
     const auto vertex = static_cast<std::size_t>(drawVertex[i]);
-    staging_[i] = {surface.positions[vertex], surface.normals[vertex], displaced ? surface.displacement[vertex] : 0.0f};
+    staging_[i] = {surface.positions[vertex], shadingNormal(surface, i), displaced ? surface.displacement[vertex] : 0.0f};
   }
   uploadBuffer(vertices_, std::span<const Vertex>(staging_));
   bounds_ = boundsOf(surface.positions);

@@ -2,25 +2,52 @@
 #include "core/character/skinning.h"
 
 namespace sinew {
+namespace {
+
+/// [bindings] what carries a vertex of one binding from the bind pose to the pose.
+std::vector<glm::mat4> skinMatrices(const Character& character, const Pose& pose) {
+  const std::vector<Binding>& bindings = character.skeleton.bindings;
+  std::vector<glm::mat4> matrices;
+  matrices.reserve(bindings.size());
+  for (const Binding& binding : bindings) {
+    matrices.push_back(pose.boneInWorld[static_cast<std::size_t>(binding.bone)] * binding.inverseBind);
+  }
+  return matrices;
+}
+
+glm::mat4 blended(const ControlMesh& mesh, std::span<const glm::mat4> matrices, int vertex) {
+  glm::mat4 sum(0.0f);
+  for (const Influence& influence : mesh.influencesOf(vertex)) {
+    sum += matrices[static_cast<std::size_t>(influence.binding)] * influence.weight;
+  }
+  return sum;
+}
+
+}  // namespace
 
 void skin(const Character& character, const Pose& pose, SkinnedMesh& out) {
   const ControlMesh& mesh = character.mesh;
-  const std::vector<Binding>& bindings = character.skeleton.bindings;
-  std::vector<glm::mat4> skinMatrices;
-  skinMatrices.reserve(bindings.size());
-  for (const Binding& binding : bindings) {
-    skinMatrices.push_back(pose.boneInWorld[static_cast<std::size_t>(binding.bone)] * binding.inverseBind);
-  }
+  const std::vector<glm::mat4> matrices = skinMatrices(character, pose);
   const std::size_t count = mesh.positions.size();
   out.positions.resize(count);
   out.normals.resize(count);
   for (std::size_t v = 0; v < count; ++v) {
-    glm::mat4 blended(0.0f);
-    for (const Influence& influence : mesh.influencesOf(static_cast<int>(v))) {
-      blended += skinMatrices[static_cast<std::size_t>(influence.binding)] * influence.weight;
-    }
-    out.positions[v] = glm::vec3(blended * glm::vec4(mesh.positions[v], 1.0f));
-    out.normals[v] = normalizeOr(normalMatrix(glm::mat3(blended)) * mesh.normals[v], mesh.normals[v]);
+    const glm::mat4 matrix = blended(mesh, matrices, static_cast<int>(v));
+    out.positions[v] = glm::vec3(matrix * glm::vec4(mesh.positions[v], 1.0f));
+    out.normals[v] = normalizeOr(normalMatrix(glm::mat3(matrix)) * mesh.normals[v], mesh.normals[v]);
+  }
+}
+
+void skinWedgeNormals(const Character& character, std::span<const Wedge> wedges, const Pose& pose,
+                      const SkinnedMesh& skinned, std::vector<glm::vec3>& out) {
+  const std::vector<glm::mat4> matrices = skinMatrices(character, pose);
+  out.resize(wedges.size());
+  for (std::size_t w = 0; w < wedges.size(); ++w) {
+    const Wedge& wedge = wedges[w];
+    out[w] = skinned.normals[static_cast<std::size_t>(wedge.vertex)];
+    if (!wedge.creased) continue;
+    const glm::mat3 matrix = normalMatrix(glm::mat3(blended(character.mesh, matrices, wedge.vertex)));
+    out[w] = normalizeOr(matrix * wedge.normal, wedge.normal);
   }
 }
 

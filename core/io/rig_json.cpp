@@ -70,11 +70,12 @@ JsonNode surfaceNode(const SurfaceSettings& surface) {
 }
 
 JsonNode smoothingNode(const SmoothingSettings& smoothing) {
-  return ObjectWriter()
-      .set("depth", numberNode(static_cast<long long>(smoothing.depth)))
+  ObjectWriter writer;
+  writer.set("depth", numberNode(static_cast<long long>(smoothing.depth)))
       .set("patch", stringNode(nameOf(smoothing.patch)))
-      .set("projection", stringNode(nameOf(smoothing.projection)))
-      .finish(smoothing.unknownKeys);
+      .set("projection", stringNode(nameOf(smoothing.projection)));
+  if (smoothing.creaseAngle != kDefaultCreaseAngle) writer.set("crease_angle", numberNode(smoothing.creaseAngle));
+  return writer.finish(smoothing.unknownKeys);
 }
 
 JsonNode groupNode(const Group& group) {

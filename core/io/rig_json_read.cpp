@@ -165,7 +165,8 @@ SmoothingSettings readSmoothing(Reader& reader, const JsonNode& node) {
            smoothing.patch);
   readWord(reader, node, "smoothing", "projection", "\"newton\", \"bisection\" or \"analytic\"", projectionKindNamed,
            smoothing.projection);
-  smoothing.unknownKeys = unknownKeys(node, {"depth", "patch", "projection"});
+  readFloat(reader, node, "smoothing", "crease_angle", smoothing.creaseAngle);
+  smoothing.unknownKeys = unknownKeys(node, {"depth", "patch", "projection", "crease_angle"});
   return smoothing;
 }
 

@@ -143,9 +143,9 @@ class GlbWriter {
     const Refinement& refinement = *surface_.refinement;
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
-    for (const int vertex : refinement.drawVertex) {
-      positions.push_back(surface_.positions[static_cast<std::size_t>(vertex)]);
-      normals.push_back(surface_.normals[static_cast<std::size_t>(vertex)]);
+    for (std::size_t d = 0; d < refinement.drawVertex.size(); ++d) {
+      positions.push_back(surface_.positions[static_cast<std::size_t>(refinement.drawVertex[d])]);
+      normals.push_back(shadingNormal(surface_, d));
     }
     const Bounds bounds = boundsOf(positions);
     Json attributes = Json::object();

@@ -74,11 +74,12 @@ std::string mtlText(const std::vector<int>& used, const Character& character, co
   return out;
 }
 
-void appendFace(std::string& out, const Refinement& refinement, const std::array<std::uint32_t, 3>& drawn) {
+void appendFace(std::string& out, const Surface& surface, const std::array<std::uint32_t, 3>& drawn) {
   out += 'f';
   for (const std::uint32_t corner : drawn) {
-    const std::string vertex = std::to_string(refinement.drawVertex[corner] + 1);
-    out += ' ' + vertex + '/' + std::to_string(corner + 1) + '/' + vertex;
+    const std::string vertex = std::to_string(surface.refinement->drawVertex[corner] + 1);
+    const std::string wedge = std::to_string(corner + 1);
+    out += ' ' + vertex + '/' + wedge + '/' + (surface.shadingNormals.empty() ? vertex : wedge);
   }
   out += '\n';
 }
@@ -90,10 +91,11 @@ std::string objText(const Surface& surface, const Character& character, const st
   if (!character.name.empty()) out += "o " + asWord(character.name) + '\n';
   for (const glm::vec3& p : surface.positions) appendExact(out, "v", {p.x, p.y, p.z});
   for (const glm::vec2& uv : refinement.drawUv) appendExact(out, "vt", {uv.x, 1.0f - uv.y});
-  for (const glm::vec3& n : surface.normals) appendExact(out, "vn", {n.x, n.y, n.z});
+  const bool creased = !surface.shadingNormals.empty();
+  for (const glm::vec3& n : creased ? surface.shadingNormals : surface.normals) appendExact(out, "vn", {n.x, n.y, n.z});
   for (const MaterialRun& run : materialRuns(surface, character)) {
     out += "usemtl " + words[static_cast<std::size_t>(run.material)] + '\n';
-    for (std::size_t t = run.begin; t < run.end; ++t) appendFace(out, refinement, refinement.drawTriangles[t]);
+    for (std::size_t t = run.begin; t < run.end; ++t) appendFace(out, surface, refinement.drawTriangles[t]);
   }
   return out;
 }
@@ -140,7 +142,7 @@ std::string plyBytes(const Surface& surface) {
   for (std::size_t d = 0; d < vertices; ++d) {
     const auto vertex = static_cast<std::size_t>(refinement.drawVertex[d]);
     const glm::vec3& p = surface.positions[vertex];
-    const glm::vec3& n = surface.normals[vertex];
+    const glm::vec3 n = shadingNormal(surface, d);
     const glm::vec2& uv = refinement.drawUv[d];
     appendRaw(out, std::array{p.x, p.y, p.z, n.x, n.y, n.z, uv.x, 1.0f - uv.y});
   }

@@ -14,10 +14,13 @@ struct Influence {
   float weight = 0.0f;
 };
 
-/// A corner as drawn: one geometric vertex with its own texture coordinate. Seams split wedges, never vertices.
+/// A corner as drawn: one geometric vertex with its own texture coordinate and, at creases, its own normal. Seams and
+/// creases split wedges, never vertices.
 struct Wedge {
   int vertex = 0;
   glm::vec2 uv{0.0f};
+  bool creased = false;                 ///< Shaded with `normal`, not with the vertex's. Made by creased (mesh/creases.h).
+  glm::vec3 normal{0.0f, 1.0f, 0.0f};  ///< Bind pose, unit; read only where creased.
 };
 
 /// Edge between two geometric vertices; vertices[0] < vertices[1].

@@ -19,7 +19,8 @@ bool sameSurface(const SurfaceSettings& a, const SurfaceSettings& b) {
 }
 
 bool sameSmoothing(const SmoothingSettings& a, const SmoothingSettings& b) {
-  return a.depth == b.depth && a.patch == b.patch && a.projection == b.projection && a.unknownKeys == b.unknownKeys;
+  return a.depth == b.depth && a.patch == b.patch && a.projection == b.projection &&
+         a.creaseAngle == b.creaseAngle && a.unknownKeys == b.unknownKeys;
 }
 
 bool sameGroup(const Group& a, const Group& b) { return a.name == b.name && a.unknownKeys == b.unknownKeys; }

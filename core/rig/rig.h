@@ -16,6 +16,7 @@ enum class ProjectionKind { kNewton, kBisection, kAnalytic };
 inline constexpr float kDefaultIso = 0.25f;
 inline constexpr float kDefaultReach = 1.4142135f;
 inline constexpr float kDefaultSkinBlend = 0.04f;
+inline constexpr float kDefaultCreaseAngle = 180.0f;  ///< Smooth everywhere.
 inline constexpr int kMaxDepth = 16;
 
 /// "surface" in the file.
@@ -31,6 +32,7 @@ struct SmoothingSettings {
   int depth = 3;  ///< n, 1..kMaxDepth: every control triangle becomes n^2.
   PatchKind patch = PatchKind::kPn;
   ProjectionKind projection = ProjectionKind::kNewton;
+  float creaseAngle = kDefaultCreaseAngle;  ///< Degrees, 0..180: faces that meet at more are shaded apart (mesh/creases.h).
   std::string unknownKeys;
 };
 

@@ -173,9 +173,14 @@ Result<void> validateSurface(const SurfaceSettings& surface) {
 }
 
 Result<void> validateSmoothing(const SmoothingSettings& smoothing) {
-  if (smoothing.depth >= 1 && smoothing.depth <= kMaxDepth) return {};
-  return errorAt("smoothing.depth", "expected a whole number from 1 to " + std::to_string(kMaxDepth) + ", got " +
-                                        std::to_string(smoothing.depth));
+  if (smoothing.depth < 1 || smoothing.depth > kMaxDepth) {
+    return errorAt("smoothing.depth", "expected a whole number from 1 to " + std::to_string(kMaxDepth) + ", got " +
+                                          std::to_string(smoothing.depth));
+  }
+  if (!(smoothing.creaseAngle >= 0.0f && smoothing.creaseAngle <= 180.0f)) {
+    return outOfRange("smoothing.crease_angle", "degrees from 0 to 180", smoothing.creaseAngle);
+  }
+  return {};
 }
 
 Result<void> validateLinks(const Rig& rig) {

@@ -1,6 +1,7 @@
 // core/smoothing/patch.cpp: the four patches.
 #include "core/smoothing/patch.h"
 
+#include <algorithm>
 #include <array>
 
 #include <glm/geometric.hpp>
@@ -138,6 +139,33 @@ PatchPoint point(PatchKind kind, const Corners& corners, const Barycentric& w) {
   return flatPoint(corners, w);
 }
 
+/// Point of an edge's curve, w from a to b.
+PatchPoint edgePoint(PatchKind kind, const Corner& a, const Corner& b, float w) {
+  if (kind == PatchKind::kPn) return pnEdgePoint(a, b, w);
+  return point(kind, Corners{{a, b, Corner{}}, 2}, {1.0f - w, w, 0.0f});
+}
+
+/// Points inside a triangle, at the refinement's lattice.
+class Inside {
+ public:
+  Inside(PatchKind kind, const Corners& corners, const Refinement& refinement)
+      : kind_(kind), corners_(corners), pn_(corners), refinement_(refinement) {}
+
+  PatchPoint at(int index) const {
+    const float n = static_cast<float>(refinement_.depth);
+    const auto& [j, k] = refinement_.interior[static_cast<std::size_t>(index)];
+    const Barycentric w{static_cast<float>(refinement_.depth - j - k) / n, static_cast<float>(j) / n,
+                        static_cast<float>(k) / n};
+    return kind_ == PatchKind::kPn ? pn_.at(w) : point(kind_, corners_, w);
+  }
+
+ private:
+  PatchKind kind_;
+  Corners corners_;
+  PnTriangle pn_;
+  const Refinement& refinement_;
+};
+
 }  // namespace
 
 void evaluatePatches(PatchKind kind, const ControlMesh& mesh, const Refinement& refinement,
@@ -156,23 +184,55 @@ void evaluatePatches(PatchKind kind, const ControlMesh& mesh, const Refinement& 
 
   for (int e = 0; e < refinement.controlEdges && refinement.edgeVertices > 0; ++e) {
     const auto& ends = mesh.edges[static_cast<std::size_t>(e)].vertices;
-    const Corners pair{{corner(ends[0]), corner(ends[1]), Corner{}}, 2};
+    const Corner a = corner(ends[0]);
+    const Corner b = corner(ends[1]);
     for (int step = 1; step < refinement.depth; ++step) {
-      const float w = static_cast<float>(step) / n;
-      store(refinement.edgeVertex(e, step), kind == PatchKind::kPn ? pnEdgePoint(pair.at[0], pair.at[1], w)
-                                                                   : point(kind, pair, {1.0f - w, w, 0.0f}));
+      store(refinement.edgeVertex(e, step), edgePoint(kind, a, b, static_cast<float>(step) / n));
     }
   }
 
   for (std::size_t t = 0; t < mesh.triangles.size() && refinement.interiorVertices > 0; ++t) {
     const auto& vertices = mesh.triangles[t].vertices;
-    const Corners corners{{corner(vertices[0]), corner(vertices[1]), corner(vertices[2])}, 3};
-    const PnTriangle pn(corners);
+    const Inside inside(kind, {{corner(vertices[0]), corner(vertices[1]), corner(vertices[2])}, 3}, refinement);
     for (int i = 0; i < refinement.interiorVertices; ++i) {
-      const auto& [j, k] = refinement.interior[static_cast<std::size_t>(i)];
-      const Barycentric w{static_cast<float>(refinement.depth - j - k) / n, static_cast<float>(j) / n,
-                          static_cast<float>(k) / n};
-      store(refinement.interiorVertex(static_cast<int>(t), i), kind == PatchKind::kPn ? pn.at(w) : point(kind, corners, w));
+      store(refinement.interiorVertex(static_cast<int>(t), i), inside.at(i));
+    }
+  }
+}
+
+void evaluateShading(PatchKind kind, const ControlMesh& mesh, const Refinement& refinement,
+                     std::span<const glm::vec3> positions, std::span<const glm::vec3> wedgeNormals,
+                     std::span<const glm::vec3> patchNormals, std::span<glm::vec3> outNormals) {
+  const auto isCreased = [&](int wedge) { return mesh.wedges[static_cast<std::size_t>(wedge)].creased; };
+  const auto corner = [&](int wedge) {
+    const auto w = static_cast<std::size_t>(wedge);
+    return Corner{positions[static_cast<std::size_t>(mesh.wedges[w].vertex)], wedgeNormals[w]};
+  };
+  const float n = static_cast<float>(refinement.depth);
+  for (std::size_t d = 0; d < outNormals.size(); ++d) {
+    outNormals[d] = patchNormals[static_cast<std::size_t>(refinement.drawVertex[d])];
+  }
+
+  for (std::size_t w = 0; w < mesh.wedges.size(); ++w) {
+    if (mesh.wedges[w].creased) outNormals[w] = wedgeNormals[w];
+  }
+
+  for (const DrawnRun& run : refinement.drawRuns) {
+    if (std::ranges::none_of(run.wedges, isCreased)) continue;
+    const Corner a = corner(run.wedges[0]);
+    const Corner b = corner(run.wedges[1]);
+    for (int step = 1; step < refinement.depth; ++step) {
+      const glm::vec3 normal = edgePoint(kind, a, b, static_cast<float>(step) / n).normal;
+      outNormals[static_cast<std::size_t>(run.first + step - 1)] = normal;
+    }
+  }
+
+  for (std::size_t t = 0; t < refinement.drawInterior.size(); ++t) {
+    const auto& wedges = mesh.triangles[t].wedges;
+    if (std::ranges::none_of(wedges, isCreased)) continue;
+    const Inside inside(kind, {{corner(wedges[0]), corner(wedges[1]), corner(wedges[2])}, 3}, refinement);
+    for (int i = 0; i < refinement.interiorVertices; ++i) {
+      outNormals[static_cast<std::size_t>(refinement.drawInterior[t] + i)] = inside.at(i).normal;
     }
   }
 }

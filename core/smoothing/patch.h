@@ -25,4 +25,13 @@ void evaluatePatches(PatchKind kind, const ControlMesh& mesh, const Refinement& 
                      std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                      std::span<glm::vec3> outPositions, std::span<glm::vec3> outNormals);
 
+/// Fills the normals of all drawn vertices by the same rules from the wedges' normals; what no creased wedge reaches
+/// keeps the patch's. Drawn vertices between wedges of equal normals get equal ones: no seam shows.
+/// @param mesh creased (mesh/creases.h); the refinement is of it.  @param positions [V] world.
+/// @param wedgeNormals [W] world, unit.  @param patchNormals [V'] as evaluatePatches made them.
+/// @param outNormals [D] world, unit.
+void evaluateShading(PatchKind kind, const ControlMesh& mesh, const Refinement& refinement,
+                     std::span<const glm::vec3> positions, std::span<const glm::vec3> wedgeNormals,
+                     std::span<const glm::vec3> patchNormals, std::span<glm::vec3> outNormals);
+
 }  // namespace sinew

@@ -3,6 +3,7 @@
 
 #include <cassert>
 
+#include "core/mesh/index_table.h"
 #include "core/rig/rig.h"
 
 namespace sinew {
@@ -21,17 +22,9 @@ int interiorIndex(int depth, int j, int k) {
   return index;
 }
 
-/// Refined vertices along control edges as drawn: one run per pair of wedges at the edge's ends.
-struct EdgeRun {
-  int wedgeAtFirst = 0;
-  int wedgeAtSecond = 0;
-  int base = 0;   ///< Drawn vertex of step 1.
-  int next = -1;  ///< Next run of the same edge.
-};
-
 class Builder {
  public:
-  Builder(const ControlMesh& mesh, int depth) : mesh_(mesh) {
+  Builder(const ControlMesh& mesh, int depth) : mesh_(mesh), runs_(depth > 1 ? 3 * mesh.triangles.size() : 0) {
     out_.depth = depth;
     out_.controlVertices = static_cast<int>(mesh.positions.size());
     out_.controlEdges = static_cast<int>(mesh.edges.size());
@@ -43,7 +36,6 @@ class Builder {
   Refinement build() {
     fillInterior();
     fillCornerWedges();
-    firstRun_.assign(mesh_.edges.size(), -1);
     lattice_.resize(static_cast<std::size_t>((out_.depth + 1) * (out_.depth + 1)));
     drawLattice_.resize(lattice_.size());
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) splitTriangle(static_cast<int>(t));
@@ -98,8 +90,8 @@ class Builder {
     const auto to = static_cast<std::size_t>((side + 1) % 3);
     const int edge = triangle.edges[from];
     const bool forward = mesh_.edges[static_cast<std::size_t>(edge)].vertices[0] == triangle.vertices[from];
-    const int base = forward ? edgeRun(edge, triangle.wedges[from], triangle.wedges[to])
-                             : edgeRun(edge, triangle.wedges[to], triangle.wedges[from]);
+    const int base = forward ? edgeRun(edge, {triangle.wedges[from], triangle.wedges[to]})
+                             : edgeRun(edge, {triangle.wedges[to], triangle.wedges[from]});
     for (int step = 1; step < out_.depth; ++step) {
       const int stepOnEdge = forward ? step : out_.depth - step;
       lattice_[at(onSide(side, step))] = out_.edgeVertex(edge, stepOnEdge);
@@ -108,22 +100,22 @@ class Builder {
   }
 
   /// First drawn vertex of the edge between these two wedges; made when first asked for.
-  int edgeRun(int edge, int wedgeAtFirst, int wedgeAtSecond) {
-    int& head = firstRun_[static_cast<std::size_t>(edge)];
-    for (int i = head; i >= 0; i = runs_[static_cast<std::size_t>(i)].next) {
-      const EdgeRun& run = runs_[static_cast<std::size_t>(i)];
-      if (run.wedgeAtFirst == wedgeAtFirst && run.wedgeAtSecond == wedgeAtSecond) return run.base;
-    }
-    const int base = static_cast<int>(out_.drawVertex.size());
-    const glm::vec2 uv0 = mesh_.wedges[static_cast<std::size_t>(wedgeAtFirst)].uv;
-    const glm::vec2 uv1 = mesh_.wedges[static_cast<std::size_t>(wedgeAtSecond)].uv;
+  int edgeRun(int edge, const std::array<int, 2>& wedges) {
+    const std::uint64_t hash =
+        hashCombine(static_cast<std::uint64_t>(wedges[0]), static_cast<std::uint64_t>(wedges[1]));
+    const int next = static_cast<int>(out_.drawRuns.size());
+    const int run = runs_.findOrInsert(
+        hash, next, [&](int other) { return out_.drawRuns[static_cast<std::size_t>(other)].wedges == wedges; });
+    if (run != next) return out_.drawRuns[static_cast<std::size_t>(run)].first;
+    const int first = static_cast<int>(out_.drawVertex.size());
+    const glm::vec2 uv0 = mesh_.wedges[static_cast<std::size_t>(wedges[0])].uv;
+    const glm::vec2 uv1 = mesh_.wedges[static_cast<std::size_t>(wedges[1])].uv;
     for (int step = 1; step < out_.depth; ++step) {
       const float w = static_cast<float>(step) / static_cast<float>(out_.depth);
       addDrawn(out_.edgeVertex(edge, step), uv0 * (1.0f - w) + uv1 * w);
     }
-    runs_.push_back({wedgeAtFirst, wedgeAtSecond, base, head});
-    head = static_cast<int>(runs_.size()) - 1;
-    return base;
+    out_.drawRuns.push_back({edge, wedges, first});
+    return first;
   }
 
   void placeInterior(int t, const ControlTriangle& triangle) {
@@ -131,6 +123,7 @@ class Builder {
     const glm::vec2 uv1 = mesh_.wedges[static_cast<std::size_t>(triangle.wedges[1])].uv;
     const glm::vec2 uv2 = mesh_.wedges[static_cast<std::size_t>(triangle.wedges[2])].uv;
     const float n = static_cast<float>(out_.depth);
+    if (!out_.interior.empty()) out_.drawInterior.push_back(static_cast<int>(out_.drawVertex.size()));
     for (const auto& [j, k] : out_.interior) {
       const int vertex = out_.interiorVertex(t, interiorIndex(out_.depth, j, k));
       const float v = static_cast<float>(j) / n;
@@ -159,8 +152,7 @@ class Builder {
 
   const ControlMesh& mesh_;
   Refinement out_;
-  std::vector<EdgeRun> runs_;
-  std::vector<int> firstRun_;     ///< [E] into runs_, or -1.
+  IndexTable runs_;               ///< Of drawRuns, by their wedges, which name the edge too.
   std::vector<int> lattice_;      ///< Refined vertices of the triangle at hand.
   std::vector<int> drawLattice_;  ///< Drawn vertices of the triangle at hand.
 };

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/character/skinning.h"
+#include "core/mesh/creases.h"
 #include "core/rig/attachment.h"
 #include "core/rig/validation.h"
 #include "core/smoothing/anchors.h"
@@ -43,6 +44,7 @@ struct Prepared {
   Rig rig;
   Attachment attachment;
   CandidateLists candidates;
+  std::shared_ptr<const ControlMesh> creased;  ///< The character's mesh with creased wedges; null if none are.
   std::shared_ptr<const Refinement> refinement;
   std::vector<Anchor> anchors;  ///< [V'] in `replace` with an anchored projection, else empty.
   std::vector<float> omega;     ///< [V]
@@ -72,6 +74,18 @@ std::vector<float> influenceWeights(const ControlMesh& mesh, const FieldView& bi
   return omega;
 }
 
+/// Shading normals hold the wedges' patch on entry: they turn with the surface as it moves off its own patch. Where the
+/// patch is not creased, or not moved, this is exact.
+void turnWithSurface(const Surface& surface, std::span<const glm::vec3> patchNormals, std::vector<glm::vec3>& shading) {
+  for (std::size_t d = 0; d < shading.size(); ++d) {
+    const auto vertex = static_cast<std::size_t>(surface.refinement->drawVertex[d]);
+    const glm::vec3& normal = surface.normals[vertex];
+    const glm::vec3& patch = patchNormals[vertex];
+    if (normal == patch) continue;
+    shading[d] = shading[d] == patch ? normal : normalizeOr(normal + (shading[d] - patch), shading[d]);
+  }
+}
+
 }  // namespace
 
 struct Smoother::State {
@@ -80,6 +94,8 @@ struct Smoother::State {
 
   // Memory kept from pose to pose; never read before it is written.
   SkinnedMesh skinned;
+  std::vector<glm::vec3> wedgeNormals;
+  std::vector<glm::vec3> patchNormals;
   std::vector<PosedPrimitive> posed;
   std::vector<glm::vec3> flatPositions;
   std::vector<glm::vec3> flatNormals;
@@ -87,9 +103,16 @@ struct Smoother::State {
 
   [[nodiscard]] const ControlMesh& mesh() const { return character->mesh; }
 
-  std::shared_ptr<const Refinement> refinementFor(int depth) const {
-    if (prepared.refinement && prepared.refinement->depth == depth) return prepared.refinement;
-    return std::make_shared<const Refinement>(refine(mesh(), depth));
+  std::shared_ptr<const ControlMesh> creasedAt(float degrees) const {
+    if (degrees >= kNoCreases) return nullptr;
+    if (prepared.refinement && prepared.rig.smoothing.creaseAngle == degrees) return prepared.creased;
+    auto result = std::make_shared<const ControlMesh>(sinew::creased(mesh(), degrees));
+    return hasCreases(*result) ? result : nullptr;
+  }
+
+  std::shared_ptr<const Refinement> refinementFor(int depth, const std::shared_ptr<const ControlMesh>& creased) const {
+    const bool same = prepared.refinement && prepared.refinement->depth == depth && prepared.creased == creased;
+    return same ? prepared.refinement : std::make_shared<const Refinement>(refine(creased ? *creased : mesh(), depth));
   }
 
   void evaluate(PatchKind kind, const Refinement& refinement, const SkinnedMesh& control,
@@ -116,6 +139,17 @@ struct Smoother::State {
       next.omega = influenceWeights(mesh(), bindField);
     }
     next.classes = classifyTriangles(mesh(), next.omega);
+  }
+
+  /// Before the patch becomes the surface.
+  void startShading(const Pose& pose, Surface& out) {
+    out.shadingNormals.clear();
+    if (!prepared.creased) return;
+    skinWedgeNormals(*character, prepared.creased->wedges, pose, skinned, wedgeNormals);
+    out.shadingNormals.resize(out.refinement->drawVertex.size());
+    evaluateShading(prepared.rig.smoothing.patch, *prepared.creased, *out.refinement, skinned.positions, wedgeNormals,
+                    out.normals, out.shadingNormals);
+    patchNormals = out.normals;
   }
 
   void project(const Pose& pose, Surface& out) {
@@ -174,7 +208,8 @@ Result<void> Smoother::prepare(const Rig& rig) {
   next.rig = rig;
   next.attachment = std::move(attachment).value();
   next.candidates = makeCandidateLists(state_->mesh(), next.attachment);
-  next.refinement = state_->refinementFor(rig.smoothing.depth);
+  next.creased = state_->creasedAt(rig.smoothing.creaseAngle);
+  next.refinement = state_->refinementFor(rig.smoothing.depth, next.creased);
   state_->prepareClasses(next);
   state_->prepared = std::move(next);
   return {};
@@ -191,10 +226,12 @@ void Smoother::smooth(const Pose& pose, Surface& out) {
   out.classes = state.prepared.classes;
   state.evaluate(state.prepared.rig.smoothing.patch, *out.refinement, state.skinned, out.positions, out.normals);
   out.displacement.assign(out.positions.size(), 0.0f);
+  state.startShading(pose, out);
   state.startReport(out);
   const double patchSeconds = watch.lap();
 
   state.project(pose, out);
+  if (!out.shadingNormals.empty()) turnWithSurface(out, state.patchNormals, out.shadingNormals);
   out.report.seconds = {skinSeconds, patchSeconds, watch.lap()};
 }
 

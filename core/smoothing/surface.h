@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/rig/rig.h"
+#include "core/smoothing/evaluations.h"
 #include "core/smoothing/refinement.h"
 
 namespace sinew {
@@ -37,6 +38,7 @@ struct SmoothingReport {
   int projected = 0;   ///< Vertices for which a root was sought.
   int unresolved = 0;  ///< ... and none found: they lie on the patch.
   int anchorFallbacks = 0;  ///< `replace`: anchors outside the implicit surface; the normal served instead.
+  Evaluations evaluations;   ///< Along all projection rays.
   double residualMax = 0.0;  ///< Largest |phi| at the found roots.
   StageSeconds seconds;
 };
@@ -46,9 +48,17 @@ struct Surface {
   std::shared_ptr<const Refinement> refinement;
   std::vector<glm::vec3> positions;  ///< [V'] world.
   std::vector<glm::vec3> normals;    ///< [V'] unit, outward.
+  std::vector<glm::vec3> shadingNormals;  ///< [D] unit, of the drawn vertices; empty where nothing is creased.
   std::vector<float> displacement;   ///< [V'] signed distance from the patch, character units: along the patch normal.
   std::vector<TriangleClass> classes;  ///< [T] of the control triangles.
   SmoothingReport report;
 };
+
+/// The normal a drawn vertex is shaded and exported with: the surface's own, but for creases.
+/// @param drawn 0 .. D-1
+[[nodiscard]] inline glm::vec3 shadingNormal(const Surface& surface, std::size_t drawn) {
+  if (!surface.shadingNormals.empty()) return surface.shadingNormals[drawn];
+  return surface.normals[static_cast<std::size_t>(surface.refinement->drawVertex[drawn])];
+}
 
 }  // namespace sinew

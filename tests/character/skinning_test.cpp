@@ -3,14 +3,18 @@
 
 #include "core/character/skinning.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "core/io/gltf_import.h"
+#include "core/mesh/creases.h"
 #include "tests/support/characters.h"
 #include "tests/support/gltf_builder.h"
 #include "tests/support/gltf_oracle.h"
+#include "tests/support/synthetic_characters.h"
 
 namespace sinew {
 namespace {
@@ -63,6 +67,35 @@ TEST(Skinning, BentPostByHand) {
     const glm::vec3 expected = (1.0f - knee) * p + knee * turned;
     EXPECT_LE(glm::distance(skinned.positions[v], expected), 1e-6f) << v;
     EXPECT_NEAR(glm::length(skinned.normals[v]), 1.0f, 1e-5f);
+  }
+}
+
+/// Wedges of faces that turn with one bone keep their faces' normals; what is not creased is its vertex's, bit for bit.
+TEST(Skinning, CreasedWedgesTurnWithTheirVertices) {
+  const auto character = test::makeCube();
+  const ControlMesh sharp = creased(character->mesh, 30.0f);
+  const Pose pose = samplePose(character->skeleton, character->clips.at(0), 0.5f);
+  SkinnedMesh skinned;
+  skin(*character, pose, skinned);
+  std::vector<glm::vec3> normals;
+  skinWedgeNormals(*character, sharp.wedges, pose, skinned, normals);
+  ASSERT_EQ(normals.size(), sharp.wedges.size());
+  for (const ControlTriangle& triangle : sharp.triangles) {
+    std::array<glm::vec3, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) p[i] = skinned.positions[static_cast<std::size_t>(triangle.vertices[i])];
+    const glm::vec3 face = glm::normalize(glm::cross(p[1] - p[0], p[2] - p[0]));
+    const bool rigid = std::ranges::all_of(triangle.vertices, [&](int v) {
+      return sharp.positions[static_cast<std::size_t>(v)].y == sharp.positions[static_cast<std::size_t>(triangle.vertices[0])].y;
+    });
+    for (const int wedge : triangle.wedges) {
+      const glm::vec3 normal = normals[static_cast<std::size_t>(wedge)];
+      EXPECT_NEAR(glm::length(normal), 1.0f, 1e-5f);
+      EXPECT_LT(glm::distance(normal, rigid ? face : normal), 1e-5f);
+    }
+  }
+  skinWedgeNormals(*character, character->mesh.wedges, pose, skinned, normals);
+  for (std::size_t w = 0; w < normals.size(); ++w) {
+    EXPECT_EQ(normals[w], skinned.normals[static_cast<std::size_t>(character->mesh.wedges[w].vertex)]);
   }
 }
 

@@ -107,6 +107,19 @@ TEST(RigJson, OpensTheFullFileOfVersion1) {
   EXPECT_EQ(rig.primitives[2].territory, (std::vector<std::string>{"b_Spine01_02", "b_Hip_01"}));
 }
 
+TEST(RigJson, TheCreaseAngleIsWrittenOnlyWhereThereIsOne) {
+  const auto loaded = loadRig(dataFile("v1-creased.rig.json"));
+  ASSERT_TRUE(loaded.ok()) << loaded.error().text();
+  Rig rig = loaded.value();
+  EXPECT_EQ(rig.smoothing.creaseAngle, 32.5f);
+  EXPECT_EQ(rig.smoothing.unknownKeys, R"({"x-note":"hard edges"})");
+  const std::string text = rigToJson(rig);
+  EXPECT_EQ(text, readWholeFile(dataFile("v1-creased.rig.json"), 1 << 20).value());
+  rig.smoothing.creaseAngle = kDefaultCreaseAngle;
+  EXPECT_EQ(rigToJson(rig).find("crease_angle"), std::string::npos);
+  EXPECT_FALSE(rig == loaded.value());
+}
+
 TEST(RigJson, UnknownKeysOfAllLevelsAreWrittenBackDigitForDigit) {
   const auto rig = loadRig(dataFile("v1-full.rig.json"));
   ASSERT_TRUE(rig.ok());
@@ -167,6 +180,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadRig{"\"depth\": 5", "\"depth\": 99999999999", "smoothing.depth", "got 99999999999"},
         BadRig{"\"phong\"", "3", "smoothing.patch", "got 3"},
         BadRig{"\"bisection\"", "\"magic\"", "smoothing.projection", "got \"magic\""},
+        BadRig{"\"bisection\"", "\"newton\", \"crease_angle\": 181", "smoothing.crease_angle", "from 0 to 180, got 181"},
+        BadRig{"\"bisection\"", "\"newton\", \"crease_angle\": -1", "smoothing.crease_angle", "from 0 to 180, got -1"},
+        BadRig{"\"bisection\"", "\"newton\", \"crease_angle\": \"30\"", "smoothing.crease_angle", "a number, got \"30\""},
         BadRig{"{ \"name\": \"torso\" }", "\"torso\"", "groups[1]", "expected an object, got \"torso\""},
         BadRig{"{ \"name\": \"torso\" }", "{}", "groups[1].name", "the key is missing"},
         BadRig{"{ \"name\": \"torso\" }", "{ \"name\": \"hind legs\" }", "groups[1].name", "groups[0]"},

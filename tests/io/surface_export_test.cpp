@@ -229,6 +229,60 @@ TEST_F(SurfaceExport, GlbComesBackThroughTheImporter) {
   EXPECT_TRUE(back.ignored.empty()) << back.ignored.front();
 }
 
+/// The same tube, shaded in facets: every format carries the split normals, and the .obj stays closed.
+class CreasedExport : public SurfaceExport {
+ protected:
+  void SetUp() override {
+    SurfaceExport::SetUp();
+    Smoother smoother(character_);
+    Rig rig = test::randomRig(*character_, {}, 4);
+    rig.smoothing.creaseAngle = 20.0f;
+    ASSERT_TRUE(smoother.prepare(rig).ok());
+    smooth_ = surface_;
+    smoother.smooth(bindPose(character_->skeleton), surface_);
+    ASSERT_EQ(surface_.shadingNormals.size(), surface_.refinement->drawVertex.size());
+  }
+  Surface smooth_;
+};
+
+TEST_F(CreasedExport, ObjStaysClosedAndHasNormalsPerWedge) {
+  const Obj obj = readObj(exported("tube.obj"));
+  EXPECT_TRUE(test::sameBytes(obj.positions, smooth_.positions));
+  EXPECT_EQ(obj.faces, smooth_.refinement->triangles);
+  EXPECT_TRUE(test::isClosed(obj.faces));
+  EXPECT_TRUE(test::sameBytes(obj.normals, surface_.shadingNormals));
+  EXPECT_GT(obj.normals.size(), smooth_.refinement->drawVertex.size());
+  for (std::size_t t = 0; t < obj.faces.size(); ++t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      ASSERT_EQ(obj.normalFaces[t][i], static_cast<int>(surface_.refinement->drawTriangles[t][i]));
+    }
+  }
+}
+
+TEST_F(CreasedExport, PlyAndGlbHaveTheSameNormals) {
+  const std::vector<int>& drawn = surface_.refinement->drawVertex;
+  const std::string ply = exported("tube.ply");
+  const std::size_t rows = ply.find("end_header\n") + 11;
+  for (std::size_t d = 0; d < drawn.size(); ++d) {
+    const auto row = readAt<std::array<float, 8>>(ply, rows + d * 32);
+    ASSERT_EQ(glm::vec3(row[0], row[1], row[2]), smooth_.positions[static_cast<std::size_t>(drawn[d])]);
+    ASSERT_EQ(glm::vec3(row[3], row[4], row[5]), surface_.shadingNormals[d]);
+  }
+  const std::string glb = exported("tube.glb");
+  const auto jsonLength = readAt<std::uint32_t>(glb, 12);
+  const auto json = Json::parse(glb.substr(20, jsonLength));
+  ASSERT_TRUE(json.ok()) << json.error().text();
+  const Json attributes = json->at("meshes").items().at(0).at("primitives").items().at(0).at("attributes");
+  const auto index = static_cast<std::size_t>(attributes.at("NORMAL").number(-1));
+  const Json accessor = json->at("accessors").items().at(index);
+  ASSERT_EQ(accessor.at("count").number(0), static_cast<double>(drawn.size()));
+  const auto view = static_cast<std::size_t>(accessor.at("bufferView").number(-1));
+  const auto offset = static_cast<std::size_t>(json->at("bufferViews").items().at(view).at("byteOffset").number(-1));
+  for (std::size_t d = 0; d < drawn.size(); ++d) {
+    ASSERT_EQ(readAt<glm::vec3>(glb, 28 + jsonLength + offset + d * 12), surface_.shadingNormals[d]);
+  }
+}
+
 TEST_F(SurfaceExport, OtherEndingsAndUnwritablePlacesAreErrors) {
   for (const char* name : {"tube.stl", "tube", "tube.obj.bak", ".obj"}) {
     EXPECT_FALSE(isExportName(name)) << name;

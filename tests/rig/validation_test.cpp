@@ -40,6 +40,19 @@ TEST(Validation, RotationsNearUnitLengthAreTakenAsTheyAre) {
   }
 }
 
+TEST(Validation, CreaseAnglesLieBetween0And180) {
+  SmoothingSettings smoothing;
+  for (const float angle : {0.0f, 40.0f, 180.0f}) {
+    smoothing.creaseAngle = angle;
+    EXPECT_TRUE(validateSmoothing(smoothing).ok()) << angle;
+  }
+  for (const float angle : {-0.1f, 180.1f, kInfinity, std::numeric_limits<float>::quiet_NaN()}) {
+    smoothing.creaseAngle = angle;
+    ASSERT_FALSE(validateSmoothing(smoothing).ok()) << angle;
+    EXPECT_EQ(validateSmoothing(smoothing).error().place, "smoothing.crease_angle");
+  }
+}
+
 TEST(Validation, NamesMustBeUtf8) {
   for (const char* good : {"a", "é", "大腿", "\U0001F4AA", "\x01", "\x7f"}) EXPECT_TRUE(validateName(good, "").ok()) << good;
   // Lone and missing continuations, overlong forms, a surrogate, past the last code point.

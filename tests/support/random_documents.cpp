@@ -110,7 +110,8 @@ Rig randomDocument(std::uint64_t seed) {
   rig.surface = {random.chance(0.5f) ? SurfaceMode::kSwell : SurfaceMode::kReplace, random.uniform(1e-30f, 0.999f),
                  positiveFloat(random), anyUnknownKeys(random)};
   rig.smoothing = {1 + random.below(kMaxDepth), static_cast<PatchKind>(random.below(4)),
-                   static_cast<ProjectionKind>(random.below(3)), anyUnknownKeys(random)};
+                   static_cast<ProjectionKind>(random.below(3)),
+                   random.chance(0.5f) ? kDefaultCreaseAngle : random.uniform(0.0f, 180.0f), anyUnknownKeys(random)};
   const int groups = 1 + random.below(5);
   for (int i = 0; i < groups; ++i) rig.groups.push_back({anyName(random, i), anyUnknownKeys(random)});
   for (int a = 0; a < groups; ++a) {
@@ -131,7 +132,8 @@ bool sameFloatBits(const Rig& a, const Rig& b) {
     if (bitsOf(a.primitives[i]) != bitsOf(b.primitives[i])) return false;
   }
   return std::bit_cast<std::uint32_t>(a.surface.iso) == std::bit_cast<std::uint32_t>(b.surface.iso) &&
-         std::bit_cast<std::uint32_t>(a.surface.skinBlend) == std::bit_cast<std::uint32_t>(b.surface.skinBlend);
+         std::bit_cast<std::uint32_t>(a.surface.skinBlend) == std::bit_cast<std::uint32_t>(b.surface.skinBlend) &&
+         std::bit_cast<std::uint32_t>(a.smoothing.creaseAngle) == std::bit_cast<std::uint32_t>(b.smoothing.creaseAngle);
 }
 
 }  // namespace sinew::test

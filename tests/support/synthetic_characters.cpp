@@ -188,6 +188,22 @@ std::shared_ptr<const Character> makeTube() {
   return finish("tube", revolve(profile, 9, true, joints, 0.4f), chain({"root", "end"}, joints), clip);
 }
 
+std::shared_ptr<const Character> makeCube() {
+  TriangleSoup soup;
+  const std::vector<float> joints{0.0f, 0.5f};
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::vec3 p(corner & 1, (corner >> 1) & 1, corner >> 2);
+    addVertex(soup, p, {p.x + 2.0f * p.z, p.y}, {{corner >> 1 & 1, 1.0f}});
+  }
+  const std::array<std::array<int, 4>, 6> faces{
+      {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+  for (const auto& [a, b, c, d] : faces) addQuad(soup, a, b, c, d);
+  AnimationClip clip;
+  clip.name = "bend";
+  swing(clip, 1, {0.3f, 0.2f, 1}, 1.0f, -1.0f);
+  return finish("cube", soup, chain({"root", "end"}, joints), clip);
+}
+
 std::shared_ptr<const Character> makeStrip() {
   TriangleSoup soup;
   constexpr int kColumns = 3;
