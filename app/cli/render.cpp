@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/console.h"
+#include "app/cli/crease_option.h"
 #include "app/cli/render_plan.h"
 #include "app/document/document.h"
 #include "app/render/framing.h"
@@ -24,6 +25,7 @@ namespace {
 
 Rig overridden(Rig rig, const RenderOptions& options) {
   if (options.depth) rig.smoothing.depth = *options.depth;
+  if (options.crease) rig.smoothing.creaseAngle = *options.crease;
   rig.surface.mode = surfaceModeNamed(options.mode).value_or(rig.surface.mode);
   rig.smoothing.patch = patchKindNamed(options.patch).value_or(rig.smoothing.patch);
   rig.smoothing.projection = projectionKindNamed(options.projection).value_or(rig.smoothing.projection);
@@ -187,6 +189,7 @@ void addSmoothing(CLI::App& verb, RenderOptions& options) {
   verb.add_option("--projection", options.projection, "newton, bisection or analytic")
       ->type_name("P")
       ->check(CLI::IsMember({"newton", "bisection", "analytic"}));
+  addCreaseOption(verb, options.crease);
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ struct RenderOptions {
   std::string size = "1280x800";
   int samples = 4;
   std::optional<int> depth;
+  std::optional<float> crease;  ///< Degrees.
   std::string mode;
   std::string patch;
   std::string projection;

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/console.h"
+#include "app/cli/crease_option.h"
 #include "app/document/document.h"
 #include "core/io/atomic_file.h"
 #include "core/io/json.h"
@@ -20,6 +21,7 @@ namespace {
 /// The rig with what the command line overrides. The words have passed the parser.
 Rig overridden(Rig rig, const SmoothOptions& options) {
   if (options.depth) rig.smoothing.depth = *options.depth;
+  if (options.crease) rig.smoothing.creaseAngle = *options.crease;
   if (options.mode) rig.surface.mode = surfaceModeNamed(*options.mode).value_or(rig.surface.mode);
   if (options.patch) rig.smoothing.patch = patchKindNamed(*options.patch).value_or(rig.smoothing.patch);
   if (options.projection) {
@@ -108,6 +110,7 @@ void addSettings(CLI::App& verb, SmoothOptions& options) {
   verb.add_option("--projection", options.projection, "How roots are found: newton, bisection or analytic")
       ->type_name("P")
       ->check(CLI::IsMember({"newton", "bisection", "analytic"}));
+  addCreaseOption(verb, options.crease);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ struct SmoothOptions {
   std::optional<std::string> clip;  ///< Absent: the bind pose.
   double time = 0.0;                ///< Seconds into the clip.
   std::optional<int> depth;
+  std::optional<float> crease;  ///< Degrees.
   std::optional<std::string> mode;
   std::optional<std::string> patch;
   std::optional<std::string> projection;

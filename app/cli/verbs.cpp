@@ -27,7 +27,7 @@ constexpr const char* kExamples =
     "\n"
     "Exit status: 0 done, 1 the input is bad, 2 the command line is wrong. 'sinew VERB --help' tells a verb's options.";
 
-constexpr std::array<std::string_view, 4> kVerbs{"edit", "inspect", "smooth", "render"};
+constexpr std::array<std::string_view, 5> kVerbs{"edit", "inspect", "smooth", "render", "bench"};
 
 /// All verbs with what they read. The subcommands refer to the options, so it stays where it is.
 struct CommandLine {
@@ -36,10 +36,12 @@ struct CommandLine {
   InspectOptions inspect;
   SmoothOptions smooth;
   RenderOptions render;
+  BenchOptions bench;
   CLI::App* editVerb = nullptr;
   CLI::App* inspectVerb = nullptr;
   CLI::App* smoothVerb = nullptr;
   CLI::App* renderVerb = nullptr;
+  CLI::App* benchVerb = nullptr;
 
   CommandLine() {
     app.set_version_flag("--version", std::string("sinew ") + programVersion(), "Print the version and leave");
@@ -55,7 +57,9 @@ struct CommandLine {
     addSmoothOptions(*smoothVerb, smooth);
     renderVerb = app.add_subcommand("render", "Make pictures, off screen");
     addRenderOptions(*renderVerb, render);
-    for (CLI::App* verb : {editVerb, inspectVerb, smoothVerb, renderVerb}) verb->footer("");
+    benchVerb = app.add_subcommand("bench", "Measure on this machine");
+    addBenchOptions(*benchVerb, bench);
+    for (CLI::App* verb : {editVerb, inspectVerb, smoothVerb, renderVerb, benchVerb}) verb->footer("");
   }
 };
 
@@ -104,6 +108,7 @@ int runCommandLine(int argc, const char* const* argv, const std::function<int(co
   if (line.inspectVerb->parsed()) return runInspect(line.inspect);
   if (line.smoothVerb->parsed()) return runSmooth(line.smooth);
   if (line.renderVerb->parsed()) return runRender(line.render);
+  if (line.benchVerb->parsed()) return runBench(line.bench);
   return edit(line.edit);
 }
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "app/cli/bench.h"
 #include "app/cli/inspect.h"
 #include "app/cli/render.h"
 #include "app/cli/smooth.h"

@@ -42,12 +42,13 @@ int signChanges(const Quartic& q) {
 }
 
 /// The one root of q on [0, 1], q(0) > 0 > q(1).
-double bracketedNewton(const Quartic& q, double tolerance) {
+double bracketedNewton(const Quartic& q, double tolerance, std::int64_t& evaluations) {
   const std::array<double, 5> c = powerBasis(q);
   double low = 0.0;
   double high = 1.0;
   double u = q.b[0] / (q.b[0] - q.b[4]);
   for (int step = 0; step < kMostNewtonSteps; ++step) {
+    ++evaluations;
     const double value = (((c[4] * u + c[3]) * u + c[2]) * u + c[1]) * u + c[0];
     const double slope = ((4.0 * c[4] * u + 3.0 * c[3]) * u + 2.0 * c[2]) * u + c[1];
     (value > 0.0 ? low : high) = u;
@@ -60,11 +61,12 @@ double bracketedNewton(const Quartic& q, double tolerance) {
 }
 
 /// The same by halving.
-double bracketedBisection(const Quartic& q) {
+double bracketedBisection(const Quartic& q, std::int64_t& evaluations) {
   double low = 0.0;
   double high = 1.0;
   double valueLow = q.b[0];
   double valueHigh = q.b[4];
+  evaluations += kBisectionHalvings;
   for (int i = 0; i < kBisectionHalvings; ++i) {
     const double middle = 0.5 * (low + high);
     const double value = q.at(middle);
@@ -78,6 +80,7 @@ double bracketedBisection(const Quartic& q) {
 struct Wanted {
   double tolerance;
   BracketSolver solver;
+  std::int64_t& evaluations;
 };
 
 std::optional<double> isolate(const Quartic& q, double low, double high, const Wanted& wanted, int halvingsLeft) {
@@ -85,13 +88,15 @@ std::optional<double> isolate(const Quartic& q, double low, double high, const W
   const int changes = signChanges(q);
   if (changes == 0) return std::nullopt;
   if (changes == 1 && q.b[4] < 0.0) {
-    const double inside = wanted.solver == BracketSolver::kNewton ? bracketedNewton(q, wanted.tolerance / (high - low))
-                                                                  : bracketedBisection(q);
+    const double inside = wanted.solver == BracketSolver::kNewton
+                              ? bracketedNewton(q, wanted.tolerance / (high - low), wanted.evaluations)
+                              : bracketedBisection(q, wanted.evaluations);
     return low + (high - low) * inside;
   }
   if (halvingsLeft == 0) return q.b[4] < 0.0 ? std::optional(low) : std::nullopt;
   Quartic left;
   Quartic right;
+  ++wanted.evaluations;
   split(q, 0.5, left, right);
   const double middle = 0.5 * (low + high);
   if (const auto root = isolate(left, low, middle, wanted, halvingsLeft - 1)) return root;
@@ -182,8 +187,10 @@ Quartic squareOfQuadratic(double w0, double w1, double w2) {
   return {{w0 * w0, w0 * w1, (w0 * w2 + 2.0 * w1 * w1) / 3.0, w1 * w2, w2 * w2}};
 }
 
-std::optional<double> firstFallIsolated(const Quartic& q, double from, double tolerance, BracketSolver solver) {
-  const Wanted wanted{tolerance, solver};
+std::optional<double> firstFallIsolated(const Quartic& q, double from, double tolerance, BracketSolver solver,
+                                        std::int64_t* evaluations) {
+  std::int64_t uncounted = 0;
+  const Wanted wanted{tolerance, solver, evaluations ? *evaluations : uncounted};
   if (from <= 0.0) return isolate(q, 0.0, 1.0, wanted, kMostHalvings);
   if (from >= 1.0) return q.b[4] <= 0.0 ? std::optional(1.0) : std::nullopt;
   Quartic left;
@@ -192,9 +199,10 @@ std::optional<double> firstFallIsolated(const Quartic& q, double from, double to
   return isolate(right, from, 1.0, wanted, kMostHalvings);
 }
 
-std::optional<double> firstFallClosedForm(const Quartic& q, double from, double tolerance) {
+std::optional<double> firstFallClosedForm(const Quartic& q, double from, double tolerance, std::int64_t* evaluations) {
   if (q.at(from) <= 0.0) return from;
   if (std::ranges::all_of(q.b, [](double value) { return value > 0.0; })) return std::nullopt;
+  if (evaluations) ++*evaluations;
   const std::array<double, 5> c = powerBasis(q);
   std::vector<double> roots = realRoots(c);
   for (double& root : roots) root = polished(c, root);
@@ -205,7 +213,7 @@ std::optional<double> firstFallClosedForm(const Quartic& q, double from, double 
     if (q.at(after) < 0.0 || (roots[i] == 1.0 && q.b[4] <= 0.0)) return roots[i];
   }
   // Rounding hid a root that the ends prove.
-  return q.b[4] < 0.0 ? firstFallIsolated(q, from, tolerance) : std::nullopt;
+  return q.b[4] < 0.0 ? firstFallIsolated(q, from, tolerance, BracketSolver::kNewton, evaluations) : std::nullopt;
 }
 
 std::vector<double> realRoots(const std::array<double, 5>& c) {

@@ -1,6 +1,7 @@
 #pragma once  // core/smoothing/quartic.h: quartics on [0, 1] in Bernstein form: first roots, isolated or in closed form.
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -25,11 +26,14 @@ enum class BracketSolver { kNewton, kBisection };
 
 /// First u in [from, 1] at which q, positive before, becomes <= 0: by subdivision until one sign change is left, then by
 /// `solver`. q(from) <= 0 gives `from`. A touch without crossing may be passed over.
+/// @param evaluations if not null, the values and halvings of q that it took are added.
 [[nodiscard]] std::optional<double> firstFallIsolated(const Quartic& q, double from, double tolerance,
-                                                      BracketSolver solver = BracketSolver::kNewton);
+                                                      BracketSolver solver = BracketSolver::kNewton,
+                                                      std::int64_t* evaluations = nullptr);
 
 /// The same by closed form: all real roots (Ferrari; relative tests throughout, see the .cpp), the first that crosses.
-[[nodiscard]] std::optional<double> firstFallClosedForm(const Quartic& q, double from, double tolerance);
+[[nodiscard]] std::optional<double> firstFallClosedForm(const Quartic& q, double from, double tolerance,
+                                                        std::int64_t* evaluations = nullptr);
 
 /// Real roots of c[0] + c[1] u + ... + c[4] u^4, ascending, multiple roots possibly once. Leading coefficients that are
 /// negligible beside the others count as zero.

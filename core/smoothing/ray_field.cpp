@@ -49,6 +49,7 @@ void RayField::addPrimitive(const PosedPrimitive& primitive, float weight, int s
 }
 
 RaySample RayField::sample(double t) const {
+  ++evaluations_.field;
   RaySample everywhere{-iso_, 0.0};
   if (cliques_->empty()) {
     for (const RayTerm& term : terms_) add(everywhere, sampleTerm(term, t));

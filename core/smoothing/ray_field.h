@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/blending/field.h"
+#include "core/smoothing/evaluations.h"
 
 namespace sinew {
 
@@ -51,6 +52,8 @@ class RayField {
   [[nodiscard]] std::span<const double> breakpoints(double begin, double end) const;
   /// Beyond this t only -T is left.
   [[nodiscard]] double lastLeave() const;
+  /// Of all rays so far; root_finding.cpp adds its own.
+  [[nodiscard]] Evaluations& evaluations() const { return evaluations_; }
 
  private:
   std::vector<RayTerm> terms_;
@@ -58,6 +61,7 @@ class RayField {
   double iso_ = 0.25;
   mutable std::vector<RaySample> ofSlot_;
   mutable std::vector<double> breakpoints_;
+  mutable Evaluations evaluations_;
 };
 
 }  // namespace sinew

@@ -40,6 +40,7 @@ class Projector {
   Projector(const FieldView& field, const ReplaceSettings& settings) : field_(field), settings_(settings) {}
 
   int anchorFallbacks() const { return anchorFallbacks_; }
+  const Evaluations& evaluations() const { return ray_.evaluations(); }
 
   /// Reads the candidates of a vertex; false where none has weight.
   bool look(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
@@ -213,6 +214,7 @@ void replace(const ControlMesh& mesh, const FieldView& field, const ReplaceSetti
   };
   forEachReachable(mesh, *surface.refinement, field, flat.positions, kEverywhere, move);
   surface.report.anchorFallbacks = projector.anchorFallbacks();
+  surface.report.evaluations = projector.evaluations();
 }
 
 }  // namespace sinew

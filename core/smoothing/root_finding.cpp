@@ -71,23 +71,31 @@ void fillStretch(const RayField& field, double begin, double end, double sign, S
   }
 }
 
-std::optional<double> firstFall(const Quartic& q, double from, ProjectionKind method, double tolerance) {
-  switch (method) {
-    case ProjectionKind::kAnalytic: return firstFallClosedForm(q, from, tolerance);
-    case ProjectionKind::kBisection: return firstFallIsolated(q, from, tolerance, BracketSolver::kBisection);
+/// How a root is to be found.
+struct Search {
+  ProjectionKind method;
+  double tolerance;
+  std::int64_t* evaluations;
+};
+
+std::optional<double> firstFall(const Quartic& q, double from, const Search& search) {
+  switch (search.method) {
+    case ProjectionKind::kAnalytic: return firstFallClosedForm(q, from, search.tolerance, search.evaluations);
+    case ProjectionKind::kBisection:
+      return firstFallIsolated(q, from, search.tolerance, BracketSolver::kBisection, search.evaluations);
     case ProjectionKind::kNewton: break;
   }
-  return firstFallIsolated(q, from, tolerance, BracketSolver::kNewton);
+  return firstFallIsolated(q, from, search.tolerance, BracketSolver::kNewton, search.evaluations);
 }
 
 /// Where the largest of the sums falls to 0: follows one clique until it falls, then whichever still stands.
-std::optional<double> firstFallOfMaximum(const std::vector<Quartic>& sums, ProjectionKind method, double tolerance) {
+std::optional<double> firstFallOfMaximum(const std::vector<Quartic>& sums, const Search& search) {
   double u = 0.0;
   const std::size_t mostChanges = 4 * sums.size() + 1;
   for (std::size_t change = 0; change < mostChanges; ++change) {
     const auto highest = std::ranges::max_element(sums, {}, [u](const Quartic& q) { return q.at(u); });
     if (highest->at(u) <= 1e-15) return u;
-    const std::optional<double> fall = firstFall(*highest, u, method, tolerance);
+    const std::optional<double> fall = firstFall(*highest, u, search);
     if (!fall) return std::nullopt;
     u = std::max(*fall, u);
     const bool anotherStands = std::ranges::any_of(
@@ -98,10 +106,10 @@ std::optional<double> firstFallOfMaximum(const std::vector<Quartic>& sums, Proje
 }
 
 /// phi < 0 at the start: the first of the sums that reaches 0 (they were negated).
-std::optional<double> firstFallOfAny(const std::vector<Quartic>& sums, ProjectionKind method, double tolerance) {
+std::optional<double> firstFallOfAny(const std::vector<Quartic>& sums, const Search& search) {
   std::optional<double> first;
   for (const Quartic& q : sums) {
-    const std::optional<double> fall = firstFall(q, 0.0, method, tolerance);
+    const std::optional<double> fall = firstFall(q, 0.0, search);
     if (fall && (!first || *fall < *first)) first = fall;
   }
   return first;
@@ -117,9 +125,10 @@ std::optional<double> firstChange(const RayField& field, double begin, double en
     const double length = breaks[i + 1] - breaks[i];
     if (!(length > 0.0)) continue;
     fillStretch(field, breaks[i], breaks[i + 1], fromPositive ? 1.0 : -1.0, space);
-    const double localTolerance = tolerance / length;
-    const auto root = fromPositive ? firstFallOfMaximum(space.stretch.sums, method, localTolerance)
-                                   : firstFallOfAny(space.stretch.sums, method, localTolerance);
+    ++field.evaluations().field;
+    const Search search{method, tolerance / length, &field.evaluations().quartic};
+    const auto root = fromPositive ? firstFallOfMaximum(space.stretch.sums, search)
+                                   : firstFallOfAny(space.stretch.sums, search);
     if (root) return breaks[i] + *root * length;
   }
   return std::nullopt;

@@ -59,6 +59,8 @@ class Sweller {
     place(index, static_cast<float>(s), cliques);
   }
 
+  const Evaluations& evaluations() const { return ray_.evaluations(); }
+
  private:
   void weigh(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
     candidates_.clear();
@@ -111,6 +113,7 @@ void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings&
   // Only what reaches the patch itself moves it: no margin.
   forEachReachable(mesh, *surface.refinement, field, surface.positions, 0.0f,
                    [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) { sweller.move(vertex, near); });
+  surface.report.evaluations = sweller.evaluations();
 }
 
 }  // namespace sinew

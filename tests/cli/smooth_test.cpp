@@ -75,6 +75,35 @@ TEST_F(Program, SmoothOfACharacterHasNoPrimitives) {
   EXPECT_EQ(Json::parse(readWholeFile(folder_ / "r.json", 1 << 20).value())->at("primitives").number(-1), 0);
 }
 
+TEST_F(Program, CreasesSplitNormalsAndNothingElse) {
+  const auto lines = [&](const char* file, const std::string& word) {
+    std::vector<std::string> found;
+    std::istringstream text(readWholeFile(folder_ / file, 1 << 26).value());
+    for (std::string line; std::getline(text, line);) {
+      if (line.starts_with(word + ' ')) found.push_back(line);
+    }
+    return found;
+  };
+  ASSERT_EQ(run({"smooth", demo("demo.glb"), "-o", "plain.obj"}).status, 0);
+  ASSERT_EQ(run({"smooth", demo("demo.glb"), "--crease", "180", "-o", "smooth.obj"}).status, 0);
+  ASSERT_EQ(run({"smooth", demo("demo.glb"), "--crease", "12.5", "-o", "sharp.obj"}).status, 0);
+  for (const char* word : {"v", "vt", "vn", "f"}) EXPECT_EQ(lines("plain.obj", word), lines("smooth.obj", word));
+  EXPECT_EQ(lines("plain.obj", "v"), lines("sharp.obj", "v"));
+  EXPECT_GT(lines("sharp.obj", "vn").size(), lines("plain.obj", "vn").size());
+  EXPECT_TRUE(test::isClosed(facesOf(readWholeFile(folder_ / "sharp.obj", 1 << 26).value())));
+}
+
+TEST_F(Program, CreaseAnglesOutOfRangeAreABadCommandLine) {
+  for (const char* verb : {"smooth", "render"}) {
+    const std::string out = std::string(verb) == "smooth" ? "out.obj" : "out.png";
+    for (const char* angle : {"181", "-1", "nan", "inf", "40deg", ""}) {
+      const auto result = run({verb, demo("demo.glb"), "--crease", angle, "-o", out});
+      EXPECT_EQ(result.status, 2) << angle;
+      EXPECT_TRUE(result.oneErrorLine()) << result.error;
+    }
+  }
+}
+
 TEST_F(Program, SameMomentSameBytes) {
   ASSERT_EQ(run({"smooth", demo("demo.rig.json"), "--clip", "Walk", "--time", "0.25", "-o", "a.glb"}).status, 0);
   ASSERT_EQ(run({"smooth", demo("demo.rig.json"), "--clip", "Walk", "--time", "0.25", "-o", "b.glb"}).status, 0);

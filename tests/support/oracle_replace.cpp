@@ -32,11 +32,11 @@ double prominence(const Function& phi, double from, double to) {
   return most;
 }
 
-Vec closestOnSegment(const Vec& a, const Vec& b, const Vec& point) {
+/// Share of the way from a to b.
+double closestOnSegment(const Vec& a, const Vec& b, const Vec& point) {
   const Vec along = b - a;
   const double squared = dot(along, along);
-  const double t = squared > 0.0 ? std::clamp(dot(point - a, along) / squared, 0.0, 1.0) : 0.0;
-  return a + t * along;
+  return squared > 0.0 ? std::clamp(dot(point - a, along) / squared, 0.0, 1.0) : 0.0;
 }
 
 }  // namespace
@@ -46,8 +46,12 @@ Oracle::Anchor Oracle::anchorOf(const Vec& bindPoint) const {
   const auto originOf = [](const Bone& bone) { return affine(bone.bindInWorld).offset; };
   Anchor best;
   double bestDistance = 1e300;
-  const auto offer = [&](std::size_t bone, const Vec& end) {
-    const Vec closest = closestOnSegment(originOf(bones[bone]), end, bindPoint);
+  // A segment rides on the bone it starts at, but its end, where another bone begins, on that one.
+  const auto offer = [&](std::size_t startBone, std::size_t endBone, const Vec& end) {
+    const Vec start = originOf(bones[startBone]);
+    const double t = closestOnSegment(start, end, bindPoint);
+    const Vec closest = t < 1.0 ? start + t * (end - start) : end;
+    const std::size_t bone = t < 1.0 ? startBone : endBone;
     const double distance = length(closest - bindPoint);
     if (distance >= bestDistance) return;
     bestDistance = distance;
@@ -57,12 +61,12 @@ Oracle::Anchor Oracle::anchorOf(const Vec& bindPoint) const {
   };
   for (std::size_t b = 0; b < bones.size(); ++b) {
     bool childless = true;
-    for (const Bone& child : bones) {
-      if (child.parent != static_cast<int>(b)) continue;
+    for (std::size_t c = 0; c < bones.size(); ++c) {
+      if (bones[c].parent != static_cast<int>(b)) continue;
       childless = false;
-      offer(b, originOf(child));
+      offer(b, c, originOf(bones[c]));
     }
-    if (childless) offer(b, apply(affine(bones[b].bindInWorld), vec(bones[b].tip)));
+    if (childless) offer(b, b, apply(affine(bones[b].bindInWorld), vec(bones[b].tip)));
   }
   return best;
 }

@@ -1,0 +1,59 @@
+// tests/cli/bench_test.cpp: `sinew bench` measures what it says. Times are never judged.
+#include "core/io/json.h"
+#include "tests/cli/program.h"
+
+namespace sinew::test {
+namespace {
+
+class Bench : public Program {};
+
+TEST_F(Bench, ProjectionsOfTheBundledScenes) {
+  const auto file = folder_ / "bench.json";
+  const Outcome outcome = run({"bench", "projections", "--frames", "2", "--rounds", "1", "--json", file.string()});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  EXPECT_NE(outcome.out.find("x newton"), std::string::npos) << outcome.out;
+  const auto json = Json::parse(readWholeFile(file, 1 << 20).value());
+  ASSERT_TRUE(json.ok());
+  const std::vector<Json> rows = json.value().at("rows").items();
+  ASSERT_EQ(rows.size(), 3u * 2u * 3u) << "scenes x modes x projections";
+  for (const Json& row : rows) {
+    const std::string what = row.dump();
+    EXPECT_GT(row.at("vertices").number(0), 100.0) << what;
+    EXPECT_GE(row.at("field_per_vertex").number(0), 1.0) << what;
+    EXPECT_GT(row.at("quartic_per_vertex").number(0), 0.0) << what;
+    EXPECT_GT(row.at("project_seconds").number(0), 0.0) << what;
+    const bool swell = row.at("mode").text("") == "swell";
+    if (row.at("projection").text("") == "newton") {
+      EXPECT_EQ(row.at("difference_max").number(1), 0.0) << what;
+      EXPECT_EQ(row.at("frame_ratio").number(0), 1.0) << what;
+    }
+    if (swell) {
+      EXPECT_LE(row.at("difference_share").number(1), 0.008) << what;
+      EXPECT_EQ(row.at("unresolved").number(1), 0.0) << what;
+    }
+  }
+  // Bisection halves each bracket eight times; a closed form is solved once a stretch that may hold a root.
+  const auto quartics = [&](std::size_t row) { return rows[row].at("quartic_per_vertex").number(0); };
+  EXPECT_GT(quartics(1), 7.0);
+  EXPECT_LT(quartics(2), quartics(0));
+}
+
+TEST_F(Bench, PlainCharactersGetMusclesByRule) {
+  const Outcome outcome = run({"bench", "projections", demo("demo.glb"), "--frames", "1", "--rounds", "1"});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  EXPECT_NE(outcome.out.find("\ndemo "), std::string::npos) << outcome.out;
+}
+
+TEST_F(Bench, BadInputAndBadCommandLine) {
+  const Outcome absent = run({"bench", "projections", "no such file.glb"});
+  EXPECT_EQ(absent.status, 1);
+  EXPECT_TRUE(absent.oneErrorLine()) << absent.error;
+  for (const auto& arguments : {std::vector<std::string>{"bench"}, {"bench", "nonsense"}, {"bench", "projections", "--rounds", "0"}}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_TRUE(outcome.oneErrorLine()) << outcome.error;
+  }
+}
+
+}  // namespace
+}  // namespace sinew::test
