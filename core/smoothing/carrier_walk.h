@@ -1,6 +1,7 @@
 #pragma once  // core/smoothing/carrier_walk.h: visits the refined vertices that a primitive can reach in this pose.
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct CarriedVertex {
 struct FieldView {
   std::span<const PosedPrimitive> primitives;
   const CandidateLists* lists = nullptr;
+  std::span<const std::uint8_t> skipped = {};  ///< [V+E+T] 1: this carrier is not asked for (face_culling.h); or empty.
 };
 
 namespace carrier_walk {
@@ -54,6 +56,7 @@ void forEachReachable(const ControlMesh& mesh, const Refinement& refinement, con
   std::vector<CarrierCandidate> near;
   const auto gather = [&](int carrier, int first, int count) {
     near.clear();
+    if (!field.skipped.empty() && field.skipped[static_cast<std::size_t>(carrier)]) return false;
     const std::span<const CarrierCandidate> all = field.lists->of(carrier);
     if (all.empty() || count == 0) return false;
     const Bounds box = carrier_walk::boundsOfRun(positions, first, count, margin);

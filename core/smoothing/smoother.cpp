@@ -13,6 +13,7 @@
 #include "core/rig/validation.h"
 #include "core/smoothing/anchors.h"
 #include "core/smoothing/candidates.h"
+#include "core/smoothing/face_culling.h"
 #include "core/smoothing/patch.h"
 #include "core/smoothing/replace.h"
 #include "core/smoothing/swell.h"
@@ -97,6 +98,7 @@ struct Smoother::State {
   std::vector<glm::vec3> wedgeNormals;
   std::vector<glm::vec3> patchNormals;
   std::vector<PosedPrimitive> posed;
+  FaceCulling culling;
   std::vector<glm::vec3> flatPositions;
   std::vector<glm::vec3> flatNormals;
   std::vector<glm::vec3> anchorsInWorld;
@@ -127,7 +129,7 @@ struct Smoother::State {
     std::vector<PosedPrimitive> bindPrimitives;
     const Pose bind = bindPose(character->skeleton);
     poseField(next.attachment.primitives, bind.boneInWorld, bindPrimitives);
-    const FieldView bindField{bindPrimitives, &next.candidates};
+    const FieldView bindField{bindPrimitives, &next.candidates, {}};
     if (next.rig.surface.mode == SurfaceMode::kReplace) {
       const SkinnedMesh control{mesh().positions, mesh().normals};
       evaluate(PatchKind::kFlat, *next.refinement, control, flatPositions, flatNormals);
@@ -152,11 +154,20 @@ struct Smoother::State {
     patchNormals = out.normals;
   }
 
-  void project(const Pose& pose, Surface& out) {
+  /// Marks what the eye cannot see; the marks of a frame without an eye are empty.
+  void cull(const FieldView& field, const std::optional<glm::vec3>& eye, Surface& out) {
+    culling = eye ? cullFaces(mesh(), *prepared.refinement, field, out.positions, skinned.normals, *eye) : FaceCulling{};
+    out.culled = culling.triangles;
+    out.report.culledTriangles = culling.culled;
+  }
+
+  void project(const Pose& pose, const std::optional<glm::vec3>& eye, Surface& out) {
     const Prepared& p = prepared;
-    if (p.attachment.primitives.empty()) return;
     poseField(p.attachment.primitives, pose.boneInWorld, posed);
-    const FieldView field{posed, &p.candidates};
+    FieldView field{posed, &p.candidates, {}};
+    cull(field, eye, out);
+    if (p.attachment.primitives.empty()) return;
+    field.skipped = culling.carriers;
     if (p.rig.surface.mode == SurfaceMode::kSwell) {
       swell(mesh(), field, swellSettings(p.rig, *character), out);
       return;
@@ -215,7 +226,7 @@ Result<void> Smoother::prepare(const Rig& rig) {
   return {};
 }
 
-void Smoother::smooth(const Pose& pose, Surface& out) {
+void Smoother::smooth(const Pose& pose, Surface& out, const std::optional<glm::vec3>& eye) {
   State& state = *state_;
   assert(state.prepared.refinement && "prepare() first");
   Stopwatch watch;
@@ -230,7 +241,7 @@ void Smoother::smooth(const Pose& pose, Surface& out) {
   state.startReport(out);
   const double patchSeconds = watch.lap();
 
-  state.project(pose, out);
+  state.project(pose, eye, out);
   if (!out.shadingNormals.empty()) turnWithSurface(out, state.patchNormals, out.shadingNormals);
   out.report.seconds = {skinSeconds, patchSeconds, watch.lap()};
 }

@@ -1,6 +1,7 @@
 #pragma once  // core/smoothing/smoother.h: the one pipeline from character, rig and pose to the surface.
 
 #include <memory>
+#include <optional>
 
 #include "core/base/result.h"
 #include "core/character/character.h"
@@ -26,7 +27,9 @@ class Smoother {
   [[nodiscard]] Result<void> prepare(const Rig& rig);
 
   /// Fills `out` for a pose of this skeleton. prepare() must have succeeded once. Reuses the output's memory.
-  void smooth(const Pose& pose, Surface& out);
+  /// @param eye  world; if given, control triangles it cannot see stay on their patches and are marked in Surface::culled
+  ///             (face_culling.h): for a picture from there alone, never for shadows or export.
+  void smooth(const Pose& pose, Surface& out, const std::optional<glm::vec3>& eye = std::nullopt);
 
   [[nodiscard]] const Character& character() const;
   /// Indices into the prepared rig's primitives whose bone this character lacks.

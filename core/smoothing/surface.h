@@ -33,6 +33,7 @@ struct SmoothingReport {
   int implicitTriangles = 0;
   int straddlingTriangles = 0;
   int normalTriangles = 0;
+  int culledTriangles = 0;  ///< Control triangles; 0 without an eye.
   int primitives = 0;  ///< Attached.
   int cliques = 0;
   int projected = 0;   ///< Vertices for which a root was sought.
@@ -51,6 +52,7 @@ struct Surface {
   std::vector<glm::vec3> shadingNormals;  ///< [D] unit, of the drawn vertices; empty where nothing is creased.
   std::vector<float> displacement;   ///< [V'] signed distance from the patch, character units: along the patch normal.
   std::vector<TriangleClass> classes;  ///< [T] of the control triangles.
+  std::vector<std::uint8_t> culled;    ///< [T] 1: not projected, not to be drawn; empty if nothing was culled.
   SmoothingReport report;
 };
 
