@@ -59,15 +59,16 @@ std::string tableOf(const std::vector<ProjectionRow>& rows) {
   const int width = static_cast<int>(std::min<std::size_t>(widest, 40));
   char line[320];
   std::snprintf(line, sizeof line, "%-*s  %-7s  %-10s  %8s  %6s  %7s  %9s  %8s  %10s  %8s  %9s  %6s  %6s  %8s\n", width,
-                "scene", "mode", "projection", "vertices", "field", "quartic", "frame ms", "x newton", "project ms", "x newton",
-                "differs H", "far %", "lost", "fallback");
+                "scene", "mode", "projection", "vertices", "field", "quartic", "frame ms", "x newton", "project ms",
+                "x newton", "differs H", "far %", "lost", "fallback");
   std::string table = std::string(kColumns) + '\n' + line;
   for (const ProjectionRow& row : rows) {
-    std::snprintf(line, sizeof line,
-                  "%-*.40s  %-7s  %-10s  %8.0f  %6.2f  %7.2f  %9.3f  %8.2f  %10.3f  %8.2f  %9.2g  %6.2f  %6.1f  %8.1f\n",
-                  width, row.scene.c_str(), nameOf(row.mode), nameOf(row.projection), row.projected, row.fieldPerVertex,
-                  row.quarticPerVertex, 1e3 * row.frameSeconds, row.frameRatio, 1e3 * row.projectSeconds,
-                  row.projectRatio, row.differenceMax, 100.0 * row.differenceShare, row.unresolved, row.anchorFallbacks);
+    std::snprintf(
+        line, sizeof line,
+        "%-*.40s  %-7s  %-10s  %8.0f  %6.2f  %7.2f  %9.3f  %8.2f  %10.3f  %8.2f  %9.2g  %6.2f  %6.1f  %8.1f\n", width,
+        row.scene.c_str(), nameOf(row.mode), nameOf(row.projection), row.projected, row.fieldPerVertex,
+        row.quarticPerVertex, 1e3 * row.frameSeconds, row.frameRatio, 1e3 * row.projectSeconds, row.projectRatio,
+        row.differenceMax, 100.0 * row.differenceShare, row.unresolved, row.anchorFallbacks);
     table += line;
   }
   return table;
@@ -101,8 +102,8 @@ void addBenchOptions(CLI::App& verb, BenchOptions& options) {
       "FILE", [&options](const std::vector<std::string>& files) { options.files.assign(files.begin(), files.end()); },
       "Rigs (.rig.json), or characters, which get 12 muscles by rule; none: the scenes that ship with the program");
   projections
-      ->add_option_function<std::string>("--json", [&options](const std::string& file) { options.json = file; },
-                                         "Write the numbers as JSON too")
+      ->add_option_function<std::string>(
+          "--json", [&options](const std::string& file) { options.json = file; }, "Write the numbers as JSON too")
       ->type_name("FILE.json");
   projections->add_option("--frames", options.frames, "Moments of the first clip (8)")
       ->type_name("N")

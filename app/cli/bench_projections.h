@@ -14,17 +14,17 @@ struct ProjectionRow {
   std::string scene;
   SurfaceMode mode = SurfaceMode::kSwell;
   ProjectionKind projection = ProjectionKind::kNewton;
-  double projected = 0.0;          ///< Vertices a root was sought for, mean of the frames.
-  double fieldPerVertex = 0.0;     ///< Evaluations::field per such vertex.
-  double quarticPerVertex = 0.0;   ///< Evaluations::quartic per such vertex.
-  double frameSeconds = 0.0;       ///< Median of all timed frames: skin, patch and projection.
-  double projectSeconds = 0.0;     ///< ... the projection alone.
-  double frameRatio = 1.0;         ///< Median of time / newton's time for the same frame in the same round.
+  double projected = 0.0;         ///< Vertices a root was sought for, mean of the frames.
+  double fieldPerVertex = 0.0;    ///< Evaluations::field per such vertex.
+  double quarticPerVertex = 0.0;  ///< Evaluations::quartic per such vertex.
+  double frameSeconds = 0.0;      ///< Median of all timed frames: skin, patch and projection.
+  double projectSeconds = 0.0;    ///< ... the projection alone.
+  double frameRatio = 1.0;        ///< Median of time / newton's time for the same frame in the same round.
   double projectRatio = 1.0;
-  double differenceMax = 0.0;      ///< Largest distance of a vertex from newton's.
-  double differenceShare = 0.0;    ///< Share of the projected vertices further than 1e-4 from newton's.
-  double unresolved = 0.0;         ///< Mean of the frames.
-  double anchorFallbacks = 0.0;    ///< Mean of the frames.
+  double differenceMax = 0.0;    ///< Largest distance of a vertex from newton's.
+  double differenceShare = 0.0;  ///< Share of the projected vertices further than 1e-4 from newton's.
+  double unresolved = 0.0;       ///< Mean of the frames.
+  double anchorFallbacks = 0.0;  ///< Mean of the frames.
 };
 
 struct ProjectionTrial {
@@ -35,10 +35,10 @@ struct ProjectionTrial {
   int rounds = 15;
 };
 
-/// Frames are spread evenly over the first clip, or are the bind pose. In every round each frame is smoothed by all three
-/// projections in turn, so that a slow moment of the machine meets them alike. @param told is called before each mode.
-/// Error: the rig cannot be prepared.
-[[nodiscard]] Result<std::vector<ProjectionRow>> measureProjections(const ProjectionTrial& trial,
-                                                                    const std::function<void(const std::string&)>& told);
+/// Frames are spread evenly over the first clip, or are the bind pose. In every round each frame is smoothed by all
+/// three projections in turn, so that a slow moment of the machine meets them alike. @param told is called before each
+/// mode. Error: the rig cannot be prepared.
+[[nodiscard]] Result<std::vector<ProjectionRow>> measureProjections(
+    const ProjectionTrial& trial, const std::function<void(const std::string&)>& told);
 
 }  // namespace sinew::app

@@ -20,7 +20,7 @@ bool sameSurface(const SurfaceSettings& a, const SurfaceSettings& b) {
 
 bool sameSmoothing(const SmoothingSettings& a, const SmoothingSettings& b) {
   return a.depth == b.depth && a.patch == b.patch && a.projection == b.projection &&
-         a.creaseAngle == b.creaseAngle && a.unknownKeys == b.unknownKeys;
+         a.creaseAngle == b.creaseAngle && a.autoDepth == b.autoDepth && a.unknownKeys == b.unknownKeys;
 }
 
 bool sameGroup(const Group& a, const Group& b) { return a.name == b.name && a.unknownKeys == b.unknownKeys; }

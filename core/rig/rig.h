@@ -33,6 +33,7 @@ struct SmoothingSettings {
   PatchKind patch = PatchKind::kPn;
   ProjectionKind projection = ProjectionKind::kNewton;
   float creaseAngle = kDefaultCreaseAngle;  ///< Degrees, 0..180: faces that meet at more are shaded apart (mesh/creases.h).
+  bool autoDepth = false;  ///< In a picture, `depth` follows the character's size on screen (smoothing/auto_depth.h).
   std::string unknownKeys;
 };
 

@@ -48,7 +48,8 @@ TEST_F(Bench, BadInputAndBadCommandLine) {
   const Outcome absent = run({"bench", "projections", "no such file.glb"});
   EXPECT_EQ(absent.status, 1);
   EXPECT_TRUE(absent.oneErrorLine()) << absent.error;
-  for (const auto& arguments : {std::vector<std::string>{"bench"}, {"bench", "nonsense"}, {"bench", "projections", "--rounds", "0"}}) {
+  for (const auto& arguments :
+       {std::vector<std::string>{"bench"}, {"bench", "nonsense"}, {"bench", "projections", "--rounds", "0"}}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 2);
     EXPECT_TRUE(outcome.oneErrorLine()) << outcome.error;

@@ -1,4 +1,4 @@
-// tests/smoothing/bind_identity_test.cpp: in the bind pose, what no muscle reaches is the patch: every patch kind and depth.
+// tests/smoothing/bind_identity_test.cpp: bind pose: what no muscle reaches is the patch, for every kind and depth.
 
 #include <algorithm>
 #include <array>
@@ -71,11 +71,13 @@ void expectIdentity(const TrialScene& scene, SurfaceMode mode) {
       const Outside outside(scene, rig);
       const std::vector<bool> normal = ofNormalTriangles(with);
       for (std::size_t v = 0; v < with.positions.size(); ++v) {
-        const bool same = sameBits(with.positions[v], without.positions[v]) && sameBits(with.normals[v], without.normals[v]);
+        const bool same =
+            sameBits(with.positions[v], without.positions[v]) && sameBits(with.normals[v], without.normals[v]);
         moved += same ? 0 : 1;
         if (mode == SurfaceMode::kSwell ? !outside(without.positions[v]) : !normal[v]) continue;
         ++kept;
-        ASSERT_TRUE(same) << scene.name << ", " << nameOf(mode) << ", " << nameOf(patch) << ", depth " << depth << ", vertex " << v;
+        ASSERT_TRUE(same) << scene.name << ", " << nameOf(mode) << ", " << nameOf(patch) << ", depth " << depth
+                          << ", vertex " << v;
         ASSERT_EQ(with.displacement[v], 0.0f);
       }
     }
@@ -100,7 +102,8 @@ TEST(BindIdentity, ControlVerticesStandWhereTheMeshPutsThem) {
         rig.smoothing.depth = depth;
         const Surface surface = inBindPose(scene, rig);
         for (std::size_t v = 0; v < scene.character->mesh.positions.size(); ++v) {
-          ASSERT_LT(glm::distance(surface.positions[v], scene.character->mesh.positions[v]), 1e-5f * scene.character->height)
+          ASSERT_LT(glm::distance(surface.positions[v], scene.character->mesh.positions[v]),
+                    1e-5f * scene.character->height)
               << name << ", " << nameOf(patch) << ", depth " << depth << ", vertex " << v;
         }
       }

@@ -1,4 +1,4 @@
-// tests/smoothing/blending_surface_test.cpp: what the blending graph promises, seen on surfaces and on the field itself.
+// tests/smoothing/blending_surface_test.cpp: what the blending graph promises, seen on surfaces and on the field.
 
 #include <array>
 #include <cstdio>
@@ -160,9 +160,10 @@ TEST(BlendingSurface, FieldHasNoJumps) {
         }
       }
     }
-    std::printf("  %-8s %d: %.5f   %d: %.5f (x%.2f)   %d: %.5f (x%.2f)\n", name, kSteps[0], static_cast<double>(jump[0]),
-                kSteps[1], static_cast<double>(jump[1]), static_cast<double>(jump[1] / jump[0]), kSteps[2],
-                static_cast<double>(jump[2]), static_cast<double>(jump[2] / jump[1]));
+    std::printf("  %-8s %d: %.5f   %d: %.5f (x%.2f)   %d: %.5f (x%.2f)\n", name, kSteps[0],
+                static_cast<double>(jump[0]), kSteps[1], static_cast<double>(jump[1]),
+                static_cast<double>(jump[1] / jump[0]), kSteps[2], static_cast<double>(jump[2]),
+                static_cast<double>(jump[2] / jump[1]));
     EXPECT_GT(reached, kSegments);
     // A jump would stay as the step shrinks to a quarter; a Lipschitz function's largest change shrinks with it.
     EXPECT_LT(jump[1], 0.35f * jump[0]) << name;

@@ -35,9 +35,9 @@ struct Coherence {
   Step largest;
   Step largestUnexplained;
   int frames = 0;
-  int exceeding = 0;          ///< Frames with a step over what is allowed.
-  long long vertexSteps = 0;  ///< Vertices in frames.
-  long long over = 0;         ///< Of those, over what is allowed.
+  int exceeding = 0;                         ///< Frames with a step over what is allowed.
+  long long vertexSteps = 0;                 ///< Vertices in frames.
+  long long over = 0;                        ///< Of those, over what is allowed.
   std::map<std::string, long long> reasons;  ///< Of those over.
 };
 
@@ -50,8 +50,8 @@ std::string boneOf(const Character& character, int controlVertex) {
   return character.skeleton.fileName(character.skeleton.bindings[static_cast<std::size_t>(strongest.binding)].bone);
 }
 
-/// phi rises and falls between the two places on the ray: a primitive stands over the skin, or behind another one, with air
-/// between, so that the first root lies on one or the other.
+/// phi rises and falls between the two places on the ray: a primitive stands over the skin, or behind another one, with
+/// air between, so that the first root lies on one or the other.
 bool overhangs(const oracle::Oracle& oracle, const oracle::Answer& answer, double from, double to) {
   constexpr int kSamples = 400;
   bool rises = false;
@@ -66,7 +66,8 @@ bool overhangs(const oracle::Oracle& oracle, const oracle::Answer& answer, doubl
   return rises && falls;
 }
 
-/// How far the nearest parts of muscles came in the frame that rides on the patch: the skin cannot be asked to step less.
+/// How far the nearest parts of muscles came in the frame that rides on the patch: the skin cannot be asked to step
+/// less.
 class MuscleMotion {
  public:
   MuscleMotion(const TrialScene& scene, const Rig& rig) : attachment_(attach(rig, *scene.character).value()) {}
@@ -97,7 +98,8 @@ class MuscleMotion {
 
  private:
   static bool near(const glm::mat4& shape, const PatchFrame& frame) {
-    const float radius = glm::length(glm::vec3(shape[0])) + glm::length(glm::vec3(shape[1])) + glm::length(glm::vec3(shape[2]));
+    const float radius =
+        glm::length(glm::vec3(shape[0])) + glm::length(glm::vec3(shape[1])) + glm::length(glm::vec3(shape[2]));
     return glm::distance(glm::vec3(shape[3]), frame.origin) < radius;
   }
 
@@ -110,8 +112,13 @@ class MuscleMotion {
 class Walker {
  public:
   Walker(const TrialScene& scene, const Rig& rig)
-      : scene_(scene), mode_(rig.surface.mode), smoother_(scene.character), bare_(scene.character),
-        before_(*scene.character, rig), after_(*scene.character, rig), motion_(scene, rig) {
+      : scene_(scene),
+        mode_(rig.surface.mode),
+        smoother_(scene.character),
+        bare_(scene.character),
+        before_(*scene.character, rig),
+        after_(*scene.character, rig),
+        motion_(scene, rig) {
     Rig empty = rig;
     empty.primitives.clear();
     EXPECT_TRUE(smoother_.prepare(rig).ok() && bare_.prepare(empty).ok());
@@ -177,8 +184,7 @@ class Walker {
     char numbers[200];
     std::snprintf(numbers, sizeof numbers,
                   ", muscles moved %.4f H, F on the skin %.3f -> %.3f, offset %.4f -> %.4f H, weight %.2f -> %.2f",
-                  double{muscles}, was.field, is.field, was.offset / height, is.offset / height, was.weight,
-                  is.weight);
+                  double{muscles}, was.field, is.field, was.offset / height, is.offset / height, was.weight, is.weight);
     step.why = "bone " + boneOf(*scene_.character, site.vertices[0]) + numbers;
     if (mode_ == SurfaceMode::kReplace) {
       if (const char* reason = reasonInReplace(was, is)) return reason;
@@ -191,7 +197,8 @@ class Walker {
     return static_cast<double>(step.size) < 1.5 * bound ? "steep flank" : kUnexplained;
   }
 
-  /// First order: a root moves by |grad F| / |phi'| times the muscle's way. The largest such factor between two heights.
+  /// First order: a root moves by |grad F| / |phi'| times the muscle's way. The largest such factor between two
+  /// heights.
   static double steepness(const oracle::Oracle& oracle, const oracle::Answer& answer, double from, double to) {
     constexpr int kSamples = 50;
     double most = 0.0;
@@ -200,7 +207,8 @@ class Walker {
       const double t = from + step * (i + 0.5);
       const double slope = (oracle.phiAt(answer, t + 0.5 * step) - oracle.phiAt(answer, t - 0.5 * step)) / step;
       const oracle::Vec point = answer.rayOrigin + t * answer.rayDirection;
-      most = std::max(most, length(oracle.field().gradient(point, answer.fieldWeights)) / std::max(std::abs(slope), 1e-9));
+      most =
+          std::max(most, length(oracle.field().gradient(point, answer.fieldWeights)) / std::max(std::abs(slope), 1e-9));
     }
     return most;
   }
@@ -247,8 +255,8 @@ Coherence walked(const TrialScene& scene, const Rig& rig) {
   return seen;
 }
 
-// The skin steps less than 1 % H a frame. Where it does not, a muscle moved that fast against the skin, or stands so that a
-// height along the normal cannot follow it: an overhang, or the steep flank before one (docs/design.md).
+// The skin steps less than 1 % H a frame. Where it does not, a muscle moved that fast against the skin, or stands so
+// that a height along the normal cannot follow it: an overhang, or the steep flank before one (docs/design.md).
 TEST(Coherence, SwellStepsFarOnlyWhereMusclesDoOrOverhang) {
   for (const TrialScene& scene : trialScenes()) {
     const Coherence seen = walked(scene, withMode(scene.rig, SurfaceMode::kSwell));

@@ -56,15 +56,15 @@ Faceted facetedOf(const Surface& surface) {
 
 struct Count {
   int moved = 0;    ///< By the muscles; in `replace` those that lie on F = T with all their neighbours.
-  int creased = 0;  ///< Of those: a face leans away by more than 10 degrees (unlinked groups meet, or the cage folds), or:
+  int creased = 0;  ///< Of those: a face leans away by more than 10 degrees (unlinked groups meet, the cage folds), or:
   int folded = 0;   ///< Of the creased: the mesh lies over itself there, inside out.
   int judged = 0;   ///< The rest.
   int raw = 0;      ///< Of the judged: beyond 10 degrees.
   int off = 0;      ///< Of the judged: beyond 10 degrees more than the patch's own normal is off from the patch.
 };
 
-/// In `replace`: vertices with F = T, as have all around them, and under territories that hardly fade from one to the next:
-/// elsewhere the surface is a mix, and so are its normals.
+/// In `replace`: vertices with F = T, as have all around them, and under territories that hardly fade from one to the
+/// next: elsewhere the surface is a mix, and so are its normals.
 std::vector<bool> onTheImplicitSurface(const oracle::Oracle& oracle, const ControlMesh& mesh, const Surface& surface) {
   const double iso = oracle.field().iso();
   std::vector<std::vector<double>> weights;
@@ -105,8 +105,8 @@ void judge(const Surface& surface, const Surface& patch, const std::vector<bool>
     }
     ++out.judged;
     const double degrees = degreesBetween(faceted.normals[v], surface.normals[v]);
-    const double patchDegrees = surface.report.mode == SurfaceMode::kSwell
-                                    ? degreesBetween(facetedPatch.normals[v], patch.normals[v]) : 0.0;
+    const double patchDegrees =
+        surface.report.mode == SurfaceMode::kSwell ? degreesBetween(facetedPatch.normals[v], patch.normals[v]) : 0.0;
     out.raw += degrees > kAllowedDegrees ? 1 : 0;
     out.off += degrees > kAllowedDegrees + patchDegrees ? 1 : 0;
   }
@@ -137,15 +137,15 @@ Count countOf(const TrialScene& scene, SurfaceMode mode) {
 }
 
 TEST(Normals, AreTheRefinedSurfacesOwn) {
-  std::printf("  %-11s %-8s %8s %8s %8s %8s %10s %20s\n", "scene", "mode", "moved", "creased", "folded", "judged", "within 10",
-              "beyond the patch's");
+  std::printf("  %-11s %-8s %8s %8s %8s %8s %10s %20s\n", "scene", "mode", "moved", "creased", "folded", "judged",
+              "within 10", "beyond the patch's");
   for (const TrialScene& scene : trialScenes()) {
     for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
       const Count seen = countOf(scene, mode);
       const double judged = std::max(seen.judged, 1);
       const double within = 1.0 - seen.off / judged;
-      std::printf("  %-11s %-8s %8d %8d %8d %8d %9.2f%% %19.2f%%\n", scene.name.c_str(), nameOf(mode), seen.moved, seen.creased,
-                  seen.folded, seen.judged, 100.0 * (1.0 - seen.raw / judged), 100.0 * within);
+      std::printf("  %-11s %-8s %8d %8d %8d %8d %9.2f%% %19.2f%%\n", scene.name.c_str(), nameOf(mode), seen.moved,
+                  seen.creased, seen.folded, seen.judged, 100.0 * (1.0 - seen.raw / judged), 100.0 * within);
       EXPECT_GE(within, 0.99) << scene.name << ", " << nameOf(mode);
       EXPECT_GT(seen.judged, 100) << scene.name << ", " << nameOf(mode);
       // Normals that lean together over a hollow cross where the skin rises further than they are apart.

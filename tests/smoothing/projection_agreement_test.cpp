@@ -1,4 +1,4 @@
-// tests/smoothing/projection_agreement_test.cpp: every mode and projection against the brute-force solver and each other.
+// tests/smoothing/projection_agreement_test.cpp: every mode and projection against brute force and each other.
 
 #include <array>
 #include <cstdio>
@@ -65,8 +65,8 @@ TEST(ProjectionAgreement, ReplaceIsWhatBruteForceFinds) { expectAgreement(Surfac
 
 struct Difference {
   int compared = 0;
-  int far = 0;          ///< Beyond 1e-4 H.
-  int farUnique = 0;    ///< Of those: the ray has one root only.
+  int far = 0;        ///< Beyond 1e-4 H.
+  int farUnique = 0;  ///< Of those: the ray has one root only.
   double worstNear = 0.0;
 };
 
@@ -102,15 +102,15 @@ Difference differenceOf(const TrialScene& scene, SurfaceMode mode, ProjectionKin
 
 void expectSame(const TrialScene& scene, SurfaceMode mode, ProjectionKind other) {
   const Difference seen = differenceOf(scene, mode, other);
-  std::printf("  %-11s %-8s %-10s %8d %8d %8d   %.2g H\n", scene.name.c_str(), nameOf(mode), nameOf(other), seen.compared,
-              seen.far, seen.farUnique, seen.worstNear);
+  std::printf("  %-11s %-8s %-10s %8d %8d %8d   %.2g H\n", scene.name.c_str(), nameOf(mode), nameOf(other),
+              seen.compared, seen.far, seen.farUnique, seen.worstNear);
   EXPECT_GT(seen.compared, 500);
   EXPECT_EQ(seen.farUnique, 0) << scene.name << ", " << nameOf(mode) << ", " << nameOf(other);
   EXPECT_LE(seen.far, seen.compared / 1000) << scene.name << ", " << nameOf(mode) << ", " << nameOf(other);
 }
 
-// In `swell` all three follow the patch normal; in `replace` newton and bisection follow the segment to the anchor, while
-// analytic follows the normal and has the oracle alone to answer to.
+// In `swell` all three follow the patch normal; in `replace` newton and bisection follow the segment to the anchor,
+// while analytic follows the normal and has the oracle alone to answer to.
 TEST(ProjectionAgreement, SameRayGivesTheSameRoot) {
   std::printf("  %-11s %-8s %-10s %8s %8s %8s   %s\n", "scene", "mode", "newton and", "vertices", "far", "unique",
               "worst of the rest");

@@ -111,7 +111,8 @@ Rig randomDocument(std::uint64_t seed) {
                  positiveFloat(random), anyUnknownKeys(random)};
   rig.smoothing = {1 + random.below(kMaxDepth), static_cast<PatchKind>(random.below(4)),
                    static_cast<ProjectionKind>(random.below(3)),
-                   random.chance(0.5f) ? kDefaultCreaseAngle : random.uniform(0.0f, 180.0f), anyUnknownKeys(random)};
+                   random.chance(0.5f) ? kDefaultCreaseAngle : random.uniform(0.0f, 180.0f),
+                   random.chance(0.3f), anyUnknownKeys(random)};
   const int groups = 1 + random.below(5);
   for (int i = 0; i < groups; ++i) rig.groups.push_back({anyName(random, i), anyUnknownKeys(random)});
   for (int a = 0; a < groups; ++a) {

@@ -16,8 +16,8 @@ struct TrialScene {
   Rig rig;  ///< Its mode is the scene's own; tests set the mode they try.
 };
 
-/// assets/wrapped and assets/tangle with their rigs, always; then those of Fox, greenman, cesium_man and robot that are at
-/// hand, each with 12 muscles set by rule (core/rig/trial_rig.h). Prints which are left out, once.
+/// assets/wrapped and assets/tangle with their rigs, always; then those of Fox, greenman, cesium_man and robot that are
+/// at hand, each with 12 muscles set by rule (core/rig/trial_rig.h). Prints which are left out, once.
 [[nodiscard]] const std::vector<TrialScene>& trialScenes();
 
 /// One of them; fails the test if there is none of that name.
