@@ -57,6 +57,11 @@ sinewBuild() {
   local root=$1 preset=$2 target=${3:-all}
   local build=$root/build/$preset launcher=()
   command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  # A build made where the project lay before it was moved names the old place everywhere.
+  if [[ -f $build/CMakeCache.txt ]] && ! grep -qxF -- "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; then
+    sinewSay "$build was made for another place: making it anew"
+    rm -rf -- "$build"
+  fi
   if [[ ! -f $build/build.ninja ]]; then
     sinewSay "configuring $build"
     cmake -S "$root" --preset "$preset" "${launcher[@]}" >&2 || sinewFail "cmake could not configure $build"

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array kProjections{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic};
 constexpr std::size_t kNewton = 0;
-constexpr double kAgreement = 1e-4;  // Of H, DESIGN 5.
+constexpr double kAgreement = 1e-4;  // Of H.
 
 /// One projection at work: its smoother and what it has shown so far.
 struct Contender {

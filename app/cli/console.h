@@ -6,7 +6,7 @@
 
 namespace sinew::app {
 
-// DESIGN 7.
+// Exit statuses, docs/formats.md.
 inline constexpr int kDone = 0;
 inline constexpr int kBadInput = 1;
 inline constexpr int kBadCommandLine = 2;

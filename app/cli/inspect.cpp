@@ -15,6 +15,7 @@
 #include "core/mesh/creases.h"
 #include "core/mesh/topology.h"
 #include "core/mesh/weld.h"
+#include "core/rig/attachment.h"
 
 namespace sinew::app {
 namespace {
@@ -193,6 +194,9 @@ void putRig(std::ostream& out, const Document& document) {
   putNames(out, "groups      ", groups);
   putNames(out, "links       ", links);
   putNames(out, "unattached  ", unattached(document));
+  for (const Error& missing : missingBones(rig, document.character->skeleton)) {
+    out << "              " << missing.text() << '\n';
+  }
   if (rig.smoothing.creaseAngle >= kNoCreases) return;
   const std::vector<Wedge> wedges = shadedWedges(document);
   out << "  creases     over " << shortNumber(rig.smoothing.creaseAngle) << " degrees: " << wedges.size()

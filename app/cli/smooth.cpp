@@ -13,6 +13,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/json.h"
 #include "core/io/surface_export.h"
+#include "core/rig/attachment.h"
 #include "core/smoothing/smoother.h"
 
 namespace sinew::app {
@@ -57,14 +58,6 @@ bool wouldOverwriteInput(const std::filesystem::path& written, const Document& d
          std::filesystem::equivalent(written, document.rigFile, absent);
 }
 
-void tellUnattached(const Document& document, const Rig& rig, const std::vector<int>& unattached) {
-  for (const int index : unattached) {
-    const Primitive& primitive = rig.primitives[static_cast<std::size_t>(index)];
-    message(document.rigFile.string() + ": primitives[" + std::to_string(index) + "].bone: \"" + primitive.name +
-            "\" is left out, for this character has no bone \"" + primitive.bone + '"');
-  }
-}
-
 std::string reportText(const SmoothingReport& report) {
   Json seconds = Json::object();
   seconds.set("skin", report.seconds.skin).set("patch", report.seconds.patch).set("project", report.seconds.project);
@@ -98,7 +91,7 @@ std::string isOutput(const std::string& text) {
 }
 
 void addSettings(CLI::App& verb, SmoothOptions& options) {
-  verb.add_option("--depth", options.depth, "Every triangle becomes N x N")
+  verb.add_option("--depth", options.depth, "Every triangle becomes N x N, in place of the rig's depth (a file has no size on screen to follow)")
       ->type_name("N")
       ->check(CLI::Range(1, kMaxDepth));
   verb.add_option("--mode", options.mode, "swell (the skin rises over the muscles) or replace (the paper's method)")
@@ -138,6 +131,9 @@ int runSmooth(const SmoothOptions& options) {
     if (wouldOverwriteInput(written, document.value())) return badCommandLine(written.string() + ": is the input, and is kept");
   }
   const Rig rig = overridden(document->rig(), options);
+  if (const auto missing = missingBones(rig, document->character->skeleton); !missing.empty()) {
+    return badInput({options.file.string(), missing.front().place, missing.front().reason});
+  }
   const auto pose = poseOf(document.value(), options);
   if (!pose) return badInput(pose.error());
 
@@ -146,7 +142,6 @@ int runSmooth(const SmoothOptions& options) {
   if (const auto prepared = smoother.prepare(rig); !prepared) {
     return badInput({options.file.string(), prepared.error().place, prepared.error().reason});
   }
-  tellUnattached(document.value(), rig, smoother.unattached());
   Surface surface;
   smoother.smooth(pose.value(), surface);
 

@@ -1,4 +1,4 @@
-#pragma once  // app/panels/state_log.h: --log-state: a JSON line for every drawn frame that changed (DESIGN 7).
+#pragma once  // app/panels/state_log.h: --log-state: a JSON line for every drawn frame that changed (docs/formats.md).
 
 #include <cstdio>
 #include <filesystem>

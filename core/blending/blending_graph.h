@@ -8,10 +8,10 @@
 
 namespace sinew {
 
-/// More maximal cliques than this are refused: nobody draws such a graph on purpose. DESIGN 3.
+/// More maximal cliques than this are refused: nobody draws such a graph on purpose. docs/field.md.
 inline constexpr int kMaxCliques = 4096;
 
-/// The blending graph after Guy & Wyvill 1995, read as DESIGN 3 does: the field is the maximum over cliques of sums.
+/// The blending graph after Guy & Wyvill 1995, read as docs/field.md does: the field is the maximum over cliques of sums.
 struct BlendingGraph {
   int groupCount = 0;
   std::vector<std::vector<int>> cliques;  ///< Maximal, each sorted; the list sorted. Every group is in at least one.

@@ -26,7 +26,7 @@ struct PosedPrimitive {
 /// A primitive seen from one place of the skin.
 struct Candidate {
   int primitive = 0;
-  float weight = 1.0f;  ///< Territory weight there, m_i (DESIGN 3), 0..1.
+  float weight = 1.0f;  ///< Territory weight there, m_i (docs/field.md), 0..1.
   int slot = 0;         ///< Its group, numbered among the groups present at that place.
 };
 
@@ -45,7 +45,7 @@ void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::
 
 /// F(x) = max over cliques of the sum of its positive m_i f_i, plus the sum of all carving m_i f_i (<= 0).
 /// Carves stand outside the maximum: inside it, any unlinked group anywhere would lift max(..., 0) over a carve and undo
-/// it, and culling would change values. See docs/design.md. Without carves, or with all groups linked, this is DESIGN 3.
+/// it, and culling would change values. See docs/design.md. Without carves, or with all groups linked, the two readings agree.
 [[nodiscard]] FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
                                       const CliqueLists& cliques, const glm::vec3& point);
 

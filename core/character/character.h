@@ -40,7 +40,7 @@ struct Material {
   bool doubleSided = false;
 };
 
-/// Control mesh + skeleton + clips + materials. DESIGN 1.
+/// Control mesh + skeleton + clips + materials. docs/design.md.
 struct Character {
   std::string name;  ///< File name without folder and ending.
   ControlMesh mesh;

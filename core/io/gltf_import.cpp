@@ -54,7 +54,7 @@ float heightOf(const std::vector<glm::vec3>& positions) {
 
 void weldMesh(const TriangleSoup& soup, Character& character) {
   if (soup.triangles.empty()) refuse("meshes", "the scene has no triangles to show");
-  constexpr float kWeldTolerance = 1e-6f;  // of the height, DESIGN 4
+  constexpr float kWeldTolerance = 1e-6f;  // of the height, docs/design.md
   character.mesh = weld(soup, kWeldTolerance * heightOf(soup.positions));
   if (character.mesh.triangles.empty()) refuse("meshes", "all triangles have collapsed to lines or points");
   character.height = heightOf(character.mesh.positions);

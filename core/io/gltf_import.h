@@ -8,7 +8,7 @@
 
 namespace sinew {
 
-// Limits of DESIGN 9, checked before anything is allocated.
+// Limits (docs/formats.md), checked before anything is allocated.
 inline constexpr int kMaxControlTriangles = 2'000'000;
 inline constexpr int kMaxJoints = 4096;
 inline constexpr int kMaxClips = 1000;

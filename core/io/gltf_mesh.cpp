@@ -97,7 +97,7 @@ class SoupReader {
       if (key.starts_with("COLOR_"))
         notes_.add("vertex colours");
       else if (key == "NORMAL")
-        continue;  // computed from the welded faces (DESIGN 4)
+        continue;  // computed from the welded faces (docs/design.md)
       else if (key == "TANGENT")
         notes_.add("vertex tangents");
     }

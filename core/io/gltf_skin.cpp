@@ -26,7 +26,7 @@ struct Skin {
   std::vector<int> joints;               // nodes
   std::vector<glm::dmat4> inverseBinds;  // [joints] POSITION -> joint
   std::vector<bool> singular;            // [joints] has no usable inverse bind matrix
-  glm::dmat4 meshToBind{1.0};            // DESIGN 2's M
+  glm::dmat4 meshToBind{1.0};            // M of docs/design.md
   std::vector<int> bindings;             // [joints]
 };
 
@@ -216,7 +216,7 @@ class Binder {
     }
   }
 
-  /// DESIGN 2's M: the root joint's rest x its inverse bind matrix. A skin that shares a joint with an earlier one is
+  /// M of docs/design.md: the root joint's rest x its inverse bind matrix. A skin that shares a joint with an earlier one is
   /// placed by that joint instead, so that parts of one body stay together where rest and bind pose differ.
   void chooseMeshToBind(Skin& skin) {
     const std::size_t root = rootOf(skin);

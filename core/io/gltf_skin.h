@@ -1,4 +1,4 @@
-#pragma once  // core/io/gltf_skin.h: skins and mesh nodes -> bones, bind pose, bindings (DESIGN 2).
+#pragma once  // core/io/gltf_skin.h: skins and mesh nodes -> bones, bind pose, bindings (docs/design.md).
 
 #include <optional>
 #include <vector>

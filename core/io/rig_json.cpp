@@ -75,6 +75,7 @@ JsonNode smoothingNode(const SmoothingSettings& smoothing) {
       .set("patch", stringNode(nameOf(smoothing.patch)))
       .set("projection", stringNode(nameOf(smoothing.projection)));
   if (smoothing.creaseAngle != kDefaultCreaseAngle) writer.set("crease_angle", numberNode(smoothing.creaseAngle));
+  if (smoothing.autoDepth) writer.set("auto_depth", {Kind::kTrue, {}, {}, {}});
   return writer.finish(smoothing.unknownKeys);
 }
 

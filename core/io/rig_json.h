@@ -1,4 +1,4 @@
-#pragma once  // core/io/rig_json.h: the rig file, *.rig.json (DESIGN 6).
+#pragma once  // core/io/rig_json.h: the rig file, *.rig.json (docs/formats.md).
 
 #include <filesystem>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace sinew {
 
-/// Rig -> text: keys in DESIGN 6's order, shortest decimals that read back bit-equal, unknown keys after the known ones.
+/// Rig -> text: keys in the order of docs/formats.md, shortest decimals that read back bit-equal, unknown keys after the known ones.
 [[nodiscard]] std::string rigToJson(const Rig& rig);
 
 /// Text -> validated rig. Error: place is the JSON path (or the byte, if it is no JSON), reason what was expected.

@@ -139,6 +139,13 @@ void readFloat(Reader& reader, const JsonNode& object, const std::string& place,
   if (const JsonNode* node = object.find(key)) value = reader.number(*node, Reader::join(place, key));
 }
 
+void readSwitch(Reader& reader, const JsonNode& object, const std::string& place, const char* key, bool& value) {
+  const JsonNode* node = object.find(key);
+  if (!node) return;
+  value = node->kind == Kind::kTrue;
+  if (!value && node->kind != Kind::kFalse) reader.expect(Reader::join(place, key), "true or false", *node);
+}
+
 std::string readNeededText(Reader& reader, const JsonNode& object, const std::string& place, const char* key) {
   const JsonNode* node = reader.need(object, place, key, "a text");
   return node ? reader.text(*node, Reader::join(place, key)) : std::string();
@@ -166,7 +173,8 @@ SmoothingSettings readSmoothing(Reader& reader, const JsonNode& node) {
   readWord(reader, node, "smoothing", "projection", "\"newton\", \"bisection\" or \"analytic\"", projectionKindNamed,
            smoothing.projection);
   readFloat(reader, node, "smoothing", "crease_angle", smoothing.creaseAngle);
-  smoothing.unknownKeys = unknownKeys(node, {"depth", "patch", "projection", "crease_angle"});
+  readSwitch(reader, node, "smoothing", "auto_depth", smoothing.autoDepth);
+  smoothing.unknownKeys = unknownKeys(node, {"depth", "patch", "projection", "crease_angle", "auto_depth"});
   return smoothing;
 }
 

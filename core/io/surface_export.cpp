@@ -84,6 +84,11 @@ Result<void> exportSurface(const Surface& surface, const Character& character, c
   if (!surface.refinement || surface.refinement->triangles.empty()) {
     return Error{file.string(), {}, "cannot be written: the surface has no triangles"};
   }
+  // Before files beside it are written: the message names what was asked for.
+  std::error_code unknown;
+  if (file.has_parent_path() && !std::filesystem::is_directory(file.parent_path(), unknown)) {
+    return Error{file.string(), {}, "cannot be written: there is no such folder"};
+  }
   const std::string ending = lowerEnding(file);
   if (ending == ".obj") return writeObj(surface, character, file);
   if (ending == ".ply") return writeFileAtomically(file, plyBytes(surface));

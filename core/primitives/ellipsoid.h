@@ -12,7 +12,7 @@ struct Placement {
 };
 
 /// An influence ellipsoid in the world as the affine map that takes it to the unit ball: |toUnit (x - center)| < 1 inside.
-/// Centre and map are kept apart: x^T Q x about a far origin would cancel (PERFORMANCE pitfall 10).
+/// Centre and map are kept apart: x^T Q x about a far origin would cancel.
 struct UnitBallMap {
   glm::mat3 toUnit{1.0f};
   glm::vec3 center{0.0f};        ///< World.

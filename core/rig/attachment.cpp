@@ -37,6 +37,23 @@ void addCandidates(const Character& character, const std::vector<int>& territory
 
 }  // namespace
 
+std::vector<Error> missingBones(const Rig& rig, const Skeleton& skeleton) {
+  std::vector<Error> missing;
+  const auto check = [&](const std::string& bone, const std::string& place) {
+    if (!skeleton.findBone(bone)) missing.push_back(errorAt(place, "this character has no bone \"" + bone + '"'));
+  };
+  for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
+    const Primitive& primitive = rig.primitives[i];
+    const std::string place = "primitives[" + std::to_string(i) + "]";
+    check(primitive.bone, place + ".bone");
+    if (!primitive.territory) continue;
+    for (std::size_t t = 0; t < primitive.territory->size(); ++t) {
+      check((*primitive.territory)[t], place + ".territory[" + std::to_string(t) + "]");
+    }
+  }
+  return missing;
+}
+
 std::vector<int> territoryBones(const Primitive& primitive, int bone, const Skeleton& skeleton) {
   std::vector<int> bones;
   if (primitive.territory) {

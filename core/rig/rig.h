@@ -1,4 +1,4 @@
-#pragma once  // core/rig/rig.h: the designer's document as a plain value. File form: DESIGN 6.
+#pragma once  // core/rig/rig.h: the designer's document as a plain value. File form: docs/formats.md.
 
 #include <array>
 #include <optional>
@@ -19,11 +19,16 @@ inline constexpr float kDefaultSkinBlend = 0.04f;
 inline constexpr float kDefaultCreaseAngle = 180.0f;  ///< Smooth everywhere.
 inline constexpr int kMaxDepth = 16;
 
+// Beyond these the skin's own field W = h / (1 - sqrt(1 - sqrt T)) leaves what numbers can hold.
+inline constexpr float kLeastIso = 0.001f;
+inline constexpr float kMostIso = 0.999f;
+inline constexpr float kMostSkinBlend = 10.0f;
+
 /// "surface" in the file.
 struct SurfaceSettings {
   SurfaceMode mode = SurfaceMode::kSwell;
-  float iso = kDefaultIso;              ///< T, 0 < T < 1.
-  float skinBlend = kDefaultSkinBlend;  ///< h as a fraction of H, > 0.
+  float iso = kDefaultIso;              ///< T, kLeastIso..kMostIso.
+  float skinBlend = kDefaultSkinBlend;  ///< h as a fraction of H, > 0, at most kMostSkinBlend.
   std::string unknownKeys;              ///< JSON object text of keys this version does not know; kept and written back.
 };
 

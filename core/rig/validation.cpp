@@ -163,11 +163,11 @@ Result<void> validatePrimitive(const Primitive& primitive, const std::string& pl
 }
 
 Result<void> validateSurface(const SurfaceSettings& surface) {
-  if (!(surface.iso > 0.0f && surface.iso < 1.0f)) {
-    return outOfRange("surface.iso", "a number between 0 and 1, neither included", surface.iso);
+  if (!(surface.iso >= kLeastIso && surface.iso <= kMostIso)) {
+    return outOfRange("surface.iso", "a number from 0.001 to 0.999", surface.iso);
   }
-  if (!std::isfinite(surface.skinBlend) || !(surface.skinBlend > 0.0f)) {
-    return outOfRange("surface.skin_blend", "a number > 0", surface.skinBlend);
+  if (!(surface.skinBlend > 0.0f && surface.skinBlend <= kMostSkinBlend)) {
+    return outOfRange("surface.skin_blend", "a number > 0 and at most 10", surface.skinBlend);
   }
   return {};
 }

@@ -12,7 +12,7 @@ struct Pose {
   std::vector<glm::mat4> boneInWorld;  ///< [bones] bone space -> world.
 };
 
-/// The pose the inverse bind matrices describe, upright (DESIGN 2).
+/// The pose the inverse bind matrices describe, upright (docs/design.md).
 [[nodiscard]] Pose bindPose(const Skeleton& skeleton);
 
 /// The nodes as they stand when nothing is animated. Need not be the bind pose.

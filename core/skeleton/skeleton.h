@@ -33,7 +33,7 @@ struct Bone {
   int node = 0;
   int parent = -1;            ///< Nearest joint ancestor, index < own index, or -1.
   std::vector<int> children;  ///< Nearest joint children.
-  glm::mat4 bindInWorld{1.0f};         ///< Bone -> world in the bind pose (DESIGN 2).
+  glm::mat4 bindInWorld{1.0f};         ///< Bone -> world in the bind pose (docs/design.md).
   glm::mat4 inverseBindInWorld{1.0f};  ///< Its inverse.
   glm::vec3 tip{0.0f};                 ///< Bone space: where the bone's segment ends, see finishBones.
 };
@@ -50,7 +50,7 @@ struct Skeleton {
   std::vector<Bone> bones;  ///< Parents before children.
   std::vector<Binding> bindings;
 
-  /// By path, or by name where the name is unique; nullopt if there is none or several. DESIGN 6.
+  /// By path, or by name where the name is unique; nullopt if there is none or several. docs/formats.md.
   [[nodiscard]] std::optional<int> findBone(std::string_view nameOrPath) const;
   /// What a rig file calls this bone: the name where unique, else the path.
   [[nodiscard]] const std::string& fileName(int bone) const;

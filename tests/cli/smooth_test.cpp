@@ -28,6 +28,24 @@ std::vector<std::array<int, 3>> facesOf(const std::string& obj) {
   return faces;
 }
 
+TEST_F(Program, SmoothRefusesARigThatNamesBonesTheCharacterLacks) {
+  const auto rigWith = [&](const std::string& bone, const std::string& territory) {
+    return R"({"format": "sinew-rig", "version": 1, "character": ")" + demo("demo.glb") +
+           R"(", "groups": [{"name": "g"}], "primitives": [{"name": "wing", "bone": ")" + bone +
+           R"(", "group": "g", "center": [0, 0, 0], "radii": [1, 1, 1])" + territory + "}]}";
+  };
+  ASSERT_TRUE(writeFileAtomically(folder_ / "bone.rig.json", rigWith("wing bone", "")).ok());
+  ASSERT_TRUE(writeFileAtomically(folder_ / "land.rig.json", rigWith("head", R"(, "territory": ["sea"])")).ok());
+  for (const auto& [file, place] : {std::pair{"bone.rig.json", "primitives[0].bone: "},
+                                    std::pair{"land.rig.json", "primitives[0].territory[0]: "}}) {
+    const auto result = run({"smooth", file, "-o", "out.obj"});
+    EXPECT_EQ(result.status, 1) << file;
+    EXPECT_TRUE(result.oneErrorLine()) << result.error;
+    EXPECT_NE(result.error.find(place), std::string::npos) << result.error;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out.obj"));
+  }
+}
+
 TEST_F(Program, SmoothWritesAClosedSurfaceAndATrueReport) {
   const auto result = run({"smooth", demo("demo.rig.json"), "--clip", "Walk", "--time", "0.4", "--depth", "4", "-o", "out.obj",
                            "--report", "report.json"});

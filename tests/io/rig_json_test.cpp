@@ -120,6 +120,19 @@ TEST(RigJson, TheCreaseAngleIsWrittenOnlyWhereThereIsOne) {
   EXPECT_FALSE(rig == loaded.value());
 }
 
+TEST(RigJson, AutoDepthIsWrittenOnlyWhereItIsOn) {
+  const auto loaded = loadRig(dataFile("v1-auto.rig.json"));
+  ASSERT_TRUE(loaded.ok()) << loaded.error().text();
+  Rig rig = loaded.value();
+  EXPECT_TRUE(rig.smoothing.autoDepth);
+  EXPECT_EQ(rig.smoothing.depth, 5);
+  EXPECT_EQ(rig.smoothing.unknownKeys, R"({"x-why":"near and far"})");
+  EXPECT_EQ(rigToJson(rig), readWholeFile(dataFile("v1-auto.rig.json"), 1 << 20).value());
+  rig.smoothing.autoDepth = false;
+  EXPECT_EQ(rigToJson(rig).find("auto_depth"), std::string::npos);
+  EXPECT_FALSE(rig == loaded.value());
+}
+
 TEST(RigJson, UnknownKeysOfAllLevelsAreWrittenBackDigitForDigit) {
   const auto rig = loadRig(dataFile("v1-full.rig.json"));
   ASSERT_TRUE(rig.ok());
@@ -172,9 +185,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadRig{"{ \"mode\": \"replace\", \"iso\": 0.3, \"skin_blend\": 0.05, \"x-shade\": \"matte\" }", "[]", "surface",
                "expected an object, got an array of 0"},
         BadRig{"\"replace\"", "\"melt\"", "surface.mode", "expected \"swell\" or \"replace\", got \"melt\""},
-        BadRig{"\"iso\": 0.3", "\"iso\": 1", "surface.iso", "between 0 and 1"},
+        BadRig{"\"iso\": 0.3", "\"iso\": 1", "surface.iso", "from 0.001 to 0.999"},
         BadRig{"\"iso\": 0.3", "\"iso\": null", "surface.iso", "expected a number, got null"},
-        BadRig{"\"skin_blend\": 0.05", "\"skin_blend\": 0", "surface.skin_blend", "expected a number > 0, got 0"},
+        BadRig{"\"skin_blend\": 0.05", "\"skin_blend\": 0", "surface.skin_blend", "expected a number > 0 and at most 10, got 0"},
         BadRig{"\"depth\": 5", "\"depth\": 17", "smoothing.depth", "from 1 to 16, got 17"},
         BadRig{"\"depth\": 5", "\"depth\": 2.5", "smoothing.depth", "from 1 to 16, got 2.5"},
         BadRig{"\"depth\": 5", "\"depth\": 99999999999", "smoothing.depth", "got 99999999999"},
@@ -183,6 +196,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadRig{"\"bisection\"", "\"newton\", \"crease_angle\": 181", "smoothing.crease_angle", "from 0 to 180, got 181"},
         BadRig{"\"bisection\"", "\"newton\", \"crease_angle\": -1", "smoothing.crease_angle", "from 0 to 180, got -1"},
         BadRig{"\"bisection\"", "\"newton\", \"crease_angle\": \"30\"", "smoothing.crease_angle", "a number, got \"30\""},
+        BadRig{"\"bisection\"", "\"newton\", \"auto_depth\": 1", "smoothing.auto_depth", "expected true or false, got 1"},
+        BadRig{"\"bisection\"", "\"newton\", \"auto_depth\": \"true\"", "smoothing.auto_depth", "got \"true\""},
         BadRig{"{ \"name\": \"torso\" }", "\"torso\"", "groups[1]", "expected an object, got \"torso\""},
         BadRig{"{ \"name\": \"torso\" }", "{}", "groups[1].name", "the key is missing"},
         BadRig{"{ \"name\": \"torso\" }", "{ \"name\": \"hind legs\" }", "groups[1].name", "groups[0]"},

@@ -1,5 +1,7 @@
 // tests/smoothing/property_test.cpp: hundreds of random rigs and poses: finite, unit, whole, and moving without jumps.
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "core/smoothing/smoother.h"
@@ -54,6 +56,27 @@ TEST(Property, RandomRigsAndPosesStayWhole) {
     // Nothing flies off: no further from the character than the largest reach the recipes allow.
     for (const glm::vec3& p : surface.positions)
       ASSERT_LT(glm::length(p), 40.0f * character->height) << "seed " << seed;
+  }
+}
+
+// The corners of what a rig may say: every valid setting gives a whole surface.
+TEST(Property, SettingsAtTheirLimitsStayWhole) {
+  const CharacterPtr character = makeTwoLegged();
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    Rig rig = anyRig(*character, seed);
+    for (const float iso : {kLeastIso, kMostIso}) {
+      for (const float blend : {std::numeric_limits<float>::denorm_min(), 1e-6f, kMostSkinBlend}) {
+        rig.surface.iso = iso;
+        rig.surface.skinBlend = blend;
+        Smoother smoother(character);
+        ASSERT_TRUE(smoother.prepare(rig).ok());
+        Surface surface;
+        smoother.smooth(randomPose(character->skeleton, 1.5f, 0.5f, seed), surface);
+        ASSERT_TRUE(allFinite(surface.positions)) << "seed " << seed << " iso " << iso << " blend " << blend;
+        ASSERT_TRUE(allUnit(surface.normals)) << "seed " << seed << " iso " << iso << " blend " << blend;
+        for (const glm::vec3& p : surface.positions) ASSERT_LT(glm::length(p), 100.0f * character->height);
+      }
+    }
   }
 }
 

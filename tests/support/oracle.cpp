@@ -1,4 +1,4 @@
-// tests/support/oracle.cpp: skinning, sites and the two modes of DESIGN 5.
+// tests/support/oracle.cpp: skinning, sites and the two modes of docs/design.md.
 
 #include "tests/support/oracle.h"
 

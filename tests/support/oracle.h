@@ -1,6 +1,6 @@
 #pragma once  // tests/support/oracle.h: what every refined vertex should be, in double, by brute force.
 //
-// Written from DESIGN 2 to 5 and the paper alone. It shares no code with the smoothing: own skinning, patches, field,
+// Written from docs/design.md, docs/field.md and the paper alone. It shares no code with the smoothing: own skinning, patches, field,
 // anchors and root search (thousands of samples and halving). Slow on purpose; tests ask it about some of the vertices.
 
 #include <array>

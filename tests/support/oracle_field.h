@@ -1,4 +1,4 @@
-#pragma once  // tests/support/oracle_field.h: F of DESIGN 3 by brute force in double.
+#pragma once  // tests/support/oracle_field.h: F of docs/field.md by brute force in double.
 
 #include <span>
 #include <vector>
@@ -15,7 +15,7 @@ double g(double r);
 double gSlope(double r);
 
 /// All attached primitives of a rig, their groups' cliques and, once posed, their places in the world.
-/// Weights everywhere are m_i, one per attached primitive, as DESIGN 3 wants them at the asking vertex.
+/// Weights everywhere are m_i, one per attached primitive, as docs/field.md wants them at the asking vertex.
 class Field {
  public:
   Field(const Character& character, const Rig& rig);
@@ -84,7 +84,7 @@ class Field {
   std::vector<std::vector<bool>> cliques_;  ///< All maximal ones: [groups] membership.
 };
 
-/// Bone by path, or by name if that is unique; -1 otherwise (DESIGN 6).
+/// Bone by path, or by name if that is unique; -1 otherwise (docs/formats.md).
 int boneNamed(const Skeleton& skeleton, const std::string& name);
 
 }  // namespace sinew::oracle

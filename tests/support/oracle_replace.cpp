@@ -1,4 +1,4 @@
-// tests/support/oracle_replace.cpp: the paper's method (DESIGN 5, `replace`): anchors, omegas, projection on F = T.
+// tests/support/oracle_replace.cpp: the paper's method (docs/design.md, `replace`): anchors, omegas, projection on F = T.
 
 #include <algorithm>
 #include <cmath>

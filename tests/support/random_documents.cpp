@@ -107,8 +107,8 @@ Rig randomDocument(std::uint64_t seed) {
   Random random(seed);
   Rig rig;
   rig.character = anyName(random, 0) + ".glb";
-  rig.surface = {random.chance(0.5f) ? SurfaceMode::kSwell : SurfaceMode::kReplace, random.uniform(1e-30f, 0.999f),
-                 positiveFloat(random), anyUnknownKeys(random)};
+  rig.surface = {random.chance(0.5f) ? SurfaceMode::kSwell : SurfaceMode::kReplace, random.uniform(kLeastIso, kMostIso),
+                 std::min(positiveFloat(random), kMostSkinBlend), anyUnknownKeys(random)};
   rig.smoothing = {1 + random.below(kMaxDepth), static_cast<PatchKind>(random.below(4)),
                    static_cast<ProjectionKind>(random.below(3)),
                    random.chance(0.5f) ? kDefaultCreaseAngle : random.uniform(0.0f, 180.0f),
