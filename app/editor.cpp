@@ -147,7 +147,7 @@ class Editor {
 
   void updateSurface() {
     if (!state_.hasCharacter()) return;
-    const Result<bool> updated = state_.live->update(state_.document.commands);
+    const Result<bool> updated = state_.live->update(state_.document.commands, surfaceView(state_));
     if (!updated) addMessage(state_, MessageKind::kError, updated.error().text());
     state_.stats.stages = state_.live->surface().report.seconds;
   }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/smoothing/auto_depth.h"
+
 namespace sinew::app {
 namespace {
 
@@ -67,7 +69,8 @@ Pose poseAt(const Transport& transport, const Character& character) {
 }
 
 LiveSurface::LiveSurface(std::shared_ptr<const Character> character)
-    : character_(std::move(character)), smoother_(character_) {}
+    : character_(std::move(character)), smoother_(character_),
+      meanEdge_(meanEdgeFraction(character_->mesh, character_->height)) {}
 
 Result<LiveSurface> LiveSurface::create(std::shared_ptr<const Character> character, const CommandStack& commands,
                                         const Transport& transport) {
@@ -77,11 +80,20 @@ Result<LiveSurface> LiveSurface::create(std::shared_ptr<const Character> charact
   return live;
 }
 
-Result<bool> LiveSurface::prepareIfEdited(const CommandStack& commands) {
-  if (triedRig_ == commands.revision()) return false;
+int LiveSurface::depthFor(const SmoothingSettings& settings, float heightPixels) const {
+  if (!settings.autoDepth) return settings.depth;
+  if (heightPixels > 0.0f) return autoDepth(meanEdge_, heightPixels, depth_);
+  return followed_ ? depth_ : settings.depth;
+}
+
+Result<bool> LiveSurface::prepareIfChanged(const CommandStack& commands, int depth) {
+  if (triedRig_ == commands.revision() && depth_ == depth) return false;
   triedRig_ = commands.revision();
+  depth_ = depth;
+  Rig rig = commands.rig();
+  rig.smoothing.depth = depth;
   const auto start = std::chrono::steady_clock::now();
-  const Result<void> prepared = smoother_.prepare(commands.rig());
+  const Result<void> prepared = smoother_.prepare(rig);
   prepareSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!prepared) return prepared.error();
   return true;
@@ -94,13 +106,17 @@ void LiveSurface::movePose(const Transport& transport) {
   moved_ = true;
 }
 
-Result<bool> LiveSurface::update(const CommandStack& commands) {
-  const Result<bool> prepared = prepareIfEdited(commands);
+Result<bool> LiveSurface::update(const CommandStack& commands, const SurfaceView& view) {
+  const SmoothingSettings& settings = commands.rig().smoothing;
+  const int depth = depthFor(settings, view.heightPixels);
+  followed_ = settings.autoDepth && (followed_ || view.heightPixels > 0.0f);
+  const Result<bool> prepared = prepareIfChanged(commands, depth);
   if (!prepared && revision_ == 0) return prepared;
-  const bool stale = moved_ || (prepared.ok() && prepared.value());
+  const bool stale = moved_ || eye_ != view.eye || (prepared.ok() && prepared.value());
   if (stale) {
-    smoother_.smooth(pose_, surface_);
+    smoother_.smooth(pose_, surface_, view.eye);
     moved_ = false;
+    eye_ = view.eye;
     ++revision_;
   }
   return prepared ? Result<bool>(stale) : prepared;

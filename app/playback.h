@@ -40,7 +40,14 @@ void togglePlaying(Transport& transport, const Character& character);
 /// The pose the transport points at.
 [[nodiscard]] Pose poseAt(const Transport& transport, const Character& character);
 
-/// The surface kept in step with rig and time: prepares after an edit, smooths after an edit or when time has moved.
+/// What the surface's picture asks of it. View state: none of it touches the rig.
+struct SurfaceView {
+  std::optional<glm::vec3> eye;  ///< World: skip what cannot be seen from here (Smoother::smooth); none: all is made.
+  float heightPixels = 0.0f;     ///< The character's H as seen: depth follows it where the rig says so; 0: unknown.
+};
+
+/// The surface kept in step with rig and time: prepares after an edit, smooths after an edit, when time has moved, or
+/// when an eye it was made for has.
 class LiveSurface {
  public:
   /// Error: the rig cannot be prepared for this character.
@@ -50,12 +57,14 @@ class LiveSurface {
   /// Brings the pose to the transport's moment; the surface follows with the next update().
   void movePose(const Transport& transport);
 
-  /// Brings the surface up to date with rig and pose. True if it changed. Error: the rig was refused; the surface then
-  /// goes on with the last rig that was accepted, and the same rig is not tried again.
-  [[nodiscard]] Result<bool> update(const CommandStack& commands);
+  /// Brings the surface up to date with rig, pose and view. True if it changed. Error: the rig was refused; the surface
+  /// then goes on with the last rig that was accepted, and the same rig is not tried again.
+  [[nodiscard]] Result<bool> update(const CommandStack& commands, const SurfaceView& view = {});
 
   [[nodiscard]] const Pose& pose() const { return pose_; }
   [[nodiscard]] const Surface& surface() const { return surface_; }
+  /// In use: the rig's, or what its size on screen asks for. Differs from the surface's while a rig is refused.
+  [[nodiscard]] int depth() const { return depth_; }
   [[nodiscard]] const std::vector<int>& unattached() const { return smoother_.unattached(); }
   /// Counts smoothings: what a picture of the surface compares.
   [[nodiscard]] std::size_t revision() const { return revision_; }
@@ -63,14 +72,20 @@ class LiveSurface {
 
  private:
   explicit LiveSurface(std::shared_ptr<const Character> character);
-  [[nodiscard]] Result<bool> prepareIfEdited(const CommandStack& commands);
+  /// Follows the size on screen where the rig asks for it and the size is known; else keeps still, or is the rig's.
+  [[nodiscard]] int depthFor(const SmoothingSettings& settings, float heightPixels) const;
+  [[nodiscard]] Result<bool> prepareIfChanged(const CommandStack& commands, int depth);
 
   std::shared_ptr<const Character> character_;
   Smoother smoother_;
   Pose pose_;
   Surface surface_;
   std::size_t revision_ = 0;
+  float meanEdge_ = 0.0f;                ///< Of the control mesh, fraction of H.
+  int depth_ = 0;                        ///< Last given to prepare(); 0: nothing was.
+  bool followed_ = false;                ///< depth_ came from the size on screen.
   std::optional<std::size_t> triedRig_;  ///< CommandStack::revision() last given to prepare().
+  std::optional<glm::vec3> eye_;         ///< What surface_ was made for.
   std::optional<Transport> posed_;       ///< What pose_ shows: clip and time count.
   bool moved_ = false;                   ///< pose_ is newer than surface_.
   double prepareSeconds_ = 0.0;

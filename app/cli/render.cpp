@@ -18,13 +18,18 @@
 #include "app/render/viewport.h"
 #include "core/character/skinning.h"
 #include "core/io/atomic_file.h"
+#include "core/rig/attachment.h"
+#include "core/smoothing/auto_depth.h"
 #include "core/smoothing/smoother.h"
 
 namespace sinew::app {
 namespace {
 
 Rig overridden(Rig rig, const RenderOptions& options) {
-  if (options.depth) rig.smoothing.depth = *options.depth;
+  if (options.depth) {
+    rig.smoothing.depth = *options.depth;
+    rig.smoothing.autoDepth = false;
+  }
   if (options.crease) rig.smoothing.creaseAngle = *options.crease;
   rig.surface.mode = surfaceModeNamed(options.mode).value_or(rig.surface.mode);
   rig.smoothing.patch = patchKindNamed(options.patch).value_or(rig.smoothing.patch);
@@ -101,6 +106,18 @@ View steadyView(const Document& document, const Rig& rig, const AnimationClip* c
   return framedView(points, plan.yaw, plan.pitch, plan.size, options.orthographic);
 }
 
+/// A depth that follows the size on screen, settled for all pictures.
+Rig settled(Rig rig, const Document& document, const AnimationClip* clip, const RenderPlan& plan, const View& view) {
+  if (!rig.smoothing.autoDepth) return rig;
+  const Character& character = *document.character;
+  SkinnedMesh skinned;
+  skin(character, poseAtTime(character, clip, plan.pictures.front().time), skinned);
+  const float pixels = character.height / view.unitsPerPixelAt(boundsOf(skinned.positions).center());
+  rig.smoothing.depth = autoDepth(meanEdgeFraction(character.mesh, character.height), pixels, 0);
+  message("depth " + std::to_string(rig.smoothing.depth) + " for the character's size in the picture");
+  return rig;
+}
+
 struct RenderSeconds {
   double smooth = 0.0, upload = 0.0, draw = 0.0, write = 0.0;
 };
@@ -115,7 +132,7 @@ Result<void> makePicture(const PlannedPicture& picture, const AnimationClip* cli
   const Pose pose = poseAtTime(character, clip, picture.time);
   const auto start = std::chrono::steady_clock::now();
   Surface surface;
-  smoother.smooth(pose, surface);
+  smoother.smooth(pose, surface, plan.display.cullBackFaces ? std::optional(view.facingPoint()) : std::nullopt);
   seconds.smooth += secondsSince(start);
   Scene scene;
   scene.character = &character;
@@ -147,13 +164,7 @@ void tellTimes(const RenderSeconds& seconds, std::size_t pictures) {
   message(line);
 }
 
-void tellOddities(const Document& document, const Rig& rig, const Smoother& smoother, const AnimationClip* clip,
-                  const RenderPlan& plan) {
-  for (const int index : smoother.unattached()) {
-    const Primitive& primitive = rig.primitives[static_cast<std::size_t>(index)];
-    message(document.rigFile.string() + ": primitives[" + std::to_string(index) + "].bone: \"" + primitive.name +
-            "\" is left out, for this character has no bone \"" + primitive.bone + '"');
-  }
+void tellOddities(const Document& document, const AnimationClip* clip, const RenderPlan& plan) {
   if (clip != nullptr && plan.pictures.back().time > static_cast<double>(clip->duration) + 1e-4) {
     message(document.characterFile.string() + ": clip \"" + clip->name + "\": a time is past its end; its end is used");
   }
@@ -171,6 +182,7 @@ void addLook(CLI::App& verb, RenderOptions& options) {
       ->expected(1)
       ->take_all();
   verb.add_flag("--ground,!--no-ground", options.ground, "Grid and shadow (on)");
+  verb.add_flag("--cull", options.cull, "Leave out, before it is computed, what turns away from the eye: faster");
   verb.add_flag("--transparent", options.transparent, "No background: an alpha channel instead");
   verb.add_option("--size", options.size, "Pixels, each 16 to 8192 (1280x800)")->type_name("WxH");
   verb.add_option("--samples", options.samples, "Per pixel, as far as the driver goes (4)")
@@ -179,7 +191,7 @@ void addLook(CLI::App& verb, RenderOptions& options) {
 }
 
 void addSmoothing(CLI::App& verb, RenderOptions& options) {
-  verb.add_option("--depth", options.depth, "Every triangle becomes N x N")
+  verb.add_option("--depth", options.depth, "Every triangle becomes N x N, also where a rig follows the picture's size")
       ->type_name("N")
       ->check(CLI::Range(1, kMaxDepth));
   verb.add_option("--mode", options.mode, "swell or replace")->type_name("M")->check(CLI::IsMember({"swell", "replace"}));
@@ -214,14 +226,19 @@ int runRender(const RenderOptions& options) {
   progress("reading " + options.input.string());
   const auto document = openDocument(options.input);
   if (!document) return badInput(document.error());
-  const Rig rig = overridden(document->rig(), options);
+  Rig rig = overridden(document->rig(), options);
+  if (const auto missing = missingBones(rig, document->character->skeleton); !missing.empty()) {
+    return badInput({options.input.string(), missing.front().place, missing.front().reason});
+  }
   const auto clip = clipOf(document.value(), options, plan.value());
   if (!clip) return badInput(clip.error());
+  const View view = steadyView(document.value(), rig, clip.value(), options, plan.value());
+  rig = settled(std::move(rig), document.value(), clip.value(), plan.value(), view);
   Smoother smoother(document->character);
   if (const auto prepared = smoother.prepare(rig); !prepared) {
     return badInput({options.input.string(), prepared.error().place, prepared.error().reason});
   }
-  tellOddities(document.value(), rig, smoother, clip.value(), plan.value());
+  tellOddities(document.value(), clip.value(), plan.value());
 
   const auto context = OffscreenContext::create();
   if (!context) return badInput(context.error());
@@ -229,7 +246,6 @@ int runRender(const RenderOptions& options) {
   if (!viewport) return badInput(viewport.error());
   viewport.value()->setCharacter(*document->character);
   viewport.value()->setFinishFrames(true);
-  const View view = steadyView(document.value(), rig, clip.value(), options, plan.value());
   RenderSeconds seconds;
   for (const PlannedPicture& picture : plan->pictures) {
     progress("drawing " + picture.file.string());

@@ -24,6 +24,7 @@ struct RenderOptions {
   bool orthographic = false;
   std::string shading = "textured";
   std::vector<std::string> show;
+  bool cull = false;
   bool ground = true;
   bool transparent = false;
   std::string size = "1280x800";

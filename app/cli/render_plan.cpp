@@ -89,6 +89,7 @@ Result<void> readDisplay(const RenderOptions& options, DisplaySettings& display)
       return errorAt("--show", "expected skeleton, primitives, influence, wire, control or classes, got \"" + shown + '"');
     }
   }
+  display.cullBackFaces = options.cull;
   display.ground = options.ground;
   display.background = !options.transparent;
   return {};

@@ -128,6 +128,8 @@ const Action kActions[] = {
      isShown<&D::influence>, toggleShown<&D::influence>},
     {"view/ground", "Ground", "Grid and shadow", key(GLFW_KEY_0), kNone, open, isShown<&D::ground>,
      toggleShown<&D::ground>},
+    {"view/cull", "Skip hidden sides", "Leave out, before it is computed, what turns away from the eye", kNone, kNone,
+     open, isShown<&D::cullBackFaces>, toggleShown<&D::cullBackFaces>},
     {"view/numbers", "Numbers", "Frame times and counts over the picture", kNone, kNone, open, hasOverlay,
      toggleOverlay},
     {"view/frame", "Frame selection", "Bring the selected muscles, or all, into the picture", key(GLFW_KEY_F),

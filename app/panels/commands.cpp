@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/platform/data_files.h"
+#include "core/rig/attachment.h"
 #include "core/rig/rig_edit.h"
 
 namespace sinew::app {
@@ -35,10 +36,8 @@ void tellIgnored(EditorState& state) {
   for (const std::string& ignored : state.character().ignored) {
     addMessage(state, MessageKind::kNote, name + ": " + ignored);
   }
-  for (const int index : state.live->unattached()) {
-    const Primitive& primitive = state.document.rig().primitives[static_cast<std::size_t>(index)];
-    addMessage(state, MessageKind::kNote,
-               "\"" + primitive.name + "\" is unattached: this character has no bone \"" + primitive.bone + "\"");
+  for (const Error& missing : missingBones(state.document.rig(), state.character().skeleton)) {
+    addMessage(state, MessageKind::kNote, missing.text() + "; the muscle is kept as it is");
   }
 }
 
@@ -261,6 +260,14 @@ void frameSelection(EditorState& state, bool animated) {
   }
   if (bounds.isEmpty()) bounds = boundsOf(state.live->surface().positions);
   frameBounds(state.tools.camera, bounds, state.viewportPixels, animated);
+}
+
+SurfaceView surfaceView(const EditorState& state) {
+  const View& view = state.route.view;
+  SurfaceView wanted;
+  if (state.display.cullBackFaces) wanted.eye = view.facingPoint();
+  wanted.heightPixels = state.character().height / view.unitsPerPixelAt(state.tools.camera.stand.target);
+  return wanted;
 }
 
 std::vector<int> selectedIndices(const Document& document) {

@@ -44,6 +44,9 @@ void selectNothing(EditorState& state);
 void frameSelection(EditorState& state, bool animated);
 void cycleAxes(EditorState& state);
 
+/// What the picture asks of the surface: the eye if hidden sides are left out, and the character's size.
+[[nodiscard]] SurfaceView surfaceView(const EditorState& state);
+
 /// Rig indices of the selected primitives, ascending.
 [[nodiscard]] std::vector<int> selectedIndices(const Document& document);
 /// Index into Skeleton::bones for every primitive of the rig; -1: unattached.

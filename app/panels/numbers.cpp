@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/panels/panels.h"
@@ -71,38 +72,36 @@ void times(Ui& ui) {
   row("draw", milliseconds(stats.draw * 1e3));
 }
 
-void counts(const SmoothingReport& report) {
-  row("triangles", grouped(report.refinedTriangles));
-  row("vertices", grouped(report.refinedVertices));
-  row("depth", std::to_string(report.depth));
-  row("muscles", grouped(report.primitives));
-  if (report.mode == SurfaceMode::kReplace) {
-    row("implicit", grouped(report.implicitTriangles));
-    row("straddling", grouped(report.straddlingTriangles));
-    row("normal", grouped(report.normalTriangles));
-  } else {
-    row("projected", grouped(report.projected));
-  }
-  if (report.unresolved > 0) row("unresolved", grouped(report.unresolved));
+/// Names and values, from top to bottom.
+std::vector<std::pair<const char*, std::string>> counts(const SmoothingReport& report, bool culling) {
+  std::vector<std::pair<const char*, std::string>> rows{
+      {"triangles", grouped(report.refinedTriangles)}, {"vertices", grouped(report.refinedVertices)},
+      {"depth", std::to_string(report.depth)},         {"muscles", grouped(report.primitives)},
+      {"projected", grouped(report.projected)},        {"implicit", grouped(report.implicitTriangles)},
+      {"straddling", grouped(report.straddlingTriangles)}, {"normal", grouped(report.normalTriangles)}};
+  const int all = report.implicitTriangles + report.straddlingTriangles + report.normalTriangles;
+  if (culling) rows.emplace_back("culled", grouped(report.culledTriangles) + " of " + grouped(all));
+  if (report.unresolved > 0) rows.emplace_back("unresolved", grouped(report.unresolved));
+  return rows;
 }
 
 }  // namespace
 
 void drawNumbers(Ui& ui) {
   if (!ui.state.layout.overlay) return;
-  const SmoothingReport& report = ui.state.live->surface().report;
+  const auto lines = counts(ui.state.live->surface().report, ui.state.display.cullBackFaces);
   ImGui::PushFont(ui.fonts.mono);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(3)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.80f));
-  const int rows = 11 + (report.mode == SurfaceMode::kReplace ? 3 : 1) + (report.unresolved > 0 ? 1 : 0);
+  const std::size_t rows = 7 + lines.size();
   const float height = static_cast<float>(rows) * ImGui::GetTextLineHeightWithSpacing() + ui.px(30 + 3 + 14 + 8);
   ImGui::SetCursorPos({ui.state.viewport.z - ui.px(kWidth + 10), ui.px(54)});
   ImGui::BeginChild("numbers", {ui.px(kWidth), height}, true,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_AlwaysUseWindowPadding);
   times(ui);
   ImGui::Dummy({0.0f, ui.px(2)});
-  counts(report);
+  for (const auto& [name, value] : lines) row(name, value);
   ImGui::EndChild();
   ui.widgets.note("overlay/numbers");
   ImGui::PopStyleColor();

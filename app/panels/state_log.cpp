@@ -112,7 +112,8 @@ Json display(const DisplaySettings& shown) {
       .set("skeleton", shown.skeleton)
       .set("primitives", shown.primitives)
       .set("influence", shown.influence)
-      .set("ground", shown.ground);
+      .set("ground", shown.ground)
+      .set("cull", shown.cullBackFaces);
 }
 
 std::string headText(const EditorState& state, long long frame, double seconds) {
@@ -145,9 +146,10 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("clips", clipNames(state))
       .set("clip_time", state.transport.time)
       .set("playing", state.transport.playing)
-      .set("depth", smoothing.depth)
+      .set("depth", state.hasCharacter() ? state.live->depth() : smoothing.depth)
       .set("mode", nameOf(state.document.rig().surface.mode))
       .set("triangles", report.refinedTriangles)
+      .set("culled", report.culledTriangles)
       .set("tool", nameOf(state.tools.tool))
       .set("status", state.route.status)
       .set("display", display(state.display))

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/panels/panels.h"
+#include "core/mesh/creases.h"
 #include "core/rig/rig_edit.h"
 
 namespace sinew::app {
@@ -34,6 +35,45 @@ void choiceRow(Ui& ui, const char* label, const std::string& id, Kind current, c
     if (chosen && kind != current) applyFieldEdit(ui, label, apply(kind));
   }
   ImGui::EndCombo();
+}
+
+/// The slider is shown but not moved while the depth follows the size on screen.
+template <class Changed>
+void depthRow(Ui& ui, const SmoothingSettings& before, Changed changed) {
+  beginRow(ui, "Depth");
+  const char* boxLabel = "Auto";
+  const float box = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(boxLabel).x;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - box - ImGui::GetStyle().ItemSpacing.x);
+  int depth = before.autoDepth ? ui.state.live->depth() : before.depth;
+  const int deepest = std::max(kDepthOfSlider, depth);
+  ImGui::BeginDisabled(before.autoDepth);
+  beginFilledSlider();
+  const bool edited = ImGui::SliderInt("##depth", &depth, 1, deepest, before.autoDepth ? "auto: %d" : "%d",
+                                       ImGuiSliderFlags_AlwaysClamp);
+  endFilledSlider(ui, static_cast<float>(depth) / static_cast<float>(deepest));
+  editField(ui, "smoothing/depth", "Depth", edited && !before.autoDepth,
+            [&] { return changed([&](SmoothingSettings& s) { s.depth = depth; }); });
+  ImGui::EndDisabled();
+  tooltip(ui, "Every triangle of the file becomes depth x depth.");
+  ImGui::SameLine();
+  bool automatic = before.autoDepth;
+  const bool switched = ImGui::Checkbox(boxLabel, &automatic);
+  ui.widgets.note("smoothing/auto");
+  tooltip(ui, "As deep as the character's size on screen asks for. Written files have the depth that stands without this.");
+  if (switched) applyFieldEdit(ui, "Auto depth", changed([&](SmoothingSettings& s) { s.autoDepth = automatic; }));
+}
+
+template <class Changed>
+void creaseRow(Ui& ui, const SmoothingSettings& before, Changed changed) {
+  beginRow(ui, "Crease");
+  float degrees = before.creaseAngle;
+  beginFilledSlider();
+  const bool edited = ImGui::SliderFloat("##crease", &degrees, 0.0f, kNoCreases,
+                                         degrees >= kNoCreases ? "smooth" : "%.0f deg", ImGuiSliderFlags_AlwaysClamp);
+  endFilledSlider(ui, degrees / kNoCreases);
+  editField(ui, "smoothing/crease", "Crease angle", edited,
+            [&] { return changed([&](SmoothingSettings& s) { s.creaseAngle = degrees; }); });
+  tooltip(ui, "Faces that meet at a sharper angle than this keep a hard edge. 180: smooth everywhere.");
 }
 
 }  // namespace
@@ -73,15 +113,7 @@ void drawSmoothingPanel(Ui& ui) {
     change(settings);
     return setSmoothing(ui.state.document.rig(), settings);
   };
-  beginRow(ui, "Depth");
-  int depth = before.depth;
-  const int deepest = std::max(kDepthOfSlider, before.depth);
-  beginFilledSlider();
-  const bool edited = ImGui::SliderInt("##depth", &depth, 1, deepest, "%d", ImGuiSliderFlags_AlwaysClamp);
-  endFilledSlider(ui, static_cast<float>(depth) / static_cast<float>(deepest));
-  editField(ui, "smoothing/depth", "Depth", edited,
-            [&] { return changed([&](SmoothingSettings& s) { s.depth = depth; }); });
-  tooltip(ui, "Every triangle of the file becomes depth x depth.");
+  depthRow(ui, before, changed);
   choiceRow(ui, "Patch", "smoothing/patch", before.patch,
             std::array{PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon, PatchKind::kFlat},
             "How the skin curves between the file's vertices.",
@@ -90,6 +122,7 @@ void drawSmoothingPanel(Ui& ui) {
             std::array{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic},
             "How points are brought onto the surface.",
             [&](ProjectionKind kind) { return changed([&](SmoothingSettings& s) { s.projection = kind; }); });
+  creaseRow(ui, before, changed);
 }
 
 }  // namespace sinew::app

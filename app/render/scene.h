@@ -19,6 +19,7 @@ struct DisplaySettings {
   bool skeleton = false;   ///< In x-ray.
   bool primitives = false; ///< Visible ellipsoids, translucent.
   bool influence = false;  ///< Their regions of influence, fainter.
+  bool cullBackFaces = false;  ///< Asks the surface's maker, not the drawer, to leave out what cannot be seen.
   bool ground = true;      ///< Grid and shadow.
   bool background = true;  ///< Off: transparent where nothing is drawn.
   bool lighting = true;    ///< Off: Shading::kTextured shows the bare base colour.

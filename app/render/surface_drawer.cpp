@@ -73,7 +73,7 @@ bool blends(const Frame& frame, const Material& material) {
 
 SurfaceDrawer::SurfaceDrawer()
     : array_(makeVertexArray()), vertices_(makeBuffer()), uvs_(makeBuffer()), indices_(makeBuffer()),
-      coarseIndices_(makeBuffer()), classes_(makeBuffer()) {
+      keptIndices_(makeBuffer()), coarseIndices_(makeBuffer()), classes_(makeBuffer()) {
   const GLuint array = array_.id();
   glVertexArrayVertexBuffer(array, 0, vertices_.id(), 0, sizeof(Vertex));
   glVertexArrayVertexBuffer(array, 1, uvs_.id(), 0, sizeof(glm::vec2));
@@ -115,25 +115,32 @@ void SurfaceDrawer::setCharacter(const Character& character) {
   }
 }
 
-void SurfaceDrawer::rebuildTopology(const ControlMesh& mesh) {
-  const Refinement& refinement = *refinement_;
-  const int perControl = refinement.depth * refinement.depth;
+void SurfaceDrawer::rebuildOrder(const ControlMesh& mesh, const GlBuffer& indices, GLenum usage) {
+  const std::ptrdiff_t perControl = std::ptrdiff_t{refinement_->depth} * refinement_->depth;
+  const auto materialIndex = [&](int t) { return mesh.triangles[static_cast<std::size_t>(t)].material; };
   controlOrder_.resize(mesh.triangles.size());
   std::iota(controlOrder_.begin(), controlOrder_.end(), 0);
-  const auto materialIndex = [&](int t) { return mesh.triangles[static_cast<std::size_t>(t)].material; };
+  if (!culled_.empty()) std::erase_if(controlOrder_, [&](int t) { return culled_[static_cast<std::size_t>(t)] != 0; });
   std::ranges::stable_sort(controlOrder_, {}, materialIndex);
   std::vector<std::array<std::uint32_t, 3>> ordered;
-  ordered.reserve(refinement.drawTriangles.size());
+  ordered.reserve(controlOrder_.size() * static_cast<std::size_t>(perControl));
   ranges_.clear();
   for (const int t : controlOrder_) {
     if (ranges_.empty() || ranges_.back().material != materialIndex(t)) {
       ranges_.push_back({materialIndex(t), static_cast<int>(ordered.size()), 0});
     }
-    const auto first = refinement.drawTriangles.begin() + std::ptrdiff_t{t} * perControl;
+    const auto first = refinement_->drawTriangles.begin() + t * perControl;
     ordered.insert(ordered.end(), first, first + perControl);
-    ranges_.back().triangles += perControl;
+    ranges_.back().triangles += static_cast<int>(perControl);
   }
-  uploadBuffer(indices_, std::span<const std::array<std::uint32_t, 3>>(ordered), GL_STATIC_DRAW);
+  uploadBuffer(indices, std::span<const std::array<std::uint32_t, 3>>(ordered), usage);
+  glVertexArrayElementBuffer(array_.id(), indices.id());
+}
+
+void SurfaceDrawer::rebuildTopology(const ControlMesh& mesh) {
+  const Refinement& refinement = *refinement_;
+  culled_.clear();
+  rebuildOrder(mesh, indices_, GL_STATIC_DRAW);
   uploadBuffer(uvs_, std::span<const glm::vec2>(refinement.drawUv), GL_STATIC_DRAW);
   coarseIndexCount_ = 0;
   if (refinement.depth < 2 || !isSoftwareRenderer()) return;
@@ -146,6 +153,10 @@ void SurfaceDrawer::upload(const Surface& surface, const ControlMesh& mesh) {
   if (refinement_ != surface.refinement) {
     refinement_ = surface.refinement;
     rebuildTopology(mesh);
+  }
+  if (culled_ != surface.culled) {
+    culled_ = surface.culled;
+    rebuildOrder(mesh, culled_.empty() ? indices_ : keptIndices_, culled_.empty() ? GL_STATIC_DRAW : GL_STREAM_DRAW);
   }
   const std::vector<int>& drawVertex = refinement_->drawVertex;
   staging_.resize(drawVertex.size());
@@ -246,9 +257,9 @@ void SurfaceDrawer::drawForShadow() const {
   const bool coarse = coarseIndexCount_ > 0;
   const GLsizei all = static_cast<GLsizei>(refinement_->drawTriangles.size()) * 3;
   glBindVertexArray(array_.id());
-  if (coarse) glVertexArrayElementBuffer(array_.id(), coarseIndices_.id());
+  glVertexArrayElementBuffer(array_.id(), coarse ? coarseIndices_.id() : indices_.id());
   glDrawElements(GL_TRIANGLES, coarse ? coarseIndexCount_ : all, GL_UNSIGNED_INT, nullptr);
-  if (coarse) glVertexArrayElementBuffer(array_.id(), indices_.id());
+  glVertexArrayElementBuffer(array_.id(), culled_.empty() ? indices_.id() : keptIndices_.id());
 }
 
 }  // namespace sinew::app

@@ -14,14 +14,15 @@ class SurfaceDrawer {
 
   /// Textures with mipmaps, and materials.
   void setCharacter(const Character& character);
-  /// Fills the vertex buffer; the index buffer only when the refinement is another one.
+  /// Fills the vertex buffer; the index buffers only when the refinement or what is culled is another one.
   void upload(const Surface& surface, const ControlMesh& mesh);
 
   void drawOpaque(const Frame& frame) const;
   /// Materials whose alpha blends: back sides first, then front sides.
   void drawBlended(const Frame& frame) const;
   /// All triangles with the program in use, for shadows. Where the processor draws: one for each control triangle, between
-  /// its corners as they are on the surface, since a blurred shadow does not show the difference.
+  /// its corners as they are on the surface, since a blurred shadow does not show the difference. Culled triangles cast
+  /// theirs too.
   void drawForShadow() const;
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
 
@@ -39,6 +40,8 @@ class SurfaceDrawer {
   };
   SurfaceDrawer();
   void rebuildTopology(const ControlMesh& mesh);
+  /// Control triangles by material, the culled left out: controlOrder_, ranges_ and the indices to draw.
+  void rebuildOrder(const ControlMesh& mesh, const GlBuffer& indices, GLenum usage);
   const GlProgram& prepareProgram(const Frame& frame) const;
   const Material& materialOf(const Range& range) const;
   void drawRange(const GlProgram& program, const Frame& frame, const Range& range) const;
@@ -46,12 +49,13 @@ class SurfaceDrawer {
   std::array<GlProgram, 4> programs_;      ///< By Shading.
   std::array<GlProgram, 4> wirePrograms_;
   GlVertexArray array_;
-  GlBuffer vertices_, uvs_, indices_, coarseIndices_, classes_;
+  GlBuffer vertices_, uvs_, indices_, keptIndices_, coarseIndices_, classes_;
   GlTexture white_;
   std::vector<GlTexture> textures_;
   std::vector<Material> materials_;
   std::shared_ptr<const Refinement> refinement_;
-  std::vector<int> controlOrder_;  ///< Control triangles as the index buffer holds them: by material.
+  std::vector<std::uint8_t> culled_;  ///< Surface::culled as in keptIndices_; empty: all is drawn, from indices_.
+  std::vector<int> controlOrder_;     ///< Control triangles in the order drawn: by material.
   std::vector<Range> ranges_;
   GLsizei coarseIndexCount_ = 0;   ///< 0: the shadow is cast by all triangles.
   std::vector<Vertex> staging_;

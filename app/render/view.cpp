@@ -39,4 +39,8 @@ float View::unitsPerPixelAt(const glm::vec3& pointInWorld) const {
 
 glm::vec3 View::forwardInWorld() const { return -glm::vec3(glm::transpose(glm::mat3(viewFromWorld))[2]); }
 
+glm::vec3 View::facingPoint() const {
+  return orthographic ? eyeInWorld - forwardInWorld() * (1e7f / clipFromView[1][1]) : eyeInWorld;
+}
+
 }  // namespace sinew::app

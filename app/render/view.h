@@ -26,6 +26,9 @@ struct View {
   /// World length of one pixel at a point: what keeps a gizmo's size constant on screen.
   [[nodiscard]] float unitsPerPixelAt(const glm::vec3& pointInWorld) const;
   [[nodiscard]] glm::vec3 forwardInWorld() const;
+  /// The point from which a surface turns the same sides to it as to the picture: the eye; without perspective, so far
+  /// behind it that all its rays are parallel to a float.
+  [[nodiscard]] glm::vec3 facingPoint() const;
 };
 
 }  // namespace sinew::app

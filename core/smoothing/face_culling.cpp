@@ -1,4 +1,4 @@
-// core/smoothing/face_culling.cpp: three normals, then the patch, then the reach of primitives.
+// core/smoothing/face_culling.cpp: one side? does all of it face away? does it stay where it is?
 #include "core/smoothing/face_culling.h"
 
 #include <algorithm>
@@ -8,70 +8,68 @@
 namespace sinew {
 namespace {
 
-constexpr float kReachedMargin = 0.5f;  ///< Sine of how far beyond the horizon normals must point under a primitive.
+constexpr float kBeyondHorizon = 2e-3f;  ///< Sine of the angle by which a small triangle must face away.
 
 class Culler {
  public:
-  Culler(const ControlMesh& mesh, const Refinement& refinement, const FieldView& field,
-         std::span<const glm::vec3> patchPositions, std::span<const glm::vec3> normals, const glm::vec3& eye)
-      : mesh_(mesh), refinement_(refinement), field_(field), positions_(patchPositions), normals_(normals), eye_(eye) {}
+  Culler(const CullingScene& scene, const glm::vec3& eye) : scene_(scene), eye_(eye) {}
 
   [[nodiscard]] bool isHidden(int t) const {
-    const ControlTriangle& triangle = mesh_.triangles[static_cast<std::size_t>(t)];
-    float least = 1.0f;
-    for (const int vertex : triangle.vertices) least = std::min(least, away(vertex));
-    if (least <= 0.0f || !patchFacesAway(t)) return false;
-    return least >= kReachedMargin || !isReached(t);
+    const ControlTriangle& triangle = scene_.character.mesh.triangles[static_cast<std::size_t>(t)];
+    const bool hasBack = scene_.character.materials[static_cast<std::size_t>(triangle.material)].doubleSided;
+    return !hasBack && patchFacesAway(t) && !moves(t);
   }
 
  private:
-  /// Sine of the angle by which a control vertex's normal points beyond the horizon.
-  [[nodiscard]] float away(int vertex) const {
-    const auto v = static_cast<std::size_t>(vertex);
-    return glm::dot(normals_[v], normalizeOr(positions_[v] - eye_, -normals_[v]));
-  }
-
   [[nodiscard]] std::span<const std::array<int, 3>> smallTriangles(int t) const {
-    const auto count = static_cast<std::size_t>(refinement_.depth * refinement_.depth);
-    return std::span(refinement_.triangles).subspan(static_cast<std::size_t>(t) * count, count);
+    const auto count = static_cast<std::size_t>(scene_.refinement.depth * scene_.refinement.depth);
+    return std::span(scene_.refinement.triangles).subspan(static_cast<std::size_t>(t) * count, count);
   }
 
-  [[nodiscard]] const glm::vec3& at(int refinedVertex) const { return positions_[static_cast<std::size_t>(refinedVertex)]; }
+  [[nodiscard]] const glm::vec3& at(int refinedVertex) const {
+    return scene_.patchPositions[static_cast<std::size_t>(refinedVertex)];
+  }
 
   [[nodiscard]] bool patchFacesAway(int t) const {
     return std::ranges::all_of(smallTriangles(t), [&](const std::array<int, 3>& small) {
       const glm::vec3 a = at(small[0]);
-      return glm::dot(glm::cross(at(small[1]) - a, at(small[2]) - a), a - eye_) >= 0.0f;
+      const glm::vec3 normal = glm::cross(at(small[1]) - a, at(small[2]) - a);
+      const glm::vec3 sight = a - eye_;
+      const float facing = glm::dot(normal, sight);
+      return facing >= 0.0f &&
+             facing * facing >= kBeyondHorizon * kBeyondHorizon * glm::dot(normal, normal) * glm::dot(sight, sight);
     });
   }
 
-  [[nodiscard]] bool isReached(int t) const {
-    Bounds box;
-    for (const std::array<int, 3>& small : smallTriangles(t)) {
-      for (const int vertex : small) box.add(at(vertex));
-    }
-    const int carrier = refinement_.controlVertices + refinement_.controlEdges + t;
-    return std::ranges::any_of(field_.lists->of(carrier), [&](const CarrierCandidate& candidate) {
-      return carrier_walk::reaches(field_.primitives[static_cast<std::size_t>(candidate.primitive)].influence, box);
+  [[nodiscard]] bool moves(int t) const {
+    if (!scene_.classes.empty()) return scene_.classes[static_cast<std::size_t>(t)] != TriangleClass::kNormal;
+    const int carrier = scene_.refinement.controlVertices + scene_.refinement.controlEdges + t;
+    return std::ranges::any_of(scene_.field.lists->of(carrier), [&](const CarrierCandidate& candidate) {
+      return isReached(t, scene_.field.primitives[static_cast<std::size_t>(candidate.primitive)].influence);
     });
   }
 
-  const ControlMesh& mesh_;
-  const Refinement& refinement_;
-  const FieldView& field_;
-  std::span<const glm::vec3> positions_;
-  std::span<const glm::vec3> normals_;
+  [[nodiscard]] bool isReached(int t, const UnitBallMap& ball) const {
+    const auto isInside = [&](int vertex) {
+      const glm::vec3 y = ball.toUnit * (at(vertex) - ball.center);
+      return glm::dot(y, y) < 1.0f;
+    };
+    return ball.boundingRadius > 0.0f && std::ranges::any_of(smallTriangles(t), [&](const std::array<int, 3>& small) {
+             return std::ranges::any_of(small, isInside);
+           });
+  }
+
+  const CullingScene& scene_;
   glm::vec3 eye_;
 };
 
 }  // namespace
 
-FaceCulling cullFaces(const ControlMesh& mesh, const Refinement& refinement, const FieldView& field,
-                      std::span<const glm::vec3> patchPositions, std::span<const glm::vec3> normals,
-                      const glm::vec3& eye) {
-  const Culler culler(mesh, refinement, field, patchPositions, normals, eye);
-  const auto firstEdge = static_cast<std::size_t>(refinement.controlVertices);
-  const std::size_t firstTriangle = firstEdge + static_cast<std::size_t>(refinement.controlEdges);
+FaceCulling cullFaces(const CullingScene& scene, const glm::vec3& eye) {
+  const ControlMesh& mesh = scene.character.mesh;
+  const Culler culler(scene, eye);
+  const auto firstEdge = static_cast<std::size_t>(scene.refinement.controlVertices);
+  const std::size_t firstTriangle = firstEdge + static_cast<std::size_t>(scene.refinement.controlEdges);
   FaceCulling culling;
   culling.triangles.resize(mesh.triangles.size(), 0);
   culling.carriers.assign(firstTriangle + mesh.triangles.size(), 1);

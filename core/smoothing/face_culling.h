@@ -1,14 +1,24 @@
-#pragma once  // core/smoothing/face_culling.h: control triangles the eye cannot see, before projection (paper 4.3).
+#pragma once  // core/smoothing/face_culling.h: control triangles that no picture from an eye shows (paper 4.3).
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "core/mesh/control_mesh.h"
+#include "core/character/character.h"
 #include "core/smoothing/carrier_walk.h"
 #include "core/smoothing/refinement.h"
+#include "core/smoothing/triangle_classes.h"
 
 namespace sinew {
+
+/// One pose, after the patches and before projection. Spans need to live for the call only.
+struct CullingScene {
+  const Character& character;
+  const Refinement& refinement;
+  const FieldView& field;
+  std::span<const TriangleClass> classes;      ///< [T] in `replace`: all but normal ones move. Empty: `swell`.
+  std::span<const glm::vec3> patchPositions;   ///< [V'] world.
+};
 
 /// What the eye may skip in one pose. A mark of 1 means skipped.
 struct FaceCulling {
@@ -17,13 +27,10 @@ struct FaceCulling {
   int culled = 0;                       ///< Triangles.
 };
 
-/// Marks the triangles whose three vertex normals point away from the eye (paper 4.3). Two conditions more, for the paper's
-/// own does remove visible pixels: all small triangles of the patch face away too, as a patch curves between its corners;
-/// and where a primitive reaches the triangle, which may tilt the skin by any angle, the normals point at least 30 degrees
-/// beyond the horizon.
-/// @param patchPositions [V'] world, before projection.  @param normals [V] skinned control normals, unit.
-[[nodiscard]] FaceCulling cullFaces(const ControlMesh& mesh, const Refinement& refinement, const FieldView& field,
-                                    std::span<const glm::vec3> patchPositions, std::span<const glm::vec3> normals,
-                                    const glm::vec3& eye);
+/// Marks control triangles that leave no pixel in a picture from the eye: the material has one side, all small
+/// triangles of the patch face away, by a hair more than rounding to a pixel's 256th could turn, and no primitive moves
+/// any of their vertices. The paper asks three vertex normals alone; that removes visible pixels where a patch curves,
+/// where a muscle tilts the skin, and where a back is drawn.
+[[nodiscard]] FaceCulling cullFaces(const CullingScene& scene, const glm::vec3& eye);
 
 }  // namespace sinew

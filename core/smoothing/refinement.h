@@ -1,4 +1,4 @@
-#pragma once  // core/smoothing/refinement.h: the N-adic refinement: shared vertices, lattice, wedges. DESIGN 4.
+#pragma once  // core/smoothing/refinement.h: the N-adic refinement: shared vertices, lattice, wedges. docs/design.md.
 
 #include <array>
 #include <cstdint>

@@ -74,7 +74,7 @@ class Projector {
     const glm::vec3 q = flat.anchors[index];
     layLine(p, normalizeOr(q - p, -n), static_cast<double>(glm::length(q - p)), inside, n, result);
     if (!inside && result.left() > 0.0f) {
-      ++anchorFallbacks_;  // PERFORMANCE pitfall 1: the anchor is not always inside
+      ++anchorFallbacks_;  // the anchor is not always inside
       layLine(p, -n, static_cast<double>(settings_.searchLength), inside, n, result);
     }
     return result;

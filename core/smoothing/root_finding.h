@@ -1,4 +1,4 @@
-#pragma once  // core/smoothing/root_finding.h: the first root of phi along a ray, by three methods. DESIGN 5, paper 4.
+#pragma once  // core/smoothing/root_finding.h: the first root of phi along a ray, by three methods. docs/design.md, paper 4.
 
 #include <optional>
 

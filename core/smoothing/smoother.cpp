@@ -22,7 +22,7 @@
 namespace sinew {
 namespace {
 
-constexpr double kRootTolerance = 1e-6;           ///< Fraction of H: a hundredth of what DESIGN 5 asks.
+constexpr double kRootTolerance = 1e-6;           ///< Fraction of H: a hundredth of the agreement docs/design.md promises.
 constexpr float kSearchLength = 0.2f;             ///< L of `replace`, fraction of H.
 constexpr std::int64_t kMaxRefinedVertices = 32'000'000;  ///< About 2 GiB with all that is kept per vertex.
 
@@ -156,7 +156,12 @@ struct Smoother::State {
 
   /// Marks what the eye cannot see; the marks of a frame without an eye are empty.
   void cull(const FieldView& field, const std::optional<glm::vec3>& eye, Surface& out) {
-    culling = eye ? cullFaces(mesh(), *prepared.refinement, field, out.positions, skinned.normals, *eye) : FaceCulling{};
+    culling = {};
+    if (eye) {
+      const bool moved = prepared.rig.surface.mode == SurfaceMode::kReplace && !field.primitives.empty();
+      const auto classes = moved ? std::span<const TriangleClass>(prepared.classes) : std::span<const TriangleClass>();
+      culling = cullFaces({*character, *prepared.refinement, field, classes, out.positions}, *eye);
+    }
     out.culled = culling.triangles;
     out.report.culledTriangles = culling.culled;
   }

@@ -21,7 +21,7 @@ struct StageSeconds {
   [[nodiscard]] double total() const { return skin + patch + project; }
 };
 
-/// Counts and measures of the last smoothing. Keys of --report (DESIGN 7).
+/// Counts and measures of the last smoothing. Keys of --report (docs/formats.md).
 struct SmoothingReport {
   SurfaceMode mode = SurfaceMode::kSwell;
   PatchKind patch = PatchKind::kPn;

@@ -3,6 +3,7 @@
 
 #include "app/cli/render_plan.h"
 #include "app/render/offscreen.h"
+#include "core/io/rig_json.h"
 #include "tests/cli/program.h"
 
 namespace sinew::test {
@@ -56,6 +57,35 @@ TEST_F(RenderVerb, TheSameCommandWritesTheSameBytes) {
   EXPECT_EQ(first.channels, 4);
   ASSERT_EQ(run(command).status, 0);
   EXPECT_EQ(picture("a.png").bytes, first.bytes);
+}
+
+TEST_F(RenderVerb, HiddenSidesLeftOutWriteTheSameBytes) {
+  for (const bool orthographic : {false, true}) {
+    std::vector<std::string> command{"render", demo("demo.rig.json"), "--view", "-30,12", "--size", "96x96", "--depth",
+                                     "2", "-o", "a.png"};
+    if (orthographic) command.emplace_back("--orthographic");
+    ASSERT_EQ(run(command).status, 0);
+    const Picture whole = picture("a.png");
+    command.emplace_back("--cull");
+    ASSERT_EQ(run(command).status, 0);
+    EXPECT_EQ(picture("a.png").bytes, whole.bytes) << orthographic;
+  }
+}
+
+TEST_F(RenderVerb, AutoDepthComesFromThePicturesSize) {
+  const auto bundled = loadRig(demo("demo.rig.json"));
+  ASSERT_TRUE(bundled.ok());
+  Rig rig = bundled.value();
+  rig.character = demo("demo.glb");
+  rig.smoothing.autoDepth = true;
+  ASSERT_TRUE(saveRig(rig, folder_ / "auto.rig.json").ok());
+  const Outcome small = run({"render", "auto.rig.json", "--size", "32x32", "-o", "a.png"});
+  ASSERT_EQ(small.status, 0) << small.error;
+  EXPECT_NE(small.error.find("depth 1 for"), std::string::npos) << small.error;
+  const Outcome large = run({"render", "auto.rig.json", "--size", "1600x1200", "-o", "a.png"});
+  EXPECT_EQ(large.error.find("depth 1 for"), std::string::npos) << large.error;
+  const Outcome told = run({"render", "auto.rig.json", "--size", "32x32", "--depth", "2", "-o", "a.png"});
+  EXPECT_EQ(told.error.find(" for the character"), std::string::npos) << told.error;
 }
 
 TEST_F(RenderVerb, BadInputIsOneLineAndNoPicture) {

@@ -122,6 +122,28 @@ TEST_F(Panels, DepthSliderIsLiveAndOneStep) {
   EXPECT_EQ(steps(), 1u);
 }
 
+TEST_F(Panels, AutoDepthHoldsTheSliderAndIsOneStep) {
+  const int own = state.document.rig().smoothing.depth;
+  click("smoothing/auto");
+  EXPECT_TRUE(state.document.rig().smoothing.autoDepth);
+  EXPECT_EQ(steps(), 1u);
+  drag("smoothing/depth", {80.0f, 0.0f});
+  EXPECT_EQ(steps(), 1u);
+  EXPECT_EQ(state.document.rig().smoothing.depth, own);
+  click("smoothing/auto");
+  EXPECT_FALSE(state.document.rig().smoothing.autoDepth);
+  EXPECT_EQ(steps(), 2u);
+}
+
+TEST_F(Panels, CreaseSliderIsLiveAndOneStep) {
+  drag("smoothing/crease", {-80.0f, 0.0f});
+  EXPECT_LT(state.document.rig().smoothing.creaseAngle, kDefaultCreaseAngle);
+  EXPECT_GE(state.document.rig().smoothing.creaseAngle, 0.0f);
+  EXPECT_EQ(steps(), 1u);
+  press(kKeyZ, true);
+  EXPECT_EQ(state.document.rig().smoothing.creaseAngle, kDefaultCreaseAngle);
+}
+
 TEST_F(Panels, KeysEditAndUndo) {
   addOne();
   const std::string name = muscle().name;

@@ -135,5 +135,47 @@ TEST_F(LiveSurfaceTest, ARefusedRigLeavesTheSurfaceAndIsToldOnce) {
   EXPECT_TRUE(live.value().update(document.commands).ok());
 }
 
+TEST_F(LiveSurfaceTest, ASurfaceForAnEyeFollowsIt) {
+  const Transport transport{0, 0.0, false, true, 1.0f};
+  auto live = LiveSurface::create(document.character, document.commands, transport);
+  ASSERT_TRUE(live.ok());
+  const auto update = [&](const std::optional<glm::vec3>& eye) {
+    return live.value().update(document.commands, {eye, 0.0f}).value();
+  };
+  EXPECT_TRUE(update(glm::vec3(0.0f, 0.5f, 5.0f)));
+  EXPECT_GT(live.value().surface().report.culledTriangles, 0);
+  EXPECT_FALSE(update(glm::vec3(0.0f, 0.5f, 5.0f)));
+  EXPECT_TRUE(update(glm::vec3(5.0f, 0.5f, 0.0f)));
+  EXPECT_TRUE(update(std::nullopt));
+  EXPECT_EQ(live.value().surface().report.culledTriangles, 0);
+}
+
+TEST_F(LiveSurfaceTest, AutoDepthFollowsTheSizeAndLeavesTheDocumentAlone) {
+  const Transport transport{0, 0.0, false, true, 1.0f};
+  auto live = LiveSurface::create(document.character, document.commands, transport);
+  ASSERT_TRUE(live.ok());
+  const auto depthAt = [&](float pixels) {
+    EXPECT_TRUE(live.value().update(document.commands, {std::nullopt, pixels}).ok());
+    EXPECT_EQ(live.value().surface().report.depth, live.value().depth());
+    return live.value().depth();
+  };
+  const int own = document.rig().smoothing.depth;
+  EXPECT_EQ(depthAt(5000.0f), own);
+  SmoothingSettings settings = document.rig().smoothing;
+  settings.autoDepth = true;
+  document.commands.apply("Auto depth", setSmoothing(document.rig(), settings).value());
+  document.commands.markSaved();
+  const std::size_t steps = document.commands.stepCount();
+  EXPECT_EQ(depthAt(0.0f), own);
+  EXPECT_EQ(depthAt(20.0f), 1);
+  EXPECT_EQ(depthAt(0.0f), 1);
+  EXPECT_EQ(depthAt(50000.0f), 8);
+  EXPECT_EQ(document.commands.stepCount(), steps);
+  EXPECT_FALSE(document.commands.modified());
+  EXPECT_EQ(document.rig().smoothing.depth, own);
+  document.commands.undo();
+  EXPECT_EQ(depthAt(50000.0f), own);
+}
+
 }  // namespace
 }  // namespace sinew::app

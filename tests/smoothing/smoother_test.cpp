@@ -256,7 +256,7 @@ TEST(Smoother, DisplacementIsTheWayAlongThePatchNormal) {
   EXPECT_GT(moved, 0);
 }
 
-// DESIGN 5 with the numbers typed in: T = 1/4, h = 0.08, a sphere of radius 0.3 whose centre lies on a flat skin.
+// docs/design.md with the numbers typed in: T = 1/4, h = 0.08, a sphere of radius 0.3 whose centre lies on a flat skin.
 TEST(Smoother, SwellOverASphereOnAFlatSkin) {
   const CharacterPtr character = makeStrip();
   Rig rig;

@@ -20,6 +20,11 @@ struct TrialScene {
 /// at hand, each with 12 muscles set by rule (core/rig/trial_rig.h). Prints which are left out, once.
 [[nodiscard]] const std::vector<TrialScene>& trialScenes();
 
+/// The same with materials that have one side: what may be culled.
+[[nodiscard]] TrialScene oneSided(TrialScene scene);
+/// Least share of its triangles that culling should find, all around: on wrapped and tangle muscles move almost all.
+[[nodiscard]] double leastCulled(const TrialScene& scene);
+
 /// One of them; fails the test if there is none of that name.
 [[nodiscard]] const TrialScene& trialScene(const std::string& name);
 

@@ -1,0 +1,60 @@
+# tests/gui/view_state.py: what the picture asks of the surface, depth and hidden sides, never touches the document.
+import sys
+
+import driver
+
+WHEEL_UP, WHEEL_DOWN = 4, 5
+
+
+def zoom(editor, button, what, predicate):
+    """Wheel steps in the picture's middle until it holds."""
+    for _ in range(40):
+        x, y, width, height = editor.state()["viewport"]
+        editor.xdotool("mousemove", round(x + 0.5 * width), round(y + 0.5 * height), "click", button)
+        try:
+            return editor.wait_until(what, predicate, 0.5)
+        except driver.Failure:
+            continue
+    raise driver.Failure("zoomed in vain: " + what)
+
+
+def depth_follows(t, editor):
+    own = editor.state()["depth"]
+    editor.click("smoothing/auto")
+    editor.wait_until("auto depth to be a step", lambda s: s["document"]["undo"] == 1)
+    far = zoom(editor, WHEEL_DOWN, "a lower depth from afar", lambda s: s["depth"] == 1)
+    near = zoom(editor, WHEEL_UP, "a higher depth from near", lambda s: s["depth"] > own)
+    t.check("the mesh follows", near["triangles"] == near["depth"] ** 2 * far["triangles"], (far["triangles"], near["triangles"]))
+    t.check_equal("zooming is no step", (far["document"]["undo"], near["document"]["undo"]), (1, 1))
+    state = editor.tap("ctrl+z", "undo", lambda s: s["document"]["undo"] == 0)
+    state = editor.wait_until("the rig's own depth", lambda s: s["depth"] == own)
+    t.check("undone, nothing is modified", not state["document"]["modified"])
+
+
+def hidden_sides(t, editor):
+    editor.click("menu/view")
+    editor.click("view/cull")
+    state = editor.wait_until("triangles to be culled", lambda s: s["display"]["cull"] and s["culled"] > 0)
+    x, y, width, height = state["viewport"]
+    low = (x + 0.5 * width, y + height - 30)
+    editor.drag(low, (low[0] + 150, low[1]))
+    turned = editor.wait_until("other triangles from elsewhere", lambda s: s["culled"] not in (0, state["culled"]))
+    t.check("looking is no step", turned["document"]["undo"] == 0 and not turned["document"]["modified"])
+    editor.click("menu/view")
+    editor.click("view/cull")
+    editor.wait_until("all triangles again", lambda s: not s["display"]["cull"] and s["culled"] == 0)
+
+
+def story(t):
+    t.copy(t.assets / "demo.glb")
+    editor = t.edit(t.copy(t.assets / "demo.rig.json"))
+    state = editor.wait_until("a character", lambda s: s["triangles"] > 0)
+    if state["playing"]:
+        editor.tap("space", "the clip to stop", lambda s: not s["playing"])
+    depth_follows(t, editor)
+    hidden_sides(t, editor)
+    t.check_equal("quits without a question", editor.quit(), 0)
+
+
+if __name__ == "__main__":
+    sys.exit(driver.run("view_state", story))
