@@ -208,13 +208,15 @@ std::string plainText(const Document& document, const Shape& shape) {
   std::vector<std::string> joints;
   for (const Bone& bone : character.skeleton.bones) joints.push_back(bone.name);
   std::vector<std::string> clips;
-  for (const AnimationClip& clip : character.clips) clips.push_back(clip.name + ' ' + shortNumber(clip.duration) + " s");
+  for (const AnimationClip& clip : character.clips)
+    clips.push_back(clip.name + ' ' + shortNumber(clip.duration) + " s");
 
   std::ostringstream out;
   out << document.name() << '\n';
   if (!document.rigFile.empty()) putRig(out, document);
   out << "  triangles   " << character.mesh.triangles.size();
-  if (character.mesh.trianglesDropped > 0) out << ", and " << character.mesh.trianglesDropped << " dropped as degenerate";
+  if (character.mesh.trianglesDropped > 0)
+    out << ", and " << character.mesh.trianglesDropped << " dropped as degenerate";
   out << "\n  vertices    " << character.mesh.positions.size() << " after welding, " << character.mesh.wedges.size()
       << " wedges\n";
   putSurface(out, character, shape);

@@ -53,7 +53,8 @@ Result<const AnimationClip*> clipOf(const Document& document, const RenderOption
 }
 
 Pose poseAtTime(const Character& character, const AnimationClip* clip, double time) {
-  return clip == nullptr ? bindPose(character.skeleton) : samplePose(character.skeleton, *clip, static_cast<float>(time));
+  return clip == nullptr ? bindPose(character.skeleton)
+                         : samplePose(character.skeleton, *clip, static_cast<float>(time));
 }
 
 std::vector<PrimitiveShape> shapesOf(const Rig& rig, const Skeleton& skeleton, const Pose& pose) {
@@ -101,7 +102,8 @@ View steadyView(const Document& document, const Rig& rig, const AnimationClip* c
                 const RenderPlan& plan) {
   std::vector<glm::vec3> points;
   for (const PlannedPicture& picture : plan.pictures) {
-    addFramedPoints(*document.character, rig, poseAtTime(*document.character, clip, picture.time), plan.display, points);
+    addFramedPoints(*document.character, rig, poseAtTime(*document.character, clip, picture.time), plan.display,
+                    points);
   }
   return framedView(points, plan.yaw, plan.pitch, plan.size, options.orthographic);
 }
@@ -171,10 +173,12 @@ void tellOddities(const Document& document, const AnimationClip* clip, const Ren
 }
 
 void addLook(CLI::App& verb, RenderOptions& options) {
-  verb.add_option("--view", options.view, "front, back, left, right, top, bottom, three-quarter, or YAW,PITCH in degrees")
+  verb.add_option("--view", options.view,
+                  "front, back, left, right, top, bottom, three-quarter, or YAW,PITCH in degrees")
       ->type_name("VIEW");
   verb.add_flag("--orthographic", options.orthographic, "Without perspective");
-  verb.add_option("--shading", options.shading, "textured, clay, classes (implicit, straddling, normal) or heat (displacement)")
+  verb.add_option("--shading", options.shading,
+                  "textured, clay, classes (implicit, straddling, normal) or heat (displacement)")
       ->type_name("S");
   verb.add_option("--show", options.show, "Any of skeleton, primitives, influence, wire, control, classes")
       ->type_name("WHAT,...")
@@ -194,7 +198,9 @@ void addSmoothing(CLI::App& verb, RenderOptions& options) {
   verb.add_option("--depth", options.depth, "Every triangle becomes N x N, also where a rig follows the picture's size")
       ->type_name("N")
       ->check(CLI::Range(1, kMaxDepth));
-  verb.add_option("--mode", options.mode, "swell or replace")->type_name("M")->check(CLI::IsMember({"swell", "replace"}));
+  verb.add_option("--mode", options.mode, "swell or replace")
+      ->type_name("M")
+      ->check(CLI::IsMember({"swell", "replace"}));
   verb.add_option("--patch", options.patch, "pn, phong, spherigon or flat")
       ->type_name("P")
       ->check(CLI::IsMember({"pn", "phong", "spherigon", "flat"}));
@@ -208,14 +214,17 @@ void addSmoothing(CLI::App& verb, RenderOptions& options) {
 
 void addRenderOptions(CLI::App& verb, RenderOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
-  verb.add_option_function<std::string>("FILE", to(options.input), "Rig (.rig.json) or character (.glb, .gltf)")->required();
-  verb.add_option("--clip", options.clip, "Pose from this clip; without any of these, the bind pose")->type_name("NAME");
+  verb.add_option_function<std::string>("FILE", to(options.input), "Rig (.rig.json) or character (.glb, .gltf)")
+      ->required();
+  verb.add_option("--clip", options.clip, "Pose from this clip; without any of these, the bind pose")
+      ->type_name("NAME");
   verb.add_option("--time", options.time, "Seconds into the clip (of the first, if none is named)")->type_name("S");
   verb.add_option("--frames", options.frames, "One picture per clip frame, both ends included")->type_name("A:B");
   verb.add_option("--fps", options.framesPerSecond, "Clip frames per second (30)")->type_name("N");
   addLook(verb, options);
   addSmoothing(verb, options);
-  verb.add_option_function<std::string>("-o,--output", to(options.output), "Picture to write: OUT.png, or OUT_%04d.png with --frames")
+  verb.add_option_function<std::string>("-o,--output", to(options.output),
+                                        "Picture to write: OUT.png, or OUT_%04d.png with --frames")
       ->type_name("OUT")
       ->required();
 }

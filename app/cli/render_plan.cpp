@@ -86,7 +86,8 @@ Result<void> readDisplay(const RenderOptions& options, DisplaySettings& display)
     else if (shown == "control") display.controlMesh = true;
     else if (shown == "classes") display.shading = Shading::kClasses;
     else {
-      return errorAt("--show", "expected skeleton, primitives, influence, wire, control or classes, got \"" + shown + '"');
+      return errorAt("--show",
+                     "expected skeleton, primitives, influence, wire, control or classes, got \"" + shown + '"');
     }
   }
   display.cullBackFaces = options.cull;
@@ -109,7 +110,8 @@ std::optional<FrameField> frameField(const std::string& name) {
   if (at == std::string::npos) return field;
   std::size_t end = at + 1;
   while (end < name.size() && name[end] >= '0' && name[end] <= '9') ++end;
-  if (end == name.size() || name[end] != 'd' || end - at > 3 || name.find('%', end) != std::string::npos) return std::nullopt;
+  if (end == name.size() || name[end] != 'd' || end - at > 3 || name.find('%', end) != std::string::npos)
+    return std::nullopt;
   field.at = at;
   field.length = end + 1 - at;
   field.zeros = name[at + 1] == '0';
@@ -126,8 +128,10 @@ std::string withFrame(const std::string& name, const FrameField& field, int fram
 
 Result<void> readMoments(const RenderOptions& options, RenderPlan& plan) {
   std::string ending = options.output.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  if (ending != ".png") return errorAt("--output", "expected a name that ends in .png, got \"" + options.output.string() + '"');
+  std::ranges::transform(ending, ending.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  if (ending != ".png")
+    return errorAt("--output", "expected a name that ends in .png, got \"" + options.output.string() + '"');
   plan.animated = !options.clip.empty() || options.time || !options.frames.empty();
   if (options.frames.empty()) {
     const double time = options.time.value_or(0.0);
@@ -136,7 +140,8 @@ Result<void> readMoments(const RenderOptions& options, RenderPlan& plan) {
     return {};
   }
   if (options.time) return errorAt("--time", "goes without --frames: a frame's number is its time");
-  if (!(options.framesPerSecond > 0.0) || !std::isfinite(options.framesPerSecond)) return errorAt("--fps", "expected a number > 0");
+  if (!(options.framesPerSecond > 0.0) || !std::isfinite(options.framesPerSecond))
+    return errorAt("--fps", "expected a number > 0");
   const auto range = pairIn<int>(options.frames, ':');
   if (!range || (*range)[0] < 0 || (*range)[1] < (*range)[0] || (*range)[1] - (*range)[0] >= kMostFrames) {
     return errorAt("--frames", "expected FIRST:LAST with 0 <= FIRST <= LAST and at most 100000 frames, got \"" +

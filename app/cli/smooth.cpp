@@ -46,7 +46,8 @@ Result<Pose> poseOf(const Document& document, const SmoothOptions& options) {
     return Error{document.characterFile.string(), "clip \"" + *options.clip + '"', "expected " + clipNames(character)};
   }
   if (options.time > static_cast<double>(clip->duration)) {
-    message(document.characterFile.string() + ": clip \"" + clip->name + "\": the time is past its end; its end is used");
+    message(document.characterFile.string() + ": clip \"" + clip->name +
+            "\": the time is past its end; its end is used");
   }
   return samplePose(character.skeleton, *clip, static_cast<float>(options.time));
 }
@@ -91,7 +92,8 @@ std::string isOutput(const std::string& text) {
 }
 
 void addSettings(CLI::App& verb, SmoothOptions& options) {
-  verb.add_option("--depth", options.depth, "Every triangle becomes N x N, in place of the rig's depth (a file has no size on screen to follow)")
+  verb.add_option("--depth", options.depth,
+                  "Every triangle becomes N x N, in place of the rig's depth (a file has no size on screen to follow)")
       ->type_name("N")
       ->check(CLI::Range(1, kMaxDepth));
   verb.add_option("--mode", options.mode, "swell (the skin rises over the muscles) or replace (the paper's method)")
@@ -110,7 +112,8 @@ void addSettings(CLI::App& verb, SmoothOptions& options) {
 
 void addSmoothOptions(CLI::App& verb, SmoothOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
-  verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf)")->required();
+  verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf)")
+      ->required();
   CLI::Option* clip = verb.add_option("--clip", options.clip, "Pose from this clip; without it, the bind pose");
   clip->type_name("NAME");
   verb.add_option("--time", options.time, "Seconds into the clip (0)")->type_name("S")->check(isTime)->needs(clip);
@@ -119,7 +122,8 @@ void addSmoothOptions(CLI::App& verb, SmoothOptions& options) {
       ->type_name("OUT")
       ->required()
       ->check(isOutput);
-  verb.add_option_function<std::string>("--report", to(options.report), "Counts, class sizes, residuals and seconds as JSON")
+  verb.add_option_function<std::string>("--report", to(options.report),
+                                        "Counts, class sizes, residuals and seconds as JSON")
       ->type_name("FILE.json");
 }
 
@@ -128,7 +132,8 @@ int runSmooth(const SmoothOptions& options) {
   const auto document = openDocument(options.file);
   if (!document) return badInput(document.error());
   for (const std::filesystem::path& written : {options.output, options.report}) {
-    if (wouldOverwriteInput(written, document.value())) return badCommandLine(written.string() + ": is the input, and is kept");
+    if (wouldOverwriteInput(written, document.value()))
+      return badCommandLine(written.string() + ": is the input, and is kept");
   }
   const Rig rig = overridden(document->rig(), options);
   if (const auto missing = missingBones(rig, document->character->skeleton); !missing.empty()) {

@@ -49,8 +49,10 @@ struct CommandLine {
     app.footer(kExamples);
     app.require_subcommand(1);
     editVerb = app.add_subcommand("edit", "Open the editor");
-    editVerb->add_option("FILE", edit.file, "Character (.glb, .gltf) or rig (.rig.json); without it, a bundled character");
-    editVerb->add_option("--log-state", edit.logState, "Append a JSON line per drawn frame that changed")->type_name("FILE");
+    editVerb->add_option("FILE", edit.file,
+                         "Character (.glb, .gltf) or rig (.rig.json); without it, a bundled character");
+    editVerb->add_option("--log-state", edit.logState, "Append a JSON line per drawn frame that changed")
+        ->type_name("FILE");
     inspectVerb = app.add_subcommand("inspect", "Tell what a character or rig holds, and what is wrong with it");
     addInspectOptions(*inspectVerb, inspect);
     smoothVerb = app.add_subcommand("smooth", "Write the smoothed surface of one moment");
@@ -66,8 +68,9 @@ struct CommandLine {
 /// The arguments after the program's name, "edit" put in front where no verb stands there.
 std::vector<std::string> withVerb(int argc, const char* const* argv) {
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
-  const bool asked = !arguments.empty() && (std::ranges::find(kVerbs, arguments[0]) != kVerbs.end() ||
-                                            arguments[0] == "--help" || arguments[0] == "-h" || arguments[0] == "--version");
+  const bool asked =
+      !arguments.empty() && (std::ranges::find(kVerbs, arguments[0]) != kVerbs.end() || arguments[0] == "--help" ||
+                             arguments[0] == "-h" || arguments[0] == "--version");
   if (!asked) arguments.insert(arguments.begin(), "edit");
   return arguments;
 }
@@ -75,8 +78,8 @@ std::vector<std::string> withVerb(int argc, const char* const* argv) {
 /// A lone word that names neither verb nor file: a slip of the hand, no reason to open a window.
 bool isUnknownWord(const std::string& word) {
   std::error_code failed;
-  return !word.empty() && word.find_first_of("./-") == std::string::npos && std::ranges::find(kVerbs, word) == kVerbs.end() &&
-         !std::filesystem::exists(word, failed);
+  return !word.empty() && word.find_first_of("./-") == std::string::npos &&
+         std::ranges::find(kVerbs, word) == kVerbs.end() && !std::filesystem::exists(word, failed);
 }
 
 /// Help and version go to stdout; all else is a line on stderr.
@@ -87,8 +90,8 @@ int answer(const CommandLine& line, const CLI::ParseError& error) {
   }
   if (dynamic_cast<const CLI::CallForVersion*>(&error)) return putResult(std::string(error.what()) + '\n');
   const auto chosen = line.app.get_subcommands();
-  return badCommandLine(std::string(error.what()) + " (see: sinew " + (chosen.empty() ? "" : chosen.front()->get_name() + ' ') +
-                        "--help)");
+  return badCommandLine(std::string(error.what()) + " (see: sinew " +
+                        (chosen.empty() ? "" : chosen.front()->get_name() + ' ') + "--help)");
 }
 
 }  // namespace

@@ -16,7 +16,8 @@ struct EditRequest {
   std::string logState;  ///< "" for none.
 };
 
-/// Reads the command line and runs its verb; `edit` is what runs without one. Returns the exit status (docs/formats.md).
+/// Reads the command line and runs its verb; `edit` is what runs without one. Returns the exit status
+/// (docs/formats.md).
 [[nodiscard]] int runCommandLine(int argc, const char* const* argv, const std::function<int(const EditRequest&)>& edit);
 
 }  // namespace sinew::app

@@ -26,7 +26,8 @@ struct Document {
   [[nodiscard]] std::string name() const;
 };
 
-/// Opens a .glb / .gltf (with an empty rig) or a .rig.json (with the character it names). Error: the open document is untouched.
+/// Opens a .glb / .gltf (with an empty rig) or a .rig.json (with the character it names). Error: the open document is
+/// untouched.
 [[nodiscard]] Result<Document> openDocument(const std::filesystem::path& file);
 
 /// Writes the rig; on success rigFile is set and the document counts as saved.

@@ -59,7 +59,8 @@ void depthRow(Ui& ui, const SmoothingSettings& before, Changed changed) {
   bool automatic = before.autoDepth;
   const bool switched = ImGui::Checkbox(boxLabel, &automatic);
   ui.widgets.note("smoothing/auto");
-  tooltip(ui, "As deep as the character's size on screen asks for. Written files have the depth that stands without this.");
+  tooltip(ui,
+          "As deep as the character's size on screen asks for. Written files have the depth that stands without this.");
   if (switched) applyFieldEdit(ui, "Auto depth", changed([&](SmoothingSettings& s) { s.autoDepth = automatic; }));
 }
 

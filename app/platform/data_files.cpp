@@ -10,7 +10,8 @@ namespace {
 
 std::vector<std::filesystem::path> dataFolders() {
   std::vector<std::filesystem::path> folders;
-  if (const char* named = std::getenv("SINEW_DATA_DIR"); named != nullptr && *named != '\0') folders.emplace_back(named);
+  if (const char* named = std::getenv("SINEW_DATA_DIR"); named != nullptr && *named != '\0')
+    folders.emplace_back(named);
   folders.emplace_back(SINEW_SOURCE_DATA_DIR);
   folders.emplace_back(SINEW_INSTALLED_DATA_DIR);
   if (const std::filesystem::path beside = executableFolder(); !beside.empty()) {

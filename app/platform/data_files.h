@@ -4,9 +4,10 @@
 
 namespace sinew::app {
 
-/// A file that ships with the program, by its path in the source tree ("shaders/surface.vert"). Looked for in the folder
-/// SINEW_DATA_DIR (environment) names, then the source tree, the installed data folder, and beside the executable
-/// (also ../share/sinew). The first that exists; if none does, the path in the first place looked at, for the message.
+/// A file that ships with the program, by its path in the source tree ("shaders/surface.vert"). Looked for in the
+/// folder SINEW_DATA_DIR (environment) names, then the source tree, the installed data folder, and beside the
+/// executable (also ../share/sinew). The first that exists; if none does, the path in the first place looked at, for
+/// the message.
 [[nodiscard]] std::filesystem::path dataFile(const std::filesystem::path& relative);
 
 /// Folder of the running program; empty if the system does not tell.

@@ -101,7 +101,8 @@ View framedView(std::span<const glm::vec3> points, float yaw, float pitch, const
   if (orthographic) {
     const float halfHeight = std::max({fit.halfExtent.y, fit.halfExtent.x / aspect, 0.5f * finest}) / room;
     view.eyeInWorld = axes * glm::vec3(middle(points, axes), fit.nearestBackward + 8.0f * span);
-    view.clipFromView = glm::ortho(-halfHeight * aspect, halfHeight * aspect, -halfHeight, halfHeight, 0.0f, 17.0f * span);
+    view.clipFromView =
+        glm::ortho(-halfHeight * aspect, halfHeight * aspect, -halfHeight, halfHeight, 0.0f, 17.0f * span);
   } else {
     const float back = std::max(fit.eyeBackward, fit.nearestBackward + 0.05f * span);
     view.eyeInWorld = axes * glm::vec3(fit.centre, back);
@@ -128,7 +129,8 @@ View orbitView(const glm::vec3& target, float yaw, float pitch, float distance, 
     const float halfHeight = distance * std::tan(0.5f * kFieldOfView);
     const float behind = 10.0f * std::max(reach, distance);
     view.eyeInWorld = target + axes[2] * behind;
-    view.clipFromView = glm::ortho(-halfHeight * aspect, halfHeight * aspect, -halfHeight, halfHeight, 0.0f, 2.0f * behind);
+    view.clipFromView =
+        glm::ortho(-halfHeight * aspect, halfHeight * aspect, -halfHeight, halfHeight, 0.0f, 2.0f * behind);
   } else {
     view.eyeInWorld = target + axes[2] * distance;
     const float nearPlane = std::max(0.02f * distance, 1e-4f * reach);
@@ -148,7 +150,8 @@ std::vector<glm::vec3> extremePoints(std::span<const glm::vec3> points) {
     const float angle = 2.3999632f * static_cast<float>(i);
     const float ring = std::sqrt(1.0f - y * y);
     const glm::vec3 direction(ring * std::cos(angle), y, ring * std::sin(angle));
-    extremes.push_back(*std::ranges::max_element(points, {}, [&](const glm::vec3& p) { return glm::dot(p, direction); }));
+    extremes.push_back(
+        *std::ranges::max_element(points, {}, [&](const glm::vec3& p) { return glm::dot(p, direction); }));
   }
   return extremes;
 }

@@ -22,8 +22,8 @@ inline constexpr float kDefaultMargin = 0.08f;  ///< Part of the picture left fr
 [[nodiscard]] View framedView(const Bounds& bounds, float yaw, float pitch, const glm::ivec2& size, bool orthographic,
                               float margin = kDefaultMargin);
 
-/// View from given axes: eye at target + backward * distance. Orthographic: shows what a perspective eye at that distance
-/// would show at the target. Near and far planes suit a scene of about `reach` around the target.
+/// View from given axes: eye at target + backward * distance. Orthographic: shows what a perspective eye at that
+/// distance would show at the target. Near and far planes suit a scene of about `reach` around the target.
 [[nodiscard]] View orbitView(const glm::vec3& target, float yaw, float pitch, float distance, const glm::ivec2& size,
                              bool orthographic, float reach);
 

@@ -16,7 +16,8 @@ namespace {
 
 Result<std::string> readShader(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) return Error{file.string(), "", "cannot be read; is Sinew installed whole? (SINEW_DATA_DIR names its data folder)"};
+  if (!stream)
+    return Error{file.string(), "", "cannot be read; is Sinew installed whole? (SINEW_DATA_DIR names its data folder)"};
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 

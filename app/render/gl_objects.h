@@ -1,4 +1,5 @@
-#pragma once  // app/render/gl_objects.h: OpenGL names that delete themselves. Made and destroyed with a current context.
+#pragma once  // app/render/gl_objects.h: OpenGL names that delete themselves. Made and destroyed with a current
+              // context.
 
 #include <initializer_list>
 #include <span>

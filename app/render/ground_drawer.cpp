@@ -54,11 +54,12 @@ Result<GroundDrawer> GroundDrawer::create() {
     const char* vertex;
     const char* fragment;
   };
-  for (const Wanted& wanted : {Wanted{&drawer.shadowProgram_, "shaders/shadow.vert", "shaders/shadow.frag"},
-                               Wanted{&drawer.blurProgram_, "shaders/fullscreen.vert", "shaders/blur.frag"},
-                               Wanted{&drawer.groundProgram_, "shaders/ground.vert", "shaders/ground.frag"},
-                               Wanted{&drawer.groundShadowProgram_, "shaders/ground_shadow.vert", "shaders/ground_shadow.frag"},
-                               Wanted{&drawer.backgroundProgram_, "shaders/fullscreen.vert", "shaders/background.frag"}}) {
+  for (const Wanted& wanted :
+       {Wanted{&drawer.shadowProgram_, "shaders/shadow.vert", "shaders/shadow.frag"},
+        Wanted{&drawer.blurProgram_, "shaders/fullscreen.vert", "shaders/blur.frag"},
+        Wanted{&drawer.groundProgram_, "shaders/ground.vert", "shaders/ground.frag"},
+        Wanted{&drawer.groundShadowProgram_, "shaders/ground_shadow.vert", "shaders/ground_shadow.frag"},
+        Wanted{&drawer.backgroundProgram_, "shaders/fullscreen.vert", "shaders/background.frag"}}) {
     Result<GlProgram> program = GlProgram::load({wanted.vertex, wanted.fragment});
     if (!program) return program.error();
     *wanted.program = std::move(program).value();

@@ -6,8 +6,8 @@
 
 namespace sinew::app {
 
-/// Stops of the scale, evenly spaced from -1 (pushed in by the range) over 0 (untouched) to +1 (lifted by it). sRGB 0..1;
-/// interpolated linearly as they stand.
+/// Stops of the scale, evenly spaced from -1 (pushed in by the range) over 0 (untouched) to +1 (lifted by it). sRGB
+/// 0..1; interpolated linearly as they stand.
 [[nodiscard]] const std::array<glm::vec3, 9>& heatStops();
 
 /// sRGB colour at x; x is clamped to -1..1.

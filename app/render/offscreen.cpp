@@ -77,7 +77,8 @@ EglContext firstContext() {
 Result<std::unique_ptr<OffscreenContext>> OffscreenContext::create() {
   const EglContext made = firstContext();
   if (made.context == EGL_NO_CONTEXT) {
-    return Error{"", "", "no graphics driver offers OpenGL 4.5 through EGL (on Debian, libgl1-mesa-dri and libegl1 do)"};
+    return Error{"", "",
+                 "no graphics driver offers OpenGL 4.5 through EGL (on Debian, libgl1-mesa-dri and libegl1 do)"};
   }
   std::unique_ptr<OffscreenContext> context(new OffscreenContext);
   context->display_ = made.display;

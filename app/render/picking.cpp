@@ -37,7 +37,8 @@ struct FlatHit {
   bool front = false;
 };
 
-/// Does the shadow of a triangle hold the origin? Shared edges are tested with the same numbers, so nothing slips between.
+/// Does the shadow of a triangle hold the origin? Shared edges are tested with the same numbers, so nothing slips
+/// between.
 std::optional<FlatHit> holdsOrigin(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c) {
   const glm::vec3 areas(crossOf(b, c), crossOf(c, a), crossOf(a, b));
   const bool anyBelow = areas.x < 0.0f || areas.y < 0.0f || areas.z < 0.0f;

@@ -35,7 +35,8 @@ Result<std::string> pngBytes(const Image& image) {
   }
   const std::uint8_t* pixels = channels == 3 ? packed.data() : image.rgba.data();
   std::string bytes;
-  if (stbi_write_png_to_func(append, &bytes, image.width, image.height, channels, pixels, image.width * channels) == 0) {
+  if (stbi_write_png_to_func(append, &bytes, image.width, image.height, channels, pixels, image.width * channels) ==
+      0) {
     return Error{"", "", "the picture could not be encoded as PNG"};
   }
   return bytes;

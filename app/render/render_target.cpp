@@ -52,8 +52,8 @@ void RenderTarget::begin() const {
 
 void RenderTarget::end() const {
   if (samples_ == 1) return;
-  glBlitNamedFramebuffer(many_.id(), resolved_.id(), 0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y, GL_COLOR_BUFFER_BIT,
-                         GL_NEAREST);
+  glBlitNamedFramebuffer(many_.id(), resolved_.id(), 0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y,
+                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 }  // namespace sinew::app

@@ -1,4 +1,5 @@
-#pragma once  // app/render/render_target.h: the picture's framebuffer: sRGB colour and depth, multisampled and resolved.
+#pragma once  // app/render/render_target.h: the picture's framebuffer: sRGB colour and depth, multisampled and
+              // resolved.
 
 #include "app/render/gl_objects.h"
 

@@ -19,7 +19,11 @@ void attribute(GLuint array, GLuint location, GLuint binding, GLint count, std::
 }  // namespace
 
 ShapeMesh::ShapeMesh(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices)
-    : array_(makeVertexArray()), instanceArray_(makeVertexArray()), vertices_(makeBuffer()), indices_(makeBuffer()), instances_(makeBuffer()),
+    : array_(makeVertexArray()),
+      instanceArray_(makeVertexArray()),
+      vertices_(makeBuffer()),
+      indices_(makeBuffer()),
+      instances_(makeBuffer()),
       indexCount_(static_cast<GLsizei>(indices.size())) {
   uploadBuffer(vertices_, vertices, GL_STATIC_DRAW);
   uploadBuffer(indices_, indices, GL_STATIC_DRAW);

@@ -16,8 +16,9 @@ struct ShapeInstance {
 
 class ShapeMesh {
  public:
-  [[nodiscard]] static ShapeMesh ball(std::uint32_t rows);  ///< Radius 1 around the origin; twice as many columns as rows.
-  [[nodiscard]] static ShapeMesh octahedron();              ///< From the origin to +Y at 1; half width 1 at a sixth of the way.
+  [[nodiscard]] static ShapeMesh ball(
+      std::uint32_t rows);                      ///< Radius 1 around the origin; twice as many columns as rows.
+  [[nodiscard]] static ShapeMesh octahedron();  ///< From the origin to +Y at 1; half width 1 at a sixth of the way.
 
   void setInstances(std::span<const ShapeInstance> instances);
   /// Draws the mesh once an instance with the program in use.

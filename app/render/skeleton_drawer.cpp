@@ -69,7 +69,8 @@ void SkeletonDrawer::draw(const Frame& frame) {
   for (std::size_t i = 0; i < scene.pose->boneInWorld.size(); ++i) {
     const Look look = lookOf(static_cast<int>(i), scene);
     const float radius = std::clamp(0.085f * shortest[i], 0.0028f * h, 0.0095f * h);
-    joints.push_back({ballAt(glm::vec3(scene.pose->boneInWorld[i][3]), radius), look.color, glm::vec4(0, look.glow, 0, 0)});
+    joints.push_back(
+        {ballAt(glm::vec3(scene.pose->boneInWorld[i][3]), radius), look.color, glm::vec4(0, look.glow, 0, 0)});
   }
   bones_.setInstances(bones);
   joints_.setInstances(joints);

@@ -12,7 +12,8 @@
 namespace sinew::app {
 namespace {
 
-constexpr std::array<const char*, 4> kShadingDefines{"SHADING_TEXTURED", "SHADING_CLAY", "SHADING_CLASSES", "SHADING_HEAT"};
+constexpr std::array<const char*, 4> kShadingDefines{"SHADING_TEXTURED", "SHADING_CLAY", "SHADING_CLASSES",
+                                                     "SHADING_HEAT"};
 
 GLint wrapOf(TextureWrap wrap) {
   switch (wrap) {
@@ -109,8 +110,9 @@ void SurfaceDrawer::setCharacter(const Character& character) {
   materials_ = character.materials;
   textures_.clear();
   for (const Texture& image : character.textures) {
-    const bool whole = image.width > 0 && image.height > 0 &&
-                       image.rgba.size() >= 4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    const bool whole =
+        image.width > 0 && image.height > 0 &&
+        image.rgba.size() >= 4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     textures_.push_back(whole ? uploadTexture(image) : GlTexture{});
   }
 }
@@ -163,7 +165,8 @@ void SurfaceDrawer::upload(const Surface& surface, const ControlMesh& mesh) {
   const bool displaced = surface.displacement.size() == surface.positions.size();
   for (std::size_t i = 0; i < staging_.size(); ++i) {
     const auto vertex = static_cast<std::size_t>(drawVertex[i]);
-    staging_[i] = {surface.positions[vertex], shadingNormal(surface, i), displaced ? surface.displacement[vertex] : 0.0f};
+    staging_[i] = {surface.positions[vertex], shadingNormal(surface, i),
+                   displaced ? surface.displacement[vertex] : 0.0f};
   }
   uploadBuffer(vertices_, std::span<const Vertex>(staging_));
   bounds_ = boundsOf(surface.positions);

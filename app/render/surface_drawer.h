@@ -20,9 +20,9 @@ class SurfaceDrawer {
   void drawOpaque(const Frame& frame) const;
   /// Materials whose alpha blends: back sides first, then front sides.
   void drawBlended(const Frame& frame) const;
-  /// All triangles with the program in use, for shadows. Where the processor draws: one for each control triangle, between
-  /// its corners as they are on the surface, since a blurred shadow does not show the difference. Culled triangles cast
-  /// theirs too.
+  /// All triangles with the program in use, for shadows. Where the processor draws: one for each control triangle,
+  /// between its corners as they are on the surface, since a blurred shadow does not show the difference. Culled
+  /// triangles cast theirs too.
   void drawForShadow() const;
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
 

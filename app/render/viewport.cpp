@@ -165,7 +165,8 @@ Image Viewport::readPixels() const {
   std::vector<std::uint8_t> bottomUp(row * static_cast<std::size_t>(size.y));
   if (bottomUp.empty()) return image;
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glGetTextureImage(colorTexture(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(bottomUp.size()), bottomUp.data());
+  glGetTextureImage(colorTexture(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(bottomUp.size()),
+                    bottomUp.data());
   image.rgba.reserve(bottomUp.size());
   for (std::size_t y = static_cast<std::size_t>(size.y); y-- > 0;) {
     const auto first = bottomUp.begin() + static_cast<std::ptrdiff_t>(y * row);

@@ -1,4 +1,5 @@
-#pragma once  // app/render/viewport.h: draws a scene into a picture of its own. Needs a current OpenGL 4.5 core context.
+#pragma once  // app/render/viewport.h: draws a scene into a picture of its own. Needs a current OpenGL 4.5 core
+              // context.
 
 #include <cstdint>
 #include <memory>
@@ -39,8 +40,9 @@ class Viewport {
   /// Takes textures and materials. Call when the character changes, before drawing it. Copies what it needs.
   void setCharacter(const Character& character);
 
-  /// Draws into the own framebuffer, resized to view.size. Leaves framebuffer 0 bound, and depth test, blending, culling off.
-  /// scene.character must be the one of setCharacter; scene.surface may be null (then no surface is drawn).
+  /// Draws into the own framebuffer, resized to view.size. Leaves framebuffer 0 bound, and depth test, blending,
+  /// culling off. scene.character must be the one of setCharacter; scene.surface may be null (then no surface is
+  /// drawn).
   void draw(const Scene& scene, const View& view, const DisplaySettings& settings);
 
   void setSamples(int samples);

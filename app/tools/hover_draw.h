@@ -6,8 +6,8 @@ struct ImDrawList;
 
 namespace sinew::app {
 
-/// A ring on the skin, the bone's segment through everything, its name beside the pointer. Nothing without skin under the
-/// pointer. Needs a current ImGui frame, for its font.
+/// A ring on the skin, the bone's segment through everything, its name beside the pointer. Nothing without skin under
+/// the pointer. Needs a current ImGui frame, for its font.
 /// @param topLeft        where the viewport's pixel (0, 0) lies in the draw list's coordinates.
 /// @param unitsPerPixel  draw list units per viewport pixel.
 void drawLanding(ImDrawList& list, const ViewportHover& hover, const Character& character, const Pose& pose,

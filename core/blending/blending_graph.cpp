@@ -1,4 +1,5 @@
-// core/blending/blending_graph.cpp: maximal cliques by Bron & Kerbosch, "Algorithm 457", CACM 16(9), 1973, with pivoting.
+// core/blending/blending_graph.cpp: maximal cliques by Bron & Kerbosch, "Algorithm 457", CACM 16(9), 1973, with
+// pivoting.
 #include "core/blending/blending_graph.h"
 
 #include <algorithm>

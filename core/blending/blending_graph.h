@@ -11,7 +11,8 @@ namespace sinew {
 /// More maximal cliques than this are refused: nobody draws such a graph on purpose. docs/field.md.
 inline constexpr int kMaxCliques = 4096;
 
-/// The blending graph after Guy & Wyvill 1995, read as docs/field.md does: the field is the maximum over cliques of sums.
+/// The blending graph after Guy & Wyvill 1995, read as docs/field.md does: the field is the maximum over cliques of
+/// sums.
 struct BlendingGraph {
   int groupCount = 0;
   std::vector<std::vector<int>> cliques;  ///< Maximal, each sorted; the list sorted. Every group is in at least one.
@@ -22,8 +23,9 @@ struct BlendingGraph {
 /// Error: more than kMaxCliques.
 [[nodiscard]] Result<BlendingGraph> makeBlendingGraph(int groupCount, std::span<const std::array<int, 2>> links);
 
-/// The cliques cut down to `presentGroups` (sorted), without those another one contains: all that a place sees where only
-/// these groups reach. Values there are the same as with the whole graph, as positive parts are >= 0.
-[[nodiscard]] std::vector<std::vector<int>> cliquesAmong(const BlendingGraph& graph, std::span<const int> presentGroups);
+/// The cliques cut down to `presentGroups` (sorted), without those another one contains: all that a place sees where
+/// only these groups reach. Values there are the same as with the whole graph, as positive parts are >= 0.
+[[nodiscard]] std::vector<std::vector<int>> cliquesAmong(const BlendingGraph& graph,
+                                                         std::span<const int> presentGroups);
 
 }  // namespace sinew

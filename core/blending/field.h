@@ -44,8 +44,9 @@ void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::
                std::vector<PosedPrimitive>& out);
 
 /// F(x) = max over cliques of the sum of its positive m_i f_i, plus the sum of all carving m_i f_i (<= 0).
-/// Carves stand outside the maximum: inside it, any unlinked group anywhere would lift max(..., 0) over a carve and undo
-/// it, and culling would change values. See docs/design.md. Without carves, or with all groups linked, the two readings agree.
+/// Carves stand outside the maximum: inside it, any unlinked group anywhere would lift max(..., 0) over a carve and
+/// undo it, and culling would change values. See docs/design.md. Without carves, or with all groups linked, the two
+/// readings agree.
 [[nodiscard]] FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
                                       const CliqueLists& cliques, const glm::vec3& point);
 

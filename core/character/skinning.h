@@ -18,7 +18,8 @@ struct SkinnedMesh {
 /// In the bind pose the result is the control mesh itself to rounding. Reuses the output's memory.
 void skin(const Character& character, const Pose& pose, SkinnedMesh& out);
 
-/// The normals of all wedges in the same pose: a creased wedge's own goes as its vertex's does, any other is its vertex's.
+/// The normals of all wedges in the same pose: a creased wedge's own goes as its vertex's does, any other is its
+/// vertex's.
 /// @param wedges [W] of a mesh with the character's vertices (mesh/creases.h).  @param skinned as skin() made it.
 /// @param out [W] world, unit; its memory is reused.
 void skinWedgeNormals(const Character& character, std::span<const Wedge> wedges, const Pose& pose,

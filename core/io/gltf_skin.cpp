@@ -216,8 +216,8 @@ class Binder {
     }
   }
 
-  /// M of docs/design.md: the root joint's rest x its inverse bind matrix. A skin that shares a joint with an earlier one is
-  /// placed by that joint instead, so that parts of one body stay together where rest and bind pose differ.
+  /// M of docs/design.md: the root joint's rest x its inverse bind matrix. A skin that shares a joint with an earlier
+  /// one is placed by that joint instead, so that parts of one body stay together where rest and bind pose differ.
   void chooseMeshToBind(Skin& skin) {
     const std::size_t root = rootOf(skin);
     glm::dmat4 anchor = restOf(skin.joints[root]);

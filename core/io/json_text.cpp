@@ -107,7 +107,8 @@ class Builder {
       const JsonNode& node = stack_[i].node;
       if (node.kind == Kind::kArray) {
         result += '[' + std::to_string(node.children.size()) + ']';
-      } else if (const std::string& name = i + 1 < stack_.size() ? stack_[i + 1].node.key : pendingKey_; !name.empty()) {
+      } else if (const std::string& name = i + 1 < stack_.size() ? stack_[i + 1].node.key : pendingKey_;
+                 !name.empty()) {
         if (!result.empty()) result += '.';
         result += name;
       }

@@ -1,4 +1,5 @@
-#pragma once  // core/io/json_text.h: JSON text <-> a plain tree in which numbers keep the digits they were written with.
+#pragma once  // core/io/json_text.h: JSON text <-> a plain tree in which numbers keep the digits they were written
+              // with.
 
 #include <string>
 #include <string_view>
@@ -29,8 +30,8 @@ struct JsonNode {
 [[nodiscard]] JsonNode numberNode(long long value);
 [[nodiscard]] JsonNode stringNode(std::string text);
 
-/// Reads strictly RFC 8259 text. Error: a number out of range or a key that stands twice is placed by its JSON path, all
-/// else by byte, line and column.
+/// Reads strictly RFC 8259 text. Error: a number out of range or a key that stands twice is placed by its JSON path,
+/// all else by byte, line and column.
 [[nodiscard]] Result<JsonNode> parseJson(std::string_view text);
 
 /// One line without spaces; or, indented, by two spaces with short lists of plain values kept on one line.

@@ -142,7 +142,8 @@ std::filesystem::path characterPath(const Rig& rig, const std::filesystem::path&
 std::string relativeCharacterPath(const std::filesystem::path& character, const std::filesystem::path& rigFile) {
   // Through the real folders, so that ".." means the same to us and to the system where a folder is a link.
   std::error_code failed;
-  const auto folder = std::filesystem::weakly_canonical(std::filesystem::absolute(rigFile, failed).parent_path(), failed);
+  const auto folder =
+      std::filesystem::weakly_canonical(std::filesystem::absolute(rigFile, failed).parent_path(), failed);
   if (failed) return character.generic_string();
   const auto absolute = std::filesystem::absolute(character, failed);
   const auto target = std::filesystem::weakly_canonical(absolute.parent_path(), failed) / absolute.filename();

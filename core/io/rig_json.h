@@ -8,7 +8,8 @@
 
 namespace sinew {
 
-/// Rig -> text: keys in the order of docs/formats.md, shortest decimals that read back bit-equal, unknown keys after the known ones.
+/// Rig -> text: keys in the order of docs/formats.md, shortest decimals that read back bit-equal, unknown keys after
+/// the known ones.
 [[nodiscard]] std::string rigToJson(const Rig& rig);
 
 /// Text -> validated rig. Error: place is the JSON path (or the byte, if it is no JSON), reason what was expected.
@@ -23,6 +24,7 @@ namespace sinew {
 /// Where the rig's character lies, given where the rig file lies.
 [[nodiscard]] std::filesystem::path characterPath(const Rig& rig, const std::filesystem::path& rigFile);
 /// The reverse, for saving: `character` relative to the rig file's folder if that is possible.
-[[nodiscard]] std::string relativeCharacterPath(const std::filesystem::path& character, const std::filesystem::path& rigFile);
+[[nodiscard]] std::string relativeCharacterPath(const std::filesystem::path& character,
+                                                const std::filesystem::path& rigFile);
 
 }  // namespace sinew

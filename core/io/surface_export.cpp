@@ -39,7 +39,8 @@ Result<void> writeObj(const Surface& surface, const Character& character, const 
 }  // namespace
 
 std::vector<MaterialRun> materialRuns(const Surface& surface, const Character& character) {
-  const auto split = static_cast<std::size_t>(surface.refinement->depth) * static_cast<std::size_t>(surface.refinement->depth);
+  const auto split =
+      static_cast<std::size_t>(surface.refinement->depth) * static_cast<std::size_t>(surface.refinement->depth);
   std::vector<MaterialRun> runs;
   for (std::size_t t = 0; t < character.mesh.triangles.size(); ++t) {
     const int material = character.mesh.triangles[t].material;

@@ -1,4 +1,5 @@
-#pragma once  // core/io/surface_formats.h: a surface as the bytes of each file format; surface_export.h puts them on disk.
+#pragma once  // core/io/surface_formats.h: a surface as the bytes of each file format; surface_export.h puts them on
+              // disk.
 
 #include <string>
 #include <vector>

@@ -95,7 +95,8 @@ class GlbWriter {
     const ImageFile file = imageFile(texture);
     Json image = Json::object();
     if (!texture.name.empty()) image.set("name", texture.name);
-    imageList_.push(image.set("bufferView", addView(file.bytes.data(), file.bytes.size(), 0)).set("mimeType", file.mimeType));
+    imageList_.push(
+        image.set("bufferView", addView(file.bytes.data(), file.bytes.size(), 0)).set("mimeType", file.mimeType));
     Json sampler = Json::object();
     sampler.set("magFilter", texture.nearest ? kNearest : kLinear);
     sampler.set("minFilter", texture.nearest ? kNearest : kLinearMipmapLinear);

@@ -16,7 +16,8 @@ void appendLine(std::string& out, const char* word, std::initializer_list<float>
   out += word;
   for (const float value : values) {
     std::array<char, 40> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr;
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr;
     out += ' ';
     out.append(text.data(), end);
   }
@@ -24,10 +25,14 @@ void appendLine(std::string& out, const char* word, std::initializer_list<float>
 }
 
 /// Nine digits tell any float from its neighbours.
-void appendExact(std::string& out, const char* word, std::initializer_list<float> values) { appendLine(out, word, values, 9); }
+void appendExact(std::string& out, const char* word, std::initializer_list<float> values) {
+  appendLine(out, word, values, 9);
+}
 
 /// Colours and the like: what eight bits of a screen cannot tell is left out.
-void appendRounded(std::string& out, const char* word, std::initializer_list<float> values) { appendLine(out, word, values, 6); }
+void appendRounded(std::string& out, const char* word, std::initializer_list<float> values) {
+  appendLine(out, word, values, 6);
+}
 
 /// Words in these formats end at white space, and names must not start a comment.
 std::string asWord(std::string name) {

@@ -19,7 +19,7 @@ struct Influence {
 struct Wedge {
   int vertex = 0;
   glm::vec2 uv{0.0f};
-  bool creased = false;                 ///< Shaded with `normal`, not with the vertex's. Made by creased (mesh/creases.h).
+  bool creased = false;  ///< Shaded with `normal`, not with the vertex's. Made by creased (mesh/creases.h).
   glm::vec3 normal{0.0f, 1.0f, 0.0f};  ///< Bind pose, unit; read only where creased.
 };
 

@@ -167,7 +167,8 @@ std::vector<bool> creasedVertices(const ControlMesh& mesh, const std::vector<int
   return result;
 }
 
-/// [3T] normals of the fans, each at the corner that stands for it: those of a mesh whose fans are vertices of their own.
+/// [3T] normals of the fans, each at the corner that stands for it: those of a mesh whose fans are vertices of their
+/// own.
 std::vector<glm::vec3> fanNormals(const ControlMesh& mesh, const std::vector<int>& fans) {
   std::vector<glm::vec3> positions(fans.size());
   std::vector<ControlTriangle> triangles(mesh.triangles.size());

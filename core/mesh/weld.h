@@ -25,8 +25,8 @@ struct TriangleSoup {
 /// Vertices no triangle uses vanish. Fills edges and normals too. Same input, same order of everything. docs/design.md.
 [[nodiscard]] ControlMesh weld(const TriangleSoup& soup, float tolerance);
 
-/// The same surface as a shape only: vertices at one place become one, whatever bones they follow. Shows where separately
-/// moving parts touch. Influences and texture coordinates are not kept.
+/// The same surface as a shape only: vertices at one place become one, whatever bones they follow. Shows where
+/// separately moving parts touch. Influences and texture coordinates are not kept.
 [[nodiscard]] ControlMesh joinedByPosition(const ControlMesh& mesh, float tolerance);
 
 }  // namespace sinew

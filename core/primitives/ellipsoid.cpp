@@ -31,7 +31,8 @@ UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& b
   for (int row = 0; row < 3; ++row) {
     half[row] = std::sqrt(axes[0][row] * axes[0][row] + axes[1][row] * axes[1][row] + axes[2][row] * axes[2][row]);
   }
-  const double frobenius = std::sqrt(glm::dot(axes[0], axes[0]) + glm::dot(axes[1], axes[1]) + glm::dot(axes[2], axes[2]));
+  const double frobenius =
+      std::sqrt(glm::dot(axes[0], axes[0]) + glm::dot(axes[1], axes[1]) + glm::dot(axes[2], axes[2]));
   map.boundingRadius = static_cast<float>(std::min(glm::length(half), frobenius) * (1.0 + 1e-6));
   return map;
 }

@@ -4,15 +4,16 @@
 
 namespace sinew {
 
-/// Where an ellipsoid sits: typed parts, never a matrix, so that nothing ever needs decomposing. Bone space, character units.
+/// Where an ellipsoid sits: typed parts, never a matrix, so that nothing ever needs decomposing. Bone space, character
+/// units.
 struct Placement {
   glm::vec3 center{0.0f};
   glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};  ///< Unit; primitive axes -> bone axes.
   glm::vec3 radii{1.0f};                       ///< Visible semi-axes, each > 0.
 };
 
-/// An influence ellipsoid in the world as the affine map that takes it to the unit ball: |toUnit (x - center)| < 1 inside.
-/// Centre and map are kept apart: x^T Q x about a far origin would cancel.
+/// An influence ellipsoid in the world as the affine map that takes it to the unit ball: |toUnit (x - center)| < 1
+/// inside. Centre and map are kept apart: x^T Q x about a far origin would cancel.
 struct UnitBallMap {
   glm::mat3 toUnit{1.0f};
   glm::vec3 center{0.0f};        ///< World.

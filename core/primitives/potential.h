@@ -19,7 +19,8 @@ namespace sinew {
 /// r_T: where g equals the iso value, sqrt(1 - sqrt T). 0 < iso < 1.
 [[nodiscard]] inline float isoRadius(float iso) { return std::sqrt(1.0f - std::sqrt(iso)); }
 
-/// s: factor that puts the iso surface of a lone primitive on its visible ellipsoid, T / g(1 / reach). reach > 1. docs/field.md.
+/// s: factor that puts the iso surface of a lone primitive on its visible ellipsoid, T / g(1 / reach). reach > 1.
+/// docs/field.md.
 [[nodiscard]] inline float strengthFor(float iso, float reach) { return iso / potential(1.0f / (reach * reach)); }
 
 }  // namespace sinew

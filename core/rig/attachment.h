@@ -19,12 +19,13 @@ struct Attachment {
   std::vector<std::vector<Candidate>> candidatesOfVertex;  ///< [V] primitives with m_i(v) > 0, ascending.
 };
 
-/// Every bone the rig names and the character lacks, with its JSON path: "primitives[2].bone", "primitives[2].territory[0]".
-/// An editor keeps such primitives, unattached; what makes a result from the rig refuses, rather than leave a muscle out.
+/// Every bone the rig names and the character lacks, with its JSON path: "primitives[2].bone",
+/// "primitives[2].territory[0]". An editor keeps such primitives, unattached; what makes a result from the rig refuses,
+/// rather than leave a muscle out.
 [[nodiscard]] std::vector<Error> missingBones(const Rig& rig, const Skeleton& skeleton);
 
-/// Bones of a primitive's territory: those the rig names (unknown names are skipped), or by default the primitive's bone,
-/// its nearest joint ancestor and its nearest joint children. Sorted. docs/field.md.
+/// Bones of a primitive's territory: those the rig names (unknown names are skipped), or by default the primitive's
+/// bone, its nearest joint ancestor and its nearest joint children. Sorted. docs/field.md.
 [[nodiscard]] std::vector<int> territoryBones(const Primitive& primitive, int bone, const Skeleton& skeleton);
 
 /// m_i(v) = smoothstep(0, 0.5, sum of v's weights on the territory).

@@ -37,7 +37,8 @@ struct SmoothingSettings {
   int depth = 3;  ///< n, 1..kMaxDepth: every control triangle becomes n^2.
   PatchKind patch = PatchKind::kPn;
   ProjectionKind projection = ProjectionKind::kNewton;
-  float creaseAngle = kDefaultCreaseAngle;  ///< Degrees, 0..180: faces that meet at more are shaded apart (mesh/creases.h).
+  float creaseAngle =
+      kDefaultCreaseAngle;  ///< Degrees, 0..180: faces that meet at more are shaded apart (mesh/creases.h).
   bool autoDepth = false;  ///< In a picture, `depth` follows the character's size on screen (smoothing/auto_depth.h).
   std::string unknownKeys;
 };

@@ -1,7 +1,7 @@
 #pragma once  // core/rig/rig_edit.h: every change of a rig, as pure functions rig -> rig.
 //
-// Nothing here touches the rig it is given. Each result has passed what can break by that edit; an Error names the reason
-// and the caller's rig stands. Indices are into Rig::primitives or Rig::groups and must be in range (asserted).
+// Nothing here touches the rig it is given. Each result has passed what can break by that edit; an Error names the
+// reason and the caller's rig stands. Indices are into Rig::primitives or Rig::groups and must be in range (asserted).
 
 #include <span>
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace sinew {
 
-/// Appends; the name is made unique; an empty group becomes the first group, made ("muscles") if there is none. If `mirror`
-/// names a primitive of the rig, the two become each other's twins (a former twin is let go).
+/// Appends; the name is made unique; an empty group becomes the first group, made ("muscles") if there is none. If
+/// `mirror` names a primitive of the rig, the two become each other's twins (a former twin is let go).
 [[nodiscard]] Result<Rig> addPrimitive(const Rig& rig, Primitive primitive);
 /// Removes several; twins of removed ones lose their link.
 [[nodiscard]] Rig removePrimitives(const Rig& rig, std::span<const int> indices);

@@ -99,8 +99,8 @@ Result<void> validateMirror(const Rig& rig, std::size_t i, const NameIndex& prim
   }
   if (twin->second == i) return errorAt(place, "expected the name of another primitive, got its own");
   if (rig.primitives[twin->second].mirror == primitive.name) return {};
-  return errorAt(place, "expected a primitive whose mirror is this one, but that of \"" + primitive.mirror + "\" is \"" +
-                            rig.primitives[twin->second].mirror + '"');
+  return errorAt(place, "expected a primitive whose mirror is this one, but that of \"" + primitive.mirror +
+                            "\" is \"" + rig.primitives[twin->second].mirror + '"');
 }
 
 Result<void> validateLinksAmong(const Rig& rig, const NameIndex& groups) {
@@ -116,7 +116,8 @@ Result<void> validateLinksAmong(const Rig& rig, const NameIndex& groups) {
       }
       link[end] = static_cast<int>(group->second);
     }
-    if (link[0] == link[1]) return errorAt(indexed("links", i), "expected two different groups, got the same one twice");
+    if (link[0] == link[1])
+      return errorAt(indexed("links", i), "expected two different groups, got the same one twice");
     links.push_back(link);
   }
   if (const auto graph = makeBlendingGraph(static_cast<int>(rig.groups.size()), links); !graph) {
@@ -207,7 +208,8 @@ Result<void> validate(const Rig& rig) {
     const std::string place = indexed("primitives", i);
     if (auto own = validatePrimitive(rig.primitives[i], place); !own) return own;
     if (!groups->contains(rig.primitives[i].group)) {
-      return errorAt(place + ".group", "expected the name of a group, but there is no \"" + rig.primitives[i].group + '"');
+      return errorAt(place + ".group",
+                     "expected the name of a group, but there is no \"" + rig.primitives[i].group + '"');
     }
     if (auto mirror = validateMirror(rig, i, primitives.value()); !mirror) return mirror;
   }

@@ -9,8 +9,8 @@ namespace sinew {
 
 inline constexpr int kMaxPrimitives = 65536;
 
-/// Checks ranges, finiteness, unique names, that groups exist, that twins name each other, and the blending graph's size.
-/// Bones are not checked: a rig may meet another character. The Error's place is a JSON path such as
+/// Checks ranges, finiteness, unique names, that groups exist, that twins name each other, and the blending graph's
+/// size. Bones are not checked: a rig may meet another character. The Error's place is a JSON path such as
 /// "primitives[2].radii[1]"; its reason says what was expected.
 [[nodiscard]] Result<void> validate(const Rig& rig);
 

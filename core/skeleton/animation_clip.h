@@ -16,7 +16,8 @@ struct Channel {
   ChannelPath path = ChannelPath::kTranslation;
   Interpolation interpolation = Interpolation::kLinear;
   std::vector<float> times;       ///< [K]
-  std::vector<glm::vec4> values;  ///< [K], or [3K] for cubic splines: in-tangent, value, out-tangent. Rotations x,y,z,w.
+  std::vector<glm::vec4>
+      values;  ///< [K], or [3K] for cubic splines: in-tangent, value, out-tangent. Rotations x,y,z,w.
 };
 
 struct AnimationClip {

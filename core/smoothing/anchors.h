@@ -15,8 +15,8 @@ struct Anchor {
 };
 
 /// Closest points in the bind pose. The skeleton is the segments from each bone's origin to its children's origins, and
-/// to its tip where it has none; the lower bone index wins a tie. A segment moves with the bone it starts at; its end, a
-/// child's origin, with the child: else the many vertices closest to a joint would hang on rounding.
+/// to its tip where it has none; the lower bone index wins a tie. A segment moves with the bone it starts at; its end,
+/// a child's origin, with the child: else the many vertices closest to a joint would hang on rounding.
 /// @param points [N] bind pose, world.  @return [N]
 [[nodiscard]] std::vector<Anchor> findAnchors(const Skeleton& skeleton, std::span<const glm::vec3> points);
 

@@ -24,9 +24,11 @@ float meanEdgeFraction(const ControlMesh& mesh, float height) {
 }
 
 int autoDepth(float meanEdgeFraction, float heightPixels, int current) {
-  const float ideal = std::clamp(meanEdgeFraction * heightPixels / kAutoEdgePixels, 1.0f, static_cast<float>(kMaxAutoDepth));
+  const float ideal =
+      std::clamp(meanEdgeFraction * heightPixels / kAutoEdgePixels, 1.0f, static_cast<float>(kMaxAutoDepth));
   if (!std::isfinite(ideal)) return current > 0 ? current : 1;
-  const bool settled = current >= 1 && current <= kMaxAutoDepth && std::abs(ideal - static_cast<float>(current)) <= kDeadBand;
+  const bool settled =
+      current >= 1 && current <= kMaxAutoDepth && std::abs(ideal - static_cast<float>(current)) <= kDeadBand;
   return settled ? current : static_cast<int>(std::lround(ideal));
 }
 

@@ -13,8 +13,9 @@ inline constexpr float kAutoEdgePixels = 8.0f;
 /// Mean length of the control mesh's edges in the bind pose as a fraction of its height. Once a character.
 [[nodiscard]] float meanEdgeFraction(const ControlMesh& mesh, float height);
 
-/// Depth at which a mean edge has about kAutoEdgePixels on screen: 1..kMaxAutoDepth. `current` stands until the ideal depth
-/// is more than 3/4 of a step away from it, so that a camera at rest on a border, or breathing about it, does not flicker.
+/// Depth at which a mean edge has about kAutoEdgePixels on screen: 1..kMaxAutoDepth. `current` stands until the ideal
+/// depth is more than 3/4 of a step away from it, so that a camera at rest on a border, or breathing about it, does not
+/// flicker.
 /// @param heightPixels the character's height H as seen, pixels.  @param current depth now in use, or 0 for none.
 [[nodiscard]] int autoDepth(float meanEdgeFraction, float heightPixels, int current);
 

@@ -1,4 +1,5 @@
-#pragma once  // core/smoothing/candidates.h: which primitives each piece of the control mesh can ever see. Made once per edit.
+#pragma once  // core/smoothing/candidates.h: which primitives each piece of the control mesh can ever see. Made once
+              // per edit.
 
 #include <array>
 #include <span>
@@ -31,7 +32,8 @@ struct CandidateLists {
 
   [[nodiscard]] std::span<const CarrierCandidate> of(int carrier) const {
     const auto c = static_cast<std::size_t>(carrier);
-    return std::span(items).subspan(static_cast<std::size_t>(begin[c]), static_cast<std::size_t>(begin[c + 1] - begin[c]));
+    return std::span(items).subspan(static_cast<std::size_t>(begin[c]),
+                                    static_cast<std::size_t>(begin[c + 1] - begin[c]));
   }
   [[nodiscard]] const CliqueLists& cliquesOf(int carrier) const {
     return cliqueSets[static_cast<std::size_t>(cliqueSet[static_cast<std::size_t>(carrier)])];

@@ -69,11 +69,13 @@ void forEachReachable(const ControlMesh& mesh, const Refinement& refinement, con
   const float n = static_cast<float>(refinement.depth);
 
   for (int v = 0; v < refinement.controlVertices; ++v) {
-    if (gather(v, v, 1)) visit(CarriedVertex{v, v, {v, v, v}, {1.0f, 0.0f, 0.0f}}, std::span<const CarrierCandidate>(near));
+    if (gather(v, v, 1))
+      visit(CarriedVertex{v, v, {v, v, v}, {1.0f, 0.0f, 0.0f}}, std::span<const CarrierCandidate>(near));
   }
   for (int e = 0; e < refinement.controlEdges; ++e) {
     const int carrier = refinement.controlVertices + e;
-    if (refinement.edgeVertices == 0 || !gather(carrier, refinement.edgeVertex(e, 1), refinement.edgeVertices)) continue;
+    if (refinement.edgeVertices == 0 || !gather(carrier, refinement.edgeVertex(e, 1), refinement.edgeVertices))
+      continue;
     const auto& ends = mesh.edges[static_cast<std::size_t>(e)].vertices;
     for (int step = 1; step < refinement.depth; ++step) {
       const float w = static_cast<float>(step) / n;
@@ -86,7 +88,9 @@ void forEachReachable(const ControlMesh& mesh, const Refinement& refinement, con
     if (!gather(carrier, refinement.interiorVertex(t, 0), refinement.interiorVertices)) continue;
     for (int i = 0; i < refinement.interiorVertices; ++i) {
       const auto& [j, k] = refinement.interior[static_cast<std::size_t>(i)];
-      visit(CarriedVertex{refinement.interiorVertex(t, i), carrier, mesh.triangles[static_cast<std::size_t>(t)].vertices,
+      visit(CarriedVertex{refinement.interiorVertex(t, i),
+                          carrier,
+                          mesh.triangles[static_cast<std::size_t>(t)].vertices,
                           {static_cast<float>(refinement.depth - j - k) / n, static_cast<float>(j) / n,
                            static_cast<float>(k) / n}},
             std::span<const CarrierCandidate>(near));

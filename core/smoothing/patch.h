@@ -18,8 +18,9 @@ struct PatchPoint {
 };
 
 /// Fills all refined vertices from skinned control vertices.
-/// pn: cubic position, quadratic normal (Vlachos et al. 2001). phong: Boubekeur & Alexa 2008, alpha 3/4. spherigon: Volino &
-/// Magnenat-Thalmann 1998, corner weights squared. flat: barycentric; for all but pn the normal is barycentric too.
+/// pn: cubic position, quadratic normal (Vlachos et al. 2001). phong: Boubekeur & Alexa 2008, alpha 3/4. spherigon:
+/// Volino & Magnenat-Thalmann 1998, corner weights squared. flat: barycentric; for all but pn the normal is barycentric
+/// too.
 /// @param positions, normals [V] world, normals unit.  @param outPositions, outNormals [V'] world, normals unit.
 void evaluatePatches(PatchKind kind, const ControlMesh& mesh, const Refinement& refinement,
                      std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,

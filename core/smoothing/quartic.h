@@ -1,4 +1,5 @@
-#pragma once  // core/smoothing/quartic.h: quartics on [0, 1] in Bernstein form: first roots, isolated or in closed form.
+#pragma once  // core/smoothing/quartic.h: quartics on [0, 1] in Bernstein form: first roots, isolated or in closed
+              // form.
 
 #include <array>
 #include <cstdint>
@@ -7,8 +8,8 @@
 
 namespace sinew {
 
-/// sum b_i B_i^4(u), u in [0, 1]. Products of quadratics are exact and stable in this form, and its sign changes bound the
-/// number of roots (Descartes' rule in Bernstein form; Farouki & Rajan 1987).
+/// sum b_i B_i^4(u), u in [0, 1]. Products of quadratics are exact and stable in this form, and its sign changes bound
+/// the number of roots (Descartes' rule in Bernstein form; Farouki & Rajan 1987).
 struct Quartic {
   std::array<double, 5> b{};
 
@@ -24,8 +25,8 @@ struct Quartic {
 /// secant step (paper 4.2: "less than eight steps are necessary").
 enum class BracketSolver { kNewton, kBisection };
 
-/// First u in [from, 1] at which q, positive before, becomes <= 0: by subdivision until one sign change is left, then by
-/// `solver`. q(from) <= 0 gives `from`. A touch without crossing may be passed over.
+/// First u in [from, 1] at which q, positive before, becomes <= 0: by subdivision until one sign change is left, then
+/// by `solver`. q(from) <= 0 gives `from`. A touch without crossing may be passed over.
 /// @param evaluations if not null, the values and halvings of q that it took are added.
 [[nodiscard]] std::optional<double> firstFallIsolated(const Quartic& q, double from, double tolerance,
                                                       BracketSolver solver = BracketSolver::kNewton,

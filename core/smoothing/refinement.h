@@ -31,9 +31,11 @@ struct Refinement {
   // As drawn and exported: refined vertices split per wedge.
   std::vector<int> drawVertex;                       ///< [D] refined vertex of each drawn vertex; the W wedges first.
   std::vector<glm::vec2> drawUv;                     ///< [D] barycentric in the parent's wedges (paper 5).
-  std::vector<std::array<std::uint32_t, 3>> drawTriangles;  ///< [T n^2] into the drawn vertices, same order as triangles.
+  std::vector<std::array<std::uint32_t, 3>>
+      drawTriangles;               ///< [T n^2] into the drawn vertices, same order as triangles.
   std::vector<DrawnRun> drawRuns;  ///< In order of `first`; none for n = 1.
-  std::vector<int> drawInterior;   ///< [T] first drawn vertex inside; the others follow, as refined ones do. None for n < 3.
+  std::vector<int>
+      drawInterior;  ///< [T] first drawn vertex inside; the others follow, as refined ones do. None for n < 3.
 
   [[nodiscard]] int edgeVertex(int edge, int step) const {  ///< step 1..n-1 from the edge's smaller vertex.
     return controlVertices + edge * edgeVertices + step - 1;

@@ -9,10 +9,11 @@
 
 namespace sinew {
 
-// Where the paper takes one root or none, several are laid over each other: along the ray, each stretch with F > T counts
-// by its prominence, the largest F - T in it, from 0 at 0 to all at a quarter of T; what weight is left goes to the next
-// stretch, then (from outside) to the ray along the normal, then to the patch. A stretch that vanishes as primitives move
-// has faded out by then, and one that appears fades in: nothing pops. Prominent stretches give the paper's result exactly.
+// Where the paper takes one root or none, several are laid over each other: along the ray, each stretch with F > T
+// counts by its prominence, the largest F - T in it, from 0 at 0 to all at a quarter of T; what weight is left goes to
+// the next stretch, then (from outside) to the ray along the normal, then to the patch. A stretch that vanishes as
+// primitives move has faded out by then, and one that appears fades in: nothing pops. Prominent stretches give the
+// paper's result exactly.
 
 /// Constants of one character and rig.
 struct ReplaceSettings {
@@ -29,8 +30,9 @@ struct FlatVertices {
   std::span<const glm::vec3> anchors;    ///< [V'] world. Analytic projection does not look at them.
 };
 
-/// omega at the control vertices (paper 3.3), from the bind pose: 1 where the vertex is inside the region of influence and
-/// its projection exists within the search length, else 0. @param flat of the bind pose; its first V entries are read.
+/// omega at the control vertices (paper 3.3), from the bind pose: 1 where the vertex is inside the region of influence
+/// and its projection exists within the search length, else 0. @param flat of the bind pose; its first V entries are
+/// read.
 [[nodiscard]] std::vector<float> implicitWeights(const ControlMesh& mesh, const FieldView& bindField,
                                                  const ReplaceSettings& settings, const FlatVertices& flat);
 

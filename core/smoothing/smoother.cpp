@@ -22,7 +22,7 @@
 namespace sinew {
 namespace {
 
-constexpr double kRootTolerance = 1e-6;           ///< Fraction of H: a hundredth of the agreement docs/design.md promises.
+constexpr double kRootTolerance = 1e-6;  ///< Fraction of H: a hundredth of the agreement docs/design.md promises.
 constexpr float kSearchLength = 0.2f;             ///< L of `replace`, fraction of H.
 constexpr std::int64_t kMaxRefinedVertices = 32'000'000;  ///< About 2 GiB with all that is kept per vertex.
 
@@ -179,7 +179,8 @@ struct Smoother::State {
     }
     evaluate(PatchKind::kFlat, *p.refinement, skinned, flatPositions, flatNormals);
     poseAnchors(p.anchors, pose, anchorsInWorld);
-    replace(mesh(), field, replaceSettings(p.rig, *character), {flatPositions, flatNormals, anchorsInWorld}, p.omega, out);
+    replace(mesh(), field, replaceSettings(p.rig, *character), {flatPositions, flatNormals, anchorsInWorld}, p.omega,
+            out);
   }
 
   void startReport(Surface& out) const {

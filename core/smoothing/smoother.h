@@ -27,7 +27,8 @@ class Smoother {
   [[nodiscard]] Result<void> prepare(const Rig& rig);
 
   /// Fills `out` for a pose of this skeleton. prepare() must have succeeded once. Reuses the output's memory.
-  /// @param eye  world; if given, control triangles it cannot see stay on their patches and are marked in Surface::culled
+  /// @param eye  world; if given, control triangles it cannot see stay on their patches and are marked in
+  /// Surface::culled
   ///             (face_culling.h): for a picture from there alone, never for shadows or export.
   void smooth(const Pose& pose, Surface& out, const std::optional<glm::vec3>& eye = std::nullopt);
 

@@ -10,7 +10,8 @@
 
 namespace sinew {
 
-/// Class of a control triangle (paper 3). In `swell`, which has no classes of its own, by the region of influence alone.
+/// Class of a control triangle (paper 3). In `swell`, which has no classes of its own, by the region of influence
+/// alone.
 enum class TriangleClass : std::uint8_t { kNormal, kStraddling, kImplicit };
 
 /// Seconds of the last smoothing, by stage.

@@ -9,7 +9,8 @@
 namespace sinew {
 namespace {
 
-/// f_skin(s) = g(max(0, s/W + r_T)), s along the patch normal: T on the skin, 0 from s = h on, 1 from s = -r_T W inwards.
+/// f_skin(s) = g(max(0, s/W + r_T)), s along the patch normal: T on the skin, 0 from s = h on, 1 from s = -r_T W
+/// inwards.
 struct SkinField {
   double isoRadius;  ///< r_T
   double width;      ///< W = h / (1 - r_T)
@@ -111,8 +112,9 @@ class Sweller {
 void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, Surface& surface) {
   Sweller sweller(field, settings, surface);
   // Only what reaches the patch itself moves it: no margin.
-  forEachReachable(mesh, *surface.refinement, field, surface.positions, 0.0f,
-                   [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) { sweller.move(vertex, near); });
+  forEachReachable(
+      mesh, *surface.refinement, field, surface.positions, 0.0f,
+      [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) { sweller.move(vertex, near); });
   surface.report.evaluations = sweller.evaluations();
 }
 

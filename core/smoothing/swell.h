@@ -1,4 +1,5 @@
-#pragma once  // core/smoothing/swell.h: the default mode: skin rises over the muscles along the patch normal. docs/design.md.
+#pragma once  // core/smoothing/swell.h: the default mode: skin rises over the muscles along the patch normal.
+              // docs/design.md.
 
 #include "core/mesh/control_mesh.h"
 #include "core/rig/rig.h"

@@ -13,7 +13,8 @@ using Links = std::vector<std::array<int, 2>>;
 
 std::vector<std::vector<int>> cliquesByBruteForce(int count, const Links& links) {
   const auto linked = [&](int a, int b) {
-    return std::ranges::any_of(links, [&](const auto& l) { return (l[0] == a && l[1] == b) || (l[0] == b && l[1] == a); });
+    return std::ranges::any_of(links,
+                               [&](const auto& l) { return (l[0] == a && l[1] == b) || (l[0] == b && l[1] == a); });
   };
   const auto isClique = [&](unsigned set) {
     for (int a = 0; a < count; ++a) {
@@ -87,7 +88,9 @@ TEST(CliquesAmong, EqualsTheCliquesOfTheInducedGraph) {
       if (random() % 2) present.push_back(a);
     }
     Links inner;
-    const auto position = [&](int group) { return static_cast<int>(std::ranges::find(present, group) - present.begin()); };
+    const auto position = [&](int group) {
+      return static_cast<int>(std::ranges::find(present, group) - present.begin());
+    };
     for (const auto& [a, b] : links) {
       if (std::ranges::count(present, a) && std::ranges::count(present, b)) inner.push_back({position(a), position(b)});
     }

@@ -85,7 +85,8 @@ TEST(Skinning, CreasedWedgesTurnWithTheirVertices) {
     for (std::size_t i = 0; i < 3; ++i) p[i] = skinned.positions[static_cast<std::size_t>(triangle.vertices[i])];
     const glm::vec3 face = glm::normalize(glm::cross(p[1] - p[0], p[2] - p[0]));
     const bool rigid = std::ranges::all_of(triangle.vertices, [&](int v) {
-      return sharp.positions[static_cast<std::size_t>(v)].y == sharp.positions[static_cast<std::size_t>(triangle.vertices[0])].y;
+      return sharp.positions[static_cast<std::size_t>(v)].y ==
+             sharp.positions[static_cast<std::size_t>(triangle.vertices[0])].y;
     });
     for (const int wedge : triangle.wedges) {
       const glm::vec3 normal = normals[static_cast<std::size_t>(wedge)];

@@ -79,7 +79,8 @@ TEST_F(Program, InspectOfBadFilesIsStatus1AndOneLine) {
   ASSERT_TRUE(writeFileAtomically(folder_ / "lone.rig.json",
                                   R"({"format": "sinew-rig", "version": 1, "character": "gone.glb"})").ok());
   std::filesystem::create_directory(folder_ / "folder.glb");
-  for (const char* file : {"absent.glb", "empty.glb", "text.gltf", "bad.rig.json", "lone.rig.json", "folder.glb", "two\nlines.glb", ""}) {
+  for (const char* file :
+       {"absent.glb", "empty.glb", "text.gltf", "bad.rig.json", "lone.rig.json", "folder.glb", "two\nlines.glb", ""}) {
     const auto result = run({"inspect", file});
     EXPECT_EQ(result.status, 1) << file << '\n' << result.error;
     EXPECT_TRUE(result.oneErrorLine()) << file << '\n' << result.error;

@@ -36,7 +36,8 @@ class Program : public ::testing::Test {
   [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const {
     const std::string out = (folder_ / "stdout").string();
     const std::string error = (folder_ / "stderr").string();
-    std::string command = "cd " + quoted(folder_.string()) + " && env -u DISPLAY -u WAYLAND_DISPLAY " + quoted(SINEW_PROGRAM);
+    std::string command =
+        "cd " + quoted(folder_.string()) + " && env -u DISPLAY -u WAYLAND_DISPLAY " + quoted(SINEW_PROGRAM);
     for (const std::string& argument : arguments) command += ' ' + quoted(argument);
     command += " >" + quoted(out) + " 2>" + quoted(error) + " </dev/null";
     const int status = std::system(command.c_str());

@@ -43,15 +43,29 @@ TEST_F(RenderVerb, WritesOnePictureAndSaysWhere) {
 }
 
 TEST_F(RenderVerb, WritesAClipsFramesUnderTheirNumbers) {
-  const Outcome done = run({"render", demo("demo.rig.json"), "--frames", "9:11", "--size", "48x48", "--depth", "1", "-o", "f_%03d.png"});
+  const Outcome done =
+      run({"render", demo("demo.rig.json"), "--frames", "9:11", "--size", "48x48", "--depth", "1", "-o", "f_%03d.png"});
   EXPECT_EQ(done.status, 0) << done.error;
   EXPECT_EQ(done.out, "f_009.png\nf_010.png\nf_011.png\n");
   EXPECT_NE(picture("f_009.png").bytes, picture("f_011.png").bytes);
 }
 
 TEST_F(RenderVerb, TheSameCommandWritesTheSameBytes) {
-  const std::vector<std::string> command{"render", demo("demo.rig.json"), "--view", "-30,12", "--show", "skeleton,primitives,wire",
-                                         "--shading", "clay", "--transparent", "--size", "64x64", "--depth", "2", "-o", "a.png"};
+  const std::vector<std::string> command{"render",
+                                         demo("demo.rig.json"),
+                                         "--view",
+                                         "-30,12",
+                                         "--show",
+                                         "skeleton,primitives,wire",
+                                         "--shading",
+                                         "clay",
+                                         "--transparent",
+                                         "--size",
+                                         "64x64",
+                                         "--depth",
+                                         "2",
+                                         "-o",
+                                         "a.png"};
   ASSERT_EQ(run(command).status, 0);
   const Picture first = picture("a.png");
   EXPECT_EQ(first.channels, 4);
@@ -103,10 +117,19 @@ TEST_F(RenderVerb, BadInputIsOneLineAndNoPicture) {
 }
 
 TEST_F(RenderVerb, AWrongCommandLineIsStatus2) {
-  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--size", "5x5"}, {"--size", "9000x100"}, {"--size", "big"},
-                                                {"--view", "behind"}, {"--view", "10,95"}, {"--shading", "shiny"},
-                                                {"--show", "skeleton,nothing"}, {"--frames", "3:1"}, {"--frames", "0:3"},
-                                                {"--depth", "17"}, {"--samples", "0"}, {"--time", "-1"}, {"--patch", "round"}}) {
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--size", "5x5"},
+                                                {"--size", "9000x100"},
+                                                {"--size", "big"},
+                                                {"--view", "behind"},
+                                                {"--view", "10,95"},
+                                                {"--shading", "shiny"},
+                                                {"--show", "skeleton,nothing"},
+                                                {"--frames", "3:1"},
+                                                {"--frames", "0:3"},
+                                                {"--depth", "17"},
+                                                {"--samples", "0"},
+                                                {"--time", "-1"},
+                                                {"--patch", "round"}}) {
     std::vector<std::string> command{"render", demo("demo.glb"), "-o", "a.png"};
     command.insert(command.end(), wrong.begin(), wrong.end());
     const Outcome refused = run(command);

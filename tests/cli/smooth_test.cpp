@@ -47,8 +47,8 @@ TEST_F(Program, SmoothRefusesARigThatNamesBonesTheCharacterLacks) {
 }
 
 TEST_F(Program, SmoothWritesAClosedSurfaceAndATrueReport) {
-  const auto result = run({"smooth", demo("demo.rig.json"), "--clip", "Walk", "--time", "0.4", "--depth", "4", "-o", "out.obj",
-                           "--report", "report.json"});
+  const auto result = run({"smooth", demo("demo.rig.json"), "--clip", "Walk", "--time", "0.4", "--depth", "4", "-o",
+                           "out.obj", "--report", "report.json"});
   ASSERT_EQ(result.status, 0) << result.error;
   EXPECT_EQ(result.out, "out.obj\n");
   EXPECT_EQ(result.error, "");
@@ -74,8 +74,8 @@ TEST_F(Program, SmoothTakesEverySetting) {
   for (const char* mode : {"swell", "replace"}) {
     for (const char* patch : {"pn", "phong", "spherigon", "flat"}) {
       for (const char* projection : {"newton", "bisection", "analytic"}) {
-        const auto result = run({"smooth", demo("demo.rig.json"), "--mode", mode, "--patch", patch, "--projection", projection,
-                                 "--depth", "2", "-o", "out.ply", "--report", "r.json"});
+        const auto result = run({"smooth", demo("demo.rig.json"), "--mode", mode, "--patch", patch, "--projection",
+                                 projection, "--depth", "2", "-o", "out.ply", "--report", "r.json"});
         ASSERT_EQ(result.status, 0) << result.error;
         const auto report = Json::parse(readWholeFile(folder_ / "r.json", 1 << 20).value());
         ASSERT_TRUE(report.ok());

@@ -89,7 +89,8 @@ TEST(Json, SyntaxErrorsNameBytePlaceAndPath) {
 }
 
 TEST(Json, RefusesWhatIsNoJson) {
-  for (const char* text : {"", " ", "{", "[1,]", "{\"a\":}", "{'a':1}", "[1] 2", "nul", "\"\xff\"", "// c\n1", "[01]", "+1"}) {
+  for (const char* text :
+       {"", " ", "{", "[1,]", "{\"a\":}", "{'a':1}", "[1] 2", "nul", "\"\xff\"", "// c\n1", "[01]", "+1"}) {
     EXPECT_FALSE(Json::parse(text).ok()) << text;
   }
 }

@@ -137,8 +137,9 @@ TEST(RigJson, UnknownKeysOfAllLevelsAreWrittenBackDigitForDigit) {
   const auto rig = loadRig(dataFile("v1-full.rig.json"));
   ASSERT_TRUE(rig.ok());
   const std::string text = rigToJson(rig.value());
-  for (const char* kept : {R"("x-shade": "matte")", R"("on": true)", R"("levels": [1, 2.50, 3])", R"("x-color": "#ff8800")",
-                           R"("x-locked": true)", R"("big": 123456789012345678901234567890)", "Käthe"}) {
+  for (const char* kept :
+       {R"("x-shade": "matte")", R"("on": true)", R"("levels": [1, 2.50, 3])", R"("x-color": "#ff8800")",
+        R"("x-locked": true)", R"("big": 123456789012345678901234567890)", "Käthe"}) {
     EXPECT_NE(text.find(kept), std::string::npos) << kept << '\n' << text;
   }
   EXPECT_EQ(rigToJson(rigFromJson(text).value()), text);
@@ -187,16 +188,20 @@ INSTANTIATE_TEST_SUITE_P(
         BadRig{"\"replace\"", "\"melt\"", "surface.mode", "expected \"swell\" or \"replace\", got \"melt\""},
         BadRig{"\"iso\": 0.3", "\"iso\": 1", "surface.iso", "from 0.001 to 0.999"},
         BadRig{"\"iso\": 0.3", "\"iso\": null", "surface.iso", "expected a number, got null"},
-        BadRig{"\"skin_blend\": 0.05", "\"skin_blend\": 0", "surface.skin_blend", "expected a number > 0 and at most 10, got 0"},
+        BadRig{"\"skin_blend\": 0.05", "\"skin_blend\": 0", "surface.skin_blend",
+               "expected a number > 0 and at most 10, got 0"},
         BadRig{"\"depth\": 5", "\"depth\": 17", "smoothing.depth", "from 1 to 16, got 17"},
         BadRig{"\"depth\": 5", "\"depth\": 2.5", "smoothing.depth", "from 1 to 16, got 2.5"},
         BadRig{"\"depth\": 5", "\"depth\": 99999999999", "smoothing.depth", "got 99999999999"},
         BadRig{"\"phong\"", "3", "smoothing.patch", "got 3"},
         BadRig{"\"bisection\"", "\"magic\"", "smoothing.projection", "got \"magic\""},
-        BadRig{"\"bisection\"", "\"newton\", \"crease_angle\": 181", "smoothing.crease_angle", "from 0 to 180, got 181"},
+        BadRig{"\"bisection\"", "\"newton\", \"crease_angle\": 181", "smoothing.crease_angle",
+               "from 0 to 180, got 181"},
         BadRig{"\"bisection\"", "\"newton\", \"crease_angle\": -1", "smoothing.crease_angle", "from 0 to 180, got -1"},
-        BadRig{"\"bisection\"", "\"newton\", \"crease_angle\": \"30\"", "smoothing.crease_angle", "a number, got \"30\""},
-        BadRig{"\"bisection\"", "\"newton\", \"auto_depth\": 1", "smoothing.auto_depth", "expected true or false, got 1"},
+        BadRig{"\"bisection\"", "\"newton\", \"crease_angle\": \"30\"", "smoothing.crease_angle",
+               "a number, got \"30\""},
+        BadRig{"\"bisection\"", "\"newton\", \"auto_depth\": 1", "smoothing.auto_depth",
+               "expected true or false, got 1"},
         BadRig{"\"bisection\"", "\"newton\", \"auto_depth\": \"true\"", "smoothing.auto_depth", "got \"true\""},
         BadRig{"{ \"name\": \"torso\" }", "\"torso\"", "groups[1]", "expected an object, got \"torso\""},
         BadRig{"{ \"name\": \"torso\" }", "{}", "groups[1].name", "the key is missing"},
@@ -290,13 +295,15 @@ TEST_F(RigFiles, CharacterPathsComeBackToTheSameFile) {
   fs::create_directories(folder_ / "models");
   std::ofstream(folder_ / "models/fox.glb") << "fox";
   fs::create_directory_symlink(folder_ / "rigs/deep", folder_ / "short");
-  for (const char* place : {"a.rig.json", "models/a.rig.json", "rigs/a.rig.json", "rigs/deep/a.rig.json", "short/a.rig.json"}) {
+  for (const char* place :
+       {"a.rig.json", "models/a.rig.json", "rigs/a.rig.json", "rigs/deep/a.rig.json", "short/a.rig.json"}) {
     const fs::path rigFile = folder_ / place;
     Rig rig;
     rig.character = relativeCharacterPath(folder_ / "models/fox.glb", rigFile);
     EXPECT_FALSE(fs::path(rig.character).is_absolute()) << rig.character;
     std::error_code failed;
-    EXPECT_TRUE(fs::equivalent(characterPath(rig, rigFile), folder_ / "models/fox.glb", failed)) << place << ' ' << rig.character;
+    EXPECT_TRUE(fs::equivalent(characterPath(rig, rigFile), folder_ / "models/fox.glb", failed))
+        << place << ' ' << rig.character;
   }
   EXPECT_EQ(relativeCharacterPath(folder_ / "models/fox.glb", folder_ / "models/a.rig.json"), "fox.glb");
   Rig absolute;

@@ -37,7 +37,8 @@ std::shared_ptr<const Character> twoMaterialTube() {
   character.materials[0].baseColorTexture = 1;
   character.materials[2].baseColor = {0.5f, 0.25f, 1.0f, 0.5f};
   character.materials[2].alphaMode = AlphaMode::kBlend;
-  for (std::size_t t = 0; t < character.mesh.triangles.size(); ++t) character.mesh.triangles[t].material = t % 3 == 0 ? 2 : 0;
+  for (std::size_t t = 0; t < character.mesh.triangles.size(); ++t)
+    character.mesh.triangles[t].material = t % 3 == 0 ? 2 : 0;
   return std::make_shared<const Character>(std::move(character));
 }
 

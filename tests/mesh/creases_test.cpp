@@ -152,8 +152,9 @@ TEST(Creases, RoundMeshesStayAsTheyAre) {
 
 TEST(Creases, ACreaseThatEndsInTheMeshSplitsNothingAtItsEnd) {
   // A fold from the left border to the middle; to the right of it the sheet is one smooth fan.
-  const ControlMesh fold = meshOf({{0, 0, 0}, {-1, 0, 0}, {-0.3f, -1, -1}, {-0.3f, 1, -1}, {1, -1, -0.3f}, {1, 1, -0.3f}},
-                                  {{0, 1, 2}, {0, 3, 1}, {0, 2, 4}, {0, 4, 5}, {0, 5, 3}});
+  const ControlMesh fold =
+      meshOf({{0, 0, 0}, {-1, 0, 0}, {-0.3f, -1, -1}, {-0.3f, 1, -1}, {1, -1, -0.3f}, {1, 1, -0.3f}},
+             {{0, 1, 2}, {0, 3, 1}, {0, 2, 4}, {0, 4, 5}, {0, 5, 3}});
   const ControlMesh sharp = creased(fold, 75.0f);
   ASSERT_TRUE(hasCreases(sharp));
   for (const Wedge& wedge : sharp.wedges) EXPECT_EQ(wedge.creased, wedge.vertex == 1) << wedge.vertex;

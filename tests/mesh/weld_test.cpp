@@ -257,7 +257,8 @@ TEST(Weld, CrowdsInOnePlaceAreNoTrouble) {
   }
 }
 
-/// Three sheets of different bones along one edge: no edge of the bound mesh has more than one triangle, the shape does.
+/// Three sheets of different bones along one edge: no edge of the bound mesh has more than one triangle, the shape
+/// does.
 TEST(JoinedByPosition, ShowsWherePartsOfDifferentBonesMeet) {
   TriangleSoup soup;
   for (int sheet = 0; sheet < 3; ++sheet) {

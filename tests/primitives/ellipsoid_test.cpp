@@ -17,7 +17,8 @@ TEST(Potential, HasTheDefinedValuesAndSlope) {
   EXPECT_EQ(potential(1.0f), 0.0f);
   EXPECT_EQ(potential(4.0f), 0.0f);
   for (float q = 0.0f; q < 1.2f; q += 0.01f) {
-    const float numeric = (potential(q + 1e-3f) - potential(std::max(q - 1e-3f, 0.0f))) / (q < 1e-3f ? 1e-3f + q : 2e-3f);
+    const float numeric =
+        (potential(q + 1e-3f) - potential(std::max(q - 1e-3f, 0.0f))) / (q < 1e-3f ? 1e-3f + q : 2e-3f);
     EXPECT_NEAR(potentialSlope(q), numeric, 5e-3f) << q;
   }
 }
@@ -41,7 +42,8 @@ TEST(UnitBallMap, TakesTheInfluenceSurfaceToTheUnitSphereUnderAnyBone) {
     placement.rotation = glm::normalize(glm::quat(unit(random), unit(random), unit(random), 1.1f));
     placement.radii = glm::vec3(1.5f) + glm::vec3(unit(random), unit(random), unit(random));
     glm::mat4 bone = glm::translate(glm::mat4(1.0f), 20.0f * glm::vec3(unit(random), unit(random), unit(random)));
-    bone = glm::scale(glm::rotate(bone, 3.0f * unit(random), glm::vec3(1, 2, 3)), {0.1f, 2.0f, 1.0f + unit(random) * 0.9f});
+    bone = glm::scale(glm::rotate(bone, 3.0f * unit(random), glm::vec3(1, 2, 3)),
+                      {0.1f, 2.0f, 1.0f + unit(random) * 0.9f});
     const UnitBallMap map = unitBallMap(placement, 1.7f, bone);
     const glm::mat4 shape = shapeInWorld(placement, 1.7f, bone);
     for (int i = 0; i < 10; ++i) {

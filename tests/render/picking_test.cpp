@@ -23,7 +23,8 @@ std::shared_ptr<Character> numbered(const Character& original) {
   for (std::size_t t = 0; t < character->mesh.triangles.size(); ++t) {
     const int number = static_cast<int>(t) + 1;
     Material material;
-    material.baseColor = {linearOf(6 * (number % 40)), linearOf(6 * (number / 40 % 40)), linearOf(6 * (number / 1600)), 1};
+    material.baseColor = {linearOf(6 * (number % 40)), linearOf(6 * (number / 40 % 40)), linearOf(6 * (number / 1600)),
+                          1};
     character->materials.push_back(material);
     character->mesh.triangles[t].material = static_cast<int>(t);
   }
@@ -50,7 +51,8 @@ TEST_F(Drawing, PickingAgreesWithThePictureAtEveryPixel) {
       for (int x = 1; x < 149; ++x) {
         const int shown = triangleShown(image, x, y);
         bool inside = true;  // Away from edges, where rounding may choose either side.
-        for (int near = 0; near < 9; ++near) inside = inside && triangleShown(image, x + near % 3 - 1, y + near / 3 - 1) == shown;
+        for (int near = 0; near < 9; ++near)
+          inside = inside && triangleShown(image, x + near % 3 - 1, y + near / 3 - 1) == shown;
         if (!inside) continue;
         const Ray ray = view.rayThrough({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
         const auto hit = app::pickSurface(ray, moment.surface, character->mesh, character->materials);
@@ -113,7 +115,8 @@ TEST(PickPrimitive, MatchesASearchAlongTheRay) {
       const glm::vec3 axis = glm::normalize(glm::vec3(any(random), any(random), 1.1f));
       glm::mat4 place = glm::translate(glm::mat4(1), glm::vec3(any(random), any(random), any(random)));
       place = glm::rotate(place, 3.0f * any(random), axis);
-      shapes[i].unitBallInWorld = glm::scale(place, glm::vec3(0.6f + 0.4f * any(random), 0.4f, 0.7f + 0.5f * any(random)));
+      shapes[i].unitBallInWorld =
+          glm::scale(place, glm::vec3(0.6f + 0.4f * any(random), 0.4f, 0.7f + 0.5f * any(random)));
       shapes[i].rigIndex = 10 + static_cast<int>(i);
     }
     const glm::vec3 origin = 6.0f * glm::normalize(glm::vec3(any(random), any(random), 1.2f));
@@ -167,7 +170,8 @@ TEST(PickBone, FindsTheBoneUnderThePixel) {
     EXPECT_LE(hit->pixels, 1.5f);
   }
   for (std::size_t i = 0; i < body->skeleton.bones.size(); ++i) {  // On a joint: the bone that starts there.
-    const auto hit = app::pickBone(glm::vec2(view.toPixel(glm::vec3(pose.boneInWorld[i][3]))), view, body->skeleton, pose, 4.0f);
+    const auto hit =
+        app::pickBone(glm::vec2(view.toPixel(glm::vec3(pose.boneInWorld[i][3]))), view, body->skeleton, pose, 4.0f);
     ASSERT_TRUE(hit);
     EXPECT_EQ(hit->bone, static_cast<int>(i));
   }

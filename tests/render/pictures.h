@@ -56,7 +56,8 @@ struct Moment {
   Surface surface;
 };
 
-inline Moment bindMoment(const std::shared_ptr<const Character>& character, int depth, PatchKind patch = PatchKind::kPn) {
+inline Moment bindMoment(const std::shared_ptr<const Character>& character, int depth,
+                         PatchKind patch = PatchKind::kPn) {
   Moment moment{bindPose(character->skeleton), {}};
   Rig rig;
   rig.smoothing.depth = depth;
@@ -92,7 +93,8 @@ inline float linearOf(int srgb) {
 
 using Pixel = std::array<int, 4>;
 inline Pixel pixelAt(const app::Image& image, int x, int y) {
-  const std::size_t at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+  const std::size_t at =
+      4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
   return {image.rgba[at], image.rgba[at + 1], image.rgba[at + 2], image.rgba[at + 3]};
 }
 
@@ -123,7 +125,8 @@ inline app::View viewOfQuad(float yaw = 0.0f, int size = 64) {
   return app::framedView(Bounds{glm::vec3(-1, -1, 0), glm::vec3(1, 1, 0)}, yaw, 0.0f, {size, size}, false, 0.25f);
 }
 
-inline app::Image drawBare(const std::shared_ptr<Character>& character, app::Viewport& viewport, const app::View& view) {
+inline app::Image drawBare(const std::shared_ptr<Character>& character, app::Viewport& viewport,
+                           const app::View& view) {
   const Moment moment = bindMoment(character, 1, PatchKind::kFlat);
   viewport.draw(sceneOf(*character, moment), view, bareColors());
   return viewport.readPixels();

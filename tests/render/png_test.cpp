@@ -14,7 +14,8 @@ namespace {
 app::Image gradient(int alpha) {
   app::Image image{37, 21, {}};
   for (int i = 0; i < 37 * 21; ++i) {
-    for (const int value : {i % 256, i / 3 % 256, 255 - i % 256, alpha}) image.rgba.push_back(static_cast<std::uint8_t>(value));
+    for (const int value : {i % 256, i / 3 % 256, 255 - i % 256, alpha})
+      image.rgba.push_back(static_cast<std::uint8_t>(value));
   }
   return image;
 }
@@ -25,8 +26,8 @@ TEST(Png, ReadsBackAsItWas) {
     const auto bytes = app::pngBytes(image);
     ASSERT_TRUE(bytes.ok());
     int width = 0, height = 0, channels = 0;
-    stbi_uc* read = stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes->data()), static_cast<int>(bytes->size()),
-                                          &width, &height, &channels, 4);
+    stbi_uc* read = stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes->data()),
+                                          static_cast<int>(bytes->size()), &width, &height, &channels, 4);
     ASSERT_NE(read, nullptr);
     EXPECT_EQ(width, 37);
     EXPECT_EQ(height, 21);
@@ -44,7 +45,8 @@ TEST(HeatScale, RunsThroughItsStopsWithoutJumps) {
   }
   EXPECT_EQ(app::heatColor(-7.0f), stops.front());
   EXPECT_EQ(app::heatColor(7.0f), stops.back());
-  for (float x = -1.0f; x < 1.0f; x += 0.001f) EXPECT_LT(glm::distance(app::heatColor(x), app::heatColor(x + 0.001f)), 0.005f);
+  for (float x = -1.0f; x < 1.0f; x += 0.001f)
+    EXPECT_LT(glm::distance(app::heatColor(x), app::heatColor(x + 0.001f)), 0.005f);
 }
 
 }  // namespace

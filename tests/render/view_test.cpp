@@ -24,7 +24,9 @@ class Views : public ::testing::TestWithParam<bool> {
     for (int i = 0; i < 40; ++i) points.push_back(middle + point(size) * glm::vec3(1.0f, 0.6f, 0.2f));
     return points;
   }
-  glm::ivec2 pictureSize() { return {100 + static_cast<int>(between(0, 900)), 100 + static_cast<int>(between(0, 900))}; }
+  glm::ivec2 pictureSize() {
+    return {100 + static_cast<int>(between(0, 900)), 100 + static_cast<int>(between(0, 900))};
+  }
 
   std::mt19937 random_{20};
 };
@@ -83,7 +85,9 @@ TEST_P(Views, FramingHoldsEverythingAndNoMore) {
 
 TEST_P(Views, FrontLeftAndTopAreWhereTheyShouldBe) {
   const Bounds box{glm::vec3(-1), glm::vec3(1)};
-  const auto forward = [&](float yaw, float pitch) { return app::framedView(box, yaw, pitch, {100, 80}, GetParam()).forwardInWorld(); };
+  const auto forward = [&](float yaw, float pitch) {
+    return app::framedView(box, yaw, pitch, {100, 80}, GetParam()).forwardInWorld();
+  };
   EXPECT_LT(glm::distance(forward(0, 0), glm::vec3(0, 0, -1)), 1e-5f);
   EXPECT_LT(glm::distance(forward(1.5707963f, 0), glm::vec3(-1, 0, 0)), 1e-5f);
   EXPECT_LT(glm::distance(forward(0, 1.5707963f), glm::vec3(0, -1, 0)), 1e-5f);

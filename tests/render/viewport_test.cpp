@@ -55,7 +55,9 @@ TEST_F(Drawing, TexturesStandUpright) {
   quad->materials[0].baseColorTexture = 0;
   Texture corners = plainTexture(0, 0, 0, 255);
   corners.nearest = true;
-  const auto paint = [&](std::size_t x, std::size_t y, std::size_t channel) { corners.rgba[4 * (4 * y + x) + channel] = 255; };
+  const auto paint = [&](std::size_t x, std::size_t y, std::size_t channel) {
+    corners.rgba[4 * (4 * y + x) + channel] = 255;
+  };
   paint(0, 0, 0);  // Red at the top left, green at the top right, blue at the bottom left.
   paint(3, 0, 1);
   paint(0, 3, 2);
@@ -94,7 +96,8 @@ TEST_F(Drawing, AlphaModesMaskAndBlend) {
 
 TEST_F(Drawing, SamplesSoftenEdgesWithoutDarkeningThem) {
   const auto quad = makeQuad();
-  const View view = app::framedView(Bounds{glm::vec3(-1, -1, 0), glm::vec3(1, 1, 0)}, 0.4f, 0.3f, {64, 64}, false, 0.2f);
+  const View view =
+      app::framedView(Bounds{glm::vec3(-1, -1, 0), glm::vec3(1, 1, 0)}, 0.4f, 0.3f, {64, 64}, false, 0.2f);
   const auto partial = [&](int samples) {
     int count = 0;
     const Image image = drawBare(quad, *viewportFor(*quad, samples), view);

@@ -56,7 +56,8 @@ std::optional<Rig> randomEdit(test::Random& random, const Rig& rig) {
     case 1: return value(addGroup(rig, name));
     case 2: return removePrimitives(rig, several);
     case 3: return duplicatePrimitives(rig, several);
-    case 4: return value(setPlacement(rig, index(random, n), {{some(), some(), some()}, random.rotation(), {some(), 1, 1}}));
+    case 4:
+      return value(setPlacement(rig, index(random, n), {{some(), some(), some()}, random.rotation(), {some(), 1, 1}}));
     case 5: return value(setReach(rig, index(random, n), some()));
     case 6: return value(setSign(rig, index(random, n), random.below(3) - 1));
     case 7: return value(renamePrimitive(rig, index(random, n), name));
@@ -64,7 +65,8 @@ std::optional<Rig> randomEdit(test::Random& random, const Rig& rig) {
     case 9: return value(renameGroup(rig, index(random, rig.groups.size()), name));
     case 10: return value(removeGroup(rig, index(random, rig.groups.size())));
     case 11:
-      return value(setLink(rig, index(random, rig.groups.size()), index(random, rig.groups.size()), random.chance(0.6f)));
+      return value(
+          setLink(rig, index(random, rig.groups.size()), index(random, rig.groups.size()), random.chance(0.6f)));
     case 12: return clearMirror(rig, index(random, n));
     default: break;
   }
@@ -89,7 +91,8 @@ TEST(RigEdit, AnySequenceOfEditsKeepsTheRigValidAndItsInputUntouched) {
       const auto valid = validate(*edited);
       ASSERT_TRUE(valid.ok()) << "seed " << seed << " step " << step << ": " << valid.error().text();
       rig = *edited;
-      if (rig.primitives.size() > 40) rig = removePrimitives(rig, std::vector<int>{0, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21});
+      if (rig.primitives.size() > 40)
+        rig = removePrimitives(rig, std::vector<int>{0, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21});
     }
     EXPECT_GT(refused, 0) << "the bad arguments never came";
   }
@@ -197,7 +200,8 @@ TEST(RigEdit, SettingsAreChecked) {
   smoothing.depth = 16;
   EXPECT_EQ(setSmoothing(sample(), smoothing)->smoothing.depth, 16);
   EXPECT_EQ(setReach(sample(), 1, kNan).error().text(), "primitives[1].reach: expected a number > 1, got NaN");
-  EXPECT_EQ(setPlacement(sample(), 2, {{0, kNan, 0}, {1, 0, 0, 0}, {1, 1, 1}}).error().place, "primitives[2].center[1]");
+  EXPECT_EQ(setPlacement(sample(), 2, {{0, kNan, 0}, {1, 0, 0, 0}, {1, 1, 1}}).error().place,
+            "primitives[2].center[1]");
   EXPECT_EQ(setTerritory(sample(), 0, std::vector<std::string>{"a", ""}).error().place, "primitives[0].territory[1]");
   EXPECT_EQ(setBone(sample(), 0, "", {}).error().place, "primitives[0].bone");
 }
@@ -210,7 +214,8 @@ TEST(RigEdit, TooManyCliquesAreRefused) {
     for (int a = 0; a < 36; ++a) {
       for (int b = a + 1; b < 36; ++b) {
         if (a / 3 == b / 3 && !(wholeThing && a / 3 >= 7)) continue;
-        rig.links.push_back({rig.groups[static_cast<std::size_t>(a)].name, rig.groups[static_cast<std::size_t>(b)].name});
+        rig.links.push_back(
+            {rig.groups[static_cast<std::size_t>(a)].name, rig.groups[static_cast<std::size_t>(b)].name});
       }
     }
   };

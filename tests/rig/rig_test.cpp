@@ -14,7 +14,9 @@ TEST(Rig, EqualityNoticesEveryMember) {
   ASSERT_TRUE(rig == Rig(rig));
   const std::vector<void (*)(Rig&)> changes{
       [](Rig& r) { r.character += 'x'; },
-      [](Rig& r) { r.surface.mode = r.surface.mode == SurfaceMode::kSwell ? SurfaceMode::kReplace : SurfaceMode::kSwell; },
+      [](Rig& r) {
+        r.surface.mode = r.surface.mode == SurfaceMode::kSwell ? SurfaceMode::kReplace : SurfaceMode::kSwell;
+      },
       [](Rig& r) { r.surface.iso *= 0.5f; },
       [](Rig& r) { r.surface.skinBlend *= 0.5f; },
       [](Rig& r) { r.surface.unknownKeys += ' '; },
@@ -27,7 +29,9 @@ TEST(Rig, EqualityNoticesEveryMember) {
       [](Rig& r) { r.smoothing.unknownKeys += ' '; },
       [](Rig& r) { r.groups[0].name += 'x'; },
       [](Rig& r) { r.groups[0].unknownKeys += ' '; },
-      [](Rig& r) { r.links.push_back({"a", "b"}); },
+      [](Rig& r) {
+        r.links.push_back({"a", "b"});
+      },
       [](Rig& r) { r.primitives.pop_back(); },
       [](Rig& r) { r.primitives[0].name += 'x'; },
       [](Rig& r) { r.primitives[0].bone += 'x'; },

@@ -54,7 +54,8 @@ TEST(Validation, CreaseAnglesLieBetween0And180) {
 }
 
 TEST(Validation, NamesMustBeUtf8) {
-  for (const char* good : {"a", "é", "大腿", "\U0001F4AA", "\x01", "\x7f"}) EXPECT_TRUE(validateName(good, "").ok()) << good;
+  for (const char* good : {"a", "é", "大腿", "\U0001F4AA", "\x01", "\x7f"})
+    EXPECT_TRUE(validateName(good, "").ok()) << good;
   // Lone and missing continuations, overlong forms, a surrogate, past the last code point.
   for (const char* bad : {"", "\x80", "a\xff", "\xc3", "\xc0\x80", "\xe0\x80\x80", "\xed\xa0\x80", "\xf0\x80\x80\x80",
                           "\xf4\x90\x80\x80", "\xf8\x88\x80\x80\x80", "\xe5\xa4"}) {

@@ -14,6 +14,7 @@ SOURCES = {".h", ".cpp", ".vert", ".frag", ".geom", ".comp", ".glsl", ".py", ".s
 SCRIPTS_WITHOUT_ENDING = {".ci/run"}
 LEFT_OUT = {".git", "build", "out", ".cache"}
 MAX_LINES = 400
+MAX_COLUMNS = 120
 LONGER = {}  # path: why it is one idea and longer all the same
 WINDOW_AND_GPU = re.compile(r"^(epoxy/|GLFW/|GL/|EGL/|GLES|KHR/|imgui|backends/imgui|misc/)")
 FILE_LIBRARIES = re.compile(r"^(tiny_gltf|tinygltf|nlohmann/|stb)")
@@ -76,6 +77,8 @@ def check_source(path, lines):
             reason = check_include(path, found.group(1)) if found else None
             if reason:
                 yield number, "includes %s: %s" % (found.group(1), reason)
+            if len(line) > MAX_COLUMNS:
+                yield number, "more than %d columns" % MAX_COLUMNS
 
 
 def check_tests(root, paths):

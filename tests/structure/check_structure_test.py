@@ -63,6 +63,10 @@ class Structure(unittest.TestCase):
         self.one("more than 400", core__rig__a_DOT_h=self.header("core/rig/a.h", "\n" * 400))
         self.assertEqual([], self.problems(core__rig__a_DOT_h=self.header("core/rig/a.h", "\n" * 399)))
 
+    def test_a_long_line(self):
+        self.one("more than 120", core__rig__a_DOT_h=self.header("core/rig/a.h", "// " + "x" * 118 + "\n"))
+        self.assertEqual([], self.problems(core__rig__a_DOT_h=self.header("core/rig/a.h", "// " + "x" * 117 + "\n")))
+
     def test_a_test_no_one_runs(self):
         self.one("names 'attic'", tests__attic__a_test_DOT_cpp="// tests/attic/a_test.cpp: x\n")
         self.one("names 'a_test.py'", tests__mesh__a_test_DOT_py="# tests/mesh/a_test.py: x\n")

@@ -1,7 +1,8 @@
 #pragma once  // tests/support/oracle.h: what every refined vertex should be, in double, by brute force.
 //
-// Written from docs/design.md, docs/field.md and the paper alone. It shares no code with the smoothing: own skinning, patches, field,
-// anchors and root search (thousands of samples and halving). Slow on purpose; tests ask it about some of the vertices.
+// Written from docs/design.md, docs/field.md and the paper alone. It shares no code with the smoothing: own skinning,
+// patches, field, anchors and root search (thousands of samples and halving). Slow on purpose; tests ask it about some
+// of the vertices.
 
 #include <array>
 #include <vector>

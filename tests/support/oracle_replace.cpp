@@ -1,4 +1,5 @@
-// tests/support/oracle_replace.cpp: the paper's method (docs/design.md, `replace`): anchors, omegas, projection on F = T.
+// tests/support/oracle_replace.cpp: the paper's method (docs/design.md, `replace`): anchors, omegas, projection on F =
+// T.
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,8 @@ double ownShare(double prominence, double iso, double t, double searchLength) {
 /// The largest of nine samples spaced evenly inside a stretch (docs/design.md).
 double prominence(const Function& phi, double from, double to) {
   double most = 0.0;
-  for (int i = 1; i <= kProminenceSamples; ++i) most = std::max(most, phi(from + (to - from) * i / (kProminenceSamples + 1)));
+  for (int i = 1; i <= kProminenceSamples; ++i)
+    most = std::max(most, phi(from + (to - from) * i / (kProminenceSamples + 1)));
   return most;
 }
 
@@ -174,7 +176,9 @@ Answer Oracle::replace(const Site& site) const {
     position = position + layer.share * layer.point;
     normal = normal + layer.share * outward;
     out.weight += omega * layer.share;
-    if (layer.share > 0.0) out.lead = out.lead == 0.0 ? field_.lead(layer.point, weights) : std::min(out.lead, field_.lead(layer.point, weights));
+    if (layer.share > 0.0)
+      out.lead =
+          out.lead == 0.0 ? field_.lead(layer.point, weights) : std::min(out.lead, field_.lead(layer.point, weights));
   }
   out.position = omega * position + (1.0 - out.weight) * out.patch.position;
   out.normal = unitOr(omega * normal + (1.0 - out.weight) * out.patch.normal, out.patch.normal);

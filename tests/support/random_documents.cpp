@@ -75,7 +75,8 @@ Primitive anyPrimitive(Random& random, const Rig& rig) {
   primitive.placement.center = {edgeFloat(random), edgeFloat(random), edgeFloat(random)};
   primitive.placement.rotation = random.rotation();
   primitive.placement.radii = {positiveFloat(random), positiveFloat(random), random.uniform(0.1f, 9.0f)};
-  primitive.reach = std::nextafter(1.0f, 2.0f) + std::abs(random.chance(0.5f) ? random.uniform(0.0f, 3.0f) : anyFloat(random));
+  primitive.reach =
+      std::nextafter(1.0f, 2.0f) + std::abs(random.chance(0.5f) ? random.uniform(0.0f, 3.0f) : anyFloat(random));
   if (!std::isfinite(primitive.reach)) primitive.reach = 2.0f;
   primitive.sign = random.chance(0.8f) ? 1 : -1;
   if (random.chance(0.3f)) {

@@ -1,4 +1,5 @@
-#pragma once  // tests/support/random_documents.h: rigs as files may hold them: any floats, any names, keys from the future.
+#pragma once  // tests/support/random_documents.h: rigs as files may hold them: any floats, any names, keys from the
+              // future.
 
 #include <cstdint>
 

@@ -20,8 +20,8 @@ namespace sinew::test {
 /// Two bones ("root", "end"), clip "bend" (2 s).
 [[nodiscard]] std::shared_ptr<const Character> makeTube();
 
-/// Closed cube, corners at 0 and 1 on every axis, no seam: eight vertices, eight wedges. Bones "root" (the lower four) and
-/// "end" (the upper four), clip "bend" (2 s).
+/// Closed cube, corners at 0 and 1 on every axis, no seam: eight vertices, eight wedges. Bones "root" (the lower four)
+/// and "end" (the upper four), clip "bend" (2 s).
 [[nodiscard]] std::shared_ptr<const Character> makeCube();
 
 }  // namespace sinew::test
