@@ -57,22 +57,6 @@ Pose poseAtTime(const Character& character, const AnimationClip* clip, double ti
                          : samplePose(character.skeleton, *clip, static_cast<float>(time));
 }
 
-std::vector<PrimitiveShape> shapesOf(const Rig& rig, const Skeleton& skeleton, const Pose& pose) {
-  std::vector<PrimitiveShape> shapes;
-  for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
-    const Primitive& primitive = rig.primitives[i];
-    const auto bone = skeleton.findBone(primitive.bone);
-    if (!bone) continue;
-    PrimitiveShape shape;
-    shape.rigIndex = static_cast<int>(i);
-    shape.unitBallInWorld = shapeInWorld(primitive.placement, 1.0f, pose.boneInWorld[static_cast<std::size_t>(*bone)]);
-    shape.reach = primitive.reach;
-    shape.sign = primitive.sign;
-    shapes.push_back(shape);
-  }
-  return shapes;
-}
-
 /// Points that hold all that one moment shows: skin, ellipsoids, and bones where they are drawn.
 void addFramedPoints(const Character& character, const Rig& rig, const Pose& pose, const DisplaySettings& display,
                      std::vector<glm::vec3>& points) {

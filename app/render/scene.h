@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/character/character.h"
+#include "core/rig/rig.h"
 #include "core/skeleton/pose.h"
 #include "core/smoothing/surface.h"
 
@@ -36,6 +37,9 @@ struct PrimitiveShape {
   bool selected = false;
   bool hovered = false;
 };
+
+/// The attached primitives of a rig in a pose, in rig order; unattached ones are left out.
+[[nodiscard]] std::vector<PrimitiveShape> shapesOf(const Rig& rig, const Skeleton& skeleton, const Pose& pose);
 
 /// One moment of a character. Pointers are valid for the call; surface may be null before the first smoothing.
 struct Scene {

@@ -93,18 +93,10 @@ int boneAt(const Character& character, const SkinAnchor& anchor) {
 }
 
 std::vector<PrimitiveShape> primitiveShapes(const Document& document, const Pose& pose) {
-  std::vector<PrimitiveShape> shapes;
-  for (std::size_t i = 0; i < document.rig().primitives.size(); ++i) {
-    const Primitive& primitive = document.rig().primitives[i];
-    const std::optional<int> bone = document.character->skeleton.findBone(primitive.bone);
-    if (!bone) continue;
-    PrimitiveShape shape;
-    shape.rigIndex = static_cast<int>(i);
-    shape.unitBallInWorld = shapeInWorld(primitive.placement, 1.0f, pose.boneInWorld[static_cast<std::size_t>(*bone)]);
-    shape.reach = primitive.reach;
-    shape.sign = primitive.sign;
-    shape.selected = document.selection.contains(primitive.name);
-    shapes.push_back(shape);
+  std::vector<PrimitiveShape> shapes = shapesOf(document.rig(), document.character->skeleton, pose);
+  for (PrimitiveShape& shape : shapes) {
+    shape.selected =
+        document.selection.contains(document.rig().primitives[static_cast<std::size_t>(shape.rigIndex)].name);
   }
   return shapes;
 }

@@ -100,7 +100,10 @@ std::vector<glm::dvec3> faceNormals(const ControlMesh& mesh, const Sides& sides)
 /// Sets of corners; a corner is 3 * triangle + its number there. The smallest corner of a set stands for it.
 class Fans {
  public:
-  explicit Fans(std::size_t corners) : parent_(corners) { std::iota(parent_.begin(), parent_.end(), 0); }
+  explicit Fans(std::size_t corners) {
+    parent_.reserve(corners);
+    for (std::size_t corner = 0; corner < corners; ++corner) parent_.push_back(static_cast<int>(corner));
+  }
 
   [[nodiscard]] int find(int corner) {
     while (parent_[at(corner)] != corner) {
