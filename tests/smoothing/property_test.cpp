@@ -40,7 +40,7 @@ Rig anyRig(const Character& character, std::uint64_t seed) {
 
 TEST(Property, RandomRigsAndPosesStayWhole) {
   const std::vector<CharacterPtr> characters{makeLimb(), makeTwoLegged(), makeTube(), makeStrip()};
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
     const CharacterPtr& character = characters[seed % characters.size()];
     const Rig rig = anyRig(*character, seed);
     Smoother smoother(character);
