@@ -18,6 +18,17 @@ def zoom(editor, button, what, predicate):
     raise driver.Failure("zoomed in vain: " + what)
 
 
+def turn_until(editor, place, what, predicate):
+    """Orbits by unequal steps until it holds: as many triangles may be hidden from one side as from another."""
+    for way in (150, 97, -61, 43):
+        editor.drag(place, (place[0] + way, place[1]))
+        try:
+            return editor.wait_until(what, predicate, 3)
+        except driver.Failure:
+            continue
+    raise driver.Failure("turned in vain: " + what)
+
+
 def depth_follows(t, editor):
     own = editor.state()["depth"]
     editor.click("smoothing/auto")
@@ -37,8 +48,7 @@ def hidden_sides(t, editor):
     state = editor.wait_until("triangles to be culled", lambda s: s["display"]["cull"] and s["culled"] > 0)
     x, y, width, height = state["viewport"]
     low = (x + 0.5 * width, y + height - 30)
-    editor.drag(low, (low[0] + 150, low[1]))
-    turned = editor.wait_until("other triangles from elsewhere", lambda s: s["culled"] not in (0, state["culled"]))
+    turned = turn_until(editor, low, "other triangles from elsewhere", lambda s: s["culled"] not in (0, state["culled"]))
     t.check("looking is no step", turned["document"]["undo"] == 0 and not turned["document"]["modified"])
     editor.click("menu/view")
     editor.click("view/cull")
