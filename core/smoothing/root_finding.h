@@ -13,9 +13,8 @@ namespace sinew {
 /// - newton: phi is a quartic in Bernstein form between breakpoints; roots are isolated by its sign changes
 ///   (Descartes' rule), then found by Newton steps kept inside the bracket;
 /// - analytic (paper 4.1): the same quartics, roots in closed form (Ferrari), the first taken;
-/// - bisection (paper 4.2): the same brackets, each around one root, then 8 halvings and one secant step. The paper
-/// halves
-///   [anchor, vertex] as it is; one ray in fifty of a tangle then misses the first root or a close pair of roots.
+/// - bisection (paper 4.2): the same brackets, each around one root, then 8 halvings and one secant step.
+///   The paper halves [anchor, vertex] as it is; in a tangle that misses the first root, or a close pair of roots.
 /// @param tolerance world units, > 0.
 [[nodiscard]] std::optional<double> firstRoot(const RayField& field, double end, ProjectionKind method,
                                               double tolerance);
