@@ -11,15 +11,17 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 sys.dont_write_bytecode = True
 
-from maker import body, glb, motion, muscles, paint  # noqa: E402
+from maker import bake, glb  # noqa: E402
+from maker.lizard import body, motion, muscles, paint, skeleton  # noqa: E402
 
 
 def main():
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else HERE
     cage = body.build()
-    image = paint.bake(cage)
+    image = bake.bake(cage, paint.colour, paint.TEAL, paint.SIZE)
     clips = [motion.walk(), motion.idle()]
-    (folder / "demo.glb").write_bytes(glb.pack(cage.mirrored(), image, clips))
+    packed = glb.pack("demo", "Sinew assets/make_demo.py", cage.mirrored(), skeleton, image, paint.SIZE, clips)
+    (folder / "demo.glb").write_bytes(packed)
     (folder / "demo.rig.json").write_text(muscles.rig_text(), encoding="utf-8")
 
 

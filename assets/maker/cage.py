@@ -2,7 +2,7 @@
 import math
 
 from . import vec
-from .skeleton import mirror_name
+from .names import mirror_name
 
 
 class Chart:

@@ -2,8 +2,7 @@
 import json
 import struct
 
-from . import skeleton, vec
-from .paint import SIZE
+from . import vec
 
 FLOAT, USHORT, UBYTE = 5126, 5123, 5121
 
@@ -33,11 +32,11 @@ class Buffer:
         return len(self.accessors) - 1
 
 
-def _mesh(buffer, mesh):
+def _mesh(buffer, mesh, skeleton, size):
     corners, order = {}, []
     for triangle in mesh.triangles:
         for vertex, key in triangle:
-            uv = mesh.cage.uv(key, SIZE)
+            uv = mesh.cage.uv(key, size)
             if (vertex, uv) not in corners:
                 corners[(vertex, uv)] = len(order)
                 order.append((vertex, uv))
@@ -49,7 +48,7 @@ def _mesh(buffer, mesh):
         total = sum(w for _, w in best)
         joints.append([skeleton.NAMES.index(bone) if bone else 0 for bone, _ in best])
         weights.append([w / total for _, w in best])
-    index = [[corners[(v, mesh.cage.uv(key, SIZE))]] for t in mesh.triangles for v, key in t]
+    index = [[corners[(v, mesh.cage.uv(key, size))]] for t in mesh.triangles for v, key in t]
     vertices = 34962
     return {"attributes": {
         "POSITION": buffer.accessor([mesh.positions[v] for v, _ in order], "VEC3", "f", FLOAT, vertices, bounds=True),
@@ -60,7 +59,7 @@ def _mesh(buffer, mesh):
         "indices": buffer.accessor(index, "SCALAR", "H", USHORT, 34963), "material": 0}
 
 
-def _animation(buffer, clip):
+def _animation(buffer, clip, skeleton):
     samplers, channels = [], []
     times = buffer.accessor([[t] for t in clip.times], "SCALAR", "f", FLOAT, bounds=True)
     for (bone, path), values in clip.tracks.items():
@@ -70,7 +69,7 @@ def _animation(buffer, clip):
     return {"name": clip.name, "samplers": samplers, "channels": channels}
 
 
-def _nodes():
+def _nodes(name_of_mesh, skeleton):
     nodes = []
     for name in skeleton.NAMES:
         parent = skeleton.PARENT[name]
@@ -80,27 +79,27 @@ def _nodes():
         if children:
             node["children"] = children
         nodes.append(node)
-    nodes.append({"name": "demo", "mesh": 0, "skin": 0})
+    nodes.append({"name": name_of_mesh, "mesh": 0, "skin": 0})
     return nodes
 
 
-def pack(mesh, image, clips):
-    """GLB bytes."""
+def pack(name, generator, mesh, skeleton, image, size, clips):
+    """GLB bytes. skeleton: a module with NAMES, ORIGIN, PARENT; size: texels of the square image."""
     buffer = Buffer()
-    primitive = _mesh(buffer, mesh)
+    primitive = _mesh(buffer, mesh, skeleton, size)
     turned = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0]  # not at all
-    inverse_bind = [turned + [-c for c in skeleton.ORIGIN[name]] + [1] for name in skeleton.NAMES]
+    inverse_bind = [turned + [-c for c in skeleton.ORIGIN[bone]] + [1] for bone in skeleton.NAMES]
     document = {
-        "asset": {"version": "2.0", "generator": "Sinew assets/make_demo.py"},
+        "asset": {"version": "2.0", "generator": generator},
         "scene": 0,
         "scenes": [{"nodes": [0, len(skeleton.NAMES)]}],
-        "nodes": _nodes(),
-        "meshes": [{"name": "demo", "primitives": [primitive]}],
+        "nodes": _nodes(name, skeleton),
+        "meshes": [{"name": name, "primitives": [primitive]}],
         "skins": [{"inverseBindMatrices": buffer.accessor(inverse_bind, "MAT4", "f", FLOAT), "skeleton": 0,
                    "joints": list(range(len(skeleton.NAMES)))}],
         "materials": [{"name": "skin", "pbrMetallicRoughness": {
             "baseColorTexture": {"index": 0}, "metallicFactor": 0.0, "roughnessFactor": 0.7}}],
-        "animations": [_animation(buffer, clip) for clip in clips],
+        "animations": [_animation(buffer, clip, skeleton) for clip in clips],
         "images": [{"name": "skin", "bufferView": buffer.view(image), "mimeType": "image/png"}],
         "samplers": [{"magFilter": 9729, "minFilter": 9987, "wrapS": 33071, "wrapT": 33071}],
         "textures": [{"sampler": 0, "source": 0}],

@@ -2,7 +2,7 @@
 import math
 
 from . import blocks, vec
-from .motion import Clip
+from .clip import Clip
 from .plain_glb import Scene, ellipsoid, rig_text
 
 BONES = [("base", None, (0.0, 0.0, 0.0)), ("low", "base", (0.0, 0.25, 0.0)), ("high", "low", (0.0, 0.50, 0.0)),

@@ -2,7 +2,7 @@
 import math
 
 from . import blocks, vec
-from .motion import Clip
+from .clip import Clip
 from .plain_glb import Scene, ellipsoid, rig_text
 
 SHOULDER, ELBOW, WRIST, FINGERS = (0.20, 1.36, 0.0), (0.40, 1.24, 0.0), (0.60, 1.12, 0.0), (0.74, 1.036, 0.0)

@@ -1,87 +1,14 @@
-# assets/maker/paint.py: the demo's texture, painted in space and baked into the charts, written as a PNG.
+# assets/maker/lizard/paint.py: the lizard's colours as a function of space.
 import math
-import struct
-import zlib
 
-from . import vec
+from .. import vec
+from ..bake import noise
 from .body import HEAD_SCALE, TAIL, TAIL_ROOT, TAIL_TIP, enlarged
 
-SIZE = 512
-PADDING = 3  # texels around each chart that repeat its border, so that filtering finds no seam
+SIZE = 512  # texels
 
 TEAL, DEEP, CREAM = (74, 158, 138), (32, 92, 96), (238, 222, 178)
 CORAL, CLAW, WHITE, INK, AMBER = (226, 120, 92), (70, 58, 56), (250, 248, 240), (24, 22, 30), (240, 176, 60)
-
-
-def pack(cage):
-    """Lays the charts on shelves, tallest first."""
-    order = sorted(range(len(cage.charts)), key=lambda c: (-cage.charts[c].rows * cage.charts[c].pixels, c))
-    x = y = shelf = 0
-    for index in order:
-        chart = cage.charts[index]
-        width = chart.columns * chart.pixels + 2 * PADDING
-        height = chart.rows * chart.pixels + 2 * PADDING
-        if x + width > SIZE:
-            x, y, shelf = 0, y + shelf, 0
-        chart.origin = (x + PADDING, y + PADDING)
-        x, shelf = x + width, max(shelf, height)
-    if y + shelf > SIZE:
-        raise SystemExit("the charts do not fit the texture")
-
-
-def bake(cage):
-    """PNG bytes."""
-    pack(cage)
-    pixels = [TEAL] * (SIZE * SIZE)
-    for vertices, keys in cage.faces:
-        chart = cage.charts[keys[0][0]]
-        corners = [cage.positions[v] for v in vertices]
-        cut = cage.cut(vertices)
-        i, j = keys[0][1], keys[0][2]
-        margin = [PADDING if at else 0 for at in (i == 0, i == chart.columns - 1, j == 0, j == chart.rows - 1)]
-        x0, y0 = chart.origin[0] + i * chart.pixels, chart.origin[1] + j * chart.pixels
-        for y in range(y0 - margin[2], y0 + chart.pixels + margin[3]):
-            for x in range(x0 - margin[0], x0 + chart.pixels + margin[1]):
-                point = _at(corners, cut, (x + 0.5 - x0) / chart.pixels, (y + 0.5 - y0) / chart.pixels)
-                pixels[y * SIZE + x] = colour(chart.part, point)
-    return png(pixels, SIZE, SIZE)
-
-
-_CORNERS = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
-
-
-def _at(corners, cut, u, v):
-    """The point of the flat triangle that shows this place of the cell; beyond the cell, of that triangle's plane."""
-    best = None
-    for triangle in cut:
-        (ax, ay), (bx, by), (cx, cy) = (_CORNERS[k] for k in triangle)
-        area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
-        b = ((u - ax) * (cy - ay) - (v - ay) * (cx - ax)) / area
-        c = ((bx - ax) * (v - ay) - (by - ay) * (u - ax)) / area
-        inside = min(1.0 - b - c, b, c)
-        if best is None or inside > best[0]:
-            best = (inside, triangle, b, c)
-    _, triangle, b, c = best
-    p, q, r = (corners[k] for k in triangle)
-    return vec.add(p, vec.add(vec.scale(vec.sub(q, p), b), vec.scale(vec.sub(r, p), c)))
-
-
-def _noise(p, cell):
-    """Smooth value noise in 0..1."""
-    q = [c / cell for c in p]
-    base = [math.floor(c) for c in q]
-    f = [c - b for c, b in zip(q, base)]
-    f = [t * t * (3.0 - 2.0 * t) for t in f]
-    total = 0.0
-    for corner in range(8):
-        bits = [(corner >> k) & 1 for k in range(3)]
-        n = (base[0] + bits[0]) * 374761393 + (base[1] + bits[1]) * 668265263 + (base[2] + bits[2]) * 2147483647
-        n = ((n & 0xFFFFFFFF) ^ ((n & 0xFFFFFFFF) >> 13)) * 1274126177 & 0xFFFFFFFF
-        weight = 1.0
-        for bit, t in zip(bits, f):
-            weight *= t if bit else 1.0 - t
-        total += weight * ((n ^ (n >> 16)) & 0xFFFF) / 65535.0
-    return total
 
 
 def colour(part, p):
@@ -89,13 +16,13 @@ def colour(part, p):
     if part in ("head", "snout", "eye"):
         p = enlarged(p, 1.0 / HEAD_SCALE)  # painted at the size it was modelled
     tone = _eye(p) if part == "eye" else _skin(part, p)
-    shade = 0.97 + 0.06 * _noise(p, 0.02) if part != "eye" else 1.0
+    shade = 0.97 + 0.06 * noise(p, 0.02) if part != "eye" else 1.0
     return tuple(min(255, max(0, int(c * shade / 2.0 + 0.5) * 2)) for c in tone)
 
 
 def _skin(part, p):
     x, y, z = p
-    tone = vec.mix(TEAL, DEEP, vec.smoothstep(0.42, 0.8, _noise(p, 0.09)) * 0.4)
+    tone = vec.mix(TEAL, DEEP, vec.smoothstep(0.42, 0.8, noise(p, 0.09)) * 0.4)
     tone = vec.mix(tone, DEEP, 0.55 * _back(part, p))
     tone = vec.mix(tone, DEEP, 0.8 * _bands(part, p))
     tone = vec.mix(tone, CREAM, _belly(part, p))
@@ -128,7 +55,7 @@ def _back(part, p):
 def _bands(part, p):
     """Stripes across tail, back, thighs and upper arms; ragged edges."""
     x, y, z = p
-    ragged = 0.9 * (_noise(p, 0.035) - 0.5)
+    ragged = 0.9 * (noise(p, 0.035) - 0.5)
     if part == "tail":
         wave = math.sin(2.0 * math.pi * (-z) / 0.115 + ragged)
         return vec.smoothstep(0.15, 0.5, wave) * vec.smoothstep(0.15, 0.25, -z)
@@ -151,7 +78,7 @@ def _bands(part, p):
 
 def _belly(part, p):
     x, y, z = p
-    wobble = 0.02 * (_noise(p, 0.05) - 0.5)
+    wobble = 0.02 * (noise(p, 0.05) - 0.5)
     if part == "body":
         wide = 0.095 - 0.030 * vec.smoothstep(1.08, 1.22, y)
         rounded = vec.smoothstep(0.700, 0.725, y - 0.9 * x * x / wide)
@@ -204,16 +131,3 @@ def _eye(p):
     tone = vec.mix(tone, INK, vec.smoothstep(0.0345, 0.0365, away))
     tone = vec.mix(tone, _skin("head", p), vec.smoothstep(0.0385, 0.0415, away))
     return vec.mix(WHITE, tone, vec.smoothstep(0.0055, 0.0072, glint))
-
-
-def png(pixels, width, height):
-    rows = bytearray()
-    for y in range(height):
-        row = [channel for pixel in pixels[y * width:(y + 1) * width] for channel in pixel]
-        rows += b"\x01" + bytes((c - (row[i - 3] if i >= 3 else 0)) & 255 for i, c in enumerate(row))
-
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) +
-            chunk(b"IDAT", zlib.compress(bytes(rows), 9)) + chunk(b"IEND", b""))

@@ -1,7 +1,8 @@
-# assets/maker/motion.py: the demo's two clips. Legs are solved from where the feet stand, so planted feet stay planted.
+# assets/maker/lizard/motion.py: the lizard's two clips. Legs are solved from where the feet stand, so planted feet stay planted.
 import math
 
-from . import vec
+from .. import vec
+from ..clip import Clip
 from .skeleton import ANKLE, ARM, HIP, KNEE, ORIGIN
 
 THIGH = vec.sub(KNEE, HIP)
@@ -11,26 +12,6 @@ HEEL = (0.0, -ANKLE[1], -0.04)
 STRIDE = 0.36   # metres between foot strike and toe-off
 STANCE = 0.60   # part of the cycle a foot stands
 UP_OUT = (-ARM[1], ARM[0], 0.0)
-
-
-class Clip:
-    """Keys at even times; the last equals the first, so that the clip loops."""
-
-    def __init__(self, name, duration, keys):
-        self.name = name
-        self.times = [duration * k / keys for k in range(keys + 1)]
-        self.tracks = {}  # (bone, path) -> [value per key]
-
-    def key(self, bone, path, value):
-        values = self.tracks.setdefault((bone, path), [])
-        if path == "rotation" and values and sum(a * b for a, b in zip(values[-1], value)) < 0.0:
-            value = tuple(-c for c in value)
-        values.append(value)
-
-    def close(self):
-        for values in self.tracks.values():
-            values.append(values[0])
-        return self
 
 
 def _wave(phase, offset=0.0):

@@ -1,5 +1,7 @@
-# assets/maker/skeleton.py: the demo's bones: names, parents, places in the bind pose (metres, +Y up, +Z front).
+# assets/maker/lizard/skeleton.py: the lizard's bones: names, parents, places in the bind pose (metres, +Y up, +Z front).
 import math
+
+from ..names import mirror_name
 
 ARM = (math.cos(math.radians(40.0)), -math.sin(math.radians(40.0)), 0.0)  # the left arm's direction
 SHOULDER = (0.158, 1.125, -0.008)
@@ -30,10 +32,6 @@ _CENTRE_AND_LEFT = [
     ("tail.3", "tail.2", (0.0, 0.590, -0.450)),
     ("tail.4", "tail.3", (0.0, 0.575, -0.610)),
 ]
-
-
-def mirror_name(name):
-    return name[:-2] + ".R" if name and name.endswith(".L") else name
 
 
 def bones():

@@ -1,8 +1,8 @@
-# assets/maker/body.py: the demo's shape: a small upright lizard, built from rings of vertices, left half only.
+# assets/maker/lizard/body.py: a small upright lizard, built from rings of vertices, left half only.
 import math
 
-from . import vec
-from .cage import Cage
+from .. import vec
+from ..cage import Cage
 from .skeleton import ARM, along_arm
 
 HEAD_PIVOT, HEAD_SCALE = (0.0, 1.310, 0.0), 1.12

@@ -1,9 +1,10 @@
-# assets/maker/muscles.py: the demo's rig: ellipsoids on its bones; the right ones mirror the left.
+# assets/maker/lizard/muscles.py: the lizard's rig: ellipsoids on its bones; the right ones mirror the left.
 import json
 import math
 
-from . import vec
-from .skeleton import ARM, ORIGIN, along_arm, mirror_name
+from .. import vec
+from ..names import mirror_name
+from .skeleton import ARM, ORIGIN, along_arm
 
 _TO_ARM = vec.turn((0, 0, 1), math.degrees(math.atan2(ARM[1], ARM[0])))  # primitive x along the left arm
 

@@ -1,0 +1,1 @@
+# assets/maker/humanoid: the bundled humanoid, made by code: skeleton, body, paint, motion, muscles.

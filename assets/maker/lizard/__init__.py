@@ -1,0 +1,1 @@
+# assets/maker/lizard: the demo lizard: skeleton, body, paint, motion, muscles.
