@@ -37,6 +37,30 @@ TEST(TrialRig, IsValidRepeatableAndAttached) {
   }
 }
 
+TEST(BeddedRig, LiesInTheSkinOfItsBoneAlone) {
+  for (const auto& character : characters()) {
+    const Rig rig = beddedRig(*character, 12);
+    EXPECT_TRUE(validate(rig).ok()) << character->name;
+    EXPECT_TRUE(rig == beddedRig(*character, 12)) << character->name;
+    EXPECT_TRUE(rig.primitives.empty() || rig.primitives.size() == 12) << character->name;
+    for (const Primitive& primitive : rig.primitives) {
+      const int bone = character->skeleton.findBone(primitive.bone).value();
+      const UnitBallMap influence = unitBallMap(primitive.placement, primitive.reach,
+                                                character->skeleton.bones[static_cast<std::size_t>(bone)].bindInWorld);
+      EXPECT_EQ(primitive.territory, std::vector<std::string>{primitive.bone});
+      for (int v = 0; v < static_cast<int>(character->mesh.positions.size()); ++v) {
+        const glm::vec3 p = character->mesh.positions[static_cast<std::size_t>(v)];
+        if (glm::length(influence.toUnit * (p - influence.center)) >= 0.7f) continue;
+        float own = 0.0f;
+        for (const Influence& i : character->mesh.influencesOf(v)) {
+          if (character->skeleton.bindings[static_cast<std::size_t>(i.binding)].bone == bone) own += i.weight;
+        }
+        EXPECT_GT(own, 0.5f) << character->name << ", " << primitive.name << ", vertex " << v;
+      }
+    }
+  }
+}
+
 TEST(TrialRig, EveryMuscleHasSkinInsideItAndSpansItsSize) {
   for (const auto& character : characters()) {
     const Rig rig = trialRig(*character, 12, 1);

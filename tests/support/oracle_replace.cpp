@@ -171,6 +171,7 @@ Answer Oracle::replace(const Site& site) const {
   Vec position;
   Vec normal;
   for (const Layer& layer : hit.layers) {
+    out.shares.push_back(layer.share);
     if (!hit.fellBack) out.roots.push_back(layer.t);
     const Vec outward = unitOr(-1.0 * field_.gradient(layer.point, weights), flat.normal);
     position = position + layer.share * layer.point;
