@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/bench_field.h"
 #include "app/cli/bench_projections.h"
 #include "app/cli/console.h"
 #include "app/document/document.h"
@@ -96,6 +97,11 @@ std::string jsonOf(const std::vector<ProjectionRow>& rows, const BenchOptions& o
 
 void addBenchOptions(CLI::App& verb, BenchOptions& options) {
   verb.require_subcommand(1);
+  CLI::App* field = verb.add_subcommand("field", "Compare spheres with ellipsoids: one evaluation of the field");
+  field->callback([&options] { options.field = true; });
+  field->add_option("--rounds", options.rounds, "Times everything is timed (15)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000));
   CLI::App* projections =
       verb.add_subcommand("projections", "Compare newton, bisection and analytic: work, time, agreement");
   projections->add_option_function<std::vector<std::string>>(
@@ -114,6 +120,7 @@ void addBenchOptions(CLI::App& verb, BenchOptions& options) {
 }
 
 int runBench(const BenchOptions& options) {
+  if (options.field) return putResult(fieldTable(measureField(options.rounds)));
   std::vector<ProjectionRow> rows;
   for (const std::filesystem::path& file : filesOf(options)) {
     progress("reading " + file.string());

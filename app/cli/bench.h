@@ -10,7 +10,9 @@ class App;
 namespace sinew::app {
 
 /// `sinew bench projections`: the three ways to find roots, on the same frames.
+/// `sinew bench field`: the field of spheres beside that of ellipsoids.
 struct BenchOptions {
+  bool field = false;                        ///< Else projections.
   std::vector<std::filesystem::path> files;  ///< Rigs or characters; none: those that ship with the program.
   std::filesystem::path json;                ///< Empty: none.
   int frames = 8;                            ///< Moments of the first clip.

@@ -9,15 +9,19 @@
 namespace sinew {
 namespace {
 
+/// d(r^2)/dx = 2 A^T A (x - c); on a sphere A^T A is a number.
+glm::vec3 rSquaredSlope(const UnitBallMap& ball, const glm::vec3& offset) {
+  if (ball.inverseRadius > 0.0f) return 2.0f * ball.inverseRadius * ball.inverseRadius * offset;
+  return 2.0f * (glm::transpose(ball.toUnit) * (ball.toUnit * offset));
+}
+
 /// Value and gradient of one candidate, weight and sign included.
 FieldSample sampleCandidate(const PosedPrimitive& primitive, float weight, const glm::vec3& point) {
-  const glm::vec3 y = primitive.influence.toUnit * (point - primitive.influence.center);
-  const float rSquared = glm::dot(y, y);
-  if (!(rSquared < 1.0f) || primitive.influence.boundingRadius == 0.0f) return {};
+  const UnitBallMap& ball = primitive.influence;
+  const float rSquared = ball.rSquared(point);
+  if (!(rSquared < 1.0f) || ball.boundingRadius == 0.0f) return {};
   const float factor = primitive.strength * weight;
-  // d(r^2)/dx = 2 A^T A (x - c)
-  const glm::vec3 slope = 2.0f * (glm::transpose(primitive.influence.toUnit) * y);
-  return {factor * potential(rSquared), factor * potentialSlope(rSquared) * slope};
+  return {factor * potential(rSquared), factor * potentialSlope(rSquared) * rSquaredSlope(ball, point - ball.center)};
 }
 
 void add(FieldSample& sum, const FieldSample& part) {

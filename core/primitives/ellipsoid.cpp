@@ -8,6 +8,22 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace sinew {
+namespace {
+
+constexpr double kRound = 4e-6;  ///< Relative: rounding in a bone's matrix does not unmake a sphere.
+
+/// The radius of the ball that the axes span, or 0 if they are not alike and square to each other.
+double ballRadius(const glm::dmat3& axes) {
+  const double radius = std::cbrt(std::abs(glm::determinant(axes)));
+  const double square = radius * radius;
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(glm::dot(axes[i], axes[i]) - square) > kRound * square) return 0.0;
+    if (std::abs(glm::dot(axes[i], axes[(i + 1) % 3])) > kRound * square) return 0.0;
+  }
+  return radius;
+}
+
+}  // namespace
 
 UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& boneInWorld) {
   // In double: a bone in metres under a parent scaled by 0.01 loses digits that the field would show.
@@ -23,6 +39,13 @@ UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& b
   if (!(volume > 1e-12 * lengths) || !std::isfinite(volume)) {
     map.toUnit = glm::mat3(0.0f);
     map.boundingRadius = 0.0f;
+    return map;
+  }
+  if (const double radius = ballRadius(axes); radius > 0.0) {
+    // However it is turned, a sphere is the same: no rotation is left in its map.
+    map.inverseRadius = static_cast<float>(1.0 / radius);
+    map.toUnit = glm::mat3(map.inverseRadius);
+    map.boundingRadius = static_cast<float>(radius * (1.0 + kRound));
     return map;
   }
   map.toUnit = glm::mat3(glm::inverse(axes));

@@ -1,5 +1,7 @@
 #pragma once  // core/primitives/ellipsoid.h: an oriented ellipsoid on a bone, and the same in world space.
 
+#include <glm/geometric.hpp>
+
 #include "core/base/geometry.h"
 
 namespace sinew {
@@ -18,6 +20,17 @@ struct UnitBallMap {
   glm::mat3 toUnit{1.0f};
   glm::vec3 center{0.0f};        ///< World.
   float boundingRadius = 0.0f;   ///< World; a ball around center of this radius holds the ellipsoid.
+  /// 1 / radius where the ellipsoid is a sphere in the world: then toUnit is only this factor, and distances come
+  /// without a matrix. 0 otherwise.
+  float inverseRadius = 0.0f;
+
+  /// r^2 at a point: < 1 inside.
+  [[nodiscard]] float rSquared(const glm::vec3& point) const {
+    const glm::vec3 d = point - center;
+    if (inverseRadius > 0.0f) return inverseRadius * inverseRadius * glm::dot(d, d);
+    const glm::vec3 y = toUnit * d;
+    return glm::dot(y, y);
+  }
 };
 
 /// World -> unit ball of the ellipsoid scaled by `reach`, after the whole 3x4 bone matrix, uneven scale included.

@@ -31,38 +31,67 @@ struct FieldView {
 
 namespace carrier_walk {
 
-/// Box around a carrier's refined vertices, grown by `margin`.
-inline Bounds boundsOfRun(std::span<const glm::vec3> positions, int first, int count, float margin) {
-  Bounds box = boundsOf(positions.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count)));
-  box.low -= margin;
-  box.high += margin;
-  return box;
+/// Where a ball stands to a box: how far the gap between them is (< 0: they overlap) and how far its far side.
+struct Span {
+  float gap = 0.0f;
+  float farthest = 0.0f;
+};
+
+inline Span spanTo(const UnitBallMap& influence, const Bounds& box) {
+  const float apart = glm::distance(influence.center, glm::clamp(influence.center, box.low, box.high));
+  return {apart - influence.boundingRadius, apart + influence.boundingRadius};
 }
 
-inline bool reaches(const UnitBallMap& influence, const Bounds& box) {
-  const glm::vec3 nearest = glm::clamp(influence.center, box.low, box.high);
-  const glm::vec3 apart = influence.center - nearest;
-  return glm::dot(apart, apart) < influence.boundingRadius * influence.boundingRadius;
+/// How far from the box the influences go that hang together with one that overlaps it; 0 if none does. A ray that
+/// starts in the box meets no others before it is out of all influence.
+inline float extentOf(std::span<const Span> spans) {
+  float extent = 0.0f;
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (const Span& span : spans) {
+      if (span.gap >= extent || span.farthest <= extent) continue;
+      extent = span.farthest;
+      grew = true;
+    }
+  }
+  return extent;
 }
 
 }  // namespace carrier_walk
 
+/// Which primitives a walk asks for.
+enum class Reach {
+  kOverlapping,  ///< Carriers that some influence overlaps; with it come those it hangs together with.
+  kAll,          ///< Every candidate, wherever it is.
+};
+
 /// Calls visit(const CarriedVertex&, std::span<const CarrierCandidate> near) for every refined vertex of every carrier
-/// that has at least one primitive within `margin` of its vertices' box; `near` holds those. Order is that of the
-/// refined vertices. @param positions [V'] world.
+/// that has a primitive to ask for; `near` holds those. Order is that of the refined vertices.
+/// @param positions [V'] world.
 template <class Visit>
 void forEachReachable(const ControlMesh& mesh, const Refinement& refinement, const FieldView& field,
-                      std::span<const glm::vec3> positions, float margin, Visit&& visit) {
+                      std::span<const glm::vec3> positions, Reach reach, Visit&& visit) {
   std::vector<CarrierCandidate> near;
+  std::vector<carrier_walk::Span> spans;
   const auto gather = [&](int carrier, int first, int count) {
     near.clear();
     if (!field.skipped.empty() && field.skipped[static_cast<std::size_t>(carrier)]) return false;
     const std::span<const CarrierCandidate> all = field.lists->of(carrier);
     if (all.empty() || count == 0) return false;
-    const Bounds box = carrier_walk::boundsOfRun(positions, first, count, margin);
+    if (reach == Reach::kAll) {
+      near.assign(all.begin(), all.end());
+      return true;
+    }
+    const Bounds box =
+        boundsOf(positions.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count)));
+    spans.clear();
     for (const CarrierCandidate& candidate : all) {
-      const UnitBallMap& influence = field.primitives[static_cast<std::size_t>(candidate.primitive)].influence;
-      if (carrier_walk::reaches(influence, box)) near.push_back(candidate);
+      spans.push_back(
+          carrier_walk::spanTo(field.primitives[static_cast<std::size_t>(candidate.primitive)].influence, box));
+    }
+    const float extent = carrier_walk::extentOf(spans);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (spans[i].gap < extent) near.push_back(all[i]);
     }
     return !near.empty();
   };

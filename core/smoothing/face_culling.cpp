@@ -50,10 +50,7 @@ class Culler {
   }
 
   [[nodiscard]] bool isReached(int t, const UnitBallMap& ball) const {
-    const auto isInside = [&](int vertex) {
-      const glm::vec3 y = ball.toUnit * (at(vertex) - ball.center);
-      return glm::dot(y, y) < 1.0f;
-    };
+    const auto isInside = [&](int vertex) { return ball.rSquared(at(vertex)) < 1.0f; };
     return ball.boundingRadius > 0.0f && std::ranges::any_of(smallTriangles(t), [&](const std::array<int, 3>& small) {
              return std::ranges::any_of(small, isInside);
            });

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/smoothing/root_finding.h"
 
@@ -11,9 +10,6 @@ namespace sinew {
 namespace {
 
 constexpr double kFadeBegin = 0.8;  ///< Fraction of the search length from where a projection loses weight.
-
-/// No culling against the vertices' box: the anchor may lie anywhere on the skeleton.
-constexpr float kEverywhere = std::numeric_limits<float>::infinity();
 
 constexpr double kFullProminence = 0.25;  ///< Fraction of T from which a stretch counts whole.
 constexpr int kProminenceSamples = 9;
@@ -57,8 +53,7 @@ class Projector {
   bool insideInfluence(const glm::vec3& point) const {
     return std::ranges::any_of(candidates_, [&](const Candidate& candidate) {
       const UnitBallMap& ball = field_.primitives[static_cast<std::size_t>(candidate.primitive)].influence;
-      const glm::vec3 y = ball.toUnit * (point - ball.center);
-      return ball.boundingRadius > 0.0f && glm::dot(y, y) < 1.0f;
+      return ball.boundingRadius > 0.0f && ball.rSquared(point) < 1.0f;
     });
   }
 
@@ -212,7 +207,8 @@ void replace(const ControlMesh& mesh, const FieldView& field, const ReplaceSetti
     surface.report.residualMax = std::max(surface.report.residualMax, projected.residual);
     if (projected.weight > 0.0f) mix(surface, index, projected, weight);
   };
-  forEachReachable(mesh, *surface.refinement, field, flat.positions, kEverywhere, move);
+  // The anchor may lie anywhere on the skeleton.
+  forEachReachable(mesh, *surface.refinement, field, flat.positions, Reach::kAll, move);
   surface.report.anchorFallbacks = projector.anchorFallbacks();
   surface.report.evaluations = projector.evaluations();
 }

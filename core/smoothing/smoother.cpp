@@ -68,8 +68,7 @@ std::vector<float> influenceWeights(const ControlMesh& mesh, const FieldView& bi
   for (std::size_t v = 0; v < omega.size(); ++v) {
     for (const CarrierCandidate& candidate : bindField.lists->of(static_cast<int>(v))) {
       const UnitBallMap& ball = bindField.primitives[static_cast<std::size_t>(candidate.primitive)].influence;
-      const glm::vec3 y = ball.toUnit * (mesh.positions[v] - ball.center);
-      if (ball.boundingRadius > 0.0f && glm::dot(y, y) < 1.0f) omega[v] = 1.0f;
+      if (ball.boundingRadius > 0.0f && ball.rSquared(mesh.positions[v]) < 1.0f) omega[v] = 1.0f;
     }
   }
   return omega;

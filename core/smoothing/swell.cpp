@@ -111,9 +111,8 @@ class Sweller {
 
 void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, Surface& surface) {
   Sweller sweller(field, settings, surface);
-  // Only what reaches the patch itself moves it: no margin.
   forEachReachable(
-      mesh, *surface.refinement, field, surface.positions, 0.0f,
+      mesh, *surface.refinement, field, surface.positions, Reach::kOverlapping,
       [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) { sweller.move(vertex, near); });
   surface.report.evaluations = sweller.evaluations();
 }

@@ -44,6 +44,12 @@ TEST_F(Bench, PlainCharactersGetMusclesByRule) {
   EXPECT_NE(outcome.out.find("\ndemo "), std::string::npos) << outcome.out;
 }
 
+TEST_F(Bench, FieldOfSpheresAndEllipsoids) {
+  const Outcome outcome = run({"bench", "field", "--rounds", "1"});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  EXPECT_NE(outcome.out.find("value and gradient"), std::string::npos) << outcome.out;
+}
+
 TEST_F(Bench, BadInputAndBadCommandLine) {
   const Outcome absent = run({"bench", "projections", "no such file.glb"});
   EXPECT_EQ(absent.status, 1);

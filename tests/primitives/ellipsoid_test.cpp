@@ -60,5 +60,33 @@ TEST(UnitBallMap, FlattenedBoneReachesNothing) {
   EXPECT_EQ(unitBallMap({}, 2.0f, flat).boundingRadius, 0.0f);
 }
 
+TEST(UnitBallMap, ASphereIsOneHoweverItsBoneIsTurnedAndScaledEvenly) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
+  for (int round = 0; round < 300; ++round) {
+    Placement ball;
+    ball.center = glm::vec3(unit(random), unit(random), unit(random));
+    ball.rotation = glm::normalize(glm::quat(unit(random), unit(random), unit(random), 1.1f));
+    ball.radii = glm::vec3(0.3f + 0.2f * unit(random));
+    Placement nearly = ball;
+    nearly.radii.y *= 1.0001f;  // an ellipsoid, by as little as makes one
+    const glm::vec3 axis = glm::normalize(glm::vec3(unit(random), unit(random), 1.2f));
+    glm::mat4 bone = glm::translate(glm::mat4(1.0f), 5.0f * glm::vec3(unit(random), unit(random), unit(random)));
+    bone = glm::scale(glm::rotate(bone, 3.0f * unit(random), axis), glm::vec3(1.0f + 0.9f * unit(random)));
+    const UnitBallMap sphere = unitBallMap(ball, 1.4f, bone);
+    const UnitBallMap ellipsoid = unitBallMap(nearly, 1.4f, bone);
+    ASSERT_GT(sphere.inverseRadius, 0.0f) << round;
+    ASSERT_EQ(ellipsoid.inverseRadius, 0.0f) << round;
+    for (int i = 0; i < 10; ++i) {
+      const glm::vec3 point = sphere.center + 0.8f * glm::vec3(unit(random), unit(random), unit(random));
+      EXPECT_NEAR(sphere.rSquared(point), ellipsoid.rSquared(point), 1e-3f * (1.0f + sphere.rSquared(point)));
+      const glm::vec3 y = sphere.toUnit * (point - sphere.center);
+      EXPECT_FLOAT_EQ(sphere.rSquared(point), glm::dot(y, y));
+    }
+    const glm::mat4 uneven = glm::scale(bone, {1.0f, 1.01f, 1.0f});
+    EXPECT_EQ(unitBallMap(ball, 1.4f, uneven).inverseRadius, 0.0f) << "an uneven bone makes an ellipsoid of it";
+  }
+}
+
 }  // namespace
 }  // namespace sinew

@@ -152,6 +152,19 @@ TEST(Oracle, EveryPatchUnderMuscles) {
   }
 }
 
+TEST(Oracle, SpheresByTheirCheaperPath) {
+  for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
+    for (const ProjectionKind projection : kProjections) {
+      const CharacterPtr character = makeTwoLegged();
+      Rig rig = mode == SurfaceMode::kSwell ? randomRig(*character, recipeOf(20), 4) : wrappingRig(*character, 20);
+      for (Primitive& p : rig.primitives) p.placement.radii = glm::vec3(p.placement.radii.x);
+      rig.smoothing.projection = projection;
+      expectAgreement(std::string("two-legged, spheres, ") + nameOf(mode) + ", " + nameOf(projection),
+                      tallyOf(character, rig, 3, 1500));
+    }
+  }
+}
+
 TEST(Oracle, OtherIsoAndSkinBlend) {
   const CharacterPtr character = makeLimb();
   for (const float iso : {0.05f, 0.5f, 0.9f}) {
