@@ -14,12 +14,16 @@ Result<BlendingGraph> graphOf(const Rig& rig) {
   return makeBlendingGraph(static_cast<int>(rig.groups.size()), links);
 }
 
-FieldPrimitive fieldPrimitive(const Rig& rig, const Primitive& primitive, int bone) {
-  FieldPrimitive field;
-  field.bone = bone;
+void shape(const Rig& rig, const Primitive& primitive, FieldPrimitive& field) {
   field.placement = primitive.placement;
   field.reach = primitive.reach;
   field.strength = static_cast<float>(primitive.sign) * strengthFor(rig.surface.iso, primitive.reach);
+}
+
+FieldPrimitive fieldPrimitive(const Rig& rig, const Primitive& primitive, int bone) {
+  FieldPrimitive field;
+  field.bone = bone;
+  shape(rig, primitive, field);
   field.group = findGroup(rig, primitive.group);
   return field;
 }
@@ -79,6 +83,22 @@ float territoryWeight(const Character& character, int vertex, const std::vector<
   }
   const float t = std::clamp(sum / 0.5f, 0.0f, 1.0f);
   return t * t * (3.0f - 2.0f * t);
+}
+
+bool sameCandidates(const Rig& a, const Rig& b) {
+  const auto sameGroup = [](const Group& x, const Group& y) { return x.name == y.name; };
+  const auto samePlace = [](const Primitive& x, const Primitive& y) {
+    return x.bone == y.bone && x.group == y.group && x.territory == y.territory;
+  };
+  return std::ranges::equal(a.primitives, b.primitives, samePlace) && a.links == b.links &&
+         std::ranges::equal(a.groups, b.groups, sameGroup);
+}
+
+void reshape(const Rig& rig, Attachment& attachment) {
+  for (std::size_t i = 0; i < attachment.primitives.size(); ++i) {
+    const Primitive& primitive = rig.primitives[static_cast<std::size_t>(attachment.rigIndex[i])];
+    shape(rig, primitive, attachment.primitives[i]);
+  }
 }
 
 Result<Attachment> attach(const Rig& rig, const Character& character) {

@@ -31,6 +31,13 @@ struct Attachment {
 /// m_i(v) = smoothstep(0, 0.5, sum of v's weights on the territory).
 [[nodiscard]] float territoryWeight(const Character& character, int vertex, const std::vector<bool>& isTerritoryBone);
 
+/// Both rigs give one character the same candidates and graph: they differ in shapes, signs, names and settings at
+/// most. Such is every drag.
+[[nodiscard]] bool sameCandidates(const Rig& a, const Rig& b);
+
+/// The shapes of a rig whose candidates are the attached one's (sameCandidates). Costs nothing per vertex.
+void reshape(const Rig& rig, Attachment& attachment);
+
 /// `rig` has passed validate(). Error: the blending graph is too large.
 [[nodiscard]] Result<Attachment> attach(const Rig& rig, const Character& character);
 

@@ -104,6 +104,21 @@ struct Smoother::State {
 
   [[nodiscard]] const ControlMesh& mesh() const { return character->mesh; }
 
+  /// From here on nothing can fail: what still serves is taken from the former preparation.
+  Result<void> findCandidates(const Rig& rig, Prepared& next) {
+    if (prepared.refinement && sameCandidates(prepared.rig, rig)) {
+      next.attachment = std::move(prepared.attachment);
+      next.candidates = std::move(prepared.candidates);
+      reshape(rig, next.attachment);
+      return {};
+    }
+    Result<Attachment> attachment = attach(rig, *character);
+    if (!attachment) return attachment.error();
+    next.attachment = std::move(attachment).value();
+    next.candidates = makeCandidateLists(mesh(), next.attachment);
+    return {};
+  }
+
   std::shared_ptr<const ControlMesh> creasedAt(float degrees) const {
     if (degrees >= kNoCreases) return nullptr;
     if (prepared.refinement && prepared.rig.smoothing.creaseAngle == degrees) return prepared.creased;
@@ -132,7 +147,8 @@ struct Smoother::State {
     if (next.rig.surface.mode == SurfaceMode::kReplace) {
       const SkinnedMesh control{mesh().positions, mesh().normals};
       evaluate(PatchKind::kFlat, *next.refinement, control, flatPositions, flatNormals);
-      next.anchors = findAnchors(character->skeleton, flatPositions);
+      const bool known = prepared.refinement == next.refinement && !prepared.anchors.empty();
+      next.anchors = known ? std::move(prepared.anchors) : findAnchors(character->skeleton, flatPositions);
       poseAnchors(next.anchors, bind, anchorsInWorld);
       next.omega = implicitWeights(mesh(), bindField, replaceSettings(next.rig, *character),
                                    {flatPositions, flatNormals, anchorsInWorld});
@@ -218,12 +234,9 @@ Result<void> Smoother::prepare(const Rig& rig) {
                                           std::to_string(vertices) + " vertices of this character; at most " +
                                           std::to_string(kMaxRefinedVertices) + " are possible");
   }
-  Result<Attachment> attachment = attach(rig, *state_->character);
-  if (!attachment) return attachment.error();
   Prepared next;
+  if (Result<void> reached = state_->findCandidates(rig, next); !reached) return reached.error();
   next.rig = rig;
-  next.attachment = std::move(attachment).value();
-  next.candidates = makeCandidateLists(state_->mesh(), next.attachment);
   next.creased = state_->creasedAt(rig.smoothing.creaseAngle);
   next.refinement = state_->refinementFor(rig.smoothing.depth, next.creased);
   state_->prepareClasses(next);

@@ -1,0 +1,14 @@
+#pragma once  // app/cli/anchor_segments.h: the segments that `replace` searches, as lines to draw (paper Fig. 5).
+
+#include <vector>
+
+#include "app/render/scene.h"
+
+namespace sinew::app {
+
+/// From each control vertex that the muscles hold (a corner of an implicit triangle, by `surface.classes`) to its anchor,
+/// both in the pose; kFound where the smoothed surface lies off the control vertex, else kLost. World space.
+[[nodiscard]] std::vector<SceneSegment> anchorSegments(const Character& character, const Pose& pose,
+                                                       const Surface& surface);
+
+}  // namespace sinew::app

@@ -1,0 +1,112 @@
+// tests/smoothing/prepare_again_test.cpp: a smoother that was edited step by step gives what a fresh one gives.
+
+#include <functional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/rig/attachment.h"
+#include "core/rig/rig_edit.h"
+#include "core/smoothing/smoother.h"
+#include "tests/support/random_rigs.h"
+#include "tests/support/synthetic_characters.h"
+
+namespace sinew::test {
+namespace {
+
+using Edit = std::function<Rig(const Rig&, Random&, const Character&)>;
+
+int anyOf(const Rig& rig, Random& random) { return random.below(static_cast<int>(rig.primitives.size())); }
+
+std::string boneName(const Character& character, Random& random) {
+  return character.skeleton.fileName(random.below(static_cast<int>(character.skeleton.bones.size())));
+}
+
+const std::vector<Edit>& edits() {
+  static const std::vector<Edit> all{
+      [](const Rig& rig, Random& random, const Character& character) {
+        const int i = anyOf(rig, random);
+        Placement placement = rig.primitives[static_cast<std::size_t>(i)].placement;
+        placement.center.y += random.uniform(-0.05f, 0.05f) * character.height;
+        placement.radii *= random.uniform(0.8f, 1.25f);
+        return setPlacement(rig, i, placement).value();
+      },
+      [](const Rig& rig, Random& random, const Character&) {
+        return setReach(rig, anyOf(rig, random), random.uniform(1.1f, 2.0f)).value();
+      },
+      [](const Rig& rig, Random& random, const Character&) {
+        const int i = anyOf(rig, random);
+        return setSign(rig, i, -rig.primitives[static_cast<std::size_t>(i)].sign).value();
+      },
+      [](const Rig& rig, Random& random, const Character& character) {
+        const int i = anyOf(rig, random);
+        return setBone(rig, i, boneName(character, random), rig.primitives[static_cast<std::size_t>(i)].placement).value();
+      },
+      [](const Rig& rig, Random& random, const Character& character) {
+        return setTerritory(rig, anyOf(rig, random), std::vector{boneName(character, random)}).value();
+      },
+      [](const Rig& rig, Random& random, const Character&) {
+        const int groups = static_cast<int>(rig.groups.size());
+        return setGroupOf(rig, anyOf(rig, random), rig.groups[static_cast<std::size_t>(random.below(groups))].name).value();
+      },
+      [](const Rig& rig, Random& random, const Character&) {
+        return setLink(rig, 0, 1 + random.below(static_cast<int>(rig.groups.size()) - 1), random.chance(0.5f)).value();
+      },
+      [](const Rig& rig, Random& random, const Character&) {
+        SurfaceSettings surface = rig.surface;
+        surface.iso = random.uniform(0.1f, 0.6f);
+        if (random.chance(0.3f)) {
+          surface.mode = surface.mode == SurfaceMode::kSwell ? SurfaceMode::kReplace : SurfaceMode::kSwell;
+        }
+        return setSurface(rig, surface).value();
+      },
+      [](const Rig& rig, Random& random, const Character&) {
+        return duplicatePrimitives(rig, std::vector{anyOf(rig, random)});
+      },
+      [](const Rig& rig, Random& random, const Character&) {
+        return rig.primitives.size() > 2 ? removePrimitives(rig, std::vector{anyOf(rig, random)}) : rig;
+      },
+  };
+  return all;
+}
+
+TEST(PrepareAgain, GivesTheSameBitsAsAFreshSmoother) {
+  const auto character = makeTwoLegged();
+  const Pose pose = samplePose(character->skeleton, character->clips.back(), 0.4f);
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    Random random(seed);
+    RigRecipe recipe;
+    recipe.primitives = 8;
+    Rig rig = randomRig(*character, recipe, seed);
+    Smoother edited(character);
+    Surface after;
+    for (int step = 0; step < 40; ++step) {
+      rig = edits()[static_cast<std::size_t>(random.below(static_cast<int>(edits().size())))](rig, random, *character);
+      ASSERT_TRUE(edited.prepare(rig).ok());
+      edited.smooth(pose, after);
+      Smoother fresh(character);
+      ASSERT_TRUE(fresh.prepare(rig).ok());
+      Surface expected;
+      fresh.smooth(pose, expected);
+      ASSERT_EQ(after.positions, expected.positions) << "seed " << seed << ", step " << step;
+      ASSERT_EQ(after.normals, expected.normals) << "seed " << seed << ", step " << step;
+      ASSERT_EQ(after.classes, expected.classes) << "seed " << seed << ", step " << step;
+    }
+  }
+}
+
+// A drag changes shapes alone, and what depends on nothing else is kept.
+TEST(PrepareAgain, OnlyShapesChangeInADrag) {
+  const auto character = makeTwoLegged();
+  const Rig rig = randomRig(*character, {}, 3);
+  Placement moved = rig.primitives[0].placement;
+  moved.center.x += 0.1f;
+  EXPECT_TRUE(sameCandidates(rig, setPlacement(rig, 0, moved).value()));
+  EXPECT_TRUE(sameCandidates(rig, setSign(rig, 0, -rig.primitives[0].sign).value()));
+  EXPECT_FALSE(sameCandidates(rig, setTerritory(rig, 0, std::vector<std::string>{}).value()));
+  EXPECT_FALSE(sameCandidates(rig, removePrimitives(rig, std::vector{0})));
+  EXPECT_FALSE(sameCandidates(rig, addGroup(rig, "another").value()));
+}
+
+}  // namespace
+}  // namespace sinew::test
