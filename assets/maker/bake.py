@@ -10,12 +10,12 @@ PADDING = 3  # texels around each chart that repeat its border, so that filterin
 
 def pack(cage, size):
     """Lays the charts on shelves, tallest first."""
-    order = sorted(range(len(cage.charts)), key=lambda c: (-cage.charts[c].rows * cage.charts[c].pixels, c))
+    order = sorted(range(len(cage.charts)), key=lambda c: (-cage.charts[c].top(cage.charts[c].rows), c))
     x = y = shelf = 0
     for index in order:
         chart = cage.charts[index]
         width = chart.columns * chart.pixels + 2 * PADDING
-        height = chart.rows * chart.pixels + 2 * PADDING
+        height = chart.top(chart.rows) + 2 * PADDING
         if x + width > size:
             x, y, shelf = 0, y + shelf, 0
         chart.origin = (x + PADDING, y + PADDING)
@@ -24,29 +24,33 @@ def pack(cage, size):
         raise SystemExit("the charts do not fit the texture")
 
 
-def bake(cage, colour, ground, size):
-    """PNG bytes. colour(part, point) -> RGB 0..255, at points of the flat left half; ground: RGB where no face lies."""
+def bake(cage, colour, ground, size, normals=None):
+    """PNG bytes. colour(part, point) -> RGB 0..255, at points of the flat left half; ground: RGB where no face lies. With
+    normals, one for each vertex, colour(part, point, normal)."""
     pack(cage, size)
     pixels = [ground] * (size * size)
     for vertices, keys in cage.faces:
         chart = cage.charts[keys[0][0]]
         corners = [cage.positions[v] for v in vertices]
+        facing = [normals[v] for v in vertices] if normals else None
         cut = cage.cut(vertices)
         i, j = keys[0][1], keys[0][2]
         margin = [PADDING if at else 0 for at in (i == 0, i == chart.columns - 1, j == 0, j == chart.rows - 1)]
-        x0, y0 = chart.origin[0] + i * chart.pixels, chart.origin[1] + j * chart.pixels
-        for y in range(y0 - margin[2], y0 + chart.pixels + margin[3]):
+        x0, y0 = chart.origin[0] + i * chart.pixels, chart.origin[1] + chart.top(j)
+        high = chart.heights[j]
+        for y in range(y0 - margin[2], y0 + high + margin[3]):
             for x in range(x0 - margin[0], x0 + chart.pixels + margin[1]):
-                point = _at(corners, cut, (x + 0.5 - x0) / chart.pixels, (y + 0.5 - y0) / chart.pixels)
-                pixels[y * size + x] = colour(chart.part, point)
+                place = _place(cut, (x + 0.5 - x0) / chart.pixels, (y + 0.5 - y0) / high)
+                seen = (_at(corners, place),) + ((vec.unit(_at(facing, place)),) if facing else ())
+                pixels[y * size + x] = colour(chart.part, *seen)
     return png(pixels, size, size)
 
 
 _CORNERS = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
 
 
-def _at(corners, cut, u, v):
-    """The point of the flat triangle that shows this place of the cell; beyond the cell, of that triangle's plane."""
+def _place(cut, u, v):
+    """(triangle, b, c): which triangle of the cell shows this place, and how far along its two sides."""
     best = None
     for triangle in cut:
         (ax, ay), (bx, by), (cx, cy) = (_CORNERS[k] for k in triangle)
@@ -56,9 +60,15 @@ def _at(corners, cut, u, v):
         inside = min(1.0 - b - c, b, c)
         if best is None or inside > best[0]:
             best = (inside, triangle, b, c)
-    _, triangle, b, c = best
-    p, q, r = (corners[k] for k in triangle)
-    return vec.add(p, vec.add(vec.scale(vec.sub(q, p), b), vec.scale(vec.sub(r, p), c)))
+    return best[1:]
+
+
+def _at(corners, place):
+    """The point of the flat triangle at the place; beyond the cell, of that triangle's plane."""
+    triangle, b, c = place
+    (px, py, pz), (qx, qy, qz), (rx, ry, rz) = (corners[k] for k in triangle)
+    return (px + ((qx - px) * b + (rx - px) * c), py + ((qy - py) * b + (ry - py) * c),
+            pz + ((qz - pz) * b + (rz - pz) * c))
 
 
 def noise(p, cell):

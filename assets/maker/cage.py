@@ -6,11 +6,17 @@ from .names import mirror_name
 
 
 class Chart:
-    """A grid of cells in the texture. Cell (i, j) belongs to at most one face."""
+    """A grid of cells in the texture, `pixels` wide and, unless `heights` says so row by row, as high. Cell (i, j) belongs to
+    at most one face."""
 
-    def __init__(self, part, columns, rows, pixels):
+    def __init__(self, part, columns, rows, pixels, heights=None):
         self.part, self.columns, self.rows, self.pixels = part, columns, rows, pixels
+        self.heights = list(heights) if heights else [pixels] * rows
         self.origin = (0, 0)  # of cell (0, 0), in texels; set by the packing
+
+    def top(self, j):
+        """Texels from the chart's origin to row j; j = rows: the chart's height."""
+        return sum(self.heights[:j])
 
 
 class Cage:
@@ -31,19 +37,19 @@ class Cage:
     def ring(self, points, weights):
         return [self.vertex(p, weights) for p in points]
 
-    def chart(self, part, columns, rows, pixels):
-        self.charts.append(Chart(part, columns, rows, pixels))
+    def chart(self, part, columns, rows, pixels, heights=None):
+        self.charts.append(Chart(part, columns, rows, pixels, heights))
         return len(self.charts) - 1
 
     def face(self, vertices, chart, i=0, j=0):
         corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]
         self.faces.append((list(vertices), [(chart, a, b) for a, b in corners[:len(vertices)]]))
 
-    def tube(self, rings, part, closed, holes=(), pixels=20):
+    def tube(self, rings, part, closed, holes=(), pixels=20, heights=None):
         """Quads between consecutive rings, but not at the (column, row) of `holes`."""
         count = len(rings[0])
         columns = count if closed else count - 1
-        chart = self.chart(part, columns, len(rings) - 1, pixels)
+        chart = self.chart(part, columns, len(rings) - 1, pixels, heights)
         for j in range(len(rings) - 1):
             for i in range(columns):
                 if (i, j) not in holes:
@@ -75,7 +81,7 @@ class Cage:
     def uv(self, key, size):
         chart, i, j = key
         c = self.charts[chart]
-        return ((c.origin[0] + i * c.pixels) / size, (c.origin[1] + j * c.pixels) / size)
+        return ((c.origin[0] + i * c.pixels) / size, (c.origin[1] + c.top(j)) / size)
 
     def mirrored(self):
         """The whole character: a Mesh with both halves, texture shared."""
