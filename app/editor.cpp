@@ -6,17 +6,22 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "app/panels/commands.h"
 #include "app/panels/panels.h"
 #include "app/panels/picture.h"
+#include "app/panels/session.h"
+#include "app/panels/session_keeper.h"
 #include "app/panels/state_log.h"
+#include "app/panels/territory.h"
 #include "app/panels/viewport_input.h"
-#include "app/platform/data_files.h"
+#include "app/panels/visibility_commands.h"
 #include "app/platform/imgui_layer.h"
 #include "app/platform/window.h"
 #include "app/render/viewport.h"
@@ -28,28 +33,52 @@ constexpr glm::ivec2 kWindowSize{1280, 800};
 constexpr const char* kTitle = "Sinew";
 constexpr double kIdleSeconds = 1.0;    ///< Longest sleep when nothing happens.
 constexpr double kCaretSeconds = 0.25;  ///< ... while a text field's caret blinks.
+constexpr double kLookSeconds = 0.5;    ///< Between looks at where the window is.
 constexpr int kSettleFrames = 3;  ///< Drawn after the last input: ImGui shows hovers and closed popups a frame late.
 
 double secondsNow() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+WindowPlace placeOf(const WindowGeometry& geometry) {
+  return {geometry.position.x, geometry.position.y, geometry.size.x, geometry.size.y, geometry.maximised};
+}
+
+std::optional<WindowGeometry> geometryOf(const WindowPlace& place) {
+  if (place.width <= 0 || place.height <= 0) return std::nullopt;
+  return WindowGeometry{{place.x, place.y}, {place.width, place.height}, place.maximised};
+}
+
+/// Samples open walking, whatever clip stands first in the file.
+void chooseWalk(EditorState& state) {
+  const auto& clips = state.character().clips;
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    if (clips[i].name == "Walk" || clips[i].name == "walk") {
+      chooseClip(state.transport, static_cast<int>(i), state.character());
+      return;
+    }
+  }
+}
+
 /// The running editor.
 class Editor {
  public:
-  Editor(Window& window, Viewport& viewport, std::optional<StateLog> log)
-      : window_(window), imgui_(window.handle(), window.contentScale()), picture_(viewport), log_(std::move(log)) {
-    state_.uiScale = imgui_.scale();
-  }
+  Editor(Window& window, Viewport& viewport, EditorState state, SessionKeeper keeper, const EditorOptions& options,
+         std::optional<StateLog> log)
+      : window_(window),
+        imgui_(window.handle(), scaleOf(window, state, options)),
+        picture_(viewport),
+        options_(options),
+        log_(std::move(log)),
+        state_(std::move(state)),
+        keeper_(std::move(keeper)) {}
 
-  /// The document the command line named, else the bundled character. Error: it cannot be smoothed.
+  /// The document the command line named, else a bundled character. Error: it cannot be smoothed.
   Result<void> open(std::optional<Document> document) {
-    const std::filesystem::path sample = dataFile("assets/demo.rig.json");
-    std::error_code ignored;
     if (document) {
       if (!showDocument(state_, std::move(*document))) return Error{"", "", state_.messages.back().text};
-    } else if (std::filesystem::is_regular_file(sample, ignored)) {
-      openFile(state_, sample);
+    } else if (const std::filesystem::path sample = firstSample(); !sample.empty() && openFile(state_, sample)) {
+      chooseWalk(state_);
     }
     return {};
   }
@@ -57,10 +86,29 @@ class Editor {
   void run() {
     while (!state_.quit) {
       if (waitForWork()) frame();
+      if (const double now = secondsNow(); now - lastLook_ >= kLookSeconds) {
+        lastLook_ = now;
+        place_ = placeOf(window_.geometry());
+      }
+      keeper_.tick(state_, secondsNow(), place_);
     }
+    keeper_.finish(state_, placeOf(window_.geometry()));
   }
 
  private:
+  /// What the command line says, else the preferences, else the system.
+  static float scaleOf(const Window& window, const EditorState& state, const EditorOptions& options) {
+    if (options.scale > 0.0f) return options.scale;
+    return state.preferences.scale > 0.0f ? state.preferences.scale : window.contentScale();
+  }
+
+  /// How long to sleep at most while nothing moves.
+  double idleSeconds(bool caret) const {
+    double seconds = caret ? kCaretSeconds : (state_.wakeAfter > 0.0 ? state_.wakeAfter : kIdleSeconds);
+    if (const auto left = keeper_.secondsLeft(state_, secondsNow())) seconds = std::clamp(*left, 1e-3, seconds);
+    return seconds;
+  }
+
   /// Takes events, sleeping if nothing moves. @return whether a frame is due.
   bool waitForWork() {
     const bool moving = (state_.transport.playing && state_.hasCharacter()) || state_.route.needsFrame ||
@@ -71,7 +119,7 @@ class Editor {
     if (moving) {
       window_.poll();
     } else {
-      window_.wait(caret ? kCaretSeconds : (wake > 0.0 ? wake : kIdleSeconds));
+      window_.wait(idleSeconds(caret));
     }
     for (const std::filesystem::path& file : window_.takeDrops()) {
       request(state_, {IntentKind::kOpenFile, file});
@@ -96,15 +144,23 @@ class Editor {
     lastFrame_ = start;
     if (settle_ > 0) --settle_;
     const InputFrame& input = window_.input().next();
+    state_.systemScale = window_.contentScale();
+    state_.uiScale = scaleOf(window_, state_, options_);
+    imgui_.setScale(state_.uiScale);
     imgui_.beginFrame(input, since);
     state_.wakeAfter = 0.0;
+    const double uiStart = secondsNow();
     keys(input);
     widgets_.beginFrame();
     Ui ui{state_, widgets_, imgui_.fonts()};
     const bool free = drawLayout(ui);
+    double interface = secondsNow() - uiStart;
     movePose(delta);
+    const double toolsStart = secondsNow();
     tools(input, free, delta);
+    interface += secondsNow() - toolsStart;
     updateSurface();
+    state_.stats.ui = interface;
     const View& view = state_.route.view;
     picture_.draw(state_, view, *ImGui::GetBackgroundDrawList());
     present();
@@ -132,10 +188,18 @@ class Editor {
     const ImGuiIO& io = ImGui::GetIO();
     const InterfaceClaims claims{free, isTyping(), ImGui::IsMouseDoubleClicked(0)};
     const glm::vec2 pixelsPerUnit{io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y};
-    const FrameInput viewportFrame = viewportInput(input, claims, state_.viewport, pixelsPerUnit, delta);
+    const FrameInput viewportFrame = passTriad(
+        state_.triad, state_.tools.camera, viewportInput(input, claims, state_.viewport, pixelsPerUnit, delta),
+        state_.viewportPixels, state_.uiScale * pixelsPerUnit.x, state_.tools.owner != PressOwner::kNone);
+    DisplaySettings pickable = state_.display;
+    pickable.skeleton = pickable.skeleton || state_.tools.pickBones;
     const ViewportContext context{state_.document, state_.live->pose(),   &state_.live->surface(),
-                                  state_.display,  state_.viewportPixels, state_.uiScale * pixelsPerUnit.x};
+                                  pickable,        state_.viewportPixels, state_.uiScale * pixelsPerUnit.x,
+                                  &state_.transport.overrides};
     state_.route = routeInput(state_.tools, viewportFrame, context);
+    if (isMoving(state_.tools.camera)) settle_ = std::max(settle_, 2);  // What is hovered is seen a frame later.
+    if (const char* onTriad = describe(state_.triad); *onTriad != '\0') state_.route.status = onTriad;
+    runTerritoryMode(state_);
     if (!state_.route.message.empty()) addMessage(state_, MessageKind::kError, state_.route.message);
   }
 
@@ -147,9 +211,13 @@ class Editor {
 
   void updateSurface() {
     if (!state_.hasCharacter()) return;
+    state_.live->movePose(state_.transport);  // A joint may have been turned.
+    followEdits(state_);
     const Result<bool> updated = state_.live->update(state_.document.commands, surfaceView(state_));
     if (!updated) addMessage(state_, MessageKind::kError, updated.error().text());
     state_.stats.stages = state_.live->surface().report.seconds;
+    const std::pair prepared(state_.documentsOpened, state_.document.commands.revision());
+    state_.stats.prepare = std::exchange(prepared_, prepared) == prepared ? 0.0 : state_.live->prepareSeconds();
   }
 
   void present() {
@@ -168,11 +236,16 @@ class Editor {
   Window& window_;
   ImGuiLayer imgui_;
   Picture picture_;
+  EditorOptions options_;
   std::optional<StateLog> log_;
   EditorState state_;
+  SessionKeeper keeper_;
   WidgetLog widgets_;
   double startTime_ = secondsNow();
   double lastFrame_ = 0.0;
+  double lastLook_ = -kLookSeconds;
+  WindowPlace place_;
+  std::pair<std::size_t, std::size_t> prepared_;  ///< Document and revision of the last frame.
   long long frameNumber_ = 0;
   int settle_ = kSettleFrames;
   bool continuous_ = false;
@@ -199,11 +272,16 @@ int runEditor(const EditorOptions& options) {
     if (!opened) return refuse(opened.error());
     document = std::move(opened).value();
   }
-  const Result<std::unique_ptr<Window>> window = Window::open(kWindowSize, kTitle);
+  EditorState state;
+  SessionKeeper keeper(preferencesFile(), recoveryFolder());
+  keeper.start(state);
+  const float grown = options.scale > 0.0f ? options.scale : std::max(state.preferences.scale, 1.0f);
+  const glm::ivec2 size(glm::vec2(kWindowSize) * grown);
+  const Result<std::unique_ptr<Window>> window = Window::open(size, kTitle, geometryOf(state.preferences.window));
   if (!window) return refuse(window.error());
   const Result<std::unique_ptr<Viewport>> viewport = Viewport::create(Viewport::defaultSamples());
   if (!viewport) return refuse(viewport.error());
-  Editor editor(*window.value(), *viewport.value(), std::move(log));
+  Editor editor(*window.value(), *viewport.value(), std::move(state), std::move(keeper), options, std::move(log));
   if (const Result<void> opened = editor.open(std::move(document)); !opened) return refuse(opened.error());
   editor.run();
   return 0;

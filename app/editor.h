@@ -5,8 +5,9 @@
 namespace sinew::app {
 
 struct EditorOptions {
-  std::filesystem::path file;      ///< Character or rig; empty: the bundled sample.
+  std::filesystem::path file;      ///< Character or rig; empty: a bundled sample.
   std::filesystem::path logState;  ///< --log-state; empty: none.
+  float scale = 0.0f;              ///< --scale; 0: what the preferences or the system say.
 };
 
 /// Opens the window, runs it, closes it. @return exit status: 0, or 1 after a line on stderr (no display, no

@@ -12,6 +12,7 @@ int edit(const sinew::app::EditRequest& request) {
   sinew::app::EditorOptions options;
   options.file = request.file;
   options.logState = request.logState;
+  options.scale = request.scale;
   return sinew::app::runEditor(options);
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/rig/rig_edit.h"
 #include "core/smoothing/auto_depth.h"
 
 namespace sinew::app {
@@ -18,6 +19,16 @@ double wrapped(double time, double duration) {
   return rest < 0.0 ? rest + duration : rest;
 }
 
+/// What a moment plays in: the range, unless it lies after it.
+PlayRange aroundTime(const Transport& transport, const Character& character) {
+  const PlayRange range = playRange(transport, character);
+  return transport.time > range.to ? PlayRange{0.0, clipDuration(transport, character)} : range;
+}
+
+bool samePose(const Transport& a, const Transport& b) {
+  return a.clip == b.clip && a.time == b.time && a.overrides == b.overrides;
+}
+
 }  // namespace
 
 double clipDuration(const Transport& transport, const Character& character) {
@@ -25,15 +36,36 @@ double clipDuration(const Transport& transport, const Character& character) {
   return static_cast<double>(character.clips[static_cast<std::size_t>(transport.clip)].duration);
 }
 
+PlayRange playRange(const Transport& transport, const Character& character) {
+  const double duration = clipDuration(transport, character);
+  const PlayRange range{std::clamp(transport.rangeFrom, 0.0, duration), std::clamp(transport.rangeTo, 0.0, duration)};
+  return range.to > range.from ? range : PlayRange{0.0, duration};
+}
+
+void setPlayRange(Transport& transport, const PlayRange& range, const Character& character) {
+  const double duration = clipDuration(transport, character);
+  const auto onFrame = [&](double time) {
+    const double frame = std::round(time / kFrameSeconds) * kFrameSeconds;
+    return std::clamp(duration - frame < 0.5 * kFrameSeconds ? duration : frame, 0.0, duration);
+  };
+  transport.rangeFrom = std::min(onFrame(range.from), std::max(0.0, duration - kFrameSeconds));
+  transport.rangeTo = std::min(std::max(onFrame(range.to), transport.rangeFrom + kFrameSeconds), duration);
+  if (transport.rangeFrom <= 0.0 && transport.rangeTo >= duration) transport.rangeFrom = transport.rangeTo = 0.0;
+}
+
 void advance(Transport& transport, double seconds, const Character& character) {
   const double duration = clipDuration(transport, character);
   if (!transport.playing || duration <= 0.0) return;
+  const PlayRange range = aroundTime(transport, character);
   const double time = transport.time + seconds * static_cast<double>(transport.speed);
-  if (transport.loop) {
-    transport.time = wrapped(time, duration);
+  if (time < range.to) {
+    transport.time = std::max(time, 0.0);
+  } else if (transport.loop) {
+    const PlayRange again = playRange(transport, character);
+    transport.time = again.from + wrapped(time - range.to, again.to - again.from);
   } else {
-    transport.time = std::clamp(time, 0.0, duration);
-    if (transport.time >= duration) transport.playing = false;
+    transport.time = range.to;
+    transport.playing = false;
   }
 }
 
@@ -43,29 +75,37 @@ void stepFrames(Transport& transport, int frames, const Character& character) {
   if (duration <= 0.0) return;
   const double frame = std::round(transport.time / kFrameSeconds) + frames;
   const double time = frame * kFrameSeconds;
-  if (time >= 0.0 && time <= duration) {
-    transport.time = time;
+  PlayRange range = aroundTime(transport, character);
+  if (transport.time < range.from) range.from = 0.0;
+  constexpr double kRounding = 1e-9;
+  if (time >= range.from - kRounding && time <= range.to + kRounding) {
+    transport.time = std::clamp(time, 0.0, duration);
+  } else if (transport.loop) {
+    transport.time = range.from + wrapped(time - range.from, range.to - range.from);
   } else {
-    transport.time = transport.loop ? wrapped(time, duration) : std::clamp(time, 0.0, duration);
+    transport.time = std::clamp(time, range.from, range.to);
   }
 }
 
 void chooseClip(Transport& transport, int clip, const Character& character) {
   transport.clip = clip;
   transport.time = 0.0;
+  transport.rangeFrom = transport.rangeTo = 0.0;
   transport.playing = transport.playing && clipDuration(transport, character) > 0.0;
 }
 
 void togglePlaying(Transport& transport, const Character& character) {
   const double duration = clipDuration(transport, character);
   transport.playing = !transport.playing && duration > 0.0;
-  if (transport.playing && transport.time >= duration) transport.time = 0.0;
+  const bool atEnd = transport.time >= aroundTime(transport, character).to;
+  if (transport.playing && atEnd) transport.time = playRange(transport, character).from;
 }
 
 Pose poseAt(const Transport& transport, const Character& character) {
-  if (transport.clip < 0) return bindPose(character.skeleton);
-  return samplePose(character.skeleton, character.clips[static_cast<std::size_t>(transport.clip)],
-                    static_cast<float>(transport.time));
+  const Skeleton& skeleton = character.skeleton;
+  if (transport.clip < 0) return posed(skeleton, bindPose(skeleton), transport.overrides);
+  const AnimationClip& clip = character.clips[static_cast<std::size_t>(transport.clip)];
+  return posed(skeleton, samplePose(skeleton, clip, static_cast<float>(transport.time)), transport.overrides);
 }
 
 LiveSurface::LiveSurface(std::shared_ptr<const Character> character)
@@ -86,11 +126,13 @@ int LiveSurface::depthFor(const SmoothingSettings& settings, float heightPixels)
   return followed_ ? depth_ : settings.depth;
 }
 
-Result<bool> LiveSurface::prepareIfChanged(const CommandStack& commands, int depth) {
-  if (triedRig_ == commands.revision() && depth_ == depth) return false;
+Result<bool> LiveSurface::prepareIfChanged(const CommandStack& commands, int depth,
+                                           const std::vector<int>& hidden) {
+  if (triedRig_ == commands.revision() && depth_ == depth && hidden_ == hidden) return false;
   triedRig_ = commands.revision();
   depth_ = depth;
-  Rig rig = commands.rig();
+  hidden_ = hidden;
+  Rig rig = hidden.empty() ? commands.rig() : removePrimitives(commands.rig(), hidden);
   rig.smoothing.depth = depth;
   const auto start = std::chrono::steady_clock::now();
   const Result<void> prepared = smoother_.prepare(rig);
@@ -100,7 +142,7 @@ Result<bool> LiveSurface::prepareIfChanged(const CommandStack& commands, int dep
 }
 
 void LiveSurface::movePose(const Transport& transport) {
-  if (posed_ && posed_->clip == transport.clip && posed_->time == transport.time) return;
+  if (posed_ && samePose(*posed_, transport)) return;
   pose_ = poseAt(transport, *character_);
   posed_ = transport;
   moved_ = true;
@@ -110,7 +152,7 @@ Result<bool> LiveSurface::update(const CommandStack& commands, const SurfaceView
   const SmoothingSettings& settings = commands.rig().smoothing;
   const int depth = depthFor(settings, view.heightPixels);
   followed_ = settings.autoDepth && (followed_ || view.heightPixels > 0.0f);
-  const Result<bool> prepared = prepareIfChanged(commands, depth);
+  const Result<bool> prepared = prepareIfChanged(commands, depth, view.hidden);
   if (!prepared && revision_ == 0) return prepared;
   const bool stale = moved_ || eye_ != view.eye || (prepared.ok() && prepared.value());
   if (stale) {

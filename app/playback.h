@@ -3,10 +3,12 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "app/document/command_stack.h"
 #include "core/base/result.h"
 #include "core/character/character.h"
+#include "core/skeleton/pose_override.h"
 #include "core/smoothing/smoother.h"
 
 namespace sinew::app {
@@ -20,30 +22,47 @@ struct Transport {
   bool playing = false;
   bool loop = true;
   float speed = 1.0f;  ///< Factor, 0.1..4.
+  double rangeFrom = 0.0;   ///< Playing keeps to this part of the clip, seconds; through setPlayRange.
+  double rangeTo = 0.0;     ///< Not after rangeFrom: all of the clip.
+  PoseOverrides overrides{};  ///< Joints turned by hand, on top of the clip.
+};
+
+/// A part of a clip, seconds.
+struct PlayRange {
+  double from = 0.0;
+  double to = 0.0;
 };
 
 /// Length of the chosen clip, seconds; 0 for the bind pose.
 [[nodiscard]] double clipDuration(const Transport& transport, const Character& character);
 
-/// Time passes. At the end a looping clip goes on from its start by what was left over, another stops there.
+/// What plays of the chosen clip: its range, else all of it.
+[[nodiscard]] PlayRange playRange(const Transport& transport, const Character& character);
+
+/// At least one frame long, on whole frames, within the clip; all of the clip is no range.
+void setPlayRange(Transport& transport, const PlayRange& range, const Character& character);
+
+/// Time passes. At the end of what plays a looping clip goes on from the beginning by what was left over, another stops
+/// there. A moment after the end of the range plays on to the clip's end.
 void advance(Transport& transport, double seconds, const Character& character);
 
 /// One clip frame (kFrameSeconds) onwards or back, landing on whole frames; wraps when looping; pauses.
 void stepFrames(Transport& transport, int frames, const Character& character);
 
-/// Chooses a clip (or -1) from its start. Keeps `playing` for a clip that moves.
+/// Chooses a clip (or -1) from its start, all of it. Keeps `playing` for a clip that moves.
 void chooseClip(Transport& transport, int clip, const Character& character);
 
-/// Plays or pauses; a clip that stands at its end starts over. The bind pose cannot play.
+/// Plays or pauses; a clip that stands at the end of what plays starts over. The bind pose cannot play.
 void togglePlaying(Transport& transport, const Character& character);
 
-/// The pose the transport points at.
+/// The pose the transport points at, turned joints and all: the one place where the editor's poses are made.
 [[nodiscard]] Pose poseAt(const Transport& transport, const Character& character);
 
 /// What the surface's picture asks of it. View state: none of it touches the rig.
 struct SurfaceView {
   std::optional<glm::vec3> eye;  ///< World: skip what cannot be seen from here (Smoother::smooth); none: all is made.
   float heightPixels = 0.0f;     ///< The character's H as seen: depth follows it where the rig says so; 0: unknown.
+  std::vector<int> hidden{};       ///< Rig indices of muscles that are left out of the surface, ascending.
 };
 
 /// The surface kept in step with rig and time: prepares after an edit, smooths after an edit, when time has moved, or
@@ -74,7 +93,7 @@ class LiveSurface {
   explicit LiveSurface(std::shared_ptr<const Character> character);
   /// Follows the size on screen where the rig asks for it and the size is known; else keeps still, or is the rig's.
   [[nodiscard]] int depthFor(const SmoothingSettings& settings, float heightPixels) const;
-  [[nodiscard]] Result<bool> prepareIfChanged(const CommandStack& commands, int depth);
+  [[nodiscard]] Result<bool> prepareIfChanged(const CommandStack& commands, int depth, const std::vector<int>& hidden);
 
   std::shared_ptr<const Character> character_;
   Smoother smoother_;
@@ -85,8 +104,9 @@ class LiveSurface {
   int depth_ = 0;                        ///< Last given to prepare(); 0: nothing was.
   bool followed_ = false;                ///< depth_ came from the size on screen.
   std::optional<std::size_t> triedRig_;  ///< CommandStack::revision() last given to prepare().
+  std::vector<int> hidden_;              ///< Last left out of what was given to prepare().
   std::optional<glm::vec3> eye_;         ///< What surface_ was made for.
-  std::optional<Transport> posed_;       ///< What pose_ shows: clip and time count.
+  std::optional<Transport> posed_;       ///< What pose_ shows: clip, time and turned joints count.
   bool moved_ = false;                   ///< pose_ is newer than surface_.
   double prepareSeconds_ = 0.0;
 };

@@ -1,12 +1,22 @@
 // shaders/lighting.glsl: a quiet studio: key, fill and rim go around with the camera, so that every side is shown well.
 
-const vec3 kSky = vec3(0.36, 0.39, 0.44);
-const vec3 kFloorBounce = vec3(0.135, 0.122, 0.112);
-const vec3 kKeyColor = vec3(1.30, 1.24, 1.15);
-const vec3 kFillColor = vec3(0.20, 0.22, 0.25);
-const vec3 kRimColor = vec3(0.34, 0.38, 0.44);
+const vec3 kSky = vec3(0.315, 0.345, 0.395);
+const vec3 kFloorBounce = vec3(0.150, 0.128, 0.110);
+const vec3 kKeyColor = vec3(1.56, 1.45, 1.30);
+const vec3 kFillColor = vec3(0.150, 0.170, 0.205);
+const vec3 kRimColor = vec3(0.50, 0.58, 0.70);
 
-vec3 hemisphere(float up) { return mix(kFloorBounce, kSky, smoothstep(-1.0, 1.0, up)); }
+vec3 hemisphere(float up) { return mix(kFloorBounce, kSky, 0.5 + up * (0.75 - 0.25 * up * up)); }
+
+// What reaches a spot of the skin of all the light around it: `open` was baked for the body itself (occlusion.h), the
+// floor is near whatever the pose. Light that is kept out is red light last: skin passes some on.
+vec3 openness(float open, vec3 world, float up) {
+  float above = max(world.y - picture.w, 0.0) / picture.z;
+  float contact = 1.0 / (1.0 + 34.0 * above);
+  float left_ = open * (1.0 - 0.62 * contact * contact * clamp(0.75 - up, 0.0, 1.0));
+  float dark = 1.0 - left_;
+  return vec3(left_) + vec3(0.16, 0.055, 0.03) * (dark * left_ * 2.0);
+}
 
 // GGX highlight of one light, Schlick's Fresnel, Hammon's visibility (GDC 2017).
 float highlight(vec3 n, vec3 v, vec3 l, float roughness) {
@@ -21,43 +31,52 @@ float highlight(vec3 n, vec3 v, vec3 l, float roughness) {
 vec3 studioKey() {
   vec3 side = vec3(viewFromWorld[0][0], 0.0, viewFromWorld[2][0]);
   vec3 towards = vec3(-side.z, 0.0, side.x);  // Towards the eye, level.
-  return normalize(-0.62 * side + 0.66 * towards + vec3(0.0, 0.92, 0.0));
+  return normalize(-0.72 * side + 0.58 * towards + vec3(0.0, 0.90, 0.0));
 }
 
 // Physically inclined shading of a metallic-roughness material.
-vec3 studio(vec3 albedo, float metallic, float roughness, vec3 n, vec3 v, vec3 right, vec3 up) {
+vec3 studio(vec3 albedo, float metallic, float roughness, vec3 n, vec3 v, vec3 right, vec3 up, vec3 open) {
   vec3 l = studioKey();
-  vec3 fill = normalize(0.75 * right + 0.15 * up + 0.65 * v);
-  vec3 back = normalize(0.55 * right + 0.55 * up - 0.75 * v);
-  float lit = max((dot(n, l) + 0.22) / 1.22, 0.0);
-  vec3 diffuse = kKeyColor * lit * (0.35 + 0.65 * lit) + hemisphere(n.y) + kFillColor * max(dot(n, fill), 0.0);
+  vec3 fill = 0.75 * right + 0.15 * up + 0.65 * v;
+  vec3 back = 0.60 * right + 0.52 * up - 0.62 * v;
+  vec3 backLeft = -0.80 * right + 0.20 * up - 0.56 * v;
+  float lit = max((dot(n, l) + 0.24) / 1.24, 0.0);
+  // Key light is kept out less than the sky's: it comes from one side, and its own shadow is on the floor.
+  vec3 diffuse = kKeyColor * (lit * (0.30 + 0.70 * lit)) * (0.45 + 0.55 * open);
+  diffuse += (hemisphere(n.y) + kFillColor * max(dot(n, fill), 0.0)) * open;
   float grazing = 1.0 - max(dot(n, v), 0.0);
   float grazing2 = grazing * grazing;
   vec3 f0 = mix(vec3(0.04), albedo, metallic);
   vec3 fresnel = f0 + (max(vec3(1.0 - roughness), f0) - f0) * grazing2 * grazing2 * grazing;
   vec3 mirrored = hemisphere(clamp(reflect(-v, n).y * (1.6 - roughness), -1.0, 1.0));
-  vec3 specular = fresnel * (mirrored * (1.0 - 0.6 * roughness) + 2.6 * kKeyColor * highlight(n, v, l, max(roughness, 0.25)));
-  vec3 rim = kRimColor * grazing2 * grazing * max(dot(n, back) + 0.35, 0.0);
-  return albedo * (1.0 - metallic) * (diffuse + rim) * 0.86 + specular + rim * 0.06;
+  vec3 glint = kKeyColor * (2.6 * highlight(n, v, l, max(roughness, 0.25)));
+  vec3 specular = fresnel * open * (mirrored * (1.0 - 0.6 * roughness) + glint);
+  float behind = max(dot(n, back) + 0.30, 0.0) + 0.55 * max(dot(n, backLeft) + 0.10, 0.0);
+  vec3 rim = kRimColor * (grazing2 * grazing * behind) * open;
+  return albedo * (1.0 - metallic) * (diffuse + rim) * 0.86 + specular + rim * 0.09;
 }
 
 // Light on a sculptor's clay, by where the normal points as seen: x right, y up, z to the eye. 1 = clay as it is.
-vec3 clayLight(vec3 m) {
-  const vec3 keyDirection = vec3(-0.46, 0.62, 0.635);
+vec3 clayLight(vec3 m, vec3 open) {
+  const vec3 keyDirection = vec3(-0.52, 0.60, 0.608);
   float d = dot(m, keyDirection);
-  float lit = smoothstep(-0.30, 1.05, d);
-  vec3 light = mix(vec3(0.135, 0.130, 0.135), vec3(0.34, 0.35, 0.365), smoothstep(-0.9, 0.9, m.y));
-  light += vec3(1.18, 1.10, 1.00) * lit * lit;
-  light += vec3(0.085, 0.038, 0.018) * smoothstep(-0.35, 0.05, d) * (1.0 - smoothstep(0.05, 0.55, d));  // Warm terminator.
-  light += vec3(0.12, 0.14, 0.18) * max(dot(m, vec3(0.80, -0.20, 0.56)), 0.0);
+  float lit = smoothstep(-0.26, 1.06, d);
   float edge = 1.0 - clamp(m.z, 0.0, 1.0);
-  light *= 1.0 - 0.38 * edge * edge;                                                        // Forms turn away darker,
-  light += vec3(0.42, 0.47, 0.55) * edge * edge * edge * smoothstep(-0.1, 0.8, 0.7 * m.x + 0.55 * m.y);  // then rimmed.
-  return light;
+  vec3 around = mix(vec3(0.118, 0.088, 0.084), vec3(0.230, 0.238, 0.262), smoothstep(-0.9, 0.9, m.y));
+  around += vec3(0.115, 0.132, 0.172) * max(dot(m, vec3(0.80, -0.12, 0.59)), 0.0);         // Fill, from the right.
+  vec3 light = around * open + vec3(1.62, 1.49, 1.29) * (lit * lit) * (0.40 + 0.60 * open);
+  float terminator = smoothstep(-0.42, 0.02, d) * (1.0 - smoothstep(0.02, 0.60, d));
+  light += vec3(0.135, 0.050, 0.018) * terminator;  // Warm, as if light went in.
+  light *= 1.0 - 0.42 * edge * edge;                                                        // Forms turn away darker,
+  float right = smoothstep(0.0, 0.85, 0.72 * m.x + 0.45 * m.y);
+  float left_ = smoothstep(0.15, 0.95, -0.90 * m.x - 0.10 * m.y);
+  vec3 rim = vec3(0.58, 0.66, 0.78) * right + vec3(0.30, 0.25, 0.22) * left_;
+  return light + rim * (edge * edge * edge) * open;                                         // then are rimmed.
 }
 
 vec3 clayGloss(vec3 m) {
-  vec3 h = normalize(vec3(-0.46, 0.62, 0.635) + vec3(0.0, 0.0, 1.0));
+  const vec3 h = vec3(-0.290, 0.3345, 0.8966);
   float s = max(dot(m, h), 0.0);
-  return vec3(0.085) * pow(s, 22.0) + vec3(0.045) * pow(s, 90.0);
+  float s2 = s * s, s4 = s2 * s2, s8 = s4 * s4, s16 = s8 * s8;
+  return vec3(0.075, 0.072, 0.068) * (s16 * s4) + vec3(0.060) * (s16 * s16 * s16 * s16);
 }

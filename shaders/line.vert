@@ -4,7 +4,7 @@
 #include "line.glsl"
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
-uniform vec4 tint;
+layout(location = 2) in vec4 tint;
 uniform float width;
 flat out vec4 color;
 out float dash;

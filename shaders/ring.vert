@@ -31,7 +31,8 @@ void main() {
   vec3 n = normalize(cofactors * middle);
   if (dot(cofactors[0], linear[0]) < 0.0) n = -n;
   float facing = dot(n, toEye(linear * middle + placeAt.xyz));
-  color = vec4(mix(tint.rgb, vec3(1.0), 0.15 + 0.25 * style.y), mix(0.22, 1.0, smoothstep(-0.15, 0.15, facing)));
+  float near = smoothstep(-0.15, 0.15, facing);
+  color = vec4(mix(tint.rgb, vec3(1.0), 0.18 + 0.22 * style.y), mix(0.20, 0.80 + 0.20 * style.x, near));
   dash = (first + (corner == 0 || corner == 1 || corner == 3 ? 0.0 : step_)) / 6.2831853 * dashes;
-  placeCorner(lifted(linear * a + placeAt.xyz), lifted(linear * b + placeAt.xyz), width + style.x, corner);
+  placeCorner(lifted(linear * a + placeAt.xyz), lifted(linear * b + placeAt.xyz), width + 0.5 * style.x, corner);
 }

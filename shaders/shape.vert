@@ -9,6 +9,7 @@ layout(location = 4) in vec4 placeZ;
 layout(location = 5) in vec4 placeAt;
 layout(location = 6) in vec4 tint;   // Linear colour and opacity.
 layout(location = 7) in vec4 style;  // Outline 0..1, glow 0..1.
+uniform vec4 swell;  // Pixels by which the shape grows away from a point in it (w), and that point.
 out vec3 world;
 out vec3 shapeNormal;
 flat out vec4 color;
@@ -23,4 +24,11 @@ void main() {
   color = tint;
   look = style;
   gl_Position = clipFromWorld * vec4(world, 1.0);
+  if (swell.w > 0.0) {
+    vec3 outwards = position - swell.xyz;
+    vec3 squares = vec3(dot(linear[0], linear[0]), dot(linear[1], linear[1]), dot(linear[2], linear[2]));
+    vec3 unit = inversesqrt(max(squares, vec3(1e-30)));
+    vec2 onScreen = (mat3(clipFromWorld) * (linear * (outwards * unit))).xy * picture.xy;
+    gl_Position.xy += normalize(onScreen + vec2(1e-12, 0.0)) * swell.w * 2.0 / picture.xy * gl_Position.w;
+  }
 }

@@ -1,5 +1,6 @@
 #version 450 core
-// shaders/surface.frag: one of four shadings, SHADING_TEXTURED / _CLAY / _CLASSES / _HEAT, with WIRE edges or without.
+// shaders/surface.frag: one of four shadings, SHADING_TEXTURED / _CLAY / _CLASSES / _HEAT, with WIRE edges or without,
+// with MARKED territory and bulges of the selected muscles or without.
 #include "frame.glsl"
 #include "color.glsl"
 #include "lighting.glsl"
@@ -9,6 +10,7 @@ in Surface {
   vec3 normal;
   vec2 uv;
   float displacement;
+  vec2 skin;  // How open to the sky, territory: 0..1.
 } fragment;
 #ifdef WIRE
 noperspective in vec3 edgePixels;
@@ -21,19 +23,18 @@ uniform vec4 baseColor;
 uniform vec4 finish;     // Metallic, roughness, alpha cutoff (below 0: none), 1 where the alpha blends.
 uniform vec3 emissive;
 uniform int unlit;
-uniform float wireScale;
-uniform vec4 heatStops[9];  // sRGB.
-uniform float heatRange;    // Character units.
-uniform ivec2 classLookup;  // First triangle of this draw, refined triangles per control triangle.
+uniform float lineScale;
+uniform vec4 heatStops[9];     // Linear.
+uniform float heatRange;       // Character units.
+uniform vec4 classColors[3];   // Linear; by class.
+uniform ivec2 classLookup;     // First triangle of this draw, refined triangles per control triangle.
 layout(std430, binding = 0) readonly buffer Classes { uint classOf[]; };
-
-vec3 decoded(vec3 srgb) { return mix(srgb / 12.92, pow((srgb + 0.055) / 1.055, vec3(2.4)), step(0.04045, srgb)); }
 
 #ifdef SHADING_HEAT
 vec3 heatColor(float x) {
   float at = (clamp(x, -1.0, 1.0) * 0.5 + 0.5) * 8.0;
   int low = min(int(at), 7);
-  return decoded(mix(heatStops[low].rgb, heatStops[low + 1].rgb, at - float(low)));
+  return mix(heatStops[low].rgb, heatStops[low + 1].rgb, at - float(low));
 }
 #endif
 
@@ -41,12 +42,33 @@ vec3 pigment() {
 #if defined(SHADING_HEAT)
   return heatColor(fragment.displacement / heatRange);
 #elif defined(SHADING_CLASSES)
-  uint kind = classOf[(classLookup.x + gl_PrimitiveID) / classLookup.y];
-  return kind == 2u ? vec3(0.72, 0.20, 0.10) : kind == 1u ? vec3(0.80, 0.48, 0.09) : vec3(0.17, 0.27, 0.40);
+  return classColors[classOf[(classLookup.x + gl_PrimitiveID) / classLookup.y]].rgb;
 #else
-  return vec3(0.455, 0.420, 0.385);
+  return vec3(0.435, 0.330, 0.262);
 #endif
 }
+
+#ifdef MARKED
+uniform vec4 territoryTint;   // Linear; w: strength.
+uniform int markCount;        // 0..4 muscles whose influence is outlined on the skin.
+uniform vec4 markRows[12];    // Three rows each: world -> the ball of influence, radius 1.
+uniform vec4 markColors[4];   // Linear; w: opacity of the line.
+
+vec3 marked(vec3 color) {
+  float light = dot(color, vec3(0.2126, 0.7152, 0.0722));
+  float own = fragment.skin.y;
+  color = mix(color, territoryTint.rgb * (0.10 + 1.35 * light), territoryTint.w * own);
+  for (int i = 0; i < markCount; ++i) {
+    vec4 at = vec4(fragment.world, 1.0);
+    vec3 inBall = vec3(dot(markRows[3 * i], at), dot(markRows[3 * i + 1], at), dot(markRows[3 * i + 2], at));
+    float outwards = length(inBall) - 1.0;
+    float pixels = outwards / max(fwidth(outwards), 1e-6);
+    float line = clamp(0.5 + 0.75 * lineScale - abs(pixels), 0.0, 1.0) * markColors[i].w;
+    color = mix(color, markColors[i].rgb, line);
+  }
+  return color;
+}
+#endif
 
 void main() {
   vec3 v = toEye(fragment.world);
@@ -54,22 +76,27 @@ void main() {
   vec3 cameraUp = vec3(viewFromWorld[0][1], viewFromWorld[1][1], viewFromWorld[2][1]);
   vec3 right = normalize(cross(cameraUp, v));
   vec3 up = cross(v, right);
+  vec3 open = openness(fragment.skin.x, fragment.world, n.y);
   float alpha = 1.0;
 #ifdef SHADING_TEXTURED
   vec4 base = baseColor * texture(baseMap, fragment.uv);
   if (base.a < finish.z) discard;
   if (finish.w > 0.5) alpha = base.a;
-  vec3 color = unlit != 0 ? base.rgb
-                          : dithered(toneMapped(studio(base.rgb, finish.x, finish.y, n, v, right, up) + emissive));
+  vec3 lit = studio(base.rgb, finish.x, finish.y, n, v, right, up, open) + emissive;
+  vec3 color = unlit != 0 ? base.rgb : dithered(toneMapped(lit));
 #else
   vec3 m = vec3(dot(n, right), dot(n, up), dot(n, v));
-  vec3 color = dithered(toneMapped(pigment() * clayLight(m) + clayGloss(m)));
+  vec3 color = dithered(toneMapped(pigment() * clayLight(m, open) + clayGloss(m) * open));
+#endif
+#ifdef MARKED
+  color = marked(color);
 #endif
 #ifdef WIRE
   float nearest = min(edgePixels.x, min(edgePixels.y, edgePixels.z));
   float thin = min(altitudes.x, min(altitudes.y, altitudes.z));
-  float line = (1.0 - smoothstep(0.5 * wireScale - 0.25, 0.5 * wireScale + 0.75, nearest)) * mix(0.18, 0.62, smoothstep(2.0, 9.0, thin / wireScale));
-  color = mix(color, vec3(0.012, 0.013, 0.016), line);
+  float line = (1.0 - smoothstep(0.5 * lineScale - 0.35, 0.5 * lineScale + 0.75, nearest)) *
+               mix(0.10, 0.62, smoothstep(2.0, 10.0, thin / lineScale));
+  color = mix(color, vec3(0.016, 0.014, 0.016), line);
 #endif
   outColor = vec4(color * alpha, alpha);
 }

@@ -5,12 +5,14 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float displacement;
 layout(location = 3) in vec2 uv;
+layout(location = 4) in vec2 skin;
 
 out Surface {
   vec3 world;
   vec3 normal;
   vec2 uv;
   float displacement;
+  vec2 skin;  // How open to the sky, territory: 0..1.
 } vertex;
 
 void main() {
@@ -18,5 +20,6 @@ void main() {
   vertex.normal = normal;
   vertex.uv = uv;
   vertex.displacement = displacement;
+  vertex.skin = skin;
   gl_Position = clipFromWorld * vec4(position, 1.0);
 }

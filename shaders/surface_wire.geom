@@ -10,6 +10,7 @@ in Surface {
   vec3 normal;
   vec2 uv;
   float displacement;
+  vec2 skin;  // How open to the sky, territory: 0..1.
 } corner[];
 
 out Surface {
@@ -17,6 +18,7 @@ out Surface {
   vec3 normal;
   vec2 uv;
   float displacement;
+  vec2 skin;  // How open to the sky, territory: 0..1.
 } vertex;
 noperspective out vec3 edgePixels;
 flat out vec3 altitudes;
@@ -36,6 +38,7 @@ void main() {
     vertex.normal = corner[i].normal;
     vertex.uv = corner[i].uv;
     vertex.displacement = corner[i].displacement;
+    vertex.skin = corner[i].skin;
     edgePixels = vec3(0.0);
     edgePixels[i] = heights[i];
     if (heights.x > 9e5) edgePixels = vec3(1e6);

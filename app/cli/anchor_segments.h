@@ -6,8 +6,8 @@
 
 namespace sinew::app {
 
-/// From each control vertex that the muscles hold (a corner of an implicit triangle, by `surface.classes`) to its anchor,
-/// both in the pose; kFound where the smoothed surface lies off the control vertex, else kLost. World space.
+/// From each control vertex that the muscles hold (a corner of an implicit triangle, by `surface.classes`) to its
+/// anchor, both in the pose; kFound where the smoothed surface lies off the control vertex, else kLost. World space.
 [[nodiscard]] std::vector<SceneSegment> anchorSegments(const Character& character, const Pose& pose,
                                                        const Surface& surface);
 

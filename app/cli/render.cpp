@@ -7,10 +7,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/anchor_segments.h"
 #include "app/cli/console.h"
 #include "app/cli/crease_option.h"
 #include "app/cli/render_plan.h"
 #include "app/document/document.h"
+#include "app/document/motion_clip.h"
 #include "app/render/framing.h"
 #include "app/render/offscreen.h"
 #include "app/render/picking.h"
@@ -130,6 +132,7 @@ Result<void> makePicture(const PlannedPicture& picture, const AnimationClip* cli
     skin(character, pose, skinned);
     scene.skinnedControlPositions = std::move(skinned.positions);
   }
+  if (plan.anchors) scene.segments = anchorSegments(character, pose, surface);
   viewport.draw(scene, view, plan.display);
   seconds.upload += viewport.seconds().upload;
   seconds.draw += viewport.seconds().draw;
@@ -164,11 +167,12 @@ void addLook(CLI::App& verb, RenderOptions& options) {
   verb.add_option("--shading", options.shading,
                   "textured, clay, classes (implicit, straddling, normal) or heat (displacement)")
       ->type_name("S");
-  verb.add_option("--show", options.show, "Any of skeleton, primitives, influence, wire, control, classes")
+  verb.add_option("--show", options.show, "Any of skeleton, primitives, influence, wire, control, anchors, classes")
       ->type_name("WHAT,...")
       ->delimiter(',')
       ->expected(1)
       ->take_all();
+  verb.add_flag("--surface,!--no-surface", options.surface, "The smoothed surface (on)");
   verb.add_flag("--ground,!--no-ground", options.ground, "Grid and shadow (on)");
   verb.add_flag("--cull", options.cull, "Leave out, before it is computed, what turns away from the eye: faster");
   verb.add_flag("--transparent", options.transparent, "No background: an alpha channel instead");
@@ -200,7 +204,8 @@ void addRenderOptions(CLI::App& verb, RenderOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
   verb.add_option_function<std::string>("FILE", to(options.input), "Rig (.rig.json) or character (.glb, .gltf)")
       ->required();
-  verb.add_option("--clip", options.clip, "Pose from this clip; without any of these, the bind pose")
+  verb.add_option("--clip", options.clip, "Pose from this clip, or \"Range of motion\", made from the joints; "
+                                          "without any of these, the bind pose")
       ->type_name("NAME");
   verb.add_option("--time", options.time, "Seconds into the clip (of the first, if none is named)")->type_name("S");
   verb.add_option("--frames", options.frames, "One picture per clip frame, both ends included")->type_name("A:B");
@@ -217,8 +222,9 @@ int runRender(const RenderOptions& options) {
   const auto plan = planRender(options);
   if (!plan) return badCommandLine(plan.error().text());
   progress("reading " + options.input.string());
-  const auto document = openDocument(options.input);
+  auto document = openDocument(options.input);
   if (!document) return badInput(document.error());
+  document.value().character = withClipNamed(document->character, options.clip);
   Rig rig = overridden(document->rig(), options);
   if (const auto missing = missingBones(rig, document->character->skeleton); !missing.empty()) {
     return badInput({options.input.string(), missing.front().place, missing.front().reason});

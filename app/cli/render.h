@@ -25,6 +25,7 @@ struct RenderOptions {
   std::string shading = "textured";
   std::vector<std::string> show;
   bool cull = false;
+  bool surface = true;  ///< Off: what is shown of muscles, bones and control mesh alone.
   bool ground = true;
   bool transparent = false;
   std::string size = "1280x800";

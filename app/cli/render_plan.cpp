@@ -72,7 +72,8 @@ Result<void> readSize(const std::string& text, RenderPlan& plan) {
   return {};
 }
 
-Result<void> readDisplay(const RenderOptions& options, DisplaySettings& display) {
+Result<void> readDisplay(const RenderOptions& options, RenderPlan& plan) {
+  DisplaySettings& display = plan.display;
   if (options.shading == "textured") display.shading = Shading::kTextured;
   else if (options.shading == "clay") display.shading = Shading::kClay;
   else if (options.shading == "classes") display.shading = Shading::kClasses;
@@ -84,13 +85,15 @@ Result<void> readDisplay(const RenderOptions& options, DisplaySettings& display)
     else if (shown == "influence") display.influence = true;
     else if (shown == "wire") display.wire = true;
     else if (shown == "control") display.controlMesh = true;
+    else if (shown == "anchors") plan.anchors = true;
     else if (shown == "classes") display.shading = Shading::kClasses;
     else {
-      return errorAt("--show",
-                     "expected skeleton, primitives, influence, wire, control or classes, got \"" + shown + '"');
+      return errorAt("--show", "expected skeleton, primitives, influence, wire, control, anchors or classes, got \"" +
+                                   shown + '"');
     }
   }
   display.cullBackFaces = options.cull;
+  display.surface = options.surface;
   display.ground = options.ground;
   display.background = !options.transparent;
   return {};
@@ -164,7 +167,7 @@ Result<RenderPlan> planRender(const RenderOptions& options) {
   RenderPlan plan;
   if (const auto read = readView(options.view, plan); !read) return read.error();
   if (const auto read = readSize(options.size, plan); !read) return read.error();
-  if (const auto read = readDisplay(options, plan.display); !read) return read.error();
+  if (const auto read = readDisplay(options, plan); !read) return read.error();
   if (const auto read = readMoments(options, plan); !read) return read.error();
   return plan;
 }

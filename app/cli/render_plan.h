@@ -23,6 +23,7 @@ struct RenderPlan {
   float pitch = 0.0f;
   glm::ivec2 size{1280, 800};
   DisplaySettings display;
+  bool anchors = false;  ///< The segments from the control vertices to the skeleton.
 };
 
 /// Error: place is the option, reason what was expected of it.

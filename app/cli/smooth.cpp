@@ -10,6 +10,7 @@
 #include "app/cli/console.h"
 #include "app/cli/crease_option.h"
 #include "app/document/document.h"
+#include "app/document/motion_clip.h"
 #include "core/io/atomic_file.h"
 #include "core/io/json.h"
 #include "core/io/surface_export.h"
@@ -114,7 +115,9 @@ void addSmoothOptions(CLI::App& verb, SmoothOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
   verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf)")
       ->required();
-  CLI::Option* clip = verb.add_option("--clip", options.clip, "Pose from this clip; without it, the bind pose");
+  CLI::Option* clip = verb.add_option(
+      "--clip", options.clip,
+      "Pose from this clip, or \"Range of motion\", made from the joints; without it, the bind pose");
   clip->type_name("NAME");
   verb.add_option("--time", options.time, "Seconds into the clip (0)")->type_name("S")->check(isTime)->needs(clip);
   addSettings(verb, options);
@@ -129,8 +132,9 @@ void addSmoothOptions(CLI::App& verb, SmoothOptions& options) {
 
 int runSmooth(const SmoothOptions& options) {
   progress("reading " + options.file.string());
-  const auto document = openDocument(options.file);
+  auto document = openDocument(options.file);
   if (!document) return badInput(document.error());
+  if (options.clip) document.value().character = withClipNamed(document->character, *options.clip);
   for (const std::filesystem::path& written : {options.output, options.report}) {
     if (wouldOverwriteInput(written, document.value()))
       return badCommandLine(written.string() + ": is the input, and is kept");

@@ -53,6 +53,9 @@ struct CommandLine {
                          "Character (.glb, .gltf) or rig (.rig.json); without it, a bundled character");
     editVerb->add_option("--log-state", edit.logState, "Append a JSON line per drawn frame that changed")
         ->type_name("FILE");
+    editVerb->add_option("--scale", edit.scale, "Size of the interface: 1, 1.5, 2; without it, what the system says")
+        ->check(CLI::Range(0.5, 4.0))
+        ->type_name("S");
     inspectVerb = app.add_subcommand("inspect", "Tell what a character or rig holds, and what is wrong with it");
     addInspectOptions(*inspectVerb, inspect);
     smoothVerb = app.add_subcommand("smooth", "Write the smoothed surface of one moment");

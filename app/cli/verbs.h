@@ -14,6 +14,7 @@ namespace sinew::app {
 struct EditRequest {
   std::string file;      ///< "" for the bundled character.
   std::string logState;  ///< "" for none.
+  float scale = 0.0f;    ///< 0: what preferences or system say.
 };
 
 /// Reads the command line and runs its verb; `edit` is what runs without one. Returns the exit status

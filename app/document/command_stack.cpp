@@ -32,6 +32,8 @@ void CommandStack::beginGesture(const std::string& label) {
 void CommandStack::updateGesture(Rig rig) {
   assert(gesture_);
   if (*current_ == rig) return;
+  if (keeper_) rig = keeper_(*steps_[position_].rig, *current_, std::move(rig));
+  if (*current_ == rig) return;
   show(std::make_shared<const Rig>(std::move(rig)));
 }
 

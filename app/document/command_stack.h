@@ -1,8 +1,10 @@
 #pragma once  // app/document/command_stack.h: the only writer of the rig: undo, redo, gestures.
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/rig/rig.h"
@@ -13,7 +15,13 @@ namespace sinew::app {
 /// A gesture (one drag) shows its states at once and leaves one step, or none if cancelled or without effect.
 class CommandStack {
  public:
+  /// What every edit passes through before it is shown: for what must hold whoever edits (linked twins follow).
+  /// (before the gesture, shown now, wanted) -> what is shown.
+  using Keeper = std::function<Rig(const Rig& atStart, const Rig& shown, Rig wanted)>;
+
   explicit CommandStack(Rig rig);
+
+  void setKeeper(Keeper keeper) { keeper_ = std::move(keeper); }
 
   [[nodiscard]] const Rig& rig() const { return *current_; }
   [[nodiscard]] std::shared_ptr<const Rig> sharedRig() const { return current_; }
@@ -56,6 +64,7 @@ class CommandStack {
   bool gesture_ = false;
   std::string gestureLabel_;
   std::size_t revision_ = 0;
+  Keeper keeper_;
 };
 
 }  // namespace sinew::app

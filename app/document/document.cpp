@@ -8,6 +8,7 @@
 
 #include "core/io/gltf_import.h"
 #include "core/io/rig_json.h"
+#include "core/rig/twins.h"
 
 namespace sinew::app {
 namespace {
@@ -27,6 +28,7 @@ Result<Document> openCharacter(const std::filesystem::path& file) {
   Rig rig;
   rig.character = file.filename().generic_string();
   document.commands = CommandStack(std::move(rig));
+  prepareMirror(document);
   return document;
 }
 
@@ -41,6 +43,7 @@ Result<Document> openRig(const std::filesystem::path& file) {
   document.characterFile = characterFile;
   document.rigFile = file;
   document.commands = CommandStack(std::move(rig).value());
+  prepareMirror(document);
   return document;
 }
 
@@ -59,6 +62,14 @@ Result<Document> openDocument(const std::filesystem::path& file) {
   if (name.ends_with(".json")) return openRig(file);
   if (name.ends_with(".glb") || name.ends_with(".gltf")) return openCharacter(file);
   return Error{file.string(), "", "expected a character (.glb, .gltf) or a rig (.rig.json)"};
+}
+
+void prepareMirror(Document& document) {
+  document.mirror = std::make_shared<const MirrorPlan>(makeMirrorPlan(*document.character));
+  document.symmetry = document.mirror->pairCount() > 0;
+  document.commands.setKeeper([plan = document.mirror](const Rig& atStart, const Rig& shown, Rig wanted) {
+    return keepTwins(atStart, shown, std::move(wanted), *plan);
+  });
 }
 
 Result<void> saveDocument(Document& document, const std::filesystem::path& rigFile) {

@@ -6,18 +6,24 @@
 
 #include "app/document/command_stack.h"
 #include "app/document/selection.h"
+#include "app/document/visibility.h"
 #include "core/base/result.h"
 #include "core/character/character.h"
+#include "core/rig/mirror.h"
 
 namespace sinew::app {
 
-/// The document: a read-only character, the rig (through its command stack alone), the selection, the paths.
+/// The document: a read-only character, the rig (through its command stack alone), the paths; and as view state
+/// the selection and what is hidden or locked.
 struct Document {
   std::shared_ptr<const Character> character;
   std::filesystem::path characterFile;
   std::filesystem::path rigFile;  ///< Empty until saved or opened from one.
   CommandStack commands{Rig{}};
   Selection selection;
+  std::shared_ptr<const MirrorPlan> mirror;  ///< Null or unusable: nothing can be mirrored. See prepareMirror.
+  bool symmetry = false;  ///< View state: what is added, deleted, duplicated or pasted is so on both sides.
+  Visibility visibility;
 
   [[nodiscard]] const Rig& rig() const { return commands.rig(); }
   /// Rig index of the active primitive, or -1.
@@ -29,6 +35,10 @@ struct Document {
 /// Opens a .glb / .gltf (with an empty rig) or a .rig.json (with the character it names). Error: the open document is
 /// untouched.
 [[nodiscard]] Result<Document> openDocument(const std::filesystem::path& file);
+
+/// Finds the character's mirror plane and has the command stack keep linked twins each other's image, from now on;
+/// symmetry is switched on where bones come in pairs. openDocument does this; documents made by hand may.
+void prepareMirror(Document& document);
 
 /// Writes the rig; on success rigFile is set and the document counts as saved.
 [[nodiscard]] Result<void> saveDocument(Document& document, const std::filesystem::path& rigFile);

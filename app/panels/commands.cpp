@@ -3,12 +3,14 @@
 #include "app/panels/commands.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 
-#include "app/platform/data_files.h"
+#include "app/panels/session.h"
+#include "app/panels/symmetry_commands.h"
+#include "app/panels/territory.h"
 #include "core/rig/attachment.h"
 #include "core/rig/rig_edit.h"
+#include "core/rig/twins.h"
 
 namespace sinew::app {
 namespace {
@@ -24,6 +26,8 @@ void show(EditorState& state, Document document, LiveSurface live, const Transpo
   state.route = {};
   state.rename = {};
   state.euler = {};
+  state.panels.territory = {};
+  state.panels.followed.reset();
   state.gestureItem = 0;
   state.fieldError.clear();
   state.frameWanted = true;
@@ -62,6 +66,8 @@ void travel(EditorState& state, Move move) {
   const auto before = state.document.commands.sharedRig();
   move(state.document.commands);
   const Rig& after = state.document.rig();
+  followRig(state.document.visibility, *before, after, true);
+  state.panels.followed = state.document.commands.sharedRig();
   if (after.primitives.size() != before->primitives.size()) return;
   for (std::string& name : state.document.selection.primitives) {
     const int index = findPrimitive(*before, name);
@@ -69,21 +75,10 @@ void travel(EditorState& state, Move move) {
   }
 }
 
-/// A file that ships with the program: saved elsewhere, so that the next start shows it as it was.
-bool isBundled(const std::filesystem::path& file) {
-  std::error_code failed;
-  return !file.empty() && std::filesystem::equivalent(file.parent_path(), dataFile("assets"), failed) && !failed;
-}
-
-std::filesystem::path homeFolder() {
-  const char* const home = std::getenv("HOME");
-  std::error_code ignored;
-  return home && *home ? std::filesystem::path(home) : std::filesystem::current_path(ignored);
-}
-
 }  // namespace
 
 void addMessage(EditorState& state, MessageKind kind, const std::string& text) {
+  state.messagesShown = true;
   for (Message& message : state.messages) {
     if (message.kind == kind && message.text == text) {
       ++message.count;
@@ -136,6 +131,9 @@ void perform(EditorState& state, const Intent& intent) {
     case IntentKind::kReopen:
       reopen(state);
       break;
+    case IntentKind::kRecover:
+      recover(state, intent.file);
+      break;
     case IntentKind::kQuit:
       state.quit = true;
       break;
@@ -146,9 +144,18 @@ void showOpenDialog(EditorState& state) {
   const Document& document = state.document;
   std::filesystem::path folder = document.rigFile.empty() ? document.characterFile : document.rigFile;
   std::error_code ignored;
-  folder = folder.empty() ? std::filesystem::current_path(ignored)
-                          : std::filesystem::absolute(folder, ignored).parent_path();
-  state.dialog = {DialogKind::kOpen, folder, "", "", true, {}};
+  if (isSample(folder)) {
+    // The program's own folder is no place to work in; where one has worked before is.
+    const auto& recent = state.preferences.recentFiles;
+    folder = recent.empty() ? homeFolder() : recent.front().parent_path();
+  } else {
+    folder = folder.empty() ? std::filesystem::current_path(ignored)
+                            : std::filesystem::absolute(folder, ignored).parent_path();
+  }
+  state.dialog = {};
+  state.dialog.kind = DialogKind::kOpen;
+  state.dialog.folder = folder;
+  state.dialog.appearing = true;
 }
 
 void showSaveDialog(EditorState& state, const Intent& then) {
@@ -159,14 +166,19 @@ void showSaveDialog(EditorState& state, const Intent& then) {
     file = document.characterFile;
     file.replace_extension(".rig.json");
   }
-  if (isBundled(file)) file = homeFolder() / file.filename();
+  if (isSample(file)) file = homeFolder() / file.filename();
   file = std::filesystem::absolute(file, ignored);
-  state.dialog = {DialogKind::kSaveAs, file.parent_path(), file.filename().string(), "", true, then};
+  state.dialog = {};
+  state.dialog.kind = DialogKind::kSaveAs;
+  state.dialog.folder = file.parent_path();
+  state.dialog.text = file.filename().string();
+  state.dialog.appearing = true;
+  state.dialog.then = then;
 }
 
 bool save(EditorState& state, const Intent& then) {
   if (!state.hasCharacter()) return false;
-  if (state.document.rigFile.empty() || isBundled(state.document.rigFile)) {
+  if (state.document.rigFile.empty() || isSample(state.document.rigFile)) {
     showSaveDialog(state, then);
     return false;
   }
@@ -203,7 +215,7 @@ void addMuscle(EditorState& state, int bone) {
 }
 
 void deleteSelection(EditorState& state) {
-  const std::vector<int> indices = selectedIndices(state.document);
+  const std::vector<int> indices = editedIndices(state);
   if (indices.empty() || isBusy(state)) return;
   const std::string what =
       indices.size() == 1 ? state.document.selection.active() : std::to_string(indices.size()) + " muscles";
@@ -211,14 +223,17 @@ void deleteSelection(EditorState& state) {
 }
 
 void duplicateSelection(EditorState& state) {
-  const std::vector<int> indices = selectedIndices(state.document);
+  const std::vector<int> indices = editedIndices(state);
   if (indices.empty() || isBusy(state)) return;
   const std::size_t before = state.document.rig().primitives.size();
-  state.document.commands.apply("Duplicate", duplicatePrimitives(state.document.rig(), indices));
+  const Selection originals = state.document.selection;
+  state.document.commands.apply("Duplicate", duplicatePairs(state.document.rig(), indices));
   const auto& primitives = state.document.rig().primitives;
   state.document.selection.primitives.clear();
+  // The copies of what was selected; those of twins, made by symmetry, follow.
   for (std::size_t i = before; i < primitives.size(); ++i) {
-    state.document.selection.primitives.push_back(primitives[i].name);
+    const std::string& original = primitives[static_cast<std::size_t>(indices[i - before])].name;
+    if (originals.contains(original)) state.document.selection.primitives.push_back(primitives[i].name);
   }
 }
 
@@ -230,14 +245,25 @@ void startRename(EditorState& state, const std::string& primitive) {
 std::string rename(EditorState& state, const std::string& primitive, const std::string& name) {
   const int index = findPrimitive(state.document.rig(), primitive);
   if (index < 0 || primitive == name) return "";
-  Result<Rig> renamed = renamePrimitive(state.document.rig(), index, name);
+  const auto before = state.document.commands.sharedRig();
+  Result<Rig> renamed = renameWithTwin(*before, index, name);
   if (!renamed) return renamed.error().text();
   state.document.commands.apply("Rename " + primitive, std::move(renamed).value());
-  std::ranges::replace(state.document.selection.primitives, primitive, name);
+  for (std::size_t i = 0; i < before->primitives.size(); ++i) {
+    std::ranges::replace(state.document.selection.primitives, before->primitives[i].name,
+                         state.document.rig().primitives[i].name);
+  }
+  if (state.panels.territory.primitive == primitive) state.panels.territory.primitive = name;
   return "";
 }
 
-void selectNothing(EditorState& state) { state.document.selection.clear(); }
+void selectNothing(EditorState& state) {
+  if (editsTerritory(state)) {
+    endTerritoryMode(state);
+  } else {
+    state.document.selection.clear();
+  }
+}
 
 void cycleAxes(EditorState& state) {
   GizmoAxes& axes = state.tools.gizmo.axes;
@@ -266,6 +292,7 @@ SurfaceView surfaceView(const EditorState& state) {
   const View& view = state.route.view;
   SurfaceView wanted;
   if (state.display.cullBackFaces) wanted.eye = view.facingPoint();
+  wanted.hidden = hiddenPrimitives(state.document.visibility, state.document.rig(), state.character().skeleton);
   wanted.heightPixels = state.character().height / view.unitsPerPixelAt(state.tools.camera.stand.target);
   return wanted;
 }
@@ -280,15 +307,17 @@ std::vector<int> selectedIndices(const Document& document) {
 }
 
 std::vector<int> bonesOfPrimitives(const Rig& rig, const Skeleton& skeleton) {
-  std::vector<int> bones;
-  bones.reserve(rig.primitives.size());
-  for (const Primitive& primitive : rig.primitives) bones.push_back(skeleton.findBone(primitive.bone).value_or(-1));
-  return bones;
+  return boneOfEach(rig, skeleton);
 }
 
 std::vector<PrimitiveShape> shownShapes(const EditorState& state, bool all) {
   std::vector<PrimitiveShape> shapes = primitiveShapes(state.document, state.live->pose());
-  for (PrimitiveShape& shape : shapes) shape.hovered = shape.rigIndex == state.tools.hover.primitive;
+  // Only the left panels light up; put away, they leave nothing lit.
+  const std::vector<int> lit = state.layout.leftShown ? state.panels.highlighted : std::vector<int>{};
+  for (PrimitiveShape& shape : shapes) {
+    shape.hovered = shape.rigIndex == state.tools.hover.primitive ||
+                    std::ranges::find(lit, shape.rigIndex) != lit.end();
+  }
   if (!all) std::erase_if(shapes, [](const PrimitiveShape& shape) { return !shape.selected && !shape.hovered; });
   return shapes;
 }

@@ -1,26 +1,39 @@
-// app/panels/file_dialog.cpp: Open and Save As: a path field over a small file browser.
+// app/panels/file_dialog.cpp: Open and Save As: a path field under a file browser.
+
+#include "app/panels/file_dialog.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
 #include <string>
+#include <system_error>
 
 #include "app/panels/commands.h"
-#include "app/panels/folder_listing.h"
 #include "app/panels/panels.h"
 
 namespace sinew::app {
 namespace {
+
+constexpr float kWidth = 820.0f;  // Design pixels.
+constexpr float kListHeight = 340.0f;
 
 void close(EditorState& state) {
   state.dialog = {};
   ImGui::CloseCurrentPopup();
 }
 
-void enter(FileDialogState& dialog, const std::filesystem::path& folder) {
-  dialog.folder = folder;
+void showFolder(FileDialogState& dialog, const std::filesystem::path& folder) {
+  std::filesystem::path clean = folder.lexically_normal();
+  if (!clean.has_filename() && clean.has_relative_path()) clean = clean.parent_path();  // Without the last slash.
+  dialog.folder = std::move(clean);
   if (dialog.kind == DialogKind::kOpen) dialog.text.clear();
   dialog.error.clear();
+  dialog.overwriteAsked = false;
   dialog.appearing = true;
 }
 
@@ -31,18 +44,21 @@ std::filesystem::path saveTarget(const FileDialogState& dialog) {
 
 /// Save As would overwrite a file that is not this document's own.
 bool replaces(const EditorState& state) {
-  if (state.dialog.kind != DialogKind::kSaveAs || state.dialog.text.empty()) return false;
   std::error_code ignored;
   const std::filesystem::path target = saveTarget(state.dialog);
   return std::filesystem::is_regular_file(target, ignored) &&
          !std::filesystem::equivalent(target, state.document.rigFile, ignored);
 }
 
+void complain(FileDialogState& dialog, const std::string& error) {
+  dialog.error = error;
+  dialog.appearing = true;
+}
+
 void confirmOpen(EditorState& state, const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) {
-    state.dialog.error = "There is no file " + file.string();
-    state.dialog.appearing = true;
+    complain(state.dialog, "There is no file " + file.string());
     return;
   }
   close(state);
@@ -50,10 +66,14 @@ void confirmOpen(EditorState& state, const std::filesystem::path& file) {
 }
 
 void confirmSave(EditorState& state) {
+  if (replaces(state) && !state.dialog.overwriteAsked) {
+    state.dialog.overwriteAsked = true;
+    state.dialog.appearing = true;
+    return;
+  }
   const std::string error = saveTo(state, saveTarget(state.dialog));
   if (!error.empty()) {
-    state.dialog.error = error;
-    state.dialog.appearing = true;
+    complain(state.dialog, error);
     return;
   }
   const Intent then = state.dialog.then;
@@ -61,13 +81,153 @@ void confirmSave(EditorState& state) {
   perform(state, then);
 }
 
-void confirm(EditorState& state) {
+/// Up and Down walk through the list, Tab completes; both inside of the field that is being edited.
+int editPath(ImGuiInputTextCallbackData* data) {
+  EditorState& state = *static_cast<EditorState*>(data->UserData);
+  FileDialogState& dialog = state.dialog;
+  std::string text(data->Buf, static_cast<std::size_t>(data->BufTextLen));
+  if (data->EventFlag == ImGuiInputTextFlags_CallbackCompletion) {
+    text = completePath(dialog.folder, text, listingOptions(state));
+  } else if (data->EventFlag == ImGuiInputTextFlags_CallbackHistory && !dialog.listing.entries.empty()) {
+    const auto& entries = dialog.listing.entries;
+    const auto at = std::ranges::find(entries, text, &FolderEntry::name);
+    const auto last = static_cast<std::ptrdiff_t>(entries.size()) - 1;
+    const std::ptrdiff_t step = data->EventKey == ImGuiKey_UpArrow ? -1 : 1;
+    const std::ptrdiff_t row = at == entries.end() ? (step > 0 ? 0 : last) : (at - entries.begin()) + step;
+    text = entries[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(row, 0, last))].name;
+    dialog.reveal = true;
+  }
+  data->DeleteChars(0, data->BufTextLen);
+  data->InsertChars(0, text.c_str());
+  return 0;
+}
+
+void drawPathField(Ui& ui) {
+  FileDialogState& dialog = ui.state.dialog;
+  if (dialog.appearing && !dialog.naming) ImGui::SetKeyboardFocusHere();
+  if (!dialog.naming) dialog.appearing = false;  // What follows may ask for the focus again.
+  const bool wasEmpty = dialog.text.empty();
+  ImGui::SetNextItemWidth(dialog.kind == DialogKind::kOpen ? -ui.px(158) : -1.0f);
+  const bool entered = ImGui::InputTextWithHint(
+      "##path", dialog.kind == DialogKind::kOpen ? "Name or path  (Tab completes)" : "Name of the rig", &dialog.text,
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
+          ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackHistory,
+      editPath, &ui.state);
+  ui.widgets.note("dialog/path");
+  if (ImGui::IsItemEdited()) {
+    dialog.error.clear();
+    dialog.overwriteAsked = false;
+  }
+  const bool active = ImGui::IsItemActive();
+  if (entered) confirmPath(ui.state);
+  else if (active && wasEmpty && ImGui::IsKeyPressed(GLFW_KEY_BACKSPACE, false)) goUp(dialog);
+}
+
+void drawFilter(Ui& ui) {
+  FileDialogState& dialog = ui.state.dialog;
+  if (dialog.kind != DialogKind::kOpen) return;
+  constexpr std::array kNames{"Characters and rigs", "Rigs", "Characters"};
+  ImGui::SameLine(0.0f, ui.px(8));
+  ImGui::SetNextItemWidth(-1.0f);
+  const bool open = ImGui::BeginCombo("##filter", kNames[static_cast<std::size_t>(dialog.filter)]);
+  ui.widgets.note("dialog/filter");
+  if (!open) return;
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (ImGui::Selectable(kNames[i], static_cast<std::size_t>(dialog.filter) == i)) {
+      dialog.filter = static_cast<FileFilter>(i);
+    }
+    ui.widgets.note("dialog/filter/" + std::to_string(i));
+  }
+  ImGui::EndCombo();
+}
+
+void drawComplaint(Ui& ui) {
+  const FileDialogState& dialog = ui.state.dialog;
+  if (dialog.error.empty() && !dialog.overwriteAsked) return;
+  const std::string asked = saveTarget(dialog).filename().string() + " is there already. Replace it?";
+  ImGui::PushStyleColor(ImGuiCol_Text, dialog.error.empty() ? palette::kWarning : palette::kError);
+  ImGui::TextWrapped("%s", dialog.error.empty() ? asked.c_str() : dialog.error.c_str());
+  ImGui::PopStyleColor();
+}
+
+void leave(EditorState& state) {
+  if (state.dialog.overwriteAsked || state.dialog.naming) {
+    state.dialog.overwriteAsked = state.dialog.naming = false;
+    state.dialog.appearing = true;
+  } else {
+    close(state);
+  }
+}
+
+void drawButtons(Ui& ui) {
+  EditorState& state = ui.state;
+  const FileDialogState& dialog = state.dialog;
+  const char* verb = dialog.kind == DialogKind::kOpen ? "Open" : (dialog.overwriteAsked ? "Replace" : "Save");
+  const float width = ui.px(96);
+  ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0f * width - ui.px(8));
+  const bool cancelled = ImGui::Button(dialog.overwriteAsked ? "Keep" : "Cancel", {width, 0.0f});
+  ui.widgets.note("dialog/cancel");
+  ImGui::SameLine(0.0f, ui.px(8));
+  ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccent.faded(0.45f));
+  const bool confirmed = ImGui::Button(verb, {width, 0.0f});
+  ImGui::PopStyleColor();
+  ui.widgets.note("dialog/ok");
+  if (confirmed) confirmPath(state);
+  else if (cancelled || escapePressed(ui)) leave(state);
+}
+
+void takeKeys(EditorState& state) {
+  const ImGuiIO& io = ImGui::GetIO();
+  FileDialogState& dialog = state.dialog;
+  if (io.KeyAlt && ImGui::IsKeyPressed(GLFW_KEY_UP, false)) goUp(dialog);
+  if (io.KeyAlt && ImGui::IsKeyPressed(GLFW_KEY_LEFT, false)) goBack(dialog);
+  if (io.KeyAlt && ImGui::IsKeyPressed(GLFW_KEY_RIGHT, false)) goForward(dialog);
+  if (io.KeyCtrl && ImGui::IsKeyPressed(GLFW_KEY_H, false)) {
+    state.preferences.hiddenFiles = !state.preferences.hiddenFiles;
+  }
+}
+
+}  // namespace
+
+ListingOptions listingOptions(const EditorState& state) {
+  const FileFilter filter = state.dialog.kind == DialogKind::kSaveAs ? FileFilter::kRigs : state.dialog.filter;
+  return {filter, state.preferences.hiddenFiles, state.preferences.newestFirst};
+}
+
+void enterFolder(FileDialogState& dialog, const std::filesystem::path& folder) {
+  dialog.back.push_back(dialog.folder);
+  dialog.forward.clear();
+  showFolder(dialog, folder);
+}
+
+void goBack(FileDialogState& dialog) {
+  if (dialog.back.empty()) return;
+  const std::filesystem::path folder = dialog.back.back();
+  dialog.back.pop_back();
+  dialog.forward.push_back(dialog.folder);
+  showFolder(dialog, folder);
+}
+
+void goForward(FileDialogState& dialog) {
+  if (dialog.forward.empty()) return;
+  const std::filesystem::path folder = dialog.forward.back();
+  dialog.forward.pop_back();
+  dialog.back.push_back(dialog.folder);
+  showFolder(dialog, folder);
+}
+
+void goUp(FileDialogState& dialog) {
+  if (dialog.folder.has_relative_path()) enterFolder(dialog, dialog.folder.parent_path());
+}
+
+void confirmPath(EditorState& state) {
   FileDialogState& dialog = state.dialog;
   if (dialog.text.empty()) return;
   const std::filesystem::path typed = resolveTyped(dialog.folder, dialog.text);
   std::error_code ignored;
   if (std::filesystem::is_directory(typed, ignored)) {
-    enter(dialog, typed);
+    if (dialog.kind == DialogKind::kSaveAs) dialog.text.clear();
+    enterFolder(dialog, typed);
   } else if (dialog.kind == DialogKind::kOpen) {
     confirmOpen(state, typed);
   } else {
@@ -75,96 +235,24 @@ void confirm(EditorState& state) {
   }
 }
 
-void entryRow(Ui& ui, const FolderEntry& entry) {
-  FileDialogState& dialog = ui.state.dialog;
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float height = ImGui::GetTextLineHeight() + ui.px(6);
-  const bool clicked =
-      ImGui::Selectable(("##" + entry.name).c_str(), dialog.text == entry.name,
-                        ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups, {0.0f, height});
-  ui.widgets.note("dialog/entry/" + entry.name);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  drawIcon(list, entry.folder ? Icon::kFolder : Icon::kFile, {corner.x + ui.px(4), corner.y + ui.px(3)}, ui.px(15),
-           (entry.folder ? palette::kAccent : palette::kMuted).packed());
-  list.AddText({corner.x + ui.px(26), corner.y + ui.px(3)}, palette::kText.packed(), entry.name.c_str());
-  if (!clicked) return;
-  if (entry.folder) {
-    enter(dialog, (dialog.folder / entry.name).lexically_normal());
-    return;
-  }
-  dialog.text = entry.name;
-  dialog.error.clear();
-  if (ImGui::IsMouseDoubleClicked(0) && dialog.kind == DialogKind::kOpen) confirm(ui.state);
-}
-
-void browser(Ui& ui) {
-  FileDialogState& dialog = ui.state.dialog;
-  if (iconButton(ui, "dialog/up", Icon::kStart, false, ImGui::GetFrameHeight())) {
-    if (dialog.folder.has_parent_path()) enter(dialog, dialog.folder.parent_path());
-  }
-  tooltip(ui, "The folder above");
-  ImGui::SameLine();
-  ImGui::AlignTextToFramePadding();
-  mutedText(dialog.folder.string().c_str());
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kBackground);
-  ImGui::BeginChild("entries", {0.0f, ui.px(280)}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);
-  const std::vector<FolderEntry> entries = listFolder(dialog.folder, dialog.kind == DialogKind::kSaveAs);
-  if (entries.empty()) mutedText(dialog.kind == DialogKind::kOpen ? "No characters or rigs here." : "No rigs here.");
-  for (const FolderEntry& entry : entries) {
-    entryRow(ui, entry);
-    if (ui.state.dialog.kind == DialogKind::kNone) break;
-  }
-  ImGui::EndChild();
-  ImGui::PopStyleColor();
-}
-
-void buttons(Ui& ui) {
-  EditorState& state = ui.state;
-  const bool replacing = replaces(state);
-  if (!state.dialog.error.empty() || replacing) {
-    ImGui::PushStyleColor(ImGuiCol_Text, state.dialog.error.empty() ? palette::kWarning : palette::kError);
-    ImGui::TextWrapped(
-        "%s", state.dialog.error.empty() ? "This file exists and will be replaced." : state.dialog.error.c_str());
-    ImGui::PopStyleColor();
-  }
-  const char* verb = state.dialog.kind == DialogKind::kOpen ? "Open" : (replacing ? "Replace" : "Save");
-  const float width = ui.px(96);
-  ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0f * width - ui.px(8));
-  const bool cancelled = ImGui::Button("Cancel", {width, 0.0f});
-  ui.widgets.note("dialog/cancel");
-  ImGui::SameLine(0.0f, ui.px(8));
-  ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccent.faded(0.45f));
-  const bool confirmed = ImGui::Button(verb, {width, 0.0f});
-  ImGui::PopStyleColor();
-  ui.widgets.note("dialog/ok");
-  if (confirmed) confirm(state);
-  if (cancelled || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) close(state);
-}
-
-}  // namespace
-
 void drawFileDialog(Ui& ui) {
   FileDialogState& dialog = ui.state.dialog;
   if (dialog.kind == DialogKind::kNone) return;
   const char* title = dialog.kind == DialogKind::kOpen ? "Open a character or a rig" : "Save the rig as";
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * display.x, 0.46f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({ui.px(600), 0.0f});
+  ImGui::SetNextWindowPos({0.5f * display.x, 0.48f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(ui.px(kWidth), display.x - ui.px(20)), 0.0f});
   pushDialogStyle(ui);
   if (ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
-    browser(ui);
+    takeKeys(ui.state);
+    drawFolderBrowser(ui, std::min(ui.px(kListHeight), display.y - ui.px(240)));
     if (dialog.kind != DialogKind::kNone) {
-      if (dialog.appearing) ImGui::SetKeyboardFocusHere();
-      dialog.appearing = false;  // What follows may ask for the focus again.
-      ImGui::SetNextItemWidth(-1.0f);
-      const bool entered = ImGui::InputTextWithHint(
-          "##path", "Path", &dialog.text, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-      ui.widgets.note("dialog/path");
-      if (ImGui::IsItemEdited()) dialog.error.clear();
-      if (entered) confirm(ui.state);
+      drawPathField(ui);
+      drawFilter(ui);
     }
-    if (dialog.kind != DialogKind::kNone) buttons(ui);
+    if (dialog.kind != DialogKind::kNone) drawComplaint(ui);
+    if (dialog.kind != DialogKind::kNone) drawButtons(ui);
     ImGui::EndPopup();
   }
   popDialogStyle();

@@ -23,8 +23,10 @@ class FrameStats {
 
   // Stages of the last frame, seconds.
   StageSeconds stages;
+  double prepare = 0.0;  ///< After an edit; 0 in frames without one.
   double upload = 0.0;
   double draw = 0.0;
+  double ui = 0.0;  ///< Keys, panels and tools: what a frame costs besides pose, surface and picture.
 
  private:
   struct Frame {

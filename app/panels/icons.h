@@ -17,6 +17,8 @@ enum class Icon {
   kPrevious,
   kStart,
   kLoop,
+  kEnd,
+  kPose,
   kPlus,
   kClose,
   kBone,
@@ -25,6 +27,18 @@ enum class Icon {
   kAxes,
   kFolder,
   kFile,
+  kBack,
+  kForward,
+  kUp,
+  kNewFolder,
+  kHidden,
+  kNote,
+  kWarning,
+  kError,
+  kCopy,
+  kMinimise,
+  kSymmetry,
+  kBox,
 };
 
 /// Draws into a square. @param topLeft, size  screen coordinates.

@@ -11,11 +11,13 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kTimelineHeight = 84.0f;  // Design pixels, as all here.
-constexpr float kStatusHeight = 28.0f;
+constexpr float kStatusHeight = 28.0f;  // Design pixels, as all here.
 constexpr float kGap = 5.0f;
 constexpr float kNarrowest = 180.0f;
 constexpr float kViewportNarrowest = 240.0f;
+constexpr float kViewportLowest = 160.0f;
+constexpr float kBottomLowest = 76.0f;
+constexpr float kHistoryLowest = 90.0f;
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
@@ -37,22 +39,36 @@ struct Regions {
   Box status;
 };
 
-Regions divide(Ui& ui, float menuHeight) {
+/// Keeps the sizes within what the window has room for. What is put away keeps its size for when it comes back.
+void fitSizes(Ui& ui, float menuHeight) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   LayoutState& layout = ui.state.layout;
   const float room = display.x / ui.state.uiScale - kViewportNarrowest - 2.0f * kGap;
-  layout.left = std::clamp(layout.left, kNarrowest, std::max(kNarrowest, room - kNarrowest));
-  layout.right = std::clamp(layout.right, kNarrowest, std::max(kNarrowest, room - layout.left));
+  const float right = layout.rightShown ? kNarrowest : 0.0f;
+  layout.left = std::clamp(layout.left, kNarrowest, std::max(kNarrowest, room - right));
+  const float left = layout.leftShown ? layout.left : 0.0f;
+  layout.right = std::clamp(layout.right, kNarrowest, std::max(kNarrowest, room - left));
+  const float height = (display.y - menuHeight) / ui.state.uiScale - kStatusHeight - 2.0f * kGap;
+  layout.bottom = std::clamp(layout.bottom, kBottomLowest, std::max(kBottomLowest, height - kViewportLowest));
+}
+
+Regions divide(Ui& ui, float menuHeight) {
+  fitSizes(ui, menuHeight);
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const LayoutState& layout = ui.state.layout;
   const float gap = ui.px(kGap);
-  const float bottomTop = display.y - ui.px(kStatusHeight) - ui.px(kTimelineHeight);
-  const float height = bottomTop - menuHeight - gap;
-  const float left = ui.px(layout.left);
-  const float right = ui.px(layout.right);
+  const float left = layout.leftShown ? ui.px(layout.left) : 0.0f;
+  const float right = layout.rightShown ? ui.px(layout.right) : 0.0f;
+  const float leftGap = layout.leftShown ? gap : 0.0f;
+  const float rightGap = layout.rightShown ? gap : 0.0f;
+  const float bottom = layout.bottomShown ? ui.px(layout.bottom) : 0.0f;
+  const float bottomTop = display.y - ui.px(kStatusHeight) - bottom;
+  const float height = bottomTop - menuHeight - (layout.bottomShown ? gap : 0.0f);
   Regions regions;
   regions.left = {0.0f, menuHeight, left, height};
   regions.right = {display.x - right, menuHeight, right, height};
-  regions.viewport = {left + gap, menuHeight, display.x - left - right - 2.0f * gap, height};
-  regions.bottom = {0.0f, bottomTop, display.x, ui.px(kTimelineHeight)};
+  regions.viewport = {left + leftGap, menuHeight, display.x - left - right - leftGap - rightGap, height};
+  regions.bottom = {0.0f, bottomTop, display.x, bottom};
   regions.status = {0.0f, display.y - ui.px(kStatusHeight), display.x, ui.px(kStatusHeight)};
   return regions;
 }
@@ -97,8 +113,8 @@ void drawTitled(Ui& ui, Region region) {
 
 void drawLeft(Ui& ui, const Box& box) {
   LayoutState& layout = ui.state.layout;
-  const float highest = std::max(90.0f, box.height / ui.state.uiScale - 160.0f);
-  layout.history = std::clamp(layout.history, 90.0f, highest);
+  const float highest = std::max(kHistoryLowest, box.height / ui.state.uiScale - 160.0f);
+  layout.history = std::clamp(layout.history, kHistoryLowest, highest);
   const float gap = ui.px(kGap);
   const float lower = ui.px(layout.history);
   const Box top{box.x, box.y, box.width, box.height - lower - gap};
@@ -113,17 +129,27 @@ void drawLeft(Ui& ui, const Box& box) {
   ImGui::End();
 }
 
+/// A title that folds its panel away; which ones are is remembered. @return whether it is unfolded.
+bool foldingTitle(Ui& ui, const Panel& panel) {
+  std::vector<std::string>& folded = ui.state.layout.folded;
+  const bool wasOpen = std::ranges::find(folded, panel.id) == folded.end();
+  ImGui::SetNextItemOpen(wasOpen);
+  ImGui::PushStyleColor(ImGuiCol_Header, palette::kRaised);
+  ImGui::PushFont(ui.fonts.strong);
+  const bool open = ImGui::CollapsingHeader(panel.title);
+  ImGui::PopFont();
+  ImGui::PopStyleColor();
+  ui.widgets.note(std::string(panel.id) + "/header");
+  if (open && !wasOpen) std::erase(folded, panel.id);
+  if (!open && wasOpen) folded.emplace_back(panel.id);
+  return open;
+}
+
 void drawRight(Ui& ui, const Box& box) {
   beginRegion("region-right", box, 0);
   for (const Panel& panel : panels()) {
     if (panel.region != Region::kRight) continue;
-    ImGui::PushStyleColor(ImGuiCol_Header, palette::kRaised);
-    ImGui::PushFont(ui.fonts.strong);
-    const bool open = ImGui::CollapsingHeader(panel.title, ImGuiTreeNodeFlags_DefaultOpen);
-    ImGui::PopFont();
-    ImGui::PopStyleColor();
-    ui.widgets.note(std::string(panel.id) + "/header");
-    if (!open || !isDrawn(ui, panel)) continue;
+    if (!foldingTitle(ui, panel) || !isDrawn(ui, panel)) continue;
     ImGui::PushID(panel.id);
     panel.draw(ui);
     ImGui::PopID();
@@ -145,6 +171,8 @@ void drawStatus(Ui& ui, const Box& box) {
     mutedText(state.hasCharacter() ? state.route.status.c_str() : "Drop a .glb, .gltf or .rig.json here");
   }
   ui.widgets.note("status/line");
+  ImGui::SameLine();
+  drawMessageBadge(ui);
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
@@ -183,10 +211,19 @@ bool drawViewport(Ui& ui, const Box& box) {
   return free;
 }
 
+void drawSplitters(Ui& ui, const LayoutState& shown, const Box& v) {
+  const float gap = ui.px(kGap);
+  LayoutState& layout = ui.state.layout;
+  if (shown.leftShown) splitter(ui, "layout/left", {v.x - gap, v.y, gap, v.height}, true, 1.0f, layout.left);
+  if (shown.rightShown) splitter(ui, "layout/right", {v.x + v.width, v.y, gap, v.height}, true, -1.0f, layout.right);
+  const float width = ImGui::GetIO().DisplaySize.x;
+  if (shown.bottomShown) splitter(ui, "layout/bottom", {0.0f, v.y + v.height, width, gap}, false, -1.0f, layout.bottom);
+}
+
 }  // namespace
 
 bool drawLayout(Ui& ui) {
-  closeMenuOnEscape();
+  ui.state.escapeTaken = closeMenuOnEscape();
   const float menuHeight = drawMenuBar(ui);
   const Regions regions = divide(ui, menuHeight);
   const Box& v = regions.viewport;
@@ -194,16 +231,18 @@ bool drawLayout(Ui& ui) {
   const ImVec2 pixelsPerUnit = ImGui::GetIO().DisplayFramebufferScale;
   ui.state.viewportPixels = {std::max(1, static_cast<int>(v.width * pixelsPerUnit.x)),
                              std::max(1, static_cast<int>(v.height * pixelsPerUnit.y))};
-  drawLeft(ui, regions.left);
-  drawRight(ui, regions.right);
+  // What a panel puts away, it puts away with the next frame.
+  const LayoutState shown = ui.state.layout;
+  if (shown.leftShown) drawLeft(ui, regions.left);
+  if (shown.rightShown) drawRight(ui, regions.right);
   const bool free = drawViewport(ui, v);
-  beginRegion("region-bottom", regions.bottom, ImGuiWindowFlags_NoScrollbar);
-  drawTitled(ui, Region::kBottom);
-  ImGui::End();
+  if (shown.bottomShown) {
+    beginRegion("region-bottom", regions.bottom, ImGuiWindowFlags_NoScrollbar);
+    drawTitled(ui, Region::kBottom);
+    ImGui::End();
+  }
   drawStatus(ui, regions.status);
-  const float gap = ui.px(kGap);
-  splitter(ui, "layout/left", {v.x - gap, v.y, gap, v.height}, true, 1.0f, ui.state.layout.left);
-  splitter(ui, "layout/right", {v.x + v.width, v.y, gap, v.height}, true, -1.0f, ui.state.layout.right);
+  drawSplitters(ui, shown, v);
   for (const Panel& panel : panels()) {
     if (panel.region == Region::kDialog) panel.draw(ui);
   }

@@ -1,13 +1,54 @@
-// app/panels/menu_bar.cpp: the action table as menus.
+// app/panels/menu_bar.cpp: the action table as menus, recent files and samples among them.
 
 #include <imgui.h>
 
 #include <string>
+#include <system_error>
 
+#include "app/panels/commands.h"
 #include "app/panels/panels.h"
+#include "app/panels/session.h"
 
 namespace sinew::app {
 namespace {
+
+/// A submenu of files. @param id  "file/recent"
+bool beginFiles(Ui& ui, const std::string& id, const char* title, bool any) {
+  const bool open = ImGui::BeginMenu(title, any);
+  ui.widgets.note(id);
+  return open;
+}
+
+void drawRecent(Ui& ui) {
+  // A copy: opening a file moves it to the front.
+  const std::vector<std::filesystem::path> recent = ui.state.preferences.recentFiles;
+  if (!beginFiles(ui, "file/recent", "Open recent", !recent.empty())) return;
+  for (std::size_t i = 0; i < recent.size(); ++i) {
+    std::error_code failed;
+    const bool there = std::filesystem::is_regular_file(recent[i], failed);
+    const std::string id = "file/recent/" + std::to_string(i);
+    const std::string place = "   " + (there ? recent[i].parent_path().string() : std::string("not there any more"));
+    const bool chosen =
+        ImGui::MenuItem((recent[i].filename().string() + "##" + id).c_str(), place.c_str(), false, there);
+    ui.widgets.note(id);
+    if (chosen) request(ui.state, {IntentKind::kOpenFile, recent[i]});
+  }
+  ImGui::Separator();
+  if (ImGui::MenuItem("Forget these")) ui.state.preferences.recentFiles.clear();
+  ui.widgets.note("file/recent/clear");
+  ImGui::EndMenu();
+}
+
+void drawSamples(Ui& ui) {
+  const std::vector<Sample> all = samples();
+  if (!beginFiles(ui, "file/samples", "Samples", !all.empty())) return;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool chosen = ImGui::MenuItem(all[i].name.c_str());
+    ui.widgets.note("file/samples/" + std::to_string(i));
+    if (chosen) request(ui.state, {IntentKind::kOpenFile, all[i].file});
+  }
+  ImGui::EndMenu();
+}
 
 void drawItems(Ui& ui, const Menu& menu) {
   bool first = true;
@@ -17,9 +58,13 @@ void drawItems(Ui& ui, const Menu& menu) {
     first = false;
     const bool checked = item.checked != nullptr && item.enabled(ui.state) && item.checked(ui.state);
     const bool chosen =
-        ImGui::MenuItem(item.label, ("   " + textOf(item.shortcut)).c_str(), checked, item.enabled(ui.state));
+        ImGui::MenuItem(item.label, ("   " + keyText(item, ui.state)).c_str(), checked, item.enabled(ui.state));
     ui.widgets.note(item.id);
     if (chosen) run(item, ui.state);
+    if (std::string_view(item.id) == "file/open") {
+      drawRecent(ui);
+      drawSamples(ui);
+    }
   }
 }
 

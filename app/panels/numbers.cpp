@@ -3,8 +3,10 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,6 +16,8 @@ namespace sinew::app {
 namespace {
 
 constexpr float kWidth = 208.0f;  // Design pixels.
+constexpr float kGraphHeight = 34.0f;
+constexpr std::size_t kTimeRows = 9;
 
 /// 12345 -> "12,345".
 std::string grouped(long long value) {
@@ -36,24 +40,37 @@ void row(const char* name, const std::string& value) {
   ImGui::TextUnformatted(value.c_str());
 }
 
+constexpr double kSmoothFrame = 1000.0 / 60.0;  ///< Milliseconds; the line to stay under.
+
+/// Frames of the last seconds, oldest left; the line is a sixtieth of a second.
 void graph(Ui& ui) {
   const FrameStats& stats = ui.state.stats;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
-  const float height = ui.px(30);
+  const float height = ui.px(kGraphHeight);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, {corner.x + width, corner.y + height}, palette::kBackground.faded(0.7f).packed(),
                      ui.px(3));
-  const double top = std::max(stats.worst() * 1.1, 1.0);
+  // Both the line and the worst frame are in sight.
+  const double top = std::max(stats.worst(), kSmoothFrame) * 1.15;
+  const auto heightOf = [&](double ms) { return corner.y + height * (1.0f - static_cast<float>(ms / top)); };
   std::vector<ImVec2> points;
   for (int i = 0; i < stats.count(); ++i) {
     const float x = stats.count() > 1 ? static_cast<float>(i) / static_cast<float>(stats.count() - 1) : 1.0f;
-    const auto y = static_cast<float>(stats.at(i) / top);
-    points.push_back({corner.x + x * width, corner.y + height * (1.0f - y)});
+    points.push_back({corner.x + x * width, heightOf(stats.at(i))});
   }
   list.PushClipRect(corner, {corner.x + width, corner.y + height}, true);
+  const float line = heightOf(kSmoothFrame);
+  list.AddLine({corner.x, line}, {corner.x + width, line}, palette::kGood.faded(0.55f).packed(), 1.0f);
   list.AddPolyline(points.data(), static_cast<int>(points.size()), palette::kAccent.packed(), ImDrawFlags_None,
                    ui.px(1.4f));
+  const char* label = "16.7";
+  const float letters = 0.8f * ImGui::GetFontSize();
+  const float above = line - letters - 1.0f;
+  const ImVec2 at{corner.x + width - 2.2f * letters, above > corner.y ? above : line + 1.0f};
+  list.AddRectFilled({at.x - ui.px(2), at.y}, {corner.x + width, at.y + letters},
+                     palette::kBackground.faded(0.8f).packed(), ui.px(2));
+  list.AddText(ImGui::GetFont(), letters, at, palette::kGood.faded(0.9f).packed(), label);
   list.PopClipRect();
   ImGui::Dummy({width, height});
 }
@@ -65,11 +82,11 @@ void times(Ui& ui) {
   row(text, milliseconds(stats.now()) + " ms");
   row("median, worst", milliseconds(stats.median()) + ", " + milliseconds(stats.worst()));
   graph(ui);
-  row("skin", milliseconds(stats.stages.skin * 1e3));
-  row("patch", milliseconds(stats.stages.patch * 1e3));
-  row("project", milliseconds(stats.stages.project * 1e3));
-  row("upload", milliseconds(stats.upload * 1e3));
-  row("draw", milliseconds(stats.draw * 1e3));
+  const std::array stages{std::pair{"prepare", stats.prepare},        std::pair{"skin", stats.stages.skin},
+                          std::pair{"patch", stats.stages.patch},     std::pair{"project", stats.stages.project},
+                          std::pair{"upload", stats.upload},          std::pair{"draw", stats.draw},
+                          std::pair{"interface", stats.ui}};
+  for (const auto& [name, seconds] : stages) row(name, milliseconds(seconds * 1e3));
 }
 
 /// Names and values, from top to bottom.
@@ -85,6 +102,32 @@ std::vector<std::pair<const char*, std::string>> counts(const SmoothingReport& r
   return rows;
 }
 
+constexpr const char* kAuto = "auto";
+
+ImVec2 autoDepthSize(Ui& ui) { return {ImGui::CalcTextSize(kAuto).x + ui.px(10), ImGui::GetTextLineHeight()}; }
+
+/// Beside the word depth: whether it follows the size on screen. @return its place on the screen.
+ImVec2 drawAutoDepth(Ui& ui) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 corner{at.x + ImGui::CalcTextSize("depth").x + ui.px(8), at.y};
+  const ImVec2 size = autoDepthSize(ui);
+  const bool on = action("view/auto-depth").checked(ui.state);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Tint back = on ? palette::kAccent.faded(0.28f) : palette::kText.faded(0.08f);
+  list.AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, back.packed(), ui.px(3));
+  list.AddText({corner.x + ui.px(5), corner.y}, (on ? palette::kText : palette::kMuted).packed(), kAuto);
+  return corner;
+}
+
+/// The numbers let the mouse through to the picture, so what is pressed lies in the viewport behind them.
+void pressAutoDepth(Ui& ui, const ImVec2& corner) {
+  ImGui::SetCursorScreenPos(corner);
+  const bool pressed = ImGui::InvisibleButton("auto-depth", autoDepthSize(ui));
+  ui.widgets.note("overlay/auto-depth");
+  tooltip(ui, tooltipOf(ui, action("view/auto-depth")));
+  if (pressed) run(action("view/auto-depth"), ui.state);
+}
+
 }  // namespace
 
 void drawNumbers(Ui& ui) {
@@ -94,16 +137,21 @@ void drawNumbers(Ui& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(3)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.80f));
-  const std::size_t rows = 7 + lines.size();
-  const float height = static_cast<float>(rows) * ImGui::GetTextLineHeightWithSpacing() + ui.px(30 + 3 + 14 + 8);
+  const float line = ImGui::GetTextLineHeightWithSpacing();
+  const float height = static_cast<float>(kTimeRows + lines.size()) * line + ui.px(kGraphHeight + 3 + 14 + 8);
   ImGui::SetCursorPos({ui.state.viewport.z - ui.px(kWidth + 10), ui.px(54)});
   ImGui::BeginChild("numbers", {ui.px(kWidth), height}, true,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_AlwaysUseWindowPadding);
   times(ui);
   ImGui::Dummy({0.0f, ui.px(2)});
-  for (const auto& [name, value] : lines) row(name, value);
+  ImVec2 depth{0.0f, 0.0f};
+  for (const auto& [name, value] : lines) {
+    if (std::string_view(name) == "depth") depth = drawAutoDepth(ui);
+    row(name, value);
+  }
   ImGui::EndChild();
   ui.widgets.note("overlay/numbers");
+  pressAutoDepth(ui, depth);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(2);
   ImGui::PopFont();

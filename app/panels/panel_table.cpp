@@ -6,7 +6,7 @@ namespace sinew::app {
 namespace {
 
 constexpr Panel kPanels[] = {
-    {"outliner", "Bones and muscles", Region::kLeftTop, drawOutliner},
+    {"outliner", "", Region::kLeftTop, drawLeftTabs},
     {"history", "History", Region::kLeftBottom, drawHistory},
     {"inspector", "Muscle", Region::kRight, drawInspector},
     {"surface", "Surface", Region::kRight, drawSurfacePanel},
@@ -15,10 +15,14 @@ constexpr Panel kPanels[] = {
     {"display", "", Region::kInViewport, drawDisplayBar},
     {"toolstrip", "", Region::kInViewport, drawToolStrip},
     {"overlay", "", Region::kInViewport, drawNumbers},
+    {"legend", "", Region::kInViewport, drawLegend},
     {"messages", "", Region::kInViewport, drawMessages, true},
     {"dialog", "", Region::kDialog, drawFileDialog, true},
+    {"recovery", "", Region::kDialog, drawRecoveryQuestion, true},
     {"unsaved", "", Region::kDialog, drawUnsavedQuestion, true},
     {"keys", "", Region::kDialog, drawKeySheet, true},
+    {"preferences", "", Region::kDialog, drawPreferences, true},
+    {"palette", "", Region::kDialog, drawPalette, true},
 };
 
 }  // namespace

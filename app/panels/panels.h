@@ -20,7 +20,10 @@ struct Panel {
 [[nodiscard]] std::span<const Panel> panels();
 
 // Left.
+/// Outliner and groups, of which one is shown.
+void drawLeftTabs(Ui& ui);
 void drawOutliner(Ui& ui);
+void drawBlending(Ui& ui);
 void drawHistory(Ui& ui);
 // Right.
 void drawInspector(Ui& ui);
@@ -32,15 +35,22 @@ void drawTimeline(Ui& ui);
 void drawToolStrip(Ui& ui);
 void drawDisplayBar(Ui& ui);
 void drawNumbers(Ui& ui);
+void drawLegend(Ui& ui);
 void drawMessages(Ui& ui);
 // In front of all.
 void drawFileDialog(Ui& ui);
 void drawUnsavedQuestion(Ui& ui);
+void drawRecoveryQuestion(Ui& ui);
 void drawKeySheet(Ui& ui);
+void drawPreferences(Ui& ui);
+void drawPalette(Ui& ui);
 
 /// Menu bar, regions, splitters, status line, dialogs: the whole window. Fills state.viewport and viewportPixels.
 /// @return whether the mouse is over the picture and nothing lies in front of it.
 bool drawLayout(Ui& ui);
+/// How many messages there are, at the right end of the current line; a click shows or hides them. @return its width,
+/// 0 without messages.
+float drawMessageBadge(Ui& ui);
 /// Height in window coordinates.
 float drawMenuBar(Ui& ui);
 

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "app/panels/commands.h"
+#include "app/panels/territory.h"
+#include "app/tools/axis_triad.h"
 #include "app/tools/gizmo_draw.h"
 #include "app/tools/hover_draw.h"
 #include "core/character/skinning.h"
@@ -18,7 +20,8 @@ namespace sinew::app {
 namespace {
 
 auto partsOf(const DisplaySettings& d) {
-  return std::tie(d.shading, d.surface, d.wire, d.controlMesh, d.skeleton, d.primitives, d.influence, d.ground);
+  return std::tie(d.shading, d.surface, d.wire, d.controlMesh, d.skeleton, d.primitives, d.influence, d.ground,
+                  d.territory, d.segments, d.lineScale);
 }
 
 auto partsOf(const PrimitiveShape& s) {
@@ -34,8 +37,13 @@ PictureKey keyOf(const EditorState& state, const View& view) {
   key.surface = state.live->revision();
   key.view = view;
   key.display = state.display;
+  key.display.lineScale = state.uiScale * static_cast<float>(state.viewportPixels.x) / std::max(state.viewport.z, 1.0f);
+  key.display.skeleton = key.display.skeleton || state.tools.tool == ToolKind::kPose;
   key.shapes = shownShapes(state, state.display.primitives);
   key.display.primitives = !key.shapes.empty();
+  key.territory = shownTerritoryWeights(state);
+  key.territoryBones = shownTerritory(state);
+  key.display.skeleton = key.display.skeleton || !key.territoryBones.empty();
   key.selectedBone = state.document.selection.bone;
   key.hoveredBone = state.tools.hover.bone;
   return key;
@@ -45,8 +53,8 @@ PictureKey keyOf(const EditorState& state, const View& view) {
 
 bool operator==(const PictureKey& a, const PictureKey& b) {
   const auto same = [](const PrimitiveShape& x, const PrimitiveShape& y) { return partsOf(x) == partsOf(y); };
-  return std::tie(a.document, a.surface, a.selectedBone, a.hoveredBone) ==
-             std::tie(b.document, b.surface, b.selectedBone, b.hoveredBone) &&
+  return std::tie(a.document, a.surface, a.territory, a.territoryBones, a.selectedBone, a.hoveredBone) ==
+             std::tie(b.document, b.surface, b.territory, b.territoryBones, b.selectedBone, b.hoveredBone) &&
          partsOf(a.view) == partsOf(b.view) && partsOf(a.display) == partsOf(b.display) &&
          std::ranges::equal(a.shapes, b.shapes, same);
 }
@@ -55,8 +63,11 @@ void Picture::render(EditorState& state, PictureKey key) {
   Scene scene;
   scene.character = state.document.character.get();
   scene.surface = &state.live->surface();
+  scene.surfaceRevision = key.surface + 1;
   scene.pose = &state.live->pose();
   scene.primitives = key.shapes;
+  scene.territory = key.territory;
+  scene.territoryBones = key.territoryBones;
   scene.selectedBone = key.selectedBone;
   scene.hoveredBone = key.hoveredBone;
   if (key.display.controlMesh) {
@@ -87,10 +98,17 @@ void Picture::draw(EditorState& state, const View& view, ImDrawList& list) {
     drawGizmo(list, state.tools.gizmo, state.route.gizmo, state.route.gizmoContext, {v.x, v.y},
               v.z / static_cast<float>(state.viewportPixels.x));
   }
+  if (state.tools.box.drag) {
+    drawBox(list, *state.tools.box.drag, {v.x, v.y}, v.z / static_cast<float>(state.viewportPixels.x));
+  }
   if (state.tools.tool == ToolKind::kAddMuscle && !state.tools.addMuscle.drag) {
     drawLanding(list, state.tools.hover, state.character(), state.live->pose(), view, {v.x, v.y},
                 v.z / static_cast<float>(state.viewportPixels.x));
   }
+  const float unitsPerPixel = v.z / static_cast<float>(state.viewportPixels.x);
+  drawTriad(list, state.triad,
+            layoutTriad(state.tools.camera, state.viewportPixels, state.uiScale / unitsPerPixel), {v.x, v.y},
+            unitsPerPixel);
   list.PopClipRect();
 }
 

@@ -17,6 +17,8 @@ struct PictureKey {
   View view;
   DisplaySettings display;
   std::vector<PrimitiveShape> shapes;
+  std::vector<float> territory;     ///< Scene::territory.
+  std::vector<int> territoryBones;
   int selectedBone = -1;
   int hoveredBone = -1;
 };

@@ -1,4 +1,4 @@
-// app/panels/questions.cpp: what becomes of unsaved changes; which keys there are.
+// app/panels/questions.cpp: what becomes of unsaved changes, and of work that a crash left behind.
 
 #include <imgui.h>
 
@@ -6,12 +6,13 @@
 
 #include "app/panels/commands.h"
 #include "app/panels/panels.h"
+#include "app/panels/session.h"
 
 namespace sinew::app {
 namespace {
 
 constexpr const char* kUnsavedTitle = "Unsaved changes";
-constexpr const char* kKeysTitle = "Keys and mouse";
+constexpr const char* kRecoveryTitle = "Unsaved work from before";
 
 void centerNext(Ui& ui, float designWidth) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -19,7 +20,12 @@ void centerNext(Ui& ui, float designWidth) {
   ImGui::SetNextWindowSize({ui.px(designWidth), 0.0f});
 }
 
-bool escapePressed() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false); }
+bool accentButton(const char* label, const ImVec2& size) {
+  ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccent.faded(0.45f));
+  const bool pressed = ImGui::Button(label, size);
+  ImGui::PopStyleColor();
+  return pressed;
+}
 
 enum class Answer { kNone, kSave, kDiscard, kCancel };
 
@@ -35,37 +41,72 @@ Answer askUnsaved(Ui& ui) {
   if (ImGui::Button("Discard", size)) answer = Answer::kDiscard;
   ui.widgets.note("unsaved/discard");
   ImGui::SameLine(0.0f, ui.px(8));
-  ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccent.faded(0.45f));
-  if (ImGui::Button("Save", size)) answer = Answer::kSave;
-  ImGui::PopStyleColor();
+  if (accentButton("Save", size)) answer = Answer::kSave;
   ui.widgets.note("unsaved/save");
-  return escapePressed() ? Answer::kCancel : answer;
+  return escapePressed(ui) ? Answer::kCancel : answer;
 }
 
-void keyRow(const char* what, const std::string& keys) {
+std::string muscleCount(int count) {
+  return count == 1 ? std::string("1 muscle") : std::to_string(count) + " muscles";
+}
+
+enum class Choice { kNone, kRecover, kDiscard };
+
+Choice askRecovery(Ui& ui, const LeftBehind& left, std::size_t index) {
+  Choice choice = Choice::kNone;
+  const std::string place = std::to_string(index);
+  const ImVec2 size{ui.px(92), 0.0f};
+  ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  mutedText(what);
+  ImGui::PushFont(ui.fonts.strong);
+  ImGui::TextUnformatted(left.name().c_str());
+  ImGui::PopFont();
+  ui.widgets.note("recovery/name/" + place);
+  tooltip(ui, (left.rigFile.empty() ? left.characterFile : left.rigFile).string());
+  const std::string age = ageText(left.when, std::filesystem::file_time_type::clock::now());
+  mutedText((muscleCount(left.primitives) + ", " + age + (left.rigFile.empty() ? ", never saved" : "")).c_str());
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(keys.c_str());
+  ImGui::Dummy({0.0f, ui.px(2)});
+  ImGui::PushID(static_cast<int>(index));
+  if (accentButton("Recover", size)) choice = Choice::kRecover;
+  ui.widgets.note("recovery/recover/" + place);
+  ImGui::SameLine(0.0f, ui.px(8));
+  if (ImGui::Button("Discard", size)) choice = Choice::kDiscard;
+  ui.widgets.note("recovery/discard/" + place);
+  ImGui::PopID();
+  return choice;
 }
 
-void mouseRows() {
-  keyRow("Orbit", "drag beside the handles, Alt+left, middle");
-  keyRow("Pan", "right drag, Shift+middle");
-  keyRow("Zoom", "wheel");
-  keyRow("Lock an axis while dragging", "X  Y  Z");
-  keyRow("Snap / precise", "Ctrl / Shift while dragging");
-  keyRow("Type a value while dragging", "digits, Enter");
-  keyRow("Cancel a drag", "Esc, right button");
-}
-
-void actionRows() {
-  for (const Action& item : actions()) {
-    if (item.shortcut.key == 0) continue;
-    std::string keys = textOf(item.shortcut);
-    if (item.second.key != 0) keys += "  or  " + textOf(item.second);
-    keyRow(item.label, keys);
+/// @return whether the question is over.
+bool askRecoveries(Ui& ui) {
+  EditorState& state = ui.state;
+  ImGui::TextWrapped("The editor did not end as it should have. What was not saved then was kept:");
+  ImGui::Dummy({0.0f, ui.px(4)});
+  Choice choice = Choice::kNone;
+  std::filesystem::path chosen;
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {ui.px(6), ui.px(5)});
+  if (ImGui::BeginTable("left", 2, ImGuiTableFlags_BordersInnerH)) {
+    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("deeds", ImGuiTableColumnFlags_WidthFixed, 2.0f * ui.px(92) + ui.px(8));
+    for (std::size_t i = 0; i < state.leftBehind.size(); ++i) {
+      const Choice here = askRecovery(ui, state.leftBehind[i], i);
+      if (here == Choice::kNone) continue;
+      choice = here;
+      chosen = state.leftBehind[i].file;
+    }
+    ImGui::EndTable();
   }
+  ImGui::PopStyleVar();
+  ImGui::Dummy({0.0f, ui.px(4)});
+  mutedText("Recovered work is open and not yet saved; the files on the disk stay as they are.");
+  ImGui::Dummy({0.0f, ui.px(4)});
+  ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - ui.px(104));
+  const bool later = ImGui::Button("Later", {ui.px(104), 0.0f});
+  ui.widgets.note("recovery/later");
+  tooltip(ui, "Asked again at the next start");
+  if (choice == Choice::kDiscard) discardRecovery(state, chosen);
+  if (choice == Choice::kRecover) request(state, {IntentKind::kRecover, chosen});
+  return choice == Choice::kRecover || later || state.leftBehind.empty() || escapePressed(ui);
 }
 
 }  // namespace
@@ -90,25 +131,15 @@ void drawUnsavedQuestion(Ui& ui) {
   popDialogStyle();
 }
 
-void drawKeySheet(Ui& ui) {
-  if (!ui.state.keySheet) return;
-  if (!ImGui::IsPopupOpen(kKeysTitle)) ImGui::OpenPopup(kKeysTitle);
-  centerNext(ui, 820);
+void drawRecoveryQuestion(Ui& ui) {
+  EditorState& state = ui.state;
+  if (!state.recoveryAsked) return;
+  if (!ImGui::IsPopupOpen(kRecoveryTitle)) ImGui::OpenPopup(kRecoveryTitle);
+  centerNext(ui, 560);
   pushDialogStyle(ui);
-  bool open = true;
-  if (ImGui::BeginPopupModal(kKeysTitle, &open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(3)});
-    if (ImGui::BeginTable("keys", 4, ImGuiTableFlags_SizingStretchProp)) {
-      actionRows();
-      mouseRows();
-      ImGui::EndTable();
-    }
-    ImGui::PopStyleVar();
-    ImGui::Dummy({0.0f, ui.px(4)});
-    const bool closed = ImGui::Button("Close", {ui.px(104), 0.0f});
-    ui.widgets.note("keys/close");
-    if (closed || !open || escapePressed() || ImGui::IsMouseClicked(1)) {
-      ui.state.keySheet = false;
+  if (ImGui::BeginPopupModal(kRecoveryTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
+    if (askRecoveries(ui)) {
+      state.recoveryAsked = false;
       ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();

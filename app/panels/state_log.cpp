@@ -2,8 +2,10 @@
 
 #include "app/panels/state_log.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <set>
 #include <utility>
 
 #include "core/io/json.h"
@@ -45,6 +47,58 @@ Json documentState(const Document& document) {
       .set("redo", static_cast<int>(document.commands.stepCount() - document.commands.position()));
 }
 
+Json namesOf(const std::set<std::string>& names) {
+  Json array = Json::array();
+  for (const std::string& name : names) array.push(name);
+  return array;
+}
+
+Json visibilityState(const EditorState& state) {
+  const Visibility& visibility = state.document.visibility;
+  Json away = Json::array();
+  if (state.hasCharacter()) {
+    const Rig& rig = state.document.rig();
+    for (const int index : hiddenPrimitives(visibility, rig, state.character().skeleton)) {
+      away.push(rig.primitives[static_cast<std::size_t>(index)].name);
+    }
+  }
+  return Json::object()
+      .set("away", away)
+      .set("hidden", namesOf(visibility.hidden.muscles))
+      .set("locked", namesOf(visibility.locked.muscles))
+      .set("solo", namesOf(visibility.solo.muscles))
+      .set("isolated", visibility.isolated ? namesOf(*visibility.isolated) : Json())
+      .set("bare", visibility.bare);
+}
+
+Json groupState(const Rig& rig) {
+  Json groups = Json::object();
+  for (const Group& group : rig.groups) {
+    groups.set(group.name, static_cast<int>(std::ranges::count(rig.primitives, group.name, &Primitive::group)));
+  }
+  return groups;
+}
+
+Json linkState(const Rig& rig) {
+  Json links = Json::array();
+  for (const auto& [a, b] : rig.links) links.push(Json::array().push(a).push(b));
+  return links;
+}
+
+Json symmetryState(const Document& document) {
+  const int active = document.activePrimitive();
+  const MirrorPlan* const plan = document.mirror.get();
+  return Json::object()
+      .set("on", document.symmetry)
+      .set("pairs", plan ? plan->pairCount() : 0)
+      .set("centre", plan ? plan->centreCount() : 0)
+      .set("twin", active < 0 ? std::string() : document.rig().primitives[static_cast<std::size_t>(active)].mirror);
+}
+
+Json boxState(const EditorState& state) {
+  return Json::object().set("armed", state.tools.box.armed).set("dragging", state.tools.box.drag.has_value());
+}
+
 Json gizmoState(const EditorState& state) {
   Json handles = Json::object();
   for (const auto& [name, pixel] : state.route.gizmo.namedPixels()) {
@@ -55,6 +109,7 @@ Json gizmoState(const EditorState& state) {
       .set("visible", state.route.gizmo.visible)
       .set("mode", nameOf(state.tools.gizmo.mode))
       .set("axes", nameOf(state.tools.gizmo.axes))
+      .set("pivot", nameOf(state.tools.pivot))
       .set("hovered", nameOf(state.tools.gizmo.hovered))
       .set("dragging", state.tools.gizmo.drag.has_value())
       .set("handles", handles);
@@ -92,6 +147,27 @@ std::string clipName(const EditorState& state) {
   return state.character().clips[static_cast<std::size_t>(state.transport.clip)].name;
 }
 
+/// Seconds: where playing begins and ends.
+Json playedRange(const EditorState& state) {
+  if (!state.hasCharacter()) return numbers({});
+  const PlayRange range = playRange(state.transport, state.character());
+  return numbers({static_cast<float>(range.from), static_cast<float>(range.to)});
+}
+
+/// Joints turned by hand.
+Json poseState(const EditorState& state) {
+  const PoseOverrides& overrides = state.transport.overrides;
+  Json turns = Json::object();
+  for (const JointTurn& turn : overrides.turns) {
+    const glm::quat& q = turn.turn;
+    if (state.hasCharacter()) turns.set(state.character().skeleton.fileName(turn.bone), numbers({q.x, q.y, q.z, q.w}));
+  }
+  return Json::object()
+      .set("overrides", static_cast<int>(overrides.turns.size()))
+      .set("holds", overrides.from == TurnsFrom::kBindPose)
+      .set("turns", turns);
+}
+
 Json messageState(const EditorState& state) {
   Json messages = Json::array();
   for (const Message& message : state.messages) messages.push(message.text);
@@ -101,6 +177,9 @@ Json messageState(const EditorState& state) {
 std::string dialogName(const EditorState& state) {
   if (state.question.kind != IntentKind::kNone) return "unsaved";
   if (state.dialog.kind != DialogKind::kNone) return state.dialog.kind == DialogKind::kOpen ? "open" : "save";
+  if (state.recoveryAsked) return "recovery";
+  if (state.preferencesShown) return "preferences";
+  if (state.palette.shown) return "palette";
   return state.keySheet ? "keys" : "";
 }
 
@@ -122,8 +201,10 @@ std::string headText(const EditorState& state, long long frame, double seconds) 
                                 .set("skin", stats.stages.skin * 1e3)
                                 .set("patch", stats.stages.patch * 1e3)
                                 .set("project", stats.stages.project * 1e3)
+                                .set("prepare", stats.prepare * 1e3)
                                 .set("upload", stats.upload * 1e3)
                                 .set("draw", stats.draw * 1e3)
+                                .set("ui", stats.ui * 1e3)
                                 .set("frame", stats.now());
   return Json::object()
       .set("frame", frame)
@@ -146,6 +227,12 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("clips", clipNames(state))
       .set("clip_time", state.transport.time)
       .set("playing", state.transport.playing)
+      .set("range", playedRange(state))
+      .set("pose", poseState(state))
+      .set("visibility", visibilityState(state))
+      .set("groups", groupState(state.document.rig()))
+      .set("links", linkState(state.document.rig()))
+      .set("territory", state.panels.territory.primitive)
       .set("depth", state.hasCharacter() ? state.live->depth() : smoothing.depth)
       .set("mode", nameOf(state.document.rig().surface.mode))
       .set("triangles", report.refinedTriangles)
@@ -154,6 +241,10 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("status", state.route.status)
       .set("display", display(state.display))
       .set("dialog", dialogName(state))
+      .set("keymap", nameOf(state.preferences.keymap))
+      .set("scale", state.uiScale)
+      .set("symmetry", symmetryState(state.document))
+      .set("box", boxState(state))
       .set("gizmo", gizmoState(state))
       .set("viewport", numbers({v.x, v.y, v.z, v.w}))
       .set("mouse", numbers({mouse.x, mouse.y}))

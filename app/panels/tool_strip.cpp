@@ -5,6 +5,7 @@
 #include <array>
 #include <string>
 
+#include "app/panels/legend.h"
 #include "app/panels/panels.h"
 
 namespace sinew::app {
@@ -17,7 +18,7 @@ struct ToolButton {
 
 constexpr std::array kTools{ToolButton{"select", Icon::kSelect}, ToolButton{"add-muscle", Icon::kAddMuscle},
                             ToolButton{"move", Icon::kMove}, ToolButton{"rotate", Icon::kRotate},
-                            ToolButton{"scale", Icon::kScale}};
+                            ToolButton{"scale", Icon::kScale}, ToolButton{"pose", Icon::kPose}};
 constexpr std::array kShadings{"view/textured", "view/clay", "view/classes", "view/heat"};
 constexpr std::array kToggles{"view/wire",      "view/skeleton", "view/primitives",
                               "view/influence", "view/ground",   "view/numbers"};
@@ -37,7 +38,7 @@ float pillWidth(const char* actionId) {
 void drawToolStrip(Ui& ui) {
   const float size = ui.px(34);
   const float pad = ui.px(4);
-  const auto rows = static_cast<float>(kTools.size() + 1);
+  const auto rows = static_cast<float>(kTools.size() + 5);
   ImGui::SetCursorPos({ui.px(10), ui.px(54)});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.88f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
@@ -49,10 +50,14 @@ void drawToolStrip(Ui& ui) {
     const std::string name = tool.name;
     actionButton(ui, "toolstrip/" + name, action("tool/" + name), tool.icon, size);
   }
+  actionButton(ui, "toolstrip/box-select", action("tool/box-select"), Icon::kBox, size);
   ImGui::Dummy({0.0f, ui.px(1)});
   ImGui::Separator();
+  actionButton(ui, "toolstrip/symmetry", action("edit/symmetry"), Icon::kSymmetry, size);
   actionButton(ui, "toolstrip/axes", action("tool/axes"), Icon::kAxes, size);
   tooltip(ui, std::string("Now: ") + nameOf(ui.state.tools.gizmo.axes) + " axes");
+  drawTerritoryButton(ui, size);
+  drawBeforeButton(ui, size);
   ImGui::EndChild();
   ImGui::PopStyleVar(2);
   ImGui::PopStyleColor();

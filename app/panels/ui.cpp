@@ -51,9 +51,9 @@ void tooltip(Ui& ui, const std::string& text) {
   ImGui::PopStyleVar();
 }
 
-std::string tooltipOf(const Action& action) {
+std::string tooltipOf(const Ui& ui, const Action& action) {
   std::string text = action.label;
-  if (const std::string keys = textOf(action.shortcut); !keys.empty()) text += "  (" + keys + ")";
+  if (const std::string keys = keyText(action, ui.state); !keys.empty()) text += "  (" + keys + ")";
   return text + "\n" + action.hint;
 }
 
@@ -80,7 +80,7 @@ void actionButton(Ui& ui, const std::string& id, const Action& action, Icon icon
   ImGui::BeginDisabled(!enabled);
   const bool pressed = iconButton(ui, id, icon, active, size);
   ImGui::EndDisabled();
-  tooltip(ui, tooltipOf(action));
+  tooltip(ui, tooltipOf(ui, action));
   if (pressed) run(action, ui.state);
 }
 
@@ -94,7 +94,7 @@ void actionPill(Ui& ui, const std::string& id, const Action& action) {
   ImGui::PopID();
   ImGui::PopStyleColor(3);
   ui.widgets.note(id);
-  tooltip(ui, tooltipOf(action));
+  tooltip(ui, tooltipOf(ui, action));
   if (pressed) run(action, ui.state);
 }
 
@@ -131,13 +131,22 @@ void pushDialogStyle(Ui& ui) {
 
 void popDialogStyle() { ImGui::PopStyleVar(3); }
 
-void closeMenuOnEscape() {
+bool closeMenuOnEscape() {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
-  if (context.OpenPopupStack.empty() || !ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) return;
-  const ImGuiWindow* window = context.OpenPopupStack.back().Window;
-  const bool modal = window != nullptr && (window->Flags & ImGuiWindowFlags_Modal) != 0;
-  if (!modal) ImGui::ClosePopupToLevel(context.OpenPopupStack.Size - 1, true);
+  if (!ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) return false;
+  // A menu goes with all its submenus: one alone would come back at once, as the pointer still lies on its entry.
+  int level = context.OpenPopupStack.Size;
+  const auto isModal = [&](int popup) {
+    const ImGuiWindow* window = context.OpenPopupStack[popup].Window;
+    return window != nullptr && (window->Flags & ImGuiWindowFlags_Modal) != 0;
+  };
+  while (level > 0 && !isModal(level - 1)) --level;
+  if (level == context.OpenPopupStack.Size) return false;
+  ImGui::ClosePopupToLevel(level, true);
+  return true;
 }
+
+bool escapePressed(const Ui& ui) { return !ui.state.escapeTaken && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false); }
 
 void beginFieldEdit(Ui& ui, const std::string& id, const char* label) {
   ui.widgets.note(id);

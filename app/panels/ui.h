@@ -28,8 +28,8 @@ void heading(Ui& ui, const char* text);
 void mutedText(const char* text);
 /// Shown while the last item is hovered.
 void tooltip(Ui& ui, const std::string& text);
-/// Label, key and hint of an action.
-[[nodiscard]] std::string tooltipOf(const Action& action);
+/// Label, key (in the user's keymap) and hint of an action.
+[[nodiscard]] std::string tooltipOf(const Ui& ui, const Action& action);
 
 /// Square button with a picture; lit when active. Notes itself as `id`.
 bool iconButton(Ui& ui, const std::string& id, Icon icon, bool active, float size);
@@ -50,8 +50,10 @@ void pushDialogStyle(Ui& ui);
 void popDialogStyle();
 
 /// Once a frame, before all panels: Esc closes the topmost menu or list (ImGui does so only with its own keyboard
-/// navigation).
-void closeMenuOnEscape();
+/// navigation). @return whether one was closed: then Esc has done its work.
+bool closeMenuOnEscape();
+/// Esc in this frame, and no menu or list has taken it.
+[[nodiscard]] bool escapePressed(const Ui& ui);
 
 /// Right after a field: makes one undo step of everything between its activation and its end; Esc takes it back.
 /// @param edited  what the field returned.

@@ -108,6 +108,16 @@ ImGuiLayer::~ImGuiLayer() {
   ImGui::DestroyContext();
 }
 
+void ImGuiLayer::setScale(float scale) {
+  if (scale == scale_) return;
+  scale_ = scale;
+  applyStyle(scale);
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui::GetIO().Fonts->Clear();
+  fonts_ = loadFonts(scale);
+  ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
 void ImGuiLayer::beginFrame(const InputFrame& input, double seconds) {
   ImGuiIO& io = ImGui::GetIO();
   int width = 0;

@@ -29,6 +29,9 @@ class ImGuiLayer {
   /// Draws into the bound framebuffer and shows the pointer ImGui asks for.
   void endFrame();
 
+  /// Between frames: letters drawn anew, spacing and round corners with them. The fonts before are gone.
+  void setScale(float scale);
+
   [[nodiscard]] const Fonts& fonts() const { return fonts_; }
   [[nodiscard]] float scale() const { return scale_; }
 

@@ -4,12 +4,16 @@
 
 #include <epoxy/gl.h>
 
+#include <glm/common.hpp>
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
 #include <string_view>
 #include <utility>
+
+#include "app/platform/key_meaning.h"
 
 namespace sinew::app {
 namespace {
@@ -31,15 +35,54 @@ void setContextHints() {
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
 }
 
+/// Enough of it lies on a screen to be seen and taken hold of.
+bool isOnScreen(const WindowGeometry& place) {
+  constexpr int kSeen = 100;
+  int count = 0;
+  GLFWmonitor** monitors = glfwGetMonitors(&count);
+  return std::any_of(monitors, monitors + count, [&](GLFWmonitor* monitor) {
+    glm::ivec2 corner{0};
+    glm::ivec2 size{0};
+    glfwGetMonitorWorkarea(monitor, &corner.x, &corner.y, &size.x, &size.y);
+    const glm::ivec2 low = glm::max(corner, place.position);
+    const glm::ivec2 high = glm::min(corner + size, place.position + place.size);
+    return high.x - low.x >= kSeen && high.y - low.y >= kSeen;
+  });
+}
+
+/// At most as large as the first screen; without one, as it is. In units that grow with the content scale.
+glm::ivec2 fittedToScreen(const glm::ivec2& size) {
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  if (monitor == nullptr) return size;
+  glm::ivec2 corner{0};
+  glm::ivec2 area{0};
+  glfwGetMonitorWorkarea(monitor, &corner.x, &corner.y, &area.x, &area.y);
+  glm::vec2 scale{1.0f};
+  glfwGetMonitorContentScale(monitor, &scale.x, &scale.y);
+  return area.x > 0 && area.y > 0 ? glm::min(size, glm::ivec2(glm::vec2(area) / scale)) : size;
+}
+
+void restore(GLFWwindow* window, const WindowGeometry& place) {
+  glfwSetWindowPos(window, place.position.x, place.position.y);
+  if (place.maximised) glfwMaximizeWindow(window);
+  glfwShowWindow(window);
+}
+
 Window& self(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
 
 }  // namespace
 
-Result<std::unique_ptr<Window>> Window::open(const glm::ivec2& size, const std::string& title) {
+Result<std::unique_ptr<Window>> Window::open(const glm::ivec2& size, const std::string& title,
+                                             const std::optional<WindowGeometry>& before) {
   if (glfwInit() != GLFW_TRUE) return Error{"", "window", "no display can be opened: " + lastGlfwError()};
   setContextHints();
   std::unique_ptr<Window> window(new Window);
-  window->window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
+  const bool known = before && isOnScreen(*before);
+  // The size it had is in the screen's own pixels; it is shown once it stands where it stood.
+  if (known) glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_FALSE);
+  if (known) glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+  const glm::ivec2 wanted = known ? before->size : fittedToScreen(size);
+  window->window_ = glfwCreateWindow(wanted.x, wanted.y, title.c_str(), nullptr, nullptr);
   if (window->window_ == nullptr) return Error{"", "window", "OpenGL 4.5 is needed: " + lastGlfwError()};
   window->title_ = title;
   glfwMakeContextCurrent(window->window_);
@@ -49,6 +92,10 @@ Result<std::unique_ptr<Window>> Window::open(const glm::ivec2& size, const std::
   window->software_ = rendererName.find("llvmpipe") != std::string_view::npos ||
                       rendererName.find("softpipe") != std::string_view::npos;
   window->installCallbacks();
+  if (known) {
+    window->geometry_ = *before;
+    restore(window->window_, *before);
+  }
   return window;
 }
 
@@ -69,13 +116,8 @@ void Window::installCallbacks() {
   glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) {
     self(w).input_.scroll({static_cast<float>(x), static_cast<float>(y)});
   });
-  glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
-    if (action == GLFW_REPEAT) {
-      self(w).input_.keyRepeat(key);
-    } else {
-      self(w).input_.key(key, action == GLFW_PRESS);
-    }
-  });
+  glfwSetKeyCallback(
+      window_, [](GLFWwindow* w, int key, int scancode, int action, int) { self(w).takeKey(key, scancode, action); });
   glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned codepoint) { self(w).input_.character(codepoint); });
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) {
     if (focused != GLFW_TRUE) self(w).input_.releaseAll();
@@ -85,6 +127,19 @@ void Window::installCallbacks() {
   glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
     for (int i = 0; i < count; ++i) self(w).drops_.emplace_back(paths[i]);
   });
+}
+
+void Window::takeKey(int key, int scancode, int action) {
+  if (key < 0 || key >= kKeyCodes) return;
+  // The layout may change while a key is held: it goes up as what it went down as.
+  int& meaning = meanings_[static_cast<std::size_t>(key)];
+  if (action == GLFW_PRESS || meaning == 0) meaning = keyMeaning(key, glfwGetKeyName(key, scancode));
+  if (action == GLFW_REPEAT) {
+    input_.keyRepeat(meaning);
+  } else {
+    input_.key(meaning, action == GLFW_PRESS);
+  }
+  if (action == GLFW_RELEASE) meaning = 0;
 }
 
 glm::ivec2 Window::size() const {
@@ -107,6 +162,17 @@ float Window::contentScale() const {
   const glm::ivec2 window = size();
   const float ratio = window.x > 0 ? static_cast<float>(framebufferSize().x) / static_cast<float>(window.x) : 1.0f;
   return std::clamp(std::max(x, y) / std::max(ratio, 0.1f), 1.0f, 4.0f);
+}
+
+WindowGeometry Window::geometry() const {
+  const bool maximised = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
+  const bool away = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
+  if (!maximised && !away) {
+    glfwGetWindowPos(window_, &geometry_.position.x, &geometry_.position.y);
+    geometry_.size = size();
+  }
+  if (!away) geometry_.maximised = maximised;
+  return geometry_;
 }
 
 void Window::setTitle(const std::string& title) {

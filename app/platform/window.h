@@ -1,7 +1,9 @@
 #pragma once  // app/platform/window.h: the one window: OpenGL 4.5 core, events into a queue, dropped files.
 
+#include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,12 +16,22 @@ struct GLFWwindow;
 
 namespace sinew::app {
 
+/// Where a window is to be or was: screen coordinates of its content.
+struct WindowGeometry {
+  glm::ivec2 position{0};
+  glm::ivec2 size{0};
+  bool maximised = false;
+};
+
 /// Owns GLFW and the window. One at a time, main thread only. Its address is what the callbacks know, so it never
 /// moves.
 class Window {
  public:
   /// Opens the window and makes its context current. Error: no display, or no OpenGL 4.5.
-  [[nodiscard]] static Result<std::unique_ptr<Window>> open(const glm::ivec2& size, const std::string& title);
+  /// @param size  for a first start: grows with the screen's content scale.
+  /// @param before  where it was the last time, if it is known and still on a screen.
+  [[nodiscard]] static Result<std::unique_ptr<Window>> open(const glm::ivec2& size, const std::string& title,
+                                                            const std::optional<WindowGeometry>& before = {});
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
@@ -29,6 +41,8 @@ class Window {
   [[nodiscard]] glm::ivec2 size() const;             ///< Window coordinates, as the mouse has them.
   [[nodiscard]] glm::ivec2 framebufferSize() const;  ///< Pixels.
   [[nodiscard]] float contentScale() const;          ///< 1 on ordinary screens, 2 on dense ones.
+  /// Now; of a maximised window, or one that is put away, what it was before.
+  [[nodiscard]] WindowGeometry geometry() const;
   [[nodiscard]] bool softwareRendered() const { return software_; }
 
   void setTitle(const std::string& title);
@@ -46,11 +60,14 @@ class Window {
  private:
   Window() = default;
   void installCallbacks();
+  void takeKey(int key, int scancode, int action);
 
   GLFWwindow* window_ = nullptr;
   InputQueue input_;
   std::vector<std::filesystem::path> drops_;
   std::string title_;
+  mutable WindowGeometry geometry_;           ///< The last that was neither maximised nor put away.
+  std::array<int, kKeyCodes> meanings_{};  ///< What a held key meant when it went down; 0: it is up.
   bool refresh_ = true;
   bool software_ = false;
 };

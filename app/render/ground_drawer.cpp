@@ -9,7 +9,9 @@ namespace {
 
 constexpr float kShadowSoftness = 0.018f;   ///< Standard deviation, fraction of the height.
 constexpr float kContactSoftness = 0.007f;
-constexpr float kGroundReach = 3.4f;        ///< Half the floor's extent, heights.
+constexpr float kGroundReach = 3.4f;        ///< Half the floor's extent, heights, until the eye draws far back.
+constexpr float kShownByDefault = 2.2f;     ///< Heights in the picture up to which the floor keeps that extent.
+constexpr float kGridRank = 5.0f;           ///< A large cell over a small one.
 
 /// Box on the floor that holds the bounds' shadow along the key light, with room for the blur.
 glm::vec4 shadowArea(const Frame& frame) {
@@ -31,6 +33,14 @@ float gridCell(float height) {
   const float decade = std::pow(10.0f, std::floor(std::log10(wanted)));
   const float share = wanted / decade;
   return decade * (share < 1.5f ? 1.0f : share < 3.5f ? 2.0f : share < 7.5f ? 5.0f : 10.0f);
+}
+
+GridZoom gridZoom(const View& view, const glm::vec3& centre, float height) {
+  // How many characters, one on the other, the picture would hold there.
+  const float shown = view.unitsPerPixelAt(centre) * static_cast<float>(view.size.y) / height;
+  const float level = std::clamp(std::log(std::max(shown, 1e-6f)) / std::log(kGridRank), -2.0f, 4.0f);
+  const float whole = std::floor(level);
+  return {std::max(1.0f, shown / kShownByDefault), gridCell(height) * std::pow(kGridRank, whole), level - whole};
 }
 
 GroundDrawer::GroundDrawer() : empty_(makeVertexArray()), shadowSize_(isSoftwareRenderer() ? 160 : 512) {
@@ -116,8 +126,11 @@ void GroundDrawer::drawBackground(const Frame& frame) const {
 
 void GroundDrawer::drawGround(const Frame& frame) const {
   const glm::vec3 centre = frame.surfaceBounds.isEmpty() ? glm::vec3(0.0f) : frame.surfaceBounds.center();
+  const GridZoom zoom = gridZoom(frame.view, centre, frame.height);
   groundProgram_.use();
-  groundProgram_.set("ground", glm::vec4(centre.x, centre.z, kGroundReach * frame.height, gridCell(frame.height)));
+  groundProgram_.set("ground", glm::vec4(centre.x, centre.z, kGroundReach * zoom.reach * frame.height, zoom.cell));
+  groundProgram_.set("zoom", glm::vec2(zoom.reach, zoom.towardsNext));
+  groundProgram_.set("lineScale", frame.settings.lineScale);
   glBindVertexArray(empty_.id());
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);

@@ -28,6 +28,14 @@ class GroundDrawer {
   glm::vec4 area_{0.0f};  ///< x and z of the shadow texture's low corner, 1 / extent on each.
 };
 
+/// How the floor follows the eye as it draws back or comes close.
+struct GridZoom {
+  float reach = 1.0f;        ///< Factor on the floor's extent, >= 1.
+  float cell = 1.0f;         ///< Of the middle rank of lines, character units; the others a fifth and five times.
+  float towardsNext = 0.0f;  ///< 0..1: how far the ranks have moved on; 1 looks as 0 with cells five times as large.
+};
+[[nodiscard]] GridZoom gridZoom(const View& view, const glm::vec3& centre, float height);
+
 /// A round length (1, 2 or 5 times a power of ten) near a quarter of the height: the grid's cell.
 [[nodiscard]] float gridCell(float height);
 

@@ -1,4 +1,6 @@
-#pragma once  // app/render/line_drawer.h: the control mesh's edges.
+#pragma once  // app/render/line_drawer.h: lines of a width in pixels: the control mesh's edges, free segments.
+
+#include <span>
 
 #include "app/render/frame.h"
 
@@ -9,13 +11,26 @@ class LineDrawer {
   [[nodiscard]] static Result<LineDrawer> create();
   /// Edges of the skinned control mesh; those the surface hides are fainter.
   void drawControlMesh(const Frame& frame);
+  /// Scene::segments with a dot at both ends, the larger at `from`; what the surface hides is fainter.
+  void drawSegments(const Frame& frame);
 
  private:
+  /// One segment, as shaders/line.vert and dot.vert read it.
+  struct Line {
+    glm::vec3 from;
+    glm::vec3 to;
+    glm::vec4 color;  ///< Linear; opacity in w.
+  };
   LineDrawer();
+  void draw(std::span<const Line> lines, float width, const glm::vec2& dotRadii, float hidden) const;
 
   GlProgram program_;
+  GlProgram dotProgram_;
   GlVertexArray array_;
-  GlBuffer segments_;
+  GlBuffer lines_;
 };
+
+/// Linear colour of a class of segments, for legends.
+[[nodiscard]] glm::vec3 segmentColor(SegmentClass kind);
 
 }  // namespace sinew::app

@@ -8,17 +8,27 @@ namespace sinew::app {
 class PrimitiveDrawer {
  public:
   [[nodiscard]] static Result<PrimitiveDrawer> create();
-  /// What the surface hides shows through, fainter.
-  void draw(const Frame& frame);
+  /// Shells and rings; what the surface hides shows through, fainter. Nothing unless shown by the settings.
+  void drawShells(const Frame& frame);
+  /// Outlines of what is selected and, fainter, of what is hovered, over everything.
+  void drawOutlines(const Frame& frame);
 
  private:
+  /// How one family of shells is drawn.
+  struct ShellLook {
+    float ringWidth = 1.0f;  ///< Pixels.
+    float dashes = 0.0f;     ///< Per ring; 0: unbroken.
+    float strength = 1.0f;
+  };
   PrimitiveDrawer();
-  void drawShells(const ShapeMesh& shells, float width, float dashes, float strength) const;
+  void drawFamily(const ShapeMesh& shells, const ShellLook& look) const;
 
   GlProgram fillProgram_;
   GlProgram ringProgram_;
+  GlProgram outlineProgram_;
   ShapeMesh visible_;
   ShapeMesh influence_;
+  ShapeMesh outlined_;
 };
 
 }  // namespace sinew::app

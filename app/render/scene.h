@@ -1,5 +1,6 @@
 #pragma once  // app/render/scene.h: all that one picture shows, as plain references; nothing here owns.
 
+#include <cstdint>
 #include <vector>
 
 #include "core/character/character.h"
@@ -24,7 +25,9 @@ struct DisplaySettings {
   bool ground = true;      ///< Grid and shadow.
   bool background = true;  ///< Off: transparent where nothing is drawn.
   bool lighting = true;    ///< Off: Shading::kTextured shows the bare base colour.
-  float lineScale = 1.0f;  ///< Factor on line widths, for dense displays.
+  bool territory = true;   ///< Scene::territory as a tint on the skin.
+  bool segments = true;    ///< Scene::segments.
+  float lineScale = 1.0f;  ///< Factor on line, outline and dot widths, for dense displays.
   float heatRange = 0.05f; ///< Displacement at the ends of the heat scale, fraction of the height, > 0.
 };
 
@@ -41,15 +44,29 @@ struct PrimitiveShape {
 /// The attached primitives of a rig in a pose, in rig order; unattached ones are left out.
 [[nodiscard]] std::vector<PrimitiveShape> shapesOf(const Rig& rig, const Skeleton& skeleton, const Pose& pose);
 
+/// What a segment says; each class has its colour.
+enum class SegmentClass : std::uint8_t { kPlain, kFound, kFallback, kLost };
+
+/// A straight line with a dot at both ends: a projection ray, an anchor. World space.
+struct SceneSegment {
+  glm::vec3 from{0.0f};
+  glm::vec3 to{0.0f};
+  SegmentClass kind = SegmentClass::kPlain;
+};
+
 /// One moment of a character. Pointers are valid for the call; surface may be null before the first smoothing.
 struct Scene {
   const Character* character = nullptr;
   const Surface* surface = nullptr;
+  std::uint64_t surfaceRevision = 0;  ///< Of one character: equal numbers, equal surfaces, uploaded once. 0: unknown.
   const Pose* pose = nullptr;
   std::vector<PrimitiveShape> primitives;
   int selectedBone = -1;
   int hoveredBone = -1;
   std::vector<glm::vec3> skinnedControlPositions;  ///< [V] for DisplaySettings::controlMesh; may be empty.
+  std::vector<float> territory;      ///< [V] 0..1, how much of a muscle each control vertex takes; empty: no tint.
+  std::vector<int> territoryBones;   ///< Highlighted among the bones, and drawn though the skeleton is hidden.
+  std::vector<SceneSegment> segments;  ///< Seen through the skin, fainter.
 };
 
 }  // namespace sinew::app

@@ -2,6 +2,8 @@
 #include "app/render/skeleton_drawer.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "app/render/picking.h"
@@ -9,9 +11,11 @@
 namespace sinew::app {
 namespace {
 
-constexpr glm::vec4 kBone{0.66f, 0.72f, 0.80f, 0.82f};
-constexpr glm::vec4 kHovered{0.30f, 0.72f, 1.00f, 0.92f};
-constexpr glm::vec4 kSelected{1.00f, 0.40f, 0.04f, 0.96f};
+constexpr glm::vec4 kBone{0.66f, 0.72f, 0.80f, 0.84f};
+constexpr glm::vec4 kHovered{0.30f, 0.72f, 1.00f, 0.94f};
+constexpr glm::vec4 kSelected{1.00f, 0.40f, 0.04f, 0.97f};
+constexpr glm::vec4 kOfTerritory{0.62f, 0.42f, 1.00f, 0.94f};
+constexpr float kContourWidth = 1.6f;  ///< Pixels.
 
 struct Look {
   glm::vec4 color;
@@ -21,7 +25,25 @@ struct Look {
 Look lookOf(int bone, const Scene& scene) {
   if (bone == scene.selectedBone) return {kSelected, 1.0f};
   if (bone == scene.hoveredBone) return {kHovered, 1.0f};
+  if (std::ranges::find(scene.territoryBones, bone) != scene.territoryBones.end()) return {kOfTerritory, 0.7f};
   return {kBone, 0.0f};
+}
+
+/// All bones, or those of the territory alone.
+bool isShown(int bone, const Frame& frame) {
+  return frame.settings.skeleton ||
+         std::ranges::find(frame.scene.territoryBones, bone) != frame.scene.territoryBones.end();
+}
+
+/// Depth of the nearest joint along the view, and how much deeper the furthest lies.
+glm::vec2 depthRange(const Frame& frame) {
+  const glm::vec3 forward = frame.view.forwardInWorld();
+  glm::vec2 range(std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest());
+  for (const glm::mat4& bone : frame.scene.pose->boneInWorld) {
+    const float depth = glm::dot(glm::vec3(bone[3]), forward);
+    range = {std::min(range.x, depth), std::max(range.y, depth)};
+  }
+  return {range.x, std::max(range.y - range.x, 0.25f * frame.height)};
 }
 
 /// Octahedron from head to tail, `width` wide on each side.
@@ -50,7 +72,7 @@ Result<SkeletonDrawer> SkeletonDrawer::create() {
   return drawer;
 }
 
-void SkeletonDrawer::draw(const Frame& frame) {
+void SkeletonDrawer::place(const Frame& frame) {
   const Scene& scene = frame.scene;
   const std::vector<BoneSegment> segments = boneSegments(scene.character->skeleton, *scene.pose);
   const float h = frame.height;
@@ -62,11 +84,13 @@ void SkeletonDrawer::draw(const Frame& frame) {
     if (length < 1e-4f * h) continue;
     float& least = shortest[static_cast<std::size_t>(segment.bone)];
     least = std::min(least, length);
+    if (!isShown(segment.bone, frame)) continue;
     const Look look = lookOf(segment.bone, scene);
     const float width = std::min(0.11f * length, 0.016f * h);
     bones.push_back({along(segment.head, segment.tail, width), look.color, glm::vec4(0, look.glow, 0, 0)});
   }
   for (std::size_t i = 0; i < scene.pose->boneInWorld.size(); ++i) {
+    if (!isShown(static_cast<int>(i), frame)) continue;
     const Look look = lookOf(static_cast<int>(i), scene);
     const float radius = std::clamp(0.085f * shortest[i], 0.0028f * h, 0.0095f * h);
     joints.push_back(
@@ -74,24 +98,39 @@ void SkeletonDrawer::draw(const Frame& frame) {
   }
   bones_.setInstances(bones);
   joints_.setInstances(joints);
+}
 
+void SkeletonDrawer::drawAll(float swell) const {
+  program_.set("swell", glm::vec4(0.0f, 0.3f, 0.0f, swell));
+  bones_.draw();
+  program_.set("swell", glm::vec4(0.0f, 0.0f, 0.0f, swell));
+  joints_.draw();
+}
+
+void SkeletonDrawer::draw(const Frame& frame) {
+  if (frame.scene.pose->boneInWorld.empty()) return;
+  place(frame);
   glClear(GL_DEPTH_BUFFER_BIT);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
   glCullFace(GL_BACK);
   program_.use();
+  program_.set("depthRange", depthRange(frame));
+  program_.set("contour", 0.0f);
   // Depth first, colour where it is nearest: one layer of translucent bone, never two.
   glDepthFunc(GL_LEQUAL);
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  bones_.draw();
-  joints_.draw();
+  drawAll(0.0f);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   blendPremultiplied();
   glDepthFunc(GL_EQUAL);
-  bones_.draw();
-  joints_.draw();
-  glDisable(GL_BLEND);
+  drawAll(0.0f);
+  // The far sides, grown: what of them no bone hides is a dark edge around each.
   glDepthFunc(GL_LESS);
+  glCullFace(GL_FRONT);
+  program_.set("contour", 1.0f);
+  drawAll(kContourWidth * frame.settings.lineScale);
+  glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
 }
 

@@ -8,11 +8,14 @@ namespace sinew::app {
 class SkeletonDrawer {
  public:
   [[nodiscard]] static Result<SkeletonDrawer> create();
-  /// Clears the depth, so that bones hide only one another: draw last.
+  /// All bones, or without DisplaySettings::skeleton those of Scene::territoryBones. The scene has a pose. Clears the
+  /// depth, so that bones hide only one another: draw last.
   void draw(const Frame& frame);
 
  private:
   SkeletonDrawer();
+  void place(const Frame& frame);
+  void drawAll(float swell) const;
 
   GlProgram program_;
   ShapeMesh bones_;

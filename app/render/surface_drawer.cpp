@@ -7,10 +7,18 @@
 #include <cstddef>
 #include <numeric>
 
-#include "app/render/heat_scale.h"
+#include <glm/gtc/matrix_access.hpp>
+
+#include "app/render/color_scales.h"
+#include "app/render/occlusion.h"
+#include "app/render/shape_colors.h"
 
 namespace sinew::app {
 namespace {
+
+constexpr std::size_t kWired = 1, kMarked = 2;  ///< Kinds of programs.
+constexpr std::size_t kMostMarks = 4;           ///< As in shaders/surface.frag.
+constexpr float kTerritoryStrength = 0.62f;
 
 constexpr std::array<const char*, 4> kShadingDefines{"SHADING_TEXTURED", "SHADING_CLAY", "SHADING_CLASSES",
                                                      "SHADING_HEAT"};
@@ -66,6 +74,42 @@ std::vector<std::uint32_t> controlCorners(const Refinement& refinement) {
   return corners;  // With n > 1 each corner is in exactly one of the n^2 triangles: three a control triangle.
 }
 
+std::uint8_t byteOf(float share) {
+  return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(share, 0.0f, 1.0f)));
+}
+
+/// Muscles whose reach is outlined on the skin: selected ones, then the hovered. World -> their ball of influence.
+std::vector<const PrimitiveShape*> markedShapes(const Frame& frame) {
+  std::vector<const PrimitiveShape*> marked;
+  for (const bool selected : {true, false}) {
+    for (const PrimitiveShape& shape : frame.scene.primitives) {
+      if (marked.size() == kMostMarks) return marked;
+      if (selected ? shape.selected : (shape.hovered && !shape.selected)) marked.push_back(&shape);
+    }
+  }
+  std::erase_if(marked, [](const PrimitiveShape* shape) {
+    return !(std::abs(glm::determinant(glm::mat3(shape->unitBallInWorld))) > 0.0f);
+  });
+  return marked;
+}
+
+void setMarks(const GlProgram& program, const Frame& frame, std::span<const PrimitiveShape* const> shapes) {
+  std::array<glm::vec4, 3 * kMostMarks> rows{};
+  std::array<glm::vec4, kMostMarks> colors{};
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const PrimitiveShape& shape = *shapes[i];
+    const glm::mat4 inBall = glm::inverse(shape.unitBallInWorld);
+    for (glm::length_t row = 0; row < 3; ++row) {
+      rows[3 * i + static_cast<std::size_t>(row)] = glm::row(inBall, row) / shape.reach;
+    }
+    colors[i] = glm::vec4(shapeColor(shape), shape.selected ? 0.62f : 0.30f);
+  }
+  program.set("markCount", static_cast<int>(shapes.size()));
+  program.set("markRows", std::span<const glm::vec4>(rows));
+  program.set("markColors", std::span<const glm::vec4>(colors));
+  program.set("territoryTint", glm::vec4(kTerritoryColor, frame.settings.territory ? kTerritoryStrength : 0.0f));
+}
+
 bool blends(const Frame& frame, const Material& material) {
   return frame.settings.shading == Shading::kTextured && material.alphaMode == AlphaMode::kBlend;
 }
@@ -73,8 +117,8 @@ bool blends(const Frame& frame, const Material& material) {
 }  // namespace
 
 SurfaceDrawer::SurfaceDrawer()
-    : array_(makeVertexArray()), vertices_(makeBuffer()), uvs_(makeBuffer()), indices_(makeBuffer()),
-      keptIndices_(makeBuffer()), coarseIndices_(makeBuffer()), classes_(makeBuffer()) {
+    : array_(makeVertexArray()), vertices_(makeBuffer()), uvs_(makeBuffer()), skinValues_(makeBuffer()),
+      indices_(makeBuffer()), keptIndices_(makeBuffer()), coarseIndices_(makeBuffer()), classes_(makeBuffer()) {
   const GLuint array = array_.id();
   glVertexArrayVertexBuffer(array, 0, vertices_.id(), 0, sizeof(Vertex));
   glVertexArrayVertexBuffer(array, 1, uvs_.id(), 0, sizeof(glm::vec2));
@@ -83,6 +127,10 @@ SurfaceDrawer::SurfaceDrawer()
   attribute(array, 1, 0, 3, offsetof(Vertex, normal));
   attribute(array, 2, 0, 1, offsetof(Vertex, displacement));
   attribute(array, 3, 1, 2, 0);
+  glVertexArrayVertexBuffer(array, 2, skinValues_.id(), 0, sizeof(SkinValues));
+  glEnableVertexArrayAttrib(array, 4);
+  glVertexArrayAttribFormat(array, 4, 2, GL_UNSIGNED_BYTE, GL_TRUE, 0);
+  glVertexArrayAttribBinding(array, 4, 2);
   Texture white;
   white.width = white.height = 1;
   white.rgba = {255, 255, 255, 255};
@@ -92,13 +140,16 @@ SurfaceDrawer::SurfaceDrawer()
 Result<SurfaceDrawer> SurfaceDrawer::create() {
   SurfaceDrawer drawer;
   for (std::size_t i = 0; i < kShadingDefines.size(); ++i) {
-    Result<GlProgram> plain = GlProgram::load({"shaders/surface.vert", "shaders/surface.frag"}, {kShadingDefines[i]});
-    if (!plain) return plain.error();
-    Result<GlProgram> wire = GlProgram::load(
-        {"shaders/surface.vert", "shaders/surface_wire.geom", "shaders/surface.frag"}, {kShadingDefines[i], "WIRE"});
-    if (!wire) return wire.error();
-    drawer.programs_[i] = std::move(plain).value();
-    drawer.wirePrograms_[i] = std::move(wire).value();
+    for (std::size_t kind = 0; kind < drawer.programs_.size(); ++kind) {
+      const char* marks = (kind & kMarked) != 0 ? "MARKED" : "UNMARKED";
+      Result<GlProgram> made =
+          (kind & kWired) != 0
+              ? GlProgram::load({"shaders/surface.vert", "shaders/surface_wire.geom", "shaders/surface.frag"},
+                                {kShadingDefines[i], "WIRE", marks})
+              : GlProgram::load({"shaders/surface.vert", "shaders/surface.frag"}, {kShadingDefines[i], marks});
+      if (!made) return made.error();
+      drawer.programs_[kind][i] = std::move(made).value();
+    }
   }
   return drawer;
 }
@@ -108,6 +159,9 @@ void SurfaceDrawer::setCharacter(const Character& character) {
   ranges_.clear();
   bounds_ = {};
   materials_ = character.materials;
+  open_ = bakeOpenness(character.mesh);
+  territory_.clear();
+  revision_ = 0;
   textures_.clear();
   for (const Texture& image : character.textures) {
     const bool whole =
@@ -151,15 +205,19 @@ void SurfaceDrawer::rebuildTopology(const ControlMesh& mesh) {
   coarseIndexCount_ = static_cast<GLsizei>(corners.size());
 }
 
-void SurfaceDrawer::upload(const Surface& surface, const ControlMesh& mesh) {
-  if (refinement_ != surface.refinement) {
-    refinement_ = surface.refinement;
-    rebuildTopology(mesh);
+void SurfaceDrawer::rebuildSkinValues(const ControlMesh& mesh) {
+  const std::vector<float> open = spreadOverRefinement(open_, mesh, *refinement_);
+  const std::vector<float> own =
+      territory_.empty() ? std::vector<float>{} : spreadOverRefinement(territory_, mesh, *refinement_);
+  std::vector<SkinValues> values(refinement_->drawVertex.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto vertex = static_cast<std::size_t>(refinement_->drawVertex[i]);
+    values[i] = {byteOf(open[vertex]), own.empty() ? std::uint8_t{0} : byteOf(own[vertex]), {}};
   }
-  if (culled_ != surface.culled) {
-    culled_ = surface.culled;
-    rebuildOrder(mesh, culled_.empty() ? indices_ : keptIndices_, culled_.empty() ? GL_STATIC_DRAW : GL_STREAM_DRAW);
-  }
+  uploadBuffer(skinValues_, std::span<const SkinValues>(values), GL_STATIC_DRAW);
+}
+
+void SurfaceDrawer::fillVertices(const Surface& surface) {
   const std::vector<int>& drawVertex = refinement_->drawVertex;
   staging_.resize(drawVertex.size());
   const bool displaced = surface.displacement.size() == surface.positions.size();
@@ -179,17 +237,50 @@ void SurfaceDrawer::upload(const Surface& surface, const ControlMesh& mesh) {
   uploadBuffer(classes_, std::span<const std::uint32_t>(classes));
 }
 
+void SurfaceDrawer::upload(const Scene& scene) {
+  const Surface& surface = *scene.surface;
+  const ControlMesh& mesh = scene.character->mesh;
+  const std::vector<float>& territory = scene.territory;
+  assert(open_.size() == mesh.positions.size() && (territory.empty() || territory.size() == open_.size()));
+  const bool refined = refinement_ != surface.refinement;
+  if (refined) {
+    refinement_ = surface.refinement;
+    rebuildTopology(mesh);
+  }
+  if (refined || territory_ != territory) {
+    territory_ = territory;
+    rebuildSkinValues(mesh);
+  }
+  const bool reordered = culled_ != surface.culled;
+  if (reordered) {
+    culled_ = surface.culled;
+    rebuildOrder(mesh, culled_.empty() ? indices_ : keptIndices_, culled_.empty() ? GL_STATIC_DRAW : GL_STREAM_DRAW);
+  }
+  const bool known = scene.surfaceRevision != 0 && scene.surfaceRevision == revision_;
+  if (!refined && !reordered && known) return;
+  revision_ = scene.surfaceRevision;
+  fillVertices(surface);
+}
+
 const GlProgram& SurfaceDrawer::prepareProgram(const Frame& frame) const {
-  const auto shading = static_cast<std::size_t>(frame.settings.shading);
-  const GlProgram& program = frame.settings.wire ? wirePrograms_[shading] : programs_[shading];
+  const std::vector<const PrimitiveShape*> marks = markedShapes(frame);
+  const bool marked = !marks.empty() || (frame.settings.territory && !territory_.empty());
+  const std::size_t kind = (frame.settings.wire ? kWired : 0) + (marked ? kMarked : 0);
+  const GlProgram& program = programs_[kind][static_cast<std::size_t>(frame.settings.shading)];
   program.use();
   program.set("baseMap", 0);
-  program.set("wireScale", frame.settings.lineScale);
+  program.set("lineScale", frame.settings.lineScale);
   program.set("unlit", frame.settings.lighting ? 0 : 1);
   program.set("heatRange", std::max(frame.settings.heatRange, 1e-6f) * frame.height);
   std::array<glm::vec4, 9> stops{};
-  std::ranges::transform(heatStops(), stops.begin(), [](const glm::vec3& stop) { return glm::vec4(stop, 1.0f); });
+  std::ranges::transform(heatStops(), stops.begin(),
+                         [](const glm::vec3& stop) { return glm::vec4(linearFromSrgb(stop), 1.0f); });
   program.set("heatStops", std::span<const glm::vec4>(stops));
+  std::array<glm::vec4, 3> classes{};
+  std::ranges::transform(classColors(), classes.begin(),
+                         [](const ClassColor& each) { return glm::vec4(linearFromSrgb(each.srgb), 1.0f); });
+  program.set("classColors", std::span<const glm::vec4>(classes));
+  if (marked) setMarks(program, frame, marks);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, classes_.id());
   glBindVertexArray(array_.id());
   return program;

@@ -1,7 +1,9 @@
 #pragma once  // app/render/surface_drawer.h: streams and draws the smoothed surface.
 
 #include <array>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "app/render/frame.h"
@@ -14,8 +16,9 @@ class SurfaceDrawer {
 
   /// Textures with mipmaps, and materials.
   void setCharacter(const Character& character);
-  /// Fills the vertex buffer; the index buffers only when the refinement or what is culled is another one.
-  void upload(const Surface& surface, const ControlMesh& mesh);
+  /// Uploads what has changed: vertices unless the surface is the one of the last call, index buffers when the
+  /// refinement or what is culled is another one, skin values with refinement or territory. The scene has a surface.
+  void upload(const Scene& scene);
 
   void drawOpaque(const Frame& frame) const;
   /// Materials whose alpha blends: back sides first, then front sides.
@@ -38,7 +41,15 @@ class SurfaceDrawer {
     int firstTriangle = 0;
     int triangles = 0;
   };
+  /// What changes with the character, the depth and the territory alone, as 0..255.
+  struct SkinValues {
+    std::uint8_t open = 255;
+    std::uint8_t territory = 0;
+    std::array<std::uint8_t, 2> unused{};
+  };
   SurfaceDrawer();
+  void rebuildSkinValues(const ControlMesh& mesh);
+  void fillVertices(const Surface& surface);
   void rebuildTopology(const ControlMesh& mesh);
   /// Control triangles by material, the culled left out: controlOrder_, ranges_ and the indices to draw.
   void rebuildOrder(const ControlMesh& mesh, const GlBuffer& indices, GLenum usage);
@@ -46,10 +57,11 @@ class SurfaceDrawer {
   const Material& materialOf(const Range& range) const;
   void drawRange(const GlProgram& program, const Frame& frame, const Range& range) const;
 
-  std::array<GlProgram, 4> programs_;      ///< By Shading.
-  std::array<GlProgram, 4> wirePrograms_;
+  /// Programs for each Shading.
+  using Programs = std::array<GlProgram, 4>;
+  std::array<Programs, 4> programs_;  ///< +1 with wire, +2 with marks.
   GlVertexArray array_;
-  GlBuffer vertices_, uvs_, indices_, keptIndices_, coarseIndices_, classes_;
+  GlBuffer vertices_, uvs_, skinValues_, indices_, keptIndices_, coarseIndices_, classes_;
   GlTexture white_;
   std::vector<GlTexture> textures_;
   std::vector<Material> materials_;
@@ -59,6 +71,9 @@ class SurfaceDrawer {
   std::vector<Range> ranges_;
   GLsizei coarseIndexCount_ = 0;   ///< 0: the shadow is cast by all triangles.
   std::vector<Vertex> staging_;
+  std::vector<float> open_;       ///< [V] how open each control vertex is (occlusion.h).
+  std::vector<float> territory_;  ///< [V] or empty, as in skinValues_.
+  std::uint64_t revision_ = 0;    ///< Scene::surfaceRevision of what is uploaded; 0: unknown.
   Bounds bounds_;
 };
 

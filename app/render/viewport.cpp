@@ -119,7 +119,7 @@ void Viewport::draw(const Scene& scene, const View& view, const DisplaySettings&
   const double start = now();
   resetState();
   const bool surfaced = scene.surface != nullptr && scene.surface->refinement != nullptr;
-  if (surfaced) s.surface.upload(*scene.surface, scene.character->mesh);
+  if (surfaced) s.surface.upload(scene);
   const Frame frame{scene, view, settings, scene.character->height, s.floor, surfaced ? s.surface.bounds() : Bounds{}};
   const std::array<FrameBlock, 1> block{blockOf(frame)};
   uploadBuffer(s.frameBlock, std::span<const FrameBlock>(block));
@@ -141,8 +141,11 @@ void Viewport::draw(const Scene& scene, const View& view, const DisplaySettings&
   if (settings.ground) s.ground.drawGround(frame);
   if (showSurface) s.surface.drawBlended(frame);
   if (settings.controlMesh) s.lines.drawControlMesh(frame);
-  if (settings.primitives || settings.influence) s.primitives.draw(frame);
-  if (settings.skeleton && scene.pose != nullptr) s.skeleton.draw(frame);
+  if (settings.segments) s.lines.drawSegments(frame);
+  if (settings.primitives || settings.influence) s.primitives.drawShells(frame);
+  const bool bones = settings.skeleton || (settings.territory && !scene.territoryBones.empty());
+  if (bones && scene.pose != nullptr) s.skeleton.draw(frame);
+  s.primitives.drawOutlines(frame);
   s.target.end();
   resetState();
   glBindVertexArray(0);

@@ -6,11 +6,13 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "app/tools/gizmo_frame.h"
 #include "core/rig/rig_edit.h"
+#include "core/rig/twins.h"
 
 namespace sinew::app {
 namespace {
@@ -100,6 +102,19 @@ Primitive newMuscle(const Skeleton& skeleton, int bone, const Placement& placeme
   return primitive;
 }
 
+constexpr float kNearPlane = 0.01f;  ///< Of H: a muscle added this near to the middle is laid into it.
+
+/// The muscle, and with symmetry its twin; one in the middle stays alone.
+Result<Rig> withMuscle(const Document& document, const Rig& rig, Primitive muscle) {
+  const MirrorPlan* const plan = document.mirror.get();
+  if (!document.symmetry || !plan || !twinBone(*plan, muscle.bone)) return addPrimitive(rig, std::move(muscle));
+  if (const std::optional<Placement> snapped = snappedToPlane(*plan, muscle, kNearPlane)) {
+    muscle.placement = *snapped;
+    return addPrimitive(rig, std::move(muscle));
+  }
+  return addPair(rig, std::move(muscle), *plan);
+}
+
 Placement placementNow(const AddMuscleDrag& drag, const ViewportContext& context, const std::optional<Ray>& pointer) {
   const Character& character = *context.document.character;
   const auto bone = static_cast<std::size_t>(drag.bone);
@@ -112,9 +127,10 @@ Placement placementNow(const AddMuscleDrag& drag, const ViewportContext& context
 /// Shows the muscle as one state of the gesture.
 Result<void> show(const AddMuscleDrag& drag, const ViewportContext& context, const Placement& placement) {
   Document& document = context.document;
-  Result<Rig> rig = addPrimitive(*drag.rigBefore, newMuscle(document.character->skeleton, drag.bone, placement));
+  Result<Rig> rig =
+      withMuscle(document, *drag.rigBefore, newMuscle(document.character->skeleton, drag.bone, placement));
   if (!rig) return rig.error();
-  const std::string name = rig->primitives.back().name;
+  const std::string name = rig->primitives[drag.rigBefore->primitives.size()].name;
   document.commands.updateGesture(std::move(rig).value());
   document.selection.set(name);
   return {};
@@ -212,9 +228,9 @@ Result<std::string> addMuscleOnBone(Document& document, int bone) {
   const float thickness = std::clamp(skin > 0.0f ? 1.15f * skin : 0.4f * half, 0.012f * height, 0.2f * height);
   stroke.semiAxes = {half, thickness, thickness};
   const Placement placement = placementOf(stroke, onBone.bindInWorld);
-  Result<Rig> rig = addPrimitive(document.rig(), newMuscle(character.skeleton, bone, placement));
+  Result<Rig> rig = withMuscle(document, document.rig(), newMuscle(character.skeleton, bone, placement));
   if (!rig) return rig.error();
-  const std::string name = rig->primitives.back().name;
+  const std::string name = rig->primitives[document.rig().primitives.size()].name;
   document.commands.apply("Add muscle", std::move(rig).value());
   document.selection.set(name);
   return name;

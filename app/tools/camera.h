@@ -23,7 +23,7 @@ struct CameraTransition {
   float elapsed = 0.0f;  ///< Seconds, of kCameraTransitionSeconds.
 };
 
-inline constexpr float kCameraTransitionSeconds = 0.15f;
+inline constexpr float kCameraTransitionSeconds = 0.24f;
 inline constexpr float kNearestView = 0.02f;  ///< Smallest distance, of H.
 inline constexpr float kFarthestView = 60.0f;  ///< Largest distance, of H.
 

@@ -106,7 +106,8 @@ std::optional<GizmoFrame> gizmoFrame(GizmoAxes axes, const Placement& inBone, co
   const double lengths = glm::length(bone[0]) * glm::length(bone[1]) * glm::length(bone[2]);
   if (!(std::abs(glm::determinant(bone)) > 1e-6 * lengths)) return std::nullopt;
   frame.boneInverse = glm::inverse(bone);
-  frame.origin = glm::vec3(context.boneInWorld * glm::vec4(inBone.center, 1.0f));
+  frame.center = glm::vec3(context.boneInWorld * glm::vec4(inBone.center, 1.0f));
+  frame.origin = context.pivotInWorld.value_or(frame.center);
   const glm::vec3 pixel = context.view.toPixel(frame.origin);
   if (!isFinite(pixel) || !(std::abs(pixel.z) <= 1.0f)) return std::nullopt;
   frame.axes = gizmoAxes(axes, inBone, context.boneInWorld);

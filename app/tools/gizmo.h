@@ -8,6 +8,7 @@
 //           the bone (the result must remain an ellipsoid on the bone). Mirrored bones turn the other way round in bone
 //           space, so that the world's sense is kept.
 //   scale   changes radii, which lie along the primitive's own axes whatever axes are chosen.
+//           About a pivot that is not the centre, the centre goes round it by the same turn of the world.
 //   poles   one semi-axis, measured in the world along B q e_i; the opposite pole stays, or with Alt the centre.
 // A bone flattened to a plane cannot be edited in the picture: its layout is empty.
 
@@ -46,12 +47,22 @@ struct GizmoContext {
   glm::mat4 boneInWorld{1.0f};
   float characterHeight = 1.0f;  ///< H: the step of a snapped move is 1 % of it.
   float uiScale = 1.0f;          ///< Pixels of View per design pixel.
+  std::optional<glm::vec3> pivotInWorld{};  ///< Where the handles stand and turns turn about; else the centre.
 };
 
 /// Motion along one way a handle may go, summed over the frames of a drag.
 struct GizmoTrack {
   glm::vec3 travelled{0.0f};  ///< Coordinates in the gizmo's axes (world lengths), or x = radians, or x = pixels.
   glm::vec2 lastPixel{0.0f};  ///< Up to where it is summed.
+};
+
+/// What a drag has done so far, for others that are dragged along: in the world, and as factors on the radii.
+struct GizmoEffect {
+  glm::vec3 moved{0.0f};
+  glm::vec3 turnAxis{0.0f, 1.0f, 0.0f};  ///< Unit.
+  float angle = 0.0f;                    ///< Radians, world sense.
+  glm::vec3 pivot{0.0f};                 ///< Of the turn.
+  glm::vec3 factors{1.0f};               ///< Of the radii, each primitive's own axes. Poles: 1, they pull theirs alone.
 };
 
 /// A drag in progress. Deltas are in the chosen axes, relative to the placement at the start.
@@ -67,6 +78,7 @@ struct GizmoDrag {
   Placement current;
   float angle = 0.0f;                 ///< Rotate: radians so far, world sense; for the drawn wedge.
   float factor = 1.0f;                ///< Scale: so far; the drawn arm follows.
+  GizmoEffect effect;
   std::string value;                  ///< "X 0.12": drawn at the pointer.
 };
 
@@ -118,7 +130,13 @@ enum class DragOutcome { kDragging, kCommitted, kCancelled };
 struct DragResult {
   Placement placement;  ///< Bone space; the start's if cancelled.
   DragOutcome outcome = DragOutcome::kDragging;
+  GizmoEffect effect;  ///< Nothing if cancelled.
 };
+
+/// The effect on another ellipsoid, from its placement at the start, on a bone as it stands now. A flattened bone: as
+/// it was. Radii never go below 0.2 % of H, or what they were.
+[[nodiscard]] Placement draggedAlong(const GizmoEffect& effect, const Placement& start, const glm::mat4& boneInWorld,
+                                     float characterHeight);
 
 /// One frame of a drag. X/Y/Z lock to an axis, the same key again frees. A typed number is the value: a length in
 /// character units (in a plane: along the motion so far), degrees, a factor, or for poles the semi-axis in the world.

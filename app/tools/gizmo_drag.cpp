@@ -159,6 +159,48 @@ std::optional<float> typedValue(const std::string& typed) {
   return value;
 }
 
+// Effect -> placement ---------------------------------------------------------------------------------------------
+
+Placement moved(const GizmoEffect& effect, const Placement& start, const glm::dmat3& boneInverse) {
+  Placement placement = start;
+  placement.center = glm::vec3(glm::dvec3(start.center) + boneInverse * glm::dvec3(effect.moved));
+  return placement;
+}
+
+/// @param center  world, if it goes round the pivot; null: it is the pivot.
+Placement turned(const GizmoEffect& effect, const Placement& start, const glm::dmat3& boneInverse,
+                 const glm::vec3* center) {
+  if (effect.angle == 0.0f) return start;
+  const glm::vec3 axisInBone =
+      normalizeOr(glm::vec3(boneInverse * glm::dvec3(effect.turnAxis)), effect.turnAxis);
+  const float inBone = glm::determinant(boneInverse) < 0.0 ? -effect.angle : effect.angle;
+  Placement placement = start;
+  placement.rotation = glm::normalize(glm::angleAxis(inBone, axisInBone) * start.rotation);
+  if (center) {
+    const glm::dvec3 arm = glm::dvec3(*center) - glm::dvec3(effect.pivot);
+    const glm::dvec3 swung = glm::angleAxis(static_cast<double>(effect.angle), glm::dvec3(effect.turnAxis)) * arm;
+    placement.center = glm::vec3(glm::dvec3(start.center) + boneInverse * (swung - arm));
+  }
+  return placement;
+}
+
+/// World length of one bone unit along the primitive's axis.
+float worldPerUnit(const glm::mat3& bone, const Placement& start, int axis) {
+  glm::vec3 unit(0.0f);
+  unit[axis] = 1.0f;
+  return glm::length(bone * (start.rotation * unit));
+}
+
+Placement scaled(const GizmoEffect& effect, const Placement& start, const glm::mat3& bone, float characterHeight) {
+  Placement placement = start;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (effect.factors[axis] == 1.0f) continue;
+    const float least = kLeastRadius * characterHeight / worldPerUnit(bone, start, axis);
+    placement.radii[axis] = std::max(start.radii[axis] * effect.factors[axis], std::min(least, start.radii[axis]));
+  }
+  return placement;
+}
+
 // Tracks -> placement ---------------------------------------------------------------------------------------------
 
 struct Evaluation {
@@ -195,9 +237,8 @@ Placement evaluateMove(const Evaluation& e) {
   }
   const glm::vec3 inWorld = axes * coordinates;
   setValue(e, lengthText(e.way < 3 ? coordinates[e.way] : glm::length(inWorld), e.context.characterHeight));
-  Placement placement = e.drag.start;
-  placement.center = glm::vec3(glm::dvec3(e.drag.start.center) + e.frame.boneInverse * glm::dvec3(inWorld));
-  return placement;
+  e.drag.effect.moved = inWorld;
+  return moved(e.drag.effect, e.drag.start, e.frame.boneInverse);
 }
 
 Placement evaluateRotation(const Evaluation& e) {
@@ -206,21 +247,12 @@ Placement evaluateRotation(const Evaluation& e) {
   if (e.typed) angle = *e.typed * kPi / 180.0f;
   e.drag.angle = angle;
   setValue(e, number(angle * 180.0f / kPi) + " deg");
-  if (angle == 0.0f) return e.drag.start;
-  const glm::vec3 normal = ringNormal(e.way, e.frame);
-  const glm::vec3 axisInBone = normalizeOr(glm::vec3(e.frame.boneInverse * glm::dvec3(normal)), normal);
-  const float inBone = glm::determinant(e.frame.boneInverse) < 0.0 ? -angle : angle;
-  Placement placement = e.drag.start;
-  placement.rotation = glm::normalize(glm::angleAxis(inBone, axisInBone) * e.drag.start.rotation);
-  return placement;
+  e.drag.effect.turnAxis = ringNormal(e.way, e.frame);
+  e.drag.effect.angle = angle;
+  e.drag.effect.pivot = e.frame.origin;
+  return turned(e.drag.effect, e.drag.start, e.frame.boneInverse, e.context.pivotInWorld ? &e.frame.center : nullptr);
 }
 
-/// World length of one bone unit along the primitive's axis.
-float worldPerUnit(const Evaluation& e, int axis) {
-  glm::vec3 unit(0.0f);
-  unit[axis] = 1.0f;
-  return glm::length(e.frame.bone * (e.drag.start.rotation * unit));
-}
 
 Placement evaluateScale(const Evaluation& e) {
   const bool uniform = partsOf(e.drag.handle).way == 6;
@@ -231,17 +263,15 @@ Placement evaluateScale(const Evaluation& e) {
   factor = std::clamp(e.typed.value_or(factor), 0.01f, 1000.0f);
   e.drag.factor = factor;
   setValue(e, "x " + number(factor));
-  Placement placement = e.drag.start;
+  e.drag.effect.factors = glm::vec3(1.0f);
   for (int axis = 0; axis < 3; ++axis) {
-    if (e.way != 6 && e.way != axis) continue;
-    const float least = kLeastRadius * e.context.characterHeight / worldPerUnit(e, axis);
-    placement.radii[axis] = std::max(e.drag.start.radii[axis] * factor, std::min(least, e.drag.start.radii[axis]));
+    if (e.way == 6 || e.way == axis) e.drag.effect.factors[axis] = factor;
   }
-  return placement;
+  return scaled(e.drag.effect, e.drag.start, e.frame.bone, e.context.characterHeight);
 }
 
 Placement evaluatePole(const Evaluation& e) {
-  const float perUnit = worldPerUnit(e, e.way);
+  const float perUnit = worldPerUnit(e.frame.bone, e.drag.start, e.way);
   const float before = perUnit * e.drag.start.radii[e.way];
   const float pulled = e.sign * e.travelled()[e.way];
   const bool bothEnds = e.input.alt;
@@ -275,10 +305,14 @@ Placement evaluate(GizmoDrag& drag, const FrameInput& input, const GizmoContext&
   return drag.start;
 }
 
-/// Scale and poles work along the primitive's axes whatever axes are chosen.
-GizmoAxes axesOfDrag(const GizmoState& state, GizmoHandle handle) {
+/// Scale and poles work along the primitive's axes whatever axes are chosen; poles from its centre.
+std::optional<GizmoFrame> frameOfDrag(const GizmoState& state, GizmoHandle handle, const Placement& inBone,
+                                      const GizmoContext& context) {
   const HandleKind kind = partsOf(handle).kind;
-  return kind == HandleKind::kScale || kind == HandleKind::kPole ? GizmoAxes::kPrimitive : state.axes;
+  const bool own = kind == HandleKind::kScale || kind == HandleKind::kPole;
+  GizmoContext around = context;
+  if (kind == HandleKind::kPole) around.pivotInWorld.reset();
+  return gizmoFrame(own ? GizmoAxes::kPrimitive : state.axes, inBone, around);
 }
 
 }  // namespace
@@ -293,7 +327,7 @@ void beginDrag(GizmoState& state, GizmoHandle handle, const Placement& inBone, c
   drag.pressPixel = pixel;
   drag.pointer = pixel;
   for (GizmoTrack& track : drag.tracks) track.lastPixel = pixel;
-  const std::optional<GizmoFrame> frame = gizmoFrame(axesOfDrag(state, handle), inBone, context);
+  const std::optional<GizmoFrame> frame = frameOfDrag(state, handle, inBone, context);
   const HandleParts parts = partsOf(handle);
   if (frame) {
     drag.grabbedLength = frame->arm;
@@ -310,21 +344,35 @@ DragResult updateDrag(GizmoState& state, const FrameInput& input, const GizmoCon
   assert(state.drag);
   GizmoDrag& drag = *state.drag;
   if (input.keyPressed(Key::kEscape) || input.button(MouseButton::kRight).pressed) {
-    const DragResult cancelled{drag.start, DragOutcome::kCancelled};
+    const DragResult cancelled{drag.start, DragOutcome::kCancelled, {}};
     state.drag.reset();
     return cancelled;
   }
   readKeys(drag, input);
   // The placement at the start, carried by the bone of this frame: what was dragged so far is added to that.
-  if (const std::optional<GizmoFrame> frame = gizmoFrame(axesOfDrag(state, drag.handle), drag.start, context)) {
+  if (const std::optional<GizmoFrame> frame = frameOfDrag(state, drag.handle, drag.start, context)) {
     advanceTracks(drag, input.mouse, input.shift ? kPrecise : 1.0f, *frame, context);
     drag.current = evaluate(drag, input, context, *frame);
   }
   const bool committed = input.keyPressed(Key::kEnter) || input.keyPressed(Key::kKeypadEnter) ||
                          input.button(MouseButton::kLeft).released;
-  const DragResult result{drag.current, committed ? DragOutcome::kCommitted : DragOutcome::kDragging};
+  const DragResult result{drag.current, committed ? DragOutcome::kCommitted : DragOutcome::kDragging,
+                          drag.effect};
   if (committed) state.drag.reset();
   return result;
+}
+
+Placement draggedAlong(const GizmoEffect& effect, const Placement& start, const glm::mat4& boneInWorld,
+                       float characterHeight) {
+  const glm::dmat3 bone{glm::mat3(boneInWorld)};
+  const double lengths = glm::length(bone[0]) * glm::length(bone[1]) * glm::length(bone[2]);
+  if (!isFinite(boneInWorld) || !(std::abs(glm::determinant(bone)) > 1e-6 * lengths)) return start;
+  const glm::dmat3 inverse = glm::inverse(bone);
+  const glm::vec3 center(boneInWorld * glm::vec4(start.center, 1.0f));
+  Placement placement = turned(effect, start, inverse, &center);
+  placement.center += moved(effect, start, inverse).center - start.center;
+  placement.radii = scaled(effect, start, glm::mat3(boneInWorld), characterHeight).radii;
+  return placement;
 }
 
 }  // namespace sinew::app

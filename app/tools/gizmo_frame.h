@@ -29,7 +29,8 @@ struct HandleParts {
 struct GizmoFrame {
   glm::mat3 bone{1.0f};         ///< B.
   glm::dmat3 boneInverse{1.0};  ///< In double: a bone in metres under a scale of 0.01 loses digits otherwise.
-  glm::vec3 origin{0.0f};       ///< The ellipsoid's centre, world.
+  glm::vec3 origin{0.0f};       ///< Where the handles stand: the pivot, or the ellipsoid's centre; world.
+  glm::vec3 center{0.0f};       ///< The ellipsoid's, world.
   std::array<glm::vec3, 3> axes;  ///< Unit, world.
   glm::vec3 toEye{0.0f, 0.0f, 1.0f};  ///< Unit, from the origin.
   float arm = 1.0f;             ///< World length of kGizmoArmPixels at the origin.

@@ -3,24 +3,29 @@
 #include <string>
 
 #include "app/tools/add_muscle.h"
+#include "app/tools/box_select.h"
 #include "app/tools/camera.h"
 #include "app/tools/gizmo.h"
+#include "app/tools/gizmo_group.h"
+#include "app/tools/pose_bone.h"
 #include "app/tools/select.h"
 
 namespace sinew::app {
 
-enum class ToolKind { kSelect, kMove, kRotate, kScale, kAddMuscle };  ///< Select shows the pole handles alone.
+/// Select shows the pole handles alone; pose turns joints.
+enum class ToolKind { kSelect, kMove, kRotate, kScale, kAddMuscle, kPose };
 
-[[nodiscard]] const char* nameOf(ToolKind tool);  ///< "select", "move", "rotate", "scale", "add muscle"
+[[nodiscard]] const char* nameOf(ToolKind tool);  ///< "select", "move", "rotate", "scale", "add muscle", "pose"
 
 /// Who holds the mouse from a press to its release.
-enum class PressOwner { kNone, kOutside, kGizmo, kTool, kClick, kOrbit, kPan };
+enum class PressOwner { kNone, kOutside, kGizmo, kTool, kClick, kOrbit, kPan, kBox };
 
 /// All that the viewport's tools remember between frames.
 struct ViewportTools {
   ToolKind tool = ToolKind::kMove;  ///< Through setTool.
   GizmoState gizmo;                 ///< `axes` is free to set between drags.
   AddMuscleState addMuscle;
+  PoseBoneState pose;
   Camera camera;
   ViewportHover hover;
   PressOwner owner = PressOwner::kNone;
@@ -28,10 +33,24 @@ struct ViewportTools {
   glm::vec2 pressPixel{0.0f};
   glm::vec2 lastPixel{0.0f};
   std::string gizmoPrimitive;  ///< Name of the primitive being dragged.
+  std::vector<GizmoCompanion> companions;         ///< Dragged along with it.
+  GizmoPivot pivot = GizmoPivot::kActive;         ///< Of several selected muscles. Free to set between drags.
+  BoxSelectState box;
+  bool dragWanted = false;     ///< Through startDrag: begins with the next frame.
+  bool buttonless = false;     ///< The gizmo's drag goes on without a button: a click or Enter keeps it.
+  bool pickBones = false;      ///< Clicks name bones (RouteResult::pickedBone) and select nothing; no gizmo.
 };
 
 /// Changes the tool; ignored while a gizmo or muscle drag is in progress. Sets the gizmo's mode.
 void setTool(ViewportTools& tools, ToolKind tool);
+
+/// The same, and the next frame begins a drag of the whole muscle at the pointer, as Blender's G does: it goes
+/// on without a button until a click or Enter keeps it, Esc or the right button takes it back. Only for the tools move,
+/// rotate and scale; without a gizmo, or with the pointer beside the picture, no drag.
+void startDrag(ViewportTools& tools, ToolKind tool);
+
+/// The next press on the picture draws a box that selects; Esc or the right button lets go of it.
+void armBox(ViewportTools& tools);
 
 /// While true, X, Y, Z, digits, Enter, Esc and Backspace belong to a drag: menus and keymaps leave them alone, undo
 /// too.
@@ -46,6 +65,7 @@ struct RouteResult {
   GizmoContext gizmoContext;   ///< For drawGizmo, if visible.
   std::string status;          ///< What the tool does next: the status line.
   std::string message;         ///< Why an edit was refused, for the messages panel; else "".
+  int pickedBone = -1;         ///< Clicked in this frame with ViewportTools::pickBones; -1: none.
   bool needsFrame = false;     ///< Something moves or is being dragged: draw again soon.
 };
 
@@ -53,6 +73,7 @@ struct RouteResult {
 /// drawn before. The rig may differ afterwards (watch CommandStack::revision). The skin is picked at most once a frame,
 /// only when the pointer has moved or presses, never during a drag.
 ///   left: gizmo, else the tool (add muscle: a press on the skin), else a click picks and a drag orbits
+///   Ctrl+left, or left once after armBox: a box selects; with Shift it adds, with Alt it takes away
 ///   Alt+left or middle: orbit; Shift+middle or right: pan; wheel: zoom to the pointer
 RouteResult routeInput(ViewportTools& tools, const FrameInput& input, const ViewportContext& context);
 

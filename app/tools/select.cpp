@@ -26,16 +26,31 @@ glm::mat4 skinMatrix(const Character& character, const Pose& pose, int vertex) {
   return sum;
 }
 
+/// By rig index: neither hidden nor locked.
+std::vector<bool> pickablePrimitives(const Document& document) {
+  const Rig& rig = document.rig();
+  const Skeleton& skeleton = document.character->skeleton;
+  if (document.visibility.plain()) return std::vector<bool>(rig.primitives.size(), true);
+  const EffectiveVisibility effective =
+      effectiveVisibility(document.visibility, rig, skeleton, boneOfEach(rig, skeleton));
+  std::vector<bool> pickable = effective.visible;
+  for (std::size_t i = 0; i < pickable.size(); ++i) pickable[i] = pickable[i] && !effective.locked[i];
+  return pickable;
+}
+
 /// The innermost of the muscles that hold up the skin at a point, or -1. A muscle only counts where its territory is.
 int muscleUnder(const glm::vec3& point, int skinBone, const Document& document, const Pose& pose) {
   int best = -1;
   float least = kCoveredBelow;
   const Skeleton& skeleton = document.character->skeleton;
+  const std::vector<bool> pickable = pickablePrimitives(document);
+  const std::vector<int> bones = boneOfEach(document.rig(), skeleton);
   for (std::size_t i = 0; i < document.rig().primitives.size(); ++i) {
     const Primitive& primitive = document.rig().primitives[i];
-    const std::optional<int> bone = skeleton.findBone(primitive.bone);
-    if (!bone || !std::ranges::binary_search(territoryBones(primitive, *bone, skeleton), skinBone)) continue;
-    const UnitBallMap map = unitBallMap(primitive.placement, 1.0f, pose.boneInWorld[static_cast<std::size_t>(*bone)]);
+    const int bone = bones[i];
+    if (!pickable[i] || bone < 0) continue;
+    if (!std::ranges::binary_search(territoryBones(primitive, bone, skeleton), skinBone)) continue;
+    const UnitBallMap map = unitBallMap(primitive.placement, 1.0f, pose.boneInWorld[static_cast<std::size_t>(bone)]);
     if (!(map.boundingRadius > 0.0f)) continue;
     const float distance = glm::length(map.toUnit * (point - map.center));
     if (distance >= least) continue;
@@ -94,6 +109,11 @@ int boneAt(const Character& character, const SkinAnchor& anchor) {
 
 std::vector<PrimitiveShape> primitiveShapes(const Document& document, const Pose& pose) {
   std::vector<PrimitiveShape> shapes = shapesOf(document.rig(), document.character->skeleton, pose);
+  const std::vector<int> hidden =
+      hiddenPrimitives(document.visibility, document.rig(), document.character->skeleton);
+  std::erase_if(shapes, [&](const PrimitiveShape& shape) {
+    return std::ranges::binary_search(hidden, shape.rigIndex);
+  });
   for (PrimitiveShape& shape : shapes) {
     shape.selected =
         document.selection.contains(document.rig().primitives[static_cast<std::size_t>(shape.rigIndex)].name);
@@ -112,7 +132,12 @@ ViewportHover hoverAt(const ViewportContext& context, const View& view, const gl
     hover.primitive = muscleUnder(hit->position, hover.bone, context.document, context.pose);
   }
   if (context.display.primitives) {
-    if (const auto hit = pickPrimitive(ray, primitiveShapes(context.document, context.pose))) {
+    std::vector<PrimitiveShape> shapes = primitiveShapes(context.document, context.pose);
+    const std::vector<bool> pickable = pickablePrimitives(context.document);
+    std::erase_if(shapes, [&](const PrimitiveShape& shape) {
+      return !pickable[static_cast<std::size_t>(shape.rigIndex)];
+    });
+    if (const auto hit = pickPrimitive(ray, shapes)) {
       hover.primitive = hit->rigIndex;
       if (!hover.skin) hover.pointInWorld = hit->position;
     }

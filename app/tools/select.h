@@ -37,7 +37,8 @@ struct ViewportHover {
 /// The bone with the largest share of the skin there; ties go to the lower index.
 [[nodiscard]] int boneAt(const Character& character, const SkinAnchor& anchor);
 
-/// The attached primitives of the document's rig in a pose, `selected` filled: for drawing and for picking.
+/// The attached primitives of the document's rig in a pose that are not hidden, `selected` filled: for drawing and for
+/// picking (locked ones are drawn and not picked).
 [[nodiscard]] std::vector<PrimitiveShape> primitiveShapes(const Document& document, const Pose& pose);
 
 /// What is under a pixel. `skin` is the nearest skin, whatever else lies there. A shown primitive wins over the muscle

@@ -3,7 +3,7 @@
 #include "app/document/document.h"
 #include "app/render/scene.h"
 #include "app/render/view.h"
-#include "core/skeleton/pose.h"
+#include "core/skeleton/pose_override.h"
 #include "core/smoothing/surface.h"
 
 namespace sinew::app {
@@ -16,6 +16,7 @@ struct ViewportContext {
   DisplaySettings display;           ///< Shown primitives can be picked, hidden ones not.
   glm::ivec2 size{1, 1};             ///< Viewport, pixels.
   float uiScale = 1.0f;              ///< Pixels per design pixel.
+  PoseOverrides* overrides = nullptr;  ///< What `pose` was turned with: the pose tool changes it. Null: it cannot.
 };
 
 }  // namespace sinew::app

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <utility>
 
 namespace sinew {
 namespace {
@@ -43,10 +43,17 @@ bool isForeign(std::string_view name, std::size_t at) {
   return at < name.size() && (static_cast<unsigned char>(name[at]) & 0x80u) != 0;
 }
 
-void addWholeWords(const std::string& lower, std::vector<SideMarker>& markers) {
+/// "bright", "upright" and "cleft" say nothing of a side: within a word at least three letters must stand before.
+bool staysApart(std::string_view name, std::size_t at) {
+  std::size_t begin = at;
+  while (begin > 0 && !beginsWord(name, begin)) --begin;
+  return begin == at || at - begin >= 3;
+}
+
+void addWholeWords(std::string_view name, const std::string& lower, std::vector<SideMarker>& markers) {
   for (const auto& [text, side] : {std::pair{kWords.left, Side::kLeft}, std::pair{kWords.right, Side::kRight}}) {
     for (std::size_t at = lower.find(text); at != std::string::npos; at = lower.find(text, at + text.size())) {
-      markers.push_back({at, text.size(), side});
+      if (staysApart(name, at)) markers.push_back({at, text.size(), side});
     }
   }
   std::ranges::sort(markers, {}, &SideMarker::begin);
@@ -92,7 +99,7 @@ std::string_view opposite(std::string_view lowerMarker) {
 std::vector<SideMarker> sideMarkers(std::string_view name) {
   const std::string lower = lowered(name);
   std::vector<SideMarker> markers;
-  addWholeWords(lower, markers);
+  addWholeWords(name, lower, markers);
   if (markers.empty()) addShort(name, lower, markers);
   return markers;
 }
@@ -104,7 +111,6 @@ std::optional<std::string> mirroredName(std::string_view name) {
   std::string result(name.substr(0, markers[0].begin));
   result += inCaseOf(opposite(lowered(marker)), marker);
   result += name.substr(markers[0].begin + markers[0].length);
-  // "upright": changed, it would read "upleft" and mean something; what cannot be read back is no marker.
   return result;
 }
 

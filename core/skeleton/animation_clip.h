@@ -24,6 +24,9 @@ struct AnimationClip {
   std::string name;
   float duration = 0.0f;  ///< Largest key time of any channel, seconds.
   std::vector<Channel> channels;
+  /// The rotations turn joints of the bind pose (pose_override.h), where a file's clip places nodes. Made in memory
+  /// alone (range_of_motion.h); no file holds such a clip.
+  bool turnsBindPose = false;
 };
 
 /// Value at a time, seconds; before the first key the first value, after the last the last. Rotations come back unit.

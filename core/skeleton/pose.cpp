@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/skeleton/pose_override.h"
+
 namespace sinew {
 namespace {
 
@@ -38,6 +40,21 @@ void applyChannel(const Channel& channel, float time, LocalTransform& local) {
   }
 }
 
+/// The turns of a clip that turns the bind pose; every channel is the rotation of a bone's node.
+PoseOverrides turnsAt(const Skeleton& skeleton, const AnimationClip& clip, float time) {
+  std::vector<int> boneOfNode(skeleton.nodes.size(), -1);
+  for (std::size_t i = 0; i < skeleton.bones.size(); ++i) {
+    boneOfNode[static_cast<std::size_t>(skeleton.bones[i].node)] = static_cast<int>(i);
+  }
+  PoseOverrides turns;
+  for (const Channel& channel : clip.channels) {
+    const glm::vec4 value = sampleChannel(channel, time);
+    const int bone = boneOfNode[static_cast<std::size_t>(channel.node)];
+    if (bone >= 0) turns.set(bone, glm::quat(value.w, value.x, value.y, value.z));
+  }
+  return turns;
+}
+
 }  // namespace
 
 Pose bindPose(const Skeleton& skeleton) {
@@ -50,8 +67,9 @@ Pose bindPose(const Skeleton& skeleton) {
 Pose restPose(const Skeleton& skeleton) { return poseFromLocals(skeleton, restLocals(skeleton)); }
 
 Pose samplePose(const Skeleton& skeleton, const AnimationClip& clip, float time) {
-  std::vector<LocalTransform> locals = restLocals(skeleton);
   const float clamped = std::clamp(time, 0.0f, clip.duration);
+  if (clip.turnsBindPose) return posed(skeleton, bindPose(skeleton), turnsAt(skeleton, clip, clamped));
+  std::vector<LocalTransform> locals = restLocals(skeleton);
   for (const Channel& channel : clip.channels) {
     applyChannel(channel, clamped, locals[static_cast<std::size_t>(channel.node)]);
   }

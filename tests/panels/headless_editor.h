@@ -9,6 +9,8 @@
 
 #include "app/panels/commands.h"
 #include "app/panels/panels.h"
+#include "app/panels/territory.h"
+#include "app/panels/visibility_commands.h"
 #include "app/platform/imgui_layer.h"
 #include "core/rig/rig_edit.h"
 
@@ -47,7 +49,11 @@ class HeadlessEditor : public testing::Test {
     drawLayout(ui);
     EXPECT_TRUE(widgets.repeated().empty()) << "named twice: " << widgets.repeated().front();
     state.live->movePose(state.transport);
-    EXPECT_TRUE(state.live->update(state.document.commands).ok());
+    runTerritoryMode(state);
+    followEdits(state);
+    SurfaceView seen;
+    seen.hidden = hiddenPrimitives(state.document.visibility, state.document.rig(), state.character().skeleton);
+    EXPECT_TRUE(state.live->update(state.document.commands, seen).ok());
     ImGui::EndFrame();
   }
   void settle() {

@@ -6,8 +6,6 @@
 #include <gtest/gtest.h>
 #include <stb/stb_image.h>
 
-#include "app/render/heat_scale.h"
-
 namespace sinew::test {
 namespace {
 
@@ -37,17 +35,6 @@ TEST(Png, ReadsBackAsItWas) {
   }
 }
 
-TEST(HeatScale, RunsThroughItsStopsWithoutJumps) {
-  const auto& stops = app::heatStops();
-  for (std::size_t i = 0; i < stops.size(); ++i) {
-    const float x = 2.0f * static_cast<float>(i) / static_cast<float>(stops.size() - 1) - 1.0f;
-    EXPECT_LT(glm::distance(app::heatColor(x), stops[i]), 1e-5f);
-  }
-  EXPECT_EQ(app::heatColor(-7.0f), stops.front());
-  EXPECT_EQ(app::heatColor(7.0f), stops.back());
-  for (float x = -1.0f; x < 1.0f; x += 0.001f)
-    EXPECT_LT(glm::distance(app::heatColor(x), app::heatColor(x + 0.001f)), 0.005f);
-}
 
 }  // namespace
 }  // namespace sinew::test

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/render/framing.h"
+#include "app/render/ground_drawer.h"
 
 namespace sinew::test {
 namespace {
@@ -115,6 +116,29 @@ INSTANTIATE_TEST_SUITE_P(PerspectiveAndOrthographic, Views, ::testing::Bool());
 TEST(View, APointBehindTheEyeIsOutOfDepth) {
   const View view = app::orbitView(glm::vec3(0), 0, 0, 5.0f, {300, 200}, false, 2.0f);
   EXPECT_GT(view.toPixel({0, 0, 20}).z, 1.0f);
+}
+
+TEST(GridZoom, RanksTakeEachOthersPlaceWithoutAJump) {
+  const float height = 1.8f;
+  float cell = 0.0f, towards = 0.0f;
+  for (int i = 0; i <= 400; ++i) {
+    const float distance = height * 0.5f * std::pow(1.02f, static_cast<float>(i));
+    const View view = app::orbitView(glm::vec3(0), 0.4f, 0.3f, distance, {300, 200}, i % 2 == 0, 2.0f);
+    const app::GridZoom zoom = app::gridZoom(view, glm::vec3(0), height);
+    EXPECT_GE(zoom.towardsNext, 0.0f);
+    EXPECT_LE(zoom.towardsNext, 1.0f);
+    EXPECT_GE(zoom.reach, 1.0f);
+    if (i > 0 && zoom.cell == cell) {
+      EXPECT_NEAR(zoom.towardsNext, towards, 0.03f);
+    }
+    if (i > 0 && zoom.cell != cell) {
+      EXPECT_NEAR(zoom.cell, 5.0f * cell, 1e-3f * cell);
+      EXPECT_NEAR(zoom.towardsNext + 1.0f, towards, 0.03f);
+    }
+    cell = zoom.cell;
+    towards = zoom.towardsNext;
+  }
+  EXPECT_GT(cell, 20.0f * app::gridCell(height));
 }
 
 TEST(ExtremePoints, FrameNearlyAsAllDo) {

@@ -40,14 +40,15 @@ const std::vector<Edit>& edits() {
       },
       [](const Rig& rig, Random& random, const Character& character) {
         const int i = anyOf(rig, random);
-        return setBone(rig, i, boneName(character, random), rig.primitives[static_cast<std::size_t>(i)].placement).value();
+        const Placement placement = rig.primitives[static_cast<std::size_t>(i)].placement;
+        return setBone(rig, i, boneName(character, random), placement).value();
       },
       [](const Rig& rig, Random& random, const Character& character) {
         return setTerritory(rig, anyOf(rig, random), std::vector{boneName(character, random)}).value();
       },
       [](const Rig& rig, Random& random, const Character&) {
-        const int groups = static_cast<int>(rig.groups.size());
-        return setGroupOf(rig, anyOf(rig, random), rig.groups[static_cast<std::size_t>(random.below(groups))].name).value();
+        const auto group = static_cast<std::size_t>(random.below(static_cast<int>(rig.groups.size())));
+        return setGroupOf(rig, anyOf(rig, random), rig.groups[group].name).value();
       },
       [](const Rig& rig, Random& random, const Character&) {
         return setLink(rig, 0, 1 + random.below(static_cast<int>(rig.groups.size()) - 1), random.chance(0.5f)).value();

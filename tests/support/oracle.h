@@ -40,7 +40,7 @@ struct Answer {
   Vec rayOrigin;
   Vec rayDirection;                  ///< Unit.
   std::vector<double> fieldWeights;  ///< m_i there.
-  std::vector<double> shares;        ///< `replace`: of each stretch along the line or lines, in the order they were laid.
+  std::vector<double> shares;        ///< `replace`: of each stretch along the lines, as they were laid.
   std::vector<double> roots;         ///< Every root along the ray the other choices could have meant.
 };
 

@@ -1,1 +1,1 @@
-# assets/maker/lizard: the demo lizard: skeleton, body, paint, motion, muscles.
+# assets/maker/lizard/__init__.py: the demo lizard: skeleton, body, paint, motion, muscles.

@@ -1,0 +1,32 @@
+#pragma once  // app/document/clipboard.h: muscles as text, for the system's clipboard.
+//
+// The text is a whole rig file (docs/formats.md) of the copied muscles, their groups and the links between these:
+// what is pasted into an editor of text, or saved as a .rig.json, reads as any other rig.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/rig/mirror.h"
+#include "core/rig/rig.h"
+
+namespace sinew::app {
+
+/// Links to twins that are not among the copied are left out.
+[[nodiscard]] std::string musclesAsText(const Rig& rig, std::span<const int> indices);
+
+struct Pasted {
+  Rig rig;
+  std::vector<std::string> names;    ///< Of the new muscles, in order.
+  std::vector<std::string> leftOut;  ///< Why each of the others is not there, one line each.
+};
+
+/// Appends what the text holds, under free names; twins that are both in it are twins again. Groups go by name and are
+/// made where absent, linked to each other as in the text. Muscles on bones that this character lacks are left out.
+/// @param mirror  null, or the plan by which each is pasted on the other side.
+/// Error: the text is no rig, holds no muscle, or none could be pasted.
+[[nodiscard]] Result<Pasted> pastedMuscles(const Rig& rig, const std::string& text, const Skeleton& skeleton,
+                                           const MirrorPlan* mirror);
+
+}  // namespace sinew::app

@@ -1,0 +1,26 @@
+#pragma once  // app/document/motion_clip.h: the range of motion as one more clip of an open character.
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/character/character.h"
+
+namespace sinew::app {
+
+/// Bones by whether skin follows them: [bones].
+[[nodiscard]] std::vector<bool> bonesWithSkin(const Character& character);
+
+/// The character with a clip "Range of motion" (core/skeleton/range_of_motion.h) at the end of its clips. The same
+/// character where it has a clip of that name already, its file's own too, or where none of its joints can turn.
+[[nodiscard]] std::shared_ptr<const Character> withRangeOfMotion(std::shared_ptr<const Character> character);
+
+/// For the command line: the character, with the range of motion if that is the clip asked for.
+[[nodiscard]] std::shared_ptr<const Character> withClipNamed(std::shared_ptr<const Character> character,
+                                                             const std::string& clip);
+
+/// Index of the first clip of that name, or -1.
+[[nodiscard]] int findClip(const Character& character, std::string_view name);
+
+}  // namespace sinew::app

@@ -1,0 +1,183 @@
+// app/document/preferences.cpp: preferences as a small JSON file that forgives.
+
+#include "app/document/preferences.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <system_error>
+
+#include "core/io/atomic_file.h"
+#include "core/io/json.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr std::uintmax_t kLargestFile = 1u << 20;
+constexpr float kWidestPanel = 4000.0f;
+constexpr int kFarthestPixel = 100000;
+
+/// The number if it is one within the range, else the value as it was.
+template <class Number>
+void read(const Json& json, const std::string& key, double least, double most, Number& value) {
+  const double number = json.at(key).number(std::nan(""));
+  if (number >= least && number <= most) value = static_cast<Number>(number);
+}
+
+void read(const Json& json, const std::string& key, bool& value) { value = json.at(key).boolean(value); }
+
+Json layoutToJson(const LayoutState& layout) {
+  Json folded = Json::array();
+  for (const std::string& id : layout.folded) folded.push(id);
+  return Json::object()
+      .set("left", layout.left)
+      .set("right", layout.right)
+      .set("history", layout.history)
+      .set("bottom", layout.bottom)
+      .set("overlay", layout.overlay)
+      .set("left_shown", layout.leftShown)
+      .set("right_shown", layout.rightShown)
+      .set("bottom_shown", layout.bottomShown)
+      .set("folded", folded);
+}
+
+LayoutState layoutFromJson(const Json& json) {
+  LayoutState layout;
+  read(json, "left", 1.0, kWidestPanel, layout.left);
+  read(json, "right", 1.0, kWidestPanel, layout.right);
+  read(json, "history", 1.0, kWidestPanel, layout.history);
+  read(json, "bottom", 1.0, kWidestPanel, layout.bottom);
+  read(json, "overlay", layout.overlay);
+  read(json, "left_shown", layout.leftShown);
+  read(json, "right_shown", layout.rightShown);
+  read(json, "bottom_shown", layout.bottomShown);
+  for (const Json& id : json.at("folded").items()) layout.folded.push_back(id.text(""));
+  std::erase(layout.folded, "");
+  return layout;
+}
+
+Json windowToJson(const WindowPlace& window) {
+  return Json::object()
+      .set("x", window.x)
+      .set("y", window.y)
+      .set("width", window.width)
+      .set("height", window.height)
+      .set("maximised", window.maximised);
+}
+
+WindowPlace windowFromJson(const Json& json) {
+  WindowPlace window;
+  read(json, "x", -kFarthestPixel, kFarthestPixel, window.x);
+  read(json, "y", -kFarthestPixel, kFarthestPixel, window.y);
+  read(json, "width", 0, kFarthestPixel, window.width);
+  read(json, "height", 0, kFarthestPixel, window.height);
+  read(json, "maximised", window.maximised);
+  return window;
+}
+
+std::string keptAside(const std::filesystem::path& file) {
+  std::filesystem::path aside = file;
+  aside += ".bad";
+  std::error_code failed;
+  std::filesystem::rename(file, aside, failed);
+  return failed ? "" : "; it is kept as " + aside.filename().string();
+}
+
+}  // namespace
+
+const char* nameOf(Keymap keymap) { return keymap == Keymap::kBlender ? "blender" : "maya"; }
+
+std::filesystem::path configFolder() {
+  // A relative path there is to be ignored, says the XDG base directory specification.
+  if (const char* folder = std::getenv("XDG_CONFIG_HOME"); folder != nullptr && *folder == '/') {
+    return std::filesystem::path(folder) / "sinew";
+  }
+  const char* home = std::getenv("HOME");
+  std::error_code ignored;
+  const std::filesystem::path base =
+      home != nullptr && *home != '\0' ? std::filesystem::path(home) : std::filesystem::temp_directory_path(ignored);
+  return base / ".config" / "sinew";
+}
+
+std::filesystem::path preferencesFile() { return configFolder() / "preferences.json"; }
+
+std::string preferencesToJson(const Preferences& preferences) {
+  Json files = Json::array();
+  for (const std::filesystem::path& file : preferences.recentFiles) files.push(file.string());
+  Json actions = Json::array();
+  for (const std::string& id : preferences.recentActions) actions.push(id);
+  return Json::object()
+             .set("format", "sinew-preferences")
+             .set("version", 1)
+             .set("keymap", nameOf(preferences.keymap))
+             .set("scale", preferences.scale)
+             .set("autosave_seconds", preferences.autosaveSeconds)
+             .set("recent_files", files)
+             .set("recent_actions", actions)
+             .set("hidden_files", preferences.hiddenFiles)
+             .set("newest_first", preferences.newestFirst)
+             .set("window", windowToJson(preferences.window))
+             .set("layout", layoutToJson(preferences.layout))
+             .dump(true) +
+         "\n";
+}
+
+Result<Preferences> preferencesFromJson(std::string_view text) {
+  const Result<Json> parsed = Json::parse(text);
+  if (!parsed) return parsed.error();
+  const Json& json = parsed.value();
+  if (json.at("format").text("") != "sinew-preferences") return errorAt("format", "expected \"sinew-preferences\"");
+  Preferences preferences;
+  if (json.at("keymap").text("") == nameOf(Keymap::kBlender)) preferences.keymap = Keymap::kBlender;
+  read(json, "scale", 0.5, 4.0, preferences.scale);
+  read(json, "autosave_seconds", kLeastAutosaveSeconds, kMostAutosaveSeconds, preferences.autosaveSeconds);
+  const std::vector<Json> files = json.at("recent_files").items();
+  for (auto file = files.rbegin(); file != files.rend(); ++file) {
+    if (const std::string path = file->text(""); path.starts_with('/')) rememberFile(preferences.recentFiles, path);
+  }
+  const std::vector<Json> actions = json.at("recent_actions").items();
+  for (auto id = actions.rbegin(); id != actions.rend(); ++id) {
+    if (const std::string name = id->text(""); !name.empty()) rememberAction(preferences.recentActions, name);
+  }
+  read(json, "hidden_files", preferences.hiddenFiles);
+  read(json, "newest_first", preferences.newestFirst);
+  preferences.window = windowFromJson(json.at("window"));
+  preferences.layout = layoutFromJson(json.at("layout"));
+  return preferences;
+}
+
+LoadedPreferences loadPreferences(const std::filesystem::path& file) {
+  std::error_code failed;
+  if (!std::filesystem::exists(file, failed)) return {};
+  const Result<std::string> text = readWholeFile(file, kLargestFile);
+  if (!text) return {{}, text.error().text() + "; the preferences begin anew" + keptAside(file)};
+  Result<Preferences> preferences = preferencesFromJson(text.value());
+  if (preferences) return {std::move(preferences).value(), ""};
+  Error error = preferences.error();
+  error.file = file.string();
+  return {{}, error.text() + "; the preferences begin anew" + keptAside(file)};
+}
+
+Result<void> savePreferences(const Preferences& preferences, const std::filesystem::path& file) {
+  std::error_code failed;
+  std::filesystem::create_directories(file.parent_path(), failed);
+  return writeFileAtomically(file, preferencesToJson(preferences));
+}
+
+void rememberFile(std::vector<std::filesystem::path>& recent, const std::filesystem::path& file) {
+  std::error_code failed;
+  std::filesystem::path whole = std::filesystem::absolute(file, failed).lexically_normal();
+  if (failed) return;
+  std::erase(recent, whole);
+  recent.insert(recent.begin(), std::move(whole));
+  if (recent.size() > kMostRecentFiles) recent.resize(kMostRecentFiles);
+}
+
+void rememberAction(std::vector<std::string>& recent, const std::string& id) {
+  std::string kept = id;  // It may be one of those erased.
+  std::erase(recent, kept);
+  recent.insert(recent.begin(), std::move(kept));
+  if (recent.size() > kMostRecentActions) recent.resize(kMostRecentActions);
+}
+
+}  // namespace sinew::app

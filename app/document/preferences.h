@@ -1,0 +1,85 @@
+#pragma once  // app/document/preferences.h: what the editor remembers from one start to the next.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace sinew::app {
+
+enum class Keymap { kMaya, kBlender };
+
+[[nodiscard]] const char* nameOf(Keymap keymap);  ///< "maya", "blender": what the file says.
+
+/// Sizes of the panels in design pixels, and which are there.
+struct LayoutState {
+  float left = 264.0f;
+  float right = 304.0f;
+  float history = 170.0f;  ///< Height, in the left column.
+  float bottom = 84.0f;    ///< Height of the timeline.
+  bool overlay = true;     ///< Numbers over the viewport.
+  bool leftShown = true;
+  bool rightShown = true;
+  bool bottomShown = true;
+  std::vector<std::string> folded;  ///< Ids of the panels that show their title alone.
+
+  friend bool operator==(const LayoutState&, const LayoutState&) = default;
+};
+
+/// Where the window was, screen coordinates of its content; width 0: never placed.
+struct WindowPlace {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+  bool maximised = false;
+
+  friend bool operator==(const WindowPlace&, const WindowPlace&) = default;
+};
+
+inline constexpr std::size_t kMostRecentFiles = 15;
+inline constexpr std::size_t kMostRecentActions = 20;
+inline constexpr double kLeastAutosaveSeconds = 1.0;
+inline constexpr double kMostAutosaveSeconds = 600.0;
+
+struct Preferences {
+  Keymap keymap = Keymap::kMaya;
+  float scale = 0.0f;  ///< Of the interface, 0.5..4; 0: what the system says.
+  double autosaveSeconds = 30.0;
+  std::vector<std::filesystem::path> recentFiles;  ///< Absolute, newest first, each once.
+  std::vector<std::string> recentActions;          ///< Ids, newest first: what the palette offers first.
+  bool hiddenFiles = false;                        ///< The file browser shows names that begin with a dot.
+  bool newestFirst = false;                        ///< ... and sorts by date.
+  WindowPlace window;
+  LayoutState layout;
+
+  friend bool operator==(const Preferences&, const Preferences&) = default;
+};
+
+/// $XDG_CONFIG_HOME/sinew, else ~/.config/sinew. Need not exist.
+[[nodiscard]] std::filesystem::path configFolder();
+/// configFolder()/preferences.json.
+[[nodiscard]] std::filesystem::path preferencesFile();
+
+/// Indented, keys in a fixed order.
+[[nodiscard]] std::string preferencesToJson(const Preferences& preferences);
+/// A key that is absent, of another type or out of its range keeps its default. Error: no JSON object at all.
+[[nodiscard]] Result<Preferences> preferencesFromJson(std::string_view text);
+
+struct LoadedPreferences {
+  Preferences preferences;
+  std::string complaint;  ///< For the messages; "" if all is well.
+};
+
+/// No file: defaults. A damaged file: defaults, a complaint, and the file is kept as FILE.bad.
+[[nodiscard]] LoadedPreferences loadPreferences(const std::filesystem::path& file);
+/// Atomic; makes the folder.
+[[nodiscard]] Result<void> savePreferences(const Preferences& preferences, const std::filesystem::path& file);
+
+/// Puts the file first; made absolute, kMostRecentFiles at most.
+void rememberFile(std::vector<std::filesystem::path>& recent, const std::filesystem::path& file);
+void rememberAction(std::vector<std::string>& recent, const std::string& id);
+
+}  // namespace sinew::app

@@ -1,0 +1,69 @@
+#pragma once  // app/document/visibility.h: which muscles the editor shows, moves and lets be picked. Never saved.
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/rig/rig.h"
+#include "core/skeleton/skeleton.h"
+
+namespace sinew::app {
+
+/// One of the three switches that muscles and bones have.
+enum class Mark { kHidden, kLocked, kSolo };
+
+/// View state, by name, so that it survives undo. Muscles by name, bones by path (Bone::path); what is said of a bone
+/// holds for every muscle on it and below it.
+struct Visibility {
+  /// Who carries a mark.
+  struct Marks {
+    std::set<std::string> muscles;
+    std::set<std::string> bones;
+
+    [[nodiscard]] bool empty() const { return muscles.empty() && bones.empty(); }
+    friend bool operator==(const Marks&, const Marks&) = default;
+  };
+
+  Marks hidden;
+  Marks locked;
+  Marks solo;  ///< If anything carries it, the rest is hidden.
+  std::optional<std::set<std::string>> isolated;  ///< Only these muscles are shown, in what is otherwise visible.
+  bool bare = false;                              ///< No muscle at all: the character as it was before.
+
+  [[nodiscard]] Marks& marks(Mark mark);
+  [[nodiscard]] const Marks& marks(Mark mark) const;
+  void setMuscle(Mark mark, const std::string& muscle, bool on);
+  void setBone(Mark mark, const std::string& bonePath, bool on);
+  /// Nothing is left out and nothing locked.
+  [[nodiscard]] bool plain() const;
+
+  friend bool operator==(const Visibility&, const Visibility&) = default;
+};
+
+/// Index into Skeleton::bones for every primitive of the rig; -1: unattached. What Skeleton::findBone says, quicker for
+/// many.
+[[nodiscard]] std::vector<int> boneOfEach(const Rig& rig, const Skeleton& skeleton);
+
+/// What holds for each muscle of a rig after bones, solo, isolation and `bare` have had their say.
+struct EffectiveVisibility {
+  std::vector<bool> visible;      ///< [primitives] Neither drawn nor moving the skin where false.
+  std::vector<bool> locked;       ///< [primitives]
+  std::vector<bool> boneHidden;   ///< [bones] itself or a bone above it.
+  std::vector<bool> boneLocked;   ///< [bones]
+};
+/// @param boneOf  boneOfEach(rig, skeleton)
+[[nodiscard]] EffectiveVisibility effectiveVisibility(const Visibility& visibility, const Rig& rig,
+                                                      const Skeleton& skeleton, const std::vector<int>& boneOf);
+
+/// Rig indices of the muscles that are left out, ascending.
+[[nodiscard]] std::vector<int> hiddenPrimitives(const Visibility& visibility, const Rig& rig,
+                                                const Skeleton& skeleton);
+/// By rig index: neither hidden nor locked.
+[[nodiscard]] bool isPickable(const Visibility& visibility, const Rig& rig, const Skeleton& skeleton, int primitive);
+
+/// The rig has changed: marks go with a muscle that has got another name, and a muscle that is new appears whole even
+/// if one of its name was hidden once. @param travelled  by undo or redo: then what comes back is as it was left.
+void followRig(Visibility& visibility, const Rig& before, const Rig& after, bool travelled);
+
+}  // namespace sinew::app

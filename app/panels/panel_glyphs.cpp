@@ -1,0 +1,201 @@
+// app/panels/panel_glyphs.cpp: small marks on a grid of 16 units, and the buttons that carry them.
+
+#include "app/panels/panel_glyphs.h"
+
+#include <algorithm>
+#include <cctype>
+#include <initializer_list>
+
+namespace sinew::app {
+namespace {
+
+constexpr float kPi = 3.14159265f;
+
+struct Pen {
+  ImDrawList& list;
+  ImVec2 origin;
+  float unit;
+  ImU32 color;
+
+  [[nodiscard]] ImVec2 at(float x, float y) const { return {origin.x + x * unit, origin.y + y * unit}; }
+  [[nodiscard]] float width() const { return std::max(1.3f * unit, 1.0f); }
+  void line(float x0, float y0, float x1, float y1) const { list.AddLine(at(x0, y0), at(x1, y1), color, width()); }
+  void disc(float x, float y, float radius) const { list.AddCircleFilled(at(x, y), radius * unit, color, 16); }
+  void ring(float x, float y, float radius) const { list.AddCircle(at(x, y), radius * unit, color, 20, width()); }
+  void box(float x0, float y0, float x1, float y1, float round) const {
+    list.AddRect(at(x0, y0), at(x1, y1), color, round * unit, 0, width());
+  }
+  void fill(std::initializer_list<ImVec2> points) const {
+    for (const ImVec2& p : points) list.PathLineTo(at(p.x, p.y));
+    list.PathFillConvex(color);
+  }
+  void path(std::initializer_list<ImVec2> points, bool closed) const {
+    for (const ImVec2& p : points) list.PathLineTo(at(p.x, p.y));
+    list.PathStroke(color, closed ? ImDrawFlags_Closed : ImDrawFlags_None, width());
+  }
+  /// The upper (-1) or lower (1) lid of an eye.
+  void lid(float way) const {
+    list.PathLineTo(at(1.2f, 8.0f));
+    list.PathBezierCubicCurveTo(at(4.6f, 8.0f + 6.0f * way), at(11.4f, 8.0f + 6.0f * way), at(14.8f, 8.0f));
+    list.PathStroke(color, ImDrawFlags_None, width());
+  }
+};
+
+void drawLock(const Pen& pen, bool closed) {
+  pen.list.AddRectFilled(pen.at(3.4f, 7.4f), pen.at(12.6f, 14.0f), pen.color, 1.4f * pen.unit);
+  const float x = closed ? 8.0f : 10.6f;
+  pen.list.PathArcTo(pen.at(x, 5.6f), 2.9f * pen.unit, kPi, 2.0f * kPi, 14);
+  if (closed) pen.list.PathLineTo(pen.at(x + 2.9f, 7.6f));
+  pen.list.PathStroke(pen.color, ImDrawFlags_None, pen.width());
+  pen.line(x - 2.9f, 5.4f, x - 2.9f, 7.6f);
+}
+
+void drawMatrix(const Pen& pen) {
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column <= row; ++column) {
+      const float x = 2.0f + 4.4f * static_cast<float>(column);
+      const float y = 2.0f + 4.4f * static_cast<float>(row);
+      pen.list.AddRectFilled(pen.at(x, y), pen.at(x + 3.2f, y + 3.2f), pen.color, 0.8f * pen.unit);
+    }
+  }
+}
+
+void drawGraph(const Pen& pen) {
+  pen.line(4.0f, 11.6f, 8.0f, 4.0f);
+  pen.line(8.0f, 4.0f, 12.4f, 10.6f);
+  pen.disc(4.0f, 11.8f, 2.5f);
+  pen.disc(8.0f, 3.8f, 2.5f);
+  pen.disc(12.4f, 11.0f, 2.5f);
+}
+
+/// A body, half of it filled: before and after.
+void drawBefore(const Pen& pen) {
+  pen.ring(8.0f, 8.0f, 5.8f);
+  pen.list.PathArcTo(pen.at(8.0f, 8.0f), 5.8f * pen.unit, -0.5f * kPi, 0.5f * kPi, 16);
+  pen.list.PathFillConvex(pen.color);
+}
+
+void drawTerritory(const Pen& pen) {
+  pen.path({{2.0f, 5.0f}, {6.4f, 2.4f}, {13.6f, 4.2f}, {14.0f, 10.4f}, {9.0f, 13.8f}, {3.0f, 11.6f}}, true);
+  pen.disc(8.0f, 8.0f, 2.2f);
+}
+
+void drawReset(const Pen& pen) {
+  pen.list.PathArcTo(pen.at(8.2f, 8.6f), 4.9f * pen.unit, -0.75f * kPi, 0.95f * kPi, 20);
+  pen.list.PathStroke(pen.color, ImDrawFlags_None, pen.width());
+  pen.fill({{1.8f, 5.6f}, {6.8f, 2.2f}, {7.2f, 7.4f}});
+}
+
+std::string lowered(const char* word) {
+  std::string text = word;
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+}  // namespace
+
+void drawGlyph(ImDrawList& list, Glyph glyph, const ImVec2& topLeft, float size, ImU32 color) {
+  const Pen pen{list, topLeft, size / 16.0f, color};
+  switch (glyph) {
+    case Glyph::kEye:
+      pen.lid(-1.0f);
+      pen.lid(1.0f);
+      pen.disc(8.0f, 8.0f, 2.3f);
+      break;
+    case Glyph::kEyeShut:
+      pen.lid(1.0f);
+      pen.line(8.0f, 12.6f, 8.0f, 15.0f);
+      pen.line(3.8f, 11.4f, 2.6f, 13.4f);
+      pen.line(12.2f, 11.4f, 13.4f, 13.4f);
+      break;
+    case Glyph::kLock: drawLock(pen, true); break;
+    case Glyph::kUnlocked: drawLock(pen, false); break;
+    case Glyph::kSolo:
+      pen.ring(8.0f, 8.0f, 5.6f);
+      pen.disc(8.0f, 8.0f, 2.6f);
+      break;
+    case Glyph::kFilter: pen.path({{2.0f, 3.0f}, {14.0f, 3.0f}, {9.4f, 8.6f}, {9.4f, 13.4f}, {6.6f, 12.0f},
+                                   {6.6f, 8.6f}}, true); break;
+    case Glyph::kMatrix: drawMatrix(pen); break;
+    case Glyph::kGraph: drawGraph(pen); break;
+    case Glyph::kArrange:
+      pen.disc(8.0f, 3.2f, 2.0f);
+      pen.disc(3.2f, 12.4f, 2.0f);
+      pen.disc(12.8f, 12.4f, 2.0f);
+      pen.list.PathArcTo(pen.at(8.0f, 9.2f), 6.4f * pen.unit, 0.0f, 2.0f * kPi, 28);
+      pen.list.PathStroke(pen.color, ImDrawFlags_Closed, 0.7f * pen.width());
+      break;
+    case Glyph::kBefore: drawBefore(pen); break;
+    case Glyph::kTerritory: drawTerritory(pen); break;
+    case Glyph::kFoldOpen: pen.path({{4.4f, 6.2f}, {8.0f, 9.8f}, {11.6f, 6.2f}}, false); break;
+    case Glyph::kFoldClosed: pen.path({{6.2f, 4.4f}, {9.8f, 8.0f}, {6.2f, 11.6f}}, false); break;
+    case Glyph::kReset: drawReset(pen); break;
+    case Glyph::kPlus:
+      pen.line(8.0f, 3.4f, 8.0f, 12.6f);
+      pen.line(3.4f, 8.0f, 12.6f, 8.0f);
+      break;
+  }
+}
+
+bool glyphButton(Ui& ui, const std::string& id, Glyph glyph, bool active, float size, const std::string& hint) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const bool pressed = ImGui::InvisibleButton(id.c_str(), {size, size});
+  const bool hovered = ImGui::IsItemHovered();
+  ui.widgets.note(id);
+  tooltip(ui, hint);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (hovered || active) {
+    list.AddRectFilled(corner, {corner.x + size, corner.y + size},
+                       active ? palette::kAccent.faded(0.20f).packed() : palette::kLine.packed(), ui.px(4));
+  }
+  const float inner = std::min(size - ui.px(4), ui.px(16));
+  const float inset = 0.5f * (size - inner);
+  const ImU32 color = (active ? palette::kAccent : (hovered ? palette::kText : palette::kMuted)).packed();
+  drawGlyph(list, glyph, {corner.x + inset, corner.y + inset}, inner, color);
+  return pressed;
+}
+
+int segmented(Ui& ui, const std::string& id, const char* const* words, int count, int chosen, float width) {
+  int clicked = -1;
+  const float height = ImGui::GetFrameHeight();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(corner, {corner.x + width, corner.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg), ui.px(5));
+  const float part = width / static_cast<float>(count);
+  for (int i = 0; i < count; ++i) {
+    const ImVec2 low{corner.x + part * static_cast<float>(i), corner.y};
+    ImGui::SetCursorScreenPos(low);
+    const std::string name = id + "/" + lowered(words[i]);
+    if (ImGui::InvisibleButton(name.c_str(), {part, height})) clicked = i;
+    ui.widgets.note(name);
+    const bool lit = i == chosen;
+    if (lit) {
+      list.AddRectFilled({low.x + ui.px(2), low.y + ui.px(2)}, {low.x + part - ui.px(2), low.y + height - ui.px(2)},
+                         palette::kLine.packed(), ui.px(4));
+    }
+    const ImVec2 text = ImGui::CalcTextSize(words[i]);
+    const Tint color = lit || ImGui::IsItemHovered() ? palette::kText : palette::kMuted;
+    list.AddText({low.x + 0.5f * (part - text.x), low.y + 0.5f * (height - text.y)}, color.packed(), words[i]);
+  }
+  ImGui::SetCursorScreenPos(corner);
+  ImGui::Dummy({width, height});
+  return clicked;
+}
+
+void clippedText(ImDrawList& list, const ImVec2& at, float width, ImU32 color, const std::string& text) {
+  if (width <= 0.0f) return;
+  if (ImGui::CalcTextSize(text.c_str()).x <= width) {
+    list.AddText(at, color, text.c_str());
+    return;
+  }
+  const float dots = ImGui::CalcTextSize("...").x;
+  const char* end = text.c_str() + text.size();
+  float left = 0.0f;
+  ImFont& font = *ImGui::GetFont();
+  font.CalcTextSizeA(ImGui::GetFontSize(), std::max(width - dots, 0.0f), 0.0f, text.c_str(), end, &end);
+  left = ImGui::CalcTextSize(text.c_str(), end).x;
+  list.AddText(at, color, text.c_str(), end);
+  list.AddText({at.x + left, at.y}, color, "...");
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,33 @@
+#pragma once  // app/render/color_scales.h: colours that carry meaning; the picture and its legends share them.
+
+#include <array>
+#include <cstddef>
+
+#include "core/base/geometry.h"
+#include "core/smoothing/surface.h"
+
+namespace sinew::app {
+
+/// Light as a screen encodes it, 0..1, and back. Components alike.
+[[nodiscard]] glm::vec3 linearFromSrgb(const glm::vec3& srgb);
+[[nodiscard]] glm::vec3 srgbFromLinear(const glm::vec3& linear);
+
+/// Stops of the displacement scale, evenly spaced from -1 (pushed in by the range) over 0 (untouched) to +1 (lifted by
+/// it). sRGB 0..1. Diverging: a light neutral in the middle, two hues that darken by even steps of lightness, so that
+/// equal displacements look equally far (Oklab: B. Ottosson, "A perceptual color space for image processing", 2020).
+[[nodiscard]] const std::array<glm::vec3, 9>& heatStops();
+
+/// sRGB colour at x, as the skin has it before light falls on it; x is clamped to -1..1. Between stops light is mixed.
+[[nodiscard]] glm::vec3 heatColor(float x);
+
+/// What a triangle class is called and shown in.
+struct ClassColor {
+  TriangleClass kind = TriangleClass::kNormal;
+  const char* name = "";
+  glm::vec3 srgb{0.0f};
+};
+
+/// By TriangleClass.
+[[nodiscard]] const std::array<ClassColor, 3>& classColors();
+
+}  // namespace sinew::app

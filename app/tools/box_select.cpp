@@ -1,0 +1,79 @@
+// app/tools/box_select.cpp: a rectangle drawn over the picture selects what it touches.
+
+#include "app/tools/box_select.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "app/platform/style.h"
+#include "app/tools/select.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr int kOutlinePoints = 24;
+
+bool inside(const glm::vec3& pixel, const glm::vec2& low, const glm::vec2& high) {
+  return std::abs(pixel.z) <= 1.0f && pixel.x >= low.x && pixel.y >= low.y && pixel.x <= high.x && pixel.y <= high.y;
+}
+
+/// Points of the outline that the eye sees: where the unit ball's normals, carried to the world, are across the sight.
+std::vector<glm::vec3> outlineOf(const PrimitiveShape& shape, const View& view) {
+  const glm::mat3 axes(shape.unitBallInWorld);
+  const glm::vec3 center(shape.unitBallInWorld[3]);
+  const glm::vec3 sight = view.orthographic ? view.forwardInWorld() : center - view.eyeInWorld;
+  const glm::vec3 inBall = normalizeOr(glm::inverse(axes) * sight, {0.0f, 0.0f, 1.0f});
+  const glm::vec3 other = std::abs(inBall.x) < 0.6f ? glm::vec3(1.0f, 0.0f, 0.0f) : glm::vec3(0.0f, 1.0f, 0.0f);
+  const glm::vec3 u = glm::normalize(glm::cross(inBall, other));
+  const glm::vec3 v = glm::cross(inBall, u);
+  std::vector<glm::vec3> points{center};
+  for (int i = 0; i < kOutlinePoints; ++i) {
+    const float angle = 2.0f * std::numbers::pi_v<float> * static_cast<float>(i) / kOutlinePoints;
+    points.push_back(center + axes * (std::cos(angle) * u + std::sin(angle) * v));
+  }
+  return points;
+}
+
+}  // namespace
+
+std::vector<std::string> musclesInBox(const ViewportContext& context, const View& view, const glm::vec2& corner,
+                                      const glm::vec2& opposite) {
+  const glm::vec2 low = glm::min(corner, opposite);
+  const glm::vec2 high = glm::max(corner, opposite);
+  const Document& document = context.document;
+  std::vector<std::string> names;
+  for (const PrimitiveShape& shape : primitiveShapes(document, context.pose)) {
+    if (!isPickable(document.visibility, document.rig(), document.character->skeleton, shape.rigIndex)) continue;
+    const std::vector<glm::vec3> points = outlineOf(shape, view);
+    const bool hit =
+        std::ranges::any_of(points, [&](const glm::vec3& p) { return inside(view.toPixel(p), low, high); });
+    if (hit) names.push_back(document.rig().primitives[static_cast<std::size_t>(shape.rigIndex)].name);
+  }
+  return names;
+}
+
+void selectBox(const ViewportContext& context, const View& view, const BoxDrag& box) {
+  const std::vector<std::string> names = musclesInBox(context, view, box.from, box.to);
+  Selection& selection = context.document.selection;
+  if (box.mode == BoxMode::kRemove) {
+    selection.remove(names);
+    return;
+  }
+  if (box.mode == BoxMode::kReplace) selection.bone = -1;
+  selection.setAll(names, box.mode == BoxMode::kAdd);
+}
+
+void drawBox(ImDrawList& list, const BoxDrag& box, const glm::vec2& topLeft, float unitsPerPixel) {
+  const glm::vec2 low = topLeft + glm::min(box.from, box.to) * unitsPerPixel;
+  const glm::vec2 high = topLeft + glm::max(box.from, box.to) * unitsPerPixel;
+  const bool removes = box.mode == BoxMode::kRemove;
+  const Tint tint = removes ? palette::kWarning : palette::kAccent;
+  list.AddRectFilled({low.x, low.y}, {high.x, high.y}, tint.faded(0.12f).packed());
+  list.AddRect({low.x, low.y}, {high.x, high.y}, tint.packed());
+}
+
+}  // namespace sinew::app

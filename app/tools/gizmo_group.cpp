@@ -1,0 +1,75 @@
+// app/tools/gizmo_group.cpp: several selected muscles on one gizmo.
+
+#include "app/tools/gizmo_group.h"
+
+#include <algorithm>
+
+#include "core/rig/rig_edit.h"
+
+namespace sinew::app {
+namespace {
+
+/// The bone's matrix in a pose; null if the character lacks it.
+const glm::mat4* matrixOf(const Document& document, const Pose& pose, const std::string& bone) {
+  const std::optional<int> found = document.character->skeleton.findBone(bone);
+  return found ? &pose.boneInWorld[static_cast<std::size_t>(*found)] : nullptr;
+}
+
+}  // namespace
+
+const char* nameOf(GizmoPivot pivot) { return pivot == GizmoPivot::kActive ? "active" : "centroid"; }
+
+std::vector<GizmoCompanion> companionsOf(const Document& document, int active) {
+  const Rig& rig = document.rig();
+  const Skeleton& skeleton = document.character->skeleton;
+  std::vector<GizmoCompanion> companions;
+  const std::string& leader = rig.primitives[static_cast<std::size_t>(active)].name;
+  for (const std::string& name : document.selection.primitives) {
+    const int index = findPrimitive(rig, name);
+    if (index < 0 || index == active || !isPickable(document.visibility, rig, skeleton, index)) continue;
+    const Primitive& primitive = rig.primitives[static_cast<std::size_t>(index)];
+    const bool twinMoves = primitive.mirror == leader ||
+                           (!primitive.mirror.empty() &&
+                            std::ranges::find(companions, primitive.mirror, &GizmoCompanion::name) != companions.end());
+    if (twinMoves || !skeleton.findBone(primitive.bone)) continue;
+    companions.push_back({name, primitive.placement});
+  }
+  return companions;
+}
+
+std::optional<glm::vec3> centroidOf(const Document& document, const Pose& pose, const std::string& activeBone,
+                                    const Placement& active, const std::vector<GizmoCompanion>& companions) {
+  if (companions.empty()) return std::nullopt;
+  glm::vec3 sum(0.0f);
+  int count = 0;
+  const auto add = [&](const std::string& bone, const Placement& placement) {
+    const glm::mat4* const matrix = matrixOf(document, pose, bone);
+    if (!matrix) return;
+    sum += glm::vec3(*matrix * glm::vec4(placement.center, 1.0f));
+    ++count;
+  };
+  add(activeBone, active);
+  for (const GizmoCompanion& companion : companions) {
+    const int index = findPrimitive(document.rig(), companion.name);
+    if (index >= 0) add(document.rig().primitives[static_cast<std::size_t>(index)].bone, companion.start);
+  }
+  if (count < 2) return std::nullopt;
+  return sum / static_cast<float>(count);
+}
+
+Result<Rig> dragged(const Document& document, const Pose& pose, int active, const DragResult& drag,
+                    const std::vector<GizmoCompanion>& companions) {
+  Result<Rig> rig = setPlacement(document.rig(), active, drag.placement);
+  for (const GizmoCompanion& companion : companions) {
+    const int index = findPrimitive(document.rig(), companion.name);
+    if (!rig || index < 0) continue;
+    const Primitive& primitive = document.rig().primitives[static_cast<std::size_t>(index)];
+    const glm::mat4* const matrix = matrixOf(document, pose, primitive.bone);
+    if (!matrix) continue;
+    const Placement placement = draggedAlong(drag.effect, companion.start, *matrix, document.character->height);
+    rig = setPlacement(rig.value(), index, placement);
+  }
+  return rig;
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,149 @@
+// core/skeleton/joint_roles.cpp: words in joint names.
+#include "core/skeleton/joint_roles.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace sinew {
+namespace {
+
+bool isUpper(char c) { return c >= 'A' && c <= 'Z'; }
+bool isLetter(char c) { return isUpper(c) || (c >= 'a' && c <= 'z'); }
+char lowered(char c) { return isUpper(c) ? static_cast<char>(c - 'A' + 'a') : c; }
+
+/// Small letters alone, without what stands between words: "Upper_Arm.L" -> "upperarml".
+std::string lettersOf(std::string_view name) {
+  std::string letters;
+  for (const char c : name) {
+    if (isLetter(c)) letters.push_back(lowered(c));
+  }
+  return letters;
+}
+
+/// Words in small letters: parted by anything but letters, and where a capital follows a small letter.
+std::vector<std::string> wordsOf(std::string_view name) {
+  std::vector<std::string> words;
+  bool inWord = false;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if (!isLetter(name[i])) {
+      inWord = false;
+      continue;
+    }
+    const bool capital = i > 0 && isUpper(name[i]) && isLetter(name[i - 1]) && !isUpper(name[i - 1]);
+    if (!inWord || capital) words.emplace_back();
+    words.back().push_back(lowered(name[i]));
+    inWord = true;
+  }
+  return words;
+}
+
+struct JointName {
+  std::string letters;
+  std::vector<std::string> words;
+  bool sided = false;
+
+  explicit JointName(const std::string& name)
+      : letters(lettersOf(name)), words(wordsOf(name)), sided(sideNamed(name) != 0) {}
+
+  /// One of these is in it, anywhere.
+  [[nodiscard]] bool holds(std::initializer_list<std::string_view> parts) const {
+    return std::ranges::any_of(parts, [&](auto part) { return letters.find(part) != std::string::npos; });
+  }
+  /// One of these stands in it as a word.
+  [[nodiscard]] bool says(std::initializer_list<std::string_view> parts) const {
+    return std::ranges::any_of(parts, [&](auto part) { return std::ranges::find(words, part) != words.end(); });
+  }
+};
+
+/// The tree above a bone, as far as roles are known.
+struct Above {
+  const Skeleton& skeleton;
+  const std::vector<JointRole>& roles;
+  int bone;
+
+  [[nodiscard]] bool has(std::initializer_list<JointRole> wanted) const {
+    for (int i = skeleton.bones[static_cast<std::size_t>(bone)].parent; i >= 0;
+         i = skeleton.bones[static_cast<std::size_t>(i)].parent) {
+      const JointRole role = roles[static_cast<std::size_t>(i)];
+      if (std::ranges::find(wanted, role) != wanted.end()) return true;
+    }
+    return false;
+  }
+  [[nodiscard]] bool childIsArm() const {
+    return std::ranges::any_of(skeleton.bones[static_cast<std::size_t>(bone)].children, [&](int child) {
+      return JointName(skeleton.bones[static_cast<std::size_t>(child)].name).holds({"arm", "humerus"});
+    });
+  }
+};
+
+JointRole armRole(const JointName& name, const Above& above) {
+  if (name.holds({"clavicle", "collar"})) return JointRole::kCollar;
+  if (name.holds({"shoulder", "scapula"})) return above.childIsArm() ? JointRole::kCollar : JointRole::kShoulder;
+  if (!above.has({JointRole::kShoulder})) return JointRole::kShoulder;
+  if (name.holds({"hand", "wrist", "palm"})) return JointRole::kWrist;
+  return above.has({JointRole::kElbow}) ? JointRole::kWrist : JointRole::kElbow;
+}
+
+JointRole legRole(const JointName& name, const Above& above) {
+  if (name.holds({"foot", "ankle", "paw", "hoof"})) return JointRole::kAnkle;
+  if (!above.has({JointRole::kHip})) return JointRole::kHip;
+  return above.has({JointRole::kKnee}) ? JointRole::kAnkle : JointRole::kKnee;
+}
+
+bool movesNothingSeen(const JointName& name, const Bone& bone) {
+  if (name.says({"ik", "pole", "target", "ctrl", "control", "socket", "poletarget"})) return true;
+  // "end" alone is a name; "toe end" is the end of a toe.
+  return bone.children.empty() && name.words.size() > 1 && name.says({"nub", "end", "tip", "effector", "null"});
+}
+
+JointRole roleOf(const Bone& bone, const Above& above) {
+  const JointName name(bone.name);
+  if (bone.parent < 0 || movesNothingSeen(name, bone)) return JointRole::kStill;
+  const bool limb = above.has({JointRole::kShoulder, JointRole::kElbow, JointRole::kWrist, JointRole::kHip,
+                               JointRole::kKnee, JointRole::kAnkle});
+  if (limb && name.holds({"finger", "thumb", "index", "middle", "ring", "pinky", "pinkie", "little", "toe", "palm"})) {
+    return JointRole::kDigit;
+  }
+  if (name.holds({"tail"})) return JointRole::kTail;
+  if (name.holds({"arm", "elbow", "hand", "wrist", "shoulder", "clavicle", "collar", "humerus", "scapula"}) &&
+      !name.holds({"armature"})) {
+    return armRole(name, above);
+  }
+  if (name.holds({"leg", "thigh", "knee", "shin", "calf", "foot", "ankle", "femur", "tibia", "paw", "hoof"}) ||
+      (name.sided && name.says({"hip"}))) {
+    return legRole(name, above);
+  }
+  if (name.holds({"root", "pelvis", "hips", "armature", "master", "origin"}) || name.says({"hip", "cog", "global"})) {
+    return above.has({JointRole::kTrunk}) ? JointRole::kTrunk : JointRole::kStill;
+  }
+  if (name.holds({"neck", "head"})) return JointRole::kNeck;
+  if (name.holds({"spine", "chest", "torso", "abdomen", "waist", "body", "back", "belly", "trunk", "ribcage"})) {
+    return JointRole::kTrunk;
+  }
+  return JointRole::kFree;
+}
+
+}  // namespace
+
+int sideNamed(std::string_view name) {
+  int side = 0;
+  const std::string letters = lettersOf(name);
+  if (letters.find("left") != std::string::npos) side += 1;
+  if (letters.find("right") != std::string::npos) side -= 1;
+  if (side != 0) return side;
+  for (const std::string& word : wordsOf(name)) {
+    if (word == "l" || word == "lf") side += 1;
+    if (word == "r" || word == "rt") side -= 1;
+  }
+  return std::clamp(side, -1, 1);
+}
+
+std::vector<JointRole> jointRoles(const Skeleton& skeleton) {
+  std::vector<JointRole> roles(skeleton.bones.size(), JointRole::kStill);
+  for (std::size_t i = 0; i < skeleton.bones.size(); ++i) {
+    roles[i] = roleOf(skeleton.bones[i], {skeleton, roles, static_cast<int>(i)});
+  }
+  return roles;
+}
+
+}  // namespace sinew

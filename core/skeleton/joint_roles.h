@@ -1,0 +1,33 @@
+#pragma once  // core/skeleton/joint_roles.h: what a joint is in a body, as far as names and the tree tell.
+
+#include <string_view>
+#include <vector>
+
+#include "core/skeleton/skeleton.h"
+
+namespace sinew {
+
+enum class JointRole {
+  kStill,   ///< Moves the whole body (root, hips) or nothing that is seen (targets, sockets, ends).
+  kTrunk,   ///< Spine, chest, waist.
+  kNeck,    ///< Neck and head.
+  kTail,
+  kCollar,  ///< Between the trunk and a shoulder.
+  kShoulder,
+  kElbow,
+  kWrist,
+  kHip,     ///< Of a leg.
+  kKnee,
+  kAnkle,
+  kDigit,   ///< Finger or toe.
+  kFree,    ///< Nothing is known of it.
+};
+
+/// [bones]. English words in names of any style ("mixamorig:LeftForeArm", "forearm.L", "b_LeftForeArm_010") and where
+/// in a limb a bone stands: the first of an arm is its shoulder, whatever it is called, the next its elbow.
+[[nodiscard]] std::vector<JointRole> jointRoles(const Skeleton& skeleton);
+
+/// -1: the name says right, +1: left, 0: neither or both.
+[[nodiscard]] int sideNamed(std::string_view name);
+
+}  // namespace sinew

@@ -1,0 +1,94 @@
+// tests/document/clipboard_test.cpp: muscles as text, in this document and another.
+
+#include "app/document/clipboard.h"
+
+#include <gtest/gtest.h>
+
+#include "core/io/rig_json.h"
+#include "core/rig/rig_edit.h"
+#include "core/rig/twins.h"
+#include "core/rig/validation.h"
+#include "tests/support/synthetic_characters.h"
+
+namespace sinew::app {
+namespace {
+
+struct Clipboard : testing::Test {
+  std::shared_ptr<const Character> legs = test::makeTwoLegged();
+  MirrorPlan plan = makeMirrorPlan(*legs);
+  Rig rig;
+
+  Clipboard() {
+    rig.groups = {{"legs", {}}, {"torso", {}}, {"other", {}}};
+    rig.links = {{"legs", "torso"}, {"torso", "other"}};
+    Primitive thigh;
+    thigh.name = "thigh L";
+    thigh.bone = "leg L";
+    thigh.group = "legs";
+    thigh.placement.center = {0.1f, 0.2f, 0.3f};
+    thigh.reach = 1.7f;
+    rig = addPair(rig, thigh, plan).value();
+    Primitive belly;
+    belly.name = "belly";
+    belly.bone = "spine";
+    belly.group = "torso";
+    rig = addPrimitive(rig, belly).value();
+  }
+};
+
+TEST_F(Clipboard, APairIsPastedAsAPairUnderFreeNames) {
+  const std::string text = musclesAsText(rig, std::vector<int>{0, 1});
+  const Result<Pasted> pasted = pastedMuscles(rig, text, legs->skeleton, nullptr);
+  ASSERT_TRUE(pasted);
+  EXPECT_EQ(pasted->names, (std::vector<std::string>{"thigh L 2", "thigh R 2"}));
+  EXPECT_EQ(twinOf(pasted->rig, 3), 4);
+  EXPECT_EQ(twinOf(pasted->rig, 0), 1);
+  EXPECT_EQ(pasted->rig.primitives[3].placement.center, rig.primitives[0].placement.center);
+  EXPECT_EQ(pasted->rig.primitives[3].reach, 1.7f);
+  EXPECT_EQ(pasted->rig.groups.size(), 3u);
+  EXPECT_TRUE(validate(pasted->rig));
+}
+
+TEST_F(Clipboard, OneOfAPairHasNoTwinInTheText) {
+  const Result<Rig> copied = rigFromJson(musclesAsText(rig, std::vector<int>{1}));
+  ASSERT_TRUE(copied);
+  EXPECT_EQ(copied->primitives[0].mirror, "");
+  EXPECT_EQ(copied->groups.size(), 1u);
+  EXPECT_TRUE(copied->links.empty());
+}
+
+TEST_F(Clipboard, AnotherDocumentGetsTheGroupsAndIsToldWhatItCannotTake) {
+  const std::string text = musclesAsText(rig, std::vector<int>{0, 1, 2});
+  Skeleton other = legs->skeleton;
+  other.bones[static_cast<std::size_t>(*other.findBone("leg R"))].name = "elsewhere";
+  other.bones[static_cast<std::size_t>(*other.findBone("elsewhere"))].path = "elsewhere";
+  const Result<Pasted> pasted = pastedMuscles(Rig{}, text, other, nullptr);
+  ASSERT_TRUE(pasted);
+  EXPECT_EQ(pasted->names, (std::vector<std::string>{"thigh L", "belly"}));
+  ASSERT_EQ(pasted->leftOut.size(), 1u);
+  EXPECT_NE(pasted->leftOut[0].find("leg R"), std::string::npos);
+  EXPECT_EQ(pasted->rig.links.size(), 1u);
+  EXPECT_EQ(pasted->rig.primitives[0].mirror, "");
+  EXPECT_TRUE(validate(pasted->rig));
+}
+
+TEST_F(Clipboard, PastedMirroredGoesToTheOtherSide) {
+  const Rig single = removePrimitives(rig, std::vector<int>{1});
+  const std::string text = musclesAsText(single, std::vector<int>{0});
+  const Result<Pasted> pasted = pastedMuscles(single, text, legs->skeleton, &plan);
+  ASSERT_TRUE(pasted);
+  EXPECT_EQ(pasted->names, std::vector<std::string>{"thigh R"});
+  EXPECT_EQ(pasted->rig.primitives.back().bone, "leg R");
+  EXPECT_EQ(pasted->rig.primitives.back().placement.center, rig.primitives[1].placement.center);
+}
+
+TEST_F(Clipboard, AnythingElseIsRefusedInOneLine) {
+  for (const char* text : {"", "hello", "{}", "[1, 2]", R"({"format": "sinew-rig", "version": 1})"}) {
+    const Result<Pasted> pasted = pastedMuscles(rig, text, legs->skeleton, nullptr);
+    ASSERT_FALSE(pasted) << text;
+    EXPECT_FALSE(pasted.error().text().empty());
+  }
+}
+
+}  // namespace
+}  // namespace sinew::app

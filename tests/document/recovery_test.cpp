@@ -1,0 +1,297 @@
+// tests/document/recovery_test.cpp: the life of unsaved work, through a crash and without one.
+
+#include "app/document/recovery.h"
+
+#include <gtest/gtest.h>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <utility>
+
+#include "core/io/rig_json.h"
+#include "core/rig/rig_edit.h"
+
+namespace sinew::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Recovery : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "sinew-recovery-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder = name;
+    fs::copy_file(fs::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb", folder / "lizard.glb");
+    state = folder / "state" / "recovery";
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  /// The lizard with one muscle more than its file has.
+  [[nodiscard]] Document changed(bool saved) const {
+    Document document = openDocument(folder / "lizard.glb").value();
+    if (saved) {
+      document.commands.apply("First", withMuscle(document, "first"));
+      EXPECT_TRUE(saveDocument(document, folder / "lizard.rig.json").ok());
+    }
+    document.commands.apply("Second", withMuscle(document, "second"));
+    return document;
+  }
+  static Rig withMuscle(const Document& document, const std::string& name) {
+    Primitive primitive;
+    primitive.name = name;
+    primitive.bone = document.character->skeleton.fileName(0);
+    primitive.placement.center = {0.1f, 0.123456789f, -3e-7f};
+    primitive.placement.radii = {0.1f, 0.2f, 0.3f};
+    return addPrimitive(document.rig(), primitive).value();
+  }
+  /// Another process writes the work and dies as a crash would have it.
+  void crash(const Document& document) const {
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      Result<RecoveryFile> mine = RecoveryFile::claim(state);
+      if (mine) static_cast<void>(mine.value().write(document));
+      ::kill(::getpid(), SIGKILL);
+    }
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+  }
+  [[nodiscard]] std::size_t filesLeft() const {
+    std::error_code failed;
+    const fs::directory_iterator all(state, failed);
+    return failed ? 0 : static_cast<std::size_t>(std::distance(begin(all), end(all)));
+  }
+
+  fs::path folder;
+  fs::path state;
+};
+
+TEST_F(Recovery, WhatACrashLeavesIsOfferedAndComesBackModifiedWithItsPath) {
+  const Document before = changed(true);
+  const std::string onDisk = rigToJson(loadRig(folder / "lizard.rig.json").value());
+  crash(before);
+  const std::vector<LeftBehind> left = findLeftBehind(state);
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_EQ(left[0].name(), "lizard.rig.json");
+  EXPECT_EQ(left[0].primitives, 2);
+  Result<Document> recovered = recoverDocument(left[0]);
+  ASSERT_TRUE(recovered.ok()) << recovered.error().text();
+  EXPECT_EQ(rigToJson(recovered->rig()), rigToJson(before.rig()));
+  EXPECT_EQ(recovered->rigFile, folder / "lizard.rig.json");
+  EXPECT_TRUE(recovered->commands.modified());
+  EXPECT_EQ(rigToJson(loadRig(folder / "lizard.rig.json").value()), onDisk) << "the rig file was touched";
+  recovered.value().commands.undo();
+  EXPECT_EQ(rigToJson(recovered->rig()), onDisk);
+  EXPECT_FALSE(recovered->commands.modified());
+  EXPECT_EQ(findLeftBehind(state).size(), 1u) << "kept until it is thrown away";
+  discardLeftBehind(left[0]);
+  EXPECT_EQ(filesLeft(), 0u);
+}
+
+TEST_F(Recovery, WorkThatWasNeverSavedComesBackWithoutAPath) {
+  const Document before = changed(false);
+  crash(before);
+  const std::vector<LeftBehind> left = findLeftBehind(state);
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_EQ(left[0].name(), "lizard.glb");
+  const Result<Document> recovered = recoverDocument(left[0]);
+  ASSERT_TRUE(recovered.ok()) << recovered.error().text();
+  EXPECT_TRUE(recovered->rigFile.empty());
+  EXPECT_TRUE(recovered->commands.modified());
+  EXPECT_EQ(recovered->rig().primitives.size(), 1u);
+}
+
+TEST_F(Recovery, AnEditorThatRunsKeepsItsWorkToItself) {
+  Result<RecoveryFile> mine = RecoveryFile::claim(state);
+  ASSERT_TRUE(mine.ok());
+  ASSERT_TRUE(mine.value().write(changed(true)).ok());
+  EXPECT_TRUE(findLeftBehind(state).empty());
+  Result<RecoveryFile> other = RecoveryFile::claim(state);
+  ASSERT_TRUE(other.ok());
+  EXPECT_NE(mine->file(), other->file());
+  ASSERT_TRUE(other.value().write(changed(true)).ok());
+  EXPECT_TRUE(findLeftBehind(state).empty());
+  LeftBehind guessed;
+  guessed.file = mine->file();
+  EXPECT_FALSE(recoverDocument(guessed).ok()) << "stolen from a living editor";
+  mine.value().finish();
+  other.value().finish();
+  EXPECT_EQ(filesLeft(), 0u);
+}
+
+TEST_F(Recovery, ACleanEndLeavesNothing) {
+  Result<RecoveryFile> mine = RecoveryFile::claim(state);
+  ASSERT_TRUE(mine.ok());
+  ASSERT_TRUE(mine.value().write(changed(true)).ok());
+  EXPECT_EQ(filesLeft(), 2u);  // Work and lock.
+  mine.value().remove();
+  EXPECT_EQ(filesLeft(), 1u);
+  mine.value().finish();
+  EXPECT_EQ(filesLeft(), 0u);
+}
+
+TEST_F(Recovery, ACrashWithoutChangesLeavesNothingToOffer) {
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    const Result<RecoveryFile> mine = RecoveryFile::claim(state);
+    ::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(filesLeft(), 1u);
+  EXPECT_TRUE(findLeftBehind(state).empty());
+  EXPECT_EQ(filesLeft(), 0u) << "the lock of the dead stays";
+}
+
+TEST_F(Recovery, DamagedWorkIsNotOffered) {
+  fs::create_directories(state);
+  for (const char* text : {"", "{", "[]", "{ \"format\": \"sinew-recovery\" }", "{ \"format\": \"other\" }"}) {
+    std::ofstream(state / "7-0.json", std::ios::binary | std::ios::trunc) << text;
+    EXPECT_TRUE(findLeftBehind(state).empty()) << text;
+  }
+  std::ofstream(state / "7-0.json", std::ios::trunc)
+      << R"({ "format": "sinew-recovery", "character_file": "/nowhere/x.glb", "rig": { "version": 4 } })";
+  const std::vector<LeftBehind> left = findLeftBehind(state);
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_FALSE(recoverDocument(left[0]).ok());
+  EXPECT_TRUE(fs::exists(left[0].file));
+}
+
+TEST_F(Recovery, NewestWorkComesFirst) {
+  crash(changed(false));
+  const fs::path older = findLeftBehind(state).at(0).file;
+  crash(changed(true));
+  fs::last_write_time(older, fs::file_time_type::clock::now() - std::chrono::hours(3));
+  const std::vector<LeftBehind> left = findLeftBehind(state);
+  ASSERT_EQ(left.size(), 2u);
+  EXPECT_EQ(left[0].name(), "lizard.rig.json");
+  EXPECT_EQ(left[1].file, older);
+}
+
+TEST_F(Recovery, AFolderThatCannotBeMadeIsAnError) {
+  EXPECT_FALSE(RecoveryFile::claim("/proc/sinew-test/recovery").ok());
+  EXPECT_TRUE(findLeftBehind("/proc/sinew-test/recovery").empty());
+}
+
+TEST(RecoveryAge, IsToldInTheLargestUnit) {
+  using namespace std::chrono_literals;
+  const auto now = fs::file_time_type::clock::now();
+  EXPECT_EQ(ageText(now, now), "just now");
+  EXPECT_EQ(ageText(now + 5s, now), "just now");
+  EXPECT_EQ(ageText(now - 61s, now), "1 minute ago");
+  EXPECT_EQ(ageText(now - 59min, now), "59 minutes ago");
+  EXPECT_EQ(ageText(now - 25h, now), "1 day ago");
+  EXPECT_EQ(ageText(now - 50h, now), "2 days ago");
+  EXPECT_EQ(ageText(now - 3h, now), "3 hours ago");
+}
+
+// When to write ---------------------------------------------------------------------------------------------------
+
+class Autosave : public testing::Test {
+ protected:
+  using Deed = AutosaveClock::Deed;
+  void change(const std::string& name) {
+    Rig rig = commands.rig();
+    rig.character = name;
+    commands.apply("Change", rig);
+  }
+  Deed look(double now, int clip = 0) {
+    const Deed deed = clock.look(now, 30.0, commands, document, clip);
+    if (deed == Deed::kWrite) clock.wrote(commands.revision());
+    return deed;
+  }
+
+  CommandStack commands{Rig{}};
+  AutosaveClock clock;
+  std::size_t document = 1;
+};
+
+TEST_F(Autosave, AnUnchangedDocumentIsLeftAlone) {
+  for (const double now : {0.0, 100.0, 1000.0}) EXPECT_EQ(look(now), Deed::kNothing);
+  EXPECT_EQ(look(1001.0, 3), Deed::kNothing) << "another clip";
+}
+
+TEST_F(Autosave, NoChangeWaitsLongerThanTheInterval) {
+  look(0.0);
+  change("a");
+  EXPECT_EQ(look(10.0), Deed::kNothing);
+  change("b");  // A later change does not put it off.
+  EXPECT_EQ(look(39.0), Deed::kNothing);
+  EXPECT_EQ(clock.secondsLeft(39.0, 30.0), 1.0);
+  EXPECT_EQ(look(40.0), Deed::kWrite);
+  EXPECT_EQ(look(100.0), Deed::kNothing) << "nothing new";
+  change("c");
+  EXPECT_EQ(look(101.0), Deed::kNothing);
+  EXPECT_EQ(look(131.0), Deed::kWrite);
+}
+
+TEST_F(Autosave, ALongDragIsWrittenWhileItLasts) {
+  look(0.0);
+  commands.beginGesture("Drag");
+  Deed deed = Deed::kNothing;
+  int writes = 0;
+  for (double now = 0.0; now < 95.0; now += 0.5) {
+    Rig rig = commands.rig();
+    rig.character = std::to_string(now);
+    commands.updateGesture(rig);
+    deed = look(now);
+    writes += deed == Deed::kWrite;
+  }
+  EXPECT_EQ(writes, 3);
+}
+
+TEST_F(Autosave, AnotherClipWritesAtOnce) {
+  look(0.0, 0);
+  change("a");
+  EXPECT_EQ(look(1.0, 0), Deed::kNothing);
+  EXPECT_EQ(look(1.1, 1), Deed::kWrite);
+  EXPECT_EQ(look(1.2, 2), Deed::kNothing) << "nothing new since";
+}
+
+TEST_F(Autosave, SavedOrUndoneTheFileGoes) {
+  look(0.0);
+  change("a");
+  look(1.0);
+  EXPECT_EQ(look(31.0), Deed::kWrite);
+  commands.markSaved();
+  EXPECT_EQ(look(32.0), Deed::kRemove);
+  EXPECT_EQ(look(33.0), Deed::kNothing);
+  change("b");
+  look(40.0);
+  EXPECT_EQ(look(70.0), Deed::kWrite);
+  commands.undo();
+  EXPECT_EQ(look(71.0), Deed::kRemove);
+}
+
+TEST_F(Autosave, AnotherDocumentTakesTheFileOfTheOneBeforeAway) {
+  look(0.0);
+  change("a");
+  look(1.0);
+  EXPECT_EQ(look(31.0), Deed::kWrite);
+  commands = CommandStack(Rig{});
+  document = 2;
+  EXPECT_EQ(look(32.0, 5), Deed::kRemove);
+  change("b");
+  EXPECT_EQ(look(33.0, 5), Deed::kNothing);
+  EXPECT_EQ(look(63.0, 5), Deed::kWrite);
+}
+
+TEST_F(Autosave, AFailedWriteIsTriedAgainAnIntervalLater) {
+  look(0.0);
+  change("a");
+  EXPECT_EQ(clock.look(1.0, 30.0, commands, document, 0), Deed::kNothing);
+  EXPECT_EQ(clock.look(31.0, 30.0, commands, document, 0), Deed::kWrite);
+  EXPECT_EQ(clock.look(32.0, 30.0, commands, document, 0), Deed::kNothing);
+  EXPECT_EQ(clock.look(62.0, 30.0, commands, document, 0), Deed::kWrite);
+}
+
+}  // namespace
+}  // namespace sinew::app

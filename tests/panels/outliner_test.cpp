@@ -1,0 +1,293 @@
+// tests/panels/outliner_test.cpp: the tree: rows, selection, switches, renaming, moving to another bone.
+
+#include "tests/panels/headless_editor.h"
+
+#include <algorithm>
+
+#include "app/document/reparent.h"
+#include "app/panels/outliner_edit.h"
+#include "app/panels/outliner_rows.h"
+
+namespace sinew::app {
+namespace {
+
+/// Over the bundled rig.
+class Outliner : public HeadlessEditor {
+ protected:
+  void SetUp() override {
+    HeadlessEditor::SetUp();
+    ASSERT_TRUE(openFile(state, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "demo.rig.json"));
+    state.transport.playing = false;
+    state.layout.history = 90.0f;
+    settle();
+  }
+  [[nodiscard]] std::vector<OutlinerRow> rows(const std::string& filter = "", bool only = false) const {
+    const Skeleton& skeleton = state.character().skeleton;
+    return outlinerRows(state.document.rig(), skeleton, boneOfEach(state.document.rig(), skeleton),
+                        {filter, only, &state.panels.outliner.folded, false});
+  }
+  [[nodiscard]] std::size_t muscles(const std::vector<OutlinerRow>& list) const {
+    return static_cast<std::size_t>(std::ranges::count(list, RowKind::kMuscle, &OutlinerRow::kind));
+  }
+  [[nodiscard]] int shownMuscles() const { return state.live->surface().report.primitives; }
+  void held(int key, const std::string& id) {
+    queue.key(key, true);
+    settle();
+    click(id);
+    queue.key(key, false);
+    settle();
+  }
+  [[nodiscard]] const std::vector<std::string>& selection() const { return state.document.selection.primitives; }
+  [[nodiscard]] int indexOf(const std::string& name) const { return findPrimitive(state.document.rig(), name); }
+  static constexpr int kLeftShift = 340;
+  static constexpr int kDown = 264;
+  static constexpr int kUp = 265;
+};
+
+TEST_F(Outliner, EveryMuscleAndBoneHasARowParentsFirst) {
+  const auto all = rows();
+  const Skeleton& skeleton = state.character().skeleton;
+  EXPECT_EQ(all.size(), skeleton.bones.size() + state.document.rig().primitives.size());
+  std::vector<int> open;
+  for (const OutlinerRow& row : all) {
+    open.resize(static_cast<std::size_t>(row.level));
+    const int above = open.empty() ? -1 : open.back();
+    if (row.kind == RowKind::kMuscle) {
+      const Primitive& primitive = state.document.rig().primitives[static_cast<std::size_t>(row.index)];
+      EXPECT_EQ(skeleton.findBone(primitive.bone), above) << primitive.name;
+    } else {
+      EXPECT_EQ(skeleton.bones[static_cast<std::size_t>(row.index)].parent, above);
+      open.push_back(row.index);
+    }
+  }
+}
+
+TEST_F(Outliner, ASearchKeepsTheBonesAboveItsMatches) {
+  const auto found = rows("BICEPS");
+  EXPECT_EQ(muscles(found), 2u);
+  for (const OutlinerRow& row : found) {
+    if (row.kind != RowKind::kBone) continue;
+    const auto below = musclesUnder(row.index, state.character().skeleton,
+                                    boneOfEach(state.document.rig(), state.character().skeleton));
+    EXPECT_TRUE(std::ranges::any_of(below, [&](int i) {
+      return containsText(state.document.rig().primitives[static_cast<std::size_t>(i)].name, "biceps");
+    }));
+  }
+  // A bone's name brings its muscles.
+  EXPECT_EQ(muscles(rows("upper_arm.L")), 2u);
+  EXPECT_TRUE(rows("no such thing").empty());
+  click("outliner/search");
+  type("biceps");
+  EXPECT_TRUE(shown("outliner/muscle/biceps L"));
+  EXPECT_FALSE(shown("outliner/muscle/chest L"));
+}
+
+TEST_F(Outliner, BonesWithoutMusclesCanBeLeftOut) {
+  const auto all = rows();
+  click("outliner/only-with-muscles");
+  EXPECT_TRUE(state.panels.outliner.onlyWithMuscles);
+  const auto fewer = rows("", true);
+  EXPECT_LT(fewer.size(), all.size());
+  EXPECT_EQ(muscles(fewer), muscles(all));
+}
+
+TEST_F(Outliner, FoldingABoneHidesWhatIsUnderItAndASelectionOpensIt) {
+  const std::size_t all = rows().size();
+  click("outliner/fold/hips");
+  EXPECT_LT(rows().size(), all);
+  state.document.selection.set("tail root");
+  settle();
+  settle();
+  EXPECT_TRUE(shown("outliner/muscle/tail root"));
+}
+
+TEST_F(Outliner, ShiftTakesARangeAndControlOne) {
+  click("outliner/muscle/glute L");
+  ASSERT_EQ(selection(), std::vector<std::string>{"glute L"});
+  const auto all = rows();
+  const auto place = [&](const std::string& name) {
+    return rowOf(all, "m:" + name, state.document.rig(), state.character().skeleton);
+  };
+  std::vector<std::string> visible;
+  for (const auto& [id, box] : widgets.rectangles()) {
+    constexpr std::string_view kPrefix = "outliner/muscle/";
+    if (id.starts_with(kPrefix)) visible.push_back(id.substr(kPrefix.size()));
+  }
+  const std::string last = *std::ranges::max_element(visible, {}, place);
+  held(kLeftShift, "outliner/muscle/" + last);
+  const auto between = std::ranges::count_if(visible, [&](const std::string& name) {
+    return place(name) >= place("glute L");
+  });
+  EXPECT_EQ(static_cast<std::ptrdiff_t>(selection().size()), between);
+  EXPECT_EQ(selection().back(), last);
+  held(kLeftControl, "outliner/muscle/" + last);
+  EXPECT_EQ(static_cast<std::ptrdiff_t>(selection().size()), between - 1);
+  click("outliner/muscle/glute R");
+  EXPECT_EQ(selection(), std::vector<std::string>{"glute R"});
+}
+
+TEST_F(Outliner, ArrowKeysWalkTheRows) {
+  click("outliner/muscle/glute L");
+  press(kDown);
+  EXPECT_EQ(selection(), std::vector<std::string>{"glute R"});
+  press(kUp);
+  EXPECT_EQ(selection(), std::vector<std::string>{"glute L"});
+  press(kUp);
+  EXPECT_TRUE(selection().empty());
+  EXPECT_EQ(state.document.selection.bone, state.character().skeleton.findBone("hips"));
+}
+
+TEST_F(Outliner, AShutEyeTakesTheMuscleOffTheSkinAndOutOfNothingElse) {
+  const Rig before = state.document.rig();
+  const int all = shownMuscles();
+  const auto skin = state.live->surface().positions;
+  click("outliner/eye/glute L");
+  EXPECT_EQ(shownMuscles(), all - 1);
+  EXPECT_NE(state.live->surface().positions, skin);
+  EXPECT_EQ(shownShapes(state, true).size(), static_cast<std::size_t>(all) - 1);
+  EXPECT_EQ(state.document.rig(), before);
+  EXPECT_FALSE(state.document.commands.modified());
+  click("outliner/eye/glute L");
+  EXPECT_EQ(state.live->surface().positions, skin);
+  click("outliner/eye/bone/hips");
+  EXPECT_EQ(shownMuscles(), 0);
+  EXPECT_TRUE(shown("outliner/show-all"));
+  click("outliner/show-all");
+  EXPECT_EQ(shownMuscles(), all);
+}
+
+TEST_F(Outliner, KeysHideIsolateAndShow) {
+  const int all = shownMuscles();
+  click("outliner/muscle/glute L");
+  press('H');
+  EXPECT_EQ(shownMuscles(), all - 1);
+  press('H');
+  EXPECT_EQ(shownMuscles(), all);
+  press('/');
+  EXPECT_EQ(shownMuscles(), 1);
+  press('/');
+  EXPECT_EQ(shownMuscles(), all);
+  press('H');
+  queue.key(342, true);  // Alt.
+  press('H');
+  queue.key(342, false);
+  settle();
+  EXPECT_EQ(shownMuscles(), all);
+}
+
+TEST_F(Outliner, BeforeLastsAsLongAsItsKeyOrButtonIsHeld) {
+  const int all = shownMuscles();
+  const auto with = state.live->surface().positions;
+  queue.key('`', true);
+  settle();
+  EXPECT_EQ(shownMuscles(), 0);
+  queue.key('`', false);
+  settle();
+  EXPECT_EQ(shownMuscles(), all);
+  queue.move(center("toolstrip/before"));
+  settle();
+  queue.button(0, true);
+  settle();
+  EXPECT_EQ(shownMuscles(), 0);
+  queue.button(0, false);
+  settle();
+  EXPECT_EQ(state.live->surface().positions, with);
+}
+
+TEST_F(Outliner, HiddenSurvivesUndoAndGoesWithTheName) {
+  click("outliner/eye/glute L");
+  const int shownThen = shownMuscles();
+  EXPECT_EQ(rename(state, "glute L", "left one"), "");
+  settle();
+  EXPECT_EQ(shownMuscles(), shownThen);
+  undo(state);
+  settle();
+  EXPECT_EQ(shownMuscles(), shownThen);
+  EXPECT_TRUE(state.document.visibility.hidden.muscles.contains("glute L"));
+  state.document.selection.set("glute L");
+  deleteSelection(state);
+  settle();
+  undo(state);
+  settle();
+  EXPECT_EQ(shownMuscles(), shownThen);
+}
+
+TEST_F(Outliner, AMuscleDraggedOntoABoneKeepsItsPlace) {
+  const auto place = [&] {
+    const Primitive& primitive = state.document.rig().primitives[static_cast<std::size_t>(indexOf("glute L"))];
+    const int bone = state.character().skeleton.findBone(primitive.bone).value_or(0);
+    const auto& matrices = state.live->pose().boneInWorld;
+    return glm::vec3(matrices[static_cast<std::size_t>(bone)] * glm::vec4(primitive.placement.center, 1.0f));
+  };
+  const glm::vec3 before = place();
+  const std::string from = state.document.rig().primitives[static_cast<std::size_t>(indexOf("glute L"))].bone;
+  const glm::vec2 way = center("outliner/bone/spine") - center("outliner/muscle/glute L");
+  drag("outliner/muscle/glute L", way);
+  EXPECT_EQ(state.document.rig().primitives[static_cast<std::size_t>(indexOf("glute L"))].bone, "spine");
+  EXPECT_LT(glm::length(place() - before), 1e-5f * state.character().height);
+  EXPECT_EQ(steps(), 1u);
+  undo(state);
+  EXPECT_EQ(state.document.rig().primitives[static_cast<std::size_t>(indexOf("glute L"))].bone, from);
+}
+
+TEST_F(Outliner, DoubleClickRenamesInPlace) {
+  doubleClick("outliner/muscle/glute L");
+  ASSERT_TRUE(shown("outliner/rename"));
+  press(kKeyA, true);
+  type("gluteus");
+  press(kEnter);
+  EXPECT_GE(indexOf("gluteus"), 0);
+  EXPECT_EQ(steps(), 1u);
+}
+
+TEST_F(Outliner, WhatHasNoBoneStandsApartAndCanBeAttached) {
+  Rig rig = state.document.rig();
+  Primitive lost;
+  lost.name = "lost";
+  lost.bone = "wing";
+  rig = addPrimitive(rig, lost).value();
+  state.document.commands.apply("Lost", rig);
+  settle();
+  ASSERT_TRUE(shown("outliner/unattached"));
+  ASSERT_TRUE(shown("outliner/muscle/lost"));
+  reparentMuscles(state, {indexOf("lost")}, 0);
+  settle();
+  EXPECT_FALSE(shown("outliner/unattached"));
+}
+
+TEST_F(Outliner, ALockedMuscleIsNotPickable) {
+  click("outliner/lock/glute L");
+  EXPECT_FALSE(isPickable(state.document.visibility, state.document.rig(), state.character().skeleton,
+                          indexOf("glute L")));
+  EXPECT_EQ(shownMuscles(), static_cast<int>(state.document.rig().primitives.size()));
+}
+
+TEST(OutlinerRows, AThousandMusclesOnFiveHundredBones) {
+  Skeleton skeleton;
+  for (int b = 0; b < 500; ++b) {
+    skeleton.nodes.emplace_back();
+    Bone bone;
+    bone.name = "bone " + std::to_string(b);
+    bone.node = b;
+    bone.parent = b - 1;
+    skeleton.bones.push_back(bone);
+  }
+  finishBones(skeleton);
+  Rig rig;
+  rig.groups.push_back({"muscles", {}});
+  std::vector<int> boneOf;
+  for (int i = 0; i < 1000; ++i) {
+    Primitive primitive;
+    primitive.name = "muscle " + std::to_string(i);
+    boneOf.push_back(i % 500);
+    rig.primitives.push_back(primitive);
+  }
+  const std::set<std::string> none;
+  EXPECT_EQ(outlinerRows(rig, skeleton, boneOf, {"", false, &none, false}).size(), 1500u);
+  const auto found = outlinerRows(rig, skeleton, boneOf, {"muscle 999", false, &none, false});
+  EXPECT_EQ(found.size(), 501u);
+  EXPECT_EQ(found.back().index, 999);
+}
+
+}  // namespace
+}  // namespace sinew::app

@@ -1,0 +1,107 @@
+// tests/panels/palette_search_test.cpp: what one means by a few letters comes first.
+
+#include "app/panels/palette_search.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+#include <vector>
+
+namespace sinew::app {
+namespace {
+
+std::vector<std::string> found(const std::string& query, const std::vector<Candidate>& candidates) {
+  std::vector<std::string> labels;
+  for (const Found& one : search(query, candidates, 100)) labels.push_back(candidates[one.index].label);
+  return labels;
+}
+
+std::vector<Candidate> named(const std::vector<std::string>& labels) {
+  std::vector<Candidate> candidates;
+  for (const std::string& label : labels) candidates.push_back({label, "", -1, true});
+  return candidates;
+}
+
+TEST(PaletteSearch, LettersInOrderFitOthersDoNot) {
+  EXPECT_TRUE(fitOf("smn", "Select nothing") == std::nullopt);
+  EXPECT_TRUE(fitOf("sn", "Select nothing").has_value());
+  EXPECT_TRUE(fitOf("SELECT", "select nothing").has_value());
+  EXPECT_FALSE(fitOf("nothings", "nothing").has_value());
+  EXPECT_TRUE(fitOf("", "anything").has_value());
+  EXPECT_TRUE(fitOf("  ", "anything").has_value());
+  EXPECT_FALSE(fitOf("a", "").has_value());
+}
+
+TEST(PaletteSearch, WordsMayStandInAnyOrder) {
+  EXPECT_TRUE(fitOf("left thigh", "thigh left").has_value());
+  EXPECT_FALSE(fitOf("left arm", "thigh left").has_value());
+}
+
+TEST(PaletteSearch, MarksAreTheLettersThatWereAskedFor) {
+  const auto fit = fitOf("sk", "Skeleton");
+  ASSERT_TRUE(fit.has_value());
+  EXPECT_EQ(fit->marks, (std::vector<std::size_t>{0, 1}));
+  const auto initials = fitOf("fs", "Frame selection");
+  ASSERT_TRUE(initials.has_value());
+  EXPECT_EQ(initials->marks, (std::vector<std::size_t>{0, 6}));
+}
+
+TEST(PaletteSearch, TheBeginningOfWordsBeatsTheirMiddle) {
+  EXPECT_EQ(found("wi", named({"Show wide", "Wire", "Swim"})).front(), "Wire");
+  EXPECT_EQ(found("sa", named({"Mesa", "Save as..."})).front(), "Save as...");
+  EXPECT_EQ(found("redo", named({"Reverse direction of", "Redo"})).front(), "Redo");
+  EXPECT_EQ(found("ll", named({"ball", "LeftLeg"})).front(), "LeftLeg");
+}
+
+TEST(PaletteSearch, AWholeNameBeatsALongerOne) {
+  EXPECT_EQ(found("spine", named({"spine upper", "Spine"})).front(), "Spine");
+}
+
+TEST(PaletteSearch, TheLabelCountsMoreThanTheContext) {
+  std::vector<Candidate> candidates{{"glute L", "Muscle on hips", -1, true}, {"hips", "Bone", -1, true}};
+  EXPECT_EQ(found("hips", candidates), (std::vector<std::string>{"hips", "glute L"}));
+  EXPECT_EQ(found("muscle", candidates), (std::vector<std::string>{"glute L"}));
+}
+
+TEST(PaletteSearch, WithoutAQueryLatelyUsedComesFirstThenTheTableInItsOrder) {
+  std::vector<Candidate> candidates{{"a", "", -1, true}, {"b", "", 1, true}, {"c", "", -1, true}, {"d", "", 0, true}};
+  EXPECT_EQ(found("", candidates), (std::vector<std::string>{"d", "b", "a", "c"}));
+}
+
+TEST(PaletteSearch, AmongEqualsTheLatelyUsedComesFirst) {
+  std::vector<Candidate> candidates{{"Left", "", -1, true}, {"Lift", "", 2, true}};
+  EXPECT_EQ(found("l", candidates).front(), "Lift");
+}
+
+TEST(PaletteSearch, WhatCannotBeDoneNowWeighsLessButNothingElseIsDoneInItsPlace) {
+  std::vector<Candidate> candidates{{"Undo", "", 0, false}, {"Sound", "", -1, true}, {"Undone", "", -1, true}};
+  EXPECT_EQ(found("und", candidates), (std::vector<std::string>{"Undone", "Undo", "Sound"}));
+  EXPECT_EQ(found("undo", candidates).front(), "Undo");
+  EXPECT_EQ(found("", candidates), (std::vector<std::string>{"Sound", "Undone", "Undo"}));
+}
+
+TEST(PaletteSearch, NoMoreThanAskedFor) {
+  EXPECT_EQ(search("", named({"a", "b", "c"}), 2).size(), 2u);
+}
+
+TEST(PaletteSearch, AnyTextFitsItselfAndEveryMarkIsALetterOfTheQuery) {
+  std::mt19937 random(5);
+  for (int round = 0; round < 500; ++round) {
+    std::string text;
+    for (unsigned i = 0; i < 1 + random() % 20; ++i) text.push_back(static_cast<char>('a' + random() % 4));
+    std::string query;
+    for (const char c : text) {
+      if (random() % 2 == 0) query.push_back(c);
+    }
+    const auto fit = fitOf(query, text);
+    ASSERT_TRUE(fit.has_value()) << query << " in " << text;
+    std::string marked;
+    for (const std::size_t mark : fit->marks) marked.push_back(text.at(mark));
+    EXPECT_EQ(marked, query);
+    EXPECT_GE(fitOf(text, text)->score, fit->score);
+  }
+}
+
+}  // namespace
+}  // namespace sinew::app

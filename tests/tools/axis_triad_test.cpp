@@ -1,0 +1,173 @@
+// tests/tools/axis_triad_test.cpp: the ball of axes shows the camera and turns it.
+#include "app/tools/axis_triad.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "tests/support/random_rigs.h"
+
+namespace sinew::app {
+namespace {
+
+using test::Random;
+
+constexpr glm::ivec2 kSize{900, 600};
+constexpr std::array<AxisEnd, 6> kEnds{AxisEnd::kX, AxisEnd::kMinusX, AxisEnd::kY,
+                                       AxisEnd::kMinusY, AxisEnd::kZ, AxisEnd::kMinusZ};
+
+glm::vec3 direction(AxisEnd end) {
+  switch (end) {
+    case AxisEnd::kX: return {1, 0, 0};
+    case AxisEnd::kMinusX: return {-1, 0, 0};
+    case AxisEnd::kY: return {0, 1, 0};
+    case AxisEnd::kMinusY: return {0, -1, 0};
+    case AxisEnd::kZ: return {0, 0, 1};
+    case AxisEnd::kMinusZ: break;
+  }
+  return {0, 0, -1};
+}
+
+Camera anyCamera(Random& random) {
+  Camera camera;
+  camera.orthographic = random.chance(0.5f);
+  camera.stand = {glm::vec3(random.uniform(-1, 1)), random.uniform(1, 6), random.uniform(-3, 3),
+                  random.uniform(-1.3f, 1.3f)};
+  return camera;
+}
+
+TriadLayout::End endOf(const TriadLayout& layout, AxisEnd end) {
+  return *std::ranges::find(layout.ends, end, &TriadLayout::End::end);
+}
+
+/// One frame with the pointer at a pixel.
+FrameInput at(const glm::vec2& pixel) {
+  FrameInput input;
+  input.mouse = pixel;
+  return input;
+}
+FrameInput press(const glm::vec2& pixel) {
+  FrameInput input = at(pixel);
+  input.buttons[0] = {true, true, false, false};
+  return input;
+}
+FrameInput hold(const glm::vec2& pixel) {
+  FrameInput input = at(pixel);
+  input.buttons[0].down = true;
+  return input;
+}
+FrameInput release(const glm::vec2& pixel) {
+  FrameInput input = at(pixel);
+  input.buttons[0].released = true;
+  return input;
+}
+
+void click(AxisTriad& triad, Camera& camera, const glm::vec2& pixel) {
+  EXPECT_TRUE(routeTriad(triad, camera, press(pixel), kSize, 1.0f));
+  EXPECT_TRUE(routeTriad(triad, camera, release(pixel), kSize, 1.0f));
+}
+
+glm::vec3 forwardAfter(Camera camera) {
+  advance(camera, 1.0f);
+  return viewOf(camera, kSize).forwardInWorld();
+}
+
+TEST(AxisTriad, EndsLieWhereTheirAxesPointInThePicture) {
+  Random random(31);
+  for (int i = 0; i < 100; ++i) {
+    const Camera camera = anyCamera(random);
+    const float scale = random.uniform(1.0f, 2.5f);
+    const TriadLayout layout = layoutTriad(camera, kSize, scale);
+    const glm::mat3 rotation(viewOf(camera, kSize).viewFromWorld);
+    float depth = -2.0f;
+    for (const TriadLayout::End& end : layout.ends) {
+      const glm::vec3 seen = rotation * direction(end.end);
+      const glm::vec2 away = (end.pixel - layout.centre) / layout.radius;
+      EXPECT_LT(glm::distance(away, 0.78f * glm::vec2(seen.x, -seen.y)), 1e-3f);
+      EXPECT_GE(end.depth, depth);  // Furthest first.
+      depth = end.depth;
+      EXPECT_LE(glm::length(away) + end.radius / layout.radius, 1.03f);
+    }
+    // All of it stands in the picture, in the lower right corner.
+    EXPECT_LE(layout.centre.x + layout.radius, static_cast<float>(kSize.x));
+    EXPECT_LE(layout.centre.y + layout.radius, static_cast<float>(kSize.y));
+    EXPECT_FLOAT_EQ(layout.radius, kTriadRadius * scale);
+  }
+}
+
+TEST(AxisTriad, AClickLooksFromTheEndAndTheNextFromTheOpposite) {
+  Random random(32);
+  for (int i = 0; i < 60; ++i) {
+    const AxisEnd end = kEnds[static_cast<std::size_t>(i) % 6];
+    Camera camera = anyCamera(random);
+    AxisTriad triad;
+    const glm::vec2 pixel = endOf(layoutTriad(camera, kSize, 1.0f), end).pixel;
+    if (axisEndAt(layoutTriad(camera, kSize, 1.0f), pixel) != end) continue;  // Behind another.
+    click(triad, camera, pixel);
+    EXPECT_TRUE(isMoving(camera));
+    EXPECT_LT(glm::distance(forwardAfter(camera), -direction(end)), 1e-4f);
+    advance(camera, 1.0f);
+    const TriadLayout arrived = layoutTriad(camera, kSize, 1.0f);
+    EXPECT_EQ(axisEndAt(arrived, arrived.centre), end);  // It has come to the middle, nearest to the eye.
+    click(triad, camera, arrived.centre);
+    EXPECT_LT(glm::distance(forwardAfter(camera), direction(end)), 1e-4f);
+  }
+}
+
+TEST(AxisTriad, ADragOrbitsAndIsNoClick) {
+  Camera camera;
+  AxisTriad triad;
+  const TriadLayout layout = layoutTriad(camera, kSize, 1.0f);
+  const glm::vec2 start = endOf(layout, AxisEnd::kZ).pixel;
+  const CameraStand before = camera.stand;
+  EXPECT_TRUE(routeTriad(triad, camera, press(start), kSize, 1.0f));
+  for (int step = 1; step <= 20; ++step) {
+    // Far out of the ball: the drag goes on.
+    EXPECT_TRUE(routeTriad(triad, camera, hold(start + glm::vec2(-10.0f * static_cast<float>(step), 0)), kSize, 1.0f));
+  }
+  EXPECT_TRUE(routeTriad(triad, camera, release(start + glm::vec2(-200, 0)), kSize, 1.0f));
+  EXPECT_FALSE(triad.ownsMouse());
+  EXPECT_FALSE(isMoving(camera));
+  EXPECT_EQ(camera.stand.target, before.target);
+  EXPECT_EQ(camera.stand.distance, before.distance);
+  EXPECT_NE(camera.stand.yaw, before.yaw);
+}
+
+TEST(AxisTriad, TakesTheMouseOnTheBallAloneAndNeverFromOthers) {
+  Camera camera;
+  AxisTriad triad;
+  const TriadLayout layout = layoutTriad(camera, kSize, 1.0f);
+  EXPECT_TRUE(passTriad(triad, camera, at(layout.centre), kSize, 1.0f, false).mouseTaken);
+  EXPECT_FALSE(passTriad(triad, camera, at({100, 100}), kSize, 1.0f, false).mouseTaken);
+  EXPECT_FALSE(passTriad(triad, camera, press({100, 100}), kSize, 1.0f, false).mouseTaken);
+  // A drag of something else passes over it.
+  EXPECT_FALSE(passTriad(triad, camera, hold(layout.centre), kSize, 1.0f, true).mouseTaken);
+  EXPECT_FALSE(triad.ballHovered);
+  // A panel lies over it.
+  FrameInput covered = press(layout.centre);
+  covered.mouseTaken = true;
+  const CameraStand before = camera.stand;
+  EXPECT_FALSE(routeTriad(triad, camera, covered, kSize, 1.0f));
+  EXPECT_FALSE(triad.ownsMouse());
+  EXPECT_EQ(camera.stand.yaw, before.yaw);
+  // A release that never came (the window lost the focus) ends the press all the same.
+  EXPECT_TRUE(routeTriad(triad, camera, press(layout.centre + glm::vec2(0, 30)), kSize, 1.0f));
+  routeTriad(triad, camera, at({100, 100}), kSize, 1.0f);
+  EXPECT_FALSE(triad.ownsMouse());
+}
+
+TEST(AxisTriad, TellsWhatAClickDoes) {
+  Camera camera;
+  AxisTriad triad;
+  EXPECT_STREQ(describe(triad), "");
+  for (const AxisEnd end : kEnds) {
+    camera.stand.yaw = 0.5f;
+    camera.stand.pitch = 0.35f;
+    const TriadLayout layout = layoutTriad(camera, kSize, 1.0f);
+    routeTriad(triad, camera, at(endOf(layout, end).pixel), kSize, 1.0f);
+    EXPECT_EQ(triad.hovered, axisEndAt(layout, endOf(layout, end).pixel));
+    EXPECT_NE(std::string(describe(triad)).find("Click"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace sinew::app
