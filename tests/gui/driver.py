@@ -222,6 +222,47 @@ class Editor:
         self.type(text)
         self.key("Return")
 
+    def one_sided(self):
+        """Symmetry off: what is added stays alone."""
+        if self.state()["symmetry"]["on"]:
+            self.tap("shift+s", "symmetry off", lambda s: not s["symmetry"]["on"])
+
+    def taps(self, *names):
+        """Taps one after the other without waiting for anything, in one breath."""
+        self.xdotool("key", "--delay", 1, *names)
+
+    def settle(self):
+        """What was done so far has been seen: events come in order, and the pointer's way there and back is the last."""
+        x, y = self.mouse if self.mouse else (640, 12)
+        self.move((x + (1 if x < 640 else -1), y))
+        self.move((x, y))
+        return self.state()
+
+    def palette(self, words, entry):
+        """Finds and does something by name; entry is the id of the row that has to be the first one found."""
+        self.tap("ctrl+p", "the palette", lambda s: s["dialog"] == "palette" and "palette/query" in s["widgets"])
+        self.type(words)
+        self.wait_until("the palette to find " + entry, lambda s: "palette/" + entry in s["widgets"])
+        return self.tap("Return", "the palette to close",
+                        lambda s: s["dialog"] != "palette" and "palette/query" not in s["widgets"])
+
+    def select_bone(self, bone):
+        """From the palette, which brings it into the picture as well."""
+        self.palette(bone, "bone/" + bone)
+        return self.wait_until("the bone %s in the picture" % bone,
+                               lambda s: s["document"]["bone"] == bone and not s["camera_moving"])
+
+    def select_muscle(self, muscle):
+        self.palette(muscle, "muscle/" + muscle)
+        return self.wait_until("the muscle %s in the picture" % muscle,
+                               lambda s: s["document"]["selection"] == [muscle] and not s["camera_moving"])
+
+    def pick(self, choice, entry):
+        """An entry of a drop-down list."""
+        self.click(choice)
+        self.click(choice + "/" + entry)
+        return self.wait_until("the list of %s to close" % choice, lambda s: choice + "/" + entry not in s["widgets"])
+
     def choose_clip(self, index, name):
         self.click("timeline/clip")
         self.click("timeline/clip/%d" % index)
@@ -289,9 +330,13 @@ class Editor:
         self.key("ctrl+q")
         return self.wait_for_end()
 
-    def stop(self):
+    def kill(self):
+        """As a crash would end it: without a word."""
         self.process.kill()
         self.process.wait()
+
+    def stop(self):
+        self.kill()
         self.log.close()
 
 

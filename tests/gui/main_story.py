@@ -26,6 +26,7 @@ def open_and_look(t, editor, role):
     t.check_equal("opens with its first clip", state["clip"], state["clips"][0])
     t.check("the clip plays at once", state["playing"])
     t.check_equal("the rig is empty", (state["document"]["primitives"], state["document"]["modified"]), (0, False))
+    editor.one_sided()
     editor.choose_clip(-1, "")
     if role["orbit"]:
         before = editor.state()["bones"]

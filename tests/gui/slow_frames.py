@@ -28,6 +28,7 @@ def heavy(t):
     """A document whose frames are long: one muscle, depth 8, wire, playing."""
     editor = t.edit(t.copy(t.assets / "demo.glb"))
     editor.wait_until("a character", lambda s: BONE in s["bones"])
+    editor.one_sided()
     editor.choose_clip(-1, "")
     editor.click("outliner/bone/" + BONE)
     editor.click("outliner/add")

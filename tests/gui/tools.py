@@ -13,6 +13,7 @@ def muscle_on_bone(t):
     """The demo in its bind pose with one muscle made from the outliner, saved."""
     editor = t.edit(t.copy(t.assets / "demo.glb"))
     editor.wait_until("a character", lambda s: BONE in s["bones"])
+    editor.one_sided()
     editor.choose_clip(-1, "")
     editor.click("outliner/bone/" + BONE)
     editor.wait_until("the bone to be selected", lambda s: s["document"]["bone"] == BONE)
