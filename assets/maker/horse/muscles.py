@@ -58,5 +58,13 @@ def shapes():
             for _, _, _, centre, (down, out), radii in _LEFT + _MIDDLE]
 
 
+def _folded():
+    """At a joint that folds far, a muscle leaves the skin on the other side alone: it would press through from behind."""
+    own = {"gaskin": ["shin.", "cannon_hind."], "forearm extensor": ["forearm.", "cannon_front."],
+           "biceps femoris": ["hips", "thigh."], "quadriceps": ["hips", "thigh."]}
+    return {name + " " + side: [bone + side if bone.endswith(".") else bone for bone in bones_of]
+            for name, bones_of in own.items() for side in "LR"}
+
+
 def rig():
-    return rig_text("horse.glb", "swell", 3, GROUPS, LINKS, primitives(_LEFT, _MIDDLE))
+    return rig_text("horse.glb", "swell", 3, GROUPS, LINKS, primitives(_LEFT, _MIDDLE, _folded()))
