@@ -81,7 +81,10 @@ class Sweller {
                         candidate.slot, p, direction);
     }
     const double end = outward ? ray_.lastLeave() : skin_.plateau();
-    const std::optional<double> found = firstRoot(ray_, end, settings_.projection, settings_.tolerance);
+    // The direction and the sign of phi must be one decision: where F is all but 0, rounding may see it otherwise along
+    // the ray, and a search for the wrong change would run to its end.
+    const std::optional<double> found =
+        firstChange(ray_, 0.0, end, outward, settings_.projection, settings_.tolerance);
     // Outwards only -T is left beyond the last term, so `end` is a root there; inwards a carve deeper than the skin's
     // own field stops at the plateau, continuously.
     const double t = found.value_or(end);

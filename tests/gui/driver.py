@@ -12,19 +12,12 @@ import sys
 import tempfile
 import time
 
-PATIENCE = 60.0  # Seconds that any one wait may take: generous, the picture is drawn in software on a shared machine.
-POLL = 0.004
+from acts import Acts
+from waiting import PATIENCE, Failure, Skip, wait_for
+
 SCREEN = (1280, 800)
 LEFT, MIDDLE, RIGHT = 1, 2, 3
 SKIPPED = 77  # What CTest takes as "left out".
-
-
-class Failure(Exception):
-    """A check did not hold, or what was waited for did not come."""
-
-
-class Skip(Exception):
-    """The scenario cannot run here; the text says why."""
 
 
 def die_with_parent():
@@ -32,26 +25,14 @@ def die_with_parent():
     ctypes.CDLL(None).prctl(1, signal.SIGKILL)
 
 
-def wait_for(what, condition, timeout=PATIENCE):
-    """Until condition() is true (returned) or the patience is over."""
-    end = time.monotonic() + timeout
-    while True:
-        found = condition()
-        if found:
-            return found
-        if time.monotonic() > end:
-            raise Failure("waited %.0f s in vain: %s" % (timeout, what))
-        time.sleep(POLL)
-
-
 class Display:
     """An Xvfb on a number of its own choosing."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, screen=SCREEN):
         read, write = os.pipe()
         self.complaints = open(folder / "xvfb.txt", "wb")
         self.process = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", "%dx%dx24" % SCREEN, "-nolisten", "tcp", "-noreset"],
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", "%dx%dx24" % screen, "-nolisten", "tcp", "-noreset"],
             pass_fds=[write], stdin=subprocess.DEVNULL, stdout=self.complaints, stderr=self.complaints,
             preexec_fn=die_with_parent)
         os.close(write)
@@ -67,10 +48,10 @@ class Display:
         self.complaints.close()
 
 
-class Editor:
+class Editor(Acts):
     """One run of the editor. State is the last line of its log, as a dictionary (keys: the design's section 7)."""
 
-    def __init__(self, scenario, file, name):
+    def __init__(self, scenario, file, name, arguments=()):
         self.scenario = scenario
         self.log_path = scenario.folder / (name + ".log.jsonl")
         self.log_path.write_bytes(b"")
@@ -78,7 +59,8 @@ class Editor:
         self.error_path = scenario.folder / (name + ".stderr.txt")
         with open(self.error_path, "wb") as errors:
             self.process = subprocess.Popen(
-                [scenario.program, "edit", str(file), "--log-state", str(self.log_path)], env=scenario.environment,
+                [scenario.program, "edit", str(file), "--log-state", str(self.log_path),
+                 *map(str, arguments)], env=scenario.environment,
                 cwd=scenario.folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=errors,
                 preexec_fn=die_with_parent)
         self.rest = b""
@@ -198,122 +180,6 @@ class Editor:
             self.move([a + (b - a) * i / steps for a, b in zip(start, end)])
         self.release(button)
 
-    # Whole acts ----------------------------------------------------------------------------------------------------
-
-    def act(self, what, do, predicate):
-        """Does it and waits for a state in which predicate holds."""
-        do()
-        return self.wait_until(what, predicate)
-
-    def tap(self, key, what, predicate):
-        return self.act(what, lambda: self.key(key), predicate)
-
-    def fill(self, field, text):
-        """Replaces what a text field holds and confirms."""
-        self.click(field)
-        self.key("ctrl+a")
-        self.type(text)
-        self.key("Return")
-
-    def type_number(self, field, text):
-        """A number into a drag or slider field: Ctrl and a click open it for typing."""
-        self.click(field, held="ctrl")
-        self.key("ctrl+a")
-        self.type(text)
-        self.key("Return")
-
-    def one_sided(self):
-        """Symmetry off: what is added stays alone."""
-        if self.state()["symmetry"]["on"]:
-            self.tap("shift+s", "symmetry off", lambda s: not s["symmetry"]["on"])
-
-    def taps(self, *names):
-        """Taps one after the other without waiting for anything, in one breath."""
-        self.xdotool("key", "--delay", 1, *names)
-
-    def settle(self):
-        """What was done so far has been seen: events come in order, and the pointer's way there and back is the last."""
-        x, y = self.mouse if self.mouse else (640, 12)
-        self.move((x + (1 if x < 640 else -1), y))
-        self.move((x, y))
-        return self.state()
-
-    def palette(self, words, entry):
-        """Finds and does something by name; entry is the id of the row that has to be the first one found."""
-        self.tap("ctrl+p", "the palette", lambda s: s["dialog"] == "palette" and "palette/query" in s["widgets"])
-        self.type(words)
-        self.wait_until("the palette to find " + entry, lambda s: "palette/" + entry in s["widgets"])
-        return self.tap("Return", "the palette to close",
-                        lambda s: s["dialog"] != "palette" and "palette/query" not in s["widgets"])
-
-    def select_bone(self, bone):
-        """From the palette, which brings it into the picture as well."""
-        self.palette(bone, "bone/" + bone)
-        return self.wait_until("the bone %s in the picture" % bone,
-                               lambda s: s["document"]["bone"] == bone and not s["camera_moving"])
-
-    def select_muscle(self, muscle):
-        self.palette(muscle, "muscle/" + muscle)
-        return self.wait_until("the muscle %s in the picture" % muscle,
-                               lambda s: s["document"]["selection"] == [muscle] and not s["camera_moving"])
-
-    def pick(self, choice, entry):
-        """An entry of a drop-down list."""
-        self.click(choice)
-        self.click(choice + "/" + entry)
-        return self.wait_until("the list of %s to close" % choice, lambda s: choice + "/" + entry not in s["widgets"])
-
-    def choose_clip(self, index, name):
-        self.click("timeline/clip")
-        self.click("timeline/clip/%d" % index)
-        return self.wait_until("the clip '%s'" % name, lambda s: s["clip"] == name and "timeline/clip/0" not in s["widgets"])
-
-    def grab(self, handle):
-        """Hovers a gizmo handle and presses on it."""
-        self.wait_until("the handle " + handle, lambda s: handle in s["gizmo"]["handles"])
-
-        def aim():
-            at = self.state()["gizmo"]["handles"].get(handle)
-            if at is None:
-                return False
-            self.move(at)
-            return self.state()["gizmo"]["hovered"] == handle
-
-        wait_for("the handle %s under the pointer" % handle, aim)
-        self.press()
-        self.wait_until("a drag of " + handle, lambda s: s["gizmo"]["dragging"])
-
-    def drag_handle(self, handle, way, during=None):
-        """Pulls a gizmo handle along offsets in pixels from where it was grabbed; during() happens before the release."""
-        undo = self.state()["document"]["undo"]
-        self.grab(handle)
-        start = self.mouse
-        for offset in way:
-            self.move((start[0] + offset[0], start[1] + offset[1]))
-        if during:
-            during()
-        self.release()
-        return self.wait_until("the drag of %s to be a step" % handle,
-                               lambda s: not s["gizmo"]["dragging"] and s["document"]["undo"] == undo + 1)
-
-    def save_as(self, path):
-        """Through the dialog, the path typed."""
-        self.tap("ctrl+shift+s", "the save dialog", lambda s: s["dialog"] == "save")
-        self.fill("dialog/path", str(path))
-        return self.wait_until("%s to be saved" % path,
-                               lambda s: s["dialog"] == "" and "dialog/path" not in s["widgets"] and
-                               s["document"]["path"] == str(path) and not s["document"]["modified"])
-
-    def saved_rig(self):
-        """Saves to the document's own file and reads it. Written atomically: a new file is a finished file."""
-        path = pathlib.Path(self.state()["document"]["path"])
-        before = path.stat()
-        self.key("ctrl+s")
-        wait_for("%s to be written anew" % path,
-                 lambda: (path.stat().st_ino, path.stat().st_mtime_ns) != (before.st_ino, before.st_mtime_ns))
-        self.wait_until("the document to count as saved", lambda s: not s["document"]["modified"])
-        return json.loads(path.read_text())
-
     def title(self):
         window = self.xdotool("search", "--onlyvisible", "--name", ".").split()[0]
         return self.xdotool("getwindowname", window).strip()
@@ -362,11 +228,11 @@ class Scenario:
         # The driver is unloaded before leaks are sought, so that its own count as ours.
         self.environment.setdefault("ASAN_OPTIONS", "detect_leaks=0")
 
-    def start_display(self):
+    def start_display(self, screen=SCREEN):
         missing = [tool for tool in ("Xvfb", "xdotool", "import") if shutil.which(tool) is None]
         if missing:
             raise Skip("no window can be driven here without " + ", ".join(missing))
-        self.display = Display(self.folder)
+        self.display = Display(self.folder, screen)
         self.environment["DISPLAY"] = self.display.name
 
     def copy(self, source, name=None):
@@ -375,8 +241,9 @@ class Scenario:
         shutil.copyfile(source, target)
         return target
 
-    def edit(self, file):
-        editor = Editor(self, file, "editor-%d" % (len(self.editors) + 1))
+    def edit(self, file, *arguments):
+        """An editor on a file, with more arguments for it if any are named."""
+        editor = Editor(self, file, "editor-%d" % (len(self.editors) + 1), arguments)
         self.editors.append(editor)
         return editor
 
@@ -418,12 +285,12 @@ class Scenario:
         shutil.rmtree(self.folder, ignore_errors=True)
 
 
-def run(name, story):
+def run(name, story, screen=SCREEN):
     """Runs story(scenario) and gives the exit status: 0, 1, or SKIPPED."""
     scenario = Scenario(name)
     begun = time.monotonic()
     try:
-        scenario.start_display()
+        scenario.start_display(screen)
         story(scenario)
     except Skip as reason:
         print("left out: %s" % reason)

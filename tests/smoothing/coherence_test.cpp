@@ -323,6 +323,8 @@ TEST(Coherence, SwellStepsUnderOnePercentOverMusclesThatLieInTheFlesh) {
     const TrialScene scene = bedded(rough);
     const Coherence walk = walked(scene, withMode(scene.rig, SurfaceMode::kSwell));
     EXPECT_LE(walk.largest.size, kAllowed) << scene.name;
+    EXPECT_GT(walk.largest.size, 0.0f) << scene.name << ": nothing moves";
+    EXPECT_GE(scene.rig.primitives.size(), 12u) << scene.name;
     const float rise = leastRise(scene);
     std::printf("      every muscle lifts the skin by %.4f H or more\n", static_cast<double>(rise));
     EXPECT_GT(rise, 0.002f) << scene.name << ": a muscle that nobody sees";
