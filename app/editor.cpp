@@ -147,7 +147,7 @@ class Editor {
     state_.systemScale = window_.contentScale();
     state_.uiScale = scaleOf(window_, state_, options_);
     imgui_.setScale(state_.uiScale);
-    imgui_.beginFrame(input, since);
+    imgui_.beginFrame(input, since, state_.stats.now() * 1e-3);
     state_.wakeAfter = 0.0;
     const double uiStart = secondsNow();
     keys(input);
@@ -277,7 +277,11 @@ int runEditor(const EditorOptions& options) {
   keeper.start(state);
   const float grown = options.scale > 0.0f ? options.scale : std::max(state.preferences.scale, 1.0f);
   const glm::ivec2 size(glm::vec2(kWindowSize) * grown);
-  const Result<std::unique_ptr<Window>> window = Window::open(size, kTitle, geometryOf(state.preferences.window));
+  std::optional<WindowGeometry> place = geometryOf(state.preferences.window);
+  // What a smaller interface left behind has no room for a larger one.
+  const bool larger = options.scale > std::max(state.preferences.scale, 1.0f);
+  if (place && larger && (place->size.x < size.x || place->size.y < size.y)) place.reset();
+  const Result<std::unique_ptr<Window>> window = Window::open(size, kTitle, place);
   if (!window) return refuse(window.error());
   const Result<std::unique_ptr<Viewport>> viewport = Viewport::create(Viewport::defaultSamples());
   if (!viewport) return refuse(viewport.error());

@@ -13,6 +13,7 @@ bool isTool(const State& s) {
 }
 template <ToolKind kTool>
 void chooseTool(State& s) {
+  endTerritoryMode(s);  // It takes the clicks that the tool is chosen for.
   setTool(s.tools, kTool);
 }
 

@@ -115,6 +115,28 @@ float distanceToSegment(const glm::vec2& p, const glm::vec2& a, const glm::vec2&
   return glm::length(p - a - t * way);
 }
 
+using Curve = std::array<glm::vec2, 17>;
+
+/// A straight line; or, where a third node would hide a part of it, one that bends around that node.
+Curve curveOf(const Graph& graph, const std::array<int, 2>& edge) {
+  const glm::vec2 a = graph.place(edge[0]);
+  const glm::vec2 b = graph.place(edge[1]);
+  const glm::vec2 way = b - a;
+  const glm::vec2 across = glm::vec2(-way.y, way.x) / std::max(glm::length(way), 1.0f);
+  glm::vec2 bend(0.0f);
+  for (int group = 0; group < static_cast<int>(graph.at.size()); ++group) {
+    if (group == edge[0] || group == edge[1]) continue;
+    if (distanceToSegment(graph.place(group), a, b) >= graph.rim()) continue;
+    bend = across * (glm::dot(graph.place(group) - a, across) > 0.0f ? -8.0f : 8.0f) * graph.rim();
+  }
+  Curve curve;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const float t = static_cast<float>(i) / static_cast<float>(curve.size() - 1);
+    curve[i] = a + t * way + t * (1.0f - t) * bend;
+  }
+  return curve;
+}
+
 Hit hitAt(const Graph& graph, const glm::vec2& mouse) {
   Hit hit;
   for (int group = static_cast<int>(graph.at.size()) - 1; group >= 0; --group) {
@@ -124,8 +146,11 @@ Hit hitAt(const Graph& graph, const glm::vec2& mouse) {
   }
   float nearest = graph.ui.px(kEdgeReach);
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
-    const auto& [a, b] = graph.edges[e];
-    const float distance = distanceToSegment(mouse, graph.place(a), graph.place(b));
+    const Curve curve = curveOf(graph, graph.edges[e]);
+    float distance = nearest;
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+      distance = std::min(distance, distanceToSegment(mouse, curve[i - 1], curve[i]));
+    }
     if (distance >= nearest) continue;
     nearest = distance;
     hit = {Part::kEdge, -1, static_cast<int>(e)};
@@ -257,8 +282,10 @@ void drawEdges(const Graph& graph, ImDrawList& list) {
     const auto& [a, b] = graph.edges[e];
     const bool hovered = graph.hit.part == Part::kEdge && graph.hit.edge == static_cast<int>(e);
     const Tint color = hovered ? palette::kError : palette::kMuted.faded(0.75f);
-    list.AddLine(point(graph.place(a)), point(graph.place(b)), color.packed(), graph.ui.px(hovered ? 3.0f : 2.0f));
-    const glm::vec2 middle = 0.5f * (graph.place(a) + graph.place(b));
+    const Curve curve = curveOf(graph, graph.edges[e]);
+    for (const glm::vec2& place : curve) list.PathLineTo(point(place));
+    list.PathStroke(color.packed(), ImDrawFlags_None, graph.ui.px(hovered ? 3.0f : 2.0f));
+    const glm::vec2 middle = curve[curve.size() / 2];
     const float half = graph.ui.px(4);
     if (hovered) list.AddCircleFilled(point(middle), half, color.packed(), 12);
     graph.ui.widgets.note("blending/edge/" + graph.name(a) + "/" + graph.name(b),

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <string>
 #include <system_error>
 
@@ -83,7 +84,8 @@ float drawMenuBar(Ui& ui) {
       ImGui::EndMenu();
     }
     const std::string name = ui.state.document.name() + (ui.state.document.commands.modified() ? " *" : "");
-    ImGui::SameLine(0.5f * (ImGui::GetWindowWidth() - ImGui::CalcTextSize(name.c_str()).x));
+    const float centred = 0.5f * (ImGui::GetWindowWidth() - ImGui::CalcTextSize(name.c_str()).x);
+    ImGui::SameLine(std::max(centred, ImGui::GetCursorPosX() + ui.px(12)));
     if (ui.state.hasCharacter()) mutedText(name.c_str());
     ImGui::EndMainMenuBar();
   }

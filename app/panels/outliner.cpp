@@ -154,6 +154,7 @@ void drawLeftTabs(Ui& ui) {
     drawOutliner(ui);
   } else {
     drawBlending(ui);
+    keepDraggedShown(ui);
   }
 }
 

@@ -137,12 +137,18 @@ void drawRename(Row& row) {
   if (entered || left) rename_ = {};
 }
 
+void drawDragged(Ui& ui, int index) {
+  const auto& primitives = ui.state.document.rig().primitives;
+  const std::size_t count = draggedMuscles(ui.state, index).size();
+  const std::string& name = primitives[static_cast<std::size_t>(index)].name;
+  ImGui::TextUnformatted((count == 1 ? name : std::to_string(count) + " muscles").c_str());
+  mutedText("Drop on a bone or a group");
+}
+
 void dragSource(Row& row) {
   if (!ImGui::BeginDragDropSource()) return;
   ImGui::SetDragDropPayload(kMusclePayload, &row.row.index, sizeof row.row.index);
-  const std::size_t count = draggedMuscles(row.ui.state, row.row.index).size();
-  ImGui::TextUnformatted((count == 1 ? row.primitive().name : std::to_string(count) + " muscles").c_str());
-  mutedText("Drop on a bone or a group");
+  drawDragged(row.ui, row.row.index);
   ImGui::EndDragDropSource();
 }
 
@@ -270,6 +276,16 @@ void drawOutlinerRow(Ui& ui, const OutlinerFrame& frame, int position) {
   ImGui::PopID();
   ImGui::PopID();
   ImGui::SetCursorScreenPos({low.x, low.y + frame.rowHeight});
+}
+
+void keepDraggedShown(Ui& ui) {
+  const ImGuiPayload* payload = ImGui::GetDragDropPayload();
+  if (payload == nullptr || !payload->IsDataType(kMusclePayload)) return;
+  const int index = *static_cast<const int*>(payload->Data);
+  if (static_cast<std::size_t>(index) >= ui.state.document.rig().primitives.size()) return;
+  if (!ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceExtern)) return;
+  drawDragged(ui, index);
+  ImGui::EndDragDropSource();
 }
 
 }  // namespace sinew::app

@@ -21,6 +21,8 @@ struct OutlinerFrame {
 
 /// At the cursor; leaves the cursor below it.
 void drawOutlinerRow(Ui& ui, const OutlinerFrame& frame, int position);
+/// Once a frame where no row is drawn that a muscle may be dragged from: what is dragged stays beside the pointer.
+void keepDraggedShown(Ui& ui);
 
 // In outliner_menu.cpp.
 

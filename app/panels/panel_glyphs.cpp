@@ -188,14 +188,18 @@ void clippedText(ImDrawList& list, const ImVec2& at, float width, ImU32 color, c
     list.AddText(at, color, text.c_str());
     return;
   }
-  const float dots = ImGui::CalcTextSize("...").x;
-  const char* end = text.c_str() + text.size();
-  float left = 0.0f;
-  ImFont& font = *ImGui::GetFont();
-  font.CalcTextSizeA(ImGui::GetFontSize(), std::max(width - dots, 0.0f), 0.0f, text.c_str(), end, &end);
-  left = ImGui::CalcTextSize(text.c_str(), end).x;
-  list.AddText(at, color, text.c_str(), end);
-  list.AddText({at.x + left, at.y}, color, "...");
+  // The end stays, as names that begin alike differ there: "rectus abd...upper L".
+  const float room = std::max(width - ImGui::CalcTextSize("...").x, 0.0f);
+  const char* const last = text.c_str() + text.size();
+  const char* tail = last;
+  for (const char* c = last; c > text.c_str() && ImGui::CalcTextSize(c, last).x <= 0.4f * room; --c) {
+    if ((static_cast<unsigned char>(*c) & 0xC0u) != 0x80u) tail = c;
+  }
+  const float tailWidth = ImGui::CalcTextSize(tail, last).x;
+  const char* end = last;
+  ImGui::GetFont()->CalcTextSizeA(ImGui::GetFontSize(), room - tailWidth, 0.0f, text.c_str(), last, &end);
+  const std::string shown = std::string(text.c_str(), end) + "..." + tail;
+  list.AddText(at, color, shown.c_str());
 }
 
 }  // namespace sinew::app

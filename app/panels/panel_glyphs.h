@@ -36,7 +36,7 @@ bool glyphButton(Ui& ui, const std::string& id, Glyph glyph, bool active, float 
 /// @return the index that was clicked, or -1
 int segmented(Ui& ui, const std::string& id, const char* const* words, int count, int chosen, float width);
 
-/// Text cut with an ellipsis to fit a width, into a draw list.
+/// Text with an ellipsis in its middle if it does not fit a width, into a draw list.
 void clippedText(ImDrawList& list, const ImVec2& at, float width, ImU32 color, const std::string& text);
 
 }  // namespace sinew::app

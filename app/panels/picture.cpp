@@ -103,7 +103,7 @@ void Picture::draw(EditorState& state, const View& view, ImDrawList& list) {
   }
   if (state.tools.tool == ToolKind::kAddMuscle && !state.tools.addMuscle.drag) {
     drawLanding(list, state.tools.hover, state.character(), state.live->pose(), view, {v.x, v.y},
-                v.z / static_cast<float>(state.viewportPixels.x));
+                v.z / static_cast<float>(state.viewportPixels.x), state.uiScale);
   }
   const float unitsPerPixel = v.z / static_cast<float>(state.viewportPixels.x);
   drawTriad(list, state.triad,

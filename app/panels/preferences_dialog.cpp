@@ -74,10 +74,10 @@ void autosaveRow(Ui& ui) {
   label(ui, "Autosave");
   auto seconds = static_cast<float>(ui.state.preferences.autosaveSeconds);
   ImGui::SetNextItemWidth(-1.0f);
-  beginFilledSlider();
+  beginFilledSlider(ui, std::log(seconds / 5.0f) / std::log(300.0f / 5.0f));
   const bool changed = ImGui::SliderFloat("##autosave", &seconds, 5.0f, 300.0f, "every %.0f seconds",
                                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-  endFilledSlider(ui, std::log(seconds / 5.0f) / std::log(300.0f / 5.0f));
+  endFilledSlider();
   ui.widgets.note("preferences/autosave");
   if (changed) ui.state.preferences.autosaveSeconds = static_cast<double>(std::round(seconds));
   explain(ui,

@@ -47,10 +47,10 @@ void depthRow(Ui& ui, const SmoothingSettings& before, Changed changed) {
   int depth = before.autoDepth ? ui.state.live->depth() : before.depth;
   const int deepest = std::max(kDepthOfSlider, depth);
   ImGui::BeginDisabled(before.autoDepth);
-  beginFilledSlider();
+  beginFilledSlider(ui, static_cast<float>(depth) / static_cast<float>(deepest));
   const bool edited = ImGui::SliderInt("##depth", &depth, 1, deepest, before.autoDepth ? "auto: %d" : "%d",
                                        ImGuiSliderFlags_AlwaysClamp);
-  endFilledSlider(ui, static_cast<float>(depth) / static_cast<float>(deepest));
+  endFilledSlider();
   editField(ui, "smoothing/depth", "Depth", edited && !before.autoDepth,
             [&] { return changed([&](SmoothingSettings& s) { s.depth = depth; }); });
   ImGui::EndDisabled();
@@ -68,10 +68,10 @@ template <class Changed>
 void creaseRow(Ui& ui, const SmoothingSettings& before, Changed changed) {
   beginRow(ui, "Crease");
   float degrees = before.creaseAngle;
-  beginFilledSlider();
+  beginFilledSlider(ui, degrees / kNoCreases);
   const bool edited = ImGui::SliderFloat("##crease", &degrees, 0.0f, kNoCreases,
                                          degrees >= kNoCreases ? "smooth" : "%.0f deg", ImGuiSliderFlags_AlwaysClamp);
-  endFilledSlider(ui, degrees / kNoCreases);
+  endFilledSlider();
   editField(ui, "smoothing/crease", "Crease angle", edited,
             [&] { return changed([&](SmoothingSettings& s) { s.creaseAngle = degrees; }); });
   tooltip(ui, "Faces that meet at a sharper angle than this keep a hard edge. 180: smooth everywhere.");
@@ -91,17 +91,17 @@ void drawSurfacePanel(Ui& ui) {
             [&](SurfaceMode mode) { return changed([&](SurfaceSettings& s) { s.mode = mode; }); });
   beginRow(ui, "Iso value");
   float iso = before.iso;
-  beginFilledSlider();
+  beginFilledSlider(ui, (iso - kIsoRange[0]) / (kIsoRange[1] - kIsoRange[0]));
   bool edited = ImGui::SliderFloat("##iso", &iso, kIsoRange[0], kIsoRange[1], "%.3f");
-  endFilledSlider(ui, (iso - kIsoRange[0]) / (kIsoRange[1] - kIsoRange[0]));
+  endFilledSlider();
   editField(ui, "surface/iso", "Iso value", edited, [&] { return changed([&](SurfaceSettings& s) { s.iso = iso; }); });
   tooltip(ui, "Where muscles that blend count as surface. A lone muscle keeps its radii; higher blends tighter.");
   beginRow(ui, "Skin blend");
   float percent = before.skinBlend * 100.0f;
-  beginFilledSlider();
+  beginFilledSlider(ui, std::log(percent / kBlendRange[0]) / std::log(kBlendRange[1] / kBlendRange[0]));
   edited =
       ImGui::SliderFloat("##blend", &percent, kBlendRange[0], kBlendRange[1], "%.1f %%", ImGuiSliderFlags_Logarithmic);
-  endFilledSlider(ui, std::log(percent / kBlendRange[0]) / std::log(kBlendRange[1] / kBlendRange[0]));
+  endFilledSlider();
   editField(ui, "surface/skin-blend", "Skin blend", edited,
             [&] { return changed([&](SurfaceSettings& s) { s.skinBlend = percent / 100.0f; }); });
   tooltip(ui, "How softly the skin runs out into a muscle, in per cent of the character's height.");

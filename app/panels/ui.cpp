@@ -98,23 +98,25 @@ void actionPill(Ui& ui, const std::string& id, const Action& action) {
   if (pressed) run(action, ui.state);
 }
 
-void beginFilledSlider() {
-  ImGui::PushStyleColor(ImGuiCol_SliderGrab, palette::kAccent.faded(0.0f));
-  ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, palette::kAccent.faded(0.0f));
+void beginFilledSlider(Ui& ui, float fraction) {
+  // Drawn before the slider, whose own frame is left out: so the number stands on the bar, not under it.
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const ImVec2 high{low.x + ImGui::CalcItemWidth(), low.y + ImGui::GetFrameHeight()};
+  const float end = low.x + std::clamp(fraction, 0.0f, 1.0f) * (high.x - low.x);
+  const float left = std::max(end - ui.px(3), low.x);
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  const bool lit = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(low, high, ImGui::GetColorU32(lit ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg), rounding);
+  list.AddRectFilled(low, {end, high.y}, ImGui::GetColorU32(palette::kAccent.faded(lit ? 0.30f : 0.22f)), rounding);
+  list.AddRectFilled({left, low.y}, {left + ui.px(3), high.y}, ImGui::GetColorU32(palette::kAccent), ui.px(1.5f));
+  for (const ImGuiCol part : {ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive, ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered,
+                              ImGuiCol_FrameBgActive}) {
+    ImGui::PushStyleColor(part, palette::kAccent.faded(0.0f));
+  }
 }
 
-void endFilledSlider(Ui& ui, float fraction) {
-  ImGui::PopStyleColor(2);
-  const ImVec2 low = ImGui::GetItemRectMin();
-  const ImVec2 high = ImGui::GetItemRectMax();
-  const float end = low.x + std::clamp(fraction, 0.0f, 1.0f) * (high.x - low.x);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
-  list.AddRectFilled(low, {end, high.y}, palette::kAccent.faded(lit ? 0.30f : 0.22f).packed(),
-                     ImGui::GetStyle().FrameRounding);
-  const float left = std::max(end - ui.px(3), low.x);
-  list.AddRectFilled({left, low.y}, {left + ui.px(3), high.y}, palette::kAccent.packed(), ui.px(1.5f));
-}
+void endFilledSlider() { ImGui::PopStyleColor(5); }
 
 void beginRow(Ui& ui, const char* label) {
   ImGui::AlignTextToFramePadding();

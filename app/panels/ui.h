@@ -39,8 +39,9 @@ void actionButton(Ui& ui, const std::string& id, const Action& action, Icon icon
 void actionPill(Ui& ui, const std::string& id, const Action& action);
 
 /// Around a slider: instead of a grab that hides the number, the part left of the value is tinted.
-void beginFilledSlider();
-void endFilledSlider(Ui& ui, float fraction);
+/// @param fraction  of the width, 0 to 1
+void beginFilledSlider(Ui& ui, float fraction);
+void endFilledSlider();
 
 /// A property's name in the left column; the next item fills the rest of the row.
 void beginRow(Ui& ui, const char* label);

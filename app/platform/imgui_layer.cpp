@@ -18,6 +18,8 @@
 namespace sinew::app {
 namespace {
 
+constexpr float kDoubleClickSeconds = 0.3f;
+
 const char* readClipboard(void* window) { return glfwGetClipboardString(static_cast<GLFWwindow*>(window)); }
 void writeClipboard(void* window, const char* text) { glfwSetClipboardString(static_cast<GLFWwindow*>(window), text); }
 
@@ -118,7 +120,7 @@ void ImGuiLayer::setScale(float scale) {
   ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
-void ImGuiLayer::beginFrame(const InputFrame& input, double seconds) {
+void ImGuiLayer::beginFrame(const InputFrame& input, double seconds, double drawing) {
   ImGuiIO& io = ImGui::GetIO();
   int width = 0;
   int height = 0;
@@ -132,6 +134,8 @@ void ImGuiLayer::beginFrame(const InputFrame& input, double seconds) {
                                   static_cast<float>(pixelHeight) / io.DisplaySize.y};
   }
   io.DeltaTime = static_cast<float>(std::clamp(seconds, 1e-4, 1.0));
+  // Down, up, down come in three frames: slow ones must not part a double click.
+  io.MouseDoubleClickTime = kDoubleClickSeconds + 2.0f * static_cast<float>(std::clamp(drawing, 0.0, 1.0));
   feedImGui(input);
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();

@@ -24,8 +24,9 @@ class ImGuiLayer {
   ImGuiLayer(const ImGuiLayer&) = delete;
   ImGuiLayer& operator=(const ImGuiLayer&) = delete;
 
-  /// @param seconds since the last frame.
-  void beginFrame(const InputFrame& input, double seconds);
+  /// @param seconds  since the last frame.
+  /// @param drawing  what a frame takes now, without waiting for events.
+  void beginFrame(const InputFrame& input, double seconds, double drawing);
   /// Draws into the bound framebuffer and shows the pointer ImGui asks for.
   void endFrame();
 

@@ -176,7 +176,10 @@ void drawLabel(const Canvas& canvas, const glm::vec2& pixel, const std::string& 
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 at = canvas.at(pixel);
   const float pad = 5.0f * canvas.scale;
-  const ImVec2 low(at.x + 18.0f * canvas.scale, at.y + 16.0f * canvas.scale);
+  // Beside the pointer, but never cut off at the picture's edge.
+  const ImVec2 room = canvas.list.GetClipRectMax();
+  const ImVec2 low(std::min(at.x + 18.0f * canvas.scale, room.x - size.x - 2.0f * pad),
+                   std::min(at.y + 16.0f * canvas.scale, room.y - size.y - 2.0f * pad));
   canvas.list.AddRectFilled({low.x - pad, low.y - 0.6f * pad}, {low.x + size.x + pad, low.y + size.y + 0.6f * pad},
                             IM_COL32(18, 20, 26, 215), 4.0f * canvas.scale);
   canvas.list.AddText(low, kNeutralColor, text.c_str());

@@ -1,6 +1,7 @@
 // app/tools/hover_draw.cpp: the landing mark of the add-muscle tool.
 #include "app/tools/hover_draw.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -21,6 +22,7 @@ struct Canvas {
   const View& view;
   glm::vec2 topLeft;
   float unitsPerPixel;
+  float scale;  ///< Draw list units per design pixel.
 
   [[nodiscard]] bool isBehind(const glm::vec3& point) const { return view.toPixel(point).z > 1.0f; }
   [[nodiscard]] ImVec2 at(const glm::vec3& point) const {
@@ -41,7 +43,7 @@ void drawRing(ImDrawList& list, const Canvas& canvas, const SkinPoint& skin, flo
     ring[i] = canvas.at(point);
   }
   list.AddConvexPolyFilled(ring.data(), static_cast<int>(ring.size()), IM_COL32(255, 214, 64, 50));
-  list.AddPolyline(ring.data(), static_cast<int>(ring.size()), kMark, ImDrawFlags_Closed, 2.0f);
+  list.AddPolyline(ring.data(), static_cast<int>(ring.size()), kMark, ImDrawFlags_Closed, 2.0f * canvas.scale);
 }
 
 void drawBone(ImDrawList& list, const Canvas& canvas, const Bone& bone, const glm::mat4& boneInWorld) {
@@ -50,31 +52,36 @@ void drawBone(ImDrawList& list, const Canvas& canvas, const Bone& bone, const gl
   if (canvas.isBehind(origin) || canvas.isBehind(tip)) return;
   const ImVec2 a = canvas.at(origin);
   const ImVec2 b = canvas.at(tip);
-  list.AddLine(a, b, kShadow, 5.0f);
-  list.AddLine(a, b, kMarkFaint, 3.0f);
-  list.AddCircleFilled(a, 5.0f, kShadow);
-  list.AddCircleFilled(a, 4.0f, kMark);
-  list.AddCircleFilled(b, 2.5f, kMark);
+  list.AddLine(a, b, kShadow, 5.0f * canvas.scale);
+  list.AddLine(a, b, kMarkFaint, 3.0f * canvas.scale);
+  list.AddCircleFilled(a, 5.0f * canvas.scale, kShadow);
+  list.AddCircleFilled(a, 4.0f * canvas.scale, kMark);
+  list.AddCircleFilled(b, 2.5f * canvas.scale, kMark);
 }
 
-void drawName(ImDrawList& list, const ImVec2& beside, const std::string& name) {
+void drawName(ImDrawList& list, const ImVec2& beside, float scale, const std::string& name) {
   const ImVec2 size = ImGui::CalcTextSize(name.c_str());
-  const ImVec2 low{beside.x + 18.0f, beside.y + 14.0f};
-  list.AddRectFilled({low.x - 6.0f, low.y - 3.0f}, {low.x + size.x + 6.0f, low.y + size.y + 3.0f}, kShadow, 4.0f);
+  const ImVec2 pad{6.0f * scale, 3.0f * scale};
+  const ImVec2 room = list.GetClipRectMax();
+  const ImVec2 low{std::min(beside.x + 18.0f * scale, room.x - size.x - 2.0f * pad.x),
+                   std::min(beside.y + 14.0f * scale, room.y - size.y - 2.0f * pad.y)};
+  list.AddRectFilled({low.x - pad.x, low.y - pad.y}, {low.x + size.x + pad.x, low.y + size.y + pad.y}, kShadow,
+                     4.0f * scale);
   list.AddText(low, IM_COL32(235, 238, 242, 255), name.c_str());
 }
 
 }  // namespace
 
 void drawLanding(ImDrawList& list, const ViewportHover& hover, const Character& character, const Pose& pose,
-                 const View& view, const glm::vec2& topLeft, float unitsPerPixel) {
+                 const View& view, const glm::vec2& topLeft, float unitsPerPixel, float uiScale) {
   if (!hover.skin) return;
-  const Canvas canvas{view, topLeft, unitsPerPixel};
+  const Canvas canvas{view, topLeft, unitsPerPixel, uiScale};
   const auto bone = static_cast<std::size_t>(boneAt(character, *hover.skin));
   const SkinPoint skin = skinPointAt(character, pose, *hover.skin);
   drawBone(list, canvas, character.skeleton.bones[bone], pose.boneInWorld[bone]);
   drawRing(list, canvas, skin, kRingRadius * character.height);
-  if (!canvas.isBehind(skin.point)) drawName(list, canvas.at(skin.point), character.skeleton.bones[bone].name);
+  if (canvas.isBehind(skin.point)) return;
+  drawName(list, canvas.at(skin.point), uiScale, character.skeleton.bones[bone].name);
 }
 
 }  // namespace sinew::app

@@ -10,7 +10,8 @@ namespace sinew::app {
 /// the pointer. Needs a current ImGui frame, for its font.
 /// @param topLeft        where the viewport's pixel (0, 0) lies in the draw list's coordinates.
 /// @param unitsPerPixel  draw list units per viewport pixel.
+/// @param uiScale        draw list units per design pixel.
 void drawLanding(ImDrawList& list, const ViewportHover& hover, const Character& character, const Pose& pose,
-                 const View& view, const glm::vec2& topLeft, float unitsPerPixel);
+                 const View& view, const glm::vec2& topLeft, float unitsPerPixel, float uiScale);
 
 }  // namespace sinew::app

@@ -1,38 +1,19 @@
 # tests/structure/demo_test.py: the bundled character is what its script makes, is closed, loops, and its rig fits it.
 # Usage: demo_test.py ROOT [SINEW]. The program, if named, must smooth it into a closed surface too.
-import collections
 import json
 import pathlib
-import struct
 import subprocess
 import sys
 import tempfile
 import unittest
 
+sys.dont_write_bytecode = True
+
+from glb_reader import Glb, open_edges  # noqa: E402
+
 ROOT = pathlib.Path(sys.argv[1]).resolve()
 PROGRAM = sys.argv[2] if len(sys.argv) > 2 else None
 ASSETS = ROOT / "assets"
-
-
-class Glb:
-    def __init__(self, path):
-        data = path.read_bytes()
-        size = struct.unpack_from("<I", data, 12)[0]
-        self.json, self.data = json.loads(data[20:20 + size]), data[28 + size:]
-
-    def rows(self, index):
-        accessor = self.json["accessors"][index]
-        view = self.json["bufferViews"][accessor["bufferView"]]
-        width = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}[accessor["type"]]
-        letter = {5126: "f", 5123: "H", 5121: "B"}[accessor["componentType"]]
-        flat = struct.unpack_from("<%d%s" % (accessor["count"] * width, letter), self.data, view["byteOffset"])
-        return [flat[i:i + width] for i in range(0, len(flat), width)]
-
-
-def open_edges(triangles):
-    """Directed edges that do not meet exactly one opposite edge."""
-    edges = collections.Counter((t[k], t[(k + 1) % 3]) for t in triangles for k in range(3))
-    return [e for e, count in edges.items() if count != 1 or edges[(e[1], e[0])] != 1]
 
 
 class Demo(unittest.TestCase):

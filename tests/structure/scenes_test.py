@@ -9,8 +9,10 @@ import unittest
 
 sys.dont_write_bytecode = True
 
-from demo_test import ASSETS, Glb, open_edges  # noqa: E402
+from glb_reader import Glb, open_edges  # noqa: E402
 
+ROOT = pathlib.Path(sys.argv[1]).resolve()
+ASSETS = ROOT / "assets"
 SCENES = ("wrapped", "tangle")
 
 
