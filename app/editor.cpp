@@ -213,6 +213,7 @@ class Editor {
     if (!state_.hasCharacter()) return;
     state_.live->movePose(state_.transport);  // A joint may have been turned.
     followEdits(state_);
+    followPose(state_);
     const Result<bool> updated = state_.live->update(state_.document.commands, surfaceView(state_));
     if (!updated) addMessage(state_, MessageKind::kError, updated.error().text());
     state_.stats.stages = state_.live->surface().report.seconds;

@@ -13,6 +13,7 @@
 #include "app/panels/folder_listing.h"
 #include "app/panels/frame_stats.h"
 #include "app/panels/panel_states.h"
+#include "app/panels/pose_history.h"
 #include "app/panels/timeline_state.h"
 #include "app/playback.h"
 #include "app/render/scene.h"
@@ -103,6 +104,7 @@ struct EditorState {
   RenameState rename;
   EulerState euler;
   std::vector<std::pair<std::string, glm::quat>> copiedPose;  ///< Joints by file name, and their turns.
+  PoseHistory poseHistory;
   std::string outlinerFilter;
   std::string revealed;          ///< The muscle the outliner has scrolled to last.
   std::size_t historyShown = 0;  ///< The step the history has scrolled to last.

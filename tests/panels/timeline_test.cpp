@@ -6,7 +6,9 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "app/panels/commands.h"
 #include "app/panels/pose_commands.h"
+#include "app/panels/pose_history.h"
 #include "app/panels/timeline_track.h"
 #include "core/skeleton/range_of_motion.h"
 #include "tests/panels/headless_editor.h"
@@ -224,6 +226,35 @@ TEST_F(TimelineTest, CopiesOfAPoseComeBack) {
   state.document.selection.bone = bone("chest");
   act("tool/pose-reset-joint");
   EXPECT_EQ(state.transport.overrides.turns.size(), 1u);
+}
+
+TEST_F(TimelineTest, UndoInThePoseToolTakesPosesBackAndOutsideItTheRigsSteps) {
+  const auto turn = [&](const char* name) {
+    state.transport.overrides.set(bone(name), glm::angleAxis(0.4f, glm::vec3(1, 0, 0)));
+    followPose(state);
+  };
+  followPose(state);
+  addMuscle(state, bone("chest"));
+  const std::size_t steps = state.document.commands.position();
+  act("tool/pose");
+  turn("chest");
+  turn("thigh.R");
+  const PoseOverrides both = state.transport.overrides;
+  act("edit/undo");
+  EXPECT_EQ(state.transport.overrides.turns.size(), 1u);
+  act("edit/undo");
+  EXPECT_FALSE(isPosed(state));
+  EXPECT_EQ(state.document.commands.position(), steps) << "poses are no steps of the document";
+  act("edit/redo");
+  act("edit/redo");
+  EXPECT_EQ(state.transport.overrides, both);
+  act("edit/undo");
+  turn("head");  // A new pose: what was undone is forgotten.
+  EXPECT_FALSE(redoesPose(state));
+  act("tool/move");
+  act("edit/undo");
+  EXPECT_EQ(state.document.commands.position(), steps - 1);
+  EXPECT_TRUE(isPosed(state));
 }
 
 TEST_F(TimelineTest, HoldingKeepsTheMomentAndThenStandsStill) {
