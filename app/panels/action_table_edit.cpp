@@ -28,7 +28,8 @@ void pasteMirrored(State& s) { pasteMuscles(s, true); }
 
 const Action kActions[] = {
     {"edit/undo", "Undo", "Take the last change back", ctrl(GLFW_KEY_Z), kNone, undoable, nullptr, undoLast},
-    {"edit/redo", "Redo", "Do it again after all", ctrlShift(GLFW_KEY_Z), ctrl(GLFW_KEY_Y), redoable, nullptr, redoLast},
+    {"edit/redo", "Redo", "Do it again after all", ctrlShift(GLFW_KEY_Z), ctrl(GLFW_KEY_Y), redoable, nullptr,
+     redoLast},
     {"edit/add-on-bone", "Add muscle on bone", "Put a muscle in the middle of the selected bone", ctrl(GLFW_KEY_M),
      kNone, boneKnown, nullptr, addOnBone, true},
     {"edit/duplicate", "Duplicate", "Copy the selected muscles", ctrl(GLFW_KEY_D), kNone, selected, nullptr,
