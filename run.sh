@@ -8,10 +8,10 @@ sinewInstallPackages "${sinewRunPackages[@]}"
 sinewBuild "$root" release sinew
 program=$root/build/release/app/sinew
 
-# Nothing asked for and no screen to open a window on: show the demo's playback as pictures.
+# Nothing asked for and no screen to open a window on: show the playback as pictures.
 if (($# == 0)) && [[ -z ${DISPLAY:-} && -z ${WAYLAND_DISPLAY:-} ]]; then
   mkdir -p "$root/out"
-  sinewSay "no display (DISPLAY and WAYLAND_DISPLAY are empty): rendering 24 frames of the demo into $root/out"
-  exec "$program" render "$root/assets/demo.rig.json" --clip Walk --fps 20 --frames 0:23 -o "$root/out/demo_%04d.png"
+  sinewSay "no display (DISPLAY and WAYLAND_DISPLAY are empty): rendering 24 frames of the walk into $root/out"
+  exec "$program" render "$root/assets/humanoid.rig.json" --clip Walk --fps 22 --frames 0:23 -o "$root/out/walk_%04d.png"
 fi
 exec "$program" "$@"
