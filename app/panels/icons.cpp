@@ -4,50 +4,11 @@
 
 #include <array>
 #include <cmath>
-#include <initializer_list>
+
+#include "app/panels/pen.h"
 
 namespace sinew::app {
 namespace {
-
-constexpr float kPi = 3.14159265f;
-
-/// Draws on the 16-unit grid.
-struct Pen {
-  ImDrawList& list;
-  ImVec2 origin;
-  float unit;
-  ImU32 color;
-
-  [[nodiscard]] ImVec2 at(float x, float y) const { return {origin.x + x * unit, origin.y + y * unit}; }
-  [[nodiscard]] float width() const { return 1.4f * unit; }
-  void line(float x0, float y0, float x1, float y1) const { list.AddLine(at(x0, y0), at(x1, y1), color, width()); }
-  void fill(std::initializer_list<ImVec2> points) const {
-    for (const ImVec2& p : points) list.PathLineTo(at(p.x, p.y));
-    list.PathFillConvex(color);
-  }
-  void outline(std::initializer_list<ImVec2> points, bool closed) const {
-    for (const ImVec2& p : points) list.PathLineTo(at(p.x, p.y));
-    list.PathStroke(color, closed ? ImDrawFlags_Closed : ImDrawFlags_None, width());
-  }
-  void arc(float x, float y, float radius, float from, float to) const {
-    list.PathArcTo(at(x, y), radius * unit, from, to, 20);
-    list.PathStroke(color, ImDrawFlags_None, width());
-  }
-  void ellipse(float x, float y, float a, float b, float turn, bool filled) const {
-    constexpr int kSteps = 24;
-    for (int i = 0; i < kSteps; ++i) {
-      const float angle = 2.0f * kPi * static_cast<float>(i) / kSteps;
-      const float u = a * std::cos(angle);
-      const float v = b * std::sin(angle);
-      list.PathLineTo(at(x + u * std::cos(turn) - v * std::sin(turn), y + u * std::sin(turn) + v * std::cos(turn)));
-    }
-    if (filled) {
-      list.PathFillConvex(color);
-    } else {
-      list.PathStroke(color, ImDrawFlags_Closed, width());
-    }
-  }
-};
 
 void drawMove(const Pen& pen) {
   pen.line(8, 2.5f, 8, 13.5f);

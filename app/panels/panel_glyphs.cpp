@@ -4,42 +4,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <initializer_list>
+
+#include "app/panels/pen.h"
 
 namespace sinew::app {
 namespace {
-
-constexpr float kPi = 3.14159265f;
-
-struct Pen {
-  ImDrawList& list;
-  ImVec2 origin;
-  float unit;
-  ImU32 color;
-
-  [[nodiscard]] ImVec2 at(float x, float y) const { return {origin.x + x * unit, origin.y + y * unit}; }
-  [[nodiscard]] float width() const { return std::max(1.3f * unit, 1.0f); }
-  void line(float x0, float y0, float x1, float y1) const { list.AddLine(at(x0, y0), at(x1, y1), color, width()); }
-  void disc(float x, float y, float radius) const { list.AddCircleFilled(at(x, y), radius * unit, color, 16); }
-  void ring(float x, float y, float radius) const { list.AddCircle(at(x, y), radius * unit, color, 20, width()); }
-  void box(float x0, float y0, float x1, float y1, float round) const {
-    list.AddRect(at(x0, y0), at(x1, y1), color, round * unit, 0, width());
-  }
-  void fill(std::initializer_list<ImVec2> points) const {
-    for (const ImVec2& p : points) list.PathLineTo(at(p.x, p.y));
-    list.PathFillConvex(color);
-  }
-  void path(std::initializer_list<ImVec2> points, bool closed) const {
-    for (const ImVec2& p : points) list.PathLineTo(at(p.x, p.y));
-    list.PathStroke(color, closed ? ImDrawFlags_Closed : ImDrawFlags_None, width());
-  }
-  /// The upper (-1) or lower (1) lid of an eye.
-  void lid(float way) const {
-    list.PathLineTo(at(1.2f, 8.0f));
-    list.PathBezierCubicCurveTo(at(4.6f, 8.0f + 6.0f * way), at(11.4f, 8.0f + 6.0f * way), at(14.8f, 8.0f));
-    list.PathStroke(color, ImDrawFlags_None, width());
-  }
-};
 
 void drawLock(const Pen& pen, bool closed) {
   pen.list.AddRectFilled(pen.at(3.4f, 7.4f), pen.at(12.6f, 14.0f), pen.color, 1.4f * pen.unit);
@@ -76,7 +45,7 @@ void drawBefore(const Pen& pen) {
 }
 
 void drawTerritory(const Pen& pen) {
-  pen.path({{2.0f, 5.0f}, {6.4f, 2.4f}, {13.6f, 4.2f}, {14.0f, 10.4f}, {9.0f, 13.8f}, {3.0f, 11.6f}}, true);
+  pen.outline({{2.0f, 5.0f}, {6.4f, 2.4f}, {13.6f, 4.2f}, {14.0f, 10.4f}, {9.0f, 13.8f}, {3.0f, 11.6f}}, true);
   pen.disc(8.0f, 8.0f, 2.2f);
 }
 
@@ -95,7 +64,7 @@ std::string lowered(const char* word) {
 }  // namespace
 
 void drawGlyph(ImDrawList& list, Glyph glyph, const ImVec2& topLeft, float size, ImU32 color) {
-  const Pen pen{list, topLeft, size / 16.0f, color};
+  const Pen pen{list, topLeft, size / 16.0f, color, 1.3f, 1.0f};
   switch (glyph) {
     case Glyph::kEye:
       pen.lid(-1.0f);
@@ -114,7 +83,7 @@ void drawGlyph(ImDrawList& list, Glyph glyph, const ImVec2& topLeft, float size,
       pen.ring(8.0f, 8.0f, 5.6f);
       pen.disc(8.0f, 8.0f, 2.6f);
       break;
-    case Glyph::kFilter: pen.path({{2.0f, 3.0f}, {14.0f, 3.0f}, {9.4f, 8.6f}, {9.4f, 13.4f}, {6.6f, 12.0f},
+    case Glyph::kFilter: pen.outline({{2.0f, 3.0f}, {14.0f, 3.0f}, {9.4f, 8.6f}, {9.4f, 13.4f}, {6.6f, 12.0f},
                                    {6.6f, 8.6f}}, true); break;
     case Glyph::kMatrix: drawMatrix(pen); break;
     case Glyph::kGraph: drawGraph(pen); break;
@@ -127,8 +96,8 @@ void drawGlyph(ImDrawList& list, Glyph glyph, const ImVec2& topLeft, float size,
       break;
     case Glyph::kBefore: drawBefore(pen); break;
     case Glyph::kTerritory: drawTerritory(pen); break;
-    case Glyph::kFoldOpen: pen.path({{4.4f, 6.2f}, {8.0f, 9.8f}, {11.6f, 6.2f}}, false); break;
-    case Glyph::kFoldClosed: pen.path({{6.2f, 4.4f}, {9.8f, 8.0f}, {6.2f, 11.6f}}, false); break;
+    case Glyph::kFoldOpen: pen.outline({{4.4f, 6.2f}, {8.0f, 9.8f}, {11.6f, 6.2f}}, false); break;
+    case Glyph::kFoldClosed: pen.outline({{6.2f, 4.4f}, {9.8f, 8.0f}, {6.2f, 11.6f}}, false); break;
     case Glyph::kReset: drawReset(pen); break;
     case Glyph::kPlus:
       pen.line(8.0f, 3.4f, 8.0f, 12.6f);

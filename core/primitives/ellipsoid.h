@@ -31,6 +31,9 @@ struct UnitBallMap {
     const glm::vec3 y = toUnit * d;
     return glm::dot(y, y);
   }
+
+  /// Whether the influence holds a point; a flattened one holds none.
+  [[nodiscard]] bool holds(const glm::vec3& point) const { return boundingRadius > 0.0f && rSquared(point) < 1.0f; }
 };
 
 /// World -> unit ball of the ellipsoid scaled by `reach`, after the whole 3x4 bone matrix, uneven scale included.

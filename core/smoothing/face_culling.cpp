@@ -50,10 +50,9 @@ class Culler {
   }
 
   [[nodiscard]] bool isReached(int t, const UnitBallMap& ball) const {
-    const auto isInside = [&](int vertex) { return ball.rSquared(at(vertex)) < 1.0f; };
-    return ball.boundingRadius > 0.0f && std::ranges::any_of(smallTriangles(t), [&](const std::array<int, 3>& small) {
-             return std::ranges::any_of(small, isInside);
-           });
+    return std::ranges::any_of(smallTriangles(t), [&](const std::array<int, 3>& small) {
+      return std::ranges::any_of(small, [&](int vertex) { return ball.holds(at(vertex)); });
+    });
   }
 
   const CullingScene& scene_;

@@ -53,7 +53,7 @@ class Projector {
   bool insideInfluence(const glm::vec3& point) const {
     return std::ranges::any_of(candidates_, [&](const Candidate& candidate) {
       const UnitBallMap& ball = field_.primitives[static_cast<std::size_t>(candidate.primitive)].influence;
-      return ball.boundingRadius > 0.0f && ball.rSquared(point) < 1.0f;
+      return ball.holds(point);
     });
   }
 

@@ -134,10 +134,4 @@ std::optional<double> firstChange(const RayField& field, double begin, double en
   return std::nullopt;
 }
 
-std::optional<double> firstRoot(const RayField& field, double end, ProjectionKind method, double tolerance) {
-  const double start = field.sample(0.0).value;
-  if (start == 0.0) return 0.0;
-  return firstChange(field, 0.0, end, start > 0.0, method, tolerance);
-}
-
 }  // namespace sinew

@@ -15,6 +15,7 @@
 #include "tests/support/gltf_builder.h"
 #include "tests/support/gltf_oracle.h"
 #include "tests/support/synthetic_characters.h"
+#include "tests/support/temporary_folder.h"
 
 namespace sinew {
 namespace {

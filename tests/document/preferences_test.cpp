@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "core/io/atomic_file.h"
+#include "tests/support/temporary_folder.h"
 
 namespace sinew::app {
 namespace {
@@ -19,19 +20,16 @@ namespace fs = std::filesystem;
 class PreferencesTest : public testing::Test {
  protected:
   void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "sinew-preferences-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder = name;
     file = folder / "deeper" / "preferences.json";
   }
-  void TearDown() override { fs::remove_all(folder); }
 
   void write(const std::string& text) const {
     fs::create_directories(file.parent_path());
     std::ofstream(file, std::ios::binary) << text;
   }
 
-  fs::path folder;
+  const test::TemporaryFolder own;
+  const fs::path folder = own.path();
   fs::path file;
 };
 

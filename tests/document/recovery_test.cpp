@@ -15,6 +15,7 @@
 
 #include "core/io/rig_json.h"
 #include "core/rig/rig_edit.h"
+#include "tests/support/temporary_folder.h"
 
 namespace sinew::app {
 namespace {
@@ -24,13 +25,9 @@ namespace fs = std::filesystem;
 class Recovery : public testing::Test {
  protected:
   void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "sinew-recovery-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder = name;
     fs::copy_file(fs::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb", folder / "lizard.glb");
     state = folder / "state" / "recovery";
   }
-  void TearDown() override { fs::remove_all(folder); }
 
   /// The lizard with one muscle more than its file has.
   [[nodiscard]] Document changed(bool saved) const {
@@ -69,7 +66,8 @@ class Recovery : public testing::Test {
     return failed ? 0 : static_cast<std::size_t>(std::distance(begin(all), end(all)));
   }
 
-  fs::path folder;
+  const test::TemporaryFolder own;
+  const fs::path folder = own.path();
   fs::path state;
 };
 

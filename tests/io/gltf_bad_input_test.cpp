@@ -11,6 +11,7 @@
 #include "core/io/gltf_import.h"
 #include "tests/support/characters.h"
 #include "tests/support/gltf_builder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace sinew {
 namespace {

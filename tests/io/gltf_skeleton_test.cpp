@@ -12,6 +12,7 @@
 #include "core/skeleton/pose.h"
 #include "tests/support/gltf_builder.h"
 #include "tests/support/gltf_oracle.h"
+#include "tests/support/temporary_folder.h"
 
 namespace sinew {
 namespace {

@@ -13,6 +13,7 @@
 #include "core/mesh/topology.h"
 #include "tests/support/gltf_builder.h"
 #include "tests/support/gltf_oracle.h"
+#include "tests/support/temporary_folder.h"
 
 namespace sinew {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "app/panels/session.h"
 #include "app/platform/data_files.h"
+#include "tests/support/temporary_folder.h"
 
 namespace sinew::app {
 namespace {
@@ -18,16 +19,6 @@ namespace fs = std::filesystem;
 
 class Dialogs : public HeadlessEditor {
  protected:
-  void SetUp() override {
-    HeadlessEditor::SetUp();
-    std::string name = (fs::temp_directory_path() / "sinew-dialogs-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder = name;
-  }
-  void TearDown() override {
-    fs::remove_all(folder);
-    HeadlessEditor::TearDown();
-  }
   void palette(const std::string& query) {
     press(GLFW_KEY_P, true);
     ASSERT_TRUE(shown("palette/query"));
@@ -38,7 +29,8 @@ class Dialogs : public HeadlessEditor {
     state.messages.clear();
     settle();
   }
-  fs::path folder;
+  const test::TemporaryFolder own;
+  const fs::path folder = own.path();
 };
 
 TEST_F(Dialogs, ThePaletteDoesWhatIsTypedWithTheKeyboardAlone) {

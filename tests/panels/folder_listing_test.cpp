@@ -1,6 +1,7 @@
 // tests/panels/folder_listing_test.cpp: what the file browser shows, completes and calls things.
 
 #include "app/panels/folder_listing.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -16,15 +17,11 @@ namespace fs = std::filesystem;
 class FolderListingTest : public testing::Test {
  protected:
   void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "sinew-listing-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder = name;
     for (const char* made : {"Zebra", "animals", ".secret"}) fs::create_directory(folder / made);
     for (const char* made : {"fox.glb", "Fox.rig.json", "boar.gltf", "notes.txt", "data.json", ".hidden.glb"}) {
       std::ofstream(folder / made) << made;
     }
   }
-  void TearDown() override { fs::remove_all(folder); }
 
   [[nodiscard]] std::vector<std::string> names(const ListingOptions& options) const {
     std::vector<std::string> all;
@@ -32,7 +29,8 @@ class FolderListingTest : public testing::Test {
     return all;
   }
   using Names = std::vector<std::string>;
-  fs::path folder;
+  const test::TemporaryFolder own;
+  const fs::path folder = own.path();
 };
 
 TEST_F(FolderListingTest, FoldersFirstThenFilesByNameWhateverTheirCase) {

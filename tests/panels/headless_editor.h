@@ -51,6 +51,7 @@ class HeadlessEditor : public testing::Test {
     state.live->movePose(state.transport);
     runTerritoryMode(state);
     followEdits(state);
+    followPose(state);
     SurfaceView seen;
     seen.hidden = hiddenPrimitives(state.document.visibility, state.document.rig(), state.character().skeleton);
     EXPECT_TRUE(state.live->update(state.document.commands, seen).ok());

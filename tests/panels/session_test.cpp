@@ -11,6 +11,7 @@
 #include "app/panels/commands.h"
 #include "app/panels/session_keeper.h"
 #include "core/rig/rig_edit.h"
+#include "tests/support/temporary_folder.h"
 
 namespace sinew::app {
 namespace {
@@ -22,20 +23,17 @@ constexpr WindowPlace kPlace{10, 20, 1280, 800, false};
 class Session : public testing::Test {
  protected:
   void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "sinew-session-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder = name;
     fs::copy_file(fs::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb", folder / "lizard.glb");
     fs::copy_file(fs::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb", folder / "other.glb");
   }
-  void TearDown() override { fs::remove_all(folder); }
 
   [[nodiscard]] SessionKeeper keeper() const { return {folder / "preferences.json", folder / "recovery"}; }
   [[nodiscard]] Preferences onDisk() const { return loadPreferences(folder / "preferences.json").preferences; }
   void open(EditorState& state, const char* name) const { ASSERT_TRUE(openFile(state, folder / name)); }
   static void change(EditorState& state) { addMuscle(state, 0); }
 
-  fs::path folder;
+  const test::TemporaryFolder own;
+  const fs::path folder = own.path();
 };
 
 TEST_F(Session, WhatWasSetIsThereAtTheNextStart) {

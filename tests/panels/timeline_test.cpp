@@ -231,9 +231,8 @@ TEST_F(TimelineTest, CopiesOfAPoseComeBack) {
 TEST_F(TimelineTest, UndoInThePoseToolTakesPosesBackAndOutsideItTheRigsSteps) {
   const auto turn = [&](const char* name) {
     state.transport.overrides.set(bone(name), glm::angleAxis(0.4f, glm::vec3(1, 0, 0)));
-    followPose(state);
+    settle();
   };
-  followPose(state);
   addMuscle(state, bone("chest"));
   const std::size_t steps = state.document.commands.position();
   act("tool/pose");

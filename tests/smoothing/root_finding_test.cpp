@@ -63,7 +63,8 @@ TEST(FirstRoot, AllMethodsAgreeWithMarching) {
     ++compared;
     const std::array methods{ProjectionKind::kNewton, ProjectionKind::kAnalytic, ProjectionKind::kBisection};
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      const std::optional<double> found = firstRoot(scene.field, end, methods[m], 1e-9);
+      const bool positive = scene.field.sample(0.0).value > 0.0;
+      const std::optional<double> found = firstChange(scene.field, 0.0, end, positive, methods[m], 1e-9);
       const bool same = found.has_value() == expected.has_value() && (!found || std::abs(*found - *expected) < 1e-4);
       wrong[m] += !same;
     }

@@ -53,24 +53,6 @@ void addPostMesh(Post& post) {
 
 }  // namespace
 
-TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (fs::temp_directory_path() / "sinew-test-XXXXXX").string();
-  if (!::mkdtemp(pattern.data())) ADD_FAILURE() << "no temporary folder";
-  path_ = pattern;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code error;
-  fs::remove_all(path_, error);
-}
-
-fs::path TemporaryFolder::write(const std::string& name, std::string_view bytes) const {
-  const fs::path file = path_ / name;
-  fs::create_directories(file.parent_path());
-  std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  return file;
-}
-
 GltfBuilder::GltfBuilder() {
   json["asset"]["version"] = "2.0";
   json["buffers"] = ordered_json::array({{{"byteLength", 0}}});

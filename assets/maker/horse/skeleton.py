@@ -1,5 +1,5 @@
 # assets/maker/horse/skeleton.py: the horse's bones: names, parents, places in the bind pose (metres, +Y up, +Z front).
-from ..names import mirror_name
+from ..names import with_twins
 
 # Breastbone, girth, ribs, belly, flank, seat and muzzle have no skin of their own: they lead the skeleton to where the body is wide, so
 # that every part of the skin has a point of it inside.
@@ -41,11 +41,7 @@ _CENTRE_AND_LEFT = [
 
 def bones():
     """[(name, parent, origin)], parents before children: the middle and left, then the right twins."""
-    result = list(_CENTRE_AND_LEFT)
-    for name, parent, (x, y, z) in _CENTRE_AND_LEFT:
-        if name.endswith(".L"):
-            result.append((mirror_name(name), mirror_name(parent), (-x, y, z)))
-    return result
+    return with_twins(_CENTRE_AND_LEFT)
 
 
 NAMES = [name for name, _, _ in bones()]

@@ -1,6 +1,6 @@
 # assets/maker/humanoid/skeleton.py: the humanoid's bones in its bind pose, arms 45 degrees down (metres, +Y up, +Z front,
 # +X its left).
-from ..names import mirror_name
+from ..names import with_twins
 
 HEIGHT = 1.80
 
@@ -24,11 +24,7 @@ _CENTRE_AND_LEFT = [
 
 def bones():
     """[(name, parent, origin)], parents before children: the middle, then left limb by limb, then the right twins."""
-    result = list(_CENTRE_AND_LEFT)
-    for name, parent, (x, y, z) in _CENTRE_AND_LEFT:
-        if name.endswith(".L"):
-            result.append((mirror_name(name), mirror_name(parent), (-x, y, z)))
-    return result
+    return with_twins(_CENTRE_AND_LEFT)
 
 
 NAMES = [name for name, _, _ in bones()]
