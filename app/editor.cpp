@@ -155,7 +155,7 @@ class Editor {
     Ui ui{state_, widgets_, imgui_.fonts()};
     const bool free = drawLayout(ui);
     double interface = secondsNow() - uiStart;
-    movePose(delta);
+    movePose(input, delta);
     const double toolsStart = secondsNow();
     tools(input, free, delta);
     interface += secondsNow() - toolsStart;
@@ -203,9 +203,10 @@ class Editor {
     if (!state_.route.message.empty()) addMessage(state_, MessageKind::kError, state_.route.message);
   }
 
-  void movePose(double delta) {
+  void movePose(const InputFrame& input, double delta) {
     if (!state_.hasCharacter()) return;
-    advance(state_.transport, delta, state_.character());
+    const bool leftPressed = input.pressedButton == static_cast<int>(MouseButton::kLeft);
+    if (!holdsPose(state_.tools, leftPressed)) advance(state_.transport, delta, state_.character());
     state_.live->movePose(state_.transport);
   }
 

@@ -6,7 +6,9 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -21,10 +23,14 @@ constexpr float kTremor = 4.0f;        ///< Design pixels a click may move.
 constexpr float kClickLength = 0.05f;  ///< Semi-axes, of H.
 constexpr float kClickWidth = 0.032f;
 constexpr float kClickThickness = 0.026f;
-constexpr float kWidth = 0.6f;       ///< Of the half length of a drag: full enough to show under the skin at once.
+constexpr float kWidth = 0.6f;       ///< Of the half length of a stroke: full enough to show under the skin at once.
 constexpr float kThickness = 0.55f;
-constexpr float kShortestDrag = 0.01f;  ///< Of H.
-constexpr float kLongestDrag = 1.5f;
+constexpr float kShortestStroke = 0.01f;  ///< Chord, of H.
+constexpr float kLongestStroke = 1.5f;
+constexpr float kLeastHalf = 0.015f;  ///< Half length, of H.
+constexpr float kMostHalf = 0.75f;
+constexpr float kMostHalfOnBone = 0.3f;
+constexpr float kSlenderness = 1.25f;  ///< Of a muscle added on a bone: length over thickness, at least.
 constexpr float kSunk = 0.3f;  ///< Of the thickness: how deep the centre lies under the skin.
 
 bool isFlat(const glm::mat4& boneInWorld) {
@@ -33,64 +39,124 @@ bool isFlat(const glm::mat4& boneInWorld) {
   return !isFinite(boneInWorld) || !(std::abs(glm::determinant(bone)) > 1e-6 * lengths);
 }
 
-/// What the designer draws on the tangent plane: the ellipsoid before it meets the bone. World.
-struct Stroke {
+/// The ellipsoid before it meets the bone. World.
+struct EllipsoidInWorld {
   glm::vec3 center{0.0f};
-  glm::vec3 along{1.0f, 0.0f, 0.0f};  ///< Unit, in the tangent plane.
-  glm::vec3 normal{0.0f, 0.0f, 1.0f};
+  glm::vec3 along{1.0f, 0.0f, 0.0f};  ///< Unit.
+  glm::vec3 normal{0.0f, 0.0f, 1.0f};  ///< Unit, perpendicular to `along`, out of the skin.
   glm::vec3 semiAxes{1.0f};  ///< Along, across, out.
 };
 
-/// From the start to where the pointer is on the tangent plane. A ray that misses it: its point nearest to the start.
-glm::vec3 dragOnSkin(const SkinPoint& start, const Ray& pointer, float characterHeight) {
-  const float towards = std::max(glm::dot(start.point - pointer.origin, pointer.direction), 0.0f);
-  const glm::vec3 nearest = pointer.origin + towards * pointer.direction;
-  glm::vec3 drag = onPlane(start.point, start.normal, pointer).value_or(nearest) - start.point;
-  drag -= glm::dot(drag, start.normal) * start.normal;
-  const float length = glm::length(drag);
-  const float longest = kLongestDrag * characterHeight;
-  return length > longest ? drag * (longest / length) : drag;
+EllipsoidInWorld ellipsoidOfClick(const SkinPoint& start, const glm::vec3& boneAxisInWorld, float height) {
+  EllipsoidInWorld ellipsoid;
+  // Along the bone, unless the bone stands on the skin.
+  const glm::vec3 bone = normalizeOr(boneAxisInWorld, start.normal);
+  const glm::vec3 flat = bone - glm::dot(bone, start.normal) * start.normal;
+  ellipsoid.along = glm::dot(flat, flat) > 1e-4f ? glm::normalize(flat) : across(start.normal);
+  ellipsoid.normal = start.normal;
+  ellipsoid.semiAxes = height * glm::vec3(kClickLength, kClickWidth, kClickThickness);
+  ellipsoid.center = start.point - kSunk * ellipsoid.semiAxes.z * start.normal;
+  return ellipsoid;
 }
 
-Stroke strokeOf(const SkinPoint& start, const std::optional<Ray>& pointer, const glm::vec3& boneAxisInWorld,
-                float height) {
-  const glm::vec3 drag = pointer ? dragOnSkin(start, *pointer, height) : glm::vec3(0.0f);
-  const float length = glm::length(drag);
-  Stroke stroke;
-  stroke.normal = start.normal;
-  if (length < kShortestDrag * height) {
-    // Along the bone, unless the bone stands on the skin.
-    const glm::vec3 bone = normalizeOr(boneAxisInWorld, start.normal);
-    const glm::vec3 flat = bone - glm::dot(bone, start.normal) * start.normal;
-    stroke.along = glm::dot(flat, flat) > 1e-4f ? glm::normalize(flat) : across(start.normal);
-    stroke.semiAxes = height * glm::vec3(kClickLength, kClickWidth, kClickThickness);
-    stroke.center = start.point;
-  } else {
-    stroke.along = drag / length;
-    const float half = std::max(0.5f * length, 0.015f * height);
-    stroke.semiAxes = {half, std::clamp(kWidth * half, 0.02f * height, 0.2f * height),
-                       std::clamp(kThickness * half, 0.02f * height, 0.15f * height)};
-    stroke.center = start.point + 0.5f * drag;
+/// The points up to the longest distance from the first.
+std::span<const SkinPoint> withinReach(const std::vector<SkinPoint>& points, float longest) {
+  const auto tooFar = std::ranges::find_if(
+      points, [&](const SkinPoint& at) { return glm::length(at.point - points.front().point) > longest; });
+  return {points.begin(), tooFar};
+}
+
+/// Every stretch of the path counts by its length.
+glm::vec3 meanNormal(std::span<const SkinPoint> path) {
+  glm::vec3 sum = 1e-6f * path.front().normal;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    sum += glm::length(path[i].point - path[i - 1].point) * (path[i].normal + path[i - 1].normal);
   }
-  stroke.center -= kSunk * stroke.semiAxes.z * stroke.normal;
-  return stroke;
+  return sum;
 }
 
-/// The bone-space ellipsoid whose world image has the stroke's long axis, tangent plane and extents. Directions go
+/// A path seen from the side: x along its chord from 0 to the chord's length, y over the chord.
+struct PathProfile {
+  std::vector<glm::vec2> points;
+  float length = 0.0f;
+
+  /// y where x first comes to a value within 0 .. length.
+  [[nodiscard]] float heightAt(float x) const {
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const glm::vec2 a = points[i - 1], b = points[i];
+      if (b.x >= x && b.x > a.x) return glm::mix(a.y, b.y, std::clamp((x - a.x) / (b.x - a.x), 0.0f, 1.0f));
+    }
+    return 0.0f;
+  }
+
+  /// First and last x where the path is at a height. The whole length if it does not rise to it.
+  [[nodiscard]] glm::vec2 rangeAt(float y) const {
+    const auto firstX = [y](const auto& from, float otherwise) {
+      for (std::size_t i = 1; i < from.size(); ++i) {
+        const glm::vec2 a = from[i - 1], b = from[i];
+        if (a.y < y && b.y >= y) return glm::mix(a.x, b.x, (y - a.y) / (b.y - a.y));
+      }
+      return otherwise;
+    };
+    const std::vector<glm::vec2> backwards(points.rbegin(), points.rend());
+    return {firstX(points, 0.0f), firstX(backwards, length)};
+  }
+};
+
+PathProfile profileOf(std::span<const SkinPoint> path, const glm::vec3& along, const glm::vec3& normal) {
+  PathProfile profile;
+  for (const SkinPoint& at : path) {
+    const glm::vec3 offset = at.point - path.front().point;
+    profile.points.emplace_back(glm::dot(offset, along), glm::dot(offset, normal));
+  }
+  profile.length = profile.points.back().x;
+  return profile;
+}
+
+/// Thickness on a flat skin.
+float flatThickness(float half, float height) { return std::clamp(kThickness * half, 0.02f * height, 0.15f * height); }
+
+EllipsoidInWorld ellipsoidOnSkin(const SkinStroke& stroke, const glm::vec3& boneAxisInWorld, float height) {
+  assert(!stroke.points.empty());
+  const std::span<const SkinPoint> path = withinReach(stroke.points, kLongestStroke * height);
+  const SkinPoint& start = path.front();
+  const glm::vec3 chord = path.back().point - start.point;
+  const float length = glm::length(chord);
+  if (length < kShortestStroke * height) return ellipsoidOfClick(start, boneAxisInWorld, height);
+  EllipsoidInWorld ellipsoid;
+  ellipsoid.along = chord / length;
+  const glm::vec3 out = meanNormal(path);
+  ellipsoid.normal = normalizeOr(out - glm::dot(out, ellipsoid.along) * ellipsoid.along, across(ellipsoid.along));
+  const PathProfile profile = profileOf(path, ellipsoid.along, ellipsoid.normal);
+  const float rise = std::clamp(profile.heightAt(0.5f * length), -0.5f * length, 0.5f * length);
+  const float thickness = flatThickness(0.5f * length, height);
+  // Half of an arch's height lifts the centre, half makes the ellipsoid thicker: together they reach its top.
+  const float arch = std::max(rise, 0.0f);
+  const float level = rise - 0.5f * arch - kSunk * thickness;
+  // On a high arch the centre is over the chord, and at its level the path is shorter than the chord.
+  const glm::vec2 ends = level > 0.0f ? profile.rangeAt(level) : glm::vec2(0.0f, length);
+  const float half = std::clamp(0.5f * (ends.y - ends.x), kLeastHalf * height, kMostHalf * height);
+  ellipsoid.semiAxes = {half, std::clamp(kWidth * half, 0.02f * height, 0.2f * height),
+                        std::min(thickness + 0.5f * arch, kMostHalf * height)};
+  ellipsoid.center = start.point + 0.5f * (ends.x + ends.y) * ellipsoid.along + level * ellipsoid.normal;
+  return ellipsoid;
+}
+
+/// The bone-space ellipsoid whose world image has this long axis, tangent plane and extents. Directions go
 /// through inverse(B), planes through transpose(B): the two stay at right angles to each other, so they are axes as
 /// they are.
-Placement placementOf(const Stroke& stroke, const glm::mat4& boneInWorld) {
+Placement placementOf(const EllipsoidInWorld& ellipsoid, const glm::mat4& boneInWorld) {
   const glm::dmat3 bone{glm::mat3(boneInWorld)};
   const glm::dmat3 inverse = glm::inverse(bone);
-  const glm::dvec3 along = glm::normalize(inverse * glm::dvec3(stroke.along));
-  const glm::dvec3 out = glm::normalize(glm::transpose(bone) * glm::dvec3(stroke.normal));
+  const glm::dvec3 along = glm::normalize(inverse * glm::dvec3(ellipsoid.along));
+  const glm::dvec3 out = glm::normalize(glm::transpose(bone) * glm::dvec3(ellipsoid.normal));
   const glm::dvec3 side = glm::cross(out, along);
-  const glm::dvec3 size(stroke.semiAxes);
+  const glm::dvec3 size(ellipsoid.semiAxes);
   Placement placement;
-  placement.center = glm::vec3(inverse * (glm::dvec3(stroke.center) - glm::dvec3(boneInWorld[3])));
+  placement.center = glm::vec3(inverse * (glm::dvec3(ellipsoid.center) - glm::dvec3(boneInWorld[3])));
   placement.rotation = glm::normalize(glm::quat_cast(glm::mat3(glm::vec3(along), glm::vec3(side), glm::vec3(out))));
   placement.radii = glm::vec3(size.x / glm::length(bone * along), size.y / glm::length(bone * side),
-                              size.z / glm::dot(glm::dvec3(stroke.normal), bone * out));
+                              size.z / glm::dot(glm::dvec3(ellipsoid.normal), bone * out));
   return placement;
 }
 
@@ -115,18 +181,14 @@ Result<Rig> withMuscle(const Document& document, const Rig& rig, Primitive muscl
   return addPair(rig, std::move(muscle), *plan);
 }
 
-Placement placementNow(const AddMuscleDrag& drag, const ViewportContext& context, const std::optional<Ray>& pointer) {
-  const Character& character = *context.document.character;
-  const auto bone = static_cast<std::size_t>(drag.bone);
-  const glm::mat4& boneInWorld = context.pose.boneInWorld[bone];
-  const glm::vec3 axis = glm::mat3(boneInWorld) * character.skeleton.bones[bone].tip;
-  const SkinPoint start = skinPointAt(character, context.pose, drag.anchor);
-  return placementOnSkin(start, pointer, boneInWorld, axis, character.height);
+Placement placementOf(const AddMuscleDrag& drag, const SkinStroke& stroke, const Character& character) {
+  const glm::vec3 tip = character.skeleton.bones[static_cast<std::size_t>(drag.bone)].tip;
+  return placementOnSkin(stroke, drag.boneInWorld, glm::mat3(drag.boneInWorld) * tip, character.height);
 }
 
 /// Shows the muscle as one state of the gesture.
-Result<void> show(const AddMuscleDrag& drag, const ViewportContext& context, const Placement& placement) {
-  Document& document = context.document;
+Result<void> show(const AddMuscleDrag& drag, const SkinStroke& stroke, Document& document) {
+  const Placement placement = placementOf(drag, stroke, *document.character);
   Result<Rig> rig =
       withMuscle(document, *drag.rigBefore, newMuscle(document.character->skeleton, drag.bone, placement));
   if (!rig) return rig.error();
@@ -154,29 +216,46 @@ float skinDistance(const Character& character, int bone, const glm::vec3& origin
   return count > 0 ? sum / static_cast<float>(count) : 0.0f;
 }
 
+/// Of a muscle around a bone, world: along it, and twice across.
+glm::vec3 semiAxesAround(const Character& character, int bone, const glm::vec3& segment) {
+  const float height = character.height;
+  const float length = glm::length(segment);
+  const glm::vec3 origin(character.skeleton.bones[static_cast<std::size_t>(bone)].bindInWorld[3]);
+  const glm::vec3 axis = normalizeOr(segment, glm::vec3(0.0f, 1.0f, 0.0f));
+  const float half = std::clamp(0.45f * length, 0.03f * height, kMostHalfOnBone * height);
+  const float skin = skinDistance(character, bone, origin, axis);
+  const float thickness = std::clamp(skin > 0.0f ? 1.15f * skin : 0.4f * half, 0.012f * height, 0.2f * height);
+  if (!(length > 0.0f)) return glm::vec3(thickness);
+  // Where the skin is far from a short bone, longer than the bone rather than a disc around it.
+  const float slender = std::clamp(kSlenderness * thickness, half, kMostHalfOnBone * height);
+  return {slender, std::min(thickness, slender / kSlenderness), std::min(thickness, slender / kSlenderness)};
+}
+
 }  // namespace
 
-Placement placementOnSkin(const SkinPoint& start, const std::optional<Ray>& pointer, const glm::mat4& boneInWorld,
-                          const glm::vec3& boneAxisInWorld, float characterHeight) {
+Placement placementOnSkin(const SkinStroke& stroke, const glm::mat4& boneInWorld, const glm::vec3& boneAxisInWorld,
+                          float characterHeight) {
   assert(!isFlat(boneInWorld));
-  return placementOf(strokeOf(start, pointer, boneAxisInWorld, characterHeight), boneInWorld);
+  return placementOf(ellipsoidOnSkin(stroke, boneAxisInWorld, characterHeight), boneInWorld);
 }
 
 Result<void> beginAddMuscle(AddMuscleState& state, const ViewportContext& context, const ViewportHover& hover,
                             const glm::vec2& pixel) {
-  if (!hover.skin) return errorAt("", "a muscle is added by pressing on the skin");
+  if (!hover.skin || !context.surface) return errorAt("", "a muscle is added by pressing on the skin");
   Document& document = context.document;
   AddMuscleDrag drag;
-  drag.anchor = *hover.skin;
-  drag.bone = boneAt(*document.character, drag.anchor);
+  drag.skin = snapshotOf(*context.surface);
+  drag.start = {hover.pointInWorld, skinPointAt(*document.character, context.pose, *hover.skin).normal};
+  drag.bone = boneAt(*document.character, *hover.skin);
+  drag.boneInWorld = context.pose.boneInWorld[static_cast<std::size_t>(drag.bone)];
   drag.pressPixel = pixel;
   drag.selectionBefore = document.selection;
   drag.rigBefore = document.commands.sharedRig();
-  if (isFlat(context.pose.boneInWorld[static_cast<std::size_t>(drag.bone)])) {
+  if (isFlat(drag.boneInWorld)) {
     return errorAt(document.character->skeleton.fileName(drag.bone), "this bone is scaled to nothing in this pose");
   }
   document.commands.beginGesture("Add muscle");
-  if (const Result<void> shown = show(drag, context, placementNow(drag, context, std::nullopt)); !shown) {
+  if (const Result<void> shown = show(drag, {{drag.start}}, document); !shown) {
     document.commands.cancelGesture();
     return shown.error();
   }
@@ -192,11 +271,12 @@ void updateAddMuscle(AddMuscleState& state, const FrameInput& input, const Viewp
     return;
   }
   drag.dragged = drag.dragged || glm::length(input.mouse - drag.pressPixel) > kTremor * context.uiScale;
-  if (!isFlat(context.pose.boneInWorld[static_cast<std::size_t>(drag.bone)])) {
-    const std::optional<Ray> pointer = drag.dragged ? std::optional(view.rayThrough(input.mouse)) : std::nullopt;
-    // A refused state is not shown: the one before stands.
-    static_cast<void>(show(drag, context, placementNow(drag, context, pointer)));
+  SkinStroke stroke{{drag.start}};
+  if (drag.dragged) {
+    stroke = strokeOnSkin(drag.skin, drag.start, view, input.mouse, context.document.character->height);
   }
+  // A refused state is not shown: the one before stands.
+  static_cast<void>(show(drag, stroke, context.document));
   if (!input.button(MouseButton::kLeft).released) return;
   context.document.commands.endGesture();
   state.drag.reset();
@@ -215,19 +295,14 @@ Result<std::string> addMuscleOnBone(Document& document, int bone) {
   if (isFlat(onBone.bindInWorld)) {
     return errorAt(character.skeleton.fileName(bone), "this bone is scaled to nothing in the bind pose");
   }
-  const glm::mat3 toWorld(onBone.bindInWorld);
-  const float height = character.height;
-  const glm::vec3 segment = toWorld * onBone.tip;
+  const glm::vec3 segment = glm::mat3(onBone.bindInWorld) * onBone.tip;
   const glm::vec3 origin(onBone.bindInWorld[3]);
-  Stroke stroke;
-  stroke.along = normalizeOr(segment, glm::vec3(0.0f, 1.0f, 0.0f));
-  stroke.normal = across(stroke.along);
-  stroke.center = origin + 0.5f * segment;
-  const float half = std::clamp(0.45f * glm::length(segment), 0.03f * height, 0.3f * height);
-  const float skin = skinDistance(character, bone, origin, stroke.along);
-  const float thickness = std::clamp(skin > 0.0f ? 1.15f * skin : 0.4f * half, 0.012f * height, 0.2f * height);
-  stroke.semiAxes = {half, thickness, thickness};
-  const Placement placement = placementOf(stroke, onBone.bindInWorld);
+  EllipsoidInWorld ellipsoid;
+  ellipsoid.along = normalizeOr(segment, glm::vec3(0.0f, 1.0f, 0.0f));
+  ellipsoid.normal = across(ellipsoid.along);
+  ellipsoid.center = origin + 0.5f * segment;
+  ellipsoid.semiAxes = semiAxesAround(character, bone, segment);
+  const Placement placement = placementOf(ellipsoid, onBone.bindInWorld);
   Result<Rig> rig = withMuscle(document, document.rig(), newMuscle(character.skeleton, bone, placement));
   if (!rig) return rig.error();
   const std::string name = rig->primitives[document.rig().primitives.size()].name;

@@ -6,13 +6,16 @@
 
 #include "app/tools/input.h"
 #include "app/tools/select.h"
+#include "app/tools/skin_stroke.h"
 
 namespace sinew::app {
 
-/// A gesture in progress.
+/// A gesture in progress. The pose is held meanwhile (holdsPose), so what the press found holds until the release.
 struct AddMuscleDrag {
-  SkinAnchor anchor;
+  SkinSnapshot skin;
+  SkinPoint start;
   int bone = -1;
+  glm::mat4 boneInWorld{1.0f};
   glm::vec2 pressPixel{0.0f};
   bool dragged = false;  ///< Has once left the press pixel by more than a click's tremor.
   Selection selectionBefore;
@@ -23,15 +26,19 @@ struct AddMuscleState {
   std::optional<AddMuscleDrag> drag;
 };
 
-/// An ellipsoid half buried in the skin at `start`, reaching to where the pointer's ray meets the tangent plane. Its
-/// long axis (x) lies along the drag, its thickness (z) along the normal, +z out of the skin. Without a drag
-/// (`pointer` empty, or less than 1 % of H away): 5 % of H, along `boneAxisInWorld` laid into the tangent plane.
+/// An ellipsoid half buried in the skin along a stroke. Its long axis (x) lies along the chord from the first point to
+/// the last, its thickness (z) along the mean skin normal made perpendicular to the chord, +z out of the skin. In the
+/// middle it stands out of the skin by as much on a curved path as on a straight one, and its ends are not above the
+/// path: where the path arches over the chord it is thicker and its centre higher, where the path sags it lies deeper.
+/// A chord below 1 % of H is a click: 5 % of H at the start, along `boneAxisInWorld` laid into the tangent plane. A
+/// stroke ends where it is 150 % of H away from its start.
 /// Under uneven bone scale the long axis and the tangent plane are kept and their extents exact. Semi-axes in the
 /// world lie within 1 % and 75 % of H.
-/// @param boneInWorld  of the same moment as `start`; not flattened (asserted).
-[[nodiscard]] Placement placementOnSkin(const SkinPoint& start, const std::optional<Ray>& pointer,
-                                        const glm::mat4& boneInWorld, const glm::vec3& boneAxisInWorld,
-                                        float characterHeight);
+/// @param stroke       not empty (asserted); world.
+/// @param boneInWorld  of the same moment as the stroke; not flattened (asserted).
+/// @return in bone space.
+[[nodiscard]] Placement placementOnSkin(const SkinStroke& stroke, const glm::mat4& boneInWorld,
+                                        const glm::vec3& boneAxisInWorld, float characterHeight);
 
 /// Starts at hover.skin: the muscle is there at once, selected. Error: no skin there, the bone is flattened in this
 /// pose or the rig refuses; then nothing has begun.
@@ -44,8 +51,8 @@ void updateAddMuscle(AddMuscleState& state, const FrameInput& input, const Viewp
 /// Ends a gesture without a trace.
 void cancelAddMuscle(AddMuscleState& state, Document& document);
 
-/// For the outliner: a muscle around the middle of a bone, along it, a little thicker than the skin in the bind pose;
-/// selected. One undo step. @return its name.
+/// For the outliner: a muscle around the middle of a bone, along it, a little thicker than the skin in the bind pose and
+/// at least 1.25 times as long as thick; a ball on a bone without length. Selected. One undo step. @return its name.
 [[nodiscard]] Result<std::string> addMuscleOnBone(Document& document, int bone);
 
 }  // namespace sinew::app

@@ -300,7 +300,7 @@ void wheel(Frame& frame) {
 std::string statusOf(const Frame& frame) {
   const ViewportTools& tools = frame.tools;
   if (tools.gizmo.drag || tools.gizmo.hovered != GizmoHandle::kNone) return describe(tools.gizmo);
-  if (tools.addMuscle.drag) return "Drag to lay the muscle on the skin: release keeps, Esc cancels";
+  if (tools.addMuscle.drag) return "Drag along the skin: release keeps, Esc cancels; the pose is held while you draw";
   if (tools.box.drag) return "Box: release selects what it touches, Shift adds, Alt takes away, Esc cancels";
   if (tools.box.armed) return "Draw a box around muscles: Shift adds, Alt takes away, Esc ends";
   if (tools.owner == PressOwner::kOrbit) return "Orbit";

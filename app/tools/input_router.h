@@ -56,6 +56,12 @@ void armBox(ViewportTools& tools);
 /// too.
 [[nodiscard]] bool ownsKeyboard(const ViewportTools& tools);
 
+/// While true the pose stands still, whatever plays: a muscle is being drawn on the skin, or the press that comes with
+/// this frame may begin one and has to find the skin where it was seen.
+[[nodiscard]] inline bool holdsPose(const ViewportTools& tools, bool leftPressed) {
+  return tools.addMuscle.drag || (tools.tool == ToolKind::kAddMuscle && leftPressed);
+}
+
 /// Ends a drag without a trace (the document is about to be replaced).
 void cancelDrags(ViewportTools& tools, Document& document);
 

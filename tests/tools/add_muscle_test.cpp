@@ -2,6 +2,7 @@
 
 #include "app/tools/add_muscle.h"
 
+#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -23,7 +24,12 @@ float extentAlong(const glm::mat4& shape, const glm::vec3& direction) {
   return glm::length(glm::transpose(glm::mat3(shape)) * direction);
 }
 
-TEST(PlacementOnSkin, LiesAlongTheDragHalfBuriedOnEveryBone) {
+/// A stroke from `start` straight along its tangent plane.
+SkinStroke straightStroke(const SkinPoint& start, const glm::vec3& drag) {
+  return {{start, {start.point + drag, start.normal}}};
+}
+
+TEST(PlacementOnSkin, LiesAlongTheStrokeHalfBuriedOnEveryBone) {
   Random random(51);
   for (int i = 0; i < 300; ++i) {
     const float height = i % 2 ? 1.8f : 155.0f;
@@ -33,9 +39,7 @@ TEST(PlacementOnSkin, LiesAlongTheDragHalfBuriedOnEveryBone) {
     glm::vec3 drag = random.rotation() * glm::vec3(random.uniform(0.05f, 0.4f) * height, 0, 0);
     drag -= glm::dot(drag, start.normal) * start.normal;
     if (glm::length(drag) < 0.04f * height) continue;
-    const glm::vec3 eye = start.point + height * (2.0f * start.normal + random.rotation() * glm::vec3(0.5f, 0, 0));
-    const Ray ray{eye, glm::normalize(start.point + drag - eye)};
-    const Placement placement = placementOnSkin(start, ray, bone, glm::vec3(0, 1, 0), height);
+    const Placement placement = placementOnSkin(straightStroke(start, drag), bone, glm::vec3(0, 1, 0), height);
     const glm::mat4 shape = shapeInWorld(placement, 1.0f, bone);
 
     EXPECT_NEAR(glm::length(placement.rotation), 1.0f, 1e-5f);
@@ -58,7 +62,7 @@ TEST(PlacementOnSkin, AClickLiesAlongTheBone) {
     const glm::mat4 bone = test::randomBone(random, static_cast<BoneScale>(i % 3), 1.8f);
     const SkinPoint start{glm::vec3(0.1f, 0.9f, 0.2f), random.rotation() * glm::vec3(0, 0, 1)};
     const glm::vec3 axis = random.rotation() * glm::vec3(0.3f, 0, 0);
-    const glm::mat4 shape = shapeInWorld(placementOnSkin(start, std::nullopt, bone, axis, 1.8f), 1.0f, bone);
+    const glm::mat4 shape = shapeInWorld(placementOnSkin({{start}}, bone, axis, 1.8f), 1.0f, bone);
     const glm::vec3 flat = axis - glm::dot(axis, start.normal) * start.normal;
     if (glm::length(flat) < 0.02f) continue;
     EXPECT_GT(glm::dot(glm::normalize(glm::vec3(shape[0])), glm::normalize(flat)), 0.999f);
@@ -66,15 +70,67 @@ TEST(PlacementOnSkin, AClickLiesAlongTheBone) {
   }
 }
 
-TEST(PlacementOnSkin, WildPointersGiveSaneShapes) {
+/// A stroke over an arc in the XY plane around the origin, symmetric about +Y. `outward` -1: seen from inside.
+SkinStroke arcStroke(float radius, float angle, float outward) {
+  SkinStroke stroke;
+  for (int i = 0; i <= 64; ++i) {
+    const float at = angle * (static_cast<float>(i) / 64.0f - 0.5f);
+    const glm::vec3 normal(std::sin(at), std::cos(at), 0.0f);
+    stroke.points.push_back({radius * normal, outward * normal});
+  }
+  return stroke;
+}
+
+TEST(PlacementOnSkin, OverAnArchItStandsOutAsOnFlatSkinAndItsEndsDoNot) {
+  for (const float height : {1.8f, 155.0f}) {
+    for (const float degrees : {1.0f, 20.0f, 60.0f, 90.0f, 120.0f, 150.0f, 180.0f}) {
+      const float radius = 0.08f * height;
+      const SkinStroke stroke = arcStroke(radius, glm::radians(degrees), 1.0f);
+      const float chord = glm::length(stroke.points.back().point - stroke.points.front().point);
+      if (chord < 0.05f * height) continue;
+      const glm::mat4 one(1.0f);
+      const glm::mat4 shape = shapeInWorld(placementOnSkin(stroke, one, {0, 0, 1}, height), 1.0f, one);
+      const glm::mat4 flat = shapeInWorld(
+          placementOnSkin(straightStroke({{0, 0, 0}, {0, 1, 0}}, {chord, 0, 0}), one, {0, 0, 1}, height), 1.0f, one);
+      EXPECT_GT(std::abs(glm::normalize(glm::vec3(shape[0])).x), 0.9999f);
+      const float top = shape[3].y + extentAlong(shape, {0, 1, 0});
+      const float flatTop = flat[3].y + extentAlong(flat, {0, 1, 0});
+      EXPECT_NEAR(top - radius, flatTop, 1e-3f * height) << degrees;
+      for (const float side : {-1.0f, 1.0f}) {
+        const glm::vec3 tip = glm::vec3(shape[3]) + side * glm::vec3(shape[0]);
+        EXPECT_LT(glm::length(tip), radius + 1e-3f * height) << degrees;
+        EXPECT_GT(glm::length(tip), 0.75f * radius) << degrees;
+      }
+      EXPECT_GT(shape[3].y - extentAlong(shape, {0, 1, 0}), -radius) << "not out of the other side of a limb";
+    }
+  }
+}
+
+TEST(PlacementOnSkin, InAHollowItLiesOnTheBottom) {
+  const float radius = 0.2f;
+  const SkinStroke stroke = arcStroke(radius, glm::radians(90.0f), -1.0f);
+  const glm::mat4 one(1.0f);
+  const glm::mat4 shape = shapeInWorld(placementOnSkin(stroke, one, {0, 0, 1}, 1.8f), 1.0f, one);
+  EXPECT_LT(glm::vec3(shape[2]).y, 0.0f) << "out of the skin, into the hollow";
+  const float thickness = extentAlong(shape, {0, 1, 0});
+  EXPECT_GT(shape[3].y, radius) << "its centre is under the skin";
+  EXPECT_LT(shape[3].y - thickness, radius - 0.5f * thickness) << "yet it shows";
+}
+
+TEST(PlacementOnSkin, WildStrokesGiveSaneShapes) {
   const SkinPoint start{glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)};
-  const std::array<Ray, 4> rays = {Ray{{0, 1, 5}, {1, 0, 0}},                                   // Along the plane.
-                                   Ray{{0, 1, 5}, {0, 0, 1}},                                   // Away from it.
-                                   Ray{{0, 1, 5}, glm::normalize(glm::vec3(1, 0, -0.02f))},     // Meets it far off.
-                                   Ray{{0, 1, 5}, {0, 0, -1}}};                                 // At the start.
-  for (const Ray& ray : rays) {
-    const Placement placement = placementOnSkin(start, ray, glm::mat4(1.0f), glm::vec3(0, 0, 1), 2.0f);
+  const auto at = [](float x, float y, float z) { return SkinPoint{{x, y, z}, {0, 0, 1}}; };
+  const std::array<SkinStroke, 6> strokes = {
+      SkinStroke{{start}},
+      SkinStroke{{start, start, start}},
+      SkinStroke{{start, at(0, 1, 3), start}},                                       // There and back.
+      SkinStroke{{start, at(1, 1, 0), at(50, 1, 0)}},                                // Far off.
+      SkinStroke{{start, at(0, 1, 0.5f), at(0, 1, 1)}},                              // Along its own normal.
+      SkinStroke{{start, at(0, 1, 1), at(0.1f, 1, 1), at(0.1f, 1, 0)}}};             // Over a spike.
+  for (const SkinStroke& stroke : strokes) {
+    const Placement placement = placementOnSkin(stroke, glm::mat4(1.0f), glm::vec3(0, 0, 1), 2.0f);
     EXPECT_TRUE(isFinite(placement.center) && isFinite(placement.radii));
+    EXPECT_NEAR(glm::length(placement.rotation), 1.0f, 1e-4f);
     for (int i = 0; i < 3; ++i) {
       EXPECT_GE(placement.radii[i], 0.01f * 2.0f * 0.999f);
       EXPECT_LE(placement.radii[i], 0.75f * 2.0f * 1.001f);
@@ -140,41 +196,6 @@ TEST(AddMuscle, EscapeAndTheRightButtonLeaveNoTrace) {
     scene.release(pixel + glm::vec2(0, 90));
     EXPECT_TRUE(test::sameStand(before, scene.tools.camera.stand));
   }
-}
-
-TEST(AddMuscle, TheAnchorRidesAlongWithTheSkin) {
-  LimbScene scene;
-  setTool(scene.tools, ToolKind::kAddMuscle);
-  const glm::vec2 pixel = scene.skinPixel();
-  scene.move(pixel);
-  scene.press(pixel);
-  const Placement before = scene.document.rig().primitives[0].placement;
-  const SkinAnchor anchor = scene.tools.addMuscle.drag->anchor;
-  // The whole character is carried off: in bone space nothing changes while the pointer rests.
-  const glm::mat4 carry = glm::translate(glm::mat4(1.0f), glm::vec3(0.3f, 0.1f, -0.2f)) *
-                          glm::mat4_cast(glm::angleAxis(0.4f, glm::vec3(0, 1, 0)));
-  const SkinPoint here = skinPointAt(*scene.document.character, scene.pose, anchor);
-  for (glm::mat4& bone : scene.pose.boneInWorld) bone = carry * bone;
-  const SkinPoint there = skinPointAt(*scene.document.character, scene.pose, anchor);
-  EXPECT_LT(glm::length(there.point - glm::vec3(carry * glm::vec4(here.point, 1.0f))), 1e-4f);
-  scene.drag(pixel);
-  const Placement after = scene.document.rig().primitives[0].placement;
-  EXPECT_LT(glm::length(after.center - before.center), 1e-4f);
-  EXPECT_LT(glm::length(after.radii - before.radii), 1e-4f);
-}
-
-TEST(AddMuscle, FromTheOutlinerItSurroundsTheBone) {
-  LimbScene scene;
-  const Result<std::string> name = addMuscleOnBone(scene.document, 1);
-  ASSERT_TRUE(name.ok());
-  EXPECT_EQ(scene.document.selection.active(), name.value());
-  EXPECT_EQ(scene.document.commands.stepCount(), 1u);
-  const Bone& bone = scene.document.character->skeleton.bones[1];
-  const Primitive& muscle = scene.document.rig().primitives[0];
-  EXPECT_LT(glm::length(muscle.placement.center - 0.5f * bone.tip), 1e-4f);
-  const glm::mat4 shape = shapeInWorld(muscle.placement, 1.0f, bone.bindInWorld);
-  const glm::vec3 along = glm::normalize(glm::mat3(bone.bindInWorld) * bone.tip);
-  EXPECT_GT(std::abs(glm::dot(glm::normalize(glm::vec3(shape[0])), along)), 0.999f);
 }
 
 TEST(AddMuscle, OnAFoxWhoseBonesAreScaled) {
