@@ -53,7 +53,7 @@ glm::vec2 randomPixel(Random& random) { return {random.uniform(250, 750), random
 
 TEST(SkinStroke, FollowsWhatThePixelsOfTheLineSee) {
   Random random(61);
-  int reached = 0;
+  int reached = 0, compared = 0;
   for (int i = 0; i < 200; ++i) {
     StrokeScene scene(i % 2 ? test::makeLimb() : test::makeTube());
     scene.tools.camera.stand.yaw = random.uniform(-3.0f, 3.0f);
@@ -73,8 +73,9 @@ TEST(SkinStroke, FollowsWhatThePixelsOfTheLineSee) {
       const glm::vec3 sight = scene.view().rayThrough(from + offset).direction;
       if (glm::dot(at.normal, sight) > -0.3f) continue;  // Near the outline half a pixel is a long way.
       const std::optional<SurfaceHit> seen = scene.hit(from + offset);
-      ASSERT_TRUE(seen.has_value());
+      if (!seen) continue;  // The outline is a sharp edge.
       EXPECT_LT(glm::length(seen->position - at.point), 2e-3f * height) << "what is seen there";
+      ++compared;
     }
     const std::optional<SurfaceHit> end = scene.hit(to);
     if (!end) continue;
@@ -82,6 +83,7 @@ TEST(SkinStroke, FollowsWhatThePixelsOfTheLineSee) {
     ++reached;
   }
   EXPECT_GT(reached, 20);
+  EXPECT_GT(compared, 500);
 }
 
 TEST(SkinStroke, FarBeyondTheOutlineItEndsOnTheSkin) {
