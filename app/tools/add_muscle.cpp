@@ -23,11 +23,11 @@ constexpr float kTremor = 4.0f;        ///< Design pixels a click may move.
 constexpr float kClickLength = 0.05f;  ///< Semi-axes, of H.
 constexpr float kClickWidth = 0.032f;
 constexpr float kClickThickness = 0.026f;
-constexpr float kWidth = 0.6f;       ///< Of the half length of a stroke: full enough to show under the skin at once.
+constexpr float kWidth = 0.6f;  ///< Of the half length of a stroke: full enough to show under the skin at once.
 constexpr float kThickness = 0.55f;
 constexpr float kShortestStroke = 0.01f;  ///< Chord, of H.
 constexpr float kLongestStroke = 1.5f;
-constexpr float kLeastHalf = 0.015f;  ///< Half length, of H.
+constexpr float kLeastHalf = 0.015f;      ///< Half length, of H.
 constexpr float kMostHalf = 0.75f;
 constexpr float kMostHalfOnBone = 0.3f;
 constexpr float kSlenderness = 1.25f;  ///< Of a muscle added on a bone: length over thickness, at least.
@@ -42,9 +42,9 @@ bool isFlat(const glm::mat4& boneInWorld) {
 /// The ellipsoid before it meets the bone. World.
 struct EllipsoidInWorld {
   glm::vec3 center{0.0f};
-  glm::vec3 along{1.0f, 0.0f, 0.0f};  ///< Unit.
+  glm::vec3 along{1.0f, 0.0f, 0.0f};   ///< Unit.
   glm::vec3 normal{0.0f, 0.0f, 1.0f};  ///< Unit, perpendicular to `along`, out of the skin.
-  glm::vec3 semiAxes{1.0f};  ///< Along, across, out.
+  glm::vec3 semiAxes{1.0f};            ///< Along, across, out.
 };
 
 EllipsoidInWorld ellipsoidOfClick(const SkinPoint& start, const glm::vec3& boneAxisInWorld, float height) {
@@ -66,8 +66,8 @@ std::span<const SkinPoint> withinReach(const std::vector<SkinPoint>& points, flo
   return {points.begin(), tooFar};
 }
 
-/// Every stretch of the path counts by its length.
-glm::vec3 meanNormal(std::span<const SkinPoint> path) {
+/// The path's normals, weighted by length. Not unit.
+glm::vec3 normalSum(std::span<const SkinPoint> path) {
   glm::vec3 sum = 1e-6f * path.front().normal;
   for (std::size_t i = 1; i < path.size(); ++i) {
     sum += glm::length(path[i].point - path[i - 1].point) * (path[i].normal + path[i - 1].normal);
@@ -116,6 +116,22 @@ PathProfile profileOf(std::span<const SkinPoint> path, const glm::vec3& along, c
 /// Thickness on a flat skin.
 float flatThickness(float half, float height) { return std::clamp(kThickness * half, 0.02f * height, 0.15f * height); }
 
+/// Semi-axes and centre; direction and normal are there.
+void fitToProfile(EllipsoidInWorld& ellipsoid, const glm::vec3& start, const PathProfile& profile, float height) {
+  const float halfChord = 0.5f * profile.length;
+  const float rise = std::clamp(profile.heightAt(halfChord), -halfChord, halfChord);
+  const float thickness = flatThickness(halfChord, height);
+  // Half of an arch's height lifts the centre, half makes the ellipsoid thicker: together they reach its top.
+  const float arch = std::max(rise, 0.0f);
+  const float level = rise - 0.5f * arch - kSunk * thickness;
+  // On a high arch the centre is over the chord, and at its level the path is shorter than the chord.
+  const glm::vec2 ends = level > 0.0f ? profile.rangeAt(level) : glm::vec2(0.0f, profile.length);
+  const float half = std::clamp(0.5f * (ends.y - ends.x), kLeastHalf * height, kMostHalf * height);
+  ellipsoid.semiAxes = {half, std::clamp(kWidth * half, 0.02f * height, 0.2f * height),
+                        std::min(thickness + 0.5f * arch, kMostHalf * height)};
+  ellipsoid.center = start + 0.5f * (ends.x + ends.y) * ellipsoid.along + level * ellipsoid.normal;
+}
+
 EllipsoidInWorld ellipsoidOnSkin(const SkinStroke& stroke, const glm::vec3& boneAxisInWorld, float height) {
   assert(!stroke.points.empty());
   const std::span<const SkinPoint> path = withinReach(stroke.points, kLongestStroke * height);
@@ -125,26 +141,14 @@ EllipsoidInWorld ellipsoidOnSkin(const SkinStroke& stroke, const glm::vec3& bone
   if (length < kShortestStroke * height) return ellipsoidOfClick(start, boneAxisInWorld, height);
   EllipsoidInWorld ellipsoid;
   ellipsoid.along = chord / length;
-  const glm::vec3 out = meanNormal(path);
+  const glm::vec3 out = normalSum(path);
   ellipsoid.normal = normalizeOr(out - glm::dot(out, ellipsoid.along) * ellipsoid.along, across(ellipsoid.along));
-  const PathProfile profile = profileOf(path, ellipsoid.along, ellipsoid.normal);
-  const float rise = std::clamp(profile.heightAt(0.5f * length), -0.5f * length, 0.5f * length);
-  const float thickness = flatThickness(0.5f * length, height);
-  // Half of an arch's height lifts the centre, half makes the ellipsoid thicker: together they reach its top.
-  const float arch = std::max(rise, 0.0f);
-  const float level = rise - 0.5f * arch - kSunk * thickness;
-  // On a high arch the centre is over the chord, and at its level the path is shorter than the chord.
-  const glm::vec2 ends = level > 0.0f ? profile.rangeAt(level) : glm::vec2(0.0f, length);
-  const float half = std::clamp(0.5f * (ends.y - ends.x), kLeastHalf * height, kMostHalf * height);
-  ellipsoid.semiAxes = {half, std::clamp(kWidth * half, 0.02f * height, 0.2f * height),
-                        std::min(thickness + 0.5f * arch, kMostHalf * height)};
-  ellipsoid.center = start.point + 0.5f * (ends.x + ends.y) * ellipsoid.along + level * ellipsoid.normal;
+  fitToProfile(ellipsoid, start.point, profileOf(path, ellipsoid.along, ellipsoid.normal), height);
   return ellipsoid;
 }
 
-/// The bone-space ellipsoid whose world image has this long axis, tangent plane and extents. Directions go
-/// through inverse(B), planes through transpose(B): the two stay at right angles to each other, so they are axes as
-/// they are.
+/// The bone-space ellipsoid whose world image has this long axis, tangent plane and extents. Directions go through
+/// inverse(B), planes through transpose(B): the two stay at right angles to each other, so they are axes as they are.
 Placement placementOf(const EllipsoidInWorld& ellipsoid, const glm::mat4& boneInWorld) {
   const glm::dmat3 bone{glm::mat3(boneInWorld)};
   const glm::dmat3 inverse = glm::inverse(bone);

@@ -51,8 +51,9 @@ void updateAddMuscle(AddMuscleState& state, const FrameInput& input, const Viewp
 /// Ends a gesture without a trace.
 void cancelAddMuscle(AddMuscleState& state, Document& document);
 
-/// For the outliner: a muscle around the middle of a bone, along it, a little thicker than the skin in the bind pose and
-/// at least 1.25 times as long as thick; a ball on a bone without length. Selected. One undo step. @return its name.
+/// For the outliner: a muscle around the middle of a bone, along it, a little thicker than the skin in the bind pose
+/// and at least 1.25 times as long as thick; a ball on a bone without length. Selected. One undo step. @return its
+/// name.
 [[nodiscard]] Result<std::string> addMuscleOnBone(Document& document, int bone);
 
 }  // namespace sinew::app

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <string>
 
 #include <glm/geometric.hpp>
@@ -99,6 +100,38 @@ TEST(SkinStroke, FarBeyondTheOutlineItEndsOnTheSkin) {
     EXPECT_LT(std::abs(glm::dot(end.normal, glm::normalize(end.point - scene.view().eyeInWorld))), 0.4f)
         << "where the skin turns away";
   }
+}
+
+/// A sheet in the XY plane, 2 long in X, that drops behind an overhanging edge at x = 1 and goes on at z = -depth.
+SkinSnapshot sheetWithFold(float depth) {
+  const std::array<glm::vec2, 4> profile{{{0.0f, 0.0f}, {1.0f, 0.0f}, {0.99f, -depth}, {2.0f, -depth}}};
+  auto refinement = std::make_shared<Refinement>();
+  SkinSnapshot skin;
+  for (const glm::vec2& at : profile) {
+    for (const float y : {-0.5f, 0.5f}) skin.positions.emplace_back(at.x, y, at.y);
+  }
+  for (int i = 0; i < 6; i += 2) {
+    refinement->triangles.push_back({i, i + 2, i + 3});
+    refinement->triangles.push_back({i, i + 3, i + 1});
+  }
+  skin.normals.assign(skin.positions.size(), glm::vec3(0, 0, 1));
+  skin.refinement = refinement;
+  return skin;
+}
+
+TEST(SkinStroke, CrossesASmallFoldAndNoLargeOne) {
+  Camera camera;
+  camera.characterHeight = 2.0f;
+  camera.scene = {{0, -1, -1}, {2, 1, 1}};
+  camera.orthographic = true;
+  camera.stand.target = {1, 0, 0};
+  camera.stand.distance = 5.0f;
+  camera.stand.yaw = camera.stand.pitch = 0.0f;
+  const View view = viewOf(camera, {1000, 800});
+  const glm::vec2 to(view.toPixel({1.8f, 0.1f, 0.0f}));
+  const SkinPoint start{{0.2f, 0.1f, 0.0f}, {0, 0, 1}};
+  EXPECT_NEAR(strokeOnSkin(sheetWithFold(0.01f), start, view, to, 2.0f).points.back().point.x, 1.8f, 1e-3f);
+  EXPECT_NEAR(strokeOnSkin(sheetWithFold(0.5f), start, view, to, 2.0f).points.back().point.x, 1.0f, 1e-3f);
 }
 
 TEST(SkinStroke, StaysOnTheLegItBeganOn) {
