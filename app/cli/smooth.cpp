@@ -63,6 +63,7 @@ bool wouldOverwriteInput(const std::filesystem::path& written, const Document& d
 std::string reportText(const SmoothingReport& report) {
   Json seconds = Json::object();
   seconds.set("skin", report.seconds.skin).set("patch", report.seconds.patch).set("project", report.seconds.project);
+  seconds.set("normals", report.seconds.normals);
   seconds.set("total", report.seconds.total());
   Json json = Json::object();
   json.set("mode", nameOf(report.mode)).set("depth", report.depth);
@@ -72,6 +73,7 @@ std::string reportText(const SmoothingReport& report) {
   json.set("implicit", report.implicitTriangles).set("straddling", report.straddlingTriangles);
   json.set("normal", report.normalTriangles);
   json.set("primitives", report.primitives).set("cliques", report.cliques);
+  json.set("guarded", report.guarded).set("unwrapped", report.unwrapped);
   json.set("unresolved", report.unresolved).set("residual_max", report.residualMax);
   json.set("seconds", seconds);
   return json.dump(true) + '\n';

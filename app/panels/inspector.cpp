@@ -92,8 +92,8 @@ void groupRow(Ui& ui, const Subjects& subjects) {
 
 void reachRow(Ui& ui, const Subjects& subjects) {
   beginRow(ui, "Reach");
-  NumberField field{"inspector/reach", "Reach", "%.3f", 0.005f, 1.01f, 8.0f, {}, {}, {}, kDefaultReach,
-                    Together::kAdd, "How far the muscle's influence goes, in radii. More blends softer."};
+  NumberField field{"inspector/reach", "Reach", "%.3f", 0.005f, 1.01f, 8.0f, {}, {}, {}, kNewReach,
+                    Together::kAdd, "How far the muscle's influence goes, in radii. More fades out softer."};
   field.get = [](const Primitive& p) { return p.reach; };
   field.set = [](Primitive& p, float value) { p.reach = value; };
   ImGui::SetNextItemWidth(-1.0f);

@@ -84,6 +84,7 @@ void times(Ui& ui) {
   graph(ui);
   const std::array stages{std::pair{"prepare", stats.prepare},        std::pair{"skin", stats.stages.skin},
                           std::pair{"patch", stats.stages.patch},     std::pair{"project", stats.stages.project},
+                          std::pair{"normals", stats.stages.normals},
                           std::pair{"upload", stats.upload},          std::pair{"draw", stats.draw},
                           std::pair{"interface", stats.ui}};
   for (const auto& [name, seconds] : stages) row(name, milliseconds(seconds * 1e3));

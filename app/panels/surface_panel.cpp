@@ -77,6 +77,24 @@ void creaseRow(Ui& ui, const SmoothingSettings& before, Changed changed) {
   tooltip(ui, "Faces that meet at a sharper angle than this keep a hard edge. 180: smooth everywhere.");
 }
 
+/// Why `replace` shows less than the designer laid: it needs muscles that wrap the body.
+void replaceNote(Ui& ui) {
+  const SmoothingReport& report = ui.state.live->surface().report;
+  if (report.mode != SurfaceMode::kReplace || report.unwrapped == 0) return;
+  std::string text = "Muscles do not wrap this body: only skin inside a muscle rises, the rest stays as it is.";
+  const auto carves = [](const Primitive& p) { return p.sign < 0; };
+  if (std::ranges::any_of(ui.state.document.rig().primitives, carves)) {
+    text += " Carves cut into muscles, not into bare skin.";
+  }
+  text += " Swell is made for muscles that lie in the skin.";
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+  ui.widgets.note("surface/replace-note");
+  ImGui::PopTextWrapPos();
+}
+
 }  // namespace
 
 void drawSurfacePanel(Ui& ui) {
@@ -89,6 +107,7 @@ void drawSurfacePanel(Ui& ui) {
   choiceRow(ui, "Mode", "surface/mode", before.mode, std::array{SurfaceMode::kSwell, SurfaceMode::kReplace},
             "swell: the skin rises over the muscles. replace: the muscles become the surface.",
             [&](SurfaceMode mode) { return changed([&](SurfaceSettings& s) { s.mode = mode; }); });
+  replaceNote(ui);
   beginRow(ui, "Iso value");
   float iso = before.iso;
   beginFilledSlider(ui, (iso - kIsoRange[0]) / (kIsoRange[1] - kIsoRange[0]));
@@ -104,7 +123,9 @@ void drawSurfacePanel(Ui& ui) {
   endFilledSlider();
   editField(ui, "surface/skin-blend", "Skin blend", edited,
             [&] { return changed([&](SurfaceSettings& s) { s.skinBlend = percent / 100.0f; }); });
-  tooltip(ui, "How softly the skin runs out into a muscle, in per cent of the character's height.");
+  tooltip(ui,
+          "How softly the skin runs out into a muscle, in per cent of the character's height. Thin muscles blend over "
+          "their own thickness at most.");
 }
 
 void drawSmoothingPanel(Ui& ui) {

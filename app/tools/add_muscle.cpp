@@ -169,6 +169,7 @@ Primitive newMuscle(const Skeleton& skeleton, int bone, const Placement& placeme
   primitive.name = skeleton.bones[static_cast<std::size_t>(bone)].name + " muscle";
   primitive.bone = skeleton.fileName(bone);
   primitive.placement = placement;
+  primitive.reach = kNewReach;
   return primitive;
 }
 

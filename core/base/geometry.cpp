@@ -14,6 +14,8 @@ Bounds boundsOf(std::span<const glm::vec3> points) {
 }
 
 glm::vec3 normalizeOr(const glm::vec3& v, const glm::vec3& fallback) {
+  const float squared = glm::dot(v, v);
+  if (squared > 1e-20f && squared < 1e20f) return v / std::sqrt(squared);
   // Scaled first, so that neither tiny nor huge vectors lose their direction to under- or overflow.
   const float largest = std::max(std::abs(v.x), std::max(std::abs(v.y), std::abs(v.z)));
   if (!(largest > std::numeric_limits<float>::min()) || !std::isfinite(largest)) return fallback;

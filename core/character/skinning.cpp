@@ -38,6 +38,17 @@ void skin(const Character& character, const Pose& pose, SkinnedMesh& out) {
   }
 }
 
+void skinDirections(const Character& character, std::span<const glm::vec3> bind, const Pose& pose,
+                    const SkinnedMesh& skinned, std::vector<glm::vec3>& out) {
+  const std::vector<glm::mat4> matrices = skinMatrices(character, pose);
+  out = skinned.normals;
+  for (std::size_t v = 0; v < bind.size(); ++v) {
+    if (bind[v] == character.mesh.normals[v]) continue;
+    const glm::mat3 matrix = normalMatrix(glm::mat3(blended(character.mesh, matrices, static_cast<int>(v))));
+    out[v] = normalizeOr(matrix * bind[v], bind[v]);
+  }
+}
+
 void skinWedgeNormals(const Character& character, std::span<const Wedge> wedges, const Pose& pose,
                       const SkinnedMesh& skinned, std::vector<glm::vec3>& out) {
   const std::vector<glm::mat4> matrices = skinMatrices(character, pose);

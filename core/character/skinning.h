@@ -18,6 +18,11 @@ struct SkinnedMesh {
 /// In the bind pose the result is the control mesh itself to rounding. Reuses the output's memory.
 void skin(const Character& character, const Pose& pose, SkinnedMesh& out);
 
+/// Other directions of the control vertices in the same pose, carried as normals are.
+/// @param bind [V] bind pose, unit.  @param out [V] world, unit; its memory is reused.
+void skinDirections(const Character& character, std::span<const glm::vec3> bind, const Pose& pose,
+                    const SkinnedMesh& skinned, std::vector<glm::vec3>& out);
+
 /// The normals of all wedges in the same pose: a creased wedge's own goes as its vertex's does, any other is its
 /// vertex's.
 /// @param wedges [W] of a mesh with the character's vertices (mesh/creases.h).  @param skinned as skin() made it.

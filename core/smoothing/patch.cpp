@@ -200,6 +200,31 @@ void evaluatePatches(PatchKind kind, const ControlMesh& mesh, const Refinement& 
   }
 }
 
+void interpolateDirections(const ControlMesh& mesh, const Refinement& refinement, std::span<const glm::vec3> control,
+                           std::span<glm::vec3> out) {
+  const auto corner = [&](int vertex) { return Corner{glm::vec3(0.0f), control[static_cast<std::size_t>(vertex)]}; };
+  const float n = static_cast<float>(refinement.depth);
+  std::ranges::copy(control, out.begin());
+  for (int e = 0; e < refinement.controlEdges && refinement.edgeVertices > 0; ++e) {
+    const auto& ends = mesh.edges[static_cast<std::size_t>(e)].vertices;
+    const Corners corners{{corner(ends[0]), corner(ends[1]), Corner{}}, 2};
+    for (int step = 1; step < refinement.depth; ++step) {
+      const float w = static_cast<float>(step) / n;
+      out[static_cast<std::size_t>(refinement.edgeVertex(e, step))] = phongNormal(corners, {1.0f - w, w, 0.0f});
+    }
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size() && refinement.interiorVertices > 0; ++t) {
+    const auto& vertices = mesh.triangles[t].vertices;
+    const Corners corners{{corner(vertices[0]), corner(vertices[1]), corner(vertices[2])}, 3};
+    for (int i = 0; i < refinement.interiorVertices; ++i) {
+      const auto& [j, k] = refinement.interior[static_cast<std::size_t>(i)];
+      out[static_cast<std::size_t>(refinement.interiorVertex(static_cast<int>(t), i))] = phongNormal(
+          corners, {static_cast<float>(refinement.depth - j - k) / n, static_cast<float>(j) / n,
+                    static_cast<float>(k) / n});
+    }
+  }
+}
+
 void evaluateShading(PatchKind kind, const ControlMesh& mesh, const Refinement& refinement,
                      std::span<const glm::vec3> positions, std::span<const glm::vec3> wedgeNormals,
                      std::span<const glm::vec3> patchNormals, std::span<glm::vec3> outNormals) {

@@ -26,6 +26,11 @@ void evaluatePatches(PatchKind kind, const ControlMesh& mesh, const Refinement& 
                      std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                      std::span<glm::vec3> outPositions, std::span<glm::vec3> outNormals);
 
+/// Directions of control vertices at all refined vertices: barycentric and renormalised, along an edge from its two
+/// ends alone. @param control [V] unit.  @param out [V'] unit.
+void interpolateDirections(const ControlMesh& mesh, const Refinement& refinement, std::span<const glm::vec3> control,
+                           std::span<glm::vec3> out);
+
 /// Fills the normals of all drawn vertices by the same rules from the wedges' normals; what no creased wedge reaches
 /// keeps the patch's. Drawn vertices between wedges of equal normals get equal ones: no seam shows.
 /// @param mesh creased (mesh/creases.h); the refinement is of it.  @param positions [V] world.

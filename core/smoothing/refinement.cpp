@@ -39,6 +39,7 @@ class Builder {
     lattice_.resize(static_cast<std::size_t>((out_.depth + 1) * (out_.depth + 1)));
     drawLattice_.resize(lattice_.size());
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) splitTriangle(static_cast<int>(t));
+    countTriangles();
     return std::move(out_);
   }
 
@@ -130,6 +131,13 @@ class Builder {
       const float w = static_cast<float>(k) / n;
       lattice_[at({j, k})] = vertex;
       drawLattice_[at({j, k})] = addDrawn(vertex, uv0 * (1.0f - v - w) + uv1 * v + uv2 * w);
+    }
+  }
+
+  void countTriangles() {
+    out_.trianglesAt.assign(static_cast<std::size_t>(out_.vertexCount), 0);
+    for (const std::array<int, 3>& triangle : out_.triangles) {
+      for (const int vertex : triangle) ++out_.trianglesAt[static_cast<std::size_t>(vertex)];
     }
   }
 

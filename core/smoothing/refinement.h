@@ -26,6 +26,7 @@ struct Refinement {
   int interiorVertices = 0;     ///< (n-1)(n-2)/2, per control triangle.
   int vertexCount = 0;          ///< V'
   std::vector<std::array<int, 3>> triangles;  ///< [T n^2] refined vertices; those of control triangle t from t n^2.
+  std::vector<int> trianglesAt;               ///< [V'] refined triangles at each vertex.
   std::vector<std::array<int, 2>> interior;   ///< [interiorVertices] (j, k): barycentric (n-j-k, j, k) / n.
 
   // As drawn and exported: refined vertices split per wedge.

@@ -12,6 +12,7 @@ namespace {
 constexpr double kFadeBegin = 0.8;  ///< Fraction of the search length from where a projection loses weight.
 
 constexpr double kFullProminence = 0.25;  ///< Fraction of T from which a stretch counts whole.
+constexpr float kWrapped = 0.7f;  ///< Share of anchors inside from which muscles count as wrapping the body.
 constexpr int kProminenceSamples = 9;
 constexpr int kMostStretches = 8;        ///< Along one ray; more is noise.
 
@@ -57,12 +58,16 @@ class Projector {
     });
   }
 
-  Projected project(const FlatVertices& flat, std::size_t index) {
+  bool isInside(const glm::vec3& point) const { return fieldAt(point) > settings_.iso; }
+
+  /// @param inwards  also look for what lies inwards; otherwise along the normal alone.
+  Projected project(const FlatVertices& flat, std::size_t index, bool inwards) {
+    looksInwards_ = inwards;
     const glm::vec3 p = flat.positions[index];
     const glm::vec3 n = flat.normals[index];
-    const bool inside = fieldAt(p) > settings_.iso;
+    const bool inside = isInside(p);
     Projected result;
-    if (settings_.projection == ProjectionKind::kAnalytic) {
+    if (!inwards || settings_.projection == ProjectionKind::kAnalytic) {
       layLine(p, -n, static_cast<double>(settings_.searchLength), inside, n, result);
       return result;
     }
@@ -124,6 +129,7 @@ class Projector {
 
   void layStretches(const glm::vec3& p, const glm::vec3& inwards, double begin, double end, const glm::vec3& n,
                     Projected& result) {
+    if (!looksInwards_) return;
     const double reachable = std::min(end, static_cast<double>(settings_.searchLength));
     const double nudge = 4.0 * settings_.tolerance;  // off a root, where rounding decides the sign
     double t = begin > 0.0 ? begin + nudge : 0.0;
@@ -155,6 +161,7 @@ class Projector {
   const FieldView& field_;
   const ReplaceSettings& settings_;
   const CliqueLists* cliques_ = nullptr;
+  bool looksInwards_ = true;
   std::vector<Candidate> candidates_;
   RayField ray_;
   int anchorFallbacks_ = 0;
@@ -179,27 +186,42 @@ void mix(Surface& surface, std::size_t index, const Projected& projected, float 
 
 }  // namespace
 
-std::vector<float> implicitWeights(const ControlMesh& mesh, const FieldView& bindField, const ReplaceSettings& settings,
-                                   const FlatVertices& flat) {
-  std::vector<float> omega(mesh.positions.size(), 0.0f);
+ImplicitWeights implicitWeights(const ControlMesh& mesh, const FieldView& bindField, const ReplaceSettings& settings,
+                                const FlatVertices& flat) {
+  ImplicitWeights weights;
+  weights.omega.assign(mesh.positions.size(), 0.0f);
   Projector projector(bindField, settings);
-  for (int v = 0; v < static_cast<int>(mesh.positions.size()); ++v) {
-    const auto index = static_cast<std::size_t>(v);
-    if (!projector.look(CarriedVertex{v, v, {v, v, v}, {1.0f, 0.0f, 0.0f}}, bindField.lists->of(v))) continue;
-    if (projector.insideInfluence(flat.positions[index]) && projector.project(flat, index).found) omega[index] = 1.0f;
-  }
-  return omega;
+  const auto eachInRegion = [&](auto&& visit) {
+    for (int v = 0; v < static_cast<int>(mesh.positions.size()); ++v) {
+      const auto index = static_cast<std::size_t>(v);
+      if (!projector.look(CarriedVertex{v, v, {v, v, v}, {1.0f, 0.0f, 0.0f}}, bindField.lists->of(v))) continue;
+      if (projector.insideInfluence(flat.positions[index])) visit(index);
+    }
+  };
+  int inRegion = 0;
+  int anchored = 0;
+  eachInRegion([&](std::size_t v) {
+    ++inRegion;
+    anchored += projector.isInside(flat.anchors[v]) ? 1 : 0;
+  });
+  weights.wraps = static_cast<float>(anchored) >= kWrapped * static_cast<float>(inRegion);
+  eachInRegion([&](std::size_t v) {
+    if (!weights.wraps && !projector.isInside(flat.positions[v])) ++weights.unwrapped;
+    else if (projector.project(flat, v, weights.wraps).found) weights.omega[v] = 1.0f;
+  });
+  return weights;
 }
 
 void replace(const ControlMesh& mesh, const FieldView& field, const ReplaceSettings& settings, const FlatVertices& flat,
-             std::span<const float> omega, Surface& surface) {
+             const ImplicitWeights& weights, Surface& surface) {
   Projector projector(field, settings);
   const auto move = [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
-    const float weight = omegaAt(vertex, omega);
+    const float weight = omegaAt(vertex, weights.omega);
     if (weight <= 0.0f || !projector.look(vertex, near)) return;
     const auto index = static_cast<std::size_t>(vertex.index);
+    if (!weights.wraps && !projector.isInside(flat.positions[index])) return;
     ++surface.report.projected;
-    const Projected projected = projector.project(flat, index);
+    const Projected projected = projector.project(flat, index, weights.wraps);
     if (!projected.found) {
       ++surface.report.unresolved;
       return;

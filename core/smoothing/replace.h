@@ -30,15 +30,25 @@ struct FlatVertices {
   std::span<const glm::vec3> anchors;    ///< [V'] world. Analytic projection does not look at them.
 };
 
-/// omega at the control vertices (paper 3.3), from the bind pose: 1 where the vertex is inside the region of influence
-/// and its projection exists within the search length, else 0. @param flat of the bind pose; its first V entries are
-/// read.
-[[nodiscard]] std::vector<float> implicitWeights(const ControlMesh& mesh, const FieldView& bindField,
-                                                 const ReplaceSettings& settings, const FlatVertices& flat);
+/// Which control vertices go to the implicit surface.
+struct ImplicitWeights {
+  std::vector<float> omega;  ///< [V] 1 or 0 (paper 3.3).
+  bool wraps = true;         ///< Muscles wrap the body.
+  int unwrapped = 0;  ///< Vertices in the region of influence that keep the skin because muscles do not wrap the body.
+};
+
+/// From the bind pose. The paper takes for granted that muscles wrap the body: that anchors are inside the implicit
+/// surface (4.2). They do if that holds for kWrapped of the control vertices in the region of influence. Then omega is 1
+/// where the vertex is inside that region and its projection exists within the search length, else 0. On any other body
+/// muscles lie in the skin: omega is 1 where a muscle holds the vertex, and nothing is pulled in towards a muscle that
+/// only touches it, which would tear the skin.
+/// @param flat of the bind pose; its first V entries are read.
+[[nodiscard]] ImplicitWeights implicitWeights(const ControlMesh& mesh, const FieldView& bindField,
+                                              const ReplaceSettings& settings, const FlatVertices& flat);
 
 /// p' = w p_implicit + (1 - w) p_normal, w = omega faded over the last part of the search length; likewise normals. The
 /// surface holds the patch on entry. Vertices with omega > 0 and no root stay on it and count as unresolved.
 void replace(const ControlMesh& mesh, const FieldView& field, const ReplaceSettings& settings, const FlatVertices& flat,
-             std::span<const float> omega, Surface& surface);
+             const ImplicitWeights& weights, Surface& surface);
 
 }  // namespace sinew

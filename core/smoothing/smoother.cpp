@@ -1,4 +1,4 @@
-// core/smoothing/smoother.cpp: the stages in order: skin -> patch -> project.
+// core/smoothing/smoother.cpp: the stages in order: skin -> patch -> project -> guard folds -> normals.
 #include "core/smoothing/smoother.h"
 
 #include <algorithm>
@@ -14,8 +14,11 @@
 #include "core/smoothing/anchors.h"
 #include "core/smoothing/candidates.h"
 #include "core/smoothing/face_culling.h"
+#include "core/smoothing/fold_guard.h"
 #include "core/smoothing/patch.h"
 #include "core/smoothing/replace.h"
+#include "core/smoothing/rise_directions.h"
+#include "core/smoothing/shading_normals.h"
 #include "core/smoothing/swell.h"
 #include "core/smoothing/triangle_classes.h"
 
@@ -24,6 +27,7 @@ namespace {
 
 constexpr double kRootTolerance = 1e-6;  ///< Fraction of H: a hundredth of the agreement docs/design.md promises.
 constexpr float kSearchLength = 0.2f;             ///< L of `replace`, fraction of H.
+constexpr float kRise = 0.1f;                     ///< How far skin can rise out of a crease, fraction of H.
 constexpr std::int64_t kMaxRefinedVertices = 32'000'000;  ///< About 2 GiB with all that is kept per vertex.
 
 class Stopwatch {
@@ -48,7 +52,7 @@ struct Prepared {
   std::shared_ptr<const ControlMesh> creased;  ///< The character's mesh with creased wedges; null if none are.
   std::shared_ptr<const Refinement> refinement;
   std::vector<Anchor> anchors;  ///< [V'] in `replace` with an anchored projection, else empty.
-  std::vector<float> omega;     ///< [V]
+  ImplicitWeights weights;      ///< In `swell` omega alone, for the classes.
   std::vector<TriangleClass> classes;
 };
 
@@ -90,12 +94,19 @@ void turnWithSurface(const Surface& surface, std::span<const glm::vec3> patchNor
 
 struct Smoother::State {
   std::shared_ptr<const Character> character;
+  std::vector<glm::vec3> riseInBind;  ///< [V] depends on the character alone.
   Prepared prepared;
 
   // Memory kept from pose to pose; never read before it is written.
   SkinnedMesh skinned;
   std::vector<glm::vec3> wedgeNormals;
+  std::vector<glm::vec3> patchPositions;
   std::vector<glm::vec3> patchNormals;
+  std::vector<glm::vec3> controlRise;
+  std::vector<glm::vec3> rise;
+  MovedTriangles movedTriangles;
+  FoldGuard foldGuard;
+  ShadingNormals shadingNormals;
   std::vector<PosedPrimitive> posed;
   FaceCulling culling;
   std::vector<glm::vec3> flatPositions;
@@ -150,12 +161,12 @@ struct Smoother::State {
       const bool known = prepared.refinement == next.refinement && !prepared.anchors.empty();
       next.anchors = known ? std::move(prepared.anchors) : findAnchors(character->skeleton, flatPositions);
       poseAnchors(next.anchors, bind, anchorsInWorld);
-      next.omega = implicitWeights(mesh(), bindField, replaceSettings(next.rig, *character),
-                                   {flatPositions, flatNormals, anchorsInWorld});
+      next.weights = implicitWeights(mesh(), bindField, replaceSettings(next.rig, *character),
+                                     {flatPositions, flatNormals, anchorsInWorld});
     } else {
-      next.omega = influenceWeights(mesh(), bindField);
+      next.weights = {influenceWeights(mesh(), bindField)};
     }
-    next.classes = classifyTriangles(mesh(), next.omega);
+    next.classes = classifyTriangles(mesh(), next.weights.omega);
   }
 
   /// Before the patch becomes the surface.
@@ -166,7 +177,6 @@ struct Smoother::State {
     out.shadingNormals.resize(out.refinement->drawVertex.size());
     evaluateShading(prepared.rig.smoothing.patch, *prepared.creased, *out.refinement, skinned.positions, wedgeNormals,
                     out.normals, out.shadingNormals);
-    patchNormals = out.normals;
   }
 
   /// Marks what the eye cannot see; the marks of a frame without an eye are empty.
@@ -189,13 +199,36 @@ struct Smoother::State {
     if (p.attachment.primitives.empty()) return;
     field.skipped = culling.carriers;
     if (p.rig.surface.mode == SurfaceMode::kSwell) {
-      swell(mesh(), field, swellSettings(p.rig, *character), out);
+      poseRiseDirections(pose);
+      swell(mesh(), field, swellSettings(p.rig, *character), rise, out);
       return;
     }
     evaluate(PatchKind::kFlat, *p.refinement, skinned, flatPositions, flatNormals);
     poseAnchors(p.anchors, pose, anchorsInWorld);
-    replace(mesh(), field, replaceSettings(p.rig, *character), {flatPositions, flatNormals, anchorsInWorld}, p.omega,
-            out);
+    replace(mesh(), field, replaceSettings(p.rig, *character), {flatPositions, flatNormals, anchorsInWorld},
+            p.weights, out);
+  }
+
+  void poseRiseDirections(const Pose& pose) {
+    skinDirections(*character, riseInBind, pose, skinned, controlRise);
+    rise.resize(static_cast<std::size_t>(prepared.refinement->vertexCount));
+    interpolateDirections(mesh(), *prepared.refinement, controlRise, rise);
+  }
+
+  /// What the muscles moved is taken back out of folds and shaded as its faces lie.
+  void finish(Surface& out) {
+    const Refinement& refinement = *prepared.refinement;
+    // A surface that wraps the body may lie across its patch; it has the paper's normals.
+    if (prepared.rig.surface.mode == SurfaceMode::kReplace && prepared.weights.wraps) return;
+    movedTriangles.find(mesh(), refinement, patchPositions, out.positions);
+    if (movedTriangles.refined.empty()) return;
+    const std::span<const float> kept =
+        foldGuard.apply(mesh(), refinement, movedTriangles.control, patchPositions, out.positions);
+    for (std::size_t v = 0; v < kept.size(); ++v) {
+      out.displacement[v] *= kept[v];
+      out.report.guarded += kept[v] < 1.0f ? 1 : 0;
+    }
+    shadingNormals.apply(refinement, movedTriangles, patchPositions, out.positions, patchNormals, out.normals);
   }
 
   void startReport(Surface& out) const {
@@ -212,6 +245,7 @@ struct Smoother::State {
     report.implicitTriangles = static_cast<int>(std::ranges::count(p.classes, TriangleClass::kImplicit));
     report.straddlingTriangles = static_cast<int>(std::ranges::count(p.classes, TriangleClass::kStraddling));
     report.normalTriangles = static_cast<int>(std::ranges::count(p.classes, TriangleClass::kNormal));
+    report.unwrapped = p.weights.unwrapped;
     report.primitives = static_cast<int>(p.attachment.primitives.size());
     report.cliques = static_cast<int>(p.attachment.graph.cliques.size());
   }
@@ -219,6 +253,7 @@ struct Smoother::State {
 
 Smoother::Smoother(std::shared_ptr<const Character> character) : state_(std::make_unique<State>()) {
   assert(character);
+  state_->riseInBind = riseDirections(character->mesh, kRise * character->height);
   state_->character = std::move(character);
 }
 
@@ -255,13 +290,17 @@ void Smoother::smooth(const Pose& pose, Surface& out, const std::optional<glm::v
   out.classes = state.prepared.classes;
   state.evaluate(state.prepared.rig.smoothing.patch, *out.refinement, state.skinned, out.positions, out.normals);
   out.displacement.assign(out.positions.size(), 0.0f);
+  state.patchPositions = out.positions;
+  state.patchNormals = out.normals;
   state.startShading(pose, out);
   state.startReport(out);
   const double patchSeconds = watch.lap();
 
   state.project(pose, eye, out);
+  const double projectSeconds = watch.lap();
+  state.finish(out);
   if (!out.shadingNormals.empty()) turnWithSurface(out, state.patchNormals, out.shadingNormals);
-  out.report.seconds = {skinSeconds, patchSeconds, watch.lap()};
+  out.report.seconds = {skinSeconds, patchSeconds, projectSeconds, watch.lap()};
 }
 
 const Character& Smoother::character() const { return *state_->character; }

@@ -11,6 +11,7 @@
 
 namespace sinew {
 
+/// Skin, patch, project, guard folds, shading normals: a stage a file of this directory.
 /// prepare() once per edit, smooth() once per pose. Editor, command line, export and tests all go through here.
 /// The surface depends on the character, the rig and the pose alone, never on what was smoothed before.
 /// Not thread-safe; use one Smoother a thread (the character is shared, read-only).

@@ -4,20 +4,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/primitives/potential.h"
 #include "core/smoothing/root_finding.h"
 
 namespace sinew {
 namespace {
 
-/// f_skin(s) = g(max(0, s/W + r_T)), s along the patch normal: T on the skin, 0 from s = h on, 1 from s = -r_T W
+constexpr float kLeastAlong = 0.2f;  ///< Cosine between rise direction and normal below which a slope is not raised.
+
+/// f_skin(s) = g(max(0, s/W + r_T)), s along the rise direction: T on the skin, 0 from s = h on, 1 from s = -r_T W
 /// inwards.
 struct SkinField {
   double isoRadius;  ///< r_T
   double width;      ///< W = h / (1 - r_T)
   double blendWidth; ///< h
 
-  SkinField(double iso, double h)
-      : isoRadius(std::sqrt(1.0 - std::sqrt(iso))), width(h / (1.0 - isoRadius)), blendWidth(h) {}
+  SkinField(double rT, double h) : isoRadius(rT), width(h / (1.0 - rT)), blendWidth(h) {}
 
   double plateau() const { return isoRadius * width; }
 
@@ -42,9 +44,13 @@ struct SkinField {
 /// Projects vertex after vertex; holds what is reused from one to the next.
 class Sweller {
  public:
-  Sweller(const FieldView& field, const SwellSettings& settings, Surface& surface)
-      : field_(field), settings_(settings), surface_(surface),
-        skin_(static_cast<double>(settings.iso), static_cast<double>(settings.blendWidth)) {}
+  Sweller(const FieldView& field, const SwellSettings& settings, std::span<const glm::vec3> directions,
+          Surface& surface)
+      : field_(field),
+        settings_(settings),
+        directions_(directions),
+        surface_(surface),
+        isoRadius_(std::sqrt(1.0 - std::sqrt(static_cast<double>(settings.iso)))) {}
 
   void move(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
     weigh(vertex, near);
@@ -55,9 +61,10 @@ class Sweller {
     const float onSkin = sampleField(field_.primitives, candidates_, cliques, p).value;
     if (onSkin == 0.0f) return;
     ++surface_.report.projected;
-    const double s = root(p, surface_.normals[index], onSkin > 0.0f, cliques);
+    const SkinField skin(isoRadius_, blendWidthAt(p));
+    const double s = root(skin, p, directions_[index], onSkin > 0.0f, cliques);
     if (s == 0.0) return;
-    place(index, static_cast<float>(s), cliques);
+    place(skin, index, static_cast<float>(s), cliques);
   }
 
   const Evaluations& evaluations() const { return ray_.evaluations(); }
@@ -71,16 +78,34 @@ class Sweller {
     }
   }
 
-  /// s*, signed along the normal.
-  double root(const glm::vec3& p, const glm::vec3& normal, bool outward, const CliqueLists& cliques) {
+  /// h at a point of the skin: the mean over the muscles there, each by its share of the field, of the least of the
+  /// rig's blend width and the muscle's thickness. Skin that fades over more than that rises as a whole, and falls off
+  /// a cliff where the muscle's influence ends.
+  double blendWidthAt(const glm::vec3& p) const {
+    double sum = 0.0;
+    double whole = 0.0;
+    for (const Candidate& candidate : candidates_) {
+      const PosedPrimitive& primitive = field_.primitives[static_cast<std::size_t>(candidate.primitive)];
+      if (!primitive.influence.holds(p)) continue;
+      const float share =
+          std::abs(primitive.strength) * candidate.weight * potential(primitive.influence.rSquared(p));
+      sum += static_cast<double>(share) * static_cast<double>(std::min(settings_.blendWidth, primitive.thickness));
+      whole += static_cast<double>(share);
+    }
+    return whole > 0.0 ? sum / whole : static_cast<double>(settings_.blendWidth);
+  }
+
+  /// s*, signed along the direction.
+  double root(const SkinField& skin, const glm::vec3& p, const glm::vec3& outwards, bool outward,
+              const CliqueLists& cliques) {
     ray_.reset(static_cast<double>(settings_.iso), cliques);
-    ray_.addTerm(skin_.term(outward));
-    const glm::vec3 direction = outward ? normal : -normal;
+    ray_.addTerm(skin.term(outward));
+    const glm::vec3 direction = outward ? outwards : -outwards;
     for (const Candidate& candidate : candidates_) {
       ray_.addPrimitive(field_.primitives[static_cast<std::size_t>(candidate.primitive)], candidate.weight,
                         candidate.slot, p, direction);
     }
-    const double end = outward ? ray_.lastLeave() : skin_.plateau();
+    const double end = outward ? ray_.lastLeave() : skin.plateau();
     // The direction and the sign of phi must be one decision: where F is all but 0, rounding may see it otherwise along
     // the ray, and a search for the wrong change would run to its end.
     const std::optional<double> found =
@@ -92,28 +117,32 @@ class Sweller {
     return outward ? t : -t;
   }
 
-  void place(std::size_t index, float s, const CliqueLists& cliques) {
+  void place(const SkinField& skin, std::size_t index, float s, const CliqueLists& cliques) {
     const glm::vec3 n = surface_.normals[index];
-    const glm::vec3 moved = surface_.positions[index] + s * n;
+    const glm::vec3 d = directions_[index];
+    const glm::vec3 moved = surface_.positions[index] + s * d;
     const glm::vec3 gradient = sampleField(field_.primitives, candidates_, cliques, moved).gradient;
-    const glm::vec3 outwards = -(static_cast<float>(skin_.slope(static_cast<double>(s))) * n + gradient);
+    // s grows by 1 along d and not at all along the skin: its gradient is n / (n.d).
+    const float slope = static_cast<float>(skin.slope(static_cast<double>(s))) / std::max(glm::dot(n, d), kLeastAlong);
     surface_.positions[index] = moved;
-    surface_.normals[index] = normalizeOr(outwards, n);
+    surface_.normals[index] = normalizeOr(-(slope * n + gradient), n);
     surface_.displacement[index] = s;
   }
 
   const FieldView& field_;
   const SwellSettings& settings_;
+  std::span<const glm::vec3> directions_;
   Surface& surface_;
-  SkinField skin_;
+  double isoRadius_;  ///< r_T
   RayField ray_;
   std::vector<Candidate> candidates_;
 };
 
 }  // namespace
 
-void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, Surface& surface) {
-  Sweller sweller(field, settings, surface);
+void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings,
+           std::span<const glm::vec3> directions, Surface& surface) {
+  Sweller sweller(field, settings, directions, surface);
   forEachReachable(
       mesh, *surface.refinement, field, surface.positions, Reach::kOverlapping,
       [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) { sweller.move(vertex, near); });

@@ -1,4 +1,4 @@
-#pragma once  // core/smoothing/swell.h: the default mode: skin rises over the muscles along the patch normal.
+#pragma once  // core/smoothing/swell.h: the default mode: skin rises over the muscles along the rise direction.
               // docs/design.md.
 
 #include "core/mesh/control_mesh.h"
@@ -11,14 +11,17 @@ namespace sinew {
 /// Constants of one character and rig.
 struct SwellSettings {
   float iso = kDefaultIso;
-  float blendWidth = 0.04f;  ///< h, world units.
+  float blendWidth = 0.04f;  ///< h, world units: the most; a thinner muscle blends over its own thickness.
   ProjectionKind projection = ProjectionKind::kNewton;
   double tolerance = 1e-6;   ///< Of roots, world units.
 };
 
-/// Moves the surface's positions and normals, which hold the patch, to the first root of
-/// f_skin(s) + F(p + s n) - T going outwards from s = 0; inwards where F(p) < 0, down to s = -r_T W at most.
-/// A vertex where F(p) = 0 is not touched. Fills displacement and counts in the report.
-void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, Surface& surface);
+/// Moves the surface's positions, which hold the patch, along the directions d to the first root of
+/// f_skin(s) + F(p + s d) - T going outwards from s = 0; inwards where F(p) < 0, down to s = -r_T W at most.
+/// Normals of moved vertices become the field's: exact, and finer than the mesh can show (shading_normals.h).
+/// A vertex where F(p) = 0 is not touched. Fills displacement (s) and counts in the report.
+/// @param directions [V'] world, unit, outward (rise_directions.h).
+void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings,
+           std::span<const glm::vec3> directions, Surface& surface);
 
 }  // namespace sinew
