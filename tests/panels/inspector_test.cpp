@@ -83,8 +83,8 @@ TEST_F(Inspector, ARightClickResets) {
   typeInto("inspector/reach", "3");
   click("inspector/reach", 1);
   click("context/reset");
-  EXPECT_EQ(named("thigh L").reach, kDefaultReach);
-  EXPECT_EQ(named("thigh R").reach, kDefaultReach);
+  EXPECT_EQ(named("thigh L").reach, kNewReach);
+  EXPECT_EQ(named("thigh R").reach, kNewReach);
   EXPECT_EQ(steps(), 2u);
 }
 

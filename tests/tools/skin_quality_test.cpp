@@ -1,0 +1,95 @@
+// tests/tools/skin_quality_test.cpp: muscles laid with the tool's defaults give skin without saw teeth or slits.
+
+#include <cstdio>
+
+#include <gtest/gtest.h>
+
+#include "core/io/gltf_import.h"
+#include "tests/support/field_normals.h"
+#include "tests/support/real_characters.h"
+#include "tests/support/skin_metrics.h"
+#include "tests/support/synthetic_characters.h"
+#include "tests/tools/laid_muscles.h"
+
+namespace sinew::test {
+namespace {
+
+constexpr float kPosesPerSecond = 15.0f;
+
+using CharacterPtr = std::shared_ptr<const Character>;
+
+CharacterPtr bundled(const std::string& name) {
+  auto character = importGltf(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / (name + ".glb"));
+  EXPECT_TRUE(character.ok()) << name;
+  return character ? character.value() : nullptr;
+}
+
+/// Over all clips of the character.
+SkinMetrics metricsOf(const CharacterPtr& character, Rig rig, int depth) {
+  rig.smoothing.depth = depth;
+  Rig empty = rig;
+  empty.primitives.clear();
+  Smoother smoother(character);
+  Smoother bare(character);
+  EXPECT_TRUE(smoother.prepare(rig).ok() && bare.prepare(empty).ok());
+  FieldNormals exact(*character, rig);
+  Surface surface;
+  Surface patch;
+  SkinMetrics total;
+  for (const AnimationClip& clip : character->clips) {
+    for (float time = 0.0f; time <= clip.duration; time += 1.0f / kPosesPerSecond) {
+      const Pose pose = samplePose(character->skeleton, clip, time);
+      bare.smooth(pose, patch);
+      smoother.smooth(pose, surface);
+      total.add(skinMetrics(surface, patch, exact.at(pose)));
+    }
+  }
+  return total;
+}
+
+double percent(long long part, long long whole) {
+  return 100.0 * static_cast<double>(part) / static_cast<double>(std::max(whole, 1LL));
+}
+
+void expectGoodSkin(const CharacterPtr& character) {
+  const Rig rig = layMuscles(character);
+  ASSERT_GE(rig.primitives.size(), 12u) << character->name;
+  for (const int depth : {3, 5}) {
+    const SkinMetrics m = metricsOf(character, rig, depth);
+    const double off = percent(m.off, m.vertices);
+    const double swinging = percent(m.swinging, m.edges);
+    const double turned = percent(m.turned, m.triangles);
+    const double definition = 100.0 * m.definition / m.exactDefinition;
+    std::printf("  %-11s %3zu muscles, depth %d: off %5.2f %% (exact normals %5.2f %%), teeth %5.2f %% (%5.2f %%), "
+                "also beside the patch's own %5.2f %%, definition %3.0f %%, turned over %.4f %% (in folds %.4f %%)\n",
+                character->name.c_str(), rig.primitives.size(), depth, off, percent(m.exactOff, m.vertices), swinging,
+                percent(m.exactSwinging, m.edges), percent(m.swingingAtAll, m.edges), definition, turned,
+                percent(m.turnedInFolds, m.triangles));
+    EXPECT_GT(m.vertices, 500) << character->name << ": the muscles move hardly any skin";
+    EXPECT_LE(off, 1.0) << character->name << ", depth " << depth;
+    EXPECT_LE(swinging, 4.0) << character->name << ", depth " << depth;
+    EXPECT_GE(definition, depth == 3 ? 80.0 : 88.0) << character->name << ", depth " << depth;
+    EXPECT_LE(turned, 0.02) << character->name << ", depth " << depth;
+    // The measures see what they are for.
+    EXPECT_GT(percent(m.exactOff, m.vertices), 2.0 * off) << character->name;
+    EXPECT_GT(percent(m.exactSwinging, m.edges), 1.2 * swinging) << character->name;
+  }
+}
+
+TEST(SkinQuality, OfBundledCharacters) {
+  for (const char* name : {"humanoid", "horse"}) expectGoodSkin(bundled(name));
+}
+
+TEST(SkinQuality, OfRealCharacters) {
+  int found = 0;
+  for (const char* file : {"Fox.glb", "greenman.glb", "cesium_man.gltf", "robot.glb"}) {
+    if (const CharacterPtr character = realCharacter(file)) {
+      expectGoodSkin(character);
+      ++found;
+    }
+  }
+  if (found == 0) GTEST_SKIP() << "left out: real characters are not at hand";
+}
+
+}  // namespace
+}  // namespace sinew::test
