@@ -124,8 +124,8 @@ void drawSurfacePanel(Ui& ui) {
   editField(ui, "surface/skin-blend", "Skin blend", edited,
             [&] { return changed([&](SurfaceSettings& s) { s.skinBlend = percent / 100.0f; }); });
   tooltip(ui,
-          "How softly the skin runs out into a muscle, in per cent of the character's height. Thin muscles blend over "
-          "their own thickness at most.");
+          "How softly the skin runs out into a muscle, in per cent of the character's height. Small muscles blend over "
+          "their own size at most.");
 }
 
 void drawSmoothingPanel(Ui& ui) {

@@ -39,7 +39,7 @@ void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::
     out[i].influence =
         unitBallMap(primitive.placement, primitive.reach, boneInWorld[static_cast<std::size_t>(primitive.bone)]);
     out[i].strength = primitive.strength;
-    out[i].thickness = out[i].influence.leastRadius / primitive.reach;
+    out[i].meanRadius = out[i].influence.meanRadius / primitive.reach;
   }
 }
 

@@ -21,7 +21,7 @@ struct FieldPrimitive {
 struct PosedPrimitive {
   UnitBallMap influence;  ///< r < 1 exactly where f_i != 0.
   float strength = 1.0f;
-  float thickness = 0.0f;  ///< World: least semi-axis of the visible ellipsoid.
+  float meanRadius = 0.0f;  ///< World: of the ball with the visible ellipsoid's volume.
 };
 
 /// A primitive seen from one place of the skin.

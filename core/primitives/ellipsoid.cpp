@@ -46,12 +46,11 @@ UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& b
     map.inverseRadius = static_cast<float>(1.0 / radius);
     map.toUnit = glm::mat3(map.inverseRadius);
     map.boundingRadius = static_cast<float>(radius * (1.0 + kRound));
-    map.leastRadius = static_cast<float>(radius);
+    map.meanRadius = static_cast<float>(radius);
     return map;
   }
   map.toUnit = glm::mat3(glm::inverse(axes));
-  map.leastRadius =
-      static_cast<float>(std::min({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])}));
+  map.meanRadius = static_cast<float>(std::cbrt(volume));
   // Half extents of the world box around the ellipsoid: row norms of the axes.
   glm::dvec3 half(0.0);
   for (int row = 0; row < 3; ++row) {

@@ -23,7 +23,7 @@ struct UnitBallMap {
   /// 1 / radius where the ellipsoid is a sphere in the world: then toUnit is only this factor, and distances come
   /// without a matrix. 0 otherwise.
   float inverseRadius = 0.0f;
-  float leastRadius = 0.0f;  ///< World: the shortest of the three semi-axes as the bone carries them.
+  float meanRadius = 0.0f;  ///< World: of the ball with the same volume.
 
   /// r^2 at a point: < 1 inside.
   [[nodiscard]] float rSquared(const glm::vec3& point) const {

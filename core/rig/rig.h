@@ -15,7 +15,7 @@ enum class ProjectionKind { kNewton, kBisection, kAnalytic };
 
 inline constexpr float kDefaultIso = 0.25f;
 inline constexpr float kDefaultReach = 1.4142135f;  ///< Of a file that does not say.
-inline constexpr float kNewReach = 2.0f;  ///< Of a muscle that is made: its shell is as thick as the skin blends over it.
+inline constexpr float kNewReach = 2.0f;  ///< Of a muscle that is made: its shell is as wide as the muscle itself.
 inline constexpr float kDefaultSkinBlend = 0.04f;
 inline constexpr float kDefaultCreaseAngle = 180.0f;  ///< Smooth everywhere.
 inline constexpr int kMaxDepth = 16;

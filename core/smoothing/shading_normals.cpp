@@ -9,13 +9,13 @@
 namespace sinew {
 namespace {
 
-constexpr float kFreedom = 0.1f;  ///< About 6 degrees: twice that between neighbours is not seen as a tooth.
-constexpr float kTeeth = 0.25f;    ///< Largest weight of the second step: what alternates on every edge all but vanishes.
+constexpr float kFreedom = 0.145f;  ///< About 8 degrees.
+constexpr float kTeeth = 0.23f;    ///< Largest weight of the second step: what alternates on every edge all but vanishes.
 // Difference between neighbours' deltas from which the second step works, from which it works whole, and where it ends.
 constexpr float kTeethFrom = 0.22f;
 constexpr float kTeethWhole = 0.45f;
-constexpr float kCliffFrom = 0.5f;
-constexpr float kCliffWhole = 1.0f;
+constexpr float kCliffFrom = 0.45f;
+constexpr float kCliffWhole = 0.8f;
 
 float smoothstep(float from, float to, float x) {
   const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);

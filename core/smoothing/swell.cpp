@@ -79,7 +79,7 @@ class Sweller {
   }
 
   /// h at a point of the skin: the mean over the muscles there, each by its share of the field, of the least of the
-  /// rig's blend width and the muscle's thickness. Skin that fades over more than that rises as a whole, and falls off
+  /// rig's blend width and the muscle's mean radius. Skin that fades over more than that rises as a whole, and falls off
   /// a cliff where the muscle's influence ends.
   double blendWidthAt(const glm::vec3& p) const {
     double sum = 0.0;
@@ -89,7 +89,7 @@ class Sweller {
       if (!primitive.influence.holds(p)) continue;
       const float share =
           std::abs(primitive.strength) * candidate.weight * potential(primitive.influence.rSquared(p));
-      sum += static_cast<double>(share) * static_cast<double>(std::min(settings_.blendWidth, primitive.thickness));
+      sum += static_cast<double>(share) * static_cast<double>(std::min(settings_.blendWidth, primitive.meanRadius));
       whole += static_cast<double>(share);
     }
     return whole > 0.0 ? sum / whole : static_cast<double>(settings_.blendWidth);

@@ -11,7 +11,7 @@ namespace sinew {
 /// Constants of one character and rig.
 struct SwellSettings {
   float iso = kDefaultIso;
-  float blendWidth = 0.04f;  ///< h, world units: the most; a thinner muscle blends over its own thickness.
+  float blendWidth = 0.04f;  ///< h, world units: the most; a smaller muscle blends over its mean radius.
   ProjectionKind projection = ProjectionKind::kNewton;
   double tolerance = 1e-6;   ///< Of roots, world units.
 };
