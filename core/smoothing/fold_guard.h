@@ -12,16 +12,16 @@ namespace sinew {
 ///
 /// Where rise directions converge, a triangle's area as seen along the patch shrinks as it is lifted; below zero it
 /// shows its back, a black slit. With q the lifted triangle's area over the patch's (signed, along the patch's face
-/// normal), each triangle with q below kSafeArea asks its corners to keep the share (1 - kSafeArea) / (1 - q) of their
-/// lift: what would leave it kSafeArea if its area fell evenly. A corner keeps the least share it is asked for. That is
-/// repeated up to kRounds times. Every round reads the one before alone, so the order of triangles does not matter, and
+/// normal), each triangle with q below 1/4 asks its corners to keep the share (3/4) / (1 - q) of their lift: what would
+/// leave it 1/4 if its area fell evenly. A corner keeps the least share it is asked for. That is repeated up to 32
+/// times. Every round reads the one before alone, so the order of triangles does not matter, and
 /// what a vertex keeps is a continuous function of all positions. An unmoved vertex stays, and none is lifted further.
 class FoldGuard {
  public:
   /// @param control  ascending: the control triangles that may ask; all that hold a moved vertex, or fewer.
   /// @param patch [V'] world.  @param positions [V'] world, in and out.
-  /// @return [V'] the share of its lift that each vertex kept, 1 where it was left alone; empty if all were. Valid until
-  /// the next call.
+  /// @return [V'] the share of its lift that each vertex kept, 1 where it was left alone; empty if all were. Valid
+  /// until the next call.
   std::span<const float> apply(const ControlMesh& mesh, const Refinement& refinement, std::span<const int> control,
                                std::span<const glm::vec3> patch, std::span<glm::vec3> positions);
 

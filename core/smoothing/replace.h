@@ -38,7 +38,7 @@ struct ImplicitWeights {
 };
 
 /// From the bind pose. The paper takes for granted that muscles wrap the body: that anchors are inside the implicit
-/// surface (4.2). They do if that holds for kWrapped of the control vertices in the region of influence. Then omega is 1
+/// surface (4.2). They do if that holds for 70 % of the control vertices in the region of influence. Then omega is 1
 /// where the vertex is inside that region and its projection exists within the search length, else 0. On any other body
 /// muscles lie in the skin: omega is 1 where a muscle holds the vertex, and nothing is pulled in towards a muscle that
 /// only touches it, which would tear the skin.

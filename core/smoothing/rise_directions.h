@@ -6,6 +6,8 @@
 
 namespace sinew {
 
+inline constexpr float kRise = 0.1f;  ///< How far skin should be able to rise out of a crease, fraction of H.
+
 /// The vertex normals of the bind pose, relaxed where they converge. Skin lifted by s along two normals that lean
 /// together crosses itself once s times their difference exceeds the distance of the vertices. Along every edge the
 /// component that converges is therefore averaged away until skin can rise by `rise`; where normals diverge or run

@@ -10,12 +10,13 @@ namespace sinew {
 namespace {
 
 constexpr float kFreedom = 0.145f;  ///< About 8 degrees.
-constexpr float kTeeth = 0.23f;    ///< Largest weight of the second step: what alternates on every edge all but vanishes.
+constexpr float kTeeth = 0.23f;      ///< Largest weight of the second step.
 // Difference between neighbours' deltas from which the second step works, from which it works whole, and where it ends.
 constexpr float kTeethFrom = 0.22f;
 constexpr float kTeethWhole = 0.45f;
 constexpr float kCliffFrom = 0.45f;
 constexpr float kCliffWhole = 0.8f;
+constexpr float kTurnedWhole = 0.1f;  ///< Turn of a vertex from which the second step works whole.
 
 float smoothstep(float from, float to, float x) {
   const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
@@ -96,12 +97,15 @@ void ShadingNormals::sumFaces(const Refinement& refinement, const MovedTriangles
 void ShadingNormals::holdToFaces(std::span<const glm::vec3> patchNormals, std::span<const glm::vec3> normals) {
   deltas_.resize(normals.size());
   isTurned_.resize(normals.size());
+  turn_.resize(normals.size());
   for (std::size_t v = 0; v < normals.size(); ++v) {
     const glm::vec3& own = patchNormals[v];
     glm::vec3& delta = deltas_[v];
     delta = normals[v] - own;
+    turn_[v] = glm::dot(delta, delta);
     if (const Faces& faces = faces_[v]; faces.surface != faces.patch) {
       const glm::vec3 shown = turned(own, unitOr(faces.patch, own), unitOr(faces.surface, own)) - own;
+      turn_[v] = std::max(turn_[v], glm::dot(shown, shown));
       const glm::vec3 beyond = delta - shown;
       const float squared = glm::dot(beyond, beyond);
       if (squared > kFreedom * kFreedom) delta = shown + (kFreedom / std::sqrt(squared)) * beyond;
@@ -178,8 +182,10 @@ void ShadingNormals::removeTeeth(const Refinement& refinement, const MovedTriang
   for (std::size_t v = 0; v < deltas_.size(); ++v) {
     if (spread_[v] == 0.0f) continue;
     const float apart = std::sqrt(spread_[v]);
+    // Only where something has turned; from there on continuously.
     const float weight = kTeeth * smoothstep(kTeethFrom, kTeethWhole, apart) *
-                         (1.0f - smoothstep(kCliffFrom, kCliffWhole, apart));
+                         (1.0f - smoothstep(kCliffFrom, kCliffWhole, apart)) *
+                         smoothstep(0.0f, kTurnedWhole, std::sqrt(turn_[v]));
     deltas_[v] -= weight * second_[v];
   }
 }

@@ -19,10 +19,10 @@ namespace sinew {
 ///    places keep the field's normal exactly.
 /// 2. The faces themselves alternate along a rim that runs across the mesh. With M the mean over a vertex's neighbours,
 ///    delta -= weight (M - 1)^2 delta: nearly all of what alternates from vertex to vertex, little of what spreads over
-///    several. The weight is 0 where neighbours differ little, and on cliffs, which are meant.
+///    several. The weight is 0 where neighbours differ little, where the vertex itself is not turned, and on cliffs,
+///    which are meant.
 ///
-/// Continuous in time. A vertex that has not moved and has no moved vertex within two edges keeps its normal bit for
-/// bit.
+/// Continuous in time. A vertex that has not moved and has no moved neighbour keeps its normal bit for bit.
 class ShadingNormals {
  public:
   /// @param moved  of these positions.  @param patch, positions [V'] world.  @param patchNormals [V'] unit.
@@ -49,6 +49,7 @@ class ShadingNormals {
 
   std::vector<Faces> faces_;             ///< [V']
   std::vector<glm::vec3> deltas_;        ///< [V']
+  std::vector<float> turn_;              ///< [V'] squared: the larger of the turns that the field and the faces show.
   std::vector<float> spread_;            ///< [V'] largest squared difference to a neighbour's delta; 0: no tooth.
   std::vector<std::uint8_t> isTurned_;   ///< [V'] delta is large enough to make a tooth.
   std::vector<std::uint8_t> nearTeeth_;  ///< [V'] a tooth or next to one.

@@ -27,7 +27,6 @@ namespace {
 
 constexpr double kRootTolerance = 1e-6;  ///< Fraction of H: a hundredth of the agreement docs/design.md promises.
 constexpr float kSearchLength = 0.2f;             ///< L of `replace`, fraction of H.
-constexpr float kRise = 0.1f;                     ///< How far skin can rise out of a crease, fraction of H.
 constexpr std::int64_t kMaxRefinedVertices = 32'000'000;  ///< About 2 GiB with all that is kept per vertex.
 
 class Stopwatch {

@@ -78,9 +78,9 @@ class Sweller {
     }
   }
 
-  /// h at a point of the skin: the mean over the muscles there, each by its share of the field, of the least of the
-  /// rig's blend width and the muscle's mean radius. Skin that fades over more than that rises as a whole, and falls off
-  /// a cliff where the muscle's influence ends.
+  /// h at a point of the skin: the mean over the muscles there, each by its share of the field, of the lesser of the
+  /// rig's blend width and the muscle's mean radius. Skin that fades over more than that rises as a whole and falls
+  /// off a cliff where the muscle's influence ends.
   double blendWidthAt(const glm::vec3& p) const {
     double sum = 0.0;
     double whole = 0.0;

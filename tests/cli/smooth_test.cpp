@@ -60,14 +60,14 @@ TEST_F(Program, SmoothWritesAClosedSurfaceAndATrueReport) {
   ASSERT_TRUE(report.ok());
   EXPECT_EQ(report->keys(), (std::vector<std::string>{"mode", "depth", "patch", "projection", "control_triangles",
                                                       "refined_triangles", "refined_vertices", "implicit", "straddling",
-                                                      "normal", "primitives", "cliques", "unresolved", "residual_max",
-                                                      "seconds"}));
+                                                      "normal", "primitives", "cliques", "guarded", "unwrapped",
+                                                      "unresolved", "residual_max", "seconds"}));
   EXPECT_EQ(report->at("depth").number(0), 4);
   EXPECT_EQ(report->at("refined_triangles").number(0), static_cast<double>(faces.size()));
   EXPECT_EQ(report->at("refined_triangles").number(0), 16 * report->at("control_triangles").number(0));
   EXPECT_EQ(report->at("implicit").number(0) + report->at("straddling").number(0) + report->at("normal").number(0),
             report->at("control_triangles").number(0));
-  EXPECT_EQ(report->at("seconds").keys(), (std::vector<std::string>{"skin", "patch", "project", "total"}));
+  EXPECT_EQ(report->at("seconds").keys(), (std::vector<std::string>{"skin", "patch", "project", "normals", "total"}));
 }
 
 TEST_F(Program, SmoothTakesEverySetting) {

@@ -22,7 +22,7 @@ struct FieldNormals::State {
 FieldNormals::FieldNormals(const Character& character, const Rig& rig)
     : state_(std::make_unique<State>(State{character, rig, attach(rig, character).value(), {}, {}, {}})) {
   state_->candidates = makeCandidateLists(character.mesh, state_->attachment);
-  state_->riseInBind = riseDirections(character.mesh, 0.1f * character.height);
+  state_->riseInBind = riseDirections(character.mesh, kRise * character.height);
   state_->surface.refinement = std::make_shared<const Refinement>(refine(character.mesh, rig.smoothing.depth));
 }
 

@@ -4,8 +4,8 @@
 
 namespace sinew::test {
 
-/// Counts over moved vertices, their edges and triangles, summed over poses. "exact" is the same surface shaded with the
-/// field's own normals.
+/// Counts over moved vertices, their edges and triangles, summed over poses. "exact" is the same surface shaded with
+/// the field's own normals.
 struct SkinMetrics {
   long long vertices = 0;  ///< Moved by the muscles.
   long long off = 0;  ///< Of those: the shading normal is 10 degrees further from the faces' than the patch's own is.
