@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+# docs/screenshots.py: makes docs/images/*.png, the README's pictures of the editor, in a real window.
+# Usage: docs/screenshots.py [SINEW]     SINEW: the program; without it, the newest one under build/. Needs Xvfb, xdotool
+# and imagemagick, as the GUI tests do.
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "tests" / "gui"))
+import driver  # noqa: E402
+
+
+def newest_program():
+    built = sorted(ROOT.glob("build/*/app/sinew"), key=lambda path: path.stat().st_mtime)
+    if not built:
+        sys.exit("screenshots.py: no program: build it, or name it")
+    return built[-1]
+
+
+def save(editor, name):
+    picture = ROOT / "docs" / "images" / name
+    editor.screenshot(picture)
+    subprocess.run(["convert", str(picture), "-strip", "-define", "png:compression-level=9", str(picture)], check=True)
+    print(picture)
+
+
+def walking(t):
+    """The humanoid walks, a muscle of its chest selected."""
+    editor = t.edit(t.copy_of("humanoid"))
+    editor.wait_until("the walk", lambda s: s["playing"] and "chest" in s["bones"])
+    editor.click("outliner/muscle/pectoralis L")
+    editor.wait_until("the muscle", lambda s: s["document"]["selection"] == ["pectoralis L"])
+    editor.tap("r", "the scaling handles", lambda s: s["gizmo"]["visible"] and s["gizmo"]["mode"] == "scale")
+    editor.move((650, 650))
+    editor.next_frames(60)
+    save(editor, "editor.png")
+    editor.quit()
+
+
+def shoulder(t):
+    """A shoulder muscle from close by, bones in x-ray, the groups as a matrix."""
+    editor = t.edit(t.copy_of("humanoid"))
+    editor.wait_until("the walk", lambda s: s["playing"] and "chest" in s["bones"])
+    editor.tap("space", "the pause", lambda s: not s["playing"])
+    editor.select_muscle("deltoideus L")
+    editor.tap("r", "the scaling handles", lambda s: s["gizmo"]["visible"] and s["gizmo"]["mode"] == "scale")
+    editor.click("display/skeleton")
+    editor.click("blending/tab")
+    editor.wait_until("the matrix", lambda s: sum(w.startswith("blending/") for w in s["widgets"]) > 3)
+    editor.move((650, 650))
+    editor.settle()
+    save(editor, "groups.png")
+    editor.quit()
+
+
+def story(t):
+    def copy_of(name):
+        t.copy(t.assets / (name + ".glb"))
+        return t.copy(t.assets / (name + ".rig.json"))
+
+    t.copy_of = copy_of
+    walking(t)
+    shoulder(t)
+
+
+if __name__ == "__main__":
+    program = sys.argv[1] if len(sys.argv) > 1 else newest_program()
+    with tempfile.TemporaryDirectory() as out:
+        sys.argv[1:] = [str(program), str(ROOT), out, str(ROOT / "assets")]
+        sys.exit(driver.run("screenshots", story))
