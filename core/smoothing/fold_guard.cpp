@@ -10,26 +10,34 @@ namespace {
 
 constexpr int kRounds = 32;
 constexpr float kSafeArea = 0.25f;  ///< Share of its area, as seen along the patch, above which a triangle is let be.
+constexpr float kWholeFront = 0.01f;  ///< Of face . normal / sum of squared edges; an equilateral triangle has 0.29.
 
-/// Twice the area, along the face normal.
-glm::vec3 faceOf(std::span<const glm::vec3> positions, const std::array<int, 3>& t) {
-  const glm::vec3& a = positions[static_cast<std::size_t>(t[0])];
-  return glm::cross(positions[static_cast<std::size_t>(t[1])] - a, positions[static_cast<std::size_t>(t[2])] - a);
+/// How much a triangle of the patch has a front, 0..1: none where it folds back or has no area.
+float frontOf(const glm::vec3& face, const glm::vec3& normals, const glm::vec3& u, const glm::vec3& v) {
+  const float edges = glm::dot(u, u) + glm::dot(v, v) + glm::dot(v - u, v - u);
+  const float t = std::clamp(glm::dot(face, normals) / (3.0f * kWholeFront * edges), 0.0f, 1.0f);
+  return t * t * (3.0f - 2.0f * t);
 }
 
 /// The share of their lift that a triangle lets its corners keep, 0..1.
-float shareOf(const std::array<int, 3>& t, std::span<const glm::vec3> patch, std::span<const glm::vec3> positions) {
-  const glm::vec3 flat = faceOf(patch, t);
-  const float whole = glm::dot(flat, flat);
-  const float left = glm::dot(faceOf(positions, t), flat);
+float shareOf(const std::array<int, 3>& t, const PatchView& patch, std::span<const glm::vec3> positions) {
+  const auto a = static_cast<std::size_t>(t[0]);
+  const auto b = static_cast<std::size_t>(t[1]);
+  const auto c = static_cast<std::size_t>(t[2]);
+  const glm::vec3 u = patch.positions[b] - patch.positions[a];
+  const glm::vec3 v = patch.positions[c] - patch.positions[a];
+  const glm::vec3 face = glm::cross(u, v);
+  const float whole = glm::dot(face, face);
+  const float left = glm::dot(glm::cross(positions[b] - positions[a], positions[c] - positions[a]), face);
   if (!(left < kSafeArea * whole)) return 1.0f;
-  return (1.0f - kSafeArea) * whole / (whole - left);
+  const float front = frontOf(face, patch.normals[a] + patch.normals[b] + patch.normals[c], u, v);
+  return 1.0f - front * (1.0f - (1.0f - kSafeArea) * whole / (whole - left));
 }
 
 }  // namespace
 
 bool FoldGuard::gather(const Refinement& refinement, std::span<const int> control, bool onlyLowered,
-                       std::span<const glm::vec3> patch, std::span<const glm::vec3> positions) {
+                       const PatchView& patch, std::span<const glm::vec3> positions) {
   asking_.clear();
   folding_.clear();
   const auto lowered = [&](int v) { return isLowered_[static_cast<std::size_t>(v)] != 0; };
@@ -51,12 +59,12 @@ bool FoldGuard::gather(const Refinement& refinement, std::span<const int> contro
   return !asking_.empty();
 }
 
-void FoldGuard::lower(std::span<const glm::vec3> patch, std::span<glm::vec3> positions) {
+void FoldGuard::lower(const PatchView& patch, std::span<glm::vec3> positions) {
   for (const int vertex : lowered_) isLowered_[static_cast<std::size_t>(vertex)] = 0;
   std::swap(lowered_, asking_);
   for (const int vertex : lowered_) {
     const auto v = static_cast<std::size_t>(vertex);
-    positions[v] = patch[v] + asked_[v] * (positions[v] - patch[v]);
+    positions[v] = patch.positions[v] + asked_[v] * (positions[v] - patch.positions[v]);
     kept_[v] *= asked_[v];
     asked_[v] = 1.0f;
     isLowered_[v] = 1;
@@ -77,7 +85,7 @@ void FoldGuard::watchAround(const ControlMesh& mesh, std::span<const int> contro
 }
 
 std::span<const float> FoldGuard::apply(const ControlMesh& mesh, const Refinement& refinement,
-                                        std::span<const int> control, std::span<const glm::vec3> patch,
+                                        std::span<const int> control, const PatchView& patch,
                                         std::span<glm::vec3> positions) {
   asked_.assign(positions.size(), 1.0f);
   if (!gather(refinement, control, false, patch, positions)) return {};

@@ -8,27 +8,33 @@
 
 namespace sinew {
 
+/// A patch in its pose.
+struct PatchView {
+  std::span<const glm::vec3> positions;  ///< [V'] world.
+  std::span<const glm::vec3> normals;    ///< [V'] unit.
+};
+
 /// Takes lifted skin back towards the patch where refined triangles turn over.
 ///
 /// Where rise directions converge, a triangle's area as seen along the patch shrinks as it is lifted; below zero it
 /// shows its back, a black slit. With q the lifted triangle's area over the patch's (signed, along the patch's face
 /// normal), each triangle with q below 1/4 asks its corners to keep the share (3/4) / (1 - q) of their lift: what would
-/// leave it 1/4 if its area fell evenly. A corner keeps the least share it is asked for. That is repeated up to 32
-/// times. Every round reads the one before alone, so the order of triangles does not matter, and
+/// leave it 1/4 if its area fell evenly; the less, the less the patch's own triangle faces along the patch's normals, and
+/// nothing where it folds back itself. A corner keeps the least share it is asked for. That is repeated up to 32 times. Every round reads the one before alone, so the order of triangles does not matter, and
 /// what a vertex keeps is a continuous function of all positions. An unmoved vertex stays, and none is lifted further.
 class FoldGuard {
  public:
   /// @param control  ascending: the control triangles that may ask; all that hold a moved vertex, or fewer.
-  /// @param patch [V'] world.  @param positions [V'] world, in and out.
+  /// @param positions [V'] world, in and out.
   /// @return [V'] the share of its lift that each vertex kept, 1 where it was left alone; empty if all were. Valid
   /// until the next call.
   std::span<const float> apply(const ControlMesh& mesh, const Refinement& refinement, std::span<const int> control,
-                               std::span<const glm::vec3> patch, std::span<glm::vec3> positions);
+                               const PatchView& patch, std::span<glm::vec3> positions);
 
  private:
   [[nodiscard]] bool gather(const Refinement& refinement, std::span<const int> control, bool onlyLowered,
-                            std::span<const glm::vec3> patch, std::span<const glm::vec3> positions);
-  void lower(std::span<const glm::vec3> patch, std::span<glm::vec3> positions);
+                            const PatchView& patch, std::span<const glm::vec3> positions);
+  void lower(const PatchView& patch, std::span<glm::vec3> positions);
   void watchAround(const ControlMesh& mesh, std::span<const int> control);
 
   std::vector<float> kept_;       ///< [V'] of all rounds.

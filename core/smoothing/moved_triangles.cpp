@@ -37,7 +37,7 @@ void MovedTriangles::find(const ControlMesh& mesh, const Refinement& refinement,
     if (std::ranges::any_of(corners, atMoved)) aroundControl.push_back(t);
   }
 
-  near_ = moved_;
+  isNear = moved_;
   const auto flagged = [](const std::vector<std::uint8_t>& flags, const std::array<int, 3>& t) {
     return (flags[static_cast<std::size_t>(t[0])] | flags[static_cast<std::size_t>(t[1])] |
             flags[static_cast<std::size_t>(t[2])]) != 0;
@@ -45,14 +45,14 @@ void MovedTriangles::find(const ControlMesh& mesh, const Refinement& refinement,
   for (const int t : control) {
     for (const std::array<int, 3>& small : refinedTriangles(refinement, t)) {
       if (!flagged(moved_, small)) continue;
-      for (const int v : small) near_[static_cast<std::size_t>(v)] = 1;
+      for (const int v : small) isNear[static_cast<std::size_t>(v)] = 1;
     }
   }
   refined.clear();
   const int perTriangle = refinement.depth * refinement.depth;
   for (const int t : aroundControl) {
     for (int i = t * perTriangle; i < (t + 1) * perTriangle; ++i) {
-      if (flagged(near_, refinement.triangles[static_cast<std::size_t>(i)])) refined.push_back(i);
+      if (flagged(isNear, refinement.triangles[static_cast<std::size_t>(i)])) refined.push_back(i);
     }
   }
 }

@@ -14,6 +14,7 @@ struct MovedTriangles {
   std::vector<int> control;        ///< Control triangles that hold a moved vertex. Ascending.
   std::vector<int> aroundControl;  ///< Those, and all that share a control vertex with one. Ascending.
   std::vector<int> refined;        ///< Refined triangles at moved vertices and at their neighbours. Ascending.
+  std::vector<std::uint8_t> isNear;  ///< [V'] 1: has moved, or a neighbour has.
 
   /// @param patch, positions [V'] world; a vertex has moved where they differ.
   void find(const ControlMesh& mesh, const Refinement& refinement, std::span<const glm::vec3> patch,
@@ -21,7 +22,6 @@ struct MovedTriangles {
 
  private:
   std::vector<std::uint8_t> moved_;  ///< [V']
-  std::vector<std::uint8_t> near_;   ///< [V'] moved, or next to a moved vertex.
   std::vector<std::uint8_t> movedEdge_;  ///< [E]
   std::vector<std::uint8_t> corner_;     ///< [V] of a triangle in `control`.
 };

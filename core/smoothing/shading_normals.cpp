@@ -16,6 +16,8 @@ constexpr float kTeethFrom = 0.22f;
 constexpr float kTeethWhole = 0.45f;
 constexpr float kCliffFrom = 0.45f;
 constexpr float kCliffWhole = 0.8f;
+constexpr float kRotationFrom = -0.95f;  ///< Cosine between face normals from which a rotation between them counts.
+constexpr float kRotationWhole = -0.7f;
 constexpr float kTurnedWhole = 0.1f;  ///< Turn of a vertex from which the second step works whole.
 
 float smoothstep(float from, float to, float x) {
@@ -29,13 +31,16 @@ glm::vec3 unitOr(const glm::vec3& sum, const glm::vec3& fallback) {
   return squared > 1e-12f ? sum / std::sqrt(squared) : fallback;
 }
 
-/// v after the least rotation that takes `from` to `to`, both unit; opposite ones have none.
-glm::vec3 turned(const glm::vec3& v, const glm::vec3& from, const glm::vec3& to) {
+/// What the least rotation that takes `from` to `to`, both unit, adds to v. Opposite ones have no such rotation: towards
+/// them it goes over into their plain difference.
+glm::vec3 turnOf(const glm::vec3& v, const glm::vec3& from, const glm::vec3& to) {
   const float cosine = glm::dot(from, to);
-  if (cosine < -0.99f) return to;
+  const float share = smoothstep(kRotationFrom, kRotationWhole, cosine);
+  if (share == 0.0f) return to - from;
   const glm::vec3 axis = glm::cross(from, to);
   const glm::vec3 across = glm::cross(axis, v);
-  return v + across + glm::cross(axis, across) / (1.0f + cosine);
+  const glm::vec3 turn = across + glm::cross(axis, across) / (1.0f + cosine);
+  return share == 1.0f ? turn : share * turn + (1.0f - share) * (to - from);
 }
 
 /// acos to 7e-5, for -1 <= x <= 1 (Abramowitz & Stegun 4.4.45): a weight needs no more.
@@ -94,7 +99,8 @@ void ShadingNormals::sumFaces(const Refinement& refinement, const MovedTriangles
   }
 }
 
-void ShadingNormals::holdToFaces(std::span<const glm::vec3> patchNormals, std::span<const glm::vec3> normals) {
+void ShadingNormals::holdToFaces(const MovedTriangles& moved, std::span<const glm::vec3> patchNormals,
+                                 std::span<const glm::vec3> normals) {
   deltas_.resize(normals.size());
   isTurned_.resize(normals.size());
   turn_.resize(normals.size());
@@ -103,8 +109,8 @@ void ShadingNormals::holdToFaces(std::span<const glm::vec3> patchNormals, std::s
     glm::vec3& delta = deltas_[v];
     delta = normals[v] - own;
     turn_[v] = glm::dot(delta, delta);
-    if (const Faces& faces = faces_[v]; faces.surface != faces.patch) {
-      const glm::vec3 shown = turned(own, unitOr(faces.patch, own), unitOr(faces.surface, own)) - own;
+    if (moved.isNear[v]) {
+      const glm::vec3 shown = turnOf(own, unitOr(faces_[v].patch, own), unitOr(faces_[v].surface, own));
       turn_[v] = std::max(turn_[v], glm::dot(shown, shown));
       const glm::vec3 beyond = delta - shown;
       const float squared = glm::dot(beyond, beyond);
@@ -194,7 +200,7 @@ void ShadingNormals::apply(const Refinement& refinement, const MovedTriangles& m
                            std::span<const glm::vec3> positions, std::span<const glm::vec3> patchNormals,
                            std::span<glm::vec3> normals) {
   sumFaces(refinement, moved, patch, positions);
-  holdToFaces(patchNormals, normals);
+  holdToFaces(moved, patchNormals, normals);
   removeTeeth(refinement, moved);
   for (std::size_t v = 0; v < normals.size(); ++v) {
     if (deltas_[v] == normals[v] - patchNormals[v]) continue;

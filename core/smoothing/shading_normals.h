@@ -39,7 +39,8 @@ class ShadingNormals {
   };
   void sumFaces(const Refinement& refinement, const MovedTriangles& moved, std::span<const glm::vec3> patch,
                 std::span<const glm::vec3> positions);
-  void holdToFaces(std::span<const glm::vec3> patchNormals, std::span<const glm::vec3> normals);
+  void holdToFaces(const MovedTriangles& moved, std::span<const glm::vec3> patchNormals,
+                   std::span<const glm::vec3> normals);
   [[nodiscard]] bool findTeeth(const Refinement& refinement, const MovedTriangles& moved);
   void gatherAroundTeeth(const Refinement& refinement, const MovedTriangles& moved);
   /// (M - 1) values at the vertices near teeth, 0 elsewhere.

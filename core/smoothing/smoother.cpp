@@ -222,7 +222,7 @@ struct Smoother::State {
     movedTriangles.find(mesh(), refinement, patchPositions, out.positions);
     if (movedTriangles.refined.empty()) return;
     const std::span<const float> kept =
-        foldGuard.apply(mesh(), refinement, movedTriangles.control, patchPositions, out.positions);
+        foldGuard.apply(mesh(), refinement, movedTriangles.control, {patchPositions, patchNormals}, out.positions);
     for (std::size_t v = 0; v < kept.size(); ++v) {
       out.displacement[v] *= kept[v];
       out.report.guarded += kept[v] < 1.0f ? 1 : 0;

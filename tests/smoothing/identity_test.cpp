@@ -74,6 +74,7 @@ TEST(Identity, OutOfReachIsThePatchBitForBit) {
   for (const CharacterPtr& character : characters()) {
     for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
       int outside = 0;
+      int untouched = 0;
       int moved = 0;
       for (int depth = 1; depth <= kMaxDepth; ++depth) {
         RigRecipe recipe;
@@ -88,6 +89,9 @@ TEST(Identity, OutOfReachIsThePatchBitForBit) {
         const Surface without = surfaceOf(character, empty, pose);
         oracle::Oracle oracle(*character, rig);
         oracle.pose(pose);
+        // Faces turn one edge away from a moved vertex.
+        const std::vector<bool> reshaded =
+            grown(with.refinement->triangles, movedBetween(with.positions, without.positions), 1);
         for (std::size_t v = 0; v<with.positions.size(); v += depth> 6 ? 5 : 1) {
           const auto site = oracle::siteOf(character->mesh, *with.refinement, static_cast<int>(v));
           const auto weights = oracle.weightsAt(site);
@@ -100,11 +104,15 @@ TEST(Identity, OutOfReachIsThePatchBitForBit) {
           if (!same) ++moved;
           if (mode == SurfaceMode::kSwell ? nearest < 1.0 + 1e-4 : omega > 0.0) continue;
           ++outside;
-          ASSERT_TRUE(same && sameBits(with.normals[v], without.normals[v]))
+          ASSERT_TRUE(same) << character->name << ", " << nameOf(mode) << ", depth " << depth << ", vertex " << v;
+          if (reshaded[v]) continue;
+          ++untouched;
+          ASSERT_TRUE(sameBits(with.normals[v], without.normals[v]))
               << character->name << ", " << nameOf(mode) << ", depth " << depth << ", vertex " << v;
         }
       }
       EXPECT_GT(outside, 100) << character->name;
+      EXPECT_GT(untouched, 100) << character->name;
       EXPECT_GT(moved, 0) << character->name << ": nothing moved, so nothing was shown";
     }
   }

@@ -7,6 +7,7 @@
 #include "core/smoothing/smoother.h"
 #include "tests/support/mesh_checks.h"
 #include "tests/support/oracle_compare.h"
+#include "tests/support/projected.h"
 #include "tests/support/random_rigs.h"
 #include "tests/support/real_characters.h"
 #include "tests/support/synthetic_characters.h"
@@ -41,6 +42,7 @@ oracle::Tally tallyOf(const CharacterPtr& character, const Rig& rig, int poses, 
   EXPECT_TRUE(prepared.ok()) << prepared.error().text();
   if (!prepared) return {};
   oracle::Oracle oracle(*character, rig);
+  Projected projected(*character, rig);
   oracle::Tally total;
   Surface surface;
   int first = 0;
@@ -51,7 +53,8 @@ oracle::Tally tallyOf(const CharacterPtr& character, const Rig& rig, int poses, 
     EXPECT_TRUE(allUnit(surface.normals));
     oracle.pose(pose);
     const int stride = std::max(1, static_cast<int>(surface.positions.size()) * (poses + 1) / wanted);
-    total.add(oracle::compare(oracle, *character, surface, stride, first++ % stride));
+    const Surface& raw = projected.at(pose);
+    total.add(oracle::compare(oracle, *character, {oracle, projected.patch(), raw}, surface, stride, first++ % stride));
   }
   return total;
 }
@@ -62,7 +65,9 @@ void expectAgreement(const std::string& what, const oracle::Tally& tally) {
   EXPECT_LE(tally.farShare(), 0.008) << what << "; " << tally.firstFar;
   EXPECT_EQ(tally.unexplained, 0) << what << "; " << tally.firstFar;
   EXPECT_EQ(tally.farUnsought, 0) << what << "; " << tally.firstFar;
-  EXPECT_LE(tally.normalsOffShare(), 0.01) << what;
+  EXPECT_LE(tally.normalsOffShare(), 0.01) << what << "; " << tally.firstOff;
+  EXPECT_EQ(tally.guardOff, 0) << what << "; " << tally.firstOff;
+  EXPECT_EQ(tally.shadingOff, 0) << what << "; " << tally.firstOff;
 }
 
 const std::vector<ProjectionKind> kProjections{ProjectionKind::kNewton, ProjectionKind::kBisection,
@@ -117,17 +122,47 @@ TEST(Oracle, ComparisonNoticesWrongSurfaces) {
   const oracle::Oracle oracle(*character, rig);
   Surface right;
   smoother.smooth(bindPose(character->skeleton), right);
-  const oracle::Tally good = oracle::compare(oracle, *character, right, 1, 0);
-  EXPECT_EQ(good.far + good.farUnsought + good.normalsOff, 0) << good.text() << "; " << good.firstFar;
+  Projected projected(*character, rig);
+  const Surface& raw = projected.at(bindPose(character->skeleton));
+  const oracle::Stages stages(oracle, projected.patch(), raw);
+  const oracle::Tally good = oracle::compare(oracle, *character, stages, right, 1, 0);
+  EXPECT_EQ(good.far + good.farUnsought + good.normalsOff + good.guardOff + good.shadingOff, 0)
+      << good.text() << "; " << good.firstFar << good.firstOff;
   ASSERT_GT(good.sought, 50);
 
   Surface wrong = right;
   for (glm::vec3& p : wrong.positions) p.y += 2e-4f * character->height;
-  const oracle::Tally moved = oracle::compare(oracle, *character, wrong, 1, 0);
+  const oracle::Tally moved = oracle::compare(oracle, *character, stages, wrong, 1, 0);
   EXPECT_EQ(moved.far + moved.farUnsought, moved.compared);
   wrong = right;
   for (glm::vec3& n : wrong.normals) n = glm::normalize(n + glm::vec3(0.05f, -0.04f, 0.03f));
-  EXPECT_GT(oracle::compare(oracle, *character, wrong, 1, 0).normalsOff, good.sought / 2);
+  EXPECT_GT(oracle::compare(oracle, *character, stages, wrong, 1, 0).shadingOff, good.sought / 2);
+}
+
+// ... a triangle that was turned and left so, and field normals that were not held to their faces.
+TEST(Oracle, ComparisonNoticesUnfinishedSurfaces) {
+  const CharacterPtr character = makeTwoLegged();
+  const Rig rig = randomRig(*character, recipeOf(40), 40);
+  Smoother smoother(character);
+  ASSERT_TRUE(smoother.prepare(rig).ok());
+  oracle::Oracle oracle(*character, rig);
+  Projected projected(*character, rig);
+  const Pose pose = posesOf(*character, 1).back();
+  oracle.pose(pose);
+  Surface right;
+  smoother.smooth(pose, right);
+  const Surface& raw = projected.at(pose);
+  const oracle::Stages stages(oracle, projected.patch(), raw);
+  const oracle::Tally good = oracle::compare(oracle, *character, stages, right, 1, 0);
+  EXPECT_EQ(good.far + good.farUnsought + good.guardOff + good.shadingOff, 0) << good.text() << "; " << good.firstOff;
+  ASSERT_GT(good.guarded, 5);
+
+  Surface turned = right;
+  turned.positions = raw.positions;
+  EXPECT_GT(oracle::compare(oracle, *character, stages, turned, 1, 0).guardOff, good.guarded / 2);
+  Surface unfiltered = right;
+  unfiltered.normals = raw.normals;
+  EXPECT_GT(oracle::compare(oracle, *character, stages, unfiltered, 1, 0).shadingOff, good.sought / 20);
 }
 
 TEST(Oracle, SwellOnSyntheticCharacters) {
@@ -184,13 +219,16 @@ TEST(Oracle, UnevenBoneScale) {
   Smoother smoother(character);
   ASSERT_TRUE(smoother.prepare(rig).ok());
   oracle::Oracle oracle(*character, rig);
+  Projected projected(*character, rig);
   oracle::Tally total;
   Surface surface;
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     const Pose pose = randomPose(character->skeleton, 0.6f, 0.35f, seed);
     smoother.smooth(pose, surface);
     oracle.pose(pose);
-    total.add(oracle::compare(oracle, *character, surface, 5, static_cast<int>(seed)));
+    const Surface& raw = projected.at(pose);
+    total.add(
+        oracle::compare(oracle, *character, {oracle, projected.patch(), raw}, surface, 5, static_cast<int>(seed)));
   }
   expectAgreement("two-legged, stretched bones", total);
 }

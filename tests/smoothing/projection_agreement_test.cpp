@@ -9,6 +9,7 @@
 #include "core/smoothing/smoother.h"
 #include "tests/support/mesh_checks.h"
 #include "tests/support/oracle_compare.h"
+#include "tests/support/projected.h"
 #include "tests/support/trial_scenes.h"
 
 namespace sinew::test {
@@ -25,6 +26,7 @@ oracle::Tally tallyOf(const TrialScene& scene, const Rig& rig) {
   EXPECT_TRUE(prepared.ok()) << prepared.error().text();
   if (!prepared) return {};
   oracle::Oracle oracle(*scene.character, rig);
+  Projected projected(*scene.character, rig);
   oracle::Tally total;
   Surface surface;
   int first = 0;
@@ -34,27 +36,31 @@ oracle::Tally tallyOf(const TrialScene& scene, const Rig& rig) {
     EXPECT_TRUE(allUnit(surface.normals));
     oracle.pose(pose);
     const int stride = std::max(1, static_cast<int>(surface.positions.size()) * (kPoses + 1) / kAsked);
-    total.add(oracle::compare(oracle, *scene.character, surface, stride, first++ % stride));
+    const Surface& raw = projected.at(pose);
+    total.add(
+        oracle::compare(oracle, *scene.character, {oracle, projected.patch(), raw}, surface, stride, first++ % stride));
   }
   return total;
 }
 
 void expectAgreement(SurfaceMode mode) {
   std::printf("  %-11s %-8s %-10s %8s %8s %8s  %s\n", "scene", "mode", "projection", "asked", "sought", "within",
-              "beyond 1e-4 H: another root, near-tangent, unexplained; normals off");
+              "beyond 1e-4 H: another root, near-tangent, unexplained; normals off; guarded (off), shading off");
   for (const TrialScene& scene : trialScenes()) {
     for (const ProjectionKind projection : kProjections) {
       const oracle::Tally tally = tallyOf(scene, withMode(scene.rig, mode, projection));
-      std::printf("  %-11s %-8s %-10s %8d %8d %7.2f%%  %d: %d, %d, %d; %d (%d on a crease)\n", scene.name.c_str(),
-                  nameOf(mode), nameOf(projection), tally.compared, tally.sought, 100.0 * (1.0 - tally.farShare()),
-                  tally.far, tally.anotherRoot, tally.nearTangent, tally.unexplained, tally.normalsOff,
-                  tally.normalsOnCrease);
+      std::printf("  %-11s %-8s %-10s %8d %8d %7.2f%%  %d: %d, %d, %d; %d (%d on a crease); %d (%d), %d\n",
+                  scene.name.c_str(), nameOf(mode), nameOf(projection), tally.compared, tally.sought,
+                  100.0 * (1.0 - tally.farShare()), tally.far, tally.anotherRoot, tally.nearTangent, tally.unexplained,
+                  tally.normalsOff, tally.normalsOnCrease, tally.guarded, tally.guardOff, tally.shadingOff);
       const std::string what = scene.name + ", " + nameOf(mode) + ", " + nameOf(projection);
       EXPECT_GT(tally.sought, 20) << what;
       EXPECT_LE(tally.farShare(), 0.008) << what << "; " << tally.firstFar;
       EXPECT_EQ(tally.unexplained, 0) << what << "; " << tally.firstFar;
       EXPECT_EQ(tally.farUnsought, 0) << what << "; " << tally.firstFar;
-      EXPECT_LE(tally.normalsOffShare(), 0.01) << what;
+      EXPECT_LE(tally.normalsOffShare(), 0.01) << what << "; " << tally.firstOff;
+      EXPECT_EQ(tally.guardOff, 0) << what << "; " << tally.firstOff;
+      EXPECT_EQ(tally.shadingOff, 0) << what << "; " << tally.firstOff;
     }
   }
 }

@@ -115,10 +115,10 @@ Surface projectedAlone(const TrialScene& scene, const Rig& rig, const Pose& pose
   std::vector<glm::vec3> anchors;
   poseAnchors(findAnchors(character.skeleton, bindFlat.positions), pose, anchors);
   Surface out = patch;
-  const std::vector<float> allOnes(character.mesh.positions.size(), 1.0f);
+  const ImplicitWeights weights{std::vector<float>(character.mesh.positions.size(), 1.0f), true, 0};
   const ReplaceSettings settings{rig.surface.iso, 0.2f * character.height, rig.smoothing.projection,
                                  1e-6 * static_cast<double>(character.height)};
-  replace(character.mesh, {posed, &lists}, settings, {flat.positions, flat.normals, anchors}, allOnes, out);
+  replace(character.mesh, {posed, &lists}, settings, {flat.positions, flat.normals, anchors}, weights, out);
   return out;
 }
 

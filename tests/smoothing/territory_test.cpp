@@ -46,7 +46,8 @@ std::vector<bool> outsideOf(const Character& character, const Refinement& refine
 
 /// What a rig did against the bare character over some moments of a clip.
 struct Moved {
-  int outside = 0;         ///< Vertices, times, outside the territory that changed a bit.
+  int outside = 0;         ///< Vertices, times, outside the territory that changed a bit of their place, or of their
+                           ///< normal with no moved neighbour (docs/design.md, Normals).
   int inside = 0;          ///< ... and within.
   int watchedOutside = 0;  ///< Vertices outside, per moment.
 };
@@ -69,8 +70,10 @@ Moved countMoved(const CharacterPtr& character, const Rig& rig, const AnimationC
     without.smooth(pose, b);
     const auto outside = outsideOf(*character, *a.refinement, touchedBy(*character, territory));
     out.watchedOutside = static_cast<int>(std::ranges::count(outside, true));
+    const std::vector<bool> reshaded = grown(a.refinement->triangles, movedBetween(a.positions, b.positions), 1);
     for (std::size_t v = 0; v < outside.size(); ++v) {
-      const bool same = sameBits(a.positions[v], b.positions[v]) && sameBits(a.normals[v], b.normals[v]);
+      const bool same =
+          sameBits(a.positions[v], b.positions[v]) && (reshaded[v] || sameBits(a.normals[v], b.normals[v]));
       if (!same) ++(outside[v] ? out.outside : out.inside);
     }
   }

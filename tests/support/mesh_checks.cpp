@@ -92,4 +92,21 @@ bool sameBits(const glm::vec3& a, const glm::vec3& b) { return std::memcmp(&a, &
   return ::testing::AssertionSuccess();
 }
 
+std::vector<bool> grown(std::span<const std::array<int, 3>> triangles, std::vector<bool> marked, int edges) {
+  for (int round = 0; round < edges; ++round) {
+    const std::vector<bool> before = marked;
+    for (const auto& t : triangles) {
+      if (!std::ranges::any_of(t, [&](int v) { return before[static_cast<std::size_t>(v)]; })) continue;
+      for (const int v : t) marked[static_cast<std::size_t>(v)] = true;
+    }
+  }
+  return marked;
+}
+
+std::vector<bool> movedBetween(std::span<const glm::vec3> a, std::span<const glm::vec3> b) {
+  std::vector<bool> out(a.size());
+  for (std::size_t v = 0; v < a.size(); ++v) out[v] = !sameBits(a[v], b[v]);
+  return out;
+}
+
 }  // namespace sinew::test

@@ -33,4 +33,10 @@ struct EdgeCensus {
 [[nodiscard]] ::testing::AssertionResult sameBytes(std::span<const glm::vec3> a, std::span<const glm::vec3> b);
 [[nodiscard]] bool sameBits(const glm::vec3& a, const glm::vec3& b);
 
+/// The marked vertices and all that are at most so many edges away from one.
+[[nodiscard]] std::vector<bool> grown(std::span<const std::array<int, 3>> triangles, std::vector<bool> marked,
+                                      int edges);
+/// Vertices that stand elsewhere in b than in a.
+[[nodiscard]] std::vector<bool> movedBetween(std::span<const glm::vec3> a, std::span<const glm::vec3> b);
+
 }  // namespace sinew::test

@@ -5,11 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/support/oracle_rise.h"
+
 namespace sinew::oracle {
 namespace {
 
 constexpr int kSteps = 2400;
 constexpr int kOtherRoots = 8;
+constexpr double kRise = 0.1;         ///< Of H: what an edge should allow.
+constexpr double kLeastCosine = 0.2;  ///< n . d counts as at least this.
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -45,7 +49,11 @@ Site siteOf(const ControlMesh& mesh, const Refinement& refinement, int vertex) {
 }
 
 Oracle::Oracle(const Character& character, const Rig& rig)
-    : character_(character), rig_(rig), field_(character, rig), height_(static_cast<double>(character.height)) {
+    : character_(character),
+      rig_(rig),
+      field_(character, rig),
+      height_(static_cast<double>(character.height)),
+      riseInBind_(relaxedDirections(character.mesh, kRise * height_)) {
   for (std::size_t v = 0; v < character.mesh.positions.size(); ++v) {
     vertexWeights_.push_back(field_.territoryWeights(static_cast<int>(v)));
   }
@@ -60,6 +68,7 @@ void Oracle::pose(const Pose& pose) {
   const ControlMesh& mesh = character_.mesh;
   positions_.clear();
   normals_.clear();
+  rise_.clear();
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     Affine sum = zeroAffine();
     for (const Influence& influence : mesh.influencesOf(static_cast<int>(v))) {
@@ -69,8 +78,9 @@ void Oracle::pose(const Pose& pose) {
     }
     positions_.push_back(apply(sum, vec(mesh.positions[v])));
     const double side = determinant(sum.linear) < 0.0 ? -1.0 : 1.0;
-    const Vec normal = vec(mesh.normals[v]);
-    normals_.push_back(unitOr(side * (cofactors(sum.linear) * normal), normal));
+    const auto carried = [&](const Vec& bind) { return unitOr(side * (cofactors(sum.linear) * bind), bind); };
+    normals_.push_back(carried(vec(mesh.normals[v])));
+    rise_.push_back(carried(riseInBind_[v]));
   }
 }
 
@@ -92,18 +102,21 @@ std::vector<double> Oracle::weightsAt(const Site& site) const {
   return out;
 }
 
-double Oracle::skinWidth() const {
-  const double isoRadius = std::sqrt(1.0 - std::sqrt(field_.iso()));
-  return static_cast<double>(rig_.surface.skinBlend) * height_ / (1.0 - isoRadius);
+Vec Oracle::riseAt(const Site& site) const {
+  Vec sum;
+  for (std::size_t i = 0; i < 3; ++i) sum = sum + site.barycentric[i] * rise_[index(site.vertices[i])];
+  return unitOr(sum, rise_[index(site.vertices[0])]);
 }
 
-double Oracle::skinRadius(double s) const {
-  return std::max(0.0, s / skinWidth() + std::sqrt(1.0 - std::sqrt(field_.iso())));
+double Oracle::isoRadius() const { return std::sqrt(1.0 - std::sqrt(field_.iso())); }
+
+double Oracle::skinRadius(double s, double blendWidth) const {
+  return std::max(0.0, s * (1.0 - isoRadius()) / blendWidth + isoRadius());
 }
 
 double Oracle::phiAt(const Answer& answer, double t) const {
   const double field = field_.value(answer.rayOrigin + t * answer.rayDirection, answer.fieldWeights) - field_.iso();
-  return rig_.surface.mode == SurfaceMode::kSwell ? field + g(skinRadius(t)) : field;
+  return rig_.surface.mode == SurfaceMode::kSwell ? field + g(skinRadius(t, answer.blendWidth)) : field;
 }
 
 Answer Oracle::evaluate(const Site& site) const {
@@ -114,21 +127,23 @@ Answer Oracle::swell(const Site& site) const {
   Answer out;
   out.patch = patchPoint(rig_.smoothing.patch, cornersOf(site), site.barycentric);
   out.position = out.rayOrigin = out.patch.position;
-  out.normal = out.rayDirection = out.patch.normal;
+  out.normal = out.patch.normal;
+  out.rayDirection = riseAt(site);
   const std::vector<double> weights = weightsAt(site);
   out.field = field_.value(out.position, weights);
   out.nearest = field_.nearest(out.position, weights);
   out.lead = field_.lead(out.position, weights);
   out.fieldWeights = weights;
+  out.blendWidth = field_.blendWidth(out.position, weights, static_cast<double>(rig_.surface.skinBlend) * height_);
   if (out.field == 0.0) return out;
 
-  const double blend = static_cast<double>(rig_.surface.skinBlend) * height_;
+  const double width = out.blendWidth / (1.0 - isoRadius());
   const Field::Ray ray = field_.along(out.rayOrigin, out.rayDirection, weights);
-  const Function phi = [&](double s) { return g(skinRadius(s)) + ray.value(s) - field_.iso(); };
+  const Function phi = [&](double s) { return g(skinRadius(s, out.blendWidth)) + ray.value(s) - field_.iso(); };
 
   out.sought = true;
-  const double outermost = 1.0001 * std::max(blend, ray.end());
-  const double innermost = -skinRadius(0.0) * skinWidth();
+  const double outermost = 1.0001 * std::max(out.blendWidth, ray.end());
+  const double innermost = -isoRadius() * width;
   const double atStart = phi(0.0);
   if (atStart > 0.0) {
     out.roots = signChanges(phi, 0.0, outermost, kSteps, kOtherRoots);
@@ -142,8 +157,10 @@ Answer Oracle::swell(const Site& site) const {
   out.resolved = true;
   out.position = out.rayOrigin + out.offset * out.rayDirection;
   out.lead = field_.lead(out.position, weights);
-  const double skinSlope = gSlope(skinRadius(out.offset)) / skinWidth();
-  const Vec gradient = skinSlope * out.rayDirection + field_.gradient(out.position, weights);
+  // Heights grow by 1 along d and not at all along the skin.
+  const double skinSlope = gSlope(skinRadius(out.offset, out.blendWidth)) / width;
+  const double cosine = std::max(kLeastCosine, dot(out.patch.normal, out.rayDirection));
+  const Vec gradient = (skinSlope / cosine) * out.patch.normal + field_.gradient(out.position, weights);
   out.normal = unitOr(-1.0 * gradient, out.patch.normal);
   return out;
 }

@@ -29,12 +29,13 @@ struct Answer {
   Vec position;
   Vec normal;  ///< Unit.
   PatchPoint patch;
-  double field = 0.0;    ///< F at the start of the ray, territories counted.
-  double nearest = 0.0;  ///< Smallest r of a primitive at the patch point; >= 1: none reaches it.
-  double offset = 0.0;   ///< Signed distance along the ray to the root that was taken.
-  double lead = 0.0;     ///< Field::lead at the position: near 0 the gradient is on a crease.
-  double weight = 1.0;   ///< `replace`: share of the projected position, fade included.
-  bool sought = false;   ///< A root was looked for.
+  double field = 0.0;       ///< F at the start of the ray, territories counted.
+  double nearest = 0.0;     ///< Smallest r of a primitive at the patch point; >= 1: none reaches it.
+  double offset = 0.0;      ///< Signed distance along the ray to the root that was taken.
+  double blendWidth = 0.0;  ///< `swell`: h there.
+  double lead = 0.0;        ///< Field::lead at the position: near 0 the gradient is on a crease.
+  double weight = 1.0;      ///< `replace`: share of the projected position, fade included.
+  bool sought = false;      ///< A root was looked for.
   bool resolved = false;
   bool fellBack = false;  ///< `replace`: the anchor was not inside, so the normal was followed.
   Vec rayOrigin;
@@ -57,6 +58,10 @@ class Oracle {
   [[nodiscard]] std::vector<double> weightsAt(const Site& site) const;
   /// omega of a control vertex, `replace` only.
   [[nodiscard]] double omega(int vertex) const { return omega_[static_cast<std::size_t>(vertex)]; }
+  /// Neither guarded nor shaded anew: `replace` on a body that muscles wrap.
+  [[nodiscard]] bool standsAsProjected() const { return rig_.surface.mode == SurfaceMode::kReplace && wraps_; }
+  /// Unit rise direction at a site in the pose.
+  [[nodiscard]] Vec riseAt(const Site& site) const;
 
  private:
   struct Anchor {
@@ -81,26 +86,35 @@ class Oracle {
     Line line;  ///< The first one followed.
     [[nodiscard]] bool found() const { return !layers.empty(); }
   };
-  void lay(const Line& line, const std::vector<double>& weights, double& left, Hit& hit) const;
-  [[nodiscard]] double skinWidth() const;  ///< W
-  [[nodiscard]] double skinRadius(double s) const;
+  /// @param outwardsAlone  the stretches further in do not count.
+  void lay(const Line& line, const std::vector<double>& weights, double& left, Hit& hit,
+           bool outwardsAlone = false) const;
+  [[nodiscard]] double isoRadius() const;  ///< r_T
+  /// s / W + r_T, not below 0.
+  [[nodiscard]] double skinRadius(double s, double blendWidth) const;
   [[nodiscard]] Corners cornersOf(const Site& site) const;
   [[nodiscard]] Anchor anchorOf(const Vec& bindPoint) const;
   [[nodiscard]] Answer swell(const Site& site) const;
   [[nodiscard]] Answer replace(const Site& site) const;
   [[nodiscard]] Hit project(const PatchPoint& flat, const Vec& anchor, const std::vector<double>& weights) const;
   [[nodiscard]] Vec anchorInWorld(const Site& site) const;
+  /// Along the normal, of a vertex inside the implicit surface: the body is not wrapped.
+  [[nodiscard]] Hit projectOutwards(const PatchPoint& flat, const std::vector<double>& weights) const;
   void findOmegas();
+  [[nodiscard]] bool findWhetherWrapped() const;
 
   const Character& character_;
   Rig rig_;
   Field field_;
   double height_ = 1.0;
+  bool wraps_ = false;                              ///< `replace`: muscles wrap the body.
   std::vector<std::vector<double>> vertexWeights_;  ///< [V][primitives]
   std::vector<double> omega_;                       ///< [V]
+  std::vector<Vec> riseInBind_;                     ///< [V]
   std::vector<Affine> bones_;                       ///< [bones] posed.
   std::vector<Vec> positions_;                      ///< [V] posed.
   std::vector<Vec> normals_;                        ///< [V] posed.
+  std::vector<Vec> rise_;                           ///< [V] posed.
 };
 
 }  // namespace sinew::oracle

@@ -38,6 +38,62 @@ void explain(Tally& tally, const Oracle& oracle, const Answer& answer, const Vec
   }
 }
 
+double degreesBetween(const Vec& a, const Vec& b) {
+  return std::acos(std::clamp(dot(a, b) / (length(a) * length(b)), -1.0, 1.0)) * 180.0 / 3.14159265358979;
+}
+
+/// By more than 1 degree.
+bool isOff(const Vec& normal, const Vec& expected) { return !(degreesBetween(normal, expected) <= 1.0); }
+
+void note(Tally& tally, int vertex, const char* what, double amount) {
+  if (!tally.firstOff.empty()) return;
+  std::ostringstream out;
+  out << "vertex " << vertex << ": " << what << ' ' << amount;
+  tally.firstOff = out.str();
+}
+
+/// One vertex before the fold guard against the brute-force search.
+void compareRaw(Tally& tally, const Oracle& oracle, const Answer& answer, int vertex, const Vec& seen,
+                const Vec& normal, double height) {
+  const double distance = length(seen - answer.position) / height;
+  if (!(distance <= kTolerance)) {
+    Tally one;
+    one.firstFar = describe(vertex, answer, seen, height);
+    if (answer.sought) {
+      one.far = 1;
+      explain(one, oracle, answer, seen, height);
+    } else {
+      one.farUnsought = 1;
+    }
+    tally.add(one);
+    return;
+  }
+  tally.worst = std::max(tally.worst, distance);
+  if (!isOff(normal, answer.normal)) return;
+  ++tally.normalsOff;
+  if (answer.lead < 1e-3) {
+    ++tally.normalsOnCrease;
+  } else {
+    note(tally, vertex, "field normal off by", degreesBetween(normal, answer.normal));
+  }
+}
+
+void compareFinished(Tally& tally, const Finished& finished, std::size_t vertex, const Surface& surface,
+                     double height) {
+  const double distance = length(vec(surface.positions[vertex]) - finished.positions[vertex]) / height;
+  const bool guarded = finished.kept[vertex] < 1.0;
+  tally.guarded += guarded ? 1 : 0;
+  if (guarded && !(distance <= kTolerance)) {
+    ++tally.guardOff;
+    note(tally, static_cast<int>(vertex), "guard off by (H)", distance);
+  }
+  const Vec normal = vec(surface.normals[vertex]);
+  tally.worstShading = std::max(tally.worstShading, degreesBetween(normal, finished.normals[vertex]));
+  if (!isOff(normal, finished.normals[vertex])) return;
+  ++tally.shadingOff;
+  note(tally, static_cast<int>(vertex), "shading off by", degreesBetween(normal, finished.normals[vertex]));
+}
+
 }  // namespace
 
 void Tally::add(const Tally& other) {
@@ -49,8 +105,13 @@ void Tally::add(const Tally& other) {
   anotherRoot += other.anotherRoot;
   nearTangent += other.nearTangent;
   unexplained += other.unexplained;
+  guarded += other.guarded;
+  guardOff += other.guardOff;
+  shadingOff += other.shadingOff;
+  if (firstOff.empty()) firstOff = other.firstOff;
   normalsOff += other.normalsOff;
   normalsOnCrease += other.normalsOnCrease;
+  worstShading = std::max(worstShading, other.worstShading);
   worst = std::max(worst, other.worst);
 }
 
@@ -59,38 +120,24 @@ std::string Tally::text() const {
   out << compared << " vertices compared, " << sought << " roots sought, " << far << " beyond 1e-4 H (" << anotherRoot
       << " another root, " << nearTangent << " near-tangent, " << unexplained << " unexplained), " << farUnsought
       << " off the patch, worst of the rest " << worst << " H; normals off by more than 1 degree: " << normalsOff
-      << " (" << normalsOnCrease << " on a crease)";
+      << " (" << normalsOnCrease << " on a crease); " << guarded << " guarded (" << guardOff
+      << " off), shading off: " << shadingOff << " (worst " << worstShading << " degrees)";
   return out.str();
 }
 
-Tally compare(const Oracle& oracle, const Character& character, const Surface& surface, int stride, int first) {
+Tally compare(const Oracle& oracle, const Character& character, const Stages& stages, const Surface& surface,
+              int stride, int first) {
   Tally tally;
   const double height = static_cast<double>(character.height);
   for (int v = first; v < static_cast<int>(surface.positions.size()); v += stride) {
     const Answer answer = oracle.evaluate(siteOf(character.mesh, *surface.refinement, v));
     const auto index = static_cast<std::size_t>(v);
-    const Vec seen = vec(surface.positions[index]);
-    const double distance = length(seen - answer.position) / height;
     ++tally.compared;
     if (answer.sought) ++tally.sought;
-    if (!(distance <= kTolerance)) {
-      Tally one;
-      one.firstFar = describe(v, answer, seen, height);
-      if (answer.sought) {
-        one.far = 1;
-        explain(one, oracle, answer, seen, height);
-      } else {
-        one.farUnsought = 1;
-      }
-      tally.add(one);
-      continue;
-    }
-    tally.worst = std::max(tally.worst, distance);
-    const double cosine = dot(vec(surface.normals[index]), answer.normal);
-    if (!(cosine >= std::cos(3.14159265358979 / 180.0))) {
-      ++tally.normalsOff;
-      if (answer.lead < 1e-3) ++tally.normalsOnCrease;
-    }
+    const bool guarded = stages.finished.kept[index] < 1.0;
+    const Vec seen = vec(guarded ? stages.raw.positions[index] : surface.positions[index]);
+    compareRaw(tally, oracle, answer, v, seen, vec(stages.raw.normals[index]), height);
+    compareFinished(tally, stages.finished, index, surface, height);
   }
   return tally;
 }

@@ -94,6 +94,7 @@ Field::Field(const Character& character, const Rig& rig)
     if (item.bone < 0) continue;
     item.group = static_cast<int>(groupNamed(primitive.group));
     const double reach = static_cast<double>(primitive.reach);
+    item.reach = reach;
     item.strength = iso_ / g(1.0 / reach);
     item.sign = primitive.sign;
     item.centerInBone = vec(primitive.placement.center);
@@ -112,6 +113,7 @@ void Field::pose(const Pose& pose) {
     const Mat toWorld = bone.linear * item.unitToBone;
     item.flat = determinant(toWorld) == 0.0;
     if (!item.flat) item.toUnit = inverse(toWorld);
+    item.meanRadius = std::cbrt(std::abs(determinant(toWorld))) / item.reach;
   }
 }
 
@@ -193,6 +195,19 @@ double Field::nearest(const Vec& point, std::span<const double> weights) const {
     if (weights[i] > 0.0 && !primitives_[i].flat) out = std::min(out, radius(primitives_[i], point));
   }
   return out;
+}
+
+double Field::blendWidth(const Vec& point, std::span<const double> weights, double most) const {
+  double sum = 0.0;
+  double total = 0.0;
+  for (std::size_t i = 0; i < primitives_.size(); ++i) {
+    const Item& item = primitives_[i];
+    if (weights[i] <= 0.0) continue;
+    const double share = weights[i] * item.strength * g(radius(item, point));
+    sum += share * std::min(most, item.meanRadius);
+    total += share;
+  }
+  return total > 0.0 ? sum / total : most;
 }
 
 bool Field::inRegion(const Vec& point, std::span<const double> weights) const { return nearest(point, weights) < 1.0; }

@@ -33,6 +33,9 @@ class Field {
   [[nodiscard]] double lead(const Vec& point, std::span<const double> weights) const;
   /// Smallest r = q / k of any primitive with weight > 0: 1 and more means that none reaches the point.
   [[nodiscard]] double nearest(const Vec& point, std::span<const double> weights) const;
+  /// h of docs/design.md: the mean over the primitives that reach the point of their mean radius, at most `most` each,
+  /// weighted by |m_i f_i|; `most` where none does.
+  [[nodiscard]] double blendWidth(const Vec& point, std::span<const double> weights, double most) const;
   /// Some m_i f_i != 0.
   [[nodiscard]] bool inRegion(const Vec& point, std::span<const double> weights) const;
 
@@ -65,12 +68,14 @@ class Field {
     int group = 0;
     Vec centerInBone;
     Mat unitToBone;  ///< Unit ball -> influence ellipsoid about its centre, bone space.
+    double reach = 1.0;
     double strength = 1.0;
     int sign = 1;
     std::vector<bool> territory;  ///< [bones]
     // Posed:
     Vec center;
     Mat toUnit;
+    double meanRadius = 0.0;  ///< Of the ball with the visible ellipsoid's volume.
     bool flat = false;
   };
 

@@ -13,6 +13,7 @@ constexpr int kSteps = 2400;
 constexpr int kStretches = 8;
 constexpr int kProminenceSamples = 9;
 constexpr double kSearchLength = 0.2;  ///< L as a fraction of H.
+constexpr double kWrapped = 0.7;       ///< Of the vertices inside the region of influence: from there on muscles wrap.
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -82,21 +83,38 @@ Vec Oracle::anchorInWorld(const Site& site) const {
   return apply(bones_[index(anchor.bone)], anchor.inBone);
 }
 
+bool Oracle::findWhetherWrapped() const {
+  int inRegion = 0;
+  int wrapped = 0;
+  for (std::size_t v = 0; v < vertexWeights_.size(); ++v) {
+    const int vertex = static_cast<int>(v);
+    if (!field_.inRegion(vec(character_.mesh.positions[v]), vertexWeights_[v])) continue;
+    ++inRegion;
+    const Vec anchor = anchorInWorld({{vertex, vertex, vertex}, {1.0, 0.0, 0.0}});
+    if (field_.value(anchor, vertexWeights_[v]) > field_.iso()) ++wrapped;
+  }
+  return wrapped >= kWrapped * inRegion;
+}
+
 void Oracle::findOmegas() {
   Pose bind;
   for (const Bone& bone : character_.skeleton.bones) bind.boneInWorld.push_back(bone.bindInWorld);
   pose(bind);
+  wraps_ = findWhetherWrapped();
   omega_.assign(character_.mesh.positions.size(), 0.0);
   for (std::size_t v = 0; v < omega_.size(); ++v) {
     const int vertex = static_cast<int>(v);
     const Site site{{vertex, vertex, vertex}, {1.0, 0.0, 0.0}};
     const PatchPoint at{vec(character_.mesh.positions[v]), vec(character_.mesh.normals[v])};
     if (!field_.inRegion(at.position, vertexWeights_[v])) continue;
-    if (project(at, anchorInWorld(site), vertexWeights_[v]).found()) omega_[v] = 1.0;
+    const bool counts = wraps_ ? project(at, anchorInWorld(site), vertexWeights_[v]).found()
+                               : field_.value(at.position, vertexWeights_[v]) > field_.iso();
+    if (counts) omega_[v] = 1.0;
   }
 }
 
-void Oracle::lay(const Line& line, const std::vector<double>& weights, double& left, Hit& hit) const {
+void Oracle::lay(const Line& line, const std::vector<double>& weights, double& left, Hit& hit,
+                 bool outwardsAlone) const {
   const Field::Ray ray = field_.along(line.origin, line.inwards, weights);
   if (ray.isEmpty()) return;
   const double searchLength = kSearchLength * height_;
@@ -115,7 +133,7 @@ void Oracle::lay(const Line& line, const std::vector<double>& weights, double& l
       add(outer.front(), std::max({prominence(phi, outer.front(), 0.0), prominence(phi, 0.0, begin), phi(0.0)}));
     }
   }
-  if (begin >= line.length) return;
+  if (outwardsAlone || begin >= line.length) return;
   const double start = line.inside ? begin + 1e-7 * height_ : 0.0;
   const std::vector<double> changes = signChanges(phi, start, line.length, kSteps, 2 * kStretches);
   for (std::size_t i = 0; i < changes.size() && changes[i] < searchLength && left > 0.0; i += 2) {
@@ -143,6 +161,14 @@ Oracle::Hit Oracle::project(const PatchPoint& flat, const Vec& anchor, const std
   return hit;
 }
 
+Oracle::Hit Oracle::projectOutwards(const PatchPoint& flat, const std::vector<double>& weights) const {
+  Hit hit;
+  hit.line = {flat.position, -1.0 * flat.normal, kSearchLength * height_, true};
+  double left = 1.0;
+  lay(hit.line, weights, left, hit, true);
+  return hit;
+}
+
 Answer Oracle::replace(const Site& site) const {
   Answer out;
   const Corners corners = cornersOf(site);
@@ -157,8 +183,9 @@ Answer Oracle::replace(const Site& site) const {
   if (out.weight == 0.0) return out;
 
   const PatchPoint flat = flatPoint(corners, site.barycentric);
-  const Hit hit = project(flat, anchorInWorld(site), weights);
   out.field = field_.value(flat.position, weights);
+  if (!wraps_ && out.field <= field_.iso()) return out;
+  const Hit hit = wraps_ ? project(flat, anchorInWorld(site), weights) : projectOutwards(flat, weights);
   out.sought = true;
   out.resolved = hit.found();
   out.rayOrigin = hit.line.origin;

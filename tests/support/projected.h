@@ -1,0 +1,29 @@
+#pragma once  // tests/support/projected.h: what projection alone gives, in both modes, before fold guard and shading.
+
+#include <memory>
+
+#include "core/character/character.h"
+#include "core/rig/rig.h"
+#include "core/skeleton/pose.h"
+#include "core/smoothing/surface.h"
+
+namespace sinew::test {
+
+/// The stages of core/smoothing up to swell() or replace(), put together by hand.
+class Projected {
+ public:
+  Projected(const Character& character, const Rig& rig);
+  ~Projected();
+  Projected(const Projected&) = delete;
+  Projected& operator=(const Projected&) = delete;
+  /// Positions, displacement and normals; the patch's where nothing has moved. Valid until the next call.
+  [[nodiscard]] const Surface& at(const Pose& pose);
+  /// The patch of the last call: positions and normals without muscles.
+  [[nodiscard]] const Surface& patch() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sinew::test
