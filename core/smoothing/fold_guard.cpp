@@ -10,31 +10,56 @@ namespace {
 
 constexpr int kRounds = 32;
 constexpr float kSafeArea = 0.25f;  ///< Share of its area, as seen along the patch, above which a triangle is let be.
-constexpr float kWholeFront = 0.01f;  ///< Of face . normal / sum of squared edges; an equilateral triangle has 0.29.
+// Of a patch triangle's front over its own in the bind pose: from which it asks for nothing, and for all.
+constexpr float kNoFront = 0.02f;
+constexpr float kWholeFront = 0.17f;
 
-/// How much a triangle of the patch has a front, 0..1: none where it folds back or has no area.
-float frontOf(const glm::vec3& face, const glm::vec3& normals, const glm::vec3& u, const glm::vec3& v) {
-  const float edges = glm::dot(u, u) + glm::dot(v, v) + glm::dot(v - u, v - u);
-  const float t = std::clamp(glm::dot(face, normals) / (3.0f * kWholeFront * edges), 0.0f, 1.0f);
+float smoothstep(float from, float to, float x) {
+  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
   return t * t * (3.0f - 2.0f * t);
 }
 
-/// The share of their lift that a triangle lets its corners keep, 0..1.
-float shareOf(const std::array<int, 3>& t, const PatchView& patch, std::span<const glm::vec3> positions) {
+/// A refined triangle of the patch.
+struct Facet {
+  glm::vec3 face;     ///< Twice the area, along the face normal.
+  float front = 0.0f; ///< As triangleFronts has it.
+};
+
+Facet facetOf(const std::array<int, 3>& t, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals) {
   const auto a = static_cast<std::size_t>(t[0]);
   const auto b = static_cast<std::size_t>(t[1]);
   const auto c = static_cast<std::size_t>(t[2]);
-  const glm::vec3 u = patch.positions[b] - patch.positions[a];
-  const glm::vec3 v = patch.positions[c] - patch.positions[a];
-  const glm::vec3 face = glm::cross(u, v);
-  const float whole = glm::dot(face, face);
-  const float left = glm::dot(glm::cross(positions[b] - positions[a], positions[c] - positions[a]), face);
-  if (!(left < kSafeArea * whole)) return 1.0f;
-  const float front = frontOf(face, patch.normals[a] + patch.normals[b] + patch.normals[c], u, v);
-  return 1.0f - front * (1.0f - (1.0f - kSafeArea) * whole / (whole - left));
+  const glm::vec3 u = positions[b] - positions[a];
+  const glm::vec3 v = positions[c] - positions[a];
+  Facet out{glm::cross(u, v)};
+  const float edges = glm::dot(u, u) + glm::dot(v, v) + glm::dot(v - u, v - u);
+  if (edges > 0.0f) out.front = glm::dot(out.face, normals[a] + normals[b] + normals[c]) / (3.0f * edges);
+  return out;
+}
+
+/// The share of their lift that a triangle lets its corners keep, 0..1.
+float shareOf(const std::array<int, 3>& t, const PatchView& patch, float bindFront,
+              std::span<const glm::vec3> positions) {
+  const Facet facet = facetOf(t, patch.positions, patch.normals);
+  const glm::vec3& a = positions[static_cast<std::size_t>(t[0])];
+  const glm::vec3 lifted =
+      glm::cross(positions[static_cast<std::size_t>(t[1])] - a, positions[static_cast<std::size_t>(t[2])] - a);
+  const float whole = glm::dot(facet.face, facet.face);
+  const float left = glm::dot(lifted, facet.face);
+  if (!(left < kSafeArea * whole) || !(bindFront > 0.0f)) return 1.0f;
+  const float weight = smoothstep(kNoFront, kWholeFront, facet.front / bindFront);
+  return 1.0f - weight * (1.0f - (1.0f - kSafeArea) * whole / (whole - left));
 }
 
 }  // namespace
+
+std::vector<float> triangleFronts(const Refinement& refinement, std::span<const glm::vec3> positions,
+                                  std::span<const glm::vec3> normals) {
+  std::vector<float> fronts;
+  fronts.reserve(refinement.triangles.size());
+  for (const std::array<int, 3>& t : refinement.triangles) fronts.push_back(facetOf(t, positions, normals).front);
+  return fronts;
+}
 
 bool FoldGuard::gather(const Refinement& refinement, std::span<const int> control, bool onlyLowered,
                        const PatchView& patch, std::span<const glm::vec3> positions) {
@@ -43,9 +68,12 @@ bool FoldGuard::gather(const Refinement& refinement, std::span<const int> contro
   const auto lowered = [&](int v) { return isLowered_[static_cast<std::size_t>(v)] != 0; };
   for (const int t : control) {
     bool folds = false;
-    for (const std::array<int, 3>& small : refinedTriangles(refinement, t)) {
+    const int perTriangle = refinement.depth * refinement.depth;
+    for (int i = t * perTriangle; i < (t + 1) * perTriangle; ++i) {
+      const auto index = static_cast<std::size_t>(i);
+      const std::array<int, 3>& small = refinement.triangles[index];
       if (onlyLowered && std::ranges::none_of(small, lowered)) continue;
-      const float share = shareOf(small, patch, positions);
+      const float share = shareOf(small, patch, patch.bindFronts[index], positions);
       if (share == 1.0f) continue;
       folds = true;
       for (const int corner : small) {

@@ -31,8 +31,8 @@ glm::vec3 unitOr(const glm::vec3& sum, const glm::vec3& fallback) {
   return squared > 1e-12f ? sum / std::sqrt(squared) : fallback;
 }
 
-/// What the least rotation that takes `from` to `to`, both unit, adds to v. Opposite ones have no such rotation: towards
-/// them it goes over into their plain difference.
+/// What the least rotation that takes `from` to `to`, both unit, adds to v. Opposite ones have no such rotation:
+/// towards them it goes over into their plain difference.
 glm::vec3 turnOf(const glm::vec3& v, const glm::vec3& from, const glm::vec3& to) {
   const float cosine = glm::dot(from, to);
   const float share = smoothstep(kRotationFrom, kRotationWhole, cosine);

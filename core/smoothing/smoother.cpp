@@ -51,6 +51,7 @@ struct Prepared {
   std::shared_ptr<const ControlMesh> creased;  ///< The character's mesh with creased wedges; null if none are.
   std::shared_ptr<const Refinement> refinement;
   std::vector<Anchor> anchors;  ///< [V'] in `replace` with an anchored projection, else empty.
+  std::vector<float> bindFronts;  ///< [T n^2] of the patch, for the fold guard.
   ImplicitWeights weights;      ///< In `swell` omega alone, for the classes.
   std::vector<TriangleClass> classes;
 };
@@ -148,6 +149,17 @@ struct Smoother::State {
     evaluatePatches(kind, mesh(), refinement, control.positions, control.normals, positions, normals);
   }
 
+  void prepareFronts(Prepared& next) {
+    const bool samePatch = prepared.rig.smoothing.patch == next.rig.smoothing.patch;
+    if (prepared.refinement == next.refinement && samePatch) {
+      next.bindFronts = std::move(prepared.bindFronts);
+      return;
+    }
+    evaluate(next.rig.smoothing.patch, *next.refinement, {mesh().positions, mesh().normals}, patchPositions,
+             patchNormals);
+    next.bindFronts = triangleFronts(*next.refinement, patchPositions, patchNormals);
+  }
+
   /// omega, classes and anchors: read off the bind pose.
   void prepareClasses(Prepared& next) {
     std::vector<PosedPrimitive> bindPrimitives;
@@ -222,7 +234,8 @@ struct Smoother::State {
     movedTriangles.find(mesh(), refinement, patchPositions, out.positions);
     if (movedTriangles.refined.empty()) return;
     const std::span<const float> kept =
-        foldGuard.apply(mesh(), refinement, movedTriangles.control, {patchPositions, patchNormals}, out.positions);
+        foldGuard.apply(mesh(), refinement, movedTriangles.control, 
+                        {patchPositions, patchNormals, prepared.bindFronts}, out.positions);
     for (std::size_t v = 0; v < kept.size(); ++v) {
       out.displacement[v] *= kept[v];
       out.report.guarded += kept[v] < 1.0f ? 1 : 0;
@@ -273,6 +286,7 @@ Result<void> Smoother::prepare(const Rig& rig) {
   next.rig = rig;
   next.creased = state_->creasedAt(rig.smoothing.creaseAngle);
   next.refinement = state_->refinementFor(rig.smoothing.depth, next.creased);
+  state_->prepareFronts(next);
   state_->prepareClasses(next);
   state_->prepared = std::move(next);
   return {};

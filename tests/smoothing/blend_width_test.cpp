@@ -57,7 +57,8 @@ TEST(BlendWidth, BeyondTheMusclesOwnSizeItChangesNothing) {
   for (const float blend : {0.1f, 0.3f, 2.0f}) {
     EXPECT_TRUE(sameBytes(full.positions, over(kMuscle, blend).positions)) << blend;
   }
-  EXPECT_FALSE(sameBytes(full.positions, over(kMuscle, 0.8f * kMeanRadius).positions)) << "the limit is the mean radius";
+  const Surface narrower = over(kMuscle, 0.8f * kMeanRadius);
+  EXPECT_FALSE(sameBytes(full.positions, narrower.positions)) << "the limit is the mean radius";
 }
 
 // What made every muscle a hard pillow: a rim as steep as a wall where the influence ends.

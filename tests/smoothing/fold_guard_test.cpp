@@ -23,11 +23,13 @@ struct Scene {
   std::vector<glm::vec3> patch;
 
   explicit Scene(const Sheet& sheet)
-      : mesh(meshOf(sheet.positions, sheet.triangles)), refinement(refine(mesh, 1)), patch(mesh.positions) {}
+      : mesh(meshOf(sheet.positions, sheet.triangles)), refinement(refine(mesh, 1)), patch(mesh.positions),
+        fronts_(triangleFronts(refinement, mesh.positions, mesh.normals)) {}
 
   [[nodiscard]] std::vector<glm::vec3> guarded(std::vector<glm::vec3> positions, std::vector<float>* kept = nullptr) {
     moved_.find(mesh, refinement, patch, positions);
-    const std::span<const float> shares = guard_.apply(mesh, refinement, moved_.control, {patch, mesh.normals}, positions);
+    const PatchView view{patch, mesh.normals, fronts_};
+    const std::span<const float> shares = guard_.apply(mesh, refinement, moved_.control, view, positions);
     if (kept != nullptr) kept->assign(shares.begin(), shares.end());
     return positions;
   }
@@ -48,6 +50,7 @@ struct Scene {
     return glm::cross(at[static_cast<std::size_t>(t[1])] - a, at[static_cast<std::size_t>(t[2])] - a);
   }
 
+  std::vector<float> fronts_;
   MovedTriangles moved_;
   FoldGuard guard_;
 };

@@ -54,7 +54,8 @@ oracle::Tally tallyOf(const CharacterPtr& character, const Rig& rig, int poses, 
     oracle.pose(pose);
     const int stride = std::max(1, static_cast<int>(surface.positions.size()) * (poses + 1) / wanted);
     const Surface& raw = projected.at(pose);
-    total.add(oracle::compare(oracle, *character, {oracle, projected.patch(), raw}, surface, stride, first++ % stride));
+    const oracle::Stages stages(oracle, projected.bindPatch(), projected.patch(), raw);
+    total.add(oracle::compare(oracle, *character, stages, surface, stride, first++ % stride));
   }
   return total;
 }
@@ -124,7 +125,7 @@ TEST(Oracle, ComparisonNoticesWrongSurfaces) {
   smoother.smooth(bindPose(character->skeleton), right);
   Projected projected(*character, rig);
   const Surface& raw = projected.at(bindPose(character->skeleton));
-  const oracle::Stages stages(oracle, projected.patch(), raw);
+  const oracle::Stages stages(oracle, projected.bindPatch(), projected.patch(), raw);
   const oracle::Tally good = oracle::compare(oracle, *character, stages, right, 1, 0);
   EXPECT_EQ(good.far + good.farUnsought + good.normalsOff + good.guardOff + good.shadingOff, 0)
       << good.text() << "; " << good.firstFar << good.firstOff;
@@ -152,7 +153,7 @@ TEST(Oracle, ComparisonNoticesUnfinishedSurfaces) {
   Surface right;
   smoother.smooth(pose, right);
   const Surface& raw = projected.at(pose);
-  const oracle::Stages stages(oracle, projected.patch(), raw);
+  const oracle::Stages stages(oracle, projected.bindPatch(), projected.patch(), raw);
   const oracle::Tally good = oracle::compare(oracle, *character, stages, right, 1, 0);
   EXPECT_EQ(good.far + good.farUnsought + good.guardOff + good.shadingOff, 0) << good.text() << "; " << good.firstOff;
   ASSERT_GT(good.guarded, 5);
@@ -227,8 +228,8 @@ TEST(Oracle, UnevenBoneScale) {
     smoother.smooth(pose, surface);
     oracle.pose(pose);
     const Surface& raw = projected.at(pose);
-    total.add(
-        oracle::compare(oracle, *character, {oracle, projected.patch(), raw}, surface, 5, static_cast<int>(seed)));
+    const oracle::Stages stages(oracle, projected.bindPatch(), projected.patch(), raw);
+    total.add(oracle::compare(oracle, *character, stages, surface, 5, static_cast<int>(seed)));
   }
   expectAgreement("two-legged, stretched bones", total);
 }

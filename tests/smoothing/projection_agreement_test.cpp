@@ -37,8 +37,8 @@ oracle::Tally tallyOf(const TrialScene& scene, const Rig& rig) {
     oracle.pose(pose);
     const int stride = std::max(1, static_cast<int>(surface.positions.size()) * (kPoses + 1) / kAsked);
     const Surface& raw = projected.at(pose);
-    total.add(
-        oracle::compare(oracle, *scene.character, {oracle, projected.patch(), raw}, surface, stride, first++ % stride));
+    const oracle::Stages stages(oracle, projected.bindPatch(), projected.patch(), raw);
+    total.add(oracle::compare(oracle, *scene.character, stages, surface, stride, first++ % stride));
   }
   return total;
 }

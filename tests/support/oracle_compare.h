@@ -14,8 +14,10 @@ struct Stages {
   const Surface& raw;    ///< Projected, before fold guard and shading.
   Finished finished;
 
-  Stages(const Oracle& oracle, const Surface& patchOf, const Surface& rawOf)
-      : patch(patchOf), raw(rawOf), finished(oracle.standsAsProjected() ? unfinished(rawOf) : finish(patchOf, rawOf)) {}
+  Stages(const Oracle& oracle, const Surface& bindPatch, const Surface& patchOf, const Surface& rawOf)
+      : patch(patchOf),
+        raw(rawOf),
+        finished(oracle.standsAsProjected() ? unfinished(rawOf) : finish(bindPatch, patchOf, rawOf)) {}
 };
 
 /// What the comparison of some vertices came to. "Far": more than 1e-4 H from the oracle. What the fold guard took back

@@ -10,6 +10,8 @@ namespace {
 
 constexpr int kRounds = 32;
 constexpr double kSafeArea = 0.25;
+constexpr double kNoFront = 0.02;
+constexpr double kWholeFront = 0.17;
 constexpr double kFreedom = 0.145;
 
 using Triangles = std::vector<std::array<int, 3>>;
@@ -33,7 +35,7 @@ double smoothstep(double low, double high, double x) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// How much a triangle of the patch faces along its vertices' normals: 0 where it folds back, 1 where it is not thin.
+/// How much a triangle of the patch faces along its vertices' normals; below 0 where it folds back.
 double frontOf(const std::array<int, 3>& t, const std::vector<Vec>& patch, const std::vector<Vec>& normals) {
   double edges = 0.0;
   Vec mean;
@@ -42,30 +44,34 @@ double frontOf(const std::array<int, 3>& t, const std::vector<Vec>& patch, const
     edges += dot(edge, edge);
     mean = mean + (1.0 / 3.0) * normals[index(t[i])];
   }
-  return smoothstep(0.0, 0.01, dot(faceOf(patch, t), mean) / edges);
+  return edges > 0.0 ? dot(faceOf(patch, t), mean) / edges : 0.0;
 }
 
 /// Least share of their lift that triangles ask each corner to keep, as things are.
 std::vector<double> sharesAsked(const Triangles& triangles, const std::vector<Vec>& patch,
-                                const std::vector<Vec>& normals, const std::vector<Vec>& at) {
+                                const std::vector<Vec>& normals, const std::vector<double>& bindFronts,
+                                const std::vector<Vec>& at) {
   std::vector<double> shares(patch.size(), 1.0);
-  for (const auto& t : triangles) {
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto& t = triangles[i];
     const Vec before = faceOf(patch, t);
     const double squared = dot(before, before);
     if (squared == 0.0) continue;
     const double q = dot(faceOf(at, t), before) / squared;
     if (q >= kSafeArea) continue;
-    const double asked = 1.0 - frontOf(t, patch, normals) * (1.0 - (1.0 - kSafeArea) / (1.0 - q));
+    if (bindFronts[i] <= 0.0) continue;
+    const double weight = smoothstep(kNoFront, kWholeFront, frontOf(t, patch, normals) / bindFronts[i]);
+    const double asked = 1.0 - weight * (1.0 - (1.0 - kSafeArea) / (1.0 - q));
     for (const int v : t) shares[index(v)] = std::min(shares[index(v)], asked);
   }
   return shares;
 }
 
 void guardFolds(const Triangles& triangles, const std::vector<Vec>& patch, const std::vector<Vec>& normals,
-                Finished& out) {
+                const std::vector<double>& bindFronts, Finished& out) {
   out.kept.assign(patch.size(), 1.0);
   for (int round = 0; round < kRounds; ++round) {
-    const std::vector<double> shares = sharesAsked(triangles, patch, normals, out.positions);
+    const std::vector<double> shares = sharesAsked(triangles, patch, normals, bindFronts, out.positions);
     for (std::size_t v = 0; v < patch.size(); ++v) {
       if (shares[v] == 1.0) continue;
       out.kept[v] *= shares[v];
@@ -152,14 +158,18 @@ void removeTeeth(const Triangles& triangles, const std::vector<double>& turns, s
 
 }  // namespace
 
-Finished finish(const Surface& patch, const Surface& raw) {
+Finished finish(const Surface& bindPatch, const Surface& patch, const Surface& raw) {
   const Triangles& triangles = raw.refinement->triangles;
   const std::vector<Vec> patchPositions = vecs(patch.positions);
   const std::vector<Vec> patchNormals = vecs(patch.normals);
   const std::vector<Vec> fieldNormals = vecs(raw.normals);
   Finished out;
   out.positions = vecs(raw.positions);
-  guardFolds(triangles, patchPositions, patchNormals, out);
+  const std::vector<Vec> bindPositions = vecs(bindPatch.positions);
+  const std::vector<Vec> bindNormals = vecs(bindPatch.normals);
+  std::vector<double> bindFronts;
+  for (const auto& t : triangles) bindFronts.push_back(frontOf(t, bindPositions, bindNormals));
+  guardFolds(triangles, patchPositions, patchNormals, bindFronts, out);
 
   const std::vector<Vec> patchFaces = faceNormals(triangles, patchPositions);
   const std::vector<Vec> faces = faceNormals(triangles, out.positions);

@@ -18,7 +18,7 @@ struct Finished {
 
 /// @param patch  positions and normals without muscles.  @param raw  the same after projection, before guard and
 /// shading.
-Finished finish(const Surface& patch, const Surface& raw);
+Finished finish(const Surface& bindPatch, const Surface& patch, const Surface& raw);
 
 /// Of a body that muscles wrap, under `replace`: what projection made stands.
 Finished unfinished(const Surface& raw);

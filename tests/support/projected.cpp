@@ -37,6 +37,7 @@ struct Projected::State {
   ImplicitWeights weights;
   Surface patch;
   Surface surface;
+  Surface bindPatch;
 
   [[nodiscard]] double tolerance() const { return 1e-6 * static_cast<double>(character.height); }
 
@@ -77,17 +78,24 @@ struct Projected::State {
 };
 
 Projected::Projected(const Character& character, const Rig& rig)
-    : state_(std::make_unique<State>(State{character, rig, attach(rig, character).value(), {}, {}, {}, {}, {}, {}})) {
+    : state_(std::make_unique<State>(
+          State{character, rig, attach(rig, character).value(), {}, {}, {}, {}, {}, {}, {}})) {
   state_->candidates = makeCandidateLists(character.mesh, state_->attachment);
   state_->riseInBind = riseDirections(character.mesh, kRise * character.height);
   state_->surface.refinement = std::make_shared<const Refinement>(refine(character.mesh, rig.smoothing.depth));
-  state_->patch.refinement = state_->surface.refinement;
+  state_->patch.refinement = state_->bindPatch.refinement = state_->surface.refinement;
+  Points bind = patchOf(rig.smoothing.patch, character.mesh, *state_->surface.refinement,
+                        {character.mesh.positions, character.mesh.normals});
+  state_->bindPatch.positions = std::move(bind.positions);
+  state_->bindPatch.normals = std::move(bind.normals);
   if (rig.surface.mode == SurfaceMode::kReplace) state_->findWeights();
 }
 
 Projected::~Projected() = default;
 
 const Surface& Projected::patch() const { return state_->patch; }
+
+const Surface& Projected::bindPatch() const { return state_->bindPatch; }
 
 const Surface& Projected::at(const Pose& pose) {
   const Character& character = state_->character;

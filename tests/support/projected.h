@@ -20,6 +20,7 @@ class Projected {
   [[nodiscard]] const Surface& at(const Pose& pose);
   /// The patch of the last call: positions and normals without muscles.
   [[nodiscard]] const Surface& patch() const;
+  [[nodiscard]] const Surface& bindPatch() const;
 
  private:
   struct State;

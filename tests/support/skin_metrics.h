@@ -24,7 +24,7 @@ struct SkinMetrics {
   void add(const SkinMetrics& other);
 };
 
-/// @param patch  the same pose without muscles.  @param exact  the same before guard and shading (field_normals.h).
+/// @param patch  the same pose without muscles.  @param exact  the same before guard and shading (projected.h).
 [[nodiscard]] SkinMetrics skinMetrics(const Surface& surface, const Surface& patch, const Surface& exact);
 
 }  // namespace sinew::test

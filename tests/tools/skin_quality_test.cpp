@@ -6,7 +6,7 @@
 
 #include "core/io/gltf_import.h"
 #include "core/io/rig_json.h"
-#include "tests/support/field_normals.h"
+#include "tests/support/projected.h"
 #include "tests/support/real_characters.h"
 #include "tests/support/skin_metrics.h"
 #include "tests/support/synthetic_characters.h"
@@ -33,7 +33,7 @@ SkinMetrics metricsOf(const CharacterPtr& character, Rig rig, int depth) {
   Smoother smoother(character);
   Smoother bare(character);
   EXPECT_TRUE(smoother.prepare(rig).ok() && bare.prepare(empty).ok());
-  FieldNormals exact(*character, rig);
+  Projected exact(*character, rig);
   Surface surface;
   Surface patch;
   SkinMetrics total;
