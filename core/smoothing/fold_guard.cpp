@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/smoothstep.h"
+
 namespace sinew {
 namespace {
 
@@ -13,11 +15,6 @@ constexpr float kSafeArea = 0.25f;  ///< Share of its area, as seen along the pa
 // Of a patch triangle's front over its own in the bind pose: from which it asks for nothing, and for all.
 constexpr float kNoFront = 0.02f;
 constexpr float kWholeFront = 0.17f;
-
-float smoothstep(float from, float to, float x) {
-  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
-  return t * t * (3.0f - 2.0f * t);
-}
 
 /// A refined triangle of the patch.
 struct Facet {

@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/smoothstep.h"
+
 namespace sinew {
 namespace {
 
@@ -19,11 +21,6 @@ constexpr float kCliffWhole = 0.8f;
 constexpr float kRotationFrom = -0.95f;  ///< Cosine between face normals from which a rotation between them counts.
 constexpr float kRotationWhole = -0.7f;
 constexpr float kTurnedWhole = 0.1f;  ///< Turn of a vertex from which the second step works whole.
-
-float smoothstep(float from, float to, float x) {
-  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
-  return t * t * (3.0f - 2.0f * t);
-}
 
 /// Unit, where the length is that of a sum of a few weighted unit vectors; `fallback` where they cancel.
 glm::vec3 unitOr(const glm::vec3& sum, const glm::vec3& fallback) {

@@ -234,7 +234,7 @@ struct Smoother::State {
     movedTriangles.find(mesh(), refinement, patchPositions, out.positions);
     if (movedTriangles.refined.empty()) return;
     const std::span<const float> kept =
-        foldGuard.apply(mesh(), refinement, movedTriangles.control, 
+        foldGuard.apply(mesh(), refinement, movedTriangles.control,
                         {patchPositions, patchNormals, prepared.bindFronts}, out.positions);
     for (std::size_t v = 0; v < kept.size(); ++v) {
       out.displacement[v] *= kept[v];
