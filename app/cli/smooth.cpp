@@ -63,7 +63,7 @@ bool wouldOverwriteInput(const std::filesystem::path& written, const Document& d
 std::string reportText(const SmoothingReport& report) {
   Json seconds = Json::object();
   seconds.set("skin", report.seconds.skin).set("patch", report.seconds.patch).set("project", report.seconds.project);
-  seconds.set("normals", report.seconds.normals);
+  seconds.set("folds", report.seconds.folds).set("normals", report.seconds.normals);
   seconds.set("total", report.seconds.total());
   Json json = Json::object();
   json.set("mode", nameOf(report.mode)).set("depth", report.depth);

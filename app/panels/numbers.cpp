@@ -17,7 +17,7 @@ namespace {
 
 constexpr float kWidth = 208.0f;  // Design pixels.
 constexpr float kGraphHeight = 34.0f;
-constexpr std::size_t kTimeRows = 10;
+constexpr std::size_t kTimeRows = 11;
 
 /// 12345 -> "12,345".
 std::string grouped(long long value) {
@@ -84,8 +84,9 @@ void times(Ui& ui) {
   graph(ui);
   const std::array stages{std::pair{"prepare", stats.prepare},        std::pair{"skin", stats.stages.skin},
                           std::pair{"patch", stats.stages.patch},     std::pair{"project", stats.stages.project},
-                          std::pair{"shading", stats.stages.normals}, std::pair{"upload", stats.upload},
-                          std::pair{"draw", stats.draw},              std::pair{"interface", stats.ui}};
+                          std::pair{"folds", stats.stages.folds},     std::pair{"normals", stats.stages.normals},
+                          std::pair{"upload", stats.upload},          std::pair{"draw", stats.draw},
+                          std::pair{"interface", stats.ui}};
   for (const auto& [name, seconds] : stages) row(name, milliseconds(seconds * 1e3));
 }
 

@@ -32,9 +32,9 @@ void MovedTriangles::find(const ControlMesh& mesh, const Refinement& refinement,
   }
   aroundControl.clear();
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-    const auto& corners = mesh.triangles[static_cast<std::size_t>(t)].vertices;
+    const auto& ends = mesh.triangles[static_cast<std::size_t>(t)].vertices;
     const auto atMoved = [&](int v) { return corner_[static_cast<std::size_t>(v)] != 0; };
-    if (std::ranges::any_of(corners, atMoved)) aroundControl.push_back(t);
+    if (std::ranges::any_of(ends, atMoved)) aroundControl.push_back(t);
   }
 
   isNear = moved_;
@@ -49,12 +49,24 @@ void MovedTriangles::find(const ControlMesh& mesh, const Refinement& refinement,
     }
   }
   refined.clear();
+  isCorner_.assign(positions.size(), 0);
   const int perTriangle = refinement.depth * refinement.depth;
   for (const int t : aroundControl) {
     for (int i = t * perTriangle; i < (t + 1) * perTriangle; ++i) {
-      if (flagged(isNear, refinement.triangles[static_cast<std::size_t>(i)])) refined.push_back(i);
+      const std::array<int, 3>& small = refinement.triangles[static_cast<std::size_t>(i)];
+      if (!flagged(isNear, small)) continue;
+      refined.push_back(i);
+      for (const int v : small) isCorner_[static_cast<std::size_t>(v)] = 1;
     }
   }
+  const auto list = [](const std::vector<std::uint8_t>& flags, std::vector<int>& out) {
+    out.clear();
+    for (std::size_t v = 0; v < flags.size(); ++v) {
+      if (flags[v] != 0) out.push_back(static_cast<int>(v));
+    }
+  };
+  list(isNear, near);
+  list(isCorner_, corners);
 }
 
 }  // namespace sinew

@@ -15,6 +15,8 @@ struct MovedTriangles {
   std::vector<int> aroundControl;  ///< Those, and all that share a control vertex with one. Ascending.
   std::vector<int> refined;        ///< Refined triangles at moved vertices and at their neighbours. Ascending.
   std::vector<std::uint8_t> isNear;  ///< [V'] 1: has moved, or a neighbour has.
+  std::vector<int> near;             ///< Those vertices. Ascending.
+  std::vector<int> corners;          ///< The vertices of `refined`, those among them. Ascending.
 
   /// @param patch, positions [V'] world; a vertex has moved where they differ.
   void find(const ControlMesh& mesh, const Refinement& refinement, std::span<const glm::vec3> patch,
@@ -24,6 +26,7 @@ struct MovedTriangles {
   std::vector<std::uint8_t> moved_;  ///< [V']
   std::vector<std::uint8_t> movedEdge_;  ///< [E]
   std::vector<std::uint8_t> corner_;     ///< [V] of a triangle in `control`.
+  std::vector<std::uint8_t> isCorner_;   ///< [V'] of a triangle in `refined`.
 };
 
 /// The n^2 refined triangles of a control triangle.

@@ -225,6 +225,30 @@ void interpolateDirections(const ControlMesh& mesh, const Refinement& refinement
   }
 }
 
+void interpolateValues(const ControlMesh& mesh, const Refinement& refinement, std::span<const float> control,
+                       std::span<float> out) {
+  const auto at = [&](int vertex) { return control[static_cast<std::size_t>(vertex)]; };
+  const float n = static_cast<float>(refinement.depth);
+  std::ranges::copy(control, out.begin());
+  for (int e = 0; e < refinement.controlEdges && refinement.edgeVertices > 0; ++e) {
+    const auto& ends = mesh.edges[static_cast<std::size_t>(e)].vertices;
+    for (int step = 1; step < refinement.depth; ++step) {
+      const float w = static_cast<float>(step) / n;
+      out[static_cast<std::size_t>(refinement.edgeVertex(e, step))] = (1.0f - w) * at(ends[0]) + w * at(ends[1]);
+    }
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& corners = mesh.triangles[t].vertices;
+    for (int i = 0; i < refinement.interiorVertices; ++i) {
+      const auto& [j, k] = refinement.interior[static_cast<std::size_t>(i)];
+      const float w = static_cast<float>(j) / n;
+      const float u = static_cast<float>(k) / n;
+      out[static_cast<std::size_t>(refinement.interiorVertex(static_cast<int>(t), i))] =
+          (1.0f - w - u) * at(corners[0]) + w * at(corners[1]) + u * at(corners[2]);
+    }
+  }
+}
+
 void evaluateShading(PatchKind kind, const ControlMesh& mesh, const Refinement& refinement,
                      std::span<const glm::vec3> positions, std::span<const glm::vec3> wedgeNormals,
                      std::span<const glm::vec3> patchNormals, std::span<glm::vec3> outNormals) {

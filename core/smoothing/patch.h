@@ -31,6 +31,10 @@ void evaluatePatches(PatchKind kind, const ControlMesh& mesh, const Refinement& 
 void interpolateDirections(const ControlMesh& mesh, const Refinement& refinement, std::span<const glm::vec3> control,
                            std::span<glm::vec3> out);
 
+/// Interpolates values of the control vertices linearly.  @param control [V].  @param out [V'].
+void interpolateValues(const ControlMesh& mesh, const Refinement& refinement, std::span<const float> control,
+                       std::span<float> out);
+
 /// Fills the normals of all drawn vertices by the same rules from the wedges' normals; what no creased wedge reaches
 /// keeps the patch's. Drawn vertices between wedges of equal normals get equal ones: no seam shows.
 /// @param mesh creased (mesh/creases.h); the refinement is of it.  @param positions [V] world.

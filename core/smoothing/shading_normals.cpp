@@ -78,7 +78,8 @@ CornerNormals cornerNormals(const glm::vec3& a, const glm::vec3& b, const glm::v
 
 void ShadingNormals::sumFaces(const Refinement& refinement, const MovedTriangles& moved,
                               std::span<const glm::vec3> patch, std::span<const glm::vec3> positions) {
-  faces_.assign(patch.size(), Faces{});
+  faces_.resize(patch.size());
+  for (const int v : moved.corners) faces_[static_cast<std::size_t>(v)] = {};
   for (const int triangle : moved.refined) {
     const std::array<int, 3>& t = refinement.triangles[static_cast<std::size_t>(triangle)];
     const auto a = static_cast<std::size_t>(t[0]);
@@ -101,7 +102,8 @@ void ShadingNormals::holdToFaces(const MovedTriangles& moved, std::span<const gl
   deltas_.resize(normals.size());
   isTurned_.resize(normals.size());
   turn_.resize(normals.size());
-  for (std::size_t v = 0; v < normals.size(); ++v) {
+  for (const int vertex : moved.corners) {
+    const auto v = static_cast<std::size_t>(vertex);
     const glm::vec3& own = patchNormals[v];
     glm::vec3& delta = deltas_[v];
     delta = normals[v] - own;
@@ -119,7 +121,8 @@ void ShadingNormals::holdToFaces(const MovedTriangles& moved, std::span<const gl
 }
 
 bool ShadingNormals::findTeeth(const Refinement& refinement, const MovedTriangles& moved) {
-  spread_.assign(deltas_.size(), 0.0f);
+  spread_.resize(deltas_.size());
+  for (const int v : moved.corners) spread_[static_cast<std::size_t>(v)] = 0.0f;
   bool found = false;
   for (const int triangle : moved.refined) {
     const std::array<int, 3>& t = refinement.triangles[static_cast<std::size_t>(triangle)];
@@ -143,7 +146,8 @@ bool ShadingNormals::findTeeth(const Refinement& refinement, const MovedTriangle
 }
 
 void ShadingNormals::gatherAroundTeeth(const Refinement& refinement, const MovedTriangles& moved) {
-  nearTeeth_.assign(deltas_.size(), 0);
+  nearTeeth_.resize(deltas_.size());
+  for (const int v : moved.corners) nearTeeth_[static_cast<std::size_t>(v)] = 0;
   const auto any = [](const auto& flags, const std::array<int, 3>& t) {
     return flags[static_cast<std::size_t>(t[0])] > 0 || flags[static_cast<std::size_t>(t[1])] > 0 ||
            flags[static_cast<std::size_t>(t[2])] > 0;
@@ -160,8 +164,9 @@ void ShadingNormals::gatherAroundTeeth(const Refinement& refinement, const Moved
 }
 
 void ShadingNormals::laplacianOf(const std::vector<glm::vec3>& values, const Refinement& refinement,
-                                 std::vector<glm::vec3>& out) const {
-  out.assign(values.size(), glm::vec3(0.0f));
+                                 const MovedTriangles& moved, std::vector<glm::vec3>& out) const {
+  out.resize(values.size());
+  for (const int v : moved.corners) out[static_cast<std::size_t>(v)] = glm::vec3(0.0f);
   for (const int triangle : aroundTeeth_) {
     const std::array<int, 3>& t = refinement.triangles[static_cast<std::size_t>(triangle)];
     const auto a = static_cast<std::size_t>(t[0]);
@@ -171,7 +176,8 @@ void ShadingNormals::laplacianOf(const std::vector<glm::vec3>& values, const Ref
     out[b] += values[c] + values[a];
     out[c] += values[a] + values[b];
   }
-  for (std::size_t v = 0; v < out.size(); ++v) {
+  for (const int vertex : moved.corners) {
+    const auto v = static_cast<std::size_t>(vertex);
     if (nearTeeth_[v]) out[v] = out[v] / static_cast<float>(2 * refinement.trianglesAt[v]) - values[v];
     else out[v] = glm::vec3(0.0f);
   }
@@ -180,9 +186,10 @@ void ShadingNormals::laplacianOf(const std::vector<glm::vec3>& values, const Ref
 void ShadingNormals::removeTeeth(const Refinement& refinement, const MovedTriangles& moved) {
   if (!findTeeth(refinement, moved)) return;
   gatherAroundTeeth(refinement, moved);
-  laplacianOf(deltas_, refinement, first_);
-  laplacianOf(first_, refinement, second_);
-  for (std::size_t v = 0; v < deltas_.size(); ++v) {
+  laplacianOf(deltas_, refinement, moved, first_);
+  laplacianOf(first_, refinement, moved, second_);
+  for (const int vertex : moved.corners) {
+    const auto v = static_cast<std::size_t>(vertex);
     if (spread_[v] == 0.0f) continue;
     const float apart = std::sqrt(spread_[v]);
     // Only where something has turned; from there on continuously.
@@ -199,7 +206,8 @@ void ShadingNormals::apply(const Refinement& refinement, const MovedTriangles& m
   sumFaces(refinement, moved, patch, positions);
   holdToFaces(moved, patchNormals, normals);
   removeTeeth(refinement, moved);
-  for (std::size_t v = 0; v < normals.size(); ++v) {
+  for (const int vertex : moved.corners) {
+    const auto v = static_cast<std::size_t>(vertex);
     if (deltas_[v] == normals[v] - patchNormals[v]) continue;
     normals[v] = unitOr(patchNormals[v] + deltas_[v], normals[v]);
   }

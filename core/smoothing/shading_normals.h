@@ -43,11 +43,12 @@ class ShadingNormals {
                    std::span<const glm::vec3> normals);
   [[nodiscard]] bool findTeeth(const Refinement& refinement, const MovedTriangles& moved);
   void gatherAroundTeeth(const Refinement& refinement, const MovedTriangles& moved);
-  /// (M - 1) values at the vertices near teeth, 0 elsewhere.
-  void laplacianOf(const std::vector<glm::vec3>& values, const Refinement& refinement,
+  /// (M - 1) values at the vertices near teeth, 0 at the other corners.
+  void laplacianOf(const std::vector<glm::vec3>& values, const Refinement& refinement, const MovedTriangles& moved,
                    std::vector<glm::vec3>& out) const;
   void removeTeeth(const Refinement& refinement, const MovedTriangles& moved);
 
+  // All read and written at moved.corners alone.
   std::vector<Faces> faces_;             ///< [V']
   std::vector<glm::vec3> deltas_;        ///< [V']
   std::vector<float> turn_;              ///< [V'] squared: the larger of the turns that the field and the faces show.

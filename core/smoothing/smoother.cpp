@@ -1,4 +1,4 @@
-// core/smoothing/smoother.cpp: the stages in order: skin -> patch -> project -> guard folds -> normals.
+// core/smoothing/smoother.cpp: the stages in order: skin -> patch -> project -> folds -> normals.
 #include "core/smoothing/smoother.h"
 
 #include <algorithm>
@@ -15,9 +15,11 @@
 #include "core/smoothing/candidates.h"
 #include "core/smoothing/face_culling.h"
 #include "core/smoothing/fold_guard.h"
+#include "core/smoothing/fold_relaxation.h"
 #include "core/smoothing/patch.h"
 #include "core/smoothing/replace.h"
 #include "core/smoothing/rise_directions.h"
+#include "core/smoothing/rise_limits.h"
 #include "core/smoothing/shading_normals.h"
 #include "core/smoothing/swell.h"
 #include "core/smoothing/triangle_classes.h"
@@ -51,7 +53,9 @@ struct Prepared {
   std::shared_ptr<const ControlMesh> creased;  ///< The character's mesh with creased wedges; null if none are.
   std::shared_ptr<const Refinement> refinement;
   std::vector<Anchor> anchors;  ///< [V'] in `replace` with an anchored projection, else empty.
-  std::vector<float> bindFronts;  ///< [T n^2] of the patch, for the fold guard.
+  std::vector<float> inverseLimits;  ///< [V'] of the rise.
+  std::vector<std::uint8_t> isBorder;  ///< [V']
+  std::vector<float> bindFronts;  ///< [T n^2] of the patch.
   ImplicitWeights weights;      ///< In `swell` omega alone, for the classes.
   std::vector<TriangleClass> classes;
 };
@@ -94,7 +98,8 @@ void turnWithSurface(const Surface& surface, std::span<const glm::vec3> patchNor
 
 struct Smoother::State {
   std::shared_ptr<const Character> character;
-  std::vector<glm::vec3> riseInBind;  ///< [V] depends on the character alone.
+  std::vector<glm::vec3> riseInBind;       ///< [V] this and the next depend on the character alone.
+  std::vector<float> inverseLimitsInBind;  ///< [V]
   Prepared prepared;
 
   // Memory kept from pose to pose; never read before it is written.
@@ -105,6 +110,7 @@ struct Smoother::State {
   std::vector<glm::vec3> controlRise;
   std::vector<glm::vec3> rise;
   MovedTriangles movedTriangles;
+  FoldRelaxation foldRelaxation;
   FoldGuard foldGuard;
   ShadingNormals shadingNormals;
   std::vector<PosedPrimitive> posed;
@@ -147,6 +153,17 @@ struct Smoother::State {
     positions.resize(static_cast<std::size_t>(refinement.vertexCount));
     normals.resize(positions.size());
     evaluatePatches(kind, mesh(), refinement, control.positions, control.normals, positions, normals);
+  }
+
+  void prepareVertices(Prepared& next) {
+    if (prepared.refinement == next.refinement) {
+      next.inverseLimits = std::move(prepared.inverseLimits);
+      next.isBorder = std::move(prepared.isBorder);
+      return;
+    }
+    next.inverseLimits.resize(static_cast<std::size_t>(next.refinement->vertexCount));
+    interpolateValues(mesh(), *next.refinement, inverseLimitsInBind, next.inverseLimits);
+    next.isBorder = borderVertices(mesh(), *next.refinement);
   }
 
   void prepareFronts(Prepared& next) {
@@ -211,7 +228,7 @@ struct Smoother::State {
     field.skipped = culling.carriers;
     if (p.rig.surface.mode == SurfaceMode::kSwell) {
       poseRiseDirections(pose);
-      swell(mesh(), field, swellSettings(p.rig, *character), rise, out);
+      swell(mesh(), field, swellSettings(p.rig, *character), {rise, p.inverseLimits}, out);
       return;
     }
     evaluate(PatchKind::kFlat, *p.refinement, skinned, flatPositions, flatNormals);
@@ -226,21 +243,44 @@ struct Smoother::State {
     interpolateDirections(mesh(), *prepared.refinement, controlRise, rise);
   }
 
-  /// What the muscles moved is taken back out of folds and shaded as its faces lie.
-  void finish(Surface& out) {
+  /// Folds of what the muscles moved are smoothed out, and what is left of them is taken back towards the patch.
+  void unfold(Surface& out) {
     const Refinement& refinement = *prepared.refinement;
-    // A surface that wraps the body may lie across its patch; it has the paper's normals.
-    if (prepared.rig.surface.mode == SurfaceMode::kReplace && prepared.weights.wraps) return;
-    movedTriangles.find(mesh(), refinement, patchPositions, out.positions);
-    if (movedTriangles.refined.empty()) return;
-    const std::span<const float> kept =
-        foldGuard.apply(mesh(), refinement, movedTriangles.control,
-                        {patchPositions, patchNormals, prepared.bindFronts}, out.positions);
-    for (std::size_t v = 0; v < kept.size(); ++v) {
-      out.displacement[v] *= kept[v];
-      out.report.guarded += kept[v] < 1.0f ? 1 : 0;
+    const PatchView patch{patchPositions, patchNormals, prepared.bindFronts};
+    const std::span<const Relaxed> relaxed =
+        foldRelaxation.apply(mesh(), refinement, movedTriangles.control, patch, prepared.isBorder, out.positions);
+    for (const auto& [vertex, from] : relaxed) {
+      const auto v = static_cast<std::size_t>(vertex);
+      const glm::vec3 lift = from - patchPositions[v];
+      out.displacement[v] *= glm::dot(out.positions[v] - patchPositions[v], lift) / glm::dot(lift, lift);
     }
-    shadingNormals.apply(refinement, movedTriangles, patchPositions, out.positions, patchNormals, out.normals);
+    const std::span<const float> kept =
+        foldGuard.apply(mesh(), refinement, foldRelaxation.watched(), patch, out.positions);
+    for (std::size_t v = 0; v < kept.size(); ++v) out.displacement[v] *= kept[v];
+    countGuarded(relaxed, kept, out.report);
+  }
+
+  static void countGuarded(std::span<const Relaxed> relaxed, std::span<const float> kept, SmoothingReport& report) {
+    const auto takenBack = [&](std::size_t v) { return v < kept.size() && kept[v] < 1.0f; };
+    report.guarded = static_cast<int>(relaxed.size());
+    for (std::size_t v = 0; v < kept.size(); ++v) report.guarded += takenBack(v) ? 1 : 0;
+    for (const Relaxed& one : relaxed) report.guarded -= takenBack(static_cast<std::size_t>(one.vertex)) ? 1 : 0;
+  }
+
+  /// Whether muscles have moved anything that is to be guarded and shaded. A surface that wraps the body may lie across
+  /// its patch; it has the paper's normals.
+  bool findMoved(const Surface& out) {
+    if (prepared.rig.surface.mode == SurfaceMode::kReplace && prepared.weights.wraps) return false;
+    movedTriangles.find(mesh(), *prepared.refinement, patchPositions, out.positions);
+    return !movedTriangles.refined.empty();
+  }
+
+  void shade(bool moved, Surface& out) {
+    if (moved) {
+      shadingNormals.apply(*prepared.refinement, movedTriangles, patchPositions, out.positions, patchNormals,
+                           out.normals);
+    }
+    if (!out.shadingNormals.empty()) turnWithSurface(out, patchNormals, out.shadingNormals);
   }
 
   void startReport(Surface& out) const {
@@ -266,6 +306,8 @@ struct Smoother::State {
 Smoother::Smoother(std::shared_ptr<const Character> character) : state_(std::make_unique<State>()) {
   assert(character);
   state_->riseInBind = riseDirections(character->mesh, kRise * character->height);
+  state_->inverseLimitsInBind =
+      inverseRiseLimits(character->mesh, state_->riseInBind, kRise * character->height);
   state_->character = std::move(character);
 }
 
@@ -286,6 +328,7 @@ Result<void> Smoother::prepare(const Rig& rig) {
   next.rig = rig;
   next.creased = state_->creasedAt(rig.smoothing.creaseAngle);
   next.refinement = state_->refinementFor(rig.smoothing.depth, next.creased);
+  state_->prepareVertices(next);
   state_->prepareFronts(next);
   state_->prepareClasses(next);
   state_->prepared = std::move(next);
@@ -311,9 +354,12 @@ void Smoother::smooth(const Pose& pose, Surface& out, const std::optional<glm::v
 
   state.project(pose, eye, out);
   const double projectSeconds = watch.lap();
-  state.finish(out);
-  if (!out.shadingNormals.empty()) turnWithSurface(out, state.patchNormals, out.shadingNormals);
-  out.report.seconds = {skinSeconds, patchSeconds, projectSeconds, watch.lap()};
+  const bool moved = state.findMoved(out);
+  if (moved) state.unfold(out);
+  const double foldSeconds = watch.lap();
+
+  state.shade(moved, out);
+  out.report.seconds = {skinSeconds, patchSeconds, projectSeconds, foldSeconds, watch.lap()};
 }
 
 const Character& Smoother::character() const { return *state_->character; }

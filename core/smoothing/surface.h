@@ -19,8 +19,9 @@ struct StageSeconds {
   double skin = 0.0;
   double patch = 0.0;
   double project = 0.0;
-  double normals = 0.0;  ///< Folds guarded, shading normals made.
-  [[nodiscard]] double total() const { return skin + patch + project + normals; }
+  double folds = 0.0;    ///< Folds found and taken out.
+  double normals = 0.0;  ///< Shading normals made.
+  [[nodiscard]] double total() const { return skin + patch + project + folds + normals; }
 };
 
 /// Counts and measures of the last smoothing. Keys of --report (docs/formats.md).
@@ -41,7 +42,7 @@ struct SmoothingReport {
   int projected = 0;   ///< Vertices for which a root was sought.
   int unresolved = 0;  ///< ... and none found: they lie on the patch.
   int unwrapped = 0;   ///< `replace`: control vertices under muscles that do not wrap the body: they keep the skin.
-  int guarded = 0;     ///< Vertices taken back towards the patch so that no triangle turns over (fold_guard.h).
+  int guarded = 0;     ///< Vertices moved again because a triangle had folded (fold_relaxation.h, fold_guard.h).
   int anchorFallbacks = 0;  ///< `replace`: anchors outside the implicit surface; the normal served instead.
   Evaluations evaluations;   ///< Along all projection rays.
   double residualMax = 0.0;  ///< Largest |phi| at the found roots.
@@ -54,8 +55,8 @@ struct Surface {
   std::vector<glm::vec3> positions;  ///< [V'] world.
   std::vector<glm::vec3> normals;    ///< [V'] unit, outward, for shading (shading_normals.h).
   std::vector<glm::vec3> shadingNormals;  ///< [D] unit, of the drawn vertices; empty where nothing is creased.
-  std::vector<float> displacement;   ///< [V'] signed way from the patch, character units: along the rise direction in
-                                     ///< `swell`, the patch normal's share of it in `replace`.
+  std::vector<float> displacement;   ///< [V'] signed way from the patch, character units: in `swell` the rise
+                                     ///< direction's share of it, in `replace` the patch normal's.
   std::vector<TriangleClass> classes;  ///< [T] of the control triangles.
   std::vector<std::uint8_t> culled;    ///< [T] 1: not projected, not to be drawn; empty if nothing was culled.
   SmoothingReport report;

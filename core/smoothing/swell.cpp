@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/primitives/potential.h"
+#include "core/smoothing/rise_limits.h"
 #include "core/smoothing/root_finding.h"
 
 namespace sinew {
@@ -44,11 +45,10 @@ struct SkinField {
 /// Projects vertex after vertex; holds what is reused from one to the next.
 class Sweller {
  public:
-  Sweller(const FieldView& field, const SwellSettings& settings, std::span<const glm::vec3> directions,
-          Surface& surface)
+  Sweller(const FieldView& field, const SwellSettings& settings, const RiseView& rise, Surface& surface)
       : field_(field),
         settings_(settings),
-        directions_(directions),
+        rise_(rise),
         surface_(surface),
         isoRadius_(std::sqrt(1.0 - std::sqrt(static_cast<double>(settings.iso)))) {}
 
@@ -62,7 +62,7 @@ class Sweller {
     if (onSkin == 0.0f) return;
     ++surface_.report.projected;
     const SkinField skin(isoRadius_, blendWidthAt(p));
-    const double s = root(skin, p, directions_[index], onSkin > 0.0f, cliques);
+    const double s = root(skin, p, rise_.directions[index], onSkin > 0.0f, cliques);
     if (s == 0.0) return;
     place(skin, index, static_cast<float>(s), cliques);
   }
@@ -119,19 +119,22 @@ class Sweller {
 
   void place(const SkinField& skin, std::size_t index, float s, const CliqueLists& cliques) {
     const glm::vec3 n = surface_.normals[index];
-    const glm::vec3 d = directions_[index];
-    const glm::vec3 moved = surface_.positions[index] + s * d;
-    const glm::vec3 gradient = sampleField(field_.primitives, candidates_, cliques, moved).gradient;
+    const glm::vec3 d = rise_.directions[index];
+    const glm::vec3 p = surface_.positions[index];
+    const glm::vec3 gradient = sampleField(field_.primitives, candidates_, cliques, p + s * d).gradient;
     // s grows by 1 along d and not at all along the skin: its gradient is n / (n.d).
     const float slope = static_cast<float>(skin.slope(static_cast<double>(s))) / std::max(glm::dot(n, d), kLeastAlong);
-    surface_.positions[index] = moved;
-    surface_.normals[index] = normalizeOr(-(slope * n + gradient), n);
-    surface_.displacement[index] = s;
+    const float height = limitedRise(s, rise_.inverseLimits[index]);
+    surface_.positions[index] = p + height * d;
+    const glm::vec3 ofField = normalizeOr(-(slope * n + gradient), n);
+    // A limit flattens what stands below it.
+    surface_.normals[index] = height == s ? ofField : normalizeOr(n + (height / s) * (ofField - n), n);
+    surface_.displacement[index] = height;
   }
 
   const FieldView& field_;
   const SwellSettings& settings_;
-  std::span<const glm::vec3> directions_;
+  RiseView rise_;
   Surface& surface_;
   double isoRadius_;  ///< r_T
   RayField ray_;
@@ -141,8 +144,8 @@ class Sweller {
 }  // namespace
 
 void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings,
-           std::span<const glm::vec3> directions, Surface& surface) {
-  Sweller sweller(field, settings, directions, surface);
+           const RiseView& rise, Surface& surface) {
+  Sweller sweller(field, settings, rise, surface);
   forEachReachable(
       mesh, *surface.refinement, field, surface.positions, Reach::kOverlapping,
       [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) { sweller.move(vertex, near); });

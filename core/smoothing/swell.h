@@ -1,12 +1,20 @@
 #pragma once  // core/smoothing/swell.h: the default mode: skin rises over the muscles along the rise direction.
               // docs/design.md.
 
+#include <span>
+
 #include "core/mesh/control_mesh.h"
 #include "core/rig/rig.h"
 #include "core/smoothing/carrier_walk.h"
 #include "core/smoothing/surface.h"
 
 namespace sinew {
+
+/// How the skin may rise in one pose.
+struct RiseView {
+  std::span<const glm::vec3> directions;   ///< [V'] world, unit, outward (rise_directions.h).
+  std::span<const float> inverseLimits;    ///< [V'] 1/L, 0: none (rise_limits.h).
+};
 
 /// Constants of one character and rig.
 struct SwellSettings {
@@ -18,10 +26,11 @@ struct SwellSettings {
 
 /// Moves the surface's positions, which hold the patch, along the directions d to the first root of
 /// f_skin(s) + F(p + s d) - T going outwards from s = 0; inwards where F(p) < 0, down to s = -r_T W at most.
-/// Normals of moved vertices become the field's: exact, and finer than the mesh can show (shading_normals.h).
+/// A root beyond half the rise limit is drawn in below the limit (limitedRise).
+/// Normals of moved vertices become the field's at the root: exact, and finer than the mesh can show
+/// (shading_normals.h).
 /// A vertex where F(p) = 0 is not touched. Fills displacement (s) and counts in the report.
-/// @param directions [V'] world, unit, outward (rise_directions.h).
 void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings,
-           std::span<const glm::vec3> directions, Surface& surface);
+           const RiseView& rise, Surface& surface);
 
 }  // namespace sinew

@@ -45,7 +45,7 @@ struct Coherence {
 };
 
 constexpr const char* kUnexplained = "unexplained";
-constexpr const char* kGuard = "fold guard";  ///< Continuous, but as fast as the patch squeezes or folds a triangle.
+constexpr const char* kGuard = "folds";  ///< Continuous, but as fast as the patch squeezes or folds a triangle.
 constexpr float kSteepest = 3.0f;             ///< Rise of a flank that no one calls an overhang yet, 72 degrees.
 
 std::string boneOf(const Character& character, int controlVertex) {
@@ -298,7 +298,7 @@ Coherence walked(const TrialScene& scene, const Rig& rig) {
 void expectFewByTheGuard(const Coherence& seen, const std::string& scene) {
   const auto guard = seen.reasons.find(kGuard);
   const long long steps = guard == seen.reasons.end() ? 0 : guard->second;
-  EXPECT_LE(static_cast<double>(steps), 1e-4 * static_cast<double>(seen.vertexSteps)) << scene;
+  EXPECT_LE(static_cast<double>(steps), 2.5e-4 * static_cast<double>(seen.vertexSteps)) << scene;
 }
 
 // The skin steps less than 1 % H a frame. Where it does not, a muscle moved that fast against the skin, or stands so
@@ -344,7 +344,7 @@ TEST(Coherence, SwellStepsUnderOnePercentOverMusclesThatLieInTheFlesh) {
     const Coherence walk = walked(scene, withMode(scene.rig, SurfaceMode::kSwell));
     // One moment of the Fox's neck, whose patch turns over within a frame, is the exception (docs/design.md).
     EXPECT_LE(walk.largest.size, 2.0f * kAllowed) << scene.name;
-    EXPECT_LE(static_cast<double>(walk.over), 2e-5 * static_cast<double>(walk.vertexSteps)) << scene.name;
+    EXPECT_LE(static_cast<double>(walk.over), 8e-5 * static_cast<double>(walk.vertexSteps)) << scene.name;
     EXPECT_GT(walk.largest.size, 0.0f) << scene.name << ": nothing moves";
     EXPECT_GE(scene.rig.primitives.size(), 12u) << scene.name;
     const float rise = leastRise(scene);

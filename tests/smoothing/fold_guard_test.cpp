@@ -3,78 +3,31 @@
 #include "core/smoothing/fold_guard.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <limits>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "tests/support/lifted_sheet.h"
 #include "tests/support/mesh_checks.h"
-#include "tests/support/sheets.h"
 
 namespace sinew::test {
 namespace {
 
-/// A patch and what was lifted off it, through the guard.
-struct Scene {
-  ControlMesh mesh;
-  Refinement refinement;
-  std::vector<glm::vec3> patch;
-
-  explicit Scene(const Sheet& sheet)
-      : mesh(meshOf(sheet.positions, sheet.triangles)), refinement(refine(mesh, 1)), patch(mesh.positions),
-        fronts_(triangleFronts(refinement, mesh.positions, mesh.normals)) {}
+/// Through the guard.
+struct Scene : LiftedSheet {
+  using LiftedSheet::LiftedSheet;
 
   [[nodiscard]] std::vector<glm::vec3> guarded(std::vector<glm::vec3> positions, std::vector<float>* kept = nullptr) {
-    moved_.find(mesh, refinement, patch, positions);
-    const PatchView view{patch, mesh.normals, fronts_};
-    const std::span<const float> shares = guard_.apply(mesh, refinement, moved_.control, view, positions);
+    moved.find(mesh, refinement, patch, positions);
+    const std::span<const float> shares = guard_.apply(mesh, refinement, moved.control, view(), positions);
     if (kept != nullptr) kept->assign(shares.begin(), shares.end());
     return positions;
   }
 
-  /// Least area of a triangle over its patch's, signed along the patch.
-  [[nodiscard]] float leastArea(const std::vector<glm::vec3>& positions) const {
-    float least = std::numeric_limits<float>::infinity();
-    for (const auto& t : refinement.triangles) {
-      const glm::vec3 before = face(patch, t);
-      least = std::min(least, glm::dot(face(positions, t), before) / glm::dot(before, before));
-    }
-    return least;
-  }
-
  private:
-  static glm::vec3 face(const std::vector<glm::vec3>& at, const std::array<int, 3>& t) {
-    const glm::vec3& a = at[static_cast<std::size_t>(t[0])];
-    return glm::cross(at[static_cast<std::size_t>(t[1])] - a, at[static_cast<std::size_t>(t[2])] - a);
-  }
-
-  std::vector<float> fronts_;
-  MovedTriangles moved_;
   FoldGuard guard_;
 };
-
-Sheet flatSheet() {
-  return sheetOf(20, [](float, float) { return 0.0f; });
-}
-
-/// A bump of vertices lifted by up to `lift` along directions that lean towards x = 0 from both sides.
-std::vector<glm::vec3> converging(const std::vector<glm::vec3>& patch, float lift) {
-  std::vector<glm::vec3> out = patch;
-  for (glm::vec3& p : out) {
-    const float inside = std::max(0.0f, 1.0f - (p.x * p.x + p.y * p.y) / 0.5f);
-    const float lean = std::clamp(p.x / 0.2f, -1.0f, 1.0f);
-    if (inside > 0.0f) p += lift * inside * inside * glm::normalize(glm::vec3(-lean, 0.1f * lean, 1.0f));
-  }
-  return out;
-}
-
-float largestStep(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) {
-  float out = 0.0f;
-  for (std::size_t v = 0; v < a.size(); ++v) out = std::max(out, glm::distance(a[v], b[v]));
-  return out;
-}
 
 TEST(FoldGuard, LeavesNoTriangleTurned) {
   Scene scene(flatSheet());

@@ -76,20 +76,18 @@ struct Difference {
   double worstNear = 0.0;
 };
 
-/// All vertices of two projections of the same rays; where they differ, the oracle is asked how many roots there are.
+/// All vertices of two projections of the same rays, before folds are taken out. Where they differ, the oracle is
+/// asked how many roots there are.
 Difference differenceOf(const TrialScene& scene, SurfaceMode mode, ProjectionKind other) {
   const Rig newtonRig = withMode(scene.rig, mode);
-  Smoother newton(scene.character);
-  Smoother second(scene.character);
-  EXPECT_TRUE(newton.prepare(newtonRig).ok() && second.prepare(withMode(scene.rig, mode, other)).ok());
+  Projected newton(*scene.character, newtonRig);
+  Projected second(*scene.character, withMode(scene.rig, mode, other));
   oracle::Oracle oracle(*scene.character, newtonRig);
-  Surface a;
-  Surface b;
   Difference out;
   const double height = static_cast<double>(scene.character->height);
   for (const Pose& pose : spreadPoses(*scene.character, 6)) {
-    newton.smooth(pose, a);
-    second.smooth(pose, b);
+    const Surface& a = newton.at(pose);
+    const Surface& b = second.at(pose);
     oracle.pose(pose);
     out.compared += a.report.projected;
     for (std::size_t v = 0; v < a.positions.size(); ++v) {

@@ -58,6 +58,7 @@ Oracle::Oracle(const Character& character, const Rig& rig)
     vertexWeights_.push_back(field_.territoryWeights(static_cast<int>(v)));
   }
   if (rig.surface.mode == SurfaceMode::kReplace) findOmegas();
+  else inverseLimits_ = inverseLimits(character.mesh, riseInBind_, kRise * height_);
   pose(bindPoseOf(character.skeleton));
 }
 
@@ -82,6 +83,12 @@ void Oracle::pose(const Pose& pose) {
     normals_.push_back(carried(vec(mesh.normals[v])));
     rise_.push_back(carried(riseInBind_[v]));
   }
+}
+
+double Oracle::inverseLimitAt(const Site& site) const {
+  double out = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) out += site.barycentric[i] * inverseLimits_[index(site.vertices[i])];
+  return out;
 }
 
 Corners Oracle::cornersOf(const Site& site) const {
@@ -155,13 +162,17 @@ Answer Oracle::swell(const Site& site) const {
   if (out.roots.empty() || (atStart < 0.0) != (out.field < 0.0)) out.roots.insert(out.roots.begin(), 0.0);
   out.offset = out.roots.front();
   out.resolved = true;
-  out.position = out.rayOrigin + out.offset * out.rayDirection;
-  out.lead = field_.lead(out.position, weights);
+  const Vec onField = out.rayOrigin + out.offset * out.rayDirection;
+  const double height = heightWithin(out.offset, inverseLimitAt(site));
+  out.position = out.rayOrigin + height * out.rayDirection;
+  out.lead = field_.lead(onField, weights);
   // Heights grow by 1 along d and not at all along the skin.
   const double skinSlope = gSlope(skinRadius(out.offset, out.blendWidth)) / width;
   const double cosine = std::max(kLeastCosine, dot(out.patch.normal, out.rayDirection));
-  const Vec gradient = (skinSlope / cosine) * out.patch.normal + field_.gradient(out.position, weights);
-  out.normal = unitOr(-1.0 * gradient, out.patch.normal);
+  const Vec gradient = (skinSlope / cosine) * out.patch.normal + field_.gradient(onField, weights);
+  const Vec ofField = unitOr(-1.0 * gradient, out.patch.normal);
+  const double share = out.offset > 0.0 ? height / out.offset : 1.0;
+  out.normal = unitOr(out.patch.normal + share * (ofField - out.patch.normal), out.patch.normal);
   return out;
 }
 

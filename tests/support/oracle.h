@@ -92,6 +92,7 @@ class Oracle {
   [[nodiscard]] double isoRadius() const;  ///< r_T
   /// s / W + r_T, not below 0.
   [[nodiscard]] double skinRadius(double s, double blendWidth) const;
+  [[nodiscard]] double inverseLimitAt(const Site& site) const;
   [[nodiscard]] Corners cornersOf(const Site& site) const;
   [[nodiscard]] Anchor anchorOf(const Vec& bindPoint) const;
   [[nodiscard]] Answer swell(const Site& site) const;
@@ -111,6 +112,7 @@ class Oracle {
   std::vector<std::vector<double>> vertexWeights_;  ///< [V][primitives]
   std::vector<double> omega_;                       ///< [V]
   std::vector<Vec> riseInBind_;                     ///< [V]
+  std::vector<double> inverseLimits_;               ///< [V] `swell` only.
   std::vector<Affine> bones_;                       ///< [bones] posed.
   std::vector<Vec> positions_;                      ///< [V] posed.
   std::vector<Vec> normals_;                        ///< [V] posed.

@@ -52,7 +52,7 @@ void note(Tally& tally, int vertex, const char* what, double amount) {
   tally.firstOff = out.str();
 }
 
-/// One vertex before the fold guard against the brute-force search.
+/// One vertex before folds are taken out against the brute-force search.
 void compareRaw(Tally& tally, const Oracle& oracle, const Answer& answer, int vertex, const Vec& seen,
                 const Vec& normal, double height) {
   const double distance = length(seen - answer.position) / height;
@@ -81,7 +81,7 @@ void compareRaw(Tally& tally, const Oracle& oracle, const Answer& answer, int ve
 void compareFinished(Tally& tally, const Finished& finished, std::size_t vertex, const Surface& surface,
                      double height) {
   const double distance = length(vec(surface.positions[vertex]) - finished.positions[vertex]) / height;
-  const bool guarded = finished.kept[vertex] < 1.0;
+  const bool guarded = finished.guarded[vertex];
   tally.guarded += guarded ? 1 : 0;
   if (guarded && !(distance <= kTolerance)) {
     ++tally.guardOff;
@@ -134,7 +134,7 @@ Tally compare(const Oracle& oracle, const Character& character, const Stages& st
     const auto index = static_cast<std::size_t>(v);
     ++tally.compared;
     if (answer.sought) ++tally.sought;
-    const bool guarded = stages.finished.kept[index] < 1.0;
+    const bool guarded = stages.finished.guarded[index];
     const Vec seen = vec(guarded ? stages.raw.positions[index] : surface.positions[index]);
     compareRaw(tally, oracle, answer, v, seen, vec(stages.raw.normals[index]), height);
     compareFinished(tally, stages.finished, index, surface, height);

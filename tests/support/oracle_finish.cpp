@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace sinew::oracle {
 namespace {
 
-constexpr int kRounds = 32;
+constexpr double kRelaxedArea = 0.4;
 constexpr double kSafeArea = 0.25;
 constexpr double kNoFront = 0.02;
 constexpr double kWholeFront = 0.17;
@@ -47,35 +48,102 @@ double frontOf(const std::array<int, 3>& t, const std::vector<Vec>& patch, const
   return edges > 0.0 ? dot(faceOf(patch, t), mean) / edges : 0.0;
 }
 
-/// Least share of their lift that triangles ask each corner to keep, as things are.
-std::vector<double> sharesAsked(const Triangles& triangles, const std::vector<Vec>& patch,
-                                const std::vector<Vec>& normals, const std::vector<double>& bindFronts,
-                                const std::vector<Vec>& at) {
-  std::vector<double> shares(patch.size(), 1.0);
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const auto& t = triangles[i];
-    const Vec before = faceOf(patch, t);
+/// The patch and its bind pose, as the search for folds sees them.
+struct Folds {
+  const Triangles& triangles;
+  std::vector<Vec> patch;
+  std::vector<Vec> normals;
+  std::vector<double> bindFronts;
+
+  /// q of a lifted triangle; nothing where it has none.
+  std::optional<double> areaOf(std::size_t i, const std::vector<Vec>& at) const {
+    const Vec before = faceOf(patch, triangles[i]);
     const double squared = dot(before, before);
-    if (squared == 0.0) continue;
-    const double q = dot(faceOf(at, t), before) / squared;
-    if (q >= kSafeArea) continue;
-    if (bindFronts[i] <= 0.0) continue;
-    const double weight = smoothstep(kNoFront, kWholeFront, frontOf(t, patch, normals) / bindFronts[i]);
-    const double asked = 1.0 - weight * (1.0 - (1.0 - kSafeArea) / (1.0 - q));
-    for (const int v : t) shares[index(v)] = std::min(shares[index(v)], asked);
+    if (squared == 0.0 || bindFronts[i] <= 0.0) return std::nullopt;
+    return dot(faceOf(at, triangles[i]), before) / squared;
+  }
+
+  double trustIn(std::size_t i) const {
+    return smoothstep(kNoFront, kWholeFront, frontOf(triangles[i], patch, normals) / bindFronts[i]);
+  }
+};
+
+using Neighbours = std::vector<std::vector<std::size_t>>;
+
+/// The other corners of the triangles around each vertex: a neighbour counts once for every triangle it shares, so that
+/// neighbours along a border count half.
+Neighbours neighboursOf(const Triangles& triangles, std::size_t count) {
+  Neighbours out(count);
+  for (const auto& t : triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      out[index(t[i])].push_back(index(t[(i + 1) % 3]));
+      out[index(t[i])].push_back(index(t[(i + 2) % 3]));
+    }
+  }
+  return out;
+}
+
+/// Inside, every neighbour is met twice.
+std::vector<bool> bordersOf(const Neighbours& neighbours) {
+  std::vector<bool> out;
+  for (const std::vector<std::size_t>& around : neighbours) {
+    out.push_back(std::ranges::any_of(around, [&](std::size_t u) { return std::ranges::count(around, u) != 2; }));
+  }
+  return out;
+}
+
+/// Mean over the neighbours less the value itself.
+std::vector<Vec> laplacian(const Neighbours& neighbours, const std::vector<Vec>& values) {
+  std::vector<Vec> out(values.size());
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    if (neighbours[v].empty()) continue;
+    Vec sum;
+    for (const std::size_t u : neighbours[v]) sum = sum + values[u];
+    out[v] = (1.0 / static_cast<double>(neighbours[v].size())) * sum - values[v];
+  }
+  return out;
+}
+
+void relaxFolds(const Folds& folds, const Neighbours& neighbours, std::vector<Vec>& at) {
+  const std::vector<bool> borders = bordersOf(neighbours);
+  const std::vector<Vec> start = at;
+  std::vector<double> weights(at.size(), 0.0);
+  for (int round = 0; round < 32; ++round) {
+    for (double& weight : weights) weight = std::max(0.0, weight - 0.25);
+    for (std::size_t i = 0; i < folds.triangles.size(); ++i) {
+      const std::optional<double> q = folds.areaOf(i, at);
+      if (!q || *q >= kRelaxedArea) continue;
+      const double weight = folds.trustIn(i) * (1.0 - smoothstep(0.0, kRelaxedArea, *q));
+      for (const int v : folds.triangles[i]) weights[index(v)] = std::max(weights[index(v)], weight);
+    }
+    const std::vector<Vec> towardsMean = laplacian(neighbours, at);
+    for (std::size_t v = 0; v < at.size(); ++v) {
+      if (borders[v] || weights[v] == 0.0) continue;
+      const double room = length(start[v] - folds.patch[v]);
+      if (room == 0.0) continue;
+      const Vec way = at[v] + weights[v] * towardsMean[v] - start[v];
+      at[v] = start[v] + std::min(1.0, room / std::max(1e-300, length(way))) * way;
+    }
+  }
+}
+
+/// Least share of their lift that triangles ask each corner to keep, as things are.
+std::vector<double> sharesAsked(const Folds& folds, const std::vector<Vec>& at) {
+  std::vector<double> shares(at.size(), 1.0);
+  for (std::size_t i = 0; i < folds.triangles.size(); ++i) {
+    const std::optional<double> q = folds.areaOf(i, at);
+    if (!q || *q >= kSafeArea) continue;
+    const double asked = 1.0 - folds.trustIn(i) * (1.0 - (1.0 - kSafeArea) / (1.0 - *q));
+    for (const int v : folds.triangles[i]) shares[index(v)] = std::min(shares[index(v)], asked);
   }
   return shares;
 }
 
-void guardFolds(const Triangles& triangles, const std::vector<Vec>& patch, const std::vector<Vec>& normals,
-                const std::vector<double>& bindFronts, Finished& out) {
-  out.kept.assign(patch.size(), 1.0);
-  for (int round = 0; round < kRounds; ++round) {
-    const std::vector<double> shares = sharesAsked(triangles, patch, normals, bindFronts, out.positions);
-    for (std::size_t v = 0; v < patch.size(); ++v) {
-      if (shares[v] == 1.0) continue;
-      out.kept[v] *= shares[v];
-      out.positions[v] = patch[v] + shares[v] * (out.positions[v] - patch[v]);
+void guardFolds(const Folds& folds, std::vector<Vec>& at) {
+  for (int round = 0; round < 64; ++round) {
+    const std::vector<double> shares = sharesAsked(folds, at);
+    for (std::size_t v = 0; v < at.size(); ++v) {
+      if (shares[v] != 1.0) at[v] = folds.patch[v] + shares[v] * (at[v] - folds.patch[v]);
     }
   }
 }
@@ -110,33 +178,6 @@ Vec turnOf(const Vec& v, const Vec& from, const Vec& to) {
   return share * (turned - v) + (1.0 - share) * difference;
 }
 
-using Neighbours = std::vector<std::vector<std::size_t>>;
-
-/// The other corners of the triangles around each vertex: a neighbour counts once for every triangle it shares, so that
-/// neighbours along a border count half.
-Neighbours neighboursOf(const Triangles& triangles, std::size_t count) {
-  Neighbours out(count);
-  for (const auto& t : triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      out[index(t[i])].push_back(index(t[(i + 1) % 3]));
-      out[index(t[i])].push_back(index(t[(i + 2) % 3]));
-    }
-  }
-  return out;
-}
-
-/// Mean over the neighbours less the value itself.
-std::vector<Vec> laplacian(const Neighbours& neighbours, const std::vector<Vec>& values) {
-  std::vector<Vec> out(values.size());
-  for (std::size_t v = 0; v < values.size(); ++v) {
-    if (neighbours[v].empty()) continue;
-    Vec sum;
-    for (const std::size_t u : neighbours[v]) sum = sum + values[u];
-    out[v] = (1.0 / static_cast<double>(neighbours[v].size())) * sum - values[v];
-  }
-  return out;
-}
-
 /// w of the largest difference to a neighbour's delta, and of the larger of the vertex's own delta and delta'.
 double toothWeight(double difference, double own) {
   const double betweenNeighbours = smoothstep(0.22, 0.45, difference) * (1.0 - smoothstep(0.45, 0.8, difference));
@@ -167,9 +208,14 @@ Finished finish(const Surface& bindPatch, const Surface& patch, const Surface& r
   out.positions = vecs(raw.positions);
   const std::vector<Vec> bindPositions = vecs(bindPatch.positions);
   const std::vector<Vec> bindNormals = vecs(bindPatch.normals);
-  std::vector<double> bindFronts;
-  for (const auto& t : triangles) bindFronts.push_back(frontOf(t, bindPositions, bindNormals));
-  guardFolds(triangles, patchPositions, patchNormals, bindFronts, out);
+  Folds folds{triangles, patchPositions, patchNormals, {}};
+  for (const auto& t : triangles) folds.bindFronts.push_back(frontOf(t, bindPositions, bindNormals));
+  const std::vector<Vec> projected = out.positions;
+  relaxFolds(folds, neighboursOf(triangles, projected.size()), out.positions);
+  guardFolds(folds, out.positions);
+  for (std::size_t v = 0; v < projected.size(); ++v) {
+    out.guarded.push_back(length(out.positions[v] - projected[v]) > 0.0);
+  }
 
   const std::vector<Vec> patchFaces = faceNormals(triangles, patchPositions);
   const std::vector<Vec> faces = faceNormals(triangles, out.positions);
@@ -190,7 +236,7 @@ Finished finish(const Surface& bindPatch, const Surface& patch, const Surface& r
 }
 
 Finished unfinished(const Surface& raw) {
-  return {std::vector<double>(raw.positions.size(), 1.0), vecs(raw.positions), vecs(raw.normals)};
+  return {std::vector<bool>(raw.positions.size(), false), vecs(raw.positions), vecs(raw.normals)};
 }
 
 }  // namespace sinew::oracle

@@ -8,6 +8,7 @@
 #include "core/smoothing/patch.h"
 #include "core/smoothing/replace.h"
 #include "core/smoothing/rise_directions.h"
+#include "core/smoothing/rise_limits.h"
 #include "core/smoothing/swell.h"
 
 namespace sinew::test {
@@ -33,6 +34,7 @@ struct Projected::State {
   Attachment attachment;
   CandidateLists candidates;
   std::vector<glm::vec3> riseInBind;
+  std::vector<float> limitsInBind;
   std::vector<Anchor> anchors;
   ImplicitWeights weights;
   Surface patch;
@@ -66,7 +68,9 @@ struct Projected::State {
     interpolateDirections(character.mesh, refinement, controlRise, rise);
     const SwellSettings settings{rig.surface.iso, rig.surface.skinBlend * character.height, rig.smoothing.projection,
                                  tolerance()};
-    swell(character.mesh, field, settings, rise, surface);
+    std::vector<float> limits(rise.size());
+    interpolateValues(character.mesh, refinement, limitsInBind, limits);
+    swell(character.mesh, field, settings, {rise, limits}, surface);
   }
 
   void replaceFrom(const SkinnedMesh& control, const Pose& pose, const FieldView& field) {
@@ -79,9 +83,10 @@ struct Projected::State {
 
 Projected::Projected(const Character& character, const Rig& rig)
     : state_(std::make_unique<State>(
-          State{character, rig, attach(rig, character).value(), {}, {}, {}, {}, {}, {}, {}})) {
+          State{character, rig, attach(rig, character).value(), {}, {}, {}, {}, {}, {}, {}, {}})) {
   state_->candidates = makeCandidateLists(character.mesh, state_->attachment);
   state_->riseInBind = riseDirections(character.mesh, kRise * character.height);
+  state_->limitsInBind = inverseRiseLimits(character.mesh, state_->riseInBind, kRise * character.height);
   state_->surface.refinement = std::make_shared<const Refinement>(refine(character.mesh, rig.smoothing.depth));
   state_->patch.refinement = state_->bindPatch.refinement = state_->surface.refinement;
   Points bind = patchOf(rig.smoothing.patch, character.mesh, *state_->surface.refinement,

@@ -1,0 +1,34 @@
+#pragma once  // tests/support/lifted_sheet.h: a small patch and skin lifted off it, for the stages that take folds out.
+
+#include <vector>
+
+#include "core/smoothing/fold.h"
+#include "core/smoothing/moved_triangles.h"
+#include "tests/support/sheets.h"
+
+namespace sinew::test {
+
+struct LiftedSheet {
+  ControlMesh mesh;
+  Refinement refinement;         ///< Depth 1.
+  std::vector<glm::vec3> patch;  ///< Positions; as the mesh unless a test poses it.
+  std::vector<float> bindFronts;
+  MovedTriangles moved;
+
+  explicit LiftedSheet(const Sheet& sheet);
+  [[nodiscard]] PatchView view() const { return {patch, mesh.normals, bindFronts}; }
+  /// Least area of a triangle over its patch's, signed along the patch.
+  [[nodiscard]] float leastArea(const std::vector<glm::vec3>& positions) const;
+  /// Triangles whose area is below 0.
+  [[nodiscard]] int turned(const std::vector<glm::vec3>& positions) const;
+};
+
+/// 20 by 20 cells.
+[[nodiscard]] Sheet flatSheet();
+
+/// A bump of vertices lifted by up to `lift` along directions that lean towards x = 0 from both sides.
+[[nodiscard]] std::vector<glm::vec3> converging(const std::vector<glm::vec3>& patch, float lift);
+
+[[nodiscard]] float largestStep(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b);
+
+}  // namespace sinew::test
