@@ -4,7 +4,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/verbs.h"
-#include "app/editor.h"
+#include "app/window/editor_window.h"
 
 namespace {
 

@@ -109,7 +109,8 @@ Pose poseAt(const Transport& transport, const Character& character) {
 }
 
 LiveSurface::LiveSurface(std::shared_ptr<const Character> character)
-    : character_(std::move(character)), smoother_(character_),
+    : character_(std::move(character)),
+      smoother_(character_),
       meanEdge_(meanEdgeFraction(character_->mesh, character_->height)) {}
 
 Result<LiveSurface> LiveSurface::create(std::shared_ptr<const Character> character, const CommandStack& commands,
@@ -126,8 +127,7 @@ int LiveSurface::depthFor(const SmoothingSettings& settings, float heightPixels)
   return followed_ ? depth_ : settings.depth;
 }
 
-Result<bool> LiveSurface::prepareIfChanged(const CommandStack& commands, int depth,
-                                           const std::vector<int>& hidden) {
+Result<bool> LiveSurface::prepareIfChanged(const CommandStack& commands, int depth, const std::vector<int>& hidden) {
   if (triedRig_ == commands.revision() && depth_ == depth && hidden_ == hidden) return false;
   triedRig_ = commands.revision();
   depth_ = depth;

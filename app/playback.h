@@ -1,4 +1,5 @@
-#pragma once  // app/playback.h: clip time -> pose -> surface.
+// app/playback.h: clip time -> pose -> surface.
+#pragma once
 
 #include <cstddef>
 #include <memory>
@@ -6,10 +7,10 @@
 #include <vector>
 
 #include "app/document/command_stack.h"
-#include "core/base/result.h"
-#include "core/character/character.h"
 #include "core/skeleton/pose_override.h"
-#include "core/smoothing/smoother.h"
+#include "sinew/base/result.h"
+#include "sinew/character/character.h"
+#include "sinew/smoothing/smoother.h"
 
 namespace sinew::app {
 
@@ -21,9 +22,9 @@ struct Transport {
   double time = 0.0;  ///< Seconds, 0..duration.
   bool playing = false;
   bool loop = true;
-  float speed = 1.0f;  ///< Factor, 0.1..4.
-  double rangeFrom = 0.0;   ///< Playing keeps to this part of the clip, seconds; through setPlayRange.
-  double rangeTo = 0.0;     ///< Not after rangeFrom: all of the clip.
+  float speed = 1.0f;         ///< Factor, 0.1..4.
+  double rangeFrom = 0.0;     ///< Playing keeps to this part of the clip, seconds; through setPlayRange.
+  double rangeTo = 0.0;       ///< Not after rangeFrom: all of the clip.
   PoseOverrides overrides{};  ///< Joints turned by hand, on top of the clip.
 };
 
@@ -62,7 +63,7 @@ void togglePlaying(Transport& transport, const Character& character);
 struct SurfaceView {
   std::optional<glm::vec3> eye;  ///< World: skip what cannot be seen from here (Smoother::smooth); none: all is made.
   float heightPixels = 0.0f;     ///< The character's H as seen: depth follows it where the rig says so; 0: unknown.
-  std::vector<int> hidden{};       ///< Rig indices of muscles that are left out of the surface, ascending.
+  std::vector<int> hidden{};     ///< Rig indices of muscles that are left out of the surface, ascending.
 };
 
 /// The surface kept in step with rig and time: prepares after an edit, smooths after an edit, when time has moved, or

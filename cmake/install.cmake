@@ -3,7 +3,7 @@ include(CMakePackageConfigHelpers)
 set(sinew_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Sinew)
 
 install(TARGETS sinew_core EXPORT SinewTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/core DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sinew FILES_MATCHING PATTERN "*.h")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/core/include/sinew DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT SinewTargets NAMESPACE Sinew:: DESTINATION ${sinew_package_dir})
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/SinewConfig.cmake.in ${PROJECT_BINARY_DIR}/SinewConfig.cmake

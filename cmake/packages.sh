@@ -11,9 +11,10 @@ sinewRunPackages=(
   fonts-inter fonts-dejavu-core  # the editor's letters
 )
 
-# To run the tests as well: Python for the scripts, a display without a screen, hands that click, a camera.
+# To run the tests as well: Python for the scripts, a display without a screen, simulated input, screenshots, the source format.
 # shellcheck disable=SC2034  # test.sh reads it
-sinewTestPackages=("${sinewRunPackages[@]}" python3 xvfb xauth xdotool imagemagick)
+sinewTestPackages=("${sinewRunPackages[@]}" python3 xvfb xauth xdotool imagemagick
+  clang-format-14)
 
 # Progress goes to stderr, so that a verb's result has stdout for itself.
 sinewSay() { printf 'sinew: %s\n' "$*" >&2; }

@@ -2,7 +2,7 @@
 #include "app/cli/anchor_segments.h"
 
 #include "core/character/skinning.h"
-#include "core/smoothing/anchors.h"
+#include "core/smoothing/projection/anchors.h"
 
 namespace sinew::app {
 namespace {

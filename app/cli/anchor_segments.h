@@ -1,4 +1,5 @@
-#pragma once  // app/cli/anchor_segments.h: the segments that `replace` searches, as lines to draw (paper Fig. 5).
+// app/cli/anchor_segments.h: the segments that `replace` searches, as lines to draw (paper Fig. 5).
+#pragma once
 
 #include <vector>
 

@@ -9,11 +9,11 @@
 #include "app/cli/bench_field.h"
 #include "app/cli/bench_projections.h"
 #include "app/cli/console.h"
+#include "app/cli/trial_rig.h"
 #include "app/document/document.h"
 #include "app/platform/data_files.h"
-#include "core/io/atomic_file.h"
-#include "core/io/json.h"
-#include "core/rig/trial_rig.h"
+#include "core/io/files/atomic_file.h"
+#include "core/io/json/json.h"
 
 namespace sinew::app {
 namespace {

@@ -1,4 +1,5 @@
-#pragma once  // app/cli/bench.h: `sinew bench`: measurements on this machine.
+// app/cli/bench.h: `sinew bench`: measurements on this machine.
+#pragma once
 
 #include <filesystem>
 #include <vector>

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/blending/field.h"
-#include "core/smoothing/ray_field.h"
+#include "core/smoothing/roots/ray_field.h"
 
 namespace sinew::app {
 namespace {

@@ -1,4 +1,5 @@
-#pragma once  // app/cli/bench_field.h: what one evaluation of the field costs, spheres beside ellipsoids.
+// app/cli/bench_field.h: what one evaluation of the field costs, spheres beside ellipsoids.
+#pragma once
 
 #include <string>
 
@@ -15,7 +16,7 @@ struct FieldCosts {
 };
 
 /// The same 40 places and 20,000 points for both kinds, in turn; a ray is met by a primitive when it becomes a
-/// quadratic along it (core/smoothing/ray_field.h).
+/// quadratic along it (core/smoothing/roots/ray_field.h).
 [[nodiscard]] FieldCosts measureField(int rounds);
 
 [[nodiscard]] std::string fieldTable(const FieldCosts& costs);

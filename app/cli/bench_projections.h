@@ -1,11 +1,12 @@
-#pragma once  // app/cli/bench_projections.h: work, time and agreement of the three projections on one character.
+// app/cli/bench_projections.h: work, time and agreement of the three projections on one character.
+#pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "core/base/result.h"
-#include "core/smoothing/smoother.h"
+#include "sinew/base/result.h"
+#include "sinew/smoothing/smoother.h"
 
 namespace sinew::app {
 

@@ -1,8 +1,9 @@
-#pragma once  // app/cli/console.h: how the verbs talk: results to stdout, all else to stderr, and the exit statuses.
+// app/cli/console.h: how the verbs talk: results to stdout, all else to stderr, and the exit statuses.
+#pragma once
 
 #include <string>
 
-#include "core/base/result.h"
+#include "sinew/base/result.h"
 
 namespace sinew::app {
 

@@ -1,4 +1,5 @@
-#pragma once  // app/cli/crease_option.h: --crease, which `smooth` and `render` share.
+// app/cli/crease_option.h: --crease, which `smooth` and `render` share.
+#pragma once
 
 #include <optional>
 

@@ -11,7 +11,7 @@
 
 #include "app/cli/console.h"
 #include "app/document/document.h"
-#include "core/io/json.h"
+#include "core/io/json/json.h"
 #include "core/mesh/creases.h"
 #include "core/mesh/topology.h"
 #include "core/mesh/weld.h"
@@ -199,8 +199,8 @@ void putRig(std::ostream& out, const Document& document) {
   }
   if (rig.smoothing.creaseAngle >= kNoCreases) return;
   const std::vector<Wedge> wedges = shadedWedges(document);
-  out << "  creases     over " << shortNumber(rig.smoothing.creaseAngle) << " degrees: " << wedges.size()
-      << " wedges, " << std::ranges::count(wedges, true, &Wedge::creased) << " of them creased\n";
+  out << "  creases     over " << shortNumber(rig.smoothing.creaseAngle) << " degrees: " << wedges.size() << " wedges, "
+      << std::ranges::count(wedges, true, &Wedge::creased) << " of them creased\n";
 }
 
 std::string plainText(const Document& document, const Shape& shape) {
@@ -233,8 +233,8 @@ std::string plainText(const Document& document, const Shape& shape) {
 }  // namespace
 
 void addInspectOptions(CLI::App& verb, InspectOptions& options) {
-  verb.add_option_function<std::string>("FILE", [&](const std::string& file) { options.file = file; },
-                                        "Character (.glb, .gltf) or rig (.rig.json)")
+  verb.add_option_function<std::string>(
+          "FILE", [&](const std::string& file) { options.file = file; }, "Character (.glb, .gltf) or rig (.rig.json)")
       ->required();
   verb.add_flag("--json", options.json, "For programs");
 }

@@ -1,4 +1,5 @@
-#pragma once  // app/cli/inspect.h: `sinew inspect`: what a character or rig holds.
+// app/cli/inspect.h: `sinew inspect`: what a character or rig holds.
+#pragma once
 
 #include <filesystem>
 

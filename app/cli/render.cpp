@@ -19,10 +19,10 @@
 #include "app/render/png.h"
 #include "app/render/viewport.h"
 #include "core/character/skinning.h"
-#include "core/io/atomic_file.h"
+#include "core/io/files/atomic_file.h"
 #include "core/rig/attachment.h"
 #include "core/smoothing/auto_depth.h"
-#include "core/smoothing/smoother.h"
+#include "sinew/smoothing/smoother.h"
 
 namespace sinew::app {
 namespace {
@@ -204,8 +204,9 @@ void addRenderOptions(CLI::App& verb, RenderOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
   verb.add_option_function<std::string>("FILE", to(options.input), "Rig (.rig.json) or character (.glb, .gltf)")
       ->required();
-  verb.add_option("--clip", options.clip, "Pose from this clip, or \"Range of motion\", made from the joints; "
-                                          "without any of these, the bind pose")
+  verb.add_option("--clip", options.clip,
+                  "Pose from this clip, or \"Range of motion\", made from the joints; "
+                  "without any of these, the bind pose")
       ->type_name("NAME");
   verb.add_option("--time", options.time, "Seconds into the clip (of the first, if none is named)")->type_name("S");
   verb.add_option("--frames", options.frames, "One picture per clip frame, both ends included")->type_name("A:B");

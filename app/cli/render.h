@@ -1,11 +1,12 @@
-#pragma once  // app/cli/render.h: `sinew render`: pictures of a character or rig, off screen.
+// app/cli/render.h: `sinew render`: pictures of a character or rig, off screen.
+#pragma once
 
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/base/geometry.h"
+#include "sinew/base/geometry.h"
 
 namespace CLI {
 class App;

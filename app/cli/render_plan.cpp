@@ -20,8 +20,13 @@ struct NamedView {
   std::string_view name;
   float yaw, pitch;  ///< Degrees.
 };
-constexpr std::array<NamedView, 7> kViews{{{"front", 0, 0}, {"back", 180, 0}, {"left", 90, 0}, {"right", -90, 0},
-                                           {"top", 0, 90}, {"bottom", 0, -90}, {"three-quarter", 36, 14}}};
+constexpr std::array<NamedView, 7> kViews{{{"front", 0, 0},
+                                           {"back", 180, 0},
+                                           {"left", 90, 0},
+                                           {"right", -90, 0},
+                                           {"top", 0, 90},
+                                           {"bottom", 0, -90},
+                                           {"three-quarter", 36, 14}}};
 
 /// The whole text as a number, or nullopt.
 template <class Number>
@@ -51,8 +56,10 @@ Result<void> readView(const std::string& text, RenderPlan& plan) {
   } else {
     const auto angles = pairIn<float>(text, ',');
     if (!angles || !std::isfinite((*angles)[0]) || !(std::abs((*angles)[1]) <= 90.0f)) {
-      return errorAt("--view", "expected front, back, left, right, top, bottom, three-quarter, or yaw,pitch in degrees "
-                               "(pitch -90 to 90), got \"" + text + '"');
+      return errorAt("--view",
+                     "expected front, back, left, right, top, bottom, three-quarter, or yaw,pitch in degrees "
+                     "(pitch -90 to 90), got \"" +
+                         text + '"');
     }
     yaw = std::fmod((*angles)[0], 360.0f);
     pitch = (*angles)[1];
@@ -148,7 +155,7 @@ Result<void> readMoments(const RenderOptions& options, RenderPlan& plan) {
   const auto range = pairIn<int>(options.frames, ':');
   if (!range || (*range)[0] < 0 || (*range)[1] < (*range)[0] || (*range)[1] - (*range)[0] >= kMostFrames) {
     return errorAt("--frames", "expected FIRST:LAST with 0 <= FIRST <= LAST and at most 100000 frames, got \"" +
-                               options.frames + '"');
+                                   options.frames + '"');
   }
   const std::string name = options.output.string();
   const auto field = frameField(name);

@@ -1,4 +1,5 @@
-#pragma once  // app/cli/render_plan.h: what a `sinew render` command line asks for, read and checked.
+// app/cli/render_plan.h: what a `sinew render` command line asks for, read and checked.
+#pragma once
 
 #include <filesystem>
 #include <string>
@@ -6,7 +7,7 @@
 
 #include "app/cli/render.h"
 #include "app/render/scene.h"
-#include "core/base/result.h"
+#include "sinew/base/result.h"
 
 namespace sinew::app {
 

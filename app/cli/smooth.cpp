@@ -11,11 +11,11 @@
 #include "app/cli/crease_option.h"
 #include "app/document/document.h"
 #include "app/document/motion_clip.h"
-#include "core/io/atomic_file.h"
-#include "core/io/json.h"
-#include "core/io/surface_export.h"
+#include "core/io/files/atomic_file.h"
+#include "core/io/json/json.h"
 #include "core/rig/attachment.h"
-#include "core/smoothing/smoother.h"
+#include "sinew/io/surface_export.h"
+#include "sinew/smoothing/smoother.h"
 
 namespace sinew::app {
 namespace {
@@ -117,9 +117,9 @@ void addSmoothOptions(CLI::App& verb, SmoothOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
   verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf)")
       ->required();
-  CLI::Option* clip = verb.add_option(
-      "--clip", options.clip,
-      "Pose from this clip, or \"Range of motion\", made from the joints; without it, the bind pose");
+  CLI::Option* clip =
+      verb.add_option("--clip", options.clip,
+                      "Pose from this clip, or \"Range of motion\", made from the joints; without it, the bind pose");
   clip->type_name("NAME");
   verb.add_option("--time", options.time, "Seconds into the clip (0)")->type_name("S")->check(isTime)->needs(clip);
   addSettings(verb, options);

@@ -1,4 +1,5 @@
-#pragma once  // app/cli/smooth.h: `sinew smooth`: one smoothed surface as a file.
+// app/cli/smooth.h: `sinew smooth`: one smoothed surface as a file.
+#pragma once
 
 #include <filesystem>
 #include <optional>
@@ -12,9 +13,9 @@ namespace sinew::app {
 
 /// What is not given stays as the rig says.
 struct SmoothOptions {
-  std::filesystem::path file;    ///< Rig or character.
-  std::filesystem::path output;  ///< .obj, .ply or .glb.
-  std::filesystem::path report;  ///< JSON; empty: none.
+  std::filesystem::path file;       ///< Rig or character.
+  std::filesystem::path output;     ///< .obj, .ply or .glb.
+  std::filesystem::path report;     ///< JSON; empty: none.
   std::optional<std::string> clip;  ///< Absent: the bind pose.
   double time = 0.0;                ///< Seconds into the clip.
   std::optional<int> depth;

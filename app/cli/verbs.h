@@ -1,4 +1,5 @@
-#pragma once  // app/cli/verbs.h: the command line as a whole: which verb, with which options.
+// app/cli/verbs.h: the command line as a whole: which verb, with which options.
+#pragma once
 
 #include <functional>
 #include <string>

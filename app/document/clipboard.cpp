@@ -6,10 +6,10 @@
 #include <map>
 #include <utility>
 
-#include "core/io/rig_json.h"
 #include "core/rig/rig_edit.h"
-#include "core/rig/side_names.h"
-#include "core/rig/twins.h"
+#include "core/skeleton/side_names.h"
+#include "core/symmetry/twins.h"
+#include "sinew/io/rig_json.h"
 
 namespace sinew::app {
 namespace {

@@ -1,15 +1,16 @@
-#pragma once  // app/document/clipboard.h: muscles as text, for the system's clipboard.
+// app/document/clipboard.h: muscles as text, for the system's clipboard.
 //
 // The text is a whole rig file (docs/formats.md) of the copied muscles, their groups and the links between these:
 // what is pasted into an editor of text, or saved as a .rig.json, reads as any other rig.
+#pragma once
 
 #include <span>
 #include <string>
 #include <vector>
 
-#include "core/base/result.h"
-#include "core/rig/mirror.h"
-#include "core/rig/rig.h"
+#include "core/symmetry/mirror.h"
+#include "sinew/base/result.h"
+#include "sinew/rig/rig.h"
 
 namespace sinew::app {
 

@@ -1,4 +1,5 @@
-#pragma once  // app/document/command_stack.h: the only writer of the rig: undo, redo, gestures.
+// app/document/command_stack.h: the only writer of the rig: undo, redo, gestures.
+#pragma once
 
 #include <cstddef>
 #include <functional>
@@ -7,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/rig/rig.h"
+#include "sinew/rig/rig.h"
 
 namespace sinew::app {
 

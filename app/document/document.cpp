@@ -6,9 +6,9 @@
 #include <cctype>
 #include <utility>
 
-#include "core/io/gltf_import.h"
-#include "core/io/rig_json.h"
-#include "core/rig/twins.h"
+#include "core/symmetry/twins.h"
+#include "sinew/io/gltf_import.h"
+#include "sinew/io/rig_json.h"
 
 namespace sinew::app {
 namespace {

@@ -1,4 +1,5 @@
-#pragma once  // app/document/document.h: one open character with its rig.
+// app/document/document.h: one open character with its rig.
+#pragma once
 
 #include <filesystem>
 #include <memory>
@@ -7,9 +8,9 @@
 #include "app/document/command_stack.h"
 #include "app/document/selection.h"
 #include "app/document/visibility.h"
-#include "core/base/result.h"
-#include "core/character/character.h"
-#include "core/rig/mirror.h"
+#include "core/symmetry/mirror.h"
+#include "sinew/base/result.h"
+#include "sinew/character/character.h"
 
 namespace sinew::app {
 

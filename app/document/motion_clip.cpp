@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/rig/mirror.h"
 #include "core/skeleton/range_of_motion.h"
+#include "core/symmetry/mirror.h"
 
 namespace sinew::app {
 

@@ -1,11 +1,12 @@
-#pragma once  // app/document/motion_clip.h: the range of motion as one more clip of an open character.
+// app/document/motion_clip.h: the range of motion as one more clip of an open character.
+#pragma once
 
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/character/character.h"
+#include "sinew/character/character.h"
 
 namespace sinew::app {
 

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "core/io/atomic_file.h"
-#include "core/io/json.h"
+#include "core/io/files/atomic_file.h"
+#include "core/io/json/json.h"
 
 namespace sinew::app {
 namespace {

@@ -1,11 +1,12 @@
-#pragma once  // app/document/preferences.h: what the editor remembers from one start to the next.
+// app/document/preferences.h: what the editor remembers from one start to the next.
+#pragma once
 
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/base/result.h"
+#include "sinew/base/result.h"
 
 namespace sinew::app {
 

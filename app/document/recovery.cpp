@@ -15,10 +15,10 @@
 #include <utility>
 
 #include "app/document/preferences.h"
-#include "core/io/atomic_file.h"
-#include "core/io/gltf_import.h"
-#include "core/io/json.h"
-#include "core/io/rig_json.h"
+#include "core/io/files/atomic_file.h"
+#include "core/io/json/json.h"
+#include "sinew/io/gltf_import.h"
+#include "sinew/io/rig_json.h"
 
 namespace sinew::app {
 namespace {
@@ -207,8 +207,8 @@ std::string ageText(fs::file_time_type when, fs::file_time_type now) {
   return told(seconds / 86400, "day");
 }
 
-AutosaveClock::Deed AutosaveClock::look(double now, double interval, const CommandStack& commands,
-                                        std::size_t document, int clip) {
+AutosaveClock::Deed AutosaveClock::look(double now, double interval, const CommandStack& commands, std::size_t document,
+                                        int clip) {
   if (std::exchange(document_, document) != document) {
     written_.reset();
     since_.reset();

@@ -1,8 +1,9 @@
-#pragma once  // app/document/recovery.h: unsaved work survives a crash.
+// app/document/recovery.h: unsaved work survives a crash.
 //
 // Every running editor has a lock file in the recovery folder, NUMBER.lock, held by flock: the system lets go of it
 // however the process ends. While its document has unsaved changes, NUMBER.json beside it holds them. A .json whose
 // lock nobody holds was left behind by a crash.
+#pragma once
 
 #include <filesystem>
 #include <optional>
@@ -10,7 +11,7 @@
 #include <vector>
 
 #include "app/document/document.h"
-#include "core/base/result.h"
+#include "sinew/base/result.h"
 
 namespace sinew::app {
 

@@ -1,7 +1,8 @@
-#pragma once  // app/document/reparent.h: what becomes of a placement when its primitive moves to another bone.
+// app/document/reparent.h: what becomes of a placement when its primitive moves to another bone.
+#pragma once
 
-#include "core/base/geometry.h"
-#include "core/primitives/ellipsoid.h"
+#include "sinew/base/geometry.h"
+#include "sinew/primitives/ellipsoid.h"
 
 namespace sinew::app {
 

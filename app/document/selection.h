@@ -1,4 +1,5 @@
-#pragma once  // app/document/selection.h: what the designer has picked. By name, so that it survives undo.
+// app/document/selection.h: what the designer has picked. By name, so that it survives undo.
+#pragma once
 
 #include <span>
 #include <string>

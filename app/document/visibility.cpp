@@ -35,9 +35,7 @@ std::vector<bool> inherited(const std::set<std::string>& marked, const Skeleton&
   return result;
 }
 
-bool holds(const std::vector<bool>& ofBones, int bone) {
-  return bone >= 0 && ofBones[static_cast<std::size_t>(bone)];
-}
+bool holds(const std::vector<bool>& ofBones, int bone) { return bone >= 0 && ofBones[static_cast<std::size_t>(bone)]; }
 
 /// Muscles may be renamed by hand in one step only where nothing else came or went.
 void followRenames(Visibility& visibility, const Rig& before, const Rig& after) {

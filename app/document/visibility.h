@@ -1,12 +1,13 @@
-#pragma once  // app/document/visibility.h: which muscles the editor shows, moves and lets be picked. Never saved.
+// app/document/visibility.h: which muscles the editor shows, moves and lets be picked. Never saved.
+#pragma once
 
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "core/rig/rig.h"
-#include "core/skeleton/skeleton.h"
+#include "sinew/rig/rig.h"
+#include "sinew/skeleton/skeleton.h"
 
 namespace sinew::app {
 
@@ -27,7 +28,7 @@ struct Visibility {
 
   Marks hidden;
   Marks locked;
-  Marks solo;  ///< If anything carries it, the rest is hidden.
+  Marks solo;                                     ///< If anything carries it, the rest is hidden.
   std::optional<std::set<std::string>> isolated;  ///< Only these muscles are shown, in what is otherwise visible.
   bool bare = false;                              ///< No muscle at all: the character as it was before.
 
@@ -47,18 +48,17 @@ struct Visibility {
 
 /// What holds for each muscle of a rig after bones, solo, isolation and `bare` have had their say.
 struct EffectiveVisibility {
-  std::vector<bool> visible;      ///< [primitives] Neither drawn nor moving the skin where false.
-  std::vector<bool> locked;       ///< [primitives]
-  std::vector<bool> boneHidden;   ///< [bones] itself or a bone above it.
-  std::vector<bool> boneLocked;   ///< [bones]
+  std::vector<bool> visible;     ///< [primitives] Neither drawn nor moving the skin where false.
+  std::vector<bool> locked;      ///< [primitives]
+  std::vector<bool> boneHidden;  ///< [bones] itself or a bone above it.
+  std::vector<bool> boneLocked;  ///< [bones]
 };
 /// @param boneOf  boneOfEach(rig, skeleton)
 [[nodiscard]] EffectiveVisibility effectiveVisibility(const Visibility& visibility, const Rig& rig,
                                                       const Skeleton& skeleton, const std::vector<int>& boneOf);
 
 /// Rig indices of the muscles that are left out, ascending.
-[[nodiscard]] std::vector<int> hiddenPrimitives(const Visibility& visibility, const Rig& rig,
-                                                const Skeleton& skeleton);
+[[nodiscard]] std::vector<int> hiddenPrimitives(const Visibility& visibility, const Rig& rig, const Skeleton& skeleton);
 /// By rig index: neither hidden nor locked.
 [[nodiscard]] bool isPickable(const Visibility& visibility, const Rig& rig, const Skeleton& skeleton, int primitive);
 

@@ -4,12 +4,12 @@
 
 #include <string>
 
-#include "app/panels/commands.h"
+#include "app/editor/commands.h"
 #include "app/panels/panels.h"
 
 namespace sinew::app {
 
-void drawHistory(Ui& ui) {
+void drawHistory(PanelUi& ui) {
   ImGui::BeginChild("history-steps");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(3)});
   const CommandStack& commands = ui.state.document.commands;

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <string>
 
-#include "app/panels/commands.h"
+#include "app/editor/commands.h"
+#include "app/panels/overlay/overlay.h"
 #include "app/panels/panels.h"
+#include "app/panels/shared/field_edit.h"
 
 namespace sinew::app {
 namespace {
@@ -40,19 +42,19 @@ struct Regions {
 };
 
 /// Keeps the sizes within what the window has room for. What is put away keeps its size for when it comes back.
-void fitSizes(Ui& ui, float menuHeight) {
+void fitSizes(PanelUi& ui, float menuHeight) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   LayoutState& layout = ui.state.layout;
-  const float room = display.x / ui.state.uiScale - kViewportNarrowest - 2.0f * kGap;
+  const float room = display.x / ui.scale - kViewportNarrowest - 2.0f * kGap;
   const float right = layout.rightShown ? kNarrowest : 0.0f;
   layout.left = std::clamp(layout.left, kNarrowest, std::max(kNarrowest, room - right));
   const float left = layout.leftShown ? layout.left : 0.0f;
   layout.right = std::clamp(layout.right, kNarrowest, std::max(kNarrowest, room - left));
-  const float height = (display.y - menuHeight) / ui.state.uiScale - kStatusHeight - 2.0f * kGap;
+  const float height = (display.y - menuHeight) / ui.scale - kStatusHeight - 2.0f * kGap;
   layout.bottom = std::clamp(layout.bottom, kBottomLowest, std::max(kBottomLowest, height - kViewportLowest));
 }
 
-Regions divide(Ui& ui, float menuHeight) {
+Regions divide(PanelUi& ui, float menuHeight) {
   fitSizes(ui, menuHeight);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const LayoutState& layout = ui.state.layout;
@@ -80,7 +82,7 @@ void beginRegion(const char* name, const Box& box, ImGuiWindowFlags more) {
 }
 
 /// A bar that drags `value` (design pixels); sign: which way it grows.
-void splitter(Ui& ui, const std::string& id, const Box& box, bool upright, float sign, float& value) {
+void splitter(PanelUi& ui, const std::string& id, const Box& box, bool upright, float sign, float& value) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0f, 1.0f});
   beginRegion(id.c_str(), box, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar);
@@ -94,16 +96,16 @@ void splitter(Ui& ui, const std::string& id, const Box& box, bool upright, float
   }
   if (ImGui::IsItemActive()) {
     const ImVec2 moved = ImGui::GetIO().MouseDelta;
-    value += sign * (upright ? moved.x : moved.y) / ui.state.uiScale;
+    value += sign * (upright ? moved.x : moved.y) / ui.scale;
   }
   ImGui::End();
   ImGui::PopStyleVar(2);
 }
 
-bool isDrawn(const Ui& ui, const Panel& panel) { return panel.always || ui.state.hasCharacter(); }
+bool isDrawn(const PanelUi& ui, const Panel& panel) { return panel.always || ui.state.hasCharacter(); }
 
 /// Panels of one region that share it: a title, then the panel.
-void drawTitled(Ui& ui, Region region) {
+void drawTitled(PanelUi& ui, Region region) {
   for (const Panel& panel : panels()) {
     if (panel.region != region) continue;
     if (panel.title[0] != '\0') heading(ui, panel.title);
@@ -111,9 +113,9 @@ void drawTitled(Ui& ui, Region region) {
   }
 }
 
-void drawLeft(Ui& ui, const Box& box) {
+void drawLeft(PanelUi& ui, const Box& box) {
   LayoutState& layout = ui.state.layout;
-  const float highest = std::max(kHistoryLowest, box.height / ui.state.uiScale - 160.0f);
+  const float highest = std::max(kHistoryLowest, box.height / ui.scale - 160.0f);
   layout.history = std::clamp(layout.history, kHistoryLowest, highest);
   const float gap = ui.px(kGap);
   const float lower = ui.px(layout.history);
@@ -130,7 +132,7 @@ void drawLeft(Ui& ui, const Box& box) {
 }
 
 /// A title that folds its panel away; which ones are is remembered. @return whether it is unfolded.
-bool foldingTitle(Ui& ui, const Panel& panel) {
+bool foldingTitle(PanelUi& ui, const Panel& panel) {
   std::vector<std::string>& folded = ui.state.layout.folded;
   const bool wasOpen = std::ranges::find(folded, panel.id) == folded.end();
   ImGui::SetNextItemOpen(wasOpen);
@@ -145,7 +147,7 @@ bool foldingTitle(Ui& ui, const Panel& panel) {
   return open;
 }
 
-void drawRight(Ui& ui, const Box& box) {
+void drawRight(PanelUi& ui, const Box& box) {
   beginRegion("region-right", box, 0);
   for (const Panel& panel : panels()) {
     if (panel.region != Region::kRight) continue;
@@ -158,7 +160,7 @@ void drawRight(Ui& ui, const Box& box) {
   ImGui::End();
 }
 
-void drawStatus(Ui& ui, const Box& box) {
+void drawStatus(PanelUi& ui, const Box& box) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(12), ui.px(5)});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::kBackground);
   beginRegion("region-status", box, ImGuiWindowFlags_NoScrollbar);
@@ -178,7 +180,7 @@ void drawStatus(Ui& ui, const Box& box) {
   ImGui::PopStyleVar();
 }
 
-void drawWelcome(Ui& ui, const Box& box) {
+void drawWelcome(PanelUi& ui, const Box& box) {
   const auto centered = [&](const char* text, float y) {
     ImGui::SetCursorPos({0.5f * (box.width - ImGui::CalcTextSize(text).x), y});
     mutedText(text);
@@ -197,7 +199,7 @@ void drawWelcome(Ui& ui, const Box& box) {
 }
 
 /// The picture itself is drawn behind all windows once this frame's edits are known; here is what lies over it.
-bool drawViewport(Ui& ui, const Box& box) {
+bool drawViewport(PanelUi& ui, const Box& box) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
   beginRegion("region-viewport", box,
               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
@@ -211,7 +213,7 @@ bool drawViewport(Ui& ui, const Box& box) {
   return free;
 }
 
-void drawSplitters(Ui& ui, const LayoutState& shown, const Box& v) {
+void drawSplitters(PanelUi& ui, const LayoutState& shown, const Box& v) {
   const float gap = ui.px(kGap);
   LayoutState& layout = ui.state.layout;
   if (shown.leftShown) splitter(ui, "layout/left", {v.x - gap, v.y, gap, v.height}, true, 1.0f, layout.left);
@@ -222,8 +224,8 @@ void drawSplitters(Ui& ui, const LayoutState& shown, const Box& v) {
 
 }  // namespace
 
-bool drawLayout(Ui& ui) {
-  ui.state.escapeTaken = closeMenuOnEscape();
+bool drawLayout(PanelUi& ui) {
+  ui.escapeTaken = closeMenuOnEscape();
   const float menuHeight = drawMenuBar(ui);
   const Regions regions = divide(ui, menuHeight);
   const Box& v = regions.viewport;

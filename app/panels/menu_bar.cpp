@@ -6,21 +6,21 @@
 #include <string>
 #include <system_error>
 
-#include "app/panels/commands.h"
+#include "app/editor/commands.h"
+#include "app/editor/session.h"
 #include "app/panels/panels.h"
-#include "app/panels/session.h"
 
 namespace sinew::app {
 namespace {
 
 /// A submenu of files. @param id  "file/recent"
-bool beginFiles(Ui& ui, const std::string& id, const char* title, bool any) {
+bool beginFiles(PanelUi& ui, const std::string& id, const char* title, bool any) {
   const bool open = ImGui::BeginMenu(title, any);
   ui.widgets.note(id);
   return open;
 }
 
-void drawRecent(Ui& ui) {
+void drawRecent(PanelUi& ui) {
   // A copy: opening a file moves it to the front.
   const std::vector<std::filesystem::path> recent = ui.state.preferences.recentFiles;
   if (!beginFiles(ui, "file/recent", "Open recent", !recent.empty())) return;
@@ -40,7 +40,7 @@ void drawRecent(Ui& ui) {
   ImGui::EndMenu();
 }
 
-void drawSamples(Ui& ui) {
+void drawSamples(PanelUi& ui) {
   const std::vector<Sample> all = samples();
   if (!beginFiles(ui, "file/samples", "Samples", !all.empty())) return;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -51,7 +51,7 @@ void drawSamples(Ui& ui) {
   ImGui::EndMenu();
 }
 
-void drawItems(Ui& ui, const Menu& menu) {
+void drawItems(PanelUi& ui, const Menu& menu) {
   bool first = true;
   for (const Action& item : actions()) {
     if (item.menu() != menu.id) continue;
@@ -71,7 +71,7 @@ void drawItems(Ui& ui, const Menu& menu) {
 
 }  // namespace
 
-float drawMenuBar(Ui& ui) {
+float drawMenuBar(PanelUi& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(8), ui.px(6)});
   float height = 0.0f;
   if (ImGui::BeginMainMenuBar()) {

@@ -2,6 +2,11 @@
 
 #include "app/panels/panels.h"
 
+#include "app/panels/dialogs/dialogs.h"
+#include "app/panels/inspector/inspector.h"
+#include "app/panels/overlay/overlay.h"
+#include "app/panels/timeline/timeline.h"
+
 namespace sinew::app {
 namespace {
 

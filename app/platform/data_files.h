@@ -1,4 +1,5 @@
-#pragma once  // app/platform/data_files.h: where the program's own files (shaders, assets) lie.
+// app/platform/data_files.h: where the program's own files (shaders, assets) lie.
+#pragma once
 
 #include <filesystem>
 

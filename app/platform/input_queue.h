@@ -1,4 +1,5 @@
-#pragma once  // app/platform/input_queue.h: window events recorded as they come, handed out one transition a frame.
+// app/platform/input_queue.h: window events recorded as they come, handed out one transition a frame.
+#pragma once
 
 #include <array>
 #include <cstddef>

@@ -1,4 +1,5 @@
-#pragma once  // app/platform/key_meaning.h: the letter printed on a key, not its place on a US keyboard.
+// app/platform/key_meaning.h: the letter printed on a key, not its place on a US keyboard.
+#pragma once
 
 namespace sinew::app {
 

@@ -1,4 +1,5 @@
-#pragma once  // app/platform/window.h: the one window: OpenGL 4.5 core, events into a queue, dropped files.
+// app/platform/window.h: the one window: OpenGL 4.5 core, events into a queue, dropped files.
+#pragma once
 
 #include <array>
 #include <filesystem>
@@ -10,7 +11,7 @@
 #include <glm/vec2.hpp>
 
 #include "app/platform/input_queue.h"
-#include "core/base/result.h"
+#include "sinew/base/result.h"
 
 struct GLFWwindow;
 
@@ -66,7 +67,7 @@ class Window {
   InputQueue input_;
   std::vector<std::filesystem::path> drops_;
   std::string title_;
-  mutable WindowGeometry geometry_;           ///< The last that was neither maximised nor put away.
+  mutable WindowGeometry geometry_;        ///< The last that was neither maximised nor put away.
   std::array<int, kKeyCodes> meanings_{};  ///< What a held key meant when it went down; 0: it is up.
   bool refresh_ = true;
   bool software_ = false;

@@ -26,8 +26,8 @@ glm::vec3 fromOklch(float lightness, float chroma, float hue) {
 constexpr float kMiddleLightness = 0.78f;
 constexpr float kEndLightness = 0.44f;
 constexpr float kMostChroma = 0.19f;
-constexpr float kInwardsHue = 4.53f;  ///< Blue.
-constexpr float kOutwardsHue = 0.60f; ///< Vermilion.
+constexpr float kInwardsHue = 4.53f;   ///< Blue.
+constexpr float kOutwardsHue = 0.60f;  ///< Vermilion.
 
 std::array<glm::vec3, 9> makeHeatStops() {
   std::array<glm::vec3, 9> stops{};

@@ -1,10 +1,11 @@
-#pragma once  // app/render/color_scales.h: colours that carry meaning; the picture and its legends share them.
+// app/render/color_scales.h: colours that carry meaning; the picture and its legends share them.
+#pragma once
 
 #include <array>
 #include <cstddef>
 
-#include "core/base/geometry.h"
-#include "core/smoothing/surface.h"
+#include "sinew/base/geometry.h"
+#include "sinew/smoothing/surface.h"
 
 namespace sinew::app {
 

@@ -1,4 +1,5 @@
-#pragma once  // app/render/frame.h: what the drawers share while one picture is made.
+// app/render/frame.h: what the drawers share while one picture is made.
+#pragma once
 
 #include "app/render/gl_objects.h"
 #include "app/render/scene.h"

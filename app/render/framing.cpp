@@ -34,8 +34,8 @@ std::array<glm::vec3, 8> cornersOf(const Bounds& box) {
 
 /// Sight along `axes`: for each side of the picture, how far the points press against it.
 struct Fit {
-  glm::vec2 centre{0.0f};   ///< Right and up of the eye, along the axes.
-  float eyeBackward = 0.0f; ///< Of a perspective eye, along the axes.
+  glm::vec2 centre{0.0f};    ///< Right and up of the eye, along the axes.
+  float eyeBackward = 0.0f;  ///< Of a perspective eye, along the axes.
   glm::vec2 halfExtent{0.0f};
   float nearestBackward = 0.0f, furthestBackward = 0.0f;
 };
@@ -93,8 +93,8 @@ View framedView(std::span<const glm::vec3> points, float yaw, float pitch, const
   const Fit fit = fitPoints(points, axes, tangents * room);
   // A single point far from the origin still gets a picture that floats can tell apart.
   const float finest = std::max(1e-3f * glm::length(points.front()), 1e-6f);
-  const float span = std::max({fit.nearestBackward - fit.furthestBackward, 2.0f * fit.halfExtent.x,
-                               2.0f * fit.halfExtent.y, finest});
+  const float span =
+      std::max({fit.nearestBackward - fit.furthestBackward, 2.0f * fit.halfExtent.x, 2.0f * fit.halfExtent.y, finest});
   View view;
   view.size = size;
   view.orthographic = orthographic;

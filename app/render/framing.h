@@ -1,4 +1,5 @@
-#pragma once  // app/render/framing.h: views that hold something wholly and tightly.
+// app/render/framing.h: views that hold something wholly and tightly.
+#pragma once
 
 #include <span>
 #include <vector>

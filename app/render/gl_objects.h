@@ -1,5 +1,6 @@
-#pragma once  // app/render/gl_objects.h: OpenGL names that delete themselves. Made and destroyed with a current
-              // context.
+// app/render/gl_objects.h: OpenGL names that delete themselves. Made and destroyed with a current
+#pragma once
+// context.
 
 #include <initializer_list>
 #include <span>
@@ -8,8 +9,8 @@
 
 #include <epoxy/gl.h>
 
-#include "core/base/geometry.h"
-#include "core/base/result.h"
+#include "sinew/base/geometry.h"
+#include "sinew/base/result.h"
 
 namespace sinew::app {
 
@@ -42,13 +43,27 @@ class GlObject {
   GLuint id_ = 0;
 };
 
-struct GlBufferTraits { static void destroy(GLuint id) { glDeleteBuffers(1, &id); } };
-struct GlVertexArrayTraits { static void destroy(GLuint id) { glDeleteVertexArrays(1, &id); } };
-struct GlTextureTraits { static void destroy(GLuint id) { glDeleteTextures(1, &id); } };
-struct GlRenderbufferTraits { static void destroy(GLuint id) { glDeleteRenderbuffers(1, &id); } };
-struct GlFramebufferTraits { static void destroy(GLuint id) { glDeleteFramebuffers(1, &id); } };
-struct GlShaderTraits { static void destroy(GLuint id) { glDeleteShader(id); } };
-struct GlProgramTraits { static void destroy(GLuint id) { glDeleteProgram(id); } };
+struct GlBufferTraits {
+  static void destroy(GLuint id) { glDeleteBuffers(1, &id); }
+};
+struct GlVertexArrayTraits {
+  static void destroy(GLuint id) { glDeleteVertexArrays(1, &id); }
+};
+struct GlTextureTraits {
+  static void destroy(GLuint id) { glDeleteTextures(1, &id); }
+};
+struct GlRenderbufferTraits {
+  static void destroy(GLuint id) { glDeleteRenderbuffers(1, &id); }
+};
+struct GlFramebufferTraits {
+  static void destroy(GLuint id) { glDeleteFramebuffers(1, &id); }
+};
+struct GlShaderTraits {
+  static void destroy(GLuint id) { glDeleteShader(id); }
+};
+struct GlProgramTraits {
+  static void destroy(GLuint id) { glDeleteProgram(id); }
+};
 
 using GlBuffer = GlObject<GlBufferTraits>;
 using GlVertexArray = GlObject<GlVertexArrayTraits>;

@@ -7,11 +7,11 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kShadowSoftness = 0.018f;   ///< Standard deviation, fraction of the height.
+constexpr float kShadowSoftness = 0.018f;  ///< Standard deviation, fraction of the height.
 constexpr float kContactSoftness = 0.007f;
-constexpr float kGroundReach = 3.4f;        ///< Half the floor's extent, heights, until the eye draws far back.
-constexpr float kShownByDefault = 2.2f;     ///< Heights in the picture up to which the floor keeps that extent.
-constexpr float kGridRank = 5.0f;           ///< A large cell over a small one.
+constexpr float kGroundReach = 3.4f;     ///< Half the floor's extent, heights, until the eye draws far back.
+constexpr float kShownByDefault = 2.2f;  ///< Heights in the picture up to which the floor keeps that extent.
+constexpr float kGridRank = 5.0f;        ///< A large cell over a small one.
 
 /// Box on the floor that holds the bounds' shadow along the key light, with room for the blur.
 glm::vec4 shadowArea(const Frame& frame) {

@@ -1,4 +1,5 @@
-#pragma once  // app/render/ground_drawer.h: backdrop, grid and the character's soft shadow on the floor.
+// app/render/ground_drawer.h: backdrop, grid and the character's soft shadow on the floor.
+#pragma once
 
 #include <array>
 

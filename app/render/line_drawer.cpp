@@ -16,10 +16,14 @@ constexpr glm::vec2 kDotRadii{2.9f, 2.1f};
 
 glm::vec3 segmentColor(SegmentClass kind) {
   switch (kind) {
-    case SegmentClass::kFound: return {0.10f, 0.80f, 0.42f};
-    case SegmentClass::kFallback: return {1.00f, 0.52f, 0.04f};
-    case SegmentClass::kLost: return {1.00f, 0.07f, 0.10f};
-    case SegmentClass::kPlain: break;
+    case SegmentClass::kFound:
+      return {0.10f, 0.80f, 0.42f};
+    case SegmentClass::kFallback:
+      return {1.00f, 0.52f, 0.04f};
+    case SegmentClass::kLost:
+      return {1.00f, 0.07f, 0.10f};
+    case SegmentClass::kPlain:
+      break;
   }
   return {0.80f, 0.84f, 0.90f};
 }

@@ -1,4 +1,5 @@
-#pragma once  // app/render/line_drawer.h: lines of a width in pixels: the control mesh's edges, free segments.
+// app/render/line_drawer.h: lines of a width in pixels: the control mesh's edges, free segments.
+#pragma once
 
 #include <span>
 

@@ -12,10 +12,10 @@
 namespace sinew::app {
 namespace {
 
-constexpr int kCells = 56;         ///< Along the longest side of the body.
-constexpr int kRays = 80;          ///< Over the whole sphere; half of them leave a surface.
-constexpr int kMostSteps = 19;     ///< Cells a ray goes: a third of the body.
-constexpr float kStart = 2.1f;     ///< Cells above the surface where a ray starts: out of the body's own shell.
+constexpr int kCells = 56;      ///< Along the longest side of the body.
+constexpr int kRays = 80;       ///< Over the whole sphere; half of them leave a surface.
+constexpr int kMostSteps = 19;  ///< Cells a ray goes: a third of the body.
+constexpr float kStart = 2.1f;  ///< Cells above the surface where a ray starts: out of the body's own shell.
 constexpr int kSmoothings = 2;
 
 /// A box of cells, those that the surface passes through set.
@@ -26,8 +26,9 @@ class Voxels {
     cell_ = std::max({extent.x, extent.y, extent.z, 1e-20f}) / static_cast<float>(kCells);
     low_ = bounds.low - cell_;
     for (int axis = 0; axis < 3; ++axis) count_[axis] = static_cast<int>(std::ceil(extent[axis] / cell_)) + 3;
-    set_.assign(static_cast<std::size_t>(count_.x) * static_cast<std::size_t>(count_.y) *
-                    static_cast<std::size_t>(count_.z), 0);
+    set_.assign(
+        static_cast<std::size_t>(count_.x) * static_cast<std::size_t>(count_.y) * static_cast<std::size_t>(count_.z),
+        0);
   }
 
   [[nodiscard]] float cell() const { return cell_; }
@@ -62,9 +63,8 @@ Voxels voxelsOf(const ControlMesh& mesh) {
     for (std::size_t i = 0; i < 3; ++i) {
       p[i] = voxels.inCells(mesh.positions[static_cast<std::size_t>(triangle.vertices[i])]);
     }
-    const float longest =
-        std::sqrt(std::max({glm::dot(p[1] - p[0], p[1] - p[0]), glm::dot(p[2] - p[1], p[2] - p[1]),
-                            glm::dot(p[0] - p[2], p[0] - p[2])}));
+    const float longest = std::sqrt(std::max(
+        {glm::dot(p[1] - p[0], p[1] - p[0]), glm::dot(p[2] - p[1], p[2] - p[1]), glm::dot(p[0] - p[2], p[0] - p[2])}));
     const int steps = std::clamp(static_cast<int>(std::ceil(longest * 1.6f)), 1, 4 * kCells);
     for (int j = 0; j <= steps; ++j) {
       for (int k = 0; j + k <= steps; ++k) {

@@ -1,11 +1,12 @@
-#pragma once  // app/render/occlusion.h: how much of the surroundings each place of the body sees; values over a refined
-              // mesh.
+// app/render/occlusion.h: how much of the surroundings each place of the body sees; values over a refined
+#pragma once
+// mesh.
 
 #include <span>
 #include <vector>
 
-#include "core/mesh/control_mesh.h"
-#include "core/smoothing/refinement.h"
+#include "sinew/mesh/control_mesh.h"
+#include "sinew/smoothing/refinement.h"
 
 namespace sinew::app {
 

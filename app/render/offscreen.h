@@ -1,8 +1,9 @@
-#pragma once  // app/render/offscreen.h: an OpenGL context without window or display.
+// app/render/offscreen.h: an OpenGL context without window or display.
+#pragma once
 
 #include <memory>
 
-#include "core/base/result.h"
+#include "sinew/base/result.h"
 
 namespace sinew::app {
 

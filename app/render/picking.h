@@ -1,4 +1,5 @@
-#pragma once  // app/render/picking.h: what lies under the pointer. On the processor, without OpenGL.
+// app/render/picking.h: what lies under the pointer. On the processor, without OpenGL.
+#pragma once
 
 #include <array>
 #include <optional>
@@ -27,7 +28,7 @@ struct SurfaceHit {
                                                     std::span<const Material> materials);
 
 struct PrimitiveHit {
-  int shape = -1;         ///< Index into the shapes.
+  int shape = -1;  ///< Index into the shapes.
   int rigIndex = -1;
   float distance = 0.0f;  ///< Along the ray; 0 if the ray starts inside.
   glm::vec3 position{0.0f};

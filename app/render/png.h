@@ -1,9 +1,10 @@
-#pragma once  // app/render/png.h: a picture as the bytes of a .png file.
+// app/render/png.h: a picture as the bytes of a .png file.
+#pragma once
 
 #include <string>
 
 #include "app/render/viewport.h"
-#include "core/base/result.h"
+#include "sinew/base/result.h"
 
 namespace sinew::app {
 

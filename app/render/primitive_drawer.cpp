@@ -11,9 +11,9 @@
 namespace sinew::app {
 namespace {
 
-constexpr int kRingVertices = 3 * 64 * 6;    ///< As shaders/ring.vert numbers them.
-constexpr int kOutlineVertices = 96 * 6;     ///< As shaders/outline.vert numbers them.
-constexpr float kHaloWidth = 2.2f;           ///< Pixels more than the outline: a dark edge that any skin sets off.
+constexpr int kRingVertices = 3 * 64 * 6;  ///< As shaders/ring.vert numbers them.
+constexpr int kOutlineVertices = 96 * 6;   ///< As shaders/outline.vert numbers them.
+constexpr float kHaloWidth = 2.2f;         ///< Pixels more than the outline: a dark edge that any skin sets off.
 
 /// How near an ellipsoid comes to the eye, along the view. Smaller is nearer.
 float nearestDepth(const PrimitiveShape& shape, const glm::vec3& forward) {

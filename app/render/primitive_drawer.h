@@ -1,4 +1,5 @@
-#pragma once  // app/render/primitive_drawer.h: ellipsoids and how far they reach.
+// app/render/primitive_drawer.h: ellipsoids and how far they reach.
+#pragma once
 
 #include "app/render/frame.h"
 #include "app/render/shape_mesh.h"

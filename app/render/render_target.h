@@ -1,5 +1,6 @@
-#pragma once  // app/render/render_target.h: the picture's framebuffer: sRGB colour and depth, multisampled and
-              // resolved.
+// app/render/render_target.h: the picture's framebuffer: sRGB colour and depth, multisampled and
+#pragma once
+// resolved.
 
 #include "app/render/gl_objects.h"
 

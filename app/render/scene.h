@@ -1,12 +1,13 @@
-#pragma once  // app/render/scene.h: all that one picture shows, as plain references; nothing here owns.
+// app/render/scene.h: all that one picture shows, as plain references; nothing here owns.
+#pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "core/character/character.h"
-#include "core/rig/rig.h"
-#include "core/skeleton/pose.h"
-#include "core/smoothing/surface.h"
+#include "sinew/character/character.h"
+#include "sinew/rig/rig.h"
+#include "sinew/skeleton/pose.h"
+#include "sinew/smoothing/surface.h"
 
 namespace sinew::app {
 
@@ -16,25 +17,25 @@ enum class Shading { kTextured, kClay, kClasses, kHeat };
 struct DisplaySettings {
   Shading shading = Shading::kTextured;
   bool surface = true;
-  bool wire = false;       ///< Refined mesh's edges over the shading.
-  bool controlMesh = false;  ///< Edges of the skinned control mesh.
-  bool skeleton = false;   ///< In x-ray.
-  bool primitives = false; ///< Visible ellipsoids, translucent.
-  bool influence = false;  ///< Their regions of influence, fainter.
+  bool wire = false;           ///< Refined mesh's edges over the shading.
+  bool controlMesh = false;    ///< Edges of the skinned control mesh.
+  bool skeleton = false;       ///< In x-ray.
+  bool primitives = false;     ///< Visible ellipsoids, translucent.
+  bool influence = false;      ///< Their regions of influence, fainter.
   bool cullBackFaces = false;  ///< Asks the surface's maker, not the drawer, to leave out what cannot be seen.
-  bool ground = true;      ///< Grid and shadow.
-  bool background = true;  ///< Off: transparent where nothing is drawn.
-  bool lighting = true;    ///< Off: Shading::kTextured shows the bare base colour.
-  bool territory = true;   ///< Scene::territory as a tint on the skin.
-  bool segments = true;    ///< Scene::segments.
-  float lineScale = 1.0f;  ///< Factor on line, outline and dot widths, for dense displays.
-  float heatRange = 0.05f; ///< Displacement at the ends of the heat scale, fraction of the height, > 0.
+  bool ground = true;          ///< Grid and shadow.
+  bool background = true;      ///< Off: transparent where nothing is drawn.
+  bool lighting = true;        ///< Off: Shading::kTextured shows the bare base colour.
+  bool territory = true;       ///< Scene::territory as a tint on the skin.
+  bool segments = true;        ///< Scene::segments.
+  float lineScale = 1.0f;      ///< Factor on line, outline and dot widths, for dense displays.
+  float heatRange = 0.05f;     ///< Displacement at the ends of the heat scale, fraction of the height, > 0.
 };
 
 /// One ellipsoid to draw.
 struct PrimitiveShape {
   int rigIndex = 0;
-  glm::mat4 unitBallInWorld{1.0f};       ///< Unit ball -> visible ellipsoid.
+  glm::mat4 unitBallInWorld{1.0f};  ///< Unit ball -> visible ellipsoid.
   float reach = 1.4142135f;
   int sign = 1;
   bool selected = false;
@@ -64,8 +65,8 @@ struct Scene {
   int selectedBone = -1;
   int hoveredBone = -1;
   std::vector<glm::vec3> skinnedControlPositions;  ///< [V] for DisplaySettings::controlMesh; may be empty.
-  std::vector<float> territory;      ///< [V] 0..1, how much of a muscle each control vertex takes; empty: no tint.
-  std::vector<int> territoryBones;   ///< Highlighted among the bones, and drawn though the skeleton is hidden.
+  std::vector<float> territory;        ///< [V] 0..1, how much of a muscle each control vertex takes; empty: no tint.
+  std::vector<int> territoryBones;     ///< Highlighted among the bones, and drawn though the skeleton is hidden.
   std::vector<SceneSegment> segments;  ///< Seen through the skin, fainter.
 };
 

@@ -1,4 +1,5 @@
-#pragma once  // app/render/shape_colors.h: what ellipsoids and bones are drawn in. Linear.
+// app/render/shape_colors.h: what ellipsoids and bones are drawn in. Linear.
+#pragma once
 
 #include "app/render/scene.h"
 

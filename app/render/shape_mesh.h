@@ -1,4 +1,5 @@
-#pragma once  // app/render/shape_mesh.h: a small fixed mesh drawn many times: balls and bones.
+// app/render/shape_mesh.h: a small fixed mesh drawn many times: balls and bones.
+#pragma once
 
 #include <cstdint>
 #include <span>

@@ -1,4 +1,5 @@
-#pragma once  // app/render/skeleton_drawer.h: bones as octahedra and joints as balls, over everything.
+// app/render/skeleton_drawer.h: bones as octahedra and joints as balls, over everything.
+#pragma once
 
 #include "app/render/frame.h"
 #include "app/render/shape_mesh.h"

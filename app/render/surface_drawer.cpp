@@ -25,9 +25,12 @@ constexpr std::array<const char*, 4> kShadingDefines{"SHADING_TEXTURED", "SHADIN
 
 GLint wrapOf(TextureWrap wrap) {
   switch (wrap) {
-    case TextureWrap::kClampToEdge: return GL_CLAMP_TO_EDGE;
-    case TextureWrap::kMirroredRepeat: return GL_MIRRORED_REPEAT;
-    case TextureWrap::kRepeat: break;
+    case TextureWrap::kClampToEdge:
+      return GL_CLAMP_TO_EDGE;
+    case TextureWrap::kMirroredRepeat:
+      return GL_MIRRORED_REPEAT;
+    case TextureWrap::kRepeat:
+      break;
   }
   return GL_REPEAT;
 }
@@ -117,8 +120,14 @@ bool blends(const Frame& frame, const Material& material) {
 }  // namespace
 
 SurfaceDrawer::SurfaceDrawer()
-    : array_(makeVertexArray()), vertices_(makeBuffer()), uvs_(makeBuffer()), skinValues_(makeBuffer()),
-      indices_(makeBuffer()), keptIndices_(makeBuffer()), coarseIndices_(makeBuffer()), classes_(makeBuffer()) {
+    : array_(makeVertexArray()),
+      vertices_(makeBuffer()),
+      uvs_(makeBuffer()),
+      skinValues_(makeBuffer()),
+      indices_(makeBuffer()),
+      keptIndices_(makeBuffer()),
+      coarseIndices_(makeBuffer()),
+      classes_(makeBuffer()) {
   const GLuint array = array_.id();
   glVertexArrayVertexBuffer(array, 0, vertices_.id(), 0, sizeof(Vertex));
   glVertexArrayVertexBuffer(array, 1, uvs_.id(), 0, sizeof(glm::vec2));
@@ -324,9 +333,7 @@ void SurfaceDrawer::drawOpaque(const Frame& frame) const {
 
 void SurfaceDrawer::drawBlended(const Frame& frame) const {
   if (refinement_ == nullptr) return;
-  const bool any = std::ranges::any_of(ranges_, [&](const Range& range) {
-    return blends(frame, materialOf(range));
-  });
+  const bool any = std::ranges::any_of(ranges_, [&](const Range& range) { return blends(frame, materialOf(range)); });
   if (!any) return;
   const GlProgram& program = prepareProgram(frame);
   blendPremultiplied();

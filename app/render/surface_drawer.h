@@ -1,4 +1,5 @@
-#pragma once  // app/render/surface_drawer.h: streams and draws the smoothed surface.
+// app/render/surface_drawer.h: streams and draws the smoothed surface.
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -69,7 +70,7 @@ class SurfaceDrawer {
   std::vector<std::uint8_t> culled_;  ///< Surface::culled as in keptIndices_; empty: all is drawn, from indices_.
   std::vector<int> controlOrder_;     ///< Control triangles in the order drawn: by material.
   std::vector<Range> ranges_;
-  GLsizei coarseIndexCount_ = 0;   ///< 0: the shadow is cast by all triangles.
+  GLsizei coarseIndexCount_ = 0;  ///< 0: the shadow is cast by all triangles.
   std::vector<Vertex> staging_;
   std::vector<float> open_;       ///< [V] how open each control vertex is (occlusion.h).
   std::vector<float> territory_;  ///< [V] or empty, as in skinValues_.

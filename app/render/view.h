@@ -1,6 +1,7 @@
-#pragma once  // app/render/view.h: how the world meets the picture: matrices of one viewport at one moment.
+// app/render/view.h: how the world meets the picture: matrices of one viewport at one moment.
+#pragma once
 
-#include "core/base/geometry.h"
+#include "sinew/base/geometry.h"
 
 namespace sinew::app {
 

@@ -34,9 +34,7 @@ struct Viewport::State {
 
 namespace {
 
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 FrameBlock blockOf(const Frame& frame) {
   FrameBlock block;
@@ -96,9 +94,9 @@ Result<std::unique_ptr<Viewport>> Viewport::create(int samples) {
   Result<LineDrawer> lines = LineDrawer::create();
   if (!lines) return lines.error();
   std::unique_ptr<Viewport> viewport(new Viewport);
-  viewport->state_ = std::make_unique<State>(State{
-      std::move(surface).value(), std::move(ground).value(), std::move(primitives).value(), std::move(skeleton).value(),
-      std::move(lines).value(), makeBuffer()});
+  viewport->state_ = std::make_unique<State>(State{std::move(surface).value(), std::move(ground).value(),
+                                                   std::move(primitives).value(), std::move(skeleton).value(),
+                                                   std::move(lines).value(), makeBuffer()});
   viewport->state_->samples = samples;
   return viewport;
 }

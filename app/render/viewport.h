@@ -1,5 +1,6 @@
-#pragma once  // app/render/viewport.h: draws a scene into a picture of its own. Needs a current OpenGL 4.5 core
-              // context.
+// app/render/viewport.h: draws a scene into a picture of its own. Needs a current OpenGL 4.5 core
+#pragma once
+// context.
 
 #include <cstdint>
 #include <memory>
@@ -7,7 +8,7 @@
 
 #include "app/render/scene.h"
 #include "app/render/view.h"
-#include "core/base/result.h"
+#include "sinew/base/result.h"
 
 namespace sinew::app {
 

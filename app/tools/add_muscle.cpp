@@ -14,7 +14,7 @@
 
 #include "app/tools/gizmo_frame.h"
 #include "core/rig/rig_edit.h"
-#include "core/rig/twins.h"
+#include "core/symmetry/twins.h"
 
 namespace sinew::app {
 namespace {
@@ -27,11 +27,11 @@ constexpr float kWidth = 0.6f;  ///< Of the half length of a stroke: full enough
 constexpr float kThickness = 0.55f;
 constexpr float kShortestStroke = 0.01f;  ///< Chord, of H.
 constexpr float kLongestStroke = 1.5f;
-constexpr float kLeastHalf = 0.015f;      ///< Half length, of H.
+constexpr float kLeastHalf = 0.015f;  ///< Half length, of H.
 constexpr float kMostHalf = 0.75f;
 constexpr float kMostHalfOnBone = 0.3f;
 constexpr float kSlenderness = 1.25f;  ///< Of a muscle added on a bone: length over thickness, at least.
-constexpr float kSunk = 0.3f;  ///< Of the thickness: how deep the centre lies under the skin.
+constexpr float kSunk = 0.3f;          ///< Of the thickness: how deep the centre lies under the skin.
 
 bool isFlat(const glm::mat4& boneInWorld) {
   const glm::dmat3 bone{glm::mat3(boneInWorld)};

@@ -1,4 +1,5 @@
-#pragma once  // app/tools/add_muscle.h: press on the skin and drag: an ellipsoid grows there.
+// app/tools/add_muscle.h: press on the skin and drag: an ellipsoid grows there.
+#pragma once
 
 #include <memory>
 #include <optional>

@@ -13,9 +13,9 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kKnobPlace = 0.78f;    ///< Of the ball's radius, from its centre.
-constexpr float kKnobRadius = 9.0f;    ///< Design pixels.
-constexpr float kTremor = 3.0f;        ///< Design pixels a click may move before it is a drag.
+constexpr float kKnobPlace = 0.78f;  ///< Of the ball's radius, from its centre.
+constexpr float kKnobRadius = 9.0f;  ///< Design pixels.
+constexpr float kTremor = 3.0f;      ///< Design pixels a click may move before it is a drag.
 constexpr float kSameDirection = 0.9995f;
 
 glm::vec3 directionOf(AxisEnd end) {
@@ -61,12 +61,18 @@ std::optional<AxisEnd> axisEndAt(const TriadLayout& layout, const glm::vec2& pix
 
 StandardView viewFrom(AxisEnd end) {
   switch (end) {
-    case AxisEnd::kX: return StandardView::kLeft;
-    case AxisEnd::kMinusX: return StandardView::kRight;
-    case AxisEnd::kY: return StandardView::kTop;
-    case AxisEnd::kMinusY: return StandardView::kBottom;
-    case AxisEnd::kZ: return StandardView::kFront;
-    case AxisEnd::kMinusZ: break;
+    case AxisEnd::kX:
+      return StandardView::kLeft;
+    case AxisEnd::kMinusX:
+      return StandardView::kRight;
+    case AxisEnd::kY:
+      return StandardView::kTop;
+    case AxisEnd::kMinusY:
+      return StandardView::kBottom;
+    case AxisEnd::kZ:
+      return StandardView::kFront;
+    case AxisEnd::kMinusZ:
+      break;
   }
   return StandardView::kBack;
 }
@@ -120,12 +126,18 @@ const char* describe(const AxisTriad& triad) {
   if (!triad.ballHovered) return "";
   if (!triad.hovered) return "Drag on the ball of axes to orbit, click an axis to look along it";
   switch (*triad.hovered) {
-    case AxisEnd::kX: return "Click: the character's left (+X); again: the other side";
-    case AxisEnd::kMinusX: return "Click: the character's right (-X); again: the other side";
-    case AxisEnd::kY: return "Click: from above (+Y); again: from below";
-    case AxisEnd::kMinusY: return "Click: from below (-Y); again: from above";
-    case AxisEnd::kZ: return "Click: the front (+Z); again: the back";
-    case AxisEnd::kMinusZ: break;
+    case AxisEnd::kX:
+      return "Click: the character's left (+X); again: the other side";
+    case AxisEnd::kMinusX:
+      return "Click: the character's right (-X); again: the other side";
+    case AxisEnd::kY:
+      return "Click: from above (+Y); again: from below";
+    case AxisEnd::kMinusY:
+      return "Click: from below (-Y); again: from above";
+    case AxisEnd::kZ:
+      return "Click: the front (+Z); again: the back";
+    case AxisEnd::kMinusZ:
+      break;
   }
   return "Click: the back (-Z); again: the front";
 }

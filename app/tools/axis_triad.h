@@ -1,5 +1,6 @@
-#pragma once  // app/tools/axis_triad.h: the ball of axes in a corner of the viewport: shows how the camera is turned,
-              // turns it.
+// app/tools/axis_triad.h: the ball of axes in a corner of the viewport: shows how the camera is turned,
+#pragma once
+// turns it.
 
 #include <array>
 #include <optional>
@@ -21,8 +22,8 @@ inline constexpr float kTriadMargin = 14.0f;  ///< From the corner to the ball.
 struct AxisTriad {
   std::optional<AxisEnd> hovered;
   bool ballHovered = false;
-  bool pressed = false;   ///< The left button went down on it and is still held.
-  bool turning = false;   ///< ... and has moved the camera: its release is no click.
+  bool pressed = false;  ///< The left button went down on it and is still held.
+  bool turning = false;  ///< ... and has moved the camera: its release is no click.
   glm::vec2 pressPixel{0.0f};
   glm::vec2 lastPixel{0.0f};
 

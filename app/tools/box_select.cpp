@@ -9,8 +9,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/platform/style.h"
 #include "app/tools/select.h"
+#include "app/ui/style.h"
 
 namespace sinew::app {
 namespace {

@@ -1,4 +1,5 @@
-#pragma once  // app/tools/box_select.h: a rectangle drawn over the picture selects what it touches.
+// app/tools/box_select.h: a rectangle drawn over the picture selects what it touches.
+#pragma once
 
 #include <optional>
 #include <string>

@@ -103,12 +103,26 @@ void showStandardView(Camera& camera, StandardView view) {
   CameraStand goal = camera.transition ? camera.transition->to : camera.stand;
   goal.pitch = 0.0f;
   switch (view) {
-    case StandardView::kFront: goal.yaw = 0.0f; break;
-    case StandardView::kBack: goal.yaw = kPi; break;
-    case StandardView::kLeft: goal.yaw = 0.5f * kPi; break;
-    case StandardView::kRight: goal.yaw = -0.5f * kPi; break;
-    case StandardView::kTop: goal.yaw = 0.0f; goal.pitch = 0.5f * kPi; break;
-    case StandardView::kBottom: goal.yaw = 0.0f; goal.pitch = -0.5f * kPi; break;
+    case StandardView::kFront:
+      goal.yaw = 0.0f;
+      break;
+    case StandardView::kBack:
+      goal.yaw = kPi;
+      break;
+    case StandardView::kLeft:
+      goal.yaw = 0.5f * kPi;
+      break;
+    case StandardView::kRight:
+      goal.yaw = -0.5f * kPi;
+      break;
+    case StandardView::kTop:
+      goal.yaw = 0.0f;
+      goal.pitch = 0.5f * kPi;
+      break;
+    case StandardView::kBottom:
+      goal.yaw = 0.0f;
+      goal.pitch = -0.5f * kPi;
+      break;
   }
   moveTo(camera, goal, true);
 }

@@ -1,4 +1,5 @@
-#pragma once  // app/tools/camera.h: the orbit camera: a value, functions that move it, and the View it gives.
+// app/tools/camera.h: the orbit camera: a value, functions that move it, and the View it gives.
+#pragma once
 
 #include <optional>
 
@@ -24,7 +25,7 @@ struct CameraTransition {
 };
 
 inline constexpr float kCameraTransitionSeconds = 0.24f;
-inline constexpr float kNearestView = 0.02f;  ///< Smallest distance, of H.
+inline constexpr float kNearestView = 0.02f;   ///< Smallest distance, of H.
 inline constexpr float kFarthestView = 60.0f;  ///< Largest distance, of H.
 
 struct Camera {

@@ -24,12 +24,15 @@ std::string hoverText(GizmoHandle handle) {
   const HandleParts parts = partsOf(handle);
   const std::string way = parts.way >= 0 ? kWays[static_cast<std::size_t>(parts.way)] : "";
   switch (parts.kind) {
-    case HandleKind::kNone: return "";
+    case HandleKind::kNone:
+      return "";
     case HandleKind::kMove:
       return parts.way == 6 ? "Drag to move in the picture's plane"
                             : "Drag to move " + std::string(parts.way < 3 ? "along " : "in ") + way;
-    case HandleKind::kRotate: return "Drag to rotate about " + (parts.way == 6 ? "the line of sight" : way);
-    case HandleKind::kScale: return "Drag to scale " + (parts.way == 6 ? "all three radii" : "the radius along " + way);
+    case HandleKind::kRotate:
+      return "Drag to rotate about " + (parts.way == 6 ? "the line of sight" : way);
+    case HandleKind::kScale:
+      return "Drag to scale " + (parts.way == 6 ? "all three radii" : "the radius along " + way);
     case HandleKind::kPole:
       return "Drag to pull the " + std::string(parts.sign > 0.0f ? "+" : "-") + way +
              " end; the other end stays (Alt: the centre stays)";
@@ -149,11 +152,21 @@ std::string describe(const GizmoState& state) {
   std::string text;
   std::string lock = "X/Y/Z lock, ";
   switch (parts.kind) {
-    case HandleKind::kNone: return "";
-    case HandleKind::kMove: text = "Move "; break;
-    case HandleKind::kRotate: text = "Rotate "; break;
-    case HandleKind::kScale: text = "Scale "; break;
-    case HandleKind::kPole: text = "Radius "; lock = "Alt both ends, "; break;
+    case HandleKind::kNone:
+      return "";
+    case HandleKind::kMove:
+      text = "Move ";
+      break;
+    case HandleKind::kRotate:
+      text = "Rotate ";
+      break;
+    case HandleKind::kScale:
+      text = "Scale ";
+      break;
+    case HandleKind::kPole:
+      text = "Radius ";
+      lock = "Alt both ends, ";
+      break;
   }
   return text + state.drag->value + ": " + lock +
          "Ctrl snaps, Shift is precise, type a number, Enter or release keeps, Esc cancels";

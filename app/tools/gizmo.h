@@ -1,4 +1,4 @@
-#pragma once  // app/tools/gizmo.h: move, rotate and scale handles of one ellipsoid: layout, hits, drags, all as values.
+// app/tools/gizmo.h: move, rotate and scale handles of one ellipsoid: layout, hits, drags, all as values.
 //
 // Everything works in the pose of the current frame and comes back as a bone-space Placement: no matrix is decomposed.
 // With B the bone's 3x3 (rotation, scale, uneven too), q and r the placement's rotation and radii:
@@ -11,6 +11,7 @@
 //           About a pivot that is not the centre, the centre goes round it by the same turn of the world.
 //   poles   one semi-axis, measured in the world along B q e_i; the opposite pole stays, or with Alt the centre.
 // A bone flattened to a plane cannot be edited in the picture: its layout is empty.
+#pragma once
 
 #include <array>
 #include <map>
@@ -20,7 +21,7 @@
 
 #include "app/render/view.h"
 #include "app/tools/input.h"
-#include "core/primitives/ellipsoid.h"
+#include "sinew/primitives/ellipsoid.h"
 
 namespace sinew::app {
 
@@ -29,10 +30,27 @@ enum class GizmoAxes { kWorld, kBone, kPrimitive };
 
 enum class GizmoHandle {
   kNone,
-  kMoveX, kMoveY, kMoveZ, kMoveXY, kMoveYZ, kMoveZX, kMoveCenter,
-  kRotateX, kRotateY, kRotateZ, kRotateScreen,
-  kScaleX, kScaleY, kScaleZ, kScaleUniform,
-  kPolePlusX, kPoleMinusX, kPolePlusY, kPoleMinusY, kPolePlusZ, kPoleMinusZ,
+  kMoveX,
+  kMoveY,
+  kMoveZ,
+  kMoveXY,
+  kMoveYZ,
+  kMoveZX,
+  kMoveCenter,
+  kRotateX,
+  kRotateY,
+  kRotateZ,
+  kRotateScreen,
+  kScaleX,
+  kScaleY,
+  kScaleZ,
+  kScaleUniform,
+  kPolePlusX,
+  kPoleMinusX,
+  kPolePlusY,
+  kPoleMinusY,
+  kPolePlusZ,
+  kPoleMinusZ,
 };
 inline constexpr int kGizmoHandleCount = 22;  ///< kNone included.
 
@@ -45,8 +63,8 @@ inline constexpr int kGizmoHandleCount = 22;  ///< kNone included.
 struct GizmoContext {
   View view;
   glm::mat4 boneInWorld{1.0f};
-  float characterHeight = 1.0f;  ///< H: the step of a snapped move is 1 % of it.
-  float uiScale = 1.0f;          ///< Pixels of View per design pixel.
+  float characterHeight = 1.0f;             ///< H: the step of a snapped move is 1 % of it.
+  float uiScale = 1.0f;                     ///< Pixels of View per design pixel.
   std::optional<glm::vec3> pivotInWorld{};  ///< Where the handles stand and turns turn about; else the centre.
 };
 
@@ -71,15 +89,15 @@ struct GizmoDrag {
   Placement start;
   glm::vec2 pressPixel{0.0f};
   glm::vec2 pointer{0.0f};
-  float grabbedLength = 1.0f;         ///< Scale: world distance from the centre at which the handle was grabbed.
-  int lock = -1;                      ///< 0..2: X, Y, Z pressed; -1: as the handle goes.
-  std::string typed;                  ///< Number being typed; "" if none.
-  std::array<GizmoTrack, 7> tracks;   ///< 0..2 along or about x, y, z; 3..5 in xy, yz, zx; 6 screen.
+  float grabbedLength = 1.0f;        ///< Scale: world distance from the centre at which the handle was grabbed.
+  int lock = -1;                     ///< 0..2: X, Y, Z pressed; -1: as the handle goes.
+  std::string typed;                 ///< Number being typed; "" if none.
+  std::array<GizmoTrack, 7> tracks;  ///< 0..2 along or about x, y, z; 3..5 in xy, yz, zx; 6 screen.
   Placement current;
-  float angle = 0.0f;                 ///< Rotate: radians so far, world sense; for the drawn wedge.
-  float factor = 1.0f;                ///< Scale: so far; the drawn arm follows.
+  float angle = 0.0f;   ///< Rotate: radians so far, world sense; for the drawn wedge.
+  float factor = 1.0f;  ///< Scale: so far; the drawn arm follows.
   GizmoEffect effect;
-  std::string value;                  ///< "X 0.12": drawn at the pointer.
+  std::string value;  ///< "X 0.12": drawn at the pointer.
 };
 
 /// The gizmo between frames.
@@ -103,7 +121,7 @@ struct HandleShape {
 /// The handles that can be seen and hit; others (edge-on, pointing at the eye, covered, off the picture) are left out.
 struct GizmoLayout {
   bool visible = false;
-  glm::vec2 origin{0.0f};   ///< Pixel of the centre.
+  glm::vec2 origin{0.0f};  ///< Pixel of the centre.
   std::array<glm::vec3, 3> axesInWorld{glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)};
   float uiScale = 1.0f;
   std::vector<HandleShape> handles;

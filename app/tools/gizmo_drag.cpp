@@ -17,7 +17,7 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kPrecise = 0.1f;
-constexpr float kMoveStep = 0.01f;      ///< Of H.
+constexpr float kMoveStep = 0.01f;  ///< Of H.
 constexpr float kAngleStep = kPi / 12.0f;
 constexpr float kFactorStep = 0.1f;
 constexpr float kLeastRadius = 0.002f;  ///< Of H, in the world.
@@ -55,8 +55,9 @@ std::optional<glm::vec3> movePoint(int way, const glm::vec2& pixel, const GizmoF
   glm::vec3 normal = view.forwardInWorld();
   if (way < 6) {
     const std::array<int, 2> pair = planeAxes(way);
-    normal = normalizeOr(glm::cross(frame.axes[static_cast<std::size_t>(pair[0])],
-                                    frame.axes[static_cast<std::size_t>(pair[1])]), normal);
+    normal = normalizeOr(
+        glm::cross(frame.axes[static_cast<std::size_t>(pair[0])], frame.axes[static_cast<std::size_t>(pair[1])]),
+        normal);
   }
   const std::optional<glm::vec3> hit = onPlane(frame.origin, normal, ray);
   if (!hit) return std::nullopt;
@@ -171,8 +172,7 @@ Placement moved(const GizmoEffect& effect, const Placement& start, const glm::dm
 Placement turned(const GizmoEffect& effect, const Placement& start, const glm::dmat3& boneInverse,
                  const glm::vec3* center) {
   if (effect.angle == 0.0f) return start;
-  const glm::vec3 axisInBone =
-      normalizeOr(glm::vec3(boneInverse * glm::dvec3(effect.turnAxis)), effect.turnAxis);
+  const glm::vec3 axisInBone = normalizeOr(glm::vec3(boneInverse * glm::dvec3(effect.turnAxis)), effect.turnAxis);
   const float inBone = glm::determinant(boneInverse) < 0.0 ? -effect.angle : effect.angle;
   Placement placement = start;
   placement.rotation = glm::normalize(glm::angleAxis(inBone, axisInBone) * start.rotation);
@@ -253,7 +253,6 @@ Placement evaluateRotation(const Evaluation& e) {
   return turned(e.drag.effect, e.drag.start, e.frame.boneInverse, e.context.pivotInWorld ? &e.frame.center : nullptr);
 }
 
-
 Placement evaluateScale(const Evaluation& e) {
   const bool uniform = partsOf(e.drag.handle).way == 6;
   const GizmoTrack& track = e.drag.tracks[static_cast<std::size_t>(uniform ? 6 : e.way)];
@@ -296,11 +295,16 @@ Placement evaluate(GizmoDrag& drag, const FrameInput& input, const GizmoContext&
   const int way = drag.lock >= 0 ? drag.lock : parts.way;
   const Evaluation e{drag, input, context, frame, way, parts.sign, typedValue(drag.typed)};
   switch (parts.kind) {
-    case HandleKind::kNone: break;
-    case HandleKind::kMove: return evaluateMove(e);
-    case HandleKind::kRotate: return evaluateRotation(e);
-    case HandleKind::kScale: return evaluateScale(e);
-    case HandleKind::kPole: return evaluatePole(e);
+    case HandleKind::kNone:
+      break;
+    case HandleKind::kMove:
+      return evaluateMove(e);
+    case HandleKind::kRotate:
+      return evaluateRotation(e);
+    case HandleKind::kScale:
+      return evaluateScale(e);
+    case HandleKind::kPole:
+      return evaluatePole(e);
   }
   return drag.start;
 }
@@ -354,10 +358,9 @@ DragResult updateDrag(GizmoState& state, const FrameInput& input, const GizmoCon
     advanceTracks(drag, input.mouse, input.shift ? kPrecise : 1.0f, *frame, context);
     drag.current = evaluate(drag, input, context, *frame);
   }
-  const bool committed = input.keyPressed(Key::kEnter) || input.keyPressed(Key::kKeypadEnter) ||
-                         input.button(MouseButton::kLeft).released;
-  const DragResult result{drag.current, committed ? DragOutcome::kCommitted : DragOutcome::kDragging,
-                          drag.effect};
+  const bool committed =
+      input.keyPressed(Key::kEnter) || input.keyPressed(Key::kKeypadEnter) || input.button(MouseButton::kLeft).released;
+  const DragResult result{drag.current, committed ? DragOutcome::kCommitted : DragOutcome::kDragging, drag.effect};
   if (committed) state.drag.reset();
   return result;
 }

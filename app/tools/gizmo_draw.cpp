@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include <glm/geometric.hpp>
 #include <imgui.h>
+#include <glm/geometric.hpp>
 
 #include "app/tools/gizmo_frame.h"
 
@@ -115,11 +115,17 @@ void drawHandle(const Canvas& canvas, const HandleShape& shape, const GizmoState
   const bool hot = color == kHoverColor;
   const HandleParts parts = partsOf(shape.handle);
   switch (parts.kind) {
-    case HandleKind::kNone: return;
-    case HandleKind::kPole: drawPole(canvas, shape, color, hot); return;
-    case HandleKind::kRotate: drawRing(canvas, shape, color, hot); return;
+    case HandleKind::kNone:
+      return;
+    case HandleKind::kPole:
+      drawPole(canvas, shape, color, hot);
+      return;
+    case HandleKind::kRotate:
+      drawRing(canvas, shape, color, hot);
+      return;
     case HandleKind::kMove:
-    case HandleKind::kScale: break;
+    case HandleKind::kScale:
+      break;
   }
   if (parts.way == 6) {
     canvas.circle(shape.outline[0], 8.0f, kShadowColor, 4.0f);

@@ -1,4 +1,5 @@
-#pragma once  // app/tools/gizmo_draw.h: the gizmo through ImGui's draw list.
+// app/tools/gizmo_draw.h: the gizmo through ImGui's draw list.
+#pragma once
 
 #include "app/tools/gizmo.h"
 

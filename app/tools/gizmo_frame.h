@@ -1,4 +1,5 @@
-#pragma once  // app/tools/gizmo_frame.h: where a gizmo's axes stand in one frame; shared by its layout and its drags.
+// app/tools/gizmo_frame.h: where a gizmo's axes stand in one frame; shared by its layout and its drags.
+#pragma once
 
 #include <array>
 #include <optional>
@@ -12,7 +13,7 @@ enum class HandleKind { kNone, kMove, kRotate, kScale, kPole };
 
 struct HandleParts {
   HandleKind kind = HandleKind::kNone;
-  int way = -1;      ///< Index of GizmoDrag::tracks: 0..2 axis, 3..5 planes xy, yz, zx, 6 screen or uniform.
+  int way = -1;       ///< Index of GizmoDrag::tracks: 0..2 axis, 3..5 planes xy, yz, zx, 6 screen or uniform.
   float sign = 1.0f;  ///< Poles: which end.
 };
 
@@ -27,13 +28,13 @@ struct HandleParts {
 
 /// A gizmo in one frame's pose.
 struct GizmoFrame {
-  glm::mat3 bone{1.0f};         ///< B.
-  glm::dmat3 boneInverse{1.0};  ///< In double: a bone in metres under a scale of 0.01 loses digits otherwise.
-  glm::vec3 origin{0.0f};       ///< Where the handles stand: the pivot, or the ellipsoid's centre; world.
-  glm::vec3 center{0.0f};       ///< The ellipsoid's, world.
-  std::array<glm::vec3, 3> axes;  ///< Unit, world.
+  glm::mat3 bone{1.0f};               ///< B.
+  glm::dmat3 boneInverse{1.0};        ///< In double: a bone in metres under a scale of 0.01 loses digits otherwise.
+  glm::vec3 origin{0.0f};             ///< Where the handles stand: the pivot, or the ellipsoid's centre; world.
+  glm::vec3 center{0.0f};             ///< The ellipsoid's, world.
+  std::array<glm::vec3, 3> axes;      ///< Unit, world.
   glm::vec3 toEye{0.0f, 0.0f, 1.0f};  ///< Unit, from the origin.
-  float arm = 1.0f;             ///< World length of kGizmoArmPixels at the origin.
+  float arm = 1.0f;                   ///< World length of kGizmoArmPixels at the origin.
 };
 
 inline constexpr float kGizmoArmPixels = 95.0f;

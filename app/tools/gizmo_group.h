@@ -1,4 +1,5 @@
-#pragma once  // app/tools/gizmo_group.h: several selected muscles on one gizmo.
+// app/tools/gizmo_group.h: several selected muscles on one gizmo.
+#pragma once
 
 #include <optional>
 #include <string>
@@ -6,7 +7,7 @@
 
 #include "app/document/document.h"
 #include "app/tools/gizmo.h"
-#include "core/skeleton/pose.h"
+#include "sinew/skeleton/pose.h"
 
 namespace sinew::app {
 

@@ -19,12 +19,12 @@ constexpr float kLineReach = 7.0f;
 constexpr float kRingReach = 6.0f;
 constexpr float kPoleReach = 8.0f;
 constexpr float kCenterReach = 10.0f;
-constexpr float kShortestArm = 20.0f;      ///< An axis that points at the eye more than this is left out.
-constexpr float kPoleClearance = 20.0f;    ///< Poles nearer than this to the centre are left out: they would hide it.
+constexpr float kShortestArm = 20.0f;    ///< An axis that points at the eye more than this is left out.
+constexpr float kPoleClearance = 20.0f;  ///< Poles nearer than this to the centre are left out: they would hide it.
 constexpr float kArmBase = 0.2f;
 constexpr float kPlaneNear = 0.32f;
 constexpr float kPlaneFar = 0.56f;
-constexpr float kFlattestPlane = 0.15f;    ///< Part of a plane handle's full area below which it is edge-on.
+constexpr float kFlattestPlane = 0.15f;  ///< Part of a plane handle's full area below which it is edge-on.
 constexpr float kScreenRing = 1.18f;
 constexpr int kRingPoints = 64;
 constexpr float kMiss = std::numeric_limits<float>::infinity();
@@ -174,7 +174,8 @@ void addPoles(Builder& b) {
 
 void addShapes(Builder& b) {
   switch (b.state.mode) {
-    case GizmoMode::kPoles: break;
+    case GizmoMode::kPoles:
+      break;
     case GizmoMode::kMove:
       for (int axis = 0; axis < 3; ++axis) addArm(b, axis, moveHandle(axis));
       for (int way = 3; way < 6; ++way) addPlane(b, way);

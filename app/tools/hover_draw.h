@@ -1,4 +1,5 @@
-#pragma once  // app/tools/hover_draw.h: where a muscle would land: the skin and the bone under the pointer light up.
+// app/tools/hover_draw.h: where a muscle would land: the skin and the bone under the pointer light up.
+#pragma once
 
 #include "app/tools/select.h"
 

@@ -1,11 +1,12 @@
-#pragma once  // app/tools/input.h: what one frame's mouse and keyboard did in the viewport, as plain data.
+// app/tools/input.h: what one frame's mouse and keyboard did in the viewport, as plain data.
+#pragma once
 
 #include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
 
-#include "core/base/geometry.h"
+#include "sinew/base/geometry.h"
 
 namespace sinew::app {
 

@@ -51,7 +51,8 @@ std::optional<GizmoTarget> gizmoTarget(const Frame& frame, bool atStart = false)
   if (!bone) return std::nullopt;
   const Visibility& visibility = frame.document().visibility;
   if (!isPickable(visibility, rig, frame.document().character->skeleton, index)) return std::nullopt;
-  GizmoTarget target{index, primitive.placement,
+  GizmoTarget target{index,
+                     primitive.placement,
                      {frame.view, frame.context.pose.boneInWorld[static_cast<std::size_t>(*bone)],
                       frame.document().character->height, frame.context.uiScale, std::nullopt}};
   if (frame.tools.pivot == GizmoPivot::kCentroid) {
@@ -210,10 +211,14 @@ void takePress(Frame& frame, const std::optional<GizmoTarget>& target) {
 /// The handle that a drag without a press takes: the whole, as seen.
 GizmoHandle wholeHandle(ToolKind tool) {
   switch (tool) {
-    case ToolKind::kMove: return GizmoHandle::kMoveCenter;
-    case ToolKind::kRotate: return GizmoHandle::kRotateScreen;
-    case ToolKind::kScale: return GizmoHandle::kScaleUniform;
-    default: return GizmoHandle::kNone;
+    case ToolKind::kMove:
+      return GizmoHandle::kMoveCenter;
+    case ToolKind::kRotate:
+      return GizmoHandle::kRotateScreen;
+    case ToolKind::kScale:
+      return GizmoHandle::kScaleUniform;
+    default:
+      return GizmoHandle::kNone;
   }
 }
 
@@ -273,18 +278,29 @@ void continueOwner(Frame& frame) {
   const glm::vec2 moved = input.mouse - tools.lastPixel;
   switch (tools.owner) {
     case PressOwner::kNone:
-    case PressOwner::kOutside: break;
-    case PressOwner::kGizmo: continueGizmo(frame, input); break;
+    case PressOwner::kOutside:
+      break;
+    case PressOwner::kGizmo:
+      continueGizmo(frame, input);
+      break;
     case PressOwner::kTool:
       // An undo from elsewhere ends the gesture under the tool's feet.
       if (!frame.document().commands.inGesture()) tools.addMuscle.drag.reset();
       else updateAddMuscle(tools.addMuscle, input, frame.context, frame.view);
       if (!tools.addMuscle.drag) tools.owner = PressOwner::kNone;
       break;
-    case PressOwner::kBox: continueBox(frame, input, released); break;
-    case PressOwner::kClick: continueClick(frame, released); break;
-    case PressOwner::kOrbit: orbit(tools.camera, moved, frame.context.size); break;
-    case PressOwner::kPan: pan(tools.camera, moved, frame.context.size); break;
+    case PressOwner::kBox:
+      continueBox(frame, input, released);
+      break;
+    case PressOwner::kClick:
+      continueClick(frame, released);
+      break;
+    case PressOwner::kOrbit:
+      orbit(tools.camera, moved, frame.context.size);
+      break;
+    case PressOwner::kPan:
+      pan(tools.camera, moved, frame.context.size);
+      break;
   }
   if (released) tools.owner = PressOwner::kNone;
 }
@@ -333,12 +349,20 @@ void setTool(ViewportTools& tools, ToolKind tool) {
   if (ownsKeyboard(tools)) return;
   tools.tool = tool;
   switch (tool) {
-    case ToolKind::kMove: tools.gizmo.mode = GizmoMode::kMove; break;
+    case ToolKind::kMove:
+      tools.gizmo.mode = GizmoMode::kMove;
+      break;
     case ToolKind::kPose:
-    case ToolKind::kRotate: tools.gizmo.mode = GizmoMode::kRotate; break;
-    case ToolKind::kScale: tools.gizmo.mode = GizmoMode::kScale; break;
+    case ToolKind::kRotate:
+      tools.gizmo.mode = GizmoMode::kRotate;
+      break;
+    case ToolKind::kScale:
+      tools.gizmo.mode = GizmoMode::kScale;
+      break;
     case ToolKind::kSelect:
-    case ToolKind::kAddMuscle: tools.gizmo.mode = GizmoMode::kPoles; break;
+    case ToolKind::kAddMuscle:
+      tools.gizmo.mode = GizmoMode::kPoles;
+      break;
   }
 }
 

@@ -1,4 +1,5 @@
-#pragma once  // app/tools/input_router.h: who gets the mouse: ImGui, gizmo, tool, camera, in this order.
+// app/tools/input_router.h: who gets the mouse: ImGui, gizmo, tool, camera, in this order.
+#pragma once
 
 #include <string>
 
@@ -32,13 +33,13 @@ struct ViewportTools {
   MouseButton ownerButton = MouseButton::kLeft;
   glm::vec2 pressPixel{0.0f};
   glm::vec2 lastPixel{0.0f};
-  std::string gizmoPrimitive;  ///< Name of the primitive being dragged.
-  std::vector<GizmoCompanion> companions;         ///< Dragged along with it.
-  GizmoPivot pivot = GizmoPivot::kActive;         ///< Of several selected muscles. Free to set between drags.
+  std::string gizmoPrimitive;              ///< Name of the primitive being dragged.
+  std::vector<GizmoCompanion> companions;  ///< Dragged along with it.
+  GizmoPivot pivot = GizmoPivot::kActive;  ///< Of several selected muscles. Free to set between drags.
   BoxSelectState box;
-  bool dragWanted = false;     ///< Through startDrag: begins with the next frame.
-  bool buttonless = false;     ///< The gizmo's drag goes on without a button: a click or Enter keeps it.
-  bool pickBones = false;      ///< Clicks name bones (RouteResult::pickedBone) and select nothing; no gizmo.
+  bool dragWanted = false;  ///< Through startDrag: begins with the next frame.
+  bool buttonless = false;  ///< The gizmo's drag goes on without a button: a click or Enter keeps it.
+  bool pickBones = false;   ///< Clicks name bones (RouteResult::pickedBone) and select nothing; no gizmo.
 };
 
 /// Changes the tool; ignored while a gizmo or muscle drag is in progress. Sets the gizmo's mode.
@@ -66,13 +67,13 @@ void armBox(ViewportTools& tools);
 void cancelDrags(ViewportTools& tools, Document& document);
 
 struct RouteResult {
-  View view;                   ///< After the input: what to draw with.
-  GizmoLayout gizmo;           ///< In that view: for drawGizmo and --log-state. Not visible: nothing to draw.
-  GizmoContext gizmoContext;   ///< For drawGizmo, if visible.
-  std::string status;          ///< What the tool does next: the status line.
-  std::string message;         ///< Why an edit was refused, for the messages panel; else "".
-  int pickedBone = -1;         ///< Clicked in this frame with ViewportTools::pickBones; -1: none.
-  bool needsFrame = false;     ///< Something moves or is being dragged: draw again soon.
+  View view;                  ///< After the input: what to draw with.
+  GizmoLayout gizmo;          ///< In that view: for drawGizmo and --log-state. Not visible: nothing to draw.
+  GizmoContext gizmoContext;  ///< For drawGizmo, if visible.
+  std::string status;         ///< What the tool does next: the status line.
+  std::string message;        ///< Why an edit was refused, for the messages panel; else "".
+  int pickedBone = -1;        ///< Clicked in this frame with ViewportTools::pickBones; -1: none.
+  bool needsFrame = false;    ///< Something moves or is being dragged: draw again soon.
 };
 
 /// One frame. Called when ImGui has had its input and the pose of this frame is known; the surface may still be the one

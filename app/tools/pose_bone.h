@@ -1,4 +1,5 @@
-#pragma once  // app/tools/pose_bone.h: turning joints by hand with the rotation rings. View state: no rig is touched.
+// app/tools/pose_bone.h: turning joints by hand with the rotation rings. View state: no rig is touched.
+#pragma once
 
 #include <optional>
 #include <string>
@@ -10,7 +11,7 @@ namespace sinew::app {
 
 /// The pose tool between frames.
 struct PoseBoneState {
-  int bone = -1;       ///< Being turned; -1: none.
+  int bone = -1;                             ///< Being turned; -1: none.
   glm::quat before{1.0f, 0.0f, 0.0f, 0.0f};  ///< Its turn when the drag began; what Esc goes back to.
   glm::quat start{1.0f, 0.0f, 0.0f, 0.0f};   ///< What the drag's rotation is added to.
   glm::quat shown{1.0f, 0.0f, 0.0f, 0.0f};   ///< Its turn in the pose of this frame.

@@ -109,11 +109,9 @@ int boneAt(const Character& character, const SkinAnchor& anchor) {
 
 std::vector<PrimitiveShape> primitiveShapes(const Document& document, const Pose& pose) {
   std::vector<PrimitiveShape> shapes = shapesOf(document.rig(), document.character->skeleton, pose);
-  const std::vector<int> hidden =
-      hiddenPrimitives(document.visibility, document.rig(), document.character->skeleton);
-  std::erase_if(shapes, [&](const PrimitiveShape& shape) {
-    return std::ranges::binary_search(hidden, shape.rigIndex);
-  });
+  const std::vector<int> hidden = hiddenPrimitives(document.visibility, document.rig(), document.character->skeleton);
+  std::erase_if(shapes,
+                [&](const PrimitiveShape& shape) { return std::ranges::binary_search(hidden, shape.rigIndex); });
   for (PrimitiveShape& shape : shapes) {
     shape.selected =
         document.selection.contains(document.rig().primitives[static_cast<std::size_t>(shape.rigIndex)].name);
@@ -134,9 +132,8 @@ ViewportHover hoverAt(const ViewportContext& context, const View& view, const gl
   if (context.display.primitives) {
     std::vector<PrimitiveShape> shapes = primitiveShapes(context.document, context.pose);
     const std::vector<bool> pickable = pickablePrimitives(context.document);
-    std::erase_if(shapes, [&](const PrimitiveShape& shape) {
-      return !pickable[static_cast<std::size_t>(shape.rigIndex)];
-    });
+    std::erase_if(shapes,
+                  [&](const PrimitiveShape& shape) { return !pickable[static_cast<std::size_t>(shape.rigIndex)]; });
     if (const auto hit = pickPrimitive(ray, shapes)) {
       hover.primitive = hit->rigIndex;
       if (!hover.skin) hover.pointInWorld = hit->position;

@@ -1,4 +1,5 @@
-#pragma once  // app/tools/select.h: what lies under the pointer, and picking it.
+// app/tools/select.h: what lies under the pointer, and picking it.
+#pragma once
 
 #include <optional>
 #include <string>
@@ -10,9 +11,9 @@ namespace sinew::app {
 
 /// A point that rides on the skin: on a control triangle, a little off it where the patch curves.
 struct SkinAnchor {
-  int triangle = -1;                ///< Control triangle.
-  glm::vec3 barycentric{0.0f};      ///< Sums to 1.
-  float height = 0.0f;              ///< Along the skinned normal, character units, from the flat triangle.
+  int triangle = -1;            ///< Control triangle.
+  glm::vec3 barycentric{0.0f};  ///< Sums to 1.
+  float height = 0.0f;          ///< Along the skinned normal, character units, from the flat triangle.
 };
 
 /// A skin anchor in a pose.

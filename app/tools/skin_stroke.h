@@ -1,4 +1,5 @@
-#pragma once  // app/tools/skin_stroke.h: from the pixels of a drag to a path on the skin.
+// app/tools/skin_stroke.h: from the pixels of a drag to a path on the skin.
+#pragma once
 
 #include <memory>
 #include <vector>

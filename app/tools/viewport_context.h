@@ -1,21 +1,22 @@
-#pragma once  // app/tools/viewport_context.h: what every viewport tool is told about the frame.
+// app/tools/viewport_context.h: what every viewport tool is told about the frame.
+#pragma once
 
 #include "app/document/document.h"
 #include "app/render/scene.h"
 #include "app/render/view.h"
 #include "core/skeleton/pose_override.h"
-#include "core/smoothing/surface.h"
+#include "sinew/smoothing/surface.h"
 
 namespace sinew::app {
 
 /// References and pointers are valid for the call. Tools change the document's commands and selection, nothing else.
 struct ViewportContext {
   Document& document;
-  const Pose& pose;                  ///< Of the frame on the screen.
-  const Surface* surface = nullptr;  ///< Null before the first smoothing: nothing can be picked on the skin.
-  DisplaySettings display;           ///< Shown primitives can be picked, hidden ones not.
-  glm::ivec2 size{1, 1};             ///< Viewport, pixels.
-  float uiScale = 1.0f;              ///< Pixels per design pixel.
+  const Pose& pose;                    ///< Of the frame on the screen.
+  const Surface* surface = nullptr;    ///< Null before the first smoothing: nothing can be picked on the skin.
+  DisplaySettings display;             ///< Shown primitives can be picked, hidden ones not.
+  glm::ivec2 size{1, 1};               ///< Viewport, pixels.
+  float uiScale = 1.0f;                ///< Pixels per design pixel.
   PoseOverrides* overrides = nullptr;  ///< What `pose` was turned with: the pose tool changes it. Null: it cannot.
 };
 

@@ -1,5 +1,5 @@
 // core/base/geometry.cpp: boxes, safe normalising, the matrix of normals.
-#include "core/base/geometry.h"
+#include "sinew/base/geometry.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // core/base/result.cpp: an error as one line.
-#include "core/base/result.h"
+#include "sinew/base/result.h"
 
 namespace sinew {
 

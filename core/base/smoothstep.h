@@ -1,4 +1,5 @@
-#pragma once  // core/base/smoothstep.h: a step without corners.
+// core/base/smoothstep.h: a step without corners.
+#pragma once
 
 #include <algorithm>
 

@@ -110,13 +110,12 @@ std::vector<std::vector<int>> cliquesAmong(const BlendingGraph& graph, std::span
     std::ranges::set_intersection(clique, presentGroups, std::back_inserter(left));
     if (!left.empty()) cut.push_back(std::move(left));
   }
-  std::ranges::sort(cut, [](const Groups& a, const Groups& b) {
-    return a.size() != b.size() ? a.size() > b.size() : a < b;
-  });
+  std::ranges::sort(
+      cut, [](const Groups& a, const Groups& b) { return a.size() != b.size() ? a.size() > b.size() : a < b; });
   std::vector<Groups> maximal;
   for (const Groups& set : cut) {
-    const bool contained = std::ranges::any_of(
-        maximal, [&](const Groups& larger) { return std::ranges::includes(larger, set); });
+    const bool contained =
+        std::ranges::any_of(maximal, [&](const Groups& larger) { return std::ranges::includes(larger, set); });
     if (!contained) maximal.push_back(set);
   }
   return maximal;

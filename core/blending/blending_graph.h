@@ -1,10 +1,11 @@
-#pragma once  // core/blending/blending_graph.h: which groups add up: maximal cliques of the link graph.
+// core/blending/blending_graph.h: which groups add up: maximal cliques of the link graph.
+#pragma once
 
 #include <array>
 #include <span>
 #include <vector>
 
-#include "core/base/result.h"
+#include "sinew/base/result.h"
 
 namespace sinew {
 

@@ -1,19 +1,20 @@
-#pragma once  // core/blending/field.h: the field F of posed primitives, its gradient and its bounds.
+// core/blending/field.h: the field F of posed primitives, its gradient and its bounds.
+#pragma once
 
 #include <span>
 #include <vector>
 
 #include "core/blending/blending_graph.h"
-#include "core/primitives/ellipsoid.h"
+#include "sinew/primitives/ellipsoid.h"
 
 namespace sinew {
 
 /// A primitive as the field needs it, resolved from the rig (rig/attachment.h).
 struct FieldPrimitive {
   int bone = 0;
-  Placement placement;    ///< Bone space.
+  Placement placement;       ///< Bone space.
   float reach = 1.4142135f;  ///< k > 1.
-  float strength = 1.0f;  ///< sign * s, s from strengthFor(iso, reach).
+  float strength = 1.0f;     ///< sign * s, s from strengthFor(iso, reach).
   int group = 0;
 };
 

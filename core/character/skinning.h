@@ -1,10 +1,11 @@
-#pragma once  // core/character/skinning.h: linear blend skinning of the control mesh.
+// core/character/skinning.h: linear blend skinning of the control mesh.
+#pragma once
 
 #include <span>
 #include <vector>
 
-#include "core/character/character.h"
-#include "core/skeleton/pose.h"
+#include "sinew/character/character.h"
+#include "sinew/skeleton/pose.h"
 
 namespace sinew {
 

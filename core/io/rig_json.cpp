@@ -1,12 +1,12 @@
 // core/io/rig_json.cpp: Rig -> text, and the rig's files.
-#include "core/io/rig_json.h"
+#include "sinew/io/rig_json.h"
 
 #include <algorithm>
 #include <initializer_list>
 #include <system_error>
 
-#include "core/io/atomic_file.h"
-#include "core/io/json_text.h"
+#include "core/io/files/atomic_file.h"
+#include "core/io/json/json_text.h"
 #include "core/rig/validation.h"
 
 namespace sinew {

@@ -1,5 +1,5 @@
 // core/io/rig_json_read.cpp: text -> Rig, strictly, every refusal with its JSON path.
-#include "core/io/rig_json.h"
+#include "sinew/io/rig_json.h"
 
 #include <algorithm>
 #include <charconv>
@@ -9,7 +9,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/io/json_text.h"
+#include "core/io/json/json_text.h"
 #include "core/rig/validation.h"
 
 namespace sinew {
@@ -21,13 +21,20 @@ constexpr long long kNewestVersion = 1;
 
 std::string describe(const JsonNode& node) {
   switch (node.kind) {
-    case Kind::kNull: return "null";
-    case Kind::kFalse: return "false";
-    case Kind::kTrue: return "true";
-    case Kind::kNumber: return node.text;
-    case Kind::kString: return node.text.size() <= 40 ? '"' + node.text + '"' : "a text";
-    case Kind::kArray: return "an array of " + std::to_string(node.children.size());
-    case Kind::kObject: break;
+    case Kind::kNull:
+      return "null";
+    case Kind::kFalse:
+      return "false";
+    case Kind::kTrue:
+      return "true";
+    case Kind::kNumber:
+      return node.text;
+    case Kind::kString:
+      return node.text.size() <= 40 ? '"' + node.text + '"' : "a text";
+    case Kind::kArray:
+      return "an array of " + std::to_string(node.children.size());
+    case Kind::kObject:
+      break;
   }
   return "an object";
 }
@@ -237,8 +244,8 @@ Primitive readPrimitive(Reader& reader, const JsonNode& node, const std::string&
       primitive.territory->push_back(reader.text(bone, bonePlace));
     });
   }
-  primitive.unknownKeys = unknownKeys(node, {"name", "bone", "group", "kind", "center", "rotation", "radii", "reach",
-                                             "sign", "mirror", "territory"});
+  primitive.unknownKeys = unknownKeys(
+      node, {"name", "bone", "group", "kind", "center", "rotation", "radii", "reach", "sign", "mirror", "territory"});
   return primitive;
 }
 
@@ -280,8 +287,8 @@ Rig readRig(Reader& reader, const JsonNode& root) {
       rig.primitives.push_back(readPrimitive(reader, node, place));
     });
   }
-  rig.unknownKeys = unknownKeys(
-      root, {"format", "version", "character", "surface", "smoothing", "groups", "links", "primitives"});
+  rig.unknownKeys =
+      unknownKeys(root, {"format", "version", "character", "surface", "smoothing", "groups", "links", "primitives"});
   return rig;
 }
 

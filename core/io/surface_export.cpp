@@ -1,5 +1,5 @@
 // core/io/surface_export.cpp: picks the format; what the formats share.
-#include "core/io/surface_export.h"
+#include "sinew/io/surface_export.h"
 
 #include <algorithm>
 #include <cctype>
@@ -8,7 +8,7 @@
 
 #include <stb/stb_image_write.h>
 
-#include "core/io/atomic_file.h"
+#include "core/io/files/atomic_file.h"
 #include "core/io/surface_formats.h"
 
 namespace sinew {

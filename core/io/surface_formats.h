@@ -1,12 +1,13 @@
-#pragma once  // core/io/surface_formats.h: a surface as the bytes of each file format; surface_export.h puts them on
-              // disk.
+// core/io/surface_formats.h: a surface as the bytes of each file format; surface_export.h puts them on
+#pragma once
+// disk.
 
 #include <string>
 #include <vector>
 
-#include "core/base/result.h"
-#include "core/character/character.h"
-#include "core/smoothing/surface.h"
+#include "sinew/base/result.h"
+#include "sinew/character/character.h"
+#include "sinew/smoothing/surface.h"
 
 namespace sinew {
 

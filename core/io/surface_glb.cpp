@@ -7,7 +7,7 @@
 #include <map>
 #include <span>
 
-#include "core/io/json.h"
+#include "core/io/json/json.h"
 #include "core/io/surface_formats.h"
 
 namespace sinew {
@@ -180,7 +180,8 @@ class GlbWriter {
     buffer_.append((4 - buffer_.size() % 4) % 4, '\0');
     const std::size_t total = 12 + 8 + json.size() + 8 + buffer_.size();
     if (total > std::numeric_limits<std::uint32_t>::max()) {
-      return errorAt({}, "the surface needs " + std::to_string(total) + " bytes, a .glb holds at most 4 GiB; "
+      return errorAt({}, "the surface needs " + std::to_string(total) +
+                             " bytes, a .glb holds at most 4 GiB; "
                              "choose a smaller depth or another format");
     }
     std::string file;

@@ -136,8 +136,8 @@ ObjFiles objFiles(const Surface& surface, const Character& character, const std:
 std::string plyBytes(const Surface& surface) {
   const Refinement& refinement = *surface.refinement;
   const std::size_t vertices = refinement.drawVertex.size();
-  std::string out = "ply\nformat binary_little_endian 1.0\ncomment Made by Sinew\nelement vertex " +
-                    std::to_string(vertices) + '\n';
+  std::string out =
+      "ply\nformat binary_little_endian 1.0\ncomment Made by Sinew\nelement vertex " + std::to_string(vertices) + '\n';
   for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "s", "t"}) {
     out += std::string("property float ") + name + '\n';
   }

@@ -203,9 +203,9 @@ ControlMesh creased(const ControlMesh& mesh, float degrees) {
     if (wedge.creased) wedge.normal = normals[at(fans[c])];
     const std::array<int, 2> source{corner, wedge.creased ? fans[c] : -1};
     const int next = static_cast<int>(sources.size());
-    corner = table.findOrInsert(hashCombine(hashCombine(0, static_cast<std::uint64_t>(source[0])),
-                                            static_cast<std::uint64_t>(source[1])),
-                                next, [&](int other) { return sources[at(other)] == source; });
+    corner = table.findOrInsert(
+        hashCombine(hashCombine(0, static_cast<std::uint64_t>(source[0])), static_cast<std::uint64_t>(source[1])), next,
+        [&](int other) { return sources[at(other)] == source; });
     if (corner != next) continue;
     sources.push_back(source);
     result.wedges.push_back(wedge);

@@ -1,6 +1,7 @@
-#pragma once  // core/mesh/creases.h: sharp edges: normals for shading, split where faces meet at more than an angle.
+// core/mesh/creases.h: sharp edges: normals for shading, split where faces meet at more than an angle.
+#pragma once
 
-#include "core/mesh/control_mesh.h"
+#include "sinew/mesh/control_mesh.h"
 
 namespace sinew {
 

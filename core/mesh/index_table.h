@@ -1,4 +1,5 @@
-#pragma once  // core/mesh/index_table.h: a hash table of indices whose keys lie elsewhere.
+// core/mesh/index_table.h: a hash table of indices whose keys lie elsewhere.
+#pragma once
 
 #include <cassert>
 #include <cstddef>

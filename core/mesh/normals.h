@@ -1,9 +1,10 @@
-#pragma once  // core/mesh/normals.h: vertex normals from faces.
+// core/mesh/normals.h: vertex normals from faces.
+#pragma once
 
 #include <span>
 #include <vector>
 
-#include "core/mesh/control_mesh.h"
+#include "sinew/mesh/control_mesh.h"
 
 namespace sinew {
 

@@ -1,17 +1,18 @@
-#pragma once  // core/mesh/topology.h: what kind of surface a triangle list is.
+// core/mesh/topology.h: what kind of surface a triangle list is.
+#pragma once
 
 #include <array>
 #include <span>
 #include <vector>
 
-#include "core/mesh/control_mesh.h"
+#include "sinew/mesh/control_mesh.h"
 
 namespace sinew {
 
 /// Counts over a triangle list whose indices name shared (welded) vertices.
 struct Topology {
-  int vertices = 0;   ///< Used by at least one triangle.
-  int edges = 0;      ///< Distinct.
+  int vertices = 0;  ///< Used by at least one triangle.
+  int edges = 0;     ///< Distinct.
   int triangles = 0;
   std::vector<std::array<int, 2>> borderEdges;       ///< One triangle; smaller vertex first, sorted.
   std::vector<std::array<int, 2>> nonManifoldEdges;  ///< More than two triangles; likewise.

@@ -1,20 +1,21 @@
-#pragma once  // core/mesh/weld.h: split file vertices -> geometric vertices + wedges.
+// core/mesh/weld.h: split file vertices -> geometric vertices + wedges.
+#pragma once
 
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "core/mesh/control_mesh.h"
+#include "sinew/mesh/control_mesh.h"
 
 namespace sinew {
 
 /// Vertices and triangles as the file splits them (at uv, normal and material seams). Arrays of one length [N].
 struct TriangleSoup {
-  std::vector<glm::vec3> positions;  ///< [N] bind pose, world space; finite.
-  std::vector<glm::vec2> uvs;        ///< [N] finite.
-  std::vector<int> influenceBegin;   ///< [N+1]
-  std::vector<Influence> influences; ///< Sorted by binding within a vertex, each binding once, weights > 0, sum 1.
+  std::vector<glm::vec3> positions;   ///< [N] bind pose, world space; finite.
+  std::vector<glm::vec2> uvs;         ///< [N] finite.
+  std::vector<int> influenceBegin;    ///< [N+1]
+  std::vector<Influence> influences;  ///< Sorted by binding within a vertex, each binding once, weights > 0, sum 1.
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Indices < N, counter-clockwise from outside.
   std::vector<int> materials;                           ///< [triangles]
 };

@@ -1,5 +1,5 @@
 // core/primitives/ellipsoid.cpp: placements through bone matrices.
-#include "core/primitives/ellipsoid.h"
+#include "sinew/primitives/ellipsoid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
-#pragma once  // core/primitives/potential.h: the quartic potential and the constants that follow from the iso value.
+// core/primitives/potential.h: the quartic potential and the constants that follow from the iso value.
+#pragma once
 
 #include <cmath>
 

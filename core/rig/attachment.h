@@ -1,12 +1,13 @@
-#pragma once  // core/rig/attachment.h: a rig meets a character: bones found, groups numbered, territories laid out.
+// core/rig/attachment.h: a rig meets a character: bones found, groups numbered, territories laid out.
+#pragma once
 
 #include <vector>
 
-#include "core/base/result.h"
 #include "core/blending/blending_graph.h"
 #include "core/blending/field.h"
-#include "core/character/character.h"
-#include "core/rig/rig.h"
+#include "sinew/base/result.h"
+#include "sinew/character/character.h"
+#include "sinew/rig/rig.h"
 
 namespace sinew {
 

@@ -1,5 +1,5 @@
 // core/rig/rig.cpp: equality, look-ups and names of the document.
-#include "core/rig/rig.h"
+#include "sinew/rig/rig.h"
 
 #include <algorithm>
 #include <charconv>
@@ -19,8 +19,8 @@ bool sameSurface(const SurfaceSettings& a, const SurfaceSettings& b) {
 }
 
 bool sameSmoothing(const SmoothingSettings& a, const SmoothingSettings& b) {
-  return a.depth == b.depth && a.patch == b.patch && a.projection == b.projection &&
-         a.creaseAngle == b.creaseAngle && a.autoDepth == b.autoDepth && a.unknownKeys == b.unknownKeys;
+  return a.depth == b.depth && a.patch == b.patch && a.projection == b.projection && a.creaseAngle == b.creaseAngle &&
+         a.autoDepth == b.autoDepth && a.unknownKeys == b.unknownKeys;
 }
 
 bool sameGroup(const Group& a, const Group& b) { return a.name == b.name && a.unknownKeys == b.unknownKeys; }
@@ -98,19 +98,26 @@ const char* nameOf(SurfaceMode mode) { return mode == SurfaceMode::kSwell ? "swe
 
 const char* nameOf(PatchKind patch) {
   switch (patch) {
-    case PatchKind::kPn: return "pn";
-    case PatchKind::kPhong: return "phong";
-    case PatchKind::kSpherigon: return "spherigon";
-    case PatchKind::kFlat: break;
+    case PatchKind::kPn:
+      return "pn";
+    case PatchKind::kPhong:
+      return "phong";
+    case PatchKind::kSpherigon:
+      return "spherigon";
+    case PatchKind::kFlat:
+      break;
   }
   return "flat";
 }
 
 const char* nameOf(ProjectionKind projection) {
   switch (projection) {
-    case ProjectionKind::kNewton: return "newton";
-    case ProjectionKind::kBisection: return "bisection";
-    case ProjectionKind::kAnalytic: break;
+    case ProjectionKind::kNewton:
+      return "newton";
+    case ProjectionKind::kBisection:
+      return "bisection";
+    case ProjectionKind::kAnalytic:
+      break;
   }
   return "analytic";
 }

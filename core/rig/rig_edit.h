@@ -1,13 +1,14 @@
-#pragma once  // core/rig/rig_edit.h: every change of a rig, as pure functions rig -> rig.
+// core/rig/rig_edit.h: every change of a rig, as pure functions rig -> rig.
 //
 // Nothing here touches the rig it is given. Each result has passed what can break by that edit; an Error names the
 // reason and the caller's rig stands. Indices are into Rig::primitives or Rig::groups and must be in range (asserted).
+#pragma once
 
 #include <span>
 #include <string>
 
-#include "core/base/result.h"
-#include "core/rig/rig.h"
+#include "sinew/base/result.h"
+#include "sinew/rig/rig.h"
 
 namespace sinew {
 

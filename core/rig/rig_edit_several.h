@@ -1,14 +1,15 @@
-#pragma once  // core/rig/rig_edit_several.h: changes of several primitives at once, as pure functions rig -> rig.
+// core/rig/rig_edit_several.h: changes of several primitives at once, as pure functions rig -> rig.
 //
 // As in rig_edit.h: the rig that is given stays as it is; indices must be in range (asserted).
+#pragma once
 
 #include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "core/base/result.h"
-#include "core/rig/rig.h"
+#include "sinew/base/result.h"
+#include "sinew/rig/rig.h"
 
 namespace sinew {
 

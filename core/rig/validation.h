@@ -1,9 +1,10 @@
-#pragma once  // core/rig/validation.h: what makes a rig a rig, in one place for files and editor alike.
+// core/rig/validation.h: what makes a rig a rig, in one place for files and editor alike.
+#pragma once
 
 #include <string>
 
-#include "core/base/result.h"
-#include "core/rig/rig.h"
+#include "sinew/base/result.h"
+#include "sinew/rig/rig.h"
 
 namespace sinew {
 

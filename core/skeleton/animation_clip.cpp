@@ -1,5 +1,5 @@
 // core/skeleton/animation_clip.cpp: keyframe interpolation, glTF 2.0 appendix C.
-#include "core/skeleton/animation_clip.h"
+#include "sinew/skeleton/animation_clip.h"
 
 #include <algorithm>
 #include <cassert>
@@ -34,9 +34,12 @@ glm::vec4 hermite(const Channel& channel, std::size_t k, float u, float span) {
 
 glm::vec4 between(const Channel& channel, std::size_t k, float u, float span) {
   switch (channel.interpolation) {
-    case Interpolation::kStep: return keyValue(channel, k);
-    case Interpolation::kCubicSpline: return hermite(channel, k, u, span);
-    case Interpolation::kLinear: break;
+    case Interpolation::kStep:
+      return keyValue(channel, k);
+    case Interpolation::kCubicSpline:
+      return hermite(channel, k, u, span);
+    case Interpolation::kLinear:
+      break;
   }
   const glm::vec4 a = keyValue(channel, k);
   const glm::vec4 b = keyValue(channel, k + 1);

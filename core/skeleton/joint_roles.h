@@ -1,26 +1,27 @@
-#pragma once  // core/skeleton/joint_roles.h: what a joint is in a body, as far as names and the tree tell.
+// core/skeleton/joint_roles.h: what a joint is in a body, as far as names and the tree tell.
+#pragma once
 
 #include <string_view>
 #include <vector>
 
-#include "core/skeleton/skeleton.h"
+#include "sinew/skeleton/skeleton.h"
 
 namespace sinew {
 
 enum class JointRole {
-  kStill,   ///< Moves the whole body (root, hips) or nothing that is seen (targets, sockets, ends).
-  kTrunk,   ///< Spine, chest, waist.
-  kNeck,    ///< Neck and head.
+  kStill,  ///< Moves the whole body (root, hips) or nothing that is seen (targets, sockets, ends).
+  kTrunk,  ///< Spine, chest, waist.
+  kNeck,   ///< Neck and head.
   kTail,
   kCollar,  ///< Between the trunk and a shoulder.
   kShoulder,
   kElbow,
   kWrist,
-  kHip,     ///< Of a leg.
+  kHip,  ///< Of a leg.
   kKnee,
   kAnkle,
-  kDigit,   ///< Finger or toe.
-  kFree,    ///< Nothing is known of it.
+  kDigit,  ///< Finger or toe.
+  kFree,   ///< Nothing is known of it.
 };
 
 /// [bones]. English words in names of any style ("mixamorig:LeftForeArm", "forearm.L", "b_LeftForeArm_010") and where

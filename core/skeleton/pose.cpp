@@ -1,5 +1,5 @@
 // core/skeleton/pose.cpp: local transforms -> world matrices of the bones.
-#include "core/skeleton/pose.h"
+#include "sinew/skeleton/pose.h"
 
 #include <algorithm>
 
@@ -34,9 +34,15 @@ std::vector<LocalTransform> restLocals(const Skeleton& skeleton) {
 void applyChannel(const Channel& channel, float time, LocalTransform& local) {
   const glm::vec4 value = sampleChannel(channel, time);
   switch (channel.path) {
-    case ChannelPath::kTranslation: local.translation = glm::vec3(value); break;
-    case ChannelPath::kRotation: local.rotation = glm::quat(value.w, value.x, value.y, value.z); break;
-    case ChannelPath::kScale: local.scale = glm::vec3(value); break;
+    case ChannelPath::kTranslation:
+      local.translation = glm::vec3(value);
+      break;
+    case ChannelPath::kRotation:
+      local.rotation = glm::quat(value.w, value.x, value.y, value.z);
+      break;
+    case ChannelPath::kScale:
+      local.scale = glm::vec3(value);
+      break;
   }
 }
 

@@ -1,22 +1,23 @@
-#pragma once  // core/skeleton/pose_override.h: joints turned by hand, on top of a moment of the skeleton.
+// core/skeleton/pose_override.h: joints turned by hand, on top of a moment of the skeleton.
 //
 // A turn is a rotation q in the joint's own frame N: the axes of the bone's matrix made perpendicular and unit, x
 // first, with the matrix's handedness kept. In the world the joint, and all that hangs on it, turns rigidly by N q N^T
 // about the joint's origin. Without scale, or with an even one, that is the bone's local rotation multiplied by q from
 // the right, as in any animation package; under uneven scale nothing is sheared. Turns of parents come before those of
 // their children.
+#pragma once
 
 #include <span>
 #include <vector>
 
-#include "core/skeleton/pose.h"
+#include "sinew/skeleton/pose.h"
 
 namespace sinew {
 
 /// One joint's turn.
 struct JointTurn {
-  int bone = 0;                               ///< Index into Skeleton::bones.
-  glm::quat turn{1.0f, 0.0f, 0.0f, 0.0f};     ///< Unit.
+  int bone = 0;                            ///< Index into Skeleton::bones.
+  glm::quat turn{1.0f, 0.0f, 0.0f, 0.0f};  ///< Unit.
 };
 
 /// What the turns start from.

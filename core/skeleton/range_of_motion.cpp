@@ -48,19 +48,32 @@ std::span<const Swing> swingsOf(JointRole role) {
   static constexpr Swing kDigit[] = {{kBend, 0, 75}};
   static constexpr Swing kFree[] = {{kBend, -45, 45}, {kSide, -45, 45}, {kTwist, -45, 45}};
   switch (role) {
-    case JointRole::kStill: return {};
-    case JointRole::kTrunk: return kTrunk;
-    case JointRole::kNeck: return kNeck;
-    case JointRole::kTail: return kTail;
-    case JointRole::kCollar: return kCollar;
-    case JointRole::kShoulder: return kShoulder;
-    case JointRole::kElbow: return kElbow;
-    case JointRole::kWrist: return kWrist;
-    case JointRole::kHip: return kHip;
-    case JointRole::kKnee: return kKnee;
-    case JointRole::kAnkle: return kAnkle;
-    case JointRole::kDigit: return kDigit;
-    case JointRole::kFree: return kFree;
+    case JointRole::kStill:
+      return {};
+    case JointRole::kTrunk:
+      return kTrunk;
+    case JointRole::kNeck:
+      return kNeck;
+    case JointRole::kTail:
+      return kTail;
+    case JointRole::kCollar:
+      return kCollar;
+    case JointRole::kShoulder:
+      return kShoulder;
+    case JointRole::kElbow:
+      return kElbow;
+    case JointRole::kWrist:
+      return kWrist;
+    case JointRole::kHip:
+      return kHip;
+    case JointRole::kKnee:
+      return kKnee;
+    case JointRole::kAnkle:
+      return kAnkle;
+    case JointRole::kDigit:
+      return kDigit;
+    case JointRole::kFree:
+      return kFree;
   }
   return {};
 }
@@ -71,8 +84,8 @@ struct Body {
   const Skeleton& skeleton;
   std::vector<JointRole> roles;
   std::vector<int> twinOf;
-  glm::vec3 normal;   ///< Of the mirror plane.
-  glm::vec3 left;     ///< The plane's normal, towards the left.
+  glm::vec3 normal;  ///< Of the mirror plane.
+  glm::vec3 left;    ///< The plane's normal, towards the left.
   glm::vec3 forward;
   std::vector<bool> moves;
 
@@ -138,8 +151,13 @@ std::vector<bool> movingBones(const Skeleton& skeleton, const std::vector<JointR
 
 Body bodyOf(const Skeleton& skeleton, const RangeOfMotionHints& hints) {
   const bool paired = hints.twinOf.size() == skeleton.bones.size();
-  Body body{skeleton, jointRoles(skeleton), paired ? hints.twinOf : twinsByPlace(skeleton),
-            paired ? normalizeOr(hints.planeNormal, {1, 0, 0}) : glm::vec3(1, 0, 0), {}, {}, {}};
+  Body body{skeleton,
+            jointRoles(skeleton),
+            paired ? hints.twinOf : twinsByPlace(skeleton),
+            paired ? normalizeOr(hints.planeNormal, {1, 0, 0}) : glm::vec3(1, 0, 0),
+            {},
+            {},
+            {}};
   // Skin that follows an end moves after all.
   for (std::size_t i = 0; i < hints.carriesSkin.size() && i < body.roles.size(); ++i) {
     const bool end = body.roles[i] == JointRole::kStill && skeleton.bones[i].children.empty();
@@ -187,7 +205,8 @@ glm::vec3 referenceOf(const Body& body, JointRole role, const glm::vec3& along, 
       first = -kUp;
       second = -side * body.left;
       break;
-    default: break;
+    default:
+      break;
   }
   return std::abs(glm::dot(first, along)) < 0.9f ? first : second;
 }

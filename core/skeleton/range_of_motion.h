@@ -1,10 +1,11 @@
-#pragma once  // core/skeleton/range_of_motion.h: a clip that takes every joint through what it can do.
+// core/skeleton/range_of_motion.h: a clip that takes every joint through what it can do.
+#pragma once
 
 #include <string_view>
 #include <vector>
 
-#include "core/skeleton/animation_clip.h"
-#include "core/skeleton/skeleton.h"
+#include "sinew/skeleton/animation_clip.h"
+#include "sinew/skeleton/skeleton.h"
 
 namespace sinew {
 
@@ -12,9 +13,9 @@ inline constexpr std::string_view kRangeOfMotionName = "Range of motion";
 
 /// What a skeleton alone does not tell. Empty: found from where bones lie and from names.
 struct RangeOfMotionHints {
-  std::vector<int> twinOf;               ///< [bones] as MirrorPlan::twinOf (core/rig/mirror.h).
+  std::vector<int> twinOf;                  ///< [bones] as MirrorPlan::twinOf (core/symmetry/mirror.h).
   glm::vec3 planeNormal{1.0f, 0.0f, 0.0f};  ///< Of the mirror plane, unit, bind pose; read with twinOf.
-  std::vector<bool> carriesSkin;         ///< [bones] skin follows it: joints that move no skin stay out of the clip.
+  std::vector<bool> carriesSkin;            ///< [bones] skin follows it: joints that move no skin stay out of the clip.
 };
 
 /// One way a joint turns, from its bind pose and back.

@@ -1,5 +1,5 @@
 // core/skeleton/skeleton.cpp: bone look-up and the parts of a bone that follow from the tree.
-#include "core/skeleton/skeleton.h"
+#include "sinew/skeleton/skeleton.h"
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,7 @@
-#pragma once  // core/smoothing/auto_depth.h: the refinement depth that a character's size on screen asks for (paper 5).
+// core/smoothing/auto_depth.h: the refinement depth that a character's size on screen asks for (paper 5).
+#pragma once
 
-#include "core/mesh/control_mesh.h"
+#include "sinew/mesh/control_mesh.h"
 
 namespace sinew {
 

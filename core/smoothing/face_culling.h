@@ -1,13 +1,14 @@
-#pragma once  // core/smoothing/face_culling.h: control triangles that no picture from an eye shows (paper 4.3).
+// core/smoothing/face_culling.h: control triangles that no picture from an eye shows (paper 4.3).
+#pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "core/character/character.h"
-#include "core/smoothing/carrier_walk.h"
-#include "core/smoothing/refinement.h"
+#include "core/smoothing/projection/carrier_walk.h"
 #include "core/smoothing/triangle_classes.h"
+#include "sinew/character/character.h"
+#include "sinew/smoothing/refinement.h"
 
 namespace sinew {
 
@@ -16,8 +17,8 @@ struct CullingScene {
   const Character& character;
   const Refinement& refinement;
   const FieldView& field;
-  std::span<const TriangleClass> classes;      ///< [T] in `replace`: all but normal ones move. Empty: `swell`.
-  std::span<const glm::vec3> patchPositions;   ///< [V'] world.
+  std::span<const TriangleClass> classes;     ///< [T] in `replace`: all but normal ones move. Empty: `swell`.
+  std::span<const glm::vec3> patchPositions;  ///< [V'] world.
 };
 
 /// What the eye may skip in one pose. A mark of 1 means skipped.

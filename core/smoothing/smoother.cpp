@@ -1,5 +1,5 @@
 // core/smoothing/smoother.cpp: the stages in order: skin -> patch -> project -> folds -> normals.
-#include "core/smoothing/smoother.h"
+#include "sinew/smoothing/smoother.h"
 
 #include <algorithm>
 #include <cassert>
@@ -11,24 +11,24 @@
 #include "core/mesh/creases.h"
 #include "core/rig/attachment.h"
 #include "core/rig/validation.h"
-#include "core/smoothing/anchors.h"
-#include "core/smoothing/candidates.h"
 #include "core/smoothing/face_culling.h"
-#include "core/smoothing/fold_guard.h"
-#include "core/smoothing/fold_relaxation.h"
-#include "core/smoothing/patch.h"
-#include "core/smoothing/replace.h"
-#include "core/smoothing/rise_directions.h"
-#include "core/smoothing/rise_limits.h"
-#include "core/smoothing/shading_normals.h"
-#include "core/smoothing/swell.h"
+#include "core/smoothing/finish/fold_guard.h"
+#include "core/smoothing/finish/fold_relaxation.h"
+#include "core/smoothing/finish/shading_normals.h"
+#include "core/smoothing/patches/patch.h"
+#include "core/smoothing/projection/anchors.h"
+#include "core/smoothing/projection/candidates.h"
+#include "core/smoothing/projection/replace.h"
+#include "core/smoothing/projection/rise_directions.h"
+#include "core/smoothing/projection/rise_limits.h"
+#include "core/smoothing/projection/swell.h"
 #include "core/smoothing/triangle_classes.h"
 
 namespace sinew {
 namespace {
 
 constexpr double kRootTolerance = 1e-6;  ///< Fraction of H: a hundredth of the agreement docs/design.md promises.
-constexpr float kSearchLength = 0.2f;             ///< L of `replace`, fraction of H.
+constexpr float kSearchLength = 0.2f;    ///< L of `replace`, fraction of H.
 constexpr std::int64_t kMaxRefinedVertices = 32'000'000;  ///< About 2 GiB with all that is kept per vertex.
 
 class Stopwatch {
@@ -52,11 +52,11 @@ struct Prepared {
   CandidateLists candidates;
   std::shared_ptr<const ControlMesh> creased;  ///< The character's mesh with creased wedges; null if none are.
   std::shared_ptr<const Refinement> refinement;
-  std::vector<Anchor> anchors;  ///< [V'] in `replace` with an anchored projection, else empty.
-  std::vector<float> inverseLimits;  ///< [V'] of the rise.
+  std::vector<Anchor> anchors;         ///< [V'] in `replace` with an anchored projection, else empty.
+  std::vector<float> inverseLimits;    ///< [V'] of the rise.
   std::vector<std::uint8_t> isBorder;  ///< [V']
-  std::vector<float> bindFronts;  ///< [T n^2] of the patch.
-  ImplicitWeights weights;      ///< In `swell` omega alone, for the classes.
+  std::vector<float> bindFronts;       ///< [T n^2] of the patch.
+  ImplicitWeights weights;             ///< In `swell` omega alone, for the classes.
   std::vector<TriangleClass> classes;
 };
 
@@ -233,8 +233,8 @@ struct Smoother::State {
     }
     evaluate(PatchKind::kFlat, *p.refinement, skinned, flatPositions, flatNormals);
     poseAnchors(p.anchors, pose, anchorsInWorld);
-    replace(mesh(), field, replaceSettings(p.rig, *character), {flatPositions, flatNormals, anchorsInWorld},
-            p.weights, out);
+    replace(mesh(), field, replaceSettings(p.rig, *character), {flatPositions, flatNormals, anchorsInWorld}, p.weights,
+            out);
   }
 
   void poseRiseDirections(const Pose& pose) {
@@ -306,8 +306,7 @@ struct Smoother::State {
 Smoother::Smoother(std::shared_ptr<const Character> character) : state_(std::make_unique<State>()) {
   assert(character);
   state_->riseInBind = riseDirections(character->mesh, kRise * character->height);
-  state_->inverseLimitsInBind =
-      inverseRiseLimits(character->mesh, state_->riseInBind, kRise * character->height);
+  state_->inverseLimitsInBind = inverseRiseLimits(character->mesh, state_->riseInBind, kRise * character->height);
   state_->character = std::move(character);
 }
 

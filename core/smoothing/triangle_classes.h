@@ -1,10 +1,11 @@
-#pragma once  // core/smoothing/triangle_classes.h: implicit, straddling and normal control triangles (paper 3).
+// core/smoothing/triangle_classes.h: implicit, straddling and normal control triangles (paper 3).
+#pragma once
 
 #include <span>
 #include <vector>
 
-#include "core/mesh/control_mesh.h"
-#include "core/smoothing/surface.h"
+#include "sinew/mesh/control_mesh.h"
+#include "sinew/smoothing/surface.h"
 
 namespace sinew {
 

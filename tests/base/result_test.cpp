@@ -1,12 +1,12 @@
 // tests/base/result_test.cpp: what an error says, and the helpers of base/geometry.h.
-#include "core/base/result.h"
+#include "sinew/base/result.h"
 
 #include <random>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "core/base/geometry.h"
+#include "sinew/base/geometry.h"
 
 namespace sinew {
 namespace {

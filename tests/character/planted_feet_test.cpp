@@ -10,16 +10,16 @@
 #include <gtest/gtest.h>
 
 #include "core/character/skinning.h"
-#include "core/io/gltf_import.h"
+#include "sinew/io/gltf_import.h"
 
 namespace sinew {
 namespace {
 
 constexpr double kSamplesPerSecond = 240.0;  // Most lie between two keys.
-constexpr float kBand = 0.002f;      // H; a foot whose lowest point is no higher stands: no eye sees the gap.
-constexpr float kMaxSlide = 0.010f;  // H
-constexpr float kMaxSink = 0.005f;   // H
-constexpr float kSole = 0.012f;      // H; bind pose, what may touch the ground.
+constexpr float kBand = 0.002f;              // H; a foot whose lowest point is no higher stands: no eye sees the gap.
+constexpr float kMaxSlide = 0.010f;          // H
+constexpr float kMaxSink = 0.005f;           // H
+constexpr float kSole = 0.012f;              // H; bind pose, what may touch the ground.
 
 /// Vertices that follow the foot or its toes more than anything else and lie lowest in the bind pose.
 struct Foot {
@@ -127,8 +127,8 @@ glm::vec2 groundStep(const std::vector<Track>& tracks) {
 }
 
 struct Worst {
-  float slide = 0.0f;   ///< Largest distance between two places on the ground that one standing had.
-  float sink = 0.0f;    ///< Deepest below the ground.
+  float slide = 0.0f;    ///< Largest distance between two places on the ground that one standing had.
+  float sink = 0.0f;     ///< Deepest below the ground.
   double planted = 0.0;  ///< Part of the samples.
   int standings = 0;
   float highest = 0.0f;  ///< Of the lowest point: how clearly the foot leaves the ground.
@@ -187,10 +187,11 @@ TEST_P(PlantedFeet, NeitherSlideNorSink) {
   EXPECT_LE(ground.y, 1e-5f) << "the ground goes backwards, so that the character goes ahead";
   for (std::size_t f = 0; f < feet.size(); ++f) {
     const Worst worst = follow(tracks[f], ground);
-    std::printf("%s %-6s %-14s ground %.2f H/s  stands %2.0f %% in %d  slides %.2f %% H  "
-                "sinks %.2f %% H  lifts %.1f %% H\n",
-                walked.file.c_str(), walked.clip.c_str(), feet[f].name.c_str(), speed, 100.0 * worst.planted,
-                worst.standings, 100.0f * worst.slide, 100.0f * worst.sink, 100.0f * worst.highest);
+    std::printf(
+        "%s %-6s %-14s ground %.2f H/s  stands %2.0f %% in %d  slides %.2f %% H  "
+        "sinks %.2f %% H  lifts %.1f %% H\n",
+        walked.file.c_str(), walked.clip.c_str(), feet[f].name.c_str(), speed, 100.0 * worst.planted, worst.standings,
+        100.0f * worst.slide, 100.0f * worst.sink, 100.0f * worst.highest);
     EXPECT_GE(feet[f].sole.size(), 3u) << feet[f].name;
     EXPECT_LT(worst.slide, kMaxSlide) << feet[f].name;
     EXPECT_LT(worst.sink, kMaxSink) << feet[f].name;

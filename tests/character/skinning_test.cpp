@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/io/gltf_import.h"
 #include "core/mesh/creases.h"
+#include "sinew/io/gltf_import.h"
 #include "tests/support/characters.h"
 #include "tests/support/gltf_builder.h"
 #include "tests/support/gltf_oracle.h"

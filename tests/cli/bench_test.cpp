@@ -1,5 +1,5 @@
 // tests/cli/bench_test.cpp: `sinew bench` measures what it says. Times are never judged.
-#include "core/io/json.h"
+#include "core/io/json/json.h"
 #include "tests/cli/program.h"
 
 namespace sinew::test {

@@ -1,5 +1,5 @@
 // tests/cli/inspect_test.cpp: `sinew inspect` as a program sees it.
-#include "core/io/json.h"
+#include "core/io/json/json.h"
 #include "tests/cli/program.h"
 
 namespace sinew {
@@ -77,7 +77,8 @@ TEST_F(Program, InspectOfBadFilesIsStatus1AndOneLine) {
   ASSERT_TRUE(writeFileAtomically(folder_ / "text.gltf", "hello").ok());
   ASSERT_TRUE(writeFileAtomically(folder_ / "bad.rig.json", "{\"format\": \"sinew-rig\",\n \"version\": 9}").ok());
   ASSERT_TRUE(writeFileAtomically(folder_ / "lone.rig.json",
-                                  R"({"format": "sinew-rig", "version": 1, "character": "gone.glb"})").ok());
+                                  R"({"format": "sinew-rig", "version": 1, "character": "gone.glb"})")
+                  .ok());
   std::filesystem::create_directory(folder_ / "folder.glb");
   for (const char* file :
        {"absent.glb", "empty.glb", "text.gltf", "bad.rig.json", "lone.rig.json", "folder.glb", "two\nlines.glb", ""}) {

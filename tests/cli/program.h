@@ -1,4 +1,5 @@
-#pragma once  // tests/cli/program.h: runs the real program and keeps what it said.
+// tests/cli/program.h: runs the real program and keeps what it said.
+#pragma once
 
 #include <cstdlib>
 #include <filesystem>
@@ -9,7 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "core/io/atomic_file.h"
+#include "core/io/files/atomic_file.h"
 
 namespace sinew::test {
 
@@ -42,7 +43,7 @@ class Program : public ::testing::Test {
     command += " >" + quoted(out) + " 2>" + quoted(error) + " </dev/null";
     const int status = std::system(command.c_str());
     Outcome result{WIFEXITED(status) ? WEXITSTATUS(status) : -1, readWholeFile(out, 1 << 26).value(),
-               readWholeFile(error, 1 << 26).value()};
+                   readWholeFile(error, 1 << 26).value()};
     std::filesystem::remove(out);
     std::filesystem::remove(error);
     return result;

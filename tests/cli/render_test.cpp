@@ -3,7 +3,7 @@
 
 #include "app/cli/render_plan.h"
 #include "app/render/offscreen.h"
-#include "core/io/rig_json.h"
+#include "sinew/io/rig_json.h"
 #include "tests/cli/program.h"
 
 namespace sinew::test {
@@ -75,8 +75,8 @@ TEST_F(RenderVerb, TheSameCommandWritesTheSameBytes) {
 
 TEST_F(RenderVerb, HiddenSidesLeftOutWriteTheSameBytes) {
   for (const bool orthographic : {false, true}) {
-    std::vector<std::string> command{"render", demo("demo.rig.json"), "--view", "-30,12", "--size", "96x96", "--depth",
-                                     "2", "-o", "a.png"};
+    std::vector<std::string> command{
+        "render", demo("demo.rig.json"), "--view", "-30,12", "--size", "96x96", "--depth", "2", "-o", "a.png"};
     if (orthographic) command.emplace_back("--orthographic");
     ASSERT_EQ(run(command).status, 0);
     const Picture whole = picture("a.png");
@@ -103,8 +103,8 @@ TEST_F(RenderVerb, AutoDepthComesFromThePicturesSize) {
 }
 
 TEST_F(RenderVerb, BadInputIsOneLineAndNoPicture) {
-  for (const std::vector<std::string>& more : {std::vector<std::string>{"render", "absent.glb"},
-                                               {"render", demo("demo.glb"), "--clip", "no such clip"}}) {
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"render", "absent.glb"}, {"render", demo("demo.glb"), "--clip", "no such clip"}}) {
     std::vector<std::string> command = more;
     command.insert(command.end(), {"-o", "bad.png"});
     const Outcome refused = run(command);

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "core/io/json.h"
+#include "core/io/json/json.h"
 #include "tests/cli/program.h"
 #include "tests/support/mesh_checks.h"
 
@@ -58,10 +58,10 @@ TEST_F(Program, SmoothWritesAClosedSurfaceAndATrueReport) {
 
   const auto report = Json::parse(readWholeFile(folder_ / "report.json", 1 << 20).value());
   ASSERT_TRUE(report.ok());
-  EXPECT_EQ(report->keys(), (std::vector<std::string>{"mode", "depth", "patch", "projection", "control_triangles",
-                                                      "refined_triangles", "refined_vertices", "implicit", "straddling",
-                                                      "normal", "primitives", "cliques", "guarded", "unwrapped",
-                                                      "unresolved", "residual_max", "seconds"}));
+  EXPECT_EQ(report->keys(),
+            (std::vector<std::string>{"mode", "depth", "patch", "projection", "control_triangles", "refined_triangles",
+                                      "refined_vertices", "implicit", "straddling", "normal", "primitives", "cliques",
+                                      "guarded", "unwrapped", "unresolved", "residual_max", "seconds"}));
   EXPECT_EQ(report->at("depth").number(0), 4);
   EXPECT_EQ(report->at("refined_triangles").number(0), static_cast<double>(faces.size()));
   EXPECT_EQ(report->at("refined_triangles").number(0), 16 * report->at("control_triangles").number(0));

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/io/rig_json.h"
 #include "core/rig/rig_edit.h"
-#include "core/rig/twins.h"
 #include "core/rig/validation.h"
+#include "core/symmetry/twins.h"
+#include "sinew/io/rig_json.h"
 #include "tests/support/synthetic_characters.h"
 
 namespace sinew::app {

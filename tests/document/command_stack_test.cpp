@@ -77,10 +77,8 @@ TEST(CommandStack, FollowsANaiveModelUnderRandomOperations) {
           break;
         case 5:
           stack.undo();
-          if (model.gesture)
-            model.cancel();
-          else if (model.position > 0)
-            model.shown = model.states[--model.position];
+          if (model.gesture) model.cancel();
+          else if (model.position > 0) model.shown = model.states[--model.position];
           break;
         case 6:
           stack.redo();

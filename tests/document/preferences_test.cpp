@@ -9,7 +9,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "core/io/atomic_file.h"
+#include "core/io/files/atomic_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew::app {
@@ -19,9 +19,7 @@ namespace fs = std::filesystem;
 
 class PreferencesTest : public testing::Test {
  protected:
-  void SetUp() override {
-    file = folder / "deeper" / "preferences.json";
-  }
+  void SetUp() override { file = folder / "deeper" / "preferences.json"; }
 
   void write(const std::string& text) const {
     fs::create_directories(file.parent_path());

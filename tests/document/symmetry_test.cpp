@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "app/document/document.h"
-#include "core/io/rig_json.h"
 #include "core/rig/rig_edit.h"
-#include "core/rig/twins.h"
 #include "core/rig/validation.h"
+#include "core/symmetry/twins.h"
+#include "sinew/io/rig_json.h"
 #include "tests/support/random_rigs.h"
 #include "tests/support/synthetic_characters.h"
 
@@ -28,7 +28,8 @@ Primitive muscle(Random& random, const Skeleton& skeleton) {
   Primitive primitive;
   primitive.bone = skeleton.fileName(random.below(static_cast<int>(skeleton.bones.size())));
   primitive.name = random.chance(0.5f) ? "muscle L" : "m" + std::to_string(random.below(8));
-  primitive.placement = {{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}, random.rotation(),
+  primitive.placement = {{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)},
+                         random.rotation(),
                          {random.uniform(0.05f, 1), random.uniform(0.05f, 1), random.uniform(0.05f, 1)}};
   return primitive;
 }
@@ -42,19 +43,32 @@ Result<Rig> randomEdit(Random& random, const Document& document) {
   const int index = random.below(count);
   const std::vector<int> some{index, random.below(count)};
   switch (random.below(13)) {
-    case 0: return addPair(rig, fresh, plan);
-    case 1: return addPrimitive(rig, fresh);
-    case 2: return setPlacement(rig, index, fresh.placement);
-    case 3: return setBone(rig, index, fresh.bone, fresh.placement);
-    case 4: return setReach(rig, index, random.uniform(1.1f, 3));
-    case 5: return setSign(rig, index, random.chance(0.5f) ? 1 : -1);
-    case 6: return removePrimitives(rig, withTwins(rig, std::span(some).first(1)));
-    case 7: return duplicatePairs(rig, withTwins(rig, some));
-    case 8: return mirrorToOtherSide(rig, index, plan);
-    case 9: return clearMirror(rig, index);
-    case 10: return renameWithTwin(rig, index, fresh.name + " " + std::to_string(random.below(99)));
-    case 11: return flipPrimitives(rig, some, plan);
-    default: return setTerritory(rig, index, std::vector<std::string>{fresh.bone});
+    case 0:
+      return addPair(rig, fresh, plan);
+    case 1:
+      return addPrimitive(rig, fresh);
+    case 2:
+      return setPlacement(rig, index, fresh.placement);
+    case 3:
+      return setBone(rig, index, fresh.bone, fresh.placement);
+    case 4:
+      return setReach(rig, index, random.uniform(1.1f, 3));
+    case 5:
+      return setSign(rig, index, random.chance(0.5f) ? 1 : -1);
+    case 6:
+      return removePrimitives(rig, withTwins(rig, std::span(some).first(1)));
+    case 7:
+      return duplicatePairs(rig, withTwins(rig, some));
+    case 8:
+      return mirrorToOtherSide(rig, index, plan);
+    case 9:
+      return clearMirror(rig, index);
+    case 10:
+      return renameWithTwin(rig, index, fresh.name + " " + std::to_string(random.below(99)));
+    case 11:
+      return flipPrimitives(rig, some, plan);
+    default:
+      return setTerritory(rig, index, std::vector<std::string>{fresh.bone});
   }
 }
 

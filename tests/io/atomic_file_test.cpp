@@ -1,5 +1,5 @@
 // tests/io/atomic_file_test.cpp: a file is old or new, never in between.
-#include "core/io/atomic_file.h"
+#include "core/io/files/atomic_file.h"
 
 #include <csignal>
 #include <fstream>

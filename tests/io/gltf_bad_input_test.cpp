@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/io/gltf_import.h"
+#include "sinew/io/gltf_import.h"
 #include "tests/support/characters.h"
 #include "tests/support/gltf_builder.h"
 #include "tests/support/temporary_folder.h"

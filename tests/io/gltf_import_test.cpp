@@ -1,6 +1,6 @@
 // tests/io/gltf_import_test.cpp: facts about real characters, and what a plain import holds.
 
-#include "core/io/gltf_import.h"
+#include "sinew/io/gltf_import.h"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 
 #include "core/mesh/topology.h"
 #include "core/mesh/weld.h"
-#include "core/skeleton/pose.h"
+#include "sinew/skeleton/pose.h"
 #include "tests/support/characters.h"
 #include "tests/support/gltf_builder.h"
 #include "tests/support/temporary_folder.h"

@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 
 #include "core/character/skinning.h"
-#include "core/io/gltf_import.h"
 #include "core/mesh/topology.h"
-#include "core/skeleton/pose.h"
+#include "sinew/io/gltf_import.h"
+#include "sinew/skeleton/pose.h"
 #include "tests/support/gltf_builder.h"
 #include "tests/support/gltf_oracle.h"
 #include "tests/support/temporary_folder.h"

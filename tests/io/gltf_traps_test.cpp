@@ -9,8 +9,8 @@
 #include <glm/geometric.hpp>
 
 #include "core/character/skinning.h"
-#include "core/io/gltf_import.h"
 #include "core/mesh/topology.h"
+#include "sinew/io/gltf_import.h"
 #include "tests/support/gltf_builder.h"
 #include "tests/support/gltf_oracle.h"
 #include "tests/support/temporary_folder.h"

@@ -1,5 +1,5 @@
 // tests/io/json_test.cpp: the JSON tree of reports and preferences.
-#include "core/io/json.h"
+#include "core/io/json/json.h"
 
 #include <bit>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/io/json_text.h"
+#include "core/io/json/json_text.h"
 #include "tests/support/random_rigs.h"
 
 namespace sinew {
@@ -78,7 +78,9 @@ TEST(Json, IndentedTextReadsBackTheSame) {
 
 TEST(Json, InvalidUtf8IsReplacedWhenWritten) {
   const std::string text = Json(std::string("a\xff") + "b").dump();
-  EXPECT_EQ(text, "\"a\xEF\xBF\xBD" "b\"");
+  EXPECT_EQ(text,
+            "\"a\xEF\xBF\xBD"
+            "b\"");
 }
 
 TEST(Json, SyntaxErrorsNameBytePlaceAndPath) {

@@ -1,5 +1,5 @@
 // tests/io/rig_json_test.cpp: rig files: exact round trips, and a named place for everything refused.
-#include "core/io/rig_json.h"
+#include "sinew/io/rig_json.h"
 
 #include <filesystem>
 #include <fstream>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/io/atomic_file.h"
+#include "core/io/files/atomic_file.h"
 #include "core/rig/validation.h"
 #include "tests/support/random_documents.h"
 

@@ -1,5 +1,5 @@
 // tests/io/surface_export_test.cpp: what lands in .obj, .ply and .glb, read back by other eyes.
-#include "core/io/surface_export.h"
+#include "sinew/io/surface_export.h"
 
 #include <bit>
 #include <charconv>
@@ -9,10 +9,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "core/io/atomic_file.h"
-#include "core/io/gltf_import.h"
-#include "core/io/json.h"
-#include "core/smoothing/smoother.h"
+#include "core/io/files/atomic_file.h"
+#include "core/io/json/json.h"
+#include "sinew/io/gltf_import.h"
+#include "sinew/smoothing/smoother.h"
 #include "tests/support/mesh_checks.h"
 #include "tests/support/random_rigs.h"
 #include "tests/support/synthetic_characters.h"
@@ -72,7 +72,7 @@ struct Obj {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
   std::vector<glm::vec2> uvs;
-  std::vector<std::array<int, 3>> faces;    // Of positions, from 0.
+  std::vector<std::array<int, 3>> faces;  // Of positions, from 0.
   std::vector<std::array<int, 3>> uvFaces;
   std::vector<std::array<int, 3>> normalFaces;
   std::vector<std::string> materialOfFace;

@@ -176,8 +176,8 @@ TEST(Creases, TrianglesWithoutAreaGoWithTheirLongestEdge) {
 
 TEST(Creases, EdgesOfManyTrianglesJoinThoseThatGoOnSmoothly) {
   // A floor of two halves with a wall on their common edge.
-  const ControlMesh wall = meshOf({{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, 0}, {0, 0, 1}},
-                                  {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
+  const ControlMesh wall =
+      meshOf({{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
   ASSERT_EQ(wall.edges[0].triangleCount, 3);
   const ControlMesh sharp = creased(wall, 30.0f);
   EXPECT_EQ(sharp.triangles[0].wedges[0], sharp.triangles[1].wedges[1]);

@@ -1,11 +1,11 @@
 // tests/panels/blending_test.cpp: groups: the matrix and the graph change the same rig and show each other's changes.
 
-#include "tests/panels/headless_editor.h"
+#include "tests/support/headless_editor.h"
 
 #include <algorithm>
 
-#include "app/panels/blending_edit.h"
-#include "app/panels/blending_layout.h"
+#include "app/editor/blending_edit.h"
+#include "app/panels/blending/blending_layout.h"
 #include "core/blending/blending_graph.h"
 #include "core/rig/rig_edit_several.h"
 #include "core/rig/validation.h"
@@ -204,8 +204,8 @@ TEST(BlendingLayout, NodesKeepTheirDistanceAndLinkedOnesAreNearer) {
       for (std::size_t j = 0; j < i; ++j) EXPECT_GT(glm::length(places[i] - places[j]), 50.0f) << count;
     }
   }
-  const std::vector<glm::vec2> chain = layoutGraph(8, std::vector<std::array<int, 2>>{{0, 1}, {1, 2}, {2, 3}, {3, 4},
-                                                                                    {4, 5}, {5, 6}, {6, 7}});
+  const std::vector<glm::vec2> chain =
+      layoutGraph(8, std::vector<std::array<int, 2>>{{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 6}, {6, 7}});
   EXPECT_LT(glm::length(chain[0] - chain[1]), 0.5f * glm::length(chain[0] - chain[7]));
 }
 

@@ -1,6 +1,6 @@
 // tests/panels/dialogs_test.cpp: palette, key sheet, preferences, recovery, messages and files, by hand and keyboard.
 
-#include "tests/panels/headless_editor.h"
+#include "tests/support/headless_editor.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "app/panels/session.h"
+#include "app/editor/session.h"
 #include "app/platform/data_files.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,6 +1,6 @@
 // tests/panels/inspector_test.cpp: one muscle or many: common values, units, reset, copy and paste, territory.
 
-#include "tests/panels/headless_editor.h"
+#include "tests/support/headless_editor.h"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 // tests/panels/outliner_test.cpp: the tree: rows, selection, switches, renaming, moving to another bone.
 
-#include "tests/panels/headless_editor.h"
+#include "tests/support/headless_editor.h"
 
 #include <algorithm>
 
 #include "app/document/reparent.h"
-#include "app/panels/outliner_edit.h"
-#include "app/panels/outliner_rows.h"
+#include "app/editor/outliner_edit.h"
+#include "app/editor/outliner_rows.h"
 
 namespace sinew::app {
 namespace {
@@ -115,9 +115,8 @@ TEST_F(Outliner, ShiftTakesARangeAndControlOne) {
   }
   const std::string last = *std::ranges::max_element(visible, {}, place);
   held(kLeftShift, "outliner/muscle/" + last);
-  const auto between = std::ranges::count_if(visible, [&](const std::string& name) {
-    return place(name) >= place("glute L");
-  });
+  const auto between =
+      std::ranges::count_if(visible, [&](const std::string& name) { return place(name) >= place("glute L"); });
   EXPECT_EQ(static_cast<std::ptrdiff_t>(selection().size()), between);
   EXPECT_EQ(selection().back(), last);
   held(kLeftControl, "outliner/muscle/" + last);
@@ -257,8 +256,8 @@ TEST_F(Outliner, WhatHasNoBoneStandsApartAndCanBeAttached) {
 
 TEST_F(Outliner, ALockedMuscleIsNotPickable) {
   click("outliner/lock/glute L");
-  EXPECT_FALSE(isPickable(state.document.visibility, state.document.rig(), state.character().skeleton,
-                          indexOf("glute L")));
+  EXPECT_FALSE(
+      isPickable(state.document.visibility, state.document.rig(), state.character().skeleton, indexOf("glute L")));
   EXPECT_EQ(shownMuscles(), static_cast<int>(state.document.rig().primitives.size()));
 }
 

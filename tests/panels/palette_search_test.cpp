@@ -1,6 +1,6 @@
 // tests/panels/palette_search_test.cpp: what one means by a few letters comes first.
 
-#include "app/panels/palette_search.h"
+#include "app/panels/dialogs/palette_search.h"
 
 #include <gtest/gtest.h>
 
@@ -81,9 +81,7 @@ TEST(PaletteSearch, WhatCannotBeDoneNowWeighsLessButNothingElseIsDoneInItsPlace)
   EXPECT_EQ(found("", candidates), (std::vector<std::string>{"Sound", "Undone", "Undo"}));
 }
 
-TEST(PaletteSearch, NoMoreThanAskedFor) {
-  EXPECT_EQ(search("", named({"a", "b", "c"}), 2).size(), 2u);
-}
+TEST(PaletteSearch, NoMoreThanAskedFor) { EXPECT_EQ(search("", named({"a", "b", "c"}), 2).size(), 2u); }
 
 TEST(PaletteSearch, AnyTextFitsItselfAndEveryMarkIsALetterOfTheQuery) {
   std::mt19937 random(5);

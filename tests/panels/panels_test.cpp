@@ -1,6 +1,6 @@
 // tests/panels/panels_test.cpp: what a hand does to the panels, and what becomes of the rig.
 
-#include "tests/panels/headless_editor.h"
+#include "tests/support/headless_editor.h"
 
 #include <cmath>
 

@@ -6,12 +6,12 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "app/panels/commands.h"
-#include "app/panels/pose_commands.h"
-#include "app/panels/pose_history.h"
-#include "app/panels/timeline_track.h"
+#include "app/editor/commands.h"
+#include "app/editor/pose_commands.h"
+#include "app/editor/pose_history.h"
+#include "app/panels/timeline/timeline_track.h"
 #include "core/skeleton/range_of_motion.h"
-#include "tests/panels/headless_editor.h"
+#include "tests/support/headless_editor.h"
 
 namespace sinew::app {
 namespace {

@@ -1,5 +1,5 @@
 // tests/primitives/ellipsoid_test.cpp: the potential's promises and the unit-ball map.
-#include "core/primitives/ellipsoid.h"
+#include "sinew/primitives/ellipsoid.h"
 
 #include <random>
 

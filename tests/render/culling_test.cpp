@@ -5,8 +5,8 @@
 #include "tests/support/eyes.h"
 #include "tests/support/trial_scenes.h"
 
-#include "core/io/gltf_import.h"
-#include "core/io/rig_json.h"
+#include "sinew/io/gltf_import.h"
+#include "sinew/io/rig_json.h"
 
 namespace sinew::test {
 namespace {

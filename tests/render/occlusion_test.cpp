@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "core/mesh/weld.h"
-#include "core/skeleton/pose.h"
-#include "core/smoothing/smoother.h"
+#include "sinew/skeleton/pose.h"
+#include "sinew/smoothing/smoother.h"
 #include "tests/support/synthetic_characters.h"
 
 namespace sinew::test {

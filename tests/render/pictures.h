@@ -1,4 +1,5 @@
-#pragma once  // tests/render/pictures.h: a context, small characters to draw, and what the pixels say.
+// tests/render/pictures.h: a context, small characters to draw, and what the pixels say.
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -15,9 +16,9 @@
 #include "app/render/offscreen.h"
 #include "app/render/viewport.h"
 #include "core/mesh/weld.h"
-#include "core/skeleton/pose.h"
-#include "core/smoothing/refinement.h"
-#include "core/smoothing/smoother.h"
+#include "sinew/skeleton/pose.h"
+#include "sinew/smoothing/refinement.h"
+#include "sinew/smoothing/smoother.h"
 
 namespace sinew::test {
 

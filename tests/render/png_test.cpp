@@ -35,6 +35,5 @@ TEST(Png, ReadsBackAsItWas) {
   }
 }
 
-
 }  // namespace
 }  // namespace sinew::test

@@ -146,14 +146,14 @@ TEST_F(Drawing, EverySettingShows) {
     return viewport->readPixels().rgba;
   };
   const std::vector<std::uint8_t> plain = picture(scene, {});
-  for (bool DisplaySettings::* on : {&DisplaySettings::wire, &DisplaySettings::controlMesh, &DisplaySettings::skeleton,
-                                     &DisplaySettings::primitives, &DisplaySettings::influence}) {
+  for (bool DisplaySettings::*on : {&DisplaySettings::wire, &DisplaySettings::controlMesh, &DisplaySettings::skeleton,
+                                    &DisplaySettings::primitives, &DisplaySettings::influence}) {
     DisplaySettings settings;
     settings.*on = true;
     EXPECT_NE(picture(scene, settings), plain);
   }
-  for (bool DisplaySettings::* off : {&DisplaySettings::surface, &DisplaySettings::ground, &DisplaySettings::background,
-                                      &DisplaySettings::lighting}) {
+  for (bool DisplaySettings::*off : {&DisplaySettings::surface, &DisplaySettings::ground, &DisplaySettings::background,
+                                     &DisplaySettings::lighting}) {
     DisplaySettings settings;
     settings.*off = false;
     EXPECT_NE(picture(scene, settings), plain);

@@ -39,9 +39,8 @@ TEST(RigEditSeveral, EqualsOneEditAfterTheOther) {
 
 TEST(RigEditSeveral, OneRefusalChangesNothingAndNamesThePlace) {
   const Rig rig = rigOf(3);
-  const Result<Rig> refused = editPrimitives(rig, std::vector<int>{0, 2}, [&](Primitive& p) {
-    p.reach = p.name == "m2" ? 0.5f : 3.0f;
-  });
+  const Result<Rig> refused =
+      editPrimitives(rig, std::vector<int>{0, 2}, [&](Primitive& p) { p.reach = p.name == "m2" ? 0.5f : 3.0f; });
   ASSERT_FALSE(refused.ok());
   EXPECT_NE(refused.error().place.find("primitives[2]"), std::string::npos);
   EXPECT_FALSE(setGroupOfSeveral(rig, std::vector<int>{0}, "nowhere").ok());

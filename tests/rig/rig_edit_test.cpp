@@ -52,23 +52,35 @@ std::optional<Rig> randomEdit(test::Random& random, const Rig& rig) {
   if (n > 0 && random.chance(0.4f)) fresh.mirror = rig.primitives[static_cast<std::size_t>(index(random, n))].name;
   fresh.placement.radii.x = some();
   switch (verb) {
-    case 0: return value(addPrimitive(rig, fresh));
-    case 1: return value(addGroup(rig, name));
-    case 2: return removePrimitives(rig, several);
-    case 3: return duplicatePrimitives(rig, several);
+    case 0:
+      return value(addPrimitive(rig, fresh));
+    case 1:
+      return value(addGroup(rig, name));
+    case 2:
+      return removePrimitives(rig, several);
+    case 3:
+      return duplicatePrimitives(rig, several);
     case 4:
       return value(setPlacement(rig, index(random, n), {{some(), some(), some()}, random.rotation(), {some(), 1, 1}}));
-    case 5: return value(setReach(rig, index(random, n), some()));
-    case 6: return value(setSign(rig, index(random, n), random.below(3) - 1));
-    case 7: return value(renamePrimitive(rig, index(random, n), name));
-    case 8: return value(setGroupOf(rig, index(random, n), name));
-    case 9: return value(renameGroup(rig, index(random, rig.groups.size()), name));
-    case 10: return value(removeGroup(rig, index(random, rig.groups.size())));
+    case 5:
+      return value(setReach(rig, index(random, n), some()));
+    case 6:
+      return value(setSign(rig, index(random, n), random.below(3) - 1));
+    case 7:
+      return value(renamePrimitive(rig, index(random, n), name));
+    case 8:
+      return value(setGroupOf(rig, index(random, n), name));
+    case 9:
+      return value(renameGroup(rig, index(random, rig.groups.size()), name));
+    case 10:
+      return value(removeGroup(rig, index(random, rig.groups.size())));
     case 11:
       return value(
           setLink(rig, index(random, rig.groups.size()), index(random, rig.groups.size()), random.chance(0.6f)));
-    case 12: return clearMirror(rig, index(random, n));
-    default: break;
+    case 12:
+      return clearMirror(rig, index(random, n));
+    default:
+      break;
   }
   const int first = index(random, n);
   const int second = index(random, n);

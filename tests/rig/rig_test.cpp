@@ -1,5 +1,5 @@
 // tests/rig/rig_test.cpp: equality, look-ups and names.
-#include "core/rig/rig.h"
+#include "sinew/rig/rig.h"
 
 #include <gtest/gtest.h>
 

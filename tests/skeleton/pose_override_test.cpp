@@ -4,11 +4,11 @@
 #include <cmath>
 #include <random>
 
+#include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
-#include <gtest/gtest.h>
 
 namespace sinew {
 namespace {

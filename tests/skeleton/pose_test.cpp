@@ -1,5 +1,5 @@
 // tests/skeleton/pose_test.cpp: channels, poses, bone names.
-#include "core/skeleton/pose.h"
+#include "sinew/skeleton/pose.h"
 
 #include <cmath>
 

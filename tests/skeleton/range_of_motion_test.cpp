@@ -5,16 +5,16 @@
 #include <memory>
 #include <numbers>
 
-#include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
 
-#include "core/character/character.h"
-#include "core/io/gltf_import.h"
-#include "core/rig/mirror.h"
 #include "core/skeleton/joint_roles.h"
 #include "core/skeleton/pose_override.h"
+#include "core/symmetry/mirror.h"
+#include "sinew/character/character.h"
+#include "sinew/io/gltf_import.h"
 #include "tests/support/characters.h"
 #include "tests/support/real_characters.h"
 #include "tests/support/synthetic_characters.h"
@@ -70,8 +70,8 @@ void expectSound(const Character& character, bool withHints) {
     for (std::size_t i = 0; i < most.size(); ++i) {
       ASSERT_TRUE(isFinite(pose.boneInWorld[i])) << skeleton.bones[i].name << " at " << time;
       most[i] = std::max(most[i], bentBy(skeleton, pose, i));
-      const glm::quat step = glm::quat_cast(glm::transpose(turnFrame(before.boneInWorld[i])) *
-                                            turnFrame(pose.boneInWorld[i]));
+      const glm::quat step =
+          glm::quat_cast(glm::transpose(turnFrame(before.boneInWorld[i])) * turnFrame(pose.boneInWorld[i]));
       EXPECT_LT(2.0f * std::acos(std::min(1.0f, std::abs(step.w))), 30.0f * kDegree) << "a jump at " << time;
     }
     before = pose;
@@ -146,11 +146,21 @@ struct Joint {
   glm::vec3 origin;
 };
 constexpr Joint kPerson[] = {
-    {"Hips", -1, {0, 1, 0}},          {"Spine", 0, {0, 1.2f, 0}},        {"Head", 1, {0, 1.6f, 0}},
-    {"LeftArm", 1, {0.2f, 1.5f, 0}},  {"LeftForeArm", 3, {0.5f, 1.5f, 0}},  {"LeftHand", 4, {0.75f, 1.5f, 0}},
-    {"RightArm", 1, {-0.2f, 1.5f, 0}}, {"RightForeArm", 6, {-0.5f, 1.5f, 0}}, {"RightHand", 7, {-0.75f, 1.5f, 0}},
-    {"LeftUpLeg", 0, {0.1f, 0.95f, 0}}, {"LeftLeg", 9, {0.1f, 0.5f, 0}},  {"LeftFoot", 10, {0.1f, 0.08f, 0}},
-    {"RightUpLeg", 0, {-0.1f, 0.95f, 0}}, {"RightLeg", 12, {-0.1f, 0.5f, 0}}, {"RightFoot", 13, {-0.1f, 0.08f, 0}},
+    {"Hips", -1, {0, 1, 0}},
+    {"Spine", 0, {0, 1.2f, 0}},
+    {"Head", 1, {0, 1.6f, 0}},
+    {"LeftArm", 1, {0.2f, 1.5f, 0}},
+    {"LeftForeArm", 3, {0.5f, 1.5f, 0}},
+    {"LeftHand", 4, {0.75f, 1.5f, 0}},
+    {"RightArm", 1, {-0.2f, 1.5f, 0}},
+    {"RightForeArm", 6, {-0.5f, 1.5f, 0}},
+    {"RightHand", 7, {-0.75f, 1.5f, 0}},
+    {"LeftUpLeg", 0, {0.1f, 0.95f, 0}},
+    {"LeftLeg", 9, {0.1f, 0.5f, 0}},
+    {"LeftFoot", 10, {0.1f, 0.08f, 0}},
+    {"RightUpLeg", 0, {-0.1f, 0.95f, 0}},
+    {"RightLeg", 12, {-0.1f, 0.5f, 0}},
+    {"RightFoot", 13, {-0.1f, 0.08f, 0}},
 };
 
 Skeleton person(float facing) {
@@ -207,9 +217,14 @@ glm::vec3 originAfter(const Skeleton& skeleton, const MovementStep& step, float 
 TEST(RangeOfMotion, ElbowsBendForwardsAndKneesBackwardsAlone) {
   for (const float facing : {1.0f, -1.0f}) {
     const Skeleton skeleton = person(facing);
-    const struct { const char* joint; const char* carried; float sign; } hinges[] = {
-        {"LeftForeArm", "LeftHand", 1}, {"RightForeArm", "RightHand", 1},
-        {"LeftLeg", "LeftFoot", -1}, {"RightLeg", "RightFoot", -1}};
+    const struct {
+      const char* joint;
+      const char* carried;
+      float sign;
+    } hinges[] = {{"LeftForeArm", "LeftHand", 1},
+                  {"RightForeArm", "RightHand", 1},
+                  {"LeftLeg", "LeftFoot", -1},
+                  {"RightLeg", "RightFoot", -1}};
     for (const auto& hinge : hinges) {
       const auto steps = stepsOf(skeleton, hinge.joint);
       ASSERT_EQ(steps.size(), 1u) << hinge.joint;

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/rig/attachment.h"
-#include "core/smoothing/smoother.h"
+#include "sinew/smoothing/smoother.h"
 #include "tests/support/mesh_checks.h"
 #include "tests/support/trial_scenes.h"
 

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/rig/attachment.h"
-#include "core/smoothing/smoother.h"
+#include "sinew/smoothing/smoother.h"
 #include "tests/support/random_rigs.h"
 #include "tests/support/synthetic_characters.h"
 #include "tests/support/trial_scenes.h"

@@ -11,9 +11,9 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "app/cli/trial_rig.h"
 #include "core/rig/attachment.h"
-#include "core/rig/trial_rig.h"
-#include "core/smoothing/smoother.h"
+#include "sinew/smoothing/smoother.h"
 #include "tests/support/motion.h"
 #include "tests/support/oracle.h"
 #include "tests/support/projected.h"
@@ -46,7 +46,7 @@ struct Coherence {
 
 constexpr const char* kUnexplained = "unexplained";
 constexpr const char* kGuard = "folds";  ///< Continuous, but as fast as the patch squeezes or folds a triangle.
-constexpr float kSteepest = 3.0f;             ///< Rise of a flank that no one calls an overhang yet, 72 degrees.
+constexpr float kSteepest = 3.0f;        ///< Rise of a flank that no one calls an overhang yet, 72 degrees.
 
 std::string boneOf(const Character& character, int controlVertex) {
   const auto influences = character.mesh.influencesOf(controlVertex);

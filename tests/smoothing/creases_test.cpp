@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "core/smoothing/smoother.h"
+#include "sinew/smoothing/smoother.h"
 #include "tests/support/mesh_checks.h"
 #include "tests/support/random_rigs.h"
 #include "tests/support/synthetic_characters.h"
@@ -51,8 +51,8 @@ std::vector<glm::vec3> shadingNormals(const Surface& surface) {
 glm::vec3 controlFaceNormal(const ControlMesh& mesh, std::size_t triangle) {
   const auto [a, b, c] = mesh.triangles[triangle].vertices;
   const glm::vec3 p = mesh.positions[static_cast<std::size_t>(a)];
-  return glm::normalize(glm::cross(mesh.positions[static_cast<std::size_t>(b)] - p,
-                                   mesh.positions[static_cast<std::size_t>(c)] - p));
+  return glm::normalize(
+      glm::cross(mesh.positions[static_cast<std::size_t>(b)] - p, mesh.positions[static_cast<std::size_t>(c)] - p));
 }
 
 TEST(ShadingCreases, ACubesFacesAreFlatAtEveryDepthAndItsShapeIsAsBefore) {
@@ -143,8 +143,7 @@ TEST(ShadingCreases, AMuscleShowsOnACreasedFace) {
   std::size_t tilted = 0;
   for (std::size_t d = 0; d < surface.shadingNormals.size(); ++d) {
     const auto v = static_cast<std::size_t>(surface.refinement->drawVertex[d]);
-    const glm::vec3 expected =
-        glm::normalize(surface.normals[v] + (patch.shadingNormals[d] - patch.normals[v]));
+    const glm::vec3 expected = glm::normalize(surface.normals[v] + (patch.shadingNormals[d] - patch.normals[v]));
     ASSERT_LT(glm::distance(surface.shadingNormals[d], expected), 1e-5f);
     if (surface.displacement[v] == 0.0f && sameBits(surface.normals[v], patch.normals[v])) {
       ASSERT_TRUE(sameBits(surface.shadingNormals[d], patch.shadingNormals[d]));

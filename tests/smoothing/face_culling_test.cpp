@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "core/smoothing/smoother.h"
+#include "sinew/smoothing/smoother.h"
 #include "tests/support/eyes.h"
 #include "tests/support/trial_scenes.h"
 

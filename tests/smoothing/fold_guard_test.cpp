@@ -1,6 +1,6 @@
 // tests/smoothing/fold_guard_test.cpp: lifted skin is taken back where it turns over, continuously, and nowhere else.
 
-#include "core/smoothing/fold_guard.h"
+#include "core/smoothing/finish/fold_guard.h"
 
 #include <algorithm>
 #include <cstdio>

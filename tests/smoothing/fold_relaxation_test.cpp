@@ -1,6 +1,6 @@
 // tests/smoothing/fold_relaxation_test.cpp: folds are smoothed out along the lifted skin, continuously, nowhere else.
 
-#include "core/smoothing/fold_relaxation.h"
+#include "core/smoothing/finish/fold_relaxation.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -21,8 +21,8 @@ struct Scene : LiftedSheet {
 
   [[nodiscard]] std::vector<glm::vec3> relaxed(std::vector<glm::vec3> positions) {
     moved.find(mesh, refinement, patch, positions);
-    const std::span<const Relaxed> list = relaxation_.apply(mesh, refinement, moved.control, view(),
-                                                            borderVertices(mesh, refinement), positions);
+    const std::span<const Relaxed> list =
+        relaxation_.apply(mesh, refinement, moved.control, view(), borderVertices(mesh, refinement), positions);
     touched.assign(list.begin(), list.end());
     return positions;
   }

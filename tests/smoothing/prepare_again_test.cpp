@@ -7,7 +7,7 @@
 
 #include "core/rig/attachment.h"
 #include "core/rig/rig_edit.h"
-#include "core/smoothing/smoother.h"
+#include "sinew/smoothing/smoother.h"
 #include "tests/support/random_rigs.h"
 #include "tests/support/synthetic_characters.h"
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "core/smoothing/smoother.h"
+#include "sinew/smoothing/smoother.h"
 #include "tests/support/mesh_checks.h"
 #include "tests/support/oracle_compare.h"
 #include "tests/support/projected.h"

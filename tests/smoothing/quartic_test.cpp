@@ -1,5 +1,5 @@
 // tests/smoothing/quartic_test.cpp: first roots of random quartics against dense sampling.
-#include "core/smoothing/quartic.h"
+#include "core/smoothing/roots/quartic.h"
 
 #include <algorithm>
 #include <cmath>

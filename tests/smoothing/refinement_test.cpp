@@ -1,6 +1,6 @@
 // tests/smoothing/refinement_test.cpp: numbering, tiling and wedges of the N-adic refinement.
 
-#include "core/smoothing/refinement.h"
+#include "sinew/smoothing/refinement.h"
 
 #include <cmath>
 #include <map>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/rig/rig.h"
+#include "sinew/rig/rig.h"
 #include "tests/support/oracle.h"
 #include "tests/support/synthetic_characters.h"
 

@@ -1,6 +1,6 @@
 // tests/smoothing/rise_directions_test.cpp: directions spread where normals converge, and are the normals elsewhere.
 
-#include "core/smoothing/rise_directions.h"
+#include "core/smoothing/projection/rise_directions.h"
 
 #include <algorithm>
 #include <cmath>

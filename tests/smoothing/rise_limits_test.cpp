@@ -1,6 +1,6 @@
 // tests/smoothing/rise_limits_test.cpp: facing skin shares the gap between it, and nothing else is limited.
 
-#include "core/smoothing/rise_limits.h"
+#include "core/smoothing/projection/rise_limits.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // tests/smoothing/root_finding_test.cpp: the three methods on random rays, against dense marching.
-#include "core/smoothing/root_finding.h"
+#include "core/smoothing/roots/root_finding.h"
 
 #include <cmath>
 #include <random>

@@ -1,6 +1,6 @@
 // tests/smoothing/shading_normals_test.cpp: normals stay the field's where faces can show them, else follow the faces.
 
-#include "core/smoothing/shading_normals.h"
+#include "core/smoothing/finish/shading_normals.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,10 +10,10 @@
 
 #include "core/character/skinning.h"
 #include "core/rig/attachment.h"
-#include "core/smoothing/anchors.h"
-#include "core/smoothing/patch.h"
-#include "core/smoothing/replace.h"
-#include "core/smoothing/smoother.h"
+#include "core/smoothing/patches/patch.h"
+#include "core/smoothing/projection/anchors.h"
+#include "core/smoothing/projection/replace.h"
+#include "sinew/smoothing/smoother.h"
 #include "tests/support/oracle.h"
 #include "tests/support/trial_scenes.h"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/smoothing/smoother.h"
+#include "sinew/smoothing/smoother.h"
 #include "tests/support/mesh_checks.h"
 #include "tests/support/random_rigs.h"
 #include "tests/support/real_characters.h"

@@ -29,7 +29,7 @@ class Structure(unittest.TestCase):
 
     def test_a_good_tree_has_no_problem(self):
         self.assertEqual([], self.problems(
-            core__mesh__weld_DOT_h=self.header("core/mesh/weld.h", '#include <array>\n#include "core/base/result.h"\n'),
+            core__mesh__weld_DOT_h=self.header("core/mesh/weld.h", '#include <array>\n#include "sinew/base/result.h"\n'),
             core__io__gltf_DOT_cpp="// core/io/gltf.cpp: x\n#include <tiny_gltf.h>\n#include <nlohmann/json.hpp>\n",
             app__main_DOT_cpp='// app/main.cpp: x\n#include "app/cli/verbs.h"\n#include "core/io/gltf.h"\n',
             tests__mesh__weld_test_DOT_cpp="// tests/mesh/weld_test.cpp: x\n#include <tiny_gltf.h>\n",
@@ -48,13 +48,13 @@ class Structure(unittest.TestCase):
             self.one("only core/io", core__rig__a_DOT_h=self.header("core/rig/a.h", "#include <%s>\n" % header))
             self.one("only core/io", app__cli__a_DOT_h=self.header("app/cli/a.h", "#include <%s>\n" % header))
 
-    def test_a_room_above_and_a_room_beside(self):
-        self.one("floor 5", core__mesh__a_DOT_h=self.header("core/mesh/a.h", '#include "core/smoothing/surface.h"\n'))
-        self.one("floor 2", core__mesh__a_DOT_h=self.header("core/mesh/a.h", '#include "core/skeleton/pose.h"\n'))
-        self.one("floor 3", app__render__a_DOT_h=self.header("app/render/a.h", '#include "app/tools/gizmo.h"\n'))
+    def test_a_directory_above_and_one_beside(self):
+        self.one("layer 5", core__mesh__a_DOT_h=self.header("core/mesh/a.h", '#include "sinew/smoothing/surface.h"\n'))
+        self.one("layer 2", core__mesh__a_DOT_h=self.header("core/mesh/a.h", '#include "sinew/skeleton/pose.h"\n'))
+        self.one("layer 3", app__render__a_DOT_h=self.header("app/render/a.h", '#include "app/tools/gizmo.h"\n'))
 
-    def test_an_unknown_room(self):
-        self.one("no floor", core__attic__a_DOT_h=self.header("core/attic/a.h", '#include "core/base/result.h"\n'))
+    def test_an_unknown_directory(self):
+        self.one("has no layer", core__attic__a_DOT_h=self.header("core/attic/a.h", '#include "sinew/base/result.h"\n'))
 
     def test_a_first_line_that_names_another_file(self):
         self.one("does not name the file", core__rig__a_DOT_h=self.header("core/rig/b.h"))

@@ -1,4 +1,5 @@
-#pragma once  // tests/support/characters.h: where the files of the real characters lie, if they are at hand.
+// tests/support/characters.h: where the files of the real characters lie, if they are at hand.
+#pragma once
 
 #include <filesystem>
 #include <optional>

@@ -1,9 +1,10 @@
-#pragma once  // tests/support/eyes.h: points to look from, all around.
+// tests/support/eyes.h: points to look from, all around.
+#pragma once
 
 #include <cmath>
 #include <vector>
 
-#include "core/base/geometry.h"
+#include "sinew/base/geometry.h"
 
 namespace sinew::test {
 

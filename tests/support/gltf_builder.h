@@ -1,4 +1,5 @@
-#pragma once  // tests/support/gltf_builder.h: small glTF files for tests, made in memory.
+// tests/support/gltf_builder.h: small glTF files for tests, made in memory.
+#pragma once
 
 #include <cstring>
 #include <filesystem>
@@ -8,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/base/geometry.h"
+#include "sinew/base/geometry.h"
 
 namespace sinew::test {
 

@@ -15,8 +15,8 @@
 #include <glm/mat4x4.hpp>
 
 #include "core/character/skinning.h"
-#include "core/io/gltf_import.h"
-#include "core/skeleton/pose.h"
+#include "sinew/io/gltf_import.h"
+#include "sinew/skeleton/pose.h"
 
 namespace sinew::test {
 namespace {
@@ -167,12 +167,9 @@ struct GltfOracle::Impl {
       const bool rotation = channel.target_path == "rotation";
       const glm::dvec4 v = sample(model, animation.samplers.at(at(channel.sampler)), rotation, time);
       Local& local = locals.at(at(channel.target_node));
-      if (rotation)
-        local.rotation = v;
-      else if (channel.target_path == "scale")
-        local.scale = glm::dvec3(v);
-      else
-        local.translation = glm::dvec3(v);
+      if (rotation) local.rotation = v;
+      else if (channel.target_path == "scale") local.scale = glm::dvec3(v);
+      else local.translation = glm::dvec3(v);
     }
   }
 
@@ -202,8 +199,7 @@ struct GltfOracle::Impl {
                             glm::dvec4(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2], 1.0));
     }
     std::vector<double> indices;
-    if (primitive.indices >= 0)
-      indices = numbers(model, primitive.indices);
+    if (primitive.indices >= 0) indices = numbers(model, primitive.indices);
     else
       for (std::size_t v = 0; v < vertices.size(); ++v) indices.push_back(static_cast<double>(v));
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {

@@ -1,9 +1,10 @@
-#pragma once  // tests/support/lifted_sheet.h: a small patch and skin lifted off it, for the stages that take folds out.
+// tests/support/lifted_sheet.h: a small patch and skin lifted off it, for the stages that take folds out.
+#pragma once
 
 #include <vector>
 
-#include "core/smoothing/fold.h"
-#include "core/smoothing/moved_triangles.h"
+#include "core/smoothing/finish/fold.h"
+#include "core/smoothing/finish/moved_triangles.h"
 #include "tests/support/sheets.h"
 
 namespace sinew::test {

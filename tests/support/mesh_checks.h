@@ -1,4 +1,5 @@
-#pragma once  // tests/support/mesh_checks.h: what every surface must be, checked without the code under test.
+// tests/support/mesh_checks.h: what every surface must be, checked without the code under test.
+#pragma once
 
 #include <array>
 #include <span>
@@ -6,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/control_mesh.h"
+#include "sinew/mesh/control_mesh.h"
 
 namespace sinew::test {
 

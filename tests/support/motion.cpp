@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/base/geometry.h"
+#include "sinew/base/geometry.h"
 
 namespace sinew::test {
 

@@ -1,11 +1,12 @@
-#pragma once  // tests/support/motion.h: how far vertices step from frame to frame against the skin that carries them.
+// tests/support/motion.h: how far vertices step from frame to frame against the skin that carries them.
+#pragma once
 
 #include <vector>
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
-#include "core/smoothing/surface.h"
+#include "sinew/smoothing/surface.h"
 
 namespace sinew::test {
 

@@ -1,16 +1,17 @@
-#pragma once  // tests/support/oracle.h: what every refined vertex should be, in double, by brute force.
+// tests/support/oracle.h: what every refined vertex should be, in double, by brute force.
 //
 // Written from docs/design.md, docs/field.md and the paper alone. It shares no code with the smoothing: own skinning,
 // patches, field, anchors and root search (thousands of samples and halving). Slow on purpose; tests ask it about some
 // of the vertices.
+#pragma once
 
 #include <array>
 #include <vector>
 
-#include "core/character/character.h"
-#include "core/rig/rig.h"
-#include "core/skeleton/pose.h"
-#include "core/smoothing/refinement.h"
+#include "sinew/character/character.h"
+#include "sinew/rig/rig.h"
+#include "sinew/skeleton/pose.h"
+#include "sinew/smoothing/refinement.h"
 #include "tests/support/oracle_field.h"
 #include "tests/support/oracle_patch.h"
 

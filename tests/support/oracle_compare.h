@@ -1,8 +1,9 @@
-#pragma once  // tests/support/oracle_compare.h: a surface against the oracle, with a tally that can be read.
+// tests/support/oracle_compare.h: a surface against the oracle, with a tally that can be read.
+#pragma once
 
 #include <string>
 
-#include "core/smoothing/surface.h"
+#include "sinew/smoothing/surface.h"
 #include "tests/support/oracle.h"
 #include "tests/support/oracle_finish.h"
 

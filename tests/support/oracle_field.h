@@ -1,11 +1,12 @@
-#pragma once  // tests/support/oracle_field.h: F of docs/field.md by brute force in double.
+// tests/support/oracle_field.h: F of docs/field.md by brute force in double.
+#pragma once
 
 #include <span>
 #include <vector>
 
-#include "core/character/character.h"
-#include "core/rig/rig.h"
-#include "core/skeleton/pose.h"
+#include "sinew/character/character.h"
+#include "sinew/rig/rig.h"
+#include "sinew/skeleton/pose.h"
 #include "tests/support/oracle_math.h"
 
 namespace sinew::oracle {

@@ -1,10 +1,11 @@
-#pragma once  // tests/support/oracle_finish.h: folds and shading normals of a whole surface, in double.
+// tests/support/oracle_finish.h: folds and shading normals of a whole surface, in double.
 //
 // Written from docs/design.md, "Folds" and "Normals". It shares no code with the smoothing.
+#pragma once
 
 #include <vector>
 
-#include "core/smoothing/surface.h"
+#include "sinew/smoothing/surface.h"
 #include "tests/support/oracle_math.h"
 
 namespace sinew::oracle {

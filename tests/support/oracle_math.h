@@ -1,4 +1,5 @@
-#pragma once  // tests/support/oracle_math.h: the oracle's own double-precision vectors, matrices and root search.
+// tests/support/oracle_math.h: the oracle's own double-precision vectors, matrices and root search.
+#pragma once
 
 #include <array>
 #include <cmath>

@@ -1,8 +1,9 @@
-#pragma once  // tests/support/oracle_patch.h: curved patches in double, written from their papers.
+// tests/support/oracle_patch.h: curved patches in double, written from their papers.
+#pragma once
 
 #include <array>
 
-#include "core/rig/rig.h"
+#include "sinew/rig/rig.h"
 #include "tests/support/oracle_math.h"
 
 namespace sinew::oracle {

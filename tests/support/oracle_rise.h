@@ -1,8 +1,9 @@
-#pragma once  // tests/support/oracle_rise.h: rise directions and limits of the bind pose, in double (docs/design.md).
+// tests/support/oracle_rise.h: rise directions and limits of the bind pose, in double (docs/design.md).
+#pragma once
 
 #include <vector>
 
-#include "core/mesh/control_mesh.h"
+#include "sinew/mesh/control_mesh.h"
 #include "tests/support/oracle_math.h"
 
 namespace sinew::oracle {

@@ -4,12 +4,12 @@
 
 #include "core/character/skinning.h"
 #include "core/rig/attachment.h"
-#include "core/smoothing/anchors.h"
-#include "core/smoothing/patch.h"
-#include "core/smoothing/replace.h"
-#include "core/smoothing/rise_directions.h"
-#include "core/smoothing/rise_limits.h"
-#include "core/smoothing/swell.h"
+#include "core/smoothing/patches/patch.h"
+#include "core/smoothing/projection/anchors.h"
+#include "core/smoothing/projection/replace.h"
+#include "core/smoothing/projection/rise_directions.h"
+#include "core/smoothing/projection/rise_limits.h"
+#include "core/smoothing/projection/swell.h"
 
 namespace sinew::test {
 namespace {

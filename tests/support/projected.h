@@ -1,11 +1,12 @@
-#pragma once  // tests/support/projected.h: what projection alone gives, in both modes, before fold guard and shading.
+// tests/support/projected.h: what projection alone gives, in both modes, before fold guard and shading.
+#pragma once
 
 #include <memory>
 
-#include "core/character/character.h"
-#include "core/rig/rig.h"
-#include "core/skeleton/pose.h"
-#include "core/smoothing/surface.h"
+#include "sinew/character/character.h"
+#include "sinew/rig/rig.h"
+#include "sinew/skeleton/pose.h"
+#include "sinew/smoothing/surface.h"
 
 namespace sinew::test {
 

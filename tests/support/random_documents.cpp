@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "core/io/json.h"
+#include "core/io/json/json.h"
 #include "tests/support/random_rigs.h"
 
 namespace sinew::test {
@@ -27,14 +27,13 @@ float positiveFloat(Random& random) {
 
 /// Denormals and the ends of the range come seldom among random bits; here they come often.
 float edgeFloat(Random& random) {
-  constexpr std::array<float, 8> kEdges{0.0f,  -0.0f, 1e-45f, 1.17549435e-38f, 3.4028235e+38f, 16777216.0f,
-                                        0.1f,  -1.0f};
+  constexpr std::array<float, 8> kEdges{0.0f, -0.0f, 1e-45f, 1.17549435e-38f, 3.4028235e+38f, 16777216.0f, 0.1f, -1.0f};
   return random.chance(0.3f) ? kEdges[static_cast<std::size_t>(random.below(8))] : anyFloat(random);
 }
 
 std::string anyName(Random& random, int number) {
-  constexpr std::array<const char*, 12> kPieces{"thigh",  " ",  "é",  "大腿", "\U0001F4AA", "\"", "\\",
-                                                "/", "\n", "\t", "\x01",    " L"};
+  constexpr std::array<const char*, 12> kPieces{"thigh", " ", "é",  "大腿", "\U0001F4AA", "\"",
+                                                "\\",    "/", "\n", "\t",   "\x01",       " L"};
   std::string name = std::to_string(number);
   for (int i = random.below(6); i > 0; --i) name += kPieces[static_cast<std::size_t>(random.below(12))];
   return name;
@@ -42,17 +41,23 @@ std::string anyName(Random& random, int number) {
 
 Json anyJson(Random& random, int depth) {
   switch (random.below(depth > 0 ? 7 : 5)) {
-    case 0: return Json();
-    case 1: return Json(random.chance(0.5f));
-    case 2: return Json(random.below(1000000) - 500000);
-    case 3: return Json(static_cast<double>(anyFloat(random)) / 3.0);
-    case 4: return Json(anyName(random, 0));
+    case 0:
+      return Json();
+    case 1:
+      return Json(random.chance(0.5f));
+    case 2:
+      return Json(random.below(1000000) - 500000);
+    case 3:
+      return Json(static_cast<double>(anyFloat(random)) / 3.0);
+    case 4:
+      return Json(anyName(random, 0));
     case 5: {
       Json list = Json::array();
       for (int i = random.below(4); i > 0; --i) list.push(anyJson(random, depth - 1));
       return list;
     }
-    default: break;
+    default:
+      break;
   }
   Json object = Json::object();
   for (int i = random.below(4); i > 0; --i) object.set(anyName(random, i), anyJson(random, depth - 1));
@@ -98,8 +103,8 @@ void pairTwins(Random& random, Rig& rig) {
 std::array<std::uint32_t, 11> bitsOf(const Primitive& p) {
   const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };
   const auto& [c, q, r] = p.placement;
-  return {bits(c.x), bits(c.y), bits(c.z), bits(q.x), bits(q.y), bits(q.z), bits(q.w), bits(r.x), bits(r.y), bits(r.z),
-          bits(p.reach)};
+  return {bits(c.x), bits(c.y), bits(c.z), bits(q.x), bits(q.y),    bits(q.z),
+          bits(q.w), bits(r.x), bits(r.y), bits(r.z), bits(p.reach)};
 }
 
 }  // namespace
@@ -110,10 +115,12 @@ Rig randomDocument(std::uint64_t seed) {
   rig.character = anyName(random, 0) + ".glb";
   rig.surface = {random.chance(0.5f) ? SurfaceMode::kSwell : SurfaceMode::kReplace, random.uniform(kLeastIso, kMostIso),
                  std::min(positiveFloat(random), kMostSkinBlend), anyUnknownKeys(random)};
-  rig.smoothing = {1 + random.below(kMaxDepth), static_cast<PatchKind>(random.below(4)),
+  rig.smoothing = {1 + random.below(kMaxDepth),
+                   static_cast<PatchKind>(random.below(4)),
                    static_cast<ProjectionKind>(random.below(3)),
                    random.chance(0.5f) ? kDefaultCreaseAngle : random.uniform(0.0f, 180.0f),
-                   random.chance(0.3f), anyUnknownKeys(random)};
+                   random.chance(0.3f),
+                   anyUnknownKeys(random)};
   const int groups = 1 + random.below(5);
   for (int i = 0; i < groups; ++i) rig.groups.push_back({anyName(random, i), anyUnknownKeys(random)});
   for (int a = 0; a < groups; ++a) {

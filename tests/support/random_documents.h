@@ -1,9 +1,10 @@
-#pragma once  // tests/support/random_documents.h: rigs as files may hold them: any floats, any names, keys from the
-              // future.
+// tests/support/random_documents.h: rigs as files may hold them: any floats, any names, keys from the
+#pragma once
+// future.
 
 #include <cstdint>
 
-#include "core/rig/rig.h"
+#include "sinew/rig/rig.h"
 
 namespace sinew::test {
 

@@ -1,10 +1,11 @@
-#pragma once  // tests/support/random_rigs.h: seeded rigs and poses; the same seed gives the same on every machine.
+// tests/support/random_rigs.h: seeded rigs and poses; the same seed gives the same on every machine.
+#pragma once
 
 #include <cstdint>
 
-#include "core/character/character.h"
-#include "core/rig/rig.h"
-#include "core/skeleton/pose.h"
+#include "sinew/character/character.h"
+#include "sinew/rig/rig.h"
+#include "sinew/skeleton/pose.h"
 
 namespace sinew::test {
 

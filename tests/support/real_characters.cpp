@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/io/gltf_import.h"
+#include "sinew/io/gltf_import.h"
 
 namespace sinew::test {
 

@@ -1,9 +1,10 @@
-#pragma once  // tests/support/real_characters.h: characters nobody in this project made, where they are at hand.
+// tests/support/real_characters.h: characters nobody in this project made, where they are at hand.
+#pragma once
 
 #include <memory>
 #include <string>
 
-#include "core/character/character.h"
+#include "sinew/character/character.h"
 
 namespace sinew::test {
 

@@ -1,10 +1,11 @@
-#pragma once  // tests/support/sheets.h: small control meshes without bones, for stages that are tested on their own.
+// tests/support/sheets.h: small control meshes without bones, for stages that are tested on their own.
+#pragma once
 
 #include <array>
 #include <functional>
 #include <vector>
 
-#include "core/mesh/control_mesh.h"
+#include "sinew/mesh/control_mesh.h"
 
 namespace sinew::test {
 

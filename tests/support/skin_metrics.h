@@ -1,6 +1,7 @@
-#pragma once  // tests/support/skin_metrics.h: how smooth a shaded surface looks, in numbers.
+// tests/support/skin_metrics.h: how smooth a shaded surface looks, in numbers.
+#pragma once
 
-#include "core/smoothing/surface.h"
+#include "sinew/smoothing/surface.h"
 
 namespace sinew::test {
 
@@ -17,8 +18,8 @@ struct SkinMetrics {
   long long triangles = 0;      ///< All.
   long long turned = 0;         ///< Turned over against their patch, where the patch itself does not fold.
   long long turnedInFolds = 0;
-  double definition = 0.0;       ///< Degrees between the shading normal and the patch's, summed over the moved vertices
-                                 ///< that the fold guard left alone.
+  double definition = 0.0;  ///< Degrees between the shading normal and the patch's, summed over the moved vertices
+                            ///< that the fold guard left alone.
   double exactDefinition = 0.0;
 
   void add(const SkinMetrics& other);

@@ -1,8 +1,9 @@
-#pragma once  // tests/support/synthetic_characters.h: small characters made in code, each with one property to test.
+// tests/support/synthetic_characters.h: small characters made in code, each with one property to test.
+#pragma once
 
 #include <memory>
 
-#include "core/character/character.h"
+#include "sinew/character/character.h"
 
 namespace sinew::test {
 

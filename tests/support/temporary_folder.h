@@ -1,4 +1,5 @@
-#pragma once  // tests/support/temporary_folder.h: a folder of a test's own, gone when the test is.
+// tests/support/temporary_folder.h: a folder of a test's own, gone when the test is.
+#pragma once
 
 #include <filesystem>
 #include <string>

@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/io/gltf_import.h"
-#include "core/io/rig_json.h"
-#include "core/rig/trial_rig.h"
+#include "app/cli/trial_rig.h"
+#include "sinew/io/gltf_import.h"
+#include "sinew/io/rig_json.h"
 #include "tests/support/real_characters.h"
 
 namespace sinew::test {

@@ -1,12 +1,13 @@
-#pragma once  // tests/support/trial_scenes.h: the characters with rigs that whole-surface tests go through.
+// tests/support/trial_scenes.h: the characters with rigs that whole-surface tests go through.
+#pragma once
 
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "core/character/character.h"
-#include "core/rig/rig.h"
-#include "core/skeleton/pose.h"
+#include "sinew/character/character.h"
+#include "sinew/rig/rig.h"
+#include "sinew/skeleton/pose.h"
 
 namespace sinew::test {
 
@@ -17,7 +18,7 @@ struct TrialScene {
 };
 
 /// assets/wrapped and assets/tangle with their rigs, always; then those of Fox, greenman, cesium_man and robot that are
-/// at hand, each with 12 muscles set by rule (core/rig/trial_rig.h). Prints which are left out, once.
+/// at hand, each with 12 muscles set by rule (app/cli/trial_rig.h). Prints which are left out, once.
 [[nodiscard]] const std::vector<TrialScene>& trialScenes();
 
 /// The same with materials that have one side: what may be culled.

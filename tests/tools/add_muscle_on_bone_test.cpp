@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "app/document/document.h"
 #include "app/tools/add_muscle.h"

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "tests/support/real_characters.h"
 #include "tests/tools/limb_scene.h"
@@ -123,10 +123,10 @@ TEST(PlacementOnSkin, WildStrokesGiveSaneShapes) {
   const std::array<SkinStroke, 6> strokes = {
       SkinStroke{{start}},
       SkinStroke{{start, start, start}},
-      SkinStroke{{start, at(0, 1, 3), start}},                                       // There and back.
-      SkinStroke{{start, at(1, 1, 0), at(50, 1, 0)}},                                // Far off.
-      SkinStroke{{start, at(0, 1, 0.5f), at(0, 1, 1)}},                              // Along its own normal.
-      SkinStroke{{start, at(0, 1, 1), at(0.1f, 1, 1), at(0.1f, 1, 0)}}};             // Over a spike.
+      SkinStroke{{start, at(0, 1, 3), start}},                            // There and back.
+      SkinStroke{{start, at(1, 1, 0), at(50, 1, 0)}},                     // Far off.
+      SkinStroke{{start, at(0, 1, 0.5f), at(0, 1, 1)}},                   // Along its own normal.
+      SkinStroke{{start, at(0, 1, 1), at(0.1f, 1, 1), at(0.1f, 1, 0)}}};  // Over a spike.
   for (const SkinStroke& stroke : strokes) {
     const Placement placement = placementOnSkin(stroke, glm::mat4(1.0f), glm::vec3(0, 0, 1), 2.0f);
     EXPECT_TRUE(isFinite(placement.center) && isFinite(placement.radii));

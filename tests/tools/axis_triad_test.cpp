@@ -1,8 +1,8 @@
 // tests/tools/axis_triad_test.cpp: the ball of axes shows the camera and turns it.
 #include "app/tools/axis_triad.h"
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "tests/support/random_rigs.h"
 
@@ -12,17 +12,23 @@ namespace {
 using test::Random;
 
 constexpr glm::ivec2 kSize{900, 600};
-constexpr std::array<AxisEnd, 6> kEnds{AxisEnd::kX, AxisEnd::kMinusX, AxisEnd::kY,
-                                       AxisEnd::kMinusY, AxisEnd::kZ, AxisEnd::kMinusZ};
+constexpr std::array<AxisEnd, 6> kEnds{AxisEnd::kX,      AxisEnd::kMinusX, AxisEnd::kY,
+                                       AxisEnd::kMinusY, AxisEnd::kZ,      AxisEnd::kMinusZ};
 
 glm::vec3 direction(AxisEnd end) {
   switch (end) {
-    case AxisEnd::kX: return {1, 0, 0};
-    case AxisEnd::kMinusX: return {-1, 0, 0};
-    case AxisEnd::kY: return {0, 1, 0};
-    case AxisEnd::kMinusY: return {0, -1, 0};
-    case AxisEnd::kZ: return {0, 0, 1};
-    case AxisEnd::kMinusZ: break;
+    case AxisEnd::kX:
+      return {1, 0, 0};
+    case AxisEnd::kMinusX:
+      return {-1, 0, 0};
+    case AxisEnd::kY:
+      return {0, 1, 0};
+    case AxisEnd::kMinusY:
+      return {0, -1, 0};
+    case AxisEnd::kZ:
+      return {0, 0, 1};
+    case AxisEnd::kMinusZ:
+      break;
   }
   return {0, 0, -1};
 }

@@ -2,9 +2,9 @@
 
 #include "app/tools/gizmo_draw.h"
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <glm/geometric.hpp>
 
 #include "tests/tools/random_gizmo.h"
 

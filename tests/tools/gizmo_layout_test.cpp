@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "tests/tools/random_gizmo.h"
 

@@ -2,8 +2,8 @@
 
 #include "app/tools/input_router.h"
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "tests/tools/limb_scene.h"
 
@@ -138,7 +138,11 @@ TEST(InputRouter, CameraButtons) {
     with.shift = c.shift;
     // Alt orbits even from a handle; the others start on the background.
     const glm::vec2 from = c.alt ? scene.handlePixel(GizmoHandle::kMoveX) : glm::vec2(40, 60);
-    scene.frame([&] { FrameInput input = with; input.mouse = from; return input; }());
+    scene.frame([&] {
+      FrameInput input = with;
+      input.mouse = from;
+      return input;
+    }());
     scene.press(from, c.button, with);
     scene.drag(from + glm::vec2(15, 5), c.button, with);
     scene.drag(from + glm::vec2(60, 25), c.button, with);

@@ -1,12 +1,13 @@
-#pragma once  // tests/tools/laid_muscles.h: muscles laid by the add-muscle tool itself, with its defaults.
+// tests/tools/laid_muscles.h: muscles laid by the add-muscle tool itself, with its defaults.
+#pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "tests/tools/limb_scene.h"
 
@@ -14,10 +15,10 @@ namespace sinew::test {
 
 /// A place of the skin where a muscle could lie.
 struct LayingSpot {
-  glm::vec3 point{0.0f};   ///< Bind pose.
+  glm::vec3 point{0.0f};  ///< Bind pose.
   glm::vec3 normal{0.0f};
-  glm::vec3 along{0.0f};   ///< Unit: the bone's way, in the tangent plane.
-  float room = 0.0f;       ///< Length a designer would draw there: the bone's, but no more than the flesh carries.
+  glm::vec3 along{0.0f};  ///< Unit: the bone's way, in the tangent plane.
+  float room = 0.0f;      ///< Length a designer would draw there: the bone's, but no more than the flesh carries.
 };
 
 inline float distanceToSegment(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b) {
@@ -32,8 +33,9 @@ inline std::vector<LayingSpot> layingSpots(const Character& character, int count
   for (std::size_t v = 0; v < character.mesh.positions.size(); ++v) {
     const auto influences = character.mesh.influencesOf(static_cast<int>(v));
     const Influence most = *std::ranges::max_element(influences, {}, &Influence::weight);
-    const Bone& bone = character.skeleton.bones[static_cast<std::size_t>(
-        character.skeleton.bindings[static_cast<std::size_t>(most.binding)].bone)];
+    const Bone& bone =
+        character.skeleton
+            .bones[static_cast<std::size_t>(character.skeleton.bindings[static_cast<std::size_t>(most.binding)].bone)];
     const glm::vec3 joint(bone.bindInWorld[3]);
     const glm::vec3 axis = glm::mat3(bone.bindInWorld) * bone.tip;
     LayingSpot spot{character.mesh.positions[v], character.mesh.normals[v], {}, 0.0f};

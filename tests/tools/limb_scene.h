@@ -1,8 +1,9 @@
-#pragma once  // tests/tools/limb_scene.h: a document with a smoothed surface in front of a camera.
+// tests/tools/limb_scene.h: a document with a smoothed surface in front of a camera.
+#pragma once
 
 #include "app/tools/input_router.h"
 #include "core/rig/rig_edit.h"
-#include "core/smoothing/smoother.h"
+#include "sinew/smoothing/smoother.h"
 #include "tests/support/random_rigs.h"
 #include "tests/support/synthetic_characters.h"
 

@@ -6,8 +6,8 @@
 
 #include "app/tools/gizmo_frame.h"
 #include "app/tools/input_router.h"
-#include "core/rig/mirror.h"
-#include "core/rig/twins.h"
+#include "core/symmetry/mirror.h"
+#include "core/symmetry/twins.h"
 #include "tests/tools/limb_scene.h"
 
 namespace sinew::app {

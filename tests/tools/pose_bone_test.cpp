@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <gtest/gtest.h>
 
 #include "tests/tools/limb_scene.h"
 

@@ -1,4 +1,5 @@
-#pragma once  // tests/tools/random_gizmo.h: gizmos on random bones under random cameras.
+// tests/tools/random_gizmo.h: gizmos on random bones under random cameras.
+#pragma once
 
 #include <cmath>
 

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/io/gltf_import.h"
-#include "core/io/rig_json.h"
+#include "sinew/io/gltf_import.h"
+#include "sinew/io/rig_json.h"
 #include "tests/support/projected.h"
 #include "tests/support/real_characters.h"
 #include "tests/support/skin_metrics.h"
@@ -61,11 +61,12 @@ void expectGoodSkin(const CharacterPtr& character, const Rig& rig, double mostTe
     const double swinging = percent(m.swinging, m.edges);
     const double turned = percent(m.turned, m.triangles);
     const double definition = 100.0 * m.definition / m.exactDefinition;
-    std::printf("  %-11s %3zu muscles, depth %d: off %5.2f %% (exact normals %5.2f %%), teeth %5.2f %% (%5.2f %%), "
-                "also beside the patch's own %5.2f %%, definition %3.0f %%, turned over %.4f %% (in folds %.4f %%)\n",
-                character->name.c_str(), rig.primitives.size(), depth, off, percent(m.exactOff, m.vertices), swinging,
-                percent(m.exactSwinging, m.edges), percent(m.swingingAtAll, m.edges), definition, turned,
-                percent(m.turnedInFolds, m.triangles));
+    std::printf(
+        "  %-11s %3zu muscles, depth %d: off %5.2f %% (exact normals %5.2f %%), teeth %5.2f %% (%5.2f %%), "
+        "also beside the patch's own %5.2f %%, definition %3.0f %%, turned over %.4f %% (in folds %.4f %%)\n",
+        character->name.c_str(), rig.primitives.size(), depth, off, percent(m.exactOff, m.vertices), swinging,
+        percent(m.exactSwinging, m.edges), percent(m.swingingAtAll, m.edges), definition, turned,
+        percent(m.turnedInFolds, m.triangles));
     EXPECT_GT(m.vertices, 500) << character->name << ": the muscles move hardly any skin";
     EXPECT_LE(off, 1.0) << character->name << ", depth " << depth;
     EXPECT_LE(swinging, mostTeeth) << character->name << ", depth " << depth;

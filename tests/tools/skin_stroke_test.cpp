@@ -8,8 +8,8 @@
 #include <memory>
 #include <string>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "app/playback.h"
 #include "app/render/picking.h"

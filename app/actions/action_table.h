@@ -1,0 +1,42 @@
+// app/actions/action_table.h: what the rows of the action table are made of; one file a menu.
+#pragma once
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <span>
+
+#include "app/actions/actions.h"
+#include "app/editor/commands.h"
+
+/// Rows read: id, label, hint, key, another key, when, checked, run, separator before. The keys are those of the
+/// default keymap; where another keymap differs is said in keymaps.cpp.
+namespace sinew::app::table {
+
+using State = EditorState;
+
+// The menus, each in its own file: action_table_NAME.cpp.
+[[nodiscard]] std::span<const Action> fileActions();
+[[nodiscard]] std::span<const Action> editActions();
+[[nodiscard]] std::span<const Action> viewActions();
+[[nodiscard]] std::span<const Action> toolActions();
+[[nodiscard]] std::span<const Action> playActions();
+[[nodiscard]] std::span<const Action> windowActions();
+[[nodiscard]] std::span<const Action> helpActions();
+
+// When.
+inline bool always(const State&) { return true; }
+inline bool open(const State& s) { return s.hasCharacter(); }
+/// Nothing is being dragged or typed.
+inline bool idle(const State& s) { return s.hasCharacter() && !ownsKeyboard(s.tools) && s.gestureItem == 0; }
+inline bool selected(const State& s) { return idle(s) && s.document.activePrimitive() >= 0; }
+
+// Keys.
+inline constexpr Shortcut kNone{};
+constexpr Shortcut key(int code) { return {code, false, false, false}; }
+constexpr Shortcut ctrl(int code) { return {code, true, false, false}; }
+constexpr Shortcut shift(int code) { return {code, false, true, false}; }
+constexpr Shortcut alt(int code) { return {code, false, false, true}; }
+constexpr Shortcut ctrlShift(int code) { return {code, true, true, false}; }
+
+}  // namespace sinew::app::table

@@ -1,0 +1,77 @@
+// app/actions/action_table_edit.cpp: the Edit menu: muscles and the history.
+
+#include "app/actions/action_table.h"
+#include "app/editor/blending_edit.h"
+#include "app/editor/pose_history.h"
+#include "app/editor/symmetry_commands.h"
+
+namespace sinew::app::table {
+namespace {
+
+bool undoable(const State& s) { return idle(s) && (undoesPose(s) || s.document.commands.canUndo()); }
+bool redoable(const State& s) { return idle(s) && (redoesPose(s) || s.document.commands.canRedo()); }
+void undoLast(State& s) { undoesPose(s) ? undoPose(s) : undo(s); }
+void redoLast(State& s) { redoesPose(s) ? redoPose(s) : redo(s); }
+bool boneKnown(const State& s) { return idle(s) && s.document.selection.bone >= 0; }
+void renameActive(State& s) { startRename(s, s.document.selection.active()); }
+void addOnBone(State& s) { addMuscle(s, s.document.selection.bone); }
+
+bool mirrorable(const State& s) { return selected(s) && canMirror(s); }
+bool symmetric(const State& s) { return s.document.symmetry; }
+bool symmetryKnown(const State& s) { return idle(s) && canMirror(s); }
+bool twinned(const State& s) { return selected(s) && anyTwin(s); }
+bool linkable(const State& s) { return mirrorable(s) && twoSelected(s); }
+bool anyMuscle(const State& s) { return idle(s) && !s.document.rig().primitives.empty(); }
+bool boneOrMuscle(const State& s) { return anyMuscle(s) && (selected(s) || s.document.selection.bone >= 0); }
+void paste(State& s) { pasteMuscles(s, false); }
+void pasteMirrored(State& s) { pasteMuscles(s, true); }
+
+const Action kActions[] = {
+    {"edit/undo", "Undo", "Take the last change back", ctrl(GLFW_KEY_Z), kNone, undoable, nullptr, undoLast},
+    {"edit/redo", "Redo", "Do it again after all", ctrlShift(GLFW_KEY_Z), ctrl(GLFW_KEY_Y), redoable, nullptr,
+     redoLast},
+    {"edit/add-on-bone", "Add muscle on bone", "Put a muscle in the middle of the selected bone", ctrl(GLFW_KEY_M),
+     kNone, boneKnown, nullptr, addOnBone, true},
+    {"edit/duplicate", "Duplicate", "Copy the selected muscles", ctrl(GLFW_KEY_D), kNone, selected, nullptr,
+     duplicateSelection},
+    {"edit/rename", "Rename", "Give the selected muscle another name", key(GLFW_KEY_F2), kNone, selected, nullptr,
+     renameActive},
+    {"edit/delete", "Delete", "Remove the selected muscles", key(GLFW_KEY_DELETE), kNone, selected, nullptr,
+     deleteSelection},
+    {"edit/group", "Group", "Put the selected muscles into a new group", ctrl(GLFW_KEY_G), kNone, selected, nullptr,
+     groupSelection},
+    {"edit/cut", "Cut", "Copy the selected muscles, and remove them", ctrl(GLFW_KEY_X), kNone, selected, nullptr,
+     cutSelection, true},
+    {"edit/copy", "Copy", "Put the selected muscles on the clipboard, as the text of a rig", ctrl(GLFW_KEY_C), kNone,
+     selected, nullptr, copySelection},
+    {"edit/paste", "Paste", "Add the muscles on the clipboard, from this character or another", ctrl(GLFW_KEY_V), kNone,
+     idle, nullptr, paste},
+    {"edit/paste-mirrored", "Paste mirrored", "Add the muscles on the clipboard on the other side",
+     ctrlShift(GLFW_KEY_V), kNone, symmetryKnown, nullptr, pasteMirrored},
+    {"edit/symmetry", "Symmetry", "What is added, copied or deleted is so on both sides", shift(GLFW_KEY_S), kNone,
+     symmetryKnown, symmetric, toggleSymmetry, true},
+    {"edit/mirror", "Mirror to other side", "Give each selected muscle a linked twin that follows it",
+     ctrlShift(GLFW_KEY_M), kNone, mirrorable, nullptr, mirrorSelection},
+    {"edit/flip", "Flip", "Move the selected muscles to the other side", ctrlShift(GLFW_KEY_F), kNone, mirrorable,
+     nullptr, flipSelection},
+    {"edit/unlink-twin", "Unlink twin", "The selected muscle and its twin go their own ways", ctrlShift(GLFW_KEY_U),
+     kNone, twinned, nullptr, unlinkSelection},
+    {"edit/link-twins", "Link as twins", "Of two selected muscles the first becomes the mirror image of the active one",
+     ctrlShift(GLFW_KEY_L), kNone, linkable, nullptr, linkSelection},
+    {"edit/select-twin", "Select twin", "Go over to the other side", ctrlShift(GLFW_KEY_T), kNone, twinned, nullptr,
+     selectTwins},
+    {"edit/select-all", "Select all", "All muscles that are shown and not locked", ctrl(GLFW_KEY_A), kNone, anyMuscle,
+     nullptr, selectAll, true},
+    {"edit/select-invert", "Invert selection", "Select what is not selected", ctrl(GLFW_KEY_I), kNone, anyMuscle,
+     nullptr, invertSelection},
+    {"edit/select-on-bone", "Select all on bone", "All muscles on the bones of the selected ones", ctrl(GLFW_KEY_B),
+     kNone, boneOrMuscle, nullptr, selectOnBone},
+    {"edit/select-none", "Select nothing", "Let go of muscles and bone", key(GLFW_KEY_ESCAPE), kNone, idle, nullptr,
+     selectNothing},
+};
+
+}  // namespace
+
+std::span<const Action> editActions() { return kActions; }
+
+}  // namespace sinew::app::table

@@ -1,0 +1,30 @@
+// app/actions/action_table_file.cpp: the File menu.
+
+#include "app/actions/action_table.h"
+
+namespace sinew::app::table {
+namespace {
+
+void saveAs(State& s) { showSaveDialog(s, {}); }
+void saveNow(State& s) { save(s, {}); }
+void reopenFile(State& s) { request(s, {IntentKind::kReopen, {}}); }
+void showPreferences(State& s) { s.preferencesShown = true; }
+void quitEditor(State& s) { request(s, {IntentKind::kQuit, {}}); }
+
+const Action kActions[] = {
+    {"file/open", "Open...", "Open a character (.glb, .gltf) or a rig (.rig.json)", ctrl(GLFW_KEY_O), kNone, always,
+     nullptr, showOpenDialog},
+    {"file/save", "Save", "Write the rig to its file", ctrl(GLFW_KEY_S), kNone, idle, nullptr, saveNow, true},
+    {"file/save-as", "Save as...", "Write the rig to another file", ctrlShift(GLFW_KEY_S), kNone, idle, nullptr,
+     saveAs},
+    {"file/reopen", "Reopen", "Go back to what is on the disk", kNone, kNone, idle, nullptr, reopenFile},
+    {"file/preferences", "Preferences...", "Keys, size of the interface, autosave", ctrl(GLFW_KEY_COMMA), kNone, always,
+     nullptr, showPreferences, true},
+    {"file/quit", "Quit", "Close the editor", ctrl(GLFW_KEY_Q), kNone, always, nullptr, quitEditor, true},
+};
+
+}  // namespace
+
+std::span<const Action> fileActions() { return kActions; }
+
+}  // namespace sinew::app::table

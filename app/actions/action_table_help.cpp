@@ -1,0 +1,23 @@
+// app/actions/action_table_help.cpp: the Help menu.
+
+#include "app/actions/action_table.h"
+#include "app/editor/session.h"
+
+namespace sinew::app::table {
+namespace {
+
+bool hasSheet(const State& s) { return s.keySheet; }
+void toggleSheet(State& s) { s.keySheet = !s.keySheet; }
+
+const Action kActions[] = {
+    {"help/palette", "Find anything...", "Search actions, muscles, bones, samples and recent files", ctrl(GLFW_KEY_P),
+     kNone, always, nullptr, showPalette},
+    {"help/keys", "Keys and mouse", "What every key and every drag does", key(GLFW_KEY_F1), kNone, always, hasSheet,
+     toggleSheet},
+};
+
+}  // namespace
+
+std::span<const Action> helpActions() { return kActions; }
+
+}  // namespace sinew::app::table

@@ -1,0 +1,52 @@
+// app/actions/action_table_play.cpp: the Play menu: the clip.
+
+#include "app/actions/action_table.h"
+#include "app/editor/pose_commands.h"
+
+namespace sinew::app::table {
+namespace {
+
+bool playable(const State& s) { return s.hasCharacter() && clipDuration(s.transport, s.character()) > 0.0; }
+void togglePlay(State& s) { togglePlaying(s.transport, s.character()); }
+void next(State& s) { stepFrames(s.transport, 1, s.character()); }
+void previous(State& s) { stepFrames(s.transport, -1, s.character()); }
+void toStart(State& s) { s.transport.time = playRange(s.transport, s.character()).from; }
+void toEnd(State& s) {
+  s.transport.time = playRange(s.transport, s.character()).to;
+  s.transport.playing = false;
+}
+bool hasRange(const State& s) { return playable(s) && s.transport.rangeTo > s.transport.rangeFrom; }
+void startRange(State& s) {
+  setPlayRange(s.transport, {s.transport.time, playRange(s.transport, s.character()).to}, s.character());
+}
+void endRange(State& s) {
+  setPlayRange(s.transport, {playRange(s.transport, s.character()).from, s.transport.time}, s.character());
+}
+void wholeClip(State& s) { s.transport.rangeFrom = s.transport.rangeTo = 0.0; }
+bool isLooping(const State& s) { return s.transport.loop; }
+void toggleLoop(State& s) { s.transport.loop = !s.transport.loop; }
+
+const Action kActions[] = {
+    {"play/toggle", "Play or pause", "Let the clip run", key(GLFW_KEY_SPACE), kNone, playable, nullptr, togglePlay},
+    {"play/previous", "Previous frame", "One frame back", key(GLFW_KEY_COMMA), key(GLFW_KEY_LEFT), playable, nullptr,
+     previous},
+    {"play/next", "Next frame", "One frame on", key(GLFW_KEY_PERIOD), key(GLFW_KEY_RIGHT), playable, nullptr, next},
+    {"play/start", "To the start", "Back to the first moment that plays", ctrl(GLFW_KEY_LEFT), kNone, playable, nullptr,
+     toStart},
+    {"play/end", "To the end", "On to the clip's last moment", ctrl(GLFW_KEY_RIGHT), kNone, playable, nullptr, toEnd},
+    {"play/loop", "Loop", "Start over at the end", key(GLFW_KEY_L), kNone, playable, isLooping, toggleLoop, true},
+    {"play/range-start", "Begin the range here", "Playing keeps to what comes after this moment", key('['), kNone,
+     playable, nullptr, startRange},
+    {"play/range-end", "End the range here", "Playing keeps to what comes before this moment", key(']'), kNone,
+     playable, nullptr, endRange},
+    {"play/range-clear", "Play the whole clip", "Let go of the range", kNone, kNone, hasRange, nullptr, wholeClip},
+    {"play/range-of-motion", "Range of motion",
+     "Take every joint through what it can do, one after another: a clip made from the skeleton", kNone, kNone, idle,
+     nullptr, playRangeOfMotion, true},
+};
+
+}  // namespace
+
+std::span<const Action> playActions() { return kActions; }
+
+}  // namespace sinew::app::table

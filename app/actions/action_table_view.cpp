@@ -1,0 +1,118 @@
+// app/actions/action_table_view.cpp: the View menu: what is shown and from where.
+
+#include <utility>
+
+#include "app/actions/action_table.h"
+#include "app/editor/visibility_commands.h"
+#include "core/rig/rig_edit.h"
+
+namespace sinew::app::table {
+namespace {
+
+void frame(State& s) { frameSelection(s, true); }
+void frameAll(State& s) { frameBounds(s.tools.camera, boundsOf(s.live->surface().positions), s.viewportPixels, true); }
+
+template <Shading kShading>
+bool isShaded(const State& s) {
+  return s.display.shading == kShading;
+}
+template <Shading kShading>
+void shade(State& s) {
+  s.display.shading = kShading;
+}
+
+template <bool DisplaySettings::*kFlag>
+bool isShown(const State& s) {
+  return s.display.*kFlag;
+}
+template <bool DisplaySettings::*kFlag>
+void toggleShown(State& s) {
+  s.display.*kFlag = !(s.display.*kFlag);
+}
+
+template <StandardView kView>
+void look(State& s) {
+  showStandardView(s.tools.camera, kView);
+}
+
+bool isOrthographic(const State& s) { return s.tools.camera.orthographic; }
+void toggleOrthographic(State& s) { s.tools.camera.orthographic = !s.tools.camera.orthographic; }
+bool hasAutoDepth(const State& s) { return s.document.rig().smoothing.autoDepth; }
+void toggleAutoDepth(State& s) {
+  SmoothingSettings smoothing = s.document.rig().smoothing;
+  smoothing.autoDepth = !smoothing.autoDepth;
+  if (Result<Rig> rig = setSmoothing(s.document.rig(), smoothing)) {
+    s.document.commands.apply("Auto depth", std::move(rig).value());
+  }
+}
+bool hasOverlay(const State& s) { return s.layout.overlay; }
+void toggleOverlay(State& s) { s.layout.overlay = !s.layout.overlay; }
+
+bool hiddenAny(const State& s) { return s.hasCharacter() && anythingHidden(s); }
+bool isIsolated(const State& s) { return s.document.visibility.isolated.has_value(); }
+bool isolatable(const State& s) { return selected(s) || (idle(s) && isIsolated(s)); }
+bool lockedAny(const State& s) { return s.hasCharacter() && !s.document.visibility.locked.empty(); }
+bool isBare(const State& s) { return s.document.visibility.bare; }
+
+using D = DisplaySettings;
+
+const Action kActions[] = {
+    {"view/textured", "Textured", "The character's own materials", key(GLFW_KEY_1), kNone, open,
+     isShaded<Shading::kTextured>, shade<Shading::kTextured>},
+    {"view/clay", "Clay", "One even material that shows the form", key(GLFW_KEY_2), kNone, open,
+     isShaded<Shading::kClay>, shade<Shading::kClay>},
+    {"view/classes", "Classes", "Triangles by class: implicit, straddling, normal", key(GLFW_KEY_3), kNone, open,
+     isShaded<Shading::kClasses>, shade<Shading::kClasses>},
+    {"view/heat", "Displacement", "How far the skin was lifted or pushed in", key(GLFW_KEY_4), kNone, open,
+     isShaded<Shading::kHeat>, shade<Shading::kHeat>},
+    {"view/wire", "Wire", "Edges of the refined mesh", key(GLFW_KEY_5), kNone, open, isShown<&D::wire>,
+     toggleShown<&D::wire>, true},
+    {"view/control-mesh", "Control mesh", "Edges of the mesh in the file", key(GLFW_KEY_6), kNone, open,
+     isShown<&D::controlMesh>, toggleShown<&D::controlMesh>},
+    {"view/skeleton", "Skeleton", "Bones, seen through the skin", key(GLFW_KEY_7), kNone, open, isShown<&D::skeleton>,
+     toggleShown<&D::skeleton>},
+    {"view/primitives", "Muscles", "All ellipsoids, not the selected alone", key(GLFW_KEY_8), kNone, open,
+     isShown<&D::primitives>, toggleShown<&D::primitives>},
+    {"view/influence", "Influence", "How far the shown muscles reach", key(GLFW_KEY_9), kNone, open,
+     isShown<&D::influence>, toggleShown<&D::influence>},
+    {"view/ground", "Ground", "Grid and shadow", key(GLFW_KEY_0), kNone, open, isShown<&D::ground>,
+     toggleShown<&D::ground>},
+    {"view/cull", "Skip hidden sides", "Leave out, before it is computed, what turns away from the eye", kNone, kNone,
+     open, isShown<&D::cullBackFaces>, toggleShown<&D::cullBackFaces>},
+    {"view/auto-depth", "Auto depth", "As fine as the character's size on the screen asks for", kNone, kNone, idle,
+     hasAutoDepth, toggleAutoDepth},
+    {"view/numbers", "Numbers", "Frame times and counts over the picture", kNone, kNone, open, hasOverlay,
+     toggleOverlay},
+    {"view/before", "Without muscles", "The character as it was, while the key is held", key(GLFW_KEY_GRAVE_ACCENT),
+     kNone, idle, isBare, latchBare, true},
+    {"view/hide", "Hide or show", "Put the selected muscles out of the way; the skin goes back, files keep them",
+     key(GLFW_KEY_H), kNone, selected, nullptr, toggleHideSelection},
+    {"view/show-all", "Show all", "Nothing is hidden, soloed or isolated any more", alt(GLFW_KEY_H), kNone, hiddenAny,
+     nullptr, showAll},
+    {"view/isolate", "Isolate", "Show the selected muscles alone, or end that", key(GLFW_KEY_SLASH),
+     key(GLFW_KEY_KP_DIVIDE), isolatable, isIsolated, toggleIsolation},
+    {"view/lock", "Lock or unlock", "The picture neither picks nor moves the selected muscles", kNone, kNone, selected,
+     nullptr, toggleLockSelection},
+    {"view/unlock-all", "Unlock all", "Every muscle can be picked again", kNone, kNone, lockedAny, nullptr, unlockAll},
+    {"view/frame", "Frame selection", "Bring the selected muscles, or all, into the picture", key(GLFW_KEY_F), kNone,
+     open, nullptr, frame, true},
+    {"view/frame-all", "Frame all", "Bring the whole character into the picture", key(GLFW_KEY_A), key(GLFW_KEY_HOME),
+     open, nullptr, frameAll},
+    {"view/front", "Front", "Look at the front", key(GLFW_KEY_KP_1), kNone, open, nullptr, look<StandardView::kFront>},
+    {"view/back", "Back", "Look at the back", ctrl(GLFW_KEY_KP_1), kNone, open, nullptr, look<StandardView::kBack>},
+    {"view/left", "Left", "Look at the character's left", key(GLFW_KEY_KP_3), kNone, open, nullptr,
+     look<StandardView::kLeft>},
+    {"view/right", "Right", "Look at the character's right", ctrl(GLFW_KEY_KP_3), kNone, open, nullptr,
+     look<StandardView::kRight>},
+    {"view/top", "Top", "Look from above", key(GLFW_KEY_KP_7), kNone, open, nullptr, look<StandardView::kTop>},
+    {"view/bottom", "Bottom", "Look from below", ctrl(GLFW_KEY_KP_7), kNone, open, nullptr,
+     look<StandardView::kBottom>},
+    {"view/orthographic", "Orthographic", "Without perspective", key(GLFW_KEY_KP_5), kNone, open, isOrthographic,
+     toggleOrthographic},
+};
+
+}  // namespace
+
+std::span<const Action> viewActions() { return kActions; }
+
+}  // namespace sinew::app::table

@@ -1,0 +1,48 @@
+// app/actions/action_table_window.cpp: the Window menu: panels, and what is remembered.
+
+#include "app/actions/action_table.h"
+
+namespace sinew::app::table {
+namespace {
+
+template <bool LayoutState::*kFlag>
+bool isShown(const State& s) {
+  return s.layout.*kFlag;
+}
+template <bool LayoutState::*kFlag>
+void toggleShown(State& s) {
+  s.layout.*kFlag = !(s.layout.*kFlag);
+}
+
+bool pictureAlone(const State& s) { return !s.layout.leftShown && !s.layout.rightShown && !s.layout.bottomShown; }
+void togglePictureAlone(State& s) {
+  const bool all = pictureAlone(s);
+  s.layout.leftShown = s.layout.rightShown = s.layout.bottomShown = all;
+}
+bool hasMessages(const State& s) { return !s.messages.empty(); }
+bool messagesShown(const State& s) { return s.messagesShown; }
+void toggleMessages(State& s) { s.messagesShown = !s.messagesShown; }
+void resetLayout(State& s) { s.layout = {}; }
+
+using L = LayoutState;
+
+const Action kActions[] = {
+    {"window/left", "Left panels", "Bones, muscles and history", key(GLFW_KEY_T), kNone, always, isShown<&L::leftShown>,
+     toggleShown<&L::leftShown>},
+    {"window/right", "Right panels", "The selected muscle, surface and smoothing", key(GLFW_KEY_N), kNone, always,
+     isShown<&L::rightShown>, toggleShown<&L::rightShown>},
+    {"window/bottom", "Timeline", "The clip and its time", ctrl(GLFW_KEY_T), kNone, always, isShown<&L::bottomShown>,
+     toggleShown<&L::bottomShown>},
+    {"window/picture", "Only the picture", "Put all panels away, or bring them back", ctrl(GLFW_KEY_SPACE), kNone,
+     always, pictureAlone, togglePictureAlone},
+    {"window/messages", "Messages", "What an import left out, what failed", kNone, kNone, hasMessages, messagesShown,
+     toggleMessages, true},
+    {"window/reset-layout", "Reset layout", "Bring the panels back to their places and sizes", kNone, kNone, always,
+     nullptr, resetLayout, true},
+};
+
+}  // namespace
+
+std::span<const Action> windowActions() { return kActions; }
+
+}  // namespace sinew::app::table

@@ -1,0 +1,113 @@
+// app/actions/actions.cpp: finding and running actions. The table itself is action_table.cpp.
+
+#include "app/actions/actions.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace sinew::app {
+namespace {
+
+struct KeyName {
+  int key;
+  const char* name;
+};
+
+constexpr std::array kKeyNames{
+    KeyName{GLFW_KEY_SPACE, "Space"},
+    KeyName{GLFW_KEY_DELETE, "Del"},
+    KeyName{GLFW_KEY_ESCAPE, "Esc"},
+    KeyName{GLFW_KEY_LEFT, "Left"},
+    KeyName{GLFW_KEY_RIGHT, "Right"},
+    KeyName{GLFW_KEY_HOME, "Home"},
+    KeyName{GLFW_KEY_END, "End"},
+    KeyName{GLFW_KEY_COMMA, ","},
+    KeyName{GLFW_KEY_PERIOD, "."},
+    KeyName{GLFW_KEY_KP_0, "Num 0"},
+    KeyName{GLFW_KEY_KP_1, "Num 1"},
+    KeyName{GLFW_KEY_KP_3, "Num 3"},
+    KeyName{GLFW_KEY_KP_5, "Num 5"},
+    KeyName{GLFW_KEY_KP_7, "Num 7"},
+    KeyName{GLFW_KEY_BACKSPACE, "Backspace"},
+    KeyName{GLFW_KEY_UP, "Up"},
+    KeyName{GLFW_KEY_DOWN, "Down"},
+    KeyName{GLFW_KEY_KP_DECIMAL, "Num ."},
+    KeyName{GLFW_KEY_TAB, "Tab"},
+    KeyName{GLFW_KEY_ENTER, "Enter"},
+    KeyName{GLFW_KEY_KP_DIVIDE, "Num /"},
+    KeyName{GLFW_KEY_KP_2, "Num 2"},
+    KeyName{GLFW_KEY_KP_4, "Num 4"},
+    KeyName{GLFW_KEY_KP_6, "Num 6"},
+    KeyName{GLFW_KEY_KP_8, "Num 8"},
+    KeyName{GLFW_KEY_KP_9, "Num 9"},
+    KeyName{GLFW_KEY_PAGE_UP, "Page up"},
+    KeyName{GLFW_KEY_PAGE_DOWN, "Page down"},
+    KeyName{GLFW_KEY_INSERT, "Ins"},
+};
+
+std::string nameOfKey(int key) {
+  if (const auto found = std::ranges::find(kKeyNames, key, &KeyName::key); found != kKeyNames.end()) return found->name;
+  if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
+  return std::string(1, static_cast<char>(key));
+}
+
+bool repeats(const Action& action) {
+  constexpr std::array<std::string_view, 4> kRepeated{"edit/undo", "edit/redo", "play/next", "play/previous"};
+  return std::ranges::find(kRepeated, action.id) != kRepeated.end();
+}
+
+/// The one that answers to it; null: none.
+const Action* answering(const Shortcut& pressed, Keymap keymap) {
+  for (const Action& candidate : actions()) {
+    const std::array<Shortcut, 2> keys = shortcutsOf(candidate, keymap);
+    if (std::ranges::find(keys, pressed) != keys.end()) return &candidate;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+const Action& action(std::string_view id) {
+  const auto found = std::ranges::find(actions(), id, [](const Action& a) { return std::string_view(a.id); });
+  assert(found != actions().end());
+  return *found;
+}
+
+std::array<Shortcut, 2> shortcutsOf(const Action& action, Keymap keymap) {
+  for (const KeyChange& change : changesOf(keymap)) {
+    if (std::string_view(change.id) == action.id) return {change.shortcut, change.second};
+  }
+  return {action.shortcut, action.second};
+}
+
+std::string textOf(const Shortcut& shortcut) {
+  if (shortcut.key == 0) return "";
+  std::string text;
+  if (shortcut.control) text += "Ctrl+";
+  if (shortcut.alt) text += "Alt+";
+  if (shortcut.shift) text += "Shift+";
+  return text + nameOfKey(shortcut.key);
+}
+
+std::string keyText(const Action& action, const EditorState& state) {
+  return textOf(shortcutsOf(action, state.preferences.keymap)[0]);
+}
+
+void run(const Action& action, EditorState& state) {
+  if (action.enabled(state)) action.run(state);
+}
+
+bool runShortcut(EditorState& state, const InputFrame& input) {
+  const int key = input.pressedKey >= 0 ? input.pressedKey : input.repeatedKey;
+  if (key <= 0 || input.super) return false;
+  const Action* meant = answering({key, input.control, input.shift, input.alt}, state.preferences.keymap);
+  if (meant == nullptr) return false;
+  if (input.pressedKey >= 0 || repeats(*meant)) run(*meant, state);
+  return true;
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,21 @@
+// app/cli/trial_rig.h: muscles set by rule, for measurements and tests.
+#pragma once
+
+#include <cstdint>
+
+#include "sinew/character/character.h"
+#include "sinew/rig/rig.h"
+
+namespace sinew {
+
+/// `muscles` ellipsoids as a first try would set them: on the bones with the most skin, one each (more where they are
+/// few), lying along the bone, half buried in the skin at a vertex of that bone's which the seed picks. Three groups in
+/// a chain a - b - c, default territories, no carves. The same character, count and seed give the same rig.
+[[nodiscard]] Rig trialRig(const Character& character, int muscles, std::uint64_t seed);
+
+/// `muscles` ellipsoids as a careful designer lays them: in the flesh of one bone, where the skin around follows that
+/// bone alone, most of the thickness under the skin, moving that bone's skin only (territory). Bones with the most room
+/// first; one group. None where no bone has room.
+[[nodiscard]] Rig beddedRig(const Character& character, int muscles);
+
+}  // namespace sinew

@@ -1,0 +1,138 @@
+// app/editor/blending_edit.cpp: what the two views of the blending graph do to the rig.
+
+#include "app/editor/blending_edit.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "app/editor/commands.h"
+#include "core/rig/rig_edit.h"
+#include "core/rig/rig_edit_several.h"
+
+namespace sinew::app {
+namespace {
+
+// Neighbours in the list differ most; none is the accent, which means "selected".
+constexpr std::array kTints{Tint{0.30f, 0.66f, 0.93f}, Tint{0.95f, 0.75f, 0.29f}, Tint{0.46f, 0.78f, 0.47f},
+                            Tint{0.78f, 0.53f, 0.92f}, Tint{0.91f, 0.45f, 0.58f}, Tint{0.27f, 0.77f, 0.76f},
+                            Tint{0.70f, 0.72f, 0.33f}, Tint{0.50f, 0.55f, 0.95f}, Tint{0.86f, 0.60f, 0.40f},
+                            Tint{0.93f, 0.56f, 0.82f}, Tint{0.60f, 0.84f, 0.72f}, Tint{0.72f, 0.52f, 0.62f}};
+
+std::string finish(EditorState& state, const std::string& label, Result<Rig> rig) {
+  state.fieldError = rig ? "" : rig.error().reason;
+  if (rig) state.document.commands.apply(label, std::move(rig).value());
+  return state.fieldError;
+}
+
+const std::string& nameOfGroup(const Rig& rig, int group) { return rig.groups[static_cast<std::size_t>(group)].name; }
+
+std::string countText(std::size_t count) { return count == 1 ? "muscle" : std::to_string(count) + " muscles"; }
+
+}  // namespace
+
+Tint groupTint(int group) {
+  if (group < 0) return palette::kMuted;
+  const auto index = static_cast<std::size_t>(group);
+  const Tint base = kTints[index % kTints.size()];
+  // Further rounds are paler and darker in turn.
+  constexpr std::array kPale{0.0f, 0.38f, -0.34f, 0.6f, -0.52f};
+  const float pale = kPale[(index / kTints.size()) % kPale.size()];
+  const auto mixed = [pale](float channel) {
+    return pale >= 0.0f ? channel + (0.93f - channel) * pale : channel * (1.0f + pale);
+  };
+  return {mixed(base.r), mixed(base.g), mixed(base.b)};
+}
+
+Tint groupTint(const Rig& rig, const std::string& group) { return groupTint(findGroup(rig, group)); }
+
+bool areLinked(const Rig& rig, const std::string& a, const std::string& b) {
+  return std::ranges::any_of(rig.links, [&](const std::array<std::string, 2>& link) {
+    return (link[0] == a && link[1] == b) || (link[0] == b && link[1] == a);
+  });
+}
+
+std::vector<std::vector<bool>> linkTable(const Rig& rig) {
+  std::vector<std::vector<bool>> table(rig.groups.size(), std::vector<bool>(rig.groups.size(), false));
+  for (const auto& [a, b] : rig.links) {
+    const int i = findGroup(rig, a);
+    const int j = findGroup(rig, b);
+    if (i < 0 || j < 0) continue;
+    table[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = true;
+    table[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)] = true;
+  }
+  return table;
+}
+
+std::string toggleLink(EditorState& state, int groupA, int groupB) {
+  const Rig& rig = state.document.rig();
+  const std::string a = nameOfGroup(rig, groupA);
+  const std::string b = nameOfGroup(rig, groupB);
+  const bool linked = areLinked(rig, a, b);
+  return finish(state, (linked ? "Unlink " : "Link ") + a + " and " + b, setLink(rig, groupA, groupB, !linked));
+}
+
+void addEmptyGroup(EditorState& state) {
+  const std::string name = freeGroupName(state.document.rig(), "group");
+  if (!finish(state, "New group", addGroup(state.document.rig(), name)).empty()) return;
+  state.panels.blending.group = name;
+  state.panels.blending.rename = {name, name, true};
+}
+
+void groupSelection(EditorState& state) {
+  const std::vector<int> indices = selectedIndices(state.document);
+  if (indices.empty()) return;
+  const std::string name = freeGroupName(state.document.rig(), "group");
+  if (!finish(state, "Group " + countText(indices.size()), moveToNewGroup(state.document.rig(), indices, name)).empty())
+    return;
+  state.panels.blending.group = name;
+  if (state.panels.outliner.tab == LeftTab::kGroups) state.panels.blending.rename = {name, name, true};
+}
+
+std::string renameGroupTo(EditorState& state, const std::string& group, const std::string& name) {
+  const int index = findGroup(state.document.rig(), group);
+  if (index < 0 || group == name) return "";
+  const std::string refusal = finish(state, "Rename " + group, renameGroup(state.document.rig(), index, name));
+  if (!refusal.empty()) return refusal;
+  BlendingState& blending = state.panels.blending;
+  if (blending.group == group) blending.group = name;
+  if (const auto place = blending.places.find(group); place != blending.places.end()) {
+    blending.places[name] = place->second;
+  }
+  return "";
+}
+
+std::string removeGroupOf(EditorState& state, int group, int into) {
+  const Rig& rig = state.document.rig();
+  const std::string label = "Delete group " + nameOfGroup(rig, group);
+  return finish(state, label, into < 0 ? removeGroup(rig, group) : dissolveGroup(rig, group, into));
+}
+
+std::string moveToGroup(EditorState& state, const std::vector<int>& indices, const std::string& group) {
+  return finish(state, "Move " + countText(indices.size()) + " to " + group,
+                setGroupOfSeveral(state.document.rig(), indices, group));
+}
+
+void selectMembers(EditorState& state, const std::string& group) {
+  state.document.selection.clear();
+  for (const int index : membersOf(state.document.rig(), group)) {
+    state.document.selection.primitives.push_back(
+        state.document.rig().primitives[static_cast<std::size_t>(index)].name);
+  }
+}
+
+std::vector<int> draggedMuscles(const EditorState& state, int grabbed) {
+  const auto index = static_cast<std::size_t>(grabbed);
+  if (index >= state.document.rig().primitives.size()) return {};
+  if (state.document.selection.contains(state.document.rig().primitives[index].name)) {
+    return selectedIndices(state.document);
+  }
+  return {grabbed};
+}
+
+void highlightGroup(EditorState& state, const std::string& group) {
+  const std::vector<int> members = membersOf(state.document.rig(), group);
+  state.panels.highlighted.insert(state.panels.highlighted.end(), members.begin(), members.end());
+}
+
+}  // namespace sinew::app

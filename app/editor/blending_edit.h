@@ -1,0 +1,42 @@
+// app/editor/blending_edit.h: what the two views of the blending graph do to the rig, and their colours.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/editor/editor_state.h"
+#include "app/ui/style.h"
+
+namespace sinew::app {
+
+/// The colour a group has everywhere, by its place in Rig::groups: twelve that can be told apart, then paler and
+/// darker turns of the same.
+[[nodiscard]] Tint groupTint(int group);
+/// By name; muted for a group that is not there.
+[[nodiscard]] Tint groupTint(const Rig& rig, const std::string& group);
+
+/// Whether two groups are linked.
+[[nodiscard]] bool areLinked(const Rig& rig, const std::string& a, const std::string& b);
+/// [groups][groups] the same for all, symmetric, by index.
+[[nodiscard]] std::vector<std::vector<bool>> linkTable(const Rig& rig);
+
+// Each is one undo step; a refusal stands in the status line and is returned ("" if done).
+
+std::string toggleLink(EditorState& state, int groupA, int groupB);
+/// A new empty group, chosen, its name ready to be typed.
+void addEmptyGroup(EditorState& state);
+/// The selected muscles in a group of their own.
+void groupSelection(EditorState& state);
+std::string renameGroupTo(EditorState& state, const std::string& group, const std::string& name);
+/// The group's muscles go to `into` (an index); -1: only if it is empty.
+std::string removeGroupOf(EditorState& state, int group, int into);
+std::string moveToGroup(EditorState& state, const std::vector<int>& indices, const std::string& group);
+void selectMembers(EditorState& state, const std::string& group);
+
+/// The muscles that a drag of one of them takes along: all that are selected if it is among them, else it alone.
+[[nodiscard]] std::vector<int> draggedMuscles(const EditorState& state, int grabbed);
+
+/// Lights up the muscles of a group in the picture, for this frame.
+void highlightGroup(EditorState& state, const std::string& group);
+
+}  // namespace sinew::app

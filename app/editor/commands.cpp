@@ -1,0 +1,323 @@
+// app/editor/commands.cpp: what the editor can be told to do.
+
+#include "app/editor/commands.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/editor/session.h"
+#include "app/editor/symmetry_commands.h"
+#include "app/editor/territory.h"
+#include "core/rig/attachment.h"
+#include "core/rig/rig_edit.h"
+#include "core/symmetry/twins.h"
+
+namespace sinew::app {
+namespace {
+
+bool isBusy(const EditorState& state) { return ownsKeyboard(state.tools) || state.gestureItem != 0; }
+
+void show(EditorState& state, Document document, LiveSurface live, const Transport& transport) {
+  cancelDrags(state.tools, state.document);
+  state.document = std::move(document);
+  state.live = std::move(live);
+  state.transport = transport;
+  state.tools.hover = {};
+  state.route = {};
+  state.rename = {};
+  state.euler = {};
+  state.panels.territory = {};
+  state.panels.followed.reset();
+  state.gestureItem = 0;
+  state.fieldError.clear();
+  state.frameWanted = true;
+  ++state.documentsOpened;
+  setScene(state.tools.camera, boundsOf(state.live->surface().positions), state.character().height);
+}
+
+void tellIgnored(EditorState& state) {
+  const std::string name = state.document.characterFile.filename().string();
+  for (const std::string& ignored : state.character().ignored) {
+    addMessage(state, MessageKind::kNote, name + ": " + ignored);
+  }
+  for (const Error& missing : missingBones(state.document.rig(), state.character().skeleton)) {
+    addMessage(state, MessageKind::kNote, missing.text() + "; the muscle is kept as it is");
+  }
+}
+
+void reopen(EditorState& state) {
+  const std::filesystem::path file =
+      state.document.rigFile.empty() ? state.document.characterFile : state.document.rigFile;
+  const Transport transport = state.transport;
+  const Camera camera = state.tools.camera;
+  if (!openFile(state, file)) return;
+  state.tools.camera = camera;
+  state.frameWanted = false;
+  if (transport.clip < static_cast<int>(state.character().clips.size())) {
+    state.transport = transport;
+    state.transport.time = std::min(transport.time, clipDuration(transport, state.character()));
+  }
+}
+
+/// Moves in the history; a selected muscle that only changes its name on the way stays selected.
+template <class Move>
+void travel(EditorState& state, Move move) {
+  if (isBusy(state)) return;
+  const auto before = state.document.commands.sharedRig();
+  move(state.document.commands);
+  const Rig& after = state.document.rig();
+  followRig(state.document.visibility, *before, after, true);
+  state.panels.followed = state.document.commands.sharedRig();
+  if (after.primitives.size() != before->primitives.size()) return;
+  for (std::string& name : state.document.selection.primitives) {
+    const int index = findPrimitive(*before, name);
+    if (index >= 0 && findPrimitive(after, name) < 0) name = after.primitives[static_cast<std::size_t>(index)].name;
+  }
+}
+
+}  // namespace
+
+void addMessage(EditorState& state, MessageKind kind, const std::string& text) {
+  state.messagesShown = true;
+  for (Message& message : state.messages) {
+    if (message.kind == kind && message.text == text) {
+      ++message.count;
+      return;
+    }
+  }
+  state.messages.push_back({kind, text, 1});
+}
+
+bool openFile(EditorState& state, const std::filesystem::path& file) {
+  Result<Document> opened = openDocument(file);
+  if (!opened) {
+    addMessage(state, MessageKind::kError, opened.error().text());
+    return false;
+  }
+  return showDocument(state, std::move(opened).value());
+}
+
+bool showDocument(EditorState& state, Document document) {
+  Transport transport;
+  transport.clip = document.character->clips.empty() ? -1 : 0;
+  transport.playing = clipDuration(transport, *document.character) > 0.0;
+  Result<LiveSurface> live = LiveSurface::create(document.character, document.commands, transport);
+  if (!live) {
+    Error error = live.error();
+    error.file = (document.rigFile.empty() ? document.characterFile : document.rigFile).string();
+    addMessage(state, MessageKind::kError, error.text());
+    return false;
+  }
+  show(state, std::move(document), std::move(live).value(), transport);
+  tellIgnored(state);
+  return true;
+}
+
+void request(EditorState& state, const Intent& intent) {
+  if (state.hasCharacter() && state.document.commands.modified()) {
+    state.question = intent;
+  } else {
+    perform(state, intent);
+  }
+}
+
+void perform(EditorState& state, const Intent& intent) {
+  switch (intent.kind) {
+    case IntentKind::kNone:
+      break;
+    case IntentKind::kOpenFile:
+      openFile(state, intent.file);
+      break;
+    case IntentKind::kReopen:
+      reopen(state);
+      break;
+    case IntentKind::kRecover:
+      recover(state, intent.file);
+      break;
+    case IntentKind::kQuit:
+      state.quit = true;
+      break;
+  }
+}
+
+void showOpenDialog(EditorState& state) {
+  const Document& document = state.document;
+  std::filesystem::path folder = document.rigFile.empty() ? document.characterFile : document.rigFile;
+  std::error_code ignored;
+  if (isSample(folder)) {
+    // The program's own folder is no place to work in; where one has worked before is.
+    const auto& recent = state.preferences.recentFiles;
+    folder = recent.empty() ? homeFolder() : recent.front().parent_path();
+  } else {
+    folder = folder.empty() ? std::filesystem::current_path(ignored)
+                            : std::filesystem::absolute(folder, ignored).parent_path();
+  }
+  state.dialog = {};
+  state.dialog.kind = DialogKind::kOpen;
+  state.dialog.folder = folder;
+  state.dialog.appearing = true;
+}
+
+void showSaveDialog(EditorState& state, const Intent& then) {
+  const Document& document = state.document;
+  std::error_code ignored;
+  std::filesystem::path file = document.rigFile;
+  if (file.empty()) {
+    file = document.characterFile;
+    file.replace_extension(".rig.json");
+  }
+  if (isSample(file)) file = homeFolder() / file.filename();
+  file = std::filesystem::absolute(file, ignored);
+  state.dialog = {};
+  state.dialog.kind = DialogKind::kSaveAs;
+  state.dialog.folder = file.parent_path();
+  state.dialog.text = file.filename().string();
+  state.dialog.appearing = true;
+  state.dialog.then = then;
+}
+
+bool save(EditorState& state, const Intent& then) {
+  if (!state.hasCharacter()) return false;
+  if (state.document.rigFile.empty() || isSample(state.document.rigFile)) {
+    showSaveDialog(state, then);
+    return false;
+  }
+  if (!saveTo(state, state.document.rigFile).empty()) return false;
+  perform(state, then);
+  return true;
+}
+
+std::string saveTo(EditorState& state, const std::filesystem::path& file) {
+  if (const Result<void> saved = saveDocument(state.document, file); !saved) {
+    addMessage(state, MessageKind::kError, "not saved: " + saved.error().text());
+    return saved.error().text();
+  }
+  return "";
+}
+
+void undo(EditorState& state) {
+  travel(state, [](CommandStack& commands) { commands.undo(); });
+}
+
+void redo(EditorState& state) {
+  travel(state, [](CommandStack& commands) { commands.redo(); });
+}
+
+void jumpTo(EditorState& state, std::size_t step) {
+  travel(state, [step](CommandStack& commands) { commands.jumpTo(step); });
+}
+
+void addMuscle(EditorState& state, int bone) {
+  if (!state.hasCharacter() || isBusy(state)) return;
+  if (const auto added = addMuscleOnBone(state.document, bone); !added) {
+    addMessage(state, MessageKind::kError, added.error().text());
+  }
+}
+
+void deleteSelection(EditorState& state) {
+  const std::vector<int> indices = editedIndices(state);
+  if (indices.empty() || isBusy(state)) return;
+  const std::string what =
+      indices.size() == 1 ? state.document.selection.active() : std::to_string(indices.size()) + " muscles";
+  state.document.commands.apply("Delete " + what, removePrimitives(state.document.rig(), indices));
+}
+
+void duplicateSelection(EditorState& state) {
+  const std::vector<int> indices = editedIndices(state);
+  if (indices.empty() || isBusy(state)) return;
+  const std::size_t before = state.document.rig().primitives.size();
+  const Selection originals = state.document.selection;
+  state.document.commands.apply("Duplicate", duplicatePairs(state.document.rig(), indices));
+  const auto& primitives = state.document.rig().primitives;
+  state.document.selection.primitives.clear();
+  // The copies of what was selected; those of twins, made by symmetry, follow.
+  for (std::size_t i = before; i < primitives.size(); ++i) {
+    const std::string& original = primitives[static_cast<std::size_t>(indices[i - before])].name;
+    if (originals.contains(original)) state.document.selection.primitives.push_back(primitives[i].name);
+  }
+}
+
+void startRename(EditorState& state, const std::string& primitive) {
+  if (findPrimitive(state.document.rig(), primitive) < 0) return;
+  state.rename = {primitive, primitive, true};
+}
+
+std::string rename(EditorState& state, const std::string& primitive, const std::string& name) {
+  const int index = findPrimitive(state.document.rig(), primitive);
+  if (index < 0 || primitive == name) return "";
+  const auto before = state.document.commands.sharedRig();
+  Result<Rig> renamed = renameWithTwin(*before, index, name);
+  if (!renamed) return renamed.error().text();
+  state.document.commands.apply("Rename " + primitive, std::move(renamed).value());
+  for (std::size_t i = 0; i < before->primitives.size(); ++i) {
+    std::ranges::replace(state.document.selection.primitives, before->primitives[i].name,
+                         state.document.rig().primitives[i].name);
+  }
+  if (state.panels.territory.primitive == primitive) state.panels.territory.primitive = name;
+  return "";
+}
+
+void selectNothing(EditorState& state) {
+  if (editsTerritory(state)) {
+    endTerritoryMode(state);
+  } else {
+    state.document.selection.clear();
+  }
+}
+
+void cycleAxes(EditorState& state) {
+  GizmoAxes& axes = state.tools.gizmo.axes;
+  axes = axes == GizmoAxes::kWorld ? GizmoAxes::kBone
+                                   : (axes == GizmoAxes::kBone ? GizmoAxes::kPrimitive : GizmoAxes::kWorld);
+}
+
+void frameSelection(EditorState& state, bool animated) {
+  if (!state.hasCharacter()) return;
+  Bounds bounds;
+  for (const PrimitiveShape& shape : shownShapes(state, false)) {
+    if (!shape.selected) continue;
+    const glm::vec3 center(shape.unitBallInWorld[3]);
+    for (int axis = 0; axis < 3; ++axis) {
+      // Twice the ellipsoid: a muscle is judged in its surroundings.
+      const glm::vec3 arm = 2.0f * glm::vec3(shape.unitBallInWorld[axis]);
+      bounds.add(center + arm);
+      bounds.add(center - arm);
+    }
+  }
+  if (bounds.isEmpty()) bounds = boundsOf(state.live->surface().positions);
+  frameBounds(state.tools.camera, bounds, state.viewportPixels, animated);
+}
+
+SurfaceView surfaceView(const EditorState& state) {
+  const View& view = state.route.view;
+  SurfaceView wanted;
+  if (state.display.cullBackFaces) wanted.eye = view.facingPoint();
+  wanted.hidden = hiddenPrimitives(state.document.visibility, state.document.rig(), state.character().skeleton);
+  wanted.heightPixels = state.character().height / view.unitsPerPixelAt(state.tools.camera.stand.target);
+  return wanted;
+}
+
+std::vector<int> selectedIndices(const Document& document) {
+  std::vector<int> indices;
+  for (const std::string& name : document.selection.primitives) {
+    if (const int index = findPrimitive(document.rig(), name); index >= 0) indices.push_back(index);
+  }
+  std::ranges::sort(indices);
+  return indices;
+}
+
+std::vector<int> bonesOfPrimitives(const Rig& rig, const Skeleton& skeleton) { return boneOfEach(rig, skeleton); }
+
+std::vector<PrimitiveShape> shownShapes(const EditorState& state, bool all) {
+  std::vector<PrimitiveShape> shapes = primitiveShapes(state.document, state.live->pose());
+  // Only the left panels light up; put away, they leave nothing lit.
+  const std::vector<int> lit = state.layout.leftShown ? state.panels.highlighted : std::vector<int>{};
+  for (PrimitiveShape& shape : shapes) {
+    shape.hovered =
+        shape.rigIndex == state.tools.hover.primitive || std::ranges::find(lit, shape.rigIndex) != lit.end();
+  }
+  if (!all) std::erase_if(shapes, [](const PrimitiveShape& shape) { return !shape.selected && !shape.hovered; });
+  return shapes;
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,58 @@
+// app/editor/commands.h: what the editor can be told to do, from any menu, key, panel or dropped file.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/editor/editor_state.h"
+
+namespace sinew::app {
+
+void addMessage(EditorState& state, MessageKind kind, const std::string& text);
+
+/// Opens at once, without asking about changes. On an error the open document stays, and a message says why.
+/// The first clip plays. @return whether it was opened.
+bool openFile(EditorState& state, const std::filesystem::path& file);
+/// The same with what has been read already.
+bool showDocument(EditorState& state, Document document);
+
+/// Does it, or first asks what becomes of unsaved changes.
+void request(EditorState& state, const Intent& intent);
+void perform(EditorState& state, const Intent& intent);
+
+void showOpenDialog(EditorState& state);
+/// @param then done after a successful save.
+void showSaveDialog(EditorState& state, const Intent& then);
+/// Saves where the rig lies, or asks for a place. @return whether it is saved now.
+bool save(EditorState& state, const Intent& then);
+/// @return an empty text, or why it failed (also a message).
+std::string saveTo(EditorState& state, const std::filesystem::path& file);
+
+// The selection keeps names that the rig lacks at the moment, so that what undo takes away redo brings back selected.
+void undo(EditorState& state);
+void redo(EditorState& state);
+void jumpTo(EditorState& state, std::size_t step);
+
+void addMuscle(EditorState& state, int bone);
+void deleteSelection(EditorState& state);
+void duplicateSelection(EditorState& state);
+void startRename(EditorState& state, const std::string& primitive);
+/// One undo step; the selection follows the name. @return an empty text, or why it was refused.
+std::string rename(EditorState& state, const std::string& primitive, const std::string& name);
+void selectNothing(EditorState& state);
+
+/// Selected muscles if there are, else the whole character. @param animated false: at once.
+void frameSelection(EditorState& state, bool animated);
+void cycleAxes(EditorState& state);
+
+/// What the picture asks of the surface: the eye if hidden sides are left out, and the character's size.
+[[nodiscard]] SurfaceView surfaceView(const EditorState& state);
+
+/// Rig indices of the selected primitives, ascending.
+[[nodiscard]] std::vector<int> selectedIndices(const Document& document);
+/// Index into Skeleton::bones for every primitive of the rig; -1: unattached.
+[[nodiscard]] std::vector<int> bonesOfPrimitives(const Rig& rig, const Skeleton& skeleton);
+/// What the viewport draws for the rig: all muscles, or the selected and hovered alone.
+[[nodiscard]] std::vector<PrimitiveShape> shownShapes(const EditorState& state, bool all);
+
+}  // namespace sinew::app

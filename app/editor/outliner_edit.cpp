@@ -1,0 +1,147 @@
+// app/editor/outliner_edit.cpp: what the outliner does to rig and selection.
+
+#include "app/editor/outliner_edit.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/document/reparent.h"
+#include "app/editor/commands.h"
+#include "app/editor/territory.h"
+#include "core/rig/rig_edit_several.h"
+
+namespace sinew::app {
+namespace {
+
+const std::string& nameOfMuscle(const Rig& rig, int index) {
+  return rig.primitives[static_cast<std::size_t>(index)].name;
+}
+
+/// The row that the keyboard stands on: of the active muscle, else of the bone.
+int cursorRow(const EditorState& state, const std::vector<OutlinerRow>& rows) {
+  const int active = state.document.activePrimitive();
+  const int bone = state.document.selection.bone;
+  const auto found = std::ranges::find_if(rows, [&](const OutlinerRow& row) {
+    return active >= 0 ? row.kind == RowKind::kMuscle && row.index == active
+                       : row.kind == RowKind::kBone && row.index == bone;
+  });
+  return found == rows.end() ? -1 : static_cast<int>(found - rows.begin());
+}
+
+/// Muscles between two rows, the one of `to` last, so that it is the active one.
+std::vector<std::string> namesBetween(const Rig& rig, const std::vector<OutlinerRow>& rows, int from, int to) {
+  std::vector<std::string> names;
+  const int step = from <= to ? 1 : -1;
+  for (int position = from; position != to + step; position += step) {
+    const OutlinerRow& row = rows[static_cast<std::size_t>(position)];
+    if (row.kind == RowKind::kMuscle) names.push_back(nameOfMuscle(rig, row.index));
+  }
+  return names;
+}
+
+void addToSelection(Selection& selection, const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    std::erase(selection.primitives, name);
+    selection.primitives.push_back(name);
+  }
+}
+
+}  // namespace
+
+void reparentMuscles(EditorState& state, const std::vector<int>& indices, int bone) {
+  const auto rig = state.document.commands.sharedRig();
+  const Skeleton& skeleton = state.character().skeleton;
+  const auto& matrices = state.live->pose().boneInWorld;
+  const std::string target = skeleton.fileName(bone);
+  Result<Rig> moved = editPrimitives(*rig, indices, [&](Primitive& primitive) {
+    const std::optional<int> from = skeleton.findBone(primitive.bone);
+    if (from == bone) return;
+    if (from) {
+      primitive.placement = carriedToBone(primitive.placement, matrices[static_cast<std::size_t>(*from)],
+                                          matrices[static_cast<std::size_t>(bone)]);
+    }
+    primitive.bone = target;
+  });
+  state.fieldError = moved ? "" : moved.error().text();
+  if (!moved) return;
+  const std::string what =
+      indices.size() == 1 ? nameOfMuscle(*rig, indices.front()) : std::to_string(indices.size()) + " muscles";
+  state.document.commands.apply("Move " + what + " to " + target, std::move(moved).value());
+}
+
+void clickMuscle(EditorState& state, const std::vector<OutlinerRow>& rows, int position, bool range, bool toggle) {
+  const Rig& rig = state.document.rig();
+  const Skeleton& skeleton = state.character().skeleton;
+  const OutlinerRow& row = rows[static_cast<std::size_t>(position)];
+  if (static_cast<std::size_t>(row.index) >= rig.primitives.size()) return;
+  Selection& selection = state.document.selection;
+  const int anchor = range ? rowOf(rows, state.panels.outliner.anchor, rig, skeleton) : -1;
+  if (anchor >= 0) {
+    if (!toggle) selection.primitives.clear();
+    addToSelection(selection, namesBetween(rig, rows, anchor, position));
+    return;
+  }
+  const std::string& name = nameOfMuscle(rig, row.index);
+  if (toggle || range) {
+    selection.toggle(name);
+  } else {
+    selection.set(name);
+  }
+  state.panels.outliner.anchor = keyOf(row, rig, skeleton);
+}
+
+void clickBone(EditorState& state, int bone) {
+  if (editsTerritory(state)) {
+    toggleTerritoryBone(state, bone);
+    return;
+  }
+  state.document.selection.primitives.clear();
+  state.document.selection.bone = bone;
+  state.panels.outliner.anchor = "b:" + state.character().skeleton.bones[static_cast<std::size_t>(bone)].path;
+}
+
+void moveCursor(EditorState& state, const std::vector<OutlinerRow>& rows, int by, bool extend) {
+  const int count = static_cast<int>(rows.size());
+  const int from = cursorRow(state, rows);
+  int to = from < 0 ? (by > 0 ? 0 : count - 1) : from + by;
+  // The unattached node's own row cannot be selected.
+  if (to >= 0 && to < count && rows[static_cast<std::size_t>(to)].kind == RowKind::kUnattached) to += by > 0 ? 1 : -1;
+  if (to < 0 || to >= count) return;
+  const OutlinerRow& row = rows[static_cast<std::size_t>(to)];
+  if (row.kind == RowKind::kMuscle) {
+    clickMuscle(state, rows, to, extend, false);
+  } else if (!extend) {
+    state.document.selection.primitives.clear();
+    state.document.selection.bone = row.index;
+    state.panels.outliner.anchor = keyOf(row, state.document.rig(), state.character().skeleton);
+  }
+}
+
+void selectMuscles(EditorState& state, const std::vector<int>& indices) {
+  state.document.selection.primitives.clear();
+  for (const int index : indices) {
+    state.document.selection.primitives.push_back(nameOfMuscle(state.document.rig(), index));
+  }
+}
+
+void setFolded(EditorState& state, int bone, bool folded, bool all) {
+  const Skeleton& skeleton = state.character().skeleton;
+  const Bone& own = skeleton.bones[static_cast<std::size_t>(bone)];
+  std::set<std::string>& paths = state.panels.outliner.folded;
+  if (folded) {
+    paths.insert(own.path);
+  } else {
+    paths.erase(own.path);
+  }
+  if (!all) return;
+  for (const int child : own.children) setFolded(state, child, folded, true);
+}
+
+void unfoldTo(EditorState& state, int bone) {
+  const Skeleton& skeleton = state.character().skeleton;
+  for (int b = bone; b >= 0; b = skeleton.bones[static_cast<std::size_t>(b)].parent) {
+    state.panels.outliner.folded.erase(skeleton.bones[static_cast<std::size_t>(b)].path);
+  }
+}
+
+}  // namespace sinew::app

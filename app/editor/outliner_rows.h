@@ -1,0 +1,47 @@
+// app/editor/outliner_rows.h: the bones as a tree with their muscles under them, as a flat list of rows.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sinew/rig/rig.h"
+#include "sinew/skeleton/skeleton.h"
+
+namespace sinew::app {
+
+enum class RowKind { kBone, kMuscle, kUnattached };
+
+struct OutlinerRow {
+  RowKind kind = RowKind::kBone;
+  int index = -1;  ///< Bone or rig index; -1: the node that holds what is unattached.
+  int level = 0;   ///< Depth in the tree.
+  bool foldable = false;
+  bool open = false;
+};
+
+/// What the tree shows.
+struct OutlinerView {
+  std::string filter;            ///< Part of a name, any case; "": all. Matches keep the bones above, and all unfolds.
+  bool onlyWithMuscles = false;  ///< Leaves out bones with no muscle on or below them.
+  const std::set<std::string>* folded = nullptr;  ///< Bone paths.
+  bool unattachedFolded = false;
+};
+
+/// @param boneOf  [primitives] bone index, -1: unattached
+[[nodiscard]] std::vector<OutlinerRow> outlinerRows(const Rig& rig, const Skeleton& skeleton,
+                                                    const std::vector<int>& boneOf, const OutlinerView& view);
+
+/// The row's key (OutlinerState).
+[[nodiscard]] std::string keyOf(const OutlinerRow& row, const Rig& rig, const Skeleton& skeleton);
+/// Position of a key, or -1.
+[[nodiscard]] int rowOf(const std::vector<OutlinerRow>& rows, const std::string& key, const Rig& rig,
+                        const Skeleton& skeleton);
+
+/// Any case, in any place; true for an empty part.
+[[nodiscard]] bool containsText(const std::string& text, const std::string& part);
+
+/// Muscles on a bone and on those below it, rig order.
+[[nodiscard]] std::vector<int> musclesUnder(int bone, const Skeleton& skeleton, const std::vector<int>& boneOf);
+
+}  // namespace sinew::app

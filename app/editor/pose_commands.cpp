@@ -1,0 +1,139 @@
+// app/editor/pose_commands.cpp: resets, mirror images and copies of a pose made by hand; the range of motion.
+
+#include "app/editor/pose_commands.h"
+
+#include <string>
+#include <utility>
+
+#include "app/document/motion_clip.h"
+#include "app/editor/commands.h"
+#include "core/skeleton/range_of_motion.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr glm::quat kIdentity(1.0f, 0.0f, 0.0f, 0.0f);
+
+/// Which side of the mirror plane a bone lies on: -1, +1; 0 for one that is its own counterpart or has none.
+int sideOf(const MirrorPlan& mirror, const Skeleton& skeleton, int bone) {
+  const int twin = mirror.twinOf[static_cast<std::size_t>(bone)];
+  if (twin < 0 || twin == bone) return 0;
+  const glm::dvec3 origin(glm::vec3(skeleton.bones[static_cast<std::size_t>(bone)].bindInWorld[3]));
+  return distanceTo(mirror.plane, origin) < 0.0 ? -1 : 1;
+}
+
+/// The turns of one side on both.
+PoseOverrides sideOnBoth(const PoseOverrides& overrides, const MirrorPlan& mirror, const Skeleton& skeleton, int side) {
+  PoseOverrides result = overrides;
+  for (int bone = 0; bone < static_cast<int>(skeleton.bones.size()); ++bone) {
+    if (sideOf(mirror, skeleton, bone) != side) continue;
+    const int twin = mirror.twinOf[static_cast<std::size_t>(bone)];
+    result.set(twin, mirroredTurn(overrides.turnOf(bone), skeleton.bones[static_cast<std::size_t>(bone)],
+                                  skeleton.bones[static_cast<std::size_t>(twin)], glm::vec3(mirror.plane.normal)));
+  }
+  return result;
+}
+
+}  // namespace
+
+bool isPosed(const EditorState& state) { return !state.transport.overrides.isEmpty(); }
+
+bool selectedJointIsPosed(const EditorState& state) {
+  const int bone = state.document.selection.bone;
+  return bone >= 0 && state.transport.overrides.turnOf(bone) != kIdentity;
+}
+
+void resetJoint(EditorState& state) {
+  if (state.document.selection.bone >= 0) state.transport.overrides.set(state.document.selection.bone, kIdentity);
+}
+
+void resetPose(EditorState& state) { state.transport.overrides.turns.clear(); }
+
+void mirrorPose(EditorState& state) {
+  if (!state.hasCharacter()) return;
+  const Skeleton& skeleton = state.character().skeleton;
+  const MirrorPlan mirror = state.document.mirror ? *state.document.mirror : makeMirrorPlan(state.character());
+  if (!mirror.usable()) {
+    addMessage(state, MessageKind::kNote, "The pose was not mirrored: no joint of this character has a counterpart");
+    return;
+  }
+  PoseOverrides& overrides = state.transport.overrides;
+  const int bone = state.document.selection.bone;
+  const int side = bone >= 0 ? sideOf(mirror, skeleton, bone) : 0;
+  overrides = side != 0 ? sideOnBoth(overrides, mirror, skeleton, side)
+                        : mirroredPose(overrides, skeleton, mirror.twinOf, glm::vec3(mirror.plane.normal));
+}
+
+void copyPose(EditorState& state) {
+  state.copiedPose.clear();
+  for (const JointTurn& turn : state.transport.overrides.turns) {
+    state.copiedPose.emplace_back(state.character().skeleton.fileName(turn.bone), turn.turn);
+  }
+}
+
+void pastePose(EditorState& state) {
+  PoseOverrides& overrides = state.transport.overrides;
+  overrides.turns.clear();
+  int missing = 0;
+  for (const auto& [name, turn] : state.copiedPose) {
+    if (const auto bone = state.character().skeleton.findBone(name)) overrides.set(*bone, turn);
+    else ++missing;
+  }
+  if (missing > 0) {
+    addMessage(state, MessageKind::kNote,
+               std::to_string(missing) + (missing == 1 ? " joint" : " joints") +
+                   " of the copied pose are not in this character");
+  }
+}
+
+void toggleHoldPose(EditorState& state) {
+  if (!state.hasCharacter()) return;
+  Transport& transport = state.transport;
+  const TurnsFrom other = transport.overrides.from == TurnsFrom::kMoment ? TurnsFrom::kBindPose : TurnsFrom::kMoment;
+  Transport plain = transport;
+  plain.overrides = {};
+  transport.overrides =
+      startingFrom(other, state.character().skeleton, poseAt(plain, state.character()), transport.overrides);
+}
+
+void selectParentJoint(EditorState& state) {
+  int& bone = state.document.selection.bone;
+  if (bone < 0) bone = 0;
+  else if (const int parent = state.character().skeleton.bones[static_cast<std::size_t>(bone)].parent; parent >= 0) {
+    bone = parent;
+  }
+}
+
+void selectChildJoint(EditorState& state) {
+  int& bone = state.document.selection.bone;
+  if (bone < 0) {
+    bone = 0;
+    return;
+  }
+  const auto& children = state.character().skeleton.bones[static_cast<std::size_t>(bone)].children;
+  if (!children.empty()) bone = children.front();
+}
+
+void playRangeOfMotion(EditorState& state) {
+  if (!state.hasCharacter()) return;
+  std::shared_ptr<const Character> extended = withRangeOfMotion(state.document.character);
+  if (extended != state.document.character) {
+    Result<LiveSurface> live = LiveSurface::create(extended, state.document.commands, state.transport);
+    if (!live) {
+      addMessage(state, MessageKind::kError, live.error().text());
+      return;
+    }
+    state.document.character = std::move(extended);
+    state.live = std::move(live).value();
+    ++state.documentsOpened;
+  }
+  const int clip = findClip(state.character(), kRangeOfMotionName);
+  if (clip < 0) {
+    addMessage(state, MessageKind::kNote, "No range of motion: this character has no joint to turn");
+    return;
+  }
+  chooseClip(state.transport, clip, state.character());
+  state.transport.playing = clipDuration(state.transport, state.character()) > 0.0;
+}
+
+}  // namespace sinew::app

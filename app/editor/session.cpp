@@ -1,0 +1,152 @@
+// app/editor/session.cpp: what outlives one document.
+
+#include "app/editor/session.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <system_error>
+#include <utility>
+
+#include "app/editor/commands.h"
+#include "app/platform/data_files.h"
+
+namespace sinew::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct KnownSample {
+  const char* stem;
+  const char* name;
+};
+
+/// In menu order. A file that is not here gets its name from its stem.
+constexpr std::array kKnownSamples{
+    KnownSample{"humanoid", "Humanoid"}, KnownSample{"humanoid-wrapped", "Humanoid wrapped"},
+    KnownSample{"horse", "Horse"},       KnownSample{"horse-wrapped", "Horse wrapped"},
+    KnownSample{"demo", "Lizard"},       KnownSample{"wrapped", "Wrapped body"},
+    KnownSample{"tangle", "Tangle"},
+};
+
+std::string stemOf(const fs::path& file) {
+  std::string name = file.filename().string();
+  for (const char* ending : {".rig.json", ".glb", ".gltf"}) {
+    if (name.ends_with(ending)) return name.substr(0, name.size() - std::string(ending).size());
+  }
+  return {};
+}
+
+std::string titleOfStem(std::string stem) {
+  std::ranges::replace(stem, '_', ' ');
+  std::ranges::replace(stem, '-', ' ');
+  if (!stem.empty()) stem[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(stem[0])));
+  return stem;
+}
+
+std::size_t rankOf(const std::string& stem) {
+  const auto known = std::ranges::find(kKnownSamples, stem, &KnownSample::stem);
+  return static_cast<std::size_t>(known - kKnownSamples.begin());
+}
+
+/// Removes it from the list; what it was.
+LeftBehind takeLeftBehind(EditorState& state, const fs::path& file) {
+  const auto found = std::ranges::find(state.leftBehind, file, &LeftBehind::file);
+  if (found == state.leftBehind.end()) return {};
+  LeftBehind left = std::move(*found);
+  state.leftBehind.erase(found);
+  return left;
+}
+
+}  // namespace
+
+std::vector<Sample> samples() {
+  std::vector<std::pair<std::string, fs::path>> rigs;
+  std::vector<std::pair<std::string, fs::path>> characters;
+  std::error_code failed;
+  for (fs::directory_iterator it(dataFile("assets"), failed); !failed && it != fs::directory_iterator();
+       it.increment(failed)) {
+    const std::string stem = stemOf(it->path());
+    if (stem.empty()) continue;
+    (it->path().extension() == ".json" ? rigs : characters).emplace_back(stem, it->path());
+  }
+  std::erase_if(characters, [&](const auto& character) {
+    return std::ranges::any_of(rigs, [&](const auto& rig) { return rig.first == character.first; });
+  });
+  rigs.insert(rigs.end(), characters.begin(), characters.end());
+  std::ranges::sort(rigs, [](const auto& a, const auto& b) {
+    return std::pair(rankOf(a.first), a.first) < std::pair(rankOf(b.first), b.first);
+  });
+  std::vector<Sample> found;
+  for (const auto& [stem, file] : rigs) {
+    const std::size_t rank = rankOf(stem);
+    found.push_back({rank < kKnownSamples.size() ? kKnownSamples[rank].name : titleOfStem(stem), file});
+  }
+  return found;
+}
+
+fs::path firstSample() {
+  for (const char* file : {"assets/humanoid.rig.json", "assets/demo.rig.json"}) {
+    std::error_code failed;
+    if (fs::is_regular_file(dataFile(file), failed)) return dataFile(file);
+  }
+  return {};
+}
+
+bool isSample(const fs::path& file) {
+  std::error_code failed;
+  return !file.empty() && fs::equivalent(file.parent_path(), dataFile("assets"), failed) && !failed;
+}
+
+void rememberDocument(EditorState& state) {
+  const fs::path& file = state.document.rigFile.empty() ? state.document.characterFile : state.document.rigFile;
+  if (!file.empty() && !isSample(file)) rememberFile(state.preferences.recentFiles, file);
+}
+
+void recover(EditorState& state, const fs::path& recoveryFile) {
+  LeftBehind left = takeLeftBehind(state, recoveryFile);
+  if (left.file.empty()) return;
+  Result<Document> recovered = recoverDocument(left);
+  if (!recovered) {
+    addMessage(state, MessageKind::kError,
+               "not recovered: " + recovered.error().text() + "; it is kept as " + left.file.string());
+    return;
+  }
+  if (showDocument(state, std::move(recovered).value())) state.recovered = std::move(left);
+}
+
+void discardRecovery(EditorState& state, const fs::path& recoveryFile) {
+  const LeftBehind left = takeLeftBehind(state, recoveryFile);
+  if (!left.file.empty()) discardLeftBehind(left);
+}
+
+void showPalette(EditorState& state) { state.palette = {true, true, "", 0}; }
+
+void jumpToMuscle(EditorState& state, const std::string& primitive) {
+  if (!state.hasCharacter() || findPrimitive(state.document.rig(), primitive) < 0) return;
+  state.document.selection.set(primitive);
+  state.document.selection.bone = -1;
+  state.outlinerFilter.clear();
+  frameSelection(state, true);
+}
+
+void jumpToBone(EditorState& state, int bone) {
+  if (!state.hasCharacter() || bone < 0 || bone >= static_cast<int>(state.character().skeleton.bones.size())) return;
+  state.document.selection.clear();
+  state.document.selection.bone = bone;
+  state.outlinerFilter.clear();
+  // As much of the surroundings as a tenth of the character's height.
+  const glm::vec3 center(state.live->pose().boneInWorld[static_cast<std::size_t>(bone)][3]);
+  Bounds bounds;
+  bounds.add(center - glm::vec3(0.1f * state.character().height));
+  bounds.add(center + glm::vec3(0.1f * state.character().height));
+  frameBounds(state.tools.camera, bounds, state.viewportPixels, true);
+}
+
+Preferences currentPreferences(const EditorState& state) {
+  Preferences preferences = state.preferences;
+  preferences.layout = state.layout;
+  return preferences;
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,41 @@
+// app/editor/session.h: what outlives one document: samples, recent files, work recovered after a crash.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/editor/editor_state.h"
+
+namespace sinew::app {
+
+/// A character that comes with the program.
+struct Sample {
+  std::string name;  ///< "Horse wrapped"
+  std::filesystem::path file;
+};
+
+/// Those that are there: rigs in a fixed order, then characters that no rig has as its own.
+[[nodiscard]] std::vector<Sample> samples();
+/// What opens without an argument: the first sample; "" if there is none.
+[[nodiscard]] std::filesystem::path firstSample();
+/// Lies in the folder that ships with the program.
+[[nodiscard]] bool isSample(const std::filesystem::path& file);
+
+/// Puts the open document's file among the recent ones, unless it is a sample.
+void rememberDocument(EditorState& state);
+
+/// The document becomes what the crash left in this recovery file; it counts as modified. A message says why not.
+void recover(EditorState& state, const std::filesystem::path& recoveryFile);
+/// Throws the left work away.
+void discardRecovery(EditorState& state, const std::filesystem::path& recoveryFile);
+
+void showPalette(EditorState& state);
+/// Selects it and brings it into the picture.
+void jumpToMuscle(EditorState& state, const std::string& primitive);
+void jumpToBone(EditorState& state, int bone);
+
+/// What is to be written of the preferences: with the layout as it stands.
+[[nodiscard]] Preferences currentPreferences(const EditorState& state);
+
+}  // namespace sinew::app

@@ -1,0 +1,114 @@
+// app/editor/session_keeper.cpp: preferences and unsaved work on the disk.
+
+#include "app/editor/session_keeper.h"
+
+#include "app/editor/commands.h"
+#include "app/editor/session.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr double kSettleSeconds = 1.0;  ///< What is being dragged is written once it rests.
+
+Preferences preferencesOf(const EditorState& state, const WindowPlace& window) {
+  Preferences preferences = currentPreferences(state);
+  if (window.width > 0) preferences.window = window;
+  return preferences;
+}
+
+}  // namespace
+
+SessionKeeper::SessionKeeper(std::filesystem::path preferencesFile, std::filesystem::path recoveryFolder)
+    : preferencesFile_(std::move(preferencesFile)), recoveryFolder_(std::move(recoveryFolder)) {}
+
+void SessionKeeper::start(EditorState& state) {
+  const LoadedPreferences loaded = loadPreferences(preferencesFile_);
+  state.preferences = loaded.preferences;
+  state.layout = loaded.preferences.layout;
+  stored_ = seen_ = loaded.preferences;
+  if (!loaded.complaint.empty()) addMessage(state, MessageKind::kWarning, loaded.complaint);
+  state.leftBehind = findLeftBehind(recoveryFolder_);
+  state.recoveryAsked = !state.leftBehind.empty();
+  Result<RecoveryFile> claimed = RecoveryFile::claim(recoveryFolder_);
+  if (claimed) {
+    recovery_ = std::move(claimed).value();
+  } else {
+    addMessage(state, MessageKind::kWarning, "no autosave: " + claimed.error().text());
+  }
+}
+
+void SessionKeeper::tick(EditorState& state, double now, const WindowPlace& window) {
+  keepRecent(state);
+  keepWork(state, now);
+  keepPreferences(state, now, window);
+}
+
+std::optional<double> SessionKeeper::secondsLeft(const EditorState& state, double now) const {
+  return clock_.secondsLeft(now, state.preferences.autosaveSeconds);
+}
+
+void SessionKeeper::finish(EditorState& state, const WindowPlace& window) {
+  if (recovery_) recovery_->finish();
+  const Preferences last = preferencesOf(state, window);
+  if (last != stored_) writePreferences(state, last);
+}
+
+/// Other editors may have opened files as well: what is on the disk counts, with this document in front.
+void SessionKeeper::keepRecent(EditorState& state) {
+  const Document& document = state.document;
+  const std::pair now(state.documentsOpened, document.rigFile.empty() ? document.characterFile : document.rigFile);
+  if (now == remembered_ || now.second.empty()) return;
+  remembered_ = now;
+  const LoadedPreferences onDisk = loadPreferences(preferencesFile_);
+  if (state.preferences.recentFiles == stored_.recentFiles && !onDisk.preferences.recentFiles.empty()) {
+    state.preferences.recentFiles = onDisk.preferences.recentFiles;
+  }
+  rememberDocument(state);
+}
+
+void SessionKeeper::keepWork(EditorState& state, double now) {
+  if (!recovery_) return;
+  if (state.recovered && writeWork(state)) {
+    discardLeftBehind(*state.recovered);
+    state.recovered.reset();
+  }
+  switch (clock_.look(now, state.preferences.autosaveSeconds, state.document.commands, state.documentsOpened,
+                      state.transport.clip)) {
+    case AutosaveClock::Deed::kNothing:
+      break;
+    case AutosaveClock::Deed::kWrite:
+      writeWork(state);
+      break;
+    case AutosaveClock::Deed::kRemove:
+      recovery_->remove();
+      break;
+  }
+}
+
+bool SessionKeeper::writeWork(EditorState& state) {
+  const Result<void> written = recovery_->write(state.document);
+  if (written) clock_.wrote(state.document.commands.revision());
+  else addMessage(state, MessageKind::kWarning, "autosave failed: " + written.error().text());
+  return written.ok();
+}
+
+void SessionKeeper::keepPreferences(EditorState& state, double now, const WindowPlace& window) {
+  Preferences current = preferencesOf(state, window);
+  if (current == stored_) return;
+  if (current != seen_) {
+    seen_ = std::move(current);
+    seenAt_ = now;
+  } else if (now - seenAt_ >= kSettleSeconds) {
+    writePreferences(state, current);
+  }
+}
+
+/// A failure is told once for what was to be written; the next change tries again.
+void SessionKeeper::writePreferences(EditorState& state, const Preferences& preferences) {
+  stored_ = preferences;
+  if (const Result<void> saved = savePreferences(preferences, preferencesFile_); !saved) {
+    addMessage(state, MessageKind::kWarning, "preferences not saved: " + saved.error().text());
+  }
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,46 @@
+// app/editor/session_keeper.h: writes preferences and unsaved work to the disk while the editor runs.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "app/document/preferences.h"
+#include "app/document/recovery.h"
+#include "app/editor/editor_state.h"
+
+namespace sinew::app {
+
+/// From the start of the editor to its clean end. After any other end the recovery file stays for the next start.
+class SessionKeeper {
+ public:
+  SessionKeeper(std::filesystem::path preferencesFile, std::filesystem::path recoveryFolder);
+
+  /// Preferences and layout into the state; work that a crash left is offered. What is wrong is a message.
+  void start(EditorState& state);
+  /// Called with every frame and at least once a second. @param now  seconds on a clock that only grows.
+  void tick(EditorState& state, double now, const WindowPlace& window);
+  /// Seconds until tick() has something to do; none: not before something changes.
+  [[nodiscard]] std::optional<double> secondsLeft(const EditorState& state, double now) const;
+  /// The clean end: what was unsaved was given up or saved.
+  void finish(EditorState& state, const WindowPlace& window);
+
+ private:
+  void keepRecent(EditorState& state);
+  void keepWork(EditorState& state, double now);
+  void keepPreferences(EditorState& state, double now, const WindowPlace& window);
+  void writePreferences(EditorState& state, const Preferences& preferences);
+  bool writeWork(EditorState& state);
+
+  std::filesystem::path preferencesFile_;
+  std::filesystem::path recoveryFolder_;
+  std::optional<RecoveryFile> recovery_;
+  AutosaveClock clock_;
+  Preferences stored_;  ///< As on the disk.
+  Preferences seen_;    ///< At the last look.
+  double seenAt_ = 0.0;
+  std::pair<std::size_t, std::filesystem::path> remembered_;  ///< Opened document and its file.
+};
+
+}  // namespace sinew::app

@@ -1,0 +1,180 @@
+// app/editor/symmetry_commands.cpp: twins, selecting many, and the clipboard.
+
+#include "app/editor/symmetry_commands.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "app/document/clipboard.h"
+#include "app/editor/commands.h"
+#include "core/rig/rig_edit.h"
+#include "core/symmetry/twins.h"
+
+namespace sinew::app {
+namespace {
+
+const Primitive& at(const Rig& rig, int index) { return rig.primitives[static_cast<std::size_t>(index)]; }
+
+std::string countText(std::size_t count, const std::string& one) {
+  return count == 1 ? one : std::to_string(count) + " muscles";
+}
+
+/// One undo step, or a message that says why not.
+bool apply(EditorState& state, const std::string& label, Result<Rig> rig) {
+  if (!rig) {
+    addMessage(state, MessageKind::kError, rig.error().text());
+    return false;
+  }
+  state.document.commands.apply(label, std::move(rig).value());
+  return true;
+}
+
+/// Names of all muscles that may be picked, in rig order.
+std::vector<std::string> pickableNames(const EditorState& state) {
+  const Document& document = state.document;
+  const Skeleton& skeleton = state.character().skeleton;
+  const EffectiveVisibility seen =
+      effectiveVisibility(document.visibility, document.rig(), skeleton, boneOfEach(document.rig(), skeleton));
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < document.rig().primitives.size(); ++i) {
+    if (seen.visible[i] && !seen.locked[i]) names.push_back(document.rig().primitives[i].name);
+  }
+  return names;
+}
+
+}  // namespace
+
+std::vector<int> editedIndices(const EditorState& state) {
+  const std::vector<int> selected = selectedIndices(state.document);
+  return state.document.symmetry ? withTwins(state.document.rig(), selected) : selected;
+}
+
+bool canMirror(const EditorState& state) { return state.document.mirror && state.document.mirror->usable(); }
+
+void toggleSymmetry(EditorState& state) { state.document.symmetry = !state.document.symmetry; }
+
+void mirrorSelection(EditorState& state) {
+  Rig rig = state.document.rig();
+  std::size_t done = 0;
+  std::set<int> twins;
+  for (const int index : selectedIndices(state.document)) {
+    if (twins.contains(index)) continue;  // Both of a pair are selected: the first leads.
+    Result<Rig> mirrored = mirrorToOtherSide(rig, index, *state.document.mirror);
+    if (!mirrored) {
+      addMessage(state, MessageKind::kError, mirrored.error().text());
+      continue;
+    }
+    rig = std::move(mirrored).value();
+    twins.insert(twinOf(rig, index));
+    ++done;
+  }
+  if (done > 0) apply(state, "Mirror " + countText(done, state.document.selection.active()), std::move(rig));
+}
+
+void flipSelection(EditorState& state) {
+  const std::vector<int> selected = selectedIndices(state.document);
+  apply(state, "Flip " + countText(selected.size(), state.document.selection.active()),
+        flipPrimitives(state.document.rig(), selected, *state.document.mirror));
+}
+
+void unlinkSelection(EditorState& state) {
+  Rig rig = state.document.rig();
+  for (const int index : selectedIndices(state.document)) rig = clearMirror(rig, index);
+  apply(state, "Unlink twin", std::move(rig));
+}
+
+void linkSelection(EditorState& state) {
+  const Rig& rig = state.document.rig();
+  const int leader = state.document.activePrimitive();
+  for (const int index : selectedIndices(state.document)) {
+    if (index == leader) continue;
+    apply(state, "Link " + at(rig, leader).name + " and " + at(rig, index).name,
+          linkTwins(rig, leader, index, *state.document.mirror));
+    return;
+  }
+}
+
+void selectTwins(EditorState& state) {
+  std::vector<std::string> twins;
+  for (const std::string& name : state.document.selection.primitives) {
+    const int index = findPrimitive(state.document.rig(), name);
+    const int twin = index < 0 ? -1 : twinOf(state.document.rig(), index);
+    if (twin >= 0) twins.push_back(at(state.document.rig(), twin).name);
+  }
+  state.document.selection.setAll(twins);
+}
+
+bool anyTwin(const EditorState& state) {
+  return std::ranges::any_of(selectedIndices(state.document),
+                             [&](int index) { return twinOf(state.document.rig(), index) >= 0; });
+}
+
+bool twoSelected(const EditorState& state) { return selectedIndices(state.document).size() == 2; }
+
+std::string whyTwinStays(const EditorState& state) {
+  const int active = state.document.activePrimitive();
+  if (active < 0 || twinOf(state.document.rig(), active) < 0) return "";
+  if (!state.document.mirror) return "this character has no symmetry plane";
+  const Result<std::string> bone = twinBone(*state.document.mirror, at(state.document.rig(), active).bone);
+  return bone ? "" : bone.error().reason;
+}
+
+void selectAll(EditorState& state) {
+  const std::string active = state.document.selection.active();
+  const std::vector<std::string> names = pickableNames(state);
+  state.document.selection.setAll(names);
+  // Who was active stays so.
+  if (std::ranges::find(names, active) != names.end()) state.document.selection.setAll(std::span(&active, 1), true);
+}
+
+void invertSelection(EditorState& state) { state.document.selection.invert(pickableNames(state)); }
+
+void selectOnBone(EditorState& state) {
+  const Rig& rig = state.document.rig();
+  const Skeleton& skeleton = state.character().skeleton;
+  const std::vector<int> boneOf = boneOfEach(rig, skeleton);
+  std::set<int> bones;
+  for (const int index : selectedIndices(state.document)) bones.insert(boneOf[static_cast<std::size_t>(index)]);
+  if (bones.empty()) bones.insert(state.document.selection.bone);
+  bones.erase(-1);
+  const std::string active = state.document.selection.active();
+  std::vector<std::string> names;
+  for (const std::string& name : pickableNames(state)) {
+    if (bones.contains(boneOf[static_cast<std::size_t>(findPrimitive(rig, name))])) names.push_back(name);
+  }
+  state.document.selection.setAll(names);
+  if (std::ranges::find(names, active) != names.end()) state.document.selection.setAll(std::span(&active, 1), true);
+}
+
+void copySelection(EditorState& state) {
+  const std::vector<int> indices = editedIndices(state);
+  if (!indices.empty()) ImGui::SetClipboardText(musclesAsText(state.document.rig(), indices).c_str());
+}
+
+void cutSelection(EditorState& state) {
+  const std::vector<int> indices = editedIndices(state);
+  if (indices.empty()) return;
+  const std::string what = countText(indices.size(), state.document.selection.active());
+  copySelection(state);
+  apply(state, "Cut " + what, removePrimitives(state.document.rig(), indices));
+}
+
+void pasteMuscles(EditorState& state, bool mirrored) {
+  const char* const text = ImGui::GetClipboardText();
+  const MirrorPlan* const plan = mirrored ? state.document.mirror.get() : nullptr;
+  Result<Pasted> pasted = pastedMuscles(state.document.rig(), text ? text : "", state.character().skeleton, plan);
+  if (!pasted) {
+    addMessage(state, MessageKind::kError, pasted.error().text());
+    return;
+  }
+  for (const std::string& reason : pasted->leftOut) addMessage(state, MessageKind::kWarning, reason);
+  const std::vector<std::string> names = pasted->names;
+  apply(state, std::string(mirrored ? "Paste mirrored " : "Paste ") + countText(names.size(), names.front()),
+        std::move(pasted).value().rig);
+  state.document.selection.setAll(names);
+}
+
+}  // namespace sinew::app

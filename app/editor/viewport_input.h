@@ -1,0 +1,21 @@
+// app/editor/viewport_input.h: the window's input as the viewport's tools want it.
+#pragma once
+
+#include "app/editor/editor_state.h"
+#include "app/platform/input_queue.h"
+#include "app/tools/input.h"
+
+namespace sinew::app {
+
+/// What ImGui knows about the same frame.
+struct InterfaceClaims {
+  bool viewportFree = false;   ///< The mouse is over the picture, nothing in front.
+  bool textWanted = false;     ///< A text field has the keyboard.
+  bool doubleClicked = false;  ///< Left button.
+};
+
+/// @param pixelsPerUnit  framebuffer pixels per window coordinate.
+[[nodiscard]] FrameInput viewportInput(const InputFrame& input, const InterfaceClaims& claims,
+                                       const glm::vec4& viewport, const glm::vec2& pixelsPerUnit, double seconds);
+
+}  // namespace sinew::app

@@ -1,0 +1,35 @@
+// app/editor/visibility_commands.h: hide, isolate, before and after; from keys, menus and the outliner.
+#pragma once
+
+#include <string>
+
+#include "app/editor/editor_state.h"
+
+namespace sinew::app {
+
+/// Once a frame, before the surface is brought up to date: marks follow renamed muscles, new ones appear.
+void followEdits(EditorState& state);
+
+/// Hides the selected muscles; shows them if all of them are hidden by themselves.
+void toggleHideSelection(EditorState& state);
+/// Nothing is hidden, soloed or isolated any more; locks stay.
+void showAll(EditorState& state);
+/// Shows the selected muscles alone, or ends that.
+void toggleIsolation(EditorState& state);
+void toggleLockSelection(EditorState& state);
+void unlockAll(EditorState& state);
+
+/// Something is hidden, soloed or isolated.
+[[nodiscard]] bool anythingHidden(const EditorState& state);
+
+/// The menu's and the key's part of "before": the key goes down, or the menu entry is chosen.
+void latchBare(EditorState& state);
+/// Once a frame. @param keyDown  the action's key is held  @param buttonDown  its button is
+void holdBare(EditorState& state, bool keyDown, bool buttonDown);
+
+/// Effective, for the outliner and the picture.
+[[nodiscard]] EffectiveVisibility visibilityOf(const EditorState& state);
+/// "2 of 15 muscles hidden" or "".
+[[nodiscard]] std::string hiddenText(const EditorState& state);
+
+}  // namespace sinew::app

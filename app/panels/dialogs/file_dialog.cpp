@@ -1,0 +1,261 @@
+// app/panels/dialogs/file_dialog.cpp: Open and Save As: a path field under a file browser.
+
+#include "app/panels/dialogs/file_dialog.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <system_error>
+
+#include "app/editor/commands.h"
+#include "app/panels/dialogs/dialogs.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr float kWidth = 820.0f;  // Design pixels.
+constexpr float kListHeight = 340.0f;
+
+void close(EditorState& state) {
+  state.dialog = {};
+  ImGui::CloseCurrentPopup();
+}
+
+void showFolder(FileDialogState& dialog, const std::filesystem::path& folder) {
+  std::filesystem::path clean = folder.lexically_normal();
+  if (!clean.has_filename() && clean.has_relative_path()) clean = clean.parent_path();  // Without the last slash.
+  dialog.folder = std::move(clean);
+  if (dialog.kind == DialogKind::kOpen) dialog.text.clear();
+  dialog.error.clear();
+  dialog.overwriteAsked = false;
+  dialog.appearing = true;
+}
+
+/// The file Save As would write.
+std::filesystem::path saveTarget(const FileDialogState& dialog) {
+  return withRigEnding(resolveTyped(dialog.folder, dialog.text));
+}
+
+/// Save As would overwrite a file that is not this document's own.
+bool replaces(const EditorState& state) {
+  std::error_code ignored;
+  const std::filesystem::path target = saveTarget(state.dialog);
+  return std::filesystem::is_regular_file(target, ignored) &&
+         !std::filesystem::equivalent(target, state.document.rigFile, ignored);
+}
+
+void complain(FileDialogState& dialog, const std::string& error) {
+  dialog.error = error;
+  dialog.appearing = true;
+}
+
+void confirmOpen(EditorState& state, const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) {
+    complain(state.dialog, "There is no file " + file.string());
+    return;
+  }
+  close(state);
+  request(state, {IntentKind::kOpenFile, file});
+}
+
+void confirmSave(EditorState& state) {
+  if (replaces(state) && !state.dialog.overwriteAsked) {
+    state.dialog.overwriteAsked = true;
+    state.dialog.appearing = true;
+    return;
+  }
+  const std::string error = saveTo(state, saveTarget(state.dialog));
+  if (!error.empty()) {
+    complain(state.dialog, error);
+    return;
+  }
+  const Intent then = state.dialog.then;
+  close(state);
+  perform(state, then);
+}
+
+/// Up and Down walk through the list, Tab completes; both inside of the field that is being edited.
+int editPath(ImGuiInputTextCallbackData* data) {
+  EditorState& state = *static_cast<EditorState*>(data->UserData);
+  FileDialogState& dialog = state.dialog;
+  std::string text(data->Buf, static_cast<std::size_t>(data->BufTextLen));
+  if (data->EventFlag == ImGuiInputTextFlags_CallbackCompletion) {
+    text = completePath(dialog.folder, text, listingOptions(state));
+  } else if (data->EventFlag == ImGuiInputTextFlags_CallbackHistory && !dialog.listing.entries.empty()) {
+    const auto& entries = dialog.listing.entries;
+    const auto at = std::ranges::find(entries, text, &FolderEntry::name);
+    const auto last = static_cast<std::ptrdiff_t>(entries.size()) - 1;
+    const std::ptrdiff_t step = data->EventKey == ImGuiKey_UpArrow ? -1 : 1;
+    const std::ptrdiff_t row = at == entries.end() ? (step > 0 ? 0 : last) : (at - entries.begin()) + step;
+    text = entries[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(row, 0, last))].name;
+    dialog.reveal = true;
+  }
+  data->DeleteChars(0, data->BufTextLen);
+  data->InsertChars(0, text.c_str());
+  return 0;
+}
+
+void drawPathField(PanelUi& ui) {
+  FileDialogState& dialog = ui.state.dialog;
+  if (dialog.appearing && !dialog.naming) ImGui::SetKeyboardFocusHere();
+  if (!dialog.naming) dialog.appearing = false;  // What follows may ask for the focus again.
+  const bool wasEmpty = dialog.text.empty();
+  ImGui::SetNextItemWidth(dialog.kind == DialogKind::kOpen ? -ui.px(158) : -1.0f);
+  const bool entered = ImGui::InputTextWithHint(
+      "##path", dialog.kind == DialogKind::kOpen ? "Name or path  (Tab completes)" : "Name of the rig", &dialog.text,
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
+          ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackHistory,
+      editPath, &ui.state);
+  ui.widgets.note("dialog/path");
+  if (ImGui::IsItemEdited()) {
+    dialog.error.clear();
+    dialog.overwriteAsked = false;
+  }
+  const bool active = ImGui::IsItemActive();
+  if (entered) confirmPath(ui.state);
+  else if (active && wasEmpty && ImGui::IsKeyPressed(GLFW_KEY_BACKSPACE, false)) goUp(dialog);
+}
+
+void drawFilter(PanelUi& ui) {
+  FileDialogState& dialog = ui.state.dialog;
+  if (dialog.kind != DialogKind::kOpen) return;
+  constexpr std::array kNames{"Characters and rigs", "Rigs", "Characters"};
+  ImGui::SameLine(0.0f, ui.px(8));
+  ImGui::SetNextItemWidth(-1.0f);
+  const bool open = ImGui::BeginCombo("##filter", kNames[static_cast<std::size_t>(dialog.filter)]);
+  ui.widgets.note("dialog/filter");
+  if (!open) return;
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (ImGui::Selectable(kNames[i], static_cast<std::size_t>(dialog.filter) == i)) {
+      dialog.filter = static_cast<FileFilter>(i);
+    }
+    ui.widgets.note("dialog/filter/" + std::to_string(i));
+  }
+  ImGui::EndCombo();
+}
+
+void drawComplaint(PanelUi& ui) {
+  const FileDialogState& dialog = ui.state.dialog;
+  if (dialog.error.empty() && !dialog.overwriteAsked) return;
+  const std::string asked = saveTarget(dialog).filename().string() + " is there already. Replace it?";
+  ImGui::PushStyleColor(ImGuiCol_Text, dialog.error.empty() ? palette::kWarning : palette::kError);
+  ImGui::TextWrapped("%s", dialog.error.empty() ? asked.c_str() : dialog.error.c_str());
+  ImGui::PopStyleColor();
+}
+
+void leave(EditorState& state) {
+  if (state.dialog.overwriteAsked || state.dialog.naming) {
+    state.dialog.overwriteAsked = state.dialog.naming = false;
+    state.dialog.appearing = true;
+  } else {
+    close(state);
+  }
+}
+
+void drawButtons(PanelUi& ui) {
+  EditorState& state = ui.state;
+  const FileDialogState& dialog = state.dialog;
+  const char* verb = dialog.kind == DialogKind::kOpen ? "Open" : (dialog.overwriteAsked ? "Replace" : "Save");
+  const float width = ui.px(96);
+  ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0f * width - ui.px(8));
+  const bool cancelled = ImGui::Button(dialog.overwriteAsked ? "Keep" : "Cancel", {width, 0.0f});
+  ui.widgets.note("dialog/cancel");
+  ImGui::SameLine(0.0f, ui.px(8));
+  ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccent.faded(0.45f));
+  const bool confirmed = ImGui::Button(verb, {width, 0.0f});
+  ImGui::PopStyleColor();
+  ui.widgets.note("dialog/ok");
+  if (confirmed) confirmPath(state);
+  else if (cancelled || escapePressed(ui)) leave(state);
+}
+
+void takeKeys(EditorState& state) {
+  const ImGuiIO& io = ImGui::GetIO();
+  FileDialogState& dialog = state.dialog;
+  if (io.KeyAlt && ImGui::IsKeyPressed(GLFW_KEY_UP, false)) goUp(dialog);
+  if (io.KeyAlt && ImGui::IsKeyPressed(GLFW_KEY_LEFT, false)) goBack(dialog);
+  if (io.KeyAlt && ImGui::IsKeyPressed(GLFW_KEY_RIGHT, false)) goForward(dialog);
+  if (io.KeyCtrl && ImGui::IsKeyPressed(GLFW_KEY_H, false)) {
+    state.preferences.hiddenFiles = !state.preferences.hiddenFiles;
+  }
+}
+
+}  // namespace
+
+ListingOptions listingOptions(const EditorState& state) {
+  const FileFilter filter = state.dialog.kind == DialogKind::kSaveAs ? FileFilter::kRigs : state.dialog.filter;
+  return {filter, state.preferences.hiddenFiles, state.preferences.newestFirst};
+}
+
+void enterFolder(FileDialogState& dialog, const std::filesystem::path& folder) {
+  dialog.back.push_back(dialog.folder);
+  dialog.forward.clear();
+  showFolder(dialog, folder);
+}
+
+void goBack(FileDialogState& dialog) {
+  if (dialog.back.empty()) return;
+  const std::filesystem::path folder = dialog.back.back();
+  dialog.back.pop_back();
+  dialog.forward.push_back(dialog.folder);
+  showFolder(dialog, folder);
+}
+
+void goForward(FileDialogState& dialog) {
+  if (dialog.forward.empty()) return;
+  const std::filesystem::path folder = dialog.forward.back();
+  dialog.forward.pop_back();
+  dialog.back.push_back(dialog.folder);
+  showFolder(dialog, folder);
+}
+
+void goUp(FileDialogState& dialog) {
+  if (dialog.folder.has_relative_path()) enterFolder(dialog, dialog.folder.parent_path());
+}
+
+void confirmPath(EditorState& state) {
+  FileDialogState& dialog = state.dialog;
+  if (dialog.text.empty()) return;
+  const std::filesystem::path typed = resolveTyped(dialog.folder, dialog.text);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(typed, ignored)) {
+    if (dialog.kind == DialogKind::kSaveAs) dialog.text.clear();
+    enterFolder(dialog, typed);
+  } else if (dialog.kind == DialogKind::kOpen) {
+    confirmOpen(state, typed);
+  } else {
+    confirmSave(state);
+  }
+}
+
+void drawFileDialog(PanelUi& ui) {
+  FileDialogState& dialog = ui.state.dialog;
+  if (dialog.kind == DialogKind::kNone) return;
+  const char* title = dialog.kind == DialogKind::kOpen ? "Open a character or a rig" : "Save the rig as";
+  if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5f * display.x, 0.48f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(ui.px(kWidth), display.x - ui.px(20)), 0.0f});
+  pushDialogStyle(ui);
+  if (ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
+    takeKeys(ui.state);
+    drawFolderBrowser(ui, std::min(ui.px(kListHeight), display.y - ui.px(240)));
+    if (dialog.kind != DialogKind::kNone) {
+      drawPathField(ui);
+      drawFilter(ui);
+    }
+    if (dialog.kind != DialogKind::kNone) drawComplaint(ui);
+    if (dialog.kind != DialogKind::kNone) drawButtons(ui);
+    ImGui::EndPopup();
+  }
+  popDialogStyle();
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,196 @@
+// app/panels/dialogs/key_sheet.cpp: F1: what every key and every drag does, in the keymap that is chosen.
+
+#include <imgui.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/panels/dialogs/dialogs.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr const char* kTitle = "Keys and mouse";
+constexpr float kWidth = 860.0f;  // Design pixels.
+constexpr float kWideWidth = 1220.0f;
+constexpr float kLineGap = 1.0f;
+constexpr float kAroundSheet = 136.0f;  // Height of all else in the window.
+constexpr float kKeysAt = 0.60f;        // Of a column's width.
+
+/// A heading with lines of what and how under it.
+struct Section {
+  std::string title;
+  std::vector<std::pair<std::string, std::string>> lines;
+};
+
+const Section& pictureSection() {
+  static const Section section{"In the picture",
+                               {{"Orbit", "drag, Alt+drag or middle"},
+                                {"Pan", "right or Shift+middle"},
+                                {"Zoom to the pointer", "wheel"},
+                                {"Select, add to it", "click, Shift+click"},
+                                {"Select in a box", "Ctrl+drag"},
+                                {"Add a muscle", "Add muscle, press, drag"}}};
+  return section;
+}
+
+const Section& dragSection() {
+  static const Section section{"While dragging a handle",
+                               {{"Along one axis", "X  Y  Z"},
+                                {"In steps", "Ctrl"},
+                                {"Slowly", "Shift"},
+                                {"By a number", "digits, Enter"},
+                                {"A pole from the middle", "Alt"},
+                                {"Take it back", "Esc or right button"}}};
+  return section;
+}
+
+const Section& fieldSection() {
+  static const Section section{"In fields",
+                               {{"Change a number", "drag, Shift fast, Alt slow"},
+                                {"Type a number", "double click"},
+                                {"Complete a path", "Tab"},
+                                {"Take it back", "Esc"}}};
+  return section;
+}
+
+std::vector<Section> sectionsOf(Keymap keymap) {
+  std::vector<Section> sections;
+  for (const Menu& menu : menus()) {
+    Section section{menu.title, {}};
+    for (const Action& item : actions()) {
+      if (item.menu() != menu.id) continue;
+      const std::array<Shortcut, 2> keys = shortcutsOf(item, keymap);
+      std::string text = textOf(keys[0]);
+      if (keys[1].key != 0) text += (text.empty() ? "" : "  or  ") + textOf(keys[1]);
+      if (!text.empty()) section.lines.emplace_back(item.label, text);
+    }
+    if (!section.lines.empty()) sections.push_back(std::move(section));
+  }
+  for (const Section& mouse : {pictureSection(), dragSection(), fieldSection()}) sections.push_back(mouse);
+  return sections;
+}
+
+/// In lines, with the room under it.
+std::size_t heightOf(const Section& section) { return section.lines.size() + 2; }
+
+std::size_t linesOf(std::span<const Section> sections) {
+  std::size_t all = 0;
+  for (const Section& section : sections) all += heightOf(section);
+  return all;
+}
+
+/// Which section each column begins with: the lowest columns that hold all sections in order.
+std::vector<std::size_t> columnsOf(const std::vector<Section>& sections, std::size_t count) {
+  for (std::size_t lines = linesOf(sections) / count;; ++lines) {
+    std::vector<std::size_t> begins{0};
+    std::size_t used = 0;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+      if (used > 0 && used + heightOf(sections[i]) > lines) {
+        begins.push_back(i);
+        used = 0;
+      }
+      used += heightOf(sections[i]);
+    }
+    if (begins.size() <= count) return begins;
+  }
+}
+
+std::size_t tallest(const std::vector<Section>& sections, const std::vector<std::size_t>& begins) {
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < begins.size(); ++i) {
+    const std::size_t end = i + 1 < begins.size() ? begins[i + 1] : sections.size();
+    most = std::max(most, linesOf(std::span(sections).subspan(begins[i], end - begins[i])));
+  }
+  return most;
+}
+
+void drawSection(PanelUi& ui, const Section& section) {
+  heading(ui, section.title.c_str());
+  const float left = ImGui::GetCursorPosX();
+  const float width = ImGui::GetContentRegionAvail().x;
+  for (const auto& [what, how] : section.lines) {
+    mutedText(what.c_str());
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + kKeysAt * width);
+    ImGui::TextUnformatted(how.c_str());
+  }
+  ImGui::Dummy({0.0f, ui.px(6)});
+}
+
+void drawColumns(PanelUi& ui, const std::vector<Section>& sections, const std::vector<std::size_t>& begins,
+                 float height) {
+  ImGui::BeginChild("sheet", {0.0f, height});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(kLineGap)});
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {ui.px(14), 0.0f});
+  const int columns = static_cast<int>(begins.size());
+  if (ImGui::BeginTable("keys", columns, ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_BordersInnerV)) {
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+      if (std::ranges::binary_search(begins, i)) ImGui::TableNextColumn();
+      drawSection(ui, sections[i]);
+    }
+    ImGui::EndTable();
+  }
+  ImGui::PopStyleVar(2);
+  ImGui::EndChild();
+}
+
+void drawKeymapChoice(PanelUi& ui) {
+  ImGui::AlignTextToFramePadding();
+  mutedText("Keymap");
+  for (const Keymap keymap : {Keymap::kMaya, Keymap::kBlender}) {
+    ImGui::SameLine();
+    const bool chosen = ImGui::RadioButton(titleOf(keymap), ui.state.preferences.keymap == keymap);
+    ui.widgets.note(std::string("keys/") + nameOf(keymap));
+    if (chosen) ui.state.preferences.keymap = keymap;
+  }
+}
+
+/// Two columns; a third where two are too tall for the window and there is room for it.
+void drawSheet(PanelUi& ui) {
+  const std::vector<Section> sections = sectionsOf(ui.state.preferences.keymap);
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float line = ImGui::GetTextLineHeight() + ui.px(kLineGap);
+  const float room = display.y - ui.px(kAroundSheet);
+  const auto heightFor = [&](std::size_t columns) {
+    return static_cast<float>(tallest(sections, columnsOf(sections, columns))) * line;
+  };
+  const bool third = heightFor(2) > room && display.x >= ui.px(kWideWidth + 20.0f);
+  const std::size_t columns = third ? 3 : 2;
+  ImGui::SetNextWindowSize({std::min(ui.px(third ? kWideWidth : kWidth), display.x - ui.px(20)), 0.0f});
+  bool open = true;
+  if (!ImGui::BeginPopupModal(kTitle, &open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) return;
+  const bool toggled = ImGui::IsKeyPressed(GLFW_KEY_F1, false) && !ImGui::IsWindowAppearing();
+  drawKeymapChoice(ui);
+  ImGui::Separator();
+  drawColumns(ui, sections, columnsOf(sections, columns), std::min(heightFor(columns), room));
+  ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - ui.px(104));
+  const bool closed = ImGui::Button("Close", {ui.px(104), 0.0f});
+  ui.widgets.note("keys/close");
+  if (closed || !open || toggled || escapePressed(ui) || ImGui::IsMouseClicked(1)) {
+    ui.state.keySheet = false;
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+}  // namespace
+
+void drawKeySheet(PanelUi& ui) {
+  if (!ui.state.keySheet) return;
+  if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  pushDialogStyle(ui);
+  drawSheet(ui);
+  popDialogStyle();
+}
+
+}  // namespace sinew::app

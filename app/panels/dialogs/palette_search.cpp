@@ -1,0 +1,148 @@
+// app/panels/dialogs/palette_search.cpp: fuzzy search of short texts.
+
+#include "app/panels/dialogs/palette_search.h"
+
+#include <algorithm>
+#include <cctype>
+#include <tuple>
+
+namespace sinew::app {
+namespace {
+
+constexpr int kLetter = 1;
+constexpr int kSideBySide = 6;
+constexpr int kWordBegins = 8;
+constexpr int kTextBegins = 6;
+constexpr int kWholeText = 20;
+constexpr int kOnlyInContext = 24;  ///< Less for a query that the label alone does not fit.
+constexpr int kRecentBonus = 4;     ///< For the one used last; a step less for every five before.
+constexpr int kUnusable = 6;        ///< Less for what cannot be done now.
+constexpr int kWorst = -1000000;
+
+char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+bool isWordCharacter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || (c & 0x80) != 0; }
+
+bool beginsWord(std::string_view text, std::size_t at) {
+  if (at == 0 || !isWordCharacter(text[at - 1])) return true;
+  const auto upper = [&](std::size_t i) { return std::isupper(static_cast<unsigned char>(text[i])) != 0; };
+  return upper(at) && !upper(at - 1);  // "LeftLeg"
+}
+
+int weightAt(std::string_view text, std::size_t at) {
+  return kLetter + (beginsWord(text, at) ? kWordBegins : 0) + (at == 0 ? kTextBegins : 0);
+}
+
+/// Best placing of one word's letters, by dynamic programming: best[i][j] is the best score of the first i + 1 letters
+/// with the last of them at j.
+std::optional<Fit> fitWord(std::string_view word, std::string_view text) {
+  if (word.size() > text.size()) return std::nullopt;
+  std::vector<std::vector<int>> best(word.size(), std::vector<int>(text.size(), kWorst));
+  std::vector<std::vector<std::size_t>> from(word.size(), std::vector<std::size_t>(text.size(), 0));
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    int before = kWorst;  // The best of the letter before, anywhere left of j - 1.
+    std::size_t beforeAt = 0;
+    for (std::size_t j = i; j < text.size(); ++j) {
+      if (i > 0 && j >= 2 && best[i - 1][j - 2] > before) {
+        before = best[i - 1][j - 2];
+        beforeAt = j - 2;
+      }
+      if (lower(word[i]) != lower(text[j])) continue;
+      if (i == 0) {
+        best[i][j] = weightAt(text, j);
+        continue;
+      }
+      const int beside = best[i - 1][j - 1] == kWorst ? kWorst : best[i - 1][j - 1] + kSideBySide;
+      const int most = std::max(beside, before);
+      if (most == kWorst) continue;
+      best[i][j] = most + weightAt(text, j);
+      from[i][j] = beside >= before ? j - 1 : beforeAt;
+    }
+  }
+  const auto last = std::ranges::max_element(best.back());
+  if (*last == kWorst) return std::nullopt;
+  Fit fit{*last, {}};
+  auto at = static_cast<std::size_t>(last - best.back().begin());
+  for (std::size_t i = word.size(); i-- > 0;) {
+    fit.marks.push_back(at);
+    at = from[i][at];
+  }
+  std::ranges::reverse(fit.marks);
+  return fit;
+}
+
+std::vector<std::string_view> wordsOf(std::string_view query) {
+  std::vector<std::string_view> words;
+  while (!query.empty()) {
+    const std::size_t space = query.find(' ');
+    if (space != 0) words.push_back(query.substr(0, space));
+    if (space == std::string_view::npos) break;
+    query.remove_prefix(space + 1);
+  }
+  return words;
+}
+
+bool sameText(std::string_view a, std::string_view b) {
+  return std::ranges::equal(a, b, [](char x, char y) { return lower(x) == lower(y); });
+}
+
+/// The label alone if it fits; else label and context as one text.
+std::optional<Fit> fitCandidate(std::string_view query, const Candidate& candidate) {
+  if (std::optional<Fit> fit = fitOf(query, candidate.label)) return fit;
+  std::optional<Fit> fit = fitOf(query, candidate.label + " " + candidate.context);
+  if (!fit) return fit;
+  fit->score -= kOnlyInContext;
+  std::erase_if(fit->marks, [&](std::size_t mark) { return mark >= candidate.label.size(); });
+  return fit;
+}
+
+}  // namespace
+
+std::optional<Fit> fitOf(std::string_view query, std::string_view text) {
+  Fit all;
+  for (const std::string_view word : wordsOf(query)) {
+    const std::optional<Fit> fit = fitWord(word, text);
+    if (!fit) return std::nullopt;
+    all.score += fit->score;
+    all.marks.insert(all.marks.end(), fit->marks.begin(), fit->marks.end());
+  }
+  if (!query.empty() && sameText(query, text)) all.score += kWholeText;
+  std::ranges::sort(all.marks);
+  const auto repeated = std::ranges::unique(all.marks);
+  all.marks.erase(repeated.begin(), repeated.end());
+  return all;
+}
+
+std::vector<Found> search(std::string_view query, const std::vector<Candidate>& candidates, std::size_t most) {
+  struct Ranked {
+    bool last;
+    int score;
+    std::size_t rank;  ///< Among equals.
+    Found found;
+  };
+  const bool asked = !wordsOf(query).empty();
+  std::vector<Ranked> ranked;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const Candidate& candidate = candidates[i];
+    std::optional<Fit> fit = fitCandidate(query, candidate);
+    if (!fit) continue;
+    const bool recent = candidate.recent >= 0;
+    if (asked && recent) fit->score += std::max(kRecentBonus - candidate.recent / 5, 0);
+    if (asked && !candidate.usable) fit->score -= kUnusable;
+    // Of equals the shorter label, which the query covers better.
+    const std::size_t rank =
+        asked ? candidate.label.size() : (recent ? static_cast<std::size_t>(candidate.recent) : candidates.size() + i);
+    ranked.push_back({!asked && !candidate.usable, asked ? -fit->score : 0, rank, {i, std::move(fit->marks)}});
+  }
+  std::ranges::stable_sort(ranked, [](const Ranked& a, const Ranked& b) {
+    return std::tie(a.last, a.score, a.rank) < std::tie(b.last, b.score, b.rank);
+  });
+  std::vector<Found> found;
+  for (Ranked& entry : ranked) {
+    if (found.size() == most) break;
+    found.push_back(std::move(entry.found));
+  }
+  return found;
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,41 @@
+// app/panels/dialogs/palette_search.h: which entries of the palette fit what was typed, best first.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sinew::app {
+
+/// How well a text fits a query.
+struct Fit {
+  int score = 0;                   ///< Greater is better.
+  std::vector<std::size_t> marks;  ///< Bytes of the text that the query's letters stand at, ascending.
+};
+
+/// Every word of the query must be in the text, its letters in order but not side by side; case does not count.
+/// Letters side by side, at the beginning of words and of the text weigh more. An empty query fits with score 0.
+[[nodiscard]] std::optional<Fit> fitOf(std::string_view query, std::string_view text);
+
+/// Something to be found.
+struct Candidate {
+  std::string label;    ///< What is read and searched first.
+  std::string context;  ///< "View", "Muscle on thigh.L": searched as well, weighs less.
+  int recent = -1;      ///< 0: used last, 1: the one before ...; -1: not lately.
+  bool usable = true;
+};
+
+struct Found {
+  std::size_t index = 0;           ///< Into the candidates.
+  std::vector<std::size_t> marks;  ///< In the label.
+};
+
+/// Fitting candidates, best first; what cannot be used now weighs less, but stays above what fits badly, so that Enter
+/// never does something else instead. Without a query: lately used ones, then the others as they stand, at last what
+/// cannot be used. At most `most`.
+[[nodiscard]] std::vector<Found> search(std::string_view query, const std::vector<Candidate>& candidates,
+                                        std::size_t most);
+
+}  // namespace sinew::app

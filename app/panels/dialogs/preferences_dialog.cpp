@@ -1,0 +1,128 @@
+// app/panels/dialogs/preferences_dialog.cpp: what the user may set for all documents.
+
+#include <imgui.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "app/panels/dialogs/dialogs.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr const char* kTitle = "Preferences";
+constexpr float kLabelWidth = 150.0f;  // Design pixels.
+constexpr std::array kScales{0.0f, 1.0f, 1.25f, 1.5f, 1.75f, 2.0f, 2.5f, 3.0f};
+
+void label(PanelUi& ui, const char* text) {
+  ImGui::AlignTextToFramePadding();
+  mutedText(text);
+  ImGui::SameLine(ui.px(kLabelWidth));
+}
+
+void explain(PanelUi& ui, const char* text) {
+  ImGui::SetCursorPosX(ui.px(kLabelWidth));
+  ImGui::PushStyleColor(ImGuiCol_Text, palette::kMuted.faded(0.8f));
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ImGui::Dummy({0.0f, ui.px(6)});
+}
+
+void keymapRow(PanelUi& ui) {
+  label(ui, "Keymap");
+  for (const Keymap keymap : {Keymap::kMaya, Keymap::kBlender}) {
+    if (keymap != Keymap::kMaya) ImGui::SameLine();
+    const bool chosen = ImGui::RadioButton(titleOf(keymap), ui.state.preferences.keymap == keymap);
+    ui.widgets.note(std::string("preferences/keymap/") + nameOf(keymap));
+    if (chosen) ui.state.preferences.keymap = keymap;
+  }
+  explain(ui, ui.state.preferences.keymap == Keymap::kMaya
+                  ? "Q W E R choose select, move, rotate, scale. F1 lists all keys."
+                  : "G R S grab, rotate, scale at once; X deletes, Shift+D duplicates. F1 lists all keys.");
+}
+
+std::string scaleText(float scale, float system) {
+  std::array<char, 48> text{};
+  if (scale > 0.0f) std::snprintf(text.data(), text.size(), "%.0f %%", static_cast<double>(scale) * 100.0);
+  else std::snprintf(text.data(), text.size(), "as the system says (%.0f %%)", static_cast<double>(system) * 100.0);
+  return text.data();
+}
+
+void scaleRow(PanelUi& ui) {
+  label(ui, "Size of the interface");
+  float& scale = ui.state.preferences.scale;
+  ImGui::SetNextItemWidth(-1.0f);
+  const bool open = ImGui::BeginCombo("##scale", scaleText(scale, ui.state.systemScale).c_str());
+  ui.widgets.note("preferences/scale");
+  if (open) {
+    for (std::size_t i = 0; i < kScales.size(); ++i) {
+      if (ImGui::Selectable(scaleText(kScales[i], ui.state.systemScale).c_str(), scale == kScales[i])) {
+        scale = kScales[i];
+      }
+      ui.widgets.note("preferences/scale/" + std::to_string(i));
+    }
+    ImGui::EndCombo();
+  }
+  explain(ui, "Letters, icons, spacing and handles.");
+}
+
+void autosaveRow(PanelUi& ui) {
+  label(ui, "Autosave");
+  auto seconds = static_cast<float>(ui.state.preferences.autosaveSeconds);
+  ImGui::SetNextItemWidth(-1.0f);
+  beginFilledSlider(ui, std::log(seconds / 5.0f) / std::log(300.0f / 5.0f));
+  const bool changed = ImGui::SliderFloat("##autosave", &seconds, 5.0f, 300.0f, "every %.0f seconds",
+                                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+  endFilledSlider();
+  ui.widgets.note("preferences/autosave");
+  if (changed) ui.state.preferences.autosaveSeconds = static_cast<double>(std::round(seconds));
+  explain(ui,
+          "Unsaved changes go to a recovery file, never to the rig's own. After a crash the next start offers them.");
+}
+
+void buttons(PanelUi& ui, bool& closed) {
+  const float width = ui.px(104);
+  if (ImGui::Button("Reset layout")) run(action("window/reset-layout"), ui.state);
+  ui.widgets.note("preferences/reset-layout");
+  tooltip(ui, action("window/reset-layout").hint);
+  ImGui::SameLine();
+  if (ImGui::Button("Forget recent files")) ui.state.preferences.recentFiles.clear();
+  ui.widgets.note("preferences/forget");
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+  ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccent.faded(0.45f));
+  closed = ImGui::Button("Close", {width, 0.0f});
+  ImGui::PopStyleColor();
+  ui.widgets.note("preferences/close");
+}
+
+}  // namespace
+
+void drawPreferences(PanelUi& ui) {
+  if (!ui.state.preferencesShown) return;
+  if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5f * display.x, 0.45f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({ui.px(540), 0.0f});
+  pushDialogStyle(ui);
+  if (ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
+    keymapRow(ui);
+    scaleRow(ui);
+    autosaveRow(ui);
+    ImGui::Separator();
+    ImGui::Dummy({0.0f, ui.px(2)});
+    bool closed = false;
+    buttons(ui, closed);
+    if (closed || escapePressed(ui)) {
+      ui.state.preferencesShown = false;
+      ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+  }
+  popDialogStyle();
+}
+
+}  // namespace sinew::app

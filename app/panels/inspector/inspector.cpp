@@ -1,0 +1,158 @@
+// app/panels/inspector/inspector.cpp: the selected muscles: name, bone, group, placement, effect, territory.
+
+#include "app/panels/inspector/inspector.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "app/editor/blending_edit.h"
+#include "app/editor/commands.h"
+#include "app/editor/outliner_edit.h"
+#include "app/ui/panel_glyphs.h"
+
+namespace sinew::app {
+namespace {
+
+void nameRow(PanelUi& ui, const Subjects& subjects) {
+  beginRow(ui, "Name");
+  if (subjects.several()) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted((std::to_string(subjects.indices.size()) + " muscles").c_str());
+    ui.widgets.note("inspector/names");
+    std::string names;
+    for (const int index : subjects.indices) {
+      names += (names.empty() ? "" : ", ") + subjects.rig->primitives[static_cast<std::size_t>(index)].name;
+    }
+    tooltip(ui, names + "\nEdits apply to all of them.");
+    return;
+  }
+  const std::string& name = subjects.shown().name;
+  std::string text = name;
+  const bool entered = ImGui::InputText("##name", &text, ImGuiInputTextFlags_EnterReturnsTrue);
+  ui.widgets.note("inspector/name");
+  if (entered || ImGui::IsItemDeactivatedAfterEdit()) ui.state.fieldError = rename(ui.state, name, text);
+}
+
+void boneRow(PanelUi& ui, const Subjects& subjects) {
+  const Skeleton& skeleton = ui.state.character().skeleton;
+  beginRow(ui, "Bone");
+  const bool differ = subjects.differ([](const Primitive& p) { return p.bone; });
+  const std::string missing = subjects.bone < 0 ? " (missing)" : "";
+  const std::string shown = differ ? "mixed" : subjects.shown().bone + missing;
+  const bool open = ImGui::BeginCombo("##bone", shown.c_str(), ImGuiComboFlags_HeightLarge);
+  ui.widgets.note("inspector/bone");
+  if (!open) {
+    tooltip(ui, "The bone that carries the muscle. On another one it keeps its place in the world.");
+    return;
+  }
+  for (int bone = 0; bone < static_cast<int>(skeleton.bones.size()); ++bone) {
+    const std::string& name = skeleton.fileName(bone);
+    const bool chosen = ImGui::Selectable(name.c_str(), !differ && bone == subjects.bone);
+    ui.widgets.note("inspector/bone/" + name);
+    if (bone == subjects.bone && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
+    if (chosen) reparentMuscles(ui.state, subjects.indices, bone);
+  }
+  ImGui::EndCombo();
+}
+
+void groupDot(PanelUi& ui, const ImVec2& at, float height, int group) {
+  ImGui::GetWindowDrawList()->AddCircleFilled({at.x + ui.px(10), at.y + 0.5f * height}, ui.px(4.5f),
+                                              groupTint(group).packed(), 16);
+}
+
+void groupRow(PanelUi& ui, const Subjects& subjects) {
+  const Rig& rig = *subjects.rig;
+  beginRow(ui, "Group");
+  const bool differ = subjects.differ([](const Primitive& p) { return p.group; });
+  const std::string& own = subjects.shown().group;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const std::string shown = differ ? "mixed" : "    " + own;
+  const bool open = ImGui::BeginCombo("##group", shown.c_str());
+  ui.widgets.note("inspector/group");
+  if (!open) {
+    tooltip(ui, "Muscles of one group add up; the Groups tab says which groups blend with each other.");
+    if (!differ) groupDot(ui, corner, ImGui::GetFrameHeight(), findGroup(rig, own));
+    return;
+  }
+  for (int group = 0; group < static_cast<int>(rig.groups.size()); ++group) {
+    const std::string& name = rig.groups[static_cast<std::size_t>(group)].name;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool chosen = ImGui::Selectable(("     " + name).c_str(), !differ && name == own);
+    ui.widgets.note("inspector/group/" + name);
+    groupDot(ui, {at.x - ui.px(2), at.y}, ImGui::GetTextLineHeight(), group);
+    if (chosen) moveToGroup(ui.state, subjects.indices, name);
+  }
+  ImGui::Separator();
+  const bool wanted = ImGui::Selectable("     New group");
+  ui.widgets.note("inspector/group-new");
+  if (wanted) groupSelection(ui.state);
+  ImGui::EndCombo();
+}
+
+void reachRow(PanelUi& ui, const Subjects& subjects) {
+  beginRow(ui, "Reach");
+  NumberField field{"inspector/reach",
+                    "Reach",
+                    "%.3f",
+                    0.005f,
+                    1.01f,
+                    8.0f,
+                    {},
+                    {},
+                    {},
+                    kNewReach,
+                    Together::kAdd,
+                    "How far the muscle's influence goes, in radii. More fades out softer."};
+  field.get = [](const Primitive& p) { return p.reach; };
+  field.set = [](Primitive& p, float value) { p.reach = value; };
+  ImGui::SetNextItemWidth(-1.0f);
+  drawNumberField(ui, subjects, field);
+}
+
+void signRow(PanelUi& ui, const Subjects& subjects) {
+  beginRow(ui, "Effect");
+  const bool differ = subjects.differ([](const Primitive& p) { return p.sign; });
+  constexpr const char* kSigns[] = {"Adds", "Carves"};
+  const int now = differ ? -1 : (subjects.shown().sign > 0 ? 0 : 1);
+  const int chosen = segmented(ui, "inspector", kSigns, 2, now, ImGui::GetContentRegionAvail().x);
+  if (chosen < 0 || chosen == now) return;
+  const int sign = chosen == 0 ? 1 : -1;
+  editSubjects(ui, subjects, sign > 0 ? "Add" : "Carve", [sign](Primitive& p) { p.sign = sign; });
+}
+
+void nothingSelected(PanelUi& ui) {
+  ImGui::PushTextWrapPos(0.0f);
+  const int bone = ui.state.document.selection.bone;
+  if (bone >= 0) {
+    const std::string& name = ui.state.character().skeleton.bones[static_cast<std::size_t>(bone)].name;
+    mutedText(("Bone " + name + ". Add a muscle on it with + in the list, or press M and drag on the skin.").c_str());
+  } else {
+    mutedText("Nothing selected. Click a muscle, or press M and drag on the skin to add one.");
+  }
+  ImGui::PopTextWrapPos();
+}
+
+}  // namespace
+
+void drawInspector(PanelUi& ui) {
+  const int active = ui.state.document.activePrimitive();
+  if (active < 0) {
+    nothingSelected(ui);
+    return;
+  }
+  Subjects subjects{ui.state.document.commands.sharedRig(), selectedIndices(ui.state.document), active, -1};
+  subjects.bone = ui.state.character().skeleton.findBone(subjects.shown().bone).value_or(-1);
+  ImGui::PushID(subjects.several() ? "several" : subjects.shown().name.c_str());
+  nameRow(ui, subjects);
+  boneRow(ui, subjects);
+  groupRow(ui, subjects);
+  drawTwinRow(ui, subjects);
+  drawPlacementRows(ui, subjects);
+  section(ui, "Effect");
+  reachRow(ui, subjects);
+  signRow(ui, subjects);
+  drawTerritoryRows(ui, subjects);
+  ImGui::PopID();
+}
+
+}  // namespace sinew::app

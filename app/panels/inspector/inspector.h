@@ -1,0 +1,74 @@
+// app/panels/inspector/inspector.h: what the parts of the inspector share: its muscles and their number fields.
+#pragma once
+
+#include <cfloat>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/panels/shared/panel_ui.h"
+
+namespace sinew::app {
+
+// The panels.
+void drawInspector(PanelUi& ui);
+void drawSurfacePanel(PanelUi& ui);
+void drawSmoothingPanel(PanelUi& ui);
+
+/// The muscles that the inspector shows, while it is drawn: the rig stays as it was when drawing began.
+struct Subjects {
+  std::shared_ptr<const Rig> rig;
+  std::vector<int> indices;  ///< Rig indices of all selected, ascending.
+  int active = -1;           ///< The one whose values are shown where they differ.
+  int bone = -1;             ///< Of the active one; -1: unattached.
+
+  [[nodiscard]] const Primitive& shown() const { return rig->primitives[static_cast<std::size_t>(active)]; }
+  [[nodiscard]] bool several() const { return indices.size() > 1; }
+  /// Whether what `part` gives is not the same for all.
+  template <class Part>
+  [[nodiscard]] bool differ(Part part) const {
+    for (const int index : indices) {
+      if (!(part(rig->primitives[static_cast<std::size_t>(index)]) == part(shown()))) return true;
+    }
+    return false;
+  }
+};
+
+/// How a drag changes muscles whose values differ; a typed number is the same for all.
+enum class Together { kAdd, kMultiply };
+
+/// A number of a muscle as a field.
+struct NumberField {
+  std::string id;  ///< "inspector/reach"
+  const char* undoLabel;
+  const char* format;
+  float speed = 0.01f;     ///< Shown units per pixel.
+  float least = -FLT_MAX;  ///< Shown units.
+  float most = FLT_MAX;
+  std::function<float(const Primitive&)> get;
+  std::function<void(Primitive&, float)> set;
+  std::function<float(const Primitive&)> scale;  ///< Shown units per unit of the rig; empty: 1.
+  std::optional<float> initial;                  ///< Shown units; what Reset gives.
+  Together together = Together::kAdd;
+  std::string hint;
+};
+
+/// One undo step for a drag or what is typed, for all muscles; a right click resets, copies and pastes. The item's
+/// width is the caller's. Notes itself as its id.
+void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& field);
+
+/// Changes all subjects, in the gesture of the field that is being edited or as a step of its own.
+void editSubjects(PanelUi& ui, const Subjects& subjects, const char* label,
+                  const std::function<void(Primitive&)>& change);
+
+/// A quiet title between groups of rows. @param room  kept free at its right end, design pixels
+void section(PanelUi& ui, const char* title, float room = 0.0f);
+
+// The parts, each in a file of its own.
+void drawTwinRow(PanelUi& ui, const Subjects& subjects);
+void drawPlacementRows(PanelUi& ui, const Subjects& subjects);
+void drawTerritoryRows(PanelUi& ui, const Subjects& subjects);
+
+}  // namespace sinew::app

@@ -1,0 +1,129 @@
+// app/panels/inspector/inspector_territory.cpp: the bones whose skin a muscle may move.
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "app/editor/commands.h"
+#include "app/editor/outliner_rows.h"
+#include "app/editor/territory.h"
+#include "app/panels/inspector/inspector.h"
+#include "app/panels/shared/field_edit.h"
+#include "app/ui/panel_glyphs.h"
+#include "core/rig/attachment.h"
+
+namespace sinew::app {
+namespace {
+
+void reset(PanelUi& ui, const Subjects& subjects) {
+  applyFieldEdit(ui, "Default territory", withDefaultTerritory(ui.state.document.rig(), subjects.indices));
+}
+
+/// "default" or "named", with the way back to the default.
+void headRow(PanelUi& ui, const Subjects& subjects, std::size_t bones) {
+  const bool differ = subjects.differ([](const Primitive& p) { return p.territory; });
+  const bool named = subjects.shown().territory.has_value();
+  beginRow(ui, "Bones");
+  ImGui::AlignTextToFramePadding();
+  const std::string many = std::to_string(bones) + (bones == 1 ? " bone" : " bones");
+  const std::string count = subjects.several() ? "" : ", " + many;
+  const std::string kind = differ ? "mixed" : (named ? "named" : "default");
+  ImGui::TextUnformatted((kind + count).c_str());
+  if (ImGui::IsItemClicked()) ui.state.panels.inspector.territoryOpen = !ui.state.panels.inspector.territoryOpen;
+  ui.widgets.note("inspector/territory");
+  tooltip(ui, std::string("The bones whose skin this muscle may move") +
+                  (named ? ", as the rig names them." : ": its bone, that one's parent and children. Click: which."));
+  const float button = ImGui::GetFrameHeight();
+  const float right = ImGui::GetWindowContentRegionMax().x;
+  if (named || differ) {
+    ImGui::SameLine(right - 2.0f * button - ui.px(4));
+    if (glyphButton(ui, "inspector/territory-reset", Glyph::kReset, false, button, "Back to the default")) {
+      reset(ui, subjects);
+    }
+  }
+  ImGui::SameLine(right - button);
+  const Action& mode = action("tool/territory");
+  if (glyphButton(ui, "inspector/territory-edit", Glyph::kTerritory, editsTerritory(ui.state), button,
+                  tooltipOf(ui, mode))) {
+    run(mode, ui.state);
+  }
+}
+
+/// A bone of the territory with a cross that takes it out.
+void boneRow(PanelUi& ui, const std::string& name, int bone) {
+  const float indent = ui.px(6);
+  const float size = ImGui::GetTextLineHeight() + ui.px(4);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float right = at.x + ImGui::GetContentRegionAvail().x;
+  const bool over = ImGui::IsMouseHoveringRect(at, {right, at.y + size}) && ImGui::IsWindowHovered();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (over) list.AddRectFilled(at, {right, at.y + size}, palette::kRaised.packed(), ui.px(4));
+  drawIcon(list, Icon::kBone, {at.x + indent, at.y + ui.px(3)}, ui.px(13),
+           (bone >= 0 ? palette::kMuted : palette::kWarning).packed());
+  const std::string text = bone >= 0 ? name : name + "  (not in this character)";
+  clippedText(list, {at.x + indent + ui.px(20), at.y + ui.px(2)}, right - at.x - indent - ui.px(20) - size,
+              (bone >= 0 ? palette::kText : palette::kWarning).packed(), text);
+  if (bone < 0) {
+    ImGui::Dummy({0.0f, size});
+    return;
+  }
+  ImGui::SetCursorScreenPos({right - size, at.y});
+  const std::string id = "inspector/territory-remove/" + name;
+  const bool pressed = ImGui::InvisibleButton(id.c_str(), {size, size});
+  ui.widgets.note(id);
+  tooltip(ui, "Leave the skin of this bone alone");
+  if (over) {
+    drawIcon(list, Icon::kClose, {right - size + ui.px(2), at.y + ui.px(2)}, size - ui.px(4),
+             (ImGui::IsItemHovered() ? palette::kText : palette::kMuted).packed());
+  }
+  if (pressed) toggleTerritoryBone(ui.state, bone);
+}
+
+void addRow(PanelUi& ui, const std::vector<int>& within) {
+  const Skeleton& skeleton = ui.state.character().skeleton;
+  ImGui::SetNextItemWidth(-1.0f);
+  const bool open = ImGui::BeginCombo("##territory-add", "Add a bone...", ImGuiComboFlags_HeightLarge);
+  ui.widgets.note("inspector/territory-add");
+  if (!open) return;
+  std::string& filter = ui.state.panels.inspector.territoryFilter;
+  if (ImGui::IsWindowAppearing()) {
+    filter.clear();
+    ImGui::SetKeyboardFocusHere();
+  }
+  ImGui::SetNextItemWidth(-1.0f);
+  ImGui::InputTextWithHint("##filter", "Search", &filter);
+  for (int bone = 0; bone < static_cast<int>(skeleton.bones.size()); ++bone) {
+    if (std::ranges::binary_search(within, bone)) continue;
+    if (!containsText(skeleton.bones[static_cast<std::size_t>(bone)].name, filter)) continue;
+    const std::string& name = skeleton.fileName(bone);
+    const bool chosen = ImGui::Selectable(name.c_str());
+    ui.widgets.note("inspector/territory-add/" + name);
+    if (chosen) toggleTerritoryBone(ui.state, bone);
+  }
+  ImGui::EndCombo();
+}
+
+}  // namespace
+
+void drawTerritoryRows(PanelUi& ui, const Subjects& subjects) {
+  section(ui, "Territory");
+  const Skeleton& skeleton = ui.state.character().skeleton;
+  const std::vector<int> within =
+      subjects.bone < 0 ? std::vector<int>{} : territoryBones(subjects.shown(), subjects.bone, skeleton);
+  headRow(ui, subjects, within.size());
+  if (subjects.several() || subjects.bone < 0) return;
+  const bool named = subjects.shown().territory.has_value();
+  if (!named && !editsTerritory(ui.state) && !ui.state.panels.inspector.territoryOpen) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(1)});
+  for (const int bone : within) boneRow(ui, skeleton.fileName(bone), bone);
+  for (const std::string& name : subjects.shown().territory.value_or(std::vector<std::string>{})) {
+    if (!skeleton.findBone(name)) boneRow(ui, name, -1);
+  }
+  ImGui::PopStyleVar();
+  addRow(ui, within);
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,56 @@
+// app/panels/left_tabs.cpp: the two tabs at the left.
+
+#include <imgui.h>
+
+#include "app/panels/blending/blending.h"
+#include "app/panels/outliner/outliner.h"
+#include "app/panels/panels.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr double kTabHoldSeconds = 0.35;  ///< A muscle dragged onto a tab for so long opens it.
+
+/// A word as a tab; a muscle that is dragged over it opens it.
+void drawTab(PanelUi& ui, const char* word, const char* id, LeftTab tab) {
+  OutlinerState& outliner = ui.state.panels.outliner;
+  const bool active = outliner.tab == tab;
+  ImGui::PushFont(ui.fonts.strong);
+  const ImVec2 text = ImGui::CalcTextSize(word);
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const ImVec2 size{text.x + ui.px(2), text.y + ui.px(7)};
+  if (ImGui::InvisibleButton(id, size)) outliner.tab = tab;
+  ui.widgets.note(id);
+  const bool dragged = ImGui::GetDragDropPayload() != nullptr;
+  const bool over = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+  if (dragged && over) {
+    ui.wakeAfter = kTabHoldSeconds;
+    if (ImGui::GetIO().MouseDownDuration[0] > static_cast<float>(kTabHoldSeconds)) outliner.tab = tab;
+  }
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Tint color = active || over ? palette::kText : palette::kMuted;
+  list.AddText(low, color.packed(), word);
+  if (active) {
+    list.AddRectFilled({low.x, low.y + text.y + ui.px(4)}, {low.x + text.x, low.y + text.y + ui.px(6)},
+                       palette::kAccent.packed(), ui.px(1));
+  }
+  ImGui::PopFont();
+}
+
+}  // namespace
+
+void drawLeftTabs(PanelUi& ui) {
+  ui.state.panels.highlighted.clear();
+  if (ui.state.rename.appearing) ui.state.panels.outliner.tab = LeftTab::kMuscles;
+  drawTab(ui, "Muscles", "outliner/tab", LeftTab::kMuscles);
+  ImGui::SameLine(0.0f, ui.px(16));
+  drawTab(ui, "Groups", "blending/tab", LeftTab::kGroups);
+  if (ui.state.panels.outliner.tab == LeftTab::kMuscles) {
+    drawOutliner(ui);
+  } else {
+    drawBlending(ui);
+    keepDraggedShown(ui);
+  }
+}
+
+}  // namespace sinew::app

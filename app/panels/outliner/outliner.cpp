@@ -1,0 +1,132 @@
+// app/panels/outliner/outliner.cpp: bones as a tree with their muscles under them; tabs that share its place with the
+// groups.
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <string>
+
+#include "app/editor/commands.h"
+#include "app/editor/outliner_edit.h"
+#include "app/editor/territory.h"
+#include "app/editor/visibility_commands.h"
+#include "app/panels/outliner/outliner.h"
+#include "app/panels/outliner/outliner_row.h"
+#include "app/ui/panel_glyphs.h"
+
+namespace sinew::app {
+namespace {
+
+OutlinerFrame gather(const EditorState& state) {
+  const Skeleton& skeleton = state.character().skeleton;
+  OutlinerFrame frame{state.document.commands.sharedRig(), skeleton, {}, {}, {}, {}, 0.0f};
+  frame.boneOf = boneOfEach(*frame.rig, skeleton);
+  frame.effective = effectiveVisibility(state.document.visibility, *frame.rig, skeleton, frame.boneOf);
+  if (editsTerritory(state)) {
+    frame.territory.assign(skeleton.bones.size(), false);
+    for (const int bone : shownTerritory(state)) frame.territory[static_cast<std::size_t>(bone)] = true;
+  }
+  const OutlinerState& outliner = state.panels.outliner;
+  frame.rows =
+      outlinerRows(*frame.rig, skeleton, frame.boneOf,
+                   {state.outlinerFilter, outliner.onlyWithMuscles, &outliner.folded, outliner.unattachedFolded});
+  return frame;
+}
+
+void drawSearch(PanelUi& ui) {
+  const float button = ImGui::GetFrameHeight();
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ui.px(4));
+  ImGui::InputTextWithHint("##search", "Search muscles and bones", &ui.state.outlinerFilter);
+  ui.widgets.note("outliner/search");
+  ImGui::SameLine(0.0f, ui.px(4));
+  bool& only = ui.state.panels.outliner.onlyWithMuscles;
+  if (glyphButton(ui, "outliner/only-with-muscles", Glyph::kFilter, only, button,
+                  "Only bones with muscles on them or below")) {
+    only = !only;
+  }
+}
+
+/// Scrolls once to a muscle that has just become the active one.
+void reveal(PanelUi& ui, const OutlinerFrame& frame) {
+  EditorState& state = ui.state;
+  const std::string& active = state.document.selection.active();
+  const int index = findPrimitive(*frame.rig, active);
+  if (active == state.revealed || index < 0) return;
+  const auto found = std::ranges::find_if(
+      frame.rows, [&](const OutlinerRow& row) { return row.kind == RowKind::kMuscle && row.index == index; });
+  if (found == frame.rows.end()) {
+    const int bone = frame.boneOf[static_cast<std::size_t>(index)];
+    if (bone < 0) state.panels.outliner.unattachedFolded = false;
+    unfoldTo(state, bone);
+    // Found with the next frame, unless the search leaves it out.
+    if (!state.outlinerFilter.empty()) state.revealed = active;
+    return;
+  }
+  state.revealed = active;
+  const float top = static_cast<float>(found - frame.rows.begin()) * frame.rowHeight;
+  const float height = ImGui::GetWindowHeight();
+  if (top < ImGui::GetScrollY() || top + frame.rowHeight > ImGui::GetScrollY() + height) {
+    ImGui::SetScrollY(std::max(0.0f, top - 0.4f * height));
+  }
+}
+
+void keyboard(PanelUi& ui, const OutlinerFrame& frame) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!ImGui::IsWindowFocused() || io.WantTextInput || io.KeyCtrl || io.KeyAlt || frame.rows.empty()) return;
+  if (ImGui::IsKeyPressed(GLFW_KEY_DOWN)) moveCursor(ui.state, frame.rows, 1, io.KeyShift);
+  if (ImGui::IsKeyPressed(GLFW_KEY_UP)) moveCursor(ui.state, frame.rows, -1, io.KeyShift);
+}
+
+void drawRows(PanelUi& ui) {
+  OutlinerFrame frame = gather(ui.state);
+  frame.rowHeight = ImGui::GetTextLineHeight() + ui.px(6);
+  reveal(ui, frame);
+  keyboard(ui, frame);
+  if (frame.rows.empty()) {
+    ImGui::Dummy({0.0f, ui.px(6)});
+    ImGui::PushTextWrapPos(0.0f);
+    mutedText(ui.state.outlinerFilter.empty() ? "No muscles yet. Press M and drag on the skin."
+                                              : "Nothing of that name.");
+    ImGui::PopTextWrapPos();
+  }
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(frame.rows.size()), frame.rowHeight);
+  while (clipper.Step()) {
+    for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) drawOutlinerRow(ui, frame, row);
+  }
+}
+
+/// What is put away, and the way back.
+void drawFooter(PanelUi& ui, const std::string& text) {
+  ImGui::Separator();
+  ImGui::AlignTextToFramePadding();
+  const float button = ImGui::CalcTextSize("Show all").x + 2.0f * ImGui::GetStyle().FramePadding.x;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x - button - ui.px(6);
+  clippedText(*ImGui::GetWindowDrawList(), {at.x, at.y + ImGui::GetStyle().FramePadding.y}, room,
+              palette::kMuted.packed(), text);
+  ImGui::SetCursorScreenPos({at.x + room + ui.px(6), at.y});
+  if (ImGui::Button("Show all")) showAll(ui.state);
+  ui.widgets.note("outliner/show-all");
+}
+
+}  // namespace
+
+void drawOutliner(PanelUi& ui) {
+  drawSearch(ui);
+  const std::string away = anythingHidden(ui.state) ? hiddenText(ui.state) : "";
+  const bool footer = anythingHidden(ui.state);
+  const float below = footer ? ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y : 0.0f;
+  ImGui::BeginChild("outliner-tree", {0.0f, -below});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0f, 0.0f});
+  drawRows(ui);
+  ImGui::PopStyleVar();
+  ImGui::EndChild();
+  if (footer) drawFooter(ui, away.empty() ? "Some bones are switched off" : away);
+}
+
+}  // namespace sinew::app

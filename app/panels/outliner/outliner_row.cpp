@@ -1,0 +1,290 @@
+// app/panels/outliner/outliner_row.cpp: one row of the outliner.
+
+#include "app/panels/outliner/outliner_row.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <string>
+
+#include "app/editor/blending_edit.h"
+#include "app/editor/commands.h"
+#include "app/editor/outliner_edit.h"
+#include "app/ui/panel_glyphs.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr float kIndent = 13.0f;  // Design pixels, as all here.
+constexpr float kCell = 18.0f;
+constexpr float kGlyph = 14.0f;
+constexpr float kNameFrom = 36.0f;  // From the row's indent: the fold mark and the picture.
+
+/// One row while it is drawn.
+struct Row {
+  PanelUi& ui;
+  const OutlinerFrame& frame;
+  const OutlinerRow& row;
+  int position;
+  ImVec2 low;
+  ImVec2 high;
+  bool hovered = false;
+
+  [[nodiscard]] float indent() const { return low.x + ui.px(4.0f + kIndent * static_cast<float>(row.level)); }
+  [[nodiscard]] float middle(float size) const { return low.y + 0.5f * (high.y - low.y - size); }
+  [[nodiscard]] const Primitive& primitive() const {
+    return frame.rig->primitives[static_cast<std::size_t>(row.index)];
+  }
+  [[nodiscard]] const Bone& bone() const { return frame.skeleton.bones[static_cast<std::size_t>(row.index)]; }
+  [[nodiscard]] bool isMuscle() const { return row.kind == RowKind::kMuscle; }
+  /// Where the switches that are seen begin.
+  [[nodiscard]] float nameEnd() const {
+    const Visibility& visibility = ui.state.document.visibility;
+    int cells = 1;
+    for (const Mark mark : {Mark::kLocked, Mark::kSolo}) {
+      const Visibility::Marks& marks = visibility.marks(mark);
+      const bool set = isMuscle() ? marks.muscles.contains(primitive().name) : marks.bones.contains(bone().path);
+      if (set) cells = mark == Mark::kLocked ? std::max(cells, 2) : 3;
+    }
+    if (hovered) cells = isMuscle() ? 3 : 4;
+    return high.x - ui.px(kCell * static_cast<float>(cells) + 2.0f);
+  }
+  /// Last part of the controls' ids.
+  [[nodiscard]] std::string name() const { return isMuscle() ? primitive().name : frame.skeleton.fileName(row.index); }
+};
+
+/// A clickable square at the right end; column 0 is the rightmost. Drawn if it says something or the row is hovered.
+bool cell(Row& row, int column, const std::string& id, Glyph glyph, const Tint& color, bool always,
+          const std::string& hint) {
+  PanelUi& ui = row.ui;
+  const float size = ui.px(kCell);
+  const ImVec2 at{row.high.x - size * static_cast<float>(column + 1), row.low.y};
+  ImGui::SetCursorScreenPos(at);
+  const bool pressed = ImGui::InvisibleButton(id.c_str(), {size, row.high.y - row.low.y});
+  ui.widgets.note(id);
+  tooltip(ui, hint);
+  const bool over = ImGui::IsItemHovered();
+  if (!always && !row.hovered && !over) return pressed;
+  const float glyphSize = ui.px(kGlyph);
+  drawGlyph(*ImGui::GetWindowDrawList(), glyph, {at.x + 0.5f * (size - glyphSize), row.middle(glyphSize)}, glyphSize,
+            (over ? palette::kText : color).packed());
+  return pressed;
+}
+
+/// One of the three switches of a row; acts on the row alone, or on all selected muscles if it is among them.
+void switchCell(Row& row, int column, Mark mark, const char* word, Glyph on, Glyph off, const std::string& hint) {
+  Visibility& visibility = row.ui.state.document.visibility;
+  const bool set = row.isMuscle() ? visibility.marks(mark).muscles.contains(row.primitive().name)
+                                  : visibility.marks(mark).bones.contains(row.bone().path);
+  const std::string id = std::string("outliner/") + word + "/" + (row.isMuscle() ? "" : "bone/") + row.name();
+  // An open eye is the ordinary thing and stays faint.
+  const bool eye = mark == Mark::kHidden;
+  const Tint color = set ? (mark == Mark::kSolo ? palette::kAccent : palette::kText) : palette::kMuted.faded(0.45f);
+  if (!cell(row, column, id, set ? on : off, color, set || eye, hint)) return;
+  if (!row.isMuscle()) {
+    visibility.setBone(mark, row.bone().path, !set);
+    return;
+  }
+  const Selection& selection = row.ui.state.document.selection;
+  visibility.setMuscle(mark, row.primitive().name, !set);
+  if (!selection.contains(row.primitive().name)) return;
+  for (const std::string& name : selection.primitives) visibility.setMuscle(mark, name, !set);
+}
+
+void drawSwitches(Row& row) {
+  const char* of = row.isMuscle() ? "this muscle" : "all muscles on this bone and below";
+  switchCell(row, 0, Mark::kHidden, "eye", Glyph::kEyeShut, Glyph::kEye,
+             std::string("Show or hide ") + of + ". Hidden muscles do not move the skin; files keep them.");
+  switchCell(row, 1, Mark::kLocked, "lock", Glyph::kLock, Glyph::kUnlocked,
+             std::string("Lock ") + of + ": the picture neither picks nor moves them.");
+  switchCell(row, 2, Mark::kSolo, "solo", Glyph::kSolo, Glyph::kSolo, std::string("Solo: show ") + of + " alone.");
+}
+
+void drawFold(Row& row) {
+  if (!row.row.foldable) return;
+  PanelUi& ui = row.ui;
+  const float size = ui.px(16);
+  ImGui::SetCursorScreenPos({row.indent() - ui.px(2), row.low.y});
+  const bool pressed = ImGui::InvisibleButton("fold", {size, row.high.y - row.low.y});
+  const bool all = ImGui::GetIO().KeyShift;
+  ui.widgets.note("outliner/fold/" + (row.row.index < 0 ? std::string("unattached") : row.name()));
+  drawGlyph(*ImGui::GetWindowDrawList(), row.row.open ? Glyph::kFoldOpen : Glyph::kFoldClosed,
+            {row.indent() - ui.px(2), row.middle(size)}, size,
+            (ImGui::IsItemHovered() ? palette::kText : palette::kMuted).packed());
+  if (!pressed) return;
+  if (row.row.index < 0) {
+    ui.state.panels.outliner.unattachedFolded = row.row.open;
+  } else {
+    setFolded(ui.state, row.row.index, row.row.open, all);
+  }
+}
+
+void drawRename(Row& row) {
+  PanelUi& ui = row.ui;
+  RenameState& rename_ = ui.state.rename;
+  ImGui::SetCursorScreenPos({row.indent() + ui.px(kNameFrom - 8), row.low.y});
+  if (rename_.appearing) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(row.high.x - row.indent() - ui.px(kNameFrom - 4));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(8), ui.px(2)});
+  const bool entered = ImGui::InputText("##rename", &rename_.text,
+                                        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::PopStyleVar();
+  ui.widgets.note("outliner/rename");
+  const bool left = !rename_.appearing && ImGui::IsItemDeactivated();
+  rename_.appearing = false;
+  if (entered) ui.state.fieldError = rename(ui.state, rename_.primitive, rename_.text);
+  if (entered || left) rename_ = {};
+}
+
+void drawDragged(PanelUi& ui, int index) {
+  const auto& primitives = ui.state.document.rig().primitives;
+  const std::size_t count = draggedMuscles(ui.state, index).size();
+  const std::string& name = primitives[static_cast<std::size_t>(index)].name;
+  ImGui::TextUnformatted((count == 1 ? name : std::to_string(count) + " muscles").c_str());
+  mutedText("Drop on a bone or a group");
+}
+
+void dragSource(Row& row) {
+  if (!ImGui::BeginDragDropSource()) return;
+  ImGui::SetDragDropPayload(kMusclePayload, &row.row.index, sizeof row.row.index);
+  drawDragged(row.ui, row.row.index);
+  ImGui::EndDragDropSource();
+}
+
+void dropTarget(Row& row) {
+  if (!ImGui::BeginDragDropTarget()) return;
+  if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(kMusclePayload)) {
+    reparentMuscles(row.ui.state, draggedMuscles(row.ui.state, *static_cast<const int*>(payload->Data)), row.row.index);
+  }
+  ImGui::EndDragDropTarget();
+}
+
+/// The bar behind the row: selection, hover, clicks, menu, drag and drop.
+void drawBar(Row& row, bool selected) {
+  PanelUi& ui = row.ui;
+  ImGui::SetCursorScreenPos(row.low);
+  const bool clicked = ImGui::Selectable("##row", selected,
+                                         ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_AllowItemOverlap,
+                                         {row.high.x - row.low.x, row.high.y - row.low.y});
+  row.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
+                ImGui::IsMouseHoveringRect(row.low, row.high);
+  const bool plain = !ImGui::GetIO().KeyCtrl && !ImGui::GetIO().KeyShift;
+  const bool twice = clicked && plain && ImGui::IsMouseDoubleClicked(0);
+  if (row.isMuscle()) {
+    ui.widgets.note("outliner/muscle/" + row.name());
+    if (row.hovered) ui.state.panels.highlighted.push_back(row.row.index);
+    dragSource(row);
+    muscleMenu(ui, row.frame, row.row.index);
+    const ImGuiIO& io = ImGui::GetIO();
+    if (clicked && !twice) clickMuscle(ui.state, row.frame.rows, row.position, io.KeyShift, io.KeyCtrl);
+    if (twice) startRename(ui.state, row.primitive().name);
+  } else if (row.row.kind == RowKind::kBone) {
+    ui.widgets.note("outliner/bone/" + row.name());
+    dropTarget(row);
+    boneMenu(ui, row.frame, row.row.index);
+    if (clicked && !twice) clickBone(ui.state, row.row.index);
+    if (twice && row.row.foldable) setFolded(ui.state, row.row.index, row.row.open, false);
+  } else {
+    ui.widgets.note("outliner/unattached");
+    tooltip(ui, "Their bones are not in this character. They are kept and saved; drag one onto a bone to attach it.");
+    if (clicked) ui.state.panels.outliner.unattachedFolded = row.row.open;
+  }
+}
+
+void drawMuscle(Row& row) {
+  PanelUi& ui = row.ui;
+  const Primitive& primitive = row.primitive();
+  const auto index = static_cast<std::size_t>(row.row.index);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const bool visible = row.frame.effective.visible[index];
+  const bool attached = row.frame.boneOf[index] >= 0;
+  const Tint tint = groupTint(*row.frame.rig, primitive.group);
+  drawIcon(list, primitive.sign > 0 ? Icon::kMuscle : Icon::kCarve, {row.indent() + ui.px(15), row.middle(ui.px(13))},
+           ui.px(13), tint.faded(visible ? 1.0f : 0.4f).packed());
+  if (ui.state.rename.primitive == primitive.name) return;
+  const Tint color = visible ? palette::kText : palette::kMuted.faded(0.6f);
+  const float from = row.indent() + ui.px(kNameFrom);
+  const float room = row.nameEnd() - from;
+  const std::string shown = attached ? primitive.name : primitive.name + "  (no bone " + primitive.bone + ")";
+  clippedText(list, {from, row.middle(ImGui::GetTextLineHeight())}, room, color.packed(), shown);
+}
+
+void drawBone(Row& row) {
+  PanelUi& ui = row.ui;
+  const auto index = static_cast<std::size_t>(row.row.index);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const bool within = !row.frame.territory.empty() && row.frame.territory[index];
+  const bool hidden = row.frame.effective.boneHidden[index];
+  const Tint tint = within ? palette::kGood : palette::kMuted;
+  if (within) {
+    drawGlyph(list, Glyph::kTerritory, {row.indent() + ui.px(16), row.middle(ui.px(14))}, ui.px(14), tint.packed());
+  } else {
+    drawIcon(list, Icon::kBone, {row.indent() + ui.px(16), row.middle(ui.px(13))}, ui.px(13),
+             tint.faded(hidden ? 0.4f : 0.8f).packed());
+  }
+  const float from = row.indent() + ui.px(kNameFrom);
+  const Tint color = within ? palette::kGood : (hidden ? palette::kMuted.faded(0.6f) : palette::kText.faded(0.82f));
+  clippedText(list, {from, row.middle(ImGui::GetTextLineHeight())}, row.nameEnd() - from, color.packed(),
+              row.bone().name);
+}
+
+void drawAddCell(Row& row) {
+  const bool selected = row.ui.state.document.selection.bone == row.row.index;
+  if (!selected && !row.hovered) return;
+  const std::string id = selected ? "outliner/add" : "outliner/add-hovered";
+  if (cell(row, 3, id, Glyph::kPlus, palette::kMuted, true, "Add muscle on this bone")) {
+    addMuscle(row.ui.state, row.row.index);
+  }
+}
+
+void drawUnattachedHead(const Row& row) {
+  ImGui::GetWindowDrawList()->AddText({row.indent() + row.ui.px(18), row.middle(ImGui::GetTextLineHeight())},
+                                      palette::kWarning.packed(), "Unattached");
+}
+
+}  // namespace
+
+void drawOutlinerRow(PanelUi& ui, const OutlinerFrame& frame, int position) {
+  const OutlinerRow& entry = frame.rows[static_cast<std::size_t>(position)];
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  Row row{ui, frame, entry, position, low, {low.x + width, low.y + frame.rowHeight}};
+  ImGui::PushID(static_cast<int>(entry.kind));
+  ImGui::PushID(entry.kind == RowKind::kBone ? row.bone().path.c_str()
+                                             : (row.isMuscle() ? row.primitive().name.c_str() : "unattached"));
+  const Selection& selection = ui.state.document.selection;
+  const bool selected = row.isMuscle() ? selection.contains(row.primitive().name)
+                                       : entry.kind == RowKind::kBone && selection.bone == entry.index;
+  const bool renamed = row.isMuscle() && ui.state.rename.primitive == row.primitive().name;
+  if (!renamed) drawBar(row, selected);
+  if (row.isMuscle()) {
+    drawMuscle(row);
+  } else if (entry.kind == RowKind::kBone) {
+    drawBone(row);
+    drawAddCell(row);
+  } else {
+    drawUnattachedHead(row);
+  }
+  drawFold(row);
+  if (renamed) {
+    drawRename(row);
+  } else if (entry.kind != RowKind::kUnattached) {
+    drawSwitches(row);
+  }
+  ImGui::PopID();
+  ImGui::PopID();
+  ImGui::SetCursorScreenPos({low.x, low.y + frame.rowHeight});
+}
+
+void keepDraggedShown(PanelUi& ui) {
+  const ImGuiPayload* payload = ImGui::GetDragDropPayload();
+  if (payload == nullptr || !payload->IsDataType(kMusclePayload)) return;
+  const int index = *static_cast<const int*>(payload->Data);
+  if (static_cast<std::size_t>(index) >= ui.state.document.rig().primitives.size()) return;
+  if (!ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceExtern)) return;
+  drawDragged(ui, index);
+  ImGui::EndDragDropSource();
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,31 @@
+// app/panels/outliner/outliner_row.h: one row of the outliner: name, switches, menu, drag and drop.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "app/editor/outliner_rows.h"
+#include "app/panels/shared/panel_ui.h"
+
+namespace sinew::app {
+
+/// What the rows need, gathered once a frame. The rig is kept alive: a command may replace it while rows are drawn.
+struct OutlinerFrame {
+  std::shared_ptr<const Rig> rig;
+  const Skeleton& skeleton;
+  std::vector<int> boneOf;
+  EffectiveVisibility effective;
+  std::vector<bool> territory;  ///< [bones] in the territory that is being edited; empty: none is.
+  std::vector<OutlinerRow> rows;
+  float rowHeight = 0.0f;
+};
+
+/// At the cursor; leaves the cursor below it.
+void drawOutlinerRow(PanelUi& ui, const OutlinerFrame& frame, int position);
+// In outliner_menu.cpp.
+
+/// Right click on the last item.
+void muscleMenu(PanelUi& ui, const OutlinerFrame& frame, int index);
+void boneMenu(PanelUi& ui, const OutlinerFrame& frame, int bone);
+
+}  // namespace sinew::app

@@ -1,0 +1,183 @@
+// app/panels/overlay/legend.cpp: what the colours in the picture mean, and which mode it is in.
+
+#include "app/panels/overlay/legend.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "app/editor/territory.h"
+#include "app/editor/visibility_commands.h"
+#include "app/panels/overlay/overlay.h"
+#include "app/render/color_scales.h"
+#include "app/ui/panel_glyphs.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr float kMargin = 10.0f;  // Design pixels, as all here.
+constexpr float kScaleWidth = 220.0f;
+constexpr int kSteps = 64;
+
+struct Box {
+  ImVec2 low;
+  ImVec2 high;
+};
+
+/// A panel at the picture's lower left corner, drawn by hand.
+Box plate(PanelUi& ui, float width, float height) {
+  const glm::vec4& v = ui.state.viewport;
+  const ImVec2 low{v.x + ui.px(kMargin), v.y + v.w - ui.px(kMargin) - height};
+  const ImVec2 high{low.x + width, low.y + height};
+  ImGui::GetWindowDrawList()->AddRectFilled(low, high, palette::kPanel.faded(0.85f).packed(), ui.px(6));
+  return {low, high};
+}
+
+std::string number(float value, const char* unit) {
+  char text[48];
+  const float size = std::abs(value);
+  std::snprintf(text, sizeof text, size >= 100.0f ? "%.0f%s" : (size >= 1.0f ? "%.2f%s" : "%.3f%s"),
+                static_cast<double>(value), unit);
+  return text;
+}
+
+/// Largest and least displacement of the surface on the screen, character units.
+std::array<float, 2> measured(const Surface& surface) {
+  std::array<float, 2> range{0.0f, 0.0f};
+  for (const float d : surface.displacement) range = {std::min(range[0], d), std::max(range[1], d)};
+  return range;
+}
+
+void drawTick(PanelUi& ui, ImDrawList& list, float x, float top, float bar, const std::string& text, float align) {
+  list.AddLine({x, top + bar}, {x, top + bar + ui.px(4)}, palette::kMuted.packed(), 1.0f);
+  const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
+  list.AddText({x - align * extent.x, top + bar + ui.px(5)}, palette::kText.packed(), text.c_str());
+}
+
+/// The scale with its ends in per cent of H, and how far this surface really goes.
+void drawHeat(PanelUi& ui) {
+  const float line = ImGui::GetTextLineHeight();
+  const Box box = plate(ui, ui.px(kScaleWidth + 2 * 12), 3.0f * line + ui.px(46));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float left = box.low.x + ui.px(12);
+  const float width = ui.px(kScaleWidth);
+  list.AddText({left, box.low.y + ui.px(8)}, palette::kMuted.packed(), "Displacement");
+  const float top = box.low.y + ui.px(12) + line;
+  const float bar = ui.px(10);
+  const auto color = [](float x) {
+    const glm::vec3 c = heatColor(x);
+    return Tint{c.r, c.g, c.b}.packed();
+  };
+  for (int i = 0; i < kSteps; ++i) {
+    const float a = static_cast<float>(i) / kSteps;
+    const float b = static_cast<float>(i + 1) / kSteps;
+    list.AddRectFilledMultiColor({left + a * width, top}, {left + b * width, top + bar}, color(2.0f * a - 1.0f),
+                                 color(2.0f * b - 1.0f), color(2.0f * b - 1.0f), color(2.0f * a - 1.0f));
+  }
+  const float range = ui.state.display.heatRange;
+  const float height = ui.state.character().height;
+  drawTick(ui, list, left, top, bar, number(-100.0f * range, "% H"), 0.0f);
+  drawTick(ui, list, left + 0.5f * width, top, bar, "0", 0.5f);
+  drawTick(ui, list, left + width, top, bar, "+" + number(100.0f * range, "% H"), 1.0f);
+  const std::array<float, 2> found = measured(ui.state.live->surface());
+  for (const float value : found) {
+    const float x = left + width * std::clamp(0.5f + 0.5f * value / (range * height), 0.0f, 1.0f);
+    list.AddTriangleFilled({x - ui.px(4), top - ui.px(5)}, {x + ui.px(4), top - ui.px(5)}, {x, top + ui.px(1)},
+                           palette::kText.packed());
+  }
+  const std::string text = "here " + number(100.0f * found[0] / height, "%") + " to +" +
+                           number(100.0f * found[1] / height, "%") + "  (" + number(found[1], " units") + ")";
+  list.AddText({left, top + bar + line + ui.px(10)}, palette::kMuted.packed(), text.c_str());
+  ui.widgets.note("legend/heat", {box.low.x, box.low.y, box.high.x - box.low.x, box.high.y - box.low.y});
+}
+
+int countOf(const SmoothingReport& report, TriangleClass kind) {
+  if (kind == TriangleClass::kImplicit) return report.implicitTriangles;
+  return kind == TriangleClass::kStraddling ? report.straddlingTriangles : report.normalTriangles;
+}
+
+void drawClasses(PanelUi& ui) {
+  const SmoothingReport& report = ui.state.live->surface().report;
+  const float line = ImGui::GetTextLineHeight() + ui.px(4);
+  const Box box = plate(ui, ui.px(190), 4.0f * line + ui.px(16));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddText({box.low.x + ui.px(12), box.low.y + ui.px(8)}, palette::kMuted.packed(), "Control triangles");
+  float y = box.low.y + ui.px(8) + line;
+  const int all = std::max(report.implicitTriangles + report.straddlingTriangles + report.normalTriangles, 1);
+  for (const ClassColor& row : classColors()) {
+    const int triangles = countOf(report, row.kind);
+    list.AddRectFilled({box.low.x + ui.px(12), y + ui.px(2)}, {box.low.x + ui.px(24), y + ui.px(14)},
+                       Tint{row.srgb.r, row.srgb.g, row.srgb.b}.packed(), ui.px(3));
+    list.AddText({box.low.x + ui.px(32), y}, palette::kText.packed(), row.name);
+    const std::string count =
+        std::to_string(triangles) + "  " + std::to_string((100 * triangles + all / 2) / all) + "%";
+    list.AddText({box.high.x - ui.px(12) - ImGui::CalcTextSize(count.c_str()).x, y}, palette::kMuted.packed(),
+                 count.c_str());
+    y += line;
+  }
+  ui.widgets.note("legend/classes", {box.low.x, box.low.y, box.high.x - box.low.x, box.high.y - box.low.y});
+}
+
+/// A line across the picture's lower edge while it does not show everything, with the way out.
+void drawMode(PanelUi& ui, const std::string& text, const char* button, const char* id, void (*leave)(EditorState&)) {
+  const glm::vec4& v = ui.state.viewport;
+  const float buttonWidth = button == nullptr ? 0.0f : ImGui::CalcTextSize(button).x + ui.px(24);
+  const float width = std::min(ImGui::CalcTextSize(text.c_str()).x + ui.px(28) + buttonWidth, v.z - ui.px(20));
+  const float height = ImGui::GetFrameHeight() + ui.px(8);
+  const ImVec2 low{v.x + 0.5f * (v.z - width), v.y + v.w - ui.px(14) - height};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(low, {low.x + width, low.y + height}, palette::kPanel.faded(0.92f).packed(), ui.px(7));
+  list.AddRect(low, {low.x + width, low.y + height}, palette::kAccent.faded(0.7f).packed(), ui.px(7));
+  clippedText(list, {low.x + ui.px(12), low.y + 0.5f * (height - ImGui::GetTextLineHeight())},
+              width - buttonWidth - ui.px(16), palette::kText.packed(), text);
+  ui.widgets.note(std::string(id) + "/banner", {low.x, low.y, width - buttonWidth, height});
+  if (button == nullptr) return;
+  ImGui::SetCursorScreenPos({low.x + width - buttonWidth, low.y + ui.px(4)});
+  if (ImGui::Button(button, {buttonWidth - ui.px(4), 0.0f})) leave(ui.state);
+  ui.widgets.note(std::string(id) + "/done");
+}
+
+}  // namespace
+
+void drawLegend(PanelUi& ui) {
+  EditorState& state = ui.state;
+  if (state.display.shading == Shading::kHeat) drawHeat(ui);
+  if (state.display.shading == Shading::kClasses) drawClasses(ui);
+  if (state.document.visibility.bare) {
+    drawMode(ui, "Before: without muscles", state.panels.bare.latched && !state.panels.bare.byKey ? "Show" : nullptr,
+             "before", latchBare);
+  } else if (editsTerritory(state)) {
+    const std::size_t bones = shownTerritory(state).size();
+    drawMode(ui,
+             "Territory of " + state.panels.territory.primitive + ": " + std::to_string(bones) +
+                 (bones == 1 ? " bone" : " bones") + ". Click bones here or in the list.",
+             "Done", "territory", endTerritoryMode);
+  } else if (state.document.visibility.isolated) {
+    drawMode(ui, hiddenText(state).empty() ? "Isolated" : hiddenText(state), "Show all", "isolated", showAll);
+  }
+}
+
+void drawBeforeButton(PanelUi& ui, float size) {
+  const Action& before = action("view/before");
+  const bool active = ui.state.document.visibility.bare;
+  glyphButton(ui, "toolstrip/before", Glyph::kBefore, active, size, tooltipOf(ui, before) + " or the button is held.");
+  const bool held = ImGui::IsItemActive();
+  const int key = shortcutsOf(before, ui.state.preferences.keymap)[0].key;
+  holdBare(ui.state, key > 0 && ImGui::GetIO().KeysDown[key], held);
+}
+
+void drawTerritoryButton(PanelUi& ui, float size) {
+  const Action& territory = action("tool/territory");
+  ImGui::BeginDisabled(!territory.enabled(ui.state));
+  if (glyphButton(ui, "toolstrip/territory", Glyph::kTerritory, editsTerritory(ui.state), size,
+                  tooltipOf(ui, territory))) {
+    run(territory, ui.state);
+  }
+  ImGui::EndDisabled();
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,168 @@
+// app/panels/overlay/messages.cpp: what an import left out, what failed. Stays until it is read, and then in the status
+// line.
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+
+#include "app/panels/overlay/overlay.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr float kWidth = 450.0f;  // Design pixels.
+constexpr float kHighest = 230.0f;
+constexpr float kButton = 20.0f;
+constexpr float kTextLeft = 24.0f;
+
+float textHeight(const std::string& text, float width) {
+  return ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
+}
+
+std::string shown(const Message& message) {
+  return message.count > 1 ? message.text + "  (" + std::to_string(message.count) + " times)" : message.text;
+}
+
+Tint tintOf(MessageKind kind) {
+  switch (kind) {
+    case MessageKind::kError:
+      return palette::kError;
+    case MessageKind::kWarning:
+      return palette::kWarning;
+    case MessageKind::kNote:
+      break;
+  }
+  return palette::kMuted;
+}
+
+Icon iconOf(MessageKind kind) {
+  switch (kind) {
+    case MessageKind::kError:
+      return Icon::kError;
+    case MessageKind::kWarning:
+      return Icon::kWarning;
+    case MessageKind::kNote:
+      break;
+  }
+  return Icon::kNote;
+}
+
+const char* nameOf(MessageKind kind) {
+  switch (kind) {
+    case MessageKind::kError:
+      return "error: ";
+    case MessageKind::kWarning:
+      return "warning: ";
+    case MessageKind::kNote:
+      break;
+  }
+  return "note: ";
+}
+
+std::string allText(const std::vector<Message>& messages) {
+  std::string text;
+  for (const Message& message : messages) text += nameOf(message.kind) + shown(message) + "\n";
+  return text;
+}
+
+/// @return whether it was dismissed.
+bool drawMessage(PanelUi& ui, const Message& message, std::size_t index) {
+  const float button = ui.px(kButton);
+  const float wrap = ImGui::GetContentRegionAvail().x - 2.0f * button - ui.px(kTextLeft + 8);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const std::string text = shown(message);
+  const std::string place = std::to_string(index);
+  drawIcon(*ImGui::GetWindowDrawList(), iconOf(message.kind), {corner.x, corner.y + ui.px(1)}, ui.px(15),
+           tintOf(message.kind).packed());
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.px(kTextLeft));
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wrap);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::SameLine();
+  ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0f * button);
+  if (iconButton(ui, "messages/copy/" + place, Icon::kCopy, false, button)) ImGui::SetClipboardText(text.c_str());
+  tooltip(ui, "Copy the text");
+  ImGui::SameLine(0.0f, 0.0f);
+  const bool dismissed = iconButton(ui, "messages/dismiss/" + place, Icon::kClose, false, button);
+  tooltip(ui, "Read: take it away");
+  return dismissed;
+}
+
+float wantedHeight(PanelUi& ui) {
+  const float wrap = ui.px(kWidth) - ui.px(2 * kButton + kTextLeft + 8 + 20);
+  float height = ImGui::GetFrameHeight() + ui.px(26);
+  for (const Message& message : ui.state.messages)
+    height += std::max(textHeight(shown(message), wrap), ui.px(kButton)) + ui.px(6);
+  return height;
+}
+
+/// Right-aligned, from right to left. @return whether all are to go.
+bool drawHead(PanelUi& ui) {
+  ImGui::AlignTextToFramePadding();
+  heading(ui, "Messages");
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const auto widthOf = [&](const char* label) { return ImGui::CalcTextSize(label).x + 2.0f * style.FramePadding.x; };
+  const float size = ImGui::GetFrameHeight();
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - widthOf("Copy all") - widthOf("Clear") - size - 2.0f * ui.px(4));
+  if (ImGui::Button("Copy all")) ImGui::SetClipboardText(allText(ui.state.messages).c_str());
+  ui.widgets.note("messages/copy-all");
+  ImGui::SameLine(0.0f, ui.px(4));
+  const bool all = ImGui::Button("Clear");
+  ui.widgets.note("messages/dismiss-all");
+  ImGui::SameLine(0.0f, ui.px(4));
+  if (iconButton(ui, "messages/hide", Icon::kMinimise, false, size)) ui.state.messagesShown = false;
+  tooltip(ui, "Put away; they stay in the status line");
+  return all;
+}
+
+}  // namespace
+
+void drawMessages(PanelUi& ui) {
+  std::vector<Message>& messages = ui.state.messages;
+  if (messages.empty() || !ui.state.messagesShown) return;
+  const float height = std::min({wantedHeight(ui), ui.px(kHighest), ui.state.viewport.w * 0.6f});
+  ImGui::SetCursorPos({ui.px(10), ui.state.viewport.w - height - ui.px(10)});
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.95f));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
+  ImGui::BeginChild("messages", {std::min(ui.px(kWidth), ui.state.viewport.z - ui.px(20)), height}, true,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::PopStyleVar();
+  const bool all = drawHead(ui);
+  std::size_t dismissed = messages.size();
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    if (drawMessage(ui, messages[i], i)) dismissed = i;
+  }
+  if (all) {
+    messages.clear();
+  } else if (dismissed < messages.size()) {
+    messages.erase(messages.begin() + static_cast<std::ptrdiff_t>(dismissed));
+  }
+  ImGui::EndChild();
+  ImGui::PopStyleColor();
+}
+
+float drawMessageBadge(PanelUi& ui) {
+  const std::vector<Message>& messages = ui.state.messages;
+  if (messages.empty()) return 0.0f;
+  const MessageKind worst = std::ranges::max(messages, {}, &Message::kind).kind;
+  const std::string count = std::to_string(messages.size());
+  const float height = ImGui::GetTextLineHeight() + ui.px(4);
+  const float width = ImGui::CalcTextSize(count.c_str()).x + ui.px(34);
+  const float right = ImGui::GetContentRegionMax().x;
+  ImGui::SetCursorPos({right - width, ImGui::GetCursorPosY() - ui.px(2)});
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  if (ImGui::InvisibleButton("badge", {width, height})) ui.state.messagesShown = !ui.state.messagesShown;
+  ui.widgets.note("status/messages");
+  const bool lit = ImGui::IsItemHovered() || ui.state.messagesShown;
+  tooltip(ui, ui.state.messagesShown ? "Put the messages away" : "Show the messages");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(corner, {corner.x + width, corner.y + height}, tintOf(worst).faded(lit ? 0.30f : 0.16f).packed(),
+                     0.5f * height);
+  drawIcon(list, iconOf(worst), {corner.x + ui.px(7), corner.y + 0.5f * (height - ui.px(14))}, ui.px(14),
+           tintOf(worst).packed());
+  list.AddText({corner.x + ui.px(26), corner.y + ui.px(2)}, palette::kText.packed(), count.c_str());
+  return width;
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,17 @@
+// app/panels/overlay/overlay.h: what is drawn over the picture.
+#pragma once
+
+#include "app/panels/shared/panel_ui.h"
+
+namespace sinew::app {
+
+void drawToolStrip(PanelUi& ui);
+void drawDisplayBar(PanelUi& ui);
+void drawNumbers(PanelUi& ui);
+void drawLegend(PanelUi& ui);
+void drawMessages(PanelUi& ui);
+/// How many messages there are, at the right end of the current line; a click shows or hides them. @return its width,
+/// 0 without messages.
+float drawMessageBadge(PanelUi& ui);
+
+}  // namespace sinew::app

@@ -1,0 +1,48 @@
+// app/ui/icons.h: small pictures drawn as vectors, so that no icon font is needed.
+#pragma once
+
+#include <imgui.h>
+
+namespace sinew::app {
+
+enum class Icon {
+  kNone,
+  kSelect,
+  kMove,
+  kRotate,
+  kScale,
+  kAddMuscle,
+  kPlay,
+  kPause,
+  kNext,
+  kPrevious,
+  kStart,
+  kLoop,
+  kEnd,
+  kPose,
+  kPlus,
+  kClose,
+  kBone,
+  kMuscle,
+  kCarve,
+  kAxes,
+  kFolder,
+  kFile,
+  kBack,
+  kForward,
+  kUp,
+  kNewFolder,
+  kHidden,
+  kNote,
+  kWarning,
+  kError,
+  kCopy,
+  kMinimise,
+  kSymmetry,
+  kBox,
+};
+
+/// Draws into a square. @param topLeft, size  screen coordinates.
+void drawIcon(ImDrawList& list, Icon icon, const ImVec2& topLeft, float size, ImU32 color);
+
+}  // namespace sinew::app

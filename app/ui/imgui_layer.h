@@ -1,0 +1,50 @@
+// app/ui/imgui_layer.h: ImGui on our window, fed from the input queue.
+#pragma once
+
+#include <array>
+
+#include "app/platform/input_queue.h"
+#include "app/ui/fonts.h"
+
+struct GLFWcursor;
+struct GLFWwindow;
+
+namespace sinew::app {
+
+/// Writes one frame's input into the current ImGui context. Needs no window: tests drive panels through it.
+void feedImGui(const InputFrame& input);
+
+/// Tells ImGui which codes InputFrame::keys uses for the keys it names itself.
+void mapKeys();
+
+/// Owns the ImGui context and its OpenGL backend. The window's context must be current for all of its life.
+class ImGuiLayer {
+ public:
+  explicit ImGuiLayer(GLFWwindow* window, float scale);
+  ~ImGuiLayer();
+  ImGuiLayer(const ImGuiLayer&) = delete;
+  ImGuiLayer& operator=(const ImGuiLayer&) = delete;
+
+  /// @param seconds  since the last frame.
+  /// @param drawing  what a frame takes now, without waiting for events.
+  void beginFrame(const InputFrame& input, double seconds, double drawing);
+  /// Draws into the bound framebuffer and shows the pointer ImGui asks for.
+  void endFrame();
+
+  /// Between frames: letters drawn anew, spacing and round corners with them. The fonts before are gone.
+  void setScale(float scale);
+
+  [[nodiscard]] const Fonts& fonts() const { return fonts_; }
+  [[nodiscard]] float scale() const { return scale_; }
+
+ private:
+  void showCursor();
+
+  GLFWwindow* window_;
+  float scale_;
+  Fonts fonts_;
+  int shownCursor_ = -2;
+  std::array<GLFWcursor*, 9> cursors_{};  ///< By ImGuiMouseCursor.
+};
+
+}  // namespace sinew::app

@@ -1,0 +1,37 @@
+// app/ui/style.h: the look of the interface: one palette, one spacing.
+#pragma once
+
+#include <imgui.h>
+
+namespace sinew::app {
+
+/// A colour as a constant (ImVec4 of 1.86 cannot be one); turns into ImGui's two forms by itself.
+struct Tint {
+  float r = 0.0f;
+  float g = 0.0f;
+  float b = 0.0f;
+  float a = 1.0f;
+
+  operator ImVec4() const { return {r, g, b, a}; }  // NOLINT: implicit on purpose
+  [[nodiscard]] constexpr Tint faded(float alpha) const { return {r, g, b, alpha}; }
+  [[nodiscard]] ImU32 packed() const { return ImGui::ColorConvertFloat4ToU32({r, g, b, a * ImGui::GetStyle().Alpha}); }
+};
+
+/// The few colours there are; everything else is one of these, lighter or fainter.
+namespace palette {
+inline constexpr Tint kBackground{0.086f, 0.094f, 0.110f, 1.0f};
+inline constexpr Tint kPanel{0.118f, 0.129f, 0.149f, 1.0f};
+inline constexpr Tint kRaised{0.165f, 0.180f, 0.208f, 1.0f};
+inline constexpr Tint kLine{0.220f, 0.239f, 0.275f, 1.0f};
+inline constexpr Tint kText{0.890f, 0.902f, 0.922f, 1.0f};
+inline constexpr Tint kMuted{0.580f, 0.612f, 0.663f, 1.0f};
+inline constexpr Tint kAccent{0.929f, 0.541f, 0.376f, 1.0f};  ///< Warm, as muscle: what is selected or running.
+inline constexpr Tint kWarning{0.949f, 0.757f, 0.361f, 1.0f};
+inline constexpr Tint kError{0.937f, 0.400f, 0.400f, 1.0f};
+inline constexpr Tint kGood{0.451f, 0.788f, 0.569f, 1.0f};
+}  // namespace palette
+
+/// Sets colours, spacing and rounding of the current ImGui context. @param scale 1 on ordinary screens.
+void applyStyle(float scale);
+
+}  // namespace sinew::app

@@ -1,0 +1,301 @@
+// app/window/editor_window.cpp: one frame, in order.
+
+#include "app/window/editor_window.h"
+
+#include <epoxy/gl.h>
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "app/editor/commands.h"
+#include "app/editor/session.h"
+#include "app/editor/session_keeper.h"
+#include "app/editor/territory.h"
+#include "app/editor/viewport_input.h"
+#include "app/editor/visibility_commands.h"
+#include "app/panels/panels.h"
+#include "app/platform/window.h"
+#include "app/render/viewport.h"
+#include "app/ui/imgui_layer.h"
+#include "app/window/picture.h"
+#include "app/window/state_log.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr glm::ivec2 kWindowSize{1280, 800};
+constexpr const char* kTitle = "Sinew";
+constexpr double kIdleSeconds = 1.0;    ///< Longest sleep when nothing happens.
+constexpr double kCaretSeconds = 0.25;  ///< ... while a text field's caret blinks.
+constexpr double kLookSeconds = 0.5;    ///< Between looks at where the window is.
+constexpr int kSettleFrames = 3;  ///< Drawn after the last input: ImGui shows hovers and closed popups a frame late.
+
+double secondsNow() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+WindowPlace placeOf(const WindowGeometry& geometry) {
+  return {geometry.position.x, geometry.position.y, geometry.size.x, geometry.size.y, geometry.maximised};
+}
+
+std::optional<WindowGeometry> geometryOf(const WindowPlace& place) {
+  if (place.width <= 0 || place.height <= 0) return std::nullopt;
+  return WindowGeometry{{place.x, place.y}, {place.width, place.height}, place.maximised};
+}
+
+/// Samples open walking, whatever clip stands first in the file.
+void chooseWalk(EditorState& state) {
+  const auto& clips = state.character().clips;
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    if (clips[i].name == "Walk" || clips[i].name == "walk") {
+      chooseClip(state.transport, static_cast<int>(i), state.character());
+      return;
+    }
+  }
+}
+
+/// The running editor.
+class Editor {
+ public:
+  Editor(Window& window, Viewport& viewport, EditorState state, SessionKeeper keeper, const EditorOptions& options,
+         std::optional<StateLog> log)
+      : window_(window),
+        imgui_(window.handle(), scaleOf(window, state, options)),
+        picture_(viewport),
+        options_(options),
+        log_(std::move(log)),
+        state_(std::move(state)),
+        keeper_(std::move(keeper)) {}
+
+  /// The document the command line named, else a bundled character. Error: it cannot be smoothed.
+  Result<void> open(std::optional<Document> document) {
+    if (document) {
+      if (!showDocument(state_, std::move(*document))) return Error{"", "", state_.messages.back().text};
+    } else if (const std::filesystem::path sample = firstSample(); !sample.empty() && openFile(state_, sample)) {
+      chooseWalk(state_);
+    }
+    return {};
+  }
+
+  void run() {
+    while (!state_.quit) {
+      if (waitForWork()) frame();
+      if (const double now = secondsNow(); now - lastLook_ >= kLookSeconds) {
+        lastLook_ = now;
+        place_ = placeOf(window_.geometry());
+      }
+      keeper_.tick(state_, secondsNow(), place_);
+    }
+    keeper_.finish(state_, placeOf(window_.geometry()));
+  }
+
+ private:
+  /// What the command line says, else the preferences, else the system.
+  static float scaleOf(const Window& window, const EditorState& state, const EditorOptions& options) {
+    if (options.scale > 0.0f) return options.scale;
+    return state.preferences.scale > 0.0f ? state.preferences.scale : window.contentScale();
+  }
+
+  /// How long to sleep at most while nothing moves.
+  double idleSeconds(bool caret) const {
+    double seconds = caret ? kCaretSeconds : (wakeAfter_ > 0.0 ? wakeAfter_ : kIdleSeconds);
+    if (const auto left = keeper_.secondsLeft(state_, secondsNow())) seconds = std::clamp(*left, 1e-3, seconds);
+    return seconds;
+  }
+
+  /// Takes events, sleeping if nothing moves. @return whether a frame is due.
+  bool waitForWork() {
+    const bool moving = (state_.transport.playing && state_.hasCharacter()) || state_.route.needsFrame ||
+                        window_.input().pending() || settle_ > 0;
+    const double wake = wakeAfter_;
+    continuous_ = moving;
+    const bool caret = ImGui::GetIO().WantTextInput;
+    if (moving) {
+      window_.poll();
+    } else {
+      window_.wait(idleSeconds(caret));
+    }
+    for (const std::filesystem::path& file : window_.takeDrops()) {
+      request(state_, {IntentKind::kOpenFile, file});
+      settle_ = kSettleFrames;
+    }
+    if (window_.closeRequested()) {
+      window_.clearCloseRequest();
+      request(state_, {IntentKind::kQuit, {}});
+      settle_ = kSettleFrames;
+    }
+    if (window_.takeRefresh()) settle_ = kSettleFrames;
+    const bool due = moving || caret || wake > 0.0 || window_.input().pending() || settle_ > 0;
+    if (window_.input().pending()) settle_ = kSettleFrames;
+    return due && !state_.quit;
+  }
+
+  void frame() {
+    const double start = secondsNow();
+    const double since = lastFrame_ > 0.0 ? start - lastFrame_ : 1.0 / 60.0;
+    // After a sleep the time since the last frame means nothing to what moves.
+    const double delta = continuous_ ? since : 1.0 / 60.0;
+    lastFrame_ = start;
+    if (settle_ > 0) --settle_;
+    const InputFrame& input = window_.input().next();
+    state_.systemScale = window_.contentScale();
+    state_.uiScale = scaleOf(window_, state_, options_);
+    imgui_.setScale(state_.uiScale);
+    imgui_.beginFrame(input, since, state_.stats.now() * 1e-3);
+    const double uiStart = secondsNow();
+    keys(input);
+    widgets_.beginFrame();
+    PanelUi ui(state_, widgets_, imgui_.fonts());
+    const bool free = drawLayout(ui);
+    wakeAfter_ = ui.wakeAfter;
+    double interface = secondsNow() - uiStart;
+    movePose(input, delta);
+    const double toolsStart = secondsNow();
+    tools(input, free, delta);
+    interface += secondsNow() - toolsStart;
+    updateSurface();
+    state_.stats.ui = interface;
+    const View& view = state_.route.view;
+    picture_.draw(state_, view, *ImGui::GetBackgroundDrawList());
+    present();
+    const double end = secondsNow();
+    state_.stats.add(end, (continuous_ && delta > 0.0 ? delta : end - start) * 1e3);
+    if (log_) log_->write(state_, widgets_, view, frameNumber_, end - startTime_);
+    ++frameNumber_;
+  }
+
+  void keys(const InputFrame& input) {
+    const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    if (!popup && !isTyping() && !ownsKeyboard(state_.tools)) runShortcut(state_, input);
+  }
+
+  /// A text field has the keyboard. ImGui goes on wanting text for a frame after the field is left, and a key that
+  /// comes in that frame would be lost.
+  static bool isTyping() { return ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive(); }
+
+  void tools(const InputFrame& input, bool free, double delta) {
+    if (!state_.hasCharacter()) return;
+    if (state_.frameWanted) {
+      frameBounds(state_.tools.camera, boundsOf(state_.live->surface().positions), state_.viewportPixels, false);
+      state_.frameWanted = false;
+    }
+    const ImGuiIO& io = ImGui::GetIO();
+    const InterfaceClaims claims{free, isTyping(), ImGui::IsMouseDoubleClicked(0)};
+    const glm::vec2 pixelsPerUnit{io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y};
+    const FrameInput viewportFrame = passTriad(
+        state_.triad, state_.tools.camera, viewportInput(input, claims, state_.viewport, pixelsPerUnit, delta),
+        state_.viewportPixels, state_.uiScale * pixelsPerUnit.x, state_.tools.owner != PressOwner::kNone);
+    DisplaySettings pickable = state_.display;
+    pickable.skeleton = pickable.skeleton || state_.tools.pickBones;
+    const ViewportContext context{state_.document,
+                                  state_.live->pose(),
+                                  &state_.live->surface(),
+                                  pickable,
+                                  state_.viewportPixels,
+                                  state_.uiScale * pixelsPerUnit.x,
+                                  &state_.transport.overrides};
+    state_.route = routeInput(state_.tools, viewportFrame, context);
+    if (isMoving(state_.tools.camera)) settle_ = std::max(settle_, 2);  // What is hovered is seen a frame later.
+    if (const char* onTriad = describe(state_.triad); *onTriad != '\0') state_.route.status = onTriad;
+    runTerritoryMode(state_);
+    if (!state_.route.message.empty()) addMessage(state_, MessageKind::kError, state_.route.message);
+  }
+
+  void movePose(const InputFrame& input, double delta) {
+    if (!state_.hasCharacter()) return;
+    const bool leftPressed = input.pressedButton == static_cast<int>(MouseButton::kLeft);
+    if (!holdsPose(state_.tools, leftPressed)) advance(state_.transport, delta, state_.character());
+    state_.live->movePose(state_.transport);
+  }
+
+  void updateSurface() {
+    if (!state_.hasCharacter()) return;
+    state_.live->movePose(state_.transport);  // A joint may have been turned.
+    followEdits(state_);
+    followPose(state_);
+    const Result<bool> updated = state_.live->update(state_.document.commands, surfaceView(state_));
+    if (!updated) addMessage(state_, MessageKind::kError, updated.error().text());
+    state_.stats.stages = state_.live->surface().report.seconds;
+    const std::pair prepared(state_.documentsOpened, state_.document.commands.revision());
+    state_.stats.prepare = std::exchange(prepared_, prepared) == prepared ? 0.0 : state_.live->prepareSeconds();
+  }
+
+  void present() {
+    const glm::ivec2 size = window_.framebufferSize();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, size.x, size.y);
+    const Tint back = palette::kBackground;
+    glClearColor(back.r, back.g, back.b, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    imgui_.endFrame();
+    const std::string name = state_.document.name() + (state_.document.commands.modified() ? "*" : "");
+    window_.setTitle(state_.hasCharacter() ? name + " - " + kTitle : kTitle);
+    window_.swap();
+  }
+
+  Window& window_;
+  ImGuiLayer imgui_;
+  Picture picture_;
+  EditorOptions options_;
+  std::optional<StateLog> log_;
+  EditorState state_;
+  SessionKeeper keeper_;
+  WidgetLog widgets_;
+  double startTime_ = secondsNow();
+  double lastFrame_ = 0.0;
+  double lastLook_ = -kLookSeconds;
+  WindowPlace place_;
+  std::pair<std::size_t, std::size_t> prepared_;  ///< Document and revision of the last frame.
+  long long frameNumber_ = 0;
+  int settle_ = kSettleFrames;
+  bool continuous_ = false;
+  double wakeAfter_ = 0.0;  ///< Seconds until the interface wants another frame though nothing happens; 0: it does not.
+};
+
+int refuse(const Error& error) {
+  std::fprintf(stderr, "sinew: %s\n", error.text().c_str());
+  return 1;
+}
+
+}  // namespace
+
+int runEditor(const EditorOptions& options) {
+  std::optional<StateLog> log;
+  if (!options.logState.empty()) {
+    Result<StateLog> opened = StateLog::open(options.logState);
+    if (!opened) return refuse(opened.error());
+    log = std::move(opened).value();
+  }
+  // Before the window: a bad file is told apart from a missing display, and nothing flashes up.
+  std::optional<Document> document;
+  if (!options.file.empty()) {
+    Result<Document> opened = openDocument(options.file);
+    if (!opened) return refuse(opened.error());
+    document = std::move(opened).value();
+  }
+  EditorState state;
+  SessionKeeper keeper(preferencesFile(), recoveryFolder());
+  keeper.start(state);
+  const float grown = options.scale > 0.0f ? options.scale : std::max(state.preferences.scale, 1.0f);
+  const glm::ivec2 size(glm::vec2(kWindowSize) * grown);
+  std::optional<WindowGeometry> place = geometryOf(state.preferences.window);
+  // What a smaller interface left behind has no room for a larger one.
+  const bool larger = options.scale > std::max(state.preferences.scale, 1.0f);
+  if (place && larger && (place->size.x < size.x || place->size.y < size.y)) place.reset();
+  const Result<std::unique_ptr<Window>> window = Window::open(size, kTitle, place);
+  if (!window) return refuse(window.error());
+  const Result<std::unique_ptr<Viewport>> viewport = Viewport::create(Viewport::defaultSamples());
+  if (!viewport) return refuse(viewport.error());
+  Editor editor(*window.value(), *viewport.value(), std::move(state), std::move(keeper), options, std::move(log));
+  if (const Result<void> opened = editor.open(std::move(document)); !opened) return refuse(opened.error());
+  editor.run();
+  return 0;
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,18 @@
+// app/window/editor_window.h: the editor: one window from start to close.
+#pragma once
+
+#include <filesystem>
+
+namespace sinew::app {
+
+struct EditorOptions {
+  std::filesystem::path file;      ///< Character or rig; empty: a bundled sample.
+  std::filesystem::path logState;  ///< --log-state; empty: none.
+  float scale = 0.0f;              ///< --scale; 0: what the preferences or the system say.
+};
+
+/// Opens the window, runs it, closes it. @return exit status: 0, or 1 after a line on stderr (no display, no
+/// OpenGL 4.5, the log cannot be written). A file that cannot be opened is told in the window, which then stays empty.
+[[nodiscard]] int runEditor(const EditorOptions& options);
+
+}  // namespace sinew::app

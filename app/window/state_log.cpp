@@ -1,0 +1,280 @@
+// app/window/state_log.cpp: the editor's state as JSON.
+
+#include "app/window/state_log.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <set>
+#include <utility>
+
+#include "core/io/json/json.h"
+
+namespace sinew::app {
+namespace {
+
+Json numbers(std::initializer_list<float> values) {
+  Json array = Json::array();
+  for (const float value : values) array.push(value);
+  return array;
+}
+
+bool inside(const glm::vec2& point, const glm::vec4& box) {
+  return point.x >= box.x && point.y >= box.y && point.x < box.x + box.z && point.y < box.y + box.w;
+}
+
+/// Viewport pixels -> window coordinates.
+glm::vec2 inWindow(const EditorState& state, const glm::vec2& pixel) {
+  const glm::vec2 unitsPerPixel = glm::vec2(state.viewport.z, state.viewport.w) / glm::vec2(state.viewportPixels);
+  return glm::vec2(state.viewport.x, state.viewport.y) + pixel * unitsPerPixel;
+}
+
+Json documentState(const Document& document) {
+  Json selection = Json::array();
+  for (const std::string& name : document.selection.primitives) {
+    if (findPrimitive(document.rig(), name) >= 0) selection.push(name);
+  }
+  const std::filesystem::path& path = document.rigFile.empty() ? document.characterFile : document.rigFile;
+  return Json::object()
+      .set("path", path.string())
+      .set("modified", document.commands.modified())
+      .set("primitives", static_cast<int>(document.rig().primitives.size()))
+      .set("selection", selection)
+      .set("bone", document.selection.bone < 0 || document.character == nullptr
+                       ? Json("")
+                       : Json(document.character->skeleton.fileName(document.selection.bone)))
+      .set("undo", static_cast<int>(document.commands.position()))
+      .set("redo", static_cast<int>(document.commands.stepCount() - document.commands.position()));
+}
+
+Json namesOf(const std::set<std::string>& names) {
+  Json array = Json::array();
+  for (const std::string& name : names) array.push(name);
+  return array;
+}
+
+Json visibilityState(const EditorState& state) {
+  const Visibility& visibility = state.document.visibility;
+  Json away = Json::array();
+  if (state.hasCharacter()) {
+    const Rig& rig = state.document.rig();
+    for (const int index : hiddenPrimitives(visibility, rig, state.character().skeleton)) {
+      away.push(rig.primitives[static_cast<std::size_t>(index)].name);
+    }
+  }
+  return Json::object()
+      .set("away", away)
+      .set("hidden", namesOf(visibility.hidden.muscles))
+      .set("locked", namesOf(visibility.locked.muscles))
+      .set("solo", namesOf(visibility.solo.muscles))
+      .set("isolated", visibility.isolated ? namesOf(*visibility.isolated) : Json())
+      .set("bare", visibility.bare);
+}
+
+Json groupState(const Rig& rig) {
+  Json groups = Json::object();
+  for (const Group& group : rig.groups) {
+    groups.set(group.name, static_cast<int>(std::ranges::count(rig.primitives, group.name, &Primitive::group)));
+  }
+  return groups;
+}
+
+Json linkState(const Rig& rig) {
+  Json links = Json::array();
+  for (const auto& [a, b] : rig.links) links.push(Json::array().push(a).push(b));
+  return links;
+}
+
+Json symmetryState(const Document& document) {
+  const int active = document.activePrimitive();
+  const MirrorPlan* const plan = document.mirror.get();
+  return Json::object()
+      .set("on", document.symmetry)
+      .set("pairs", plan ? plan->pairCount() : 0)
+      .set("centre", plan ? plan->centreCount() : 0)
+      .set("twin", active < 0 ? std::string() : document.rig().primitives[static_cast<std::size_t>(active)].mirror);
+}
+
+Json boxState(const EditorState& state) {
+  return Json::object().set("armed", state.tools.box.armed).set("dragging", state.tools.box.drag.has_value());
+}
+
+Json gizmoState(const EditorState& state) {
+  Json handles = Json::object();
+  for (const auto& [name, pixel] : state.route.gizmo.namedPixels()) {
+    const glm::vec2 point = inWindow(state, pixel);
+    if (inside(point, state.viewport)) handles.set(name, numbers({point.x, point.y}));
+  }
+  return Json::object()
+      .set("visible", state.route.gizmo.visible)
+      .set("mode", nameOf(state.tools.gizmo.mode))
+      .set("axes", nameOf(state.tools.gizmo.axes))
+      .set("pivot", nameOf(state.tools.pivot))
+      .set("hovered", nameOf(state.tools.gizmo.hovered))
+      .set("dragging", state.tools.gizmo.drag.has_value())
+      .set("handles", handles);
+}
+
+Json boneState(const EditorState& state, const View& view) {
+  Json bones = Json::object();
+  if (!state.hasCharacter()) return bones;
+  const Skeleton& skeleton = state.character().skeleton;
+  const auto& matrices = state.live->pose().boneInWorld;
+  for (std::size_t i = 0; i < matrices.size(); ++i) {
+    const glm::vec3 pixel = view.toPixel(glm::vec3(matrices[i][3]));
+    if (pixel.z > 1.0f || pixel.z < -1.0f) continue;
+    const glm::vec2 point = inWindow(state, glm::vec2(pixel));
+    if (inside(point, state.viewport)) bones.set(skeleton.fileName(static_cast<int>(i)), numbers({point.x, point.y}));
+  }
+  return bones;
+}
+
+Json widgetState(const WidgetLog& widgets) {
+  Json result = Json::object();
+  for (const auto& [id, box] : widgets.rectangles()) result.set(id, numbers({box.x, box.y, box.z, box.w}));
+  return result;
+}
+
+Json clipNames(const EditorState& state) {
+  Json clips = Json::array();
+  if (!state.hasCharacter()) return clips;
+  for (const AnimationClip& clip : state.character().clips) clips.push(clip.name);
+  return clips;
+}
+
+std::string clipName(const EditorState& state) {
+  if (!state.hasCharacter() || state.transport.clip < 0) return "";
+  return state.character().clips[static_cast<std::size_t>(state.transport.clip)].name;
+}
+
+/// Seconds: where playing begins and ends.
+Json playedRange(const EditorState& state) {
+  if (!state.hasCharacter()) return numbers({});
+  const PlayRange range = playRange(state.transport, state.character());
+  return numbers({static_cast<float>(range.from), static_cast<float>(range.to)});
+}
+
+/// Joints turned by hand.
+Json poseState(const EditorState& state) {
+  const PoseOverrides& overrides = state.transport.overrides;
+  Json turns = Json::object();
+  for (const JointTurn& turn : overrides.turns) {
+    const glm::quat& q = turn.turn;
+    if (state.hasCharacter()) turns.set(state.character().skeleton.fileName(turn.bone), numbers({q.x, q.y, q.z, q.w}));
+  }
+  return Json::object()
+      .set("overrides", static_cast<int>(overrides.turns.size()))
+      .set("holds", overrides.from == TurnsFrom::kBindPose)
+      .set("turns", turns);
+}
+
+Json messageState(const EditorState& state) {
+  Json messages = Json::array();
+  for (const Message& message : state.messages) messages.push(message.text);
+  return messages;
+}
+
+std::string dialogName(const EditorState& state) {
+  if (state.question.kind != IntentKind::kNone) return "unsaved";
+  if (state.dialog.kind != DialogKind::kNone) return state.dialog.kind == DialogKind::kOpen ? "open" : "save";
+  if (state.recoveryAsked) return "recovery";
+  if (state.preferencesShown) return "preferences";
+  if (state.palette.shown) return "palette";
+  return state.keySheet ? "keys" : "";
+}
+
+Json display(const DisplaySettings& shown) {
+  constexpr const char* kShadings[] = {"textured", "clay", "classes", "heat"};
+  return Json::object()
+      .set("shading", kShadings[static_cast<int>(shown.shading)])
+      .set("wire", shown.wire)
+      .set("skeleton", shown.skeleton)
+      .set("primitives", shown.primitives)
+      .set("influence", shown.influence)
+      .set("ground", shown.ground)
+      .set("cull", shown.cullBackFaces);
+}
+
+std::string headText(const EditorState& state, long long frame, double seconds) {
+  const FrameStats& stats = state.stats;
+  const Json milliseconds = Json::object()
+                                .set("skin", stats.stages.skin * 1e3)
+                                .set("patch", stats.stages.patch * 1e3)
+                                .set("project", stats.stages.project * 1e3)
+                                .set("folds", stats.stages.folds * 1e3)
+                                .set("normals", stats.stages.normals * 1e3)
+                                .set("prepare", stats.prepare * 1e3)
+                                .set("upload", stats.upload * 1e3)
+                                .set("draw", stats.draw * 1e3)
+                                .set("ui", stats.ui * 1e3)
+                                .set("frame", stats.now());
+  return Json::object()
+      .set("frame", frame)
+      .set("seconds", seconds)
+      .set("fps", stats.framesPerSecond())
+      .set("ms", milliseconds)
+      .dump();
+}
+
+}  // namespace
+
+std::string stateText(const EditorState& state, const WidgetLog& widgets, const View& view) {
+  const SmoothingReport report = state.hasCharacter() ? state.live->surface().report : SmoothingReport{};
+  const SmoothingSettings& smoothing = state.document.rig().smoothing;
+  const glm::vec4& v = state.viewport;
+  const glm::vec2 mouse = inWindow(state, state.tools.lastPixel);
+  return Json::object()
+      .set("document", documentState(state.document))
+      .set("clip", clipName(state))
+      .set("clips", clipNames(state))
+      .set("clip_time", state.transport.time)
+      .set("playing", state.transport.playing)
+      .set("range", playedRange(state))
+      .set("pose", poseState(state))
+      .set("visibility", visibilityState(state))
+      .set("groups", groupState(state.document.rig()))
+      .set("links", linkState(state.document.rig()))
+      .set("territory", state.panels.territory.primitive)
+      .set("depth", state.hasCharacter() ? state.live->depth() : smoothing.depth)
+      .set("mode", nameOf(state.document.rig().surface.mode))
+      .set("triangles", report.refinedTriangles)
+      .set("culled", report.culledTriangles)
+      .set("tool", nameOf(state.tools.tool))
+      .set("status", state.route.status)
+      .set("display", display(state.display))
+      .set("dialog", dialogName(state))
+      .set("keymap", nameOf(state.preferences.keymap))
+      .set("scale", state.uiScale)
+      .set("symmetry", symmetryState(state.document))
+      .set("box", boxState(state))
+      .set("gizmo", gizmoState(state))
+      .set("viewport", numbers({v.x, v.y, v.z, v.w}))
+      .set("mouse", numbers({mouse.x, mouse.y}))
+      .set("camera_moving", isMoving(state.tools.camera))
+      .set("bones", boneState(state, view))
+      .set("widgets", widgetState(widgets))
+      .set("messages", messageState(state))
+      .dump();
+}
+
+Result<StateLog> StateLog::open(const std::filesystem::path& file) {
+  StateLog log;
+  log.file_.reset(std::fopen(file.c_str(), "ae"));
+  if (!log.file_) return Error{file.string(), "", std::string("cannot be written: ") + std::strerror(errno)};
+  return log;
+}
+
+void StateLog::write(const EditorState& state, const WidgetLog& widgets, const View& view, long long frame,
+                     double seconds) {
+  std::string text = stateText(state, widgets, view);
+  if (text == last_) return;
+  std::string line = headText(state, frame, seconds);
+  line.back() = ',';
+  line.append(text, 1);
+  line.push_back('\n');
+  std::fwrite(line.data(), 1, line.size(), file_.get());
+  std::fflush(file_.get());
+  last_ = std::move(text);
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,37 @@
+// app/window/state_log.h: --log-state: a JSON line for every drawn frame that changed (docs/formats.md).
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "app/editor/editor_state.h"
+#include "app/render/view.h"
+#include "app/ui/widget_log.h"
+#include "sinew/base/result.h"
+
+namespace sinew::app {
+
+/// The state as one line of JSON without the parts that differ in every frame (frame, seconds, fps, ms). All positions
+/// are window coordinates; what is outside the window or the picture is left out.
+[[nodiscard]] std::string stateText(const EditorState& state, const WidgetLog& widgets, const View& view);
+
+/// An open log.
+class StateLog {
+ public:
+  /// Appends to the file. Error: it cannot be opened.
+  [[nodiscard]] static Result<StateLog> open(const std::filesystem::path& file);
+
+  /// Writes and flushes a line if the state differs from the last line's.
+  void write(const EditorState& state, const WidgetLog& widgets, const View& view, long long frame, double seconds);
+
+ private:
+  struct Closer {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  std::unique_ptr<std::FILE, Closer> file_;
+  std::string last_;
+};
+
+}  // namespace sinew::app

@@ -1,0 +1,56 @@
+// core/include/sinew/character/character.h: what a glTF file becomes: read-only after import.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sinew/mesh/control_mesh.h"
+#include "sinew/skeleton/animation_clip.h"
+#include "sinew/skeleton/skeleton.h"
+
+namespace sinew {
+
+enum class TextureWrap { kRepeat, kClampToEdge, kMirroredRepeat };
+
+/// Image in sRGB, 8 bits, RGBA, top row first; width * height * 4 bytes.
+struct Texture {
+  std::string name;
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;
+  std::vector<std::uint8_t> encoded;  ///< The PNG or JPEG it came from, for export.
+  std::string mimeType;               ///< "image/png" or "image/jpeg".
+  TextureWrap wrapU = TextureWrap::kRepeat;
+  TextureWrap wrapV = TextureWrap::kRepeat;
+  bool nearest = false;  ///< Magnify without smoothing.
+};
+
+enum class AlphaMode { kOpaque, kMask, kBlend };
+
+/// The part of glTF's metallic-roughness model that Sinew draws. Colours linear.
+struct Material {
+  std::string name;
+  glm::vec4 baseColor{1.0f};
+  int baseColorTexture = -1;  ///< Index into Character::textures, or -1.
+  float metallic = 0.0f;      ///< 0..1
+  float roughness = 1.0f;     ///< 0..1
+  glm::vec3 emissive{0.0f};
+  AlphaMode alphaMode = AlphaMode::kOpaque;
+  float alphaCutoff = 0.5f;
+  bool doubleSided = false;
+};
+
+/// Control mesh + skeleton + clips + materials. docs/design.md.
+struct Character {
+  std::string name;  ///< File name without folder and ending.
+  ControlMesh mesh;
+  Skeleton skeleton;
+  std::vector<AnimationClip> clips;
+  std::vector<Material> materials;  ///< At least one.
+  std::vector<Texture> textures;
+  std::vector<std::string> ignored;  ///< What the file holds and Sinew does not use, each with the reason.
+  float height = 1.0f;               ///< H: y extent of the welded mesh in the bind pose (largest extent if flat); > 0.
+};
+
+}  // namespace sinew

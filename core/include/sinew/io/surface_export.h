@@ -1,0 +1,25 @@
+// core/include/sinew/io/surface_export.h: one surface as .obj, .ply or .glb.
+#pragma once
+
+#include <filesystem>
+
+#include "sinew/base/result.h"
+#include "sinew/character/character.h"
+#include "sinew/smoothing/surface.h"
+
+namespace sinew {
+
+/// Whether the ending (.obj, .ply, .glb; capitals too) is one that exportSurface writes.
+[[nodiscard]] bool isExportName(const std::filesystem::path& file);
+
+/// Format by ending. .obj: one v and vn per refined vertex, shared across seams, so that a closed surface is closed in
+/// the file (vn per drawn vertex where the surface has creases); vt per wedge; nine significant digits; one usemtl per
+/// material run; materials and textures go into files beside it, NAME.mtl and NAME_0.png ... (spaces in NAME become "_"
+/// there). .ply (binary little endian) and .glb split per wedge; .glb carries materials and textures. Normals are the
+/// shading normals. .obj and .ply count v upwards, as their readers do; glTF counts it downwards. Each file is written
+/// atomically, the one named last. Error: unknown ending, nothing to write, more than a .glb can hold, or a file cannot
+/// be written.
+[[nodiscard]] Result<void> exportSurface(const Surface& surface, const Character& character,
+                                         const std::filesystem::path& file);
+
+}  // namespace sinew

@@ -1,0 +1,48 @@
+// core/include/sinew/primitives/ellipsoid.h: an oriented ellipsoid on a bone, and the same in world space.
+#pragma once
+
+#include <glm/geometric.hpp>
+
+#include "sinew/base/geometry.h"
+
+namespace sinew {
+
+/// Where an ellipsoid sits: typed parts, never a matrix, so that nothing ever needs decomposing. Bone space, character
+/// units.
+struct Placement {
+  glm::vec3 center{0.0f};
+  glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};  ///< Unit; primitive axes -> bone axes.
+  glm::vec3 radii{1.0f};                       ///< Visible semi-axes, each > 0.
+};
+
+/// An influence ellipsoid in the world as the affine map that takes it to the unit ball: |toUnit (x - center)| < 1
+/// inside. Centre and map are kept apart: x^T Q x about a far origin would cancel.
+struct UnitBallMap {
+  glm::mat3 toUnit{1.0f};
+  glm::vec3 center{0.0f};       ///< World.
+  float boundingRadius = 0.0f;  ///< World; a ball around center of this radius holds the ellipsoid.
+  /// 1 / radius where the ellipsoid is a sphere in the world: then toUnit is only this factor, and distances come
+  /// without a matrix. 0 otherwise.
+  float inverseRadius = 0.0f;
+  float meanRadius = 0.0f;  ///< World: of the ball with the same volume.
+
+  /// r^2 at a point: < 1 inside.
+  [[nodiscard]] float rSquared(const glm::vec3& point) const {
+    const glm::vec3 d = point - center;
+    if (inverseRadius > 0.0f) return inverseRadius * inverseRadius * glm::dot(d, d);
+    const glm::vec3 y = toUnit * d;
+    return glm::dot(y, y);
+  }
+
+  /// Whether the influence holds a point; a flattened one holds none.
+  [[nodiscard]] bool holds(const glm::vec3& point) const { return boundingRadius > 0.0f && rSquared(point) < 1.0f; }
+};
+
+/// World -> unit ball of the ellipsoid scaled by `reach`, after the whole 3x4 bone matrix, uneven scale included.
+/// A flattened bone gives a map of zeros and boundingRadius 0: such a primitive reaches nothing.
+[[nodiscard]] UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& boneInWorld);
+
+/// Unit ball -> world for drawing: boneInWorld * T * R * S(radii * scale).
+[[nodiscard]] glm::mat4 shapeInWorld(const Placement& inBone, float scale, const glm::mat4& boneInWorld);
+
+}  // namespace sinew

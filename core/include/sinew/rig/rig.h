@@ -1,0 +1,97 @@
+// core/include/sinew/rig/rig.h: the designer's document as a plain value. File form: docs/formats.md.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sinew/primitives/ellipsoid.h"
+
+namespace sinew {
+
+enum class SurfaceMode { kSwell, kReplace };
+enum class PatchKind { kPn, kPhong, kSpherigon, kFlat };
+enum class ProjectionKind { kNewton, kBisection, kAnalytic };
+
+inline constexpr float kDefaultIso = 0.25f;
+inline constexpr float kDefaultReach = 1.4142135f;  ///< Of a file that does not say.
+inline constexpr float kNewReach = 2.0f;  ///< Of a muscle that is made: its shell is as wide as the muscle itself.
+inline constexpr float kDefaultSkinBlend = 0.04f;
+inline constexpr float kDefaultCreaseAngle = 180.0f;  ///< Smooth everywhere.
+inline constexpr int kMaxDepth = 16;
+
+// Beyond these the skin's own field W = h / (1 - sqrt(1 - sqrt T)) leaves what numbers can hold.
+inline constexpr float kLeastIso = 0.001f;
+inline constexpr float kMostIso = 0.999f;
+inline constexpr float kMostSkinBlend = 10.0f;
+
+/// "surface" in the file.
+struct SurfaceSettings {
+  SurfaceMode mode = SurfaceMode::kSwell;
+  float iso = kDefaultIso;              ///< T, kLeastIso..kMostIso.
+  float skinBlend = kDefaultSkinBlend;  ///< h as a fraction of H, > 0, at most kMostSkinBlend.
+  std::string unknownKeys;              ///< JSON object text of keys this version does not know; kept and written back.
+};
+
+/// "smoothing" in the file.
+struct SmoothingSettings {
+  int depth = 3;  ///< n, 1..kMaxDepth: every control triangle becomes n^2.
+  PatchKind patch = PatchKind::kPn;
+  ProjectionKind projection = ProjectionKind::kNewton;
+  float creaseAngle =
+      kDefaultCreaseAngle;  ///< Degrees, 0..180: faces that meet at more are shaded apart (mesh/creases.h).
+  bool autoDepth = false;   ///< In a picture, `depth` follows the character's size on screen (smoothing/auto_depth.h).
+  std::string unknownKeys;
+};
+
+/// A node of the blending graph.
+struct Group {
+  std::string name;  ///< Unique, not empty.
+  std::string unknownKeys;
+};
+
+/// One ellipsoid on one bone.
+struct Primitive {
+  std::string name;   ///< Unique, not empty.
+  std::string bone;   ///< Name or path (Skeleton::findBone). May be absent from the character at hand: unattached.
+  std::string group;  ///< Name of a group of the rig.
+  Placement placement;
+  float reach = kDefaultReach;                        ///< k > 1.
+  int sign = 1;                                       ///< +1 adds, -1 carves.
+  std::string mirror;                                 ///< Name of the linked twin, or empty.
+  std::optional<std::vector<std::string>> territory;  ///< Bones; nullopt: the default (attachment.h).
+  std::string unknownKeys;
+};
+
+/// Primitives + groups + links + settings. Two rigs with equal members are the same document.
+struct Rig {
+  std::string character;  ///< Path relative to the rig file, "/" between; or absolute as the designer typed it.
+  SurfaceSettings surface;
+  SmoothingSettings smoothing;
+  std::vector<Group> groups;
+  std::vector<std::array<std::string, 2>> links;
+  std::vector<Primitive> primitives;
+  std::string unknownKeys;
+};
+
+[[nodiscard]] bool operator==(const Rig& a, const Rig& b);
+
+/// Index by name, or -1.
+[[nodiscard]] int findPrimitive(const Rig& rig, const std::string& name);
+[[nodiscard]] int findGroup(const Rig& rig, const std::string& name);
+
+/// `wanted`, or `wanted 2`, `wanted 3` ...: the first that no primitive (or group) has. A number at the end of `wanted`
+/// counts on: a taken "thigh 2" gives "thigh 3".
+[[nodiscard]] std::string freePrimitiveName(const Rig& rig, const std::string& wanted);
+[[nodiscard]] std::string freeGroupName(const Rig& rig, const std::string& wanted);
+
+/// Names as they stand in files, menus and on the command line.
+[[nodiscard]] const char* nameOf(SurfaceMode mode);
+[[nodiscard]] const char* nameOf(PatchKind patch);
+[[nodiscard]] const char* nameOf(ProjectionKind projection);
+[[nodiscard]] std::optional<SurfaceMode> surfaceModeNamed(const std::string& name);
+[[nodiscard]] std::optional<PatchKind> patchKindNamed(const std::string& name);
+[[nodiscard]] std::optional<ProjectionKind> projectionKindNamed(const std::string& name);
+
+}  // namespace sinew

@@ -1,0 +1,25 @@
+// core/include/sinew/skeleton/pose.h: one moment of a skeleton.
+#pragma once
+
+#include <vector>
+
+#include "sinew/skeleton/animation_clip.h"
+#include "sinew/skeleton/skeleton.h"
+
+namespace sinew {
+
+/// Where every bone is. Bone scale, also uneven, is part of the matrices.
+struct Pose {
+  std::vector<glm::mat4> boneInWorld;  ///< [bones] bone space -> world.
+};
+
+/// The pose the inverse bind matrices describe, upright (docs/design.md).
+[[nodiscard]] Pose bindPose(const Skeleton& skeleton);
+
+/// The nodes as they stand when nothing is animated. Need not be the bind pose.
+[[nodiscard]] Pose restPose(const Skeleton& skeleton);
+
+/// A clip at a time, seconds, clamped to the clip (looping is the player's affair). Unanimated nodes rest.
+[[nodiscard]] Pose samplePose(const Skeleton& skeleton, const AnimationClip& clip, float time);
+
+}  // namespace sinew

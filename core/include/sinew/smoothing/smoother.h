@@ -1,0 +1,46 @@
+// core/include/sinew/smoothing/smoother.h: the one pipeline from character, rig and pose to the surface.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "sinew/base/result.h"
+#include "sinew/character/character.h"
+#include "sinew/rig/rig.h"
+#include "sinew/skeleton/pose.h"
+#include "sinew/smoothing/surface.h"
+
+namespace sinew {
+
+/// Skin, patch, project, guard folds, shading normals: a stage a file of this directory.
+/// prepare() once per edit, smooth() once per pose. Editor, command line, export and tests all go through here.
+/// The surface depends on the character, the rig and the pose alone, never on what was smoothed before.
+/// Not thread-safe; use one Smoother a thread (the character is shared, read-only).
+class Smoother {
+ public:
+  explicit Smoother(std::shared_ptr<const Character> character);
+  ~Smoother();
+  Smoother(Smoother&&) noexcept;
+  Smoother& operator=(Smoother&&) noexcept;
+
+  /// Takes the rig: attachment, candidate lists, refinement tables, triangle classes. Keeps what did not change.
+  /// Error: the rig is invalid, the blending graph too large, or the refined mesh would not fit memory; then the
+  /// former preparation stays in force.
+  [[nodiscard]] Result<void> prepare(const Rig& rig);
+
+  /// Fills `out` for a pose of this skeleton. prepare() must have succeeded once. Reuses the output's memory.
+  /// @param eye  world; if given, control triangles it cannot see stay on their patches and are marked in
+  /// Surface::culled
+  ///             (face_culling.h): for a picture from there alone, never for shadows or export.
+  void smooth(const Pose& pose, Surface& out, const std::optional<glm::vec3>& eye = std::nullopt);
+
+  [[nodiscard]] const Character& character() const;
+  /// Indices into the prepared rig's primitives whose bone this character lacks.
+  [[nodiscard]] const std::vector<int>& unattached() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sinew

@@ -1,0 +1,150 @@
+// core/io/files/atomic_file.cpp: POSIX files, with every failure told in words.
+#include "core/io/files/atomic_file.h"
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace sinew {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error because(const fs::path& file, const std::string& what, int code) {
+  return {file.string(), {}, what + ": " + std::generic_category().message(code)};
+}
+
+/// An open file; closed at the end of its scope.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() { close(); }
+
+  [[nodiscard]] int number() const { return number_; }
+  [[nodiscard]] bool isOpen() const { return number_ >= 0; }
+  /// False if the system reports a late failure; errno says which.
+  bool close() {
+    if (number_ < 0) return true;
+    const int number = number_;
+    number_ = -1;
+    return ::close(number) == 0;
+  }
+
+ private:
+  int number_;
+};
+
+/// 0, or the errno of the failure.
+int writeAll(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return errno;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return 0;
+}
+
+/// Pipes, terminals and devices: nothing to replace, the bytes just go there.
+Result<void> writeStream(const fs::path& file, std::string_view bytes) {
+  Descriptor stream(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!stream.isOpen()) return because(file, "cannot be written", errno);
+  const int failed = writeAll(stream.number(), bytes);
+  if (failed != 0) return because(file, "cannot be written", failed);
+  return {};
+}
+
+fs::path freshNeighbour(const fs::path& file) {
+  static std::atomic<unsigned> counter{0};
+  const std::string name = ".sinew-" + std::to_string(::getpid()) + '-' + std::to_string(counter++) + ".part";
+  return file.parent_path() / name;
+}
+
+/// Creates a file nobody has, beside `file`; its name goes to `made`.
+int createNeighbour(const fs::path& file, fs::path& made) {
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    made = freshNeighbour(file);
+    const int descriptor = ::open(made.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor >= 0 || errno != EEXIST) return descriptor;
+  }
+  return -1;
+}
+
+/// 0, or the errno of the failure. `mode` 0: what the system gives new files.
+int fillNeighbour(Descriptor& neighbour, std::string_view bytes, mode_t mode) {
+  if (const int failed = writeAll(neighbour.number(), bytes); failed != 0) return failed;
+  if (mode != 0 && ::fchmod(neighbour.number(), mode) != 0) return errno;
+  if (::fsync(neighbour.number()) != 0) return errno;
+  return neighbour.close() ? 0 : errno;
+}
+
+/// The rename itself must reach the disk too. Some file systems cannot; the file is whole either way.
+void flushFolder(const fs::path& folder) {
+  const Descriptor descriptor(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (descriptor.isOpen()) ::fsync(descriptor.number());
+}
+
+Result<void> replace(const fs::path& file, const fs::path& target, std::string_view bytes, mode_t mode) {
+  fs::path made;
+  Descriptor neighbour(createNeighbour(target, made));
+  if (!neighbour.isOpen()) return because(file, "cannot be written", errno);
+  int failed = fillNeighbour(neighbour, bytes, mode);
+  if (failed == 0 && ::rename(made.c_str(), target.c_str()) != 0) failed = errno;
+  if (failed != 0) {
+    ::unlink(made.c_str());
+    return because(file, "cannot be written", failed);
+  }
+  flushFolder(target.parent_path());
+  return {};
+}
+
+}  // namespace
+
+Result<void> writeFileAtomically(const fs::path& file, std::string_view bytes) {
+  struct stat present {};
+  if (::stat(file.c_str(), &present) != 0) return replace(file, file, bytes, 0);
+  if (S_ISDIR(present.st_mode)) return Error{file.string(), {}, "cannot be written: it is a folder"};
+  if (!S_ISREG(present.st_mode)) return writeStream(file, bytes);
+  // A rename would walk past a write protection; the designer set it on purpose.
+  if (::access(file.c_str(), W_OK) != 0) return because(file, "cannot be written", errno);
+  // Through a link to the file it names, so that the link stays one.
+  std::error_code failed;
+  const fs::path target = fs::canonical(file, failed);
+  if (failed) return because(file, "cannot be written", failed.value());
+  return replace(file, target, bytes, present.st_mode & 07777);
+}
+
+Result<std::string> readWholeFile(const fs::path& file, std::uintmax_t limit) {
+  // Without waiting: a pipe nobody writes to must not hang the program.
+  const Descriptor source(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  if (!source.isOpen()) return because(file, "cannot be read", errno);
+  struct stat present {};
+  if (::fstat(source.number(), &present) != 0) return because(file, "cannot be read", errno);
+  if (S_ISDIR(present.st_mode)) return Error{file.string(), {}, "cannot be read: it is a folder"};
+  if (!S_ISREG(present.st_mode)) return Error{file.string(), {}, "cannot be read: it is no ordinary file"};
+
+  const auto tooLarge = [&] {
+    return Error{file.string(), {}, "is larger than " + std::to_string(limit) + " bytes, the most that is read"};
+  };
+  if (static_cast<std::uintmax_t>(present.st_size) > limit) return tooLarge();
+  std::string bytes;
+  bytes.reserve(static_cast<std::size_t>(present.st_size));
+  std::array<char, 65536> chunk{};
+  for (;;) {
+    const ssize_t count = ::read(source.number(), chunk.data(), chunk.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return because(file, "cannot be read", errno);
+    if (count == 0) return bytes;
+    bytes.append(chunk.data(), static_cast<std::size_t>(count));
+    if (bytes.size() > limit) return tooLarge();
+  }
+}
+
+}  // namespace sinew

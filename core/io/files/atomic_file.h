@@ -1,0 +1,20 @@
+// core/io/files/atomic_file.h: whole files in, whole files out.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "sinew/base/result.h"
+
+namespace sinew {
+
+/// Writes beside the target, flushes to disk, renames over it: after a crash or a full disk the old file is whole.
+[[nodiscard]] Result<void> writeFileAtomically(const std::filesystem::path& file, std::string_view bytes);
+
+/// Error: it is absent, a folder, unreadable, or larger than `limit` bytes.
+[[nodiscard]] Result<std::string> readWholeFile(const std::filesystem::path& file, std::uintmax_t limit);
+
+}  // namespace sinew

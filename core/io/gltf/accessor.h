@@ -1,0 +1,74 @@
+// core/io/gltf/accessor.h: typed, bounds-checked reading of accessors.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/io/gltf/file.h"
+
+namespace sinew::gltf {
+
+/// One accessor, checked when it was opened: every element lies within its buffer. Reads need no alignment. Elements
+/// are decoded when asked for, so a file cannot make it allocate. Without a bufferView the elements are zero, as glTF
+/// says.
+class Accessor {
+ public:
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] int components() const { return components_; }
+  [[nodiscard]] bool isFloat() const { return type_ == kFloat; }
+  [[nodiscard]] const std::string& place() const { return place_; }
+
+  /// As the accessor says: floats as they are, integers scaled to -1..1 or 0..1 where `normalized`. Element < count().
+  [[nodiscard]] double number(std::size_t element, int component) const;
+  /// The integer itself; 0 for floats and negative numbers.
+  [[nodiscard]] std::uint32_t integer(std::size_t element, int component) const;
+
+ private:
+  friend class Accessors;
+  static constexpr int kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123, kUnsignedInt = 5125,
+                       kFloat = 5126;
+
+  [[nodiscard]] const std::uint8_t* element(std::size_t index) const;
+  [[nodiscard]] std::uint32_t sparseIndex(std::size_t entry) const;
+  template <class T>
+  [[nodiscard]] T load(std::size_t index, int component) const;
+
+  std::string place_;
+  std::string shape_;  // "SCALAR", "VEC3", ...
+  int type_ = kFloat;
+  int components_ = 1;
+  bool normalized_ = false;
+  std::size_t count_ = 0;
+  std::size_t stride_ = 0;
+  const std::uint8_t* base_ = nullptr;  // nullptr: zeros
+  std::size_t sparseCount_ = 0;
+  int sparseType_ = kUnsignedInt;
+  const std::uint8_t* sparseIndices_ = nullptr;
+  const std::uint8_t* sparseValues_ = nullptr;
+};
+
+/// The accessors of a file, each opened once, when first used.
+class Accessors {
+ public:
+  explicit Accessors(const File& file);
+
+  /// The accessor a field refers to; it must have one of the given shapes. Refuses at the accessor's JSON path.
+  [[nodiscard]] const Accessor& open(const Field& reference, std::initializer_list<std::string_view> shapes);
+
+ private:
+  [[nodiscard]] Accessor read(std::size_t index);
+  void readSparse(const Field& sparse, std::size_t elementSize, Accessor& accessor);
+  /// First byte of `count` elements inside a view.
+  [[nodiscard]] const std::uint8_t* locate(const Field& where, std::size_t view, std::uint64_t offset,
+                                           std::uint64_t count, std::size_t elementSize, std::size_t stride) const;
+
+  const File& file_;
+  std::vector<std::unique_ptr<Accessor>> opened_;
+  std::size_t sparseTotal_ = 0;
+};
+
+}  // namespace sinew::gltf

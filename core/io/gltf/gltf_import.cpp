@@ -1,0 +1,100 @@
+// core/io/gltf/gltf_import.cpp: the import, stage by stage.
+
+#include "sinew/io/gltf_import.h"
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <new>
+#include <string_view>
+
+#include "core/io/gltf/animation.h"
+#include "core/io/gltf/mesh.h"
+
+namespace sinew {
+namespace {
+
+using namespace gltf;
+
+/// Used fully, or by what they fall back to.
+constexpr std::array<std::string_view, 4> kUnderstood{"KHR_texture_transform", "KHR_mesh_quantization",
+                                                      "KHR_materials_unlit", "KHR_materials_pbrSpecularGlossiness"};
+
+bool understood(std::string_view extension) { return std::ranges::find(kUnderstood, extension) != kUnderstood.end(); }
+
+void checkExtensions(const Field& root, Notes& notes) {
+  const Field required = root.member("extensionsRequired");
+  for (std::size_t i = 0; i < required.size(); ++i) {
+    const std::string_view name = required.item(i).text("");
+    if (!understood(name)) {
+      refuse(required.item(i).place(),
+             "the file needs the extension " + std::string(name) + ", which Sinew cannot read");
+    }
+  }
+  const Field used = root.member("extensionsUsed");
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const std::string_view name = used.item(i).text("");
+    if (!understood(name)) notes.add("extension " + std::string(name));
+  }
+}
+
+void noteUnused(const Field& root, Notes& notes) {
+  const std::size_t cameras = root.member("cameras").size();
+  const std::size_t lights = root.member("extensions").member("KHR_lights_punctual").member("lights").size();
+  if (cameras > 0) notes.add("cameras: " + std::to_string(cameras));
+  if (lights > 0) notes.add("lights: " + std::to_string(lights));
+}
+
+float heightOf(const std::vector<glm::vec3>& positions) {
+  const glm::vec3 extent = boundsOf(positions).extent();
+  const float longest = std::max({extent.x, extent.y, extent.z});
+  constexpr float kFlat = 1e-6f;
+  return extent.y > kFlat * longest ? extent.y : longest;
+}
+
+void weldMesh(const TriangleSoup& soup, Character& character) {
+  if (soup.triangles.empty()) refuse("meshes", "the scene has no triangles to show");
+  constexpr float kWeldTolerance = 1e-6f;  // of the height, docs/design.md
+  character.mesh = weld(soup, kWeldTolerance * heightOf(soup.positions));
+  if (character.mesh.triangles.empty()) refuse("meshes", "all triangles have collapsed to lines or points");
+  character.height = heightOf(character.mesh.positions);
+}
+
+std::shared_ptr<const Character> readCharacter(const std::filesystem::path& path) {
+  File file(path);
+  Notes notes;
+  checkExtensions(file.root(), notes);
+  noteUnused(file.root(), notes);
+  Accessors accessors(file);
+  auto character = std::make_shared<Character>();
+  const NodeTree tree = readNodes(file.root(), notes);
+  BoundSkeleton bound = bindSkeleton(file.root(), tree, accessors, notes);
+  Materials materials = readMaterials(file, notes);
+  weldMesh(readTriangles(file.root(), tree, bound, materials, accessors, notes), *character);
+  character->clips = readClips(file.root(), bound.skeleton, bound.skeletonNode, accessors, notes);
+  character->name = path.stem().string();
+  character->skeleton = std::move(bound.skeleton);
+  character->materials = std::move(materials.materials);
+  character->textures = std::move(materials.textures);
+  character->ignored = notes.lines();
+  return character;
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const Character>> importGltf(const std::filesystem::path& file) {
+  const auto failed = [&](std::string place, std::string reason) {
+    return Error{.file = file.string(), .place = std::move(place), .reason = std::move(reason)};
+  };
+  try {
+    return readCharacter(file);
+  } catch (Refusal& refusal) {
+    return failed(std::move(refusal.error.place), std::move(refusal.error.reason));
+  } catch (const std::bad_alloc&) {
+    return failed("", "there is not enough memory to read it");
+  } catch (const std::exception& error) {
+    return failed("", std::string("cannot be read: ") + error.what());
+  }
+}
+
+}  // namespace sinew

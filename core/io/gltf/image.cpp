@@ -1,0 +1,97 @@
+// core/io/gltf/image.cpp: decoding images with stb_image, guarded against images made to exhaust memory or time.
+
+#include "core/io/gltf/image.h"
+
+#include <algorithm>
+#include <memory>
+#include <string_view>
+
+#include <stb_image.h>
+
+namespace sinew::gltf {
+namespace {
+
+/// Deflate shrinks at most this much.
+constexpr std::uint64_t kMostDeflateRatio = 1032;
+/// Compressed pixels that cannot unpack to more than this need no trial.
+constexpr std::uint64_t kHarmlessBytes = 256U << 20;
+/// Each scan of a progressive JPEG is a pass over the whole image; encoders write about ten.
+constexpr int kMostScans = 200;
+
+std::uint32_t bigEndian(Bytes bytes, std::size_t at) {
+  return static_cast<std::uint32_t>(bytes[at]) << 24 | static_cast<std::uint32_t>(bytes[at + 1]) << 16 |
+         static_cast<std::uint32_t>(bytes[at + 2]) << 8 | static_cast<std::uint32_t>(bytes[at + 3]);
+}
+
+bool startsWith(Bytes bytes, std::string_view magic) {
+  return bytes.size() >= magic.size() &&
+         std::equal(magic.begin(), magic.end(), bytes.begin(),
+                    [](char c, std::uint8_t b) { return static_cast<std::uint8_t>(c) == b; });
+}
+
+/// All IDAT data of a PNG in one piece.
+std::string pngPixelData(Bytes png) {
+  std::string data;
+  for (std::size_t at = 8; at + 12 <= png.size();) {
+    const std::size_t length = bigEndian(png, at);
+    if (length > png.size() - at - 12) break;
+    if (startsWith(png.subspan(at + 4), "IDAT")) data.append(reinterpret_cast<const char*>(&png[at + 8]), length);
+    at += 12 + length;
+  }
+  return data;
+}
+
+/// Whether the pixels unpack to no more than the image's dimensions allow; stb_image itself would go on unpacking.
+bool unpacksWithin(Bytes png, int width, int height) {
+  const std::string data = pngPixelData(png);
+  if (data.size() * kMostDeflateRatio <= kHarmlessBytes) return true;
+  constexpr std::size_t kLargestPixel = 8;  // four channels of 16 bits
+  // Interlacing adds a filter byte a row to each of seven passes.
+  const std::size_t most = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * kLargestPixel +
+                           16 * static_cast<std::size_t>(height) + 1024;
+  const auto room = std::make_unique_for_overwrite<char[]>(most);
+  return stbi_zlib_decode_buffer(room.get(), static_cast<int>(most), data.data(), static_cast<int>(data.size())) >= 0;
+}
+
+int countScans(Bytes jpeg) {
+  int scans = 0;
+  for (std::size_t i = 0; i + 1 < jpeg.size(); ++i) {
+    if (jpeg[i] == 0xff && jpeg[i + 1] == 0xda) ++scans;
+  }
+  return scans;
+}
+
+}  // namespace
+
+Result<Image> decodeImage(Bytes encoded, std::size_t mostPixels) {
+  const bool png = startsWith(encoded, "\x89PNG\r\n\x1a\n");
+  const bool jpeg = startsWith(encoded, "\xff\xd8\xff");
+  if (!png && !jpeg) return errorAt("", "not a PNG or JPEG image");
+  if (encoded.size() > 0x40000000) return errorAt("", "the image file is larger than 1 GiB");
+  const auto length = static_cast<int>(encoded.size());
+
+  Image image;
+  int channels = 0;
+  if (stbi_info_from_memory(encoded.data(), length, &image.width, &image.height, &channels) == 0) {
+    return errorAt("", std::string("damaged image: ") + stbi_failure_reason());
+  }
+  if (image.width <= 0 || image.height <= 0 || image.width > kLargestImageSide || image.height > kLargestImageSide) {
+    return errorAt("", "the image is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+                           " pixels; at most 8192 x 8192 are read");
+  }
+  const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  if (pixels > mostPixels) return errorAt("", "the file's images have too many pixels together");
+  if (png && !unpacksWithin(encoded, image.width, image.height)) {
+    return errorAt("", "damaged image: it unpacks to more than its dimensions");
+  }
+  if (jpeg && countScans(encoded) > kMostScans) return errorAt("", "a JPEG with more than 200 scans");
+
+  const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
+      stbi_load_from_memory(encoded.data(), length, &image.width, &image.height, &channels, 4), stbi_image_free);
+  if (!decoded) return errorAt("", std::string("damaged image: ") + stbi_failure_reason());
+  image.rgba.assign(decoded.get(), decoded.get() + 4 * pixels);
+  image.mimeType = png ? "image/png" : "image/jpeg";
+  return image;
+}
+
+}  // namespace sinew::gltf

@@ -1,0 +1,26 @@
+// core/io/gltf/image.h: PNG and JPEG -> RGBA.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/io/gltf/file.h"
+#include "sinew/base/result.h"
+
+namespace sinew::gltf {
+
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;
+  std::string mimeType;
+};
+
+inline constexpr int kLargestImageSide = 8192;  ///< Pixels.
+
+/// Decodes an image; the dimensions and what it would unpack to are checked before. Error: reason only.
+/// @param mostPixels what is left of the budget for all images of the file.
+[[nodiscard]] Result<Image> decodeImage(Bytes encoded, std::size_t mostPixels);
+
+}  // namespace sinew::gltf

@@ -1,0 +1,342 @@
+// core/io/gltf/skin.cpp: bones and their bind pose.
+
+#include "core/io/gltf/skin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+
+#include "sinew/io/gltf_import.h"
+
+namespace sinew::gltf {
+namespace {
+
+/// A second skin's binding within this of the first one's (relative to the skeleton's size) is the same binding.
+constexpr double kSameBinding = 1e-5;
+/// Paths repeat the names of all ancestors: a long chain of long names would fill the memory.
+constexpr std::size_t kLongestPaths = 64U << 20;
+/// Joints of all skins together, and bindings besides the bones' own.
+constexpr std::size_t kMostSkinJoints = 1U << 18;
+constexpr std::size_t kMostExtraBindings = 4096;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+struct Skin {
+  std::string name;
+  std::vector<int> joints;               // nodes
+  std::vector<glm::dmat4> inverseBinds;  // [joints] POSITION -> joint
+  std::vector<bool> singular;            // [joints] has no usable inverse bind matrix
+  glm::dmat4 meshToBind{1.0};            // M of docs/design.md
+  std::vector<int> bindings;             // [joints]
+};
+
+class Binder {
+ public:
+  Binder(const Field& root, const NodeTree& tree, Accessors& accessors, Notes& notes)
+      : root_(root),
+        tree_(tree),
+        accessors_(accessors),
+        notes_(notes),
+        boneOfNode_(tree.nodes.size(), -1),
+        nearestBone_(tree.nodes.size(), -1),
+        inBone_(tree.nodes.size(), glm::dmat4(1.0)) {}
+
+  BoundSkeleton run() && {
+    readSkins();
+    collectBones();
+    nameBones();
+    for (auto& skin : skins_) {
+      if (skin) bindSkin(*skin);
+    }
+    bindRest();
+    for (std::size_t b = 0; b < bones().size(); ++b) bones()[b].bindInWorld = glm::mat4(bindInWorld_[b]);
+    finishBones(result_.skeleton);
+    makeBindings();
+    bindMeshes();
+    return std::move(result_);
+  }
+
+ private:
+  std::vector<Bone>& bones() { return result_.skeleton.bones; }
+
+  void readSkins() {
+    const Field skins = root_.member("skins");
+    skins_.resize(skins.size());
+    for (const TreeNode& node : tree_.nodes) {
+      if (!node.inScene || !node.mesh || !node.skin || skins_[at(*node.skin)]) continue;
+      skins_[at(*node.skin)] = readSkin(skins.item(at(*node.skin)));
+    }
+    const auto unused = std::ranges::count_if(skins_, [](const auto& skin) { return !skin; });
+    if (unused > 0) notes_.add("skins: " + std::to_string(unused) + " that no mesh of the scene uses");
+  }
+
+  Skin readSkin(const Field& field) {
+    Skin skin;
+    skin.name = std::string(field.member("name").text(field.place()));
+    const Field joints = field.member("joints");
+    if (joints.size() == 0) refuse(joints.place(), "a skin needs at least one joint");
+    skinJoints_ += joints.size();
+    if (joints.size() > at(kMaxJoints) || skinJoints_ > kMostSkinJoints) refuseJoints();
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      skin.joints.push_back(joints.item(j).requiredIndex(tree_.nodes.size(), "node"));
+    }
+    skin.inverseBinds.assign(joints.size(), glm::dmat4(1.0));
+    skin.singular.assign(joints.size(), false);
+    if (const Field reference = field.member("inverseBindMatrices"); reference.exists()) {
+      readInverseBinds(accessors_.open(reference, {"MAT4"}), skin);
+    }
+    return skin;
+  }
+
+  void readInverseBinds(const Accessor& matrices, Skin& skin) {
+    if (!matrices.isFloat()) refuse(matrices.place(), "inverse bind matrices must be floats");
+    if (matrices.count() < skin.joints.size()) {
+      refuse(matrices.place(), std::to_string(matrices.count()) + " inverse bind matrices for " +
+                                   std::to_string(skin.joints.size()) + " joints");
+    }
+    for (std::size_t j = 0; j < skin.joints.size(); ++j) {
+      glm::dmat4& matrix = skin.inverseBinds[j];
+      for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = matrices.number(j, i);
+      for (int column = 0; column < 4; ++column) matrix[column][3] = column == 3 ? 1.0 : 0.0;
+      if (!isTame(matrix))
+        refuse(matrices.place(), "inverse bind matrix " + std::to_string(j) + " is not finite or too large");
+      if (affineInverse(matrix)) continue;
+      skin.singular[j] = true;
+      notes_.add("inverse bind matrix of joint \"" + tree_[skin.joints[j]].name +
+                 "\": singular; its rest pose is used");
+    }
+  }
+
+  [[noreturn]] static void refuseJoints() { refuse("skins", "more than " + std::to_string(kMaxJoints) + " joints"); }
+
+  /// Bones in the order the skins name them, then mesh nodes of their own; ancestors first.
+  void collectBones() {
+    std::vector<bool> isBone(tree_.nodes.size(), false);
+    std::vector<int> wanted;
+    const auto want = [&](int node) {
+      if (isBone[at(node)]) return;
+      isBone[at(node)] = true;
+      wanted.push_back(node);
+      if (wanted.size() > at(kMaxJoints)) refuseJoints();
+    };
+    for (const auto& skin : skins_) {
+      if (skin) std::ranges::for_each(skin->joints, want);
+    }
+    wantUncarriedMeshes(std::vector<bool>(isBone), want);
+    makeSkeletonNodes(isBone);
+    std::vector<int> boneAbove(tree_.nodes.size(), -1);  // node of the nearest bone above
+    for (const int node : tree_.order) {
+      const int parent = tree_[node].parent;
+      if (parent >= 0) boneAbove[at(node)] = isBone[at(parent)] ? parent : boneAbove[at(parent)];
+    }
+    for (const int node : wanted) addBone(node, boneAbove);
+    for (const int node : tree_.order) {
+      const int parent = tree_[node].parent;
+      const bool bone = isBone[at(node)];
+      nearestBone_[at(node)] = bone ? boneOfNode_[at(node)] : parent < 0 ? -1 : nearestBone_[at(parent)];
+      inBone_[at(node)] = bone || parent < 0 ? glm::dmat4(1.0) : inBone_[at(parent)] * tree_[node].local;
+    }
+  }
+
+  template <class Want>
+  void wantUncarriedMeshes(std::vector<bool> carried, const Want& want) {
+    for (const int node : tree_.order) {
+      const int parent = tree_[node].parent;
+      if (parent >= 0 && carried[at(parent)]) carried[at(node)] = true;
+    }
+    for (std::size_t node = 0; node < tree_.nodes.size(); ++node) {
+      const TreeNode& mesh = tree_.nodes[node];
+      if (mesh.inScene && mesh.mesh && !mesh.skin && !carried[node]) want(static_cast<int>(node));
+    }
+  }
+
+  /// Bones and what lies above them.
+  void makeSkeletonNodes(const std::vector<bool>& isBone) {
+    std::vector<bool> needed = isBone;
+    for (std::size_t i = tree_.order.size(); i-- > 0;) {
+      const int node = tree_.order[i];
+      if (needed[at(node)] && tree_[node].parent >= 0) needed[at(tree_[node].parent)] = true;
+    }
+    result_.skeletonNode.assign(tree_.nodes.size(), -1);
+    for (const int node : tree_.order) {
+      if (!needed[at(node)]) continue;
+      result_.skeletonNode[at(node)] = static_cast<int>(result_.skeleton.nodes.size());
+      const TreeNode& from = tree_[node];
+      const int parent = from.parent < 0 ? -1 : result_.skeletonNode[at(from.parent)];
+      result_.skeleton.nodes.push_back({.name = from.name, .parent = parent, .rest = from.rest});
+    }
+  }
+
+  /// The bone of a node, after those of its ancestors.
+  void addBone(int node, const std::vector<int>& boneAbove) {
+    std::vector<int> chain;
+    for (int n = node; n >= 0 && boneOfNode_[at(n)] < 0; n = boneAbove[at(n)]) chain.push_back(n);
+    for (const int n : chain | std::views::reverse) {
+      Bone bone;
+      bone.name = tree_[n].name;
+      bone.node = result_.skeletonNode[at(n)];
+      bone.parent = boneAbove[at(n)] < 0 ? -1 : boneOfNode_[at(boneAbove[at(n)])];
+      boneOfNode_[at(n)] = static_cast<int>(bones().size());
+      bones().push_back(std::move(bone));
+    }
+  }
+
+  void nameBones() {
+    std::size_t total = 0;
+    std::vector<std::size_t> length(bones().size(), 0);
+    for (std::size_t b = 0; b < bones().size(); ++b) {
+      Bone& bone = bones()[b];
+      if (bone.name.empty()) bone.name = "joint " + std::to_string(b);
+      length[b] = bone.name.size() + 8 + (bone.parent < 0 ? 0 : length[at(bone.parent)]);
+      total += length[b];
+    }
+    if (total > kLongestPaths) refuse("nodes", "the joints' names are too long for so deep a skeleton");
+    bindInWorld_.assign(bones().size(), glm::dmat4(1.0));
+    isBound_.assign(bones().size(), false);
+  }
+
+  glm::dmat4 restOf(int node) const {
+    const glm::dmat4& rest = tree_[node].restInWorld;
+    if (affineInverse(rest)) return rest;
+    glm::dmat4 upright(1.0);
+    upright[3] = rest[3];
+    return upright;
+  }
+
+  /// Chooses M, then places every joint no earlier skin has placed.
+  void bindSkin(Skin& skin) {
+    chooseMeshToBind(skin);
+    for (std::size_t j = 0; j < skin.joints.size(); ++j) {
+      const auto bone = at(boneOfNode_[at(skin.joints[j])]);
+      if (isBound_[bone]) continue;
+      isBound_[bone] = true;
+      const std::optional<glm::dmat4> bind = skin.singular[j] ? std::nullopt : affineInverse(skin.inverseBinds[j]);
+      const glm::dmat4 placed = bind ? skin.meshToBind * *bind : restOf(skin.joints[j]);
+      bindInWorld_[bone] = affineInverse(placed) ? placed : restOf(skin.joints[j]);
+    }
+  }
+
+  /// M of docs/design.md: the root joint's rest x its inverse bind matrix. A skin that shares a joint with an earlier
+  /// one is placed by that joint instead, so that parts of one body stay together where rest and bind pose differ.
+  void chooseMeshToBind(Skin& skin) {
+    const std::size_t root = rootOf(skin);
+    glm::dmat4 anchor = restOf(skin.joints[root]);
+    std::size_t by = root;
+    for (std::size_t j = 0; j < skin.joints.size(); ++j) {
+      const int bone = boneOfNode_[at(skin.joints[j])];
+      if (!isBound_[at(bone)] || skin.singular[j]) continue;
+      anchor = bindInWorld_[at(bone)];
+      by = j;
+      break;
+    }
+    if (skin.singular[by]) return;
+    const glm::dmat4 meshToBind = anchor * skin.inverseBinds[by];
+    if (affineInverse(meshToBind)) skin.meshToBind = meshToBind;
+  }
+
+  /// First joint that has no ancestor in the same skin.
+  std::size_t rootOf(const Skin& skin) const {
+    std::vector<bool> inSkin(result_.skeleton.bones.size(), false);
+    for (const int joint : skin.joints) inSkin[at(boneOfNode_[at(joint)])] = true;
+    std::vector<bool> below(inSkin.size(), false);  // some ancestor is in the skin
+    for (std::size_t b = 0; b < inSkin.size(); ++b) {
+      const int parent = result_.skeleton.bones[b].parent;
+      below[b] = parent >= 0 && (below[at(parent)] || inSkin[at(parent)]);
+    }
+    const auto isRoot = [&](int joint) { return !below[at(boneOfNode_[at(joint)])]; };
+    return static_cast<std::size_t>(std::ranges::find_if(skin.joints, isRoot) - skin.joints.begin());
+  }
+
+  /// Bones of unskinned meshes: as they stand.
+  void bindRest() {
+    for (std::size_t node = 0; node < tree_.nodes.size(); ++node) {
+      const int bone = boneOfNode_[node];
+      if (bone >= 0 && !isBound_[at(bone)]) bindInWorld_[at(bone)] = restOf(static_cast<int>(node));
+    }
+  }
+
+  /// Binding i < bones is bone i's own; more follow where a later skin binds a joint differently.
+  void makeBindings() {
+    std::vector<Binding>& bindings = result_.skeleton.bindings;
+    double size = 0.0;
+    for (const glm::dmat4& bind : bindInWorld_) size = std::max(size, glm::length(glm::dvec3(bind[3])));
+    for (std::size_t b = 0; b < bones().size(); ++b) {
+      bindings.push_back({.bone = static_cast<int>(b), .inverseBind = bones()[b].inverseBindInWorld});
+    }
+    for (auto& skin : skins_) {
+      if (!skin) continue;
+      const glm::dmat4 bindToMesh = affineInverse(skin->meshToBind).value_or(glm::dmat4(1.0));
+      for (std::size_t j = 0; j < skin->joints.size(); ++j) {
+        const int bone = boneOfNode_[at(skin->joints[j])];
+        skin->bindings.push_back(skin->singular[j] ? bone : bindingOf(bone, skin->inverseBinds[j] * bindToMesh, size));
+      }
+    }
+    if (bindings.size() > bones().size()) {
+      notes_.add("skins: " + std::to_string(bindings.size() - bones().size()) +
+                 " joints bound differently by a second skin; the bind pose shows the first one's");
+    }
+  }
+
+  int bindingOf(int bone, const glm::dmat4& inverseBind, double size) {
+    std::vector<Binding>& bindings = result_.skeleton.bindings;
+    const auto same = [&](const glm::dmat4& other) {
+      const glm::dmat4 change = bindInWorld_[at(bone)] * (inverseBind - other);
+      for (int column = 0; column < 4; ++column) {
+        const double allowed = kSameBinding * (column == 3 ? std::max(size, 1e-30) : 1.0);
+        if (!(glm::length(glm::dvec3(change[column])) <= allowed)) return false;
+      }
+      return true;
+    };
+    if (same(affineInverse(bindInWorld_[at(bone)]).value_or(glm::dmat4(1.0)))) return bone;
+    for (std::size_t b = bones().size(); b < bindings.size(); ++b) {
+      if (bindings[b].bone == bone && same(glm::dmat4(bindings[b].inverseBind))) return static_cast<int>(b);
+    }
+    if (bindings.size() - bones().size() >= kMostExtraBindings)
+      refuse("skins", "too many skins bind the same joints differently");
+    bindings.push_back({.bone = bone, .inverseBind = glm::mat4(inverseBind)});
+    return static_cast<int>(bindings.size()) - 1;
+  }
+
+  void bindMeshes() {
+    result_.meshes.resize(tree_.nodes.size());
+    for (std::size_t i = 0; i < tree_.nodes.size(); ++i) {
+      const TreeNode& node = tree_.nodes[i];
+      if (!node.mesh) continue;
+      if (!node.inScene) {
+        notes_.add("meshes outside the default scene");
+        continue;
+      }
+      MeshBinding binding;
+      if (node.skin) {
+        binding.skin = node.skin;
+        binding.meshToBind = skins_[at(*node.skin)]->meshToBind;
+      } else {
+        binding.rigid = nearestBone_[i];
+        binding.meshToBind = bindInWorld_[at(binding.rigid)] * inBone_[i];
+      }
+      result_.meshes[i] = binding;
+    }
+    for (auto& skin : skins_) result_.jointBindings.push_back(skin ? std::move(skin->bindings) : std::vector<int>{});
+  }
+
+  const Field root_;
+  const NodeTree& tree_;
+  Accessors& accessors_;
+  Notes& notes_;
+  std::vector<std::optional<Skin>> skins_;  // set where in use
+  std::vector<int> boneOfNode_;
+  std::vector<int> nearestBone_;         // [nodes] at or above the node
+  std::vector<glm::dmat4> inBone_;       // [nodes] node -> its nearest bone, at rest
+  std::vector<glm::dmat4> bindInWorld_;  // [bones]
+  std::vector<bool> isBound_;            // [bones] placed by a skin
+  std::size_t skinJoints_ = 0;
+  BoundSkeleton result_;
+};
+
+}  // namespace
+
+BoundSkeleton bindSkeleton(const Field& root, const NodeTree& tree, Accessors& accessors, Notes& notes) {
+  return Binder(root, tree, accessors, notes).run();
+}
+
+}  // namespace sinew::gltf

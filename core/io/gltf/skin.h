@@ -1,0 +1,32 @@
+// core/io/gltf/skin.h: skins and mesh nodes -> bones, bind pose, bindings (docs/design.md).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/io/gltf/accessor.h"
+#include "core/io/gltf/nodes.h"
+#include "sinew/skeleton/skeleton.h"
+
+namespace sinew::gltf {
+
+/// What a node's mesh is bound by.
+struct MeshBinding {
+  glm::dmat4 meshToBind{1.0};  ///< POSITION -> world in the bind pose.
+  std::optional<int> skin;     ///< Whose joints JOINTS_n names; absent for a rigid mesh.
+  int rigid = 0;               ///< Of a rigid mesh: the one binding its vertices follow.
+};
+
+struct BoundSkeleton {
+  Skeleton skeleton;                               ///< Finished.
+  std::vector<int> skeletonNode;                   ///< [file nodes] index into Skeleton::nodes, or -1.
+  std::vector<std::optional<MeshBinding>> meshes;  ///< [file nodes] set where a mesh of the scene can be shown.
+  std::vector<std::vector<int>> jointBindings;     ///< [skins][JOINTS_n value] index into Skeleton::bindings.
+};
+
+/// Joints of the skins in use are bones, and every mesh node that is neither skinned nor below a joint is one of its
+/// own; an unskinned mesh below a joint rides it. Refuses more than kMaxJoints, bad joint indices, too few or not
+/// finite inverse bind matrices. Singular ones fall back to the rest pose, with a note.
+[[nodiscard]] BoundSkeleton bindSkeleton(const Field& root, const NodeTree& tree, Accessors& accessors, Notes& notes);
+
+}  // namespace sinew::gltf

@@ -1,0 +1,43 @@
+// core/smoothing/finish/fold.cpp: areas along the patch, and how much the patch faces along its normals.
+#include "core/smoothing/finish/fold.h"
+
+#include "core/base/smoothstep.h"
+
+namespace sinew {
+namespace {
+
+// Of a patch triangle's front over its own in the bind pose: up to which its area says nothing, from which all.
+constexpr float kNoFront = 0.02f;
+constexpr float kWholeFront = 0.17f;
+
+float frontOf(const std::array<int, 3>& t, const glm::vec3& face, std::span<const glm::vec3> positions,
+              std::span<const glm::vec3> normals) {
+  const auto a = static_cast<std::size_t>(t[0]);
+  const auto b = static_cast<std::size_t>(t[1]);
+  const auto c = static_cast<std::size_t>(t[2]);
+  const glm::vec3 u = positions[b] - positions[a];
+  const glm::vec3 v = positions[c] - positions[a];
+  const float edges = glm::dot(u, u) + glm::dot(v, v) + glm::dot(v - u, v - u);
+  return edges > 0.0f ? glm::dot(face, normals[a] + normals[b] + normals[c]) / (3.0f * edges) : 0.0f;
+}
+
+}  // namespace
+
+std::vector<float> triangleFronts(const Refinement& refinement, std::span<const glm::vec3> positions,
+                                  std::span<const glm::vec3> normals) {
+  std::vector<float> fronts;
+  fronts.reserve(refinement.triangles.size());
+  for (const std::array<int, 3>& t : refinement.triangles) {
+    fronts.push_back(frontOf(t, faceOf(t, positions), positions, normals));
+  }
+  return fronts;
+}
+
+float trustIn(const Refinement& refinement, std::size_t triangle, const PatchView& patch, const glm::vec3& face) {
+  const float bindFront = patch.bindFronts[triangle];
+  if (!(bindFront > 0.0f)) return 0.0f;
+  const float front = frontOf(refinement.triangles[triangle], face, patch.positions, patch.normals);
+  return smoothstep(kNoFront, kWholeFront, front / bindFront);
+}
+
+}  // namespace sinew

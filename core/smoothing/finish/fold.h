@@ -1,0 +1,56 @@
+// core/smoothing/finish/fold.h: how far a lifted triangle has turned over against its patch.
+#pragma once
+// docs/design.md, Folds.
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "sinew/smoothing/refinement.h"
+
+namespace sinew {
+
+/// A patch in its pose.
+struct PatchView {
+  std::span<const glm::vec3> positions;  ///< [V'] world.
+  std::span<const glm::vec3> normals;    ///< [V'] unit.
+  std::span<const float> bindFronts;     ///< [T n^2] triangleFronts of the bind pose.
+};
+
+/// [T n^2] how much the refined triangles of a patch face along its normals: twice the area, along the mean of the
+/// three normals, over the sum of the squared edges. 0.29 for a level equilateral triangle, less for thin ones, below 0
+/// where the patch folds back.
+[[nodiscard]] std::vector<float> triangleFronts(const Refinement& refinement, std::span<const glm::vec3> positions,
+                                                std::span<const glm::vec3> normals);
+
+/// A lifted triangle against its patch.
+struct Fold {
+  float area = 1.0f;    ///< q: its area over the patch's, signed along the patch's face normal; below 0: turned over.
+  float weight = 0.0f;  ///< 0..1, how far q can be trusted: less where the pose has squeezed the patch itself below
+                        ///< 17 % of its front in the bind pose, 0 from 2 % on. q jumps where that folds back.
+};
+
+/// A refined triangle's face: twice the area, along the normal.
+[[nodiscard]] inline glm::vec3 faceOf(const std::array<int, 3>& t, std::span<const glm::vec3> positions) {
+  const glm::vec3& a = positions[static_cast<std::size_t>(t[0])];
+  return glm::cross(positions[static_cast<std::size_t>(t[1])] - a, positions[static_cast<std::size_t>(t[2])] - a);
+}
+
+/// How far q can be trusted. @param face  of the triangle in the patch.
+[[nodiscard]] float trustIn(const Refinement& refinement, std::size_t triangle, const PatchView& patch,
+                            const glm::vec3& face);
+
+/// @param least  q from which on the caller does not look: its weight is 0.  @param positions [V'] world, lifted.
+[[nodiscard]] inline Fold foldOf(const Refinement& refinement, std::size_t triangle, const PatchView& patch,
+                                 std::span<const glm::vec3> positions, float least) {
+  const std::array<int, 3>& t = refinement.triangles[triangle];
+  const glm::vec3 face = faceOf(t, patch.positions);
+  const float whole = glm::dot(face, face);
+  const float left = glm::dot(faceOf(t, positions), face);
+  if (!(left < least * whole)) return {};
+  return {left / whole, trustIn(refinement, triangle, patch, face)};
+}
+
+}  // namespace sinew

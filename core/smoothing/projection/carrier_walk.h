@@ -1,0 +1,130 @@
+// core/smoothing/projection/carrier_walk.h: visits the refined vertices that a primitive can reach in this pose.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/blending/field.h"
+#include "core/smoothing/projection/candidates.h"
+#include "sinew/smoothing/refinement.h"
+
+namespace sinew {
+
+/// A refined vertex with what its carrier (control vertex, edge or triangle) lends it.
+struct CarriedVertex {
+  int index = 0;                       ///< Refined vertex.
+  int carrier = 0;                     ///< As in CandidateLists.
+  std::array<int, 3> corners{};        ///< Control vertices; corners[2] repeats on edges, all repeat on vertices.
+  std::array<float, 3> barycentric{};  ///< Weights of the corners; unused ones are 0.
+};
+
+/// Posed primitives and the lists that say who may see them.
+struct FieldView {
+  std::span<const PosedPrimitive> primitives;
+  const CandidateLists* lists = nullptr;
+  std::span<const std::uint8_t> skipped = {};  ///< [V+E+T] 1: this carrier is not asked for (face_culling.h); or empty.
+};
+
+namespace carrier_walk {
+
+/// Where a ball stands to a box: how far the gap between them is (< 0: they overlap) and how far its far side.
+struct Span {
+  float gap = 0.0f;
+  float farthest = 0.0f;
+};
+
+inline Span spanTo(const UnitBallMap& influence, const Bounds& box) {
+  const float apart = glm::distance(influence.center, glm::clamp(influence.center, box.low, box.high));
+  return {apart - influence.boundingRadius, apart + influence.boundingRadius};
+}
+
+/// How far from the box the influences go that hang together with one that overlaps it; 0 if none does. A ray that
+/// starts in the box meets no others before it is out of all influence.
+inline float extentOf(std::span<const Span> spans) {
+  float extent = 0.0f;
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (const Span& span : spans) {
+      if (span.gap >= extent || span.farthest <= extent) continue;
+      extent = span.farthest;
+      grew = true;
+    }
+  }
+  return extent;
+}
+
+}  // namespace carrier_walk
+
+/// Which primitives a walk asks for.
+enum class Reach {
+  kOverlapping,  ///< Carriers that some influence overlaps; with it come those it hangs together with.
+  kAll,          ///< Every candidate, wherever it is.
+};
+
+/// Calls visit(const CarriedVertex&, std::span<const CarrierCandidate> near) for every refined vertex of every carrier
+/// that has a primitive to ask for; `near` holds those. Order is that of the refined vertices.
+/// @param positions [V'] world.
+template <class Visit>
+void forEachReachable(const ControlMesh& mesh, const Refinement& refinement, const FieldView& field,
+                      std::span<const glm::vec3> positions, Reach reach, Visit&& visit) {
+  std::vector<CarrierCandidate> near;
+  std::vector<carrier_walk::Span> spans;
+  const auto gather = [&](int carrier, int first, int count) {
+    near.clear();
+    if (!field.skipped.empty() && field.skipped[static_cast<std::size_t>(carrier)]) return false;
+    const std::span<const CarrierCandidate> all = field.lists->of(carrier);
+    if (all.empty() || count == 0) return false;
+    if (reach == Reach::kAll) {
+      near.assign(all.begin(), all.end());
+      return true;
+    }
+    const Bounds box = boundsOf(positions.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count)));
+    spans.clear();
+    for (const CarrierCandidate& candidate : all) {
+      spans.push_back(
+          carrier_walk::spanTo(field.primitives[static_cast<std::size_t>(candidate.primitive)].influence, box));
+    }
+    const float extent = carrier_walk::extentOf(spans);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (spans[i].gap < extent) near.push_back(all[i]);
+    }
+    return !near.empty();
+  };
+  const float n = static_cast<float>(refinement.depth);
+
+  for (int v = 0; v < refinement.controlVertices; ++v) {
+    if (gather(v, v, 1))
+      visit(CarriedVertex{v, v, {v, v, v}, {1.0f, 0.0f, 0.0f}}, std::span<const CarrierCandidate>(near));
+  }
+  for (int e = 0; e < refinement.controlEdges; ++e) {
+    const int carrier = refinement.controlVertices + e;
+    if (refinement.edgeVertices == 0 || !gather(carrier, refinement.edgeVertex(e, 1), refinement.edgeVertices))
+      continue;
+    const auto& ends = mesh.edges[static_cast<std::size_t>(e)].vertices;
+    for (int step = 1; step < refinement.depth; ++step) {
+      const float w = static_cast<float>(step) / n;
+      visit(CarriedVertex{refinement.edgeVertex(e, step), carrier, {ends[0], ends[1], ends[1]}, {1.0f - w, w, 0.0f}},
+            std::span<const CarrierCandidate>(near));
+    }
+  }
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    const int carrier = refinement.controlVertices + refinement.controlEdges + t;
+    if (!gather(carrier, refinement.interiorVertex(t, 0), refinement.interiorVertices)) continue;
+    for (int i = 0; i < refinement.interiorVertices; ++i) {
+      const auto& [j, k] = refinement.interior[static_cast<std::size_t>(i)];
+      visit(CarriedVertex{refinement.interiorVertex(t, i),
+                          carrier,
+                          mesh.triangles[static_cast<std::size_t>(t)].vertices,
+                          {static_cast<float>(refinement.depth - j - k) / n, static_cast<float>(j) / n,
+                           static_cast<float>(k) / n}},
+            std::span<const CarrierCandidate>(near));
+    }
+  }
+}
+
+}  // namespace sinew

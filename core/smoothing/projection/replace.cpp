@@ -1,0 +1,238 @@
+// core/smoothing/projection/replace.cpp: projection onto F = T along the normal or towards the anchor (paper 4.1, 4.2,
+// Fig. 5).
+#include "core/smoothing/projection/replace.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/smoothing/roots/root_finding.h"
+
+namespace sinew {
+namespace {
+
+constexpr double kFadeBegin = 0.8;  ///< Fraction of the search length from where a projection loses weight.
+
+constexpr double kFullProminence = 0.25;  ///< Fraction of T from which a stretch counts whole.
+constexpr float kWrapped = 0.7f;          ///< Share of anchors inside from which muscles count as wrapping the body.
+constexpr int kProminenceSamples = 9;
+constexpr int kMostStretches = 8;  ///< Along one ray; more is noise.
+
+/// Roots laid over each other, front to back.
+struct Projected {
+  glm::vec3 position{0.0f};  ///< Weighted sum.
+  glm::vec3 normal{0.0f};    ///< Weighted sum.
+  float weight = 0.0f;       ///< Sum of weights, 0..1; the rest is the patch's.
+  double residual = 0.0;
+  bool found = false;  ///< Some root exists within the search length, of whatever weight.
+
+  [[nodiscard]] float left() const { return 1.0f - weight; }
+};
+
+float smoothstep(double t) {
+  const auto c = static_cast<float>(std::clamp(t, 0.0, 1.0));
+  return c * c * (3.0f - 2.0f * c);
+}
+
+class Projector {
+ public:
+  Projector(const FieldView& field, const ReplaceSettings& settings) : field_(field), settings_(settings) {}
+
+  int anchorFallbacks() const { return anchorFallbacks_; }
+  const Evaluations& evaluations() const { return ray_.evaluations(); }
+
+  /// Reads the candidates of a vertex; false where none has weight.
+  bool look(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
+    candidates_.clear();
+    for (const CarrierCandidate& candidate : near) {
+      const float weight = candidate.weightAt(vertex.barycentric);
+      if (weight > 0.0f) candidates_.push_back({candidate.primitive, weight, candidate.slot});
+    }
+    cliques_ = &field_.lists->cliquesOf(vertex.carrier);
+    return !candidates_.empty();
+  }
+
+  /// Some f_i != 0 at the point.
+  bool insideInfluence(const glm::vec3& point) const {
+    return std::ranges::any_of(candidates_, [&](const Candidate& candidate) {
+      const UnitBallMap& ball = field_.primitives[static_cast<std::size_t>(candidate.primitive)].influence;
+      return ball.holds(point);
+    });
+  }
+
+  bool isInside(const glm::vec3& point) const { return fieldAt(point) > settings_.iso; }
+
+  /// @param inwards  also look for what lies inwards; otherwise along the normal alone.
+  Projected project(const FlatVertices& flat, std::size_t index, bool inwards) {
+    looksInwards_ = inwards;
+    const glm::vec3 p = flat.positions[index];
+    const glm::vec3 n = flat.normals[index];
+    const bool inside = isInside(p);
+    Projected result;
+    if (!inwards || settings_.projection == ProjectionKind::kAnalytic) {
+      layLine(p, -n, static_cast<double>(settings_.searchLength), inside, n, result);
+      return result;
+    }
+    const glm::vec3 q = flat.anchors[index];
+    layLine(p, normalizeOr(q - p, -n), static_cast<double>(glm::length(q - p)), inside, n, result);
+    if (!inside && result.left() > 0.0f) {
+      ++anchorFallbacks_;  // the anchor is not always inside
+      layLine(p, -n, static_cast<double>(settings_.searchLength), inside, n, result);
+    }
+    return result;
+  }
+
+ private:
+  float fieldAt(const glm::vec3& point) const {
+    return sampleField(field_.primitives, candidates_, *cliques_, point).value;
+  }
+
+  void aim(const glm::vec3& p, const glm::vec3& direction) {
+    ray_.reset(static_cast<double>(settings_.iso), *cliques_);
+    for (const Candidate& candidate : candidates_) {
+      ray_.addPrimitive(field_.primitives[static_cast<std::size_t>(candidate.primitive)], candidate.weight,
+                        candidate.slot, p, direction);
+    }
+  }
+
+  std::optional<double> change(double begin, double end, bool fromPositive) const {
+    return firstChange(ray_, begin, end, fromPositive, settings_.projection, settings_.tolerance);
+  }
+
+  /// Largest phi over a stretch, by samples: continuous in the stretch's ends, 0 when it vanishes.
+  double prominence(double begin, double end) const {
+    double most = 0.0;
+    for (int i = 1; i <= kProminenceSamples; ++i) {
+      most = std::max(most, ray_.sample(begin + (end - begin) * i / (kProminenceSamples + 1)).value);
+    }
+    return most;
+  }
+
+  /// The line through p: from inside first outwards to the end of p's own stretch, then the stretches inwards.
+  void layLine(const glm::vec3& p, const glm::vec3& inwards, double inwardLength, bool inside, const glm::vec3& n,
+               Projected& result) {
+    double ownEnd = 0.0;
+    if (inside) {
+      aim(p, -inwards);
+      const std::optional<double> root = change(0.0, static_cast<double>(settings_.searchLength), true);
+      const double prominenceOutside = root ? prominence(0.0, *root) : 0.0;
+      const double residual = root ? std::abs(ray_.sample(*root).value) : 0.0;
+      aim(p, inwards);
+      ownEnd = change(0.0, inwardLength, true).value_or(inwardLength);
+      if (root) {
+        const double most = std::max({prominenceOutside, prominence(0.0, ownEnd), ray_.sample(0.0).value});
+        lay(p - static_cast<float>(*root) * inwards, *root, most, residual, n, result);
+      }
+    } else {
+      aim(p, inwards);
+    }
+    layStretches(p, inwards, inside ? ownEnd : 0.0, inwardLength, n, result);
+  }
+
+  void layStretches(const glm::vec3& p, const glm::vec3& inwards, double begin, double end, const glm::vec3& n,
+                    Projected& result) {
+    if (!looksInwards_) return;
+    const double reachable = std::min(end, static_cast<double>(settings_.searchLength));
+    const double nudge = 4.0 * settings_.tolerance;  // off a root, where rounding decides the sign
+    double t = begin > 0.0 ? begin + nudge : 0.0;
+    for (int i = 0; i < kMostStretches && t < reachable && result.left() > 0.0f; ++i) {
+      const std::optional<double> in = change(t, reachable, false);
+      if (!in) return;
+      const double out = *in + nudge < end ? change(*in + nudge, end, true).value_or(end) : end;
+      const double residual = std::abs(ray_.sample(*in).value);
+      lay(p + static_cast<float>(*in) * inwards, *in, prominence(*in, out), residual, n, result);
+      t = out + nudge;
+    }
+  }
+
+  void lay(const glm::vec3& position, double distance, double prominent, double residual, const glm::vec3& n,
+           Projected& result) {
+    const double far = (distance / static_cast<double>(settings_.searchLength) - kFadeBegin) / (1.0 - kFadeBegin);
+    const float own =
+        smoothstep(prominent / (kFullProminence * static_cast<double>(settings_.iso))) * (1.0f - smoothstep(far));
+    const float weight = own == 1.0f ? result.left() : own * result.left();
+    result.found = true;
+    result.residual = std::max(result.residual, residual);
+    if (weight <= 0.0f) return;
+    const glm::vec3 gradient = sampleField(field_.primitives, candidates_, *cliques_, position).gradient;
+    result.position += weight * position;
+    result.normal += weight * normalizeOr(-gradient, n);
+    result.weight = own == 1.0f ? 1.0f : result.weight + weight;
+  }
+
+  const FieldView& field_;
+  const ReplaceSettings& settings_;
+  const CliqueLists* cliques_ = nullptr;
+  bool looksInwards_ = true;
+  std::vector<Candidate> candidates_;
+  RayField ray_;
+  int anchorFallbacks_ = 0;
+};
+
+float omegaAt(const CarriedVertex& vertex, std::span<const float> omega) {
+  float sum = 0.0f;
+  for (std::size_t i = 0; i < 3; ++i) sum += vertex.barycentric[i] * omega[static_cast<std::size_t>(vertex.corners[i])];
+  return sum;
+}
+
+void mix(Surface& surface, std::size_t index, const Projected& projected, float omega) {
+  const glm::vec3 patch = surface.positions[index];
+  const glm::vec3 n = surface.normals[index];
+  const float patchShare = 1.0f - omega * projected.weight;
+  // At full weight the projection itself, not a sum that rounds.
+  surface.positions[index] = patchShare == 0.0f ? projected.position : projected.position * omega + patch * patchShare;
+  surface.normals[index] = normalizeOr(projected.normal * omega + n * patchShare, n);
+  surface.displacement[index] = glm::dot(surface.positions[index] - patch, n);
+}
+
+}  // namespace
+
+ImplicitWeights implicitWeights(const ControlMesh& mesh, const FieldView& bindField, const ReplaceSettings& settings,
+                                const FlatVertices& flat) {
+  ImplicitWeights weights;
+  weights.omega.assign(mesh.positions.size(), 0.0f);
+  Projector projector(bindField, settings);
+  const auto eachInRegion = [&](auto&& visit) {
+    for (int v = 0; v < static_cast<int>(mesh.positions.size()); ++v) {
+      const auto index = static_cast<std::size_t>(v);
+      if (!projector.look(CarriedVertex{v, v, {v, v, v}, {1.0f, 0.0f, 0.0f}}, bindField.lists->of(v))) continue;
+      if (projector.insideInfluence(flat.positions[index])) visit(index);
+    }
+  };
+  int inRegion = 0;
+  int anchored = 0;
+  eachInRegion([&](std::size_t v) {
+    ++inRegion;
+    anchored += projector.isInside(flat.anchors[v]) ? 1 : 0;
+  });
+  weights.wraps = static_cast<float>(anchored) >= kWrapped * static_cast<float>(inRegion);
+  eachInRegion([&](std::size_t v) {
+    if (!weights.wraps && !projector.isInside(flat.positions[v])) ++weights.unwrapped;
+    else if (projector.project(flat, v, weights.wraps).found) weights.omega[v] = 1.0f;
+  });
+  return weights;
+}
+
+void replace(const ControlMesh& mesh, const FieldView& field, const ReplaceSettings& settings, const FlatVertices& flat,
+             const ImplicitWeights& weights, Surface& surface) {
+  Projector projector(field, settings);
+  const auto move = [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
+    const float weight = omegaAt(vertex, weights.omega);
+    if (weight <= 0.0f || !projector.look(vertex, near)) return;
+    const auto index = static_cast<std::size_t>(vertex.index);
+    if (!weights.wraps && !projector.isInside(flat.positions[index])) return;
+    ++surface.report.projected;
+    const Projected projected = projector.project(flat, index, weights.wraps);
+    if (!projected.found) {
+      ++surface.report.unresolved;
+      return;
+    }
+    surface.report.residualMax = std::max(surface.report.residualMax, projected.residual);
+    if (projected.weight > 0.0f) mix(surface, index, projected, weight);
+  };
+  // The anchor may lie anywhere on the skeleton.
+  forEachReachable(mesh, *surface.refinement, field, flat.positions, Reach::kAll, move);
+  surface.report.anchorFallbacks = projector.anchorFallbacks();
+  surface.report.evaluations = projector.evaluations();
+}
+
+}  // namespace sinew

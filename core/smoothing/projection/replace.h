@@ -1,0 +1,55 @@
+// core/smoothing/projection/replace.h: the paper's mode: vertices inside the influence go to the implicit surface.
+#pragma once
+
+#include <span>
+
+#include "core/smoothing/projection/carrier_walk.h"
+#include "sinew/mesh/control_mesh.h"
+#include "sinew/rig/rig.h"
+#include "sinew/smoothing/surface.h"
+
+namespace sinew {
+
+// Where the paper takes one root or none, several are laid over each other: along the ray, each stretch with F > T
+// counts by its prominence, the largest F - T in it, from 0 at 0 to all at a quarter of T; what weight is left goes to
+// the next stretch, then (from outside) to the ray along the normal, then to the patch. A stretch that vanishes as
+// primitives move has faded out by then, and one that appears fades in: nothing pops. Prominent stretches give the
+// paper's result exactly.
+
+/// Constants of one character and rig.
+struct ReplaceSettings {
+  float iso = kDefaultIso;
+  float searchLength = 0.2f;  ///< L, world units. The result's weight fades from 1 at 0.8 L to 0 at L.
+  ProjectionKind projection = ProjectionKind::kNewton;
+  double tolerance = 1e-6;
+};
+
+/// The refined mesh without elevation, in one pose: what is projected, from where and towards what.
+struct FlatVertices {
+  std::span<const glm::vec3> positions;  ///< [V'] barycentric, world.
+  std::span<const glm::vec3> normals;    ///< [V'] barycentric, unit.
+  std::span<const glm::vec3> anchors;    ///< [V'] world. Analytic projection does not look at them.
+};
+
+/// Which control vertices go to the implicit surface.
+struct ImplicitWeights {
+  std::vector<float> omega;  ///< [V] 1 or 0 (paper 3.3).
+  bool wraps = true;         ///< Muscles wrap the body.
+  int unwrapped = 0;  ///< Vertices in the region of influence that keep the skin because muscles do not wrap the body.
+};
+
+/// From the bind pose. The paper takes for granted that muscles wrap the body: that anchors are inside the implicit
+/// surface (4.2). They do if that holds for 70 % of the control vertices in the region of influence. Then omega is 1
+/// where the vertex is inside that region and its projection exists within the search length, else 0. On any other body
+/// muscles lie in the skin: omega is 1 where a muscle holds the vertex, and nothing is pulled in towards a muscle that
+/// only touches it, which would tear the skin.
+/// @param flat of the bind pose; its first V entries are read.
+[[nodiscard]] ImplicitWeights implicitWeights(const ControlMesh& mesh, const FieldView& bindField,
+                                              const ReplaceSettings& settings, const FlatVertices& flat);
+
+/// p' = w p_implicit + (1 - w) p_normal, w = omega faded over the last part of the search length; likewise normals. The
+/// surface holds the patch on entry. Vertices with omega > 0 and no root stay on it and count as unresolved.
+void replace(const ControlMesh& mesh, const FieldView& field, const ReplaceSettings& settings, const FlatVertices& flat,
+             const ImplicitWeights& weights, Surface& surface);
+
+}  // namespace sinew

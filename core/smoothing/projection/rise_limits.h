@@ -1,0 +1,29 @@
+// core/smoothing/projection/rise_limits.h: how far skin can rise before it meets skin that rises towards it.
+#pragma once
+// docs/design.md, Rise limits.
+
+#include <span>
+#include <vector>
+
+#include "sinew/mesh/control_mesh.h"
+
+namespace sinew {
+
+/// 1/L of every control vertex in the bind pose, per world unit; 0: no limit. L is the height at which skin that rises
+/// from p along d_p, and from any other point q of the mesh along d_q, meets: |q-p|^2 / ((d_p - d_q) . (q-p)), the
+/// least over all q. Between two facing walls that is half their gap; where directions diverge there is none. Points
+/// are vertices and, on large triangles, points between; where they are dense, one in 0.15 `most` stands for those that
+/// face the same way. Limits above `most` fade out up to 3/2 of it.
+/// Independent of the order of vertices and triangles.
+/// @param directions [V] unit (rise_directions.h).  @param most  world units, > 0.  @return [V] >= 0.
+[[nodiscard]] std::vector<float> inverseRiseLimits(const ControlMesh& mesh, std::span<const glm::vec3> directions,
+                                                   float most);
+
+/// A height s under the limit L: s itself up to L/2, from there on L - (L/2)^2 / s, which never reaches L. C1.
+[[nodiscard]] inline float limitedRise(float s, float inverseLimit) {
+  if (!(s * inverseLimit > 0.5f)) return s;
+  const float limit = 1.0f / inverseLimit;
+  return limit - 0.25f * limit * limit / s;
+}
+
+}  // namespace sinew

@@ -1,0 +1,153 @@
+// core/smoothing/projection/swell.cpp: a field of the skin itself, summed with the muscles'.
+#include "core/smoothing/projection/swell.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/primitives/potential.h"
+#include "core/smoothing/projection/rise_limits.h"
+#include "core/smoothing/roots/root_finding.h"
+
+namespace sinew {
+namespace {
+
+constexpr float kLeastAlong = 0.2f;  ///< Cosine between rise direction and normal below which a slope is not raised.
+
+/// f_skin(s) = g(max(0, s/W + r_T)), s along the rise direction: T on the skin, 0 from s = h on, 1 from s = -r_T W
+/// inwards.
+struct SkinField {
+  double isoRadius;   ///< r_T
+  double width;       ///< W = h / (1 - r_T)
+  double blendWidth;  ///< h
+
+  SkinField(double rT, double h) : isoRadius(rT), width(h / (1.0 - rT)), blendWidth(h) {}
+
+  double plateau() const { return isoRadius * width; }
+
+  /// As a term of a ray that starts on the skin; outward: along the normal.
+  RayTerm term(bool outward) const {
+    RayTerm skin;
+    skin.a = 1.0 / (width * width);
+    skin.b = (outward ? isoRadius : -isoRadius) / width;
+    skin.c = isoRadius * isoRadius;
+    skin.factor = 1.0;
+    skin.enter = outward ? -plateau() : -blendWidth;
+    skin.leave = outward ? blendWidth : plateau();
+    return skin;
+  }
+
+  double slope(double s) const {
+    const double r = std::max(0.0, s / width + isoRadius);
+    return r < 1.0 ? -4.0 * r * (1.0 - r * r) / width : 0.0;
+  }
+};
+
+/// Projects vertex after vertex; holds what is reused from one to the next.
+class Sweller {
+ public:
+  Sweller(const FieldView& field, const SwellSettings& settings, const RiseView& rise, Surface& surface)
+      : field_(field),
+        settings_(settings),
+        rise_(rise),
+        surface_(surface),
+        isoRadius_(std::sqrt(1.0 - std::sqrt(static_cast<double>(settings.iso)))) {}
+
+  void move(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
+    weigh(vertex, near);
+    if (candidates_.empty()) return;
+    const auto index = static_cast<std::size_t>(vertex.index);
+    const glm::vec3 p = surface_.positions[index];
+    const CliqueLists& cliques = field_.lists->cliquesOf(vertex.carrier);
+    const float onSkin = sampleField(field_.primitives, candidates_, cliques, p).value;
+    if (onSkin == 0.0f) return;
+    ++surface_.report.projected;
+    const SkinField skin(isoRadius_, blendWidthAt(p));
+    const double s = root(skin, p, rise_.directions[index], onSkin > 0.0f, cliques);
+    if (s == 0.0) return;
+    place(skin, index, static_cast<float>(s), cliques);
+  }
+
+  const Evaluations& evaluations() const { return ray_.evaluations(); }
+
+ private:
+  void weigh(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
+    candidates_.clear();
+    for (const CarrierCandidate& candidate : near) {
+      const float weight = candidate.weightAt(vertex.barycentric);
+      if (weight > 0.0f) candidates_.push_back({candidate.primitive, weight, candidate.slot});
+    }
+  }
+
+  /// h at a point of the skin: the mean over the muscles there, each by its share of the field, of the lesser of the
+  /// rig's blend width and the muscle's mean radius. Skin that fades over more than that rises as a whole and falls
+  /// off a cliff where the muscle's influence ends.
+  double blendWidthAt(const glm::vec3& p) const {
+    double sum = 0.0;
+    double whole = 0.0;
+    for (const Candidate& candidate : candidates_) {
+      const PosedPrimitive& primitive = field_.primitives[static_cast<std::size_t>(candidate.primitive)];
+      if (!primitive.influence.holds(p)) continue;
+      const float share = std::abs(primitive.strength) * candidate.weight * potential(primitive.influence.rSquared(p));
+      sum += static_cast<double>(share) * static_cast<double>(std::min(settings_.blendWidth, primitive.meanRadius));
+      whole += static_cast<double>(share);
+    }
+    return whole > 0.0 ? sum / whole : static_cast<double>(settings_.blendWidth);
+  }
+
+  /// s*, signed along the direction.
+  double root(const SkinField& skin, const glm::vec3& p, const glm::vec3& outwards, bool outward,
+              const CliqueLists& cliques) {
+    ray_.reset(static_cast<double>(settings_.iso), cliques);
+    ray_.addTerm(skin.term(outward));
+    const glm::vec3 direction = outward ? outwards : -outwards;
+    for (const Candidate& candidate : candidates_) {
+      ray_.addPrimitive(field_.primitives[static_cast<std::size_t>(candidate.primitive)], candidate.weight,
+                        candidate.slot, p, direction);
+    }
+    const double end = outward ? ray_.lastLeave() : skin.plateau();
+    // The direction and the sign of phi must be one decision: where F is all but 0, rounding may see it otherwise along
+    // the ray, and a search for the wrong change would run to its end.
+    const std::optional<double> found = firstChange(ray_, 0.0, end, outward, settings_.projection, settings_.tolerance);
+    // Outwards only -T is left beyond the last term, so `end` is a root there; inwards a carve deeper than the skin's
+    // own field stops at the plateau, continuously.
+    const double t = found.value_or(end);
+    if (found) surface_.report.residualMax = std::max(surface_.report.residualMax, std::abs(ray_.sample(t).value));
+    return outward ? t : -t;
+  }
+
+  void place(const SkinField& skin, std::size_t index, float s, const CliqueLists& cliques) {
+    const glm::vec3 n = surface_.normals[index];
+    const glm::vec3 d = rise_.directions[index];
+    const glm::vec3 p = surface_.positions[index];
+    const glm::vec3 gradient = sampleField(field_.primitives, candidates_, cliques, p + s * d).gradient;
+    // s grows by 1 along d and not at all along the skin: its gradient is n / (n.d).
+    const float slope = static_cast<float>(skin.slope(static_cast<double>(s))) / std::max(glm::dot(n, d), kLeastAlong);
+    const float height = limitedRise(s, rise_.inverseLimits[index]);
+    surface_.positions[index] = p + height * d;
+    const glm::vec3 ofField = normalizeOr(-(slope * n + gradient), n);
+    // A limit flattens what stands below it.
+    surface_.normals[index] = height == s ? ofField : normalizeOr(n + (height / s) * (ofField - n), n);
+    surface_.displacement[index] = height;
+  }
+
+  const FieldView& field_;
+  const SwellSettings& settings_;
+  RiseView rise_;
+  Surface& surface_;
+  double isoRadius_;  ///< r_T
+  RayField ray_;
+  std::vector<Candidate> candidates_;
+};
+
+}  // namespace
+
+void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
+           Surface& surface) {
+  Sweller sweller(field, settings, rise, surface);
+  forEachReachable(
+      mesh, *surface.refinement, field, surface.positions, Reach::kOverlapping,
+      [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) { sweller.move(vertex, near); });
+  surface.report.evaluations = sweller.evaluations();
+}
+
+}  // namespace sinew

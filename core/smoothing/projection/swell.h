@@ -1,0 +1,37 @@
+// core/smoothing/projection/swell.h: the default mode: skin rises over the muscles along the rise direction.
+#pragma once
+// docs/design.md.
+
+#include <span>
+
+#include "core/smoothing/projection/carrier_walk.h"
+#include "sinew/mesh/control_mesh.h"
+#include "sinew/rig/rig.h"
+#include "sinew/smoothing/surface.h"
+
+namespace sinew {
+
+/// How the skin may rise in one pose.
+struct RiseView {
+  std::span<const glm::vec3> directions;  ///< [V'] world, unit, outward (rise_directions.h).
+  std::span<const float> inverseLimits;   ///< [V'] 1/L, 0: none (rise_limits.h).
+};
+
+/// Constants of one character and rig.
+struct SwellSettings {
+  float iso = kDefaultIso;
+  float blendWidth = 0.04f;  ///< h, world units: the most; a smaller muscle blends over its mean radius.
+  ProjectionKind projection = ProjectionKind::kNewton;
+  double tolerance = 1e-6;  ///< Of roots, world units.
+};
+
+/// Moves the surface's positions, which hold the patch, along the directions d to the first root of
+/// f_skin(s) + F(p + s d) - T going outwards from s = 0; inwards where F(p) < 0, down to s = -r_T W at most.
+/// A root beyond half the rise limit is drawn in below the limit (limitedRise).
+/// Normals of moved vertices become the field's at the root: exact, and finer than the mesh can show
+/// (shading_normals.h).
+/// A vertex where F(p) = 0 is not touched. Fills displacement (s) and counts in the report.
+void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
+           Surface& surface);
+
+}  // namespace sinew

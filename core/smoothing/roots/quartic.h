@@ -1,0 +1,44 @@
+// core/smoothing/roots/quartic.h: quartics on [0, 1] in Bernstein form: first roots, isolated or in closed
+#pragma once
+// form.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace sinew {
+
+/// sum b_i B_i^4(u), u in [0, 1]. Products of quadratics are exact and stable in this form, and its sign changes bound
+/// the number of roots (Descartes' rule in Bernstein form; Farouki & Rajan 1987).
+struct Quartic {
+  std::array<double, 5> b{};
+
+  void addConstant(double value);
+  void addScaled(const Quartic& other, double factor);
+  [[nodiscard]] double at(double u) const;
+};
+
+/// (w0, w1, w2 Bernstein quadratic) squared.
+[[nodiscard]] Quartic squareOfQuadratic(double w0, double w1, double w2);
+
+/// How a bracket around one root is narrowed: Newton steps that stay inside it, to the tolerance; or 8 halvings and one
+/// secant step (paper 4.2: "less than eight steps are necessary").
+enum class BracketSolver { kNewton, kBisection };
+
+/// First u in [from, 1] at which q, positive before, becomes <= 0: by subdivision until one sign change is left, then
+/// by `solver`. q(from) <= 0 gives `from`. A touch without crossing may be passed over.
+/// @param evaluations if not null, the values and halvings of q that it took are added.
+[[nodiscard]] std::optional<double> firstFallIsolated(const Quartic& q, double from, double tolerance,
+                                                      BracketSolver solver = BracketSolver::kNewton,
+                                                      std::int64_t* evaluations = nullptr);
+
+/// The same by closed form: all real roots (Ferrari; relative tests throughout, see the .cpp), the first that crosses.
+[[nodiscard]] std::optional<double> firstFallClosedForm(const Quartic& q, double from, double tolerance,
+                                                        std::int64_t* evaluations = nullptr);
+
+/// Real roots of c[0] + c[1] u + ... + c[4] u^4, ascending, multiple roots possibly once. Leading coefficients that are
+/// negligible beside the others count as zero.
+[[nodiscard]] std::vector<double> realRoots(const std::array<double, 5>& c);
+
+}  // namespace sinew

@@ -1,0 +1,107 @@
+// core/smoothing/roots/ray_field.cpp: quadratics along a ray.
+#include "core/smoothing/roots/ray_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace sinew {
+namespace {
+
+RaySample sampleTerm(const RayTerm& term, double t) {
+  const double w = 1.0 - term.rSquared(t);
+  if (w <= 0.0 || t < term.enter || t > term.leave) return {};
+  return {term.factor * w * w, -4.0 * term.factor * w * (term.a * t + term.b)};
+}
+
+void add(RaySample& sum, const RaySample& part) {
+  sum.value += part.value;
+  sum.slope += part.slope;
+}
+
+}  // namespace
+
+void RayField::reset(double iso, const CliqueLists& cliques) {
+  terms_.clear();
+  iso_ = iso;
+  cliques_ = &cliques;
+}
+
+void RayField::addPrimitive(const PosedPrimitive& primitive, float weight, int slot, const glm::vec3& origin,
+                            const glm::vec3& direction) {
+  const UnitBallMap& ball = primitive.influence;
+  glm::dvec3 y(origin - ball.center);
+  glm::dvec3 yd(direction);
+  double scale = 1.0;
+  if (ball.inverseRadius > 0.0f) {
+    scale = static_cast<double>(ball.inverseRadius) * static_cast<double>(ball.inverseRadius);
+  } else {
+    const glm::dmat3 toUnit(ball.toUnit);
+    y = toUnit * y;
+    yd = toUnit * yd;
+  }
+  RayTerm term;
+  term.a = scale * glm::dot(yd, yd);
+  term.b = scale * glm::dot(y, yd);
+  term.c = scale * glm::dot(y, y);
+  const double discriminant = term.b * term.b - term.a * (term.c - 1.0);
+  if (!(term.a > 0.0) || !(discriminant > 0.0)) return;
+  const double root = std::sqrt(discriminant);
+  term.enter = (-term.b - root) / term.a;
+  term.leave = (-term.b + root) / term.a;
+  if (term.leave <= 0.0) return;
+  term.factor = static_cast<double>(primitive.strength) * static_cast<double>(weight);
+  term.slot = primitive.strength < 0.0f ? RayTerm::kEverySum : slot;
+  terms_.push_back(term);
+}
+
+RaySample RayField::sample(double t) const {
+  ++evaluations_.field;
+  RaySample everywhere{-iso_, 0.0};
+  if (cliques_->empty()) {
+    for (const RayTerm& term : terms_) add(everywhere, sampleTerm(term, t));
+    // Without cliques all positive terms form one sum: nothing to take the maximum of.
+    return everywhere;
+  }
+  ofSlot_.clear();
+  for (const RayTerm& term : terms_) {
+    if (term.slot == RayTerm::kEverySum) {
+      add(everywhere, sampleTerm(term, t));
+      continue;
+    }
+    const auto slot = static_cast<std::size_t>(term.slot);
+    if (ofSlot_.size() <= slot) ofSlot_.resize(slot + 1);
+    add(ofSlot_[slot], sampleTerm(term, t));
+  }
+  RaySample best;
+  for (const std::vector<int>& clique : *cliques_) {
+    RaySample sum;
+    for (const int slot : clique) {
+      if (static_cast<std::size_t>(slot) < ofSlot_.size()) add(sum, ofSlot_[static_cast<std::size_t>(slot)]);
+    }
+    if (sum.value > best.value) best = sum;
+  }
+  add(best, everywhere);
+  return best;
+}
+
+std::span<const double> RayField::breakpoints(double begin, double end) const {
+  breakpoints_.assign(1, begin);
+  for (const RayTerm& term : terms_) {
+    for (const double t : {term.enter, term.leave}) {
+      if (t > begin && t < end) breakpoints_.push_back(t);
+    }
+  }
+  std::ranges::sort(breakpoints_);
+  breakpoints_.push_back(end);
+  return breakpoints_;
+}
+
+double RayField::lastLeave() const {
+  double last = 0.0;
+  for (const RayTerm& term : terms_) last = std::max(last, term.leave);
+  return last;
+}
+
+}  // namespace sinew

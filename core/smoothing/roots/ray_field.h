@@ -1,0 +1,68 @@
+// core/smoothing/roots/ray_field.h: the field along a ray: each ellipsoid a quadratic in t (paper 4.1).
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/blending/field.h"
+#include "sinew/smoothing/evaluations.h"
+
+namespace sinew {
+
+/// One potential along a ray: r^2(t) = a t^2 + 2 b t + c, f(t) = factor (1 - r^2)^2 for enter < t < leave, else 0.
+struct RayTerm {
+  double a = 0.0;
+  double b = 0.0;
+  double c = 0.0;
+  double factor = 0.0;  ///< sign * s_i * m_i
+  double enter = 0.0;
+  double leave = 0.0;
+  int slot = kEverySum;  ///< Group slot, or kEverySum: counts in every clique (the skin, carves).
+
+  static constexpr int kEverySum = -1;
+
+  [[nodiscard]] double rSquared(double t) const { return (a * t + 2.0 * b) * t + c; }
+};
+
+/// Value and derivative at one t.
+struct RaySample {
+  double value = 0.0;
+  double slope = 0.0;
+};
+
+/// phi(t) = skin(t) + F(p + t d) - T. Kept and refilled from ray to ray, so that nothing is allocated.
+class RayField {
+ public:
+  /// Forgets all terms. @param cliques must outlive the use.
+  void reset(double iso, const CliqueLists& cliques);
+  /// Adds a primitive if the ray meets its influence at some t > 0 (or >= 0 inside). weight = m_i.
+  /// Distances along the ray in world units; direction unit.
+  void addPrimitive(const PosedPrimitive& primitive, float weight, int slot, const glm::vec3& origin,
+                    const glm::vec3& direction);
+  void addTerm(const RayTerm& term) { terms_.push_back(term); }
+
+  [[nodiscard]] bool empty() const { return terms_.empty(); }
+  [[nodiscard]] std::span<const RayTerm> terms() const { return terms_; }
+  [[nodiscard]] const CliqueLists& cliques() const { return *cliques_; }
+  [[nodiscard]] double iso() const { return iso_; }
+
+  /// phi and its derivative (of the winning clique).
+  [[nodiscard]] RaySample sample(double t) const;
+  /// Where phi changes its formula within (begin, end), sorted, with begin and end.
+  [[nodiscard]] std::span<const double> breakpoints(double begin, double end) const;
+  /// Beyond this t only -T is left.
+  [[nodiscard]] double lastLeave() const;
+  /// Of all rays so far; root_finding.cpp adds its own.
+  [[nodiscard]] Evaluations& evaluations() const { return evaluations_; }
+
+ private:
+  std::vector<RayTerm> terms_;
+  const CliqueLists* cliques_ = nullptr;
+  double iso_ = 0.25;
+  mutable std::vector<RaySample> ofSlot_;
+  mutable std::vector<double> breakpoints_;
+  mutable Evaluations evaluations_;
+};
+
+}  // namespace sinew

@@ -1,0 +1,246 @@
+// core/symmetry/twins.cpp: what one of a linked pair does, the other does on its side.
+#include "core/symmetry/twins.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include "core/rig/rig_edit.h"
+#include "core/rig/validation.h"
+#include "core/skeleton/side_names.h"
+
+namespace sinew {
+namespace {
+
+constexpr float kOwnImage = 1e-4f;  // Of H.
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+using Index = std::unordered_map<std::string_view, const Primitive*>;
+
+Index byName(const Rig& rig) {
+  Index index;
+  index.reserve(rig.primitives.size());
+  for (const Primitive& primitive : rig.primitives) index.emplace(primitive.name, &primitive);
+  return index;
+}
+
+const Primitive* find(const Index& index, const std::string& name) {
+  const auto found = index.find(name);
+  return found == index.end() ? nullptr : found->second;
+}
+
+bool samePlace(const Primitive& a, const Primitive& b) {
+  return a.bone == b.bone && a.placement.center == b.placement.center && a.placement.rotation == b.placement.rotation &&
+         a.placement.radii == b.placement.radii;
+}
+
+/// One of a pair, through the edit.
+struct Half {
+  Primitive& now;
+  const Primitive* shown;    ///< Not null.
+  const Primitive* atStart;  ///< Null: it was not there.
+};
+
+/// 1: a leads, -1: b leads, 0: neither changed.
+template <class Same>
+int leader(const Half& a, const Half& b, Same same) {
+  const bool aChanged = !same(*a.shown, a.now);
+  const bool bChanged = !same(*b.shown, b.now);
+  if (aChanged != bChanged) return aChanged ? 1 : -1;
+  if (!aChanged) return 0;
+  if (!a.atStart || !b.atStart) return 1;
+  return same(*a.atStart, a.now) && !same(*b.atStart, b.now) ? -1 : 1;
+}
+
+/// Two placements that differ by what rounding and the sign of a quaternion may do.
+bool samePlacement(const Placement& a, const Placement& b) {
+  const float size = glm::length(a.radii);
+  const float turn = std::abs(glm::dot(glm::normalize(a.rotation), glm::normalize(b.rotation)));
+  return glm::length(a.center - b.center) <= 1e-5f * (size + glm::length(a.center)) && turn >= 1.0f - 1e-6f &&
+         glm::length(a.radii - b.radii) <= 1e-5f * size;
+}
+
+/// Bone and placement of the follower. What the image of the leader did not change stays to the bit.
+/// @param both  both were edited: rounding between them is left.
+void followPlace(const Half& leads, Primitive& follower, bool both, const MirrorPlan& plan) {
+  const Result<Primitive> image = mirroredPrimitive(plan, leads.now);
+  if (!image) return;
+  Placement placement = image->placement;
+  if (both && follower.bone == image->bone && samePlacement(follower.placement, placement)) return;
+  const Result<Primitive> before = mirroredPrimitive(plan, *leads.shown);
+  if (before && before->bone == image->bone && follower.bone == image->bone) {
+    if (leads.shown->placement.center == leads.now.placement.center) placement.center = follower.placement.center;
+    if (leads.shown->placement.radii == leads.now.placement.radii && before->placement.radii == placement.radii) {
+      placement.radii = follower.placement.radii;
+    }
+    if (leads.shown->placement.rotation == leads.now.placement.rotation &&
+        before->placement.rotation == placement.rotation) {
+      placement.rotation = follower.placement.rotation;
+    }
+  }
+  if (!validatePlacement(placement, "")) return;
+  follower.bone = image->bone;
+  follower.placement = placement;
+}
+
+void keepPair(const Half& a, const Half& b, const MirrorPlan& plan) {
+  if (const int leads = leader(a, b, samePlace); leads != 0) {
+    const bool both = !samePlace(*a.shown, a.now) && !samePlace(*b.shown, b.now);
+    leads > 0 ? followPlace(a, b.now, both, plan) : followPlace(b, a.now, both, plan);
+  }
+  const auto copyField = [&](auto field) {
+    const auto same = [&](const Primitive& x, const Primitive& y) { return x.*field == y.*field; };
+    const int leads = leader(a, b, same);
+    if (leads > 0) b.now.*field = a.now.*field;
+    if (leads < 0) a.now.*field = b.now.*field;
+  };
+  copyField(&Primitive::reach);
+  copyField(&Primitive::sign);
+  copyField(&Primitive::group);
+  const auto sameTerritory = [](const Primitive& x, const Primitive& y) { return x.territory == y.territory; };
+  if (const int leads = leader(a, b, sameTerritory); leads != 0) {
+    const Primitive& from = leads > 0 ? a.now : b.now;
+    Primitive& to = leads > 0 ? b.now : a.now;
+    to.territory = from.territory;
+    if (!to.territory) return;
+    for (std::string& bone : *to.territory) {
+      if (Result<std::string> twin = twinBone(plan, bone)) bone = std::move(twin).value();
+    }
+  }
+}
+
+/// The image of `leader` under another's name and link.
+Result<Primitive> imageAs(const MirrorPlan& plan, const Primitive& leader, const Primitive& follower) {
+  Result<Primitive> image = mirroredPrimitive(plan, leader);
+  if (!image) return image;
+  image.value().name = follower.name;
+  image.value().mirror = follower.mirror;
+  image.value().unknownKeys = follower.unknownKeys;
+  return image;
+}
+
+}  // namespace
+
+Rig keepTwins(const Rig& atStart, const Rig& shown, Rig edited, const MirrorPlan& plan) {
+  const bool anyLinked = std::ranges::any_of(edited.primitives, [](const Primitive& p) { return !p.mirror.empty(); });
+  if (!anyLinked) return edited;
+  const Index then = byName(atStart);
+  const Index before = byName(shown);
+  std::unordered_map<std::string, std::size_t> now;
+  for (std::size_t i = 0; i < edited.primitives.size(); ++i) now.emplace(edited.primitives[i].name, i);
+  for (std::size_t i = 0; i < edited.primitives.size(); ++i) {
+    Primitive& primitive = edited.primitives[i];
+    const auto twin = primitive.mirror.empty() ? now.end() : now.find(primitive.mirror);
+    if (twin == now.end() || twin->second <= i) continue;
+    Primitive& other = edited.primitives[twin->second];
+    const Half a{primitive, find(before, primitive.name), find(then, primitive.name)};
+    const Half b{other, find(before, other.name), find(then, other.name)};
+    const bool linkedBefore = a.shown && b.shown && a.shown->mirror == other.name && b.shown->mirror == primitive.name;
+    if (linkedBefore && other.mirror == primitive.name) keepPair(a, b, plan);
+  }
+  return edited;
+}
+
+int twinOf(const Rig& rig, int index) {
+  const std::string& mirror = rig.primitives[at(index)].mirror;
+  return mirror.empty() ? -1 : findPrimitive(rig, mirror);
+}
+
+std::vector<int> withTwins(const Rig& rig, std::span<const int> indices) {
+  std::vector<int> all(indices.begin(), indices.end());
+  for (const int index : indices) {
+    if (const int twin = twinOf(rig, index); twin >= 0) all.push_back(twin);
+  }
+  std::ranges::sort(all);
+  all.erase(std::ranges::unique(all).begin(), all.end());
+  return all;
+}
+
+Result<Rig> addPair(const Rig& rig, Primitive primitive, const MirrorPlan& plan) {
+  Result<Rig> added = addPrimitive(rig, std::move(primitive));
+  if (!added) return added;
+  const Primitive& first = added->primitives.back();
+  if (liesInPlane(plan, first, kOwnImage)) return added;
+  return mirrorToOtherSide(added.value(), static_cast<int>(rig.primitives.size()), plan);
+}
+
+Result<Rig> mirrorToOtherSide(const Rig& rig, int index, const MirrorPlan& plan) {
+  if (const int twin = twinOf(rig, index); twin >= 0) return linkTwins(rig, index, twin, plan);
+  const Primitive& original = rig.primitives[at(index)];
+  if (liesInPlane(plan, original, kOwnImage)) {
+    return errorAt("", '"' + original.name + "\" lies in the middle: it is its own mirror image");
+  }
+  Result<Primitive> image = mirroredPrimitive(plan, original);
+  if (!image) return image.error();
+  image.value().name = freePrimitiveName(rig, image->name);
+  image.value().mirror = original.name;
+  return addPrimitive(rig, std::move(image).value());
+}
+
+Result<Rig> linkTwins(const Rig& rig, int leader, int follower, const MirrorPlan& plan) {
+  assert(leader != follower);
+  Rig linked = setMirror(rig, leader, follower);
+  Primitive& second = linked.primitives[at(follower)];
+  Result<Primitive> image = imageAs(plan, linked.primitives[at(leader)], second);
+  if (!image) return image.error();
+  if (const auto valid = validatePrimitive(image.value(), "primitives"); !valid) return valid.error();
+  second = std::move(image).value();
+  return linked;
+}
+
+Result<Rig> flipPrimitives(const Rig& rig, std::span<const int> indices, const MirrorPlan& plan) {
+  Rig flipped = rig;
+  for (const int index : withTwins(rig, indices)) {
+    Primitive& primitive = flipped.primitives[at(index)];
+    Result<Primitive> image = imageAs(plan, primitive, primitive);
+    if (!image) return image.error();
+    if (const auto valid = validatePrimitive(image.value(), "primitives"); !valid) return valid.error();
+    primitive = std::move(image).value();
+  }
+  return flipped;
+}
+
+Rig duplicatePairs(const Rig& rig, std::span<const int> indices) {
+  std::vector<int> sources(indices.begin(), indices.end());
+  std::ranges::sort(sources);
+  sources.erase(std::ranges::unique(sources).begin(), sources.end());
+  const std::size_t room = static_cast<std::size_t>(kMaxPrimitives) - rig.primitives.size();
+  if (sources.size() > room) sources.resize(room);
+  Rig result = rig;
+  std::unordered_map<std::string, std::string> copyOf;
+  for (const int index : sources) {
+    Primitive copy = rig.primitives[at(index)];
+    const auto twinsCopy = copyOf.find(copy.mirror);
+    // The second of a pair is named after the first one's copy.
+    copy.name = twinsCopy != copyOf.end() && mirroredName(copy.mirror) == copy.name
+                    ? twinName(result, twinsCopy->second)
+                    : freePrimitiveName(result, copy.name);
+    copyOf.emplace(rig.primitives[at(index)].name, copy.name);
+    copy.mirror.clear();
+    result.primitives.push_back(std::move(copy));
+  }
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const auto twin = copyOf.find(rig.primitives[at(sources[i])].mirror);
+    if (twin != copyOf.end()) result.primitives[rig.primitives.size() + i].mirror = twin->second;
+  }
+  return result;
+}
+
+Result<Rig> renameWithTwin(const Rig& rig, int index, const std::string& name) {
+  const int twin = twinOf(rig, index);
+  Result<Rig> renamed = renamePrimitive(rig, index, name);
+  if (!renamed || twin < 0) return renamed;
+  const std::optional<std::string> other = mirroredName(name);
+  if (!other || findPrimitive(renamed.value(), *other) >= 0) return renamed;
+  return renamePrimitive(renamed.value(), twin, *other);
+}
+
+std::string twinName(const Rig& rig, const std::string& name) {
+  return freePrimitiveName(rig, mirroredName(name).value_or(name));
+}
+
+}  // namespace sinew

@@ -1,0 +1,53 @@
+// core/symmetry/twins.h: muscles linked across the plane: made, linked, and kept each other's image.
+//
+// A link (Primitive::mirror) says that two muscles are mirror images; keepTwins makes what is edited on one happen on
+// the other. As all of rig_edit.h these are pure: indices must be in range (asserted), a refusal leaves nothing behind.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/symmetry/mirror.h"
+#include "sinew/rig/rig.h"
+
+namespace sinew {
+
+/// `edited`, where linked twins follow what changed since `shown` on one of the two: bone, placement, reach, sign,
+/// group and territory, each by itself, so that a pair that never was exact is not torn about by an edit of its
+/// reach. Of the placement too only what changed follows, so that centres stay to the bit while radii are pulled.
+/// Where both changed and are no longer images of each other, the one that differs from `atStart` (before the
+/// gesture) leads; if both do, the first in the rig. A bone or placement without counterpart is not followed; the
+/// link stays. Links that are new, and names that are, are left alone.
+[[nodiscard]] Rig keepTwins(const Rig& atStart, const Rig& shown, Rig edited, const MirrorPlan& plan);
+
+/// Index of the twin, or -1.
+[[nodiscard]] int twinOf(const Rig& rig, int index);
+/// The indices with their twins, ascending, each once.
+[[nodiscard]] std::vector<int> withTwins(const Rig& rig, std::span<const int> indices);
+
+/// A primitive and its mirror image, linked. A single one where the image would be itself: on a centre bone, in the
+/// plane within 1e-4 H. The image is named by the side, or with what freePrimitiveName says. Error: see twinBone,
+/// addPrimitive.
+[[nodiscard]] Result<Rig> addPair(const Rig& rig, Primitive primitive, const MirrorPlan& plan);
+/// Appends the image of one that has no twin yet, linked to it; its twin, if it has one, becomes its image. Error: it
+/// lies in the plane, or see twinBone.
+[[nodiscard]] Result<Rig> mirrorToOtherSide(const Rig& rig, int index, const MirrorPlan& plan);
+/// Links two different primitives; the second becomes the image of the first but for its name. Former twins are let go.
+/// Error: see twinBone.
+[[nodiscard]] Result<Rig> linkTwins(const Rig& rig, int leader, int follower, const MirrorPlan& plan);
+/// Each becomes its own image, name and link kept; of a linked pair both, once. Error: the first that has no
+/// counterpart.
+[[nodiscard]] Result<Rig> flipPrimitives(const Rig& rig, std::span<const int> indices, const MirrorPlan& plan);
+
+/// Copies, appended in rig order (the first at rig.primitives.size()), with free names; twins that are both copied are
+/// linked as copies. Stops at kMaxPrimitives.
+[[nodiscard]] Rig duplicatePairs(const Rig& rig, std::span<const int> indices);
+
+/// Renames; if the new name says a side, clearly, and the same name of the other side is free, its twin gets that.
+/// Error: see renamePrimitive.
+[[nodiscard]] Result<Rig> renameWithTwin(const Rig& rig, int index, const std::string& name);
+
+/// `name` with its other side if that is free, else a free name like it.
+[[nodiscard]] std::string twinName(const Rig& rig, const std::string& name);
+
+}  // namespace sinew

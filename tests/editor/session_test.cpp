@@ -1,0 +1,216 @@
+// tests/editor/session_test.cpp: from one start of the editor to the next, after a clean end and after a crash.
+
+#include "app/editor/session.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <optional>
+
+#include "app/editor/commands.h"
+#include "app/editor/session_keeper.h"
+#include "core/rig/rig_edit.h"
+#include "tests/support/temporary_folder.h"
+
+namespace sinew::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr WindowPlace kPlace{10, 20, 1280, 800, false};
+
+class Session : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::copy_file(fs::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb", folder / "lizard.glb");
+    fs::copy_file(fs::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb", folder / "other.glb");
+  }
+
+  [[nodiscard]] SessionKeeper keeper() const { return {folder / "preferences.json", folder / "recovery"}; }
+  [[nodiscard]] Preferences onDisk() const { return loadPreferences(folder / "preferences.json").preferences; }
+  void open(EditorState& state, const char* name) const { ASSERT_TRUE(openFile(state, folder / name)); }
+  static void change(EditorState& state) { addMuscle(state, 0); }
+
+  const test::TemporaryFolder own;
+  const fs::path folder = own.path();
+};
+
+TEST_F(Session, WhatWasSetIsThereAtTheNextStart) {
+  EditorState first;
+  SessionKeeper one = keeper();
+  one.start(first);
+  open(first, "lizard.glb");
+  first.layout.left = 333.0f;
+  first.preferences.keymap = Keymap::kBlender;
+  one.tick(first, 0.0, kPlace);
+  EXPECT_EQ(onDisk(), Preferences{}) << "written before it rests";
+  one.tick(first, 2.0, kPlace);
+  EXPECT_EQ(onDisk().layout.left, 333.0f);
+  first.layout.right = 222.0f;
+  one.finish(first, kPlace);
+  EditorState second;
+  keeper().start(second);
+  EXPECT_EQ(second.layout.left, 333.0f);
+  EXPECT_EQ(second.layout.right, 222.0f) << "set right before the end";
+  EXPECT_EQ(second.preferences.keymap, Keymap::kBlender);
+  EXPECT_EQ(second.preferences.window, kPlace);
+  EXPECT_EQ(second.preferences.recentFiles, std::vector<fs::path>{folder / "lizard.glb"});
+  EXPECT_FALSE(second.recoveryAsked);
+  EXPECT_TRUE(second.messages.empty());
+}
+
+TEST_F(Session, DamagedPreferencesAreAMessageAndDefaults) {
+  std::ofstream(folder / "preferences.json") << "{ broken";
+  EditorState state;
+  keeper().start(state);
+  ASSERT_EQ(state.messages.size(), 1u);
+  EXPECT_NE(state.messages[0].text.find("preferences.json.bad"), std::string::npos) << state.messages[0].text;
+  EXPECT_EQ(state.layout, LayoutState{});
+  EXPECT_TRUE(fs::exists(folder / "preferences.json.bad"));
+}
+
+TEST_F(Session, FilesOfTwoEditorsAreAllRemembered) {
+  EditorState first;
+  EditorState second;
+  SessionKeeper one = keeper();
+  SessionKeeper two = keeper();
+  one.start(first);
+  two.start(second);
+  open(first, "lizard.glb");
+  one.tick(first, 0.0, kPlace);
+  one.tick(first, 2.0, kPlace);
+  open(second, "other.glb");
+  two.tick(second, 3.0, kPlace);
+  two.tick(second, 5.0, kPlace);
+  EXPECT_EQ(onDisk().recentFiles, (std::vector<fs::path>{folder / "other.glb", folder / "lizard.glb"}));
+}
+
+TEST_F(Session, SavingElsewhereRemembersTheNewFileAndSamplesAreNotRemembered) {
+  EditorState state;
+  SessionKeeper one = keeper();
+  one.start(state);
+  ASSERT_TRUE(openFile(state, fs::path(SINEW_SOURCE_DIR) / "assets" / "demo.rig.json"));
+  one.tick(state, 0.0, kPlace);
+  EXPECT_TRUE(state.preferences.recentFiles.empty());
+  ASSERT_EQ(saveTo(state, folder / "mine.rig.json"), "");
+  one.tick(state, 1.0, kPlace);
+  EXPECT_EQ(state.preferences.recentFiles, std::vector<fs::path>{folder / "mine.rig.json"});
+}
+
+TEST_F(Session, AfterACrashTheWorkIsOfferedAndRecoveredItIsSafeAgain) {
+  {
+    EditorState lost;
+    SessionKeeper one = keeper();
+    one.start(lost);
+    open(lost, "lizard.glb");
+    change(lost);
+    one.tick(lost, 100.0, kPlace);
+    one.tick(lost, 131.0, kPlace);
+  }  // Destroyed without finish(), as a killed process would be.
+  EditorState state;
+  SessionKeeper two = keeper();
+  two.start(state);
+  ASSERT_TRUE(state.recoveryAsked);
+  ASSERT_EQ(state.leftBehind.size(), 1u);
+  const fs::path left = state.leftBehind[0].file;
+  request(state, {IntentKind::kRecover, left});
+  ASSERT_TRUE(state.hasCharacter());
+  EXPECT_EQ(state.document.rig().primitives.size(), 1u);
+  EXPECT_TRUE(state.document.commands.modified());
+  EXPECT_TRUE(fs::exists(left)) << "thrown away before there is another copy";
+  two.tick(state, 200.0, kPlace);
+  EXPECT_FALSE(fs::exists(left));
+  EXPECT_FALSE(state.recovered.has_value());
+  {
+    EditorState third;  // Beside it: nothing to be offered, the work has a living owner.
+    keeper().start(third);
+    EXPECT_FALSE(third.recoveryAsked);
+  }
+  two.finish(state, kPlace);
+  EXPECT_TRUE(findLeftBehind(folder / "recovery").empty());
+}
+
+TEST_F(Session, SavedWorkIsNotOffered) {
+  {
+    EditorState state;
+    SessionKeeper one = keeper();
+    one.start(state);
+    open(state, "lizard.glb");
+    change(state);
+    one.tick(state, 100.0, kPlace);
+    one.tick(state, 131.0, kPlace);
+    ASSERT_EQ(saveTo(state, folder / "saved.rig.json"), "");
+    one.tick(state, 132.0, kPlace);
+  }
+  EditorState next;
+  keeper().start(next);
+  EXPECT_FALSE(next.recoveryAsked);
+}
+
+TEST_F(Session, DiscardedWorkIsGone) {
+  {
+    EditorState lost;
+    SessionKeeper one = keeper();
+    one.start(lost);
+    open(lost, "lizard.glb");
+    change(lost);
+    one.tick(lost, 0.0, kPlace);
+    lost.transport.clip = -1;  // Another clip writes at once.
+    one.tick(lost, 0.1, kPlace);
+  }
+  EditorState state;
+  SessionKeeper two = keeper();
+  two.start(state);
+  ASSERT_EQ(state.leftBehind.size(), 1u);
+  discardRecovery(state, state.leftBehind[0].file);
+  EXPECT_TRUE(state.leftBehind.empty());
+  EXPECT_TRUE(findLeftBehind(folder / "recovery").empty());
+}
+
+TEST_F(Session, APlaceThatCannotBeWrittenIsToldAndTheEditorGoesOn) {
+  EditorState state;
+  SessionKeeper one("/proc/sinew-test/preferences.json", "/proc/sinew-test/recovery");
+  one.start(state);
+  EXPECT_EQ(state.messages.size(), 1u);
+  open(state, "lizard.glb");
+  change(state);
+  for (double now = 0.0; now < 100.0; now += 1.0) one.tick(state, now, kPlace);
+  EXPECT_EQ(state.messages.size(), 2u);
+  one.finish(state, kPlace);
+}
+
+TEST(Samples, AreThereWithNiceNamesEachOnce) {
+  const std::vector<Sample> all = samples();
+  const auto lizard = std::ranges::find(all, "Lizard", &Sample::name);
+  ASSERT_NE(lizard, all.end());
+  EXPECT_EQ(lizard->file.filename(), "demo.rig.json");
+  for (const Sample& sample : all) {
+    EXPECT_TRUE(isSample(sample.file)) << sample.name;
+    EXPECT_EQ(std::ranges::count(all, sample.name, &Sample::name), 1) << sample.name;
+    EXPECT_EQ(sample.name.find('_'), std::string::npos) << sample.name;
+  }
+  EXPECT_TRUE(fs::is_regular_file(firstSample()));
+  EXPECT_FALSE(isSample("/tmp/demo.rig.json"));
+  EXPECT_FALSE(isSample(""));
+}
+
+TEST_F(Session, JumpingSelectsAndForeignNamesDoNothing) {
+  EditorState state;
+  open(state, "lizard.glb");
+  state.viewportPixels = {800, 600};
+  change(state);
+  const std::string muscle = state.document.rig().primitives[0].name;
+  jumpToBone(state, 2);
+  EXPECT_EQ(state.document.selection.bone, 2);
+  EXPECT_TRUE(state.document.selection.primitives.empty());
+  jumpToMuscle(state, muscle);
+  EXPECT_EQ(state.document.selection.active(), muscle);
+  jumpToMuscle(state, "nobody");
+  jumpToBone(state, 100000);
+  jumpToBone(state, -1);
+  EXPECT_EQ(state.document.selection.active(), muscle);
+}
+
+}  // namespace
+}  // namespace sinew::app

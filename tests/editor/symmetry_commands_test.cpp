@@ -1,0 +1,99 @@
+// tests/editor/symmetry_commands_test.cpp: twins, selecting many and the clipboard, by buttons and by keys' commands.
+
+#include "app/editor/symmetry_commands.h"
+
+#include <gtest/gtest.h>
+
+#include "core/symmetry/twins.h"
+#include "tests/support/headless_editor.h"
+
+namespace sinew::app {
+namespace {
+
+/// The bundled character with a pair on its thighs and one muscle in the middle.
+struct SymmetryCommands : HeadlessEditor {
+  void SetUp() override {
+    HeadlessEditor::SetUp();
+    ASSERT_TRUE(state.document.symmetry);
+    const MirrorPlan& plan = *state.document.mirror;
+    int left = -1;
+    for (std::size_t i = 0; i < plan.twinOf.size() && left < 0; ++i) {
+      if (plan.twinOf[i] > static_cast<int>(i)) left = static_cast<int>(i);
+    }
+    ASSERT_GE(left, 0);
+    addMuscle(state, left);
+    name = state.document.selection.active();
+    ASSERT_EQ(rig().primitives.size(), 2u);
+    settle();
+  }
+  [[nodiscard]] const Rig& rig() const { return state.document.rig(); }
+  std::string name;
+};
+
+TEST_F(SymmetryCommands, TheInspectorShowsTheTwinAndUnlinksIt) {
+  EXPECT_TRUE(shown("inspector/twin"));
+  click("inspector/unlink");
+  EXPECT_EQ(rig().primitives[0].mirror, "");
+  EXPECT_EQ(rig().primitives[1].mirror, "");
+  EXPECT_TRUE(shown("inspector/mirror"));
+  EXPECT_FALSE(shown("inspector/unlink"));
+  state.document.selection.setAll(std::vector<std::string>{rig().primitives[1].name, rig().primitives[0].name});
+  linkSelection(state);
+  EXPECT_EQ(twinOf(rig(), 0), 1);
+}
+
+TEST_F(SymmetryCommands, SymmetryIsAButtonAndDecidesWhatDeletingTakes) {
+  click("toolstrip/symmetry");
+  EXPECT_FALSE(state.document.symmetry);
+  EXPECT_EQ(editedIndices(state), std::vector<int>{0});
+  click("toolstrip/symmetry");
+  EXPECT_EQ(editedIndices(state), (std::vector<int>{0, 1}));
+  deleteSelection(state);
+  EXPECT_TRUE(rig().primitives.empty());
+  undo(state);
+  EXPECT_EQ(rig().primitives.size(), 2u);
+}
+
+TEST_F(SymmetryCommands, DuplicatesAndPastesPairsAndSelectsTheCopies) {
+  duplicateSelection(state);
+  ASSERT_EQ(rig().primitives.size(), 4u);
+  EXPECT_EQ(twinOf(rig(), 2), 3);
+  EXPECT_EQ(state.document.selection.primitives, std::vector<std::string>{rig().primitives[2].name});
+  copySelection(state);
+  pasteMuscles(state, false);
+  ASSERT_EQ(rig().primitives.size(), 6u);
+  EXPECT_EQ(twinOf(rig(), 4), 5);
+  EXPECT_EQ(state.document.selection.primitives.size(), 2u);
+  cutSelection(state);
+  EXPECT_EQ(rig().primitives.size(), 4u);
+  ImGui::SetClipboardText("no rig");
+  const std::size_t told = state.messages.size();
+  pasteMuscles(state, false);
+  EXPECT_EQ(state.messages.size(), told + 1);
+  EXPECT_EQ(rig().primitives.size(), 4u);
+}
+
+TEST_F(SymmetryCommands, ARenamedPairStaysAPairOfNames) {
+  EXPECT_EQ(rename(state, name, "quad L"), "");
+  EXPECT_EQ(rig().primitives[1].name, "quad R");
+  EXPECT_EQ(state.document.selection.active(), "quad L");
+  EXPECT_EQ(state.document.commands.label(state.document.commands.position()), "Rename " + name);
+}
+
+TEST_F(SymmetryCommands, SelectsAllInvertsAndGoesToTheTwin) {
+  selectTwins(state);
+  EXPECT_EQ(state.document.selection.active(), rig().primitives[1].name);
+  invertSelection(state);
+  EXPECT_EQ(state.document.selection.primitives, std::vector<std::string>{name});
+  selectAll(state);
+  EXPECT_EQ(state.document.selection.primitives.size(), 2u);
+  EXPECT_EQ(state.document.selection.active(), name);
+  selectOnBone(state);
+  EXPECT_EQ(state.document.selection.primitives.size(), 2u);
+  state.document.selection.set(name);
+  selectOnBone(state);
+  EXPECT_EQ(state.document.selection.primitives, std::vector<std::string>{name});
+}
+
+}  // namespace
+}  // namespace sinew::app

@@ -1,0 +1,181 @@
+// tests/playback/playback_test.cpp: time in a clip, and the surface that follows it.
+
+#include "app/playback.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/document/document.h"
+#include "core/rig/rig_edit.h"
+
+namespace sinew::app {
+namespace {
+
+Character characterWithClip(float duration) {
+  Character character;
+  AnimationClip clip;
+  clip.duration = duration;
+  character.clips = {clip, AnimationClip{}};
+  return character;
+}
+
+TEST(Transport, ALoopCarriesWhatIsLeftOver) {
+  const Character character = characterWithClip(2.0f);
+  Transport transport{0, 1.5, true, true, 1.0f};
+  advance(transport, 1.0, character);
+  EXPECT_NEAR(transport.time, 0.5, 1e-12);
+  EXPECT_TRUE(transport.playing);
+  advance(transport, 20.0, character);
+  EXPECT_NEAR(transport.time, 0.5, 1e-9);
+}
+
+TEST(Transport, WithoutLoopItStopsAtTheEndAndStartsOver) {
+  const Character character = characterWithClip(2.0f);
+  Transport transport{0, 1.5, true, false, 1.0f};
+  advance(transport, 1.0, character);
+  EXPECT_EQ(transport.time, 2.0);
+  EXPECT_FALSE(transport.playing);
+  togglePlaying(transport, character);
+  EXPECT_TRUE(transport.playing);
+  EXPECT_EQ(transport.time, 0.0);
+}
+
+TEST(Transport, SpeedScalesTime) {
+  const Character character = characterWithClip(10.0f);
+  Transport transport{0, 0.0, true, true, 0.25f};
+  advance(transport, 4.0, character);
+  EXPECT_NEAR(transport.time, 1.0, 1e-9);
+}
+
+TEST(Transport, StepsLandOnWholeFramesWrapAndPause) {
+  const Character character = characterWithClip(1.0f);
+  Transport transport{0, 0.47, true, true, 1.0f};
+  stepFrames(transport, 1, character);
+  EXPECT_FALSE(transport.playing);
+  EXPECT_NEAR(transport.time / kFrameSeconds, std::round(transport.time / kFrameSeconds), 1e-9);
+  EXPECT_NEAR(transport.time, 15.0 / 30.0, 1e-9);
+  transport.time = 0.0;
+  stepFrames(transport, -1, character);
+  EXPECT_NEAR(transport.time, 29.0 / 30.0, 1e-9);
+  transport.loop = false;
+  transport.time = 0.0;
+  stepFrames(transport, -1, character);
+  EXPECT_EQ(transport.time, 0.0);
+}
+
+TEST(Transport, TheBindPoseAndAnEmptyClipCannotPlay) {
+  const Character character = characterWithClip(1.0f);
+  for (const int clip : {-1, 1}) {
+    Transport transport;
+    chooseClip(transport, clip, character);
+    togglePlaying(transport, character);
+    EXPECT_FALSE(transport.playing);
+    advance(transport, 1.0, character);
+    stepFrames(transport, 3, character);
+    EXPECT_EQ(transport.time, 0.0);
+  }
+}
+
+TEST(Transport, AnotherClipStartsFromItsBeginning) {
+  const Character character = characterWithClip(1.0f);
+  Transport transport{0, 0.7, true, true, 1.0f};
+  chooseClip(transport, 0, character);
+  EXPECT_EQ(transport.time, 0.0);
+  EXPECT_TRUE(transport.playing);
+  chooseClip(transport, -1, character);
+  EXPECT_FALSE(transport.playing);
+}
+
+class LiveSurfaceTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto opened = openDocument(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb");
+    ASSERT_TRUE(opened.ok()) << opened.error().text();
+    document = std::move(opened).value();
+  }
+  Document document;
+};
+
+TEST_F(LiveSurfaceTest, SmoothsOnlyWhenRigOrTimeMoves) {
+  Transport transport{0, 0.0, false, true, 1.0f};
+  auto live = LiveSurface::create(document.character, document.commands, transport);
+  ASSERT_TRUE(live.ok()) << live.error().text();
+  const auto update = [&] {
+    live.value().movePose(transport);
+    return live.value().update(document.commands).value();
+  };
+  EXPECT_FALSE(update());
+  transport.time = 0.2;
+  EXPECT_TRUE(update());
+  EXPECT_FALSE(update());
+  SmoothingSettings settings = document.rig().smoothing;
+  ++settings.depth;
+  document.commands.apply("Depth", setSmoothing(document.rig(), settings).value());
+  const std::size_t before = live.value().surface().positions.size();
+  EXPECT_TRUE(update());
+  EXPECT_GT(live.value().surface().positions.size(), before);
+  document.commands.undo();
+  EXPECT_TRUE(update());
+  EXPECT_EQ(live.value().surface().positions.size(), before);
+}
+
+TEST_F(LiveSurfaceTest, ARefusedRigLeavesTheSurfaceAndIsToldOnce) {
+  Transport transport{0, 0.0, false, true, 1.0f};
+  auto live = LiveSurface::create(document.character, document.commands, transport);
+  ASSERT_TRUE(live.ok());
+  const auto positions = live.value().surface().positions;
+  Rig bad = document.rig();
+  bad.surface.iso = 7.0f;
+  document.commands.apply("Bad", bad);
+  EXPECT_FALSE(live.value().update(document.commands).ok());
+  EXPECT_EQ(live.value().surface().positions, positions);
+  EXPECT_TRUE(live.value().update(document.commands).ok());
+  document.commands.undo();
+  EXPECT_TRUE(live.value().update(document.commands).ok());
+}
+
+TEST_F(LiveSurfaceTest, ASurfaceForAnEyeFollowsIt) {
+  const Transport transport{0, 0.0, false, true, 1.0f};
+  auto live = LiveSurface::create(document.character, document.commands, transport);
+  ASSERT_TRUE(live.ok());
+  const auto update = [&](const std::optional<glm::vec3>& eye) {
+    return live.value().update(document.commands, {eye, 0.0f}).value();
+  };
+  EXPECT_TRUE(update(glm::vec3(0.0f, 0.5f, 5.0f)));
+  EXPECT_GT(live.value().surface().report.culledTriangles, 0);
+  EXPECT_FALSE(update(glm::vec3(0.0f, 0.5f, 5.0f)));
+  EXPECT_TRUE(update(glm::vec3(5.0f, 0.5f, 0.0f)));
+  EXPECT_TRUE(update(std::nullopt));
+  EXPECT_EQ(live.value().surface().report.culledTriangles, 0);
+}
+
+TEST_F(LiveSurfaceTest, AutoDepthFollowsTheSizeAndLeavesTheDocumentAlone) {
+  const Transport transport{0, 0.0, false, true, 1.0f};
+  auto live = LiveSurface::create(document.character, document.commands, transport);
+  ASSERT_TRUE(live.ok());
+  const auto depthAt = [&](float pixels) {
+    EXPECT_TRUE(live.value().update(document.commands, {std::nullopt, pixels}).ok());
+    EXPECT_EQ(live.value().surface().report.depth, live.value().depth());
+    return live.value().depth();
+  };
+  const int own = document.rig().smoothing.depth;
+  EXPECT_EQ(depthAt(5000.0f), own);
+  SmoothingSettings settings = document.rig().smoothing;
+  settings.autoDepth = true;
+  document.commands.apply("Auto depth", setSmoothing(document.rig(), settings).value());
+  document.commands.markSaved();
+  const std::size_t steps = document.commands.stepCount();
+  EXPECT_EQ(depthAt(0.0f), own);
+  EXPECT_EQ(depthAt(20.0f), 1);
+  EXPECT_EQ(depthAt(0.0f), 1);
+  EXPECT_EQ(depthAt(50000.0f), 8);
+  EXPECT_EQ(document.commands.stepCount(), steps);
+  EXPECT_FALSE(document.commands.modified());
+  EXPECT_EQ(document.rig().smoothing.depth, own);
+  document.commands.undo();
+  EXPECT_EQ(depthAt(50000.0f), own);
+}
+
+}  // namespace
+}  // namespace sinew::app

@@ -1,0 +1,139 @@
+// tests/support/headless_editor.h: the panels without window and OpenGL, driven as a hand would.
+#pragma once
+
+#include <imgui.h>
+
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "app/editor/commands.h"
+#include "app/editor/territory.h"
+#include "app/editor/visibility_commands.h"
+#include "app/panels/panels.h"
+#include "app/ui/imgui_layer.h"
+#include "core/rig/rig_edit.h"
+
+namespace sinew::app {
+
+/// Panels over the bundled character, 1280x800, paused.
+class HeadlessEditor : public testing::Test {
+ protected:
+  void SetUp() override {
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.DisplaySize = {1280.0f, 800.0f};
+    io.DeltaTime = 1.0f / 60.0f;
+    mapKeys();
+    applyStyle(1.0f);
+    ImFont* font = io.Fonts->AddFontDefault();
+    fonts = {font, font, font};
+    io.Fonts->Build();
+    ASSERT_TRUE(openFile(state, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb"));
+    state.transport.playing = false;
+    frame();
+    frame();
+  }
+  void TearDown() override { ImGui::DestroyContext(); }
+
+  /// One frame of what the queue holds.
+  void frame() {
+    const InputFrame& input = queue.next();
+    feedImGui(input);
+    ImGui::NewFrame();
+    const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    if (!popup && !ImGui::GetIO().WantTextInput) runShortcut(state, input);
+    widgets.beginFrame();
+    PanelUi ui(state, widgets, fonts);
+    drawLayout(ui);
+    EXPECT_TRUE(widgets.repeated().empty()) << "named twice: " << widgets.repeated().front();
+    state.live->movePose(state.transport);
+    runTerritoryMode(state);
+    followEdits(state);
+    followPose(state);
+    SurfaceView seen;
+    seen.hidden = hiddenPrimitives(state.document.visibility, state.document.rig(), state.character().skeleton);
+    EXPECT_TRUE(state.live->update(state.document.commands, seen).ok());
+    ImGui::EndFrame();
+  }
+  void settle() {
+    while (queue.pending()) frame();
+    frame();
+    frame();
+  }
+
+  [[nodiscard]] bool shown(const std::string& id) const { return widgets.rectangles().contains(id); }
+  [[nodiscard]] glm::vec2 center(const std::string& id) const {
+    EXPECT_TRUE(shown(id)) << id;
+    if (!shown(id)) return glm::vec2(-1.0f);
+    const glm::vec4 box = widgets.rectangles().at(id);
+    return {box.x + 0.5f * box.z, box.y + 0.5f * box.w};
+  }
+  void click(const std::string& id, int button = 0) {
+    queue.move(center(id));
+    settle();
+    queue.button(button, true);
+    queue.button(button, false);
+    settle();
+  }
+  void doubleClick(const std::string& id) {
+    queue.move(center(id));
+    for (int i = 0; i < 2; ++i) {
+      queue.button(0, true);
+      queue.button(0, false);
+    }
+    settle();
+  }
+  void drag(const std::string& id, const glm::vec2& by) {
+    const glm::vec2 from = center(id);
+    queue.move(from);
+    settle();
+    queue.button(0, true);
+    for (int i = 1; i <= 5; ++i) {
+      queue.move(from + by * (static_cast<float>(i) / 5.0f));
+      frame();
+    }
+    queue.button(0, false);
+    settle();
+  }
+  void press(int key, bool control = false) {
+    if (control) queue.key(kLeftControl, true);
+    queue.key(key, true);
+    queue.key(key, false);
+    if (control) queue.key(kLeftControl, false);
+    settle();
+  }
+  void type(const std::string& text) {
+    for (const char c : text) queue.character(static_cast<char32_t>(c));
+    settle();
+  }
+  /// A muscle on the first bone, selected.
+  void addOne() {
+    addMuscle(state, 0);
+    ASSERT_EQ(state.document.activePrimitive(), 0);
+    settle();
+  }
+  [[nodiscard]] const Primitive& muscle() const { return state.document.rig().primitives.at(0); }
+  [[nodiscard]] Rig setPlacementOf(const Placement& placement) const {
+    return setPlacement(state.document.rig(), 0, placement).value();
+  }
+  [[nodiscard]] std::size_t steps() const { return state.document.commands.position(); }
+
+  static constexpr int kLeftControl = 341;
+  static constexpr int kEscape = 256;
+  static constexpr int kEnter = 257;
+  static constexpr int kDelete = 261;
+  static constexpr int kKeyA = 65;
+  static constexpr int kKeyZ = 90;
+  static constexpr int kSpace = 32;
+  static constexpr int kF2 = 291;
+
+  EditorState state;
+  InputQueue queue;
+  WidgetLog widgets;
+  Fonts fonts;
+};
+
+}  // namespace sinew::app

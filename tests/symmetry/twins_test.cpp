@@ -1,0 +1,296 @@
+// tests/symmetry/twins_test.cpp: linked twins follow, exactly, until let go.
+
+#include "core/symmetry/twins.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/rig/rig_edit.h"
+#include "core/rig/validation.h"
+#include "sinew/io/rig_json.h"
+#include "tests/support/random_rigs.h"
+#include "tests/support/synthetic_characters.h"
+
+namespace sinew {
+namespace {
+
+using test::Random;
+
+struct Scene {
+  std::shared_ptr<const Character> character = test::makeTwoLegged();
+  MirrorPlan plan = makeMirrorPlan(*character);
+  Rig rig;
+
+  Scene() {
+    rig.groups = {{"legs", {}}, {"torso", {}}};
+    Primitive thigh;
+    thigh.name = "thigh L";
+    thigh.bone = "leg L";
+    thigh.group = "legs";
+    thigh.placement = {
+        {0.1f, 0.2f, 0.05f}, glm::angleAxis(0.5f, glm::normalize(glm::vec3(1, 2, 3))), {0.2f, 0.3f, 0.1f}};
+    rig = addPair(rig, thigh, plan).value();
+  }
+
+  void edit(const Result<Rig>& edited) {
+    ASSERT_TRUE(edited) << edited.error().text();
+    rig = keepTwins(rig, rig, edited.value(), plan);
+    ASSERT_TRUE(validate(rig));
+  }
+};
+
+/// Every linked pair is what mirroring the one says of the other, to a few units in the last place.
+void expectExact(const Rig& rig, const MirrorPlan& plan) {
+  for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
+    const int twin = twinOf(rig, static_cast<int>(i));
+    if (twin < 0) continue;
+    const Primitive& other = rig.primitives[static_cast<std::size_t>(twin)];
+    const Result<Primitive> image = mirroredPrimitive(plan, rig.primitives[i]);
+    ASSERT_TRUE(image);
+    EXPECT_EQ(image->bone, other.bone);
+    EXPECT_LT(glm::length(image->placement.center - other.placement.center),
+              2e-6f * (1.0f + glm::length(other.placement.center)));
+    EXPECT_LT(glm::length(image->placement.radii - other.placement.radii), 1e-6f * glm::length(other.placement.radii));
+    for (int part = 0; part < 4; ++part)
+      EXPECT_NEAR(image->placement.rotation[part], other.placement.rotation[part], 2e-6f);
+    EXPECT_EQ(image->reach, other.reach);
+    EXPECT_EQ(image->sign, other.sign);
+    EXPECT_EQ(image->group, other.group);
+    EXPECT_EQ(image->territory, other.territory);
+  }
+}
+
+TEST(Twins, AMuscleIsAddedOnBothSides) {
+  const Scene scene;
+  ASSERT_EQ(scene.rig.primitives.size(), 2u);
+  EXPECT_EQ(scene.rig.primitives[1].name, "thigh R");
+  EXPECT_EQ(scene.rig.primitives[1].bone, "leg R");
+  EXPECT_EQ(scene.rig.primitives[1].mirror, "thigh L");
+  EXPECT_EQ(scene.rig.primitives[0].mirror, "thigh R");
+  expectExact(scene.rig, scene.plan);
+}
+
+TEST(Twins, AMuscleInThePlaneStaysSingleAndCannotBeMirrored) {
+  Scene scene;
+  Primitive belly;
+  belly.name = "belly";
+  belly.bone = "spine";
+  belly.placement.radii = {0.2f, 0.3f, 0.1f};
+  scene.edit(addPair(scene.rig, belly, scene.plan));
+  EXPECT_EQ(scene.rig.primitives.size(), 3u);
+  EXPECT_FALSE(mirrorToOtherSide(scene.rig, 2, scene.plan));
+}
+
+TEST(Twins, EveryFieldFollowsFromEitherSide) {
+  Scene scene;
+  for (const int leads : {0, 1}) {
+    const int follows = 1 - leads;
+    Placement placement = scene.rig.primitives[static_cast<std::size_t>(leads)].placement;
+    placement.center += glm::vec3(0.01f, 0.02f, -0.03f);
+    placement.radii.y *= 1.25f;
+    scene.edit(setPlacement(scene.rig, leads, placement));
+    expectExact(scene.rig, scene.plan);
+    scene.edit(setReach(scene.rig, leads, 1.7f + static_cast<float>(leads)));
+    scene.edit(setSign(scene.rig, leads, leads == 0 ? -1 : 1));
+    scene.edit(setGroupOf(scene.rig, leads, leads == 0 ? "torso" : "legs"));
+    scene.edit(setTerritory(scene.rig, leads,
+                            std::vector<std::string>{leads == 0 ? "leg L" : "shin R", "spine", "elsewhere"}));
+    expectExact(scene.rig, scene.plan);
+    EXPECT_EQ(scene.rig.primitives[static_cast<std::size_t>(follows)].territory,
+              (std::vector<std::string>{leads == 0 ? "leg R" : "shin L", "spine", "elsewhere"}));
+    scene.edit(setBone(scene.rig, leads, leads == 0 ? "shin L" : "spine", placement));
+    EXPECT_EQ(scene.rig.primitives[static_cast<std::size_t>(follows)].bone, leads == 0 ? "shin R" : "spine");
+    scene.edit(setBone(scene.rig, leads, leads == 0 ? "leg L" : "leg R", placement));
+    expectExact(scene.rig, scene.plan);
+  }
+}
+
+TEST(Twins, WhatIsNotTouchedKeepsItsBits) {
+  Scene scene;
+  for (int i = 0; i < 50; ++i) {
+    const Placement before0 = scene.rig.primitives[0].placement;
+    const Placement before1 = scene.rig.primitives[1].placement;
+    Placement pulled = i % 2 == 0 ? before0 : before1;
+    pulled.radii.z += 0.001f;
+    scene.edit(setPlacement(scene.rig, i % 2, pulled));
+    EXPECT_EQ(scene.rig.primitives[0].placement.center, before0.center);
+    EXPECT_EQ(scene.rig.primitives[0].placement.rotation, before0.rotation);
+    EXPECT_EQ(scene.rig.primitives[1].placement.center, before1.center);
+    EXPECT_EQ(scene.rig.primitives[1].placement.rotation, before1.rotation);
+    EXPECT_EQ(scene.rig.primitives[0].placement.radii, scene.rig.primitives[1].placement.radii);
+  }
+}
+
+TEST(Twins, AnEditOfBothFollowsTheFirstUnlessBothAgree) {
+  Scene scene;
+  Rig both = scene.rig;
+  both.primitives[0].reach = 1.5f;
+  both.primitives[1].reach = 2.5f;
+  both.primitives[0].placement.center.x += 0.1f;
+  both.primitives[1].placement.center.x += 0.1f;
+  const Rig kept = keepTwins(scene.rig, scene.rig, both, scene.plan);
+  EXPECT_EQ(kept.primitives[0].placement.center, both.primitives[0].placement.center);
+  EXPECT_EQ(kept.primitives[1].reach, 1.5f);
+  expectExact(kept, scene.plan);
+  EXPECT_EQ(keepTwins(scene.rig, scene.rig, kept, scene.plan), kept);
+}
+
+TEST(Twins, AGestureRebuiltFromItsStartStillFollows) {
+  Scene scene;
+  const Rig start = scene.rig;
+  Rig shown = start;
+  for (const float x : {0.1f, 0.2f, 0.0f}) {
+    Rig wanted = start;
+    wanted.primitives[0].placement.center.x += x;
+    shown = keepTwins(start, shown, wanted, scene.plan);
+    expectExact(shown, scene.plan);
+  }
+  EXPECT_EQ(shown, start);
+}
+
+TEST(Twins, ADragBackToItsStartBringsTheTwinBack) {
+  Scene scene;
+  const Rig start = scene.rig;
+  Rig shown = start;
+  for (const float x : {0.1f, 0.3f, 0.0f}) {
+    Rig wanted = shown;
+    wanted.primitives[1].placement.center = start.primitives[1].placement.center + glm::vec3(x, 0, 0);
+    shown = keepTwins(start, shown, wanted, scene.plan);
+    expectExact(shown, scene.plan);
+  }
+}
+
+TEST(Twins, LetGoStayWhereTheyAre) {
+  Scene scene;
+  scene.edit(clearMirror(scene.rig, 0));
+  const Primitive before = scene.rig.primitives[1];
+  scene.edit(setReach(scene.rig, 0, 3.0f));
+  EXPECT_EQ(scene.rig.primitives[1].reach, before.reach);
+  scene.edit(linkTwins(scene.rig, 1, 0, scene.plan));
+  EXPECT_EQ(scene.rig.primitives[0].reach, before.reach);
+  EXPECT_EQ(scene.rig.primitives[0].name, "thigh L");
+  expectExact(scene.rig, scene.plan);
+}
+
+TEST(Twins, AMoveToABoneWithoutCounterpartIsNotFollowedButTheLinkStays) {
+  Scene scene;
+  scene.plan.twinOf[static_cast<std::size_t>(*scene.plan.skeleton.findBone("spine"))] = -1;
+  const Primitive before = scene.rig.primitives[1];
+  scene.edit(setBone(scene.rig, 0, "spine", scene.rig.primitives[0].placement));
+  EXPECT_EQ(scene.rig.primitives[1].bone, before.bone);
+  EXPECT_EQ(scene.rig.primitives[1].mirror, "thigh L");
+  EXPECT_FALSE(mirrorToOtherSide(scene.rig, 0, scene.plan));
+}
+
+TEST(Twins, FlippingTwiceIsNothingAndALinkedPairSwapsSides) {
+  Scene scene;
+  const Rig start = scene.rig;
+  const std::vector<int> one{0};
+  scene.edit(flipPrimitives(scene.rig, one, scene.plan));
+  EXPECT_EQ(scene.rig.primitives[0].bone, "leg R");
+  EXPECT_EQ(scene.rig.primitives[1].bone, "leg L");
+  expectExact(scene.rig, scene.plan);
+  scene.edit(flipPrimitives(scene.rig, one, scene.plan));
+  EXPECT_EQ(scene.rig.primitives[0].bone, start.primitives[0].bone);
+  expectExact(scene.rig, scene.plan);
+}
+
+TEST(Twins, CopiesOfPairsArePairs) {
+  Scene scene;
+  const std::vector<int> both{0, 1};
+  scene.edit(duplicatePairs(scene.rig, both));
+  ASSERT_EQ(scene.rig.primitives.size(), 4u);
+  EXPECT_EQ(scene.rig.primitives[2].name, "thigh L 2");
+  EXPECT_EQ(scene.rig.primitives[3].name, "thigh R 2");
+  EXPECT_EQ(twinOf(scene.rig, 2), 3);
+  const std::vector<int> one{0};
+  scene.edit(duplicatePairs(scene.rig, one));
+  EXPECT_EQ(twinOf(scene.rig, 4), -1);
+  EXPECT_EQ(twinOf(scene.rig, 0), 1);
+  EXPECT_EQ(withTwins(scene.rig, std::vector<int>{3, 4, 0}), (std::vector<int>{0, 1, 2, 3, 4}));
+}
+
+TEST(Twins, NamesFollowWhereTheSideIsClear) {
+  Scene scene;
+  scene.edit(renameWithTwin(scene.rig, 0, "quad L"));
+  EXPECT_EQ(scene.rig.primitives[1].name, "quad R");
+  EXPECT_EQ(twinOf(scene.rig, 0), 1);
+  scene.edit(renameWithTwin(scene.rig, 1, "big one"));
+  EXPECT_EQ(scene.rig.primitives[0].name, "quad L");
+  EXPECT_EQ(twinOf(scene.rig, 0), 1);
+  scene.edit(renameWithTwin(scene.rig, 0, "big L"));
+  EXPECT_EQ(scene.rig.primitives[1].name, "big R");
+}
+
+/// One random edit; nothing: refused.
+std::optional<Rig> randomEdit(Random& random, const Rig& rig, const Character& character, const MirrorPlan& plan) {
+  const auto value = [](Result<Rig> result) { return result ? std::optional(result.value()) : std::nullopt; };
+  const auto below = [&](std::size_t n) { return random.below(static_cast<int>(n)); };
+  const std::size_t n = rig.primitives.size();
+  const int index = n > 0 ? below(n) : 0;
+  const std::string bone = character.skeleton.fileName(below(character.skeleton.bones.size()));
+  const Placement placement{{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)},
+                            random.rotation(),
+                            {random.uniform(0.05f, 1), random.uniform(0.05f, 1), random.uniform(0.05f, 1)}};
+  Primitive fresh;
+  fresh.name = random.chance(0.5f) ? "muscle L" : "m" + std::to_string(random.below(9));
+  fresh.bone = bone;
+  fresh.placement = placement;
+  std::vector<int> several;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (random.chance(0.15f)) several.push_back(static_cast<int>(i));
+  }
+  switch (n == 0 ? 0 : random.below(14)) {
+    case 0:
+    case 1:
+      return value(addPair(rig, fresh, plan));
+    case 2:
+      return value(addPrimitive(rig, fresh));
+    case 3:
+      return value(setPlacement(rig, index, placement));
+    case 4:
+      return value(setBone(rig, index, bone, placement));
+    case 5:
+      return value(setReach(rig, index, random.uniform(0.9f, 3)));
+    case 6:
+      return value(setSign(rig, index, random.chance(0.5f) ? 1 : -1));
+    case 7:
+      return n > 24 ? removePrimitives(rig, withTwins(rig, several)) : duplicatePairs(rig, several);
+    case 8:
+      return value(mirrorToOtherSide(rig, index, plan));
+    case 9:
+      return clearMirror(rig, index);
+    case 10:
+      return value(renameWithTwin(rig, index, random.chance(0.5f) ? "leg L" : "n" + std::to_string(random.below(20))));
+    case 11:
+      return value(flipPrimitives(rig, several, plan));
+    case 12:
+      return value(setTerritory(rig, index, std::vector<std::string>{bone}));
+    default:
+      break;
+  }
+  const int other = below(n);
+  return other == index ? std::nullopt : value(linkTwins(rig, index, other, plan));
+}
+
+TEST(Twins, RandomEditsKeepEveryPairExactAndTheRigValid) {
+  const auto character = test::makeTwoLegged();
+  const MirrorPlan plan = makeMirrorPlan(*character);
+  Random random(20);
+  Rig rig;
+  int done = 0;
+  while (done < 600) {
+    const std::optional<Rig> edited = randomEdit(random, rig, *character, plan);
+    if (!edited) continue;
+    rig = keepTwins(rig, rig, *edited, plan);
+    ASSERT_TRUE(validate(rig)) << validate(rig).error().text();
+    expectExact(rig, plan);
+    if (testing::Test::HasFailure()) return;
+    ++done;
+  }
+  EXPECT_GT(rig.primitives.size(), 5u);
+}
+
+}  // namespace
+}  // namespace sinew
