@@ -1,20 +1,25 @@
 // app/actions/action_table_tool.cpp: the Tool menu.
 
+#include <iterator>
+#include <utility>
+#include <vector>
+
 #include "app/actions/action_table.h"
 #include "app/editor/pose_commands.h"
 #include "app/editor/territory.h"
+#include "app/tools/tool.h"
 
 namespace sinew::app::table {
 namespace {
 
-template <ToolKind kTool>
+template <std::size_t kIndex>
 bool isTool(const State& s) {
-  return s.tools.tool == kTool;
+  return s.tools.tool == static_cast<ToolKind>(kIndex);
 }
-template <ToolKind kTool>
+template <std::size_t kIndex>
 void chooseTool(State& s) {
   endTerritoryMode(s);  // It takes the clicks that the tool is chosen for.
-  setTool(s.tools, kTool);
+  setTool(s.tools, static_cast<ToolKind>(kIndex));
 }
 
 bool posing(const State& s) { return idle(s) && s.tools.tool == ToolKind::kPose; }
@@ -35,19 +40,7 @@ void dragAtOnce(State& s) {
 
 bool territoryKnown(const State& s) { return selected(s) || editsTerritory(s); }
 
-const Action kActions[] = {
-    {"tool/select", "Select", "Click a muscle, or the skin over it", key(GLFW_KEY_Q), kNone, idle,
-     isTool<ToolKind::kSelect>, chooseTool<ToolKind::kSelect>},
-    {"tool/move", "Move", "Drag the selected muscle", key(GLFW_KEY_W), kNone, idle, isTool<ToolKind::kMove>,
-     chooseTool<ToolKind::kMove>},
-    {"tool/rotate", "Rotate", "Turn the selected muscle", key(GLFW_KEY_E), kNone, idle, isTool<ToolKind::kRotate>,
-     chooseTool<ToolKind::kRotate>},
-    {"tool/scale", "Scale", "Change the selected muscle's radii", key(GLFW_KEY_R), kNone, idle,
-     isTool<ToolKind::kScale>, chooseTool<ToolKind::kScale>},
-    {"tool/add-muscle", "Add muscle", "Press on the skin and drag: a muscle grows there", key(GLFW_KEY_M), kNone, idle,
-     isTool<ToolKind::kAddMuscle>, chooseTool<ToolKind::kAddMuscle>},
-    {"tool/pose", "Pose", "Click a joint and turn it with the rings, to judge muscles in any attitude", key(GLFW_KEY_P),
-     kNone, idle, isTool<ToolKind::kPose>, chooseTool<ToolKind::kPose>},
+const Action kOthers[] = {
     {"tool/grab", "Grab", "Move the selected muscle with the pointer, without its handles; a click keeps it", kNone,
      kNone, selected, nullptr, dragAtOnce<ToolKind::kMove>, true},
     {"tool/turn", "Turn", "Turn the selected muscle with the pointer; a click keeps it", kNone, kNone, selected,
@@ -64,7 +57,7 @@ const Action kActions[] = {
      kNone, territoryKnown, editsTerritory, toggleTerritoryMode, true},
     {"tool/pose-reset-joint", "Reset joint", "The selected joint goes back to the clip, or the bind pose",
      alt(GLFW_KEY_P), kNone, jointPosed, nullptr, resetJoint, true},
-    {"tool/pose-reset", "Reset pose", "Take back every turned joint", shift(GLFW_KEY_P), kNone, anyPosed, nullptr,
+    {"tool/pose-reset", "Reset pose", "Undo every turn made by hand", shift(GLFW_KEY_P), kNone, anyPosed, nullptr,
      resetPose},
     {"tool/pose-mirror", "Mirror pose",
      "The selected joint's side goes to the other side; without one, left and right change places",
@@ -80,8 +73,20 @@ const Action kActions[] = {
      kNone, posing, nullptr, selectChildJoint},
 };
 
+/// One row a tool, then the others.
+template <std::size_t... kIndices>
+std::vector<Action> withTools(std::index_sequence<kIndices...>) {
+  std::vector<Action> all{{tools()[kIndices]->id, tools()[kIndices]->label, tools()[kIndices]->hint,
+                           key(tools()[kIndices]->key), kNone, idle, isTool<kIndices>, chooseTool<kIndices>}...};
+  all.insert(all.end(), std::begin(kOthers), std::end(kOthers));
+  return all;
+}
+
 }  // namespace
 
-std::span<const Action> toolActions() { return kActions; }
+std::span<const Action> toolActions() {
+  static const std::vector<Action> all = withTools(std::make_index_sequence<kToolCount>());
+  return all;
+}
 
 }  // namespace sinew::app::table

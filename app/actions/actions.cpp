@@ -101,7 +101,7 @@ void run(const Action& action, EditorState& state) {
   if (action.enabled(state)) action.run(state);
 }
 
-bool runShortcut(EditorState& state, const InputFrame& input) {
+bool runShortcut(EditorState& state, const RawInput& input) {
   const int key = input.pressedKey >= 0 ? input.pressedKey : input.repeatedKey;
   if (key <= 0 || input.super) return false;
   const Action* meant = answering({key, input.control, input.shift, input.alt}, state.preferences.keymap);

@@ -73,6 +73,6 @@ struct KeyChange {
 void run(const Action& action, EditorState& state);
 /// Runs what, in the user's keymap, the key pressed (or repeated, for undo, redo and stepping) in this frame means.
 /// @return whether it meant anything.
-bool runShortcut(EditorState& state, const InputFrame& input);
+bool runShortcut(EditorState& state, const RawInput& input);
 
 }  // namespace sinew::app

@@ -26,7 +26,7 @@ void show(EditorState& state, Document document, LiveSurface live, const Transpo
   state.route = {};
   state.rename = {};
   state.euler = {};
-  state.panels.territory = {};
+  state.tools.territoryMode = false;
   state.panels.followed.reset();
   state.gestureItem = 0;
   state.fieldError.clear();
@@ -253,7 +253,6 @@ std::string rename(EditorState& state, const std::string& primitive, const std::
     std::ranges::replace(state.document.selection.primitives, before->primitives[i].name,
                          state.document.rig().primitives[i].name);
   }
-  if (state.panels.territory.primitive == primitive) state.panels.territory.primitive = name;
   return "";
 }
 

@@ -18,7 +18,6 @@
 #include "app/editor/timeline_state.h"
 #include "app/playback.h"
 #include "app/render/scene.h"
-#include "app/tools/axis_triad.h"
 #include "app/tools/input_router.h"
 
 namespace sinew::app {
@@ -90,7 +89,6 @@ struct EditorState {
   TimelineState timeline;
   DisplaySettings display;
   ViewportTools tools;
-  AxisTriad triad;
   RouteResult route;  ///< Of the last frame.
   std::vector<Message> messages;
   bool messagesShown = false;  ///< Unfolded: by a new message, until it is put away.
@@ -98,7 +96,7 @@ struct EditorState {
   Preferences preferences;  ///< Without layout and window, which stand here and in the window.
   LayoutState layout;
 
-  PanelStates panels;  ///< Outliner, groups, inspector, territory mode, before and after.
+  PanelStates panels;  ///< Outliner, groups, inspector, before and after.
 
   FileDialogState dialog;
   Intent question;  ///< Asking about unsaved changes before this; kNone: not asking.

@@ -16,7 +16,7 @@ double FrameStats::median() const {
   if (frames_.empty()) return 0.0;
   std::vector<double> sorted;
   sorted.reserve(frames_.size());
-  for (const Frame& frame : frames_) sorted.push_back(frame.milliseconds);
+  for (const Sample& frame : frames_) sorted.push_back(frame.milliseconds);
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::ranges::nth_element(sorted, middle);
   return *middle;
@@ -24,7 +24,7 @@ double FrameStats::median() const {
 
 double FrameStats::worst() const {
   double worst = 0.0;
-  for (const Frame& frame : frames_) worst = std::max(worst, frame.milliseconds);
+  for (const Sample& frame : frames_) worst = std::max(worst, frame.milliseconds);
   return worst;
 }
 

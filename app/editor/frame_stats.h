@@ -30,11 +30,11 @@ class FrameStats {
   double ui = 0.0;  ///< Keys, panels and tools: what a frame costs besides pose, surface and picture.
 
  private:
-  struct Frame {
+  struct Sample {
     double time = 0.0;
     double milliseconds = 0.0;
   };
-  std::deque<Frame> frames_;
+  std::deque<Sample> frames_;
 };
 
 }  // namespace sinew::app

@@ -1,4 +1,4 @@
-// app/editor/panel_states.h: what outliner, groups, inspector and territory mode remember between frames.
+// app/editor/panel_states.h: what outliner, groups and inspector remember between frames.
 #pragma once
 
 #include <cstddef>
@@ -50,11 +50,6 @@ struct InspectorState {
   std::string territoryFilter;
 };
 
-/// "Edit territory": clicks on bones change the territory of one muscle.
-struct TerritoryState {
-  std::string primitive;  ///< "" if the mode is off.
-};
-
 /// "Before": the character without muscles while a key or a button is held.
 struct BareState {
   bool latched = false;  ///< Switched on from a menu; or the key went down and is not up yet.
@@ -66,7 +61,6 @@ struct PanelStates {
   OutlinerState outliner;
   BlendingState blending;
   InspectorState inspector;
-  TerritoryState territory;
   BareState bare;
   std::vector<int> highlighted;         ///< Rig indices of muscles that a panel's hover lights up; of this frame.
   std::shared_ptr<const Rig> followed;  ///< The rig that the marks of visibility are up to date with.

@@ -14,13 +14,6 @@ namespace sinew::app {
 void toggleTerritoryMode(EditorState& state);
 void endTerritoryMode(EditorState& state);
 
-/// Once a frame, after the picture has had its input: takes the bone that was clicked; the mode goes with the active
-/// muscle and ends without one.
-void runTerritoryMode(EditorState& state);
-
-/// Names every bone of the muscle's territory, one more or one less. Bones that this character lacks stay in it. Error:
-/// it would be the last one.
-[[nodiscard]] Result<Rig> withTerritoryBone(const Rig& rig, int index, int bone, const Skeleton& skeleton);
 /// Back to the default: the muscle's bone, the one above it and those below.
 [[nodiscard]] Result<Rig> withDefaultTerritory(const Rig& rig, const std::vector<int>& indices);
 

@@ -4,9 +4,9 @@
 
 namespace sinew::app {
 
-FrameInput viewportInput(const InputFrame& input, const InterfaceClaims& claims, const glm::vec4& viewport,
-                         const glm::vec2& pixelsPerUnit, double seconds) {
-  FrameInput result;
+ViewportInput viewportInput(const RawInput& input, const InterfaceClaims& claims, const glm::vec4& viewport,
+                            const glm::vec2& pixelsPerUnit, double seconds) {
+  ViewportInput result;
   result.mouse = (input.mouse - glm::vec2(viewport.x, viewport.y)) * pixelsPerUnit;
   for (std::size_t i = 0; i < result.buttons.size(); ++i) {
     const int button = static_cast<int>(i);

@@ -15,7 +15,7 @@ struct InterfaceClaims {
 };
 
 /// @param pixelsPerUnit  framebuffer pixels per window coordinate.
-[[nodiscard]] FrameInput viewportInput(const InputFrame& input, const InterfaceClaims& claims,
-                                       const glm::vec4& viewport, const glm::vec2& pixelsPerUnit, double seconds);
+[[nodiscard]] ViewportInput viewportInput(const RawInput& input, const InterfaceClaims& claims,
+                                          const glm::vec4& viewport, const glm::vec2& pixelsPerUnit, double seconds);
 
 }  // namespace sinew::app

@@ -11,7 +11,7 @@ namespace {
 bool isButton(int button) { return button >= 0 && button < kMouseButtons; }
 bool isKey(int key) { return key >= 0 && key < kKeyCodes; }
 
-void updateModifiers(InputFrame& frame) {
+void updateModifiers(RawInput& frame) {
   const auto held = [&](int left, int right) {
     return frame.keys[static_cast<std::size_t>(left)] || frame.keys[static_cast<std::size_t>(right)];
   };
@@ -126,7 +126,7 @@ void InputQueue::take(const Event& event) {
   }
 }
 
-const InputFrame& InputQueue::next() {
+const RawInput& InputQueue::next() {
   frame_.scroll = glm::vec2(0.0f);
   frame_.characters.clear();
   frame_.pressedButton = frame_.releasedButton = frame_.pressedKey = frame_.repeatedKey = -1;

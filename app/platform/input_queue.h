@@ -14,7 +14,7 @@ inline constexpr int kMouseButtons = 5;
 inline constexpr int kKeyCodes = 512;  ///< GLFW's key codes are below this.
 
 /// What the interface sees in one frame: the state after its one transition, and that transition.
-struct InputFrame {
+struct RawInput {
   glm::vec2 mouse{-1.0f};  ///< Window coordinates, pixels of the window; (0, 0) the top left corner.
   bool mouseInside = false;
   std::array<bool, kMouseButtons> buttons{};  ///< 0 left, 1 right, 2 middle.
@@ -48,7 +48,7 @@ class InputQueue {
   void releaseAll();
 
   /// The next frame's input. Without events: the state as it stands, no transition.
-  [[nodiscard]] const InputFrame& next();
+  [[nodiscard]] const RawInput& next();
   /// More is waiting: the next frame should not wait for the system.
   [[nodiscard]] bool pending() const { return !events_.empty(); }
 
@@ -65,7 +65,7 @@ class InputQueue {
   void take(const Event& event);
 
   std::deque<Event> events_;
-  InputFrame frame_;
+  RawInput frame_;
   // As they will stand once the queue is empty; against these repeats are dropped.
   std::array<bool, kMouseButtons> lastButtons_{};
   std::array<bool, kKeyCodes> lastKeys_{};

@@ -12,7 +12,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/tools/gizmo_frame.h"
+#include "app/tools/gizmo_basis.h"
 #include "core/rig/rig_edit.h"
 #include "core/symmetry/twins.h"
 
@@ -268,7 +268,8 @@ Result<void> beginAddMuscle(AddMuscleState& state, const ViewportContext& contex
   return {};
 }
 
-void updateAddMuscle(AddMuscleState& state, const FrameInput& input, const ViewportContext& context, const View& view) {
+void updateAddMuscle(AddMuscleState& state, const ViewportInput& input, const ViewportContext& context,
+                     const View& view) {
   assert(state.drag);
   AddMuscleDrag& drag = *state.drag;
   if (input.keyPressed(Key::kEscape) || input.button(MouseButton::kRight).pressed) {

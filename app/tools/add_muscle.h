@@ -47,7 +47,8 @@ struct AddMuscleState {
                                           const ViewportHover& hover, const glm::vec2& pixel);
 
 /// Follows the pointer; ends on release (one undo step), cancels on Esc and the right button. state.drag ends with it.
-void updateAddMuscle(AddMuscleState& state, const FrameInput& input, const ViewportContext& context, const View& view);
+void updateAddMuscle(AddMuscleState& state, const ViewportInput& input, const ViewportContext& context,
+                     const View& view);
 
 /// Ends a gesture without a trace.
 void cancelAddMuscle(AddMuscleState& state, Document& document);

@@ -84,7 +84,7 @@ void lookFrom(Camera& camera, AxisEnd end) {
   showStandardView(camera, viewFrom(thereAlready ? oppositeOf(end) : end));
 }
 
-bool routeTriad(AxisTriad& triad, Camera& camera, const FrameInput& input, const glm::ivec2& size, float uiScale) {
+bool routeTriad(AxisTriad& triad, Camera& camera, const ViewportInput& input, const glm::ivec2& size, float uiScale) {
   const TriadLayout layout = layoutTriad(camera, size, uiScale);
   const ButtonState& left = input.button(MouseButton::kLeft);
   if (!triad.pressed) {
@@ -109,8 +109,8 @@ bool routeTriad(AxisTriad& triad, Camera& camera, const FrameInput& input, const
   return true;
 }
 
-FrameInput passTriad(AxisTriad& triad, Camera& camera, FrameInput input, const glm::ivec2& size, float uiScale,
-                     bool busy) {
+ViewportInput passTriad(AxisTriad& triad, Camera& camera, ViewportInput input, const glm::ivec2& size, float uiScale,
+                        bool busy) {
   if (busy && !triad.pressed) {
     triad.hovered.reset();
     triad.ballHovered = false;

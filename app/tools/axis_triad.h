@@ -57,12 +57,12 @@ void lookFrom(Camera& camera, AxisEnd end);
 
 /// Everything for one frame: hover, a click on an end looks from there, a drag anywhere on the ball orbits.
 /// @return whether the triad has the mouse: nothing else may have it.
-bool routeTriad(AxisTriad& triad, Camera& camera, const FrameInput& input, const glm::ivec2& size, float uiScale);
+bool routeTriad(AxisTriad& triad, Camera& camera, const ViewportInput& input, const glm::ivec2& size, float uiScale);
 
 /// What is left of the input for those behind the triad: nothing of the mouse while it is on the ball or turns it.
 /// @param busy something else holds the mouse since its press: the triad sleeps.
-[[nodiscard]] FrameInput passTriad(AxisTriad& triad, Camera& camera, FrameInput input, const glm::ivec2& size,
-                                   float uiScale, bool busy);
+[[nodiscard]] ViewportInput passTriad(AxisTriad& triad, Camera& camera, ViewportInput input, const glm::ivec2& size,
+                                      float uiScale, bool busy);
 
 /// "Click: look from the front (+Z)"; "" if the pointer is elsewhere.
 [[nodiscard]] const char* describe(const AxisTriad& triad);

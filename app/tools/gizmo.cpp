@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/tools/gizmo_frame.h"
+#include "app/tools/gizmo_basis.h"
 
 namespace sinew::app {
 namespace {
@@ -101,9 +101,9 @@ std::array<glm::vec3, 3> gizmoAxes(GizmoAxes axes, const Placement& inBone, cons
   return directions;
 }
 
-std::optional<GizmoFrame> gizmoFrame(GizmoAxes axes, const Placement& inBone, const GizmoContext& context) {
+std::optional<GizmoBasis> gizmoBasis(GizmoAxes axes, const Placement& inBone, const GizmoContext& context) {
   if (!isFinite(context.boneInWorld)) return std::nullopt;
-  GizmoFrame frame;
+  GizmoBasis frame;
   frame.bone = glm::mat3(context.boneInWorld);
   const glm::dmat3 bone(frame.bone);
   const double lengths = glm::length(bone[0]) * glm::length(bone[1]) * glm::length(bone[2]);

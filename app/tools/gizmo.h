@@ -160,7 +160,7 @@ struct DragResult {
 /// character units (in a plane: along the motion so far), degrees, a factor, or for poles the semi-axis in the world.
 /// Ctrl snaps (1 % of H, 15 degrees, 10 %), Shift slows to a tenth, Enter or release commits, Esc or the right button
 /// cancels. state.drag ends when the outcome is not kDragging. Asserts that a drag is in progress.
-[[nodiscard]] DragResult updateDrag(GizmoState& state, const FrameInput& input, const GizmoContext& context);
+[[nodiscard]] DragResult updateDrag(GizmoState& state, const ViewportInput& input, const GizmoContext& context);
 
 /// For the status bar: what is happening and what the keys would do.
 [[nodiscard]] std::string describe(const GizmoState& state);

@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/tools/gizmo.h"
-#include "app/tools/gizmo_frame.h"
+#include "app/tools/gizmo_basis.h"
 
 namespace sinew::app {
 namespace {
@@ -25,7 +25,7 @@ constexpr float kFarthestMove = 50.0f;  ///< Of H: beyond that the pointer is ne
 constexpr float kPlanarRing = 0.2f;     ///< |cosine| of ring normal and sight below which a ring counts as edge-on.
 constexpr std::array<const char*, 7> kLabels = {"X", "Y", "Z", "XY", "YZ", "ZX", ""};
 
-glm::mat3 axesMatrix(const GizmoFrame& frame) { return {frame.axes[0], frame.axes[1], frame.axes[2]}; }
+glm::mat3 axesMatrix(const GizmoBasis& frame) { return {frame.axes[0], frame.axes[1], frame.axes[2]}; }
 
 std::string number(float value) {
   std::array<char, 32> text{};
@@ -44,7 +44,7 @@ float snapped(float value, float step) { return std::round(value / step) * step;
 // Pointer -> tracks -----------------------------------------------------------------------------------------------
 
 /// World point, relative to the origin, that a pixel means for a move along one way.
-std::optional<glm::vec3> movePoint(int way, const glm::vec2& pixel, const GizmoFrame& frame, const View& view) {
+std::optional<glm::vec3> movePoint(int way, const glm::vec2& pixel, const GizmoBasis& frame, const View& view) {
   const Ray ray = view.rayThrough(pixel);
   if (way < 3) {
     const glm::vec3 direction = frame.axes[static_cast<std::size_t>(way)];
@@ -65,7 +65,7 @@ std::optional<glm::vec3> movePoint(int way, const glm::vec2& pixel, const GizmoF
 }
 
 /// Adds the motion from the track's last pixel. What a pixel cannot say (vanishing points) is left until it can.
-void advanceMove(GizmoTrack& track, int way, const glm::vec2& pixel, float speed, const GizmoFrame& frame,
+void advanceMove(GizmoTrack& track, int way, const glm::vec2& pixel, float speed, const GizmoBasis& frame,
                  const GizmoContext& context) {
   const std::optional<glm::vec3> now = movePoint(way, pixel, frame, context.view);
   if (!now || glm::length(*now) > kFarthestMove * context.characterHeight) return;
@@ -81,11 +81,11 @@ void advanceMove(GizmoTrack& track, int way, const glm::vec2& pixel, float speed
   track.travelled += speed * coordinates;
 }
 
-glm::vec3 ringNormal(int way, const GizmoFrame& frame) {
+glm::vec3 ringNormal(int way, const GizmoBasis& frame) {
   return way == 6 ? frame.toEye : frame.axes[static_cast<std::size_t>(way)];
 }
 
-void advanceRotation(GizmoTrack& track, int way, const glm::vec2& pixel, float speed, const GizmoFrame& frame,
+void advanceRotation(GizmoTrack& track, int way, const glm::vec2& pixel, float speed, const GizmoBasis& frame,
                      const GizmoContext& context) {
   const glm::vec3 normal = ringNormal(way, frame);
   const glm::vec2 before = track.lastPixel;
@@ -109,7 +109,7 @@ void advanceRotation(GizmoTrack& track, int way, const glm::vec2& pixel, float s
   if (lengthSquared > 1.0f) track.travelled.x += speed * glm::dot(pixel - before, onScreen) / lengthSquared;
 }
 
-void advanceTracks(GizmoDrag& drag, const glm::vec2& pixel, float speed, const GizmoFrame& frame,
+void advanceTracks(GizmoDrag& drag, const glm::vec2& pixel, float speed, const GizmoBasis& frame,
                    const GizmoContext& context) {
   const HandleParts parts = partsOf(drag.handle);
   for (int way = 0; way < 7; ++way) {
@@ -129,7 +129,7 @@ void advanceTracks(GizmoDrag& drag, const glm::vec2& pixel, float speed, const G
 
 // Keys ------------------------------------------------------------------------------------------------------------
 
-void readKeys(GizmoDrag& drag, const FrameInput& input) {
+void readKeys(GizmoDrag& drag, const ViewportInput& input) {
   if (partsOf(drag.handle).kind != HandleKind::kPole) {
     constexpr std::array<Key, 3> axisKeys = {Key::kX, Key::kY, Key::kZ};
     for (int axis = 0; axis < 3; ++axis) {
@@ -205,9 +205,9 @@ Placement scaled(const GizmoEffect& effect, const Placement& start, const glm::m
 
 struct Evaluation {
   GizmoDrag& drag;
-  const FrameInput& input;
+  const ViewportInput& input;
   const GizmoContext& context;
-  const GizmoFrame& frame;
+  const GizmoBasis& frame;
   int way;  ///< After the lock.
   float sign;
   std::optional<float> typed;
@@ -290,7 +290,7 @@ Placement evaluatePole(const Evaluation& e) {
   return placement;
 }
 
-Placement evaluate(GizmoDrag& drag, const FrameInput& input, const GizmoContext& context, const GizmoFrame& frame) {
+Placement evaluate(GizmoDrag& drag, const ViewportInput& input, const GizmoContext& context, const GizmoBasis& frame) {
   const HandleParts parts = partsOf(drag.handle);
   const int way = drag.lock >= 0 ? drag.lock : parts.way;
   const Evaluation e{drag, input, context, frame, way, parts.sign, typedValue(drag.typed)};
@@ -310,13 +310,13 @@ Placement evaluate(GizmoDrag& drag, const FrameInput& input, const GizmoContext&
 }
 
 /// Scale and poles work along the primitive's axes whatever axes are chosen; poles from its centre.
-std::optional<GizmoFrame> frameOfDrag(const GizmoState& state, GizmoHandle handle, const Placement& inBone,
+std::optional<GizmoBasis> frameOfDrag(const GizmoState& state, GizmoHandle handle, const Placement& inBone,
                                       const GizmoContext& context) {
   const HandleKind kind = partsOf(handle).kind;
   const bool own = kind == HandleKind::kScale || kind == HandleKind::kPole;
   GizmoContext around = context;
   if (kind == HandleKind::kPole) around.pivotInWorld.reset();
-  return gizmoFrame(own ? GizmoAxes::kPrimitive : state.axes, inBone, around);
+  return gizmoBasis(own ? GizmoAxes::kPrimitive : state.axes, inBone, around);
 }
 
 }  // namespace
@@ -331,7 +331,7 @@ void beginDrag(GizmoState& state, GizmoHandle handle, const Placement& inBone, c
   drag.pressPixel = pixel;
   drag.pointer = pixel;
   for (GizmoTrack& track : drag.tracks) track.lastPixel = pixel;
-  const std::optional<GizmoFrame> frame = frameOfDrag(state, handle, inBone, context);
+  const std::optional<GizmoBasis> frame = frameOfDrag(state, handle, inBone, context);
   const HandleParts parts = partsOf(handle);
   if (frame) {
     drag.grabbedLength = frame->arm;
@@ -344,7 +344,7 @@ void beginDrag(GizmoState& state, GizmoHandle handle, const Placement& inBone, c
   state.drag = drag;
 }
 
-DragResult updateDrag(GizmoState& state, const FrameInput& input, const GizmoContext& context) {
+DragResult updateDrag(GizmoState& state, const ViewportInput& input, const GizmoContext& context) {
   assert(state.drag);
   GizmoDrag& drag = *state.drag;
   if (input.keyPressed(Key::kEscape) || input.button(MouseButton::kRight).pressed) {
@@ -354,7 +354,7 @@ DragResult updateDrag(GizmoState& state, const FrameInput& input, const GizmoCon
   }
   readKeys(drag, input);
   // The placement at the start, carried by the bone of this frame: what was dragged so far is added to that.
-  if (const std::optional<GizmoFrame> frame = frameOfDrag(state, drag.handle, drag.start, context)) {
+  if (const std::optional<GizmoBasis> frame = frameOfDrag(state, drag.handle, drag.start, context)) {
     advanceTracks(drag, input.mouse, input.shift ? kPrecise : 1.0f, *frame, context);
     drag.current = evaluate(drag, input, context, *frame);
   }

@@ -9,7 +9,7 @@
 #include <imgui.h>
 #include <glm/geometric.hpp>
 
-#include "app/tools/gizmo_frame.h"
+#include "app/tools/gizmo_basis.h"
 
 namespace sinew::app {
 namespace {
@@ -155,7 +155,7 @@ void drawAxisLine(const Canvas& canvas, const glm::vec3& origin, const glm::vec3
   }
 }
 
-void drawWedge(const Canvas& canvas, const GizmoFrame& frame, const GizmoDrag& drag, const glm::vec3& normal,
+void drawWedge(const Canvas& canvas, const GizmoBasis& frame, const GizmoDrag& drag, const glm::vec3& normal,
                const View& view) {
   const Ray press = view.rayThrough(drag.pressPixel);
   const glm::vec3 grabbed = onPlane(frame.origin, normal, press).value_or(frame.origin + across(normal)) - frame.origin;
@@ -195,7 +195,7 @@ void drawDrag(const Canvas& canvas, const GizmoState& state, const GizmoContext&
   const GizmoDrag& drag = *state.drag;
   const HandleParts parts = partsOf(drag.handle);
   const bool ownAxes = parts.kind == HandleKind::kScale || parts.kind == HandleKind::kPole;
-  const auto frame = gizmoFrame(ownAxes ? GizmoAxes::kPrimitive : state.axes, drag.start, context);
+  const auto frame = gizmoBasis(ownAxes ? GizmoAxes::kPrimitive : state.axes, drag.start, context);
   if (!frame) return;
   const int way = drag.lock >= 0 ? drag.lock : parts.way;
   const auto axisLine = [&](int axis) {

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/tools/gizmo.h"
-#include "app/tools/gizmo_frame.h"
+#include "app/tools/gizmo_basis.h"
 
 namespace sinew::app {
 namespace {
@@ -89,7 +89,7 @@ struct Builder {
   const GizmoState& state;
   const Placement& inBone;
   const GizmoContext& context;
-  const GizmoFrame& frame;
+  const GizmoBasis& frame;
   std::vector<HandleShape> shapes;
 
   [[nodiscard]] glm::vec3 pixelOf(const glm::vec3& world) const { return context.view.toPixel(world); }
@@ -253,7 +253,7 @@ bool chooseAnchor(const GizmoLayout& layout, const glm::ivec2& size, HandleShape
 
 GizmoLayout layoutGizmo(const GizmoState& state, const Placement& inBone, const GizmoContext& context) {
   GizmoLayout layout;
-  const std::optional<GizmoFrame> frame = gizmoFrame(effectiveAxes(state.mode, state.axes), inBone, context);
+  const std::optional<GizmoBasis> frame = gizmoBasis(effectiveAxes(state.mode, state.axes), inBone, context);
   if (!frame) return layout;
   Builder builder{state, inBone, context, *frame, {}};
   addShapes(builder);

@@ -23,7 +23,7 @@ struct ButtonState {
 enum class Key : int { kX = 88, kY = 89, kZ = 90, kEscape = 256, kEnter = 257, kBackspace = 259, kKeypadEnter = 335 };
 
 /// One frame. Pixels are those of View: x right, y down, (0, 0) the viewport's top left corner.
-struct FrameInput {
+struct ViewportInput {
   glm::vec2 mouse{0.0f};
   std::array<ButtonState, 3> buttons;  ///< By MouseButton.
   float wheel = 0.0f;                  ///< Steps; up (away from the user) is positive: zoom in.

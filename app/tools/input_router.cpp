@@ -2,96 +2,27 @@
 
 #include "app/tools/input_router.h"
 
-#include <array>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
-#include "app/tools/gizmo_frame.h"
+#include "app/tools/territory_tool.h"
+#include "app/tools/tool.h"
 
 namespace sinew::app {
 namespace {
 
 constexpr float kTremor = 4.0f;  ///< Design pixels a click may move before it is a drag.
 
-/// One frame's work, so that the stages need no long parameter lists.
-struct Frame {
-  ViewportTools& tools;
-  const FrameInput& input;
-  const ViewportContext& context;
-  View view;
-  RouteResult result;
+// The handles -----------------------------------------------------------------------------------------------------
 
-  [[nodiscard]] Document& document() const { return context.document; }
-};
-
-// The gizmo's primitive -------------------------------------------------------------------------------------------
-
-struct GizmoTarget {
-  int primitive = -1;  ///< -1: a joint's rings, of the pose tool.
-  Placement placement;
-  GizmoContext context;
-};
-
-/// The active primitive, or the one being dragged; nothing if its bone is not there.
-/// @param atStart  for a drag in progress: where the handles stood when it began, in this frame's pose.
-std::optional<GizmoTarget> gizmoTarget(const Frame& frame, bool atStart = false) {
-  if (frame.tools.tool == ToolKind::kAddMuscle || frame.tools.pickBones) return std::nullopt;
-  if (frame.tools.tool == ToolKind::kPose) {
-    const std::optional<JointTarget> joint = jointTarget(frame.tools.pose, frame.context, frame.view);
-    if (!joint) return std::nullopt;
-    return GizmoTarget{-1, joint->placement, joint->context};
-  }
-  const Rig& rig = frame.document().rig();
-  const bool dragging = frame.tools.owner == PressOwner::kGizmo;
-  const int index = dragging ? findPrimitive(rig, frame.tools.gizmoPrimitive) : frame.document().activePrimitive();
-  if (index < 0) return std::nullopt;
-  const Primitive& primitive = rig.primitives[static_cast<std::size_t>(index)];
-  const std::optional<int> bone = frame.document().character->skeleton.findBone(primitive.bone);
-  if (!bone) return std::nullopt;
-  const Visibility& visibility = frame.document().visibility;
-  if (!isPickable(visibility, rig, frame.document().character->skeleton, index)) return std::nullopt;
-  GizmoTarget target{index,
-                     primitive.placement,
-                     {frame.view, frame.context.pose.boneInWorld[static_cast<std::size_t>(*bone)],
-                      frame.document().character->height, frame.context.uiScale, std::nullopt}};
-  if (frame.tools.pivot == GizmoPivot::kCentroid) {
-    const bool fromStart = atStart && frame.tools.gizmo.drag;
-    const Placement& own = fromStart ? frame.tools.gizmo.drag->start : primitive.placement;
-    target.context.pivotInWorld =
-        centroidOf(frame.document(), frame.context.pose, primitive.bone, own,
-                   fromStart ? frame.tools.companions : companionsOf(frame.document(), index));
-  }
-  return target;
+std::optional<GizmoTarget> gizmoTarget(const ToolFrame& frame) {
+  const Tool& tool = activeTool(frame.tools);
+  return tool.target ? tool.target(frame, false) : std::nullopt;
 }
 
-std::string gestureLabel(GizmoHandle handle, const std::string& primitive) {
-  const std::string name = nameOf(handle);
-  if (name.starts_with("move")) return "Move " + primitive;
-  if (name.starts_with("rotate")) return "Rotate " + primitive;
-  if (name.starts_with("scale")) return "Scale " + primitive;
-  return "Radius of " + primitive;
-}
-
-void beginGizmo(Frame& frame, const GizmoTarget& target) {
-  ViewportTools& tools = frame.tools;
-  if (tools.tool == ToolKind::kPose) {
-    const std::optional<JointTarget> joint = jointTarget(tools.pose, frame.context, frame.view);
-    if (!joint) return;
-    beginTurn(tools.pose, tools.gizmo, *joint, frame.input.mouse, frame.context);
-    tools.owner = PressOwner::kGizmo;
-    return;
-  }
-  const std::string& name = frame.document().rig().primitives[static_cast<std::size_t>(target.primitive)].name;
-  tools.gizmoPrimitive = name;
-  tools.companions.clear();
-  if (partsOf(tools.gizmo.hovered).kind != HandleKind::kPole) {
-    tools.companions = companionsOf(frame.document(), target.primitive);
-  }
-  const std::string what = tools.companions.empty() ? name : std::to_string(tools.companions.size() + 1) + " muscles";
-  frame.document().commands.beginGesture(gestureLabel(tools.gizmo.hovered, what));
-  beginDrag(tools.gizmo, tools.gizmo.hovered, target.placement, frame.input.mouse, target.context);
-  tools.owner = PressOwner::kGizmo;
+void beginGizmo(ToolFrame& frame, const GizmoTarget& target) {
+  if (activeTool(frame.tools).beginHandle(frame, target)) frame.tools.owner = PressOwner::kGizmo;
 }
 
 void endGizmo(ViewportTools& tools) {
@@ -103,32 +34,6 @@ void endGizmo(ViewportTools& tools) {
   tools.owner = PressOwner::kNone;
 }
 
-void continueGizmo(Frame& frame, const FrameInput& input) {
-  if (frame.tools.tool == ToolKind::kPose) {
-    if (!continueTurn(frame.tools.pose, frame.tools.gizmo, input, frame.context, frame.view)) endGizmo(frame.tools);
-    return;
-  }
-  CommandStack& commands = frame.document().commands;
-  const std::optional<GizmoTarget> target = gizmoTarget(frame, true);
-  if (!target || !commands.inGesture()) {
-    if (commands.inGesture()) commands.cancelGesture();
-    endGizmo(frame.tools);
-    return;
-  }
-  const DragResult drag = updateDrag(frame.tools.gizmo, input, target->context);
-  if (drag.outcome == DragOutcome::kCancelled) {
-    commands.cancelGesture();
-    endGizmo(frame.tools);
-    return;
-  }
-  Result<Rig> rig = dragged(frame.document(), frame.context.pose, target->primitive, drag, frame.tools.companions);
-  if (rig) commands.updateGesture(std::move(rig).value());
-  else frame.result.message = rig.error().text();
-  if (drag.outcome == DragOutcome::kDragging) return;
-  commands.endGesture();
-  endGizmo(frame.tools);
-}
-
 // Hover -----------------------------------------------------------------------------------------------------------
 
 /// What was hovered may be gone: the rig or the character has changed since.
@@ -138,17 +43,17 @@ void dropStaleHover(ViewportHover& hover, const Document& document) {
   if (hover.skin && hover.skin->triangle >= static_cast<int>(document.character->mesh.triangles.size())) hover = {};
 }
 
-bool pointerInside(const Frame& frame) {
+bool pointerInside(const ToolFrame& frame) {
   const glm::vec2 mouse = frame.input.mouse;
   return mouse.x >= 0.0f && mouse.y >= 0.0f && mouse.x < static_cast<float>(frame.context.size.x) &&
          mouse.y < static_cast<float>(frame.context.size.y);
 }
 
-bool anyPressed(const FrameInput& input) {
+bool anyPressed(const ViewportInput& input) {
   return input.buttons[0].pressed || input.buttons[1].pressed || input.buttons[2].pressed;
 }
 
-void updateHover(Frame& frame, const std::optional<GizmoTarget>& target) {
+void updateHover(ToolFrame& frame, const std::optional<GizmoTarget>& target) {
   ViewportTools& tools = frame.tools;
   if (frame.input.mouseTaken || !pointerInside(frame)) {
     tools.gizmo.hovered = GizmoHandle::kNone;
@@ -164,9 +69,8 @@ void updateHover(Frame& frame, const std::optional<GizmoTarget>& target) {
     return;
   }
   const bool news = frame.input.mouse != tools.lastPixel || anyPressed(frame.input) || frame.input.wheel != 0.0f ||
-                    tools.tool == ToolKind::kAddMuscle;
-  const auto look = tools.tool == ToolKind::kPose && !tools.pickBones ? hoverJoint : hoverAt;
-  if (news) tools.hover = look(frame.context, frame.view, frame.input.mouse);
+                    activeTool(tools).onSkin;
+  if (news) tools.hover = activeTool(tools).hover(frame.context, frame.view, frame.input.mouse);
 }
 
 // Presses ---------------------------------------------------------------------------------------------------------
@@ -177,25 +81,23 @@ void take(ViewportTools& tools, PressOwner owner, MouseButton button, const glm:
   tools.pressPixel = pixel;
 }
 
-void pressLeft(Frame& frame, const std::optional<GizmoTarget>& target) {
+void pressLeft(ToolFrame& frame, const std::optional<GizmoTarget>& target) {
   ViewportTools& tools = frame.tools;
   take(tools, PressOwner::kClick, MouseButton::kLeft, frame.input.mouse);
   const bool overHandle = target && tools.gizmo.hovered != GizmoHandle::kNone;
-  if (tools.box.armed || (frame.input.ctrl && !overHandle && !tools.pickBones)) {
+  if (tools.box.armed || (frame.input.ctrl && !overHandle && !tools.territoryMode)) {
     tools.box = {false, BoxDrag{frame.input.mouse, frame.input.mouse, BoxMode::kReplace}};
     tools.owner = PressOwner::kBox;
   } else if (frame.input.alt) {
     tools.owner = PressOwner::kOrbit;
   } else if (overHandle) {
     beginGizmo(frame, *target);
-  } else if (tools.tool == ToolKind::kAddMuscle && !tools.pickBones && tools.hover.skin) {
-    const Result<void> begun = beginAddMuscle(tools.addMuscle, frame.context, tools.hover, frame.input.mouse);
-    if (begun) tools.owner = PressOwner::kTool;
-    else frame.result.message = begun.error().text();
+  } else if (const Tool& tool = activeTool(tools); tool.press && tool.press(frame)) {
+    tools.owner = PressOwner::kTool;
   }
 }
 
-void takePress(Frame& frame, const std::optional<GizmoTarget>& target) {
+void takePress(ToolFrame& frame, const std::optional<GizmoTarget>& target) {
   ViewportTools& tools = frame.tools;
   for (const MouseButton button : {MouseButton::kLeft, MouseButton::kMiddle, MouseButton::kRight}) {
     if (!frame.input.button(button).pressed) continue;
@@ -208,49 +110,31 @@ void takePress(Frame& frame, const std::optional<GizmoTarget>& target) {
   }
 }
 
-/// The handle that a drag without a press takes: the whole, as seen.
-GizmoHandle wholeHandle(ToolKind tool) {
-  switch (tool) {
-    case ToolKind::kMove:
-      return GizmoHandle::kMoveCenter;
-    case ToolKind::kRotate:
-      return GizmoHandle::kRotateScreen;
-    case ToolKind::kScale:
-      return GizmoHandle::kScaleUniform;
-    default:
-      return GizmoHandle::kNone;
-  }
-}
-
-void takeWantedDrag(Frame& frame, const std::optional<GizmoTarget>& target) {
+void takeWantedDrag(ToolFrame& frame, const std::optional<GizmoTarget>& target) {
   ViewportTools& tools = frame.tools;
   const bool wanted = std::exchange(tools.dragWanted, false);
-  const GizmoHandle handle = wholeHandle(tools.tool);
+  const GizmoHandle handle = activeTool(tools).whole;
   if (!wanted || !target || handle == GizmoHandle::kNone || !pointerInside(frame)) return;
   tools.gizmo.hovered = handle;
   take(tools, PressOwner::kGizmo, MouseButton::kLeft, frame.input.mouse);
   beginGizmo(frame, *target);
-  tools.buttonless = true;
+  tools.buttonless = tools.owner == PressOwner::kGizmo;
 }
 
 // What the owner of the press does with the frame -------------------------------------------------------------------
 
-void continueClick(Frame& frame, bool released) {
+void continueClick(ToolFrame& frame, bool released) {
   ViewportTools& tools = frame.tools;
   if (glm::length(frame.input.mouse - tools.pressPixel) > kTremor * frame.context.uiScale) {
     orbit(tools.camera, frame.input.mouse - tools.pressPixel, frame.context.size);
     tools.owner = PressOwner::kOrbit;
-  } else if (released && tools.pickBones) {
-    frame.result.pickedBone = tools.hover.bone;
-  } else if (released && tools.tool == ToolKind::kPose) {
-    pickJoint(frame.document(), tools.hover);
-  } else if (released && tools.tool != ToolKind::kAddMuscle) {
-    pick(frame.document(), tools.hover, frame.input.shift);
+  } else if (const Tool& tool = activeTool(tools); released && tool.click) {
+    tool.click(frame);
   }
 }
 
 /// Pulls the box open. What stayed as small as a click picks as a click does, and adds.
-void continueBox(Frame& frame, const FrameInput& input, bool released) {
+void continueBox(ToolFrame& frame, const ViewportInput& input, bool released) {
   ViewportTools& tools = frame.tools;
   if (input.keyPressed(Key::kEscape) || input.button(MouseButton::kRight).pressed) {
     tools.box.drag.reset();
@@ -267,10 +151,10 @@ void continueBox(Frame& frame, const FrameInput& input, bool released) {
   tools.box.drag.reset();
 }
 
-void continueOwner(Frame& frame) {
+void continueOwner(ToolFrame& frame) {
   ViewportTools& tools = frame.tools;
   // A release that never came (focus lost) counts as one now.
-  FrameInput input = frame.input;
+  ViewportInput input = frame.input;
   ButtonState& button = input.buttons[static_cast<std::size_t>(tools.ownerButton)];
   if (tools.buttonless) button = {true, false, button.pressed, false};  // A click ends it.
   button.released = button.released || !button.down;
@@ -281,13 +165,10 @@ void continueOwner(Frame& frame) {
     case PressOwner::kOutside:
       break;
     case PressOwner::kGizmo:
-      continueGizmo(frame, input);
+      if (!activeTool(tools).continueHandle(frame, input)) endGizmo(tools);
       break;
     case PressOwner::kTool:
-      // An undo from elsewhere ends the gesture under the tool's feet.
-      if (!frame.document().commands.inGesture()) tools.addMuscle.drag.reset();
-      else updateAddMuscle(tools.addMuscle, input, frame.context, frame.view);
-      if (!tools.addMuscle.drag) tools.owner = PressOwner::kNone;
+      if (!activeTool(tools).drag(frame, input)) tools.owner = PressOwner::kNone;
       break;
     case PressOwner::kBox:
       continueBox(frame, input, released);
@@ -305,7 +186,7 @@ void continueOwner(Frame& frame) {
   if (released) tools.owner = PressOwner::kNone;
 }
 
-void wheel(Frame& frame) {
+void wheel(ToolFrame& frame) {
   ViewportTools& tools = frame.tools;
   const bool free = tools.owner == PressOwner::kNone && !frame.input.mouseTaken && pointerInside(frame);
   if (!free || frame.input.wheel == 0.0f) return;
@@ -313,57 +194,23 @@ void wheel(Frame& frame) {
   zoomToward(tools.camera, frame.input.wheel, frame.input.mouse, frame.context.size, point);
 }
 
-std::string statusOf(const Frame& frame) {
+std::string statusOf(const ToolFrame& frame) {
   const ViewportTools& tools = frame.tools;
+  if (const char* const onTriad = describe(tools.triad); *onTriad != '\0') return onTriad;
   if (tools.gizmo.drag || tools.gizmo.hovered != GizmoHandle::kNone) return describe(tools.gizmo);
-  if (tools.addMuscle.drag) return "Drag along the skin: release keeps, Esc cancels; the pose is held while you draw";
   if (tools.box.drag) return "Box: release selects what it touches, Shift adds, Alt takes away, Esc cancels";
   if (tools.box.armed) return "Draw a box around muscles: Shift adds, Alt takes away, Esc ends";
   if (tools.owner == PressOwner::kOrbit) return "Orbit";
   if (tools.owner == PressOwner::kPan) return "Pan";
-  const std::string under = describe(tools.hover, frame.document());
-  if (tools.pickBones) {
-    const std::string ends = ", Esc ends the mode";
-    if (tools.hover.bone < 0) return "Territory: click a bone, or the skin that follows it" + ends;
-    const auto bone = static_cast<std::size_t>(tools.hover.bone);
-    return "Click: " + frame.document().character->skeleton.bones[bone].name + " joins or leaves the territory" + ends;
-  }
-  if (tools.tool == ToolKind::kAddMuscle) {
-    if (!tools.hover.skin || tools.hover.bone < 0) return "Add muscle: press on the skin and drag";
-    const auto bone = static_cast<std::size_t>(tools.hover.bone);
-    return "Press and drag: a muscle grows on " + frame.document().character->skeleton.bones[bone].name;
-  }
-  if (tools.tool == ToolKind::kPose) return describePosing(tools.hover, frame.context);
-  if (!under.empty()) return under + ": click selects, Shift adds, drag orbits, Ctrl+drag boxes";
-  return "Drag orbits, Ctrl+drag selects by a box, right pans, wheel zooms, click on nothing clears the selection";
+  return activeTool(tools).describe(frame);
 }
 
 }  // namespace
 
-const char* nameOf(ToolKind tool) {
-  constexpr std::array<const char*, 6> names = {"select", "move", "rotate", "scale", "add muscle", "pose"};
-  return names[static_cast<std::size_t>(tool)];
-}
-
 void setTool(ViewportTools& tools, ToolKind tool) {
   if (ownsKeyboard(tools)) return;
   tools.tool = tool;
-  switch (tool) {
-    case ToolKind::kMove:
-      tools.gizmo.mode = GizmoMode::kMove;
-      break;
-    case ToolKind::kPose:
-    case ToolKind::kRotate:
-      tools.gizmo.mode = GizmoMode::kRotate;
-      break;
-    case ToolKind::kScale:
-      tools.gizmo.mode = GizmoMode::kScale;
-      break;
-    case ToolKind::kSelect:
-    case ToolKind::kAddMuscle:
-      tools.gizmo.mode = GizmoMode::kPoles;
-      break;
-  }
+  tools.gizmo.mode = sinew::app::tools()[static_cast<std::size_t>(tool)]->handles;
 }
 
 void startDrag(ViewportTools& tools, ToolKind tool) {
@@ -377,11 +224,15 @@ void armBox(ViewportTools& tools) {
 }
 
 bool ownsKeyboard(const ViewportTools& tools) {
-  return tools.gizmo.drag || tools.addMuscle.drag || tools.box.drag || tools.box.armed;
+  return tools.gizmo.drag || tools.owner == PressOwner::kTool || tools.box.drag || tools.box.armed;
+}
+
+bool holdsPose(const ViewportTools& tools, bool leftPressed) {
+  return activeTool(tools).onSkin && (tools.owner == PressOwner::kTool || leftPressed);
 }
 
 void cancelDrags(ViewportTools& tools, Document& document) {
-  cancelAddMuscle(tools.addMuscle, document);
+  if (const Tool& tool = activeTool(tools); tool.cancel) tool.cancel(tools, document);
   if (tools.gizmo.drag && document.commands.inGesture()) document.commands.cancelGesture();
   endGizmo(tools);
   tools.box = {};
@@ -389,9 +240,12 @@ void cancelDrags(ViewportTools& tools, Document& document) {
   tools.hover = {};
 }
 
-RouteResult routeInput(ViewportTools& tools, const FrameInput& input, const ViewportContext& context) {
+RouteResult routeInput(ViewportTools& tools, const ViewportInput& all, const ViewportContext& context) {
+  if (territorySubject(context.document) < 0) tools.territoryMode = false;
+  const bool busy = tools.owner != PressOwner::kNone;
+  const ViewportInput input = passTriad(tools.triad, tools.camera, all, context.size, context.uiScale, busy);
   advance(tools.camera, input.deltaSeconds);
-  Frame frame{tools, input, context, viewOf(tools.camera, context.size), {}};
+  ToolFrame frame{tools, input, context, viewOf(tools.camera, context.size), {}};
   dropStaleHover(tools.hover, context.document);
   const bool letGo = input.keyPressed(Key::kEscape) || input.button(MouseButton::kRight).pressed;
   if (tools.box.armed && letGo) tools.box.armed = false;

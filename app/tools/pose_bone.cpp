@@ -58,7 +58,7 @@ void beginTurn(PoseBoneState& state, GizmoState& gizmo, const JointTarget& targe
   beginDrag(gizmo, gizmo.hovered, target.placement, pixel, target.context);
 }
 
-bool continueTurn(PoseBoneState& state, GizmoState& gizmo, const FrameInput& input, const ViewportContext& context,
+bool continueTurn(PoseBoneState& state, GizmoState& gizmo, const ViewportInput& input, const ViewportContext& context,
                   const View& view) {
   if (context.overrides && state.bone >= 0) state.shown = context.overrides->turnOf(state.bone);
   const std::optional<JointTarget> target = jointTarget(state, context, view);

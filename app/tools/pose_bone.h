@@ -33,7 +33,7 @@ void beginTurn(PoseBoneState& state, GizmoState& gizmo, const JointTarget& targe
                const ViewportContext& context);
 
 /// One frame of it: the same keys as any gizmo drag. Changes context.overrides. @return false: it has ended.
-bool continueTurn(PoseBoneState& state, GizmoState& gizmo, const FrameInput& input, const ViewportContext& context,
+bool continueTurn(PoseBoneState& state, GizmoState& gizmo, const ViewportInput& input, const ViewportContext& context,
                   const View& view);
 
 /// The bone under a pixel: one seen in x-ray within reach, else the one that moves the skin there. No primitive.

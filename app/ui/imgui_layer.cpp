@@ -66,7 +66,7 @@ void mapKeys() {
   map[ImGuiKey_Z] = GLFW_KEY_Z;
 }
 
-void feedImGui(const InputFrame& input) {
+void feedImGui(const RawInput& input) {
   ImGuiIO& io = ImGui::GetIO();
   const bool dragging = std::ranges::find(input.buttons, true) != input.buttons.end();
   const bool known = input.mouseInside || dragging;
@@ -120,7 +120,7 @@ void ImGuiLayer::setScale(float scale) {
   ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
-void ImGuiLayer::beginFrame(const InputFrame& input, double seconds, double drawing) {
+void ImGuiLayer::beginFrame(const RawInput& input, double seconds, double drawing) {
   ImGuiIO& io = ImGui::GetIO();
   int width = 0;
   int height = 0;

@@ -12,9 +12,9 @@ struct GLFWwindow;
 namespace sinew::app {
 
 /// Writes one frame's input into the current ImGui context. Needs no window: tests drive panels through it.
-void feedImGui(const InputFrame& input);
+void feedImGui(const RawInput& input);
 
-/// Tells ImGui which codes InputFrame::keys uses for the keys it names itself.
+/// Tells ImGui which codes RawInput::keys uses for the keys it names itself.
 void mapKeys();
 
 /// Owns the ImGui context and its OpenGL backend. The window's context must be current for all of its life.
@@ -27,7 +27,7 @@ class ImGuiLayer {
 
   /// @param seconds  since the last frame.
   /// @param drawing  what a frame takes now, without waiting for events.
-  void beginFrame(const InputFrame& input, double seconds, double drawing);
+  void beginFrame(const RawInput& input, double seconds, double drawing);
   /// Draws into the bound framebuffer and shows the pointer ImGui asks for.
   void endFrame();
 

@@ -16,13 +16,11 @@
 #include "app/editor/commands.h"
 #include "app/editor/session.h"
 #include "app/editor/session_keeper.h"
-#include "app/editor/territory.h"
-#include "app/editor/viewport_input.h"
-#include "app/editor/visibility_commands.h"
-#include "app/panels/panels.h"
 #include "app/platform/window.h"
 #include "app/render/viewport.h"
 #include "app/ui/imgui_layer.h"
+#include "app/ui/style.h"
+#include "app/window/editor_step.h"
 #include "app/window/picture.h"
 #include "app/window/state_log.h"
 
@@ -104,7 +102,7 @@ class Editor {
 
   /// How long to sleep at most while nothing moves.
   double idleSeconds(bool caret) const {
-    double seconds = caret ? kCaretSeconds : (wakeAfter_ > 0.0 ? wakeAfter_ : kIdleSeconds);
+    double seconds = caret ? kCaretSeconds : (step_.wakeAfter() > 0.0 ? step_.wakeAfter() : kIdleSeconds);
     if (const auto left = keeper_.secondsLeft(state_, secondsNow())) seconds = std::clamp(*left, 1e-3, seconds);
     return seconds;
   }
@@ -113,7 +111,7 @@ class Editor {
   bool waitForWork() {
     const bool moving = (state_.transport.playing && state_.hasCharacter()) || state_.route.needsFrame ||
                         window_.input().pending() || settle_ > 0;
-    const double wake = wakeAfter_;
+    const double wake = step_.wakeAfter();
     continuous_ = moving;
     const bool caret = ImGui::GetIO().WantTextInput;
     if (moving) {
@@ -143,87 +141,20 @@ class Editor {
     const double delta = continuous_ ? since : 1.0 / 60.0;
     lastFrame_ = start;
     if (settle_ > 0) --settle_;
-    const InputFrame& input = window_.input().next();
+    const RawInput& input = window_.input().next();
     state_.systemScale = window_.contentScale();
     state_.uiScale = scaleOf(window_, state_, options_);
     imgui_.setScale(state_.uiScale);
     imgui_.beginFrame(input, since, state_.stats.now() * 1e-3);
-    const double uiStart = secondsNow();
-    keys(input);
-    widgets_.beginFrame();
-    PanelUi ui(state_, widgets_, imgui_.fonts());
-    const bool free = drawLayout(ui);
-    wakeAfter_ = ui.wakeAfter;
-    double interface = secondsNow() - uiStart;
-    movePose(input, delta);
-    const double toolsStart = secondsNow();
-    tools(input, free, delta);
-    interface += secondsNow() - toolsStart;
-    updateSurface();
-    state_.stats.ui = interface;
+    step_.run(state_, input, imgui_.fonts(), delta);
+    if (step_.cameraMoves()) settle_ = std::max(settle_, 2);  // What is hovered is seen a frame later.
     const View& view = state_.route.view;
     picture_.draw(state_, view, *ImGui::GetBackgroundDrawList());
     present();
     const double end = secondsNow();
     state_.stats.add(end, (continuous_ && delta > 0.0 ? delta : end - start) * 1e3);
-    if (log_) log_->write(state_, widgets_, view, frameNumber_, end - startTime_);
+    if (log_) log_->write(state_, step_.widgets(), view, frameNumber_, end - startTime_);
     ++frameNumber_;
-  }
-
-  void keys(const InputFrame& input) {
-    const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-    if (!popup && !isTyping() && !ownsKeyboard(state_.tools)) runShortcut(state_, input);
-  }
-
-  /// A text field has the keyboard. ImGui goes on wanting text for a frame after the field is left, and a key that
-  /// comes in that frame would be lost.
-  static bool isTyping() { return ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive(); }
-
-  void tools(const InputFrame& input, bool free, double delta) {
-    if (!state_.hasCharacter()) return;
-    if (state_.frameWanted) {
-      frameBounds(state_.tools.camera, boundsOf(state_.live->surface().positions), state_.viewportPixels, false);
-      state_.frameWanted = false;
-    }
-    const ImGuiIO& io = ImGui::GetIO();
-    const InterfaceClaims claims{free, isTyping(), ImGui::IsMouseDoubleClicked(0)};
-    const glm::vec2 pixelsPerUnit{io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y};
-    const FrameInput viewportFrame = passTriad(
-        state_.triad, state_.tools.camera, viewportInput(input, claims, state_.viewport, pixelsPerUnit, delta),
-        state_.viewportPixels, state_.uiScale * pixelsPerUnit.x, state_.tools.owner != PressOwner::kNone);
-    DisplaySettings pickable = state_.display;
-    pickable.skeleton = pickable.skeleton || state_.tools.pickBones;
-    const ViewportContext context{state_.document,
-                                  state_.live->pose(),
-                                  &state_.live->surface(),
-                                  pickable,
-                                  state_.viewportPixels,
-                                  state_.uiScale * pixelsPerUnit.x,
-                                  &state_.transport.overrides};
-    state_.route = routeInput(state_.tools, viewportFrame, context);
-    if (isMoving(state_.tools.camera)) settle_ = std::max(settle_, 2);  // What is hovered is seen a frame later.
-    if (const char* onTriad = describe(state_.triad); *onTriad != '\0') state_.route.status = onTriad;
-    runTerritoryMode(state_);
-    if (!state_.route.message.empty()) addMessage(state_, MessageKind::kError, state_.route.message);
-  }
-
-  void movePose(const InputFrame& input, double delta) {
-    if (!state_.hasCharacter()) return;
-    const bool leftPressed = input.pressedButton == static_cast<int>(MouseButton::kLeft);
-    if (!holdsPose(state_.tools, leftPressed)) advance(state_.transport, delta, state_.character());
-    state_.live->movePose(state_.transport);
-  }
-
-  void updateSurface() {
-    if (!state_.hasCharacter()) return;
-    state_.live->movePose(state_.transport);  // A joint may have been turned.
-    followEdits(state_);
-    followPose(state_);
-    const Result<bool> updated = state_.live->update(state_.document.commands, surfaceView(state_));
-    if (!updated) addMessage(state_, MessageKind::kError, updated.error().text());
-    state_.stats.stages = state_.live->surface().report.seconds;
-    const std::pair prepared(state_.documentsOpened, state_.document.commands.revision());
-    state_.stats.prepare = std::exchange(prepared_, prepared) == prepared ? 0.0 : state_.live->prepareSeconds();
   }
 
   void present() {
@@ -246,16 +177,14 @@ class Editor {
   std::optional<StateLog> log_;
   EditorState state_;
   SessionKeeper keeper_;
-  WidgetLog widgets_;
+  EditorStep step_;
   double startTime_ = secondsNow();
   double lastFrame_ = 0.0;
   double lastLook_ = -kLookSeconds;
   WindowPlace place_;
-  std::pair<std::size_t, std::size_t> prepared_;  ///< Document and revision of the last frame.
   long long frameNumber_ = 0;
   int settle_ = kSettleFrames;
   bool continuous_ = false;
-  double wakeAfter_ = 0.0;  ///< Seconds until the interface wants another frame though nothing happens; 0: it does not.
 };
 
 int refuse(const Error& error) {

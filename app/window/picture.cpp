@@ -106,8 +106,9 @@ void Picture::draw(EditorState& state, const View& view, ImDrawList& list) {
                 v.z / static_cast<float>(state.viewportPixels.x), state.uiScale);
   }
   const float unitsPerPixel = v.z / static_cast<float>(state.viewportPixels.x);
-  drawTriad(list, state.triad, layoutTriad(state.tools.camera, state.viewportPixels, state.uiScale / unitsPerPixel),
-            {v.x, v.y}, unitsPerPixel);
+  drawTriad(list, state.tools.triad,
+            layoutTriad(state.tools.camera, state.viewportPixels, state.uiScale / unitsPerPixel), {v.x, v.y},
+            unitsPerPixel);
   list.PopClipRect();
 }
 

@@ -234,7 +234,7 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("visibility", visibilityState(state))
       .set("groups", groupState(state.document.rig()))
       .set("links", linkState(state.document.rig()))
-      .set("territory", state.panels.territory.primitive)
+      .set("territory", state.tools.territoryMode ? state.document.selection.active() : std::string())
       .set("depth", state.hasCharacter() ? state.live->depth() : smoothing.depth)
       .set("mode", nameOf(state.document.rig().surface.mode))
       .set("triangles", report.refinedTriangles)

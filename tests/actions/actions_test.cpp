@@ -59,7 +59,7 @@ TEST(Actions, ShortcutsAreReadWithTheirModifiers) {
   EXPECT_EQ(textOf({kKeyZ, true, true}), "Ctrl+Shift+Z");
   EXPECT_EQ(textOf({kSpace, false, false}), "Space");
   EditorState state;
-  InputFrame input;
+  RawInput input;
   input.pressedKey = kKeyS;
   EXPECT_FALSE(runShortcut(state, input));
   input.control = true;

@@ -107,7 +107,7 @@ TEST(Keymaps, PaletteSheetAndFilesAreWhereTheyAreInBoth) {
 
 TEST(Keymaps, TheChosenOneDecidesWhatAKeyDoes) {
   EditorState state;
-  InputFrame input;
+  RawInput input;
   input.pressedKey = GLFW_KEY_F3;
   EXPECT_FALSE(runShortcut(state, input));
   state.preferences.keymap = Keymap::kBlender;
@@ -117,7 +117,7 @@ TEST(Keymaps, TheChosenOneDecidesWhatAKeyDoes) {
 
 TEST(Keymaps, ModifiersBelongToTheKey) {
   EditorState state;
-  InputFrame input;
+  RawInput input;
   input.pressedKey = GLFW_KEY_F1;
   input.alt = true;
   EXPECT_FALSE(runShortcut(state, input));

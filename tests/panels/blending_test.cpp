@@ -157,7 +157,7 @@ TEST_F(Blending, SixtyGroupsHaveRoomInBothViews) {
   EXPECT_TRUE(shown("blending/cell/torso/legs"));
   click("blending/view/graph");
   int nodes = 0;
-  for (const auto& [id, box] : widgets.rectangles()) nodes += id.starts_with("blending/node/") ? 1 : 0;
+  for (const auto& [id, box] : widgets().rectangles()) nodes += id.starts_with("blending/node/") ? 1 : 0;
   EXPECT_EQ(nodes, 60);
 }
 

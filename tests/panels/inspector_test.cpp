@@ -140,23 +140,22 @@ TEST_F(Inspector, TerritoryModeTakesClicksOnBonesAndEndsWithEscape) {
   run(action("tool/territory"), state);
   settle();
   ASSERT_TRUE(editsTerritory(state));
-  EXPECT_TRUE(state.tools.pickBones);
+  EXPECT_TRUE(state.tools.territoryMode);
   EXPECT_EQ(shownTerritory(state), before);
   ASSERT_TRUE(shown("territory/done"));
-  // In the list, then as the picture reports it.
+  // In the list, then in the picture.
   const Skeleton& skeleton = state.character().skeleton;
   const int own = skeleton.findBone("tail.1").value();
   click("outliner/bone/tail.2");
   EXPECT_EQ(steps(), 1u);
   EXPECT_NE(territory("tail root"), before);
-  state.route.pickedBone = skeleton.findBone("tail.2").value();
-  settle();
+  clickAt(pixelOfBone(skeleton.findBone("tail.2").value()));
   EXPECT_EQ(steps(), 2u);
   EXPECT_EQ(territory("tail root"), before);
   EXPECT_TRUE(std::ranges::binary_search(territory("tail root"), own));
   press(kEscape);
   EXPECT_FALSE(editsTerritory(state));
-  EXPECT_FALSE(state.tools.pickBones);
+  EXPECT_FALSE(state.tools.territoryMode);
   EXPECT_EQ(state.document.selection.active(), "tail root");
 }
 

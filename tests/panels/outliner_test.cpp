@@ -109,7 +109,7 @@ TEST_F(Outliner, ShiftTakesARangeAndControlOne) {
     return rowOf(all, "m:" + name, state.document.rig(), state.character().skeleton);
   };
   std::vector<std::string> visible;
-  for (const auto& [id, box] : widgets.rectangles()) {
+  for (const auto& [id, box] : widgets().rectangles()) {
     constexpr std::string_view kPrefix = "outliner/muscle/";
     if (id.starts_with(kPrefix)) visible.push_back(id.substr(kPrefix.size()));
   }

@@ -11,7 +11,7 @@ class Panels : public HeadlessEditor {};
 
 TEST_F(Panels, NamesAreOnTheScreenInEveryState) {
   const auto check = [&] {
-    for (const auto& [id, box] : widgets.rectangles()) {
+    for (const auto& [id, box] : widgets().rectangles()) {
       EXPECT_GE(box.x, 0.0f) << id;
       EXPECT_GE(box.y, 0.0f) << id;
       EXPECT_LE(box.x + box.z, 1280.0f) << id;

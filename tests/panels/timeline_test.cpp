@@ -130,12 +130,12 @@ TEST_F(TimelineTest, AClickOnTheTrackIsThatMoment) {
   EXPECT_NEAR(state.transport.time / duration(), 0.5, 0.01);
   EXPECT_FALSE(state.transport.playing);
   drag("timeline/scrub", {200.0f, 0.0f});
-  const float width = widgets.rectangles().at("timeline/scrub").z;
+  const float width = widgets().rectangles().at("timeline/scrub").z;
   EXPECT_NEAR(state.transport.time / duration(), 0.5 + 200.0 / static_cast<double>(width), 0.01);
 }
 
 TEST_F(TimelineTest, DraggingAnEndMakesARangeDraggingTheBarMovesIt) {
-  const float width = widgets.rectangles().at("timeline/scrub").z;
+  const float width = widgets().rectangles().at("timeline/scrub").z;
   drag("timeline/range.in", {0.25f * width, 0.0f});
   EXPECT_NEAR(state.transport.rangeFrom, 0.25 * duration(), 2.0 * kFrame);
   drag("timeline/range.out", {-0.5f * width, 0.0f});
@@ -294,7 +294,7 @@ TEST_F(TimelineTest, TheRangeOfMotionIsOneMoreClipThatPlays) {
   EXPECT_NE(state.live->pose().boneInWorld, bindPose(state.character().skeleton).boneInWorld);
   act("play/range-of-motion");
   EXPECT_EQ(state.character().clips.size(), clips + 1) << "made once";
-  EXPECT_EQ(state.transport.time, 0.0);
+  EXPECT_LT(state.transport.time, 0.1) << "from the start; it plays on";
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ TEST(InputQueue, AClickWithinOneFrameIsSeenAsPressAndRelease) {
   EXPECT_EQ(queue.next().mouse, glm::vec2(10, 20));
   EXPECT_EQ(queue.next().pressedButton, 0);
   EXPECT_TRUE(queue.pending());
-  const InputFrame& released = queue.next();
+  const RawInput& released = queue.next();
   EXPECT_EQ(released.releasedButton, 0);
   EXPECT_FALSE(released.buttons[0]);
   EXPECT_FALSE(queue.pending());
@@ -35,7 +35,7 @@ TEST(InputQueue, TheLastPositionOfADragComesBeforeItsRelease) {
   static_cast<void>(queue.next());
   for (int x = 1; x <= 100; ++x) queue.move({x, 0});
   queue.button(0, false);
-  const InputFrame moved = queue.next();
+  const RawInput moved = queue.next();
   EXPECT_EQ(moved.mouse.x, 100.0f);
   EXPECT_TRUE(moved.buttons[0]);
   EXPECT_EQ(queue.next().releasedButton, 0);
@@ -47,7 +47,7 @@ TEST(InputQueue, AMoveAfterThePressDoesNotMoveThePress) {
   queue.button(0, true);
   queue.move({90, 90});
   static_cast<void>(queue.next());
-  const InputFrame pressed = queue.next();
+  const RawInput pressed = queue.next();
   EXPECT_EQ(pressed.pressedButton, 0);
   EXPECT_EQ(pressed.mouse, glm::vec2(5, 5));
   EXPECT_EQ(queue.next().mouse, glm::vec2(90, 90));
@@ -61,7 +61,7 @@ TEST(InputQueue, AShortcutKeepsItsModifier) {
   queue.key(kLeftControl, false);
   bool seen = false;
   while (queue.pending()) {
-    const InputFrame& frame = queue.next();
+    const RawInput& frame = queue.next();
     if (frame.pressedKey != kKeyS) continue;
     seen = true;
     EXPECT_TRUE(frame.control);
@@ -91,10 +91,10 @@ TEST(InputQueue, ScrollStaysWhereThePointerWas) {
   queue.scroll({0, 1});
   queue.scroll({0, 2});
   queue.move({50, 50});
-  const InputFrame scrolled = queue.next();
+  const RawInput scrolled = queue.next();
   EXPECT_EQ(scrolled.scroll.y, 3.0f);
   EXPECT_EQ(scrolled.mouse, glm::vec2(1, 1));
-  const InputFrame moved = queue.next();
+  const RawInput moved = queue.next();
   EXPECT_EQ(moved.scroll.y, 0.0f);
   EXPECT_EQ(moved.mouse, glm::vec2(50, 50));
 }
@@ -105,7 +105,7 @@ TEST(InputQueue, LosingFocusLetsGoOfEverything) {
   queue.button(1, true);
   queue.releaseAll();
   while (queue.pending()) static_cast<void>(queue.next());
-  const InputFrame& rest = queue.next();
+  const RawInput& rest = queue.next();
   EXPECT_FALSE(rest.keys[kKeyA]);
   EXPECT_FALSE(rest.buttons[1]);
 }
@@ -133,7 +133,7 @@ TEST(InputQueue, RandomEventsComeOutInOrderEachAtMostOncePerFrame) {
     std::array<bool, 4> keys{};
     const auto drain = [&](bool all) {
       do {
-        const InputFrame old = queue.next();
+        const RawInput old = queue.next();
         if (old.pressedButton >= 0) got.push_back(name(0, old.pressedButton, true));
         if (old.releasedButton >= 0) got.push_back(name(0, old.releasedButton, false));
         EXPECT_LE((old.pressedButton >= 0) + (old.releasedButton >= 0) + (old.pressedKey >= 0), 1);

@@ -8,11 +8,14 @@
 
 #include <gtest/gtest.h>
 
+#include "app/actions/actions.h"
 #include "app/editor/commands.h"
 #include "app/editor/territory.h"
 #include "app/editor/visibility_commands.h"
-#include "app/panels/panels.h"
+#include "app/tools/territory_tool.h"
 #include "app/ui/imgui_layer.h"
+#include "app/ui/style.h"
+#include "app/window/editor_step.h"
 #include "core/rig/rig_edit.h"
 
 namespace sinew::app {
@@ -40,22 +43,11 @@ class HeadlessEditor : public testing::Test {
 
   /// One frame of what the queue holds.
   void frame() {
-    const InputFrame& input = queue.next();
+    const RawInput& input = queue.next();
     feedImGui(input);
     ImGui::NewFrame();
-    const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-    if (!popup && !ImGui::GetIO().WantTextInput) runShortcut(state, input);
-    widgets.beginFrame();
-    PanelUi ui(state, widgets, fonts);
-    drawLayout(ui);
-    EXPECT_TRUE(widgets.repeated().empty()) << "named twice: " << widgets.repeated().front();
-    state.live->movePose(state.transport);
-    runTerritoryMode(state);
-    followEdits(state);
-    followPose(state);
-    SurfaceView seen;
-    seen.hidden = hiddenPrimitives(state.document.visibility, state.document.rig(), state.character().skeleton);
-    EXPECT_TRUE(state.live->update(state.document.commands, seen).ok());
+    step.run(state, input, fonts, 1.0 / 60.0);
+    EXPECT_TRUE(widgets().repeated().empty()) << "named twice: " << widgets().repeated().front();
     ImGui::EndFrame();
   }
   void settle() {
@@ -64,11 +56,12 @@ class HeadlessEditor : public testing::Test {
     frame();
   }
 
-  [[nodiscard]] bool shown(const std::string& id) const { return widgets.rectangles().contains(id); }
+  [[nodiscard]] const WidgetLog& widgets() const { return step.widgets(); }
+  [[nodiscard]] bool shown(const std::string& id) const { return widgets().rectangles().contains(id); }
   [[nodiscard]] glm::vec2 center(const std::string& id) const {
     EXPECT_TRUE(shown(id)) << id;
     if (!shown(id)) return glm::vec2(-1.0f);
-    const glm::vec4 box = widgets.rectangles().at(id);
+    const glm::vec4 box = widgets().rectangles().at(id);
     return {box.x + 0.5f * box.z, box.y + 0.5f * box.w};
   }
   void click(const std::string& id, int button = 0) {
@@ -77,6 +70,21 @@ class HeadlessEditor : public testing::Test {
     queue.button(button, true);
     queue.button(button, false);
     settle();
+  }
+  /// In the picture. @param at  window coordinates
+  void clickAt(const glm::vec2& at) {
+    queue.move(at);
+    settle();
+    queue.button(0, true);
+    queue.button(0, false);
+    settle();
+  }
+  /// The middle of a bone in the picture, window coordinates.
+  [[nodiscard]] glm::vec2 pixelOfBone(int bone) const {
+    const auto index = static_cast<std::size_t>(bone);
+    const glm::vec4 middle(0.5f * state.character().skeleton.bones[index].tip, 1.0f);
+    const glm::vec3 pixel = state.route.view.toPixel(glm::vec3(state.live->pose().boneInWorld[index] * middle));
+    return glm::vec2(state.viewport) + glm::vec2(pixel);
   }
   void doubleClick(const std::string& id) {
     queue.move(center(id));
@@ -132,7 +140,7 @@ class HeadlessEditor : public testing::Test {
 
   EditorState state;
   InputQueue queue;
-  WidgetLog widgets;
+  EditorStep step;
   Fonts fonts;
 };
 

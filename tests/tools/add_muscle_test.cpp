@@ -174,11 +174,11 @@ TEST(AddMuscle, ASecondOneHasAFreeName) {
 }
 
 TEST(AddMuscle, EscapeAndTheRightButtonLeaveNoTrace) {
-  FrameInput escape;
+  ViewportInput escape;
   escape.keysPressed = {Key::kEscape};
-  FrameInput right;
+  ViewportInput right;
   right.buttons[1].pressed = true;
-  for (const FrameInput& leave : {escape, right}) {
+  for (const ViewportInput& leave : {escape, right}) {
     LimbScene scene;
     scene.document.selection.bone = 1;
     setTool(scene.tools, ToolKind::kAddMuscle);

@@ -46,23 +46,23 @@ TriadLayout::End endOf(const TriadLayout& layout, AxisEnd end) {
 }
 
 /// One frame with the pointer at a pixel.
-FrameInput at(const glm::vec2& pixel) {
-  FrameInput input;
+ViewportInput at(const glm::vec2& pixel) {
+  ViewportInput input;
   input.mouse = pixel;
   return input;
 }
-FrameInput press(const glm::vec2& pixel) {
-  FrameInput input = at(pixel);
+ViewportInput press(const glm::vec2& pixel) {
+  ViewportInput input = at(pixel);
   input.buttons[0] = {true, true, false, false};
   return input;
 }
-FrameInput hold(const glm::vec2& pixel) {
-  FrameInput input = at(pixel);
+ViewportInput hold(const glm::vec2& pixel) {
+  ViewportInput input = at(pixel);
   input.buttons[0].down = true;
   return input;
 }
-FrameInput release(const glm::vec2& pixel) {
-  FrameInput input = at(pixel);
+ViewportInput release(const glm::vec2& pixel) {
+  ViewportInput input = at(pixel);
   input.buttons[0].released = true;
   return input;
 }
@@ -149,7 +149,7 @@ TEST(AxisTriad, TakesTheMouseOnTheBallAloneAndNeverFromOthers) {
   EXPECT_FALSE(passTriad(triad, camera, hold(layout.centre), kSize, 1.0f, true).mouseTaken);
   EXPECT_FALSE(triad.ballHovered);
   // A panel lies over it.
-  FrameInput covered = press(layout.centre);
+  ViewportInput covered = press(layout.centre);
   covered.mouseTaken = true;
   const CameraStand before = camera.stand;
   EXPECT_FALSE(routeTriad(triad, camera, covered, kSize, 1.0f));

@@ -125,7 +125,7 @@ TEST_P(EveryBone, ATypedLengthIsTheWorldShift) {
     state.axes = static_cast<GizmoAxes>(i % 3);
     const int axis = random.below(3);
     beginDrag(state, handle(GizmoHandle::kMoveX, axis), scene.placement, {600, 300}, scene.context);
-    FrameInput input = pointerAt({650, 333});
+    ViewportInput input = pointerAt({650, 333});
     input.typed = "-0,25";
     input.keysPressed = {Key::kEnter};
     const DragResult result = updateDrag(state, input, scene.context);
@@ -174,7 +174,7 @@ TEST(GizmoRotate, UnderEvenScaleItIsTheWorldRotation) {
     GizmoState state;
     state.axes = GizmoAxes::kWorld;
     beginDrag(state, GizmoHandle::kRotateY, scene.placement, {600, 300}, scene.context);
-    FrameInput input = releasedAt({600, 300});
+    ViewportInput input = releasedAt({600, 300});
     input.typed = "72.5";
     const Placement after = updateDrag(state, input, scene.context).placement;
     const glm::mat3 turn = glm::mat3_cast(glm::angleAxis(72.5f * kPi / 180.0f, glm::vec3(0, 1, 0)));
@@ -193,7 +193,7 @@ TEST(GizmoRotate, UnderUnevenScaleTheAxisStaysPut) {
     GizmoState state;
     state.axes = GizmoAxes::kWorld;
     beginDrag(state, GizmoHandle::kRotateZ, scene.placement, {600, 300}, scene.context);
-    FrameInput input = releasedAt({600, 300});
+    ViewportInput input = releasedAt({600, 300});
     input.typed = "40";
     const Placement after = updateDrag(state, input, scene.context).placement;
     const glm::mat3 bone(scene.context.boneInWorld);
@@ -276,7 +276,7 @@ TEST_P(EveryBone, PolesFollowThePointerWhileTheOtherEndStays) {
     const glm::vec3 target = here + random.uniform(-0.3f, 0.8f) * (here - opposite);
     const bool symmetric = random.chance(0.3f);
     beginDrag(state, pole, scene.placement, pixelOf(scene.context.view, here), scene.context);
-    FrameInput input = releasedAt(pixelOf(scene.context.view, target));
+    ViewportInput input = releasedAt(pixelOf(scene.context.view, target));
     input.alt = symmetric;
     const Placement after = updateDrag(state, input, scene.context).placement;
     const float height = scene.context.characterHeight;

@@ -26,19 +26,19 @@ struct Drag {
     state.axes = GizmoAxes::kWorld;
     beginDrag(state, handle, scene.placement, kPress, scene.context);
   }
-  Placement to(const FrameInput& input) { return updateDrag(state, input, scene.context).placement; }
+  Placement to(const ViewportInput& input) { return updateDrag(state, input, scene.context).placement; }
   Placement to(const glm::vec2& pixel) { return to(pointerAt(pixel)); }
   [[nodiscard]] glm::vec3 shift(const Placement& p) const { return p.center - scene.placement.center; }
 };
 
-FrameInput keyAt(const glm::vec2& pixel, Key key) {
-  FrameInput input = pointerAt(pixel);
+ViewportInput keyAt(const glm::vec2& pixel, Key key) {
+  ViewportInput input = pointerAt(pixel);
   input.keysPressed = {key};
   return input;
 }
 
-FrameInput typedAt(const glm::vec2& pixel, const std::string& text) {
-  FrameInput input = pointerAt(pixel);
+ViewportInput typedAt(const glm::vec2& pixel, const std::string& text) {
+  ViewportInput input = pointerAt(pixel);
   input.typed = text;
   return input;
 }
@@ -78,7 +78,7 @@ TEST(GizmoKeys, ALockChangesTheAxisOfRotationAndScale) {
 TEST(GizmoKeys, CtrlSnapsMoveRotateAndScale) {
   for (int step = 1; step < 40; ++step) {
     const glm::vec2 target = kPress + static_cast<float>(step) * glm::vec2(4.3f, -1.7f);
-    FrameInput input = pointerAt(target);
+    ViewportInput input = pointerAt(target);
     input.ctrl = true;
     Drag move(GizmoHandle::kMoveXY);
     const glm::vec3 steps = move.shift(move.to(input)) / (0.01f * 1.8f);
@@ -97,7 +97,7 @@ TEST(GizmoKeys, CtrlSnapsMoveRotateAndScale) {
 TEST(GizmoKeys, ShiftIsATenth) {
   Drag fast(GizmoHandle::kMoveCenter);
   Drag slow(GizmoHandle::kMoveCenter);
-  FrameInput input = pointerAt(kPress + glm::vec2(70, 40));
+  ViewportInput input = pointerAt(kPress + glm::vec2(70, 40));
   const glm::vec3 whole = fast.shift(fast.to(input));
   input.shift = true;
   const glm::vec3 tenth = slow.shift(slow.to(input));
@@ -157,9 +157,9 @@ TEST(GizmoKeys, RadiiStayAboveZeroHoweverFarThePointerGoes) {
 }
 
 TEST(GizmoKeys, EscapeAndTheRightButtonGiveBackTheStart) {
-  FrameInput right = pointerAt(kPress + glm::vec2(90, 0));
+  ViewportInput right = pointerAt(kPress + glm::vec2(90, 0));
   right.buttons[1].pressed = true;
-  for (const FrameInput& leave : {keyAt(kPress + glm::vec2(90, 0), Key::kEscape), right}) {
+  for (const ViewportInput& leave : {keyAt(kPress + glm::vec2(90, 0), Key::kEscape), right}) {
     Drag drag(GizmoHandle::kMoveCenter);
     EXPECT_NE(drag.to(kPress + glm::vec2(50, 20)).center, drag.scene.placement.center);
     const DragResult result = updateDrag(drag.state, leave, drag.scene.context);

@@ -71,7 +71,7 @@ TEST(InputRouter, EscapeCancelsAndTheRestOfThePressIsNobodys) {
   scene.move(pixel);
   scene.press(pixel);
   scene.drag(pixel + glm::vec2(40, 0));
-  FrameInput escape;
+  ViewportInput escape;
   escape.keysPressed = {Key::kEscape};
   scene.drag(pixel + glm::vec2(50, 0), MouseButton::kLeft, escape);
   EXPECT_EQ(scene.placement().center, start.center);
@@ -112,7 +112,7 @@ TEST(InputRouter, AnUndoUnderTheDragEndsIt) {
 TEST(InputRouter, WhatThePanelsTookStaysTheirsUntilTheRelease) {
   LimbScene scene;
   const CameraStand before = scene.tools.camera.stand;
-  FrameInput taken;
+  ViewportInput taken;
   taken.mouseTaken = true;
   taken.wheel = 1.0f;
   scene.press({500, 400}, MouseButton::kLeft, taken);
@@ -133,13 +133,13 @@ TEST(InputRouter, CameraButtons) {
                         Case{MouseButton::kRight, false, false, true}}) {
     GizmoOnLimb scene;
     const CameraStand before = scene.tools.camera.stand;
-    FrameInput with;
+    ViewportInput with;
     with.alt = c.alt;
     with.shift = c.shift;
     // Alt orbits even from a handle; the others start on the background.
     const glm::vec2 from = c.alt ? scene.handlePixel(GizmoHandle::kMoveX) : glm::vec2(40, 60);
     scene.frame([&] {
-      FrameInput input = with;
+      ViewportInput input = with;
       input.mouse = from;
       return input;
     }());
@@ -169,7 +169,7 @@ TEST(InputRouter, TheWheelKeepsTheSkinUnderThePointer) {
   scene.move(pixel);
   ASSERT_TRUE(scene.tools.hover.any());
   const glm::vec3 point = scene.tools.hover.pointInWorld;
-  FrameInput input = LimbScene::at(pixel);
+  ViewportInput input = LimbScene::at(pixel);
   input.wheel = 3.0f;
   const RouteResult result = scene.frame(input);
   EXPECT_LT(glm::length(glm::vec2(result.view.toPixel(point)) - pixel), 0.5f);
@@ -195,7 +195,7 @@ TEST(InputRouter, ShiftTogglesAndNeverClears) {
   setTool(scene.tools, ToolKind::kSelect);
   scene.document.selection.clear();
   scene.document.selection.set("another");
-  FrameInput shift;
+  ViewportInput shift;
   shift.shift = true;
   scene.display.primitives = true;
   scene.click(scene.skinPixel(), shift);

@@ -39,34 +39,34 @@ struct LimbScene {
     return glm::round(glm::vec2(app::viewOf(tools.camera, kSize).toPixel(box.center())));
   }
   [[nodiscard]] app::ViewportContext context() { return {document, pose, &surface, display, kSize, 1.0f}; }
-  app::RouteResult frame(const app::FrameInput& input) { return app::routeInput(tools, input, context()); }
+  app::RouteResult frame(const app::ViewportInput& input) { return app::routeInput(tools, input, context()); }
 
-  static app::FrameInput at(const glm::vec2& pixel) {
-    app::FrameInput input;
+  static app::ViewportInput at(const glm::vec2& pixel) {
+    app::ViewportInput input;
     input.mouse = pixel;
     input.deltaSeconds = 0.016f;
     return input;
   }
   app::RouteResult move(const glm::vec2& pixel) { return frame(at(pixel)); }
   app::RouteResult press(const glm::vec2& pixel, app::MouseButton button = app::MouseButton::kLeft,
-                         app::FrameInput with = {}) {
+                         app::ViewportInput with = {}) {
     with.mouse = pixel;
     with.buttons[static_cast<std::size_t>(button)] = {true, true, false, false};
     return frame(with);
   }
   app::RouteResult drag(const glm::vec2& pixel, app::MouseButton button = app::MouseButton::kLeft,
-                        app::FrameInput with = {}) {
+                        app::ViewportInput with = {}) {
     with.mouse = pixel;
     with.buttons[static_cast<std::size_t>(button)].down = true;
     return frame(with);
   }
   app::RouteResult release(const glm::vec2& pixel, app::MouseButton button = app::MouseButton::kLeft,
-                           app::FrameInput with = {}) {
+                           app::ViewportInput with = {}) {
     with.mouse = pixel;
     with.buttons[static_cast<std::size_t>(button)].released = true;
     return frame(with);
   }
-  app::RouteResult click(const glm::vec2& pixel, app::FrameInput with = {}) {
+  app::RouteResult click(const glm::vec2& pixel, app::ViewportInput with = {}) {
     move(pixel);
     press(pixel, app::MouseButton::kLeft, with);
     return release(pixel, app::MouseButton::kLeft, with);

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/tools/gizmo_frame.h"
+#include "app/tools/gizmo_basis.h"
 #include "app/tools/input_router.h"
 #include "core/symmetry/mirror.h"
 #include "core/symmetry/twins.h"
@@ -88,7 +88,7 @@ bool dragHandle(Legs& scene, GizmoHandle handle, Manner manner) {
   if (scene.tools.gizmo.hovered != handle) return false;
   scene.press(from);
   scene.drag(0.5f * (from + to));
-  FrameInput keys;
+  ViewportInput keys;
   if (manner == Manner::kTyped) keys.typed = "0.3";
   if (manner == Manner::kLocked) keys.keysPressed = {Key::kY};
   if (manner == Manner::kSnapped) keys.ctrl = true;
@@ -182,16 +182,16 @@ TEST(MultiSelection, WithBothTwinsSelectedOnlyOneIsMovedByTheHand) {
   EXPECT_EQ(companionsOf(scene.document, findPrimitive(scene.document.rig(), "belly"))[0].name, "thigh L");
 }
 
-FrameInput with(bool ctrl, bool shift = false, bool alt = false) {
-  FrameInput input;
+ViewportInput with(bool ctrl, bool shift = false, bool alt = false) {
+  ViewportInput input;
   input.ctrl = ctrl;
   input.shift = shift;
   input.alt = alt;
   return input;
 }
 
-void drawBoxOver(Legs& scene, const glm::vec2& from, const glm::vec2& to, const FrameInput& keys) {
-  FrameInput hover = keys;
+void drawBoxOver(Legs& scene, const glm::vec2& from, const glm::vec2& to, const ViewportInput& keys) {
+  ViewportInput hover = keys;
   hover.mouse = from;
   scene.frame(hover);
   scene.press(from, MouseButton::kLeft, keys);
@@ -230,7 +230,7 @@ TEST(BoxSelect, EscapeLeavesTheSelectionAndHiddenOnesAreNotTaken) {
   scene.document.selection.set("shin");
   scene.press({1, 1}, MouseButton::kLeft, with(true));
   scene.drag({900, 700}, MouseButton::kLeft, with(true));
-  FrameInput escape = with(true);
+  ViewportInput escape = with(true);
   escape.keysPressed = {Key::kEscape};
   scene.drag({900, 700}, MouseButton::kLeft, escape);
   scene.release({900, 700});
@@ -274,7 +274,7 @@ TEST(AddMuscleOnBothSides, TheTwinGrowsWithTheDragAndGoesWithEscape) {
   const Primitive grown = scene.document.rig().primitives[before];
   const Result<Primitive> image = mirroredPrimitive(*scene.document.mirror, grown);
   EXPECT_LT(glm::length(image->placement.radii - scene.document.rig().primitives[before + 1].placement.radii), 1e-6f);
-  FrameInput escape;
+  ViewportInput escape;
   escape.keysPressed = {Key::kEscape};
   scene.drag(pixel + glm::vec2(0, 70), MouseButton::kLeft, escape);
   EXPECT_EQ(scene.document.rig().primitives.size(), before);

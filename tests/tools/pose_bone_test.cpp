@@ -28,13 +28,13 @@ struct PoseScene : test::LimbScene {
     setTool(tools, ToolKind::kPose);
     document.selection.bone = kMiddle;
   }
-  RouteResult step(const FrameInput& input) {
+  RouteResult step(const ViewportInput& input) {
     pose = posed(document.character->skeleton, moment, overrides);
     ViewportContext now = context();
     now.overrides = &overrides;
     return routeInput(tools, input, now);
   }
-  RouteResult mouse(const glm::vec2& pixel, bool down, FrameInput with = {}) {
+  RouteResult mouse(const glm::vec2& pixel, bool down, ViewportInput with = {}) {
     with.mouse = pixel;
     with.buttons[0].pressed = down && !held;
     with.buttons[0].released = !down && held;
@@ -48,11 +48,11 @@ struct PoseScene : test::LimbScene {
     mouse(at, false);
     mouse(at, true);
     for (const char c : degrees) {
-      FrameInput input;
+      ViewportInput input;
       input.typed = std::string(1, c);
       mouse(at, true, input);
     }
-    FrameInput last;
+    ViewportInput last;
     last.keysPressed = {keep ? Key::kEnter : Key::kEscape};
     mouse(at, true, last);
     mouse(at, false);

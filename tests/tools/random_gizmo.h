@@ -73,15 +73,15 @@ inline GizmoScene plainGizmo() {
   return scene;
 }
 
-inline app::FrameInput pointerAt(const glm::vec2& pixel) {
-  app::FrameInput input;
+inline app::ViewportInput pointerAt(const glm::vec2& pixel) {
+  app::ViewportInput input;
   input.mouse = pixel;
   input.buttons[0].down = true;
   return input;
 }
 
-inline app::FrameInput releasedAt(const glm::vec2& pixel) {
-  app::FrameInput input;
+inline app::ViewportInput releasedAt(const glm::vec2& pixel) {
+  app::ViewportInput input;
   input.mouse = pixel;
   input.buttons[0].released = true;
   return input;

@@ -257,7 +257,7 @@ TEST(SkinStroke, OnlyDrawingHoldsThePose) {
   scene.move(scene.skinPixel());
   scene.press(scene.skinPixel());
   EXPECT_TRUE(holdsPose(scene.tools, false));
-  FrameInput escape;
+  ViewportInput escape;
   escape.keysPressed = {Key::kEscape};
   scene.drag(scene.skinPixel(), MouseButton::kLeft, escape);
   EXPECT_FALSE(holdsPose(scene.tools, false));

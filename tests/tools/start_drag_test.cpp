@@ -71,7 +71,7 @@ TEST(StartDrag, EscapeAndTheRightButtonTakeItBack) {
     scene.move(scene.kBegin + glm::vec2(60, 0));
     EXPECT_NE(scene.placement().center, start.center);
     if (escape) {
-      FrameInput input = scene.at(scene.kBegin + glm::vec2(60, 0));
+      ViewportInput input = scene.at(scene.kBegin + glm::vec2(60, 0));
       input.keysPressed = {Key::kEscape};
       scene.frame(input);
     } else {
@@ -91,7 +91,7 @@ TEST(StartDrag, ATypedNumberAndEnterMakeItExact) {
   const Placement start = scene.placement();
   startDrag(scene.tools, ToolKind::kMove);
   scene.move(scene.kBegin);
-  FrameInput input = scene.at(scene.kBegin + glm::vec2(10, 0));
+  ViewportInput input = scene.at(scene.kBegin + glm::vec2(10, 0));
   input.keysPressed = {Key::kX};
   scene.frame(input);
   input.keysPressed.clear();

@@ -21,9 +21,9 @@
 namespace sinew::app {
 namespace {
 
-OutlinerFrame gather(const EditorState& state) {
+OutlinerContent gather(const EditorState& state) {
   const Skeleton& skeleton = state.character().skeleton;
-  OutlinerFrame frame{state.document.commands.sharedRig(), skeleton, {}, {}, {}, {}, 0.0f};
+  OutlinerContent frame{state.document.commands.sharedRig(), skeleton, {}, {}, {}, {}, 0.0f};
   frame.boneOf = boneOfEach(*frame.rig, skeleton);
   frame.effective = effectiveVisibility(state.document.visibility, *frame.rig, skeleton, frame.boneOf);
   if (editsTerritory(state)) {
@@ -51,7 +51,7 @@ void drawSearch(PanelUi& ui) {
 }
 
 /// Scrolls once to a muscle that has just become the active one.
-void reveal(PanelUi& ui, const OutlinerFrame& frame) {
+void reveal(PanelUi& ui, const OutlinerContent& frame) {
   EditorState& state = ui.state;
   const std::string& active = state.document.selection.active();
   const int index = findPrimitive(*frame.rig, active);
@@ -74,7 +74,7 @@ void reveal(PanelUi& ui, const OutlinerFrame& frame) {
   }
 }
 
-void keyboard(PanelUi& ui, const OutlinerFrame& frame) {
+void keyboard(PanelUi& ui, const OutlinerContent& frame) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!ImGui::IsWindowFocused() || io.WantTextInput || io.KeyCtrl || io.KeyAlt || frame.rows.empty()) return;
   if (ImGui::IsKeyPressed(GLFW_KEY_DOWN)) moveCursor(ui.state, frame.rows, 1, io.KeyShift);
@@ -82,7 +82,7 @@ void keyboard(PanelUi& ui, const OutlinerFrame& frame) {
 }
 
 void drawRows(PanelUi& ui) {
-  OutlinerFrame frame = gather(ui.state);
+  OutlinerContent frame = gather(ui.state);
   frame.rowHeight = ImGui::GetTextLineHeight() + ui.px(6);
   reveal(ui, frame);
   keyboard(ui, frame);

@@ -51,7 +51,7 @@ bool groupItem(PanelUi& ui, const Rig& rig, int group, bool chosen) {
   return clicked;
 }
 
-void groupSubmenu(PanelUi& ui, const OutlinerFrame& frame, int index) {
+void groupSubmenu(PanelUi& ui, const OutlinerContent& frame, int index) {
   const bool open = ImGui::BeginMenu("Move to group");
   ui.widgets.note("context/group");
   if (!open) return;
@@ -65,7 +65,7 @@ void groupSubmenu(PanelUi& ui, const OutlinerFrame& frame, int index) {
   ImGui::EndMenu();
 }
 
-void boneSubmenu(PanelUi& ui, const OutlinerFrame& frame) {
+void boneSubmenu(PanelUi& ui, const OutlinerContent& frame) {
   const bool open = ImGui::BeginMenu("Move to bone");
   ui.widgets.note("context/bone");
   if (!open) return;
@@ -81,7 +81,7 @@ void boneSubmenu(PanelUi& ui, const OutlinerFrame& frame) {
 
 }  // namespace
 
-void muscleMenu(PanelUi& ui, const OutlinerFrame& frame, int index) {
+void muscleMenu(PanelUi& ui, const OutlinerContent& frame, int index) {
   if (!beginContextMenu(ui)) return;
   const std::string& name = frame.rig->primitives[static_cast<std::size_t>(index)].name;
   if (!ui.state.document.selection.contains(name)) ui.state.document.selection.set(name);
@@ -101,7 +101,7 @@ void muscleMenu(PanelUi& ui, const OutlinerFrame& frame, int index) {
   endContextMenu();
 }
 
-void boneMenu(PanelUi& ui, const OutlinerFrame& frame, int bone) {
+void boneMenu(PanelUi& ui, const OutlinerContent& frame, int bone) {
   if (!beginContextMenu(ui)) return;
   ui.state.document.selection.bone = bone;
   if (item(ui, "Add muscle on this bone", "add-muscle")) addMuscle(ui.state, bone);

@@ -24,7 +24,7 @@ constexpr float kNameFrom = 36.0f;  // From the row's indent: the fold mark and 
 /// One row while it is drawn.
 struct Row {
   PanelUi& ui;
-  const OutlinerFrame& frame;
+  const OutlinerContent& frame;
   const OutlinerRow& row;
   int position;
   ImVec2 low;
@@ -245,7 +245,7 @@ void drawUnattachedHead(const Row& row) {
 
 }  // namespace
 
-void drawOutlinerRow(PanelUi& ui, const OutlinerFrame& frame, int position) {
+void drawOutlinerRow(PanelUi& ui, const OutlinerContent& frame, int position) {
   const OutlinerRow& entry = frame.rows[static_cast<std::size_t>(position)];
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;

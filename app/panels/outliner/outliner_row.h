@@ -10,7 +10,7 @@
 namespace sinew::app {
 
 /// What the rows need, gathered once a frame. The rig is kept alive: a command may replace it while rows are drawn.
-struct OutlinerFrame {
+struct OutlinerContent {
   std::shared_ptr<const Rig> rig;
   const Skeleton& skeleton;
   std::vector<int> boneOf;
@@ -21,11 +21,11 @@ struct OutlinerFrame {
 };
 
 /// At the cursor; leaves the cursor below it.
-void drawOutlinerRow(PanelUi& ui, const OutlinerFrame& frame, int position);
+void drawOutlinerRow(PanelUi& ui, const OutlinerContent& frame, int position);
 // In outliner_menu.cpp.
 
 /// Right click on the last item.
-void muscleMenu(PanelUi& ui, const OutlinerFrame& frame, int index);
-void boneMenu(PanelUi& ui, const OutlinerFrame& frame, int bone);
+void muscleMenu(PanelUi& ui, const OutlinerContent& frame, int index);
+void boneMenu(PanelUi& ui, const OutlinerContent& frame, int bone);
 
 }  // namespace sinew::app

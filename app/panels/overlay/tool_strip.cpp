@@ -4,21 +4,15 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 
 #include "app/panels/overlay/legend.h"
 #include "app/panels/overlay/overlay.h"
+#include "app/tools/tool.h"
 
 namespace sinew::app {
 namespace {
 
-struct ToolButton {
-  const char* name;
-  Icon icon;
-};
-
-constexpr std::array kTools{ToolButton{"select", Icon::kSelect}, ToolButton{"add-muscle", Icon::kAddMuscle},
-                            ToolButton{"move", Icon::kMove},     ToolButton{"rotate", Icon::kRotate},
-                            ToolButton{"scale", Icon::kScale},   ToolButton{"pose", Icon::kPose}};
 constexpr std::array kShadings{"view/textured", "view/clay", "view/classes", "view/heat"};
 constexpr std::array kToggles{"view/wire",      "view/skeleton", "view/primitives",
                               "view/influence", "view/ground",   "view/numbers"};
@@ -38,7 +32,7 @@ float pillWidth(const char* actionId) {
 void drawToolStrip(PanelUi& ui) {
   const float size = ui.px(34);
   const float pad = ui.px(4);
-  const auto rows = static_cast<float>(kTools.size() + 5);
+  const auto rows = static_cast<float>(kToolCount + 5);
   ImGui::SetCursorPos({ui.px(10), ui.px(54)});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.88f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
@@ -46,9 +40,9 @@ void drawToolStrip(PanelUi& ui) {
   ImGui::BeginChild(
       "toolstrip", {size + 2.0f * pad, rows * (size + ui.px(2)) + ui.px(9) + 2.0f * pad}, true,
       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_AlwaysUseWindowPadding);
-  for (const ToolButton& tool : kTools) {
-    const std::string name = tool.name;
-    actionButton(ui, "toolstrip/" + name, action("tool/" + name), tool.icon, size);
+  for (const Tool* const tool : tools()) {
+    const std::string_view id = tool->id;
+    actionButton(ui, "toolstrip" + std::string(id.substr(id.find('/'))), action(id), tool->icon, size);
   }
   actionButton(ui, "toolstrip/box-select", action("tool/box-select"), Icon::kBox, size);
   ImGui::Dummy({0.0f, ui.px(1)});

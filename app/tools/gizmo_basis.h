@@ -1,4 +1,4 @@
-// app/tools/gizmo_frame.h: where a gizmo's axes stand in one frame; shared by its layout and its drags.
+// app/tools/gizmo_basis.h: where a gizmo's axes stand in one frame; shared by its layout and its drags.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ struct HandleParts {
 [[nodiscard]] std::array<int, 2> planeAxes(int way);
 
 /// A gizmo in one frame's pose.
-struct GizmoFrame {
+struct GizmoBasis {
   glm::mat3 bone{1.0f};               ///< B.
   glm::dmat3 boneInverse{1.0};        ///< In double: a bone in metres under a scale of 0.01 loses digits otherwise.
   glm::vec3 origin{0.0f};             ///< Where the handles stand: the pivot, or the ellipsoid's centre; world.
@@ -40,7 +40,7 @@ struct GizmoFrame {
 inline constexpr float kGizmoArmPixels = 95.0f;
 
 /// Nothing if the bone is flattened or not finite, or the origin is not in front of the eye.
-[[nodiscard]] std::optional<GizmoFrame> gizmoFrame(GizmoAxes axes, const Placement& inBone,
+[[nodiscard]] std::optional<GizmoBasis> gizmoBasis(GizmoAxes axes, const Placement& inBone,
                                                    const GizmoContext& context);
 
 /// Scale is always along the primitive's own axes.

@@ -1,0 +1,58 @@
+// app/tools/add_muscle_tool.cpp: the tool that draws muscles on the skin.
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "app/tools/tool.h"
+
+namespace sinew::app {
+namespace {
+
+bool pressOnSkin(ToolFrame& frame) {
+  if (!frame.tools.hover.skin) return false;
+  const Result<void> begun = beginAddMuscle(frame.tools.addMuscle, frame.context, frame.tools.hover, frame.input.mouse);
+  if (!begun) frame.result.refusal = begun.error().text();
+  return begun.ok();
+}
+
+bool drawOnSkin(ToolFrame& frame, const ViewportInput& input) {
+  AddMuscleState& state = frame.tools.addMuscle;
+  // An undo from elsewhere has ended the gesture.
+  if (!frame.document().commands.inGesture()) state.drag.reset();
+  else updateAddMuscle(state, input, frame.context, frame.view);
+  return state.drag.has_value();
+}
+
+void cancelDrawing(ViewportTools& tools, Document& document) { cancelAddMuscle(tools.addMuscle, document); }
+
+std::string describeDrawing(const ToolFrame& frame) {
+  const ViewportTools& tools = frame.tools;
+  if (tools.addMuscle.drag) return "Drag along the skin: release keeps, Esc cancels; the pose is held while you draw";
+  if (!tools.hover.skin || tools.hover.bone < 0) return "Add muscle: press on the skin and drag";
+  const auto bone = static_cast<std::size_t>(tools.hover.bone);
+  return "Press and drag: a muscle grows on " + frame.document().character->skeleton.bones[bone].name;
+}
+
+}  // namespace
+
+constinit const Tool kAddMuscleTool{
+    .id = "tool/add-muscle",
+    .label = "Add muscle",
+    .hint = "Press on the skin and drag: a muscle grows there",
+    .key = GLFW_KEY_M,
+    .icon = Icon::kAddMuscle,
+    .handles = GizmoMode::kPoles,
+    .whole = GizmoHandle::kNone,
+    .onSkin = true,
+    .target = nullptr,
+    .beginHandle = nullptr,
+    .continueHandle = nullptr,
+    .hover = hoverAt,
+    .press = pressOnSkin,
+    .drag = drawOnSkin,
+    .cancel = cancelDrawing,
+    .click = nullptr,
+    .describe = describeDrawing,
+};
+
+}  // namespace sinew::app

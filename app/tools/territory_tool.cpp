@@ -1,0 +1,94 @@
+// app/tools/territory_tool.cpp: clicks on bones say whose skin the active muscle may move.
+
+#include "app/tools/territory_tool.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/tools/tool.h"
+#include "core/rig/attachment.h"
+#include "core/rig/rig_edit_several.h"
+
+namespace sinew::app {
+namespace {
+
+/// The names that stand for the territory in a file: those it has, or those of the default.
+std::vector<std::string> namesOf(const Primitive& primitive, const Skeleton& skeleton) {
+  if (primitive.territory) return *primitive.territory;
+  std::vector<std::string> names;
+  const std::optional<int> own = skeleton.findBone(primitive.bone);
+  if (!own) return names;
+  for (const int bone : territoryBones(primitive, *own, skeleton)) names.push_back(skeleton.fileName(bone));
+  return names;
+}
+
+/// Bones are picked as if the skeleton were shown.
+ViewportHover hoverBone(const ViewportContext& context, const View& view, const glm::vec2& pixel) {
+  ViewportContext withBones = context;
+  withBones.display.skeleton = true;
+  return hoverAt(withBones, view, pixel);
+}
+
+void clickBone(ToolFrame& frame) {
+  if (frame.tools.hover.bone < 0) return;
+  const Result<void> done = toggleTerritoryBone(frame.document(), frame.tools.hover.bone);
+  if (!done) frame.result.refusal = done.error().reason;
+}
+
+std::string describeTerritory(const ToolFrame& frame) {
+  const int bone = frame.tools.hover.bone;
+  if (bone < 0) return "Territory: click a bone, or the skin that follows it, Esc ends the mode";
+  const std::string& name = frame.document().character->skeleton.bones[static_cast<std::size_t>(bone)].name;
+  return "Click: " + name + " joins or leaves the territory, Esc ends the mode";
+}
+
+}  // namespace
+
+int territorySubject(const Document& document) {
+  const int active = document.activePrimitive();
+  if (active < 0) return -1;
+  const Primitive& primitive = document.rig().primitives[static_cast<std::size_t>(active)];
+  return document.character->skeleton.findBone(primitive.bone) ? active : -1;
+}
+
+Result<Rig> withTerritoryBone(const Rig& rig, int index, int bone, const Skeleton& skeleton) {
+  std::vector<std::string> names = namesOf(rig.primitives[static_cast<std::size_t>(index)], skeleton);
+  const auto removed = std::erase_if(names, [&](const std::string& name) { return skeleton.findBone(name) == bone; });
+  if (removed == 0) names.push_back(skeleton.fileName(bone));
+  const bool any =
+      std::ranges::any_of(names, [&](const std::string& name) { return skeleton.findBone(name).has_value(); });
+  if (!any) return errorAt("territory", "a muscle must be allowed to move the skin of one bone at least");
+  return editPrimitives(rig, std::vector<int>{index}, [&](Primitive& primitive) { primitive.territory = names; });
+}
+
+Result<void> toggleTerritoryBone(Document& document, int bone) {
+  const int index = document.activePrimitive();
+  if (index < 0) return {};
+  Result<Rig> changed = withTerritoryBone(document.rig(), index, bone, document.character->skeleton);
+  if (!changed) return changed.error();
+  const std::string name = document.rig().primitives[static_cast<std::size_t>(index)].name;
+  document.commands.apply("Territory of " + name, std::move(changed).value());
+  return {};
+}
+
+constinit const Tool kTerritoryTool{
+    .id = "tool/territory",
+    .label = "Edit territory",
+    .hint = "Click bones: the skin of which the selected muscle may move",
+    .key = 0,
+    .icon = Icon::kNone,
+    .handles = GizmoMode::kPoles,
+    .whole = GizmoHandle::kNone,
+    .onSkin = false,
+    .target = nullptr,
+    .beginHandle = nullptr,
+    .continueHandle = nullptr,
+    .hover = hoverBone,
+    .press = nullptr,
+    .drag = nullptr,
+    .cancel = nullptr,
+    .click = clickBone,
+    .describe = describeTerritory,
+};
+
+}  // namespace sinew::app

@@ -1,0 +1,28 @@
+// app/tools/tool_table.cpp: every tool, in the order of ToolKind.
+
+#include <array>
+#include <string>
+
+#include "app/tools/tool.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr std::array<const Tool*, kToolCount> kTools{&kSelectTool, &kAddMuscleTool, &kMoveTool,
+                                                     &kRotateTool, &kScaleTool,     &kPoseTool};
+
+}  // namespace
+
+std::string nameOf(ToolKind tool) {
+  std::string name = kTools[static_cast<std::size_t>(tool)]->label;
+  for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return name;
+}
+
+std::span<const Tool* const, kToolCount> tools() { return kTools; }
+
+const Tool& activeTool(const ViewportTools& state) {
+  return state.territoryMode ? kTerritoryTool : *kTools[static_cast<std::size_t>(state.tool)];
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,59 @@
+// app/tools/viewport_tools.h: all that the tools of the viewport remember between frames, and what a frame gives.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "app/tools/add_muscle.h"
+#include "app/tools/axis_triad.h"
+#include "app/tools/box_select.h"
+#include "app/tools/camera.h"
+#include "app/tools/gizmo.h"
+#include "app/tools/gizmo_group.h"
+#include "app/tools/pose_bone.h"
+#include "app/tools/select.h"
+
+namespace sinew::app {
+
+/// Rows of the table of tools (tool.h).
+enum class ToolKind { kSelect, kAddMuscle, kMove, kRotate, kScale, kPose };
+inline constexpr std::size_t kToolCount = 6;
+
+[[nodiscard]] std::string nameOf(ToolKind tool);  ///< Its label in lower case: "add muscle".
+
+/// Who holds the mouse from a press to its release.
+enum class PressOwner { kNone, kOutside, kGizmo, kTool, kClick, kOrbit, kPan, kBox };
+
+/// All that the viewport's tools remember between frames.
+struct ViewportTools {
+  ToolKind tool = ToolKind::kMove;  ///< Through setTool.
+  GizmoState gizmo;                 ///< `axes` is free to set between drags.
+  AddMuscleState addMuscle;
+  PoseBoneState pose;
+  Camera camera;
+  ViewportHover hover;
+  PressOwner owner = PressOwner::kNone;
+  MouseButton ownerButton = MouseButton::kLeft;
+  glm::vec2 pressPixel{0.0f};
+  glm::vec2 lastPixel{0.0f};
+  std::string gizmoPrimitive;              ///< Name of the primitive being dragged.
+  std::vector<GizmoCompanion> companions;  ///< Dragged along with it.
+  GizmoPivot pivot = GizmoPivot::kActive;  ///< Of several selected muscles. Free to set between drags.
+  BoxSelectState box;
+  bool dragWanted = false;     ///< Through startDrag: begins with the next frame.
+  bool buttonless = false;     ///< The gizmo's drag goes on without a button: a click or Enter keeps it.
+  bool territoryMode = false;  ///< Clicks on bones change the active muscle's territory, whatever the tool.
+  AxisTriad triad;
+};
+
+struct RouteResult {
+  View view;                  ///< After the input: what to draw with.
+  GizmoLayout gizmo;          ///< In that view: for drawGizmo and --log-state. Not visible: nothing to draw.
+  GizmoContext gizmoContext;  ///< For drawGizmo, if visible.
+  std::string status;         ///< What the tool does next: the status line.
+  std::string refusal;        ///< Why an edit was refused; "" if none was.
+  bool needsFrame = false;    ///< Something moves or is being dragged: draw again soon.
+};
+
+}  // namespace sinew::app
