@@ -7,7 +7,10 @@
 
 namespace sinew::app {
 
-CommandStack::CommandStack(Rig rig) : current_(std::make_shared<const Rig>(std::move(rig))), saved_(current_) {
+CommandStack::CommandStack(Rig rig) {
+  identities_.identify(rig, Rig{});
+  current_ = std::make_shared<const Rig>(std::move(rig));
+  saved_ = current_;
   steps_.push_back({"Open", current_});
 }
 
@@ -34,6 +37,7 @@ void CommandStack::updateGesture(Rig rig) {
   if (*current_ == rig) return;
   if (keeper_) rig = keeper_(*steps_[position_].rig, *current_, std::move(rig));
   if (*current_ == rig) return;
+  identities_.identify(rig, *current_);
   show(std::make_shared<const Rig>(std::move(rig)));
 }
 

@@ -8,11 +8,13 @@
 #include <utility>
 #include <vector>
 
+#include "core/rig/identity.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew::app {
 
 /// A linear history of rigs. Each step is a whole rig (a value of a few kilobytes, shared, never copied on undo).
+/// Every primitive and group in it has an identity that lasts as long as the stack.
 /// A gesture (one drag) shows its states at once and leaves one step, or none if cancelled or without effect.
 class CommandStack {
  public:
@@ -66,6 +68,7 @@ class CommandStack {
   std::string gestureLabel_;
   std::size_t revision_ = 0;
   Keeper keeper_;
+  IdentitySource identities_;
 };
 
 }  // namespace sinew::app

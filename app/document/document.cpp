@@ -51,6 +51,12 @@ Result<Document> openRig(const std::filesystem::path& file) {
 
 int Document::activePrimitive() const { return findPrimitive(rig(), selection.active()); }
 
+const std::string& Document::activeName() const {
+  static const std::string kNone;
+  const int active = activePrimitive();
+  return active < 0 ? kNone : rig().primitives[static_cast<std::size_t>(active)].name;
+}
+
 std::string Document::name() const {
   if (!rigFile.empty()) return rigFile.filename().string();
   if (!characterFile.empty()) return characterFile.filename().string();

@@ -29,6 +29,10 @@ struct Document {
   [[nodiscard]] const Rig& rig() const { return commands.rig(); }
   /// Rig index of the active primitive, or -1.
   [[nodiscard]] int activePrimitive() const;
+  /// Its name; "" if there is none.
+  [[nodiscard]] const std::string& activeName() const;
+  /// Of the primitive at a rig index.
+  [[nodiscard]] PrimitiveId idAt(int index) const { return rig().primitives[static_cast<std::size_t>(index)].id(); }
   /// For the title: file name, "*" added by the caller when modified.
   [[nodiscard]] std::string name() const;
 };

@@ -7,18 +7,15 @@
 
 namespace sinew::app {
 
-bool Selection::contains(const std::string& primitive) const {
+bool Selection::contains(PrimitiveId primitive) const {
   return std::ranges::find(primitives, primitive) != primitives.end();
 }
 
-const std::string& Selection::active() const {
-  static const std::string kNone;
-  return primitives.empty() ? kNone : primitives.back();
-}
+PrimitiveId Selection::active() const { return primitives.empty() ? PrimitiveId{} : primitives.back(); }
 
-void Selection::set(const std::string& primitive) { primitives.assign(1, primitive); }
+void Selection::set(PrimitiveId primitive) { primitives.assign(1, primitive); }
 
-void Selection::toggle(const std::string& primitive) {
+void Selection::toggle(PrimitiveId primitive) {
   const auto found = std::ranges::find(primitives, primitive);
   if (found != primitives.end()) {
     primitives.erase(found);
@@ -27,38 +24,24 @@ void Selection::toggle(const std::string& primitive) {
   }
 }
 
-void Selection::setAll(std::span<const std::string> several, bool add) {
+void Selection::setAll(std::span<const PrimitiveId> several, bool add) {
   if (add) remove(several);
   else primitives.clear();
-  for (const std::string& primitive : several) {
+  for (const PrimitiveId primitive : several) {
     if (!contains(primitive)) primitives.push_back(primitive);
   }
 }
 
-void Selection::remove(std::span<const std::string> several) {
-  std::erase_if(primitives, [&](const std::string& name) { return std::ranges::find(several, name) != several.end(); });
+void Selection::remove(std::span<const PrimitiveId> several) {
+  std::erase_if(primitives, [&](const PrimitiveId id) { return std::ranges::find(several, id) != several.end(); });
 }
 
-void Selection::invert(std::span<const std::string> all) {
-  std::vector<std::string> others;
-  for (const std::string& name : all) {
-    if (!contains(name)) others.push_back(name);
+void Selection::invert(std::span<const PrimitiveId> all) {
+  std::vector<PrimitiveId> others;
+  for (const PrimitiveId id : all) {
+    if (!contains(id)) others.push_back(id);
   }
   primitives = std::move(others);
-}
-
-void Selection::extendTo(const std::string& primitive, std::span<const std::string> shown, bool add) {
-  const auto from = std::ranges::find(shown, active());
-  const auto to = std::ranges::find(shown, primitive);
-  if (from == shown.end() || to == shown.end()) {
-    if (add) setAll(std::span(&primitive, 1), true);
-    else set(primitive);
-    return;
-  }
-  // The one clicked last is active.
-  std::vector<std::string> range(std::min(from, to), std::max(from, to) + 1);
-  if (to < from) std::ranges::reverse(range);
-  setAll(range, add);
 }
 
 void Selection::clear() {

@@ -1,29 +1,28 @@
-// app/document/selection.h: what the designer has picked. By name, so that it survives undo.
+// app/document/selection.h: what the designer has picked.
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
+
+#include "sinew/rig/rig.h"
 
 namespace sinew::app {
 
-/// Primitives by name in order of picking (the last is the active one, which gizmo and inspector show), and one bone.
+/// Primitives in order of picking (the last is the active one, which gizmo and inspector show), and one bone. Those
+/// that the rig lacks at the moment stay: what undo takes away, redo brings back selected.
 struct Selection {
-  std::vector<std::string> primitives;
+  std::vector<PrimitiveId> primitives;
   int bone = -1;  ///< Index into Skeleton::bones, or -1.
 
-  [[nodiscard]] bool contains(const std::string& primitive) const;
-  [[nodiscard]] const std::string& active() const;  ///< "" if none.
-  void set(const std::string& primitive);           ///< Only this one.
-  void toggle(const std::string& primitive);
+  [[nodiscard]] bool contains(PrimitiveId primitive) const;
+  [[nodiscard]] PrimitiveId active() const;  ///< 0 if none.
+  void set(PrimitiveId primitive);           ///< Only this one.
+  void toggle(PrimitiveId primitive);
   /// Picks several at once, in their order; the last becomes active. They replace what was picked, or (`add`) join it.
-  void setAll(std::span<const std::string> several, bool add = false);
-  void remove(std::span<const std::string> several);
+  void setAll(std::span<const PrimitiveId> several, bool add = false);
+  void remove(std::span<const PrimitiveId> several);
   /// Picks those of `all` that were not picked, and lets go of the others.
-  void invert(std::span<const std::string> all);
-  /// From the active one to `primitive`, both included, in the order of `shown` (a list as it is drawn); what was
-  /// picked before stays if `add`. Without an active one in the list: that one alone.
-  void extendTo(const std::string& primitive, std::span<const std::string> shown, bool add = false);
+  void invert(std::span<const PrimitiveId> all);
   void clear();
 };
 

@@ -5,22 +5,17 @@
 #include <algorithm>
 #include <string_view>
 #include <unordered_map>
-#include <unordered_set>
 
 namespace sinew::app {
 namespace {
 
-void mark(std::set<std::string>& names, const std::string& name, bool on) {
+template <class Key>
+void mark(std::set<Key>& keys, const Key& key, bool on) {
   if (on) {
-    names.insert(name);
+    keys.insert(key);
   } else {
-    names.erase(name);
+    keys.erase(key);
   }
-}
-
-/// The muscle takes its mark along, and leaves none behind for another of the old name.
-void rename(std::set<std::string>& names, const std::string& from, const std::string& to) {
-  if (names.erase(from) > 0) names.insert(to);
 }
 
 /// For every bone: it or one above it carries the mark.
@@ -37,32 +32,6 @@ std::vector<bool> inherited(const std::set<std::string>& marked, const Skeleton&
 
 bool holds(const std::vector<bool>& ofBones, int bone) { return bone >= 0 && ofBones[static_cast<std::size_t>(bone)]; }
 
-/// Muscles may be renamed by hand in one step only where nothing else came or went.
-void followRenames(Visibility& visibility, const Rig& before, const Rig& after) {
-  for (std::size_t i = 0; i < after.primitives.size(); ++i) {
-    const std::string& from = before.primitives[i].name;
-    const std::string& to = after.primitives[i].name;
-    if (from == to || findPrimitive(before, to) >= 0 || findPrimitive(after, from) >= 0) continue;
-    for (const Mark which : {Mark::kHidden, Mark::kLocked, Mark::kSolo}) {
-      rename(visibility.marks(which).muscles, from, to);
-    }
-    if (visibility.isolated) rename(*visibility.isolated, from, to);
-  }
-}
-
-void welcomeNew(Visibility& visibility, const Rig& before, const Rig& after) {
-  std::unordered_set<std::string_view> known;
-  for (const Primitive& primitive : before.primitives) known.insert(primitive.name);
-  for (const Primitive& primitive : after.primitives) {
-    if (known.contains(primitive.name)) continue;
-    visibility.hidden.muscles.erase(primitive.name);
-    visibility.locked.muscles.erase(primitive.name);
-    // What is made while others are put away is what one works on.
-    mark(visibility.solo.muscles, primitive.name, !visibility.solo.empty());
-    if (visibility.isolated) visibility.isolated->insert(primitive.name);
-  }
-}
-
 }  // namespace
 
 Visibility::Marks& Visibility::marks(Mark mark) {
@@ -73,7 +42,7 @@ const Visibility::Marks& Visibility::marks(Mark mark) const {
   return mark == Mark::kHidden ? hidden : (mark == Mark::kLocked ? locked : solo);
 }
 
-void Visibility::setMuscle(Mark which, const std::string& muscle, bool on) { mark(marks(which).muscles, muscle, on); }
+void Visibility::setMuscle(Mark which, PrimitiveId muscle, bool on) { mark(marks(which).muscles, muscle, on); }
 
 void Visibility::setBone(Mark which, const std::string& bonePath, bool on) { mark(marks(which).bones, bonePath, on); }
 
@@ -106,13 +75,12 @@ EffectiveVisibility effectiveVisibility(const Visibility& visibility, const Rig&
   effective.boneLocked = inherited(visibility.locked.bones, skeleton);
   const std::vector<bool> soloBones = inherited(visibility.solo.bones, skeleton);
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
-    const std::string& name = rig.primitives[i].name;
-    const bool put = visibility.hidden.muscles.contains(name) || holds(effective.boneHidden, boneOf[i]);
-    const bool soloed =
-        visibility.solo.empty() || visibility.solo.muscles.contains(name) || holds(soloBones, boneOf[i]);
-    const bool among = !visibility.isolated || visibility.isolated->contains(name);
+    const PrimitiveId id = rig.primitives[i].id();
+    const bool put = visibility.hidden.muscles.contains(id) || holds(effective.boneHidden, boneOf[i]);
+    const bool soloed = visibility.solo.empty() || visibility.solo.muscles.contains(id) || holds(soloBones, boneOf[i]);
+    const bool among = !visibility.isolated || visibility.isolated->contains(id);
     effective.visible.push_back(!visibility.bare && !put && soloed && among);
-    effective.locked.push_back(visibility.locked.muscles.contains(name) || holds(effective.boneLocked, boneOf[i]));
+    effective.locked.push_back(visibility.locked.muscles.contains(id) || holds(effective.boneLocked, boneOf[i]));
   }
   return effective;
 }
@@ -134,12 +102,13 @@ bool isPickable(const Visibility& visibility, const Rig& rig, const Skeleton& sk
   return effective.visible[index] && !effective.locked[index];
 }
 
-void followRig(Visibility& visibility, const Rig& before, const Rig& after, bool travelled) {
-  if (visibility.plain()) return;
-  if (before.primitives.size() == after.primitives.size()) {
-    followRenames(visibility, before, after);
-  } else if (!travelled) {
-    welcomeNew(visibility, before, after);
+void welcomeNew(Visibility& visibility, const Rig& rig) {
+  const PrimitiveId seen = visibility.newest;
+  for (const Primitive& primitive : rig.primitives) {
+    visibility.newest = std::max(visibility.newest, primitive.id());
+    if (primitive.id() <= seen) continue;
+    if (!visibility.solo.empty()) visibility.solo.muscles.insert(primitive.id());
+    if (visibility.isolated) visibility.isolated->insert(primitive.id());
   }
 }
 

@@ -14,12 +14,12 @@ namespace sinew::app {
 /// One of the three switches that muscles and bones have.
 enum class Mark { kHidden, kLocked, kSolo };
 
-/// View state, by name, so that it survives undo. Muscles by name, bones by path (Bone::path); what is said of a bone
-/// holds for every muscle on it and below it.
+/// View state. Bones by path (Bone::path); what is said of a bone holds for every muscle on it and below it. What is
+/// said of a muscle stays while undo has taken it away.
 struct Visibility {
   /// Who carries a mark.
   struct Marks {
-    std::set<std::string> muscles;
+    std::set<PrimitiveId> muscles;
     std::set<std::string> bones;
 
     [[nodiscard]] bool empty() const { return muscles.empty() && bones.empty(); }
@@ -29,12 +29,13 @@ struct Visibility {
   Marks hidden;
   Marks locked;
   Marks solo;                                     ///< If anything carries it, the rest is hidden.
-  std::optional<std::set<std::string>> isolated;  ///< Only these muscles are shown, in what is otherwise visible.
+  std::optional<std::set<PrimitiveId>> isolated;  ///< Only these muscles are shown, in what is otherwise visible.
+  PrimitiveId newest;                             ///< Of those that welcomeNew has seen.
   bool bare = false;                              ///< No muscle at all: the character as it was before.
 
   [[nodiscard]] Marks& marks(Mark mark);
   [[nodiscard]] const Marks& marks(Mark mark) const;
-  void setMuscle(Mark mark, const std::string& muscle, bool on);
+  void setMuscle(Mark mark, PrimitiveId muscle, bool on);
   void setBone(Mark mark, const std::string& bonePath, bool on);
   /// Nothing is left out and nothing locked.
   [[nodiscard]] bool plain() const;
@@ -48,7 +49,7 @@ struct Visibility {
 
 /// What holds for each muscle of a rig after bones, solo, isolation and `bare` have had their say.
 struct EffectiveVisibility {
-  std::vector<bool> visible;     ///< [primitives] Neither drawn nor moving the skin where false.
+  std::vector<bool> visible;     ///< [primitives] False: not drawn, and does not deform the skin.
   std::vector<bool> locked;      ///< [primitives]
   std::vector<bool> boneHidden;  ///< [bones] itself or a bone above it.
   std::vector<bool> boneLocked;  ///< [bones]
@@ -62,8 +63,8 @@ struct EffectiveVisibility {
 /// By rig index: neither hidden nor locked.
 [[nodiscard]] bool isPickable(const Visibility& visibility, const Rig& rig, const Skeleton& skeleton, int primitive);
 
-/// The rig has changed: marks go with a muscle that has got another name, and a muscle that is new appears whole even
-/// if one of its name was hidden once. @param travelled  by undo or redo: then what comes back is as it was left.
-void followRig(Visibility& visibility, const Rig& before, const Rig& after, bool travelled);
+/// A muscle made while others are soloed or isolated joins them: it is what one works on. Identities grow, so that what
+/// undo or redo bring back is not new.
+void welcomeNew(Visibility& visibility, const Rig& rig);
 
 }  // namespace sinew::app

@@ -75,8 +75,9 @@ std::string toggleLink(EditorState& state, int groupA, int groupB) {
 void addEmptyGroup(EditorState& state) {
   const std::string name = freeGroupName(state.document.rig(), "group");
   if (!finish(state, "New group", addGroup(state.document.rig(), name)).empty()) return;
-  state.panels.blending.group = name;
-  state.panels.blending.rename = {name, name, true};
+  const GroupId added = state.document.rig().groups.back().id();
+  state.panels.blending.group = added;
+  state.panels.blending.rename = {added, name, true};
 }
 
 void groupSelection(EditorState& state) {
@@ -85,21 +86,17 @@ void groupSelection(EditorState& state) {
   const std::string name = freeGroupName(state.document.rig(), "group");
   if (!finish(state, "Group " + countText(indices.size()), moveToNewGroup(state.document.rig(), indices, name)).empty())
     return;
-  state.panels.blending.group = name;
-  if (state.panels.outliner.tab == LeftTab::kGroups) state.panels.blending.rename = {name, name, true};
+  const GroupId added =
+      state.document.rig().groups[static_cast<std::size_t>(findGroup(state.document.rig(), name))].id();
+  state.panels.blending.group = added;
+  if (state.panels.outliner.tab == LeftTab::kGroups) state.panels.blending.rename = {added, name, true};
 }
 
-std::string renameGroupTo(EditorState& state, const std::string& group, const std::string& name) {
+std::string renameGroupTo(EditorState& state, GroupId group, const std::string& name) {
   const int index = findGroup(state.document.rig(), group);
-  if (index < 0 || group == name) return "";
-  const std::string refusal = finish(state, "Rename " + group, renameGroup(state.document.rig(), index, name));
-  if (!refusal.empty()) return refusal;
-  BlendingState& blending = state.panels.blending;
-  if (blending.group == group) blending.group = name;
-  if (const auto place = blending.places.find(group); place != blending.places.end()) {
-    blending.places[name] = place->second;
-  }
-  return "";
+  if (index < 0 || nameOfGroup(state.document.rig(), index) == name) return "";
+  const std::string label = "Rename " + nameOfGroup(state.document.rig(), index);
+  return finish(state, label, renameGroup(state.document.rig(), index, name));
 }
 
 std::string removeGroupOf(EditorState& state, int group, int into) {
@@ -116,15 +113,14 @@ std::string moveToGroup(EditorState& state, const std::vector<int>& indices, con
 void selectMembers(EditorState& state, const std::string& group) {
   state.document.selection.clear();
   for (const int index : membersOf(state.document.rig(), group)) {
-    state.document.selection.primitives.push_back(
-        state.document.rig().primitives[static_cast<std::size_t>(index)].name);
+    state.document.selection.primitives.push_back(state.document.idAt(index));
   }
 }
 
 std::vector<int> draggedMuscles(const EditorState& state, int grabbed) {
   const auto index = static_cast<std::size_t>(grabbed);
   if (index >= state.document.rig().primitives.size()) return {};
-  if (state.document.selection.contains(state.document.rig().primitives[index].name)) {
+  if (state.document.selection.contains(state.document.idAt(grabbed))) {
     return selectedIndices(state.document);
   }
   return {grabbed};

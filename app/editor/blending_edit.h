@@ -27,7 +27,7 @@ std::string toggleLink(EditorState& state, int groupA, int groupB);
 void addEmptyGroup(EditorState& state);
 /// The selected muscles in a group of their own.
 void groupSelection(EditorState& state);
-std::string renameGroupTo(EditorState& state, const std::string& group, const std::string& name);
+std::string renameGroupTo(EditorState& state, GroupId group, const std::string& name);
 /// The group's muscles go to `into` (an index); -1: only if it is empty.
 std::string removeGroupOf(EditorState& state, int group, int into);
 std::string moveToGroup(EditorState& state, const std::vector<int>& indices, const std::string& group);

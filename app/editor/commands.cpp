@@ -26,8 +26,11 @@ void show(EditorState& state, Document document, LiveSurface live, const Transpo
   state.route = {};
   state.rename = {};
   state.euler = {};
+  state.revealed = {};
+  state.panels.blending.group = {};
+  state.panels.blending.rename = {};
+  state.panels.blending.linkFrom = {};
   state.tools.territoryMode = false;
-  state.panels.followed.reset();
   state.gestureItem = 0;
   state.fieldError.clear();
   state.frameWanted = true;
@@ -56,22 +59,6 @@ void reopen(EditorState& state) {
   if (transport.clip < static_cast<int>(state.character().clips.size())) {
     state.transport = transport;
     state.transport.time = std::min(transport.time, clipDuration(transport, state.character()));
-  }
-}
-
-/// Moves in the history; a selected muscle that only changes its name on the way stays selected.
-template <class Move>
-void travel(EditorState& state, Move move) {
-  if (isBusy(state)) return;
-  const auto before = state.document.commands.sharedRig();
-  move(state.document.commands);
-  const Rig& after = state.document.rig();
-  followRig(state.document.visibility, *before, after, true);
-  state.panels.followed = state.document.commands.sharedRig();
-  if (after.primitives.size() != before->primitives.size()) return;
-  for (std::string& name : state.document.selection.primitives) {
-    const int index = findPrimitive(*before, name);
-    if (index >= 0 && findPrimitive(after, name) < 0) name = after.primitives[static_cast<std::size_t>(index)].name;
   }
 }
 
@@ -196,15 +183,15 @@ std::string saveTo(EditorState& state, const std::filesystem::path& file) {
 }
 
 void undo(EditorState& state) {
-  travel(state, [](CommandStack& commands) { commands.undo(); });
+  if (!isBusy(state)) state.document.commands.undo();
 }
 
 void redo(EditorState& state) {
-  travel(state, [](CommandStack& commands) { commands.redo(); });
+  if (!isBusy(state)) state.document.commands.redo();
 }
 
 void jumpTo(EditorState& state, std::size_t step) {
-  travel(state, [step](CommandStack& commands) { commands.jumpTo(step); });
+  if (!isBusy(state)) state.document.commands.jumpTo(step);
 }
 
 void addMuscle(EditorState& state, int bone) {
@@ -218,7 +205,7 @@ void deleteSelection(EditorState& state) {
   const std::vector<int> indices = editedIndices(state);
   if (indices.empty() || isBusy(state)) return;
   const std::string what =
-      indices.size() == 1 ? state.document.selection.active() : std::to_string(indices.size()) + " muscles";
+      indices.size() == 1 ? state.document.activeName() : std::to_string(indices.size()) + " muscles";
   state.document.commands.apply("Delete " + what, removePrimitives(state.document.rig(), indices));
 }
 
@@ -232,27 +219,25 @@ void duplicateSelection(EditorState& state) {
   state.document.selection.primitives.clear();
   // The copies of what was selected; those of twins, made by symmetry, follow.
   for (std::size_t i = before; i < primitives.size(); ++i) {
-    const std::string& original = primitives[static_cast<std::size_t>(indices[i - before])].name;
-    if (originals.contains(original)) state.document.selection.primitives.push_back(primitives[i].name);
+    const PrimitiveId original = primitives[static_cast<std::size_t>(indices[i - before])].id();
+    if (originals.contains(original)) state.document.selection.primitives.push_back(primitives[i].id());
   }
 }
 
-void startRename(EditorState& state, const std::string& primitive) {
-  if (findPrimitive(state.document.rig(), primitive) < 0) return;
-  state.rename = {primitive, primitive, true};
-}
-
-std::string rename(EditorState& state, const std::string& primitive, const std::string& name) {
+void startRename(EditorState& state, PrimitiveId primitive) {
   const int index = findPrimitive(state.document.rig(), primitive);
-  if (index < 0 || primitive == name) return "";
-  const auto before = state.document.commands.sharedRig();
-  Result<Rig> renamed = renameWithTwin(*before, index, name);
+  if (index >= 0)
+    state.rename = {primitive, state.document.rig().primitives[static_cast<std::size_t>(index)].name, true};
+}
+
+std::string rename(EditorState& state, PrimitiveId primitive, const std::string& name) {
+  const int index = findPrimitive(state.document.rig(), primitive);
+  if (index < 0) return "";
+  const std::string before = state.document.rig().primitives[static_cast<std::size_t>(index)].name;
+  if (before == name) return "";
+  Result<Rig> renamed = renameWithTwin(state.document.rig(), index, name);
   if (!renamed) return renamed.error().text();
-  state.document.commands.apply("Rename " + primitive, std::move(renamed).value());
-  for (std::size_t i = 0; i < before->primitives.size(); ++i) {
-    std::ranges::replace(state.document.selection.primitives, before->primitives[i].name,
-                         state.document.rig().primitives[i].name);
-  }
+  state.document.commands.apply("Rename " + before, std::move(renamed).value());
   return "";
 }
 
@@ -298,8 +283,8 @@ SurfaceView surfaceView(const EditorState& state) {
 
 std::vector<int> selectedIndices(const Document& document) {
   std::vector<int> indices;
-  for (const std::string& name : document.selection.primitives) {
-    if (const int index = findPrimitive(document.rig(), name); index >= 0) indices.push_back(index);
+  for (const PrimitiveId id : document.selection.primitives) {
+    if (const int index = findPrimitive(document.rig(), id); index >= 0) indices.push_back(index);
   }
   std::ranges::sort(indices);
   return indices;

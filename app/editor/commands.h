@@ -28,7 +28,6 @@ bool save(EditorState& state, const Intent& then);
 /// @return an empty text, or why it failed (also a message).
 std::string saveTo(EditorState& state, const std::filesystem::path& file);
 
-// The selection keeps names that the rig lacks at the moment, so that what undo takes away redo brings back selected.
 void undo(EditorState& state);
 void redo(EditorState& state);
 void jumpTo(EditorState& state, std::size_t step);
@@ -36,9 +35,9 @@ void jumpTo(EditorState& state, std::size_t step);
 void addMuscle(EditorState& state, int bone);
 void deleteSelection(EditorState& state);
 void duplicateSelection(EditorState& state);
-void startRename(EditorState& state, const std::string& primitive);
-/// One undo step; the selection follows the name. @return an empty text, or why it was refused.
-std::string rename(EditorState& state, const std::string& primitive, const std::string& name);
+void startRename(EditorState& state, PrimitiveId primitive);
+/// One undo step. @return an empty text, or why it was refused.
+std::string rename(EditorState& state, PrimitiveId primitive, const std::string& name);
 void selectNothing(EditorState& state);
 
 /// Selected muscles if there are, else the whole character. @param animated false: at once.

@@ -60,14 +60,14 @@ struct FileDialogState {
 
 /// A muscle's name being typed in the outliner.
 struct RenameState {
-  std::string primitive;  ///< "" if none.
+  PrimitiveId primitive;  ///< 0 if none.
   std::string text;
   bool appearing = false;
 };
 
 /// Angles as typed, so that showing them back never changes them. Valid while `rotation` is the primitive's.
 struct EulerState {
-  std::string primitive;
+  PrimitiveId primitive;
   glm::quat rotation{0.0f, 0.0f, 0.0f, 0.0f};
   glm::vec3 degrees{0.0f};
 };
@@ -105,7 +105,7 @@ struct EditorState {
   std::vector<std::pair<std::string, glm::quat>> copiedPose;  ///< Joints by file name, and their turns.
   PoseHistory poseHistory;
   std::string outlinerFilter;
-  std::string revealed;          ///< The muscle the outliner has scrolled to last.
+  PrimitiveId revealed;          ///< The muscle the outliner has scrolled to last.
   std::size_t historyShown = 0;  ///< The step the history has scrolled to last.
   unsigned gestureItem = 0;      ///< ImGui id of the field whose drag or typing is one undo step; 0: none.
   std::string fieldError;        ///< Why a typed value was refused; shown until the next edit.

@@ -29,21 +29,15 @@ int cursorRow(const EditorState& state, const std::vector<OutlinerRow>& rows) {
 }
 
 /// Muscles between two rows, the one of `to` last, so that it is the active one.
-std::vector<std::string> namesBetween(const Rig& rig, const std::vector<OutlinerRow>& rows, int from, int to) {
-  std::vector<std::string> names;
+std::vector<PrimitiveId> musclesBetween(const Document& document, const std::vector<OutlinerRow>& rows, int from,
+                                        int to) {
+  std::vector<PrimitiveId> muscles;
   const int step = from <= to ? 1 : -1;
   for (int position = from; position != to + step; position += step) {
     const OutlinerRow& row = rows[static_cast<std::size_t>(position)];
-    if (row.kind == RowKind::kMuscle) names.push_back(nameOfMuscle(rig, row.index));
+    if (row.kind == RowKind::kMuscle) muscles.push_back(document.idAt(row.index));
   }
-  return names;
-}
-
-void addToSelection(Selection& selection, const std::vector<std::string>& names) {
-  for (const std::string& name : names) {
-    std::erase(selection.primitives, name);
-    selection.primitives.push_back(name);
-  }
+  return muscles;
 }
 
 }  // namespace
@@ -77,15 +71,14 @@ void clickMuscle(EditorState& state, const std::vector<OutlinerRow>& rows, int p
   Selection& selection = state.document.selection;
   const int anchor = range ? rowOf(rows, state.panels.outliner.anchor, rig, skeleton) : -1;
   if (anchor >= 0) {
-    if (!toggle) selection.primitives.clear();
-    addToSelection(selection, namesBetween(rig, rows, anchor, position));
+    selection.setAll(musclesBetween(state.document, rows, anchor, position), toggle);
     return;
   }
-  const std::string& name = nameOfMuscle(rig, row.index);
+  const PrimitiveId muscle = state.document.idAt(row.index);
   if (toggle || range) {
-    selection.toggle(name);
+    selection.toggle(muscle);
   } else {
-    selection.set(name);
+    selection.set(muscle);
   }
   state.panels.outliner.anchor = keyOf(row, rig, skeleton);
 }
@@ -119,9 +112,7 @@ void moveCursor(EditorState& state, const std::vector<OutlinerRow>& rows, int by
 
 void selectMuscles(EditorState& state, const std::vector<int>& indices) {
   state.document.selection.primitives.clear();
-  for (const int index : indices) {
-    state.document.selection.primitives.push_back(nameOfMuscle(state.document.rig(), index));
-  }
+  for (const int index : indices) state.document.selection.primitives.push_back(state.document.idAt(index));
 }
 
 void setFolded(EditorState& state, int bone, bool folded, bool all) {

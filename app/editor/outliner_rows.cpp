@@ -102,7 +102,8 @@ std::vector<OutlinerRow> outlinerRows(const Rig& rig, const Skeleton& skeleton, 
 std::string keyOf(const OutlinerRow& row, const Rig& rig, const Skeleton& skeleton) {
   if (row.kind == RowKind::kUnattached) return "u:";
   const auto index = static_cast<std::size_t>(row.index);
-  return row.kind == RowKind::kMuscle ? "m:" + rig.primitives[index].name : "b:" + skeleton.bones[index].path;
+  return row.kind == RowKind::kMuscle ? "m:" + std::to_string(rig.primitives[index].id().value)
+                                      : "b:" + skeleton.bones[index].path;
 }
 
 int rowOf(const std::vector<OutlinerRow>& rows, const std::string& key, const Rig& rig, const Skeleton& skeleton) {

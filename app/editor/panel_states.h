@@ -16,7 +16,7 @@ namespace sinew::app {
 
 enum class LeftTab { kMuscles, kGroups };
 
-/// Rows have keys: "m:" and a muscle's name, or "b:" and a bone's path.
+/// Rows have keys: "m:" and a muscle's identity, or "b:" and a bone's path.
 struct OutlinerState {
   LeftTab tab = LeftTab::kMuscles;
   bool onlyWithMuscles = false;  ///< Bones without a muscle on them or below are left out.
@@ -27,21 +27,21 @@ struct OutlinerState {
 
 /// A group's name being typed.
 struct GroupRename {
-  std::string group;  ///< "" if none.
+  GroupId group;  ///< 0 if none.
   std::string text;
   bool appearing = false;
 };
 
 struct BlendingState {
   bool asGraph = false;  ///< Nodes and edges instead of the matrix.
-  std::string group;     ///< The chosen one, by name; "" if none.
+  GroupId group;         ///< The chosen one; 0 if none.
   GroupRename rename;
-  std::map<std::string, glm::vec2> places;  ///< Of nodes, design pixels; kept for names that undo may bring back.
-  std::size_t placedDocument = 0;           ///< EditorState::documentsOpened that `places` belongs to.
-  glm::vec2 pan{0.0f};                      ///< Design pixels: what the graph's origin is moved by.
+  std::map<GroupId, glm::vec2> places;  ///< Of nodes, design pixels; kept for groups that undo may bring back.
+  std::size_t placedDocument = 0;       ///< EditorState::documentsOpened that `places` belongs to.
+  glm::vec2 pan{0.0f};                  ///< Design pixels: what the graph's origin is moved by.
   float zoom = 1.0f;
   bool fitWanted = true;  ///< Bring all nodes into the canvas with the next frame.
-  std::string linkFrom;   ///< A link is being dragged from this group; "" if none.
+  GroupId linkFrom;       ///< A link is being dragged from this group; 0 if none.
 };
 
 struct InspectorState {
@@ -62,8 +62,7 @@ struct PanelStates {
   BlendingState blending;
   InspectorState inspector;
   BareState bare;
-  std::vector<int> highlighted;         ///< Rig indices of muscles that a panel's hover lights up; of this frame.
-  std::shared_ptr<const Rig> followed;  ///< The rig that the marks of visibility are up to date with.
+  std::vector<int> highlighted;  ///< Rig indices of muscles that a panel's hover lights up; of this frame.
 };
 
 }  // namespace sinew::app

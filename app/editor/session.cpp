@@ -122,7 +122,7 @@ void discardRecovery(EditorState& state, const fs::path& recoveryFile) {
 
 void showPalette(EditorState& state) { state.palette = {true, true, "", 0}; }
 
-void jumpToMuscle(EditorState& state, const std::string& primitive) {
+void jumpToMuscle(EditorState& state, PrimitiveId primitive) {
   if (!state.hasCharacter() || findPrimitive(state.document.rig(), primitive) < 0) return;
   state.document.selection.set(primitive);
   state.document.selection.bone = -1;

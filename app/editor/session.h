@@ -32,7 +32,7 @@ void discardRecovery(EditorState& state, const std::filesystem::path& recoveryFi
 
 void showPalette(EditorState& state);
 /// Selects it and brings it into the picture.
-void jumpToMuscle(EditorState& state, const std::string& primitive);
+void jumpToMuscle(EditorState& state, PrimitiveId primitive);
 void jumpToBone(EditorState& state, int bone);
 
 /// What is to be written of the preferences: with the layout as it stands.

@@ -32,17 +32,25 @@ bool apply(EditorState& state, const std::string& label, Result<Rig> rig) {
   return true;
 }
 
-/// Names of all muscles that may be picked, in rig order.
-std::vector<std::string> pickableNames(const EditorState& state) {
+/// All muscles that may be picked, in rig order.
+std::vector<PrimitiveId> pickableMuscles(const EditorState& state) {
   const Document& document = state.document;
   const Skeleton& skeleton = state.character().skeleton;
   const EffectiveVisibility seen =
       effectiveVisibility(document.visibility, document.rig(), skeleton, boneOfEach(document.rig(), skeleton));
-  std::vector<std::string> names;
+  std::vector<PrimitiveId> muscles;
   for (std::size_t i = 0; i < document.rig().primitives.size(); ++i) {
-    if (seen.visible[i] && !seen.locked[i]) names.push_back(document.rig().primitives[i].name);
+    if (seen.visible[i] && !seen.locked[i]) muscles.push_back(document.rig().primitives[i].id());
   }
-  return names;
+  return muscles;
+}
+
+/// The active muscle stays active if it is among them.
+void selectKeepingActive(EditorState& state, const std::vector<PrimitiveId>& muscles) {
+  Selection& selection = state.document.selection;
+  const PrimitiveId active = selection.active();
+  selection.setAll(muscles);
+  if (selection.contains(active)) selection.setAll(std::span(&active, 1), true);
 }
 
 }  // namespace
@@ -71,12 +79,12 @@ void mirrorSelection(EditorState& state) {
     twins.insert(twinOf(rig, index));
     ++done;
   }
-  if (done > 0) apply(state, "Mirror " + countText(done, state.document.selection.active()), std::move(rig));
+  if (done > 0) apply(state, "Mirror " + countText(done, state.document.activeName()), std::move(rig));
 }
 
 void flipSelection(EditorState& state) {
   const std::vector<int> selected = selectedIndices(state.document);
-  apply(state, "Flip " + countText(selected.size(), state.document.selection.active()),
+  apply(state, "Flip " + countText(selected.size(), state.document.activeName()),
         flipPrimitives(state.document.rig(), selected, *state.document.mirror));
 }
 
@@ -98,11 +106,12 @@ void linkSelection(EditorState& state) {
 }
 
 void selectTwins(EditorState& state) {
-  std::vector<std::string> twins;
-  for (const std::string& name : state.document.selection.primitives) {
-    const int index = findPrimitive(state.document.rig(), name);
-    const int twin = index < 0 ? -1 : twinOf(state.document.rig(), index);
-    if (twin >= 0) twins.push_back(at(state.document.rig(), twin).name);
+  const Rig& rig = state.document.rig();
+  std::vector<PrimitiveId> twins;
+  for (const PrimitiveId id : state.document.selection.primitives) {
+    const int index = findPrimitive(rig, id);
+    const int twin = index < 0 ? -1 : twinOf(rig, index);
+    if (twin >= 0) twins.push_back(at(rig, twin).id());
   }
   state.document.selection.setAll(twins);
 }
@@ -122,15 +131,9 @@ std::string whyTwinStays(const EditorState& state) {
   return bone ? "" : bone.error().reason;
 }
 
-void selectAll(EditorState& state) {
-  const std::string active = state.document.selection.active();
-  const std::vector<std::string> names = pickableNames(state);
-  state.document.selection.setAll(names);
-  // Who was active stays so.
-  if (std::ranges::find(names, active) != names.end()) state.document.selection.setAll(std::span(&active, 1), true);
-}
+void selectAll(EditorState& state) { selectKeepingActive(state, pickableMuscles(state)); }
 
-void invertSelection(EditorState& state) { state.document.selection.invert(pickableNames(state)); }
+void invertSelection(EditorState& state) { state.document.selection.invert(pickableMuscles(state)); }
 
 void selectOnBone(EditorState& state) {
   const Rig& rig = state.document.rig();
@@ -140,13 +143,11 @@ void selectOnBone(EditorState& state) {
   for (const int index : selectedIndices(state.document)) bones.insert(boneOf[static_cast<std::size_t>(index)]);
   if (bones.empty()) bones.insert(state.document.selection.bone);
   bones.erase(-1);
-  const std::string active = state.document.selection.active();
-  std::vector<std::string> names;
-  for (const std::string& name : pickableNames(state)) {
-    if (bones.contains(boneOf[static_cast<std::size_t>(findPrimitive(rig, name))])) names.push_back(name);
-  }
-  state.document.selection.setAll(names);
-  if (std::ranges::find(names, active) != names.end()) state.document.selection.setAll(std::span(&active, 1), true);
+  std::vector<PrimitiveId> muscles = pickableMuscles(state);
+  std::erase_if(muscles, [&](PrimitiveId id) {
+    return !bones.contains(boneOf[static_cast<std::size_t>(findPrimitive(rig, id))]);
+  });
+  selectKeepingActive(state, muscles);
 }
 
 void copySelection(EditorState& state) {
@@ -157,7 +158,7 @@ void copySelection(EditorState& state) {
 void cutSelection(EditorState& state) {
   const std::vector<int> indices = editedIndices(state);
   if (indices.empty()) return;
-  const std::string what = countText(indices.size(), state.document.selection.active());
+  const std::string what = countText(indices.size(), state.document.activeName());
   copySelection(state);
   apply(state, "Cut " + what, removePrimitives(state.document.rig(), indices));
 }
@@ -174,7 +175,10 @@ void pasteMuscles(EditorState& state, bool mirrored) {
   const std::vector<std::string> names = pasted->names;
   apply(state, std::string(mirrored ? "Paste mirrored " : "Paste ") + countText(names.size(), names.front()),
         std::move(pasted).value().rig);
-  state.document.selection.setAll(names);
+  state.document.selection.primitives.clear();
+  for (const std::string& name : names) {
+    state.document.selection.primitives.push_back(state.document.idAt(findPrimitive(state.document.rig(), name)));
+  }
 }
 
 }  // namespace sinew::app

@@ -9,32 +9,24 @@
 namespace sinew::app {
 namespace {
 
-std::vector<std::string> selectedNames(const EditorState& state) {
-  std::vector<std::string> names;
-  for (const int index : selectedIndices(state.document)) {
-    names.push_back(state.document.rig().primitives[static_cast<std::size_t>(index)].name);
-  }
-  return names;
+std::vector<PrimitiveId> selectedMuscles(const EditorState& state) {
+  std::vector<PrimitiveId> muscles;
+  for (const int index : selectedIndices(state.document)) muscles.push_back(state.document.idAt(index));
+  return muscles;
 }
 
 /// Sets the mark on all selected, or takes it off if all have it.
 void toggleMark(EditorState& state, Mark mark) {
   Visibility& visibility = state.document.visibility;
-  const std::vector<std::string> names = selectedNames(state);
-  const bool all = std::ranges::all_of(
-      names, [&](const std::string& name) { return visibility.marks(mark).muscles.contains(name); });
-  for (const std::string& name : names) visibility.setMuscle(mark, name, !all);
+  const std::vector<PrimitiveId> muscles = selectedMuscles(state);
+  const bool all =
+      std::ranges::all_of(muscles, [&](PrimitiveId id) { return visibility.marks(mark).muscles.contains(id); });
+  for (const PrimitiveId id : muscles) visibility.setMuscle(mark, id, !all);
 }
 
 }  // namespace
 
-void followEdits(EditorState& state) {
-  const auto now = state.document.commands.sharedRig();
-  if (state.panels.followed && state.panels.followed != now) {
-    followRig(state.document.visibility, *state.panels.followed, *now, false);
-  }
-  state.panels.followed = now;
-}
+void followEdits(EditorState& state) { welcomeNew(state.document.visibility, state.document.rig()); }
 
 void toggleHideSelection(EditorState& state) { toggleMark(state, Mark::kHidden); }
 
@@ -51,8 +43,8 @@ void toggleIsolation(EditorState& state) {
     visibility.isolated.reset();
     return;
   }
-  const std::vector<std::string> names = selectedNames(state);
-  if (!names.empty()) visibility.isolated.emplace(names.begin(), names.end());
+  const std::vector<PrimitiveId> muscles = selectedMuscles(state);
+  if (!muscles.empty()) visibility.isolated.emplace(muscles.begin(), muscles.end());
 }
 
 void toggleLockSelection(EditorState& state) { toggleMark(state, Mark::kLocked); }

@@ -197,9 +197,8 @@ Result<void> show(const AddMuscleDrag& drag, const SkinStroke& stroke, Document&
   Result<Rig> rig =
       withMuscle(document, *drag.rigBefore, newMuscle(document.character->skeleton, drag.bone, placement));
   if (!rig) return rig.error();
-  const std::string name = rig->primitives[drag.rigBefore->primitives.size()].name;
   document.commands.updateGesture(std::move(rig).value());
-  document.selection.set(name);
+  document.selection.set(document.idAt(static_cast<int>(drag.rigBefore->primitives.size())));
   return {};
 }
 
@@ -311,10 +310,10 @@ Result<std::string> addMuscleOnBone(Document& document, int bone) {
   const Placement placement = placementOf(ellipsoid, onBone.bindInWorld);
   Result<Rig> rig = withMuscle(document, document.rig(), newMuscle(character.skeleton, bone, placement));
   if (!rig) return rig.error();
-  const std::string name = rig->primitives[document.rig().primitives.size()].name;
+  const std::size_t index = document.rig().primitives.size();
   document.commands.apply("Add muscle", std::move(rig).value());
-  document.selection.set(name);
-  return name;
+  document.selection.set(document.idAt(static_cast<int>(index)));
+  return document.activeName();
 }
 
 }  // namespace sinew::app

@@ -40,31 +40,31 @@ std::vector<glm::vec3> outlineOf(const PrimitiveShape& shape, const View& view) 
 
 }  // namespace
 
-std::vector<std::string> musclesInBox(const ViewportContext& context, const View& view, const glm::vec2& corner,
+std::vector<PrimitiveId> musclesInBox(const ViewportContext& context, const View& view, const glm::vec2& corner,
                                       const glm::vec2& opposite) {
   const glm::vec2 low = glm::min(corner, opposite);
   const glm::vec2 high = glm::max(corner, opposite);
   const Document& document = context.document;
-  std::vector<std::string> names;
+  std::vector<PrimitiveId> muscles;
   for (const PrimitiveShape& shape : primitiveShapes(document, context.pose)) {
     if (!isPickable(document.visibility, document.rig(), document.character->skeleton, shape.rigIndex)) continue;
     const std::vector<glm::vec3> points = outlineOf(shape, view);
     const bool hit =
         std::ranges::any_of(points, [&](const glm::vec3& p) { return inside(view.toPixel(p), low, high); });
-    if (hit) names.push_back(document.rig().primitives[static_cast<std::size_t>(shape.rigIndex)].name);
+    if (hit) muscles.push_back(document.idAt(shape.rigIndex));
   }
-  return names;
+  return muscles;
 }
 
 void selectBox(const ViewportContext& context, const View& view, const BoxDrag& box) {
-  const std::vector<std::string> names = musclesInBox(context, view, box.from, box.to);
+  const std::vector<PrimitiveId> muscles = musclesInBox(context, view, box.from, box.to);
   Selection& selection = context.document.selection;
   if (box.mode == BoxMode::kRemove) {
-    selection.remove(names);
+    selection.remove(muscles);
     return;
   }
   if (box.mode == BoxMode::kReplace) selection.bone = -1;
-  selection.setAll(names, box.mode == BoxMode::kAdd);
+  selection.setAll(muscles, box.mode == BoxMode::kAdd);
 }
 
 void drawBox(ImDrawList& list, const BoxDrag& box, const glm::vec2& topLeft, float unitsPerPixel) {

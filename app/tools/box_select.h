@@ -28,7 +28,7 @@ struct BoxSelectState {
 
 /// Names, in rig order, of the muscles whose ellipsoid's outline or centre is in the rectangle: also behind the skin.
 /// Hidden and locked ones are left out.
-[[nodiscard]] std::vector<std::string> musclesInBox(const ViewportContext& context, const View& view,
+[[nodiscard]] std::vector<PrimitiveId> musclesInBox(const ViewportContext& context, const View& view,
                                                     const glm::vec2& corner, const glm::vec2& opposite);
 
 /// Applies a finished box to the selection. A box with nothing in it clears what it would replace.

@@ -24,15 +24,16 @@ std::vector<GizmoCompanion> companionsOf(const Document& document, int active) {
   const Skeleton& skeleton = document.character->skeleton;
   std::vector<GizmoCompanion> companions;
   const std::string& leader = rig.primitives[static_cast<std::size_t>(active)].name;
-  for (const std::string& name : document.selection.primitives) {
-    const int index = findPrimitive(rig, name);
+  for (const PrimitiveId id : document.selection.primitives) {
+    const int index = findPrimitive(rig, id);
     if (index < 0 || index == active || !isPickable(document.visibility, rig, skeleton, index)) continue;
     const Primitive& primitive = rig.primitives[static_cast<std::size_t>(index)];
-    const bool twinMoves = primitive.mirror == leader ||
-                           (!primitive.mirror.empty() &&
-                            std::ranges::find(companions, primitive.mirror, &GizmoCompanion::name) != companions.end());
+    const auto isTwin = [&](const GizmoCompanion& other) {
+      return primitive.mirror == rig.primitives[static_cast<std::size_t>(findPrimitive(rig, other.primitive))].name;
+    };
+    const bool twinMoves = primitive.mirror == leader || std::ranges::any_of(companions, isTwin);
     if (twinMoves || !skeleton.findBone(primitive.bone)) continue;
-    companions.push_back({name, primitive.placement});
+    companions.push_back({id, primitive.placement});
   }
   return companions;
 }
@@ -50,7 +51,7 @@ std::optional<glm::vec3> centroidOf(const Document& document, const Pose& pose, 
   };
   add(activeBone, active);
   for (const GizmoCompanion& companion : companions) {
-    const int index = findPrimitive(document.rig(), companion.name);
+    const int index = findPrimitive(document.rig(), companion.primitive);
     if (index >= 0) add(document.rig().primitives[static_cast<std::size_t>(index)].bone, companion.start);
   }
   if (count < 2) return std::nullopt;
@@ -61,7 +62,7 @@ Result<Rig> dragged(const Document& document, const Pose& pose, int active, cons
                     const std::vector<GizmoCompanion>& companions) {
   Result<Rig> rig = setPlacement(document.rig(), active, drag.placement);
   for (const GizmoCompanion& companion : companions) {
-    const int index = findPrimitive(document.rig(), companion.name);
+    const int index = findPrimitive(document.rig(), companion.primitive);
     if (!rig || index < 0) continue;
     const Primitive& primitive = document.rig().primitives[static_cast<std::size_t>(index)];
     const glm::mat4* const matrix = matrixOf(document, pose, primitive.bone);

@@ -17,7 +17,7 @@ enum class GizmoPivot { kActive, kCentroid };
 
 /// A muscle that is dragged along with the active one.
 struct GizmoCompanion {
-  std::string name;
+  PrimitiveId primitive;
   Placement start;
 };
 

@@ -52,7 +52,7 @@ std::string gestureLabel(GizmoHandle handle, const std::string& what) {
 bool beginMuscleDrag(ToolFrame& frame, const GizmoTarget& target) {
   ViewportTools& tools = frame.tools;
   const std::string& name = frame.document().rig().primitives[static_cast<std::size_t>(target.primitive)].name;
-  tools.gizmoPrimitive = name;
+  tools.gizmoPrimitive = frame.document().idAt(target.primitive);
   tools.companions.clear();
   if (partsOf(tools.gizmo.hovered).kind != HandleKind::kPole) {
     tools.companions = companionsOf(frame.document(), target.primitive);

@@ -27,7 +27,7 @@ void beginGizmo(ToolFrame& frame, const GizmoTarget& target) {
 
 void endGizmo(ViewportTools& tools) {
   tools.gizmo.drag.reset();
-  tools.gizmoPrimitive.clear();
+  tools.gizmoPrimitive = {};
   tools.companions.clear();
   tools.buttonless = false;
   tools.pose.bone = -1;

@@ -113,8 +113,7 @@ std::vector<PrimitiveShape> primitiveShapes(const Document& document, const Pose
   std::erase_if(shapes,
                 [&](const PrimitiveShape& shape) { return std::ranges::binary_search(hidden, shape.rigIndex); });
   for (PrimitiveShape& shape : shapes) {
-    shape.selected =
-        document.selection.contains(document.rig().primitives[static_cast<std::size_t>(shape.rigIndex)].name);
+    shape.selected = document.selection.contains(document.idAt(shape.rigIndex));
   }
   return shapes;
 }
@@ -152,9 +151,9 @@ ViewportHover hoverAt(const ViewportContext& context, const View& view, const gl
 
 void pick(Document& document, const ViewportHover& hover, bool add) {
   if (hover.primitive >= 0) {
-    const std::string& name = document.rig().primitives[static_cast<std::size_t>(hover.primitive)].name;
-    if (add) document.selection.toggle(name);
-    else document.selection.set(name);
+    const PrimitiveId muscle = document.idAt(hover.primitive);
+    if (add) document.selection.toggle(muscle);
+    else document.selection.set(muscle);
   } else if (hover.bone >= 0) {
     if (!add) document.selection.clear();
     document.selection.bone = hover.bone;

@@ -37,7 +37,7 @@ struct ViewportTools {
   MouseButton ownerButton = MouseButton::kLeft;
   glm::vec2 pressPixel{0.0f};
   glm::vec2 lastPixel{0.0f};
-  std::string gizmoPrimitive;              ///< Name of the primitive being dragged.
+  PrimitiveId gizmoPrimitive;              ///< The one being dragged.
   std::vector<GizmoCompanion> companions;  ///< Dragged along with it.
   GizmoPivot pivot = GizmoPivot::kActive;  ///< Of several selected muscles. Free to set between drags.
   BoxSelectState box;

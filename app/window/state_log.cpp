@@ -31,8 +31,9 @@ glm::vec2 inWindow(const EditorState& state, const glm::vec2& pixel) {
 
 Json documentState(const Document& document) {
   Json selection = Json::array();
-  for (const std::string& name : document.selection.primitives) {
-    if (findPrimitive(document.rig(), name) >= 0) selection.push(name);
+  for (const PrimitiveId id : document.selection.primitives) {
+    const int index = findPrimitive(document.rig(), id);
+    if (index >= 0) selection.push(document.rig().primitives[static_cast<std::size_t>(index)].name);
   }
   const std::filesystem::path& path = document.rigFile.empty() ? document.characterFile : document.rigFile;
   return Json::object()
@@ -47,10 +48,12 @@ Json documentState(const Document& document) {
       .set("redo", static_cast<int>(document.commands.stepCount() - document.commands.position()));
 }
 
-Json namesOf(const std::set<std::string>& names) {
-  Json array = Json::array();
-  for (const std::string& name : names) array.push(name);
-  return array;
+Json namesOf(const Rig& rig, const std::set<PrimitiveId>& muscles) {
+  Json names = Json::array();
+  for (const Primitive& primitive : rig.primitives) {
+    if (muscles.contains(primitive.id())) names.push(primitive.name);
+  }
+  return names;
 }
 
 Json visibilityState(const EditorState& state) {
@@ -64,10 +67,10 @@ Json visibilityState(const EditorState& state) {
   }
   return Json::object()
       .set("away", away)
-      .set("hidden", namesOf(visibility.hidden.muscles))
-      .set("locked", namesOf(visibility.locked.muscles))
-      .set("solo", namesOf(visibility.solo.muscles))
-      .set("isolated", visibility.isolated ? namesOf(*visibility.isolated) : Json())
+      .set("hidden", namesOf(state.document.rig(), visibility.hidden.muscles))
+      .set("locked", namesOf(state.document.rig(), visibility.locked.muscles))
+      .set("solo", namesOf(state.document.rig(), visibility.solo.muscles))
+      .set("isolated", visibility.isolated ? namesOf(state.document.rig(), *visibility.isolated) : Json())
       .set("bare", visibility.bare);
 }
 
@@ -234,7 +237,7 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("visibility", visibilityState(state))
       .set("groups", groupState(state.document.rig()))
       .set("links", linkState(state.document.rig()))
-      .set("territory", state.tools.territoryMode ? state.document.selection.active() : std::string())
+      .set("territory", state.tools.territoryMode ? state.document.activeName() : std::string())
       .set("depth", state.hasCharacter() ? state.live->depth() : smoothing.depth)
       .set("mode", nameOf(state.document.rig().surface.mode))
       .set("triangles", report.refinedTriangles)

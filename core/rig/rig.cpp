@@ -86,6 +86,16 @@ int findPrimitive(const Rig& rig, const std::string& name) {
 
 int findGroup(const Rig& rig, const std::string& name) { return findNamed(std::span<const Group>(rig.groups), name); }
 
+int findPrimitive(const Rig& rig, PrimitiveId id) {
+  const auto found = std::ranges::find_if(rig.primitives, [id](const Primitive& p) { return id && p.id() == id; });
+  return found == rig.primitives.end() ? -1 : static_cast<int>(found - rig.primitives.begin());
+}
+
+int findGroup(const Rig& rig, GroupId id) {
+  const auto found = std::ranges::find_if(rig.groups, [id](const Group& group) { return id && group.id() == id; });
+  return found == rig.groups.end() ? -1 : static_cast<int>(found - rig.groups.begin());
+}
+
 std::string freePrimitiveName(const Rig& rig, const std::string& wanted) {
   return freeName(std::span<const Primitive>(rig.primitives), wanted);
 }

@@ -1,4 +1,4 @@
-// tests/document/selection_test.cpp: picking by name.
+// tests/document/selection_test.cpp: picking.
 
 #include "app/document/selection.h"
 
@@ -7,28 +7,32 @@
 namespace sinew::app {
 namespace {
 
+constexpr PrimitiveId kA{1};
+constexpr PrimitiveId kB{2};
+constexpr PrimitiveId kC{3};
+
 TEST(Selection, TheLastPickedIsActive) {
   Selection selection;
-  EXPECT_EQ(selection.active(), "");
-  selection.toggle("a");
-  selection.toggle("b");
-  EXPECT_EQ(selection.active(), "b");
-  selection.toggle("b");
-  EXPECT_EQ(selection.active(), "a");
-  EXPECT_FALSE(selection.contains("b"));
+  EXPECT_FALSE(selection.active());
+  selection.toggle(kA);
+  selection.toggle(kB);
+  EXPECT_EQ(selection.active(), kB);
+  selection.toggle(kB);
+  EXPECT_EQ(selection.active(), kA);
+  EXPECT_FALSE(selection.contains(kB));
 }
 
 TEST(Selection, SetLeavesOnlyThatOne) {
   Selection selection;
-  selection.toggle("a");
-  selection.toggle("b");
-  selection.set("c");
-  EXPECT_EQ(selection.primitives, std::vector<std::string>{"c"});
+  selection.toggle(kA);
+  selection.toggle(kB);
+  selection.set(kC);
+  EXPECT_EQ(selection.primitives, std::vector<PrimitiveId>{kC});
 }
 
 TEST(Selection, ClearLetsGoOfTheBoneToo) {
   Selection selection;
-  selection.toggle("a");
+  selection.toggle(kA);
   selection.bone = 3;
   selection.clear();
   EXPECT_TRUE(selection.primitives.empty());

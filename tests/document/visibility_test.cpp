@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/document/command_stack.h"
 #include "core/rig/rig_edit.h"
 
 namespace sinew::app {
@@ -30,13 +31,17 @@ class VisibilityTest : public testing::Test {
       primitive.bone = bone;
       rig = addPrimitive(rig, primitive).value();
     }
+    identities.identify(rig, Rig{});
+    welcomeNew(visibility, rig);
   }
+  [[nodiscard]] PrimitiveId id(int index) const { return rig.primitives[static_cast<std::size_t>(index)].id(); }
   [[nodiscard]] std::vector<int> hidden() const { return hiddenPrimitives(visibility, rig, skeleton); }
   [[nodiscard]] std::string path(int bone) const { return skeleton.bones[static_cast<std::size_t>(bone)].path; }
 
   Skeleton skeleton;
   Rig rig;
   Visibility visibility;
+  IdentitySource identities;
 };
 
 TEST_F(VisibilityTest, BonesOfEachAreThoseThatFindBoneFinds) {
@@ -60,7 +65,7 @@ TEST_F(VisibilityTest, ABoneSpeaksForWhatIsOnItAndBelow) {
   visibility.setBone(Mark::kHidden, path(0), true);
   EXPECT_EQ(hidden(), (std::vector<int>{0, 1}));
   visibility.setBone(Mark::kHidden, path(0), false);
-  visibility.setMuscle(Mark::kHidden, "on arm", true);
+  visibility.setMuscle(Mark::kHidden, id(2), true);
   EXPECT_EQ(hidden(), (std::vector<int>{2}));
   visibility.setBone(Mark::kLocked, path(1), true);
   EXPECT_FALSE(isPickable(visibility, rig, skeleton, 1));
@@ -69,50 +74,62 @@ TEST_F(VisibilityTest, ABoneSpeaksForWhatIsOnItAndBelow) {
 }
 
 TEST_F(VisibilityTest, SoloLeavesItselfAlone) {
-  visibility.setMuscle(Mark::kSolo, "on tail", true);
+  visibility.setMuscle(Mark::kSolo, id(3), true);
   EXPECT_EQ(hidden(), (std::vector<int>{0, 1, 2}));
   visibility.setBone(Mark::kSolo, path(1), true);
   EXPECT_EQ(hidden(), (std::vector<int>{0, 2}));
-  visibility.setMuscle(Mark::kHidden, "on knee", true);
+  visibility.setMuscle(Mark::kHidden, id(1), true);
   EXPECT_EQ(hidden(), (std::vector<int>{0, 1, 2}));
 }
 
 TEST_F(VisibilityTest, IsolationAndBareCutFurther) {
-  visibility.isolated = std::set<std::string>{"on hip", "on arm"};
+  visibility.isolated = std::set<PrimitiveId>{id(0), id(2)};
   EXPECT_EQ(hidden(), (std::vector<int>{1, 3}));
   visibility.bare = true;
   EXPECT_EQ(hidden().size(), 4u);
 }
 
 TEST_F(VisibilityTest, MarksGoWithARenamedMuscleAndComeBackWithUndo) {
-  visibility.setMuscle(Mark::kHidden, "on arm", true);
-  const Rig renamed = renamePrimitive(rig, 2, "biceps").value();
-  followRig(visibility, rig, renamed, false);
-  EXPECT_EQ(hiddenPrimitives(visibility, renamed, skeleton), (std::vector<int>{2}));
-  followRig(visibility, renamed, rig, true);
-  EXPECT_EQ(hidden(), (std::vector<int>{2}));
+  CommandStack commands(rig);
+  visibility.setMuscle(Mark::kHidden, commands.rig().primitives[2].id(), true);
+  commands.apply("Rename", renamePrimitive(commands.rig(), 2, "biceps").value());
+  welcomeNew(visibility, commands.rig());
+  EXPECT_EQ(hiddenPrimitives(visibility, commands.rig(), skeleton), (std::vector<int>{2}));
+  commands.undo();
+  EXPECT_EQ(hiddenPrimitives(visibility, commands.rig(), skeleton), (std::vector<int>{2}));
 }
 
-TEST_F(VisibilityTest, WhatUndoBringsBackIsAsItWasLeftAndWhatIsNewIsSeen) {
-  visibility.setMuscle(Mark::kHidden, "on tail", true);
-  const Rig without = removePrimitives(rig, std::vector<int>{3});
-  followRig(visibility, rig, without, false);
-  Visibility undone = visibility;
-  followRig(undone, without, rig, true);
-  EXPECT_EQ(hiddenPrimitives(undone, rig, skeleton), (std::vector<int>{3}));
-  Visibility again = visibility;
-  followRig(again, without, rig, false);
-  EXPECT_TRUE(hiddenPrimitives(again, rig, skeleton).empty());
+TEST_F(VisibilityTest, WhatUndoBringsBackIsAsItWasLeftAndANewOneOfTheNameIsSeen) {
+  CommandStack commands(rig);
+  visibility.setMuscle(Mark::kHidden, commands.rig().primitives[3].id(), true);
+  commands.apply("Delete", removePrimitives(commands.rig(), std::vector<int>{3}));
+  commands.undo();
+  welcomeNew(visibility, commands.rig());
+  EXPECT_EQ(hiddenPrimitives(visibility, commands.rig(), skeleton), (std::vector<int>{3}));
+  commands.redo();
+  Primitive again;
+  again.name = "on tail";
+  again.bone = "tail";
+  commands.apply("Add", addPrimitive(commands.rig(), again).value());
+  welcomeNew(visibility, commands.rig());
+  EXPECT_TRUE(hiddenPrimitives(visibility, commands.rig(), skeleton).empty());
 }
 
-TEST_F(VisibilityTest, ANewMuscleIsSeenAmongTheIsolated) {
-  visibility.isolated = std::set<std::string>{"on hip"};
+TEST_F(VisibilityTest, ANewMuscleIsSeenAmongTheIsolatedAndWhatUndoBringsBackStaysAway) {
+  CommandStack commands(rig);
+  welcomeNew(visibility, commands.rig());
+  visibility.isolated = std::set<PrimitiveId>{commands.rig().primitives[0].id()};
   Primitive primitive;
   primitive.name = "new";
   primitive.bone = "arm";
-  const Rig grown = addPrimitive(rig, primitive).value();
-  followRig(visibility, rig, grown, false);
-  EXPECT_EQ(hiddenPrimitives(visibility, grown, skeleton), (std::vector<int>{1, 2, 3}));
+  commands.apply("Add", addPrimitive(commands.rig(), primitive).value());
+  welcomeNew(visibility, commands.rig());
+  EXPECT_EQ(hiddenPrimitives(visibility, commands.rig(), skeleton), (std::vector<int>{1, 2, 3}));
+  commands.apply("Delete", removePrimitives(commands.rig(), std::vector<int>{1}));
+  welcomeNew(visibility, commands.rig());
+  commands.undo();
+  welcomeNew(visibility, commands.rig());
+  EXPECT_EQ(hiddenPrimitives(visibility, commands.rig(), skeleton), (std::vector<int>{1, 2, 3}));
 }
 
 }  // namespace

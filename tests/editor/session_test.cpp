@@ -11,6 +11,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/session_keeper.h"
 #include "core/rig/rig_edit.h"
+#include "tests/support/muscles_named.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew::app {
@@ -195,7 +196,7 @@ TEST(Samples, AreThereWithNiceNamesEachOnce) {
   EXPECT_FALSE(isSample(""));
 }
 
-TEST_F(Session, JumpingSelectsAndForeignNamesDoNothing) {
+TEST_F(Session, JumpingSelectsAndWhatIsNotThereDoesNothing) {
   EditorState state;
   open(state, "lizard.glb");
   state.viewportPixels = {800, 600};
@@ -204,12 +205,12 @@ TEST_F(Session, JumpingSelectsAndForeignNamesDoNothing) {
   jumpToBone(state, 2);
   EXPECT_EQ(state.document.selection.bone, 2);
   EXPECT_TRUE(state.document.selection.primitives.empty());
-  jumpToMuscle(state, muscle);
-  EXPECT_EQ(state.document.selection.active(), muscle);
-  jumpToMuscle(state, "nobody");
+  jumpToMuscle(state, state.document.idAt(0));
+  EXPECT_EQ(state.document.activeName(), muscle);
+  jumpToMuscle(state, PrimitiveId{999});
   jumpToBone(state, 100000);
   jumpToBone(state, -1);
-  EXPECT_EQ(state.document.selection.active(), muscle);
+  EXPECT_EQ(state.document.activeName(), muscle);
 }
 
 }  // namespace

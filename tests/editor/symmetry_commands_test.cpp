@@ -6,6 +6,7 @@
 
 #include "core/symmetry/twins.h"
 #include "tests/support/headless_editor.h"
+#include "tests/support/muscles_named.h"
 
 namespace sinew::app {
 namespace {
@@ -22,7 +23,7 @@ struct SymmetryCommands : HeadlessEditor {
     }
     ASSERT_GE(left, 0);
     addMuscle(state, left);
-    name = state.document.selection.active();
+    name = state.document.activeName();
     ASSERT_EQ(rig().primitives.size(), 2u);
     settle();
   }
@@ -37,7 +38,7 @@ TEST_F(SymmetryCommands, TheInspectorShowsTheTwinAndUnlinksIt) {
   EXPECT_EQ(rig().primitives[1].mirror, "");
   EXPECT_TRUE(shown("inspector/mirror"));
   EXPECT_FALSE(shown("inspector/unlink"));
-  state.document.selection.setAll(std::vector<std::string>{rig().primitives[1].name, rig().primitives[0].name});
+  select(state.document, {rig().primitives[1].name, rig().primitives[0].name});
   linkSelection(state);
   EXPECT_EQ(twinOf(rig(), 0), 1);
 }
@@ -58,7 +59,7 @@ TEST_F(SymmetryCommands, DuplicatesAndPastesPairsAndSelectsTheCopies) {
   duplicateSelection(state);
   ASSERT_EQ(rig().primitives.size(), 4u);
   EXPECT_EQ(twinOf(rig(), 2), 3);
-  EXPECT_EQ(state.document.selection.primitives, std::vector<std::string>{rig().primitives[2].name});
+  EXPECT_EQ(selectedNames(state.document), std::vector<std::string>{rig().primitives[2].name});
   copySelection(state);
   pasteMuscles(state, false);
   ASSERT_EQ(rig().primitives.size(), 6u);
@@ -74,25 +75,25 @@ TEST_F(SymmetryCommands, DuplicatesAndPastesPairsAndSelectsTheCopies) {
 }
 
 TEST_F(SymmetryCommands, ARenamedPairStaysAPairOfNames) {
-  EXPECT_EQ(rename(state, name, "quad L"), "");
+  EXPECT_EQ(rename(state, idOf(state.document, name), "quad L"), "");
   EXPECT_EQ(rig().primitives[1].name, "quad R");
-  EXPECT_EQ(state.document.selection.active(), "quad L");
+  EXPECT_EQ(state.document.activeName(), "quad L");
   EXPECT_EQ(state.document.commands.label(state.document.commands.position()), "Rename " + name);
 }
 
 TEST_F(SymmetryCommands, SelectsAllInvertsAndGoesToTheTwin) {
   selectTwins(state);
-  EXPECT_EQ(state.document.selection.active(), rig().primitives[1].name);
+  EXPECT_EQ(state.document.activeName(), rig().primitives[1].name);
   invertSelection(state);
-  EXPECT_EQ(state.document.selection.primitives, std::vector<std::string>{name});
+  EXPECT_EQ(selectedNames(state.document), std::vector<std::string>{name});
   selectAll(state);
   EXPECT_EQ(state.document.selection.primitives.size(), 2u);
-  EXPECT_EQ(state.document.selection.active(), name);
+  EXPECT_EQ(state.document.activeName(), name);
   selectOnBone(state);
   EXPECT_EQ(state.document.selection.primitives.size(), 2u);
-  state.document.selection.set(name);
+  select(state.document, {name});
   selectOnBone(state);
-  EXPECT_EQ(state.document.selection.primitives, std::vector<std::string>{name});
+  EXPECT_EQ(selectedNames(state.document), std::vector<std::string>{name});
 }
 
 }  // namespace

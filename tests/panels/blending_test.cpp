@@ -9,6 +9,7 @@
 #include "core/blending/blending_graph.h"
 #include "core/rig/rig_edit_several.h"
 #include "core/rig/validation.h"
+#include "tests/support/muscles_named.h"
 
 namespace sinew::app {
 namespace {
@@ -122,8 +123,8 @@ TEST_F(Blending, ADeletedGroupsMusclesGoWhereTheDesignerSays) {
 }
 
 TEST_F(Blending, SelectedMusclesMoveIntoAGroup) {
-  state.document.selection.set("glute L");
-  state.document.selection.toggle("glute R");
+  select(state.document, {"glute L"});
+  state.document.selection.toggle(idOf(state.document, "glute R"));
   click("blending/group/legs");
   click("blending/move-here");
   EXPECT_EQ(rig().primitives[static_cast<std::size_t>(findPrimitive(rig(), "glute R"))].group, "legs");

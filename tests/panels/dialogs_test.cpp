@@ -10,6 +10,7 @@
 
 #include "app/editor/session.h"
 #include "app/platform/data_files.h"
+#include "tests/support/muscles_named.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew::app {
@@ -65,7 +66,7 @@ TEST_F(Dialogs, ThePaletteGoesToMusclesBonesAndSamples) {
   state.document.selection.clear();
   palette(name);
   press(kEnter);
-  EXPECT_EQ(state.document.selection.active(), name);
+  EXPECT_EQ(state.document.activeName(), name);
   const std::string bone = state.character().skeleton.bones[3].name;
   palette(bone + " bone");
   press(kEnter);

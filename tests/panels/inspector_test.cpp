@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/rig/attachment.h"
+#include "tests/support/muscles_named.h"
 
 namespace sinew::app {
 namespace {
@@ -23,7 +24,7 @@ class Inspector : public HeadlessEditor {
   }
   void select(std::initializer_list<const char*> names) {
     state.document.selection.clear();
-    for (const char* name : names) state.document.selection.primitives.emplace_back(name);
+    for (const char* name : names) state.document.selection.primitives.push_back(idOf(state.document, name));
     settle();
   }
   void typeInto(const std::string& id, const std::string& text) {
@@ -156,7 +157,7 @@ TEST_F(Inspector, TerritoryModeTakesClicksOnBonesAndEndsWithEscape) {
   press(kEscape);
   EXPECT_FALSE(editsTerritory(state));
   EXPECT_FALSE(state.tools.territoryMode);
-  EXPECT_EQ(state.document.selection.active(), "tail root");
+  EXPECT_EQ(state.document.activeName(), "tail root");
 }
 
 TEST_F(Inspector, TheTintIsWhatTheAttachmentSays) {

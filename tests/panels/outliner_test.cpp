@@ -7,6 +7,7 @@
 #include "app/document/reparent.h"
 #include "app/editor/outliner_edit.h"
 #include "app/editor/outliner_rows.h"
+#include "tests/support/muscles_named.h"
 
 namespace sinew::app {
 namespace {
@@ -37,7 +38,7 @@ class Outliner : public HeadlessEditor {
     queue.key(key, false);
     settle();
   }
-  [[nodiscard]] const std::vector<std::string>& selection() const { return state.document.selection.primitives; }
+  [[nodiscard]] std::vector<std::string> selection() const { return selectedNames(state.document); }
   [[nodiscard]] int indexOf(const std::string& name) const { return findPrimitive(state.document.rig(), name); }
   static constexpr int kLeftShift = 340;
   static constexpr int kDown = 264;
@@ -95,7 +96,7 @@ TEST_F(Outliner, FoldingABoneHidesWhatIsUnderItAndASelectionOpensIt) {
   const std::size_t all = rows().size();
   click("outliner/fold/hips");
   EXPECT_LT(rows().size(), all);
-  state.document.selection.set("tail root");
+  select(state.document, {"tail root"});
   settle();
   settle();
   EXPECT_TRUE(shown("outliner/muscle/tail root"));
@@ -106,7 +107,8 @@ TEST_F(Outliner, ShiftTakesARangeAndControlOne) {
   ASSERT_EQ(selection(), std::vector<std::string>{"glute L"});
   const auto all = rows();
   const auto place = [&](const std::string& name) {
-    return rowOf(all, "m:" + name, state.document.rig(), state.character().skeleton);
+    return rowOf(all, "m:" + std::to_string(idOf(state.document, name).value), state.document.rig(),
+                 state.character().skeleton);
   };
   std::vector<std::string> visible;
   for (const auto& [id, box] : widgets().rectangles()) {
@@ -196,14 +198,14 @@ TEST_F(Outliner, BeforeLastsAsLongAsItsKeyOrButtonIsHeld) {
 TEST_F(Outliner, HiddenSurvivesUndoAndGoesWithTheName) {
   click("outliner/eye/glute L");
   const int shownThen = shownMuscles();
-  EXPECT_EQ(rename(state, "glute L", "left one"), "");
+  EXPECT_EQ(rename(state, idOf(state.document, "glute L"), "left one"), "");
   settle();
   EXPECT_EQ(shownMuscles(), shownThen);
   undo(state);
   settle();
   EXPECT_EQ(shownMuscles(), shownThen);
-  EXPECT_TRUE(state.document.visibility.hidden.muscles.contains("glute L"));
-  state.document.selection.set("glute L");
+  EXPECT_TRUE(state.document.visibility.hidden.muscles.contains(idOf(state.document, "glute L")));
+  select(state.document, {"glute L"});
   deleteSelection(state);
   settle();
   undo(state);

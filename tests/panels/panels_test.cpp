@@ -3,6 +3,7 @@
 #include "tests/support/headless_editor.h"
 
 #include <cmath>
+#include "tests/support/muscles_named.h"
 
 namespace sinew::app {
 namespace {
@@ -165,7 +166,7 @@ TEST_F(Panels, KeysEditAndUndo) {
   type("biceps");
   press(kEnter);
   EXPECT_EQ(muscle().name, "biceps");
-  EXPECT_EQ(state.document.selection.active(), "biceps");
+  EXPECT_EQ(state.document.activeName(), "biceps");
   press(kKeyZ, true);
   EXPECT_EQ(muscle().name, name);
   EXPECT_EQ(state.document.activePrimitive(), 0);

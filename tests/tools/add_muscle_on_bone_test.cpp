@@ -9,6 +9,7 @@
 #include "app/document/document.h"
 #include "app/tools/add_muscle.h"
 #include "tests/support/characters.h"
+#include "tests/support/muscles_named.h"
 #include "tests/tools/limb_scene.h"
 
 namespace sinew::app {
@@ -18,7 +19,7 @@ TEST(AddMuscleOnBone, SurroundsTheMiddleOfTheBone) {
   test::LimbScene scene;
   const Result<std::string> name = addMuscleOnBone(scene.document, 1);
   ASSERT_TRUE(name.ok());
-  EXPECT_EQ(scene.document.selection.active(), name.value());
+  EXPECT_EQ(scene.document.activeName(), name.value());
   EXPECT_EQ(scene.document.commands.stepCount(), 1u);
   const Bone& bone = scene.document.character->skeleton.bones[1];
   const Primitive& muscle = scene.document.rig().primitives[0];

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "tests/support/muscles_named.h"
 #include "tests/support/real_characters.h"
 #include "tests/tools/limb_scene.h"
 #include "tests/tools/random_gizmo.h"
@@ -158,7 +159,7 @@ TEST(AddMuscle, OneDragIsOneStepAndSelected) {
   EXPECT_FALSE(scene.document.commands.inGesture());
   EXPECT_EQ(scene.document.rig().primitives[0].name, boneName + " muscle");
   EXPECT_EQ(scene.document.rig().primitives[0].bone, boneName);
-  EXPECT_EQ(scene.document.selection.active(), boneName + " muscle");
+  EXPECT_EQ(scene.document.activeName(), boneName + " muscle");
   EXPECT_FALSE(scene.document.rig().primitives[0].group.empty());
   scene.document.commands.undo();
   EXPECT_TRUE(scene.document.rig().primitives.empty());

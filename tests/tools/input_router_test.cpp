@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "tests/support/muscles_named.h"
 #include "tests/tools/limb_scene.h"
 
 namespace sinew::app {
@@ -179,7 +180,7 @@ TEST(InputRouter, ClicksSelectMusclesBonesAndNothing) {
   GizmoOnLimb scene;
   scene.document.selection.clear();
   scene.click(scene.skinPixel());
-  EXPECT_EQ(scene.document.selection.active(), scene.document.rig().primitives[0].name);
+  EXPECT_EQ(scene.document.activeName(), scene.document.rig().primitives[0].name);
   scene.click({5, 5});
   EXPECT_TRUE(scene.document.selection.primitives.empty());
 
@@ -194,7 +195,7 @@ TEST(InputRouter, ShiftTogglesAndNeverClears) {
   GizmoOnLimb scene;
   setTool(scene.tools, ToolKind::kSelect);
   scene.document.selection.clear();
-  scene.document.selection.set("another");
+  select(scene.document, {"another"});
   ViewportInput shift;
   shift.shift = true;
   scene.display.primitives = true;

@@ -8,6 +8,7 @@
 #include "app/tools/input_router.h"
 #include "core/symmetry/mirror.h"
 #include "core/symmetry/twins.h"
+#include "tests/support/muscles_named.h"
 #include "tests/tools/limb_scene.h"
 
 namespace sinew::app {
@@ -145,7 +146,7 @@ TEST(MultiSelection, EveryHandleInEverySpaceAndMannerMovesAllAndItsTwinsOnce) {
       for (const GizmoPivot pivot : {GizmoPivot::kActive, GizmoPivot::kCentroid}) {
         for (const Manner manner : kManners) {
           Legs scene;
-          scene.document.selection.primitives = {"thigh R", "shin", "belly", "thigh L"};
+          select(scene.document, {"thigh R", "shin", "belly", "thigh L"});
           if (h % 2 == 0) std::swap(scene.document.selection.primitives[2], scene.document.selection.primitives[3]);
           scene.tools.gizmo.axes = axes;
           scene.tools.pivot = pivot;
@@ -157,7 +158,7 @@ TEST(MultiSelection, EveryHandleInEverySpaceAndMannerMovesAllAndItsTwinsOnce) {
             EXPECT_TRUE(scene.document.rig() == before.document.rig()) << nameOf(handle);
           }
           EXPECT_LE(scene.document.commands.stepCount(), cancelled ? 1u : 2u);
-          expectTogether(scene, before, handle, scene.document.selection.active());
+          expectTogether(scene, before, handle, scene.document.activeName());
           scene.expectTwinsExact();
           if (!cancelled && scene.document.commands.stepCount() == 2) scene.document.commands.undo();
           EXPECT_TRUE(scene.document.rig() == before.document.rig()) << nameOf(handle);
@@ -171,15 +172,16 @@ TEST(MultiSelection, EveryHandleInEverySpaceAndMannerMovesAllAndItsTwinsOnce) {
 
 TEST(MultiSelection, WithBothTwinsSelectedOnlyOneIsMovedByTheHand) {
   Legs scene;
-  scene.document.selection.primitives = {"thigh R", "thigh L"};
+  select(scene.document, {"thigh R", "thigh L"});
   const int active = findPrimitive(scene.document.rig(), "thigh L");
   EXPECT_TRUE(companionsOf(scene.document, active).empty());
-  scene.document.selection.primitives = {"thigh R", "thigh L", "belly"};
+  select(scene.document, {"thigh R", "thigh L", "belly"});
   const auto companions = companionsOf(scene.document, findPrimitive(scene.document.rig(), "belly"));
   ASSERT_EQ(companions.size(), 1u);
-  EXPECT_EQ(companions[0].name, "thigh R");
-  scene.document.visibility.setMuscle(Mark::kLocked, "thigh R", true);
-  EXPECT_EQ(companionsOf(scene.document, findPrimitive(scene.document.rig(), "belly"))[0].name, "thigh L");
+  EXPECT_EQ(companions[0].primitive, idOf(scene.document, "thigh R"));
+  scene.document.visibility.setMuscle(Mark::kLocked, idOf(scene.document, "thigh R"), true);
+  EXPECT_EQ(companionsOf(scene.document, findPrimitive(scene.document.rig(), "belly"))[0].primitive,
+            idOf(scene.document, "thigh L"));
 }
 
 ViewportInput with(bool ctrl, bool shift = false, bool alt = false) {
@@ -205,21 +207,21 @@ TEST(BoxSelect, TakesWhatItTouchesAddsAndTakesAway) {
   Legs scene;
   const glm::vec2 all(999, 799);
   drawBoxOver(scene, {1, 1}, all, with(true));
-  EXPECT_EQ(scene.document.selection.primitives, (std::vector<std::string>{"thigh L", "thigh R", "belly", "shin"}));
+  EXPECT_EQ(selectedNames(scene.document), (std::vector<std::string>{"thigh L", "thigh R", "belly", "shin"}));
   EXPECT_EQ(scene.document.commands.stepCount(), 1u);
   const View view = viewOf(scene.tools.camera, LimbScene::kSize);
   const glm::vec2 shin(view.toPixel(scene.centerInWorld("shin")));
   const glm::vec2 some(6, 6);
   scene.document.selection.clear();
   drawBoxOver(scene, shin - some, shin + some, with(true));
-  EXPECT_EQ(scene.document.selection.primitives, std::vector<std::string>{"shin"});
+  EXPECT_EQ(selectedNames(scene.document), std::vector<std::string>{"shin"});
   const glm::vec2 belly(view.toPixel(scene.centerInWorld("belly")));
-  scene.document.selection.set("thigh L");
+  select(scene.document, {"thigh L"});
   armBox(scene.tools);
   EXPECT_TRUE(ownsKeyboard(scene.tools));
   drawBoxOver(scene, belly + some, belly - some, with(false, true));
-  EXPECT_EQ(scene.document.selection.active(), "belly");
-  EXPECT_TRUE(scene.document.selection.contains("thigh L"));
+  EXPECT_EQ(scene.document.activeName(), "belly");
+  EXPECT_TRUE(scene.document.selection.contains(idOf(scene.document, "thigh L")));
   armBox(scene.tools);
   drawBoxOver(scene, {1, 1}, all, with(false, false, true));
   EXPECT_TRUE(scene.document.selection.primitives.empty());
@@ -227,18 +229,18 @@ TEST(BoxSelect, TakesWhatItTouchesAddsAndTakesAway) {
 
 TEST(BoxSelect, EscapeLeavesTheSelectionAndHiddenOnesAreNotTaken) {
   Legs scene;
-  scene.document.selection.set("shin");
+  select(scene.document, {"shin"});
   scene.press({1, 1}, MouseButton::kLeft, with(true));
   scene.drag({900, 700}, MouseButton::kLeft, with(true));
   ViewportInput escape = with(true);
   escape.keysPressed = {Key::kEscape};
   scene.drag({900, 700}, MouseButton::kLeft, escape);
   scene.release({900, 700});
-  EXPECT_EQ(scene.document.selection.primitives, std::vector<std::string>{"shin"});
+  EXPECT_EQ(selectedNames(scene.document), std::vector<std::string>{"shin"});
   EXPECT_FALSE(ownsKeyboard(scene.tools));
-  scene.document.visibility.setMuscle(Mark::kHidden, "belly", true);
+  scene.document.visibility.setMuscle(Mark::kHidden, idOf(scene.document, "belly"), true);
   drawBoxOver(scene, {1, 1}, {999, 799}, with(true));
-  EXPECT_FALSE(scene.document.selection.contains("belly"));
+  EXPECT_FALSE(scene.document.selection.contains(idOf(scene.document, "belly")));
   EXPECT_EQ(scene.document.selection.primitives.size(), 3u);
 }
 
@@ -252,7 +254,7 @@ TEST(AddMuscleOnBothSides, AddsATwinInTheSameStepAndASingleOneInTheMiddle) {
   EXPECT_EQ(scene.document.rig().primitives.size(), before + 2);
   EXPECT_EQ(scene.document.commands.stepCount(), 2u);
   EXPECT_EQ(scene.primitive(name.value()).mirror, "shin R muscle");
-  EXPECT_EQ(scene.document.selection.primitives, std::vector<std::string>{name.value()});
+  EXPECT_EQ(selectedNames(scene.document), std::vector<std::string>{name.value()});
   ASSERT_TRUE(addMuscleOnBone(scene.document, *skeleton.findBone("spine")));
   EXPECT_EQ(scene.document.rig().primitives.size(), before + 3);
   EXPECT_TRUE(liesInPlane(*scene.document.mirror, scene.document.rig().primitives.back(), 1e-4f));

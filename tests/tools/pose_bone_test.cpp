@@ -10,6 +10,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "tests/support/muscles_named.h"
 #include "tests/tools/limb_scene.h"
 
 namespace sinew::app {
@@ -157,7 +158,7 @@ TEST(PoseTool, AHeldJointDoesNotJumpWhenItIsTakenHoldOf) {
 
 TEST(PoseTool, AClickSelectsTheJointUnderThePointerAndKeepsTheMuscle) {
   PoseScene scene;
-  scene.document.selection.primitives = {"biceps"};
+  select(scene.document, {"biceps"});
   const RouteResult route = scene.mouse({1, 1}, false);
   const glm::vec2 end(route.view.toPixel(glm::vec3(scene.pose.boneInWorld[2][3])));
   // A little off: joints have a reach, and x-ray is on without being switched on.

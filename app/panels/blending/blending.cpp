@@ -114,8 +114,10 @@ std::string groupText(const Rig& rig, int group) {
   return name + ": " + (count == 1 ? "1 muscle" : std::to_string(count) + " muscles");
 }
 
-void startGroupRename(EditorState& state, const std::string& group) {
-  state.panels.blending.rename = {group, group, true};
+void startGroupRename(EditorState& state, GroupId group) {
+  const int index = findGroup(state.document.rig(), group);
+  if (index < 0) return;
+  state.panels.blending.rename = {group, state.document.rig().groups[static_cast<std::size_t>(index)].name, true};
 }
 
 void groupRenameField(PanelUi& ui, float width) {
@@ -142,21 +144,22 @@ void takeDroppedMuscles(PanelUi& ui, const std::string& group) {
 void groupMenu(PanelUi& ui, int group) {
   const auto rig = ui.state.document.commands.sharedRig();
   const std::string name = rig->groups[static_cast<std::size_t>(group)].name;
-  ui.state.panels.blending.group = name;
+  const GroupId id = rig->groups[static_cast<std::size_t>(group)].id();
+  ui.state.panels.blending.group = id;
   const std::vector<int> members = membersOf(*rig, name);
   const std::vector<int> selected = selectedIndices(ui.state.document);
   if (menuItem(ui, "Select its muscles", "group-select", !members.empty())) selectMembers(ui.state, name);
   if (menuItem(ui, "Move selected muscles here", "group-move-here", !selected.empty())) {
     moveToGroup(ui.state, selected, name);
   }
-  if (menuItem(ui, "Rename", "group-rename")) startGroupRename(ui.state, name);
+  if (menuItem(ui, "Rename", "group-rename")) startGroupRename(ui.state, id);
   ImGui::Separator();
   const bool hidden = !members.empty() && std::ranges::all_of(members, [&](int i) {
-    return ui.state.document.visibility.hidden.muscles.contains(rig->primitives[static_cast<std::size_t>(i)].name);
+    return ui.state.document.visibility.hidden.muscles.contains(rig->primitives[static_cast<std::size_t>(i)].id());
   });
   if (menuItem(ui, hidden ? "Show its muscles" : "Hide its muscles", "group-hide", !members.empty())) {
     for (const int i : members) {
-      ui.state.document.visibility.setMuscle(Mark::kHidden, rig->primitives[static_cast<std::size_t>(i)].name, !hidden);
+      ui.state.document.visibility.setMuscle(Mark::kHidden, rig->primitives[static_cast<std::size_t>(i)].id(), !hidden);
     }
   }
   ImGui::Separator();

@@ -19,7 +19,7 @@ void drawBlendingGraph(PanelUi& ui, float height);
 void groupMenu(PanelUi& ui, int group);
 /// The name being typed, in the place of the name; the cursor stands where it goes. Notes itself as blending/rename.
 void groupRenameField(PanelUi& ui, float width);
-void startGroupRename(EditorState& state, const std::string& group);
+void startGroupRename(EditorState& state, GroupId group);
 /// Right after an item, or a hit of one's own inside BeginDragDropTarget: takes muscles that are dropped on a group.
 void takeDroppedMuscles(PanelUi& ui, const std::string& group);
 /// "legs: 4 muscles"

@@ -46,6 +46,7 @@ struct Graph {
 
   [[nodiscard]] BlendingState& state() const { return ui.state.panels.blending; }
   [[nodiscard]] const std::string& name(int group) const { return rig->groups[static_cast<std::size_t>(group)].name; }
+  [[nodiscard]] GroupId id(int group) const { return rig->groups[static_cast<std::size_t>(group)].id(); }
   [[nodiscard]] glm::vec2 place(int group) const { return at[static_cast<std::size_t>(group)]; }
   [[nodiscard]] float disc() const { return std::max(kDiscRadius * scale, ui.px(7)); }
   [[nodiscard]] float rim() const { return std::max(kRimRadius * scale, ui.px(12)); }
@@ -64,19 +65,19 @@ void settlePlaces(Graph& graph) {
     state.fitWanted = true;
   }
   const bool none =
-      std::ranges::none_of(graph.rig->groups, [&](const Group& group) { return state.places.contains(group.name); });
+      std::ranges::none_of(graph.rig->groups, [&](const Group& group) { return state.places.contains(group.id()); });
   if (none) {
     const std::vector<glm::vec2> laid = layoutGraph(static_cast<int>(graph.rig->groups.size()), graph.edges);
-    for (std::size_t i = 0; i < laid.size(); ++i) state.places[graph.rig->groups[i].name] = laid[i];
+    for (std::size_t i = 0; i < laid.size(); ++i) state.places[graph.rig->groups[i].id()] = laid[i];
     return;
   }
   for (const Group& group : graph.rig->groups) {
-    if (state.places.contains(group.name)) continue;
+    if (state.places.contains(group.id())) continue;
     std::vector<glm::vec2> taken;
     for (const Group& other : graph.rig->groups) {
-      if (const auto found = state.places.find(other.name); found != state.places.end()) taken.push_back(found->second);
+      if (const auto found = state.places.find(other.id()); found != state.places.end()) taken.push_back(found->second);
     }
-    state.places[group.name] = freePlace(taken);
+    state.places[group.id()] = freePlace(taken);
   }
 }
 
@@ -86,7 +87,7 @@ void fit(Graph& graph) {
   glm::vec2 low(1e9f);
   glm::vec2 high(-1e9f);
   for (const Group& group : graph.rig->groups) {
-    const glm::vec2 place = state.places.at(group.name);
+    const glm::vec2 place = state.places.at(group.id());
     low = {std::min(low.x, place.x), std::min(low.y, place.y)};
     high = {std::max(high.x, place.x), std::max(high.y, place.y)};
   }
@@ -102,7 +103,7 @@ void projectPlaces(Graph& graph) {
   graph.scale = state.zoom * graph.ui.scale;
   graph.at.clear();
   for (const Group& group : graph.rig->groups) {
-    graph.at.push_back(graph.low + 0.5f * graph.size + (state.places.at(group.name) + state.pan) * graph.scale);
+    graph.at.push_back(graph.low + 0.5f * graph.size + (state.places.at(group.id()) + state.pan) * graph.scale);
   }
 }
 
@@ -178,12 +179,12 @@ void setGrip(Grip grip) { ImGui::GetStateStorage()->SetInt(ImGui::GetID("grip"),
 void begin(Graph& graph) {
   switch (graph.hit.part) {
     case Part::kDisc:
-      graph.state().group = graph.name(graph.hit.group);
+      graph.state().group = graph.id(graph.hit.group);
       setGrip(Grip::kNode);
       if (ImGui::IsMouseDoubleClicked(0)) startGroupRename(graph.ui.state, graph.state().group);
       break;
     case Part::kRim:
-      graph.state().linkFrom = graph.name(graph.hit.group);
+      graph.state().linkFrom = graph.id(graph.hit.group);
       setGrip(Grip::kLink);
       break;
     case Part::kEdge:
@@ -212,7 +213,7 @@ void end(Graph& graph) {
   if (grip() == Grip::kLink) {
     const int from = findGroup(*graph.rig, state.linkFrom);
     const bool other = from >= 0 && hit.group >= 0 && hit.group != from;
-    if (other && !areLinked(*graph.rig, state.linkFrom, graph.name(hit.group))) {
+    if (other && !areLinked(*graph.rig, graph.name(from), graph.name(hit.group))) {
       toggleLink(graph.ui.state, from, hit.group);
     } else if (hit.group == from && from >= 0) {
       state.group = state.linkFrom;
@@ -221,7 +222,7 @@ void end(Graph& graph) {
     const auto& [a, b] = graph.edges[static_cast<std::size_t>(hit.edge)];
     toggleLink(graph.ui.state, a, b);
   }
-  state.linkFrom.clear();
+  state.linkFrom = {};
   setGrip(Grip::kNone);
 }
 
@@ -253,7 +254,7 @@ void takeInput(Graph& graph) {
     ImGui::EndDragDropTarget();
   }
   if (over && ImGui::IsMouseReleased(1) && graph.hit.group >= 0) {
-    graph.state().group = graph.name(graph.hit.group);
+    graph.state().group = graph.id(graph.hit.group);
     ImGui::OpenPopup("node-menu");
   }
   if (!ImGui::BeginPopup("node-menu")) return;
@@ -317,7 +318,7 @@ void drawNode(const Graph& graph, ImDrawList& list, int group) {
   const Tint tint = groupTint(group);
   const bool hovered = graph.hit.group == group;
   const bool rimmed = hovered && (graph.hit.part == Part::kRim || grip() == Grip::kLink);
-  const bool chosen = graph.state().group == graph.name(group);
+  const bool chosen = graph.state().group == graph.id(group);
   list.AddCircleFilled(point(at), graph.rim(), palette::kPanel.packed(), 32);
   const Tint ring = rimmed ? palette::kAccent : (chosen ? palette::kText : tint.faded(hovered ? 0.9f : 0.45f));
   list.AddCircle(point(at), graph.rim() - graph.ui.px(1), ring.packed(), 32,
@@ -328,7 +329,7 @@ void drawNode(const Graph& graph, ImDrawList& list, int group) {
   const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0.0f, count.c_str());
   list.AddText(ImGui::GetFont(), size, {at.x - 0.5f * extent.x, at.y - 0.5f * extent.y}, palette::kBackground.packed(),
                count.c_str());
-  if (graph.state().rename.group == graph.name(group)) return;
+  if (graph.state().rename.group == graph.id(group)) return;
   if (graph.state().zoom < 0.55f && !hovered && !chosen) return;
   const ImVec2 text = ImGui::CalcTextSize(graph.name(group).c_str());
   const float x = at.x - 0.5f * text.x;

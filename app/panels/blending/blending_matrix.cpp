@@ -34,6 +34,7 @@ struct Matrix {
 
   [[nodiscard]] int count() const { return static_cast<int>(rig->groups.size()); }
   [[nodiscard]] const std::string& name(int group) const { return rig->groups[static_cast<std::size_t>(group)].name; }
+  [[nodiscard]] GroupId id(int group) const { return rig->groups[static_cast<std::size_t>(group)].id(); }
   [[nodiscard]] ImVec2 corner(int i, int j) const {
     return {cells.x + cell * static_cast<float>(j), cells.y + cell * static_cast<float>(i)};
   }
@@ -68,7 +69,7 @@ Matrix lay(PanelUi& ui) {
 
 void takeClick(Matrix& matrix, int group) {
   BlendingState& blending = matrix.ui.state.panels.blending;
-  blending.group = matrix.name(group);
+  blending.group = matrix.id(group);
 }
 
 /// Names first: where the cells scroll under them, they are in front.
@@ -79,7 +80,7 @@ void nameItems(Matrix& matrix) {
     if (at.y + matrix.cell < matrix.clip.y || at.y > matrix.clip.w) continue;
     ImGui::PushID(group);
     ImGui::SetCursorScreenPos(at);
-    if (ui.state.panels.blending.rename.group == matrix.name(group)) {
+    if (ui.state.panels.blending.rename.group == matrix.id(group)) {
       groupRenameField(ui, std::max(matrix.nameWidth, ui.px(110)));
     } else {
       if (ImGui::InvisibleButton("name", {matrix.nameWidth, matrix.cell})) takeClick(matrix, group);
@@ -94,7 +95,7 @@ void nameItems(Matrix& matrix) {
         groupMenu(ui, group);
         ImGui::EndPopup();
       } else if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) {
-        startGroupRename(ui.state, matrix.name(group));
+        startGroupRename(ui.state, matrix.id(group));
       }
     }
     ImGui::PopID();
@@ -122,7 +123,7 @@ void cellItem(Matrix& matrix) {
       matrix.column = j;
       tooltip(matrix.ui, cellHint(matrix, i, j));
       if (pressed && i == j) takeClick(matrix, i);
-      if (i == j && ImGui::IsMouseDoubleClicked(0)) startGroupRename(matrix.ui.state, matrix.name(i));
+      if (i == j && ImGui::IsMouseDoubleClicked(0)) startGroupRename(matrix.ui.state, matrix.id(i));
       if (pressed && i != j) toggleLink(matrix.ui.state, i, j);
     }
   }
@@ -184,9 +185,9 @@ void drawNames(Matrix& matrix) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const BlendingState& blending = matrix.ui.state.panels.blending;
   for (int group = 0; group < matrix.count(); ++group) {
-    if (blending.rename.group == matrix.name(group)) continue;
+    if (blending.rename.group == matrix.id(group)) continue;
     const ImVec2 low{matrix.names.x, matrix.names.y + matrix.cell * static_cast<float>(group)};
-    if (blending.group == matrix.name(group)) {
+    if (blending.group == matrix.id(group)) {
       list.AddRectFilled(low, {low.x + matrix.nameWidth - matrix.ui.px(4), low.y + matrix.cell},
                          palette::kAccent.faded(0.22f).packed(), matrix.ui.px(4));
     }

@@ -30,7 +30,7 @@ struct Entry {
   EntryKind kind = EntryKind::kAction;
   std::string id;  ///< "file/save", "muscle/NAME", "bone/NAME", "sample/0", "recent/0"
   const Action* action = nullptr;
-  std::string muscle;
+  PrimitiveId muscle;
   int bone = -1;
   std::filesystem::path file;
 };
@@ -64,7 +64,7 @@ void addActions(Entries& all, const EditorState& state) {
 void addPlacesInDocument(Entries& all, const EditorState& state) {
   if (!state.hasCharacter()) return;
   for (const Primitive& primitive : state.document.rig().primitives) {
-    add(all, state, {EntryKind::kMuscle, "muscle/" + primitive.name, nullptr, primitive.name, -1, {}}, primitive.name,
+    add(all, state, {EntryKind::kMuscle, "muscle/" + primitive.name, nullptr, primitive.id(), -1, {}}, primitive.name,
         "Muscle on " + primitive.bone, true);
   }
   const Skeleton& skeleton = state.character().skeleton;

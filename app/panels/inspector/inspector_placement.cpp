@@ -95,14 +95,14 @@ void centreRow(PanelUi& ui, const Subjects& subjects, const Lengths& lengths) {
 
 /// Angles for showing: the typed ones as long as the rotation is the one they made, else from the rotation.
 glm::vec3 degreesOf(const EulerState& euler, const Primitive& primitive) {
-  if (euler.primitive == primitive.name && euler.rotation == primitive.placement.rotation) return euler.degrees;
+  if (euler.primitive == primitive.id() && euler.rotation == primitive.placement.rotation) return euler.degrees;
   return glm::degrees(glm::eulerAngles(primitive.placement.rotation));
 }
 
 void rotationRow(PanelUi& ui, const Subjects& subjects) {
   EulerState& euler = ui.state.euler;
   const Primitive& shown = subjects.shown();
-  euler = {shown.name, shown.placement.rotation, degreesOf(euler, shown)};
+  euler = {shown.id(), shown.placement.rotation, degreesOf(euler, shown)};
   vectorRow(ui, subjects, "Rotation", [&](int i) {
     NumberField field{std::string("inspector/rotation.") + kAxisNames[i],
                       "Rotate",
@@ -121,7 +121,7 @@ void rotationRow(PanelUi& ui, const Subjects& subjects) {
       glm::vec3 degrees = degreesOf(euler, p);
       degrees[i] = value;
       p.placement.rotation = glm::normalize(glm::quat(glm::radians(degrees)));
-      if (p.name == shown.name) euler = {p.name, p.placement.rotation, degrees};
+      if (p.id() == shown.id()) euler = {p.id(), p.placement.rotation, degrees};
     };
     field.hint = std::string("Turn about ") + kAxisNames[i] + ", in the bone's space";
     return field;

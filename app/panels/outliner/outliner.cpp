@@ -53,7 +53,7 @@ void drawSearch(PanelUi& ui) {
 /// Scrolls once to a muscle that has just become the active one.
 void reveal(PanelUi& ui, const OutlinerContent& frame) {
   EditorState& state = ui.state;
-  const std::string& active = state.document.selection.active();
+  const PrimitiveId active = state.document.selection.active();
   const int index = findPrimitive(*frame.rig, active);
   if (active == state.revealed || index < 0) return;
   const auto found = std::ranges::find_if(

@@ -83,8 +83,8 @@ void boneSubmenu(PanelUi& ui, const OutlinerContent& frame) {
 
 void muscleMenu(PanelUi& ui, const OutlinerContent& frame, int index) {
   if (!beginContextMenu(ui)) return;
-  const std::string& name = frame.rig->primitives[static_cast<std::size_t>(index)].name;
-  if (!ui.state.document.selection.contains(name)) ui.state.document.selection.set(name);
+  const PrimitiveId muscle = frame.rig->primitives[static_cast<std::size_t>(index)].id();
+  if (!ui.state.document.selection.contains(muscle)) ui.state.document.selection.set(muscle);
   actionItem(ui, "view/frame");
   actionItem(ui, "edit/rename");
   actionItem(ui, "edit/duplicate");

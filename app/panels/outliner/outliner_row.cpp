@@ -44,7 +44,7 @@ struct Row {
     int cells = 1;
     for (const Mark mark : {Mark::kLocked, Mark::kSolo}) {
       const Visibility::Marks& marks = visibility.marks(mark);
-      const bool set = isMuscle() ? marks.muscles.contains(primitive().name) : marks.bones.contains(bone().path);
+      const bool set = isMuscle() ? marks.muscles.contains(primitive().id()) : marks.bones.contains(bone().path);
       if (set) cells = mark == Mark::kLocked ? std::max(cells, 2) : 3;
     }
     if (hovered) cells = isMuscle() ? 3 : 4;
@@ -75,7 +75,7 @@ bool cell(Row& row, int column, const std::string& id, Glyph glyph, const Tint& 
 /// One of the three switches of a row; acts on the row alone, or on all selected muscles if it is among them.
 void switchCell(Row& row, int column, Mark mark, const char* word, Glyph on, Glyph off, const std::string& hint) {
   Visibility& visibility = row.ui.state.document.visibility;
-  const bool set = row.isMuscle() ? visibility.marks(mark).muscles.contains(row.primitive().name)
+  const bool set = row.isMuscle() ? visibility.marks(mark).muscles.contains(row.primitive().id())
                                   : visibility.marks(mark).bones.contains(row.bone().path);
   const std::string id = std::string("outliner/") + word + "/" + (row.isMuscle() ? "" : "bone/") + row.name();
   // An open eye is the ordinary thing and stays faint.
@@ -87,9 +87,9 @@ void switchCell(Row& row, int column, Mark mark, const char* word, Glyph on, Gly
     return;
   }
   const Selection& selection = row.ui.state.document.selection;
-  visibility.setMuscle(mark, row.primitive().name, !set);
-  if (!selection.contains(row.primitive().name)) return;
-  for (const std::string& name : selection.primitives) visibility.setMuscle(mark, name, !set);
+  visibility.setMuscle(mark, row.primitive().id(), !set);
+  if (!selection.contains(row.primitive().id())) return;
+  for (const PrimitiveId other : selection.primitives) visibility.setMuscle(mark, other, !set);
 }
 
 void drawSwitches(Row& row) {
@@ -122,19 +122,19 @@ void drawFold(Row& row) {
 
 void drawRename(Row& row) {
   PanelUi& ui = row.ui;
-  RenameState& rename_ = ui.state.rename;
+  RenameState& typed = ui.state.rename;
   ImGui::SetCursorScreenPos({row.indent() + ui.px(kNameFrom - 8), row.low.y});
-  if (rename_.appearing) ImGui::SetKeyboardFocusHere();
+  if (typed.appearing) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(row.high.x - row.indent() - ui.px(kNameFrom - 4));
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(8), ui.px(2)});
-  const bool entered = ImGui::InputText("##rename", &rename_.text,
+  const bool entered = ImGui::InputText("##rename", &typed.text,
                                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   ImGui::PopStyleVar();
   ui.widgets.note("outliner/rename");
-  const bool left = !rename_.appearing && ImGui::IsItemDeactivated();
-  rename_.appearing = false;
-  if (entered) ui.state.fieldError = rename(ui.state, rename_.primitive, rename_.text);
-  if (entered || left) rename_ = {};
+  const bool left = !typed.appearing && ImGui::IsItemDeactivated();
+  typed.appearing = false;
+  if (entered) ui.state.fieldError = rename(ui.state, typed.primitive, typed.text);
+  if (entered || left) typed = {};
 }
 
 void drawDragged(PanelUi& ui, int index) {
@@ -178,7 +178,7 @@ void drawBar(Row& row, bool selected) {
     muscleMenu(ui, row.frame, row.row.index);
     const ImGuiIO& io = ImGui::GetIO();
     if (clicked && !twice) clickMuscle(ui.state, row.frame.rows, row.position, io.KeyShift, io.KeyCtrl);
-    if (twice) startRename(ui.state, row.primitive().name);
+    if (twice) startRename(ui.state, row.primitive().id());
   } else if (row.row.kind == RowKind::kBone) {
     ui.widgets.note("outliner/bone/" + row.name());
     dropTarget(row);
@@ -202,7 +202,7 @@ void drawMuscle(Row& row) {
   const Tint tint = groupTint(*row.frame.rig, primitive.group);
   drawIcon(list, primitive.sign > 0 ? Icon::kMuscle : Icon::kCarve, {row.indent() + ui.px(15), row.middle(ui.px(13))},
            ui.px(13), tint.faded(visible ? 1.0f : 0.4f).packed());
-  if (ui.state.rename.primitive == primitive.name) return;
+  if (ui.state.rename.primitive == primitive.id()) return;
   const Tint color = visible ? palette::kText : palette::kMuted.faded(0.6f);
   const float from = row.indent() + ui.px(kNameFrom);
   const float room = row.nameEnd() - from;
@@ -254,9 +254,9 @@ void drawOutlinerRow(PanelUi& ui, const OutlinerContent& frame, int position) {
   ImGui::PushID(entry.kind == RowKind::kBone ? row.bone().path.c_str()
                                              : (row.isMuscle() ? row.primitive().name.c_str() : "unattached"));
   const Selection& selection = ui.state.document.selection;
-  const bool selected = row.isMuscle() ? selection.contains(row.primitive().name)
+  const bool selected = row.isMuscle() ? selection.contains(row.primitive().id())
                                        : entry.kind == RowKind::kBone && selection.bone == entry.index;
-  const bool renamed = row.isMuscle() && ui.state.rename.primitive == row.primitive().name;
+  const bool renamed = row.isMuscle() && ui.state.rename.primitive == row.primitive().id();
   if (!renamed) drawBar(row, selected);
   if (row.isMuscle()) {
     drawMuscle(row);

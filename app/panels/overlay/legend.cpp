@@ -153,7 +153,7 @@ void drawLegend(PanelUi& ui) {
   } else if (editsTerritory(state)) {
     const std::size_t bones = shownTerritory(state).size();
     drawMode(ui,
-             "Territory of " + state.document.selection.active() + ": " + std::to_string(bones) +
+             "Territory of " + state.document.activeName() + ": " + std::to_string(bones) +
                  (bones == 1 ? " bone" : " bones") + ". Click bones here or in the list.",
              "Done", "territory", endTerritoryMode);
   } else if (state.document.visibility.isolated) {

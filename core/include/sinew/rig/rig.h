@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <compare>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +28,29 @@ inline constexpr float kLeastIso = 0.001f;
 inline constexpr float kMostIso = 0.999f;
 inline constexpr float kMostSkinBlend = 10.0f;
 
+/// Which primitive or group: the same through renames, undo and redo for as long as a document is open. Not in the
+/// file. 0: not given yet (core/rig/identity.h).
+struct PrimitiveId {
+  std::uint32_t value = 0;
+
+  [[nodiscard]] explicit operator bool() const { return value != 0; }
+  friend auto operator<=>(const PrimitiveId&, const PrimitiveId&) = default;
+};
+struct GroupId {
+  std::uint32_t value = 0;
+
+  [[nodiscard]] explicit operator bool() const { return value != 0; }
+  friend auto operator<=>(const GroupId&, const GroupId&) = default;
+};
+
+/// A member that does not count when two documents are compared.
+template <class T>
+struct NotCompared {
+  T value;
+
+  friend constexpr bool operator==(const NotCompared&, const NotCompared&) { return true; }
+};
+
 /// "surface" in the file.
 struct SurfaceSettings {
   SurfaceMode mode = SurfaceMode::kSwell;
@@ -49,6 +74,9 @@ struct SmoothingSettings {
 struct Group {
   std::string name;  ///< Unique, not empty.
   std::string unknownKeys;
+  NotCompared<GroupId> identity{};
+
+  [[nodiscard]] GroupId id() const { return identity.value; }
 };
 
 /// One ellipsoid on one bone.
@@ -62,6 +90,9 @@ struct Primitive {
   std::string mirror;                                 ///< Name of the linked twin, or empty.
   std::optional<std::vector<std::string>> territory;  ///< Bones; nullopt: the default (attachment.h).
   std::string unknownKeys;
+  NotCompared<PrimitiveId> identity{};
+
+  [[nodiscard]] PrimitiveId id() const { return identity.value; }
 };
 
 /// Primitives + groups + links + settings. Two rigs with equal members are the same document.
@@ -80,6 +111,9 @@ struct Rig {
 /// Index by name, or -1.
 [[nodiscard]] int findPrimitive(const Rig& rig, const std::string& name);
 [[nodiscard]] int findGroup(const Rig& rig, const std::string& name);
+/// Index by identity, or -1.
+[[nodiscard]] int findPrimitive(const Rig& rig, PrimitiveId id);
+[[nodiscard]] int findGroup(const Rig& rig, GroupId id);
 
 /// `wanted`, or `wanted 2`, `wanted 3` ...: the first that no primitive (or group) has. A number at the end of `wanted`
 /// counts on: a taken "thigh 2" gives "thigh 3".

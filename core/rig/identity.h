@@ -1,0 +1,22 @@
+// core/rig/identity.h: gives primitives and groups identities that outlive their names.
+#pragma once
+
+#include <cstdint>
+
+#include "sinew/rig/rig.h"
+
+namespace sinew {
+
+/// Source of identities: each is given once.
+class IdentitySource {
+ public:
+  /// Completes a rig that edits have made from `before`: every primitive and group has an identity of its own
+  /// afterwards. One that has none, or shares its with another (a copy), keeps the identity that its name had in
+  /// `before` if nobody else has it, else gets a new one.
+  void identify(Rig& rig, const Rig& before);
+
+ private:
+  std::uint32_t last_ = 0;
+};
+
+}  // namespace sinew
