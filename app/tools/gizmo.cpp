@@ -2,6 +2,8 @@
 
 #include "app/tools/gizmo.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -11,28 +13,50 @@
 namespace sinew::app {
 namespace {
 
-constexpr std::array<const char*, kGizmoHandleCount> kNames = {
-    "",         "move.x",   "move.y",   "move.z",        "move.xy", "move.yz", "move.zx", "move.center",
-    "rotate.x", "rotate.y", "rotate.z", "rotate.screen", "scale.x", "scale.y", "scale.z", "scale.uniform",
-    "pole.+x",  "pole.-x",  "pole.+y",  "pole.-y",       "pole.+z", "pole.-z"};
+struct NamedHandle {
+  const char* name;
+  HandleParts parts;
+};
 
-constexpr std::array<const char*, 7> kWays = {"X", "Y", "Z", "XY", "YZ", "ZX", "screen"};
-
-GizmoHandle offset(GizmoHandle first, int by) { return static_cast<GizmoHandle>(static_cast<int>(first) + by); }
+constexpr std::array<NamedHandle, kGizmoHandleCount> kHandles = {{
+    {"", {}},
+    {"move.x", {HandleKind::kMove, Way::kX}},
+    {"move.y", {HandleKind::kMove, Way::kY}},
+    {"move.z", {HandleKind::kMove, Way::kZ}},
+    {"move.xy", {HandleKind::kMove, Way::kXY}},
+    {"move.yz", {HandleKind::kMove, Way::kYZ}},
+    {"move.zx", {HandleKind::kMove, Way::kZX}},
+    {"move.center", {HandleKind::kMove, Way::kWhole}},
+    {"rotate.x", {HandleKind::kRotate, Way::kX}},
+    {"rotate.y", {HandleKind::kRotate, Way::kY}},
+    {"rotate.z", {HandleKind::kRotate, Way::kZ}},
+    {"rotate.screen", {HandleKind::kRotate, Way::kWhole}},
+    {"scale.x", {HandleKind::kScale, Way::kX}},
+    {"scale.y", {HandleKind::kScale, Way::kY}},
+    {"scale.z", {HandleKind::kScale, Way::kZ}},
+    {"scale.uniform", {HandleKind::kScale, Way::kWhole}},
+    {"pole.+x", {HandleKind::kPole, Way::kX, 1.0f}},
+    {"pole.-x", {HandleKind::kPole, Way::kX, -1.0f}},
+    {"pole.+y", {HandleKind::kPole, Way::kY, 1.0f}},
+    {"pole.-y", {HandleKind::kPole, Way::kY, -1.0f}},
+    {"pole.+z", {HandleKind::kPole, Way::kZ, 1.0f}},
+    {"pole.-z", {HandleKind::kPole, Way::kZ, -1.0f}},
+}};  ///< By GizmoHandle.
 
 std::string hoverText(GizmoHandle handle) {
   const HandleParts parts = partsOf(handle);
-  const std::string way = parts.way >= 0 ? kWays[static_cast<std::size_t>(parts.way)] : "";
+  const std::string way = nameOf(parts.way);
+  const bool whole = parts.way == Way::kWhole;
   switch (parts.kind) {
     case HandleKind::kNone:
       return "";
     case HandleKind::kMove:
-      return parts.way == 6 ? "Drag to move in the picture's plane"
-                            : "Drag to move " + std::string(parts.way < 3 ? "along " : "in ") + way;
+      return whole ? "Drag to move in the picture's plane"
+                   : "Drag to move " + std::string(isAxis(parts.way) ? "along " : "in ") + way;
     case HandleKind::kRotate:
-      return "Drag to rotate about " + (parts.way == 6 ? "the line of sight" : way);
+      return "Drag to rotate about " + (whole ? "the line of sight" : way);
     case HandleKind::kScale:
-      return "Drag to scale " + (parts.way == 6 ? "all three radii" : "the radius along " + way);
+      return "Drag to scale " + (whole ? "all three radii" : "the radius along " + way);
     case HandleKind::kPole:
       return "Drag to pull the " + std::string(parts.sign > 0.0f ? "+" : "-") + way +
              " end; the other end stays (Alt: the centre stays)";
@@ -42,7 +66,7 @@ std::string hoverText(GizmoHandle handle) {
 
 }  // namespace
 
-const char* nameOf(GizmoHandle handle) { return kNames[static_cast<std::size_t>(handle)]; }
+const char* nameOf(GizmoHandle handle) { return kHandles[static_cast<std::size_t>(handle)].name; }
 
 const char* nameOf(GizmoMode mode) {
   constexpr std::array<const char*, 4> names = {"poles", "move", "rotate", "scale"};
@@ -54,27 +78,14 @@ const char* nameOf(GizmoAxes axes) {
   return names[static_cast<std::size_t>(axes)];
 }
 
-HandleParts partsOf(GizmoHandle handle) {
-  const int index = static_cast<int>(handle);
-  const auto from = [&](GizmoHandle first) { return index - static_cast<int>(first); };
-  if (handle == GizmoHandle::kNone) return {};
-  if (handle <= GizmoHandle::kMoveCenter) return {HandleKind::kMove, from(GizmoHandle::kMoveX), 1.0f};
-  if (handle == GizmoHandle::kRotateScreen) return {HandleKind::kRotate, 6, 1.0f};
-  if (handle < GizmoHandle::kRotateScreen) return {HandleKind::kRotate, from(GizmoHandle::kRotateX), 1.0f};
-  if (handle == GizmoHandle::kScaleUniform) return {HandleKind::kScale, 6, 1.0f};
-  if (handle < GizmoHandle::kScaleUniform) return {HandleKind::kScale, from(GizmoHandle::kScaleX), 1.0f};
-  const int pole = from(GizmoHandle::kPolePlusX);
-  return {HandleKind::kPole, pole / 2, pole % 2 == 0 ? 1.0f : -1.0f};
+HandleParts partsOf(GizmoHandle handle) { return kHandles[static_cast<std::size_t>(handle)].parts; }
+
+GizmoHandle handleOf(const HandleParts& parts) {
+  const auto found = std::ranges::find(kHandles, parts, &NamedHandle::parts);
+  return found == kHandles.end() ? GizmoHandle::kNone : static_cast<GizmoHandle>(found - kHandles.begin());
 }
 
-GizmoHandle moveHandle(int way) { return offset(GizmoHandle::kMoveX, way); }
-GizmoHandle rotateHandle(int way) { return way == 6 ? GizmoHandle::kRotateScreen : offset(GizmoHandle::kRotateX, way); }
-GizmoHandle scaleHandle(int way) { return way == 6 ? GizmoHandle::kScaleUniform : offset(GizmoHandle::kScaleX, way); }
-GizmoHandle poleHandle(int axis, float sign) {
-  return offset(GizmoHandle::kPolePlusX, 2 * axis + (sign > 0.0f ? 0 : 1));
-}
-
-std::array<int, 2> planeAxes(int way) { return {way - 3, (way - 2) % 3}; }
+Way wayOf(const GizmoDrag& drag) { return drag.lock == Way::kNone ? partsOf(drag.handle).way : drag.lock; }
 
 const HandleShape* GizmoLayout::find(GizmoHandle handle) const {
   const auto found = std::ranges::find(handles, handle, &HandleShape::handle);

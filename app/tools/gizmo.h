@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "app/render/view.h"
+#include "app/tools/gizmo_way.h"
 #include "app/tools/input.h"
 #include "sinew/primitives/ellipsoid.h"
 
@@ -89,10 +90,10 @@ struct GizmoDrag {
   Placement start;
   glm::vec2 pressPixel{0.0f};
   glm::vec2 pointer{0.0f};
-  float grabbedLength = 1.0f;        ///< Scale: world distance from the centre at which the handle was grabbed.
-  int lock = -1;                     ///< 0..2: X, Y, Z pressed; -1: as the handle goes.
-  std::string typed;                 ///< Number being typed; "" if none.
-  std::array<GizmoTrack, 7> tracks;  ///< 0..2 along or about x, y, z; 3..5 in xy, yz, zx; 6 screen.
+  float grabbedLength = 1.0f;  ///< Scale: world distance from the centre at which the handle was grabbed.
+  Way lock = Way::kNone;       ///< The axis whose key was pressed; kNone: as the handle goes.
+  std::string typed;           ///< Number being typed; "" if none.
+  std::array<GizmoTrack, kAllWays.size()> tracks;  ///< By trackOf(way).
   Placement current;
   float angle = 0.0f;   ///< Rotate: radians so far, world sense; for the drawn wedge.
   float factor = 1.0f;  ///< Scale: so far; the drawn arm follows.

@@ -13,18 +13,18 @@ enum class HandleKind { kNone, kMove, kRotate, kScale, kPole };
 
 struct HandleParts {
   HandleKind kind = HandleKind::kNone;
-  int way = -1;       ///< Index of GizmoDrag::tracks: 0..2 axis, 3..5 planes xy, yz, zx, 6 screen or uniform.
-  float sign = 1.0f;  ///< Poles: which end.
+  Way way = Way::kNone;  ///< Poles: their axis.
+  float sign = 1.0f;     ///< Poles: which end.
+
+  friend bool operator==(const HandleParts&, const HandleParts&) = default;
 };
 
 [[nodiscard]] HandleParts partsOf(GizmoHandle handle);
-[[nodiscard]] GizmoHandle moveHandle(int way);
-[[nodiscard]] GizmoHandle rotateHandle(int way);
-[[nodiscard]] GizmoHandle scaleHandle(int way);
-[[nodiscard]] GizmoHandle poleHandle(int axis, float sign);
+/// Inverse of partsOf; kNone if no handle has those parts.
+[[nodiscard]] GizmoHandle handleOf(const HandleParts& parts);
 
-/// The two axes of plane `way` 3..5.
-[[nodiscard]] std::array<int, 2> planeAxes(int way);
+/// Where a drag goes: what is locked, or else as its handle goes.
+[[nodiscard]] Way wayOf(const GizmoDrag& drag);
 
 /// A gizmo in one frame's pose.
 struct GizmoBasis {
@@ -35,6 +35,10 @@ struct GizmoBasis {
   std::array<glm::vec3, 3> axes;      ///< Unit, world.
   glm::vec3 toEye{0.0f, 0.0f, 1.0f};  ///< Unit, from the origin.
   float arm = 1.0f;                   ///< World length of kGizmoArmPixels at the origin.
+
+  [[nodiscard]] const glm::vec3& along(Way axis) const { return axes[static_cast<std::size_t>(axisOf(axis))]; }
+  /// What a ring turns about: an axis, or the line of sight.
+  [[nodiscard]] const glm::vec3& ringNormal(Way way) const { return isAxis(way) ? along(way) : toEye; }
 };
 
 inline constexpr float kGizmoArmPixels = 95.0f;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -23,7 +24,6 @@ constexpr float kFactorStep = 0.1f;
 constexpr float kLeastRadius = 0.002f;  ///< Of H, in the world.
 constexpr float kFarthestMove = 50.0f;  ///< Of H: beyond that the pointer is near an axis' vanishing point.
 constexpr float kPlanarRing = 0.2f;     ///< |cosine| of ring normal and sight below which a ring counts as edge-on.
-constexpr std::array<const char*, 7> kLabels = {"X", "Y", "Z", "XY", "YZ", "ZX", ""};
 
 glm::mat3 axesMatrix(const GizmoBasis& frame) { return {frame.axes[0], frame.axes[1], frame.axes[2]}; }
 
@@ -44,16 +44,16 @@ float snapped(float value, float step) { return std::round(value / step) * step;
 // Pointer -> tracks -----------------------------------------------------------------------------------------------
 
 /// World point, relative to the origin, that a pixel means for a move along one way.
-std::optional<glm::vec3> movePoint(int way, const glm::vec2& pixel, const GizmoBasis& frame, const View& view) {
+std::optional<glm::vec3> movePoint(Way way, const glm::vec2& pixel, const GizmoBasis& frame, const View& view) {
   const Ray ray = view.rayThrough(pixel);
-  if (way < 3) {
-    const glm::vec3 direction = frame.axes[static_cast<std::size_t>(way)];
+  if (isAxis(way)) {
+    const glm::vec3 direction = frame.along(way);
     const std::optional<float> along = alongLine(frame.origin, direction, ray);
     if (!along) return std::nullopt;
     return *along * direction;
   }
   glm::vec3 normal = view.forwardInWorld();
-  if (way < 6) {
+  if (isPlane(way)) {
     const std::array<int, 2> pair = planeAxes(way);
     normal = normalizeOr(
         glm::cross(frame.axes[static_cast<std::size_t>(pair[0])], frame.axes[static_cast<std::size_t>(pair[1])]),
@@ -65,7 +65,7 @@ std::optional<glm::vec3> movePoint(int way, const glm::vec2& pixel, const GizmoB
 }
 
 /// Adds the motion from the track's last pixel. What a pixel cannot say (vanishing points) is left until it can.
-void advanceMove(GizmoTrack& track, int way, const glm::vec2& pixel, float speed, const GizmoBasis& frame,
+void advanceMove(GizmoTrack& track, Way way, const glm::vec2& pixel, float speed, const GizmoBasis& frame,
                  const GizmoContext& context) {
   const std::optional<glm::vec3> now = movePoint(way, pixel, frame, context.view);
   if (!now || glm::length(*now) > kFarthestMove * context.characterHeight) return;
@@ -75,19 +75,15 @@ void advanceMove(GizmoTrack& track, int way, const glm::vec2& pixel, float speed
   const glm::vec3 delta = *now - *before;
   // Axes need not be orthogonal on sheared bones, so coordinates are solved for.
   glm::vec3 coordinates(0.0f);
-  if (way < 3) coordinates[way] = glm::dot(delta, frame.axes[static_cast<std::size_t>(way)]);
+  if (isAxis(way)) coordinates[axisOf(way)] = glm::dot(delta, frame.along(way));
   else coordinates = glm::inverse(axesMatrix(frame)) * delta;
-  if (way >= 3 && way < 6) coordinates[3 - planeAxes(way)[0] - planeAxes(way)[1]] = 0.0f;
+  if (isPlane(way)) coordinates[normalAxisOf(way)] = 0.0f;
   track.travelled += speed * coordinates;
 }
 
-glm::vec3 ringNormal(int way, const GizmoBasis& frame) {
-  return way == 6 ? frame.toEye : frame.axes[static_cast<std::size_t>(way)];
-}
-
-void advanceRotation(GizmoTrack& track, int way, const glm::vec2& pixel, float speed, const GizmoBasis& frame,
+void advanceRotation(GizmoTrack& track, Way way, const glm::vec2& pixel, float speed, const GizmoBasis& frame,
                      const GizmoContext& context) {
-  const glm::vec3 normal = ringNormal(way, frame);
+  const glm::vec3 normal = frame.ringNormal(way);
   const glm::vec2 before = track.lastPixel;
   track.lastPixel = pixel;
   if (std::abs(glm::dot(normal, frame.toEye)) > kPlanarRing) {
@@ -112,12 +108,12 @@ void advanceRotation(GizmoTrack& track, int way, const glm::vec2& pixel, float s
 void advanceTracks(GizmoDrag& drag, const glm::vec2& pixel, float speed, const GizmoBasis& frame,
                    const GizmoContext& context) {
   const HandleParts parts = partsOf(drag.handle);
-  for (int way = 0; way < 7; ++way) {
-    GizmoTrack& track = drag.tracks[static_cast<std::size_t>(way)];
+  for (const Way way : kAllWays) {
+    GizmoTrack& track = drag.tracks[trackOf(way)];
     if (track.lastPixel == pixel) continue;
     if (parts.kind == HandleKind::kRotate) {
-      if (way < 3 || way == 6) advanceRotation(track, way, pixel, speed, frame, context);
-    } else if (parts.kind == HandleKind::kScale && way == 6) {
+      if (!isPlane(way)) advanceRotation(track, way, pixel, speed, frame, context);
+    } else if (parts.kind == HandleKind::kScale && way == Way::kWhole) {
       track.travelled.x += speed * ((pixel.x - track.lastPixel.x) - (pixel.y - track.lastPixel.y));
       track.lastPixel = pixel;
     } else {
@@ -131,9 +127,10 @@ void advanceTracks(GizmoDrag& drag, const glm::vec2& pixel, float speed, const G
 
 void readKeys(GizmoDrag& drag, const ViewportInput& input) {
   if (partsOf(drag.handle).kind != HandleKind::kPole) {
-    constexpr std::array<Key, 3> axisKeys = {Key::kX, Key::kY, Key::kZ};
-    for (int axis = 0; axis < 3; ++axis) {
-      if (input.keyPressed(axisKeys[static_cast<std::size_t>(axis)])) drag.lock = drag.lock == axis ? -1 : axis;
+    constexpr std::array<std::pair<Key, Way>, 3> axisKeys = {
+        {{Key::kX, Way::kX}, {Key::kY, Way::kY}, {Key::kZ, Way::kZ}}};
+    for (const auto& [key, axis] : axisKeys) {
+      if (input.keyPressed(key)) drag.lock = drag.lock == axis ? Way::kNone : axis;
     }
   }
   if (input.keyPressed(Key::kBackspace) && !drag.typed.empty()) drag.typed.pop_back();
@@ -208,18 +205,24 @@ struct Evaluation {
   const ViewportInput& input;
   const GizmoContext& context;
   const GizmoBasis& frame;
-  int way;  ///< After the lock.
+  Way way;  ///< After the lock.
   float sign;
   std::optional<float> typed;
 
-  [[nodiscard]] const glm::vec3& travelled() const { return drag.tracks[static_cast<std::size_t>(way)].travelled; }
+  [[nodiscard]] const glm::vec3& travelled() const { return drag.tracks[trackOf(way)].travelled; }
   [[nodiscard]] float step(float coarse) const { return input.shift ? kPrecise * coarse : coarse; }
   [[nodiscard]] bool snaps() const { return input.ctrl && !typed; }
 };
 
 void setValue(const Evaluation& e, const std::string& value) {
-  const std::string label = kLabels[static_cast<std::size_t>(e.way)];
+  const std::string label = nameOf(e.way);
   e.drag.value = label + (label.empty() ? "" : " ") + value + (e.drag.typed.empty() ? "" : " [" + e.drag.typed + "]");
+}
+
+/// The axis along which a typed length goes while nothing is moved yet.
+int firstAxisOf(Way way) {
+  if (isAxis(way)) return axisOf(way);
+  return isPlane(way) ? planeAxes(way)[0] : axisOf(Way::kX);
 }
 
 Placement evaluateMove(const Evaluation& e) {
@@ -230,13 +233,14 @@ Placement evaluateMove(const Evaluation& e) {
   }
   if (e.typed) {
     glm::vec3 first(0.0f);
-    first[e.way < 3 ? e.way : (e.way < 6 ? planeAxes(e.way)[0] : 0)] = 1.0f;
+    first[firstAxisOf(e.way)] = 1.0f;
     const float length = glm::length(axes * coordinates);
-    const bool moved = e.way >= 3 && length > 1e-6f * e.context.characterHeight;
+    const bool moved = !isAxis(e.way) && length > 1e-6f * e.context.characterHeight;
     coordinates = *e.typed * (moved ? coordinates / length : first);
   }
   const glm::vec3 inWorld = axes * coordinates;
-  setValue(e, lengthText(e.way < 3 ? coordinates[e.way] : glm::length(inWorld), e.context.characterHeight));
+  const float length = isAxis(e.way) ? coordinates[axisOf(e.way)] : glm::length(inWorld);
+  setValue(e, lengthText(length, e.context.characterHeight));
   e.drag.effect.moved = inWorld;
   return moved(e.drag.effect, e.drag.start, e.frame.boneInverse);
 }
@@ -247,32 +251,34 @@ Placement evaluateRotation(const Evaluation& e) {
   if (e.typed) angle = *e.typed * kPi / 180.0f;
   e.drag.angle = angle;
   setValue(e, number(angle * 180.0f / kPi) + " deg");
-  e.drag.effect.turnAxis = ringNormal(e.way, e.frame);
+  e.drag.effect.turnAxis = e.frame.ringNormal(e.way);
   e.drag.effect.angle = angle;
   e.drag.effect.pivot = e.frame.origin;
   return turned(e.drag.effect, e.drag.start, e.frame.boneInverse, e.context.pivotInWorld ? &e.frame.center : nullptr);
 }
 
 Placement evaluateScale(const Evaluation& e) {
-  const bool uniform = partsOf(e.drag.handle).way == 6;
-  const GizmoTrack& track = e.drag.tracks[static_cast<std::size_t>(uniform ? 6 : e.way)];
-  float factor = uniform ? std::exp2(track.travelled.x / (kGizmoArmPixels * e.context.uiScale))
-                         : 1.0f + track.travelled[e.way] / e.drag.grabbedLength;
+  // A lock on the uniform handle changes which radii follow, not how they are pulled.
+  const bool uniform = partsOf(e.drag.handle).way == Way::kWhole;
+  const glm::vec3& travelled = e.drag.tracks[trackOf(uniform ? Way::kWhole : e.way)].travelled;
+  float factor = uniform ? std::exp2(travelled.x / (kGizmoArmPixels * e.context.uiScale))
+                         : 1.0f + travelled[axisOf(e.way)] / e.drag.grabbedLength;
   if (e.snaps()) factor = std::max(snapped(factor, e.step(kFactorStep)), e.step(kFactorStep));
   factor = std::clamp(e.typed.value_or(factor), 0.01f, 1000.0f);
   e.drag.factor = factor;
   setValue(e, "x " + number(factor));
   e.drag.effect.factors = glm::vec3(1.0f);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (e.way == 6 || e.way == axis) e.drag.effect.factors[axis] = factor;
+  for (const Way axis : kAxisWays) {
+    if (e.way == Way::kWhole || e.way == axis) e.drag.effect.factors[axisOf(axis)] = factor;
   }
   return scaled(e.drag.effect, e.drag.start, e.frame.bone, e.context.characterHeight);
 }
 
 Placement evaluatePole(const Evaluation& e) {
-  const float perUnit = worldPerUnit(e.frame.bone, e.drag.start, e.way);
-  const float before = perUnit * e.drag.start.radii[e.way];
-  const float pulled = e.sign * e.travelled()[e.way];
+  const int axis = axisOf(e.way);
+  const float perUnit = worldPerUnit(e.frame.bone, e.drag.start, axis);
+  const float before = perUnit * e.drag.start.radii[axis];
+  const float pulled = e.sign * e.travelled()[axis];
   const bool bothEnds = e.input.alt;
   float length = before + (bothEnds ? pulled : 0.5f * pulled);
   if (e.snaps()) length = snapped(length, e.step(kMoveStep * e.context.characterHeight));
@@ -281,19 +287,18 @@ Placement evaluatePole(const Evaluation& e) {
   setValue(e, lengthText(length, e.context.characterHeight));
   Placement placement = e.drag.start;
   if (length == before) return placement;
-  placement.radii[e.way] = length / perUnit;
+  placement.radii[axis] = length / perUnit;
   if (!bothEnds) {
     glm::vec3 unit(0.0f);
-    unit[e.way] = e.sign;
-    placement.center += (placement.radii[e.way] - e.drag.start.radii[e.way]) * (e.drag.start.rotation * unit);
+    unit[axis] = e.sign;
+    placement.center += (placement.radii[axis] - e.drag.start.radii[axis]) * (e.drag.start.rotation * unit);
   }
   return placement;
 }
 
 Placement evaluate(GizmoDrag& drag, const ViewportInput& input, const GizmoContext& context, const GizmoBasis& frame) {
   const HandleParts parts = partsOf(drag.handle);
-  const int way = drag.lock >= 0 ? drag.lock : parts.way;
-  const Evaluation e{drag, input, context, frame, way, parts.sign, typedValue(drag.typed)};
+  const Evaluation e{drag, input, context, frame, wayOf(drag), parts.sign, typedValue(drag.typed)};
   switch (parts.kind) {
     case HandleKind::kNone:
       break;
@@ -335,9 +340,9 @@ void beginDrag(GizmoState& state, GizmoHandle handle, const Placement& inBone, c
   const HandleParts parts = partsOf(handle);
   if (frame) {
     drag.grabbedLength = frame->arm;
-    if (parts.kind == HandleKind::kScale && parts.way < 3) {
+    if (parts.kind == HandleKind::kScale && isAxis(parts.way)) {
       const std::optional<glm::vec3> grabbed = movePoint(parts.way, pixel, *frame, context.view);
-      const float length = grabbed ? glm::dot(*grabbed, frame->axes[static_cast<std::size_t>(parts.way)]) : 0.0f;
+      const float length = grabbed ? glm::dot(*grabbed, frame->along(parts.way)) : 0.0f;
       if (length > 0.1f * frame->arm) drag.grabbedLength = length;
     }
   }

@@ -52,9 +52,9 @@ ImU32 colorOf(GizmoHandle handle, const GizmoState& state) {
   const GizmoHandle hot = state.drag ? state.drag->handle : state.hovered;
   if (handle == hot) return kHoverColor;
   const HandleParts parts = partsOf(handle);
-  if (parts.way == 6) return kNeutralColor;
+  if (parts.way == Way::kWhole) return kNeutralColor;
   // A plane has the colour of the axis across it.
-  const int axis = parts.way < 3 ? parts.way : 3 - planeAxes(parts.way)[0] - planeAxes(parts.way)[1];
+  const int axis = isPlane(parts.way) ? normalAxisOf(parts.way) : axisOf(parts.way);
   return kAxisColors[static_cast<std::size_t>(axis)];
 }
 
@@ -127,11 +127,11 @@ void drawHandle(const Canvas& canvas, const HandleShape& shape, const GizmoState
     case HandleKind::kScale:
       break;
   }
-  if (parts.way == 6) {
+  if (parts.way == Way::kWhole) {
     canvas.circle(shape.outline[0], 8.0f, kShadowColor, 4.0f);
     canvas.circle(shape.outline[0], 8.0f, color, hot ? 2.6f : 1.8f);
     canvas.dot(shape.outline[0], 2.0f, color);
-  } else if (parts.way >= 3) {
+  } else if (isPlane(parts.way)) {
     drawPlane(canvas, shape, color, hot);
   } else if (parts.kind == HandleKind::kMove) {
     drawArrow(canvas, shape, color);
@@ -197,18 +197,17 @@ void drawDrag(const Canvas& canvas, const GizmoState& state, const GizmoContext&
   const bool ownAxes = parts.kind == HandleKind::kScale || parts.kind == HandleKind::kPole;
   const auto frame = gizmoBasis(ownAxes ? GizmoAxes::kPrimitive : state.axes, drag.start, context);
   if (!frame) return;
-  const int way = drag.lock >= 0 ? drag.lock : parts.way;
+  const Way way = wayOf(drag);
   const auto axisLine = [&](int axis) {
     const auto i = static_cast<std::size_t>(axis);
     drawAxisLine(canvas, frame->origin, frame->axes[i], frame->arm, kAxisColors[i], context.view);
   };
-  if (way < 3) axisLine(way);
-  if (way >= 3 && way < 6) {
+  if (isAxis(way)) axisLine(axisOf(way));
+  if (isPlane(way)) {
     for (const int axis : planeAxes(way)) axisLine(axis);
   }
   if (parts.kind == HandleKind::kRotate) {
-    const glm::vec3 normal = way == 6 ? frame->toEye : frame->axes[static_cast<std::size_t>(way)];
-    drawWedge(canvas, *frame, drag, normal, context.view);
+    drawWedge(canvas, *frame, drag, frame->ringNormal(way), context.view);
   }
   if (parts.kind == HandleKind::kMove) {
     const glm::vec3 now(context.boneInWorld * glm::vec4(drag.current.center, 1.0f));
@@ -224,7 +223,7 @@ int drawOrder(const HandleShape& shape) {
   const HandleParts parts = partsOf(shape.handle);
   if (parts.kind == HandleKind::kPole) return shape.facesEye ? 4 : 3;
   if (parts.kind == HandleKind::kRotate) return 1;
-  return parts.way == 6 ? 2 : (parts.way < 3 ? 1 : 0);
+  return parts.way == Way::kWhole ? 2 : (isAxis(parts.way) ? 1 : 0);
 }
 
 }  // namespace

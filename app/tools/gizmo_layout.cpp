@@ -76,8 +76,8 @@ Hit hitOf(const HandleShape& shape, const glm::vec2& pixel, float uiScale) {
     return within(0, glm::length(pixel - shape.outline[0]), kPoleReach * uiScale);
   }
   if (parts.kind == HandleKind::kRotate) return within(2, distanceToFront(pixel, shape), kRingReach * uiScale);
-  if (parts.way == 6) return within(1, glm::length(pixel - shape.outline[0]), kCenterReach * uiScale);
-  if (parts.way < 3) {
+  if (parts.way == Way::kWhole) return within(1, glm::length(pixel - shape.outline[0]), kCenterReach * uiScale);
+  if (isAxis(parts.way)) {
     return within(2, distanceToSegment(pixel, shape.outline[0], shape.outline[1]), kLineReach * uiScale);
   }
   return Hit{3, insideConvex(pixel, shape.outline) ? 0.0f : kMiss};
@@ -96,23 +96,24 @@ struct Builder {
   [[nodiscard]] glm::vec2 originPixel() const { return glm::vec2(pixelOf(frame.origin)); }
 };
 
-void addArm(Builder& b, int axis, GizmoHandle handle) {
+void addArm(Builder& b, HandleKind kind, Way axis) {
+  const GizmoHandle handle = handleOf({kind, axis});
   float length = b.frame.arm;
   if (b.state.drag && b.state.drag->handle == handle) length *= b.state.drag->factor;
-  const glm::vec3 tip = b.pixelOf(b.frame.origin + length * b.frame.axes[static_cast<std::size_t>(axis)]);
-  const glm::vec3 base = b.pixelOf(b.frame.origin + kArmBase * length * b.frame.axes[static_cast<std::size_t>(axis)]);
+  const glm::vec3 tip = b.pixelOf(b.frame.origin + length * b.frame.along(axis));
+  const glm::vec3 base = b.pixelOf(b.frame.origin + kArmBase * length * b.frame.along(axis));
   if (!inPicture(tip) || !inPicture(base)) return;
   if (glm::length(glm::vec2(tip) - b.originPixel()) < kShortestArm * b.context.uiScale) return;
   b.shapes.push_back({.handle = handle, .outline = {glm::vec2(base), glm::vec2(tip)}, .inFront = {}});
 }
 
-void addPlane(Builder& b, int way) {
-  const std::array<int, 2> pair = planeAxes(way);
+void addPlane(Builder& b, Way plane) {
+  const std::array<int, 2> pair = planeAxes(plane);
   const glm::vec3 u = b.frame.arm * b.frame.axes[static_cast<std::size_t>(pair[0])];
   const glm::vec3 v = b.frame.arm * b.frame.axes[static_cast<std::size_t>(pair[1])];
   constexpr std::array<std::array<float, 2>, 4> corners = {
       {{kPlaneNear, kPlaneNear}, {kPlaneFar, kPlaneNear}, {kPlaneFar, kPlaneFar}, {kPlaneNear, kPlaneFar}}};
-  HandleShape shape{.handle = moveHandle(way), .outline = {}, .inFront = {}};
+  HandleShape shape{.handle = handleOf({HandleKind::kMove, plane}), .outline = {}, .inFront = {}};
   for (const auto& corner : corners) {
     const glm::vec3 pixel = b.pixelOf(b.frame.origin + corner[0] * u + corner[1] * v);
     if (!inPicture(pixel)) return;
@@ -123,11 +124,11 @@ void addPlane(Builder& b, int way) {
   if (area >= kFlattestPlane * side * side) b.shapes.push_back(std::move(shape));
 }
 
-void addRing(Builder& b, int axis) {
-  const glm::vec3 normal = b.frame.axes[static_cast<std::size_t>(axis)];
+void addRing(Builder& b, Way axis) {
+  const glm::vec3 normal = b.frame.along(axis);
   const glm::vec3 u = across(normal);
   const glm::vec3 v = glm::cross(normal, u);
-  HandleShape shape{.handle = rotateHandle(axis), .outline = {}, .inFront = {}};
+  HandleShape shape{.handle = handleOf({HandleKind::kRotate, axis}), .outline = {}, .inFront = {}};
   for (int i = 0; i < kRingPoints; ++i) {
     const float angle = 2.0f * std::numbers::pi_v<float> * static_cast<float>(i) / kRingPoints;
     const glm::vec3 spoke = std::cos(angle) * u + std::sin(angle) * v;
@@ -153,7 +154,8 @@ void addScreenRing(Builder& b) {
 
 void addPoles(Builder& b) {
   const glm::mat3 normals = normalMatrix(b.frame.bone);
-  for (int axis = 0; axis < 3; ++axis) {
+  for (const Way way : kAxisWays) {
+    const int axis = axisOf(way);
     for (const float sign : {1.0f, -1.0f}) {
       glm::vec3 unit(0.0f);
       unit[axis] = sign;
@@ -163,7 +165,7 @@ void addPoles(Builder& b) {
       if (!inPicture(pixel)) continue;
       if (glm::length(glm::vec2(pixel) - b.originPixel()) < kPoleClearance * b.context.uiScale) continue;
       const glm::vec3 toEye = b.context.view.orthographic ? b.frame.toEye : b.context.view.eyeInWorld - world;
-      b.shapes.push_back({.handle = poleHandle(axis, sign),
+      b.shapes.push_back({.handle = handleOf({HandleKind::kPole, way, sign}),
                           .outline = {glm::vec2(pixel)},
                           .inFront = {},
                           .depth = pixel.z,
@@ -177,16 +179,16 @@ void addShapes(Builder& b) {
     case GizmoMode::kPoles:
       break;
     case GizmoMode::kMove:
-      for (int axis = 0; axis < 3; ++axis) addArm(b, axis, moveHandle(axis));
-      for (int way = 3; way < 6; ++way) addPlane(b, way);
+      for (const Way axis : kAxisWays) addArm(b, HandleKind::kMove, axis);
+      for (const Way plane : kPlaneWays) addPlane(b, plane);
       b.shapes.push_back({.handle = GizmoHandle::kMoveCenter, .outline = {b.originPixel()}, .inFront = {}});
       break;
     case GizmoMode::kRotate:
-      for (int axis = 0; axis < 3; ++axis) addRing(b, axis);
+      for (const Way axis : kAxisWays) addRing(b, axis);
       addScreenRing(b);
       break;
     case GizmoMode::kScale:
-      for (int axis = 0; axis < 3; ++axis) addArm(b, axis, scaleHandle(axis));
+      for (const Way axis : kAxisWays) addArm(b, HandleKind::kScale, axis);
       b.shapes.push_back({.handle = GizmoHandle::kScaleUniform, .outline = {b.originPixel()}, .inFront = {}});
       break;
   }
