@@ -19,7 +19,6 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kTremor = 4.0f;        ///< Design pixels a click may move.
 constexpr float kClickLength = 0.05f;  ///< Semi-axes, of H.
 constexpr float kClickWidth = 0.032f;
 constexpr float kClickThickness = 0.026f;
@@ -275,7 +274,7 @@ void updateAddMuscle(AddMuscleState& state, const ViewportInput& input, const Vi
     cancelAddMuscle(state, context.document);
     return;
   }
-  drag.dragged = drag.dragged || glm::length(input.mouse - drag.pressPixel) > kTremor * context.uiScale;
+  drag.dragged = drag.dragged || glm::length(input.mouse - drag.pressPixel) > kDragThreshold * context.uiScale;
   SkinStroke stroke{{drag.start}};
   if (drag.dragged) {
     stroke = strokeOnSkin(drag.skin, drag.start, view, input.mouse, context.document.character->height);

@@ -18,7 +18,7 @@ struct AddMuscleDrag {
   int bone = -1;
   glm::mat4 boneInWorld{1.0f};
   glm::vec2 pressPixel{0.0f};
-  bool dragged = false;  ///< Has once left the press pixel by more than a click's tremor.
+  bool dragged = false;  ///< Has once left the press pixel by more than kDragThreshold.
   Selection selectionBefore;
   std::shared_ptr<const Rig> rigBefore;
 };

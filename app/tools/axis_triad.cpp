@@ -15,7 +15,6 @@ namespace {
 
 constexpr float kKnobPlace = 0.78f;  ///< Of the ball's radius, from its centre.
 constexpr float kKnobRadius = 9.0f;  ///< Design pixels.
-constexpr float kTremor = 3.0f;      ///< Design pixels a click may move before it is a drag.
 constexpr float kSameDirection = 0.9995f;
 
 glm::vec3 directionOf(AxisEnd end) {
@@ -95,7 +94,7 @@ bool routeTriad(AxisTriad& triad, Camera& camera, const ViewportInput& input, co
     triad.turning = false;
     triad.pressPixel = triad.lastPixel = input.mouse;
   }
-  if (!triad.turning && glm::distance(input.mouse, triad.pressPixel) > kTremor * uiScale) triad.turning = true;
+  if (!triad.turning && glm::distance(input.mouse, triad.pressPixel) > kDragThreshold * uiScale) triad.turning = true;
   if (triad.turning) {
     // The ball turns under the pointer: across it is half a turn, however large the picture.
     const int across = std::max(static_cast<int>(2.0f * layout.radius), 1);

@@ -10,6 +10,8 @@
 
 namespace sinew::app {
 
+inline constexpr float kDragThreshold = 4.0f;  ///< Design pixels a press may move and still be a click.
+
 enum class MouseButton { kLeft = 0, kRight = 1, kMiddle = 2 };  ///< Numbers as in GLFW and ImGui.
 
 struct ButtonState {

@@ -12,8 +12,6 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kTremor = 4.0f;  ///< Design pixels a click may move before it is a drag.
-
 // The handles -----------------------------------------------------------------------------------------------------
 
 std::optional<GizmoTarget> gizmoTarget(const ToolFrame& frame) {
@@ -125,7 +123,7 @@ void takeWantedDrag(ToolFrame& frame, const std::optional<GizmoTarget>& target) 
 
 void continueClick(ToolFrame& frame, bool released) {
   ViewportTools& tools = frame.tools;
-  if (glm::length(frame.input.mouse - tools.pressPixel) > kTremor * frame.context.uiScale) {
+  if (glm::length(frame.input.mouse - tools.pressPixel) > kDragThreshold * frame.context.uiScale) {
     orbit(tools.camera, frame.input.mouse - tools.pressPixel, frame.context.size);
     tools.owner = PressOwner::kOrbit;
   } else if (const Tool& tool = activeTool(tools); released && tool.click) {
@@ -145,7 +143,7 @@ void continueBox(ToolFrame& frame, const ViewportInput& input, bool released) {
   box.to = input.mouse;
   box.mode = input.alt ? BoxMode::kRemove : (input.shift ? BoxMode::kAdd : BoxMode::kReplace);
   if (!released) return;
-  const bool click = glm::length(box.to - box.from) <= kTremor * frame.context.uiScale;
+  const bool click = glm::length(box.to - box.from) <= kDragThreshold * frame.context.uiScale;
   if (click) pick(frame.document(), tools.hover, true);
   else selectBox(frame.context, frame.view, box);
   tools.box.drag.reset();

@@ -138,6 +138,21 @@ TEST(AxisTriad, ADragOrbitsAndIsNoClick) {
   EXPECT_NE(camera.stand.yaw, before.yaw);
 }
 
+TEST(AxisTriad, APressThatMovesAsLittleAsAClickElsewhereIsAClick) {
+  for (const float scale : {1.0f, 2.0f}) {
+    for (const float moved : {0.9f * kDragThreshold, 1.1f * kDragThreshold}) {
+      Camera camera;
+      AxisTriad triad;
+      const glm::vec2 start = endOf(layoutTriad(camera, kSize, scale), AxisEnd::kZ).pixel;
+      const glm::vec2 end = start + glm::vec2(0, moved * scale);
+      routeTriad(triad, camera, press(start), kSize, scale);
+      routeTriad(triad, camera, hold(end), kSize, scale);
+      routeTriad(triad, camera, release(end), kSize, scale);
+      EXPECT_EQ(isMoving(camera), moved < kDragThreshold) << moved << " pixels at scale " << scale;
+    }
+  }
+}
+
 TEST(AxisTriad, TakesTheMouseOnTheBallAloneAndNeverFromOthers) {
   Camera camera;
   AxisTriad triad;
