@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/render/framing.h"
+#include "core/base/smoothstep.h"
 
 namespace sinew::app {
 namespace {
@@ -136,8 +137,7 @@ bool advance(Camera& camera, float deltaSeconds) {
     camera.transition.reset();
     return false;
   }
-  const float linear = move.elapsed / kCameraTransitionSeconds;
-  const float t = linear * linear * (3.0f - 2.0f * linear);
+  const float t = smoothstep(0.0f, kCameraTransitionSeconds, move.elapsed);
   camera.stand.target = glm::mix(move.from.target, move.to.target, t);
   camera.stand.distance = move.from.distance * std::pow(move.to.distance / move.from.distance, t);
   camera.stand.yaw = wrapped(move.from.yaw + t * wrapped(move.to.yaw - move.from.yaw));
