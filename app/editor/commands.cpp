@@ -290,8 +290,6 @@ std::vector<int> selectedIndices(const Document& document) {
   return indices;
 }
 
-std::vector<int> bonesOfPrimitives(const Rig& rig, const Skeleton& skeleton) { return boneOfEach(rig, skeleton); }
-
 std::vector<PrimitiveShape> shownShapes(const EditorState& state, bool all) {
   std::vector<PrimitiveShape> shapes = primitiveShapes(state.document, state.live->pose());
   // Only the left panels light up; put away, they leave nothing lit.

@@ -49,8 +49,6 @@ void cycleAxes(EditorState& state);
 
 /// Rig indices of the selected primitives, ascending.
 [[nodiscard]] std::vector<int> selectedIndices(const Document& document);
-/// Index into Skeleton::bones for every primitive of the rig; -1: unattached.
-[[nodiscard]] std::vector<int> bonesOfPrimitives(const Rig& rig, const Skeleton& skeleton);
 /// What the viewport draws for the rig: all muscles, or the selected and hovered alone.
 [[nodiscard]] std::vector<PrimitiveShape> shownShapes(const EditorState& state, bool all);
 

@@ -2,15 +2,12 @@
 
 #include "app/platform/window.h"
 
-#include <epoxy/gl.h>
-
 #include <glm/common.hpp>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 #include "app/platform/key_meaning.h"
@@ -87,10 +84,6 @@ Result<std::unique_ptr<Window>> Window::open(const glm::ivec2& size, const std::
   window->title_ = title;
   glfwMakeContextCurrent(window->window_);
   glfwSwapInterval(1);
-  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const std::string_view rendererName = renderer != nullptr ? renderer : "";
-  window->software_ = rendererName.find("llvmpipe") != std::string_view::npos ||
-                      rendererName.find("softpipe") != std::string_view::npos;
   window->installCallbacks();
   if (known) {
     window->geometry_ = *before;

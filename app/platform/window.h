@@ -44,7 +44,6 @@ class Window {
   [[nodiscard]] float contentScale() const;          ///< 1 on ordinary screens, 2 on dense ones.
   /// Now; of a maximised window, or one that is put away, what it was before.
   [[nodiscard]] WindowGeometry geometry() const;
-  [[nodiscard]] bool softwareRendered() const { return software_; }
 
   void setTitle(const std::string& title);
   [[nodiscard]] bool closeRequested() const;
@@ -70,7 +69,6 @@ class Window {
   mutable WindowGeometry geometry_;        ///< The last that was neither maximised nor put away.
   std::array<int, kKeyCodes> meanings_{};  ///< What a held key meant when it went down; 0: it is up.
   bool refresh_ = true;
-  bool software_ = false;
 };
 
 }  // namespace sinew::app

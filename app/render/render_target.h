@@ -1,6 +1,5 @@
-// app/render/render_target.h: the picture's framebuffer: sRGB colour and depth, multisampled and
+// app/render/render_target.h: the picture's framebuffer: sRGB colour and depth, multisampled and resolved.
 #pragma once
-// resolved.
 
 #include "app/render/gl_objects.h"
 
@@ -16,7 +15,6 @@ class RenderTarget {
   void end() const;
 
   [[nodiscard]] const glm::ivec2& size() const { return size_; }
-  [[nodiscard]] int samples() const { return samples_; }
   /// The finished picture read as it is stored (sRGB values, not decoded).
   [[nodiscard]] GLuint texture() const { return shown_.id(); }
   [[nodiscard]] GLuint framebuffer() const { return resolved_.id(); }

@@ -153,8 +153,6 @@ void Viewport::draw(const Scene& scene, const View& view, const DisplaySettings&
   s.seconds = {uploaded - start, now() - uploaded};
 }
 
-void Viewport::setSamples(int samples) { state_->samples = samples; }
-int Viewport::samples() const { return state_->target.samples() > 0 ? state_->target.samples() : state_->samples; }
 void Viewport::setFinishFrames(bool finish) { state_->finish = finish; }
 const DrawSeconds& Viewport::seconds() const { return state_->seconds; }
 unsigned Viewport::colorTexture() const { return state_->target.texture(); }

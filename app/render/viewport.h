@@ -46,8 +46,6 @@ class Viewport {
   /// drawn).
   void draw(const Scene& scene, const View& view, const DisplaySettings& settings);
 
-  void setSamples(int samples);
-  [[nodiscard]] int samples() const;
   /// Wait for the picture at the end of draw(), so that seconds() holds all of it. Off by default.
   void setFinishFrames(bool finish);
   [[nodiscard]] const DrawSeconds& seconds() const;
