@@ -6,9 +6,8 @@
 
 namespace sinew::app {
 
-/// The placement in `to` that looks as `inFrom` does in `from`, in one pose: the centre exactly; rotation and radii
-/// exactly where both bones are rotations with even scale, else the nearest turn that its longest axes ask for, each
-/// radius with the scale along its axis. A flattened target bone: the placement as it was.
+/// The placement in `to` that looks as `inFrom` does in `from`, in one pose: the same ellipsoid in the world, whatever
+/// the bones' scale and shear (affine_image.h). A flattened bone: the placement as it was.
 [[nodiscard]] Placement carriedToBone(const Placement& inFrom, const glm::mat4& fromInWorld,
                                       const glm::mat4& toInWorld);
 

@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/tools/gizmo_basis.h"
+#include "core/base/flatness.h"
 #include "core/rig/rig_edit.h"
 #include "core/symmetry/twins.h"
 
@@ -32,10 +33,8 @@ constexpr float kMostHalfOnBone = 0.3f;
 constexpr float kSlenderness = 1.25f;  ///< Of a muscle added on a bone: length over thickness, at least.
 constexpr float kSunk = 0.3f;          ///< Of the thickness: how deep the centre lies under the skin.
 
-bool isFlat(const glm::mat4& boneInWorld) {
-  const glm::dmat3 bone{glm::mat3(boneInWorld)};
-  const double lengths = glm::length(bone[0]) * glm::length(bone[1]) * glm::length(bone[2]);
-  return !isFinite(boneInWorld) || !(std::abs(glm::determinant(bone)) > 1e-6 * lengths);
+bool isUsable(const glm::mat4& boneInWorld) {
+  return isFinite(boneInWorld) && !isFlat(glm::dmat3(glm::mat3(boneInWorld)));
 }
 
 /// The ellipsoid before it meets the bone. World.
@@ -238,7 +237,7 @@ glm::vec3 semiAxesAround(const Character& character, int bone, const glm::vec3& 
 
 Placement placementOnSkin(const SkinStroke& stroke, const glm::mat4& boneInWorld, const glm::vec3& boneAxisInWorld,
                           float characterHeight) {
-  assert(!isFlat(boneInWorld));
+  assert(isUsable(boneInWorld));
   return placementOf(ellipsoidOnSkin(stroke, boneAxisInWorld, characterHeight), boneInWorld);
 }
 
@@ -254,7 +253,7 @@ Result<void> beginAddMuscle(AddMuscleState& state, const ViewportContext& contex
   drag.pressPixel = pixel;
   drag.selectionBefore = document.selection;
   drag.rigBefore = document.commands.sharedRig();
-  if (isFlat(drag.boneInWorld)) {
+  if (!isUsable(drag.boneInWorld)) {
     return errorAt(document.character->skeleton.fileName(drag.bone), "this bone is scaled to nothing in this pose");
   }
   document.commands.beginGesture("Add muscle");
@@ -296,7 +295,7 @@ void cancelAddMuscle(AddMuscleState& state, Document& document) {
 Result<std::string> addMuscleOnBone(Document& document, int bone) {
   const Character& character = *document.character;
   const Bone& onBone = character.skeleton.bones[static_cast<std::size_t>(bone)];
-  if (isFlat(onBone.bindInWorld)) {
+  if (!isUsable(onBone.bindInWorld)) {
     return errorAt(character.skeleton.fileName(bone), "this bone is scaled to nothing in the bind pose");
   }
   const glm::vec3 segment = glm::mat3(onBone.bindInWorld) * onBone.tip;

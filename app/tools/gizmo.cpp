@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/tools/gizmo_basis.h"
+#include "core/base/flatness.h"
 
 namespace sinew::app {
 namespace {
@@ -117,8 +118,7 @@ std::optional<GizmoBasis> gizmoBasis(GizmoAxes axes, const Placement& inBone, co
   GizmoBasis frame;
   frame.bone = glm::mat3(context.boneInWorld);
   const glm::dmat3 bone(frame.bone);
-  const double lengths = glm::length(bone[0]) * glm::length(bone[1]) * glm::length(bone[2]);
-  if (!(std::abs(glm::determinant(bone)) > 1e-6 * lengths)) return std::nullopt;
+  if (isFlat(bone)) return std::nullopt;
   frame.boneInverse = glm::inverse(bone);
   frame.center = glm::vec3(context.boneInWorld * glm::vec4(inBone.center, 1.0f));
   frame.origin = context.pivotInWorld.value_or(frame.center);

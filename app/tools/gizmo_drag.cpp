@@ -12,6 +12,7 @@
 
 #include "app/tools/gizmo.h"
 #include "app/tools/gizmo_basis.h"
+#include "core/base/flatness.h"
 
 namespace sinew::app {
 namespace {
@@ -373,8 +374,7 @@ DragResult updateDrag(GizmoState& state, const ViewportInput& input, const Gizmo
 Placement draggedAlong(const GizmoEffect& effect, const Placement& start, const glm::mat4& boneInWorld,
                        float characterHeight) {
   const glm::dmat3 bone{glm::mat3(boneInWorld)};
-  const double lengths = glm::length(bone[0]) * glm::length(bone[1]) * glm::length(bone[2]);
-  if (!isFinite(boneInWorld) || !(std::abs(glm::determinant(bone)) > 1e-6 * lengths)) return start;
+  if (!isFinite(boneInWorld) || isFlat(bone)) return start;
   const glm::dmat3 inverse = glm::inverse(bone);
   const glm::vec3 center(boneInWorld * glm::vec4(start.center, 1.0f));
   Placement placement = turned(effect, start, inverse, &center);

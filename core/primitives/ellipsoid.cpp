@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "core/base/flatness.h"
+
 namespace sinew {
 namespace {
 
@@ -34,9 +36,7 @@ UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& b
 
   UnitBallMap map;
   map.center = glm::vec3(boneInWorld * glm::vec4(inBone.center, 1.0f));
-  const double volume = std::abs(glm::determinant(axes));
-  const double lengths = glm::length(axes[0]) * glm::length(axes[1]) * glm::length(axes[2]);
-  if (!(volume > 1e-12 * lengths) || !std::isfinite(volume)) {
+  if (isFlat(axes)) {
     map.toUnit = glm::mat3(0.0f);
     map.boundingRadius = 0.0f;
     return map;
@@ -50,7 +50,7 @@ UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& b
     return map;
   }
   map.toUnit = glm::mat3(glm::inverse(axes));
-  map.meanRadius = static_cast<float>(std::cbrt(volume));
+  map.meanRadius = static_cast<float>(std::cbrt(std::abs(glm::determinant(axes))));
   // Half extents of the world box around the ellipsoid: row norms of the axes.
   glm::dvec3 half(0.0);
   for (int row = 0; row < 3; ++row) {

@@ -1,7 +1,7 @@
 // core/symmetry/mirror.h: a character's symmetry plane, its bones in pairs, and placements on the other side.
 //
 // Everything is measured in the bind pose: two muscles are mirrored if their ellipsoids are, there. What the plane
-// makes of a bone's space is an affine map to the twin bone's space (BoneMirror); a muscle's mirror image is that map
+// makes of a bone's space is an affine map to the twin bone's space (boneMirror); a muscle's mirror image is that map
 // applied to its ellipsoid, exact for every bone matrix, uneven scale included.
 //
 // Canonical form. An ellipsoid has many placements (each axis may be turned round, equal axes may be turned). The one
@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "core/primitives/affine_image.h"
 #include "sinew/base/result.h"
 #include "sinew/character/character.h"
 #include "sinew/rig/rig.h"
@@ -31,21 +32,13 @@ struct MirrorPlane {
 [[nodiscard]] glm::dvec3 reflected(const MirrorPlane& plane, const glm::dvec3& pointInWorld);
 [[nodiscard]] double distanceTo(const MirrorPlane& plane, const glm::dvec3& pointInWorld);
 
-/// Bone space -> twin bone's space by the plane: x -> linear x + offset, of negative determinant where both bones turn
-/// the same way.
-struct BoneMirror {
-  glm::dmat3 linear{1.0};
-  glm::dvec3 offset{0.0};
-};
+/// Bone space -> twin bone's space by the plane, of negative determinant where both bones turn the same way. Nothing if
+/// a bone is flattened or not finite in the bind pose.
+[[nodiscard]] std::optional<AffineMap> boneMirror(const glm::mat4& boneInBind, const glm::mat4& twinBoneInBind,
+                                                  const MirrorPlane& plane);
 
-/// Nothing if a bone is flattened or not finite in the bind pose.
-[[nodiscard]] std::optional<BoneMirror> boneMirror(const glm::mat4& boneInBind, const glm::mat4& twinBoneInBind,
-                                                   const MirrorPlane& plane);
-
-/// The placement of the mirror image. Always finite with radii > 0 for a valid placement and a BoneMirror made by
-/// boneMirror.
-[[nodiscard]] Placement mirroredPlacement(const Placement& inBone, const BoneMirror& mirror);
-/// The same from the matrices; the placement as it is where boneMirror gives nothing.
+/// The placement of the mirror image: imageOf under boneMirror, the placement as it is where that gives nothing. Always
+/// finite with radii > 0 for a valid placement.
 [[nodiscard]] Placement mirroredPlacement(const Placement& inBone, const glm::mat4& boneInBind,
                                           const glm::mat4& twinBoneInBind, const MirrorPlane& plane);
 
@@ -57,9 +50,9 @@ struct MirrorPlan {
   MirrorPlane plane;
   std::vector<int> twinOf;         ///< [bones] the counterpart, itself for centre bones, -1: none. Its own inverse.
   std::vector<PairedBy> pairedBy;  ///< [bones]
-  std::vector<std::optional<BoneMirror>> mirrors;  ///< [bones] into the counterpart's space; none: no counterpart.
-  Skeleton skeleton;                               ///< The character's, for names.
-  float characterHeight = 1.0f;                    ///< H.
+  std::vector<std::optional<AffineMap>> mirrors;  ///< [bones] into the counterpart's space; none: no counterpart.
+  Skeleton skeleton;                              ///< The character's, for names.
+  float characterHeight = 1.0f;                   ///< H.
 
   /// Number of bones that have another bone as counterpart, halved.
   [[nodiscard]] int pairCount() const;

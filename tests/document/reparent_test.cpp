@@ -53,16 +53,30 @@ TEST(CarriedToBone, LooksTheSameUnderRotationsAndEvenScale) {
   }
 }
 
-TEST(CarriedToBone, KeepsTheCentreUnderUnevenScale) {
+glm::mat4 sheared(const glm::mat4& bone, std::mt19937& random) {
+  std::uniform_real_distribution<float> slant(-0.7f, 0.7f);
+  glm::mat4 shear(1.0f);
+  shear[1][0] = slant(random);
+  shear[2][0] = slant(random);
+  shear[2][1] = slant(random);
+  return bone * shear;
+}
+
+TEST(CarriedToBone, StaysInPlaceUnderUnevenScaleAndShear) {
   std::mt19937 random(4);
-  for (int i = 0; i < 200; ++i) {
-    const glm::mat4 from = glm::scale(randomBone(random, 1.0f), {1.0f, 2.5f, 0.4f});
-    const glm::mat4 to = randomBone(random, 1.0f);
+  const glm::vec3 uneven(1.0f, 2.5f, 0.4f);
+  for (int i = 0; i < 500; ++i) {
+    glm::mat4 from = randomBone(random, 1.0f);
+    glm::mat4 to = randomBone(random, 1.0f);
+    if (i % 2 == 0) from = glm::scale(from, uneven);
+    if (i % 3 == 0) to = glm::scale(to, 1.0f / uneven);
+    if (i % 5 == 0) from = sheared(from, random);
+    if (i % 7 == 0) to = sheared(to, random);
+    if (i % 11 == 0) to = glm::scale(to, {-1.0f, 1.0f, 1.0f});
     const Placement before = randomPlacement(random);
     const Placement after = carriedToBone(before, from, to);
-    const glm::vec3 was(from * glm::vec4(before.center, 1.0f));
-    const glm::vec3 is(to * glm::vec4(after.center, 1.0f));
-    EXPECT_LT(glm::length(was - is), 1e-4f);
+    EXPECT_LT(difference(shapeInWorld(before, 1.0f, from), shapeInWorld(after, 1.0f, to)), 1e-4f) << i;
+    EXPECT_NEAR(glm::length(after.rotation), 1.0f, 1e-5f);
     EXPECT_GT(std::min({after.radii.x, after.radii.y, after.radii.z}), 0.0f);
   }
 }

@@ -61,7 +61,7 @@ void expectMirrored(const MirrorPlan& plan, Random& random, int bone, bool canon
   const auto to = static_cast<std::size_t>(plan.twinOf[from]);
   const glm::mat4& bind = plan.skeleton.bones[from].bindInWorld;
   const Placement original = randomPlacement(random, bind, plan.characterHeight);
-  const Placement image = mirroredPlacement(original, *plan.mirrors[from]);
+  const Placement image = imageOf(original, *plan.mirrors[from]);
   for (int i = 0; i < 20; ++i) {
     const glm::dvec3 d = randomDirection(random);
     // Reflecting a body reflects its support: h'(d) = h(S d) + what the plane's offset adds.
@@ -72,7 +72,7 @@ void expectMirrored(const MirrorPlan& plan, Random& random, int bone, bool canon
         << plan.skeleton.bones[from].name;
   }
   // And back.
-  const Placement back = mirroredPlacement(image, *plan.mirrors[to]);
+  const Placement back = imageOf(image, *plan.mirrors[to]);
   for (int i = 0; i < 20; ++i) {
     const glm::dvec3 d = randomDirection(random);
     EXPECT_NEAR(support(back, bind, d), support(original, bind, d), 1e-6 * static_cast<double>(plan.characterHeight));
