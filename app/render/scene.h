@@ -30,6 +30,8 @@ struct DisplaySettings {
   bool segments = true;        ///< Scene::segments.
   float lineScale = 1.0f;      ///< Factor on line, outline and dot widths, for dense displays.
   float heatRange = 0.05f;     ///< Displacement at the ends of the heat scale, fraction of the height, > 0.
+
+  friend bool operator==(const DisplaySettings&, const DisplaySettings&) = default;
 };
 
 /// One ellipsoid to draw.
@@ -40,6 +42,8 @@ struct PrimitiveShape {
   int sign = 1;
   bool selected = false;
   bool hovered = false;
+
+  friend bool operator==(const PrimitiveShape&, const PrimitiveShape&) = default;
 };
 
 /// The attached primitives of a rig in a pose, in rig order; unattached ones are left out.

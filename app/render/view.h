@@ -30,6 +30,8 @@ struct View {
   /// The point from which a surface turns the same sides to it as to the picture: the eye; without perspective, so far
   /// behind it that all its rays are parallel to a float.
   [[nodiscard]] glm::vec3 facingPoint() const;
+
+  friend bool operator==(const View&, const View&) = default;
 };
 
 }  // namespace sinew::app

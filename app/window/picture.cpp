@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <tuple>
 #include <utility>
 
 #include "app/editor/commands.h"
@@ -18,17 +17,6 @@
 
 namespace sinew::app {
 namespace {
-
-auto partsOf(const DisplaySettings& d) {
-  return std::tie(d.shading, d.surface, d.wire, d.controlMesh, d.skeleton, d.primitives, d.influence, d.ground,
-                  d.territory, d.segments, d.lineScale);
-}
-
-auto partsOf(const PrimitiveShape& s) {
-  return std::tie(s.rigIndex, s.unitBallInWorld, s.reach, s.sign, s.selected, s.hovered);
-}
-
-auto partsOf(const View& v) { return std::tie(v.viewFromWorld, v.clipFromView, v.eyeInWorld, v.orthographic, v.size); }
 
 /// All muscles, or the selected ones alone; these are shown whether muscles are switched on or not.
 PictureKey keyOf(const EditorState& state, const View& view) {
@@ -50,14 +38,6 @@ PictureKey keyOf(const EditorState& state, const View& view) {
 }
 
 }  // namespace
-
-bool operator==(const PictureKey& a, const PictureKey& b) {
-  const auto same = [](const PrimitiveShape& x, const PrimitiveShape& y) { return partsOf(x) == partsOf(y); };
-  return std::tie(a.document, a.surface, a.territory, a.territoryBones, a.selectedBone, a.hoveredBone) ==
-             std::tie(b.document, b.surface, b.territory, b.territoryBones, b.selectedBone, b.hoveredBone) &&
-         partsOf(a.view) == partsOf(b.view) && partsOf(a.display) == partsOf(b.display) &&
-         std::ranges::equal(a.shapes, b.shapes, same);
-}
 
 void Picture::render(EditorState& state, PictureKey key) {
   Scene scene;

@@ -22,8 +22,9 @@ struct PictureKey {
   std::vector<int> territoryBones;
   int selectedBone = -1;
   int hoveredBone = -1;
+
+  friend bool operator==(const PictureKey&, const PictureKey&) = default;
 };
-[[nodiscard]] bool operator==(const PictureKey& a, const PictureKey& b);
 
 /// Draws the document into the viewport's texture and puts that, and the gizmo, into a draw list.
 class Picture {

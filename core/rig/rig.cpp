@@ -1,4 +1,4 @@
-// core/rig/rig.cpp: equality, look-ups and names of the document.
+// core/rig/rig.cpp: look-ups and names of the document.
 #include "sinew/rig/rig.h"
 
 #include <algorithm>
@@ -9,27 +9,6 @@
 
 namespace sinew {
 namespace {
-
-bool samePlacement(const Placement& a, const Placement& b) {
-  return a.center == b.center && a.rotation == b.rotation && a.radii == b.radii;
-}
-
-bool sameSurface(const SurfaceSettings& a, const SurfaceSettings& b) {
-  return a.mode == b.mode && a.iso == b.iso && a.skinBlend == b.skinBlend && a.unknownKeys == b.unknownKeys;
-}
-
-bool sameSmoothing(const SmoothingSettings& a, const SmoothingSettings& b) {
-  return a.depth == b.depth && a.patch == b.patch && a.projection == b.projection && a.creaseAngle == b.creaseAngle &&
-         a.autoDepth == b.autoDepth && a.unknownKeys == b.unknownKeys;
-}
-
-bool sameGroup(const Group& a, const Group& b) { return a.name == b.name && a.unknownKeys == b.unknownKeys; }
-
-bool samePrimitive(const Primitive& a, const Primitive& b) {
-  return a.name == b.name && a.bone == b.bone && a.group == b.group && samePlacement(a.placement, b.placement) &&
-         a.reach == b.reach && a.sign == b.sign && a.mirror == b.mirror && a.territory == b.territory &&
-         a.unknownKeys == b.unknownKeys;
-}
 
 template <class Named>
 int findNamed(std::span<const Named> items, const std::string& name) {
@@ -73,12 +52,6 @@ std::optional<Enum> named(const std::array<Enum, N>& values, const std::string& 
 }
 
 }  // namespace
-
-bool operator==(const Rig& a, const Rig& b) {
-  return a.character == b.character && sameSurface(a.surface, b.surface) && sameSmoothing(a.smoothing, b.smoothing) &&
-         std::ranges::equal(a.groups, b.groups, sameGroup) && a.links == b.links &&
-         std::ranges::equal(a.primitives, b.primitives, samePrimitive) && a.unknownKeys == b.unknownKeys;
-}
 
 int findPrimitive(const Rig& rig, const std::string& name) {
   return findNamed(std::span<const Primitive>(rig.primitives), name);

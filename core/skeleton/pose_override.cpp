@@ -86,11 +86,6 @@ void PoseOverrides::set(int bone, const glm::quat& turn) {
   }
 }
 
-bool operator==(const PoseOverrides& a, const PoseOverrides& b) {
-  const auto same = [](const JointTurn& x, const JointTurn& y) { return x.bone == y.bone && x.turn == y.turn; };
-  return a.from == b.from && std::ranges::equal(a.turns, b.turns, same);
-}
-
 glm::mat3 turnFrame(const glm::mat4& boneInWorld) { return glm::mat3(frameOf(glm::dmat4(boneInWorld))); }
 
 Pose posed(const Skeleton& skeleton, Pose pose, const PoseOverrides& overrides) {

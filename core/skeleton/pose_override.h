@@ -18,6 +18,8 @@ namespace sinew {
 struct JointTurn {
   int bone = 0;                            ///< Index into Skeleton::bones.
   glm::quat turn{1.0f, 0.0f, 0.0f, 0.0f};  ///< Unit.
+
+  friend bool operator==(const JointTurn&, const JointTurn&) = default;
 };
 
 /// What the turns start from.
@@ -37,7 +39,7 @@ struct PoseOverrides {
   /// Normalises; the identity (also as -1), or what cannot be normalised, takes the bone's turn away.
   void set(int bone, const glm::quat& turn);
 
-  friend bool operator==(const PoseOverrides& a, const PoseOverrides& b);
+  friend bool operator==(const PoseOverrides&, const PoseOverrides&) = default;
 };
 
 /// Columns: a joint's axes as turns see them, in the world. Perpendicular and unit also where the bone is sheared or

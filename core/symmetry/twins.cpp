@@ -33,10 +33,7 @@ const Primitive* find(const Index& index, const std::string& name) {
   return found == index.end() ? nullptr : found->second;
 }
 
-bool samePlace(const Primitive& a, const Primitive& b) {
-  return a.bone == b.bone && a.placement.center == b.placement.center && a.placement.rotation == b.placement.rotation &&
-         a.placement.radii == b.placement.radii;
-}
+bool samePlace(const Primitive& a, const Primitive& b) { return a.bone == b.bone && a.placement == b.placement; }
 
 /// One of a pair, through the edit.
 struct Half {
@@ -57,7 +54,7 @@ int leader(const Half& a, const Half& b, Same same) {
 }
 
 /// Two placements that differ by what rounding and the sign of a quaternion may do.
-bool samePlacement(const Placement& a, const Placement& b) {
+bool nearlySame(const Placement& a, const Placement& b) {
   const float size = glm::length(a.radii);
   const float turn = std::abs(glm::dot(glm::normalize(a.rotation), glm::normalize(b.rotation)));
   return glm::length(a.center - b.center) <= 1e-5f * (size + glm::length(a.center)) && turn >= 1.0f - 1e-6f &&
@@ -70,7 +67,7 @@ void followPlace(const Half& leads, Primitive& follower, bool both, const Mirror
   const Result<Primitive> image = mirroredPrimitive(plan, leads.now);
   if (!image) return;
   Placement placement = image->placement;
-  if (both && follower.bone == image->bone && samePlacement(follower.placement, placement)) return;
+  if (both && follower.bone == image->bone && nearlySame(follower.placement, placement)) return;
   const Result<Primitive> before = mirroredPrimitive(plan, *leads.shown);
   if (before && before->bone == image->bone && follower.bone == image->bone) {
     if (leads.shown->placement.center == leads.now.placement.center) placement.center = follower.placement.center;

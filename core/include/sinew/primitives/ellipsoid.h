@@ -13,6 +13,8 @@ struct Placement {
   glm::vec3 center{0.0f};
   glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};  ///< Unit; primitive axes -> bone axes.
   glm::vec3 radii{1.0f};                       ///< Visible semi-axes, each > 0.
+
+  friend bool operator==(const Placement&, const Placement&) = default;
 };
 
 /// An influence ellipsoid in the world as the affine map that takes it to the unit ball: |toUnit (x - center)| < 1

@@ -57,6 +57,8 @@ struct SurfaceSettings {
   float iso = kDefaultIso;              ///< T, kLeastIso..kMostIso.
   float skinBlend = kDefaultSkinBlend;  ///< h as a fraction of H, > 0, at most kMostSkinBlend.
   std::string unknownKeys;              ///< JSON object text of keys this version does not know; kept and written back.
+
+  friend bool operator==(const SurfaceSettings&, const SurfaceSettings&) = default;
 };
 
 /// "smoothing" in the file.
@@ -68,6 +70,8 @@ struct SmoothingSettings {
       kDefaultCreaseAngle;  ///< Degrees, 0..180: faces that meet at more are shaded apart (mesh/creases.h).
   bool autoDepth = false;   ///< In a picture, `depth` follows the character's size on screen (smoothing/auto_depth.h).
   std::string unknownKeys;
+
+  friend bool operator==(const SmoothingSettings&, const SmoothingSettings&) = default;
 };
 
 /// A node of the blending graph.
@@ -77,6 +81,7 @@ struct Group {
   NotCompared<GroupId> identity{};
 
   [[nodiscard]] GroupId id() const { return identity.value; }
+  friend bool operator==(const Group&, const Group&) = default;
 };
 
 /// One ellipsoid on one bone.
@@ -93,6 +98,7 @@ struct Primitive {
   NotCompared<PrimitiveId> identity{};
 
   [[nodiscard]] PrimitiveId id() const { return identity.value; }
+  friend bool operator==(const Primitive&, const Primitive&) = default;
 };
 
 /// Primitives + groups + links + settings. Two rigs with equal members are the same document.
@@ -104,9 +110,9 @@ struct Rig {
   std::vector<std::array<std::string, 2>> links;
   std::vector<Primitive> primitives;
   std::string unknownKeys;
-};
 
-[[nodiscard]] bool operator==(const Rig& a, const Rig& b);
+  friend bool operator==(const Rig&, const Rig&) = default;
+};
 
 /// Index by name, or -1.
 [[nodiscard]] int findPrimitive(const Rig& rig, const std::string& name);
