@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "core/skeleton/side_names.h"
 
 namespace sinew {
 namespace {
@@ -43,7 +47,7 @@ struct JointName {
   bool sided = false;
 
   explicit JointName(const std::string& name)
-      : letters(lettersOf(name)), words(wordsOf(name)), sided(sideNamed(name) != 0) {}
+      : letters(lettersOf(name)), words(wordsOf(name)), sided(sideNamed(name).has_value()) {}
 
   /// One of these is in it, anywhere.
   [[nodiscard]] bool holds(std::initializer_list<std::string_view> parts) const {
@@ -124,19 +128,6 @@ JointRole roleOf(const Bone& bone, const Above& above) {
 }
 
 }  // namespace
-
-int sideNamed(std::string_view name) {
-  int side = 0;
-  const std::string letters = lettersOf(name);
-  if (letters.find("left") != std::string::npos) side += 1;
-  if (letters.find("right") != std::string::npos) side -= 1;
-  if (side != 0) return side;
-  for (const std::string& word : wordsOf(name)) {
-    if (word == "l" || word == "lf") side += 1;
-    if (word == "r" || word == "rt") side -= 1;
-  }
-  return std::clamp(side, -1, 1);
-}
 
 std::vector<JointRole> jointRoles(const Skeleton& skeleton) {
   std::vector<JointRole> roles(skeleton.bones.size(), JointRole::kStill);

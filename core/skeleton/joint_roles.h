@@ -1,7 +1,6 @@
 // core/skeleton/joint_roles.h: what a joint is in a body, as far as names and the tree tell.
 #pragma once
 
-#include <string_view>
 #include <vector>
 
 #include "sinew/skeleton/skeleton.h"
@@ -27,8 +26,5 @@ enum class JointRole {
 /// [bones]. English words in names of any style ("mixamorig:LeftForeArm", "forearm.L", "b_LeftForeArm_010") and where
 /// in a limb a bone stands: the first of an arm is its shoulder, whatever it is called, the next its elbow.
 [[nodiscard]] std::vector<JointRole> jointRoles(const Skeleton& skeleton);
-
-/// -1: the name says right, +1: left, 0: neither or both.
-[[nodiscard]] int sideNamed(std::string_view name);
 
 }  // namespace sinew

@@ -13,6 +13,7 @@
 
 #include "core/skeleton/joint_roles.h"
 #include "core/skeleton/pose_override.h"
+#include "core/skeleton/side_names.h"
 
 namespace sinew {
 namespace {
@@ -130,7 +131,9 @@ glm::vec3 towardsLeft(const Skeleton& skeleton, const glm::vec3& normal) {
   for (const Bone& bone : skeleton.bones) {
     const glm::dvec3 origin(glm::vec3(bone.bindInWorld[3]));
     const glm::dvec3 root(glm::vec3(skeleton.bones[0].bindInWorld[3]));
-    sum += sideNamed(bone.name) * glm::dot(origin - root, glm::dvec3(normal));
+    const std::optional<Side> side = sideNamed(bone.name);
+    if (!side) continue;
+    sum += (*side == Side::kLeft ? 1.0 : -1.0) * glm::dot(origin - root, glm::dvec3(normal));
   }
   return sum < 0.0 ? -normal : normal;
 }

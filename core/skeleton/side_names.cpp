@@ -104,6 +104,14 @@ std::vector<SideMarker> sideMarkers(std::string_view name) {
   return markers;
 }
 
+std::optional<Side> sideNamed(std::string_view name) {
+  const std::vector<SideMarker> markers = sideMarkers(name);
+  const auto left = std::ranges::count(markers, Side::kLeft, &SideMarker::side);
+  const auto right = std::ranges::count(markers, Side::kRight, &SideMarker::side);
+  if (left == right) return std::nullopt;
+  return left > right ? Side::kLeft : Side::kRight;
+}
+
 std::optional<std::string> mirroredName(std::string_view name) {
   const std::vector<SideMarker> markers = sideMarkers(name);
   if (markers.size() != 1) return std::nullopt;

@@ -23,6 +23,9 @@ struct SideMarker {
 /// All markers, in order. Where a whole word (left, right) is among them, only the words.
 [[nodiscard]] std::vector<SideMarker> sideMarkers(std::string_view name);
 
+/// The side that a name says; nothing where it has no marker, or as many of both.
+[[nodiscard]] std::optional<Side> sideNamed(std::string_view name);
+
 /// The name with its side changed, case kept: "thigh L" -> "thigh R", "LEFT_arm" -> "RIGHT_arm". Nothing where the name
 /// has no marker or several: then the pattern is not clear. Its own inverse.
 [[nodiscard]] std::optional<std::string> mirroredName(std::string_view name);

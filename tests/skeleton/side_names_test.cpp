@@ -39,6 +39,8 @@ TEST(SideNames, CounterpartsNameEachOther) {
     ASSERT_EQ(sideMarkers(pair.left).size(), 1u) << pair.left;
     EXPECT_EQ(sideMarkers(pair.left)[0].side, Side::kLeft) << pair.left;
     EXPECT_EQ(sideMarkers(pair.right)[0].side, Side::kRight) << pair.right;
+    EXPECT_EQ(sideNamed(pair.left), Side::kLeft) << pair.left;
+    EXPECT_EQ(sideNamed(pair.right), Side::kRight) << pair.right;
   }
 }
 
@@ -47,12 +49,14 @@ TEST(SideNames, WordsThatOnlyContainLettersOfAMarkerSayNothing) {
        {"spine", "Bright", "upright", "cleft palate", "Root", "tail", "skull", "", "l\xc3\xa4ng", "12", "pelvis.001"}) {
     EXPECT_FALSE(mirroredName(name)) << name;
     EXPECT_TRUE(sideMarkers(name).empty()) << name;
+    EXPECT_FALSE(sideNamed(name)) << name;
   }
 }
 
 TEST(SideNames, SeveralMarkersAreNotClear) {
   EXPECT_FALSE(mirroredName("L_arm_R"));
   EXPECT_EQ(sideMarkers("L_arm_R").size(), 2u);
+  EXPECT_FALSE(sideNamed("L_arm_R"));
   // A whole word outweighs letters.
   EXPECT_EQ(mirroredName("LeftHand_r"), "RightHand_r");
 }
