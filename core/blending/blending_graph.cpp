@@ -103,6 +103,17 @@ Result<BlendingGraph> makeBlendingGraph(int groupCount, std::span<const std::arr
   return graph;
 }
 
+Result<const BlendingGraph*> BlendingGraphMemo::graph(int groupCount, std::span<const std::array<int, 2>> links) {
+  if (!graph_ || graph_->groupCount != groupCount || !std::ranges::equal(links_, links)) {
+    ++enumerations_;
+    Result<BlendingGraph> made = makeBlendingGraph(groupCount, links);
+    if (!made) return made.error();
+    graph_ = std::move(made).value();
+    links_.assign(links.begin(), links.end());
+  }
+  return &*graph_;
+}
+
 std::vector<std::vector<int>> cliquesAmong(const BlendingGraph& graph, std::span<const int> presentGroups) {
   std::vector<Groups> cut;
   for (const Groups& clique : graph.cliques) {

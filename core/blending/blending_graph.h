@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,20 @@ struct BlendingGraph {
 /// @param links pairs of groups < groupCount; order and repeats do not matter, a group linked to itself is ignored.
 /// Error: more than kMaxCliques.
 [[nodiscard]] Result<BlendingGraph> makeBlendingGraph(int groupCount, std::span<const std::array<int, 2>> links);
+
+/// The graph last asked for: its cliques are enumerated once, however often it is asked for again.
+class BlendingGraphMemo {
+ public:
+  /// makeBlendingGraph; valid until the next call. A refused graph leaves the former one remembered.
+  [[nodiscard]] Result<const BlendingGraph*> graph(int groupCount, std::span<const std::array<int, 2>> links);
+  /// How often cliques were enumerated.
+  [[nodiscard]] int enumerations() const { return enumerations_; }
+
+ private:
+  std::optional<BlendingGraph> graph_;
+  std::vector<std::array<int, 2>> links_;  ///< Of graph_.
+  int enumerations_ = 0;
+};
 
 /// The cliques cut down to `presentGroups` (sorted), without those another one contains: all that a place sees where
 /// only these groups reach. Values there are the same as with the whole graph, as positive parts are >= 0.

@@ -8,10 +8,10 @@
 namespace sinew {
 namespace {
 
-Result<BlendingGraph> graphOf(const Rig& rig) {
+Result<const BlendingGraph*> graphOf(const Rig& rig, BlendingGraphMemo& graphs) {
   std::vector<std::array<int, 2>> links;
   for (const auto& [a, b] : rig.links) links.push_back({findGroup(rig, a), findGroup(rig, b)});
-  return makeBlendingGraph(static_cast<int>(rig.groups.size()), links);
+  return graphs.graph(static_cast<int>(rig.groups.size()), links);
 }
 
 void shape(const Rig& rig, const Primitive& primitive, FieldPrimitive& field) {
@@ -102,10 +102,15 @@ void reshape(const Rig& rig, Attachment& attachment) {
 }
 
 Result<Attachment> attach(const Rig& rig, const Character& character) {
-  Result<BlendingGraph> graph = graphOf(rig);
+  BlendingGraphMemo graphs;
+  return attach(rig, character, graphs);
+}
+
+Result<Attachment> attach(const Rig& rig, const Character& character, BlendingGraphMemo& graphs) {
+  const Result<const BlendingGraph*> graph = graphOf(rig, graphs);
   if (!graph) return graph.error();
   Attachment attachment;
-  attachment.graph = std::move(graph).value();
+  attachment.graph = *graph.value();
   attachment.candidatesOfVertex.resize(character.mesh.positions.size());
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
     const Primitive& primitive = rig.primitives[i];

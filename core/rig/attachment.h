@@ -41,5 +41,7 @@ void reshape(const Rig& rig, Attachment& attachment);
 
 /// `rig` has passed validate(). Error: the blending graph is too large.
 [[nodiscard]] Result<Attachment> attach(const Rig& rig, const Character& character);
+/// The same with the graph that validate() has made.
+[[nodiscard]] Result<Attachment> attach(const Rig& rig, const Character& character, BlendingGraphMemo& graphs);
 
 }  // namespace sinew

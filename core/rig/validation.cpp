@@ -8,8 +8,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/blending/blending_graph.h"
-
 namespace sinew {
 namespace {
 
@@ -103,7 +101,7 @@ Result<void> validateMirror(const Rig& rig, std::size_t i, const NameIndex& prim
                             "\" is \"" + rig.primitives[twin->second].mirror + '"');
 }
 
-Result<void> validateLinksAmong(const Rig& rig, const NameIndex& groups) {
+Result<void> validateLinksAmong(const Rig& rig, const NameIndex& groups, BlendingGraphMemo& graphs) {
   std::vector<std::array<int, 2>> links;
   links.reserve(rig.links.size());
   for (std::size_t i = 0; i < rig.links.size(); ++i) {
@@ -120,7 +118,7 @@ Result<void> validateLinksAmong(const Rig& rig, const NameIndex& groups) {
       return errorAt(indexed("links", i), "expected two different groups, got the same one twice");
     links.push_back(link);
   }
-  if (const auto graph = makeBlendingGraph(static_cast<int>(rig.groups.size()), links); !graph) {
+  if (const auto graph = graphs.graph(static_cast<int>(rig.groups.size()), links); !graph) {
     return errorAt("links", graph.error().reason);
   }
   return {};
@@ -187,16 +185,22 @@ Result<void> validateSmoothing(const SmoothingSettings& smoothing) {
 Result<void> validateLinks(const Rig& rig) {
   const auto groups = indexNames(rig.groups, "groups");
   if (!groups) return groups.error();
-  return validateLinksAmong(rig, groups.value());
+  BlendingGraphMemo graphs;
+  return validateLinksAmong(rig, groups.value(), graphs);
 }
 
 Result<void> validate(const Rig& rig) {
+  BlendingGraphMemo graphs;
+  return validate(rig, graphs);
+}
+
+Result<void> validate(const Rig& rig, BlendingGraphMemo& graphs) {
   if (auto character = validateText(rig.character, "character"); !character) return character;
   if (auto surface = validateSurface(rig.surface); !surface) return surface;
   if (auto smoothing = validateSmoothing(rig.smoothing); !smoothing) return smoothing;
   const auto groups = indexNames(rig.groups, "groups");
   if (!groups) return groups.error();
-  if (auto links = validateLinksAmong(rig, groups.value()); !links) return links;
+  if (auto links = validateLinksAmong(rig, groups.value(), graphs); !links) return links;
 
   if (rig.primitives.size() > static_cast<std::size_t>(kMaxPrimitives)) {
     return errorAt("primitives", "expected at most " + std::to_string(kMaxPrimitives) + " primitives, got " +

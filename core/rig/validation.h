@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/blending/blending_graph.h"
 #include "sinew/base/result.h"
 #include "sinew/rig/rig.h"
 
@@ -14,6 +15,8 @@ inline constexpr int kMaxPrimitives = 65536;
 /// size. Bones are not checked: a rig may meet another character. The Error's place is a JSON path such as
 /// "primitives[2].radii[1]"; its reason says what was expected.
 [[nodiscard]] Result<void> validate(const Rig& rig);
+/// The same for whoever validates again and again: cliques are enumerated only where groups or links have changed.
+[[nodiscard]] Result<void> validate(const Rig& rig, BlendingGraphMemo& graphs);
 
 // Its parts, for edits that can break no more than one of them. The Error's place begins with `place`.
 

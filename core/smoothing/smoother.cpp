@@ -101,6 +101,8 @@ struct Smoother::State {
   std::vector<glm::vec3> riseInBind;       ///< [V] this and the next depend on the character alone.
   std::vector<float> inverseLimitsInBind;  ///< [V]
   Prepared prepared;
+  BlendingGraphMemo graphs;
+  int attachments = 0;
 
   // Memory kept from pose to pose; never read before it is written.
   SkinnedMesh skinned;
@@ -129,8 +131,9 @@ struct Smoother::State {
       reshape(rig, next.attachment);
       return {};
     }
-    Result<Attachment> attachment = attach(rig, *character);
+    Result<Attachment> attachment = attach(rig, *character, graphs);
     if (!attachment) return attachment.error();
+    ++attachments;
     next.attachment = std::move(attachment).value();
     next.candidates = makeCandidateLists(mesh(), next.attachment);
     return {};
@@ -315,7 +318,7 @@ Smoother::Smoother(Smoother&&) noexcept = default;
 Smoother& Smoother::operator=(Smoother&&) noexcept = default;
 
 Result<void> Smoother::prepare(const Rig& rig) {
-  if (Result<void> valid = validate(rig); !valid) return valid.error();
+  if (Result<void> valid = validate(rig, state_->graphs); !valid) return valid.error();
   const std::int64_t vertices = refinedVertexCount(state_->mesh(), rig.smoothing.depth);
   if (vertices > kMaxRefinedVertices) {
     return errorAt("smoothing.depth", "depth " + std::to_string(rig.smoothing.depth) + " makes " +
@@ -362,6 +365,8 @@ void Smoother::smooth(const Pose& pose, Surface& out, const std::optional<glm::v
 }
 
 const Character& Smoother::character() const { return *state_->character; }
+
+PreparationCounts Smoother::preparationCounts() const { return {state_->attachments, state_->graphs.enumerations()}; }
 
 const std::vector<int>& Smoother::unattached() const { return state_->prepared.attachment.unattached; }
 

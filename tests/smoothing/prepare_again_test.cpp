@@ -109,5 +109,58 @@ TEST(PrepareAgain, OnlyShapesChangeInADrag) {
   EXPECT_FALSE(sameCandidates(rig, addGroup(rig, "another").value()));
 }
 
+TEST(PrepareAgain, CliquesAreEnumeratedOnlyWhereGroupsOrLinksChange) {
+  const auto character = makeTwoLegged();
+  Rig rig = randomRig(*character, {}, 3);
+  Smoother smoother(character);
+  ASSERT_TRUE(smoother.prepare(rig).ok());
+  EXPECT_EQ(smoother.preparationCounts().blendingGraphs, 1);
+  // A drag.
+  for (int frame = 0; frame < 10; ++frame) {
+    rig.primitives[0].placement.center.x += 0.01f * character->height;
+    ASSERT_TRUE(smoother.prepare(rig).ok());
+  }
+  EXPECT_EQ(smoother.preparationCounts().blendingGraphs, 1);
+  EXPECT_EQ(smoother.preparationCounts().attachments, 1);
+  // Another bone is another attachment, of the same graph.
+  rig.primitives[0].bone =
+      rig.primitives[1].bone == rig.primitives[0].bone ? rig.primitives[2].bone : rig.primitives[1].bone;
+  ASSERT_TRUE(smoother.prepare(rig).ok());
+  EXPECT_EQ(smoother.preparationCounts().blendingGraphs, 1);
+  rig = addGroup(rig, "another").value();
+  ASSERT_TRUE(smoother.prepare(rig).ok());
+  EXPECT_EQ(smoother.preparationCounts().blendingGraphs, 2);
+  rig = setLink(rig, 0, static_cast<int>(rig.groups.size()) - 1, true).value();
+  ASSERT_TRUE(smoother.prepare(rig).ok());
+  EXPECT_EQ(smoother.preparationCounts().blendingGraphs, 3);
+}
+
+// Groups in threes of which each is linked to all but its own two: 3^8 cliques.
+TEST(PrepareAgain, ARigWithTooManyCliquesIsRefusedEachTimeAndTheFormerOneStays) {
+  const auto character = makeTwoLegged();
+  const Rig rig = randomRig(*character, {}, 3);
+  Rig tangled = rig;
+  for (int i = 0; i < 24; ++i) tangled.groups.push_back({"extra " + std::to_string(i), {}});
+  for (int a = 0; a < 24; ++a) {
+    for (int b = a + 1; b < 24; ++b) {
+      if (a / 3 != b / 3) tangled.links.push_back({"extra " + std::to_string(a), "extra " + std::to_string(b)});
+    }
+  }
+  const Pose pose = bindPose(character->skeleton);
+  Smoother smoother(character);
+  ASSERT_TRUE(smoother.prepare(rig).ok());
+  Surface before;
+  smoother.smooth(pose, before);
+  for (int i = 0; i < 2; ++i) {
+    const Result<void> refused = smoother.prepare(tangled);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().place, "links");
+    Surface after;
+    smoother.smooth(pose, after);
+    EXPECT_EQ(after.positions, before.positions);
+    EXPECT_TRUE(smoother.prepare(rig).ok());
+  }
+}
+
 }  // namespace
 }  // namespace sinew::test

@@ -12,6 +12,12 @@
 
 namespace sinew {
 
+/// What a Smoother has had to find anew for all its preparations; the rest was kept from one to the next.
+struct PreparationCounts {
+  int attachments = 0;     ///< Bones, territories and candidate lists: after edits of other things than shapes.
+  int blendingGraphs = 0;  ///< Cliques enumerated: after edits of groups and links.
+};
+
 /// Skin, patch, project, guard folds, shading normals: a stage a file of this directory.
 /// prepare() once per edit, smooth() once per pose. Editor, command line, export and tests all go through here.
 /// The surface depends on the character, the rig and the pose alone, never on what was smoothed before.
@@ -37,6 +43,7 @@ class Smoother {
   [[nodiscard]] const Character& character() const;
   /// Indices into the prepared rig's primitives whose bone this character lacks.
   [[nodiscard]] const std::vector<int>& unattached() const;
+  [[nodiscard]] PreparationCounts preparationCounts() const;
 
  private:
   struct State;
