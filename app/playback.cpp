@@ -7,7 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/rig/rig_edit.h"
 #include "core/smoothing/auto_depth.h"
 
 namespace sinew::app {
@@ -132,10 +131,10 @@ Result<bool> LiveSurface::prepareIfChanged(const CommandStack& commands, int dep
   triedRig_ = commands.revision();
   depth_ = depth;
   hidden_ = hidden;
-  Rig rig = hidden.empty() ? commands.rig() : removePrimitives(commands.rig(), hidden);
+  Rig rig = commands.rig();
   rig.smoothing.depth = depth;
   const auto start = std::chrono::steady_clock::now();
-  const Result<void> prepared = smoother_.prepare(rig);
+  const Result<void> prepared = smoother_.prepare(rig, hidden);
   prepareSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!prepared) return prepared.error();
   return true;

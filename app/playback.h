@@ -85,7 +85,6 @@ class LiveSurface {
   [[nodiscard]] const Surface& surface() const { return surface_; }
   /// In use: the rig's, or what its size on screen asks for. Differs from the surface's while a rig is refused.
   [[nodiscard]] int depth() const { return depth_; }
-  [[nodiscard]] const std::vector<int>& unattached() const { return smoother_.unattached(); }
   /// Counts smoothings: what a picture of the surface compares.
   [[nodiscard]] std::size_t revision() const { return revision_; }
   [[nodiscard]] double prepareSeconds() const { return prepareSeconds_; }

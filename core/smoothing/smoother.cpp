@@ -49,7 +49,10 @@ class Stopwatch {
 struct Prepared {
   Rig rig;
   Attachment attachment;
-  CandidateLists candidates;
+  CandidateLists candidates;                   ///< Of all attached primitives, hidden or not.
+  std::vector<int> hidden;                     ///< Indices into the rig's primitives, ascending.
+  CandidateLists shown;                        ///< Those of candidates that are not hidden; made only where some are.
+  int shownPrimitives = 0;                     ///< Attached and not hidden.
   std::shared_ptr<const ControlMesh> creased;  ///< The character's mesh with creased wedges; null if none are.
   std::shared_ptr<const Refinement> refinement;
   std::vector<Anchor> anchors;         ///< [V'] in `replace` with an anchored projection, else empty.
@@ -58,6 +61,8 @@ struct Prepared {
   std::vector<float> bindFronts;       ///< [T n^2] of the patch.
   ImplicitWeights weights;             ///< In `swell` omega alone, for the classes.
   std::vector<TriangleClass> classes;
+
+  [[nodiscard]] const CandidateLists& seen() const { return hidden.empty() ? candidates : shown; }
 };
 
 SwellSettings swellSettings(const Rig& rig, const Character& character) {
@@ -124,11 +129,13 @@ struct Smoother::State {
   [[nodiscard]] const ControlMesh& mesh() const { return character->mesh; }
 
   /// From here on nothing can fail: what still serves is taken from the former preparation.
-  Result<void> findCandidates(const Rig& rig, Prepared& next) {
+  Result<void> findCandidates(const Rig& rig, std::span<const int> hidden, Prepared& next) {
+    next.hidden.assign(hidden.begin(), hidden.end());
     if (prepared.refinement && sameCandidates(prepared.rig, rig)) {
       next.attachment = std::move(prepared.attachment);
       next.candidates = std::move(prepared.candidates);
       reshape(rig, next.attachment);
+      hide(next, prepared.hidden == next.hidden);
       return {};
     }
     Result<Attachment> attachment = attach(rig, *character, graphs);
@@ -136,7 +143,19 @@ struct Smoother::State {
     ++attachments;
     next.attachment = std::move(attachment).value();
     next.candidates = makeCandidateLists(mesh(), next.attachment);
+    hide(next, false);
     return {};
+  }
+
+  /// @param known  the former preparation has hidden the same of the same candidates.
+  void hide(Prepared& next, bool known) {
+    std::vector<bool> isHidden;
+    for (const int index : next.attachment.rigIndex) {
+      isHidden.push_back(std::ranges::binary_search(next.hidden, index));
+    }
+    next.shownPrimitives = static_cast<int>(std::ranges::count(isHidden, false));
+    if (next.hidden.empty()) return;
+    next.shown = known ? std::move(prepared.shown) : withoutHidden(next.candidates, next.attachment, isHidden);
   }
 
   std::shared_ptr<const ControlMesh> creasedAt(float degrees) const {
@@ -185,7 +204,7 @@ struct Smoother::State {
     std::vector<PosedPrimitive> bindPrimitives;
     const Pose bind = bindPose(character->skeleton);
     poseField(next.attachment.primitives, bind.boneInWorld, bindPrimitives);
-    const FieldView bindField{bindPrimitives, &next.candidates, {}};
+    const FieldView bindField{bindPrimitives, &next.seen(), {}};
     if (next.rig.surface.mode == SurfaceMode::kReplace) {
       const SkinnedMesh control{mesh().positions, mesh().normals};
       evaluate(PatchKind::kFlat, *next.refinement, control, flatPositions, flatNormals);
@@ -214,7 +233,7 @@ struct Smoother::State {
   void cull(const FieldView& field, const std::optional<glm::vec3>& eye, Surface& out) {
     culling = {};
     if (eye) {
-      const bool moved = prepared.rig.surface.mode == SurfaceMode::kReplace && !field.primitives.empty();
+      const bool moved = prepared.rig.surface.mode == SurfaceMode::kReplace && prepared.shownPrimitives > 0;
       const auto classes = moved ? std::span<const TriangleClass>(prepared.classes) : std::span<const TriangleClass>();
       culling = cullFaces({*character, *prepared.refinement, field, classes, out.positions}, *eye);
     }
@@ -225,9 +244,9 @@ struct Smoother::State {
   void project(const Pose& pose, const std::optional<glm::vec3>& eye, Surface& out) {
     const Prepared& p = prepared;
     poseField(p.attachment.primitives, pose.boneInWorld, posed);
-    FieldView field{posed, &p.candidates, {}};
+    FieldView field{posed, &p.seen(), {}};
     cull(field, eye, out);
-    if (p.attachment.primitives.empty()) return;
+    if (p.shownPrimitives == 0) return;
     field.skipped = culling.carriers;
     if (p.rig.surface.mode == SurfaceMode::kSwell) {
       poseRiseDirections(pose);
@@ -301,7 +320,7 @@ struct Smoother::State {
     report.straddlingTriangles = static_cast<int>(std::ranges::count(p.classes, TriangleClass::kStraddling));
     report.normalTriangles = static_cast<int>(std::ranges::count(p.classes, TriangleClass::kNormal));
     report.unwrapped = p.weights.unwrapped;
-    report.primitives = static_cast<int>(p.attachment.primitives.size());
+    report.primitives = p.shownPrimitives;
     report.cliques = static_cast<int>(p.attachment.graph.cliques.size());
   }
 };
@@ -317,7 +336,8 @@ Smoother::~Smoother() = default;
 Smoother::Smoother(Smoother&&) noexcept = default;
 Smoother& Smoother::operator=(Smoother&&) noexcept = default;
 
-Result<void> Smoother::prepare(const Rig& rig) {
+Result<void> Smoother::prepare(const Rig& rig, std::span<const int> hidden) {
+  assert(std::ranges::is_sorted(hidden));
   if (Result<void> valid = validate(rig, state_->graphs); !valid) return valid.error();
   const std::int64_t vertices = refinedVertexCount(state_->mesh(), rig.smoothing.depth);
   if (vertices > kMaxRefinedVertices) {
@@ -326,7 +346,7 @@ Result<void> Smoother::prepare(const Rig& rig) {
                                           std::to_string(kMaxRefinedVertices) + " are possible");
   }
   Prepared next;
-  if (Result<void> reached = state_->findCandidates(rig, next); !reached) return reached.error();
+  if (Result<void> reached = state_->findCandidates(rig, hidden, next); !reached) return reached.error();
   next.rig = rig;
   next.creased = state_->creasedAt(rig.smoothing.creaseAngle);
   next.refinement = state_->refinementFor(rig.smoothing.depth, next.creased);

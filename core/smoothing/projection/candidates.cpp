@@ -2,6 +2,7 @@
 #include "core/smoothing/projection/candidates.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace sinew {
@@ -11,7 +12,7 @@ class Gatherer {
  public:
   Gatherer(const Attachment& attachment, CandidateLists& out) : attachment_(attachment), out_(out) {
     out_.begin.push_back(0);
-    out_.cliqueSets.emplace_back();
+    if (out_.cliqueSets.empty()) out_.cliqueSets.emplace_back();
   }
 
   void addCarrier(std::span<const int> corners) {
@@ -20,13 +21,28 @@ class Gatherer {
       const auto vertex = static_cast<std::size_t>(corners[corner]);
       for (const Candidate& candidate : attachment_.candidatesOfVertex[vertex]) addWeight(first, corner, candidate);
     }
-    const auto own = std::span(out_.items).subspan(first);
-    std::ranges::sort(own, {}, &CarrierCandidate::primitive);
-    out_.cliqueSet.push_back(numberSlots(own));
-    out_.begin.push_back(static_cast<int>(out_.items.size()));
+    std::ranges::sort(std::span(out_.items).subspan(first), {}, &CarrierCandidate::primitive);
+    finishCarrier(first);
+  }
+
+  /// A carrier's candidates but the hidden ones.
+  void addShown(std::span<const CarrierCandidate> candidates, int cliqueSet, const std::vector<bool>& hidden) {
+    const std::size_t first = out_.items.size();
+    std::ranges::copy_if(candidates, std::back_inserter(out_.items), [&](const CarrierCandidate& candidate) {
+      return !hidden[static_cast<std::size_t>(candidate.primitive)];
+    });
+    const bool all = out_.items.size() - first == candidates.size();
+    all ? closeCarrier(cliqueSet) : finishCarrier(first);
   }
 
  private:
+  void finishCarrier(std::size_t first) { closeCarrier(numberSlots(std::span(out_.items).subspan(first))); }
+
+  void closeCarrier(int cliqueSet) {
+    out_.cliqueSet.push_back(cliqueSet);
+    out_.begin.push_back(static_cast<int>(out_.items.size()));
+  }
+
   void addWeight(std::size_t first, std::size_t corner, const Candidate& candidate) {
     const auto own = std::span(out_.items).subspan(first);
     const auto found = std::ranges::find(own, candidate.primitive, &CarrierCandidate::primitive);
@@ -84,6 +100,18 @@ CandidateLists makeCandidateLists(const ControlMesh& mesh, const Attachment& att
   for (const Edge& edge : mesh.edges) gatherer.addCarrier(edge.vertices);
   for (const ControlTriangle& triangle : mesh.triangles) gatherer.addCarrier(triangle.vertices);
   return lists;
+}
+
+CandidateLists withoutHidden(const CandidateLists& lists, const Attachment& attachment,
+                             const std::vector<bool>& hidden) {
+  CandidateLists shown;
+  shown.items.reserve(lists.items.size());
+  shown.cliqueSets = lists.cliqueSets;
+  Gatherer gatherer(attachment, shown);
+  for (std::size_t carrier = 0; carrier < lists.cliqueSet.size(); ++carrier) {
+    gatherer.addShown(lists.of(static_cast<int>(carrier)), lists.cliqueSet[carrier], hidden);
+  }
+  return shown;
 }
 
 }  // namespace sinew

@@ -43,4 +43,10 @@ struct CandidateLists {
 
 [[nodiscard]] CandidateLists makeCandidateLists(const ControlMesh& mesh, const Attachment& attachment);
 
+/// The lists as they would be without some primitives, which keep their indices: slots and cliques are those of the
+/// groups that are left. Reads no territory anew.
+/// @param hidden [A]
+[[nodiscard]] CandidateLists withoutHidden(const CandidateLists& lists, const Attachment& attachment,
+                                           const std::vector<bool>& hidden);
+
 }  // namespace sinew

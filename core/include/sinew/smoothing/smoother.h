@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "sinew/base/result.h"
 #include "sinew/character/character.h"
@@ -32,7 +33,9 @@ class Smoother {
   /// Takes the rig: attachment, candidate lists, refinement tables, triangle classes. Keeps what did not change.
   /// Error: the rig is invalid, the blending graph too large, or the refined mesh would not fit memory; then the
   /// former preparation stays in force.
-  [[nodiscard]] Result<void> prepare(const Rig& rig);
+  /// @param hidden  indices into the rig's primitives, ascending, of those that contribute nothing: the surface is, bit
+  ///                for bit, that of the rig without them. Showing and hiding attaches nothing anew.
+  [[nodiscard]] Result<void> prepare(const Rig& rig, std::span<const int> hidden = {});
 
   /// Fills `out` for a pose of this skeleton. prepare() must have succeeded once. Reuses the output's memory.
   /// @param eye  world; if given, control triangles it cannot see stay on their patches and are marked in

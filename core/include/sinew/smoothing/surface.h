@@ -38,7 +38,7 @@ struct SmoothingReport {
   int straddlingTriangles = 0;
   int normalTriangles = 0;
   int culledTriangles = 0;  ///< Control triangles; 0 without an eye.
-  int primitives = 0;       ///< Attached.
+  int primitives = 0;       ///< Attached and not hidden.
   int cliques = 0;
   int projected = 0;   ///< Vertices for which a root was sought.
   int unresolved = 0;  ///< ... and none found: they lie on the patch.
