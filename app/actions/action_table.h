@@ -8,6 +8,7 @@
 
 #include "app/actions/actions.h"
 #include "app/editor/commands.h"
+#include "app/editor/edit.h"
 
 /// Rows read: id, label, hint, key, another key, when, checked, run, separator before. The keys are those of the
 /// default keymap; where another keymap differs is said in keymaps.cpp.
@@ -28,7 +29,7 @@ using State = EditorState;
 inline bool always(const State&) { return true; }
 inline bool open(const State& s) { return s.hasCharacter(); }
 /// Nothing is being dragged or typed.
-inline bool idle(const State& s) { return s.hasCharacter() && !ownsKeyboard(s.tools) && s.gestureItem == 0; }
+inline bool idle(const State& s) { return s.hasCharacter() && !ownsKeyboard(s.view.tools) && s.open.gestureItem == 0; }
 inline bool selected(const State& s) { return idle(s) && s.document.activePrimitive() >= 0; }
 
 // Keys.

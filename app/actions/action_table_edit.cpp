@@ -2,16 +2,13 @@
 
 #include "app/actions/action_table.h"
 #include "app/editor/blending_edit.h"
-#include "app/editor/pose_history.h"
 #include "app/editor/symmetry_commands.h"
 
 namespace sinew::app::table {
 namespace {
 
-bool undoable(const State& s) { return idle(s) && (undoesPose(s) || s.document.commands.canUndo()); }
-bool redoable(const State& s) { return idle(s) && (redoesPose(s) || s.document.commands.canRedo()); }
-void undoLast(State& s) { undoesPose(s) ? undoPose(s) : undo(s); }
-void redoLast(State& s) { redoesPose(s) ? redoPose(s) : redo(s); }
+bool undoable(const State& s) { return idle(s) && s.document.commands.canUndo(); }
+bool redoable(const State& s) { return idle(s) && s.document.commands.canRedo(); }
 bool boneKnown(const State& s) { return idle(s) && s.document.selection.bone >= 0; }
 void renameActive(State& s) { startRename(s, s.document.selection.active()); }
 void addOnBone(State& s) { addMuscle(s, s.document.selection.bone); }
@@ -27,9 +24,8 @@ void paste(State& s) { pasteMuscles(s, false); }
 void pasteMirrored(State& s) { pasteMuscles(s, true); }
 
 const Action kActions[] = {
-    {"edit/undo", "Undo", "Take the last change back", ctrl(GLFW_KEY_Z), kNone, undoable, nullptr, undoLast},
-    {"edit/redo", "Redo", "Do it again after all", ctrlShift(GLFW_KEY_Z), ctrl(GLFW_KEY_Y), redoable, nullptr,
-     redoLast},
+    {"edit/undo", "Undo", "Take the last change back", ctrl(GLFW_KEY_Z), kNone, undoable, nullptr, undo},
+    {"edit/redo", "Redo", "Do it again after all", ctrlShift(GLFW_KEY_Z), ctrl(GLFW_KEY_Y), redoable, nullptr, redo},
     {"edit/add-on-bone", "Add muscle on bone", "Put a muscle in the middle of the selected bone", ctrl(GLFW_KEY_M),
      kNone, boneKnown, nullptr, addOnBone, true},
     {"edit/duplicate", "Duplicate", "Copy the selected muscles", ctrl(GLFW_KEY_D), kNone, selected, nullptr,

@@ -8,7 +8,7 @@ namespace {
 void saveAs(State& s) { showSaveDialog(s, {}); }
 void saveNow(State& s) { save(s, {}); }
 void reopenFile(State& s) { request(s, {IntentKind::kReopen, {}}); }
-void showPreferences(State& s) { s.preferencesShown = true; }
+void showPreferences(State& s) { s.dialogs.preferences = true; }
 void quitEditor(State& s) { request(s, {IntentKind::kQuit, {}}); }
 
 const Action kActions[] = {

@@ -6,8 +6,8 @@
 namespace sinew::app::table {
 namespace {
 
-bool hasSheet(const State& s) { return s.keySheet; }
-void toggleSheet(State& s) { s.keySheet = !s.keySheet; }
+bool hasSheet(const State& s) { return s.dialogs.keySheet; }
+void toggleSheet(State& s) { s.dialogs.keySheet = !s.dialogs.keySheet; }
 
 const Action kActions[] = {
     {"help/palette", "Find anything...", "Search actions, muscles, bones, samples and recent files", ctrl(GLFW_KEY_P),

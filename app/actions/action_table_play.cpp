@@ -6,25 +6,26 @@
 namespace sinew::app::table {
 namespace {
 
-bool playable(const State& s) { return s.hasCharacter() && clipDuration(s.transport, s.character()) > 0.0; }
-void togglePlay(State& s) { togglePlaying(s.transport, s.character()); }
-void next(State& s) { stepFrames(s.transport, 1, s.character()); }
-void previous(State& s) { stepFrames(s.transport, -1, s.character()); }
-void toStart(State& s) { s.transport.time = playRange(s.transport, s.character()).from; }
+bool playable(const State& s) { return s.hasCharacter() && clipDuration(s.open.transport, s.character()) > 0.0; }
+void togglePlay(State& s) { togglePlaying(s.open.transport, s.character()); }
+void next(State& s) { stepFrames(s.open.transport, 1, s.character()); }
+void previous(State& s) { stepFrames(s.open.transport, -1, s.character()); }
+void toStart(State& s) { s.open.transport.time = playRange(s.open.transport, s.character()).from; }
 void toEnd(State& s) {
-  s.transport.time = playRange(s.transport, s.character()).to;
-  s.transport.playing = false;
+  s.open.transport.time = playRange(s.open.transport, s.character()).to;
+  s.open.transport.playing = false;
 }
-bool hasRange(const State& s) { return playable(s) && s.transport.rangeTo > s.transport.rangeFrom; }
+bool hasRange(const State& s) { return playable(s) && s.open.transport.rangeTo > s.open.transport.rangeFrom; }
 void startRange(State& s) {
-  setPlayRange(s.transport, {s.transport.time, playRange(s.transport, s.character()).to}, s.character());
+  setPlayRange(s.open.transport, {s.open.transport.time, playRange(s.open.transport, s.character()).to}, s.character());
 }
 void endRange(State& s) {
-  setPlayRange(s.transport, {playRange(s.transport, s.character()).from, s.transport.time}, s.character());
+  setPlayRange(s.open.transport, {playRange(s.open.transport, s.character()).from, s.open.transport.time},
+               s.character());
 }
-void wholeClip(State& s) { s.transport.rangeFrom = s.transport.rangeTo = 0.0; }
-bool isLooping(const State& s) { return s.transport.loop; }
-void toggleLoop(State& s) { s.transport.loop = !s.transport.loop; }
+void wholeClip(State& s) { s.open.transport.rangeFrom = s.open.transport.rangeTo = 0.0; }
+bool isLooping(const State& s) { return s.open.transport.loop; }
+void toggleLoop(State& s) { s.open.transport.loop = !s.open.transport.loop; }
 
 const Action kActions[] = {
     {"play/toggle", "Play or pause", "Let the clip run", key(GLFW_KEY_SPACE), kNone, playable, nullptr, togglePlay},

@@ -14,28 +14,28 @@ namespace {
 
 template <std::size_t kIndex>
 bool isTool(const State& s) {
-  return s.tools.tool == static_cast<ToolKind>(kIndex);
+  return s.view.tools.tool == static_cast<ToolKind>(kIndex);
 }
 template <std::size_t kIndex>
 void chooseTool(State& s) {
   endTerritoryMode(s);  // It takes the clicks that the tool is chosen for.
-  setTool(s.tools, static_cast<ToolKind>(kIndex));
+  setTool(s.view.tools, static_cast<ToolKind>(kIndex));
 }
 
-bool posing(const State& s) { return idle(s) && s.tools.tool == ToolKind::kPose; }
+bool posing(const State& s) { return idle(s) && s.view.tools.tool == ToolKind::kPose; }
 bool anyPosed(const State& s) { return idle(s) && isPosed(s); }
 bool jointPosed(const State& s) { return idle(s) && selectedJointIsPosed(s); }
-bool canPastePose(const State& s) { return idle(s) && !s.copiedPose.empty(); }
-bool holdsPose(const State& s) { return s.transport.overrides.from == TurnsFrom::kBindPose; }
+bool canPastePose(const State& s) { return idle(s) && !s.view.copiedPose.empty(); }
+bool holdsPose(const State& s) { return s.open.transport.overrides.from == TurnsFrom::kBindPose; }
 
-bool boxing(const State& s) { return s.tools.box.armed; }
-void toggleBox(State& s) { armBox(s.tools); }
-bool pivotsOnAll(const State& s) { return s.tools.pivot == GizmoPivot::kCentroid; }
-void togglePivot(State& s) { s.tools.pivot = pivotsOnAll(s) ? GizmoPivot::kActive : GizmoPivot::kCentroid; }
+bool boxing(const State& s) { return s.view.tools.box.armed; }
+void toggleBox(State& s) { armBox(s.view.tools); }
+bool pivotsOnAll(const State& s) { return s.view.tools.pivot == GizmoPivot::kCentroid; }
+void togglePivot(State& s) { s.view.tools.pivot = pivotsOnAll(s) ? GizmoPivot::kActive : GizmoPivot::kCentroid; }
 
 template <ToolKind kTool>
 void dragAtOnce(State& s) {
-  startDrag(s.tools, kTool);
+  startDrag(s.view.tools, kTool);
 }
 
 bool territoryKnown(const State& s) { return selected(s) || editsTerritory(s); }

@@ -10,43 +10,43 @@ namespace sinew::app::table {
 namespace {
 
 void frame(State& s) { frameSelection(s, true); }
-void frameAll(State& s) { frameBounds(s.tools.camera, boundsOf(s.live->surface().positions), s.viewportPixels, true); }
+void frameAll(State& s) {
+  frameBounds(s.view.tools.camera, boundsOf(s.live->surface().positions), s.frame.viewportPixels, true);
+}
 
 template <Shading kShading>
 bool isShaded(const State& s) {
-  return s.display.shading == kShading;
+  return s.view.display.shading == kShading;
 }
 template <Shading kShading>
 void shade(State& s) {
-  s.display.shading = kShading;
+  s.view.display.shading = kShading;
 }
 
 template <bool DisplaySettings::*kFlag>
 bool isShown(const State& s) {
-  return s.display.*kFlag;
+  return s.view.display.*kFlag;
 }
 template <bool DisplaySettings::*kFlag>
 void toggleShown(State& s) {
-  s.display.*kFlag = !(s.display.*kFlag);
+  s.view.display.*kFlag = !(s.view.display.*kFlag);
 }
 
 template <StandardView kView>
 void look(State& s) {
-  showStandardView(s.tools.camera, kView);
+  showStandardView(s.view.tools.camera, kView);
 }
 
-bool isOrthographic(const State& s) { return s.tools.camera.orthographic; }
-void toggleOrthographic(State& s) { s.tools.camera.orthographic = !s.tools.camera.orthographic; }
+bool isOrthographic(const State& s) { return s.view.tools.camera.orthographic; }
+void toggleOrthographic(State& s) { s.view.tools.camera.orthographic = !s.view.tools.camera.orthographic; }
 bool hasAutoDepth(const State& s) { return s.document.rig().smoothing.autoDepth; }
 void toggleAutoDepth(State& s) {
   SmoothingSettings smoothing = s.document.rig().smoothing;
   smoothing.autoDepth = !smoothing.autoDepth;
-  if (Result<Rig> rig = setSmoothing(s.document.rig(), smoothing)) {
-    s.document.commands.apply("Auto depth", std::move(rig).value());
-  }
+  edit(s, "Auto depth", setSmoothing(s.document.rig(), smoothing));
 }
-bool hasOverlay(const State& s) { return s.layout.overlay; }
-void toggleOverlay(State& s) { s.layout.overlay = !s.layout.overlay; }
+bool hasOverlay(const State& s) { return s.view.layout.overlay; }
+void toggleOverlay(State& s) { s.view.layout.overlay = !s.view.layout.overlay; }
 
 bool hiddenAny(const State& s) { return s.hasCharacter() && anythingHidden(s); }
 bool isIsolated(const State& s) { return s.document.visibility.isolated.has_value(); }

@@ -7,22 +7,24 @@ namespace {
 
 template <bool LayoutState::*kFlag>
 bool isShown(const State& s) {
-  return s.layout.*kFlag;
+  return s.view.layout.*kFlag;
 }
 template <bool LayoutState::*kFlag>
 void toggleShown(State& s) {
-  s.layout.*kFlag = !(s.layout.*kFlag);
+  s.view.layout.*kFlag = !(s.view.layout.*kFlag);
 }
 
-bool pictureAlone(const State& s) { return !s.layout.leftShown && !s.layout.rightShown && !s.layout.bottomShown; }
+bool pictureAlone(const State& s) {
+  return !s.view.layout.leftShown && !s.view.layout.rightShown && !s.view.layout.bottomShown;
+}
 void togglePictureAlone(State& s) {
   const bool all = pictureAlone(s);
-  s.layout.leftShown = s.layout.rightShown = s.layout.bottomShown = all;
+  s.view.layout.leftShown = s.view.layout.rightShown = s.view.layout.bottomShown = all;
 }
-bool hasMessages(const State& s) { return !s.messages.empty(); }
-bool messagesShown(const State& s) { return s.messagesShown; }
-void toggleMessages(State& s) { s.messagesShown = !s.messagesShown; }
-void resetLayout(State& s) { s.layout = {}; }
+bool hasMessages(const State& s) { return !s.session.messages.empty(); }
+bool messagesShown(const State& s) { return s.session.messagesShown; }
+void toggleMessages(State& s) { s.session.messagesShown = !s.session.messagesShown; }
+void resetLayout(State& s) { s.view.layout = {}; }
 
 using L = LayoutState;
 

@@ -94,7 +94,7 @@ std::string textOf(const Shortcut& shortcut) {
 }
 
 std::string keyText(const Action& action, const EditorState& state) {
-  return textOf(shortcutsOf(action, state.preferences.keymap)[0]);
+  return textOf(shortcutsOf(action, state.session.preferences.keymap)[0]);
 }
 
 void run(const Action& action, EditorState& state) {
@@ -104,7 +104,7 @@ void run(const Action& action, EditorState& state) {
 bool runShortcut(EditorState& state, const RawInput& input) {
   const int key = input.pressedKey >= 0 ? input.pressedKey : input.repeatedKey;
   if (key <= 0 || input.super) return false;
-  const Action* meant = answering({key, input.control, input.shift, input.alt}, state.preferences.keymap);
+  const Action* meant = answering({key, input.control, input.shift, input.alt}, state.session.preferences.keymap);
   if (meant == nullptr) return false;
   if (input.pressedKey >= 0 || repeats(*meant)) run(*meant, state);
   return true;

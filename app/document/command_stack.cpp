@@ -1,4 +1,4 @@
-// app/document/command_stack.cpp: the only writer of the rig: undo, redo, gestures.
+// app/document/command_stack.cpp: the one history, of rig and pose: undo, redo, gestures.
 
 #include "app/document/command_stack.h"
 
@@ -11,7 +11,7 @@ CommandStack::CommandStack(Rig rig) {
   identities_.identify(rig, Rig{});
   current_ = std::make_shared<const Rig>(std::move(rig));
   saved_ = current_;
-  steps_.push_back({"Open", current_});
+  steps_.push_back({"Open", current_, {}});
 }
 
 void CommandStack::show(std::shared_ptr<const Rig> rig) {
@@ -51,9 +51,18 @@ void CommandStack::endGesture() {
     current_ = before;
     return;
   }
+  push({gestureLabel_, current_, steps_[position_].pose});
+}
+
+void CommandStack::push(Step step) {
   steps_.resize(position_ + 1);
-  steps_.push_back({gestureLabel_, current_});
+  steps_.push_back(std::move(step));
   ++position_;
+}
+
+void CommandStack::applyPose(const std::string& label, const PoseOverrides& pose) {
+  endGesture();
+  if (!(steps_[position_].pose == pose)) push({label, current_, pose});
 }
 
 void CommandStack::cancelGesture() {

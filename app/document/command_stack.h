@@ -1,4 +1,4 @@
-// app/document/command_stack.h: the only writer of the rig: undo, redo, gestures.
+// app/document/command_stack.h: the one history, of rig and pose: undo, redo, gestures.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "core/rig/identity.h"
+#include "core/skeleton/pose_override.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew::app {
 
-/// A linear history of rigs. Each step is a whole rig (a value of a few kilobytes, shared, never copied on undo).
+/// A linear history of rigs, which it alone writes, and of poses made by hand. Each step is a whole rig (a value of a
+/// few kilobytes, shared, never copied on undo) and a pose.
 /// Every primitive and group in it has an identity that lasts as long as the stack.
 /// A gesture (one drag) shows its states at once and leaves one step, or none if cancelled or without effect.
 class CommandStack {
@@ -33,6 +35,12 @@ class CommandStack {
 
   /// One step, redo is forgotten. No step if nothing changes. Ends an open gesture first (kept).
   void apply(const std::string& label, Rig rig);
+
+  /// One step that changes the pose made by hand and leaves the rig as it is. No step if nothing changes. Ends an open
+  /// gesture first (kept).
+  void applyPose(const std::string& label, const PoseOverrides& pose);
+  /// The pose made by hand, as the last step left it. View state: it does not count as a modification.
+  [[nodiscard]] const PoseOverrides& pose() const { return steps_[position_].pose; }
 
   void beginGesture(const std::string& label);
   void updateGesture(Rig rig);  ///< Only inside a gesture.
@@ -57,8 +65,10 @@ class CommandStack {
   struct Step {
     std::string label;
     std::shared_ptr<const Rig> rig;
+    PoseOverrides pose;
   };
   void show(std::shared_ptr<const Rig> rig);
+  void push(Step step);
 
   std::vector<Step> steps_;
   std::size_t position_ = 0;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/editor/commands.h"
+#include "app/editor/edit.h"
 #include "core/rig/rig_edit.h"
 #include "core/rig/rig_edit_several.h"
 
@@ -18,12 +19,6 @@ constexpr std::array kTints{Tint{0.30f, 0.66f, 0.93f}, Tint{0.95f, 0.75f, 0.29f}
                             Tint{0.78f, 0.53f, 0.92f}, Tint{0.91f, 0.45f, 0.58f}, Tint{0.27f, 0.77f, 0.76f},
                             Tint{0.70f, 0.72f, 0.33f}, Tint{0.50f, 0.55f, 0.95f}, Tint{0.86f, 0.60f, 0.40f},
                             Tint{0.93f, 0.56f, 0.82f}, Tint{0.60f, 0.84f, 0.72f}, Tint{0.72f, 0.52f, 0.62f}};
-
-std::string finish(EditorState& state, const std::string& label, Result<Rig> rig) {
-  state.fieldError = rig ? "" : rig.error().reason;
-  if (rig) state.document.commands.apply(label, std::move(rig).value());
-  return state.fieldError;
-}
 
 const std::string& nameOfGroup(const Rig& rig, int group) { return rig.groups[static_cast<std::size_t>(group)].name; }
 
@@ -64,50 +59,49 @@ std::vector<std::vector<bool>> linkTable(const Rig& rig) {
   return table;
 }
 
-std::string toggleLink(EditorState& state, int groupA, int groupB) {
+void toggleLink(EditorState& state, int groupA, int groupB) {
   const Rig& rig = state.document.rig();
   const std::string a = nameOfGroup(rig, groupA);
   const std::string b = nameOfGroup(rig, groupB);
   const bool linked = areLinked(rig, a, b);
-  return finish(state, (linked ? "Unlink " : "Link ") + a + " and " + b, setLink(rig, groupA, groupB, !linked));
+  edit(state, (linked ? "Unlink " : "Link ") + a + " and " + b, setLink(rig, groupA, groupB, !linked));
 }
 
 void addEmptyGroup(EditorState& state) {
   const std::string name = freeGroupName(state.document.rig(), "group");
-  if (!finish(state, "New group", addGroup(state.document.rig(), name)).empty()) return;
+  if (!edit(state, "New group", addGroup(state.document.rig(), name))) return;
   const GroupId added = state.document.rig().groups.back().id();
-  state.panels.blending.group = added;
-  state.panels.blending.rename = {added, name, true};
+  state.open.blending.group = added;
+  state.open.blending.rename = {added, name, true};
 }
 
 void groupSelection(EditorState& state) {
   const std::vector<int> indices = selectedIndices(state.document);
   if (indices.empty()) return;
   const std::string name = freeGroupName(state.document.rig(), "group");
-  if (!finish(state, "Group " + countText(indices.size()), moveToNewGroup(state.document.rig(), indices, name)).empty())
-    return;
+  if (!edit(state, "Group " + countText(indices.size()), moveToNewGroup(state.document.rig(), indices, name))) return;
   const GroupId added =
       state.document.rig().groups[static_cast<std::size_t>(findGroup(state.document.rig(), name))].id();
-  state.panels.blending.group = added;
-  if (state.panels.outliner.tab == LeftTab::kGroups) state.panels.blending.rename = {added, name, true};
+  state.open.blending.group = added;
+  if (state.view.outliner.tab == LeftTab::kGroups) state.open.blending.rename = {added, name, true};
 }
 
-std::string renameGroupTo(EditorState& state, GroupId group, const std::string& name) {
+bool renameGroupTo(EditorState& state, GroupId group, const std::string& name) {
   const int index = findGroup(state.document.rig(), group);
-  if (index < 0 || nameOfGroup(state.document.rig(), index) == name) return "";
+  if (index < 0 || nameOfGroup(state.document.rig(), index) == name) return index >= 0;
   const std::string label = "Rename " + nameOfGroup(state.document.rig(), index);
-  return finish(state, label, renameGroup(state.document.rig(), index, name));
+  return edit(state, label, renameGroup(state.document.rig(), index, name));
 }
 
-std::string removeGroupOf(EditorState& state, int group, int into) {
+bool removeGroupOf(EditorState& state, int group, int into) {
   const Rig& rig = state.document.rig();
   const std::string label = "Delete group " + nameOfGroup(rig, group);
-  return finish(state, label, into < 0 ? removeGroup(rig, group) : dissolveGroup(rig, group, into));
+  return edit(state, label, into < 0 ? removeGroup(rig, group) : dissolveGroup(rig, group, into));
 }
 
-std::string moveToGroup(EditorState& state, const std::vector<int>& indices, const std::string& group) {
-  return finish(state, "Move " + countText(indices.size()) + " to " + group,
-                setGroupOfSeveral(state.document.rig(), indices, group));
+bool moveToGroup(EditorState& state, const std::vector<int>& indices, const std::string& group) {
+  return edit(state, "Move " + countText(indices.size()) + " to " + group,
+              setGroupOfSeveral(state.document.rig(), indices, group));
 }
 
 void selectMembers(EditorState& state, const std::string& group) {
@@ -128,7 +122,7 @@ std::vector<int> draggedMuscles(const EditorState& state, int grabbed) {
 
 void highlightGroup(EditorState& state, const std::string& group) {
   const std::vector<int> members = membersOf(state.document.rig(), group);
-  state.panels.highlighted.insert(state.panels.highlighted.end(), members.begin(), members.end());
+  state.frame.highlighted.insert(state.frame.highlighted.end(), members.begin(), members.end());
 }
 
 }  // namespace sinew::app

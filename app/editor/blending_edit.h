@@ -20,17 +20,17 @@ namespace sinew::app {
 /// [groups][groups] the same for all, symmetric, by index.
 [[nodiscard]] std::vector<std::vector<bool>> linkTable(const Rig& rig);
 
-// Each is one undo step; a refusal stands in the status line and is returned ("" if done).
+// Each is one undo step or a refusal, as edit() says.
 
-std::string toggleLink(EditorState& state, int groupA, int groupB);
+void toggleLink(EditorState& state, int groupA, int groupB);
 /// A new empty group, chosen, its name ready to be typed.
 void addEmptyGroup(EditorState& state);
 /// The selected muscles in a group of their own.
 void groupSelection(EditorState& state);
-std::string renameGroupTo(EditorState& state, GroupId group, const std::string& name);
+bool renameGroupTo(EditorState& state, GroupId group, const std::string& name);
 /// The group's muscles go to `into` (an index); -1: only if it is empty.
-std::string removeGroupOf(EditorState& state, int group, int into);
-std::string moveToGroup(EditorState& state, const std::vector<int>& indices, const std::string& group);
+bool removeGroupOf(EditorState& state, int group, int into);
+bool moveToGroup(EditorState& state, const std::vector<int>& indices, const std::string& group);
 void selectMembers(EditorState& state, const std::string& group);
 
 /// The muscles that a drag of one of them takes along: all that are selected if it is among them, else it alone.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/editor/edit.h"
 #include "app/editor/session.h"
 #include "app/editor/symmetry_commands.h"
 #include "app/editor/territory.h"
@@ -15,70 +16,61 @@
 namespace sinew::app {
 namespace {
 
-bool isBusy(const EditorState& state) { return ownsKeyboard(state.tools) || state.gestureItem != 0; }
+bool isBusy(const EditorState& state) { return ownsKeyboard(state.view.tools) || state.open.gestureItem != 0; }
 
 void show(EditorState& state, Document document, LiveSurface live, const Transport& transport) {
-  cancelDrags(state.tools, state.document);
+  cancelDrags(state.view.tools, state.document);
   state.document = std::move(document);
   state.live = std::move(live);
-  state.transport = transport;
-  state.tools.hover = {};
-  state.route = {};
-  state.rename = {};
-  state.euler = {};
-  state.revealed = {};
-  state.panels.blending.group = {};
-  state.panels.blending.rename = {};
-  state.panels.blending.linkFrom = {};
-  state.tools.territoryMode = false;
-  state.gestureItem = 0;
-  state.fieldError.clear();
-  state.frameWanted = true;
-  ++state.documentsOpened;
-  setScene(state.tools.camera, boundsOf(state.live->surface().positions), state.character().height);
+  state.open = {};
+  state.open.transport = transport;
+  state.open.frameWanted = true;
+  state.frame.route = {};
+  state.view.tools.hover = {};
+  state.view.tools.territoryMode = false;
+  ++state.session.documentsOpened;
+  setScene(state.view.tools.camera, boundsOf(state.live->surface().positions), state.character().height);
+}
+
+/// Moves in the history; the pose goes with it.
+template <class Move>
+void travel(EditorState& state, Move move) {
+  if (isBusy(state)) return;
+  move(state.document.commands);
+  state.open.transport.overrides = state.document.commands.pose();
+  state.open.refusal.clear();
 }
 
 void tellIgnored(EditorState& state) {
   const std::string name = state.document.characterFile.filename().string();
   for (const std::string& ignored : state.character().ignored) {
-    addMessage(state, MessageKind::kNote, name + ": " + ignored);
+    addMessage(state.session, MessageKind::kNote, name + ": " + ignored);
   }
   for (const Error& missing : missingBones(state.document.rig(), state.character().skeleton)) {
-    addMessage(state, MessageKind::kNote, missing.text() + "; the muscle is kept as it is");
+    addMessage(state.session, MessageKind::kNote, missing.text() + "; the muscle is kept as it is");
   }
 }
 
 void reopen(EditorState& state) {
   const std::filesystem::path file =
       state.document.rigFile.empty() ? state.document.characterFile : state.document.rigFile;
-  const Transport transport = state.transport;
-  const Camera camera = state.tools.camera;
+  const Transport transport = state.open.transport;
+  const Camera camera = state.view.tools.camera;
   if (!openFile(state, file)) return;
-  state.tools.camera = camera;
-  state.frameWanted = false;
+  state.view.tools.camera = camera;
+  state.open.frameWanted = false;
   if (transport.clip < static_cast<int>(state.character().clips.size())) {
-    state.transport = transport;
-    state.transport.time = std::min(transport.time, clipDuration(transport, state.character()));
+    state.open.transport = transport;
+    state.open.transport.time = std::min(transport.time, clipDuration(transport, state.character()));
   }
 }
 
 }  // namespace
 
-void addMessage(EditorState& state, MessageKind kind, const std::string& text) {
-  state.messagesShown = true;
-  for (Message& message : state.messages) {
-    if (message.kind == kind && message.text == text) {
-      ++message.count;
-      return;
-    }
-  }
-  state.messages.push_back({kind, text, 1});
-}
-
 bool openFile(EditorState& state, const std::filesystem::path& file) {
   Result<Document> opened = openDocument(file);
   if (!opened) {
-    addMessage(state, MessageKind::kError, opened.error().text());
+    addMessage(state.session, MessageKind::kError, opened.error().text());
     return false;
   }
   return showDocument(state, std::move(opened).value());
@@ -92,7 +84,7 @@ bool showDocument(EditorState& state, Document document) {
   if (!live) {
     Error error = live.error();
     error.file = (document.rigFile.empty() ? document.characterFile : document.rigFile).string();
-    addMessage(state, MessageKind::kError, error.text());
+    addMessage(state.session, MessageKind::kError, error.text());
     return false;
   }
   show(state, std::move(document), std::move(live).value(), transport);
@@ -102,7 +94,7 @@ bool showDocument(EditorState& state, Document document) {
 
 void request(EditorState& state, const Intent& intent) {
   if (state.hasCharacter() && state.document.commands.modified()) {
-    state.question = intent;
+    state.dialogs.question = intent;
   } else {
     perform(state, intent);
   }
@@ -122,7 +114,7 @@ void perform(EditorState& state, const Intent& intent) {
       recover(state, intent.file);
       break;
     case IntentKind::kQuit:
-      state.quit = true;
+      state.session.quit = true;
       break;
   }
 }
@@ -133,16 +125,16 @@ void showOpenDialog(EditorState& state) {
   std::error_code ignored;
   if (isSample(folder)) {
     // The program's own folder is no place to work in; where one has worked before is.
-    const auto& recent = state.preferences.recentFiles;
+    const auto& recent = state.session.preferences.recentFiles;
     folder = recent.empty() ? homeFolder() : recent.front().parent_path();
   } else {
     folder = folder.empty() ? std::filesystem::current_path(ignored)
                             : std::filesystem::absolute(folder, ignored).parent_path();
   }
-  state.dialog = {};
-  state.dialog.kind = DialogKind::kOpen;
-  state.dialog.folder = folder;
-  state.dialog.appearing = true;
+  state.dialogs.file = {};
+  state.dialogs.file.kind = DialogKind::kOpen;
+  state.dialogs.file.folder = folder;
+  state.dialogs.file.appearing = true;
 }
 
 void showSaveDialog(EditorState& state, const Intent& then) {
@@ -155,12 +147,12 @@ void showSaveDialog(EditorState& state, const Intent& then) {
   }
   if (isSample(file)) file = homeFolder() / file.filename();
   file = std::filesystem::absolute(file, ignored);
-  state.dialog = {};
-  state.dialog.kind = DialogKind::kSaveAs;
-  state.dialog.folder = file.parent_path();
-  state.dialog.text = file.filename().string();
-  state.dialog.appearing = true;
-  state.dialog.then = then;
+  state.dialogs.file = {};
+  state.dialogs.file.kind = DialogKind::kSaveAs;
+  state.dialogs.file.folder = file.parent_path();
+  state.dialogs.file.text = file.filename().string();
+  state.dialogs.file.appearing = true;
+  state.dialogs.file.then = then;
 }
 
 bool save(EditorState& state, const Intent& then) {
@@ -176,29 +168,27 @@ bool save(EditorState& state, const Intent& then) {
 
 std::string saveTo(EditorState& state, const std::filesystem::path& file) {
   if (const Result<void> saved = saveDocument(state.document, file); !saved) {
-    addMessage(state, MessageKind::kError, "not saved: " + saved.error().text());
+    addMessage(state.session, MessageKind::kError, "not saved: " + saved.error().text());
     return saved.error().text();
   }
   return "";
 }
 
 void undo(EditorState& state) {
-  if (!isBusy(state)) state.document.commands.undo();
+  travel(state, [](CommandStack& commands) { commands.undo(); });
 }
 
 void redo(EditorState& state) {
-  if (!isBusy(state)) state.document.commands.redo();
+  travel(state, [](CommandStack& commands) { commands.redo(); });
 }
 
 void jumpTo(EditorState& state, std::size_t step) {
-  if (!isBusy(state)) state.document.commands.jumpTo(step);
+  travel(state, [step](CommandStack& commands) { commands.jumpTo(step); });
 }
 
 void addMuscle(EditorState& state, int bone) {
   if (!state.hasCharacter() || isBusy(state)) return;
-  if (const auto added = addMuscleOnBone(state.document, bone); !added) {
-    addMessage(state, MessageKind::kError, added.error().text());
-  }
+  if (const auto added = addMuscleOnBone(state.document, bone); !added) refuse(state, added.error());
 }
 
 void deleteSelection(EditorState& state) {
@@ -206,7 +196,7 @@ void deleteSelection(EditorState& state) {
   if (indices.empty() || isBusy(state)) return;
   const std::string what =
       indices.size() == 1 ? state.document.activeName() : std::to_string(indices.size()) + " muscles";
-  state.document.commands.apply("Delete " + what, removePrimitives(state.document.rig(), indices));
+  edit(state, "Delete " + what, removePrimitives(state.document.rig(), indices));
 }
 
 void duplicateSelection(EditorState& state) {
@@ -214,7 +204,7 @@ void duplicateSelection(EditorState& state) {
   if (indices.empty() || isBusy(state)) return;
   const std::size_t before = state.document.rig().primitives.size();
   const Selection originals = state.document.selection;
-  state.document.commands.apply("Duplicate", duplicatePairs(state.document.rig(), indices));
+  edit(state, "Duplicate", duplicatePairs(state.document.rig(), indices));
   const auto& primitives = state.document.rig().primitives;
   state.document.selection.primitives.clear();
   // The copies of what was selected; those of twins, made by symmetry, follow.
@@ -227,18 +217,14 @@ void duplicateSelection(EditorState& state) {
 void startRename(EditorState& state, PrimitiveId primitive) {
   const int index = findPrimitive(state.document.rig(), primitive);
   if (index >= 0)
-    state.rename = {primitive, state.document.rig().primitives[static_cast<std::size_t>(index)].name, true};
+    state.open.rename = {primitive, state.document.rig().primitives[static_cast<std::size_t>(index)].name, true};
 }
 
-std::string rename(EditorState& state, PrimitiveId primitive, const std::string& name) {
+bool rename(EditorState& state, PrimitiveId primitive, const std::string& name) {
   const int index = findPrimitive(state.document.rig(), primitive);
-  if (index < 0) return "";
+  if (index < 0) return false;
   const std::string before = state.document.rig().primitives[static_cast<std::size_t>(index)].name;
-  if (before == name) return "";
-  Result<Rig> renamed = renameWithTwin(state.document.rig(), index, name);
-  if (!renamed) return renamed.error().text();
-  state.document.commands.apply("Rename " + before, std::move(renamed).value());
-  return "";
+  return before == name || edit(state, "Rename " + before, renameWithTwin(state.document.rig(), index, name));
 }
 
 void selectNothing(EditorState& state) {
@@ -250,7 +236,7 @@ void selectNothing(EditorState& state) {
 }
 
 void cycleAxes(EditorState& state) {
-  GizmoAxes& axes = state.tools.gizmo.axes;
+  GizmoAxes& axes = state.view.tools.gizmo.axes;
   axes = axes == GizmoAxes::kWorld ? GizmoAxes::kBone
                                    : (axes == GizmoAxes::kBone ? GizmoAxes::kPrimitive : GizmoAxes::kWorld);
 }
@@ -269,15 +255,15 @@ void frameSelection(EditorState& state, bool animated) {
     }
   }
   if (bounds.isEmpty()) bounds = boundsOf(state.live->surface().positions);
-  frameBounds(state.tools.camera, bounds, state.viewportPixels, animated);
+  frameBounds(state.view.tools.camera, bounds, state.frame.viewportPixels, animated);
 }
 
 SurfaceView surfaceView(const EditorState& state) {
-  const View& view = state.route.view;
+  const View& view = state.frame.route.view;
   SurfaceView wanted;
-  if (state.display.cullBackFaces) wanted.eye = view.facingPoint();
+  if (state.view.display.cullBackFaces) wanted.eye = view.facingPoint();
   wanted.hidden = hiddenPrimitives(state.document.visibility, state.document.rig(), state.character().skeleton);
-  wanted.heightPixels = state.character().height / view.unitsPerPixelAt(state.tools.camera.stand.target);
+  wanted.heightPixels = state.character().height / view.unitsPerPixelAt(state.view.tools.camera.stand.target);
   return wanted;
 }
 
@@ -293,10 +279,10 @@ std::vector<int> selectedIndices(const Document& document) {
 std::vector<PrimitiveShape> shownShapes(const EditorState& state, bool all) {
   std::vector<PrimitiveShape> shapes = primitiveShapes(state.document, state.live->pose());
   // Only the left panels light up; put away, they leave nothing lit.
-  const std::vector<int> lit = state.layout.leftShown ? state.panels.highlighted : std::vector<int>{};
+  const std::vector<int> lit = state.view.layout.leftShown ? state.frame.highlighted : std::vector<int>{};
   for (PrimitiveShape& shape : shapes) {
     shape.hovered =
-        shape.rigIndex == state.tools.hover.primitive || std::ranges::find(lit, shape.rigIndex) != lit.end();
+        shape.rigIndex == state.view.tools.hover.primitive || std::ranges::find(lit, shape.rigIndex) != lit.end();
   }
   if (!all) std::erase_if(shapes, [](const PrimitiveShape& shape) { return !shape.selected && !shape.hovered; });
   return shapes;

@@ -8,8 +8,6 @@
 
 namespace sinew::app {
 
-void addMessage(EditorState& state, MessageKind kind, const std::string& text);
-
 /// Opens at once, without asking about changes. On an error the open document stays, and a message says why.
 /// The first clip plays. @return whether it was opened.
 bool openFile(EditorState& state, const std::filesystem::path& file);
@@ -36,8 +34,8 @@ void addMuscle(EditorState& state, int bone);
 void deleteSelection(EditorState& state);
 void duplicateSelection(EditorState& state);
 void startRename(EditorState& state, PrimitiveId primitive);
-/// One undo step. @return an empty text, or why it was refused.
-std::string rename(EditorState& state, PrimitiveId primitive, const std::string& name);
+/// One undo step. @return whether it has the name now.
+bool rename(EditorState& state, PrimitiveId primitive, const std::string& name);
 void selectNothing(EditorState& state);
 
 /// Selected muscles if there are, else the whole character. @param animated false: at once.

@@ -7,6 +7,7 @@
 
 #include "app/document/reparent.h"
 #include "app/editor/commands.h"
+#include "app/editor/edit.h"
 #include "app/editor/territory.h"
 #include "core/rig/rig_edit_several.h"
 
@@ -56,11 +57,9 @@ void reparentMuscles(EditorState& state, const std::vector<int>& indices, int bo
     }
     primitive.bone = target;
   });
-  state.fieldError = moved ? "" : moved.error().text();
-  if (!moved) return;
   const std::string what =
       indices.size() == 1 ? nameOfMuscle(*rig, indices.front()) : std::to_string(indices.size()) + " muscles";
-  state.document.commands.apply("Move " + what + " to " + target, std::move(moved).value());
+  edit(state, "Move " + what + " to " + target, std::move(moved));
 }
 
 void clickMuscle(EditorState& state, const std::vector<OutlinerRow>& rows, int position, bool range, bool toggle) {
@@ -69,7 +68,7 @@ void clickMuscle(EditorState& state, const std::vector<OutlinerRow>& rows, int p
   const OutlinerRow& row = rows[static_cast<std::size_t>(position)];
   if (static_cast<std::size_t>(row.index) >= rig.primitives.size()) return;
   Selection& selection = state.document.selection;
-  const int anchor = range ? rowOf(rows, state.panels.outliner.anchor, rig, skeleton) : -1;
+  const int anchor = range ? rowOf(rows, state.open.rowAnchor, rig, skeleton) : -1;
   if (anchor >= 0) {
     selection.setAll(musclesBetween(state.document, rows, anchor, position), toggle);
     return;
@@ -80,7 +79,7 @@ void clickMuscle(EditorState& state, const std::vector<OutlinerRow>& rows, int p
   } else {
     selection.set(muscle);
   }
-  state.panels.outliner.anchor = keyOf(row, rig, skeleton);
+  state.open.rowAnchor = keyOf(row, rig, skeleton);
 }
 
 void clickBone(EditorState& state, int bone) {
@@ -90,7 +89,7 @@ void clickBone(EditorState& state, int bone) {
   }
   state.document.selection.primitives.clear();
   state.document.selection.bone = bone;
-  state.panels.outliner.anchor = "b:" + state.character().skeleton.bones[static_cast<std::size_t>(bone)].path;
+  state.open.rowAnchor = "b:" + state.character().skeleton.bones[static_cast<std::size_t>(bone)].path;
 }
 
 void moveCursor(EditorState& state, const std::vector<OutlinerRow>& rows, int by, bool extend) {
@@ -106,7 +105,7 @@ void moveCursor(EditorState& state, const std::vector<OutlinerRow>& rows, int by
   } else if (!extend) {
     state.document.selection.primitives.clear();
     state.document.selection.bone = row.index;
-    state.panels.outliner.anchor = keyOf(row, state.document.rig(), state.character().skeleton);
+    state.open.rowAnchor = keyOf(row, state.document.rig(), state.character().skeleton);
   }
 }
 
@@ -118,7 +117,7 @@ void selectMuscles(EditorState& state, const std::vector<int>& indices) {
 void setFolded(EditorState& state, int bone, bool folded, bool all) {
   const Skeleton& skeleton = state.character().skeleton;
   const Bone& own = skeleton.bones[static_cast<std::size_t>(bone)];
-  std::set<std::string>& paths = state.panels.outliner.folded;
+  std::set<std::string>& paths = state.view.outliner.folded;
   if (folded) {
     paths.insert(own.path);
   } else {
@@ -131,7 +130,7 @@ void setFolded(EditorState& state, int bone, bool folded, bool all) {
 void unfoldTo(EditorState& state, int bone) {
   const Skeleton& skeleton = state.character().skeleton;
   for (int b = bone; b >= 0; b = skeleton.bones[static_cast<std::size_t>(b)].parent) {
-    state.panels.outliner.folded.erase(skeleton.bones[static_cast<std::size_t>(b)].path);
+    state.view.outliner.folded.erase(skeleton.bones[static_cast<std::size_t>(b)].path);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/document/motion_clip.h"
 #include "app/editor/commands.h"
+#include "app/editor/edit.h"
 #include "core/skeleton/range_of_motion.h"
 
 namespace sinew::app {
@@ -36,51 +37,59 @@ PoseOverrides sideOnBoth(const PoseOverrides& overrides, const MirrorPlan& mirro
 
 }  // namespace
 
-bool isPosed(const EditorState& state) { return !state.transport.overrides.isEmpty(); }
+bool isPosed(const EditorState& state) { return !state.open.transport.overrides.isEmpty(); }
 
 bool selectedJointIsPosed(const EditorState& state) {
   const int bone = state.document.selection.bone;
-  return bone >= 0 && state.transport.overrides.turnOf(bone) != kIdentity;
+  return bone >= 0 && state.open.transport.overrides.turnOf(bone) != kIdentity;
 }
 
 void resetJoint(EditorState& state) {
-  if (state.document.selection.bone >= 0) state.transport.overrides.set(state.document.selection.bone, kIdentity);
+  if (state.document.selection.bone < 0) return;
+  state.open.transport.overrides.set(state.document.selection.bone, kIdentity);
+  keepPose(state, "Reset joint");
 }
 
-void resetPose(EditorState& state) { state.transport.overrides.turns.clear(); }
+void resetPose(EditorState& state) {
+  state.open.transport.overrides.turns.clear();
+  keepPose(state, "Reset pose");
+}
 
 void mirrorPose(EditorState& state) {
   if (!state.hasCharacter()) return;
   const Skeleton& skeleton = state.character().skeleton;
   const MirrorPlan mirror = state.document.mirror ? *state.document.mirror : makeMirrorPlan(state.character());
   if (!mirror.usable()) {
-    addMessage(state, MessageKind::kNote, "The pose was not mirrored: no joint of this character has a counterpart");
+    addMessage(state.session, MessageKind::kNote,
+               "The pose was not mirrored: no joint of this character has a counterpart");
     return;
   }
-  PoseOverrides& overrides = state.transport.overrides;
+  PoseOverrides& overrides = state.open.transport.overrides;
   const int bone = state.document.selection.bone;
   const int side = bone >= 0 ? sideOf(mirror, skeleton, bone) : 0;
   overrides = side != 0 ? sideOnBoth(overrides, mirror, skeleton, side)
                         : mirroredPose(overrides, skeleton, mirror.twinOf, glm::vec3(mirror.plane.normal));
+  keepPose(state, "Mirror pose");
 }
 
 void copyPose(EditorState& state) {
-  state.copiedPose.clear();
-  for (const JointTurn& turn : state.transport.overrides.turns) {
-    state.copiedPose.emplace_back(state.character().skeleton.fileName(turn.bone), turn.turn);
+  state.view.copiedPose.clear();
+  for (const JointTurn& turn : state.open.transport.overrides.turns) {
+    state.view.copiedPose.emplace_back(state.character().skeleton.fileName(turn.bone), turn.turn);
   }
 }
 
 void pastePose(EditorState& state) {
-  PoseOverrides& overrides = state.transport.overrides;
+  PoseOverrides& overrides = state.open.transport.overrides;
   overrides.turns.clear();
   int missing = 0;
-  for (const auto& [name, turn] : state.copiedPose) {
+  for (const auto& [name, turn] : state.view.copiedPose) {
     if (const auto bone = state.character().skeleton.findBone(name)) overrides.set(*bone, turn);
     else ++missing;
   }
+  keepPose(state, "Paste pose");
   if (missing > 0) {
-    addMessage(state, MessageKind::kNote,
+    addMessage(state.session, MessageKind::kNote,
                std::to_string(missing) + (missing == 1 ? " joint" : " joints") +
                    " of the copied pose are not in this character");
   }
@@ -88,12 +97,13 @@ void pastePose(EditorState& state) {
 
 void toggleHoldPose(EditorState& state) {
   if (!state.hasCharacter()) return;
-  Transport& transport = state.transport;
+  Transport& transport = state.open.transport;
   const TurnsFrom other = transport.overrides.from == TurnsFrom::kMoment ? TurnsFrom::kBindPose : TurnsFrom::kMoment;
   Transport plain = transport;
   plain.overrides = {};
   transport.overrides =
       startingFrom(other, state.character().skeleton, poseAt(plain, state.character()), transport.overrides);
+  keepPose(state, other == TurnsFrom::kBindPose ? "Turned joints stand still" : "Turned joints move");
 }
 
 void selectParentJoint(EditorState& state) {
@@ -118,22 +128,22 @@ void playRangeOfMotion(EditorState& state) {
   if (!state.hasCharacter()) return;
   std::shared_ptr<const Character> extended = withRangeOfMotion(state.document.character);
   if (extended != state.document.character) {
-    Result<LiveSurface> live = LiveSurface::create(extended, state.document.commands, state.transport);
+    Result<LiveSurface> live = LiveSurface::create(extended, state.document.commands, state.open.transport);
     if (!live) {
-      addMessage(state, MessageKind::kError, live.error().text());
+      addMessage(state.session, MessageKind::kError, live.error().text());
       return;
     }
     state.document.character = std::move(extended);
     state.live = std::move(live).value();
-    ++state.documentsOpened;
+    ++state.session.documentsOpened;
   }
   const int clip = findClip(state.character(), kRangeOfMotionName);
   if (clip < 0) {
-    addMessage(state, MessageKind::kNote, "No range of motion: this character has no joint to turn");
+    addMessage(state.session, MessageKind::kNote, "No range of motion: this character has no joint to turn");
     return;
   }
-  chooseClip(state.transport, clip, state.character());
-  state.transport.playing = clipDuration(state.transport, state.character()) > 0.0;
+  chooseClip(state.open.transport, clip, state.character());
+  state.open.transport.playing = clipDuration(state.open.transport, state.character()) > 0.0;
 }
 
 }  // namespace sinew::app

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/editor/commands.h"
+#include "app/editor/edit.h"
 #include "app/platform/data_files.h"
 
 namespace sinew::app {
@@ -51,10 +52,10 @@ std::size_t rankOf(const std::string& stem) {
 
 /// Removes it from the list; what it was.
 LeftBehind takeLeftBehind(EditorState& state, const fs::path& file) {
-  const auto found = std::ranges::find(state.leftBehind, file, &LeftBehind::file);
-  if (found == state.leftBehind.end()) return {};
+  const auto found = std::ranges::find(state.session.leftBehind, file, &LeftBehind::file);
+  if (found == state.session.leftBehind.end()) return {};
   LeftBehind left = std::move(*found);
-  state.leftBehind.erase(found);
+  state.session.leftBehind.erase(found);
   return left;
 }
 
@@ -100,7 +101,7 @@ bool isSample(const fs::path& file) {
 
 void rememberDocument(EditorState& state) {
   const fs::path& file = state.document.rigFile.empty() ? state.document.characterFile : state.document.rigFile;
-  if (!file.empty() && !isSample(file)) rememberFile(state.preferences.recentFiles, file);
+  if (!file.empty() && !isSample(file)) rememberFile(state.session.preferences.recentFiles, file);
 }
 
 void recover(EditorState& state, const fs::path& recoveryFile) {
@@ -108,11 +109,11 @@ void recover(EditorState& state, const fs::path& recoveryFile) {
   if (left.file.empty()) return;
   Result<Document> recovered = recoverDocument(left);
   if (!recovered) {
-    addMessage(state, MessageKind::kError,
+    addMessage(state.session, MessageKind::kError,
                "not recovered: " + recovered.error().text() + "; it is kept as " + left.file.string());
     return;
   }
-  if (showDocument(state, std::move(recovered).value())) state.recovered = std::move(left);
+  if (showDocument(state, std::move(recovered).value())) state.session.recovered = std::move(left);
 }
 
 void discardRecovery(EditorState& state, const fs::path& recoveryFile) {
@@ -120,13 +121,13 @@ void discardRecovery(EditorState& state, const fs::path& recoveryFile) {
   if (!left.file.empty()) discardLeftBehind(left);
 }
 
-void showPalette(EditorState& state) { state.palette = {true, true, "", 0}; }
+void showPalette(EditorState& state) { state.dialogs.palette = {true, true, "", 0}; }
 
 void jumpToMuscle(EditorState& state, PrimitiveId primitive) {
   if (!state.hasCharacter() || findPrimitive(state.document.rig(), primitive) < 0) return;
   state.document.selection.set(primitive);
   state.document.selection.bone = -1;
-  state.outlinerFilter.clear();
+  state.view.outlinerFilter.clear();
   frameSelection(state, true);
 }
 
@@ -134,18 +135,18 @@ void jumpToBone(EditorState& state, int bone) {
   if (!state.hasCharacter() || bone < 0 || bone >= static_cast<int>(state.character().skeleton.bones.size())) return;
   state.document.selection.clear();
   state.document.selection.bone = bone;
-  state.outlinerFilter.clear();
+  state.view.outlinerFilter.clear();
   // As much of the surroundings as a tenth of the character's height.
   const glm::vec3 center(state.live->pose().boneInWorld[static_cast<std::size_t>(bone)][3]);
   Bounds bounds;
   bounds.add(center - glm::vec3(0.1f * state.character().height));
   bounds.add(center + glm::vec3(0.1f * state.character().height));
-  frameBounds(state.tools.camera, bounds, state.viewportPixels, true);
+  frameBounds(state.view.tools.camera, bounds, state.frame.viewportPixels, true);
 }
 
 Preferences currentPreferences(const EditorState& state) {
-  Preferences preferences = state.preferences;
-  preferences.layout = state.layout;
+  Preferences preferences = state.session.preferences;
+  preferences.layout = state.view.layout;
   return preferences;
 }
 

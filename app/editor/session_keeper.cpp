@@ -3,6 +3,7 @@
 #include "app/editor/session_keeper.h"
 
 #include "app/editor/commands.h"
+#include "app/editor/edit.h"
 #include "app/editor/session.h"
 
 namespace sinew::app {
@@ -23,17 +24,17 @@ SessionKeeper::SessionKeeper(std::filesystem::path preferencesFile, std::filesys
 
 void SessionKeeper::start(EditorState& state) {
   const LoadedPreferences loaded = loadPreferences(preferencesFile_);
-  state.preferences = loaded.preferences;
-  state.layout = loaded.preferences.layout;
+  state.session.preferences = loaded.preferences;
+  state.view.layout = loaded.preferences.layout;
   stored_ = seen_ = loaded.preferences;
-  if (!loaded.complaint.empty()) addMessage(state, MessageKind::kWarning, loaded.complaint);
-  state.leftBehind = findLeftBehind(recoveryFolder_);
-  state.recoveryAsked = !state.leftBehind.empty();
+  if (!loaded.complaint.empty()) addMessage(state.session, MessageKind::kWarning, loaded.complaint);
+  state.session.leftBehind = findLeftBehind(recoveryFolder_);
+  state.dialogs.recovery = !state.session.leftBehind.empty();
   Result<RecoveryFile> claimed = RecoveryFile::claim(recoveryFolder_);
   if (claimed) {
     recovery_ = std::move(claimed).value();
   } else {
-    addMessage(state, MessageKind::kWarning, "no autosave: " + claimed.error().text());
+    addMessage(state.session, MessageKind::kWarning, "no autosave: " + claimed.error().text());
   }
 }
 
@@ -44,7 +45,7 @@ void SessionKeeper::tick(EditorState& state, double now, const WindowPlace& wind
 }
 
 std::optional<double> SessionKeeper::secondsLeft(const EditorState& state, double now) const {
-  return clock_.secondsLeft(now, state.preferences.autosaveSeconds);
+  return clock_.secondsLeft(now, state.session.preferences.autosaveSeconds);
 }
 
 void SessionKeeper::finish(EditorState& state, const WindowPlace& window) {
@@ -56,24 +57,25 @@ void SessionKeeper::finish(EditorState& state, const WindowPlace& window) {
 /// Other editors may have opened files as well: what is on the disk counts, with this document in front.
 void SessionKeeper::keepRecent(EditorState& state) {
   const Document& document = state.document;
-  const std::pair now(state.documentsOpened, document.rigFile.empty() ? document.characterFile : document.rigFile);
+  const std::pair now(state.session.documentsOpened,
+                      document.rigFile.empty() ? document.characterFile : document.rigFile);
   if (now == remembered_ || now.second.empty()) return;
   remembered_ = now;
   const LoadedPreferences onDisk = loadPreferences(preferencesFile_);
-  if (state.preferences.recentFiles == stored_.recentFiles && !onDisk.preferences.recentFiles.empty()) {
-    state.preferences.recentFiles = onDisk.preferences.recentFiles;
+  if (state.session.preferences.recentFiles == stored_.recentFiles && !onDisk.preferences.recentFiles.empty()) {
+    state.session.preferences.recentFiles = onDisk.preferences.recentFiles;
   }
   rememberDocument(state);
 }
 
 void SessionKeeper::keepWork(EditorState& state, double now) {
   if (!recovery_) return;
-  if (state.recovered && writeWork(state)) {
-    discardLeftBehind(*state.recovered);
-    state.recovered.reset();
+  if (state.session.recovered && writeWork(state)) {
+    discardLeftBehind(*state.session.recovered);
+    state.session.recovered.reset();
   }
-  switch (clock_.look(now, state.preferences.autosaveSeconds, state.document.commands, state.documentsOpened,
-                      state.transport.clip)) {
+  switch (clock_.look(now, state.session.preferences.autosaveSeconds, state.document.commands,
+                      state.session.documentsOpened, state.open.transport.clip)) {
     case AutosaveClock::Deed::kNothing:
       break;
     case AutosaveClock::Deed::kWrite:
@@ -88,7 +90,7 @@ void SessionKeeper::keepWork(EditorState& state, double now) {
 bool SessionKeeper::writeWork(EditorState& state) {
   const Result<void> written = recovery_->write(state.document);
   if (written) clock_.wrote(state.document.commands.revision());
-  else addMessage(state, MessageKind::kWarning, "autosave failed: " + written.error().text());
+  else addMessage(state.session, MessageKind::kWarning, "autosave failed: " + written.error().text());
   return written.ok();
 }
 
@@ -107,7 +109,7 @@ void SessionKeeper::keepPreferences(EditorState& state, double now, const Window
 void SessionKeeper::writePreferences(EditorState& state, const Preferences& preferences) {
   stored_ = preferences;
   if (const Result<void> saved = savePreferences(preferences, preferencesFile_); !saved) {
-    addMessage(state, MessageKind::kWarning, "preferences not saved: " + saved.error().text());
+    addMessage(state.session, MessageKind::kWarning, "preferences not saved: " + saved.error().text());
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "app/document/clipboard.h"
 #include "app/editor/commands.h"
+#include "app/editor/edit.h"
 #include "core/rig/rig_edit.h"
 #include "core/symmetry/twins.h"
 
@@ -20,16 +21,6 @@ const Primitive& at(const Rig& rig, int index) { return rig.primitives[static_ca
 
 std::string countText(std::size_t count, const std::string& one) {
   return count == 1 ? one : std::to_string(count) + " muscles";
-}
-
-/// One undo step, or a message that says why not.
-bool apply(EditorState& state, const std::string& label, Result<Rig> rig) {
-  if (!rig) {
-    addMessage(state, MessageKind::kError, rig.error().text());
-    return false;
-  }
-  state.document.commands.apply(label, std::move(rig).value());
-  return true;
 }
 
 /// All muscles that may be picked, in rig order.
@@ -72,26 +63,26 @@ void mirrorSelection(EditorState& state) {
     if (twins.contains(index)) continue;  // Both of a pair are selected: the first leads.
     Result<Rig> mirrored = mirrorToOtherSide(rig, index, *state.document.mirror);
     if (!mirrored) {
-      addMessage(state, MessageKind::kError, mirrored.error().text());
+      refuse(state, mirrored.error());
       continue;
     }
     rig = std::move(mirrored).value();
     twins.insert(twinOf(rig, index));
     ++done;
   }
-  if (done > 0) apply(state, "Mirror " + countText(done, state.document.activeName()), std::move(rig));
+  if (done > 0) edit(state, "Mirror " + countText(done, state.document.activeName()), std::move(rig));
 }
 
 void flipSelection(EditorState& state) {
   const std::vector<int> selected = selectedIndices(state.document);
-  apply(state, "Flip " + countText(selected.size(), state.document.activeName()),
-        flipPrimitives(state.document.rig(), selected, *state.document.mirror));
+  edit(state, "Flip " + countText(selected.size(), state.document.activeName()),
+       flipPrimitives(state.document.rig(), selected, *state.document.mirror));
 }
 
 void unlinkSelection(EditorState& state) {
   Rig rig = state.document.rig();
   for (const int index : selectedIndices(state.document)) rig = clearMirror(rig, index);
-  apply(state, "Unlink twin", std::move(rig));
+  edit(state, "Unlink twin", std::move(rig));
 }
 
 void linkSelection(EditorState& state) {
@@ -99,8 +90,8 @@ void linkSelection(EditorState& state) {
   const int leader = state.document.activePrimitive();
   for (const int index : selectedIndices(state.document)) {
     if (index == leader) continue;
-    apply(state, "Link " + at(rig, leader).name + " and " + at(rig, index).name,
-          linkTwins(rig, leader, index, *state.document.mirror));
+    edit(state, "Link " + at(rig, leader).name + " and " + at(rig, index).name,
+         linkTwins(rig, leader, index, *state.document.mirror));
     return;
   }
 }
@@ -160,7 +151,7 @@ void cutSelection(EditorState& state) {
   if (indices.empty()) return;
   const std::string what = countText(indices.size(), state.document.activeName());
   copySelection(state);
-  apply(state, "Cut " + what, removePrimitives(state.document.rig(), indices));
+  edit(state, "Cut " + what, removePrimitives(state.document.rig(), indices));
 }
 
 void pasteMuscles(EditorState& state, bool mirrored) {
@@ -168,13 +159,13 @@ void pasteMuscles(EditorState& state, bool mirrored) {
   const MirrorPlan* const plan = mirrored ? state.document.mirror.get() : nullptr;
   Result<Pasted> pasted = pastedMuscles(state.document.rig(), text ? text : "", state.character().skeleton, plan);
   if (!pasted) {
-    addMessage(state, MessageKind::kError, pasted.error().text());
+    refuse(state, pasted.error());
     return;
   }
-  for (const std::string& reason : pasted->leftOut) addMessage(state, MessageKind::kWarning, reason);
+  for (const std::string& reason : pasted->leftOut) addMessage(state.session, MessageKind::kWarning, reason);
   const std::vector<std::string> names = pasted->names;
-  apply(state, std::string(mirrored ? "Paste mirrored " : "Paste ") + countText(names.size(), names.front()),
-        std::move(pasted).value().rig);
+  edit(state, std::string(mirrored ? "Paste mirrored " : "Paste ") + countText(names.size(), names.front()),
+       std::move(pasted).value().rig);
   state.document.selection.primitives.clear();
   for (const std::string& name : names) {
     state.document.selection.primitives.push_back(state.document.idAt(findPrimitive(state.document.rig(), name)));

@@ -2,6 +2,8 @@
 
 #include "app/editor/territory.h"
 
+#include "app/editor/edit.h"
+
 #include "app/tools/territory_tool.h"
 #include "core/rig/attachment.h"
 #include "core/rig/rig_edit_several.h"
@@ -11,7 +13,7 @@ namespace {
 
 /// Rig index of the mode's muscle, or -1.
 int subject(const EditorState& state) {
-  return state.hasCharacter() && state.tools.territoryMode ? territorySubject(state.document) : -1;
+  return state.hasCharacter() && state.view.tools.territoryMode ? territorySubject(state.document) : -1;
 }
 
 int boneOf(const EditorState& state, int index) {
@@ -24,10 +26,10 @@ int boneOf(const EditorState& state, int index) {
 bool editsTerritory(const EditorState& state) { return subject(state) >= 0; }
 
 void toggleTerritoryMode(EditorState& state) {
-  state.tools.territoryMode = !editsTerritory(state) && territorySubject(state.document) >= 0;
+  state.view.tools.territoryMode = !editsTerritory(state) && territorySubject(state.document) >= 0;
 }
 
-void endTerritoryMode(EditorState& state) { state.tools.territoryMode = false; }
+void endTerritoryMode(EditorState& state) { state.view.tools.territoryMode = false; }
 
 Result<Rig> withDefaultTerritory(const Rig& rig, const std::vector<int>& indices) {
   return editPrimitives(rig, indices, [](Primitive& primitive) { primitive.territory.reset(); });
@@ -35,7 +37,8 @@ Result<Rig> withDefaultTerritory(const Rig& rig, const std::vector<int>& indices
 
 void toggleTerritoryBone(EditorState& state, int bone) {
   const Result<void> done = toggleTerritoryBone(state.document, bone);
-  state.fieldError = done ? "" : done.error().reason;
+  if (done) state.open.refusal.clear();
+  else refuse(state, done.error());
 }
 
 std::vector<int> shownTerritory(const EditorState& state) {

@@ -56,10 +56,10 @@ bool anythingHidden(const EditorState& state) {
   return !visibility.hidden.empty() || !visibility.solo.empty() || visibility.isolated.has_value();
 }
 
-void latchBare(EditorState& state) { state.panels.bare.latched = !state.panels.bare.latched; }
+void latchBare(EditorState& state) { state.view.bare.latched = !state.view.bare.latched; }
 
 void holdBare(EditorState& state, bool keyDown, bool buttonDown) {
-  BareState& bare = state.panels.bare;
+  BareState& bare = state.view.bare;
   if (bare.byKey && !keyDown) bare.latched = false;
   bare.byKey = keyDown;
   state.document.visibility.bare = bare.latched || buttonDown;

@@ -30,12 +30,12 @@ void drawHistory(PanelUi& ui) {
   }
   if (wanted != position) {
     jumpTo(ui.state, wanted);
-  } else if (ui.state.historyShown != position) {
+  } else if (ui.state.open.historyShown != position) {
     // A new step should be seen without scrolling for it.
     const float row = ImGui::GetTextLineHeightWithSpacing();
     ImGui::SetScrollY(row * static_cast<float>(position) - 0.5f * ImGui::GetWindowHeight());
   }
-  ui.state.historyShown = position;
+  ui.state.open.historyShown = position;
   ImGui::PopStyleVar();
   ImGui::EndChild();
 }

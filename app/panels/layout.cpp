@@ -44,7 +44,7 @@ struct Regions {
 /// Keeps the sizes within what the window has room for. What is put away keeps its size for when it comes back.
 void fitSizes(PanelUi& ui, float menuHeight) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  LayoutState& layout = ui.state.layout;
+  LayoutState& layout = ui.state.view.layout;
   const float room = display.x / ui.scale - kViewportNarrowest - 2.0f * kGap;
   const float right = layout.rightShown ? kNarrowest : 0.0f;
   layout.left = std::clamp(layout.left, kNarrowest, std::max(kNarrowest, room - right));
@@ -57,7 +57,7 @@ void fitSizes(PanelUi& ui, float menuHeight) {
 Regions divide(PanelUi& ui, float menuHeight) {
   fitSizes(ui, menuHeight);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const LayoutState& layout = ui.state.layout;
+  const LayoutState& layout = ui.state.view.layout;
   const float gap = ui.px(kGap);
   const float left = layout.leftShown ? ui.px(layout.left) : 0.0f;
   const float right = layout.rightShown ? ui.px(layout.right) : 0.0f;
@@ -114,7 +114,7 @@ void drawTitled(PanelUi& ui, Region region) {
 }
 
 void drawLeft(PanelUi& ui, const Box& box) {
-  LayoutState& layout = ui.state.layout;
+  LayoutState& layout = ui.state.view.layout;
   const float highest = std::max(kHistoryLowest, box.height / ui.scale - 160.0f);
   layout.history = std::clamp(layout.history, kHistoryLowest, highest);
   const float gap = ui.px(kGap);
@@ -133,7 +133,7 @@ void drawLeft(PanelUi& ui, const Box& box) {
 
 /// A title that folds its panel away; which ones are is remembered. @return whether it is unfolded.
 bool foldingTitle(PanelUi& ui, const Panel& panel) {
-  std::vector<std::string>& folded = ui.state.layout.folded;
+  std::vector<std::string>& folded = ui.state.view.layout.folded;
   const bool wasOpen = std::ranges::find(folded, panel.id) == folded.end();
   ImGui::SetNextItemOpen(wasOpen);
   ImGui::PushStyleColor(ImGuiCol_Header, palette::kRaised);
@@ -165,12 +165,12 @@ void drawStatus(PanelUi& ui, const Box& box) {
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::kBackground);
   beginRegion("region-status", box, ImGuiWindowFlags_NoScrollbar);
   const EditorState& state = ui.state;
-  if (!state.fieldError.empty()) {
+  if (!state.open.refusal.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
-    ImGui::TextUnformatted(state.fieldError.c_str());
+    ImGui::TextUnformatted(state.open.refusal.c_str());
     ImGui::PopStyleColor();
   } else {
-    mutedText(state.hasCharacter() ? state.route.status.c_str() : "Drop a .glb, .gltf or .rig.json here");
+    mutedText(state.hasCharacter() ? state.frame.route.status.c_str() : "Drop a .glb, .gltf or .rig.json here");
   }
   ui.widgets.note("status/line");
   ImGui::SameLine();
@@ -215,7 +215,7 @@ bool drawViewport(PanelUi& ui, const Box& box) {
 
 void drawSplitters(PanelUi& ui, const LayoutState& shown, const Box& v) {
   const float gap = ui.px(kGap);
-  LayoutState& layout = ui.state.layout;
+  LayoutState& layout = ui.state.view.layout;
   if (shown.leftShown) splitter(ui, "layout/left", {v.x - gap, v.y, gap, v.height}, true, 1.0f, layout.left);
   if (shown.rightShown) splitter(ui, "layout/right", {v.x + v.width, v.y, gap, v.height}, true, -1.0f, layout.right);
   const float width = ImGui::GetIO().DisplaySize.x;
@@ -229,12 +229,12 @@ bool drawLayout(PanelUi& ui) {
   const float menuHeight = drawMenuBar(ui);
   const Regions regions = divide(ui, menuHeight);
   const Box& v = regions.viewport;
-  ui.state.viewport = {v.x, v.y, v.width, v.height};
+  ui.state.frame.viewport = {v.x, v.y, v.width, v.height};
   const ImVec2 pixelsPerUnit = ImGui::GetIO().DisplayFramebufferScale;
-  ui.state.viewportPixels = {std::max(1, static_cast<int>(v.width * pixelsPerUnit.x)),
-                             std::max(1, static_cast<int>(v.height * pixelsPerUnit.y))};
+  ui.state.frame.viewportPixels = {std::max(1, static_cast<int>(v.width * pixelsPerUnit.x)),
+                                   std::max(1, static_cast<int>(v.height * pixelsPerUnit.y))};
   // What a panel puts away, it puts away with the next frame.
-  const LayoutState shown = ui.state.layout;
+  const LayoutState shown = ui.state.view.layout;
   if (shown.leftShown) drawLeft(ui, regions.left);
   if (shown.rightShown) drawRight(ui, regions.right);
   const bool free = drawViewport(ui, v);

@@ -13,7 +13,7 @@ constexpr double kTabHoldSeconds = 0.35;  ///< A muscle dragged onto a tab for s
 
 /// A word as a tab; a muscle that is dragged over it opens it.
 void drawTab(PanelUi& ui, const char* word, const char* id, LeftTab tab) {
-  OutlinerState& outliner = ui.state.panels.outliner;
+  OutlinerState& outliner = ui.state.view.outliner;
   const bool active = outliner.tab == tab;
   ImGui::PushFont(ui.fonts.strong);
   const ImVec2 text = ImGui::CalcTextSize(word);
@@ -40,12 +40,12 @@ void drawTab(PanelUi& ui, const char* word, const char* id, LeftTab tab) {
 }  // namespace
 
 void drawLeftTabs(PanelUi& ui) {
-  ui.state.panels.highlighted.clear();
-  if (ui.state.rename.appearing) ui.state.panels.outliner.tab = LeftTab::kMuscles;
+  ui.state.frame.highlighted.clear();
+  if (ui.state.open.rename.appearing) ui.state.view.outliner.tab = LeftTab::kMuscles;
   drawTab(ui, "Muscles", "outliner/tab", LeftTab::kMuscles);
   ImGui::SameLine(0.0f, ui.px(16));
   drawTab(ui, "Groups", "blending/tab", LeftTab::kGroups);
-  if (ui.state.panels.outliner.tab == LeftTab::kMuscles) {
+  if (ui.state.view.outliner.tab == LeftTab::kMuscles) {
     drawOutliner(ui);
   } else {
     drawBlending(ui);

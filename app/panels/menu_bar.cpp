@@ -22,7 +22,7 @@ bool beginFiles(PanelUi& ui, const std::string& id, const char* title, bool any)
 
 void drawRecent(PanelUi& ui) {
   // A copy: opening a file moves it to the front.
-  const std::vector<std::filesystem::path> recent = ui.state.preferences.recentFiles;
+  const std::vector<std::filesystem::path> recent = ui.state.session.preferences.recentFiles;
   if (!beginFiles(ui, "file/recent", "Open recent", !recent.empty())) return;
   for (std::size_t i = 0; i < recent.size(); ++i) {
     std::error_code failed;
@@ -35,7 +35,7 @@ void drawRecent(PanelUi& ui) {
     if (chosen) request(ui.state, {IntentKind::kOpenFile, recent[i]});
   }
   ImGui::Separator();
-  if (ImGui::MenuItem("Forget these")) ui.state.preferences.recentFiles.clear();
+  if (ImGui::MenuItem("Forget these")) ui.state.session.preferences.recentFiles.clear();
   ui.widgets.note("file/recent/clear");
   ImGui::EndMenu();
 }

@@ -25,7 +25,7 @@ struct Panel {
 void drawLeftTabs(PanelUi& ui);
 void drawHistory(PanelUi& ui);
 
-/// Menu bar, regions, splitters, status line, dialogs: the whole window. Fills state.viewport and viewportPixels.
+/// Menu bar, regions, splitters, status line, dialogs: the whole window. Fills state.frame.viewport and viewportPixels.
 /// @return whether the mouse is over the picture and nothing lies in front of it.
 bool drawLayout(PanelUi& ui);
 /// Height in window coordinates.

@@ -11,7 +11,7 @@ namespace {
 bool pressOnSkin(ToolFrame& frame) {
   if (!frame.tools.hover.skin) return false;
   const Result<void> begun = beginAddMuscle(frame.tools.addMuscle, frame.context, frame.tools.hover, frame.input.mouse);
-  if (!begun) frame.result.refusal = begun.error().text();
+  if (!begun) frame.result.refusal = begun.error();
   return begun.ok();
 }
 

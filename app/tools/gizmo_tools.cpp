@@ -77,7 +77,7 @@ bool continueMuscleDrag(ToolFrame& frame, const ViewportInput& input) {
   }
   Result<Rig> rig = dragged(frame.document(), frame.context.pose, target->primitive, drag, frame.tools.companions);
   if (rig) commands.updateGesture(std::move(rig).value());
-  else frame.result.refusal = rig.error().text();
+  else frame.result.refusal = rig.error();
   if (drag.outcome == DragOutcome::kDragging) return true;
   commands.endGesture();
   return false;

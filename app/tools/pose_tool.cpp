@@ -22,7 +22,13 @@ bool beginRing(ToolFrame& frame, const GizmoTarget&) {
 }
 
 bool continueRing(ToolFrame& frame, const ViewportInput& input) {
-  return continueTurn(frame.tools.pose, frame.tools.gizmo, input, frame.context, frame.view);
+  const int joint = frame.tools.pose.bone;
+  if (continueTurn(frame.tools.pose, frame.tools.gizmo, input, frame.context, frame.view)) return true;
+  if (joint >= 0 && frame.context.overrides) {
+    const std::string& name = frame.document().character->skeleton.bones[static_cast<std::size_t>(joint)].name;
+    frame.document().commands.applyPose("Turn " + name, *frame.context.overrides);
+  }
+  return false;
 }
 
 void chooseJoint(ToolFrame& frame) { pickJoint(frame.document(), frame.tools.hover); }

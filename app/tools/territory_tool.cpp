@@ -32,7 +32,7 @@ ViewportHover hoverBone(const ViewportContext& context, const View& view, const 
 void clickBone(ToolFrame& frame) {
   if (frame.tools.hover.bone < 0) return;
   const Result<void> done = toggleTerritoryBone(frame.document(), frame.tools.hover.bone);
-  if (!done) frame.result.refusal = done.error().reason;
+  if (!done) frame.result.refusal = done.error();
 }
 
 std::string describeTerritory(const ToolFrame& frame) {

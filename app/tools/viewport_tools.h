@@ -48,12 +48,12 @@ struct ViewportTools {
 };
 
 struct RouteResult {
-  View view;                  ///< After the input: what to draw with.
-  GizmoLayout gizmo;          ///< In that view: for drawGizmo and --log-state. Not visible: nothing to draw.
-  GizmoContext gizmoContext;  ///< For drawGizmo, if visible.
-  std::string status;         ///< What the tool does next: the status line.
-  std::string refusal;        ///< Why an edit was refused; "" if none was.
-  bool needsFrame = false;    ///< Something moves or is being dragged: draw again soon.
+  View view;                     ///< After the input: what to draw with.
+  GizmoLayout gizmo;             ///< In that view: for drawGizmo and --log-state. Not visible: nothing to draw.
+  GizmoContext gizmoContext;     ///< For drawGizmo, if visible.
+  std::string status;            ///< What the tool does next: the status line.
+  std::optional<Error> refusal;  ///< Why an edit was refused.
+  bool needsFrame = false;       ///< Something moves or is being dragged: draw again soon.
 };
 
 }  // namespace sinew::app

@@ -8,6 +8,7 @@
 
 #include "app/actions/actions.h"
 #include "app/editor/commands.h"
+#include "app/editor/edit.h"
 #include "app/editor/viewport_input.h"
 #include "app/editor/visibility_commands.h"
 #include "app/panels/panels.h"
@@ -26,8 +27,8 @@ bool isTyping() { return ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive(
 void movePose(EditorState& state, const RawInput& input, double seconds) {
   if (!state.hasCharacter()) return;
   const bool leftPressed = input.pressedButton == static_cast<int>(MouseButton::kLeft);
-  if (!holdsPose(state.tools, leftPressed)) advance(state.transport, seconds, state.character());
-  state.live->movePose(state.transport);
+  if (!holdsPose(state.view.tools, leftPressed)) advance(state.open.transport, seconds, state.character());
+  state.live->movePose(state.open.transport);
 }
 
 }  // namespace
@@ -41,13 +42,13 @@ void EditorStep::run(EditorState& state, const RawInput& input, const Fonts& fon
   runTools(state, input, viewportFree, seconds);
   interface += secondsNow() - toolsStart;
   updateSurface(state);
-  state.stats.ui = interface;
+  state.session.stats.ui = interface;
 }
 
 /// Keys and panels. @return whether the mouse is over the picture and nothing lies in front of it.
 bool EditorStep::runInterface(EditorState& state, const RawInput& input, const Fonts& fonts) {
   const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  if (!popup && !isTyping() && !ownsKeyboard(state.tools)) runShortcut(state, input);
+  if (!popup && !isTyping() && !ownsKeyboard(state.view.tools)) runShortcut(state, input);
   widgets_.beginFrame();
   PanelUi ui(state, widgets_, fonts);
   const bool viewportFree = drawLayout(ui);
@@ -58,36 +59,35 @@ bool EditorStep::runInterface(EditorState& state, const RawInput& input, const F
 void EditorStep::runTools(EditorState& state, const RawInput& input, bool viewportFree, double seconds) {
   cameraMoves_ = false;
   if (!state.hasCharacter()) return;
-  if (state.frameWanted) {
-    frameBounds(state.tools.camera, boundsOf(state.live->surface().positions), state.viewportPixels, false);
-    state.frameWanted = false;
+  if (state.open.frameWanted) {
+    frameBounds(state.view.tools.camera, boundsOf(state.live->surface().positions), state.frame.viewportPixels, false);
+    state.open.frameWanted = false;
   }
   const ImGuiIO& io = ImGui::GetIO();
   const InterfaceClaims claims{viewportFree, isTyping(), ImGui::IsMouseDoubleClicked(0)};
   const glm::vec2 pixelsPerUnit{io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y};
-  const ViewportInput own = viewportInput(input, claims, state.viewport, pixelsPerUnit, seconds);
+  const ViewportInput own = viewportInput(input, claims, state.frame.viewport, pixelsPerUnit, seconds);
   const ViewportContext context{state.document,
                                 state.live->pose(),
                                 &state.live->surface(),
-                                state.display,
-                                state.viewportPixels,
-                                state.uiScale * pixelsPerUnit.x,
-                                &state.transport.overrides};
-  state.route = routeInput(state.tools, own, context);
-  cameraMoves_ = isMoving(state.tools.camera);
-  if (!state.route.refusal.empty()) addMessage(state, MessageKind::kError, state.route.refusal);
+                                state.view.display,
+                                state.frame.viewportPixels,
+                                state.frame.uiScale * pixelsPerUnit.x,
+                                &state.open.transport.overrides};
+  state.frame.route = routeInput(state.view.tools, own, context);
+  cameraMoves_ = isMoving(state.view.tools.camera);
+  if (state.frame.route.refusal) refuse(state, *state.frame.route.refusal);
 }
 
 void EditorStep::updateSurface(EditorState& state) {
   if (!state.hasCharacter()) return;
-  state.live->movePose(state.transport);  // The pose tool may have turned a joint.
+  state.live->movePose(state.open.transport);  // The pose tool may have turned a joint.
   followEdits(state);
-  followPose(state);
   const Result<bool> updated = state.live->update(state.document.commands, surfaceView(state));
-  if (!updated) addMessage(state, MessageKind::kError, updated.error().text());
-  state.stats.stages = state.live->surface().report.seconds;
-  const std::pair prepared(state.documentsOpened, state.document.commands.revision());
-  state.stats.prepare = std::exchange(prepared_, prepared) == prepared ? 0.0 : state.live->prepareSeconds();
+  if (!updated) addMessage(state.session, MessageKind::kError, updated.error().text());
+  state.session.stats.stages = state.live->surface().report.seconds;
+  const std::pair prepared(state.session.documentsOpened, state.document.commands.revision());
+  state.session.stats.prepare = std::exchange(prepared_, prepared) == prepared ? 0.0 : state.live->prepareSeconds();
 }
 
 }  // namespace sinew::app

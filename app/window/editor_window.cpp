@@ -52,7 +52,7 @@ void chooseWalk(EditorState& state) {
   const auto& clips = state.character().clips;
   for (std::size_t i = 0; i < clips.size(); ++i) {
     if (clips[i].name == "Walk" || clips[i].name == "walk") {
-      chooseClip(state.transport, static_cast<int>(i), state.character());
+      chooseClip(state.open.transport, static_cast<int>(i), state.character());
       return;
     }
   }
@@ -74,7 +74,7 @@ class Editor {
   /// The document the command line named, else a bundled character. Error: it cannot be smoothed.
   Result<void> open(std::optional<Document> document) {
     if (document) {
-      if (!showDocument(state_, std::move(*document))) return Error{"", "", state_.messages.back().text};
+      if (!showDocument(state_, std::move(*document))) return Error{"", "", state_.session.messages.back().text};
     } else if (const std::filesystem::path sample = firstSample(); !sample.empty() && openFile(state_, sample)) {
       chooseWalk(state_);
     }
@@ -82,7 +82,7 @@ class Editor {
   }
 
   void run() {
-    while (!state_.quit) {
+    while (!state_.session.quit) {
       if (waitForWork()) frame();
       if (const double now = secondsNow(); now - lastLook_ >= kLookSeconds) {
         lastLook_ = now;
@@ -97,7 +97,7 @@ class Editor {
   /// What the command line says, else the preferences, else the system.
   static float scaleOf(const Window& window, const EditorState& state, const EditorOptions& options) {
     if (options.scale > 0.0f) return options.scale;
-    return state.preferences.scale > 0.0f ? state.preferences.scale : window.contentScale();
+    return state.session.preferences.scale > 0.0f ? state.session.preferences.scale : window.contentScale();
   }
 
   /// How long to sleep at most while nothing moves.
@@ -109,7 +109,7 @@ class Editor {
 
   /// Takes events, sleeping if nothing moves. @return whether a frame is due.
   bool waitForWork() {
-    const bool moving = (state_.transport.playing && state_.hasCharacter()) || state_.route.needsFrame ||
+    const bool moving = (state_.open.transport.playing && state_.hasCharacter()) || state_.frame.route.needsFrame ||
                         window_.input().pending() || settle_ > 0;
     const double wake = step_.wakeAfter();
     continuous_ = moving;
@@ -131,7 +131,7 @@ class Editor {
     if (window_.takeRefresh()) settle_ = kSettleFrames;
     const bool due = moving || caret || wake > 0.0 || window_.input().pending() || settle_ > 0;
     if (window_.input().pending()) settle_ = kSettleFrames;
-    return due && !state_.quit;
+    return due && !state_.session.quit;
   }
 
   void frame() {
@@ -142,17 +142,17 @@ class Editor {
     lastFrame_ = start;
     if (settle_ > 0) --settle_;
     const RawInput& input = window_.input().next();
-    state_.systemScale = window_.contentScale();
-    state_.uiScale = scaleOf(window_, state_, options_);
-    imgui_.setScale(state_.uiScale);
-    imgui_.beginFrame(input, since, state_.stats.now() * 1e-3);
+    state_.frame.systemScale = window_.contentScale();
+    state_.frame.uiScale = scaleOf(window_, state_, options_);
+    imgui_.setScale(state_.frame.uiScale);
+    imgui_.beginFrame(input, since, state_.session.stats.now() * 1e-3);
     step_.run(state_, input, imgui_.fonts(), delta);
     if (step_.cameraMoves()) settle_ = std::max(settle_, 2);  // What is hovered is seen a frame later.
-    const View& view = state_.route.view;
+    const View& view = state_.frame.route.view;
     picture_.draw(state_, view, *ImGui::GetBackgroundDrawList());
     present();
     const double end = secondsNow();
-    state_.stats.add(end, (continuous_ && delta > 0.0 ? delta : end - start) * 1e3);
+    state_.session.stats.add(end, (continuous_ && delta > 0.0 ? delta : end - start) * 1e3);
     if (log_) log_->write(state_, step_.widgets(), view, frameNumber_, end - startTime_);
     ++frameNumber_;
   }
@@ -211,11 +211,11 @@ int runEditor(const EditorOptions& options) {
   EditorState state;
   SessionKeeper keeper(preferencesFile(), recoveryFolder());
   keeper.start(state);
-  const float grown = options.scale > 0.0f ? options.scale : std::max(state.preferences.scale, 1.0f);
+  const float grown = options.scale > 0.0f ? options.scale : std::max(state.session.preferences.scale, 1.0f);
   const glm::ivec2 size(glm::vec2(kWindowSize) * grown);
-  std::optional<WindowGeometry> place = geometryOf(state.preferences.window);
+  std::optional<WindowGeometry> place = geometryOf(state.session.preferences.window);
   // What a smaller interface left behind has no room for a larger one.
-  const bool larger = options.scale > std::max(state.preferences.scale, 1.0f);
+  const bool larger = options.scale > std::max(state.session.preferences.scale, 1.0f);
   if (place && larger && (place->size.x < size.x || place->size.y < size.y)) place.reset();
   const Result<std::unique_ptr<Window>> window = Window::open(size, kTitle, place);
   if (!window) return refuse(window.error());

@@ -21,19 +21,20 @@ namespace {
 /// All muscles, or the selected ones alone; these are shown whether muscles are switched on or not.
 PictureKey keyOf(const EditorState& state, const View& view) {
   PictureKey key;
-  key.document = state.documentsOpened;
+  key.document = state.session.documentsOpened;
   key.surface = state.live->revision();
   key.view = view;
-  key.display = state.display;
-  key.display.lineScale = state.uiScale * static_cast<float>(state.viewportPixels.x) / std::max(state.viewport.z, 1.0f);
-  key.display.skeleton = key.display.skeleton || state.tools.tool == ToolKind::kPose;
-  key.shapes = shownShapes(state, state.display.primitives);
+  key.display = state.view.display;
+  key.display.lineScale =
+      state.frame.uiScale * static_cast<float>(state.frame.viewportPixels.x) / std::max(state.frame.viewport.z, 1.0f);
+  key.display.skeleton = key.display.skeleton || state.view.tools.tool == ToolKind::kPose;
+  key.shapes = shownShapes(state, state.view.display.primitives);
   key.display.primitives = !key.shapes.empty();
   key.territory = shownTerritoryWeights(state);
   key.territoryBones = shownTerritory(state);
   key.display.skeleton = key.display.skeleton || !key.territoryBones.empty();
   key.selectedBone = state.document.selection.bone;
-  key.hoveredBone = state.tools.hover.bone;
+  key.hoveredBone = state.view.tools.hover.bone;
   return key;
 }
 
@@ -56,39 +57,39 @@ void Picture::render(EditorState& state, PictureKey key) {
     scene.skinnedControlPositions = std::move(skinned.positions);
   }
   viewport_.draw(scene, key.view, key.display);
-  state.stats.upload = viewport_.seconds().upload;
-  state.stats.draw = viewport_.seconds().draw;
+  state.session.stats.upload = viewport_.seconds().upload;
+  state.session.stats.draw = viewport_.seconds().draw;
   drawn_ = std::move(key);
 }
 
 void Picture::draw(EditorState& state, const View& view, ImDrawList& list) {
   if (!state.hasCharacter()) return;
-  if (shownDocument_ != state.documentsOpened) {
+  if (shownDocument_ != state.session.documentsOpened) {
     viewport_.setCharacter(state.character());
-    shownDocument_ = state.documentsOpened;
+    shownDocument_ = state.session.documentsOpened;
   }
   if (PictureKey key = keyOf(state, view); !(key == drawn_)) render(state, std::move(key));
-  const glm::vec4& v = state.viewport;
+  const glm::vec4& v = state.frame.viewport;
   const ImVec2 low{v.x, v.y};
   const ImVec2 high{v.x + v.z, v.y + v.w};
   const auto texture = static_cast<std::uintptr_t>(viewport_.colorTexture());
   list.PushClipRect(low, high);
   list.AddImage(reinterpret_cast<ImTextureID>(texture), low, high, {0.0f, 1.0f}, {1.0f, 0.0f});
-  if (state.route.gizmo.visible) {
-    drawGizmo(list, state.tools.gizmo, state.route.gizmo, state.route.gizmoContext, {v.x, v.y},
-              v.z / static_cast<float>(state.viewportPixels.x));
+  if (state.frame.route.gizmo.visible) {
+    drawGizmo(list, state.view.tools.gizmo, state.frame.route.gizmo, state.frame.route.gizmoContext, {v.x, v.y},
+              v.z / static_cast<float>(state.frame.viewportPixels.x));
   }
-  if (state.tools.box.drag) {
-    drawBox(list, *state.tools.box.drag, {v.x, v.y}, v.z / static_cast<float>(state.viewportPixels.x));
+  if (state.view.tools.box.drag) {
+    drawBox(list, *state.view.tools.box.drag, {v.x, v.y}, v.z / static_cast<float>(state.frame.viewportPixels.x));
   }
-  if (state.tools.tool == ToolKind::kAddMuscle && !state.tools.addMuscle.drag) {
-    drawLanding(list, state.tools.hover, state.character(), state.live->pose(), view, {v.x, v.y},
-                v.z / static_cast<float>(state.viewportPixels.x), state.uiScale);
+  if (state.view.tools.tool == ToolKind::kAddMuscle && !state.view.tools.addMuscle.drag) {
+    drawLanding(list, state.view.tools.hover, state.character(), state.live->pose(), view, {v.x, v.y},
+                v.z / static_cast<float>(state.frame.viewportPixels.x), state.frame.uiScale);
   }
-  const float unitsPerPixel = v.z / static_cast<float>(state.viewportPixels.x);
-  drawTriad(list, state.tools.triad,
-            layoutTriad(state.tools.camera, state.viewportPixels, state.uiScale / unitsPerPixel), {v.x, v.y},
-            unitsPerPixel);
+  const float unitsPerPixel = v.z / static_cast<float>(state.frame.viewportPixels.x);
+  drawTriad(list, state.view.tools.triad,
+            layoutTriad(state.view.tools.camera, state.frame.viewportPixels, state.frame.uiScale / unitsPerPixel),
+            {v.x, v.y}, unitsPerPixel);
   list.PopClipRect();
 }
 

@@ -31,7 +31,7 @@ class Picture {
  public:
   explicit Picture(Viewport& viewport) : viewport_(viewport) {}
 
-  /// Without a character: nothing. Times go to state.stats. The OpenGL context must be current.
+  /// Without a character: nothing. Times go to state.session.stats. The OpenGL context must be current.
   void draw(EditorState& state, const View& view, ImDrawList& list);
 
  private:

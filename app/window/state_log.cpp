@@ -25,8 +25,9 @@ bool inside(const glm::vec2& point, const glm::vec4& box) {
 
 /// Viewport pixels -> window coordinates.
 glm::vec2 inWindow(const EditorState& state, const glm::vec2& pixel) {
-  const glm::vec2 unitsPerPixel = glm::vec2(state.viewport.z, state.viewport.w) / glm::vec2(state.viewportPixels);
-  return glm::vec2(state.viewport.x, state.viewport.y) + pixel * unitsPerPixel;
+  const glm::vec2 unitsPerPixel =
+      glm::vec2(state.frame.viewport.z, state.frame.viewport.w) / glm::vec2(state.frame.viewportPixels);
+  return glm::vec2(state.frame.viewport.x, state.frame.viewport.y) + pixel * unitsPerPixel;
 }
 
 Json documentState(const Document& document) {
@@ -99,22 +100,22 @@ Json symmetryState(const Document& document) {
 }
 
 Json boxState(const EditorState& state) {
-  return Json::object().set("armed", state.tools.box.armed).set("dragging", state.tools.box.drag.has_value());
+  return Json::object().set("armed", state.view.tools.box.armed).set("dragging", state.view.tools.box.drag.has_value());
 }
 
 Json gizmoState(const EditorState& state) {
   Json handles = Json::object();
-  for (const auto& [name, pixel] : state.route.gizmo.namedPixels()) {
+  for (const auto& [name, pixel] : state.frame.route.gizmo.namedPixels()) {
     const glm::vec2 point = inWindow(state, pixel);
-    if (inside(point, state.viewport)) handles.set(name, numbers({point.x, point.y}));
+    if (inside(point, state.frame.viewport)) handles.set(name, numbers({point.x, point.y}));
   }
   return Json::object()
-      .set("visible", state.route.gizmo.visible)
-      .set("mode", nameOf(state.tools.gizmo.mode))
-      .set("axes", nameOf(state.tools.gizmo.axes))
-      .set("pivot", nameOf(state.tools.pivot))
-      .set("hovered", nameOf(state.tools.gizmo.hovered))
-      .set("dragging", state.tools.gizmo.drag.has_value())
+      .set("visible", state.frame.route.gizmo.visible)
+      .set("mode", nameOf(state.view.tools.gizmo.mode))
+      .set("axes", nameOf(state.view.tools.gizmo.axes))
+      .set("pivot", nameOf(state.view.tools.pivot))
+      .set("hovered", nameOf(state.view.tools.gizmo.hovered))
+      .set("dragging", state.view.tools.gizmo.drag.has_value())
       .set("handles", handles);
 }
 
@@ -127,7 +128,8 @@ Json boneState(const EditorState& state, const View& view) {
     const glm::vec3 pixel = view.toPixel(glm::vec3(matrices[i][3]));
     if (pixel.z > 1.0f || pixel.z < -1.0f) continue;
     const glm::vec2 point = inWindow(state, glm::vec2(pixel));
-    if (inside(point, state.viewport)) bones.set(skeleton.fileName(static_cast<int>(i)), numbers({point.x, point.y}));
+    if (inside(point, state.frame.viewport))
+      bones.set(skeleton.fileName(static_cast<int>(i)), numbers({point.x, point.y}));
   }
   return bones;
 }
@@ -146,20 +148,20 @@ Json clipNames(const EditorState& state) {
 }
 
 std::string clipName(const EditorState& state) {
-  if (!state.hasCharacter() || state.transport.clip < 0) return "";
-  return state.character().clips[static_cast<std::size_t>(state.transport.clip)].name;
+  if (!state.hasCharacter() || state.open.transport.clip < 0) return "";
+  return state.character().clips[static_cast<std::size_t>(state.open.transport.clip)].name;
 }
 
 /// Seconds: where playing begins and ends.
 Json playedRange(const EditorState& state) {
   if (!state.hasCharacter()) return numbers({});
-  const PlayRange range = playRange(state.transport, state.character());
+  const PlayRange range = playRange(state.open.transport, state.character());
   return numbers({static_cast<float>(range.from), static_cast<float>(range.to)});
 }
 
 /// Joints turned by hand.
 Json poseState(const EditorState& state) {
-  const PoseOverrides& overrides = state.transport.overrides;
+  const PoseOverrides& overrides = state.open.transport.overrides;
   Json turns = Json::object();
   for (const JointTurn& turn : overrides.turns) {
     const glm::quat& q = turn.turn;
@@ -173,17 +175,18 @@ Json poseState(const EditorState& state) {
 
 Json messageState(const EditorState& state) {
   Json messages = Json::array();
-  for (const Message& message : state.messages) messages.push(message.text);
+  for (const Message& message : state.session.messages) messages.push(message.text);
   return messages;
 }
 
 std::string dialogName(const EditorState& state) {
-  if (state.question.kind != IntentKind::kNone) return "unsaved";
-  if (state.dialog.kind != DialogKind::kNone) return state.dialog.kind == DialogKind::kOpen ? "open" : "save";
-  if (state.recoveryAsked) return "recovery";
-  if (state.preferencesShown) return "preferences";
-  if (state.palette.shown) return "palette";
-  return state.keySheet ? "keys" : "";
+  if (state.dialogs.question.kind != IntentKind::kNone) return "unsaved";
+  if (state.dialogs.file.kind != DialogKind::kNone)
+    return state.dialogs.file.kind == DialogKind::kOpen ? "open" : "save";
+  if (state.dialogs.recovery) return "recovery";
+  if (state.dialogs.preferences) return "preferences";
+  if (state.dialogs.palette.shown) return "palette";
+  return state.dialogs.keySheet ? "keys" : "";
 }
 
 Json display(const DisplaySettings& shown) {
@@ -199,7 +202,7 @@ Json display(const DisplaySettings& shown) {
 }
 
 std::string headText(const EditorState& state, long long frame, double seconds) {
-  const FrameStats& stats = state.stats;
+  const FrameStats& stats = state.session.stats;
   const Json milliseconds = Json::object()
                                 .set("skin", stats.stages.skin * 1e3)
                                 .set("patch", stats.stages.patch * 1e3)
@@ -224,36 +227,36 @@ std::string headText(const EditorState& state, long long frame, double seconds) 
 std::string stateText(const EditorState& state, const WidgetLog& widgets, const View& view) {
   const SmoothingReport report = state.hasCharacter() ? state.live->surface().report : SmoothingReport{};
   const SmoothingSettings& smoothing = state.document.rig().smoothing;
-  const glm::vec4& v = state.viewport;
-  const glm::vec2 mouse = inWindow(state, state.tools.lastPixel);
+  const glm::vec4& v = state.frame.viewport;
+  const glm::vec2 mouse = inWindow(state, state.view.tools.lastPixel);
   return Json::object()
       .set("document", documentState(state.document))
       .set("clip", clipName(state))
       .set("clips", clipNames(state))
-      .set("clip_time", state.transport.time)
-      .set("playing", state.transport.playing)
+      .set("clip_time", state.open.transport.time)
+      .set("playing", state.open.transport.playing)
       .set("range", playedRange(state))
       .set("pose", poseState(state))
       .set("visibility", visibilityState(state))
       .set("groups", groupState(state.document.rig()))
       .set("links", linkState(state.document.rig()))
-      .set("territory", state.tools.territoryMode ? state.document.activeName() : std::string())
+      .set("territory", state.view.tools.territoryMode ? state.document.activeName() : std::string())
       .set("depth", state.hasCharacter() ? state.live->depth() : smoothing.depth)
       .set("mode", nameOf(state.document.rig().surface.mode))
       .set("triangles", report.refinedTriangles)
       .set("culled", report.culledTriangles)
-      .set("tool", nameOf(state.tools.tool))
-      .set("status", state.route.status)
-      .set("display", display(state.display))
+      .set("tool", nameOf(state.view.tools.tool))
+      .set("status", state.frame.route.status)
+      .set("display", display(state.view.display))
       .set("dialog", dialogName(state))
-      .set("keymap", nameOf(state.preferences.keymap))
-      .set("scale", state.uiScale)
+      .set("keymap", nameOf(state.session.preferences.keymap))
+      .set("scale", state.frame.uiScale)
       .set("symmetry", symmetryState(state.document))
       .set("box", boxState(state))
       .set("gizmo", gizmoState(state))
       .set("viewport", numbers({v.x, v.y, v.z, v.w}))
       .set("mouse", numbers({mouse.x, mouse.y}))
-      .set("camera_moving", isMoving(state.tools.camera))
+      .set("camera_moving", isMoving(state.view.tools.camera))
       .set("bones", boneState(state, view))
       .set("widgets", widgetState(widgets))
       .set("messages", messageState(state))

@@ -51,8 +51,8 @@ TEST(Actions, WithoutACharacterNothingThatNeedsOneRuns) {
     EXPECT_EQ(action.enabled(state), needsNone) << id;
     if (!needsNone) run(action, state);
   }
-  EXPECT_FALSE(state.quit);
-  EXPECT_TRUE(state.messages.empty());
+  EXPECT_FALSE(state.session.quit);
+  EXPECT_TRUE(state.session.messages.empty());
 }
 
 TEST(Actions, ShortcutsAreReadWithTheirModifiers) {

@@ -110,9 +110,9 @@ TEST(Keymaps, TheChosenOneDecidesWhatAKeyDoes) {
   RawInput input;
   input.pressedKey = GLFW_KEY_F3;
   EXPECT_FALSE(runShortcut(state, input));
-  state.preferences.keymap = Keymap::kBlender;
+  state.session.preferences.keymap = Keymap::kBlender;
   EXPECT_TRUE(runShortcut(state, input));
-  EXPECT_TRUE(state.palette.shown);
+  EXPECT_TRUE(state.dialogs.palette.shown);
 }
 
 TEST(Keymaps, ModifiersBelongToTheKey) {
@@ -123,7 +123,7 @@ TEST(Keymaps, ModifiersBelongToTheKey) {
   EXPECT_FALSE(runShortcut(state, input));
   input.alt = false;
   EXPECT_TRUE(runShortcut(state, input));
-  EXPECT_TRUE(state.keySheet);
+  EXPECT_TRUE(state.dialogs.keySheet);
 }
 
 TEST(KeyMeaning, LettersAndPunctuationAreWhatIsPrintedOnTheKey) {

@@ -42,32 +42,33 @@ TEST_F(Session, WhatWasSetIsThereAtTheNextStart) {
   SessionKeeper one = keeper();
   one.start(first);
   open(first, "lizard.glb");
-  first.layout.left = 333.0f;
-  first.preferences.keymap = Keymap::kBlender;
+  first.view.layout.left = 333.0f;
+  first.session.preferences.keymap = Keymap::kBlender;
   one.tick(first, 0.0, kPlace);
   EXPECT_EQ(onDisk(), Preferences{}) << "written before it rests";
   one.tick(first, 2.0, kPlace);
   EXPECT_EQ(onDisk().layout.left, 333.0f);
-  first.layout.right = 222.0f;
+  first.view.layout.right = 222.0f;
   one.finish(first, kPlace);
   EditorState second;
   keeper().start(second);
-  EXPECT_EQ(second.layout.left, 333.0f);
-  EXPECT_EQ(second.layout.right, 222.0f) << "set right before the end";
-  EXPECT_EQ(second.preferences.keymap, Keymap::kBlender);
-  EXPECT_EQ(second.preferences.window, kPlace);
-  EXPECT_EQ(second.preferences.recentFiles, std::vector<fs::path>{folder / "lizard.glb"});
-  EXPECT_FALSE(second.recoveryAsked);
-  EXPECT_TRUE(second.messages.empty());
+  EXPECT_EQ(second.view.layout.left, 333.0f);
+  EXPECT_EQ(second.view.layout.right, 222.0f) << "set right before the end";
+  EXPECT_EQ(second.session.preferences.keymap, Keymap::kBlender);
+  EXPECT_EQ(second.session.preferences.window, kPlace);
+  EXPECT_EQ(second.session.preferences.recentFiles, std::vector<fs::path>{folder / "lizard.glb"});
+  EXPECT_FALSE(second.dialogs.recovery);
+  EXPECT_TRUE(second.session.messages.empty());
 }
 
 TEST_F(Session, DamagedPreferencesAreAMessageAndDefaults) {
   std::ofstream(folder / "preferences.json") << "{ broken";
   EditorState state;
   keeper().start(state);
-  ASSERT_EQ(state.messages.size(), 1u);
-  EXPECT_NE(state.messages[0].text.find("preferences.json.bad"), std::string::npos) << state.messages[0].text;
-  EXPECT_EQ(state.layout, LayoutState{});
+  ASSERT_EQ(state.session.messages.size(), 1u);
+  EXPECT_NE(state.session.messages[0].text.find("preferences.json.bad"), std::string::npos)
+      << state.session.messages[0].text;
+  EXPECT_EQ(state.view.layout, LayoutState{});
   EXPECT_TRUE(fs::exists(folder / "preferences.json.bad"));
 }
 
@@ -93,10 +94,10 @@ TEST_F(Session, SavingElsewhereRemembersTheNewFileAndSamplesAreNotRemembered) {
   one.start(state);
   ASSERT_TRUE(openFile(state, fs::path(SINEW_SOURCE_DIR) / "assets" / "demo.rig.json"));
   one.tick(state, 0.0, kPlace);
-  EXPECT_TRUE(state.preferences.recentFiles.empty());
+  EXPECT_TRUE(state.session.preferences.recentFiles.empty());
   ASSERT_EQ(saveTo(state, folder / "mine.rig.json"), "");
   one.tick(state, 1.0, kPlace);
-  EXPECT_EQ(state.preferences.recentFiles, std::vector<fs::path>{folder / "mine.rig.json"});
+  EXPECT_EQ(state.session.preferences.recentFiles, std::vector<fs::path>{folder / "mine.rig.json"});
 }
 
 TEST_F(Session, AfterACrashTheWorkIsOfferedAndRecoveredItIsSafeAgain) {
@@ -112,9 +113,9 @@ TEST_F(Session, AfterACrashTheWorkIsOfferedAndRecoveredItIsSafeAgain) {
   EditorState state;
   SessionKeeper two = keeper();
   two.start(state);
-  ASSERT_TRUE(state.recoveryAsked);
-  ASSERT_EQ(state.leftBehind.size(), 1u);
-  const fs::path left = state.leftBehind[0].file;
+  ASSERT_TRUE(state.dialogs.recovery);
+  ASSERT_EQ(state.session.leftBehind.size(), 1u);
+  const fs::path left = state.session.leftBehind[0].file;
   request(state, {IntentKind::kRecover, left});
   ASSERT_TRUE(state.hasCharacter());
   EXPECT_EQ(state.document.rig().primitives.size(), 1u);
@@ -122,7 +123,7 @@ TEST_F(Session, AfterACrashTheWorkIsOfferedAndRecoveredItIsSafeAgain) {
   EXPECT_TRUE(fs::exists(left)) << "thrown away before there is another copy";
   two.tick(state, 200.0, kPlace);
   EXPECT_FALSE(fs::exists(left));
-  EXPECT_FALSE(state.recovered.has_value());
+  EXPECT_FALSE(state.session.recovered.has_value());
   {
     EditorState third;  // Beside it: nothing to be offered, the work has a living owner.
     keeper().start(third);
@@ -163,9 +164,9 @@ TEST_F(Session, DiscardedWorkIsGone) {
   EditorState state;
   SessionKeeper two = keeper();
   two.start(state);
-  ASSERT_EQ(state.leftBehind.size(), 1u);
-  discardRecovery(state, state.leftBehind[0].file);
-  EXPECT_TRUE(state.leftBehind.empty());
+  ASSERT_EQ(state.session.leftBehind.size(), 1u);
+  discardRecovery(state, state.session.leftBehind[0].file);
+  EXPECT_TRUE(state.session.leftBehind.empty());
   EXPECT_TRUE(findLeftBehind(folder / "recovery").empty());
 }
 
@@ -173,11 +174,11 @@ TEST_F(Session, APlaceThatCannotBeWrittenIsToldAndTheEditorGoesOn) {
   EditorState state;
   SessionKeeper one("/proc/sinew-test/preferences.json", "/proc/sinew-test/recovery");
   one.start(state);
-  EXPECT_EQ(state.messages.size(), 1u);
+  EXPECT_EQ(state.session.messages.size(), 1u);
   open(state, "lizard.glb");
   change(state);
   for (double now = 0.0; now < 100.0; now += 1.0) one.tick(state, now, kPlace);
-  EXPECT_EQ(state.messages.size(), 2u);
+  EXPECT_EQ(state.session.messages.size(), 2u);
   one.finish(state, kPlace);
 }
 
@@ -199,7 +200,7 @@ TEST(Samples, AreThereWithNiceNamesEachOnce) {
 TEST_F(Session, JumpingSelectsAndWhatIsNotThereDoesNothing) {
   EditorState state;
   open(state, "lizard.glb");
-  state.viewportPixels = {800, 600};
+  state.frame.viewportPixels = {800, 600};
   change(state);
   const std::string muscle = state.document.rig().primitives[0].name;
   jumpToBone(state, 2);

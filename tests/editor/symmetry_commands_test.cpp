@@ -68,14 +68,14 @@ TEST_F(SymmetryCommands, DuplicatesAndPastesPairsAndSelectsTheCopies) {
   cutSelection(state);
   EXPECT_EQ(rig().primitives.size(), 4u);
   ImGui::SetClipboardText("no rig");
-  const std::size_t told = state.messages.size();
+  const std::size_t told = state.session.messages.size();
   pasteMuscles(state, false);
-  EXPECT_EQ(state.messages.size(), told + 1);
+  EXPECT_EQ(state.session.messages.size(), told + 1);
   EXPECT_EQ(rig().primitives.size(), 4u);
 }
 
 TEST_F(SymmetryCommands, ARenamedPairStaysAPairOfNames) {
-  EXPECT_EQ(rename(state, idOf(state.document, name), "quad L"), "");
+  EXPECT_TRUE(rename(state, idOf(state.document, name), "quad L"));
   EXPECT_EQ(rig().primitives[1].name, "quad R");
   EXPECT_EQ(state.document.activeName(), "quad L");
   EXPECT_EQ(state.document.commands.label(state.document.commands.position()), "Rename " + name);

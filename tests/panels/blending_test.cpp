@@ -20,7 +20,7 @@ class Blending : public HeadlessEditor {
   void SetUp() override {
     HeadlessEditor::SetUp();
     ASSERT_TRUE(openFile(state, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "demo.rig.json"));
-    state.transport.playing = false;
+    state.open.transport.playing = false;
     settle();
     click("blending/tab");
     ASSERT_TRUE(shown("blending/cell/torso/legs"));
@@ -56,13 +56,13 @@ TEST_F(Blending, HoverLightsUpTheMusclesOfBothGroups) {
   std::vector<int> both = membersOf(rig(), "legs");
   const std::vector<int> torso = membersOf(rig(), "torso");
   both.insert(both.end(), torso.begin(), torso.end());
-  std::vector<int> lit = state.panels.highlighted;
+  std::vector<int> lit = state.frame.highlighted;
   std::ranges::sort(both);
   std::ranges::sort(lit);
   EXPECT_EQ(lit, both);
   EXPECT_EQ(shownShapes(state, false).size(), both.size());
   hover("blending/cell/arms/arms");
-  EXPECT_EQ(state.panels.highlighted.size() % membersOf(rig(), "arms").size(), 0u);
+  EXPECT_EQ(state.frame.highlighted.size() % membersOf(rig(), "arms").size(), 0u);
 }
 
 TEST_F(Blending, TheGraphShowsTheMatrixChangesAndTheReverse) {

@@ -1,5 +1,6 @@
 // tests/panels/dialogs_test.cpp: palette, key sheet, preferences, recovery, messages and files, by hand and keyboard.
 
+#include "app/editor/edit.h"
 #include "tests/support/headless_editor.h"
 
 #define GLFW_INCLUDE_NONE
@@ -27,7 +28,7 @@ class Dialogs : public HeadlessEditor {
   }
   /// Takes what was said so far away, so that only new messages count.
   void quiet() {
-    state.messages.clear();
+    state.session.messages.clear();
     settle();
   }
   const test::TemporaryFolder own;
@@ -35,29 +36,29 @@ class Dialogs : public HeadlessEditor {
 };
 
 TEST_F(Dialogs, ThePaletteDoesWhatIsTypedWithTheKeyboardAlone) {
-  const bool wire = state.display.wire;
+  const bool wire = state.view.display.wire;
   palette("wire");
   EXPECT_TRUE(shown("palette/view/wire"));
   press(kEnter);
-  EXPECT_FALSE(state.palette.shown);
-  EXPECT_NE(state.display.wire, wire);
-  EXPECT_EQ(state.preferences.recentActions.front(), "view/wire");
+  EXPECT_FALSE(state.dialogs.palette.shown);
+  EXPECT_NE(state.view.display.wire, wire);
+  EXPECT_EQ(state.session.preferences.recentActions.front(), "view/wire");
   palette("");
   press(kEnter);
-  EXPECT_EQ(state.display.wire, wire) << "what was used last comes first";
+  EXPECT_EQ(state.view.display.wire, wire) << "what was used last comes first";
 }
 
 TEST_F(Dialogs, ThePaletteWalksWithTheArrowsAndEscapeChangesNothing) {
   palette("frame");
-  const int first = state.palette.chosen;
+  const int first = state.dialogs.palette.chosen;
   press(GLFW_KEY_DOWN);
-  EXPECT_EQ(state.palette.chosen, first + 1);
+  EXPECT_EQ(state.dialogs.palette.chosen, first + 1);
   press(GLFW_KEY_UP);
   press(GLFW_KEY_UP);
-  EXPECT_GT(state.palette.chosen, 1) << "round to the last";
+  EXPECT_GT(state.dialogs.palette.chosen, 1) << "round to the last";
   press(kEscape);
-  EXPECT_FALSE(state.palette.shown);
-  EXPECT_TRUE(state.preferences.recentActions.empty());
+  EXPECT_FALSE(state.dialogs.palette.shown);
+  EXPECT_TRUE(state.session.preferences.recentActions.empty());
 }
 
 TEST_F(Dialogs, ThePaletteGoesToMusclesBonesAndSamples) {
@@ -80,20 +81,20 @@ TEST_F(Dialogs, ThePaletteGoesToMusclesBonesAndSamples) {
 TEST_F(Dialogs, WhatCannotBeDoneLeavesThePaletteOpen) {
   palette("undo");
   press(kEnter);
-  EXPECT_TRUE(state.palette.shown);
+  EXPECT_TRUE(state.dialogs.palette.shown);
   type("x");
-  EXPECT_NE(state.palette.query.find('x'), std::string::npos) << "the field listens on";
+  EXPECT_NE(state.dialogs.palette.query.find('x'), std::string::npos) << "the field listens on";
   press(kEscape);
-  EXPECT_FALSE(state.palette.shown);
+  EXPECT_FALSE(state.dialogs.palette.shown);
 }
 
 TEST_F(Dialogs, TheKeySheetShowsAndChangesTheKeymap) {
   press(GLFW_KEY_F1);
   ASSERT_TRUE(shown("keys/close"));
   click("keys/blender");
-  EXPECT_EQ(state.preferences.keymap, Keymap::kBlender);
+  EXPECT_EQ(state.session.preferences.keymap, Keymap::kBlender);
   press(GLFW_KEY_F1);
-  EXPECT_FALSE(state.keySheet);
+  EXPECT_FALSE(state.dialogs.keySheet);
   addOne();
   press(GLFW_KEY_X);
   EXPECT_TRUE(state.document.rig().primitives.empty());
@@ -103,70 +104,70 @@ TEST_F(Dialogs, PreferencesAreSetAndEscapeClosesTheListBeforeTheWindow) {
   press(GLFW_KEY_COMMA, true);
   ASSERT_TRUE(shown("preferences/close"));
   click("preferences/keymap/blender");
-  EXPECT_EQ(state.preferences.keymap, Keymap::kBlender);
+  EXPECT_EQ(state.session.preferences.keymap, Keymap::kBlender);
   click("preferences/scale");
   ASSERT_TRUE(shown("preferences/scale/3"));
   press(kEscape);
-  EXPECT_TRUE(state.preferencesShown);
+  EXPECT_TRUE(state.dialogs.preferences);
   click("preferences/scale");
   click("preferences/scale/3");
-  EXPECT_EQ(state.preferences.scale, 1.5f);
+  EXPECT_EQ(state.session.preferences.scale, 1.5f);
   drag("preferences/autosave", {-60.0f, 0.0f});
-  EXPECT_LT(state.preferences.autosaveSeconds, 30.0);
-  state.layout.left = 400.0f;
+  EXPECT_LT(state.session.preferences.autosaveSeconds, 30.0);
+  state.view.layout.left = 400.0f;
   click("preferences/reset-layout");
-  EXPECT_EQ(state.layout.left, LayoutState{}.left);
+  EXPECT_EQ(state.view.layout.left, LayoutState{}.left);
   press(kEscape);
-  EXPECT_FALSE(state.preferencesShown);
+  EXPECT_FALSE(state.dialogs.preferences);
 }
 
 TEST_F(Dialogs, PanelsAreResizedPutAwayAndBroughtBack) {
-  const float before = state.layout.bottom;
+  const float before = state.view.layout.bottom;
   drag("layout/bottom", {0.0f, -50.0f});
-  EXPECT_NEAR(state.layout.bottom, before + 50.0f, 1.0f);
+  EXPECT_NEAR(state.view.layout.bottom, before + 50.0f, 1.0f);
   drag("layout/left", {40.0f, 0.0f});
-  EXPECT_GT(state.layout.left, LayoutState{}.left);
+  EXPECT_GT(state.view.layout.left, LayoutState{}.left);
   press(GLFW_KEY_T);
   EXPECT_FALSE(shown("outliner/search"));
   EXPECT_FALSE(shown("layout/left"));
-  EXPECT_EQ(state.viewport.x, 0.0f);
+  EXPECT_EQ(state.frame.viewport.x, 0.0f);
   press(GLFW_KEY_SPACE, true);
-  EXPECT_FALSE(state.layout.rightShown || state.layout.bottomShown || state.layout.leftShown);
-  EXPECT_EQ(state.viewport.z, 1280.0f);
+  EXPECT_FALSE(state.view.layout.rightShown || state.view.layout.bottomShown || state.view.layout.leftShown);
+  EXPECT_EQ(state.frame.viewport.z, 1280.0f);
   press(GLFW_KEY_SPACE, true);
-  EXPECT_TRUE(state.layout.rightShown && state.layout.bottomShown && state.layout.leftShown);
+  EXPECT_TRUE(state.view.layout.rightShown && state.view.layout.bottomShown && state.view.layout.leftShown);
   click("surface/header");
   EXPECT_FALSE(shown("surface/mode"));
-  EXPECT_EQ(state.layout.folded, std::vector<std::string>{"surface"});
+  EXPECT_EQ(state.view.layout.folded, std::vector<std::string>{"surface"});
   click("surface/header");
   EXPECT_TRUE(shown("surface/mode"));
-  EXPECT_TRUE(state.layout.folded.empty());
+  EXPECT_TRUE(state.view.layout.folded.empty());
 }
 
 TEST_F(Dialogs, MessagesStayUntilReadAndTheirNumberIsInTheStatusLine) {
   quiet();
   EXPECT_FALSE(shown("status/messages"));
-  addMessage(state, MessageKind::kNote, "left out");
-  addMessage(state, MessageKind::kError, "not saved");
+  addMessage(state.session, MessageKind::kNote, "left out");
+  addMessage(state.session, MessageKind::kError, "not saved");
   settle();
   EXPECT_TRUE(shown("messages/dismiss/1") && shown("status/messages"));
   click("messages/hide");
   EXPECT_FALSE(shown("messages/dismiss/0"));
   EXPECT_TRUE(shown("status/messages"));
-  EXPECT_EQ(state.messages.size(), 2u);
+  EXPECT_EQ(state.session.messages.size(), 2u);
   click("status/messages");
   click("messages/copy/1");
   EXPECT_STREQ(ImGui::GetClipboardText(), "not saved");
   click("messages/copy-all");
   EXPECT_STREQ(ImGui::GetClipboardText(), "note: left out\nerror: not saved\n");
   click("messages/dismiss/0");
-  EXPECT_EQ(state.messages.size(), 1u);
+  EXPECT_EQ(state.session.messages.size(), 1u);
   click("messages/hide");
-  addMessage(state, MessageKind::kWarning, "another");
+  addMessage(state.session, MessageKind::kWarning, "another");
   settle();
   EXPECT_TRUE(shown("messages/dismiss/0")) << "a new one shows itself";
   click("messages/dismiss-all");
-  EXPECT_TRUE(state.messages.empty());
+  EXPECT_TRUE(state.session.messages.empty());
 }
 
 TEST_F(Dialogs, RecoveryIsOfferedAndLaterKeepsIt) {
@@ -178,17 +179,17 @@ TEST_F(Dialogs, RecoveryIsOfferedAndLaterKeepsIt) {
     Result<RecoveryFile> crashed = RecoveryFile::claim(folder);
     ASSERT_TRUE(crashed.ok() && crashed.value().write(lost).ok());
   }
-  state.leftBehind = findLeftBehind(folder);
-  ASSERT_EQ(state.leftBehind.size(), 1u);
-  state.recoveryAsked = true;
+  state.session.leftBehind = findLeftBehind(folder);
+  ASSERT_EQ(state.session.leftBehind.size(), 1u);
+  state.dialogs.recovery = true;
   settle();
   click("recovery/later");
-  EXPECT_FALSE(state.recoveryAsked);
+  EXPECT_FALSE(state.dialogs.recovery);
   EXPECT_EQ(findLeftBehind(folder).size(), 1u);
-  state.recoveryAsked = true;
+  state.dialogs.recovery = true;
   settle();
   click("recovery/recover/0");
-  EXPECT_FALSE(state.recoveryAsked);
+  EXPECT_FALSE(state.dialogs.recovery);
   EXPECT_TRUE(state.document.commands.modified());
   EXPECT_EQ(state.document.rig().primitives.size(), rig.primitives.size());
   EXPECT_EQ(state.document.rigFile.filename(), "demo.rig.json");
@@ -201,84 +202,84 @@ TEST_F(Dialogs, RecoveringOverUnsavedChangesAsksFirst) {
     ASSERT_TRUE(crashed.ok() && crashed.value().write(lost).ok());
   }
   addOne();
-  state.leftBehind = findLeftBehind(folder);
-  state.recoveryAsked = true;
+  state.session.leftBehind = findLeftBehind(folder);
+  state.dialogs.recovery = true;
   settle();
   click("recovery/recover/0");
   ASSERT_TRUE(shown("unsaved/cancel"));
   click("unsaved/cancel");
   EXPECT_EQ(state.document.rig().primitives.size(), 1u);
-  EXPECT_EQ(state.leftBehind.size(), 1u);
+  EXPECT_EQ(state.session.leftBehind.size(), 1u);
 }
 
 TEST_F(Dialogs, FilesAreFoundWithTheKeyboardAlone) {
   fs::create_directory(folder / "animals");
   fs::copy_file(fs::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb", folder / "animals" / "lizard.glb");
   showOpenDialog(state);
-  state.dialog.folder = folder;
+  state.dialogs.file.folder = folder;
   settle();
   type("an");
   press(GLFW_KEY_TAB);
-  EXPECT_EQ(state.dialog.text, "animals/");
+  EXPECT_EQ(state.dialogs.file.text, "animals/");
   press(kEnter);
-  EXPECT_EQ(state.dialog.folder, folder / "animals");
+  EXPECT_EQ(state.dialogs.file.folder, folder / "animals");
   press(GLFW_KEY_DOWN);
-  EXPECT_EQ(state.dialog.text, "lizard.glb");
+  EXPECT_EQ(state.dialogs.file.text, "lizard.glb");
   press(kEnter);
-  EXPECT_EQ(state.dialog.kind, DialogKind::kNone);
+  EXPECT_EQ(state.dialogs.file.kind, DialogKind::kNone);
   EXPECT_EQ(state.document.characterFile, folder / "animals" / "lizard.glb");
 }
 
 TEST_F(Dialogs, TheBrowserGoesBackForwardAndUp) {
   fs::create_directory(folder / "animals");
   showOpenDialog(state);
-  state.dialog.folder = folder;
+  state.dialogs.file.folder = folder;
   settle();
   click("dialog/entry/animals");
-  EXPECT_EQ(state.dialog.folder, folder / "animals");
+  EXPECT_EQ(state.dialogs.file.folder, folder / "animals");
   click("dialog/back");
-  EXPECT_EQ(state.dialog.folder, folder);
+  EXPECT_EQ(state.dialogs.file.folder, folder);
   click("dialog/forward");
-  EXPECT_EQ(state.dialog.folder, folder / "animals");
+  EXPECT_EQ(state.dialogs.file.folder, folder / "animals");
   click("dialog/up");
-  EXPECT_EQ(state.dialog.folder, folder);
+  EXPECT_EQ(state.dialogs.file.folder, folder);
   click("dialog/place/root");
-  EXPECT_EQ(state.dialog.folder, "/");
+  EXPECT_EQ(state.dialogs.file.folder, "/");
   click("dialog/new-folder");
   ASSERT_TRUE(shown("dialog/new-folder-name"));
   press(kEscape);
-  EXPECT_EQ(state.dialog.kind, DialogKind::kOpen) << "Esc ends the naming alone";
+  EXPECT_EQ(state.dialogs.file.kind, DialogKind::kOpen) << "Esc ends the naming alone";
   press(kEscape);
-  EXPECT_EQ(state.dialog.kind, DialogKind::kNone);
+  EXPECT_EQ(state.dialogs.file.kind, DialogKind::kNone);
 }
 
 TEST_F(Dialogs, ANewFolderIsMadeAndEntered) {
   showOpenDialog(state);
-  state.dialog.folder = folder;
+  state.dialogs.file.folder = folder;
   settle();
   click("dialog/new-folder");
   type("rigs");
   press(kEnter);
   EXPECT_TRUE(fs::is_directory(folder / "rigs"));
-  EXPECT_EQ(state.dialog.folder, folder / "rigs");
+  EXPECT_EQ(state.dialogs.file.folder, folder / "rigs");
 }
 
 TEST_F(Dialogs, AFileThatIsThereIsReplacedOnlyWhenToldSo) {
   addOne();
   std::ofstream(folder / "old.rig.json") << "precious";
   showSaveDialog(state, {});
-  state.dialog.folder = folder;
-  state.dialog.text = "old";
+  state.dialogs.file.folder = folder;
+  state.dialogs.file.text = "old";
   settle();
   click("dialog/ok");
-  EXPECT_TRUE(state.dialog.overwriteAsked);
+  EXPECT_TRUE(state.dialogs.file.overwriteAsked);
   EXPECT_EQ(fs::file_size(folder / "old.rig.json"), 8u);
   click("dialog/cancel");
-  EXPECT_FALSE(state.dialog.overwriteAsked);
-  EXPECT_EQ(state.dialog.kind, DialogKind::kSaveAs);
+  EXPECT_FALSE(state.dialogs.file.overwriteAsked);
+  EXPECT_EQ(state.dialogs.file.kind, DialogKind::kSaveAs);
   click("dialog/ok");
   click("dialog/ok");
-  EXPECT_EQ(state.dialog.kind, DialogKind::kNone);
+  EXPECT_EQ(state.dialogs.file.kind, DialogKind::kNone);
   EXPECT_EQ(state.document.rigFile, folder / "old.rig.json");
   EXPECT_FALSE(state.document.commands.modified());
 }
@@ -288,13 +289,13 @@ TEST_F(Dialogs, AFailedSaveKeepsTheDocumentModified) {
   quiet();
   EXPECT_NE(saveTo(state, "/proc/sinew-test.rig.json"), "");
   EXPECT_TRUE(state.document.commands.modified());
-  ASSERT_EQ(state.messages.size(), 1u);
-  EXPECT_EQ(state.messages[0].kind, MessageKind::kError);
+  ASSERT_EQ(state.session.messages.size(), 1u);
+  EXPECT_EQ(state.session.messages[0].kind, MessageKind::kError);
 }
 
 TEST_F(Dialogs, RecentFilesAndSamplesAreInTheMenu) {
   fs::copy_file(fs::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb", folder / "lizard.glb");
-  state.preferences.recentFiles = {folder / "lizard.glb", folder / "gone.glb"};
+  state.session.preferences.recentFiles = {folder / "lizard.glb", folder / "gone.glb"};
   click("menu/file");
   click("file/recent");
   ASSERT_TRUE(shown("file/recent/0") && shown("file/recent/1"));

@@ -16,7 +16,7 @@ class Inspector : public HeadlessEditor {
   void SetUp() override {
     HeadlessEditor::SetUp();
     ASSERT_TRUE(openFile(state, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "demo.rig.json"));
-    state.transport.playing = false;
+    state.open.transport.playing = false;
     settle();
   }
   [[nodiscard]] const Primitive& named(const std::string& name) const {
@@ -141,7 +141,7 @@ TEST_F(Inspector, TerritoryModeTakesClicksOnBonesAndEndsWithEscape) {
   run(action("tool/territory"), state);
   settle();
   ASSERT_TRUE(editsTerritory(state));
-  EXPECT_TRUE(state.tools.territoryMode);
+  EXPECT_TRUE(state.view.tools.territoryMode);
   EXPECT_EQ(shownTerritory(state), before);
   ASSERT_TRUE(shown("territory/done"));
   // In the list, then in the picture.
@@ -156,7 +156,7 @@ TEST_F(Inspector, TerritoryModeTakesClicksOnBonesAndEndsWithEscape) {
   EXPECT_TRUE(std::ranges::binary_search(territory("tail root"), own));
   press(kEscape);
   EXPECT_FALSE(editsTerritory(state));
-  EXPECT_FALSE(state.tools.territoryMode);
+  EXPECT_FALSE(state.view.tools.territoryMode);
   EXPECT_EQ(state.document.activeName(), "tail root");
 }
 

@@ -110,7 +110,7 @@ TEST_F(Panels, TypedAnglesAreShownAsTyped) {
     type(std::string(field).back() == 'y' ? "90" : "30");
     press(kEnter);
   }
-  EXPECT_EQ(state.euler.degrees, glm::vec3(30.0f, 90.0f, 30.0f));
+  EXPECT_EQ(state.open.euler.degrees, glm::vec3(30.0f, 90.0f, 30.0f));
   EXPECT_NEAR(glm::length(muscle().placement.rotation), 1.0f, 1e-6f);
 }
 
@@ -178,35 +178,35 @@ TEST_F(Panels, TypingInTheSearchDoesNotRunShortcuts) {
   press(kDelete);
   press(kSpace);
   EXPECT_EQ(state.document.rig().primitives.size(), 1u);
-  EXPECT_FALSE(state.transport.playing);
+  EXPECT_FALSE(state.open.transport.playing);
 }
 
 TEST_F(Panels, PlayButtonAndSpaceToggle) {
   click("timeline/play");
-  EXPECT_TRUE(state.transport.playing);
+  EXPECT_TRUE(state.open.transport.playing);
   press(kSpace);
-  EXPECT_FALSE(state.transport.playing);
+  EXPECT_FALSE(state.open.transport.playing);
 }
 
 TEST_F(Panels, UnsavedChangesAreAskedAbout) {
   addOne();
   request(state, {IntentKind::kQuit, {}});
   settle();
-  EXPECT_FALSE(state.quit);
+  EXPECT_FALSE(state.session.quit);
   click("unsaved/cancel");
-  EXPECT_FALSE(state.quit);
+  EXPECT_FALSE(state.session.quit);
   EXPECT_FALSE(shown("unsaved/cancel"));
   request(state, {IntentKind::kQuit, {}});
   settle();
   click("unsaved/discard");
-  EXPECT_TRUE(state.quit);
+  EXPECT_TRUE(state.session.quit);
 }
 
 TEST_F(Panels, TheBundledRigIsNeverOverwritten) {
   ASSERT_TRUE(openFile(state, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "demo.rig.json"));
   EXPECT_FALSE(save(state, {}));
-  EXPECT_EQ(state.dialog.kind, DialogKind::kSaveAs);
-  EXPECT_NE(state.dialog.folder.filename(), "assets");
+  EXPECT_EQ(state.dialogs.file.kind, DialogKind::kSaveAs);
+  EXPECT_NE(state.dialogs.file.folder.filename(), "assets");
 }
 
 TEST_F(Panels, AFileThatCannotBeOpenedLeavesTheDocumentAndAMessage) {
@@ -214,18 +214,18 @@ TEST_F(Panels, AFileThatCannotBeOpenedLeavesTheDocumentAndAMessage) {
   EXPECT_FALSE(openFile(state, "/nowhere/absent.glb"));
   settle();
   EXPECT_EQ(state.document.rig().primitives.size(), 1u);
-  ASSERT_EQ(state.messages.size(), 1u);
-  EXPECT_NE(state.messages[0].text.find("absent.glb"), std::string::npos);
+  ASSERT_EQ(state.session.messages.size(), 1u);
+  EXPECT_NE(state.session.messages[0].text.find("absent.glb"), std::string::npos);
   click("messages/dismiss/0");
-  EXPECT_TRUE(state.messages.empty());
+  EXPECT_TRUE(state.session.messages.empty());
 }
 
 TEST_F(Panels, SplittersResizeAndResetBringsThemBack) {
-  const float before = state.layout.left;
+  const float before = state.view.layout.left;
   drag("layout/left", {60.0f, 0.0f});
-  EXPECT_NEAR(state.layout.left, before + 60.0f, 1.0f);
+  EXPECT_NEAR(state.view.layout.left, before + 60.0f, 1.0f);
   run(action("window/reset-layout"), state);
-  EXPECT_EQ(state.layout.left, before);
+  EXPECT_EQ(state.view.layout.left, before);
 }
 
 TEST_F(Panels, SignBoneAndGroupAreSingleSteps) {

@@ -7,8 +7,8 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/editor/commands.h"
+#include "app/editor/edit.h"
 #include "app/editor/pose_commands.h"
-#include "app/editor/pose_history.h"
 #include "app/panels/timeline/timeline_track.h"
 #include "core/skeleton/range_of_motion.h"
 #include "tests/support/headless_editor.h"
@@ -116,7 +116,7 @@ TEST(TimelineTrack, ZoomKeepsTheMomentInPlaceAndStaysInside) {
 
 class TimelineTest : public HeadlessEditor {
  protected:
-  [[nodiscard]] double duration() const { return clipDuration(state.transport, state.character()); }
+  [[nodiscard]] double duration() const { return clipDuration(state.open.transport, state.character()); }
   [[nodiscard]] int bone(const char* name) const { return state.character().skeleton.findBone(name).value(); }
   void act(const char* id) {
     run(action(id), state);
@@ -125,42 +125,42 @@ class TimelineTest : public HeadlessEditor {
 };
 
 TEST_F(TimelineTest, AClickOnTheTrackIsThatMoment) {
-  state.transport.playing = true;
+  state.open.transport.playing = true;
   click("timeline/scrub");
-  EXPECT_NEAR(state.transport.time / duration(), 0.5, 0.01);
-  EXPECT_FALSE(state.transport.playing);
+  EXPECT_NEAR(state.open.transport.time / duration(), 0.5, 0.01);
+  EXPECT_FALSE(state.open.transport.playing);
   drag("timeline/scrub", {200.0f, 0.0f});
   const float width = widgets().rectangles().at("timeline/scrub").z;
-  EXPECT_NEAR(state.transport.time / duration(), 0.5 + 200.0 / static_cast<double>(width), 0.01);
+  EXPECT_NEAR(state.open.transport.time / duration(), 0.5 + 200.0 / static_cast<double>(width), 0.01);
 }
 
 TEST_F(TimelineTest, DraggingAnEndMakesARangeDraggingTheBarMovesIt) {
   const float width = widgets().rectangles().at("timeline/scrub").z;
   drag("timeline/range.in", {0.25f * width, 0.0f});
-  EXPECT_NEAR(state.transport.rangeFrom, 0.25 * duration(), 2.0 * kFrame);
+  EXPECT_NEAR(state.open.transport.rangeFrom, 0.25 * duration(), 2.0 * kFrame);
   drag("timeline/range.out", {-0.5f * width, 0.0f});
-  const PlayRange range = playRange(state.transport, state.character());
+  const PlayRange range = playRange(state.open.transport, state.character());
   EXPECT_NEAR(range.to, 0.5 * duration(), 2.0 * kFrame);
   drag("timeline/range", {0.2f * width, 0.0f});
-  const PlayRange moved = playRange(state.transport, state.character());
+  const PlayRange moved = playRange(state.open.transport, state.character());
   EXPECT_NEAR(moved.from - range.from, 0.2 * duration(), 2.0 * kFrame);
   EXPECT_NEAR(moved.to - moved.from, range.to - range.from, 1.1 * kFrame);
   doubleClick("timeline/range");
-  EXPECT_EQ(playRange(state.transport, state.character()).to, duration());
+  EXPECT_EQ(playRange(state.open.transport, state.character()).to, duration());
 }
 
 TEST_F(TimelineTest, TheEndsCannotPassEachOther) {
   drag("timeline/range.in", {5000.0f, 0.0f});
-  const PlayRange range = playRange(state.transport, state.character());
+  const PlayRange range = playRange(state.open.transport, state.character());
   EXPECT_GE(range.to - range.from, kFrame - 1e-6);
   EXPECT_LE(range.to, duration());
 }
 
 TEST_F(TimelineTest, JumpsToStartAndEnd) {
   click("timeline/end");
-  EXPECT_EQ(state.transport.time, duration());
+  EXPECT_EQ(state.open.transport.time, duration());
   click("timeline/start");
-  EXPECT_EQ(state.transport.time, 0.0);
+  EXPECT_EQ(state.open.transport.time, 0.0);
 }
 
 TEST_F(TimelineTest, ScrubbingDoesNotDisturbAGesture) {
@@ -180,12 +180,12 @@ TEST_F(TimelineTest, ScrubbingDoesNotDisturbAGesture) {
 TEST_F(TimelineTest, APosedJointShowsAChipThatTakesItBack) {
   EXPECT_FALSE(shown("timeline/posed"));
   const Pose plain = state.live->pose();
-  state.transport.overrides.set(bone("upper_arm.L"), glm::angleAxis(1.0f, glm::vec3(0, 0, 1)));
+  state.open.transport.overrides.set(bone("upper_arm.L"), glm::angleAxis(1.0f, glm::vec3(0, 0, 1)));
   settle();
   ASSERT_TRUE(shown("timeline/posed"));
   EXPECT_NE(state.live->pose().boneInWorld, plain.boneInWorld);
   click("timeline/posed");
-  EXPECT_EQ(state.tools.tool, ToolKind::kPose);
+  EXPECT_EQ(state.view.tools.tool, ToolKind::kPose);
   click("timeline/pose-reset");
   EXPECT_FALSE(shown("timeline/posed"));
   EXPECT_EQ(state.live->pose().boneInWorld, plain.boneInWorld);
@@ -195,70 +195,73 @@ TEST_F(TimelineTest, APosedJointShowsAChipThatTakesItBack) {
 TEST_F(TimelineTest, MirroringTakesTheSelectedSideElseSwapsBoth) {
   const int left = bone("upper_arm.L");
   const int right = bone("upper_arm.R");
-  chooseClip(state.transport, -1, state.character());
-  state.transport.overrides.set(left, glm::angleAxis(0.7f, glm::vec3(0, 0, 1)));
+  chooseClip(state.open.transport, -1, state.character());
+  state.open.transport.overrides.set(left, glm::angleAxis(0.7f, glm::vec3(0, 0, 1)));
   state.document.selection.bone = left;
   act("tool/pose-mirror");
-  EXPECT_NE(state.transport.overrides.turnOf(left), glm::quat(1, 0, 0, 0));
-  EXPECT_NE(state.transport.overrides.turnOf(right), glm::quat(1, 0, 0, 0));
+  EXPECT_NE(state.open.transport.overrides.turnOf(left), glm::quat(1, 0, 0, 0));
+  EXPECT_NE(state.open.transport.overrides.turnOf(right), glm::quat(1, 0, 0, 0));
   const auto tip = [&](const char* name) {
     return glm::vec3(state.live->pose().boneInWorld[static_cast<std::size_t>(bone(name))][3]);
   };
   const glm::vec3 a = tip("forearm.L");
   const glm::vec3 b = tip("forearm.R");
   EXPECT_LT(glm::length(b - glm::vec3(-a.x, a.y, a.z)), 0.02f * state.character().height);
-  state.transport.overrides.set(right, glm::quat(1, 0, 0, 0));
+  state.open.transport.overrides.set(right, glm::quat(1, 0, 0, 0));
   state.document.selection.bone = -1;
   act("tool/pose-mirror");
-  EXPECT_EQ(state.transport.overrides.turnOf(left), glm::quat(1, 0, 0, 0));
-  EXPECT_NE(state.transport.overrides.turnOf(right), glm::quat(1, 0, 0, 0));
+  EXPECT_EQ(state.open.transport.overrides.turnOf(left), glm::quat(1, 0, 0, 0));
+  EXPECT_NE(state.open.transport.overrides.turnOf(right), glm::quat(1, 0, 0, 0));
 }
 
 TEST_F(TimelineTest, CopiesOfAPoseComeBack) {
-  state.transport.overrides.set(bone("chest"), glm::angleAxis(0.4f, glm::vec3(1, 0, 0)));
-  state.transport.overrides.set(bone("thigh.R"), glm::angleAxis(0.9f, glm::vec3(0, 1, 0)));
-  const PoseOverrides posed = state.transport.overrides;
+  state.open.transport.overrides.set(bone("chest"), glm::angleAxis(0.4f, glm::vec3(1, 0, 0)));
+  state.open.transport.overrides.set(bone("thigh.R"), glm::angleAxis(0.9f, glm::vec3(0, 1, 0)));
+  const PoseOverrides posed = state.open.transport.overrides;
   act("tool/pose-copy");
   act("tool/pose-reset");
   EXPECT_FALSE(isPosed(state));
   act("tool/pose-paste");
-  EXPECT_EQ(state.transport.overrides, posed);
+  EXPECT_EQ(state.open.transport.overrides, posed);
   state.document.selection.bone = bone("chest");
   act("tool/pose-reset-joint");
-  EXPECT_EQ(state.transport.overrides.turns.size(), 1u);
+  EXPECT_EQ(state.open.transport.overrides.turns.size(), 1u);
 }
 
-TEST_F(TimelineTest, UndoInThePoseToolTakesPosesBackAndOutsideItTheRigsSteps) {
+TEST_F(TimelineTest, PosesAndEditsOfTheRigAreStepsOfOneHistory) {
   const auto turn = [&](const char* name) {
-    state.transport.overrides.set(bone(name), glm::angleAxis(0.4f, glm::vec3(1, 0, 0)));
+    state.open.transport.overrides.set(bone(name), glm::angleAxis(0.4f, glm::vec3(1, 0, 0)));
+    keepPose(state, std::string("Turn ") + name);
     settle();
   };
-  addMuscle(state, bone("chest"));
-  const std::size_t steps = state.document.commands.position();
-  act("tool/pose");
+  const std::size_t start = steps();
   turn("chest");
+  addMuscle(state, bone("chest"));
+  const Rig rig = state.document.rig();
   turn("thigh.R");
-  const PoseOverrides both = state.transport.overrides;
+  const PoseOverrides both = state.open.transport.overrides;
+  EXPECT_EQ(steps(), start + 3);
+  EXPECT_EQ(state.document.commands.label(start + 3), "Turn thigh.R");
   act("edit/undo");
-  EXPECT_EQ(state.transport.overrides.turns.size(), 1u);
+  EXPECT_EQ(state.open.transport.overrides.turns.size(), 1u);
+  EXPECT_EQ(state.document.rig(), rig) << "a step of the pose leaves the rig alone";
+  act("edit/undo");
+  EXPECT_NE(state.document.rig(), rig);
+  EXPECT_EQ(state.open.transport.overrides.turns.size(), 1u) << "a step of the rig leaves the pose alone";
   act("edit/undo");
   EXPECT_FALSE(isPosed(state));
-  EXPECT_EQ(state.document.commands.position(), steps) << "poses are no steps of the document";
-  act("edit/redo");
-  act("edit/redo");
-  EXPECT_EQ(state.transport.overrides, both);
+  EXPECT_FALSE(state.document.commands.modified());
+  for (int i = 0; i < 3; ++i) act("edit/redo");
+  EXPECT_EQ(state.open.transport.overrides, both);
+  EXPECT_EQ(state.document.rig(), rig);
   act("edit/undo");
-  turn("head");  // A new pose: what was undone is forgotten.
-  EXPECT_FALSE(redoesPose(state));
-  act("tool/move");
-  act("edit/undo");
-  EXPECT_EQ(state.document.commands.position(), steps - 1);
-  EXPECT_TRUE(isPosed(state));
+  turn("head");  // What was undone is forgotten.
+  EXPECT_FALSE(state.document.commands.canRedo());
 }
 
 TEST_F(TimelineTest, HoldingKeepsTheMomentAndThenStandsStill) {
-  state.transport.time = 0.3;
-  state.transport.overrides.set(bone("thigh.L"), glm::angleAxis(0.8f, glm::vec3(1, 0, 0)));
+  state.open.transport.time = 0.3;
+  state.open.transport.overrides.set(bone("thigh.L"), glm::angleAxis(0.8f, glm::vec3(1, 0, 0)));
   settle();
   const auto thigh = static_cast<std::size_t>(bone("thigh.L"));
   const glm::mat4 before = state.live->pose().boneInWorld[thigh];
@@ -272,7 +275,7 @@ TEST_F(TimelineTest, HoldingKeepsTheMomentAndThenStandsStill) {
     EXPECT_LT(glm::length(state.live->pose().boneInWorld[thigh][c] - before[c]), 1e-4f);
   }
   const glm::mat3 held = toHips();
-  state.transport.time = 0.9;
+  state.open.transport.time = 0.9;
   settle();
   for (int c = 0; c < 3; ++c) EXPECT_LT(glm::length(toHips()[c] - held[c]), 1e-4f);
 }
@@ -284,17 +287,17 @@ TEST_F(TimelineTest, TheRangeOfMotionIsOneMoreClipThatPlays) {
   act("play/range-of-motion");
   ASSERT_EQ(state.character().clips.size(), clips + 1);
   EXPECT_EQ(state.character().clips.back().name, kRangeOfMotionName);
-  EXPECT_EQ(state.transport.clip, static_cast<int>(clips));
-  EXPECT_TRUE(state.transport.playing);
+  EXPECT_EQ(state.open.transport.clip, static_cast<int>(clips));
+  EXPECT_TRUE(state.open.transport.playing);
   EXPECT_EQ(steps(), before);
   EXPECT_EQ(state.document.activePrimitive(), 0);
-  state.transport.playing = false;
-  state.transport.time = 0.4;
+  state.open.transport.playing = false;
+  state.open.transport.time = 0.4;
   settle();
   EXPECT_NE(state.live->pose().boneInWorld, bindPose(state.character().skeleton).boneInWorld);
   act("play/range-of-motion");
   EXPECT_EQ(state.character().clips.size(), clips + 1) << "made once";
-  EXPECT_LT(state.transport.time, 0.1) << "from the start; it plays on";
+  EXPECT_LT(state.open.transport.time, 0.1) << "from the start; it plays on";
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ class HeadlessEditor : public testing::Test {
     fonts = {font, font, font};
     io.Fonts->Build();
     ASSERT_TRUE(openFile(state, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb"));
-    state.transport.playing = false;
+    state.open.transport.playing = false;
     frame();
     frame();
   }
@@ -83,8 +83,8 @@ class HeadlessEditor : public testing::Test {
   [[nodiscard]] glm::vec2 pixelOfBone(int bone) const {
     const auto index = static_cast<std::size_t>(bone);
     const glm::vec4 middle(0.5f * state.character().skeleton.bones[index].tip, 1.0f);
-    const glm::vec3 pixel = state.route.view.toPixel(glm::vec3(state.live->pose().boneInWorld[index] * middle));
-    return glm::vec2(state.viewport) + glm::vec2(pixel);
+    const glm::vec3 pixel = state.frame.route.view.toPixel(glm::vec3(state.live->pose().boneInWorld[index] * middle));
+    return glm::vec2(state.frame.viewport) + glm::vec2(pixel);
   }
   void doubleClick(const std::string& id) {
     queue.move(center(id));

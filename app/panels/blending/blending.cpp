@@ -20,14 +20,15 @@ namespace {
 
 /// The view's switch, a new group, the graph's own buttons.
 void drawHead(PanelUi& ui) {
-  BlendingState& blending = ui.state.panels.blending;
+  BlendingState& blending = ui.state.open.blending;
+  bool& asGraph = ui.state.view.groupsAsGraph;
   const float button = ImGui::GetFrameHeight();
   const float gap = ui.px(4);
-  const float room = ImGui::GetContentRegionAvail().x - (blending.asGraph ? 2.0f : 1.0f) * (button + gap);
+  const float room = ImGui::GetContentRegionAvail().x - (asGraph ? 2.0f : 1.0f) * (button + gap);
   constexpr const char* kViews[] = {"Matrix", "Graph"};
-  const int chosen = segmented(ui, "blending/view", kViews, 2, blending.asGraph ? 1 : 0, room);
-  if (chosen >= 0) blending.asGraph = chosen == 1;
-  if (blending.asGraph) {
+  const int chosen = segmented(ui, "blending/view", kViews, 2, asGraph ? 1 : 0, room);
+  if (chosen >= 0) asGraph = chosen == 1;
+  if (asGraph) {
     ImGui::SameLine(0.0f, gap);
     if (glyphButton(ui, "blending/arrange", Glyph::kArrange, false, button, "Arrange all groups anew")) {
       blending.places.clear();
@@ -117,11 +118,11 @@ std::string groupText(const Rig& rig, int group) {
 void startGroupRename(EditorState& state, GroupId group) {
   const int index = findGroup(state.document.rig(), group);
   if (index < 0) return;
-  state.panels.blending.rename = {group, state.document.rig().groups[static_cast<std::size_t>(index)].name, true};
+  state.open.blending.rename = {group, state.document.rig().groups[static_cast<std::size_t>(index)].name, true};
 }
 
 void groupRenameField(PanelUi& ui, float width) {
-  GroupRename& typed = ui.state.panels.blending.rename;
+  GroupRename& typed = ui.state.open.blending.rename;
   if (typed.appearing) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(width);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(5), ui.px(2)});
@@ -145,7 +146,7 @@ void groupMenu(PanelUi& ui, int group) {
   const auto rig = ui.state.document.commands.sharedRig();
   const std::string name = rig->groups[static_cast<std::size_t>(group)].name;
   const GroupId id = rig->groups[static_cast<std::size_t>(group)].id();
-  ui.state.panels.blending.group = id;
+  ui.state.open.blending.group = id;
   const std::vector<int> members = membersOf(*rig, name);
   const std::vector<int> selected = selectedIndices(ui.state.document);
   if (menuItem(ui, "Select its muscles", "group-select", !members.empty())) selectMembers(ui.state, name);
@@ -177,13 +178,13 @@ void drawBlending(PanelUi& ui) {
   // Always as much, so that nothing moves under the pointer when a group is chosen.
   const float below = ImGui::GetTextLineHeight() + ImGui::GetFrameHeight() + 4.0f * spacing;
   const float height = std::max(ImGui::GetContentRegionAvail().y - below, ui.px(60));
-  if (ui.state.panels.blending.asGraph) {
+  if (ui.state.view.groupsAsGraph) {
     drawBlendingGraph(ui, height);
   } else {
     drawBlendingMatrix(ui, height);
   }
   // A click above may have changed the rig.
-  const int still = findGroup(ui.state.document.rig(), ui.state.panels.blending.group);
+  const int still = findGroup(ui.state.document.rig(), ui.state.open.blending.group);
   if (still >= 0) {
     drawChosen(ui, still);
   } else {

@@ -44,7 +44,7 @@ struct Graph {
   float scale = 1.0f;  ///< Screen units per design pixel of the graph.
   Hit hit;
 
-  [[nodiscard]] BlendingState& state() const { return ui.state.panels.blending; }
+  [[nodiscard]] BlendingState& state() const { return ui.state.open.blending; }
   [[nodiscard]] const std::string& name(int group) const { return rig->groups[static_cast<std::size_t>(group)].name; }
   [[nodiscard]] GroupId id(int group) const { return rig->groups[static_cast<std::size_t>(group)].id(); }
   [[nodiscard]] glm::vec2 place(int group) const { return at[static_cast<std::size_t>(group)]; }
@@ -59,11 +59,6 @@ ImVec2 point(const glm::vec2& p) { return {p.x, p.y}; }
 /// Every group has a place: all are laid out if none has one, a new one goes where there is room.
 void settlePlaces(Graph& graph) {
   BlendingState& state = graph.state();
-  if (state.placedDocument != graph.ui.state.documentsOpened) {
-    state.places.clear();
-    state.placedDocument = graph.ui.state.documentsOpened;
-    state.fitWanted = true;
-  }
   const bool none =
       std::ranges::none_of(graph.rig->groups, [&](const Group& group) { return state.places.contains(group.id()); });
   if (none) {

@@ -68,7 +68,7 @@ Matrix lay(PanelUi& ui) {
 }
 
 void takeClick(Matrix& matrix, int group) {
-  BlendingState& blending = matrix.ui.state.panels.blending;
+  BlendingState& blending = matrix.ui.state.open.blending;
   blending.group = matrix.id(group);
 }
 
@@ -80,7 +80,7 @@ void nameItems(Matrix& matrix) {
     if (at.y + matrix.cell < matrix.clip.y || at.y > matrix.clip.w) continue;
     ImGui::PushID(group);
     ImGui::SetCursorScreenPos(at);
-    if (ui.state.panels.blending.rename.group == matrix.id(group)) {
+    if (ui.state.open.blending.rename.group == matrix.id(group)) {
       groupRenameField(ui, std::max(matrix.nameWidth, ui.px(110)));
     } else {
       if (ImGui::InvisibleButton("name", {matrix.nameWidth, matrix.cell})) takeClick(matrix, group);
@@ -183,7 +183,7 @@ void drawCells(Matrix& matrix) {
 
 void drawNames(Matrix& matrix) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const BlendingState& blending = matrix.ui.state.panels.blending;
+  const BlendingState& blending = matrix.ui.state.open.blending;
   for (int group = 0; group < matrix.count(); ++group) {
     if (blending.rename.group == matrix.id(group)) continue;
     const ImVec2 low{matrix.names.x, matrix.names.y + matrix.cell * static_cast<float>(group)};

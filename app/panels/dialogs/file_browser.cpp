@@ -16,10 +16,10 @@ constexpr float kDateWidth = 132.0f;
 constexpr float kSizeWidth = 72.0f;
 
 void drawPlaces(PanelUi& ui, float height) {
-  FileDialogState& dialog = ui.state.dialog;
+  FileDialogState& dialog = ui.state.dialogs.file;
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kBackground.faded(0.55f));
   ImGui::BeginChild("places", {ui.px(kPlacesWidth), height}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);
-  for (const Place& place : places(ui.state.preferences.recentFiles, dataFile("assets"))) {
+  for (const Place& place : places(ui.state.session.preferences.recentFiles, dataFile("assets"))) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float row = ImGui::GetTextLineHeight() + ui.px(8);
     ImGui::PushID(place.id.c_str());
@@ -38,7 +38,7 @@ void drawPlaces(PanelUi& ui, float height) {
 
 /// Every folder of the way to here, to be clicked.
 void drawCrumbs(PanelUi& ui) {
-  FileDialogState& dialog = ui.state.dialog;
+  FileDialogState& dialog = ui.state.dialogs.file;
   std::vector<std::filesystem::path> way;
   for (std::filesystem::path at = dialog.folder; !at.empty(); at = at.parent_path()) {
     way.push_back(at);
@@ -79,19 +79,19 @@ void steerButton(PanelUi& ui, const char* id, Icon icon, const char* hint, bool 
   ImGui::EndDisabled();
   tooltip(ui, hint);
   ImGui::SameLine(0.0f, ui.px(2));
-  if (pressed) go(ui.state.dialog);
+  if (pressed) go(ui.state.dialogs.file);
 }
 
 void drawSteering(PanelUi& ui) {
-  FileDialogState& dialog = ui.state.dialog;
+  FileDialogState& dialog = ui.state.dialogs.file;
   steerButton(ui, "dialog/back", Icon::kBack, "Back  (Alt+Left)", !dialog.back.empty(), goBack);
   steerButton(ui, "dialog/forward", Icon::kForward, "Forward  (Alt+Right)", !dialog.forward.empty(), goForward);
   steerButton(ui, "dialog/up", Icon::kUp, "The folder above  (Alt+Up)", dialog.folder.has_relative_path(), goUp);
   drawCrumbs(ui);
   const float size = ImGui::GetFrameHeight();
   ImGui::SameLine(ImGui::GetContentRegionMax().x - 2.0f * size - ui.px(2));
-  if (iconButton(ui, "dialog/hidden", Icon::kHidden, ui.state.preferences.hiddenFiles, size)) {
-    ui.state.preferences.hiddenFiles = !ui.state.preferences.hiddenFiles;
+  if (iconButton(ui, "dialog/hidden", Icon::kHidden, ui.state.session.preferences.hiddenFiles, size)) {
+    ui.state.session.preferences.hiddenFiles = !ui.state.session.preferences.hiddenFiles;
   }
   tooltip(ui, "Show hidden files and folders  (Ctrl+H)");
   ImGui::SameLine(0.0f, ui.px(2));
@@ -104,7 +104,7 @@ void drawSteering(PanelUi& ui) {
 }
 
 void drawNewFolder(PanelUi& ui) {
-  FileDialogState& dialog = ui.state.dialog;
+  FileDialogState& dialog = ui.state.dialogs.file;
   if (!dialog.naming) return;
   if (dialog.appearing) ImGui::SetKeyboardFocusHere();
   dialog.appearing = false;
@@ -127,7 +127,7 @@ void drawNewFolder(PanelUi& ui) {
 
 /// A column's title that sorts by it.
 void sortTitle(PanelUi& ui, const char* id, const char* title, bool newestFirst) {
-  const bool active = ui.state.preferences.newestFirst == newestFirst;
+  const bool active = ui.state.session.preferences.newestFirst == newestFirst;
   ImGui::PushStyleColor(ImGuiCol_Text, active ? palette::kText : palette::kMuted);
   const bool chosen = ImGui::Selectable(title, false, ImGuiSelectableFlags_DontClosePopups);
   ImGui::PopStyleColor();
@@ -137,7 +137,7 @@ void sortTitle(PanelUi& ui, const char* id, const char* title, bool newestFirst)
     const ImVec2 high = ImGui::GetItemRectMax();
     ImGui::GetWindowDrawList()->AddLine({low.x, high.y}, {high.x, high.y}, palette::kAccent.packed(), ui.px(1.5f));
   }
-  if (chosen) ui.state.preferences.newestFirst = newestFirst;
+  if (chosen) ui.state.session.preferences.newestFirst = newestFirst;
 }
 
 void drawTitles(PanelUi& ui) {
@@ -151,7 +151,7 @@ void drawTitles(PanelUi& ui) {
 }
 
 void drawEntry(PanelUi& ui, const FolderEntry& entry) {
-  FileDialogState& dialog = ui.state.dialog;
+  FileDialogState& dialog = ui.state.dialogs.file;
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -188,7 +188,7 @@ void drawEntry(PanelUi& ui, const FolderEntry& entry) {
 }
 
 void drawEntries(PanelUi& ui, float height) {
-  FileDialogState& dialog = ui.state.dialog;
+  FileDialogState& dialog = ui.state.dialogs.file;
   refresh(dialog.listing, dialog.folder, listingOptions(ui.state));
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kBackground);
   ImGui::BeginChild("entries", {0.0f, height}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);
@@ -222,7 +222,7 @@ void drawFolderBrowser(PanelUi& ui, float height) {
   drawNewFolder(ui);
   drawPlaces(ui, height);
   ImGui::SameLine(0.0f, ui.px(8));
-  if (ui.state.dialog.kind != DialogKind::kNone) drawEntries(ui, height);
+  if (ui.state.dialogs.file.kind != DialogKind::kNone) drawEntries(ui, height);
 }
 
 }  // namespace sinew::app

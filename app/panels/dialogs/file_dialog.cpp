@@ -23,7 +23,7 @@ constexpr float kWidth = 820.0f;  // Design pixels.
 constexpr float kListHeight = 340.0f;
 
 void close(EditorState& state) {
-  state.dialog = {};
+  state.dialogs.file = {};
   ImGui::CloseCurrentPopup();
 }
 
@@ -45,7 +45,7 @@ std::filesystem::path saveTarget(const FileDialogState& dialog) {
 /// Save As would overwrite a file that is not this document's own.
 bool replaces(const EditorState& state) {
   std::error_code ignored;
-  const std::filesystem::path target = saveTarget(state.dialog);
+  const std::filesystem::path target = saveTarget(state.dialogs.file);
   return std::filesystem::is_regular_file(target, ignored) &&
          !std::filesystem::equivalent(target, state.document.rigFile, ignored);
 }
@@ -58,7 +58,7 @@ void complain(FileDialogState& dialog, const std::string& error) {
 void confirmOpen(EditorState& state, const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) {
-    complain(state.dialog, "There is no file " + file.string());
+    complain(state.dialogs.file, "There is no file " + file.string());
     return;
   }
   close(state);
@@ -66,17 +66,17 @@ void confirmOpen(EditorState& state, const std::filesystem::path& file) {
 }
 
 void confirmSave(EditorState& state) {
-  if (replaces(state) && !state.dialog.overwriteAsked) {
-    state.dialog.overwriteAsked = true;
-    state.dialog.appearing = true;
+  if (replaces(state) && !state.dialogs.file.overwriteAsked) {
+    state.dialogs.file.overwriteAsked = true;
+    state.dialogs.file.appearing = true;
     return;
   }
-  const std::string error = saveTo(state, saveTarget(state.dialog));
+  const std::string error = saveTo(state, saveTarget(state.dialogs.file));
   if (!error.empty()) {
-    complain(state.dialog, error);
+    complain(state.dialogs.file, error);
     return;
   }
-  const Intent then = state.dialog.then;
+  const Intent then = state.dialogs.file.then;
   close(state);
   perform(state, then);
 }
@@ -84,7 +84,7 @@ void confirmSave(EditorState& state) {
 /// Up and Down walk through the list, Tab completes; both inside of the field that is being edited.
 int editPath(ImGuiInputTextCallbackData* data) {
   EditorState& state = *static_cast<EditorState*>(data->UserData);
-  FileDialogState& dialog = state.dialog;
+  FileDialogState& dialog = state.dialogs.file;
   std::string text(data->Buf, static_cast<std::size_t>(data->BufTextLen));
   if (data->EventFlag == ImGuiInputTextFlags_CallbackCompletion) {
     text = completePath(dialog.folder, text, listingOptions(state));
@@ -103,7 +103,7 @@ int editPath(ImGuiInputTextCallbackData* data) {
 }
 
 void drawPathField(PanelUi& ui) {
-  FileDialogState& dialog = ui.state.dialog;
+  FileDialogState& dialog = ui.state.dialogs.file;
   if (dialog.appearing && !dialog.naming) ImGui::SetKeyboardFocusHere();
   if (!dialog.naming) dialog.appearing = false;  // What follows may ask for the focus again.
   const bool wasEmpty = dialog.text.empty();
@@ -124,7 +124,7 @@ void drawPathField(PanelUi& ui) {
 }
 
 void drawFilter(PanelUi& ui) {
-  FileDialogState& dialog = ui.state.dialog;
+  FileDialogState& dialog = ui.state.dialogs.file;
   if (dialog.kind != DialogKind::kOpen) return;
   constexpr std::array kNames{"Characters and rigs", "Rigs", "Characters"};
   ImGui::SameLine(0.0f, ui.px(8));
@@ -142,7 +142,7 @@ void drawFilter(PanelUi& ui) {
 }
 
 void drawComplaint(PanelUi& ui) {
-  const FileDialogState& dialog = ui.state.dialog;
+  const FileDialogState& dialog = ui.state.dialogs.file;
   if (dialog.error.empty() && !dialog.overwriteAsked) return;
   const std::string asked = saveTarget(dialog).filename().string() + " is there already. Replace it?";
   ImGui::PushStyleColor(ImGuiCol_Text, dialog.error.empty() ? palette::kWarning : palette::kError);
@@ -151,9 +151,9 @@ void drawComplaint(PanelUi& ui) {
 }
 
 void leave(EditorState& state) {
-  if (state.dialog.overwriteAsked || state.dialog.naming) {
-    state.dialog.overwriteAsked = state.dialog.naming = false;
-    state.dialog.appearing = true;
+  if (state.dialogs.file.overwriteAsked || state.dialogs.file.naming) {
+    state.dialogs.file.overwriteAsked = state.dialogs.file.naming = false;
+    state.dialogs.file.appearing = true;
   } else {
     close(state);
   }
@@ -161,7 +161,7 @@ void leave(EditorState& state) {
 
 void drawButtons(PanelUi& ui) {
   EditorState& state = ui.state;
-  const FileDialogState& dialog = state.dialog;
+  const FileDialogState& dialog = state.dialogs.file;
   const char* verb = dialog.kind == DialogKind::kOpen ? "Open" : (dialog.overwriteAsked ? "Replace" : "Save");
   const float width = ui.px(96);
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0f * width - ui.px(8));
@@ -178,20 +178,21 @@ void drawButtons(PanelUi& ui) {
 
 void takeKeys(EditorState& state) {
   const ImGuiIO& io = ImGui::GetIO();
-  FileDialogState& dialog = state.dialog;
+  FileDialogState& dialog = state.dialogs.file;
   if (io.KeyAlt && ImGui::IsKeyPressed(GLFW_KEY_UP, false)) goUp(dialog);
   if (io.KeyAlt && ImGui::IsKeyPressed(GLFW_KEY_LEFT, false)) goBack(dialog);
   if (io.KeyAlt && ImGui::IsKeyPressed(GLFW_KEY_RIGHT, false)) goForward(dialog);
   if (io.KeyCtrl && ImGui::IsKeyPressed(GLFW_KEY_H, false)) {
-    state.preferences.hiddenFiles = !state.preferences.hiddenFiles;
+    state.session.preferences.hiddenFiles = !state.session.preferences.hiddenFiles;
   }
 }
 
 }  // namespace
 
 ListingOptions listingOptions(const EditorState& state) {
-  const FileFilter filter = state.dialog.kind == DialogKind::kSaveAs ? FileFilter::kRigs : state.dialog.filter;
-  return {filter, state.preferences.hiddenFiles, state.preferences.newestFirst};
+  const FileFilter filter =
+      state.dialogs.file.kind == DialogKind::kSaveAs ? FileFilter::kRigs : state.dialogs.file.filter;
+  return {filter, state.session.preferences.hiddenFiles, state.session.preferences.newestFirst};
 }
 
 void enterFolder(FileDialogState& dialog, const std::filesystem::path& folder) {
@@ -221,7 +222,7 @@ void goUp(FileDialogState& dialog) {
 }
 
 void confirmPath(EditorState& state) {
-  FileDialogState& dialog = state.dialog;
+  FileDialogState& dialog = state.dialogs.file;
   if (dialog.text.empty()) return;
   const std::filesystem::path typed = resolveTyped(dialog.folder, dialog.text);
   std::error_code ignored;
@@ -236,7 +237,7 @@ void confirmPath(EditorState& state) {
 }
 
 void drawFileDialog(PanelUi& ui) {
-  FileDialogState& dialog = ui.state.dialog;
+  FileDialogState& dialog = ui.state.dialogs.file;
   if (dialog.kind == DialogKind::kNone) return;
   const char* title = dialog.kind == DialogKind::kOpen ? "Open a character or a rig" : "Save the rig as";
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);

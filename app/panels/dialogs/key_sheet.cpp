@@ -147,15 +147,15 @@ void drawKeymapChoice(PanelUi& ui) {
   mutedText("Keymap");
   for (const Keymap keymap : {Keymap::kMaya, Keymap::kBlender}) {
     ImGui::SameLine();
-    const bool chosen = ImGui::RadioButton(titleOf(keymap), ui.state.preferences.keymap == keymap);
+    const bool chosen = ImGui::RadioButton(titleOf(keymap), ui.state.session.preferences.keymap == keymap);
     ui.widgets.note(std::string("keys/") + nameOf(keymap));
-    if (chosen) ui.state.preferences.keymap = keymap;
+    if (chosen) ui.state.session.preferences.keymap = keymap;
   }
 }
 
 /// Two columns; a third where two are too tall for the window and there is room for it.
 void drawSheet(PanelUi& ui) {
-  const std::vector<Section> sections = sectionsOf(ui.state.preferences.keymap);
+  const std::vector<Section> sections = sectionsOf(ui.state.session.preferences.keymap);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float line = ImGui::GetTextLineHeight() + ui.px(kLineGap);
   const float room = display.y - ui.px(kAroundSheet);
@@ -175,7 +175,7 @@ void drawSheet(PanelUi& ui) {
   const bool closed = ImGui::Button("Close", {ui.px(104), 0.0f});
   ui.widgets.note("keys/close");
   if (closed || !open || toggled || escapePressed(ui) || ImGui::IsMouseClicked(1)) {
-    ui.state.keySheet = false;
+    ui.state.dialogs.keySheet = false;
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();
@@ -184,7 +184,7 @@ void drawSheet(PanelUi& ui) {
 }  // namespace
 
 void drawKeySheet(PanelUi& ui) {
-  if (!ui.state.keySheet) return;
+  if (!ui.state.dialogs.keySheet) return;
   if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});

@@ -41,7 +41,7 @@ struct Entries {
 };
 
 int recentRank(const EditorState& state, const std::string& id) {
-  const auto& recent = state.preferences.recentActions;
+  const auto& recent = state.session.preferences.recentActions;
   const auto found = std::ranges::find(recent, id);
   return found == recent.end() ? -1 : static_cast<int>(found - recent.begin());
 }
@@ -80,7 +80,7 @@ void addFiles(Entries& all, const EditorState& state) {
     add(all, state, {EntryKind::kFile, "sample/" + std::to_string(i), nullptr, {}, -1, ours[i].file}, ours[i].name,
         "Sample", true);
   }
-  const auto& recent = state.preferences.recentFiles;
+  const auto& recent = state.session.preferences.recentFiles;
   for (std::size_t i = 0; i < recent.size(); ++i) {
     std::error_code failed;
     const bool there = std::filesystem::is_regular_file(recent[i], failed);
@@ -98,7 +98,7 @@ Entries gather(const EditorState& state) {
 }
 
 void choose(EditorState& state, const Entry& entry) {
-  rememberAction(state.preferences.recentActions, entry.id);
+  rememberAction(state.session.preferences.recentActions, entry.id);
   switch (entry.kind) {
     case EntryKind::kAction:
       run(*entry.action, state);
@@ -190,7 +190,7 @@ int drawFound(PanelUi& ui, const Entries& all, const std::vector<Found>& found, 
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0f, 0.0f});
   for (std::size_t i = 0; i < found.size(); ++i) {
     const std::size_t index = found[i].index;
-    const bool chosen = static_cast<int>(i) == ui.state.palette.chosen;
+    const bool chosen = static_cast<int>(i) == ui.state.dialogs.palette.chosen;
     if (drawRow(ui, all.entries[index], all.candidates[index], found[i], chosen, height)) taken = static_cast<int>(i);
     if (chosen && moved && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.5f);
   }
@@ -204,7 +204,7 @@ int drawFound(PanelUi& ui, const Entries& all, const std::vector<Found>& found, 
 }
 
 void drawContents(PanelUi& ui) {
-  PaletteState& palette = ui.state.palette;
+  PaletteState& palette = ui.state.dialogs.palette;
   if (palette.appearing) ImGui::SetKeyboardFocusHere();
   palette.appearing = false;
   ImGui::SetNextItemWidth(-1.0f);
@@ -221,7 +221,7 @@ void drawContents(PanelUi& ui) {
   if (entered && count > 0) taken = palette.chosen;
   const bool usable = taken >= 0 && all.candidates[found[static_cast<std::size_t>(taken)].index].usable;
   if (usable || ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
-    ui.state.palette = {};
+    ui.state.dialogs.palette = {};
     ImGui::CloseCurrentPopup();
   } else if (entered || taken >= 0) {
     palette.appearing = true;  // What cannot be done now leaves the palette as it is.
@@ -232,8 +232,8 @@ void drawContents(PanelUi& ui) {
 }  // namespace
 
 void drawPalette(PanelUi& ui) {
-  if (!ui.state.palette.shown) return;
-  if (ui.state.palette.appearing && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  if (!ui.state.dialogs.palette.shown) return;
+  if (ui.state.dialogs.palette.appearing && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float width = std::min(ui.px(kWidth), display.x - ui.px(20));
   ImGui::SetNextWindowPos({0.5f * display.x, 0.14f * display.y}, ImGuiCond_Always, {0.5f, 0.0f});
@@ -245,7 +245,7 @@ void drawPalette(PanelUi& ui) {
     drawContents(ui);
     ImGui::EndPopup();
   } else {
-    ui.state.palette = {};  // A click beside it.
+    ui.state.dialogs.palette = {};  // A click beside it.
   }
   ImGui::PopStyleVar();
   popDialogStyle();

@@ -36,11 +36,11 @@ void keymapRow(PanelUi& ui) {
   label(ui, "Keymap");
   for (const Keymap keymap : {Keymap::kMaya, Keymap::kBlender}) {
     if (keymap != Keymap::kMaya) ImGui::SameLine();
-    const bool chosen = ImGui::RadioButton(titleOf(keymap), ui.state.preferences.keymap == keymap);
+    const bool chosen = ImGui::RadioButton(titleOf(keymap), ui.state.session.preferences.keymap == keymap);
     ui.widgets.note(std::string("preferences/keymap/") + nameOf(keymap));
-    if (chosen) ui.state.preferences.keymap = keymap;
+    if (chosen) ui.state.session.preferences.keymap = keymap;
   }
-  explain(ui, ui.state.preferences.keymap == Keymap::kMaya
+  explain(ui, ui.state.session.preferences.keymap == Keymap::kMaya
                   ? "Q W E R choose select, move, rotate, scale. F1 lists all keys."
                   : "G R S grab, rotate, scale at once; X deletes, Shift+D duplicates. F1 lists all keys.");
 }
@@ -54,13 +54,13 @@ std::string scaleText(float scale, float system) {
 
 void scaleRow(PanelUi& ui) {
   label(ui, "Size of the interface");
-  float& scale = ui.state.preferences.scale;
+  float& scale = ui.state.session.preferences.scale;
   ImGui::SetNextItemWidth(-1.0f);
-  const bool open = ImGui::BeginCombo("##scale", scaleText(scale, ui.state.systemScale).c_str());
+  const bool open = ImGui::BeginCombo("##scale", scaleText(scale, ui.state.frame.systemScale).c_str());
   ui.widgets.note("preferences/scale");
   if (open) {
     for (std::size_t i = 0; i < kScales.size(); ++i) {
-      if (ImGui::Selectable(scaleText(kScales[i], ui.state.systemScale).c_str(), scale == kScales[i])) {
+      if (ImGui::Selectable(scaleText(kScales[i], ui.state.frame.systemScale).c_str(), scale == kScales[i])) {
         scale = kScales[i];
       }
       ui.widgets.note("preferences/scale/" + std::to_string(i));
@@ -72,14 +72,14 @@ void scaleRow(PanelUi& ui) {
 
 void autosaveRow(PanelUi& ui) {
   label(ui, "Autosave");
-  auto seconds = static_cast<float>(ui.state.preferences.autosaveSeconds);
+  auto seconds = static_cast<float>(ui.state.session.preferences.autosaveSeconds);
   ImGui::SetNextItemWidth(-1.0f);
   beginFilledSlider(ui, std::log(seconds / 5.0f) / std::log(300.0f / 5.0f));
   const bool changed = ImGui::SliderFloat("##autosave", &seconds, 5.0f, 300.0f, "every %.0f seconds",
                                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
   endFilledSlider();
   ui.widgets.note("preferences/autosave");
-  if (changed) ui.state.preferences.autosaveSeconds = static_cast<double>(std::round(seconds));
+  if (changed) ui.state.session.preferences.autosaveSeconds = static_cast<double>(std::round(seconds));
   explain(ui,
           "Unsaved changes go to a recovery file, never to the rig's own. After a crash the next start offers them.");
 }
@@ -90,7 +90,7 @@ void buttons(PanelUi& ui, bool& closed) {
   ui.widgets.note("preferences/reset-layout");
   tooltip(ui, action("window/reset-layout").hint);
   ImGui::SameLine();
-  if (ImGui::Button("Forget recent files")) ui.state.preferences.recentFiles.clear();
+  if (ImGui::Button("Forget recent files")) ui.state.session.preferences.recentFiles.clear();
   ui.widgets.note("preferences/forget");
   ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
   ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccent.faded(0.45f));
@@ -102,7 +102,7 @@ void buttons(PanelUi& ui, bool& closed) {
 }  // namespace
 
 void drawPreferences(PanelUi& ui) {
-  if (!ui.state.preferencesShown) return;
+  if (!ui.state.dialogs.preferences) return;
   if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * display.x, 0.45f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
@@ -117,7 +117,7 @@ void drawPreferences(PanelUi& ui) {
     bool closed = false;
     buttons(ui, closed);
     if (closed || escapePressed(ui)) {
-      ui.state.preferencesShown = false;
+      ui.state.dialogs.preferences = false;
       ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();

@@ -86,11 +86,11 @@ bool askRecoveries(PanelUi& ui) {
   if (ImGui::BeginTable("left", 2, ImGuiTableFlags_BordersInnerH)) {
     ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("deeds", ImGuiTableColumnFlags_WidthFixed, 2.0f * ui.px(92) + ui.px(8));
-    for (std::size_t i = 0; i < state.leftBehind.size(); ++i) {
-      const Choice here = askRecovery(ui, state.leftBehind[i], i);
+    for (std::size_t i = 0; i < state.session.leftBehind.size(); ++i) {
+      const Choice here = askRecovery(ui, state.session.leftBehind[i], i);
       if (here == Choice::kNone) continue;
       choice = here;
-      chosen = state.leftBehind[i].file;
+      chosen = state.session.leftBehind[i].file;
     }
     ImGui::EndTable();
   }
@@ -104,22 +104,22 @@ bool askRecoveries(PanelUi& ui) {
   tooltip(ui, "Asked again at the next start");
   if (choice == Choice::kDiscard) discardRecovery(state, chosen);
   if (choice == Choice::kRecover) request(state, {IntentKind::kRecover, chosen});
-  return choice == Choice::kRecover || later || state.leftBehind.empty() || escapePressed(ui);
+  return choice == Choice::kRecover || later || state.session.leftBehind.empty() || escapePressed(ui);
 }
 
 }  // namespace
 
 void drawUnsavedQuestion(PanelUi& ui) {
   EditorState& state = ui.state;
-  if (state.question.kind == IntentKind::kNone) return;
+  if (state.dialogs.question.kind == IntentKind::kNone) return;
   if (!ImGui::IsPopupOpen(kUnsavedTitle)) ImGui::OpenPopup(kUnsavedTitle);
   centerNext(ui, 400);
   pushDialogStyle(ui);
   if (ImGui::BeginPopupModal(kUnsavedTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
     const Answer answer = askUnsaved(ui);
     if (answer != Answer::kNone) {
-      const Intent intent = state.question;
-      state.question = {};
+      const Intent intent = state.dialogs.question;
+      state.dialogs.question = {};
       ImGui::CloseCurrentPopup();
       if (answer == Answer::kDiscard) perform(state, intent);
       if (answer == Answer::kSave) save(state, intent);
@@ -131,13 +131,13 @@ void drawUnsavedQuestion(PanelUi& ui) {
 
 void drawRecoveryQuestion(PanelUi& ui) {
   EditorState& state = ui.state;
-  if (!state.recoveryAsked) return;
+  if (!state.dialogs.recovery) return;
   if (!ImGui::IsPopupOpen(kRecoveryTitle)) ImGui::OpenPopup(kRecoveryTitle);
   centerNext(ui, 560);
   pushDialogStyle(ui);
   if (ImGui::BeginPopupModal(kRecoveryTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
     if (askRecoveries(ui)) {
-      state.recoveryAsked = false;
+      state.dialogs.recovery = false;
       ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();

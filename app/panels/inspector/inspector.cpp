@@ -30,7 +30,7 @@ void nameRow(PanelUi& ui, const Subjects& subjects) {
   std::string text = name;
   const bool entered = ImGui::InputText("##name", &text, ImGuiInputTextFlags_EnterReturnsTrue);
   ui.widgets.note("inspector/name");
-  if (entered || ImGui::IsItemDeactivatedAfterEdit()) ui.state.fieldError = rename(ui.state, subjects.shown().id(), text);
+  if (entered || ImGui::IsItemDeactivatedAfterEdit()) rename(ui.state, subjects.shown().id(), text);
 }
 
 void boneRow(PanelUi& ui, const Subjects& subjects) {

@@ -84,7 +84,7 @@ void fieldMenu(PanelUi& ui, const Subjects& subjects, const NumberField& field, 
 
 void editSubjects(PanelUi& ui, const Subjects& subjects, const char* label,
                   const std::function<void(Primitive&)>& change) {
-  applyFieldEdit(ui, label, editPrimitives(ui.state.document.rig(), subjects.indices, change));
+  edit(ui.state, label, editPrimitives(ui.state.document.rig(), subjects.indices, change));
 }
 
 void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& field) {

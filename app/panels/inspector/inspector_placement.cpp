@@ -39,7 +39,7 @@ struct Lengths {
 
 Lengths lengthsOf(const EditorState& state) {
   const float height = state.character().height;
-  if (state.panels.inspector.percent) return {state.character().skeleton, 100.0f / height, 100.0f, "%.2f%%"};
+  if (state.view.inspector.percent) return {state.character().skeleton, 100.0f / height, 100.0f, "%.2f%%"};
   return {state.character().skeleton, 1.0f, height, height > 20.0f ? "%.2f" : (height > 2.5f ? "%.3f" : "%.4f")};
 }
 
@@ -100,7 +100,7 @@ glm::vec3 degreesOf(const EulerState& euler, const Primitive& primitive) {
 }
 
 void rotationRow(PanelUi& ui, const Subjects& subjects) {
-  EulerState& euler = ui.state.euler;
+  EulerState& euler = ui.state.open.euler;
   const Primitive& shown = subjects.shown();
   euler = {shown.id(), shown.placement.rotation, degreesOf(euler, shown)};
   vectorRow(ui, subjects, "Rotation", [&](int i) {
@@ -157,8 +157,8 @@ void drawPlacementRows(PanelUi& ui, const Subjects& subjects) {
   const float width = ui.px(128);
   ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
   constexpr const char* kUnits[] = {"Units", "% of H"};
-  const int chosen = segmented(ui, "inspector/lengths", kUnits, 2, ui.state.panels.inspector.percent ? 1 : 0, width);
-  if (chosen >= 0) ui.state.panels.inspector.percent = chosen == 1;
+  const int chosen = segmented(ui, "inspector/lengths", kUnits, 2, ui.state.view.inspector.percent ? 1 : 0, width);
+  if (chosen >= 0) ui.state.view.inspector.percent = chosen == 1;
   const Lengths lengths = lengthsOf(ui.state);
   centreRow(ui, subjects, lengths);
   rotationRow(ui, subjects);

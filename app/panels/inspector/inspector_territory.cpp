@@ -19,7 +19,7 @@ namespace sinew::app {
 namespace {
 
 void reset(PanelUi& ui, const Subjects& subjects) {
-  applyFieldEdit(ui, "Default territory", withDefaultTerritory(ui.state.document.rig(), subjects.indices));
+  edit(ui.state, "Default territory", withDefaultTerritory(ui.state.document.rig(), subjects.indices));
 }
 
 /// "default" or "named", with the way back to the default.
@@ -32,7 +32,7 @@ void headRow(PanelUi& ui, const Subjects& subjects, std::size_t bones) {
   const std::string count = subjects.several() ? "" : ", " + many;
   const std::string kind = differ ? "mixed" : (named ? "named" : "default");
   ImGui::TextUnformatted((kind + count).c_str());
-  if (ImGui::IsItemClicked()) ui.state.panels.inspector.territoryOpen = !ui.state.panels.inspector.territoryOpen;
+  if (ImGui::IsItemClicked()) ui.state.view.inspector.territoryOpen = !ui.state.view.inspector.territoryOpen;
   ui.widgets.note("inspector/territory");
   tooltip(ui, std::string("The bones whose skin this muscle may move") +
                   (named ? ", as the rig names them." : ": its bone, that one's parent and children. Click: which."));
@@ -88,7 +88,7 @@ void addRow(PanelUi& ui, const std::vector<int>& within) {
   const bool open = ImGui::BeginCombo("##territory-add", "Add a bone...", ImGuiComboFlags_HeightLarge);
   ui.widgets.note("inspector/territory-add");
   if (!open) return;
-  std::string& filter = ui.state.panels.inspector.territoryFilter;
+  std::string& filter = ui.state.view.inspector.territoryFilter;
   if (ImGui::IsWindowAppearing()) {
     filter.clear();
     ImGui::SetKeyboardFocusHere();
@@ -116,7 +116,7 @@ void drawTerritoryRows(PanelUi& ui, const Subjects& subjects) {
   headRow(ui, subjects, within.size());
   if (subjects.several() || subjects.bone < 0) return;
   const bool named = subjects.shown().territory.has_value();
-  if (!named && !editsTerritory(ui.state) && !ui.state.panels.inspector.territoryOpen) return;
+  if (!named && !editsTerritory(ui.state) && !ui.state.view.inspector.territoryOpen) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(1)});
   for (const int bone : within) boneRow(ui, skeleton.fileName(bone), bone);
   for (const std::string& name : subjects.shown().territory.value_or(std::vector<std::string>{})) {

@@ -34,7 +34,7 @@ void choiceRow(PanelUi& ui, const char* label, const std::string& id, Kind curre
   for (const Kind kind : kinds) {
     const bool chosen = ImGui::Selectable(nameOf(kind), kind == current);
     ui.widgets.note(id + "/" + nameOf(kind));
-    if (chosen && kind != current) applyFieldEdit(ui, label, apply(kind));
+    if (chosen && kind != current) edit(ui.state, label, apply(kind));
   }
   ImGui::EndCombo();
 }
@@ -63,7 +63,7 @@ void depthRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
   ui.widgets.note("smoothing/auto");
   tooltip(ui,
           "As deep as the character's size on screen asks for. Written files have the depth that stands without this.");
-  if (switched) applyFieldEdit(ui, "Auto depth", changed([&](SmoothingSettings& s) { s.autoDepth = automatic; }));
+  if (switched) edit(ui.state, "Auto depth", changed([&](SmoothingSettings& s) { s.autoDepth = automatic; }));
 }
 
 template <class Changed>

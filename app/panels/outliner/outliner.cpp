@@ -30,20 +30,20 @@ OutlinerContent gather(const EditorState& state) {
     frame.territory.assign(skeleton.bones.size(), false);
     for (const int bone : shownTerritory(state)) frame.territory[static_cast<std::size_t>(bone)] = true;
   }
-  const OutlinerState& outliner = state.panels.outliner;
+  const OutlinerState& outliner = state.view.outliner;
   frame.rows =
       outlinerRows(*frame.rig, skeleton, frame.boneOf,
-                   {state.outlinerFilter, outliner.onlyWithMuscles, &outliner.folded, outliner.unattachedFolded});
+                   {state.view.outlinerFilter, outliner.onlyWithMuscles, &outliner.folded, outliner.unattachedFolded});
   return frame;
 }
 
 void drawSearch(PanelUi& ui) {
   const float button = ImGui::GetFrameHeight();
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ui.px(4));
-  ImGui::InputTextWithHint("##search", "Search muscles and bones", &ui.state.outlinerFilter);
+  ImGui::InputTextWithHint("##search", "Search muscles and bones", &ui.state.view.outlinerFilter);
   ui.widgets.note("outliner/search");
   ImGui::SameLine(0.0f, ui.px(4));
-  bool& only = ui.state.panels.outliner.onlyWithMuscles;
+  bool& only = ui.state.view.outliner.onlyWithMuscles;
   if (glyphButton(ui, "outliner/only-with-muscles", Glyph::kFilter, only, button,
                   "Only bones with muscles on them or below")) {
     only = !only;
@@ -55,18 +55,18 @@ void reveal(PanelUi& ui, const OutlinerContent& frame) {
   EditorState& state = ui.state;
   const PrimitiveId active = state.document.selection.active();
   const int index = findPrimitive(*frame.rig, active);
-  if (active == state.revealed || index < 0) return;
+  if (active == state.open.revealed || index < 0) return;
   const auto found = std::ranges::find_if(
       frame.rows, [&](const OutlinerRow& row) { return row.kind == RowKind::kMuscle && row.index == index; });
   if (found == frame.rows.end()) {
     const int bone = frame.boneOf[static_cast<std::size_t>(index)];
-    if (bone < 0) state.panels.outliner.unattachedFolded = false;
+    if (bone < 0) state.view.outliner.unattachedFolded = false;
     unfoldTo(state, bone);
     // Found with the next frame, unless the search leaves it out.
-    if (!state.outlinerFilter.empty()) state.revealed = active;
+    if (!state.view.outlinerFilter.empty()) state.open.revealed = active;
     return;
   }
-  state.revealed = active;
+  state.open.revealed = active;
   const float top = static_cast<float>(found - frame.rows.begin()) * frame.rowHeight;
   const float height = ImGui::GetWindowHeight();
   if (top < ImGui::GetScrollY() || top + frame.rowHeight > ImGui::GetScrollY() + height) {
@@ -89,8 +89,8 @@ void drawRows(PanelUi& ui) {
   if (frame.rows.empty()) {
     ImGui::Dummy({0.0f, ui.px(6)});
     ImGui::PushTextWrapPos(0.0f);
-    mutedText(ui.state.outlinerFilter.empty() ? "No muscles yet. Press M and drag on the skin."
-                                              : "Nothing of that name.");
+    mutedText(ui.state.view.outlinerFilter.empty() ? "No muscles yet. Press M and drag on the skin."
+                                                   : "Nothing of that name.");
     ImGui::PopTextWrapPos();
   }
   ImGuiListClipper clipper;

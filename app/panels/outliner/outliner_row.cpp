@@ -114,7 +114,7 @@ void drawFold(Row& row) {
             (ImGui::IsItemHovered() ? palette::kText : palette::kMuted).packed());
   if (!pressed) return;
   if (row.row.index < 0) {
-    ui.state.panels.outliner.unattachedFolded = row.row.open;
+    ui.state.view.outliner.unattachedFolded = row.row.open;
   } else {
     setFolded(ui.state, row.row.index, row.row.open, all);
   }
@@ -122,7 +122,7 @@ void drawFold(Row& row) {
 
 void drawRename(Row& row) {
   PanelUi& ui = row.ui;
-  RenameState& typed = ui.state.rename;
+  RenameState& typed = ui.state.open.rename;
   ImGui::SetCursorScreenPos({row.indent() + ui.px(kNameFrom - 8), row.low.y});
   if (typed.appearing) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(row.high.x - row.indent() - ui.px(kNameFrom - 4));
@@ -133,7 +133,7 @@ void drawRename(Row& row) {
   ui.widgets.note("outliner/rename");
   const bool left = !typed.appearing && ImGui::IsItemDeactivated();
   typed.appearing = false;
-  if (entered) ui.state.fieldError = rename(ui.state, typed.primitive, typed.text);
+  if (entered) rename(ui.state, typed.primitive, typed.text);
   if (entered || left) typed = {};
 }
 
@@ -173,7 +173,7 @@ void drawBar(Row& row, bool selected) {
   const bool twice = clicked && plain && ImGui::IsMouseDoubleClicked(0);
   if (row.isMuscle()) {
     ui.widgets.note("outliner/muscle/" + row.name());
-    if (row.hovered) ui.state.panels.highlighted.push_back(row.row.index);
+    if (row.hovered) ui.state.frame.highlighted.push_back(row.row.index);
     dragSource(row);
     muscleMenu(ui, row.frame, row.row.index);
     const ImGuiIO& io = ImGui::GetIO();
@@ -188,7 +188,7 @@ void drawBar(Row& row, bool selected) {
   } else {
     ui.widgets.note("outliner/unattached");
     tooltip(ui, "Their bones are not in this character. They are kept and saved; drag one onto a bone to attach it.");
-    if (clicked) ui.state.panels.outliner.unattachedFolded = row.row.open;
+    if (clicked) ui.state.view.outliner.unattachedFolded = row.row.open;
   }
 }
 
@@ -202,7 +202,7 @@ void drawMuscle(Row& row) {
   const Tint tint = groupTint(*row.frame.rig, primitive.group);
   drawIcon(list, primitive.sign > 0 ? Icon::kMuscle : Icon::kCarve, {row.indent() + ui.px(15), row.middle(ui.px(13))},
            ui.px(13), tint.faded(visible ? 1.0f : 0.4f).packed());
-  if (ui.state.rename.primitive == primitive.id()) return;
+  if (ui.state.open.rename.primitive == primitive.id()) return;
   const Tint color = visible ? palette::kText : palette::kMuted.faded(0.6f);
   const float from = row.indent() + ui.px(kNameFrom);
   const float room = row.nameEnd() - from;
@@ -256,7 +256,7 @@ void drawOutlinerRow(PanelUi& ui, const OutlinerContent& frame, int position) {
   const Selection& selection = ui.state.document.selection;
   const bool selected = row.isMuscle() ? selection.contains(row.primitive().id())
                                        : entry.kind == RowKind::kBone && selection.bone == entry.index;
-  const bool renamed = row.isMuscle() && ui.state.rename.primitive == row.primitive().id();
+  const bool renamed = row.isMuscle() && ui.state.open.rename.primitive == row.primitive().id();
   if (!renamed) drawBar(row, selected);
   if (row.isMuscle()) {
     drawMuscle(row);

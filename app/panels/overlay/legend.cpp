@@ -30,7 +30,7 @@ struct Box {
 
 /// A panel at the picture's lower left corner, drawn by hand.
 Box plate(PanelUi& ui, float width, float height) {
-  const glm::vec4& v = ui.state.viewport;
+  const glm::vec4& v = ui.state.frame.viewport;
   const ImVec2 low{v.x + ui.px(kMargin), v.y + v.w - ui.px(kMargin) - height};
   const ImVec2 high{low.x + width, low.y + height};
   ImGui::GetWindowDrawList()->AddRectFilled(low, high, palette::kPanel.faded(0.85f).packed(), ui.px(6));
@@ -78,7 +78,7 @@ void drawHeat(PanelUi& ui) {
     list.AddRectFilledMultiColor({left + a * width, top}, {left + b * width, top + bar}, color(2.0f * a - 1.0f),
                                  color(2.0f * b - 1.0f), color(2.0f * b - 1.0f), color(2.0f * a - 1.0f));
   }
-  const float range = ui.state.display.heatRange;
+  const float range = ui.state.view.display.heatRange;
   const float height = ui.state.character().height;
   drawTick(ui, list, left, top, bar, number(-100.0f * range, "% H"), 0.0f);
   drawTick(ui, list, left + 0.5f * width, top, bar, "0", 0.5f);
@@ -124,7 +124,7 @@ void drawClasses(PanelUi& ui) {
 
 /// A line across the picture's lower edge while it does not show everything, with the way out.
 void drawMode(PanelUi& ui, const std::string& text, const char* button, const char* id, void (*leave)(EditorState&)) {
-  const glm::vec4& v = ui.state.viewport;
+  const glm::vec4& v = ui.state.frame.viewport;
   const float buttonWidth = button == nullptr ? 0.0f : ImGui::CalcTextSize(button).x + ui.px(24);
   const float width = std::min(ImGui::CalcTextSize(text.c_str()).x + ui.px(28) + buttonWidth, v.z - ui.px(20));
   const float height = ImGui::GetFrameHeight() + ui.px(8);
@@ -145,10 +145,10 @@ void drawMode(PanelUi& ui, const std::string& text, const char* button, const ch
 
 void drawLegend(PanelUi& ui) {
   EditorState& state = ui.state;
-  if (state.display.shading == Shading::kHeat) drawHeat(ui);
-  if (state.display.shading == Shading::kClasses) drawClasses(ui);
+  if (state.view.display.shading == Shading::kHeat) drawHeat(ui);
+  if (state.view.display.shading == Shading::kClasses) drawClasses(ui);
   if (state.document.visibility.bare) {
-    drawMode(ui, "Before: without muscles", state.panels.bare.latched && !state.panels.bare.byKey ? "Show" : nullptr,
+    drawMode(ui, "Before: without muscles", state.view.bare.latched && !state.view.bare.byKey ? "Show" : nullptr,
              "before", latchBare);
   } else if (editsTerritory(state)) {
     const std::size_t bones = shownTerritory(state).size();
@@ -166,7 +166,7 @@ void drawBeforeButton(PanelUi& ui, float size) {
   const bool active = ui.state.document.visibility.bare;
   glyphButton(ui, "toolstrip/before", Glyph::kBefore, active, size, tooltipOf(ui, before) + " or the button is held.");
   const bool held = ImGui::IsItemActive();
-  const int key = shortcutsOf(before, ui.state.preferences.keymap)[0].key;
+  const int key = shortcutsOf(before, ui.state.session.preferences.keymap)[0].key;
   holdBare(ui.state, key > 0 && ImGui::GetIO().KeysDown[key], held);
 }
 

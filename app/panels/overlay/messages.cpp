@@ -92,7 +92,7 @@ bool drawMessage(PanelUi& ui, const Message& message, std::size_t index) {
 float wantedHeight(PanelUi& ui) {
   const float wrap = ui.px(kWidth) - ui.px(2 * kButton + kTextLeft + 8 + 20);
   float height = ImGui::GetFrameHeight() + ui.px(26);
-  for (const Message& message : ui.state.messages)
+  for (const Message& message : ui.state.session.messages)
     height += std::max(textHeight(shown(message), wrap), ui.px(kButton)) + ui.px(6);
   return height;
 }
@@ -105,13 +105,13 @@ bool drawHead(PanelUi& ui) {
   const auto widthOf = [&](const char* label) { return ImGui::CalcTextSize(label).x + 2.0f * style.FramePadding.x; };
   const float size = ImGui::GetFrameHeight();
   ImGui::SameLine(ImGui::GetContentRegionMax().x - widthOf("Copy all") - widthOf("Clear") - size - 2.0f * ui.px(4));
-  if (ImGui::Button("Copy all")) ImGui::SetClipboardText(allText(ui.state.messages).c_str());
+  if (ImGui::Button("Copy all")) ImGui::SetClipboardText(allText(ui.state.session.messages).c_str());
   ui.widgets.note("messages/copy-all");
   ImGui::SameLine(0.0f, ui.px(4));
   const bool all = ImGui::Button("Clear");
   ui.widgets.note("messages/dismiss-all");
   ImGui::SameLine(0.0f, ui.px(4));
-  if (iconButton(ui, "messages/hide", Icon::kMinimise, false, size)) ui.state.messagesShown = false;
+  if (iconButton(ui, "messages/hide", Icon::kMinimise, false, size)) ui.state.session.messagesShown = false;
   tooltip(ui, "Put away; they stay in the status line");
   return all;
 }
@@ -119,13 +119,13 @@ bool drawHead(PanelUi& ui) {
 }  // namespace
 
 void drawMessages(PanelUi& ui) {
-  std::vector<Message>& messages = ui.state.messages;
-  if (messages.empty() || !ui.state.messagesShown) return;
-  const float height = std::min({wantedHeight(ui), ui.px(kHighest), ui.state.viewport.w * 0.6f});
-  ImGui::SetCursorPos({ui.px(10), ui.state.viewport.w - height - ui.px(10)});
+  std::vector<Message>& messages = ui.state.session.messages;
+  if (messages.empty() || !ui.state.session.messagesShown) return;
+  const float height = std::min({wantedHeight(ui), ui.px(kHighest), ui.state.frame.viewport.w * 0.6f});
+  ImGui::SetCursorPos({ui.px(10), ui.state.frame.viewport.w - height - ui.px(10)});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.95f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
-  ImGui::BeginChild("messages", {std::min(ui.px(kWidth), ui.state.viewport.z - ui.px(20)), height}, true,
+  ImGui::BeginChild("messages", {std::min(ui.px(kWidth), ui.state.frame.viewport.z - ui.px(20)), height}, true,
                     ImGuiWindowFlags_AlwaysUseWindowPadding);
   ImGui::PopStyleVar();
   const bool all = drawHead(ui);
@@ -143,7 +143,7 @@ void drawMessages(PanelUi& ui) {
 }
 
 float drawMessageBadge(PanelUi& ui) {
-  const std::vector<Message>& messages = ui.state.messages;
+  const std::vector<Message>& messages = ui.state.session.messages;
   if (messages.empty()) return 0.0f;
   const MessageKind worst = std::ranges::max(messages, {}, &Message::kind).kind;
   const std::string count = std::to_string(messages.size());
@@ -152,10 +152,11 @@ float drawMessageBadge(PanelUi& ui) {
   const float right = ImGui::GetContentRegionMax().x;
   ImGui::SetCursorPos({right - width, ImGui::GetCursorPosY() - ui.px(2)});
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  if (ImGui::InvisibleButton("badge", {width, height})) ui.state.messagesShown = !ui.state.messagesShown;
+  if (ImGui::InvisibleButton("badge", {width, height}))
+    ui.state.session.messagesShown = !ui.state.session.messagesShown;
   ui.widgets.note("status/messages");
-  const bool lit = ImGui::IsItemHovered() || ui.state.messagesShown;
-  tooltip(ui, ui.state.messagesShown ? "Put the messages away" : "Show the messages");
+  const bool lit = ImGui::IsItemHovered() || ui.state.session.messagesShown;
+  tooltip(ui, ui.state.session.messagesShown ? "Put the messages away" : "Show the messages");
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, {corner.x + width, corner.y + height}, tintOf(worst).faded(lit ? 0.30f : 0.16f).packed(),
                      0.5f * height);

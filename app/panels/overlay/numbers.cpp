@@ -44,7 +44,7 @@ constexpr double kSmoothFrame = 1000.0 / 60.0;  ///< Milliseconds; the line to s
 
 /// Frames of the last seconds, oldest left; the line is a sixtieth of a second.
 void graph(PanelUi& ui) {
-  const FrameStats& stats = ui.state.stats;
+  const FrameStats& stats = ui.state.session.stats;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const float height = ui.px(kGraphHeight);
@@ -76,7 +76,7 @@ void graph(PanelUi& ui) {
 }
 
 void times(PanelUi& ui) {
-  const FrameStats& stats = ui.state.stats;
+  const FrameStats& stats = ui.state.session.stats;
   char text[64];
   std::snprintf(text, sizeof text, "%.0f fps", stats.framesPerSecond());
   row(text, milliseconds(stats.now()) + " ms");
@@ -135,15 +135,15 @@ void pressAutoDepth(PanelUi& ui, const ImVec2& corner) {
 }  // namespace
 
 void drawNumbers(PanelUi& ui) {
-  if (!ui.state.layout.overlay) return;
-  const auto lines = counts(ui.state.live->surface().report, ui.state.display.cullBackFaces);
+  if (!ui.state.view.layout.overlay) return;
+  const auto lines = counts(ui.state.live->surface().report, ui.state.view.display.cullBackFaces);
   ImGui::PushFont(ui.fonts.mono);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(3)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.80f));
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const float height = static_cast<float>(kTimeRows + lines.size()) * line + ui.px(kGraphHeight + 3 + 14 + 8);
-  ImGui::SetCursorPos({ui.state.viewport.z - ui.px(kWidth + 10), ui.px(54)});
+  ImGui::SetCursorPos({ui.state.frame.viewport.z - ui.px(kWidth + 10), ui.px(54)});
   ImGui::BeginChild("numbers", {ui.px(kWidth), height}, true,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_AlwaysUseWindowPadding);
   times(ui);

@@ -49,7 +49,7 @@ void drawToolStrip(PanelUi& ui) {
   ImGui::Separator();
   actionButton(ui, "toolstrip/symmetry", action("edit/symmetry"), Icon::kSymmetry, size);
   actionButton(ui, "toolstrip/axes", action("tool/axes"), Icon::kAxes, size);
-  tooltip(ui, std::string("Now: ") + nameOf(ui.state.tools.gizmo.axes) + " axes");
+  tooltip(ui, std::string("Now: ") + nameOf(ui.state.view.tools.gizmo.axes) + " axes");
   drawTerritoryButton(ui, size);
   drawBeforeButton(ui, size);
   ImGui::EndChild();
@@ -62,7 +62,7 @@ void drawDisplayBar(PanelUi& ui) {
   float width = 2.0f * ui.px(4) + ui.px(13);
   for (const char* id : kShadings) width += pillWidth(id) + gap;
   for (const char* id : kToggles) width += pillWidth(id) + gap;
-  const float room = ui.state.viewport.z - 2.0f * ui.px(10);
+  const float room = ui.state.frame.viewport.z - 2.0f * ui.px(10);
   ImGui::SetCursorPos({ui.px(10), ui.px(10)});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.88f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(4), ui.px(4)});

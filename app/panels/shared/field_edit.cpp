@@ -14,39 +14,25 @@ void beginFieldEdit(PanelUi& ui, const std::string& id, const char* label) {
   ui.widgets.note(id);
   if (!ImGui::IsItemActivated()) return;
   ui.state.document.commands.beginGesture(label);
-  ui.state.gestureItem = ImGui::GetItemID();
-}
-
-void applyFieldEdit(PanelUi& ui, const char* label, const Result<Rig>& rig) {
-  if (!rig) {
-    ui.state.fieldError = rig.error().text();
-    return;
-  }
-  ui.state.fieldError.clear();
-  CommandStack& commands = ui.state.document.commands;
-  if (commands.inGesture()) {
-    commands.updateGesture(rig.value());
-  } else {
-    commands.apply(label, rig.value());
-  }
+  ui.state.open.gestureItem = ImGui::GetItemID();
 }
 
 void endFieldEdit(PanelUi& ui) {
-  if (!ImGui::IsItemDeactivated() || ui.state.gestureItem != ImGui::GetItemID()) return;
+  if (!ImGui::IsItemDeactivated() || ui.state.open.gestureItem != ImGui::GetItemID()) return;
   // Esc puts the text back that the field began with, which is the value rounded for reading: take the value itself.
   if (ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
     ui.state.document.commands.cancelGesture();
   } else {
     ui.state.document.commands.endGesture();
   }
-  ui.state.gestureItem = 0;
-  ui.state.fieldError.clear();
+  ui.state.open.gestureItem = 0;
+  ui.state.open.refusal.clear();
 }
 
 void endAbandonedEdit(EditorState& state) {
-  if (state.gestureItem == 0 || ImGui::IsAnyItemActive()) return;
+  if (state.open.gestureItem == 0 || ImGui::IsAnyItemActive()) return;
   state.document.commands.endGesture();
-  state.gestureItem = 0;
+  state.open.gestureItem = 0;
 }
 
 }  // namespace sinew::app

@@ -14,7 +14,7 @@ struct PanelUi : Ui {
   EditorState& state;
 
   PanelUi(EditorState& editor, WidgetLog& log, const Fonts& letters)
-      : Ui{log, letters, editor.uiScale}, state(editor) {}
+      : Ui{log, letters, editor.frame.uiScale}, state(editor) {}
 };
 
 /// Label, key (in the user's keymap) and hint of an action.

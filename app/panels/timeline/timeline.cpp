@@ -25,7 +25,7 @@ std::string clipName(const Character& character, int clip) {
 bool clipRow(PanelUi& ui, int clip) {
   const Character& character = ui.state.character();
   ImGui::PushID(clip);
-  const bool chosen = ImGui::Selectable(clipName(character, clip).c_str(), clip == ui.state.transport.clip);
+  const bool chosen = ImGui::Selectable(clipName(character, clip).c_str(), clip == ui.state.open.transport.clip);
   ImGui::PopID();
   ui.widgets.note("timeline/clip/" + std::to_string(clip));
   if (clip < 0) return chosen;
@@ -38,7 +38,7 @@ bool clipRow(PanelUi& ui, int clip) {
 }
 
 void clipChoice(PanelUi& ui) {
-  Transport& transport = ui.state.transport;
+  Transport& transport = ui.state.open.transport;
   const Character& character = ui.state.character();
   ImGui::SetNextItemWidth(ui.px(180));
   ImGui::SetNextWindowSizeConstraints({ui.px(240), 0.0f}, {ui.px(480), ui.px(420)});
@@ -61,7 +61,7 @@ void clipChoice(PanelUi& ui) {
 void transportButtons(PanelUi& ui) {
   const float size = ImGui::GetFrameHeight();
   const float gap = ui.px(2);
-  const bool playing = ui.state.transport.playing;
+  const bool playing = ui.state.open.transport.playing;
   actionButton(ui, "timeline/start", action("play/start"), Icon::kStart, size);
   ImGui::SameLine(0.0f, gap);
   actionButton(ui, "timeline/previous", action("play/previous"), Icon::kPrevious, size);
@@ -77,7 +77,8 @@ void transportButtons(PanelUi& ui) {
 
 void speedField(PanelUi& ui) {
   ImGui::SetNextItemWidth(ui.px(84));
-  ImGui::DragFloat("##speed", &ui.state.transport.speed, 0.01f, 0.1f, 4.0f, "%.2f x", ImGuiSliderFlags_AlwaysClamp);
+  ImGui::DragFloat("##speed", &ui.state.open.transport.speed, 0.01f, 0.1f, 4.0f, "%.2f x",
+                   ImGuiSliderFlags_AlwaysClamp);
   ui.widgets.note("timeline/speed");
   tooltip(ui, "Speed: drag, or double click to type");
 }
@@ -85,7 +86,7 @@ void speedField(PanelUi& ui) {
 /// Nobody should wonder why a character stands oddly: how many joints are turned, and the way back.
 void posedChip(PanelUi& ui) {
   if (!isPosed(ui.state)) return;
-  const PoseOverrides& overrides = ui.state.transport.overrides;
+  const PoseOverrides& overrides = ui.state.open.transport.overrides;
   const bool holds = overrides.from == TurnsFrom::kBindPose;
   const std::string text = std::to_string(overrides.turns.size()) +
                            (overrides.turns.size() == 1 ? " joint posed" : " joints posed") + (holds ? ", held" : "");
@@ -107,8 +108,8 @@ void posedChip(PanelUi& ui) {
 void timeReadout(PanelUi& ui, double duration) {
   char text[96];
   const auto frames = [](double seconds) { return static_cast<int>(std::lround(seconds / kFrameSeconds)); };
-  std::snprintf(text, sizeof text, "%d / %d   %6.2f / %.2f s", frames(ui.state.transport.time), frames(duration),
-                ui.state.transport.time, duration);
+  std::snprintf(text, sizeof text, "%d / %d   %6.2f / %.2f s", frames(ui.state.open.transport.time), frames(duration),
+                ui.state.open.transport.time, duration);
   ImGui::PushFont(ui.fonts.mono);
   const float width = ImGui::CalcTextSize(text).x;
   ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
@@ -121,7 +122,7 @@ void timeReadout(PanelUi& ui, double duration) {
 }  // namespace
 
 void drawTimeline(PanelUi& ui) {
-  const double duration = clipDuration(ui.state.transport, ui.state.character());
+  const double duration = clipDuration(ui.state.open.transport, ui.state.character());
   clipChoice(ui);
   ImGui::SameLine(0.0f, ui.px(12));
   transportButtons(ui);

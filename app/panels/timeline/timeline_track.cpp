@@ -37,21 +37,20 @@ struct Track {
   [[nodiscard]] double timeAt(float x) const {
     return std::clamp(shown.from + static_cast<double>(x - low.x) / perSecond(), 0.0, duration);
   }
-  [[nodiscard]] Transport& transport() const { return ui.state.transport; }
+  [[nodiscard]] Transport& transport() const { return ui.state.open.transport; }
 };
 
 /// Forgets what belonged to another clip; follows the playing moment when it leaves what is shown.
 void refresh(EditorState& state, double duration) {
-  TimelineState& timeline = state.timeline;
-  if (timeline.document != state.documentsOpened || timeline.clip != state.transport.clip ||
-      timeline.shown.to > duration || timeline.shown.to <= timeline.shown.from) {
+  TimelineState& timeline = state.open.timeline;
+  if (timeline.clip != state.open.transport.clip || timeline.shown.to > duration ||
+      timeline.shown.to <= timeline.shown.from) {
     timeline = {};
-    timeline.document = state.documentsOpened;
-    timeline.clip = state.transport.clip;
+    timeline.clip = state.open.transport.clip;
     timeline.shown = {0.0, std::max(duration, 1e-3)};
   }
   const double span = timeline.shown.to - timeline.shown.from;
-  const double time = state.transport.time;
+  const double time = state.open.transport.time;
   if (time >= timeline.shown.from && time <= timeline.shown.to) return;
   const double from = std::clamp(time, 0.0, std::max(0.0, duration - span));
   timeline.shown = {from, from + span};
@@ -89,7 +88,7 @@ void rangeHandle(const Track& track, const char* id, double time, bool first) {
 }
 
 void rangeBar(const Track& track) {
-  TimelineState& timeline = track.ui.state.timeline;
+  TimelineState& timeline = track.ui.state.open.timeline;
   const Character& character = track.ui.state.character();
   const PlayRange range = playRange(track.transport(), character);
   const float x0 = std::max(track.xOf(range.from), track.low.x);
@@ -128,7 +127,7 @@ void scrubArea(const Track& track) {
   }
   const float wheel = ImGui::GetIO().MouseWheel;
   if (ImGui::IsItemHovered() && wheel != 0.0f) {
-    PlayRange& shown = track.ui.state.timeline.shown;
+    PlayRange& shown = track.ui.state.open.timeline.shown;
     shown = zoomedSpan(shown, track.timeAt(ImGui::GetMousePos().x), wheel, track.duration);
   }
 }
@@ -171,12 +170,12 @@ void drawTicks(const Track& track) {
 
 void drawKeys(const Track& track) {
   EditorState& state = track.ui.state;
-  TimelineState& timeline = state.timeline;
+  TimelineState& timeline = state.open.timeline;
   const float column = track.ui.px(kColumn);
   const int columns = std::max(1, static_cast<int>(track.width() / column));
   const bool same = timeline.densityOf.from == track.shown.from && timeline.densityOf.to == track.shown.to;
   if (!same || static_cast<int>(timeline.density.size()) != columns) {
-    const auto clip = static_cast<std::size_t>(state.transport.clip);
+    const auto clip = static_cast<std::size_t>(state.open.transport.clip);
     timeline.density = keyDensity(state.character().clips[clip], track.shown, columns);
     timeline.densityOf = track.shown;
   }
@@ -244,7 +243,7 @@ PlayRange zoomedSpan(const PlayRange& span, double at, float steps, double durat
 }
 
 void drawTimelineTrack(PanelUi& ui) {
-  const double duration = clipDuration(ui.state.transport, ui.state.character());
+  const double duration = clipDuration(ui.state.open.transport, ui.state.character());
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float height = std::max(room.y, ui.px(26));
@@ -256,7 +255,7 @@ void drawTimelineTrack(PanelUi& ui) {
                     {corner.x + room.x, corner.y + height},
                     corner.y + ui.px(kBand),
                     duration,
-                    ui.state.timeline.shown};
+                    ui.state.open.timeline.shown};
   if (duration <= 0.0) {
     drawIdle(track);
     return;
@@ -265,7 +264,7 @@ void drawTimelineTrack(PanelUi& ui) {
   drawGround(track);
   drawTicks(track);
   drawKeys(track);
-  const PlayRange range = playRange(ui.state.transport, ui.state.character());
+  const PlayRange range = playRange(ui.state.open.transport, ui.state.character());
   rangeHandle(track, "timeline/range.in", range.from, true);
   rangeHandle(track, "timeline/range.out", range.to, false);
   rangeBar(track);

@@ -1,0 +1,56 @@
+// app/editor/dialog_state.h: which dialogs are open, and what has been typed into them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/editor/folder_listing.h"
+
+namespace sinew::app {
+
+/// What waits for "save your changes?" or for a path.
+enum class IntentKind { kNone, kOpenFile, kReopen, kRecover, kQuit };
+struct Intent {
+  IntentKind kind = IntentKind::kNone;
+  std::filesystem::path file;  ///< To open; kRecover: of LeftBehind.
+};
+
+enum class DialogKind { kNone, kOpen, kSaveAs };
+
+/// The path dialog.
+struct FileDialogState {
+  DialogKind kind = DialogKind::kNone;
+  std::filesystem::path folder;
+  std::string text;        ///< The path field.
+  std::string error;       ///< Why the last try failed.
+  bool appearing = false;  ///< The path field takes the keyboard with the next frame.
+  Intent then;             ///< After a successful Save As.
+  FileFilter filter = FileFilter::kAll;
+  std::vector<std::filesystem::path> back;     ///< Folders before this one, oldest first.
+  std::vector<std::filesystem::path> forward;  ///< Folders that were left by going back, nearest last.
+  bool overwriteAsked = false;                 ///< "Replace it?" is on the screen.
+  bool naming = false;                         ///< A new folder's name is being typed.
+  std::string newFolder;
+  FolderListing listing;  ///< Of the folder, as last read.
+  bool reveal = false;    ///< The list scrolls to the file that the field names.
+};
+
+/// The command palette.
+struct PaletteState {
+  bool shown = false;
+  bool appearing = false;  ///< The search field takes the keyboard with the next frame.
+  std::string query;
+  int chosen = 0;  ///< Row that Enter takes.
+};
+
+struct Dialogs {
+  FileDialogState file;
+  Intent question;  ///< Asking about unsaved changes before this; kNone: not asking.
+  PaletteState palette;
+  bool keySheet = false;
+  bool preferences = false;
+  bool recovery = false;  ///< What a crash left behind is being offered.
+};
+
+}  // namespace sinew::app

@@ -1,0 +1,73 @@
+// app/editor/document_view.h: what the editor remembers about the open document; begins anew with each one.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec2.hpp>
+
+#include "app/playback.h"
+#include "sinew/rig/rig.h"
+
+namespace sinew::app {
+
+/// A muscle's name being typed in the outliner.
+struct RenameState {
+  PrimitiveId primitive;  ///< 0 if none.
+  std::string text;
+  bool appearing = false;
+};
+
+/// Angles as typed, so that showing them back never changes them. Valid while `rotation` is the primitive's.
+struct EulerState {
+  PrimitiveId primitive;
+  glm::quat rotation{0.0f, 0.0f, 0.0f, 0.0f};
+  glm::vec3 degrees{0.0f};
+};
+
+/// A group's name being typed.
+struct GroupRename {
+  GroupId group;  ///< 0 if none.
+  std::string text;
+  bool appearing = false;
+};
+
+/// The groups panel.
+struct BlendingState {
+  GroupId group;  ///< The chosen one; 0 if none.
+  GroupRename rename;
+  std::map<GroupId, glm::vec2> places;  ///< Of nodes, design pixels; kept for groups that undo may bring back.
+  glm::vec2 pan{0.0f};                  ///< Design pixels: what the graph's origin is moved by.
+  float zoom = 1.0f;
+  bool fitWanted = true;  ///< Bring all nodes into the canvas with the next frame.
+  GroupId linkFrom;       ///< A link is being dragged from this group; 0 if none.
+};
+
+/// The track. Belongs to one clip; another starts from the defaults.
+struct TimelineState {
+  int clip = -1;
+  PlayRange shown;             ///< The part of the clip that the track spans, seconds.
+  PlayRange grabbed;           ///< The range when its bar was grabbed.
+  double grabbedAt = 0.0;      ///< Where, seconds.
+  std::vector<float> density;  ///< Keys per column of the track, 0..1 of the fullest; made for `densityOf`.
+  PlayRange densityOf;
+};
+
+struct DocumentView {
+  Transport transport;
+  TimelineState timeline;
+  RenameState rename;
+  EulerState euler;
+  BlendingState blending;
+  std::string rowAnchor;         ///< Key of the outliner's row where a range of rows starts.
+  PrimitiveId revealed;          ///< The muscle the outliner has scrolled to last.
+  std::size_t historyShown = 0;  ///< The step the history has scrolled to last.
+  unsigned gestureItem = 0;      ///< ImGui id of the field whose drag or typing is one undo step; 0: none.
+  std::string refusal;           ///< Why the last edit was refused, for the status line; "" after an accepted one.
+  bool frameWanted = false;      ///< Frame the character as soon as the viewport's size is known.
+};
+
+}  // namespace sinew::app

@@ -1,0 +1,51 @@
+// app/editor/view_state.h: what stays as it is when another document is opened: how the designer looks and works.
+#pragma once
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <glm/gtc/quaternion.hpp>
+
+#include "app/document/preferences.h"
+#include "app/render/scene.h"
+#include "app/tools/input_router.h"
+
+namespace sinew::app {
+
+enum class LeftTab { kMuscles, kGroups };
+
+/// Rows have keys: "m:" and a muscle's identity, or "b:" and a bone's path.
+struct OutlinerState {
+  LeftTab tab = LeftTab::kMuscles;
+  bool onlyWithMuscles = false;  ///< Bones without a muscle on them or below are left out.
+  std::set<std::string> folded;  ///< Paths of the bones whose rows are closed.
+  bool unattachedFolded = false;
+};
+
+struct InspectorState {
+  bool percent = false;        ///< Lengths in per cent of the height, else in character units.
+  bool territoryOpen = false;  ///< The list of a default territory's bones is unfolded.
+  std::string territoryFilter;
+};
+
+/// "Before": the character without muscles while a key or a button is held.
+struct BareState {
+  bool latched = false;  ///< Switched on from a menu; or the key went down and is not up yet.
+  bool byKey = false;
+};
+
+struct ViewState {
+  DisplaySettings display;
+  ViewportTools tools;
+  LayoutState layout;
+  OutlinerState outliner;
+  std::string outlinerFilter;
+  bool groupsAsGraph = false;  ///< Nodes and edges instead of the matrix.
+  InspectorState inspector;
+  BareState bare;
+  std::vector<std::pair<std::string, glm::quat>> copiedPose;  ///< Joints by file name, and their turns.
+};
+
+}  // namespace sinew::app
