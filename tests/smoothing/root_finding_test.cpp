@@ -35,14 +35,15 @@ void fill(Scene& scene, std::mt19937& random) {
 
 /// First sign change by 40,000 steps and bisection. nullopt: none.
 std::optional<double> march(const RayField& field, double end) {
-  const double sign = field.sample(0.0).value > 0.0 ? 1.0 : -1.0;
+  RayScratch scratch;
+  const double sign = field.sample(0.0, scratch).value > 0.0 ? 1.0 : -1.0;
   double low = 0.0;
   for (int i = 1; i <= 40000; ++i) {
     double high = end * i / 40000;
-    if (field.sample(high).value * sign <= 0.0) {
+    if (field.sample(high, scratch).value * sign <= 0.0) {
       for (int k = 0; k < 60; ++k) {
         const double middle = 0.5 * (low + high);
-        (field.sample(middle).value * sign > 0.0 ? low : high) = middle;
+        (field.sample(middle, scratch).value * sign > 0.0 ? low : high) = middle;
       }
       return high;
     }
@@ -54,6 +55,7 @@ std::optional<double> march(const RayField& field, double end) {
 TEST(FirstRoot, AllMethodsAgreeWithMarching) {
   std::mt19937 random(31);
   Scene scene;
+  RayScratch scratch;
   std::array<int, 3> wrong{};
   int compared = 0;
   for (int round = 0; round < 1000; ++round) {
@@ -63,8 +65,8 @@ TEST(FirstRoot, AllMethodsAgreeWithMarching) {
     ++compared;
     const std::array methods{ProjectionKind::kNewton, ProjectionKind::kAnalytic, ProjectionKind::kBisection};
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      const bool positive = scene.field.sample(0.0).value > 0.0;
-      const std::optional<double> found = firstChange(scene.field, 0.0, end, positive, methods[m], 1e-9);
+      const bool positive = scene.field.sample(0.0, scratch).value > 0.0;
+      const std::optional<double> found = firstChange(scene.field, 0.0, end, positive, methods[m], 1e-9, scratch);
       const bool same = found.has_value() == expected.has_value() && (!found || std::abs(*found - *expected) < 1e-4);
       wrong[m] += !same;
     }
@@ -77,12 +79,15 @@ TEST(FirstRoot, AllMethodsAgreeWithMarching) {
 TEST(RayField, SampleIsTheFieldAlongTheRayAndItsSlope) {
   std::mt19937 random(37);
   Scene scene;
+  RayScratch scratch;
   for (int round = 0; round < 200; ++round) {
     fill(scene, random);
     for (double t = 0.01; t < 1.5; t += 0.1) {
-      const double numeric = (scene.field.sample(t + 1e-6).value - scene.field.sample(t - 1e-6).value) / 2e-6;
-      const RaySample here = scene.field.sample(t);
-      const double other = (scene.field.sample(t + 1e-6).slope + scene.field.sample(t - 1e-6).slope) / 2.0;
+      const double numeric =
+          (scene.field.sample(t + 1e-6, scratch).value - scene.field.sample(t - 1e-6, scratch).value) / 2e-6;
+      const RaySample here = scene.field.sample(t, scratch);
+      const double other =
+          (scene.field.sample(t + 1e-6, scratch).slope + scene.field.sample(t - 1e-6, scratch).slope) / 2.0;
       if (std::abs(other - here.slope) > 1e-3) continue;  // another clique takes over here
       EXPECT_NEAR(here.slope, numeric, 1e-3);
     }

@@ -38,7 +38,7 @@ class Projector {
   Projector(const FieldView& field, const ReplaceSettings& settings) : field_(field), settings_(settings) {}
 
   int anchorFallbacks() const { return anchorFallbacks_; }
-  const Evaluations& evaluations() const { return ray_.evaluations(); }
+  const Evaluations& evaluations() const { return scratch_.evaluations; }
 
   /// Reads the candidates of a vertex; false where none has weight.
   bool look(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
@@ -94,15 +94,15 @@ class Projector {
     }
   }
 
-  std::optional<double> change(double begin, double end, bool fromPositive) const {
-    return firstChange(ray_, begin, end, fromPositive, settings_.projection, settings_.tolerance);
+  std::optional<double> change(double begin, double end, bool fromPositive) {
+    return firstChange(ray_, begin, end, fromPositive, settings_.projection, settings_.tolerance, scratch_);
   }
 
   /// Largest phi over a stretch, by samples: continuous in the stretch's ends, 0 when it vanishes.
-  double prominence(double begin, double end) const {
+  double prominence(double begin, double end) {
     double most = 0.0;
     for (int i = 1; i <= kProminenceSamples; ++i) {
-      most = std::max(most, ray_.sample(begin + (end - begin) * i / (kProminenceSamples + 1)).value);
+      most = std::max(most, ray_.sample(begin + (end - begin) * i / (kProminenceSamples + 1), scratch_).value);
     }
     return most;
   }
@@ -115,11 +115,11 @@ class Projector {
       aim(p, -inwards);
       const std::optional<double> root = change(0.0, static_cast<double>(settings_.searchLength), true);
       const double prominenceOutside = root ? prominence(0.0, *root) : 0.0;
-      const double residual = root ? std::abs(ray_.sample(*root).value) : 0.0;
+      const double residual = root ? std::abs(ray_.sample(*root, scratch_).value) : 0.0;
       aim(p, inwards);
       ownEnd = change(0.0, inwardLength, true).value_or(inwardLength);
       if (root) {
-        const double most = std::max({prominenceOutside, prominence(0.0, ownEnd), ray_.sample(0.0).value});
+        const double most = std::max({prominenceOutside, prominence(0.0, ownEnd), ray_.sample(0.0, scratch_).value});
         lay(p - static_cast<float>(*root) * inwards, *root, most, residual, n, result);
       }
     } else {
@@ -138,7 +138,7 @@ class Projector {
       const std::optional<double> in = change(t, reachable, false);
       if (!in) return;
       const double out = *in + nudge < end ? change(*in + nudge, end, true).value_or(end) : end;
-      const double residual = std::abs(ray_.sample(*in).value);
+      const double residual = std::abs(ray_.sample(*in, scratch_).value);
       lay(p + static_cast<float>(*in) * inwards, *in, prominence(*in, out), residual, n, result);
       t = out + nudge;
     }
@@ -165,6 +165,7 @@ class Projector {
   bool looksInwards_ = true;
   std::vector<Candidate> candidates_;
   RayField ray_;
+  RayScratch scratch_;
   int anchorFallbacks_ = 0;
 };
 

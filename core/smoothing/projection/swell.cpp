@@ -67,7 +67,7 @@ class Sweller {
     place(skin, index, static_cast<float>(s), cliques);
   }
 
-  const Evaluations& evaluations() const { return ray_.evaluations(); }
+  const Evaluations& evaluations() const { return scratch_.evaluations; }
 
  private:
   void weigh(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
@@ -107,11 +107,13 @@ class Sweller {
     const double end = outward ? ray_.lastLeave() : skin.plateau();
     // The direction and the sign of phi must be one decision: where F is all but 0, rounding may see it otherwise along
     // the ray, and a search for the wrong change would run to its end.
-    const std::optional<double> found = firstChange(ray_, 0.0, end, outward, settings_.projection, settings_.tolerance);
+    const std::optional<double> found =
+        firstChange(ray_, 0.0, end, outward, settings_.projection, settings_.tolerance, scratch_);
     // Outwards only -T is left beyond the last term, so `end` is a root there; inwards a carve deeper than the skin's
     // own field stops at the plateau, continuously.
     const double t = found.value_or(end);
-    if (found) surface_.report.residualMax = std::max(surface_.report.residualMax, std::abs(ray_.sample(t).value));
+    if (found)
+      surface_.report.residualMax = std::max(surface_.report.residualMax, std::abs(ray_.sample(t, scratch_).value));
     return outward ? t : -t;
   }
 
@@ -136,6 +138,7 @@ class Sweller {
   Surface& surface_;
   double isoRadius_;  ///< r_T
   RayField ray_;
+  RayScratch scratch_;
   std::vector<Candidate> candidates_;
 };
 

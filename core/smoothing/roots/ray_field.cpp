@@ -56,29 +56,30 @@ void RayField::addPrimitive(const PosedPrimitive& primitive, float weight, int s
   terms_.push_back(term);
 }
 
-RaySample RayField::sample(double t) const {
-  ++evaluations_.field;
+RaySample RayField::sample(double t, RayScratch& scratch) const {
+  ++scratch.evaluations.field;
   RaySample everywhere{-iso_, 0.0};
   if (cliques_->empty()) {
     for (const RayTerm& term : terms_) add(everywhere, sampleTerm(term, t));
     // Without cliques all positive terms form one sum: nothing to take the maximum of.
     return everywhere;
   }
-  ofSlot_.clear();
+  std::vector<RaySample>& ofSlot = scratch.ofSlot;
+  ofSlot.clear();
   for (const RayTerm& term : terms_) {
     if (term.slot == RayTerm::kEverySum) {
       add(everywhere, sampleTerm(term, t));
       continue;
     }
     const auto slot = static_cast<std::size_t>(term.slot);
-    if (ofSlot_.size() <= slot) ofSlot_.resize(slot + 1);
-    add(ofSlot_[slot], sampleTerm(term, t));
+    if (ofSlot.size() <= slot) ofSlot.resize(slot + 1);
+    add(ofSlot[slot], sampleTerm(term, t));
   }
   RaySample best;
   for (const std::vector<int>& clique : *cliques_) {
     RaySample sum;
     for (const int slot : clique) {
-      if (static_cast<std::size_t>(slot) < ofSlot_.size()) add(sum, ofSlot_[static_cast<std::size_t>(slot)]);
+      if (static_cast<std::size_t>(slot) < ofSlot.size()) add(sum, ofSlot[static_cast<std::size_t>(slot)]);
     }
     if (sum.value > best.value) best = sum;
   }
@@ -86,16 +87,17 @@ RaySample RayField::sample(double t) const {
   return best;
 }
 
-std::span<const double> RayField::breakpoints(double begin, double end) const {
-  breakpoints_.assign(1, begin);
+std::span<const double> RayField::breakpoints(double begin, double end, RayScratch& scratch) const {
+  std::vector<double>& breakpoints = scratch.breakpoints;
+  breakpoints.assign(1, begin);
   for (const RayTerm& term : terms_) {
     for (const double t : {term.enter, term.leave}) {
-      if (t > begin && t < end) breakpoints_.push_back(t);
+      if (t > begin && t < end) breakpoints.push_back(t);
     }
   }
-  std::ranges::sort(breakpoints_);
-  breakpoints_.push_back(end);
-  return breakpoints_;
+  std::ranges::sort(breakpoints);
+  breakpoints.push_back(end);
+  return breakpoints;
 }
 
 double RayField::lastLeave() const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/blending/field.h"
+#include "core/smoothing/roots/quartic.h"
 #include "sinew/smoothing/evaluations.h"
 
 namespace sinew {
@@ -31,6 +32,16 @@ struct RaySample {
   double slope = 0.0;
 };
 
+/// Memory that is reused from ray to ray, so that nothing is allocated, and the count of what was done with it. Its
+/// contents carry nothing from one call to the next. One a thread.
+struct RayScratch {
+  std::vector<RaySample> ofSlot;
+  std::vector<double> breakpoints;
+  std::vector<Quartic> quarticOfSlot;
+  std::vector<Quartic> sums;  ///< phi on one stretch, one per clique.
+  Evaluations evaluations;
+};
+
 /// phi(t) = skin(t) + F(p + t d) - T. Kept and refilled from ray to ray, so that nothing is allocated.
 class RayField {
  public:
@@ -48,21 +59,16 @@ class RayField {
   [[nodiscard]] double iso() const { return iso_; }
 
   /// phi and its derivative (of the winning clique).
-  [[nodiscard]] RaySample sample(double t) const;
-  /// Where phi changes its formula within (begin, end), sorted, with begin and end.
-  [[nodiscard]] std::span<const double> breakpoints(double begin, double end) const;
+  [[nodiscard]] RaySample sample(double t, RayScratch& scratch) const;
+  /// Where phi changes its formula within (begin, end), sorted, with begin and end. In scratch.breakpoints.
+  [[nodiscard]] std::span<const double> breakpoints(double begin, double end, RayScratch& scratch) const;
   /// Beyond this t only -T is left.
   [[nodiscard]] double lastLeave() const;
-  /// Of all rays so far; root_finding.cpp adds its own.
-  [[nodiscard]] Evaluations& evaluations() const { return evaluations_; }
 
  private:
   std::vector<RayTerm> terms_;
   const CliqueLists* cliques_ = nullptr;
   double iso_ = 0.25;
-  mutable std::vector<RaySample> ofSlot_;
-  mutable std::vector<double> breakpoints_;
-  mutable Evaluations evaluations_;
 };
 
 }  // namespace sinew

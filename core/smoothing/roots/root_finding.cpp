@@ -9,24 +9,6 @@
 namespace sinew {
 namespace {
 
-/// phi on one stretch as quartics, one per clique, all multiplied by the sign phi has at the ray's start.
-struct Stretch {
-  double begin = 0.0;
-  double end = 0.0;
-  std::vector<Quartic> sums;
-};
-
-/// Scratch space of one thread; a ray would otherwise allocate for every stretch.
-struct Scratch {
-  Stretch stretch;
-  std::vector<Quartic> ofSlot;
-};
-
-Scratch& scratch() {
-  thread_local Scratch space;
-  return space;
-}
-
 Quartic quarticOf(const RayTerm& term, double begin, double end) {
   // Blossom of 1 - r^2 at (begin, begin), (begin, end), (end, end).
   const double w0 = 1.0 - term.rSquared(begin);
@@ -35,15 +17,14 @@ Quartic quarticOf(const RayTerm& term, double begin, double end) {
   return squareOfQuadratic(w0, w1, w2);
 }
 
-void fillStretch(const RayField& field, double begin, double end, double sign, Scratch& space) {
-  Stretch& stretch = space.stretch;
-  stretch.begin = begin;
-  stretch.end = end;
+/// phi on one stretch as quartics, one per clique, all multiplied by the sign phi has at the ray's start: scratch.sums.
+void fillSums(const RayField& field, double begin, double end, double sign, RayScratch& scratch) {
+  std::vector<Quartic>& ofSlot = scratch.quarticOfSlot;
   const double middle = 0.5 * (begin + end);
   Quartic everywhere;
   everywhere.addConstant(-field.iso());
   const bool oneSum = field.cliques().empty();
-  space.ofSlot.clear();
+  ofSlot.clear();
   for (const RayTerm& term : field.terms()) {
     if (middle <= term.enter || middle >= term.leave) continue;
     const Quartic part = quarticOf(term, begin, end);
@@ -52,21 +33,21 @@ void fillStretch(const RayField& field, double begin, double end, double sign, S
       continue;
     }
     const auto slot = static_cast<std::size_t>(term.slot);
-    if (space.ofSlot.size() <= slot) space.ofSlot.resize(slot + 1);
-    space.ofSlot[slot].addScaled(part, term.factor);
+    if (ofSlot.size() <= slot) ofSlot.resize(slot + 1);
+    ofSlot[slot].addScaled(part, term.factor);
   }
-  stretch.sums.clear();
+  scratch.sums.clear();
   for (const std::vector<int>& clique : field.cliques()) {
     Quartic sum = everywhere;
     for (const int slot : clique) {
-      if (static_cast<std::size_t>(slot) < space.ofSlot.size()) {
-        sum.addScaled(space.ofSlot[static_cast<std::size_t>(slot)], 1.0);
+      if (static_cast<std::size_t>(slot) < ofSlot.size()) {
+        sum.addScaled(ofSlot[static_cast<std::size_t>(slot)], 1.0);
       }
     }
-    stretch.sums.push_back(sum);
+    scratch.sums.push_back(sum);
   }
-  if (oneSum) stretch.sums.push_back(everywhere);
-  for (Quartic& sum : stretch.sums) {
+  if (oneSum) scratch.sums.push_back(everywhere);
+  for (Quartic& sum : scratch.sums) {
     for (double& coefficient : sum.b) coefficient *= sign;
   }
 }
@@ -120,17 +101,15 @@ std::optional<double> firstFallOfAny(const std::vector<Quartic>& sums, const Sea
 }  // namespace
 
 std::optional<double> firstChange(const RayField& field, double begin, double end, bool fromPositive,
-                                  ProjectionKind method, double tolerance) {
-  Scratch& space = scratch();
-  const std::span<const double> breaks = field.breakpoints(begin, end);
+                                  ProjectionKind method, double tolerance, RayScratch& scratch) {
+  const std::span<const double> breaks = field.breakpoints(begin, end, scratch);
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
     const double length = breaks[i + 1] - breaks[i];
     if (!(length > 0.0)) continue;
-    fillStretch(field, breaks[i], breaks[i + 1], fromPositive ? 1.0 : -1.0, space);
-    ++field.evaluations().field;
-    const Search search{method, tolerance / length, &field.evaluations().quartic};
-    const auto root =
-        fromPositive ? firstFallOfMaximum(space.stretch.sums, search) : firstFallOfAny(space.stretch.sums, search);
+    fillSums(field, breaks[i], breaks[i + 1], fromPositive ? 1.0 : -1.0, scratch);
+    ++scratch.evaluations.field;
+    const Search search{method, tolerance / length, &scratch.evaluations.quartic};
+    const auto root = fromPositive ? firstFallOfMaximum(scratch.sums, search) : firstFallOfAny(scratch.sums, search);
     if (root) return breaks[i] + *root * length;
   }
   return std::nullopt;

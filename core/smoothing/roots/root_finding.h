@@ -20,6 +20,6 @@ namespace sinew {
 /// The sign is the caller's to know: where phi is all but 0, rounding would decide it anew, and differently.
 /// @param tolerance world units, > 0.
 [[nodiscard]] std::optional<double> firstChange(const RayField& field, double begin, double end, bool fromPositive,
-                                                ProjectionKind method, double tolerance);
+                                                ProjectionKind method, double tolerance, RayScratch& scratch);
 
 }  // namespace sinew
