@@ -7,6 +7,8 @@
 #include <string>
 #include <tuple>
 
+#include "core/base/at.h"
+
 namespace sinew {
 namespace {
 
@@ -26,7 +28,7 @@ class CliqueSearch {
   }
 
  private:
-  const Groups& neighboursOf(int group) const { return neighbours_[static_cast<std::size_t>(group)]; }
+  const Groups& neighboursOf(int group) const { return at(neighbours_, group); }
 
   /// Looks the smaller set's members up in the larger: sparse graphs of thousands of groups stay quick.
   static Groups intersection(const Groups& a, const Groups& b) {
@@ -86,8 +88,8 @@ Result<BlendingGraph> makeBlendingGraph(int groupCount, std::span<const std::arr
   std::vector<Groups> neighbours(static_cast<std::size_t>(groupCount));
   for (const auto& [a, b] : links) {
     if (a == b) continue;
-    neighbours[static_cast<std::size_t>(a)].push_back(b);
-    neighbours[static_cast<std::size_t>(b)].push_back(a);
+    at(neighbours, a).push_back(b);
+    at(neighbours, b).push_back(a);
   }
   for (Groups& list : neighbours) {
     std::ranges::sort(list);

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/base/at.h"
 #include "core/primitives/potential.h"
 
 namespace sinew {
@@ -36,8 +37,7 @@ void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::
   out.resize(primitives.size());
   for (std::size_t i = 0; i < primitives.size(); ++i) {
     const FieldPrimitive& primitive = primitives[i];
-    out[i].influence =
-        unitBallMap(primitive.placement, primitive.reach, boneInWorld[static_cast<std::size_t>(primitive.bone)]);
+    out[i].influence = unitBallMap(primitive.placement, primitive.reach, at(boneInWorld, primitive.bone));
     out[i].strength = primitive.strength;
     out[i].meanRadius = out[i].influence.meanRadius / primitive.reach;
   }
@@ -49,7 +49,7 @@ FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<co
   FieldSample best;
   std::vector<FieldSample> ofSlot;
   for (const Candidate& candidate : candidates) {
-    const PosedPrimitive& primitive = primitives[static_cast<std::size_t>(candidate.primitive)];
+    const PosedPrimitive& primitive = at(primitives, candidate.primitive);
     const FieldSample part = sampleCandidate(primitive, candidate.weight, point);
     if (primitive.strength < 0.0f) {
       add(carved, part);
@@ -64,7 +64,7 @@ FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<co
   for (const std::vector<int>& clique : cliques) {
     FieldSample sum;
     for (const int slot : clique) {
-      if (static_cast<std::size_t>(slot) < ofSlot.size()) add(sum, ofSlot[static_cast<std::size_t>(slot)]);
+      if (static_cast<std::size_t>(slot) < ofSlot.size()) add(sum, at(ofSlot, slot));
     }
     if (sum.value > best.value) best = sum;
   }

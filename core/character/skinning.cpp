@@ -1,6 +1,8 @@
 // core/character/skinning.cpp: linear blend skinning, one matrix a vertex.
 #include "core/character/skinning.h"
 
+#include "core/base/at.h"
+
 namespace sinew {
 namespace {
 
@@ -10,7 +12,7 @@ std::vector<glm::mat4> skinMatrices(const Character& character, const Pose& pose
   std::vector<glm::mat4> matrices;
   matrices.reserve(bindings.size());
   for (const Binding& binding : bindings) {
-    matrices.push_back(pose.boneInWorld[static_cast<std::size_t>(binding.bone)] * binding.inverseBind);
+    matrices.push_back(at(pose.boneInWorld, binding.bone) * binding.inverseBind);
   }
   return matrices;
 }
@@ -18,7 +20,7 @@ std::vector<glm::mat4> skinMatrices(const Character& character, const Pose& pose
 glm::mat4 blended(const ControlMesh& mesh, std::span<const glm::mat4> matrices, int vertex) {
   glm::mat4 sum(0.0f);
   for (const Influence& influence : mesh.influencesOf(vertex)) {
-    sum += matrices[static_cast<std::size_t>(influence.binding)] * influence.weight;
+    sum += at(matrices, influence.binding) * influence.weight;
   }
   return sum;
 }
@@ -55,7 +57,7 @@ void skinWedgeNormals(const Character& character, std::span<const Wedge> wedges,
   out.resize(wedges.size());
   for (std::size_t w = 0; w < wedges.size(); ++w) {
     const Wedge& wedge = wedges[w];
-    out[w] = skinned.normals[static_cast<std::size_t>(wedge.vertex)];
+    out[w] = at(skinned.normals, wedge.vertex);
     if (!wedge.creased) continue;
     const glm::mat3 matrix = normalMatrix(glm::mat3(blended(character.mesh, matrices, wedge.vertex)));
     out[w] = normalizeOr(matrix * wedge.normal, wedge.normal);

@@ -10,6 +10,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/at.h"
 #include "core/mesh/index_table.h"
 #include "core/mesh/normals.h"
 
@@ -23,8 +24,6 @@ constexpr double kFlatness = 1e-6;
 /// Each triangle of one edge is compared with so many others: a bound on the work for files that put very many there.
 constexpr std::size_t kMostCompared = 16;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 /// One triangle at one of its three edges.
 struct Side {
   int triangle = 0;
@@ -36,12 +35,12 @@ class Sides {
  public:
   explicit Sides(const ControlMesh& mesh) : begin_(mesh.edges.size() + 1, 0), sides_(3 * mesh.triangles.size()) {
     for (const ControlTriangle& triangle : mesh.triangles) {
-      for (const int edge : triangle.edges) ++begin_[at(edge) + 1];
+      for (const int edge : triangle.edges) ++begin_[toIndex(edge) + 1];
     }
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
     std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      for (int i = 0; i < 3; ++i) sides_[next[at(mesh.triangles[t].edges[at(i)])]++] = {static_cast<int>(t), i};
+      for (int i = 0; i < 3; ++i) sides_[at(next, at(mesh.triangles[t].edges, i))++] = {static_cast<int>(t), i};
     }
   }
 
@@ -57,7 +56,7 @@ class Sides {
 /// Unit normal of a face; zero where it has no area.
 glm::dvec3 faceNormal(const ControlMesh& mesh, const ControlTriangle& triangle) {
   std::array<glm::dvec3, 3> p;
-  for (std::size_t i = 0; i < 3; ++i) p[i] = glm::dvec3(mesh.positions[at(triangle.vertices[i])]);
+  for (std::size_t i = 0; i < 3; ++i) p[i] = glm::dvec3(at(mesh.positions, triangle.vertices[i]));
   const std::array<glm::dvec3, 3> along{p[1] - p[0], p[2] - p[1], p[0] - p[2]};
   const double longest = std::max({glm::length(along[0]), glm::length(along[1]), glm::length(along[2])});
   if (!(longest > 0.0)) return glm::dvec3(0.0);
@@ -70,9 +69,9 @@ int longestSide(const ControlMesh& mesh, const ControlTriangle& triangle) {
   int longest = 0;
   double most = -1.0;
   for (int i = 0; i < 3; ++i) {
-    const auto& ends = mesh.edges[at(triangle.edges[at(i)])].vertices;
+    const auto& ends = at(mesh.edges, at(triangle.edges, i)).vertices;
     const double length =
-        glm::distance(glm::dvec3(mesh.positions[at(ends[0])]), glm::dvec3(mesh.positions[at(ends[1])]));
+        glm::distance(glm::dvec3(at(mesh.positions, ends[0])), glm::dvec3(at(mesh.positions, ends[1])));
     if (length > most) longest = i;
     most = std::max(most, length);
   }
@@ -88,9 +87,9 @@ std::vector<glm::dvec3> faceNormals(const ControlMesh& mesh, const Sides& sides)
   for (std::size_t t = 0; t < result.size(); ++t) {
     if (result[t] != glm::dvec3(0.0)) continue;
     const ControlTriangle& triangle = mesh.triangles[t];
-    for (const Side& other : sides.of(at(triangle.edges[at(longestSide(mesh, triangle))]))) {
-      if (normals[at(other.triangle)] == glm::dvec3(0.0)) continue;
-      result[t] = normals[at(other.triangle)];
+    for (const Side& other : sides.of(toIndex(at(triangle.edges, longestSide(mesh, triangle))))) {
+      if (at(normals, other.triangle) == glm::dvec3(0.0)) continue;
+      result[t] = at(normals, other.triangle);
       break;
     }
   }
@@ -106,9 +105,9 @@ class Fans {
   }
 
   [[nodiscard]] int find(int corner) {
-    while (parent_[at(corner)] != corner) {
-      parent_[at(corner)] = parent_[at(parent_[at(corner)])];
-      corner = parent_[at(corner)];
+    while (at(parent_, corner) != corner) {
+      at(parent_, corner) = at(parent_, at(parent_, corner));
+      corner = at(parent_, corner);
     }
     return corner;
   }
@@ -116,7 +115,7 @@ class Fans {
   void join(int a, int b) {
     const int first = find(a);
     const int second = find(b);
-    parent_[at(std::max(first, second))] = std::min(first, second);
+    at(parent_, std::max(first, second)) = std::min(first, second);
   }
 
  private:
@@ -124,7 +123,7 @@ class Fans {
 };
 
 int cornerAt(const ControlMesh& mesh, const Side& side, int vertex) {
-  const bool first = mesh.triangles[at(side.triangle)].vertices[at(side.side)] == vertex;
+  const bool first = at(at(mesh.triangles, side.triangle).vertices, side.side) == vertex;
   return 3 * side.triangle + (first ? side.side : (side.side + 1) % 3);
 }
 
@@ -134,8 +133,8 @@ std::vector<int> fansOf(const ControlMesh& mesh, float degrees) {
   const std::vector<glm::dvec3> normals = faceNormals(mesh, sides);
   const double angle = (static_cast<double>(degrees) + kDegreesOfRounding) * std::numbers::pi / 180.0;
   const auto smooth = [&](int s, int t) {
-    const glm::dvec3& a = normals[at(s)];
-    const glm::dvec3& b = normals[at(t)];
+    const glm::dvec3& a = at(normals, s);
+    const glm::dvec3& b = at(normals, t);
     return a != glm::dvec3(0.0) && b != glm::dvec3(0.0) &&
            std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) <= angle;
   };
@@ -156,14 +155,14 @@ std::vector<int> fansOf(const ControlMesh& mesh, float degrees) {
   return result;
 }
 
-int vertexOf(const ControlMesh& mesh, int corner) { return mesh.triangles[at(corner / 3)].vertices[at(corner % 3)]; }
+int vertexOf(const ControlMesh& mesh, int corner) { return at(at(mesh.triangles, corner / 3).vertices, corner % 3); }
 
 /// [V] whether the vertex has more than one fan.
 std::vector<bool> creasedVertices(const ControlMesh& mesh, const std::vector<int>& fans) {
   std::vector<int> only(mesh.positions.size(), -1);
   std::vector<bool> result(mesh.positions.size(), false);
   for (std::size_t c = 0; c < fans.size(); ++c) {
-    const auto vertex = at(vertexOf(mesh, static_cast<int>(c)));
+    const auto vertex = toIndex(vertexOf(mesh, static_cast<int>(c)));
     if (only[vertex] < 0) only[vertex] = fans[c];
     if (only[vertex] != fans[c]) result[vertex] = true;
   }
@@ -176,7 +175,7 @@ std::vector<glm::vec3> fanNormals(const ControlMesh& mesh, const std::vector<int
   std::vector<glm::vec3> positions(fans.size());
   std::vector<ControlTriangle> triangles(mesh.triangles.size());
   for (std::size_t c = 0; c < fans.size(); ++c) {
-    positions[c] = mesh.positions[at(vertexOf(mesh, static_cast<int>(c)))];
+    positions[c] = at(mesh.positions, vertexOf(mesh, static_cast<int>(c)));
     triangles[c / 3].vertices[c % 3] = fans[c];
   }
   return vertexNormals(positions, triangles);
@@ -198,14 +197,14 @@ ControlMesh creased(const ControlMesh& mesh, float degrees) {
   IndexTable table(fans.size());
   for (std::size_t c = 0; c < fans.size(); ++c) {
     int& corner = result.triangles[c / 3].wedges[c % 3];
-    Wedge wedge = mesh.wedges[at(corner)];
-    wedge.creased = split[at(wedge.vertex)];
-    if (wedge.creased) wedge.normal = normals[at(fans[c])];
+    Wedge wedge = at(mesh.wedges, corner);
+    wedge.creased = at(split, wedge.vertex);
+    if (wedge.creased) wedge.normal = at(normals, fans[c]);
     const std::array<int, 2> source{corner, wedge.creased ? fans[c] : -1};
     const int next = static_cast<int>(sources.size());
     corner = table.findOrInsert(
         hashCombine(hashCombine(0, static_cast<std::uint64_t>(source[0])), static_cast<std::uint64_t>(source[1])), next,
-        [&](int other) { return sources[at(other)] == source; });
+        [&](int other) { return at(sources, other) == source; });
     if (corner != next) continue;
     sources.push_back(source);
     result.wedges.push_back(wedge);

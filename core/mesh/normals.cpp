@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/at.h"
+
 namespace sinew {
 namespace {
 
@@ -17,9 +19,7 @@ double cornerAngle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c
   return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
 }
 
-glm::dvec3 pointOf(std::span<const glm::vec3> positions, int vertex) {
-  return glm::dvec3(positions[static_cast<std::size_t>(vertex)]);
-}
+glm::dvec3 pointOf(std::span<const glm::vec3> positions, int vertex) { return glm::dvec3(at(positions, vertex)); }
 
 }  // namespace
 
@@ -39,7 +39,7 @@ std::vector<glm::vec3> vertexNormals(std::span<const glm::vec3> positions, std::
     if (!(area > 0.0)) continue;
     for (std::size_t i = 0; i < 3; ++i) {
       const double angle = cornerAngle(p[i], p[(i + 1) % 3], p[(i + 2) % 3]);
-      sums[static_cast<std::size_t>(triangle.vertices[i])] += (angle / area) * cross;
+      at(sums, triangle.vertices[i]) += (angle / area) * cross;
     }
   }
 

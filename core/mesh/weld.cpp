@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/base/at.h"
 #include "core/mesh/index_table.h"
 #include "core/mesh/normals.h"
 
@@ -21,8 +22,6 @@ constexpr double kMostCells = 1e15;
 /// So many vertices of one cell are compared by tolerance; in a denser crowd only exactly equal ones merge. It bounds
 /// the work for files that put very many differently bound vertices in one place.
 constexpr int kMostCompared = 64;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 using Cell = std::array<std::int64_t, 3>;
 
@@ -45,7 +44,7 @@ class Welder {
   }
 
   int representativeOf(int vertex) {
-    int& known = representative_[at(vertex)];
+    int& known = at(representative_, vertex);
     if (known < 0) known = find(vertex);
     return known;
   }
@@ -54,7 +53,7 @@ class Welder {
   int find(int vertex) {
     const int same =
         exact_.findOrInsert(exactHash(vertex), vertex, [&](int other) { return exactlyEqual(vertex, other); });
-    if (same != vertex) return representative_[at(same)];
+    if (same != vertex) return at(representative_, same);
     const int near = nearest(vertex);
     if (near >= 0) return near;
     addToCell(vertex);
@@ -63,7 +62,7 @@ class Welder {
 
   [[nodiscard]] std::uint64_t exactHash(int vertex) const {
     std::uint64_t hash = 0;
-    for (int axis = 0; axis < 3; ++axis) hash = hashCombine(hash, floatBits(soup_.positions[at(vertex)][axis]));
+    for (int axis = 0; axis < 3; ++axis) hash = hashCombine(hash, floatBits(at(soup_.positions, vertex)[axis]));
     for (const Influence& influence : influencesOf(vertex)) {
       hash = hashCombine(hash, static_cast<std::uint64_t>(influence.binding));
       hash = hashCombine(hash, floatBits(influence.weight));
@@ -72,7 +71,7 @@ class Welder {
   }
 
   [[nodiscard]] bool exactlyEqual(int a, int b) const {
-    return soup_.positions[at(a)] == soup_.positions[at(b)] &&
+    return at(soup_.positions, a) == at(soup_.positions, b) &&
            std::ranges::equal(influencesOf(a), influencesOf(b), [](const Influence& x, const Influence& y) {
              return x.binding == y.binding && x.weight == y.weight;
            });
@@ -80,7 +79,7 @@ class Welder {
 
   /// First representative, in order of arrival within the cells, that lies within the tolerance and is bound alike.
   [[nodiscard]] int nearest(int vertex) const {
-    const glm::dvec3 p = glm::dvec3(soup_.positions[at(vertex)]);
+    const glm::dvec3 p = glm::dvec3(at(soup_.positions, vertex));
     const double reach = static_cast<double>(tolerance_);
     const Cell first = cellOf(p - reach);
     const Cell last = cellOf(p + reach);
@@ -90,7 +89,7 @@ class Welder {
         for (std::int64_t z = first[2]; z <= last[2]; ++z) {
           const int found = firstAlike(vertex, Cell{x, y, z});
           // Across cells the earliest wins, whatever the order of the cells.
-          if (found >= 0 && (best < 0 || order_[at(found)] < order_[at(best)])) best = found;
+          if (found >= 0 && (best < 0 || at(order_, found) < at(order_, best))) best = found;
         }
       }
     }
@@ -99,14 +98,14 @@ class Welder {
 
   [[nodiscard]] int firstAlike(int vertex, const Cell& cell) const {
     int other = cells_.find(cellHash(cell), [&](int head) { return cellOf(head) == cell; });
-    for (int compared = 0; other >= 0 && compared < kMostCompared; ++compared, other = nextInCell_[at(other)]) {
+    for (int compared = 0; other >= 0 && compared < kMostCompared; ++compared, other = at(nextInCell_, other)) {
       if (alike(vertex, other)) return other;
     }
     return -1;
   }
 
   [[nodiscard]] bool alike(int a, int b) const {
-    const glm::dvec3 offset = glm::dvec3(soup_.positions[at(a)]) - glm::dvec3(soup_.positions[at(b)]);
+    const glm::dvec3 offset = glm::dvec3(at(soup_.positions, a)) - glm::dvec3(at(soup_.positions, b));
     const double reach = static_cast<double>(tolerance_);
     return glm::dot(offset, offset) <= reach * reach &&
            std::ranges::equal(influencesOf(a), influencesOf(b), [](const Influence& x, const Influence& y) {
@@ -119,18 +118,18 @@ class Welder {
       order_.assign(soup_.positions.size(), -1);
       tailOfCell_.assign(soup_.positions.size(), -1);
     }
-    order_[at(vertex)] = count_++;
+    at(order_, vertex) = count_++;
     const Cell cell = cellOf(vertex);
     const int head = cells_.findOrInsert(cellHash(cell), vertex, [&](int other) { return cellOf(other) == cell; });
-    if (head != vertex) nextInCell_[at(tailOfCell_[at(head)])] = vertex;
-    tailOfCell_[at(head)] = vertex;
+    if (head != vertex) at(nextInCell_, at(tailOfCell_, head)) = vertex;
+    at(tailOfCell_, head) = vertex;
   }
 
   [[nodiscard]] Cell cellOf(const glm::dvec3& p) const {
     const glm::dvec3 cell = glm::floor((p - low_) / cellSize_);
     return {static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y), static_cast<std::int64_t>(cell.z)};
   }
-  [[nodiscard]] Cell cellOf(int vertex) const { return cellOf(glm::dvec3(soup_.positions[at(vertex)])); }
+  [[nodiscard]] Cell cellOf(int vertex) const { return cellOf(glm::dvec3(at(soup_.positions, vertex))); }
 
   [[nodiscard]] static std::uint64_t cellHash(const Cell& cell) {
     std::uint64_t hash = 0;
@@ -139,8 +138,9 @@ class Welder {
   }
 
   [[nodiscard]] std::span<const Influence> influencesOf(int vertex) const {
-    const int begin = soup_.influenceBegin[at(vertex)];
-    return std::span(soup_.influences).subspan(at(begin), at(soup_.influenceBegin[at(vertex) + 1] - begin));
+    const int begin = at(soup_.influenceBegin, vertex);
+    return std::span(soup_.influences)
+        .subspan(toIndex(begin), toIndex(soup_.influenceBegin[toIndex(vertex) + 1] - begin));
   }
 
   const TriangleSoup& soup_;
@@ -201,12 +201,12 @@ class MeshBuilder {
 
  private:
   int vertex(int representative) {
-    int& number = vertexOf_[at(representative)];
+    int& number = at(vertexOf_, representative);
     if (number >= 0) return number;
     number = static_cast<int>(mesh_.positions.size());
-    mesh_.positions.push_back(soup_.positions[at(representative)]);
-    for (int i = soup_.influenceBegin[at(representative)]; i < soup_.influenceBegin[at(representative) + 1]; ++i) {
-      mesh_.influences.push_back(soup_.influences[at(i)]);
+    mesh_.positions.push_back(at(soup_.positions, representative));
+    for (int i = at(soup_.influenceBegin, representative); i < soup_.influenceBegin[toIndex(representative) + 1]; ++i) {
+      mesh_.influences.push_back(at(soup_.influences, i));
     }
     mesh_.influenceBegin.push_back(static_cast<int>(mesh_.influences.size()));
     return number;
@@ -217,7 +217,7 @@ class MeshBuilder {
         hashCombine(hashCombine(static_cast<std::uint64_t>(vertex), floatBits(uv.x)), floatBits(uv.y));
     const int next = static_cast<int>(mesh_.wedges.size());
     const int found = wedgeTable_.findOrInsert(
-        hash, next, [&](int w) { return mesh_.wedges[at(w)].vertex == vertex && mesh_.wedges[at(w)].uv == uv; });
+        hash, next, [&](int w) { return at(mesh_.wedges, w).vertex == vertex && at(mesh_.wedges, w).uv == uv; });
     if (found == next) mesh_.wedges.push_back({.vertex = vertex, .uv = uv});
     return found;
   }
@@ -226,9 +226,9 @@ class MeshBuilder {
     const std::array<int, 2> ends{std::min(a, b), std::max(a, b)};
     const std::uint64_t hash = hashCombine(static_cast<std::uint64_t>(ends[0]), static_cast<std::uint64_t>(ends[1]));
     const int next = static_cast<int>(mesh_.edges.size());
-    const int found = edgeTable_.findOrInsert(hash, next, [&](int e) { return mesh_.edges[at(e)].vertices == ends; });
+    const int found = edgeTable_.findOrInsert(hash, next, [&](int e) { return at(mesh_.edges, e).vertices == ends; });
     if (found == next) mesh_.edges.push_back({.vertices = ends});
-    ++mesh_.edges[at(found)].triangleCount;
+    ++at(mesh_.edges, found).triangleCount;
     return found;
   }
 

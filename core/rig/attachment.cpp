@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/at.h"
 #include "core/primitives/potential.h"
 
 namespace sinew {
@@ -32,7 +33,7 @@ FieldPrimitive fieldPrimitive(const Rig& rig, const Primitive& primitive, int bo
 void addCandidates(const Character& character, const std::vector<int>& territory, int index,
                    std::vector<std::vector<Candidate>>& candidatesOfVertex) {
   std::vector<bool> isTerritoryBone(character.skeleton.bones.size(), false);
-  for (const int bone : territory) isTerritoryBone[static_cast<std::size_t>(bone)] = true;
+  for (const int bone : territory) at(isTerritoryBone, bone) = true;
   for (std::size_t v = 0; v < candidatesOfVertex.size(); ++v) {
     const float weight = territoryWeight(character, static_cast<int>(v), isTerritoryBone);
     if (weight > 0.0f) candidatesOfVertex[v].push_back({index, weight, 0});
@@ -65,7 +66,7 @@ std::vector<int> territoryBones(const Primitive& primitive, int bone, const Skel
       if (const std::optional<int> found = skeleton.findBone(name)) bones.push_back(*found);
     }
   } else {
-    const Bone& own = skeleton.bones[static_cast<std::size_t>(bone)];
+    const Bone& own = at(skeleton.bones, bone);
     bones = own.children;
     bones.push_back(bone);
     if (own.parent >= 0) bones.push_back(own.parent);
@@ -78,8 +79,8 @@ std::vector<int> territoryBones(const Primitive& primitive, int bone, const Skel
 float territoryWeight(const Character& character, int vertex, const std::vector<bool>& isTerritoryBone) {
   float sum = 0.0f;
   for (const Influence& influence : character.mesh.influencesOf(vertex)) {
-    const int bone = character.skeleton.bindings[static_cast<std::size_t>(influence.binding)].bone;
-    if (isTerritoryBone[static_cast<std::size_t>(bone)]) sum += influence.weight;
+    const int bone = at(character.skeleton.bindings, influence.binding).bone;
+    if (at(isTerritoryBone, bone)) sum += influence.weight;
   }
   const float t = std::clamp(sum / 0.5f, 0.0f, 1.0f);
   return t * t * (3.0f - 2.0f * t);
@@ -96,7 +97,7 @@ bool sameCandidates(const Rig& a, const Rig& b) {
 
 void reshape(const Rig& rig, Attachment& attachment) {
   for (std::size_t i = 0; i < attachment.primitives.size(); ++i) {
-    const Primitive& primitive = rig.primitives[static_cast<std::size_t>(attachment.rigIndex[i])];
+    const Primitive& primitive = at(rig.primitives, attachment.rigIndex[i]);
     shape(rig, primitive, attachment.primitives[i]);
   }
 }

@@ -6,6 +6,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/base/at.h"
 #include "core/rig/validation.h"
 
 namespace sinew {
@@ -13,14 +14,14 @@ namespace {
 
 const Primitive& primitiveAt(const Rig& rig, int index) {
   assert(index >= 0 && static_cast<std::size_t>(index) < rig.primitives.size());
-  return rig.primitives[static_cast<std::size_t>(index)];
+  return at(rig.primitives, index);
 }
 
 Primitive& primitiveAt(Rig& rig, int index) { return const_cast<Primitive&>(primitiveAt(std::as_const(rig), index)); }
 
 const Group& groupAt(const Rig& rig, int index) {
   assert(index >= 0 && static_cast<std::size_t>(index) < rig.groups.size());
-  return rig.groups[static_cast<std::size_t>(index)];
+  return at(rig.groups, index);
 }
 
 std::string placeOf(int index) { return "primitives[" + std::to_string(index) + ']'; }
@@ -61,7 +62,7 @@ std::vector<bool> marked(const Rig& rig, std::span<const int> indices) {
   std::vector<bool> marks(rig.primitives.size(), false);
   for (const int index : indices) {
     assert(index >= 0 && static_cast<std::size_t>(index) < marks.size());
-    marks[static_cast<std::size_t>(index)] = true;
+    at(marks, index) = true;
   }
   return marks;
 }
@@ -193,7 +194,7 @@ Result<Rig> renameGroup(const Rig& rig, int group, const std::string& name) {
   if (const auto valid = validateName(name, place); !valid) return valid.error();
   if (const int owner = findGroup(rig, name); owner >= 0 && owner != group) return nameTaken(place, name);
   Rig result = rig;
-  result.groups[static_cast<std::size_t>(group)].name = name;
+  at(result.groups, group).name = name;
   for (auto& link : result.links) std::ranges::replace(link, former, name);
   for (Primitive& primitive : result.primitives) {
     if (primitive.group == former) primitive.group = name;

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <utility>
 
+#include "core/base/at.h"
 #include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
 
@@ -14,10 +15,10 @@ Result<Rig> editPrimitives(const Rig& rig, std::span<const int> indices,
   Rig result = rig;
   for (const int index : indices) {
     assert(index >= 0 && static_cast<std::size_t>(index) < rig.primitives.size());
-    Primitive& primitive = result.primitives[static_cast<std::size_t>(index)];
+    Primitive& primitive = at(result.primitives, index);
     change(primitive);
-    assert(primitive.name == rig.primitives[static_cast<std::size_t>(index)].name);
-    assert(primitive.mirror == rig.primitives[static_cast<std::size_t>(index)].mirror);
+    assert(primitive.name == at(rig.primitives, index).name);
+    assert(primitive.mirror == at(rig.primitives, index).mirror);
     const std::string place = "primitives[" + std::to_string(index) + ']';
     if (const auto valid = validatePrimitive(primitive, place); !valid) return valid.error();
     if (findGroup(rig, primitive.group) < 0) {
@@ -39,8 +40,8 @@ Result<Rig> moveToNewGroup(const Rig& rig, std::span<const int> indices, const s
 Result<Rig> dissolveGroup(const Rig& rig, int group, int into) {
   if (group == into) return errorAt("groups", "a group's primitives cannot go to the group that is removed");
   assert(into >= 0 && static_cast<std::size_t>(into) < rig.groups.size());
-  const std::string heir = rig.groups[static_cast<std::size_t>(into)].name;
-  const std::vector<int> members = membersOf(rig, rig.groups[static_cast<std::size_t>(group)].name);
+  const std::string heir = at(rig.groups, into).name;
+  const std::vector<int> members = membersOf(rig, at(rig.groups, group).name);
   const Result<Rig> moved = setGroupOfSeveral(rig, members, heir);
   return moved ? removeGroup(moved.value(), group) : moved;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/at.h"
 #include "core/skeleton/side_names.h"
 
 namespace sinew {
@@ -66,16 +67,15 @@ struct Above {
   int bone;
 
   [[nodiscard]] bool has(std::initializer_list<JointRole> wanted) const {
-    for (int i = skeleton.bones[static_cast<std::size_t>(bone)].parent; i >= 0;
-         i = skeleton.bones[static_cast<std::size_t>(i)].parent) {
-      const JointRole role = roles[static_cast<std::size_t>(i)];
+    for (int i = at(skeleton.bones, bone).parent; i >= 0; i = at(skeleton.bones, i).parent) {
+      const JointRole role = at(roles, i);
       if (std::ranges::find(wanted, role) != wanted.end()) return true;
     }
     return false;
   }
   [[nodiscard]] bool childIsArm() const {
-    return std::ranges::any_of(skeleton.bones[static_cast<std::size_t>(bone)].children, [&](int child) {
-      return JointName(skeleton.bones[static_cast<std::size_t>(child)].name).holds({"arm", "humerus"});
+    return std::ranges::any_of(at(skeleton.bones, bone).children, [&](int child) {
+      return JointName(at(skeleton.bones, child).name).holds({"arm", "humerus"});
     });
   }
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/at.h"
 #include "core/skeleton/pose_override.h"
 
 namespace sinew {
@@ -14,12 +15,12 @@ Pose poseFromLocals(const Skeleton& skeleton, const std::vector<LocalTransform>&
   for (std::size_t i = 0; i < locals.size(); ++i) {
     const glm::dmat4 local(locals[i].toMatrix());
     const int parent = skeleton.nodes[i].parent;
-    inWorld[i] = parent >= 0 ? inWorld[static_cast<std::size_t>(parent)] * local : local;
+    inWorld[i] = parent >= 0 ? at(inWorld, parent) * local : local;
   }
   Pose pose;
   pose.boneInWorld.reserve(skeleton.bones.size());
   for (const Bone& bone : skeleton.bones) {
-    pose.boneInWorld.emplace_back(inWorld[static_cast<std::size_t>(bone.node)]);
+    pose.boneInWorld.emplace_back(at(inWorld, bone.node));
   }
   return pose;
 }
@@ -50,12 +51,12 @@ void applyChannel(const Channel& channel, float time, LocalTransform& local) {
 PoseOverrides turnsAt(const Skeleton& skeleton, const AnimationClip& clip, float time) {
   std::vector<int> boneOfNode(skeleton.nodes.size(), -1);
   for (std::size_t i = 0; i < skeleton.bones.size(); ++i) {
-    boneOfNode[static_cast<std::size_t>(skeleton.bones[i].node)] = static_cast<int>(i);
+    at(boneOfNode, skeleton.bones[i].node) = static_cast<int>(i);
   }
   PoseOverrides turns;
   for (const Channel& channel : clip.channels) {
     const glm::vec4 value = sampleChannel(channel, time);
-    const int bone = boneOfNode[static_cast<std::size_t>(channel.node)];
+    const int bone = at(boneOfNode, channel.node);
     if (bone >= 0) turns.set(bone, glm::quat(value.w, value.x, value.y, value.z));
   }
   return turns;
@@ -77,7 +78,7 @@ Pose samplePose(const Skeleton& skeleton, const AnimationClip& clip, float time)
   if (clip.turnsBindPose) return posed(skeleton, bindPose(skeleton), turnsAt(skeleton, clip, clamped));
   std::vector<LocalTransform> locals = restLocals(skeleton);
   for (const Channel& channel : clip.channels) {
-    applyChannel(channel, clamped, locals[static_cast<std::size_t>(channel.node)]);
+    applyChannel(channel, clamped, at(locals, channel.node));
   }
   return poseFromLocals(skeleton, locals);
 }

@@ -10,6 +10,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/base/at.h"
+
 namespace sinew {
 namespace {
 
@@ -95,7 +97,7 @@ Pose posed(const Skeleton& skeleton, Pose pose, const PoseOverrides& overrides) 
   for (std::size_t i = 0; i < skeleton.bones.size(); ++i) {
     const Bone& bone = skeleton.bones[i];
     std::optional<glm::dmat4>& carry = carried[i];
-    if (bone.parent >= 0) carry = carried[static_cast<std::size_t>(bone.parent)];
+    if (bone.parent >= 0) carry = at(carried, bone.parent);
     const glm::dmat4 sampled(pose.boneInWorld[i]);
     while (turn != overrides.turns.end() && turn->bone < static_cast<int>(i)) ++turn;
     if (turn != overrides.turns.end() && turn->bone == static_cast<int>(i)) {
@@ -155,7 +157,7 @@ PoseOverrides mirroredPose(const PoseOverrides& overrides, const Skeleton& skele
       result.set(turn.bone, turn.turn);
       continue;
     }
-    const Bone& other = skeleton.bones[static_cast<std::size_t>(twin)];
+    const Bone& other = at(skeleton.bones, twin);
     result.set(twin, mirroredTurn(turn.turn, skeleton.bones[bone], other, planeNormal));
   }
   return result;

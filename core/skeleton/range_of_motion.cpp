@@ -11,6 +11,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/base/at.h"
 #include "core/skeleton/joint_roles.h"
 #include "core/skeleton/pose_override.h"
 #include "core/skeleton/side_names.h"
@@ -90,9 +91,9 @@ struct Body {
   glm::vec3 forward;
   std::vector<bool> moves;
 
-  [[nodiscard]] const Bone& bone(int i) const { return skeleton.bones[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const Bone& bone(int i) const { return at(skeleton.bones, i); }
   [[nodiscard]] glm::vec3 origin(int i) const { return glm::vec3(bone(i).bindInWorld[3]); }
-  [[nodiscard]] JointRole role(int i) const { return roles[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] JointRole role(int i) const { return at(roles, i); }
 };
 
 constexpr glm::vec3 kUp(0.0f, 1.0f, 0.0f);
@@ -112,7 +113,7 @@ std::vector<int> twinsByPlace(const Skeleton& skeleton) {
     glm::vec3 mirrored(bone.bindInWorld[3]);
     if (std::abs(mirrored.x - middle) <= near) continue;
     mirrored.x = 2.0f * middle - mirrored.x;
-    const int parentTwin = bone.parent >= 0 ? twins[static_cast<std::size_t>(bone.parent)] : -1;
+    const int parentTwin = bone.parent >= 0 ? at(twins, bone.parent) : -1;
     const int wantedParent = parentTwin >= 0 ? parentTwin : bone.parent;
     for (std::size_t j = i + 1; j < count && twins[i] < 0; ++j) {
       const Bone& other = skeleton.bones[j];
@@ -145,7 +146,7 @@ std::vector<bool> movingBones(const Skeleton& skeleton, const std::vector<JointR
   std::vector<bool> seen = carriesSkin;
   seen.resize(count, carriesSkin.empty());
   for (std::size_t i = count; i-- > 0;) {
-    if (seen[i] && skeleton.bones[i].parent >= 0) seen[static_cast<std::size_t>(skeleton.bones[i].parent)] = true;
+    if (seen[i] && skeleton.bones[i].parent >= 0) at(seen, skeleton.bones[i].parent) = true;
   }
   std::vector<bool> moves(count);
   for (std::size_t i = 0; i < count; ++i) moves[i] = seen[i] && roles[i] != JointRole::kStill;
@@ -255,11 +256,11 @@ JointMovement mirrored(const Body& body, const JointMovement& movement, int twin
 /// Joints that move as one: the bone and its twin, or all digits, or the whole tail.
 std::vector<int> companions(const Body& body, int bone) {
   const JointRole role = body.role(bone);
-  const int twin = body.twinOf[static_cast<std::size_t>(bone)];
+  const int twin = at(body.twinOf, bone);
   std::vector<int> group{bone};
   for (int i = 0; i < static_cast<int>(body.roles.size()); ++i) {
     const bool together = (role == JointRole::kDigit || role == JointRole::kTail) && body.role(i) == role;
-    if (i != bone && body.moves[static_cast<std::size_t>(i)] && (together || i == twin)) group.push_back(i);
+    if (i != bone && at(body.moves, i) && (together || i == twin)) group.push_back(i);
   }
   return group;
 }
@@ -267,7 +268,7 @@ std::vector<int> companions(const Body& body, int bone) {
 MovementStep stepOf(const Body& body, std::span<const int> group, const Swing& swing) {
   MovementStep step;
   for (const int bone : group) {
-    const int twin = body.twinOf[static_cast<std::size_t>(bone)];
+    const int twin = at(body.twinOf, bone);
     const auto first = std::ranges::find(step, twin, &JointMovement::bone);
     if (twin != bone && first != step.end()) step.push_back(mirrored(body, *first, bone));
     else step.push_back(movementOf(body, bone, swing));
@@ -313,7 +314,7 @@ std::vector<MovementStep> rangeOfMotionSteps(const Skeleton& skeleton, const Ran
   for (std::size_t i = 0; i < skeleton.bones.size(); ++i) {
     if (done[i] || !body.moves[i]) continue;
     const std::vector<int> group = companions(body, static_cast<int>(i));
-    for (const int bone : group) done[static_cast<std::size_t>(bone)] = true;
+    for (const int bone : group) at(done, bone) = true;
     for (const Swing& swing : swingsOf(body.roles[i])) steps.push_back(stepOf(body, group, swing));
   }
   return steps;
@@ -329,7 +330,7 @@ AnimationClip rangeOfMotion(const Skeleton& skeleton, const RangeOfMotionHints& 
     const int frames = framesOf(step);
     for (const JointMovement& movement : step) {
       Channel& channel = channels[movement.bone];
-      channel.node = skeleton.bones[static_cast<std::size_t>(movement.bone)].node;
+      channel.node = at(skeleton.bones, movement.bone).node;
       channel.path = ChannelPath::kRotation;
       addKeys(channel, movement, frame, frames);
     }

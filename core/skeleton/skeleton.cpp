@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "core/base/at.h"
+
 namespace sinew {
 namespace {
 
@@ -18,7 +20,7 @@ void linkChildren(Skeleton& skeleton) {
   for (Bone& bone : skeleton.bones) bone.children.clear();
   for (std::size_t i = 0; i < skeleton.bones.size(); ++i) {
     const int parent = skeleton.bones[i].parent;
-    if (parent >= 0) skeleton.bones[static_cast<std::size_t>(parent)].children.push_back(static_cast<int>(i));
+    if (parent >= 0) at(skeleton.bones, parent).children.push_back(static_cast<int>(i));
   }
 }
 
@@ -27,7 +29,7 @@ void namePaths(Skeleton& skeleton) {
   std::map<std::string, int> used;
   for (Bone& bone : skeleton.bones) {
     std::string path = bone.name;
-    if (bone.parent >= 0) path = skeleton.bones[static_cast<std::size_t>(bone.parent)].path + "/" + bone.name;
+    if (bone.parent >= 0) path = at(skeleton.bones, bone.parent).path + "/" + bone.name;
     std::string candidate = path;
     for (int count = used[path] + 1; used.contains(candidate) && used[candidate] > 0; ++count) {
       candidate = path + "#" + std::to_string(count);
@@ -45,11 +47,11 @@ glm::vec3 tipInWorld(const Skeleton& skeleton, const Bone& bone) {
   const glm::vec3 origin = originInWorld(bone);
   if (!bone.children.empty()) {
     glm::vec3 sum(0.0f);
-    for (const int child : bone.children) sum += originInWorld(skeleton.bones[static_cast<std::size_t>(child)]);
+    for (const int child : bone.children) sum += originInWorld(at(skeleton.bones, child));
     return sum / static_cast<float>(bone.children.size());
   }
   if (bone.parent < 0) return origin;
-  return origin + 0.5f * (origin - originInWorld(skeleton.bones[static_cast<std::size_t>(bone.parent)]));
+  return origin + 0.5f * (origin - originInWorld(at(skeleton.bones, bone.parent)));
 }
 
 }  // namespace
@@ -69,7 +71,7 @@ std::optional<int> Skeleton::findBone(std::string_view nameOrPath) const {
 }
 
 const std::string& Skeleton::fileName(int bone) const {
-  const Bone& found = bones[static_cast<std::size_t>(bone)];
+  const Bone& found = at(bones, bone);
   // A name that is also another bone's path would be read as that name: then the path is the only clear one.
   return nameIsUnique(*this, found.name) ? found.name : found.path;
 }

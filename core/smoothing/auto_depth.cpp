@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/at.h"
+
 namespace sinew {
 namespace {
 
@@ -17,8 +19,8 @@ float meanEdgeFraction(const ControlMesh& mesh, float height) {
   if (mesh.edges.empty()) return 1.0f;
   double sum = 0.0;
   for (const Edge& edge : mesh.edges) {
-    sum += static_cast<double>(glm::distance(mesh.positions[static_cast<std::size_t>(edge.vertices[0])],
-                                             mesh.positions[static_cast<std::size_t>(edge.vertices[1])]));
+    sum +=
+        static_cast<double>(glm::distance(at(mesh.positions, edge.vertices[0]), at(mesh.positions, edge.vertices[1])));
   }
   return static_cast<float>(sum / static_cast<double>(mesh.edges.size())) / height;
 }

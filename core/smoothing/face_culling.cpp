@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/at.h"
+
 namespace sinew {
 namespace {
 
@@ -15,8 +17,8 @@ class Culler {
   Culler(const CullingScene& scene, const glm::vec3& eye) : scene_(scene), eye_(eye) {}
 
   [[nodiscard]] bool isHidden(int t) const {
-    const ControlTriangle& triangle = scene_.character.mesh.triangles[static_cast<std::size_t>(t)];
-    const bool hasBack = scene_.character.materials[static_cast<std::size_t>(triangle.material)].doubleSided;
+    const ControlTriangle& triangle = at(scene_.character.mesh.triangles, t);
+    const bool hasBack = at(scene_.character.materials, triangle.material).doubleSided;
     return !hasBack && patchFacesAway(t) && !moves(t);
   }
 
@@ -26,14 +28,11 @@ class Culler {
     return std::span(scene_.refinement.triangles).subspan(static_cast<std::size_t>(t) * count, count);
   }
 
-  [[nodiscard]] const glm::vec3& at(int refinedVertex) const {
-    return scene_.patchPositions[static_cast<std::size_t>(refinedVertex)];
-  }
-
   [[nodiscard]] bool patchFacesAway(int t) const {
     return std::ranges::all_of(smallTriangles(t), [&](const std::array<int, 3>& small) {
-      const glm::vec3 a = at(small[0]);
-      const glm::vec3 normal = glm::cross(at(small[1]) - a, at(small[2]) - a);
+      const glm::vec3 a = at(scene_.patchPositions, small[0]);
+      const glm::vec3 normal =
+          glm::cross(at(scene_.patchPositions, small[1]) - a, at(scene_.patchPositions, small[2]) - a);
       const glm::vec3 sight = a - eye_;
       const float facing = glm::dot(normal, sight);
       return facing >= 0.0f &&
@@ -42,16 +41,16 @@ class Culler {
   }
 
   [[nodiscard]] bool moves(int t) const {
-    if (!scene_.classes.empty()) return scene_.classes[static_cast<std::size_t>(t)] != TriangleClass::kNormal;
+    if (!scene_.classes.empty()) return at(scene_.classes, t) != TriangleClass::kNormal;
     const int carrier = scene_.refinement.controlVertices + scene_.refinement.controlEdges + t;
     return std::ranges::any_of(scene_.field.lists->of(carrier), [&](const CarrierCandidate& candidate) {
-      return isReached(t, scene_.field.primitives[static_cast<std::size_t>(candidate.primitive)].influence);
+      return isReached(t, at(scene_.field.primitives, candidate.primitive).influence);
     });
   }
 
   [[nodiscard]] bool isReached(int t, const UnitBallMap& ball) const {
     return std::ranges::any_of(smallTriangles(t), [&](const std::array<int, 3>& small) {
-      return std::ranges::any_of(small, [&](int vertex) { return ball.holds(at(vertex)); });
+      return std::ranges::any_of(small, [&](int vertex) { return ball.holds(at(scene_.patchPositions, vertex)); });
     });
   }
 
@@ -77,7 +76,7 @@ FaceCulling cullFaces(const CullingScene& scene, const glm::vec3& eye) {
     }
     culling.carriers[firstTriangle + t] = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      culling.carriers[static_cast<std::size_t>(mesh.triangles[t].vertices[i])] = 0;
+      at(culling.carriers, mesh.triangles[t].vertices[i]) = 0;
       culling.carriers[firstEdge + static_cast<std::size_t>(mesh.triangles[t].edges[i])] = 0;
     }
   }

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/at.h"
 #include "core/character/skinning.h"
 #include "core/mesh/creases.h"
 #include "core/rig/attachment.h"
@@ -80,7 +81,7 @@ std::vector<float> influenceWeights(const ControlMesh& mesh, const FieldView& bi
   std::vector<float> omega(mesh.positions.size(), 0.0f);
   for (std::size_t v = 0; v < omega.size(); ++v) {
     for (const CarrierCandidate& candidate : bindField.lists->of(static_cast<int>(v))) {
-      const UnitBallMap& ball = bindField.primitives[static_cast<std::size_t>(candidate.primitive)].influence;
+      const UnitBallMap& ball = at(bindField.primitives, candidate.primitive).influence;
       if (ball.boundingRadius > 0.0f && ball.rSquared(mesh.positions[v]) < 1.0f) omega[v] = 1.0f;
     }
   }

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "core/base/at.h"
 #include "core/base/flatness.h"
 #include "core/skeleton/side_names.h"
 
@@ -46,12 +47,12 @@ void tidy(AffineMap& mirror) {
   mirror.linear = rounded;
 }
 
-const Bone& boneAt(const MirrorPlan& plan, int bone) { return plan.skeleton.bones[static_cast<std::size_t>(bone)]; }
+const Bone& boneAt(const MirrorPlan& plan, int bone) { return at(plan.skeleton.bones, bone); }
 
 /// A name that begins with its bone's takes the other bone's; else by the side it says.
 std::string imageName(const MirrorPlan& plan, const std::string& name, int bone) {
   const std::string& own = boneAt(plan, bone).name;
-  const std::string& twin = boneAt(plan, plan.twinOf[static_cast<std::size_t>(bone)]).name;
+  const std::string& twin = boneAt(plan, at(plan.twinOf, bone)).name;
   if (own != twin && name.starts_with(own)) return twin + name.substr(own.size());
   return mirroredName(name).value_or(name);
 }
@@ -105,7 +106,7 @@ int MirrorPlan::centreCount() const {
 Result<std::string> twinBone(const MirrorPlan& plan, const std::string& bone) {
   const std::optional<int> found = plan.skeleton.findBone(bone);
   if (!found) return errorAt("", "this character has no bone \"" + bone + '"');
-  const int twin = plan.twinOf[static_cast<std::size_t>(*found)];
+  const int twin = at(plan.twinOf, *found);
   if (twin < 0) return errorAt("", "the bone \"" + bone + "\" has no counterpart on the other side");
   return plan.skeleton.fileName(twin);
 }
@@ -118,7 +119,7 @@ Result<Primitive> mirroredPrimitive(const MirrorPlan& plan, const Primitive& pri
   image.bone = std::move(bone).value();
   const int from = *plan.skeleton.findBone(primitive.bone);
   image.name = imageName(plan, primitive.name, from);
-  image.placement = imageOf(primitive.placement, *plan.mirrors[static_cast<std::size_t>(from)]);
+  image.placement = imageOf(primitive.placement, *at(plan.mirrors, from));
   if (image.territory) {
     for (std::string& name : *image.territory) {
       if (Result<std::string> twin = twinBone(plan, name)) name = std::move(twin).value();
@@ -129,8 +130,8 @@ Result<Primitive> mirroredPrimitive(const MirrorPlan& plan, const Primitive& pri
 
 bool liesInPlane(const MirrorPlan& plan, const Primitive& primitive, float tolerance) {
   const std::optional<int> bone = plan.skeleton.findBone(primitive.bone);
-  if (!bone || plan.twinOf[static_cast<std::size_t>(*bone)] != *bone) return false;
-  const Placement image = imageOf(primitive.placement, *plan.mirrors[static_cast<std::size_t>(*bone)]);
+  if (!bone || at(plan.twinOf, *bone) != *bone) return false;
+  const Placement image = imageOf(primitive.placement, *at(plan.mirrors, *bone));
   // Two ellipsoids are equal if their quadratic forms are: six points of one against the other's half widths.
   const glm::dmat4 bind(boneAt(plan, *bone).bindInWorld);
   const double allowed = static_cast<double>(tolerance) * static_cast<double>(plan.characterHeight);
@@ -156,7 +157,7 @@ bool liesInPlane(const MirrorPlan& plan, const Primitive& primitive, float toler
 
 std::optional<Placement> snappedToPlane(const MirrorPlan& plan, const Primitive& primitive, float tolerance) {
   const std::optional<int> bone = plan.skeleton.findBone(primitive.bone);
-  if (!bone || plan.twinOf[static_cast<std::size_t>(*bone)] != *bone) return std::nullopt;
+  if (!bone || at(plan.twinOf, *bone) != *bone) return std::nullopt;
   const glm::dmat4 bind(boneAt(plan, *bone).bindInWorld);
   const glm::dvec3 center(bind * glm::dvec4(glm::dvec3(primitive.placement.center), 1.0));
   const double off = distanceTo(plan.plane, center);

@@ -11,6 +11,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/at.h"
 #include "core/skeleton/side_names.h"
 
 namespace sinew {
@@ -114,14 +115,14 @@ struct Placing {
   std::vector<Segment> segments;
   double height;
 
-  [[nodiscard]] const Bone& bone(int index) const { return plan.skeleton.bones[static_cast<std::size_t>(index)]; }
-  [[nodiscard]] const Segment& segment(int index) const { return segments[static_cast<std::size_t>(index)]; }
-  [[nodiscard]] bool isFree(int index) const { return plan.twinOf[static_cast<std::size_t>(index)] < 0; }
+  [[nodiscard]] const Bone& bone(int index) const { return at(plan.skeleton.bones, index); }
+  [[nodiscard]] const Segment& segment(int index) const { return at(segments, index); }
+  [[nodiscard]] bool isFree(int index) const { return at(plan.twinOf, index) < 0; }
 
   void pair(int a, int b, PairedBy by) {
-    plan.twinOf[static_cast<std::size_t>(a)] = b;
-    plan.twinOf[static_cast<std::size_t>(b)] = a;
-    plan.pairedBy[static_cast<std::size_t>(a)] = plan.pairedBy[static_cast<std::size_t>(b)] = by;
+    at(plan.twinOf, a) = b;
+    at(plan.twinOf, b) = a;
+    at(plan.pairedBy, a) = at(plan.pairedBy, b) = by;
   }
   /// How far two bones are from being mirror images; of H.
   [[nodiscard]] double misfit(int a, int b) const {
@@ -158,7 +159,7 @@ bool parentsAgree(const Placing& placing, int a, int b) {
   const int parentA = placing.bone(a).parent;
   const int parentB = placing.bone(b).parent;
   if (parentA < 0 || parentB < 0) return parentA == parentB;
-  return placing.plan.twinOf[static_cast<std::size_t>(parentA)] == parentB;
+  return at(placing.plan.twinOf, parentA) == parentB;
 }
 
 /// @param whole  the tip must lie in the plane too: what only begins there may be one of a pair.

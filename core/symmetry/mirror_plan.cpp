@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/at.h"
 #include "core/symmetry/mirror.h"
 #include "core/symmetry/mirror_pairing.h"
 
@@ -42,7 +43,7 @@ class VertexGrid {
           const auto found = cells_.find(keyOf({center[0] + x, center[1] + y, center[2] + z}));
           if (found == cells_.end()) continue;
           for (const int i : found->second) {
-            best = std::min(best, glm::distance(glm::dvec3(points_[static_cast<std::size_t>(i)]), point));
+            best = std::min(best, glm::distance(glm::dvec3(at(points_, i)), point));
           }
         }
       }
@@ -77,7 +78,7 @@ struct Finder {
         named(pairsByName(of.skeleton)),
         grid(of.mesh.positions, kGridCell * static_cast<double>(of.height)) {}
 
-  [[nodiscard]] const Bone& bone(int index) const { return character.skeleton.bones[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] const Bone& bone(int index) const { return at(character.skeleton.bones, index); }
 };
 
 // Candidates ------------------------------------------------------------------------------------------------------
@@ -209,7 +210,7 @@ MirrorPlan pairBones(const Skeleton& skeleton, const MirrorPlane& plane, float c
   pairAll(plan, pairsByName(skeleton));
   for (std::size_t i = 0; i < plan.twinOf.size(); ++i) {
     if (plan.twinOf[i] < 0) continue;
-    const Bone& twin = skeleton.bones[static_cast<std::size_t>(plan.twinOf[i])];
+    const Bone& twin = at(skeleton.bones, plan.twinOf[i]);
     plan.mirrors[i] = boneMirror(skeleton.bones[i].bindInWorld, twin.bindInWorld, plane);
   }
   // A flattened bone mirrors nothing, and so its counterpart neither.

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/base/at.h"
 #include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
 #include "core/skeleton/side_names.h"
@@ -16,8 +17,6 @@ namespace sinew {
 namespace {
 
 constexpr float kOwnImage = 1e-4f;  // Of H.
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 using Index = std::unordered_map<std::string_view, const Primitive*>;
 
@@ -143,7 +142,7 @@ Rig keepTwins(const Rig& atStart, const Rig& shown, Rig edited, const MirrorPlan
 }
 
 int twinOf(const Rig& rig, int index) {
-  const std::string& mirror = rig.primitives[at(index)].mirror;
+  const std::string& mirror = at(rig.primitives, index).mirror;
   return mirror.empty() ? -1 : findPrimitive(rig, mirror);
 }
 
@@ -167,7 +166,7 @@ Result<Rig> addPair(const Rig& rig, Primitive primitive, const MirrorPlan& plan)
 
 Result<Rig> mirrorToOtherSide(const Rig& rig, int index, const MirrorPlan& plan) {
   if (const int twin = twinOf(rig, index); twin >= 0) return linkTwins(rig, index, twin, plan);
-  const Primitive& original = rig.primitives[at(index)];
+  const Primitive& original = at(rig.primitives, index);
   if (liesInPlane(plan, original, kOwnImage)) {
     return errorAt("", '"' + original.name + "\" lies in the middle: it is its own mirror image");
   }
@@ -181,8 +180,8 @@ Result<Rig> mirrorToOtherSide(const Rig& rig, int index, const MirrorPlan& plan)
 Result<Rig> linkTwins(const Rig& rig, int leader, int follower, const MirrorPlan& plan) {
   assert(leader != follower);
   Rig linked = setMirror(rig, leader, follower);
-  Primitive& second = linked.primitives[at(follower)];
-  Result<Primitive> image = imageAs(plan, linked.primitives[at(leader)], second);
+  Primitive& second = at(linked.primitives, follower);
+  Result<Primitive> image = imageAs(plan, at(linked.primitives, leader), second);
   if (!image) return image.error();
   if (const auto valid = validatePrimitive(image.value(), "primitives"); !valid) return valid.error();
   second = std::move(image).value();
@@ -192,7 +191,7 @@ Result<Rig> linkTwins(const Rig& rig, int leader, int follower, const MirrorPlan
 Result<Rig> flipPrimitives(const Rig& rig, std::span<const int> indices, const MirrorPlan& plan) {
   Rig flipped = rig;
   for (const int index : withTwins(rig, indices)) {
-    Primitive& primitive = flipped.primitives[at(index)];
+    Primitive& primitive = at(flipped.primitives, index);
     Result<Primitive> image = imageAs(plan, primitive, primitive);
     if (!image) return image.error();
     if (const auto valid = validatePrimitive(image.value(), "primitives"); !valid) return valid.error();
@@ -210,18 +209,18 @@ Rig duplicatePairs(const Rig& rig, std::span<const int> indices) {
   Rig result = rig;
   std::unordered_map<std::string, std::string> copyOf;
   for (const int index : sources) {
-    Primitive copy = rig.primitives[at(index)];
+    Primitive copy = at(rig.primitives, index);
     const auto twinsCopy = copyOf.find(copy.mirror);
     // The second of a pair is named after the first one's copy.
     copy.name = twinsCopy != copyOf.end() && mirroredName(copy.mirror) == copy.name
                     ? twinName(result, twinsCopy->second)
                     : freePrimitiveName(result, copy.name);
-    copyOf.emplace(rig.primitives[at(index)].name, copy.name);
+    copyOf.emplace(at(rig.primitives, index).name, copy.name);
     copy.mirror.clear();
     result.primitives.push_back(std::move(copy));
   }
   for (std::size_t i = 0; i < sources.size(); ++i) {
-    const auto twin = copyOf.find(rig.primitives[at(sources[i])].mirror);
+    const auto twin = copyOf.find(at(rig.primitives, sources[i]).mirror);
     if (twin != copyOf.end()) result.primitives[rig.primitives.size() + i].mirror = twin->second;
   }
   return result;

@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/at.h"
 #include "sinew/smoothing/refinement.h"
 
 namespace sinew {
@@ -34,8 +35,8 @@ struct Fold {
 
 /// A refined triangle's face: twice the area, along the normal.
 [[nodiscard]] inline glm::vec3 faceOf(const std::array<int, 3>& t, std::span<const glm::vec3> positions) {
-  const glm::vec3& a = positions[static_cast<std::size_t>(t[0])];
-  return glm::cross(positions[static_cast<std::size_t>(t[1])] - a, positions[static_cast<std::size_t>(t[2])] - a);
+  const glm::vec3& a = at(positions, t[0]);
+  return glm::cross(at(positions, t[1]) - a, at(positions, t[2]) - a);
 }
 
 /// How far q can be trusted. @param face  of the triangle in the patch.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/base/at.h"
+
 namespace sinew {
 namespace {
 
@@ -20,7 +22,7 @@ float shareOf(const Fold& fold) {
 bool FoldGuard::gather(const ControlMesh& mesh, const Refinement& refinement, std::span<const int> control,
                        bool onlyLowered, const PatchView& patch, std::span<const glm::vec3> positions) {
   asking_.clear();
-  const auto lowered = [&](int v) { return isLowered_[static_cast<std::size_t>(v)] != 0; };
+  const auto lowered = [&](int v) { return at(isLowered_, v) != 0; };
   for (const int t : control) {
     bool folds = false;
     const int perTriangle = refinement.depth * refinement.depth;
@@ -32,18 +34,18 @@ bool FoldGuard::gather(const ControlMesh& mesh, const Refinement& refinement, st
       if (share == 1.0f) continue;
       folds = true;
       for (const int corner : small) {
-        float& asked = asked_[static_cast<std::size_t>(corner)];
+        float& asked = at(asked_, corner);
         if (asked == 1.0f) asking_.push_back(corner);
         asked = std::min(asked, share);
       }
     }
-    if (folds) watch_.add(mesh.triangles[static_cast<std::size_t>(t)]);
+    if (folds) watch_.add(at(mesh.triangles, t));
   }
   return !asking_.empty();
 }
 
 void FoldGuard::lower(const PatchView& patch, std::span<glm::vec3> positions) {
-  for (const int vertex : lowered_) isLowered_[static_cast<std::size_t>(vertex)] = 0;
+  for (const int vertex : lowered_) at(isLowered_, vertex) = 0;
   std::swap(lowered_, asking_);
   for (const int vertex : lowered_) {
     const auto v = static_cast<std::size_t>(vertex);

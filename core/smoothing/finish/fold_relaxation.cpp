@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/at.h"
 #include "core/base/smoothstep.h"
 #include "core/smoothing/finish/moved_triangles.h"
 
@@ -26,11 +27,11 @@ void FoldRelaxation::weigh(const ControlMesh& mesh, const Refinement& refinement
                            bool onlyRelaxed, const PatchView& patch, std::span<const std::uint8_t> isBorder,
                            std::span<const glm::vec3> positions) {
   std::erase_if(folding_, [&](int vertex) {
-    float& weight = weights_[static_cast<std::size_t>(vertex)];
+    float& weight = at(weights_, vertex);
     weight = std::max(0.0f, weight - kFade);
     return weight == 0.0f;
   });
-  const auto relaxed = [&](int v) { return isRelaxed_[static_cast<std::size_t>(v)] != 0; };
+  const auto relaxed = [&](int v) { return at(isRelaxed_, v) != 0; };
   const int perTriangle = refinement.depth * refinement.depth;
   for (const int t : control) {
     bool folds = false;
@@ -48,13 +49,13 @@ void FoldRelaxation::weigh(const ControlMesh& mesh, const Refinement& refinement
         weights_[v] = std::max(weights_[v], weight);
       }
     }
-    if (folds) watch_.add(mesh.triangles[static_cast<std::size_t>(t)]);
+    if (folds) watch_.add(at(mesh.triangles, t));
   }
 }
 
 void FoldRelaxation::sumNeighbours(const Refinement& refinement, std::span<const int> control,
                                    std::span<const glm::vec3> positions) {
-  for (const int v : folding_) sums_[static_cast<std::size_t>(v)] = glm::vec3(0.0f);
+  for (const int v : folding_) at(sums_, v) = glm::vec3(0.0f);
   for (const int t : control) {
     for (const std::array<int, 3>& small : refinedTriangles(refinement, t)) {
       const auto a = static_cast<std::size_t>(small[0]);
@@ -110,11 +111,11 @@ std::span<const Relaxed> FoldRelaxation::apply(const ControlMesh& mesh, const Re
 std::vector<std::uint8_t> borderVertices(const ControlMesh& mesh, const Refinement& refinement) {
   std::vector<std::uint8_t> out(static_cast<std::size_t>(refinement.vertexCount), 0);
   for (int e = 0; e < static_cast<int>(mesh.edges.size()); ++e) {
-    const Edge& edge = mesh.edges[static_cast<std::size_t>(e)];
+    const Edge& edge = at(mesh.edges, e);
     if (edge.triangleCount == 2) continue;
-    for (const int end : edge.vertices) out[static_cast<std::size_t>(end)] = 1;
+    for (const int end : edge.vertices) at(out, end) = 1;
     for (int step = 1; step < refinement.depth; ++step) {
-      out[static_cast<std::size_t>(refinement.edgeVertex(e, step))] = 1;
+      at(out, refinement.edgeVertex(e, step)) = 1;
     }
   }
   return out;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/at.h"
 #include "sinew/mesh/control_mesh.h"
 
 namespace sinew {
@@ -16,15 +17,15 @@ class FoldWatch {
   void clear(const ControlMesh& mesh) { isNear_.assign(mesh.positions.size(), 0); }
 
   void add(const ControlTriangle& folding) {
-    for (const int v : folding.vertices) isNear_[static_cast<std::size_t>(v)] = 1;
+    for (const int v : folding.vertices) at(isNear_, v) = 1;
   }
 
   /// Those of `control`, in its order. Valid until the next call.
   [[nodiscard]] std::span<const int> around(const ControlMesh& mesh, std::span<const int> control) {
     watched_.clear();
     for (const int t : control) {
-      const auto near = [&](int corner) { return isNear_[static_cast<std::size_t>(corner)] != 0; };
-      if (std::ranges::any_of(mesh.triangles[static_cast<std::size_t>(t)].vertices, near)) watched_.push_back(t);
+      const auto near = [&](int corner) { return at(isNear_, corner) != 0; };
+      if (std::ranges::any_of(at(mesh.triangles, t).vertices, near)) watched_.push_back(t);
     }
     return watched_;
   }

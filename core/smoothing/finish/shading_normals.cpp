@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/at.h"
 #include "core/base/smoothstep.h"
 
 namespace sinew {
@@ -79,9 +80,9 @@ CornerNormals cornerNormals(const glm::vec3& a, const glm::vec3& b, const glm::v
 void ShadingNormals::sumFaces(const Refinement& refinement, const MovedTriangles& moved,
                               std::span<const glm::vec3> patch, std::span<const glm::vec3> positions) {
   faces_.resize(patch.size());
-  for (const int v : moved.corners) faces_[static_cast<std::size_t>(v)] = {};
+  for (const int v : moved.corners) at(faces_, v) = {};
   for (const int triangle : moved.refined) {
-    const std::array<int, 3>& t = refinement.triangles[static_cast<std::size_t>(triangle)];
+    const std::array<int, 3>& t = at(refinement.triangles, triangle);
     const auto a = static_cast<std::size_t>(t[0]);
     const auto b = static_cast<std::size_t>(t[1]);
     const auto c = static_cast<std::size_t>(t[2]);
@@ -122,10 +123,10 @@ void ShadingNormals::holdToFaces(const MovedTriangles& moved, std::span<const gl
 
 bool ShadingNormals::findTeeth(const Refinement& refinement, const MovedTriangles& moved) {
   spread_.resize(deltas_.size());
-  for (const int v : moved.corners) spread_[static_cast<std::size_t>(v)] = 0.0f;
+  for (const int v : moved.corners) at(spread_, v) = 0.0f;
   bool found = false;
   for (const int triangle : moved.refined) {
-    const std::array<int, 3>& t = refinement.triangles[static_cast<std::size_t>(triangle)];
+    const std::array<int, 3>& t = at(refinement.triangles, triangle);
     const auto a = static_cast<std::size_t>(t[0]);
     const auto b = static_cast<std::size_t>(t[1]);
     const auto c = static_cast<std::size_t>(t[2]);
@@ -147,28 +148,27 @@ bool ShadingNormals::findTeeth(const Refinement& refinement, const MovedTriangle
 
 void ShadingNormals::gatherAroundTeeth(const Refinement& refinement, const MovedTriangles& moved) {
   nearTeeth_.resize(deltas_.size());
-  for (const int v : moved.corners) nearTeeth_[static_cast<std::size_t>(v)] = 0;
+  for (const int v : moved.corners) at(nearTeeth_, v) = 0;
   const auto any = [](const auto& flags, const std::array<int, 3>& t) {
-    return flags[static_cast<std::size_t>(t[0])] > 0 || flags[static_cast<std::size_t>(t[1])] > 0 ||
-           flags[static_cast<std::size_t>(t[2])] > 0;
+    return at(flags, t[0]) > 0 || at(flags, t[1]) > 0 || at(flags, t[2]) > 0;
   };
   for (const int triangle : moved.refined) {
-    const std::array<int, 3>& t = refinement.triangles[static_cast<std::size_t>(triangle)];
+    const std::array<int, 3>& t = at(refinement.triangles, triangle);
     if (!any(spread_, t)) continue;
-    for (const int v : t) nearTeeth_[static_cast<std::size_t>(v)] = 1;
+    for (const int v : t) at(nearTeeth_, v) = 1;
   }
   aroundTeeth_.clear();
   for (const int triangle : moved.refined) {
-    if (any(nearTeeth_, refinement.triangles[static_cast<std::size_t>(triangle)])) aroundTeeth_.push_back(triangle);
+    if (any(nearTeeth_, at(refinement.triangles, triangle))) aroundTeeth_.push_back(triangle);
   }
 }
 
 void ShadingNormals::laplacianOf(const std::vector<glm::vec3>& values, const Refinement& refinement,
                                  const MovedTriangles& moved, std::vector<glm::vec3>& out) const {
   out.resize(values.size());
-  for (const int v : moved.corners) out[static_cast<std::size_t>(v)] = glm::vec3(0.0f);
+  for (const int v : moved.corners) at(out, v) = glm::vec3(0.0f);
   for (const int triangle : aroundTeeth_) {
-    const std::array<int, 3>& t = refinement.triangles[static_cast<std::size_t>(triangle)];
+    const std::array<int, 3>& t = at(refinement.triangles, triangle);
     const auto a = static_cast<std::size_t>(t[0]);
     const auto b = static_cast<std::size_t>(t[1]);
     const auto c = static_cast<std::size_t>(t[2]);

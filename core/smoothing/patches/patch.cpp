@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/at.h"
+
 namespace sinew {
 namespace {
 
@@ -155,12 +157,12 @@ class Inside {
   Inside(PatchKind kind, const Corners& corners, const Refinement& refinement)
       : kind_(kind), corners_(corners), pn_(corners), refinement_(refinement) {}
 
-  PatchPoint at(int index) const {
+  PatchPoint point(int index) const {
     const float n = static_cast<float>(refinement_.depth);
-    const auto& [j, k] = refinement_.interior[static_cast<std::size_t>(index)];
+    const auto& [j, k] = at(refinement_.interior, index);
     const Barycentric w{static_cast<float>(refinement_.depth - j - k) / n, static_cast<float>(j) / n,
                         static_cast<float>(k) / n};
-    return kind_ == PatchKind::kPn ? pn_.at(w) : point(kind_, corners_, w);
+    return kind_ == PatchKind::kPn ? pn_.at(w) : sinew::point(kind_, corners_, w);
   }
 
  private:
@@ -175,19 +177,17 @@ class Inside {
 void evaluatePatches(PatchKind kind, const ControlMesh& mesh, const Refinement& refinement,
                      std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                      std::span<glm::vec3> outPositions, std::span<glm::vec3> outNormals) {
-  const auto corner = [&](int vertex) {
-    return Corner{positions[static_cast<std::size_t>(vertex)], normals[static_cast<std::size_t>(vertex)]};
-  };
+  const auto corner = [&](int vertex) { return Corner{at(positions, vertex), at(normals, vertex)}; };
   const auto store = [&](int vertex, const PatchPoint& result) {
-    outPositions[static_cast<std::size_t>(vertex)] = result.position;
-    outNormals[static_cast<std::size_t>(vertex)] = result.normal;
+    at(outPositions, vertex) = result.position;
+    at(outNormals, vertex) = result.normal;
   };
   const float n = static_cast<float>(refinement.depth);
 
   for (int v = 0; v < refinement.controlVertices; ++v) store(v, corner(v));
 
   for (int e = 0; e < refinement.controlEdges && refinement.edgeVertices > 0; ++e) {
-    const auto& ends = mesh.edges[static_cast<std::size_t>(e)].vertices;
+    const auto& ends = at(mesh.edges, e).vertices;
     const Corner a = corner(ends[0]);
     const Corner b = corner(ends[1]);
     for (int step = 1; step < refinement.depth; ++step) {
@@ -199,30 +199,30 @@ void evaluatePatches(PatchKind kind, const ControlMesh& mesh, const Refinement& 
     const auto& vertices = mesh.triangles[t].vertices;
     const Inside inside(kind, {{corner(vertices[0]), corner(vertices[1]), corner(vertices[2])}, 3}, refinement);
     for (int i = 0; i < refinement.interiorVertices; ++i) {
-      store(refinement.interiorVertex(static_cast<int>(t), i), inside.at(i));
+      store(refinement.interiorVertex(static_cast<int>(t), i), inside.point(i));
     }
   }
 }
 
 void interpolateDirections(const ControlMesh& mesh, const Refinement& refinement, std::span<const glm::vec3> control,
                            std::span<glm::vec3> out) {
-  const auto corner = [&](int vertex) { return Corner{glm::vec3(0.0f), control[static_cast<std::size_t>(vertex)]}; };
+  const auto corner = [&](int vertex) { return Corner{glm::vec3(0.0f), at(control, vertex)}; };
   const float n = static_cast<float>(refinement.depth);
   std::ranges::copy(control, out.begin());
   for (int e = 0; e < refinement.controlEdges && refinement.edgeVertices > 0; ++e) {
-    const auto& ends = mesh.edges[static_cast<std::size_t>(e)].vertices;
+    const auto& ends = at(mesh.edges, e).vertices;
     const Corners corners{{corner(ends[0]), corner(ends[1]), Corner{}}, 2};
     for (int step = 1; step < refinement.depth; ++step) {
       const float w = static_cast<float>(step) / n;
-      out[static_cast<std::size_t>(refinement.edgeVertex(e, step))] = phongNormal(corners, {1.0f - w, w, 0.0f});
+      at(out, refinement.edgeVertex(e, step)) = phongNormal(corners, {1.0f - w, w, 0.0f});
     }
   }
   for (std::size_t t = 0; t < mesh.triangles.size() && refinement.interiorVertices > 0; ++t) {
     const auto& vertices = mesh.triangles[t].vertices;
     const Corners corners{{corner(vertices[0]), corner(vertices[1]), corner(vertices[2])}, 3};
     for (int i = 0; i < refinement.interiorVertices; ++i) {
-      const auto& [j, k] = refinement.interior[static_cast<std::size_t>(i)];
-      out[static_cast<std::size_t>(refinement.interiorVertex(static_cast<int>(t), i))] = phongNormal(
+      const auto& [j, k] = at(refinement.interior, i);
+      at(out, refinement.interiorVertex(static_cast<int>(t), i)) = phongNormal(
           corners,
           {static_cast<float>(refinement.depth - j - k) / n, static_cast<float>(j) / n, static_cast<float>(k) / n});
     }
@@ -231,24 +231,23 @@ void interpolateDirections(const ControlMesh& mesh, const Refinement& refinement
 
 void interpolateValues(const ControlMesh& mesh, const Refinement& refinement, std::span<const float> control,
                        std::span<float> out) {
-  const auto at = [&](int vertex) { return control[static_cast<std::size_t>(vertex)]; };
   const float n = static_cast<float>(refinement.depth);
   std::ranges::copy(control, out.begin());
   for (int e = 0; e < refinement.controlEdges && refinement.edgeVertices > 0; ++e) {
-    const auto& ends = mesh.edges[static_cast<std::size_t>(e)].vertices;
+    const auto& ends = at(mesh.edges, e).vertices;
     for (int step = 1; step < refinement.depth; ++step) {
       const float w = static_cast<float>(step) / n;
-      out[static_cast<std::size_t>(refinement.edgeVertex(e, step))] = (1.0f - w) * at(ends[0]) + w * at(ends[1]);
+      at(out, refinement.edgeVertex(e, step)) = (1.0f - w) * at(control, ends[0]) + w * at(control, ends[1]);
     }
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& corners = mesh.triangles[t].vertices;
     for (int i = 0; i < refinement.interiorVertices; ++i) {
-      const auto& [j, k] = refinement.interior[static_cast<std::size_t>(i)];
+      const auto& [j, k] = at(refinement.interior, i);
       const float w = static_cast<float>(j) / n;
       const float u = static_cast<float>(k) / n;
-      out[static_cast<std::size_t>(refinement.interiorVertex(static_cast<int>(t), i))] =
-          (1.0f - w - u) * at(corners[0]) + w * at(corners[1]) + u * at(corners[2]);
+      at(out, refinement.interiorVertex(static_cast<int>(t), i)) =
+          (1.0f - w - u) * at(control, corners[0]) + w * at(control, corners[1]) + u * at(control, corners[2]);
     }
   }
 }
@@ -256,14 +255,14 @@ void interpolateValues(const ControlMesh& mesh, const Refinement& refinement, st
 void evaluateShading(PatchKind kind, const ControlMesh& mesh, const Refinement& refinement,
                      std::span<const glm::vec3> positions, std::span<const glm::vec3> wedgeNormals,
                      std::span<const glm::vec3> patchNormals, std::span<glm::vec3> outNormals) {
-  const auto isCreased = [&](int wedge) { return mesh.wedges[static_cast<std::size_t>(wedge)].creased; };
+  const auto isCreased = [&](int wedge) { return at(mesh.wedges, wedge).creased; };
   const auto corner = [&](int wedge) {
     const auto w = static_cast<std::size_t>(wedge);
-    return Corner{positions[static_cast<std::size_t>(mesh.wedges[w].vertex)], wedgeNormals[w]};
+    return Corner{at(positions, mesh.wedges[w].vertex), wedgeNormals[w]};
   };
   const float n = static_cast<float>(refinement.depth);
   for (std::size_t d = 0; d < outNormals.size(); ++d) {
-    outNormals[d] = patchNormals[static_cast<std::size_t>(refinement.drawVertex[d])];
+    outNormals[d] = at(patchNormals, refinement.drawVertex[d]);
   }
 
   for (std::size_t w = 0; w < mesh.wedges.size(); ++w) {
@@ -276,7 +275,7 @@ void evaluateShading(PatchKind kind, const ControlMesh& mesh, const Refinement& 
     const Corner b = corner(run.wedges[1]);
     for (int step = 1; step < refinement.depth; ++step) {
       const glm::vec3 normal = edgePoint(kind, a, b, static_cast<float>(step) / n).normal;
-      outNormals[static_cast<std::size_t>(run.first + step - 1)] = normal;
+      at(outNormals, run.first + step - 1) = normal;
     }
   }
 
@@ -285,7 +284,7 @@ void evaluateShading(PatchKind kind, const ControlMesh& mesh, const Refinement& 
     if (std::ranges::none_of(wedges, isCreased)) continue;
     const Inside inside(kind, {{corner(wedges[0]), corner(wedges[1]), corner(wedges[2])}, 3}, refinement);
     for (int i = 0; i < refinement.interiorVertices; ++i) {
-      outNormals[static_cast<std::size_t>(refinement.drawInterior[t] + i)] = inside.at(i).normal;
+      at(outNormals, refinement.drawInterior[t] + i) = inside.point(i).normal;
     }
   }
 }

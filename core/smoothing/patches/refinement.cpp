@@ -3,6 +3,7 @@
 
 #include <cassert>
 
+#include "core/base/at.h"
 #include "core/mesh/index_table.h"
 #include "sinew/rig/rig.h"
 
@@ -60,10 +61,10 @@ class Builder {
     return static_cast<int>(out_.drawVertex.size()) - 1;
   }
 
-  std::size_t at(LatticePoint p) const { return static_cast<std::size_t>(p.j * (out_.depth + 1) + p.k); }
+  std::size_t indexOf(LatticePoint p) const { return static_cast<std::size_t>(p.j * (out_.depth + 1) + p.k); }
 
   void splitTriangle(int t) {
-    const ControlTriangle& triangle = mesh_.triangles[static_cast<std::size_t>(t)];
+    const ControlTriangle& triangle = at(mesh_.triangles, t);
     placeCorners(triangle);
     for (int side = 0; side < 3; ++side) placeEdge(triangle, side);
     placeInterior(t, triangle);
@@ -73,8 +74,8 @@ class Builder {
   void placeCorners(const ControlTriangle& triangle) {
     const std::array<LatticePoint, 3> corners{{{0, 0}, {out_.depth, 0}, {0, out_.depth}}};
     for (std::size_t c = 0; c < 3; ++c) {
-      lattice_[at(corners[c])] = triangle.vertices[c];
-      drawLattice_[at(corners[c])] = triangle.wedges[c];
+      lattice_[indexOf(corners[c])] = triangle.vertices[c];
+      drawLattice_[indexOf(corners[c])] = triangle.wedges[c];
     }
   }
 
@@ -90,13 +91,13 @@ class Builder {
     const auto from = static_cast<std::size_t>(side);
     const auto to = static_cast<std::size_t>((side + 1) % 3);
     const int edge = triangle.edges[from];
-    const bool forward = mesh_.edges[static_cast<std::size_t>(edge)].vertices[0] == triangle.vertices[from];
+    const bool forward = at(mesh_.edges, edge).vertices[0] == triangle.vertices[from];
     const int base = forward ? edgeRun(edge, {triangle.wedges[from], triangle.wedges[to]})
                              : edgeRun(edge, {triangle.wedges[to], triangle.wedges[from]});
     for (int step = 1; step < out_.depth; ++step) {
       const int stepOnEdge = forward ? step : out_.depth - step;
-      lattice_[at(onSide(side, step))] = out_.edgeVertex(edge, stepOnEdge);
-      drawLattice_[at(onSide(side, step))] = base + stepOnEdge - 1;
+      lattice_[indexOf(onSide(side, step))] = out_.edgeVertex(edge, stepOnEdge);
+      drawLattice_[indexOf(onSide(side, step))] = base + stepOnEdge - 1;
     }
   }
 
@@ -105,12 +106,12 @@ class Builder {
     const std::uint64_t hash =
         hashCombine(static_cast<std::uint64_t>(wedges[0]), static_cast<std::uint64_t>(wedges[1]));
     const int next = static_cast<int>(out_.drawRuns.size());
-    const int run = runs_.findOrInsert(
-        hash, next, [&](int other) { return out_.drawRuns[static_cast<std::size_t>(other)].wedges == wedges; });
-    if (run != next) return out_.drawRuns[static_cast<std::size_t>(run)].first;
+    const int run =
+        runs_.findOrInsert(hash, next, [&](int other) { return at(out_.drawRuns, other).wedges == wedges; });
+    if (run != next) return at(out_.drawRuns, run).first;
     const int first = static_cast<int>(out_.drawVertex.size());
-    const glm::vec2 uv0 = mesh_.wedges[static_cast<std::size_t>(wedges[0])].uv;
-    const glm::vec2 uv1 = mesh_.wedges[static_cast<std::size_t>(wedges[1])].uv;
+    const glm::vec2 uv0 = at(mesh_.wedges, wedges[0]).uv;
+    const glm::vec2 uv1 = at(mesh_.wedges, wedges[1]).uv;
     for (int step = 1; step < out_.depth; ++step) {
       const float w = static_cast<float>(step) / static_cast<float>(out_.depth);
       addDrawn(out_.edgeVertex(edge, step), uv0 * (1.0f - w) + uv1 * w);
@@ -120,24 +121,24 @@ class Builder {
   }
 
   void placeInterior(int t, const ControlTriangle& triangle) {
-    const glm::vec2 uv0 = mesh_.wedges[static_cast<std::size_t>(triangle.wedges[0])].uv;
-    const glm::vec2 uv1 = mesh_.wedges[static_cast<std::size_t>(triangle.wedges[1])].uv;
-    const glm::vec2 uv2 = mesh_.wedges[static_cast<std::size_t>(triangle.wedges[2])].uv;
+    const glm::vec2 uv0 = at(mesh_.wedges, triangle.wedges[0]).uv;
+    const glm::vec2 uv1 = at(mesh_.wedges, triangle.wedges[1]).uv;
+    const glm::vec2 uv2 = at(mesh_.wedges, triangle.wedges[2]).uv;
     const float n = static_cast<float>(out_.depth);
     if (!out_.interior.empty()) out_.drawInterior.push_back(static_cast<int>(out_.drawVertex.size()));
     for (const auto& [j, k] : out_.interior) {
       const int vertex = out_.interiorVertex(t, interiorIndex(out_.depth, j, k));
       const float v = static_cast<float>(j) / n;
       const float w = static_cast<float>(k) / n;
-      lattice_[at({j, k})] = vertex;
-      drawLattice_[at({j, k})] = addDrawn(vertex, uv0 * (1.0f - v - w) + uv1 * v + uv2 * w);
+      lattice_[indexOf({j, k})] = vertex;
+      drawLattice_[indexOf({j, k})] = addDrawn(vertex, uv0 * (1.0f - v - w) + uv1 * v + uv2 * w);
     }
   }
 
   void countTriangles() {
     out_.trianglesAt.assign(static_cast<std::size_t>(out_.vertexCount), 0);
     for (const std::array<int, 3>& triangle : out_.triangles) {
-      for (const int vertex : triangle) ++out_.trianglesAt[static_cast<std::size_t>(vertex)];
+      for (const int vertex : triangle) ++at(out_.trianglesAt, vertex);
     }
   }
 
@@ -152,10 +153,10 @@ class Builder {
   }
 
   void emit(LatticePoint a, LatticePoint b, LatticePoint c) {
-    out_.triangles.push_back({lattice_[at(a)], lattice_[at(b)], lattice_[at(c)]});
-    out_.drawTriangles.push_back({static_cast<std::uint32_t>(drawLattice_[at(a)]),
-                                  static_cast<std::uint32_t>(drawLattice_[at(b)]),
-                                  static_cast<std::uint32_t>(drawLattice_[at(c)])});
+    out_.triangles.push_back({lattice_[indexOf(a)], lattice_[indexOf(b)], lattice_[indexOf(c)]});
+    out_.drawTriangles.push_back({static_cast<std::uint32_t>(drawLattice_[indexOf(a)]),
+                                  static_cast<std::uint32_t>(drawLattice_[indexOf(b)]),
+                                  static_cast<std::uint32_t>(drawLattice_[indexOf(c)])});
   }
 
   const ControlMesh& mesh_;

@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/at.h"
+
 namespace sinew {
 namespace {
 
@@ -27,7 +29,7 @@ std::vector<Segment> segmentsOf(const Skeleton& skeleton) {
     const Bone& bone = skeleton.bones[i];
     const glm::vec3 origin(bone.bindInWorld[3]);
     for (const int child : bone.children) {
-      const glm::vec3 end(skeleton.bones[static_cast<std::size_t>(child)].bindInWorld[3]);
+      const glm::vec3 end(at(skeleton.bones, child).bindInWorld[3]);
       segments.push_back({static_cast<int>(i), child, origin, end - origin});
     }
     if (bone.children.empty()) {
@@ -55,7 +57,7 @@ std::vector<Anchor> findAnchors(const Skeleton& skeleton, std::span<const glm::v
       if (!(squared < nearest)) continue;
       nearest = squared;
       const int carrier = along == 1.0f ? segment.endBone : segment.bone;
-      const Bone& bone = skeleton.bones[static_cast<std::size_t>(carrier)];
+      const Bone& bone = at(skeleton.bones, carrier);
       anchor = {carrier, glm::vec3(bone.inverseBindInWorld * glm::vec4(candidate, 1.0f))};
     }
     anchors.push_back(anchor);
@@ -66,7 +68,7 @@ std::vector<Anchor> findAnchors(const Skeleton& skeleton, std::span<const glm::v
 void poseAnchors(std::span<const Anchor> anchors, const Pose& pose, std::vector<glm::vec3>& out) {
   out.resize(anchors.size());
   std::ranges::transform(anchors, out.begin(), [&pose](const Anchor& anchor) {
-    return glm::vec3(pose.boneInWorld[static_cast<std::size_t>(anchor.bone)] * glm::vec4(anchor.pointInBone, 1.0f));
+    return glm::vec3(at(pose.boneInWorld, anchor.bone) * glm::vec4(anchor.pointInBone, 1.0f));
   });
 }
 

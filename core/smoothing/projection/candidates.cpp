@@ -5,6 +5,8 @@
 #include <iterator>
 #include <map>
 
+#include "core/base/at.h"
+
 namespace sinew {
 namespace {
 
@@ -28,9 +30,8 @@ class Gatherer {
   /// A carrier's candidates but the hidden ones.
   void addShown(std::span<const CarrierCandidate> candidates, int cliqueSet, const std::vector<bool>& hidden) {
     const std::size_t first = out_.items.size();
-    std::ranges::copy_if(candidates, std::back_inserter(out_.items), [&](const CarrierCandidate& candidate) {
-      return !hidden[static_cast<std::size_t>(candidate.primitive)];
-    });
+    std::ranges::copy_if(candidates, std::back_inserter(out_.items),
+                         [&](const CarrierCandidate& candidate) { return !at(hidden, candidate.primitive); });
     const bool all = out_.items.size() - first == candidates.size();
     all ? closeCarrier(cliqueSet) : finishCarrier(first);
   }
@@ -55,9 +56,7 @@ class Gatherer {
     out_.items.push_back(added);
   }
 
-  int groupOf(const CarrierCandidate& candidate) const {
-    return attachment_.primitives[static_cast<std::size_t>(candidate.primitive)].group;
-  }
+  int groupOf(const CarrierCandidate& candidate) const { return at(attachment_.primitives, candidate.primitive).group; }
 
   /// Numbers the groups present and finds their cliques; many carriers share one set.
   int numberSlots(std::span<CarrierCandidate> own) {

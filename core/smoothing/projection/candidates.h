@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/at.h"
 #include "core/rig/attachment.h"
 #include "sinew/mesh/control_mesh.h"
 
@@ -36,9 +37,7 @@ struct CandidateLists {
     return std::span(items).subspan(static_cast<std::size_t>(begin[c]),
                                     static_cast<std::size_t>(begin[c + 1] - begin[c]));
   }
-  [[nodiscard]] const CliqueLists& cliquesOf(int carrier) const {
-    return cliqueSets[static_cast<std::size_t>(cliqueSet[static_cast<std::size_t>(carrier)])];
-  }
+  [[nodiscard]] const CliqueLists& cliquesOf(int carrier) const { return at(cliqueSets, at(cliqueSet, carrier)); }
 };
 
 [[nodiscard]] CandidateLists makeCandidateLists(const ControlMesh& mesh, const Attachment& attachment);

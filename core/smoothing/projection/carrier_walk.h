@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/base/at.h"
 #include "core/blending/field.h"
 #include "core/smoothing/projection/candidates.h"
 #include "sinew/smoothing/refinement.h"
@@ -76,7 +77,7 @@ void forEachReachable(const ControlMesh& mesh, const Refinement& refinement, con
   std::vector<carrier_walk::Span> spans;
   const auto gather = [&](int carrier, int first, int count) {
     near.clear();
-    if (!field.skipped.empty() && field.skipped[static_cast<std::size_t>(carrier)]) return false;
+    if (!field.skipped.empty() && at(field.skipped, carrier)) return false;
     const std::span<const CarrierCandidate> all = field.lists->of(carrier);
     if (all.empty() || count == 0) return false;
     if (reach == Reach::kAll) {
@@ -86,8 +87,7 @@ void forEachReachable(const ControlMesh& mesh, const Refinement& refinement, con
     const Bounds box = boundsOf(positions.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count)));
     spans.clear();
     for (const CarrierCandidate& candidate : all) {
-      spans.push_back(
-          carrier_walk::spanTo(field.primitives[static_cast<std::size_t>(candidate.primitive)].influence, box));
+      spans.push_back(carrier_walk::spanTo(at(field.primitives, candidate.primitive).influence, box));
     }
     const float extent = carrier_walk::extentOf(spans);
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -105,7 +105,7 @@ void forEachReachable(const ControlMesh& mesh, const Refinement& refinement, con
     const int carrier = refinement.controlVertices + e;
     if (refinement.edgeVertices == 0 || !gather(carrier, refinement.edgeVertex(e, 1), refinement.edgeVertices))
       continue;
-    const auto& ends = mesh.edges[static_cast<std::size_t>(e)].vertices;
+    const auto& ends = at(mesh.edges, e).vertices;
     for (int step = 1; step < refinement.depth; ++step) {
       const float w = static_cast<float>(step) / n;
       visit(CarriedVertex{refinement.edgeVertex(e, step), carrier, {ends[0], ends[1], ends[1]}, {1.0f - w, w, 0.0f}},
@@ -116,10 +116,10 @@ void forEachReachable(const ControlMesh& mesh, const Refinement& refinement, con
     const int carrier = refinement.controlVertices + refinement.controlEdges + t;
     if (!gather(carrier, refinement.interiorVertex(t, 0), refinement.interiorVertices)) continue;
     for (int i = 0; i < refinement.interiorVertices; ++i) {
-      const auto& [j, k] = refinement.interior[static_cast<std::size_t>(i)];
+      const auto& [j, k] = at(refinement.interior, i);
       visit(CarriedVertex{refinement.interiorVertex(t, i),
                           carrier,
-                          mesh.triangles[static_cast<std::size_t>(t)].vertices,
+                          at(mesh.triangles, t).vertices,
                           {static_cast<float>(refinement.depth - j - k) / n, static_cast<float>(j) / n,
                            static_cast<float>(k) / n}},
             std::span<const CarrierCandidate>(near));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/at.h"
 #include "core/smoothing/roots/root_finding.h"
 
 namespace sinew {
@@ -54,7 +55,7 @@ class Projector {
   /// Some f_i != 0 at the point.
   bool insideInfluence(const glm::vec3& point) const {
     return std::ranges::any_of(candidates_, [&](const Candidate& candidate) {
-      const UnitBallMap& ball = field_.primitives[static_cast<std::size_t>(candidate.primitive)].influence;
+      const UnitBallMap& ball = at(field_.primitives, candidate.primitive).influence;
       return ball.holds(point);
     });
   }
@@ -89,8 +90,7 @@ class Projector {
   void aim(const glm::vec3& p, const glm::vec3& direction) {
     ray_.reset(static_cast<double>(settings_.iso), *cliques_);
     for (const Candidate& candidate : candidates_) {
-      ray_.addPrimitive(field_.primitives[static_cast<std::size_t>(candidate.primitive)], candidate.weight,
-                        candidate.slot, p, direction);
+      ray_.addPrimitive(at(field_.primitives, candidate.primitive), candidate.weight, candidate.slot, p, direction);
     }
   }
 
@@ -171,7 +171,7 @@ class Projector {
 
 float omegaAt(const CarriedVertex& vertex, std::span<const float> omega) {
   float sum = 0.0f;
-  for (std::size_t i = 0; i < 3; ++i) sum += vertex.barycentric[i] * omega[static_cast<std::size_t>(vertex.corners[i])];
+  for (std::size_t i = 0; i < 3; ++i) sum += vertex.barycentric[i] * at(omega, vertex.corners[i]);
   return sum;
 }
 

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/at.h"
 #include "core/base/smoothstep.h"
 
 namespace sinew {
@@ -86,8 +87,8 @@ class PointGrid {
     std::array<glm::vec3, 3> p;
     std::array<glm::vec3, 3> d;
     for (std::size_t i = 0; i < 3; ++i) {
-      p[i] = mesh.positions[static_cast<std::size_t>(triangle.vertices[i])];
-      d[i] = directions[static_cast<std::size_t>(triangle.vertices[i])];
+      p[i] = at(mesh.positions, triangle.vertices[i]);
+      d[i] = at(directions, triangle.vertices[i]);
     }
     const float longest = std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});
     const double wanted = std::ceil(static_cast<double>(longest) / spacing);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/at.h"
 #include "core/primitives/potential.h"
 #include "core/smoothing/projection/rise_limits.h"
 #include "core/smoothing/roots/root_finding.h"
@@ -85,7 +86,7 @@ class Sweller {
     double sum = 0.0;
     double whole = 0.0;
     for (const Candidate& candidate : candidates_) {
-      const PosedPrimitive& primitive = field_.primitives[static_cast<std::size_t>(candidate.primitive)];
+      const PosedPrimitive& primitive = at(field_.primitives, candidate.primitive);
       if (!primitive.influence.holds(p)) continue;
       const float share = std::abs(primitive.strength) * candidate.weight * potential(primitive.influence.rSquared(p));
       sum += static_cast<double>(share) * static_cast<double>(std::min(settings_.blendWidth, primitive.meanRadius));
@@ -101,8 +102,7 @@ class Sweller {
     ray_.addTerm(skin.term(outward));
     const glm::vec3 direction = outward ? outwards : -outwards;
     for (const Candidate& candidate : candidates_) {
-      ray_.addPrimitive(field_.primitives[static_cast<std::size_t>(candidate.primitive)], candidate.weight,
-                        candidate.slot, p, direction);
+      ray_.addPrimitive(at(field_.primitives, candidate.primitive), candidate.weight, candidate.slot, p, direction);
     }
     const double end = outward ? ray_.lastLeave() : skin.plateau();
     // The direction and the sign of phi must be one decision: where F is all but 0, rounding may see it otherwise along

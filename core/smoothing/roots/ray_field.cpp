@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/at.h"
+
 namespace sinew {
 namespace {
 
@@ -79,7 +81,7 @@ RaySample RayField::sample(double t, RayScratch& scratch) const {
   for (const std::vector<int>& clique : *cliques_) {
     RaySample sum;
     for (const int slot : clique) {
-      if (static_cast<std::size_t>(slot) < ofSlot.size()) add(sum, ofSlot[static_cast<std::size_t>(slot)]);
+      if (static_cast<std::size_t>(slot) < ofSlot.size()) add(sum, at(ofSlot, slot));
     }
     if (sum.value > best.value) best = sum;
   }

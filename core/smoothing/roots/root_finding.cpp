@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/at.h"
 #include "core/smoothing/roots/quartic.h"
 
 namespace sinew {
@@ -41,7 +42,7 @@ void fillSums(const RayField& field, double begin, double end, double sign, RayS
     Quartic sum = everywhere;
     for (const int slot : clique) {
       if (static_cast<std::size_t>(slot) < ofSlot.size()) {
-        sum.addScaled(ofSlot[static_cast<std::size_t>(slot)], 1.0);
+        sum.addScaled(at(ofSlot, slot), 1.0);
       }
     }
     scratch.sums.push_back(sum);
