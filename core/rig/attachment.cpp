@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/at.h"
+#include "core/base/smoothstep.h"
 #include "core/primitives/potential.h"
 
 namespace sinew {
@@ -82,8 +83,7 @@ float territoryWeight(const Character& character, int vertex, const std::vector<
     const int bone = at(character.skeleton.bindings, influence.binding).bone;
     if (at(isTerritoryBone, bone)) sum += influence.weight;
   }
-  const float t = std::clamp(sum / 0.5f, 0.0f, 1.0f);
-  return t * t * (3.0f - 2.0f * t);
+  return smoothstep(0.0f, 0.5f, sum);
 }
 
 bool sameCandidates(const Rig& a, const Rig& b) {
