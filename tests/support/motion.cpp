@@ -24,8 +24,11 @@ PatchFrame CarriedOffsets::frame(const Surface& patch, int vertex) const {
 }
 
 std::vector<glm::vec3> CarriedOffsets::of(const Surface& surface, const Surface& patch) const {
-  std::vector<glm::vec3> out(surface.positions.size());
-  for (std::size_t v = 0; v < out.size(); ++v) out[v] = frame(patch, static_cast<int>(v)).seen(surface.positions[v]);
+  std::vector<glm::vec3> out(surface.positions.size(), glm::vec3(0.0f));
+  for (std::size_t v = 0; v < out.size(); ++v) {
+    if (surface.positions[v] == patch.positions[v]) continue;  // No frame needed: most of the skin.
+    out[v] = frame(patch, static_cast<int>(v)).seen(surface.positions[v]);
+  }
   return out;
 }
 
