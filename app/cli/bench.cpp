@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <initializer_list>
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/bench_drag.h"
 #include "app/cli/bench_field.h"
 #include "app/cli/bench_projections.h"
 #include "app/cli/console.h"
@@ -31,12 +33,11 @@ constexpr const char* kColumns =
     "lost, fallback            vertices without a root; anchors outside, replaced by the normal; mean of the frames\n"
     "In replace, analytic follows the normal and the other two the segment to the anchor: it differs by definition.\n";
 
-std::vector<std::filesystem::path> filesOf(const BenchOptions& options) {
+/// @param bundled  of assets, where no file was given.
+std::vector<std::filesystem::path> filesOf(const BenchOptions& options, std::initializer_list<const char*> bundled) {
   if (!options.files.empty()) return options.files;
   std::vector<std::filesystem::path> files;
-  for (const char* name : {"wrapped", "tangle", "demo"}) {
-    files.push_back(dataFile(std::string("assets/") + name + ".rig.json"));
-  }
+  for (const char* name : bundled) files.push_back(dataFile(std::string("assets/") + name));
   return files;
 }
 
@@ -44,14 +45,6 @@ std::vector<std::filesystem::path> filesOf(const BenchOptions& options) {
 std::string sceneName(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
   return name.substr(0, name.find('.', 1));
-}
-
-Result<ProjectionTrial> trialOf(const std::filesystem::path& file, const BenchOptions& options) {
-  const auto document = openDocument(file);
-  if (!document) return document.error();
-  Rig rig = document->rig();
-  if (rig.primitives.empty()) rig = trialRig(*document->character, kTrialMuscles, kTrialSeed);
-  return ProjectionTrial{sceneName(file), document->character, std::move(rig), options.frames, options.rounds};
 }
 
 std::string tableOf(const std::vector<ProjectionRow>& rows) {
@@ -75,7 +68,7 @@ std::string tableOf(const std::vector<ProjectionRow>& rows) {
   return table;
 }
 
-std::string jsonOf(const std::vector<ProjectionRow>& rows, const BenchOptions& options) {
+Json jsonOf(const std::vector<ProjectionRow>& rows) {
   Json list = Json::array();
   for (const ProjectionRow& row : rows) {
     Json item = Json::object();
@@ -88,9 +81,86 @@ std::string jsonOf(const std::vector<ProjectionRow>& rows, const BenchOptions& o
     item.set("unresolved", row.unresolved).set("anchor_fallbacks", row.anchorFallbacks);
     list.push(item);
   }
-  Json json = Json::object();
-  json.set("bench", "projections").set("frames", options.frames).set("rounds", options.rounds).set("rows", list);
-  return json.dump(true) + '\n';
+  return list;
+}
+
+Json jsonOf(const std::vector<DragRow>& rows) {
+  Json list = Json::array();
+  for (const DragRow& row : rows) {
+    Json item = Json::object();
+    item.set("scene", row.scene).set("undo_steps", row.undoSteps).set("untouched", row.untouched);
+    item.set("vertices", row.projected).set("frame_seconds", row.frameSeconds);
+    item.set("prepare_seconds", row.prepareSeconds).set("frame_ratio", row.frameRatio);
+    list.push(item);
+  }
+  return list;
+}
+
+/// How much is measured: what was asked for, else what the bench takes.
+struct Effort {
+  int frames = 0;
+  int rounds = 0;
+};
+
+Effort effortOf(const BenchOptions& options, const Effort& usual) {
+  return {options.frames > 0 ? options.frames : usual.frames, options.rounds > 0 ? options.rounds : usual.rounds};
+}
+
+/// Opens and measures file after file, then puts table and JSON. @param measure (file, document) -> Result of rows.
+template <class Row, class Measure>
+int benchFiles(const BenchOptions& options, const Effort& effort, const char* name,
+               const std::vector<std::filesystem::path>& files, const Measure& measure) {
+  std::vector<Row> rows;
+  for (const std::filesystem::path& file : files) {
+    progress("reading " + file.string());
+    const auto document = openDocument(file);
+    if (!document) return badInput(document.error());
+    const Result<std::vector<Row>> measured = measure(file, document.value());
+    if (!measured) return badInput({file.string(), measured.error().place, measured.error().reason});
+    rows.insert(rows.end(), measured->begin(), measured->end());
+  }
+  if (!options.json.empty()) {
+    Json json = Json::object();
+    json.set("bench", name).set("frames", effort.frames).set("rounds", effort.rounds).set("rows", jsonOf(rows));
+    const auto written = writeFileAtomically(options.json, json.dump(true) + '\n');
+    if (!written) return badInput(written.error());
+  }
+  return putResult(tableOf(rows));
+}
+
+int benchProjections(const BenchOptions& options) {
+  const Effort effort = effortOf(options, {8, 15});
+  const auto measure = [&](const std::filesystem::path& file, const Document& document) {
+    Rig rig = document.rig();
+    if (rig.primitives.empty()) rig = trialRig(*document.character, kTrialMuscles, kTrialSeed);
+    const auto tell = [](const std::string& what) { progress("measuring " + what); };
+    return measureProjections({sceneName(file), document.character, std::move(rig), effort.frames, effort.rounds},
+                              tell);
+  };
+  const auto files = filesOf(options, {"wrapped.rig.json", "tangle.rig.json", "demo.rig.json"});
+  return benchFiles<ProjectionRow>(options, effort, "projections", files, measure);
+}
+
+int benchDrag(const BenchOptions& options) {
+  const Effort effort = effortOf(options, {60, 5});
+  const auto measure = [&](const std::filesystem::path& file, const Document& document) {
+    return measureDrag({sceneName(file), document.character, effort.frames, effort.rounds});
+  };
+  return benchFiles<DragRow>(options, effort, "drag", filesOf(options, {"humanoid.glb"}), measure);
+}
+
+void addNumber(CLI::App& bench, const char* name, int& number, const char* help) {
+  bench.add_option(name, number, help)->type_name("N")->check(CLI::Range(1, 1000));
+}
+
+void addFiles(CLI::App& bench, BenchOptions& options, const char* help) {
+  bench.add_option_function<std::vector<std::string>>(
+      "FILE", [&options](const std::vector<std::string>& files) { options.files.assign(files.begin(), files.end()); },
+      help);
+  bench
+      .add_option_function<std::string>(
+          "--json", [&options](const std::string& file) { options.json = file; }, "Write the numbers as JSON too")
+      ->type_name("FILE.json");
 }
 
 }  // namespace
@@ -98,44 +168,34 @@ std::string jsonOf(const std::vector<ProjectionRow>& rows, const BenchOptions& o
 void addBenchOptions(CLI::App& verb, BenchOptions& options) {
   verb.require_subcommand(1);
   CLI::App* field = verb.add_subcommand("field", "Compare spheres with ellipsoids: one evaluation of the field");
-  field->callback([&options] { options.field = true; });
-  field->add_option("--rounds", options.rounds, "Times everything is timed (15)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000));
+  field->callback([&options] { options.bench = Bench::kField; });
+  addNumber(*field, "--rounds", options.rounds, "Times everything is timed (15)");
+
   CLI::App* projections =
       verb.add_subcommand("projections", "Compare newton, bisection and analytic: work, time, agreement");
-  projections->add_option_function<std::vector<std::string>>(
-      "FILE", [&options](const std::vector<std::string>& files) { options.files.assign(files.begin(), files.end()); },
+  addFiles(
+      *projections, options,
       "Rigs (.rig.json), or characters, which get 12 muscles by rule; none: the scenes that ship with the program");
-  projections
-      ->add_option_function<std::string>(
-          "--json", [&options](const std::string& file) { options.json = file; }, "Write the numbers as JSON too")
-      ->type_name("FILE.json");
-  projections->add_option("--frames", options.frames, "Moments of the first clip (8)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000));
-  projections->add_option("--rounds", options.rounds, "Times each moment is timed (15)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000));
+  addNumber(*projections, "--frames", options.frames, "Moments of the first clip (8)");
+  addNumber(*projections, "--rounds", options.rounds, "Times each moment is timed (15)");
+
+  CLI::App* drag = verb.add_subcommand("drag", "Time a drag: short and long history, few and many muscles");
+  drag->callback([&options] { options.bench = Bench::kDrag; });
+  addFiles(*drag, options, "Characters, which get muscles by rule; none: the humanoid that ships with the program");
+  addNumber(*drag, "--frames", options.frames, "Frames of a drag (60)");
+  addNumber(*drag, "--rounds", options.rounds, "Drags (5)");
 }
 
 int runBench(const BenchOptions& options) {
-  if (options.field) return putResult(fieldTable(measureField(options.rounds)));
-  std::vector<ProjectionRow> rows;
-  for (const std::filesystem::path& file : filesOf(options)) {
-    progress("reading " + file.string());
-    const auto trial = trialOf(file, options);
-    if (!trial) return badInput(trial.error());
-    const auto tell = [](const std::string& what) { progress("measuring " + what); };
-    const auto measured = measureProjections(trial.value(), tell);
-    if (!measured) return badInput({file.string(), measured.error().place, measured.error().reason});
-    rows.insert(rows.end(), measured.value().begin(), measured.value().end());
+  switch (options.bench) {
+    case Bench::kField:
+      return putResult(fieldTable(measureField(effortOf(options, {0, 15}).rounds)));
+    case Bench::kDrag:
+      return benchDrag(options);
+    case Bench::kProjections:
+      break;
   }
-  if (!options.json.empty()) {
-    const auto written = writeFileAtomically(options.json, jsonOf(rows, options));
-    if (!written) return badInput(written.error());
-  }
-  return putResult(tableOf(rows));
+  return benchProjections(options);
 }
 
 }  // namespace sinew::app

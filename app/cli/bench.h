@@ -10,14 +10,18 @@ class App;
 
 namespace sinew::app {
 
-/// `sinew bench projections`: the three ways to find roots, on the same frames.
-/// `sinew bench field`: the field of spheres beside that of ellipsoids.
+enum class Bench {
+  kProjections,  ///< The three ways to find roots, on the same frames.
+  kField,        ///< The field of spheres beside that of ellipsoids.
+  kDrag,         ///< Frames of a drag, by length of the history and number of muscles.
+};
+
 struct BenchOptions {
-  bool field = false;                        ///< Else projections.
+  Bench bench = Bench::kProjections;
   std::vector<std::filesystem::path> files;  ///< Rigs or characters; none: those that ship with the program.
   std::filesystem::path json;                ///< Empty: none.
-  int frames = 8;                            ///< Moments of the first clip.
-  int rounds = 15;                           ///< Each frame is timed once a round.
+  int frames = 0;                            ///< Moments of the clip or of the drag; 0: as many as the bench takes.
+  int rounds = 0;                            ///< Each frame is timed once a round; 0: as many as the bench takes.
 };
 
 /// Adds the verb's parts and options to its subcommand; `options` must outlive the parse.

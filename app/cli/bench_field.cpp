@@ -1,12 +1,11 @@
 // app/cli/bench_field.cpp: the same sums over spheres and over ellipsoids of the same size.
 #include "app/cli/bench_field.h"
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
+#include "app/cli/measuring.h"
 #include "core/blending/field.h"
 #include "core/smoothing/roots/ray_field.h"
 
@@ -15,10 +14,6 @@ namespace {
 
 constexpr int kPrimitives = 40;
 constexpr int kPoints = 20'000;
-
-double secondsNow() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// A point of the unit cube; evenly spread, the same on every machine.
 glm::vec3 spread(int i) {
@@ -60,17 +55,6 @@ struct Kind {
     onRay.push_back((secondsNow() - middle) * kEach);
   }
 };
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
-}
-
-double medianRatio(const std::vector<double>& above, const std::vector<double>& below) {
-  std::vector<double> ratios;
-  for (std::size_t i = 0; i < above.size(); ++i) ratios.push_back(above[i] / below[i]);
-  return median(std::move(ratios));
-}
 
 }  // namespace
 

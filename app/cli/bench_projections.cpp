@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/cli/measuring.h"
+
 namespace sinew::app {
 namespace {
 
@@ -21,13 +23,6 @@ struct Contender {
   std::vector<double> frameSeconds, projectSeconds, frameRatios, projectRatios;
   long long far = 0;
 };
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
 
 std::vector<Pose> posesOf(const Character& character, int frames) {
   if (character.clips.empty()) return {bindPose(character.skeleton)};

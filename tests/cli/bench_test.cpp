@@ -50,12 +50,43 @@ TEST_F(Bench, FieldOfSpheresAndEllipsoids) {
   EXPECT_NE(outcome.out.find("value and gradient"), std::string::npos) << outcome.out;
 }
 
+TEST_F(Bench, DragsWithShortAndLongHistoryFewAndManyMuscles) {
+  const auto file = folder_ / "drag.json";
+  const Outcome outcome =
+      run({"bench", "drag", demo("demo.glb"), "--frames", "3", "--rounds", "1", "--json", file.string()});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  EXPECT_NE(outcome.out.find("x first"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\ndemo "), std::string::npos) << outcome.out;
+  const auto json = Json::parse(readWholeFile(file, 1 << 20).value());
+  ASSERT_TRUE(json.ok());
+  EXPECT_EQ(json.value().at("frames").number(0), 3.0);
+  const std::vector<Json> rows = json.value().at("rows").items();
+  ASSERT_EQ(rows.size(), 3u);
+  const auto number = [&](std::size_t row, const char* key) { return rows[row].at(key).number(-1.0); };
+  const double expected[3][2] = {{5, 10}, {200, 10}, {5, 60}};
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    EXPECT_EQ(number(row, "undo_steps"), expected[row][0]);
+    EXPECT_EQ(number(row, "untouched"), expected[row][1]);
+    EXPECT_GT(number(row, "prepare_seconds"), 0.0);
+    EXPECT_GT(number(row, "frame_seconds"), number(row, "prepare_seconds"));
+    EXPECT_GT(number(row, "frame_ratio"), 0.0);
+  }
+  EXPECT_EQ(number(0, "frame_ratio"), 1.0);
+  EXPECT_GT(number(0, "vertices"), 100.0);
+  EXPECT_EQ(number(1, "vertices"), number(0, "vertices")) << "history moves no skin";
+  EXPECT_GT(number(2, "vertices"), number(0, "vertices")) << "more muscles move more";
+}
+
 TEST_F(Bench, BadInputAndBadCommandLine) {
-  const Outcome absent = run({"bench", "projections", "no such file.glb"});
-  EXPECT_EQ(absent.status, 1);
-  EXPECT_TRUE(absent.oneErrorLine()) << absent.error;
-  for (const auto& arguments :
-       {std::vector<std::string>{"bench"}, {"bench", "nonsense"}, {"bench", "projections", "--rounds", "0"}}) {
+  for (const char* bench : {"projections", "drag"}) {
+    const Outcome absent = run({"bench", bench, "no such file.glb"});
+    EXPECT_EQ(absent.status, 1);
+    EXPECT_TRUE(absent.oneErrorLine()) << absent.error;
+  }
+  for (const auto& arguments : {std::vector<std::string>{"bench"},
+                                {"bench", "nonsense"},
+                                {"bench", "projections", "--rounds", "0"},
+                                {"bench", "drag", "--frames", "0"}}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 2);
     EXPECT_TRUE(outcome.oneErrorLine()) << outcome.error;

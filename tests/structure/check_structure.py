@@ -10,7 +10,7 @@ LAYERS = {
     "core": {"base": 1, "mesh": 2, "skeleton": 2, "primitives": 2, "character": 3, "blending": 3, "rig": 4, "symmetry": 5,
              "smoothing/patches": 5, "smoothing/roots": 5, "smoothing/projection": 6, "smoothing/finish": 6, "smoothing": 7,
              "io/files": 8, "io/json": 8, "io/gltf": 9, "io": 10},
-    "app": {"document": 1, "platform": 1, "ui": 2, "render": 2, "tools": 3, "playback": 3, "cli": 3, "editor": 4, "actions": 5,
+    "app": {"document": 1, "platform": 1, "ui": 2, "render": 2, "tools": 3, "playback": 2, "cli": 3, "editor": 4, "actions": 5,
             "panels/shared": 6, "panels/outliner": 7, "panels/blending": 7, "panels/inspector": 7, "panels/timeline": 7,
             "panels/overlay": 7, "panels/dialogs": 7, "panels": 8, "window": 9, "main": 10},
 }
