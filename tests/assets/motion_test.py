@@ -1,11 +1,11 @@
 # tests/assets/motion_test.py: the humanoid's clips loop, turn no joint the wrong way and do what their names say.
 # Usage: motion_test.py ROOT. Whether planted feet stay planted is measured on the skin, by tests/character.
-import json
 import math
 import pathlib
-import struct
 import sys
 import unittest
+
+import glb_reader
 
 ASSETS = pathlib.Path(sys.argv[1]).resolve() / "assets"
 
@@ -29,26 +29,17 @@ def angle(q):
 
 class Clip:
     def __init__(self, name):
-        data = (ASSETS / "humanoid.glb").read_bytes()
-        size = struct.unpack_from("<I", data, 12)[0]
-        self.json, self.data = json.loads(data[20:20 + size]), data[28 + size:]
-        self.nodes = self.json["nodes"]
+        glb = glb_reader.Glb(ASSETS / "humanoid.glb")
+        self.json, self.nodes = glb.json, glb.json["nodes"]
         self.parent = {c: i for i, n in enumerate(self.nodes) for c in n.get("children", [])}
         animation = next(a for a in self.json["animations"] if a["name"] == name)
         self.tracks = {}
         for channel in animation["channels"]:
             sampler = animation["samplers"][channel["sampler"]]
-            self.times = [t for (t,) in self.rows(sampler["input"])]
+            self.times = [t for (t,) in glb.rows(sampler["input"])]
             bone = self.nodes[channel["target"]["node"]]["name"]
-            self.tracks[(bone, channel["target"]["path"])] = self.rows(sampler["output"])
+            self.tracks[(bone, channel["target"]["path"])] = glb.rows(sampler["output"])
         self.keys = range(len(self.times))
-
-    def rows(self, index):
-        accessor = self.json["accessors"][index]
-        view = self.json["bufferViews"][accessor["bufferView"]]
-        width = {"SCALAR": 1, "VEC3": 3, "VEC4": 4}[accessor["type"]]
-        flat = struct.unpack_from("<%df" % (accessor["count"] * width), self.data, view["byteOffset"])
-        return [flat[i:i + width] for i in range(0, len(flat), width)]
 
     def turned(self, bone):
         return self.tracks.get((bone, "rotation"), [(0.0, 0.0, 0.0, 1.0)] * len(self.times))

@@ -5,11 +5,12 @@ import functools
 import json
 import math
 import pathlib
-import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+
+import glb_reader
 
 ROOT = pathlib.Path(sys.argv[1]).resolve()
 PROGRAM = sys.argv[2] if len(sys.argv) > 2 else None
@@ -31,11 +32,6 @@ def each_rig():
             yield body, body + suffix + ".rig.json", json.loads((ASSETS / (body + suffix + ".rig.json")).read_text())
 
 
-def glb_json(path):
-    data = path.read_bytes()
-    return json.loads(data[20:20 + struct.unpack_from("<I", data, 12)[0]])
-
-
 def mirrored(bone):
     return bone[:-2] + {".L": ".R", ".R": ".L"}.get(bone[-2:], bone[-2:])
 
@@ -52,7 +48,7 @@ class Files(unittest.TestCase):
 
     def test_every_bone_group_and_link_exists(self):
         for body, name, rig in each_rig():
-            file = glb_json(ASSETS / rig["character"])
+            file = glb_reader.Glb(ASSETS / rig["character"]).json
             bones = {file["nodes"][j]["name"] for j in file["skins"][0]["joints"]}
             groups = [g["name"] for g in rig["groups"]]
             with self.subTest(name):
@@ -131,7 +127,7 @@ class Surfaces(unittest.TestCase):
 
     def test_whole_at_twelve_times_of_every_clip(self):
         for body, name, rig in each_rig():
-            file = glb_json(ASSETS / rig["character"])
+            file = glb_reader.Glb(ASSETS / rig["character"]).json
             for clip in CLIPS[body]:
                 animation = next(a for a in file["animations"] if a["name"] == clip)
                 end = max(file["accessors"][s["input"]]["max"][0] for s in animation["samplers"])

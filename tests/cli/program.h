@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include "core/io/files/atomic_file.h"
+#include "tests/support/temporary_folder.h"
 
 namespace sinew::test {
 
@@ -28,12 +28,6 @@ struct Outcome {
 /// A folder of its own for each test; the program runs with no display.
 class Program : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("sinew_cli_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const {
     const std::string out = (folder_ / "stdout").string();
     const std::string error = (folder_ / "stderr").string();
@@ -59,7 +53,8 @@ class Program : public ::testing::Test {
     return (std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / file).string();
   }
 
-  std::filesystem::path folder_;
+  const TemporaryFolder own_;
+  const std::filesystem::path folder_ = own_.path();
 };
 
 }  // namespace sinew::test

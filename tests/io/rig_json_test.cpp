@@ -4,13 +4,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include <unistd.h>
-
 #include <gtest/gtest.h>
 
 #include "core/io/files/atomic_file.h"
 #include "core/rig/validation.h"
 #include "tests/support/random_documents.h"
+#include "tests/support/temporary_folder.h"
 
 namespace sinew {
 namespace {
@@ -21,12 +20,8 @@ fs::path dataFile(const char* name) { return fs::path(SINEW_SOURCE_DIR) / "tests
 
 class RigFiles : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("sinew_rig_json_" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  fs::path folder_;
+  const test::TemporaryFolder own_;
+  const fs::path folder_ = own_.path();
 };
 
 TEST(RigJson, RandomRigsComeBackBitEqualAndWriteTheSameBytes) {

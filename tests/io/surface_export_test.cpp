@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "core/io/files/atomic_file.h"
 #include "core/io/json/json.h"
@@ -16,6 +15,7 @@
 #include "tests/support/mesh_checks.h"
 #include "tests/support/random_rigs.h"
 #include "tests/support/synthetic_characters.h"
+#include "tests/support/temporary_folder.h"
 
 namespace sinew {
 namespace {
@@ -45,8 +45,6 @@ std::shared_ptr<const Character> twoMaterialTube() {
 class SurfaceExport : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("sinew_export_" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
     character_ = twoMaterialTube();
     Smoother smoother(character_);
     Rig rig = test::randomRig(*character_, {}, 4);
@@ -54,7 +52,6 @@ class SurfaceExport : public ::testing::Test {
     ASSERT_TRUE(smoother.prepare(rig).ok());
     smoother.smooth(bindPose(character_->skeleton), surface_);
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   std::string exported(const std::string& name) {
     const auto written = exportSurface(surface_, *character_, folder_ / name);
@@ -62,7 +59,8 @@ class SurfaceExport : public ::testing::Test {
     return written ? readWholeFile(folder_ / name, 1 << 26).value() : std::string();
   }
 
-  fs::path folder_;
+  const test::TemporaryFolder own_;
+  const fs::path folder_ = own_.path();
   std::shared_ptr<const Character> character_;
   Surface surface_;
 };

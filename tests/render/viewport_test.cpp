@@ -2,14 +2,11 @@
 #include "app/render/viewport.h"
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-
-#include <unistd.h>
 
 #include "app/render/picking.h"
 #include "tests/render/pictures.h"
 #include "tests/support/synthetic_characters.h"
+#include "tests/support/temporary_folder.h"
 
 namespace sinew::test {
 namespace {
@@ -226,13 +223,11 @@ TEST_F(Drawing, ASceneWithoutSurfaceIsDrawn) {
 }
 
 TEST_F(Drawing, ABrokenShaderIsOneLineThatNamesIt) {
-  const auto folder = std::filesystem::temp_directory_path() / ("sinew-broken-shaders-" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder / "shaders");
-  std::ofstream(folder / "shaders" / "blur.frag") << "#version 450 core\nvoid main() { nonsense; }\n";
-  ASSERT_EQ(::setenv("SINEW_DATA_DIR", folder.c_str(), 1), 0);
+  const TemporaryFolder folder;
+  folder.write("shaders/blur.frag", "#version 450 core\nvoid main() { nonsense; }\n");
+  ASSERT_EQ(::setenv("SINEW_DATA_DIR", folder.path().c_str(), 1), 0);
   const auto made = app::Viewport::create(1);
   ::unsetenv("SINEW_DATA_DIR");
-  std::filesystem::remove_all(folder);
   ASSERT_FALSE(made.ok());
   EXPECT_NE(made.error().text().find("blur.frag"), std::string::npos);
   EXPECT_NE(made.error().text().find("nonsense"), std::string::npos);
