@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "sinew/rig/rig.h"
+#include "tests/support/mesh_checks.h"
 #include "tests/support/oracle.h"
 #include "tests/support/synthetic_characters.h"
 
@@ -33,6 +34,14 @@ std::array<int, 3> latticeIn(const ControlMesh& mesh, const Refinement& refineme
         static_cast<int>(std::lround(site.barycentric[i] * refinement.depth));
   }
   return out;
+}
+
+// It depends on neither rig nor pose: no muscle can open a closed mesh.
+TEST(Refinement, ClosedMeshesStayClosed) {
+  for (const CharacterPtr& character : {makeLimb(), makeTwoLegged(), makeTube()}) {
+    for (int n = 1; n <= kMaxDepth; ++n) EXPECT_TRUE(isClosed(refine(character->mesh, n).triangles)) << n;
+  }
+  EXPECT_FALSE(isClosed(refine(makeStrip()->mesh, 3).triangles));
 }
 
 TEST(Refinement, CountsAndNumbering) {

@@ -69,11 +69,11 @@ class Oracle {
     int bone = 0;
     Vec inBone;
   };
-  /// One stretch of F > T on a ray: where it begins as seen from outside, and the share of the vertex it gets.
+  /// One stretch of F > T on a ray: where it begins as seen from outside.
   struct Layer {
     Vec point;
-    double t = 0.0;  ///< Distance from the start, along `direction` of its Line.
-    double share = 0.0;
+    double t = 0.0;    ///< Distance from the start, along `inwards` of its Line.
+    double own = 0.0;  ///< Share it takes of what is left in front of it.
   };
   struct Line {
     Vec origin;
@@ -86,10 +86,12 @@ class Oracle {
     bool fellBack = false;
     Line line;  ///< The first one followed.
     [[nodiscard]] bool found() const { return !layers.empty(); }
+    /// Share that the first `count` layers leave over: the product of 1 - own.
+    [[nodiscard]] double leftBehind(std::size_t count) const;
+    [[nodiscard]] double left() const;
   };
   /// @param outwardsAlone  the stretches further in do not count.
-  void lay(const Line& line, const std::vector<double>& weights, double& left, Hit& hit,
-           bool outwardsAlone = false) const;
+  void lay(const Line& line, const std::vector<double>& weights, Hit& hit, bool outwardsAlone = false) const;
   [[nodiscard]] double isoRadius() const;  ///< r_T
   /// s / W + r_T, not below 0.
   [[nodiscard]] double skinRadius(double s, double blendWidth) const;

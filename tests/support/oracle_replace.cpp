@@ -9,11 +9,14 @@
 namespace sinew::oracle {
 namespace {
 
-constexpr int kSteps = 2400;
-constexpr int kStretches = 8;
-constexpr int kProminenceSamples = 9;
-constexpr double kSearchLength = 0.2;  ///< L as a fraction of H.
-constexpr double kWrapped = 0.7;       ///< Of the vertices inside the region of influence: from there on muscles wrap.
+constexpr int kSteps = 2400;   ///< Of the brute-force search.
+constexpr int kStretches = 8;  ///< More than any test lays behind each other.
+// docs/design.md, "Replace: the paper's method"; the number is that of the step there.
+constexpr double kWrapped = 0.7;             ///< 0: "for 70 % of the control vertices inside the region of influence".
+constexpr double kSearchLength = 0.2;        ///< 2: "the search length L = 0.2 H".
+constexpr int kProminenceSamples = 9;        ///< 3: "at nine points spaced evenly in it".
+constexpr double kWholeProminence = 0.25;    ///< 3: "from 0 to T/4".
+constexpr double kFadingLength = 1.0 / 5.0;  ///< 3: "a smooth fade over the last fifth of L".
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -24,10 +27,11 @@ double smoothstep(double t) {
 
 /// Share before others are laid over it: by the largest F - T of the stretch and by how far its beginning is.
 double ownShare(double prominence, double iso, double t, double searchLength) {
-  return smoothstep(prominence / (0.25 * iso)) * (1.0 - smoothstep((std::abs(t) / searchLength - 0.8) / 0.2));
+  const double toTheEnd = 1.0 - std::abs(t) / searchLength;
+  return smoothstep(prominence / (kWholeProminence * iso)) * smoothstep(toTheEnd / kFadingLength);
 }
 
-/// The largest of nine samples spaced evenly inside a stretch (docs/design.md).
+/// The largest of the samples inside a stretch.
 double prominence(const Function& phi, double from, double to) {
   double most = 0.0;
   for (int i = 1; i <= kProminenceSamples; ++i)
@@ -113,16 +117,13 @@ void Oracle::findOmegas() {
   }
 }
 
-void Oracle::lay(const Line& line, const std::vector<double>& weights, double& left, Hit& hit,
-                 bool outwardsAlone) const {
+void Oracle::lay(const Line& line, const std::vector<double>& weights, Hit& hit, bool outwardsAlone) const {
   const Field::Ray ray = field_.along(line.origin, line.inwards, weights);
   if (ray.isEmpty()) return;
   const double searchLength = kSearchLength * height_;
   const Function phi = [&](double t) { return ray.value(t) - field_.iso(); };
   const auto add = [&](double t, double prominent) {
-    const double share = left * ownShare(prominent, field_.iso(), t, searchLength);
-    hit.layers.push_back({line.origin + t * line.inwards, t, share});
-    left -= share;
+    hit.layers.push_back({line.origin + t * line.inwards, t, ownShare(prominent, field_.iso(), t, searchLength)});
   };
   double begin = 0.0;
   if (line.inside) {
@@ -136,9 +137,17 @@ void Oracle::lay(const Line& line, const std::vector<double>& weights, double& l
   if (outwardsAlone || begin >= line.length) return;
   const double start = line.inside ? begin + 1e-7 * height_ : 0.0;
   const std::vector<double> changes = signChanges(phi, start, line.length, kSteps, 2 * kStretches);
-  for (std::size_t i = 0; i < changes.size() && changes[i] < searchLength && left > 0.0; i += 2) {
+  for (std::size_t i = 0; i < changes.size() && changes[i] < searchLength && hit.left() > 0.0; i += 2) {
     add(changes[i], prominence(phi, changes[i], i + 1 < changes.size() ? changes[i + 1] : line.length));
   }
+}
+
+double Oracle::Hit::left() const { return leftBehind(layers.size()); }
+
+double Oracle::Hit::leftBehind(std::size_t count) const {
+  double product = 1.0;
+  for (std::size_t i = 0; i < count; ++i) product *= 1.0 - layers[i].own;
+  return product;
 }
 
 Oracle::Hit Oracle::project(const PatchPoint& flat, const Vec& anchor, const std::vector<double>& weights) const {
@@ -146,26 +155,24 @@ Oracle::Hit Oracle::project(const PatchPoint& flat, const Vec& anchor, const std
   const double searchLength = kSearchLength * height_;
   const Line alongNormal{flat.position, -1.0 * flat.normal, searchLength, inside};
   Hit hit;
-  double left = 1.0;
   if (rig_.smoothing.projection == ProjectionKind::kAnalytic) {
     hit.line = alongNormal;
-    lay(hit.line, weights, left, hit);
+    lay(hit.line, weights, hit);
     return hit;
   }
   // Paper 4.2: the anchor ends the bracket of a point outside; from inside only its direction counts.
   const double distance = length(anchor - flat.position);
   hit.line = {flat.position, unitOr(anchor - flat.position, -1.0 * flat.normal), distance, inside};
-  lay(hit.line, weights, left, hit);
-  hit.fellBack = !inside && left > 0.0;
-  if (hit.fellBack) lay(alongNormal, weights, left, hit);
+  lay(hit.line, weights, hit);
+  hit.fellBack = !inside && hit.left() > 0.0;
+  if (hit.fellBack) lay(alongNormal, weights, hit);
   return hit;
 }
 
 Oracle::Hit Oracle::projectOutwards(const PatchPoint& flat, const std::vector<double>& weights) const {
   Hit hit;
   hit.line = {flat.position, -1.0 * flat.normal, kSearchLength * height_, true};
-  double left = 1.0;
-  lay(hit.line, weights, left, hit, true);
+  lay(hit.line, weights, hit, true);
   return hit;
 }
 
@@ -197,16 +204,19 @@ Answer Oracle::replace(const Site& site) const {
   out.weight = 0.0;
   Vec position;
   Vec normal;
-  for (const Layer& layer : hit.layers) {
-    out.shares.push_back(layer.share);
+  for (std::size_t i = 0; i < hit.layers.size(); ++i) {
+    const Layer& layer = hit.layers[i];
+    const double share = layer.own * hit.leftBehind(i);
+    out.shares.push_back(share);
     if (!hit.fellBack) out.roots.push_back(layer.t);
     const Vec outward = unitOr(-1.0 * field_.gradient(layer.point, weights), flat.normal);
-    position = position + layer.share * layer.point;
-    normal = normal + layer.share * outward;
-    out.weight += omega * layer.share;
-    if (layer.share > 0.0)
-      out.lead =
-          out.lead == 0.0 ? field_.lead(layer.point, weights) : std::min(out.lead, field_.lead(layer.point, weights));
+    position = position + share * layer.point;
+    normal = normal + share * outward;
+    out.weight += omega * share;
+    if (share > 0.0) {
+      const double lead = field_.lead(layer.point, weights);
+      out.lead = out.lead == 0.0 ? lead : std::min(out.lead, lead);
+    }
   }
   out.position = omega * position + (1.0 - out.weight) * out.patch.position;
   out.normal = unitOr(omega * normal + (1.0 - out.weight) * out.patch.normal, out.patch.normal);

@@ -98,6 +98,8 @@ Projected::Projected(const Character& character, const Rig& rig)
 
 Projected::~Projected() = default;
 
+const Surface& Projected::now() const { return state_->surface; }
+
 const Surface& Projected::patch() const { return state_->patch; }
 
 const Surface& Projected::bindPatch() const { return state_->bindPatch; }

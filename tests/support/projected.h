@@ -18,7 +18,9 @@ class Projected {
   Projected(const Projected&) = delete;
   Projected& operator=(const Projected&) = delete;
   /// Positions, displacement and normals; the patch's where nothing has moved. Valid until the next call.
-  [[nodiscard]] const Surface& at(const Pose& pose);
+  const Surface& at(const Pose& pose);
+  /// What the last call gave.
+  [[nodiscard]] const Surface& now() const;
   /// The patch of the last call: positions and normals without muscles.
   [[nodiscard]] const Surface& patch() const;
   [[nodiscard]] const Surface& bindPatch() const;
