@@ -1,12 +1,15 @@
 // tests/smoothing/replace_shares_test.cpp: `replace` over one ball, where shares and roots have closed forms.
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
 #include "core/rig/attachment.h"
-#include "core/smoothing/patches/patch.h"
 #include "core/smoothing/projection/replace.h"
 #include "sinew/smoothing/smoother.h"
 #include "tests/support/random_rigs.h"
