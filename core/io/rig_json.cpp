@@ -6,96 +6,90 @@
 #include <system_error>
 
 #include "core/io/files/atomic_file.h"
-#include "core/io/json/json_text.h"
+#include "core/io/json/json.h"
 #include "core/rig/validation.h"
 
 namespace sinew {
 namespace {
 
-using Kind = JsonNode::Kind;
-
 constexpr std::uintmax_t kMaxRigBytes = std::uintmax_t{64} << 20;
 
-JsonNode list(std::vector<JsonNode> items) { return {Kind::kArray, {}, {}, std::move(items)}; }
-
-JsonNode numbers(std::initializer_list<float> values) {
-  std::vector<JsonNode> items;
-  for (const float value : values) items.push_back(numberNode(value));
-  return list(std::move(items));
+Json numbers(std::initializer_list<float> values) {
+  std::vector<Json> items;
+  for (const float value : values) items.push_back(value);
+  return Json::array(std::move(items));
 }
 
 template <class Strings>
-JsonNode strings(const Strings& values) {
-  std::vector<JsonNode> items;
-  for (const std::string& value : values) items.push_back(stringNode(value));
-  return list(std::move(items));
+Json strings(const Strings& values) {
+  std::vector<Json> items;
+  for (const std::string& value : values) items.push_back(value);
+  return Json::array(std::move(items));
 }
 
 template <class Items, class Write>
-JsonNode listOf(const Items& items, Write write) {
-  std::vector<JsonNode> nodes;
+Json listOf(const Items& items, Write write) {
+  std::vector<Json> nodes;
   for (const auto& item : items) nodes.push_back(write(item));
-  return list(std::move(nodes));
+  return Json::array(std::move(nodes));
 }
 
 /// An object in the making: known keys in order, then the unknown ones it came with.
 class ObjectWriter {
  public:
-  ObjectWriter& set(const char* key, JsonNode value) {
+  ObjectWriter& set(const char* key, Json value) {
     value.key = key;
     object_.children.push_back(std::move(value));
     return *this;
   }
 
-  JsonNode finish(const std::string& unknownKeys) {
+  Json finish(const std::string& unknownKeys) {
     if (unknownKeys.empty()) return std::move(object_);
-    auto unknown = parseJson(unknownKeys);
+    auto unknown = Json::parse(unknownKeys);
     if (!unknown) return std::move(object_);
-    for (JsonNode& child : unknown.value().children) {
+    for (Json& child : unknown.value().children) {
       if (!object_.find(child.key)) object_.children.push_back(std::move(child));
     }
     return std::move(object_);
   }
 
  private:
-  JsonNode object_{Kind::kObject, {}, {}, {}};
+  Json object_ = Json::object();
 };
 
-JsonNode surfaceNode(const SurfaceSettings& surface) {
+Json surfaceNode(const SurfaceSettings& surface) {
   return ObjectWriter()
-      .set("mode", stringNode(nameOf(surface.mode)))
-      .set("iso", numberNode(surface.iso))
-      .set("skin_blend", numberNode(surface.skinBlend))
+      .set("mode", nameOf(surface.mode))
+      .set("iso", surface.iso)
+      .set("skin_blend", surface.skinBlend)
       .finish(surface.unknownKeys);
 }
 
-JsonNode smoothingNode(const SmoothingSettings& smoothing) {
+Json smoothingNode(const SmoothingSettings& smoothing) {
   ObjectWriter writer;
-  writer.set("depth", numberNode(static_cast<long long>(smoothing.depth)))
-      .set("patch", stringNode(nameOf(smoothing.patch)))
-      .set("projection", stringNode(nameOf(smoothing.projection)));
-  if (smoothing.creaseAngle != kDefaultCreaseAngle) writer.set("crease_angle", numberNode(smoothing.creaseAngle));
-  if (smoothing.autoDepth) writer.set("auto_depth", {Kind::kTrue, {}, {}, {}});
+  writer.set("depth", smoothing.depth)
+      .set("patch", nameOf(smoothing.patch))
+      .set("projection", nameOf(smoothing.projection));
+  if (smoothing.creaseAngle != kDefaultCreaseAngle) writer.set("crease_angle", smoothing.creaseAngle);
+  if (smoothing.autoDepth) writer.set("auto_depth", true);
   return writer.finish(smoothing.unknownKeys);
 }
 
-JsonNode groupNode(const Group& group) {
-  return ObjectWriter().set("name", stringNode(group.name)).finish(group.unknownKeys);
-}
+Json groupNode(const Group& group) { return ObjectWriter().set("name", group.name).finish(group.unknownKeys); }
 
-JsonNode primitiveNode(const Primitive& primitive) {
+Json primitiveNode(const Primitive& primitive) {
   const auto& [center, rotation, radii] = primitive.placement;
   ObjectWriter writer;
-  writer.set("name", stringNode(primitive.name))
-      .set("bone", stringNode(primitive.bone))
-      .set("group", stringNode(primitive.group))
-      .set("kind", stringNode("ellipsoid"))
+  writer.set("name", primitive.name)
+      .set("bone", primitive.bone)
+      .set("group", primitive.group)
+      .set("kind", "ellipsoid")
       .set("center", numbers({center.x, center.y, center.z}))
       .set("rotation", numbers({rotation.x, rotation.y, rotation.z, rotation.w}))
       .set("radii", numbers({radii.x, radii.y, radii.z}))
-      .set("reach", numberNode(primitive.reach))
-      .set("sign", numberNode(static_cast<long long>(primitive.sign)));
-  if (!primitive.mirror.empty()) writer.set("mirror", stringNode(primitive.mirror));
+      .set("reach", primitive.reach)
+      .set("sign", primitive.sign);
+  if (!primitive.mirror.empty()) writer.set("mirror", primitive.mirror);
   if (primitive.territory) writer.set("territory", strings(*primitive.territory));
   return writer.finish(primitive.unknownKeys);
 }
@@ -108,17 +102,17 @@ Error inFile(Error error, const std::filesystem::path& file) {
 }  // namespace
 
 std::string rigToJson(const Rig& rig) {
-  const JsonNode root = ObjectWriter()
-                            .set("format", stringNode("sinew-rig"))
-                            .set("version", numberNode(1LL))
-                            .set("character", stringNode(rig.character))
-                            .set("surface", surfaceNode(rig.surface))
-                            .set("smoothing", smoothingNode(rig.smoothing))
-                            .set("groups", listOf(rig.groups, groupNode))
-                            .set("links", listOf(rig.links, [](const auto& link) { return strings(link); }))
-                            .set("primitives", listOf(rig.primitives, primitiveNode))
-                            .finish(rig.unknownKeys);
-  return writeJson(root, true) + '\n';
+  const Json root = ObjectWriter()
+                        .set("format", "sinew-rig")
+                        .set("version", 1)
+                        .set("character", rig.character)
+                        .set("surface", surfaceNode(rig.surface))
+                        .set("smoothing", smoothingNode(rig.smoothing))
+                        .set("groups", listOf(rig.groups, groupNode))
+                        .set("links", listOf(rig.links, [](const auto& link) { return strings(link); }))
+                        .set("primitives", listOf(rig.primitives, primitiveNode))
+                        .finish(rig.unknownKeys);
+  return root.dump(true) + '\n';
 }
 
 Result<Rig> loadRig(const std::filesystem::path& file) {

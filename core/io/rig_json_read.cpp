@@ -9,17 +9,17 @@
 #include <span>
 #include <string_view>
 
-#include "core/io/json/json_text.h"
+#include "core/io/json/json.h"
 #include "core/rig/validation.h"
 
 namespace sinew {
 namespace {
 
-using Kind = JsonNode::Kind;
+using Kind = Json::Kind;
 
 constexpr long long kNewestVersion = 1;
 
-std::string describe(const JsonNode& node) {
+std::string describe(const Json& node) {
   switch (node.kind) {
     case Kind::kNull:
       return "null";
@@ -28,9 +28,9 @@ std::string describe(const JsonNode& node) {
     case Kind::kTrue:
       return "true";
     case Kind::kNumber:
-      return node.text;
+      return node.content;
     case Kind::kString:
-      return node.text.size() <= 40 ? '"' + node.text + '"' : "a text";
+      return node.content.size() <= 40 ? '"' + node.content + '"' : "a text";
     case Kind::kArray:
       return "an array of " + std::to_string(node.children.size());
     case Kind::kObject:
@@ -48,49 +48,49 @@ class Reader {
     if (!error_) error_ = errorAt(place, std::move(reason));
   }
 
-  void expect(const std::string& place, const std::string& expected, const JsonNode& node) {
+  void expect(const std::string& place, const std::string& expected, const Json& node) {
     refuse(place, "expected " + expected + ", got " + describe(node));
   }
 
   /// Null, after a refusal, if the key is missing.
-  const JsonNode* need(const JsonNode& object, const std::string& place, const char* key, const std::string& expected) {
-    const JsonNode* child = object.find(key);
+  const Json* need(const Json& object, const std::string& place, const char* key, const std::string& expected) {
+    const Json* child = object.find(key);
     if (!child) refuse(join(place, key), "expected " + expected + ", but the key is missing");
     return child;
   }
 
-  std::string text(const JsonNode& node, const std::string& place) {
-    if (node.kind == Kind::kString) return node.text;
+  std::string text(const Json& node, const std::string& place) {
+    if (node.kind == Kind::kString) return node.content;
     expect(place, "a text", node);
     return {};
   }
 
-  float number(const JsonNode& node, const std::string& place) {
+  float number(const Json& node, const std::string& place) {
     if (node.kind != Kind::kNumber) {
       expect(place, "a number", node);
       return 0.0f;
     }
     float value = 0.0f;
-    const char* const end = node.text.data() + node.text.size();
-    if (std::from_chars(node.text.data(), end, value).ec == std::errc{}) return value;
+    const char* const end = node.content.data() + node.content.size();
+    if (std::from_chars(node.content.data(), end, value).ec == std::errc{}) return value;
     // Out of a float's range: too close to 0 rounds to 0, too far from it is no number we can keep.
     double wide = 0.0;
-    if (std::from_chars(node.text.data(), end, wide).ec != std::errc{} || std::abs(wide) < 1.0) return 0.0f;
+    if (std::from_chars(node.content.data(), end, wide).ec != std::errc{} || std::abs(wide) < 1.0) return 0.0f;
     expect(place, "a number of at most 3.4028235e+38", node);
     return 0.0f;
   }
 
-  int wholeNumber(const JsonNode& node, const std::string& place, const std::string& expected) {
+  int wholeNumber(const Json& node, const std::string& place, const std::string& expected) {
     int value = 0;
-    const char* const end = node.text.data() + node.text.size();
-    const auto [stop, status] = std::from_chars(node.text.data(), end, value);
+    const char* const end = node.content.data() + node.content.size();
+    const auto [stop, status] = std::from_chars(node.content.data(), end, value);
     if (node.kind == Kind::kNumber && status == std::errc{} && stop == end) return value;
     expect(place, expected, node);
     return 0;
   }
 
   template <std::size_t N>
-  std::array<float, N> vector(const JsonNode& node, const std::string& place) {
+  std::array<float, N> vector(const Json& node, const std::string& place) {
     std::array<float, N> values{};
     if (node.kind != Kind::kArray || node.children.size() != N) {
       expect(place, "an array of " + std::to_string(N) + " numbers", node);
@@ -102,12 +102,12 @@ class Reader {
 
   /// The children, each with its place; none, after a refusal, if the node is no array.
   template <class Read>
-  void each(const JsonNode& node, const std::string& place, Read read) {
+  void each(const Json& node, const std::string& place, Read read) {
     if (node.kind != Kind::kArray) expect(place, "an array", node);
     for (std::size_t i = 0; !error_ && i < node.children.size(); ++i) read(node.children[i], at(place, i));
   }
 
-  bool object(const JsonNode& node, const std::string& place) {
+  bool object(const Json& node, const std::string& place) {
     if (node.kind != Kind::kObject) expect(place, "an object", node);
     return node.kind == Kind::kObject;
   }
@@ -120,21 +120,21 @@ class Reader {
 };
 
 /// What the object holds beyond `known`, as the text of an object; "" for nothing.
-std::string unknownKeys(const JsonNode& object, std::initializer_list<std::string_view> known) {
-  JsonNode rest{Kind::kObject, {}, {}, {}};
-  for (const JsonNode& child : object.children) {
+std::string unknownKeys(const Json& object, std::initializer_list<std::string_view> known) {
+  Json rest = Json::object();
+  for (const Json& child : object.children) {
     if (std::ranges::find(known, child.key) == known.end()) rest.children.push_back(child);
   }
-  return rest.children.empty() ? std::string() : writeJson(rest, false);
+  return rest.children.empty() ? std::string() : rest.dump();
 }
 
 /// A member that is one of a few words; absent: as it was.
 template <class Enum>
-void readWord(Reader& reader, const JsonNode& object, const std::string& place, const char* key, const char* words,
+void readWord(Reader& reader, const Json& object, const std::string& place, const char* key, const char* words,
               std::optional<Enum> (*named)(const std::string&), Enum& value) {
-  const JsonNode* node = object.find(key);
+  const Json* node = object.find(key);
   if (!node) return;
-  const auto found = node->kind == Kind::kString ? named(node->text) : std::nullopt;
+  const auto found = node->kind == Kind::kString ? named(node->content) : std::nullopt;
   if (found) {
     value = *found;
   } else {
@@ -142,23 +142,23 @@ void readWord(Reader& reader, const JsonNode& object, const std::string& place, 
   }
 }
 
-void readFloat(Reader& reader, const JsonNode& object, const std::string& place, const char* key, float& value) {
-  if (const JsonNode* node = object.find(key)) value = reader.number(*node, Reader::join(place, key));
+void readFloat(Reader& reader, const Json& object, const std::string& place, const char* key, float& value) {
+  if (const Json* node = object.find(key)) value = reader.number(*node, Reader::join(place, key));
 }
 
-void readSwitch(Reader& reader, const JsonNode& object, const std::string& place, const char* key, bool& value) {
-  const JsonNode* node = object.find(key);
+void readSwitch(Reader& reader, const Json& object, const std::string& place, const char* key, bool& value) {
+  const Json* node = object.find(key);
   if (!node) return;
   value = node->kind == Kind::kTrue;
   if (!value && node->kind != Kind::kFalse) reader.expect(Reader::join(place, key), "true or false", *node);
 }
 
-std::string readNeededText(Reader& reader, const JsonNode& object, const std::string& place, const char* key) {
-  const JsonNode* node = reader.need(object, place, key, "a text");
+std::string readNeededText(Reader& reader, const Json& object, const std::string& place, const char* key) {
+  const Json* node = reader.need(object, place, key, "a text");
   return node ? reader.text(*node, Reader::join(place, key)) : std::string();
 }
 
-SurfaceSettings readSurface(Reader& reader, const JsonNode& node) {
+SurfaceSettings readSurface(Reader& reader, const Json& node) {
   SurfaceSettings surface;
   if (!reader.object(node, "surface")) return surface;
   readWord(reader, node, "surface", "mode", "\"swell\" or \"replace\"", surfaceModeNamed, surface.mode);
@@ -168,10 +168,10 @@ SurfaceSettings readSurface(Reader& reader, const JsonNode& node) {
   return surface;
 }
 
-SmoothingSettings readSmoothing(Reader& reader, const JsonNode& node) {
+SmoothingSettings readSmoothing(Reader& reader, const Json& node) {
   SmoothingSettings smoothing;
   if (!reader.object(node, "smoothing")) return smoothing;
-  if (const JsonNode* depth = node.find("depth")) {
+  if (const Json* depth = node.find("depth")) {
     smoothing.depth =
         reader.wholeNumber(*depth, "smoothing.depth", "a whole number from 1 to " + std::to_string(kMaxDepth));
   }
@@ -185,12 +185,12 @@ SmoothingSettings readSmoothing(Reader& reader, const JsonNode& node) {
   return smoothing;
 }
 
-Group readGroup(Reader& reader, const JsonNode& node, const std::string& place) {
+Group readGroup(Reader& reader, const Json& node, const std::string& place) {
   if (!reader.object(node, place)) return {};
   return {readNeededText(reader, node, place, "name"), unknownKeys(node, {"name"})};
 }
 
-std::array<std::string, 2> readLink(Reader& reader, const JsonNode& node, const std::string& place) {
+std::array<std::string, 2> readLink(Reader& reader, const Json& node, const std::string& place) {
   if (node.kind != Kind::kArray || node.children.size() != 2) {
     reader.expect(place, "an array of two groups' names", node);
     return {};
@@ -198,31 +198,31 @@ std::array<std::string, 2> readLink(Reader& reader, const JsonNode& node, const 
   return {reader.text(node.children[0], Reader::at(place, 0)), reader.text(node.children[1], Reader::at(place, 1))};
 }
 
-Placement readPlacement(Reader& reader, const JsonNode& node, const std::string& place) {
+Placement readPlacement(Reader& reader, const Json& node, const std::string& place) {
   Placement placement;
-  if (const JsonNode* center = reader.need(node, place, "center", "an array of 3 numbers")) {
+  if (const Json* center = reader.need(node, place, "center", "an array of 3 numbers")) {
     const auto [x, y, z] = reader.vector<3>(*center, place + ".center");
     placement.center = {x, y, z};
   }
-  if (const JsonNode* rotation = node.find("rotation")) {
+  if (const Json* rotation = node.find("rotation")) {
     const auto [x, y, z, w] = reader.vector<4>(*rotation, place + ".rotation");
     placement.rotation = glm::quat(w, x, y, z);
   }
-  if (const JsonNode* radii = reader.need(node, place, "radii", "an array of 3 numbers")) {
+  if (const Json* radii = reader.need(node, place, "radii", "an array of 3 numbers")) {
     const auto [x, y, z] = reader.vector<3>(*radii, place + ".radii");
     placement.radii = {x, y, z};
   }
   return placement;
 }
 
-void readKind(Reader& reader, const JsonNode& node, const std::string& place) {
-  const JsonNode* kind = node.find("kind");
-  if (kind && !(kind->kind == Kind::kString && kind->text == "ellipsoid")) {
+void readKind(Reader& reader, const Json& node, const std::string& place) {
+  const Json* kind = node.find("kind");
+  if (kind && !(kind->kind == Kind::kString && kind->content == "ellipsoid")) {
     reader.expect(place + ".kind", "\"ellipsoid\"", *kind);
   }
 }
 
-Primitive readPrimitive(Reader& reader, const JsonNode& node, const std::string& place) {
+Primitive readPrimitive(Reader& reader, const Json& node, const std::string& place) {
   Primitive primitive;
   if (!reader.object(node, place)) return primitive;
   primitive.name = readNeededText(reader, node, place, "name");
@@ -231,16 +231,16 @@ Primitive readPrimitive(Reader& reader, const JsonNode& node, const std::string&
   readKind(reader, node, place);
   primitive.placement = readPlacement(reader, node, place);
   readFloat(reader, node, place, "reach", primitive.reach);
-  if (const JsonNode* sign = node.find("sign")) {
+  if (const Json* sign = node.find("sign")) {
     primitive.sign = reader.wholeNumber(*sign, place + ".sign", "1 or -1");
   }
-  if (const JsonNode* mirror = node.find("mirror")) {
+  if (const Json* mirror = node.find("mirror")) {
     primitive.mirror = reader.text(*mirror, place + ".mirror");
     if (primitive.mirror.empty()) reader.expect(place + ".mirror", "the name of another primitive", *mirror);
   }
-  if (const JsonNode* territory = node.find("territory")) {
+  if (const Json* territory = node.find("territory")) {
     primitive.territory.emplace();
-    reader.each(*territory, place + ".territory", [&](const JsonNode& bone, const std::string& bonePlace) {
+    reader.each(*territory, place + ".territory", [&](const Json& bone, const std::string& bonePlace) {
       primitive.territory->push_back(reader.text(bone, bonePlace));
     });
   }
@@ -250,12 +250,13 @@ Primitive readPrimitive(Reader& reader, const JsonNode& node, const std::string&
 }
 
 /// Is it a rig at all, and one this program can read?
-void readHeader(Reader& reader, const JsonNode& root) {
+void readHeader(Reader& reader, const Json& root) {
   if (!reader.object(root, "")) return;
-  const JsonNode* format = reader.need(root, "", "format", "\"sinew-rig\"");
+  const Json* format = reader.need(root, "", "format", "\"sinew-rig\"");
   if (!format) return;
-  if (format->kind != Kind::kString || format->text != "sinew-rig") reader.expect("format", "\"sinew-rig\"", *format);
-  const JsonNode* version = reader.need(root, "", "version", "1");
+  if (format->kind != Kind::kString || format->content != "sinew-rig")
+    reader.expect("format", "\"sinew-rig\"", *format);
+  const Json* version = reader.need(root, "", "version", "1");
   if (!version || reader.error()) return;
   const int number = reader.wholeNumber(*version, "version", "1");
   if (number > kNewestVersion) {
@@ -266,24 +267,24 @@ void readHeader(Reader& reader, const JsonNode& root) {
   }
 }
 
-Rig readRig(Reader& reader, const JsonNode& root) {
+Rig readRig(Reader& reader, const Json& root) {
   Rig rig;
   rig.character = readNeededText(reader, root, "", "character");
   if (rig.character.empty()) reader.refuse("character", "expected the path of a character, got nothing");
-  if (const JsonNode* surface = root.find("surface")) rig.surface = readSurface(reader, *surface);
-  if (const JsonNode* smoothing = root.find("smoothing")) rig.smoothing = readSmoothing(reader, *smoothing);
-  if (const JsonNode* groups = root.find("groups")) {
-    reader.each(*groups, "groups", [&](const JsonNode& node, const std::string& place) {
+  if (const Json* surface = root.find("surface")) rig.surface = readSurface(reader, *surface);
+  if (const Json* smoothing = root.find("smoothing")) rig.smoothing = readSmoothing(reader, *smoothing);
+  if (const Json* groups = root.find("groups")) {
+    reader.each(*groups, "groups", [&](const Json& node, const std::string& place) {
       rig.groups.push_back(readGroup(reader, node, place));
     });
   }
-  if (const JsonNode* links = root.find("links")) {
-    reader.each(*links, "links", [&](const JsonNode& node, const std::string& place) {
+  if (const Json* links = root.find("links")) {
+    reader.each(*links, "links", [&](const Json& node, const std::string& place) {
       rig.links.push_back(readLink(reader, node, place));
     });
   }
-  if (const JsonNode* primitives = root.find("primitives")) {
-    reader.each(*primitives, "primitives", [&](const JsonNode& node, const std::string& place) {
+  if (const Json* primitives = root.find("primitives")) {
+    reader.each(*primitives, "primitives", [&](const Json& node, const std::string& place) {
       rig.primitives.push_back(readPrimitive(reader, node, place));
     });
   }
@@ -295,7 +296,7 @@ Rig readRig(Reader& reader, const JsonNode& root) {
 }  // namespace
 
 Result<Rig> rigFromJson(const std::string& text) {
-  const auto root = parseJson(text);
+  const auto root = Json::parse(text);
   if (!root) return root.error();
   Reader reader;
   readHeader(reader, root.value());

@@ -1,4 +1,4 @@
-// tests/io/json_test.cpp: the JSON tree of reports and preferences.
+// tests/io/json_test.cpp: JSON values, their reading and writing.
 #include "core/io/json/json.h"
 
 #include <bit>
@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/io/json/json_text.h"
 #include "tests/support/random_rigs.h"
 
 namespace sinew {
@@ -124,6 +123,38 @@ TEST(Json, FilesOfCountlessTinyValuesAreRefused) {
   for (int i = 0; i < kMaxJsonValues; ++i) text += ",0";
   text += ']';
   EXPECT_FALSE(Json::parse(text).ok());
+}
+
+TEST(Json, LimitsAreThoseAsked) {
+  const JsonLimits limits{.depth = 2, .values = 4, .leftOut = {}};
+  EXPECT_TRUE(Json::parse("[[1, 2]]", limits).ok());
+  const auto deep = Json::parse(R"({"a": {"b": []}})", limits);
+  ASSERT_FALSE(deep.ok());
+  EXPECT_EQ(deep.error().place, "a.b");
+  EXPECT_EQ(deep.error().reason, "JSON nested deeper than 2 levels");
+  const auto many = Json::parse("[1, 2, 3, 4]", limits);
+  ASSERT_FALSE(many.ok());
+  EXPECT_EQ(many.error().reason, "more than 4 JSON values");
+}
+
+TEST(Json, LeftOutMembersAreCheckedAndCountedButNotKept) {
+  const std::string text = R"({"a": {"extras": {"x": [1, {"extras": 2}], "y": 3}, "b": 1}, "extras": 4, "c": 5})";
+  const auto json = Json::parse(text, {.leftOut = "extras"});
+  ASSERT_TRUE(json.ok());
+  EXPECT_EQ(json->dump(), R"({"a":{"b":1},"c":5})");
+  EXPECT_FALSE(Json::parse(text, {.values = 8, .leftOut = "extras"}).ok());
+  EXPECT_FALSE(Json::parse(R"({"extras": [1, }, "b": 1})", {.leftOut = "extras"}).ok());
+}
+
+TEST(Json, LongKeysMakeNoLongPlaces) {
+  const auto json = Json::parse(R"({")" + std::string(100000, 'k') + R"(": 1e999})");
+  ASSERT_FALSE(json.ok());
+  EXPECT_LT(json.error().text().size(), 300u);
+}
+
+TEST(Json, ValidUtf8StaysAndTheRestIsReplaced) {
+  EXPECT_EQ(validUtf8("M\xC3\xBCll\"er\n"), "M\xC3\xBCll\"er\n");
+  EXPECT_EQ(validUtf8("a\xff"), "a\xEF\xBF\xBD");
 }
 
 }  // namespace

@@ -105,6 +105,33 @@ Result<void> replace(const fs::path& file, const fs::path& target, std::string_v
   return {};
 }
 
+template <class Bytes>
+Result<Bytes> readWhole(const fs::path& file, std::uintmax_t limit) {
+  // Without waiting: a pipe nobody writes to must not hang the program.
+  const Descriptor source(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  if (!source.isOpen()) return because(file, "cannot be read", errno);
+  struct stat present {};
+  if (::fstat(source.number(), &present) != 0) return because(file, "cannot be read", errno);
+  if (S_ISDIR(present.st_mode)) return Error{file.string(), {}, "cannot be read: it is a folder"};
+  if (!S_ISREG(present.st_mode)) return Error{file.string(), {}, "cannot be read: it is no ordinary file"};
+
+  const auto tooLarge = [&] {
+    return Error{file.string(), {}, "is larger than " + std::to_string(limit) + " bytes, the most that is read"};
+  };
+  if (static_cast<std::uintmax_t>(present.st_size) > limit) return tooLarge();
+  Bytes bytes;
+  bytes.reserve(static_cast<std::size_t>(present.st_size));
+  std::array<char, 65536> chunk{};
+  for (;;) {
+    const ssize_t count = ::read(source.number(), chunk.data(), chunk.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return because(file, "cannot be read", errno);
+    if (count == 0) return bytes;
+    bytes.insert(bytes.end(), chunk.data(), chunk.data() + count);
+    if (bytes.size() > limit) return tooLarge();
+  }
+}
+
 }  // namespace
 
 Result<void> writeFileAtomically(const fs::path& file, std::string_view bytes) {
@@ -122,29 +149,11 @@ Result<void> writeFileAtomically(const fs::path& file, std::string_view bytes) {
 }
 
 Result<std::string> readWholeFile(const fs::path& file, std::uintmax_t limit) {
-  // Without waiting: a pipe nobody writes to must not hang the program.
-  const Descriptor source(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
-  if (!source.isOpen()) return because(file, "cannot be read", errno);
-  struct stat present {};
-  if (::fstat(source.number(), &present) != 0) return because(file, "cannot be read", errno);
-  if (S_ISDIR(present.st_mode)) return Error{file.string(), {}, "cannot be read: it is a folder"};
-  if (!S_ISREG(present.st_mode)) return Error{file.string(), {}, "cannot be read: it is no ordinary file"};
+  return readWhole<std::string>(file, limit);
+}
 
-  const auto tooLarge = [&] {
-    return Error{file.string(), {}, "is larger than " + std::to_string(limit) + " bytes, the most that is read"};
-  };
-  if (static_cast<std::uintmax_t>(present.st_size) > limit) return tooLarge();
-  std::string bytes;
-  bytes.reserve(static_cast<std::size_t>(present.st_size));
-  std::array<char, 65536> chunk{};
-  for (;;) {
-    const ssize_t count = ::read(source.number(), chunk.data(), chunk.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return because(file, "cannot be read", errno);
-    if (count == 0) return bytes;
-    bytes.append(chunk.data(), static_cast<std::size_t>(count));
-    if (bytes.size() > limit) return tooLarge();
-  }
+Result<std::vector<std::uint8_t>> readWholeBytes(const fs::path& file, std::uintmax_t limit) {
+  return readWhole<std::vector<std::uint8_t>>(file, limit);
 }
 
 }  // namespace sinew

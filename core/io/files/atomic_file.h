@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sinew/base/result.h"
 
@@ -16,5 +17,6 @@ namespace sinew {
 
 /// Error: it is absent, a folder, unreadable, or larger than `limit` bytes.
 [[nodiscard]] Result<std::string> readWholeFile(const std::filesystem::path& file, std::uintmax_t limit);
+[[nodiscard]] Result<std::vector<std::uint8_t>> readWholeBytes(const std::filesystem::path& file, std::uintmax_t limit);
 
 }  // namespace sinew

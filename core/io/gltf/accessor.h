@@ -2,10 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/io/gltf/file.h"
@@ -19,7 +17,7 @@ class Accessor {
  public:
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] int components() const { return components_; }
-  [[nodiscard]] bool isFloat() const { return type_ == kFloat; }
+  [[nodiscard]] bool isFloat() const { return componentType_ == TINYGLTF_COMPONENT_TYPE_FLOAT; }
   [[nodiscard]] const std::string& place() const { return place_; }
 
   /// As the accessor says: floats as they are, integers scaled to -1..1 or 0..1 where `normalized`. Element < count().
@@ -29,8 +27,6 @@ class Accessor {
 
  private:
   friend class Accessors;
-  static constexpr int kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123, kUnsignedInt = 5125,
-                       kFloat = 5126;
 
   [[nodiscard]] const std::uint8_t* element(std::size_t index) const;
   [[nodiscard]] std::uint32_t sparseIndex(std::size_t entry) const;
@@ -38,15 +34,15 @@ class Accessor {
   [[nodiscard]] T load(std::size_t index, int component) const;
 
   std::string place_;
-  std::string shape_;  // "SCALAR", "VEC3", ...
-  int type_ = kFloat;
+  int type_ = TINYGLTF_TYPE_SCALAR;
+  int componentType_ = TINYGLTF_COMPONENT_TYPE_FLOAT;
   int components_ = 1;
   bool normalized_ = false;
   std::size_t count_ = 0;
   std::size_t stride_ = 0;
   const std::uint8_t* base_ = nullptr;  // nullptr: zeros
   std::size_t sparseCount_ = 0;
-  int sparseType_ = kUnsignedInt;
+  int sparseType_ = TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
   const std::uint8_t* sparseIndices_ = nullptr;
   const std::uint8_t* sparseValues_ = nullptr;
 };
@@ -56,14 +52,15 @@ class Accessors {
  public:
   explicit Accessors(const File& file);
 
-  /// The accessor a field refers to; it must have one of the given shapes. Refuses at the accessor's JSON path.
-  [[nodiscard]] const Accessor& open(const Field& reference, std::initializer_list<std::string_view> shapes);
+  /// The accessor an index refers to (-1: refused as missing); it must be of the given tinygltf type. Refuses at
+  /// the accessor's JSON path, or that of the reference.
+  [[nodiscard]] const Accessor& open(int index, const std::string& reference, int type);
 
  private:
   [[nodiscard]] Accessor read(std::size_t index);
-  void readSparse(const Field& sparse, std::size_t elementSize, Accessor& accessor);
+  void readSparse(const tinygltf::Accessor& from, std::size_t elementSize, Accessor& accessor);
   /// First byte of `count` elements inside a view.
-  [[nodiscard]] const std::uint8_t* locate(const Field& where, std::size_t view, std::uint64_t offset,
+  [[nodiscard]] const std::uint8_t* locate(const std::string& place, int view, std::uint64_t offset,
                                            std::uint64_t count, std::size_t elementSize, std::size_t stride) const;
 
   const File& file_;

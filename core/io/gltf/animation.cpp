@@ -3,42 +3,42 @@
 #include "core/io/gltf/animation.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <set>
 #include <utility>
 
-#include "sinew/io/gltf_import.h"
-
 namespace sinew::gltf {
 namespace {
 
 /// Key values of all clips together: 256 MiB. Accessors may be shared, so a small file could ask for much more.
-constexpr std::size_t kMostKeyValues = 16U << 20;
-constexpr double kLargestValue = 1e15;
+constexpr std::size_t kMaxKeyValues = 16U << 20;
+constexpr double kMaxValue = 1e15;
 
 class ClipReader {
  public:
-  ClipReader(const Skeleton& skeleton, std::span<const int> skeletonNode, Accessors& accessors, Notes& notes)
-      : skeleton_(skeleton), skeletonNode_(skeletonNode), accessors_(accessors), notes_(notes) {}
+  ClipReader(const File& file, const Skeleton& skeleton, std::span<const int> skeletonNode, Accessors& accessors,
+             Notes& notes)
+      : file_(file), skeleton_(skeleton), skeletonNode_(skeletonNode), accessors_(accessors), notes_(notes) {}
 
-  AnimationClip read(const Field& field, std::size_t number) {
+  AnimationClip read(std::size_t index) {
+    const std::string place = placeOf("animations", index);
+    file_.expectSound(place);
+    const tinygltf::Animation& animation = file_.model().animations[index];
     AnimationClip clip;
-    clip.name = std::string(field.member("name").text(""));
-    if (clip.name.empty()) clip.name = "clip " + std::to_string(number);
-    const Field channels = field.member("channels");
+    clip.name = animation.name.empty() ? "clip " + std::to_string(index) : animation.name;
     std::set<std::pair<int, ChannelPath>> driven;
-    for (std::size_t i = 0; i < channels.size(); ++i) {
-      std::optional<Channel> channel = target(channels.item(i).member("target"));
+    for (std::size_t i = 0; i < animation.channels.size(); ++i) {
+      const std::string channelPlace = placeOf(place + ".channels", i);
+      std::optional<Channel> channel = target(animation.channels[i], channelPlace);
       if (!channel) continue;
       if (!driven.emplace(channel->node, channel->path).second) {
         notes_.add("clip \"" + clip.name + "\": more than one channel for the same property; the first counts");
         continue;
       }
-      const Field samplers = field.member("samplers");
-      const int sampler = channels.item(i).member("sampler").requiredIndex(samplers.size(), "sampler");
-      if (!fillKeys(samplers.item(static_cast<std::size_t>(sampler)), clip.name, *channel)) continue;
+      const std::size_t sampler = samplerOf(animation, i, channelPlace + ".sampler");
+      const std::string samplerPlace = placeOf(place + ".samplers", sampler);
+      if (!fillKeys(animation.samplers[sampler], samplerPlace, clip.name, *channel)) continue;
       clip.duration = std::max(clip.duration, channel->times.back());
       clip.channels.push_back(std::move(*channel));
     }
@@ -47,18 +47,18 @@ class ClipReader {
 
  private:
   /// Which node and property; nullopt for what moves nothing of the skeleton.
-  std::optional<Channel> target(const Field& field) {
+  std::optional<Channel> target(const tinygltf::AnimationChannel& from, const std::string& place) {
+    file_.expectSound(place);
     Channel channel;
-    const std::string_view path = field.member("path").text("");
-    if (path == "translation") channel.path = ChannelPath::kTranslation;
-    else if (path == "rotation") channel.path = ChannelPath::kRotation;
-    else if (path == "scale") channel.path = ChannelPath::kScale;
+    if (from.target_path == "translation") channel.path = ChannelPath::kTranslation;
+    else if (from.target_path == "rotation") channel.path = ChannelPath::kRotation;
+    else if (from.target_path == "scale") channel.path = ChannelPath::kScale;
     else {
-      notes_.add("animation channels for \"" + std::string(path.substr(0, 40)) + "\"");
+      notes_.add("animation channels for \"" + from.target_path.substr(0, 40) + "\"");
       return std::nullopt;
     }
-    const std::optional<int> node = field.member("node").index(skeletonNode_.size(), "node");
-    channel.node = node ? skeletonNode_[static_cast<std::size_t>(*node)] : -1;
+    file_.expectSound(place + ".target.node");
+    channel.node = from.target_node < 0 ? -1 : skeletonNode_[static_cast<std::size_t>(from.target_node)];
     if (channel.node < 0) {
       notes_.add("animation channels for nodes that move no bone");
       return std::nullopt;
@@ -70,26 +70,39 @@ class ClipReader {
     return channel;
   }
 
+  std::size_t samplerOf(const tinygltf::Animation& animation, std::size_t channel, const std::string& place) const {
+    file_.expectSound(place);
+    const int sampler = animation.channels[channel].sampler;
+    const std::size_t samplers = animation.samplers.size();
+    if (sampler < 0) refuse(place, "missing");
+    if (static_cast<std::size_t>(sampler) >= samplers) {
+      refuse(place, "there is no sampler " + std::to_string(sampler) + "; the file has " + std::to_string(samplers));
+    }
+    return static_cast<std::size_t>(sampler);
+  }
+
   /// False for a sampler without keys.
-  bool fillKeys(const Field& sampler, const std::string& clip, Channel& channel) {
-    const std::string_view mode = sampler.member("interpolation").text("LINEAR");
+  bool fillKeys(const tinygltf::AnimationSampler& sampler, const std::string& place, const std::string& clip,
+                Channel& channel) {
+    file_.expectSound(place);
+    const std::string& mode = sampler.interpolation;
     if (mode == "STEP") channel.interpolation = Interpolation::kStep;
     else if (mode == "CUBICSPLINE") channel.interpolation = Interpolation::kCubicSpline;
-    else if (mode != "LINEAR") refuse(sampler.member("interpolation").place(), "expected LINEAR, STEP or CUBICSPLINE");
+    else if (mode != "LINEAR") refuse(place + ".interpolation", "expected LINEAR, STEP or CUBICSPLINE");
 
-    const Accessor& input = accessors_.open(sampler.member("input"), {"SCALAR"});
+    const Accessor& input = accessors_.open(sampler.input, place + ".input", TINYGLTF_TYPE_SCALAR);
     const bool rotation = channel.path == ChannelPath::kRotation;
-    const Accessor& output = accessors_.open(sampler.member("output"), {rotation ? "VEC4" : "VEC3"});
+    const Accessor& output =
+        accessors_.open(sampler.output, place + ".output", rotation ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3);
     const std::size_t perKey = channel.interpolation == Interpolation::kCubicSpline ? 3 : 1;
     if (output.count() / perKey < input.count()) {
-      refuse(sampler.place(),
-             std::to_string(output.count()) + " values for " + std::to_string(input.count()) + " keys");
+      refuse(place, std::to_string(output.count()) + " values for " + std::to_string(input.count()) + " keys");
     }
     if (input.count() == 0) {
       notes_.add("clip \"" + clip + "\": channels without keys");
       return false;
     }
-    if (input.count() > (kMostKeyValues - keyValues_) / perKey) refuse(sampler.place(), "the file has too many keys");
+    if (input.count() > (kMaxKeyValues - keyValues_) / perKey) refuse(place, "the file has too many keys");
     keyValues_ += perKey * input.count();
     readKeys(input, output, perKey, orderedKeys(input, clip), channel);
     return true;
@@ -102,7 +115,7 @@ class ClipReader {
     bool ordered = true;
     for (std::size_t k = 0; k < keys.size(); ++k) {
       const double time = input.number(k, 0);
-      if (!(std::abs(time) <= kLargestValue))
+      if (!(std::abs(time) <= kMaxValue))
         refuse(input.place(), "key time " + std::to_string(k) + " is not finite or too large");
       ordered = ordered && (k == 0 || timeOf(input, k - 1) < timeOf(input, k));
     }
@@ -136,7 +149,7 @@ class ClipReader {
     glm::vec4 value(0.0f);
     for (int c = 0; c < output.components(); ++c) {
       const double number = output.number(element, c);
-      if (!(std::abs(number) <= kLargestValue)) {
+      if (!(std::abs(number) <= kMaxValue)) {
         refuse(output.place(), "value " + std::to_string(element) + " is not finite or too large");
       }
       value[c] = static_cast<float>(number);
@@ -146,6 +159,7 @@ class ClipReader {
     return value;
   }
 
+  const File& file_;
   const Skeleton& skeleton_;
   std::span<const int> skeletonNode_;
   Accessors& accessors_;
@@ -155,14 +169,12 @@ class ClipReader {
 
 }  // namespace
 
-std::vector<AnimationClip> readClips(const Field& root, const Skeleton& skeleton, std::span<const int> skeletonNode,
+std::vector<AnimationClip> readClips(const File& file, const Skeleton& skeleton, std::span<const int> skeletonNode,
                                      Accessors& accessors, Notes& notes) {
-  const Field list = root.member("animations");
-  if (list.size() > static_cast<std::size_t>(kMaxClips)) refuse(list.place(), "more than 1000 clips");
-  ClipReader reader(skeleton, skeletonNode, accessors, notes);
+  ClipReader reader(file, skeleton, skeletonNode, accessors, notes);
   std::vector<AnimationClip> clips;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    AnimationClip clip = reader.read(list.item(i), i);
+  for (std::size_t i = 0; i < file.model().animations.size(); ++i) {
+    AnimationClip clip = reader.read(i);
     if (clip.channels.empty()) notes.add("clip \"" + clip.name + "\": moves no bone");
     else clips.push_back(std::move(clip));
   }

@@ -15,7 +15,7 @@ namespace sinew::gltf {
 /// ones the last counts (both noted). Refuses times and values that are not finite, and accessors that do not fit each
 /// other.
 /// @param skeletonNode [file nodes] index into skeleton.nodes, or -1.
-[[nodiscard]] std::vector<AnimationClip> readClips(const Field& root, const Skeleton& skeleton,
+[[nodiscard]] std::vector<AnimationClip> readClips(const File& file, const Skeleton& skeleton,
                                                    std::span<const int> skeletonNode, Accessors& accessors,
                                                    Notes& notes);
 

@@ -1,9 +1,6 @@
-// core/io/gltf/file.cpp: container, buffers and sibling files of a glTF file.
+// core/io/gltf/file.cpp: container -> guard -> tinygltf -> buffers and images.
 
 #include "core/io/gltf/file.h"
-
-#include <algorithm>
-#include <cstring>
 
 #include "core/io/files/atomic_file.h"
 #include "core/io/gltf/uri.h"
@@ -14,186 +11,183 @@ namespace {
 namespace fs = std::filesystem;
 
 /// No character comes near it; it keeps a slip of the hand from filling the memory.
-constexpr std::uintmax_t kLargestFile = 1ULL << 30;
-constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
-constexpr std::uint32_t kBinaryChunk = 0x004E4942;
+constexpr std::uintmax_t kMaxFileBytes = 1ULL << 30;
+constexpr std::uint64_t kMaxStride = 65536;
+/// Real files need about ten levels; extras may have more.
+constexpr int kMaxDepth = 200;
 
-Bytes bytesOf(std::string_view text) { return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}; }
-
-std::uint32_t littleEndian(std::string_view text, std::size_t offset) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    value |= static_cast<std::uint32_t>(static_cast<unsigned char>(text[offset + i])) << (8 * i);
-  }
-  return value;
+Json parseJson(std::string_view text) {
+  Result<Json> root = Json::parse(text, {.depth = kMaxDepth, .leftOut = "extras"});
+  if (!root) throw Refusal{root.error()};
+  if (root->kind != Json::Kind::kObject) refuse("JSON", "a glTF file must be a JSON object");
+  return std::move(root).value();
 }
 
-struct Container {
-  std::string_view json;
-  std::optional<std::string_view> binary;
-};
+/// Also those nothing uses: a file that names something outside its folder is not to be trusted.
+void checkUris(const Json& root) {
+  for (const char* list : {"buffers", "images"}) {
+    std::size_t i = 0;
+    for (const Json& item : root.at(list).items()) {
+      const std::string place = placeOf(list, i++) + ".uri";
+      const Json* uri = item.find("uri");
+      if (!uri || uri->kind != Json::Kind::kString || isDataUri(uri->content)) continue;
+      const Result<fs::path> path = relativePathOf(uri->content);
+      if (!path) refuse(place, path.error().reason);
+    }
+  }
+}
 
-/// GLB container: header of 12 bytes, then chunks of length, type, data (glTF 2.0, section 4.4).
-Container splitGlb(std::string_view file) {
-  if (file.size() < 12) refuse("byte " + std::to_string(file.size()), "the file ends within the GLB header");
-  if (littleEndian(file, 4) != 2)
-    refuse("byte 4", "GLB version " + std::to_string(littleEndian(file, 4)) + "; 2 expected");
-  const std::size_t length = littleEndian(file, 8);
-  if (length > file.size()) {
-    refuse("byte " + std::to_string(file.size()),
-           "the file is cut off: its header promises " + std::to_string(length) + " bytes");
-  }
-  Container result;
-  for (std::size_t at = 12; at + 8 <= length;) {
-    const std::size_t size = littleEndian(file, at);
-    const std::uint32_t type = littleEndian(file, at + 4);
-    if (size > length - at - 8) refuse("byte " + std::to_string(at), "a GLB chunk reaches beyond the end of the file");
-    const std::string_view chunk = file.substr(at + 8, size);
-    if (at == 12 && type != kJsonChunk) refuse("byte 16", "the first GLB chunk must be JSON");
-    if (type == kJsonChunk && at == 12) result.json = chunk;
-    if (type == kBinaryChunk && !result.binary) result.binary = chunk;
-    at += 8 + size;
-  }
-  // Some exporters fill the last four bytes with zeros instead of spaces.
-  while (!result.json.empty() && result.json.back() == '\0') result.json.remove_suffix(1);
-  if (result.json.empty()) refuse("byte 12", "a GLB without a JSON chunk");
-  return result;
+/// An index that the guard has found sound; -1 for absent and faulty ones.
+int soundIndex(const Json& index, std::size_t size) {
+  const double value = index.number(-1.0);
+  return value >= 0.0 && value < static_cast<double>(size) ? static_cast<int>(value) : -1;
+}
+
+std::uint64_t wholeOf(const Json& value) { return static_cast<std::uint64_t>(value.number(0.0)); }
+
+// tinygltf gets no uri to see, so nothing asks it for a file or an image; should it want one all the same, it gets
+// none.
+bool noFile(const std::string&, void*) { return false; }
+std::string samePath(const std::string& path, void*) { return path; }
+bool readNothing(std::vector<unsigned char>*, std::string*, const std::string&, void*) { return false; }
+bool writeNothing(std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; }
+bool noImage(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
+  return false;
 }
 
 }  // namespace
 
 File::File(const fs::path& path) : folder_(path.has_parent_path() ? path.parent_path() : fs::path(".")) {
-  Result<std::string> contents = readWholeFile(path, kLargestFile);
+  Result<std::vector<std::uint8_t>> contents = readWholeBytes(path, kMaxFileBytes);
   if (!contents) throw Refusal{contents.error()};
-  contents_ = std::make_shared<const std::string>(std::move(contents).value());
-  json_ = parseJson(openContainer());
-  const std::string_view version = root().member("asset").member("version").text("");
-  if (!version.starts_with("2.")) {
-    refuse("asset.version", version.empty() ? "missing; this is no glTF 2.0 file"
-                                            : "glTF version " + std::string(version) + "; 2.0 expected");
+  const Container container = openContainer(contents.value());
+  const Json root = parseJson(container.json);
+  guarded_ = guard(root);
+  checkUris(root);
+  parse(guarded_.text);
+  guarded_.text = {};
+  adopt(root);
+  openBuffers(root.at("buffers"), std::move(contents).value(), container);
+  checkViews();
+}
+
+void File::parse(const std::string& text) {
+  tinygltf::TinyGLTF reader;
+  reader.SetFsCallbacks({noFile, samePath, readNothing, writeNothing, nullptr});
+  reader.SetImageLoader(noImage, nullptr);
+  std::string errors;
+  std::string warnings;
+  if (reader.LoadASCIIFromString(&model_, &errors, &warnings, text.data(), static_cast<unsigned>(text.size()), "")) {
+    return;
   }
-  checkUris();
-  openBuffers();
-  openViews();
+  refuse("JSON", "cannot be read: " + shortened(errors));
 }
 
-std::string_view File::openContainer() {
-  if (contents_->empty()) refuse("", "the file is empty");
-  if (!contents_->starts_with("glTF")) return *contents_;
-  const Container container = splitGlb(*contents_);
-  if (container.binary) binaryChunk_ = bytesOf(*container.binary);
-  hasBinaryChunk_ = container.binary.has_value();
-  return container.json;
-}
-
-/// Also those nothing uses: a file that names something outside its folder is not to be trusted.
-void File::checkUris() const {
-  for (const char* list : {"buffers", "images"}) {
-    const Field things = root().member(list);
-    for (std::size_t i = 0; i < things.size(); ++i) {
-      const Field uri = things.item(i).member("uri");
-      if (!uri.exists() || isDataUri(uri.text(""))) continue;
-      const Result<fs::path> path = relativePathOf(uri.text(""));
-      if (!path) refuse(uri.place(), path.error().reason);
+/// What the guard has kept aside: tinygltf refuses strides beyond 252 and indices without a bufferView, reads every
+/// image, and keeps no cameras or lights it does not like.
+void File::adopt(const Json& root) {
+  for (std::size_t i = 0; i < model_.bufferViews.size(); ++i) {
+    const std::uint64_t stride = wholeOf(root.at("bufferViews").items()[i].at("byteStride"));
+    if (stride > kMaxStride) refuse(placeOf("bufferViews", i) + ".byteStride", "larger than 65536");
+    model_.bufferViews[i].byteStride = static_cast<std::size_t>(stride);
+  }
+  for (std::size_t m = 0; m < model_.meshes.size(); ++m) {
+    const std::vector<Json>& primitives = root.at("meshes").items()[m].at("primitives").items();
+    for (std::size_t p = 0; p < model_.meshes[m].primitives.size(); ++p) {
+      model_.meshes[m].primitives[p].indices = soundIndex(primitives[p].at("indices"), model_.accessors.size());
     }
+  }
+  for (const Json& image : root.at("images").items()) {
+    tinygltf::Image& kept = model_.images.emplace_back();
+    kept.name = image.at("name").text("");
+    kept.uri = image.at("uri").text("");
+    kept.bufferView = soundIndex(image.at("bufferView"), model_.bufferViews.size());
+  }
+  cameras_ = root.at("cameras").items().size();
+  lights_ = root.at("extensions").at("KHR_lights_punctual").at("lights").items().size();
+}
+
+/// Not by tinygltf: it takes seven kinds of data: uris and base64 with faults, reads "+" as a space, and refuses files
+/// longer than byteLength, empty buffers, and buffers without bytes even if nothing reads from them.
+void File::openBuffers(const Json& list, std::vector<std::uint8_t> file, const Container& container) {
+  const std::size_t binaryAt = container.binary ? static_cast<std::size_t>(container.binary->data() - file.data()) : 0;
+  const std::size_t binarySize = container.binary ? container.binary->size() : 0;
+  if (!container.binary) file = {};
+  for (std::size_t i = 0; i < list.items().size(); ++i) {
+    const Json& buffer = list.items()[i];
+    const Json* uri = buffer.find("uri");
+    std::vector<std::uint8_t> bytes;
+    if (uri) {
+      Result<std::vector<std::uint8_t>> found = read(uri->content, placeOf("buffers", i) + ".uri");
+      if (!found) refuse(placeOf("buffers", i) + ".uri", found.error().reason);
+      bytes = std::move(found).value();
+    } else if (i == 0 && container.binary) {
+      // Moved down within the file's own memory: a second copy of the largest file would be a gigabyte.
+      file.resize(binaryAt + binarySize);
+      file.erase(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(binaryAt));
+      bytes = std::move(file);
+    }
+    // One without bytes is allowed (extensions fill such buffers); an error once something reads from it.
+    hasBytes_.push_back(uri || (i == 0 && container.binary));
+    const std::uint64_t length = wholeOf(buffer.at("byteLength"));
+    if (hasBytes_.back() && bytes.size() < length) {
+      refuse(placeOf("buffers", i),
+             "promises " + std::to_string(length) + " bytes but has " + std::to_string(bytes.size()));
+    }
+    if (hasBytes_.back()) bytes.resize(static_cast<std::size_t>(length));
+    model_.buffers.emplace_back().data = std::move(bytes);
   }
 }
 
-void File::openBuffers() {
-  const Field buffers = root().member("buffers");
-  for (std::size_t i = 0; i < buffers.size(); ++i) {
-    const Field buffer = buffers.item(i);
-    const std::uint64_t length = buffer.member("byteLength").requiredCount();
-    const Field uri = buffer.member("uri");
-    SharedBytes bytes;
-    if (uri.exists()) {
-      std::string why;
-      std::optional<SharedBytes> found = read(uri, why);
-      if (!found) refuse(uri.place(), why);
-      bytes = std::move(*found);
-    } else if (i == 0 && hasBinaryChunk_) {
-      bytes = {contents_, binaryChunk_};
-    } else {
-      // Allowed (extensions fill such buffers); an error once something reads from it.
-      buffers_.push_back({});
-      continue;
+void File::checkViews() const {
+  for (std::size_t i = 0; i < model_.bufferViews.size(); ++i) {
+    const tinygltf::BufferView& view = model_.bufferViews[i];
+    const auto buffer = static_cast<std::size_t>(view.buffer);
+    const std::size_t available = model_.buffers[buffer].data.size();
+    if (hasBytes_[buffer] && (view.byteOffset > available || view.byteLength > available - view.byteOffset)) {
+      refuse(placeOf("bufferViews", i), "bytes " + std::to_string(view.byteOffset) + " to " +
+                                            std::to_string(view.byteOffset + view.byteLength) +
+                                            " reach beyond the buffer's " + std::to_string(available));
     }
-    if (bytes.bytes.size() < length) {
-      refuse(buffer.place(),
-             "promises " + std::to_string(length) + " bytes but has " + std::to_string(bytes.bytes.size()));
-    }
-    bytes.bytes = bytes.bytes.first(static_cast<std::size_t>(length));
-    buffers_.push_back(std::move(bytes));
-  }
-}
-
-void File::openViews() {
-  const Field views = root().member("bufferViews");
-  views_.reserve(views.size());
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    const Field view = views.item(i);
-    View result;
-    result.buffer = view.member("buffer").requiredIndex(buffers_.size(), "buffer");
-    result.offset = view.member("byteOffset").count(0);
-    result.length = view.member("byteLength").requiredCount();
-    const std::uint64_t stride = view.member("byteStride").count(0);
-    if (stride > 65536) refuse(view.place() + ".byteStride", "larger than 65536");
-    result.stride = static_cast<std::size_t>(stride);
-    const SharedBytes& buffer = buffers_[static_cast<std::size_t>(result.buffer)];
-    const std::uint64_t available = buffer.bytes.size();
-    if (buffer.owner && (result.offset > available || result.length > available - result.offset)) {
-      refuse(view.place(), "bytes " + std::to_string(result.offset) + " to " +
-                               std::to_string(result.offset + result.length) + " reach beyond the buffer's " +
-                               std::to_string(available));
-    }
-    views_.push_back(result);
   }
 }
 
 Bytes File::bufferView(std::size_t index) const {
-  const View& view = views_[index];
-  const SharedBytes& buffer = buffers_[static_cast<std::size_t>(view.buffer)];
-  if (!buffer.owner)
-    refuse("buffers[" + std::to_string(view.buffer) + "]", "has no uri and the file holds no bytes for it");
-  return buffer.bytes.subspan(static_cast<std::size_t>(view.offset), static_cast<std::size_t>(view.length));
+  const tinygltf::BufferView& view = model_.bufferViews[index];
+  const auto buffer = static_cast<std::size_t>(view.buffer);
+  if (!hasBytes_[buffer]) refuse(placeOf("buffers", buffer), "has no uri and the file holds no bytes for it");
+  return Bytes(model_.buffers[buffer].data).subspan(view.byteOffset, view.byteLength);
 }
 
-std::optional<SharedBytes> File::read(const Field& uri, std::string& why) {
-  const std::string_view text = uri.text("");
-  if (!isDataUri(text)) return readSibling(uri, why);
-  Result<std::string> decoded = decodeDataUri(text);
-  if (!decoded) {
-    why = decoded.error().reason;
-    return std::nullopt;
-  }
-  auto owner = std::make_shared<const std::string>(std::move(decoded).value());
-  const Bytes bytes = bytesOf(*owner);
-  return SharedBytes{std::move(owner), bytes};
+Result<EncodedImage> File::encodedImage(std::size_t index) {
+  const std::string place = placeOf("images", index);
+  expectSound(place);
+  const tinygltf::Image& image = model_.images[index];
+  if (image.bufferView >= 0) return EncodedImage{bufferView(static_cast<std::size_t>(image.bufferView)), {}};
+  if (image.uri.empty()) return errorAt("", "has neither uri nor bufferView");
+  Result<std::vector<std::uint8_t>> bytes = read(image.uri, place + ".uri");
+  if (!bytes) return bytes.error();
+  EncodedImage result{{}, std::move(bytes).value()};
+  result.bytes = result.own;
+  return result;
 }
 
-std::optional<SharedBytes> File::readSibling(const Field& uri, std::string& why) {
-  const Result<fs::path> relative = relativePathOf(uri.text(""));
-  if (!relative) refuse(uri.place(), relative.error().reason);
+Result<std::vector<std::uint8_t>> File::read(const std::string& uri, const std::string& place) {
+  return isDataUri(uri) ? decodeDataUri(uri) : readSibling(uri, place);
+}
+
+Result<std::vector<std::uint8_t>> File::readSibling(const std::string& uri, const std::string& place) {
+  const Result<fs::path> relative = relativePathOf(uri);
+  if (!relative) refuse(place, relative.error().reason);
   std::error_code error;
   const fs::path asked = folder_ / relative.value();
-  const std::optional<fs::path> place = placeInside(folder_, relative.value());
-  if (!place && fs::exists(asked, error)) refuse(uri.place(), "leads out of this file's own folder");
-  if (!place || !fs::is_regular_file(*place, error)) {
-    why = "there is no file " + asked.string();
-    return std::nullopt;
-  }
-  const auto known = std::ranges::find(siblings_, *place, &std::pair<fs::path, SharedBytes>::first);
-  if (known != siblings_.end()) return known->second;
-  Result<std::string> contents = readWholeFile(*place, kLargestFile - siblingBytes_);
-  if (!contents) {
-    why = contents.error().reason + " (" + asked.string() + ")";
-    return std::nullopt;
-  }
-  siblingBytes_ += contents->size();
-  auto owner = std::make_shared<const std::string>(std::move(contents).value());
-  const Bytes bytes = bytesOf(*owner);
-  siblings_.emplace_back(*place, SharedBytes{std::move(owner), bytes});
-  return siblings_.back().second;
+  const std::optional<fs::path> found = placeInside(folder_, relative.value());
+  if (!found && fs::exists(asked, error)) refuse(place, "leads out of this file's own folder");
+  if (!found || !fs::is_regular_file(*found, error)) return errorAt("", "there is no file " + asked.string());
+  Result<std::vector<std::uint8_t>> bytes = readWholeBytes(*found, kMaxFileBytes - siblingBytes_);
+  if (!bytes) return errorAt("", bytes.error().reason + " (" + asked.string() + ")");
+  siblingBytes_ += bytes->size();
+  return bytes;
 }
 
 }  // namespace sinew::gltf

@@ -1,63 +1,56 @@
-// core/io/gltf/file.h: the bytes behind a glTF file: container, JSON, buffers, sibling files.
+// core/io/gltf/file.h: an opened glTF file: guarded JSON, read by tinygltf, and the bytes behind it.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
-#include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "core/io/gltf/json.h"
+#include <tiny_gltf.h>
+
+#include "core/io/gltf/glb.h"
+#include "core/io/gltf/guard.h"
 
 namespace sinew::gltf {
 
-using Bytes = std::span<const std::uint8_t>;
-
-/// Bytes that keep what they lie in alive.
-struct SharedBytes {
-  std::shared_ptr<const std::string> owner;
+/// An image still encoded: in a buffer of the file, or its own.
+struct EncodedImage {
   Bytes bytes;
+  std::vector<std::uint8_t> own;
 };
 
-/// An opened .glb or .gltf (told apart by content). Every uri of buffers and images is checked when it is opened: data:
-/// uris and files inside the file's own folder, nothing else. Refuses with the JSON path or byte.
+/// A .glb or .gltf. Every uri of buffers and images is checked when it is opened: data: uris and files inside the
+/// file's own folder, nothing else. Refuses with the JSON path or byte.
 class File {
  public:
   explicit File(const std::filesystem::path& path);
 
-  [[nodiscard]] Field root() const { return {json_.get(), ""}; }
+  /// Types, ranges and indices in it are sound, except in what expectSound refuses; absent indices are -1.
+  [[nodiscard]] const tinygltf::Model& model() const { return model_; }
+  /// To be asked for every element of a list, and every value that rules.h calls checkedWhenUsed, before it is used.
+  void expectSound(const std::string& place) const { guarded_.expectSound(place); }
+  [[nodiscard]] std::size_t cameras() const { return cameras_; }
+  [[nodiscard]] std::size_t lights() const { return lights_; }
+
   /// Bytes of bufferViews[index], checked against its buffer. Refuses where the buffer has no bytes.
   [[nodiscard]] Bytes bufferView(std::size_t index) const;
-  [[nodiscard]] std::size_t bufferViewStride(std::size_t index) const { return views_[index].stride; }
-  [[nodiscard]] std::size_t bufferViewCount() const { return views_.size(); }
-  /// What a uri stands for. nullopt: the sibling file cannot be read, `why` says so.
-  [[nodiscard]] std::optional<SharedBytes> read(const Field& uri, std::string& why);
+  /// Error: reason only, if it cannot be read.
+  [[nodiscard]] Result<EncodedImage> encodedImage(std::size_t index);
 
  private:
-  struct View {
-    int buffer = 0;
-    std::uint64_t offset = 0;
-    std::uint64_t length = 0;
-    std::size_t stride = 0;  // 0: tightly packed
-  };
-
-  [[nodiscard]] std::string_view openContainer();
-  void checkUris() const;
-  void openBuffers();
-  void openViews();
-  [[nodiscard]] std::optional<SharedBytes> readSibling(const Field& uri, std::string& why);
+  void parse(const std::string& text);
+  void adopt(const Json& root);
+  void openBuffers(const Json& list, std::vector<std::uint8_t> file, const Container& container);
+  void checkViews() const;
+  [[nodiscard]] Result<std::vector<std::uint8_t>> read(const std::string& uri, const std::string& place);
+  [[nodiscard]] Result<std::vector<std::uint8_t>> readSibling(const std::string& uri, const std::string& place);
 
   std::filesystem::path folder_;
-  std::shared_ptr<const std::string> contents_;
-  Bytes binaryChunk_;
-  bool hasBinaryChunk_ = false;
-  std::shared_ptr<const nlohmann::json> json_;
-  std::vector<SharedBytes> buffers_;
-  std::vector<View> views_;
-  std::vector<std::pair<std::filesystem::path, SharedBytes>> siblings_;  // each read once
+  Guarded guarded_;
+  tinygltf::Model model_;
+  std::vector<bool> hasBytes_;  // [buffers]
+  std::size_t cameras_ = 0;
+  std::size_t lights_ = 0;
   std::uintmax_t siblingBytes_ = 0;
 };
 

@@ -22,27 +22,21 @@ constexpr std::array<std::string_view, 4> kUnderstood{"KHR_texture_transform", "
 
 bool understood(std::string_view extension) { return std::ranges::find(kUnderstood, extension) != kUnderstood.end(); }
 
-void checkExtensions(const Field& root, Notes& notes) {
-  const Field required = root.member("extensionsRequired");
-  for (std::size_t i = 0; i < required.size(); ++i) {
-    const std::string_view name = required.item(i).text("");
+void checkExtensions(const tinygltf::Model& model, Notes& notes) {
+  for (std::size_t i = 0; i < model.extensionsRequired.size(); ++i) {
+    const std::string& name = model.extensionsRequired[i];
     if (!understood(name)) {
-      refuse(required.item(i).place(),
-             "the file needs the extension " + std::string(name) + ", which Sinew cannot read");
+      refuse(placeOf("extensionsRequired", i), "the file needs the extension " + name + ", which Sinew cannot read");
     }
   }
-  const Field used = root.member("extensionsUsed");
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    const std::string_view name = used.item(i).text("");
-    if (!understood(name)) notes.add("extension " + std::string(name));
+  for (const std::string& name : model.extensionsUsed) {
+    if (!understood(name)) notes.add("extension " + name);
   }
 }
 
-void noteUnused(const Field& root, Notes& notes) {
-  const std::size_t cameras = root.member("cameras").size();
-  const std::size_t lights = root.member("extensions").member("KHR_lights_punctual").member("lights").size();
-  if (cameras > 0) notes.add("cameras: " + std::to_string(cameras));
-  if (lights > 0) notes.add("lights: " + std::to_string(lights));
+void noteUnused(const File& file, Notes& notes) {
+  if (file.cameras() > 0) notes.add("cameras: " + std::to_string(file.cameras()));
+  if (file.lights() > 0) notes.add("lights: " + std::to_string(file.lights()));
 }
 
 float heightOf(const std::vector<glm::vec3>& positions) {
@@ -63,15 +57,15 @@ void weldMesh(const TriangleSoup& soup, Character& character) {
 std::shared_ptr<const Character> readCharacter(const std::filesystem::path& path) {
   File file(path);
   Notes notes;
-  checkExtensions(file.root(), notes);
-  noteUnused(file.root(), notes);
+  checkExtensions(file.model(), notes);
+  noteUnused(file, notes);
   Accessors accessors(file);
   auto character = std::make_shared<Character>();
-  const NodeTree tree = readNodes(file.root(), notes);
-  BoundSkeleton bound = bindSkeleton(file.root(), tree, accessors, notes);
+  const NodeTree tree = readNodes(file, notes);
+  BoundSkeleton bound = bindSkeleton(file, tree, accessors, notes);
   Materials materials = readMaterials(file, notes);
-  weldMesh(readTriangles(file.root(), tree, bound, materials, accessors, notes), *character);
-  character->clips = readClips(file.root(), bound.skeleton, bound.skeletonNode, accessors, notes);
+  weldMesh(readTriangles(file, tree, bound, materials, accessors, notes), *character);
+  character->clips = readClips(file, bound.skeleton, bound.skeletonNode, accessors, notes);
   character->name = path.stem().string();
   character->skeleton = std::move(bound.skeleton);
   character->materials = std::move(materials.materials);

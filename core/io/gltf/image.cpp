@@ -12,11 +12,11 @@ namespace sinew::gltf {
 namespace {
 
 /// Deflate shrinks at most this much.
-constexpr std::uint64_t kMostDeflateRatio = 1032;
+constexpr std::uint64_t kMaxDeflateRatio = 1032;
 /// Compressed pixels that cannot unpack to more than this need no trial.
 constexpr std::uint64_t kHarmlessBytes = 256U << 20;
 /// Each scan of a progressive JPEG is a pass over the whole image; encoders write about ten.
-constexpr int kMostScans = 200;
+constexpr int kMaxScans = 200;
 
 std::uint32_t bigEndian(Bytes bytes, std::size_t at) {
   return static_cast<std::uint32_t>(bytes[at]) << 24 | static_cast<std::uint32_t>(bytes[at + 1]) << 16 |
@@ -44,10 +44,10 @@ std::string pngPixelData(Bytes png) {
 /// Whether the pixels unpack to no more than the image's dimensions allow; stb_image itself would go on unpacking.
 bool unpacksWithin(Bytes png, int width, int height) {
   const std::string data = pngPixelData(png);
-  if (data.size() * kMostDeflateRatio <= kHarmlessBytes) return true;
-  constexpr std::size_t kLargestPixel = 8;  // four channels of 16 bits
+  if (data.size() * kMaxDeflateRatio <= kHarmlessBytes) return true;
+  constexpr std::size_t kMaxPixelBytes = 8;  // four channels of 16 bits
   // Interlacing adds a filter byte a row to each of seven passes.
-  const std::size_t most = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * kLargestPixel +
+  const std::size_t most = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * kMaxPixelBytes +
                            16 * static_cast<std::size_t>(height) + 1024;
   const auto room = std::make_unique_for_overwrite<char[]>(most);
   return stbi_zlib_decode_buffer(room.get(), static_cast<int>(most), data.data(), static_cast<int>(data.size())) >= 0;
@@ -63,7 +63,7 @@ int countScans(Bytes jpeg) {
 
 }  // namespace
 
-Result<Image> decodeImage(Bytes encoded, std::size_t mostPixels) {
+Result<Image> decodeImage(Bytes encoded, std::size_t maxPixels) {
   const bool png = startsWith(encoded, "\x89PNG\r\n\x1a\n");
   const bool jpeg = startsWith(encoded, "\xff\xd8\xff");
   if (!png && !jpeg) return errorAt("", "not a PNG or JPEG image");
@@ -75,16 +75,16 @@ Result<Image> decodeImage(Bytes encoded, std::size_t mostPixels) {
   if (stbi_info_from_memory(encoded.data(), length, &image.width, &image.height, &channels) == 0) {
     return errorAt("", std::string("damaged image: ") + stbi_failure_reason());
   }
-  if (image.width <= 0 || image.height <= 0 || image.width > kLargestImageSide || image.height > kLargestImageSide) {
+  if (image.width <= 0 || image.height <= 0 || image.width > kMaxImageSide || image.height > kMaxImageSide) {
     return errorAt("", "the image is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
                            " pixels; at most 8192 x 8192 are read");
   }
   const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  if (pixels > mostPixels) return errorAt("", "the file's images have too many pixels together");
+  if (pixels > maxPixels) return errorAt("", "the file's images have too many pixels together");
   if (png && !unpacksWithin(encoded, image.width, image.height)) {
     return errorAt("", "damaged image: it unpacks to more than its dimensions");
   }
-  if (jpeg && countScans(encoded) > kMostScans) return errorAt("", "a JPEG with more than 200 scans");
+  if (jpeg && countScans(encoded) > kMaxScans) return errorAt("", "a JPEG with more than 200 scans");
 
   const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
       stbi_load_from_memory(encoded.data(), length, &image.width, &image.height, &channels, 4), stbi_image_free);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/gltf/file.h"
+#include "core/io/gltf/glb.h"
 #include "sinew/base/result.h"
 
 namespace sinew::gltf {
@@ -17,10 +17,10 @@ struct Image {
   std::string mimeType;
 };
 
-inline constexpr int kLargestImageSide = 8192;  ///< Pixels.
+inline constexpr int kMaxImageSide = 8192;  ///< Pixels.
 
 /// Decodes an image; the dimensions and what it would unpack to are checked before. Error: reason only.
-/// @param mostPixels what is left of the budget for all images of the file.
-[[nodiscard]] Result<Image> decodeImage(Bytes encoded, std::size_t mostPixels);
+/// @param maxPixels what is left of the budget for all images of the file.
+[[nodiscard]] Result<Image> decodeImage(Bytes encoded, std::size_t maxPixels);
 
 }  // namespace sinew::gltf

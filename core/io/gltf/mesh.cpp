@@ -12,16 +12,20 @@
 namespace sinew::gltf {
 namespace {
 
-constexpr std::size_t kMostTriangles = static_cast<std::size_t>(kMaxControlTriangles);
+constexpr std::size_t kMaxTriangles = static_cast<std::size_t>(kMaxControlTriangles);
 /// Vertices one primitive may choose from; twice what the largest mesh could use unindexed.
-constexpr std::size_t kMostVertices = 6 * kMostTriangles;
-constexpr std::size_t kMostInfluences = 32U << 20;
-constexpr std::size_t kMostJointSets = 16;
-constexpr double kLargestCoordinate = 1e15;
+constexpr std::size_t kMaxVertices = 6 * kMaxTriangles;
+constexpr std::size_t kMaxInfluences = 32U << 20;
+constexpr std::size_t kMaxJointSets = 16;
+constexpr double kMaxCoordinate = 1e15;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-enum class Mode { kTriangles = 4, kStrip = 5, kFan = 6 };
+enum class Mode {
+  kTriangles = TINYGLTF_MODE_TRIANGLES,
+  kStrip = TINYGLTF_MODE_TRIANGLE_STRIP,
+  kFan = TINYGLTF_MODE_TRIANGLE_FAN
+};
 
 /// The accessors of one primitive.
 struct Attributes {
@@ -33,47 +37,52 @@ struct Attributes {
 
 class SoupReader {
  public:
-  SoupReader(const Field& root, const BoundSkeleton& bound, Materials& materials, Accessors& accessors, Notes& notes)
-      : root_(root), bound_(bound), materials_(materials), accessors_(accessors), notes_(notes) {
+  SoupReader(const File& file, const BoundSkeleton& bound, Materials& materials, Accessors& accessors, Notes& notes)
+      : file_(file), bound_(bound), materials_(materials), accessors_(accessors), notes_(notes) {
     soup_.influenceBegin.push_back(0);
   }
 
-  void readMesh(const TreeNode& node, const MeshBinding& binding) {
-    const Field mesh = root_.member("meshes").item(at(*node.mesh));
-    const Field primitives = mesh.member("primitives");
-    for (std::size_t p = 0; p < primitives.size(); ++p) readPrimitive(primitives.item(p), binding);
+  void readMesh(int mesh, const MeshBinding& binding) {
+    const std::string place = placeOf("meshes", at(mesh));
+    file_.expectSound(place);
+    const std::vector<tinygltf::Primitive>& primitives = file_.model().meshes[at(mesh)].primitives;
+    for (std::size_t p = 0; p < primitives.size(); ++p) {
+      readPrimitive(primitives[p], placeOf(place + ".primitives", p), binding);
+    }
   }
 
   TriangleSoup take() && { return std::move(soup_); }
 
  private:
-  void readPrimitive(const Field& primitive, const MeshBinding& binding) {
-    const std::uint64_t mode = primitive.member("mode").count(4);
-    if (mode > 6) refuse(primitive.member("mode").place(), "unknown mode " + std::to_string(mode));
-    if (mode < 4) {
+  void readPrimitive(const tinygltf::Primitive& primitive, const std::string& place, const MeshBinding& binding) {
+    file_.expectSound(place);
+    if (primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
+      refuse(place + ".mode", "unknown mode " + std::to_string(primitive.mode));
+    }
+    if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
       notes_.add("mesh primitives made of points or lines");
       return;
     }
     noteUnused(primitive);
     const int material = materialOf(primitive);
-    const Field attributes = primitive.member("attributes");
-    if (!attributes.member("POSITION").exists()) {
+    if (!primitive.attributes.contains("POSITION")) {
       notes_.add("mesh primitives without positions");
       return;
     }
-    const Attributes open = openAttributes(attributes, materials_.uvSources[at(material)].set, binding);
+    const Attributes open =
+        openAttributes(primitive, place + ".attributes", materials_.uvSources[at(material)].set, binding);
     const Accessor* indices = nullptr;
-    if (const Field reference = primitive.member("indices"); reference.exists()) {
-      indices = &accessors_.open(reference, {"SCALAR"});
+    if (primitive.indices >= 0) {
+      indices = &accessors_.open(primitive.indices, place + ".indices", TINYGLTF_TYPE_SCALAR);
       if (indices->isFloat()) refuse(indices->place(), "indices must be unsigned integers");
     }
     startPrimitive(open.position->count());
     const bool mirrored = glm::determinant(glm::dmat3(binding.meshToBind)) < 0.0;
     const std::size_t corners = indices ? indices->count() : open.position->count();
-    const std::size_t triangles = countTriangles(static_cast<Mode>(mode), corners);
-    if (triangles > kMostTriangles - soup_.triangles.size()) refuse(primitive.place(), "more than 2 million triangles");
+    const std::size_t triangles = countTriangles(static_cast<Mode>(primitive.mode), corners);
+    if (triangles > kMaxTriangles - soup_.triangles.size()) refuse(place, "more than 2 million triangles");
     for (std::size_t t = 0; t < triangles; ++t) {
-      std::array<std::uint32_t, 3> triangle = cornersOf(static_cast<Mode>(mode), t);
+      std::array<std::uint32_t, 3> triangle = cornersOf(static_cast<Mode>(primitive.mode), t);
       for (std::uint32_t& corner : triangle) {
         if (indices) corner = indices->integer(corner, 0);
         if (corner >= open.position->count()) {
@@ -88,21 +97,21 @@ class SoupReader {
     }
   }
 
-  void noteUnused(const Field& primitive) {
-    if (primitive.member("targets").size() > 0) notes_.add("morph targets of mesh primitives");
-    if (primitive.member("extensions").member("KHR_draco_mesh_compression").exists()) {
+  void noteUnused(const tinygltf::Primitive& primitive) {
+    if (!primitive.targets.empty()) notes_.add("morph targets of mesh primitives");
+    if (primitive.extensions.contains("KHR_draco_mesh_compression")) {
       notes_.add("Draco data of mesh primitives; the uncompressed copy is used");
     }
-    for (const std::string& key : primitive.member("attributes").keys()) {
-      if (key.starts_with("COLOR_")) notes_.add("vertex colours");
-      else if (key == "NORMAL") continue;  // computed from the welded faces (docs/design.md)
-      else if (key == "TANGENT") notes_.add("vertex tangents");
+    // NORMAL is computed from the welded faces (docs/design.md).
+    for (const auto& [name, accessor] : primitive.attributes) {
+      if (name.starts_with("COLOR_")) notes_.add("vertex colours");
+      else if (name == "TANGENT") notes_.add("vertex tangents");
     }
   }
 
-  int materialOf(const Field& primitive) {
-    const std::size_t inFile = root_.member("materials").size();
-    if (const auto index = primitive.member("material").index(inFile, "material")) return *index;
+  int materialOf(const tinygltf::Primitive& primitive) {
+    if (primitive.material >= 0) return primitive.material;
+    const std::size_t inFile = file_.model().materials.size();
     if (materials_.materials.size() == inFile) {
       materials_.materials.push_back({.name = "default"});
       materials_.uvSources.emplace_back();
@@ -110,27 +119,31 @@ class SoupReader {
     return static_cast<int>(inFile);
   }
 
-  Attributes openAttributes(const Field& attributes, int uvSet, const MeshBinding& binding) {
+  Attributes openAttributes(const tinygltf::Primitive& primitive, const std::string& place, int uvSet,
+                            const MeshBinding& binding) {
+    const auto openNamed = [&](const std::string& name, int type) {
+      return &accessors_.open(primitive.attributes.at(name), place + '.' + name, type);
+    };
     Attributes open;
-    open.position = &accessors_.open(attributes.member("POSITION"), {"VEC3"});
-    const auto openMatching = [&](const std::string& key, const char* shape) {
-      const Accessor* accessor = &accessors_.open(attributes.member(key), {shape});
+    open.position = openNamed("POSITION", TINYGLTF_TYPE_VEC3);
+    const auto openMatching = [&](const std::string& name, int type) {
+      const Accessor* accessor = openNamed(name, type);
       if (accessor->count() != open.position->count()) {
-        refuse(accessor->place(), std::to_string(accessor->count()) + " values of " + key + " for " +
+        refuse(accessor->place(), std::to_string(accessor->count()) + " values of " + name + " for " +
                                       std::to_string(open.position->count()) + " positions");
       }
       return accessor;
     };
     const std::string uv = "TEXCOORD_" + std::to_string(uvSet);
-    if (attributes.member(uv).exists()) open.uv = openMatching(uv, "VEC2");
-    if (!binding.skin) return open;
+    if (primitive.attributes.contains(uv)) open.uv = openMatching(uv, TINYGLTF_TYPE_VEC2);
+    if (binding.skin < 0) return open;
     for (std::size_t set = 0;; ++set) {
       const std::string joints = "JOINTS_" + std::to_string(set);
       const std::string weights = "WEIGHTS_" + std::to_string(set);
-      if (!attributes.member(joints).exists() || !attributes.member(weights).exists()) break;
-      if (set == kMostJointSets) refuse(attributes.place(), "more than 16 sets of joints");
-      open.joints.push_back(openMatching(joints, "VEC4"));
-      open.weights.push_back(openMatching(weights, "VEC4"));
+      if (!primitive.attributes.contains(joints) || !primitive.attributes.contains(weights)) break;
+      if (set == kMaxJointSets) refuse(place, "more than 16 sets of joints");
+      open.joints.push_back(openMatching(joints, TINYGLTF_TYPE_VEC4));
+      open.weights.push_back(openMatching(weights, TINYGLTF_TYPE_VEC4));
       if (open.joints.back()->isFloat()) refuse(open.joints.back()->place(), "joints must be unsigned integers");
     }
     if (open.joints.empty())
@@ -153,7 +166,7 @@ class SoupReader {
 
   /// Forgets which vertices of the last primitive were taken over, without touching them all.
   void startPrimitive(std::size_t vertices) {
-    if (vertices > kMostVertices) refuse("meshes", "a primitive with more than 12 million vertices");
+    if (vertices > kMaxVertices) refuse("meshes", "a primitive with more than 12 million vertices");
     ++stamp_;
     if (taken_.size() < vertices) taken_.resize(vertices);
   }
@@ -168,7 +181,7 @@ class SoupReader {
     for (int axis = 0; axis < 3; ++axis) position[axis] = open.position->number(index, axis);
     position = binding.meshToBind * position;
     for (int axis = 0; axis < 3; ++axis) {
-      if (!(std::abs(position[axis]) <= kLargestCoordinate)) {
+      if (!(std::abs(position[axis]) <= kMaxCoordinate)) {
         refuse(open.position->place(), "position " + std::to_string(index) + " is not finite or too large");
       }
     }
@@ -190,7 +203,7 @@ class SoupReader {
     for (std::size_t set = 0; set < open.joints.size(); ++set) {
       for (int c = 0; c < 4; ++c) {
         const double weight = open.weights[set]->number(index, c);
-        if (!(std::abs(weight) <= kLargestCoordinate)) {
+        if (!(std::abs(weight) <= kMaxCoordinate)) {
           refuse(open.weights[set]->place(),
                  "weight of vertex " + std::to_string(index) + " is not finite or too large");
         }
@@ -211,18 +224,18 @@ class SoupReader {
       for (; i < scratch_.size() && scratch_[i].first == to; ++i) weight += scratch_[i].second;
       if (const auto share = static_cast<float>(weight / sum); share > 0.0f) soup_.influences.push_back({to, share});
     }
-    if (soup_.influences.size() > kMostInfluences) refuse(open.position->place(), "more than 33 million skin weights");
+    if (soup_.influences.size() > kMaxInfluences) refuse(open.position->place(), "more than 33 million skin weights");
     soup_.influenceBegin.push_back(static_cast<int>(soup_.influences.size()));
   }
 
   int firstBinding(std::uint32_t index, const Attributes& open, const MeshBinding& binding) const {
-    if (!binding.skin) return binding.rigid;
-    if (open.joints.empty()) return bound_.jointBindings[at(*binding.skin)].front();
+    if (binding.skin < 0) return binding.rigid;
+    if (open.joints.empty()) return bound_.jointBindings[at(binding.skin)].front();
     return bindingOf(*open.joints.front(), index, 0, binding);
   }
 
   int bindingOf(const Accessor& joints, std::uint32_t index, int component, const MeshBinding& binding) const {
-    const std::vector<int>& bindings = bound_.jointBindings[at(*binding.skin)];
+    const std::vector<int>& bindings = bound_.jointBindings[at(binding.skin)];
     const std::uint32_t joint = joints.integer(index, component);
     if (joint >= bindings.size()) {
       refuse(joints.place(), "vertex " + std::to_string(index) + " names joint " + std::to_string(joint) +
@@ -236,7 +249,7 @@ class SoupReader {
     std::uint32_t soupVertex = 0;
   };
 
-  const Field root_;
+  const File& file_;
   const BoundSkeleton& bound_;
   Materials& materials_;
   Accessors& accessors_;
@@ -249,11 +262,11 @@ class SoupReader {
 
 }  // namespace
 
-TriangleSoup readTriangles(const Field& root, const NodeTree& tree, const BoundSkeleton& bound, Materials& materials,
+TriangleSoup readTriangles(const File& file, const NodeTree& tree, const BoundSkeleton& bound, Materials& materials,
                            Accessors& accessors, Notes& notes) {
-  SoupReader reader(root, bound, materials, accessors, notes);
+  SoupReader reader(file, bound, materials, accessors, notes);
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
-    if (bound.meshes[i]) reader.readMesh(tree.nodes[i], *bound.meshes[i]);
+    if (bound.meshes[i]) reader.readMesh(tree.nodes[i].mesh, *bound.meshes[i]);
   }
   return std::move(reader).take();
 }

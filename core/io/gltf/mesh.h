@@ -11,7 +11,7 @@ namespace sinew::gltf {
 /// All triangles of the scene's meshes, node by node in file order. Primitives without a material get one more,
 /// appended to `materials`. Vertices no triangle uses are left out. Refuses more than kMaxControlTriangles, indices and
 /// joints out of range, positions and weights that are not finite; points, lines and morph targets are noted.
-[[nodiscard]] TriangleSoup readTriangles(const Field& root, const NodeTree& tree, const BoundSkeleton& bound,
+[[nodiscard]] TriangleSoup readTriangles(const File& file, const NodeTree& tree, const BoundSkeleton& bound,
                                          Materials& materials, Accessors& accessors, Notes& notes);
 
 }  // namespace sinew::gltf

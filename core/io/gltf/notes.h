@@ -11,7 +11,7 @@ namespace sinew::gltf {
 class Notes {
  public:
   void add(const std::string& line) {
-    if (counts_.size() >= kMost && !counts_.contains(line)) {
+    if (counts_.size() >= kMaxLines && !counts_.contains(line)) {
       ++beyond_;
       return;
     }
@@ -29,7 +29,7 @@ class Notes {
   }
 
  private:
-  static constexpr std::size_t kMost = 200;
+  static constexpr std::size_t kMaxLines = 200;
   std::map<std::string, int> counts_;
   std::vector<std::string> order_;
   int beyond_ = 0;

@@ -14,15 +14,14 @@ namespace {
 /// A second skin's binding within this of the first one's (relative to the skeleton's size) is the same binding.
 constexpr double kSameBinding = 1e-5;
 /// Paths repeat the names of all ancestors: a long chain of long names would fill the memory.
-constexpr std::size_t kLongestPaths = 64U << 20;
+constexpr std::size_t kMaxPathBytes = 64U << 20;
 /// Joints of all skins together, and bindings besides the bones' own.
-constexpr std::size_t kMostSkinJoints = 1U << 18;
-constexpr std::size_t kMostExtraBindings = 4096;
+constexpr std::size_t kMaxSkinJoints = 1U << 18;
+constexpr std::size_t kMaxExtraBindings = 4096;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 struct Skin {
-  std::string name;
   std::vector<int> joints;               // nodes
   std::vector<glm::dmat4> inverseBinds;  // [joints] POSITION -> joint
   std::vector<bool> singular;            // [joints] has no usable inverse bind matrix
@@ -32,8 +31,8 @@ struct Skin {
 
 class Binder {
  public:
-  Binder(const Field& root, const NodeTree& tree, Accessors& accessors, Notes& notes)
-      : root_(root),
+  Binder(const File& file, const NodeTree& tree, Accessors& accessors, Notes& notes)
+      : file_(file),
         tree_(tree),
         accessors_(accessors),
         notes_(notes),
@@ -60,30 +59,29 @@ class Binder {
   std::vector<Bone>& bones() { return result_.skeleton.bones; }
 
   void readSkins() {
-    const Field skins = root_.member("skins");
-    skins_.resize(skins.size());
+    skins_.resize(file_.model().skins.size());
     for (const TreeNode& node : tree_.nodes) {
-      if (!node.inScene || !node.mesh || !node.skin || skins_[at(*node.skin)]) continue;
-      skins_[at(*node.skin)] = readSkin(skins.item(at(*node.skin)));
+      if (!node.inScene || node.mesh < 0 || node.skin < 0 || skins_[at(node.skin)]) continue;
+      skins_[at(node.skin)] = readSkin(at(node.skin));
     }
     const auto unused = std::ranges::count_if(skins_, [](const auto& skin) { return !skin; });
     if (unused > 0) notes_.add("skins: " + std::to_string(unused) + " that no mesh of the scene uses");
   }
 
-  Skin readSkin(const Field& field) {
+  Skin readSkin(std::size_t index) {
+    const std::string place = placeOf("skins", index);
+    file_.expectSound(place);
+    const tinygltf::Skin& from = file_.model().skins[index];
+    if (from.joints.empty()) refuse(place + ".joints", "a skin needs at least one joint");
+    skinJoints_ += from.joints.size();
+    if (from.joints.size() > at(kMaxJoints) || skinJoints_ > kMaxSkinJoints) refuseJoints();
     Skin skin;
-    skin.name = std::string(field.member("name").text(field.place()));
-    const Field joints = field.member("joints");
-    if (joints.size() == 0) refuse(joints.place(), "a skin needs at least one joint");
-    skinJoints_ += joints.size();
-    if (joints.size() > at(kMaxJoints) || skinJoints_ > kMostSkinJoints) refuseJoints();
-    for (std::size_t j = 0; j < joints.size(); ++j) {
-      skin.joints.push_back(joints.item(j).requiredIndex(tree_.nodes.size(), "node"));
-    }
-    skin.inverseBinds.assign(joints.size(), glm::dmat4(1.0));
-    skin.singular.assign(joints.size(), false);
-    if (const Field reference = field.member("inverseBindMatrices"); reference.exists()) {
-      readInverseBinds(accessors_.open(reference, {"MAT4"}), skin);
+    skin.joints = from.joints;
+    skin.inverseBinds.assign(from.joints.size(), glm::dmat4(1.0));
+    skin.singular.assign(from.joints.size(), false);
+    if (from.inverseBindMatrices >= 0) {
+      const std::string reference = place + ".inverseBindMatrices";
+      readInverseBinds(accessors_.open(from.inverseBindMatrices, reference, TINYGLTF_TYPE_MAT4), skin);
     }
     return skin;
   }
@@ -146,7 +144,7 @@ class Binder {
     }
     for (std::size_t node = 0; node < tree_.nodes.size(); ++node) {
       const TreeNode& mesh = tree_.nodes[node];
-      if (mesh.inScene && mesh.mesh && !mesh.skin && !carried[node]) want(static_cast<int>(node));
+      if (mesh.inScene && mesh.mesh >= 0 && mesh.skin < 0 && !carried[node]) want(static_cast<int>(node));
     }
   }
 
@@ -190,7 +188,7 @@ class Binder {
       length[b] = bone.name.size() + 8 + (bone.parent < 0 ? 0 : length[at(bone.parent)]);
       total += length[b];
     }
-    if (total > kLongestPaths) refuse("nodes", "the joints' names are too long for so deep a skeleton");
+    if (total > kMaxPathBytes) refuse("nodes", "the joints' names are too long for so deep a skeleton");
     bindInWorld_.assign(bones().size(), glm::dmat4(1.0));
     isBound_.assign(bones().size(), false);
   }
@@ -291,7 +289,7 @@ class Binder {
     for (std::size_t b = bones().size(); b < bindings.size(); ++b) {
       if (bindings[b].bone == bone && same(glm::dmat4(bindings[b].inverseBind))) return static_cast<int>(b);
     }
-    if (bindings.size() - bones().size() >= kMostExtraBindings)
+    if (bindings.size() - bones().size() >= kMaxExtraBindings)
       refuse("skins", "too many skins bind the same joints differently");
     bindings.push_back({.bone = bone, .inverseBind = glm::mat4(inverseBind)});
     return static_cast<int>(bindings.size()) - 1;
@@ -301,15 +299,15 @@ class Binder {
     result_.meshes.resize(tree_.nodes.size());
     for (std::size_t i = 0; i < tree_.nodes.size(); ++i) {
       const TreeNode& node = tree_.nodes[i];
-      if (!node.mesh) continue;
+      if (node.mesh < 0) continue;
       if (!node.inScene) {
         notes_.add("meshes outside the default scene");
         continue;
       }
       MeshBinding binding;
-      if (node.skin) {
+      if (node.skin >= 0) {
         binding.skin = node.skin;
-        binding.meshToBind = skins_[at(*node.skin)]->meshToBind;
+        binding.meshToBind = skins_[at(node.skin)]->meshToBind;
       } else {
         binding.rigid = nearestBone_[i];
         binding.meshToBind = bindInWorld_[at(binding.rigid)] * inBone_[i];
@@ -319,7 +317,7 @@ class Binder {
     for (auto& skin : skins_) result_.jointBindings.push_back(skin ? std::move(skin->bindings) : std::vector<int>{});
   }
 
-  const Field root_;
+  const File& file_;
   const NodeTree& tree_;
   Accessors& accessors_;
   Notes& notes_;
@@ -335,8 +333,8 @@ class Binder {
 
 }  // namespace
 
-BoundSkeleton bindSkeleton(const Field& root, const NodeTree& tree, Accessors& accessors, Notes& notes) {
-  return Binder(root, tree, accessors, notes).run();
+BoundSkeleton bindSkeleton(const File& file, const NodeTree& tree, Accessors& accessors, Notes& notes) {
+  return Binder(file, tree, accessors, notes).run();
 }
 
 }  // namespace sinew::gltf

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/io/gltf/accessor.h"
-#include "core/io/gltf/nodes.h"
+#include "core/io/gltf/node_tree.h"
 #include "sinew/skeleton/skeleton.h"
 
 namespace sinew::gltf {
@@ -13,7 +13,7 @@ namespace sinew::gltf {
 /// What a node's mesh is bound by.
 struct MeshBinding {
   glm::dmat4 meshToBind{1.0};  ///< POSITION -> world in the bind pose.
-  std::optional<int> skin;     ///< Whose joints JOINTS_n names; absent for a rigid mesh.
+  int skin = -1;               ///< Whose joints JOINTS_n names; -1 for a rigid mesh.
   int rigid = 0;               ///< Of a rigid mesh: the one binding its vertices follow.
 };
 
@@ -27,6 +27,6 @@ struct BoundSkeleton {
 /// Joints of the skins in use are bones, and every mesh node that is neither skinned nor below a joint is one of its
 /// own; an unskinned mesh below a joint rides it. Refuses more than kMaxJoints, bad joint indices, too few or not
 /// finite inverse bind matrices. Singular ones fall back to the rest pose, with a note.
-[[nodiscard]] BoundSkeleton bindSkeleton(const Field& root, const NodeTree& tree, Accessors& accessors, Notes& notes);
+[[nodiscard]] BoundSkeleton bindSkeleton(const File& file, const NodeTree& tree, Accessors& accessors, Notes& notes);
 
 }  // namespace sinew::gltf

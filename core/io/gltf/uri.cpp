@@ -49,11 +49,11 @@ std::array<std::int8_t, 256> base64Values() {
 }
 
 /// nullopt for characters outside the alphabet or a length that cannot be; padding may be missing.
-std::optional<std::string> base64Decoded(std::string_view text) {
+std::optional<std::vector<std::uint8_t>> base64Decoded(std::string_view text) {
   static const std::array<std::int8_t, 256> kValues = base64Values();
   while (!text.empty() && text.back() == '=') text.remove_suffix(1);
   if (text.size() % 4 == 1) return std::nullopt;
-  std::string result;
+  std::vector<std::uint8_t> result;
   result.reserve(text.size() / 4 * 3 + 3);
   std::uint32_t bits = 0;
   int count = 0;
@@ -64,7 +64,7 @@ std::optional<std::string> base64Decoded(std::string_view text) {
     count += 6;
     if (count < 8) continue;
     count -= 8;
-    result += static_cast<char>(bits >> count & 0xff);
+    result.push_back(static_cast<std::uint8_t>(bits >> count & 0xff));
   }
   return result;
 }
@@ -87,14 +87,18 @@ bool isDataUri(std::string_view uri) {
          });
 }
 
-Result<std::string> decodeDataUri(std::string_view uri) {
+Result<std::vector<std::uint8_t>> decodeDataUri(std::string_view uri) {
   const std::size_t comma = uri.find(',');
   if (comma == std::string_view::npos) return errorAt("", "a data: uri without a comma");
-  const bool base64 = uri.substr(0, comma).ends_with(";base64");
-  std::optional<std::string> bytes =
-      base64 ? base64Decoded(uri.substr(comma + 1)) : percentDecoded(uri.substr(comma + 1));
-  if (!bytes) return errorAt("", base64 ? "a data: uri that is not base64" : "a data: uri with a bad % sequence");
-  return std::move(*bytes);
+  const std::string_view data = uri.substr(comma + 1);
+  if (uri.substr(0, comma).ends_with(";base64")) {
+    std::optional<std::vector<std::uint8_t>> bytes = base64Decoded(data);
+    if (!bytes) return errorAt("", "a data: uri that is not base64");
+    return std::move(*bytes);
+  }
+  const std::optional<std::string> text = percentDecoded(data);
+  if (!text) return errorAt("", "a data: uri with a bad % sequence");
+  return std::vector<std::uint8_t>(text->begin(), text->end());
 }
 
 Result<fs::path> relativePathOf(std::string_view uri) {

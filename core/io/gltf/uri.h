@@ -1,10 +1,12 @@
 // core/io/gltf/uri.h: what a glTF uri may name.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sinew/base/result.h"
 
@@ -14,7 +16,7 @@ namespace sinew::gltf {
 [[nodiscard]] bool isDataUri(std::string_view uri);
 
 /// The bytes of a data: uri, base64 or percent-encoded. Error: reason only.
-[[nodiscard]] Result<std::string> decodeDataUri(std::string_view uri);
+[[nodiscard]] Result<std::vector<std::uint8_t>> decodeDataUri(std::string_view uri);
 
 /// The relative path a uri names, percent-decoded once. Error: absolute, with a scheme, with "..", a backslash or a
 /// control character, or empty. Says nothing about the disk.

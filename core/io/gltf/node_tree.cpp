@@ -1,8 +1,8 @@
-// core/io/gltf/nodes.cpp: reading the node tree.
+// core/io/gltf/node_tree.cpp: reading the node tree.
 
-#include "core/io/gltf/nodes.h"
+#include "core/io/gltf/node_tree.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -13,46 +13,38 @@
 namespace sinew::gltf {
 namespace {
 
-constexpr std::size_t kMostNodes = 200'000;
-
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// A matrix, or translation, rotation and scale; either way kept in float for posing and in double for binding.
-void readTransform(const Field& field, TreeNode& node) {
-  std::array<double, 16> m{};
-  if (field.member("matrix").numbers(m)) {
-    node.local = glm::make_mat4(m.data());
+void readTransform(const tinygltf::Node& from, TreeNode& node) {
+  if (!from.matrix.empty()) {
+    node.local = glm::make_mat4(from.matrix.data());
     for (int column = 0; column < 4; ++column) node.local[column][3] = column == 3 ? 1.0 : 0.0;
     node.rest.matrix = glm::mat4(node.local);
-  } else {
-    std::array<double, 3> t{0.0, 0.0, 0.0};
-    std::array<double, 4> r{0.0, 0.0, 0.0, 1.0};
-    std::array<double, 3> s{1.0, 1.0, 1.0};
-    field.member("translation").numbers(t);
-    field.member("rotation").numbers(r);
-    field.member("scale").numbers(s);
-    glm::dquat rotation(r[3], r[0], r[1], r[2]);
-    const double length = glm::length(rotation);
-    rotation = length > 0.0 && std::isfinite(length) ? rotation / length : glm::dquat(1.0, 0.0, 0.0, 0.0);
-    node.rest.translation = glm::vec3(t[0], t[1], t[2]);
-    node.rest.rotation = glm::quat(rotation);
-    node.rest.scale = glm::vec3(s[0], s[1], s[2]);
-    node.local = glm::translate(glm::dmat4(1.0), glm::dvec3(t[0], t[1], t[2])) * glm::mat4_cast(rotation);
-    node.local = glm::scale(node.local, glm::dvec3(s[0], s[1], s[2]));
+    return;
   }
-  if (!isTame(node.local)) refuse(field.place(), "the node's transform is too large");
+  const glm::dvec3 t = from.translation.empty() ? glm::dvec3(0.0) : glm::make_vec3(from.translation.data());
+  const glm::dvec4 r = from.rotation.empty() ? glm::dvec4(0.0, 0.0, 0.0, 1.0) : glm::make_vec4(from.rotation.data());
+  const glm::dvec3 s = from.scale.empty() ? glm::dvec3(1.0) : glm::make_vec3(from.scale.data());
+  glm::dquat rotation(r[3], r[0], r[1], r[2]);
+  const double length = glm::length(rotation);
+  rotation = length > 0.0 && std::isfinite(length) ? rotation / length : glm::dquat(1.0, 0.0, 0.0, 0.0);
+  node.rest.translation = glm::vec3(t);
+  node.rest.rotation = glm::quat(rotation);
+  node.rest.scale = glm::vec3(s);
+  node.local = glm::translate(glm::dmat4(1.0), t) * glm::mat4_cast(rotation);
+  node.local = glm::scale(node.local, s);
 }
 
-void linkChildren(const Field& list, NodeTree& tree, std::vector<std::vector<int>>& children) {
+void linkChildren(const std::vector<tinygltf::Node>& list, NodeTree& tree, std::vector<std::vector<int>>& children) {
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const Field kids = list.item(i).member("children");
-    for (std::size_t k = 0; k < kids.size(); ++k) {
-      const int child = kids.item(k).requiredIndex(tree.nodes.size(), "node");
+    for (std::size_t k = 0; k < list[i].children.size(); ++k) {
+      const int child = list[i].children[k];
+      const auto place = [&] { return placeOf(placeOf("nodes", i) + ".children", k); };
       TreeNode& node = tree.nodes[at(child)];
-      if (at(child) == i) refuse(kids.item(k).place(), "a node is its own child");
+      if (at(child) == i) refuse(place(), "a node is its own child");
       if (node.parent >= 0) {
-        refuse(kids.item(k).place(),
-               "node " + std::to_string(child) + " already has a parent, node " + std::to_string(node.parent));
+        refuse(place(), "node " + std::to_string(child) + " already has a parent, node " + std::to_string(node.parent));
       }
       node.parent = static_cast<int>(i);
       children[i].push_back(child);
@@ -73,21 +65,20 @@ void orderNodes(const std::vector<std::vector<int>>& children, NodeTree& tree) {
   if (tree.order.size() != tree.nodes.size()) refuse("nodes", "some nodes are their own ancestors");
 }
 
-void markScene(const Field& root, NodeTree& tree, Notes& notes) {
-  const Field scenes = root.member("scenes");
-  if (scenes.size() == 0) {
+void markScene(const File& file, NodeTree& tree, Notes& notes) {
+  const std::vector<tinygltf::Scene>& scenes = file.model().scenes;
+  if (scenes.empty()) {
     for (TreeNode& node : tree.nodes) node.inScene = true;
     return;
   }
-  const int used = root.member("scene").index(scenes.size(), "scene").value_or(0);
+  file.expectSound("scene");
+  const std::size_t used = at(std::max(file.model().defaultScene, 0));
   if (scenes.size() > 1) {
     notes.add("scenes: " + std::to_string(scenes.size() - 1) + " besides the default one, scene " +
               std::to_string(used));
   }
-  const Field roots = scenes.item(at(used)).member("nodes");
-  for (std::size_t i = 0; i < roots.size(); ++i) {
-    tree.nodes[at(roots.item(i).requiredIndex(tree.nodes.size(), "node"))].inScene = true;
-  }
+  file.expectSound(placeOf("scenes", used));
+  for (const int node : scenes[used].nodes) tree.nodes[at(node)].inScene = true;
   for (const int node : tree.order) {
     TreeNode& child = tree.nodes[at(node)];
     if (child.parent >= 0 && tree[child.parent].inScene) child.inScene = true;
@@ -104,25 +95,23 @@ void placeInWorld(NodeTree& tree) {
 
 }  // namespace
 
-NodeTree readNodes(const Field& root, Notes& notes) {
-  const Field list = root.member("nodes");
-  if (list.size() > kMostNodes) refuse(list.place(), "more than 200,000 nodes");
-  const std::size_t meshes = root.member("meshes").size();
-  const std::size_t skins = root.member("skins").size();
+NodeTree readNodes(const File& file, Notes& notes) {
+  const std::vector<tinygltf::Node>& list = file.model().nodes;
   NodeTree tree;
   tree.nodes.resize(list.size());
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const Field field = list.item(i);
+    file.expectSound(placeOf("nodes", i));
     TreeNode& node = tree.nodes[i];
-    node.name = std::string(field.member("name").text(""));
-    node.mesh = field.member("mesh").index(meshes, "mesh");
-    node.skin = field.member("skin").index(skins, "skin");
-    readTransform(field, node);
+    node.name = list[i].name;
+    node.mesh = list[i].mesh;
+    node.skin = list[i].skin;
+    readTransform(list[i], node);
+    if (!isTame(node.local)) refuse(placeOf("nodes", i), "the node's transform is too large");
   }
   std::vector<std::vector<int>> children(tree.nodes.size());
   linkChildren(list, tree, children);
   orderNodes(children, tree);
-  markScene(root, tree, notes);
+  markScene(file, tree, notes);
   placeInWorld(tree);
   return tree;
 }
@@ -141,10 +130,10 @@ std::optional<glm::dmat4> affineInverse(const glm::dmat4& matrix) {
 }
 
 bool isTame(const glm::dmat4& matrix) {
-  constexpr double kLargest = 1e15;
+  constexpr double kMaxEntry = 1e15;
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 4; ++row) {
-      if (!(std::abs(matrix[column][row]) <= kLargest)) return false;
+      if (!(std::abs(matrix[column][row]) <= kMaxEntry)) return false;
     }
   }
   return true;

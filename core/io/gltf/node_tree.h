@@ -1,4 +1,4 @@
-// core/io/gltf/nodes.h: the node tree of a glTF file.
+// core/io/gltf/node_tree.h: the node tree of a glTF file.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "core/io/gltf/json.h"
+#include "core/io/gltf/file.h"
 #include "core/io/gltf/notes.h"
 #include "sinew/skeleton/skeleton.h"
 
@@ -21,8 +21,8 @@ struct TreeNode {
   LocalTransform rest;
   glm::dmat4 local{1.0};
   glm::dmat4 restInWorld{1.0};
-  std::optional<int> mesh;
-  std::optional<int> skin;
+  int mesh = -1;
+  int skin = -1;
 };
 
 struct NodeTree {
@@ -34,7 +34,7 @@ struct NodeTree {
 
 /// Refuses cycles, nodes with two parents, and transforms that are not finite. The default scene counts; without any
 /// scene every root does.
-[[nodiscard]] NodeTree readNodes(const Field& root, Notes& notes);
+[[nodiscard]] NodeTree readNodes(const File& file, Notes& notes);
 
 /// Inverse of an affine matrix; nullopt where it is singular, or so near to it that floats could not hold it.
 [[nodiscard]] std::optional<glm::dmat4> affineInverse(const glm::dmat4& matrix);

@@ -1,0 +1,24 @@
+// core/io/gltf/refusal.h: how the stages of the import give up.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "sinew/base/result.h"
+
+namespace sinew::gltf {
+
+/// importGltf turns it into a Result; it never leaves core/io.
+struct Refusal {
+  Error error;
+};
+[[noreturn]] inline void refuse(std::string place, std::string reason) {
+  throw Refusal{errorAt(std::move(place), std::move(reason))};
+}
+
+/// "nodes[3]", the JSON path of an element.
+[[nodiscard]] inline std::string placeOf(const std::string& list, std::size_t index) {
+  return list + '[' + std::to_string(index) + ']';
+}
+
+}  // namespace sinew::gltf
