@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <stb/stb_image_write.h>
+#include <stb_image_write.h>
 
 namespace sinew::app {
 namespace {

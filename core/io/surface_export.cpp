@@ -6,7 +6,7 @@
 #include <set>
 #include <string_view>
 
-#include <stb/stb_image_write.h>
+#include <stb_image_write.h>
 
 #include "core/io/files/atomic_file.h"
 #include "core/io/surface_formats.h"

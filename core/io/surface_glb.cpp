@@ -2,10 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstring>
 #include <limits>
 #include <map>
+#include <ostream>
 #include <span>
+#include <streambuf>
+
+#include <tiny_gltf.h>
 
 #include "core/io/json/json.h"
 #include "core/io/surface_formats.h"
@@ -15,132 +18,140 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "glTF is little endian, as the machine");
 
-// Constants of glTF 2.0.
-constexpr int kFloat = 5126;
-constexpr int kUnsignedInt = 5125;
-constexpr int kVertexData = 34962;
-constexpr int kIndexData = 34963;
-constexpr int kNearest = 9728;
-constexpr int kLinear = 9729;
-constexpr int kLinearMipmapLinear = 9987;
-constexpr std::array<int, 3> kWrap{10497, 33071, 33648};  // In TextureWrap's order.
-constexpr std::uint32_t kGlbMagic = 0x46546C67;
-constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
-constexpr std::uint32_t kBinaryChunk = 0x004E4942;
+constexpr std::size_t kMaxGlbBytes = std::numeric_limits<std::uint32_t>::max();
+/// In TextureWrap's order.
+constexpr std::array kWrap{TINYGLTF_TEXTURE_WRAP_REPEAT, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE,
+                           TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT};
 
-Json vector(std::span<const float> values) {
-  Json array = Json::array();
-  for (const float value : values) array.push(static_cast<double>(value));
-  return array;
+/// Takes what is written without the copies a string stream makes.
+class StringBuffer : public std::streambuf {
+ public:
+  explicit StringBuffer(std::string& to) : to_(to) {}
+
+ protected:
+  std::streamsize xsputn(const char* bytes, std::streamsize count) override {
+    to_.append(bytes, static_cast<std::size_t>(count));
+    return count;
+  }
+  int_type overflow(int_type c) override {
+    to_ += traits_type::to_char_type(c);
+    return c;
+  }
+
+ private:
+  std::string& to_;
+};
+
+template <std::size_t N>
+std::vector<double> numbers(const std::array<float, N>& values) {
+  return {values.begin(), values.end()};
 }
 
-/// The file in the making: its JSON and its one buffer.
+Error tooLarge(std::size_t bytes) {
+  return errorAt({}, "the surface needs " + std::to_string(bytes) +
+                         " bytes, a .glb holds at most 4 GiB; choose a smaller depth or another format");
+}
+
+/// The file in the making. tinygltf writes names as they are and throws at what is not UTF-8.
 class GlbWriter {
  public:
   GlbWriter(const Surface& surface, const Character& character)
-      : surface_(surface), character_(character), materials_(usedMaterials(surface, character)) {}
+      : surface_(surface), character_(character), materials_(usedMaterials(surface, character)) {
+    model_.buffers.emplace_back();
+  }
 
   Result<std::string> write() {
+    model_.asset.version = "2.0";
+    model_.asset.generator = "Sinew";
     writeMaterials();
     writeMesh();
-    Json node = Json::object();
-    if (!character_.name.empty()) node.set("name", character_.name);
-    Json root = Json::object();
-    root.set("asset", Json::object().set("version", "2.0").set("generator", "Sinew"));
-    root.set("scene", 0);
-    root.set("scenes", Json::array().push(Json::object().set("nodes", Json::array().push(0))));
-    root.set("nodes", Json::array().push(node.set("mesh", 0)));
-    root.set("meshes", Json::array().push(Json::object().set("primitives", primitives_)));
-    root.set("materials", materialList_);
-    if (!textureNumber_.empty()) {
-      root.set("textures", textureList_).set("samplers", samplerList_).set("images", imageList_);
-    }
-    root.set("accessors", accessors_).set("bufferViews", views_);
-    root.set("buffers", Json::array().push(Json::object().set("byteLength", static_cast<long long>(buffer_.size()))));
-    return assemble(root.dump());
+    tinygltf::Node& node = model_.nodes.emplace_back();
+    node.name = validUtf8(character_.name);
+    node.mesh = 0;
+    model_.scenes.emplace_back().nodes = {0};
+    model_.defaultScene = 0;
+    return assemble();
   }
 
  private:
   int addView(const void* bytes, std::size_t count, int target) {
-    buffer_.append((4 - buffer_.size() % 4) % 4, '\0');
-    Json view = Json::object();
-    view.set("buffer", 0);
-    view.set("byteOffset", static_cast<long long>(buffer_.size()));
-    view.set("byteLength", static_cast<long long>(count));
-    if (target != 0) view.set("target", target);
-    views_.push(view);
-    buffer_.append(static_cast<const char*>(bytes), count);
-    return viewCount_++;
+    std::vector<unsigned char>& data = model_.buffers[0].data;
+    data.resize((data.size() + 3) / 4 * 4);
+    tinygltf::BufferView& view = model_.bufferViews.emplace_back();
+    view.buffer = 0;
+    view.byteOffset = data.size();
+    view.byteLength = count;
+    view.target = target;
+    const auto* from = static_cast<const unsigned char*>(bytes);
+    data.insert(data.end(), from, from + count);
+    return static_cast<int>(model_.bufferViews.size()) - 1;
   }
 
-  int addAccessor(int view, int componentType, std::size_t count, const char* type, const Bounds* bounds = nullptr) {
-    Json accessor = Json::object();
-    accessor.set("bufferView", view).set("componentType", componentType);
-    accessor.set("count", static_cast<long long>(count)).set("type", type);
+  int addAccessor(int view, int componentType, std::size_t count, int type, const Bounds* bounds = nullptr) {
+    tinygltf::Accessor& accessor = model_.accessors.emplace_back();
+    accessor.bufferView = view;
+    accessor.componentType = componentType;
+    accessor.count = count;
+    accessor.type = type;
     if (bounds) {
-      accessor.set("min", vector(std::array{bounds->low.x, bounds->low.y, bounds->low.z}));
-      accessor.set("max", vector(std::array{bounds->high.x, bounds->high.y, bounds->high.z}));
+      accessor.minValues = numbers(std::array{bounds->low.x, bounds->low.y, bounds->low.z});
+      accessor.maxValues = numbers(std::array{bounds->high.x, bounds->high.y, bounds->high.z});
     }
-    accessors_.push(accessor);
-    return accessorCount_++;
+    return static_cast<int>(model_.accessors.size()) - 1;
   }
 
   template <class Value>
-  int addVertexData(const std::vector<Value>& values, const char* type, const Bounds* bounds = nullptr) {
-    return addAccessor(addView(values.data(), values.size() * sizeof(Value), kVertexData), kFloat, values.size(), type,
-                       bounds);
+  int addVertexData(const std::vector<Value>& values, int type, const Bounds* bounds = nullptr) {
+    const int view = addView(values.data(), values.size() * sizeof(Value), TINYGLTF_TARGET_ARRAY_BUFFER);
+    return addAccessor(view, TINYGLTF_COMPONENT_TYPE_FLOAT, values.size(), type, bounds);
   }
 
   void writeTexture(const Texture& texture) {
     const ImageFile file = imageFile(texture);
-    Json image = Json::object();
-    if (!texture.name.empty()) image.set("name", texture.name);
-    imageList_.push(
-        image.set("bufferView", addView(file.bytes.data(), file.bytes.size(), 0)).set("mimeType", file.mimeType));
-    Json sampler = Json::object();
-    sampler.set("magFilter", texture.nearest ? kNearest : kLinear);
-    sampler.set("minFilter", texture.nearest ? kNearest : kLinearMipmapLinear);
-    sampler.set("wrapS", kWrap[static_cast<std::size_t>(texture.wrapU)]);
-    sampler.set("wrapT", kWrap[static_cast<std::size_t>(texture.wrapV)]);
-    samplerList_.push(sampler);
-    const int number = static_cast<int>(textureNumber_.size());
-    textureList_.push(Json::object().set("sampler", number).set("source", number));
+    const int number = static_cast<int>(model_.textures.size());
+    tinygltf::Image& image = model_.images.emplace_back();
+    image.name = validUtf8(texture.name);
+    image.bufferView = addView(file.bytes.data(), file.bytes.size(), 0);
+    image.mimeType = file.mimeType;
+    tinygltf::Sampler& sampler = model_.samplers.emplace_back();
+    sampler.magFilter = texture.nearest ? TINYGLTF_TEXTURE_FILTER_NEAREST : TINYGLTF_TEXTURE_FILTER_LINEAR;
+    sampler.minFilter =
+        texture.nearest ? TINYGLTF_TEXTURE_FILTER_NEAREST : TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
+    sampler.wrapS = kWrap[static_cast<std::size_t>(texture.wrapU)];
+    sampler.wrapT = kWrap[static_cast<std::size_t>(texture.wrapV)];
+    tinygltf::Texture& joined = model_.textures.emplace_back();
+    joined.sampler = number;
+    joined.source = number;
   }
 
-  Json materialJson(const Material& material) const {
-    Json shading = Json::object();
-    const glm::vec4 color = glm::clamp(material.baseColor, 0.0f, 1.0f);
-    shading.set("baseColorFactor", vector(std::array{color.r, color.g, color.b, color.a}));
-    if (material.baseColorTexture >= 0) {
-      shading.set("baseColorTexture", Json::object().set("index", textureNumber_.at(material.baseColorTexture)));
+  void writeMaterial(const Material& from) {
+    tinygltf::Material& material = model_.materials.emplace_back();
+    tinygltf::PbrMetallicRoughness& shading = material.pbrMetallicRoughness;
+    material.name = validUtf8(from.name);
+    const glm::vec4 color = glm::clamp(from.baseColor, 0.0f, 1.0f);
+    shading.baseColorFactor = numbers(std::array{color.r, color.g, color.b, color.a});
+    if (from.baseColorTexture >= 0) shading.baseColorTexture.index = textureNumber_.at(from.baseColorTexture);
+    shading.metallicFactor = static_cast<double>(std::clamp(from.metallic, 0.0f, 1.0f));
+    shading.roughnessFactor = static_cast<double>(std::clamp(from.roughness, 0.0f, 1.0f));
+    const glm::vec3 emissive = glm::clamp(from.emissive, 0.0f, 1.0f);
+    material.emissiveFactor = numbers(std::array{emissive.r, emissive.g, emissive.b});
+    if (from.alphaMode == AlphaMode::kBlend) material.alphaMode = "BLEND";
+    if (from.alphaMode == AlphaMode::kMask) {
+      material.alphaMode = "MASK";
+      material.alphaCutoff = static_cast<double>(std::max(from.alphaCutoff, 0.0f));
     }
-    shading.set("metallicFactor", std::clamp(material.metallic, 0.0f, 1.0f));
-    shading.set("roughnessFactor", std::clamp(material.roughness, 0.0f, 1.0f));
-    Json json = Json::object();
-    if (!material.name.empty()) json.set("name", material.name);
-    json.set("pbrMetallicRoughness", shading);
-    const glm::vec3 emissive = glm::clamp(material.emissive, 0.0f, 1.0f);
-    if (emissive != glm::vec3(0.0f)) json.set("emissiveFactor", vector(std::array{emissive.r, emissive.g, emissive.b}));
-    if (material.alphaMode == AlphaMode::kBlend) json.set("alphaMode", "BLEND");
-    if (material.alphaMode == AlphaMode::kMask) {
-      json.set("alphaMode", "MASK").set("alphaCutoff", std::max(material.alphaCutoff, 0.0f));
-    }
-    if (material.doubleSided) json.set("doubleSided", true);
-    return json;
+    material.doubleSided = from.doubleSided;
   }
 
   void writeMaterials() {
     for (const int texture : usedTextures(materials_, character_)) {
+      textureNumber_[texture] = static_cast<int>(model_.textures.size());
       writeTexture(character_.textures[static_cast<std::size_t>(texture)]);
-      const int number = static_cast<int>(textureNumber_.size());
-      textureNumber_[texture] = number;
     }
-    for (const int material : materials_) {
-      materialList_.push(materialJson(character_.materials[static_cast<std::size_t>(material)]));
-    }
+    for (const int material : materials_) writeMaterial(character_.materials[static_cast<std::size_t>(material)]);
   }
 
-  Json writeAttributes() {
+  std::map<std::string, int> writeAttributes() {
     const Refinement& refinement = *surface_.refinement;
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
@@ -149,17 +160,17 @@ class GlbWriter {
       normals.push_back(shadingNormal(surface_, d));
     }
     const Bounds bounds = boundsOf(positions);
-    Json attributes = Json::object();
-    attributes.set("POSITION", addVertexData(positions, "VEC3", &bounds));
-    attributes.set("NORMAL", addVertexData(normals, "VEC3"));
-    attributes.set("TEXCOORD_0", addVertexData(refinement.drawUv, "VEC2"));
-    return attributes;
+    const int position = addVertexData(positions, TINYGLTF_TYPE_VEC3, &bounds);
+    const int normal = addVertexData(normals, TINYGLTF_TYPE_VEC3);
+    const int uv = addVertexData(refinement.drawUv, TINYGLTF_TYPE_VEC2);
+    return {{"POSITION", position}, {"NORMAL", normal}, {"TEXCOORD_0", uv}};
   }
 
   void writeMesh() {
     const auto& triangles = surface_.refinement->drawTriangles;
-    const Json attributes = writeAttributes();
+    const std::map<std::string, int> attributes = writeAttributes();
     const std::vector<MaterialRun> runs = materialRuns(surface_, character_);
+    tinygltf::Mesh& mesh = model_.meshes.emplace_back();
     for (std::size_t m = 0; m < materials_.size(); ++m) {
       std::vector<std::array<std::uint32_t, 3>> own;
       for (const MaterialRun& run : runs) {
@@ -167,39 +178,27 @@ class GlbWriter {
         own.insert(own.end(), triangles.begin() + static_cast<std::ptrdiff_t>(run.begin),
                    triangles.begin() + static_cast<std::ptrdiff_t>(run.end));
       }
-      const int view = addView(own.data(), own.size() * sizeof(own[0]), kIndexData);
-      Json primitive = Json::object();
-      primitive.set("attributes", attributes);
-      primitive.set("indices", addAccessor(view, kUnsignedInt, own.size() * 3, "SCALAR"));
-      primitives_.push(primitive.set("material", static_cast<int>(m)));
+      const int view = addView(own.data(), own.size() * sizeof(own[0]), TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+      tinygltf::Primitive& primitive = mesh.primitives.emplace_back();
+      primitive.attributes = attributes;
+      primitive.indices = addAccessor(view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, own.size() * 3, TINYGLTF_TYPE_SCALAR);
+      primitive.material = static_cast<int>(m);
+      primitive.mode = TINYGLTF_MODE_TRIANGLES;
     }
   }
 
-  Result<std::string> assemble(std::string json) {
-    json.append((4 - json.size() % 4) % 4, ' ');
-    buffer_.append((4 - buffer_.size() % 4) % 4, '\0');
-    const std::size_t total = 12 + 8 + json.size() + 8 + buffer_.size();
-    if (total > std::numeric_limits<std::uint32_t>::max()) {
-      return errorAt({}, "the surface needs " + std::to_string(total) +
-                             " bytes, a .glb holds at most 4 GiB; "
-                             "choose a smaller depth or another format");
-    }
+  /// tinygltf counts in 32 bits and does not say when they run over.
+  Result<std::string> assemble() const {
+    const std::size_t bytes = model_.buffers[0].data.size();
+    if (bytes > kMaxGlbBytes) return tooLarge(bytes);
     std::string file;
-    file.reserve(total);
-    const auto append = [&file](std::uint32_t word) {
-      std::array<char, sizeof(word)> bytes{};
-      std::memcpy(bytes.data(), &word, sizeof(word));
-      file.append(bytes.data(), bytes.size());
-    };
-    append(kGlbMagic);
-    append(2);
-    append(static_cast<std::uint32_t>(total));
-    append(static_cast<std::uint32_t>(json.size()));
-    append(kJsonChunk);
-    file += json;
-    append(static_cast<std::uint32_t>(buffer_.size()));
-    append(kBinaryChunk);
-    file += buffer_;
+    file.reserve(bytes + (1U << 16));
+    StringBuffer buffer(file);
+    std::ostream stream(&buffer);
+    if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&model_, stream, false, true)) {
+      return errorAt({}, "the surface cannot be written as glTF");
+    }
+    if (file.size() > kMaxGlbBytes) return tooLarge(file.size());
     return file;
   }
 
@@ -207,16 +206,7 @@ class GlbWriter {
   const Character& character_;
   std::vector<int> materials_;
   std::map<int, int> textureNumber_;  // Of the character -> of the file.
-  std::string buffer_;
-  int viewCount_ = 0;
-  int accessorCount_ = 0;
-  Json views_ = Json::array();
-  Json accessors_ = Json::array();
-  Json imageList_ = Json::array();
-  Json samplerList_ = Json::array();
-  Json textureList_ = Json::array();
-  Json materialList_ = Json::array();
-  Json primitives_ = Json::array();
+  tinygltf::Model model_;
 };
 
 }  // namespace

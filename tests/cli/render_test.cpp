@@ -1,5 +1,5 @@
 // tests/cli/render_test.cpp: `sinew render` as people and scripts run it.
-#include <stb/stb_image.h>
+#include <stb_image.h>
 
 #include "app/cli/render_plan.h"
 #include "app/render/offscreen.h"

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include <gtest/gtest.h>
-#include <stb/stb_image.h>
+#include <stb_image.h>
 
 namespace sinew::test {
 namespace {
