@@ -228,6 +228,17 @@ TEST_F(SurfaceExport, GlbComesBackThroughTheImporter) {
   EXPECT_TRUE(back.ignored.empty()) << back.ignored.front();
 }
 
+TEST_F(SurfaceExport, NamesThatAreNoUtf8AreMended) {
+  Character named = *character_;
+  named.name = "tube\xff";
+  for (Material& material : named.materials) material.name = "skin\xfe";
+  for (Texture& texture : named.textures) texture.name = "\xff";
+  ASSERT_TRUE(exportSurface(surface_, named, folder_ / "tube.glb").ok());
+  const auto imported = importGltf(folder_ / "tube.glb");
+  ASSERT_TRUE(imported.ok()) << imported.error().text();
+  EXPECT_EQ(imported.value()->materials[0].name, "skin\xEF\xBF\xBD");
+}
+
 /// The same tube, shaded in facets: every format carries the split normals, and the .obj stays closed.
 class CreasedExport : public SurfaceExport {
  protected:

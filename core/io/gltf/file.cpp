@@ -45,16 +45,6 @@ int soundIndex(const Json& index, std::size_t size) {
 
 std::uint64_t wholeOf(const Json& value) { return static_cast<std::uint64_t>(value.number(0.0)); }
 
-// tinygltf gets no uri to see, so nothing asks it for a file or an image; should it want one all the same, it gets
-// none.
-bool noFile(const std::string&, void*) { return false; }
-std::string samePath(const std::string& path, void*) { return path; }
-bool readNothing(std::vector<unsigned char>*, std::string*, const std::string&, void*) { return false; }
-bool writeNothing(std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; }
-bool noImage(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
-  return false;
-}
-
 }  // namespace
 
 File::File(const fs::path& path) : folder_(path.has_parent_path() ? path.parent_path() : fs::path(".")) {
@@ -73,8 +63,9 @@ File::File(const fs::path& path) : folder_(path.has_parent_path() ? path.parent_
 
 void File::parse(const std::string& text) {
   tinygltf::TinyGLTF reader;
-  reader.SetFsCallbacks({noFile, samePath, readNothing, writeNothing, nullptr});
-  reader.SetImageLoader(noImage, nullptr);
+  // The text names no file and no image; should tinygltf want one all the same, it has no way to get it.
+  reader.SetFsCallbacks({});
+  reader.SetImageLoader(nullptr, nullptr);
   std::string errors;
   std::string warnings;
   if (reader.LoadASCIIFromString(&model_, &errors, &warnings, text.data(), static_cast<unsigned>(text.size()), "")) {
@@ -86,13 +77,15 @@ void File::parse(const std::string& text) {
 /// What the guard has kept aside: tinygltf refuses strides beyond 252 and indices without a bufferView, reads every
 /// image, and keeps no cameras or lights it does not like.
 void File::adopt(const Json& root) {
+  const std::vector<Json>& views = root.at("bufferViews").items();
   for (std::size_t i = 0; i < model_.bufferViews.size(); ++i) {
-    const std::uint64_t stride = wholeOf(root.at("bufferViews").items()[i].at("byteStride"));
+    const std::uint64_t stride = wholeOf(views[i].at("byteStride"));
     if (stride > kMaxStride) refuse(placeOf("bufferViews", i) + ".byteStride", "larger than 65536");
     model_.bufferViews[i].byteStride = static_cast<std::size_t>(stride);
   }
+  const std::vector<Json>& meshes = root.at("meshes").items();
   for (std::size_t m = 0; m < model_.meshes.size(); ++m) {
-    const std::vector<Json>& primitives = root.at("meshes").items()[m].at("primitives").items();
+    const std::vector<Json>& primitives = meshes[m].at("primitives").items();
     for (std::size_t p = 0; p < model_.meshes[m].primitives.size(); ++p) {
       model_.meshes[m].primitives[p].indices = soundIndex(primitives[p].at("indices"), model_.accessors.size());
     }

@@ -13,11 +13,10 @@ namespace {
 
 using Kind = Json::Kind;
 
-/// Elements of all lists together: each may become a struct of some hundred bytes.
-constexpr std::size_t kMaxElements = 1'000'000;
+/// Elements of all lists together: on its way each takes up to about 2 KiB.
+constexpr std::size_t kMaxElements = 500'000;
 /// A file with more faults than this is refused for the next one, used or not.
 constexpr std::size_t kMaxFaults = 1000;
-constexpr double kMaxWhole = 9007199254740992.0;  // 2^53
 constexpr Rule kAttribute = {.type = Type::kIndex, .list = "accessors", .otherwise = "-1", .whenUsed = true};
 constexpr std::array<double, 6> kComponentTypes{5120, 5121, 5122, 5123, 5125, 5126};
 // MAT2 and MAT3 have padded columns and nothing Sinew reads uses them.
@@ -153,7 +152,7 @@ class Guard {
   static std::uint64_t wholeOf(const Json& value, const Place& place) {
     if (value.kind != Kind::kNumber) refuse(place.text(), "expected a number");
     const double number = value.number(0.0);
-    if (number < 0.0 || number > kMaxWhole || number != std::floor(number)) {
+    if (number < 0.0 || number > static_cast<double>(kMaxWhole) || number != std::floor(number)) {
       refuse(place.text(), "expected a whole number >= 0");
     }
     return static_cast<std::uint64_t>(number);
@@ -226,7 +225,7 @@ class Guard {
     if (rule.limit != 0 && items.size() > rule.limit) refuse(place.text(), std::string(rule.beyond));
     if (rule.element->type == Type::kObject) {
       elements_ += items.size();
-      if (elements_ > kMaxElements) refuse(place.text(), "more than 1 million elements in one file");
+      if (elements_ > kMaxElements) refuse(place.text(), "more than 500,000 elements in one file");
     }
     out() += '[';
     for (std::size_t i = 0; i < items.size(); ++i) {

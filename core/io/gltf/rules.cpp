@@ -11,7 +11,6 @@ namespace sinew::gltf {
 
 namespace {
 
-constexpr std::uint64_t kMaxWhole = 1ULL << 53;  // The largest a double holds with all below it.
 constexpr std::uint64_t kMaxInt = std::numeric_limits<int>::max();
 
 constexpr Rule boolean(std::string_view key) { return {.key = key, .type = Type::kBoolean}; }

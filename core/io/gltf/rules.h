@@ -8,13 +8,15 @@
 
 namespace sinew::gltf {
 
+inline constexpr std::uint64_t kMaxWhole = 1ULL << 53;  ///< The largest a double holds with all below it.
+
 enum class Type {
   kAnything,
   kBoolean,
   kNumber,
   kNumbers,  ///< An array of `size` numbers.
   kText,
-  kWhole,  ///< A whole number >= 0 (also written 3.0), at most 2^53.
+  kWhole,  ///< A whole number >= 0 (also written 3.0), at most kMaxWhole.
   kIndex,  ///< Of an element of the file's list `list`.
   kComponentType,
   kShape,       ///< SCALAR, VEC3, ...
