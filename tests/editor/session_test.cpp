@@ -127,7 +127,7 @@ TEST_F(Session, AfterACrashTheWorkIsOfferedAndRecoveredItIsSafeAgain) {
   {
     EditorState third;  // Beside it: nothing to be offered, the work has a living owner.
     keeper().start(third);
-    EXPECT_FALSE(third.recoveryAsked);
+    EXPECT_FALSE(third.dialogs.recovery);
   }
   two.finish(state, kPlace);
   EXPECT_TRUE(findLeftBehind(folder / "recovery").empty());
@@ -147,7 +147,7 @@ TEST_F(Session, SavedWorkIsNotOffered) {
   }
   EditorState next;
   keeper().start(next);
-  EXPECT_FALSE(next.recoveryAsked);
+  EXPECT_FALSE(next.dialogs.recovery);
 }
 
 TEST_F(Session, DiscardedWorkIsGone) {
@@ -158,7 +158,7 @@ TEST_F(Session, DiscardedWorkIsGone) {
     open(lost, "lizard.glb");
     change(lost);
     one.tick(lost, 0.0, kPlace);
-    lost.transport.clip = -1;  // Another clip writes at once.
+    lost.open.transport.clip = -1;  // Another clip writes at once.
     one.tick(lost, 0.1, kPlace);
   }
   EditorState state;
