@@ -195,7 +195,7 @@ TEST(InputRouter, ShiftTogglesAndNeverClears) {
   GizmoOnLimb scene;
   setTool(scene.tools, ToolKind::kSelect);
   scene.document.selection.clear();
-  select(scene.document, {"another"});
+  scene.document.selection.set(PrimitiveId{77});
   ViewportInput shift;
   shift.shift = true;
   scene.display.primitives = true;

@@ -158,7 +158,7 @@ TEST(PoseTool, AHeldJointDoesNotJumpWhenItIsTakenHoldOf) {
 
 TEST(PoseTool, AClickSelectsTheJointUnderThePointerAndKeepsTheMuscle) {
   PoseScene scene;
-  select(scene.document, {"biceps"});
+  scene.document.selection.set(PrimitiveId{77});
   const RouteResult route = scene.mouse({1, 1}, false);
   const glm::vec2 end(route.view.toPixel(glm::vec3(scene.pose.boneInWorld[2][3])));
   // A little off: joints have a reach, and x-ray is on without being switched on.
@@ -169,7 +169,7 @@ TEST(PoseTool, AClickSelectsTheJointUnderThePointerAndKeepsTheMuscle) {
   EXPECT_EQ(scene.document.selection.bone, 2);
   EXPECT_EQ(scene.document.selection.primitives.size(), 1u);
   EXPECT_TRUE(scene.overrides.isEmpty());
-  EXPECT_EQ(scene.document.commands.position(), 0u) << "posing is no step of the document";
+  EXPECT_EQ(scene.document.commands.position(), 0u) << "choosing a joint is no step";
 }
 
 TEST(PoseTool, WithoutOverridesToChangeNothingCanBeTurned) {
