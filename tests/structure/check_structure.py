@@ -25,6 +25,10 @@ LONGER = {}  # path: why it is one idea and longer all the same
 WINDOW_AND_GPU = re.compile(r"^(epoxy/|GLFW/|GL/|EGL/|GLES|KHR/|imgui|backends/imgui|misc/)")
 FILE_LIBRARIES = re.compile(r"^(tiny_gltf|tinygltf|nlohmann/|stb)")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
+PAGES = {"README.md", "CONTRIBUTING.md"}  # and docs/*.md: every path they name in backticks must exist
+TREES = ("app", "core", "tests", "shaders", "assets", "docs", "cmake")
+NAMED_PATH = re.compile(r"(?:%s)/[\w./*{},-]*" % "|".join(TREES))
+PLACEHOLDER = re.compile(r"[A-Z]{3,}")  # app/cli/NAME.cpp: not a path but a pattern
 
 
 def files(root):
@@ -118,6 +122,27 @@ def check_sizes(paths):
             yield "%s: %d .h and .cpp files, more than %d" % (path.as_posix(), count, MAX_FILES)
 
 
+def named_paths(line):
+    """The paths in the backticks of a line, "a.{h,cpp}" as two."""
+    for quoted in re.findall(r"`([^`]+)`", line):
+        for word in quoted.split():
+            path = NAMED_PATH.fullmatch(word.rstrip(".,;:"))
+            if not path or PLACEHOLDER.search(word):
+                continue
+            choice = re.fullmatch(r"(.*)\{(.*)\}(.*)", path.group())
+            yield from (choice[1] + end + choice[3] for end in choice[2].split(",")) if choice else (path.group(),)
+
+
+def check_pages(root, paths):
+    """A page names only files and directories that are there."""
+    for path in paths:
+        if path.as_posix() in PAGES or (path.parts[0] == "docs" and path.suffix == ".md"):
+            for number, line in enumerate((root / path).read_text(encoding="utf-8").splitlines(), 1):
+                for name in named_paths(line):
+                    if not any(root.glob(name.rstrip("/"))):
+                        yield "%s:%d: `%s` does not exist" % (path.as_posix(), number, name)
+
+
 def problems(root):
     paths = list(files(root))
     yield from check_sizes(paths)
@@ -127,6 +152,7 @@ def problems(root):
             for number, reason in check_source(path, lines):
                 yield "%s:%d: %s" % (path.as_posix(), number, reason)
     yield from check_tests(root, paths)
+    yield from check_pages(root, paths)
     for path in LONGER:
         if not (root / path).is_file() or len((root / path).read_text().splitlines()) <= MAX_LINES:
             yield "%s: needs its place in LONGER no more" % path

@@ -71,6 +71,15 @@ class Structure(unittest.TestCase):
         self.one("names 'attic'", tests__attic__a_test_DOT_cpp="// tests/attic/a_test.cpp: x\n")
         self.one("names 'a_test.py'", tests__mesh__a_test_DOT_py="# tests/mesh/a_test.py: x\n")
 
+    def test_a_page_that_names_what_is_not_there(self):
+        here = {"core__mesh__weld_DOT_h": self.header("core/mesh/weld.h")}
+        for page in ("README_DOT_md", "CONTRIBUTING_DOT_md", "docs__design_DOT_md"):
+            self.one(":2: `core/mesh/old.h` does not exist", **here, **{page: "# Head\nSee `core/mesh/old.h`.\n"})
+        self.one("`core/mesh/weld.cpp`", README_DOT_md="`core/mesh/weld.{h,cpp}`\n", **here)
+        self.one("`tests/mesh`", README_DOT_md="`ctest tests/mesh`\n", **here)
+        self.assertEqual([], self.problems(README_DOT_md="`core/mesh/weld.h` `core/mesh/` `core/mesh/*.h` "
+                                           "`app/cli/NAME.cpp` `Sinew::core` core/mesh/old.h\n", **here))
+
 
 if __name__ == "__main__":
     unittest.main()
