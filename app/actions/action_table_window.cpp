@@ -35,11 +35,11 @@ const Action kActions[] = {
      isShown<&L::rightShown>, toggleShown<&L::rightShown>},
     {"window/bottom", "Timeline", "The clip and its time", ctrl(GLFW_KEY_T), kNone, always, isShown<&L::bottomShown>,
      toggleShown<&L::bottomShown>},
-    {"window/picture", "Only the picture", "Put all panels away, or bring them back", ctrl(GLFW_KEY_SPACE), kNone,
-     always, pictureAlone, togglePictureAlone},
-    {"window/messages", "Messages", "What an import left out, what failed", kNone, kNone, hasMessages, messagesShown,
-     toggleMessages, true},
-    {"window/reset-layout", "Reset layout", "Bring the panels back to their places and sizes", kNone, kNone, always,
+    {"window/picture", "Only the picture", "Hide all panels, or show them again", ctrl(GLFW_KEY_SPACE), kNone, always,
+     pictureAlone, togglePictureAlone},
+    {"window/messages", "Messages", "What an import left out, and what failed", kNone, kNone, hasMessages,
+     messagesShown, toggleMessages, true},
+    {"window/reset-layout", "Reset layout", "Return the panels to their default places and sizes", kNone, kNone, always,
      nullptr, resetLayout, true},
 };
 

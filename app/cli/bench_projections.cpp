@@ -94,11 +94,11 @@ Result<std::vector<Contender>> contendersOf(const ProjectionTrial& trial, Surfac
 }  // namespace
 
 Result<std::vector<ProjectionRow>> measureProjections(const ProjectionTrial& trial,
-                                                      const std::function<void(const std::string&)>& told) {
+                                                      const std::function<void(const std::string&)>& report) {
   const std::vector<Pose> poses = posesOf(*trial.character, trial.frames);
   std::vector<ProjectionRow> rows;
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
-    told(trial.scene + ", " + nameOf(mode));
+    report(trial.scene + ", " + nameOf(mode));
     auto contenders = contendersOf(trial, mode);
     if (!contenders) return contenders.error();
     std::vector<Contender>& all = contenders.value();

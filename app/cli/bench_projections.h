@@ -37,9 +37,9 @@ struct ProjectionTrial {
 };
 
 /// Frames are spread evenly over the first clip, or are the bind pose. In every round each frame is smoothed by all
-/// three projections in turn, so that a slow moment of the machine meets them alike. @param told is called before each
-/// mode. Error: the rig cannot be prepared.
+/// three projections in turn, so that a slow moment of the machine meets them alike. @param report is called before
+/// each mode. Error: the rig cannot be prepared.
 [[nodiscard]] Result<std::vector<ProjectionRow>> measureProjections(
-    const ProjectionTrial& trial, const std::function<void(const std::string&)>& told);
+    const ProjectionTrial& trial, const std::function<void(const std::string&)>& report);
 
 }  // namespace sinew::app

@@ -236,7 +236,7 @@ void addInspectOptions(CLI::App& verb, InspectOptions& options) {
   verb.add_option_function<std::string>(
           "FILE", [&](const std::string& file) { options.file = file; }, "Character (.glb, .gltf) or rig (.rig.json)")
       ->required();
-  verb.add_flag("--json", options.json, "For programs");
+  verb.add_flag("--json", options.json, "Print JSON, for programs");
 }
 
 int runInspect(const InspectOptions& options) {

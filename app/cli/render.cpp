@@ -163,7 +163,7 @@ void addLook(CLI::App& verb, RenderOptions& options) {
   verb.add_option("--view", options.view,
                   "front, back, left, right, top, bottom, three-quarter, or YAW,PITCH in degrees")
       ->type_name("VIEW");
-  verb.add_flag("--orthographic", options.orthographic, "Without perspective");
+  verb.add_flag("--orthographic", options.orthographic, "Orthographic: no perspective");
   verb.add_option("--shading", options.shading,
                   "textured, clay, classes (implicit, straddling, normal) or heat (displacement)")
       ->type_name("S");
@@ -174,10 +174,10 @@ void addLook(CLI::App& verb, RenderOptions& options) {
       ->take_all();
   verb.add_flag("--surface,!--no-surface", options.surface, "The smoothed surface (on)");
   verb.add_flag("--ground,!--no-ground", options.ground, "Grid and shadow (on)");
-  verb.add_flag("--cull", options.cull, "Leave out, before it is computed, what turns away from the eye: faster");
+  verb.add_flag("--cull", options.cull, "Neither compute nor draw faces that point away from the camera: faster");
   verb.add_flag("--transparent", options.transparent, "No background: an alpha channel instead");
   verb.add_option("--size", options.size, "Pixels, each 16 to 8192 (1280x800)")->type_name("WxH");
-  verb.add_option("--samples", options.samples, "Per pixel, as far as the driver goes (4)")
+  verb.add_option("--samples", options.samples, "Samples per pixel, at most what the driver offers (4)")
       ->type_name("N")
       ->check(CLI::Range(1, 64));
 }

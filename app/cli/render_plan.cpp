@@ -149,7 +149,7 @@ Result<void> readMoments(const RenderOptions& options, RenderPlan& plan) {
     plan.pictures.push_back({time, options.output});
     return {};
   }
-  if (options.time) return errorAt("--time", "goes without --frames: a frame's number is its time");
+  if (options.time) return errorAt("--time", "cannot be combined with --frames: a frame's number is its time");
   if (!(options.framesPerSecond > 0.0) || !std::isfinite(options.framesPerSecond))
     return errorAt("--fps", "expected a number > 0");
   const auto range = pairIn<int>(options.frames, ':');

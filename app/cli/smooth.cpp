@@ -33,7 +33,7 @@ Rig overridden(Rig rig, const SmoothOptions& options) {
 }
 
 std::string clipNames(const Character& character) {
-  if (character.clips.empty()) return "nothing, for it has no clips";
+  if (character.clips.empty()) return "none: it has no clips";
   std::string names;
   for (const AnimationClip& clip : character.clips) names += (names.empty() ? "\"" : ", \"") + clip.name + '"';
   return character.clips.size() == 1 ? names : "one of " + names;
@@ -139,7 +139,7 @@ int runSmooth(const SmoothOptions& options) {
   if (options.clip) document.value().character = withClipNamed(document->character, *options.clip);
   for (const std::filesystem::path& written : {options.output, options.report}) {
     if (wouldOverwriteInput(written, document.value()))
-      return badCommandLine(written.string() + ": is the input, and is kept");
+      return badCommandLine(written.string() + ": is the input; it is not overwritten");
   }
   const Rig rig = overridden(document->rig(), options);
   if (const auto missing = missingBones(rig, document->character->skeleton); !missing.empty()) {

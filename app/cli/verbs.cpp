@@ -25,7 +25,7 @@ constexpr const char* kExamples =
     "  sinew smooth fox.rig.json --clip Walk --time 0.4 --depth 6 -o fox.obj --report fox.json\n"
     "  sinew render fox.rig.json --clip Walk --frames 0:23 -o fox_%04d.png\n"
     "\n"
-    "Exit status: 0 done, 1 the input is bad, 2 the command line is wrong. 'sinew VERB --help' tells a verb's options.";
+    "Exit status: 0 done, 1 the input is bad, 2 the command line is wrong. 'sinew VERB --help' lists a verb's options.";
 
 constexpr std::array<std::string_view, 5> kVerbs{"edit", "inspect", "smooth", "render", "bench"};
 
@@ -44,8 +44,8 @@ struct CommandLine {
   CLI::App* benchVerb = nullptr;
 
   CommandLine() {
-    app.set_version_flag("--version", std::string("sinew ") + programVersion(), "Print the version and leave");
-    app.set_help_flag("-h,--help", "Print this and leave");
+    app.set_version_flag("--version", std::string("sinew ") + programVersion(), "Print the version and exit");
+    app.set_help_flag("-h,--help", "Print this and exit");
     app.footer(kExamples);
     app.require_subcommand(1);
     editVerb = app.add_subcommand("edit", "Open the editor");
@@ -53,10 +53,10 @@ struct CommandLine {
                          "Character (.glb, .gltf) or rig (.rig.json); without it, a bundled character");
     editVerb->add_option("--log-state", edit.logState, "Append a JSON line per drawn frame that changed")
         ->type_name("FILE");
-    editVerb->add_option("--scale", edit.scale, "Size of the interface: 1, 1.5, 2; without it, what the system says")
+    editVerb->add_option("--scale", edit.scale, "Size of the interface: 1, 1.5, 2; without it, the system's")
         ->check(CLI::Range(0.5, 4.0))
         ->type_name("S");
-    inspectVerb = app.add_subcommand("inspect", "Tell what a character or rig holds, and what is wrong with it");
+    inspectVerb = app.add_subcommand("inspect", "Describe a character or a rig, and what is wrong with it");
     addInspectOptions(*inspectVerb, inspect);
     smoothVerb = app.add_subcommand("smooth", "Write the smoothed surface of one moment");
     addSmoothOptions(*smoothVerb, smooth);
@@ -78,7 +78,7 @@ std::vector<std::string> withVerb(int argc, const char* const* argv) {
   return arguments;
 }
 
-/// A lone word that names neither verb nor file: a slip of the hand, no reason to open a window.
+/// A lone word that names neither verb nor file: a typo, not a reason to open a window.
 bool isUnknownWord(const std::string& word) {
   std::error_code failed;
   return !word.empty() && word.find_first_of("./-") == std::string::npos &&
@@ -101,7 +101,7 @@ int answer(const CommandLine& line, const CLI::ParseError& error) {
 
 int runCommandLine(int argc, const char* const* argv, const std::function<int(const EditRequest&)>& edit) {
   if (argc > 1 && isUnknownWord(argv[1])) {
-    return badCommandLine('"' + std::string(argv[1]) + "\" is no verb and no file (see: sinew --help)");
+    return badCommandLine('"' + std::string(argv[1]) + "\" is neither a verb nor a file (see: sinew --help)");
   }
   CommandLine line;
   std::vector<std::string> arguments = withVerb(argc, argv);

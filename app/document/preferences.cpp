@@ -150,12 +150,12 @@ LoadedPreferences loadPreferences(const std::filesystem::path& file) {
   std::error_code failed;
   if (!std::filesystem::exists(file, failed)) return {};
   const Result<std::string> text = readWholeFile(file, kLargestFile);
-  if (!text) return {{}, text.error().text() + "; the preferences begin anew" + keptAside(file)};
+  if (!text) return {{}, text.error().text() + "; the default preferences are used" + keptAside(file)};
   Result<Preferences> preferences = preferencesFromJson(text.value());
   if (preferences) return {std::move(preferences).value(), ""};
   Error error = preferences.error();
   error.file = file.string();
-  return {{}, error.text() + "; the preferences begin anew" + keptAside(file)};
+  return {{}, error.text() + "; the default preferences are used" + keptAside(file)};
 }
 
 Result<void> savePreferences(const Preferences& preferences, const std::filesystem::path& file) {

@@ -198,13 +198,13 @@ void discardLeftBehind(const LeftBehind& left) {
 
 std::string ageText(fs::file_time_type when, fs::file_time_type now) {
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now - when).count();
-  const auto told = [](long long count, const char* unit) {
+  const auto ago = [](long long count, const char* unit) {
     return std::to_string(count) + " " + unit + (count == 1 ? " ago" : "s ago");
   };
   if (seconds < 60) return "just now";
-  if (seconds < 3600) return told(seconds / 60, "minute");
-  if (seconds < 86400) return told(seconds / 3600, "hour");
-  return told(seconds / 86400, "day");
+  if (seconds < 3600) return ago(seconds / 60, "minute");
+  if (seconds < 86400) return ago(seconds / 3600, "hour");
+  return ago(seconds / 86400, "day");
 }
 
 AutosaveClock::Deed AutosaveClock::look(double now, double interval, const CommandStack& commands, std::size_t document,

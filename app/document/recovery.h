@@ -1,6 +1,6 @@
 // app/document/recovery.h: unsaved work survives a crash.
 //
-// Every running editor has a lock file in the recovery folder, NUMBER.lock, held by flock: the system lets go of it
+// Every running editor has a lock file in the recovery folder, NUMBER.lock, held by flock: the system releases it
 // however the process ends. While its document has unsaved changes, NUMBER.json beside it holds them. A .json whose
 // lock nobody holds was left behind by a crash.
 #pragma once
@@ -18,7 +18,7 @@ namespace sinew::app {
 /// $XDG_STATE_HOME/sinew/recovery, else recovery/ beside the preferences. Need not exist.
 [[nodiscard]] std::filesystem::path recoveryFolder();
 
-/// An open file with a lock on it. Closing it lets go.
+/// An open file with a lock on it. Closing it releases the lock.
 class FileLock {
  public:
   FileLock() = default;

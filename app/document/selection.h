@@ -21,7 +21,7 @@ struct Selection {
   /// Picks several at once, in their order; the last becomes active. They replace what was picked, or (`add`) join it.
   void setAll(std::span<const PrimitiveId> several, bool add = false);
   void remove(std::span<const PrimitiveId> several);
-  /// Picks those of `all` that were not picked, and lets go of the others.
+  /// Selects those of `all` that were not selected, and deselects the others.
   void invert(std::span<const PrimitiveId> all);
   void clear();
 };

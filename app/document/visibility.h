@@ -47,7 +47,7 @@ struct Visibility {
 /// many.
 [[nodiscard]] std::vector<int> boneOfEach(const Rig& rig, const Skeleton& skeleton);
 
-/// What holds for each muscle of a rig after bones, solo, isolation and `bare` have had their say.
+/// What holds for each muscle of a rig after bones, solo, isolation and `bare` are taken into account.
 struct EffectiveVisibility {
   std::vector<bool> visible;     ///< [primitives] False: not drawn, and does not deform the skin.
   std::vector<bool> locked;      ///< [primitives]

@@ -105,7 +105,7 @@ void SessionKeeper::keepPreferences(EditorState& state, double now, const Window
   }
 }
 
-/// A failure is told once for what was to be written; the next change tries again.
+/// A failure is reported once; the next change tries again.
 void SessionKeeper::writePreferences(EditorState& state, const Preferences& preferences) {
   stored_ = preferences;
   if (const Result<void> saved = savePreferences(preferences, preferencesFile_); !saved) {

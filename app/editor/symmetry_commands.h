@@ -8,7 +8,7 @@
 
 namespace sinew::app {
 
-// Symmetry. What cannot be mirrored is told in the messages.
+// Symmetry. What cannot be mirrored is reported in the messages.
 [[nodiscard]] bool canMirror(const EditorState& state);  ///< The character has pairs of bones, or bones in its plane.
 void toggleSymmetry(EditorState& state);
 void mirrorSelection(EditorState& state);  ///< A linked twin for each selected muscle; twins become exact again.

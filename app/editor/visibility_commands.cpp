@@ -77,7 +77,7 @@ std::string hiddenText(const EditorState& state) {
   const auto hidden = hiddenPrimitives(visibility, state.document.rig(), state.character().skeleton).size();
   if (hidden == 0) return "";
   const std::string count = std::to_string(hidden) + " of " + std::to_string(state.document.rig().primitives.size());
-  return visibility.isolated ? "Isolated: " + count + " muscles put away" : count + " muscles hidden";
+  return visibility.isolated ? "Isolated: " + count + " muscles hidden" : count + " muscles hidden";
 }
 
 }  // namespace sinew::app

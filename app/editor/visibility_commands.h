@@ -12,7 +12,7 @@ void followEdits(EditorState& state);
 
 /// Hides the selected muscles; shows them if all of them are hidden by themselves.
 void toggleHideSelection(EditorState& state);
-/// Nothing is hidden, soloed or isolated any more; locks stay.
+/// Show every muscle: hide, solo and isolate end; locks stay.
 void showAll(EditorState& state);
 /// Shows the selected muscles alone, or ends that.
 void toggleIsolation(EditorState& state);

@@ -41,7 +41,7 @@ struct Regions {
   Box status;
 };
 
-/// Keeps the sizes within what the window has room for. What is put away keeps its size for when it comes back.
+/// Keeps the sizes within what the window has room for. Hidden panels keep their size.
 void fitSizes(PanelUi& ui, float menuHeight) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   LayoutState& layout = ui.state.view.layout;

@@ -28,14 +28,14 @@ void drawRecent(PanelUi& ui) {
     std::error_code failed;
     const bool there = std::filesystem::is_regular_file(recent[i], failed);
     const std::string id = "file/recent/" + std::to_string(i);
-    const std::string place = "   " + (there ? recent[i].parent_path().string() : std::string("not there any more"));
+    const std::string place = "   " + (there ? recent[i].parent_path().string() : std::string("no longer there"));
     const bool chosen =
         ImGui::MenuItem((recent[i].filename().string() + "##" + id).c_str(), place.c_str(), false, there);
     ui.widgets.note(id);
     if (chosen) request(ui.state, {IntentKind::kOpenFile, recent[i]});
   }
   ImGui::Separator();
-  if (ImGui::MenuItem("Forget these")) ui.state.session.preferences.recentFiles.clear();
+  if (ImGui::MenuItem("Clear this list")) ui.state.session.preferences.recentFiles.clear();
   ui.widgets.note("file/recent/clear");
   ImGui::EndMenu();
 }

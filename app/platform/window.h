@@ -42,7 +42,7 @@ class Window {
   [[nodiscard]] glm::ivec2 size() const;             ///< Window coordinates, as the mouse has them.
   [[nodiscard]] glm::ivec2 framebufferSize() const;  ///< Pixels.
   [[nodiscard]] float contentScale() const;          ///< 1 on ordinary screens, 2 on dense ones.
-  /// Now; of a maximised window, or one that is put away, what it was before.
+  /// Now; of a maximised or minimised window, what it was before.
   [[nodiscard]] WindowGeometry geometry() const;
 
   void setTitle(const std::string& title);
@@ -66,7 +66,7 @@ class Window {
   InputQueue input_;
   std::vector<std::filesystem::path> drops_;
   std::string title_;
-  mutable WindowGeometry geometry_;        ///< The last that was neither maximised nor put away.
+  mutable WindowGeometry geometry_;        ///< The last that was neither maximised nor minimised.
   std::array<int, kKeyCodes> meanings_{};  ///< What a held key meant when it went down; 0: it is up.
   bool refresh_ = true;
 };

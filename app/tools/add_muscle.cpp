@@ -254,7 +254,7 @@ Result<void> beginAddMuscle(AddMuscleState& state, const ViewportContext& contex
   drag.selectionBefore = document.selection;
   drag.rigBefore = document.commands.sharedRig();
   if (!isUsable(drag.boneInWorld)) {
-    return errorAt(document.character->skeleton.fileName(drag.bone), "this bone is scaled to nothing in this pose");
+    return errorAt(document.character->skeleton.fileName(drag.bone), "this bone has a scale of zero in this pose");
   }
   document.commands.beginGesture("Add muscle");
   if (const Result<void> shown = show(drag, {{drag.start}}, document); !shown) {
@@ -296,7 +296,7 @@ Result<std::string> addMuscleOnBone(Document& document, int bone) {
   const Character& character = *document.character;
   const Bone& onBone = character.skeleton.bones[static_cast<std::size_t>(bone)];
   if (!isUsable(onBone.bindInWorld)) {
-    return errorAt(character.skeleton.fileName(bone), "this bone is scaled to nothing in the bind pose");
+    return errorAt(character.skeleton.fileName(bone), "this bone has a scale of zero in the bind pose");
   }
   const glm::vec3 segment = glm::mat3(onBone.bindInWorld) * onBone.tip;
   const glm::vec3 origin(onBone.bindInWorld[3]);

@@ -1,4 +1,4 @@
-// app/tools/axis_triad.cpp: the ball of axes: where it is, what the mouse does to it.
+// app/tools/axis_triad.cpp: the axis gizmo: where it is, what the mouse does to it.
 
 #include "app/tools/axis_triad.h"
 
@@ -123,7 +123,7 @@ ViewportInput passTriad(AxisTriad& triad, Camera& camera, ViewportInput input, c
 const char* describe(const AxisTriad& triad) {
   if (triad.turning) return "Orbit";
   if (!triad.ballHovered) return "";
-  if (!triad.hovered) return "Drag on the ball of axes to orbit, click an axis to look along it";
+  if (!triad.hovered) return "Drag the axis gizmo to orbit, click an axis to look along it";
   switch (*triad.hovered) {
     case AxisEnd::kX:
       return "Click: the character's left (+X); again: the other side";

@@ -1,4 +1,4 @@
-// app/tools/axis_triad.h: the ball of axes in a corner of the viewport: shows how the camera is turned,
+// app/tools/axis_triad.h: the axis gizmo in a corner of the viewport: shows how the camera is turned,
 #pragma once
 // turns it.
 

@@ -1,4 +1,4 @@
-// app/tools/axis_triad_draw.cpp: the ball of axes as ImGui draws it.
+// app/tools/axis_triad_draw.cpp: the axis gizmo as ImGui draws it.
 
 #include <imgui.h>
 

@@ -196,8 +196,8 @@ std::string statusOf(const ToolFrame& frame) {
   const ViewportTools& tools = frame.tools;
   if (const char* const onTriad = describe(tools.triad); *onTriad != '\0') return onTriad;
   if (tools.gizmo.drag || tools.gizmo.hovered != GizmoHandle::kNone) return describe(tools.gizmo);
-  if (tools.box.drag) return "Box: release selects what it touches, Shift adds, Alt takes away, Esc cancels";
-  if (tools.box.armed) return "Draw a box around muscles: Shift adds, Alt takes away, Esc ends";
+  if (tools.box.drag) return "Box: release selects what it touches, Shift adds, Alt removes, Esc cancels";
+  if (tools.box.armed) return "Draw a box around muscles: Shift adds, Alt removes, Esc ends";
   if (tools.owner == PressOwner::kOrbit) return "Orbit";
   if (tools.owner == PressOwner::kPan) return "Pan";
   return activeTool(tools).describe(frame);

@@ -9,11 +9,11 @@ namespace sinew::app {
 void setTool(ViewportTools& tools, ToolKind tool);
 
 /// The same, and the next frame begins a drag of the whole muscle at the pointer, as Blender's G does: it goes
-/// on without a button until a click or Enter keeps it, Esc or the right button takes it back. Only for tools
+/// on without a button until a click or Enter keeps it, Esc or the right button cancels it. Only for tools
 /// with such a handle (Tool::whole); without a target, or with the pointer beside the picture, no drag.
 void startDrag(ViewportTools& tools, ToolKind tool);
 
-/// The next press on the picture draws a box that selects; Esc or the right button lets go of it.
+/// The next press on the picture draws a box that selects; Esc or the right button cancels it.
 void armBox(ViewportTools& tools);
 
 /// While true, X, Y, Z, digits, Enter, Esc and Backspace belong to a drag: menus and keymaps leave them alone, undo

@@ -74,7 +74,7 @@ Result<void> toggleTerritoryBone(Document& document, int bone) {
 constinit const Tool kTerritoryTool{
     .id = "tool/territory",
     .label = "Edit territory",
-    .hint = "Click bones: the skin of which the selected muscle may move",
+    .hint = "Click the bones whose skin the selected muscle may move",
     .key = 0,
     .icon = Icon::kNone,
     .handles = GizmoMode::kPoles,

@@ -1,4 +1,4 @@
-// app/tools/viewport_context.h: what every viewport tool is told about the frame.
+// app/tools/viewport_context.h: what every viewport tool knows about the frame.
 #pragma once
 
 #include "app/document/document.h"

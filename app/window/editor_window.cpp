@@ -201,7 +201,7 @@ int runEditor(const EditorOptions& options) {
     if (!opened) return refuse(opened.error());
     log = std::move(opened).value();
   }
-  // Before the window: a bad file is told apart from a missing display, and nothing flashes up.
+  // Before the window: a bad file is reported even without a display, and no window flashes up.
   std::optional<Document> document;
   if (!options.file.empty()) {
     Result<Document> opened = openDocument(options.file);

@@ -12,7 +12,8 @@ struct EditorOptions {
 };
 
 /// Opens the window, runs it, closes it. @return exit status: 0, or 1 after a line on stderr (no display, no
-/// OpenGL 4.5, the log cannot be written). A file that cannot be opened is told in the window, which then stays empty.
+/// OpenGL 4.5, the log cannot be written). A file that cannot be opened is reported in the window, which then stays
+/// empty.
 [[nodiscard]] int runEditor(const EditorOptions& options);
 
 }  // namespace sinew::app

@@ -13,7 +13,7 @@
 namespace sinew {
 
 /// Appends; the name is made unique; an empty group becomes the first group, made ("muscles") if there is none. If
-/// `mirror` names a primitive of the rig, the two become each other's twins (a former twin is let go).
+/// `mirror` names a primitive of the rig, the two become each other's twins (a former twin is unlinked).
 [[nodiscard]] Result<Rig> addPrimitive(const Rig& rig, Primitive primitive);
 /// Removes several; twins of removed ones lose their link.
 [[nodiscard]] Rig removePrimitives(const Rig& rig, std::span<const int> indices);
@@ -26,9 +26,9 @@ namespace sinew {
 /// Moves the primitive to another bone; the placement is the caller's (it knows the pose).
 [[nodiscard]] Result<Rig> setBone(const Rig& rig, int index, const std::string& bone, const Placement& placement);
 [[nodiscard]] Result<Rig> setTerritory(const Rig& rig, int index, std::optional<std::vector<std::string>> territory);
-/// Makes two different primitives each other's twins; former twins are let go. Placements stay as they are.
+/// Makes two different primitives each other's twins; former twins are unlinked. Placements stay as they are.
 [[nodiscard]] Rig setMirror(const Rig& rig, int index, int twin);
-/// Lets go of the twin, on both sides.
+/// Unlinks the twin, on both sides.
 [[nodiscard]] Rig clearMirror(const Rig& rig, int index);
 [[nodiscard]] Result<Rig> setGroupOf(const Rig& rig, int index, const std::string& group);
 [[nodiscard]] Result<Rig> addGroup(const Rig& rig, const std::string& name);

@@ -1,4 +1,4 @@
-// core/smoothing/face_culling.cpp: one side? does all of it face away? does it stay where it is?
+// core/smoothing/face_culling.cpp: triangles of one-sided materials that face away and that no muscle moves.
 #include "core/smoothing/face_culling.h"
 
 #include <algorithm>

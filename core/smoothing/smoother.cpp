@@ -266,7 +266,7 @@ struct Smoother::State {
     interpolateDirections(mesh(), *prepared.refinement, controlRise, rise);
   }
 
-  /// Folds of what the muscles moved are smoothed out, and what is left of them is taken back towards the patch.
+  /// Folds of what the muscles moved are smoothed out, and what is left of them moves back towards the patch.
   void unfold(Surface& out) {
     const Refinement& refinement = *prepared.refinement;
     const PatchView patch{patchPositions, patchNormals, prepared.bindFronts};

@@ -32,8 +32,8 @@ namespace sinew {
 /// Appends the image of one that has no twin yet, linked to it; its twin, if it has one, becomes its image. Error: it
 /// lies in the plane, or see twinBone.
 [[nodiscard]] Result<Rig> mirrorToOtherSide(const Rig& rig, int index, const MirrorPlan& plan);
-/// Links two different primitives; the second becomes the image of the first but for its name. Former twins are let go.
-/// Error: see twinBone.
+/// Links two different primitives; the second becomes the image of the first but for its name. Former twins are
+/// unlinked. Error: see twinBone.
 [[nodiscard]] Result<Rig> linkTwins(const Rig& rig, int leader, int follower, const MirrorPlan& plan);
 /// Each becomes its own image, name and link kept; of a linked pair both, once. Error: the first that has no
 /// counterpart.

@@ -1,4 +1,4 @@
-// tests/document/symmetry_test.cpp: the command stack keeps twins, and every edit can be taken back to the byte.
+// tests/document/symmetry_test.cpp: the command stack keeps twins, and every edit can be undone to the byte.
 
 #include <gtest/gtest.h>
 

@@ -73,7 +73,7 @@ def dragged_and_killed(t, file, before):
     t.check_equal("the copy holds the drag", rigs.changed_parts(muscle_of(original), muscle_of(second)), {"center"})
     editor.screenshot(t.out / "crash_dragging.png")
     editor.kill()
-    editor.release()  # The hand lets go, though nobody listens.
+    editor.release()  # The button goes up, though nobody listens.
     t.check_equal("the copy is left, and one alone", len(recovery_files(t)), 1)
     t.check("the rig's own file is untouched, byte for byte", file.read_bytes() == before)
     return kept_rig(t)

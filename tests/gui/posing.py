@@ -1,4 +1,4 @@
-# tests/gui/posing.py: joints turned by hand, taken back, mirrored; the range of motion from the list of clips.
+# tests/gui/posing.py: joints turned by hand, undone, mirrored; the range of motion from the list of clips.
 import math
 import sys
 

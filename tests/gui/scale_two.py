@@ -95,7 +95,7 @@ def handles_follow(t, editor):
 
 
 def click_in_picture(editor, place):
-    """What is under the pointer is what is meant: a click beside lets go, a click on the muscle takes it again."""
+    """What is under the pointer is what is meant: a click beside clears the selection, a click on the muscle selects it again."""
     editor.tap("q", "the select tool", lambda s: s["tool"] == "select")
     editor.tap("8", "all muscles to be seen", lambda s: s["display"]["primitives"])
     x, y, width, height = editor.state()["viewport"]

@@ -33,7 +33,7 @@ def layout_is_remembered(t, file):
     again = t.edit(file)
     state = again.wait_until("the character", lambda s: BONE in s["bones"])
     t.check("the panel is as wide as it was", abs(state["viewport"][0] - wide[0]) < 2, state["viewport"])
-    t.check("what was put away stays away", "layout/right" not in state["widgets"])
+    t.check("what was hidden stays hidden", "layout/right" not in state["widgets"])
     return again
 
 

@@ -72,7 +72,7 @@ def whole_drag(t, editor):
     state = editor.wait_until("the pointer to come to rest", lambda s: abs(s["mouse"][0] - start[0] - 150) < 0.1)
     seen = state["gizmo"]["handles"]["move.center"]
     # A muscle that is dragged in the picture's plane stays under the pointer.
-    t.check("a drag during one frame ends where the button was let go",
+    t.check("a drag during one frame ends where the button was released",
             abs(seen[0] - start[0] - 40) <= 2 and abs(seen[1] - start[1] - 24) <= 2, (seen, start))
     t.check_equal("the muscle stays selected", state["document"]["selection"], before["document"]["selection"])
 

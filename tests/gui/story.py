@@ -54,7 +54,7 @@ def open_and_walk(t, editor, role):
 
 
 def press_on(editor, stroke):
-    """Presses where a muscle grows on that bone; the body walks, so a press that hit another one is taken back."""
+    """Presses where a muscle grows on that bone; the body walks, so a press that hit another one is undone."""
     name, bone, _, _, parts = stroke
     count = editor.state()["document"]["primitives"]
 

@@ -22,7 +22,7 @@ def thigh(state):
 
 
 def press_on_thigh(editor):
-    """Presses on the walking thigh; another bone may be under the pointer by then, and is taken back."""
+    """Presses on the walking thigh; another bone may be under the pointer by then, and is undone."""
     count = editor.state()["document"]["primitives"]
 
     def pressed():

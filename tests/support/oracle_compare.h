@@ -31,7 +31,7 @@ struct Tally {
   int anotherRoot = 0;      ///< Of the far: the surface lies on a later root of the same ray.
   int nearTangent = 0;      ///< Of the far: |phi| < 1e-4 at the surface, a root that rounding makes or unmakes.
   int unexplained = 0;      ///< Of the far: neither.
-  int guarded = 0;          ///< The finisher takes it back towards the patch.
+  int guarded = 0;          ///< The finisher moves it back towards the patch.
   int guardOff = 0;         ///< Of those: the surface is more than 1e-4 H from the finisher's position.
   int shadingOff = 0;       ///< Of all: the surface's normal is more than 1 degree from the finisher's.
   int normalsOff = 0;       ///< Field normals more than 1 degree from the oracle's, among the sought that are not far.

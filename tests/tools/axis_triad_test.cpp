@@ -1,4 +1,4 @@
-// tests/tools/axis_triad_test.cpp: the ball of axes shows the camera and turns it.
+// tests/tools/axis_triad_test.cpp: the axis gizmo shows the camera and turns it.
 #include "app/tools/axis_triad.h"
 
 #include <gtest/gtest.h>

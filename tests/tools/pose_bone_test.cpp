@@ -43,7 +43,7 @@ struct PoseScene : test::LimbScene {
     held = down;
     return step(with);
   }
-  /// Takes hold of a ring, types degrees, lets go.
+  /// Grabs a ring, types degrees, releases it.
   void typeTurn(const char* ring, const std::string& degrees, bool keep = true) {
     const glm::vec2 at = mouse({1, 1}, false).gizmo.namedPixels().at(ring);
     mouse(at, false);

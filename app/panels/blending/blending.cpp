@@ -30,7 +30,7 @@ void drawHead(PanelUi& ui) {
   if (chosen >= 0) asGraph = chosen == 1;
   if (asGraph) {
     ImGui::SameLine(0.0f, gap);
-    if (glyphButton(ui, "blending/arrange", Glyph::kArrange, false, button, "Arrange all groups anew")) {
+    if (glyphButton(ui, "blending/arrange", Glyph::kArrange, false, button, "Arrange all groups again")) {
       blending.places.clear();
       blending.fitWanted = true;
     }
@@ -74,7 +74,7 @@ void drawChosen(PanelUi& ui, int group) {
   ImGui::BeginDisabled(selected.empty());
   if (ImGui::Button("Move here", {half, 0.0f})) moveToGroup(ui.state, selected, name);
   ui.widgets.note("blending/move-here");
-  tooltip(ui, "Put the selected muscles into this group");
+  tooltip(ui, "Move the selected muscles to this group");
   ImGui::EndDisabled();
 }
 

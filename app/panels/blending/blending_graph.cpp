@@ -76,7 +76,7 @@ void settlePlaces(Graph& graph) {
   }
 }
 
-/// All nodes, with room for their names, into the canvas; never larger than life.
+/// All nodes, with room for their names, into the canvas; never enlarged.
 void fit(Graph& graph) {
   BlendingState& state = graph.state();
   glm::vec2 low(1e9f);
@@ -157,13 +157,13 @@ Hit hitAt(const Graph& graph, const glm::vec2& mouse) {
 std::string hintOf(const Graph& graph) {
   const Hit& hit = graph.hit;
   if (hit.part == Part::kDisc) return groupText(*graph.rig, hit.group) + "\nDrag moves the node; drop muscles here.";
-  if (hit.part == Part::kRim) return "Drag from the rim to another group: the two blend.";
+  if (hit.part == Part::kRim) return "Drag from the rim to another group to link the two.";
   if (hit.part != Part::kEdge) return "";
   const auto& [a, b] = graph.edges[static_cast<std::size_t>(hit.edge)];
   return graph.name(a) + " and " + graph.name(b) + " blend. Click to unlink.";
 }
 
-// Hands -------------------------------------------------------------------------------------------------------------
+// Dragging ----------------------------------------------------------------------------------------------------------
 
 /// What a press on the canvas began; in the window's storage for as long as the button is held.
 enum class Grip { kNone, kNode, kLink, kEdge, kCanvas };

@@ -144,7 +144,7 @@ void drawFilter(PanelUi& ui) {
 void drawComplaint(PanelUi& ui) {
   const FileDialogState& dialog = ui.state.dialogs.file;
   if (dialog.error.empty() && !dialog.overwriteAsked) return;
-  const std::string asked = saveTarget(dialog).filename().string() + " is there already. Replace it?";
+  const std::string asked = saveTarget(dialog).filename().string() + " already exists. Replace it?";
   ImGui::PushStyleColor(ImGuiCol_Text, dialog.error.empty() ? palette::kWarning : palette::kError);
   ImGui::TextWrapped("%s", dialog.error.empty() ? asked.c_str() : dialog.error.c_str());
   ImGui::PopStyleColor();

@@ -46,9 +46,9 @@ const Section& dragSection() {
                                {{"Along one axis", "X  Y  Z"},
                                 {"In steps", "Ctrl"},
                                 {"Slowly", "Shift"},
-                                {"By a number", "digits, Enter"},
+                                {"By a typed number", "digits, Enter"},
                                 {"A pole from the middle", "Alt"},
-                                {"Take it back", "Esc or right button"}}};
+                                {"Cancel", "Esc or right button"}}};
   return section;
 }
 
@@ -57,7 +57,7 @@ const Section& fieldSection() {
                                {{"Change a number", "drag, Shift fast, Alt slow"},
                                 {"Type a number", "double click"},
                                 {"Complete a path", "Tab"},
-                                {"Take it back", "Esc"}}};
+                                {"Cancel", "Esc"}}};
   return section;
 }
 

@@ -196,7 +196,7 @@ int drawFound(PanelUi& ui, const Entries& all, const std::vector<Found>& found, 
   }
   if (found.empty()) {
     ImGui::SetCursorPos({ui.px(30), ui.px(8)});
-    mutedText("Nothing of that name.");
+    mutedText("Nothing found.");
   }
   ImGui::PopStyleVar();
   ImGui::EndChild();

@@ -48,7 +48,7 @@ void keymapRow(PanelUi& ui) {
 std::string scaleText(float scale, float system) {
   std::array<char, 48> text{};
   if (scale > 0.0f) std::snprintf(text.data(), text.size(), "%.0f %%", static_cast<double>(scale) * 100.0);
-  else std::snprintf(text.data(), text.size(), "as the system says (%.0f %%)", static_cast<double>(system) * 100.0);
+  else std::snprintf(text.data(), text.size(), "as in the system (%.0f %%)", static_cast<double>(system) * 100.0);
   return text.data();
 }
 
@@ -67,7 +67,7 @@ void scaleRow(PanelUi& ui) {
     }
     ImGui::EndCombo();
   }
-  explain(ui, "Letters, icons, spacing and handles.");
+  explain(ui, "Scales text, icons, spacing and handles.");
 }
 
 void autosaveRow(PanelUi& ui) {
@@ -81,7 +81,7 @@ void autosaveRow(PanelUi& ui) {
   ui.widgets.note("preferences/autosave");
   if (changed) ui.state.session.preferences.autosaveSeconds = static_cast<double>(std::round(seconds));
   explain(ui,
-          "Unsaved changes go to a recovery file, never to the rig's own. After a crash the next start offers them.");
+          "Unsaved changes go to a recovery file, never to the rig file. After a crash the next start offers them.");
 }
 
 void buttons(PanelUi& ui, bool& closed) {
@@ -90,7 +90,7 @@ void buttons(PanelUi& ui, bool& closed) {
   ui.widgets.note("preferences/reset-layout");
   tooltip(ui, action("window/reset-layout").hint);
   ImGui::SameLine();
-  if (ImGui::Button("Forget recent files")) ui.state.session.preferences.recentFiles.clear();
+  if (ImGui::Button("Clear recent files")) ui.state.session.preferences.recentFiles.clear();
   ui.widgets.note("preferences/forget");
   ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
   ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccent.faded(0.45f));

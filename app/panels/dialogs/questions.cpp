@@ -12,7 +12,7 @@ namespace sinew::app {
 namespace {
 
 constexpr const char* kUnsavedTitle = "Unsaved changes";
-constexpr const char* kRecoveryTitle = "Unsaved work from before";
+constexpr const char* kRecoveryTitle = "Unsaved work found";
 
 void centerNext(PanelUi& ui, float designWidth) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -78,14 +78,14 @@ Choice askRecovery(PanelUi& ui, const LeftBehind& left, std::size_t index) {
 /// @return whether the question is over.
 bool askRecoveries(PanelUi& ui) {
   EditorState& state = ui.state;
-  ImGui::TextWrapped("The editor did not end as it should have. What was not saved then was kept:");
+  ImGui::TextWrapped("The editor did not exit normally. These unsaved changes were kept:");
   ImGui::Dummy({0.0f, ui.px(4)});
   Choice choice = Choice::kNone;
   std::filesystem::path chosen;
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {ui.px(6), ui.px(5)});
   if (ImGui::BeginTable("left", 2, ImGuiTableFlags_BordersInnerH)) {
     ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
-    ImGui::TableSetupColumn("deeds", ImGuiTableColumnFlags_WidthFixed, 2.0f * ui.px(92) + ui.px(8));
+    ImGui::TableSetupColumn("actions", ImGuiTableColumnFlags_WidthFixed, 2.0f * ui.px(92) + ui.px(8));
     for (std::size_t i = 0; i < state.session.leftBehind.size(); ++i) {
       const Choice here = askRecovery(ui, state.session.leftBehind[i], i);
       if (here == Choice::kNone) continue;
@@ -96,12 +96,12 @@ bool askRecoveries(PanelUi& ui) {
   }
   ImGui::PopStyleVar();
   ImGui::Dummy({0.0f, ui.px(4)});
-  mutedText("Recovered work is open and not yet saved; the files on the disk stay as they are.");
+  mutedText("Recovered work opens as unsaved changes; files on disk stay as they are until you save.");
   ImGui::Dummy({0.0f, ui.px(4)});
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - ui.px(104));
   const bool later = ImGui::Button("Later", {ui.px(104), 0.0f});
   ui.widgets.note("recovery/later");
-  tooltip(ui, "Asked again at the next start");
+  tooltip(ui, "Ask again at the next start");
   if (choice == Choice::kDiscard) discardRecovery(state, chosen);
   if (choice == Choice::kRecover) request(state, {IntentKind::kRecover, chosen});
   return choice == Choice::kRecover || later || state.session.leftBehind.empty() || escapePressed(ui);

@@ -102,7 +102,7 @@ void reachRow(PanelUi& ui, const Subjects& subjects) {
                     {},
                     kNewReach,
                     Together::kAdd,
-                    "How far the muscle's influence goes, in radii. More fades out softer."};
+                    "How far the muscle's influence reaches, in radii. A larger reach fades out more softly."};
   field.get = [](const Primitive& p) { return p.reach; };
   field.set = [](Primitive& p, float value) { p.reach = value; };
   ImGui::SetNextItemWidth(-1.0f);

@@ -35,7 +35,8 @@ void headRow(PanelUi& ui, const Subjects& subjects, std::size_t bones) {
   if (ImGui::IsItemClicked()) ui.state.view.inspector.territoryOpen = !ui.state.view.inspector.territoryOpen;
   ui.widgets.note("inspector/territory");
   tooltip(ui, std::string("The bones whose skin this muscle may move") +
-                  (named ? ", as the rig names them." : ": its bone, that one's parent and children. Click: which."));
+                  (named ? ", as the rig names them."
+                         : ": its own bone, its parent and its children. Click to list them."));
   const float button = ImGui::GetFrameHeight();
   const float right = ImGui::GetWindowContentRegionMax().x;
   if (named || differ) {
@@ -74,7 +75,7 @@ void boneRow(PanelUi& ui, const std::string& name, int bone) {
   const std::string id = "inspector/territory-remove/" + name;
   const bool pressed = ImGui::InvisibleButton(id.c_str(), {size, size});
   ui.widgets.note(id);
-  tooltip(ui, "Leave the skin of this bone alone");
+  tooltip(ui, "Remove this bone from the territory");
   if (over) {
     drawIcon(list, Icon::kClose, {right - size + ui.px(2), at.y + ui.px(2)}, size - ui.px(4),
              (ImGui::IsItemHovered() ? palette::kText : palette::kMuted).packed());

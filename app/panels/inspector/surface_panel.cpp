@@ -56,13 +56,12 @@ void depthRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
   editField(ui, "smoothing/depth", "Depth", edited && !before.autoDepth,
             [&] { return changed([&](SmoothingSettings& s) { s.depth = depth; }); });
   ImGui::EndDisabled();
-  tooltip(ui, "Every triangle of the file becomes depth x depth.");
+  tooltip(ui, "Every triangle of the file becomes depth x depth triangles.");
   ImGui::SameLine();
   bool automatic = before.autoDepth;
   const bool switched = ImGui::Checkbox(boxLabel, &automatic);
   ui.widgets.note("smoothing/auto");
-  tooltip(ui,
-          "As deep as the character's size on screen asks for. Written files have the depth that stands without this.");
+  tooltip(ui, "Chooses the depth from the character's size on screen. Exported files use the depth set here.");
   if (switched) edit(ui.state, "Auto depth", changed([&](SmoothingSettings& s) { s.autoDepth = automatic; }));
 }
 
@@ -116,7 +115,9 @@ void drawSurfacePanel(PanelUi& ui) {
   bool edited = ImGui::SliderFloat("##iso", &iso, kIsoRange[0], kIsoRange[1], "%.3f");
   endFilledSlider();
   editField(ui, "surface/iso", "Iso value", edited, [&] { return changed([&](SurfaceSettings& s) { s.iso = iso; }); });
-  tooltip(ui, "Where muscles that blend count as surface. A lone muscle keeps its radii; higher blends tighter.");
+  tooltip(ui,
+          "The value of the field at which blended muscles have their surface. A lone muscle keeps its radii; higher "
+          "blends tighter.");
   beginRow(ui, "Skin blend");
   float percent = before.skinBlend * 100.0f;
   beginFilledSlider(ui, std::log(percent / kBlendRange[0]) / std::log(kBlendRange[1] / kBlendRange[0]));
@@ -126,7 +127,7 @@ void drawSurfacePanel(PanelUi& ui) {
   editField(ui, "surface/skin-blend", "Skin blend", edited,
             [&] { return changed([&](SurfaceSettings& s) { s.skinBlend = percent / 100.0f; }); });
   tooltip(ui,
-          "How softly the skin runs out into a muscle, in per cent of the character's height. Small muscles blend over "
+          "How softly the skin rises into a muscle, in percent of the character's height. Small muscles blend over "
           "their own size at most.");
 }
 
@@ -144,7 +145,7 @@ void drawSmoothingPanel(PanelUi& ui) {
             [&](PatchKind patch) { return changed([&](SmoothingSettings& s) { s.patch = patch; }); });
   choiceRow(ui, "Projection", "smoothing/projection", before.projection,
             std::array{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic},
-            "How points are brought onto the surface.",
+            "How points on the surface are found.",
             [&](ProjectionKind kind) { return changed([&](SmoothingSettings& s) { s.projection = kind; }); });
   creaseRow(ui, before, changed);
 }

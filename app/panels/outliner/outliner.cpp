@@ -89,8 +89,7 @@ void drawRows(PanelUi& ui) {
   if (frame.rows.empty()) {
     ImGui::Dummy({0.0f, ui.px(6)});
     ImGui::PushTextWrapPos(0.0f);
-    mutedText(ui.state.view.outlinerFilter.empty() ? "No muscles yet. Press M and drag on the skin."
-                                                   : "Nothing of that name.");
+    mutedText(ui.state.view.outlinerFilter.empty() ? "No muscles yet. Press M and drag on the skin." : "Nothing found.");
     ImGui::PopTextWrapPos();
   }
   ImGuiListClipper clipper;
@@ -100,7 +99,7 @@ void drawRows(PanelUi& ui) {
   }
 }
 
-/// What is put away, and the way back.
+/// What is hidden, and a button that shows it again.
 void drawFooter(PanelUi& ui, const std::string& text) {
   ImGui::Separator();
   ImGui::AlignTextToFramePadding();
@@ -126,7 +125,7 @@ void drawOutliner(PanelUi& ui) {
   drawRows(ui);
   ImGui::PopStyleVar();
   ImGui::EndChild();
-  if (footer) drawFooter(ui, away.empty() ? "Some bones are switched off" : away);
+  if (footer) drawFooter(ui, away.empty() ? "Some bones are hidden" : away);
 }
 
 }  // namespace sinew::app

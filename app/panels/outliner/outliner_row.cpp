@@ -78,7 +78,7 @@ void switchCell(Row& row, int column, Mark mark, const char* word, Glyph on, Gly
   const bool set = row.isMuscle() ? visibility.marks(mark).muscles.contains(row.primitive().id())
                                   : visibility.marks(mark).bones.contains(row.bone().path);
   const std::string id = std::string("outliner/") + word + "/" + (row.isMuscle() ? "" : "bone/") + row.name();
-  // An open eye is the ordinary thing and stays faint.
+  // An open eye is the normal state and stays faint.
   const bool eye = mark == Mark::kHidden;
   const Tint color = set ? (mark == Mark::kSolo ? palette::kAccent : palette::kText) : palette::kMuted.faded(0.45f);
   if (!cell(row, column, id, set ? on : off, color, set || eye, hint)) return;
@@ -95,9 +95,9 @@ void switchCell(Row& row, int column, Mark mark, const char* word, Glyph on, Gly
 void drawSwitches(Row& row) {
   const char* of = row.isMuscle() ? "this muscle" : "all muscles on this bone and below";
   switchCell(row, 0, Mark::kHidden, "eye", Glyph::kEyeShut, Glyph::kEye,
-             std::string("Show or hide ") + of + ". Hidden muscles do not move the skin; files keep them.");
+             std::string("Show or hide ") + of + ". Hidden muscles do not move the skin; they stay in the file.");
   switchCell(row, 1, Mark::kLocked, "lock", Glyph::kLock, Glyph::kUnlocked,
-             std::string("Lock ") + of + ": the picture neither picks nor moves them.");
+             std::string("Lock ") + of + ": no picking or moving in the picture.");
   switchCell(row, 2, Mark::kSolo, "solo", Glyph::kSolo, Glyph::kSolo, std::string("Solo: show ") + of + " alone.");
 }
 

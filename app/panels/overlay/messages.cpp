@@ -85,7 +85,7 @@ bool drawMessage(PanelUi& ui, const Message& message, std::size_t index) {
   tooltip(ui, "Copy the text");
   ImGui::SameLine(0.0f, 0.0f);
   const bool dismissed = iconButton(ui, "messages/dismiss/" + place, Icon::kClose, false, button);
-  tooltip(ui, "Read: take it away");
+  tooltip(ui, "Dismiss");
   return dismissed;
 }
 
@@ -112,7 +112,7 @@ bool drawHead(PanelUi& ui) {
   ui.widgets.note("messages/dismiss-all");
   ImGui::SameLine(0.0f, ui.px(4));
   if (iconButton(ui, "messages/hide", Icon::kMinimise, false, size)) ui.state.session.messagesShown = false;
-  tooltip(ui, "Put away; they stay in the status line");
+  tooltip(ui, "Hide; the status line still counts them");
   return all;
 }
 
@@ -156,7 +156,7 @@ float drawMessageBadge(PanelUi& ui) {
     ui.state.session.messagesShown = !ui.state.session.messagesShown;
   ui.widgets.note("status/messages");
   const bool lit = ImGui::IsItemHovered() || ui.state.session.messagesShown;
-  tooltip(ui, ui.state.session.messagesShown ? "Put the messages away" : "Show the messages");
+  tooltip(ui, ui.state.session.messagesShown ? "Hide the messages" : "Show the messages");
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, {corner.x + width, corner.y + height}, tintOf(worst).faded(lit ? 0.30f : 0.16f).packed(),
                      0.5f * height);

@@ -83,7 +83,7 @@ void speedField(PanelUi& ui) {
   tooltip(ui, "Speed: drag, or double click to type");
 }
 
-/// Nobody should wonder why a character stands oddly: how many joints are turned, and the way back.
+/// How many joints are turned by hand, so that an odd pose is explained, and a button that resets them.
 void posedChip(PanelUi& ui) {
   if (!isPosed(ui.state)) return;
   const PoseOverrides& overrides = ui.state.open.transport.overrides;
@@ -98,7 +98,7 @@ void posedChip(PanelUi& ui) {
   ImGui::PopStyleColor(3);
   ui.widgets.note("timeline/posed");
   tooltip(ui,
-          "Joints are turned by hand, on top of the clip. This is a way of looking: neither the rig nor a file "
+          "Joints are turned by hand, on top of the clip. A pose is only for viewing: neither the rig nor a file "
           "changes. Click for the pose tool.");
   if (chosen) run(action("tool/pose"), ui.state);
   ImGui::SameLine(0.0f, ui.px(2));

@@ -111,8 +111,8 @@ void rangeBar(const Track& track) {
   const bool lit = ImGui::IsItemHovered() || active;
   const Tint fill = ranged ? palette::kAccent.faded(lit ? 0.42f : 0.30f) : palette::kMuted.faded(lit ? 0.22f : 0.13f);
   track.list.AddRectFilled({x0, track.low.y}, {x1, track.band}, fill.packed(), track.ui.px(2));
-  tooltip(track.ui, ranged ? "The part that plays: drag moves it, a double click plays all"
-                           : "All of the clip plays: drag an end to play a part");
+  tooltip(track.ui, ranged ? "The part that plays: drag to move it, double click to play all"
+                           : "The whole clip plays: drag an end to play a part");
 }
 
 void scrubArea(const Track& track) {
@@ -200,8 +200,8 @@ void drawPlayhead(const Track& track) {
 }
 
 void drawIdle(const Track& track) {
-  const char* text = track.transport().clip < 0 ? "Bind pose: the shape in which muscles are made; nothing plays"
-                                                : "This clip holds one moment";
+  const char* text = track.transport().clip < 0 ? "Bind pose: the shape in which muscles are made. Nothing plays"
+                                                : "This clip has a single frame";
   const ImVec2 size = ImGui::CalcTextSize(text);
   track.list.AddRectFilled({track.low.x, track.low.y}, {track.high.x, track.high.y}, palette::kBackground.packed(),
                            track.ui.px(4));

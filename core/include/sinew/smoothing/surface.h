@@ -1,4 +1,4 @@
-// core/include/sinew/smoothing/surface.h: the smoothed mesh of one moment, and what is told about it.
+// core/include/sinew/smoothing/surface.h: the smoothed mesh of one moment, and the report on it.
 #pragma once
 
 #include <cstdint>
