@@ -28,6 +28,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 PAGES = {"README.md", "CONTRIBUTING.md"}  # and docs/*.md: every path they name in backticks must exist
 TREES = ("app", "core", "tests", "shaders", "assets", "docs", "cmake")
 NAMED_PATH = re.compile(r"(?:%s)/[\w./*{},-]*" % "|".join(TREES))
+SAMPLE = "tests/install/consumer/main.cpp"
 PLACEHOLDER = re.compile(r"[A-Z]{3,}")  # app/cli/NAME.cpp: not a path but a pattern
 
 
@@ -143,6 +144,36 @@ def check_pages(root, paths):
                         yield "%s:%d: `%s` does not exist" % (path.as_posix(), number, name)
 
 
+def check_map(text):
+    """The tables of layers in README.md say what LAYERS says."""
+    shown, tree = {}, None
+    for line in text.splitlines():
+        if head := re.match(r"\| layer \| (\w+) \|", line):
+            tree = shown.setdefault(head[1], {})
+        elif tree is not None and (row := re.match(r"\| (\d+) \| ([^|]*)\|", line)):
+            tree.update((name, int(row[1])) for name in re.findall(r"`([^`]+)`", row[2]))
+    for name, layers in shown.items():
+        for different in sorted(set(layers.items()) ^ set(LAYERS.get(name, {}).items())):
+            yield "README.md: %s/%s on layer %d: the map and check_structure.py differ" % (name, *different)
+
+
+def check_sample(text, program):
+    """The C++ in README.md is made of lines of a program that the tests build and run."""
+    lines = {line.strip() for line in program.splitlines()}
+    for block in re.findall(r"```cpp\n(.*?)```", text, re.DOTALL):
+        for line in block.splitlines():
+            if line.strip() and line.strip() not in lines:
+                yield "README.md: '%s' is not in %s" % (line.strip(), SAMPLE)
+
+
+def check_readme(root):
+    readme, program = root / "README.md", root / SAMPLE
+    if readme.is_file():
+        text = readme.read_text(encoding="utf-8")
+        yield from check_map(text)
+        yield from check_sample(text, program.read_text() if program.is_file() else "")
+
+
 def problems(root):
     paths = list(files(root))
     yield from check_sizes(paths)
@@ -153,6 +184,7 @@ def problems(root):
                 yield "%s:%d: %s" % (path.as_posix(), number, reason)
     yield from check_tests(root, paths)
     yield from check_pages(root, paths)
+    yield from check_readme(root)
     for path in LONGER:
         if not (root / path).is_file() or len((root / path).read_text().splitlines()) <= MAX_LINES:
             yield "%s: needs its place in LONGER no more" % path

@@ -1,4 +1,5 @@
 # tests/structure/check_structure_test.py: each rule of check_structure.py finds what breaks it, and only that.
+import collections
 import pathlib
 import sys
 import tempfile
@@ -13,7 +14,7 @@ class Structure(unittest.TestCase):
         """`tree`: path with "/" as "__" and "." as "_DOT_" -> text."""
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
-            for name, text in {"tests__CMakeLists_DOT_txt": "foreach(room mesh)", **tree}.items():
+            for name, text in {"tests__CMakeLists_DOT_txt": "foreach(directory mesh)", **tree}.items():
                 path = root / name.replace("__", "/").replace("_DOT_", ".")
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_text(text)
@@ -79,6 +80,24 @@ class Structure(unittest.TestCase):
         self.one("`tests/mesh`", README_DOT_md="`ctest tests/mesh`\n", **here)
         self.assertEqual([], self.problems(README_DOT_md="`core/mesh/weld.h` `core/mesh/` `core/mesh/*.h` "
                                            "`app/cli/NAME.cpp` `Sinew::core` core/mesh/old.h\n", **here))
+
+    def test_a_map_that_is_not_the_layers(self):
+        rows = collections.defaultdict(list)
+        for name, number in check_structure.LAYERS["core"].items():
+            rows[number].append("`%s`" % name)
+        table = "| layer | core | |\n|---|---|---|\n"
+        table += "".join("| %d | %s | x |\n" % (n, " ".join(names)) for n, names in rows.items())
+        self.assertEqual([], self.problems(README_DOT_md=table))
+        self.one("core/base on layer 1", README_DOT_md=table.replace("`base`", ""))
+        self.one("core/attic on layer 1", README_DOT_md=table.replace("`base`", "`base` `attic`"))
+
+    def test_a_sample_that_nobody_compiles(self):
+        page = "```cpp\n  int x = 1;\n```\n"
+        self.one("'int x = 1;' is not in", README_DOT_md=page)
+        sample = "// tests/install/consumer/main.cpp: x\nint x = 1;\n"
+        tree = {"tests__install__consumer__main_DOT_cpp": sample,
+                "tests__CMakeLists_DOT_txt": "foreach(directory mesh install)"}
+        self.assertEqual([], self.problems(README_DOT_md=page, **tree))
 
 
 if __name__ == "__main__":
