@@ -78,7 +78,7 @@ void creaseRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
   tooltip(ui, "Faces that meet at a sharper angle than this keep a hard edge. 180: smooth everywhere.");
 }
 
-/// Why `replace` shows less than the designer laid: it needs muscles that wrap the body.
+/// Why `replace` shows less than the designer placed: it needs muscles that wrap the body.
 void replaceNote(PanelUi& ui) {
   const SmoothingReport& report = ui.state.live->surface().report;
   if (report.mode != SurfaceMode::kReplace || report.unwrapped == 0) return;
