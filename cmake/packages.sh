@@ -48,7 +48,7 @@ sinewInstallPackages() {
   fi
   sinewSay "installing ${missing[*]}"
   local apt=("${asRoot[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=120 -q)
-  "${apt[@]}" update >&2 || sinewSay "apt-get update failed; trying with the lists at hand"
+  "${apt[@]}" update >&2 || sinewSay "apt-get update failed; trying with the package lists that are there"
   "${apt[@]}" install -y --no-install-recommends "${missing[@]}" >&2 ||
     sinewFail "apt-get could not install: ${missing[*]}"
 }
@@ -58,9 +58,9 @@ sinewBuild() {
   local root=$1 preset=$2 target=${3:-all}
   local build=$root/build/$preset launcher=()
   command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-  # A build made where the project lay before it was moved names the old place everywhere.
+  # A build made before the project was moved names the old directory everywhere.
   if [[ -f $build/CMakeCache.txt ]] && ! grep -qxF -- "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; then
-    sinewSay "$build was made for another place: making it anew"
+    sinewSay "$build was configured for another directory: making it again"
     rm -rf -- "$build"
   fi
   if [[ ! -f $build/build.ninja ]]; then
@@ -68,5 +68,5 @@ sinewBuild() {
     cmake -S "$root" --preset "$preset" "${launcher[@]}" >&2 || sinewFail "cmake could not configure $build"
     sinewSay "building $build; the first time takes minutes"
   fi
-  cmake --build "$build" --target "$target" >&2 || sinewFail "the build in $build failed; its messages stand above"
+  cmake --build "$build" --target "$target" >&2 || sinewFail "the build in $build failed; see its messages above"
 }
