@@ -1,6 +1,5 @@
-// app/render/gl_objects.h: OpenGL names that delete themselves. Made and destroyed with a current
+// app/render/gl_objects.h: OpenGL names that delete themselves. Made and destroyed with a current context.
 #pragma once
-// context.
 
 #include <initializer_list>
 #include <span>

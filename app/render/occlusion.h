@@ -1,6 +1,5 @@
-// app/render/occlusion.h: how much of the surroundings each place of the body sees; values over a refined
+// app/render/occlusion.h: how much of the surroundings each place of the body sees, as values over a refined mesh.
 #pragma once
-// mesh.
 
 #include <span>
 #include <vector>

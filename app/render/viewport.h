@@ -1,6 +1,5 @@
-// app/render/viewport.h: draws a scene into a picture of its own. Needs a current OpenGL 4.5 core
+// app/render/viewport.h: draws a scene into a picture of its own. Needs a current OpenGL 4.5 core context.
 #pragma once
-// context.
 
 #include <cstdint>
 #include <memory>

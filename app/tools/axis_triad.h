@@ -1,6 +1,5 @@
-// app/tools/axis_triad.h: the axis gizmo in a corner of the viewport: shows how the camera is turned,
+// app/tools/axis_triad.h: the axis gizmo in a corner of the viewport: shows how the camera is turned, and turns it.
 #pragma once
-// turns it.
 
 #include <array>
 #include <optional>

@@ -1,6 +1,5 @@
-// core/io/surface_formats.h: a surface as the bytes of each file format; surface_export.h puts them on
+// core/io/surface_formats.h: a surface as the bytes of each file format; surface_export.h writes them.
 #pragma once
-// disk.
 
 #include <string>
 #include <vector>

@@ -1,6 +1,5 @@
-// tests/support/random_documents.h: rigs as files may hold them: any floats, any names, keys from the
+// tests/support/random_documents.h: rigs as files may hold them: any floats, any names, keys from the future.
 #pragma once
-// future.
 
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 // core/smoothing/finish/fold.h: how far a lifted triangle has turned over against its patch.
-#pragma once
 // docs/design.md, Folds.
+#pragma once
 
 #include <array>
 #include <span>

@@ -1,6 +1,6 @@
 // core/smoothing/finish/shading_normals.h: normals that agree with the triangles they are drawn on.
-#pragma once
 // docs/design.md, Normals.
+#pragma once
 
 #include <cstdint>
 #include <span>

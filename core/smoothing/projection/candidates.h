@@ -1,6 +1,6 @@
-// core/smoothing/projection/candidates.h: which primitives each piece of the control mesh can ever see. Made once
+// core/smoothing/projection/candidates.h: which primitives each piece of the control mesh can ever see.
+// Made once per edit.
 #pragma once
-// per edit.
 
 #include <array>
 #include <span>

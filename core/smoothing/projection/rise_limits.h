@@ -1,6 +1,6 @@
 // core/smoothing/projection/rise_limits.h: how far skin can rise before it meets skin that rises towards it.
-#pragma once
 // docs/design.md, Rise limits.
+#pragma once
 
 #include <span>
 #include <vector>

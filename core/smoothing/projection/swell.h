@@ -1,6 +1,6 @@
 // core/smoothing/projection/swell.h: the default mode: skin rises over the muscles along the rise direction.
+// docs/design.md, Swell.
 #pragma once
-// docs/design.md.
 
 #include <span>
 

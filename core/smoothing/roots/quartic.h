@@ -1,6 +1,5 @@
-// core/smoothing/roots/quartic.h: quartics on [0, 1] in Bernstein form: first roots, isolated or in closed
+// core/smoothing/roots/quartic.h: quartics on [0, 1] in Bernstein form: first roots, isolated or in closed form.
 #pragma once
-// form.
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
-// core/smoothing/roots/root_finding.h: the first root of phi along a ray, by three methods. docs/design.md,
+// core/smoothing/roots/root_finding.h: the first root of phi along a ray, by three methods.
+// docs/design.md, Projection; paper 4.
 #pragma once
-// paper 4.
 
 #include <optional>
 

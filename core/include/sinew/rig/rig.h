@@ -17,8 +17,8 @@ enum class PatchKind { kPn, kPhong, kSpherigon, kFlat };
 enum class ProjectionKind { kNewton, kBisection, kAnalytic };
 
 inline constexpr float kDefaultIso = 0.25f;
-inline constexpr float kDefaultReach = 1.4142135f;  ///< Of a file that does not say.
-inline constexpr float kNewReach = 2.0f;  ///< Of a muscle that is made: its shell is as wide as the muscle itself.
+inline constexpr float kDefaultReach = 1.4142135f;  ///< Where the file says nothing.
+inline constexpr float kNewReach = 2.0f;            ///< Of new muscles: the shell is as wide as the muscle itself.
 inline constexpr float kDefaultSkinBlend = 0.04f;
 inline constexpr float kDefaultCreaseAngle = 180.0f;  ///< Smooth everywhere.
 inline constexpr int kMaxDepth = 16;

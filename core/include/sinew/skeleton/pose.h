@@ -19,7 +19,7 @@ struct Pose {
 /// The nodes as they stand when nothing is animated. Need not be the bind pose.
 [[nodiscard]] Pose restPose(const Skeleton& skeleton);
 
-/// A clip at a time, seconds, clamped to the clip (looping is the player's affair). Unanimated nodes rest.
+/// A clip at a time, seconds, clamped to the clip (looping is up to the caller). Unanimated nodes rest.
 [[nodiscard]] Pose samplePose(const Skeleton& skeleton, const AnimationClip& clip, float time);
 
 }  // namespace sinew

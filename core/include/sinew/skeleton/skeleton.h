@@ -40,7 +40,7 @@ struct Bone {
 };
 
 /// What a vertex follows: `bone` in its pose, after `inverseBind` took the bind position into that bone's space.
-/// Usually one a bone; more where two skins bind the same joint differently.
+/// Usually one per bone; more where two skins bind the same joint differently.
 struct Binding {
   int bone = 0;
   glm::mat4 inverseBind{1.0f};  ///< Bind position in world -> bone space.

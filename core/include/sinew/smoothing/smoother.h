@@ -13,16 +13,16 @@
 
 namespace sinew {
 
-/// What a Smoother has had to find anew for all its preparations; the rest was kept from one to the next.
+/// What a Smoother has recomputed over all its preparations; the rest was kept from one to the next.
 struct PreparationCounts {
   int attachments = 0;     ///< Bones, territories and candidate lists: after edits of other things than shapes.
   int blendingGraphs = 0;  ///< Cliques enumerated: after edits of groups and links.
 };
 
-/// Skin, patch, project, guard folds, shading normals: a stage a file of this directory.
+/// Skin, patch, project, remove folds, shading normals: stages in files of their own, in order.
 /// prepare() once per edit, smooth() once per pose. Editor, command line, export and tests all go through here.
 /// The surface depends on the character, the rig and the pose alone, never on what was smoothed before.
-/// Not thread-safe; use one Smoother a thread (the character is shared, read-only).
+/// Not thread-safe; use one Smoother per thread (the character is shared, read-only).
 class Smoother {
  public:
   explicit Smoother(std::shared_ptr<const Character> character);
@@ -34,7 +34,7 @@ class Smoother {
   /// Error: the rig is invalid, the blending graph too large, or the refined mesh would not fit memory; then the
   /// former preparation stays in force.
   /// @param hidden  indices into the rig's primitives, ascending, of those that contribute nothing: the surface is, bit
-  ///                for bit, that of the rig without them. Showing and hiding attaches nothing anew.
+  ///                for bit, that of the rig without them. Showing and hiding re-attach nothing.
   [[nodiscard]] Result<void> prepare(const Rig& rig, std::span<const int> hidden = {});
 
   /// Fills `out` for a pose of this skeleton. prepare() must have succeeded once. Reuses the output's memory.
