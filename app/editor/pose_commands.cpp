@@ -103,7 +103,7 @@ void toggleHoldPose(EditorState& state) {
   plain.overrides = {};
   transport.overrides =
       startingFrom(other, state.character().skeleton, poseAt(plain, state.character()), transport.overrides);
-  keepPose(state, other == TurnsFrom::kBindPose ? "Turned joints stand still" : "Turned joints move");
+  keepPose(state, other == TurnsFrom::kBindPose ? "Hold turned joints" : "Release turned joints");
 }
 
 void selectParentJoint(EditorState& state) {

@@ -1,4 +1,4 @@
-// core/io/files/atomic_file.cpp: POSIX files, every failure returns a readable message.
+// core/io/files/atomic_file.cpp: POSIX files, with every failure told in words.
 #include "core/io/files/atomic_file.h"
 
 #include <array>
@@ -149,13 +149,8 @@ Result<void> writeFileAtomically(const fs::path& file, std::string_view bytes) {
 }
 
 Result<std::string> readWholeFile(const fs::path& file, std::uintmax_t limit) {
-  // Without waiting: a pipe nobody writes to must not hang the program.
-  const Descriptor source(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
-  if (!source.isOpen()) return because(file, "cannot be read", errno);
-  struct stat present {};
-  if (::fstat(source.number(), &present) != 0) return because(file, "cannot be read", errno);
-  if (S_ISDIR(present.st_mode)) return Error{file.string(), {}, "cannot be read: it is a folder"};
-  if (!S_ISREG(present.st_mode)) return Error{file.string(), {}, "cannot be read: it is not a regular file"};
+  return readWhole<std::string>(file, limit);
+}
 
 Result<std::vector<std::uint8_t>> readWholeBytes(const fs::path& file, std::uintmax_t limit) {
   return readWhole<std::vector<std::uint8_t>>(file, limit);
