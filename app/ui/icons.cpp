@@ -1,11 +1,11 @@
-// app/ui/icons.cpp: small pictures drawn as vectors, on a grid of 16 units.
+// app/ui/icons.cpp: the icons of tools, playback, files and messages, and the look-up of all.
 
 #include "app/ui/icons.h"
 
 #include <array>
 #include <cmath>
 
-#include "app/ui/pen.h"
+#include "app/ui/icon_drawings.h"
 
 namespace sinew::app {
 namespace {
@@ -53,179 +53,133 @@ void drawAxes(const Pen& pen) {
   pen.fill({{15.4f, 11}, {12.4f, 13}, {12.4f, 9}});
 }
 
-void drawTransport(const Pen& pen, Icon icon) {
-  switch (icon) {
-    case Icon::kPlay:
-      pen.fill({{4, 2.4f}, {13.4f, 8}, {4, 13.6f}});
-      break;
-    case Icon::kPause:
-      pen.fill({{3.6f, 2.6f}, {6.6f, 2.6f}, {6.6f, 13.4f}, {3.6f, 13.4f}});
-      pen.fill({{9.4f, 2.6f}, {12.4f, 2.6f}, {12.4f, 13.4f}, {9.4f, 13.4f}});
-      break;
-    case Icon::kNext:
-      pen.fill({{3.4f, 3.4f}, {10.4f, 8}, {3.4f, 12.6f}});
-      pen.line(12, 3.4f, 12, 12.6f);
-      break;
-    case Icon::kPrevious:
-      pen.fill({{12.6f, 3.4f}, {12.6f, 12.6f}, {5.6f, 8}});
-      pen.line(4, 3.4f, 4, 12.6f);
-      break;
-    case Icon::kEnd:
-      pen.fill({{7.4f, 3.4f}, {12.8f, 8}, {7.4f, 12.6f}});
-      pen.fill({{1.8f, 3.4f}, {7.2f, 8}, {1.8f, 12.6f}});
-      pen.line(14, 3.4f, 14, 12.6f);
-      break;
-    default:
-      pen.fill({{8.6f, 3.4f}, {8.6f, 12.6f}, {3.2f, 8}});
-      pen.fill({{14.2f, 3.4f}, {14.2f, 12.6f}, {8.8f, 8}});
-      pen.line(2, 3.4f, 2, 12.6f);
-      break;
-  }
-}
-
-/// Severities: a sign in a circle, a triangle.
-void drawSeverity(const Pen& pen, Icon icon) {
-  if (icon == Icon::kWarning) {
-    pen.outline({{8, 1.8f}, {14.6f, 13.6f}, {1.4f, 13.6f}}, true);
-    pen.line(8, 6, 8, 9.6f);
-    pen.line(8, 11, 8, 12.2f);
-    return;
-  }
-  pen.ellipse(8, 8, 6.2f, 6.2f, 0.0f, false);
-  if (icon == Icon::kError) {
-    pen.line(5.6f, 5.6f, 10.4f, 10.4f);
-    pen.line(10.4f, 5.6f, 5.6f, 10.4f);
-  } else {
-    pen.line(8, 7.2f, 8, 11.4f);
-    pen.line(8, 4.6f, 8, 5.8f);
-  }
-}
-
-/// What the file browser steers with.
-void drawBrowsing(const Pen& pen, Icon icon) {
-  switch (icon) {
-    case Icon::kBack:
-      pen.outline({{7, 3.4f}, {2.6f, 8}, {7, 12.6f}}, false);
-      pen.line(3, 8, 13.4f, 8);
-      break;
-    case Icon::kForward:
-      pen.outline({{9, 3.4f}, {13.4f, 8}, {9, 12.6f}}, false);
-      pen.line(13, 8, 2.6f, 8);
-      break;
-    case Icon::kUp:
-      pen.outline({{3.4f, 7}, {8, 2.6f}, {12.6f, 7}}, false);
-      pen.line(8, 3, 8, 13.4f);
-      break;
-    case Icon::kNewFolder:
-      pen.outline({{9, 13}, {2, 13}, {2, 4}, {6.4f, 4}, {7.8f, 5.8f}, {14, 5.8f}, {14, 8}}, false);
-      pen.line(12, 9.6f, 12, 15);
-      pen.line(9.3f, 12.3f, 14.7f, 12.3f);
-      break;
-    default:
-      pen.ellipse(8, 8, 6.6f, 4.0f, 0.0f, false);
-      pen.ellipse(8, 8, 1.9f, 1.9f, 0.0f, true);
-      break;
-  }
-}
+void drawCircled(const Pen& pen) { pen.ellipse(8, 8, 6.2f, 6.2f, 0.0f, false); }
 
 }  // namespace
 
+void addToolDrawings(IconDrawings& drawings) {
+  drawings[at(Icon::kSelect)] = [](const Pen& pen) {
+    pen.outline({{4, 2}, {13, 8.6f}, {8.6f, 9.4f}, {6, 13.6f}}, true);
+  };
+  drawings[at(Icon::kMove)] = drawMove;
+  drawings[at(Icon::kRotate)] = drawRotate;
+  drawings[at(Icon::kScale)] = drawScale;
+  drawings[at(Icon::kAddMuscle)] = [](const Pen& pen) {
+    pen.ellipse(6.8f, 9.2f, 6.0f, 3.4f, -0.6f, false);
+    pen.line(12.6f, 1.6f, 12.6f, 6.8f);
+    pen.line(10, 4.2f, 15.2f, 4.2f);
+  };
+  drawings[at(Icon::kPose)] = drawPose;
+  drawings[at(Icon::kLoop)] = drawLoop;
+  drawings[at(Icon::kPlus)] = [](const Pen& pen) {
+    pen.line(8, 3.4f, 8, 12.6f);
+    pen.line(3.4f, 8, 12.6f, 8);
+  };
+  drawings[at(Icon::kClose)] = [](const Pen& pen) {
+    pen.line(4.2f, 4.2f, 11.8f, 11.8f);
+    pen.line(11.8f, 4.2f, 4.2f, 11.8f);
+  };
+  drawings[at(Icon::kBone)] = [](const Pen& pen) {
+    pen.outline({{3, 13}, {3.6f, 8.6f}, {13, 3}, {7.4f, 12.4f}}, true);
+  };
+  drawings[at(Icon::kMuscle)] = [](const Pen& pen) { pen.ellipse(8, 8, 6.2f, 3.6f, -0.6f, true); };
+  drawings[at(Icon::kCarve)] = [](const Pen& pen) { pen.ellipse(8, 8, 6.0f, 3.4f, -0.6f, false); };
+  drawings[at(Icon::kAxes)] = drawAxes;
+  drawings[at(Icon::kFolder)] = [](const Pen& pen) {
+    pen.outline({{2, 4}, {6.4f, 4}, {7.8f, 5.8f}, {14, 5.8f}, {14, 13}, {2, 13}}, true);
+  };
+  drawings[at(Icon::kFile)] = [](const Pen& pen) {
+    pen.outline({{4, 2}, {9.6f, 2}, {12.4f, 4.8f}, {12.4f, 14}, {4, 14}}, true);
+  };
+  drawings[at(Icon::kSymmetry)] = [](const Pen& pen) {
+    for (const float y : {1.0f, 5.0f, 9.0f, 13.0f}) pen.line(8, y, 8, y + 2);
+    pen.fill({{6, 4}, {6, 12}, {0.8f, 12}});
+    pen.outline({{10, 4}, {10, 12}, {15.2f, 12}}, true);
+  };
+  drawings[at(Icon::kBox)] = [](const Pen& pen) {
+    for (const float at : {2.0f, 6.5f, 11.0f}) {
+      pen.line(at, 2, at + 3, 2);
+      pen.line(at, 14, at + 3, 14);
+      pen.line(2, at, 2, at + 3);
+      pen.line(14, at, 14, at + 3);
+    }
+    pen.ellipse(8, 8, 3, 2, 0.5f, true);
+  };
+  drawings[at(Icon::kMinimise)] = [](const Pen& pen) { pen.line(3.6f, 11.4f, 12.4f, 11.4f); };
+  drawings[at(Icon::kCopy)] = [](const Pen& pen) {
+    pen.outline({{5.4f, 5.4f}, {13.4f, 5.4f}, {13.4f, 14}, {5.4f, 14}}, true);
+    pen.outline({{3.4f, 10.6f}, {2.6f, 10.6f}, {2.6f, 2}, {10.6f, 2}, {10.6f, 3.4f}}, false);
+  };
+  drawings[at(Icon::kPlay)] = [](const Pen& pen) { pen.fill({{4, 2.4f}, {13.4f, 8}, {4, 13.6f}}); };
+  drawings[at(Icon::kPause)] = [](const Pen& pen) {
+    pen.fill({{3.6f, 2.6f}, {6.6f, 2.6f}, {6.6f, 13.4f}, {3.6f, 13.4f}});
+    pen.fill({{9.4f, 2.6f}, {12.4f, 2.6f}, {12.4f, 13.4f}, {9.4f, 13.4f}});
+  };
+  drawings[at(Icon::kNext)] = [](const Pen& pen) {
+    pen.fill({{3.4f, 3.4f}, {10.4f, 8}, {3.4f, 12.6f}});
+    pen.line(12, 3.4f, 12, 12.6f);
+  };
+  drawings[at(Icon::kPrevious)] = [](const Pen& pen) {
+    pen.fill({{12.6f, 3.4f}, {12.6f, 12.6f}, {5.6f, 8}});
+    pen.line(4, 3.4f, 4, 12.6f);
+  };
+  drawings[at(Icon::kEnd)] = [](const Pen& pen) {
+    pen.fill({{7.4f, 3.4f}, {12.8f, 8}, {7.4f, 12.6f}});
+    pen.fill({{1.8f, 3.4f}, {7.2f, 8}, {1.8f, 12.6f}});
+    pen.line(14, 3.4f, 14, 12.6f);
+  };
+  drawings[at(Icon::kStart)] = [](const Pen& pen) {
+    pen.fill({{8.6f, 3.4f}, {8.6f, 12.6f}, {3.2f, 8}});
+    pen.fill({{14.2f, 3.4f}, {14.2f, 12.6f}, {8.8f, 8}});
+    pen.line(2, 3.4f, 2, 12.6f);
+  };
+  drawings[at(Icon::kBack)] = [](const Pen& pen) {
+    pen.outline({{7, 3.4f}, {2.6f, 8}, {7, 12.6f}}, false);
+    pen.line(3, 8, 13.4f, 8);
+  };
+  drawings[at(Icon::kForward)] = [](const Pen& pen) {
+    pen.outline({{9, 3.4f}, {13.4f, 8}, {9, 12.6f}}, false);
+    pen.line(13, 8, 2.6f, 8);
+  };
+  drawings[at(Icon::kUp)] = [](const Pen& pen) {
+    pen.outline({{3.4f, 7}, {8, 2.6f}, {12.6f, 7}}, false);
+    pen.line(8, 3, 8, 13.4f);
+  };
+  drawings[at(Icon::kNewFolder)] = [](const Pen& pen) {
+    pen.outline({{9, 13}, {2, 13}, {2, 4}, {6.4f, 4}, {7.8f, 5.8f}, {14, 5.8f}, {14, 8}}, false);
+    pen.line(12, 9.6f, 12, 15);
+    pen.line(9.3f, 12.3f, 14.7f, 12.3f);
+  };
+  drawings[at(Icon::kHidden)] = [](const Pen& pen) {
+    pen.ellipse(8, 8, 6.6f, 4.0f, 0.0f, false);
+    pen.ellipse(8, 8, 1.9f, 1.9f, 0.0f, true);
+  };
+  drawings[at(Icon::kNote)] = [](const Pen& pen) {
+    drawCircled(pen);
+    pen.line(8, 7.2f, 8, 11.4f);
+    pen.line(8, 4.6f, 8, 5.8f);
+  };
+  drawings[at(Icon::kWarning)] = [](const Pen& pen) {
+    pen.outline({{8, 1.8f}, {14.6f, 13.6f}, {1.4f, 13.6f}}, true);
+    pen.line(8, 6, 8, 9.6f);
+    pen.line(8, 11, 8, 12.2f);
+  };
+  drawings[at(Icon::kError)] = [](const Pen& pen) {
+    drawCircled(pen);
+    pen.line(5.6f, 5.6f, 10.4f, 10.4f);
+    pen.line(10.4f, 5.6f, 5.6f, 10.4f);
+  };
+}
+
 void drawIcon(ImDrawList& list, Icon icon, const ImVec2& topLeft, float size, ImU32 color) {
+  static const IconDrawings kDrawings = [] {
+    IconDrawings all{};
+    addToolDrawings(all);
+    addMarkDrawings(all);
+    return all;
+  }();
   const Pen pen{list, topLeft, size / 16.0f, color};
-  switch (icon) {
-    case Icon::kNone:
-      break;
-    case Icon::kSelect:
-      pen.outline({{4, 2}, {13, 8.6f}, {8.6f, 9.4f}, {6, 13.6f}}, true);
-      break;
-    case Icon::kMove:
-      drawMove(pen);
-      break;
-    case Icon::kRotate:
-      drawRotate(pen);
-      break;
-    case Icon::kScale:
-      drawScale(pen);
-      break;
-    case Icon::kAddMuscle:
-      pen.ellipse(6.8f, 9.2f, 6.0f, 3.4f, -0.6f, false);
-      pen.line(12.6f, 1.6f, 12.6f, 6.8f);
-      pen.line(10, 4.2f, 15.2f, 4.2f);
-      break;
-    case Icon::kPlay:
-    case Icon::kPause:
-    case Icon::kNext:
-    case Icon::kPrevious:
-    case Icon::kStart:
-    case Icon::kEnd:
-      drawTransport(pen, icon);
-      break;
-    case Icon::kPose:
-      drawPose(pen);
-      break;
-    case Icon::kLoop:
-      drawLoop(pen);
-      break;
-    case Icon::kPlus:
-      pen.line(8, 3.4f, 8, 12.6f);
-      pen.line(3.4f, 8, 12.6f, 8);
-      break;
-    case Icon::kClose:
-      pen.line(4.2f, 4.2f, 11.8f, 11.8f);
-      pen.line(11.8f, 4.2f, 4.2f, 11.8f);
-      break;
-    case Icon::kBone:
-      pen.outline({{3, 13}, {3.6f, 8.6f}, {13, 3}, {7.4f, 12.4f}}, true);
-      break;
-    case Icon::kMuscle:
-      pen.ellipse(8, 8, 6.2f, 3.6f, -0.6f, true);
-      break;
-    case Icon::kCarve:
-      pen.ellipse(8, 8, 6.0f, 3.4f, -0.6f, false);
-      break;
-    case Icon::kAxes:
-      drawAxes(pen);
-      break;
-    case Icon::kFolder:
-      pen.outline({{2, 4}, {6.4f, 4}, {7.8f, 5.8f}, {14, 5.8f}, {14, 13}, {2, 13}}, true);
-      break;
-    case Icon::kFile:
-      pen.outline({{4, 2}, {9.6f, 2}, {12.4f, 4.8f}, {12.4f, 14}, {4, 14}}, true);
-      break;
-    case Icon::kBack:
-    case Icon::kForward:
-    case Icon::kUp:
-    case Icon::kNewFolder:
-    case Icon::kHidden:
-      drawBrowsing(pen, icon);
-      break;
-    case Icon::kNote:
-    case Icon::kWarning:
-    case Icon::kError:
-      drawSeverity(pen, icon);
-      break;
-    case Icon::kSymmetry:
-      for (const float y : {1.0f, 5.0f, 9.0f, 13.0f}) pen.line(8, y, 8, y + 2);
-      pen.fill({{6, 4}, {6, 12}, {0.8f, 12}});
-      pen.outline({{10, 4}, {10, 12}, {15.2f, 12}}, true);
-      break;
-    case Icon::kBox:
-      for (const float at : {2.0f, 6.5f, 11.0f}) {
-        pen.line(at, 2, at + 3, 2);
-        pen.line(at, 14, at + 3, 14);
-        pen.line(2, at, 2, at + 3);
-        pen.line(14, at, 14, at + 3);
-      }
-      pen.ellipse(8, 8, 3, 2, 0.5f, true);
-      break;
-    case Icon::kMinimise:
-      pen.line(3.6f, 11.4f, 12.4f, 11.4f);
-      break;
-    case Icon::kCopy:
-      pen.outline({{5.4f, 5.4f}, {13.4f, 5.4f}, {13.4f, 14}, {5.4f, 14}}, true);
-      pen.outline({{3.4f, 10.6f}, {2.6f, 10.6f}, {2.6f, 2}, {10.6f, 2}, {10.6f, 3.4f}}, false);
-      break;
-  }
+  if (const IconDrawing draw = kDrawings[at(icon)]) draw(pen);
 }
 
 }  // namespace sinew::app

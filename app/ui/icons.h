@@ -1,6 +1,8 @@
 // app/ui/icons.h: small pictures drawn as vectors, so that no icon font is needed.
 #pragma once
 
+#include <cstddef>
+
 #include <imgui.h>
 
 namespace sinew::app {
@@ -40,7 +42,23 @@ enum class Icon {
   kMinimise,
   kSymmetry,
   kBox,
+  // Marks of the outliner, the groups and the territory.
+  kEye,
+  kEyeShut,
+  kLock,
+  kUnlocked,
+  kSolo,
+  kFilter,
+  kMatrix,
+  kGraph,
+  kArrange,
+  kBefore,
+  kTerritory,
+  kFoldOpen,
+  kFoldClosed,
+  kReset,
 };
+inline constexpr std::size_t kIconCount = static_cast<std::size_t>(Icon::kReset) + 1;
 
 /// Draws into a square. @param topLeft, size  screen coordinates.
 void drawIcon(ImDrawList& list, Icon icon, const ImVec2& topLeft, float size, ImU32 color);

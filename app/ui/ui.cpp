@@ -9,6 +9,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace sinew::app {
 namespace {
@@ -19,6 +20,12 @@ constexpr double kTooltipSeconds = 0.45;
 ImU32 iconColor(bool active, bool hovered) {
   if (active) return palette::kAccent.packed();
   return (hovered ? palette::kText : palette::kMuted).packed();
+}
+
+std::string lowered(const char* word) {
+  std::string text = word;
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
 }
 
 }  // namespace
@@ -51,18 +58,19 @@ void tooltip(Ui& ui, const std::string& text) {
   ImGui::PopStyleVar();
 }
 
-bool iconButton(Ui& ui, const std::string& id, Icon icon, bool active, float size) {
+bool iconButton(Ui& ui, const std::string& id, Icon icon, bool active, float size, const std::string& hint) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton(id.c_str(), {size, size});
   ui.widgets.note(id);
   const bool hovered = ImGui::IsItemHovered();
+  tooltip(ui, hint);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end{corner.x + size, corner.y + size};
   if (active || hovered) {
     const Tint back = active ? palette::kAccent.faded(0.20f) : palette::kText.faded(0.08f);
     list.AddRectFilled(corner, end, back.packed(), ui.px(5));
   }
-  const float inner = std::min(size, std::max(size * 0.56f, ui.px(13)));
+  const float inner = std::min(size, std::max(size * 0.56f, ui.px(15)));
   const float margin = 0.5f * (size - inner);
   drawIcon(list, icon, {corner.x + margin, corner.y + margin}, inner, iconColor(active, hovered));
   return pressed;
@@ -131,5 +139,52 @@ bool closeMenuOnEscape() {
 }
 
 bool escapePressed(const Ui& ui) { return !ui.escapeTaken && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false); }
+
+int segmented(Ui& ui, const std::string& id, const char* const* words, int count, int chosen, float width) {
+  int clicked = -1;
+  const float height = ImGui::GetFrameHeight();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(corner, {corner.x + width, corner.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg), ui.px(5));
+  const float part = width / static_cast<float>(count);
+  for (int i = 0; i < count; ++i) {
+    const ImVec2 low{corner.x + part * static_cast<float>(i), corner.y};
+    ImGui::SetCursorScreenPos(low);
+    const std::string name = id + "/" + lowered(words[i]);
+    if (ImGui::InvisibleButton(name.c_str(), {part, height})) clicked = i;
+    ui.widgets.note(name);
+    const bool lit = i == chosen;
+    if (lit) {
+      list.AddRectFilled({low.x + ui.px(2), low.y + ui.px(2)}, {low.x + part - ui.px(2), low.y + height - ui.px(2)},
+                         palette::kLine.packed(), ui.px(4));
+    }
+    const ImVec2 text = ImGui::CalcTextSize(words[i]);
+    const Tint color = lit || ImGui::IsItemHovered() ? palette::kText : palette::kMuted;
+    list.AddText({low.x + 0.5f * (part - text.x), low.y + 0.5f * (height - text.y)}, color.packed(), words[i]);
+  }
+  ImGui::SetCursorScreenPos(corner);
+  ImGui::Dummy({width, height});
+  return clicked;
+}
+
+void clippedText(ImDrawList& list, const ImVec2& at, float width, ImU32 color, const std::string& text) {
+  if (width <= 0.0f) return;
+  if (ImGui::CalcTextSize(text.c_str()).x <= width) {
+    list.AddText(at, color, text.c_str());
+    return;
+  }
+  // The end stays, as names that begin alike differ there: "rectus abd...upper L".
+  const float room = std::max(width - ImGui::CalcTextSize("...").x, 0.0f);
+  const char* const last = text.c_str() + text.size();
+  const char* tail = last;
+  for (const char* c = last; c > text.c_str() && ImGui::CalcTextSize(c, last).x <= 0.4f * room; --c) {
+    if ((static_cast<unsigned char>(*c) & 0xC0u) != 0x80u) tail = c;
+  }
+  const float tailWidth = ImGui::CalcTextSize(tail, last).x;
+  const char* end = last;
+  ImGui::GetFont()->CalcTextSizeA(ImGui::GetFontSize(), room - tailWidth, 0.0f, text.c_str(), last, &end);
+  const std::string shown = std::string(text.c_str(), end) + "..." + tail;
+  list.AddText(at, color, shown.c_str());
+}
 
 }  // namespace sinew::app

@@ -29,7 +29,7 @@ void mutedText(const char* text);
 void tooltip(Ui& ui, const std::string& text);
 
 /// Square button with an icon; lit when active. Notes itself as `id`.
-bool iconButton(Ui& ui, const std::string& id, Icon icon, bool active, float size);
+bool iconButton(Ui& ui, const std::string& id, Icon icon, bool active, float size, const std::string& hint = "");
 /// Small rounded button with a word; filled when active. Notes itself as `id`.
 bool pillButton(Ui& ui, const std::string& id, const char* label, bool active);
 
@@ -50,5 +50,12 @@ void popDialogStyle();
 bool closeMenuOnEscape();
 /// Esc in this frame, and no menu or list has taken it.
 [[nodiscard]] bool escapePressed(const Ui& ui);
+
+/// Two or more words of which one is chosen, in a row that fills the width; notes itself as ID/WORD in lower case.
+/// @return the index that was clicked, or -1
+int segmented(Ui& ui, const std::string& id, const char* const* words, int count, int chosen, float width);
+
+/// Text with an ellipsis in its middle if it does not fit a width, into a draw list.
+void clippedText(ImDrawList& list, const ImVec2& at, float width, ImU32 color, const std::string& text);
 
 }  // namespace sinew::app

@@ -11,7 +11,6 @@
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
 #include "app/editor/outliner_edit.h"
-#include "app/ui/panel_glyphs.h"
 #include "core/blending/blending_graph.h"
 #include "core/rig/rig_edit_several.h"
 
@@ -30,13 +29,13 @@ void drawHead(PanelUi& ui) {
   if (chosen >= 0) asGraph = chosen == 1;
   if (asGraph) {
     ImGui::SameLine(0.0f, gap);
-    if (glyphButton(ui, "blending/arrange", Glyph::kArrange, false, button, "Arrange all groups again")) {
+    if (iconButton(ui, "blending/arrange", Icon::kArrange, false, button, "Arrange all groups again")) {
       blending.places.clear();
       blending.fitWanted = true;
     }
   }
   ImGui::SameLine(0.0f, gap);
-  if (glyphButton(ui, "blending/add", Glyph::kPlus, false, button, "New group")) addEmptyGroup(ui.state);
+  if (iconButton(ui, "blending/add", Icon::kPlus, false, button, "New group")) addEmptyGroup(ui.state);
 }
 
 void drawCounts(PanelUi& ui) {

@@ -9,7 +9,6 @@
 
 #include "app/editor/blending_edit.h"
 #include "app/panels/blending/blending.h"
-#include "app/ui/panel_glyphs.h"
 #include "core/rig/rig_edit_several.h"
 
 namespace sinew::app {

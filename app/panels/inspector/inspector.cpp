@@ -8,7 +8,6 @@
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
 #include "app/editor/outliner_edit.h"
-#include "app/ui/panel_glyphs.h"
 
 namespace sinew::app {
 namespace {

@@ -10,7 +10,6 @@
 
 #include "app/editor/commands.h"
 #include "app/panels/inspector/inspector.h"
-#include "app/ui/panel_glyphs.h"
 
 namespace sinew::app {
 namespace {

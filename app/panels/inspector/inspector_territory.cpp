@@ -12,7 +12,6 @@
 #include "app/editor/territory.h"
 #include "app/panels/inspector/inspector.h"
 #include "app/panels/shared/field_edit.h"
-#include "app/ui/panel_glyphs.h"
 #include "core/rig/attachment.h"
 
 namespace sinew::app {
@@ -41,14 +40,14 @@ void headRow(PanelUi& ui, const Subjects& subjects, std::size_t bones) {
   const float right = ImGui::GetWindowContentRegionMax().x;
   if (named || differ) {
     ImGui::SameLine(right - 2.0f * button - ui.px(4));
-    if (glyphButton(ui, "inspector/territory-reset", Glyph::kReset, false, button, "Back to the default")) {
+    if (iconButton(ui, "inspector/territory-reset", Icon::kReset, false, button, "Back to the default")) {
       reset(ui, subjects);
     }
   }
   ImGui::SameLine(right - button);
   const Action& mode = action("tool/territory");
-  if (glyphButton(ui, "inspector/territory-edit", Glyph::kTerritory, editsTerritory(ui.state), button,
-                  tooltipOf(ui, mode))) {
+  if (iconButton(ui, "inspector/territory-edit", Icon::kTerritory, editsTerritory(ui.state), button,
+                 tooltipOf(ui, mode))) {
     run(mode, ui.state);
   }
 }

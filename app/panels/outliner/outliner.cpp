@@ -16,7 +16,6 @@
 #include "app/editor/visibility_commands.h"
 #include "app/panels/outliner/outliner.h"
 #include "app/panels/outliner/outliner_row.h"
-#include "app/ui/panel_glyphs.h"
 
 namespace sinew::app {
 namespace {
@@ -44,8 +43,8 @@ void drawSearch(PanelUi& ui) {
   ui.widgets.note("outliner/search");
   ImGui::SameLine(0.0f, ui.px(4));
   bool& only = ui.state.view.outliner.onlyWithMuscles;
-  if (glyphButton(ui, "outliner/only-with-muscles", Glyph::kFilter, only, button,
-                  "Only bones with muscles on them or below")) {
+  if (iconButton(ui, "outliner/only-with-muscles", Icon::kFilter, only, button,
+                 "Only bones with muscles on them or below")) {
     only = !only;
   }
 }

@@ -11,7 +11,6 @@
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
 #include "app/editor/outliner_edit.h"
-#include "app/ui/panel_glyphs.h"
 
 namespace sinew::app {
 namespace {
@@ -55,7 +54,7 @@ struct Row {
 };
 
 /// A clickable square at the right end; column 0 is the rightmost. Drawn if it says something or the row is hovered.
-bool cell(Row& row, int column, const std::string& id, Glyph glyph, const Tint& color, bool always,
+bool cell(Row& row, int column, const std::string& id, Icon glyph, const Tint& color, bool always,
           const std::string& hint) {
   PanelUi& ui = row.ui;
   const float size = ui.px(kCell);
@@ -67,13 +66,13 @@ bool cell(Row& row, int column, const std::string& id, Glyph glyph, const Tint& 
   const bool over = ImGui::IsItemHovered();
   if (!always && !row.hovered && !over) return pressed;
   const float glyphSize = ui.px(kGlyph);
-  drawGlyph(*ImGui::GetWindowDrawList(), glyph, {at.x + 0.5f * (size - glyphSize), row.middle(glyphSize)}, glyphSize,
-            (over ? palette::kText : color).packed());
+  drawIcon(*ImGui::GetWindowDrawList(), glyph, {at.x + 0.5f * (size - glyphSize), row.middle(glyphSize)}, glyphSize,
+           (over ? palette::kText : color).packed());
   return pressed;
 }
 
 /// One of the three switches of a row; acts on the row alone, or on all selected muscles if it is among them.
-void switchCell(Row& row, int column, Mark mark, const char* word, Glyph on, Glyph off, const std::string& hint) {
+void switchCell(Row& row, int column, Mark mark, const char* word, Icon on, Icon off, const std::string& hint) {
   Visibility& visibility = row.ui.state.document.visibility;
   const bool set = row.isMuscle() ? visibility.marks(mark).muscles.contains(row.primitive().id())
                                   : visibility.marks(mark).bones.contains(row.bone().path);
@@ -94,11 +93,11 @@ void switchCell(Row& row, int column, Mark mark, const char* word, Glyph on, Gly
 
 void drawSwitches(Row& row) {
   const char* of = row.isMuscle() ? "this muscle" : "all muscles on this bone and below";
-  switchCell(row, 0, Mark::kHidden, "eye", Glyph::kEyeShut, Glyph::kEye,
+  switchCell(row, 0, Mark::kHidden, "eye", Icon::kEyeShut, Icon::kEye,
              std::string("Show or hide ") + of + ". Hidden muscles do not move the skin; they stay in the file.");
-  switchCell(row, 1, Mark::kLocked, "lock", Glyph::kLock, Glyph::kUnlocked,
+  switchCell(row, 1, Mark::kLocked, "lock", Icon::kLock, Icon::kUnlocked,
              std::string("Lock ") + of + ": no picking or moving in the picture.");
-  switchCell(row, 2, Mark::kSolo, "solo", Glyph::kSolo, Glyph::kSolo, std::string("Solo: show ") + of + " alone.");
+  switchCell(row, 2, Mark::kSolo, "solo", Icon::kSolo, Icon::kSolo, std::string("Solo: show ") + of + " alone.");
 }
 
 void drawFold(Row& row) {
@@ -109,9 +108,9 @@ void drawFold(Row& row) {
   const bool pressed = ImGui::InvisibleButton("fold", {size, row.high.y - row.low.y});
   const bool all = ImGui::GetIO().KeyShift;
   ui.widgets.note("outliner/fold/" + (row.row.index < 0 ? std::string("unattached") : row.name()));
-  drawGlyph(*ImGui::GetWindowDrawList(), row.row.open ? Glyph::kFoldOpen : Glyph::kFoldClosed,
-            {row.indent() - ui.px(2), row.middle(size)}, size,
-            (ImGui::IsItemHovered() ? palette::kText : palette::kMuted).packed());
+  drawIcon(*ImGui::GetWindowDrawList(), row.row.open ? Icon::kFoldOpen : Icon::kFoldClosed,
+           {row.indent() - ui.px(2), row.middle(size)}, size,
+           (ImGui::IsItemHovered() ? palette::kText : palette::kMuted).packed());
   if (!pressed) return;
   if (row.row.index < 0) {
     ui.state.view.outliner.unattachedFolded = row.row.open;
@@ -218,7 +217,7 @@ void drawBone(Row& row) {
   const bool hidden = row.frame.effective.boneHidden[index];
   const Tint tint = within ? palette::kGood : palette::kMuted;
   if (within) {
-    drawGlyph(list, Glyph::kTerritory, {row.indent() + ui.px(16), row.middle(ui.px(14))}, ui.px(14), tint.packed());
+    drawIcon(list, Icon::kTerritory, {row.indent() + ui.px(16), row.middle(ui.px(14))}, ui.px(14), tint.packed());
   } else {
     drawIcon(list, Icon::kBone, {row.indent() + ui.px(16), row.middle(ui.px(13))}, ui.px(13),
              tint.faded(hidden ? 0.4f : 0.8f).packed());
@@ -233,7 +232,7 @@ void drawAddCell(Row& row) {
   const bool selected = row.ui.state.document.selection.bone == row.row.index;
   if (!selected && !row.hovered) return;
   const std::string id = selected ? "outliner/add" : "outliner/add-hovered";
-  if (cell(row, 3, id, Glyph::kPlus, palette::kMuted, true, "Add muscle on this bone")) {
+  if (cell(row, 3, id, Icon::kPlus, palette::kMuted, true, "Add muscle on this bone")) {
     addMuscle(row.ui.state, row.row.index);
   }
 }

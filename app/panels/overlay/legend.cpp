@@ -14,7 +14,6 @@
 #include "app/editor/visibility_commands.h"
 #include "app/panels/overlay/overlay.h"
 #include "app/render/color_scales.h"
-#include "app/ui/panel_glyphs.h"
 
 namespace sinew::app {
 namespace {
@@ -164,7 +163,7 @@ void drawLegend(PanelUi& ui) {
 void drawBeforeButton(PanelUi& ui, float size) {
   const Action& before = action("view/before");
   const bool active = ui.state.document.visibility.bare;
-  glyphButton(ui, "toolstrip/before", Glyph::kBefore, active, size, tooltipOf(ui, before) + " or the button is held.");
+  iconButton(ui, "toolstrip/before", Icon::kBefore, active, size, tooltipOf(ui, before) + " or the button is held.");
   const bool held = ImGui::IsItemActive();
   const int key = shortcutsOf(before, ui.state.session.preferences.keymap)[0].key;
   holdBare(ui.state, key > 0 && ImGui::GetIO().KeysDown[key], held);
@@ -173,8 +172,8 @@ void drawBeforeButton(PanelUi& ui, float size) {
 void drawTerritoryButton(PanelUi& ui, float size) {
   const Action& territory = action("tool/territory");
   ImGui::BeginDisabled(!territory.enabled(ui.state));
-  if (glyphButton(ui, "toolstrip/territory", Glyph::kTerritory, editsTerritory(ui.state), size,
-                  tooltipOf(ui, territory))) {
+  if (iconButton(ui, "toolstrip/territory", Icon::kTerritory, editsTerritory(ui.state), size,
+                 tooltipOf(ui, territory))) {
     run(territory, ui.state);
   }
   ImGui::EndDisabled();
