@@ -1,6 +1,6 @@
 // tests/support/gltf_oracle.h: what a raw glTF file looks like at a time, in double.
 //
-// Reads with tinygltf, which the program's import does not use, and shares no code with core: own node tree, own
+// Reads with tinygltf alone, without the import's guard, and shares no code with core: own node tree, own
 // sampling (glTF 2.0, appendix C), own skinning. Knows what the test files hold: triangle lists and triangles' skins.
 #pragma once
 

@@ -1,4 +1,4 @@
-// core/io/files/atomic_file.cpp: POSIX files, with every failure told in words.
+// core/io/files/atomic_file.cpp: POSIX files, every failure returns a readable message.
 #include "core/io/files/atomic_file.h"
 
 #include <array>
@@ -113,7 +113,7 @@ Result<Bytes> readWhole(const fs::path& file, std::uintmax_t limit) {
   struct stat present {};
   if (::fstat(source.number(), &present) != 0) return because(file, "cannot be read", errno);
   if (S_ISDIR(present.st_mode)) return Error{file.string(), {}, "cannot be read: it is a folder"};
-  if (!S_ISREG(present.st_mode)) return Error{file.string(), {}, "cannot be read: it is no ordinary file"};
+  if (!S_ISREG(present.st_mode)) return Error{file.string(), {}, "cannot be read: it is not a regular file"};
 
   const auto tooLarge = [&] {
     return Error{file.string(), {}, "is larger than " + std::to_string(limit) + " bytes, the most that is read"};
