@@ -32,6 +32,16 @@ inline bool open(const State& s) { return s.hasCharacter(); }
 inline bool idle(const State& s) { return s.hasCharacter() && !ownsKeyboard(s.view.tools) && s.open.gestureItem == 0; }
 inline bool selected(const State& s) { return idle(s) && s.document.activePrimitive() >= 0; }
 
+// Commands that change one part of the state as rows of the table.
+template <void (*kCommand)(Document&)>
+void onDocument(State& s) {
+  kCommand(s.document);
+}
+template <void (*kCommand)(Dialogs&)>
+void onDialogs(State& s) {
+  kCommand(s.dialogs);
+}
+
 // Keys.
 inline constexpr Shortcut kNone{};
 constexpr Shortcut key(int code) { return {code, false, false, false}; }

@@ -13,11 +13,11 @@ bool boneKnown(const State& s) { return idle(s) && s.document.selection.bone >= 
 void renameActive(State& s) { startRename(s, s.document.selection.active()); }
 void addOnBone(State& s) { addMuscle(s, s.document.selection.bone); }
 
-bool mirrorable(const State& s) { return selected(s) && canMirror(s); }
+bool mirrorable(const State& s) { return selected(s) && canMirror(s.document); }
 bool symmetric(const State& s) { return s.document.symmetry; }
-bool symmetryKnown(const State& s) { return idle(s) && canMirror(s); }
-bool twinned(const State& s) { return selected(s) && anyTwin(s); }
-bool linkable(const State& s) { return mirrorable(s) && twoSelected(s); }
+bool symmetryKnown(const State& s) { return idle(s) && canMirror(s.document); }
+bool twinned(const State& s) { return selected(s) && anyTwin(s.document); }
+bool linkable(const State& s) { return mirrorable(s) && twoSelected(s.document); }
 bool anyMuscle(const State& s) { return idle(s) && !s.document.rig().primitives.empty(); }
 bool boneOrMuscle(const State& s) { return anyMuscle(s) && (selected(s) || s.document.selection.bone >= 0); }
 void paste(State& s) { pasteMuscles(s, false); }
@@ -39,13 +39,13 @@ const Action kActions[] = {
     {"edit/cut", "Cut", "Copy the selected muscles and remove them", ctrl(GLFW_KEY_X), kNone, selected, nullptr,
      cutSelection, true},
     {"edit/copy", "Copy", "Put the selected muscles on the clipboard, as the text of a rig", ctrl(GLFW_KEY_C), kNone,
-     selected, nullptr, copySelection},
+     selected, nullptr, onDocument<copySelection>},
     {"edit/paste", "Paste", "Add the muscles on the clipboard, from this character or another", ctrl(GLFW_KEY_V), kNone,
      idle, nullptr, paste},
     {"edit/paste-mirrored", "Paste mirrored", "Add the muscles on the clipboard on the other side",
      ctrlShift(GLFW_KEY_V), kNone, symmetryKnown, nullptr, pasteMirrored},
     {"edit/symmetry", "Symmetry", "Add, copy and delete on both sides at once", shift(GLFW_KEY_S), kNone, symmetryKnown,
-     symmetric, toggleSymmetry, true},
+     symmetric, onDocument<toggleSymmetry>, true},
     {"edit/mirror", "Mirror to other side", "Give each selected muscle a linked twin that follows it",
      ctrlShift(GLFW_KEY_M), kNone, mirrorable, nullptr, mirrorSelection},
     {"edit/flip", "Flip", "Move the selected muscles to the other side", ctrlShift(GLFW_KEY_F), kNone, mirrorable,
@@ -55,13 +55,13 @@ const Action kActions[] = {
     {"edit/link-twins", "Link as twins", "Make the first of two selected muscles the mirror image of the active one",
      ctrlShift(GLFW_KEY_L), kNone, linkable, nullptr, linkSelection},
     {"edit/select-twin", "Select twin", "Select the twin on the other side", ctrlShift(GLFW_KEY_T), kNone, twinned,
-     nullptr, selectTwins},
+     nullptr, onDocument<selectTwins>},
     {"edit/select-all", "Select all", "All muscles that are shown and not locked", ctrl(GLFW_KEY_A), kNone, anyMuscle,
-     nullptr, selectAll, true},
+     nullptr, onDocument<selectAll>, true},
     {"edit/select-invert", "Invert selection", "Select every muscle that is not selected", ctrl(GLFW_KEY_I), kNone,
-     anyMuscle, nullptr, invertSelection},
+     anyMuscle, nullptr, onDocument<invertSelection>},
     {"edit/select-on-bone", "Select all on bone", "All muscles on the bones of the selected ones", ctrl(GLFW_KEY_B),
-     kNone, boneOrMuscle, nullptr, selectOnBone},
+     kNone, boneOrMuscle, nullptr, onDocument<selectOnBone>},
     {"edit/select-none", "Select nothing", "Clear the selection of muscles and bone", key(GLFW_KEY_ESCAPE), kNone, idle,
      nullptr, selectNothing},
 };

@@ -11,7 +11,7 @@ void toggleSheet(State& s) { s.dialogs.keySheet = !s.dialogs.keySheet; }
 
 const Action kActions[] = {
     {"help/palette", "Find anything...", "Search actions, muscles, bones, samples and recent files", ctrl(GLFW_KEY_P),
-     kNone, always, nullptr, showPalette},
+     kNone, always, nullptr, onDialogs<showPalette>},
     {"help/keys", "Keys and mouse", "What every key and every drag does", key(GLFW_KEY_F1), kNone, always, hasSheet,
      toggleSheet},
 };

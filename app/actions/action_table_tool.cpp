@@ -18,7 +18,7 @@ bool isTool(const State& s) {
 }
 template <std::size_t kIndex>
 void chooseTool(State& s) {
-  endTerritoryMode(s);  // It takes the clicks that the tool is chosen for.
+  endTerritoryMode(s.view.tools);  // It takes the clicks that the tool is chosen for.
   setTool(s.view.tools, static_cast<ToolKind>(kIndex));
 }
 
@@ -68,9 +68,9 @@ const Action kOthers[] = {
     {"tool/pose-hold", "Hold turned joints", "Keep turned joints still while the clip moves the others", kNone, kNone,
      idle, holdsPose, toggleHoldPose},
     {"tool/pose-parent", "Parent joint", "Select the parent of the selected joint", key(GLFW_KEY_UP), kNone, posing,
-     nullptr, selectParentJoint},
+     nullptr, onDocument<selectParentJoint>},
     {"tool/pose-child", "Child joint", "Select the first child of the selected joint", key(GLFW_KEY_DOWN), kNone,
-     posing, nullptr, selectChildJoint},
+     posing, nullptr, onDocument<selectChildJoint>},
 };
 
 /// One row a tool, then the others.

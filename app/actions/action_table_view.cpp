@@ -48,7 +48,7 @@ void toggleAutoDepth(State& s) {
 bool hasOverlay(const State& s) { return s.view.layout.overlay; }
 void toggleOverlay(State& s) { s.view.layout.overlay = !s.view.layout.overlay; }
 
-bool hiddenAny(const State& s) { return s.hasCharacter() && anythingHidden(s); }
+bool hiddenAny(const State& s) { return s.hasCharacter() && anythingHidden(s.document); }
 bool isIsolated(const State& s) { return s.document.visibility.isolated.has_value(); }
 bool isolatable(const State& s) { return selected(s) || (idle(s) && isIsolated(s)); }
 bool lockedAny(const State& s) { return s.hasCharacter() && !s.document.visibility.locked.empty(); }
@@ -86,14 +86,15 @@ const Action kActions[] = {
     {"view/before", "Without muscles", "Show the character without its muscles while the key is held",
      key(GLFW_KEY_GRAVE_ACCENT), kNone, idle, isBare, latchBare, true},
     {"view/hide", "Hide or show", "Hide the selected muscles: they no longer move the skin, but stay in the file",
-     key(GLFW_KEY_H), kNone, selected, nullptr, toggleHideSelection},
+     key(GLFW_KEY_H), kNone, selected, nullptr, onDocument<toggleHideSelection>},
     {"view/show-all", "Show all", "Show every muscle: hide, solo and isolate end", alt(GLFW_KEY_H), kNone, hiddenAny,
-     nullptr, showAll},
+     nullptr, onDocument<showAll>},
     {"view/isolate", "Isolate", "Show only the selected muscles, or show all again", key(GLFW_KEY_SLASH),
-     key(GLFW_KEY_KP_DIVIDE), isolatable, isIsolated, toggleIsolation},
+     key(GLFW_KEY_KP_DIVIDE), isolatable, isIsolated, onDocument<toggleIsolation>},
     {"view/lock", "Lock or unlock", "Locked muscles cannot be picked or moved in the picture", kNone, kNone, selected,
-     nullptr, toggleLockSelection},
-    {"view/unlock-all", "Unlock all", "Make every muscle pickable again", kNone, kNone, lockedAny, nullptr, unlockAll},
+     nullptr, onDocument<toggleLockSelection>},
+    {"view/unlock-all", "Unlock all", "Make every muscle pickable again", kNone, kNone, lockedAny, nullptr,
+     onDocument<unlockAll>},
     {"view/frame", "Frame selection", "Fit the selected muscles, or all, into the picture", key(GLFW_KEY_F), kNone,
      open, nullptr, frame, true},
     {"view/frame-all", "Frame all", "Fit the whole character into the picture", key(GLFW_KEY_A), key(GLFW_KEY_HOME),

@@ -104,18 +104,18 @@ bool moveToGroup(EditorState& state, const std::vector<int>& indices, const std:
               setGroupOfSeveral(state.document.rig(), indices, group));
 }
 
-void selectMembers(EditorState& state, const std::string& group) {
-  state.document.selection.clear();
-  for (const int index : membersOf(state.document.rig(), group)) {
-    state.document.selection.primitives.push_back(state.document.idAt(index));
+void selectMembers(Document& document, const std::string& group) {
+  document.selection.clear();
+  for (const int index : membersOf(document.rig(), group)) {
+    document.selection.primitives.push_back(document.idAt(index));
   }
 }
 
-std::vector<int> draggedMuscles(const EditorState& state, int grabbed) {
+std::vector<int> draggedMuscles(const Document& document, int grabbed) {
   const auto index = static_cast<std::size_t>(grabbed);
-  if (index >= state.document.rig().primitives.size()) return {};
-  if (state.document.selection.contains(state.document.idAt(grabbed))) {
-    return selectedIndices(state.document);
+  if (index >= document.rig().primitives.size()) return {};
+  if (document.selection.contains(document.idAt(grabbed))) {
+    return selectedIndices(document);
   }
   return {grabbed};
 }

@@ -31,10 +31,10 @@ bool renameGroupTo(EditorState& state, GroupId group, const std::string& name);
 /// The group's muscles go to `into` (an index); -1: only if it is empty.
 bool removeGroupOf(EditorState& state, int group, int into);
 bool moveToGroup(EditorState& state, const std::vector<int>& indices, const std::string& group);
-void selectMembers(EditorState& state, const std::string& group);
+void selectMembers(Document& document, const std::string& group);
 
 /// The muscles that a drag of one of them takes along: all that are selected if it is among them, else it alone.
-[[nodiscard]] std::vector<int> draggedMuscles(const EditorState& state, int grabbed);
+[[nodiscard]] std::vector<int> draggedMuscles(const Document& document, int grabbed);
 
 /// Lights up the muscles of a group in the picture, for this frame.
 void highlightGroup(EditorState& state, const std::string& group);

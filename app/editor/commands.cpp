@@ -192,7 +192,7 @@ void addMuscle(EditorState& state, int bone) {
 }
 
 void deleteSelection(EditorState& state) {
-  const std::vector<int> indices = editedIndices(state);
+  const std::vector<int> indices = editedIndices(state.document);
   if (indices.empty() || isBusy(state)) return;
   const std::string what =
       indices.size() == 1 ? state.document.activeName() : std::to_string(indices.size()) + " muscles";
@@ -200,7 +200,7 @@ void deleteSelection(EditorState& state) {
 }
 
 void duplicateSelection(EditorState& state) {
-  const std::vector<int> indices = editedIndices(state);
+  const std::vector<int> indices = editedIndices(state.document);
   if (indices.empty() || isBusy(state)) return;
   const std::size_t before = state.document.rig().primitives.size();
   const Selection originals = state.document.selection;
@@ -229,7 +229,7 @@ bool rename(EditorState& state, PrimitiveId primitive, const std::string& name) 
 
 void selectNothing(EditorState& state) {
   if (editsTerritory(state)) {
-    endTerritoryMode(state);
+    endTerritoryMode(state.view.tools);
   } else {
     state.document.selection.clear();
   }

@@ -19,9 +19,9 @@ const std::string& nameOfMuscle(const Rig& rig, int index) {
 }
 
 /// The row that the keyboard stands on: of the active muscle, else of the bone.
-int cursorRow(const EditorState& state, const std::vector<OutlinerRow>& rows) {
-  const int active = state.document.activePrimitive();
-  const int bone = state.document.selection.bone;
+int cursorRow(const Document& document, const std::vector<OutlinerRow>& rows) {
+  const int active = document.activePrimitive();
+  const int bone = document.selection.bone;
   const auto found = std::ranges::find_if(rows, [&](const OutlinerRow& row) {
     return active >= 0 ? row.kind == RowKind::kMuscle && row.index == active
                        : row.kind == RowKind::kBone && row.index == bone;
@@ -94,7 +94,7 @@ void clickBone(EditorState& state, int bone) {
 
 void moveCursor(EditorState& state, const std::vector<OutlinerRow>& rows, int by, bool extend) {
   const int count = static_cast<int>(rows.size());
-  const int from = cursorRow(state, rows);
+  const int from = cursorRow(state.document, rows);
   int to = from < 0 ? (by > 0 ? 0 : count - 1) : from + by;
   // The unattached node's own row cannot be selected.
   if (to >= 0 && to < count && rows[static_cast<std::size_t>(to)].kind == RowKind::kUnattached) to += by > 0 ? 1 : -1;
@@ -109,9 +109,9 @@ void moveCursor(EditorState& state, const std::vector<OutlinerRow>& rows, int by
   }
 }
 
-void selectMuscles(EditorState& state, const std::vector<int>& indices) {
-  state.document.selection.primitives.clear();
-  for (const int index : indices) state.document.selection.primitives.push_back(state.document.idAt(index));
+void selectMuscles(Document& document, const std::vector<int>& indices) {
+  document.selection.primitives.clear();
+  for (const int index : indices) document.selection.primitives.push_back(document.idAt(index));
 }
 
 void setFolded(EditorState& state, int bone, bool folded, bool all) {

@@ -22,7 +22,7 @@ void clickBone(EditorState& state, int bone);
 /// Up and down among the rows. @param extend  Shift: muscles on the way are added.
 void moveCursor(EditorState& state, const std::vector<OutlinerRow>& rows, int by, bool extend);
 
-void selectMuscles(EditorState& state, const std::vector<int>& indices);
+void selectMuscles(Document& document, const std::vector<int>& indices);
 /// Closes or opens a bone's row. @param all  those below it too
 void setFolded(EditorState& state, int bone, bool folded, bool all);
 /// Opens what hides a muscle's row.

@@ -106,21 +106,21 @@ void toggleHoldPose(EditorState& state) {
   keepPose(state, other == TurnsFrom::kBindPose ? "Hold turned joints" : "Release turned joints");
 }
 
-void selectParentJoint(EditorState& state) {
-  int& bone = state.document.selection.bone;
+void selectParentJoint(Document& document) {
+  int& bone = document.selection.bone;
   if (bone < 0) bone = 0;
-  else if (const int parent = state.character().skeleton.bones[static_cast<std::size_t>(bone)].parent; parent >= 0) {
+  else if (const int parent = document.character->skeleton.bones[static_cast<std::size_t>(bone)].parent; parent >= 0) {
     bone = parent;
   }
 }
 
-void selectChildJoint(EditorState& state) {
-  int& bone = state.document.selection.bone;
+void selectChildJoint(Document& document) {
+  int& bone = document.selection.bone;
   if (bone < 0) {
     bone = 0;
     return;
   }
-  const auto& children = state.character().skeleton.bones[static_cast<std::size_t>(bone)].children;
+  const auto& children = document.character->skeleton.bones[static_cast<std::size_t>(bone)].children;
   if (!children.empty()) bone = children.front();
 }
 

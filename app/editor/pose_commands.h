@@ -18,8 +18,8 @@ void pastePose(EditorState& state);
 /// Turned joints follow the clip, or stand still under it; this moment looks the same before and after.
 void toggleHoldPose(EditorState& state);
 /// Selects the joint above, or the first below, the selected one; the first root where none is.
-void selectParentJoint(EditorState& state);
-void selectChildJoint(EditorState& state);
+void selectParentJoint(Document& document);
+void selectChildJoint(Document& document);
 
 [[nodiscard]] bool isPosed(const EditorState& state);
 [[nodiscard]] bool selectedJointIsPosed(const EditorState& state);

@@ -121,7 +121,7 @@ void discardRecovery(EditorState& state, const fs::path& recoveryFile) {
   if (!left.file.empty()) discardLeftBehind(left);
 }
 
-void showPalette(EditorState& state) { state.dialogs.palette = {true, true, "", 0}; }
+void showPalette(Dialogs& dialogs) { dialogs.palette = {true, true, "", 0}; }
 
 void jumpToMuscle(EditorState& state, PrimitiveId primitive) {
   if (!state.hasCharacter() || findPrimitive(state.document.rig(), primitive) < 0) return;

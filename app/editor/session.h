@@ -30,7 +30,7 @@ void recover(EditorState& state, const std::filesystem::path& recoveryFile);
 /// Throws the left work away.
 void discardRecovery(EditorState& state, const std::filesystem::path& recoveryFile);
 
-void showPalette(EditorState& state);
+void showPalette(Dialogs& dialogs);
 /// Selects it and brings it into the picture.
 void jumpToMuscle(EditorState& state, PrimitiveId primitive);
 void jumpToBone(EditorState& state, int bone);

@@ -24,9 +24,8 @@ std::string countText(std::size_t count, const std::string& one) {
 }
 
 /// All muscles that may be picked, in rig order.
-std::vector<PrimitiveId> pickableMuscles(const EditorState& state) {
-  const Document& document = state.document;
-  const Skeleton& skeleton = state.character().skeleton;
+std::vector<PrimitiveId> pickableMuscles(const Document& document) {
+  const Skeleton& skeleton = document.character->skeleton;
   const EffectiveVisibility seen =
       effectiveVisibility(document.visibility, document.rig(), skeleton, boneOfEach(document.rig(), skeleton));
   std::vector<PrimitiveId> muscles;
@@ -37,8 +36,8 @@ std::vector<PrimitiveId> pickableMuscles(const EditorState& state) {
 }
 
 /// The active muscle stays active if it is among them.
-void selectKeepingActive(EditorState& state, const std::vector<PrimitiveId>& muscles) {
-  Selection& selection = state.document.selection;
+void selectKeepingActive(Document& document, const std::vector<PrimitiveId>& muscles) {
+  Selection& selection = document.selection;
   const PrimitiveId active = selection.active();
   selection.setAll(muscles);
   if (selection.contains(active)) selection.setAll(std::span(&active, 1), true);
@@ -46,14 +45,14 @@ void selectKeepingActive(EditorState& state, const std::vector<PrimitiveId>& mus
 
 }  // namespace
 
-std::vector<int> editedIndices(const EditorState& state) {
-  const std::vector<int> selected = selectedIndices(state.document);
-  return state.document.symmetry ? withTwins(state.document.rig(), selected) : selected;
+std::vector<int> editedIndices(const Document& document) {
+  const std::vector<int> selected = selectedIndices(document);
+  return document.symmetry ? withTwins(document.rig(), selected) : selected;
 }
 
-bool canMirror(const EditorState& state) { return state.document.mirror && state.document.mirror->usable(); }
+bool canMirror(const Document& document) { return document.mirror && document.mirror->usable(); }
 
-void toggleSymmetry(EditorState& state) { state.document.symmetry = !state.document.symmetry; }
+void toggleSymmetry(Document& document) { document.symmetry = !document.symmetry; }
 
 void mirrorSelection(EditorState& state) {
   Rig rig = state.document.rig();
@@ -96,61 +95,60 @@ void linkSelection(EditorState& state) {
   }
 }
 
-void selectTwins(EditorState& state) {
-  const Rig& rig = state.document.rig();
+void selectTwins(Document& document) {
+  const Rig& rig = document.rig();
   std::vector<PrimitiveId> twins;
-  for (const PrimitiveId id : state.document.selection.primitives) {
+  for (const PrimitiveId id : document.selection.primitives) {
     const int index = findPrimitive(rig, id);
     const int twin = index < 0 ? -1 : twinOf(rig, index);
     if (twin >= 0) twins.push_back(at(rig, twin).id());
   }
-  state.document.selection.setAll(twins);
+  document.selection.setAll(twins);
 }
 
-bool anyTwin(const EditorState& state) {
-  return std::ranges::any_of(selectedIndices(state.document),
-                             [&](int index) { return twinOf(state.document.rig(), index) >= 0; });
+bool anyTwin(const Document& document) {
+  return std::ranges::any_of(selectedIndices(document), [&](int index) { return twinOf(document.rig(), index) >= 0; });
 }
 
-bool twoSelected(const EditorState& state) { return selectedIndices(state.document).size() == 2; }
+bool twoSelected(const Document& document) { return selectedIndices(document).size() == 2; }
 
-std::string whyTwinStays(const EditorState& state) {
-  const int active = state.document.activePrimitive();
-  if (active < 0 || twinOf(state.document.rig(), active) < 0) return "";
-  if (!state.document.mirror) return "this character has no symmetry plane";
-  const Result<std::string> bone = twinBone(*state.document.mirror, at(state.document.rig(), active).bone);
+std::string whyTwinStays(const Document& document) {
+  const int active = document.activePrimitive();
+  if (active < 0 || twinOf(document.rig(), active) < 0) return "";
+  if (!document.mirror) return "this character has no symmetry plane";
+  const Result<std::string> bone = twinBone(*document.mirror, at(document.rig(), active).bone);
   return bone ? "" : bone.error().reason;
 }
 
-void selectAll(EditorState& state) { selectKeepingActive(state, pickableMuscles(state)); }
+void selectAll(Document& document) { selectKeepingActive(document, pickableMuscles(document)); }
 
-void invertSelection(EditorState& state) { state.document.selection.invert(pickableMuscles(state)); }
+void invertSelection(Document& document) { document.selection.invert(pickableMuscles(document)); }
 
-void selectOnBone(EditorState& state) {
-  const Rig& rig = state.document.rig();
-  const Skeleton& skeleton = state.character().skeleton;
+void selectOnBone(Document& document) {
+  const Rig& rig = document.rig();
+  const Skeleton& skeleton = document.character->skeleton;
   const std::vector<int> boneOf = boneOfEach(rig, skeleton);
   std::set<int> bones;
-  for (const int index : selectedIndices(state.document)) bones.insert(boneOf[static_cast<std::size_t>(index)]);
-  if (bones.empty()) bones.insert(state.document.selection.bone);
+  for (const int index : selectedIndices(document)) bones.insert(boneOf[static_cast<std::size_t>(index)]);
+  if (bones.empty()) bones.insert(document.selection.bone);
   bones.erase(-1);
-  std::vector<PrimitiveId> muscles = pickableMuscles(state);
+  std::vector<PrimitiveId> muscles = pickableMuscles(document);
   std::erase_if(muscles, [&](PrimitiveId id) {
     return !bones.contains(boneOf[static_cast<std::size_t>(findPrimitive(rig, id))]);
   });
-  selectKeepingActive(state, muscles);
+  selectKeepingActive(document, muscles);
 }
 
-void copySelection(EditorState& state) {
-  const std::vector<int> indices = editedIndices(state);
-  if (!indices.empty()) ImGui::SetClipboardText(musclesAsText(state.document.rig(), indices).c_str());
+void copySelection(Document& document) {
+  const std::vector<int> indices = editedIndices(document);
+  if (!indices.empty()) ImGui::SetClipboardText(musclesAsText(document.rig(), indices).c_str());
 }
 
 void cutSelection(EditorState& state) {
-  const std::vector<int> indices = editedIndices(state);
+  const std::vector<int> indices = editedIndices(state.document);
   if (indices.empty()) return;
   const std::string what = countText(indices.size(), state.document.activeName());
-  copySelection(state);
+  copySelection(state.document);
   edit(state, "Cut " + what, removePrimitives(state.document.rig(), indices));
 }
 

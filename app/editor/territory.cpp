@@ -29,7 +29,7 @@ void toggleTerritoryMode(EditorState& state) {
   state.view.tools.territoryMode = !editsTerritory(state) && territorySubject(state.document) >= 0;
 }
 
-void endTerritoryMode(EditorState& state) { state.view.tools.territoryMode = false; }
+void endTerritoryMode(ViewportTools& tools) { tools.territoryMode = false; }
 
 Result<Rig> withDefaultTerritory(const Rig& rig, const std::vector<int>& indices) {
   return editPrimitives(rig, indices, [](Primitive& primitive) { primitive.territory.reset(); });

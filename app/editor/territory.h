@@ -12,7 +12,7 @@ namespace sinew::app {
 /// Clicks on bones, in the picture and in the outliner, change the active muscle's territory.
 [[nodiscard]] bool editsTerritory(const EditorState& state);
 void toggleTerritoryMode(EditorState& state);
-void endTerritoryMode(EditorState& state);
+void endTerritoryMode(ViewportTools& tools);
 
 /// Back to the default: the muscle's bone, the one above it and those below.
 [[nodiscard]] Result<Rig> withDefaultTerritory(const Rig& rig, const std::vector<int>& indices);

@@ -9,16 +9,16 @@
 namespace sinew::app {
 namespace {
 
-std::vector<PrimitiveId> selectedMuscles(const EditorState& state) {
+std::vector<PrimitiveId> selectedMuscles(const Document& document) {
   std::vector<PrimitiveId> muscles;
-  for (const int index : selectedIndices(state.document)) muscles.push_back(state.document.idAt(index));
+  for (const int index : selectedIndices(document)) muscles.push_back(document.idAt(index));
   return muscles;
 }
 
 /// Sets the mark on all selected, or takes it off if all have it.
-void toggleMark(EditorState& state, Mark mark) {
-  Visibility& visibility = state.document.visibility;
-  const std::vector<PrimitiveId> muscles = selectedMuscles(state);
+void toggleMark(Document& document, Mark mark) {
+  Visibility& visibility = document.visibility;
+  const std::vector<PrimitiveId> muscles = selectedMuscles(document);
   const bool all =
       std::ranges::all_of(muscles, [&](PrimitiveId id) { return visibility.marks(mark).muscles.contains(id); });
   for (const PrimitiveId id : muscles) visibility.setMuscle(mark, id, !all);
@@ -26,33 +26,33 @@ void toggleMark(EditorState& state, Mark mark) {
 
 }  // namespace
 
-void followEdits(EditorState& state) { welcomeNew(state.document.visibility, state.document.rig()); }
+void followEdits(Document& document) { welcomeNew(document.visibility, document.rig()); }
 
-void toggleHideSelection(EditorState& state) { toggleMark(state, Mark::kHidden); }
+void toggleHideSelection(Document& document) { toggleMark(document, Mark::kHidden); }
 
-void showAll(EditorState& state) {
-  Visibility& visibility = state.document.visibility;
+void showAll(Document& document) {
+  Visibility& visibility = document.visibility;
   visibility.hidden = {};
   visibility.solo = {};
   visibility.isolated.reset();
 }
 
-void toggleIsolation(EditorState& state) {
-  Visibility& visibility = state.document.visibility;
+void toggleIsolation(Document& document) {
+  Visibility& visibility = document.visibility;
   if (visibility.isolated) {
     visibility.isolated.reset();
     return;
   }
-  const std::vector<PrimitiveId> muscles = selectedMuscles(state);
+  const std::vector<PrimitiveId> muscles = selectedMuscles(document);
   if (!muscles.empty()) visibility.isolated.emplace(muscles.begin(), muscles.end());
 }
 
-void toggleLockSelection(EditorState& state) { toggleMark(state, Mark::kLocked); }
+void toggleLockSelection(Document& document) { toggleMark(document, Mark::kLocked); }
 
-void unlockAll(EditorState& state) { state.document.visibility.locked = {}; }
+void unlockAll(Document& document) { document.visibility.locked = {}; }
 
-bool anythingHidden(const EditorState& state) {
-  const Visibility& visibility = state.document.visibility;
+bool anythingHidden(const Document& document) {
+  const Visibility& visibility = document.visibility;
   return !visibility.hidden.empty() || !visibility.solo.empty() || visibility.isolated.has_value();
 }
 
@@ -65,18 +65,18 @@ void holdBare(EditorState& state, bool keyDown, bool buttonDown) {
   state.document.visibility.bare = bare.latched || buttonDown;
 }
 
-EffectiveVisibility visibilityOf(const EditorState& state) {
-  const Rig& rig = state.document.rig();
-  const Skeleton& skeleton = state.character().skeleton;
-  return effectiveVisibility(state.document.visibility, rig, skeleton, boneOfEach(rig, skeleton));
+EffectiveVisibility visibilityOf(const Document& document) {
+  const Rig& rig = document.rig();
+  const Skeleton& skeleton = document.character->skeleton;
+  return effectiveVisibility(document.visibility, rig, skeleton, boneOfEach(rig, skeleton));
 }
 
-std::string hiddenText(const EditorState& state) {
-  const Visibility& visibility = state.document.visibility;
+std::string hiddenText(const Document& document) {
+  const Visibility& visibility = document.visibility;
   if (visibility.bare) return "Before: without muscles";
-  const auto hidden = hiddenPrimitives(visibility, state.document.rig(), state.character().skeleton).size();
+  const auto hidden = hiddenPrimitives(visibility, document.rig(), document.character->skeleton).size();
   if (hidden == 0) return "";
-  const std::string count = std::to_string(hidden) + " of " + std::to_string(state.document.rig().primitives.size());
+  const std::string count = std::to_string(hidden) + " of " + std::to_string(document.rig().primitives.size());
   return visibility.isolated ? "Isolated: " + count + " muscles hidden" : count + " muscles hidden";
 }
 

@@ -8,19 +8,19 @@
 namespace sinew::app {
 
 /// Once a frame, before the surface is brought up to date: marks follow renamed muscles, new ones appear.
-void followEdits(EditorState& state);
+void followEdits(Document& document);
 
 /// Hides the selected muscles; shows them if all of them are hidden by themselves.
-void toggleHideSelection(EditorState& state);
+void toggleHideSelection(Document& document);
 /// Show every muscle: hide, solo and isolate end; locks stay.
-void showAll(EditorState& state);
+void showAll(Document& document);
 /// Shows the selected muscles alone, or ends that.
-void toggleIsolation(EditorState& state);
-void toggleLockSelection(EditorState& state);
-void unlockAll(EditorState& state);
+void toggleIsolation(Document& document);
+void toggleLockSelection(Document& document);
+void unlockAll(Document& document);
 
 /// Something is hidden, soloed or isolated.
-[[nodiscard]] bool anythingHidden(const EditorState& state);
+[[nodiscard]] bool anythingHidden(const Document& document);
 
 /// The menu's and the key's part of "before": the key goes down, or the menu entry is chosen.
 void latchBare(EditorState& state);
@@ -28,8 +28,8 @@ void latchBare(EditorState& state);
 void holdBare(EditorState& state, bool keyDown, bool buttonDown);
 
 /// Effective, for the outliner and the picture.
-[[nodiscard]] EffectiveVisibility visibilityOf(const EditorState& state);
+[[nodiscard]] EffectiveVisibility visibilityOf(const Document& document);
 /// "2 of 15 muscles hidden" or "".
-[[nodiscard]] std::string hiddenText(const EditorState& state);
+[[nodiscard]] std::string hiddenText(const Document& document);
 
 }  // namespace sinew::app

@@ -82,7 +82,7 @@ void EditorStep::runTools(EditorState& state, const RawInput& input, bool viewpo
 void EditorStep::updateSurface(EditorState& state) {
   if (!state.hasCharacter()) return;
   state.live->movePose(state.open.transport);  // The pose tool may have turned a joint.
-  followEdits(state);
+  followEdits(state.document);
   const Result<bool> updated = state.live->update(state.document.commands, surfaceView(state));
   if (!updated) addMessage(state.session, MessageKind::kError, updated.error().text());
   state.session.stats.stages = state.live->surface().report.seconds;

@@ -46,9 +46,9 @@ TEST_F(SymmetryCommands, TheInspectorShowsTheTwinAndUnlinksIt) {
 TEST_F(SymmetryCommands, SymmetryIsAButtonAndDecidesWhatDeletingTakes) {
   click("toolstrip/symmetry");
   EXPECT_FALSE(state.document.symmetry);
-  EXPECT_EQ(editedIndices(state), std::vector<int>{0});
+  EXPECT_EQ(editedIndices(state.document), std::vector<int>{0});
   click("toolstrip/symmetry");
-  EXPECT_EQ(editedIndices(state), (std::vector<int>{0, 1}));
+  EXPECT_EQ(editedIndices(state.document), (std::vector<int>{0, 1}));
   deleteSelection(state);
   EXPECT_TRUE(rig().primitives.empty());
   undo(state);
@@ -60,7 +60,7 @@ TEST_F(SymmetryCommands, DuplicatesAndPastesPairsAndSelectsTheCopies) {
   ASSERT_EQ(rig().primitives.size(), 4u);
   EXPECT_EQ(twinOf(rig(), 2), 3);
   EXPECT_EQ(selectedNames(state.document), std::vector<std::string>{rig().primitives[2].name});
-  copySelection(state);
+  copySelection(state.document);
   pasteMuscles(state, false);
   ASSERT_EQ(rig().primitives.size(), 6u);
   EXPECT_EQ(twinOf(rig(), 4), 5);
@@ -82,17 +82,17 @@ TEST_F(SymmetryCommands, ARenamedPairStaysAPairOfNames) {
 }
 
 TEST_F(SymmetryCommands, SelectsAllInvertsAndGoesToTheTwin) {
-  selectTwins(state);
+  selectTwins(state.document);
   EXPECT_EQ(state.document.activeName(), rig().primitives[1].name);
-  invertSelection(state);
+  invertSelection(state.document);
   EXPECT_EQ(selectedNames(state.document), std::vector<std::string>{name});
-  selectAll(state);
+  selectAll(state.document);
   EXPECT_EQ(state.document.selection.primitives.size(), 2u);
   EXPECT_EQ(state.document.activeName(), name);
-  selectOnBone(state);
+  selectOnBone(state.document);
   EXPECT_EQ(state.document.selection.primitives.size(), 2u);
   select(state.document, {name});
-  selectOnBone(state);
+  selectOnBone(state.document);
   EXPECT_EQ(selectedNames(state.document), std::vector<std::string>{name});
 }
 

@@ -65,7 +65,7 @@ void drawChosen(PanelUi& ui, int group) {
   ImGui::Dummy({room, line});
   ui.widgets.note("blending/chosen");
   const float half = 0.5f * (room - ui.px(4));
-  if (ImGui::Button("Select", {half, 0.0f})) selectMembers(ui.state, name);
+  if (ImGui::Button("Select", {half, 0.0f})) selectMembers(ui.state.document, name);
   ui.widgets.note("blending/select-members");
   tooltip(ui, "Select the muscles of this group");
   ImGui::SameLine(0.0f, ui.px(4));
@@ -137,7 +137,7 @@ void groupRenameField(PanelUi& ui, float width) {
 
 void takeDroppedMuscles(PanelUi& ui, const std::string& group) {
   if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(kMusclePayload)) {
-    moveToGroup(ui.state, draggedMuscles(ui.state, *static_cast<const int*>(payload->Data)), group);
+    moveToGroup(ui.state, draggedMuscles(ui.state.document, *static_cast<const int*>(payload->Data)), group);
   }
 }
 
@@ -148,7 +148,7 @@ void groupMenu(PanelUi& ui, int group) {
   ui.state.open.blending.group = id;
   const std::vector<int> members = membersOf(*rig, name);
   const std::vector<int> selected = selectedIndices(ui.state.document);
-  if (menuItem(ui, "Select its muscles", "group-select", !members.empty())) selectMembers(ui.state, name);
+  if (menuItem(ui, "Select its muscles", "group-select", !members.empty())) selectMembers(ui.state.document, name);
   if (menuItem(ui, "Move selected muscles here", "group-move-here", !selected.empty())) {
     moveToGroup(ui.state, selected, name);
   }

@@ -23,7 +23,7 @@ void rowButton(PanelUi& ui, const char* text, const std::string& id, const char*
 }  // namespace
 
 void drawTwinRow(PanelUi& ui, const Subjects& subjects) {
-  if (subjects.several() || (!canMirror(ui.state) && subjects.shown().mirror.empty())) return;
+  if (subjects.several() || (!canMirror(ui.state.document) && subjects.shown().mirror.empty())) return;
   beginRow(ui, "Twin");
   const float room = ImGui::GetContentRegionAvail().x;
   const std::string& twin = subjects.shown().mirror;
@@ -33,7 +33,7 @@ void drawTwinRow(PanelUi& ui, const Subjects& subjects) {
   }
   const float gap = ui.px(4);
   const float unlink = ImGui::CalcTextSize("Unlink").x + 2.0f * ImGui::GetStyle().FramePadding.x;
-  const std::string why = whyTwinStays(ui.state);
+  const std::string why = whyTwinStays(ui.state.document);
   if (!why.empty()) ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
   ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {0.0f, 0.5f});
   const bool chosen = ImGui::Button((twin + "##twin").c_str(), {room - unlink - gap, 0.0f});
@@ -44,7 +44,7 @@ void drawTwinRow(PanelUi& ui, const Subjects& subjects) {
                           : "The twin stays where it is: " + why + ".");
   ImGui::SameLine(0.0f, gap);
   rowButton(ui, "Unlink", "inspector/unlink", "edit/unlink-twin", unlink);
-  if (chosen) selectTwins(ui.state);
+  if (chosen) selectTwins(ui.state.document);
 }
 
 }  // namespace sinew::app

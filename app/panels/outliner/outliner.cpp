@@ -109,7 +109,7 @@ void drawFooter(PanelUi& ui, const std::string& text) {
   clippedText(*ImGui::GetWindowDrawList(), {at.x, at.y + ImGui::GetStyle().FramePadding.y}, room,
               palette::kMuted.packed(), text);
   ImGui::SetCursorScreenPos({at.x + room + ui.px(6), at.y});
-  if (ImGui::Button("Show all")) showAll(ui.state);
+  if (ImGui::Button("Show all")) showAll(ui.state.document);
   ui.widgets.note("outliner/show-all");
 }
 
@@ -117,8 +117,8 @@ void drawFooter(PanelUi& ui, const std::string& text) {
 
 void drawOutliner(PanelUi& ui) {
   drawSearch(ui);
-  const std::string away = anythingHidden(ui.state) ? hiddenText(ui.state) : "";
-  const bool footer = anythingHidden(ui.state);
+  const std::string away = anythingHidden(ui.state.document) ? hiddenText(ui.state.document) : "";
+  const bool footer = anythingHidden(ui.state.document);
   const float below = footer ? ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y : 0.0f;
   ImGui::BeginChild("outliner-tree", {0.0f, -below});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0f, 0.0f});

@@ -106,7 +106,7 @@ void boneMenu(PanelUi& ui, const OutlinerContent& frame, int bone) {
   ui.state.document.selection.bone = bone;
   if (item(ui, "Add muscle on this bone", "add-muscle")) addMuscle(ui.state, bone);
   const std::vector<int> below = musclesUnder(bone, frame.skeleton, frame.boneOf);
-  if (item(ui, "Select its muscles", "select-muscles", !below.empty())) selectMuscles(ui.state, below);
+  if (item(ui, "Select its muscles", "select-muscles", !below.empty())) selectMuscles(ui.state.document, below);
   const std::vector<int> selected = selectedIndices(ui.state.document);
   if (item(ui, "Move selected muscles here", "move-here", !selected.empty())) {
     reparentMuscles(ui.state, selected, bone);

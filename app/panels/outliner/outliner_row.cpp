@@ -138,7 +138,7 @@ void drawRename(Row& row) {
 
 void drawDragged(PanelUi& ui, int index) {
   const auto& primitives = ui.state.document.rig().primitives;
-  const std::size_t count = draggedMuscles(ui.state, index).size();
+  const std::size_t count = draggedMuscles(ui.state.document, index).size();
   const std::string& name = primitives[static_cast<std::size_t>(index)].name;
   ImGui::TextUnformatted((count == 1 ? name : std::to_string(count) + " muscles").c_str());
   mutedText("Drop on a bone or a group");
@@ -154,7 +154,8 @@ void dragSource(Row& row) {
 void dropTarget(Row& row) {
   if (!ImGui::BeginDragDropTarget()) return;
   if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(kMusclePayload)) {
-    reparentMuscles(row.ui.state, draggedMuscles(row.ui.state, *static_cast<const int*>(payload->Data)), row.row.index);
+    reparentMuscles(row.ui.state, draggedMuscles(row.ui.state.document, *static_cast<const int*>(payload->Data)),
+                    row.row.index);
   }
   ImGui::EndDragDropTarget();
 }

@@ -154,9 +154,10 @@ void drawLegend(PanelUi& ui) {
     drawMode(ui,
              "Territory of " + state.document.activeName() + ": " + std::to_string(bones) +
                  (bones == 1 ? " bone" : " bones") + ". Click bones here or in the list.",
-             "Done", "territory", endTerritoryMode);
+             "Done", "territory", [](EditorState& s) { endTerritoryMode(s.view.tools); });
   } else if (state.document.visibility.isolated) {
-    drawMode(ui, hiddenText(state).empty() ? "Isolated" : hiddenText(state), "Show all", "isolated", showAll);
+    drawMode(ui, hiddenText(state.document).empty() ? "Isolated" : hiddenText(state.document), "Show all", "isolated",
+             [](EditorState& s) { showAll(s.document); });
   }
 }
 
