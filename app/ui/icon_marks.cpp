@@ -1,4 +1,4 @@
-// app/ui/icon_marks.cpp: the icons of the outliner, the groups and the territory.
+// app/ui/icon_marks.cpp: the icons of switches and marks: eye, lock, solo, fold, matrix, graph, territory.
 
 #include "app/ui/icon_drawings.h"
 

@@ -1,4 +1,4 @@
-// app/ui/icons.cpp: the icons of tools, playback, files and messages, and the look-up of all.
+// app/ui/icons.cpp: the icons of tools, playback, files, messages, bones and muscles, and the look-up of all.
 
 #include "app/ui/icons.h"
 
