@@ -10,7 +10,7 @@ namespace {
 bool undoable(const State& s) { return idle(s) && s.document.commands.canUndo(); }
 bool redoable(const State& s) { return idle(s) && s.document.commands.canRedo(); }
 bool boneKnown(const State& s) { return idle(s) && s.document.selection.bone >= 0; }
-void renameActive(State& s) { startRename(s, s.document.selection.active()); }
+void renameActive(State& s) { startRename(s, s.document.idAt(s.document.activePrimitive())); }
 void addOnBone(State& s) { addMuscle(s, s.document.selection.bone); }
 
 bool mirrorable(const State& s) { return selected(s) && canMirror(s.document); }

@@ -71,6 +71,11 @@ void CommandStack::cancelGesture() {
   show(steps_[position_].rig);
 }
 
+void CommandStack::startFrom(const PoseOverrides& pose) {
+  assert(steps_.size() == 1);
+  steps_.front().pose = pose;
+}
+
 bool CommandStack::canUndo() const { return gesture_ || position_ > 0; }
 
 bool CommandStack::canRedo() const { return !gesture_ && position_ + 1 < steps_.size(); }

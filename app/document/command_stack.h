@@ -39,6 +39,8 @@ class CommandStack {
   /// One step that changes the pose made by hand and leaves the rig as it is. No step if nothing changes. Ends an open
   /// gesture first (kept).
   void applyPose(const std::string& label, const PoseOverrides& pose);
+  /// Only in a history without steps: the pose that it starts with.
+  void startFrom(const PoseOverrides& pose);
   /// The pose made by hand, as the last step left it. View state: it does not count as a modification.
   [[nodiscard]] const PoseOverrides& pose() const { return steps_[position_].pose; }
 

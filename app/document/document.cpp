@@ -49,7 +49,12 @@ Result<Document> openRig(const std::filesystem::path& file) {
 
 }  // namespace
 
-int Document::activePrimitive() const { return findPrimitive(rig(), selection.active()); }
+int Document::activePrimitive() const {
+  for (auto id = selection.primitives.rbegin(); id != selection.primitives.rend(); ++id) {
+    if (const int index = findPrimitive(rig(), *id); index >= 0) return index;
+  }
+  return -1;
+}
 
 const std::string& Document::activeName() const {
   static const std::string kNone;

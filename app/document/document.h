@@ -27,7 +27,7 @@ struct Document {
   Visibility visibility;
 
   [[nodiscard]] const Rig& rig() const { return commands.rig(); }
-  /// Rig index of the active primitive, or -1.
+  /// Rig index of the active primitive: the last picked that is in the rig; or -1.
   [[nodiscard]] int activePrimitive() const;
   /// Its name; "" if there is none.
   [[nodiscard]] const std::string& activeName() const;

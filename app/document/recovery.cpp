@@ -187,6 +187,7 @@ Result<Document> recoverDocument(const LeftBehind& left) {
   document.rigFile = left.rigFile;
   document.commands = CommandStack(rigBefore(left, rig.value()));
   document.commands.apply("Recover", std::move(rig).value());
+  prepareMirror(document);  // After it: what is recovered is taken as it is.
   return document;
 }
 

@@ -74,11 +74,17 @@ EffectiveVisibility effectiveVisibility(const Visibility& visibility, const Rig&
   effective.boneHidden = inherited(visibility.hidden.bones, skeleton);
   effective.boneLocked = inherited(visibility.locked.bones, skeleton);
   const std::vector<bool> soloBones = inherited(visibility.solo.bones, skeleton);
+  // Marks of muscles that undo has taken away leave the others alone.
+  const auto anyOf = [&rig](const std::set<PrimitiveId>& ids) {
+    return std::ranges::any_of(rig.primitives, [&](const Primitive& p) { return ids.contains(p.id()); });
+  };
+  const bool soloing = !visibility.solo.bones.empty() || anyOf(visibility.solo.muscles);
+  const bool isolating = visibility.isolated && anyOf(*visibility.isolated);
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
     const PrimitiveId id = rig.primitives[i].id();
     const bool put = visibility.hidden.muscles.contains(id) || holds(effective.boneHidden, boneOf[i]);
-    const bool soloed = visibility.solo.empty() || visibility.solo.muscles.contains(id) || holds(soloBones, boneOf[i]);
-    const bool among = !visibility.isolated || visibility.isolated->contains(id);
+    const bool soloed = !soloing || visibility.solo.muscles.contains(id) || holds(soloBones, boneOf[i]);
+    const bool among = !isolating || visibility.isolated->contains(id);
     effective.visible.push_back(!visibility.bare && !put && soloed && among);
     effective.locked.push_back(visibility.locked.muscles.contains(id) || holds(effective.boneLocked, boneOf[i]));
   }
@@ -102,12 +108,14 @@ bool isPickable(const Visibility& visibility, const Rig& rig, const Skeleton& sk
   return effective.visible[index] && !effective.locked[index];
 }
 
-void welcomeNew(Visibility& visibility, const Rig& rig) {
+void welcomeNew(Visibility& visibility, const Rig& rig, const Skeleton& skeleton) {
   const PrimitiveId seen = visibility.newest;
+  const std::vector<bool> soloBones = inherited(visibility.solo.bones, skeleton);
   for (const Primitive& primitive : rig.primitives) {
     visibility.newest = std::max(visibility.newest, primitive.id());
     if (primitive.id() <= seen) continue;
-    if (!visibility.solo.empty()) visibility.solo.muscles.insert(primitive.id());
+    const bool covered = holds(soloBones, skeleton.findBone(primitive.bone).value_or(-1));
+    if (!visibility.solo.empty() && !covered) visibility.solo.muscles.insert(primitive.id());
     if (visibility.isolated) visibility.isolated->insert(primitive.id());
   }
 }

@@ -28,7 +28,7 @@ struct Visibility {
 
   Marks hidden;
   Marks locked;
-  Marks solo;                                     ///< If anything carries it, the rest is hidden.
+  Marks solo;                                     ///< If a bone or a muscle of the rig carries it, the rest is hidden.
   std::optional<std::set<PrimitiveId>> isolated;  ///< Only these muscles are shown, in what is otherwise visible.
   PrimitiveId newest;                             ///< Of those that welcomeNew has seen.
   bool bare = false;                              ///< No muscle at all: the character as it was before.
@@ -65,6 +65,6 @@ struct EffectiveVisibility {
 
 /// A muscle made while others are soloed or isolated joins them: it is what one works on. Identities grow, so that what
 /// undo or redo bring back is not new.
-void welcomeNew(Visibility& visibility, const Rig& rig);
+void welcomeNew(Visibility& visibility, const Rig& rig, const Skeleton& skeleton);
 
 }  // namespace sinew::app

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/editor/edit.h"
+#include "app/editor/pose_commands.h"
 #include "app/editor/session.h"
 #include "app/editor/symmetry_commands.h"
 #include "app/editor/territory.h"
@@ -56,6 +57,7 @@ void reopen(EditorState& state) {
       state.document.rigFile.empty() ? state.document.characterFile : state.document.rigFile;
   const Transport transport = state.open.transport;
   const Camera camera = state.view.tools.camera;
+  const std::vector<NamedTurn> turns = namedTurns(transport.overrides, state.character().skeleton);
   if (!openFile(state, file)) return;
   state.view.tools.camera = camera;
   state.open.frameWanted = false;
@@ -63,6 +65,9 @@ void reopen(EditorState& state) {
     state.open.transport = transport;
     state.open.transport.time = std::min(transport.time, clipDuration(transport, state.character()));
   }
+  // By name: the character may have changed on disk.
+  state.open.transport.overrides = turnsOf(turns, transport.overrides.from, state.character().skeleton).overrides;
+  state.document.commands.startFrom(state.open.transport.overrides);
 }
 
 }  // namespace
@@ -188,7 +193,8 @@ void jumpTo(EditorState& state, std::size_t step) {
 
 void addMuscle(EditorState& state, int bone) {
   if (!state.hasCharacter() || isBusy(state)) return;
-  if (const auto added = addMuscleOnBone(state.document, bone); !added) refuse(state, added.error());
+  if (const auto added = addMuscleOnBone(state.document, bone)) state.open.refusal.clear();
+  else refuse(state, added.error());
 }
 
 void deleteSelection(EditorState& state) {
@@ -204,7 +210,7 @@ void duplicateSelection(EditorState& state) {
   if (indices.empty() || isBusy(state)) return;
   const std::size_t before = state.document.rig().primitives.size();
   const Selection originals = state.document.selection;
-  edit(state, "Duplicate", duplicatePairs(state.document.rig(), indices));
+  if (!edit(state, "Duplicate", duplicatePairs(state.document.rig(), indices))) return;
   const auto& primitives = state.document.rig().primitives;
   state.document.selection.primitives.clear();
   // The copies of what was selected; those of twins, made by symmetry, follow.

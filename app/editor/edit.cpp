@@ -31,6 +31,7 @@ void refuse(EditorState& state, const Error& error) {
 
 void keepPose(EditorState& state, const std::string& label) {
   state.document.commands.applyPose(label, state.open.transport.overrides);
+  state.open.refusal.clear();
 }
 
 void addMessage(SessionState& session, MessageKind kind, const std::string& text) {

@@ -1,4 +1,5 @@
-// app/editor/edit.h: the one way of edits into the history, and of refusals to the user.
+// app/editor/edit.h: how commands and panels edit (tools write to the command stack themselves), and how refusals are
+// shown.
 #pragma once
 
 #include <string>

@@ -72,25 +72,34 @@ void mirrorPose(EditorState& state) {
   keepPose(state, "Mirror pose");
 }
 
-void copyPose(EditorState& state) {
-  state.view.copiedPose.clear();
-  for (const JointTurn& turn : state.open.transport.overrides.turns) {
-    state.view.copiedPose.emplace_back(state.character().skeleton.fileName(turn.bone), turn.turn);
+std::vector<NamedTurn> namedTurns(const PoseOverrides& overrides, const Skeleton& skeleton) {
+  std::vector<NamedTurn> turns;
+  for (const JointTurn& turn : overrides.turns) turns.emplace_back(skeleton.fileName(turn.bone), turn.turn);
+  return turns;
+}
+
+FoundTurns turnsOf(const std::vector<NamedTurn>& turns, TurnsFrom from, const Skeleton& skeleton) {
+  FoundTurns found;
+  found.overrides.from = from;
+  for (const auto& [name, turn] : turns) {
+    if (const auto bone = skeleton.findBone(name)) found.overrides.set(*bone, turn);
+    else ++found.missing;
   }
+  return found;
+}
+
+void copyPose(EditorState& state) {
+  state.view.copiedPose = namedTurns(state.open.transport.overrides, state.character().skeleton);
 }
 
 void pastePose(EditorState& state) {
   PoseOverrides& overrides = state.open.transport.overrides;
-  overrides.turns.clear();
-  int missing = 0;
-  for (const auto& [name, turn] : state.view.copiedPose) {
-    if (const auto bone = state.character().skeleton.findBone(name)) overrides.set(*bone, turn);
-    else ++missing;
-  }
+  const FoundTurns found = turnsOf(state.view.copiedPose, overrides.from, state.character().skeleton);
+  overrides = found.overrides;
   keepPose(state, "Paste pose");
-  if (missing > 0) {
+  if (found.missing > 0) {
     addMessage(state.session, MessageKind::kNote,
-               std::to_string(missing) + (missing == 1 ? " joint" : " joints") +
+               std::to_string(found.missing) + (found.missing == 1 ? " joint" : " joints") +
                    " of the copied pose are not in this character");
   }
 }

@@ -1,9 +1,22 @@
 // app/editor/pose_commands.h: what can be done with a pose made by hand.
 #pragma once
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "app/editor/editor_state.h"
 
 namespace sinew::app {
+
+/// A turn that outlives its character: by the joint's name in the file (Skeleton::fileName).
+using NamedTurn = std::pair<std::string, glm::quat>;
+[[nodiscard]] std::vector<NamedTurn> namedTurns(const PoseOverrides& overrides, const Skeleton& skeleton);
+struct FoundTurns {
+  PoseOverrides overrides;
+  int missing = 0;  ///< Joints that this skeleton does not have.
+};
+[[nodiscard]] FoundTurns turnsOf(const std::vector<NamedTurn>& turns, TurnsFrom from, const Skeleton& skeleton);
 
 /// The selected joint goes back to the clip's, or bind, rotation.
 void resetJoint(EditorState& state);

@@ -27,7 +27,7 @@ struct SessionState {
   bool messagesShown = false;           ///< Unfolded: by a new message, until they are folded.
   std::vector<LeftBehind> leftBehind;   ///< By a crash: offered until answered.
   std::optional<LeftBehind> recovered;  ///< Open now: thrown away once this process has its own copy.
-  std::size_t documentsOpened = 0;      ///< Grows with every opened document.
+  std::size_t documentsOpened = 0;      ///< Grows whenever document or character is replaced.
   FrameStats stats;
   bool quit = false;
 };

@@ -26,7 +26,7 @@ void toggleMark(Document& document, Mark mark) {
 
 }  // namespace
 
-void followEdits(Document& document) { welcomeNew(document.visibility, document.rig()); }
+void followEdits(Document& document) { welcomeNew(document.visibility, document.rig(), document.character->skeleton); }
 
 void toggleHideSelection(Document& document) { toggleMark(document, Mark::kHidden); }
 

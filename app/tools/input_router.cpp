@@ -229,11 +229,18 @@ bool holdsPose(const ViewportTools& tools, bool leftPressed) {
   return activeTool(tools).onSkin && (tools.owner == PressOwner::kTool || leftPressed);
 }
 
+void keepDrag(ViewportTools& tools, Document& document) {
+  if (!tools.buttonless) return;
+  document.commands.endGesture();
+  endGizmo(tools);
+}
+
 void cancelDrags(ViewportTools& tools, Document& document) {
   if (const Tool& tool = activeTool(tools); tool.cancel) tool.cancel(tools, document);
   if (tools.gizmo.drag && document.commands.inGesture()) document.commands.cancelGesture();
   endGizmo(tools);
   tools.box = {};
+  tools.dragWanted = false;
   tools.gizmo.hovered = GizmoHandle::kNone;
   tools.hover = {};
 }

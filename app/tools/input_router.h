@@ -24,7 +24,10 @@ void armBox(ViewportTools& tools);
 /// this frame may begin one and has to find the skin where it was seen.
 [[nodiscard]] bool holdsPose(const ViewportTools& tools, bool leftPressed);
 
-/// Ends a drag without a trace (the document is about to be replaced).
+/// Ends a drag that goes on without a button (startDrag) as a click on the picture would: what it did is kept.
+void keepDrag(ViewportTools& tools, Document& document);
+
+/// Ends a drag without a trace in the rig (the document is about to be replaced).
 void cancelDrags(ViewportTools& tools, Document& document);
 
 /// One frame. Called when ImGui has had its input and the pose of this frame is known; the surface may still be the one

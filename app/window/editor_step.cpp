@@ -35,7 +35,9 @@ void movePose(EditorState& state, const RawInput& input, double seconds) {
 
 void EditorStep::run(EditorState& state, const RawInput& input, const Fonts& fonts, double seconds) {
   const double start = secondsNow();
-  const bool viewportFree = runInterface(state, input, fonts);
+  // A press on a panel keeps a drag that goes on without a button, before the panel begins a gesture of its own.
+  if (!viewportFree_ && input.pressedButton >= 0) keepDrag(state.view.tools, state.document);
+  const bool viewportFree = viewportFree_ = runInterface(state, input, fonts);
   double interface = secondsNow() - start;
   movePose(state, input, seconds);
   const double toolsStart = secondsNow();
@@ -74,7 +76,9 @@ void EditorStep::runTools(EditorState& state, const RawInput& input, bool viewpo
                                 state.frame.viewportPixels,
                                 state.frame.uiScale * pixelsPerUnit.x,
                                 &state.open.transport.overrides};
+  const std::size_t before = state.document.commands.position();
   state.frame.route = routeInput(state.view.tools, own, context);
+  if (state.document.commands.position() != before) state.open.refusal.clear();
   cameraMoves_ = isMoving(state.view.tools.camera);
   if (state.frame.route.refusal) refuse(state, *state.frame.route.refusal);
 }

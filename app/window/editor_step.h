@@ -34,6 +34,7 @@ class EditorStep {
   WidgetLog widgets_;
   double wakeAfter_ = 0.0;
   bool cameraMoves_ = false;
+  bool viewportFree_ = true;                      ///< The pointer was over the picture in the last frame.
   std::pair<std::size_t, std::size_t> prepared_;  ///< Document and revision of the last frame.
 };
 

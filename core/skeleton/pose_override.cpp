@@ -76,7 +76,9 @@ glm::quat PoseOverrides::turnOf(int bone) const {
 void PoseOverrides::set(int bone, const glm::quat& turn) {
   const float length = glm::length(turn);
   const bool usable = length > 0.0f && std::isfinite(length);
-  const glm::quat unit = usable ? turn / length : glm::quat(1.0f, 0.0f, 0.0f, 0.0f);
+  // A turn that is set again stays the same to the last bit.
+  const bool isUnit = std::abs(length - 1.0f) < 1e-6f;
+  const glm::quat unit = isUnit ? turn : (usable ? turn / length : glm::quat(1.0f, 0.0f, 0.0f, 0.0f));
   const auto found = std::ranges::lower_bound(turns, bone, {}, &JointTurn::bone);
   const bool there = found != turns.end() && found->bone == bone;
   if (unit.x == 0.0f && unit.y == 0.0f && unit.z == 0.0f) {

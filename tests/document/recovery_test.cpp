@@ -81,6 +81,7 @@ TEST_F(Recovery, WhatACrashLeavesIsOfferedAndComesBackModifiedWithItsPath) {
   EXPECT_EQ(left[0].primitives, 2);
   Result<Document> recovered = recoverDocument(left[0]);
   ASSERT_TRUE(recovered.ok()) << recovered.error().text();
+  EXPECT_NE(recovered->mirror, nullptr) << "twins follow each other in it too";
   EXPECT_EQ(rigToJson(recovered->rig()), rigToJson(before.rig()));
   EXPECT_EQ(recovered->rigFile, folder / "lizard.rig.json");
   EXPECT_TRUE(recovered->commands.modified());

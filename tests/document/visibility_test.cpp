@@ -32,7 +32,7 @@ class VisibilityTest : public testing::Test {
       rig = addPrimitive(rig, primitive).value();
     }
     identities.identify(rig, Rig{});
-    welcomeNew(visibility, rig);
+    welcomeNew(visibility, rig, skeleton);
   }
   [[nodiscard]] PrimitiveId id(int index) const { return rig.primitives[static_cast<std::size_t>(index)].id(); }
   [[nodiscard]] std::vector<int> hidden() const { return hiddenPrimitives(visibility, rig, skeleton); }
@@ -93,7 +93,7 @@ TEST_F(VisibilityTest, MarksGoWithARenamedMuscleAndComeBackWithUndo) {
   CommandStack commands(rig);
   visibility.setMuscle(Mark::kHidden, commands.rig().primitives[2].id(), true);
   commands.apply("Rename", renamePrimitive(commands.rig(), 2, "biceps").value());
-  welcomeNew(visibility, commands.rig());
+  welcomeNew(visibility, commands.rig(), skeleton);
   EXPECT_EQ(hiddenPrimitives(visibility, commands.rig(), skeleton), (std::vector<int>{2}));
   commands.undo();
   EXPECT_EQ(hiddenPrimitives(visibility, commands.rig(), skeleton), (std::vector<int>{2}));
@@ -104,32 +104,60 @@ TEST_F(VisibilityTest, WhatUndoBringsBackIsAsItWasLeftAndANewOneOfTheNameIsSeen)
   visibility.setMuscle(Mark::kHidden, commands.rig().primitives[3].id(), true);
   commands.apply("Delete", removePrimitives(commands.rig(), std::vector<int>{3}));
   commands.undo();
-  welcomeNew(visibility, commands.rig());
+  welcomeNew(visibility, commands.rig(), skeleton);
   EXPECT_EQ(hiddenPrimitives(visibility, commands.rig(), skeleton), (std::vector<int>{3}));
   commands.redo();
   Primitive again;
   again.name = "on tail";
   again.bone = "tail";
   commands.apply("Add", addPrimitive(commands.rig(), again).value());
-  welcomeNew(visibility, commands.rig());
+  welcomeNew(visibility, commands.rig(), skeleton);
   EXPECT_TRUE(hiddenPrimitives(visibility, commands.rig(), skeleton).empty());
 }
 
 TEST_F(VisibilityTest, ANewMuscleIsSeenAmongTheIsolatedAndWhatUndoBringsBackStaysAway) {
   CommandStack commands(rig);
-  welcomeNew(visibility, commands.rig());
+  welcomeNew(visibility, commands.rig(), skeleton);
   visibility.isolated = std::set<PrimitiveId>{commands.rig().primitives[0].id()};
   Primitive primitive;
   primitive.name = "new";
   primitive.bone = "arm";
   commands.apply("Add", addPrimitive(commands.rig(), primitive).value());
-  welcomeNew(visibility, commands.rig());
+  welcomeNew(visibility, commands.rig(), skeleton);
   EXPECT_EQ(hiddenPrimitives(visibility, commands.rig(), skeleton), (std::vector<int>{1, 2, 3}));
   commands.apply("Delete", removePrimitives(commands.rig(), std::vector<int>{1}));
-  welcomeNew(visibility, commands.rig());
+  welcomeNew(visibility, commands.rig(), skeleton);
   commands.undo();
-  welcomeNew(visibility, commands.rig());
+  welcomeNew(visibility, commands.rig(), skeleton);
   EXPECT_EQ(hiddenPrimitives(visibility, commands.rig(), skeleton), (std::vector<int>{1, 2, 3}));
+}
+
+TEST_F(VisibilityTest, SoloOfAMuscleThatUndoTookAwayHidesNothing) {
+  CommandStack commands(rig);
+  welcomeNew(visibility, commands.rig(), skeleton);
+  visibility.setMuscle(Mark::kSolo, commands.rig().primitives[0].id(), true);
+  Primitive primitive;
+  primitive.name = "new";
+  primitive.bone = "arm";
+  commands.apply("Add", addPrimitive(commands.rig(), primitive).value());
+  welcomeNew(visibility, commands.rig(), skeleton);
+  EXPECT_EQ(hiddenPrimitives(visibility, commands.rig(), skeleton), (std::vector<int>{1, 2, 3}));
+  commands.undo();
+  visibility.setMuscle(Mark::kSolo, commands.rig().primitives[0].id(), false);
+  EXPECT_TRUE(hiddenPrimitives(visibility, commands.rig(), skeleton).empty());
+}
+
+TEST_F(VisibilityTest, ANewMuscleOnASoloedBoneNeedsNoMark) {
+  CommandStack commands(rig);
+  welcomeNew(visibility, commands.rig(), skeleton);
+  visibility.setBone(Mark::kSolo, path(2), true);
+  Primitive primitive;
+  primitive.name = "new";
+  primitive.bone = "arm";
+  commands.apply("Add", addPrimitive(commands.rig(), primitive).value());
+  welcomeNew(visibility, commands.rig(), skeleton);
+  visibility.setBone(Mark::kSolo, path(2), false);
+  EXPECT_TRUE(hiddenPrimitives(visibility, commands.rig(), skeleton).empty());
 }
 
 }  // namespace

@@ -259,6 +259,27 @@ TEST_F(TimelineTest, PosesAndEditsOfTheRigAreStepsOfOneHistory) {
   EXPECT_FALSE(state.document.commands.canRedo());
 }
 
+TEST_F(TimelineTest, ReopeningKeepsThePoseInTheHistoryToo) {
+  state.open.transport.overrides.set(bone("chest"), glm::angleAxis(0.4f, glm::vec3(1, 0, 0)));
+  keepPose(state, "Turn chest");
+  const PoseOverrides posed = state.open.transport.overrides;
+  perform(state, {IntentKind::kReopen, {}});
+  EXPECT_EQ(state.open.transport.overrides, posed);
+  addMuscle(state, bone("chest"));
+  act("edit/undo");
+  EXPECT_EQ(state.open.transport.overrides, posed);
+}
+
+TEST_F(TimelineTest, WhatUndoTakesFromTheSelectionLeavesTheRestActive) {
+  addMuscle(state, bone("chest"));
+  const PrimitiveId first = state.document.idAt(0);
+  addMuscle(state, bone("head"));
+  const std::size_t added = state.document.rig().primitives.size();
+  state.document.selection.primitives = {first, state.document.idAt(static_cast<int>(added) - 1)};
+  act("edit/undo");
+  EXPECT_EQ(state.document.activePrimitive(), 0);
+}
+
 TEST_F(TimelineTest, HoldingKeepsTheMomentAndThenStandsStill) {
   state.open.transport.time = 0.3;
   state.open.transport.overrides.set(bone("thigh.L"), glm::angleAxis(0.8f, glm::vec3(1, 0, 0)));

@@ -281,5 +281,17 @@ TEST(PoseOverrides, TheMirrorImageOfAPoseIsOneInTheWorld) {
   }
 }
 
+TEST(PoseOverride, ATurnSetAgainIsTheSameToTheLastBit) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> part(-1.0f, 1.0f);
+  for (int i = 0; i < 1000; ++i) {
+    PoseOverrides first;
+    first.set(0, glm::quat(part(random), part(random), part(random), part(random)));
+    PoseOverrides again = first;
+    again.set(0, first.turnOf(0));
+    ASSERT_EQ(again, first);
+  }
+}
+
 }  // namespace
 }  // namespace sinew

@@ -52,9 +52,10 @@ void drawSearch(PanelUi& ui) {
 /// Scrolls once to a muscle that has just become the active one.
 void reveal(PanelUi& ui, const OutlinerContent& frame) {
   EditorState& state = ui.state;
-  const PrimitiveId active = state.document.selection.active();
-  const int index = findPrimitive(*frame.rig, active);
-  if (active == state.open.revealed || index < 0) return;
+  const int index = state.document.activePrimitive();
+  if (index < 0 || static_cast<std::size_t>(index) >= frame.rig->primitives.size()) return;
+  const PrimitiveId active = frame.rig->primitives[static_cast<std::size_t>(index)].id();
+  if (active == state.open.revealed) return;
   const auto found = std::ranges::find_if(
       frame.rows, [&](const OutlinerRow& row) { return row.kind == RowKind::kMuscle && row.index == index; });
   if (found == frame.rows.end()) {
