@@ -13,9 +13,4 @@ namespace sinew {
 /// a chain a - b - c, default territories, no carves. The same character, count and seed give the same rig.
 [[nodiscard]] Rig trialRig(const Character& character, int muscles, std::uint64_t seed);
 
-/// `muscles` ellipsoids as a careful designer places them: inside the body where the skin around follows one bone
-/// alone, most of the thickness under the skin, moving that bone's skin only (territory). Bones with the most space
-/// first; one group. None where no bone has space.
-[[nodiscard]] Rig beddedRig(const Character& character, int muscles);
-
 }  // namespace sinew

@@ -65,12 +65,6 @@ void holdBare(EditorState& state, bool keyDown, bool buttonDown) {
   state.document.visibility.bare = bare.latched || buttonDown;
 }
 
-EffectiveVisibility visibilityOf(const Document& document) {
-  const Rig& rig = document.rig();
-  const Skeleton& skeleton = document.character->skeleton;
-  return effectiveVisibility(document.visibility, rig, skeleton, boneOfEach(rig, skeleton));
-}
-
 std::string hiddenText(const Document& document) {
   const Visibility& visibility = document.visibility;
   if (visibility.bare) return "Before: without muscles";

@@ -27,8 +27,6 @@ void latchBare(EditorState& state);
 /// Once a frame. @param keyDown  the action's key is held  @param buttonDown  its button is
 void holdBare(EditorState& state, bool keyDown, bool buttonDown);
 
-/// Effective, for the outliner and the picture.
-[[nodiscard]] EffectiveVisibility visibilityOf(const Document& document);
 /// "2 of 15 muscles hidden" or "".
 [[nodiscard]] std::string hiddenText(const Document& document);
 

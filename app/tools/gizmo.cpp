@@ -131,6 +131,15 @@ std::optional<GizmoBasis> gizmoBasis(GizmoAxes axes, const Placement& inBone, co
   return frame;
 }
 
+std::optional<GizmoBasis> basisOfDrag(const GizmoState& state, GizmoHandle handle, const Placement& inBone,
+                                      const GizmoContext& context) {
+  const HandleKind kind = partsOf(handle).kind;
+  const bool own = kind == HandleKind::kScale || kind == HandleKind::kPole;
+  GizmoContext around = context;
+  if (kind == HandleKind::kPole) around.pivotInWorld.reset();
+  return gizmoBasis(own ? GizmoAxes::kPrimitive : state.axes, inBone, around);
+}
+
 std::optional<float> alongLine(const glm::vec3& origin, const glm::vec3& direction, const Ray& ray) {
   const glm::dvec3 line(direction);
   const glm::dvec3 sight(ray.direction);

@@ -47,6 +47,11 @@ inline constexpr float kGizmoArmPixels = 95.0f;
 [[nodiscard]] std::optional<GizmoBasis> gizmoBasis(GizmoAxes axes, const Placement& inBone,
                                                    const GizmoContext& context);
 
+/// The basis that a drag of a handle goes by: scale and poles along the primitive's own axes; poles about its centre,
+/// also where the handles stand on a pivot.
+[[nodiscard]] std::optional<GizmoBasis> basisOfDrag(const GizmoState& state, GizmoHandle handle,
+                                                    const Placement& inBone, const GizmoContext& context);
+
 /// Scale is always along the primitive's own axes.
 [[nodiscard]] inline GizmoAxes effectiveAxes(GizmoMode mode, GizmoAxes axes) {
   return mode == GizmoMode::kScale || mode == GizmoMode::kPoles ? GizmoAxes::kPrimitive : axes;

@@ -316,15 +316,6 @@ Placement evaluate(GizmoDrag& drag, const ViewportInput& input, const GizmoConte
 }
 
 /// Scale and poles work along the primitive's axes whatever axes are chosen; poles from its centre.
-std::optional<GizmoBasis> frameOfDrag(const GizmoState& state, GizmoHandle handle, const Placement& inBone,
-                                      const GizmoContext& context) {
-  const HandleKind kind = partsOf(handle).kind;
-  const bool own = kind == HandleKind::kScale || kind == HandleKind::kPole;
-  GizmoContext around = context;
-  if (kind == HandleKind::kPole) around.pivotInWorld.reset();
-  return gizmoBasis(own ? GizmoAxes::kPrimitive : state.axes, inBone, around);
-}
-
 }  // namespace
 
 void beginDrag(GizmoState& state, GizmoHandle handle, const Placement& inBone, const glm::vec2& pixel,
@@ -337,7 +328,7 @@ void beginDrag(GizmoState& state, GizmoHandle handle, const Placement& inBone, c
   drag.pressPixel = pixel;
   drag.pointer = pixel;
   for (GizmoTrack& track : drag.tracks) track.lastPixel = pixel;
-  const std::optional<GizmoBasis> frame = frameOfDrag(state, handle, inBone, context);
+  const std::optional<GizmoBasis> frame = basisOfDrag(state, handle, inBone, context);
   const HandleParts parts = partsOf(handle);
   if (frame) {
     drag.grabbedLength = frame->arm;
@@ -360,7 +351,7 @@ DragResult updateDrag(GizmoState& state, const ViewportInput& input, const Gizmo
   }
   readKeys(drag, input);
   // The placement at the start, carried by the bone of this frame: what was dragged so far is added to that.
-  if (const std::optional<GizmoBasis> frame = frameOfDrag(state, drag.handle, drag.start, context)) {
+  if (const std::optional<GizmoBasis> frame = basisOfDrag(state, drag.handle, drag.start, context)) {
     advanceTracks(drag, input.mouse, input.shift ? kPrecise : 1.0f, *frame, context);
     drag.current = evaluate(drag, input, context, *frame);
   }

@@ -194,8 +194,7 @@ void drawLabel(const Canvas& canvas, const glm::vec2& pixel, const std::string& 
 void drawDrag(const Canvas& canvas, const GizmoState& state, const GizmoContext& context) {
   const GizmoDrag& drag = *state.drag;
   const HandleParts parts = partsOf(drag.handle);
-  const bool ownAxes = parts.kind == HandleKind::kScale || parts.kind == HandleKind::kPole;
-  const auto frame = gizmoBasis(ownAxes ? GizmoAxes::kPrimitive : state.axes, drag.start, context);
+  const auto frame = basisOfDrag(state, drag.handle, drag.start, context);
   if (!frame) return;
   const Way way = wayOf(drag);
   const auto axisLine = [&](int axis) {

@@ -2,6 +2,9 @@
 
 #include "app/tools/territory_tool.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -75,7 +78,7 @@ constinit const Tool kTerritoryTool{
     .id = "tool/territory",
     .label = "Edit territory",
     .hint = "Click the bones whose skin the selected muscle may move",
-    .key = 0,
+    .key = GLFW_KEY_B,
     .icon = Icon::kNone,
     .handles = GizmoMode::kPoles,
     .whole = GizmoHandle::kNone,

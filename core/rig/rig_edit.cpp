@@ -109,29 +109,8 @@ Rig removePrimitives(const Rig& rig, std::span<const int> indices) {
   return result;
 }
 
-Rig duplicatePrimitives(const Rig& rig, std::span<const int> indices) {
-  const std::vector<bool> copied = marked(rig, indices);
-  Rig result = rig;
-  for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
-    if (!copied[i] || result.primitives.size() >= static_cast<std::size_t>(kMaxPrimitives)) continue;
-    Primitive copy = rig.primitives[i];
-    copy.name = freePrimitiveName(result, copy.name);
-    copy.mirror.clear();
-    result.primitives.push_back(std::move(copy));
-  }
-  return result;
-}
-
 Result<Rig> setPlacement(const Rig& rig, int index, const Placement& placement) {
   return withPrimitive(rig, index, [&](Primitive& primitive) { primitive.placement = placement; });
-}
-
-Result<Rig> setReach(const Rig& rig, int index, float reach) {
-  return withPrimitive(rig, index, [&](Primitive& primitive) { primitive.reach = reach; });
-}
-
-Result<Rig> setSign(const Rig& rig, int index, int sign) {
-  return withPrimitive(rig, index, [&](Primitive& primitive) { primitive.sign = sign; });
 }
 
 Result<Rig> renamePrimitive(const Rig& rig, int index, const std::string& name) {
@@ -147,17 +126,6 @@ Result<Rig> renamePrimitive(const Rig& rig, int index, const std::string& name) 
   return result;
 }
 
-Result<Rig> setBone(const Rig& rig, int index, const std::string& bone, const Placement& placement) {
-  return withPrimitive(rig, index, [&](Primitive& primitive) {
-    primitive.bone = bone;
-    primitive.placement = placement;
-  });
-}
-
-Result<Rig> setTerritory(const Rig& rig, int index, std::optional<std::vector<std::string>> territory) {
-  return withPrimitive(rig, index, [&](Primitive& primitive) { primitive.territory = std::move(territory); });
-}
-
 Rig setMirror(const Rig& rig, int index, int twin) {
   assert(index != twin);
   Rig result = rig;
@@ -170,11 +138,6 @@ Rig clearMirror(const Rig& rig, int index) {
   dropTwins(result, {primitiveAt(rig, index).name});
   primitiveAt(result, index).mirror.clear();
   return result;
-}
-
-Result<Rig> setGroupOf(const Rig& rig, int index, const std::string& group) {
-  if (findGroup(rig, group) < 0) return errorAt(placeOf(index) + ".group", "there is no group \"" + group + '"');
-  return withPrimitive(rig, index, [&](Primitive& primitive) { primitive.group = group; });
 }
 
 Result<Rig> addGroup(const Rig& rig, const std::string& name) {

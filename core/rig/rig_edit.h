@@ -17,20 +17,12 @@ namespace sinew {
 [[nodiscard]] Result<Rig> addPrimitive(const Rig& rig, Primitive primitive);
 /// Removes several; twins of removed ones lose their link.
 [[nodiscard]] Rig removePrimitives(const Rig& rig, std::span<const int> indices);
-/// Copies of several, appended, with free names; the copies have no twins. Stops at kMaxPrimitives.
-[[nodiscard]] Rig duplicatePrimitives(const Rig& rig, std::span<const int> indices);
 [[nodiscard]] Result<Rig> setPlacement(const Rig& rig, int index, const Placement& placement);
-[[nodiscard]] Result<Rig> setReach(const Rig& rig, int index, float reach);
-[[nodiscard]] Result<Rig> setSign(const Rig& rig, int index, int sign);
 [[nodiscard]] Result<Rig> renamePrimitive(const Rig& rig, int index, const std::string& name);
-/// Moves the primitive to another bone; the placement is the caller's (it knows the pose).
-[[nodiscard]] Result<Rig> setBone(const Rig& rig, int index, const std::string& bone, const Placement& placement);
-[[nodiscard]] Result<Rig> setTerritory(const Rig& rig, int index, std::optional<std::vector<std::string>> territory);
 /// Makes two different primitives each other's twins; former twins are unlinked. Placements stay as they are.
 [[nodiscard]] Rig setMirror(const Rig& rig, int index, int twin);
 /// Unlinks the twin, on both sides.
 [[nodiscard]] Rig clearMirror(const Rig& rig, int index);
-[[nodiscard]] Result<Rig> setGroupOf(const Rig& rig, int index, const std::string& group);
 [[nodiscard]] Result<Rig> addGroup(const Rig& rig, const std::string& name);
 [[nodiscard]] Result<Rig> renameGroup(const Rig& rig, int group, const std::string& name);
 /// Refused while primitives are in it.

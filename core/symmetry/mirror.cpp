@@ -85,12 +85,6 @@ std::optional<AffineMap> boneMirror(const glm::mat4& boneInBind, const glm::mat4
   return mirror;
 }
 
-Placement mirroredPlacement(const Placement& inBone, const glm::mat4& boneInBind, const glm::mat4& twinBoneInBind,
-                            const MirrorPlane& plane) {
-  const std::optional<AffineMap> mirror = boneMirror(boneInBind, twinBoneInBind, plane);
-  return mirror ? imageOf(inBone, *mirror) : inBone;
-}
-
 int MirrorPlan::pairCount() const {
   int pairs = 0;
   for (std::size_t i = 0; i < twinOf.size(); ++i) pairs += twinOf[i] > static_cast<int>(i) ? 1 : 0;

@@ -37,11 +37,6 @@ struct MirrorPlane {
 [[nodiscard]] std::optional<AffineMap> boneMirror(const glm::mat4& boneInBind, const glm::mat4& twinBoneInBind,
                                                   const MirrorPlane& plane);
 
-/// The placement of the mirror image: imageOf under boneMirror, the placement as it is where that gives nothing. Always
-/// finite with radii > 0 for a valid placement.
-[[nodiscard]] Placement mirroredPlacement(const Placement& inBone, const glm::mat4& boneInBind,
-                                          const glm::mat4& twinBoneInBind, const MirrorPlane& plane);
-
 /// How a bone came to its counterpart.
 enum class PairedBy { kNothing, kName, kPlace, kCentre };  ///< kCentre: it lies in the plane, its own counterpart.
 

@@ -11,10 +11,10 @@
 
 #include "core/mesh/creases.h"
 #include "sinew/io/gltf_import.h"
-#include "tests/support/characters.h"
-#include "tests/support/gltf_builder.h"
-#include "tests/support/gltf_oracle.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/characters.h"
+#include "tests/support/characters/gltf_builder.h"
+#include "tests/support/characters/gltf_oracle.h"
+#include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew {

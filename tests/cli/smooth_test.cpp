@@ -4,7 +4,7 @@
 
 #include "core/io/json/json.h"
 #include "tests/cli/program.h"
-#include "tests/support/mesh_checks.h"
+#include "tests/support/surface/mesh_checks.h"
 
 namespace sinew {
 namespace {

@@ -1,5 +1,6 @@
 // tests/cli/trial_rig_test.cpp: muscles set by rule: valid, repeatable, under the skin and over it.
 #include "app/cli/trial_rig.h"
+#include "tests/support/rigs/bedded_rig.h"
 
 #include <set>
 
@@ -8,8 +9,8 @@
 
 #include "core/rig/attachment.h"
 #include "core/rig/validation.h"
-#include "tests/support/real_characters.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/real_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
 
 namespace sinew::test {
 namespace {

@@ -8,7 +8,7 @@
 #include "core/rig/validation.h"
 #include "core/symmetry/twins.h"
 #include "sinew/io/rig_json.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
 
 namespace sinew::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/skeleton/range_of_motion.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
 
 namespace sinew::app {
 namespace {

@@ -9,8 +9,9 @@
 #include "core/rig/validation.h"
 #include "core/symmetry/twins.h"
 #include "sinew/io/rig_json.h"
-#include "tests/support/random_rigs.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/rigs/random_rigs.h"
+#include "tests/support/rigs/rig_edits.h"
 
 namespace sinew::app {
 namespace {
@@ -50,11 +51,11 @@ Result<Rig> randomEdit(Random& random, const Document& document) {
     case 2:
       return setPlacement(rig, index, fresh.placement);
     case 3:
-      return setBone(rig, index, fresh.bone, fresh.placement);
+      return test::setBone(rig, index, fresh.bone, fresh.placement);
     case 4:
-      return setReach(rig, index, random.uniform(1.1f, 3));
+      return test::setReach(rig, index, random.uniform(1.1f, 3));
     case 5:
-      return setSign(rig, index, random.chance(0.5f) ? 1 : -1);
+      return test::setSign(rig, index, random.chance(0.5f) ? 1 : -1);
     case 6:
       return removePrimitives(rig, withTwins(rig, std::span(some).first(1)));
     case 7:
@@ -68,7 +69,7 @@ Result<Rig> randomEdit(Random& random, const Document& document) {
     case 11:
       return flipPrimitives(rig, some, plan);
     default:
-      return setTerritory(rig, index, std::vector<std::string>{fresh.bone});
+      return test::setTerritory(rig, index, std::vector<std::string>{fresh.bone});
   }
 }
 
@@ -113,11 +114,11 @@ TEST(SymmetricEdits, AnEditByAnyoneIsFollowedInTheSameStepUntilUnlinked) {
   thigh.name = "thigh L";
   thigh.bone = "leg L";
   document.commands.apply("Add", addPair(document.rig(), thigh, *document.mirror).value());
-  document.commands.apply("Reach", setReach(document.rig(), 1, 2.0f).value());
+  document.commands.apply("Reach", test::setReach(document.rig(), 1, 2.0f).value());
   EXPECT_EQ(document.rig().primitives[0].reach, 2.0f);
   EXPECT_EQ(document.commands.stepCount(), 2u);
   document.commands.apply("Unlink", clearMirror(document.rig(), 0));
-  document.commands.apply("Reach", setReach(document.rig(), 1, 3.0f).value());
+  document.commands.apply("Reach", test::setReach(document.rig(), 1, 3.0f).value());
   EXPECT_EQ(document.rig().primitives[0].reach, 2.0f);
 }
 

@@ -11,7 +11,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/session_keeper.h"
 #include "core/rig/rig_edit.h"
-#include "tests/support/muscles_named.h"
+#include "tests/support/editor/muscles_named.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew::app {

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "core/symmetry/twins.h"
-#include "tests/support/headless_editor.h"
-#include "tests/support/muscles_named.h"
+#include "tests/support/editor/headless_editor.h"
+#include "tests/support/editor/muscles_named.h"
 
 namespace sinew::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "sinew/io/gltf_import.h"
-#include "tests/support/gltf_builder.h"
+#include "tests/support/characters/gltf_builder.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew {

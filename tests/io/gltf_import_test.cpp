@@ -9,8 +9,8 @@
 #include "core/mesh/topology.h"
 #include "core/mesh/weld.h"
 #include "sinew/skeleton/pose.h"
-#include "tests/support/characters.h"
-#include "tests/support/gltf_builder.h"
+#include "tests/support/characters/characters.h"
+#include "tests/support/characters/gltf_builder.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew {

@@ -11,8 +11,8 @@
 #include "core/character/skinning.h"
 #include "core/mesh/topology.h"
 #include "sinew/io/gltf_import.h"
-#include "tests/support/gltf_builder.h"
-#include "tests/support/gltf_oracle.h"
+#include "tests/support/characters/gltf_builder.h"
+#include "tests/support/characters/gltf_oracle.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/random_rigs.h"
+#include "tests/support/rigs/random_rigs.h"
 
 namespace sinew {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "core/io/files/atomic_file.h"
 #include "core/rig/validation.h"
-#include "tests/support/random_documents.h"
+#include "tests/support/rigs/random_documents.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew {

@@ -12,9 +12,9 @@
 #include "core/io/json/json.h"
 #include "sinew/io/gltf_import.h"
 #include "sinew/smoothing/smoother.h"
-#include "tests/support/mesh_checks.h"
-#include "tests/support/random_rigs.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/rigs/random_rigs.h"
+#include "tests/support/surface/mesh_checks.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew {

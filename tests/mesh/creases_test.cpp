@@ -13,8 +13,8 @@
 #include <glm/geometric.hpp>
 
 #include "core/mesh/weld.h"
-#include "tests/support/mesh_checks.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/surface/mesh_checks.h"
 
 namespace sinew {
 namespace {

@@ -1,6 +1,6 @@
 // tests/panels/blending_test.cpp: groups: the matrix and the graph change the same rig and show each other's changes.
 
-#include "tests/support/headless_editor.h"
+#include "tests/support/editor/headless_editor.h"
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@
 #include "core/blending/blending_graph.h"
 #include "core/rig/rig_edit_several.h"
 #include "core/rig/validation.h"
-#include "tests/support/muscles_named.h"
+#include "tests/support/editor/muscles_named.h"
 
 namespace sinew::app {
 namespace {

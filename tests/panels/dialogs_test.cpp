@@ -1,7 +1,7 @@
 // tests/panels/dialogs_test.cpp: palette, key sheet, preferences, recovery, messages and files, by hand and keyboard.
 
 #include "app/editor/edit.h"
-#include "tests/support/headless_editor.h"
+#include "tests/support/editor/headless_editor.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -11,7 +11,7 @@
 
 #include "app/editor/session.h"
 #include "app/platform/data_files.h"
-#include "tests/support/muscles_named.h"
+#include "tests/support/editor/muscles_named.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew::app {

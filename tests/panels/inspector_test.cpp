@@ -1,11 +1,11 @@
 // tests/panels/inspector_test.cpp: one muscle or many: common values, units, reset, copy and paste, territory.
 
-#include "tests/support/headless_editor.h"
+#include "tests/support/editor/headless_editor.h"
 
 #include <algorithm>
 
 #include "core/rig/attachment.h"
-#include "tests/support/muscles_named.h"
+#include "tests/support/editor/muscles_named.h"
 
 namespace sinew::app {
 namespace {

@@ -1,13 +1,13 @@
 // tests/panels/outliner_test.cpp: the tree: rows, selection, switches, renaming, moving to another bone.
 
-#include "tests/support/headless_editor.h"
+#include "tests/support/editor/headless_editor.h"
 
 #include <algorithm>
 
 #include "app/document/reparent.h"
 #include "app/editor/outliner_edit.h"
 #include "app/editor/outliner_rows.h"
-#include "tests/support/muscles_named.h"
+#include "tests/support/editor/muscles_named.h"
 
 namespace sinew::app {
 namespace {

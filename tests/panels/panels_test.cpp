@@ -1,9 +1,9 @@
 // tests/panels/panels_test.cpp: what a hand does to the panels, and what becomes of the rig.
 
-#include "tests/support/headless_editor.h"
+#include "tests/support/editor/headless_editor.h"
 
 #include <cmath>
-#include "tests/support/muscles_named.h"
+#include "tests/support/editor/muscles_named.h"
 
 namespace sinew::app {
 namespace {

@@ -11,7 +11,7 @@
 #include "app/editor/pose_commands.h"
 #include "app/panels/timeline/timeline_track.h"
 #include "core/skeleton/range_of_motion.h"
-#include "tests/support/headless_editor.h"
+#include "tests/support/editor/headless_editor.h"
 
 namespace sinew::app {
 namespace {

@@ -2,8 +2,8 @@
 #include <cstdio>
 
 #include "tests/render/pictures.h"
-#include "tests/support/eyes.h"
-#include "tests/support/trial_scenes.h"
+#include "tests/support/rigs/trial_scenes.h"
+#include "tests/support/surface/eyes.h"
 
 #include "sinew/io/gltf_import.h"
 #include "sinew/io/rig_json.h"

@@ -9,7 +9,7 @@
 #include "core/mesh/weld.h"
 #include "sinew/skeleton/pose.h"
 #include "sinew/smoothing/smoother.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
 
 namespace sinew::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "tests/render/pictures.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
 
 namespace sinew::test {
 namespace {

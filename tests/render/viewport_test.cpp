@@ -5,7 +5,7 @@
 
 #include "app/render/picking.h"
 #include "tests/render/pictures.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew::test {

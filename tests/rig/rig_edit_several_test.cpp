@@ -6,6 +6,7 @@
 
 #include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
+#include "tests/support/rigs/rig_edits.h"
 
 namespace sinew {
 namespace {
@@ -33,7 +34,7 @@ TEST(RigEditSeveral, ChangesTheNamedOnesAndNoOther) {
 TEST(RigEditSeveral, EqualsOneEditAfterTheOther) {
   Rig rig = addGroup(rigOf(4), "legs").value();
   Rig one = rig;
-  for (const int i : {0, 2, 3}) one = setGroupOf(one, i, "legs").value();
+  for (const int i : {0, 2, 3}) one = test::setGroupOf(one, i, "legs").value();
   EXPECT_EQ(setGroupOfSeveral(rig, std::vector<int>{0, 2, 3}, "legs").value(), one);
 }
 

@@ -7,8 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "core/rig/validation.h"
-#include "tests/support/random_documents.h"
-#include "tests/support/random_rigs.h"
+#include "core/symmetry/twins.h"
+#include "tests/support/rigs/random_documents.h"
+#include "tests/support/rigs/random_rigs.h"
+#include "tests/support/rigs/rig_edits.h"
 
 namespace sinew {
 namespace {
@@ -59,17 +61,17 @@ std::optional<Rig> randomEdit(test::Random& random, const Rig& rig) {
     case 2:
       return removePrimitives(rig, several);
     case 3:
-      return duplicatePrimitives(rig, several);
+      return duplicatePairs(rig, several);
     case 4:
       return value(setPlacement(rig, index(random, n), {{some(), some(), some()}, random.rotation(), {some(), 1, 1}}));
     case 5:
-      return value(setReach(rig, index(random, n), some()));
+      return value(test::setReach(rig, index(random, n), some()));
     case 6:
-      return value(setSign(rig, index(random, n), random.below(3) - 1));
+      return value(test::setSign(rig, index(random, n), random.below(3) - 1));
     case 7:
       return value(renamePrimitive(rig, index(random, n), name));
     case 8:
-      return value(setGroupOf(rig, index(random, n), name));
+      return value(test::setGroupOf(rig, index(random, n), name));
     case 9:
       return value(renameGroup(rig, index(random, rig.groups.size()), name));
     case 10:
@@ -157,11 +159,11 @@ TEST(RigEdit, RenameRemoveAndDuplicateKeepTwinsInStep) {
   ASSERT_EQ(removed.primitives.size(), 2u);
   EXPECT_EQ(removed.primitives[0].mirror, "");
 
-  const Rig doubled = duplicatePrimitives(sample(), std::vector{0, 1});
+  const Rig doubled = duplicatePairs(sample(), std::vector{0, 1});
   ASSERT_EQ(doubled.primitives.size(), 5u);
   EXPECT_EQ(doubled.primitives[0].mirror, "R");
   EXPECT_EQ(doubled.primitives[3].name, "L 2");
-  EXPECT_EQ(doubled.primitives[3].mirror, "");
+  EXPECT_EQ(doubled.primitives[3].mirror, doubled.primitives[4].name) << "copies of a pair are a pair";
 }
 
 TEST(RigEdit, MirrorsAreMutual) {
@@ -211,11 +213,12 @@ TEST(RigEdit, SettingsAreChecked) {
   EXPECT_EQ(setSmoothing(sample(), smoothing).error().place, "smoothing.depth");
   smoothing.depth = 16;
   EXPECT_EQ(setSmoothing(sample(), smoothing)->smoothing.depth, 16);
-  EXPECT_EQ(setReach(sample(), 1, kNan).error().text(), "primitives[1].reach: expected a number > 1, got NaN");
+  EXPECT_EQ(test::setReach(sample(), 1, kNan).error().text(), "primitives[1].reach: expected a number > 1, got NaN");
   EXPECT_EQ(setPlacement(sample(), 2, {{0, kNan, 0}, {1, 0, 0, 0}, {1, 1, 1}}).error().place,
             "primitives[2].center[1]");
-  EXPECT_EQ(setTerritory(sample(), 0, std::vector<std::string>{"a", ""}).error().place, "primitives[0].territory[1]");
-  EXPECT_EQ(setBone(sample(), 0, "", {}).error().place, "primitives[0].bone");
+  EXPECT_EQ(test::setTerritory(sample(), 0, std::vector<std::string>{"a", ""}).error().place,
+            "primitives[0].territory[1]");
+  EXPECT_EQ(test::setBone(sample(), 0, "", {}).error().place, "primitives[0].bone");
 }
 
 TEST(RigEdit, TooManyCliquesAreRefused) {

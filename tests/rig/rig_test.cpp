@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/random_documents.h"
+#include "tests/support/rigs/random_documents.h"
 
 namespace sinew {
 namespace {

@@ -15,9 +15,9 @@
 #include "core/symmetry/mirror.h"
 #include "sinew/character/character.h"
 #include "sinew/io/gltf_import.h"
-#include "tests/support/characters.h"
-#include "tests/support/real_characters.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/characters.h"
+#include "tests/support/characters/real_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
 
 namespace sinew {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
 
 namespace sinew {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "core/rig/attachment.h"
 #include "sinew/smoothing/smoother.h"
-#include "tests/support/mesh_checks.h"
-#include "tests/support/trial_scenes.h"
+#include "tests/support/rigs/trial_scenes.h"
+#include "tests/support/surface/mesh_checks.h"
 
 namespace sinew::test {
 namespace {

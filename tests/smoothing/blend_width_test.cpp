@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "sinew/smoothing/smoother.h"
-#include "tests/support/mesh_checks.h"
-#include "tests/support/random_rigs.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/rigs/random_rigs.h"
+#include "tests/support/surface/mesh_checks.h"
 
 namespace sinew::test {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "core/rig/attachment.h"
 #include "sinew/smoothing/smoother.h"
-#include "tests/support/random_rigs.h"
-#include "tests/support/synthetic_characters.h"
-#include "tests/support/trial_scenes.h"
+#include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/rigs/random_rigs.h"
+#include "tests/support/rigs/trial_scenes.h"
 
 namespace sinew::test {
 namespace {

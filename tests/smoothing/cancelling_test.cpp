@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "sinew/smoothing/smoother.h"
-#include "tests/support/random_rigs.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/rigs/random_rigs.h"
 
 namespace sinew::test {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "tests/support/coherence.h"
+#include "tests/support/surface/coherence.h"
 
 namespace sinew::test {
 

@@ -1,5 +1,5 @@
 // tests/smoothing/coherence_test.cpp: over every clip at 60 frames a second the skin steps no further than recorded.
-#include "tests/support/coherence.h"
+#include "tests/support/surface/coherence.h"
 
 #include <algorithm>
 #include <array>
@@ -17,6 +17,7 @@
 #include "app/cli/trial_rig.h"
 #include "sinew/smoothing/smoother.h"
 #include "tests/smoothing/coherence_ceilings.h"
+#include "tests/support/rigs/bedded_rig.h"
 
 namespace sinew::test {
 namespace {

@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 
 #include "sinew/smoothing/smoother.h"
-#include "tests/support/eyes.h"
-#include "tests/support/trial_scenes.h"
+#include "tests/support/rigs/trial_scenes.h"
+#include "tests/support/surface/eyes.h"
 
 namespace sinew::test {
 namespace {

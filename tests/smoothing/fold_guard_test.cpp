@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cstdio>
 
+#include <utility>
+
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "tests/support/lifted_sheet.h"
-#include "tests/support/mesh_checks.h"
+#include "tests/support/surface/lifted_sheet.h"
+#include "tests/support/surface/mesh_checks.h"
 
 namespace sinew::test {
 namespace {
@@ -92,22 +94,11 @@ TEST(FoldGuard, DoesNotDependOnTheOrderOfTriangles) {
 
 TEST(FoldGuard, IsContinuousInTheLift) {
   Scene scene(flatSheet());
-  constexpr float kMost = 0.6f;
-  std::vector<float> slopes;
-  for (const int steps : {200, 800}) {
-    std::vector<glm::vec3> before = scene.patch;
-    float worst = 0.0f;
-    for (int i = 1; i <= steps; ++i) {
-      const float lift = kMost * static_cast<float>(i) / static_cast<float>(steps);
-      const std::vector<glm::vec3> now = scene.guarded(converging(scene.patch, lift));
-      worst = std::max(worst, largestStep(before, now));
-      before = now;
-    }
-    slopes.push_back(worst * static_cast<float>(steps) / kMost);
-    std::printf("  %d steps: the largest is %.2f times the lift's\n", steps, double{slopes.back()});
-  }
-  EXPECT_LT(slopes[0], 10.0f);
-  EXPECT_LT(slopes[1], 1.5f * slopes[0]) << "a jump stays as steps shrink";
+  const auto finish = [&](std::vector<glm::vec3> lifted) { return scene.guarded(std::move(lifted)); };
+  const float slope = steepestStep(scene.patch, 0.6f, 200, finish);
+  const float finer = steepestStep(scene.patch, 0.6f, 800, finish);
+  EXPECT_LT(slope, 10.0f);
+  EXPECT_LT(finer, 1.5f * slope) << "a jump stays as steps shrink";
 }
 
 // A pose folds the patch itself: one of its triangles shrinks to nothing and comes out on the other side. The lift

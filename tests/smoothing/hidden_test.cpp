@@ -6,8 +6,8 @@
 
 #include "core/rig/rig_edit.h"
 #include "sinew/smoothing/smoother.h"
-#include "tests/support/random_rigs.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/rigs/random_rigs.h"
 
 namespace sinew::test {
 namespace {

@@ -10,9 +10,9 @@
 #include <glm/geometric.hpp>
 
 #include "sinew/smoothing/smoother.h"
-#include "tests/support/mesh_checks.h"
-#include "tests/support/oracle.h"
-#include "tests/support/trial_scenes.h"
+#include "tests/support/oracle/oracle.h"
+#include "tests/support/rigs/trial_scenes.h"
+#include "tests/support/surface/mesh_checks.h"
 
 namespace sinew::test {
 namespace {

@@ -5,12 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "sinew/smoothing/smoother.h"
-#include "tests/support/mesh_checks.h"
-#include "tests/support/oracle_compare.h"
-#include "tests/support/projected.h"
-#include "tests/support/random_rigs.h"
-#include "tests/support/real_characters.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/real_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/oracle/compare.h"
+#include "tests/support/rigs/random_rigs.h"
+#include "tests/support/surface/mesh_checks.h"
+#include "tests/support/surface/projected.h"
 
 namespace sinew::test {
 namespace {

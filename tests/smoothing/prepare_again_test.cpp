@@ -7,9 +7,11 @@
 
 #include "core/rig/attachment.h"
 #include "core/rig/rig_edit.h"
+#include "core/symmetry/twins.h"
 #include "sinew/smoothing/smoother.h"
-#include "tests/support/random_rigs.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/rigs/random_rigs.h"
+#include "tests/support/rigs/rig_edits.h"
 
 namespace sinew::test {
 namespace {
@@ -62,7 +64,7 @@ const std::vector<Edit>& edits() {
         return setSurface(rig, surface).value();
       },
       [](const Rig& rig, Random& random, const Character&) {
-        return duplicatePrimitives(rig, std::vector{anyOf(rig, random)});
+        return duplicatePairs(rig, std::vector{anyOf(rig, random)});
       },
       [](const Rig& rig, Random& random, const Character&) {
         return rig.primitives.size() > 2 ? removePrimitives(rig, std::vector{anyOf(rig, random)}) : rig;

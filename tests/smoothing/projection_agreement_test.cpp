@@ -7,10 +7,10 @@
 #include <glm/geometric.hpp>
 
 #include "sinew/smoothing/smoother.h"
-#include "tests/support/mesh_checks.h"
-#include "tests/support/oracle_compare.h"
-#include "tests/support/projected.h"
-#include "tests/support/trial_scenes.h"
+#include "tests/support/oracle/compare.h"
+#include "tests/support/rigs/trial_scenes.h"
+#include "tests/support/surface/mesh_checks.h"
+#include "tests/support/surface/projected.h"
 
 namespace sinew::test {
 namespace {

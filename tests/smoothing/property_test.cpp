@@ -9,11 +9,11 @@
 #include <glm/geometric.hpp>
 
 #include "sinew/smoothing/smoother.h"
-#include "tests/support/mesh_checks.h"
-#include "tests/support/oracle.h"
-#include "tests/support/projected.h"
-#include "tests/support/random_rigs.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/oracle/oracle.h"
+#include "tests/support/rigs/random_rigs.h"
+#include "tests/support/surface/mesh_checks.h"
+#include "tests/support/surface/projected.h"
 
 namespace sinew::test {
 namespace {

@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "sinew/rig/rig.h"
-#include "tests/support/mesh_checks.h"
-#include "tests/support/oracle.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/oracle/oracle.h"
+#include "tests/support/surface/mesh_checks.h"
 
 namespace sinew::test {
 namespace {

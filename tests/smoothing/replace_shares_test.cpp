@@ -12,8 +12,8 @@
 #include "core/rig/attachment.h"
 #include "core/smoothing/projection/replace.h"
 #include "sinew/smoothing/smoother.h"
-#include "tests/support/random_rigs.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/rigs/random_rigs.h"
 
 namespace sinew::test {
 namespace {

@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "tests/support/mesh_checks.h"
-#include "tests/support/random_rigs.h"
-#include "tests/support/sheets.h"
+#include "tests/support/rigs/random_rigs.h"
+#include "tests/support/surface/mesh_checks.h"
+#include "tests/support/surface/sheets.h"
 
 namespace sinew::test {
 namespace {

@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "tests/support/mesh_checks.h"
-#include "tests/support/sheets.h"
+#include "tests/support/surface/mesh_checks.h"
+#include "tests/support/surface/sheets.h"
 
 namespace sinew::test {
 namespace {

@@ -14,8 +14,8 @@
 #include "core/smoothing/projection/anchors.h"
 #include "core/smoothing/projection/replace.h"
 #include "sinew/smoothing/smoother.h"
-#include "tests/support/oracle.h"
-#include "tests/support/trial_scenes.h"
+#include "tests/support/oracle/oracle.h"
+#include "tests/support/rigs/trial_scenes.h"
 
 namespace sinew::test {
 namespace {

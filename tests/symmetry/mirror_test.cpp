@@ -12,10 +12,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "sinew/io/gltf_import.h"
-#include "tests/support/characters.h"
-#include "tests/support/random_rigs.h"
-#include "tests/support/real_characters.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/characters.h"
+#include "tests/support/characters/real_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/rigs/random_rigs.h"
 
 namespace sinew {
 namespace {
@@ -255,6 +255,11 @@ TEST(Mirror, AFlattenedBoneHasNoCounterpart) {
 
 /// Placements equal in every bit.
 bool sameBits(const Placement& a, const Placement& b) { return std::memcmp(&a, &b, sizeof(Placement)) == 0; }
+
+Placement mirroredPlacement(const Placement& inBone, const glm::mat4& bone, const glm::mat4& twin,
+                            const MirrorPlane& plane) {
+  return imageOf(inBone, boneMirror(bone, twin, plane).value());
+}
 
 TEST(Mirror, FramesMirroredAlongTheirAxesGiveTheBitsBack) {
   Random random(5);

@@ -9,8 +9,9 @@
 #include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
 #include "sinew/io/rig_json.h"
-#include "tests/support/random_rigs.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/rigs/random_rigs.h"
+#include "tests/support/rigs/rig_edits.h"
 
 namespace sinew {
 namespace {
@@ -91,17 +92,17 @@ TEST(Twins, EveryFieldFollowsFromEitherSide) {
     placement.radii.y *= 1.25f;
     scene.edit(setPlacement(scene.rig, leads, placement));
     expectExact(scene.rig, scene.plan);
-    scene.edit(setReach(scene.rig, leads, 1.7f + static_cast<float>(leads)));
-    scene.edit(setSign(scene.rig, leads, leads == 0 ? -1 : 1));
-    scene.edit(setGroupOf(scene.rig, leads, leads == 0 ? "torso" : "legs"));
-    scene.edit(setTerritory(scene.rig, leads,
-                            std::vector<std::string>{leads == 0 ? "leg L" : "shin R", "spine", "elsewhere"}));
+    scene.edit(test::setReach(scene.rig, leads, 1.7f + static_cast<float>(leads)));
+    scene.edit(test::setSign(scene.rig, leads, leads == 0 ? -1 : 1));
+    scene.edit(test::setGroupOf(scene.rig, leads, leads == 0 ? "torso" : "legs"));
+    scene.edit(test::setTerritory(scene.rig, leads,
+                                  std::vector<std::string>{leads == 0 ? "leg L" : "shin R", "spine", "elsewhere"}));
     expectExact(scene.rig, scene.plan);
     EXPECT_EQ(scene.rig.primitives[static_cast<std::size_t>(follows)].territory,
               (std::vector<std::string>{leads == 0 ? "leg R" : "shin L", "spine", "elsewhere"}));
-    scene.edit(setBone(scene.rig, leads, leads == 0 ? "shin L" : "spine", placement));
+    scene.edit(test::setBone(scene.rig, leads, leads == 0 ? "shin L" : "spine", placement));
     EXPECT_EQ(scene.rig.primitives[static_cast<std::size_t>(follows)].bone, leads == 0 ? "shin R" : "spine");
-    scene.edit(setBone(scene.rig, leads, leads == 0 ? "leg L" : "leg R", placement));
+    scene.edit(test::setBone(scene.rig, leads, leads == 0 ? "leg L" : "leg R", placement));
     expectExact(scene.rig, scene.plan);
   }
 }
@@ -165,7 +166,7 @@ TEST(Twins, LetGoStayWhereTheyAre) {
   Scene scene;
   scene.edit(clearMirror(scene.rig, 0));
   const Primitive before = scene.rig.primitives[1];
-  scene.edit(setReach(scene.rig, 0, 3.0f));
+  scene.edit(test::setReach(scene.rig, 0, 3.0f));
   EXPECT_EQ(scene.rig.primitives[1].reach, before.reach);
   scene.edit(linkTwins(scene.rig, 1, 0, scene.plan));
   EXPECT_EQ(scene.rig.primitives[0].reach, before.reach);
@@ -177,7 +178,7 @@ TEST(Twins, AMoveToABoneWithoutCounterpartIsNotFollowedButTheLinkStays) {
   Scene scene;
   scene.plan.twinOf[static_cast<std::size_t>(*scene.plan.skeleton.findBone("spine"))] = -1;
   const Primitive before = scene.rig.primitives[1];
-  scene.edit(setBone(scene.rig, 0, "spine", scene.rig.primitives[0].placement));
+  scene.edit(test::setBone(scene.rig, 0, "spine", scene.rig.primitives[0].placement));
   EXPECT_EQ(scene.rig.primitives[1].bone, before.bone);
   EXPECT_EQ(scene.rig.primitives[1].mirror, "thigh L");
   EXPECT_FALSE(mirrorToOtherSide(scene.rig, 0, scene.plan));
@@ -250,11 +251,11 @@ std::optional<Rig> randomEdit(Random& random, const Rig& rig, const Character& c
     case 3:
       return value(setPlacement(rig, index, placement));
     case 4:
-      return value(setBone(rig, index, bone, placement));
+      return value(test::setBone(rig, index, bone, placement));
     case 5:
-      return value(setReach(rig, index, random.uniform(0.9f, 3)));
+      return value(test::setReach(rig, index, random.uniform(0.9f, 3)));
     case 6:
-      return value(setSign(rig, index, random.chance(0.5f) ? 1 : -1));
+      return value(test::setSign(rig, index, random.chance(0.5f) ? 1 : -1));
     case 7:
       return n > 24 ? removePrimitives(rig, withTwins(rig, several)) : duplicatePairs(rig, several);
     case 8:
@@ -266,7 +267,7 @@ std::optional<Rig> randomEdit(Random& random, const Rig& rig, const Character& c
     case 11:
       return value(flipPrimitives(rig, several, plan));
     case 12:
-      return value(setTerritory(rig, index, std::vector<std::string>{bone}));
+      return value(test::setTerritory(rig, index, std::vector<std::string>{bone}));
     default:
       break;
   }

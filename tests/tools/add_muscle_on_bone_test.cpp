@@ -8,8 +8,8 @@
 
 #include "app/document/document.h"
 #include "app/tools/add_muscle.h"
-#include "tests/support/characters.h"
-#include "tests/support/muscles_named.h"
+#include "tests/support/characters/characters.h"
+#include "tests/support/editor/muscles_named.h"
 #include "tests/tools/limb_scene.h"
 
 namespace sinew::app {

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "tests/support/muscles_named.h"
-#include "tests/support/real_characters.h"
+#include "tests/support/characters/real_characters.h"
+#include "tests/support/editor/muscles_named.h"
 #include "tests/tools/limb_scene.h"
 #include "tests/tools/random_gizmo.h"
 

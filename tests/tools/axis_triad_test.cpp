@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "tests/support/random_rigs.h"
+#include "tests/support/rigs/random_rigs.h"
 
 namespace sinew::app {
 namespace {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "app/tools/gizmo_basis.h"
 #include "tests/tools/random_gizmo.h"
 
 namespace sinew::app {
@@ -254,6 +255,17 @@ TEST_P(EveryBone, ScaleBoxesStretchOneRadius) {
     ++tried;
   }
   EXPECT_GT(tried, 100);
+}
+
+TEST(GizmoPoles, ADragGoesByTheCentreAlsoWhereTheHandlesStandOnAPivot) {
+  GizmoScene scene = test::plainGizmo();
+  scene.context.pivotInWorld = glm::vec3(0.3f, 0.5f, 0.1f);
+  const GizmoState state;
+  const auto pole = basisOfDrag(state, GizmoHandle::kPolePlusX, scene.placement, scene.context);
+  const auto ring = basisOfDrag(state, GizmoHandle::kRotateX, scene.placement, scene.context);
+  ASSERT_TRUE(pole && ring);
+  EXPECT_EQ(pole->origin, scene.placement.center);
+  EXPECT_EQ(ring->origin, *scene.context.pivotInWorld);
 }
 
 TEST_P(EveryBone, PolesFollowThePointerWhileTheOtherEndStays) {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "tests/support/muscles_named.h"
+#include "tests/support/editor/muscles_named.h"
 #include "tests/tools/limb_scene.h"
 
 namespace sinew::app {

@@ -8,7 +8,7 @@
 #include "app/tools/input_router.h"
 #include "core/symmetry/mirror.h"
 #include "core/symmetry/twins.h"
-#include "tests/support/muscles_named.h"
+#include "tests/support/editor/muscles_named.h"
 #include "tests/tools/limb_scene.h"
 
 namespace sinew::app {

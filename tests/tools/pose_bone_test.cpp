@@ -10,7 +10,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "tests/support/muscles_named.h"
+#include "tests/support/editor/muscles_named.h"
 #include "tests/tools/limb_scene.h"
 
 namespace sinew::app {

@@ -7,7 +7,7 @@
 
 #include "app/tools/camera.h"
 #include "app/tools/gizmo.h"
-#include "tests/support/random_rigs.h"
+#include "tests/support/rigs/random_rigs.h"
 
 namespace sinew::test {
 

@@ -6,10 +6,10 @@
 
 #include "sinew/io/gltf_import.h"
 #include "sinew/io/rig_json.h"
-#include "tests/support/projected.h"
-#include "tests/support/real_characters.h"
-#include "tests/support/skin_metrics.h"
-#include "tests/support/synthetic_characters.h"
+#include "tests/support/characters/real_characters.h"
+#include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/surface/projected.h"
+#include "tests/support/surface/skin_metrics.h"
 #include "tests/tools/laid_muscles.h"
 
 namespace sinew::test {

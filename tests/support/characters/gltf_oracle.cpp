@@ -1,0 +1,333 @@
+// tests/support/characters/gltf_oracle.cpp: independent double-precision skinning of raw glTF files.
+
+#include "tests/support/characters/gltf_oracle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <tiny_gltf.h>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+
+#include "core/character/skinning.h"
+#include "sinew/io/gltf_import.h"
+#include "sinew/skeleton/pose.h"
+
+namespace sinew::test {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+double component(const unsigned char* from, int type, bool normalized) {
+  const auto load = [&]<class T>(T value, double largest) {
+    std::memcpy(&value, from, sizeof value);
+    return normalized ? std::max(-1.0, static_cast<double>(value) / largest) : static_cast<double>(value);
+  };
+  switch (type) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return load(std::int8_t{}, 127.0);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return load(std::uint8_t{}, 255.0);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return load(std::int16_t{}, 32767.0);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return load(std::uint16_t{}, 65535.0);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+      return load(std::uint32_t{}, 1.0);
+    default:
+      return load(float{}, 1.0);
+  }
+}
+
+/// All components of an accessor, sparse entries applied.
+std::vector<double> numbers(const tinygltf::Model& model, int index) {
+  const tinygltf::Accessor& a = model.accessors.at(at(index));
+  const auto width = at(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(a.type)));
+  const auto size = at(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(a.componentType)));
+  std::vector<double> out(a.count * width, 0.0);
+  const auto bytesOf = [&](int view, std::size_t offset) {
+    const tinygltf::BufferView& v = model.bufferViews.at(at(view));
+    return model.buffers.at(at(v.buffer)).data.data() + v.byteOffset + offset;
+  };
+  const auto copy = [&](const unsigned char* from, std::size_t element) {
+    for (std::size_t c = 0; c < width; ++c) {
+      out[element * width + c] = component(from + c * size, a.componentType, a.normalized);
+    }
+  };
+  if (a.bufferView >= 0) {
+    const auto stride = at(a.ByteStride(model.bufferViews.at(at(a.bufferView))));
+    for (std::size_t i = 0; i < a.count; ++i) copy(bytesOf(a.bufferView, a.byteOffset) + i * stride, i);
+  }
+  if (a.sparse.isSparse) {
+    const auto& sparse = a.sparse;
+    const auto indexSize =
+        at(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(sparse.indices.componentType)));
+    for (std::size_t i = 0; i < at(sparse.count); ++i) {
+      const unsigned char* where = bytesOf(sparse.indices.bufferView, at(sparse.indices.byteOffset)) + i * indexSize;
+      const auto element = static_cast<std::size_t>(component(where, sparse.indices.componentType, false));
+      copy(bytesOf(sparse.values.bufferView, at(sparse.values.byteOffset)) + i * width * size, element);
+    }
+  }
+  return out;
+}
+
+struct Local {
+  glm::dvec3 translation{0.0};
+  glm::dvec4 rotation{0.0, 0.0, 0.0, 1.0};
+  glm::dvec3 scale{1.0};
+  std::optional<glm::dmat4> matrix;
+
+  glm::dmat4 toMatrix() const {
+    if (matrix) return *matrix;
+    const glm::dvec4 r = rotation / glm::length(rotation);
+    return glm::scale(glm::translate(glm::dmat4(1.0), translation) * glm::mat4_cast(glm::dquat(r.w, r.x, r.y, r.z)),
+                      scale);
+  }
+};
+
+/// Spherical interpolation on the shorter arc.
+glm::dvec4 slerp(glm::dvec4 a, glm::dvec4 b, double t) {
+  a /= glm::length(a);
+  b /= glm::length(b);
+  double cosine = glm::dot(a, b);
+  if (cosine < 0.0) {
+    b = -b;
+    cosine = -cosine;
+  }
+  const double angle = std::acos(std::min(cosine, 1.0));
+  if (angle < 1e-9) return a;
+  return (std::sin((1.0 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle);
+}
+
+/// Value of a sampler at a time (glTF 2.0, appendix C).
+glm::dvec4 sample(const tinygltf::Model& model, const tinygltf::AnimationSampler& sampler, bool rotation, double time) {
+  const std::vector<double> times = numbers(model, sampler.input);
+  const std::vector<double> values = numbers(model, sampler.output);
+  const std::size_t width = rotation ? 4 : 3;
+  const bool cubic = sampler.interpolation == "CUBICSPLINE";
+  const auto value = [&](std::size_t key, std::size_t part) {  // part: 0 in-tangent, 1 value, 2 out-tangent
+    glm::dvec4 v(0.0);
+    const std::size_t element = cubic ? 3 * key + part : key;
+    for (std::size_t c = 0; c < width; ++c) v[static_cast<int>(c)] = values[element * width + c];
+    return v;
+  };
+  if (time <= times.front()) return value(0, 1);
+  if (time >= times.back()) return value(times.size() - 1, 1);
+  const auto next = static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), time) - times.begin());
+  const std::size_t key = next - 1;
+  const double span = times[next] - times[key];
+  const double t = (time - times[key]) / span;
+  if (sampler.interpolation == "STEP") return value(key, 1);
+  if (cubic) {
+    const double t2 = t * t;
+    const double t3 = t2 * t;
+    return (2 * t3 - 3 * t2 + 1) * value(key, 1) + span * (t3 - 2 * t2 + t) * value(key, 2) +
+           (3 * t2 - 2 * t3) * value(next, 1) + span * (t3 - t2) * value(next, 0);
+  }
+  return rotation ? slerp(value(key, 1), value(next, 1), t) : (1.0 - t) * value(key, 1) + t * value(next, 1);
+}
+
+}  // namespace
+
+struct GltfOracle::Impl {
+  tinygltf::Model model;
+  std::vector<int> parents;
+
+  std::vector<glm::dmat4> worlds(std::optional<std::size_t> clip, double time) const {
+    std::vector<Local> locals;
+    for (const tinygltf::Node& node : model.nodes) {
+      Local local;
+      for (int i = 0; i < 3 && !node.translation.empty(); ++i) local.translation[i] = node.translation[at(i)];
+      for (int i = 0; i < 4 && !node.rotation.empty(); ++i) local.rotation[i] = node.rotation[at(i)];
+      for (int i = 0; i < 3 && !node.scale.empty(); ++i) local.scale[i] = node.scale[at(i)];
+      if (!node.matrix.empty()) {
+        local.matrix.emplace(1.0);
+        for (int i = 0; i < 16; ++i) (*local.matrix)[i / 4][i % 4] = node.matrix[at(i)];
+      }
+      locals.push_back(local);
+    }
+    if (clip) animate(model.animations.at(*clip), time, locals);
+    std::vector<glm::dmat4> result;
+    for (std::size_t node = 0; node < locals.size(); ++node) {
+      glm::dmat4 world = locals[node].toMatrix();
+      for (int p = parents[node]; p >= 0; p = parents[at(p)]) world = locals[at(p)].toMatrix() * world;
+      result.push_back(world);
+    }
+    return result;
+  }
+
+  void animate(const tinygltf::Animation& animation, double time, std::vector<Local>& locals) const {
+    for (const tinygltf::AnimationChannel& channel : animation.channels) {
+      if (channel.target_path == "weights") continue;
+      const bool rotation = channel.target_path == "rotation";
+      const glm::dvec4 v = sample(model, animation.samplers.at(at(channel.sampler)), rotation, time);
+      Local& local = locals.at(at(channel.target_node));
+      if (rotation) local.rotation = v;
+      else if (channel.target_path == "scale") local.scale = glm::dvec3(v);
+      else local.translation = glm::dvec3(v);
+    }
+  }
+
+  /// Skinning matrices of a node's skin; empty without one.
+  std::vector<glm::dmat4> jointMatrices(const tinygltf::Node& node, const std::vector<glm::dmat4>& world) const {
+    std::vector<glm::dmat4> result;
+    if (node.skin < 0) return result;
+    const tinygltf::Skin& skin = model.skins.at(at(node.skin));
+    const std::vector<double> binds =
+        skin.inverseBindMatrices < 0 ? std::vector<double>{} : numbers(model, skin.inverseBindMatrices);
+    for (std::size_t j = 0; j < skin.joints.size(); ++j) {
+      glm::dmat4 inverseBind(1.0);
+      for (int i = 0; i < 16 && !binds.empty(); ++i) inverseBind[i / 4][i % 4] = binds[16 * j + at(i)];
+      result.push_back(world[at(skin.joints[j])] * inverseBind);
+    }
+    return result;
+  }
+
+  void addPrimitive(const tinygltf::Primitive& primitive, const glm::dmat4& world,
+                    const std::vector<glm::dmat4>& joints, std::vector<RawTriangle>& out) const {
+    const std::vector<double> positions = numbers(model, primitive.attributes.at("POSITION"));
+    std::vector<glm::dmat4> matrices(positions.size() / 3, joints.empty() ? world : glm::dmat4(0.0));
+    if (!joints.empty()) blend(primitive, joints, matrices);
+    std::vector<glm::dvec3> vertices;
+    for (std::size_t v = 0; v < matrices.size(); ++v) {
+      vertices.emplace_back(matrices[v] *
+                            glm::dvec4(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2], 1.0));
+    }
+    std::vector<double> indices;
+    if (primitive.indices >= 0) indices = numbers(model, primitive.indices);
+    else
+      for (std::size_t v = 0; v < vertices.size(); ++v) indices.push_back(static_cast<double>(v));
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+      RawTriangle triangle;
+      for (std::size_t k = 0; k < 3; ++k) triangle[k] = vertices.at(static_cast<std::size_t>(indices[i + k]));
+      out.push_back(triangle);
+    }
+  }
+
+  void blend(const tinygltf::Primitive& primitive, const std::vector<glm::dmat4>& joints,
+             std::vector<glm::dmat4>& matrices) const {
+    std::vector<double> sums(matrices.size(), 0.0);
+    for (int set = 0; primitive.attributes.contains("JOINTS_" + std::to_string(set)); ++set) {
+      const std::vector<double> j = numbers(model, primitive.attributes.at("JOINTS_" + std::to_string(set)));
+      const std::vector<double> w = numbers(model, primitive.attributes.at("WEIGHTS_" + std::to_string(set)));
+      for (std::size_t i = 0; i < j.size(); ++i) {
+        matrices[i / 4] += w[i] * joints.at(static_cast<std::size_t>(j[i]));
+        sums[i / 4] += w[i];
+      }
+    }
+    for (std::size_t v = 0; v < matrices.size(); ++v) matrices[v] /= sums[v];
+  }
+};
+
+GltfOracle::GltfOracle(const std::filesystem::path& file) : impl_(std::make_unique<Impl>()) {
+  tinygltf::TinyGLTF reader;
+  std::string error;
+  std::string warning;
+  const bool read = file.extension() == ".glb"
+                        ? reader.LoadBinaryFromFile(&impl_->model, &error, &warning, file.string())
+                        : reader.LoadASCIIFromFile(&impl_->model, &error, &warning, file.string());
+  if (!read) ADD_FAILURE() << file << ": " << error;
+  impl_->parents.assign(impl_->model.nodes.size(), -1);
+  for (std::size_t n = 0; n < impl_->model.nodes.size(); ++n) {
+    for (const int child : impl_->model.nodes[n].children) impl_->parents[at(child)] = static_cast<int>(n);
+  }
+}
+
+GltfOracle::~GltfOracle() = default;
+
+std::size_t GltfOracle::clips() const { return impl_->model.animations.size(); }
+
+double GltfOracle::duration(std::size_t clip) const {
+  double last = 0.0;
+  for (const auto& sampler : impl_->model.animations.at(clip).samplers) {
+    last = std::max(last, numbers(impl_->model, sampler.input).back());
+  }
+  return last;
+}
+
+std::vector<RawTriangle> GltfOracle::triangles(std::optional<std::size_t> clip, double time) const {
+  const std::vector<glm::dmat4> world = impl_->worlds(clip, time);
+  std::vector<RawTriangle> result;
+  for (std::size_t n = 0; n < impl_->model.nodes.size(); ++n) {
+    const tinygltf::Node& node = impl_->model.nodes[n];
+    if (node.mesh < 0) continue;
+    const std::vector<glm::dmat4> joints = impl_->jointMatrices(node, world);
+    for (const auto& primitive : impl_->model.meshes.at(at(node.mesh)).primitives) {
+      impl_->addPrimitive(primitive, world[n], joints, result);
+    }
+  }
+  return result;
+}
+
+namespace {
+
+/// Largest distance between a corner in the file and its vertex in the import; the corners may start elsewhere and turn
+/// the other way (mirrored binds).
+double distance(const RawTriangle& raw, const ControlTriangle& triangle, const std::vector<glm::vec3>& positions) {
+  double best = 1e300;
+  for (std::size_t start = 0; start < 6; ++start) {
+    double worst = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t k = start < 3 ? (start + i) % 3 : (start + 3 - i) % 3;
+      worst = std::max(worst, glm::length(raw[k] - glm::dvec3(positions[at(triangle.vertices[i])])));
+    }
+    best = std::min(best, worst);
+  }
+  return best;
+}
+
+/// Raw triangles that keep three corners when welded. Judged at rest: the bind pose has no smaller triangles there.
+std::vector<std::size_t> keptTriangles(const std::vector<RawTriangle>& triangles, double tolerance) {
+  std::vector<std::size_t> kept;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const RawTriangle& p = triangles[t];
+    if (glm::length(p[0] - p[1]) > tolerance && glm::length(p[1] - p[2]) > tolerance &&
+        glm::length(p[2] - p[0]) > tolerance) {
+      kept.push_back(t);
+    }
+  }
+  return kept;
+}
+
+}  // namespace
+
+void expectSkinsLikeTheFile(const std::filesystem::path& file, double tolerance) {
+  const auto imported = importGltf(file);
+  ASSERT_TRUE(imported.ok()) << imported.error().text();
+  const Character& character = *imported.value();
+  const double height = static_cast<double>(character.height);
+  const GltfOracle oracle(file);
+  const std::vector<RawTriangle> resting = oracle.triangles(std::nullopt, 0.0);
+  const std::vector<std::size_t> kept = keptTriangles(resting, 1e-6 * height);
+  ASSERT_EQ(kept.size(), character.mesh.triangles.size());
+  ASSERT_EQ(resting.size() - kept.size(), at(character.mesh.trianglesDropped));
+
+  SkinnedMesh skinned;
+  const auto compare = [&](const Pose& pose, const std::vector<RawTriangle>& raw, const std::string& when) {
+    skin(character, pose, skinned);
+    double worst = 0.0;
+    for (std::size_t t = 0; t < kept.size(); ++t) {
+      worst = std::max(worst, distance(raw[kept[t]], character.mesh.triangles[t], skinned.positions));
+    }
+    EXPECT_LE(worst, tolerance * height) << file << " " << when;
+  };
+  compare(restPose(character.skeleton), resting, "at rest");
+  ASSERT_EQ(oracle.clips(), character.clips.size());
+  for (std::size_t clip = 0; clip < oracle.clips(); ++clip) {
+    const double duration = oracle.duration(clip);
+    EXPECT_NEAR(duration, static_cast<double>(character.clips[clip].duration), 1e-6 * std::max(1.0, duration));
+    for (const double share : {0.0, 0.1, 0.37, 0.5, 0.81, 1.0}) {
+      const auto time = static_cast<float>(share * duration);
+      compare(samplePose(character.skeleton, character.clips[clip], time),
+              oracle.triangles(clip, static_cast<double>(time)),
+              character.clips[clip].name + " at " + std::to_string(time));
+    }
+  }
+}
+
+}  // namespace sinew::test

@@ -1,0 +1,54 @@
+// tests/support/oracle/compare.h: a surface against the oracle, with a tally that can be read.
+#pragma once
+
+#include <string>
+
+#include "sinew/smoothing/surface.h"
+#include "tests/support/oracle/finish.h"
+#include "tests/support/oracle/oracle.h"
+
+namespace sinew::oracle {
+
+/// The stages a surface went through: what the finisher starts from, and what it comes to.
+struct Stages {
+  const Surface& patch;  ///< Without muscles.
+  const Surface& raw;    ///< Projected, before fold guard and shading.
+  Finished finished;
+
+  Stages(const Oracle& oracle, const Surface& bindPatch, const Surface& patchOf, const Surface& rawOf)
+      : patch(patchOf),
+        raw(rawOf),
+        finished(oracle.standsAsProjected() ? unfinished(rawOf) : finish(bindPatch, patchOf, rawOf)) {}
+};
+
+/// What the comparison of some vertices came to. "Far": more than 1e-4 H from the oracle. What the fold guard took back
+/// is compared before the guard with the oracle, and after it with the finisher.
+struct Tally {
+  int compared = 0;
+  int sought = 0;           ///< The oracle looked for a root there.
+  int far = 0;              ///< Of the sought.
+  int farUnsought = 0;      ///< Of the others, where the surface must be the patch.
+  int anotherRoot = 0;      ///< Of the far: the surface lies on a later root of the same ray.
+  int nearTangent = 0;      ///< Of the far: |phi| < 1e-4 at the surface, a root that rounding makes or unmakes.
+  int unexplained = 0;      ///< Of the far: neither.
+  int guarded = 0;          ///< The finisher moves it back towards the patch.
+  int guardOff = 0;         ///< Of those: the surface is more than 1e-4 H from the finisher's position.
+  int shadingOff = 0;       ///< Of all: the surface's normal is more than 1 degree from the finisher's.
+  int normalsOff = 0;       ///< Field normals more than 1 degree from the oracle's, among the sought that are not far.
+  int normalsOnCrease = 0;  ///< Of those: two cliques tie there, so the gradient jumps.
+  double worstShading = 0.0;  ///< Degrees: largest angle of the surface's normal to the finisher's.
+  double worst = 0.0;         ///< Largest distance among those not far, fractions of H.
+  std::string firstFar;       ///< The first unexplained one, or else the first far one, in words.
+  std::string firstOff;       ///< The first vertex whose guard, shading or field normal is off.
+
+  void add(const Tally& other);
+  [[nodiscard]] double farShare() const { return sought > 0 ? static_cast<double>(far) / sought : 0.0; }
+  [[nodiscard]] double normalsOffShare() const { return sought > 0 ? static_cast<double>(normalsOff) / sought : 0.0; }
+  [[nodiscard]] std::string text() const;
+};
+
+/// Compares every `stride`-th vertex from `first` on. The oracle is posed already; the stages are of the same pose.
+Tally compare(const Oracle& oracle, const Character& character, const Stages& stages, const Surface& surface,
+              int stride, int first);
+
+}  // namespace sinew::oracle

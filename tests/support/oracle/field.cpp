@@ -1,0 +1,249 @@
+// tests/support/oracle/field.cpp: every primitive at every point, every clique by trying all subsets of the groups.
+
+#include "tests/support/oracle/field.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+
+namespace sinew::oracle {
+namespace {
+
+double smoothstep(double low, double high, double x) {
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+/// Tries all 2^groups subsets; keeps those whose members are pairwise linked and that nothing can join.
+std::vector<std::vector<bool>> allMaximalCliques(const std::vector<std::vector<bool>>& linked) {
+  const std::size_t groups = linked.size();
+  assert(groups <= 16);
+  std::vector<std::vector<bool>> out;
+  for (std::uint32_t bits = 1; bits < (1u << groups); ++bits) {
+    const auto has = [&](std::size_t i) { return (bits >> i & 1u) != 0; };
+    bool clique = true;
+    bool maximal = true;
+    for (std::size_t i = 0; i < groups; ++i) {
+      bool linkedToAll = true;
+      for (std::size_t j = 0; j < groups; ++j) {
+        if (i != j && has(j) && !linked[i][j]) linkedToAll = false;
+      }
+      if (has(i) && !linkedToAll) clique = false;
+      if (!has(i) && linkedToAll) maximal = false;
+    }
+    if (!clique || !maximal) continue;
+    std::vector<bool> members(groups);
+    for (std::size_t i = 0; i < groups; ++i) members[i] = has(i);
+    out.push_back(members);
+  }
+  return out;
+}
+
+std::vector<bool> territoryOf(const Primitive& primitive, int bone, const Skeleton& skeleton) {
+  std::vector<bool> in(skeleton.bones.size(), false);
+  const auto add = [&](int index) {
+    if (index >= 0) in[static_cast<std::size_t>(index)] = true;
+  };
+  if (primitive.territory) {
+    for (const std::string& name : *primitive.territory) add(boneNamed(skeleton, name));
+    return in;
+  }
+  add(bone);
+  add(skeleton.bones[static_cast<std::size_t>(bone)].parent);
+  for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
+    if (skeleton.bones[b].parent == bone) add(static_cast<int>(b));
+  }
+  return in;
+}
+
+}  // namespace
+
+double g(double r) { return r < 1.0 ? (1.0 - r * r) * (1.0 - r * r) : 0.0; }
+double gSlope(double r) { return r < 1.0 ? -4.0 * r * (1.0 - r * r) : 0.0; }
+
+int boneNamed(const Skeleton& skeleton, const std::string& name) {
+  int found = -1;
+  int hits = 0;
+  for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
+    if (skeleton.bones[b].path == name) return static_cast<int>(b);
+    if (skeleton.bones[b].name == name) {
+      found = static_cast<int>(b);
+      ++hits;
+    }
+  }
+  return hits == 1 ? found : -1;
+}
+
+Field::Field(const Character& character, const Rig& rig)
+    : character_(character), iso_(static_cast<double>(rig.surface.iso)) {
+  const auto groupNamed = [&](const std::string& name) {
+    const auto at = std::find_if(rig.groups.begin(), rig.groups.end(), [&](const Group& x) { return x.name == name; });
+    return at - rig.groups.begin();
+  };
+  std::vector<std::vector<bool>> linked(rig.groups.size(), std::vector<bool>(rig.groups.size(), false));
+  for (const auto& link : rig.links) {
+    const auto a = static_cast<std::size_t>(groupNamed(link[0]));
+    const auto b = static_cast<std::size_t>(groupNamed(link[1]));
+    linked[a][b] = linked[b][a] = true;
+  }
+  cliques_ = allMaximalCliques(linked);
+
+  for (const Primitive& primitive : rig.primitives) {
+    Item item;
+    item.bone = boneNamed(character.skeleton, primitive.bone);
+    if (item.bone < 0) continue;
+    item.group = static_cast<int>(groupNamed(primitive.group));
+    const double reach = static_cast<double>(primitive.reach);
+    item.reach = reach;
+    item.strength = iso_ / g(1.0 / reach);
+    item.sign = primitive.sign;
+    item.centerInBone = vec(primitive.placement.center);
+    const Vec radii = vec(primitive.placement.radii);
+    const Mat scale{{{{reach * radii.x, 0, 0}, {0, reach * radii.y, 0}, {0, 0, reach * radii.z}}}};
+    item.unitToBone = rotation(primitive.placement.rotation) * scale;
+    item.territory = territoryOf(primitive, item.bone, character.skeleton);
+    primitives_.push_back(item);
+  }
+}
+
+void Field::pose(const Pose& pose) {
+  for (Item& item : primitives_) {
+    const Affine bone = affine(pose.boneInWorld[static_cast<std::size_t>(item.bone)]);
+    item.center = apply(bone, item.centerInBone);
+    const Mat toWorld = bone.linear * item.unitToBone;
+    item.flat = determinant(toWorld) == 0.0;
+    if (!item.flat) item.toUnit = inverse(toWorld);
+    item.meanRadius = std::cbrt(std::abs(determinant(toWorld))) / item.reach;
+  }
+}
+
+std::vector<double> Field::territoryWeights(int vertex) const {
+  std::vector<double> out;
+  for (const Item& item : primitives_) {
+    double share = 0.0;
+    for (const Influence& influence : character_.mesh.influencesOf(vertex)) {
+      const int bone = character_.skeleton.bindings[static_cast<std::size_t>(influence.binding)].bone;
+      if (item.territory[static_cast<std::size_t>(bone)]) share += static_cast<double>(influence.weight);
+    }
+    out.push_back(smoothstep(0.0, 0.5, share));
+  }
+  return out;
+}
+
+double Field::radius(const Item& item, const Vec& point) const {
+  return item.flat ? 2.0 : length(item.toUnit * (point - item.center));
+}
+
+std::vector<double> Field::cliqueSums(const Vec& point, std::span<const double> weights) const {
+  std::vector<double> perGroup(cliques_.empty() ? 0 : cliques_.front().size(), 0.0);
+  for (std::size_t i = 0; i < primitives_.size(); ++i) {
+    const Item& item = primitives_[i];
+    if (weights[i] <= 0.0 || item.sign < 0) continue;
+    perGroup[static_cast<std::size_t>(item.group)] += weights[i] * item.strength * g(radius(item, point));
+  }
+  std::vector<double> sums;
+  for (const auto& clique : cliques_) {
+    double sum = 0.0;
+    for (std::size_t group = 0; group < clique.size(); ++group) sum += clique[group] ? perGroup[group] : 0.0;
+    sums.push_back(sum);
+  }
+  return sums;
+}
+
+double Field::value(const Vec& point, std::span<const double> weights) const {
+  const std::vector<double> sums = cliqueSums(point, weights);
+  double out = sums.empty() ? 0.0 : *std::max_element(sums.begin(), sums.end());
+  for (std::size_t i = 0; i < primitives_.size(); ++i) {
+    const Item& item = primitives_[i];
+    if (weights[i] > 0.0 && item.sign < 0) out -= weights[i] * item.strength * g(radius(item, point));
+  }
+  return out;
+}
+
+Vec Field::gradient(const Vec& point, std::span<const double> weights) const {
+  const std::vector<double> sums = cliqueSums(point, weights);
+  const auto winner = static_cast<std::size_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
+  Vec out;
+  for (std::size_t i = 0; i < primitives_.size(); ++i) {
+    const Item& item = primitives_[i];
+    const bool counts = item.sign < 0 || cliques_[winner][static_cast<std::size_t>(item.group)];
+    if (weights[i] <= 0.0 || !counts || item.flat) continue;
+    const Vec inUnit = item.toUnit * (point - item.center);
+    const double r = length(inUnit);
+    if (r >= 1.0 || r == 0.0) continue;
+    // grad r = A^T (A d) / r.
+    out = out + (item.sign * weights[i] * item.strength * gSlope(r) / r) * (transpose(item.toUnit) * inUnit);
+  }
+  return out;
+}
+
+double Field::lead(const Vec& point, std::span<const double> weights) const {
+  std::vector<double> sums = cliqueSums(point, weights);
+  if (sums.empty()) return 1e300;
+  std::sort(sums.begin(), sums.end(), std::greater<>());
+  const double best = sums.front();
+  // Cliques whose other groups add nothing here tie exactly and have the same gradient: skip those.
+  for (const double sum : sums) {
+    if (sum < best * (1.0 - 1e-12)) return best - sum;
+  }
+  return 1e300;
+}
+
+double Field::nearest(const Vec& point, std::span<const double> weights) const {
+  double out = 1e300;
+  for (std::size_t i = 0; i < primitives_.size(); ++i) {
+    if (weights[i] > 0.0 && !primitives_[i].flat) out = std::min(out, radius(primitives_[i], point));
+  }
+  return out;
+}
+
+double Field::blendWidth(const Vec& point, std::span<const double> weights, double most) const {
+  double sum = 0.0;
+  double total = 0.0;
+  for (std::size_t i = 0; i < primitives_.size(); ++i) {
+    const Item& item = primitives_[i];
+    if (weights[i] <= 0.0) continue;
+    const double share = weights[i] * item.strength * g(radius(item, point));
+    sum += share * std::min(most, item.meanRadius);
+    total += share;
+  }
+  return total > 0.0 ? sum / total : most;
+}
+
+bool Field::inRegion(const Vec& point, std::span<const double> weights) const { return nearest(point, weights) < 1.0; }
+
+Field::Ray Field::along(const Vec& origin, const Vec& direction, std::span<const double> weights) const {
+  Ray out;
+  out.cliques_ = &cliques_;
+  for (std::size_t i = 0; i < primitives_.size(); ++i) {
+    const Item& item = primitives_[i];
+    if (weights[i] <= 0.0 || item.flat) continue;
+    const Vec start = item.toUnit * (origin - item.center);
+    const Vec along = item.toUnit * direction;
+    const double a = dot(along, along);
+    const double b = dot(start, along);
+    const double discriminant = b * b - a * (dot(start, start) - 1.0);
+    if (discriminant <= 0.0) continue;
+    out.end_ = std::max(out.end_, (-b + std::sqrt(discriminant)) / a);
+    out.terms_.push_back({start, along, item.sign * weights[i] * item.strength, static_cast<std::size_t>(item.group)});
+  }
+  return out;
+}
+
+double Field::Ray::value(double t) const {
+  std::array<double, 16> perGroup{};
+  double carved = 0.0;
+  for (const Term& term : terms_) {
+    const double r = length(term.start + t * term.along);
+    (term.strength < 0.0 ? carved : perGroup[term.group]) += term.strength * g(r);
+  }
+  double best = 0.0;
+  for (const auto& clique : *cliques_) {
+    double sum = 0.0;
+    for (std::size_t group = 0; group < clique.size(); ++group) sum += clique[group] ? perGroup[group] : 0.0;
+    best = std::max(best, sum);
+  }
+  return best + carved;
+}
+
+}  // namespace sinew::oracle

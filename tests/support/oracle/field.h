@@ -1,0 +1,96 @@
+// tests/support/oracle/field.h: F of docs/field.md by brute force in double.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sinew/character/character.h"
+#include "sinew/rig/rig.h"
+#include "sinew/skeleton/pose.h"
+#include "tests/support/oracle/math.h"
+
+namespace sinew::oracle {
+
+/// g and its derivative by r (paper 3.1).
+double g(double r);
+double gSlope(double r);
+
+/// All attached primitives of a rig, their groups' cliques and, once posed, their places in the world.
+/// Weights everywhere are m_i, one per attached primitive, as docs/field.md wants them at the asking vertex.
+class Field {
+ public:
+  Field(const Character& character, const Rig& rig);
+
+  void pose(const Pose& pose);
+
+  [[nodiscard]] int count() const { return static_cast<int>(primitives_.size()); }
+  [[nodiscard]] double iso() const { return iso_; }
+  /// m_i(v) of a control vertex.
+  [[nodiscard]] std::vector<double> territoryWeights(int vertex) const;
+  [[nodiscard]] double value(const Vec& point, std::span<const double> weights) const;
+  /// Of the clique that wins at the point.
+  [[nodiscard]] Vec gradient(const Vec& point, std::span<const double> weights) const;
+  /// By how much the best clique's positive part leads the best clique with another one; 0 on a crease.
+  [[nodiscard]] double lead(const Vec& point, std::span<const double> weights) const;
+  /// Smallest r = q / k of any primitive with weight > 0: 1 and more means that none reaches the point.
+  [[nodiscard]] double nearest(const Vec& point, std::span<const double> weights) const;
+  /// h of docs/design.md: the mean over the primitives that reach the point of their mean radius, at most `most` each,
+  /// weighted by |m_i f_i|; `most` where none does.
+  [[nodiscard]] double blendWidth(const Vec& point, std::span<const double> weights, double most) const;
+  /// Some m_i f_i != 0.
+  [[nodiscard]] bool inRegion(const Vec& point, std::span<const double> weights) const;
+
+  /// What primitives and carves add along origin + t direction: value(t) is Field::value there, asked often.
+  class Ray {
+   public:
+    [[nodiscard]] double value(double t) const;
+    /// Largest t at which a primitive still reaches the ray; 0 if none does from t = 0 on.
+    [[nodiscard]] double end() const { return end_; }
+    [[nodiscard]] bool isEmpty() const { return terms_.empty(); }
+
+   private:
+    friend class Field;
+    struct Term {
+      Vec start;  ///< Unit-ball space.
+      Vec along;
+      double strength = 0.0;  ///< sign m s
+      std::size_t group = 0;
+    };
+    std::vector<Term> terms_;
+    const std::vector<std::vector<bool>>* cliques_ = nullptr;
+    double end_ = 0.0;
+  };
+  /// The Field must outlive the ray and keep its pose.
+  [[nodiscard]] Ray along(const Vec& origin, const Vec& direction, std::span<const double> weights) const;
+
+ private:
+  struct Item {
+    int bone = 0;
+    int group = 0;
+    Vec centerInBone;
+    Mat unitToBone;  ///< Unit ball -> influence ellipsoid about its centre, bone space.
+    double reach = 1.0;
+    double strength = 1.0;
+    int sign = 1;
+    std::vector<bool> territory;  ///< [bones]
+    // Posed:
+    Vec center;
+    Mat toUnit;
+    double meanRadius = 0.0;  ///< Of the ball with the visible ellipsoid's volume.
+    bool flat = false;
+  };
+
+  [[nodiscard]] double radius(const Item& item, const Vec& point) const;
+  /// Positive sums [cliques] at a point.
+  [[nodiscard]] std::vector<double> cliqueSums(const Vec& point, std::span<const double> weights) const;
+
+  const Character& character_;
+  double iso_ = 0.25;
+  std::vector<Item> primitives_;
+  std::vector<std::vector<bool>> cliques_;  ///< All maximal ones: [groups] membership.
+};
+
+/// Bone by path, or by name if that is unique; -1 otherwise (docs/formats.md).
+int boneNamed(const Skeleton& skeleton, const std::string& name);
+
+}  // namespace sinew::oracle

@@ -1,0 +1,242 @@
+// tests/support/oracle/finish.cpp: every triangle and every vertex in every round.
+
+#include "tests/support/oracle/finish.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace sinew::oracle {
+namespace {
+
+constexpr double kRelaxedArea = 0.4;
+constexpr double kSafeArea = 0.25;
+constexpr double kNoFront = 0.02;
+constexpr double kWholeFront = 0.17;
+constexpr double kFreedom = 0.145;
+
+using Triangles = std::vector<std::array<int, 3>>;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+Vec cross(const Vec& a, const Vec& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+
+Vec faceOf(const std::vector<Vec>& at, const std::array<int, 3>& t) {
+  return cross(at[index(t[1])] - at[index(t[0])], at[index(t[2])] - at[index(t[0])]);
+}
+
+std::vector<Vec> vecs(const std::vector<glm::vec3>& from) {
+  std::vector<Vec> out;
+  for (const glm::vec3& v : from) out.push_back(vec(v));
+  return out;
+}
+
+double smoothstep(double low, double high, double x) {
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+/// How much a triangle of the patch faces along its vertices' normals; below 0 where it folds back.
+double frontOf(const std::array<int, 3>& t, const std::vector<Vec>& patch, const std::vector<Vec>& normals) {
+  double edges = 0.0;
+  Vec mean;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec edge = patch[index(t[(i + 1) % 3])] - patch[index(t[i])];
+    edges += dot(edge, edge);
+    mean = mean + (1.0 / 3.0) * normals[index(t[i])];
+  }
+  return edges > 0.0 ? dot(faceOf(patch, t), mean) / edges : 0.0;
+}
+
+/// The patch and its bind pose, as the search for folds sees them.
+struct Folds {
+  const Triangles& triangles;
+  std::vector<Vec> patch;
+  std::vector<Vec> normals;
+  std::vector<double> bindFronts;
+
+  /// q of a lifted triangle; nothing where it has none.
+  std::optional<double> areaOf(std::size_t i, const std::vector<Vec>& at) const {
+    const Vec before = faceOf(patch, triangles[i]);
+    const double squared = dot(before, before);
+    if (squared == 0.0 || bindFronts[i] <= 0.0) return std::nullopt;
+    return dot(faceOf(at, triangles[i]), before) / squared;
+  }
+
+  double trustIn(std::size_t i) const {
+    return smoothstep(kNoFront, kWholeFront, frontOf(triangles[i], patch, normals) / bindFronts[i]);
+  }
+};
+
+using Neighbours = std::vector<std::vector<std::size_t>>;
+
+/// The other corners of the triangles around each vertex: a neighbour counts once for every triangle it shares, so that
+/// neighbours along a border count half.
+Neighbours neighboursOf(const Triangles& triangles, std::size_t count) {
+  Neighbours out(count);
+  for (const auto& t : triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      out[index(t[i])].push_back(index(t[(i + 1) % 3]));
+      out[index(t[i])].push_back(index(t[(i + 2) % 3]));
+    }
+  }
+  return out;
+}
+
+/// Inside, every neighbour is met twice.
+std::vector<bool> bordersOf(const Neighbours& neighbours) {
+  std::vector<bool> out;
+  for (const std::vector<std::size_t>& around : neighbours) {
+    out.push_back(std::ranges::any_of(around, [&](std::size_t u) { return std::ranges::count(around, u) != 2; }));
+  }
+  return out;
+}
+
+/// Mean over the neighbours less the value itself.
+std::vector<Vec> laplacian(const Neighbours& neighbours, const std::vector<Vec>& values) {
+  std::vector<Vec> out(values.size());
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    if (neighbours[v].empty()) continue;
+    Vec sum;
+    for (const std::size_t u : neighbours[v]) sum = sum + values[u];
+    out[v] = (1.0 / static_cast<double>(neighbours[v].size())) * sum - values[v];
+  }
+  return out;
+}
+
+void relaxFolds(const Folds& folds, const Neighbours& neighbours, std::vector<Vec>& at) {
+  const std::vector<bool> borders = bordersOf(neighbours);
+  const std::vector<Vec> start = at;
+  std::vector<double> weights(at.size(), 0.0);
+  for (int round = 0; round < 32; ++round) {
+    for (double& weight : weights) weight = std::max(0.0, weight - 0.25);
+    for (std::size_t i = 0; i < folds.triangles.size(); ++i) {
+      const std::optional<double> q = folds.areaOf(i, at);
+      if (!q || *q >= kRelaxedArea) continue;
+      const double weight = folds.trustIn(i) * (1.0 - smoothstep(0.0, kRelaxedArea, *q));
+      for (const int v : folds.triangles[i]) weights[index(v)] = std::max(weights[index(v)], weight);
+    }
+    const std::vector<Vec> towardsMean = laplacian(neighbours, at);
+    for (std::size_t v = 0; v < at.size(); ++v) {
+      if (borders[v] || weights[v] == 0.0) continue;
+      const double room = length(start[v] - folds.patch[v]);
+      if (room == 0.0) continue;
+      const Vec way = at[v] + weights[v] * towardsMean[v] - start[v];
+      at[v] = start[v] + std::min(1.0, room / std::max(1e-300, length(way))) * way;
+    }
+  }
+}
+
+/// Least share of their lift that triangles ask each corner to keep, as things are.
+std::vector<double> sharesAsked(const Folds& folds, const std::vector<Vec>& at) {
+  std::vector<double> shares(at.size(), 1.0);
+  for (std::size_t i = 0; i < folds.triangles.size(); ++i) {
+    const std::optional<double> q = folds.areaOf(i, at);
+    if (!q || *q >= kSafeArea) continue;
+    const double asked = 1.0 - folds.trustIn(i) * (1.0 - (1.0 - kSafeArea) / (1.0 - *q));
+    for (const int v : folds.triangles[i]) shares[index(v)] = std::min(shares[index(v)], asked);
+  }
+  return shares;
+}
+
+void guardFolds(const Folds& folds, std::vector<Vec>& at) {
+  for (int round = 0; round < 64; ++round) {
+    const std::vector<double> shares = sharesAsked(folds, at);
+    for (std::size_t v = 0; v < at.size(); ++v) {
+      if (shares[v] != 1.0) at[v] = folds.patch[v] + shares[v] * (at[v] - folds.patch[v]);
+    }
+  }
+}
+
+/// Unit normals of the faces around each vertex, each face weighted by its angle there.
+std::vector<Vec> faceNormals(const Triangles& triangles, const std::vector<Vec>& at) {
+  std::vector<Vec> sums(at.size());
+  for (const auto& t : triangles) {
+    const Vec normal = unitOr(faceOf(at, t), {});
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec corner = at[index(t[i])];
+      const Vec one = at[index(t[(i + 1) % 3])] - corner;
+      const Vec other = at[index(t[(i + 2) % 3])] - corner;
+      const double angle = std::atan2(length(cross(one, other)), dot(one, other));
+      sums[index(t[i])] = sums[index(t[i])] + angle * normal;
+    }
+  }
+  for (Vec& sum : sums) sum = unitOr(sum, {});
+  return sums;
+}
+
+/// What the least rotation that takes the unit vector `from` to the unit vector `to` adds to v; towards opposite ones
+/// their plain difference.
+Vec turnOf(const Vec& v, const Vec& from, const Vec& to) {
+  if (length(from) == 0.0 || length(to) == 0.0) return {};
+  const double cosine = dot(from, to);
+  const double share = smoothstep(-0.95, -0.7, cosine);
+  const Vec difference = to - from;
+  if (share == 0.0) return difference;
+  const Vec axis = cross(from, to);
+  const Vec turned = cosine * v + cross(axis, v) + (dot(axis, v) / (1.0 + cosine)) * axis;
+  return share * (turned - v) + (1.0 - share) * difference;
+}
+
+/// w of the largest difference to a neighbour's delta, and of the larger of the vertex's own delta and delta'.
+double toothWeight(double difference, double own) {
+  const double betweenNeighbours = smoothstep(0.22, 0.45, difference) * (1.0 - smoothstep(0.45, 0.8, difference));
+  return 0.23 * betweenNeighbours * smoothstep(0.0, 0.1, own);
+}
+
+/// @param turns  of each vertex: the larger of its delta' and of its delta before it was held to the faces.
+void removeTeeth(const Triangles& triangles, const std::vector<double>& turns, std::vector<Vec>& deltas) {
+  const Neighbours neighbours = neighboursOf(triangles, deltas.size());
+  const std::vector<Vec> squared = laplacian(neighbours, laplacian(neighbours, deltas));
+  std::vector<Vec> out = deltas;
+  for (std::size_t v = 0; v < deltas.size(); ++v) {
+    double difference = 0.0;
+    for (const std::size_t u : neighbours[v]) difference = std::max(difference, length(deltas[u] - deltas[v]));
+    out[v] = deltas[v] - toothWeight(difference, turns[v]) * squared[v];
+  }
+  deltas = out;
+}
+
+}  // namespace
+
+Finished finish(const Surface& bindPatch, const Surface& patch, const Surface& raw) {
+  const Triangles& triangles = raw.refinement->triangles;
+  const std::vector<Vec> patchPositions = vecs(patch.positions);
+  const std::vector<Vec> patchNormals = vecs(patch.normals);
+  const std::vector<Vec> fieldNormals = vecs(raw.normals);
+  Finished out;
+  out.positions = vecs(raw.positions);
+  const std::vector<Vec> bindPositions = vecs(bindPatch.positions);
+  const std::vector<Vec> bindNormals = vecs(bindPatch.normals);
+  Folds folds{triangles, patchPositions, patchNormals, {}};
+  for (const auto& t : triangles) folds.bindFronts.push_back(frontOf(t, bindPositions, bindNormals));
+  const std::vector<Vec> projected = out.positions;
+  relaxFolds(folds, neighboursOf(triangles, projected.size()), out.positions);
+  guardFolds(folds, out.positions);
+  for (std::size_t v = 0; v < projected.size(); ++v) {
+    out.guarded.push_back(length(out.positions[v] - projected[v]) > 0.0);
+  }
+
+  const std::vector<Vec> patchFaces = faceNormals(triangles, patchPositions);
+  const std::vector<Vec> faces = faceNormals(triangles, out.positions);
+  std::vector<double> turns;
+  std::vector<Vec> deltas;
+  for (std::size_t v = 0; v < patchNormals.size(); ++v) {
+    const Vec ofField = fieldNormals[v] - patchNormals[v];
+    const Vec ofFaces = turnOf(patchNormals[v], patchFaces[v], faces[v]);
+    const double distance = length(ofField - ofFaces);
+    deltas.push_back(ofFaces + (distance > kFreedom ? kFreedom / distance : 1.0) * (ofField - ofFaces));
+    turns.push_back(std::max(length(ofField), length(ofFaces)));
+  }
+  removeTeeth(triangles, turns, deltas);
+  for (std::size_t v = 0; v < deltas.size(); ++v) {
+    out.normals.push_back(unitOr(patchNormals[v] + deltas[v], patchNormals[v]));
+  }
+  return out;
+}
+
+Finished unfinished(const Surface& raw) {
+  return {std::vector<bool>(raw.positions.size(), false), vecs(raw.positions), vecs(raw.normals)};
+}
+
+}  // namespace sinew::oracle

@@ -1,0 +1,148 @@
+// tests/support/rigs/random_documents.cpp: rigs as files may hold them.
+#include "tests/support/rigs/random_documents.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "core/io/json/json.h"
+#include "tests/support/rigs/random_rigs.h"
+
+namespace sinew::test {
+namespace {
+
+float anyFloat(Random& random) {
+  for (;;) {
+    const float value = std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
+    if (std::isfinite(value)) return value;
+  }
+}
+
+float positiveFloat(Random& random) {
+  for (;;) {
+    const float value = std::abs(anyFloat(random));
+    if (value > 0.0f) return value;
+  }
+}
+
+/// Denormals and the ends of the range come seldom among random bits; here they come often.
+float edgeFloat(Random& random) {
+  constexpr std::array<float, 8> kEdges{0.0f, -0.0f, 1e-45f, 1.17549435e-38f, 3.4028235e+38f, 16777216.0f, 0.1f, -1.0f};
+  return random.chance(0.3f) ? kEdges[static_cast<std::size_t>(random.below(8))] : anyFloat(random);
+}
+
+std::string anyName(Random& random, int number) {
+  constexpr std::array<const char*, 12> kPieces{"thigh", " ", "é",  "大腿", "\U0001F4AA", "\"",
+                                                "\\",    "/", "\n", "\t",   "\x01",       " L"};
+  std::string name = std::to_string(number);
+  for (int i = random.below(6); i > 0; --i) name += kPieces[static_cast<std::size_t>(random.below(12))];
+  return name;
+}
+
+Json anyJson(Random& random, int depth) {
+  switch (random.below(depth > 0 ? 7 : 5)) {
+    case 0:
+      return Json();
+    case 1:
+      return Json(random.chance(0.5f));
+    case 2:
+      return Json(random.below(1000000) - 500000);
+    case 3:
+      return Json(static_cast<double>(anyFloat(random)) / 3.0);
+    case 4:
+      return Json(anyName(random, 0));
+    case 5: {
+      Json list = Json::array();
+      for (int i = random.below(4); i > 0; --i) list.push(anyJson(random, depth - 1));
+      return list;
+    }
+    default:
+      break;
+  }
+  Json object = Json::object();
+  for (int i = random.below(4); i > 0; --i) object.set(anyName(random, i), anyJson(random, depth - 1));
+  return object;
+}
+
+std::string anyUnknownKeys(Random& random) {
+  if (random.chance(0.6f)) return {};
+  Json object = Json::object();
+  object.set("x-note", anyJson(random, 4));
+  if (random.chance(0.5f)) object.set(anyName(random, 1), anyJson(random, 2));
+  return object.dump();
+}
+
+Primitive anyPrimitive(Random& random, const Rig& rig) {
+  Primitive primitive;
+  primitive.name = anyName(random, static_cast<int>(rig.primitives.size()));
+  primitive.bone = anyName(random, random.below(9));
+  primitive.group = rig.groups[static_cast<std::size_t>(random.below(static_cast<int>(rig.groups.size())))].name;
+  primitive.placement.center = {edgeFloat(random), edgeFloat(random), edgeFloat(random)};
+  primitive.placement.rotation = random.rotation();
+  primitive.placement.radii = {positiveFloat(random), positiveFloat(random), random.uniform(0.1f, 9.0f)};
+  primitive.reach =
+      std::nextafter(1.0f, 2.0f) + std::abs(random.chance(0.5f) ? random.uniform(0.0f, 3.0f) : anyFloat(random));
+  if (!std::isfinite(primitive.reach)) primitive.reach = 2.0f;
+  primitive.sign = random.chance(0.8f) ? 1 : -1;
+  if (random.chance(0.3f)) {
+    primitive.territory.emplace();
+    for (int i = random.below(4); i > 0; --i) primitive.territory->push_back(anyName(random, i));
+  }
+  primitive.unknownKeys = anyUnknownKeys(random);
+  return primitive;
+}
+
+void pairTwins(Random& random, Rig& rig) {
+  for (std::size_t i = 0; i + 1 < rig.primitives.size(); i += 2) {
+    if (random.chance(0.5f)) continue;
+    rig.primitives[i].mirror = rig.primitives[i + 1].name;
+    rig.primitives[i + 1].mirror = rig.primitives[i].name;
+  }
+}
+
+std::array<std::uint32_t, 11> bitsOf(const Primitive& p) {
+  const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };
+  const auto& [c, q, r] = p.placement;
+  return {bits(c.x), bits(c.y), bits(c.z), bits(q.x), bits(q.y),    bits(q.z),
+          bits(q.w), bits(r.x), bits(r.y), bits(r.z), bits(p.reach)};
+}
+
+}  // namespace
+
+Rig randomDocument(std::uint64_t seed) {
+  Random random(seed);
+  Rig rig;
+  rig.character = anyName(random, 0) + ".glb";
+  rig.surface = {random.chance(0.5f) ? SurfaceMode::kSwell : SurfaceMode::kReplace, random.uniform(kLeastIso, kMostIso),
+                 std::min(positiveFloat(random), kMostSkinBlend), anyUnknownKeys(random)};
+  rig.smoothing = {1 + random.below(kMaxDepth),
+                   static_cast<PatchKind>(random.below(4)),
+                   static_cast<ProjectionKind>(random.below(3)),
+                   random.chance(0.5f) ? kDefaultCreaseAngle : random.uniform(0.0f, 180.0f),
+                   random.chance(0.3f),
+                   anyUnknownKeys(random)};
+  const int groups = 1 + random.below(5);
+  for (int i = 0; i < groups; ++i) rig.groups.push_back({anyName(random, i), anyUnknownKeys(random)});
+  for (int a = 0; a < groups; ++a) {
+    for (int b = a + 1; b < groups; ++b) {
+      if (!random.chance(0.4f)) continue;
+      rig.links.push_back({rig.groups[static_cast<std::size_t>(a)].name, rig.groups[static_cast<std::size_t>(b)].name});
+    }
+  }
+  for (int i = random.below(8); i > 0; --i) rig.primitives.push_back(anyPrimitive(random, rig));
+  pairTwins(random, rig);
+  rig.unknownKeys = anyUnknownKeys(random);
+  return rig;
+}
+
+bool sameFloatBits(const Rig& a, const Rig& b) {
+  if (a.primitives.size() != b.primitives.size()) return false;
+  for (std::size_t i = 0; i < a.primitives.size(); ++i) {
+    if (bitsOf(a.primitives[i]) != bitsOf(b.primitives[i])) return false;
+  }
+  return std::bit_cast<std::uint32_t>(a.surface.iso) == std::bit_cast<std::uint32_t>(b.surface.iso) &&
+         std::bit_cast<std::uint32_t>(a.surface.skinBlend) == std::bit_cast<std::uint32_t>(b.surface.skinBlend) &&
+         std::bit_cast<std::uint32_t>(a.smoothing.creaseAngle) == std::bit_cast<std::uint32_t>(b.smoothing.creaseAngle);
+}
+
+}  // namespace sinew::test

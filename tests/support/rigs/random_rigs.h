@@ -1,0 +1,48 @@
+// tests/support/rigs/random_rigs.h: seeded rigs and poses; the same seed gives the same on every machine.
+#pragma once
+
+#include <cstdint>
+
+#include "sinew/character/character.h"
+#include "sinew/rig/rig.h"
+#include "sinew/skeleton/pose.h"
+
+namespace sinew::test {
+
+/// Small, fast, portable generator (SplitMix64).
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+  [[nodiscard]] std::uint64_t next();
+  [[nodiscard]] float uniform(float low, float high);
+  [[nodiscard]] int below(int count);  ///< 0 .. count-1
+  [[nodiscard]] bool chance(float probability) { return uniform(0.0f, 1.0f) < probability; }
+  [[nodiscard]] glm::quat rotation();
+
+ private:
+  std::uint64_t state_;
+};
+
+struct RigRecipe {
+  int primitives = 5;
+  int groups = 3;           ///< 1..8
+  float linkChance = 0.4f;  ///< Of each pair of groups.
+  float carveChance = 0.15f;
+  float radiusLow = 0.03f;  ///< Fractions of H.
+  float radiusHigh = 0.10f;
+};
+
+/// Ellipsoids as a designer might set them: centres a little under or over the skin of random bones, any orientation,
+/// reach 1.2 to 2; default territories but for a few.
+[[nodiscard]] Rig randomRig(const Character& character, const RigRecipe& recipe, std::uint64_t seed);
+
+/// Every bone turned against its parent by up to `angle` radians and stretched unevenly by up to `stretch`, from the
+/// bind pose.
+[[nodiscard]] Pose randomPose(const Skeleton& skeleton, float angle, float stretch, std::uint64_t seed);
+
+/// One ellipsoid of the given radii (character units) on a bone, centred at a bind-pose point in the world.
+[[nodiscard]] Primitive ellipsoidAt(const Character& character, const std::string& name, const std::string& bone,
+                                    const std::string& group, const glm::vec3& centerInBindWorld,
+                                    const glm::vec3& radii);
+
+}  // namespace sinew::test

@@ -1,0 +1,37 @@
+// tests/support/rigs/trial_scenes.h: the characters with rigs that whole-surface tests go through.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sinew/character/character.h"
+#include "sinew/rig/rig.h"
+#include "sinew/skeleton/pose.h"
+
+namespace sinew::test {
+
+struct TrialScene {
+  std::string name;
+  std::shared_ptr<const Character> character;
+  Rig rig;  ///< Its mode is the scene's own; tests set the mode they try.
+};
+
+/// assets/wrapped and assets/tangle with their rigs, always; then those of Fox, greenman, cesium_man and robot that are
+/// at hand, each with 12 muscles set by rule (app/cli/trial_rig.h). Prints which are left out, once.
+[[nodiscard]] const std::vector<TrialScene>& trialScenes();
+
+/// The same with materials that have one side: what may be culled.
+[[nodiscard]] TrialScene oneSided(TrialScene scene);
+/// Least share of its triangles that culling should find, all around: on wrapped and tangle muscles move almost all.
+[[nodiscard]] double leastCulled(const TrialScene& scene);
+
+/// One of them; fails the test if there is none of that name.
+[[nodiscard]] const TrialScene& trialScene(const std::string& name);
+
+[[nodiscard]] Rig withMode(Rig rig, SurfaceMode mode, ProjectionKind projection = ProjectionKind::kNewton);
+
+/// The bind pose, then `count` moments spread over all clips.
+[[nodiscard]] std::vector<Pose> spreadPoses(const Character& character, int count);
+
+}  // namespace sinew::test

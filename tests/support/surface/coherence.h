@@ -1,0 +1,57 @@
+// tests/support/surface/coherence.h: how far the skin steps from frame to frame over all clips, and what made it step
+// far.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "tests/support/rigs/trial_scenes.h"
+
+namespace sinew::test {
+
+constexpr float kFarStep = 0.01f;  ///< Of H, a frame of 1/60 s: what counts as far.
+
+/// Of several that apply, the first.
+enum class StepCause {
+  kFolds,        ///< Relaxation and guard moved the vertex further than its projection did.
+  kCrossing,     ///< `replace`: the skin passed the surface F = T.
+  kAnchor,       ///< `replace`: the anchor came to be inside, or no longer is.
+  kRoots,        ///< `replace`: a stretch of F > T appeared or vanished.
+  kShares,       ///< `replace`: more than half of it is the change of the stretches' shares.
+  kOverhang,     ///< phi is not monotone between the two places on the ray: air lies between them.
+  kMuscle,       ///< No further than a muscle there moved against the skin, which moved further than the ray.
+  kSwingingRay,  ///< No further than the ray moved at the root.
+  kSteepFlank,   ///< Further than anything that moved it.
+};
+
+/// As the enumerator is written.
+[[nodiscard]] const char* nameOf(StepCause cause);
+
+/// One vertex between two frames.
+struct Step {
+  float size = 0.0f;  ///< Of H, in the frame that rides on the patch.
+  int vertex = 0;
+  std::string clip;
+  float time = 0.0f;    ///< Of the later frame.
+  std::string details;  ///< Of far steps: numbers for whoever looks into it.
+};
+
+struct FarSteps {
+  long long count = 0;
+  Step largest;
+};
+
+struct Coherence {
+  int frames = 0;
+  long long vertexSteps = 0;  ///< Vertices in frames.
+  Step largest;
+  std::map<StepCause, FarSteps> far;
+
+  [[nodiscard]] long long farSteps() const;
+};
+
+/// Smooths every clip at 60 frames a second with and without the rig's muscles. Brute force (oracle.h) says what made
+/// the far steps.
+[[nodiscard]] Coherence walkClips(const TrialScene& scene, const Rig& rig);
+
+}  // namespace sinew::test

@@ -1,0 +1,42 @@
+// tests/support/surface/lifted_sheet.h: a small patch and skin lifted off it, for the stages that take folds out.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/smoothing/finish/fold.h"
+#include "core/smoothing/finish/moved_triangles.h"
+#include "tests/support/surface/sheets.h"
+
+namespace sinew::test {
+
+struct LiftedSheet {
+  ControlMesh mesh;
+  Refinement refinement;         ///< Depth 1.
+  std::vector<glm::vec3> patch;  ///< Positions; as the mesh unless a test poses it.
+  std::vector<float> bindFronts;
+  MovedTriangles moved;
+
+  explicit LiftedSheet(const Sheet& sheet);
+  [[nodiscard]] PatchView view() const { return {patch, mesh.normals, bindFronts}; }
+  /// Least area of a triangle over its patch's, signed along the patch.
+  [[nodiscard]] float leastArea(const std::vector<glm::vec3>& positions) const;
+  /// Triangles whose area is below 0.
+  [[nodiscard]] int turned(const std::vector<glm::vec3>& positions) const;
+};
+
+/// 20 by 20 cells.
+[[nodiscard]] Sheet flatSheet();
+
+/// A bump of vertices lifted by up to `lift` along directions that lean towards x = 0 from both sides.
+[[nodiscard]] std::vector<glm::vec3> converging(const std::vector<glm::vec3>& patch, float lift);
+
+/// How far a vertex steps at most while the patch is lifted to `most` in that many steps, over the lift's own step. For
+/// what is continuous it does not grow with the number of steps. Prints it.
+/// @param finish  (lifted positions) -> positions
+[[nodiscard]] float steepestStep(const std::vector<glm::vec3>& patch, float most, int steps,
+                                 const std::function<std::vector<glm::vec3>(std::vector<glm::vec3>)>& finish);
+
+[[nodiscard]] float largestStep(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b);
+
+}  // namespace sinew::test

@@ -1,0 +1,33 @@
+// tests/support/surface/projected.h: what projection alone gives, in both modes, before fold guard and shading.
+#pragma once
+
+#include <memory>
+
+#include "sinew/character/character.h"
+#include "sinew/rig/rig.h"
+#include "sinew/skeleton/pose.h"
+#include "sinew/smoothing/surface.h"
+
+namespace sinew::test {
+
+/// The stages of core/smoothing up to swell() or replace(), put together by hand.
+class Projected {
+ public:
+  Projected(const Character& character, const Rig& rig);
+  ~Projected();
+  Projected(const Projected&) = delete;
+  Projected& operator=(const Projected&) = delete;
+  /// Positions, displacement and normals; the patch's where nothing has moved. Valid until the next call.
+  const Surface& at(const Pose& pose);
+  /// What the last call gave.
+  [[nodiscard]] const Surface& now() const;
+  /// The patch of the last call: positions and normals without muscles.
+  [[nodiscard]] const Surface& patch() const;
+  [[nodiscard]] const Surface& bindPatch() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sinew::test
