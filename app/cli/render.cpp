@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <future>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 
@@ -114,8 +116,8 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Result<void> makePicture(const PlannedPicture& picture, const AnimationClip* clip, const View& view, const Rig& rig,
-                         const RenderPlan& plan, Smoother& smoother, Viewport& viewport, RenderSeconds& seconds) {
+Image drawPicture(const PlannedPicture& picture, const AnimationClip* clip, const View& view, const Rig& rig,
+                  const RenderPlan& plan, Smoother& smoother, Viewport& viewport, RenderSeconds& seconds) {
   const Character& character = smoother.character();
   const Pose pose = poseAtTime(character, clip, picture.time);
   const auto start = std::chrono::steady_clock::now();
@@ -136,13 +138,47 @@ Result<void> makePicture(const PlannedPicture& picture, const AnimationClip* cli
   viewport.draw(scene, view, plan.display);
   seconds.upload += viewport.seconds().upload;
   seconds.draw += viewport.seconds().draw;
-  const auto drawn = std::chrono::steady_clock::now();
-  const Result<std::string> bytes = pngBytes(viewport.readPixels());
-  if (!bytes) return bytes.error();
-  const Result<void> written = writeFileAtomically(picture.file, bytes.value());
-  seconds.write += secondsSince(drawn);
-  return written;
+  return viewport.readPixels();
 }
+
+/// Pictures are written beside the drawing of the next one; one at a time, in order.
+class PictureWriter {
+ public:
+  /// First finishes the picture before. @return its failure, if it failed.
+  Result<void> write(const std::filesystem::path& file, Image image) {
+    if (const Result<void> before = finish(); !before) return before;
+    file_ = file;
+    writing_ = std::async(std::launch::async, [file, image = std::move(image)]() -> Written {
+      const auto start = std::chrono::steady_clock::now();
+      const Result<std::string> bytes = pngBytes(image);
+      if (!bytes) return {Error{file.string(), bytes.error().place, bytes.error().reason}, 0.0};
+      Result<void> done = writeFileAtomically(file, bytes.value());
+      return {std::move(done), secondsSince(start)};
+    });
+    return {};
+  }
+  /// Waits for the last picture, and names its file among the verb's results.
+  Result<void> finish() {
+    if (!writing_.valid()) return {};
+    Written written = writing_.get();
+    seconds_ += written.seconds;
+    if (written.result) status_ = putResult(file_.string() + '\n');
+    return std::move(written.result);
+  }
+  [[nodiscard]] double seconds() const { return seconds_; }
+  /// kDone, or what became of the standard output.
+  [[nodiscard]] int status() const { return status_; }
+
+ private:
+  struct Written {
+    Result<void> result;
+    double seconds = 0.0;
+  };
+  std::filesystem::path file_;
+  std::future<Written> writing_;
+  double seconds_ = 0.0;
+  int status_ = kDone;
+};
 
 void tellTimes(const RenderSeconds& seconds, std::size_t pictures) {
   char line[160];
@@ -247,12 +283,16 @@ int runRender(const RenderOptions& options) {
   viewport.value()->setCharacter(*document->character);
   viewport.value()->setFinishFrames(true);
   RenderSeconds seconds;
+  PictureWriter writer;
   for (const PlannedPicture& picture : plan->pictures) {
     progress("drawing " + picture.file.string());
-    const auto made = makePicture(picture, clip.value(), view, rig, plan.value(), smoother, *viewport.value(), seconds);
-    if (!made) return badInput(made.error());
-    if (const int status = putResult(picture.file.string() + '\n'); status != kDone) return status;
+    Image image = drawPicture(picture, clip.value(), view, rig, plan.value(), smoother, *viewport.value(), seconds);
+    if (const auto written = writer.write(picture.file, std::move(image)); !written) return badInput(written.error());
+    if (writer.status() != kDone) return writer.status();
   }
+  if (const auto written = writer.finish(); !written) return badInput(written.error());
+  if (writer.status() != kDone) return writer.status();
+  seconds.write = writer.seconds();
   tellTimes(seconds, plan->pictures.size());
   return kDone;
 }
