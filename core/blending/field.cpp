@@ -44,10 +44,11 @@ void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::
 }
 
 FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
-                        const CliqueLists& cliques, const glm::vec3& point) {
+                        const CliqueLists& cliques, const glm::vec3& point, FieldScratch& scratch) {
   FieldSample carved;
   FieldSample best;
-  std::vector<FieldSample> ofSlot;
+  std::vector<FieldSample>& ofSlot = scratch.ofSlot;
+  ofSlot.clear();
   for (const Candidate& candidate : candidates) {
     const PosedPrimitive& primitive = at(primitives, candidate.primitive);
     const FieldSample part = sampleCandidate(primitive, candidate.weight, point);
@@ -70,6 +71,12 @@ FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<co
   }
   add(best, carved);
   return best;
+}
+
+FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
+                        const CliqueLists& cliques, const glm::vec3& point) {
+  FieldScratch scratch;
+  return sampleField(primitives, candidates, cliques, point, scratch);
 }
 
 }  // namespace sinew

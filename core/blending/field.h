@@ -41,6 +41,12 @@ struct FieldSample {
   glm::vec3 gradient{0.0f};  ///< Per character unit, world space; of the winning clique.
 };
 
+/// Memory that is reused from point to point, so that nothing is allocated; its contents carry nothing from one call to
+/// the next. One a thread.
+struct FieldScratch {
+  std::vector<FieldSample> ofSlot;
+};
+
 /// Places all primitives. @param boneInWorld [bones].
 void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::mat4> boneInWorld,
                std::vector<PosedPrimitive>& out);
@@ -49,6 +55,9 @@ void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::
 /// Carves stand outside the maximum: inside it, any unlinked group anywhere would lift max(..., 0) over a carve and
 /// undo it, and culling would change values. See docs/design.md. Without carves, or with all groups linked, the two
 /// readings agree.
+[[nodiscard]] FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
+                                      const CliqueLists& cliques, const glm::vec3& point, FieldScratch& scratch);
+/// With memory of its own: for single points.
 [[nodiscard]] FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
                                       const CliqueLists& cliques, const glm::vec3& point);
 

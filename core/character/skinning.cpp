@@ -6,15 +6,11 @@
 namespace sinew {
 namespace {
 
-/// [bindings] what carries a vertex of one binding from the bind pose to the pose.
-std::vector<glm::mat4> skinMatrices(const Character& character, const Pose& pose) {
-  const std::vector<Binding>& bindings = character.skeleton.bindings;
-  std::vector<glm::mat4> matrices;
-  matrices.reserve(bindings.size());
-  for (const Binding& binding : bindings) {
-    matrices.push_back(at(pose.boneInWorld, binding.bone) * binding.inverseBind);
+void poseMatrices(const Skeleton& skeleton, const Pose& pose, std::vector<glm::mat4>& out) {
+  out.clear();
+  for (const Binding& binding : skeleton.bindings) {
+    out.push_back(at(pose.boneInWorld, binding.bone) * binding.inverseBind);
   }
-  return matrices;
 }
 
 glm::mat4 blended(const ControlMesh& mesh, std::span<const glm::mat4> matrices, int vertex) {
@@ -29,37 +25,35 @@ glm::mat4 blended(const ControlMesh& mesh, std::span<const glm::mat4> matrices, 
 
 void skin(const Character& character, const Pose& pose, SkinnedMesh& out) {
   const ControlMesh& mesh = character.mesh;
-  const std::vector<glm::mat4> matrices = skinMatrices(character, pose);
+  poseMatrices(character.skeleton, pose, out.matrices);
   const std::size_t count = mesh.positions.size();
   out.positions.resize(count);
   out.normals.resize(count);
   for (std::size_t v = 0; v < count; ++v) {
-    const glm::mat4 matrix = blended(mesh, matrices, static_cast<int>(v));
+    const glm::mat4 matrix = blended(mesh, out.matrices, static_cast<int>(v));
     out.positions[v] = glm::vec3(matrix * glm::vec4(mesh.positions[v], 1.0f));
     out.normals[v] = normalizeOr(normalMatrix(glm::mat3(matrix)) * mesh.normals[v], mesh.normals[v]);
   }
 }
 
-void skinDirections(const Character& character, std::span<const glm::vec3> bind, const Pose& pose,
-                    const SkinnedMesh& skinned, std::vector<glm::vec3>& out) {
-  const std::vector<glm::mat4> matrices = skinMatrices(character, pose);
+void skinDirections(const Character& character, std::span<const glm::vec3> bind, const SkinnedMesh& skinned,
+                    std::vector<glm::vec3>& out) {
   out = skinned.normals;
   for (std::size_t v = 0; v < bind.size(); ++v) {
     if (bind[v] == character.mesh.normals[v]) continue;
-    const glm::mat3 matrix = normalMatrix(glm::mat3(blended(character.mesh, matrices, static_cast<int>(v))));
+    const glm::mat3 matrix = normalMatrix(glm::mat3(blended(character.mesh, skinned.matrices, static_cast<int>(v))));
     out[v] = normalizeOr(matrix * bind[v], bind[v]);
   }
 }
 
-void skinWedgeNormals(const Character& character, std::span<const Wedge> wedges, const Pose& pose,
-                      const SkinnedMesh& skinned, std::vector<glm::vec3>& out) {
-  const std::vector<glm::mat4> matrices = skinMatrices(character, pose);
+void skinWedgeNormals(const Character& character, std::span<const Wedge> wedges, const SkinnedMesh& skinned,
+                      std::vector<glm::vec3>& out) {
   out.resize(wedges.size());
   for (std::size_t w = 0; w < wedges.size(); ++w) {
     const Wedge& wedge = wedges[w];
     out[w] = at(skinned.normals, wedge.vertex);
     if (!wedge.creased) continue;
-    const glm::mat3 matrix = normalMatrix(glm::mat3(blended(character.mesh, matrices, wedge.vertex)));
+    const glm::mat3 matrix = normalMatrix(glm::mat3(blended(character.mesh, skinned.matrices, wedge.vertex)));
     out[w] = normalizeOr(matrix * wedge.normal, wedge.normal);
   }
 }

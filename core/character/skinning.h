@@ -11,8 +11,9 @@ namespace sinew {
 
 /// The control mesh in a pose. World space.
 struct SkinnedMesh {
-  std::vector<glm::vec3> positions;  ///< [V]
-  std::vector<glm::vec3> normals;    ///< [V] unit.
+  std::vector<glm::vec3> positions;   ///< [V]
+  std::vector<glm::vec3> normals;     ///< [V] unit.
+  std::vector<glm::mat4> matrices{};  ///< [bindings] from the bind pose to the pose; empty if skin() did not make it.
 };
 
 /// Each vertex follows the weighted sum of its bindings' matrices; its normal the inverse transpose of that sum.
@@ -20,15 +21,16 @@ struct SkinnedMesh {
 void skin(const Character& character, const Pose& pose, SkinnedMesh& out);
 
 /// Other directions of the control vertices in the same pose, carried as normals are.
-/// @param bind [V] bind pose, unit.  @param out [V] world, unit; its memory is reused.
-void skinDirections(const Character& character, std::span<const glm::vec3> bind, const Pose& pose,
-                    const SkinnedMesh& skinned, std::vector<glm::vec3>& out);
+/// @param bind [V] bind pose, unit.  @param skinned as skin() made it.  @param out [V] world, unit; its memory is
+/// reused.
+void skinDirections(const Character& character, std::span<const glm::vec3> bind, const SkinnedMesh& skinned,
+                    std::vector<glm::vec3>& out);
 
 /// The normals of all wedges in the same pose: a creased wedge's own goes as its vertex's does, any other is its
 /// vertex's.
 /// @param wedges [W] of a mesh with the character's vertices (mesh/creases.h).  @param skinned as skin() made it.
 /// @param out [W] world, unit; its memory is reused.
-void skinWedgeNormals(const Character& character, std::span<const Wedge> wedges, const Pose& pose,
-                      const SkinnedMesh& skinned, std::vector<glm::vec3>& out);
+void skinWedgeNormals(const Character& character, std::span<const Wedge> wedges, const SkinnedMesh& skinned,
+                      std::vector<glm::vec3>& out);
 
 }  // namespace sinew

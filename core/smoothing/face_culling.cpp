@@ -60,27 +60,32 @@ class Culler {
 
 }  // namespace
 
-FaceCulling cullFaces(const CullingScene& scene, const glm::vec3& eye) {
+void FaceCulling::clear() {
+  triangles.clear();
+  carriers.clear();
+  culled = 0;
+}
+
+void cullFaces(const CullingScene& scene, const glm::vec3& eye, FaceCulling& out) {
   const ControlMesh& mesh = scene.character.mesh;
   const Culler culler(scene, eye);
   const auto firstEdge = static_cast<std::size_t>(scene.refinement.controlVertices);
   const std::size_t firstTriangle = firstEdge + static_cast<std::size_t>(scene.refinement.controlEdges);
-  FaceCulling culling;
-  culling.triangles.resize(mesh.triangles.size(), 0);
-  culling.carriers.assign(firstTriangle + mesh.triangles.size(), 1);
+  out.clear();
+  out.triangles.resize(mesh.triangles.size(), 0);
+  out.carriers.assign(firstTriangle + mesh.triangles.size(), 1);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (culler.isHidden(static_cast<int>(t))) {
-      culling.triangles[t] = 1;
-      ++culling.culled;
+      out.triangles[t] = 1;
+      ++out.culled;
       continue;
     }
-    culling.carriers[firstTriangle + t] = 0;
+    out.carriers[firstTriangle + t] = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      at(culling.carriers, mesh.triangles[t].vertices[i]) = 0;
-      culling.carriers[firstEdge + static_cast<std::size_t>(mesh.triangles[t].edges[i])] = 0;
+      at(out.carriers, mesh.triangles[t].vertices[i]) = 0;
+      out.carriers[firstEdge + static_cast<std::size_t>(mesh.triangles[t].edges[i])] = 0;
     }
   }
-  return culling;
 }
 
 }  // namespace sinew

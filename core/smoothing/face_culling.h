@@ -26,12 +26,15 @@ struct FaceCulling {
   std::vector<std::uint8_t> triangles;  ///< [T] neither projected nor drawn.
   std::vector<std::uint8_t> carriers;   ///< [V+E+T] not projected: touched by culled triangles alone.
   int culled = 0;                       ///< Triangles.
+
+  /// Nothing is skipped; keeps its memory.
+  void clear();
 };
 
 /// Marks control triangles that leave no pixel in a picture from the eye: the material has one side, all small
 /// triangles of the patch face away, by a hair more than rounding to a pixel's 256th could turn, and no primitive moves
 /// any of their vertices. The paper asks three vertex normals alone; that removes visible pixels where a patch curves,
 /// where a muscle tilts the skin, and where a back is drawn.
-[[nodiscard]] FaceCulling cullFaces(const CullingScene& scene, const glm::vec3& eye);
+void cullFaces(const CullingScene& scene, const glm::vec3& eye, FaceCulling& out);
 
 }  // namespace sinew

@@ -123,6 +123,7 @@ struct Smoother::State {
   ShadingNormals shadingNormals;
   std::vector<PosedPrimitive> posed;
   FaceCulling culling;
+  ProjectionScratch projection;
   std::vector<glm::vec3> flatPositions;
   std::vector<glm::vec3> flatNormals;
   std::vector<glm::vec3> anchorsInWorld;
@@ -213,7 +214,7 @@ struct Smoother::State {
       next.anchors = known ? std::move(prepared.anchors) : findAnchors(character->skeleton, flatPositions);
       poseAnchors(next.anchors, bind, anchorsInWorld);
       next.weights = implicitWeights(mesh(), bindField, replaceSettings(next.rig, *character),
-                                     {flatPositions, flatNormals, anchorsInWorld});
+                                     {flatPositions, flatNormals, anchorsInWorld}, projection);
     } else {
       next.weights = {influenceWeights(mesh(), bindField)};
     }
@@ -221,10 +222,10 @@ struct Smoother::State {
   }
 
   /// Before the patch becomes the surface.
-  void startShading(const Pose& pose, Surface& out) {
+  void startShading(Surface& out) {
     out.shadingNormals.clear();
     if (!prepared.creased) return;
-    skinWedgeNormals(*character, prepared.creased->wedges, pose, skinned, wedgeNormals);
+    skinWedgeNormals(*character, prepared.creased->wedges, skinned, wedgeNormals);
     out.shadingNormals.resize(out.refinement->drawVertex.size());
     evaluateShading(prepared.rig.smoothing.patch, *prepared.creased, *out.refinement, skinned.positions, wedgeNormals,
                     out.normals, out.shadingNormals);
@@ -232,11 +233,11 @@ struct Smoother::State {
 
   /// Marks what the eye cannot see; the marks of a frame without an eye are empty.
   void cull(const FieldView& field, const std::optional<glm::vec3>& eye, Surface& out) {
-    culling = {};
+    culling.clear();
     if (eye) {
       const bool moved = prepared.rig.surface.mode == SurfaceMode::kReplace && prepared.shownPrimitives > 0;
       const auto classes = moved ? std::span<const TriangleClass>(prepared.classes) : std::span<const TriangleClass>();
-      culling = cullFaces({*character, *prepared.refinement, field, classes, out.positions}, *eye);
+      cullFaces({*character, *prepared.refinement, field, classes, out.positions}, *eye, culling);
     }
     out.culled = culling.triangles;
     out.report.culledTriangles = culling.culled;
@@ -250,18 +251,18 @@ struct Smoother::State {
     if (p.shownPrimitives == 0) return;
     field.skipped = culling.carriers;
     if (p.rig.surface.mode == SurfaceMode::kSwell) {
-      poseRiseDirections(pose);
-      swell(mesh(), field, swellSettings(p.rig, *character), {rise, p.inverseLimits}, out);
+      poseRiseDirections();
+      swell(mesh(), field, swellSettings(p.rig, *character), {rise, p.inverseLimits}, out, projection);
       return;
     }
     evaluate(PatchKind::kFlat, *p.refinement, skinned, flatPositions, flatNormals);
     poseAnchors(p.anchors, pose, anchorsInWorld);
     replace(mesh(), field, replaceSettings(p.rig, *character), {flatPositions, flatNormals, anchorsInWorld}, p.weights,
-            out);
+            out, projection);
   }
 
-  void poseRiseDirections(const Pose& pose) {
-    skinDirections(*character, riseInBind, pose, skinned, controlRise);
+  void poseRiseDirections() {
+    skinDirections(*character, riseInBind, skinned, controlRise);
     rise.resize(static_cast<std::size_t>(prepared.refinement->vertexCount));
     interpolateDirections(mesh(), *prepared.refinement, controlRise, rise);
   }
@@ -371,7 +372,7 @@ void Smoother::smooth(const Pose& pose, Surface& out, const std::optional<glm::v
   out.displacement.assign(out.positions.size(), 0.0f);
   state.patchPositions = out.positions;
   state.patchNormals = out.normals;
-  state.startShading(pose, out);
+  state.startShading(out);
   state.startReport(out);
   const double patchSeconds = watch.lap();
 

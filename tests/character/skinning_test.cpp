@@ -79,7 +79,7 @@ TEST(Skinning, CreasedWedgesTurnWithTheirVertices) {
   SkinnedMesh skinned;
   skin(*character, pose, skinned);
   std::vector<glm::vec3> normals;
-  skinWedgeNormals(*character, sharp.wedges, pose, skinned, normals);
+  skinWedgeNormals(*character, sharp.wedges, skinned, normals);
   ASSERT_EQ(normals.size(), sharp.wedges.size());
   for (const ControlTriangle& triangle : sharp.triangles) {
     std::array<glm::vec3, 3> p;
@@ -95,7 +95,7 @@ TEST(Skinning, CreasedWedgesTurnWithTheirVertices) {
       EXPECT_LT(glm::distance(normal, rigid ? face : normal), 1e-5f);
     }
   }
-  skinWedgeNormals(*character, character->mesh.wedges, pose, skinned, normals);
+  skinWedgeNormals(*character, character->mesh.wedges, skinned, normals);
   for (std::size_t w = 0; w < normals.size(); ++w) {
     EXPECT_EQ(normals[w], skinned.normals[static_cast<std::size_t>(character->mesh.wedges[w].vertex)]);
   }

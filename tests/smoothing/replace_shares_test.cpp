@@ -74,7 +74,9 @@ struct OverBall {
     const ImplicitWeights weights{std::vector<float>(strip->mesh.positions.size(), 1.0f), true, 0};
     const ReplaceSettings settings{static_cast<float>(kIso), static_cast<float>(kSearchLength),
                                    ProjectionKind::kAnalytic, 1e-7};
-    replace(strip->mesh, {posed, &lists, {}}, settings, {patch.positions, patch.normals, anchors}, weights, surface);
+    ProjectionScratch scratch;
+    replace(strip->mesh, {posed, &lists, {}}, settings, {patch.positions, patch.normals, anchors}, weights, surface,
+            scratch);
   }
 
   /// Distance of a vertex's ray from the ball's centre.

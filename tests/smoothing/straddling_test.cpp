@@ -121,7 +121,8 @@ Surface projectedAlone(const TrialScene& scene, const Rig& rig, const Pose& pose
   const ImplicitWeights weights{std::vector<float>(character.mesh.positions.size(), 1.0f), true, 0};
   const ReplaceSettings settings{rig.surface.iso, 0.2f * character.height, rig.smoothing.projection,
                                  1e-6 * static_cast<double>(character.height)};
-  replace(character.mesh, {posed, &lists}, settings, {flat.positions, flat.normals, anchors}, weights, out);
+  ProjectionScratch scratch;
+  replace(character.mesh, {posed, &lists}, settings, {flat.positions, flat.normals, anchors}, weights, out, scratch);
   return out;
 }
 

@@ -46,7 +46,7 @@ bool FoldGuard::gather(const ControlMesh& mesh, const Refinement& refinement, st
 
 void FoldGuard::lower(const PatchView& patch, std::span<glm::vec3> positions) {
   for (const int vertex : lowered_) at(isLowered_, vertex) = 0;
-  std::swap(lowered_, asking_);
+  lowered_ = asking_;  // Not swapped: their memory would go on growing by turns.
   for (const int vertex : lowered_) {
     const auto v = static_cast<std::size_t>(vertex);
     positions[v] = patch.positions[v] + asked_[v] * (positions[v] - patch.positions[v]);

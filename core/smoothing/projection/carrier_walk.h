@@ -61,6 +61,12 @@ inline float extentOf(std::span<const Span> spans) {
 
 }  // namespace carrier_walk
 
+/// Memory that is reused from walk to walk.
+struct WalkScratch {
+  std::vector<CarrierCandidate> near;
+  std::vector<carrier_walk::Span> spans;
+};
+
 /// Which primitives a walk asks for.
 enum class Reach {
   kOverlapping,  ///< Carriers that some influence overlaps; with it come those it hangs together with.
@@ -72,9 +78,9 @@ enum class Reach {
 /// @param positions [V'] world.
 template <class Visit>
 void forEachReachable(const ControlMesh& mesh, const Refinement& refinement, const FieldView& field,
-                      std::span<const glm::vec3> positions, Reach reach, Visit&& visit) {
-  std::vector<CarrierCandidate> near;
-  std::vector<carrier_walk::Span> spans;
+                      std::span<const glm::vec3> positions, Reach reach, WalkScratch& scratch, Visit&& visit) {
+  std::vector<CarrierCandidate>& near = scratch.near;
+  std::vector<carrier_walk::Span>& spans = scratch.spans;
   const auto gather = [&](int carrier, int first, int count) {
     near.clear();
     if (!field.skipped.empty() && at(field.skipped, carrier)) return false;

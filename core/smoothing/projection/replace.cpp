@@ -36,25 +36,25 @@ float smoothstep(double t) {
 
 class Projector {
  public:
-  Projector(const FieldView& field, const ReplaceSettings& settings) : field_(field), settings_(settings) {}
+  Projector(const FieldView& field, const ReplaceSettings& settings, ProjectionScratch& scratch)
+      : field_(field), settings_(settings), scratch_(scratch) {}
 
   int anchorFallbacks() const { return anchorFallbacks_; }
-  const Evaluations& evaluations() const { return scratch_.evaluations; }
 
   /// Reads the candidates of a vertex; false where none has weight.
   bool look(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
-    candidates_.clear();
+    scratch_.candidates.clear();
     for (const CarrierCandidate& candidate : near) {
       const float weight = candidate.weightAt(vertex.barycentric);
-      if (weight > 0.0f) candidates_.push_back({candidate.primitive, weight, candidate.slot});
+      if (weight > 0.0f) scratch_.candidates.push_back({candidate.primitive, weight, candidate.slot});
     }
     cliques_ = &field_.lists->cliquesOf(vertex.carrier);
-    return !candidates_.empty();
+    return !scratch_.candidates.empty();
   }
 
   /// Some f_i != 0 at the point.
   bool insideInfluence(const glm::vec3& point) const {
-    return std::ranges::any_of(candidates_, [&](const Candidate& candidate) {
+    return std::ranges::any_of(scratch_.candidates, [&](const Candidate& candidate) {
       const UnitBallMap& ball = at(field_.primitives, candidate.primitive).influence;
       return ball.holds(point);
     });
@@ -84,25 +84,28 @@ class Projector {
 
  private:
   float fieldAt(const glm::vec3& point) const {
-    return sampleField(field_.primitives, candidates_, *cliques_, point).value;
+    return sampleField(field_.primitives, scratch_.candidates, *cliques_, point, scratch_.field).value;
   }
 
   void aim(const glm::vec3& p, const glm::vec3& direction) {
-    ray_.reset(static_cast<double>(settings_.iso), *cliques_);
-    for (const Candidate& candidate : candidates_) {
-      ray_.addPrimitive(at(field_.primitives, candidate.primitive), candidate.weight, candidate.slot, p, direction);
+    scratch_.ray.reset(static_cast<double>(settings_.iso), *cliques_);
+    for (const Candidate& candidate : scratch_.candidates) {
+      scratch_.ray.addPrimitive(at(field_.primitives, candidate.primitive), candidate.weight, candidate.slot, p,
+                                direction);
     }
   }
 
   std::optional<double> change(double begin, double end, bool fromPositive) {
-    return firstChange(ray_, begin, end, fromPositive, settings_.projection, settings_.tolerance, scratch_);
+    return firstChange(scratch_.ray, begin, end, fromPositive, settings_.projection, settings_.tolerance,
+                       scratch_.roots);
   }
 
   /// Largest phi over a stretch, by samples: continuous in the stretch's ends, 0 when it vanishes.
   double prominence(double begin, double end) {
     double most = 0.0;
     for (int i = 1; i <= kProminenceSamples; ++i) {
-      most = std::max(most, ray_.sample(begin + (end - begin) * i / (kProminenceSamples + 1), scratch_).value);
+      most = std::max(most,
+                      scratch_.ray.sample(begin + (end - begin) * i / (kProminenceSamples + 1), scratch_.roots).value);
     }
     return most;
   }
@@ -115,11 +118,12 @@ class Projector {
       aim(p, -inwards);
       const std::optional<double> root = change(0.0, static_cast<double>(settings_.searchLength), true);
       const double prominenceOutside = root ? prominence(0.0, *root) : 0.0;
-      const double residual = root ? std::abs(ray_.sample(*root, scratch_).value) : 0.0;
+      const double residual = root ? std::abs(scratch_.ray.sample(*root, scratch_.roots).value) : 0.0;
       aim(p, inwards);
       ownEnd = change(0.0, inwardLength, true).value_or(inwardLength);
       if (root) {
-        const double most = std::max({prominenceOutside, prominence(0.0, ownEnd), ray_.sample(0.0, scratch_).value});
+        const double most =
+            std::max({prominenceOutside, prominence(0.0, ownEnd), scratch_.ray.sample(0.0, scratch_.roots).value});
         lay(p - static_cast<float>(*root) * inwards, *root, most, residual, n, result);
       }
     } else {
@@ -138,7 +142,7 @@ class Projector {
       const std::optional<double> in = change(t, reachable, false);
       if (!in) return;
       const double out = *in + nudge < end ? change(*in + nudge, end, true).value_or(end) : end;
-      const double residual = std::abs(ray_.sample(*in, scratch_).value);
+      const double residual = std::abs(scratch_.ray.sample(*in, scratch_.roots).value);
       lay(p + static_cast<float>(*in) * inwards, *in, prominence(*in, out), residual, n, result);
       t = out + nudge;
     }
@@ -153,7 +157,8 @@ class Projector {
     result.found = true;
     result.residual = std::max(result.residual, residual);
     if (weight <= 0.0f) return;
-    const glm::vec3 gradient = sampleField(field_.primitives, candidates_, *cliques_, position).gradient;
+    const glm::vec3 gradient =
+        sampleField(field_.primitives, scratch_.candidates, *cliques_, position, scratch_.field).gradient;
     result.position += weight * position;
     result.normal += weight * normalizeOr(-gradient, n);
     result.weight = own == 1.0f ? 1.0f : result.weight + weight;
@@ -161,11 +166,9 @@ class Projector {
 
   const FieldView& field_;
   const ReplaceSettings& settings_;
+  ProjectionScratch& scratch_;
   const CliqueLists* cliques_ = nullptr;
   bool looksInwards_ = true;
-  std::vector<Candidate> candidates_;
-  RayField ray_;
-  RayScratch scratch_;
   int anchorFallbacks_ = 0;
 };
 
@@ -188,10 +191,10 @@ void mix(Surface& surface, std::size_t index, const Projected& projected, float 
 }  // namespace
 
 ImplicitWeights implicitWeights(const ControlMesh& mesh, const FieldView& bindField, const ReplaceSettings& settings,
-                                const FlatVertices& flat) {
+                                const FlatVertices& flat, ProjectionScratch& scratch) {
   ImplicitWeights weights;
   weights.omega.assign(mesh.positions.size(), 0.0f);
-  Projector projector(bindField, settings);
+  Projector projector(bindField, settings, scratch);
   const auto eachInRegion = [&](auto&& visit) {
     for (int v = 0; v < static_cast<int>(mesh.positions.size()); ++v) {
       const auto index = static_cast<std::size_t>(v);
@@ -214,8 +217,9 @@ ImplicitWeights implicitWeights(const ControlMesh& mesh, const FieldView& bindFi
 }
 
 void replace(const ControlMesh& mesh, const FieldView& field, const ReplaceSettings& settings, const FlatVertices& flat,
-             const ImplicitWeights& weights, Surface& surface) {
-  Projector projector(field, settings);
+             const ImplicitWeights& weights, Surface& surface, ProjectionScratch& scratch) {
+  scratch.roots.evaluations = {};
+  Projector projector(field, settings, scratch);
   const auto move = [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
     const float weight = omegaAt(vertex, weights.omega);
     if (weight <= 0.0f || !projector.look(vertex, near)) return;
@@ -231,9 +235,9 @@ void replace(const ControlMesh& mesh, const FieldView& field, const ReplaceSetti
     if (projected.weight > 0.0f) mix(surface, index, projected, weight);
   };
   // The anchor may lie anywhere on the skeleton.
-  forEachReachable(mesh, *surface.refinement, field, flat.positions, Reach::kAll, move);
+  forEachReachable(mesh, *surface.refinement, field, flat.positions, Reach::kAll, scratch.walk, move);
   surface.report.anchorFallbacks = projector.anchorFallbacks();
-  surface.report.evaluations = projector.evaluations();
+  surface.report.evaluations = scratch.roots.evaluations;
 }
 
 }  // namespace sinew

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "core/smoothing/projection/carrier_walk.h"
+#include "core/smoothing/projection/projection_scratch.h"
 #include "sinew/mesh/control_mesh.h"
 #include "sinew/rig/rig.h"
 #include "sinew/smoothing/surface.h"
@@ -45,11 +45,12 @@ struct ImplicitWeights {
 /// only touches it, which would tear the skin.
 /// @param flat of the bind pose; its first V entries are read.
 [[nodiscard]] ImplicitWeights implicitWeights(const ControlMesh& mesh, const FieldView& bindField,
-                                              const ReplaceSettings& settings, const FlatVertices& flat);
+                                              const ReplaceSettings& settings, const FlatVertices& flat,
+                                              ProjectionScratch& scratch);
 
 /// p' = w p_implicit + (1 - w) p_normal, w = omega faded over the last part of the search length; likewise normals. The
 /// surface holds the patch on entry. Vertices with omega > 0 and no root stay on it and count as unresolved.
 void replace(const ControlMesh& mesh, const FieldView& field, const ReplaceSettings& settings, const FlatVertices& flat,
-             const ImplicitWeights& weights, Surface& surface);
+             const ImplicitWeights& weights, Surface& surface, ProjectionScratch& scratch);
 
 }  // namespace sinew

@@ -43,23 +43,25 @@ struct SkinField {
   }
 };
 
-/// Projects vertex after vertex; holds what is reused from one to the next.
+/// Projects vertex after vertex.
 class Sweller {
  public:
-  Sweller(const FieldView& field, const SwellSettings& settings, const RiseView& rise, Surface& surface)
+  Sweller(const FieldView& field, const SwellSettings& settings, const RiseView& rise, Surface& surface,
+          ProjectionScratch& scratch)
       : field_(field),
         settings_(settings),
         rise_(rise),
         surface_(surface),
+        scratch_(scratch),
         isoRadius_(std::sqrt(1.0 - std::sqrt(static_cast<double>(settings.iso)))) {}
 
   void move(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
     weigh(vertex, near);
-    if (candidates_.empty()) return;
+    if (scratch_.candidates.empty()) return;
     const auto index = static_cast<std::size_t>(vertex.index);
     const glm::vec3 p = surface_.positions[index];
     const CliqueLists& cliques = field_.lists->cliquesOf(vertex.carrier);
-    const float onSkin = sampleField(field_.primitives, candidates_, cliques, p).value;
+    const float onSkin = sampleField(field_.primitives, scratch_.candidates, cliques, p, scratch_.field).value;
     if (onSkin == 0.0f) return;
     ++surface_.report.projected;
     const SkinField skin(isoRadius_, blendWidthAt(p));
@@ -68,14 +70,12 @@ class Sweller {
     place(skin, index, static_cast<float>(s), cliques);
   }
 
-  const Evaluations& evaluations() const { return scratch_.evaluations; }
-
  private:
   void weigh(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
-    candidates_.clear();
+    scratch_.candidates.clear();
     for (const CarrierCandidate& candidate : near) {
       const float weight = candidate.weightAt(vertex.barycentric);
-      if (weight > 0.0f) candidates_.push_back({candidate.primitive, weight, candidate.slot});
+      if (weight > 0.0f) scratch_.candidates.push_back({candidate.primitive, weight, candidate.slot});
     }
   }
 
@@ -85,7 +85,7 @@ class Sweller {
   double blendWidthAt(const glm::vec3& p) const {
     double sum = 0.0;
     double whole = 0.0;
-    for (const Candidate& candidate : candidates_) {
+    for (const Candidate& candidate : scratch_.candidates) {
       const PosedPrimitive& primitive = at(field_.primitives, candidate.primitive);
       if (!primitive.influence.holds(p)) continue;
       const float share = std::abs(primitive.strength) * candidate.weight * potential(primitive.influence.rSquared(p));
@@ -98,22 +98,24 @@ class Sweller {
   /// s*, signed along the direction.
   double root(const SkinField& skin, const glm::vec3& p, const glm::vec3& outwards, bool outward,
               const CliqueLists& cliques) {
-    ray_.reset(static_cast<double>(settings_.iso), cliques);
-    ray_.addTerm(skin.term(outward));
+    scratch_.ray.reset(static_cast<double>(settings_.iso), cliques);
+    scratch_.ray.addTerm(skin.term(outward));
     const glm::vec3 direction = outward ? outwards : -outwards;
-    for (const Candidate& candidate : candidates_) {
-      ray_.addPrimitive(at(field_.primitives, candidate.primitive), candidate.weight, candidate.slot, p, direction);
+    for (const Candidate& candidate : scratch_.candidates) {
+      scratch_.ray.addPrimitive(at(field_.primitives, candidate.primitive), candidate.weight, candidate.slot, p,
+                                direction);
     }
-    const double end = outward ? ray_.lastLeave() : skin.plateau();
+    const double end = outward ? scratch_.ray.lastLeave() : skin.plateau();
     // The direction and the sign of phi must be one decision: where F is all but 0, rounding may see it otherwise along
     // the ray, and a search for the wrong change would run to its end.
     const std::optional<double> found =
-        firstChange(ray_, 0.0, end, outward, settings_.projection, settings_.tolerance, scratch_);
+        firstChange(scratch_.ray, 0.0, end, outward, settings_.projection, settings_.tolerance, scratch_.roots);
     // Outwards only -T is left beyond the last term, so `end` is a root there; inwards a carve deeper than the skin's
     // own field stops at the plateau, continuously.
     const double t = found.value_or(end);
     if (found)
-      surface_.report.residualMax = std::max(surface_.report.residualMax, std::abs(ray_.sample(t, scratch_).value));
+      surface_.report.residualMax =
+          std::max(surface_.report.residualMax, std::abs(scratch_.ray.sample(t, scratch_.roots).value));
     return outward ? t : -t;
   }
 
@@ -121,7 +123,8 @@ class Sweller {
     const glm::vec3 n = surface_.normals[index];
     const glm::vec3 d = rise_.directions[index];
     const glm::vec3 p = surface_.positions[index];
-    const glm::vec3 gradient = sampleField(field_.primitives, candidates_, cliques, p + s * d).gradient;
+    const glm::vec3 gradient =
+        sampleField(field_.primitives, scratch_.candidates, cliques, p + s * d, scratch_.field).gradient;
     // s grows by 1 along d and not at all along the skin: its gradient is n / (n.d).
     const float slope = static_cast<float>(skin.slope(static_cast<double>(s))) / std::max(glm::dot(n, d), kLeastAlong);
     const float height = limitedRise(s, rise_.inverseLimits[index]);
@@ -136,21 +139,20 @@ class Sweller {
   const SwellSettings& settings_;
   RiseView rise_;
   Surface& surface_;
+  ProjectionScratch& scratch_;
   double isoRadius_;  ///< r_T
-  RayField ray_;
-  RayScratch scratch_;
-  std::vector<Candidate> candidates_;
 };
 
 }  // namespace
 
 void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
-           Surface& surface) {
-  Sweller sweller(field, settings, rise, surface);
+           Surface& surface, ProjectionScratch& scratch) {
+  scratch.roots.evaluations = {};
+  Sweller sweller(field, settings, rise, surface, scratch);
   forEachReachable(
-      mesh, *surface.refinement, field, surface.positions, Reach::kOverlapping,
+      mesh, *surface.refinement, field, surface.positions, Reach::kOverlapping, scratch.walk,
       [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) { sweller.move(vertex, near); });
-  surface.report.evaluations = sweller.evaluations();
+  surface.report.evaluations = scratch.roots.evaluations;
 }
 
 }  // namespace sinew

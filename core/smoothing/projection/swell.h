@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "core/smoothing/projection/carrier_walk.h"
+#include "core/smoothing/projection/projection_scratch.h"
 #include "sinew/mesh/control_mesh.h"
 #include "sinew/rig/rig.h"
 #include "sinew/smoothing/surface.h"
@@ -32,6 +32,6 @@ struct SwellSettings {
 /// (shading_normals.h).
 /// A vertex where F(p) = 0 is not touched. Fills displacement (s) and counts in the report.
 void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
-           Surface& surface);
+           Surface& surface, ProjectionScratch& scratch);
 
 }  // namespace sinew

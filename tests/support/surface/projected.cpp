@@ -37,6 +37,7 @@ struct Projected::State {
   std::vector<float> limitsInBind;
   std::vector<Anchor> anchors;
   ImplicitWeights weights;
+  ProjectionScratch scratch{};
   Surface patch;
   Surface surface;
   Surface bindPatch;
@@ -57,33 +58,34 @@ struct Projected::State {
     std::vector<PosedPrimitive> posed;
     poseField(attachment.primitives, bind.boneInWorld, posed);
     weights = implicitWeights(character.mesh, {posed, &candidates, {}}, replaceSettings(),
-                              {flat.positions, flat.normals, inWorld});
+                              {flat.positions, flat.normals, inWorld}, scratch);
   }
 
-  void swellFrom(const SkinnedMesh& control, const Pose& pose, const FieldView& field) {
+  void swellFrom(const SkinnedMesh& control, const FieldView& field) {
     const Refinement& refinement = *surface.refinement;
     std::vector<glm::vec3> controlRise;
-    skinDirections(character, riseInBind, pose, control, controlRise);
+    skinDirections(character, riseInBind, control, controlRise);
     std::vector<glm::vec3> rise(static_cast<std::size_t>(refinement.vertexCount));
     interpolateDirections(character.mesh, refinement, controlRise, rise);
     const SwellSettings settings{rig.surface.iso, rig.surface.skinBlend * character.height, rig.smoothing.projection,
                                  tolerance()};
     std::vector<float> limits(rise.size());
     interpolateValues(character.mesh, refinement, limitsInBind, limits);
-    swell(character.mesh, field, settings, {rise, limits}, surface);
+    swell(character.mesh, field, settings, {rise, limits}, surface, scratch);
   }
 
   void replaceFrom(const SkinnedMesh& control, const Pose& pose, const FieldView& field) {
     const Points flat = patchOf(PatchKind::kFlat, character.mesh, *surface.refinement, control);
     std::vector<glm::vec3> inWorld;
     poseAnchors(anchors, pose, inWorld);
-    replace(character.mesh, field, replaceSettings(), {flat.positions, flat.normals, inWorld}, weights, surface);
+    replace(character.mesh, field, replaceSettings(), {flat.positions, flat.normals, inWorld}, weights, surface,
+            scratch);
   }
 };
 
 Projected::Projected(const Character& character, const Rig& rig)
     : state_(std::make_unique<State>(
-          State{character, rig, attach(rig, character).value(), {}, {}, {}, {}, {}, {}, {}, {}})) {
+          State{character, rig, attach(rig, character).value(), {}, {}, {}, {}, {}, {}, {}, {}, {}})) {
   state_->candidates = makeCandidateLists(character.mesh, state_->attachment);
   state_->riseInBind = riseDirections(character.mesh, kRise * character.height);
   state_->limitsInBind = inverseRiseLimits(character.mesh, state_->riseInBind, kRise * character.height);
@@ -118,7 +120,7 @@ const Surface& Projected::at(const Pose& pose) {
   poseField(state_->attachment.primitives, pose.boneInWorld, posed);
   const FieldView field{posed, &state_->candidates, {}};
   if (state_->rig.surface.mode == SurfaceMode::kSwell) {
-    state_->swellFrom(control, pose, field);
+    state_->swellFrom(control, field);
   } else {
     state_->replaceFrom(control, pose, field);
   }

@@ -1,0 +1,22 @@
+// core/smoothing/projection/projection_scratch.h: memory that projection keeps from frame to frame.
+#pragma once
+
+#include <vector>
+
+#include "core/blending/field.h"
+#include "core/smoothing/projection/carrier_walk.h"
+#include "core/smoothing/roots/ray_field.h"
+
+namespace sinew {
+
+/// Reused from vertex to vertex and from frame to frame, so that nothing is allocated once it has grown. Its contents
+/// carry nothing from one frame to the next. One a thread.
+struct ProjectionScratch {
+  WalkScratch walk;
+  std::vector<Candidate> candidates;
+  FieldScratch field;
+  RayField ray;
+  RayScratch roots;
+};
+
+}  // namespace sinew

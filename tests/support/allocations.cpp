@@ -1,0 +1,33 @@
+// tests/support/allocations.cpp: the global operator new, replaced by one that counts.
+#include "tests/support/allocations.h"
+
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+thread_local std::int64_t count = 0;
+
+void* counted(std::size_t size, std::size_t alignment) {
+  ++count;
+  const std::size_t whole = size == 0 ? alignment : (size + alignment - 1) / alignment * alignment;
+  if (void* const memory = std::aligned_alloc(alignment, whole)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(size, alignof(std::max_align_t)); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return counted(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace sinew::test {
+
+std::int64_t allocations() { return count; }
+
+}  // namespace sinew::test
