@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include <glm/geometric.hpp>
@@ -52,7 +53,7 @@ int muscleUnder(const glm::vec3& point, int skinBone, const Document& document, 
     if (!std::ranges::binary_search(territoryBones(primitive, bone, skeleton), skinBone)) continue;
     const UnitBallMap map = unitBallMap(primitive.placement, 1.0f, pose.boneInWorld[static_cast<std::size_t>(bone)]);
     if (!(map.boundingRadius > 0.0f)) continue;
-    const float distance = glm::length(map.toUnit * (point - map.center));
+    const float distance = std::sqrt(map.rSquared(point));
     if (distance >= least) continue;
     least = distance;
     best = static_cast<int>(i);

@@ -1,20 +1,11 @@
 // core/blending/field.cpp: sums and maxima of potentials.
 #include "core/blending/field.h"
 
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-
 #include "core/base/at.h"
 #include "core/primitives/potential.h"
 
 namespace sinew {
 namespace {
-
-/// d(r^2)/dx = 2 A^T A (x - c); on a sphere A^T A is a number.
-glm::vec3 rSquaredSlope(const UnitBallMap& ball, const glm::vec3& offset) {
-  if (ball.inverseRadius > 0.0f) return 2.0f * ball.inverseRadius * ball.inverseRadius * offset;
-  return 2.0f * (glm::transpose(ball.toUnit) * (ball.toUnit * offset));
-}
 
 /// Value and gradient of one candidate, weight and sign included.
 FieldSample sampleCandidate(const PosedPrimitive& primitive, float weight, const glm::vec3& point) {
@@ -22,7 +13,7 @@ FieldSample sampleCandidate(const PosedPrimitive& primitive, float weight, const
   const float rSquared = ball.rSquared(point);
   if (!(rSquared < 1.0f) || ball.boundingRadius == 0.0f) return {};
   const float factor = primitive.strength * weight;
-  return {factor * potential(rSquared), factor * potentialSlope(rSquared) * rSquaredSlope(ball, point - ball.center)};
+  return {factor * potential(rSquared), factor * potentialSlope(rSquared) * ball.rSquaredSlope(point)};
 }
 
 void add(FieldSample& sum, const FieldSample& part) {

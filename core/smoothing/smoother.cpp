@@ -82,7 +82,7 @@ std::vector<float> influenceWeights(const ControlMesh& mesh, const FieldView& bi
   for (std::size_t v = 0; v < omega.size(); ++v) {
     for (const CarrierCandidate& candidate : bindField.lists->of(static_cast<int>(v))) {
       const UnitBallMap& ball = at(bindField.primitives, candidate.primitive).influence;
-      if (ball.boundingRadius > 0.0f && ball.rSquared(mesh.positions[v]) < 1.0f) omega[v] = 1.0f;
+      if (ball.holds(mesh.positions[v])) omega[v] = 1.0f;
     }
   }
   return omega;

@@ -55,6 +55,32 @@ TEST(UnitBallMap, TakesTheInfluenceSurfaceToTheUnitSphereUnderAnyBone) {
   }
 }
 
+TEST(UnitBallMap, SlopesAndRaysAgreeWithItsValues) {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
+  for (int round = 0; round < 500; ++round) {
+    Placement placement;
+    placement.center = {unit(random), unit(random), unit(random)};
+    placement.rotation = glm::normalize(glm::quat(unit(random), unit(random), unit(random), 1.1f));
+    placement.radii = glm::vec3(0.9f);
+    if (round % 2 == 0) placement.radii += 0.4f * glm::vec3(unit(random), unit(random), unit(random));
+    const UnitBallMap map = unitBallMap(placement, 1.5f, glm::mat4(1.0f));
+    ASSERT_EQ(map.inverseRadius > 0.0f, round % 2 == 1) << "spheres and ellipsoids in turn";
+    const glm::vec3 origin(unit(random), unit(random), unit(random));
+    const glm::vec3 direction = glm::normalize(glm::vec3(unit(random), unit(random), 1.5f + unit(random)));
+    const RayQuadratic ray = map.alongRay(origin, direction);
+    for (const double t : {-1.0, 0.0, 0.3, 2.0}) {
+      const glm::vec3 point = origin + static_cast<float>(t) * direction;
+      const double rSquared = (ray.a * t + 2.0 * ray.b) * t + ray.c;
+      EXPECT_NEAR(static_cast<double>(map.rSquared(point)), rSquared, 1e-5 * (1.0 + rSquared)) << round;
+      const double slope = 2.0 * (ray.a * t + ray.b);
+      EXPECT_NEAR(static_cast<double>(glm::dot(map.rSquaredSlope(point), direction)), slope,
+                  1e-5 * (1.0 + std::abs(slope)))
+          << round;
+    }
+  }
+}
+
 TEST(UnitBallMap, FlattenedBoneReachesNothing) {
   const glm::mat4 flat = glm::scale(glm::mat4(1.0f), {1.0f, 0.0f, 1.0f});
   EXPECT_EQ(unitBallMap({}, 2.0f, flat).boundingRadius, 0.0f);

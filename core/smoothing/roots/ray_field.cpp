@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/geometric.hpp>
-
 #include "core/base/at.h"
 
 namespace sinew {
@@ -32,21 +30,11 @@ void RayField::reset(double iso, const CliqueLists& cliques) {
 
 void RayField::addPrimitive(const PosedPrimitive& primitive, float weight, int slot, const glm::vec3& origin,
                             const glm::vec3& direction) {
-  const UnitBallMap& ball = primitive.influence;
-  glm::dvec3 y(origin - ball.center);
-  glm::dvec3 yd(direction);
-  double scale = 1.0;
-  if (ball.inverseRadius > 0.0f) {
-    scale = static_cast<double>(ball.inverseRadius) * static_cast<double>(ball.inverseRadius);
-  } else {
-    const glm::dmat3 toUnit(ball.toUnit);
-    y = toUnit * y;
-    yd = toUnit * yd;
-  }
   RayTerm term;
-  term.a = scale * glm::dot(yd, yd);
-  term.b = scale * glm::dot(y, yd);
-  term.c = scale * glm::dot(y, y);
+  const auto [a, b, c] = primitive.influence.alongRay(origin, direction);
+  term.a = a;
+  term.b = b;
+  term.c = c;
   const double discriminant = term.b * term.b - term.a * (term.c - 1.0);
   if (!(term.a > 0.0) || !(discriminant > 0.0)) return;
   const double root = std::sqrt(discriminant);

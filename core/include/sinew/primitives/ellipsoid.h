@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include "sinew/base/geometry.h"
 
@@ -15,6 +16,13 @@ struct Placement {
   glm::vec3 radii{1.0f};                       ///< Visible semi-axes, each > 0.
 
   friend bool operator==(const Placement&, const Placement&) = default;
+};
+
+/// r^2 along a ray: a t^2 + 2 b t + c.
+struct RayQuadratic {
+  double a = 0.0;
+  double b = 0.0;
+  double c = 0.0;
 };
 
 /// An influence ellipsoid in the world as the affine map that takes it to the unit ball: |toUnit (x - center)| < 1
@@ -34,6 +42,28 @@ struct UnitBallMap {
     if (inverseRadius > 0.0f) return inverseRadius * inverseRadius * glm::dot(d, d);
     const glm::vec3 y = toUnit * d;
     return glm::dot(y, y);
+  }
+
+  /// d(r^2)/dx = 2 A^T A (x - c); on a sphere A^T A is a number.
+  [[nodiscard]] glm::vec3 rSquaredSlope(const glm::vec3& point) const {
+    const glm::vec3 d = point - center;
+    if (inverseRadius > 0.0f) return 2.0f * inverseRadius * inverseRadius * d;
+    return 2.0f * (glm::transpose(toUnit) * (toUnit * d));
+  }
+
+  /// r^2 at origin + t direction, world.
+  [[nodiscard]] RayQuadratic alongRay(const glm::vec3& origin, const glm::vec3& direction) const {
+    glm::dvec3 y(origin - center);
+    glm::dvec3 yd(direction);
+    double scale = 1.0;
+    if (inverseRadius > 0.0f) {
+      scale = static_cast<double>(inverseRadius) * static_cast<double>(inverseRadius);
+    } else {
+      const glm::dmat3 linear(toUnit);
+      y = linear * y;
+      yd = linear * yd;
+    }
+    return {scale * glm::dot(yd, yd), scale * glm::dot(y, yd), scale * glm::dot(y, y)};
   }
 
   /// Whether the influence holds a point; a flattened one holds none.
