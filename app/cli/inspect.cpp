@@ -11,6 +11,7 @@
 
 #include "app/cli/console.h"
 #include "app/document/document.h"
+#include "core/character/bindings.h"
 #include "core/io/json/json.h"
 #include "core/mesh/creases.h"
 #include "core/mesh/topology.h"
@@ -114,11 +115,8 @@ std::string pointText(const glm::vec3& p) {
 }
 
 /// The bone a vertex follows most.
-const std::string& strongestBone(const Character& character, int vertex) {
-  const auto influences = character.mesh.influencesOf(vertex);
-  const auto strongest = std::ranges::max_element(influences, {}, &Influence::weight);
-  const Binding& binding = character.skeleton.bindings[static_cast<std::size_t>(strongest->binding)];
-  return character.skeleton.bones[static_cast<std::size_t>(binding.bone)].name;
+const std::string& strongestBoneName(const Character& character, int vertex) {
+  return character.skeleton.bones[static_cast<std::size_t>(strongestBone(character, vertex))].name;
 }
 
 std::string quotedList(const std::vector<std::string>& names) {
@@ -147,7 +145,7 @@ std::string edgeText(const Character& character, const Shape& shape, const std::
     const auto atA = cornerAt(triangle, a);
     if (atA == triangle.vertices.end() || cornerAt(triangle, b) == triangle.vertices.end()) continue;
     ++triangles;
-    addOnce(bones, strongestBone(character, *atA));
+    addOnce(bones, strongestBoneName(character, *atA));
     addOnce(materials, character.materials[static_cast<std::size_t>(triangle.material)].name);
   }
   return pointText(a) + " - " + pointText(b) + ": " + plural(triangles, "triangle", "triangles") + ", bone " +

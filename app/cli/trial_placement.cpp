@@ -1,21 +1,13 @@
 // app/cli/trial_placement.cpp: bones ranked by their skin; an ellipsoid half under the skin.
 #include "app/cli/trial_placement.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "core/character/bindings.h"
 #include "sinew/base/geometry.h"
 
 namespace sinew {
-namespace {
-
-int strongestBone(const Character& character, int vertex) {
-  const auto influences = character.mesh.influencesOf(vertex);
-  const auto strongest = std::ranges::max_element(influences, {}, &Influence::weight);
-  return character.skeleton.bindings[static_cast<std::size_t>(strongest->binding)].bone;
-}
-
-}  // namespace
-
 std::vector<Skin> skinsOf(const Character& character) {
   std::vector<Skin> skins(character.skeleton.bones.size());
   for (std::size_t b = 0; b < skins.size(); ++b) skins[b].bone = static_cast<int>(b);

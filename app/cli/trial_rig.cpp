@@ -2,17 +2,10 @@
 #include "app/cli/trial_rig.h"
 
 #include "app/cli/trial_placement.h"
+#include "core/base/split_mix.h"
 
 namespace sinew {
 namespace {
-
-/// SplitMix64: the standard library's distributions differ from machine to machine.
-std::uint64_t mixed(std::uint64_t value) {
-  value += 0x9e3779b97f4a7c15ull;
-  value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9ull;
-  value = (value ^ (value >> 27)) * 0x94d049bb133111ebull;
-  return value ^ (value >> 31);
-}
 
 /// A vertex beside the middle of the bone, if there is one.
 int chosenVertex(const Character& character, const Skin& skin, const Segment& segment, std::uint64_t seed) {
@@ -22,7 +15,7 @@ int chosenVertex(const Character& character, const Skin& skin, const Segment& se
     if (t > 0.2f && t < 0.8f) beside.push_back(v);
   }
   const std::vector<int>& among = beside.empty() ? skin.vertices : beside;
-  return among[mixed(seed) % among.size()];
+  return among[splitMix64(seed) % among.size()];
 }
 
 }  // namespace
@@ -35,8 +28,8 @@ Rig trialRig(const Character& character, int muscles, std::uint64_t seed) {
   for (int i = 0; i < muscles && !skins.empty(); ++i) {
     const Skin& skin = skins[static_cast<std::size_t>(i) % skins.size()];
     const Bone& bone = character.skeleton.bones[static_cast<std::size_t>(skin.bone)];
-    const Segment segment(bone);
-    const int vertex = chosenVertex(character, skin, segment, mixed(seed) + static_cast<std::uint64_t>(i));
+    const Segment segment = bindSegment(bone);
+    const int vertex = chosenVertex(character, skin, segment, splitMix64(seed) + static_cast<std::uint64_t>(i));
     Primitive primitive;
     primitive.name = "muscle " + std::to_string(i + 1);
     primitive.bone = character.skeleton.fileName(skin.bone);

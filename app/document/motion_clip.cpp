@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/character/bindings.h"
 #include "core/skeleton/range_of_motion.h"
 #include "core/symmetry/mirror.h"
 
@@ -11,10 +12,10 @@ namespace sinew::app {
 
 std::vector<bool> bonesWithSkin(const Character& character) {
   std::vector<bool> result(character.skeleton.bones.size(), false);
-  for (const Influence& influence : character.mesh.influences) {
-    if (influence.weight <= 0.0f) continue;
-    const Binding& binding = character.skeleton.bindings[static_cast<std::size_t>(influence.binding)];
-    result[static_cast<std::size_t>(binding.bone)] = true;
+  for (int vertex = 0; vertex < static_cast<int>(character.mesh.positions.size()); ++vertex) {
+    for (const WeightedBinding& follows : bindingsOf(character, vertex)) {
+      if (follows.weight > 0.0f) result[static_cast<std::size_t>(follows.bone())] = true;
+    }
   }
   return result;
 }

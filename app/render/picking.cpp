@@ -162,22 +162,6 @@ std::optional<PrimitiveHit> pickPrimitive(const Ray& ray, std::span<const Primit
   return nearest;
 }
 
-std::vector<BoneSegment> boneSegments(const Skeleton& skeleton, const Pose& pose) {
-  assert(pose.boneInWorld.size() == skeleton.bones.size());
-  std::vector<BoneSegment> segments;
-  for (std::size_t i = 0; i < skeleton.bones.size(); ++i) {
-    const Bone& bone = skeleton.bones[i];
-    const glm::vec3 head(pose.boneInWorld[i][3]);
-    for (const int child : bone.children) {
-      segments.push_back({static_cast<int>(i), head, glm::vec3(pose.boneInWorld[static_cast<std::size_t>(child)][3])});
-    }
-    if (bone.children.empty()) {
-      segments.push_back({static_cast<int>(i), head, glm::vec3(pose.boneInWorld[i] * glm::vec4(bone.tip, 1.0f))});
-    }
-  }
-  return segments;
-}
-
 std::optional<BoneHit> pickBone(const glm::vec2& pixel, const View& view, const Skeleton& skeleton, const Pose& pose,
                                 float withinPixels) {
   constexpr float kSamePixels = 0.5f;

@@ -8,6 +8,7 @@
 
 #include "app/render/scene.h"
 #include "app/render/view.h"
+#include "core/skeleton/bone_segments.h"
 
 namespace sinew::app {
 
@@ -36,14 +37,6 @@ struct PrimitiveHit {
 
 /// Nearest visible ellipsoid, else nullopt. Flattened ones are never hit.
 [[nodiscard]] std::optional<PrimitiveHit> pickPrimitive(const Ray& ray, std::span<const PrimitiveShape> shapes);
-
-/// A bone as drawn: from its joint to each child's joint, or to its tip. World space.
-struct BoneSegment {
-  int bone = -1;
-  glm::vec3 head{0.0f};
-  glm::vec3 tail{0.0f};
-};
-[[nodiscard]] std::vector<BoneSegment> boneSegments(const Skeleton& skeleton, const Pose& pose);
 
 struct BoneHit {
   int bone = -1;

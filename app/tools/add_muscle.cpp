@@ -14,6 +14,7 @@
 
 #include "app/tools/gizmo_basis.h"
 #include "core/base/flatness.h"
+#include "core/character/bindings.h"
 #include "core/rig/rig_edit.h"
 #include "core/symmetry/twins.h"
 
@@ -206,9 +207,8 @@ float skinDistance(const Character& character, int bone, const glm::vec3& origin
   int count = 0;
   for (std::size_t v = 0; v < character.mesh.positions.size(); ++v) {
     float weight = 0.0f;
-    for (const Influence& influence : character.mesh.influencesOf(static_cast<int>(v))) {
-      const Binding& binding = character.skeleton.bindings[static_cast<std::size_t>(influence.binding)];
-      if (binding.bone == bone) weight += influence.weight;
+    for (const WeightedBinding& follows : bindingsOf(character, static_cast<int>(v))) {
+      if (follows.bone() == bone) weight += follows.weight;
     }
     if (weight < 0.5f) continue;
     const glm::vec3 offset = character.mesh.positions[v] - origin;

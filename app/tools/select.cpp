@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/render/picking.h"
+#include "core/character/bindings.h"
 #include "core/rig/attachment.h"
 
 namespace sinew::app {
@@ -20,9 +21,9 @@ constexpr float kCoveredBelow = 1.12f;  ///< Skin over a muscle lies a little ou
 
 glm::mat4 skinMatrix(const Character& character, const Pose& pose, int vertex) {
   glm::mat4 sum(0.0f);
-  for (const Influence& influence : character.mesh.influencesOf(vertex)) {
-    const Binding& binding = character.skeleton.bindings[static_cast<std::size_t>(influence.binding)];
-    sum += influence.weight * (pose.boneInWorld[static_cast<std::size_t>(binding.bone)] * binding.inverseBind);
+  for (const WeightedBinding& follows : bindingsOf(character, vertex)) {
+    const glm::mat4& bone = pose.boneInWorld[static_cast<std::size_t>(follows.bone())];
+    sum += follows.weight * (bone * follows.binding.inverseBind);
   }
   return sum;
 }
@@ -100,9 +101,8 @@ int boneAt(const Character& character, const SkinAnchor& anchor) {
   const ControlTriangle& triangle = character.mesh.triangles[static_cast<std::size_t>(anchor.triangle)];
   for (int corner = 0; corner < 3; ++corner) {
     const int vertex = triangle.vertices[static_cast<std::size_t>(corner)];
-    for (const Influence& influence : character.mesh.influencesOf(vertex)) {
-      const int bone = character.skeleton.bindings[static_cast<std::size_t>(influence.binding)].bone;
-      share[static_cast<std::size_t>(bone)] += anchor.barycentric[corner] * influence.weight;
+    for (const WeightedBinding& follows : bindingsOf(character, vertex)) {
+      share[static_cast<std::size_t>(follows.bone())] += anchor.barycentric[corner] * follows.weight;
     }
   }
   return static_cast<int>(std::ranges::max_element(share) - share.begin());

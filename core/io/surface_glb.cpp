@@ -155,10 +155,10 @@ class GlbWriter {
     const Refinement& refinement = *surface_.refinement;
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
-    for (std::size_t d = 0; d < refinement.drawVertex.size(); ++d) {
-      positions.push_back(surface_.positions[static_cast<std::size_t>(refinement.drawVertex[d])]);
+    forEachDrawVertex(refinement, [&](std::size_t d, std::size_t vertex) {
+      positions.push_back(surface_.positions[vertex]);
       normals.push_back(shadingNormal(surface_, d));
-    }
+    });
     const Bounds bounds = boundsOf(positions);
     const int position = addVertexData(positions, TINYGLTF_TYPE_VEC3, &bounds);
     const int normal = addVertexData(normals, TINYGLTF_TYPE_VEC3);

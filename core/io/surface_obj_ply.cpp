@@ -144,13 +144,12 @@ std::string plyBytes(const Surface& surface) {
   out += "element face " + std::to_string(refinement.drawTriangles.size()) +
          "\nproperty list uchar int vertex_indices\nend_header\n";
   out.reserve(out.size() + vertices * 8 * sizeof(float) + refinement.drawTriangles.size() * 13);
-  for (std::size_t d = 0; d < vertices; ++d) {
-    const auto vertex = static_cast<std::size_t>(refinement.drawVertex[d]);
+  forEachDrawVertex(refinement, [&](std::size_t d, std::size_t vertex) {
     const glm::vec3& p = surface.positions[vertex];
     const glm::vec3 n = shadingNormal(surface, d);
     const glm::vec2& uv = refinement.drawUv[d];
     appendRaw(out, std::array{p.x, p.y, p.z, n.x, n.y, n.z, uv.x, 1.0f - uv.y});
-  }
+  });
   for (const auto& triangle : refinement.drawTriangles) {
     out += '\3';
     appendRaw(out, triangle);

@@ -7,14 +7,13 @@
 #include <cstring>
 #include <vector>
 
+#include "core/base/split_mix.h"
+
 namespace sinew {
 
-/// Spreads the bits of `value` over the whole word and folds them into `seed` (finalizer of SplitMix64, Steele 2014).
+/// Spreads the bits of `value` over the whole word and folds them into `seed`.
 [[nodiscard]] inline std::uint64_t hashCombine(std::uint64_t seed, std::uint64_t value) {
-  std::uint64_t x = seed + 0x9e3779b97f4a7c15ULL + value;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-  return x ^ (x >> 31);
+  return splitMix64(seed + value);
 }
 
 /// Bits of a float, the same for 0 and -0.

@@ -5,6 +5,7 @@
 
 #include "core/base/at.h"
 #include "core/base/smoothstep.h"
+#include "core/character/bindings.h"
 #include "core/primitives/potential.h"
 
 namespace sinew {
@@ -79,9 +80,8 @@ std::vector<int> territoryBones(const Primitive& primitive, int bone, const Skel
 
 float territoryWeight(const Character& character, int vertex, const std::vector<bool>& isTerritoryBone) {
   float sum = 0.0f;
-  for (const Influence& influence : character.mesh.influencesOf(vertex)) {
-    const int bone = at(character.skeleton.bindings, influence.binding).bone;
-    if (at(isTerritoryBone, bone)) sum += influence.weight;
+  for (const WeightedBinding& follows : bindingsOf(character, vertex)) {
+    if (at(isTerritoryBone, follows.bone())) sum += follows.weight;
   }
   return smoothstep(0.0f, 0.5f, sum);
 }

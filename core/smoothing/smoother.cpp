@@ -91,13 +91,12 @@ std::vector<float> influenceWeights(const ControlMesh& mesh, const FieldView& bi
 /// Shading normals hold the wedges' patch on entry: they turn with the surface as it moves off its own patch. Where the
 /// patch is not creased, or not moved, this is exact.
 void turnWithSurface(const Surface& surface, std::span<const glm::vec3> patchNormals, std::vector<glm::vec3>& shading) {
-  for (std::size_t d = 0; d < shading.size(); ++d) {
-    const auto vertex = static_cast<std::size_t>(surface.refinement->drawVertex[d]);
+  forEachDrawVertex(*surface.refinement, [&](std::size_t d, std::size_t vertex) {
     const glm::vec3& normal = surface.normals[vertex];
     const glm::vec3& patch = patchNormals[vertex];
-    if (normal == patch) continue;
+    if (normal == patch) return;
     shading[d] = shading[d] == patch ? normal : normalizeOr(normal + (shading[d] - patch), shading[d]);
-  }
+  });
 }
 
 }  // namespace

@@ -105,18 +105,19 @@ void pairLevel(const Skeleton& skeleton, std::vector<bool>& taken, std::vector<s
 
 // By place --------------------------------------------------------------------------------------------------------
 
-struct Segment {
+/// Bind pose, world, in double as the plane is.
+struct BoneEnds {
   glm::dvec3 origin;
   glm::dvec3 tip;
 };
 
 struct Placing {
   MirrorPlan& plan;
-  std::vector<Segment> segments;
+  std::vector<BoneEnds> ends;
   double height;
 
   [[nodiscard]] const Bone& bone(int index) const { return at(plan.skeleton.bones, index); }
-  [[nodiscard]] const Segment& segment(int index) const { return at(segments, index); }
+  [[nodiscard]] const BoneEnds& endsOf(int index) const { return at(ends, index); }
   [[nodiscard]] bool isFree(int index) const { return at(plan.twinOf, index) < 0; }
 
   void pair(int a, int b, PairedBy by) {
@@ -126,30 +127,30 @@ struct Placing {
   }
   /// How far two bones are from being mirror images; of H.
   [[nodiscard]] double misfit(int a, int b) const {
-    const double origins = glm::distance(reflected(plan.plane, segment(a).origin), segment(b).origin);
-    const double tips = glm::distance(reflected(plan.plane, segment(a).tip), segment(b).tip);
+    const double origins = glm::distance(reflected(plan.plane, endsOf(a).origin), endsOf(b).origin);
+    const double tips = glm::distance(reflected(plan.plane, endsOf(a).tip), endsOf(b).tip);
     return std::max(origins, tips) / height;
   }
   [[nodiscard]] double originMisfit(int a, int b) const {
-    return glm::distance(reflected(plan.plane, segment(a).origin), segment(b).origin) / height;
+    return glm::distance(reflected(plan.plane, endsOf(a).origin), endsOf(b).origin) / height;
   }
   [[nodiscard]] double originOffPlane(int a) const {
-    return std::abs(distanceTo(plan.plane, segment(a).origin)) / height;
+    return std::abs(distanceTo(plan.plane, endsOf(a).origin)) / height;
   }
   [[nodiscard]] double offPlane(int a) const {
-    return std::max(std::abs(distanceTo(plan.plane, segment(a).origin)),
-                    std::abs(distanceTo(plan.plane, segment(a).tip))) /
+    return std::max(std::abs(distanceTo(plan.plane, endsOf(a).origin)),
+                    std::abs(distanceTo(plan.plane, endsOf(a).tip))) /
            height;
   }
 };
 
-std::vector<Segment> segmentsOf(const Skeleton& skeleton) {
-  std::vector<Segment> segments;
+std::vector<BoneEnds> endsOfBones(const Skeleton& skeleton) {
+  std::vector<BoneEnds> ends;
   for (const Bone& bone : skeleton.bones) {
     const glm::dmat4 bind(bone.bindInWorld);
-    segments.push_back({glm::dvec3(bind[3]), glm::dvec3(bind * glm::dvec4(glm::dvec3(bone.tip), 1.0))});
+    ends.push_back({glm::dvec3(bind[3]), glm::dvec3(bind * glm::dvec4(glm::dvec3(bone.tip), 1.0))});
   }
-  return segments;
+  return ends;
 }
 
 bool saysASide(const Bone& bone) { return !sideMarkers(bone.name).empty(); }
@@ -164,7 +165,7 @@ bool parentsAgree(const Placing& placing, int a, int b) {
 
 /// @param whole  the tip must lie in the plane too: what only begins there may be one of a pair.
 void placeCentres(Placing& placing, bool whole) {
-  for (int a = 0; a < static_cast<int>(placing.segments.size()); ++a) {
+  for (int a = 0; a < static_cast<int>(placing.ends.size()); ++a) {
     if (!placing.isFree(a) || saysASide(placing.bone(a))) continue;
     if ((whole ? placing.offPlane(a) : placing.originOffPlane(a)) < kCentreReach) placing.pair(a, a, PairedBy::kCentre);
   }
@@ -179,9 +180,9 @@ struct Couple {
 /// Pairs what fits best first. @param kin  only bones whose parents are counterparts.
 bool placePairs(Placing& placing, bool kin) {
   std::vector<Couple> couples;
-  for (int a = 0; a < static_cast<int>(placing.segments.size()); ++a) {
+  for (int a = 0; a < static_cast<int>(placing.ends.size()); ++a) {
     if (!placing.isFree(a)) continue;
-    for (int b = a + 1; b < static_cast<int>(placing.segments.size()); ++b) {
+    for (int b = a + 1; b < static_cast<int>(placing.ends.size()); ++b) {
       if (!placing.isFree(b) || (kin && !parentsAgree(placing, a, b))) continue;
       const double misfit = placing.misfit(a, b);
       if (misfit < kPlaceReach) couples.push_back({misfit, a, b});
@@ -211,7 +212,7 @@ std::vector<std::array<int, 2>> pairsByName(const Skeleton& skeleton) {
 }
 
 void pairAll(MirrorPlan& plan, const std::vector<std::array<int, 2>>& named) {
-  Placing placing{plan, segmentsOf(plan.skeleton), static_cast<double>(plan.characterHeight)};
+  Placing placing{plan, endsOfBones(plan.skeleton), static_cast<double>(plan.characterHeight)};
   for (const auto& [left, right] : named) {
     if (placing.originMisfit(left, right) < kNamedReach) placing.pair(left, right, PairedBy::kName);
   }

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/character/bindings.h"
 #include "core/character/skinning.h"
 #include "sinew/io/gltf_import.h"
 
@@ -64,10 +65,9 @@ std::vector<Foot> feetOf(const Character& character) {
   for (std::size_t v = 0; v < character.mesh.positions.size(); ++v) {
     if (character.mesh.positions[v].y > kSole * character.height) continue;
     std::vector<float> shares(byBone.size(), 0.0f);
-    for (const Influence& influence : character.mesh.influencesOf(static_cast<int>(v))) {
-      const int bone = character.skeleton.bindings[static_cast<std::size_t>(influence.binding)].bone;
-      const int foot = footOf(character.skeleton, bone);
-      if (foot >= 0) shares[static_cast<std::size_t>(foot)] += influence.weight;
+    for (const WeightedBinding& follows : bindingsOf(character, static_cast<int>(v))) {
+      const int foot = footOf(character.skeleton, follows.bone());
+      if (foot >= 0) shares[static_cast<std::size_t>(foot)] += follows.weight;
     }
     const auto most = std::ranges::max_element(shares);
     if (*most > 0.5f) byBone[static_cast<std::size_t>(most - shares.begin())].sole.push_back(v);

@@ -161,7 +161,7 @@ TEST(PickBone, FindsTheBoneUnderThePixel) {
   const auto body = makeTwoLegged();
   const Pose pose = bindPose(body->skeleton);
   const View view = app::framedView(boundsOf(body->mesh.positions), 0.3f, 0.1f, {400, 400}, false);
-  for (const app::BoneSegment& segment : app::boneSegments(body->skeleton, pose)) {
+  for (const BoneSegment& segment : boneSegments(body->skeleton, pose)) {
     const glm::vec3 middle = view.toPixel(glm::mix(segment.head, segment.tail, 0.5f));
     const auto hit = app::pickBone(glm::vec2(middle) + glm::vec2(1, 0), view, body->skeleton, pose, 4.0f);
     ASSERT_TRUE(hit);

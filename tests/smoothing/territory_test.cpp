@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/character/bindings.h"
 #include "sinew/smoothing/smoother.h"
 #include "tests/support/characters/real_characters.h"
 #include "tests/support/characters/synthetic_characters.h"
@@ -20,10 +21,9 @@ std::vector<bool> touchedBy(const Character& character, const std::vector<std::s
   std::vector<bool> out;
   for (std::size_t v = 0; v < character.mesh.positions.size(); ++v) {
     bool touched = false;
-    for (const Influence& influence : character.mesh.influencesOf(static_cast<int>(v))) {
-      const int bone = character.skeleton.bindings[static_cast<std::size_t>(influence.binding)].bone;
-      const std::string& name = character.skeleton.bones[static_cast<std::size_t>(bone)].name;
-      if (influence.weight > 0.0f && std::ranges::find(bones, name) != bones.end()) touched = true;
+    for (const WeightedBinding& follows : bindingsOf(character, static_cast<int>(v))) {
+      const std::string& name = character.skeleton.bones[static_cast<std::size_t>(follows.bone())].name;
+      if (follows.weight > 0.0f && std::ranges::find(bones, name) != bones.end()) touched = true;
     }
     out.push_back(touched);
   }

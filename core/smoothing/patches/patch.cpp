@@ -261,9 +261,7 @@ void evaluateShading(PatchKind kind, const ControlMesh& mesh, const Refinement& 
     return Corner{at(positions, mesh.wedges[w].vertex), wedgeNormals[w]};
   };
   const float n = static_cast<float>(refinement.depth);
-  for (std::size_t d = 0; d < outNormals.size(); ++d) {
-    outNormals[d] = at(patchNormals, refinement.drawVertex[d]);
-  }
+  forEachDrawVertex(refinement, [&](std::size_t d, std::size_t vertex) { outNormals[d] = patchNormals[vertex]; });
 
   for (std::size_t w = 0; w < mesh.wedges.size(); ++w) {
     if (mesh.wedges[w].creased) outNormals[w] = wedgeNormals[w];

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/at.h"
+#include "core/base/smoothstep.h"
 #include "core/smoothing/roots/root_finding.h"
 
 namespace sinew {
@@ -28,11 +29,6 @@ struct Projected {
 
   [[nodiscard]] float left() const { return 1.0f - weight; }
 };
-
-float smoothstep(double t) {
-  const auto c = static_cast<float>(std::clamp(t, 0.0, 1.0));
-  return c * c * (3.0f - 2.0f * c);
-}
 
 class Projector {
  public:
@@ -151,8 +147,9 @@ class Projector {
   void lay(const glm::vec3& position, double distance, double prominent, double residual, const glm::vec3& n,
            Projected& result) {
     const double far = (distance / static_cast<double>(settings_.searchLength) - kFadeBegin) / (1.0 - kFadeBegin);
+    const double share = prominent / (kFullProminence * static_cast<double>(settings_.iso));
     const float own =
-        smoothstep(prominent / (kFullProminence * static_cast<double>(settings_.iso))) * (1.0f - smoothstep(far));
+        smoothstep(0.0f, 1.0f, static_cast<float>(share)) * (1.0f - smoothstep(0.0f, 1.0f, static_cast<float>(far)));
     const float weight = own == 1.0f ? result.left() : own * result.left();
     result.found = true;
     result.residual = std::max(result.residual, residual);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/cli/trial_placement.h"
+#include "core/character/bindings.h"
 #include "sinew/base/geometry.h"
 
 namespace sinew::test {
@@ -19,8 +20,8 @@ constexpr float kBedded = 0.7f;  ///< Of its thickness, how deep its middle lies
 /// The vertex's weight on one bone.
 float weightOn(const Character& character, int vertex, int bone) {
   float sum = 0.0f;
-  for (const Influence& influence : character.mesh.influencesOf(vertex)) {
-    if (character.skeleton.bindings[static_cast<std::size_t>(influence.binding)].bone == bone) sum += influence.weight;
+  for (const WeightedBinding& follows : bindingsOf(character, vertex)) {
+    if (follows.bone() == bone) sum += follows.weight;
   }
   return sum;
 }
@@ -52,7 +53,7 @@ std::vector<Bed> bedsOf(const Character& character, const Skin& skin) {
 
 /// Under the skin by most of its thickness, its influence within the room.
 Placement bedded(const Character& character, const Bone& bone, const Bed& bed) {
-  const Segment segment(bone);
+  const Segment segment = bindSegment(bone);
   Placement placement = placementAt(character, bone, segment, bed.vertex);
   const float height = character.height;
   const glm::vec3 point = character.mesh.positions[static_cast<std::size_t>(bed.vertex)];

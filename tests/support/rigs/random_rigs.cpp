@@ -9,16 +9,11 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "core/base/split_mix.h"
+#include "core/character/bindings.h"
+
 namespace sinew::test {
 namespace {
-
-int strongestBone(const Character& character, int vertex) {
-  Influence best;
-  for (const Influence& influence : character.mesh.influencesOf(vertex)) {
-    if (influence.weight > best.weight) best = influence;
-  }
-  return character.skeleton.bindings[static_cast<std::size_t>(best.binding)].bone;
-}
 
 /// World units per bone unit in the bind pose.
 float bindScale(const Bone& bone) { return std::cbrt(std::abs(glm::determinant(glm::mat3(bone.bindInWorld)))); }
@@ -26,11 +21,9 @@ float bindScale(const Bone& bone) { return std::cbrt(std::abs(glm::determinant(g
 }  // namespace
 
 std::uint64_t Random::next() {
-  state_ += 0x9e3779b97f4a7c15ull;
-  std::uint64_t z = state_;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-  return z ^ (z >> 31);
+  const std::uint64_t value = splitMix64(state_);
+  state_ += kSplitMixStep;
+  return value;
 }
 
 float Random::uniform(float low, float high) {

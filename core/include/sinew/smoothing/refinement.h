@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -46,6 +47,14 @@ struct Refinement {
     return controlVertices + controlEdges * edgeVertices + triangle * interiorVertices + index;
   }
 };
+
+/// Calls visit(drawn, refined) for every drawn vertex and the refined vertex it shows.
+template <class Visit>
+void forEachDrawVertex(const Refinement& refinement, Visit visit) {
+  for (std::size_t drawn = 0; drawn < refinement.drawVertex.size(); ++drawn) {
+    visit(drawn, static_cast<std::size_t>(refinement.drawVertex[drawn]));
+  }
+}
 
 /// @param depth 1..kMaxDepth.
 [[nodiscard]] Refinement refine(const ControlMesh& mesh, int depth);

@@ -1,0 +1,27 @@
+// core/skeleton/bone_segments.cpp: from joints to the joints of their children.
+#include "core/skeleton/bone_segments.h"
+
+#include <cassert>
+
+#include "core/base/at.h"
+
+namespace sinew {
+
+std::vector<BoneSegment> boneSegments(const Skeleton& skeleton, const Pose& pose) {
+  assert(pose.boneInWorld.size() == skeleton.bones.size());
+  std::vector<BoneSegment> segments;
+  for (std::size_t i = 0; i < skeleton.bones.size(); ++i) {
+    const auto index = static_cast<int>(i);
+    const Bone& bone = skeleton.bones[i];
+    const glm::vec3 head(pose.boneInWorld[i][3]);
+    for (const int child : bone.children) {
+      segments.push_back({index, child, head, glm::vec3(at(pose.boneInWorld, child)[3])});
+    }
+    if (bone.children.empty()) {
+      segments.push_back({index, index, head, glm::vec3(pose.boneInWorld[i] * glm::vec4(bone.tip, 1.0f))});
+    }
+  }
+  return segments;
+}
+
+}  // namespace sinew
