@@ -5,7 +5,10 @@ import pathlib
 import sys
 import unittest
 
-import glb_reader
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+import glb_reader  # noqa: E402
 
 ASSETS = pathlib.Path(sys.argv[1]).resolve() / "assets"
 

@@ -1,11 +1,14 @@
 # tests/gui/bind_pose.py: a character's bones as its file binds them, and what a muscle is there. Nothing of the editor's.
-import json
 import math
 import pathlib
 import random
-import struct
+import sys
 
 import rigs
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+from glb_reader import Glb  # noqa: E402
 
 
 def matrix_product(a, b):
@@ -25,20 +28,13 @@ def affine_inverse(m):
 
 def bones_in_bind(path):
     """Joint name -> 4x4 rows, bone space -> the space the skin is bound in, from a .glb with one skin."""
-    data = pathlib.Path(path).read_bytes()
-    length = struct.unpack_from("<I", data, 12)[0]
-    scene = json.loads(data[20:20 + length])
-    binary = data[20 + length + 8:]
-    skin = scene["skins"][0]
-    accessor = scene["accessors"][skin["inverseBindMatrices"]]
-    view = scene["bufferViews"][accessor["bufferView"]]
-    start = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+    glb = Glb(pathlib.Path(path))
+    skin = glb.json["skins"][0]
     bones = {}
-    for place, joint in enumerate(skin["joints"]):
-        columns = struct.unpack_from("<16f", binary, start + 64 * place)
+    for joint, columns in zip(skin["joints"], glb.rows(skin["inverseBindMatrices"])):
         rows = [[columns[4 * j + i] for j in range(4)] for i in range(4)]
         rows[3] = [0.0, 0.0, 0.0, 1.0]
-        bones[scene["nodes"][joint].get("name", "")] = affine_inverse(rows)
+        bones[glb.json["nodes"][joint].get("name", "")] = affine_inverse(rows)
     return bones
 
 

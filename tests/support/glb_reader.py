@@ -1,4 +1,4 @@
-# tests/assets/glb_reader.py: reads a .glb apart from the program, for the tests of the bundled characters.
+# tests/support/glb_reader.py: reads a .glb apart from the program, for the tests in Python.
 import collections
 import json
 import struct
@@ -13,9 +13,10 @@ class Glb:
     def rows(self, index):
         accessor = self.json["accessors"][index]
         view = self.json["bufferViews"][accessor["bufferView"]]
-        width = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}[accessor["type"]]
+        width = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}[accessor["type"]]
         letter = {5126: "f", 5123: "H", 5121: "B"}[accessor["componentType"]]
-        flat = struct.unpack_from("<%d%s" % (accessor["count"] * width, letter), self.data, view["byteOffset"])
+        start = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+        flat = struct.unpack_from("<%d%s" % (accessor["count"] * width, letter), self.data, start)
         return [flat[i:i + width] for i in range(0, len(flat), width)]
 
     def triangles(self):
