@@ -1,9 +1,9 @@
 // app/cli/bench.cpp: opens what is to be measured, and puts the measurements into a table and a file.
-#include "app/cli/bench.h"
-
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <initializer_list>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -12,6 +12,7 @@
 #include "app/cli/bench_projections.h"
 #include "app/cli/console.h"
 #include "app/cli/trial_rig.h"
+#include "app/cli/verb.h"
 #include "app/document/document.h"
 #include "app/platform/data_files.h"
 #include "core/io/files/atomic_file.h"
@@ -19,6 +20,20 @@
 
 namespace sinew::app {
 namespace {
+
+enum class Bench {
+  kProjections,  ///< The three ways to find roots, on the same frames.
+  kField,        ///< The field of spheres beside that of ellipsoids.
+  kDrag,         ///< Frames of a drag, by length of the history and number of muscles.
+};
+
+struct BenchOptions {
+  Bench bench = Bench::kProjections;
+  std::vector<std::filesystem::path> files;  ///< Rigs or characters; none: those that ship with the program.
+  std::filesystem::path json;                ///< Empty: none.
+  int frames = 0;                            ///< Moments of the clip or of the drag; 0: as many as the bench takes.
+  int rounds = 0;                            ///< Each frame is timed once a round; 0: as many as the bench takes.
+};
 
 constexpr int kTrialMuscles = 12;
 constexpr std::uint64_t kTrialSeed = 1;
@@ -163,8 +178,6 @@ void addFiles(CLI::App& bench, BenchOptions& options, const char* help) {
       ->type_name("FILE.json");
 }
 
-}  // namespace
-
 void addBenchOptions(CLI::App& verb, BenchOptions& options) {
   verb.require_subcommand(1);
   CLI::App* field = verb.add_subcommand("field", "Compare spheres with ellipsoids: one evaluation of the field");
@@ -197,5 +210,9 @@ int runBench(const BenchOptions& options) {
   }
   return benchProjections(options);
 }
+
+}  // namespace
+
+Verb benchVerb() { return makeVerb<BenchOptions>("bench", "Measure on this machine", addBenchOptions, runBench); }
 
 }  // namespace sinew::app

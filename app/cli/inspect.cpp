@@ -1,15 +1,15 @@
 // app/cli/inspect.cpp: counts, names and defects of a character, as JSON or for people.
-#include "app/cli/inspect.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <filesystem>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <glm/geometric.hpp>
 
 #include "app/cli/console.h"
+#include "app/cli/verb.h"
 #include "app/document/document.h"
 #include "core/character/bindings.h"
 #include "core/io/json/json.h"
@@ -20,6 +20,11 @@
 
 namespace sinew::app {
 namespace {
+
+struct InspectOptions {
+  std::filesystem::path file;
+  bool json = false;
+};
 
 constexpr std::size_t kEdgesListed = 50;
 
@@ -228,8 +233,6 @@ std::string plainText(const Document& document, const Shape& shape) {
   return out.str();
 }
 
-}  // namespace
-
 void addInspectOptions(CLI::App& verb, InspectOptions& options) {
   verb.add_option_function<std::string>(
           "FILE", [&](const std::string& file) { options.file = file; }, "Character (.glb, .gltf) or rig (.rig.json)")
@@ -242,6 +245,13 @@ int runInspect(const InspectOptions& options) {
   if (!document) return badInput(document.error());
   const Shape shape = shapeOf(*document->character);
   return putResult(options.json ? jsonText(document.value(), shape) : plainText(document.value(), shape));
+}
+
+}  // namespace
+
+Verb inspectVerb() {
+  return makeVerb<InspectOptions>("inspect", "Describe a character or a rig, and what is wrong with it",
+                                  addInspectOptions, runInspect);
 }
 
 }  // namespace sinew::app

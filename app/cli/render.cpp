@@ -1,6 +1,4 @@
 // app/cli/render.cpp: open, frame all moments at once, then pose, smooth, draw and write each.
-#include "app/cli/render.h"
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -13,6 +11,7 @@
 #include "app/cli/console.h"
 #include "app/cli/crease_option.h"
 #include "app/cli/render_plan.h"
+#include "app/cli/verb.h"
 #include "app/document/document.h"
 #include "app/document/motion_clip.h"
 #include "app/render/framing.h"
@@ -234,8 +233,6 @@ void addSmoothing(CLI::App& verb, RenderOptions& options) {
   addCreaseOption(verb, options.crease);
 }
 
-}  // namespace
-
 void addRenderOptions(CLI::App& verb, RenderOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
   verb.add_option_function<std::string>("FILE", to(options.input), "Rig (.rig.json) or character (.glb, .gltf)")
@@ -295,6 +292,12 @@ int runRender(const RenderOptions& options) {
   seconds.write = writer.seconds();
   tellTimes(seconds, plan->pictures.size());
   return kDone;
+}
+
+}  // namespace
+
+Verb renderVerb() {
+  return makeVerb<RenderOptions>("render", "Make pictures, off screen", addRenderOptions, runRender);
 }
 
 }  // namespace sinew::app

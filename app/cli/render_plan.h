@@ -2,14 +2,39 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "app/cli/render.h"
 #include "app/render/scene.h"
 #include "sinew/base/result.h"
 
 namespace sinew::app {
+
+/// As the command line says it.
+struct RenderOptions {
+  std::filesystem::path input;
+  std::filesystem::path output;  ///< .png; with frames a printf integer field such as %04d in its name.
+  std::string clip;              ///< Name; empty: the first if a time or frames are given, else the bind pose.
+  std::optional<double> time;    ///< Seconds.
+  std::string frames;            ///< "A:B", both ends included.
+  double framesPerSecond = 30.0;
+  std::string view = "three-quarter";  ///< A named view, or "yaw,pitch" in degrees.
+  bool orthographic = false;
+  std::string shading = "textured";
+  std::vector<std::string> show;
+  bool cull = false;
+  bool surface = true;  ///< Off: what is shown of muscles, bones and control mesh alone.
+  bool ground = true;
+  bool transparent = false;
+  std::string size = "1280x800";
+  int samples = 4;
+  std::optional<int> depth;
+  std::optional<float> crease;  ///< Degrees.
+  std::string mode;
+  std::string patch;
+  std::string projection;
+};
 
 /// One picture to make.
 struct PlannedPicture {

@@ -1,14 +1,16 @@
 // app/cli/smooth.cpp: open, override, pose, smooth, export, report.
-#include "app/cli/smooth.h"
-
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string>
 #include <system_error>
 
 #include <CLI/CLI.hpp>
 
 #include "app/cli/console.h"
 #include "app/cli/crease_option.h"
+#include "app/cli/verb.h"
 #include "app/document/document.h"
 #include "app/document/motion_clip.h"
 #include "core/io/files/atomic_file.h"
@@ -19,6 +21,19 @@
 
 namespace sinew::app {
 namespace {
+
+struct SmoothOptions {
+  std::filesystem::path file;       ///< Rig or character.
+  std::filesystem::path output;     ///< .obj, .ply or .glb.
+  std::filesystem::path report;     ///< JSON; empty: none.
+  std::optional<std::string> clip;  ///< Absent: the bind pose.
+  double time = 0.0;                ///< Seconds into the clip.
+  std::optional<int> depth;
+  std::optional<float> crease;  ///< Degrees.
+  std::optional<std::string> mode;
+  std::optional<std::string> patch;
+  std::optional<std::string> projection;
+};
 
 /// The rig with what the command line overrides. The words have passed the parser.
 Rig overridden(Rig rig, const SmoothOptions& options) {
@@ -111,8 +126,6 @@ void addSettings(CLI::App& verb, SmoothOptions& options) {
   addCreaseOption(verb, options.crease);
 }
 
-}  // namespace
-
 void addSmoothOptions(CLI::App& verb, SmoothOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
   verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf)")
@@ -165,6 +178,12 @@ int runSmooth(const SmoothOptions& options) {
     if (!written) return badInput(written.error());
   }
   return putResult(options.output.string() + '\n');
+}
+
+}  // namespace
+
+Verb smoothVerb() {
+  return makeVerb<SmoothOptions>("smooth", "Write the smoothed surface of one moment", addSmoothOptions, runSmooth);
 }
 
 }  // namespace sinew::app

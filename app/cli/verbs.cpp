@@ -2,15 +2,16 @@
 #include "app/cli/verbs.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <string_view>
+#include <span>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "app/cli/console.h"
+#include "app/cli/verb.h"
 
 namespace sinew::app {
 namespace {
@@ -27,62 +28,63 @@ constexpr const char* kExamples =
     "\n"
     "Exit status: 0 done, 1 the input is bad, 2 the command line is wrong. 'sinew VERB --help' lists a verb's options.";
 
-constexpr std::array<std::string_view, 5> kVerbs{"edit", "inspect", "smooth", "render", "bench"};
+void addEditOptions(CLI::App& parser, EditRequest& request) {
+  parser.add_option("FILE", request.file,
+                    "Character (.glb, .gltf) or rig (.rig.json); without it, a bundled character");
+  parser.add_option("--log-state", request.logState, "Append a JSON line per drawn frame that changed")
+      ->type_name("FILE");
+  parser.add_option("--scale", request.scale, "Size of the interface: 1, 1.5, 2; without it, the system's")
+      ->check(CLI::Range(0.5, 4.0))
+      ->type_name("S");
+}
 
-/// All verbs with what they read. The subcommands refer to the options, so it stays where it is.
+/// In the order of the help. The first runs where the command line names none.
+std::vector<Verb> allVerbs(const RunEditor& edit) {
+  return {
+      makeVerb<EditRequest>("edit", "Open the editor", addEditOptions, edit),
+      inspectVerb(),
+      smoothVerb(),
+      renderVerb(),
+      benchVerb(),
+  };
+}
+
+/// The parser of the whole command line, and what runs each verb.
 struct CommandLine {
   CLI::App app{kSummary, "sinew"};
-  EditRequest edit;
-  InspectOptions inspect;
-  SmoothOptions smooth;
-  RenderOptions render;
-  BenchOptions bench;
-  CLI::App* editVerb = nullptr;
-  CLI::App* inspectVerb = nullptr;
-  CLI::App* smoothVerb = nullptr;
-  CLI::App* renderVerb = nullptr;
-  CLI::App* benchVerb = nullptr;
+  std::vector<std::pair<CLI::App*, std::function<int()>>> runs;
 
-  CommandLine() {
+  explicit CommandLine(std::span<const Verb> verbs) {
     app.set_version_flag("--version", std::string("sinew ") + programVersion(), "Print the version and exit");
     app.set_help_flag("-h,--help", "Print this and exit");
     app.footer(kExamples);
     app.require_subcommand(1);
-    editVerb = app.add_subcommand("edit", "Open the editor");
-    editVerb->add_option("FILE", edit.file,
-                         "Character (.glb, .gltf) or rig (.rig.json); without it, a bundled character");
-    editVerb->add_option("--log-state", edit.logState, "Append a JSON line per drawn frame that changed")
-        ->type_name("FILE");
-    editVerb->add_option("--scale", edit.scale, "Size of the interface: 1, 1.5, 2; without it, the system's")
-        ->check(CLI::Range(0.5, 4.0))
-        ->type_name("S");
-    inspectVerb = app.add_subcommand("inspect", "Describe a character or a rig, and what is wrong with it");
-    addInspectOptions(*inspectVerb, inspect);
-    smoothVerb = app.add_subcommand("smooth", "Write the smoothed surface of one moment");
-    addSmoothOptions(*smoothVerb, smooth);
-    renderVerb = app.add_subcommand("render", "Make pictures, off screen");
-    addRenderOptions(*renderVerb, render);
-    benchVerb = app.add_subcommand("bench", "Measure on this machine");
-    addBenchOptions(*benchVerb, bench);
-    for (CLI::App* verb : {editVerb, inspectVerb, smoothVerb, renderVerb, benchVerb}) verb->footer("");
+    for (const Verb& verb : verbs) {
+      CLI::App* parser = app.add_subcommand(verb.name, verb.summary);
+      runs.emplace_back(parser, verb.add(*parser));
+      parser->footer("");
+    }
   }
 };
 
-/// The arguments after the program's name, "edit" put in front where no verb stands there.
-std::vector<std::string> withVerb(int argc, const char* const* argv) {
+bool isVerb(std::span<const Verb> verbs, const std::string& word) {
+  return std::ranges::find(verbs, word, &Verb::name) != verbs.end();
+}
+
+/// The arguments after the program's name, the first verb put in front where none stands there.
+std::vector<std::string> withVerb(std::span<const Verb> verbs, int argc, const char* const* argv) {
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
-  const bool asked =
-      !arguments.empty() && (std::ranges::find(kVerbs, arguments[0]) != kVerbs.end() || arguments[0] == "--help" ||
-                             arguments[0] == "-h" || arguments[0] == "--version");
-  if (!asked) arguments.insert(arguments.begin(), "edit");
+  const bool asked = !arguments.empty() && (isVerb(verbs, arguments[0]) || arguments[0] == "--help" ||
+                                            arguments[0] == "-h" || arguments[0] == "--version");
+  if (!asked) arguments.insert(arguments.begin(), verbs.front().name);
   return arguments;
 }
 
 /// A lone word that names neither verb nor file: a typo, not a reason to open a window.
-bool isUnknownWord(const std::string& word) {
+bool isUnknownWord(std::span<const Verb> verbs, const std::string& word) {
   std::error_code failed;
-  return !word.empty() && word.find_first_of("./-") == std::string::npos &&
-         std::ranges::find(kVerbs, word) == kVerbs.end() && !std::filesystem::exists(word, failed);
+  return !word.empty() && word.find_first_of("./-") == std::string::npos && !isVerb(verbs, word) &&
+         !std::filesystem::exists(word, failed);
 }
 
 /// Help and version go to stdout; all else is a line on stderr.
@@ -99,23 +101,21 @@ int answer(const CommandLine& line, const CLI::ParseError& error) {
 
 }  // namespace
 
-int runCommandLine(int argc, const char* const* argv, const std::function<int(const EditRequest&)>& edit) {
-  if (argc > 1 && isUnknownWord(argv[1])) {
+int runCommandLine(int argc, const char* const* argv, const RunEditor& edit) {
+  const std::vector<Verb> verbs = allVerbs(edit);
+  if (argc > 1 && isUnknownWord(verbs, argv[1])) {
     return badCommandLine('"' + std::string(argv[1]) + "\" is neither a verb nor a file (see: sinew --help)");
   }
-  CommandLine line;
-  std::vector<std::string> arguments = withVerb(argc, argv);
+  CommandLine line(verbs);
+  std::vector<std::string> arguments = withVerb(verbs, argc, argv);
   std::ranges::reverse(arguments);  // The parser takes them from the back.
   try {
     line.app.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
     return answer(line, error);
   }
-  if (line.inspectVerb->parsed()) return runInspect(line.inspect);
-  if (line.smoothVerb->parsed()) return runSmooth(line.smooth);
-  if (line.renderVerb->parsed()) return runRender(line.render);
-  if (line.benchVerb->parsed()) return runBench(line.bench);
-  return edit(line.edit);
+  const auto chosen = std::ranges::find_if(line.runs, [](const auto& run) { return run.first->parsed(); });
+  return chosen->second();
 }
 
 }  // namespace sinew::app

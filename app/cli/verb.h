@@ -1,0 +1,41 @@
+// app/cli/verb.h: what a verb of the command line is, and all verbs.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace CLI {
+class App;
+}
+
+namespace sinew::app {
+
+/// A row of the table in app/cli/verbs.cpp.
+struct Verb {
+  std::string name;
+  std::string summary;  ///< One line of the help.
+  /// Adds what the verb reads to its parser. Returns what runs it after the parse, with its exit status.
+  std::function<std::function<int()>(CLI::App& parser)> add;
+};
+
+/// A verb that reads into `Options`.
+/// @param add  void(CLI::App&, Options&): the options stay where they are.
+/// @param run  int(const Options&): returns the exit status (docs/formats.md).
+template <class Options, class Add, class Run>
+[[nodiscard]] Verb makeVerb(std::string name, std::string summary, Add add, Run run) {
+  const auto addTo = [add, run](CLI::App& parser) -> std::function<int()> {
+    const auto options = std::make_shared<Options>();
+    add(parser, *options);
+    return [options, run] { return run(*options); };
+  };
+  return {std::move(name), std::move(summary), addTo};
+}
+
+[[nodiscard]] Verb inspectVerb();
+[[nodiscard]] Verb smoothVerb();
+[[nodiscard]] Verb renderVerb();
+[[nodiscard]] Verb benchVerb();
+
+}  // namespace sinew::app
