@@ -38,6 +38,4 @@ int putResult(const std::string& text) {
   return badInput(errorAt("stdout", "cannot be written"));
 }
 
-const char* programVersion() { return SINEW_VERSION; }
-
 }  // namespace sinew::app

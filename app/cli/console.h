@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "app/platform/version.h"
 #include "sinew/base/result.h"
 
 namespace sinew::app {
@@ -26,8 +27,5 @@ void progress(const std::string& text);
 
 /// Puts the verb's result on stdout. kDone, or kBadInput with a line on stderr if stdout does not take it.
 [[nodiscard]] int putResult(const std::string& text);
-
-/// "0.1.0"
-[[nodiscard]] const char* programVersion();
 
 }  // namespace sinew::app

@@ -1,0 +1,11 @@
+// app/platform/version.cpp: the only file that is compiled again when the commit changes.
+
+#include "app/platform/version.h"
+
+#include "sinew_version.h"
+
+namespace sinew::app {
+
+const char* programVersion() { return SINEW_VERSION " (" SINEW_COMMIT ")"; }
+
+}  // namespace sinew::app
