@@ -12,12 +12,12 @@ std::vector<std::filesystem::path> dataFolders() {
   std::vector<std::filesystem::path> folders;
   if (const char* named = std::getenv("SINEW_DATA_DIR"); named != nullptr && *named != '\0')
     folders.emplace_back(named);
+  const std::filesystem::path beside = executableFolder();
+  // Before the source tree, which an installed program must not depend on, even where it is there and older.
+  if (!beside.empty()) folders.push_back(beside.parent_path() / "share" / "sinew");
   folders.emplace_back(SINEW_SOURCE_DATA_DIR);
   folders.emplace_back(SINEW_INSTALLED_DATA_DIR);
-  if (const std::filesystem::path beside = executableFolder(); !beside.empty()) {
-    folders.push_back(beside);
-    folders.push_back(beside.parent_path() / "share" / "sinew");
-  }
+  if (!beside.empty()) folders.push_back(beside);
   return folders;
 }
 

@@ -6,9 +6,9 @@
 namespace sinew::app {
 
 /// A file that ships with the program, by its path in the source tree ("shaders/surface.vert"). Looked for in the
-/// folder SINEW_DATA_DIR (environment) names, then the source tree, the installed data folder, and beside the
-/// executable (also ../share/sinew). The first that exists; if none does, the path in the first place looked at, for
-/// the message.
+/// folder SINEW_DATA_DIR (environment) names, then ../share/sinew of the executable's folder (an installed program),
+/// the source tree, the configured data folder, and beside the executable. The first that exists; if none does, the
+/// path in the first place looked at, for the message.
 [[nodiscard]] std::filesystem::path dataFile(const std::filesystem::path& relative);
 
 /// Folder of the running program; empty if the system does not tell.
