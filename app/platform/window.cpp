@@ -30,6 +30,9 @@ void setContextHints() {
   // The viewport has its own framebuffer and samples; the window's only gets copies.
   glfwWindowHint(GLFW_SAMPLES, 0);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
+  // What the desktop entry calls its windows, so that they get its name and icon.
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "sinew");
+  glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "sinew");
 }
 
 /// Enough of it lies on a screen to be seen and taken hold of.

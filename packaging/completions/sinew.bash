@@ -1,0 +1,100 @@
+# packaging/completions/sinew.bash: completion for bash. Made by packaging/make_pages.py from the program's help.
+
+# Folders, and files with one of the endings; "-": any file.
+_sinew_files() {
+    local name ending
+    compopt -o filenames 2>/dev/null
+    while IFS= read -r name; do COMPREPLY+=("$name"); done < <(compgen -d -- "$cur")
+    while IFS= read -r name; do
+        [[ -d $name ]] && continue
+        for ending in "$@"; do
+            [[ $ending == - || $name == *."$ending" ]] && COMPREPLY+=("$name") && break
+        done
+    done < <(compgen -f -- "$cur")
+}
+
+_sinew_words() {
+    local word
+    while IFS= read -r word; do COMPREPLY+=("$word"); done < <(compgen -W "$*" -- "$cur")
+}
+
+_sinew() {
+    local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} verb="" word i
+    COMPREPLY=()
+    # "--mode=swell" comes as three words.
+    if [[ $cur == = ]]; then
+        cur=""
+    elif [[ $prev == = ]] && ((COMP_CWORD >= 2)); then
+        prev=${COMP_WORDS[COMP_CWORD-2]}
+    fi
+    for ((i = 1; i < COMP_CWORD; ++i)); do
+        word=${COMP_WORDS[i]}
+        case "$verb:$word" in
+            :edit) verb=edit ;;
+            :inspect) verb=inspect ;;
+            :smooth) verb=smooth ;;
+            :render) verb=render ;;
+            :bench) verb=bench ;;
+            bench:field) verb=bench-field ;;
+            bench:projections) verb=bench-projections ;;
+            bench:drag) verb=bench-drag ;;
+        esac
+    done
+    # Without a verb the file is the editor's.
+    [[ -z $verb ]] && ((COMP_CWORD > 1)) && verb=edit
+    case "$verb:$prev" in
+        edit:--log-state) _sinew_files -; return ;;
+        edit:--scale) :; return ;;
+        smooth:--clip) :; return ;;
+        smooth:--time) :; return ;;
+        smooth:--depth) :; return ;;
+        smooth:--mode) _sinew_words swell replace; return ;;
+        smooth:--patch) _sinew_words pn phong spherigon flat; return ;;
+        smooth:--projection) _sinew_words newton bisection analytic; return ;;
+        smooth:--crease) :; return ;;
+        smooth:-o|smooth:--output) _sinew_files obj ply glb; return ;;
+        smooth:--report) _sinew_files json; return ;;
+        render:--clip) :; return ;;
+        render:--time) :; return ;;
+        render:--frames) :; return ;;
+        render:--fps) :; return ;;
+        render:--view) _sinew_words front back left right top bottom three-quarter; return ;;
+        render:--shading) _sinew_words textured clay classes heat; return ;;
+        render:--show) _sinew_words skeleton primitives influence wire control anchors classes; return ;;
+        render:--size) :; return ;;
+        render:--samples) :; return ;;
+        render:--depth) :; return ;;
+        render:--mode) _sinew_words swell replace; return ;;
+        render:--patch) _sinew_words pn phong spherigon flat; return ;;
+        render:--projection) _sinew_words newton bisection analytic; return ;;
+        render:--crease) :; return ;;
+        render:-o|render:--output) _sinew_files png; return ;;
+        bench-field:--rounds) :; return ;;
+        bench-projections:--json) _sinew_files json; return ;;
+        bench-projections:--frames) :; return ;;
+        bench-projections:--rounds) :; return ;;
+        bench-drag:--json) _sinew_files json; return ;;
+        bench-drag:--frames) :; return ;;
+        bench-drag:--rounds) :; return ;;
+    esac
+    case "$verb:$cur" in
+        :-*) _sinew_words --version -h --help ;;
+        :*) _sinew_words edit inspect smooth render bench; _sinew_files glb gltf rig.json ;;
+        edit:-*) _sinew_words -h --help --log-state --scale ;;
+        edit:*) _sinew_files glb gltf rig.json ;;
+        inspect:-*) _sinew_words -h --help --json ;;
+        inspect:*) _sinew_files glb gltf rig.json ;;
+        smooth:-*) _sinew_words -h --help --clip --time --depth --mode --patch --projection --crease -o --output --report ;;
+        smooth:*) _sinew_files glb gltf rig.json ;;
+        render:-*) _sinew_words -h --help --clip --time --frames --fps --view --orthographic --shading --show --surface --no-surface --ground --no-ground --cull --transparent --size --samples --depth --mode --patch --projection --crease -o --output ;;
+        render:*) _sinew_files glb gltf rig.json ;;
+        bench:-*) _sinew_words -h --help ;;
+        bench:*) _sinew_words field projections drag ;;
+        bench-field:-*) _sinew_words -h --help --rounds ;;
+        bench-projections:-*) _sinew_words -h --help --json --frames --rounds ;;
+        bench-projections:*) _sinew_files glb gltf rig.json ;;
+        bench-drag:-*) _sinew_words -h --help --json --frames --rounds ;;
+        bench-drag:*) _sinew_files glb gltf rig.json ;;
+    esac
+}
+complete -F _sinew sinew

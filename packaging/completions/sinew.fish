@@ -1,0 +1,113 @@
+# packaging/completions/sinew.fish: completion for fish. Made by packaging/make_pages.py from the program's help.
+
+# The verbs of the command line so far, "bench drag" as "bench-drag"; "" for none.
+function __sinew_verb
+    set -l verb ""
+    for word in (commandline -opc)[2..-1]
+        switch "$verb:$word"
+            case :edit
+                set verb edit
+            case :inspect
+                set verb inspect
+            case :smooth
+                set verb smooth
+            case :render
+                set verb render
+            case :bench
+                set verb bench
+            case bench:field
+                set verb bench-field
+            case bench:projections
+                set verb bench-projections
+            case bench:drag
+                set verb bench-drag
+        end
+    end
+    echo $verb
+end
+
+function __sinew_in
+    test (__sinew_verb) = "$argv[1]"
+end
+
+# Folders, and files with one of the endings; without endings, any file.
+function __sinew_files
+    set -l token (string replace -r '^-[^=]*=' '' -- (commandline -ct))
+    for name in $token*
+        if test -d $name
+            echo $name/
+        else if test (count $argv) -eq 0
+            echo $name
+        else
+            for ending in $argv
+                string match -q -- "*.$ending" $name; and echo $name; and break
+            end
+        end
+    end
+end
+
+complete -c sinew -f
+complete -c sinew -n '__sinew_in ""' -a edit -d 'Open the editor'
+complete -c sinew -n '__sinew_in ""' -a inspect -d 'Describe a character or a rig, and what is wrong with it'
+complete -c sinew -n '__sinew_in ""' -a smooth -d 'Write the smoothed surface of one moment'
+complete -c sinew -n '__sinew_in ""' -a render -d 'Make pictures, off screen'
+complete -c sinew -n '__sinew_in ""' -a bench -d 'Measure on this machine'
+complete -c sinew -n '__sinew_in ""' -a '(__sinew_files glb gltf rig.json)'
+complete -c sinew -n '__sinew_in ""' -l version -d 'Print the version and exit'
+complete -c sinew -n '__sinew_in ""' -s h -l help -d 'Print this and exit'
+complete -c sinew -n '__sinew_in "edit"' -a '(__sinew_files glb gltf rig.json)'
+complete -c sinew -n '__sinew_in "edit"' -s h -l help -d 'Print this and exit'
+complete -c sinew -n '__sinew_in "edit"' -l log-state -x -a '(__sinew_files )' -d 'Append a JSON line per drawn frame that changed'
+complete -c sinew -n '__sinew_in "edit"' -l scale -x -d 'Size of the interface: 1, 1.5, 2; without it, the system\'s'
+complete -c sinew -n '__sinew_in "inspect"' -a '(__sinew_files glb gltf rig.json)'
+complete -c sinew -n '__sinew_in "inspect"' -s h -l help -d 'Print this and exit'
+complete -c sinew -n '__sinew_in "inspect"' -l json -d 'Print JSON, for programs'
+complete -c sinew -n '__sinew_in "smooth"' -a '(__sinew_files glb gltf rig.json)'
+complete -c sinew -n '__sinew_in "smooth"' -s h -l help -d 'Print this and exit'
+complete -c sinew -n '__sinew_in "smooth"' -l clip -x -d 'Pose from this clip, or "Range of motion", made from the joints; without it, the bind pose'
+complete -c sinew -n '__sinew_in "smooth"' -l time -x -d 'Seconds into the clip (0)'
+complete -c sinew -n '__sinew_in "smooth"' -l depth -x -d 'Every triangle becomes N x N, in place of the rig\'s depth (a file has no size on screen to follow)'
+complete -c sinew -n '__sinew_in "smooth"' -l mode -x -a 'swell replace' -d 'swell (the skin rises over the muscles) or replace (the paper\'s method)'
+complete -c sinew -n '__sinew_in "smooth"' -l patch -x -a 'pn phong spherigon flat' -d 'Curved patch over each triangle: pn, phong, spherigon or flat'
+complete -c sinew -n '__sinew_in "smooth"' -l projection -x -a 'newton bisection analytic' -d 'How roots are found: newton, bisection or analytic'
+complete -c sinew -n '__sinew_in "smooth"' -l crease -x -d 'Shade faces that meet at more than this angle apart; 180: smooth everywhere'
+complete -c sinew -n '__sinew_in "smooth"' -s o -l output -x -a '(__sinew_files obj ply glb)' -d 'Surface to write: .obj, .ply or .glb'
+complete -c sinew -n '__sinew_in "smooth"' -l report -x -a '(__sinew_files json)' -d 'Counts, class sizes, residuals and seconds as JSON'
+complete -c sinew -n '__sinew_in "render"' -a '(__sinew_files glb gltf rig.json)'
+complete -c sinew -n '__sinew_in "render"' -s h -l help -d 'Print this and exit'
+complete -c sinew -n '__sinew_in "render"' -l clip -x -d 'Pose from this clip, or "Range of motion", made from the joints; without any of these, the bind pose'
+complete -c sinew -n '__sinew_in "render"' -l time -x -d 'Seconds into the clip (of the first, if none is named)'
+complete -c sinew -n '__sinew_in "render"' -l frames -x -d 'One picture per clip frame, both ends included'
+complete -c sinew -n '__sinew_in "render"' -l fps -x -d 'Clip frames per second (30)'
+complete -c sinew -n '__sinew_in "render"' -l view -x -a 'front back left right top bottom three-quarter' -d 'front, back, left, right, top, bottom, three-quarter, or YAW,PITCH in degrees'
+complete -c sinew -n '__sinew_in "render"' -l orthographic -d 'Orthographic: no perspective'
+complete -c sinew -n '__sinew_in "render"' -l shading -x -a 'textured clay classes heat' -d 'textured, clay, classes (implicit, straddling, normal) or heat (displacement)'
+complete -c sinew -n '__sinew_in "render"' -l show -x -a 'skeleton primitives influence wire control anchors classes' -d 'Any of skeleton, primitives, influence, wire, control, anchors, classes'
+complete -c sinew -n '__sinew_in "render"' -l surface -l no-surface -d 'The smoothed surface (on)'
+complete -c sinew -n '__sinew_in "render"' -l ground -l no-ground -d 'Grid and shadow (on)'
+complete -c sinew -n '__sinew_in "render"' -l cull -d 'Neither compute nor draw faces that point away from the camera: faster'
+complete -c sinew -n '__sinew_in "render"' -l transparent -d 'No background: an alpha channel instead'
+complete -c sinew -n '__sinew_in "render"' -l size -x -d 'Pixels, each 16 to 8192 (1280x800)'
+complete -c sinew -n '__sinew_in "render"' -l samples -x -d 'Samples per pixel, at most what the driver offers (4)'
+complete -c sinew -n '__sinew_in "render"' -l depth -x -d 'Every triangle becomes N x N, also where a rig follows the picture\'s size'
+complete -c sinew -n '__sinew_in "render"' -l mode -x -a 'swell replace' -d 'swell or replace'
+complete -c sinew -n '__sinew_in "render"' -l patch -x -a 'pn phong spherigon flat' -d 'pn, phong, spherigon or flat'
+complete -c sinew -n '__sinew_in "render"' -l projection -x -a 'newton bisection analytic' -d 'newton, bisection or analytic'
+complete -c sinew -n '__sinew_in "render"' -l crease -x -d 'Shade faces that meet at more than this angle apart; 180: smooth everywhere'
+complete -c sinew -n '__sinew_in "render"' -s o -l output -x -a '(__sinew_files png)' -d 'Picture to write: OUT.png, or OUT_%04d.png with --frames'
+complete -c sinew -n '__sinew_in "bench"' -a field -d 'Compare spheres with ellipsoids: one evaluation of the field'
+complete -c sinew -n '__sinew_in "bench"' -a projections -d 'Compare newton, bisection and analytic: work, time, agreement'
+complete -c sinew -n '__sinew_in "bench"' -a drag -d 'Time a drag: short and long history, few and many muscles'
+complete -c sinew -n '__sinew_in "bench"' -s h -l help -d 'Print this and exit'
+complete -c sinew -n '__sinew_in "bench-field"' -s h -l help -d 'Print this and exit'
+complete -c sinew -n '__sinew_in "bench-field"' -l rounds -x -d 'Times everything is timed (15)'
+complete -c sinew -n '__sinew_in "bench-projections"' -a '(__sinew_files glb gltf rig.json)'
+complete -c sinew -n '__sinew_in "bench-projections"' -s h -l help -d 'Print this and exit'
+complete -c sinew -n '__sinew_in "bench-projections"' -l json -x -a '(__sinew_files json)' -d 'Write the numbers as JSON too'
+complete -c sinew -n '__sinew_in "bench-projections"' -l frames -x -d 'Moments of the first clip (8)'
+complete -c sinew -n '__sinew_in "bench-projections"' -l rounds -x -d 'Times each moment is timed (15)'
+complete -c sinew -n '__sinew_in "bench-drag"' -a '(__sinew_files glb gltf rig.json)'
+complete -c sinew -n '__sinew_in "bench-drag"' -s h -l help -d 'Print this and exit'
+complete -c sinew -n '__sinew_in "bench-drag"' -l json -x -a '(__sinew_files json)' -d 'Write the numbers as JSON too'
+complete -c sinew -n '__sinew_in "bench-drag"' -l frames -x -d 'Frames of a drag (60)'
+complete -c sinew -n '__sinew_in "bench-drag"' -l rounds -x -d 'Drags (5)'
