@@ -9,6 +9,8 @@
 #include <array>
 #include <cassert>
 
+#include "app/actions/bindings.h"
+
 namespace sinew::app {
 namespace {
 
@@ -47,26 +49,39 @@ constexpr std::array kKeyNames{
     KeyName{GLFW_KEY_PAGE_UP, "Page up"},
     KeyName{GLFW_KEY_PAGE_DOWN, "Page down"},
     KeyName{GLFW_KEY_INSERT, "Ins"},
+    KeyName{GLFW_KEY_KP_ADD, "Num +"},
+    KeyName{GLFW_KEY_KP_SUBTRACT, "Num -"},
+    KeyName{GLFW_KEY_KP_MULTIPLY, "Num *"},
+    KeyName{GLFW_KEY_KP_ENTER, "Num Enter"},
+    KeyName{GLFW_KEY_PAUSE, "Pause"},
 };
 
 std::string nameOfKey(int key) {
   if (const auto found = std::ranges::find(kKeyNames, key, &KeyName::key); found != kKeyNames.end()) return found->name;
   if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
-  return std::string(1, static_cast<char>(key));
+  // GLFW's codes of these keys are their ASCII characters; other characters are no keys.
+  constexpr std::string_view kPrinted = "',-./0123456789;=ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]`";
+  const bool printed = key > 0 && key < 128 && kPrinted.find(static_cast<char>(key)) != std::string_view::npos;
+  return printed ? std::string(1, static_cast<char>(key)) : "";
+}
+
+/// The reverse; 0 for none.
+int keyNamed(std::string_view name) {
+  for (int key = GLFW_KEY_SPACE; !name.empty() && key <= GLFW_KEY_LAST; ++key) {
+    if (nameOfKey(key) == name) return key;
+  }
+  return 0;
+}
+
+bool takePrefix(std::string_view& text, std::string_view prefix) {
+  if (!text.starts_with(prefix)) return false;
+  text.remove_prefix(prefix.size());
+  return true;
 }
 
 bool repeats(const Action& action) {
   constexpr std::array<std::string_view, 4> kRepeated{"edit/undo", "edit/redo", "play/next", "play/previous"};
   return std::ranges::find(kRepeated, action.id) != kRepeated.end();
-}
-
-/// The one that answers to it; null: none.
-const Action* answering(const Shortcut& pressed, Keymap keymap) {
-  for (const Action& candidate : actions()) {
-    const std::array<Shortcut, 2> keys = shortcutsOf(candidate, keymap);
-    if (std::ranges::find(keys, pressed) != keys.end()) return &candidate;
-  }
-  return nullptr;
 }
 
 }  // namespace
@@ -84,6 +99,25 @@ std::array<Shortcut, 2> shortcutsOf(const Action& action, Keymap keymap) {
   return {action.shortcut, action.second};
 }
 
+std::array<Shortcut, 2> shortcutsOf(const Action& action, const Preferences& preferences) {
+  const auto changed = preferences.keyChanges().find(action.id);
+  if (changed == preferences.keyChanges().end()) return shortcutsOf(action, preferences.keymap);
+  std::array<Shortcut, 2> keys{};
+  for (std::size_t i = 0; i < std::min(keys.size(), changed->second.size()); ++i) {
+    keys[i] = shortcutFrom(changed->second[i]).value_or(Shortcut{});
+  }
+  return keys;
+}
+
+std::optional<Shortcut> shortcutFrom(std::string_view text) {
+  Shortcut shortcut;
+  shortcut.control = takePrefix(text, "Ctrl+");
+  shortcut.alt = takePrefix(text, "Alt+");
+  shortcut.shift = takePrefix(text, "Shift+");
+  shortcut.key = keyNamed(text);
+  return shortcut.key != 0 ? std::optional(shortcut) : std::nullopt;
+}
+
 std::string textOf(const Shortcut& shortcut) {
   if (shortcut.key == 0) return "";
   std::string text;
@@ -94,7 +128,7 @@ std::string textOf(const Shortcut& shortcut) {
 }
 
 std::string keyText(const Action& action, const EditorState& state) {
-  return textOf(shortcutsOf(action, state.session.preferences.keymap)[0]);
+  return textOf(shortcutsOf(action, state.session.preferences)[0]);
 }
 
 void run(const Action& action, EditorState& state) {
@@ -104,7 +138,7 @@ void run(const Action& action, EditorState& state) {
 bool runShortcut(EditorState& state, const RawInput& input) {
   const int key = input.pressedKey >= 0 ? input.pressedKey : input.repeatedKey;
   if (key <= 0 || input.super) return false;
-  const Action* meant = answering({key, input.control, input.shift, input.alt}, state.session.preferences.keymap);
+  const Action* meant = ownerOf({key, input.control, input.shift, input.alt}, state.session.preferences);
   if (meant == nullptr) return false;
   if (input.pressedKey >= 0 || repeats(*meant)) run(*meant, state);
   return true;

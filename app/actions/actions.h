@@ -62,16 +62,18 @@ struct KeyChange {
 [[nodiscard]] std::span<const KeyChange> changesOf(Keymap keymap);
 /// "Maya-like", "Blender-like".
 [[nodiscard]] const char* titleOf(Keymap keymap);
-/// What an action answers to in a keymap; keys 0: to nothing.
+/// What an action answers to in a keymap as it comes; keys 0: to nothing.
 [[nodiscard]] std::array<Shortcut, 2> shortcutsOf(const Action& action, Keymap keymap);
+/// ... and with the user's own keys (app/actions/bindings.h).
+[[nodiscard]] std::array<Shortcut, 2> shortcutsOf(const Action& action, const Preferences& preferences);
 
 /// "Ctrl+Shift+S"; "" for none.
 [[nodiscard]] std::string textOf(const Shortcut& shortcut);
-/// The action's first key in the keymap that the user has chosen; "" for none.
+/// The action's first key, as the user has set it; "" for none.
 [[nodiscard]] std::string keyText(const Action& action, const EditorState& state);
 /// Runs it if it is enabled.
 void run(const Action& action, EditorState& state);
-/// Runs what, in the user's keymap, the key pressed (or repeated, for undo, redo and stepping) in this frame means.
+/// Runs what, with the user's keys, the key pressed (or repeated, for undo, redo and stepping) in this frame means.
 /// @return whether it meant anything.
 bool runShortcut(EditorState& state, const RawInput& input);
 

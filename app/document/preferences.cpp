@@ -75,6 +75,31 @@ WindowPlace windowFromJson(const Json& json) {
   return window;
 }
 
+Json keysToJson(const Preferences& preferences) {
+  Json all = Json::object();
+  for (const Keymap keymap : kKeymaps) {
+    Json changes = Json::object();
+    for (const auto& [id, keys] : preferences.keys[static_cast<std::size_t>(keymap)]) {
+      Json texts = Json::array();
+      for (const std::string& key : keys) texts.push(key);
+      changes.set(id, texts);
+    }
+    all.set(nameOf(keymap), changes);
+  }
+  return all;
+}
+
+KeyChanges keysFromJson(const Json& json) {
+  KeyChanges changes;
+  for (const std::string& id : json.keys()) {
+    const Json& texts = json.at(id);
+    if (texts.kind != Json::Kind::kArray) continue;
+    std::vector<std::string>& keys = changes[id];
+    for (const Json& key : texts.items()) keys.push_back(key.text("?"));  // No key: dropped with a note.
+  }
+  return changes;
+}
+
 std::string keptAside(const std::filesystem::path& file) {
   std::filesystem::path aside = file;
   aside += ".bad";
@@ -110,6 +135,7 @@ std::string preferencesToJson(const Preferences& preferences) {
              .set("format", "sinew-preferences")
              .set("version", 1)
              .set("keymap", nameOf(preferences.keymap))
+             .set("keys", keysToJson(preferences))
              .set("scale", preferences.scale)
              .set("autosave_seconds", preferences.autosaveSeconds)
              .set("recent_files", files)
@@ -129,6 +155,9 @@ Result<Preferences> preferencesFromJson(std::string_view text) {
   if (json.at("format").text("") != "sinew-preferences") return errorAt("format", "expected \"sinew-preferences\"");
   Preferences preferences;
   if (json.at("keymap").text("") == nameOf(Keymap::kBlender)) preferences.keymap = Keymap::kBlender;
+  for (const Keymap keymap : kKeymaps) {
+    preferences.keys[static_cast<std::size_t>(keymap)] = keysFromJson(json.at("keys").at(nameOf(keymap)));
+  }
   read(json, "scale", 0.5, 4.0, preferences.scale);
   read(json, "autosave_seconds", kLeastAutosaveSeconds, kMostAutosaveSeconds, preferences.autosaveSeconds);
   const std::vector<Json> files = json.at("recent_files").items();

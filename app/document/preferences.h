@@ -1,7 +1,9 @@
 // app/document/preferences.h: what the editor remembers from one start to the next.
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,8 +13,13 @@
 namespace sinew::app {
 
 enum class Keymap { kMaya, kBlender };
+inline constexpr std::array kKeymaps{Keymap::kMaya, Keymap::kBlender};
 
 [[nodiscard]] const char* nameOf(Keymap keymap);  ///< "maya", "blender": what the file says.
+
+/// Keys in place of the keymap's, "Ctrl+D", by the action's id: at most two, an empty list for no key. What actions and
+/// keys there are is known to app/actions/bindings.h.
+using KeyChanges = std::map<std::string, std::vector<std::string>>;
 
 /// Sizes of the panels in design pixels, and which are there.
 struct LayoutState {
@@ -47,7 +54,8 @@ inline constexpr double kMostAutosaveSeconds = 600.0;
 
 struct Preferences {
   Keymap keymap = Keymap::kMaya;
-  float scale = 0.0f;  ///< Of the interface, 0.5..4; 0: what the system says.
+  std::array<KeyChanges, kKeymaps.size()> keys;  ///< By keymap.
+  float scale = 0.0f;                            ///< Of the interface, 0.5..4; 0: what the system says.
   double autosaveSeconds = 30.0;
   std::vector<std::filesystem::path> recentFiles;  ///< Absolute, newest first, each once.
   std::vector<std::string> recentActions;          ///< Ids, newest first: what the palette offers first.
@@ -55,6 +63,10 @@ struct Preferences {
   bool newestFirst = false;                        ///< ... and sorts by date.
   WindowPlace window;
   LayoutState layout;
+
+  /// Those of the chosen keymap.
+  [[nodiscard]] KeyChanges& keyChanges() { return keys[static_cast<std::size_t>(keymap)]; }
+  [[nodiscard]] const KeyChanges& keyChanges() const { return keys[static_cast<std::size_t>(keymap)]; }
 
   friend bool operator==(const Preferences&, const Preferences&) = default;
 };

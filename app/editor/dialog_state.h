@@ -44,12 +44,28 @@ struct PaletteState {
   int chosen = 0;  ///< Row that Enter takes.
 };
 
+/// Which part of the preferences is shown.
+enum class PreferencesPage { kGeneral, kKeys };
+
+/// Another key for an action: waiting for it, or asking what to do as it is taken.
+struct KeyCapture {
+  enum class Step { kNone, kWaiting, kAsking };
+  Step step = Step::kNone;
+  std::string action;  ///< Id.
+  int slot = 0;        ///< Its first or second key.
+  std::string key;     ///< Asked about, as "Ctrl+D"; "": about a reset.
+  std::string notice;  ///< The question, or why the last key was refused.
+};
+
 struct Dialogs {
   FileDialogState file;
   Intent question;  ///< Asking about unsaved changes before this; kNone: not asking.
   PaletteState palette;
   bool keySheet = false;
   bool preferences = false;
+  PreferencesPage preferencesPage = PreferencesPage::kGeneral;
+  std::string keySearch;  ///< Typed above the list of keys.
+  KeyCapture keyCapture;
   bool recovery = false;  ///< What a crash left behind is being offered.
 };
 

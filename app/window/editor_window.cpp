@@ -13,7 +13,9 @@
 #include <optional>
 #include <utility>
 
+#include "app/actions/bindings.h"
 #include "app/editor/commands.h"
+#include "app/editor/edit.h"
 #include "app/editor/session.h"
 #include "app/editor/session_keeper.h"
 #include "app/platform/window.h"
@@ -211,6 +213,9 @@ int runEditor(const EditorOptions& options) {
   EditorState state;
   SessionKeeper keeper(preferencesFile(), recoveryFolder());
   keeper.start(state);
+  for (const std::string& note : dropUnusableKeys(state.session.preferences)) {
+    addMessage(state.session, MessageKind::kNote, "preferences: " + note + "; ignored");
+  }
   const float grown = options.scale > 0.0f ? options.scale : std::max(state.session.preferences.scale, 1.0f);
   const glm::ivec2 size(glm::vec2(kWindowSize) * grown);
   std::optional<WindowGeometry> place = geometryOf(state.session.preferences.window);

@@ -34,6 +34,8 @@ class PreferencesTest : public testing::Test {
 Preferences unlikeTheDefaults() {
   Preferences p;
   p.keymap = Keymap::kBlender;
+  p.keys[0] = {{"edit/duplicate", {"Shift+D", "K"}}, {"view/frame", {}}};
+  p.keys[1] = {{"edit/undo", {"U"}}};
   p.scale = 1.75f;
   p.autosaveSeconds = 12.5;
   p.recentFiles = {"/a/fox.glb", "/b/with space \xc3\xa9.rig.json"};
@@ -81,7 +83,7 @@ TEST_F(PreferencesTest, ADamagedFileIsToldKeptAsideAndReplacedByDefaults) {
 TEST_F(PreferencesTest, WhatIsWrongInPartCostsThatPartAlone) {
   write(R"({ "format": "sinew-preferences", "version": 99, "keymap": 7, "scale": 1e9, "autosave_seconds": -3,
              "recent_files": ["/a.glb", 5, null, "relative.glb", "/a.glb", "/b.glb"], "recent_actions": {},
-             "window": "wide",
+             "window": "wide", "keys": { "maya": 7, "blender": { "edit/undo": "U" }, "emacs": { "edit/undo": ["U"] } },
              "layout": { "left": "x", "right": 250, "bottom": 1e300, "overlay": 1, "folded": [1, "surface"] },
              "hidden_files": true, "unknown": [1, 2] })");
   const LoadedPreferences read = loadPreferences(file);

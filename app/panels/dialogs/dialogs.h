@@ -10,6 +10,10 @@ void drawUnsavedQuestion(PanelUi& ui);
 void drawRecoveryQuestion(PanelUi& ui);
 void drawKeySheet(PanelUi& ui);
 void drawPreferences(PanelUi& ui);
+/// The second page of the preferences: every action with its keys.
+void drawKeysPage(PanelUi& ui);
+/// Radio buttons; each notes itself as `id` and the keymap's name.
+void drawKeymapChoice(PanelUi& ui, const std::string& id);
 void drawPalette(PanelUi& ui);
 
 }  // namespace sinew::app

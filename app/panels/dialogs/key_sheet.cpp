@@ -2,9 +2,6 @@
 
 #include <imgui.h>
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
 #include <array>
 #include <span>
@@ -13,6 +10,7 @@
 #include <vector>
 
 #include "app/panels/dialogs/dialogs.h"
+#include "app/platform/version.h"
 
 namespace sinew::app {
 namespace {
@@ -61,13 +59,13 @@ const Section& fieldSection() {
   return section;
 }
 
-std::vector<Section> sectionsOf(Keymap keymap) {
+std::vector<Section> sectionsOf(const Preferences& preferences) {
   std::vector<Section> sections;
   for (const Menu& menu : menus()) {
     Section section{menu.title, {}};
     for (const Action& item : actions()) {
       if (item.menu() != menu.id) continue;
-      const std::array<Shortcut, 2> keys = shortcutsOf(item, keymap);
+      const std::array<Shortcut, 2> keys = shortcutsOf(item, preferences);
       std::string text = textOf(keys[0]);
       if (keys[1].key != 0) text += (text.empty() ? "" : "  or  ") + textOf(keys[1]);
       if (!text.empty()) section.lines.emplace_back(item.label, text);
@@ -142,20 +140,9 @@ void drawColumns(PanelUi& ui, const std::vector<Section>& sections, const std::v
   ImGui::EndChild();
 }
 
-void drawKeymapChoice(PanelUi& ui) {
-  ImGui::AlignTextToFramePadding();
-  mutedText("Keymap");
-  for (const Keymap keymap : {Keymap::kMaya, Keymap::kBlender}) {
-    ImGui::SameLine();
-    const bool chosen = ImGui::RadioButton(titleOf(keymap), ui.state.session.preferences.keymap == keymap);
-    ui.widgets.note(std::string("keys/") + nameOf(keymap));
-    if (chosen) ui.state.session.preferences.keymap = keymap;
-  }
-}
-
 /// Two columns; a third where two are too tall for the window and there is room for it.
 void drawSheet(PanelUi& ui) {
-  const std::vector<Section> sections = sectionsOf(ui.state.session.preferences.keymap);
+  const std::vector<Section> sections = sectionsOf(ui.state.session.preferences);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float line = ImGui::GetTextLineHeight() + ui.px(kLineGap);
   const float room = display.y - ui.px(kAroundSheet);
@@ -167,11 +154,16 @@ void drawSheet(PanelUi& ui) {
   ImGui::SetNextWindowSize({std::min(ui.px(third ? kWideWidth : kWidth), display.x - ui.px(20)), 0.0f});
   bool open = true;
   if (!ImGui::BeginPopupModal(kTitle, &open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) return;
-  const bool toggled = ImGui::IsKeyPressed(GLFW_KEY_F1, false) && !ImGui::IsWindowAppearing();
-  drawKeymapChoice(ui);
+  const bool toggled = keyPressed(ui, action("help/keys")) && !ImGui::IsWindowAppearing();
+  ImGui::AlignTextToFramePadding();
+  mutedText("Keymap");
+  ImGui::SameLine();
+  drawKeymapChoice(ui, "keys/");
   ImGui::Separator();
   drawColumns(ui, sections, columnsOf(sections, columns), std::min(heightFor(columns), room));
-  ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - ui.px(104));
+  ImGui::AlignTextToFramePadding();
+  mutedText((std::string("Sinew ") + programVersion()).c_str());
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - ui.px(104));
   const bool closed = ImGui::Button("Close", {ui.px(104), 0.0f});
   ui.widgets.note("keys/close");
   if (closed || !open || toggled || escapePressed(ui) || ImGui::IsMouseClicked(1)) {

@@ -2,18 +2,21 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <string>
 
+#include "app/actions/key_capture.h"
 #include "app/panels/dialogs/dialogs.h"
 
 namespace sinew::app {
 namespace {
 
 constexpr const char* kTitle = "Preferences";
-constexpr float kLabelWidth = 150.0f;  // Design pixels.
+constexpr float kWidth = 600.0f;  // Design pixels.
+constexpr float kLabelWidth = 150.0f;
 constexpr std::array kScales{0.0f, 1.0f, 1.25f, 1.5f, 1.75f, 2.0f, 2.5f, 3.0f};
 
 void label(PanelUi& ui, const char* text) {
@@ -34,15 +37,17 @@ void explain(PanelUi& ui, const char* text) {
 
 void keymapRow(PanelUi& ui) {
   label(ui, "Keymap");
-  for (const Keymap keymap : {Keymap::kMaya, Keymap::kBlender}) {
-    if (keymap != Keymap::kMaya) ImGui::SameLine();
-    const bool chosen = ImGui::RadioButton(titleOf(keymap), ui.state.session.preferences.keymap == keymap);
-    ui.widgets.note(std::string("preferences/keymap/") + nameOf(keymap));
-    if (chosen) ui.state.session.preferences.keymap = keymap;
+  drawKeymapChoice(ui, "preferences/keymap/");
+  const Preferences& preferences = ui.state.session.preferences;
+  std::string text = preferences.keymap == Keymap::kMaya
+                         ? "Q W E R choose select, move, rotate, scale."
+                         : "G R S grab, rotate, scale at once; X deletes, Shift+D duplicates.";
+  if (const std::size_t changed = preferences.keyChanges().size(); changed > 0) {
+    text += " You changed the keys of " + std::to_string(changed) + (changed == 1 ? " action." : " actions.");
   }
-  explain(ui, ui.state.session.preferences.keymap == Keymap::kMaya
-                  ? "Q W E R choose select, move, rotate, scale. F1 lists all keys."
-                  : "G R S grab, rotate, scale at once; X deletes, Shift+D duplicates. F1 lists all keys.");
+  if (const std::string key = keyText(action("help/keys"), ui.state); !key.empty())
+    text += " " + key + " lists all keys.";
+  explain(ui, text.c_str());
 }
 
 std::string scaleText(float scale, float system) {
@@ -84,6 +89,18 @@ void autosaveRow(PanelUi& ui) {
           "Unsaved changes go to a recovery file, never to the rig file. After a crash the next start offers them.");
 }
 
+void pageChoice(PanelUi& ui) {
+  PreferencesPage& page = ui.state.dialogs.preferencesPage;
+  constexpr std::array<const char*, 2> kPages{"General", "Keys"};
+  const int clicked = segmented(ui, "preferences/page", kPages.data(), static_cast<int>(kPages.size()),
+                                static_cast<int>(page), ui.px(200));
+  if (clicked >= 0) {
+    page = static_cast<PreferencesPage>(clicked);
+    endKeyCapture(ui.state);
+  }
+  ImGui::Dummy({0.0f, ui.px(4)});
+}
+
 void buttons(PanelUi& ui, bool& closed) {
   const float width = ui.px(104);
   if (ImGui::Button("Reset layout")) run(action("window/reset-layout"), ui.state);
@@ -106,18 +123,24 @@ void drawPreferences(PanelUi& ui) {
   if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * display.x, 0.45f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({ui.px(540), 0.0f});
+  ImGui::SetNextWindowSize({std::min(ui.px(kWidth), display.x - ui.px(20)), 0.0f});
   pushDialogStyle(ui);
   if (ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
-    keymapRow(ui);
-    scaleRow(ui);
-    autosaveRow(ui);
+    pageChoice(ui);
+    if (ui.state.dialogs.preferencesPage == PreferencesPage::kKeys) {
+      drawKeysPage(ui);
+    } else {
+      keymapRow(ui);
+      scaleRow(ui);
+      autosaveRow(ui);
+    }
     ImGui::Separator();
     ImGui::Dummy({0.0f, ui.px(2)});
     bool closed = false;
     buttons(ui, closed);
     if (closed || escapePressed(ui)) {
       ui.state.dialogs.preferences = false;
+      endKeyCapture(ui.state);
       ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();

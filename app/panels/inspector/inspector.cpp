@@ -124,9 +124,13 @@ void nothingSelected(PanelUi& ui) {
   const int bone = ui.state.document.selection.bone;
   if (bone >= 0) {
     const std::string& name = ui.state.character().skeleton.bones[static_cast<std::size_t>(bone)].name;
-    mutedText(("Bone " + name + ". Add a muscle on it with + in the list, or press M and drag on the skin.").c_str());
+    mutedText(("Bone " + name + ". Add a muscle on it with + in the list, or " +
+               howToStart(ui, action("tool/add-muscle")) + " and drag on the skin.")
+                  .c_str());
   } else {
-    mutedText("Nothing selected. Click a muscle, or press M and drag on the skin to add one.");
+    mutedText(("Nothing selected. Click a muscle, or " + howToStart(ui, action("tool/add-muscle")) +
+               " and drag on the skin to add one.")
+                  .c_str());
   }
   ImGui::PopTextWrapPos();
 }

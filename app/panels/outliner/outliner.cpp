@@ -89,7 +89,8 @@ void drawRows(PanelUi& ui) {
   if (frame.rows.empty()) {
     ImGui::Dummy({0.0f, ui.px(6)});
     ImGui::PushTextWrapPos(0.0f);
-    mutedText(ui.state.view.outlinerFilter.empty() ? "No muscles yet. Press M and drag on the skin."
+    const std::string start = howToStart(ui, action("tool/add-muscle"));
+    mutedText(ui.state.view.outlinerFilter.empty() ? ("No muscles yet: " + start + " and drag on the skin.").c_str()
                                                    : "Nothing found.");
     ImGui::PopTextWrapPos();
   }

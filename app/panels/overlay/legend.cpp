@@ -166,8 +166,7 @@ void drawBeforeButton(PanelUi& ui, float size) {
   const bool active = ui.state.document.visibility.bare;
   iconButton(ui, "toolstrip/before", Icon::kBefore, active, size, tooltipOf(ui, before) + " or the button is held.");
   const bool held = ImGui::IsItemActive();
-  const int key = shortcutsOf(before, ui.state.session.preferences.keymap)[0].key;
-  holdBare(ui.state, key > 0 && ImGui::GetIO().KeysDown[key], held);
+  holdBare(ui.state, keyHeld(ui, before), held);
 }
 
 void drawTerritoryButton(PanelUi& ui, float size) {

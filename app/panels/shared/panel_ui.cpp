@@ -4,7 +4,41 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace sinew::app {
+namespace {
+
+template <class Test>
+bool anyKey(const PanelUi& ui, const Action& action, Test holds) {
+  return std::ranges::any_of(shortcutsOf(action, ui.state.session.preferences),
+                             [&](const Shortcut& shortcut) { return shortcut.key > 0 && holds(shortcut); });
+}
+
+}  // namespace
+
+bool keyPressed(const PanelUi& ui, const Action& action) {
+  const ImGuiIO& io = ImGui::GetIO();
+  return anyKey(ui, action, [&](const Shortcut& shortcut) {
+    const bool modified = shortcut.control == io.KeyCtrl && shortcut.shift == io.KeyShift && shortcut.alt == io.KeyAlt;
+    return modified && ImGui::IsKeyPressed(shortcut.key, false);
+  });
+}
+
+bool keyHeld(const PanelUi& ui, const Action& action) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.WantTextInput) return false;
+  return anyKey(ui, action, [&](const Shortcut& shortcut) {
+    const bool modified =
+        (!shortcut.control || io.KeyCtrl) && (!shortcut.shift || io.KeyShift) && (!shortcut.alt || io.KeyAlt);
+    return modified && ImGui::IsKeyDown(shortcut.key);
+  });
+}
+
+std::string howToStart(const PanelUi& ui, const Action& action) {
+  const std::string keys = keyText(action, ui.state);
+  return keys.empty() ? std::string("choose ") + action.label : "press " + keys;
+}
 
 std::string tooltipOf(const PanelUi& ui, const Action& action) {
   std::string text = action.label;

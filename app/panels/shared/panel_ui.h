@@ -17,6 +17,13 @@ struct PanelUi : Ui {
       : Ui{log, letters, editor.frame.uiScale}, state(editor) {}
 };
 
+/// A key of the action goes down in this frame, though a dialog that takes all keys is in front.
+[[nodiscard]] bool keyPressed(const PanelUi& ui, const Action& action);
+/// ... is held down, whatever else is, and no text is typed.
+[[nodiscard]] bool keyHeld(const PanelUi& ui, const Action& action);
+
+/// "press M", with the key that the user has; without one, "choose Add muscle".
+[[nodiscard]] std::string howToStart(const PanelUi& ui, const Action& action);
 /// Label, key (in the user's keymap) and hint of an action.
 [[nodiscard]] std::string tooltipOf(const PanelUi& ui, const Action& action);
 /// iconButton for an action, with its tooltip; disabled when the action is.
