@@ -40,13 +40,12 @@ std::string heldModifiers() {
   return std::string(io.KeyCtrl ? "Ctrl+" : "") + (io.KeyAlt ? "Alt+" : "") + (io.KeyShift ? "Shift+" : "");
 }
 
-/// The key that goes down in this frame; 0: none. A modifier only if nothing else does.
+/// The key that goes down in this frame, or the modifier that goes up: it may have been the start of Ctrl+K. 0: none.
 int pressedKey() {
-  int pressed = 0;
   for (int key = GLFW_KEY_SPACE; key <= GLFW_KEY_LAST; ++key) {
-    if (ImGui::IsKeyPressed(key, false) && (pressed == 0 || isModifier(pressed))) pressed = key;
+    if (isModifier(key) ? ImGui::IsKeyReleased(key) : ImGui::IsKeyPressed(key, false)) return key;
   }
-  return pressed;
+  return 0;
 }
 
 void takeKey(PanelUi& ui) {
@@ -58,7 +57,8 @@ void takeKey(PanelUi& ui) {
     ui.escapeTaken = true;  // It does not close the dialog as well.
     endKeyCapture(ui.state);
   } else if (key != 0 && capture.step == KeyCapture::Step::kWaiting) {
-    if (io.KeySuper && !isModifier(key)) capture.notice = "The desktop uses Super with another key.";
+    if (isModifier(key) && !capture.notice.empty()) return;  // The end of one that was refused.
+    if (io.KeySuper) capture.notice = "The desktop uses Super with another key.";
     else captureKey(ui.state, {key, io.KeyCtrl, io.KeyShift, io.KeyAlt});
   }
 }
@@ -119,10 +119,11 @@ void keyButton(PanelUi& ui, const Action& item, int slot) {
   ImGui::PushStyleColor(ImGuiCol_Button, chosen  ? palette::kAccent.faded(0.45f)
                                          : empty ? palette::kRaised.faded(0.4f)
                                                  : palette::kRaised);
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, chosen ? palette::kAccent.faded(0.45f) : palette::kLine);
   ImGui::PushID(slot);
   const bool clicked = ImGui::Button((text + "##key").c_str(), {ui.px(kKeyWidth), 0.0f});
   ImGui::PopID();
-  ImGui::PopStyleColor();
+  ImGui::PopStyleColor(2);
   ui.widgets.note("preferences/keys/" + std::string(item.id) + "/" + std::to_string(slot + 1));
   if (clicked) startKeyCapture(ui.state, item, slot);
 }
