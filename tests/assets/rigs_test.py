@@ -10,7 +10,10 @@ import sys
 import tempfile
 import unittest
 
-import glb_reader
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+import glb_reader  # noqa: E402
 
 ROOT = pathlib.Path(sys.argv[1]).resolve()
 PROGRAM = sys.argv[2] if len(sys.argv) > 2 else None
