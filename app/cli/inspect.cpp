@@ -64,6 +64,11 @@ void addRig(Json& json, const Document& document) {
   json.set("creased_wedges", static_cast<int>(std::ranges::count(wedges, true, &Wedge::creased)));
 }
 
+std::size_t coloredWedges(const ControlMesh& mesh) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(mesh.wedges, [](const Wedge& wedge) { return wedge.color != glm::vec4(1.0f); }));
+}
+
 /// The mesh as it is bound, and the same joined where separately moving parts touch: only there do edges with more than
 /// two triangles show that no single part has.
 struct Shape {
@@ -89,6 +94,7 @@ std::string jsonText(const Document& document, const Shape& shape) {
   json.set("triangles_dropped", character.mesh.trianglesDropped);
   json.set("vertices", count(character.mesh.positions.size()));
   json.set("wedges", count(character.mesh.wedges.size()));
+  json.set("colored_wedges", count(coloredWedges(character.mesh)));
   json.set("closed", shape.bound.closed());
   json.set("border_edges", count(shape.bound.borderEdges.size()));
   json.set("non_manifold_edges", count(shape.touching.nonManifoldEdges.size()));
@@ -222,6 +228,9 @@ std::string plainText(const Document& document, const Shape& shape) {
     out << ", and " << character.mesh.trianglesDropped << " dropped as degenerate";
   out << "\n  vertices    " << character.mesh.positions.size() << " after welding, " << character.mesh.wedges.size()
       << " wedges\n";
+  if (const std::size_t colored = coloredWedges(character.mesh); colored > 0) {
+    out << "  colours     at " << colored << " of the wedges\n";
+  }
   putSurface(out, character, shape);
   out << "  height      " << shortNumber(character.height) << '\n';
   putNames(out, "joints      ", joints);

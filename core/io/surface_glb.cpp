@@ -163,7 +163,11 @@ class GlbWriter {
     const int position = addVertexData(positions, TINYGLTF_TYPE_VEC3, &bounds);
     const int normal = addVertexData(normals, TINYGLTF_TYPE_VEC3);
     const int uv = addVertexData(refinement.drawUv, TINYGLTF_TYPE_VEC2);
-    return {{"POSITION", position}, {"NORMAL", normal}, {"TEXCOORD_0", uv}};
+    std::map<std::string, int> attributes{{"POSITION", position}, {"NORMAL", normal}, {"TEXCOORD_0", uv}};
+    if (!refinement.drawColor.empty()) {
+      attributes["COLOR_0"] = addVertexData(refinement.drawColor, TINYGLTF_TYPE_VEC4);
+    }
+    return attributes;
   }
 
   void writeMesh() {

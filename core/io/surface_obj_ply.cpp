@@ -113,6 +113,15 @@ void appendRaw(std::string& out, const Value& value) {
   out.append(bytes.data(), bytes.size());
 }
 
+/// As programs that read .ply show it: sRGB, 8 bits; alpha stays linear.
+std::array<std::uint8_t, 4> shownColor(const glm::vec4& linear) {
+  const auto byteOf = [](float share) { return static_cast<std::uint8_t>(std::lround(255.0f * share)); };
+  const auto encoded = [](float l) {
+    return l <= 0.0031308f ? 12.92f * l : 1.055f * std::pow(l, 1.0f / 2.4f) - 0.055f;
+  };
+  return {byteOf(encoded(linear.r)), byteOf(encoded(linear.g)), byteOf(encoded(linear.b)), byteOf(linear.a)};
+}
+
 }  // namespace
 
 ObjFiles objFiles(const Surface& surface, const Character& character, const std::string& stem) {
@@ -141,14 +150,19 @@ std::string plyBytes(const Surface& surface) {
   for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "s", "t"}) {
     out += std::string("property float ") + name + '\n';
   }
+  const bool colored = !refinement.drawColor.empty();
+  if (colored) {
+    for (const char* name : {"red", "green", "blue", "alpha"}) out += std::string("property uchar ") + name + '\n';
+  }
   out += "element face " + std::to_string(refinement.drawTriangles.size()) +
          "\nproperty list uchar int vertex_indices\nend_header\n";
-  out.reserve(out.size() + vertices * 8 * sizeof(float) + refinement.drawTriangles.size() * 13);
+  out.reserve(out.size() + vertices * (8 * sizeof(float) + (colored ? 4 : 0)) + refinement.drawTriangles.size() * 13);
   forEachDrawVertex(refinement, [&](std::size_t d, std::size_t vertex) {
     const glm::vec3& p = surface.positions[vertex];
     const glm::vec3 n = shadingNormal(surface, d);
     const glm::vec2& uv = refinement.drawUv[d];
     appendRaw(out, std::array{p.x, p.y, p.z, n.x, n.y, n.z, uv.x, 1.0f - uv.y});
+    if (colored) appendRaw(out, shownColor(refinement.drawColor[d]));
   });
   for (const auto& triangle : refinement.drawTriangles) {
     out += '\3';

@@ -191,7 +191,7 @@ class MeshBuilder {
     triangle.material = soup_.materials[kept.soupTriangle];
     for (std::size_t i = 0; i < 3; ++i) {
       triangle.vertices[i] = vertex(kept.representatives[i]);
-      triangle.wedges[i] = wedge(triangle.vertices[i], soup_.uvs[soup_.triangles[kept.soupTriangle][i]]);
+      triangle.wedges[i] = wedge(triangle.vertices[i], soup_.triangles[kept.soupTriangle][i]);
     }
     for (std::size_t i = 0; i < 3; ++i) triangle.edges[i] = edge(triangle.vertices[i], triangle.vertices[(i + 1) % 3]);
     mesh_.triangles.push_back(triangle);
@@ -212,13 +212,19 @@ class MeshBuilder {
     return number;
   }
 
-  int wedge(int vertex, const glm::vec2& uv) {
-    const std::uint64_t hash =
-        hashCombine(hashCombine(static_cast<std::uint64_t>(vertex), floatBits(uv.x)), floatBits(uv.y));
+  int wedge(int vertex, std::size_t soupVertex) {
+    const glm::vec2& uv = soup_.uvs[soupVertex];
+    const glm::vec4 color = soup_.colors.empty() ? glm::vec4(1.0f) : soup_.colors[soupVertex];
+    std::uint64_t hash = hashCombine(hashCombine(static_cast<std::uint64_t>(vertex), floatBits(uv.x)), floatBits(uv.y));
+    if (!soup_.colors.empty()) {
+      for (int channel = 0; channel < 4; ++channel) hash = hashCombine(hash, floatBits(color[channel]));
+    }
     const int next = static_cast<int>(mesh_.wedges.size());
-    const int found = wedgeTable_.findOrInsert(
-        hash, next, [&](int w) { return at(mesh_.wedges, w).vertex == vertex && at(mesh_.wedges, w).uv == uv; });
-    if (found == next) mesh_.wedges.push_back({.vertex = vertex, .uv = uv});
+    const int found = wedgeTable_.findOrInsert(hash, next, [&](int w) {
+      const Wedge& other = at(mesh_.wedges, w);
+      return other.vertex == vertex && other.uv == uv && other.color == color;
+    });
+    if (found == next) mesh_.wedges.push_back({.vertex = vertex, .uv = uv, .color = color});
     return found;
   }
 
@@ -243,6 +249,7 @@ class MeshBuilder {
 
 ControlMesh weld(const TriangleSoup& soup, float tolerance) {
   assert(tolerance >= 0.0f && soup.uvs.size() == soup.positions.size());
+  assert(soup.colors.empty() || soup.colors.size() == soup.positions.size());
   assert(soup.influenceBegin.size() == soup.positions.size() + 1 && soup.materials.size() == soup.triangles.size());
   const std::vector<KeptTriangle> kept = keepTriangles(soup, tolerance);
   MeshBuilder builder(soup, kept.size());
@@ -251,6 +258,10 @@ ControlMesh weld(const TriangleSoup& soup, float tolerance) {
   mesh.trianglesDropped = static_cast<int>(soup.triangles.size() - kept.size());
   mesh.normals = vertexNormals(mesh.positions, mesh.triangles);
   return mesh;
+}
+
+bool hasColors(const ControlMesh& mesh) {
+  return std::ranges::any_of(mesh.wedges, [](const Wedge& wedge) { return wedge.color != glm::vec4(1.0f); });
 }
 
 ControlMesh joinedByPosition(const ControlMesh& mesh, float tolerance) {

@@ -14,6 +14,7 @@ namespace sinew {
 struct TriangleSoup {
   std::vector<glm::vec3> positions;   ///< [N] bind pose, world space; finite.
   std::vector<glm::vec2> uvs;         ///< [N] finite.
+  std::vector<glm::vec4> colors;      ///< [N] linear RGBA, 0..1; or empty: white.
   std::vector<int> influenceBegin;    ///< [N+1]
   std::vector<Influence> influences;  ///< Sorted by binding within a vertex, each binding once, weights > 0, sum 1.
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Indices < N, counter-clockwise from outside.
@@ -21,13 +22,14 @@ struct TriangleSoup {
 };
 
 /// Merges vertices that lie within `tolerance` (1e-6 of the height) of each other and follow the same bindings with
-/// the same weights (to 1e-4) into geometric vertices; vertices that agree in uv too become one wedge. A triangle that
-/// loses a corner is dropped and counted; a sliver with three corners stays, for without it a closed mesh would open.
-/// Vertices no triangle uses vanish. Fills edges and normals too. Same input, same order of everything. docs/design.md.
+/// the same weights (to 1e-4) into geometric vertices; vertices that agree in uv and colour too become one wedge. A
+/// triangle that loses a corner is dropped and counted; a sliver with three corners stays, for without it a closed mesh
+/// would open. Vertices no triangle uses vanish. Fills edges and normals too. Same input, same order of everything.
+/// docs/design.md.
 [[nodiscard]] ControlMesh weld(const TriangleSoup& soup, float tolerance);
 
 /// The same surface as a shape only: vertices at one place become one, whatever bones they follow. Shows where
-/// separately moving parts touch. Influences and texture coordinates are not kept.
+/// separately moving parts touch. Influences, texture coordinates and colours are not kept.
 [[nodiscard]] ControlMesh joinedByPosition(const ControlMesh& mesh, float tolerance);
 
 }  // namespace sinew

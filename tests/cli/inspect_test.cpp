@@ -13,11 +13,13 @@ TEST_F(Program, InspectJsonHasEveryKeyAndNothingElseOnStdout) {
   EXPECT_EQ(result.error, "");
   const auto json = Json::parse(result.out);
   ASSERT_TRUE(json.ok()) << json.error().text();
-  EXPECT_EQ(json->keys(), (std::vector<std::string>{"triangles", "triangles_dropped", "vertices", "wedges", "closed",
-                                                    "border_edges", "non_manifold_edges", "height", "joints",
-                                                    "joint_names", "clips", "materials", "textures", "ignored"}));
+  EXPECT_EQ(json->keys(),
+            (std::vector<std::string>{"triangles", "triangles_dropped", "vertices", "wedges", "colored_wedges",
+                                      "closed", "border_edges", "non_manifold_edges", "height", "joints", "joint_names",
+                                      "clips", "materials", "textures", "ignored"}));
   EXPECT_TRUE(json->at("closed").boolean(false));
   EXPECT_EQ(json->at("border_edges").number(-1), 0);
+  EXPECT_EQ(json->at("colored_wedges").number(-1), 0);
   // Euler: a closed mesh of one piece and no handles has V = T / 2 + 2; of more pieces, 2 more for each.
   const double euler = json->at("vertices").number(0) - json->at("triangles").number(0) / 2;
   EXPECT_EQ(euler, 2);

@@ -193,9 +193,9 @@ TEST_F(GltfTrap, StripsAndFansKeepTheirWinding) {
   }
 }
 
-TEST_F(GltfTrap, PointsLinesMorphTargetsAndColoursAreListed) {
+TEST_F(GltfTrap, PointsLinesMorphTargetsAndFurtherColoursAreListed) {
   Post post = makePost();
-  post.attributes()["COLOR_0"] = post.file.accessor(std::vector<float>(48, 1.0f), "VEC4");
+  post.attributes()["COLOR_1"] = post.file.accessor(std::vector<float>(48, 1.0f), "VEC4");
   post.primitive()["targets"] = ordered_json::array({{{"POSITION", post.attributes()["POSITION"]}}});
   ordered_json points = post.primitive();
   points["mode"] = 0;
@@ -206,8 +206,8 @@ TEST_F(GltfTrap, PointsLinesMorphTargetsAndColoursAreListed) {
   post.file.json["animations"][0]["channels"].push_back(weights);
   const auto character = import(post, false);
   expectPost(*character);
-  for (const char* what :
-       {"points or lines", "morph targets", "vertex colours", "cameras", "KHR_lights_punctual", "weights"}) {
+  for (const char* what : {"points or lines", "morph targets", "vertex colours beyond the first set", "cameras",
+                           "KHR_lights_punctual", "weights"}) {
     EXPECT_TRUE(mentions(*character, what)) << what;
   }
   EXPECT_FALSE(mentions(*character, "KHR_texture_transform"));

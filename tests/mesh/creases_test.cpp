@@ -284,5 +284,18 @@ TEST(Creases, CrumpledMeshesGiveUnitNormalsAndTheSameEveryTime) {
   }
 }
 
+TEST(Creases, KeepTheColourOfEveryCorner) {
+  ControlMesh mesh = prism(6);
+  for (std::size_t w = 0; w < mesh.wedges.size(); ++w) mesh.wedges[w].color.r = 0.01f * static_cast<float>(w);
+  const ControlMesh sharp = creased(mesh, 30.0f);
+  ASSERT_GT(sharp.wedges.size(), mesh.wedges.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(sharp.wedges[at(sharp.triangles[t].wedges[i])].color,
+                mesh.wedges[at(mesh.triangles[t].wedges[i])].color);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace sinew

@@ -284,5 +284,41 @@ TEST(JoinedByPosition, LeavesAWeldedMeshAsItIs) {
   EXPECT_EQ(joined.triangles.size(), mesh.triangles.size());
 }
 
+// Two triangles on one edge, each with vertices of its own: how many wedges depends on the colours there alone.
+TEST(Weld, ColoursSplitWedgesAndNothingElse) {
+  TriangleSoup soup;
+  for (const glm::vec3& p : {glm::vec3(0, 0, 0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(1, 0, 0),
+                             glm::vec3(1, 1, 0), glm::vec3(0, 1, 0)}) {
+    addVertex(soup, p);
+  }
+  addTriangle(soup, 0, 1, 2);
+  addTriangle(soup, 3, 4, 5);
+  const ControlMesh plain = weld(soup, kTolerance);
+  EXPECT_EQ(plain.wedges.size(), 4u);
+  EXPECT_FALSE(hasColors(plain));
+  soup.colors.assign(6, glm::vec4(1.0f));
+  EXPECT_EQ(weld(soup, kTolerance).wedges.size(), 4u);
+  EXPECT_FALSE(hasColors(weld(soup, kTolerance))) << "white is no colour";
+  soup.colors.assign(6, glm::vec4(0.2f, 0.4f, 0.6f, 1.0f));
+  EXPECT_EQ(weld(soup, kTolerance).wedges.size(), 4u);
+  for (int channel = 0; channel < 4; ++channel) {
+    TriangleSoup split = soup;
+    split.colors[3][channel] = 0.5f;
+    const ControlMesh mesh = weld(split, kTolerance);
+    EXPECT_TRUE(hasColors(mesh));
+    EXPECT_EQ(mesh.positions, plain.positions);
+    EXPECT_EQ(mesh.edges.size(), plain.edges.size());
+    ASSERT_EQ(mesh.wedges.size(), 5u) << channel;
+    for (std::size_t t = 0; t < 2; ++t) {
+      EXPECT_EQ(mesh.triangles[t].vertices, plain.triangles[t].vertices);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Wedge& wedge = mesh.wedges[static_cast<std::size_t>(mesh.triangles[t].wedges[i])];
+        EXPECT_EQ(wedge.color, split.colors[split.triangles[t][i]]);
+        EXPECT_EQ(wedge.vertex, mesh.triangles[t].vertices[i]);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace sinew

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <random>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -135,6 +136,56 @@ TEST(Refinement, DrawnVerticesAreNotRepeated) {
       EXPECT_EQ(repeats, 0) << character->name << ", depth " << n;
       EXPECT_EQ(static_cast<int>(seen.size()), refinement.vertexCount);
     }
+  }
+}
+
+/// A colour for every wedge, the extremes among them.
+ControlMesh painted(ControlMesh mesh) {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> level(0, 8);
+  for (Wedge& wedge : mesh.wedges) {
+    for (int channel = 0; channel < 4; ++channel) wedge.color[channel] = static_cast<float>(level(random)) / 8.0f;
+  }
+  return mesh;
+}
+
+TEST(Refinement, DrawnVerticesCarryBarycentricColours) {
+  for (const CharacterPtr& character : characters()) {
+    EXPECT_TRUE(refine(character->mesh, 3).drawColor.empty()) << "no memory for meshes without colours";
+    const ControlMesh mesh = painted(character->mesh);
+    for (const int n : {1, 2, 3, 5}) {
+      const Refinement refinement = refine(mesh, n);
+      ASSERT_EQ(refinement.drawColor.size(), refinement.drawVertex.size());
+      const auto perTriangle = static_cast<std::size_t>(n * n);
+      for (std::size_t k = 0; k < refinement.triangles.size(); ++k) {
+        const ControlTriangle& parent = mesh.triangles[k / perTriangle];
+        for (std::size_t i = 0; i < 3; ++i) {
+          const glm::vec4 color = refinement.drawColor[refinement.drawTriangles[k][i]];
+          const auto lattice = latticeIn(mesh, refinement, parent, refinement.triangles[k][i]);
+          for (int channel = 0; channel < 4; ++channel) {
+            double expected = 0.0;
+            for (std::size_t c = 0; c < 3; ++c) {
+              const Wedge& wedge = mesh.wedges[static_cast<std::size_t>(parent.wedges[c])];
+              expected += static_cast<double>(lattice[c]) / n * static_cast<double>(wedge.color[channel]);
+            }
+            ASSERT_NEAR(static_cast<double>(color[channel]), expected, 1e-6) << character->name << ", depth " << n;
+            ASSERT_TRUE(color[channel] >= 0.0f && color[channel] <= 1.0f);
+          }
+        }
+      }
+    }
+  }
+}
+
+// Colours change nothing but the colours: the mesh, its drawn vertices and texture coordinates stay, bit for bit.
+TEST(Refinement, ColoursLeaveTheRestAsItIs) {
+  for (const CharacterPtr& character : characters()) {
+    const Refinement plain = refine(character->mesh, 4);
+    const Refinement colored = refine(painted(character->mesh), 4);
+    EXPECT_EQ(colored.triangles, plain.triangles);
+    EXPECT_EQ(colored.drawTriangles, plain.drawTriangles);
+    EXPECT_EQ(colored.drawVertex, plain.drawVertex);
+    EXPECT_EQ(colored.drawUv, plain.drawUv);
   }
 }
 

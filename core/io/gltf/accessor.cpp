@@ -43,6 +43,12 @@ T Accessor::load(std::size_t index, int component) const {
   return value;
 }
 
+bool Accessor::holdsColors() const {
+  const bool unsignedSmall = componentType_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+                             componentType_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+  return isFloat() || (normalized_ && unsignedSmall);
+}
+
 double Accessor::number(std::size_t index, int component) const {
   const auto scaled = [this](double value, double largest) {
     return normalized_ ? std::max(value / largest, -1.0) : value;
@@ -102,13 +108,14 @@ const std::uint8_t* Accessor::element(std::size_t index) const {
 
 Accessors::Accessors(const File& file) : file_(file), opened_(file.model().accessors.size()) {}
 
-const Accessor& Accessors::open(int index, const std::string& reference, int type) {
+const Accessor& Accessors::open(int index, const std::string& reference, int type, int orType) {
   file_.expectSound(reference);
   if (index < 0) refuse(reference, "missing");
   std::unique_ptr<Accessor>& opened = opened_[static_cast<std::size_t>(index)];
   if (!opened) opened = std::make_unique<Accessor>(read(static_cast<std::size_t>(index)));
-  if (opened->type_ != type) {
-    refuse(reference, opened->place_ + " is " + nameOf(opened->type_) + "; " + nameOf(type) + " expected");
+  if (opened->type_ != type && opened->type_ != orType) {
+    const std::string expected = nameOf(type) + (orType < 0 ? std::string() : std::string(" or ") + nameOf(orType));
+    refuse(reference, opened->place_ + " is " + nameOf(opened->type_) + "; " + expected + " expected");
   }
   return *opened;
 }

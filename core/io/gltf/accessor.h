@@ -18,6 +18,8 @@ class Accessor {
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] int components() const { return components_; }
   [[nodiscard]] bool isFloat() const { return componentType_ == TINYGLTF_COMPONENT_TYPE_FLOAT; }
+  /// Floats, or normalised unsigned bytes or shorts: what glTF allows for colours.
+  [[nodiscard]] bool holdsColors() const;
   [[nodiscard]] const std::string& place() const { return place_; }
 
   /// As the accessor says: floats as they are, integers scaled to -1..1 or 0..1 where `normalized`. Element < count().
@@ -52,9 +54,9 @@ class Accessors {
  public:
   explicit Accessors(const File& file);
 
-  /// The accessor an index refers to (-1: refused as missing); it must be of the given tinygltf type. Refuses at
-  /// the accessor's JSON path, or that of the reference.
-  [[nodiscard]] const Accessor& open(int index, const std::string& reference, int type);
+  /// The accessor an index refers to (-1: refused as missing); it must be of the given tinygltf type, or of the other
+  /// one if that is named. Refuses at the accessor's JSON path, or that of the reference.
+  [[nodiscard]] const Accessor& open(int index, const std::string& reference, int type, int orType = -1);
 
  private:
   [[nodiscard]] Accessor read(std::size_t index);

@@ -210,7 +210,7 @@ class Guard {
       const std::string& name = attribute.key;
       if (name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") != std::string::npos) continue;
       const bool read = name == "POSITION" || name.starts_with("TEXCOORD_") || name.starts_with("JOINTS_") ||
-                        name.starts_with("WEIGHTS_");
+                        name.starts_with("WEIGHTS_") || name == "COLOR_0";
       if (!read && name != "TANGENT" && !name.starts_with("COLOR_")) continue;
       separate();
       out() += '"' + name + "\":";

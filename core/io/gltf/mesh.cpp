@@ -31,6 +31,7 @@ enum class Mode {
 struct Attributes {
   const Accessor* position = nullptr;
   const Accessor* uv = nullptr;
+  const Accessor* color = nullptr;
   std::vector<const Accessor*> joints;
   std::vector<const Accessor*> weights;
 };
@@ -104,7 +105,7 @@ class SoupReader {
     }
     // NORMAL is computed from the welded faces (docs/design.md).
     for (const auto& [name, accessor] : primitive.attributes) {
-      if (name.starts_with("COLOR_")) notes_.add("vertex colours");
+      if (name.starts_with("COLOR_") && name != "COLOR_0") notes_.add("vertex colours beyond the first set");
       else if (name == "TANGENT") notes_.add("vertex tangents");
     }
   }
@@ -121,13 +122,13 @@ class SoupReader {
 
   Attributes openAttributes(const tinygltf::Primitive& primitive, const std::string& place, int uvSet,
                             const MeshBinding& binding) {
-    const auto openNamed = [&](const std::string& name, int type) {
-      return &accessors_.open(primitive.attributes.at(name), place + '.' + name, type);
+    const auto openNamed = [&](const std::string& name, int type, int orType = -1) {
+      return &accessors_.open(primitive.attributes.at(name), place + '.' + name, type, orType);
     };
     Attributes open;
     open.position = openNamed("POSITION", TINYGLTF_TYPE_VEC3);
-    const auto openMatching = [&](const std::string& name, int type) {
-      const Accessor* accessor = openNamed(name, type);
+    const auto openMatching = [&](const std::string& name, int type, int orType = -1) {
+      const Accessor* accessor = openNamed(name, type, orType);
       if (accessor->count() != open.position->count()) {
         refuse(accessor->place(), std::to_string(accessor->count()) + " values of " + name + " for " +
                                       std::to_string(open.position->count()) + " positions");
@@ -136,6 +137,12 @@ class SoupReader {
     };
     const std::string uv = "TEXCOORD_" + std::to_string(uvSet);
     if (primitive.attributes.contains(uv)) open.uv = openMatching(uv, TINYGLTF_TYPE_VEC2);
+    if (primitive.attributes.contains("COLOR_0")) {
+      open.color = openMatching("COLOR_0", TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4);
+      if (!open.color->holdsColors()) {
+        refuse(open.color->place(), "colours must be floats, or normalized unsigned bytes or shorts");
+      }
+    }
     if (binding.skin < 0) return open;
     for (std::size_t set = 0;; ++set) {
       const std::string joints = "JOINTS_" + std::to_string(set);
@@ -193,8 +200,25 @@ class SoupReader {
       uv = glm::vec2(0.0f);
     }
     soup_.uvs.push_back(uv);
+    addColor(index, open);
     addInfluences(index, open, binding);
     return taken.soupVertex;
+  }
+
+  /// Colours start with the first primitive that has them; vertices without are white.
+  void addColor(std::uint32_t index, const Attributes& open) {
+    if (!open.color && soup_.colors.empty()) return;
+    soup_.colors.resize(soup_.positions.size(), glm::vec4(1.0f));
+    if (!open.color) return;
+    glm::dvec4 color(1.0);
+    for (int channel = 0; channel < open.color->components(); ++channel) {
+      color[channel] = open.color->number(index, channel);
+    }
+    if (!std::isfinite(color.r + color.g + color.b + color.a)) {
+      notes_.add("vertex colours that are not finite; taken as white");
+      return;
+    }
+    soup_.colors.back() = glm::vec4(glm::clamp(color, 0.0, 1.0));
   }
 
   void addInfluences(std::uint32_t index, const Attributes& open, const MeshBinding& binding) {

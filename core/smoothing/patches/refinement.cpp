@@ -25,7 +25,8 @@ int interiorIndex(int depth, int j, int k) {
 
 class Builder {
  public:
-  Builder(const ControlMesh& mesh, int depth) : mesh_(mesh), runs_(depth > 1 ? 3 * mesh.triangles.size() : 0) {
+  Builder(const ControlMesh& mesh, int depth)
+      : mesh_(mesh), colored_(hasColors(mesh)), runs_(depth > 1 ? 3 * mesh.triangles.size() : 0) {
     out_.depth = depth;
     out_.controlVertices = static_cast<int>(mesh.positions.size());
     out_.controlEdges = static_cast<int>(mesh.edges.size());
@@ -52,12 +53,14 @@ class Builder {
   }
 
   void fillCornerWedges() {
-    for (const Wedge& wedge : mesh_.wedges) addDrawn(wedge.vertex, wedge.uv);
+    for (const Wedge& wedge : mesh_.wedges) addDrawn(wedge.vertex, wedge.uv, wedge.color);
   }
 
-  int addDrawn(int refinedVertex, const glm::vec2& uv) {
+  int addDrawn(int refinedVertex, const glm::vec2& uv, const glm::vec4& color) {
     out_.drawVertex.push_back(refinedVertex);
     out_.drawUv.push_back(uv);
+    // Shares of 1 need not sum to 1 in floats, and glTF allows no colour above 1.
+    if (colored_) out_.drawColor.push_back(glm::clamp(color, 0.0f, 1.0f));
     return static_cast<int>(out_.drawVertex.size()) - 1;
   }
 
@@ -110,20 +113,21 @@ class Builder {
         runs_.findOrInsert(hash, next, [&](int other) { return at(out_.drawRuns, other).wedges == wedges; });
     if (run != next) return at(out_.drawRuns, run).first;
     const int first = static_cast<int>(out_.drawVertex.size());
-    const glm::vec2 uv0 = at(mesh_.wedges, wedges[0]).uv;
-    const glm::vec2 uv1 = at(mesh_.wedges, wedges[1]).uv;
+    const Wedge& wedge0 = at(mesh_.wedges, wedges[0]);
+    const Wedge& wedge1 = at(mesh_.wedges, wedges[1]);
     for (int step = 1; step < out_.depth; ++step) {
       const float w = static_cast<float>(step) / static_cast<float>(out_.depth);
-      addDrawn(out_.edgeVertex(edge, step), uv0 * (1.0f - w) + uv1 * w);
+      addDrawn(out_.edgeVertex(edge, step), wedge0.uv * (1.0f - w) + wedge1.uv * w,
+               wedge0.color * (1.0f - w) + wedge1.color * w);
     }
     out_.drawRuns.push_back({edge, wedges, first});
     return first;
   }
 
   void placeInterior(int t, const ControlTriangle& triangle) {
-    const glm::vec2 uv0 = at(mesh_.wedges, triangle.wedges[0]).uv;
-    const glm::vec2 uv1 = at(mesh_.wedges, triangle.wedges[1]).uv;
-    const glm::vec2 uv2 = at(mesh_.wedges, triangle.wedges[2]).uv;
+    const Wedge& wedge0 = at(mesh_.wedges, triangle.wedges[0]);
+    const Wedge& wedge1 = at(mesh_.wedges, triangle.wedges[1]);
+    const Wedge& wedge2 = at(mesh_.wedges, triangle.wedges[2]);
     const float n = static_cast<float>(out_.depth);
     if (!out_.interior.empty()) out_.drawInterior.push_back(static_cast<int>(out_.drawVertex.size()));
     for (const auto& [j, k] : out_.interior) {
@@ -131,7 +135,8 @@ class Builder {
       const float v = static_cast<float>(j) / n;
       const float w = static_cast<float>(k) / n;
       lattice_[indexOf({j, k})] = vertex;
-      drawLattice_[indexOf({j, k})] = addDrawn(vertex, uv0 * (1.0f - v - w) + uv1 * v + uv2 * w);
+      drawLattice_[indexOf({j, k})] = addDrawn(vertex, wedge0.uv * (1.0f - v - w) + wedge1.uv * v + wedge2.uv * w,
+                                               wedge0.color * (1.0f - v - w) + wedge1.color * v + wedge2.color * w);
     }
   }
 
@@ -160,6 +165,7 @@ class Builder {
   }
 
   const ControlMesh& mesh_;
+  bool colored_ = false;
   Refinement out_;
   IndexTable runs_;               ///< Of drawRuns, by their wedges, which name the edge too.
   std::vector<int> lattice_;      ///< Refined vertices of the triangle at hand.

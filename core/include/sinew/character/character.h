@@ -28,7 +28,8 @@ struct Texture {
 
 enum class AlphaMode { kOpaque, kMask, kBlend };
 
-/// The part of glTF's metallic-roughness model that Sinew draws. Colours linear.
+/// The part of glTF's metallic-roughness model that Sinew draws. Colours linear. The base colour is baseColor * texture
+/// * Wedge::color.
 struct Material {
   std::string name;
   glm::vec4 baseColor{1.0f};
@@ -39,6 +40,7 @@ struct Material {
   AlphaMode alphaMode = AlphaMode::kOpaque;
   float alphaCutoff = 0.5f;
   bool doubleSided = false;
+  bool shownOpaque = false;  ///< Drawn as kOpaque: its alpha would hide the whole character. Exports keep the alpha.
 };
 
 /// Control mesh + skeleton + clips + materials. docs/design.md.
