@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/io/gltf/animation.h"
+#include "core/io/gltf/hidden.h"
 #include "core/io/gltf/mesh.h"
 
 namespace sinew {
@@ -70,6 +71,7 @@ std::shared_ptr<const Character> readCharacter(const std::filesystem::path& path
   character->skeleton = std::move(bound.skeleton);
   character->materials = std::move(materials.materials);
   character->textures = std::move(materials.textures);
+  showHiddenCharacter(*character, notes);
   character->ignored = notes.lines();
   return character;
 }
