@@ -1,6 +1,6 @@
 #version 450 core
 // shaders/surface.frag: one of four shadings, SHADING_TEXTURED / _CLAY / _CLASSES / _HEAT, with WIRE edges or without,
-// with MARKED territory and bulges of the selected muscles or without.
+// with MARKED territory and bulges of the selected muscles or without, COLORED by the vertices or not.
 #include "frame.glsl"
 #include "color.glsl"
 #include "lighting.glsl"
@@ -11,6 +11,9 @@ in Surface {
   vec2 uv;
   float displacement;
   vec2 skin;  // How open to the sky, territory: 0..1.
+#ifdef COLORED
+  vec4 color;  // Linear.
+#endif
 } fragment;
 #ifdef WIRE
 noperspective in vec3 edgePixels;
@@ -80,7 +83,12 @@ void main() {
   float alpha = 1.0;
 #ifdef SHADING_TEXTURED
   vec4 base = baseColor * texture(baseMap, fragment.uv);
-  if (base.a < finish.z) discard;
+  float cutoff = finish.z;
+#ifdef COLORED
+  base *= clamp(fragment.color, 0.0, 1.0);
+  cutoff -= 1e-5;  // The interpolated 1 of a vertex may be a little less.
+#endif
+  if (base.a < cutoff) discard;
   if (finish.w > 0.5) alpha = base.a;
   vec3 lit = studio(base.rgb, finish.x, finish.y, n, v, right, up, open) + emissive;
   vec3 color = unlit != 0 ? base.rgb : dithered(toneMapped(lit));

@@ -6,6 +6,9 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in float displacement;
 layout(location = 3) in vec2 uv;
 layout(location = 4) in vec2 skin;
+#ifdef COLORED
+layout(location = 5) in vec4 color;
+#endif
 
 out Surface {
   vec3 world;
@@ -13,6 +16,9 @@ out Surface {
   vec2 uv;
   float displacement;
   vec2 skin;  // How open to the sky, territory: 0..1.
+#ifdef COLORED
+  vec4 color;  // Linear.
+#endif
 } vertex;
 
 void main() {
@@ -21,5 +27,8 @@ void main() {
   vertex.uv = uv;
   vertex.displacement = displacement;
   vertex.skin = skin;
+#ifdef COLORED
+  vertex.color = color;
+#endif
   gl_Position = clipFromWorld * vec4(position, 1.0);
 }

@@ -11,6 +11,9 @@ in Surface {
   vec2 uv;
   float displacement;
   vec2 skin;  // How open to the sky, territory: 0..1.
+#ifdef COLORED
+  vec4 color;  // Linear.
+#endif
 } corner[];
 
 out Surface {
@@ -19,6 +22,9 @@ out Surface {
   vec2 uv;
   float displacement;
   vec2 skin;  // How open to the sky, territory: 0..1.
+#ifdef COLORED
+  vec4 color;  // Linear.
+#endif
 } vertex;
 noperspective out vec3 edgePixels;
 flat out vec3 altitudes;
@@ -39,6 +45,9 @@ void main() {
     vertex.uv = corner[i].uv;
     vertex.displacement = corner[i].displacement;
     vertex.skin = corner[i].skin;
+#ifdef COLORED
+    vertex.color = corner[i].color;
+#endif
     edgePixels = vec3(0.0);
     edgePixels[i] = heights[i];
     if (heights.x > 9e5) edgePixels = vec3(1e6);

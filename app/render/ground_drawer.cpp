@@ -74,6 +74,9 @@ Result<GroundDrawer> GroundDrawer::create() {
     if (!program) return program.error();
     *wanted.program = std::move(program).value();
   }
+  Result<GlProgram> withAlpha = GlProgram::load({"shaders/shadow.vert", "shaders/shadow.frag"}, {"ALPHA"});
+  if (!withAlpha) return withAlpha.error();
+  drawer.shadowAlphaProgram_ = std::move(withAlpha).value();
   return drawer;
 }
 
@@ -92,9 +95,11 @@ void GroundDrawer::prepareShadow(const Frame& frame, const SurfaceDrawer& surfac
   glEnable(GL_BLEND);
   glBlendEquation(GL_MAX);
   glBlendFunc(GL_ONE, GL_ONE);
-  shadowProgram_.use();
-  shadowProgram_.set("area", area_);
-  surface.drawForShadow();
+  for (const GlProgram* program : {&shadowProgram_, &shadowAlphaProgram_}) {
+    program->use();
+    program->set("area", area_);
+  }
+  surface.drawForShadow(frame, shadowProgram_, shadowAlphaProgram_);
   glBlendEquation(GL_FUNC_ADD);
   glDisable(GL_BLEND);
 

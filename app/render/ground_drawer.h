@@ -21,7 +21,7 @@ class GroundDrawer {
  private:
   GroundDrawer();
 
-  GlProgram shadowProgram_, blurProgram_, groundProgram_, groundShadowProgram_, backgroundProgram_;
+  GlProgram shadowProgram_, shadowAlphaProgram_, blurProgram_, groundProgram_, groundShadowProgram_, backgroundProgram_;
   GlVertexArray empty_;
   int shadowSize_ = 512;
   std::array<GlTexture, 2> shadowTextures_;

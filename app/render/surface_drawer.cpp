@@ -16,8 +16,8 @@
 namespace sinew::app {
 namespace {
 
-constexpr std::size_t kWired = 1, kMarked = 2;  ///< Kinds of programs.
-constexpr std::size_t kMostMarks = 4;           ///< As in shaders/surface.frag.
+constexpr std::size_t kWired = 1, kMarked = 2, kColored = 4;  ///< Kinds of programs.
+constexpr std::size_t kMostMarks = 4;                         ///< As in shaders/surface.frag.
 constexpr float kTerritoryStrength = 0.62f;
 
 constexpr std::array<const char*, 4> kShadingDefines{"SHADING_TEXTURED", "SHADING_CLAY", "SHADING_CLASSES",
@@ -66,12 +66,16 @@ void attribute(GLuint array, GLuint location, GLuint binding, GLint count, std::
   glVertexArrayAttribBinding(array, location, binding);
 }
 
-/// Drawn vertices at the corners of every control triangle: they alone are refined vertices below controlVertices.
-std::vector<std::uint32_t> controlCorners(const Refinement& refinement) {
+/// Drawn vertices at the corners of the control triangles: they alone are refined vertices below controlVertices.
+std::vector<std::uint32_t> controlCorners(const Refinement& refinement, std::span<const int> order) {
+  const std::ptrdiff_t perControl = std::ptrdiff_t{refinement.depth} * refinement.depth;
   std::vector<std::uint32_t> corners;
-  for (const auto& triangle : refinement.drawTriangles) {
-    for (const std::uint32_t vertex : triangle) {
-      if (refinement.drawVertex[vertex] < refinement.controlVertices) corners.push_back(vertex);
+  for (const int control : order) {
+    const auto first = refinement.drawTriangles.begin() + control * perControl;
+    for (const auto& triangle : std::span(first, static_cast<std::size_t>(perControl))) {
+      for (const std::uint32_t vertex : triangle) {
+        if (refinement.drawVertex[vertex] < refinement.controlVertices) corners.push_back(vertex);
+      }
     }
   }
   return corners;  // With n > 1 each corner is in exactly one of the n^2 triangles: three a control triangle.
@@ -113,10 +117,6 @@ void setMarks(const GlProgram& program, const Frame& frame, std::span<const Prim
   program.set("territoryTint", glm::vec4(kTerritoryColor, frame.settings.territory ? kTerritoryStrength : 0.0f));
 }
 
-bool blends(const Frame& frame, const Material& material) {
-  return frame.settings.shading == Shading::kTextured && material.alphaMode == AlphaMode::kBlend;
-}
-
 }  // namespace
 
 SurfaceDrawer::SurfaceDrawer()
@@ -124,6 +124,7 @@ SurfaceDrawer::SurfaceDrawer()
       vertices_(makeBuffer()),
       uvs_(makeBuffer()),
       skinValues_(makeBuffer()),
+      colors_(makeBuffer()),
       indices_(makeBuffer()),
       keptIndices_(makeBuffer()),
       coarseIndices_(makeBuffer()),
@@ -140,6 +141,8 @@ SurfaceDrawer::SurfaceDrawer()
   glEnableVertexArrayAttrib(array, 4);
   glVertexArrayAttribFormat(array, 4, 2, GL_UNSIGNED_BYTE, GL_TRUE, 0);
   glVertexArrayAttribBinding(array, 4, 2);
+  glVertexArrayVertexBuffer(array, 3, colors_.id(), 0, sizeof(glm::vec4));
+  attribute(array, 5, 3, 4, 0);
   Texture white;
   white.width = white.height = 1;
   white.rgba = {255, 255, 255, 255};
@@ -150,12 +153,14 @@ Result<SurfaceDrawer> SurfaceDrawer::create() {
   SurfaceDrawer drawer;
   for (std::size_t i = 0; i < kShadingDefines.size(); ++i) {
     for (std::size_t kind = 0; kind < drawer.programs_.size(); ++kind) {
+      if ((kind & kColored) != 0 && i != static_cast<std::size_t>(Shading::kTextured)) continue;
       const char* marks = (kind & kMarked) != 0 ? "MARKED" : "UNMARKED";
+      const char* colors = (kind & kColored) != 0 ? "COLORED" : "UNCOLORED";
       Result<GlProgram> made =
           (kind & kWired) != 0
               ? GlProgram::load({"shaders/surface.vert", "shaders/surface_wire.geom", "shaders/surface.frag"},
-                                {kShadingDefines[i], "WIRE", marks})
-              : GlProgram::load({"shaders/surface.vert", "shaders/surface.frag"}, {kShadingDefines[i], marks});
+                                {kShadingDefines[i], "WIRE", marks, colors})
+              : GlProgram::load({"shaders/surface.vert", "shaders/surface.frag"}, {kShadingDefines[i], marks, colors});
       if (!made) return made.error();
       drawer.programs_[kind][i] = std::move(made).value();
     }
@@ -206,10 +211,14 @@ void SurfaceDrawer::rebuildTopology(const ControlMesh& mesh) {
   const Refinement& refinement = *refinement_;
   culled_.clear();
   rebuildOrder(mesh, indices_, GL_STATIC_DRAW);
+  shadowRanges_ = ranges_;
   uploadBuffer(uvs_, std::span<const glm::vec2>(refinement.drawUv), GL_STATIC_DRAW);
+  uploadBuffer(colors_, std::span<const glm::vec4>(refinement.drawColor), GL_STATIC_DRAW);
+  if (refinement.drawColor.empty()) glDisableVertexArrayAttrib(array_.id(), 5);
+  else glEnableVertexArrayAttrib(array_.id(), 5);
   coarseIndexCount_ = 0;
   if (refinement.depth < 2 || !isSoftwareRenderer()) return;
-  const std::vector<std::uint32_t> corners = controlCorners(refinement);
+  const std::vector<std::uint32_t> corners = controlCorners(refinement, controlOrder_);
   uploadBuffer(coarseIndices_, std::span<const std::uint32_t>(corners), GL_STATIC_DRAW);
   coarseIndexCount_ = static_cast<GLsizei>(corners.size());
 }
@@ -274,7 +283,8 @@ void SurfaceDrawer::upload(const Scene& scene) {
 const GlProgram& SurfaceDrawer::prepareProgram(const Frame& frame) const {
   const std::vector<const PrimitiveShape*> marks = markedShapes(frame);
   const bool marked = !marks.empty() || (frame.settings.territory && !territory_.empty());
-  const std::size_t kind = (frame.settings.wire ? kWired : 0) + (marked ? kMarked : 0);
+  const bool colored = frame.settings.shading == Shading::kTextured && !refinement_->drawColor.empty();
+  const std::size_t kind = (frame.settings.wire ? kWired : 0) + (marked ? kMarked : 0) + (colored ? kColored : 0);
   const GlProgram& program = programs_[kind][static_cast<std::size_t>(frame.settings.shading)];
   program.use();
   program.set("baseMap", 0);
@@ -301,17 +311,27 @@ const Material& SurfaceDrawer::materialOf(const Range& range) const {
   return materials_[index];
 }
 
-void SurfaceDrawer::drawRange(const GlProgram& program, const Frame& frame, const Range& range) const {
-  const Material& material = materialOf(range);
-  const bool masked = material.alphaMode == AlphaMode::kMask;
+AlphaMode SurfaceDrawer::alphaIn(const Frame& frame, const Material& material) {
+  const bool solid = frame.settings.shading != Shading::kTextured || material.shownOpaque;
+  return solid ? AlphaMode::kOpaque : material.alphaMode;
+}
+
+void SurfaceDrawer::bindTexture(const Material& material) const {
   const auto map = static_cast<std::size_t>(material.baseColorTexture);
   const bool mapped = material.baseColorTexture >= 0 && map < textures_.size() && textures_[map];
+  glBindTextureUnit(0, mapped ? textures_[map].id() : white_.id());
+}
+
+void SurfaceDrawer::drawRange(const GlProgram& program, const Frame& frame, const Range& range) const {
+  const Material& material = materialOf(range);
+  const AlphaMode alpha = alphaIn(frame, material);
   program.set("baseColor", material.baseColor);
-  program.set("finish", glm::vec4(material.metallic, material.roughness, masked ? material.alphaCutoff : -1.0f,
-                                  blends(frame, material) ? 1.0f : 0.0f));
+  program.set("finish",
+              glm::vec4(material.metallic, material.roughness, alpha == AlphaMode::kMask ? material.alphaCutoff : -1.0f,
+                        alpha == AlphaMode::kBlend ? 1.0f : 0.0f));
   program.set("emissive", material.emissive);
   program.set("classLookup", glm::ivec2(range.firstTriangle, refinement_->depth * refinement_->depth));
-  glBindTextureUnit(0, mapped ? textures_[map].id() : white_.id());
+  bindTexture(material);
   const auto offset = static_cast<std::uintptr_t>(range.firstTriangle) * 3 * sizeof(std::uint32_t);
   glDrawElements(GL_TRIANGLES, range.triangles * 3, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
 }
@@ -323,7 +343,7 @@ void SurfaceDrawer::drawOpaque(const Frame& frame) const {
   glCullFace(GL_BACK);
   for (const Range& range : ranges_) {
     const Material& material = materialOf(range);
-    if (blends(frame, material)) continue;
+    if (alphaIn(frame, material) == AlphaMode::kBlend) continue;
     if (material.doubleSided) glDisable(GL_CULL_FACE);
     else glEnable(GL_CULL_FACE);
     drawRange(program, frame, range);
@@ -333,17 +353,16 @@ void SurfaceDrawer::drawOpaque(const Frame& frame) const {
 
 void SurfaceDrawer::drawBlended(const Frame& frame) const {
   if (refinement_ == nullptr) return;
-  const bool any = std::ranges::any_of(ranges_, [&](const Range& range) { return blends(frame, materialOf(range)); });
-  if (!any) return;
+  const auto blends = [&](const Range& range) { return alphaIn(frame, materialOf(range)) == AlphaMode::kBlend; };
+  if (std::ranges::none_of(ranges_, blends)) return;
   const GlProgram& program = prepareProgram(frame);
   blendPremultiplied();
   glDepthMask(GL_FALSE);
   glEnable(GL_CULL_FACE);
   for (const Range& range : ranges_) {
-    const Material& material = materialOf(range);
-    if (!blends(frame, material)) continue;
+    if (!blends(range)) continue;
     for (const GLenum hidden : {GL_FRONT, GL_BACK}) {
-      if (hidden == GL_FRONT && !material.doubleSided) continue;
+      if (hidden == GL_FRONT && !materialOf(range).doubleSided) continue;
       glCullFace(hidden);
       drawRange(program, frame, range);
     }
@@ -351,16 +370,6 @@ void SurfaceDrawer::drawBlended(const Frame& frame) const {
   glDisable(GL_CULL_FACE);
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
-}
-
-void SurfaceDrawer::drawForShadow() const {
-  if (refinement_ == nullptr) return;
-  const bool coarse = coarseIndexCount_ > 0;
-  const GLsizei all = static_cast<GLsizei>(refinement_->drawTriangles.size()) * 3;
-  glBindVertexArray(array_.id());
-  glVertexArrayElementBuffer(array_.id(), coarse ? coarseIndices_.id() : indices_.id());
-  glDrawElements(GL_TRIANGLES, coarse ? coarseIndexCount_ : all, GL_UNSIGNED_INT, nullptr);
-  glVertexArrayElementBuffer(array_.id(), culled_.empty() ? indices_.id() : keptIndices_.id());
 }
 
 }  // namespace sinew::app

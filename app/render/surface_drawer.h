@@ -24,10 +24,10 @@ class SurfaceDrawer {
   void drawOpaque(const Frame& frame) const;
   /// Materials whose alpha blends: back sides first, then front sides.
   void drawBlended(const Frame& frame) const;
-  /// All triangles with the program in use, for shadows. Where the processor draws: one for each control triangle,
-  /// between its corners as they are on the surface, since a blurred shadow does not show the difference. Culled
-  /// triangles cast theirs too.
-  void drawForShadow() const;
+  /// All triangles, for shadows: with `solid`, or with `withAlpha` where the picture shows a material's alpha. Where
+  /// the processor draws: one for each control triangle, between its corners as they are on the surface, since a
+  /// blurred shadow does not show the difference. Culled triangles cast theirs too. In app/render/surface_shadow.cpp.
+  void drawForShadow(const Frame& frame, const GlProgram& solid, const GlProgram& withAlpha) const;
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
 
  private:
@@ -56,13 +56,16 @@ class SurfaceDrawer {
   void rebuildOrder(const ControlMesh& mesh, const GlBuffer& indices, GLenum usage);
   const GlProgram& prepareProgram(const Frame& frame) const;
   const Material& materialOf(const Range& range) const;
+  /// What the material's alpha does in this picture.
+  static AlphaMode alphaIn(const Frame& frame, const Material& material);
+  void bindTexture(const Material& material) const;
   void drawRange(const GlProgram& program, const Frame& frame, const Range& range) const;
 
   /// Programs for each Shading.
   using Programs = std::array<GlProgram, 4>;
-  std::array<Programs, 4> programs_;  ///< +1 with wire, +2 with marks.
+  std::array<Programs, 8> programs_;  ///< +1 with wire, +2 with marks, +4 with vertex colours (kTextured alone).
   GlVertexArray array_;
-  GlBuffer vertices_, uvs_, skinValues_, indices_, keptIndices_, coarseIndices_, classes_;
+  GlBuffer vertices_, uvs_, skinValues_, colors_, indices_, keptIndices_, coarseIndices_, classes_;
   GlTexture white_;
   std::vector<GlTexture> textures_;
   std::vector<Material> materials_;
@@ -70,7 +73,8 @@ class SurfaceDrawer {
   std::vector<std::uint8_t> culled_;  ///< Surface::culled as in keptIndices_; empty: all is drawn, from indices_.
   std::vector<int> controlOrder_;     ///< Control triangles in the order drawn: by material.
   std::vector<Range> ranges_;
-  GLsizei coarseIndexCount_ = 0;  ///< 0: the shadow is cast by all triangles.
+  std::vector<Range> shadowRanges_;  ///< ranges_ as without culling.
+  GLsizei coarseIndexCount_ = 0;     ///< 0: the shadow is cast by all triangles.
   std::vector<Vertex> staging_;
   std::vector<float> open_;       ///< [V] how open each control vertex is (occlusion.h).
   std::vector<float> territory_;  ///< [V] or empty, as in skinValues_.
