@@ -77,7 +77,7 @@ TEST_F(Arriving, AHiddenCharacterShownOpaqueLooksAsIfItWereOpaque) {
       limb->materials[0].shownOpaque = false;
       const Arrival hidden = arrival(limb, depth);
       expectAlike(hidden.whole, hidden.floor, "nothing is seen of it");
-      EXPECT_GT(darkerBy(opaque.floor, hidden.floor), 5000.0) << "the opaque one casts a shadow";
+      EXPECT_GT(darkerBy(opaque.floor, hidden.floor), 2000.0) << "the opaque one casts a shadow";
     }
   }
 }
