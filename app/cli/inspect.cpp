@@ -12,6 +12,7 @@
 #include "app/cli/verb.h"
 #include "app/document/document.h"
 #include "core/character/bindings.h"
+#include "core/character/skin_bones.h"
 #include "core/io/json/json.h"
 #include "core/mesh/creases.h"
 #include "core/mesh/topology.h"
@@ -87,6 +88,16 @@ Shape shapeOf(const Character& character) {
   return shape;
 }
 
+/// Names of the joints that move no skin.
+std::vector<std::string> helperNames(const Character& character) {
+  const std::vector<bool> helpers = helperBones(character);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < helpers.size(); ++i) {
+    if (helpers[i]) names.push_back(character.skeleton.bones[i].name);
+  }
+  return names;
+}
+
 std::string jsonText(const Document& document, const Shape& shape) {
   const Character& character = *document.character;
   Json json = Json::object();
@@ -101,6 +112,7 @@ std::string jsonText(const Document& document, const Shape& shape) {
   json.set("height", character.height);
   json.set("joints", count(character.skeleton.bones.size()));
   json.set("joint_names", listOf(character.skeleton.bones, [](const Bone& bone) { return bone.name; }));
+  json.set("helper_joints", listOf(helperNames(character), [](const std::string& name) { return name; }));
   json.set("clips", listOf(character.clips, [](const AnimationClip& clip) {
              return Json::object().set("name", clip.name).set("duration", clip.duration);
            }));
@@ -234,6 +246,7 @@ std::string plainText(const Document& document, const Shape& shape) {
   putSurface(out, character, shape);
   out << "  height      " << shortNumber(character.height) << '\n';
   putNames(out, "joints      ", joints);
+  putNames(out, "helpers     ", helperNames(character));
   putNames(out, "clips       ", clips);
   out << "  materials   " << character.materials.size() << '\n';
   out << "  textures    " << character.textures.size() << '\n';

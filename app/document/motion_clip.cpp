@@ -4,21 +4,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/character/bindings.h"
+#include "core/character/skin_bones.h"
 #include "core/skeleton/range_of_motion.h"
 #include "core/symmetry/mirror.h"
 
 namespace sinew::app {
-
-std::vector<bool> bonesWithSkin(const Character& character) {
-  std::vector<bool> result(character.skeleton.bones.size(), false);
-  for (int vertex = 0; vertex < static_cast<int>(character.mesh.positions.size()); ++vertex) {
-    for (const WeightedBinding& follows : bindingsOf(character, vertex)) {
-      if (follows.weight > 0.0f) result[static_cast<std::size_t>(follows.bone())] = true;
-    }
-  }
-  return result;
-}
 
 int findClip(const Character& character, std::string_view name) {
   const auto found = std::ranges::find(character.clips, name, &AnimationClip::name);

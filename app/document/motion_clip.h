@@ -4,14 +4,10 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "sinew/character/character.h"
 
 namespace sinew::app {
-
-/// Bones by whether skin follows them: [bones].
-[[nodiscard]] std::vector<bool> bonesWithSkin(const Character& character);
 
 /// The character with a clip "Range of motion" (core/skeleton/range_of_motion.h) at the end of its clips. The same
 /// character where it has a clip of that name already, its file's own too, or where none of its joints can turn.

@@ -12,6 +12,7 @@
 #include <glm/matrix.hpp>
 
 #include "core/base/at.h"
+#include "core/skeleton/helper_bones.h"
 #include "core/skeleton/joint_roles.h"
 #include "core/skeleton/pose_override.h"
 #include "core/skeleton/side_names.h"
@@ -139,17 +140,11 @@ glm::vec3 towardsLeft(const Skeleton& skeleton, const glm::vec3& normal) {
   return sum < 0.0 ? -normal : normal;
 }
 
-/// A bone moves if its role lets it and it, or anything that hangs on it, carries skin.
+/// A bone moves if its role lets it and it is no helper.
 std::vector<bool> movingBones(const Skeleton& skeleton, const std::vector<JointRole>& roles,
                               const std::vector<bool>& carriesSkin) {
-  const std::size_t count = skeleton.bones.size();
-  std::vector<bool> seen = carriesSkin;
-  seen.resize(count, carriesSkin.empty());
-  for (std::size_t i = count; i-- > 0;) {
-    if (seen[i] && skeleton.bones[i].parent >= 0) at(seen, skeleton.bones[i].parent) = true;
-  }
-  std::vector<bool> moves(count);
-  for (std::size_t i = 0; i < count; ++i) moves[i] = seen[i] && roles[i] != JointRole::kStill;
+  std::vector<bool> moves = bonesThatMoveSkin(skeleton, carriesSkin);
+  for (std::size_t i = 0; i < moves.size(); ++i) moves[i] = moves[i] && roles[i] != JointRole::kStill;
   return moves;
 }
 

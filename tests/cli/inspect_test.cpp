@@ -1,4 +1,6 @@
 // tests/cli/inspect_test.cpp: `sinew inspect` as a program sees it.
+#include <algorithm>
+
 #include "core/io/json/json.h"
 #include "tests/cli/program.h"
 
@@ -16,7 +18,7 @@ TEST_F(Program, InspectJsonHasEveryKeyAndNothingElseOnStdout) {
   EXPECT_EQ(json->keys(),
             (std::vector<std::string>{"triangles", "triangles_dropped", "vertices", "wedges", "colored_wedges",
                                       "closed", "border_edges", "non_manifold_edges", "height", "joints", "joint_names",
-                                      "clips", "materials", "textures", "ignored"}));
+                                      "helper_joints", "clips", "materials", "textures", "ignored"}));
   EXPECT_TRUE(json->at("closed").boolean(false));
   EXPECT_EQ(json->at("border_edges").number(-1), 0);
   EXPECT_EQ(json->at("colored_wedges").number(-1), 0);
@@ -24,6 +26,7 @@ TEST_F(Program, InspectJsonHasEveryKeyAndNothingElseOnStdout) {
   const double euler = json->at("vertices").number(0) - json->at("triangles").number(0) / 2;
   EXPECT_EQ(euler, 2);
   EXPECT_EQ(json->at("joint_names").items().size(), static_cast<std::size_t>(json->at("joints").number(0)));
+  EXPECT_TRUE(json->at("helper_joints").items().empty()) << "skin follows every joint of the bundled character";
   ASSERT_GE(json->at("clips").items().size(), 1u);
   EXPECT_EQ(json->at("clips").items()[0].at("name").text(""), "Walk");
   EXPECT_GT(json->at("clips").items()[0].at("duration").number(0), 0);
@@ -64,6 +67,18 @@ TEST_F(Program, InspectNamesUnattachedPrimitives) {
   const auto result = run({"inspect", "lost.rig.json"});
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_NE(result.out.find("unattached  1: wing"), std::string::npos) << result.out;
+}
+
+TEST_F(Program, InspectNamesTheJointsThatNoSkinFollows) {
+  const std::string character = std::string(SINEW_CHARACTERS_DIR) + "/robot.glb";
+  if (!std::filesystem::exists(character)) GTEST_SKIP() << "left out: real characters are not at hand";
+  const auto json = Json::parse(run({"inspect", character, "--json"}).out);
+  ASSERT_TRUE(json.ok());
+  std::vector<std::string> helpers;
+  for (const Json& name : json->at("helper_joints").items()) helpers.push_back(name.text(""));
+  EXPECT_NE(std::ranges::find(helpers, "PoleTarget.L"), helpers.end());
+  EXPECT_EQ(std::ranges::find(helpers, "Head"), helpers.end());
+  EXPECT_NE(run({"inspect", character}).out.find("PoleTarget.L, PoleTarget.R\n  clips "), std::string::npos);
 }
 
 TEST_F(Program, InspectForPeopleNamesWhatIsOpen) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/character/skin_bones.h"
 #include "core/skeleton/range_of_motion.h"
 #include "tests/support/characters/synthetic_characters.h"
 
