@@ -70,7 +70,7 @@ const Action kOthers[] = {
     {"tool/pose-parent", "Parent joint", "Select the parent of the selected joint", key(GLFW_KEY_UP), kNone, posing,
      nullptr, onDocument<selectParentJoint>},
     {"tool/pose-child", "Child joint", "Select the first child of the selected joint", key(GLFW_KEY_DOWN), kNone,
-     posing, nullptr, onDocument<selectChildJoint>},
+     posing, nullptr, selectChildJoint},
 };
 
 /// One row a tool, then the others.

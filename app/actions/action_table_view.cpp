@@ -1,5 +1,6 @@
 // app/actions/action_table_view.cpp: the View menu: what is shown and from where.
 
+#include <algorithm>
 #include <utility>
 
 #include "app/actions/action_table.h"
@@ -48,6 +49,10 @@ void toggleAutoDepth(State& s) {
 bool hasOverlay(const State& s) { return s.view.layout.overlay; }
 void toggleOverlay(State& s) { s.view.layout.overlay = !s.view.layout.overlay; }
 
+bool hasHelpers(const State& s) { return std::ranges::find(s.open.helperBones, true) != s.open.helperBones.end(); }
+bool showsHelpers(const State& s) { return s.view.outliner.helperBones; }
+void toggleHelpers(State& s) { s.view.outliner.helperBones = !s.view.outliner.helperBones; }
+
 bool hiddenAny(const State& s) { return s.hasCharacter() && anythingHidden(s.document); }
 bool isIsolated(const State& s) { return s.document.visibility.isolated.has_value(); }
 bool isolatable(const State& s) { return selected(s) || (idle(s) && isIsolated(s)); }
@@ -71,6 +76,8 @@ const Action kActions[] = {
      isShown<&D::controlMesh>, toggleShown<&D::controlMesh>},
     {"view/skeleton", "Skeleton", "Bones, seen through the skin", key(GLFW_KEY_7), kNone, open, isShown<&D::skeleton>,
      toggleShown<&D::skeleton>},
+    {"view/helper-bones", "Helper bones", "Show bones that no skin follows: targets, poles, sockets, ends", kNone,
+     kNone, hasHelpers, showsHelpers, toggleHelpers},
     {"view/primitives", "Muscles", "All ellipsoids, not only the selected ones", key(GLFW_KEY_8), kNone, open,
      isShown<&D::primitives>, toggleShown<&D::primitives>},
     {"view/influence", "Influence", "How far the shown muscles reach", key(GLFW_KEY_9), kNone, open,

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <fstream>
+#include <system_error>
 #include <utility>
 
 #include "core/symmetry/twins.h"
@@ -32,19 +34,23 @@ Result<Document> openCharacter(const std::filesystem::path& file) {
   return document;
 }
 
-Result<Document> openRig(const std::filesystem::path& file) {
-  auto rig = loadRig(file);
-  if (!rig) return rig.error();
-  const std::filesystem::path characterFile = characterPath(rig.value(), file);
+Result<Document> openParts(Rig rig, const std::filesystem::path& file, const std::filesystem::path& characterFile) {
   auto character = importGltf(characterFile);
   if (!character) return Error{file.string(), "character", character.error().text()};
   Document document;
   document.character = std::move(character).value();
   document.characterFile = characterFile;
   document.rigFile = file;
-  document.commands = CommandStack(std::move(rig).value());
+  document.commands = CommandStack(std::move(rig));
   prepareMirror(document);
   return document;
+}
+
+Result<Document> openRig(const std::filesystem::path& file) {
+  auto rig = loadRig(file);
+  if (!rig) return rig.error();
+  const std::filesystem::path characterFile = characterPath(rig.value(), file);
+  return openParts(std::move(rig).value(), file, characterFile);
 }
 
 }  // namespace
@@ -73,6 +79,28 @@ Result<Document> openDocument(const std::filesystem::path& file) {
   if (name.ends_with(".json")) return openRig(file);
   if (name.ends_with(".glb") || name.ends_with(".gltf")) return openCharacter(file);
   return Error{file.string(), "", "expected a character (.glb, .gltf) or a rig (.rig.json)"};
+}
+
+std::optional<std::filesystem::path> missingCharacter(const std::filesystem::path& rigFile) {
+  if (!lowerCaseName(rigFile).ends_with(".json")) return std::nullopt;
+  const Result<Rig> rig = loadRig(rigFile);
+  if (!rig) return std::nullopt;
+  std::filesystem::path file = characterPath(rig.value(), rigFile);
+  std::error_code failed;
+  const bool there = std::filesystem::is_regular_file(file, failed) && std::ifstream(file).good();
+  return there ? std::nullopt : std::optional(std::move(file));
+}
+
+Result<Document> openRigWith(const std::filesystem::path& rigFile, const std::filesystem::path& characterFile) {
+  Result<Rig> rig = loadRig(rigFile);
+  if (!rig) return rig.error();
+  Rig located = rig.value();
+  located.character = relativeCharacterPath(characterFile, rigFile);
+  Result<Document> opened = openParts(std::move(rig).value(), rigFile, characterFile);
+  if (!opened) return opened;
+  Document document = std::move(opened).value();
+  document.commands.apply("Locate character", std::move(located));
+  return document;
 }
 
 void prepareMirror(Document& document) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/document/command_stack.h"
@@ -40,6 +41,13 @@ struct Document {
 /// Opens a .glb / .gltf (with an empty rig) or a .rig.json (with the character it names). Error: the open document is
 /// untouched.
 [[nodiscard]] Result<Document> openDocument(const std::filesystem::path& file);
+
+/// Where a rig expects its character, if no file can be read there. nullopt: one can, or this is no rig.
+[[nodiscard]] std::optional<std::filesystem::path> missingCharacter(const std::filesystem::path& rigFile);
+
+/// Opens a rig with a character that lies elsewhere than it says. The new path is a step of the history: unsaved.
+[[nodiscard]] Result<Document> openRigWith(const std::filesystem::path& rigFile,
+                                           const std::filesystem::path& characterFile);
 
 /// Finds the character's mirror plane and has the command stack keep linked twins each other's image, from now on;
 /// symmetry is switched on where bones come in pairs. openDocument does this; documents made by hand may.

@@ -5,13 +5,17 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/document/motion_clip.h"
 #include "app/editor/edit.h"
 #include "app/editor/pose_commands.h"
 #include "app/editor/session.h"
 #include "app/editor/symmetry_commands.h"
 #include "app/editor/territory.h"
+#include "app/editor/view_memory.h"
+#include "core/character/skin_bones.h"
 #include "core/rig/attachment.h"
 #include "core/rig/rig_edit.h"
+#include "core/skeleton/first_clip.h"
 #include "core/symmetry/twins.h"
 
 namespace sinew::app {
@@ -21,11 +25,13 @@ bool isBusy(const EditorState& state) { return ownsKeyboard(state.view.tools) ||
 
 void show(EditorState& state, Document document, LiveSurface live, const Transport& transport) {
   cancelDrags(state.view.tools, state.document);
+  rememberView(state);
   state.document = std::move(document);
   state.live = std::move(live);
   state.open = {};
   state.open.transport = transport;
   state.open.frameWanted = true;
+  state.open.helperBones = helperBones(state.character());
   state.frame.route = {};
   state.view.tools.hover = {};
   state.view.tools.territoryMode = false;
@@ -75,7 +81,8 @@ void reopen(EditorState& state) {
 bool openFile(EditorState& state, const std::filesystem::path& file) {
   Result<Document> opened = openDocument(file);
   if (!opened) {
-    addMessage(state.session, MessageKind::kError, opened.error().text());
+    if (const auto missing = missingCharacter(file)) state.dialogs.locate = {file, *missing};
+    else addMessage(state.session, MessageKind::kError, opened.error().text());
     return false;
   }
   return showDocument(state, std::move(opened).value());
@@ -83,8 +90,13 @@ bool openFile(EditorState& state, const std::filesystem::path& file) {
 
 bool showDocument(EditorState& state, Document document) {
   Transport transport;
-  transport.clip = document.character->clips.empty() ? -1 : 0;
+  transport.clip = firstClip(document.character->clips);
   transport.playing = clipDuration(transport, *document.character) > 0.0;
+  const std::optional<Json> view = rememberedView(state.session, document);
+  if (view) {
+    document.character = withClipNamed(document.character, view->at("clip").at("name").text(""));
+    transport = transportOf(*view, *document.character, transport);
+  }
   Result<LiveSurface> live = LiveSurface::create(document.character, document.commands, transport);
   if (!live) {
     Error error = live.error();
@@ -93,6 +105,7 @@ bool showDocument(EditorState& state, Document document) {
     return false;
   }
   show(state, std::move(document), std::move(live).value(), transport);
+  if (view) restoreView(state, *view);
   tellIgnored(state);
   return true;
 }

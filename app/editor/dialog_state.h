@@ -22,10 +22,11 @@ enum class DialogKind { kNone, kOpen, kSaveAs };
 struct FileDialogState {
   DialogKind kind = DialogKind::kNone;
   std::filesystem::path folder;
-  std::string text;        ///< The path field.
-  std::string error;       ///< Why the last try failed.
-  bool appearing = false;  ///< The path field takes the keyboard with the next frame.
-  Intent then;             ///< After a successful Save As.
+  std::string text;                 ///< The path field.
+  std::string error;                ///< Why the last try failed.
+  bool appearing = false;           ///< The path field takes the keyboard with the next frame.
+  Intent then;                      ///< After a successful Save As.
+  std::filesystem::path locateFor;  ///< Open: not any file but the character of this rig.
   FileFilter filter = FileFilter::kAll;
   std::vector<std::filesystem::path> back;     ///< Folders before this one, oldest first.
   std::vector<std::filesystem::path> forward;  ///< Folders that were left by going back, nearest last.
@@ -34,6 +35,12 @@ struct FileDialogState {
   std::string newFolder;
   FolderListing listing;  ///< Of the folder, as last read.
   bool reveal = false;    ///< The list scrolls to the file that the field names.
+};
+
+/// A rig whose character is not where the rig says: asking what to do.
+struct LocateState {
+  std::filesystem::path rigFile;  ///< "": not asking.
+  std::filesystem::path characterFile;
 };
 
 /// The command palette.
@@ -59,6 +66,7 @@ struct KeyCapture {
 
 struct Dialogs {
   FileDialogState file;
+  LocateState locate;
   Intent question;  ///< Asking about unsaved changes before this; kNone: not asking.
   PaletteState palette;
   bool keySheet = false;

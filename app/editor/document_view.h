@@ -58,6 +58,7 @@ struct TimelineState {
 
 struct DocumentView {
   Transport transport;
+  std::vector<bool> helperBones;  ///< [bones] core/character/skin_bones.h
   TimelineState timeline;
   RenameState rename;
   EulerState euler;

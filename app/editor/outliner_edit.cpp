@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/document/reparent.h"
+#include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/territory.h"
@@ -59,7 +60,7 @@ void reparentMuscles(EditorState& state, const std::vector<int>& indices, int bo
   });
   const std::string what =
       indices.size() == 1 ? nameOfMuscle(*rig, indices.front()) : std::to_string(indices.size()) + " muscles";
-  edit(state, "Move " + what + " to " + target, std::move(moved));
+  edit(state, "Move " + what + " to " + shownBoneName(skeleton, bone), std::move(moved));
 }
 
 void clickMuscle(EditorState& state, const std::vector<OutlinerRow>& rows, int position, bool range, bool toggle) {

@@ -45,7 +45,8 @@ void markShown(Walk& walk) {
     walk.matches[b] = !walk.filtered() || containsText(bone.name, walk.view.filter);
     const bool muscle =
         std::ranges::any_of(walk.musclesOfBone[b], [&](int i) { return walk.muscleShown(i, walk.matches[b]); });
-    if (muscle || (walk.matches[b] && !walk.view.onlyWithMuscles)) walk.shown[b] = true;
+    const bool hidden = !walk.view.hiddenBones.empty() && walk.view.hiddenBones[b];
+    if (muscle || (walk.matches[b] && !walk.view.onlyWithMuscles && !hidden)) walk.shown[b] = true;
     if (walk.shown[b] && bone.parent >= 0) walk.shown[static_cast<std::size_t>(bone.parent)] = true;
   }
 }

@@ -26,6 +26,7 @@ struct OutlinerView {
   bool onlyWithMuscles = false;  ///< Leaves out bones with no muscle on or below them.
   const std::set<std::string>* folded = nullptr;  ///< Bone paths.
   bool unattachedFolded = false;
+  std::vector<bool> hiddenBones{};  ///< [bones] left out, unless a muscle is on or below them; empty: none.
 };
 
 /// @param boneOf  [primitives] bone index, -1: unattached

@@ -2,12 +2,14 @@
 
 #include "app/editor/pose_commands.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
 #include "app/document/motion_clip.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
+#include "app/editor/hidden_bones.h"
 #include "core/skeleton/range_of_motion.h"
 
 namespace sinew::app {
@@ -123,14 +125,18 @@ void selectParentJoint(Document& document) {
   }
 }
 
-void selectChildJoint(Document& document) {
-  int& bone = document.selection.bone;
+void selectChildJoint(EditorState& state) {
+  int& bone = state.document.selection.bone;
+  const std::vector<bool> hidden = hiddenBones(state);
+  const Skeleton& skeleton = state.character().skeleton;
+  const auto isShown = [&](int candidate) { return !isHidden(hidden, candidate); };
   if (bone < 0) {
-    bone = 0;
+    for (bone = 0; isHidden(hidden, bone);) ++bone;
     return;
   }
-  const auto& children = document.character->skeleton.bones[static_cast<std::size_t>(bone)].children;
-  if (!children.empty()) bone = children.front();
+  const std::vector<int>& children = skeleton.bones[static_cast<std::size_t>(bone)].children;
+  const auto child = std::ranges::find_if(children, isShown);
+  if (child != children.end()) bone = *child;
 }
 
 void playRangeOfMotion(EditorState& state) {

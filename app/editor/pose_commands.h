@@ -32,7 +32,8 @@ void pastePose(EditorState& state);
 void toggleHoldPose(EditorState& state);
 /// Selects the joint above, or the first below, the selected one; the first root where none is.
 void selectParentJoint(Document& document);
-void selectChildJoint(Document& document);
+/// The first that is not hidden (hidden_bones.h).
+void selectChildJoint(EditorState& state);
 
 [[nodiscard]] bool isPosed(const EditorState& state);
 [[nodiscard]] bool selectedJointIsPosed(const EditorState& state);

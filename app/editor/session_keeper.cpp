@@ -5,6 +5,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/session.h"
+#include "app/editor/view_memory.h"
 
 namespace sinew::app {
 namespace {
@@ -19,13 +20,17 @@ Preferences preferencesOf(const EditorState& state, const WindowPlace& window) {
 
 }  // namespace
 
-SessionKeeper::SessionKeeper(std::filesystem::path preferencesFile, std::filesystem::path recoveryFolder)
-    : preferencesFile_(std::move(preferencesFile)), recoveryFolder_(std::move(recoveryFolder)) {}
+SessionKeeper::SessionKeeper(std::filesystem::path preferencesFile, std::filesystem::path recoveryFolder,
+                             std::filesystem::path viewsFolder)
+    : preferencesFile_(std::move(preferencesFile)),
+      recoveryFolder_(std::move(recoveryFolder)),
+      viewsFolder_(std::move(viewsFolder)) {}
 
 void SessionKeeper::start(EditorState& state) {
   const LoadedPreferences loaded = loadPreferences(preferencesFile_);
   state.session.preferences = loaded.preferences;
   state.view.layout = loaded.preferences.layout;
+  state.session.viewsFolder = viewsFolder_;
   stored_ = seen_ = loaded.preferences;
   if (!loaded.complaint.empty()) addMessage(state.session, MessageKind::kWarning, loaded.complaint);
   state.session.leftBehind = findLeftBehind(recoveryFolder_);
@@ -41,6 +46,7 @@ void SessionKeeper::start(EditorState& state) {
 void SessionKeeper::tick(EditorState& state, double now, const WindowPlace& window) {
   keepRecent(state);
   keepWork(state, now);
+  keepView(state, now);
   keepPreferences(state, now, window);
 }
 
@@ -50,6 +56,7 @@ std::optional<double> SessionKeeper::secondsLeft(const EditorState& state, doubl
 
 void SessionKeeper::finish(EditorState& state, const WindowPlace& window) {
   if (recovery_) recovery_->finish();
+  rememberView(state);
   const Preferences last = preferencesOf(state, window);
   if (last != stored_) writePreferences(state, last);
 }
@@ -92,6 +99,17 @@ bool SessionKeeper::writeWork(EditorState& state) {
   if (written) clock_.wrote(state.document.commands.revision());
   else addMessage(state.session, MessageKind::kWarning, "autosave failed: " + written.error().text());
   return written.ok();
+}
+
+/// What changes is kept once it rests; it is looked at once in kSettleSeconds, however often this is called.
+void SessionKeeper::keepView(const EditorState& state, double now) {
+  if (viewsFolder_.empty() || !state.hasCharacter() || (viewSeenAt_ && now - *viewSeenAt_ < kSettleSeconds)) return;
+  viewSeenAt_ = now;
+  const std::string view =
+      state.document.name() + std::to_string(state.session.documentsOpened) + viewToJson(state, false).dump();
+  if (std::exchange(viewSeen_, view) != view || view == viewStored_) return;
+  viewStored_ = view;
+  rememberView(state);
 }
 
 void SessionKeeper::keepPreferences(EditorState& state, double now, const WindowPlace& window) {

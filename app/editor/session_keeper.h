@@ -15,7 +15,9 @@ namespace sinew::app {
 /// From the start of the editor to its clean end. After any other end the recovery file stays for the next start.
 class SessionKeeper {
  public:
-  SessionKeeper(std::filesystem::path preferencesFile, std::filesystem::path recoveryFolder);
+  /// @param viewsFolder  "": views of files are not kept
+  SessionKeeper(std::filesystem::path preferencesFile, std::filesystem::path recoveryFolder,
+                std::filesystem::path viewsFolder = {});
 
   /// Preferences and layout into the state; work that a crash left is offered. What is wrong is a message.
   void start(EditorState& state);
@@ -29,17 +31,22 @@ class SessionKeeper {
  private:
   void keepRecent(EditorState& state);
   void keepWork(EditorState& state, double now);
+  void keepView(const EditorState& state, double now);
   void keepPreferences(EditorState& state, double now, const WindowPlace& window);
   void writePreferences(EditorState& state, const Preferences& preferences);
   bool writeWork(EditorState& state);
 
   std::filesystem::path preferencesFile_;
   std::filesystem::path recoveryFolder_;
+  std::filesystem::path viewsFolder_;
   std::optional<RecoveryFile> recovery_;
   AutosaveClock clock_;
   Preferences stored_;  ///< As on the disk.
   Preferences seen_;    ///< At the last look.
   double seenAt_ = 0.0;
+  std::string viewStored_;  ///< The view as last kept, of which document included.
+  std::string viewSeen_;    ///< At the last look.
+  std::optional<double> viewSeenAt_;
   std::pair<std::size_t, std::filesystem::path> remembered_;  ///< Opened document and its file.
 };
 

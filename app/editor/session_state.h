@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,7 +23,8 @@ struct Message {
 };
 
 struct SessionState {
-  Preferences preferences;  ///< Without layout and window, which stand in ViewState and in the window.
+  std::filesystem::path viewsFolder;  ///< Where views of files are kept (view_files.h); "": they are not.
+  Preferences preferences;            ///< Without layout and window, which stand in ViewState and in the window.
   std::vector<Message> messages;
   bool messagesShown = false;           ///< Unfolded: by a new message, until they are folded.
   std::vector<LeftBehind> leftBehind;   ///< By a crash: offered until answered.

@@ -22,6 +22,7 @@ struct OutlinerState {
   bool onlyWithMuscles = false;  ///< Bones without a muscle on them or below are left out.
   std::set<std::string> folded;  ///< Paths of the bones whose rows are closed.
   bool unattachedFolded = false;
+  bool helperBones = false;  ///< Bones that move no skin are shown, in the picture as well.
 };
 
 struct InspectorState {

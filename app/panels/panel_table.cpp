@@ -23,6 +23,7 @@ constexpr Panel kPanels[] = {
     {"legend", "", Region::kInViewport, drawLegend},
     {"messages", "", Region::kInViewport, drawMessages, true},
     {"dialog", "", Region::kDialog, drawFileDialog, true},
+    {"locate", "", Region::kDialog, drawLocateQuestion, true},
     {"recovery", "", Region::kDialog, drawRecoveryQuestion, true},
     {"unsaved", "", Region::kDialog, drawUnsavedQuestion, true},
     {"keys", "", Region::kDialog, drawKeySheet, true},

@@ -163,11 +163,11 @@ std::optional<PrimitiveHit> pickPrimitive(const Ray& ray, std::span<const Primit
 }
 
 std::optional<BoneHit> pickBone(const glm::vec2& pixel, const View& view, const Skeleton& skeleton, const Pose& pose,
-                                float withinPixels) {
+                                float withinPixels, const std::vector<bool>& hidden) {
   constexpr float kSamePixels = 0.5f;
   std::optional<BoneHit> best;
   float bestDepth = std::numeric_limits<float>::infinity();
-  for (const BoneSegment& segment : boneSegments(skeleton, pose)) {
+  for (const BoneSegment& segment : boneSegments(skeleton, pose, hidden)) {
     const glm::vec3 head = view.toPixel(segment.head), tail = view.toPixel(segment.tail);
     if (head.z > 1.0f || tail.z > 1.0f) continue;
     const auto [distance2, share] = pixelDistance2(pixel, glm::vec2(head), glm::vec2(tail));

@@ -45,6 +45,7 @@ struct BoneHit {
 
 /// The bone whose segment (or joint) is nearest on screen within `withinPixels`; equally near ones: nearest to the eye.
 [[nodiscard]] std::optional<BoneHit> pickBone(const glm::vec2& pixel, const View& view, const Skeleton& skeleton,
-                                              const Pose& pose, float withinPixels);
+                                              const Pose& pose, float withinPixels,
+                                              const std::vector<bool>& hidden = {});
 
 }  // namespace sinew::app

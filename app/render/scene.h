@@ -68,6 +68,7 @@ struct Scene {
   std::vector<PrimitiveShape> primitives;
   int selectedBone = -1;
   int hoveredBone = -1;
+  std::vector<bool> hiddenBones;                   ///< [bones] not drawn; empty: none is left out.
   std::vector<glm::vec3> skinnedControlPositions;  ///< [V] for DisplaySettings::controlMesh; may be empty.
   std::vector<float> territory;        ///< [V] 0..1, how much of a muscle each control vertex takes; empty: no tint.
   std::vector<int> territoryBones;     ///< Highlighted among the bones, and drawn though the skeleton is hidden.

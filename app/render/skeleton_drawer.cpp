@@ -31,6 +31,8 @@ Look lookOf(int bone, const Scene& scene) {
 
 /// All bones, or those of the territory alone.
 bool isShown(int bone, const Frame& frame) {
+  const std::vector<bool>& hidden = frame.scene.hiddenBones;
+  if (!hidden.empty() && hidden[static_cast<std::size_t>(bone)]) return false;
   return frame.settings.skeleton ||
          std::ranges::find(frame.scene.territoryBones, bone) != frame.scene.territoryBones.end();
 }
@@ -74,7 +76,7 @@ Result<SkeletonDrawer> SkeletonDrawer::create() {
 
 void SkeletonDrawer::place(const Frame& frame) {
   const Scene& scene = frame.scene;
-  const std::vector<BoneSegment> segments = boneSegments(scene.character->skeleton, *scene.pose);
+  const std::vector<BoneSegment> segments = boneSegments(scene.character->skeleton, *scene.pose, scene.hiddenBones);
   const float h = frame.height;
   std::vector<ShapeInstance> bones, joints;
   // A joint is as big as its shortest bone allows, so that fingers do not turn into a string of beads.

@@ -12,6 +12,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/document/shown_names.h"
 #include "app/tools/gizmo_basis.h"
 #include "core/base/flatness.h"
 #include "core/character/bindings.h"
@@ -165,7 +166,7 @@ Placement placementOf(const EllipsoidInWorld& ellipsoid, const glm::mat4& boneIn
 
 Primitive newMuscle(const Skeleton& skeleton, int bone, const Placement& placement) {
   Primitive primitive;
-  primitive.name = skeleton.bones[static_cast<std::size_t>(bone)].name + " muscle";
+  primitive.name = shownBoneName(skeleton, bone) + " muscle";
   primitive.bone = skeleton.fileName(bone);
   primitive.placement = placement;
   primitive.reach = kNewReach;

@@ -3,6 +3,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "app/document/shown_names.h"
 #include "app/tools/tool.h"
 
 namespace sinew::app {
@@ -29,8 +30,7 @@ std::string describeDrawing(const ToolFrame& frame) {
   const ViewportTools& tools = frame.tools;
   if (tools.addMuscle.drag) return "Drag along the skin: release keeps, Esc cancels; the pose is held while you draw";
   if (!tools.hover.skin || tools.hover.bone < 0) return "Add muscle: press on the skin and drag";
-  const auto bone = static_cast<std::size_t>(tools.hover.bone);
-  return "Press and drag: a muscle grows on " + frame.document().character->skeleton.bones[bone].name;
+  return "Press and drag: a muscle grows on " + shownBoneName(frame.document().character->skeleton, tools.hover.bone);
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include <imgui.h>
 #include <glm/geometric.hpp>
 
+#include "app/document/shown_names.h"
+
 namespace sinew::app {
 namespace {
 
@@ -81,7 +83,7 @@ void drawLanding(ImDrawList& list, const ViewportHover& hover, const Character& 
   drawBone(list, canvas, character.skeleton.bones[bone], pose.boneInWorld[bone]);
   drawRing(list, canvas, skin, kRingRadius * character.height);
   if (canvas.isBehind(skin.point)) return;
-  drawName(list, canvas.at(skin.point), uiScale, character.skeleton.bones[bone].name);
+  drawName(list, canvas.at(skin.point), uiScale, shownBoneName(character.skeleton, static_cast<int>(bone)));
 }
 
 }  // namespace sinew::app

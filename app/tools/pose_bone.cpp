@@ -3,6 +3,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "app/document/shown_names.h"
 #include "app/render/picking.h"
 
 namespace sinew::app {
@@ -10,8 +11,8 @@ namespace {
 
 constexpr float kJointReach = 12.0f;  ///< Design pixels.
 
-const std::string& nameOfBone(const ViewportContext& context, int bone) {
-  return context.document.character->skeleton.bones[static_cast<std::size_t>(bone)].name;
+std::string nameOfBone(const ViewportContext& context, int bone) {
+  return shownBoneName(context.document.character->skeleton, bone);
 }
 
 /// The placement that the gizmo drags: only its rotation is used.
@@ -78,7 +79,8 @@ ViewportHover hoverJoint(const ViewportContext& context, const View& view, const
   ViewportHover hover = hoverAt(context, view, pixel);
   hover.primitive = -1;
   const Skeleton& skeleton = context.document.character->skeleton;
-  if (const auto hit = pickBone(pixel, view, skeleton, context.pose, kJointReach * context.uiScale)) {
+  if (const auto hit =
+          pickBone(pixel, view, skeleton, context.pose, kJointReach * context.uiScale, context.hiddenBones)) {
     hover.bone = hit->bone;
     if (!hover.skin) hover.pointInWorld = glm::vec3(context.pose.boneInWorld[static_cast<std::size_t>(hit->bone)][3]);
   }

@@ -3,6 +3,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "app/document/shown_names.h"
 #include "app/tools/tool.h"
 
 namespace sinew::app {
@@ -25,7 +26,7 @@ bool continueRing(ToolFrame& frame, const ViewportInput& input) {
   const int joint = frame.tools.pose.bone;
   if (continueTurn(frame.tools.pose, frame.tools.gizmo, input, frame.context, frame.view)) return true;
   if (joint >= 0 && frame.context.overrides) {
-    const std::string& name = frame.document().character->skeleton.bones[static_cast<std::size_t>(joint)].name;
+    const std::string name = shownBoneName(frame.document().character->skeleton, joint);
     frame.document().commands.applyPose("Turn " + name, *frame.context.overrides);
   }
   return false;

@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/document/shown_names.h"
 #include "app/render/picking.h"
 #include "core/character/bindings.h"
 #include "core/rig/attachment.h"
@@ -140,7 +141,8 @@ ViewportHover hoverAt(const ViewportContext& context, const View& view, const gl
     }
   }
   if (context.display.skeleton) {
-    if (const auto hit = pickBone(pixel, view, character.skeleton, context.pose, kBoneReach * context.uiScale)) {
+    if (const auto hit = pickBone(pixel, view, character.skeleton, context.pose, kBoneReach * context.uiScale,
+                                  context.hiddenBones)) {
       const glm::mat4& boneInWorld = context.pose.boneInWorld[static_cast<std::size_t>(hit->bone)];
       if (!hover.any()) hover.pointInWorld = glm::vec3(boneInWorld[3]);
       hover.bone = hit->bone;
@@ -166,9 +168,9 @@ void pick(Document& document, const ViewportHover& hover, bool add) {
 std::string describe(const ViewportHover& hover, const Document& document) {
   if (hover.primitive >= 0) {
     const Primitive& primitive = document.rig().primitives[static_cast<std::size_t>(hover.primitive)];
-    return primitive.name + " on " + primitive.bone;
+    return primitive.name + " on " + shownBoneName(document.character->skeleton, primitive.bone);
   }
-  if (hover.bone >= 0) return "bone " + document.character->skeleton.bones[static_cast<std::size_t>(hover.bone)].name;
+  if (hover.bone >= 0) return "bone " + shownBoneName(document.character->skeleton, hover.bone);
   return "";
 }
 

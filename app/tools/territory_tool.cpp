@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/document/shown_names.h"
 #include "app/tools/tool.h"
 #include "core/rig/attachment.h"
 #include "core/rig/rig_edit_several.h"
@@ -41,7 +42,7 @@ void clickBone(ToolFrame& frame) {
 std::string describeTerritory(const ToolFrame& frame) {
   const int bone = frame.tools.hover.bone;
   if (bone < 0) return "Territory: click a bone, or the skin that follows it, Esc ends the mode";
-  const std::string& name = frame.document().character->skeleton.bones[static_cast<std::size_t>(bone)].name;
+  const std::string name = shownBoneName(frame.document().character->skeleton, bone);
   return "Click: " + name + " joins or leaves the territory, Esc ends the mode";
 }
 

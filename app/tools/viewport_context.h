@@ -1,6 +1,8 @@
 // app/tools/viewport_context.h: what every viewport tool knows about the frame.
 #pragma once
 
+#include <vector>
+
 #include "app/document/document.h"
 #include "app/render/scene.h"
 #include "app/render/view.h"
@@ -18,6 +20,7 @@ struct ViewportContext {
   glm::ivec2 size{1, 1};               ///< Viewport, pixels.
   float uiScale = 1.0f;                ///< Pixels per design pixel.
   PoseOverrides* overrides = nullptr;  ///< What `pose` was turned with: the pose tool changes it. Null: it cannot.
+  std::vector<bool> hiddenBones{};     ///< [bones] neither drawn nor picked; empty: none is left out.
 };
 
 }  // namespace sinew::app

@@ -9,6 +9,7 @@
 #include "app/actions/actions.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
+#include "app/editor/hidden_bones.h"
 #include "app/editor/viewport_input.h"
 #include "app/editor/visibility_commands.h"
 #include "app/panels/panels.h"
@@ -75,7 +76,8 @@ void EditorStep::runTools(EditorState& state, const RawInput& input, bool viewpo
                                 state.view.display,
                                 state.frame.viewportPixels,
                                 state.frame.uiScale * pixelsPerUnit.x,
-                                &state.open.transport.overrides};
+                                &state.open.transport.overrides,
+                                hiddenBones(state)};
   const std::size_t before = state.document.commands.position();
   state.frame.route = routeInput(state.view.tools, own, context);
   if (state.document.commands.position() != before) state.open.refusal.clear();

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "app/actions/bindings.h"
+#include "app/document/view_files.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/session.h"
@@ -49,17 +50,6 @@ std::optional<WindowGeometry> geometryOf(const WindowPlace& place) {
   return WindowGeometry{{place.x, place.y}, {place.width, place.height}, place.maximised};
 }
 
-/// Samples open walking, whatever clip stands first in the file.
-void chooseWalk(EditorState& state) {
-  const auto& clips = state.character().clips;
-  for (std::size_t i = 0; i < clips.size(); ++i) {
-    if (clips[i].name == "Walk" || clips[i].name == "walk") {
-      chooseClip(state.open.transport, static_cast<int>(i), state.character());
-      return;
-    }
-  }
-}
-
 /// The running editor.
 class Editor {
  public:
@@ -74,12 +64,14 @@ class Editor {
         keeper_(std::move(keeper)) {}
 
   /// The document the command line named, else a bundled character. Error: it cannot be smoothed.
-  Result<void> open(std::optional<Document> document) {
+  /// @param orphan  the rig the command line named, if its character is missing: asks for it
+  Result<void> open(std::optional<Document> document, const std::filesystem::path& orphan) {
     if (document) {
       if (!showDocument(state_, std::move(*document))) return Error{"", "", state_.session.messages.back().text};
-    } else if (const std::filesystem::path sample = firstSample(); !sample.empty() && openFile(state_, sample)) {
-      chooseWalk(state_);
+    } else if (const std::filesystem::path sample = firstSample(); !sample.empty()) {
+      openFile(state_, sample);
     }
+    if (!orphan.empty()) openFile(state_, orphan);
     return {};
   }
 
@@ -205,13 +197,15 @@ int runEditor(const EditorOptions& options) {
   }
   // Before the window: a bad file is reported even without a display, and no window flashes up.
   std::optional<Document> document;
+  std::optional<Error> orphaned;  ///< A rig without its character: the window asks for it.
   if (!options.file.empty()) {
     Result<Document> opened = openDocument(options.file);
-    if (!opened) return refuse(opened.error());
-    document = std::move(opened).value();
+    if (opened) document = std::move(opened).value();
+    else if (missingCharacter(options.file)) orphaned = opened.error();
+    else return refuse(opened.error());
   }
   EditorState state;
-  SessionKeeper keeper(preferencesFile(), recoveryFolder());
+  SessionKeeper keeper(preferencesFile(), recoveryFolder(), viewsFolder());
   keeper.start(state);
   for (const std::string& note : dropUnusableKeys(state.session.preferences)) {
     addMessage(state.session, MessageKind::kNote, "preferences: " + note + "; ignored");
@@ -223,11 +217,12 @@ int runEditor(const EditorOptions& options) {
   const bool larger = options.scale > std::max(state.session.preferences.scale, 1.0f);
   if (place && larger && (place->size.x < size.x || place->size.y < size.y)) place.reset();
   const Result<std::unique_ptr<Window>> window = Window::open(size, kTitle, place);
-  if (!window) return refuse(window.error());
+  if (!window) return refuse(orphaned.value_or(window.error()));
   const Result<std::unique_ptr<Viewport>> viewport = Viewport::create(Viewport::defaultSamples());
   if (!viewport) return refuse(viewport.error());
   Editor editor(*window.value(), *viewport.value(), std::move(state), std::move(keeper), options, std::move(log));
-  if (const Result<void> opened = editor.open(std::move(document)); !opened) return refuse(opened.error());
+  if (const Result<void> opened = editor.open(std::move(document), orphaned ? options.file : ""); !opened)
+    return refuse(opened.error());
   editor.run();
   return 0;
 }

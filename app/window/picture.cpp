@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/editor/commands.h"
+#include "app/editor/hidden_bones.h"
 #include "app/editor/territory.h"
 #include "app/tools/axis_triad.h"
 #include "app/tools/gizmo_draw.h"
@@ -35,6 +36,7 @@ PictureKey keyOf(const EditorState& state, const View& view) {
   key.display.skeleton = key.display.skeleton || !key.territoryBones.empty();
   key.selectedBone = state.document.selection.bone;
   key.hoveredBone = state.view.tools.hover.bone;
+  key.hiddenBones = hiddenBones(state);
   return key;
 }
 
@@ -51,6 +53,7 @@ void Picture::render(EditorState& state, PictureKey key) {
   scene.territoryBones = key.territoryBones;
   scene.selectedBone = key.selectedBone;
   scene.hoveredBone = key.hoveredBone;
+  scene.hiddenBones = key.hiddenBones;
   if (key.display.controlMesh) {
     SkinnedMesh skinned;
     skin(state.character(), state.live->pose(), skinned);

@@ -22,6 +22,7 @@ struct PictureKey {
   std::vector<int> territoryBones;
   int selectedBone = -1;
   int hoveredBone = -1;
+  std::vector<bool> hiddenBones;  ///< Scene::hiddenBones.
 
   friend bool operator==(const PictureKey&, const PictureKey&) = default;
 };

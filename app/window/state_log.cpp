@@ -182,7 +182,10 @@ Json messageState(const EditorState& state) {
 std::string dialogName(const EditorState& state) {
   if (state.dialogs.question.kind != IntentKind::kNone) return "unsaved";
   if (state.dialogs.file.kind != DialogKind::kNone)
-    return state.dialogs.file.kind == DialogKind::kOpen ? "open" : "save";
+    return !state.dialogs.file.locateFor.empty()          ? "locate-file"
+           : state.dialogs.file.kind == DialogKind::kOpen ? "open"
+                                                          : "save";
+  if (!state.dialogs.locate.rigFile.empty()) return "locate";
   if (state.dialogs.recovery) return "recovery";
   if (state.dialogs.preferences) return "preferences";
   if (state.dialogs.palette.shown) return "palette";
@@ -199,6 +202,23 @@ Json display(const DisplaySettings& shown) {
       .set("influence", shown.influence)
       .set("ground", shown.ground)
       .set("cull", shown.cullBackFaces);
+}
+
+Json cameraState(const Camera& camera) {
+  const CameraStand& stand = camera.stand;
+  return Json::object()
+      .set("target", numbers({stand.target.x, stand.target.y, stand.target.z}))
+      .set("distance", stand.distance)
+      .set("yaw", stand.yaw)
+      .set("pitch", stand.pitch)
+      .set("orthographic", camera.orthographic);
+}
+
+Json outlinerState(const ViewState& view) {
+  return Json::object()
+      .set("search", view.outlinerFilter)
+      .set("only_with_muscles", view.outliner.onlyWithMuscles)
+      .set("helper_bones", view.outliner.helperBones);
 }
 
 std::string headText(const EditorState& state, long long frame, double seconds) {
@@ -248,6 +268,8 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("tool", nameOf(state.view.tools.tool))
       .set("status", state.frame.route.status)
       .set("display", display(state.view.display))
+      .set("camera", cameraState(state.view.tools.camera))
+      .set("outliner", outlinerState(state.view))
       .set("dialog", dialogName(state))
       .set("keymap", nameOf(state.session.preferences.keymap))
       .set("scale", state.frame.uiScale)

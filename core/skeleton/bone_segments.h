@@ -33,7 +33,7 @@ struct Segment {
   return {from, glm::vec3(bone.bindInWorld * glm::vec4(bone.tip, 1.0f)) - from};
 }
 
-/// A bone as drawn: from its joint to a child's joint, or to its own tip where it has no children. World.
+/// A bone as drawn: from its joint to a child's joint, or to its own tip where no child is drawn. World.
 struct BoneSegment {
   int bone = -1;
   int endBone = -1;  ///< The child whose joint ends it, or the bone itself.
@@ -44,6 +44,8 @@ struct BoneSegment {
 };
 
 /// One for every child of every bone, in the order of the bones.
-[[nodiscard]] std::vector<BoneSegment> boneSegments(const Skeleton& skeleton, const Pose& pose);
+/// @param hidden  [bones] left out; empty: none
+[[nodiscard]] std::vector<BoneSegment> boneSegments(const Skeleton& skeleton, const Pose& pose,
+                                                    const std::vector<bool>& hidden = {});
 
 }  // namespace sinew

@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "app/editor/commands.h"
+#include "app/editor/locate_character.h"
 #include "app/panels/dialogs/dialogs.h"
 
 namespace sinew::app {
@@ -59,6 +60,15 @@ void confirmOpen(EditorState& state, const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) {
     complain(state.dialogs.file, "There is no file " + file.string());
+    return;
+  }
+  if (!state.dialogs.file.locateFor.empty()) {
+    const std::filesystem::path rigFile = state.dialogs.file.locateFor;
+    if (const std::string error = openWithCharacter(state, rigFile, file); !error.empty()) {
+      complain(state.dialogs.file, error);
+    } else {
+      close(state);
+    }
     return;
   }
   close(state);
@@ -239,7 +249,9 @@ void confirmPath(EditorState& state) {
 void drawFileDialog(PanelUi& ui) {
   FileDialogState& dialog = ui.state.dialogs.file;
   if (dialog.kind == DialogKind::kNone) return;
-  const char* title = dialog.kind == DialogKind::kOpen ? "Open a character or a rig" : "Save the rig as";
+  const char* title = !dialog.locateFor.empty()          ? "Locate the character"
+                      : dialog.kind == DialogKind::kOpen ? "Open a character or a rig"
+                                                         : "Save the rig as";
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * display.x, 0.48f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});

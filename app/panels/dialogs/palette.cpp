@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/session.h"
 #include "app/panels/dialogs/dialogs.h"
@@ -68,9 +69,12 @@ void addPlacesInDocument(Entries& all, const EditorState& state) {
         "Muscle on " + primitive.bone, true);
   }
   const Skeleton& skeleton = state.character().skeleton;
+  const std::vector<std::string> names = shownBoneNames(skeleton);
   for (int bone = 0; bone < static_cast<int>(skeleton.bones.size()); ++bone) {
-    add(all, state, {EntryKind::kBone, "bone/" + skeleton.fileName(bone), nullptr, {}, bone, {}},
-        skeleton.bones[static_cast<std::size_t>(bone)].name, "Bone", true);
+    const auto index = static_cast<std::size_t>(bone);
+    const std::string& fileName = skeleton.bones[index].name;
+    add(all, state, {EntryKind::kBone, "bone/" + skeleton.fileName(bone), nullptr, {}, bone, {}}, names[index],
+        names[index] == fileName ? "Bone" : "Bone " + fileName, true);
   }
 }
 

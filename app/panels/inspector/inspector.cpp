@@ -5,8 +5,10 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "app/document/shown_names.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
+#include "app/editor/hidden_bones.h"
 #include "app/editor/outliner_edit.h"
 
 namespace sinew::app {
@@ -37,17 +39,24 @@ void boneRow(PanelUi& ui, const Subjects& subjects) {
   beginRow(ui, "Bone");
   const bool differ = subjects.differ([](const Primitive& p) { return p.bone; });
   const std::string missing = subjects.bone < 0 ? " (missing)" : "";
-  const std::string shown = differ ? "mixed" : subjects.shown().bone + missing;
+  const std::vector<std::string> names = shownFileNames(skeleton);
+  const std::string own = subjects.bone < 0 ? subjects.shown().bone : names[static_cast<std::size_t>(subjects.bone)];
+  const std::string shown = differ ? "mixed" : own + missing;
   const bool open = ImGui::BeginCombo("##bone", shown.c_str(), ImGuiComboFlags_HeightLarge);
   ui.widgets.note("inspector/bone");
   if (!open) {
-    tooltip(ui, "The bone that carries the muscle. On another one it keeps its place in the world.");
+    const std::string inFile = differ || own == subjects.shown().bone ? "" : subjects.shown().bone + ". ";
+    tooltip(ui, inFile + "The bone that carries the muscle. On another one it keeps its place in the world.");
     return;
   }
+  const std::vector<bool> hidden = hiddenBones(ui.state);
   for (int bone = 0; bone < static_cast<int>(skeleton.bones.size()); ++bone) {
+    if (isHidden(hidden, bone)) continue;
     const std::string& name = skeleton.fileName(bone);
-    const bool chosen = ImGui::Selectable(name.c_str(), !differ && bone == subjects.bone);
+    const std::string& label = names[static_cast<std::size_t>(bone)];
+    const bool chosen = ImGui::Selectable(label.c_str(), !differ && bone == subjects.bone);
     ui.widgets.note("inspector/bone/" + name);
+    if (label != name) tooltip(ui, name);
     if (bone == subjects.bone && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
     if (chosen) reparentMuscles(ui.state, subjects.indices, bone);
   }
@@ -123,7 +132,7 @@ void nothingSelected(PanelUi& ui) {
   ImGui::PushTextWrapPos(0.0f);
   const int bone = ui.state.document.selection.bone;
   if (bone >= 0) {
-    const std::string& name = ui.state.character().skeleton.bones[static_cast<std::size_t>(bone)].name;
+    const std::string name = shownBoneName(ui.state.character().skeleton, bone);
     mutedText(("Bone " + name + ". Add a muscle on it with + in the list, or " +
                howToStart(ui, action("tool/add-muscle")) + " and drag on the skin.")
                   .c_str());

@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "app/document/shown_names.h"
 #include "app/editor/commands.h"
+#include "app/editor/hidden_bones.h"
 #include "app/editor/outliner_rows.h"
 #include "app/editor/territory.h"
 #include "app/panels/inspector/inspector.h"
@@ -53,7 +55,7 @@ void headRow(PanelUi& ui, const Subjects& subjects, std::size_t bones) {
 }
 
 /// A bone of the territory with a cross that takes it out.
-void boneRow(PanelUi& ui, const std::string& name, int bone) {
+void boneRow(PanelUi& ui, const std::string& name, const std::string& shown, int bone) {
   const float indent = ui.px(6);
   const float size = ImGui::GetTextLineHeight() + ui.px(4);
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -63,7 +65,7 @@ void boneRow(PanelUi& ui, const std::string& name, int bone) {
   if (over) list.AddRectFilled(at, {right, at.y + size}, palette::kRaised.packed(), ui.px(4));
   drawIcon(list, Icon::kBone, {at.x + indent, at.y + ui.px(3)}, ui.px(13),
            (bone >= 0 ? palette::kMuted : palette::kWarning).packed());
-  const std::string text = bone >= 0 ? name : name + "  (not in this character)";
+  const std::string text = bone >= 0 ? shown : name + "  (not in this character)";
   clippedText(list, {at.x + indent + ui.px(20), at.y + ui.px(2)}, right - at.x - indent - ui.px(20) - size,
               (bone >= 0 ? palette::kText : palette::kWarning).packed(), text);
   if (bone < 0) {
@@ -95,12 +97,17 @@ void addRow(PanelUi& ui, const std::vector<int>& within) {
   }
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::InputTextWithHint("##filter", "Search", &filter);
+  const std::vector<std::string> names = shownFileNames(skeleton);
+  const std::vector<bool> hidden = hiddenBones(ui.state);
   for (int bone = 0; bone < static_cast<int>(skeleton.bones.size()); ++bone) {
+    if (isHidden(hidden, bone)) continue;
     if (std::ranges::binary_search(within, bone)) continue;
     if (!containsText(skeleton.bones[static_cast<std::size_t>(bone)].name, filter)) continue;
     const std::string& name = skeleton.fileName(bone);
-    const bool chosen = ImGui::Selectable(name.c_str());
+    const std::string& label = names[static_cast<std::size_t>(bone)];
+    const bool chosen = ImGui::Selectable(label.c_str());
     ui.widgets.note("inspector/territory-add/" + name);
+    if (label != name) tooltip(ui, name);
     if (chosen) toggleTerritoryBone(ui.state, bone);
   }
   ImGui::EndCombo();
@@ -118,9 +125,10 @@ void drawTerritoryRows(PanelUi& ui, const Subjects& subjects) {
   const bool named = subjects.shown().territory.has_value();
   if (!named && !editsTerritory(ui.state) && !ui.state.view.inspector.territoryOpen) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(1)});
-  for (const int bone : within) boneRow(ui, skeleton.fileName(bone), bone);
+  const std::vector<std::string> names = shownFileNames(skeleton);
+  for (const int bone : within) boneRow(ui, skeleton.fileName(bone), names[static_cast<std::size_t>(bone)], bone);
   for (const std::string& name : subjects.shown().territory.value_or(std::vector<std::string>{})) {
-    if (!skeleton.findBone(name)) boneRow(ui, name, -1);
+    if (!skeleton.findBone(name)) boneRow(ui, name, name, -1);
   }
   ImGui::PopStyleVar();
   addRow(ui, within);

@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <string>
 
+#include "app/document/shown_names.h"
 #include "app/editor/commands.h"
+#include "app/editor/hidden_bones.h"
 #include "app/editor/outliner_edit.h"
 #include "app/editor/territory.h"
 #include "app/editor/visibility_commands.h"
@@ -30,15 +32,23 @@ OutlinerContent gather(const EditorState& state) {
     for (const int bone : shownTerritory(state)) frame.territory[static_cast<std::size_t>(bone)] = true;
   }
   const OutlinerState& outliner = state.view.outliner;
-  frame.rows =
-      outlinerRows(*frame.rig, skeleton, frame.boneOf,
-                   {state.view.outlinerFilter, outliner.onlyWithMuscles, &outliner.folded, outliner.unattachedFolded});
+  frame.hiddenBones = hiddenBones(state);
+  frame.rows = outlinerRows(*frame.rig, skeleton, frame.boneOf,
+                            {state.view.outlinerFilter, outliner.onlyWithMuscles, &outliner.folded,
+                             outliner.unattachedFolded, frame.hiddenBones});
+  frame.boneNames = shownBoneNames(skeleton);
   return frame;
+}
+
+std::string helperHint(std::ptrdiff_t count) {
+  if (count == 0) return "Skin follows every bone: there are no helper bones";
+  return (count == 1 ? std::string("1 helper bone") : std::to_string(count) + " helper bones") +
+         ": show bones that no skin follows, such as targets, poles and ends";
 }
 
 void drawSearch(PanelUi& ui) {
   const float button = ImGui::GetFrameHeight();
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ui.px(4));
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2.0f * (button + ui.px(4)));
   ImGui::InputTextWithHint("##search", "Search muscles and bones", &ui.state.view.outlinerFilter);
   ui.widgets.note("outliner/search");
   ImGui::SameLine(0.0f, ui.px(4));
@@ -47,6 +57,14 @@ void drawSearch(PanelUi& ui) {
                  "Only bones with muscles on them or below")) {
     only = !only;
   }
+  ImGui::SameLine(0.0f, ui.px(4));
+  bool& helpers = ui.state.view.outliner.helperBones;
+  const std::ptrdiff_t count = std::ranges::count(ui.state.open.helperBones, true);
+  ImGui::BeginDisabled(count == 0);
+  if (iconButton(ui, "outliner/helper-bones", Icon::kBone, helpers && count > 0, button, helperHint(count))) {
+    helpers = !helpers;
+  }
+  ImGui::EndDisabled();
 }
 
 /// Scrolls once to a muscle that has just become the active one.
@@ -91,7 +109,8 @@ void drawRows(PanelUi& ui) {
     ImGui::PushTextWrapPos(0.0f);
     const std::string start = howToStart(ui, action("tool/add-muscle"));
     mutedText(ui.state.view.outlinerFilter.empty() ? ("No muscles yet: " + start + " and drag on the skin.").c_str()
-                                                   : "Nothing found.");
+              : frame.hiddenBones.empty()          ? "Nothing found."
+                                                   : "Nothing found. Helper bones are hidden.");
     ImGui::PopTextWrapPos();
   }
   ImGuiListClipper clipper;

@@ -6,6 +6,7 @@
 
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
+#include "app/editor/hidden_bones.h"
 #include "app/editor/outliner_edit.h"
 #include "app/editor/visibility_commands.h"
 #include "app/panels/outliner/outliner_row.h"
@@ -70,8 +71,9 @@ void boneSubmenu(PanelUi& ui, const OutlinerContent& frame) {
   ui.widgets.note("context/bone");
   if (!open) return;
   for (int bone = 0; bone < static_cast<int>(frame.skeleton.bones.size()); ++bone) {
+    if (isHidden(frame.hiddenBones, bone)) continue;
     ImGui::PushID(bone);
-    const bool chosen = ImGui::MenuItem(frame.skeleton.bones[static_cast<std::size_t>(bone)].name.c_str());
+    const bool chosen = ImGui::MenuItem(frame.boneNames[static_cast<std::size_t>(bone)].c_str());
     ImGui::PopID();
     ui.widgets.note("context/bone/" + std::to_string(bone));
     if (chosen) reparentMuscles(ui.state, selectedIndices(ui.state.document), bone);

@@ -181,6 +181,7 @@ void drawBar(Row& row, bool selected) {
     if (twice) startRename(ui.state, row.primitive().id());
   } else if (row.row.kind == RowKind::kBone) {
     ui.widgets.note("outliner/bone/" + row.name());
+    if (row.bone().name != row.frame.boneNames[static_cast<std::size_t>(row.row.index)]) tooltip(ui, row.bone().name);
     dropTarget(row);
     boneMenu(ui, row.frame, row.row.index);
     if (clicked && !twice) clickBone(ui.state, row.row.index);
@@ -226,7 +227,7 @@ void drawBone(Row& row) {
   const float from = row.indent() + ui.px(kNameFrom);
   const Tint color = within ? palette::kGood : (hidden ? palette::kMuted.faded(0.6f) : palette::kText.faded(0.82f));
   clippedText(list, {from, row.middle(ImGui::GetTextLineHeight())}, row.nameEnd() - from, color.packed(),
-              row.bone().name);
+              row.frame.boneNames[index]);
 }
 
 void drawAddCell(Row& row) {

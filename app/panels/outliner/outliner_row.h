@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "app/editor/outliner_rows.h"
@@ -18,6 +19,8 @@ struct OutlinerContent {
   std::vector<bool> territory;  ///< [bones] in the territory that is being edited; empty: none is.
   std::vector<OutlinerRow> rows;
   float rowHeight = 0.0f;
+  std::vector<bool> hiddenBones{};       ///< hiddenBones(state)
+  std::vector<std::string> boneNames{};  ///< [bones] as they are shown.
 };
 
 /// At the cursor; leaves the cursor below it.

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "app/document/motion_clip.h"
+#include "app/document/shown_names.h"
 #include "app/editor/pose_commands.h"
 #include "app/panels/timeline/timeline.h"
 #include "app/panels/timeline/timeline_track.h"
@@ -15,19 +17,26 @@
 namespace sinew::app {
 namespace {
 
-std::string clipName(const Character& character, int clip) {
-  if (clip < 0) return "Bind pose";
-  const std::string& name = character.clips[static_cast<std::size_t>(clip)].name;
-  return name.empty() ? "clip " + std::to_string(clip + 1) : name;
+/// As the list shows it.
+std::string clipName(const std::vector<std::string>& shown, int clip) {
+  return clip < 0 ? "Bind pose" : shown[static_cast<std::size_t>(clip)];
+}
+
+/// The name in the file, where another is shown.
+void fileNameTooltip(PanelUi& ui, const std::vector<std::string>& shown, int clip) {
+  if (clip < 0) return;
+  const std::string& name = ui.state.character().clips[static_cast<std::size_t>(clip)].name;
+  if (!name.empty() && name != clipName(shown, clip)) tooltip(ui, name);
 }
 
 /// One row of the list: the name, and at its right how long it lasts.
-bool clipRow(PanelUi& ui, int clip) {
+bool clipRow(PanelUi& ui, const std::vector<std::string>& names, int clip) {
   const Character& character = ui.state.character();
   ImGui::PushID(clip);
-  const bool chosen = ImGui::Selectable(clipName(character, clip).c_str(), clip == ui.state.open.transport.clip);
+  const bool chosen = ImGui::Selectable(clipName(names, clip).c_str(), clip == ui.state.open.transport.clip);
   ImGui::PopID();
   ui.widgets.note("timeline/clip/" + std::to_string(clip));
+  fileNameTooltip(ui, names, clip);
   if (clip < 0) return chosen;
   char length[32];
   const AnimationClip& shown = character.clips[static_cast<std::size_t>(clip)];
@@ -40,14 +49,17 @@ bool clipRow(PanelUi& ui, int clip) {
 void clipChoice(PanelUi& ui) {
   Transport& transport = ui.state.open.transport;
   const Character& character = ui.state.character();
+  const std::vector<std::string> names = shownClipNames(character);
   ImGui::SetNextItemWidth(ui.px(180));
   ImGui::SetNextWindowSizeConstraints({ui.px(240), 0.0f}, {ui.px(480), ui.px(420)});
-  const bool open =
-      ImGui::BeginCombo("##clip", clipName(character, transport.clip).c_str(), ImGuiComboFlags_HeightLarge);
+  const bool open = ImGui::BeginCombo("##clip", clipName(names, transport.clip).c_str(), ImGuiComboFlags_HeightLarge);
   ui.widgets.note("timeline/clip");
-  if (!open) return;
+  if (!open) {
+    fileNameTooltip(ui, names, transport.clip);
+    return;
+  }
   for (int clip = -1; clip < static_cast<int>(character.clips.size()); ++clip) {
-    if (clipRow(ui, clip)) chooseClip(transport, clip, character);
+    if (clipRow(ui, names, clip)) chooseClip(transport, clip, character);
   }
   if (findClip(character, kRangeOfMotionName) < 0) {
     ImGui::Separator();

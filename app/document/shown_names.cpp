@@ -1,0 +1,140 @@
+// app/document/shown_names.cpp: names without what all of them share.
+
+#include "app/document/shown_names.h"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <set>
+#include <string_view>
+
+namespace sinew::app {
+namespace {
+
+constexpr std::string_view kOuter = "|:/";             ///< Between the parts of a path; inside no name.
+constexpr std::string_view kInner = "_-. ";            ///< Also between the words of one name.
+constexpr std::string_view kBaseLayer = "|baselayer";  ///< What exporters append to a clip of a layered animation.
+
+bool isLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c & 0x80) != 0; }
+
+/// The length of `name` that another name begins with as well.
+std::size_t sharedLength(std::string_view name, std::string_view other) {
+  return static_cast<std::size_t>(std::ranges::mismatch(name, other).in1 - name.begin());
+}
+
+/// Is the shared part without the separator at its end: a root that gave all others its name.
+bool isBarePrefix(std::string_view name, std::string_view prefix) {
+  return !prefix.empty() && name == prefix.substr(0, prefix.size() - 1);
+}
+
+/// How much of the first name all others begin with, or are as a whole.
+std::size_t commonPrefix(const std::vector<std::string>& names, const std::string& longest) {
+  std::size_t length = longest.size();
+  for (const std::string& name : names) {
+    const std::size_t shared = sharedLength(std::string_view(longest).substr(0, length), name);
+    const bool bare = shared == name.size() && shared < length &&
+                      (kOuter.find(longest[shared]) != kOuter.npos || kInner.find(longest[shared]) != kInner.npos);
+    length = bare ? shared + 1 : shared;
+  }
+  return length;
+}
+
+/// Each name goes on after the prefix, or is nothing but it.
+bool goesOn(const std::vector<std::string>& names, std::string_view prefix, bool withLetter) {
+  return std::ranges::all_of(names, [&](const std::string& name) {
+    if (isBarePrefix(name, prefix)) return true;
+    return name.starts_with(prefix) && name.size() > prefix.size() && (!withLetter || isLetter(name[prefix.size()]));
+  });
+}
+
+/// The shared part in front, separator included.
+std::string prefixOf(const std::vector<std::string>& names) {
+  const std::string& longest = *std::ranges::max_element(names, {}, &std::string::size);
+  for (std::size_t end = commonPrefix(names, longest); end > 0; --end) {
+    const std::string_view prefix = std::string_view(longest).substr(0, end);
+    if (kOuter.find(prefix.back()) != kOuter.npos && goesOn(names, prefix, false)) return std::string(prefix);
+    const bool inner = kInner.find(prefix.back()) != kInner.npos && names.size() >= kManyNames;
+    if (inner && goesOn(names, prefix, true)) return std::string(prefix);
+  }
+  return {};
+}
+
+/// What all have behind, from a "|" on.
+std::string suffixOf(const std::vector<std::string>& names) {
+  std::string suffix = names.front();
+  for (const std::string& name : names) {
+    const auto [own, other] = std::mismatch(suffix.rbegin(), suffix.rend(), name.rbegin(), name.rend());
+    suffix.erase(suffix.begin(), own.base());
+  }
+  const std::size_t from = suffix.find('|');
+  return from == suffix.npos ? "" : suffix.substr(from);
+}
+
+std::string afterLastSeparator(std::string name) {
+  std::string small = name;
+  std::erase(small, ' ');
+  std::ranges::transform(small, small.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (small.ends_with(kBaseLayer)) name.resize(name.rfind('|'));
+  const std::size_t last = name.find_last_of(kOuter);
+  return last == name.npos || last + 1 == name.size() ? name : name.substr(last + 1);
+}
+
+std::size_t distinct(const std::vector<std::string>& names) {
+  return std::set<std::string_view>(names.begin(), names.end()).size();
+}
+
+}  // namespace
+
+std::vector<std::string> withoutSharedParts(const std::vector<std::string>& names) {
+  if (names.empty()) return {};
+  if (distinct(names) == 1) return std::vector(names.size(), afterLastSeparator(names.front()));
+  const std::string prefix = prefixOf(names);
+  const std::string suffix = suffixOf(names);
+  std::vector<std::string> shown;
+  for (const std::string& name : names) {
+    const bool whole = isBarePrefix(name, prefix) || name.size() <= prefix.size() + suffix.size();
+    shown.push_back(whole ? name : name.substr(prefix.size(), name.size() - prefix.size() - suffix.size()));
+  }
+  return distinct(shown) == distinct(names) ? shown : names;
+}
+
+std::vector<std::string> shownBoneNames(const Skeleton& skeleton) {
+  std::vector<std::string> names;
+  for (const Bone& bone : skeleton.bones) names.push_back(bone.name);
+  return withoutSharedParts(names);
+}
+
+std::vector<std::string> shownFileNames(const Skeleton& skeleton) {
+  std::vector<std::string> names = shownBoneNames(skeleton);
+  const std::multiset<std::string> all(names.begin(), names.end());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (all.count(names[i]) > 1) names[i] = skeleton.bones[i].path;
+  }
+  return names;
+}
+
+std::vector<std::string> shownClipNames(const Character& character) {
+  std::vector<std::string> fromFile;
+  for (const AnimationClip& clip : character.clips) {
+    if (!clip.turnsBindPose && !clip.name.empty()) fromFile.push_back(clip.name);
+  }
+  const std::vector<std::string> without = withoutSharedParts(fromFile);
+  std::vector<std::string> shown;
+  std::size_t next = 0;
+  for (const AnimationClip& clip : character.clips) {
+    if (clip.turnsBindPose) shown.push_back(clip.name);
+    else shown.push_back(clip.name.empty() ? "clip " + std::to_string(shown.size() + 1) : without[next++]);
+  }
+  return shown;
+}
+
+std::string shownBoneName(const Skeleton& skeleton, int bone) {
+  return bone < 0 ? "" : shownBoneNames(skeleton)[static_cast<std::size_t>(bone)];
+}
+
+std::string shownBoneName(const Skeleton& skeleton, const std::string& fileName) {
+  const std::optional<int> bone = skeleton.findBone(fileName);
+  return bone ? shownBoneName(skeleton, *bone) : fileName;
+}
+
+}  // namespace sinew::app
