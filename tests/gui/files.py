@@ -21,7 +21,7 @@ def bad_files(t):
     whole = (t.assets / "demo.glb").read_bytes()
     files = {"absent.glb": None, "cut.glb": whole[:len(whole) // 2], "text.glb": b"this is no character\n",
              "broken.rig.json": b'{ "format": "sinew-rig", "version": 1, ',
-             "orphan.rig.json": b'{ "format": "sinew-rig", "version": 1, "character": "nobody.glb", "primitives": [] }'}
+             "orphan.rig.json": b'{ "format": "sinew-rig", "version": 1, "character": "cut.glb", "primitives": [] }'}
     for name, data in files.items():
         if data is not None:
             (t.folder / name).write_bytes(data)
