@@ -23,7 +23,7 @@ def between(state, role, part):
 
 def open_and_look(t, editor, role):
     state = editor.wait_until("a character", lambda s: s["triangles"] > 0 and role["bone"] in s["bones"])
-    t.check_equal("opens with its first clip", state["clip"], state["clips"][0])
+    t.check_equal("opens walking", state["clip"], role["clip"])
     t.check("the clip plays at once", state["playing"])
     t.check_equal("the rig is empty", (state["document"]["primitives"], state["document"]["modified"]), (0, False))
     editor.one_sided()

@@ -17,7 +17,7 @@ enum class Answer { kNone, kLocate, kCancel };
 Answer ask(PanelUi& ui) {
   const LocateState& missing = ui.state.dialogs.locate;
   Answer answer = Answer::kNone;
-  ImGui::TextWrapped("\"%s\" cannot be opened: its character cannot be read.",
+  ImGui::TextWrapped("The character of \"%s\" is missing or cannot be read:",
                      missing.rigFile.filename().string().c_str());
   ImGui::Dummy({0.0f, ui.px(2)});
   ImGui::PushTextWrapPos(0.0f);
@@ -41,7 +41,7 @@ Answer ask(PanelUi& ui) {
 
 void drawLocateQuestion(PanelUi& ui) {
   EditorState& state = ui.state;
-  if (state.dialogs.locate.rigFile.empty()) return;
+  if (state.dialogs.locate.rigFile.empty() || state.dialogs.recovery) return;  // One question at a time.
   if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * display.x, 0.45f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
