@@ -98,9 +98,7 @@ def stranger_arrives(t, editor):
 
 
 def hover_tells_the_short_name(t, editor):
-    """The status line, over the middle of the body. Paused, so that the bone stands still."""
-    if editor.state()["playing"]:
-        editor.tap("space", "a pause", lambda s: not s["playing"])
+    """The status line, over the middle of the body."""
     editor.palette("rig:chest", "bone/rig:chest")  # The file's name finds it.
     editor.wait_until("the bone", lambda s: s["document"]["bone"] == "rig:chest" and not s["camera_moving"])
     editor.palette("neck", "bone/rig:neck")  # And so does the short one.
@@ -129,6 +127,7 @@ def helpers_are_hidden(t, editor):
 
 
 def helpers_can_be_seen(t, editor):
+    editor.tap("space", "a pause, so that bones stand still", lambda s: not s["playing"])
     editor.click("outliner/helper-bones")
     state = editor.wait_until("helpers in the tree", lambda s: "rig:pole.L" in bone_rows(s))
     t.check_equal("with what they hang on", bone_rows(state), ["rig:hips", "rig:pole.L"])
