@@ -7,7 +7,7 @@ layout(location = 3) in vec4 placeY;
 layout(location = 4) in vec4 placeZ;
 layout(location = 5) in vec4 placeAt;
 layout(location = 6) in vec4 tint;   // Linear colour and opacity.
-layout(location = 7) in vec4 style;  // Width in pixels.
+layout(location = 7) in vec4 style;  // Width in pixels; dashes around, 0: unbroken.
 uniform float extra;                 // More width, pixels.
 uniform vec4 halo;                   // Replaces the colour where its w > 0.
 out float acrossPixels;
@@ -42,6 +42,7 @@ void main() {
   // The two ends of this segment, and of its neighbours: strips that meet share their normal.
   const float turn = 6.2831853 / float(segments);
   float at = (float(segment) + (corner == 0 || corner == 1 || corner == 3 ? 0.0 : 1.0)) * turn;
+  dash = at / 6.2831853 * style.y;
   vec4 before = clipFromCircle * vec4(cos(at - turn), sin(at - turn), 0.0, 1.0);
   vec4 here = clipFromCircle * vec4(cos(at), sin(at), 0.0, 1.0);
   vec4 after = clipFromCircle * vec4(cos(at + turn), sin(at + turn), 0.0, 1.0);

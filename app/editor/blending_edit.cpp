@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "app/document/group_colors.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "core/rig/rig_edit.h"
@@ -14,11 +15,7 @@
 namespace sinew::app {
 namespace {
 
-// Neighbours in the list differ most; none is the accent, which means "selected".
-constexpr std::array kTints{Tint{0.30f, 0.66f, 0.93f}, Tint{0.95f, 0.75f, 0.29f}, Tint{0.46f, 0.78f, 0.47f},
-                            Tint{0.78f, 0.53f, 0.92f}, Tint{0.91f, 0.45f, 0.58f}, Tint{0.27f, 0.77f, 0.76f},
-                            Tint{0.70f, 0.72f, 0.33f}, Tint{0.50f, 0.55f, 0.95f}, Tint{0.86f, 0.60f, 0.40f},
-                            Tint{0.93f, 0.56f, 0.82f}, Tint{0.60f, 0.84f, 0.72f}, Tint{0.72f, 0.52f, 0.62f}};
+Tint tintOf(const glm::vec3& color) { return {color.r, color.g, color.b}; }
 
 const std::string& nameOfGroup(const Rig& rig, int group) { return rig.groups[static_cast<std::size_t>(group)].name; }
 
@@ -26,20 +23,13 @@ std::string countText(std::size_t count) { return count == 1 ? "muscle" : std::t
 
 }  // namespace
 
-Tint groupTint(int group) {
-  if (group < 0) return palette::kMuted;
-  const auto index = static_cast<std::size_t>(group);
-  const Tint base = kTints[index % kTints.size()];
-  // Further rounds are paler and darker in turn.
-  constexpr std::array kPale{0.0f, 0.38f, -0.34f, 0.6f, -0.52f};
-  const float pale = kPale[(index / kTints.size()) % kPale.size()];
-  const auto mixed = [pale](float channel) {
-    return pale >= 0.0f ? channel + (0.93f - channel) * pale : channel * (1.0f + pale);
-  };
-  return {mixed(base.r), mixed(base.g), mixed(base.b)};
+Tint groupTint(const Rig& rig, int group) {
+  return group < 0 ? palette::kMuted : tintOf(groupColor(colorSlot(rig, group)));
 }
 
-Tint groupTint(const Rig& rig, const std::string& group) { return groupTint(findGroup(rig, group)); }
+Tint groupTint(const Rig& rig, const std::string& group) { return groupTint(rig, findGroup(rig, group)); }
+
+Tint territoryTint() { return tintOf(kTerritoryColor); }
 
 bool areLinked(const Rig& rig, const std::string& a, const std::string& b) {
   return std::ranges::any_of(rig.links, [&](const std::array<std::string, 2>& link) {

@@ -9,11 +9,12 @@
 
 namespace sinew::app {
 
-/// The colour a group has everywhere, by its place in Rig::groups: twelve that can be told apart, then paler and
-/// darker turns of the same.
-[[nodiscard]] Tint groupTint(int group);
+/// The colour a group has everywhere, by its place in Rig::groups (document/group_colors.h); muted for -1.
+[[nodiscard]] Tint groupTint(const Rig& rig, int group);
 /// By name; muted for a group that is not there.
 [[nodiscard]] Tint groupTint(const Rig& rig, const std::string& group);
+/// What is within a territory, in every panel as in the picture.
+[[nodiscard]] Tint territoryTint();
 
 /// Whether two groups are linked.
 [[nodiscard]] bool areLinked(const Rig& rig, const std::string& a, const std::string& b);

@@ -14,6 +14,9 @@ namespace {
 constexpr int kRingVertices = 3 * 64 * 6;  ///< As shaders/ring.vert numbers them.
 constexpr int kOutlineVertices = 96 * 6;   ///< As shaders/outline.vert numbers them.
 constexpr float kHaloWidth = 2.2f;         ///< Pixels more than the outline: a dark edge that any skin sets off.
+constexpr float kRimWidth = 1.3f;          ///< Pixels: the outline of every shell.
+constexpr float kHidden = 0.5f;            ///< How strong what the surface hides is drawn.
+const glm::vec4 kHalo{0.01f, 0.01f, 0.012f, 0.42f};
 
 /// How near an ellipsoid comes to the eye, along the view. Smaller is nearer.
 float nearestDepth(const PrimitiveShape& shape, const glm::vec3& forward) {
@@ -34,7 +37,10 @@ std::vector<const PrimitiveShape*> backToFront(const Frame& frame) {
 }  // namespace
 
 PrimitiveDrawer::PrimitiveDrawer()
-    : visible_(ShapeMesh::ball(20)), influence_(ShapeMesh::ball(20)), outlined_(ShapeMesh::ball(3)) {}
+    : visible_(ShapeMesh::ball(20)),
+      influence_(ShapeMesh::ball(20)),
+      outlined_(ShapeMesh::ball(3)),
+      rims_(ShapeMesh::ball(3)) {}
 
 Result<PrimitiveDrawer> PrimitiveDrawer::create() {
   PrimitiveDrawer drawer;
@@ -55,10 +61,12 @@ void PrimitiveDrawer::drawFamily(const ShapeMesh& shells, const ShellLook& look)
     GLenum depth;
     float opacity;
   };
-  for (const Pass& pass : {Pass{GL_GREATER, 0.55f}, Pass{GL_LEQUAL, 1.0f}}) {
+  for (const Pass& pass : {Pass{GL_GREATER, kHidden}, Pass{GL_LEQUAL, 1.0f}}) {
     glDepthFunc(pass.depth);
     fillProgram_.use();
     fillProgram_.set("opacity", pass.opacity * look.strength);
+    fillProgram_.set("lineScale", look.lineScale);
+    fillProgram_.set("meets", look.meets ? 1.0f : 0.0f);
     glEnable(GL_CULL_FACE);
     // The far walls of all shells lie behind the near walls: with them a shell is a body of glass, not a disc.
     for (const GLenum hidden : {GL_FRONT, GL_BACK}) {
@@ -78,40 +86,84 @@ void PrimitiveDrawer::drawFamily(const ShapeMesh& shells, const ShellLook& look)
 
 void PrimitiveDrawer::drawShells(const Frame& frame) {
   if (frame.scene.primitives.empty()) return;
-  std::vector<ShapeInstance> visible, influence;
+  const float scale = frame.settings.lineScale;
+  std::vector<ShapeInstance> visible, influence, rims;
   for (const PrimitiveShape* shape : backToFront(frame)) {
     const glm::vec3 color = shapeColor(*shape);
-    const glm::vec4 style(shape->selected ? 1.0f : 0.0f, shape->hovered ? 1.0f : 0.0f, 0, 0);
+    const glm::vec4 style(shape->selected ? 1.0f : 0.0f, shape->hovered ? 1.0f : 0.0f, shape->sign < 0 ? 1.0f : 0.0f,
+                          0);
     visible.push_back({shape->unitBallInWorld, glm::vec4(color, 0.34f), style});
     const glm::mat4 reach = glm::scale(shape->unitBallInWorld, glm::vec3(shape->reach));
     influence.push_back({reach, glm::vec4(color, 0.09f), style});
+    if (outlineLook(*shape).width > 0.0f) continue;
+    const glm::vec3 pale = glm::mix(color, glm::vec3(1.0f), 0.35f);
+    rims.push_back({shape->unitBallInWorld, glm::vec4(pale, 0.95f), glm::vec4(kRimWidth * scale, 0, 0, 0)});
   }
+  copyDepth(frame);
   glEnable(GL_DEPTH_TEST);
   glDepthMask(GL_FALSE);
   blendPremultiplied();
-  const float scale = frame.settings.lineScale;
+  fillProgram_.use();
+  const glm::mat4& clip = frame.view.clipFromView;
+  fillProgram_.set("depthScale", glm::vec4(clip[2][2], clip[3][2], 0.0f, 0.0f));
+  glBindTextureUnit(0, depth_.id());
   if (frame.settings.influence) {
     influence_.setInstances(influence);
-    drawFamily(influence_, {1.0f * scale, 36.0f, 0.7f});
+    drawFamily(influence_, {1.0f * scale, 36.0f, 0.7f, scale, false});
   }
   if (frame.settings.primitives) {
     visible_.setInstances(visible);
-    drawFamily(visible_, {1.2f * scale, 0.0f, 1.0f});
+    drawFamily(visible_, {1.0f * scale, 0.0f, 1.0f, scale, true});
+    rims_.setInstances(rims);
+    drawRims(scale);
   }
   glDepthMask(GL_TRUE);
   glDepthFunc(GL_LESS);
   glDisable(GL_BLEND);
 }
 
+void PrimitiveDrawer::drawRims(float scale) const {
+  outlineProgram_.use();
+  for (const GLenum depth : {GL_GREATER, GL_LEQUAL}) {
+    glDepthFunc(depth);
+    const bool shown = depth == GL_LEQUAL;
+    outlineProgram_.set("opacity", shown ? 1.0f : 0.45f * kHidden);
+    for (const bool halo : {true, false}) {
+      if (halo && !shown) continue;
+      outlineProgram_.set("extra", halo ? kHaloWidth * scale : 0.0f);
+      outlineProgram_.set("halo", halo ? kHalo : glm::vec4(0.0f));
+      rims_.drawNumbered(kOutlineVertices);
+    }
+  }
+}
+
+void PrimitiveDrawer::copyDepth(const Frame& frame) {
+  const glm::ivec2 size = frame.view.size;
+  if (size != depthSize_) {
+    depthSize_ = size;
+    depth_ = makeTexture(GL_TEXTURE_2D);
+    glTextureStorage2D(depth_.id(), 1, GL_DEPTH_COMPONENT32F, size.x, size.y);
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
+      glTextureParameteri(depth_.id(), filter, GL_NEAREST);
+    }
+    depthCopy_ = makeFramebuffer();
+    glNamedFramebufferTexture(depthCopy_.id(), GL_DEPTH_ATTACHMENT, depth_.id(), 0);
+    glNamedFramebufferDrawBuffer(depthCopy_.id(), GL_NONE);
+  }
+  GLint drawn = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn);
+  glBlitNamedFramebuffer(static_cast<GLuint>(drawn), depthCopy_.id(), 0, 0, size.x, size.y, 0, 0, size.x, size.y,
+                         GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+}
+
 void PrimitiveDrawer::drawOutlines(const Frame& frame) {
   const float scale = frame.settings.lineScale;
   std::vector<ShapeInstance> outlined;
   for (const PrimitiveShape* shape : backToFront(frame)) {
-    if (!shape->selected && !shape->hovered) continue;
-    const bool selected = shape->selected;
-    const glm::vec3 color = selected ? shapeColor(*shape) : glm::mix(shapeColor(*shape), glm::vec3(1.0f), 0.45f);
-    const float width = (selected ? 2.4f : 1.5f) * scale;
-    outlined.push_back({shape->unitBallInWorld, glm::vec4(color, selected ? 1.0f : 0.62f), glm::vec4(width, 0, 0, 0)});
+    const OutlineLook look = outlineLook(*shape);
+    if (!(look.width > 0.0f)) continue;
+    outlined.push_back({shape->unitBallInWorld, glm::vec4(look.color, look.opacity),
+                        glm::vec4(look.width * scale, look.dashes, 0, 0)});
   }
   if (outlined.empty()) return;
   outlined_.setInstances(outlined);
@@ -121,7 +173,7 @@ void PrimitiveDrawer::drawOutlines(const Frame& frame) {
   outlineProgram_.set("opacity", 1.0f);
   for (const bool halo : {true, false}) {
     outlineProgram_.set("extra", halo ? kHaloWidth * scale : 0.0f);
-    outlineProgram_.set("halo", halo ? glm::vec4(0.01f, 0.01f, 0.012f, 0.42f) : glm::vec4(0.0f));
+    outlineProgram_.set("halo", halo ? kHalo : glm::vec4(0.0f));
     outlined_.drawNumbered(kOutlineVertices);
   }
   glDisable(GL_BLEND);

@@ -20,9 +20,14 @@ class PrimitiveDrawer {
     float ringWidth = 1.0f;  ///< Pixels.
     float dashes = 0.0f;     ///< Per ring; 0: unbroken.
     float strength = 1.0f;
+    float lineScale = 1.0f;
+    bool meets = false;  ///< With a line where it meets the skin.
   };
   PrimitiveDrawer();
   void drawFamily(const ShapeMesh& shells, const ShellLook& look) const;
+  /// Keeps the depth of what has been drawn, for the line where shells meet it.
+  void copyDepth(const Frame& frame);
+  void drawRims(float scale) const;
 
   GlProgram fillProgram_;
   GlProgram ringProgram_;
@@ -30,6 +35,10 @@ class PrimitiveDrawer {
   ShapeMesh visible_;
   ShapeMesh influence_;
   ShapeMesh outlined_;
+  ShapeMesh rims_;
+  GlTexture depth_;  ///< Of the opaque things before the shells; one sample a pixel.
+  GlFramebuffer depthCopy_;
+  glm::ivec2 depthSize_{0};
 };
 
 }  // namespace sinew::app

@@ -1,6 +1,7 @@
 // app/render/scene.cpp: ellipsoids as they are drawn.
 #include "app/render/scene.h"
 
+#include "app/document/group_colors.h"
 #include "app/document/visibility.h"
 
 namespace sinew::app {
@@ -17,6 +18,7 @@ std::vector<PrimitiveShape> shapesOf(const Rig& rig, const Skeleton& skeleton, c
     shape.unitBallInWorld = shapeInWorld(primitive.placement, 1.0f, pose.boneInWorld[static_cast<std::size_t>(bone)]);
     shape.reach = primitive.reach;
     shape.sign = primitive.sign;
+    shape.color = toLinear(groupColor(rig, primitive.group));
     shapes.push_back(shape);
   }
   return shapes;

@@ -40,8 +40,11 @@ struct PrimitiveShape {
   glm::mat4 unitBallInWorld{1.0f};  ///< Unit ball -> visible ellipsoid.
   float reach = 1.4142135f;
   int sign = 1;
+  glm::vec3 color{0.85f, 0.20f, 0.11f};  ///< Linear: its group's.
   bool selected = false;
+  bool active = false;  ///< The last selected one: handles and inspector are about it.
   bool hovered = false;
+  bool twin = false;  ///< Follows a selected one from the other side.
 
   friend bool operator==(const PrimitiveShape&, const PrimitiveShape&) = default;
 };

@@ -1,16 +1,33 @@
 // app/render/shape_colors.h: what ellipsoids and bones are drawn in. Linear.
 #pragma once
 
+#include <glm/common.hpp>
+
+#include "app/document/group_colors.h"
 #include "app/render/scene.h"
 
 namespace sinew::app {
 
-inline constexpr glm::vec3 kTerritoryColor{0.40f, 0.20f, 0.92f};
+/// The outline of one ellipsoid, by what it is at the moment.
+struct OutlineLook {
+  glm::vec3 color{1.0f};
+  float opacity = 1.0f;
+  float width = 0.0f;   ///< Design pixels; 0: none.
+  float dashes = 0.0f;  ///< Around the ellipsoid; 0: unbroken.
+};
 
-/// Muscles are warm, carves cold; selected ones glow.
+/// Its group's colour; a selected one a little lighter.
 [[nodiscard]] inline glm::vec3 shapeColor(const PrimitiveShape& shape) {
-  if (shape.sign < 0) return shape.selected ? glm::vec3(0.10f, 0.62f, 1.00f) : glm::vec3(0.06f, 0.34f, 0.80f);
-  return shape.selected ? glm::vec3(1.00f, 0.46f, 0.05f) : glm::vec3(0.85f, 0.20f, 0.11f);
+  return shape.selected ? glm::mix(shape.color, glm::vec3(1.0f), 0.12f) : shape.color;
+}
+
+/// Amber: selected, the active one brightest. Broken amber: its twin. White: hovered.
+[[nodiscard]] inline OutlineLook outlineLook(const PrimitiveShape& shape) {
+  if (shape.active) return {{1.00f, 0.66f, 0.10f}, 1.0f, 3.0f, 0.0f};
+  if (shape.selected) return {{0.95f, 0.32f, 0.04f}, 1.0f, 2.2f, 0.0f};
+  if (shape.hovered) return {{1.00f, 1.00f, 1.00f}, 0.72f, 1.8f, 0.0f};
+  if (shape.twin) return {{1.00f, 0.60f, 0.12f}, 0.75f, 1.8f, 28.0f};
+  return {};
 }
 
 }  // namespace sinew::app

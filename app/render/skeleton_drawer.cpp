@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "app/document/group_colors.h"
 #include "app/render/picking.h"
 
 namespace sinew::app {
@@ -14,7 +15,6 @@ namespace {
 constexpr glm::vec4 kBone{0.66f, 0.72f, 0.80f, 0.84f};
 constexpr glm::vec4 kHovered{0.30f, 0.72f, 1.00f, 0.94f};
 constexpr glm::vec4 kSelected{1.00f, 0.40f, 0.04f, 0.97f};
-constexpr glm::vec4 kOfTerritory{0.62f, 0.42f, 1.00f, 0.94f};
 constexpr float kContourWidth = 1.6f;  ///< Pixels.
 
 struct Look {
@@ -25,7 +25,8 @@ struct Look {
 Look lookOf(int bone, const Scene& scene) {
   if (bone == scene.selectedBone) return {kSelected, 1.0f};
   if (bone == scene.hoveredBone) return {kHovered, 1.0f};
-  if (std::ranges::find(scene.territoryBones, bone) != scene.territoryBones.end()) return {kOfTerritory, 0.7f};
+  if (std::ranges::find(scene.territoryBones, bone) != scene.territoryBones.end())
+    return {glm::vec4(toLinear(kTerritoryColor), 0.94f), 0.7f};
   return {kBone, 0.0f};
 }
 

@@ -114,7 +114,8 @@ void setMarks(const GlProgram& program, const Frame& frame, std::span<const Prim
   program.set("markCount", static_cast<int>(shapes.size()));
   program.set("markRows", std::span<const glm::vec4>(rows));
   program.set("markColors", std::span<const glm::vec4>(colors));
-  program.set("territoryTint", glm::vec4(kTerritoryColor, frame.settings.territory ? kTerritoryStrength : 0.0f));
+  program.set("territoryTint",
+              glm::vec4(toLinear(kTerritoryColor), frame.settings.territory ? kTerritoryStrength : 0.0f));
 }
 
 }  // namespace

@@ -42,8 +42,8 @@ void complete(std::vector<Item>& items, const std::vector<Item>& before, std::ui
 }  // namespace
 
 void IdentitySource::identify(Rig& rig, const Rig& before) {
-  complete(rig.primitives, before.primitives, last_);
-  complete(rig.groups, before.groups, last_);
+  complete(rig.primitives, before.primitives, lastPrimitive_);
+  complete(rig.groups, before.groups, lastGroup_);
 }
 
 }  // namespace sinew

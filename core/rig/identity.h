@@ -16,7 +16,8 @@ class IdentitySource {
   void identify(Rig& rig, const Rig& before);
 
  private:
-  std::uint32_t last_ = 0;
+  std::uint32_t lastPrimitive_ = 0;
+  std::uint32_t lastGroup_ = 0;  ///< Counts groups alone: of a rig just read they are 1, 2, 3 ... in its order.
 };
 
 }  // namespace sinew

@@ -59,7 +59,7 @@ void drawChosen(PanelUi& ui, int group) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float line = ImGui::GetTextLineHeight();
-  list.AddCircleFilled({at.x + ui.px(6), at.y + 0.5f * line}, ui.px(5), groupTint(group).packed(), 16);
+  list.AddCircleFilled({at.x + ui.px(6), at.y + 0.5f * line}, ui.px(5), groupTint(*rig, group).packed(), 16);
   const float room = ImGui::GetContentRegionAvail().x;
   clippedText(list, {at.x + ui.px(18), at.y}, room - ui.px(18), palette::kText.packed(), groupText(*rig, group));
   ImGui::Dummy({room, line});

@@ -309,7 +309,7 @@ void noteNode(const Graph& graph, int group) {
 void drawNode(const Graph& graph, ImDrawList& list, int group) {
   noteNode(graph, group);
   const glm::vec2 at = graph.place(group);
-  const Tint tint = groupTint(group);
+  const Tint tint = groupTint(*graph.rig, group);
   const bool hovered = graph.hit.group == group;
   const bool rimmed = hovered && (graph.hit.part == Part::kRim || grip() == Grip::kLink);
   const bool chosen = graph.state().group == graph.id(group);

@@ -138,7 +138,7 @@ void noteCell(Matrix& matrix, int i, int j, const ImVec2& low) {
 }
 
 void drawDiagonal(const Matrix& matrix, ImDrawList& list, int group, const ImVec2& low, const ImVec2& high) {
-  list.AddRectFilled(low, high, groupTint(group).packed(), matrix.ui.px(4));
+  list.AddRectFilled(low, high, groupTint(*matrix.rig, group).packed(), matrix.ui.px(4));
   const std::string text = std::to_string(matrix.members[static_cast<std::size_t>(group)]);
   const float size = std::min(0.62f * (high.y - low.y), ImGui::GetFontSize());
   const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0.0f, text.c_str());
@@ -157,7 +157,7 @@ void drawCell(Matrix& matrix, ImDrawList& list, int i, int j) {
   if (i == j) {
     drawDiagonal(matrix, list, i, low, high);
   } else if (matrix.linked[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]) {
-    const Tint mixed = between(groupTint(i), groupTint(j));
+    const Tint mixed = between(groupTint(*matrix.rig, i), groupTint(*matrix.rig, j));
     list.AddRectFilled(low, high, mixed.faded(0.42f).packed(), matrix.ui.px(4));
     list.AddCircleFilled({0.5f * (low.x + high.x), 0.5f * (low.y + high.y)}, 0.2f * matrix.cell, mixed.packed(), 14);
   } else {

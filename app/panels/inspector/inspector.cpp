@@ -65,7 +65,7 @@ void boneRow(PanelUi& ui, const Subjects& subjects) {
 
 void groupDot(PanelUi& ui, const ImVec2& at, float height, int group) {
   ImGui::GetWindowDrawList()->AddCircleFilled({at.x + ui.px(10), at.y + 0.5f * height}, ui.px(4.5f),
-                                              groupTint(group).packed(), 16);
+                                              groupTint(ui.state.document.rig(), group).packed(), 16);
 }
 
 void groupRow(PanelUi& ui, const Subjects& subjects) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/document/shown_names.h"
+#include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
 #include "app/editor/hidden_bones.h"
 #include "app/editor/outliner_rows.h"
@@ -64,7 +65,7 @@ void boneRow(PanelUi& ui, const std::string& name, const std::string& shown, int
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (over) list.AddRectFilled(at, {right, at.y + size}, palette::kRaised.packed(), ui.px(4));
   drawIcon(list, Icon::kBone, {at.x + indent, at.y + ui.px(3)}, ui.px(13),
-           (bone >= 0 ? palette::kMuted : palette::kWarning).packed());
+           (bone >= 0 ? territoryTint() : palette::kWarning).packed());
   const std::string text = bone >= 0 ? shown : name + "  (not in this character)";
   clippedText(list, {at.x + indent + ui.px(20), at.y + ui.px(2)}, right - at.x - indent - ui.px(20) - size,
               (bone >= 0 ? palette::kText : palette::kWarning).packed(), text);

@@ -48,7 +48,7 @@ bool groupItem(PanelUi& ui, const Rig& rig, int group, bool chosen) {
   const bool clicked = ImGui::MenuItem(("     " + name).c_str(), nullptr, chosen);
   ui.widgets.note("context/group/" + name);
   ImGui::GetWindowDrawList()->AddCircleFilled({corner.x + ui.px(7), corner.y + 0.5f * ImGui::GetTextLineHeight()},
-                                              ui.px(4), groupTint(group).packed(), 16);
+                                              ui.px(4), groupTint(rig, group).packed(), 16);
   return clicked;
 }
 

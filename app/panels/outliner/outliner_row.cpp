@@ -217,7 +217,7 @@ void drawBone(Row& row) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool within = !row.frame.territory.empty() && row.frame.territory[index];
   const bool hidden = row.frame.effective.boneHidden[index];
-  const Tint tint = within ? palette::kGood : palette::kMuted;
+  const Tint tint = within ? territoryTint() : palette::kMuted;
   if (within) {
     drawIcon(list, Icon::kTerritory, {row.indent() + ui.px(16), row.middle(ui.px(14))}, ui.px(14), tint.packed());
   } else {
@@ -225,7 +225,7 @@ void drawBone(Row& row) {
              tint.faded(hidden ? 0.4f : 0.8f).packed());
   }
   const float from = row.indent() + ui.px(kNameFrom);
-  const Tint color = within ? palette::kGood : (hidden ? palette::kMuted.faded(0.6f) : palette::kText.faded(0.82f));
+  const Tint color = within ? territoryTint() : (hidden ? palette::kMuted.faded(0.6f) : palette::kText.faded(0.82f));
   clippedText(list, {from, row.middle(ImGui::GetTextLineHeight())}, row.nameEnd() - from, color.packed(),
               row.frame.boneNames[index]);
 }

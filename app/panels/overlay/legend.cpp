@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <string>
 
+#include "app/editor/blending_edit.h"
 #include "app/editor/territory.h"
 #include "app/editor/visibility_commands.h"
 #include "app/panels/overlay/overlay.h"
@@ -122,17 +123,24 @@ void drawClasses(PanelUi& ui) {
 }
 
 /// A line across the picture's lower edge while it does not show everything, with the way out.
-void drawMode(PanelUi& ui, const std::string& text, const char* button, const char* id, void (*leave)(EditorState&)) {
+/// @param color  of what the text speaks of, in the picture; null: of nothing
+void drawMode(PanelUi& ui, const std::string& text, const char* button, const char* id, void (*leave)(EditorState&),
+              const Tint* color = nullptr) {
   const glm::vec4& v = ui.state.frame.viewport;
   const float buttonWidth = button == nullptr ? 0.0f : ImGui::CalcTextSize(button).x + ui.px(24);
-  const float width = std::min(ImGui::CalcTextSize(text.c_str()).x + ui.px(28) + buttonWidth, v.z - ui.px(20));
+  const float swatch = color == nullptr ? 0.0f : ui.px(20);
+  const float width = std::min(ImGui::CalcTextSize(text.c_str()).x + ui.px(28) + swatch + buttonWidth, v.z - ui.px(20));
   const float height = ImGui::GetFrameHeight() + ui.px(8);
   const ImVec2 low{v.x + 0.5f * (v.z - width), v.y + v.w - ui.px(14) - height};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(low, {low.x + width, low.y + height}, palette::kPanel.faded(0.92f).packed(), ui.px(7));
   list.AddRect(low, {low.x + width, low.y + height}, palette::kAccent.faded(0.7f).packed(), ui.px(7));
-  clippedText(list, {low.x + ui.px(12), low.y + 0.5f * (height - ImGui::GetTextLineHeight())},
-              width - buttonWidth - ui.px(16), palette::kText.packed(), text);
+  if (color != nullptr) {
+    const ImVec2 at{low.x + ui.px(12), low.y + 0.5f * (height - ui.px(12))};
+    list.AddRectFilled(at, {at.x + ui.px(12), at.y + ui.px(12)}, color->packed(), ui.px(3));
+  }
+  clippedText(list, {low.x + ui.px(12) + swatch, low.y + 0.5f * (height - ImGui::GetTextLineHeight())},
+              width - swatch - buttonWidth - ui.px(16), palette::kText.packed(), text);
   ui.widgets.note(std::string(id) + "/banner", {low.x, low.y, width - buttonWidth, height});
   if (button == nullptr) return;
   ImGui::SetCursorScreenPos({low.x + width - buttonWidth, low.y + ui.px(4)});
@@ -151,10 +159,12 @@ void drawLegend(PanelUi& ui) {
              "before", latchBare);
   } else if (editsTerritory(state)) {
     const std::size_t bones = shownTerritory(state).size();
-    drawMode(ui,
-             "Territory of " + state.document.activeName() + ": " + std::to_string(bones) +
-                 (bones == 1 ? " bone" : " bones") + ". Click bones here or in the list.",
-             "Done", "territory", [](EditorState& s) { endTerritoryMode(s.view.tools); });
+    const Tint color = territoryTint();
+    drawMode(
+        ui,
+        "Territory of " + state.document.activeName() + ": " + std::to_string(bones) +
+            (bones == 1 ? " bone" : " bones") + ". Click bones here or in the list.",
+        "Done", "territory", [](EditorState& s) { endTerritoryMode(s.view.tools); }, &color);
   } else if (state.document.visibility.isolated) {
     drawMode(ui, hiddenText(state.document).empty() ? "Isolated" : hiddenText(state.document), "Show all", "isolated",
              [](EditorState& s) { showAll(s.document); });
