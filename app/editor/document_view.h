@@ -10,6 +10,7 @@
 #include <glm/vec2.hpp>
 
 #include "app/playback.h"
+#include "app/tools/select.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew::app {
@@ -56,6 +57,12 @@ struct TimelineState {
   PlayRange densityOf;
 };
 
+/// The context menu of the picture.
+struct ViewportMenuState {
+  ViewportHover target;  ///< What it was asked for on.
+  bool wanted = false;   ///< Opens with the next frame.
+};
+
 struct DocumentView {
   Transport transport;
   std::vector<bool> helperBones;  ///< [bones] core/character/skin_bones.h
@@ -63,7 +70,8 @@ struct DocumentView {
   RenameState rename;
   EulerState euler;
   BlendingState blending;
-  std::string rowAnchor;         ///< Key of the outliner's row where a range of rows starts.
+  std::string rowAnchor;  ///< Key of the outliner's row where a range of rows starts.
+  ViewportMenuState viewportMenu;
   PrimitiveId revealed;          ///< The muscle the outliner has scrolled to last.
   std::size_t historyShown = 0;  ///< The step the history has scrolled to last.
   unsigned gestureItem = 0;      ///< ImGui id of the field whose drag or typing is one undo step; 0: none.

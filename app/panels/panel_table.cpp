@@ -21,6 +21,7 @@ constexpr Panel kPanels[] = {
     {"toolstrip", "", Region::kInViewport, drawToolStrip},
     {"overlay", "", Region::kInViewport, drawNumbers},
     {"legend", "", Region::kInViewport, drawLegend},
+    {"viewport-menu", "", Region::kInViewport, drawViewportMenu},
     {"messages", "", Region::kInViewport, drawMessages, true},
     {"dialog", "", Region::kDialog, drawFileDialog, true},
     {"locate", "", Region::kDialog, drawLocateQuestion, true},

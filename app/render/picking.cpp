@@ -49,6 +49,31 @@ std::optional<FlatHit> holdsOrigin(const glm::vec2& a, const glm::vec2& b, const
   return FlatHit{areas / total, total < 0.0f};
 }
 
+/// Calls take(refined triangle, where in it, distance > 0) for every triangle the ray meets, in the triangles' order.
+template <class Take>
+void forEachCrossing(const Ray& ray, const Surface& surface, const Take& take) {
+  const Refinement& refinement = *surface.refinement;
+  assert(surface.positions.size() >= static_cast<std::size_t>(refinement.vertexCount));
+  const RayFrame frame = frameOf(ray);
+  std::vector<glm::vec2> flat(surface.positions.size());
+  std::vector<std::uint8_t> sides(surface.positions.size());
+  for (std::size_t i = 0; i < flat.size(); ++i) {
+    const glm::vec3 from = surface.positions[i] - frame.origin;
+    flat[i] = {glm::dot(from, frame.across), glm::dot(from, frame.up)};
+    sides[i] = sidesOf(flat[i]);
+  }
+  for (std::size_t t = 0; t < refinement.triangles.size(); ++t) {
+    const auto [ia, ib, ic] = refinement.triangles[t];
+    const auto a = static_cast<std::size_t>(ia), b = static_cast<std::size_t>(ib), c = static_cast<std::size_t>(ic);
+    if ((sides[a] & sides[b] & sides[c]) != 0) continue;
+    const std::optional<FlatHit> held = holdsOrigin(flat[a], flat[b], flat[c]);
+    if (!held) continue;
+    const glm::vec3 point = held->barycentric.x * surface.positions[a] + held->barycentric.y * surface.positions[b] +
+                            held->barycentric.z * surface.positions[c];
+    if (const float distance = glm::dot(point - frame.origin, frame.along); distance > 0.0f) take(t, *held, distance);
+  }
+}
+
 /// Barycentric coordinates of a refined vertex in its control triangle.
 glm::vec3 controlCoordinates(int refined, int triangle, const Refinement& refinement, const ControlMesh& mesh) {
   const ControlTriangle& parent = mesh.triangles[static_cast<std::size_t>(triangle)];
@@ -105,59 +130,56 @@ std::pair<float, float> pixelDistance2(const glm::vec2& p, const glm::vec2& a, c
 std::optional<SurfaceHit> pickSurface(const Ray& ray, const Surface& surface, const ControlMesh& mesh,
                                       std::span<const Material> materials) {
   if (surface.refinement == nullptr) return std::nullopt;
-  const Refinement& refinement = *surface.refinement;
-  assert(surface.positions.size() >= static_cast<std::size_t>(refinement.vertexCount));
-  const RayFrame frame = frameOf(ray);
-  std::vector<glm::vec2> flat(surface.positions.size());
-  std::vector<std::uint8_t> sides(surface.positions.size());
-  for (std::size_t i = 0; i < flat.size(); ++i) {
-    const glm::vec3 from = surface.positions[i] - frame.origin;
-    flat[i] = {glm::dot(from, frame.across), glm::dot(from, frame.up)};
-    sides[i] = sidesOf(flat[i]);
-  }
-  const auto perControl = static_cast<std::size_t>(refinement.depth * refinement.depth);
+  const auto perControl = static_cast<std::size_t>(surface.refinement->depth * surface.refinement->depth);
   std::optional<SurfaceHit> nearest;
-  for (std::size_t t = 0; t < refinement.triangles.size(); ++t) {
-    const auto [ia, ib, ic] = refinement.triangles[t];
-    const auto a = static_cast<std::size_t>(ia), b = static_cast<std::size_t>(ib), c = static_cast<std::size_t>(ic);
-    if ((sides[a] & sides[b] & sides[c]) != 0) continue;
-    const std::optional<FlatHit> held = holdsOrigin(flat[a], flat[b], flat[c]);
-    if (!held) continue;
+  forEachCrossing(ray, surface, [&](std::size_t t, const FlatHit& held, float distance) {
+    if (nearest && distance >= nearest->distance) return;
     const auto material = static_cast<std::size_t>(mesh.triangles[t / perControl].material);
-    if (!held->front && !(material < materials.size() && materials[material].doubleSided)) continue;
-    const glm::vec3 point = held->barycentric.x * surface.positions[a] + held->barycentric.y * surface.positions[b] +
-                            held->barycentric.z * surface.positions[c];
-    const float distance = glm::dot(point - frame.origin, frame.along);
-    if (distance <= 0.0f || (nearest && distance >= nearest->distance)) continue;
+    if (!held.front && !(material < materials.size() && materials[material].doubleSided)) return;
     nearest = SurfaceHit{};
     nearest->distance = distance;
     nearest->refinedTriangle = static_cast<int>(t);
-    nearest->barycentric = held->barycentric;
-  }
+    nearest->barycentric = held.barycentric;
+  });
   if (nearest) complete(*nearest, ray, surface, mesh);
   return nearest;
+}
+
+std::vector<SurfaceCrossing> crossSurface(const Ray& ray, const Surface& surface) {
+  std::vector<SurfaceCrossing> crossings;
+  if (surface.refinement == nullptr) return crossings;
+  forEachCrossing(ray, surface, [&](std::size_t, const FlatHit& held, float distance) {
+    crossings.push_back({distance, held.front});
+  });
+  std::ranges::sort(crossings, {}, &SurfaceCrossing::distance);
+  return crossings;
+}
+
+std::optional<ShellSpan> crossShell(const Ray& ray, const glm::mat4& unitBallInWorld) {
+  const glm::mat3 linear(unitBallInWorld);
+  const float largest = std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
+  if (!(std::abs(glm::determinant(linear)) > 1e-9f * largest * largest * largest)) return std::nullopt;
+  const glm::mat3 toBall = glm::inverse(linear);
+  const glm::vec3 origin = toBall * (ray.origin - glm::vec3(unitBallInWorld[3]));
+  const glm::vec3 direction = toBall * ray.direction;
+  // The foot of the ball's centre on the ray first: |origin|^2 - 1 from afar would cancel.
+  const float length2 = glm::dot(direction, direction);
+  const float foot = -glm::dot(origin, direction) / length2;
+  const glm::vec3 closest = origin + foot * direction;
+  const float under = 1.0f - glm::dot(closest, closest);
+  if (under < 0.0f) return std::nullopt;
+  const float half = std::sqrt(under / length2);
+  if (foot + half < 0.0f) return std::nullopt;
+  return ShellSpan{std::max(foot - half, 0.0f), foot + half};
 }
 
 std::optional<PrimitiveHit> pickPrimitive(const Ray& ray, std::span<const PrimitiveShape> shapes) {
   std::optional<PrimitiveHit> nearest;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const glm::mat3 linear(shapes[i].unitBallInWorld);
-    const float largest = std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
-    if (!(std::abs(glm::determinant(linear)) > 1e-9f * largest * largest * largest)) continue;
-    const glm::mat3 toBall = glm::inverse(linear);
-    const glm::vec3 origin = toBall * (ray.origin - glm::vec3(shapes[i].unitBallInWorld[3]));
-    const glm::vec3 direction = toBall * ray.direction;
-    // The foot of the ball's centre on the ray first: |origin|^2 - 1 from afar would cancel.
-    const float length2 = glm::dot(direction, direction);
-    const float foot = -glm::dot(origin, direction) / length2;
-    const glm::vec3 closest = origin + foot * direction;
-    const float under = 1.0f - glm::dot(closest, closest);
-    if (under < 0.0f) continue;
-    const float half = std::sqrt(under / length2);
-    if (foot + half < 0.0f) continue;
-    const float distance = std::max(foot - half, 0.0f);
-    if (nearest && distance >= nearest->distance) continue;
-    nearest = PrimitiveHit{static_cast<int>(i), shapes[i].rigIndex, distance, ray.origin + distance * ray.direction};
+    const std::optional<ShellSpan> span = crossShell(ray, shapes[i].unitBallInWorld);
+    if (!span || (nearest && span->enter >= nearest->distance)) continue;
+    nearest =
+        PrimitiveHit{static_cast<int>(i), shapes[i].rigIndex, span->enter, ray.origin + span->enter * ray.direction};
   }
   return nearest;
 }

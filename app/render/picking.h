@@ -28,6 +28,22 @@ struct SurfaceHit {
 [[nodiscard]] std::optional<SurfaceHit> pickSurface(const Ray& ray, const Surface& surface, const ControlMesh& mesh,
                                                     std::span<const Material> materials);
 
+/// The ray passes through the surface, whatever the material: into the body from the front, out of it from behind.
+struct SurfaceCrossing {
+  float distance = 0.0f;  ///< Along the ray, > 0.
+  bool front = false;
+};
+/// All of them, nearest first.
+[[nodiscard]] std::vector<SurfaceCrossing> crossSurface(const Ray& ray, const Surface& surface);
+
+/// The part of a ray inside an ellipsoid. Distances along the ray; `enter` is 0 if the ray starts inside.
+struct ShellSpan {
+  float enter = 0.0f;
+  float leave = 0.0f;
+};
+/// Nullopt: it misses, or the ellipsoid is flattened.
+[[nodiscard]] std::optional<ShellSpan> crossShell(const Ray& ray, const glm::mat4& unitBallInWorld);
+
 struct PrimitiveHit {
   int shape = -1;  ///< Index into the shapes.
   int rigIndex = -1;

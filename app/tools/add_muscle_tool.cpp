@@ -44,6 +44,7 @@ constinit const Tool kAddMuscleTool{
     .handles = GizmoMode::kPoles,
     .whole = GizmoHandle::kNone,
     .onSkin = true,
+    .picksMuscles = false,
     .target = nullptr,
     .beginHandle = nullptr,
     .continueHandle = nullptr,

@@ -83,11 +83,20 @@ bool continueMuscleDrag(ToolFrame& frame, const ViewportInput& input) {
   return false;
 }
 
-void pickMuscle(ToolFrame& frame) { pick(frame.document(), frame.tools.hover, frame.input.shift); }
+void pickMuscle(ToolFrame& frame) {
+  ViewportTools& tools = frame.tools;
+  pick(frame.document(), tools.hover, frame.input.shift);
+  if (frame.input.shift) tools.cycle = {};
+  else advance(tools.cycle, tools.hover, frame.context, frame.view, frame.input.mouse);
+}
 
 std::string describeMuscles(const ToolFrame& frame) {
-  const std::string under = describe(frame.tools.hover, frame.document());
-  if (!under.empty()) return under + ": click selects, Shift adds, drag orbits, Ctrl+drag boxes";
+  const ViewportHover& hover = frame.tools.hover;
+  const std::string several = describeCycle(hover, frame.document());
+  if (hover.taken >= 0) return several;
+  const std::string under = describe(hover, frame.document());
+  const std::string more = several.empty() ? "" : " (" + several + ")";
+  if (!under.empty()) return under + more + ": click selects, Shift adds, drag orbits, right-click for a menu";
   return "Drag orbits, Ctrl+drag selects by a box, right pans, wheel zooms, click on nothing clears the selection";
 }
 
@@ -101,6 +110,7 @@ constexpr Tool gizmoTool(const char* id, const char* label, const char* hint, in
           .handles = handles,
           .whole = whole,
           .onSkin = false,
+          .picksMuscles = true,
           .target = muscleTarget,
           .beginHandle = beginMuscleDrag,
           .continueHandle = continueMuscleDrag,

@@ -51,6 +51,15 @@ bool anyPressed(const ViewportInput& input) {
   return input.buttons[0].pressed || input.buttons[1].pressed || input.buttons[2].pressed;
 }
 
+/// Shift and Ctrl add what lies first, whatever was clicked before.
+void lookUnderPointer(ToolFrame& frame) {
+  ViewportTools& tools = frame.tools;
+  const Tool& tool = activeTool(tools);
+  tools.hover = tool.hover(frame.context, frame.view, frame.input.mouse);
+  if (!tool.picksMuscles || frame.input.shift || frame.input.ctrl) return;
+  aim(tools.hover, tools.cycle, frame.context, frame.view, frame.input.mouse);
+}
+
 void updateHover(ToolFrame& frame, const std::optional<GizmoTarget>& target) {
   ViewportTools& tools = frame.tools;
   if (frame.input.mouseTaken || !pointerInside(frame)) {
@@ -68,7 +77,7 @@ void updateHover(ToolFrame& frame, const std::optional<GizmoTarget>& target) {
   }
   const bool news = frame.input.mouse != tools.lastPixel || anyPressed(frame.input) || frame.input.wheel != 0.0f ||
                     activeTool(tools).onSkin;
-  if (news) tools.hover = activeTool(tools).hover(frame.context, frame.view, frame.input.mouse);
+  if (news) lookUnderPointer(frame);
 }
 
 // Presses ---------------------------------------------------------------------------------------------------------
@@ -102,7 +111,8 @@ void takePress(ToolFrame& frame, const std::optional<GizmoTarget>& target) {
     const glm::vec2 mouse = frame.input.mouse;
     if (frame.input.mouseTaken || !pointerInside(frame)) take(tools, PressOwner::kOutside, button, mouse);
     else if (button == MouseButton::kLeft) pressLeft(frame, target);
-    else if (button == MouseButton::kRight || frame.input.shift) take(tools, PressOwner::kPan, button, mouse);
+    else if (button == MouseButton::kRight) take(tools, PressOwner::kMenu, button, mouse);
+    else if (frame.input.shift) take(tools, PressOwner::kPan, button, mouse);
     else take(tools, PressOwner::kOrbit, button, mouse);
     return;
   }
@@ -129,6 +139,31 @@ void continueClick(ToolFrame& frame, bool released) {
   } else if (const Tool& tool = activeTool(tools); released && tool.click) {
     tool.click(frame);
   }
+}
+
+/// A click of the right button asks for the menu of what lies there; a drag pans.
+void continueMenu(ToolFrame& frame, bool released) {
+  ViewportTools& tools = frame.tools;
+  if (glm::length(frame.input.mouse - tools.pressPixel) > kDragThreshold * frame.context.uiScale) {
+    pan(tools.camera, frame.input.mouse - tools.pressPixel, frame.context.size);
+    tools.owner = PressOwner::kPan;
+  } else if (released) {
+    ViewportHover here = hoverAt(frame.context, frame.view, tools.pressPixel);
+    aimAtSelected(here, frame.document());
+    frame.result.menu = std::move(here);
+  }
+}
+
+/// A handle may stand where the clicks of a cycle go: pressed and not moved, it lets them through.
+void clickThroughHandle(ToolFrame& frame) {
+  ViewportTools& tools = frame.tools;
+  const Tool& tool = activeTool(tools);
+  const bool moved = glm::length(frame.input.mouse - tools.pressPixel) > kDragThreshold * frame.context.uiScale;
+  if (moved || !tool.picksMuscles || frame.input.shift || frame.input.ctrl) return;
+  if (!goesOn(tools.cycle, frame.context, frame.view, frame.input.mouse)) return;
+  tools.gizmo.hovered = GizmoHandle::kNone;
+  lookUnderPointer(frame);
+  if (tools.hover.taken >= 0) tool.click(frame);
 }
 
 /// Pulls the box open. What stayed as small as a click picks as a click does, and adds.
@@ -163,7 +198,11 @@ void continueOwner(ToolFrame& frame) {
     case PressOwner::kOutside:
       break;
     case PressOwner::kGizmo:
-      if (!activeTool(tools).continueHandle(frame, input)) endGizmo(tools);
+      if (!activeTool(tools).continueHandle(frame, input)) {
+        const bool byButton = released && !tools.buttonless;
+        endGizmo(tools);
+        if (byButton) clickThroughHandle(frame);
+      }
       break;
     case PressOwner::kTool:
       if (!activeTool(tools).drag(frame, input)) tools.owner = PressOwner::kNone;
@@ -179,6 +218,9 @@ void continueOwner(ToolFrame& frame) {
       break;
     case PressOwner::kPan:
       pan(tools.camera, moved, frame.context.size);
+      break;
+    case PressOwner::kMenu:
+      continueMenu(frame, released);
       break;
   }
   if (released) tools.owner = PressOwner::kNone;
@@ -253,11 +295,13 @@ RouteResult routeInput(ViewportTools& tools, const ViewportInput& all, const Vie
   ToolFrame frame{tools, input, context, viewOf(tools.camera, context.size), {}};
   dropStaleHover(tools.hover, context.document);
   const bool letGo = input.keyPressed(Key::kEscape) || input.button(MouseButton::kRight).pressed;
-  if (tools.box.armed && letGo) tools.box.armed = false;
+  const bool boxLetGo = tools.box.armed && letGo;
+  if (boxLetGo) tools.box.armed = false;
   if (tools.owner == PressOwner::kNone) {
     const std::optional<GizmoTarget> target = gizmoTarget(frame);
     updateHover(frame, target);
     takePress(frame, target);
+    if (boxLetGo && tools.owner == PressOwner::kMenu) tools.owner = PressOwner::kOutside;
     if (tools.owner == PressOwner::kNone) takeWantedDrag(frame, target);
     wheel(frame);
     // The press is seen where it happened; its first motion belongs to the next frame, unless it is already over.
@@ -273,7 +317,7 @@ RouteResult routeInput(ViewportTools& tools, const ViewportInput& all, const Vie
     frame.result.gizmoContext = target->context;
   }
   frame.result.status = statusOf(frame);
-  frame.result.needsFrame = isMoving(tools.camera) || ownsKeyboard(tools);
+  frame.result.needsFrame = isMoving(tools.camera) || ownsKeyboard(tools) || frame.result.menu.has_value();
   return std::move(frame.result);
 }
 

@@ -36,6 +36,7 @@ void cancelDrags(ViewportTools& tools, Document& document);
 ///   left: triad, else a handle, else the tool (add muscle: a press on the skin), else a click picks and a drag orbits
 ///   Ctrl+left, or left once after armBox: a box selects; with Shift it adds, with Alt it takes away
 ///   Alt+left or middle: orbit; Shift+middle or right: pan; wheel: zoom to the pointer
+///   right without motion: RouteResult::menu
 RouteResult routeInput(ViewportTools& tools, const ViewportInput& input, const ViewportContext& context);
 
 }  // namespace sinew::app

@@ -47,6 +47,7 @@ constinit const Tool kPoseTool{
     .handles = GizmoMode::kRotate,
     .whole = GizmoHandle::kNone,
     .onSkin = false,
+    .picksMuscles = false,
     .target = ringsOnJoint,
     .beginHandle = beginRing,
     .continueHandle = continueRing,

@@ -4,21 +4,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
 #include <glm/geometric.hpp>
 
 #include "app/document/shown_names.h"
 #include "app/render/picking.h"
 #include "core/character/bindings.h"
-#include "core/rig/attachment.h"
 
 namespace sinew::app {
 namespace {
 
-constexpr float kBoneReach = 6.0f;      ///< Design pixels.
-constexpr float kCoveredBelow = 1.12f;  ///< Skin over a muscle lies a little outside its ellipsoid, where both blend.
+constexpr float kBoneReach = 6.0f;  ///< Design pixels.
 
 glm::mat4 skinMatrix(const Character& character, const Pose& pose, int vertex) {
   glm::mat4 sum(0.0f);
@@ -27,40 +23,6 @@ glm::mat4 skinMatrix(const Character& character, const Pose& pose, int vertex) {
     sum += follows.weight * (bone * follows.binding.inverseBind);
   }
   return sum;
-}
-
-/// By rig index: neither hidden nor locked.
-std::vector<bool> pickablePrimitives(const Document& document) {
-  const Rig& rig = document.rig();
-  const Skeleton& skeleton = document.character->skeleton;
-  if (document.visibility.plain()) return std::vector<bool>(rig.primitives.size(), true);
-  const EffectiveVisibility effective =
-      effectiveVisibility(document.visibility, rig, skeleton, boneOfEach(rig, skeleton));
-  std::vector<bool> pickable = effective.visible;
-  for (std::size_t i = 0; i < pickable.size(); ++i) pickable[i] = pickable[i] && !effective.locked[i];
-  return pickable;
-}
-
-/// The innermost of the muscles that hold up the skin at a point, or -1. A muscle only counts where its territory is.
-int muscleUnder(const glm::vec3& point, int skinBone, const Document& document, const Pose& pose) {
-  int best = -1;
-  float least = kCoveredBelow;
-  const Skeleton& skeleton = document.character->skeleton;
-  const std::vector<bool> pickable = pickablePrimitives(document);
-  const std::vector<int> bones = boneOfEach(document.rig(), skeleton);
-  for (std::size_t i = 0; i < document.rig().primitives.size(); ++i) {
-    const Primitive& primitive = document.rig().primitives[i];
-    const int bone = bones[i];
-    if (!pickable[i] || bone < 0) continue;
-    if (!std::ranges::binary_search(territoryBones(primitive, bone, skeleton), skinBone)) continue;
-    const UnitBallMap map = unitBallMap(primitive.placement, 1.0f, pose.boneInWorld[static_cast<std::size_t>(bone)]);
-    if (!(map.boundingRadius > 0.0f)) continue;
-    const float distance = std::sqrt(map.rSquared(point));
-    if (distance >= least) continue;
-    least = distance;
-    best = static_cast<int>(i);
-  }
-  return best;
 }
 
 std::optional<SurfaceHit> hitSkin(const ViewportContext& context, const Ray& ray) {
@@ -114,8 +76,14 @@ std::vector<PrimitiveShape> primitiveShapes(const Document& document, const Pose
   const std::vector<int> hidden = hiddenPrimitives(document.visibility, document.rig(), document.character->skeleton);
   std::erase_if(shapes,
                 [&](const PrimitiveShape& shape) { return std::ranges::binary_search(hidden, shape.rigIndex); });
+  const std::vector<Primitive>& muscles = document.rig().primitives;
+  const int active = document.activePrimitive();
   for (PrimitiveShape& shape : shapes) {
-    shape.selected = document.selection.contains(document.idAt(shape.rigIndex));
+    const Primitive& muscle = muscles[static_cast<std::size_t>(shape.rigIndex)];
+    shape.selected = document.selection.contains(muscle.id());
+    shape.active = shape.rigIndex == active;
+    const int twin = shape.selected || muscle.mirror.empty() ? -1 : findPrimitive(document.rig(), muscle.mirror);
+    shape.twin = twin >= 0 && document.selection.contains(document.idAt(twin));
   }
   return shapes;
 }
@@ -124,31 +92,28 @@ ViewportHover hoverAt(const ViewportContext& context, const View& view, const gl
   ViewportHover hover;
   const Character& character = *context.document.character;
   const Ray ray = view.rayThrough(pixel);
-  if (const std::optional<SurfaceHit> hit = hitSkin(context, ray)) {
+  const std::optional<SurfaceHit> hit = hitSkin(context, ray);
+  if (hit) {
     hover.skin = anchorOf(*hit, character, context.pose);
     hover.bone = boneAt(character, *hover.skin);
     hover.pointInWorld = hit->position;
-    hover.primitive = muscleUnder(hit->position, hover.bone, context.document, context.pose);
   }
-  if (context.display.primitives) {
-    std::vector<PrimitiveShape> shapes = primitiveShapes(context.document, context.pose);
-    const std::vector<bool> pickable = pickablePrimitives(context.document);
-    std::erase_if(shapes,
-                  [&](const PrimitiveShape& shape) { return !pickable[static_cast<std::size_t>(shape.rigIndex)]; });
-    if (const auto hit = pickPrimitive(ray, shapes)) {
-      hover.primitive = hit->rigIndex;
-      if (!hover.skin) hover.pointInWorld = hit->position;
-    }
-  }
+  hover.here = musclesUnder(context, ray, hit, hover.bone);
+  if (!hit && !hover.here.empty()) hover.pointInWorld = ray.origin + hover.here.front().distance * ray.direction;
+  std::optional<BoneHit> shown;
   if (context.display.skeleton) {
-    if (const auto hit = pickBone(pixel, view, character.skeleton, context.pose, kBoneReach * context.uiScale,
-                                  context.hiddenBones)) {
-      const glm::mat4& boneInWorld = context.pose.boneInWorld[static_cast<std::size_t>(hit->bone)];
-      if (!hover.any()) hover.pointInWorld = glm::vec3(boneInWorld[3]);
-      hover.bone = hit->bone;
-      hover.primitive = -1;
-    }
+    shown = pickBone(pixel, view, character.skeleton, context.pose, kBoneReach * context.uiScale, context.hiddenBones);
   }
+  if (shown) {
+    const glm::vec3 joint(context.pose.boneInWorld[static_cast<std::size_t>(shown->bone)][3]);
+    if (!hover.any() && hover.here.empty()) hover.pointInWorld = joint;
+    hover.bone = shown->bone;
+  }
+  // Where no muscle is seen the skin stands for its bone. Concealed muscles come after all that are seen.
+  if (shown || (hit && (hover.here.empty() || hover.here.front().concealed))) {
+    hover.here.insert(hover.here.begin(), PickEntry{{}, hover.bone, hit ? hit->distance : 0.0f, false});
+  }
+  if (!hover.here.empty()) hover.primitive = findPrimitive(context.document.rig(), hover.here.front().muscle);
   return hover;
 }
 

@@ -1,11 +1,12 @@
 // app/tools/select.h: what lies under the pointer, and picking it.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "app/tools/viewport_context.h"
+#include "app/tools/pick_list.h"
 
 namespace sinew::app {
 
@@ -24,10 +25,13 @@ struct SkinPoint {
 
 /// What the pointer is over. Index -1 where there is none.
 struct ViewportHover {
-  int primitive = -1;  ///< Rig index: a shown ellipsoid, or the muscle under that place of the skin.
+  int primitive = -1;  ///< Rig index: what a click takes, see musclesUnder.
   int bone = -1;       ///< The skin's, by weight; or of the skeleton shown in x-ray.
   std::optional<SkinAnchor> skin;
   glm::vec3 pointInWorld{0.0f};  ///< Of the nearest hit; valid if primitive >= 0, bone >= 0 or skin.
+  std::vector<PickEntry> here;   ///< All that clicks on this place take, in turn.
+  std::size_t at = 0;            ///< Index into `here` of what the next click takes.
+  int taken = -1;                ///< The same of what the last click took; -1: none has taken from `here` yet.
 
   [[nodiscard]] bool any() const { return primitive >= 0 || bone >= 0 || skin.has_value(); }
 };
@@ -38,12 +42,12 @@ struct ViewportHover {
 /// The bone with the largest share of the skin there; ties go to the lower index.
 [[nodiscard]] int boneAt(const Character& character, const SkinAnchor& anchor);
 
-/// The attached primitives of the document's rig in a pose that are not hidden, `selected` filled: for drawing and for
-/// picking (locked ones are drawn and not picked).
+/// The attached primitives of the document's rig in a pose that are not hidden, with how they are picked: for drawing
+/// and for picking (locked ones are drawn and not picked).
 [[nodiscard]] std::vector<PrimitiveShape> primitiveShapes(const Document& document, const Pose& pose);
 
-/// What is under a pixel. `skin` is the nearest skin, whatever else lies there. A shown primitive wins over the muscle
-/// under the skin; a bone shown in x-ray, within a few pixels, wins over the skin's bone and over primitives.
+/// What is under a pixel. `skin` is the nearest skin, whatever else lies there. Muscles come in the order of
+/// musclesUnder, the skin's bone after those that are seen; a bone shown in x-ray, within a few pixels, comes first.
 [[nodiscard]] ViewportHover hoverAt(const ViewportContext& context, const View& view, const glm::vec2& pixel);
 
 /// A click: selects the primitive, else the bone; `add` (Shift) toggles a primitive. On nothing: clears, unless `add`.

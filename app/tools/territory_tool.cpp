@@ -84,6 +84,7 @@ constinit const Tool kTerritoryTool{
     .handles = GizmoMode::kPoles,
     .whole = GizmoHandle::kNone,
     .onSkin = false,
+    .picksMuscles = false,
     .target = nullptr,
     .beginHandle = nullptr,
     .continueHandle = nullptr,

@@ -42,6 +42,8 @@ struct Tool {
   GizmoHandle whole;  ///< The handle that a drag without a press takes (startDrag); kNone: there is none.
   bool onSkin;  ///< Draws on the skin: looks under a pointer at rest too, and the pose stands still for its drags.
 
+  bool picksMuscles;  ///< Clicks select; further ones on the same place what lies behind (pick_cycle.h).
+
   /// What the handles stand on in this frame. @param atStart  for a drag in progress: where they stood when it began,
   /// in this frame's pose.
   std::optional<GizmoTarget> (*target)(const ToolFrame& frame, bool atStart);

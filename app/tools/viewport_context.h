@@ -21,6 +21,7 @@ struct ViewportContext {
   float uiScale = 1.0f;                ///< Pixels per design pixel.
   PoseOverrides* overrides = nullptr;  ///< What `pose` was turned with: the pose tool changes it. Null: it cannot.
   std::vector<bool> hiddenBones{};     ///< [bones] neither drawn nor picked; empty: none is left out.
+  bool playing = false;                ///< A clip moves the pose from frame to frame.
 };
 
 }  // namespace sinew::app

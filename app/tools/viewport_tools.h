@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "app/tools/camera.h"
 #include "app/tools/gizmo.h"
 #include "app/tools/gizmo_group.h"
+#include "app/tools/pick_cycle.h"
 #include "app/tools/pose_bone.h"
 #include "app/tools/select.h"
 
@@ -23,7 +25,7 @@ inline constexpr std::size_t kToolCount = 6;
 [[nodiscard]] std::string nameOf(ToolKind tool);  ///< Its label in lower case: "add muscle".
 
 /// Who holds the mouse from a press to its release.
-enum class PressOwner { kNone, kOutside, kGizmo, kTool, kClick, kOrbit, kPan, kBox };
+enum class PressOwner { kNone, kOutside, kGizmo, kTool, kClick, kOrbit, kPan, kBox, kMenu };
 
 /// All that the viewport's tools remember between frames.
 struct ViewportTools {
@@ -33,6 +35,7 @@ struct ViewportTools {
   PoseBoneState pose;
   Camera camera;
   ViewportHover hover;
+  PickCycle cycle;
   PressOwner owner = PressOwner::kNone;
   MouseButton ownerButton = MouseButton::kLeft;
   glm::vec2 pressPixel{0.0f};
@@ -48,12 +51,13 @@ struct ViewportTools {
 };
 
 struct RouteResult {
-  View view;                     ///< After the input: what to draw with.
-  GizmoLayout gizmo;             ///< In that view: for drawGizmo and --log-state. Not visible: nothing to draw.
-  GizmoContext gizmoContext;     ///< For drawGizmo, if visible.
-  std::string status;            ///< What the tool does next: the status line.
-  std::optional<Error> refusal;  ///< Why an edit was refused.
-  bool needsFrame = false;       ///< Something moves or is being dragged: draw again soon.
+  View view;                          ///< After the input: what to draw with.
+  GizmoLayout gizmo;                  ///< In that view: for drawGizmo and --log-state. Not visible: nothing to draw.
+  GizmoContext gizmoContext;          ///< For drawGizmo, if visible.
+  std::string status;                 ///< What the tool does next: the status line.
+  std::optional<Error> refusal;       ///< Why an edit was refused.
+  std::optional<ViewportHover> menu;  ///< The right button was clicked on this: its menu is asked for.
+  bool needsFrame = false;            ///< Something moves or is being dragged: draw again soon.
 };
 
 }  // namespace sinew::app

@@ -77,12 +77,14 @@ void EditorStep::runTools(EditorState& state, const RawInput& input, bool viewpo
                                 state.frame.viewportPixels,
                                 state.frame.uiScale * pixelsPerUnit.x,
                                 &state.open.transport.overrides,
-                                hiddenBones(state)};
+                                hiddenBones(state),
+                                state.open.transport.playing};
   const std::size_t before = state.document.commands.position();
   state.frame.route = routeInput(state.view.tools, own, context);
   if (state.document.commands.position() != before) state.open.refusal.clear();
   cameraMoves_ = isMoving(state.view.tools.camera);
   if (state.frame.route.refusal) refuse(state, *state.frame.route.refusal);
+  if (state.frame.route.menu) state.open.viewportMenu = {*state.frame.route.menu, true};
 }
 
 void EditorStep::updateSurface(EditorState& state) {

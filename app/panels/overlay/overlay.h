@@ -9,6 +9,8 @@ void drawToolStrip(PanelUi& ui);
 void drawDisplayBar(PanelUi& ui);
 void drawNumbers(PanelUi& ui);
 void drawLegend(PanelUi& ui);
+/// The context menu that a right click asks for.
+void drawViewportMenu(PanelUi& ui);
 void drawMessages(PanelUi& ui);
 /// How many messages there are, at the right end of the current line; a click shows or hides them. @return its width,
 /// 0 without messages.
