@@ -127,9 +127,8 @@ void PrimitiveDrawer::drawRims(float scale) const {
   for (const GLenum depth : {GL_GREATER, GL_LEQUAL}) {
     glDepthFunc(depth);
     const bool shown = depth == GL_LEQUAL;
-    outlineProgram_.set("opacity", shown ? 1.0f : 0.45f * kHidden);
     for (const bool halo : {true, false}) {
-      if (halo && !shown) continue;
+      outlineProgram_.set("opacity", shown ? 1.0f : (halo ? 0.6f : 0.7f) * kHidden);
       outlineProgram_.set("extra", halo ? kHaloWidth * scale : 0.0f);
       outlineProgram_.set("halo", halo ? kHalo : glm::vec4(0.0f));
       rims_.drawNumbered(kOutlineVertices);

@@ -26,7 +26,7 @@ struct OutlineLook {
   if (shape.active) return {{1.00f, 0.66f, 0.10f}, 1.0f, 3.0f, 0.0f};
   if (shape.selected) return {{0.95f, 0.32f, 0.04f}, 1.0f, 2.2f, 0.0f};
   if (shape.hovered) return {{1.00f, 1.00f, 1.00f}, 0.72f, 1.8f, 0.0f};
-  if (shape.twin) return {{1.00f, 0.60f, 0.12f}, 0.75f, 1.8f, 28.0f};
+  if (shape.twin) return {{1.00f, 0.60f, 0.12f}, 0.85f, 2.2f, 20.0f};
   return {};
 }
 

@@ -34,7 +34,9 @@ const Section& pictureSection() {
                                 {"Pan", "right or Shift+middle"},
                                 {"Zoom to the pointer", "wheel"},
                                 {"Select, add to it", "click, Shift+click"},
+                                {"Select what lies behind", "click again"},
                                 {"Select in a box", "Ctrl+drag"},
+                                {"Menu of what lies there", "right click"},
                                 {"Add a muscle", "Add muscle, press, drag"}}};
   return section;
 }
