@@ -3,7 +3,6 @@
 #include "app/tools/select.h"
 
 #include <algorithm>
-#include <array>
 
 #include <glm/geometric.hpp>
 
