@@ -35,6 +35,7 @@ Json layoutToJson(const LayoutState& layout) {
       .set("history", layout.history)
       .set("bottom", layout.bottom)
       .set("overlay", layout.overlay)
+      .set("stages", layout.stages)
       .set("left_shown", layout.leftShown)
       .set("right_shown", layout.rightShown)
       .set("bottom_shown", layout.bottomShown)
@@ -48,6 +49,7 @@ LayoutState layoutFromJson(const Json& json) {
   read(json, "history", 1.0, kWidestPanel, layout.history);
   read(json, "bottom", 1.0, kWidestPanel, layout.bottom);
   read(json, "overlay", layout.overlay);
+  read(json, "stages", layout.stages);
   read(json, "left_shown", layout.leftShown);
   read(json, "right_shown", layout.rightShown);
   read(json, "bottom_shown", layout.bottomShown);

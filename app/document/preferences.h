@@ -28,6 +28,7 @@ struct LayoutState {
   float history = 170.0f;  ///< Height, in the left column.
   float bottom = 84.0f;    ///< Height of the timeline.
   bool overlay = true;     ///< Numbers over the viewport.
+  bool stages = false;     ///< ... with the times of the stages and all counts.
   bool leftShown = true;
   bool rightShown = true;
   bool bottomShown = true;

@@ -9,6 +9,7 @@
 #include "app/document/group_colors.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
+#include "app/editor/muscle_names.h"
 #include "core/rig/rig_edit.h"
 #include "core/rig/rig_edit_several.h"
 
@@ -18,8 +19,6 @@ namespace {
 Tint tintOf(const glm::vec3& color) { return {color.r, color.g, color.b}; }
 
 const std::string& nameOfGroup(const Rig& rig, int group) { return rig.groups[static_cast<std::size_t>(group)].name; }
-
-std::string countText(std::size_t count) { return count == 1 ? "muscle" : std::to_string(count) + " muscles"; }
 
 }  // namespace
 
@@ -59,7 +58,7 @@ void toggleLink(EditorState& state, int groupA, int groupB) {
 
 void addEmptyGroup(EditorState& state) {
   const std::string name = freeGroupName(state.document.rig(), "group");
-  if (!edit(state, "New group", addGroup(state.document.rig(), name))) return;
+  if (!edit(state, "New group " + name, addGroup(state.document.rig(), name))) return;
   const GroupId added = state.document.rig().groups.back().id();
   state.open.blending.group = added;
   state.open.blending.rename = {added, name, true};
@@ -69,17 +68,21 @@ void groupSelection(EditorState& state) {
   const std::vector<int> indices = selectedIndices(state.document);
   if (indices.empty()) return;
   const std::string name = freeGroupName(state.document.rig(), "group");
-  if (!edit(state, "Group " + countText(indices.size()), moveToNewGroup(state.document.rig(), indices, name))) return;
+  const std::string what = namedMuscles(state.document.rig(), indices);
+  if (!edit(state, "Group " + what, moveToNewGroup(state.document.rig(), indices, name))) return;
   const GroupId added =
       state.document.rig().groups[static_cast<std::size_t>(findGroup(state.document.rig(), name))].id();
   state.open.blending.group = added;
-  if (state.view.outliner.tab == LeftTab::kGroups) state.open.blending.rename = {added, name, true};
+  // Its name is typed where groups are listed.
+  state.view.outliner.tab = LeftTab::kGroups;
+  state.view.layout.leftShown = true;
+  state.open.blending.rename = {added, name, true};
 }
 
 bool renameGroupTo(EditorState& state, GroupId group, const std::string& name) {
   const int index = findGroup(state.document.rig(), group);
   if (index < 0 || nameOfGroup(state.document.rig(), index) == name) return index >= 0;
-  const std::string label = "Rename " + nameOfGroup(state.document.rig(), index);
+  const std::string label = "Rename group " + nameOfGroup(state.document.rig(), index);
   return edit(state, label, renameGroup(state.document.rig(), index, name));
 }
 
@@ -90,7 +93,7 @@ bool removeGroupOf(EditorState& state, int group, int into) {
 }
 
 bool moveToGroup(EditorState& state, const std::vector<int>& indices, const std::string& group) {
-  return edit(state, "Move " + countText(indices.size()) + " to " + group,
+  return edit(state, "Move " + namedMuscles(state.document.rig(), indices) + " to " + group,
               setGroupOfSeveral(state.document.rig(), indices, group));
 }
 

@@ -26,7 +26,7 @@ namespace sinew::app {
 void toggleLink(EditorState& state, int groupA, int groupB);
 /// A new empty group, chosen, its name ready to be typed.
 void addEmptyGroup(EditorState& state);
-/// The selected muscles in a group of their own.
+/// The selected muscles in a group of their own, chosen, its name ready to be typed.
 void groupSelection(EditorState& state);
 bool renameGroupTo(EditorState& state, GroupId group, const std::string& name);
 /// The group's muscles go to `into` (an index); -1: only if it is empty.

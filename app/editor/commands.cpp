@@ -7,6 +7,7 @@
 
 #include "app/document/motion_clip.h"
 #include "app/editor/edit.h"
+#include "app/editor/muscle_names.h"
 #include "app/editor/pose_commands.h"
 #include "app/editor/session.h"
 #include "app/editor/symmetry_commands.h"
@@ -223,7 +224,9 @@ void duplicateSelection(EditorState& state) {
   if (indices.empty() || isBusy(state)) return;
   const std::size_t before = state.document.rig().primitives.size();
   const Selection originals = state.document.selection;
-  if (!edit(state, "Duplicate", duplicatePairs(state.document.rig(), indices))) return;
+  if (!edit(state, "Duplicate " + namedMuscles(state.document.rig(), selectedIndices(state.document)),
+            duplicatePairs(state.document.rig(), indices)))
+    return;
   const auto& primitives = state.document.rig().primitives;
   state.document.selection.primitives.clear();
   // The copies of what was selected; those of twins, made by symmetry, follow.

@@ -11,6 +11,7 @@
 #include "app/document/clipboard.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
+#include "app/editor/muscle_names.h"
 #include "core/rig/rig_edit.h"
 #include "core/symmetry/twins.h"
 
@@ -81,7 +82,7 @@ void flipSelection(EditorState& state) {
 void unlinkSelection(EditorState& state) {
   Rig rig = state.document.rig();
   for (const int index : selectedIndices(state.document)) rig = clearMirror(rig, index);
-  edit(state, "Unlink twin", std::move(rig));
+  edit(state, "Unlink " + namedMuscles(state.document.rig(), selectedIndices(state.document)), std::move(rig));
 }
 
 void linkSelection(EditorState& state) {

@@ -22,10 +22,13 @@ void drawHistory(PanelUi& ui) {
       const auto step = static_cast<std::size_t>(row);
       ImGui::PushID(row);
       ImGui::PushStyleColor(ImGuiCol_Text, step <= position ? palette::kText : palette::kMuted.faded(0.7f));
-      if (ImGui::Selectable(commands.label(step).c_str(), step == position)) wanted = step;
+      const std::string& label = commands.label(step);
+      const std::string shown = fitted(label, ImGui::GetContentRegionAvail().x);
+      if (ImGui::Selectable((shown + "##step").c_str(), step == position)) wanted = step;
       ImGui::PopStyleColor();
       ImGui::PopID();
       ui.widgets.note("history/step/" + std::to_string(step));
+      if (shown != label) tooltip(ui, label);
     }
   }
   if (wanted != position) {

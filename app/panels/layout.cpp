@@ -1,11 +1,13 @@
 // app/panels/layout.cpp: where panels stand, and the splitters between them.
 
 #include <imgui.h>
+#include <imgui_internal.h>  // ActiveIdClickOffset, which 1.86 keeps to itself.
 
 #include <algorithm>
 #include <string>
 
 #include "app/editor/commands.h"
+#include "app/panels/layout_sizes.h"
 #include "app/panels/overlay/overlay.h"
 #include "app/panels/panels.h"
 #include "app/panels/shared/field_edit.h"
@@ -13,13 +15,7 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kStatusHeight = 28.0f;  // Design pixels, as all here.
-constexpr float kGap = 5.0f;
-constexpr float kNarrowest = 180.0f;
-constexpr float kViewportNarrowest = 240.0f;
-constexpr float kViewportLowest = 160.0f;
-constexpr float kBottomLowest = 76.0f;
-constexpr float kHistoryLowest = 90.0f;
+constexpr float kBadgeRoom = 90.0f;  // Design pixels: what the count of messages takes of the status line.
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
@@ -41,29 +37,20 @@ struct Regions {
   Box status;
 };
 
-/// Keeps the sizes within what the window has room for. Hidden panels keep their size.
-void fitSizes(PanelUi& ui, float menuHeight) {
+LayoutSizes sizesOf(const PanelUi& ui, float menuHeight) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  LayoutState& layout = ui.state.view.layout;
-  const float room = display.x / ui.scale - kViewportNarrowest - 2.0f * kGap;
-  const float right = layout.rightShown ? kNarrowest : 0.0f;
-  layout.left = std::clamp(layout.left, kNarrowest, std::max(kNarrowest, room - right));
-  const float left = layout.leftShown ? layout.left : 0.0f;
-  layout.right = std::clamp(layout.right, kNarrowest, std::max(kNarrowest, room - left));
-  const float height = (display.y - menuHeight) / ui.scale - kStatusHeight - 2.0f * kGap;
-  layout.bottom = std::clamp(layout.bottom, kBottomLowest, std::max(kBottomLowest, height - kViewportLowest));
+  return shownSizes(ui.state.view.layout, display.x / ui.scale, (display.y - menuHeight) / ui.scale);
 }
 
-Regions divide(PanelUi& ui, float menuHeight) {
-  fitSizes(ui, menuHeight);
+Regions divide(const PanelUi& ui, const LayoutSizes& sizes, float menuHeight) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const LayoutState& layout = ui.state.view.layout;
-  const float gap = ui.px(kGap);
-  const float left = layout.leftShown ? ui.px(layout.left) : 0.0f;
-  const float right = layout.rightShown ? ui.px(layout.right) : 0.0f;
+  const float gap = ui.px(kSplitter);
+  const float left = ui.px(sizes.left);
+  const float right = ui.px(sizes.right);
   const float leftGap = layout.leftShown ? gap : 0.0f;
   const float rightGap = layout.rightShown ? gap : 0.0f;
-  const float bottom = layout.bottomShown ? ui.px(layout.bottom) : 0.0f;
+  const float bottom = ui.px(sizes.bottom);
   const float bottomTop = display.y - ui.px(kStatusHeight) - bottom;
   const float height = bottomTop - menuHeight - (layout.bottomShown ? gap : 0.0f);
   Regions regions;
@@ -81,8 +68,16 @@ void beginRegion(const char* name, const Box& box, ImGuiWindowFlags more) {
   ImGui::Begin(name, nullptr, kFixed | more);
 }
 
-/// A bar that drags `value` (design pixels); sign: which way it grows.
-void splitter(PanelUi& ui, const std::string& id, const Box& box, bool upright, float sign, float& value) {
+/// A panel's size along the way its bar moves, design pixels.
+struct Sized {
+  float shown;  ///< In this frame.
+  float least;
+  float spare;    ///< What the neighbour can give.
+  float& wished;  ///< What is remembered; a drag makes it what is shown, moved with the pointer.
+};
+
+/// A bar between two panels. @param sign  which way the panel grows
+void splitter(PanelUi& ui, const std::string& id, const Box& box, bool upright, float sign, const Sized& size) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0f, 1.0f});
   beginRegion(id.c_str(), box, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar);
@@ -94,9 +89,13 @@ void splitter(PanelUi& ui, const std::string& id, const Box& box, bool upright, 
                                               {box.x + box.width - 1.0f, box.y + box.height - 1.0f},
                                               palette::kAccent.faded(0.7f).packed(), 2.0f);
   }
-  if (ImGui::IsItemActive()) {
-    const ImVec2 moved = ImGui::GetIO().MouseDelta;
-    value += sign * (upright ? moved.x : moved.y) / ui.scale;
+  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0, 1.0f)) {
+    // From where the bar was taken: at the end of its way it waits for the pointer.
+    const ImVec2 grip = ImGui::GetCurrentContext()->ActiveIdClickOffset;
+    const ImVec2 mouse = ImGui::GetMousePos();
+    const float moved = upright ? mouse.x - grip.x - box.x : mouse.y - grip.y - box.y;
+    const float most = std::max(size.shown + size.spare, size.least);
+    if (moved != 0.0f) size.wished = std::clamp(size.shown + sign * moved / ui.scale, size.least, most);
   }
   ImGui::End();
   ImGui::PopStyleVar(2);
@@ -113,19 +112,17 @@ void drawTitled(PanelUi& ui, Region region) {
   }
 }
 
-void drawLeft(PanelUi& ui, const Box& box) {
-  LayoutState& layout = ui.state.view.layout;
-  const float highest = std::max(kHistoryLowest, box.height / ui.scale - 160.0f);
-  layout.history = std::clamp(layout.history, kHistoryLowest, highest);
-  const float gap = ui.px(kGap);
-  const float lower = ui.px(layout.history);
+void drawLeft(PanelUi& ui, const Box& box, float history) {
+  const float gap = ui.px(kSplitter);
+  const float lower = ui.px(history);
   const Box top{box.x, box.y, box.width, box.height - lower - gap};
   const Box bar{box.x, box.y + top.height, box.width, gap};
   const Box bottom{box.x, bar.y + gap, box.width, lower};
   beginRegion("region-outliner", top, 0);
   drawTitled(ui, Region::kLeftTop);
   ImGui::End();
-  splitter(ui, "layout/history", bar, false, -1.0f, layout.history);
+  splitter(ui, "layout/history", bar, false, -1.0f,
+           {history, kHistoryLowest, top.height / ui.scale - kOutlinerLowest, ui.state.view.layout.history});
   beginRegion("region-history", bottom, 0);
   drawTitled(ui, Region::kLeftBottom);
   ImGui::End();
@@ -165,14 +162,16 @@ void drawStatus(PanelUi& ui, const Box& box) {
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::kBackground);
   beginRegion("region-status", box, ImGuiWindowFlags_NoScrollbar);
   const EditorState& state = ui.state;
-  if (!state.open.refusal.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
-    ImGui::TextUnformatted(state.open.refusal.c_str());
-    ImGui::PopStyleColor();
-  } else {
-    mutedText(state.hasCharacter() ? state.frame.route.status.c_str() : "Drop a .glb, .gltf or .rig.json here");
-  }
+  const bool refused = !state.open.refusal.empty();
+  const std::string usual = state.hasCharacter() ? state.frame.route.status : "Drop a .glb, .gltf or .rig.json here";
+  const std::string& text = refused ? state.open.refusal : usual;
+  const float badge = state.session.messages.empty() ? 0.0f : ui.px(kBadgeRoom);
+  const std::string shown = fitted(text, ImGui::GetContentRegionAvail().x - badge);
+  ImGui::PushStyleColor(ImGuiCol_Text, refused ? palette::kWarning : palette::kMuted);
+  ImGui::TextUnformatted(shown.c_str());
+  ImGui::PopStyleColor();
   ui.widgets.note("status/line");
+  if (shown != text) tooltip(ui, text);
   ImGui::SameLine();
   drawMessageBadge(ui);
   ImGui::End();
@@ -182,17 +181,18 @@ void drawStatus(PanelUi& ui, const Box& box) {
 
 void drawWelcome(PanelUi& ui, const Box& box) {
   const auto centered = [&](const char* text, float y) {
-    ImGui::SetCursorPos({0.5f * (box.width - ImGui::CalcTextSize(text).x), y});
-    mutedText(text);
+    const std::string shown = fitted(text, box.width - ui.px(16));
+    ImGui::SetCursorPos({0.5f * (box.width - ImGui::CalcTextSize(shown.c_str()).x), y});
+    ImGui::TextUnformatted(shown.c_str());
   };
   const float middle = 0.45f * box.height;
   ImGui::PushFont(ui.fonts.strong);
-  const char* title = "No character is open";
-  ImGui::SetCursorPos({0.5f * (box.width - ImGui::CalcTextSize(title).x), middle - ui.px(34)});
-  ImGui::TextUnformatted(title);
+  centered("No character is open", middle - ui.px(34));
   ImGui::PopFont();
+  ImGui::PushStyleColor(ImGuiCol_Text, palette::kMuted);
   centered("Drop a .glb, .gltf or .rig.json on the window, or", middle - ui.px(6));
-  const ImVec2 size{ui.px(150), ui.px(32)};
+  ImGui::PopStyleColor();
+  const ImVec2 size{std::min(ui.px(150), box.width - ui.px(16)), ui.px(32)};
   ImGui::SetCursorPos({0.5f * (box.width - size.x), middle + ui.px(24)});
   if (ImGui::Button("Open a file...", size)) showOpenDialog(ui.state);
   ui.widgets.note("viewport/open");
@@ -213,13 +213,23 @@ bool drawViewport(PanelUi& ui, const Box& box) {
   return free;
 }
 
-void drawSplitters(PanelUi& ui, const LayoutState& shown, const Box& v) {
-  const float gap = ui.px(kGap);
-  LayoutState& layout = ui.state.view.layout;
-  if (shown.leftShown) splitter(ui, "layout/left", {v.x - gap, v.y, gap, v.height}, true, 1.0f, layout.left);
-  if (shown.rightShown) splitter(ui, "layout/right", {v.x + v.width, v.y, gap, v.height}, true, -1.0f, layout.right);
-  const float width = ImGui::GetIO().DisplaySize.x;
-  if (shown.bottomShown) splitter(ui, "layout/bottom", {0.0f, v.y + v.height, width, gap}, false, -1.0f, layout.bottom);
+void drawSplitters(PanelUi& ui, const LayoutState& shown, const LayoutSizes& sizes, const Box& v) {
+  const float gap = ui.px(kSplitter);
+  LayoutState& wished = ui.state.view.layout;
+  const Box left{v.x - gap, v.y, gap, v.height};
+  const Box right{v.x + v.width, v.y, gap, v.height};
+  const Box bottom{0.0f, v.y + v.height, ImGui::GetIO().DisplaySize.x, gap};
+  const float across = v.width / ui.scale - kViewportNarrowest;
+  const float upright = v.height / ui.scale - kViewportLowest;
+  if (shown.leftShown) {
+    splitter(ui, "layout/left", left, true, 1.0f, {sizes.left, kPanelNarrowest, across, wished.left});
+  }
+  if (shown.rightShown) {
+    splitter(ui, "layout/right", right, true, -1.0f, {sizes.right, kPanelNarrowest, across, wished.right});
+  }
+  if (shown.bottomShown) {
+    splitter(ui, "layout/bottom", bottom, false, -1.0f, {sizes.bottom, kBottomLowest, upright, wished.bottom});
+  }
 }
 
 }  // namespace
@@ -227,7 +237,8 @@ void drawSplitters(PanelUi& ui, const LayoutState& shown, const Box& v) {
 bool drawLayout(PanelUi& ui) {
   ui.escapeTaken = closeMenuOnEscape();
   const float menuHeight = drawMenuBar(ui);
-  const Regions regions = divide(ui, menuHeight);
+  const LayoutSizes sizes = sizesOf(ui, menuHeight);
+  const Regions regions = divide(ui, sizes, menuHeight);
   const Box& v = regions.viewport;
   ui.state.frame.viewport = {v.x, v.y, v.width, v.height};
   const ImVec2 pixelsPerUnit = ImGui::GetIO().DisplayFramebufferScale;
@@ -235,7 +246,7 @@ bool drawLayout(PanelUi& ui) {
                                    std::max(1, static_cast<int>(v.height * pixelsPerUnit.y))};
   // What a panel puts away, it puts away with the next frame.
   const LayoutState shown = ui.state.view.layout;
-  if (shown.leftShown) drawLeft(ui, regions.left);
+  if (shown.leftShown) drawLeft(ui, regions.left, sizes.history);
   if (shown.rightShown) drawRight(ui, regions.right);
   const bool free = drawViewport(ui, v);
   if (shown.bottomShown) {
@@ -244,7 +255,7 @@ bool drawLayout(PanelUi& ui) {
     ImGui::End();
   }
   drawStatus(ui, regions.status);
-  drawSplitters(ui, shown, v);
+  drawSplitters(ui, shown, sizes, v);
   for (const Panel& panel : panels()) {
     if (panel.region == Region::kDialog) panel.draw(ui);
   }

@@ -69,6 +69,43 @@ void drawItems(PanelUi& ui, const Menu& menu) {
   }
 }
 
+void drawMenu(PanelUi& ui, const Menu& menu) {
+  const bool open = ImGui::BeginMenu(menu.title);
+  ui.widgets.note(std::string("menu/") + menu.id);
+  if (!open) return;
+  drawItems(ui, menu);
+  ImGui::EndMenu();
+}
+
+/// Menus that have no room are submenus of the last one.
+void drawMenus(PanelUi& ui) {
+  std::vector<float> widths;
+  for (const Menu& menu : menus()) {
+    widths.push_back(ImGui::CalcTextSize(menu.title).x + 2.0f * ImGui::GetStyle().ItemSpacing.x);
+  }
+  const std::size_t shown = fittingCount(widths, ImGui::GetContentRegionAvail().x, ui.px(30));
+  for (std::size_t i = 0; i < shown; ++i) drawMenu(ui, menus()[i]);
+  if (shown == widths.size()) return;
+  const bool open = ImGui::BeginMenu("\xc2\xbb");
+  ui.widgets.note("menu/more");
+  if (!open) return;
+  for (std::size_t i = shown; i < widths.size(); ++i) drawMenu(ui, menus()[i]);
+  ImGui::EndMenu();
+}
+
+/// The document's, in the middle of the bar or of what the menus leave.
+void drawName(PanelUi& ui) {
+  const std::string name = ui.state.document.name() + (ui.state.document.commands.modified() ? " *" : "");
+  const float left = ImGui::GetCursorPosX() + ui.px(12);
+  const float room = ImGui::GetWindowWidth() - left - ui.px(12);
+  if (room < ui.px(40)) return;
+  const std::string shown = fitted(name, room);
+  const float centred = 0.5f * (ImGui::GetWindowWidth() - ImGui::CalcTextSize(shown.c_str()).x);
+  ImGui::SameLine(std::max(centred, left));
+  mutedText(shown.c_str());
+  if (shown != name) tooltip(ui, name);
+}
+
 }  // namespace
 
 float drawMenuBar(PanelUi& ui) {
@@ -76,17 +113,8 @@ float drawMenuBar(PanelUi& ui) {
   float height = 0.0f;
   if (ImGui::BeginMainMenuBar()) {
     height = ImGui::GetWindowSize().y;
-    for (const Menu& menu : menus()) {
-      const bool open = ImGui::BeginMenu(menu.title);
-      ui.widgets.note(std::string("menu/") + menu.id);
-      if (!open) continue;
-      drawItems(ui, menu);
-      ImGui::EndMenu();
-    }
-    const std::string name = ui.state.document.name() + (ui.state.document.commands.modified() ? " *" : "");
-    const float centred = 0.5f * (ImGui::GetWindowWidth() - ImGui::CalcTextSize(name.c_str()).x);
-    ImGui::SameLine(std::max(centred, ImGui::GetCursorPosX() + ui.px(12)));
-    if (ui.state.hasCharacter()) mutedText(name.c_str());
+    drawMenus(ui);
+    if (ui.state.hasCharacter()) drawName(ui);
     ImGui::EndMainMenuBar();
   }
   ImGui::PopStyleVar();

@@ -63,9 +63,13 @@ glm::vec3 heatColor(float x) {
 }
 
 const std::array<ClassColor, 3>& classColors() {
-  static const std::array<ClassColor, 3> colors{{{TriangleClass::kNormal, "normal", {0.36f, 0.49f, 0.66f}},
-                                                 {TriangleClass::kStraddling, "straddling", {0.85f, 0.71f, 0.42f}},
-                                                 {TriangleClass::kImplicit, "implicit", {0.80f, 0.46f, 0.38f}}}};
+  static const std::array<ClassColor, 3> colors{
+      {{TriangleClass::kNormal, "Plain skin", "No muscle reaches them (normal)", {0.36f, 0.49f, 0.66f}},
+       {TriangleClass::kStraddling,
+        "At edges",
+        "Muscles reach some of their corners (straddling)",
+        {0.85f, 0.71f, 0.42f}},
+       {TriangleClass::kImplicit, "On muscles", "Muscles shape them (implicit)", {0.80f, 0.46f, 0.38f}}}};
   return colors;
 }
 

@@ -21,10 +21,11 @@ namespace sinew::app {
 /// sRGB colour at x, as the skin has it before light falls on it; x is clamped to -1..1. Between stops light is mixed.
 [[nodiscard]] glm::vec3 heatColor(float x);
 
-/// What a triangle class is called and shown in.
+/// What a triangle class is called in the interface and shown in.
 struct ClassColor {
   TriangleClass kind = TriangleClass::kNormal;
   const char* name = "";
+  const char* hint = "";  ///< What it is, with the term.
   glm::vec3 srgb{0.0f};
 };
 

@@ -257,7 +257,7 @@ Result<void> beginAddMuscle(AddMuscleState& state, const ViewportContext& contex
   if (!isUsable(drag.boneInWorld)) {
     return errorAt(document.character->skeleton.fileName(drag.bone), "this bone has a scale of zero in this pose");
   }
-  document.commands.beginGesture("Add muscle");
+  document.commands.beginGesture("Add " + newMuscle(document.character->skeleton, drag.bone, {}).name);
   if (const Result<void> shown = show(drag, {{drag.start}}, document); !shown) {
     document.commands.cancelGesture();
     return shown.error();
@@ -310,7 +310,8 @@ Result<std::string> addMuscleOnBone(Document& document, int bone) {
   Result<Rig> rig = withMuscle(document, document.rig(), newMuscle(character.skeleton, bone, placement));
   if (!rig) return rig.error();
   const std::size_t index = document.rig().primitives.size();
-  document.commands.apply("Add muscle", std::move(rig).value());
+  const std::string name = rig->primitives[index].name;
+  document.commands.apply("Add " + name, std::move(rig).value());
   document.selection.set(document.idAt(static_cast<int>(index)));
   return document.activeName();
 }

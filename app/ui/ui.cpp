@@ -10,11 +10,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <string_view>
 
 namespace sinew::app {
 namespace {
 
-constexpr float kLabelColumn = 84.0f;  // Design pixels.
+constexpr float kLabelColumn = 84.0f;  // Design pixels, as all here.
+constexpr float kWideRow = 220.0f;     // Less room than this: a name stands above its fields.
 constexpr double kTooltipSeconds = 0.45;
 
 ImU32 iconColor(bool active, bool hovered) {
@@ -26,6 +28,16 @@ std::string lowered(const char* word) {
   std::string text = word;
   std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
+}
+
+void showTooltip(Ui& ui, const std::string& text) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(7)});
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ui.px(320));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
 }
 
 }  // namespace
@@ -49,13 +61,7 @@ void tooltip(Ui& ui, const std::string& text) {
     ui.wakeAfter = left;
     return;
   }
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(7)});
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ui.px(320));
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
-  ImGui::PopStyleVar();
+  showTooltip(ui, text);
 }
 
 bool iconButton(Ui& ui, const std::string& id, Icon icon, bool active, float size, const std::string& hint) {
@@ -88,30 +94,24 @@ bool pillButton(Ui& ui, const std::string& id, const char* label, bool active) {
   return pressed;
 }
 
-void beginFilledSlider(Ui& ui, float fraction) {
-  // Drawn before the slider, whose own frame is left out: so the number stands on the bar, not under it.
-  const ImVec2 low = ImGui::GetCursorScreenPos();
-  const ImVec2 high{low.x + ImGui::CalcItemWidth(), low.y + ImGui::GetFrameHeight()};
-  const float end = low.x + std::clamp(fraction, 0.0f, 1.0f) * (high.x - low.x);
-  const float left = std::max(end - ui.px(3), low.x);
-  const float rounding = ImGui::GetStyle().FrameRounding;
-  const bool lit = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(low, high, ImGui::GetColorU32(lit ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg), rounding);
-  list.AddRectFilled(low, {end, high.y}, ImGui::GetColorU32(palette::kAccent.faded(lit ? 0.30f : 0.22f)), rounding);
-  list.AddRectFilled({left, low.y}, {left + ui.px(3), high.y}, ImGui::GetColorU32(palette::kAccent), ui.px(1.5f));
-  for (const ImGuiCol part : {ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive, ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered,
-                              ImGuiCol_FrameBgActive}) {
-    ImGui::PushStyleColor(part, palette::kAccent.faded(0.0f));
-  }
+void beginRow(Ui& ui, const char* label) {
+  const float room = ImGui::GetContentRegionAvail().x;
+  const float left = ImGui::GetCursorPosX();
+  const float column = std::min(ui.px(kLabelColumn), 0.4f * room);
+  const std::string shown = fitted(label, column - ui.px(4));
+  ImGui::AlignTextToFramePadding();
+  mutedText(shown.c_str());
+  if (shown != label) tooltip(ui, label);
+  ImGui::SameLine(left + column);
+  ImGui::SetNextItemWidth(-1.0f);
 }
 
-void endFilledSlider() { ImGui::PopStyleColor(5); }
-
-void beginRow(Ui& ui, const char* label) {
-  ImGui::AlignTextToFramePadding();
+void beginWideRow(Ui& ui, const char* label) {
+  if (ImGui::GetContentRegionAvail().x >= ui.px(kWideRow)) {
+    beginRow(ui, label);
+    return;
+  }
   mutedText(label);
-  ImGui::SameLine(ui.px(kLabelColumn) + ImGui::GetStyle().WindowPadding.x);
   ImGui::SetNextItemWidth(-1.0f);
 }
 
@@ -122,6 +122,14 @@ void pushDialogStyle(Ui& ui) {
 }
 
 void popDialogStyle() { ImGui::PopStyleVar(3); }
+
+void placeDialog(Ui& ui, float designWidth) {
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const ImVec2 most{display.x - ui.px(16), display.y - ui.px(16)};
+  ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, most);
+  ImGui::SetNextWindowSize({std::min(ui.px(designWidth), most.x), 0.0f});
+}
 
 bool closeMenuOnEscape() {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
@@ -160,31 +168,69 @@ int segmented(Ui& ui, const std::string& id, const char* const* words, int count
     }
     const ImVec2 text = ImGui::CalcTextSize(words[i]);
     const Tint color = lit || ImGui::IsItemHovered() ? palette::kText : palette::kMuted;
-    list.AddText({low.x + 0.5f * (part - text.x), low.y + 0.5f * (height - text.y)}, color.packed(), words[i]);
+    const float room = std::min(text.x, part - ui.px(4));
+    clippedText(list, {low.x + 0.5f * (part - room), low.y + 0.5f * (height - text.y)}, room, color.packed(), words[i]);
   }
   ImGui::SetCursorScreenPos(corner);
   ImGui::Dummy({width, height});
   return clicked;
 }
 
-void clippedText(ImDrawList& list, const ImVec2& at, float width, ImU32 color, const std::string& text) {
-  if (width <= 0.0f) return;
-  if (ImGui::CalcTextSize(text.c_str()).x <= width) {
-    list.AddText(at, color, text.c_str());
-    return;
+std::string fitted(const std::string& text, float width, const SharedEnds& shared) {
+  const auto measure = [](std::string_view part) {
+    return part.empty() ? 0.0f : ImGui::CalcTextSize(part.data(), part.data() + part.size()).x;
+  };
+  return elided(text, width, measure, shared);
+}
+
+bool clippedText(ImDrawList& list, const ImVec2& at, float width, ImU32 color, const std::string& text,
+                 const SharedEnds& shared) {
+  if (width <= 0.0f) return !text.empty();
+  const std::string shown = fitted(text, width, shared);
+  if (ImGui::CalcTextSize(shown.c_str()).x <= width) list.AddText(at, color, shown.c_str());
+  return shown != text;
+}
+
+void mutedLine(Ui& ui, const std::string& text) {
+  const std::string shown = fitted(text, ImGui::GetContentRegionAvail().x);
+  mutedText(shown.c_str());
+  if (shown != text) tooltip(ui, text);
+}
+
+void tooltipWhile(Ui& ui, bool over, const std::string& text) {
+  if (over) showTooltip(ui, text);
+}
+
+std::size_t fittingCount(std::span<const float> widths, float room, float more) {
+  float used = 0.0f;
+  std::size_t withMore = 0;
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    used += widths[i];
+    if (used > room) return withMore;
+    if (used + more <= room) withMore = i + 1;
   }
-  // The end stays, as names that begin alike differ there: "rectus abd...upper L".
-  const float room = std::max(width - ImGui::CalcTextSize("...").x, 0.0f);
-  const char* const last = text.c_str() + text.size();
-  const char* tail = last;
-  for (const char* c = last; c > text.c_str() && ImGui::CalcTextSize(c, last).x <= 0.4f * room; --c) {
-    if ((static_cast<unsigned char>(*c) & 0xC0u) != 0x80u) tail = c;
-  }
-  const float tailWidth = ImGui::CalcTextSize(tail, last).x;
-  const char* end = last;
-  ImGui::GetFont()->CalcTextSizeA(ImGui::GetFontSize(), room - tailWidth, 0.0f, text.c_str(), last, &end);
-  const std::string shown = std::string(text.c_str(), end) + "..." + tail;
-  list.AddText(at, color, shown.c_str());
+  return widths.size();
+}
+
+bool beginMore(Ui& ui, const std::string& id, const ImVec2& size) {
+  ImGui::PushID(id.c_str());
+  const bool pressed = ImGui::Button("\xc2\xbb", size);
+  ui.widgets.note(id);
+  tooltip(ui, "More");
+  if (pressed) ImGui::OpenPopup("more");
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(6)});
+  const bool open = ImGui::BeginPopup("more");
+  if (open) return true;
+  ImGui::PopStyleVar(2);
+  ImGui::PopID();
+  return false;
+}
+
+void endMore() {
+  ImGui::EndPopup();
+  ImGui::PopStyleVar(2);
+  ImGui::PopID();
 }
 
 }  // namespace sinew::app

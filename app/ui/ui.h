@@ -1,8 +1,10 @@
 // app/ui/ui.h: what every control is handed, and the few controls that all panels share.
 #pragma once
 
+#include <span>
 #include <string>
 
+#include "app/ui/elide.h"
 #include "app/ui/fonts.h"
 #include "app/ui/icons.h"
 #include "app/ui/style.h"
@@ -33,17 +35,17 @@ bool iconButton(Ui& ui, const std::string& id, Icon icon, bool active, float siz
 /// Small rounded button with a word; filled when active. Notes itself as `id`.
 bool pillButton(Ui& ui, const std::string& id, const char* label, bool active);
 
-/// Around a slider: instead of a grab that hides the number, the part left of the value is tinted.
-/// @param fraction  of the width, 0 to 1
-void beginFilledSlider(Ui& ui, float fraction);
-void endFilledSlider();
-
-/// A property's name in the left column; the next item fills the rest of the row.
+/// A property's name in the left column; the next item fills the rest of the row. In a narrow panel the name gets less
+/// room, and is elided.
 void beginRow(Ui& ui, const char* label);
+/// The same where the row needs much room: in a narrow panel the name stands above it.
+void beginWideRow(Ui& ui, const char* label);
 
 /// Around a modal window: padding and round corners.
 void pushDialogStyle(Ui& ui);
 void popDialogStyle();
+/// Before a modal window: in the middle, as wide as wished and no larger than the window; what is too high scrolls.
+void placeDialog(Ui& ui, float designWidth);
 
 /// Once a frame, before all panels: Esc closes the topmost menu or list (ImGui does so only with its own keyboard
 /// navigation). @return whether one was closed: then Esc has done its work.
@@ -55,7 +57,21 @@ bool closeMenuOnEscape();
 /// @return the index that was clicked, or -1
 int segmented(Ui& ui, const std::string& id, const char* const* words, int count, int chosen, float width);
 
-/// Text with an ellipsis in its middle if it does not fit a width, into a draw list.
-void clippedText(ImDrawList& list, const ImVec2& at, float width, ImU32 color, const std::string& text);
+/// A text as elided() makes it for a width in the current font.
+[[nodiscard]] std::string fitted(const std::string& text, float width, const SharedEnds& shared = {});
+/// The same into a draw list. @return whether something was left out: then a tooltip says it all.
+bool clippedText(ImDrawList& list, const ImVec2& at, float width, ImU32 color, const std::string& text,
+                 const SharedEnds& shared = {});
+/// At the cursor, muted, no wider than the room that is left; the whole text in the tooltip.
+void mutedLine(Ui& ui, const std::string& text);
+/// Shown while `over` holds, for what is drawn by hand.
+void tooltipWhile(Ui& ui, bool over, const std::string& text);
+
+/// How many of the items fit into a room, in order. If not all do, the rest is reached through a button of the width
+/// `more`, which then has room too.
+[[nodiscard]] std::size_t fittingCount(std::span<const float> widths, float room, float more);
+/// The button for what did not fit; a click opens a menu of it. Notes itself as `id`. True: endMore() has to follow.
+bool beginMore(Ui& ui, const std::string& id, const ImVec2& size);
+void endMore();
 
 }  // namespace sinew::app

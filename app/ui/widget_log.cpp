@@ -3,13 +3,27 @@
 #include "app/ui/widget_log.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>  // Windows around a window, and whether they scroll.
 
 #include <algorithm>
+#include <utility>
 
 namespace sinew::app {
+namespace {
+
+void noteScrolling(LaidOut& item) {
+  for (const ImGuiWindow* window = ImGui::GetCurrentWindow(); window != nullptr; window = window->ParentWindow) {
+    item.scrollsX = item.scrollsX || window->ScrollMax.x > 0.0f;
+    item.scrollsY = item.scrollsY || window->ScrollMax.y > 0.0f;
+    if ((window->Flags & ImGuiWindowFlags_ChildWindow) == 0) break;
+  }
+}
+
+}  // namespace
 
 void WidgetLog::beginFrame() {
   rectangles_.clear();
+  laidOut_.clear();
   repeated_.clear();
 }
 
@@ -24,6 +38,12 @@ void WidgetLog::note(const std::string& id) {
   const float y = std::max({low.y, clipLow.y, 0.0f});
   const float right = std::min({high.x, clipHigh.x, display.x});
   const float bottom = std::min({high.y, clipHigh.y, display.y});
+  LaidOut item{id,
+               ImGui::GetCurrentWindow()->Name,
+               {low.x, low.y, high.x - low.x, high.y - low.y},
+               {x, y, std::max(right - x, 0.0f), std::max(bottom - y, 0.0f)}};
+  noteScrolling(item);
+  laidOut_.push_back(std::move(item));
   // A sliver cannot be clicked: its centre would lie on the edge of what covers the rest.
   if (right - x < 3.0f || bottom - y < 3.0f) return;
   note(id, {x, y, right - x, bottom - y});

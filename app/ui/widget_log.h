@@ -9,6 +9,16 @@
 
 namespace sinew::app {
 
+/// A control as it was laid out, for tests of the layout: what is cut off is here as well.
+struct LaidOut {
+  std::string id;
+  std::string window;       ///< ImGui's name of the window it is in.
+  glm::vec4 whole{0.0f};    ///< x, y, width, height in window coordinates, as if nothing cut it off.
+  glm::vec4 visible{0.0f};  ///< Of that, what is seen; width or height 0: nothing.
+  bool scrollsX = false;    ///< What is cut off can be scrolled to, in its window or one around it.
+  bool scrollsY = false;
+};
+
 /// Rectangles x, y, width, height in window coordinates of the controls drawn in this frame, visible part only.
 class WidgetLog {
  public:
@@ -19,11 +29,14 @@ class WidgetLog {
   void note(const std::string& id, const glm::vec4& rectangle);
 
   [[nodiscard]] const std::map<std::string, glm::vec4>& rectangles() const { return rectangles_; }
+  /// Every ImGui item that was noted, cut off or not.
+  [[nodiscard]] const std::vector<LaidOut>& laidOut() const { return laidOut_; }
   /// Names used twice in this frame: a mistake that tests look for.
   [[nodiscard]] const std::vector<std::string>& repeated() const { return repeated_; }
 
  private:
   std::map<std::string, glm::vec4> rectangles_;
+  std::vector<LaidOut> laidOut_;
   std::vector<std::string> repeated_;
 };
 

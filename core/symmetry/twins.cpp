@@ -119,7 +119,41 @@ Result<Primitive> imageAs(const MirrorPlan& plan, const Primitive& leader, const
   return image;
 }
 
+/// "belly" -> "belly L": free, as is the name of its other side if there is a way.
+std::string nameWithSide(const Rig& rig, const Primitive& primitive, const MirrorPlan& plan) {
+  const bool left = sideOf(plan, primitive) == Side::kLeft;
+  std::string name = freePrimitiveName(rig, primitive.name + (left ? " L" : " R"));
+  for (int number = 2; number <= kMaxPrimitives; ++number) {
+    const std::optional<std::string> other = mirroredName(name);
+    if (!other || findPrimitive(rig, *other) < 0) break;
+    const std::string next = primitive.name + (left ? " L " : " R ") + std::to_string(number);
+    if (findPrimitive(rig, next) < 0) name = next;
+  }
+  return name;
+}
+
+/// Whether the side that the plane's normal points to is the left one.
+bool leftIsPositive(const MirrorPlan& plan) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < plan.skeleton.bones.size(); ++i) {
+    const Bone& bone = plan.skeleton.bones[i];
+    const std::optional<Side> side = sideNamed(bone.name);
+    if (!side || plan.twinOf[i] < 0 || plan.twinOf[i] == static_cast<int>(i)) continue;
+    const double distance = distanceTo(plan.plane, glm::dvec3(bone.bindInWorld[3]));
+    sum += *side == Side::kLeft ? distance : -distance;
+  }
+  return sum != 0.0 ? sum > 0.0 : plan.plane.normal.x >= 0.0;
+}
+
 }  // namespace
+
+Side sideOf(const MirrorPlan& plan, const Primitive& primitive) {
+  const std::optional<int> bone = plan.skeleton.findBone(primitive.bone);
+  if (!bone) return Side::kLeft;
+  const glm::dmat4 bind(at(plan.skeleton.bones, *bone).bindInWorld);
+  const double distance = distanceTo(plan.plane, glm::dvec3(bind * glm::dvec4(primitive.placement.center, 1.0f)));
+  return (distance >= 0.0) == leftIsPositive(plan) ? Side::kLeft : Side::kRight;
+}
 
 Rig keepTwins(const Rig& atStart, const Rig& shown, Rig edited, const MirrorPlan& plan) {
   const bool anyLinked = std::ranges::any_of(edited.primitives, [](const Primitive& p) { return !p.mirror.empty(); });
@@ -172,6 +206,11 @@ Result<Rig> mirrorToOtherSide(const Rig& rig, int index, const MirrorPlan& plan)
   }
   Result<Primitive> image = mirroredPrimitive(plan, original);
   if (!image) return image.error();
+  const std::string sided = nameWithSide(rig, original, plan);
+  if (image->name == original.name && mirroredName(sided)) {
+    const Result<Rig> renamed = renamePrimitive(rig, index, sided);
+    return renamed ? mirrorToOtherSide(renamed.value(), index, plan) : renamed;
+  }
   image.value().name = freePrimitiveName(rig, image->name);
   image.value().mirror = original.name;
   return addPrimitive(rig, std::move(image).value());

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/skeleton/side_names.h"
 #include "core/symmetry/mirror.h"
 #include "sinew/rig/rig.h"
 
@@ -26,11 +27,11 @@ namespace sinew {
 [[nodiscard]] std::vector<int> withTwins(const Rig& rig, std::span<const int> indices);
 
 /// A primitive and its mirror image, linked. A single one where the image would be itself: on a centre bone, in the
-/// plane within 1e-4 H. The image is named by the side, or with what freePrimitiveName says. Error: see twinBone,
-/// addPrimitive.
+/// plane within 1e-4 H. The image is named by the side; where the name says none, as on a centre bone, both get theirs:
+/// "belly L", "belly R". Error: see twinBone, addPrimitive.
 [[nodiscard]] Result<Rig> addPair(const Rig& rig, Primitive primitive, const MirrorPlan& plan);
-/// Appends the image of one that has no twin yet, linked to it; its twin, if it has one, becomes its image. Error: it
-/// lies in the plane, or see twinBone.
+/// Appends the image of one that has no twin yet, linked to it and both named as by addPair; its twin, if it has one,
+/// becomes its image. Error: it lies in the plane, or see twinBone.
 [[nodiscard]] Result<Rig> mirrorToOtherSide(const Rig& rig, int index, const MirrorPlan& plan);
 /// Links two different primitives; the second becomes the image of the first but for its name. Former twins are
 /// unlinked. Error: see twinBone.
@@ -46,6 +47,10 @@ namespace sinew {
 /// Renames; if the new name says a side, clearly, and the same name of the other side is free, its twin gets that.
 /// Error: see renamePrimitive.
 [[nodiscard]] Result<Rig> renameWithTwin(const Rig& rig, int index, const std::string& name);
+
+/// The side of the plane that a muscle's centre is on, in the bind pose. Bones with names say which side is left; where
+/// none does it is +X, as glTF has it.
+[[nodiscard]] Side sideOf(const MirrorPlan& plan, const Primitive& primitive);
 
 /// `name` with its other side if that is free, else a free name like it.
 [[nodiscard]] std::string twinName(const Rig& rig, const std::string& name);

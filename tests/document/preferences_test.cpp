@@ -46,6 +46,7 @@ Preferences unlikeTheDefaults() {
   p.layout.right = 222.0f;
   p.layout.history = 99.0f;
   p.layout.bottom = 140.0f;
+  p.layout.stages = true;
   p.layout.overlay = p.layout.leftShown = p.layout.rightShown = p.layout.bottomShown = false;
   p.layout.folded = {"surface", "smoothing"};
   return p;

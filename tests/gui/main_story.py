@@ -85,7 +85,7 @@ def change_with_handles(t, editor):
 def refine(t, editor):
     before = editor.state()
     control = before["triangles"] // before["depth"] ** 2
-    editor.click("smoothing/depth", along=4.5 / 8.0)
+    editor.type_number("smoothing/depth", "5")
     state = editor.wait_until("depth 5", lambda s: s["depth"] == 5)
     t.check_equal("depth 5 makes 25 triangles of each", state["triangles"], 25 * control)
     state = editor.wait_until("the depth to be a step", lambda s: s["document"]["undo"] == before["document"]["undo"] + 1)

@@ -141,6 +141,15 @@ class Hands:
         if len(self.document()["selection"]) == 1:
             self.editor.fill("inspector/name", "muscle %d" % self.random.randint(1, 40))
 
+    def group(self):
+        """A new group, which asks for its name; what it has already is kept."""
+        if not self.document()["selection"]:
+            return
+        self.editor.key("ctrl+g")
+        self.editor.wait_until("the group's name", lambda s: "blending/rename" in s["widgets"])
+        self.editor.tap("Return", "the name to be kept", lambda s: "blending/rename" not in s["widgets"])
+        self.editor.click("outliner/tab")
+
     def move_to_group(self):
         groups = sorted(self.editor.state()["groups"])
         if groups and "inspector/group" in self.editor.state()["widgets"]:
@@ -167,7 +176,7 @@ class Hands:
 
     def depth(self):
         self.scroll_to("smoothing/depth")
-        self.editor.click("smoothing/depth", along=(self.random.choice([1, 2, 3]) - 0.5) / 8.0)
+        self.editor.type_number("smoothing/depth", str(self.random.choice([1, 2, 3])))
 
     def patch(self):
         self.scroll_to("smoothing/patch")
@@ -238,7 +247,7 @@ class Hands:
         return [
             (9, "add", self.add), (14, "handle", lambda: chosen(self.handle)), (10, "number", lambda: chosen(self.number)),
             (5, "scrub", lambda: chosen(self.scrub_number)), (4, "effect", lambda: chosen(self.effect)),
-            (4, "rename", lambda: chosen(self.rename)), (4, "group", lambda: chosen(self.keys("ctrl+g"))),
+            (4, "rename", lambda: chosen(self.rename)), (4, "group", lambda: chosen(self.group)),
             (4, "to group", lambda: chosen(self.move_to_group)), (4, "link", self.link), (3, "surface", self.surface),
             (2, "mode", self.mode), (3, "depth", self.depth), (2, "patch", self.patch),
             (3, "territory", lambda: chosen(self.territory)), (5, "palette", self.from_palette),

@@ -33,7 +33,7 @@ def heavy(t):
     editor.click("outliner/bone/" + BONE)
     editor.click("outliner/add")
     editor.wait_until("a muscle", lambda s: s["document"]["primitives"] == 1)
-    editor.click("smoothing/depth", along=0.97)
+    editor.type_number("smoothing/depth", "8")
     state = editor.wait_until("depth 8 to be a step", lambda s: s["depth"] == 8 and s["document"]["undo"] == 2)
     t.check("there is much to draw", state["triangles"] > 50000, state["triangles"])
     return editor

@@ -92,7 +92,9 @@ def typed(t, editor, pair, before):
     editor.act("carving", lambda: editor.click("inspector/carves"), lambda s: s["document"]["undo"] == undo + 2)
     after = pair.check_mirrored("carving")
     changed(t, "carving", before, after, {"sign"})
-    editor.act("a new group", lambda: editor.key("ctrl+g"), lambda s: len(s["groups"]) == 2)
+    editor.act("a new group", lambda: editor.key("ctrl+g"), lambda s: len(s["groups"]) == 2 and "blending/rename" in s["widgets"])
+    editor.tap("Return", "its name to be kept", lambda s: "blending/rename" not in s["widgets"])
+    editor.click("outliner/tab")
     before, after = after, pair.check_mirrored("a new group")
     changed(t, "a new group", before, after, {"group"})
     return after

@@ -312,6 +312,9 @@ TEST_F(Dialogs, RecentFilesAndSamplesAreInTheMenu) {
 
 TEST_F(Dialogs, AutoDepthIsSwitchedOverThePicture) {
   const bool before = state.document.rig().smoothing.autoDepth;
+  EXPECT_FALSE(shown("overlay/auto-depth")) << "the numbers begin with the few that say most";
+  click("overlay/fold");
+  EXPECT_TRUE(state.view.layout.stages);
   click("overlay/auto-depth");
   EXPECT_NE(state.document.rig().smoothing.autoDepth, before);
   press(kKeyZ, true);

@@ -83,6 +83,57 @@ TEST(Twins, AMuscleInThePlaneStaysSingleAndCannotBeMirrored) {
   EXPECT_FALSE(mirrorToOtherSide(scene.rig, 2, scene.plan));
 }
 
+TEST(Twins, APairWhoseNameSaysNoSideGetsTheSidesItLiesOn) {
+  for (const float x : {0.3f, -0.3f}) {
+    for (const bool later : {false, true}) {
+      Scene scene;
+      Primitive belly;
+      belly.name = "belly";
+      belly.bone = "spine";
+      belly.placement = {{x, 0.1f, 0.2f}, glm::quat(1, 0, 0, 0), {0.2f, 0.3f, 0.1f}};
+      // A name that is taken on one side: both go on to the next number.
+      Primitive taken = belly;
+      taken.name = "belly R";
+      scene.edit(addPrimitive(scene.rig, taken));
+      const int first = static_cast<int>(scene.rig.primitives.size());
+      if (later) {
+        scene.edit(addPrimitive(scene.rig, belly));
+        scene.edit(mirrorToOtherSide(scene.rig, first, scene.plan));
+      } else {
+        scene.edit(addPair(scene.rig, belly, scene.plan));
+      }
+      ASSERT_EQ(twinOf(scene.rig, first), first + 1);
+      const std::string& one = scene.rig.primitives[static_cast<std::size_t>(first)].name;
+      const std::string& other = scene.rig.primitives[static_cast<std::size_t>(first) + 1].name;
+      EXPECT_EQ(mirroredName(one), other);
+      EXPECT_TRUE(one.starts_with("belly ")) << one;
+      // The legs say which side is left.
+      for (const int index : {first, first + 1}) {
+        const Primitive& muscle = scene.rig.primitives[static_cast<std::size_t>(index)];
+        const auto placeOf = [&](const std::string& bone, const glm::vec3& point) {
+          const glm::mat4& bind =
+              scene.plan.skeleton.bones[static_cast<std::size_t>(*scene.plan.skeleton.findBone(bone))].bindInWorld;
+          return distanceTo(scene.plan.plane, glm::dvec3(bind * glm::vec4(point, 1.0f)));
+        };
+        const bool withLeft = placeOf(muscle.bone, muscle.placement.center) * placeOf("leg L", glm::vec3(0.0f)) > 0.0;
+        EXPECT_EQ(sideNamed(muscle.name), withLeft ? Side::kLeft : Side::kRight) << muscle.name;
+      }
+      expectExact(scene.rig, scene.plan);
+    }
+  }
+}
+
+TEST(Twins, ANameWithSeveralSidesIsLeftAlone) {
+  Scene scene;
+  Primitive belt;
+  belt.name = "left to right";
+  belt.bone = "spine";
+  belt.placement = {{0.3f, 0.1f, 0.2f}, glm::quat(1, 0, 0, 0), {0.2f, 0.3f, 0.1f}};
+  scene.edit(addPair(scene.rig, belt, scene.plan));
+  EXPECT_EQ(scene.rig.primitives[2].name, "left to right");
+  EXPECT_EQ(scene.rig.primitives[3].name, "left to right 2");
+}
+
 TEST(Twins, EveryFieldFollowsFromEitherSide) {
   Scene scene;
   for (const int leads : {0, 1}) {

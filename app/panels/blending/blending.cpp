@@ -42,12 +42,12 @@ void drawCounts(PanelUi& ui) {
   const int groups = static_cast<int>(ui.state.document.rig().groups.size());
   const int cliques = ui.state.live->surface().report.cliques;
   std::string text = std::to_string(groups) + (groups == 1 ? " group, " : " groups, ") + std::to_string(cliques) +
-                     (cliques == 1 ? " clique" : " cliques");
-  mutedText(text.c_str());
+                     (cliques == 1 ? " blend" : " blends");
+  mutedLine(ui, text);
   ui.widgets.note("blending/cliques");
   tooltip(ui,
-          "Muscles of one group always add up; linked groups blend. A clique is a set of groups that are all "
-          "linked to one another; where several reach, the strongest counts. At most " +
+          "Muscles of one group always add up; linked groups blend. A blend is a set of groups that are all linked to "
+          "one another (a clique of the graph); where several blends reach, the strongest counts. At most " +
               std::to_string(kMaxCliques) + ".");
 }
 
@@ -61,9 +61,11 @@ void drawChosen(PanelUi& ui, int group) {
   const float line = ImGui::GetTextLineHeight();
   list.AddCircleFilled({at.x + ui.px(6), at.y + 0.5f * line}, ui.px(5), groupTint(*rig, group).packed(), 16);
   const float room = ImGui::GetContentRegionAvail().x;
-  clippedText(list, {at.x + ui.px(18), at.y}, room - ui.px(18), palette::kText.packed(), groupText(*rig, group));
+  const bool cut =
+      clippedText(list, {at.x + ui.px(18), at.y}, room - ui.px(18), palette::kText.packed(), groupText(*rig, group));
   ImGui::Dummy({room, line});
   ui.widgets.note("blending/chosen");
+  if (cut) tooltip(ui, groupText(*rig, group));
   const float half = 0.5f * (room - ui.px(4));
   if (ImGui::Button("Select", {half, 0.0f})) selectMembers(ui.state.document, name);
   ui.widgets.note("blending/select-members");
@@ -188,7 +190,7 @@ void drawBlending(PanelUi& ui) {
     drawChosen(ui, still);
   } else {
     ImGui::Separator();
-    mutedText("Click a group to choose it.");
+    mutedLine(ui, "Click a group to choose it.");
   }
 }
 

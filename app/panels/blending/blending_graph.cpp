@@ -325,13 +325,15 @@ void drawNode(const Graph& graph, ImDrawList& list, int group) {
                count.c_str());
   if (graph.state().rename.group == graph.id(group)) return;
   if (graph.state().zoom < 0.55f && !hovered && !chosen) return;
-  const ImVec2 text = ImGui::CalcTextSize(graph.name(group).c_str());
-  const float x = at.x - 0.5f * text.x;
+  const float margin = graph.ui.px(5);
+  const std::string shown = fitted(graph.name(group), std::min(graph.ui.px(160), graph.size.x - 2.0f * margin));
+  const ImVec2 text = ImGui::CalcTextSize(shown.c_str());
+  const float left = graph.low.x + margin;
+  const float x = std::clamp(at.x - 0.5f * text.x, left, std::max(left, left + graph.size.x - 2.0f * margin - text.x));
   const float y = at.y + graph.rim() + graph.ui.px(1);
   list.AddRectFilled({x - graph.ui.px(3), y}, {x + text.x + graph.ui.px(3), y + text.y},
                      palette::kPanel.faded(0.8f).packed(), graph.ui.px(3));
-  list.AddText({x, y}, (hovered || chosen ? palette::kText : palette::kText.faded(0.8f)).packed(),
-               graph.name(group).c_str());
+  list.AddText({x, y}, (hovered || chosen ? palette::kText : palette::kText.faded(0.8f)).packed(), shown.c_str());
 }
 
 void drawRename(Graph& graph) {

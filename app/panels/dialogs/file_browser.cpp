@@ -29,7 +29,8 @@ void drawPlaces(PanelUi& ui, float height) {
     tooltip(ui, place.folder.string());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     drawIcon(list, Icon::kFolder, {corner.x + ui.px(3), corner.y + ui.px(4)}, ui.px(15), palette::kMuted.packed());
-    list.AddText({corner.x + ui.px(25), corner.y + ui.px(4)}, palette::kText.packed(), place.name.c_str());
+    clippedText(list, {corner.x + ui.px(25), corner.y + ui.px(4)}, ImGui::GetContentRegionAvail().x - ui.px(25),
+                palette::kText.packed(), place.name);
     if (chosen) enterFolder(dialog, place.folder);
   }
   ImGui::EndChild();
@@ -45,7 +46,7 @@ void drawCrumbs(PanelUi& ui) {
     if (at == at.parent_path()) break;
   }
   // The nearest ones, as many as there is room for.
-  const float room = ImGui::GetContentRegionAvail().x - ui.px(150);
+  const float room = ImGui::GetContentRegionAvail().x - ui.px(70);
   float used = 0.0f;
   std::size_t shown = 0;
   while (shown < way.size()) {
@@ -59,7 +60,9 @@ void drawCrumbs(PanelUi& ui) {
     ImGui::SameLine(0.0f, ui.px(1));
     const std::string name = way[i].has_relative_path() ? way[i].filename().string() : "/";
     ImGui::PushStyleColor(ImGuiCol_Text, i == 0 ? palette::kText : palette::kMuted);
-    const bool chosen = ImGui::Button((name + "##crumb" + std::to_string(i)).c_str());
+    // One alone may be longer than the room.
+    const std::string text = shown == 1 ? fitted(name, room - ui.px(18)) : name;
+    const bool chosen = ImGui::Button((text + "##crumb" + std::to_string(i)).c_str());
     ImGui::PopStyleColor();
     ui.widgets.note("dialog/crumb/" + std::to_string(i));
     if (i > 0 && way[i].has_relative_path()) {
@@ -166,7 +169,9 @@ void drawEntry(PanelUi& ui, const FolderEntry& entry) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   drawIcon(list, entry.folder ? Icon::kFolder : Icon::kFile, {corner.x + ui.px(3), corner.y + ui.px(2)}, ui.px(15),
            (entry.folder ? palette::kAccent : palette::kMuted).packed());
-  list.AddText({corner.x + ui.px(25), corner.y + ui.px(2)}, palette::kText.packed(), entry.name.c_str());
+  const bool cut = clippedText(list, {corner.x + ui.px(25), corner.y + ui.px(2)},
+                               ImGui::GetContentRegionAvail().x - ui.px(25), palette::kText.packed(), entry.name);
+  if (cut) tooltip(ui, entry.name);
   const auto column = [&] {
     ImGui::TableNextColumn();
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ui.px(2));

@@ -254,12 +254,11 @@ void drawFileDialog(PanelUi& ui) {
                                                          : "Save the rig as";
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * display.x, 0.48f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(ui.px(kWidth), display.x - ui.px(20)), 0.0f});
+  placeDialog(ui, kWidth);
   pushDialogStyle(ui);
   if (ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
     takeKeys(ui.state);
-    drawFolderBrowser(ui, std::min(ui.px(kListHeight), display.y - ui.px(240)));
+    drawFolderBrowser(ui, std::clamp(display.y - ui.px(240), ui.px(90), ui.px(kListHeight)));
     if (dialog.kind != DialogKind::kNone) {
       drawPathField(ui);
       drawFilter(ui);

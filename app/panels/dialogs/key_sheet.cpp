@@ -18,6 +18,7 @@ namespace {
 constexpr const char* kTitle = "Keys and mouse";
 constexpr float kWidth = 860.0f;  // Design pixels.
 constexpr float kWideWidth = 1220.0f;
+constexpr float kTwoColumns = 640.0f;
 constexpr float kLineGap = 1.0f;
 constexpr float kAroundSheet = 136.0f;  // Height of all else in the window.
 constexpr float kKeysAt = 0.60f;        // Of a column's width.
@@ -45,7 +46,7 @@ const Section& dragSection() {
   static const Section section{"While dragging a handle",
                                {{"Along one axis", "X  Y  Z"},
                                 {"In steps", "Ctrl"},
-                                {"Slowly", "Shift"},
+                                {"Precisely", "Shift"},
                                 {"By a typed number", "digits, Enter"},
                                 {"A pole from the middle", "Alt"},
                                 {"Cancel", "Esc or right button"}}};
@@ -54,7 +55,9 @@ const Section& dragSection() {
 
 const Section& fieldSection() {
   static const Section section{"In fields",
-                               {{"Change a number", "drag, Shift fast, Alt slow"},
+                               {{"Change a number", "drag"},
+                                {"Precisely", "Shift"},
+                                {"In steps", "Ctrl"},
                                 {"Type a number", "double click"},
                                 {"Complete a path", "Tab"},
                                 {"Cancel", "Esc"}}};
@@ -117,10 +120,14 @@ void drawSection(PanelUi& ui, const Section& section) {
   const float left = ImGui::GetCursorPosX();
   const float width = ImGui::GetContentRegionAvail().x;
   for (const auto& [what, how] : section.lines) {
-    mutedText(what.c_str());
+    const std::string shown = fitted(what, kKeysAt * width - ui.px(8));
+    mutedText(shown.c_str());
+    if (shown != what) tooltip(ui, what);
     ImGui::SameLine();
     ImGui::SetCursorPosX(left + kKeysAt * width);
-    ImGui::TextUnformatted(how.c_str());
+    const std::string keys = fitted(how, (1.0f - kKeysAt) * width);
+    ImGui::TextUnformatted(keys.c_str());
+    if (keys != how) tooltip(ui, how);
   }
   ImGui::Dummy({0.0f, ui.px(6)});
 }
@@ -142,18 +149,19 @@ void drawColumns(PanelUi& ui, const std::vector<Section>& sections, const std::v
   ImGui::EndChild();
 }
 
-/// Two columns; a third where two are too tall for the window and there is room for it.
+/// Two columns; a third where two are too tall for the window and there is room for it; one where two have none.
 void drawSheet(PanelUi& ui) {
   const std::vector<Section> sections = sectionsOf(ui.state.session.preferences);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float line = ImGui::GetTextLineHeight() + ui.px(kLineGap);
-  const float room = display.y - ui.px(kAroundSheet);
+  const float room = std::max(display.y - ui.px(kAroundSheet), ui.px(120));
   const auto heightFor = [&](std::size_t columns) {
     return static_cast<float>(tallest(sections, columnsOf(sections, columns))) * line;
   };
   const bool third = heightFor(2) > room && display.x >= ui.px(kWideWidth + 20.0f);
-  const std::size_t columns = third ? 3 : 2;
-  ImGui::SetNextWindowSize({std::min(ui.px(third ? kWideWidth : kWidth), display.x - ui.px(20)), 0.0f});
+  const bool narrow = display.x < ui.px(kTwoColumns);
+  const std::size_t columns = third ? 3 : (narrow ? 1 : 2);
+  placeDialog(ui, third ? kWideWidth : kWidth);
   bool open = true;
   if (!ImGui::BeginPopupModal(kTitle, &open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) return;
   const bool toggled = keyPressed(ui, action("help/keys")) && !ImGui::IsWindowAppearing();
@@ -180,8 +188,6 @@ void drawSheet(PanelUi& ui) {
 void drawKeySheet(PanelUi& ui) {
   if (!ui.state.dialogs.keySheet) return;
   if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
   pushDialogStyle(ui);
   drawSheet(ui);
   popDialogStyle();

@@ -10,6 +10,7 @@
 
 #include "app/actions/key_capture.h"
 #include "app/panels/dialogs/dialogs.h"
+#include "app/ui/number_field.h"
 
 namespace sinew::app {
 namespace {
@@ -79,10 +80,8 @@ void autosaveRow(PanelUi& ui) {
   label(ui, "Autosave");
   auto seconds = static_cast<float>(ui.state.session.preferences.autosaveSeconds);
   ImGui::SetNextItemWidth(-1.0f);
-  beginFilledSlider(ui, std::log(seconds / 5.0f) / std::log(300.0f / 5.0f));
-  const bool changed = ImGui::SliderFloat("##autosave", &seconds, 5.0f, 300.0f, "every %.0f seconds",
-                                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-  endFilledSlider();
+  const bool changed =
+      numberSlider(ui, "##autosave", seconds, {"every %.0f seconds", 0.0f, 5.0f, 300.0f, 5.0f, true, true});
   ui.widgets.note("preferences/autosave");
   if (changed) ui.state.session.preferences.autosaveSeconds = static_cast<double>(std::round(seconds));
   explain(ui,
@@ -121,9 +120,7 @@ void buttons(PanelUi& ui, bool& closed) {
 void drawPreferences(PanelUi& ui) {
   if (!ui.state.dialogs.preferences) return;
   if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * display.x, 0.45f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(ui.px(kWidth), display.x - ui.px(20)), 0.0f});
+  placeDialog(ui, kWidth);
   pushDialogStyle(ui);
   if (ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
     pageChoice(ui);

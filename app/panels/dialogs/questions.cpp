@@ -14,12 +14,6 @@ namespace {
 constexpr const char* kUnsavedTitle = "Unsaved changes";
 constexpr const char* kRecoveryTitle = "Unsaved work found";
 
-void centerNext(PanelUi& ui, float designWidth) {
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * display.x, 0.45f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({ui.px(designWidth), 0.0f});
-}
-
 bool accentButton(const char* label, const ImVec2& size) {
   ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccent.faded(0.45f));
   const bool pressed = ImGui::Button(label, size);
@@ -96,7 +90,9 @@ bool askRecoveries(PanelUi& ui) {
   }
   ImGui::PopStyleVar();
   ImGui::Dummy({0.0f, ui.px(4)});
+  ImGui::PushTextWrapPos(0.0f);
   mutedText("Recovered work opens as unsaved changes; files on disk stay as they are until you save.");
+  ImGui::PopTextWrapPos();
   ImGui::Dummy({0.0f, ui.px(4)});
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - ui.px(104));
   const bool later = ImGui::Button("Later", {ui.px(104), 0.0f});
@@ -113,7 +109,7 @@ void drawUnsavedQuestion(PanelUi& ui) {
   EditorState& state = ui.state;
   if (state.dialogs.question.kind == IntentKind::kNone) return;
   if (!ImGui::IsPopupOpen(kUnsavedTitle)) ImGui::OpenPopup(kUnsavedTitle);
-  centerNext(ui, 400);
+  placeDialog(ui, 400);
   pushDialogStyle(ui);
   if (ImGui::BeginPopupModal(kUnsavedTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
     const Answer answer = askUnsaved(ui);
@@ -133,7 +129,7 @@ void drawRecoveryQuestion(PanelUi& ui) {
   EditorState& state = ui.state;
   if (!state.dialogs.recovery) return;
   if (!ImGui::IsPopupOpen(kRecoveryTitle)) ImGui::OpenPopup(kRecoveryTitle);
-  centerNext(ui, 560);
+  placeDialog(ui, 560);
   pushDialogStyle(ui);
   if (ImGui::BeginPopupModal(kRecoveryTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
     if (askRecoveries(ui)) {

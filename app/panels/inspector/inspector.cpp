@@ -14,6 +14,12 @@
 namespace sinew::app {
 namespace {
 
+/// What fits into a drop-down list of the row's width, beside its arrow.
+std::string comboText(const std::string& text) {
+  const float frame = ImGui::GetFrameHeight() + 2.0f * ImGui::GetStyle().FramePadding.x;
+  return fitted(text, ImGui::GetContentRegionAvail().x - frame);
+}
+
 void nameRow(PanelUi& ui, const Subjects& subjects) {
   beginRow(ui, "Name");
   if (subjects.several()) {
@@ -42,11 +48,11 @@ void boneRow(PanelUi& ui, const Subjects& subjects) {
   const std::vector<std::string> names = shownFileNames(skeleton);
   const std::string own = subjects.bone < 0 ? subjects.shown().bone : names[static_cast<std::size_t>(subjects.bone)];
   const std::string shown = differ ? "mixed" : own + missing;
-  const bool open = ImGui::BeginCombo("##bone", shown.c_str(), ImGuiComboFlags_HeightLarge);
+  const bool open = ImGui::BeginCombo("##bone", comboText(shown).c_str(), ImGuiComboFlags_HeightLarge);
   ui.widgets.note("inspector/bone");
   if (!open) {
-    const std::string inFile = differ || own == subjects.shown().bone ? "" : subjects.shown().bone + ". ";
-    tooltip(ui, inFile + "The bone that carries the muscle. On another one it keeps its place in the world.");
+    const std::string inFile = differ ? shown : subjects.shown().bone + missing;
+    tooltip(ui, inFile + "\nThe bone that carries the muscle. On another one it keeps its place in the world.");
     return;
   }
   const std::vector<bool> hidden = hiddenBones(ui.state);
@@ -75,7 +81,7 @@ void groupRow(PanelUi& ui, const Subjects& subjects) {
   const std::string& own = subjects.shown().group;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const std::string shown = differ ? "mixed" : "    " + own;
-  const bool open = ImGui::BeginCombo("##group", shown.c_str());
+  const bool open = ImGui::BeginCombo("##group", comboText(shown).c_str());
   ui.widgets.note("inspector/group");
   if (!open) {
     tooltip(ui, "Muscles of one group add up; the Groups tab says which groups blend with each other.");
@@ -100,7 +106,7 @@ void groupRow(PanelUi& ui, const Subjects& subjects) {
 void reachRow(PanelUi& ui, const Subjects& subjects) {
   beginRow(ui, "Reach");
   NumberField field{"inspector/reach",
-                    "Reach",
+                    "Reach of",
                     "%.3f",
                     0.005f,
                     1.01f,
@@ -113,6 +119,7 @@ void reachRow(PanelUi& ui, const Subjects& subjects) {
                     "How far the muscle's influence reaches, in radii. A larger reach fades out more softly."};
   field.get = [](const Primitive& p) { return p.reach; };
   field.set = [](Primitive& p, float value) { p.reach = value; };
+  field.step = 0.1f;
   ImGui::SetNextItemWidth(-1.0f);
   drawNumberField(ui, subjects, field);
 }
@@ -125,7 +132,7 @@ void signRow(PanelUi& ui, const Subjects& subjects) {
   const int chosen = segmented(ui, "inspector", kSigns, 2, now, ImGui::GetContentRegionAvail().x);
   if (chosen < 0 || chosen == now) return;
   const int sign = chosen == 0 ? 1 : -1;
-  editSubjects(ui, subjects, sign > 0 ? "Add" : "Carve", [sign](Primitive& p) { p.sign = sign; });
+  editSubjects(ui, subjects, sign > 0 ? "Add with" : "Carve with", [sign](Primitive& p) { p.sign = sign; });
 }
 
 void nothingSelected(PanelUi& ui) {

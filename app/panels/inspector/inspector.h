@@ -41,8 +41,8 @@ enum class Together { kAdd, kMultiply };
 
 /// A number of a muscle as a field.
 struct NumberField {
-  std::string id;  ///< "inspector/reach"
-  const char* undoLabel;
+  std::string id;         ///< "inspector/reach"
+  const char* undoLabel;  ///< The muscles follow: "Move", "Reach of".
   const char* format;
   float speed = 0.01f;     ///< Shown units per pixel.
   float least = -FLT_MAX;  ///< Shown units.
@@ -53,6 +53,7 @@ struct NumberField {
   std::optional<float> initial;                  ///< Shown units; what Reset gives.
   Together together = Together::kAdd;
   std::string hint;
+  float step = 0.0f;  ///< Shown units: where Ctrl stops.
 };
 
 /// One undo step for a drag or what is typed, for all muscles; a right click resets, copies and pastes. The item's
@@ -60,6 +61,7 @@ struct NumberField {
 void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& field);
 
 /// Changes all subjects, in the gesture of the field that is being edited or as a step of its own.
+/// @param label  what is done; the muscles follow
 void editSubjects(PanelUi& ui, const Subjects& subjects, const char* label,
                   const std::function<void(Primitive&)>& change);
 

@@ -9,8 +9,10 @@
 #include <cstdio>
 
 #include "app/editor/commands.h"
+#include "app/editor/muscle_names.h"
 #include "app/panels/inspector/inspector.h"
 #include "app/panels/shared/field_edit.h"
+#include "app/ui/number_field.h"
 #include "core/rig/rig_edit_several.h"
 
 namespace sinew::app {
@@ -84,7 +86,8 @@ void fieldMenu(PanelUi& ui, const Subjects& subjects, const NumberField& field, 
 
 void editSubjects(PanelUi& ui, const Subjects& subjects, const char* label,
                   const std::function<void(Primitive&)>& change) {
-  edit(ui.state, label, editPrimitives(ui.state.document.rig(), subjects.indices, change));
+  edit(ui.state, std::string(label) + " " + namedMuscles(*subjects.rig, subjects.indices),
+       editPrimitives(ui.state.document.rig(), subjects.indices, change));
 }
 
 void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& field) {
@@ -96,16 +99,19 @@ void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& f
   const float before = shownValue(field, subjects.shown());
   float value = before;
   if (mixed) ImGui::PushStyleColor(ImGuiCol_Text, palette::kMuted);
-  const bool edited = ImGui::DragFloat(label.c_str(), &value, field.speed, field.least, field.most,
-                                       mixed ? "mixed" : field.format, ImGuiSliderFlags_NoRoundToFormat);
+  NumberLook look{mixed ? "mixed" : field.format, field.speed, field.least, field.most, field.step};
+  look.clampTyped = false;  // What is out of range is refused with its reason.
+  const bool edited = numberField(label.c_str(), value, look);
   if (mixed) ImGui::PopStyleColor();
-  beginFieldEdit(ui, field.id, field.undoLabel);
+  const std::string step = std::string(field.undoLabel) + " " + namedMuscles(*subjects.rig, subjects.indices);
+  beginFieldEdit(ui, field.id, step.c_str());
   if (edited && typing) assign(ui, subjects, field, value);
   if (edited && !typing) follow(ui, subjects, field, before, value);
   endFieldEdit(ui);
   const bool quiet = ImGui::IsItemActive();
   if (!quiet) {
-    std::string hint = field.hint + (field.hint.empty() ? "" : "\n") + "Drag, or double-click to type";
+    std::string hint =
+        field.hint + (field.hint.empty() ? "" : "\n") + "Drag (Shift: precise, Ctrl: steps), or double-click to type";
     if (differ) hint += "; a drag keeps the differences, a typed number is for all";
     tooltip(ui, hint + ". Right click: reset, copy, paste.");
   }

@@ -17,6 +17,8 @@ namespace {
 constexpr const char* kDegreeFormat = "%.1f\xc2\xb0";
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
 constexpr Tint kAxisTints[] = {{0.90f, 0.40f, 0.42f}, {0.53f, 0.79f, 0.39f}, {0.38f, 0.60f, 0.95f}};
+constexpr float kLengthStep = 0.01f;  ///< Of the height; as on the handles.
+constexpr float kDegreeStep = 15.0f;
 constexpr float kFirstRadius = 0.05f;  ///< Of the height: what Reset gives.
 
 /// What turns lengths of the rig into what is shown.
@@ -51,9 +53,12 @@ glm::vec3 axis(int i) {
 /// Three narrow fields in a row.
 template <class MakeField>
 void vectorRow(PanelUi& ui, const Subjects& subjects, const char* label, MakeField makeField) {
-  beginRow(ui, label);
+  beginWideRow(ui, label);
   const float gap = ui.px(4);
   const float width = (ImGui::GetContentRegionAvail().x - 2.0f * gap) / 3.0f;
+  const ImVec2 padding = ImGui::GetStyle().FramePadding;
+  // Where there is little room it is for the digits.
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {width < ui.px(60) ? ui.px(3) : padding.x, padding.y});
   for (int i = 0; i < 3; ++i) {
     if (i > 0) ImGui::SameLine(0.0f, gap);
     ImGui::SetNextItemWidth(width);
@@ -64,6 +69,7 @@ void vectorRow(PanelUi& ui, const Subjects& subjects, const char* label, MakeFie
                                               {low.x + ui.px(2), low.y + ImGui::GetFrameHeight() - ui.px(4)},
                                               kAxisTints[i].packed());
   }
+  ImGui::PopStyleVar();
 }
 
 void centreRow(PanelUi& ui, const Subjects& subjects, const Lengths& lengths) {
@@ -87,6 +93,7 @@ void centreRow(PanelUi& ui, const Subjects& subjects, const Lengths& lengths) {
       const Bone& bone = lengths.skeleton.bones[static_cast<std::size_t>(subjects.bone)];
       field.initial = 0.5f * bone.tip[i] * lengths.along(subjects.shown(), axis(i));
     }
+    field.step = kLengthStep * lengths.height;
     field.hint = std::string("Centre along the bone's ") + kAxisNames[i] + " axis; reset: the middle of the bone";
     return field;
   });
@@ -122,6 +129,7 @@ void rotationRow(PanelUi& ui, const Subjects& subjects) {
       p.placement.rotation = glm::normalize(glm::quat(glm::radians(degrees)));
       if (p.id() == shown.id()) euler = {p.id(), p.placement.rotation, degrees};
     };
+    field.step = kDegreeStep;
     field.hint = std::string("Turn about ") + kAxisNames[i] + ", in the bone's space";
     return field;
   });
@@ -130,7 +138,7 @@ void rotationRow(PanelUi& ui, const Subjects& subjects) {
 void radiiRow(PanelUi& ui, const Subjects& subjects, const Lengths& lengths) {
   vectorRow(ui, subjects, "Radii", [&](int i) {
     NumberField field{std::string("inspector/radius.") + kAxisNames[i],
-                      "Scale",
+                      "Radius of",
                       lengths.format,
                       0.001f * lengths.height,
                       1e-4f * lengths.height,
@@ -144,6 +152,7 @@ void radiiRow(PanelUi& ui, const Subjects& subjects, const Lengths& lengths) {
     field.get = [i](const Primitive& p) { return p.placement.radii[i]; };
     field.set = [i](Primitive& p, float value) { p.placement.radii[i] = value; };
     field.scale = [i, &lengths](const Primitive& p) { return lengths.along(p, p.placement.rotation * axis(i)); };
+    field.step = kLengthStep * lengths.height;
     field.hint = std::string("Radius along the muscle's own ") + kAxisNames[i] + " axis";
     return field;
   });
@@ -152,9 +161,12 @@ void radiiRow(PanelUi& ui, const Subjects& subjects, const Lengths& lengths) {
 }  // namespace
 
 void drawPlacementRows(PanelUi& ui, const Subjects& subjects) {
-  section(ui, "Placement", 136.0f);
-  const float width = ui.px(128);
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
+  // In a narrow panel the switch stands under the title.
+  const float room = ImGui::GetContentRegionAvail().x;
+  const bool beside = room >= ui.px(200);
+  const float width = beside ? ui.px(128) : room;
+  section(ui, "Placement", beside ? 136.0f : 0.0f);
+  if (beside) ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
   constexpr const char* kUnits[] = {"Units", "% of H"};
   const int chosen = segmented(ui, "inspector/lengths", kUnits, 2, ui.state.view.inspector.percent ? 1 : 0, width);
   if (chosen >= 0) ui.state.view.inspector.percent = chosen == 1;

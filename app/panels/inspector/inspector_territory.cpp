@@ -11,6 +11,7 @@
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
 #include "app/editor/hidden_bones.h"
+#include "app/editor/muscle_names.h"
 #include "app/editor/outliner_rows.h"
 #include "app/editor/territory.h"
 #include "app/panels/inspector/inspector.h"
@@ -21,7 +22,8 @@ namespace sinew::app {
 namespace {
 
 void reset(PanelUi& ui, const Subjects& subjects) {
-  edit(ui.state, "Default territory", withDefaultTerritory(ui.state.document.rig(), subjects.indices));
+  edit(ui.state, "Default territory of " + namedMuscles(*subjects.rig, subjects.indices),
+       withDefaultTerritory(ui.state.document.rig(), subjects.indices));
 }
 
 /// "default" or "named", with the way back to the default.
@@ -33,10 +35,11 @@ void headRow(PanelUi& ui, const Subjects& subjects, std::size_t bones) {
   const std::string many = std::to_string(bones) + (bones == 1 ? " bone" : " bones");
   const std::string count = subjects.several() ? "" : ", " + many;
   const std::string kind = differ ? "mixed" : (named ? "named" : "default");
-  ImGui::TextUnformatted((kind + count).c_str());
+  const float buttons = (named || differ ? 2.0f : 1.0f) * (ImGui::GetFrameHeight() + ui.px(4));
+  ImGui::TextUnformatted(fitted(kind + count, ImGui::GetContentRegionAvail().x - buttons).c_str());
   if (ImGui::IsItemClicked()) ui.state.view.inspector.territoryOpen = !ui.state.view.inspector.territoryOpen;
   ui.widgets.note("inspector/territory");
-  tooltip(ui, std::string("The bones whose skin this muscle may move") +
+  tooltip(ui, kind + count + "\nThe bones whose skin this muscle may move" +
                   (named ? ", as the rig names them."
                          : ": its own bone, its parent and its children. Click to list them."));
   const float button = ImGui::GetFrameHeight();
@@ -67,8 +70,10 @@ void boneRow(PanelUi& ui, const std::string& name, const std::string& shown, int
   drawIcon(list, Icon::kBone, {at.x + indent, at.y + ui.px(3)}, ui.px(13),
            (bone >= 0 ? territoryTint() : palette::kWarning).packed());
   const std::string text = bone >= 0 ? shown : name + "  (not in this character)";
-  clippedText(list, {at.x + indent + ui.px(20), at.y + ui.px(2)}, right - at.x - indent - ui.px(20) - size,
-              (bone >= 0 ? palette::kText : palette::kWarning).packed(), text);
+  const bool cut =
+      clippedText(list, {at.x + indent + ui.px(20), at.y + ui.px(2)}, right - at.x - indent - ui.px(20) - size,
+                  (bone >= 0 ? palette::kText : palette::kWarning).packed(), text);
+  tooltipWhile(ui, (cut || text != name) && over && ImGui::GetMousePos().x < right - size, bone >= 0 ? name : text);
   if (bone < 0) {
     ImGui::Dummy({0.0f, size});
     return;

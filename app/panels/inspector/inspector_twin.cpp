@@ -2,6 +2,9 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <string>
+
 #include "app/editor/symmetry_commands.h"
 #include "app/panels/inspector/inspector.h"
 
@@ -13,7 +16,8 @@ void rowButton(PanelUi& ui, const char* text, const std::string& id, const char*
   const Action& item = action(actionId);
   const bool enabled = item.enabled(ui.state);
   ImGui::BeginDisabled(!enabled);
-  const bool pressed = ImGui::Button(text, {width, 0.0f});
+  const float room = width - 2.0f * ImGui::GetStyle().FramePadding.x;
+  const bool pressed = ImGui::Button((fitted(text, room) + "##" + id).c_str(), {width, 0.0f});
   ui.widgets.note(id);
   ImGui::EndDisabled();
   tooltip(ui, tooltipOf(ui, item));
@@ -36,12 +40,14 @@ void drawTwinRow(PanelUi& ui, const Subjects& subjects) {
   const std::string why = whyTwinStays(ui.state.document);
   if (!why.empty()) ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
   ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {0.0f, 0.5f});
-  const bool chosen = ImGui::Button((twin + "##twin").c_str(), {room - unlink - gap, 0.0f});
+  const float width = std::max(room - unlink - gap, ui.px(24));
+  const std::string shown = fitted(twin, width - 2.0f * ImGui::GetStyle().FramePadding.x);
+  const bool chosen = ImGui::Button((shown + "##twin").c_str(), {width, 0.0f});
   ImGui::PopStyleVar();
   if (!why.empty()) ImGui::PopStyleColor();
   ui.widgets.note("inspector/twin");
-  tooltip(ui, why.empty() ? "The linked twin follows every edit, mirrored. Click to select it."
-                          : "The twin stays where it is: " + why + ".");
+  tooltip(ui, why.empty() ? twin + "\nThe linked twin follows every edit, mirrored. Click to select it."
+                          : twin + "\nThe twin stays where it is: " + why + ".");
   ImGui::SameLine(0.0f, gap);
   rowButton(ui, "Unlink", "inspector/unlink", "edit/unlink-twin", unlink);
   if (chosen) selectTwins(ui.state.document);

@@ -1,5 +1,5 @@
-// app/panels/inspector/surface_panel.cpp: how the surface is made: mode, iso value, skin blend; depth, patch,
-// projection.
+// app/panels/inspector/surface_panel.cpp: how the surface is made: mode, tightness, skin blend; depth, rounding,
+// search.
 
 #include <imgui.h>
 #include "app/panels/inspector/inspector.h"
@@ -7,9 +7,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 
+#include "app/ui/number_field.h"
 #include "core/mesh/creases.h"
 #include "core/rig/rig_edit.h"
 
@@ -20,20 +20,58 @@ constexpr int kDepthOfSlider = 8;
 constexpr float kIsoRange[] = {0.05f, 0.9f};
 constexpr float kBlendRange[] = {0.5f, 15.0f};  // Per cent of the height.
 
+/// What the interface calls a value, and what it does, with the term in brackets.
+struct Word {
+  const char* name;
+  const char* hint;
+};
+
+Word wordFor(SurfaceMode mode) {
+  if (mode == SurfaceMode::kSwell) return {"Swell", "The skin rises over the muscles"};
+  return {"Replace", "The muscles become the surface"};
+}
+
+Word wordFor(PatchKind patch) {
+  switch (patch) {
+    case PatchKind::kPn:
+      return {"Smooth", "Round, along the normals of the vertices (PN triangles)"};
+    case PatchKind::kPhong:
+      return {"Soft", "Rounder than flat, with the least work (Phong tessellation)"};
+    case PatchKind::kSpherigon:
+      return {"Full", "As parts of spheres: the fullest shape (spherigon)"};
+    case PatchKind::kFlat:
+      break;
+  }
+  return {"Flat", "The triangles of the file as they are"};
+}
+
+Word wordFor(ProjectionKind kind) {
+  switch (kind) {
+    case ProjectionKind::kNewton:
+      return {"Fast", "A few steps along the slope (Newton)"};
+    case ProjectionKind::kBisection:
+      return {"Careful", "Halves the distance until it is found (bisection)"};
+    case ProjectionKind::kAnalytic:
+      break;
+  }
+  return {"Exact", "Solves for the surface piece by piece (analytic)"};
+}
+
 /// A choice among named values. @param apply  (value) -> Result<Rig>
 template <class Kind, std::size_t kCount, class Apply>
 void choiceRow(PanelUi& ui, const char* label, const std::string& id, Kind current,
-               const std::array<Kind, kCount>& kinds, const char* hint, Apply apply) {
+               const std::array<Kind, kCount>& kinds, const std::string& hint, Apply apply) {
   beginRow(ui, label);
-  const bool open = ImGui::BeginCombo(("##" + id).c_str(), nameOf(current));
+  const bool open = ImGui::BeginCombo(("##" + id).c_str(), wordFor(current).name);
   ui.widgets.note(id);
   if (!open) {
-    tooltip(ui, hint);
+    tooltip(ui, hint + "\n" + wordFor(current).name + ": " + wordFor(current).hint + ".");
     return;
   }
   for (const Kind kind : kinds) {
-    const bool chosen = ImGui::Selectable(nameOf(kind), kind == current);
+    const bool chosen = ImGui::Selectable(wordFor(kind).name, kind == current);
     ui.widgets.note(id + "/" + nameOf(kind));
+    tooltip(ui, wordFor(kind).hint);
     if (chosen && kind != current) edit(ui.state, label, apply(kind));
   }
   ImGui::EndCombo();
@@ -45,18 +83,18 @@ void depthRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
   beginRow(ui, "Depth");
   const char* boxLabel = "Auto";
   const float box = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(boxLabel).x;
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - box - ImGui::GetStyle().ItemSpacing.x);
-  int depth = before.autoDepth ? ui.state.live->depth() : before.depth;
-  const int deepest = std::max(kDepthOfSlider, depth);
+  const float width = ImGui::GetContentRegionAvail().x - box - ImGui::GetStyle().ItemSpacing.x;
+  const char* format = before.autoDepth && width > ui.px(64) ? "auto: %.0f" : "%.0f";
+  ImGui::SetNextItemWidth(width);
+  const int shown = before.autoDepth ? ui.state.live->depth() : before.depth;
+  auto depth = static_cast<float>(shown);
+  NumberLook look{format, 0.0f, 1.0f, static_cast<float>(std::max(kDepthOfSlider, shown)), 1.0f, true};
   ImGui::BeginDisabled(before.autoDepth);
-  beginFilledSlider(ui, static_cast<float>(depth) / static_cast<float>(deepest));
-  const bool edited = ImGui::SliderInt("##depth", &depth, 1, deepest, before.autoDepth ? "auto: %d" : "%d",
-                                       ImGuiSliderFlags_AlwaysClamp);
-  endFilledSlider();
+  const bool edited = numberSlider(ui, "##depth", depth, look);
   editField(ui, "smoothing/depth", "Depth", edited && !before.autoDepth,
-            [&] { return changed([&](SmoothingSettings& s) { s.depth = depth; }); });
+            [&] { return changed([&](SmoothingSettings& s) { s.depth = static_cast<int>(depth); }); });
   ImGui::EndDisabled();
-  tooltip(ui, "Every triangle of the file becomes depth x depth triangles.");
+  tooltip(ui, "How fine the skin is: every triangle of the file becomes depth x depth triangles.");
   ImGui::SameLine();
   bool automatic = before.autoDepth;
   const bool switched = ImGui::Checkbox(boxLabel, &automatic);
@@ -69,10 +107,8 @@ template <class Changed>
 void creaseRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
   beginRow(ui, "Crease");
   float degrees = before.creaseAngle;
-  beginFilledSlider(ui, degrees / kNoCreases);
-  const bool edited = ImGui::SliderFloat("##crease", &degrees, 0.0f, kNoCreases,
-                                         degrees >= kNoCreases ? "smooth" : "%.0f deg", ImGuiSliderFlags_AlwaysClamp);
-  endFilledSlider();
+  const char* format = degrees >= kNoCreases ? "smooth" : "%.0f\xc2\xb0";
+  const bool edited = numberSlider(ui, "##crease", degrees, {format, 0.0f, 0.0f, kNoCreases, 15.0f});
   editField(ui, "smoothing/crease", "Crease angle", edited,
             [&] { return changed([&](SmoothingSettings& s) { s.creaseAngle = degrees; }); });
   tooltip(ui, "Faces that meet at a sharper angle than this keep a hard edge. 180: smooth everywhere.");
@@ -106,24 +142,24 @@ void drawSurfacePanel(PanelUi& ui) {
     return setSurface(ui.state.document.rig(), settings);
   };
   choiceRow(ui, "Mode", "surface/mode", before.mode, std::array{SurfaceMode::kSwell, SurfaceMode::kReplace},
-            "swell: the skin rises over the muscles. replace: the muscles become the surface.",
+            "How muscles show in the skin.",
             [&](SurfaceMode mode) { return changed([&](SurfaceSettings& s) { s.mode = mode; }); });
   replaceNote(ui);
-  beginRow(ui, "Iso value");
+  beginRow(ui, "Tightness");
   float iso = before.iso;
-  beginFilledSlider(ui, (iso - kIsoRange[0]) / (kIsoRange[1] - kIsoRange[0]));
-  bool edited = ImGui::SliderFloat("##iso", &iso, kIsoRange[0], kIsoRange[1], "%.3f");
-  endFilledSlider();
-  editField(ui, "surface/iso", "Iso value", edited, [&] { return changed([&](SurfaceSettings& s) { s.iso = iso; }); });
-  tooltip(ui,
-          "The value of the field at which blended muscles have their surface. A lone muscle keeps its radii; higher "
-          "blends tighter.");
+  NumberLook isoLook{"%.3f", 0.0f, kIsoRange[0], kIsoRange[1], 0.05f};
+  isoLook.clampTyped = false;
+  bool edited = numberSlider(ui, "##iso", iso, isoLook);
+  editField(ui, "surface/iso", "Tightness", edited, [&] { return changed([&](SurfaceSettings& s) { s.iso = iso; }); });
+  tooltip(
+      ui,
+      "How tightly the skin lies around muscles that blend: higher is tighter. A muscle on its own keeps its radii. "
+      "(Iso value of the field.)");
   beginRow(ui, "Skin blend");
   float percent = before.skinBlend * 100.0f;
-  beginFilledSlider(ui, std::log(percent / kBlendRange[0]) / std::log(kBlendRange[1] / kBlendRange[0]));
-  edited =
-      ImGui::SliderFloat("##blend", &percent, kBlendRange[0], kBlendRange[1], "%.1f %%", ImGuiSliderFlags_Logarithmic);
-  endFilledSlider();
+  NumberLook blendLook{"%.1f %%", 0.0f, kBlendRange[0], kBlendRange[1], 0.5f, false, true};
+  blendLook.clampTyped = false;
+  edited = numberSlider(ui, "##blend", percent, blendLook);
   editField(ui, "surface/skin-blend", "Skin blend", edited,
             [&] { return changed([&](SurfaceSettings& s) { s.skinBlend = percent / 100.0f; }); });
   tooltip(ui,
@@ -139,13 +175,13 @@ void drawSmoothingPanel(PanelUi& ui) {
     return setSmoothing(ui.state.document.rig(), settings);
   };
   depthRow(ui, before, changed);
-  choiceRow(ui, "Patch", "smoothing/patch", before.patch,
+  choiceRow(ui, "Rounding", "smoothing/patch", before.patch,
             std::array{PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon, PatchKind::kFlat},
-            "How the skin curves between the file's vertices.",
+            "How the skin curves between the file's vertices (patch).",
             [&](PatchKind patch) { return changed([&](SmoothingSettings& s) { s.patch = patch; }); });
-  choiceRow(ui, "Projection", "smoothing/projection", before.projection,
+  choiceRow(ui, "Search", "smoothing/projection", before.projection,
             std::array{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic},
-            "How points on the surface are found.",
+            "How the place of a vertex on the muscles is found (projection).",
             [&](ProjectionKind kind) { return changed([&](SmoothingSettings& s) { s.projection = kind; }); });
   creaseRow(ui, before, changed);
 }

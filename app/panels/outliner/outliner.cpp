@@ -18,25 +18,38 @@
 #include "app/editor/visibility_commands.h"
 #include "app/panels/outliner/outliner.h"
 #include "app/panels/outliner/outliner_row.h"
+#include "app/ui/elide.h"
 
 namespace sinew::app {
 namespace {
 
+SharedEnds endsOfBones(const std::vector<std::string>& names) {
+  return sharedEnds(std::vector<std::string_view>(names.begin(), names.end()));
+}
+
+SharedEnds endsOfMuscles(const Rig& rig) {
+  std::vector<std::string_view> names;
+  for (const Primitive& primitive : rig.primitives) names.emplace_back(primitive.name);
+  return sharedEnds(names);
+}
+
 OutlinerContent gather(const EditorState& state) {
   const Skeleton& skeleton = state.character().skeleton;
-  OutlinerContent frame{state.document.commands.sharedRig(), skeleton, {}, {}, {}, {}, 0.0f};
+  OutlinerContent frame{state.document.commands.sharedRig(), skeleton, {}, {}, {}, {}, 0.0f, {}, {}, {}, {}};
   frame.boneOf = boneOfEach(*frame.rig, skeleton);
   frame.effective = effectiveVisibility(state.document.visibility, *frame.rig, skeleton, frame.boneOf);
   if (editsTerritory(state)) {
     frame.territory.assign(skeleton.bones.size(), false);
     for (const int bone : shownTerritory(state)) frame.territory[static_cast<std::size_t>(bone)] = true;
   }
+  frame.boneNames = shownBoneNames(skeleton);
+  frame.boneEnds = endsOfBones(frame.boneNames);
+  frame.muscleEnds = endsOfMuscles(*frame.rig);
   const OutlinerState& outliner = state.view.outliner;
   frame.hiddenBones = hiddenBones(state);
   frame.rows = outlinerRows(*frame.rig, skeleton, frame.boneOf,
                             {state.view.outlinerFilter, outliner.onlyWithMuscles, &outliner.folded,
                              outliner.unattachedFolded, frame.hiddenBones});
-  frame.boneNames = shownBoneNames(skeleton);
   return frame;
 }
 
@@ -48,8 +61,10 @@ std::string helperHint(std::ptrdiff_t count) {
 
 void drawSearch(PanelUi& ui) {
   const float button = ImGui::GetFrameHeight();
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2.0f * (button + ui.px(4)));
-  ImGui::InputTextWithHint("##search", "Search muscles and bones", &ui.state.view.outlinerFilter);
+  const float width = ImGui::GetContentRegionAvail().x - 2.0f * (button + ui.px(4));
+  const std::string hint = fitted("Search muscles and bones", width - 2.0f * ImGui::GetStyle().FramePadding.x);
+  ImGui::SetNextItemWidth(width);
+  ImGui::InputTextWithHint("##search", hint.c_str(), &ui.state.view.outlinerFilter);
   ui.widgets.note("outliner/search");
   ImGui::SameLine(0.0f, ui.px(4));
   bool& only = ui.state.view.outliner.onlyWithMuscles;
@@ -127,8 +142,10 @@ void drawFooter(PanelUi& ui, const std::string& text) {
   const float button = ImGui::CalcTextSize("Show all").x + 2.0f * ImGui::GetStyle().FramePadding.x;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x - button - ui.px(6);
-  clippedText(*ImGui::GetWindowDrawList(), {at.x, at.y + ImGui::GetStyle().FramePadding.y}, room,
-              palette::kMuted.packed(), text);
+  const bool cut = clippedText(*ImGui::GetWindowDrawList(), {at.x, at.y + ImGui::GetStyle().FramePadding.y}, room,
+                               palette::kMuted.packed(), text);
+  const ImVec2 end{at.x + room, at.y + ImGui::GetFrameHeight()};
+  tooltipWhile(ui, cut && ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(at, end), text);
   ImGui::SetCursorScreenPos({at.x + room + ui.px(6), at.y});
   if (ImGui::Button("Show all")) showAll(ui.state.document);
   ui.widgets.note("outliner/show-all");

@@ -193,6 +193,12 @@ void drawBar(Row& row, bool selected) {
   }
 }
 
+/// The whole of a name that had no room; the switches at the row's end have tooltips of their own.
+void nameTooltip(const Row& row, bool cut, const std::string& name) {
+  const bool over = row.hovered && !ImGui::IsMouseDown(0) && ImGui::GetMousePos().x < row.nameEnd();
+  tooltipWhile(row.ui, cut && over, name);
+}
+
 void drawMuscle(Row& row) {
   PanelUi& ui = row.ui;
   const Primitive& primitive = row.primitive();
@@ -208,7 +214,9 @@ void drawMuscle(Row& row) {
   const float from = row.indent() + ui.px(kNameFrom);
   const float room = row.nameEnd() - from;
   const std::string shown = attached ? primitive.name : primitive.name + "  (no bone " + primitive.bone + ")";
-  clippedText(list, {from, row.middle(ImGui::GetTextLineHeight())}, room, color.packed(), shown);
+  const bool cut = clippedText(list, {from, row.middle(ImGui::GetTextLineHeight())}, room, color.packed(), shown,
+                               row.frame.muscleEnds);
+  nameTooltip(row, cut, shown);
 }
 
 void drawBone(Row& row) {
@@ -226,8 +234,9 @@ void drawBone(Row& row) {
   }
   const float from = row.indent() + ui.px(kNameFrom);
   const Tint color = within ? territoryTint() : (hidden ? palette::kMuted.faded(0.6f) : palette::kText.faded(0.82f));
-  clippedText(list, {from, row.middle(ImGui::GetTextLineHeight())}, row.nameEnd() - from, color.packed(),
-              row.frame.boneNames[index]);
+  const bool cut = clippedText(list, {from, row.middle(ImGui::GetTextLineHeight())}, row.nameEnd() - from,
+                               color.packed(), row.frame.boneNames[index], row.frame.boneEnds);
+  nameTooltip(row, cut || row.frame.boneNames[index] != row.bone().name, row.bone().name);
 }
 
 void drawAddCell(Row& row) {

@@ -21,6 +21,8 @@ struct OutlinerContent {
   float rowHeight = 0.0f;
   std::vector<bool> hiddenBones{};       ///< hiddenBones(state)
   std::vector<std::string> boneNames{};  ///< [bones] as they are shown.
+  SharedEnds boneEnds;                   ///< What most of boneNames begin and end with; views into them.
+  SharedEnds muscleEnds;                 ///< The same of muscles; views into the rig.
 };
 
 /// At the cursor; leaves the cursor below it.

@@ -28,10 +28,16 @@ struct Box {
   ImVec2 high;
 };
 
-/// A panel at the picture's lower left corner, drawn by hand.
+/// Whether the line across the picture's lower edge is there: see drawMode.
+bool modeShown(const EditorState& state) {
+  return state.document.visibility.bare || editsTerritory(state) || state.document.visibility.isolated;
+}
+
+/// A panel at the picture's lower left corner, above the line of the mode, drawn by hand.
 Box plate(PanelUi& ui, float width, float height) {
   const glm::vec4& v = ui.state.frame.viewport;
-  const ImVec2 low{v.x + ui.px(kMargin), v.y + v.w - ui.px(kMargin) - height};
+  const float below = modeShown(ui.state) ? ImGui::GetFrameHeight() + ui.px(22) : ui.px(kMargin);
+  const ImVec2 low{v.x + ui.px(kMargin), v.y + v.w - below - height};
   const ImVec2 high{low.x + width, low.y + height};
   ImGui::GetWindowDrawList()->AddRectFilled(low, high, palette::kPanel.faded(0.85f).packed(), ui.px(6));
   return {low, high};
@@ -61,10 +67,12 @@ void drawTick(PanelUi& ui, ImDrawList& list, float x, float top, float bar, cons
 /// The scale with its ends in per cent of H, and how far this surface really goes.
 void drawHeat(PanelUi& ui) {
   const float line = ImGui::GetTextLineHeight();
-  const Box box = plate(ui, ui.px(kScaleWidth + 2 * 12), 3.0f * line + ui.px(46));
+  const float room = ui.state.frame.viewport.z - ui.px(2 * kMargin + 2 * 12);
+  const float width = std::min(ui.px(kScaleWidth), room);
+  if (width < ui.px(60)) return;
+  const Box box = plate(ui, width + ui.px(2 * 12), 3.0f * line + ui.px(46));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float left = box.low.x + ui.px(12);
-  const float width = ui.px(kScaleWidth);
   list.AddText({left, box.low.y + ui.px(8)}, palette::kMuted.packed(), "Displacement");
   const float top = box.low.y + ui.px(12) + line;
   const float bar = ui.px(10);
@@ -81,7 +89,7 @@ void drawHeat(PanelUi& ui) {
   const float range = ui.state.view.display.heatRange;
   const float height = ui.state.character().height;
   drawTick(ui, list, left, top, bar, number(-100.0f * range, "% H"), 0.0f);
-  drawTick(ui, list, left + 0.5f * width, top, bar, "0", 0.5f);
+  if (width > ui.px(150)) drawTick(ui, list, left + 0.5f * width, top, bar, "0", 0.5f);
   drawTick(ui, list, left + width, top, bar, "+" + number(100.0f * range, "% H"), 1.0f);
   const std::array<float, 2> found = measured(ui.state.live->surface());
   for (const float value : found) {
@@ -91,7 +99,10 @@ void drawHeat(PanelUi& ui) {
   }
   const std::string text = "here " + number(100.0f * found[0] / height, "%") + " to +" +
                            number(100.0f * found[1] / height, "%") + "  (" + number(found[1], " units") + ")";
-  list.AddText({left, top + bar + line + ui.px(10)}, palette::kMuted.packed(), text.c_str());
+  const ImVec2 below{left, top + bar + line + ui.px(10)};
+  const bool cut = clippedText(list, below, width, palette::kMuted.packed(), text);
+  const bool over = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(below, {left + width, below.y + line});
+  tooltipWhile(ui, cut && over, text);
   ui.widgets.note("legend/heat", {box.low.x, box.low.y, box.high.x - box.low.x, box.high.y - box.low.y});
 }
 
@@ -103,20 +114,25 @@ int countOf(const SmoothingReport& report, TriangleClass kind) {
 void drawClasses(PanelUi& ui) {
   const SmoothingReport& report = ui.state.live->surface().report;
   const float line = ImGui::GetTextLineHeight() + ui.px(4);
-  const Box box = plate(ui, ui.px(190), 4.0f * line + ui.px(16));
+  const float width = std::min(ui.px(210), ui.state.frame.viewport.z - ui.px(2 * kMargin));
+  const Box box = plate(ui, width, 4.0f * line + ui.px(16));
+  const bool over = ImGui::IsWindowHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddText({box.low.x + ui.px(12), box.low.y + ui.px(8)}, palette::kMuted.packed(), "Control triangles");
+  clippedText(list, {box.low.x + ui.px(12), box.low.y + ui.px(8)}, width - ui.px(24), palette::kMuted.packed(),
+              "Triangles of the file");
   float y = box.low.y + ui.px(8) + line;
   const int all = std::max(report.implicitTriangles + report.straddlingTriangles + report.normalTriangles, 1);
   for (const ClassColor& row : classColors()) {
     const int triangles = countOf(report, row.kind);
     list.AddRectFilled({box.low.x + ui.px(12), y + ui.px(2)}, {box.low.x + ui.px(24), y + ui.px(14)},
                        Tint{row.srgb.r, row.srgb.g, row.srgb.b}.packed(), ui.px(3));
-    list.AddText({box.low.x + ui.px(32), y}, palette::kText.packed(), row.name);
     const std::string count =
         std::to_string(triangles) + "  " + std::to_string((100 * triangles + all / 2) / all) + "%";
-    list.AddText({box.high.x - ui.px(12) - ImGui::CalcTextSize(count.c_str()).x, y}, palette::kMuted.packed(),
-                 count.c_str());
+    const float right = box.high.x - ui.px(12) - ImGui::CalcTextSize(count.c_str()).x;
+    const float left = box.low.x + ui.px(32);
+    clippedText(list, {left, y}, right - ui.px(6) - left, palette::kText.packed(), row.name);
+    if (right >= left) list.AddText({right, y}, palette::kMuted.packed(), count.c_str());
+    tooltipWhile(ui, over && ImGui::IsMouseHoveringRect({box.low.x, y}, {box.high.x, y + line}), row.hint);
     y += line;
   }
   ui.widgets.note("legend/classes", {box.low.x, box.low.y, box.high.x - box.low.x, box.high.y - box.low.y});
@@ -175,9 +191,10 @@ void drawBeforeButton(PanelUi& ui, float size) {
   const Action& before = action("view/before");
   const bool active = ui.state.document.visibility.bare;
   iconButton(ui, "toolstrip/before", Icon::kBefore, active, size, tooltipOf(ui, before) + " or the button is held.");
-  const bool held = ImGui::IsItemActive();
-  holdBare(ui.state, keyHeld(ui, before), held);
+  holdBefore(ui, ImGui::IsItemActive());
 }
+
+void holdBefore(PanelUi& ui, bool held) { holdBare(ui.state, keyHeld(ui, action("view/before")), held); }
 
 void drawTerritoryButton(PanelUi& ui, float size) {
   const Action& territory = action("tool/territory");

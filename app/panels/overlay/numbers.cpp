@@ -15,9 +15,12 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kWidth = 208.0f;  // Design pixels.
+constexpr float kWidth = 214.0f;  // Design pixels, as all here.
+constexpr float kFoldedWidth = 168.0f;
 constexpr float kGraphHeight = 34.0f;
-constexpr std::size_t kTimeRows = 11;
+constexpr float kFold = 14.0f;
+constexpr std::size_t kStageRows = 9;
+constexpr std::size_t kFoldedRows = 3;
 
 /// 12345 -> "12,345".
 std::string grouped(long long value) {
@@ -34,7 +37,12 @@ std::string milliseconds(double value) {
   return text;
 }
 
-void row(const char* name, const std::string& value) {
+/// A name and its value. The numbers let the mouse through, so what says more watches the pointer itself.
+void row(PanelUi& ui, const char* name, const std::string& value, const char* hint = "") {
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const ImVec2 high{low.x + ImGui::GetContentRegionAvail().x, low.y + ImGui::GetTextLineHeight()};
+  const bool over = ImGui::IsWindowHovered(ImGuiHoveredFlags_RootWindow) && ImGui::IsMouseHoveringRect(low, high);
+  tooltipWhile(ui, over && hint[0] != '\0', hint);
   mutedText(name);
   ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x);
   ImGui::TextUnformatted(value.c_str());
@@ -75,34 +83,68 @@ void graph(PanelUi& ui) {
   ImGui::Dummy({width, height});
 }
 
-void times(PanelUi& ui) {
+/// The head, which folds the rest away: a mark, the frame rate and the time of a frame.
+void head(PanelUi& ui) {
   const FrameStats& stats = ui.state.session.stats;
   char text[64];
-  std::snprintf(text, sizeof text, "%.0f fps", stats.framesPerSecond());
-  row(text, milliseconds(stats.now()) + " ms");
-  row("median, worst", milliseconds(stats.median()) + ", " + milliseconds(stats.worst()));
-  graph(ui);
-  const std::array stages{std::pair{"prepare", stats.prepare},    std::pair{"skin", stats.stages.skin},
-                          std::pair{"patch", stats.stages.patch}, std::pair{"project", stats.stages.project},
-                          std::pair{"folds", stats.stages.folds}, std::pair{"normals", stats.stages.normals},
-                          std::pair{"upload", stats.upload},      std::pair{"draw", stats.draw},
-                          std::pair{"interface", stats.ui}};
-  for (const auto& [name, seconds] : stages) row(name, milliseconds(seconds * 1e3));
+  std::snprintf(text, sizeof text, "   %.0f fps", stats.framesPerSecond());
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float size = ui.px(kFold);
+  drawIcon(*ImGui::GetWindowDrawList(), ui.state.view.layout.stages ? Icon::kFoldOpen : Icon::kFoldClosed,
+           {at.x - ui.px(2), at.y + 0.5f * (ImGui::GetTextLineHeight() - size)}, size, palette::kMuted.packed());
+  row(ui, text, milliseconds(stats.now()) + " ms");
 }
 
-/// Names and values, from top to bottom.
-std::vector<std::pair<const char*, std::string>> counts(const SmoothingReport& report, bool culling) {
-  std::vector<std::pair<const char*, std::string>> rows{{"triangles", grouped(report.refinedTriangles)},
-                                                        {"vertices", grouped(report.refinedVertices)},
-                                                        {"depth", std::to_string(report.depth)},
-                                                        {"muscles", grouped(report.primitives)},
-                                                        {"projected", grouped(report.projected)},
-                                                        {"implicit", grouped(report.implicitTriangles)},
-                                                        {"straddling", grouped(report.straddlingTriangles)},
-                                                        {"normal", grouped(report.normalTriangles)}};
+struct Stage {
+  const char* name;
+  double seconds;
+  const char* hint;
+};
+
+void stageRows(PanelUi& ui) {
+  const FrameStats& stats = ui.state.session.stats;
+  row(ui, "median, worst", milliseconds(stats.median()) + ", " + milliseconds(stats.worst()));
+  graph(ui);
+  const std::array<Stage, kStageRows> stages{
+      {{"edit", stats.prepare, "Once after an edit: refinement, which muscles reach which skin (prepare)"},
+       {"follow bones", stats.stages.skin, "The file's mesh follows the bones (skin)"},
+       {"round skin", stats.stages.patch, "The skin is curved between the file's vertices (patch)"},
+       {"raise skin", stats.stages.project, "The skin rises over the muscles (project)"},
+       {"open folds", stats.stages.folds, "Skin that has folded over is moved back (folds)"},
+       {"normals", stats.stages.normals, "Directions for the light"},
+       {"upload", stats.upload, "The surface goes to the graphics card"},
+       {"draw", stats.draw, "The picture is drawn"},
+       {"interface", stats.ui, "Panels and tools"}}};
+  for (const Stage& stage : stages) row(ui, stage.name, milliseconds(stage.seconds * 1e3), stage.hint);
+}
+
+struct Count {
+  const char* name;
+  std::string value;
+  const char* hint = "";
+};
+
+/// From top to bottom.
+std::vector<Count> counts(const SmoothingReport& report, bool culling) {
+  std::vector<Count> rows{
+      {"triangles", grouped(report.refinedTriangles)},
+      {"vertices", grouped(report.refinedVertices)},
+      {"depth", std::to_string(report.depth), "Every triangle of the file becomes depth x depth triangles"},
+      {"muscles", grouped(report.primitives)},
+      {"moved", grouped(report.projected), "Vertices that muscles move (projected)"},
+      {"on muscles", grouped(report.implicitTriangles), "The file's triangles that muscles shape (implicit)"},
+      {"at edges", grouped(report.straddlingTriangles), "... that muscles shape in part (straddling)"},
+      {"plain skin", grouped(report.normalTriangles), "... that no muscle reaches (normal)"}};
   const int all = report.implicitTriangles + report.straddlingTriangles + report.normalTriangles;
-  if (culling) rows.emplace_back("culled", grouped(report.culledTriangles) + " of " + grouped(all));
-  if (report.unresolved > 0) rows.emplace_back("unresolved", grouped(report.unresolved));
+  if (culling) {
+    rows.push_back({"skipped", grouped(report.culledTriangles) + " of " + grouped(all),
+                    "Triangles that face away and are not computed (culled)"});
+  }
+  if (report.unresolved > 0) {
+    rows.push_back({"not found", grouped(report.unresolved),
+                    "Vertices whose place on the muscles was not found "
+                    "(unresolved): they stay on the skin"});
+  }
   return rows;
 }
 
@@ -132,6 +174,33 @@ void pressAutoDepth(PanelUi& ui, const ImVec2& corner) {
   if (pressed) run(action("view/auto-depth"), ui.state);
 }
 
+/// The numbers let the mouse through to the picture, so the head is pressed in the viewport behind them.
+void pressHead(PanelUi& ui, const ImVec2& low, float width) {
+  ImGui::SetCursorScreenPos(low);
+  const bool pressed = ImGui::InvisibleButton("numbers-fold", {width, ImGui::GetTextLineHeight() + ui.px(6)});
+  ui.widgets.note("overlay/fold");
+  tooltip(ui, ui.state.view.layout.stages ? "Fewer numbers" : "All numbers: the time of each stage, counts");
+  if (pressed) ui.state.view.layout.stages = !ui.state.view.layout.stages;
+}
+
+void foldedRows(PanelUi& ui) {
+  const SmoothingReport& report = ui.state.live->surface().report;
+  row(ui, "triangles", grouped(report.refinedTriangles));
+  row(ui, "smoothing", milliseconds(1e3 * report.seconds.total()) + " ms", "Time to compute the surface of a frame");
+}
+
+/// @return where the switch of the depth lies on the screen.
+ImVec2 unfoldedRows(PanelUi& ui, const std::vector<Count>& lines) {
+  stageRows(ui);
+  ImGui::Dummy({0.0f, ui.px(2)});
+  ImVec2 depth{0.0f, 0.0f};
+  for (const Count& line : lines) {
+    if (std::string_view(line.name) == "depth") depth = drawAutoDepth(ui);
+    row(ui, line.name, line.value, line.hint);
+  }
+  return depth;
+}
+
 }  // namespace
 
 void drawNumbers(PanelUi& ui) {
@@ -139,25 +208,34 @@ void drawNumbers(PanelUi& ui) {
   const auto lines = counts(ui.state.live->surface().report, ui.state.view.display.cullBackFaces);
   ImGui::PushFont(ui.fonts.mono);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(3)});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.80f));
   const float line = ImGui::GetTextLineHeightWithSpacing();
-  const float height = static_cast<float>(kTimeRows + lines.size()) * line + ui.px(kGraphHeight + 3 + 14 + 8);
-  ImGui::SetCursorPos({ui.state.frame.viewport.z - ui.px(kWidth + 10), ui.px(54)});
-  ImGui::BeginChild("numbers", {ui.px(kWidth), height}, true,
-                    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_AlwaysUseWindowPadding);
-  times(ui);
-  ImGui::Dummy({0.0f, ui.px(2)});
-  ImVec2 depth{0.0f, 0.0f};
-  for (const auto& [name, value] : lines) {
-    if (std::string_view(name) == "depth") depth = drawAutoDepth(ui);
-    row(name, value);
+  const float all = static_cast<float>(kStageRows + 2 + lines.size()) * line + ui.px(kGraphHeight + 3 + 14 + 8);
+  const float few = static_cast<float>(kFoldedRows) * line + ui.px(16);
+  const glm::vec4& viewport = ui.state.frame.viewport;
+  const float room = viewport.w - ui.px(54 + 10);
+  const bool unfolded = ui.state.view.layout.stages && all <= room && ui.px(kWidth + 70) <= viewport.z;
+  const float width = ui.px(unfolded ? kWidth : kFoldedWidth);
+  // Beside the tools, or not at all.
+  if (few <= room && width + ui.px(70) <= viewport.z) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.80f));
+    ImGui::SetCursorPos({viewport.z - width - ui.px(10), ui.px(54)});
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::BeginChild(
+        "numbers", {width, unfolded ? all : few}, true,
+        ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_AlwaysUseWindowPadding);
+    head(ui);
+    ImVec2 depth{0.0f, 0.0f};
+    if (unfolded) depth = unfoldedRows(ui, lines);
+    else foldedRows(ui);
+    ImGui::EndChild();
+    ui.widgets.note("overlay/numbers");
+    pressHead(ui, {corner.x, corner.y + ui.px(4)}, width);
+    if (unfolded) pressAutoDepth(ui, depth);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
   }
-  ImGui::EndChild();
-  ui.widgets.note("overlay/numbers");
-  pressAutoDepth(ui, depth);
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar(2);
+  ImGui::PopStyleVar();
   ImGui::PopFont();
 }
 

@@ -2,8 +2,10 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -12,50 +14,59 @@
 #include "app/editor/pose_commands.h"
 #include "app/panels/timeline/timeline.h"
 #include "app/panels/timeline/timeline_track.h"
+#include "app/ui/number_field.h"
 #include "core/skeleton/range_of_motion.h"
 
 namespace sinew::app {
 namespace {
+
+constexpr float kClipWidth = 180.0f;  // Design pixels.
+constexpr float kClipNarrowest = 96.0f;
+constexpr float kSpeedWidth = 84.0f;
 
 /// As the list shows it.
 std::string clipName(const std::vector<std::string>& shown, int clip) {
   return clip < 0 ? "Bind pose" : shown[static_cast<std::size_t>(clip)];
 }
 
-/// The name in the file, where another is shown.
-void fileNameTooltip(PanelUi& ui, const std::vector<std::string>& shown, int clip) {
+/// The name in the file, where another is drawn.
+void fileNameTooltip(PanelUi& ui, const std::string& drawn, int clip) {
   if (clip < 0) return;
   const std::string& name = ui.state.character().clips[static_cast<std::size_t>(clip)].name;
-  if (!name.empty() && name != clipName(shown, clip)) tooltip(ui, name);
+  if (!name.empty() && name != drawn) tooltip(ui, name);
 }
 
 /// One row of the list: the name, and at its right how long it lasts.
 bool clipRow(PanelUi& ui, const std::vector<std::string>& names, int clip) {
   const Character& character = ui.state.character();
   ImGui::PushID(clip);
-  const bool chosen = ImGui::Selectable(clipName(names, clip).c_str(), clip == ui.state.open.transport.clip);
+  const std::string shown = fitted(clipName(names, clip), ImGui::GetContentRegionAvail().x - ui.px(70));
+  const bool chosen = ImGui::Selectable(shown.c_str(), clip == ui.state.open.transport.clip);
   ImGui::PopID();
   ui.widgets.note("timeline/clip/" + std::to_string(clip));
-  fileNameTooltip(ui, names, clip);
+  fileNameTooltip(ui, shown, clip);
   if (clip < 0) return chosen;
   char length[32];
-  const AnimationClip& shown = character.clips[static_cast<std::size_t>(clip)];
-  std::snprintf(length, sizeof length, "%.2f s", static_cast<double>(shown.duration));
+  const float seconds = character.clips[static_cast<std::size_t>(clip)].duration;
+  std::snprintf(length, sizeof length, "%.2f s", static_cast<double>(seconds));
   ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(length).x);
   mutedText(length);
   return chosen;
 }
 
-void clipChoice(PanelUi& ui) {
+void clipChoice(PanelUi& ui, float width) {
   Transport& transport = ui.state.open.transport;
   const Character& character = ui.state.character();
   const std::vector<std::string> names = shownClipNames(character);
-  ImGui::SetNextItemWidth(ui.px(180));
-  ImGui::SetNextWindowSizeConstraints({ui.px(240), 0.0f}, {ui.px(480), ui.px(420)});
-  const bool open = ImGui::BeginCombo("##clip", clipName(names, transport.clip).c_str(), ImGuiComboFlags_HeightLarge);
+  const float room = width - ImGui::GetFrameHeight() - 2.0f * ImGui::GetStyle().FramePadding.x;
+  const std::string shown = fitted(clipName(names, transport.clip), room);
+  ImGui::SetNextItemWidth(width);
+  // The rows are as wide as the list, so it cannot take its width from them.
+  ImGui::SetNextWindowSizeConstraints({ui.px(300), 0.0f}, {ui.px(480), ui.px(420)});
+  const bool open = ImGui::BeginCombo("##clip", shown.c_str(), ImGuiComboFlags_HeightLarge);
   ui.widgets.note("timeline/clip");
   if (!open) {
-    fileNameTooltip(ui, names, transport.clip);
+    fileNameTooltip(ui, shown, transport.clip);
     return;
   }
   for (int clip = -1; clip < static_cast<int>(character.clips.size()); ++clip) {
@@ -70,43 +81,34 @@ void clipChoice(PanelUi& ui) {
   ImGui::EndCombo();
 }
 
-void transportButtons(PanelUi& ui) {
-  const float size = ImGui::GetFrameHeight();
-  const float gap = ui.px(2);
-  const bool playing = ui.state.open.transport.playing;
-  actionButton(ui, "timeline/start", action("play/start"), Icon::kStart, size);
-  ImGui::SameLine(0.0f, gap);
-  actionButton(ui, "timeline/previous", action("play/previous"), Icon::kPrevious, size);
-  ImGui::SameLine(0.0f, gap);
-  actionButton(ui, "timeline/play", action("play/toggle"), playing ? Icon::kPause : Icon::kPlay, size);
-  ImGui::SameLine(0.0f, gap);
-  actionButton(ui, "timeline/next", action("play/next"), Icon::kNext, size);
-  ImGui::SameLine(0.0f, gap);
-  actionButton(ui, "timeline/end", action("play/end"), Icon::kEnd, size);
-  ImGui::SameLine(0.0f, ui.px(8));
-  actionButton(ui, "timeline/loop", action("play/loop"), Icon::kLoop, size);
-}
-
 void speedField(PanelUi& ui) {
-  ImGui::SetNextItemWidth(ui.px(84));
-  ImGui::DragFloat("##speed", &ui.state.open.transport.speed, 0.01f, 0.1f, 4.0f, "%.2f x",
-                   ImGuiSliderFlags_AlwaysClamp);
+  ImGui::SetNextItemWidth(ui.px(kSpeedWidth));
+  numberField("##speed", ui.state.open.transport.speed, {"%.2f x", 0.01f, 0.1f, 4.0f, 0.25f});
   ui.widgets.note("timeline/speed");
-  tooltip(ui, "Speed: drag, or double click to type");
+  tooltip(ui, "Speed: drag (Shift: precise, Ctrl: steps), or double-click to type");
 }
 
-/// How many joints are turned by hand, so that an odd pose is explained, and a button that resets them.
+/// How many joints are turned by hand, so that an odd pose is explained.
+std::string posedText(const EditorState& state) {
+  const PoseOverrides& overrides = state.open.transport.overrides;
+  const bool holds = overrides.from == TurnsFrom::kBindPose;
+  return std::to_string(overrides.turns.size()) + (overrides.turns.size() == 1 ? " joint posed" : " joints posed") +
+         (holds ? ", held" : "");
+}
+
+float posedWidth(const PanelUi& ui) {
+  if (!isPosed(ui.state)) return 0.0f;
+  return ImGui::CalcTextSize(posedText(ui.state).c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x + ui.px(2) +
+         ImGui::GetFrameHeight();
+}
+
+/// The number of posed joints as a button, and one that resets them.
 void posedChip(PanelUi& ui) {
   if (!isPosed(ui.state)) return;
-  const PoseOverrides& overrides = ui.state.open.transport.overrides;
-  const bool holds = overrides.from == TurnsFrom::kBindPose;
-  const std::string text = std::to_string(overrides.turns.size()) +
-                           (overrides.turns.size() == 1 ? " joint posed" : " joints posed") + (holds ? ", held" : "");
-  ImGui::SameLine(0.0f, ui.px(12));
   ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccent.faded(0.22f));
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, palette::kAccent.faded(0.34f));
   ImGui::PushStyleColor(ImGuiCol_ButtonActive, palette::kAccent.faded(0.42f));
-  const bool chosen = ImGui::Button((text + "##posed").c_str());
+  const bool chosen = ImGui::Button((posedText(ui.state) + "##posed").c_str());
   ImGui::PopStyleColor(3);
   ui.widgets.note("timeline/posed");
   tooltip(ui,
@@ -117,31 +119,98 @@ void posedChip(PanelUi& ui) {
   actionButton(ui, "timeline/pose-reset", action("tool/pose-reset"), Icon::kClose, ImGui::GetFrameHeight());
 }
 
-void timeReadout(PanelUi& ui, double duration) {
+void transportButton(PanelUi& ui, const char* id, const char* actionId, Icon icon) {
+  actionButton(ui, id, action(actionId), icon, ImGui::GetFrameHeight());
+}
+
+void playButton(PanelUi& ui) {
+  transportButton(ui, "timeline/play", "play/toggle", ui.state.open.transport.playing ? Icon::kPause : Icon::kPlay);
+}
+
+/// A control beside the clip's name, in the order in which they keep their room.
+struct Part {
+  int place;     ///< From left to right.
+  float before;  ///< Design pixels of room before it.
+  float width;   ///< Window coordinates.
+  void (*draw)(PanelUi&);
+};
+
+std::vector<Part> partsOf(const PanelUi& ui) {
+  const float button = ImGui::GetFrameHeight();
+  std::vector<Part> parts{
+      {2, 2, button, playButton},
+      {1, 2, button, [](PanelUi& u) { transportButton(u, "timeline/previous", "play/previous", Icon::kPrevious); }},
+      {3, 2, button, [](PanelUi& u) { transportButton(u, "timeline/next", "play/next", Icon::kNext); }},
+      {0, 12, button, [](PanelUi& u) { transportButton(u, "timeline/start", "play/start", Icon::kStart); }},
+      {4, 2, button, [](PanelUi& u) { transportButton(u, "timeline/end", "play/end", Icon::kEnd); }},
+      {5, 8, button, [](PanelUi& u) { transportButton(u, "timeline/loop", "play/loop", Icon::kLoop); }}};
+  if (isPosed(ui.state)) parts.push_back({7, 12, posedWidth(ui), posedChip});
+  parts.push_back({6, 12, ui.px(kSpeedWidth), speedField});
+  return parts;
+}
+
+std::string timeText(const EditorState& state, double duration, bool seconds) {
   char text[96];
-  const auto frames = [](double seconds) { return static_cast<int>(std::lround(seconds / kFrameSeconds)); };
-  std::snprintf(text, sizeof text, "%d / %d   %6.2f / %.2f s", frames(ui.state.open.transport.time), frames(duration),
-                ui.state.open.transport.time, duration);
+  const auto frames = [](double time) { return static_cast<int>(std::lround(time / kFrameSeconds)); };
+  const double time = state.open.transport.time;
+  if (seconds) {
+    std::snprintf(text, sizeof text, "%d / %d   %6.2f / %.2f s", frames(time), frames(duration), time, duration);
+  } else {
+    std::snprintf(text, sizeof text, "%d / %d", frames(time), frames(duration));
+  }
+  return text;
+}
+
+/// The longest form of the time that fits, at the right end. @param room  what the controls leave
+void timeReadout(PanelUi& ui, double duration, float room) {
   ImGui::PushFont(ui.fonts.mono);
-  const float width = ImGui::CalcTextSize(text).x;
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
-  ImGui::AlignTextToFramePadding();
-  mutedText(text);
+  for (const bool seconds : {true, false}) {
+    const std::string text = timeText(ui.state, duration, seconds);
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    if (width + ui.px(12) > room) continue;
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+    ImGui::AlignTextToFramePadding();
+    mutedText(text.c_str());
+    ui.widgets.note("timeline/time");
+    break;
+  }
   ImGui::PopFont();
-  ui.widgets.note("timeline/time");
+}
+
+void drawParts(PanelUi& ui, std::vector<Part> parts) {
+  std::ranges::sort(parts, {}, &Part::place);
+  for (const Part& part : parts) {
+    ImGui::SameLine(0.0f, ui.px(part.before));
+    part.draw(ui);
+  }
 }
 
 }  // namespace
 
 void drawTimeline(PanelUi& ui) {
   const double duration = clipDuration(ui.state.open.transport, ui.state.character());
-  clipChoice(ui);
-  ImGui::SameLine(0.0f, ui.px(12));
-  transportButtons(ui);
-  ImGui::SameLine(0.0f, ui.px(12));
-  speedField(ui);
-  posedChip(ui);
-  timeReadout(ui, duration);
+  const std::vector<Part> parts = partsOf(ui);
+  std::vector<float> widths;
+  for (const Part& part : parts) widths.push_back(ui.px(part.before) + part.width);
+  const float room = ImGui::GetContentRegionAvail().x;
+  const float all = std::accumulate(widths.begin(), widths.end(), 0.0f);
+  const float clip = std::clamp(room - all, ui.px(kClipNarrowest), ui.px(kClipWidth));
+  const float more = ui.px(12) + ImGui::GetFrameHeight();
+  const std::size_t shown = fittingCount(widths, room - clip, more);
+  const auto split = parts.begin() + static_cast<std::ptrdiff_t>(shown);
+  clipChoice(ui, clip);
+  drawParts(ui, {parts.begin(), split});
+  const float used = clip + std::accumulate(widths.begin(), widths.begin() + static_cast<std::ptrdiff_t>(shown), 0.0f);
+  if (shown < parts.size()) {
+    ImGui::SameLine(0.0f, ui.px(12));
+    const float side = ImGui::GetFrameHeight();
+    if (beginMore(ui, "timeline/more", {side, side})) {
+      drawParts(ui, {split, parts.end()});
+      endMore();
+    }
+  } else {
+    timeReadout(ui, duration, room - used);
+  }
   drawTimelineTrack(ui);
 }
 

@@ -1,0 +1,29 @@
+// app/panels/layout_sizes.h: what is shown of the wished panel sizes in a window of a given size.
+#pragma once
+
+#include "app/document/preferences.h"
+
+namespace sinew::app {
+
+inline constexpr float kSplitter = 5.0f;  ///< Design pixels, as all here: width of the bars between panels.
+inline constexpr float kStatusHeight = 28.0f;
+inline constexpr float kPanelNarrowest = 180.0f;
+inline constexpr float kViewportNarrowest = 240.0f;
+inline constexpr float kViewportLowest = 160.0f;
+inline constexpr float kBottomLowest = 76.0f;
+inline constexpr float kHistoryLowest = 90.0f;
+inline constexpr float kOutlinerLowest = 130.0f;
+
+/// Sizes of this frame, of hidden panels as well (0).
+struct LayoutSizes {
+  float left = 0.0f;
+  float right = 0.0f;
+  float bottom = 0.0f;
+  float history = 0.0f;
+};
+
+/// As wished where the window has room for it, else less: the same wishes and window always give the same sizes.
+/// @param width, height  of the window without its menu bar
+[[nodiscard]] LayoutSizes shownSizes(const LayoutState& wished, float width, float height);
+
+}  // namespace sinew::app

@@ -1,0 +1,121 @@
+// app/ui/number_field.cpp: every number that can be dragged or typed, as a field or as a slider.
+
+#include "app/ui/number_field.h"
+
+#include <imgui_internal.h>  // Whether a number is typed, and what is left of a drag: 1.86 keeps both to itself.
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace sinew::app {
+namespace {
+
+constexpr float kPrecise = 0.1f;  ///< What Shift makes of a drag, as on the handles in the picture.
+
+/// ImGui gives Shift, Alt and Ctrl meanings of its own in these fields: while it looks at them they are up.
+class ModifiersUp {
+ public:
+  explicit ModifiersUp(bool typing) : io_(ImGui::GetIO()), typing_(typing) {
+    if (typing_) return;
+    ctrl_ = std::exchange(io_.KeyCtrl, false);
+    shift_ = std::exchange(io_.KeyShift, false);
+    alt_ = std::exchange(io_.KeyAlt, false);
+    io_.ConfigDragClickToInputText = ctrl_;
+  }
+  ~ModifiersUp() {
+    if (typing_) return;
+    io_.KeyCtrl = ctrl_;
+    io_.KeyShift = shift_;
+    io_.KeyAlt = alt_;
+    io_.ConfigDragClickToInputText = false;
+  }
+  ModifiersUp(const ModifiersUp&) = delete;
+  ModifiersUp& operator=(const ModifiersUp&) = delete;
+
+ private:
+  ImGuiIO& io_;
+  bool typing_;
+  bool ctrl_ = false;
+  bool shift_ = false;
+  bool alt_ = false;
+};
+
+float stepOf(const NumberLook& look, const ImGuiIO& io) {
+  const float step = io.KeyCtrl ? look.step * (io.KeyShift ? kPrecise : 1.0f) : 0.0f;
+  return look.whole ? std::max(std::round(step), 1.0f) : step;
+}
+
+/// Of the range, 0 to 1.
+float fractionOf(float value, const NumberLook& look) {
+  if (look.logarithmic) return std::log(value / look.least) / std::log(look.most / look.least);
+  return (value - look.least) / (look.most - look.least);
+}
+
+void drawBar(Ui& ui, float fraction) {
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const ImVec2 high{low.x + ImGui::CalcItemWidth(), low.y + ImGui::GetFrameHeight()};
+  const float end = low.x + std::clamp(fraction, 0.0f, 1.0f) * (high.x - low.x);
+  const float edge = std::min(ui.px(2), end - low.x);
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  const bool lit = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(low, high, ImGui::GetColorU32(lit ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg), rounding);
+  list.PushClipRect(low, {end, high.y}, true);
+  list.AddRectFilled(low, high, palette::kAccent.faded(lit ? 0.34f : 0.26f).packed(), rounding);
+  list.PopClipRect();
+  // The end as a short stroke at the lower edge: the number stands above it.
+  list.AddRectFilled({end - edge, high.y - ui.px(5)}, {end, high.y}, ImGui::GetColorU32(palette::kAccent));
+}
+
+}  // namespace
+
+float toStep(float value, float step, float least, float most) {
+  if (!(step > 0.0f)) return value;
+  return std::clamp(std::round(value / step) * step, least, most);
+}
+
+bool numberField(const char* label, float& value, const NumberLook& look) {
+  const ImGuiID id = ImGui::GetID(label);
+  const bool typing = ImGui::TempInputIsActive(id);
+  const ImGuiIO& io = ImGui::GetIO();
+  const float step = stepOf(look, io);
+  const float speed = look.speed * (io.KeyShift && !look.whole ? kPrecise : 1.0f);
+  ImGuiSliderFlags flags = ImGuiSliderFlags_NoRoundToFormat;
+  if (look.clampTyped) flags |= ImGuiSliderFlags_AlwaysClamp;
+  if (look.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
+  const float before = value;
+  {
+    const ModifiersUp up(typing);
+    ImGui::DragFloat(label, &value, speed, look.least, look.most, look.format, flags);
+  }
+  const bool dragged = ImGui::GetActiveID() == id && !ImGui::TempInputIsActive(id);
+  if (dragged && step > 0.0f && value != before) {
+    const float wanted = value;
+    value = toStep(wanted, step, look.least, look.most);
+    // What the step leaves over counts with the next movement, in the unit that ImGui adds up in.
+    float left = wanted - value;
+    if (look.logarithmic) left = fractionOf(wanted, look) - fractionOf(value, look);
+    ImGui::GetCurrentContext()->DragCurrentAccum += left;
+  } else if (look.whole) {
+    value = toStep(value, 1.0f, look.least, look.most);
+  }
+  return value != before;
+}
+
+bool numberSlider(Ui& ui, const char* label, float& value, const NumberLook& look) {
+  drawBar(ui, fractionOf(value, look));
+  constexpr ImGuiCol kFrames[] = {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive};
+  const bool typing = ImGui::TempInputIsActive(ImGui::GetID(label));
+  if (!typing) {
+    for (const ImGuiCol frame : kFrames) ImGui::PushStyleColor(frame, palette::kAccent.faded(0.0f));
+  }
+  NumberLook slider = look;
+  slider.speed = (look.most - look.least) / std::max(ImGui::CalcItemWidth(), 1.0f);
+  const bool changed = numberField(label, value, slider);
+  if (!typing) ImGui::PopStyleColor(static_cast<int>(std::size(kFrames)));
+  return changed;
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,35 @@
+// app/ui/number_field.h: every number that can be dragged or typed, as a field or as a slider.
+#pragma once
+
+#include <cfloat>
+
+#include <imgui.h>
+
+#include "app/ui/ui.h"
+
+namespace sinew::app {
+
+/// How a number is shown and changed; all in shown units.
+struct NumberLook {
+  const char* format = "%.3f";
+  float speed = 0.01f;  ///< Per window coordinate of a drag; of sliders the range and width decide.
+  float least = -FLT_MAX;
+  float most = FLT_MAX;
+  float step = 0.0f;         ///< Ctrl goes from multiple to multiple; 0: no steps.
+  bool whole = false;        ///< Whole numbers only.
+  bool logarithmic = false;  ///< Sliders: equal ways are equal factors. least > 0.
+  bool clampTyped = true;    ///< What is typed is brought into the range; else its caller answers.
+};
+
+/// As on the handles in the picture: a drag with Shift goes a tenth as far, one with Ctrl from step to step (with both,
+/// in tenths of a step). A double click, or Ctrl and a click, types. @return whether the value changed.
+bool numberField(const char* label, float& value, const NumberLook& look);
+
+/// The same with the part left of the value filled, so that nothing lies over the number; a drag across the whole width
+/// goes through the whole range.
+bool numberSlider(Ui& ui, const char* label, float& value, const NumberLook& look);
+
+/// The nearest multiple of a step within a range; the value itself if the step is 0.
+[[nodiscard]] float toStep(float value, float step, float least, float most);
+
+}  // namespace sinew::app

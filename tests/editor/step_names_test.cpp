@@ -1,0 +1,74 @@
+// tests/editor/step_names_test.cpp: the history says what each step changed, and new groups ask for their name.
+
+#include <gtest/gtest.h>
+
+#include "app/editor/blending_edit.h"
+#include "app/editor/symmetry_commands.h"
+#include "core/rig/rig_edit.h"
+#include "tests/support/editor/headless_editor.h"
+#include "tests/support/editor/muscles_named.h"
+
+namespace sinew::app {
+namespace {
+
+struct StepNames : HeadlessEditor {
+  void SetUp() override {
+    HeadlessEditor::SetUp();
+    state.document.symmetry = false;
+    addMuscle(state, 0);
+    addMuscle(state, 1);
+    addMuscle(state, 2);
+    rename(state, state.document.idAt(0), "biceps");
+    select(state.document, {"biceps"});
+    settle();
+  }
+  [[nodiscard]] std::string last() const { return state.document.commands.label(steps()); }
+};
+
+TEST_F(StepNames, AFieldNamesTheMuscle) {
+  drag("inspector/center.x", {30.0f, 0.0f});
+  EXPECT_EQ(last(), "Move biceps");
+  drag("inspector/radius.y", {30.0f, 0.0f});
+  EXPECT_EQ(last(), "Radius of biceps");
+  drag("inspector/reach", {30.0f, 0.0f});
+  EXPECT_EQ(last(), "Reach of biceps");
+  click("inspector/carves");
+  EXPECT_EQ(last(), "Carve with biceps");
+}
+
+TEST_F(StepNames, SeveralAreCounted) {
+  selectAll(state.document);
+  settle();
+  drag("inspector/center.x", {30.0f, 0.0f});
+  EXPECT_EQ(last(), "Move 3 muscles");
+  duplicateSelection(state);
+  EXPECT_EQ(last(), "Duplicate 3 muscles");
+  deleteSelection(state);
+  EXPECT_EQ(last(), "Delete 3 muscles");
+}
+
+TEST_F(StepNames, AddingNamesWhatIsAdded) {
+  addMuscle(state, 3);
+  EXPECT_EQ(last(), "Add " + state.document.activeName());
+  duplicateSelection(state);
+  EXPECT_TRUE(last().starts_with("Duplicate ")) << last();
+}
+
+TEST_F(StepNames, ANewGroupAsksForItsNameWhereGroupsAreListed) {
+  ASSERT_EQ(state.view.outliner.tab, LeftTab::kMuscles);
+  groupSelection(state);
+  EXPECT_EQ(last(), "Group biceps");
+  settle();
+  EXPECT_EQ(state.view.outliner.tab, LeftTab::kGroups);
+  ASSERT_TRUE(shown("blending/rename"));
+  press(kKeyA, true);
+  type("Legs");
+  press(kEnter);
+  EXPECT_GE(findGroup(state.document.rig(), "Legs"), 0);
+  EXPECT_TRUE(last().starts_with("Rename group ")) << last();
+  renameGroupTo(state, state.document.rig().groups.back().id(), "Arms");
+  EXPECT_EQ(last(), "Rename group Legs");
+}
+
+}  // namespace
+}  // namespace sinew::app

@@ -1,0 +1,227 @@
+// tests/panels/layout_test.cpp: in windows of all sizes nothing is cut off and no text is drawn through text.
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/panels/layout_sizes.h"
+#include "app/ui/fonts.h"
+#include "tests/support/editor/drawn_text.h"
+#include "tests/support/editor/headless_editor.h"
+
+namespace sinew::app {
+namespace {
+
+struct Screen {
+  float width, height, scale;
+};
+
+std::vector<Screen> screens() {
+  std::vector<Screen> all;
+  for (const float scale : {1.0f, 1.5f, 2.0f}) {
+    for (const auto& [width, height] :
+         {std::pair{1024.0f, 640.0f}, std::pair{1280.0f, 800.0f}, std::pair{1600.0f, 1000.0f},
+          std::pair{1920.0f, 1200.0f}, std::pair{2560.0f, 1600.0f}}) {
+      all.push_back({width, height, scale});
+    }
+  }
+  return all;
+}
+
+std::string nameOf(const Screen& screen) {
+  return std::to_string(static_cast<int>(screen.width)) + "x" + std::to_string(static_cast<int>(screen.height)) +
+         " at " + std::to_string(screen.scale);
+}
+
+class Layout : public HeadlessEditor {
+ protected:
+  void use(const Screen& screen) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {screen.width, screen.height};
+    io.Fonts->Clear();
+    fonts = loadFonts(screen.scale);
+    io.Fonts->Build();
+    applyStyle(screen.scale);
+    state.frame.uiScale = screen.scale;
+    settleLayout();
+  }
+  /// Windows learn their contents' size and whether they scroll within a few frames.
+  void settleLayout() {
+    for (int i = 0; i < 4; ++i) frame();
+    ImGui::Render();
+  }
+
+  /// Bones as exporters name them, muscles on some.
+  void nameAtLength() {
+    auto character = std::make_shared<Character>(state.character());
+    int number = 0;
+    for (Bone& bone : character->skeleton.bones) {
+      bone.name = "Armature_Character_" + bone.name + "_Twist_" + std::to_string(++number);
+    }
+    finishBones(character->skeleton);
+    Document document = openDocument(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb").value();
+    document.character = character;
+    ASSERT_TRUE(showDocument(state, std::move(document)));
+    state.open.transport.playing = false;
+    for (const int bone : {0, 1, 2}) addMuscle(state, bone);
+    state.document.commands.apply("A group", addGroup(state.document.rig(), "Deltoid_and_upper_arm_twist").value());
+    settle();
+  }
+
+  /// @param only  windows that are looked at; "": all
+  void check(const std::string& what, const std::string& only = "") {
+    nothingIsCutOff(what, only);
+    nothingOverlaps(what, only);
+    noTextThroughText(what, only);
+  }
+
+ private:
+  static bool meant(const std::string& window, const std::string& only) {
+    return only.empty() || window.find(only) != std::string::npos;
+  }
+
+  void nothingIsCutOff(const std::string& what, const std::string& only) {
+    for (const LaidOut& item : widgets().laidOut()) {
+      if (!meant(item.window, only)) continue;
+      const bool wide = item.visible.z >= item.whole.z - 1.5f || item.scrollsX;
+      const bool high = item.visible.w >= item.whole.w - 1.5f || item.scrollsY;
+      EXPECT_TRUE(wide) << what << ": " << item.id << " in " << item.window << " shows " << item.visible.z << " of "
+                        << item.whole.z;
+      EXPECT_TRUE(high) << what << ": " << item.id << " in " << item.window << " shows " << item.visible.w << " of "
+                        << item.whole.w << " high";
+    }
+  }
+
+  static bool within(const glm::vec4& a, const glm::vec4& b) {
+    return a.x >= b.x - 1.0f && a.y >= b.y - 1.0f && a.x + a.z <= b.x + b.z + 1.0f && a.y + a.w <= b.y + b.w + 1.0f;
+  }
+
+  /// Controls of a window lie apart, or one in the other (a switch in its row).
+  void nothingOverlaps(const std::string& what, const std::string& only) {
+    const std::vector<LaidOut>& all = widgets().laidOut();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      for (std::size_t k = i + 1; k < all.size(); ++k) {
+        const glm::vec4 &a = all[i].visible, &b = all[k].visible;
+        if (all[i].window != all[k].window || !meant(all[i].window, only)) continue;
+        const float x = std::min(a.x + a.z, b.x + b.z) - std::max(a.x, b.x);
+        const float y = std::min(a.y + a.w, b.y + b.w) - std::max(a.y, b.y);
+        if (x <= 1.5f || y <= 1.5f || within(a, b) || within(b, a)) continue;
+        ADD_FAILURE() << what << ": " << all[i].id << " and " << all[k].id << " overlap by " << x << " x " << y;
+      }
+    }
+  }
+
+  void noTextThroughText(const std::string& what, const std::string& only) {
+    const std::vector<Glyph> glyphs = drawnGlyphs();
+    ASSERT_GT(glyphs.size(), 20u);
+    int worst = 0;
+    std::string where;
+    for (std::size_t i = 0; i < glyphs.size(); ++i) {
+      for (std::size_t k = i + 1; k < glyphs.size(); ++k) {
+        if (!meant(glyphs[i].list, only) || !meant(glyphs[k].list, only)) continue;
+        if (covered(glyphs[i], glyphs[k]) < 0.4f) continue;
+        ++worst;
+        where = glyphs[i].list + " and " + glyphs[k].list + " at " + std::to_string(glyphs[i].box.x) + ", " +
+                std::to_string(glyphs[i].box.y);
+      }
+    }
+    EXPECT_EQ(worst, 0) << what << ": letters over letters, in " << where;
+    for (const Glyph& glyph : glyphs) {
+      if (!meant(glyph.list, only) || scrolls(glyph.list)) continue;
+      const float width = glyph.box.z - glyph.box.x;
+      const bool cut = glyph.box.x < glyph.clip.x - 0.3f * width || glyph.box.z > glyph.clip.z + 0.3f * width;
+      EXPECT_FALSE(cut) << what << ": a letter is cut in " << glyph.list << " at " << glyph.box.x << ", "
+                        << glyph.box.y;
+    }
+  }
+
+  static bool scrolls(const std::string& window) {
+    const ImGuiWindow* const found = ImGui::FindWindowByName(window.c_str());
+    return found != nullptr && found->ScrollMax.x > 0.0f;
+  }
+};
+
+TEST_F(Layout, NothingIsCutOffAtAnySizeAndScale) {
+  nameAtLength();
+  for (const bool stages : {false, true}) {
+    state.view.layout.stages = stages;
+    for (const Screen& screen : screens()) {
+      use(screen);
+      check(nameOf(screen) + (stages ? " with all numbers" : ""));
+    }
+  }
+}
+
+TEST_F(Layout, NothingIsCutOffInEveryState) {
+  nameAtLength();
+  const auto everywhere = [&](const std::string& what) {
+    for (const Screen& screen :
+         {Screen{1024.0f, 640.0f, 1.5f}, Screen{1280.0f, 800.0f, 1.0f}, Screen{1024.0f, 640.0f, 2.0f}}) {
+      use(screen);
+      check(what + ", " + nameOf(screen));
+    }
+  };
+  state.view.outliner.tab = LeftTab::kGroups;
+  everywhere("groups");
+  state.view.groupsAsGraph = true;
+  everywhere("graph");
+  state.view.display.shading = Shading::kClasses;
+  state.view.outliner.tab = LeftTab::kMuscles;
+  everywhere("zones");
+  state.view.display.shading = Shading::kHeat;
+  run(action("tool/territory"), state);
+  everywhere("territory");
+  run(action("tool/territory"), state);
+  selectNothing(state);
+  everywhere("nothing selected");
+  state.view.layout.leftShown = false;
+  everywhere("without the left panels");
+  state.document.character = nullptr;
+  everywhere("without a character");
+}
+
+TEST_F(Layout, DialogsFitAndScroll) {
+  nameAtLength();
+  const auto everywhere = [&](const std::string& what, const std::string& window) {
+    for (const Screen& screen : screens()) {
+      use(screen);
+      check(what + ", " + nameOf(screen), window);
+    }
+  };
+  state.dialogs.preferences = true;
+  everywhere("preferences", "Preferences");
+  ASSERT_TRUE(shown("preferences/scale"));
+  state.dialogs.preferences = false;
+  state.dialogs.keySheet = true;
+  everywhere("keys", "Keys and mouse");
+  ASSERT_TRUE(shown("keys/maya"));
+  state.dialogs.keySheet = false;
+  settle();
+  showOpenDialog(state);
+  state.dialogs.file.folder = std::filesystem::path(SINEW_SOURCE_DIR) / "assets";
+  everywhere("open", "Open a character");
+  state.dialogs.file = {};
+  settle();
+  state.dialogs.question = {IntentKind::kQuit, {}};
+  everywhere("unsaved", "Unsaved changes");
+  EXPECT_TRUE(shown("unsaved/save") && shown("unsaved/cancel"));
+}
+
+TEST_F(Layout, WhatHasNoRoomIsBehindMore) {
+  nameAtLength();
+  use({1024.0f, 640.0f, 2.0f});
+  for (const auto& [more, hidden] :
+       {std::pair{"display/more", "display/numbers"}, std::pair{"toolstrip/more", "toolstrip/before"},
+        std::pair{"timeline/more", "timeline/speed"}}) {
+    EXPECT_FALSE(shown(hidden)) << hidden;
+    click(more);
+    EXPECT_TRUE(shown(hidden)) << hidden;
+    ImGui::Render();
+    check(more, "Popup");
+    press(kEscape);
+  }
+}
+
+}  // namespace
+}  // namespace sinew::app
