@@ -33,7 +33,7 @@ class NumberFields : public HeadlessEditor {
 };
 
 TEST_F(NumberFields, ADoubleClickTypesInSlidersToo) {
-  for (const auto& [id, text] : {std::pair{"smoothing/depth", "3"}, std::pair{"surface/iso", "0.31"},
+  for (const auto& [id, text] : {std::pair{"smoothing/depth", "5"}, std::pair{"surface/iso", "0.31"},
                                  std::pair{"surface/skin-blend", "4.5"}, std::pair{"smoothing/crease", "77"}}) {
     const std::size_t before = steps();
     doubleClick(id);
@@ -42,7 +42,7 @@ TEST_F(NumberFields, ADoubleClickTypesInSlidersToo) {
     press(kEnter);
     EXPECT_EQ(steps(), before + 1) << id;
   }
-  EXPECT_EQ(state.document.rig().smoothing.depth, 3);
+  EXPECT_EQ(state.document.rig().smoothing.depth, 5);
   EXPECT_FLOAT_EQ(iso(), 0.31f);
   EXPECT_FLOAT_EQ(state.document.rig().surface.skinBlend, 0.045f);
   EXPECT_FLOAT_EQ(state.document.rig().smoothing.creaseAngle, 77.0f);

@@ -21,6 +21,8 @@ namespace {
 
 constexpr float kMargin = 10.0f;  // Design pixels, as all here.
 constexpr float kScaleWidth = 220.0f;
+constexpr float kUnderTools = 110.0f;  // Height that the display bar and the shortest strip of tools need.
+constexpr float kScaleNarrowest = 110.0f;
 constexpr int kSteps = 64;
 
 struct Box {
@@ -33,11 +35,16 @@ bool modeShown(const EditorState& state) {
   return state.document.visibility.bare || editsTerritory(state) || state.document.visibility.isolated;
 }
 
+/// From the picture's lower edge to the plate, window coordinates.
+float underPlate(PanelUi& ui) { return modeShown(ui.state) ? ImGui::GetFrameHeight() + ui.px(22) : ui.px(kMargin); }
+
+float heatHeight(PanelUi& ui) { return 3.0f * ImGui::GetTextLineHeight() + ui.px(46); }
+float classesHeight(PanelUi& ui) { return 4.0f * (ImGui::GetTextLineHeight() + ui.px(4)) + ui.px(16); }
+
 /// A panel at the picture's lower left corner, above the line of the mode, drawn by hand.
 Box plate(PanelUi& ui, float width, float height) {
   const glm::vec4& v = ui.state.frame.viewport;
-  const float below = modeShown(ui.state) ? ImGui::GetFrameHeight() + ui.px(22) : ui.px(kMargin);
-  const ImVec2 low{v.x + ui.px(kMargin), v.y + v.w - below - height};
+  const ImVec2 low{v.x + ui.px(kMargin), v.y + v.w - underPlate(ui) - height};
   const ImVec2 high{low.x + width, low.y + height};
   ImGui::GetWindowDrawList()->AddRectFilled(low, high, palette::kPanel.faded(0.85f).packed(), ui.px(6));
   return {low, high};
@@ -69,8 +76,8 @@ void drawHeat(PanelUi& ui) {
   const float line = ImGui::GetTextLineHeight();
   const float room = ui.state.frame.viewport.z - ui.px(2 * kMargin + 2 * 12);
   const float width = std::min(ui.px(kScaleWidth), room);
-  if (width < ui.px(60)) return;
-  const Box box = plate(ui, width + ui.px(2 * 12), 3.0f * line + ui.px(46));
+  if (width < ui.px(kScaleNarrowest)) return;
+  const Box box = plate(ui, width + ui.px(2 * 12), heatHeight(ui));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float left = box.low.x + ui.px(12);
   list.AddText({left, box.low.y + ui.px(8)}, palette::kMuted.packed(), "Displacement");
@@ -115,7 +122,7 @@ void drawClasses(PanelUi& ui) {
   const SmoothingReport& report = ui.state.live->surface().report;
   const float line = ImGui::GetTextLineHeight() + ui.px(4);
   const float width = std::min(ui.px(210), ui.state.frame.viewport.z - ui.px(2 * kMargin));
-  const Box box = plate(ui, width, 4.0f * line + ui.px(16));
+  const Box box = plate(ui, width, classesHeight(ui));
   const bool over = ImGui::IsWindowHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   clippedText(list, {box.low.x + ui.px(12), box.low.y + ui.px(8)}, width - ui.px(24), palette::kMuted.packed(),
@@ -164,12 +171,27 @@ void drawMode(PanelUi& ui, const std::string& text, const char* button, const ch
   ui.widgets.note(std::string(id) + "/done");
 }
 
+float plateHeight(PanelUi& ui) {
+  const Shading shading = ui.state.view.display.shading;
+  return shading == Shading::kHeat ? heatHeight(ui) : (shading == Shading::kClasses ? classesHeight(ui) : 0.0f);
+}
+
 }  // namespace
+
+float legendHeight(PanelUi& ui) {
+  const float below = modeShown(ui.state) ? underPlate(ui) : 0.0f;
+  const float plate = plateHeight(ui);
+  const float all = plate > 0.0f ? underPlate(ui) + plate : below;
+  // Where both have no room the tools go first.
+  return ui.state.frame.viewport.w - all >= ui.px(kUnderTools) ? all : below;
+}
 
 void drawLegend(PanelUi& ui) {
   EditorState& state = ui.state;
-  if (state.view.display.shading == Shading::kHeat) drawHeat(ui);
-  if (state.view.display.shading == Shading::kClasses) drawClasses(ui);
+  if (legendHeight(ui) > underPlate(ui)) {
+    if (state.view.display.shading == Shading::kHeat) drawHeat(ui);
+    if (state.view.display.shading == Shading::kClasses) drawClasses(ui);
+  }
   if (state.document.visibility.bare) {
     drawMode(ui, "Before: without muscles", state.view.bare.latched && !state.view.bare.byKey ? "Show" : nullptr,
              "before", latchBare);

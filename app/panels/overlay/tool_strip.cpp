@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -108,7 +109,7 @@ void drawToolStrip(PanelUi& ui) {
   const float row = size + ui.px(2);
   const float line = ui.px(9);
   const float more = ui.px(26);
-  const float room = ui.state.frame.viewport.w - ui.px(54 + 10 + 8) - line;
+  const float room = ui.state.frame.viewport.w - std::max(legendHeight(ui), ui.px(10)) - ui.px(54 + 8) - line;
   const std::vector<float> rows(buttons.size(), row);
   const std::size_t shown = fittingCount(rows, room, more);
   const bool all = shown == buttons.size();
