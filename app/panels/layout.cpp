@@ -163,7 +163,7 @@ void drawStatus(PanelUi& ui, const Box& box) {
   beginRegion("region-status", box, ImGuiWindowFlags_NoScrollbar);
   const EditorState& state = ui.state;
   const bool refused = !state.open.refusal.empty();
-  const std::string usual = state.hasCharacter() ? state.frame.route.status : "Drop a .glb, .gltf or .rig.json here";
+  const std::string usual = state.hasCharacter() ? state.frame.route.status : "No character \xc2\xb7 Drop opens a .glb, .gltf or .rig.json";
   const std::string& text = refused ? state.open.refusal : usual;
   const float badge = state.session.messages.empty() ? 0.0f : ui.px(kBadgeRoom);
   const std::string shown = fitted(text, ImGui::GetContentRegionAvail().x - badge);

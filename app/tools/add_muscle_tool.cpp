@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 
 #include "app/document/shown_names.h"
+#include "app/tools/status_line.h"
 #include "app/tools/tool.h"
 
 namespace sinew::app {
@@ -28,9 +29,16 @@ void cancelDrawing(ViewportTools& tools, Document& document) { cancelAddMuscle(t
 
 std::string describeDrawing(const ToolFrame& frame) {
   const ViewportTools& tools = frame.tools;
-  if (tools.addMuscle.drag) return "Drag along the skin: release keeps, Esc cancels; the pose is held while you draw";
-  if (!tools.hover.skin || tools.hover.bone < 0) return "Add muscle: press on the skin and drag";
-  return "Press and drag: a muscle grows on " + shownBoneName(frame.document().character->skeleton, tools.hover.bone);
+  if (tools.addMuscle.drag) {
+    return statusLine("New muscle, the pose is held while you draw", {"Release keeps", "Esc cancels"});
+  }
+  if (!tools.hover.skin || tools.hover.bone < 0) {
+    return statusLine("Background",
+                      {"Drag orbits", "Drag on the skin adds a muscle", "Right+drag pans", "Wheel zooms"});
+  }
+  const std::string name = shownBoneName(frame.document().character->skeleton, tools.hover.bone);
+  return statusLine("Skin",
+                    {"Drag adds a muscle that grows on " + name, "Alt+drag orbits", "Right+drag pans", "Wheel zooms"});
 }
 
 }  // namespace

@@ -3,12 +3,14 @@
 #include "app/tools/axis_triad.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include <glm/geometric.hpp>
 
 #include "app/render/framing.h"
+#include "app/tools/status_line.h"
 
 namespace sinew::app {
 namespace {
@@ -120,25 +122,26 @@ ViewportInput passTriad(AxisTriad& triad, Camera& camera, ViewportInput input, c
   return input;
 }
 
-const char* describe(const AxisTriad& triad) {
-  if (triad.turning) return "Orbit";
+std::string describe(const AxisTriad& triad) {
+  if (triad.turning) return statusLine("Orbit", {"Release ends"});
   if (!triad.ballHovered) return "";
-  if (!triad.hovered) return "Drag the axis gizmo to orbit, click an axis to look along it";
-  switch (*triad.hovered) {
-    case AxisEnd::kX:
-      return "Click: the character's left (+X); again: the other side";
-    case AxisEnd::kMinusX:
-      return "Click: the character's right (-X); again: the other side";
-    case AxisEnd::kY:
-      return "Click: from above (+Y); again: from below";
-    case AxisEnd::kMinusY:
-      return "Click: from below (-Y); again: from above";
-    case AxisEnd::kZ:
-      return "Click: the front (+Z); again: the back";
-    case AxisEnd::kMinusZ:
-      break;
-  }
-  return "Click: the back (-Z); again: the front";
+  if (!triad.hovered) return statusLine("Axis gizmo", {"Click on an axis looks along it", "Drag orbits"});
+  struct Named {
+    const char* axis;
+    const char* first;
+    const char* again;
+  };
+  // By AxisEnd.
+  constexpr std::array<Named, 6> kEnds{{
+      {"Axis +X", "Click shows the character's left", "Click again shows its right"},
+      {"Axis -X", "Click shows the character's right", "Click again shows its left"},
+      {"Axis +Y", "Click looks from above", "Click again looks from below"},
+      {"Axis -Y", "Click looks from below", "Click again looks from above"},
+      {"Axis +Z", "Click shows the front", "Click again shows the back"},
+      {"Axis -Z", "Click shows the back", "Click again shows the front"},
+  }};
+  const Named& end = kEnds[static_cast<std::size_t>(*triad.hovered)];
+  return statusLine(end.axis, {end.first, end.again, "Drag orbits"});
 }
 
 }  // namespace sinew::app

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 #include "app/tools/camera.h"
 #include "app/tools/input.h"
@@ -64,7 +65,7 @@ bool routeTriad(AxisTriad& triad, Camera& camera, const ViewportInput& input, co
                                       float uiScale, bool busy);
 
 /// "Click: look from the front (+Z)"; "" if the pointer is elsewhere.
-[[nodiscard]] const char* describe(const AxisTriad& triad);
+[[nodiscard]] std::string describe(const AxisTriad& triad);
 
 /// @param topLeft of the viewport, in the list's units.  @param unitsPerPixel  list units per viewport pixel.
 void drawTriad(ImDrawList& list, const AxisTriad& triad, const TriadLayout& layout, const glm::vec2& topLeft,

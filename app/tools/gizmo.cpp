@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/tools/gizmo_basis.h"
+#include "app/tools/status_line.h"
 #include "core/base/flatness.h"
 
 namespace sinew::app {
@@ -52,15 +53,18 @@ std::string hoverText(GizmoHandle handle) {
     case HandleKind::kNone:
       return "";
     case HandleKind::kMove:
-      return whole ? "Drag to move in the picture's plane"
-                   : "Drag to move " + std::string(isAxis(parts.way) ? "along " : "in ") + way;
+      if (whole) return statusLine("Move handle", {"Drag moves in the picture's plane"});
+      return statusLine("Move handle " + way,
+                        {std::string(isAxis(parts.way) ? "Drag moves along " : "Drag moves in ") + way});
     case HandleKind::kRotate:
-      return "Drag to rotate about " + (whole ? "the line of sight" : way);
+      if (whole) return statusLine("Rotate ring", {"Drag rotates about the line of sight"});
+      return statusLine("Rotate ring " + way, {"Drag rotates about " + way});
     case HandleKind::kScale:
-      return "Drag to scale " + (whole ? "all three radii" : "the radius along " + way);
+      if (whole) return statusLine("Scale handle", {"Drag scales all three radii"});
+      return statusLine("Scale handle " + way, {"Drag scales the radius along " + way});
     case HandleKind::kPole:
-      return "Drag to pull the " + std::string(parts.sign > 0.0f ? "+" : "-") + way +
-             " end; the other end stays (Alt: the centre stays)";
+      return statusLine("Radius handle " + std::string(parts.sign > 0.0f ? "+" : "-") + way,
+                        {"Drag moves this end alone", "Alt+drag moves both ends"});
   }
   return "";
 }
@@ -170,7 +174,7 @@ std::string describe(const GizmoState& state) {
   if (!state.drag) return hoverText(state.hovered);
   const HandleParts parts = partsOf(state.drag->handle);
   std::string text;
-  std::string lock = "X/Y/Z lock, ";
+  const bool pole = parts.kind == HandleKind::kPole;
   switch (parts.kind) {
     case HandleKind::kNone:
       return "";
@@ -185,11 +189,11 @@ std::string describe(const GizmoState& state) {
       break;
     case HandleKind::kPole:
       text = "Radius ";
-      lock = "Alt both ends, ";
       break;
   }
-  return text + state.drag->value + ": " + lock +
-         "Ctrl snaps, Shift is precise, type a number, Enter or release keeps, Esc cancels";
+  return statusLine(text + state.drag->value, {"Release keeps", "Ctrl snaps", "Shift refines",
+                                               pole ? "Alt moves both ends" : "X/Y/Z locks an axis", "0-9 sets a value",
+                                               "Enter keeps", "Esc cancels"});
 }
 
 }  // namespace sinew::app

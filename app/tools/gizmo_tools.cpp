@@ -7,6 +7,7 @@
 
 #include "app/tools/gizmo_basis.h"
 #include "app/tools/gizmo_group.h"
+#include "app/tools/status_line.h"
 #include "app/tools/tool.h"
 
 namespace sinew::app {
@@ -92,12 +93,17 @@ void pickMuscle(ToolFrame& frame) {
 
 std::string describeMuscles(const ToolFrame& frame) {
   const ViewportHover& hover = frame.tools.hover;
-  const std::string several = describeCycle(hover, frame.document());
-  if (hover.taken >= 0) return several;
   const std::string under = describe(hover, frame.document());
-  const std::string more = several.empty() ? "" : " (" + several + ")";
-  if (!under.empty()) return under + more + ": click selects, Shift adds, drag orbits, right-click for a menu";
-  return "Drag orbits, Ctrl+drag selects by a box, right pans, wheel zooms, click on nothing clears the selection";
+  if (under.empty()) {
+    return statusLine("Background", {"Click clears the selection", "Drag orbits", "Ctrl+drag selects by a box",
+                                     "Right+drag pans", "Wheel zooms"});
+  }
+  const std::string several = countHere(hover);
+  const bool cycling = hover.taken >= 0;
+  const std::string click = cycling ? "Click again selects " + nextHere(hover, frame.document()) : "Click selects";
+  const std::string subject = cycling ? several : under + (several.empty() ? "" : " (" + several + ")");
+  return statusLine(subject, {click, "Shift+click adds", "Right+click opens a menu", "Drag orbits",
+                              "Ctrl+drag selects by a box", "Right+drag pans", "Wheel zooms"});
 }
 
 constexpr Tool gizmoTool(const char* id, const char* label, const char* hint, int key, Icon icon, GizmoMode handles,

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/tools/status_line.h"
 #include "app/tools/territory_tool.h"
 #include "app/tools/tool.h"
 
@@ -236,12 +237,16 @@ void wheel(ToolFrame& frame) {
 
 std::string statusOf(const ToolFrame& frame) {
   const ViewportTools& tools = frame.tools;
-  if (const char* const onTriad = describe(tools.triad); *onTriad != '\0') return onTriad;
+  if (std::string onTriad = describe(tools.triad); !onTriad.empty()) return onTriad;
   if (tools.gizmo.drag || tools.gizmo.hovered != GizmoHandle::kNone) return describe(tools.gizmo);
-  if (tools.box.drag) return "Box: release selects what it touches, Shift adds, Alt removes, Esc cancels";
-  if (tools.box.armed) return "Draw a box around muscles: Shift adds, Alt removes, Esc ends";
-  if (tools.owner == PressOwner::kOrbit) return "Orbit";
-  if (tools.owner == PressOwner::kPan) return "Pan";
+  if (tools.box.drag) {
+    return statusLine("Box", {"Release selects what it touches", "Shift adds", "Alt removes", "Esc cancels"});
+  }
+  if (tools.box.armed) {
+    return statusLine("Box", {"Drag selects what it touches", "Shift adds", "Alt removes", "Esc ends"});
+  }
+  if (tools.owner == PressOwner::kOrbit) return statusLine("Orbit", {"Release ends"});
+  if (tools.owner == PressOwner::kPan) return statusLine("Pan", {"Release ends"});
   return activeTool(tools).describe(frame);
 }
 

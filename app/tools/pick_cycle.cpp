@@ -40,7 +40,7 @@ void followCycle(ViewportHover& hover, const PickCycle& cycle, const Document& d
 
 std::string nameOf(const PickEntry& entry, const Document& document) {
   if (!entry.muscle) {
-    return "bone " + document.character->skeleton.bones[static_cast<std::size_t>(entry.bone)].name;
+    return "bone " + shownBoneName(document.character->skeleton, entry.bone);
   }
   const int index = findPrimitive(document.rig(), entry.muscle);
   return index < 0 ? "" : document.rig().primitives[static_cast<std::size_t>(index)].name;
@@ -81,12 +81,14 @@ void aimAtSelected(ViewportHover& hover, const Document& document) {
   if (found != hover.here.end()) aimAt(hover, static_cast<std::size_t>(found - hover.here.begin()), document);
 }
 
-std::string describeCycle(const ViewportHover& hover, const Document& document) {
+std::string countHere(const ViewportHover& hover) {
   if (hover.here.size() < 2) return "";
-  const std::string count = std::to_string(hover.here.size());
-  if (hover.taken < 0) return count + " here";
-  return std::to_string(hover.taken + 1) + " of " + count +
-         " here. Click again: " + nameOf(hover.here[hover.at], document);
+  const std::string count = std::to_string(hover.here.size()) + " here";
+  return hover.taken < 0 ? count : std::to_string(hover.taken + 1) + " of " + count;
+}
+
+std::string nextHere(const ViewportHover& hover, const Document& document) {
+  return nameOf(hover.here[hover.at], document);
 }
 
 }  // namespace sinew::app

@@ -40,8 +40,9 @@ void advance(PickCycle& cycle, ViewportHover& hover, const ViewportContext& cont
 /// Takes what is selected already, if that is here; else it stays with the first.
 void aimAtSelected(ViewportHover& hover, const Document& document);
 
-/// "2 of 5 here. Click again: deltoid L" while a cycle goes on, "5 here" before the first click; "" for one thing
-/// alone.
-[[nodiscard]] std::string describeCycle(const ViewportHover& hover, const Document& document);
+/// "2 of 5 here" while a cycle goes on, "5 here" before the first click; "" for one thing alone.
+[[nodiscard]] std::string countHere(const ViewportHover& hover);
+/// What the next click takes while a cycle goes on: a muscle's name, or "bone" and its name.
+[[nodiscard]] std::string nextHere(const ViewportHover& hover, const Document& document);
 
 }  // namespace sinew::app

@@ -5,6 +5,7 @@
 
 #include "app/document/shown_names.h"
 #include "app/render/picking.h"
+#include "app/tools/status_line.h"
 
 namespace sinew::app {
 namespace {
@@ -90,10 +91,14 @@ ViewportHover hoverJoint(const ViewportContext& context, const View& view, const
 void pickJoint(Document& document, const ViewportHover& hover) { document.selection.bone = hover.bone; }
 
 std::string describePosing(const ViewportHover& hover, const ViewportContext& context) {
-  if (hover.bone >= 0) return nameOfBone(context, hover.bone) + ": click, then drag a ring to turn this joint";
   const int selected = context.document.selection.bone;
-  if (selected >= 0) return "Drag a ring to turn " + nameOfBone(context, selected);
-  return "Pose: click a joint, or the skin that follows it, then drag a ring";
+  const std::string turn = selected >= 0 ? "Drag on a ring turns " + nameOfBone(context, selected) : "Drag orbits";
+  if (hover.bone < 0) {
+    return statusLine("Background",
+                      {"Click on a joint or its skin selects it", turn, "Right+drag pans", "Wheel zooms"});
+  }
+  const std::string act = hover.bone == selected ? "Click keeps it selected" : "Click selects it";
+  return statusLine("Joint " + nameOfBone(context, hover.bone), {act, turn, "Right+drag pans", "Wheel zooms"});
 }
 
 }  // namespace sinew::app

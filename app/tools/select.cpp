@@ -134,7 +134,7 @@ std::string describe(const ViewportHover& hover, const Document& document) {
     const Primitive& primitive = document.rig().primitives[static_cast<std::size_t>(hover.primitive)];
     return primitive.name + " on " + shownBoneName(document.character->skeleton, primitive.bone);
   }
-  if (hover.bone >= 0) return "bone " + shownBoneName(document.character->skeleton, hover.bone);
+  if (hover.bone >= 0) return "Bone " + shownBoneName(document.character->skeleton, hover.bone);
   return "";
 }
 

@@ -53,7 +53,7 @@ struct ViewportHover {
 /// A click: selects the primitive, else the bone; `add` (Shift) toggles a primitive. On nothing: clears, unless `add`.
 void pick(Document& document, const ViewportHover& hover, bool add);
 
-/// For the status line and the tooltip: "thigh L on b_LeftLeg01_015", "bone b_LeftLeg01_015" or "".
+/// For the status line and the tooltip: "thigh L on b_LeftLeg01_015", "Bone b_LeftLeg01_015" or "".
 [[nodiscard]] std::string describe(const ViewportHover& hover, const Document& document);
 
 }  // namespace sinew::app

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/document/shown_names.h"
+#include "app/tools/status_line.h"
 #include "app/tools/tool.h"
 #include "core/rig/attachment.h"
 #include "core/rig/rig_edit_several.h"
@@ -41,9 +42,13 @@ void clickBone(ToolFrame& frame) {
 
 std::string describeTerritory(const ToolFrame& frame) {
   const int bone = frame.tools.hover.bone;
-  if (bone < 0) return "Territory: click a bone, or the skin that follows it, Esc ends the mode";
+  if (bone < 0) {
+    return statusLine("Territory", {"Click on a bone or its skin adds or removes it", "Drag orbits", "Right+drag pans",
+                                    "Wheel zooms", "Esc ends"});
+  }
   const std::string name = shownBoneName(frame.document().character->skeleton, bone);
-  return "Click: " + name + " joins or leaves the territory, Esc ends the mode";
+  return statusLine("Bone " + name, {"Click adds it to the territory or removes it", "Drag orbits", "Right+drag pans",
+                                     "Wheel zooms", "Esc ends"});
 }
 
 }  // namespace

@@ -179,14 +179,14 @@ TEST(AxisTriad, TakesTheMouseOnTheBallAloneAndNeverFromOthers) {
 TEST(AxisTriad, TellsWhatAClickDoes) {
   Camera camera;
   AxisTriad triad;
-  EXPECT_STREQ(describe(triad), "");
+  EXPECT_EQ(describe(triad), "");
   for (const AxisEnd end : kEnds) {
     camera.stand.yaw = 0.5f;
     camera.stand.pitch = 0.35f;
     const TriadLayout layout = layoutTriad(camera, kSize, 1.0f);
     routeTriad(triad, camera, at(endOf(layout, end).pixel), kSize, 1.0f);
     EXPECT_EQ(triad.hovered, axisEndAt(layout, endOf(layout, end).pixel));
-    EXPECT_NE(std::string(describe(triad)).find("Click"), std::string::npos);
+    EXPECT_NE(describe(triad).find("Click"), std::string::npos);
   }
 }
 

@@ -229,7 +229,7 @@ TEST(InputRouter, WhatIsHoveredMayVanish) {
   scene.document.commands.undo();
   const RouteResult result = scene.move(scene.skinPixel());
   EXPECT_EQ(scene.tools.hover.primitive, -1);
-  EXPECT_NE(result.status.find("bone"), std::string::npos);
+  EXPECT_NE(result.status.find("Bone"), std::string::npos);
 }
 
 TEST(InputRouter, AnUnattachedMuscleHasNoGizmo) {
