@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/document/shown_names.h"
+
 namespace sinew::app {
 namespace {
 
