@@ -25,12 +25,16 @@ using State = EditorState;
 [[nodiscard]] std::span<const Action> windowActions();
 [[nodiscard]] std::span<const Action> helpActions();
 
-// When.
-inline bool always(const State&) { return true; }
-inline bool open(const State& s) { return s.hasCharacter(); }
+// When, and why not.
+inline Possible always(const State&) { return {}; }
+inline Possible open(const State& s) { return {s.hasCharacter(), "Open a character first"}; }
 /// Nothing is being dragged or typed.
-inline bool idle(const State& s) { return s.hasCharacter() && !ownsKeyboard(s.view.tools) && s.open.gestureItem == 0; }
-inline bool selected(const State& s) { return idle(s) && s.document.activePrimitive() >= 0; }
+inline Possible idle(const State& s) {
+  return open(s).also(!ownsKeyboard(s.view.tools) && s.open.gestureItem == 0, "Finish the current edit first");
+}
+inline Possible selected(const State& s) {
+  return idle(s).also(s.document.activePrimitive() >= 0, "Select a muscle first");
+}
 
 // Commands that change one part of the state as rows of the table.
 template <void (*kCommand)(Document&)>

@@ -7,19 +7,24 @@
 namespace sinew::app::table {
 namespace {
 
-bool undoable(const State& s) { return idle(s) && s.document.commands.canUndo(); }
-bool redoable(const State& s) { return idle(s) && s.document.commands.canRedo(); }
-bool boneKnown(const State& s) { return idle(s) && s.document.selection.bone >= 0; }
+Possible undoable(const State& s) { return idle(s).also(s.document.commands.canUndo(), "Nothing to undo"); }
+Possible redoable(const State& s) { return idle(s).also(s.document.commands.canRedo(), "Nothing to redo"); }
+Possible boneKnown(const State& s) { return idle(s).also(s.document.selection.bone >= 0, "Select a bone first"); }
 void renameActive(State& s) { startRename(s, s.document.idAt(s.document.activePrimitive())); }
 void addOnBone(State& s) { addMuscle(s, s.document.selection.bone); }
 
-bool mirrorable(const State& s) { return selected(s) && canMirror(s.document); }
+constexpr const char* kNoSides = "This character has no left and right bones";
+Possible mirrorable(const State& s) { return selected(s).also(canMirror(s.document), kNoSides); }
 bool symmetric(const State& s) { return s.document.symmetry; }
-bool symmetryKnown(const State& s) { return idle(s) && canMirror(s.document); }
-bool twinned(const State& s) { return selected(s) && anyTwin(s.document); }
-bool linkable(const State& s) { return mirrorable(s) && twoSelected(s.document); }
-bool anyMuscle(const State& s) { return idle(s) && !s.document.rig().primitives.empty(); }
-bool boneOrMuscle(const State& s) { return anyMuscle(s) && (selected(s) || s.document.selection.bone >= 0); }
+Possible symmetryKnown(const State& s) { return idle(s).also(canMirror(s.document), kNoSides); }
+Possible twinned(const State& s) { return selected(s).also(anyTwin(s.document), "No selected muscle has a twin"); }
+Possible linkable(const State& s) { return mirrorable(s).also(twoSelected(s.document), "Select two muscles first"); }
+Possible anyMuscle(const State& s) {
+  return idle(s).also(!s.document.rig().primitives.empty(), "There are no muscles yet");
+}
+Possible boneOrMuscle(const State& s) {
+  return anyMuscle(s).also(selected(s) || s.document.selection.bone >= 0, "Select a muscle or a bone first");
+}
 void paste(State& s) { pasteMuscles(s, false); }
 void pasteMirrored(State& s) { pasteMuscles(s, true); }
 

@@ -6,7 +6,13 @@
 namespace sinew::app::table {
 namespace {
 
-bool playable(const State& s) { return s.hasCharacter() && clipDuration(s.open.transport, s.character()) > 0.0; }
+Possible playable(const State& s) {
+  const bool any = s.hasCharacter() && !s.character().clips.empty();
+  return open(s)
+      .also(any, "The character has no clips")
+      .also(any && s.open.transport.clip >= 0, "Choose a clip first")
+      .also(any && clipDuration(s.open.transport, s.character()) > 0.0, "The clip is a single pose");
+}
 void togglePlay(State& s) { togglePlaying(s.open.transport, s.character()); }
 void next(State& s) { stepFrames(s.open.transport, 1, s.character()); }
 void previous(State& s) { stepFrames(s.open.transport, -1, s.character()); }
@@ -15,7 +21,9 @@ void toEnd(State& s) {
   s.open.transport.time = playRange(s.open.transport, s.character()).to;
   s.open.transport.playing = false;
 }
-bool hasRange(const State& s) { return playable(s) && s.open.transport.rangeTo > s.open.transport.rangeFrom; }
+Possible hasRange(const State& s) {
+  return playable(s).also(s.open.transport.rangeTo > s.open.transport.rangeFrom, "The whole clip plays already");
+}
 void startRange(State& s) {
   setPlayRange(s.open.transport, {s.open.transport.time, playRange(s.open.transport, s.character()).to}, s.character());
 }

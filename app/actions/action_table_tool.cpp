@@ -22,10 +22,14 @@ void chooseTool(State& s) {
   setTool(s.view.tools, static_cast<ToolKind>(kIndex));
 }
 
-bool posing(const State& s) { return idle(s) && s.view.tools.tool == ToolKind::kPose; }
-bool anyPosed(const State& s) { return idle(s) && isPosed(s); }
-bool jointPosed(const State& s) { return idle(s) && selectedJointIsPosed(s); }
-bool canPastePose(const State& s) { return idle(s) && !s.view.copiedPose.empty(); }
+Possible posing(const State& s) {
+  return idle(s).also(s.view.tools.tool == ToolKind::kPose, "Choose the Pose tool first");
+}
+Possible anyPosed(const State& s) { return idle(s).also(isPosed(s), "No joint is turned by hand"); }
+Possible jointPosed(const State& s) {
+  return idle(s).also(selectedJointIsPosed(s), "Select a joint that is turned by hand first");
+}
+Possible canPastePose(const State& s) { return idle(s).also(!s.view.copiedPose.empty(), "Copy a pose first"); }
 bool holdsPose(const State& s) { return s.open.transport.overrides.from == TurnsFrom::kBindPose; }
 
 bool boxing(const State& s) { return s.view.tools.box.armed; }
@@ -38,7 +42,7 @@ void dragAtOnce(State& s) {
   startDrag(s.view.tools, kTool);
 }
 
-bool territoryKnown(const State& s) { return selected(s) || editsTerritory(s); }
+Possible territoryKnown(const State& s) { return editsTerritory(s) ? Possible() : selected(s); }
 
 const Action kOthers[] = {
     {"tool/grab", "Grab", "Move the selected muscle with the pointer, without its handles; a click keeps it", kNone,

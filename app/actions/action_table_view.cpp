@@ -49,14 +49,17 @@ void toggleAutoDepth(State& s) {
 bool hasOverlay(const State& s) { return s.view.layout.overlay; }
 void toggleOverlay(State& s) { s.view.layout.overlay = !s.view.layout.overlay; }
 
-bool hasHelpers(const State& s) { return std::ranges::find(s.open.helperBones, true) != s.open.helperBones.end(); }
+Possible hasHelpers(const State& s) {
+  const bool any = std::ranges::find(s.open.helperBones, true) != s.open.helperBones.end();
+  return open(s).also(any, "Skin follows every bone: there are no helper bones");
+}
 bool showsHelpers(const State& s) { return s.view.outliner.helperBones; }
 void toggleHelpers(State& s) { s.view.outliner.helperBones = !s.view.outliner.helperBones; }
 
-bool hiddenAny(const State& s) { return s.hasCharacter() && anythingHidden(s.document); }
+Possible hiddenAny(const State& s) { return open(s).also(anythingHidden(s.document), "Nothing is hidden"); }
 bool isIsolated(const State& s) { return s.document.visibility.isolated.has_value(); }
-bool isolatable(const State& s) { return selected(s) || (idle(s) && isIsolated(s)); }
-bool lockedAny(const State& s) { return s.hasCharacter() && !s.document.visibility.locked.empty(); }
+Possible isolatable(const State& s) { return isIsolated(s) ? idle(s) : selected(s); }
+Possible lockedAny(const State& s) { return open(s).also(!s.document.visibility.locked.empty(), "Nothing is locked"); }
 bool isBare(const State& s) { return s.document.visibility.bare; }
 
 using D = DisplaySettings;

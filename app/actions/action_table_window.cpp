@@ -21,7 +21,7 @@ void togglePictureAlone(State& s) {
   const bool all = pictureAlone(s);
   s.view.layout.leftShown = s.view.layout.rightShown = s.view.layout.bottomShown = all;
 }
-bool hasMessages(const State& s) { return !s.session.messages.empty(); }
+Possible hasMessages(const State& s) { return {!s.session.messages.empty(), "There are no messages"}; }
 bool messagesShown(const State& s) { return s.session.messagesShown; }
 void toggleMessages(State& s) { s.session.messagesShown = !s.session.messagesShown; }
 void resetLayout(State& s) { s.view.layout = {}; }

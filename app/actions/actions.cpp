@@ -10,6 +10,7 @@
 #include <cassert>
 
 #include "app/actions/bindings.h"
+#include "app/editor/edit.h"
 
 namespace sinew::app {
 namespace {
@@ -140,7 +141,10 @@ bool runShortcut(EditorState& state, const RawInput& input) {
   if (key <= 0 || input.super) return false;
   const Action* meant = ownerOf({key, input.control, input.shift, input.alt}, state.session.preferences);
   if (meant == nullptr) return false;
-  if (input.pressedKey >= 0 || repeats(*meant)) run(*meant, state);
+  const bool asked = input.pressedKey >= 0;
+  const Possible possible = meant->enabled(state);
+  if (asked && !possible) sayRefusal(state, std::string(meant->label) + ": " + possible.reason());
+  if (asked || repeats(*meant)) run(*meant, state);
   return true;
 }
 

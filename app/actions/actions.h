@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/actions/possible.h"
 #include "app/document/preferences.h"
 #include "app/editor/editor_state.h"
 #include "app/platform/input_queue.h"
@@ -29,7 +30,7 @@ struct Action {
   const char* hint;   ///< One sentence for tooltips and the palette.
   Shortcut shortcut;  ///< In the default keymap (Maya's); others: shortcutsOf.
   Shortcut second;    ///< Another key for the same.
-  bool (*enabled)(const EditorState&);
+  Possible (*enabled)(const EditorState&);
   bool (*checked)(const EditorState&);  ///< Null: not a toggle.
   void (*run)(EditorState&);
   bool separatorBefore = false;

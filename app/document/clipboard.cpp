@@ -88,7 +88,7 @@ Result<Pasted> pastedMuscles(const Rig& rig, const std::string& text, const Skel
     if (mirror) {
       Result<Primitive> image = mirroredPrimitive(*mirror, primitive);
       if (!image) {
-        pasted.leftOut.push_back('"' + name + "\" is not pasted: " + image.error().text());
+        pasted.leftOut.push_back('"' + name + "\" is not pasted: " + image.error().plainText());
         continue;
       }
       image.value().mirror = primitive.mirror;
@@ -100,7 +100,7 @@ Result<Pasted> pastedMuscles(const Rig& rig, const std::string& text, const Skel
     primitive.mirror.clear();
     Result<Rig> added = addPrimitive(pasted.rig, std::move(primitive));
     if (!added) {
-      pasted.leftOut.push_back('"' + name + "\" is not pasted: " + added.error().text());
+      pasted.leftOut.push_back('"' + name + "\" is not pasted: " + added.error().plainText());
       continue;
     }
     pasted.rig = std::move(added).value();

@@ -34,23 +34,35 @@ Result<Document> openCharacter(const std::filesystem::path& file) {
   return document;
 }
 
-Result<Document> openParts(Rig rig, const std::filesystem::path& file, const std::filesystem::path& characterFile) {
+/// The rig is sound, but its character cannot be read.
+Error ofCharacter(const std::filesystem::path& rigFile, const Error& error) {
+  const std::string place = error.place.empty() ? error.file : error.file + ": " + error.place;
+  const std::string name = error.subject.empty() ? error.file : std::filesystem::path(error.file).filename().string();
+  return about("its character " + name, {rigFile.string(), "character: " + place, error.reason, error.subject});
+}
+
+/// @param onDisk  what the rig's file held before the rig was read
+Result<Document> openParts(Rig rig, const std::optional<FileStamp>& onDisk, const std::filesystem::path& file,
+                           const std::filesystem::path& characterFile) {
   auto character = importGltf(characterFile);
-  if (!character) return Error{file.string(), "character", character.error().text()};
+  if (!character) return ofCharacter(file, character.error());
   Document document;
   document.character = std::move(character).value();
   document.characterFile = characterFile;
   document.rigFile = file;
+  document.rigOnDisk = onDisk;
   document.commands = CommandStack(std::move(rig));
   prepareMirror(document);
   return document;
 }
 
 Result<Document> openRig(const std::filesystem::path& file) {
+  // Before it is read: if it changes in between, saving asks once too often, not once too little.
+  const std::optional<FileStamp> onDisk = stampOfFile(file);
   auto rig = loadRig(file);
   if (!rig) return rig.error();
   const std::filesystem::path characterFile = characterPath(rig.value(), file);
-  return openParts(std::move(rig).value(), file, characterFile);
+  return openParts(std::move(rig).value(), onDisk, file, characterFile);
 }
 
 }  // namespace
@@ -78,7 +90,7 @@ Result<Document> openDocument(const std::filesystem::path& file) {
   const std::string name = lowerCaseName(file);
   if (name.ends_with(".json")) return openRig(file);
   if (name.ends_with(".glb") || name.ends_with(".gltf")) return openCharacter(file);
-  return Error{file.string(), "", "expected a character (.glb, .gltf) or a rig (.rig.json)"};
+  return Error{file.string(), "", "expected a character (.glb, .gltf) or a rig (.rig.json)", "cannot be opened"};
 }
 
 std::optional<std::filesystem::path> missingCharacter(const std::filesystem::path& rigFile) {
@@ -92,11 +104,12 @@ std::optional<std::filesystem::path> missingCharacter(const std::filesystem::pat
 }
 
 Result<Document> openRigWith(const std::filesystem::path& rigFile, const std::filesystem::path& characterFile) {
+  const std::optional<FileStamp> onDisk = stampOfFile(rigFile);
   Result<Rig> rig = loadRig(rigFile);
   if (!rig) return rig.error();
   Rig located = rig.value();
   located.character = relativeCharacterPath(characterFile, rigFile);
-  Result<Document> opened = openParts(std::move(rig).value(), rigFile, characterFile);
+  Result<Document> opened = openParts(std::move(rig).value(), onDisk, rigFile, characterFile);
   if (!opened) return opened;
   Document document = std::move(opened).value();
   document.commands.apply("Locate character", std::move(located));
@@ -119,6 +132,7 @@ Result<void> saveDocument(Document& document, const std::filesystem::path& rigFi
   }
   if (Result<void> saved = saveRig(written, rigFile); !saved) return saved;
   document.rigFile = rigFile;
+  document.rigOnDisk = stampOf(rigToJson(written));
   document.commands.markSaved();
   return {};
 }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/document/command_stack.h"
+#include "app/document/file_stamp.h"
 #include "app/document/selection.h"
 #include "app/document/visibility.h"
 #include "core/symmetry/mirror.h"
@@ -20,7 +21,8 @@ namespace sinew::app {
 struct Document {
   std::shared_ptr<const Character> character;
   std::filesystem::path characterFile;
-  std::filesystem::path rigFile;  ///< Empty until saved or opened from one.
+  std::filesystem::path rigFile;       ///< Empty until saved or opened from one.
+  std::optional<FileStamp> rigOnDisk;  ///< What rigFile held when this document read or wrote it last.
   CommandStack commands{Rig{}};
   Selection selection;
   std::shared_ptr<const MirrorPlan> mirror;  ///< Null or unusable: nothing can be mirrored. See prepareMirror.

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "app/document/file_lock.h"
 #include "core/io/files/atomic_file.h"
 #include "core/io/json/json.h"
 
@@ -102,6 +103,37 @@ KeyChanges keysFromJson(const Json& json) {
   return changes;
 }
 
+/// How many at the front of `mine` are new, or were moved there: what follows stands in `base` in the same order.
+template <class Item>
+std::size_t addedTo(const std::vector<Item>& base, const std::vector<Item>& mine) {
+  auto from = base.end();
+  std::size_t added = mine.size();
+  while (added > 0) {
+    const auto found = std::find(base.begin(), from, mine[added - 1]);
+    if (found == from) break;
+    from = found;
+    --added;
+  }
+  return added;
+}
+
+template <class Item>
+std::vector<Item> mergedList(const std::vector<Item>& base, const std::vector<Item>& mine,
+                             const std::vector<Item>& theirs, std::size_t most) {
+  const auto holds = [](const std::vector<Item>& list, const Item& item) {
+    return std::ranges::find(list, item) != list.end();
+  };
+  std::vector<Item> merged(mine.begin(), mine.begin() + static_cast<std::ptrdiff_t>(addedTo(base, mine)));
+  // A list that is full has lost its oldest without anyone clearing it.
+  const bool cleared = mine.size() < std::min(base.size(), most);
+  for (const Item& item : theirs) {
+    const bool gone = cleared && holds(base, item) && !holds(mine, item);
+    if (!gone && !holds(merged, item)) merged.push_back(item);
+  }
+  if (merged.size() > most) merged.resize(most);
+  return merged;
+}
+
 std::string keptAside(const std::filesystem::path& file) {
   std::filesystem::path aside = file;
   aside += ".bad";
@@ -189,10 +221,36 @@ LoadedPreferences loadPreferences(const std::filesystem::path& file) {
   return {{}, error.text() + "; the default preferences are used" + keptAside(file)};
 }
 
+Preferences mergedPreferences(const Preferences& base, const Preferences& mine, const Preferences& theirs) {
+  Preferences merged = mine;
+  const auto merge = [&](auto Preferences::*setting) {
+    if (mine.*setting == base.*setting) merged.*setting = theirs.*setting;
+  };
+  merge(&Preferences::keymap);
+  merge(&Preferences::scale);
+  merge(&Preferences::autosaveSeconds);
+  merge(&Preferences::hiddenFiles);
+  merge(&Preferences::newestFirst);
+  merge(&Preferences::window);
+  merge(&Preferences::layout);
+  merged.recentFiles = mergedList(base.recentFiles, mine.recentFiles, theirs.recentFiles, kMostRecentFiles);
+  merged.recentActions = mergedList(base.recentActions, mine.recentActions, theirs.recentActions, kMostRecentActions);
+  return merged;
+}
+
 Result<void> savePreferences(const Preferences& preferences, const std::filesystem::path& file) {
   std::error_code failed;
   std::filesystem::create_directories(file.parent_path(), failed);
   return writeFileAtomically(file, preferencesToJson(preferences));
+}
+
+Result<void> saveMergedPreferences(const Preferences& base, const Preferences& mine,
+                                   const std::filesystem::path& file) {
+  std::error_code failed;
+  std::filesystem::create_directories(file.parent_path(), failed);
+  const FileLock lock = lockFolder(file.parent_path());
+  if (!std::filesystem::exists(file, failed)) return savePreferences(mine, file);
+  return savePreferences(mergedPreferences(base, mine, loadPreferences(file).preferences), file);
 }
 
 void rememberFile(std::vector<std::filesystem::path>& recent, const std::filesystem::path& file) {

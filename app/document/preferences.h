@@ -87,10 +87,19 @@ struct LoadedPreferences {
   std::string complaint;  ///< For the messages; "" if all is well.
 };
 
+/// What two windows have changed, together: of each setting the one that differs from `base` counts, mine if both do.
+/// The lists of recent files and actions hold what either has added, mine first, without what I have cleared.
+/// @param base  mine when it was read or written last
+[[nodiscard]] Preferences mergedPreferences(const Preferences& base, const Preferences& mine,
+                                            const Preferences& theirs);
+
 /// No file: defaults. A damaged file: defaults, a complaint, and the file is kept as FILE.bad.
 [[nodiscard]] LoadedPreferences loadPreferences(const std::filesystem::path& file);
 /// Atomic; makes the folder.
 [[nodiscard]] Result<void> savePreferences(const Preferences& preferences, const std::filesystem::path& file);
+/// Writes mine together with what other editors have written since (mergedPreferences); one editor at a time.
+[[nodiscard]] Result<void> saveMergedPreferences(const Preferences& base, const Preferences& mine,
+                                                 const std::filesystem::path& file);
 
 /// Puts the file first; made absolute, kMostRecentFiles at most.
 void rememberFile(std::vector<std::filesystem::path>& recent, const std::filesystem::path& file);

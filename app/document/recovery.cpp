@@ -58,6 +58,7 @@ std::string recoveryText(const Document& document) {
              .set("format", "sinew-recovery")
              .set("version", 1)
              .set("rig_file", absolutePath(document.rigFile).string())
+             .set("rig_on_disk", textOfStamp(document.rigOnDisk))
              .set("character_file", absolutePath(document.characterFile).string())
              .set("rig", rig ? rig.value() : Json())
              .dump(true) +
@@ -103,17 +104,6 @@ fs::path recoveryFolder() {
     return fs::path(folder) / "sinew" / "recovery";
   }
   return configFolder() / "recovery";
-}
-
-FileLock::~FileLock() {
-  if (descriptor_ >= 0) ::close(descriptor_);
-}
-
-FileLock::FileLock(FileLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
-
-FileLock& FileLock::operator=(FileLock&& other) noexcept {
-  std::swap(descriptor_, other.descriptor_);
-  return *this;
 }
 
 Result<RecoveryFile> RecoveryFile::claim(const fs::path& folder) {
@@ -178,13 +168,14 @@ Result<Document> recoverDocument(const LeftBehind& left) {
   const Result<Json> json = readRecovery(left.file);
   if (!json) return json.error();
   Result<Rig> rig = rigFromJson(json->at("rig").dump());
-  if (!rig) return Error{left.file.string(), "rig." + rig.error().place, rig.error().reason};
+  if (!rig) return Error{left.file.string(), "rig." + rig.error().place, rig.error().reason, rig.error().subject};
   auto character = importGltf(left.characterFile);
   if (!character) return character.error();
   Document document;
   document.character = std::move(character).value();
   document.characterFile = left.characterFile;
   document.rigFile = left.rigFile;
+  document.rigOnDisk = stampFromText(json->at("rig_on_disk").text(""));
   document.commands = CommandStack(rigBefore(left, rig.value()));
   document.commands.apply("Recover", std::move(rig).value());
   prepareMirror(document);  // After it: what is recovered is taken as it is.

@@ -11,27 +11,13 @@
 #include <vector>
 
 #include "app/document/document.h"
+#include "app/document/file_lock.h"
 #include "sinew/base/result.h"
 
 namespace sinew::app {
 
 /// $XDG_STATE_HOME/sinew/recovery, else recovery/ beside the preferences. Need not exist.
 [[nodiscard]] std::filesystem::path recoveryFolder();
-
-/// An open file with a lock on it. Closing it releases the lock.
-class FileLock {
- public:
-  FileLock() = default;
-  explicit FileLock(int descriptor) : descriptor_(descriptor) {}
-  ~FileLock();
-  FileLock(FileLock&& other) noexcept;
-  FileLock& operator=(FileLock&& other) noexcept;
-
-  [[nodiscard]] bool held() const { return descriptor_ >= 0; }
-
- private:
-  int descriptor_ = -1;
-};
 
 /// This process's place in the folder. Destroying it leaves the work where it is: only an end that was meant to be one
 /// takes it away.

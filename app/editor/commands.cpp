@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/document/motion_clip.h"
+#include "app/editor/disk_conflict.h"
 #include "app/editor/edit.h"
 #include "app/editor/muscle_names.h"
 #include "app/editor/pose_commands.h"
@@ -37,16 +38,19 @@ void show(EditorState& state, Document document, LiveSurface live, const Transpo
   state.view.tools.hover = {};
   state.view.tools.territoryMode = false;
   ++state.session.documentsOpened;
+  forgetDocumentMessages(state.session);
   setScene(state.view.tools.camera, boundsOf(state.live->surface().positions), state.character().height);
 }
 
-/// Moves in the history; the pose goes with it.
+/// Moves in the history; the pose goes with it. @return whether it moved
 template <class Move>
-void travel(EditorState& state, Move move) {
-  if (isBusy(state)) return;
+bool travel(EditorState& state, Move move) {
+  if (isBusy(state)) return false;
+  const std::size_t before = state.document.commands.position();
   move(state.document.commands);
   state.open.transport.overrides = state.document.commands.pose();
   state.open.refusal.clear();
+  return state.document.commands.position() != before;
 }
 
 void tellIgnored(EditorState& state) {
@@ -55,7 +59,7 @@ void tellIgnored(EditorState& state) {
     addMessage(state.session, MessageKind::kNote, name + ": " + ignored);
   }
   for (const Error& missing : missingBones(state.document.rig(), state.character().skeleton)) {
-    addMessage(state.session, MessageKind::kNote, missing.text() + "; the muscle is kept as it is");
+    addMessage(state.session, MessageKind::kNote, missing.plainText() + "; it is kept, but has no effect");
   }
 }
 
@@ -83,7 +87,7 @@ bool openFile(EditorState& state, const std::filesystem::path& file) {
   Result<Document> opened = openDocument(file);
   if (!opened) {
     if (const auto missing = missingCharacter(file)) state.dialogs.locate = {file, *missing};
-    else addMessage(state.session, MessageKind::kError, opened.error().text());
+    else addMessage(state.session, MessageKind::kError, opened.error().plainText());
     return false;
   }
   return showDocument(state, std::move(opened).value());
@@ -102,7 +106,7 @@ bool showDocument(EditorState& state, Document document) {
   if (!live) {
     Error error = live.error();
     error.file = (document.rigFile.empty() ? document.characterFile : document.rigFile).string();
-    addMessage(state.session, MessageKind::kError, error.text());
+    addMessage(state.session, MessageKind::kError, error.plainText());
     return false;
   }
   show(state, std::move(document), std::move(live).value(), transport);
@@ -180,6 +184,7 @@ bool save(EditorState& state, const Intent& then) {
     showSaveDialog(state, then);
     return false;
   }
+  if (asksBeforeSaving(state, then)) return false;
   if (!saveTo(state, state.document.rigFile).empty()) return false;
   perform(state, then);
   return true;
@@ -187,18 +192,23 @@ bool save(EditorState& state, const Intent& then) {
 
 std::string saveTo(EditorState& state, const std::filesystem::path& file) {
   if (const Result<void> saved = saveDocument(state.document, file); !saved) {
-    addMessage(state.session, MessageKind::kError, "not saved: " + saved.error().text());
-    return saved.error().text();
+    addMessage(state.session, MessageKind::kError, "Not saved: " + saved.error().plainText());
+    return saved.error().plainText();
   }
+  say(state, "Saved " + file.filename().string());
   return "";
 }
 
 void undo(EditorState& state) {
-  travel(state, [](CommandStack& commands) { commands.undo(); });
+  const CommandStack& commands = state.document.commands;
+  const std::string undone = commands.label(commands.position());
+  if (travel(state, [](CommandStack& history) { history.undo(); })) say(state, "Undone: " + undone);
 }
 
 void redo(EditorState& state) {
-  travel(state, [](CommandStack& commands) { commands.redo(); });
+  if (travel(state, [](CommandStack& history) { history.redo(); })) {
+    say(state, "Redone: " + state.document.commands.label(state.document.commands.position()));
+  }
 }
 
 void jumpTo(EditorState& state, std::size_t step) {

@@ -23,7 +23,8 @@ void perform(EditorState& state, const Intent& intent);
 void showOpenDialog(EditorState& state);
 /// @param then done after a successful save.
 void showSaveDialog(EditorState& state, const Intent& then);
-/// Saves where the rig lies, or asks for a place. @return whether it is saved now.
+/// Saves where the rig lies; or asks for a place, or what to do where the file has changed on disk. @return whether it
+/// is saved now.
 bool save(EditorState& state, const Intent& then);
 /// @return an empty text, or why it failed (also a message).
 std::string saveTo(EditorState& state, const std::filesystem::path& file);

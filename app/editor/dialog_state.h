@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/document/file_stamp.h"
 #include "app/editor/folder_listing.h"
 
 namespace sinew::app {
@@ -48,7 +49,13 @@ struct PaletteState {
   bool shown = false;
   bool appearing = false;  ///< The search field takes the keyboard with the next frame.
   std::string query;
-  int chosen = 0;  ///< Row that Enter takes.
+  int chosen = -1;  ///< Row that was chosen with the arrows; -1: none, Enter takes the best one.
+};
+
+/// "Your file has changed on disk": waits for which version is to stay.
+struct ConflictQuestion {
+  OnDisk found = OnDisk::kSame;  ///< kSame: not asking.
+  Intent then;                   ///< After the answer.
 };
 
 /// Which part of the preferences is shown.
@@ -67,6 +74,7 @@ struct KeyCapture {
 struct Dialogs {
   FileDialogState file;
   LocateState locate;
+  ConflictQuestion conflict;
   Intent question;  ///< Asking about unsaved changes before this; kNone: not asking.
   PaletteState palette;
   bool keySheet = false;

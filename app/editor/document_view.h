@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -63,6 +65,15 @@ struct ViewportMenuState {
   bool wanted = false;   ///< Opens with the next frame.
 };
 
+/// What the system says of the rig's file without reading it.
+struct DiskLook {
+  bool looked = false;
+  std::filesystem::file_time_type written{};
+  std::uintmax_t bytes = 0;
+
+  friend bool operator==(const DiskLook&, const DiskLook&) = default;
+};
+
 struct DocumentView {
   Transport transport;
   std::vector<bool> helperBones;  ///< [bones] core/character/skin_bones.h
@@ -75,7 +86,9 @@ struct DocumentView {
   PrimitiveId revealed;          ///< The muscle the outliner has scrolled to last.
   std::size_t historyShown = 0;  ///< The step the history has scrolled to last.
   unsigned gestureItem = 0;      ///< ImGui id of the field whose drag or typing is one undo step; 0: none.
-  std::string refusal;           ///< Why the last edit was refused, for the status line; "" after an accepted one.
+  std::string refusal;           ///< Why the last edit was refused; "" after an accepted one.
+  DiskLook disk;                 ///< At the last look.
+  std::size_t messagesSeen = 0;  ///< SessionState::messagesSaid when the list was drawn last.
   bool frameWanted = false;      ///< Frame the character as soon as the viewport's size is known.
 };
 

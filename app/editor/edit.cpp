@@ -2,7 +2,9 @@
 
 #include "app/editor/edit.h"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace sinew::app {
 
@@ -22,11 +24,20 @@ bool edit(EditorState& state, const std::string& label, Result<Rig> rig) {
 }
 
 void refuse(EditorState& state, const Error& error) {
-  state.open.refusal = error.text();
-  // The status line has it: the list need not open.
+  const std::string text = error.plainText();
+  sayRefusal(state, text);
+  if (text == state.open.refusal) return;
+  state.open.refusal = text;
+  // The toast has it: the list need not open.
   const bool shown = state.session.messagesShown;
-  addMessage(state.session, MessageKind::kError, error.text());
+  addMessage(state.session, MessageKind::kError, text);
   state.session.messagesShown = shown;
+}
+
+void say(EditorState& state, const std::string& text) { state.session.toast = Toast{text, false, state.frame.now}; }
+
+void sayRefusal(EditorState& state, const std::string& text) {
+  state.session.toast = Toast{text, true, state.frame.now};
 }
 
 void keepPose(EditorState& state, const std::string& label) {
@@ -34,15 +45,22 @@ void keepPose(EditorState& state, const std::string& label) {
   state.open.refusal.clear();
 }
 
-void addMessage(SessionState& session, MessageKind kind, const std::string& text) {
+void addMessage(SessionState& session, MessageKind kind, const std::string& text, MessageAbout about) {
   session.messagesShown = true;
-  for (Message& message : session.messages) {
-    if (message.kind == kind && message.text == text) {
-      ++message.count;
-      return;
-    }
+  ++session.messagesSaid;
+  std::vector<Message>& messages = session.messages;
+  const auto same = std::ranges::find_if(
+      messages, [&](const Message& message) { return message.kind == kind && message.text == text; });
+  if (same == messages.end()) {
+    messages.push_back({kind, text, 1, about});
+    return;
   }
-  session.messages.push_back({kind, text, 1});
+  ++same->count;
+  std::rotate(same, same + 1, messages.end());
+}
+
+void forgetDocumentMessages(SessionState& session) {
+  std::erase_if(session.messages, [](const Message& message) { return message.about == MessageAbout::kDocument; });
 }
 
 }  // namespace sinew::app

@@ -12,13 +12,22 @@ namespace sinew::app {
 /// @return whether it was accepted.
 bool edit(EditorState& state, const std::string& label, Result<Rig> rig);
 
-/// Says why an edit was refused: in the status line until the next accepted edit, and among the messages.
+/// Says why an edit was refused: at once in a toast, and among the messages. A drag that is refused in every frame is
+/// one refusal.
 void refuse(EditorState& state, const Error& error);
+
+/// A toast: what has been done.
+void say(EditorState& state, const std::string& text);
+/// A toast: what has not been done, and why.
+void sayRefusal(EditorState& state, const std::string& text);
 
 /// One undo step: the pose made by hand is as the transport has it now.
 void keepPose(EditorState& state, const std::string& label);
 
-/// Adds a line to the messages; said again, it counts up.
-void addMessage(SessionState& session, MessageKind kind, const std::string& text);
+/// Adds a line to the messages; said again, it counts up and becomes the newest.
+void addMessage(SessionState& session, MessageKind kind, const std::string& text,
+                MessageAbout about = MessageAbout::kDocument);
+/// Another document is open: what was said of the one before goes.
+void forgetDocumentMessages(SessionState& session);
 
 }  // namespace sinew::app

@@ -102,7 +102,7 @@ void pastePose(EditorState& state) {
   if (found.missing > 0) {
     addMessage(state.session, MessageKind::kNote,
                std::to_string(found.missing) + (found.missing == 1 ? " joint" : " joints") +
-                   " of the copied pose are not in this character");
+                   " of the copied pose ignored: this character does not have them");
   }
 }
 
@@ -145,7 +145,7 @@ void playRangeOfMotion(EditorState& state) {
   if (extended != state.document.character) {
     Result<LiveSurface> live = LiveSurface::create(extended, state.document.commands, state.open.transport);
     if (!live) {
-      addMessage(state.session, MessageKind::kError, live.error().text());
+      addMessage(state.session, MessageKind::kError, live.error().plainText());
       return;
     }
     state.document.character = std::move(extended);

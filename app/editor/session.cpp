@@ -110,7 +110,7 @@ void recover(EditorState& state, const fs::path& recoveryFile) {
   Result<Document> recovered = recoverDocument(left);
   if (!recovered) {
     addMessage(state.session, MessageKind::kError,
-               "not recovered: " + recovered.error().text() + "; it is kept as " + left.file.string());
+               "Not recovered: " + recovered.error().plainText() + "; it is kept as " + left.file.string());
     return;
   }
   if (showDocument(state, std::move(recovered).value())) state.session.recovered = std::move(left);
@@ -121,7 +121,7 @@ void discardRecovery(EditorState& state, const fs::path& recoveryFile) {
   if (!left.file.empty()) discardLeftBehind(left);
 }
 
-void showPalette(Dialogs& dialogs) { dialogs.palette = {true, true, "", 0}; }
+void showPalette(Dialogs& dialogs) { dialogs.palette = {true, true, "", -1}; }
 
 void jumpToMuscle(EditorState& state, PrimitiveId primitive) {
   if (!state.hasCharacter() || findPrimitive(state.document.rig(), primitive) < 0) return;

@@ -2,7 +2,10 @@
 
 #include "app/editor/session_keeper.h"
 
+#include <system_error>
+
 #include "app/editor/commands.h"
+#include "app/editor/disk_conflict.h"
 #include "app/editor/edit.h"
 #include "app/editor/session.h"
 #include "app/editor/view_memory.h"
@@ -11,6 +14,7 @@ namespace sinew::app {
 namespace {
 
 constexpr double kSettleSeconds = 1.0;  ///< What is being dragged is written once it rests.
+constexpr double kDiskSeconds = 1.0;    ///< Between looks at the rig's file.
 
 Preferences preferencesOf(const EditorState& state, const WindowPlace& window) {
   Preferences preferences = currentPreferences(state);
@@ -31,15 +35,17 @@ void SessionKeeper::start(EditorState& state) {
   state.session.preferences = loaded.preferences;
   state.view.layout = loaded.preferences.layout;
   state.session.viewsFolder = viewsFolder_;
-  stored_ = seen_ = loaded.preferences;
-  if (!loaded.complaint.empty()) addMessage(state.session, MessageKind::kWarning, loaded.complaint);
+  base_ = stored_ = seen_ = loaded.preferences;
+  if (!loaded.complaint.empty())
+    addMessage(state.session, MessageKind::kWarning, loaded.complaint, MessageAbout::kProgram);
   state.session.leftBehind = findLeftBehind(recoveryFolder_);
   state.dialogs.recovery = !state.session.leftBehind.empty();
   Result<RecoveryFile> claimed = RecoveryFile::claim(recoveryFolder_);
   if (claimed) {
     recovery_ = std::move(claimed).value();
   } else {
-    addMessage(state.session, MessageKind::kWarning, "no autosave: " + claimed.error().text());
+    addMessage(state.session, MessageKind::kWarning, "Autosave is off: " + claimed.error().plainText(),
+               MessageAbout::kProgram);
   }
 }
 
@@ -47,6 +53,10 @@ void SessionKeeper::tick(EditorState& state, double now, const WindowPlace& wind
   keepRecent(state);
   keepWork(state, now);
   keepView(state, now);
+  if (now - diskSeenAt_ >= kDiskSeconds) {
+    diskSeenAt_ = now;
+    watchDisk(state);
+  }
   keepPreferences(state, now, window);
 }
 
@@ -61,18 +71,18 @@ void SessionKeeper::finish(EditorState& state, const WindowPlace& window) {
   if (last != stored_) writePreferences(state, last);
 }
 
-/// Other editors may have opened files as well: what is on the disk counts, with this document in front.
+/// Other editors may have opened files as well: theirs are taken over, with this document in front.
 void SessionKeeper::keepRecent(EditorState& state) {
   const Document& document = state.document;
   const std::pair now(state.session.documentsOpened,
                       document.rigFile.empty() ? document.characterFile : document.rigFile);
   if (now == remembered_ || now.second.empty()) return;
   remembered_ = now;
-  const LoadedPreferences onDisk = loadPreferences(preferencesFile_);
-  if (state.session.preferences.recentFiles == stored_.recentFiles && !onDisk.preferences.recentFiles.empty()) {
-    state.session.preferences.recentFiles = onDisk.preferences.recentFiles;
-  }
   rememberDocument(state);
+  Preferences& mine = state.session.preferences;
+  std::error_code failed;
+  if (!std::filesystem::exists(preferencesFile_, failed)) return;
+  mine.recentFiles = mergedPreferences(base_, mine, loadPreferences(preferencesFile_).preferences).recentFiles;
 }
 
 void SessionKeeper::keepWork(EditorState& state, double now) {
@@ -97,7 +107,9 @@ void SessionKeeper::keepWork(EditorState& state, double now) {
 bool SessionKeeper::writeWork(EditorState& state) {
   const Result<void> written = recovery_->write(state.document);
   if (written) clock_.wrote(state.document.commands.revision());
-  else addMessage(state.session, MessageKind::kWarning, "autosave failed: " + written.error().text());
+  else
+    addMessage(state.session, MessageKind::kWarning, "Autosave failed: " + written.error().plainText(),
+               MessageAbout::kProgram);
   return written.ok();
 }
 
@@ -123,11 +135,16 @@ void SessionKeeper::keepPreferences(EditorState& state, double now, const Window
   }
 }
 
-/// A failure is reported once; the next change tries again.
+/// What another window has changed since stays as that one left it. A failure is reported once; the next change tries
+/// again.
 void SessionKeeper::writePreferences(EditorState& state, const Preferences& preferences) {
   stored_ = preferences;
-  if (const Result<void> saved = savePreferences(preferences, preferencesFile_); !saved) {
-    addMessage(state.session, MessageKind::kWarning, "preferences not saved: " + saved.error().text());
+  const Result<void> saved = saveMergedPreferences(base_, preferences, preferencesFile_);
+  if (saved) {
+    base_ = preferences;
+  } else {
+    addMessage(state.session, MessageKind::kWarning, "Preferences not saved: " + saved.error().plainText(),
+               MessageAbout::kProgram);
   }
 }
 

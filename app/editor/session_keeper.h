@@ -41,12 +41,14 @@ class SessionKeeper {
   std::filesystem::path viewsFolder_;
   std::optional<RecoveryFile> recovery_;
   AutosaveClock clock_;
-  Preferences stored_;  ///< As on the disk.
+  Preferences base_;    ///< This window's own when they were read or written last.
+  Preferences stored_;  ///< The same, or what could not be written.
   Preferences seen_;    ///< At the last look.
   double seenAt_ = 0.0;
   std::string viewStored_;  ///< The view as last kept, of which document included.
   std::string viewSeen_;    ///< At the last look.
   std::optional<double> viewSeenAt_;
+  double diskSeenAt_ = -1e9;
   std::pair<std::size_t, std::filesystem::path> remembered_;  ///< Opened document and its file.
 };
 

@@ -10,22 +10,29 @@
 #include "app/document/preferences.h"
 #include "app/document/recovery.h"
 #include "app/editor/frame_stats.h"
+#include "app/editor/toast.h"
 
 namespace sinew::app {
 
 enum class MessageKind { kNote, kWarning, kError };
+
+/// Whom a message is about: what was said of a document goes when another is opened.
+enum class MessageAbout { kDocument, kProgram };
 
 /// Stays until dismissed.
 struct Message {
   MessageKind kind = MessageKind::kNote;
   std::string text;
   int count = 1;  ///< Times it was said.
+  MessageAbout about = MessageAbout::kDocument;
 };
 
 struct SessionState {
   std::filesystem::path viewsFolder;  ///< Where views of files are kept (view_files.h); "": they are not.
-  Preferences preferences;            ///< Without layout and window, which stand in ViewState and in the window.
-  std::vector<Message> messages;
+  Preferences preferences;        ///< Without layout and window, which stand in ViewState and in the window.
+  std::vector<Message> messages;  ///< The last one is the newest.
+  std::size_t messagesSaid = 0;   ///< Grows with every message.
+  std::optional<Toast> toast;
   bool messagesShown = false;           ///< Unfolded: by a new message, until they are folded.
   std::vector<LeftBehind> leftBehind;   ///< By a crash: offered until answered.
   std::optional<LeftBehind> recovered;  ///< Open now: thrown away once this process has its own copy.

@@ -163,8 +163,10 @@ void pasteMuscles(EditorState& state, bool mirrored) {
   }
   for (const std::string& reason : pasted->leftOut) addMessage(state.session, MessageKind::kWarning, reason);
   const std::vector<std::string> names = pasted->names;
-  edit(state, std::string(mirrored ? "Paste mirrored " : "Paste ") + countText(names.size(), names.front()),
-       std::move(pasted).value().rig);
+  const std::string what = countText(names.size(), names.front());
+  const std::string left = pasted->leftOut.empty() ? "" : "; " + std::to_string(pasted->leftOut.size()) + " left out";
+  if (edit(state, (mirrored ? "Paste mirrored " : "Paste ") + what, std::move(pasted).value().rig))
+    say(state, "Pasted " + what + left);
   state.document.selection.primitives.clear();
   for (const std::string& name : names) {
     state.document.selection.primitives.push_back(state.document.idAt(findPrimitive(state.document.rig(), name)));

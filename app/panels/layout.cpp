@@ -162,14 +162,11 @@ void drawStatus(PanelUi& ui, const Box& box) {
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::kBackground);
   beginRegion("region-status", box, ImGuiWindowFlags_NoScrollbar);
   const EditorState& state = ui.state;
-  const bool refused = !state.open.refusal.empty();
-  const std::string usual = state.hasCharacter() ? state.frame.route.status : "No character \xc2\xb7 Drop opens a .glb, .gltf or .rig.json";
-  const std::string& text = refused ? state.open.refusal : usual;
+  const std::string text =
+      state.hasCharacter() ? state.frame.route.status : "No character \xc2\xb7 Drop opens a .glb, .gltf or .rig.json";
   const float badge = state.session.messages.empty() ? 0.0f : ui.px(kBadgeRoom);
   const std::string shown = fitted(text, ImGui::GetContentRegionAvail().x - badge);
-  ImGui::PushStyleColor(ImGuiCol_Text, refused ? palette::kWarning : palette::kMuted);
-  ImGui::TextUnformatted(shown.c_str());
-  ImGui::PopStyleColor();
+  mutedText(shown.c_str());
   ui.widgets.note("status/line");
   if (shown != text) tooltip(ui, text);
   ImGui::SameLine();

@@ -24,7 +24,7 @@ void drawTab(PanelUi& ui, const char* word, const char* id, LeftTab tab) {
   const bool dragged = ImGui::GetDragDropPayload() != nullptr;
   const bool over = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   if (dragged && over) {
-    ui.wakeAfter = kTabHoldSeconds;
+    ui.wakeIn(kTabHoldSeconds);
     if (ImGui::GetIO().MouseDownDuration[0] > static_cast<float>(kTabHoldSeconds)) outliner.tab = tab;
   }
   ImDrawList& list = *ImGui::GetWindowDrawList();

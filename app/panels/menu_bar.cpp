@@ -61,6 +61,7 @@ void drawItems(PanelUi& ui, const Menu& menu) {
     const bool chosen =
         ImGui::MenuItem(item.label, ("   " + keyText(item, ui.state)).c_str(), checked, item.enabled(ui.state));
     ui.widgets.note(item.id);
+    tooltip(ui, hintOf(ui, item));
     if (chosen) run(item, ui.state);
     if (std::string_view(item.id) == "file/open") {
       drawRecent(ui);

@@ -66,7 +66,7 @@ Result<Rig> withTerritoryBone(const Rig& rig, int index, int bone, const Skeleto
   if (removed == 0) names.push_back(skeleton.fileName(bone));
   const bool any =
       std::ranges::any_of(names, [&](const std::string& name) { return skeleton.findBone(name).has_value(); });
-  if (!any) return errorAt("territory", "a muscle must be allowed to move the skin of one bone at least");
+  if (!any) return errorAt("territory", "a muscle must be allowed to move the skin of one bone at least", "territory");
   return editPrimitives(rig, std::vector<int>{index}, [&](Primitive& primitive) { primitive.territory = names; });
 }
 

@@ -18,6 +18,7 @@ namespace {
 constexpr float kLabelColumn = 84.0f;  // Design pixels, as all here.
 constexpr float kWideRow = 220.0f;     // Less room than this: a name stands above its fields.
 constexpr double kTooltipSeconds = 0.45;
+constexpr double kNextFrame = 1e-3;
 
 ImU32 iconColor(bool active, bool hovered) {
   if (active) return palette::kAccent.packed();
@@ -33,6 +34,8 @@ std::string lowered(const char* word) {
 void showTooltip(Ui& ui, const std::string& text) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(7)});
   ImGui::BeginTooltip();
+  // Its first frame only measures it: where no other frame is due, it would never be seen.
+  if (ImGui::IsWindowAppearing()) ui.wakeIn(kNextFrame);
   ImGui::PushTextWrapPos(ui.px(320));
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
@@ -58,7 +61,7 @@ void tooltip(Ui& ui, const std::string& text) {
   if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   const double left = kTooltipSeconds - static_cast<double>(ImGui::GetCurrentContext()->HoveredIdTimer);
   if (ImGui::GetHoveredID() != 0 && left > 0.0) {
-    ui.wakeAfter = left;
+    ui.wakeIn(left);
     return;
   }
   showTooltip(ui, text);

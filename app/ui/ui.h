@@ -1,6 +1,7 @@
 // app/ui/ui.h: what every control is handed, and the few controls that all panels share.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <string>
 
@@ -22,12 +23,14 @@ struct Ui {
 
   /// Design pixels -> window coordinates.
   [[nodiscard]] float px(float design) const { return design * scale; }
+  /// Another frame is wanted in so many seconds at the latest.
+  void wakeIn(double seconds) { wakeAfter = wakeAfter > 0.0 ? std::min(wakeAfter, seconds) : seconds; }
 };
 
 /// A section heading: bold text.
 void heading(Ui& ui, const char* text);
 void mutedText(const char* text);
-/// Shown while the last item is hovered.
+/// Shown while the last item is hovered, disabled or not, after a short delay.
 void tooltip(Ui& ui, const std::string& text);
 
 /// Square button with an icon; lit when active. Notes itself as `id`.

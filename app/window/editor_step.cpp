@@ -92,7 +92,7 @@ void EditorStep::updateSurface(EditorState& state) {
   state.live->movePose(state.open.transport);  // The pose tool may have turned a joint.
   followEdits(state.document);
   const Result<bool> updated = state.live->update(state.document.commands, surfaceView(state));
-  if (!updated) addMessage(state.session, MessageKind::kError, updated.error().text());
+  if (!updated) addMessage(state.session, MessageKind::kError, updated.error().plainText());
   state.session.stats.stages = state.live->surface().report.seconds;
   const std::pair prepared(state.session.documentsOpened, state.document.commands.revision());
   state.session.stats.prepare = std::exchange(prepared_, prepared) == prepared ? 0.0 : state.live->prepareSeconds();

@@ -82,7 +82,9 @@ class Editor {
         lastLook_ = now;
         place_ = placeOf(window_.geometry());
       }
+      const std::size_t said = state_.session.messagesSaid;
       keeper_.tick(state_, secondsNow(), place_);
+      if (state_.session.messagesSaid != said) settle_ = kSettleFrames;
     }
     keeper_.finish(state_, placeOf(window_.geometry()));
   }
@@ -96,7 +98,8 @@ class Editor {
 
   /// How long to sleep at most while nothing moves.
   double idleSeconds(bool caret) const {
-    double seconds = caret ? kCaretSeconds : (step_.wakeAfter() > 0.0 ? step_.wakeAfter() : kIdleSeconds);
+    double seconds = caret ? kCaretSeconds : kIdleSeconds;
+    if (step_.wakeAfter() > 0.0) seconds = std::min(seconds, step_.wakeAfter());
     if (const auto left = keeper_.secondsLeft(state_, secondsNow())) seconds = std::clamp(*left, 1e-3, seconds);
     return seconds;
   }
@@ -113,6 +116,7 @@ class Editor {
     } else {
       window_.wait(idleSeconds(caret));
     }
+    state_.frame.now = secondsNow();  // What is dropped here is said at this time.
     for (const std::filesystem::path& file : window_.takeDrops()) {
       request(state_, {IntentKind::kOpenFile, file});
       settle_ = kSettleFrames;
@@ -136,6 +140,7 @@ class Editor {
     lastFrame_ = start;
     if (settle_ > 0) --settle_;
     const RawInput& input = window_.input().next();
+    state_.frame.now = start;
     state_.frame.systemScale = window_.contentScale();
     state_.frame.uiScale = scaleOf(window_, state_, options_);
     imgui_.setScale(state_.frame.uiScale);

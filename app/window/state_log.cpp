@@ -180,6 +180,7 @@ Json messageState(const EditorState& state) {
 }
 
 std::string dialogName(const EditorState& state) {
+  if (state.dialogs.conflict.found != OnDisk::kSame) return "conflict";
   if (state.dialogs.question.kind != IntentKind::kNone) return "unsaved";
   if (state.dialogs.file.kind != DialogKind::kNone)
     return !state.dialogs.file.locateFor.empty()          ? "locate-file"
@@ -282,6 +283,7 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("bones", boneState(state, view))
       .set("widgets", widgetState(widgets))
       .set("messages", messageState(state))
+      .set("toast", state.session.toast ? state.session.toast->text : std::string())
       .dump();
 }
 

@@ -1,11 +1,14 @@
 // core/base/result.cpp: an error as one line.
 #include "sinew/base/result.h"
 
-namespace sinew {
+#include <initializer_list>
 
-std::string Error::text() const {
+namespace sinew {
+namespace {
+
+std::string joined(std::initializer_list<const std::string*> parts) {
   std::string line;
-  for (const std::string* part : {&file, &place, &reason}) {
+  for (const std::string* part : parts) {
     if (part->empty()) continue;
     if (!line.empty()) line += ": ";
     line += *part;
@@ -16,6 +19,25 @@ std::string Error::text() const {
   return line;
 }
 
-Error errorAt(std::string place, std::string reason) { return Error{{}, std::move(place), std::move(reason)}; }
+}  // namespace
+
+std::string Error::text() const { return joined({&file, &place, &reason}); }
+
+std::string Error::plainText() const {
+  if (subject.empty()) return text();
+  const std::string name = file.substr(file.find_last_of('/') + 1);
+  std::string line = joined({&name, &subject, &reason});
+  if (name.empty() && line[0] >= 'a' && line[0] <= 'z') line[0] = static_cast<char>(line[0] - 'a' + 'A');
+  return line;
+}
+
+Error errorAt(std::string place, std::string reason, std::string subject) {
+  return Error{{}, std::move(place), std::move(reason), std::move(subject)};
+}
+
+Error about(const std::string& whole, Error error) {
+  error.subject = error.subject.empty() ? whole : whole + ", " + error.subject;
+  return error;
+}
 
 }  // namespace sinew

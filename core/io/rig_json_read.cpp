@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "core/io/json/json.h"
 #include "core/rig/validation.h"
@@ -39,33 +40,42 @@ std::string describe(const Json& node) {
   return "an object";
 }
 
+/// Where in the file, twice: as a JSON path, and in the interface's words.
+struct Place {
+  std::string path;
+  std::string words;
+
+  Place(const char* both) : Place(both, both) {}  // NOLINT: implicit on purpose, most keys are their own words
+  Place(std::string json, std::string named) : path(std::move(json)), words(std::move(named)) {}
+};
+
 /// Takes a tree apart. The first thing found wrong is kept; after it every answer is a default.
 class Reader {
  public:
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
 
-  void refuse(const std::string& place, std::string reason) {
-    if (!error_) error_ = errorAt(place, std::move(reason));
+  void refuse(const Place& place, std::string reason) {
+    if (!error_) error_ = errorAt(place.path, std::move(reason), place.words);
   }
 
-  void expect(const std::string& place, const std::string& expected, const Json& node) {
+  void expect(const Place& place, const std::string& expected, const Json& node) {
     refuse(place, "expected " + expected + ", got " + describe(node));
   }
 
   /// Null, after a refusal, if the key is missing.
-  const Json* need(const Json& object, const std::string& place, const char* key, const std::string& expected) {
+  const Json* need(const Json& object, const Place& place, const char* key, const std::string& expected) {
     const Json* child = object.find(key);
     if (!child) refuse(join(place, key), "expected " + expected + ", but the key is missing");
     return child;
   }
 
-  std::string text(const Json& node, const std::string& place) {
+  std::string text(const Json& node, const Place& place) {
     if (node.kind == Kind::kString) return node.content;
     expect(place, "a text", node);
     return {};
   }
 
-  float number(const Json& node, const std::string& place) {
+  float number(const Json& node, const Place& place) {
     if (node.kind != Kind::kNumber) {
       expect(place, "a number", node);
       return 0.0f;
@@ -80,7 +90,7 @@ class Reader {
     return 0.0f;
   }
 
-  int wholeNumber(const Json& node, const std::string& place, const std::string& expected) {
+  int wholeNumber(const Json& node, const Place& place, const std::string& expected) {
     int value = 0;
     const char* const end = node.content.data() + node.content.size();
     const auto [stop, status] = std::from_chars(node.content.data(), end, value);
@@ -90,7 +100,7 @@ class Reader {
   }
 
   template <std::size_t N>
-  std::array<float, N> vector(const Json& node, const std::string& place) {
+  std::array<float, N> vector(const Json& node, const Place& place) {
     std::array<float, N> values{};
     if (node.kind != Kind::kArray || node.children.size() != N) {
       expect(place, "an array of " + std::to_string(N) + " numbers", node);
@@ -102,18 +112,23 @@ class Reader {
 
   /// The children, each with its place; none, after a refusal, if the node is no array.
   template <class Read>
-  void each(const Json& node, const std::string& place, Read read) {
+  void each(const Json& node, const Place& place, Read read) {
     if (node.kind != Kind::kArray) expect(place, "an array", node);
     for (std::size_t i = 0; !error_ && i < node.children.size(); ++i) read(node.children[i], at(place, i));
   }
 
-  bool object(const Json& node, const std::string& place) {
+  bool object(const Json& node, const Place& place) {
     if (node.kind != Kind::kObject) expect(place, "an object", node);
     return node.kind == Kind::kObject;
   }
 
-  static std::string join(const std::string& place, const char* key) { return place.empty() ? key : place + '.' + key; }
-  static std::string at(const std::string& place, std::size_t i) { return place + '[' + std::to_string(i) + ']'; }
+  static Place join(const Place& place, const char* key) {
+    if (place.path.empty()) return key;
+    return {place.path + '.' + key, place.words + ", " + key};
+  }
+  static Place at(const Place& place, std::size_t i) {
+    return {place.path + '[' + std::to_string(i) + ']', place.words + ' ' + std::to_string(i + 1)};
+  }
 
  private:
   std::optional<Error> error_;
@@ -130,7 +145,7 @@ std::string unknownKeys(const Json& object, std::initializer_list<std::string_vi
 
 /// A member that is one of a few words; absent: as it was.
 template <class Enum>
-void readWord(Reader& reader, const Json& object, const std::string& place, const char* key, const char* words,
+void readWord(Reader& reader, const Json& object, const Place& place, const char* key, const char* words,
               std::optional<Enum> (*named)(const std::string&), Enum& value) {
   const Json* node = object.find(key);
   if (!node) return;
@@ -142,18 +157,18 @@ void readWord(Reader& reader, const Json& object, const std::string& place, cons
   }
 }
 
-void readFloat(Reader& reader, const Json& object, const std::string& place, const char* key, float& value) {
+void readFloat(Reader& reader, const Json& object, const Place& place, const char* key, float& value) {
   if (const Json* node = object.find(key)) value = reader.number(*node, Reader::join(place, key));
 }
 
-void readSwitch(Reader& reader, const Json& object, const std::string& place, const char* key, bool& value) {
+void readSwitch(Reader& reader, const Json& object, const Place& place, const char* key, bool& value) {
   const Json* node = object.find(key);
   if (!node) return;
   value = node->kind == Kind::kTrue;
   if (!value && node->kind != Kind::kFalse) reader.expect(Reader::join(place, key), "true or false", *node);
 }
 
-std::string readNeededText(Reader& reader, const Json& object, const std::string& place, const char* key) {
+std::string readNeededText(Reader& reader, const Json& object, const Place& place, const char* key) {
   const Json* node = reader.need(object, place, key, "a text");
   return node ? reader.text(*node, Reader::join(place, key)) : std::string();
 }
@@ -172,8 +187,8 @@ SmoothingSettings readSmoothing(Reader& reader, const Json& node) {
   SmoothingSettings smoothing;
   if (!reader.object(node, "smoothing")) return smoothing;
   if (const Json* depth = node.find("depth")) {
-    smoothing.depth =
-        reader.wholeNumber(*depth, "smoothing.depth", "a whole number from 1 to " + std::to_string(kMaxDepth));
+    smoothing.depth = reader.wholeNumber(*depth, Reader::join("smoothing", "depth"),
+                                         "a whole number from 1 to " + std::to_string(kMaxDepth));
   }
   readWord(reader, node, "smoothing", "patch", "\"pn\", \"phong\", \"spherigon\" or \"flat\"", patchKindNamed,
            smoothing.patch);
@@ -185,12 +200,12 @@ SmoothingSettings readSmoothing(Reader& reader, const Json& node) {
   return smoothing;
 }
 
-Group readGroup(Reader& reader, const Json& node, const std::string& place) {
+Group readGroup(Reader& reader, const Json& node, const Place& place) {
   if (!reader.object(node, place)) return {};
   return {readNeededText(reader, node, place, "name"), unknownKeys(node, {"name"})};
 }
 
-std::array<std::string, 2> readLink(Reader& reader, const Json& node, const std::string& place) {
+std::array<std::string, 2> readLink(Reader& reader, const Json& node, const Place& place) {
   if (node.kind != Kind::kArray || node.children.size() != 2) {
     reader.expect(place, "an array of two groups' names", node);
     return {};
@@ -198,49 +213,51 @@ std::array<std::string, 2> readLink(Reader& reader, const Json& node, const std:
   return {reader.text(node.children[0], Reader::at(place, 0)), reader.text(node.children[1], Reader::at(place, 1))};
 }
 
-Placement readPlacement(Reader& reader, const Json& node, const std::string& place) {
+Placement readPlacement(Reader& reader, const Json& node, const Place& place) {
   Placement placement;
   if (const Json* center = reader.need(node, place, "center", "an array of 3 numbers")) {
-    const auto [x, y, z] = reader.vector<3>(*center, place + ".center");
+    const auto [x, y, z] = reader.vector<3>(*center, Reader::join(place, "center"));
     placement.center = {x, y, z};
   }
   if (const Json* rotation = node.find("rotation")) {
-    const auto [x, y, z, w] = reader.vector<4>(*rotation, place + ".rotation");
+    const auto [x, y, z, w] = reader.vector<4>(*rotation, Reader::join(place, "rotation"));
     placement.rotation = glm::quat(w, x, y, z);
   }
   if (const Json* radii = reader.need(node, place, "radii", "an array of 3 numbers")) {
-    const auto [x, y, z] = reader.vector<3>(*radii, place + ".radii");
+    const auto [x, y, z] = reader.vector<3>(*radii, Reader::join(place, "radii"));
     placement.radii = {x, y, z};
   }
   return placement;
 }
 
-void readKind(Reader& reader, const Json& node, const std::string& place) {
+void readKind(Reader& reader, const Json& node, const Place& place) {
   const Json* kind = node.find("kind");
   if (kind && !(kind->kind == Kind::kString && kind->content == "ellipsoid")) {
-    reader.expect(place + ".kind", "\"ellipsoid\"", *kind);
+    reader.expect(Reader::join(place, "kind"), "\"ellipsoid\"", *kind);
   }
 }
 
-Primitive readPrimitive(Reader& reader, const Json& node, const std::string& place) {
+Primitive readPrimitive(Reader& reader, const Json& node, const Place& listed) {
   Primitive primitive;
-  if (!reader.object(node, place)) return primitive;
-  primitive.name = readNeededText(reader, node, place, "name");
+  if (!reader.object(node, listed)) return primitive;
+  primitive.name = readNeededText(reader, node, listed, "name");
+  const Place place{listed.path, primitive.name.empty() ? listed.words : "muscle \"" + primitive.name + '"'};
   primitive.bone = readNeededText(reader, node, place, "bone");
   primitive.group = readNeededText(reader, node, place, "group");
   readKind(reader, node, place);
   primitive.placement = readPlacement(reader, node, place);
   readFloat(reader, node, place, "reach", primitive.reach);
   if (const Json* sign = node.find("sign")) {
-    primitive.sign = reader.wholeNumber(*sign, place + ".sign", "1 or -1");
+    primitive.sign = reader.wholeNumber(*sign, Reader::join(place, "sign"), "1 or -1");
   }
   if (const Json* mirror = node.find("mirror")) {
-    primitive.mirror = reader.text(*mirror, place + ".mirror");
-    if (primitive.mirror.empty()) reader.expect(place + ".mirror", "the name of another primitive", *mirror);
+    primitive.mirror = reader.text(*mirror, Reader::join(place, "mirror"));
+    if (primitive.mirror.empty())
+      reader.expect(Reader::join(place, "mirror"), "the name of another primitive", *mirror);
   }
   if (const Json* territory = node.find("territory")) {
     primitive.territory.emplace();
-    reader.each(*territory, place + ".territory", [&](const Json& bone, const std::string& bonePlace) {
+    reader.each(*territory, Reader::join(place, "territory"), [&](const Json& bone, const Place& bonePlace) {
       primitive.territory->push_back(reader.text(bone, bonePlace));
     });
   }
@@ -251,7 +268,7 @@ Primitive readPrimitive(Reader& reader, const Json& node, const std::string& pla
 
 /// Is it a rig at all, and one this program can read?
 void readHeader(Reader& reader, const Json& root) {
-  if (!reader.object(root, "")) return;
+  if (!reader.object(root, {"", "not a rig"})) return;
   const Json* format = reader.need(root, "", "format", "\"sinew-rig\"");
   if (!format) return;
   if (format->kind != Kind::kString || format->content != "sinew-rig")
@@ -274,17 +291,15 @@ Rig readRig(Reader& reader, const Json& root) {
   if (const Json* surface = root.find("surface")) rig.surface = readSurface(reader, *surface);
   if (const Json* smoothing = root.find("smoothing")) rig.smoothing = readSmoothing(reader, *smoothing);
   if (const Json* groups = root.find("groups")) {
-    reader.each(*groups, "groups", [&](const Json& node, const std::string& place) {
-      rig.groups.push_back(readGroup(reader, node, place));
-    });
+    reader.each(*groups, {"groups", "group"},
+                [&](const Json& node, const Place& place) { rig.groups.push_back(readGroup(reader, node, place)); });
   }
   if (const Json* links = root.find("links")) {
-    reader.each(*links, "links", [&](const Json& node, const std::string& place) {
-      rig.links.push_back(readLink(reader, node, place));
-    });
+    reader.each(*links, {"links", "link"},
+                [&](const Json& node, const Place& place) { rig.links.push_back(readLink(reader, node, place)); });
   }
   if (const Json* primitives = root.find("primitives")) {
-    reader.each(*primitives, "primitives", [&](const Json& node, const std::string& place) {
+    reader.each(*primitives, {"primitives", "muscle"}, [&](const Json& node, const Place& place) {
       rig.primitives.push_back(readPrimitive(reader, node, place));
     });
   }
@@ -297,7 +312,7 @@ Rig readRig(Reader& reader, const Json& root) {
 
 Result<Rig> rigFromJson(const std::string& text) {
   const auto root = Json::parse(text);
-  if (!root) return root.error();
+  if (!root) return about("damaged at " + root.error().place, root.error());
   Reader reader;
   readHeader(reader, root.value());
   if (reader.error()) return *reader.error();

@@ -46,16 +46,18 @@ void addCandidates(const Character& character, const std::vector<int>& territory
 
 std::vector<Error> missingBones(const Rig& rig, const Skeleton& skeleton) {
   std::vector<Error> missing;
-  const auto check = [&](const std::string& bone, const std::string& place) {
-    if (!skeleton.findBone(bone)) missing.push_back(errorAt(place, "this character has no bone \"" + bone + '"'));
+  const auto check = [&](const std::string& bone, const std::string& place, const std::string& subject) {
+    if (skeleton.findBone(bone)) return;
+    missing.push_back(errorAt(place, "this character has no bone \"" + bone + '"', subject));
   };
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
     const Primitive& primitive = rig.primitives[i];
     const std::string place = "primitives[" + std::to_string(i) + "]";
-    check(primitive.bone, place + ".bone");
+    const std::string subject = "muscle \"" + primitive.name + '"';
+    check(primitive.bone, place + ".bone", subject);
     if (!primitive.territory) continue;
     for (std::size_t t = 0; t < primitive.territory->size(); ++t) {
-      check((*primitive.territory)[t], place + ".territory[" + std::to_string(t) + "]");
+      check((*primitive.territory)[t], place + ".territory[" + std::to_string(t) + "]", subject + ", territory");
     }
   }
   return missing;

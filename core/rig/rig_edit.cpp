@@ -38,7 +38,7 @@ Result<Rig> withPrimitive(const Rig& rig, int index, Change change) {
 }
 
 Error nameTaken(std::string place, const std::string& name) {
-  return errorAt(std::move(place), "the name \"" + name + "\" is taken");
+  return errorAt(std::move(place), "the name \"" + name + "\" is taken", "name");
 }
 
 /// Whoever names one of `gone` as its twin has none any more.
@@ -71,7 +71,7 @@ std::vector<bool> marked(const Rig& rig, std::span<const int> indices) {
 
 Result<Rig> addPrimitive(const Rig& rig, Primitive primitive) {
   if (rig.primitives.size() >= static_cast<std::size_t>(kMaxPrimitives)) {
-    return errorAt("primitives", "a rig holds at most " + std::to_string(kMaxPrimitives) + " primitives");
+    return errorAt("primitives", "a rig holds at most " + std::to_string(kMaxPrimitives) + " primitives", "the rig");
   }
   Rig result = rig;
   if (primitive.group.empty()) {
@@ -82,11 +82,13 @@ Result<Rig> addPrimitive(const Rig& rig, Primitive primitive) {
   const int index = static_cast<int>(rig.primitives.size());
   if (const auto valid = validatePrimitive(primitive, placeOf(index)); !valid) return valid.error();
   if (findGroup(result, primitive.group) < 0) {
-    return errorAt(placeOf(index) + ".group", "there is no group \"" + primitive.group + '"');
+    return errorAt(placeOf(index) + ".group", "there is no group \"" + primitive.group + '"',
+                   "muscle \"" + primitive.name + "\", group");
   }
   const int twin = primitive.mirror.empty() ? -1 : findPrimitive(rig, primitive.mirror);
   if (!primitive.mirror.empty() && twin < 0) {
-    return errorAt(placeOf(index) + ".mirror", "there is no primitive \"" + primitive.mirror + '"');
+    return errorAt(placeOf(index) + ".mirror", "there is no primitive \"" + primitive.mirror + '"',
+                   "muscle \"" + primitive.name + "\", twin");
   }
   result.primitives.push_back(std::move(primitive));
   if (twin >= 0) pairUp(result, index, twin);
@@ -169,9 +171,10 @@ Result<Rig> removeGroup(const Rig& rig, int group) {
   const std::string name = groupAt(rig, group).name;
   const auto members = std::ranges::count(rig.primitives, name, &Primitive::group);
   if (members > 0) {
-    return errorAt("groups[" + std::to_string(group) + ']', "the group \"" + name + "\" still has " +
-                                                                std::to_string(members) +
-                                                                (members == 1 ? " primitive" : " primitives"));
+    return errorAt("groups[" + std::to_string(group) + ']',
+                   "the group \"" + name + "\" still has " + std::to_string(members) +
+                       (members == 1 ? " primitive" : " primitives"),
+                   "groups");
   }
   Rig result = rig;
   result.groups.erase(result.groups.begin() + group);
@@ -182,7 +185,8 @@ Result<Rig> removeGroup(const Rig& rig, int group) {
 Result<Rig> setLink(const Rig& rig, int groupA, int groupB, bool linked) {
   const std::string& a = groupAt(rig, groupA).name;
   const std::string& b = groupAt(rig, groupB).name;
-  if (groupA == groupB) return errorAt("links", "a group cannot be linked to itself; its primitives always blend");
+  if (groupA == groupB)
+    return errorAt("links", "a group cannot be linked to itself; its primitives always blend", "link");
   const bool already = std::ranges::any_of(rig.links, [&](const auto& link) { return joins(link, a, b); });
   if (already == linked) return rig;
   Rig result = rig;

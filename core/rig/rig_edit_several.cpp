@@ -22,7 +22,8 @@ Result<Rig> editPrimitives(const Rig& rig, std::span<const int> indices,
     const std::string place = "primitives[" + std::to_string(index) + ']';
     if (const auto valid = validatePrimitive(primitive, place); !valid) return valid.error();
     if (findGroup(rig, primitive.group) < 0) {
-      return errorAt(place + ".group", "there is no group \"" + primitive.group + '"');
+      return errorAt(place + ".group", "there is no group \"" + primitive.group + '"',
+                     "muscle \"" + primitive.name + "\", group");
     }
   }
   return result;
@@ -38,7 +39,7 @@ Result<Rig> moveToNewGroup(const Rig& rig, std::span<const int> indices, const s
 }
 
 Result<Rig> dissolveGroup(const Rig& rig, int group, int into) {
-  if (group == into) return errorAt("groups", "a group's primitives cannot go to the group that is removed");
+  if (group == into) return errorAt("groups", "a group's primitives cannot go to the group that is removed", "groups");
   assert(into >= 0 && static_cast<std::size_t>(into) < rig.groups.size());
   const std::string heir = at(rig.groups, into).name;
   const std::vector<int> members = membersOf(rig, at(rig.groups, group).name);

@@ -21,8 +21,18 @@ std::string numberText(float value) {
   return {text.data(), end};
 }
 
-Error outOfRange(std::string place, const std::string& expected, float value) {
-  return errorAt(std::move(place), "expected " + expected + ", got " + numberText(value));
+Error outOfRange(std::string place, const std::string& expected, float value, std::string subject) {
+  return errorAt(std::move(place), "expected " + expected + ", got " + numberText(value), std::move(subject));
+}
+
+/// "radius Y"
+std::string ofAxis(const std::string& what, int axis) { return what + ' ' + "XYZ"[axis]; }
+
+std::string quoted(const char* what, const std::string& name) { return what + (" \"" + name + '"'); }
+
+Error named(const char* subject, Error error) {
+  error.subject = subject;
+  return error;
 }
 
 std::string indexed(const char* list, std::size_t index) { return list + ('[' + std::to_string(index) + ']'); }
@@ -58,30 +68,33 @@ Result<void> validateRotation(const glm::quat& rotation, const std::string& plac
   const std::array<float, 4> parts{rotation.x, rotation.y, rotation.z, rotation.w};
   double squared = 0.0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (!std::isfinite(parts[i])) return outOfRange(place + indexed("", i), "a finite number", parts[i]);
+    if (!std::isfinite(parts[i])) return outOfRange(place + indexed("", i), "a finite number", parts[i], "rotation");
     squared += static_cast<double>(parts[i]) * static_cast<double>(parts[i]);
   }
   const double length = std::sqrt(squared);
   if (std::abs(length - 1.0) <= kUnitTolerance) return {};
-  return outOfRange(place, "a quaternion x, y, z, w of length 1", static_cast<float>(length));
+  return outOfRange(place, "a quaternion x, y, z, w of length 1", static_cast<float>(length), "rotation");
 }
 
 Result<void> validateText(const std::string& text, const std::string& place) {
   if (isUtf8(text)) return {};
-  return errorAt(place, "expected text in UTF-8");
+  return errorAt(place, "expected text in UTF-8", "text");
 }
 
 using NameIndex = std::unordered_map<std::string_view, std::size_t>;
 
 template <class Named>
-Result<NameIndex> indexNames(const std::vector<Named>& items, const char* list) {
+Result<NameIndex> indexNames(const std::vector<Named>& items, const char* list, const char* one) {
   NameIndex index;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const std::string place = indexed(list, i) + ".name";
-    if (const auto name = validateName(items[i].name, place); !name) return name.error();
+    const std::string which = one + (' ' + std::to_string(i + 1));
+    if (const auto name = validateName(items[i].name, place); !name) return about(which, name.error());
     if (const auto [first, isNew] = index.emplace(items[i].name, i); !isNew) {
-      return errorAt(place, "expected a name of its own, but \"" + items[i].name + "\" is also the name of " +
-                                indexed(list, first->second));
+      return errorAt(place,
+                     "expected a name of its own, but \"" + items[i].name + "\" is also the name of " +
+                         indexed(list, first->second),
+                     which);
     }
   }
   return index;
@@ -91,14 +104,18 @@ Result<void> validateMirror(const Rig& rig, std::size_t i, const NameIndex& prim
   const Primitive& primitive = rig.primitives[i];
   if (primitive.mirror.empty()) return {};
   const std::string place = indexed("primitives", i) + ".mirror";
+  const std::string subject = quoted("muscle", primitive.name) + ", twin";
   const auto twin = primitives.find(primitive.mirror);
   if (twin == primitives.end()) {
-    return errorAt(place, "expected the name of another primitive, but there is no \"" + primitive.mirror + '"');
+    return errorAt(place, "expected the name of another primitive, but there is no \"" + primitive.mirror + '"',
+                   subject);
   }
-  if (twin->second == i) return errorAt(place, "expected the name of another primitive, got its own");
+  if (twin->second == i) return errorAt(place, "expected the name of another primitive, got its own", subject);
   if (rig.primitives[twin->second].mirror == primitive.name) return {};
-  return errorAt(place, "expected a primitive whose mirror is this one, but that of \"" + primitive.mirror +
-                            "\" is \"" + rig.primitives[twin->second].mirror + '"');
+  return errorAt(place,
+                 "expected a primitive whose mirror is this one, but that of \"" + primitive.mirror + "\" is \"" +
+                     rig.primitives[twin->second].mirror + '"',
+                 subject);
 }
 
 Result<void> validateLinksAmong(const Rig& rig, const NameIndex& groups, BlendingGraphMemo& graphs) {
@@ -110,16 +127,18 @@ Result<void> validateLinksAmong(const Rig& rig, const NameIndex& groups, Blendin
       const auto group = groups.find(rig.links[i][end]);
       if (group == groups.end()) {
         return errorAt(indexed("links", i) + indexed("", end),
-                       "expected the name of a group, but there is no \"" + rig.links[i][end] + '"');
+                       "expected the name of a group, but there is no \"" + rig.links[i][end] + '"',
+                       "link " + std::to_string(i + 1));
       }
       link[end] = static_cast<int>(group->second);
     }
     if (link[0] == link[1])
-      return errorAt(indexed("links", i), "expected two different groups, got the same one twice");
+      return errorAt(indexed("links", i), "expected two different groups, got \"" + rig.links[i][0] + "\" twice",
+                     "link " + std::to_string(i + 1));
     links.push_back(link);
   }
   if (const auto graph = graphs.graph(static_cast<int>(rig.groups.size()), links); !graph) {
-    return errorAt("links", graph.error().reason);
+    return errorAt("links", graph.error().reason, "links");
   }
   return {};
 }
@@ -127,63 +146,79 @@ Result<void> validateLinksAmong(const Rig& rig, const NameIndex& groups, Blendin
 }  // namespace
 
 Result<void> validateName(const std::string& name, const std::string& place) {
-  if (name.empty()) return errorAt(place, "expected a name, got nothing");
+  if (name.empty()) return errorAt(place, "expected a name, got nothing", "name");
   return validateText(name, place);
 }
 
 Result<void> validatePlacement(const Placement& placement, const std::string& place) {
   for (int i = 0; i < 3; ++i) {
     if (std::isfinite(placement.center[i])) continue;
-    return outOfRange(place + indexed(".center", static_cast<std::size_t>(i)), "a finite number", placement.center[i]);
+    return outOfRange(place + indexed(".center", static_cast<std::size_t>(i)), "a finite number", placement.center[i],
+                      ofAxis("centre", i));
   }
   if (auto rotation = validateRotation(placement.rotation, place + ".rotation"); !rotation) return rotation;
   for (int i = 0; i < 3; ++i) {
     if (std::isfinite(placement.radii[i]) && placement.radii[i] > 0.0f) continue;
-    return outOfRange(place + indexed(".radii", static_cast<std::size_t>(i)), "a number > 0", placement.radii[i]);
+    return outOfRange(place + indexed(".radii", static_cast<std::size_t>(i)), "a number > 0", placement.radii[i],
+                      ofAxis("radius", i));
   }
   return {};
 }
 
-Result<void> validatePrimitive(const Primitive& primitive, const std::string& place) {
+namespace {
+
+Result<void> validateParts(const Primitive& primitive, const std::string& place) {
   if (auto name = validateName(primitive.name, place + ".name"); !name) return name;
-  if (auto bone = validateName(primitive.bone, place + ".bone"); !bone) return bone;
+  if (auto bone = validateName(primitive.bone, place + ".bone"); !bone) return named("bone", bone.error());
   if (auto placement = validatePlacement(primitive.placement, place); !placement) return placement;
   if (!std::isfinite(primitive.reach) || !(primitive.reach > 1.0f)) {
-    return outOfRange(place + ".reach", "a number > 1", primitive.reach);
+    return outOfRange(place + ".reach", "a number > 1", primitive.reach, "reach");
   }
   if (primitive.sign != 1 && primitive.sign != -1) {
-    return errorAt(place + ".sign", "expected 1 or -1, got " + std::to_string(primitive.sign));
+    return errorAt(place + ".sign", "expected 1 or -1, got " + std::to_string(primitive.sign), "sign");
   }
   if (!primitive.territory) return {};
   for (std::size_t i = 0; i < primitive.territory->size(); ++i) {
-    if (auto bone = validateName((*primitive.territory)[i], place + indexed(".territory", i)); !bone) return bone;
+    if (auto bone = validateName((*primitive.territory)[i], place + indexed(".territory", i)); !bone)
+      return named("territory", bone.error());
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> validatePrimitive(const Primitive& primitive, const std::string& place) {
+  if (auto parts = validateParts(primitive, place); !parts) {
+    return about(primitive.name.empty() ? "a muscle" : quoted("muscle", primitive.name), parts.error());
   }
   return {};
 }
 
 Result<void> validateSurface(const SurfaceSettings& surface) {
   if (!(surface.iso >= kLeastIso && surface.iso <= kMostIso)) {
-    return outOfRange("surface.iso", "a number from 0.001 to 0.999", surface.iso);
+    return outOfRange("surface.iso", "a number from 0.001 to 0.999", surface.iso, "iso value");
   }
   if (!(surface.skinBlend > 0.0f && surface.skinBlend <= kMostSkinBlend)) {
-    return outOfRange("surface.skin_blend", "a number > 0 and at most 10", surface.skinBlend);
+    return outOfRange("surface.skin_blend", "a number > 0 and at most 10", surface.skinBlend, "skin blend");
   }
   return {};
 }
 
 Result<void> validateSmoothing(const SmoothingSettings& smoothing) {
   if (smoothing.depth < 1 || smoothing.depth > kMaxDepth) {
-    return errorAt("smoothing.depth", "expected a whole number from 1 to " + std::to_string(kMaxDepth) + ", got " +
-                                          std::to_string(smoothing.depth));
+    return errorAt(
+        "smoothing.depth",
+        "expected a whole number from 1 to " + std::to_string(kMaxDepth) + ", got " + std::to_string(smoothing.depth),
+        "depth");
   }
   if (!(smoothing.creaseAngle >= 0.0f && smoothing.creaseAngle <= 180.0f)) {
-    return outOfRange("smoothing.crease_angle", "degrees from 0 to 180", smoothing.creaseAngle);
+    return outOfRange("smoothing.crease_angle", "degrees from 0 to 180", smoothing.creaseAngle, "crease angle");
   }
   return {};
 }
 
 Result<void> validateLinks(const Rig& rig) {
-  const auto groups = indexNames(rig.groups, "groups");
+  const auto groups = indexNames(rig.groups, "groups", "group");
   if (!groups) return groups.error();
   BlendingGraphMemo graphs;
   return validateLinksAmong(rig, groups.value(), graphs);
@@ -195,25 +230,29 @@ Result<void> validate(const Rig& rig) {
 }
 
 Result<void> validate(const Rig& rig, BlendingGraphMemo& graphs) {
-  if (auto character = validateText(rig.character, "character"); !character) return character;
+  if (auto character = validateText(rig.character, "character"); !character)
+    return named("character", character.error());
   if (auto surface = validateSurface(rig.surface); !surface) return surface;
   if (auto smoothing = validateSmoothing(rig.smoothing); !smoothing) return smoothing;
-  const auto groups = indexNames(rig.groups, "groups");
+  const auto groups = indexNames(rig.groups, "groups", "group");
   if (!groups) return groups.error();
   if (auto links = validateLinksAmong(rig, groups.value(), graphs); !links) return links;
 
   if (rig.primitives.size() > static_cast<std::size_t>(kMaxPrimitives)) {
-    return errorAt("primitives", "expected at most " + std::to_string(kMaxPrimitives) + " primitives, got " +
-                                     std::to_string(rig.primitives.size()));
+    return errorAt("primitives",
+                   "expected at most " + std::to_string(kMaxPrimitives) + " primitives, got " +
+                       std::to_string(rig.primitives.size()),
+                   "the rig");
   }
-  const auto primitives = indexNames(rig.primitives, "primitives");
+  const auto primitives = indexNames(rig.primitives, "primitives", "muscle");
   if (!primitives) return primitives.error();
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
     const std::string place = indexed("primitives", i);
     if (auto own = validatePrimitive(rig.primitives[i], place); !own) return own;
     if (!groups->contains(rig.primitives[i].group)) {
       return errorAt(place + ".group",
-                     "expected the name of a group, but there is no \"" + rig.primitives[i].group + '"');
+                     "expected the name of a group, but there is no \"" + rig.primitives[i].group + '"',
+                     quoted("muscle", rig.primitives[i].name) + ", group");
     }
     if (auto mirror = validateMirror(rig, i, primitives.value()); !mirror) return mirror;
   }

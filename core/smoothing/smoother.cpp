@@ -342,9 +342,10 @@ Result<void> Smoother::prepare(const Rig& rig, std::span<const int> hidden) {
   if (Result<void> valid = validate(rig, state_->graphs); !valid) return valid.error();
   const std::int64_t vertices = refinedVertexCount(state_->mesh(), rig.smoothing.depth);
   if (vertices > kMaxRefinedVertices) {
-    return errorAt("smoothing.depth", "depth " + std::to_string(rig.smoothing.depth) + " makes " +
-                                          std::to_string(vertices) + " vertices of this character; at most " +
-                                          std::to_string(kMaxRefinedVertices) + " are possible");
+    return errorAt("smoothing.depth",
+                   "depth " + std::to_string(rig.smoothing.depth) + " makes " + std::to_string(vertices) +
+                       " vertices of this character; at most " + std::to_string(kMaxRefinedVertices) + " are possible",
+                   "depth");
   }
   Prepared next;
   if (Result<void> reached = state_->findCandidates(rig, hidden, next); !reached) return reached.error();

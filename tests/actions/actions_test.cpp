@@ -55,6 +55,37 @@ TEST(Actions, WithoutACharacterNothingThatNeedsOneRuns) {
   EXPECT_TRUE(state.session.messages.empty());
 }
 
+TEST(Actions, WhatCannotRunSaysWhyInOneShortClause) {
+  EditorState state;
+  for (const Action& action : actions()) {
+    const Possible possible = action.enabled(state);
+    const std::string why = possible.reason();
+    EXPECT_EQ(why.empty(), static_cast<bool>(possible)) << action.id;
+    if (possible) continue;
+    EXPECT_TRUE(why[0] >= 'A' && why[0] <= 'Z') << action.id << ": " << why;
+    EXPECT_NE(why.back(), '.') << action.id;
+    EXPECT_LT(why.size(), 60u) << action.id << ": no room for it in the palette";
+  }
+}
+
+TEST(Actions, TheFirstReasonCounts) {
+  EXPECT_TRUE(Possible());
+  EXPECT_STREQ(Possible().reason(), "");
+  EXPECT_STREQ(Possible(false, "a").also(false, "b").reason(), "a");
+  EXPECT_STREQ(Possible(true, "a").also(false, "b").reason(), "b");
+  EXPECT_TRUE(Possible(true, "a").also(true, "b"));
+}
+
+TEST(Actions, AKeyThatCanDoNothingNowSaysWhy) {
+  EditorState state;
+  RawInput input;
+  input.pressedKey = kKeyZ;
+  input.control = true;
+  EXPECT_TRUE(runShortcut(state, input));
+  ASSERT_TRUE(state.session.toast.has_value());
+  EXPECT_EQ(state.session.toast->text, "Undo: Open a character first");
+}
+
 TEST(Actions, ShortcutsAreReadWithTheirModifiers) {
   EXPECT_EQ(textOf({kKeyZ, true, true}), "Ctrl+Shift+Z");
   EXPECT_EQ(textOf({kSpace, false, false}), "Space");

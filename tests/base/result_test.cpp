@@ -16,6 +16,18 @@ TEST(Error, TextIsOneLineWithoutEmptyParts) {
   EXPECT_EQ(errorAt("", "no mesh").text(), "no mesh");
 }
 
+TEST(Error, PlainTextNamesTheSubjectInsteadOfThePlace) {
+  const Error error{"/home/ann/arm.rig.json", "primitives[2].reach", "expected a number > 1, got 0",
+                    "muscle \"biceps L\", reach"};
+  EXPECT_EQ(error.plainText(), "arm.rig.json: muscle \"biceps L\", reach: expected a number > 1, got 0");
+  EXPECT_EQ(error.text(), "/home/ann/arm.rig.json: primitives[2].reach: expected a number > 1, got 0");
+  EXPECT_EQ(errorAt("groups[0]", "is empty", "group 1").plainText(), "Group 1: is empty");
+  EXPECT_EQ(errorAt("groups[0]", "is empty").plainText(), "groups[0]: is empty") << "without a subject all is shown";
+  EXPECT_EQ(errorAt("", "two\nlines", "x").plainText(), "X: two lines");
+  EXPECT_EQ(about("a muscle", errorAt("", "r", "reach")).subject, "a muscle, reach");
+  EXPECT_EQ(about("a muscle", errorAt("", "r")).subject, "a muscle");
+}
+
 TEST(Result, HoldsValueOrError) {
   const Result<int> good = 3;
   const Result<int> bad = errorAt("x", "y");

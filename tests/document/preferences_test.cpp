@@ -4,10 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
+#include <thread>
 
 #include "core/io/files/atomic_file.h"
 #include "tests/support/temporary_folder.h"
@@ -114,6 +118,77 @@ TEST_F(PreferencesTest, RecentFilesAreNewestFirstEachOnceAndNotTooMany) {
   EXPECT_EQ(recent[1], "/c/39.glb");
   rememberFile(recent, "here.glb");
   EXPECT_TRUE(recent[0].is_absolute());
+}
+
+TEST_F(PreferencesTest, TwoWindowsTogether) {
+  Preferences base;
+  base.recentFiles = {"/a", "/b", "/c"};
+  Preferences mine = base;
+  Preferences theirs = base;
+  EXPECT_EQ(mergedPreferences(base, mine, theirs), base);
+  mine.keymap = Keymap::kBlender;
+  theirs.scale = 2.0f;
+  theirs.newestFirst = true;
+  mine.recentFiles = {"/c", "/d", "/a", "/b"};
+  theirs.recentFiles = {"/e", "/a", "/b", "/c"};
+  const Preferences both = mergedPreferences(base, mine, theirs);
+  EXPECT_EQ(both.keymap, Keymap::kBlender);
+  EXPECT_EQ(both.scale, 2.0f);
+  EXPECT_TRUE(both.newestFirst);
+  EXPECT_EQ(both.recentFiles, (std::vector<fs::path>{"/c", "/d", "/e", "/a", "/b"}));
+}
+
+TEST_F(PreferencesTest, AListThatIClearedStaysClearedButForWhatTheyAdded) {
+  Preferences base;
+  base.recentFiles = {"/a", "/b"};
+  Preferences mine = base;
+  mine.recentFiles.clear();
+  Preferences theirs = base;
+  theirs.recentFiles = {"/e", "/a", "/b"};
+  EXPECT_EQ(mergedPreferences(base, mine, theirs).recentFiles, std::vector<fs::path>{"/e"});
+}
+
+/// However two windows take turns, neither loses a file that was opened lately, nor is one there twice.
+TEST_F(PreferencesTest, NoFileIsLostBetweenTwoWindowsThatTakeTurns) {
+  std::mt19937 random(2);
+  for (int round = 0; round < 200; ++round) {
+    Preferences disk;
+    std::array<Preferences, 2> base;
+    std::array<Preferences, 2> mine;
+    std::vector<fs::path> opened;
+    for (int i = 0; i < 12; ++i) {
+      const std::size_t w = random() % 2;
+      const fs::path chosen = "/c/" + std::to_string(random() % 9) + ".glb";
+      rememberFile(mine[w].recentFiles, chosen);
+      rememberFile(opened, chosen);
+      if (random() % 3 == 0 && i < 11) continue;  // Written later.
+      disk = mergedPreferences(base[w], mine[w], disk);
+      base[w] = mine[w];
+    }
+    for (const std::size_t w : {0, 1}) disk = mergedPreferences(base[w], mine[w], disk);
+    std::vector<fs::path> all = disk.recentFiles;
+    std::ranges::sort(all);
+    EXPECT_EQ(std::ranges::adjacent_find(all), all.end());
+    std::ranges::sort(opened);
+    EXPECT_EQ(all, opened);
+  }
+}
+
+TEST_F(PreferencesTest, WindowsThatWriteAtTheSameMomentAllGetThrough) {
+  const fs::path shared = folder / "at-once" / "preferences.json";
+  std::vector<std::thread> windows;
+  for (int w = 0; w < 4; ++w) {
+    windows.emplace_back([w, &shared] {
+      Preferences mine;
+      for (int i = 0; i < 3; ++i) {
+        const Preferences base = mine;
+        rememberFile(mine.recentFiles, "/c/" + std::to_string(w) + "-" + std::to_string(i) + ".glb");
+        EXPECT_TRUE(saveMergedPreferences(base, mine, shared).ok());
+      }
+    });
+  }
+  for (std::thread& window : windows) window.join();
+  EXPECT_EQ(loadPreferences(shared).preferences.recentFiles.size(), 12u);
 }
 
 TEST_F(PreferencesTest, AnActionOfTheListItselfCanBeRemembered) {

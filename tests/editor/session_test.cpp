@@ -88,6 +88,81 @@ TEST_F(Session, FilesOfTwoEditorsAreAllRemembered) {
   EXPECT_EQ(onDisk().recentFiles, (std::vector<fs::path>{folder / "other.glb", folder / "lizard.glb"}));
 }
 
+TEST_F(Session, TwoWindowsKeepEachOthersSettings) {
+  EditorState first;
+  EditorState second;
+  SessionKeeper one = keeper();
+  SessionKeeper two = keeper();
+  one.start(first);
+  two.start(second);
+  open(first, "lizard.glb");
+  open(second, "other.glb");
+  second.session.preferences.keymap = Keymap::kBlender;
+  two.tick(second, 0.0, kPlace);
+  two.tick(second, 2.0, kPlace);
+  first.view.layout.left = 333.0f;  // It has never heard of the keymap, nor of the other file.
+  one.tick(first, 3.0, kPlace);
+  one.tick(first, 5.0, kPlace);
+  second.view.layout.left = 264.0f;
+  two.finish(second, kPlace);
+  one.finish(first, kPlace);
+  EXPECT_EQ(onDisk().keymap, Keymap::kBlender);
+  EXPECT_EQ(onDisk().layout.left, 333.0f);
+  EXPECT_EQ(onDisk().recentFiles, (std::vector<fs::path>{folder / "lizard.glb", folder / "other.glb"}));
+}
+
+TEST_F(Session, WorkOfTwoWindowsOnOneRigIsLeftTwice) {
+  {
+    EditorState first;
+    EditorState second;
+    SessionKeeper one = keeper();
+    SessionKeeper two = keeper();
+    one.start(first);
+    two.start(second);
+    open(first, "lizard.glb");
+    ASSERT_EQ(saveTo(first, folder / "arm.rig.json"), "");
+    open(second, "arm.rig.json");
+    change(first);
+    change(second);
+    change(second);
+    for (double now = 0.0; now < 70.0; now += 10.0) {
+      one.tick(first, now, kPlace);
+      two.tick(second, now, kPlace);
+    }
+  }
+  std::vector<LeftBehind> left = findLeftBehind(folder / "recovery");
+  ASSERT_EQ(left.size(), 2u);
+  std::vector<int> muscles{left[0].primitives, left[1].primitives};
+  std::ranges::sort(muscles);
+  EXPECT_EQ(muscles, (std::vector<int>{1, 2}));
+}
+
+TEST_F(Session, RecoveredWorkAsksBeforeItGoesOverWhatWasSavedSince) {
+  {
+    EditorState lost;
+    SessionKeeper one = keeper();
+    one.start(lost);
+    open(lost, "lizard.glb");
+    ASSERT_EQ(saveTo(lost, folder / "arm.rig.json"), "");
+    change(lost);
+    one.tick(lost, 0.0, kPlace);
+    one.tick(lost, 31.0, kPlace);
+  }
+  EditorState other;
+  open(other, "arm.rig.json");
+  EditorState state;
+  SessionKeeper two = keeper();
+  two.start(state);
+  ASSERT_EQ(state.session.leftBehind.size(), 1u);
+  const fs::path left = state.session.leftBehind[0].file;
+  change(other);
+  change(other);
+  ASSERT_TRUE(save(other, {}));  // After the crash, before the recovery.
+  request(state, {IntentKind::kRecover, left});
+  EXPECT_FALSE(save(state, {}));
+  EXPECT_EQ(state.dialogs.conflict.found, OnDisk::kChanged);
+}
+
 TEST_F(Session, SavingElsewhereRemembersTheNewFileAndSamplesAreNotRemembered) {
   EditorState state;
   SessionKeeper one = keeper();

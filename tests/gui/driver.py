@@ -66,6 +66,7 @@ class Editor(Acts):
         self.rest = b""
         self.last = None
         self.mouse = None
+        self.origin = (0, 0)  # Of the window on the screen, where it was moved away.
         self.wait_until("the first frame", lambda s: s["viewport"][2] > 0)
 
     # What the editor says ------------------------------------------------------------------------------------------
@@ -125,7 +126,7 @@ class Editor(Acts):
     def move(self, point):
         """The pointer goes there and the editor has drawn a frame with it there."""
         x, y = round(point[0]), round(point[1])
-        self.xdotool("mousemove", x, y)
+        self.xdotool("mousemove", x + self.origin[0], y + self.origin[1])
         self.mouse = (x, y)
         self.wait_until("the pointer at %d, %d" % (x, y),
                         lambda s: abs(s["mouse"][0] - x) < 0.1 and abs(s["mouse"][1] - y) < 0.1)

@@ -75,7 +75,7 @@ def refused(t, editor, path, reason, picture=None):
     editor.key("ctrl+s")
     state = editor.wait_until("a message that it was not saved", lambda s: s["messages"])
     text = state["messages"][-1]
-    t.check("it names the file and says why", path.name in text and reason in text and "not saved" in text, text)
+    t.check("it names the file and says why", path.name in text and reason in text and "Not saved" in text, text)
     t.check("it is on the screen", "messages/dismiss/0" in editor.wait_until(
         "the message to be drawn", lambda s: "messages/dismiss/0" in s["widgets"])["widgets"])
     if picture:

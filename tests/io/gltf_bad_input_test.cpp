@@ -68,6 +68,10 @@ TEST_P(BadGltf, IsRefusedWithItsPlaceAndReason) {
   expectOneLine(imported.error(), file);
   EXPECT_NE(imported.error().place.find(GetParam().place), std::string::npos) << imported.error().text();
   EXPECT_NE(imported.error().reason.find(GetParam().reason), std::string::npos) << imported.error().text();
+  const std::string plain = imported.error().plainText();
+  EXPECT_TRUE(plain.starts_with("bad.glb: ")) << "the interface shows no whole path: " << plain;
+  EXPECT_FALSE(imported.error().subject.empty());
+  EXPECT_EQ(plain.find(": " + imported.error().place + ": "), std::string::npos) << plain;
 }
 
 void withPositions(Post& post, float first) {

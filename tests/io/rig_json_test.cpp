@@ -164,6 +164,12 @@ TEST_P(BadRigs, IsRefusedByPlaceAndReason) {
   EXPECT_EQ(rig.error().place, place);
   EXPECT_NE(rig.error().reason.find(reason), std::string::npos) << rig.error().text();
   EXPECT_EQ(rig.error().text().find('\n'), std::string::npos);
+  // For the interface: what it is about, without a path into the file. Only a name that stands twice has one in its
+  // reason.
+  EXPECT_FALSE(rig.error().subject.empty()) << rig.error().text();
+  if (rig.error().place.find('[') != std::string::npos) {
+    EXPECT_EQ(rig.error().plainText().find(rig.error().place), std::string::npos) << rig.error().plainText();
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(

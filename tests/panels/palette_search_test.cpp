@@ -81,6 +81,53 @@ TEST(PaletteSearch, WhatCannotBeDoneNowWeighsLessButNothingElseIsDoneInItsPlace)
   EXPECT_EQ(found("", candidates), (std::vector<std::string>{"Sound", "Undone", "Undo"}));
 }
 
+TEST(PaletteSearch, OfEqualFitsTheOneThatCanBeDoneComesFirst) {
+  std::mt19937 random(8);
+  for (int round = 0; round < 100; ++round) {
+    std::vector<Candidate> candidates;
+    for (int i = 0; i < 6; ++i)
+      candidates.push_back({"Delete", "", static_cast<int>(random() % 9) - 1, random() % 2 == 0});
+    for (const char* query : {"", "del", "delete"}) {
+      bool greyed = false;
+      for (const Found& one : search(query, candidates, 100)) {
+        EXPECT_FALSE(greyed && candidates[one.index].usable) << query;
+        greyed = greyed || !candidates[one.index].usable;
+      }
+    }
+  }
+}
+
+TEST(PaletteSearch, WhatCannotBeDoneIsNeverPreselected) {
+  std::mt19937 random(9);
+  int none = 0;
+  for (int round = 0; round < 500; ++round) {
+    std::vector<Candidate> candidates;
+    for (int i = 0; i < 5; ++i) {
+      std::string label;
+      for (unsigned c = 0; c < 3 + random() % 5; ++c) label.push_back(static_cast<char>('a' + random() % 3));
+      candidates.push_back({label, "", -1, random() % 2 == 0});
+    }
+    const std::vector<Found> all = search("ab", candidates, 100);
+    const int row = preselected(all, candidates);
+    none += row < 0 ? 1 : 0;
+    if (row < 0) continue;
+    EXPECT_TRUE(candidates[all[static_cast<std::size_t>(row)].index].usable);
+    for (int above = 0; above < row; ++above) {
+      EXPECT_FALSE(candidates[all[static_cast<std::size_t>(above)].index].usable) << "not the first that can be done";
+    }
+  }
+  EXPECT_GT(none, 10);
+  EXPECT_LT(none, 490);
+}
+
+TEST(PaletteSearch, WhereSomethingElseWasMeantNothingIsPreselected) {
+  const std::vector<Candidate> candidates{{"Duplicate", "Edit", -1, false}, {"deltoid upper low", "Muscle", -1, true}};
+  const std::vector<Found> all = search("dupl", candidates, 100);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].index, 0u);
+  EXPECT_EQ(preselected(all, candidates), -1);
+}
+
 TEST(PaletteSearch, NoMoreThanAskedFor) { EXPECT_EQ(search("", named({"a", "b", "c"}), 2).size(), 2u); }
 
 TEST(PaletteSearch, AnyTextFitsItselfAndEveryMarkIsALetterOfTheQuery) {

@@ -28,6 +28,40 @@ TEST(Validation, NamesNotANumberAndInfinity) {
   EXPECT_EQ(validatePlacement(placement, "p").error().place, "p.rotation[3]");
 }
 
+/// The interface shows no JSON paths: a muscle is called by its name.
+TEST(Validation, WhatIsWrongHasASubjectInPlainWords) {
+  Rig rig;
+  rig.groups = {{"arms", {}}, {"legs", {}}};
+  Primitive& muscle = rig.primitives.emplace_back();
+  muscle.name = "biceps L";
+  muscle.bone = "upper_arm.L";
+  muscle.group = "arms";
+  const auto saidOf = [&](auto change) {
+    Rig broken = rig;
+    change(broken);
+    return validate(broken).error().plainText();
+  };
+  EXPECT_TRUE(validate(rig).ok());
+  EXPECT_EQ(saidOf([](Rig& r) { r.primitives[0].placement.radii.z = 0.0f; }),
+            "Muscle \"biceps L\", radius Z: expected a number > 0, got 0");
+  EXPECT_EQ(saidOf([](Rig& r) { r.primitives[0].reach = 1.0f; }),
+            "Muscle \"biceps L\", reach: expected a number > 1, got 1");
+  EXPECT_EQ(saidOf([](Rig& r) { r.primitives[0].bone = ""; }),
+            "Muscle \"biceps L\", bone: expected a name, got nothing");
+  EXPECT_EQ(saidOf([](Rig& r) { r.primitives[0].group = "hands"; }),
+            "Muscle \"biceps L\", group: expected the name of a group, but there is no \"hands\"");
+  EXPECT_EQ(saidOf([](Rig& r) {
+              r.links = {{"arms", "hands"}};
+            }),
+            "Link 1: expected the name of a group, but there is no \"hands\"");
+  EXPECT_EQ(saidOf([](Rig& r) {
+              r.links = {{"arms", "arms"}};
+            }),
+            "Link 1: expected two different groups, got \"arms\" twice");
+  EXPECT_EQ(saidOf([](Rig& r) { r.surface.iso = 2.0f; }), "Iso value: expected a number from 0.001 to 0.999, got 2");
+  EXPECT_EQ(saidOf([](Rig& r) { r.smoothing.depth = 0; }).substr(0, 6), "Depth:");
+}
+
 TEST(Validation, RotationsNearUnitLengthAreTakenAsTheyAre) {
   Placement placement;
   for (const float w : {0.9991f, 1.0009f}) {

@@ -8,6 +8,7 @@ namespace sinew::app {
 void drawFileDialog(PanelUi& ui);
 void drawUnsavedQuestion(PanelUi& ui);
 void drawLocateQuestion(PanelUi& ui);
+void drawConflictQuestion(PanelUi& ui);
 void drawRecoveryQuestion(PanelUi& ui);
 void drawKeySheet(PanelUi& ui);
 void drawPreferences(PanelUi& ui);

@@ -34,6 +34,7 @@ struct Entry {
   PrimitiveId muscle;
   int bone = -1;
   std::filesystem::path file;
+  std::string why = {};  ///< Why it cannot be done now; "" if it can.
 };
 
 struct Entries {
@@ -47,9 +48,9 @@ int recentRank(const EditorState& state, const std::string& id) {
   return found == recent.end() ? -1 : static_cast<int>(found - recent.begin());
 }
 
-void add(Entries& all, const EditorState& state, Entry entry, std::string label, std::string context, bool usable) {
+void add(Entries& all, const EditorState& state, Entry entry, std::string label, std::string context) {
   const int recent = recentRank(state, entry.id);
-  all.candidates.push_back({std::move(label), std::move(context), recent, usable});
+  all.candidates.push_back({std::move(label), std::move(context), recent, entry.why.empty()});
   all.entries.push_back(std::move(entry));
 }
 
@@ -57,7 +58,8 @@ void addActions(Entries& all, const EditorState& state) {
   for (const Menu& menu : menus()) {
     for (const Action& item : actions()) {
       if (item.menu() != menu.id || std::string_view(item.id) == "help/palette") continue;
-      add(all, state, {EntryKind::kAction, item.id, &item, {}, -1, {}}, item.label, menu.title, item.enabled(state));
+      add(all, state, {EntryKind::kAction, item.id, &item, {}, -1, {}, item.enabled(state).reason()}, item.label,
+          menu.title);
     }
   }
 }
@@ -66,7 +68,7 @@ void addPlacesInDocument(Entries& all, const EditorState& state) {
   if (!state.hasCharacter()) return;
   for (const Primitive& primitive : state.document.rig().primitives) {
     add(all, state, {EntryKind::kMuscle, "muscle/" + primitive.name, nullptr, primitive.id(), -1, {}}, primitive.name,
-        "Muscle on " + primitive.bone, true);
+        "Muscle on " + primitive.bone);
   }
   const Skeleton& skeleton = state.character().skeleton;
   const std::vector<std::string> names = shownBoneNames(skeleton);
@@ -74,7 +76,7 @@ void addPlacesInDocument(Entries& all, const EditorState& state) {
     const auto index = static_cast<std::size_t>(bone);
     const std::string& fileName = skeleton.bones[index].name;
     add(all, state, {EntryKind::kBone, "bone/" + skeleton.fileName(bone), nullptr, {}, bone, {}}, names[index],
-        names[index] == fileName ? "Bone" : "Bone " + fileName, true);
+        names[index] == fileName ? "Bone" : "Bone " + fileName);
   }
 }
 
@@ -82,14 +84,15 @@ void addFiles(Entries& all, const EditorState& state) {
   const std::vector<Sample> ours = samples();
   for (std::size_t i = 0; i < ours.size(); ++i) {
     add(all, state, {EntryKind::kFile, "sample/" + std::to_string(i), nullptr, {}, -1, ours[i].file}, ours[i].name,
-        "Sample", true);
+        "Sample");
   }
   const auto& recent = state.session.preferences.recentFiles;
   for (std::size_t i = 0; i < recent.size(); ++i) {
     std::error_code failed;
     const bool there = std::filesystem::is_regular_file(recent[i], failed);
-    add(all, state, {EntryKind::kFile, "recent/" + std::to_string(i), nullptr, {}, -1, recent[i]},
-        recent[i].filename().string(), "Recent file in " + recent[i].parent_path().string(), there);
+    add(all, state,
+        {EntryKind::kFile, "recent/" + std::to_string(i), nullptr, {}, -1, recent[i], there ? "" : "No longer there"},
+        recent[i].filename().string(), "Recent file in " + recent[i].parent_path().string());
   }
 }
 
@@ -164,9 +167,11 @@ bool drawRow(PanelUi& ui, const Entry& entry, const Candidate& candidate, const 
   drawMarked(list, {corner.x + ui.px(30), middle}, candidate.label, found.marks,
              candidate.usable ? palette::kText : palette::kMuted.faded(0.6f));
   const float right = corner.x + ImGui::GetContentRegionAvail().x - ui.px(8);
-  const std::string keys = entry.action != nullptr ? keyText(*entry.action, ui.state) : "";
+  // Of what cannot be done the reason is worth more than the keys.
+  const bool usable = candidate.usable;
+  const std::string keys = usable && entry.action != nullptr ? keyText(*entry.action, ui.state) : entry.why;
   const float keysWidth = keys.empty() ? 0.0f : ImGui::CalcTextSize(keys.c_str()).x;
-  list.AddText({right - keysWidth, middle}, palette::kText.packed(), keys.c_str());
+  list.AddText({right - keysWidth, middle}, (usable ? palette::kText : palette::kMuted).packed(), keys.c_str());
   const float contextLeft = corner.x + ui.px(30) + ImGui::CalcTextSize(candidate.label.c_str()).x + ui.px(12);
   list.PushClipRect({contextLeft, corner.y}, {right - keysWidth - ui.px(12), corner.y + height}, true);
   list.AddText({contextLeft, middle}, palette::kMuted.faded(0.8f).packed(), candidate.context.c_str());
@@ -174,19 +179,18 @@ bool drawRow(PanelUi& ui, const Entry& entry, const Candidate& candidate, const 
   return clicked;
 }
 
-/// Up, Down and the pages move the choice.
-bool moveChoice(int& chosen, int count) {
-  const int before = chosen;
-  if (ImGui::IsKeyPressed(GLFW_KEY_DOWN)) ++chosen;
-  if (ImGui::IsKeyPressed(GLFW_KEY_UP)) --chosen;
-  if (ImGui::IsKeyPressed(GLFW_KEY_PAGE_DOWN)) chosen = std::min(chosen + kRows, count - 1);
-  if (ImGui::IsKeyPressed(GLFW_KEY_PAGE_UP)) chosen = std::max(chosen - kRows, 0);
-  if (count > 0) chosen = (chosen + count) % count;
-  return chosen != before;
+/// Up, Down and the pages move the choice. @param chosen  -1: none. @return where it is now
+int movedChoice(int chosen, int count) {
+  if (count == 0) return -1;
+  if (ImGui::IsKeyPressed(GLFW_KEY_DOWN)) return (chosen + 1) % count;
+  if (ImGui::IsKeyPressed(GLFW_KEY_UP)) return chosen <= 0 ? count - 1 : chosen - 1;
+  if (ImGui::IsKeyPressed(GLFW_KEY_PAGE_DOWN)) return std::min(chosen + kRows, count - 1);
+  if (ImGui::IsKeyPressed(GLFW_KEY_PAGE_UP)) return std::max(chosen - kRows, 0);
+  return chosen;
 }
 
 /// @return the row to take, or -1.
-int drawFound(PanelUi& ui, const Entries& all, const std::vector<Found>& found, bool moved) {
+int drawFound(PanelUi& ui, const Entries& all, const std::vector<Found>& found, int lit, bool moved) {
   int taken = -1;
   const float height = ImGui::GetTextLineHeight() + ui.px(10);
   const int rows = std::clamp(static_cast<int>(found.size()), 1, kRows);
@@ -194,7 +198,7 @@ int drawFound(PanelUi& ui, const Entries& all, const std::vector<Found>& found, 
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0f, 0.0f});
   for (std::size_t i = 0; i < found.size(); ++i) {
     const std::size_t index = found[i].index;
-    const bool chosen = static_cast<int>(i) == ui.state.dialogs.palette.chosen;
+    const bool chosen = static_cast<int>(i) == lit;
     if (drawRow(ui, all.entries[index], all.candidates[index], found[i], chosen, height)) taken = static_cast<int>(i);
     if (chosen && moved && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.5f);
   }
@@ -215,14 +219,15 @@ void drawContents(PanelUi& ui) {
   const bool entered = ImGui::InputTextWithHint("##query", "Actions, muscles, bones, samples, recent files",
                                                 &palette.query, ImGuiInputTextFlags_EnterReturnsTrue);
   ui.widgets.note("palette/query");
-  if (ImGui::IsItemEdited()) palette.chosen = 0;
+  if (ImGui::IsItemEdited()) palette.chosen = -1;
   const Entries all = gather(ui.state);
   const std::vector<Found> found = search(palette.query, all.candidates, kMostFound);
   const int count = static_cast<int>(found.size());
-  palette.chosen = std::clamp(palette.chosen, 0, std::max(count - 1, 0));
-  const bool moved = moveChoice(palette.chosen, count);
-  int taken = drawFound(ui, all, found, moved);
-  if (entered && count > 0) taken = palette.chosen;
+  const int before = palette.chosen >= 0 ? std::min(palette.chosen, count - 1) : preselected(found, all.candidates);
+  const int lit = movedChoice(before, count);
+  if (lit != before) palette.chosen = lit;
+  int taken = drawFound(ui, all, found, lit, lit != before);
+  if (entered) taken = lit;
   const bool usable = taken >= 0 && all.candidates[found[static_cast<std::size_t>(taken)].index].usable;
   if (usable || ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
     ui.state.dialogs.palette = {};

@@ -17,6 +17,7 @@ constexpr int kWholeText = 20;
 constexpr int kOnlyInContext = 24;  ///< Less for a query that the label alone does not fit.
 constexpr int kRecentBonus = 4;     ///< For the one used last; a step less for every five before.
 constexpr int kUnusable = 6;        ///< Less for what cannot be done now.
+constexpr int kClearlyWorse = 8;    ///< By more than this: another entry was meant.
 constexpr int kWorst = -1000000;
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
@@ -117,6 +118,7 @@ std::vector<Found> search(std::string_view query, const std::vector<Candidate>& 
   struct Ranked {
     bool last;
     int score;
+    bool greyed;
     std::size_t rank;  ///< Among equals.
     Found found;
   };
@@ -132,10 +134,14 @@ std::vector<Found> search(std::string_view query, const std::vector<Candidate>& 
     // Of equals the shorter label, which the query covers better.
     const std::size_t rank =
         asked ? candidate.label.size() : (recent ? static_cast<std::size_t>(candidate.recent) : candidates.size() + i);
-    ranked.push_back({!asked && !candidate.usable, asked ? -fit->score : 0, rank, {i, std::move(fit->marks)}});
+    ranked.push_back({!asked && !candidate.usable,
+                      asked ? -fit->score : 0,
+                      !candidate.usable,
+                      rank,
+                      {i, fit->score, std::move(fit->marks)}});
   }
   std::ranges::stable_sort(ranked, [](const Ranked& a, const Ranked& b) {
-    return std::tie(a.last, a.score, a.rank) < std::tie(b.last, b.score, b.rank);
+    return std::tie(a.last, a.score, a.greyed, a.rank) < std::tie(b.last, b.score, b.greyed, b.rank);
   });
   std::vector<Found> found;
   for (Ranked& entry : ranked) {
@@ -143,6 +149,12 @@ std::vector<Found> search(std::string_view query, const std::vector<Candidate>& 
     found.push_back(std::move(entry.found));
   }
   return found;
+}
+
+int preselected(const std::vector<Found>& found, const std::vector<Candidate>& candidates) {
+  const auto usable = std::ranges::find_if(found, [&](const Found& entry) { return candidates[entry.index].usable; });
+  if (usable == found.end() || usable->score + kClearlyWorse < found.front().score) return -1;
+  return static_cast<int>(usable - found.begin());
 }
 
 }  // namespace sinew::app

@@ -29,13 +29,18 @@ struct Candidate {
 
 struct Found {
   std::size_t index = 0;           ///< Into the candidates.
+  int score = 0;                   ///< Greater is better.
   std::vector<std::size_t> marks;  ///< In the label.
 };
 
-/// Fitting candidates, best first; what cannot be used now weighs less, but stays above what fits badly, so that Enter
-/// never does something else instead. Without a query: lately used ones, then the others as they stand, at last what
-/// cannot be used. At most `most`.
+/// Fitting candidates, best first; what cannot be used now comes after what fits as well, but stays above what fits
+/// badly. Without a query: lately used ones, then the others as they stand, at last what cannot be used. At most
+/// `most`.
 [[nodiscard]] std::vector<Found> search(std::string_view query, const std::vector<Candidate>& candidates,
                                         std::size_t most);
+
+/// The row that Enter takes unless another is chosen: the first that can be used. -1 if there is none, or if it fits
+/// clearly worse than one above it, which is what was meant: Enter never does something else instead.
+[[nodiscard]] int preselected(const std::vector<Found>& found, const std::vector<Candidate>& candidates);
 
 }  // namespace sinew::app

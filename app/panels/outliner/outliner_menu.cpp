@@ -32,6 +32,7 @@ void actionItem(PanelUi& ui, const char* id) {
   const std::string keys = "   " + keyText(item, ui.state);
   const bool chosen = ImGui::MenuItem(item.label, keys.c_str(), false, item.enabled(ui.state));
   ui.widgets.note(std::string("context/") + id);
+  tooltip(ui, hintOf(ui, item));
   if (chosen) run(item, ui.state);
 }
 

@@ -221,11 +221,10 @@ void holdBefore(PanelUi& ui, bool held) { holdBare(ui.state, keyHeld(ui, action(
 void drawTerritoryButton(PanelUi& ui, float size) {
   const Action& territory = action("tool/territory");
   ImGui::BeginDisabled(!territory.enabled(ui.state));
-  if (iconButton(ui, "toolstrip/territory", Icon::kTerritory, editsTerritory(ui.state), size,
-                 tooltipOf(ui, territory))) {
-    run(territory, ui.state);
-  }
+  const bool pressed = iconButton(ui, "toolstrip/territory", Icon::kTerritory, editsTerritory(ui.state), size);
   ImGui::EndDisabled();
+  tooltip(ui, tooltipOf(ui, territory));
+  if (pressed) run(territory, ui.state);
 }
 
 }  // namespace sinew::app

@@ -118,19 +118,26 @@ bool drawHead(PanelUi& ui) {
 
 }  // namespace
 
+float messagesHeight(PanelUi& ui) {
+  if (ui.state.session.messages.empty() || !ui.state.session.messagesShown) return 0.0f;
+  return std::min({wantedHeight(ui), ui.px(kHighest), ui.state.frame.viewport.w * 0.6f});
+}
+
 void drawMessages(PanelUi& ui) {
   std::vector<Message>& messages = ui.state.session.messages;
-  if (messages.empty() || !ui.state.session.messagesShown) return;
-  const float height = std::min({wantedHeight(ui), ui.px(kHighest), ui.state.frame.viewport.w * 0.6f});
+  const float height = messagesHeight(ui);
+  if (height <= 0.0f) return;
   ImGui::SetCursorPos({ui.px(10), ui.state.frame.viewport.w - height - ui.px(10)});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.95f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
   ImGui::BeginChild("messages", {std::min(ui.px(kWidth), ui.state.frame.viewport.z - ui.px(20)), height}, true,
                     ImGuiWindowFlags_AlwaysUseWindowPadding);
   ImGui::PopStyleVar();
+  if (ui.state.session.messagesSaid != ui.state.open.messagesSeen) ImGui::SetScrollY(0.0f);  // What is new is on top.
+  ui.state.open.messagesSeen = ui.state.session.messagesSaid;
   const bool all = drawHead(ui);
   std::size_t dismissed = messages.size();
-  for (std::size_t i = 0; i < messages.size(); ++i) {
+  for (std::size_t i = messages.size(); i-- > 0;) {  // The newest first.
     if (drawMessage(ui, messages[i], i)) dismissed = i;
   }
   if (all) {

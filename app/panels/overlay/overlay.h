@@ -12,6 +12,9 @@ void drawLegend(PanelUi& ui);
 /// The context menu that a right click asks for.
 void drawViewportMenu(PanelUi& ui);
 void drawMessages(PanelUi& ui);
+/// Of the list at the picture's lower left; 0 while it is not shown.
+[[nodiscard]] float messagesHeight(PanelUi& ui);
+void drawToast(PanelUi& ui);
 /// How many messages there are, at the right end of the current line; a click shows or hides them. @return its width,
 /// 0 without messages.
 float drawMessageBadge(PanelUi& ui);

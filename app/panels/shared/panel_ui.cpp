@@ -43,7 +43,12 @@ std::string howToStart(const PanelUi& ui, const Action& action) {
 std::string tooltipOf(const PanelUi& ui, const Action& action) {
   std::string text = action.label;
   if (const std::string keys = keyText(action, ui.state); !keys.empty()) text += "  (" + keys + ")";
-  return text + "\n" + action.hint;
+  return text + "\n" + hintOf(ui, action);
+}
+
+std::string hintOf(const PanelUi& ui, const Action& action) {
+  const Possible possible = action.enabled(ui.state);
+  return possible ? action.hint : std::string(action.hint) + "\nNot available: " + possible.reason();
 }
 
 void actionButton(PanelUi& ui, const std::string& id, const Action& action, Icon icon, float size) {

@@ -24,8 +24,10 @@ struct PanelUi : Ui {
 
 /// "press M", with the key that the user has; without one, "choose Add muscle".
 [[nodiscard]] std::string howToStart(const PanelUi& ui, const Action& action);
-/// Label, key (in the user's keymap) and hint of an action.
+/// Label, key (in the user's keymap) and hint of an action, and why it cannot run now.
 [[nodiscard]] std::string tooltipOf(const PanelUi& ui, const Action& action);
+/// Without label and key: where they can be read already.
+[[nodiscard]] std::string hintOf(const PanelUi& ui, const Action& action);
 /// iconButton for an action, with its tooltip; disabled when the action is.
 void actionButton(PanelUi& ui, const std::string& id, const Action& action, Icon icon, float size);
 /// pillButton for an action: filled when the action is checked.

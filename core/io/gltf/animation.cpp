@@ -33,7 +33,8 @@ class ClipReader {
       std::optional<Channel> channel = target(animation.channels[i], channelPlace);
       if (!channel) continue;
       if (!driven.emplace(channel->node, channel->path).second) {
-        notes_.add("clip \"" + clip.name + "\": more than one channel for the same property; the first counts");
+        notes_.add("clip \"" + clip.name +
+                   "\": further channels for the same property are ignored: the first one plays");
         continue;
       }
       const std::size_t sampler = samplerOf(animation, i, channelPlace + ".sampler");
@@ -54,17 +55,18 @@ class ClipReader {
     else if (from.target_path == "rotation") channel.path = ChannelPath::kRotation;
     else if (from.target_path == "scale") channel.path = ChannelPath::kScale;
     else {
-      notes_.add("animation channels for \"" + from.target_path.substr(0, 40) + "\"");
+      notes_.add("animation channels for \"" + from.target_path.substr(0, 40) +
+                 "\" are ignored: bones play their position, rotation and scale only");
       return std::nullopt;
     }
     file_.expectSound(place + ".target.node");
     channel.node = from.target_node < 0 ? -1 : skeletonNode_[static_cast<std::size_t>(from.target_node)];
     if (channel.node < 0) {
-      notes_.add("animation channels for nodes that move no bone");
+      notes_.add("animation channels for nodes that move no bone are ignored: nothing follows them");
       return std::nullopt;
     }
     if (skeleton_.nodes[static_cast<std::size_t>(channel.node)].rest.matrix) {
-      notes_.add("animation channels for nodes placed by a matrix, which cannot be animated");
+      notes_.add("animation channels for nodes placed by a matrix are ignored: such nodes stay still");
       return std::nullopt;
     }
     return channel;
@@ -99,7 +101,7 @@ class ClipReader {
       refuse(place, std::to_string(output.count()) + " values for " + std::to_string(input.count()) + " keys");
     }
     if (input.count() == 0) {
-      notes_.add("clip \"" + clip + "\": channels without keys");
+      notes_.add("clip \"" + clip + "\": channels without keys are ignored: these bones stay still");
       return false;
     }
     if (input.count() > (kMaxKeyValues - keyValues_) / perKey) refuse(place, "the file has too many keys");
@@ -120,7 +122,8 @@ class ClipReader {
       ordered = ordered && (k == 0 || timeOf(input, k - 1) < timeOf(input, k));
     }
     if (ordered) return keys;
-    notes_.add("clip \"" + clip + "\": key times out of order or repeated; sorted, the last of equal ones counts");
+    notes_.add("clip \"" + clip +
+               "\": key times were out of order or repeated: they are sorted, and the last of equal ones plays");
     std::ranges::stable_sort(keys, {}, [&](std::size_t k) { return timeOf(input, k); });
     std::vector<std::size_t> kept;
     for (const std::size_t key : keys) {
@@ -175,7 +178,7 @@ std::vector<AnimationClip> readClips(const File& file, const Skeleton& skeleton,
   std::vector<AnimationClip> clips;
   for (std::size_t i = 0; i < file.model().animations.size(); ++i) {
     AnimationClip clip = reader.read(i);
-    if (clip.channels.empty()) notes.add("clip \"" + clip.name + "\": moves no bone");
+    if (clip.channels.empty()) notes.add("clip \"" + clip.name + "\" is ignored: it moves no bone");
     else clips.push_back(std::move(clip));
   }
   return clips;

@@ -112,7 +112,7 @@ void File::openBuffers(const Json& list, std::vector<std::uint8_t> file, const C
     std::vector<std::uint8_t> bytes;
     if (uri) {
       Result<std::vector<std::uint8_t>> found = read(uri->content, placeOf("buffers", i) + ".uri");
-      if (!found) refuse(placeOf("buffers", i) + ".uri", found.error().reason);
+      if (!found) refuse(placeOf("buffers", i) + ".uri", found.error().reason, "needs another file");
       bytes = std::move(found).value();
     } else if (i == 0 && container.binary) {
       // Moved down within the file's own memory: a second copy of the largest file would be a gigabyte.

@@ -28,7 +28,7 @@ Container split(Bytes file) {
   const std::size_t length = littleEndian(file, 8);
   if (length > file.size()) {
     refuse("byte " + std::to_string(file.size()),
-           "the file is cut off: its header promises " + std::to_string(length) + " bytes");
+           "the file is cut off: its header promises " + std::to_string(length) + " bytes", "damaged");
   }
   Container result;
   for (std::size_t at = 12; at + 8 <= length;) {

@@ -27,17 +27,20 @@ void checkExtensions(const tinygltf::Model& model, Notes& notes) {
   for (std::size_t i = 0; i < model.extensionsRequired.size(); ++i) {
     const std::string& name = model.extensionsRequired[i];
     if (!understood(name)) {
-      refuse(placeOf("extensionsRequired", i), "the file needs the extension " + name + ", which Sinew cannot read");
+      refuse(placeOf("extensionsRequired", i), "the file needs the extension " + name + ", which Sinew cannot read",
+             "cannot be opened");
     }
   }
   for (const std::string& name : model.extensionsUsed) {
-    if (!understood(name)) notes.add("extension " + name);
+    if (!understood(name)) notes.add("extension " + name + " is ignored: what it adds is not shown");
   }
 }
 
 void noteUnused(const File& file, Notes& notes) {
-  if (file.cameras() > 0) notes.add("cameras: " + std::to_string(file.cameras()));
-  if (file.lights() > 0) notes.add("lights: " + std::to_string(file.lights()));
+  if (file.cameras() > 0)
+    notes.add("cameras (" + std::to_string(file.cameras()) + ") are ignored: the view is your own");
+  if (file.lights() > 0)
+    notes.add("lights (" + std::to_string(file.lights()) + ") are ignored: the editor lights the character");
 }
 
 float heightOf(const std::vector<glm::vec3>& positions) {
@@ -48,10 +51,11 @@ float heightOf(const std::vector<glm::vec3>& positions) {
 }
 
 void weldMesh(const TriangleSoup& soup, Character& character) {
-  if (soup.triangles.empty()) refuse("meshes", "the scene has no triangles to show");
+  if (soup.triangles.empty()) refuse("meshes", "the scene has no triangles to show", "cannot be opened");
   constexpr float kWeldTolerance = 1e-6f;  // of the height, docs/design.md
   character.mesh = weld(soup, kWeldTolerance * heightOf(soup.positions));
-  if (character.mesh.triangles.empty()) refuse("meshes", "all triangles have collapsed to lines or points");
+  if (character.mesh.triangles.empty())
+    refuse("meshes", "all triangles have collapsed to lines or points", "cannot be opened");
   character.height = heightOf(character.mesh.positions);
 }
 
@@ -85,7 +89,10 @@ Result<std::shared_ptr<const Character>> importGltf(const std::filesystem::path&
   try {
     return readCharacter(file);
   } catch (Refusal& refusal) {
-    return failed(std::move(refusal.error.place), std::move(refusal.error.reason));
+    Error error = std::move(refusal.error);
+    error.file = file.string();
+    if (error.subject.empty() && !error.place.empty()) error.subject = "damaged or not valid glTF";
+    return error;
   } catch (const std::bad_alloc&) {
     return failed("", "there is not enough memory to read it");
   } catch (const std::exception& error) {

@@ -89,13 +89,13 @@ class MaterialReader {
       material.metallic = 0.0f;
       material.roughness = 1.0f;
     }
-    if (from.emissiveTexture.index >= 0) notes_.add("materials: emissiveTexture is not drawn");
+    if (from.emissiveTexture.index >= 0) notes_.add("emissive textures are ignored: these materials do not glow");
     else
       for (int i = 0; i < 3; ++i) material.emissive[i] = unit(from.emissiveFactor[at(i)]);
     readAlpha(from, place, material);
     material.doubleSided = from.doubleSided;
-    if (from.normalTexture.index >= 0) notes_.add("materials: normalTexture is not drawn");
-    if (from.occlusionTexture.index >= 0) notes_.add("materials: occlusionTexture is not drawn");
+    if (from.normalTexture.index >= 0) notes_.add("normal textures are ignored: fine relief is not shown");
+    if (from.occlusionTexture.index >= 0) notes_.add("occlusion textures are ignored: crevices are not darkened");
     result_.materials.push_back(std::move(material));
     result_.uvSources.push_back(uv);
   }
@@ -113,7 +113,7 @@ class MaterialReader {
     if (pbr.metallicRoughnessTexture.index >= 0) {
       // The factors only scale the texture; alone they would turn skin into chrome.
       material.metallic = 0.0f;
-      notes_.add("materials: metallicRoughnessTexture is not drawn");
+      notes_.add("metallic-roughness textures are ignored: these materials look non-metallic");
     }
   }
 
@@ -131,7 +131,7 @@ class MaterialReader {
     }
     if (glossiness.Has("specularGlossinessTexture")) {
       material.roughness = 1.0f;
-      notes_.add("materials: specularGlossinessTexture is not drawn");
+      notes_.add("specular-glossiness textures are ignored: gloss is the same all over");
     }
   }
 
@@ -148,7 +148,7 @@ class MaterialReader {
     file_.expectSound(place);
     const tinygltf::Texture& texture = file_.model().textures[at(index)];
     if (texture.source < 0) {
-      notes_.add(place + ": has no PNG or JPEG source; drawn without");
+      notes_.add(place + " has no PNG or JPEG source and is ignored: the material is drawn without");
       return -1;
     }
     const Texture settings = readSampler(texture.sampler);
@@ -170,7 +170,7 @@ class MaterialReader {
 
   int makeTexture(std::size_t index, Texture texture) {
     const auto leaveOut = [&](const std::string& why) {
-      notes_.add(placeOf("images", index) + ": " + why + "; drawn without");
+      notes_.add(placeOf("images", index) + ": " + why + "; it is ignored: the material is drawn without");
       return -1;
     };
     Result<EncodedImage> encoded = file_.encodedImage(index);

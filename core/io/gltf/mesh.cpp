@@ -61,13 +61,13 @@ class SoupReader {
       refuse(place + ".mode", "unknown mode " + std::to_string(primitive.mode));
     }
     if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
-      notes_.add("mesh primitives made of points or lines");
+      notes_.add("parts of meshes made of points or lines are ignored: only triangles are shown");
       return;
     }
     noteUnused(primitive);
     const int material = materialOf(primitive);
     if (!primitive.attributes.contains("POSITION")) {
-      notes_.add("mesh primitives without positions");
+      notes_.add("parts of meshes without positions are ignored: there is nothing to show");
       return;
     }
     const Attributes open =
@@ -81,7 +81,7 @@ class SoupReader {
     const bool mirrored = glm::determinant(glm::dmat3(binding.meshToBind)) < 0.0;
     const std::size_t corners = indices ? indices->count() : open.position->count();
     const std::size_t triangles = countTriangles(static_cast<Mode>(primitive.mode), corners);
-    if (triangles > kMaxTriangles - soup_.triangles.size()) refuse(place, "more than 2 million triangles");
+    if (triangles > kMaxTriangles - soup_.triangles.size()) refuse(place, "more than 2 million triangles", "too large");
     for (std::size_t t = 0; t < triangles; ++t) {
       std::array<std::uint32_t, 3> triangle = cornersOf(static_cast<Mode>(primitive.mode), t);
       for (std::uint32_t& corner : triangle) {
@@ -99,14 +99,15 @@ class SoupReader {
   }
 
   void noteUnused(const tinygltf::Primitive& primitive) {
-    if (!primitive.targets.empty()) notes_.add("morph targets of mesh primitives");
+    if (!primitive.targets.empty()) notes_.add("morph targets are ignored: the mesh keeps its base shape");
     if (primitive.extensions.contains("KHR_draco_mesh_compression")) {
-      notes_.add("Draco data of mesh primitives; the uncompressed copy is used");
+      notes_.add("Draco data is ignored: the uncompressed copy is used");
     }
     // NORMAL is computed from the welded faces (docs/design.md).
     for (const auto& [name, accessor] : primitive.attributes) {
-      if (name.starts_with("COLOR_") && name != "COLOR_0") notes_.add("vertex colours beyond the first set");
-      else if (name == "TANGENT") notes_.add("vertex tangents");
+      if (name.starts_with("COLOR_") && name != "COLOR_0")
+        notes_.add("vertex colours beyond the first set are ignored");
+      else if (name == "TANGENT") notes_.add("vertex tangents are ignored: the surface is shaded without them");
     }
   }
 
@@ -153,8 +154,7 @@ class SoupReader {
       open.weights.push_back(openMatching(weights, TINYGLTF_TYPE_VEC4));
       if (open.joints.back()->isFloat()) refuse(open.joints.back()->place(), "joints must be unsigned integers");
     }
-    if (open.joints.empty())
-      notes_.add("skinned meshes without joints and weights; they follow the skin's first joint");
+    if (open.joints.empty()) notes_.add("skinned meshes without joints and weights follow the skin's first joint");
     return open;
   }
 
@@ -196,7 +196,7 @@ class SoupReader {
     glm::vec2 uv(0.0f);
     if (open.uv) uv = uvSource.apply(open.uv->number(index, 0), open.uv->number(index, 1));
     if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) {
-      notes_.add("texture coordinates that are not finite; taken as 0");
+      notes_.add("texture coordinates that are not finite are ignored: 0 is used");
       uv = glm::vec2(0.0f);
     }
     soup_.uvs.push_back(uv);
@@ -215,7 +215,7 @@ class SoupReader {
       color[channel] = open.color->number(index, channel);
     }
     if (!std::isfinite(color.r + color.g + color.b + color.a)) {
-      notes_.add("vertex colours that are not finite; taken as white");
+      notes_.add("vertex colours that are not finite are ignored: white is used");
       return;
     }
     soup_.colors.back() = glm::vec4(glm::clamp(color, 0.0, 1.0));
@@ -239,7 +239,7 @@ class SoupReader {
     if (!(sum > 1e-12)) {
       scratch_.assign(1, {firstBinding(index, open, binding), 1.0});
       sum = 1.0;
-      if (!open.joints.empty()) notes_.add("vertices whose weights are all zero; they follow their first joint");
+      if (!open.joints.empty()) notes_.add("vertices whose weights are all zero follow their first joint");
     }
     std::ranges::stable_sort(scratch_, {}, &std::pair<int, double>::first);
     for (std::size_t i = 0; i < scratch_.size();) {

@@ -74,8 +74,8 @@ void markScene(const File& file, NodeTree& tree, Notes& notes) {
   file.expectSound("scene");
   const std::size_t used = at(std::max(file.model().defaultScene, 0));
   if (scenes.size() > 1) {
-    notes.add("scenes: " + std::to_string(scenes.size() - 1) + " besides the default one, scene " +
-              std::to_string(used));
+    notes.add("scenes (" + std::to_string(scenes.size() - 1) + ") besides the default one, scene " +
+              std::to_string(used) + ", are ignored: they are not shown");
   }
   file.expectSound(placeOf("scenes", used));
   for (const int node : scenes[used].nodes) tree.nodes[at(node)].inScene = true;

@@ -12,8 +12,9 @@ namespace sinew::gltf {
 struct Refusal {
   Error error;
 };
-[[noreturn]] inline void refuse(std::string place, std::string reason) {
-  throw Refusal{errorAt(std::move(place), std::move(reason))};
+/// @param subject  what it is about, where the reason is one that people understand who do not know the format
+[[noreturn]] inline void refuse(std::string place, std::string reason, std::string subject = {}) {
+  throw Refusal{errorAt(std::move(place), std::move(reason), std::move(subject))};
 }
 
 /// "nodes[3]", the JSON path of an element.

@@ -65,7 +65,7 @@ class Binder {
       skins_[at(node.skin)] = readSkin(at(node.skin));
     }
     const auto unused = std::ranges::count_if(skins_, [](const auto& skin) { return !skin; });
-    if (unused > 0) notes_.add("skins: " + std::to_string(unused) + " that no mesh of the scene uses");
+    if (unused > 0) notes_.add("skins (" + std::to_string(unused) + ") that no mesh of the scene uses are ignored");
   }
 
   Skin readSkin(std::size_t index) {
@@ -100,12 +100,14 @@ class Binder {
         refuse(matrices.place(), "inverse bind matrix " + std::to_string(j) + " is not finite or too large");
       if (affineInverse(matrix)) continue;
       skin.singular[j] = true;
-      notes_.add("inverse bind matrix of joint \"" + tree_[skin.joints[j]].name +
-                 "\": singular; its rest pose is used");
+      notes_.add("the inverse bind matrix of joint \"" + tree_[skin.joints[j]].name +
+                 "\" is singular and ignored: the joint's rest pose is used");
     }
   }
 
-  [[noreturn]] static void refuseJoints() { refuse("skins", "more than " + std::to_string(kMaxJoints) + " joints"); }
+  [[noreturn]] static void refuseJoints() {
+    refuse("skins", "more than " + std::to_string(kMaxJoints) + " joints", "too large");
+  }
 
   /// Bones in the order the skins name them, then mesh nodes of their own; ancestors first.
   void collectBones() {
@@ -271,7 +273,7 @@ class Binder {
     }
     if (bindings.size() > bones().size()) {
       notes_.add("skins: " + std::to_string(bindings.size() - bones().size()) +
-                 " joints bound differently by a second skin; the bind pose shows the first one's");
+                 " joints are bound differently by a second skin: the bind pose shows the first one's");
     }
   }
 
@@ -301,7 +303,7 @@ class Binder {
       const TreeNode& node = tree_.nodes[i];
       if (node.mesh < 0) continue;
       if (!node.inScene) {
-        notes_.add("meshes outside the default scene");
+        notes_.add("meshes outside the default scene are ignored: they are not shown");
         continue;
       }
       MeshBinding binding;

@@ -176,7 +176,10 @@ Result<Json> Json::parse(std::string_view text, const JsonLimits& limits) {
 
 std::string shortened(std::string message) {
   constexpr std::size_t kMaxLength = 160;
-  if (message.size() > kMaxLength) message = message.substr(0, kMaxLength) + " ...";
+  if (message.size() > kMaxLength) {
+    message.resize(kMaxLength);
+    message += " ...";
+  }
   for (char& c : message) {
     if (static_cast<unsigned char>(c) < 0x20) c = ' ';
     if (static_cast<unsigned char>(c) >= 0x7f) c = '?';  // the cut may have split a character

@@ -13,13 +13,20 @@ struct Error {
   std::string file;    ///< Path as the user gave it.
   std::string place;   ///< JSON path, accessor, byte offset, joint name ...
   std::string reason;  ///< What is wrong and what was expected.
+  /// What it is about, in the interface's words: `muscle "biceps L", reach`. Instead of place where people read it who
+  /// do not know the file from the inside. Empty: file and reason say it.
+  std::string subject = {};
 
   /// "file: place: reason" on one line; empty parts are left out, control characters become spaces.
   [[nodiscard]] std::string text() const;
+  /// The same for the interface: "File name: subject: reason". Without a subject it is text().
+  [[nodiscard]] std::string plainText() const;
 };
 
 /// Error without a file or with a place only; the io layer adds the file.
-[[nodiscard]] Error errorAt(std::string place, std::string reason);
+[[nodiscard]] Error errorAt(std::string place, std::string reason, std::string subject = {});
+/// What the error is about is part of something larger: `reach` of `muscle "biceps L"`.
+[[nodiscard]] Error about(const std::string& whole, Error error);
 
 /// Value or Error, for users' data. Callers' mistakes are asserts, never Results. No exception leaves core.
 template <class T>

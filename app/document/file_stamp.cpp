@@ -1,0 +1,74 @@
+// app/document/file_stamp.cpp: hashing a file, comparing, names that are free.
+
+#include "app/document/file_stamp.h"
+
+#include <array>
+#include <cctype>
+#include <cstdio>
+#include <system_error>
+
+#include "core/io/files/atomic_file.h"
+
+namespace sinew::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kLargestFile = 1u << 30;
+
+/// "arm 2" -> "arm": the copy of a copy counts on.
+std::string withoutNumber(const std::string& stem) {
+  std::size_t end = stem.size();
+  while (end > 0 && std::isdigit(static_cast<unsigned char>(stem[end - 1])) != 0) --end;
+  return end < stem.size() && end > 1 && stem[end - 1] == ' ' ? stem.substr(0, end - 1) : stem;
+}
+
+}  // namespace
+
+FileStamp stampOf(std::string_view content) {
+  // Fowler, Noll, Vo: FNV-1a (IETF draft-eastlake-fnv).
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char c : content)
+    hash = (hash ^ static_cast<std::uint64_t>(static_cast<unsigned char>(c))) * 0x100000001b3u;
+  return {content.size(), hash};
+}
+
+std::optional<FileStamp> stampOfFile(const fs::path& file) {
+  const Result<std::string> content = readWholeFile(file, kLargestFile);
+  if (!content) return std::nullopt;
+  return stampOf(content.value());
+}
+
+std::string textOfStamp(const std::optional<FileStamp>& stamp) {
+  if (!stamp) return "";
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%llu:%016llx", static_cast<unsigned long long>(stamp->bytes),
+                static_cast<unsigned long long>(stamp->hash));
+  return text.data();
+}
+
+std::optional<FileStamp> stampFromText(const std::string& text) {
+  unsigned long long bytes = 0;
+  unsigned long long hash = 0;
+  if (std::sscanf(text.c_str(), "%llu:%llx", &bytes, &hash) != 2) return std::nullopt;
+  return FileStamp{bytes, hash};
+}
+
+OnDisk compareWithDisk(const fs::path& file, const std::optional<FileStamp>& known) {
+  std::error_code failed;
+  if (!fs::exists(file, failed)) return known ? OnDisk::kGone : OnDisk::kSame;
+  return known && stampOfFile(file) == known ? OnDisk::kSame : OnDisk::kChanged;
+}
+
+fs::path freeNameBeside(const fs::path& file) {
+  const std::string name = file.filename().string();
+  const std::string ending = name.ends_with(".rig.json") ? ".rig.json" : file.extension().string();
+  const std::string stem = withoutNumber(name.substr(0, name.size() - ending.size()));
+  std::error_code failed;
+  for (int number = 2;; ++number) {
+    fs::path beside = file.parent_path() / (stem + ' ' + std::to_string(number) + ending);
+    if (!fs::exists(fs::symlink_status(beside, failed))) return beside;
+  }
+}
+
+}  // namespace sinew::app

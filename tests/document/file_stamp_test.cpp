@@ -1,0 +1,66 @@
+// tests/document/file_stamp_test.cpp: what a file held, and names that are free.
+
+#include "app/document/file_stamp.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+#include "tests/support/temporary_folder.h"
+
+namespace sinew::app {
+namespace {
+
+TEST(FileStamp, IsThePublishedHash) {
+  // Test vectors of draft-eastlake-fnv, FNV-1a with 64 bits.
+  EXPECT_EQ(stampOf("").hash, 0xcbf29ce484222325u);
+  EXPECT_EQ(stampOf("a").hash, 0xaf63dc4c8601ec8cu);
+  EXPECT_EQ(stampOf("foobar").hash, 0x85944171f73967e8u);
+  EXPECT_EQ(stampOf("foobar").bytes, 6u);
+}
+
+TEST(FileStamp, AnyOneByteChangesIt) {
+  std::mt19937 random(3);
+  std::string text(200, ' ');
+  for (char& c : text) c = static_cast<char>(random());
+  const FileStamp before = stampOf(text);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    std::string other = text;
+    other[i] = static_cast<char>(other[i] ^ (1 << (random() % 8)));
+    EXPECT_NE(stampOf(other), before) << i;
+  }
+}
+
+TEST(FileStamp, TextIsReadBackAndNothingElseIs) {
+  for (const char* content : {"", "a", "foobar"}) {
+    const FileStamp stamp = stampOf(content);
+    EXPECT_EQ(stampFromText(textOfStamp(stamp)), stamp);
+  }
+  EXPECT_EQ(textOfStamp(std::nullopt), "");
+  for (const char* bad : {"", "x", "12", ":ab"}) EXPECT_FALSE(stampFromText(bad).has_value()) << bad;
+}
+
+TEST(FileStamp, ComparesWithWhatIsThere) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.write("a.rig.json", "one");
+  EXPECT_EQ(compareWithDisk(file, stampOf("one")), OnDisk::kSame);
+  EXPECT_EQ(compareWithDisk(file, stampOf("two")), OnDisk::kChanged);
+  EXPECT_EQ(compareWithDisk(file, std::nullopt), OnDisk::kChanged) << "one that was not there has appeared";
+  EXPECT_EQ(compareWithDisk(folder.path() / "none", stampOf("one")), OnDisk::kGone);
+  EXPECT_EQ(compareWithDisk(folder.path() / "none", std::nullopt), OnDisk::kSame);
+}
+
+TEST(FileStamp, ANameBesideIsFreeAndCountsOn) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.write("arm.rig.json", "");
+  EXPECT_EQ(freeNameBeside(file).filename(), "arm 2.rig.json");
+  const auto second = folder.write("arm 2.rig.json", "");
+  EXPECT_EQ(freeNameBeside(file).filename(), "arm 3.rig.json");
+  EXPECT_EQ(freeNameBeside(second).filename(), "arm 3.rig.json");
+  EXPECT_EQ(freeNameBeside(folder.path() / "2.rig.json").filename(), "2 2.rig.json");
+  EXPECT_EQ(freeNameBeside(folder.path() / "leg.json").filename(), "leg 2.json");
+}
+
+}  // namespace
+}  // namespace sinew::app
