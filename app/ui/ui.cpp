@@ -60,7 +60,7 @@ void mutedText(const char* text) {
 void tooltip(Ui& ui, const std::string& text) {
   if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   const double left = kTooltipSeconds - static_cast<double>(ImGui::GetCurrentContext()->HoveredIdTimer);
-  if (ImGui::GetHoveredID() != 0 && left > 0.0) {
+  if (ImGui::GetHoveredID() != 0 && left > kNextFrame) {
     ui.wakeIn(left);
     return;
   }

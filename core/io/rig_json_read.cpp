@@ -312,7 +312,7 @@ Rig readRig(Reader& reader, const Json& root) {
 
 Result<Rig> rigFromJson(const std::string& text) {
   const auto root = Json::parse(text);
-  if (!root) return about("damaged at " + root.error().place, root.error());
+  if (!root) return about("damaged", root.error());
   Reader reader;
   readHeader(reader, root.value());
   if (reader.error()) return *reader.error();

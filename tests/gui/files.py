@@ -89,7 +89,8 @@ def lost_folder(t, editor):
     with_a_muscle(t, editor)
     editor.tap("ctrl+s", "the question about a file that is gone", lambda s: s["dialog"] == "conflict")
     editor.click("conflict/overwrite")
-    state = editor.wait_until("a message that it was not saved", lambda s: any("Not saved" in m for m in s["messages"]))
+    state = editor.wait_until("a message that it was not saved", lambda s: any("Not saved" in m for m in s["messages"]) and
+                              any("no longer on disk" in m for m in s["messages"]))
     t.check("it stays modified", state["document"]["modified"])
     t.check("what was saved before is whole", (t.folder / "elsewhere" / "kept.rig.json").read_bytes() == text)
     editor.click("messages/dismiss-all")

@@ -17,6 +17,7 @@ def second_window(t, first, file):
     before = windows(first)
     second = t.edit(file)
     own = (windows(second) - before).pop()
+    first.window, second.window = before.pop(), own
     second.xdotool("windowmove", own, *SECOND_AT)
     second.origin = SECOND_AT
     second.move((640, 400))
@@ -24,8 +25,9 @@ def second_window(t, first, file):
 
 
 def enter(editor):
-    """Keys go to the window under the pointer."""
+    """Pointer and keys are this window's from here on."""
     editor.move((640, 12))
+    editor.xdotool("windowfocus", "--sync", editor.window)
 
 
 def add_muscle(editor):

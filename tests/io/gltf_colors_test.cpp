@@ -103,7 +103,7 @@ TEST(GltfColors, ColoursThatAreNotFiniteAreWhiteAndNoted) {
     post.attributes()["COLOR_0"] = post.file.accessor(colors, "VEC4");
     const auto character = imported(post);
     ASSERT_EQ(character->ignored.size(), 1u);
-    EXPECT_EQ(character->ignored[0], "vertex colours that are not finite; taken as white");
+    EXPECT_EQ(character->ignored[0], "vertex colours that are not finite are ignored: white is used");
     EXPECT_EQ(std::ranges::count(character->mesh.wedges, glm::vec4(1.0f), &Wedge::color), 1);
     EXPECT_EQ(std::ranges::count(character->mesh.wedges, glm::vec4(0.25f), &Wedge::color), 11);
   }

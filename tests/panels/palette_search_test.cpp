@@ -121,7 +121,7 @@ TEST(PaletteSearch, WhatCannotBeDoneIsNeverPreselected) {
 }
 
 TEST(PaletteSearch, WhereSomethingElseWasMeantNothingIsPreselected) {
-  const std::vector<Candidate> candidates{{"Duplicate", "Edit", -1, false}, {"deltoid upper low", "Muscle", -1, true}};
+  const std::vector<Candidate> candidates{{"Duplicate", "Edit", -1, false}, {"odd cup hole", "Muscle", -1, true}};
   const std::vector<Found> all = search("dupl", candidates, 100);
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].index, 0u);
