@@ -227,6 +227,7 @@ Preferences mergedPreferences(const Preferences& base, const Preferences& mine, 
     if (mine.*setting == base.*setting) merged.*setting = theirs.*setting;
   };
   merge(&Preferences::keymap);
+  merge(&Preferences::keys);
   merge(&Preferences::scale);
   merge(&Preferences::autosaveSeconds);
   merge(&Preferences::hiddenFiles);

@@ -129,12 +129,14 @@ TEST_F(PreferencesTest, TwoWindowsTogether) {
   mine.keymap = Keymap::kBlender;
   theirs.scale = 2.0f;
   theirs.newestFirst = true;
+  theirs.keys[0]["view/ground"] = {"W"};
   mine.recentFiles = {"/c", "/d", "/a", "/b"};
   theirs.recentFiles = {"/e", "/a", "/b", "/c"};
   const Preferences both = mergedPreferences(base, mine, theirs);
   EXPECT_EQ(both.keymap, Keymap::kBlender);
   EXPECT_EQ(both.scale, 2.0f);
   EXPECT_TRUE(both.newestFirst);
+  EXPECT_EQ(both.keys, theirs.keys);
   EXPECT_EQ(both.recentFiles, (std::vector<fs::path>{"/c", "/d", "/e", "/a", "/b"}));
 }
 
