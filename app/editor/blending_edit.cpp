@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "app/document/group_colors.h"
+#include "app/document/muscle_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
-#include "app/editor/muscle_names.h"
 #include "core/rig/rig_edit.h"
 #include "core/rig/rig_edit_several.h"
 

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "app/document/motion_clip.h"
+#include "app/document/muscle_names.h"
 #include "app/editor/disk_conflict.h"
 #include "app/editor/edit.h"
-#include "app/editor/muscle_names.h"
 #include "app/editor/pose_commands.h"
 #include "app/editor/session.h"
 #include "app/editor/symmetry_commands.h"

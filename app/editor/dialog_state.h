@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/document/file_stamp.h"
-#include "app/editor/folder_listing.h"
+#include "app/document/folder_listing.h"
 
 namespace sinew::app {
 

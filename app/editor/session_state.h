@@ -9,8 +9,8 @@
 
 #include "app/document/preferences.h"
 #include "app/document/recovery.h"
-#include "app/editor/frame_stats.h"
 #include "app/editor/toast.h"
+#include "app/platform/frame_stats.h"
 
 namespace sinew::app {
 
@@ -29,9 +29,9 @@ struct Message {
 
 struct SessionState {
   std::filesystem::path viewsFolder;  ///< Where views of files are kept (view_files.h); "": they are not.
-  Preferences preferences;        ///< Without layout and window, which stand in ViewState and in the window.
-  std::vector<Message> messages;  ///< The last one is the newest.
-  std::size_t messagesSaid = 0;   ///< Grows with every message.
+  Preferences preferences;            ///< Without layout and window, which stand in ViewState and in the window.
+  std::vector<Message> messages;      ///< The last one is the newest.
+  std::size_t messagesSaid = 0;       ///< Grows with every message.
   std::optional<Toast> toast;
   bool messagesShown = false;           ///< Unfolded: by a new message, until they are folded.
   std::vector<LeftBehind> leftBehind;   ///< By a crash: offered until answered.

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "app/document/clipboard.h"
+#include "app/document/muscle_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
-#include "app/editor/muscle_names.h"
 #include "core/rig/rig_edit.h"
 #include "core/symmetry/twins.h"
 

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/document/muscle_names.h"
 #include "app/editor/commands.h"
-#include "app/editor/muscle_names.h"
 #include "app/panels/inspector/inspector.h"
 #include "app/panels/shared/field_edit.h"
 #include "app/ui/number_field.h"

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "app/document/muscle_names.h"
 #include "app/document/shown_names.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
 #include "app/editor/hidden_bones.h"
-#include "app/editor/muscle_names.h"
 #include "app/editor/outliner_rows.h"
 #include "app/editor/territory.h"
 #include "app/panels/inspector/inspector.h"

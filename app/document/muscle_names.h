@@ -1,4 +1,4 @@
-// app/editor/muscle_names.h: how the history calls what a step changed.
+// app/document/muscle_names.h: how the history calls what a step changed.
 #pragma once
 
 #include <span>

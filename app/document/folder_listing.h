@@ -1,4 +1,4 @@
-// app/editor/folder_listing.h: what the path dialog shows of a folder, and what a typed path means.
+// app/document/folder_listing.h: what the path dialog shows of a folder, and what a typed path means.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
-// tests/editor/folder_listing_test.cpp: what the file browser shows, completes and calls things.
+// tests/document/folder_listing_test.cpp: what the file browser shows, completes and calls things.
 
-#include "app/editor/folder_listing.h"
+#include "app/document/folder_listing.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>

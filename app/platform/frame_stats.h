@@ -1,4 +1,4 @@
-// app/editor/frame_stats.h: how long frames took over the last two seconds.
+// app/platform/frame_stats.h: how long frames took over the last two seconds.
 #pragma once
 
 #include <deque>

@@ -1,6 +1,6 @@
-// app/editor/frame_stats.cpp: how long frames took.
+// app/platform/frame_stats.cpp: how long frames took.
 
-#include "app/editor/frame_stats.h"
+#include "app/platform/frame_stats.h"
 
 #include <algorithm>
 #include <vector>

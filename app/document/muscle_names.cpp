@@ -1,6 +1,6 @@
-// app/editor/muscle_names.cpp: how the history calls what a step changed.
+// app/document/muscle_names.cpp: how the history calls what a step changed.
 
-#include "app/editor/muscle_names.h"
+#include "app/document/muscle_names.h"
 
 namespace sinew::app {
 

@@ -1,6 +1,6 @@
-// app/editor/folder_listing.cpp: folders for the path dialog.
+// app/document/folder_listing.cpp: folders for the path dialog.
 
-#include "app/editor/folder_listing.h"
+#include "app/document/folder_listing.h"
 
 #include <algorithm>
 #include <array>
