@@ -1,10 +1,52 @@
-// shaders/lighting.glsl: a quiet studio: key, fill and rim go around with the camera, so that every side is shown well.
+// shaders/lighting.glsl: key, fill and rim light and what comes from all around. In a studio they go around with the
+// camera, so that every side is shown well; outdoors the sun stands still.
 
+#ifdef CHOSEN_LOOK
+// A preset's numbers: LightBlock in app/render/lights.h.
+layout(std140, binding = 1) uniform Light {
+  vec4 sky;
+  vec4 floorBounce;
+  vec4 keyColor;
+  vec4 fillColor;
+  vec4 rimColor;
+  vec4 keyAim;  // w 0: along the camera's right, towards the eye, up. w 1: a world direction.
+  vec4 clayKey;  // As seen: x right, y up, z to the eye.
+  vec4 clayKeyColor;
+  vec4 clayLow;
+  vec4 clayHigh;
+  vec4 clayFill;
+  vec4 clayRimRight;
+  vec4 clayRimLeft;
+};
+#define kSky sky.rgb
+#define kFloorBounce floorBounce.rgb
+#define kKeyColor keyColor.rgb
+#define kFillColor fillColor.rgb
+#define kRimColor rimColor.rgb
+#define kClayKey clayKey.rgb
+#define kClayKeyColor clayKeyColor.rgb
+#define kClayLow clayLow.rgb
+#define kClayHigh clayHigh.rgb
+#define kClayFill clayFill.rgb
+#define kClayRimRight clayRimRight.rgb
+#define kClayRimLeft clayRimLeft.rgb
+#define kClayWarmth (vec3(0.083, 0.031, 0.011) * clayKeyColor.r)
+#else
+// The studio's, known to the compiler: what is drawn most is drawn fastest.
 const vec3 kSky = vec3(0.315, 0.345, 0.395);
 const vec3 kFloorBounce = vec3(0.150, 0.128, 0.110);
 const vec3 kKeyColor = vec3(1.56, 1.45, 1.30);
 const vec3 kFillColor = vec3(0.150, 0.170, 0.205);
 const vec3 kRimColor = vec3(0.50, 0.58, 0.70);
+const vec3 kClayKey = vec3(-0.52, 0.60, 0.608);
+const vec3 kClayKeyColor = vec3(1.62, 1.49, 1.29);
+const vec3 kClayLow = vec3(0.118, 0.088, 0.084);
+const vec3 kClayHigh = vec3(0.230, 0.238, 0.262);
+const vec3 kClayFill = vec3(0.115, 0.132, 0.172);
+const vec3 kClayRimRight = vec3(0.58, 0.66, 0.78);
+const vec3 kClayRimLeft = vec3(0.30, 0.25, 0.22);
+const vec3 kClayWarmth = vec3(0.135, 0.050, 0.018);
+#endif
 
 vec3 hemisphere(float up) { return mix(kFloorBounce, kSky, 0.5 + up * (0.75 - 0.25 * up * up)); }
 
@@ -27,11 +69,18 @@ float highlight(vec3 n, vec3 v, vec3 l, float roughness) {
   return nl * alpha * alpha / (3.14159 * d * d) * 0.5 / mix(2.0 * nl * nv, nl + nv, alpha);
 }
 
-// From above, left of the camera whichever way it looks.
+// In a studio from above, left of the camera whichever way it looks.
 vec3 studioKey() {
+#ifdef CHOSEN_LOOK
+  if (keyAim.w > 0.5) return keyAim.xyz;
+#endif
   vec3 side = vec3(viewFromWorld[0][0], 0.0, viewFromWorld[2][0]);
   vec3 towards = vec3(-side.z, 0.0, side.x);  // Towards the eye, level.
+#ifdef CHOSEN_LOOK
+  return normalize(keyAim.x * side + keyAim.y * towards + vec3(0.0, keyAim.z, 0.0));
+#else
   return normalize(-0.72 * side + 0.58 * towards + vec3(0.0, 0.90, 0.0));
+#endif
 }
 
 // Physically inclined shading of a metallic-roughness material.
@@ -57,26 +106,32 @@ vec3 studio(vec3 albedo, float metallic, float roughness, vec3 n, vec3 v, vec3 r
 }
 
 // Light on a sculptor's clay, by where the normal points as seen: x right, y up, z to the eye. 1 = clay as it is.
-vec3 clayLight(vec3 m, vec3 open) {
-  const vec3 keyDirection = vec3(-0.52, 0.60, 0.608);
-  float d = dot(m, keyDirection);
+// l: the key light's direction in the same terms.
+vec3 clayLight(vec3 m, vec3 l, vec3 open) {
+  float d = dot(m, l);
   float lit = smoothstep(-0.26, 1.06, d);
   float edge = 1.0 - clamp(m.z, 0.0, 1.0);
-  vec3 around = mix(vec3(0.118, 0.088, 0.084), vec3(0.230, 0.238, 0.262), smoothstep(-0.9, 0.9, m.y));
-  around += vec3(0.115, 0.132, 0.172) * max(dot(m, vec3(0.80, -0.12, 0.59)), 0.0);         // Fill, from the right.
-  vec3 light = around * open + vec3(1.62, 1.49, 1.29) * (lit * lit) * (0.40 + 0.60 * open);
+  vec3 around = mix(kClayLow, kClayHigh, smoothstep(-0.9, 0.9, m.y));
+  around += kClayFill * max(dot(m, vec3(0.80, -0.12, 0.59)), 0.0);  // Fill, from the right.
+  vec3 light = around * open + kClayKeyColor * (lit * lit) * (0.40 + 0.60 * open);
   float terminator = smoothstep(-0.42, 0.02, d) * (1.0 - smoothstep(0.02, 0.60, d));
-  light += vec3(0.135, 0.050, 0.018) * terminator;  // Warm, as if light went in.
+  light += kClayWarmth * terminator;  // Warm, as if light went in.
   light *= 1.0 - 0.42 * edge * edge;                                                        // Forms turn away darker,
   float right = smoothstep(0.0, 0.85, 0.72 * m.x + 0.45 * m.y);
   float left_ = smoothstep(0.15, 0.95, -0.90 * m.x - 0.10 * m.y);
-  vec3 rim = vec3(0.58, 0.66, 0.78) * right + vec3(0.30, 0.25, 0.22) * left_;
+  vec3 rim = kClayRimRight * right + kClayRimLeft * left_;
   return light + rim * (edge * edge * edge) * open;                                         // then are rimmed.
 }
 
-vec3 clayGloss(vec3 m) {
+vec3 clayGloss(vec3 m, vec3 l) {
+#ifdef CHOSEN_LOOK
+  vec3 h = normalize(l + vec3(0.0, 0.0, 1.0));
+  float strength = min(0.62 * clayKeyColor.r, 1.0);
+#else
   const vec3 h = vec3(-0.290, 0.3345, 0.8966);
+  const float strength = 1.0;
+#endif
   float s = max(dot(m, h), 0.0);
   float s2 = s * s, s4 = s2 * s2, s8 = s4 * s4, s16 = s8 * s8;
-  return vec3(0.075, 0.072, 0.068) * (s16 * s4) + vec3(0.060) * (s16 * s16 * s16 * s16);
+  return (vec3(0.075, 0.072, 0.068) * (s16 * s4) + vec3(0.060) * (s16 * s16 * s16 * s16)) * strength;
 }

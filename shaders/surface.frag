@@ -22,6 +22,7 @@ flat in vec3 altitudes;
 layout(location = 0) out vec4 outColor;  // Linear; the framebuffer encodes.
 
 uniform sampler2D baseMap;
+layout(binding = 5) uniform sampler2D occlusion;  // How much light near surfaces leave, per pixel.
 uniform vec4 baseColor;
 uniform vec4 finish;     // Metallic, roughness, alpha cutoff (below 0: none), 1 where the alpha blends.
 uniform vec3 emissive;
@@ -47,7 +48,7 @@ vec3 pigment() {
 #elif defined(SHADING_CLASSES)
   return classColors[classOf[(classLookup.x + gl_PrimitiveID) / classLookup.y]].rgb;
 #else
-  return vec3(0.435, 0.330, 0.262);
+  return vec3(0.360, 0.356, 0.350);  // Neutral: the red of the muscles stands out.
 #endif
 }
 
@@ -79,7 +80,12 @@ void main() {
   vec3 cameraUp = vec3(viewFromWorld[0][1], viewFromWorld[1][1], viewFromWorld[2][1]);
   vec3 right = normalize(cross(cameraUp, v));
   vec3 up = cross(v, right);
+#ifdef CHOSEN_LOOK
+  float near = occluded.x > 0.5 ? texelFetch(occlusion, ivec2(gl_FragCoord.xy), 0).r : 1.0;
+  vec3 open = openness(fragment.skin.x * near, fragment.world, n.y);
+#else
   vec3 open = openness(fragment.skin.x, fragment.world, n.y);
+#endif
   float alpha = 1.0;
 #ifdef SHADING_TEXTURED
   vec4 base = baseColor * texture(baseMap, fragment.uv);
@@ -94,7 +100,11 @@ void main() {
   vec3 color = unlit != 0 ? base.rgb : dithered(toneMapped(lit));
 #else
   vec3 m = vec3(dot(n, right), dot(n, up), dot(n, v));
-  vec3 color = dithered(toneMapped(pigment() * clayLight(m, open) + clayGloss(m) * open));
+  vec3 l = kClayKey;
+#ifdef CHOSEN_LOOK
+  if (keyAim.w > 0.5) l = vec3(dot(keyAim.xyz, right), dot(keyAim.xyz, up), dot(keyAim.xyz, v));
+#endif
+  vec3 color = dithered(toneMapped(pigment() * clayLight(m, l, open) + clayGloss(m, l) * open));
 #endif
 #ifdef MARKED
   color = marked(color);

@@ -1,6 +1,7 @@
 // app/actions/action_table_file.cpp: the File menu.
 
 #include "app/actions/action_table.h"
+#include "app/editor/picture_commands.h"
 
 namespace sinew::app::table {
 namespace {
@@ -18,6 +19,10 @@ const Action kActions[] = {
     {"file/save-as", "Save as...", "Write the rig to another file", ctrlShift(GLFW_KEY_S), kNone, idle, nullptr,
      saveAs},
     {"file/reopen", "Reopen", "Read the file again as it is on disk", kNone, kNone, idle, nullptr, reopenFile},
+    {"file/save-picture", "Save picture...", "Write the picture, without the interface, to a PNG file", kNone, kNone,
+     open, nullptr, showPictureDialog, true},
+    {"file/save-picture-now", "Save picture now", "Write the picture to the folder of the last one, else to Pictures",
+     key(GLFW_KEY_F12), kNone, open, nullptr, savePictureNow},
     {"file/preferences", "Preferences...", "Keys, size of the interface, autosave", ctrl(GLFW_KEY_COMMA), kNone, always,
      nullptr, showPreferences, true},
     {"file/quit", "Quit", "Close the editor", ctrl(GLFW_KEY_Q), kNone, always, nullptr, quitEditor, true},

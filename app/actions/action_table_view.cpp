@@ -46,6 +46,25 @@ void toggleAutoDepth(State& s) {
   smoothing.autoDepth = !smoothing.autoDepth;
   edit(s, "Auto depth", setSmoothing(s.document.rig(), smoothing));
 }
+template <LightPreset kLight>
+bool isLit(const State& s) {
+  return s.session.preferences.look.light == kLight;
+}
+template <LightPreset kLight>
+void light(State& s) {
+  s.session.preferences.look.light = kLight;
+}
+template <Backdrop kBackdrop>
+bool isBehind(const State& s) {
+  return s.session.preferences.look.backdrop == kBackdrop;
+}
+template <Backdrop kBackdrop>
+void putBehind(State& s) {
+  s.session.preferences.look.backdrop = kBackdrop;
+}
+bool hasOcclusion(const State& s) { return s.session.preferences.look.occlusion; }
+void toggleOcclusion(State& s) { s.session.preferences.look.occlusion = !hasOcclusion(s); }
+
 bool hasOverlay(const State& s) { return s.view.layout.overlay; }
 void toggleOverlay(State& s) { s.view.layout.overlay = !s.view.layout.overlay; }
 
@@ -88,6 +107,27 @@ const Action kActions[] = {
      isShown<&D::influence>, toggleShown<&D::influence>},
     {"view/ground", "Ground", "Grid and shadow", key(GLFW_KEY_0), kNone, open, isShown<&D::ground>,
      toggleShown<&D::ground>},
+    {"view/occlusion", "Ambient occlusion",
+     "Darken crevices and folds; without a graphics processor, once nothing moves", kNone, kNone, open, hasOcclusion,
+     toggleOcclusion},
+    {"view/light-studio", "Studio light", "Soft light that goes around with the camera", kNone, kNone, open,
+     isLit<LightPreset::kStudio>, light<LightPreset::kStudio>},
+    {"view/light-outdoor", "Outdoor light", "A sun that stands still, under a blue sky", kNone, kNone, open,
+     isLit<LightPreset::kOutdoor>, light<LightPreset::kOutdoor>},
+    {"view/light-rim", "Rim light", "Strong light from behind that shows the outline", kNone, kNone, open,
+     isLit<LightPreset::kRim>, light<LightPreset::kRim>},
+    {"view/background-studio", "Studio background", "A dark wall, lighter behind the character", kNone, kNone, open,
+     isBehind<Backdrop::kStudio>, putBehind<Backdrop::kStudio>},
+    {"view/background-dark", "Dark background", "One dark grey", kNone, kNone, open, isBehind<Backdrop::kDark>,
+     putBehind<Backdrop::kDark>},
+    {"view/background-mid", "Mid-grey background", "One medium grey", kNone, kNone, open, isBehind<Backdrop::kMid>,
+     putBehind<Backdrop::kMid>},
+    {"view/background-light", "Light background", "One light grey", kNone, kNone, open, isBehind<Backdrop::kLight>,
+     putBehind<Backdrop::kLight>},
+    {"view/background-gradient", "Gradient background", "Dark below, light above", kNone, kNone, open,
+     isBehind<Backdrop::kGradient>, putBehind<Backdrop::kGradient>},
+    {"view/background-checker", "Checkered background", "Squares of two greys", kNone, kNone, open,
+     isBehind<Backdrop::kChecker>, putBehind<Backdrop::kChecker>},
     {"view/cull", "Skip the far side",
      "Neither compute nor draw skin that faces away from the camera (back-face culling)", kNone, kNone, open,
      isShown<&D::cullBackFaces>, toggleShown<&D::cullBackFaces>},

@@ -135,6 +135,10 @@ Image drawPicture(const PlannedPicture& picture, const AnimationClip* clip, cons
   }
   if (plan.anchors) scene.segments = anchorSegments(character, pose, surface);
   viewport.draw(scene, view, plan.display);
+  const auto begun = std::chrono::steady_clock::now();
+  // Without noise it takes the mean of many pictures.
+  while (plan.display.look.occlusion && !viewport.isRefined()) viewport.refine(scene, view, plan.display);
+  seconds.draw += secondsSince(begun);
   seconds.upload += viewport.seconds().upload;
   seconds.draw += viewport.seconds().draw;
   return viewport.readPixels();
@@ -211,6 +215,10 @@ void addLook(CLI::App& verb, RenderOptions& options) {
   verb.add_flag("--ground,!--no-ground", options.ground, "Grid and shadow (on)");
   verb.add_flag("--cull", options.cull, "Neither compute nor draw faces that point away from the camera: faster");
   verb.add_flag("--transparent", options.transparent, "No background: an alpha channel instead");
+  verb.add_option("--light", options.light, "studio, outdoor or rim (studio)")->type_name("L");
+  verb.add_option("--background", options.background, "studio, dark, mid, light, gradient or checker (studio)")
+      ->type_name("B");
+  verb.add_flag("--ao", options.occlusion, "Ambient occlusion: crevices and folds are darker");
   verb.add_option("--size", options.size, "Pixels, each 16 to 8192 (1280x800)")->type_name("WxH");
   verb.add_option("--samples", options.samples, "Samples per pixel, at most what the driver offers (4)")
       ->type_name("N")

@@ -99,6 +99,14 @@ Result<void> readDisplay(const RenderOptions& options, RenderPlan& plan) {
                                    shown + '"');
     }
   }
+  const auto light = lightNamed(options.light);
+  if (!light) return errorAt("--light", "expected studio, outdoor or rim, got \"" + options.light + '"');
+  const auto backdrop = backdropNamed(options.background);
+  if (!backdrop) {
+    return errorAt("--background",
+                   "expected studio, dark, mid, light, gradient or checker, got \"" + options.background + '"');
+  }
+  display.look = {*light, *backdrop, options.occlusion};
   display.cullBackFaces = options.cull;
   display.surface = options.surface;
   display.ground = options.ground;

@@ -27,6 +27,9 @@ struct RenderOptions {
   bool surface = true;  ///< Off: what is shown of muscles, bones and control mesh alone.
   bool ground = true;
   bool transparent = false;
+  std::string light = "studio";
+  std::string background = "studio";
+  bool occlusion = false;
   std::string size = "1280x800";
   int samples = 4;
   std::optional<int> depth;

@@ -26,6 +26,7 @@ std::string lowerCase(std::string text) {
 }
 
 bool passes(const std::string& lowerName, FileFilter filter) {
+  if (filter == FileFilter::kPictures) return lowerName.ends_with(".png");
   const bool rig = lowerName.ends_with(".rig.json");
   const bool character = lowerName.ends_with(".glb") || lowerName.ends_with(".gltf");
   return (rig && filter != FileFilter::kCharacters) || (character && filter != FileFilter::kRigs);

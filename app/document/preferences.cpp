@@ -78,6 +78,25 @@ WindowPlace windowFromJson(const Json& json) {
   return window;
 }
 
+Json pictureToJson(const Preferences& preferences) {
+  const PictureLook& look = preferences.look;
+  return Json::object()
+      .set("light", nameOf(look.light))
+      .set("background", nameOf(look.backdrop))
+      .set("ao", look.occlusion)
+      .set("folder", preferences.pictureFolder.string());
+}
+
+void readPicture(const Json& json, Preferences& preferences) {
+  PictureLook& look = preferences.look;
+  look.light = lightNamed(json.at("light").text("")).value_or(look.light);
+  look.backdrop = backdropNamed(json.at("background").text("")).value_or(look.backdrop);
+  read(json, "ao", look.occlusion);
+  if (const std::string folder = json.at("folder").text(""); folder.starts_with('/')) {
+    preferences.pictureFolder = folder;
+  }
+}
+
 Json keysToJson(const Preferences& preferences) {
   Json all = Json::object();
   for (const Keymap keymap : kKeymaps) {
@@ -176,6 +195,7 @@ std::string preferencesToJson(const Preferences& preferences) {
              .set("recent_actions", actions)
              .set("hidden_files", preferences.hiddenFiles)
              .set("newest_first", preferences.newestFirst)
+             .set("picture", pictureToJson(preferences))
              .set("window", windowToJson(preferences.window))
              .set("layout", layoutToJson(preferences.layout))
              .dump(true) +
@@ -204,6 +224,7 @@ Result<Preferences> preferencesFromJson(std::string_view text) {
   }
   read(json, "hidden_files", preferences.hiddenFiles);
   read(json, "newest_first", preferences.newestFirst);
+  readPicture(json.at("picture"), preferences);
   preferences.window = windowFromJson(json.at("window"));
   preferences.layout = layoutFromJson(json.at("layout"));
   return preferences;
@@ -232,6 +253,8 @@ Preferences mergedPreferences(const Preferences& base, const Preferences& mine, 
   merge(&Preferences::autosaveSeconds);
   merge(&Preferences::hiddenFiles);
   merge(&Preferences::newestFirst);
+  merge(&Preferences::look);
+  merge(&Preferences::pictureFolder);
   merge(&Preferences::window);
   merge(&Preferences::layout);
   merged.recentFiles = mergedList(base.recentFiles, mine.recentFiles, theirs.recentFiles, kMostRecentFiles);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/document/picture_look.h"
 #include "sinew/base/result.h"
 
 namespace sinew::app {
@@ -62,6 +63,8 @@ struct Preferences {
   std::vector<std::string> recentActions;          ///< Ids, newest first: what the palette offers first.
   bool hiddenFiles = false;                        ///< The file browser shows names that begin with a dot.
   bool newestFirst = false;                        ///< ... and sorts by date.
+  PictureLook look;
+  std::filesystem::path pictureFolder;  ///< Where the last picture was saved; "": never.
   WindowPlace window;
   LayoutState layout;
 

@@ -17,7 +17,7 @@ struct Intent {
   std::filesystem::path file;  ///< To open; kRecover: of LeftBehind.
 };
 
-enum class DialogKind { kNone, kOpen, kSaveAs };
+enum class DialogKind { kNone, kOpen, kSaveAs, kSavePicture };
 
 /// The path dialog.
 struct FileDialogState {

@@ -23,6 +23,7 @@ struct FrameState {
   glm::vec4 viewport{0.0f};      ///< x, y, width, height in window coordinates; of the last layout.
   glm::ivec2 viewportPixels{1, 1};
   double now = 0.0;          ///< Seconds on a clock that only grows.
+  int pictureSamples = 0;    ///< That the shown picture is the mean of; 1 while something moves.
   float uiScale = 1.0f;      ///< Window coordinates per design pixel.
   float systemScale = 1.0f;  ///< What it would be if the system alone were asked.
 };

@@ -3,21 +3,40 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "app/editor/commands.h"
 #include "app/editor/session.h"
 #include "app/panels/panels.h"
+#include "app/render/thumbnails.h"
 
 namespace sinew::app {
 namespace {
+
+constexpr float kThumbnailHeight = 36.0f;  // Design pixels.
 
 /// A submenu of files. @param id  "file/recent"
 bool beginFiles(PanelUi& ui, const std::string& id, const char* title, bool any) {
   const bool open = ImGui::BeginMenu(title, any);
   ui.widgets.note(id);
   return open;
+}
+
+/// Beside the next menu item. Where there is none, its place stays empty.
+void drawThumbnail(PanelUi& ui, const std::filesystem::path& document) {
+  std::error_code failed;
+  const auto changed = std::filesystem::last_write_time(document, failed);
+  const ImTextureID texture = failed ? ImTextureID{} : thumbnailOf(ui, document, changed);
+  const float height = ui.px(kThumbnailHeight);
+  const float width = height * static_cast<float>(kThumbnailSize.x) / static_cast<float>(kThumbnailSize.y);
+  const float line = ImGui::GetCursorPosY();
+  if (texture) ImGui::Image(texture, {width, height});
+  else ImGui::Dummy({width, height});
+  ImGui::SameLine(0.0f, ui.px(8));
+  ImGui::SetCursorPosY(line + 0.5f * (height - ImGui::GetTextLineHeight()));
 }
 
 void drawRecent(PanelUi& ui) {
@@ -28,6 +47,7 @@ void drawRecent(PanelUi& ui) {
     std::error_code failed;
     const bool there = std::filesystem::is_regular_file(recent[i], failed);
     const std::string id = "file/recent/" + std::to_string(i);
+    drawThumbnail(ui, recent[i]);
     const std::string place = "   " + (there ? recent[i].parent_path().string() : std::string("no longer there"));
     const bool chosen =
         ImGui::MenuItem((recent[i].filename().string() + "##" + id).c_str(), place.c_str(), false, there);
@@ -51,18 +71,52 @@ void drawSamples(PanelUi& ui) {
   ImGui::EndMenu();
 }
 
+/// Rows of the table that share the beginning of their id and stand in a menu of their own.
+struct Submenu {
+  std::string_view begin;  ///< Of their ids; without the last letter, the submenu's.
+  const char* title;
+};
+constexpr Submenu kSubmenus[] = {{"view/light-", "Light"}, {"view/background-", "Background"}};
+
+const Submenu* submenuOf(const Action& item) {
+  const auto* const found = std::ranges::find_if(
+      kSubmenus, [&](const Submenu& each) { return std::string_view(item.id).starts_with(each.begin); });
+  return found == std::end(kSubmenus) ? nullptr : found;
+}
+
+void drawItem(PanelUi& ui, const Action& item) {
+  const bool checked = item.checked != nullptr && item.enabled(ui.state) && item.checked(ui.state);
+  const bool chosen =
+      ImGui::MenuItem(item.label, ("   " + keyText(item, ui.state)).c_str(), checked, item.enabled(ui.state));
+  ui.widgets.note(item.id);
+  tooltip(ui, hintOf(ui, item));
+  if (chosen) run(item, ui.state);
+}
+
+void drawSubmenu(PanelUi& ui, const Submenu& submenu) {
+  // Before it opens, which it does when hovered: then the last item is one of its own.
+  const ImVec2 place = ImGui::GetCursorScreenPos();
+  const glm::vec4 row(place.x, place.y, ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight());
+  const bool open = ImGui::BeginMenu(submenu.title);
+  ui.widgets.note(std::string(submenu.begin.substr(0, submenu.begin.size() - 1)), row);
+  if (!open) return;
+  for (const Action& item : actions()) {
+    if (submenuOf(item) == &submenu) drawItem(ui, item);
+  }
+  ImGui::EndMenu();
+}
+
 void drawItems(PanelUi& ui, const Menu& menu) {
   bool first = true;
+  const Submenu* last = nullptr;
   for (const Action& item : actions()) {
     if (item.menu() != menu.id) continue;
     if (item.separatorBefore && !first) ImGui::Separator();
     first = false;
-    const bool checked = item.checked != nullptr && item.enabled(ui.state) && item.checked(ui.state);
-    const bool chosen =
-        ImGui::MenuItem(item.label, ("   " + keyText(item, ui.state)).c_str(), checked, item.enabled(ui.state));
-    ui.widgets.note(item.id);
-    tooltip(ui, hintOf(ui, item));
-    if (chosen) run(item, ui.state);
+    const Submenu* const submenu = submenuOf(item);
+    if (submenu == nullptr) drawItem(ui, item);
+    else if (submenu != last) drawSubmenu(ui, *submenu);
+    last = submenu;
     if (std::string_view(item.id) == "file/open") {
       drawRecent(ui);
       drawSamples(ui);

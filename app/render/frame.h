@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/render/gl_objects.h"
+#include "app/render/lights.h"
 #include "app/render/scene.h"
 #include "app/render/view.h"
 
@@ -11,10 +12,11 @@ namespace sinew::app {
 struct FrameBlock {
   glm::mat4 clipFromWorld{1.0f};
   glm::mat4 viewFromWorld{1.0f};
-  glm::vec4 eye{0.0f};      ///< World; w = 1 where orthographic.
-  glm::vec4 forward{0.0f};  ///< World, unit.
-  glm::vec4 picture{1.0f};  ///< Width and height in pixels, height of the character, height of the floor.
-  glm::vec4 key{0.0f};      ///< World, unit, towards the light that casts the shadow.
+  glm::vec4 eye{0.0f};       ///< World; w = 1 where orthographic.
+  glm::vec4 forward{0.0f};   ///< World, unit.
+  glm::vec4 picture{1.0f};   ///< Width and height in pixels, height of the character, height of the floor.
+  glm::vec4 key{0.0f};       ///< World, unit, towards the light that casts the shadow.
+  glm::vec4 occluded{0.0f};  ///< x: 1 where the picture has an occlusion texture (ScreenOcclusion).
 };
 
 /// One picture in the making.
@@ -26,9 +28,6 @@ struct Frame {
   float floor = 0.0f;    ///< Height of the ground.
   Bounds surfaceBounds;  ///< World; empty without a surface.
 };
-
-/// World, unit, towards the light that casts the shadow: high above a character that looks along +Z, a little in front.
-[[nodiscard]] inline glm::vec3 keyDirection() { return glm::normalize(glm::vec3(-0.20f, 1.0f, 0.26f)); }
 
 /// Blending for premultiplied colours, alpha kept right for transparent pictures.
 inline void blendPremultiplied() {

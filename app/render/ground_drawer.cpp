@@ -15,7 +15,7 @@ constexpr float kGridRank = 5.0f;        ///< A large cell over a small one.
 
 /// Box on the floor that holds the bounds' shadow along the key light, with room for the blur.
 glm::vec4 shadowArea(const Frame& frame) {
-  const glm::vec3 key = keyDirection();
+  const glm::vec3 key = keyDirection(frame.settings.look.light);
   const Bounds& box = frame.surfaceBounds;
   glm::vec2 low(box.low.x, box.low.z), high(box.high.x, box.high.z);
   const float top = std::max(box.high.y - frame.floor, 0.0f);
@@ -24,6 +24,11 @@ glm::vec4 shadowArea(const Frame& frame) {
   high += glm::max(slide, glm::vec2(0.0f));
   const float room = 4.0f * kShadowSoftness * frame.height;
   return {low - room, 1.0f / (high - low + 2.0f * room)};
+}
+
+/// Another background than the usual one is shown.
+bool isChosen(const Frame& frame) {
+  return frame.settings.background && frame.settings.look.backdrop != Backdrop::kStudio;
 }
 
 }  // namespace
@@ -63,14 +68,17 @@ Result<GroundDrawer> GroundDrawer::create() {
     GlProgram* program;
     const char* vertex;
     const char* fragment;
+    const char* look = "USUAL_LOOK";
   };
   for (const Wanted& wanted :
        {Wanted{&drawer.shadowProgram_, "shaders/shadow.vert", "shaders/shadow.frag"},
         Wanted{&drawer.blurProgram_, "shaders/fullscreen.vert", "shaders/blur.frag"},
         Wanted{&drawer.groundProgram_, "shaders/ground.vert", "shaders/ground.frag"},
         Wanted{&drawer.groundShadowProgram_, "shaders/ground_shadow.vert", "shaders/ground_shadow.frag"},
-        Wanted{&drawer.backgroundProgram_, "shaders/fullscreen.vert", "shaders/background.frag"}}) {
-    Result<GlProgram> program = GlProgram::load({wanted.vertex, wanted.fragment});
+        Wanted{&drawer.backgroundProgram_, "shaders/fullscreen.vert", "shaders/background.frag"},
+        Wanted{&drawer.chosenGround_, "shaders/ground.vert", "shaders/ground.frag", "CHOSEN_LOOK"},
+        Wanted{&drawer.chosenBackground_, "shaders/fullscreen.vert", "shaders/background.frag", "CHOSEN_LOOK"}}) {
+    Result<GlProgram> program = GlProgram::load({wanted.vertex, wanted.fragment}, {wanted.look});
     if (!program) return program.error();
     *wanted.program = std::move(program).value();
   }
@@ -123,8 +131,14 @@ void GroundDrawer::prepareShadow(const Frame& frame, const SurfaceDrawer& surfac
 void GroundDrawer::drawBackground(const Frame& frame) const {
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
-  backgroundProgram_.use();
-  backgroundProgram_.set("aspect", static_cast<float>(frame.view.size.x) / static_cast<float>(frame.view.size.y));
+  const BackdropStyle& style = backdropStyle(frame.settings.look.backdrop);
+  const GlProgram& program = isChosen(frame) ? chosenBackground_ : backgroundProgram_;
+  program.use();
+  program.set("aspect", static_cast<float>(frame.view.size.x) / static_cast<float>(frame.view.size.y));
+  program.set("kind", static_cast<int>(style.kind));
+  program.set("low", style.low);
+  program.set("high", style.high);
+  program.set("square", 10.0f * frame.settings.lineScale);
   glBindVertexArray(empty_.id());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
@@ -132,10 +146,13 @@ void GroundDrawer::drawBackground(const Frame& frame) const {
 void GroundDrawer::drawGround(const Frame& frame) const {
   const glm::vec3 centre = frame.surfaceBounds.isEmpty() ? glm::vec3(0.0f) : frame.surfaceBounds.center();
   const GridZoom zoom = gridZoom(frame.view, centre, frame.height);
-  groundProgram_.use();
-  groundProgram_.set("ground", glm::vec4(centre.x, centre.z, kGroundReach * zoom.reach * frame.height, zoom.cell));
-  groundProgram_.set("zoom", glm::vec2(zoom.reach, zoom.towardsNext));
-  groundProgram_.set("lineScale", frame.settings.lineScale);
+  const BackdropStyle& style = backdropStyle(frame.settings.look.backdrop);
+  const GlProgram& program = isChosen(frame) ? chosenGround_ : groundProgram_;
+  program.use();
+  program.set("ground", glm::vec4(centre.x, centre.z, kGroundReach * zoom.reach * frame.height, zoom.cell));
+  program.set("zoom", glm::vec2(zoom.reach, zoom.towardsNext));
+  program.set("grid", glm::vec3(style.pool, style.lineTone, style.lines));
+  program.set("lineScale", frame.settings.lineScale);
   glBindVertexArray(empty_.id());
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);

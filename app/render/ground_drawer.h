@@ -22,6 +22,7 @@ class GroundDrawer {
   GroundDrawer();
 
   GlProgram shadowProgram_, shadowAlphaProgram_, blurProgram_, groundProgram_, groundShadowProgram_, backgroundProgram_;
+  GlProgram chosenGround_, chosenBackground_;  ///< Where another background was chosen.
   GlVertexArray empty_;
   int shadowSize_ = 512;
   std::array<GlTexture, 2> shadowTextures_;

@@ -2,6 +2,7 @@
 #include "app/render/render_target.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sinew::app {
 
@@ -54,6 +55,74 @@ void RenderTarget::end() const {
   if (samples_ == 1) return;
   glBlitNamedFramebuffer(many_.id(), resolved_.id(), 0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y,
                          GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+PictureMean::PictureMean() : empty_(makeVertexArray()) {}
+
+Result<PictureMean> PictureMean::create() {
+  PictureMean mean;
+  Result<GlProgram> program = GlProgram::load({"shaders/fullscreen.vert", "shaders/copy.frag"});
+  if (!program) return program.error();
+  mean.copyProgram_ = std::move(program).value();
+  return mean;
+}
+
+void PictureMean::begin(const glm::ivec2& size) {
+  count_ = 0;
+  if (size == size_) return;
+  size_ = size;
+  sum_ = makeTexture(GL_TEXTURE_2D);
+  glTextureStorage2D(sum_.id(), 1, GL_RGBA32F, size.x, size.y);
+  sumTarget_ = makeFramebuffer();
+  glNamedFramebufferTexture(sumTarget_.id(), GL_COLOR_ATTACHMENT0, sum_.id(), 0);
+}
+
+void PictureMean::copy(GLuint source, GLuint framebuffer, float factor) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glViewport(0, 0, size_.x, size_.y);
+  glBindTextureUnit(0, source);
+  copyProgram_.use();
+  copyProgram_.set("source", 0);
+  copyProgram_.set("factor", factor);
+  glBindVertexArray(empty_.id());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void PictureMean::add(const RenderTarget& picture) {
+  glDisable(GL_FRAMEBUFFER_SRGB);
+  glDisable(GL_DEPTH_TEST);
+  if (count_ > 0) {
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ONE, GL_ONE);
+  } else {
+    glDisable(GL_BLEND);
+  }
+  copy(picture.linearTexture(), sumTarget_.id(), 1.0f);
+  glDisable(GL_BLEND);
+  ++count_;
+}
+
+void PictureMean::writeTo(const RenderTarget& target) const {
+  glEnable(GL_FRAMEBUFFER_SRGB);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  copy(sum_.id(), target.framebuffer(), 1.0f / static_cast<float>(count_));
+  glDisable(GL_FRAMEBUFFER_SRGB);
+}
+
+glm::vec2 sampleOffset(int index) {
+  // The first two dimensions of Sobol's sequence.
+  glm::vec2 at(0.5f / static_cast<float>(kMeanSamples));
+  for (int bits = index, x = kMeanSamples / 2, y = kMeanSamples / 2, sum = 0; bits != 0; bits >>= 1, x >>= 1) {
+    if ((bits & 1) != 0) {
+      at.x += static_cast<float>(x) / static_cast<float>(kMeanSamples);
+      sum ^= y;
+      at.y = (0.5f + static_cast<float>(sum)) / static_cast<float>(kMeanSamples);
+    }
+    y ^= y >> 1;
+  }
+  return at - 0.5f;
 }
 
 }  // namespace sinew::app

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "app/document/picture_look.h"
 #include "sinew/character/character.h"
 #include "sinew/rig/rig.h"
 #include "sinew/skeleton/pose.h"
@@ -29,6 +30,7 @@ struct DisplaySettings {
   bool territory = true;       ///< Scene::territory as a tint on the skin.
   bool segments = true;        ///< Scene::segments.
   float lineScale = 1.0f;      ///< Factor on line, outline and dot widths, for dense displays.
+  PictureLook look;            ///< Light, background, ambient occlusion.
   float heatRange = 0.05f;     ///< Displacement at the ends of the heat scale, fraction of the height, > 0.
 
   friend bool operator==(const DisplaySettings&, const DisplaySettings&) = default;

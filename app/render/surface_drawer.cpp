@@ -16,8 +16,8 @@
 namespace sinew::app {
 namespace {
 
-constexpr std::size_t kWired = 1, kMarked = 2, kColored = 4;  ///< Kinds of programs.
-constexpr std::size_t kMostMarks = 4;                         ///< As in shaders/surface.frag.
+constexpr std::size_t kWired = 1, kMarked = 2, kColored = 4, kChosen = 8;  ///< Kinds of programs.
+constexpr std::size_t kMostMarks = 4;                                      ///< As in shaders/surface.frag.
 constexpr float kTerritoryStrength = 0.62f;
 
 constexpr std::array<const char*, 4> kShadingDefines{"SHADING_TEXTURED", "SHADING_CLAY", "SHADING_CLASSES",
@@ -118,6 +118,18 @@ void setMarks(const GlProgram& program, const Frame& frame, std::span<const Prim
               glm::vec4(toLinear(kTerritoryColor), frame.settings.territory ? kTerritoryStrength : 0.0f));
 }
 
+Result<GlProgram> loadProgram(std::size_t kind, std::size_t shading) {
+  const char* const marks = (kind & kMarked) != 0 ? "MARKED" : "UNMARKED";
+  const char* const colors = (kind & kColored) != 0 ? "COLORED" : "UNCOLORED";
+  const char* const look = (kind & kChosen) != 0 ? "CHOSEN_LOOK" : "USUAL_LOOK";
+  if ((kind & kWired) == 0) {
+    return GlProgram::load({"shaders/surface.vert", "shaders/surface.frag"},
+                           {kShadingDefines[shading], marks, colors, look});
+  }
+  return GlProgram::load({"shaders/surface.vert", "shaders/surface_wire.geom", "shaders/surface.frag"},
+                         {kShadingDefines[shading], "WIRE", marks, colors, look});
+}
+
 }  // namespace
 
 SurfaceDrawer::SurfaceDrawer()
@@ -153,15 +165,9 @@ SurfaceDrawer::SurfaceDrawer()
 Result<SurfaceDrawer> SurfaceDrawer::create() {
   SurfaceDrawer drawer;
   for (std::size_t i = 0; i < kShadingDefines.size(); ++i) {
-    for (std::size_t kind = 0; kind < drawer.programs_.size(); ++kind) {
+    for (std::size_t kind = 0; kind < kChosen; ++kind) {
       if ((kind & kColored) != 0 && i != static_cast<std::size_t>(Shading::kTextured)) continue;
-      const char* marks = (kind & kMarked) != 0 ? "MARKED" : "UNMARKED";
-      const char* colors = (kind & kColored) != 0 ? "COLORED" : "UNCOLORED";
-      Result<GlProgram> made =
-          (kind & kWired) != 0
-              ? GlProgram::load({"shaders/surface.vert", "shaders/surface_wire.geom", "shaders/surface.frag"},
-                                {kShadingDefines[i], "WIRE", marks, colors})
-              : GlProgram::load({"shaders/surface.vert", "shaders/surface.frag"}, {kShadingDefines[i], marks, colors});
+      Result<GlProgram> made = loadProgram(kind, i);
       if (!made) return made.error();
       drawer.programs_[kind][i] = std::move(made).value();
     }
@@ -285,8 +291,16 @@ const GlProgram& SurfaceDrawer::prepareProgram(const Frame& frame) const {
   const std::vector<const PrimitiveShape*> marks = markedShapes(frame);
   const bool marked = !marks.empty() || (frame.settings.territory && !territory_.empty());
   const bool colored = frame.settings.shading == Shading::kTextured && !refinement_->drawColor.empty();
+  const PictureLook& look = frame.settings.look;
+  const bool chosen = look.light != LightPreset::kStudio || look.occlusion;
   const std::size_t kind = (frame.settings.wire ? kWired : 0) + (marked ? kMarked : 0) + (colored ? kColored : 0);
-  const GlProgram& program = programs_[kind][static_cast<std::size_t>(frame.settings.shading)];
+  const auto shading = static_cast<std::size_t>(frame.settings.shading);
+  GlProgram& own = programs_[kind + kChosen][shading];
+  if (chosen && own.id() == 0) {
+    // The files were good a moment ago; without them the usual light is better than none.
+    if (Result<GlProgram> made = loadProgram(kind + kChosen, shading)) own = std::move(made).value();
+  }
+  const GlProgram& program = chosen && own.id() != 0 ? own : programs_[kind][shading];
   program.use();
   program.set("baseMap", 0);
   program.set("lineScale", frame.settings.lineScale);
@@ -338,8 +352,12 @@ void SurfaceDrawer::drawRange(const GlProgram& program, const Frame& frame, cons
 }
 
 void SurfaceDrawer::drawOpaque(const Frame& frame) const {
+  if (refinement_ != nullptr) drawOpaque(prepareProgram(frame), frame);
+}
+
+void SurfaceDrawer::drawOpaque(const GlProgram& program, const Frame& frame) const {
   if (refinement_ == nullptr) return;
-  const GlProgram& program = prepareProgram(frame);
+  glBindVertexArray(array_.id());
   glDisable(GL_BLEND);
   glCullFace(GL_BACK);
   for (const Range& range : ranges_) {

@@ -22,6 +22,8 @@ class SurfaceDrawer {
   void upload(const Scene& scene);
 
   void drawOpaque(const Frame& frame) const;
+  /// The same with a program of the caller's, in use, that takes the attributes of shaders/surface.vert.
+  void drawOpaque(const GlProgram& program, const Frame& frame) const;
   /// Materials whose alpha blends: back sides first, then front sides.
   void drawBlended(const Frame& frame) const;
   /// All triangles, for shadows: with `solid`, or with `withAlpha` where the picture shows a material's alpha. Where
@@ -63,7 +65,9 @@ class SurfaceDrawer {
 
   /// Programs for each Shading.
   using Programs = std::array<GlProgram, 4>;
-  std::array<Programs, 8> programs_;  ///< +1 with wire, +2 with marks, +4 with vertex colours (kTextured alone).
+  /// +1 with wire, +2 with marks, +4 with vertex colours (kTextured alone), +8 with a light that was chosen or with
+  /// occlusion: these are made when first used.
+  mutable std::array<Programs, 16> programs_;
   GlVertexArray array_;
   GlBuffer vertices_, uvs_, skinValues_, colors_, indices_, keptIndices_, coarseIndices_, classes_;
   GlTexture white_;

@@ -6,12 +6,17 @@
 #include <cassert>
 #include <chrono>
 #include <cmath>
+#include <span>
+
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "app/render/frame.h"
 #include "app/render/ground_drawer.h"
+#include "app/render/lights.h"
 #include "app/render/line_drawer.h"
 #include "app/render/primitive_drawer.h"
 #include "app/render/render_target.h"
+#include "app/render/screen_occlusion.h"
 #include "app/render/skeleton_drawer.h"
 #include "app/render/surface_drawer.h"
 
@@ -23,8 +28,12 @@ struct Viewport::State {
   PrimitiveDrawer primitives;
   SkeletonDrawer skeleton;
   LineDrawer lines;
+  ScreenOcclusion occlusion;
+  PictureMean mean;
   GlBuffer frameBlock;
+  GlBuffer lightBlock;
   RenderTarget target{};
+  RenderTarget sample{};  ///< One of those that the mean is made of.
   int samples = 1;
   bool finish = false;
   bool transparent = false;
@@ -34,16 +43,19 @@ struct Viewport::State {
 
 namespace {
 
+constexpr int kFirstShown = 4;  ///< Samples after which a mean is first shown.
+
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-FrameBlock blockOf(const Frame& frame) {
+FrameBlock blockOf(const Frame& frame, bool occluded) {
   FrameBlock block;
   block.clipFromWorld = frame.view.clipFromWorld();
   block.viewFromWorld = frame.view.viewFromWorld;
   block.eye = glm::vec4(frame.view.eyeInWorld, frame.view.orthographic ? 1.0f : 0.0f);
   block.forward = glm::vec4(frame.view.forwardInWorld(), 0.0f);
   block.picture = glm::vec4(glm::vec2(frame.view.size), frame.height, frame.floor);
-  block.key = glm::vec4(keyDirection(), 0.0f);
+  block.key = glm::vec4(keyDirection(frame.settings.look.light), 0.0f);
+  block.occluded.x = occluded ? 1.0f : 0.0f;
   return block;
 }
 
@@ -93,10 +105,14 @@ Result<std::unique_ptr<Viewport>> Viewport::create(int samples) {
   if (!skeleton) return skeleton.error();
   Result<LineDrawer> lines = LineDrawer::create();
   if (!lines) return lines.error();
+  Result<ScreenOcclusion> occlusion = ScreenOcclusion::create();
+  if (!occlusion) return occlusion.error();
+  Result<PictureMean> mean = PictureMean::create();
+  if (!mean) return mean.error();
   std::unique_ptr<Viewport> viewport(new Viewport);
-  viewport->state_ = std::make_unique<State>(State{std::move(surface).value(), std::move(ground).value(),
-                                                   std::move(primitives).value(), std::move(skeleton).value(),
-                                                   std::move(lines).value(), makeBuffer()});
+  viewport->state_ = std::make_unique<State>(State{
+      std::move(surface).value(), std::move(ground).value(), std::move(primitives).value(), std::move(skeleton).value(),
+      std::move(lines).value(), std::move(occlusion).value(), std::move(mean).value(), makeBuffer(), makeBuffer()});
   viewport->state_->samples = samples;
   return viewport;
 }
@@ -111,25 +127,12 @@ void Viewport::setCharacter(const Character& character) {
   }
 }
 
-void Viewport::draw(const Scene& scene, const View& view, const DisplaySettings& settings) {
-  assert(scene.character != nullptr && view.size.x > 0 && view.size.y > 0);
+/// All that stands in the picture, from back to front.
+void Viewport::drawInto(const RenderTarget& target, const Frame& frame) {
   State& s = *state_;
-  const double start = now();
-  resetState();
-  const bool surfaced = scene.surface != nullptr && scene.surface->refinement != nullptr;
-  if (surfaced) s.surface.upload(scene);
-  const Frame frame{scene, view, settings, scene.character->height, s.floor, surfaced ? s.surface.bounds() : Bounds{}};
-  const std::array<FrameBlock, 1> block{blockOf(frame)};
-  uploadBuffer(s.frameBlock, std::span<const FrameBlock>(block));
-  glBindBufferBase(GL_UNIFORM_BUFFER, 0, s.frameBlock.id());
-  s.target.resize(view.size, s.samples);
-  s.transparent = !settings.background;
-  if (s.finish) glFinish();
-  const double uploaded = now();
-
-  const bool showSurface = surfaced && settings.surface;
-  if (settings.ground) s.ground.prepareShadow(frame, s.surface);
-  s.target.begin();
+  const DisplaySettings& settings = frame.settings;
+  const bool showSurface = frame.scene.surface != nullptr && !frame.surfaceBounds.isEmpty() && settings.surface;
+  target.begin();
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClearDepth(1.0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -141,17 +144,79 @@ void Viewport::draw(const Scene& scene, const View& view, const DisplaySettings&
   if (settings.controlMesh) s.lines.drawControlMesh(frame);
   if (settings.segments) s.lines.drawSegments(frame);
   if (settings.primitives || settings.influence) s.primitives.drawShells(frame);
-  const bool bones = settings.skeleton || (settings.territory && !scene.territoryBones.empty());
-  if (bones && scene.pose != nullptr) s.skeleton.draw(frame);
+  const bool bones = settings.skeleton || (settings.territory && !frame.scene.territoryBones.empty());
+  if (bones && frame.scene.pose != nullptr) s.skeleton.draw(frame);
   s.primitives.drawOutlines(frame);
-  s.target.end();
+  target.end();
+  resetState();
+}
+
+/// What the shaders share, and the occlusion's texture. @param sample  of a mean; below 0: a picture alone.
+void Viewport::shareFrame(const Frame& frame, int sample) {
+  State& s = *state_;
+  // On the processor a picture alone is one of a motion, which is not to wait for it.
+  const bool occluded = frame.settings.look.occlusion && frame.settings.surface && !frame.surfaceBounds.isEmpty() &&
+                        (sample >= 0 || !isSoftwareRenderer());
+  const std::array<FrameBlock, 1> block{blockOf(frame, occluded)};
+  uploadBuffer(s.frameBlock, std::span<const FrameBlock>(block));
+  glBindBufferBase(GL_UNIFORM_BUFFER, 0, s.frameBlock.id());
+  uploadBuffer(s.lightBlock, std::span<const LightBlock>(&lightBlock(frame.settings.look.light), 1));
+  glBindBufferBase(GL_UNIFORM_BUFFER, 1, s.lightBlock.id());
+  if (occluded) s.occlusion.prepare(frame, s.surface, sample);
+}
+
+void Viewport::leave() {
   resetState();
   glBindVertexArray(0);
   glUseProgram(0);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  if (state_->finish) glFinish();
+}
+
+void Viewport::draw(const Scene& scene, const View& view, const DisplaySettings& settings) {
+  assert(scene.character != nullptr && view.size.x > 0 && view.size.y > 0);
+  State& s = *state_;
+  const double start = now();
+  resetState();
+  const bool surfaced = scene.surface != nullptr && scene.surface->refinement != nullptr;
+  if (surfaced) s.surface.upload(scene);
+  const Frame frame{scene, view, settings, scene.character->height, s.floor, surfaced ? s.surface.bounds() : Bounds{}};
+  s.target.resize(view.size, s.samples);
+  s.mean.begin(view.size);
+  s.transparent = !settings.background;
   if (s.finish) glFinish();
+  const double uploaded = now();
+  shareFrame(frame, -1);
+  if (settings.ground) s.ground.prepareShadow(frame, s.surface);
+  drawInto(s.target, frame);
+  leave();
   s.seconds = {uploaded - start, now() - uploaded};
 }
+
+bool Viewport::refine(const Scene& scene, const View& view, const DisplaySettings& settings) {
+  State& s = *state_;
+  assert(view.size == s.target.size());
+  const int sample = s.mean.count();
+  if (sample >= kMeanSamples) return false;
+  resetState();
+  const bool surfaced = scene.surface != nullptr && scene.surface->refinement != nullptr;
+  if (surfaced) s.surface.upload(scene);
+  View aside = view;
+  const glm::vec2 shift = 2.0f * sampleOffset(sample) / glm::vec2(view.size);
+  aside.clipFromView = glm::translate(glm::mat4(1.0f), glm::vec3(shift, 0.0f)) * view.clipFromView;
+  const Frame frame{scene, aside, settings, scene.character->height, s.floor, surfaced ? s.surface.bounds() : Bounds{}};
+  s.sample.resize(view.size, s.samples);
+  shareFrame(frame, sample);
+  drawInto(s.sample, frame);
+  s.mean.add(s.sample);
+  const bool shown = s.mean.count() == kFirstShown || s.mean.count() == kMeanSamples;
+  if (shown) s.mean.writeTo(s.target);
+  leave();
+  return shown;
+}
+
+int Viewport::samplesTaken() const { return state_->mean.count(); }
+bool Viewport::isRefined() const { return state_->mean.count() >= kMeanSamples; }
 
 void Viewport::setFinishFrames(bool finish) { state_->finish = finish; }
 const DrawSeconds& Viewport::seconds() const { return state_->seconds; }

@@ -11,6 +11,9 @@
 
 namespace sinew::app {
 
+class RenderTarget;
+struct Frame;
+
 /// RGBA, 8 bits, sRGB, top row first; width * height * 4 bytes.
 struct Image {
   int width = 0;
@@ -45,6 +48,13 @@ class Viewport {
   /// drawn).
   void draw(const Scene& scene, const View& view, const DisplaySettings& settings);
 
+  /// Draws a resting picture once more, a fraction of a pixel aside, for a mean of kMeanSamples: smooth edges, and
+  /// ambient occlusion without noise. To be called after draw(), with the same arguments, until isRefined().
+  /// @return whether the picture has changed: it does so twice.
+  bool refine(const Scene& scene, const View& view, const DisplaySettings& settings);
+  [[nodiscard]] int samplesTaken() const;
+  [[nodiscard]] bool isRefined() const;
+
   /// Wait for the picture at the end of draw(), so that seconds() holds all of it. Off by default.
   void setFinishFrames(bool finish);
   [[nodiscard]] const DrawSeconds& seconds() const;
@@ -56,6 +66,9 @@ class Viewport {
 
  private:
   Viewport();
+  void drawInto(const RenderTarget& target, const Frame& frame);
+  void shareFrame(const Frame& frame, int sample);
+  void leave();
   struct State;
   std::unique_ptr<State> state_;
 };

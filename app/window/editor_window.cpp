@@ -14,12 +14,14 @@
 #include <utility>
 
 #include "app/actions/bindings.h"
+#include "app/document/thumbnail_files.h"
 #include "app/document/view_files.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/session.h"
 #include "app/editor/session_keeper.h"
 #include "app/platform/window.h"
+#include "app/render/thumbnails.h"
 #include "app/render/viewport.h"
 #include "app/ui/imgui_layer.h"
 #include "app/ui/style.h"
@@ -57,11 +59,14 @@ class Editor {
          std::optional<StateLog> log)
       : window_(window),
         imgui_(window.handle(), scaleOf(window, state, options)),
-        picture_(viewport),
+        thumbnails_(thumbnailFolder()),
+        picture_(viewport, thumbnails_),
         options_(options),
         log_(std::move(log)),
         state_(std::move(state)),
-        keeper_(std::move(keeper)) {}
+        keeper_(std::move(keeper)) {
+    state_.session.thumbnails = &thumbnails_;
+  }
 
   /// The document the command line named, else a bundled character. Error: it cannot be smoothed.
   /// @param orphan  the rig the command line named, if its character is missing: asks for it
@@ -78,6 +83,7 @@ class Editor {
   void run() {
     while (!state_.session.quit) {
       if (waitForWork()) frame();
+      refinePicture();
       if (const double now = secondsNow(); now - lastLook_ >= kLookSeconds) {
         lastLook_ = now;
         place_ = placeOf(window_.geometry());
@@ -86,6 +92,7 @@ class Editor {
       keeper_.tick(state_, secondsNow(), place_);
       if (state_.session.messagesSaid != said) settle_ = kSettleFrames;
     }
+    picture_.keepThumbnail();
     keeper_.finish(state_, placeOf(window_.geometry()));
   }
 
@@ -101,6 +108,7 @@ class Editor {
     double seconds = caret ? kCaretSeconds : kIdleSeconds;
     if (step_.wakeAfter() > 0.0) seconds = std::min(seconds, step_.wakeAfter());
     if (const auto left = keeper_.secondsLeft(state_, secondsNow())) seconds = std::clamp(*left, 1e-3, seconds);
+    if (const auto left = picture_.secondsUntilRefining(state_, secondsNow())) seconds = std::min(*left, seconds);
     return seconds;
   }
 
@@ -113,8 +121,10 @@ class Editor {
     const bool caret = ImGui::GetIO().WantTextInput;
     if (moving) {
       window_.poll();
+    } else if (const double seconds = idleSeconds(caret); seconds > 0.0) {
+      window_.wait(seconds);
     } else {
-      window_.wait(idleSeconds(caret));
+      window_.poll();
     }
     state_.frame.now = secondsNow();  // What is dropped here is said at this time.
     for (const std::filesystem::path& file : window_.takeDrops()) {
@@ -130,6 +140,22 @@ class Editor {
     const bool due = moving || caret || wake > 0.0 || window_.input().pending() || settle_ > 0;
     if (window_.input().pending()) settle_ = kSettleFrames;
     return due && !state_.session.quit;
+  }
+
+  void savePicture(const std::filesystem::path& file) {
+    if (!state_.hasCharacter()) return;
+    const Result<void> saved = picture_.save(state_, file);
+    if (saved) say(state_, "Picture saved as " + file.string());
+    else addMessage(state_.session, MessageKind::kError, "The picture was not saved: " + saved.error().text());
+    settle_ = kSettleFrames;
+  }
+
+  /// One sample at a time, so that no input waits for more; a frame follows where the picture has changed.
+  void refinePicture() {
+    if (const auto wanted = std::exchange(state_.session.pictureWanted, std::nullopt)) savePicture(*wanted);
+    if (continuous_ || settle_ > 0 || window_.input().pending() || state_.session.quit) return;
+    const std::optional<double> left = picture_.secondsUntilRefining(state_, secondsNow());
+    if (left && *left <= 0.0 && picture_.refine(state_)) settle_ = 1;
   }
 
   void frame() {
@@ -148,7 +174,7 @@ class Editor {
     step_.run(state_, input, imgui_.fonts(), delta);
     if (step_.cameraMoves()) settle_ = std::max(settle_, 2);  // What is hovered is seen a frame later.
     const View& view = state_.frame.route.view;
-    picture_.draw(state_, view, *ImGui::GetBackgroundDrawList());
+    picture_.draw(state_, view, *ImGui::GetBackgroundDrawList(), secondsNow());
     present();
     const double end = secondsNow();
     state_.session.stats.add(end, (continuous_ && delta > 0.0 ? delta : end - start) * 1e3);
@@ -171,6 +197,7 @@ class Editor {
 
   Window& window_;
   ImGuiLayer imgui_;
+  Thumbnails thumbnails_;
   Picture picture_;
   EditorOptions options_;
   std::optional<StateLog> log_;

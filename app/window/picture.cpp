@@ -6,18 +6,23 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <system_error>
 #include <utility>
 
 #include "app/editor/commands.h"
 #include "app/editor/hidden_bones.h"
 #include "app/editor/territory.h"
+#include "app/render/png.h"
 #include "app/tools/axis_triad.h"
 #include "app/tools/gizmo_draw.h"
 #include "app/tools/hover_draw.h"
 #include "core/character/skinning.h"
+#include "core/io/files/atomic_file.h"
 
 namespace sinew::app {
 namespace {
+
+constexpr double kRestSeconds = 0.2;  ///< A picture that has stood so long is refined.
 
 /// All muscles, or the selected ones alone; these are shown whether muscles are switched on or not.
 PictureKey keyOf(const EditorState& state, const View& view) {
@@ -26,6 +31,7 @@ PictureKey keyOf(const EditorState& state, const View& view) {
   key.surface = state.live->revision();
   key.view = view;
   key.display = state.view.display;
+  key.display.look = state.session.preferences.look;
   key.display.lineScale =
       state.frame.uiScale * static_cast<float>(state.frame.viewportPixels.x) / std::max(state.frame.viewport.z, 1.0f);
   key.display.skeleton = key.display.skeleton || state.view.tools.tool == ToolKind::kPose;
@@ -40,9 +46,20 @@ PictureKey keyOf(const EditorState& state, const View& view) {
   return key;
 }
 
-}  // namespace
+/// What a saved picture shows: all but what answers the pointer and marks the selection.
+PictureKey keyToSave(const EditorState& state) {
+  PictureKey key = keyOf(state, state.frame.route.view);
+  key.display.skeleton = state.view.display.skeleton;
+  key.display.primitives = state.view.display.primitives;
+  if (!key.display.primitives && !key.display.influence) key.shapes.clear();
+  for (PrimitiveShape& shape : key.shapes) shape.selected = shape.hovered = false;
+  key.territory.clear();
+  key.territoryBones.clear();
+  key.selectedBone = key.hoveredBone = -1;
+  return key;
+}
 
-void Picture::render(EditorState& state, PictureKey key) {
+Scene sceneOf(const EditorState& state, const PictureKey& key) {
   Scene scene;
   scene.character = state.document.character.get();
   scene.surface = &state.live->surface();
@@ -59,19 +76,71 @@ void Picture::render(EditorState& state, PictureKey key) {
     skin(state.character(), state.live->pose(), skinned);
     scene.skinnedControlPositions = std::move(skinned.positions);
   }
-  viewport_.draw(scene, key.view, key.display);
+  return scene;
+}
+
+}  // namespace
+
+void Picture::render(EditorState& state, PictureKey key, double now) {
+  viewport_.draw(sceneOf(state, key), key.view, key.display);
   state.session.stats.upload = viewport_.seconds().upload;
   state.session.stats.draw = viewport_.seconds().draw;
   drawn_ = std::move(key);
+  drawnAt_ = now;
 }
 
-void Picture::draw(EditorState& state, const View& view, ImDrawList& list) {
+/// The texture holds what the state is now: nothing has moved since it was drawn.
+bool Picture::showsNow(const EditorState& state) const {
+  return state.hasCharacter() && drawn_.document == state.session.documentsOpened && drawnAt_ > 0.0 &&
+         drawn_.surface == state.live->revision();
+}
+
+std::optional<double> Picture::secondsUntilRefining(const EditorState& state, double now) const {
+  if (!showsNow(state) || viewport_.isRefined()) return std::nullopt;
+  return std::max(drawnAt_ + kRestSeconds - now, 0.0);
+}
+
+bool Picture::refine(EditorState& state) {
+  if (!showsNow(state)) return false;
+  const bool shows = viewport_.refine(sceneOf(state, drawn_), drawn_.view, drawn_.display);
+  if (shows) state.frame.pictureSamples = viewport_.samplesTaken();
+  return shows;
+}
+
+Result<void> Picture::save(EditorState& state, const std::filesystem::path& file) {
+  const PictureKey key = keyToSave(state);
+  const Scene scene = sceneOf(state, key);
+  viewport_.draw(scene, key.view, key.display);
+  while (!viewport_.isRefined()) viewport_.refine(scene, key.view, key.display);
+  drawn_ = {};
+  const Result<std::string> bytes = pngBytes(viewport_.readPixels());
+  if (!bytes) return bytes.error();
+  return writeFileAtomically(file, bytes.value());
+}
+
+void Picture::keepThumbnail() {
+  std::error_code failed;
+  const std::pair kept(file_, std::filesystem::last_write_time(file_, failed));
+  if (failed || kept == thumbnailOf_) return;
+  thumbnailOf_ = kept;
+  thumbnails_.keep(file_, viewport_.readPixels());
+}
+
+void Picture::draw(EditorState& state, const View& view, ImDrawList& list, double now) {
   if (!state.hasCharacter()) return;
   if (shownDocument_ != state.session.documentsOpened) {
+    keepThumbnail();
     viewport_.setCharacter(state.character());
     shownDocument_ = state.session.documentsOpened;
   }
-  if (PictureKey key = keyOf(state, view); !(key == drawn_)) render(state, std::move(key));
+  if (PictureKey key = keyOf(state, view); !(key == drawn_)) {
+    render(state, std::move(key), now);
+    state.frame.pictureSamples = 1;
+  }
+  const Document& document = state.document;
+  file_ = document.rigFile.empty() ? document.characterFile : document.rigFile;
+  if (document.commands.modified()) file_.clear();
+  if (viewport_.isRefined()) keepThumbnail();
   const glm::vec4& v = state.frame.viewport;
   const ImVec2 low{v.x, v.y};
   const ImVec2 high{v.x + v.z, v.y + v.w};

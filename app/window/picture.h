@@ -2,9 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "app/editor/editor_state.h"
+#include "app/render/thumbnails.h"
 #include "app/render/viewport.h"
 
 struct ImDrawList;
@@ -30,16 +34,35 @@ struct PictureKey {
 /// Draws the document into the viewport's texture and puts that, and the gizmo, into a draw list.
 class Picture {
  public:
-  explicit Picture(Viewport& viewport) : viewport_(viewport) {}
+  Picture(Viewport& viewport, Thumbnails& thumbnails) : viewport_(viewport), thumbnails_(thumbnails) {}
 
   /// Without a character: nothing. Times go to state.session.stats. The OpenGL context must be current.
-  void draw(EditorState& state, const View& view, ImDrawList& list);
+  /// @param now  seconds on the clock of secondsUntilRefining()
+  void draw(EditorState& state, const View& view, ImDrawList& list, double now);
+
+  /// Seconds until refine() has work, 0: it has; nullopt: the picture is as good as it gets, or there is none.
+  [[nodiscard]] std::optional<double> secondsUntilRefining(const EditorState& state, double now) const;
+  /// Takes one more sample of a picture that rests. @return whether it shows.
+  bool refine(EditorState& state);
+
+  /// Writes the picture with all samples, without what marks hover and selection, as PNG. What is shown is drawn anew
+  /// with the next frame.
+  Result<void> save(EditorState& state, const std::filesystem::path& file);
+
+  /// Keeps the last picture as the thumbnail of its document as that is on the disk, once for each state of it; not
+  /// where there were unsaved changes. draw() does so by itself for a refined picture, and before another document's.
+  void keepThumbnail();
 
  private:
-  void render(EditorState& state, PictureKey key);
+  void render(EditorState& state, PictureKey key, double now);
+  bool showsNow(const EditorState& state) const;
 
   Viewport& viewport_;
+  Thumbnails& thumbnails_;
+  std::filesystem::path file_;  ///< Of the document in the picture; "": it has unsaved changes.
   std::size_t shownDocument_ = 0;
+  double drawnAt_ = 0.0;
+  std::pair<std::filesystem::path, std::filesystem::file_time_type> thumbnailOf_;  ///< The last one kept.
   PictureKey drawn_;
 };
 

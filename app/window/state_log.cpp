@@ -182,6 +182,7 @@ Json messageState(const EditorState& state) {
 std::string dialogName(const EditorState& state) {
   if (state.dialogs.conflict.found != OnDisk::kSame) return "conflict";
   if (state.dialogs.question.kind != IntentKind::kNone) return "unsaved";
+  if (state.dialogs.file.kind == DialogKind::kSavePicture) return "picture";
   if (state.dialogs.file.kind != DialogKind::kNone)
     return !state.dialogs.file.locateFor.empty()          ? "locate-file"
            : state.dialogs.file.kind == DialogKind::kOpen ? "open"
@@ -193,7 +194,7 @@ std::string dialogName(const EditorState& state) {
   return state.dialogs.keySheet ? "keys" : "";
 }
 
-Json display(const DisplaySettings& shown) {
+Json display(const DisplaySettings& shown, const PictureLook& look) {
   constexpr const char* kShadings[] = {"textured", "clay", "classes", "heat"};
   return Json::object()
       .set("shading", kShadings[static_cast<int>(shown.shading)])
@@ -202,7 +203,10 @@ Json display(const DisplaySettings& shown) {
       .set("primitives", shown.primitives)
       .set("influence", shown.influence)
       .set("ground", shown.ground)
-      .set("cull", shown.cullBackFaces);
+      .set("cull", shown.cullBackFaces)
+      .set("light", nameOf(look.light))
+      .set("background", nameOf(look.backdrop))
+      .set("ao", look.occlusion);
 }
 
 Json cameraState(const Camera& camera) {
@@ -268,7 +272,7 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("culled", report.culledTriangles)
       .set("tool", nameOf(state.view.tools.tool))
       .set("status", state.frame.route.status)
-      .set("display", display(state.view.display))
+      .set("display", display(state.view.display, state.session.preferences.look))
       .set("camera", cameraState(state.view.tools.camera))
       .set("outliner", outlinerState(state.view))
       .set("dialog", dialogName(state))
@@ -279,6 +283,7 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("gizmo", gizmoState(state))
       .set("viewport", numbers({v.x, v.y, v.z, v.w}))
       .set("mouse", numbers({mouse.x, mouse.y}))
+      .set("samples", state.frame.pictureSamples)
       .set("camera_moving", isMoving(state.view.tools.camera))
       .set("bones", boneState(state, view))
       .set("widgets", widgetState(widgets))

@@ -86,6 +86,26 @@ TEST_F(RenderVerb, HiddenSidesLeftOutWriteTheSameBytes) {
   }
 }
 
+TEST_F(RenderVerb, LightBackgroundAndOcclusionAreChosen) {
+  const auto bytes = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> command{"render", demo("demo.rig.json"), "--size", "96x96", "--depth", "2", "-o", "a.png"};
+    command.insert(command.end(), more.begin(), more.end());
+    EXPECT_EQ(run(command).status, 0) << more.front();
+    return picture("a.png").bytes;
+  };
+  const std::string plain = bytes({"--samples", "4"});
+  EXPECT_EQ(bytes({"--light", "studio", "--background", "studio"}), plain) << "which is what is drawn without a choice";
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--light", "outdoor"},
+                                               {"--light", "rim"},
+                                               {"--background", "dark"},
+                                               {"--background", "checker"},
+                                               {"--ao"}}) {
+    const std::string chosen = bytes(more);
+    EXPECT_NE(chosen, plain) << more.front();
+    EXPECT_EQ(bytes(more), chosen) << more.front();
+  }
+}
+
 TEST_F(RenderVerb, AutoDepthComesFromThePicturesSize) {
   const auto bundled = loadRig(demo("demo.rig.json"));
   ASSERT_TRUE(bundled.ok());
@@ -123,6 +143,8 @@ TEST_F(RenderVerb, AWrongCommandLineIsStatus2) {
                                                 {"--view", "behind"},
                                                 {"--view", "10,95"},
                                                 {"--shading", "shiny"},
+                                                {"--light", "moon"},
+                                                {"--background", "pink"},
                                                 {"--show", "skeleton,nothing"},
                                                 {"--frames", "3:1"},
                                                 {"--frames", "0:3"},

@@ -45,6 +45,8 @@ Preferences unlikeTheDefaults() {
   p.recentFiles = {"/a/fox.glb", "/b/with space \xc3\xa9.rig.json"};
   p.recentActions = {"view/wire", "edit/undo"};
   p.hiddenFiles = p.newestFirst = true;
+  p.look = {LightPreset::kRim, Backdrop::kLight, true};
+  p.pictureFolder = "/a/pictures";
   p.window = {-5, 17, 1900, 1000, true};
   p.layout.left = 311.25f;
   p.layout.right = 222.0f;
@@ -129,6 +131,8 @@ TEST_F(PreferencesTest, TwoWindowsTogether) {
   mine.keymap = Keymap::kBlender;
   theirs.scale = 2.0f;
   theirs.newestFirst = true;
+  theirs.look.light = LightPreset::kRim;
+  theirs.pictureFolder = "/pictures";
   theirs.keys[0]["view/ground"] = {"W"};
   mine.recentFiles = {"/c", "/d", "/a", "/b"};
   theirs.recentFiles = {"/e", "/a", "/b", "/c"};
@@ -137,6 +141,8 @@ TEST_F(PreferencesTest, TwoWindowsTogether) {
   EXPECT_EQ(both.scale, 2.0f);
   EXPECT_TRUE(both.newestFirst);
   EXPECT_EQ(both.keys, theirs.keys);
+  EXPECT_EQ(both.look, theirs.look);
+  EXPECT_EQ(both.pictureFolder, theirs.pictureFolder);
   EXPECT_EQ(both.recentFiles, (std::vector<fs::path>{"/c", "/d", "/e", "/a", "/b"}));
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/panels/dialogs/file_dialog.h"
 #include "app/platform/data_files.h"
+#include "app/render/thumbnails.h"
 
 namespace sinew::app {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 constexpr float kPlacesWidth = 150.0f;  // Design pixels.
 constexpr float kDateWidth = 132.0f;
 constexpr float kSizeWidth = 72.0f;
+constexpr float kThumbnailHeight = 36.0f;
 
 void drawPlaces(PanelUi& ui, float height) {
   FileDialogState& dialog = ui.state.dialogs.file;
@@ -158,7 +160,12 @@ void drawEntry(PanelUi& ui, const FolderEntry& entry) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float height = ImGui::GetTextLineHeight() + ui.px(4);
+  const bool tall = !entry.folder && dialog.kind == DialogKind::kOpen;  // All alike: rows do not jump when scrolled.
+  const bool onScreen = ImGui::IsRectVisible({1.0f, ui.px(kThumbnailHeight)});
+  const ImTextureID thumbnail =
+      tall && onScreen ? thumbnailOf(ui, dialog.folder / entry.name, entry.when) : ImTextureID{};
+  const float height = tall ? ui.px(kThumbnailHeight) : ImGui::GetTextLineHeight() + ui.px(4);
+  const float top = 0.5f * (height - ImGui::GetTextLineHeight());
   const bool chosen = dialog.text == entry.name;
   const bool clicked = ImGui::Selectable(("##" + entry.name).c_str(), chosen,
                                          ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups |
@@ -167,14 +174,22 @@ void drawEntry(PanelUi& ui, const FolderEntry& entry) {
   ui.widgets.note("dialog/entry/" + entry.name);
   if (chosen && dialog.reveal) ImGui::SetScrollHereY(0.5f);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  drawIcon(list, entry.folder ? Icon::kFolder : Icon::kFile, {corner.x + ui.px(3), corner.y + ui.px(2)}, ui.px(15),
-           (entry.folder ? palette::kAccent : palette::kMuted).packed());
-  const bool cut = clippedText(list, {corner.x + ui.px(25), corner.y + ui.px(2)},
-                               ImGui::GetContentRegionAvail().x - ui.px(25), palette::kText.packed(), entry.name);
+  const float width =
+      ui.px(kThumbnailHeight) * static_cast<float>(kThumbnailSize.x) / static_cast<float>(kThumbnailSize.y);
+  if (thumbnail) {
+    list.AddImageRounded(thumbnail, {corner.x, corner.y + 1.0f}, {corner.x + width, corner.y + height - 1.0f},
+                         {0.0f, 0.0f}, {1.0f, 1.0f}, 0xffffffffu, ui.px(3));
+  } else {
+    drawIcon(list, entry.folder ? Icon::kFolder : Icon::kFile, {corner.x + ui.px(3), corner.y + top}, ui.px(15),
+             (entry.folder ? palette::kAccent : palette::kMuted).packed());
+  }
+  const float textLeft = tall ? width + ui.px(8) : ui.px(25);
+  const bool cut = clippedText(list, {corner.x + textLeft, corner.y + top}, ImGui::GetContentRegionAvail().x - textLeft,
+                               palette::kText.packed(), entry.name);
   if (cut) tooltip(ui, entry.name);
   const auto column = [&] {
     ImGui::TableNextColumn();
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ui.px(2));
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + top);
   };
   column();
   if (!entry.folder) mutedText(sizeText(entry.bytes).c_str());
@@ -211,7 +226,8 @@ void drawEntries(PanelUi& ui, float height) {
     if (entries.empty()) {
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
-      mutedText(dialog.filter == FileFilter::kRigs ? "No rigs here." : "No characters or rigs here.");
+      if (dialog.kind == DialogKind::kSavePicture) mutedText("No pictures here.");
+      else mutedText(dialog.filter == FileFilter::kRigs ? "No rigs here." : "No characters or rigs here.");
     }
     dialog.reveal = false;
     ImGui::EndTable();

@@ -15,6 +15,7 @@
 
 #include "app/editor/commands.h"
 #include "app/editor/locate_character.h"
+#include "app/editor/picture_commands.h"
 #include "app/panels/dialogs/dialogs.h"
 
 namespace sinew::app {
@@ -40,7 +41,8 @@ void showFolder(FileDialogState& dialog, const std::filesystem::path& folder) {
 
 /// The file Save As would write.
 std::filesystem::path saveTarget(const FileDialogState& dialog) {
-  return withRigEnding(resolveTyped(dialog.folder, dialog.text));
+  const std::filesystem::path typed = resolveTyped(dialog.folder, dialog.text);
+  return dialog.kind == DialogKind::kSavePicture ? withPictureEnding(typed) : withRigEnding(typed);
 }
 
 /// Save As would overwrite a file that is not this document's own.
@@ -75,10 +77,25 @@ void confirmOpen(EditorState& state, const std::filesystem::path& file) {
   request(state, {IntentKind::kOpenFile, file});
 }
 
+void confirmPicture(EditorState& state) {
+  const std::filesystem::path target = saveTarget(state.dialogs.file);
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(target.parent_path(), ignored)) {
+    complain(state.dialogs.file, "There is no folder " + target.parent_path().string());
+    return;
+  }
+  close(state);
+  wantPicture(state, target);
+}
+
 void confirmSave(EditorState& state) {
   if (replaces(state) && !state.dialogs.file.overwriteAsked) {
     state.dialogs.file.overwriteAsked = true;
     state.dialogs.file.appearing = true;
+    return;
+  }
+  if (state.dialogs.file.kind == DialogKind::kSavePicture) {
+    confirmPicture(state);
     return;
   }
   const std::string error = saveTo(state, saveTarget(state.dialogs.file));
@@ -112,17 +129,28 @@ int editPath(ImGuiInputTextCallbackData* data) {
   return 0;
 }
 
+const char* titleOf(const FileDialogState& dialog) {
+  if (!dialog.locateFor.empty()) return "Locate the character";
+  if (dialog.kind == DialogKind::kSavePicture) return "Save the picture as";
+  return dialog.kind == DialogKind::kOpen ? "Open a character or a rig" : "Save the rig as";
+}
+
+const char* hintOf(DialogKind kind) {
+  if (kind == DialogKind::kSavePicture) return "Name of the picture";
+  return kind == DialogKind::kOpen ? "Name or path  (Tab completes)" : "Name of the rig";
+}
+
 void drawPathField(PanelUi& ui) {
   FileDialogState& dialog = ui.state.dialogs.file;
   if (dialog.appearing && !dialog.naming) ImGui::SetKeyboardFocusHere();
   if (!dialog.naming) dialog.appearing = false;  // What follows may ask for the focus again.
   const bool wasEmpty = dialog.text.empty();
   ImGui::SetNextItemWidth(dialog.kind == DialogKind::kOpen ? -ui.px(158) : -1.0f);
-  const bool entered = ImGui::InputTextWithHint(
-      "##path", dialog.kind == DialogKind::kOpen ? "Name or path  (Tab completes)" : "Name of the rig", &dialog.text,
-      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
-          ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackHistory,
-      editPath, &ui.state);
+  const bool entered =
+      ImGui::InputTextWithHint("##path", hintOf(dialog.kind), &dialog.text,
+                               ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
+                                   ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackHistory,
+                               editPath, &ui.state);
   ui.widgets.note("dialog/path");
   if (ImGui::IsItemEdited()) {
     dialog.error.clear();
@@ -200,8 +228,9 @@ void takeKeys(EditorState& state) {
 }  // namespace
 
 ListingOptions listingOptions(const EditorState& state) {
-  const FileFilter filter =
-      state.dialogs.file.kind == DialogKind::kSaveAs ? FileFilter::kRigs : state.dialogs.file.filter;
+  FileFilter filter = state.dialogs.file.filter;
+  if (state.dialogs.file.kind == DialogKind::kSaveAs) filter = FileFilter::kRigs;
+  if (state.dialogs.file.kind == DialogKind::kSavePicture) filter = FileFilter::kPictures;
   return {filter, state.session.preferences.hiddenFiles, state.session.preferences.newestFirst};
 }
 
@@ -237,7 +266,7 @@ void confirmPath(EditorState& state) {
   const std::filesystem::path typed = resolveTyped(dialog.folder, dialog.text);
   std::error_code ignored;
   if (std::filesystem::is_directory(typed, ignored)) {
-    if (dialog.kind == DialogKind::kSaveAs) dialog.text.clear();
+    if (dialog.kind != DialogKind::kOpen) dialog.text.clear();
     enterFolder(dialog, typed);
   } else if (dialog.kind == DialogKind::kOpen) {
     confirmOpen(state, typed);
@@ -249,9 +278,7 @@ void confirmPath(EditorState& state) {
 void drawFileDialog(PanelUi& ui) {
   FileDialogState& dialog = ui.state.dialogs.file;
   if (dialog.kind == DialogKind::kNone) return;
-  const char* title = !dialog.locateFor.empty()          ? "Locate the character"
-                      : dialog.kind == DialogKind::kOpen ? "Open a character or a rig"
-                                                         : "Save the rig as";
+  const char* title = titleOf(dialog);
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   placeDialog(ui, kWidth);

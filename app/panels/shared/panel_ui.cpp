@@ -2,7 +2,10 @@
 
 #include "app/panels/shared/panel_ui.h"
 
+#include <cstdint>
+
 #include <imgui.h>
+#include "app/render/thumbnails.h"
 
 #include <algorithm>
 
@@ -66,6 +69,13 @@ void actionPill(PanelUi& ui, const std::string& id, const Action& action) {
   const bool pressed = pillButton(ui, id, action.label, active);
   tooltip(ui, tooltipOf(ui, action));
   if (pressed) run(action, ui.state);
+}
+
+ImTextureID thumbnailOf(const PanelUi& ui, const std::filesystem::path& document,
+                        std::filesystem::file_time_type changed) {
+  Thumbnails* const thumbnails = ui.state.session.thumbnails;
+  const std::uintptr_t texture = thumbnails != nullptr ? thumbnails->texture(document, changed) : 0;
+  return reinterpret_cast<ImTextureID>(texture);
 }
 
 }  // namespace sinew::app

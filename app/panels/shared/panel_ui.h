@@ -1,6 +1,9 @@
 // app/panels/shared/panel_ui.h: what every panel is handed, and the controls that run actions.
 #pragma once
 
+#include <imgui.h>
+
+#include <filesystem>
 #include <string>
 
 #include "app/actions/actions.h"
@@ -17,6 +20,9 @@ struct PanelUi : Ui {
       : Ui{log, letters, editor.frame.uiScale}, state(editor) {}
 };
 
+/// The thumbnail of a document as it is on the disk, last changed then; 0: there is none.
+[[nodiscard]] ImTextureID thumbnailOf(const PanelUi& ui, const std::filesystem::path& document,
+                                      std::filesystem::file_time_type changed);
 /// A key of the action goes down in this frame, though a dialog that takes all keys is in front.
 [[nodiscard]] bool keyPressed(const PanelUi& ui, const Action& action);
 /// ... is held down, whatever else is, and no text is typed.
