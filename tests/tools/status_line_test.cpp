@@ -20,9 +20,10 @@ namespace {
 using test::LimbScene;
 
 /// The inputs in the order in which a line may name them.
-constexpr std::array<const char*, 18> kInputs{"Click",      "Shift+click", "Release",    "Drop",  "Drag", "Ctrl+drag",
-                                              "Shift+drag", "Alt+drag",    "Right+drag", "Wheel", "Ctrl", "Shift",
-                                              "Alt",        "X/Y/Z",       "0-9",        "Enter", "Esc",  ""};
+constexpr std::array<const char*, 19> kInputs{"Click", "Shift+click", "Right+click", "Release",  "Drop",
+                                              "Drag",  "Ctrl+drag",   "Shift+drag",  "Alt+drag", "Right+drag",
+                                              "Wheel", "Ctrl",        "Shift",       "Alt",      "X/Y/Z",
+                                              "0-9",   "Enter",       "Esc",         ""};
 
 /// The input's place in the order, or -1: the act begins with none of them.
 int rankOf(const std::string& act) {
