@@ -1,6 +1,7 @@
 // tests/support/allocations.cpp: the global operator new, replaced by one that counts.
 #include "tests/support/allocations.h"
 
+#include <cstddef>
 #include <cstdlib>
 #include <new>
 
