@@ -53,7 +53,7 @@ void main() {
   vec3 across = cross(dFdx(there), dFdy(there));
   float along = abs(dot(n, across)) * inversesqrt(max(dot(across, across), 1e-30));
   float near = meets * (1.0 - inner) * step(abs(out_), 0.02 * picture.z) * step(slope, 0.03 * picture.z);
-  near *= 1.0 - smoothstep(0.92, 0.975, along);
+  near *= 1.0 - smoothstep(0.75, 0.90, along);
   float pixels = abs(out_) / max(slope, 1e-7 * picture.z) / lineScale;
   float pale = near * (1.0 - smoothstep(1.5, 2.5, pixels)) * 0.85;
   float dark = near * (1.0 - smoothstep(0.4, 1.2, pixels)) * 0.80;

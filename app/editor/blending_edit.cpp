@@ -58,7 +58,7 @@ void toggleLink(EditorState& state, int groupA, int groupB) {
 
 void addEmptyGroup(EditorState& state) {
   const std::string name = freeGroupName(state.document.rig(), "group");
-  if (!edit(state, "New group " + name, addGroup(state.document.rig(), name))) return;
+  if (!edit(state, "New group", addGroup(state.document.rig(), name))) return;
   const GroupId added = state.document.rig().groups.back().id();
   state.open.blending.group = added;
   state.open.blending.rename = {added, name, true};
@@ -82,7 +82,7 @@ void groupSelection(EditorState& state) {
 bool renameGroupTo(EditorState& state, GroupId group, const std::string& name) {
   const int index = findGroup(state.document.rig(), group);
   if (index < 0 || nameOfGroup(state.document.rig(), index) == name) return index >= 0;
-  const std::string label = "Rename group " + nameOfGroup(state.document.rig(), index);
+  const std::string label = "Rename group " + nameOfGroup(state.document.rig(), index) + " to " + name;
   return edit(state, label, renameGroup(state.document.rig(), index, name));
 }
 

@@ -260,10 +260,13 @@ bool rename(EditorState& state, PrimitiveId primitive, const std::string& name) 
 }
 
 void selectNothing(EditorState& state) {
+  Selection& selection = state.document.selection;
   if (editsTerritory(state)) {
     endTerritoryMode(state.view.tools);
+  } else if (selection.primitives.empty() && selection.bone < 0 && state.view.tools.tool == ToolKind::kAddMuscle) {
+    setTool(state.view.tools, ToolKind::kMove);
   } else {
-    state.document.selection.clear();
+    selection.clear();
   }
 }
 

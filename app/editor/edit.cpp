@@ -25,12 +25,25 @@ bool edit(EditorState& state, const std::string& label, Result<Rig> rig) {
 
 void refuse(EditorState& state, const Error& error) {
   const std::string text = error.plainText();
+  // What is half typed is no refusal yet: sayRefusedField() says it when the field is left.
+  if (state.open.gestureItem != 0) {
+    state.open.refusal = text;
+    return;
+  }
   sayRefusal(state, text);
   if (text == state.open.refusal) return;
   state.open.refusal = text;
   // The toast has it: the list need not open.
   const bool shown = state.session.messagesShown;
   addMessage(state.session, MessageKind::kError, text);
+  state.session.messagesShown = shown;
+}
+
+void sayRefusedField(EditorState& state) {
+  if (state.open.refusal.empty()) return;
+  sayRefusal(state, state.open.refusal);
+  const bool shown = state.session.messagesShown;
+  addMessage(state.session, MessageKind::kError, state.open.refusal);
   state.session.messagesShown = shown;
 }
 

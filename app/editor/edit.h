@@ -16,6 +16,9 @@ bool edit(EditorState& state, const std::string& label, Result<Rig> rig);
 /// one refusal.
 void refuse(EditorState& state, const Error& error);
 
+/// A field is left whose last value was refused: says why. Nothing if it was accepted.
+void sayRefusedField(EditorState& state);
+
 /// A toast: what has been done.
 void say(EditorState& state, const std::string& text);
 /// A toast: what has not been done, and why.

@@ -98,6 +98,10 @@ std::string elided(const std::string& text, float width, const MeasureText& meas
   std::string_view core = text;
   if (core.starts_with(shared.prefix) && core.size() > shared.prefix.size()) core.remove_prefix(shared.prefix.size());
   const bool begun = core.size() < text.size();
+  // Room for the beginning as well is used for it.
+  const std::string both = begun ? inTheMiddle(text, width, measure) : std::string();
+  const std::size_t gap = both.find(kEllipsis);
+  if (gap != std::string::npos && both.size() - gap - std::string_view(kEllipsis).size() >= core.size()) return both;
   const std::string withEnd = (begun ? kEllipsis : "") + std::string(core);
   if (begun && measure(withEnd) <= width) return withEnd;
   const std::string_view whole = core;

@@ -196,7 +196,7 @@ Result<void> validatePrimitive(const Primitive& primitive, const std::string& pl
 
 Result<void> validateSurface(const SurfaceSettings& surface) {
   if (!(surface.iso >= kLeastIso && surface.iso <= kMostIso)) {
-    return outOfRange("surface.iso", "a number from 0.001 to 0.999", surface.iso, "iso value");
+    return outOfRange("surface.iso", "a number from 0.001 to 0.999", surface.iso, "tightness");
   }
   if (!(surface.skinBlend > 0.0f && surface.skinBlend <= kMostSkinBlend)) {
     return outOfRange("surface.skin_blend", "a number > 0 and at most 10", surface.skinBlend, "skin blend");

@@ -67,7 +67,7 @@ TEST_F(StepNames, ANewGroupAsksForItsNameWhereGroupsAreListed) {
   EXPECT_GE(findGroup(state.document.rig(), "Legs"), 0);
   EXPECT_TRUE(last().starts_with("Rename group ")) << last();
   renameGroupTo(state, state.document.rig().groups.back().id(), "Arms");
-  EXPECT_EQ(last(), "Rename group Legs");
+  EXPECT_EQ(last(), "Rename group Legs to Arms");
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ TEST(PaletteSearch, AmongEqualsTheLatelyUsedComesFirst) {
 TEST(PaletteSearch, WhatCannotBeDoneNowWeighsLessButNothingElseIsDoneInItsPlace) {
   std::vector<Candidate> candidates{{"Undo", "", 0, false}, {"Sound", "", -1, true}, {"Undone", "", -1, true}};
   EXPECT_EQ(found("und", candidates), (std::vector<std::string>{"Undone", "Undo", "Sound"}));
-  EXPECT_EQ(found("undo", candidates).front(), "Undo");
+  EXPECT_EQ(found("undo", candidates), (std::vector<std::string>{"Undone", "Undo"}));
   EXPECT_EQ(found("", candidates), (std::vector<std::string>{"Sound", "Undone", "Undo"}));
 }
 
@@ -124,8 +124,17 @@ TEST(PaletteSearch, WhereSomethingElseWasMeantNothingIsPreselected) {
   const std::vector<Candidate> candidates{{"Duplicate", "Edit", -1, false}, {"odd cup hole", "Muscle", -1, true}};
   const std::vector<Found> all = search("dupl", candidates, 100);
   ASSERT_EQ(all.size(), 2u);
-  EXPECT_EQ(all[0].index, 0u);
+  EXPECT_EQ(all[0].index, 1u);
   EXPECT_EQ(preselected(all, candidates), -1);
+}
+
+TEST(PaletteSearch, WhatCannotBeDoneNeverComesFirstAndEnterDoesNoScatteredMatchInItsPlace) {
+  std::vector<Candidate> candidates = named({"Edit territory", "End the range here"});
+  candidates[0].usable = false;
+  const std::vector<Found> found = search("terr", candidates, 10);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].index, 1u);
+  EXPECT_EQ(preselected(found, candidates), -1);
 }
 
 TEST(PaletteSearch, NoMoreThanAskedFor) { EXPECT_EQ(search("", named({"a", "b", "c"}), 2).size(), 2u); }

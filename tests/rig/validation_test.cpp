@@ -58,7 +58,7 @@ TEST(Validation, WhatIsWrongHasASubjectInPlainWords) {
               r.links = {{"arms", "arms"}};
             }),
             "Link 1: expected two different groups, got \"arms\" twice");
-  EXPECT_EQ(saidOf([](Rig& r) { r.surface.iso = 2.0f; }), "Iso value: expected a number from 0.001 to 0.999, got 2");
+  EXPECT_EQ(saidOf([](Rig& r) { r.surface.iso = 2.0f; }), "Tightness: expected a number from 0.001 to 0.999, got 2");
   EXPECT_EQ(saidOf([](Rig& r) { r.smoothing.depth = 0; }).substr(0, 6), "Depth:");
 }
 

@@ -100,6 +100,15 @@ TEST(Elide, WhatMostNamesBeginWithGoesFirst) {
   EXPECT_EQ(elided(names[0], widthOf(names[0]), widthOf, shared), names[0]);
 }
 
+TEST(Elide, TheBeginningStaysWhereThereIsRoomForIt) {
+  const std::vector<std::string> names{"neck_Joint_01 muscle L", "neck_Joint_01 muscle R"};
+  const std::vector<std::string_view> views = viewsOf(names);
+  const SharedEnds shared = sharedEnds(views);
+  const std::string shown = elided(names[0], widthOf("neck_Joint_0...L"), widthOf, shared);
+  EXPECT_TRUE(shown.starts_with("neck")) << shown;
+  EXPECT_TRUE(shown.ends_with("L")) << shown;
+}
+
 TEST(Elide, SharedEndsLieAtSeparatorsAndLeaveAName) {
   const auto of = [](std::vector<std::string_view> names) {
     const SharedEnds shared = sharedEnds(names);

@@ -2,6 +2,9 @@
 
 #include <imgui.h>
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
 #include <array>
 #include <string>
 
@@ -71,12 +74,13 @@ Command ask(PanelUi& ui) {
   explain(ui, name, ui.state.dialogs.conflict.found);
   Command given = nullptr;
   bool first = true;
+  const bool entered = ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) && !ImGui::IsWindowAppearing();
   for (const Answer& answer : answersOf(ui.state, name)) {
     // What is no longer there cannot be loaded.
     const bool offered =
         !gone || answer.give != discardForDisk || ui.state.dialogs.conflict.then.kind != IntentKind::kNone;
     if (!offered) continue;
-    if (answerRow(ui, answer, first)) given = answer.give;
+    if (answerRow(ui, answer, first) || (first && entered)) given = answer.give;
     first = false;
   }
   ImGui::Dummy({0.0f, ui.px(2)});

@@ -143,6 +143,11 @@ std::vector<Found> search(std::string_view query, const std::vector<Candidate>& 
   std::ranges::stable_sort(ranked, [](const Ranked& a, const Ranked& b) {
     return std::tie(a.last, a.score, a.greyed, a.rank) < std::tie(b.last, b.score, b.greyed, b.rank);
   });
+  // What cannot be done now never comes first.
+  if (asked && !ranked.empty() && ranked.front().greyed) {
+    const auto usable = std::ranges::find(ranked, false, &Ranked::greyed);
+    if (usable != ranked.end()) std::rotate(ranked.begin(), usable, usable + 1);
+  }
   std::vector<Found> found;
   for (Ranked& entry : ranked) {
     if (found.size() == most) break;
@@ -152,9 +157,12 @@ std::vector<Found> search(std::string_view query, const std::vector<Candidate>& 
 }
 
 int preselected(const std::vector<Found>& found, const std::vector<Candidate>& candidates) {
-  const auto usable = std::ranges::find_if(found, [&](const Found& entry) { return candidates[entry.index].usable; });
-  if (usable == found.end() || usable->score + kClearlyWorse < found.front().score) return -1;
-  return static_cast<int>(usable - found.begin());
+  const auto isUsable = [&](const Found& entry) { return candidates[entry.index].usable; };
+  const auto usable = std::ranges::find_if(found, isUsable);
+  if (usable == found.end()) return -1;
+  int best = usable->score;
+  for (const Found& entry : found) best = std::max(best, entry.score + (isUsable(entry) ? 0 : kUnusable));
+  return usable->score + kClearlyWorse < best ? -1 : static_cast<int>(usable - found.begin());
 }
 
 }  // namespace sinew::app

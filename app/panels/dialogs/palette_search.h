@@ -40,7 +40,7 @@ struct Found {
                                         std::size_t most);
 
 /// The row that Enter takes unless another is chosen: the first that can be used. -1 if there is none, or if it fits
-/// clearly worse than one above it, which is what was meant: Enter never does something else instead.
+/// clearly worse than one that cannot be used, which is what was meant: Enter never does something else instead.
 [[nodiscard]] int preselected(const std::vector<Found>& found, const std::vector<Candidate>& candidates);
 
 }  // namespace sinew::app

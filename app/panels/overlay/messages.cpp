@@ -120,7 +120,7 @@ bool drawHead(PanelUi& ui) {
 
 float messagesHeight(PanelUi& ui) {
   if (ui.state.session.messages.empty() || !ui.state.session.messagesShown) return 0.0f;
-  return std::min({wantedHeight(ui), ui.px(kHighest), ui.state.frame.viewport.w * 0.6f});
+  return std::min({wantedHeight(ui), ui.px(kHighest), ui.state.frame.viewport.w * 0.4f});
 }
 
 void drawMessages(PanelUi& ui) {

@@ -24,6 +24,7 @@ void endFieldEdit(PanelUi& ui) {
     ui.state.document.commands.cancelGesture();
   } else {
     ui.state.document.commands.endGesture();
+    sayRefusedField(ui.state);
   }
   ui.state.open.gestureItem = 0;
   ui.state.open.refusal.clear();
