@@ -67,8 +67,8 @@ const Action kActions[] = {
      anyMuscle, nullptr, onDocument<invertSelection>},
     {"edit/select-on-bone", "Select all on bone", "All muscles on the bones of the selected ones", ctrl(GLFW_KEY_B),
      kNone, boneOrMuscle, nullptr, onDocument<selectOnBone>},
-    {"edit/select-none", "Select nothing", "Clear the selection of muscles and bone; once more leaves Add muscle", key(GLFW_KEY_ESCAPE), kNone, idle,
-     nullptr, selectNothing},
+    {"edit/select-none", "Select nothing", "Clear the selection of muscles and bone; once more leaves Add muscle",
+     key(GLFW_KEY_ESCAPE), kNone, idle, nullptr, selectNothing},
 };
 
 }  // namespace
