@@ -6,7 +6,6 @@ import subprocess
 import sys
 
 import driver
-from waiting import wait_for
 
 # A post, 1 x 2 x 1: its corners, and its sides as pairs of triangles.
 CORNERS = [(x, y, z) for y in (0.0, 2.0) for x, z in ((-0.5, 0.5), (0.5, 0.5), (0.5, -0.5), (-0.5, -0.5))]
@@ -69,15 +68,15 @@ def opened(t, file):
     return editor, state["messages"]
 
 
+SAMPLES = 16  # Of a picture at rest.
+
+
 def still(editor):
-    """The picture once it stands: two screenshots alike."""
-    last = []
-
-    def look():
-        last.append(Picture(editor).bytes)
-        return len(last) > 1 and last[-1] == last[-2]
-
-    wait_for("a picture that stands still", look)
+    """The picture at rest, without the messages over it."""
+    if "messages/hide" in editor.state()["widgets"]:
+        editor.click("messages/hide")
+        editor.wait_until("no messages", lambda s: "messages/hide" not in s["widgets"])
+    editor.wait_until("all samples", lambda s: s["samples"] == SAMPLES)
     return Picture(editor)
 
 
