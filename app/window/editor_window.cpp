@@ -240,7 +240,7 @@ int runEditor(const EditorOptions& options) {
   SessionKeeper keeper(preferencesFile(), recoveryFolder(), viewsFolder());
   keeper.start(state);
   for (const std::string& note : dropUnusableKeys(state.session.preferences)) {
-    addMessage(state.session, MessageKind::kNote, "preferences: " + note + "; ignored");
+    addMessage(state.session, MessageKind::kNote, "preferences: " + note + "; ignored", MessageAbout::kProgram);
   }
   const float grown = options.scale > 0.0f ? options.scale : std::max(state.session.preferences.scale, 1.0f);
   const glm::ivec2 size(glm::vec2(kWindowSize) * grown);
