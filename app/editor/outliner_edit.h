@@ -11,8 +11,8 @@ namespace sinew::app {
 
 inline constexpr const char* kMusclePayload = "sinew.muscles";  ///< Drag and drop: the grabbed muscle's rig index, int.
 
-/// Moves muscles to another bone; each keeps its place in the world at the moment that is shown. One undo step; a
-/// refusal stands in the status line.
+/// Moves muscles to another bone; each keeps its place in the world at the moment that is shown. One undo step;
+/// a refusal is said as refuse() does.
 void reparentMuscles(EditorState& state, const std::vector<int>& indices, int bone);
 
 /// A click on a muscle's row. @param range  Shift: all from the anchor to here; @param toggle  Ctrl.

@@ -17,7 +17,7 @@ void endTerritoryMode(ViewportTools& tools);
 /// Back to the default: the muscle's bone, the one above it and those below.
 [[nodiscard]] Result<Rig> withDefaultTerritory(const Rig& rig, const std::vector<int>& indices);
 
-/// One undo step; a refusal stands in the status line.
+/// One undo step; a refusal is said as refuse() does.
 void toggleTerritoryBone(EditorState& state, int bone);
 
 /// [bones of the territory], ascending; of the mode's muscle. Empty if the mode is off.

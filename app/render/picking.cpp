@@ -173,17 +173,6 @@ std::optional<ShellSpan> crossShell(const Ray& ray, const glm::mat4& unitBallInW
   return ShellSpan{std::max(foot - half, 0.0f), foot + half};
 }
 
-std::optional<PrimitiveHit> pickPrimitive(const Ray& ray, std::span<const PrimitiveShape> shapes) {
-  std::optional<PrimitiveHit> nearest;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const std::optional<ShellSpan> span = crossShell(ray, shapes[i].unitBallInWorld);
-    if (!span || (nearest && span->enter >= nearest->distance)) continue;
-    nearest =
-        PrimitiveHit{static_cast<int>(i), shapes[i].rigIndex, span->enter, ray.origin + span->enter * ray.direction};
-  }
-  return nearest;
-}
-
 std::optional<BoneHit> pickBone(const glm::vec2& pixel, const View& view, const Skeleton& skeleton, const Pose& pose,
                                 float withinPixels, const std::vector<bool>& hidden) {
   constexpr float kSamePixels = 0.5f;

@@ -41,18 +41,8 @@ struct ShellSpan {
   float enter = 0.0f;
   float leave = 0.0f;
 };
-/// Nullopt: it misses, or the ellipsoid is flattened.
+/// Nullopt: it misses, the ellipsoid lies behind the start, or it is flattened.
 [[nodiscard]] std::optional<ShellSpan> crossShell(const Ray& ray, const glm::mat4& unitBallInWorld);
-
-struct PrimitiveHit {
-  int shape = -1;  ///< Index into the shapes.
-  int rigIndex = -1;
-  float distance = 0.0f;  ///< Along the ray; 0 if the ray starts inside.
-  glm::vec3 position{0.0f};
-};
-
-/// Nearest visible ellipsoid, else nullopt. Flattened ones are never hit.
-[[nodiscard]] std::optional<PrimitiveHit> pickPrimitive(const Ray& ray, std::span<const PrimitiveShape> shapes);
 
 struct BoneHit {
   int bone = -1;

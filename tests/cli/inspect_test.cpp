@@ -3,6 +3,7 @@
 
 #include "core/io/json/json.h"
 #include "tests/cli/program.h"
+#include "tests/support/characters/characters.h"
 
 namespace sinew {
 namespace {
@@ -71,7 +72,7 @@ TEST_F(Program, InspectNamesUnattachedPrimitives) {
 
 TEST_F(Program, InspectNamesTheJointsThatNoSkinFollows) {
   const std::string character = std::string(SINEW_CHARACTERS_DIR) + "/robot.glb";
-  if (!std::filesystem::exists(character)) GTEST_SKIP() << "left out: real characters are not at hand";
+  if (!std::filesystem::exists(character)) SINEW_SKIP_WITHOUT_CHARACTERS();
   const auto json = Json::parse(run({"inspect", character, "--json"}).out);
   ASSERT_TRUE(json.ok());
   std::vector<std::string> helpers;
@@ -83,7 +84,7 @@ TEST_F(Program, InspectNamesTheJointsThatNoSkinFollows) {
 
 TEST_F(Program, InspectForPeopleNamesWhatIsOpen) {
   const std::string character = std::string(SINEW_CHARACTERS_DIR) + "/SimpleSkin.gltf";
-  if (!std::filesystem::exists(character)) GTEST_SKIP() << "left out: real characters are not at hand";
+  if (!std::filesystem::exists(character)) SINEW_SKIP_WITHOUT_CHARACTERS();
   const auto result = run({"inspect", character});
   EXPECT_EQ(result.status, 0);
   EXPECT_NE(result.out.find("surface     open: 10 border edges\n"), std::string::npos) << result.out;

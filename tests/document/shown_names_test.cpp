@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/characters/characters.h"
 #include "tests/support/characters/real_characters.h"
 #include "tests/support/characters/synthetic_characters.h"
 
@@ -110,7 +111,7 @@ TEST(ShownNames, BonesByIndexAndByTheirNameInAFile) {
 TEST(ShownNames, OfCharactersNobodyHereMade) {
   const auto robot = test::realCharacter("robot.glb");
   const auto cesium = test::realCharacter("cesium_man.gltf");
-  if (!robot || !cesium) GTEST_SKIP() << "left out: no real characters";
+  if (!robot || !cesium) SINEW_SKIP_WITHOUT_CHARACTERS();
   EXPECT_EQ(shownClipNames(*robot)[6], "Running");
   EXPECT_EQ(shownBoneNames(robot->skeleton)[2], "Body");
   EXPECT_EQ(shownBoneNames(cesium->skeleton)[3], "joint 3");

@@ -41,9 +41,8 @@ PrimitiveShape anyEllipsoid(std::mt19937& random) {
 
 /// Whether the sight through a pixel meets the ellipsoid.
 bool covers(const PrimitiveShape& shape, const View& view, int x, int y) {
-  const std::array<PrimitiveShape, 1> one{shape};
-  return app::pickPrimitive(view.rayThrough({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}), one)
-      .has_value();
+  const auto sight = view.rayThrough({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
+  return app::crossShell(sight, shape.unitBallInWorld).has_value();
 }
 
 /// Both what is covered and what is not lie within `reach` pixels.

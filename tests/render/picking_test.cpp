@@ -1,6 +1,7 @@
 // tests/render/picking_test.cpp: what is picked is what is drawn, and what geometry says.
 #include "app/render/picking.h"
 
+#include <optional>
 #include <random>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -105,56 +106,50 @@ TEST(PickSurface, BackSidesAreHitOnlyOnDoubleSidedMaterials) {
   EXPECT_TRUE(app::pickSurface(behind, moment.surface, quad->mesh, quad->materials));
 }
 
-TEST(PickPrimitive, MatchesASearchAlongTheRay) {
+TEST(CrossShell, MatchesASearchAlongTheRay) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> any(-1.0f, 1.0f);
+  constexpr float kStep = 0.002f;
   int hits = 0;
-  for (int trial = 0; trial < 400; ++trial) {
-    std::vector<PrimitiveShape> shapes(3);
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
-      const glm::vec3 axis = glm::normalize(glm::vec3(any(random), any(random), 1.1f));
-      glm::mat4 place = glm::translate(glm::mat4(1), glm::vec3(any(random), any(random), any(random)));
-      place = glm::rotate(place, 3.0f * any(random), axis);
-      shapes[i].unitBallInWorld =
-          glm::scale(place, glm::vec3(0.6f + 0.4f * any(random), 0.4f, 0.7f + 0.5f * any(random)));
-      shapes[i].rigIndex = 10 + static_cast<int>(i);
-    }
+  for (int trial = 0; trial < 1200; ++trial) {
+    const glm::vec3 axis = glm::normalize(glm::vec3(any(random), any(random), 1.1f));
+    glm::mat4 shell = glm::translate(glm::mat4(1), glm::vec3(any(random), any(random), any(random)));
+    shell = glm::rotate(shell, 3.0f * any(random), axis);
+    shell = glm::scale(shell, glm::vec3(0.6f + 0.4f * any(random), 0.4f, 0.7f + 0.5f * any(random)));
     const glm::vec3 origin = 6.0f * glm::normalize(glm::vec3(any(random), any(random), 1.2f));
     const Ray ray{origin, glm::normalize(glm::vec3(any(random), any(random), any(random)) - origin)};
-    int first = -1;
-    float at = 0.0f;
-    for (float t = 0.0f; t < 12.0f && first < 0; t += 0.002f) {
-      for (std::size_t i = 0; i < shapes.size() && first < 0; ++i) {
-        const glm::vec4 local = glm::inverse(shapes[i].unitBallInWorld) * glm::vec4(ray.origin + t * ray.direction, 1);
-        if (glm::length(glm::vec3(local)) <= 1.0f) first = static_cast<int>(i), at = t;
-      }
+    const glm::mat4 toBall = glm::inverse(shell);
+    std::optional<float> enter;
+    float leave = 0.0f;
+    for (float t = 0.0f; t < 12.0f; t += kStep) {
+      if (glm::length(glm::vec3(toBall * glm::vec4(ray.origin + t * ray.direction, 1))) > 1.0f) continue;
+      if (!enter) enter = t;
+      leave = t;
     }
-    const auto hit = app::pickPrimitive(ray, shapes);
-    if (first < 0) {
-      EXPECT_TRUE(!hit || hit->distance > 0.0f);  // At most a graze between two steps of the search.
+    const auto span = app::crossShell(ray, shell);
+    if (!enter) {
+      EXPECT_TRUE(!span || span->leave - span->enter < kStep);  // At most a graze between two steps of the search.
       continue;
     }
     ++hits;
-    ASSERT_TRUE(hit);
-    EXPECT_NEAR(hit->distance, at, 0.003f);
-    if (std::abs(hit->distance - at) < 0.0021f && hit->shape != first) continue;  // Two shells within one step.
-    EXPECT_EQ(hit->rigIndex, 10 + first);
+    ASSERT_TRUE(span);
+    EXPECT_NEAR(span->enter, *enter, 1.5f * kStep);
+    EXPECT_NEAR(span->leave, leave, 1.5f * kStep);
   }
   EXPECT_GT(hits, 100);
 }
 
-TEST(PickPrimitive, FlatAndDistantOnesAreNotHit) {
-  std::vector<PrimitiveShape> flat(1);
-  flat[0].unitBallInWorld = glm::scale(glm::mat4(1), glm::vec3(1, 0, 1));
-  EXPECT_FALSE(app::pickPrimitive({{0, 5, 0}, {0, -1, 0}}, flat));
-  std::vector<PrimitiveShape> ball(1);
-  EXPECT_FALSE(app::pickPrimitive({{0, 5, 0}, {0, 1, 0}}, ball));  // Behind.
-  const auto inside = app::pickPrimitive({{0, 0.5f, 0}, {0, 1, 0}}, ball);
+TEST(CrossShell, FlatAndDistantOnesAndThoseBehind) {
+  const glm::mat4 ball(1);
+  EXPECT_FALSE(app::crossShell({{0, 5, 0}, {0, -1, 0}}, glm::scale(ball, glm::vec3(1, 0, 1))));
+  EXPECT_FALSE(app::crossShell({{0, 5, 0}, {0, 1, 0}}, ball));
+  const auto inside = app::crossShell({{0, 0.5f, 0}, {0, 1, 0}}, ball);
   ASSERT_TRUE(inside);
-  EXPECT_EQ(inside->distance, 0.0f);
-  const auto far = app::pickPrimitive({{0.9f, 0, 1e5f}, {0, 0, -1}}, ball);  // Far origins must not cost the hit.
+  EXPECT_EQ(inside->enter, 0.0f);
+  const Ray fromAfar{{0.9f, 0, 1e5f}, {0, 0, -1}};  // Far origins must not cost the hit.
+  const auto far = app::crossShell(fromAfar, ball);
   ASSERT_TRUE(far);
-  EXPECT_NEAR(far->position.z, std::sqrt(1.0f - 0.81f), 0.02f);
+  EXPECT_NEAR((fromAfar.origin + far->enter * fromAfar.direction).z, std::sqrt(1.0f - 0.81f), 0.02f);
 }
 
 TEST(PickBone, FindsTheBoneUnderThePixel) {
