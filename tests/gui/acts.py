@@ -35,6 +35,28 @@ class Acts:
         if self.state()["symmetry"]["on"]:
             self.tap("shift+s", "symmetry off", lambda s: not s["symmetry"]["on"])
 
+    def press_on_skin(self, bone, where):
+        """Presses with the muscle tool where a muscle grows on that bone: where(state) is a place on the screen. On a slow
+        machine a body that moves has moved on by then: what was hit in its place is taken back, and it is tried again."""
+        count = self.state()["document"]["primitives"]
+
+        def pressed():
+            self.move(where(self.state()))
+            if "grows on " + bone not in self.state()["status"]:
+                return None
+            self.press()
+            state = self.settle()
+            document = state["document"]
+            if document["primitives"] > count and document["selection"][0].startswith(bone + " muscle"):
+                return state
+            if document["primitives"] > count:
+                self.tap("Escape", "the wrong one to go", lambda s: s["document"]["primitives"] == count)
+            self.release()
+            self.settle()
+            return None
+
+        return wait_for("%s under the pointer" % bone, pressed)
+
     def taps(self, *names):
         """Taps one after the other without waiting for anything, in one breath."""
         self.xdotool("key", "--delay", 1, *names)

@@ -1,4 +1,5 @@
 # tests/gui/gizmo_handles.py: every handle in every space (spaces); locks, snaps, numbers, cancels, two muscles (keys).
+import itertools
 import json
 import math
 import sys
@@ -14,7 +15,7 @@ EVERY = {"move": {"move.x", "move.y", "move.z", "move.xy", "move.yz", "move.zx",
          "rotate": {"rotate.x", "rotate.y", "rotate.z", "rotate.screen"},
          "scale": {"scale.x", "scale.y", "scale.z", "scale.uniform"},
          "poles": {"pole." + sign + axis for sign in "+-" for axis in "xyz"}}
-WAY = [(9, 4), (18, 8), (36, 22)]  # Along no line, so that no handle is pulled only across its way.
+WAY = [(12, 5), (36, 22)]  # Along no line, so that no handle is pulled only across its way.
 UNIT = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0])
 
 
@@ -299,27 +300,30 @@ def typed(b):
         b.t.check("%s typed into %s" % (wanted, handle), abs(got - wanted) < 1e-4 * max(1.0, abs(wanted)), got)
 
 
+def cancel_one(b, handle, cancel):
+    before = b.editor.state()["document"]
+    b.editor.grab(handle)
+    b.editor.move((b.editor.mouse[0] + 30, b.editor.mouse[1] + 18))
+    b.editor.wait_until(handle + " to change the muscle", lambda s: s["document"]["modified"])
+    if cancel == "Esc":
+        b.editor.key("Escape")
+    else:
+        b.editor.xdotool("click", driver.RIGHT)
+    b.editor.wait_until(cancel + " to end the drag", lambda s: not s["gizmo"]["dragging"])
+    b.editor.release()
+    b.t.check_equal("%s ends %s without a trace" % (cancel, handle), b.editor.settle()["document"], before)
+
+
 def cancelled(b):
-    """Every handle, by Esc and by the right button: nothing is left of it, not even a step to redo."""
+    """Every handle, by Esc and by the right button in turn: nothing is left of it, not even a step to redo."""
     b.axes("bone")
     b.t.check("the rig is as it began", b.rig() == b.start)
     written = b.path.read_bytes()
     for mode in MODES:
         handles = sorted(set(b.mode(mode)["gizmo"]["handles"]) & EVERY[mode])
         b.t.check("there are %s handles to cancel" % mode, len(handles) >= 3, handles)
-        for handle in handles:
-            for cancel in ("Esc", "the right button"):
-                before = b.editor.state()["document"]
-                b.editor.grab(handle)
-                b.editor.move((b.editor.mouse[0] + 30, b.editor.mouse[1] + 18))
-                b.editor.wait_until(handle + " to change the muscle", lambda s: s["document"]["modified"])
-                if cancel == "Esc":
-                    b.editor.key("Escape")
-                else:
-                    b.editor.xdotool("click", driver.RIGHT)
-                b.editor.wait_until(cancel + " to end the drag", lambda s: not s["gizmo"]["dragging"])
-                b.editor.release()
-                b.t.check_equal("%s ends %s without a trace" % (cancel, handle), b.editor.settle()["document"], before)
+        for handle, cancel in zip(handles, itertools.cycle(("Esc", "the right button"))):
+            cancel_one(b, handle, cancel)
     b.editor.saved_rig()
     b.t.check("the file is what it was", b.path.read_bytes() == written)
 

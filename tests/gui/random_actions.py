@@ -1,12 +1,12 @@
-# tests/gui/random_actions.py: 200 actions by keys, mouse and palette; then all is undone, and redone. Byte for byte.
-"""The same seed makes the same choices as long as the editor answers the same; another seed may be given as argument."""
+# tests/gui/random_actions.py: actions by keys, mouse and palette; then all is undone, and redone. Byte for byte.
+"""The same seed makes the same choices as long as the editor answers the same. Two more arguments: seed and count."""
 import collections
 import random
 import sys
 
 import driver
 
-COUNT = 200
+COUNT = 90
 SEED = 20010314
 MOST_MUSCLES = 12
 BONES = ("thigh.L", "shin.R", "upper_arm.L", "forearm.R", "chest", "hips", "head", "tail.2")
@@ -283,10 +283,10 @@ def bytes_now(t, editor):
     return (t.folder / "random.rig.json").read_bytes()
 
 
-def act_at_random(t, editor, hands, seed):
+def act_at_random(t, editor, hands, seed, count):
     checkpoints, done = Checkpoints(), collections.Counter()
     weights, names, acts = zip(*hands.table())
-    for number in range(1, COUNT + 1):
+    for number in range(1, count + 1):
         name, act = hands.random.choices(list(zip(names, acts)), weights)[0]
         before = editor.state()["document"]
         act()
@@ -315,17 +315,18 @@ def travel_to(editor, key, wanted):
 
 def story(t):
     seed = int(sys.argv[5]) if len(sys.argv) > 5 else SEED
-    print("seed %d" % seed)
+    count = int(sys.argv[6]) if len(sys.argv) > 6 else COUNT
+    print("seed %d, %d actions" % (seed, count))
     editor = t.edit(t.copy(t.assets / "demo.glb"))
     editor.wait_until("a character", lambda s: s["triangles"] > 0)
     editor.choose_clip(-1, "")
     editor.save_as(t.folder / "random.rig.json")
     start = bytes_now(t, editor)
-    checkpoints = act_at_random(t, editor, Hands(t, editor, random.Random(seed)), seed)
+    checkpoints = act_at_random(t, editor, Hands(t, editor, random.Random(seed)), seed, count)
     editor.screenshot(t.out / "random_actions.png")
     end = bytes_now(t, editor)
     step = editor.state()["document"]["undo"]
-    t.check("most of it were edits", step > COUNT // 4, step)
+    t.check("most of it were edits", step > count // 4, step)
     t.check("the end differs from the start", end != start)
     for kept in sorted(checkpoints.saved, reverse=True):
         if kept < step:

@@ -47,35 +47,15 @@ def open_and_walk(t, editor, role):
     editor.click("display/numbers")
     editor.wait_until("the numbers to go", lambda s: "overlay/numbers" not in s["widgets"])
     editor.choose_clip(state["clips"].index(role["clip"]), role["clip"])
-    editor.type_number("timeline/speed", "0.2")
+    editor.type_number("timeline/speed", "0.1")
     if not editor.state()["playing"]:
         editor.tap("space", "the clip to play", lambda s: s["playing"])
     editor.tap("m", "the muscle tool", lambda s: s["tool"] == "add muscle")
 
 
-def press_on(editor, stroke):
-    """Presses where a muscle grows on that bone; the body walks, so a press that hit another one is undone."""
-    name, bone, _, _, parts = stroke
-    count = editor.state()["document"]["primitives"]
-
-    def pressed():
-        editor.move(between(editor.state(), stroke, parts[0]))
-        if "grows on " + bone not in editor.state()["status"]:
-            return False
-        editor.press()
-        state = editor.wait_until("a muscle under the pointer", lambda s: s["document"]["primitives"] > count)
-        if state["document"]["selection"][0].startswith(bone + " muscle"):
-            return True
-        editor.tap("Escape", "the wrong one to go", lambda s: s["document"]["primitives"] == count)
-        editor.release()
-        return False
-
-    driver.wait_for("%s under the pointer, for %s" % (bone, name), pressed)
-
-
 def add_pair(t, editor, stroke):
     before = editor.state()
-    press_on(editor, stroke)
+    editor.press_on_skin(stroke[1], lambda state: between(state, stroke, stroke[4][0]))
     for part in stroke[4][1:]:
         editor.move(between(editor.state(), stroke, part))
     editor.release()
