@@ -24,9 +24,9 @@ def pack(cage, size):
         raise SystemExit("the charts do not fit the texture")
 
 
-def bake(cage, colour, ground, size, normals=None):
+def bake(cage, colour, ground, size, normals=None, every=1):
     """PNG bytes. colour(part, point) -> RGB 0..255, at points of the flat left half; ground: RGB where no face lies. With
-    normals, one for each vertex, colour(part, point, normal)."""
+    normals, one for each vertex, colour(part, point, normal). Rows whose number is no multiple of every stay ground."""
     pack(cage, size)
     pixels = [ground] * (size * size)
     for vertices, keys in cage.faces:
@@ -39,6 +39,8 @@ def bake(cage, colour, ground, size, normals=None):
         x0, y0 = chart.origin[0] + i * chart.pixels, chart.origin[1] + chart.top(j)
         high = chart.heights[j]
         for y in range(y0 - margin[2], y0 + high + margin[3]):
+            if y % every:
+                continue
             for x in range(x0 - margin[0], x0 + chart.pixels + margin[1]):
                 place = _place(cut, (x + 0.5 - x0) / chart.pixels, (y + 0.5 - y0) / high)
                 seen = (_at(corners, place),) + ((vec.unit(_at(facing, place)),) if facing else ())
