@@ -65,7 +65,7 @@ Tally tallyOf(const TrialScene& scene, const Rig& rig) {
     smoother.smooth(pose, whole);
     EXPECT_TRUE(whole.culled.empty());
     EXPECT_EQ(whole.report.culledTriangles, 0);
-    for (const glm::vec3& eye : eyesAround(boundsOf(whole.positions), 24)) {
+    for (const glm::vec3& eye : eyesAround(boundsOf(whole.positions), 12)) {
       smoother.smooth(pose, culled, eye);
       EXPECT_EQ(culled.culled.size(), scene.character->mesh.triangles.size());
       tally.culled += culled.report.culledTriangles;

@@ -138,36 +138,34 @@ void expectTogether(const Legs& scene, const Legs& before, GizmoHandle handle, c
 }
 
 TEST(MultiSelection, EveryHandleInEverySpaceAndMannerMovesAllAndItsTwinsOnce) {
-  int dragged = 0;
+  int scenes = 0, dragged = 0;
   const Legs before;
   for (int h = 1; h < kGizmoHandleCount; ++h) {
     const auto handle = static_cast<GizmoHandle>(h);
     for (const GizmoAxes axes : kAllAxes) {
-      for (const GizmoPivot pivot : {GizmoPivot::kActive, GizmoPivot::kCentroid}) {
-        for (const Manner manner : kManners) {
-          Legs scene;
-          select(scene.document, {"thigh R", "shin", "belly", "thigh L"});
-          if (h % 2 == 0) std::swap(scene.document.selection.primitives[2], scene.document.selection.primitives[3]);
-          scene.tools.gizmo.axes = axes;
-          scene.tools.pivot = pivot;
-          scene.setMode(handle);
-          if (!dragHandle(scene, handle, manner)) continue;
-          ++dragged;
-          const bool cancelled = manner == Manner::kEscape || manner == Manner::kRightButton;
-          if (cancelled) {
-            EXPECT_TRUE(scene.document.rig() == before.document.rig()) << nameOf(handle);
-          }
-          EXPECT_LE(scene.document.commands.stepCount(), cancelled ? 1u : 2u);
-          expectTogether(scene, before, handle, scene.document.activeName());
-          scene.expectTwinsExact();
-          if (!cancelled && scene.document.commands.stepCount() == 2) scene.document.commands.undo();
+      for (const Manner manner : kManners) {
+        Legs scene;
+        select(scene.document, {"thigh R", "shin", "belly", "thigh L"});
+        if (h % 2 == 0) std::swap(scene.document.selection.primitives[2], scene.document.selection.primitives[3]);
+        scene.tools.gizmo.axes = axes;
+        scene.tools.pivot = (scenes++ + h) % 2 == 0 ? GizmoPivot::kActive : GizmoPivot::kCentroid;
+        scene.setMode(handle);
+        if (!dragHandle(scene, handle, manner)) continue;
+        ++dragged;
+        const bool cancelled = manner == Manner::kEscape || manner == Manner::kRightButton;
+        if (cancelled) {
           EXPECT_TRUE(scene.document.rig() == before.document.rig()) << nameOf(handle);
-          if (HasFailure()) return;
         }
+        EXPECT_LE(scene.document.commands.stepCount(), cancelled ? 1u : 2u);
+        expectTogether(scene, before, handle, scene.document.activeName());
+        scene.expectTwinsExact();
+        if (!cancelled && scene.document.commands.stepCount() == 2) scene.document.commands.undo();
+        EXPECT_TRUE(scene.document.rig() == before.document.rig()) << nameOf(handle);
+        if (HasFailure()) return;
       }
     }
   }
-  EXPECT_GT(dragged, 400);
+  EXPECT_GT(dragged, 200);
 }
 
 TEST(MultiSelection, WithBothTwinsSelectedOnlyOneIsMovedByTheHand) {
