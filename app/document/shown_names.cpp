@@ -47,6 +47,16 @@ bool goesOn(const std::vector<std::string>& names, std::string_view prefix, bool
   });
 }
 
+/// What is left of each name before its last `behind` characters ends in a letter or digit, and has a letter.
+bool endsInWord(const std::vector<std::string>& names, std::string_view prefix, std::size_t behind) {
+  return std::ranges::all_of(names, [&](const std::string& name) {
+    const std::size_t front = isBarePrefix(name, prefix) ? 0 : prefix.size();
+    if (name.size() <= front + behind) return false;
+    const std::string_view left = std::string_view(name).substr(front, name.size() - front - behind);
+    return (isLetter(left.back()) || (left.back() >= '0' && left.back() <= '9')) && std::ranges::any_of(left, isLetter);
+  });
+}
+
 /// The shared part in front, separator included.
 std::string prefixOf(const std::vector<std::string>& names) {
   const std::string& longest = *std::ranges::max_element(names, {}, &std::string::size);
@@ -59,15 +69,22 @@ std::string prefixOf(const std::vector<std::string>& names) {
   return {};
 }
 
-/// What all have behind, from a "|" on.
-std::string suffixOf(const std::vector<std::string>& names) {
+/// What all have behind, from a "|" on, or where many share it from the first separator on that leaves a letter or
+/// digit at the end of each.
+std::string suffixOf(const std::vector<std::string>& names, std::string_view prefix) {
   std::string suffix = names.front();
   for (const std::string& name : names) {
     const auto [own, other] = std::mismatch(suffix.rbegin(), suffix.rend(), name.rbegin(), name.rend());
     suffix.erase(suffix.begin(), own.base());
   }
-  const std::size_t from = suffix.find('|');
-  return from == suffix.npos ? "" : suffix.substr(from);
+  const std::size_t outer = suffix.find('|');
+  if (outer != suffix.npos || names.size() < kManyNames) return outer == suffix.npos ? "" : suffix.substr(outer);
+  for (std::size_t from = suffix.find_first_of(kInner); from != suffix.npos;
+       from = suffix.find_first_of(kInner, from + 1)) {
+    const std::string behind = suffix.substr(from);
+    if (behind.size() > 1 && endsInWord(names, prefix, behind.size())) return behind;
+  }
+  return "";
 }
 
 std::string afterLastSeparator(std::string name) {
@@ -89,7 +106,7 @@ std::vector<std::string> withoutSharedParts(const std::vector<std::string>& name
   if (names.empty()) return {};
   if (distinct(names) == 1) return std::vector(names.size(), afterLastSeparator(names.front()));
   const std::string prefix = prefixOf(names);
-  const std::string suffix = suffixOf(names);
+  const std::string suffix = suffixOf(names, prefix);
   std::vector<std::string> shown;
   for (const std::string& name : names) {
     const bool whole = isBarePrefix(name, prefix) || name.size() <= prefix.size() + suffix.size();

@@ -10,8 +10,9 @@ namespace sinew::app {
 
 /// The names in the same order, without what all share in front up to a "|", ":" or "/" and behind from a "|" on:
 /// "Armature|Walk", "Armature|Run" -> "Walk", "Run". What they share up to a "_", "-", "." or space goes where at least
-/// kManyNames share it and a letter follows in each: "Bip01_Spine" -> "Spine", but "walk_fast", "walk_slow" stay. A
-/// name that is nothing but the shared part stays whole, and so do all where two would become the same. A single name
+/// kManyNames share it and a letter follows in each: "Bip01_Spine" -> "Spine", but "walk_fast", "walk_slow" stay. So
+/// does what as many share behind from one of these on: "Hips_Joint_01", "Neck_Joint_01" -> "Hips", "Neck". A name
+/// that is nothing but the shared part stays whole, and so do all where two would become the same. A single name
 /// loses all up to its last "|", ":" or "/".
 [[nodiscard]] std::vector<std::string> withoutSharedParts(const std::vector<std::string>& names);
 inline constexpr std::size_t kManyNames = 8;

@@ -68,6 +68,39 @@ TEST(ShownNames, LoseAWordThatManyShareWhereALetterFollows) {
   EXPECT_EQ(withoutSharedParts(rooted), rooted);
 }
 
+TEST(ShownNames, LoseAWordBehindThatManyShare) {
+  const Names bones{"Pelvis", "Spine", "Neck", "Head", "L Thigh", "R Thigh", "L Foot", "R Foot"};
+  const auto with = [&](const std::string& prefix, const std::string& suffix) {
+    Names all = withPrefix(prefix, bones);
+    for (std::string& name : all) name += suffix;
+    return all;
+  };
+  for (const char* suffix : {"_Joint_01", "_jnt", ".x", "-bone", " Joint"}) {
+    EXPECT_EQ(withoutSharedParts(with("", suffix)), bones) << suffix;
+    EXPECT_EQ(withoutSharedParts(with("Bip01_", suffix)), bones) << suffix;
+  }
+  // A word's own end is no suffix, nor is what one of them has not, nor what few share.
+  const Names joined = with("", "Joint");
+  EXPECT_EQ(withoutSharedParts(joined), joined);
+  Names rooted = with("", "_Joint");
+  rooted.push_back("root");
+  EXPECT_EQ(withoutSharedParts(rooted), rooted);
+  EXPECT_EQ(withoutSharedParts({"a_Joint", "b_Joint"}), (Names{"a_Joint", "b_Joint"}));
+  // Nothing but a number, or nothing at all, would be left.
+  const Names numbered = [] {
+    Names all;
+    for (int i = 0; i < 9; ++i) all.push_back(std::to_string(i) + "_Joint");
+    return all;
+  }();
+  EXPECT_EQ(withoutSharedParts(numbered), numbered);
+  Names bare = with("", "_Joint");
+  bare.push_back("_Joint");
+  EXPECT_EQ(withoutSharedParts(bare), bare);
+  // The side is what tells two apart.
+  const Names sides{"a_L", "b_L", "c_L", "d_L", "e_L", "f_L", "g_L", "h_L"};
+  EXPECT_EQ(withoutSharedParts(sides).front(), "a");
+}
+
 // Whatever the names: none becomes empty, none loses what the others keep, and different names stay different.
 TEST(ShownNames, AreNeverEmptyNorAmbiguous) {
   std::mt19937 random(7);
