@@ -37,9 +37,13 @@ double clipDuration(const Transport& transport, const Character& character) {
 
 PlayRange playRange(const Transport& transport, const Character& character) {
   const double duration = clipDuration(transport, character);
-  const PlayRange range{std::clamp(transport.rangeFrom, 0.0, duration), std::clamp(transport.rangeTo, 0.0, duration)};
+  const auto found = transport.ranges.find(transport.clip);
+  if (found == transport.ranges.end()) return {0.0, duration};
+  const PlayRange range{std::clamp(found->second.from, 0.0, duration), std::clamp(found->second.to, 0.0, duration)};
   return range.to > range.from ? range : PlayRange{0.0, duration};
 }
+
+bool hasPlayRange(const Transport& transport) { return transport.ranges.contains(transport.clip); }
 
 void setPlayRange(Transport& transport, const PlayRange& range, const Character& character) {
   const double duration = clipDuration(transport, character);
@@ -47,9 +51,10 @@ void setPlayRange(Transport& transport, const PlayRange& range, const Character&
     const double frame = std::round(time / kFrameSeconds) * kFrameSeconds;
     return std::clamp(duration - frame < 0.5 * kFrameSeconds ? duration : frame, 0.0, duration);
   };
-  transport.rangeFrom = std::min(onFrame(range.from), std::max(0.0, duration - kFrameSeconds));
-  transport.rangeTo = std::min(std::max(onFrame(range.to), transport.rangeFrom + kFrameSeconds), duration);
-  if (transport.rangeFrom <= 0.0 && transport.rangeTo >= duration) transport.rangeFrom = transport.rangeTo = 0.0;
+  const double from = std::min(onFrame(range.from), std::max(0.0, duration - kFrameSeconds));
+  const double to = std::min(std::max(onFrame(range.to), from + kFrameSeconds), duration);
+  if (from <= 0.0 && to >= duration) transport.ranges.erase(transport.clip);
+  else transport.ranges[transport.clip] = {from, to};
 }
 
 void advance(Transport& transport, double seconds, const Character& character) {
@@ -88,8 +93,7 @@ void stepFrames(Transport& transport, int frames, const Character& character) {
 
 void chooseClip(Transport& transport, int clip, const Character& character) {
   transport.clip = clip;
-  transport.time = 0.0;
-  transport.rangeFrom = transport.rangeTo = 0.0;
+  transport.time = playRange(transport, character).from;
   transport.playing = transport.playing && clipDuration(transport, character) > 0.0;
 }
 

@@ -23,15 +23,8 @@ struct Transport {
   bool playing = false;
   bool loop = true;
   float speed = 1.0f;         ///< Factor, 0.1..4.
-  double rangeFrom = 0.0;     ///< Playing keeps to this part of the clip, seconds; through setPlayRange.
-  double rangeTo = 0.0;       ///< Not after rangeFrom: all of the clip.
+  PlayRanges ranges{};        ///< Playing keeps to these parts of clips; through setPlayRange.
   PoseOverrides overrides{};  ///< Joints turned by hand, on top of the clip.
-};
-
-/// A part of a clip, seconds.
-struct PlayRange {
-  double from = 0.0;
-  double to = 0.0;
 };
 
 /// Length of the chosen clip, seconds; 0 for the bind pose.
@@ -39,6 +32,9 @@ struct PlayRange {
 
 /// What plays of the chosen clip: its range, else all of it.
 [[nodiscard]] PlayRange playRange(const Transport& transport, const Character& character);
+
+/// Whether a part of the chosen clip plays, not all of it.
+[[nodiscard]] bool hasPlayRange(const Transport& transport);
 
 /// At least one frame long, on whole frames, within the clip; all of the clip is no range.
 void setPlayRange(Transport& transport, const PlayRange& range, const Character& character);
@@ -50,7 +46,7 @@ void advance(Transport& transport, double seconds, const Character& character);
 /// One clip frame (kFrameSeconds) onwards or back, landing on whole frames; wraps when looping; pauses.
 void stepFrames(Transport& transport, int frames, const Character& character);
 
-/// Chooses a clip (or -1) from its start, all of it. Keeps `playing` for a clip that moves.
+/// Chooses a clip (or -1) from its start, or the start of its range. Keeps `playing` for a clip that moves.
 void chooseClip(Transport& transport, int clip, const Character& character);
 
 /// Plays or pauses; a clip that stands at the end of what plays starts over. The bind pose cannot play.

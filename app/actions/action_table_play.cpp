@@ -1,6 +1,7 @@
 // app/actions/action_table_play.cpp: the Play menu: the clip.
 
 #include "app/actions/action_table.h"
+#include "app/editor/edit.h"
 #include "app/editor/pose_commands.h"
 
 namespace sinew::app::table {
@@ -21,17 +22,27 @@ void toEnd(State& s) {
   s.open.transport.time = playRange(s.open.transport, s.character()).to;
   s.open.transport.playing = false;
 }
+/// A range is a step of the history, so no other edit may be under way.
+Possible rangeable(const State& s) {
+  const Possible plays = playable(s);
+  return plays ? idle(s) : plays;
+}
 Possible hasRange(const State& s) {
-  return playable(s).also(s.open.transport.rangeTo > s.open.transport.rangeFrom, "The whole clip plays already");
+  return rangeable(s).also(hasPlayRange(s.open.transport), "The whole clip plays already");
 }
 void startRange(State& s) {
   setPlayRange(s.open.transport, {s.open.transport.time, playRange(s.open.transport, s.character()).to}, s.character());
+  keepPlayRange(s);
 }
 void endRange(State& s) {
   setPlayRange(s.open.transport, {playRange(s.open.transport, s.character()).from, s.open.transport.time},
                s.character());
+  keepPlayRange(s);
 }
-void wholeClip(State& s) { s.open.transport.rangeFrom = s.open.transport.rangeTo = 0.0; }
+void wholeClip(State& s) {
+  s.open.transport.ranges.erase(s.open.transport.clip);
+  keepPlayRange(s);
+}
 bool isLooping(const State& s) { return s.open.transport.loop; }
 void toggleLoop(State& s) { s.open.transport.loop = !s.open.transport.loop; }
 
@@ -47,8 +58,8 @@ const Action kActions[] = {
     {"play/end", "To the end", "Jump to the end of the clip", ctrl(GLFW_KEY_RIGHT), kNone, playable, nullptr, toEnd},
     {"play/loop", "Loop", "Start again at the end", key(GLFW_KEY_L), kNone, playable, isLooping, toggleLoop, true},
     {"play/range-start", "Begin the range here", "Play only what comes after the current time", key('['), kNone,
-     playable, nullptr, startRange},
-    {"play/range-end", "End the range here", "Play only what comes before the current time", key(']'), kNone, playable,
+     rangeable, nullptr, startRange},
+    {"play/range-end", "End the range here", "Play only what comes before the current time", key(']'), kNone, rangeable,
      nullptr, endRange},
     {"play/range-clear", "Play the whole clip", "Clear the range that plays", kNone, kNone, hasRange, nullptr,
      wholeClip},

@@ -1,4 +1,4 @@
-// app/document/command_stack.cpp: the one history, of rig and pose: undo, redo, gestures.
+// app/document/command_stack.cpp: the one history, of rig, pose and play ranges: undo, redo, gestures.
 
 #include "app/document/command_stack.h"
 
@@ -11,7 +11,7 @@ CommandStack::CommandStack(Rig rig) {
   identities_.identify(rig, Rig{});
   current_ = std::make_shared<const Rig>(std::move(rig));
   saved_ = current_;
-  steps_.push_back({"Open", current_, {}});
+  steps_.push_back({"Open", current_, {}, {}});
 }
 
 void CommandStack::show(std::shared_ptr<const Rig> rig) {
@@ -51,7 +51,12 @@ void CommandStack::endGesture() {
     current_ = before;
     return;
   }
-  push({gestureLabel_, current_, steps_[position_].pose});
+  push({gestureLabel_, current_, pose(), ranges()});
+}
+
+void CommandStack::endGesture(const std::string& label) {
+  gestureLabel_ = label;
+  endGesture();
 }
 
 void CommandStack::push(Step step) {
@@ -62,7 +67,13 @@ void CommandStack::push(Step step) {
 
 void CommandStack::applyPose(const std::string& label, const PoseOverrides& pose) {
   endGesture();
-  if (!(steps_[position_].pose == pose)) push({label, current_, pose});
+  if (!(this->pose() == pose)) push({label, current_, pose, ranges()});
+}
+
+void CommandStack::applyRanges(const std::string& label, const PlayRanges& ranges) {
+  if (this->ranges() == ranges) return;
+  endGesture();
+  push({label, current_, pose(), ranges});
 }
 
 void CommandStack::cancelGesture() {
@@ -71,9 +82,11 @@ void CommandStack::cancelGesture() {
   show(steps_[position_].rig);
 }
 
-void CommandStack::startFrom(const PoseOverrides& pose) {
-  assert(steps_.size() == 1);
-  steps_.front().pose = pose;
+void CommandStack::startFrom(const PoseOverrides& pose, const PlayRanges& ranges) {
+  for (Step& step : steps_) {
+    step.pose = pose;
+    step.ranges = ranges;
+  }
 }
 
 bool CommandStack::canUndo() const { return gesture_ || position_ > 0; }

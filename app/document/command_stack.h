@@ -1,4 +1,4 @@
-// app/document/command_stack.h: the one history, of rig and pose: undo, redo, gestures.
+// app/document/command_stack.h: the one history, of rig, pose and play ranges: undo, redo, gestures.
 #pragma once
 
 #include <cstddef>
@@ -8,14 +8,15 @@
 #include <utility>
 #include <vector>
 
+#include "app/document/play_range.h"
 #include "core/rig/identity.h"
 #include "core/skeleton/pose_override.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew::app {
 
-/// A linear history of rigs, which it alone writes, and of poses made by hand. Each step is a whole rig (a value of a
-/// few kilobytes, shared, never copied on undo) and a pose.
+/// A linear history of rigs, which it alone writes, of poses made by hand and of the parts of clips that play. Each
+/// step is a whole rig (a value of a few kilobytes, shared, never copied on undo), a pose and the ranges.
 /// Every primitive and group in it has an identity that lasts as long as the stack.
 /// A gesture (one drag) shows its states at once and leaves one step, or none if cancelled or without effect.
 class CommandStack {
@@ -30,6 +31,8 @@ class CommandStack {
 
   [[nodiscard]] const Rig& rig() const { return *current_; }
   [[nodiscard]] std::shared_ptr<const Rig> sharedRig() const { return current_; }
+  /// Of the last step: inside a gesture the rig as it was at its beginning.
+  [[nodiscard]] const Rig& rigOfStep() const { return *steps_[position_].rig; }
   /// Grows with every change of rig(), undo and redo included: what watchers compare.
   [[nodiscard]] std::size_t revision() const { return revision_; }
 
@@ -39,15 +42,20 @@ class CommandStack {
   /// One step that changes the pose made by hand and leaves the rig as it is. No step if nothing changes. Ends an open
   /// gesture first (kept).
   void applyPose(const std::string& label, const PoseOverrides& pose);
-  /// Only in a history without steps: the pose that it starts with.
-  void startFrom(const PoseOverrides& pose);
+  /// The same for the parts of clips that play; a gesture stays open if nothing changes.
+  void applyRanges(const std::string& label, const PlayRanges& ranges);
+  /// Before the user's first step: pose and ranges of all steps so far.
+  void startFrom(const PoseOverrides& pose, const PlayRanges& ranges);
   /// The pose made by hand, as the last step left it. View state: it does not count as a modification.
   [[nodiscard]] const PoseOverrides& pose() const { return steps_[position_].pose; }
+  /// View state like the pose.
+  [[nodiscard]] const PlayRanges& ranges() const { return steps_[position_].ranges; }
 
   void beginGesture(const std::string& label);
   void updateGesture(Rig rig);  ///< Only inside a gesture.
   void endGesture();
-  void cancelGesture();  ///< The rig is as it was at beginGesture.
+  void endGesture(const std::string& label);  ///< Called so instead: what was done is known only now.
+  void cancelGesture();                       ///< The rig is as it was at beginGesture.
   [[nodiscard]] bool inGesture() const { return gesture_; }
 
   [[nodiscard]] bool canUndo() const;
@@ -68,6 +76,7 @@ class CommandStack {
     std::string label;
     std::shared_ptr<const Rig> rig;
     PoseOverrides pose;
+    PlayRanges ranges;
   };
   void show(std::shared_ptr<const Rig> rig);
   void push(Step step);

@@ -32,6 +32,7 @@ void show(EditorState& state, Document document, LiveSurface live, const Transpo
   state.live = std::move(live);
   state.open = {};
   state.open.transport = transport;
+  state.document.commands.startFrom(transport.overrides, transport.ranges);
   state.open.frameWanted = true;
   state.open.helperBones = helperBones(state.character());
   state.frame.route = {};
@@ -42,13 +43,29 @@ void show(EditorState& state, Document document, LiveSurface live, const Transpo
   setScene(state.view.tools.camera, boundsOf(state.live->surface().positions), state.character().height);
 }
 
-/// Moves in the history; the pose goes with it. @return whether it moved
+/// What plays is what the history says. Another clip is chosen only where its range alone has changed, so that what was
+/// undone is seen.
+void takeRanges(Transport& transport, const PlayRanges& ranges, const Character& character) {
+  const PlayRanges before = std::exchange(transport.ranges, ranges);
+  const auto changed = [&](int clip) {
+    const auto was = before.find(clip);
+    const auto is = ranges.find(clip);
+    return (was == before.end()) != (is == ranges.end()) || (was != before.end() && was->second != is->second);
+  };
+  if (changed(transport.clip)) return;
+  for (int clip = 0; clip < static_cast<int>(character.clips.size()); ++clip) {
+    if (changed(clip)) return chooseClip(transport, clip, character);
+  }
+}
+
+/// Moves in the history; pose and play ranges go with it. @return whether it moved
 template <class Move>
 bool travel(EditorState& state, Move move) {
   if (isBusy(state)) return false;
   const std::size_t before = state.document.commands.position();
   move(state.document.commands);
   state.open.transport.overrides = state.document.commands.pose();
+  takeRanges(state.open.transport, state.document.commands.ranges(), state.character());
   state.open.refusal.clear();
   return state.document.commands.position() != before;
 }
@@ -78,7 +95,7 @@ void reopen(EditorState& state) {
   }
   // By name: the character may have changed on disk.
   state.open.transport.overrides = turnsOf(turns, transport.overrides.from, state.character().skeleton).overrides;
-  state.document.commands.startFrom(state.open.transport.overrides);
+  state.document.commands.startFrom(state.open.transport.overrides, state.open.transport.ranges);
 }
 
 }  // namespace

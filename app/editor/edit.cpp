@@ -3,6 +3,7 @@
 #include "app/editor/edit.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -55,6 +56,18 @@ void sayRefusal(EditorState& state, const std::string& text) {
 
 void keepPose(EditorState& state, const std::string& label) {
   state.document.commands.applyPose(label, state.open.transport.overrides);
+  state.open.refusal.clear();
+}
+
+void keepPlayRange(EditorState& state) {
+  const Transport& transport = state.open.transport;
+  std::string label = "Play the whole clip";
+  if (hasPlayRange(transport)) {
+    const PlayRange range = playRange(transport, state.character());
+    const auto frame = [](double time) { return std::to_string(std::lround(time / kFrameSeconds)); };
+    label = "Play frames " + frame(range.from) + " to " + frame(range.to);
+  }
+  state.document.commands.applyRanges(label, transport.ranges);
   state.open.refusal.clear();
 }
 

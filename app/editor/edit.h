@@ -27,6 +27,9 @@ void sayRefusal(EditorState& state, const std::string& text);
 /// One undo step: the pose made by hand is as the transport has it now.
 void keepPose(EditorState& state, const std::string& label);
 
+/// One undo step: the parts of clips that play are as the transport has them now.
+void keepPlayRange(EditorState& state);
+
 /// Adds a line to the messages; said again, it counts up and becomes the newest.
 void addMessage(SessionState& session, MessageKind kind, const std::string& text,
                 MessageAbout about = MessageAbout::kDocument);

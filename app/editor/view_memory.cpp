@@ -49,7 +49,9 @@ Json clipToJson(const EditorState& state, bool withPlayingTime) {
            transport.clip < 0 ? Json() : Json(state.character().clips[static_cast<std::size_t>(transport.clip)].name));
   clip.set("time", transport.playing && !withPlayingTime ? 0.0 : transport.time);
   clip.set("playing", transport.playing).set("loop", transport.loop).set("speed", transport.speed);
-  return clip.set("range", Json::array().push(transport.rangeFrom).push(transport.rangeTo));
+  const PlayRange range =
+      hasPlayRange(transport) ? playRange(transport, state.character()) : PlayRange{};  // 0, 0: the whole clip.
+  return clip.set("range", Json::array().push(range.from).push(range.to));
 }
 
 // Camera ---------------------------------------------------------------------------------------------------------

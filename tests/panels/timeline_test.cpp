@@ -137,7 +137,7 @@ TEST_F(TimelineTest, AClickOnTheTrackIsThatMoment) {
 TEST_F(TimelineTest, DraggingAnEndMakesARangeDraggingTheBarMovesIt) {
   const float width = widgets().rectangles().at("timeline/scrub").z;
   drag("timeline/range.in", {0.25f * width, 0.0f});
-  EXPECT_NEAR(state.open.transport.rangeFrom, 0.25 * duration(), 2.0 * kFrame);
+  EXPECT_NEAR(playRange(state.open.transport, state.character()).from, 0.25 * duration(), 2.0 * kFrame);
   drag("timeline/range.out", {-0.5f * width, 0.0f});
   const PlayRange range = playRange(state.open.transport, state.character());
   EXPECT_NEAR(range.to, 0.5 * duration(), 2.0 * kFrame);
@@ -147,6 +147,66 @@ TEST_F(TimelineTest, DraggingAnEndMakesARangeDraggingTheBarMovesIt) {
   EXPECT_NEAR(moved.to - moved.from, range.to - range.from, 1.1 * kFrame);
   doubleClick("timeline/range");
   EXPECT_EQ(playRange(state.open.transport, state.character()).to, duration());
+}
+
+TEST_F(TimelineTest, ARangeIsOneUndoStepHoweverItWasMade) {
+  const auto played = [&] { return playRange(state.open.transport, state.character()); };
+  const float width = widgets().rectangles().at("timeline/scrub").z;
+  std::vector<PlayRange> seen{played()};
+  const auto keep = [&] {
+    EXPECT_NE(played(), seen.back());
+    seen.push_back(played());
+    EXPECT_EQ(state.document.commands.stepCount(), seen.size() - 1);
+  };
+  drag("timeline/range.in", {0.25f * width, 0.0f});
+  keep();
+  drag("timeline/range.out", {-0.25f * width, 0.0f});
+  keep();
+  drag("timeline/range", {0.1f * width, 0.0f});
+  keep();
+  state.open.transport.time = 0.45 * duration();
+  act("play/range-start");
+  keep();
+  state.open.transport.time = 0.55 * duration();
+  act("play/range-end");
+  keep();
+  doubleClick("timeline/range");
+  keep();
+  for (std::size_t i = seen.size() - 1; i-- > 0;) {
+    act("edit/undo");
+    EXPECT_EQ(played(), seen[i]);
+  }
+  for (std::size_t i = 1; i < seen.size(); ++i) {
+    act("edit/redo");
+    EXPECT_EQ(played(), seen[i]);
+  }
+  EXPECT_FALSE(state.document.commands.modified()) << "what plays is no part of the file";
+}
+
+TEST_F(TimelineTest, UndoOfAnEditLeavesClipAndRangeAlone) {
+  state.open.transport.time = 0.5 * duration();
+  act("play/range-start");
+  const PlayRange range = playRange(state.open.transport, state.character());
+  addOne();
+  const double time = state.open.transport.time;
+  act("edit/undo");
+  EXPECT_TRUE(state.document.rig().primitives.empty());
+  EXPECT_EQ(playRange(state.open.transport, state.character()), range);
+  EXPECT_EQ(state.open.transport.time, time);
+}
+
+TEST_F(TimelineTest, UndoOfARangeShowsTheClipThatItBelongsTo) {
+  const int clip = state.open.transport.clip;
+  state.open.transport.time = 0.5 * duration();
+  act("play/range-start");
+  const PlayRange range = playRange(state.open.transport, state.character());
+  chooseClip(state.open.transport, -1, state.character());
+  chooseClip(state.open.transport, clip, state.character());
+  EXPECT_EQ(playRange(state.open.transport, state.character()), range) << "each clip keeps its range";
+  chooseClip(state.open.transport, -1, state.character());
+  act("edit/undo");
+  EXPECT_EQ(state.open.transport.clip, clip);
+  EXPECT_FALSE(hasPlayRange(state.open.transport));
 }
 
 TEST_F(TimelineTest, TheEndsCannotPassEachOther) {

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/editor/edit.h"
+
 namespace sinew::app {
 namespace {
 
@@ -77,8 +79,9 @@ void rangeHandle(const Track& track, const char* id, double time, bool first) {
     else range.to = std::max(wanted, range.from + kFrameSeconds);
     setPlayRange(track.transport(), range, track.ui.state.character());
   }
+  if (ImGui::IsItemDeactivated()) keepPlayRange(track.ui.state);
   const bool lit = active || ImGui::IsItemHovered();
-  const bool ranged = track.transport().rangeTo > track.transport().rangeFrom;
+  const bool ranged = hasPlayRange(track.transport());
   const Tint color = lit ? palette::kText : (ranged ? palette::kAccent : palette::kMuted);
   const float edge = first ? x : x + width;
   const float inner = first ? x + width : x;
@@ -94,20 +97,22 @@ void rangeBar(const Track& track) {
   const float x0 = std::max(track.xOf(range.from), track.low.x);
   const float x1 = std::min(track.xOf(range.to), track.high.x);
   if (x1 <= x0) return;
-  const bool ranged = track.transport().rangeTo > track.transport().rangeFrom;
+  const bool ranged = hasPlayRange(track.transport());
   const bool active = button(track, "timeline/range", x0, track.low.y, x1, track.band);
   if (ImGui::IsItemActivated()) {
     timeline.grabbed = range;
     timeline.grabbedAt = track.timeAt(ImGui::GetMousePos().x);
   }
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) {
-    track.transport().rangeFrom = track.transport().rangeTo = 0.0;
+    track.transport().ranges.erase(track.transport().clip);
+    keepPlayRange(track.ui.state);
   } else if (active && ranged && ImGui::IsMouseDragging(0)) {
     const double length = timeline.grabbed.to - timeline.grabbed.from;
     const double moved = timeline.grabbed.from + track.timeAt(ImGui::GetMousePos().x) - timeline.grabbedAt;
     const double from = std::clamp(moved, 0.0, track.duration - length);
     setPlayRange(track.transport(), {from, from + length}, character);
   }
+  if (ImGui::IsItemDeactivated()) keepPlayRange(track.ui.state);
   const bool lit = ImGui::IsItemHovered() || active;
   const Tint fill = ranged ? palette::kAccent.faded(lit ? 0.42f : 0.30f) : palette::kMuted.faded(lit ? 0.22f : 0.13f);
   track.list.AddRectFilled({x0, track.low.y}, {x1, track.band}, fill.packed(), track.ui.px(2));
