@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/document/damaged_file.h"
 #include "app/document/motion_clip.h"
 #include "app/document/muscle_names.h"
 #include "app/editor/disk_conflict.h"
@@ -104,7 +105,7 @@ bool openFile(EditorState& state, const std::filesystem::path& file) {
   Result<Document> opened = openDocument(file);
   if (!opened) {
     if (const auto missing = missingCharacter(file)) state.dialogs.locate = {file, *missing};
-    else addMessage(state.session, MessageKind::kError, opened.error().plainText());
+    else addMessage(state.session, MessageKind::kError, openErrorText(opened.error()));
     return false;
   }
   return showDocument(state, std::move(opened).value());

@@ -221,5 +221,45 @@ TEST_F(Opening, WhatElseIsMissingOrWrongIsAMessage) {
   EXPECT_FALSE(state.dialogs.locate.rigFile.empty());
 }
 
+TEST_F(Opening, ADamagedFileIsToldInPlainWords) {
+  writeRig("limb.rig.json", "post.glb");
+  write("post.glb", test::makePost());
+  const std::string whole = readWholeFile(folder / "limb.rig.json", 1 << 20).value();
+  struct Row {
+    std::string text;
+    std::string told;
+  };
+  const Row rows[] = {
+      {whole.substr(0, whole.size() / 2), "the file ends too early"},
+      {"{\n  \"format\": \"sinew-rig\"\n  \"version\": 1\n}",
+       "line 3, column 11: a comma or a closing bracket is missing before this"},
+      {"{\n  \"version\": 1,\n}",
+       "line 3, column 1: a \"}\" where something else should be, perhaps after a comma too many"},
+      {"{\"version\" 1}", "a colon is missing before this"},
+      {"hello", "line 1, column 1: this cannot be read"},
+      {"", "the file ends too early"},
+  };
+  for (const Row& row : rows) {
+    ASSERT_TRUE(writeFileAtomically(folder / "limb.rig.json", row.text).ok());
+    state.session.messages.clear();
+    EXPECT_FALSE(openFile(state, folder / "limb.rig.json"));
+    ASSERT_EQ(state.session.messages.size(), 1u);
+    const std::string told = state.session.messages.back().text;
+    EXPECT_TRUE(told.starts_with("limb.rig.json is damaged or not a rig: line ")) << told;
+    EXPECT_NE(told.find(row.told), std::string::npos) << told;
+    for (const char* term : {"byte", "JSON", "syntax", "parsing", "literal"}) {
+      EXPECT_EQ(told.find(term), std::string::npos) << told;
+    }
+  }
+  ASSERT_TRUE(writeFileAtomically(folder / "broken.gltf", std::string("{\"asset\": ")).ok());
+  EXPECT_FALSE(openFile(state, folder / "broken.gltf"));
+  EXPECT_TRUE(state.session.messages.back().text.starts_with("broken.gltf is damaged or not a character: line 1"))
+      << state.session.messages.back().text;
+  // What is no question of syntax is told as before.
+  ASSERT_TRUE(writeFileAtomically(folder / "limb.rig.json", std::string("[1, 2]")).ok());
+  EXPECT_FALSE(openFile(state, folder / "limb.rig.json"));
+  EXPECT_EQ(state.session.messages.back().text.find("damaged"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace sinew::app
