@@ -9,9 +9,20 @@ namespace {
 
 Possible undoable(const State& s) { return idle(s).also(s.document.commands.canUndo(), "Nothing to undo"); }
 Possible redoable(const State& s) { return idle(s).also(s.document.commands.canRedo(), "Nothing to redo"); }
-Possible boneKnown(const State& s) { return idle(s).also(s.document.selection.bone >= 0, "Select a bone first"); }
+/// The selected bone, else that of the active muscle; -1: neither.
+int boneToAddOn(const State& s) {
+  if (s.document.selection.bone >= 0) return s.document.selection.bone;
+  const int active = s.document.activePrimitive();
+  if (active < 0) return -1;
+  const std::string& bone = s.document.rig().primitives[static_cast<std::size_t>(active)].bone;
+  return s.character().skeleton.findBone(bone).value_or(-1);
+}
+Possible boneKnown(const State& s) {
+  const Possible free = idle(s);
+  return free ? Possible(boneToAddOn(s) >= 0, "Select a bone or a muscle first") : free;
+}
 void renameActive(State& s) { startRename(s, s.document.idAt(s.document.activePrimitive())); }
-void addOnBone(State& s) { addMuscle(s, s.document.selection.bone); }
+void addOnBone(State& s) { addMuscle(s, boneToAddOn(s)); }
 
 constexpr const char* kNoSides = "This character has no left and right bones";
 Possible mirrorable(const State& s) { return selected(s).also(canMirror(s.document), kNoSides); }
@@ -32,8 +43,9 @@ const Action kActions[] = {
     {"edit/undo", "Undo", "Undo the last change", ctrl(GLFW_KEY_Z), kNone, undoable, nullptr, undo},
     {"edit/redo", "Redo", "Redo the change that was undone last", ctrlShift(GLFW_KEY_Z), ctrl(GLFW_KEY_Y), redoable,
      nullptr, redo},
-    {"edit/add-on-bone", "Add muscle on bone", "Add a muscle in the middle of the selected bone", ctrl(GLFW_KEY_M),
-     kNone, boneKnown, nullptr, addOnBone, true},
+    {"edit/add-on-bone", "Add muscle on bone",
+     "Add a muscle in the middle of the selected bone, or of the selected muscle's bone", ctrl(GLFW_KEY_M), kNone,
+     boneKnown, nullptr, addOnBone, true},
     {"edit/duplicate", "Duplicate", "Copy the selected muscles", ctrl(GLFW_KEY_D), kNone, selected, nullptr,
      duplicateSelection},
     {"edit/rename", "Rename", "Rename the selected muscle", key(GLFW_KEY_F2), kNone, selected, nullptr, renameActive},

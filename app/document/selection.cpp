@@ -13,7 +13,10 @@ bool Selection::contains(PrimitiveId primitive) const {
 
 PrimitiveId Selection::active() const { return primitives.empty() ? PrimitiveId{} : primitives.back(); }
 
-void Selection::set(PrimitiveId primitive) { primitives.assign(1, primitive); }
+void Selection::set(PrimitiveId primitive) {
+  primitives.assign(1, primitive);
+  bone = -1;
+}
 
 void Selection::toggle(PrimitiveId primitive) {
   const auto found = std::ranges::find(primitives, primitive);
@@ -26,7 +29,7 @@ void Selection::toggle(PrimitiveId primitive) {
 
 void Selection::setAll(std::span<const PrimitiveId> several, bool add) {
   if (add) remove(several);
-  else primitives.clear();
+  else clear();
   for (const PrimitiveId primitive : several) {
     if (!contains(primitive)) primitives.push_back(primitive);
   }

@@ -71,7 +71,7 @@ TEST_F(NothingHides, AGreyedMenuEntryHasATooltip) {
 TEST_F(NothingHides, TheReasonFitsTheState) {
   EXPECT_STREQ(action("edit/delete").enabled(state).reason(), "Select a muscle first");
   EXPECT_STREQ(action("edit/undo").enabled(state).reason(), "Nothing to undo");
-  EXPECT_STREQ(action("edit/add-on-bone").enabled(state).reason(), "Select a bone first");
+  EXPECT_STREQ(action("edit/add-on-bone").enabled(state).reason(), "Select a bone or a muscle first");
   addOne();
   EXPECT_TRUE(action("edit/delete").enabled(state));
   EXPECT_STREQ(action("edit/link-twins").enabled(state).reason(), "Select two muscles first");

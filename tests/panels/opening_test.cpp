@@ -1,5 +1,8 @@
 // tests/panels/opening_test.cpp: the question about a missing character, and the button that shows helper bones.
 
+#include <imgui.h>
+#include <imgui_internal.h>  // FindWindowByName, which 1.86 keeps to itself.
+
 #include "core/io/files/atomic_file.h"
 #include "sinew/io/rig_json.h"
 #include "tests/support/characters/gltf_builder.h"
@@ -89,6 +92,20 @@ TEST_F(OpeningPanels, TheButtonShowsHelperBonesInTheTree) {
   EXPECT_TRUE(action("view/helper-bones").checked(state));
   click("outliner/helper-bones");
   EXPECT_FALSE(shown(id));
+}
+
+TEST_F(OpeningPanels, TheTooltipOfARowHasTheWholeNameOnce) {
+  test::Post post = test::makePost();
+  for (auto& node : post.file.json["nodes"]) node["name"] = "mixamorig:" + node["name"].get<std::string>();
+  ASSERT_TRUE(writeFileAtomically(folder / "named.glb", post.file.glb()).ok());
+  ASSERT_TRUE(openFile(state, folder / "named.glb"));
+  settle();
+  const std::string id = "outliner/bone/mixamorig:knee";
+  queue.move(glm::vec2(widgets().rectangles().at(id)) + glm::vec2(60.0f, 6.0f));
+  for (int i = 0; i < 120; ++i) frame();
+  const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
+  ASSERT_TRUE(tooltip != nullptr && tooltip->Active && !tooltip->Hidden);
+  EXPECT_LT(tooltip->ContentSize.y, 1.5f * ImGui::GetFontSize()) << "one line";
 }
 
 }  // namespace

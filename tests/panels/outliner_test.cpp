@@ -3,6 +3,7 @@
 #include "tests/support/editor/headless_editor.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/document/reparent.h"
 #include "app/editor/outliner_edit.h"
@@ -288,6 +289,93 @@ TEST(OutlinerRows, AThousandMusclesOnFiveHundredBones) {
   const auto found = outlinerRows(rig, skeleton, boneOf, {"muscle 999", false, &none, false});
   EXPECT_EQ(found.size(), 501u);
   EXPECT_EQ(found.back().index, 999);
+}
+
+/// Whether a row is drawn as lit: a rectangle of that colour begins and ends with it.
+bool isLit(const glm::vec4& row) {
+  const ImU32 color = ImGui::GetColorU32(ImGuiCol_HeaderHovered);
+  bool top = false;
+  bool bottom = false;
+  const ImDrawData& data = *ImGui::GetDrawData();
+  for (int l = 0; l < data.CmdListsCount; ++l) {
+    for (const ImDrawVert& vertex : data.CmdLists[l]->VtxBuffer) {
+      if (vertex.col != color || std::abs(vertex.pos.x - row.x) > 1.0f) continue;
+      top = top || std::abs(vertex.pos.y - row.y) < 1.0f;
+      bottom = bottom || std::abs(vertex.pos.y - row.y - row.w) < 1.0f;
+    }
+  }
+  return top && bottom;
+}
+
+TEST_F(Outliner, WhatThePointerIsOverInThePictureLightsItsRowAlone) {
+  state.document.selection.clear();
+  int muscleRows = 0;
+  int boneRows = 0;
+  const auto scrolled = widgets().rectangles().at("outliner/bone/hips");
+  for (int bone = 0; bone < static_cast<int>(state.character().skeleton.bones.size()); ++bone) {
+    queue.move(pixelOfBone(bone));
+    settle();
+    ImGui::Render();
+    const ViewportHover& hover = state.view.tools.hover;
+    std::string wanted;
+    if (hover.primitive >= 0) {
+      wanted = "outliner/muscle/" + state.document.rig().primitives[static_cast<std::size_t>(hover.primitive)].name;
+    } else if (hover.bone >= 0) {
+      wanted = "outliner/bone/" + state.character().skeleton.fileName(hover.bone);
+    }
+    for (const auto& [id, box] : widgets().rectangles()) {
+      const bool muscle = id.starts_with("outliner/muscle/");
+      if (!muscle && !id.starts_with("outliner/bone/")) continue;
+      if (box.w < scrolled.w) continue;  // Half out of sight.
+      EXPECT_EQ(isLit(box), id == wanted) << id << " over " << wanted;
+      if (id == wanted) ++(muscle ? muscleRows : boneRows);
+    }
+    EXPECT_EQ(widgets().rectangles().at("outliner/bone/hips"), scrolled) << "nothing scrolls";
+  }
+  EXPECT_GT(muscleRows, 0);
+  EXPECT_GT(boneRows, 0);
+}
+
+TEST_F(Outliner, ARowUnderThePointerLightsItsMuscleInThePicture) {
+  const std::string name = state.document.rig().primitives[0].name;
+  queue.move(center("outliner/muscle/" + name));
+  settle();
+  for (const PrimitiveShape& shape : shownShapes(state, true)) {
+    EXPECT_EQ(shape.hovered, shape.rigIndex == 0) << shape.rigIndex;
+  }
+}
+
+TEST_F(Outliner, AMuscleThatIsPickedOrDrawnIsSelectedAlone) {
+  const int bone = *state.character().skeleton.findBone("spine");
+  clickBone(state, bone);
+  EXPECT_EQ(state.document.selection.bone, bone);
+  state.document.selection.set(state.document.idAt(0));
+  EXPECT_EQ(state.document.selection.bone, -1);
+  clickBone(state, bone);
+  setTool(state.view.tools, ToolKind::kAddMuscle);
+  const std::size_t before = state.document.rig().primitives.size();
+  const glm::vec2 at = pixelOfBone(bone);
+  queue.move(at);
+  settle();
+  queue.button(0, true);
+  frame();
+  queue.move(at + glm::vec2(0.0f, 25.0f));
+  frame();
+  queue.button(0, false);
+  settle();
+  ASSERT_GT(state.document.rig().primitives.size(), before);
+  EXPECT_EQ(state.document.selection.primitives.size(), 1u);
+  EXPECT_EQ(state.document.selection.bone, -1);
+  ImGui::Render();
+  const ImU32 selected = ImGui::GetColorU32(ImGuiCol_Header);
+  const glm::vec4 row = widgets().rectangles().at("outliner/bone/spine");
+  for (int l = 0; l < ImGui::GetDrawData()->CmdListsCount; ++l) {
+    for (const ImDrawVert& vertex : ImGui::GetDrawData()->CmdLists[l]->VtxBuffer) {
+      const bool within = vertex.pos.x > row.x && vertex.pos.x < row.x + row.z && vertex.pos.y > row.y + 1.0f &&
+                          vertex.pos.y < row.y + row.w - 1.0f;
+      EXPECT_FALSE(within && vertex.col == selected) << "the bone's row looks selected";
+    }
+  }
 }
 
 }  // namespace

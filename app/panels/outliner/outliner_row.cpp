@@ -160,9 +160,19 @@ void dropTarget(Row& row) {
   ImGui::EndDragDropTarget();
 }
 
+/// Whether the pointer is over the row's muscle in the picture, or over its bone and no muscle.
+bool isPointedAt(const Row& row) {
+  const ViewportHover& hover = row.ui.state.view.tools.hover;
+  if (row.isMuscle()) return hover.primitive == row.row.index;
+  return row.row.kind == RowKind::kBone && hover.primitive < 0 && hover.bone == row.row.index;
+}
+
 /// The bar behind the row: selection, hover, clicks, menu, drag and drop.
 void drawBar(Row& row, bool selected) {
   PanelUi& ui = row.ui;
+  if (isPointedAt(row)) {
+    ImGui::GetWindowDrawList()->AddRectFilled(row.low, row.high, ImGui::GetColorU32(ImGuiCol_HeaderHovered));
+  }
   ImGui::SetCursorScreenPos(row.low);
   const bool clicked = ImGui::Selectable("##row", selected,
                                          ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_AllowItemOverlap,
@@ -181,7 +191,6 @@ void drawBar(Row& row, bool selected) {
     if (twice) startRename(ui.state, row.primitive().id());
   } else if (row.row.kind == RowKind::kBone) {
     ui.widgets.note("outliner/bone/" + row.name());
-    if (row.bone().name != row.frame.boneNames[static_cast<std::size_t>(row.row.index)]) tooltip(ui, row.bone().name);
     dropTarget(row);
     boneMenu(ui, row.frame, row.row.index);
     if (clicked && !twice) clickBone(ui.state, row.row.index);
