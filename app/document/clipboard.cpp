@@ -3,6 +3,7 @@
 #include "app/document/clipboard.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -45,6 +46,53 @@ void linkPasted(Rig& rig, const Rig& copied, const std::map<std::string, std::st
     if (own == nameOf.end() || twin == nameOf.end() || primitive.mirror < primitive.name) continue;
     rig = setMirror(rig, findPrimitive(rig, own->second), findPrimitive(rig, twin->second));
   }
+}
+
+/// Which side of the mirror plane a bone lies on; 0 if it is absent.
+int sideOf(const MirrorPlan& plan, const Skeleton& skeleton, const std::string& bone) {
+  const std::optional<int> index = skeleton.findBone(bone);
+  if (!index) return 0;
+  const double distance =
+      distanceTo(plan.plane, glm::dvec3(glm::vec3(skeleton.bones[static_cast<std::size_t>(*index)].bindInWorld[3])));
+  return distance < 0.0 ? -1 : 1;
+}
+
+/// The muscles that lead: of twins the one on the side of `bone`.
+std::vector<Primitive> leaders(const Rig& copied, const Skeleton& skeleton, const std::string& bone,
+                               const MirrorPlan* plan) {
+  std::vector<Primitive> result;
+  for (const Primitive& primitive : copied.primitives) {
+    const int twin = primitive.mirror.empty() ? -1 : findPrimitive(copied, primitive.mirror);
+    if (twin < 0) {
+      result.push_back(primitive);
+      continue;
+    }
+    const Primitive& other = copied.primitives[static_cast<std::size_t>(twin)];
+    const bool first = primitive.name < other.name;
+    if (!first) continue;
+    const bool swapped = plan && sideOf(*plan, skeleton, primitive.bone) != sideOf(*plan, skeleton, bone) &&
+                         sideOf(*plan, skeleton, other.bone) == sideOf(*plan, skeleton, bone);
+    result.push_back(swapped ? other : primitive);
+  }
+  return result;
+}
+
+/// Length of a bone in its own space.
+float lengthOf(const Skeleton& skeleton, int bone) {
+  const Bone& own = skeleton.bones[static_cast<std::size_t>(bone)];
+  return glm::length(own.tip);
+}
+
+void placeOnBone(Primitive& primitive, const Skeleton& skeleton, int bone) {
+  const std::optional<int> from = skeleton.findBone(primitive.bone);
+  const float before = from ? lengthOf(skeleton, *from) : 0.0f;
+  const float factor = before > 0.0f ? lengthOf(skeleton, bone) / before : 1.0f;
+  if (factor > 0.0f && std::isfinite(factor)) {
+    primitive.placement.center *= factor;
+    primitive.placement.radii *= factor;
+  }
+  primitive.bone = skeleton.fileName(bone);
+  primitive.territory.reset();
 }
 
 }  // namespace
@@ -110,6 +158,32 @@ Result<Pasted> pastedMuscles(const Rig& rig, const std::string& text, const Skel
   if (pasted.names.empty()) return errorAt("", pasted.leftOut.front());
   linkPasted(pasted.rig, copied.value(), nameOf);
   return pasted;
+}
+
+Result<Pasted> pastedOnBone(const Rig& rig, const std::string& text, const Skeleton& skeleton, int bone,
+                            const MirrorPlan* plan) {
+  const Result<Rig> copied = rigFromJson(text);
+  if (!copied) return pastedMuscles(rig, text, skeleton, nullptr);
+  std::vector<Primitive> moved = leaders(copied.value(), skeleton, skeleton.fileName(bone), plan);
+  const bool one = std::ranges::all_of(moved, [&](const Primitive& p) { return p.bone == moved.front().bone; });
+  if (moved.empty() || !one || skeleton.findBone(moved.front().bone) == bone) {
+    return pastedMuscles(rig, text, skeleton, nullptr);
+  }
+  Rig onBone = copied.value();
+  onBone.primitives.clear();
+  for (Primitive& primitive : moved) {
+    placeOnBone(primitive, skeleton, bone);
+    const std::string twin = std::exchange(primitive.mirror, {});
+    onBone.primitives.push_back(primitive);
+    if (twin.empty() || plan == nullptr) continue;
+    Result<Primitive> image = mirroredPrimitive(*plan, primitive);
+    if (!image) continue;
+    onBone.primitives.back().mirror = twin;
+    image.value().name = twin;
+    image.value().mirror = primitive.name;
+    onBone.primitives.push_back(std::move(image).value());
+  }
+  return pastedMuscles(rig, rigToJson(onBone), skeleton, nullptr);
 }
 
 }  // namespace sinew::app

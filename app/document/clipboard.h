@@ -30,4 +30,11 @@ struct Pasted {
 [[nodiscard]] Result<Pasted> pastedMuscles(const Rig& rig, const std::string& text, const Skeleton& skeleton,
                                            const MirrorPlan* mirror);
 
+/// The same, but on another bone: what was copied from one bone (or from a pair of bones, with twins) goes to `bone`,
+/// at the same place along it, as much larger as that bone is longer. Twins go to its mirror image. Default
+/// territories. What was copied from several bones, or from this one, goes where it was.
+/// @param plan  null: twins become single muscles.
+[[nodiscard]] Result<Pasted> pastedOnBone(const Rig& rig, const std::string& text, const Skeleton& skeleton, int bone,
+                                          const MirrorPlan* plan);
+
 }  // namespace sinew::app

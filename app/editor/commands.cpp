@@ -252,15 +252,22 @@ void duplicateSelection(EditorState& state) {
   if (indices.empty() || isBusy(state)) return;
   const std::size_t before = state.document.rig().primitives.size();
   const Selection originals = state.document.selection;
-  if (!edit(state, "Duplicate " + namedMuscles(state.document.rig(), selectedIndices(state.document)),
-            duplicatePairs(state.document.rig(), indices)))
-    return;
+  const std::string what = namedMuscles(state.document.rig(), selectedIndices(state.document));
+  if (!edit(state, "Duplicate " + what, duplicatePairs(state.document.rig(), indices))) return;
   const auto& primitives = state.document.rig().primitives;
   state.document.selection.primitives.clear();
   // The copies of what was selected; those of twins, made by symmetry, follow.
   for (std::size_t i = before; i < primitives.size(); ++i) {
     const PrimitiveId original = primitives[static_cast<std::size_t>(indices[i - before])].id();
     if (originals.contains(original)) state.document.selection.primitives.push_back(primitives[i].id());
+  }
+  const std::string copies = namedMuscles(state.document.rig(), selectedIndices(state.document));
+  if (state.session.preferences.keymap == Keymap::kBlender) {
+    // As in Blender the copy follows the pointer; a step of its own.
+    startDrag(state.view.tools, ToolKind::kMove);
+    say(state, "Duplicated " + what + ": click to place " + copies + ", Esc leaves it on the original");
+  } else {
+    say(state, "Duplicated " + what + ": " + copies + " selected, exactly on the original; drag to move");
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "app/document/clipboard.h"
 #include "app/document/muscle_names.h"
+#include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "core/rig/rig_edit.h"
@@ -34,6 +35,22 @@ std::vector<PrimitiveId> pickableMuscles(const Document& document) {
     if (seen.visible[i] && !seen.locked[i]) muscles.push_back(document.rig().primitives[i].id());
   }
   return muscles;
+}
+
+/// Where muscles that were just pasted lie: their bone, and a muscle that hides the first where it lies exactly on one.
+std::string placesOf(const Document& document, const std::vector<std::string>& names) {
+  const Rig& rig = document.rig();
+  const Primitive& first = at(rig, findPrimitive(rig, names.front()));
+  const bool one = std::ranges::all_of(
+      names, [&](const auto& name) { return at(rig, findPrimitive(rig, name)).bone == first.bone; });
+  std::string text =
+      one || names.size() == 2 ? shownBoneName(document.character->skeleton, first.bone) : "their own bones";
+  for (const Primitive& other : rig.primitives) {
+    if (std::ranges::find(names, other.name) != names.end()) continue;
+    if (other.bone != first.bone || !(other.placement == first.placement)) continue;
+    return text + ", exactly on " + (names.size() == 1 ? other.name : "the originals") + "; drag to move";
+  }
+  return text;
 }
 
 /// The active muscle stays active if it is among them.
@@ -155,8 +172,13 @@ void cutSelection(EditorState& state) {
 
 void pasteMuscles(EditorState& state, bool mirrored) {
   const char* const text = ImGui::GetClipboardText();
-  const MirrorPlan* const plan = mirrored ? state.document.mirror.get() : nullptr;
-  Result<Pasted> pasted = pastedMuscles(state.document.rig(), text ? text : "", state.character().skeleton, plan);
+  const std::string copied = text ? text : "";
+  const Document& document = state.document;
+  const Skeleton& skeleton = state.character().skeleton;
+  const MirrorPlan* const plan = canMirror(document) ? document.mirror.get() : nullptr;
+  const int bone = mirrored ? -1 : document.selection.bone;
+  Result<Pasted> pasted = bone >= 0 ? pastedOnBone(document.rig(), copied, skeleton, bone, plan)
+                                    : pastedMuscles(document.rig(), copied, skeleton, mirrored ? plan : nullptr);
   if (!pasted) {
     refuse(state, pasted.error());
     return;
@@ -166,8 +188,8 @@ void pasteMuscles(EditorState& state, bool mirrored) {
   const std::string what = countText(names.size(), names.front());
   const std::string left = pasted->leftOut.empty() ? "" : "; " + std::to_string(pasted->leftOut.size()) + " left out";
   if (edit(state, (mirrored ? "Paste mirrored " : "Paste ") + what, std::move(pasted).value().rig))
-    say(state, "Pasted " + what + left);
-  state.document.selection.primitives.clear();
+    say(state, "Pasted " + what + " on " + placesOf(document, names) + left);
+  state.document.selection.clear();
   for (const std::string& name : names) {
     state.document.selection.primitives.push_back(state.document.idAt(findPrimitive(state.document.rig(), name)));
   }

@@ -82,6 +82,49 @@ TEST_F(Clipboard, PastedMirroredGoesToTheOtherSide) {
   EXPECT_EQ(pasted->rig.primitives.back().placement.center, rig.primitives[1].placement.center);
 }
 
+TEST_F(Clipboard, OnAnotherBoneItGoesToTheSamePlaceAlongItWithItsTwinOnTheOtherSide) {
+  const Skeleton& skeleton = legs->skeleton;
+  const int target = *skeleton.findBone("shin R");
+  const std::string text = musclesAsText(rig, std::vector<int>{0, 1});
+  const Result<Pasted> pasted = pastedOnBone(rig, text, skeleton, target, &plan);
+  ASSERT_TRUE(pasted);
+  ASSERT_EQ(pasted->names.size(), 2u);
+  const Primitive& right = pasted->rig.primitives[3];
+  const Primitive& left = pasted->rig.primitives[4];
+  EXPECT_EQ(right.bone, "shin R");
+  EXPECT_EQ(left.bone, "shin L");
+  EXPECT_EQ(twinOf(pasted->rig, 3), 4);
+  const auto lengthOf = [&](const char* bone) {
+    return glm::length(skeleton.bones[static_cast<std::size_t>(*skeleton.findBone(bone))].tip);
+  };
+  const float factor = lengthOf("shin R") / lengthOf("leg R");
+  EXPECT_LT(glm::length(right.placement.center - factor * rig.primitives[1].placement.center), 1e-5f);
+  EXPECT_TRUE(validate(pasted->rig));
+}
+
+TEST_F(Clipboard, OnTheSameBoneOrFromSeveralItGoesWhereItWas) {
+  const Skeleton& skeleton = legs->skeleton;
+  for (const std::vector<int>& copied : {std::vector<int>{2}, std::vector<int>{0, 2}}) {
+    const std::string text = musclesAsText(rig, copied);
+    const Result<Pasted> there = pastedOnBone(rig, text, skeleton, *skeleton.findBone("spine"), &plan);
+    const Result<Pasted> plain = pastedMuscles(rig, text, skeleton, nullptr);
+    ASSERT_TRUE(there && plain);
+    EXPECT_EQ(there->rig, plain->rig);
+  }
+  // A bone that this character lacks is no reason to leave out what has another place.
+  Primitive lost = rig.primitives[2];
+  lost.bone = "elsewhere";
+  Rig other;
+  other.character = "other.glb";
+  other.groups = {{"torso", {}}};
+  other.primitives = {lost};
+  const int spine = *skeleton.findBone("spine");
+  const Result<Pasted> pasted = pastedOnBone(rig, musclesAsText(other, std::vector<int>{0}), skeleton, spine, &plan);
+  ASSERT_TRUE(pasted);
+  EXPECT_EQ(pasted->rig.primitives.back().bone, "spine");
+  EXPECT_EQ(pasted->rig.primitives.back().placement, lost.placement);
+}
+
 TEST_F(Clipboard, AnythingElseIsRefusedInOneLine) {
   for (const char* text : {"", "hello", "{}", "[1, 2]", R"({"format": "sinew-rig", "version": 1})"}) {
     const Result<Pasted> pasted = pastedMuscles(rig, text, legs->skeleton, nullptr);

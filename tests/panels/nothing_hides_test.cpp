@@ -73,6 +73,7 @@ TEST_F(NothingHides, TheReasonFitsTheState) {
   EXPECT_STREQ(action("edit/undo").enabled(state).reason(), "Nothing to undo");
   EXPECT_STREQ(action("edit/add-on-bone").enabled(state).reason(), "Select a bone or a muscle first");
   addOne();
+  EXPECT_TRUE(action("edit/add-on-bone").enabled(state)) << "on the muscle's bone";
   EXPECT_TRUE(action("edit/delete").enabled(state));
   EXPECT_STREQ(action("edit/link-twins").enabled(state).reason(), "Select two muscles first");
   state.open.gestureItem = 1;
@@ -158,6 +159,53 @@ TEST_F(NothingHides, PastingSaysHowMany) {
   press(GLFW_KEY_C, true);
   press(GLFW_KEY_V, true);
   EXPECT_EQ(toast().substr(0, 7), "Pasted ") << toast();
+}
+
+TEST_F(NothingHides, ACopyIsNamedAndSaidToLieOnItsOriginal) {
+  addOne();
+  const std::string original = state.document.activeName();
+  duplicateSelection(state);
+  const std::string copy = state.document.activeName();
+  EXPECT_NE(copy, original);
+  EXPECT_NE(toast().find(copy), std::string::npos) << toast();
+  EXPECT_NE(toast().find("exactly on the original"), std::string::npos) << toast();
+  EXPECT_FALSE(ownsKeyboard(state.view.tools)) << "in this keymap it stays where it is";
+  press(GLFW_KEY_C, true);
+  press(GLFW_KEY_V, true);
+  EXPECT_NE(toast().find("exactly on "), std::string::npos) << toast();
+}
+
+TEST_F(NothingHides, InBlendersKeymapACopyFollowsThePointerAndEscapeLeavesIt) {
+  state.session.preferences.keymap = Keymap::kBlender;
+  addOne();
+  const Placement start = muscle().placement;
+  queue.move({640.0f, 400.0f});
+  settle();
+  duplicateSelection(state);
+  const std::size_t made = steps();
+  settle();
+  queue.move({700.0f, 380.0f});
+  settle();
+  const auto copy = [&] { return state.document.rig().primitives.back().placement; };
+  EXPECT_NE(copy().center, start.center);
+  press(kEscape);
+  EXPECT_EQ(copy().center, start.center);
+  EXPECT_EQ(steps(), made) << "the copy stays";
+  EXPECT_EQ(muscle().placement, start);
+}
+
+TEST_F(NothingHides, AToastLeavesADialogFree) {
+  showSaveDialog(state, {});
+  settle();
+  say(state, "Saved somewhere");
+  settle();
+  ASSERT_TRUE(shown("toast"));
+  const ImGuiWindow* dialog = ImGui::GetTopMostPopupModal();
+  ASSERT_NE(dialog, nullptr);
+  const glm::vec4 box = widgets().rectangles().at("toast");
+  EXPECT_FALSE(dialog->Rect().Overlaps(ImRect(box.x, box.y, box.x + box.z, box.y + box.w)));
+  EXPECT_GE(box.y, 0.0f);
+  EXPECT_LE(box.y + box.w, ImGui::GetIO().DisplaySize.y);
 }
 
 class FileQuestion : public NothingHides {
