@@ -9,10 +9,10 @@ inline constexpr float kSplitter = 5.0f;  ///< Design pixels, as all here: width
 inline constexpr float kStatusHeight = 28.0f;
 inline constexpr float kPanelNarrowest = 180.0f;
 inline constexpr float kViewportNarrowest = 240.0f;
-inline constexpr float kViewportLowest = 160.0f;
+inline constexpr float kViewportLowest = 240.0f;
 inline constexpr float kBottomLowest = 76.0f;
-inline constexpr float kHistoryLowest = 90.0f;
-inline constexpr float kOutlinerLowest = 130.0f;
+inline constexpr float kHistoryLowest = 64.0f;
+inline constexpr float kOutlinerLowest = 240.0f;
 
 /// Sizes of this frame, of hidden panels as well (0).
 struct LayoutSizes {

@@ -17,8 +17,11 @@ namespace {
 
 constexpr float kWidth = 214.0f;  // Design pixels, as all here.
 constexpr float kFoldedWidth = 168.0f;
+constexpr float kHeadWidth = 100.0f;
 constexpr float kGraphHeight = 34.0f;
 constexpr float kFold = 14.0f;
+constexpr float kSmallWidth = 420.0f;  // A picture smaller than this, either way, is kept free.
+constexpr float kSmallHeight = 300.0f;
 constexpr std::size_t kStageRows = 9;
 constexpr std::size_t kFoldedRows = 3;
 
@@ -84,7 +87,8 @@ void graph(PanelUi& ui) {
 }
 
 /// The head, which folds the rest away: a mark, the frame rate and the time of a frame.
-void head(PanelUi& ui) {
+/// @param brief  the frame rate alone
+void head(PanelUi& ui, bool brief) {
   const FrameStats& stats = ui.state.session.stats;
   char text[64];
   std::snprintf(text, sizeof text, "   %.0f fps", stats.framesPerSecond());
@@ -92,7 +96,8 @@ void head(PanelUi& ui) {
   const float size = ui.px(kFold);
   drawIcon(*ImGui::GetWindowDrawList(), ui.state.view.layout.stages ? Icon::kFoldOpen : Icon::kFoldClosed,
            {at.x - ui.px(2), at.y + 0.5f * (ImGui::GetTextLineHeight() - size)}, size, palette::kMuted.packed());
-  row(ui, text, milliseconds(stats.now()) + " ms");
+  if (brief) mutedText(text);
+  else row(ui, text, milliseconds(stats.now()) + " ms");
 }
 
 struct Stage {
@@ -183,6 +188,10 @@ void pressHead(PanelUi& ui, const ImVec2& low, float width) {
   if (pressed) ui.state.view.layout.stages = !ui.state.view.layout.stages;
 }
 
+bool isSmall(const PanelUi& ui, const glm::vec4& viewport) {
+  return viewport.z < ui.px(kSmallWidth) || viewport.w < ui.px(kSmallHeight);
+}
+
 void foldedRows(PanelUi& ui) {
   const SmoothingReport& report = ui.state.live->surface().report;
   row(ui, "triangles", grouped(report.refinedTriangles));
@@ -210,11 +219,13 @@ void drawNumbers(PanelUi& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(3)});
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const float all = static_cast<float>(kStageRows + 2 + lines.size()) * line + ui.px(kGraphHeight + 3 + 14 + 8);
-  const float few = static_cast<float>(kFoldedRows) * line + ui.px(16);
   const glm::vec4& viewport = ui.state.frame.viewport;
+  // In a small picture the frame rate alone, until more is asked for.
+  const bool headOnly = isSmall(ui, viewport) && !ui.state.view.layout.stages;
+  const float few = static_cast<float>(headOnly ? 1 : kFoldedRows) * line + ui.px(headOnly ? 11 : 16);
   const float room = viewport.w - ui.px(54 + 10);
   const bool unfolded = ui.state.view.layout.stages && all <= room && ui.px(kWidth + 70) <= viewport.z;
-  const float width = ui.px(unfolded ? kWidth : kFoldedWidth);
+  const float width = ui.px(unfolded ? kWidth : (headOnly ? kHeadWidth : kFoldedWidth));
   // Beside the tools, or not at all.
   if (few <= room && width + ui.px(70) <= viewport.z) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
@@ -224,10 +235,10 @@ void drawNumbers(PanelUi& ui) {
     ImGui::BeginChild(
         "numbers", {width, unfolded ? all : few}, true,
         ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_AlwaysUseWindowPadding);
-    head(ui);
+    head(ui, headOnly);
     ImVec2 depth{0.0f, 0.0f};
     if (unfolded) depth = unfoldedRows(ui, lines);
-    else foldedRows(ui);
+    else if (!headOnly) foldedRows(ui);
     ImGui::EndChild();
     ui.widgets.note("overlay/numbers");
     pressHead(ui, {corner.x, corner.y + ui.px(4)}, width);

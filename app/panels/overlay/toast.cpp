@@ -1,6 +1,7 @@
 // app/panels/overlay/toast.cpp: what has just been done, for a moment, at the bottom of the picture.
 
 #include <imgui.h>
+#include <imgui_internal.h>  // Where a dialog lies, which 1.86 keeps to itself.
 
 #include <algorithm>
 #include <optional>
@@ -15,12 +16,25 @@ constexpr float kPadY = 8.0f;
 constexpr float kWidest = 520.0f;
 constexpr float kAboveBottom = 14.0f;
 constexpr float kFromPointer = 22.0f;
+constexpr float kFromDialog = 6.0f;
 constexpr float kIcon = 15.0f;
 constexpr float kIconGap = 8.0f;
 
 bool near(const ImVec2& point, const ImVec2& low, const ImVec2& high, float distance) {
   return point.x > low.x - distance && point.x < high.x + distance && point.y > low.y - distance &&
          point.y < high.y + distance;
+}
+
+/// A dialog that lies where the toast would: the toast's y below it, or above. None: there is no such dialog.
+std::optional<float> besideDialog(const PanelUi& ui, const ImVec2& low, const ImVec2& size) {
+  const ImGuiWindow* const dialog = ImGui::GetTopMostPopupModal();
+  if (dialog == nullptr) return std::nullopt;
+  const ImRect taken = dialog->Rect();
+  if (!taken.Overlaps(ImRect(low, {low.x + size.x, low.y + size.y}))) return std::nullopt;
+  const float gap = ui.px(kFromDialog);
+  const float below = taken.Max.y + gap;
+  const bool fits = below + size.y + gap <= ImGui::GetIO().DisplaySize.y;
+  return fits ? below : std::max(taken.Min.y - gap - size.y, 0.0f);
 }
 
 /// Top left corner: bottom centre of the picture, above the messages; beside the pointer if that is where it would lie.
@@ -30,6 +44,7 @@ ImVec2 placeOf(PanelUi& ui, const ImVec2& size) {
   ImVec2 low{picture.x + 0.5f * (picture.z - size.x), picture.y + picture.w - ui.px(kAboveBottom) - size.y -
                                                           (below > 0.0f ? below + ui.px(kAboveBottom) : 0.0f)};
   const ImVec2 mouse = ImGui::GetIO().MousePos;
+  if (const std::optional<float> y = besideDialog(ui, low, size)) return {low.x, *y};
   const float distance = ui.px(kFromPointer);
   if (!near(mouse, low, {low.x + size.x, low.y + size.y}, distance)) return low;
   low.y = mouse.y - distance - size.y;
