@@ -6,8 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <iterator>
+#include <string>
 #include <utility>
+
+#include "app/ui/expression.h"
 
 namespace sinew::app {
 namespace {
@@ -69,7 +73,58 @@ void drawBar(Ui& ui, float fraction) {
   list.AddRectFilled({end - edge, high.y - ui.px(5)}, {end, high.y}, ImGui::GetColorU32(palette::kAccent));
 }
 
+/// A frame around a field whose text gives no number, and why under it.
+void drawMistake(const ImRect& box, const std::string& reason) {
+  ImGui::GetWindowDrawList()->AddRect(box.Min, box.Max, palette::kWarning.packed(), ImGui::GetStyle().FrameRounding);
+  ImGui::SetNextWindowPos({box.Min.x, box.Max.y + 0.25f * ImGui::GetFontSize()});
+  ImGui::BeginTooltip();
+  ImGui::TextUnformatted(reason.c_str());
+  ImGui::EndTooltip();
+}
+
+/// The text of a field while it is typed in, in the place of its number. ImGui's own reads single numbers only.
+/// @return the text as it stands
+std::string textField(const char* label, ImGuiID id, const ImRect& box) {
+  constexpr int kLongest = 128;
+  ImGui::ItemSize(box, ImGui::GetStyle().FramePadding.y);
+  if (!ImGui::ItemAdd(box, id, &box, ImGuiItemFlags_Inputable)) return {};
+  // Made by ImGui for the digits of one number.
+  ImVector<ImWchar>& room = ImGui::GetCurrentContext()->InputTextState.TextW;
+  if (room.Size <= kLongest) room.resize(kLongest + 1);
+  char text[kLongest] = "";
+  ImGui::TempInputText(box, id, label, text, kLongest, ImGuiInputTextFlags_NoMarkEdited);
+  return text;
+}
+
+/// @param begun  the value before anything was typed
+float typedValue(const char* label, ImGuiID id, float begun, const NumberLook& look) {
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const ImRect box(low, {low.x + ImGui::CalcItemWidth(), low.y + ImGui::GetFrameHeight()});
+  Typing ignored;
+  Typing& typing = look.typing != nullptr ? *look.typing : ignored;
+  const std::string text = textField(label, id, box);
+  typing = {true, {}};
+  // As it was found: the value itself, not what its digits say. Esc puts the same text back.
+  if (text == ImGui::GetCurrentContext()->InputTextState.InitialTextA.Data) return begun;
+  const Result<Typed> typed = evaluate(text, static_cast<double>(begun));
+  if (!typed) {
+    const std::string reason = '"' + text + "\" gives no number: " + typed.error().reason;
+    if (ImGui::IsItemDeactivated()) typing.refusal = reason;
+    else drawMistake(box, typed.error().reason);
+    return begun;
+  }
+  typing.relative = typed->relative;
+  const auto value = static_cast<float>(typed->value);
+  return look.clampTyped ? std::clamp(value, look.least, look.most) : value;
+}
+
 }  // namespace
+
+std::string numberText(const char* format, float value) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, static_cast<double>(value));
+  return text;
+}
 
 float toStep(float value, float step, float least, float most) {
   if (!(step > 0.0f)) return value;
@@ -86,9 +141,14 @@ bool numberField(const char* label, float& value, const NumberLook& look) {
   if (look.clampTyped) flags |= ImGuiSliderFlags_AlwaysClamp;
   if (look.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
   const float before = value;
-  {
+  ImGuiStorage& begun = *ImGui::GetStateStorage();
+  if (typing) {
+    value = typedValue(label, id, begun.GetFloat(id, value), look);
+    if (value != before) ImGui::MarkItemEdited(id);
+  } else {
     const ModifiersUp up(typing);
     ImGui::DragFloat(label, &value, speed, look.least, look.most, look.format, flags);
+    if (ImGui::TempInputIsActive(id)) begun.SetFloat(id, before);
   }
   const bool dragged = ImGui::GetActiveID() == id && !ImGui::TempInputIsActive(id);
   if (dragged && step > 0.0f && value != before) {

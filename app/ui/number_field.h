@@ -2,12 +2,19 @@
 #pragma once
 
 #include <cfloat>
+#include <string>
 
 #include <imgui.h>
 
 #include "app/ui/ui.h"
 
 namespace sinew::app {
+
+/// What came of typing, for who asks.
+struct Typing {
+  bool relative = false;  ///< The value is made from the one at the beginning ("+=0.1"), or is that one again.
+  std::string refusal;    ///< The field is left with a text that gives no number: why. The value is as before.
+};
 
 /// How a number is shown and changed; all in shown units.
 struct NumberLook {
@@ -19,15 +26,20 @@ struct NumberLook {
   bool whole = false;        ///< Whole numbers only.
   bool logarithmic = false;  ///< Sliders: equal ways are equal factors. least > 0.
   bool clampTyped = true;    ///< What is typed is brought into the range; else its caller answers.
+  Typing* typing = nullptr;  ///< Filled in each frame in which something is typed.
 };
 
 /// As on the handles in the picture: a drag with Shift goes a tenth as far, one with Ctrl from step to step (with both,
-/// in tenths of a step). A double click, or Ctrl and a click, types. @return whether the value changed.
+/// in tenths of a step). A double click, or Ctrl and a click, types: a number or arithmetic (expression.h).
+/// @return whether the value changed.
 bool numberField(const char* label, float& value, const NumberLook& look);
 
 /// The same with the part left of the value filled, so that nothing lies over the number; a drag across the whole width
 /// goes through the whole range.
 bool numberSlider(Ui& ui, const char* label, float& value, const NumberLook& look);
+
+/// As a field shows it.
+[[nodiscard]] std::string numberText(const char* format, float value);
 
 /// The nearest multiple of a step within a range; the value itself if the step is 0.
 [[nodiscard]] float toStep(float value, float step, float least, float most);

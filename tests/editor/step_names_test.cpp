@@ -26,18 +26,52 @@ struct StepNames : HeadlessEditor {
 };
 
 TEST_F(StepNames, AFieldNamesTheMuscle) {
+  const auto expect = [&](const std::string& number) {
+    EXPECT_TRUE(last().starts_with(number + " ") && last().ends_with(" on biceps")) << last();
+  };
   drag("inspector/center.x", {30.0f, 0.0f});
-  EXPECT_EQ(last(), "Move biceps");
+  expect("Centre X");
   drag("inspector/radius.y", {30.0f, 0.0f});
-  EXPECT_EQ(last(), "Radius of biceps");
-  drag("inspector/reach", {30.0f, 0.0f});
-  EXPECT_EQ(last(), "Reach of biceps");
+  expect("Radius Y");
+  drag("inspector/rotation.z", {30.0f, 0.0f});
+  expect("Rotation Z");
   click("inspector/carves");
   EXPECT_EQ(last(), "Carve with biceps");
 }
 
+TEST_F(StepNames, ANumberThatChangedIsNamedWithBothValues) {
+  const auto typed = [&](const std::string& id, const std::string& text) {
+    ImGui::GetIO().DeltaTime = 1.0f;  // Later: two double clicks, not four clicks.
+    frame();
+    ImGui::GetIO().DeltaTime = 1.0f / 60.0f;
+    doubleClick(id);
+    press(kKeyA, true);
+    type(text);
+    press(kEnter);
+  };
+  typed("inspector/reach", "1.5");
+  typed("inspector/reach", "2.25");
+  EXPECT_EQ(last(), "Reach 1.500 to 2.250 on biceps");
+  typed("surface/iso", "0.3");
+  typed("surface/iso", "0.4");
+  EXPECT_EQ(last(), "Tightness 0.300 to 0.400");
+  typed("smoothing/depth", "2");
+  typed("smoothing/depth", "3");
+  EXPECT_EQ(last(), "Depth 2 to 3");
+  selectAll(state.document);
+  settle();
+  typed("inspector/reach", "1.75");
+  EXPECT_EQ(last(), "Reach of 3 muscles") << "they had different ones";
+  typed("inspector/reach", "2");
+  EXPECT_EQ(last(), "Reach 1.750 to 2.000 on 3 muscles");
+}
+
 TEST_F(StepNames, SeveralAreCounted) {
   selectAll(state.document);
+  settle();
+  Rig rig = state.document.rig();
+  rig.primitives[0].placement.center.x += 0.01f;
+  state.document.commands.apply("Apart", rig);
   settle();
   drag("inspector/center.x", {30.0f, 0.0f});
   EXPECT_EQ(last(), "Move 3 muscles");

@@ -124,5 +124,100 @@ TEST_F(NumberFields, NothingLiesOverASlidersNumber) {
   }
 }
 
+class Arithmetic : public NumberFields {
+ protected:
+  void SetUp() override {
+    NumberFields::SetUp();
+    state.document.symmetry = false;
+    addOne();
+  }
+  /// Some time after what was typed before: two double clicks, not four clicks.
+  void wait() {
+    ImGui::GetIO().DeltaTime = 1.0f;
+    frame();
+    ImGui::GetIO().DeltaTime = 1.0f / 60.0f;
+  }
+  void enter(const std::string& id, const std::string& text, int last = kEnter) {
+    wait();
+    doubleClick(id);
+    press(kKeyA, true);
+    type(text);
+    press(last);
+  }
+  [[nodiscard]] float reach() const { return muscle().reach; }
+  [[nodiscard]] std::string said() const { return state.session.toast ? state.session.toast->text : ""; }
+};
+
+TEST_F(Arithmetic, FieldsAndSlidersCalculate) {
+  const std::size_t before = steps();
+  enter("inspector/reach", "12/5");
+  EXPECT_FLOAT_EQ(reach(), 2.4f);
+  enter("inspector/reach", "+=0.1");
+  EXPECT_FLOAT_EQ(reach(), 2.5f);
+  enter("inspector/reach", "*=(1+1)/2");
+  EXPECT_FLOAT_EQ(reach(), 2.5f);
+  EXPECT_EQ(steps(), before + 2) << "nothing changed the last time";
+  enter("inspector/rotation.y", "180/4");
+  EXPECT_NEAR(state.open.euler.degrees.y, 45.0f, 1e-4f);
+  enter("surface/iso", "0.2*1.5");
+  EXPECT_FLOAT_EQ(iso(), 0.3f);
+  enter("smoothing/depth", "2+2");
+  EXPECT_EQ(state.document.rig().smoothing.depth, 4);
+  enter("timeline/speed", "1/2");
+  EXPECT_FLOAT_EQ(state.open.transport.speed, 0.5f);
+}
+
+TEST_F(Arithmetic, WhatIsWrongIsSaidAndChangesNothing) {
+  const float start = reach();
+  const std::size_t before = steps();
+  for (const auto& [text, reason] : {std::pair{"12/", "a number is missing at the end"},
+                                     std::pair{"2*(1+1", "\")\" is missing"}, std::pair{"3 apples", "is not known"}}) {
+    state.session.toast.reset();
+    enter("inspector/reach", text);
+    EXPECT_EQ(reach(), start) << text;
+    EXPECT_NE(said().find(reason), std::string::npos) << said();
+    EXPECT_NE(said().find(text), std::string::npos) << said();
+  }
+  state.session.toast.reset();
+  enter("surface/iso", "1/0");
+  EXPECT_NE(said().find("division by zero"), std::string::npos) << said();
+  state.session.toast.reset();
+  enter("timeline/speed", "fast");
+  EXPECT_NE(said().find("is not known"), std::string::npos) << said();
+  EXPECT_EQ(state.open.transport.speed, 1.0f);
+  EXPECT_EQ(steps(), before);
+}
+
+TEST_F(Arithmetic, EscapeAndAnUntouchedTextLeaveTheValueToTheBit) {
+  Rig rig = state.document.rig();
+  rig.primitives[0].reach = 2.3456789f;
+  state.document.commands.apply("Reach", rig);
+  settle();
+  const std::size_t before = steps();
+  enter("inspector/reach", "5*1", kEscape);
+  EXPECT_EQ(reach(), 2.3456789f);
+  wait();
+  doubleClick("inspector/reach");
+  press(kEnter);
+  EXPECT_EQ(reach(), 2.3456789f);
+  EXPECT_EQ(steps(), before);
+}
+
+TEST_F(Arithmetic, AChangeIsTheSameForAllWhatEverIsTypedOnTheWay) {
+  addMuscle(state, 1);
+  Rig rig = state.document.rig();
+  rig.primitives[0].placement.radii.x = 0.1f;
+  rig.primitives[1].placement.radii.x = 0.2f;
+  state.document.commands.apply("Radii", rig);
+  state.document.selection.setAll(std::array{state.document.idAt(0), state.document.idAt(1)});
+  settle();
+  enter("inspector/radius.x", "*=0.5");
+  EXPECT_NEAR(state.document.rig().primitives[0].placement.radii.x, 0.05f, 1e-6f);
+  EXPECT_NEAR(state.document.rig().primitives[1].placement.radii.x, 0.1f, 1e-6f);
+  enter("inspector/radius.x", "0.07 +");
+  EXPECT_NEAR(state.document.rig().primitives[0].placement.radii.x, 0.05f, 1e-6f);
+  EXPECT_NEAR(state.document.rig().primitives[1].placement.radii.x, 0.1f, 1e-6f);
+}
+
 }  // namespace
 }  // namespace sinew::app

@@ -120,6 +120,7 @@ void reachRow(PanelUi& ui, const Subjects& subjects) {
   field.get = [](const Primitive& p) { return p.reach; };
   field.set = [](Primitive& p, float value) { p.reach = value; };
   field.step = 0.1f;
+  field.name = "Reach";
   ImGui::SetNextItemWidth(-1.0f);
   drawNumberField(ui, subjects, field);
 }

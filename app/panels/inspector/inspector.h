@@ -53,7 +53,8 @@ struct NumberField {
   std::optional<float> initial;                  ///< Shown units; what Reset gives.
   Together together = Together::kAdd;
   std::string hint;
-  float step = 0.0f;  ///< Shown units: where Ctrl stops.
+  float step = 0.0f;      ///< Shown units: where Ctrl stops.
+  std::string name = {};  ///< "Radius Y": in the history, before the values.
 };
 
 /// One undo step for a drag or what is typed, for all muscles; a right click resets, copies and pastes. The item's

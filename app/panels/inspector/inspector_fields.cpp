@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
 #include "app/document/muscle_names.h"
 #include "app/editor/commands.h"
@@ -46,11 +45,25 @@ void follow(PanelUi& ui, const Subjects& subjects, const NumberField& field, flo
   });
 }
 
-std::string textOf(const NumberField& field, float shown) {
-  char text[64];
-  std::snprintf(text, sizeof text, field.format, static_cast<double>(shown));
-  return text;
+/// The muscle as it was before the gesture that is under way.
+const Primitive& atStart(const PanelUi& ui, const Primitive& primitive) {
+  const Rig& rig = ui.state.document.commands.rigOfStep();
+  const int index = findPrimitive(rig, primitive.id());
+  return index < 0 ? primitive : rig.primitives[static_cast<std::size_t>(index)];
 }
+
+/// The same change for all, of what they were before the gesture: `from` of the active one becomes `to`.
+void followFromStart(PanelUi& ui, const Subjects& subjects, const NumberField& field, float from, float to) {
+  const PrimitiveId active = subjects.shown().id();
+  editSubjects(ui, subjects, field.undoLabel, [&](Primitive& primitive) {
+    const float own = shownValue(field, atStart(ui, primitive));
+    const float factor = from != 0.0f ? to / from : 1.0f;
+    const float moved = field.together == Together::kMultiply ? own * factor : own + (to - from);
+    field.set(primitive, clamped(field, primitive.id() == active ? to : moved) / scaleOf(field, primitive));
+  });
+}
+
+std::string textOf(const NumberField& field, float shown) { return numberText(field.format, shown); }
 
 std::optional<float> numberIn(const char* text) {
   if (text == nullptr) return std::nullopt;
@@ -61,6 +74,24 @@ std::optional<float> numberIn(const char* text) {
   const auto read = std::from_chars(all.data() + start, all.data() + all.size(), value);
   if (read.ec != std::errc() || !std::isfinite(value)) return std::nullopt;
   return value;
+}
+
+/// "Radius Y 0.12 to 0.15 on biceps L" where one number, or the same of all, became another; else as the gesture was
+/// called.
+std::string stepName(const PanelUi& ui, const Subjects& subjects, const NumberField& field, const std::string& plain) {
+  std::string text;
+  for (const int index : subjects.indices) {
+    const Primitive& before = atStart(ui, subjects.rig->primitives[static_cast<std::size_t>(index)]);
+    const int now = findPrimitive(ui.state.document.rig(), before.id());
+    if (now < 0) return plain;
+    const Primitive& after = ui.state.document.rig().primitives[static_cast<std::size_t>(now)];
+    const std::string from = textOf(field, shownValue(field, before));
+    const std::string to = textOf(field, shownValue(field, after));
+    const std::string own = from + " to " + to + " on ";
+    if (from == to || (!text.empty() && text != own)) return plain;
+    text = own;
+  }
+  return field.name + " " + text + namedMuscles(*subjects.rig, subjects.indices);
 }
 
 void fieldMenu(PanelUi& ui, const Subjects& subjects, const NumberField& field, float shown) {
@@ -101,17 +132,23 @@ void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& f
   if (mixed) ImGui::PushStyleColor(ImGuiCol_Text, palette::kMuted);
   NumberLook look{mixed ? "mixed" : field.format, field.speed, field.least, field.most, field.step};
   look.clampTyped = false;  // What is out of range is refused with its reason.
+  Typing typed;
+  look.typing = &typed;
   const bool edited = numberField(label.c_str(), value, look);
   if (mixed) ImGui::PopStyleColor();
   const std::string step = std::string(field.undoLabel) + " " + namedMuscles(*subjects.rig, subjects.indices);
   beginFieldEdit(ui, field.id, step.c_str());
-  if (edited && typing) assign(ui, subjects, field, value);
+  if (edited && typing && !typed.relative) assign(ui, subjects, field, value);
+  if (edited && typed.relative) {
+    followFromStart(ui, subjects, field, shownValue(field, atStart(ui, subjects.shown())), value);
+  }
   if (edited && !typing) follow(ui, subjects, field, before, value);
-  endFieldEdit(ui);
+  if (!typed.refusal.empty()) refuse(ui.state, errorAt({}, typed.refusal));
+  if (ImGui::IsItemDeactivated()) endFieldEdit(ui, stepName(ui, subjects, field, step));
   const bool quiet = ImGui::IsItemActive();
   if (!quiet) {
-    std::string hint =
-        field.hint + (field.hint.empty() ? "" : "\n") + "Drag (Shift: precise, Ctrl: steps), or double-click to type";
+    std::string hint = field.hint + (field.hint.empty() ? "" : "\n") +
+                       "Drag (Shift: precise, Ctrl: steps), or double-click to type: 0.3, 12/5, +=0.1";
     if (differ) hint += "; a drag keeps the differences, a typed number is for all";
     tooltip(ui, hint + ". Right click: reset, copy, paste.");
   }

@@ -16,6 +16,7 @@ namespace {
 
 constexpr const char* kDegreeFormat = "%.1f\xc2\xb0";
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
+constexpr const char* kAxisTitles[] = {"X", "Y", "Z"};
 constexpr Tint kAxisTints[] = {{0.90f, 0.40f, 0.42f}, {0.53f, 0.79f, 0.39f}, {0.38f, 0.60f, 0.95f}};
 constexpr float kLengthStep = 0.01f;  ///< Of the height; as on the handles.
 constexpr float kDegreeStep = 15.0f;
@@ -94,6 +95,7 @@ void centreRow(PanelUi& ui, const Subjects& subjects, const Lengths& lengths) {
       field.initial = 0.5f * bone.tip[i] * lengths.along(subjects.shown(), axis(i));
     }
     field.step = kLengthStep * lengths.height;
+    field.name = std::string("Centre ") + kAxisTitles[i];
     field.hint = std::string("Centre along the bone's ") + kAxisNames[i] + " axis; reset: the middle of the bone";
     return field;
   });
@@ -130,6 +132,7 @@ void rotationRow(PanelUi& ui, const Subjects& subjects) {
       if (p.id() == shown.id()) euler = {p.id(), p.placement.rotation, degrees};
     };
     field.step = kDegreeStep;
+    field.name = std::string("Rotation ") + kAxisTitles[i];
     field.hint = std::string("Turn about ") + kAxisNames[i] + ", in the bone's space";
     return field;
   });
@@ -153,6 +156,7 @@ void radiiRow(PanelUi& ui, const Subjects& subjects, const Lengths& lengths) {
     field.set = [i](Primitive& p, float value) { p.placement.radii[i] = value; };
     field.scale = [i, &lengths](const Primitive& p) { return lengths.along(p, p.placement.rotation * axis(i)); };
     field.step = kLengthStep * lengths.height;
+    field.name = std::string("Radius ") + kAxisTitles[i];
     field.hint = std::string("Radius along the muscle's own ") + kAxisNames[i] + " axis";
     return field;
   });

@@ -89,10 +89,14 @@ void depthRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
   const int shown = before.autoDepth ? ui.state.live->depth() : before.depth;
   auto depth = static_cast<float>(shown);
   NumberLook look{format, 0.0f, 1.0f, static_cast<float>(std::max(kDepthOfSlider, shown)), 1.0f, true};
+  Typing typing;
+  look.typing = &typing;
   ImGui::BeginDisabled(before.autoDepth);
   const bool edited = numberSlider(ui, "##depth", depth, look);
-  editField(ui, "smoothing/depth", "Depth", edited && !before.autoDepth,
-            [&] { return changed([&](SmoothingSettings& s) { s.depth = static_cast<int>(depth); }); });
+  editNumber(
+      ui, "smoothing/depth", "Depth", edited && !before.autoDepth, typing,
+      [&] { return changed([&](SmoothingSettings& s) { s.depth = static_cast<int>(depth); }); },
+      [](const Rig& rig) { return std::to_string(rig.smoothing.depth); });
   ImGui::EndDisabled();
   tooltip(ui, "How fine the skin is: every triangle of the file becomes depth x depth triangles.");
   ImGui::SameLine();
@@ -108,9 +112,14 @@ void creaseRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
   beginRow(ui, "Crease");
   float degrees = before.creaseAngle;
   const char* format = degrees >= kNoCreases ? "smooth" : "%.0f\xc2\xb0";
-  const bool edited = numberSlider(ui, "##crease", degrees, {format, 0.0f, 0.0f, kNoCreases, 15.0f});
-  editField(ui, "smoothing/crease", "Crease angle", edited,
-            [&] { return changed([&](SmoothingSettings& s) { s.creaseAngle = degrees; }); });
+  NumberLook look{format, 0.0f, 0.0f, kNoCreases, 15.0f};
+  Typing typing;
+  look.typing = &typing;
+  const bool edited = numberSlider(ui, "##crease", degrees, look);
+  editNumber(
+      ui, "smoothing/crease", "Crease angle", edited, typing,
+      [&] { return changed([&](SmoothingSettings& s) { s.creaseAngle = degrees; }); },
+      [](const Rig& rig) { return numberText("%.0f\xc2\xb0", rig.smoothing.creaseAngle); });
   tooltip(ui, "Faces that meet at a sharper angle than this keep a hard edge. 180: smooth everywhere.");
 }
 
@@ -149,8 +158,12 @@ void drawSurfacePanel(PanelUi& ui) {
   float iso = before.iso;
   NumberLook isoLook{"%.3f", 0.0f, kIsoRange[0], kIsoRange[1], 0.05f};
   isoLook.clampTyped = false;
+  Typing typing;
+  isoLook.typing = &typing;
   bool edited = numberSlider(ui, "##iso", iso, isoLook);
-  editField(ui, "surface/iso", "Tightness", edited, [&] { return changed([&](SurfaceSettings& s) { s.iso = iso; }); });
+  editNumber(
+      ui, "surface/iso", "Tightness", edited, typing, [&] { return changed([&](SurfaceSettings& s) { s.iso = iso; }); },
+      [&](const Rig& rig) { return numberText(isoLook.format, rig.surface.iso); });
   tooltip(
       ui,
       "How tightly the skin lies around muscles that blend: higher is tighter. A muscle on its own keeps its radii. "
@@ -159,9 +172,13 @@ void drawSurfacePanel(PanelUi& ui) {
   float percent = before.skinBlend * 100.0f;
   NumberLook blendLook{"%.1f %%", 0.0f, kBlendRange[0], kBlendRange[1], 0.5f, false, true};
   blendLook.clampTyped = false;
+  typing = {};
+  blendLook.typing = &typing;
   edited = numberSlider(ui, "##blend", percent, blendLook);
-  editField(ui, "surface/skin-blend", "Skin blend", edited,
-            [&] { return changed([&](SurfaceSettings& s) { s.skinBlend = percent / 100.0f; }); });
+  editNumber(
+      ui, "surface/skin-blend", "Skin blend", edited, typing,
+      [&] { return changed([&](SurfaceSettings& s) { s.skinBlend = percent / 100.0f; }); },
+      [&](const Rig& rig) { return numberText(blendLook.format, 100.0f * rig.surface.skinBlend); });
   tooltip(ui,
           "How softly the skin rises into a muscle, in percent of the character's height. Small muscles blend over "
           "their own size at most.");

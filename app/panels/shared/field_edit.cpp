@@ -17,13 +17,14 @@ void beginFieldEdit(PanelUi& ui, const std::string& id, const char* label) {
   ui.state.open.gestureItem = ImGui::GetItemID();
 }
 
-void endFieldEdit(PanelUi& ui) {
+void endFieldEdit(PanelUi& ui, const std::string& label) {
   if (!ImGui::IsItemDeactivated() || ui.state.open.gestureItem != ImGui::GetItemID()) return;
   // Esc puts the text back that the field began with, which is the value rounded for reading: take the value itself.
   if (ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
     ui.state.document.commands.cancelGesture();
   } else {
-    ui.state.document.commands.endGesture();
+    if (label.empty()) ui.state.document.commands.endGesture();
+    else ui.state.document.commands.endGesture(label);
     sayRefusedField(ui.state);
   }
   ui.state.open.gestureItem = 0;

@@ -11,6 +11,7 @@
 
 #include "app/document/motion_clip.h"
 #include "app/document/shown_names.h"
+#include "app/editor/edit.h"
 #include "app/editor/pose_commands.h"
 #include "app/panels/timeline/timeline.h"
 #include "app/panels/timeline/timeline_track.h"
@@ -83,7 +84,11 @@ void clipChoice(PanelUi& ui, float width) {
 
 void speedField(PanelUi& ui) {
   ImGui::SetNextItemWidth(ui.px(kSpeedWidth));
-  numberField("##speed", ui.state.open.transport.speed, {"%.2f x", 0.01f, 0.1f, 4.0f, 0.25f});
+  NumberLook look{"%.2f x", 0.01f, 0.1f, 4.0f, 0.25f};
+  Typing typing;
+  look.typing = &typing;
+  numberField("##speed", ui.state.open.transport.speed, look);
+  if (!typing.refusal.empty()) sayRefusal(ui.state, typing.refusal);
   ui.widgets.note("timeline/speed");
   tooltip(ui, "Speed: drag (Shift: precise, Ctrl: steps), or double-click to type");
 }
