@@ -15,6 +15,7 @@
 #include "core/smoothing/face_culling.h"
 #include "core/smoothing/finish/fold_guard.h"
 #include "core/smoothing/finish/fold_relaxation.h"
+#include "core/smoothing/finish/lift_filter.h"
 #include "core/smoothing/finish/shading_normals.h"
 #include "core/smoothing/patches/patch.h"
 #include "core/smoothing/projection/anchors.h"
@@ -117,6 +118,8 @@ struct Smoother::State {
   std::vector<glm::vec3> controlRise;
   std::vector<glm::vec3> rise;
   MovedTriangles movedTriangles;
+  LiftFilter liftFilter;
+  std::span<const float> filtered;  ///< Its weights.
   FoldRelaxation foldRelaxation;
   FoldGuard foldGuard;
   ShadingNormals shadingNormals;
@@ -266,9 +269,12 @@ struct Smoother::State {
     interpolateDirections(mesh(), *prepared.refinement, controlRise, rise);
   }
 
-  /// Folds of what the muscles moved are smoothed out, and what is left of them moves back towards the patch.
+  /// Heights that the mesh cannot follow are filtered, folds smoothed out; what is left moves back towards the patch.
   void unfold(Surface& out) {
     const Refinement& refinement = *prepared.refinement;
+    const bool swells = prepared.rig.surface.mode == SurfaceMode::kSwell;  // `replace` lies on the muscle as it is.
+    filtered = swells ? liftFilter.apply(refinement, movedTriangles, patchPositions, out.positions, out.displacement)
+                      : std::span<const float>();
     const PatchView patch{patchPositions, patchNormals, prepared.bindFronts};
     const std::span<const Relaxed> relaxed =
         foldRelaxation.apply(mesh(), refinement, movedTriangles.control, patch, prepared.isBorder, out.positions);
@@ -277,8 +283,7 @@ struct Smoother::State {
       const glm::vec3 lift = from - patchPositions[v];
       out.displacement[v] *= glm::dot(out.positions[v] - patchPositions[v], lift) / glm::dot(lift, lift);
     }
-    const std::span<const float> kept =
-        foldGuard.apply(mesh(), refinement, foldRelaxation.watched(), patch, out.positions);
+    const auto kept = foldGuard.apply(mesh(), refinement, foldRelaxation.watched(), patch, out.positions);
     for (std::size_t v = 0; v < kept.size(); ++v) out.displacement[v] *= kept[v];
     countGuarded(relaxed, kept, out.report);
   }
@@ -300,7 +305,7 @@ struct Smoother::State {
 
   void shade(bool moved, Surface& out) {
     if (moved) {
-      shadingNormals.apply(*prepared.refinement, movedTriangles, patchPositions, out.positions, patchNormals,
+      shadingNormals.apply(*prepared.refinement, movedTriangles, patchPositions, out.positions, patchNormals, filtered,
                            out.normals);
     }
     if (!out.shadingNormals.empty()) turnWithSurface(out, patchNormals, out.shadingNormals);

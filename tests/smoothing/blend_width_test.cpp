@@ -9,11 +9,12 @@
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/surface/mesh_checks.h"
+#include "tests/support/surface/projected.h"
 
 namespace sinew::test {
 namespace {
 
-/// The limb's skin over one muscle on its middle bone, half sunk.
+/// The limb's skin over one muscle on its middle bone, half sunk, before its heights are filtered.
 Surface over(const Placement& placement, float skinBlend) {
   const auto character = makeLimb();
   Rig rig;
@@ -27,11 +28,7 @@ Surface over(const Placement& placement, float skinBlend) {
   rig.primitives.push_back(muscle);
   rig.surface.skinBlend = skinBlend;
   rig.smoothing.depth = 6;
-  Smoother smoother(character);
-  EXPECT_TRUE(smoother.prepare(rig).ok());
-  Surface surface;
-  smoother.smooth(bindPose(character->skeleton), surface);
-  return surface;
+  return Projected(*character, rig).at(bindPose(character->skeleton));
 }
 
 const Placement kMuscle{glm::vec3(0.3f, 0.3f, 0.0f), glm::quat(1.0f, 0.0f, 0.0f, 0.0f), glm::vec3(0.1f, 0.24f, 0.15f)};

@@ -11,6 +11,7 @@
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/rigs/trial_scenes.h"
+#include "tests/support/surface/projected.h"
 
 namespace sinew::test {
 namespace {
@@ -37,13 +38,9 @@ Rig only(Rig rig, const std::string& names) {
   return rig;
 }
 
+/// The roots as they are found, before heights are filtered.
 Surface surfaceOf(const CharacterPtr& character, const Rig& rig) {
-  Smoother smoother(character);
-  const auto prepared = smoother.prepare(rig);
-  EXPECT_TRUE(prepared.ok()) << prepared.error().text();
-  Surface out;
-  smoother.smooth(bindPose(character->skeleton), out);
-  return out;
+  return Projected(*character, rig).at(bindPose(character->skeleton));
 }
 
 TEST(BlendingSurface, UnlinkedGroupsNeverSum) {

@@ -38,7 +38,7 @@ class Raised {
     }
     moved_.find(mesh_, refinement_, mesh_.positions, positions);
     std::vector<glm::vec3> out = fieldNormals;
-    shading_.apply(refinement_, moved_, mesh_.positions, positions, patchNormals_, out);
+    shading_.apply(refinement_, moved_, mesh_.positions, positions, patchNormals_, {}, out);
     return out;
   }
 

@@ -10,6 +10,7 @@
 #include "tests/support/oracle/oracle.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/surface/mesh_checks.h"
+#include "tests/support/surface/projected.h"
 
 namespace sinew::test {
 namespace {
@@ -295,7 +296,7 @@ TEST(Smoother, SwellOverASphereOnAFlatSkin) {
   rig.primitives[0].territory = std::vector<std::string>{"root", "end"};
   for (const ProjectionKind projection : kProjections) {
     rig.smoothing.projection = projection;
-    const Surface surface = fresh(character, rig, bindPose(character->skeleton));
+    const Surface surface = Projected(*character, rig).at(bindPose(character->skeleton));
     int risen = 0;
     for (const glm::vec3& p : surface.positions) {
       const double s = static_cast<double>(p.z);

@@ -23,6 +23,8 @@ constexpr float kRotationFrom = -0.95f;  ///< Cosine between face normals from w
 constexpr float kRotationWhole = -0.7f;
 constexpr float kTurnedWhole = 0.1f;  ///< Turn of a vertex from which the second step works whole.
 
+float filteredAt(std::span<const float> filtered, std::size_t v) { return filtered.empty() ? 0.0f : filtered[v]; }
+
 /// Unit, where the length is that of a sum of a few weighted unit vectors; `fallback` where they cancel.
 glm::vec3 unitOr(const glm::vec3& sum, const glm::vec3& fallback) {
   const float squared = glm::dot(sum, sum);
@@ -99,7 +101,7 @@ void ShadingNormals::sumFaces(const Refinement& refinement, const MovedTriangles
 }
 
 void ShadingNormals::holdToFaces(const MovedTriangles& moved, std::span<const glm::vec3> patchNormals,
-                                 std::span<const glm::vec3> normals) {
+                                 std::span<const float> filtered, std::span<const glm::vec3> normals) {
   deltas_.resize(normals.size());
   isTurned_.resize(normals.size());
   turn_.resize(normals.size());
@@ -114,7 +116,8 @@ void ShadingNormals::holdToFaces(const MovedTriangles& moved, std::span<const gl
       turn_[v] = std::max(turn_[v], glm::dot(shown, shown));
       const glm::vec3 beyond = delta - shown;
       const float squared = glm::dot(beyond, beyond);
-      if (squared > kFreedom * kFreedom) delta = shown + (kFreedom / std::sqrt(squared)) * beyond;
+      const float freedom = kFreedom * (1.0f - filteredAt(filtered, v));
+      if (squared > freedom * freedom) delta = shown + (freedom / std::sqrt(squared)) * beyond;
     }
     // Two deltas of less than half the difference that counts cannot be that far apart.
     isTurned_[v] = glm::dot(delta, delta) > 0.25f * kTeethFrom * kTeethFrom ? 1 : 0;
@@ -183,7 +186,8 @@ void ShadingNormals::laplacianOf(const std::vector<glm::vec3>& values, const Ref
   }
 }
 
-void ShadingNormals::removeTeeth(const Refinement& refinement, const MovedTriangles& moved) {
+void ShadingNormals::removeTeeth(const Refinement& refinement, const MovedTriangles& moved,
+                                 std::span<const float> filtered) {
   if (!findTeeth(refinement, moved)) return;
   gatherAroundTeeth(refinement, moved);
   laplacianOf(deltas_, refinement, moved, first_);
@@ -194,7 +198,7 @@ void ShadingNormals::removeTeeth(const Refinement& refinement, const MovedTriang
     const float apart = std::sqrt(spread_[v]);
     // Only where something has turned; from there on continuously.
     const float weight = kTeeth * smoothstep(kTeethFrom, kTeethWhole, apart) *
-                         (1.0f - smoothstep(kCliffFrom, kCliffWhole, apart)) *
+                         (1.0f - (1.0f - filteredAt(filtered, v)) * smoothstep(kCliffFrom, kCliffWhole, apart)) *
                          smoothstep(0.0f, kTurnedWhole, std::sqrt(turn_[v]));
     deltas_[v] -= weight * second_[v];
   }
@@ -202,10 +206,10 @@ void ShadingNormals::removeTeeth(const Refinement& refinement, const MovedTriang
 
 void ShadingNormals::apply(const Refinement& refinement, const MovedTriangles& moved, std::span<const glm::vec3> patch,
                            std::span<const glm::vec3> positions, std::span<const glm::vec3> patchNormals,
-                           std::span<glm::vec3> normals) {
+                           std::span<const float> filtered, std::span<glm::vec3> normals) {
   sumFaces(refinement, moved, patch, positions);
-  holdToFaces(moved, patchNormals, normals);
-  removeTeeth(refinement, moved);
+  holdToFaces(moved, patchNormals, filtered, normals);
+  removeTeeth(refinement, moved, filtered);
   for (const int vertex : moved.corners) {
     const auto v = static_cast<std::size_t>(vertex);
     if (deltas_[v] == normals[v] - patchNormals[v]) continue;

@@ -23,14 +23,18 @@ namespace sinew {
 ///    several. The weight is 0 where neighbours differ little, where the vertex itself is not turned, and on cliffs,
 ///    which are meant.
 ///
+/// Where heights were filtered (lift_filter.h) the field's normal is not that of the surface, and a cliff is not meant:
+/// there, by the filter's weight, delta goes over into delta', and cliffs are no exception in the second step.
+///
 /// Continuous in time. A vertex that has not moved and has no moved neighbour keeps its normal bit for bit.
 class ShadingNormals {
  public:
   /// @param moved  of these positions.  @param patch, positions [V'] world.  @param patchNormals [V'] unit.
+  /// @param filtered [V'] 0..1, the weights of lift_filter.h; empty: all are 0.
   /// @param normals [V'] unit: in: the field's where a vertex has moved, else the patch's; out: for shading.
   void apply(const Refinement& refinement, const MovedTriangles& moved, std::span<const glm::vec3> patch,
              std::span<const glm::vec3> positions, std::span<const glm::vec3> patchNormals,
-             std::span<glm::vec3> normals);
+             std::span<const float> filtered, std::span<glm::vec3> normals);
 
  private:
   /// Sums over the faces around one vertex.
@@ -41,13 +45,13 @@ class ShadingNormals {
   void sumFaces(const Refinement& refinement, const MovedTriangles& moved, std::span<const glm::vec3> patch,
                 std::span<const glm::vec3> positions);
   void holdToFaces(const MovedTriangles& moved, std::span<const glm::vec3> patchNormals,
-                   std::span<const glm::vec3> normals);
+                   std::span<const float> filtered, std::span<const glm::vec3> normals);
   [[nodiscard]] bool findTeeth(const Refinement& refinement, const MovedTriangles& moved);
   void gatherAroundTeeth(const Refinement& refinement, const MovedTriangles& moved);
   /// (M - 1) values at the vertices near teeth, 0 at the other corners.
   void laplacianOf(const std::vector<glm::vec3>& values, const Refinement& refinement, const MovedTriangles& moved,
                    std::vector<glm::vec3>& out) const;
-  void removeTeeth(const Refinement& refinement, const MovedTriangles& moved);
+  void removeTeeth(const Refinement& refinement, const MovedTriangles& moved, std::span<const float> filtered);
 
   // All read and written at moved.corners alone.
   std::vector<Faces> faces_;             ///< [V']

@@ -178,28 +178,74 @@ Vec turnOf(const Vec& v, const Vec& from, const Vec& to) {
   return share * (turned - v) + (1.0 - share) * difference;
 }
 
-/// w of the largest difference to a neighbour's delta, and of the larger of the vertex's own delta and delta'.
-double toothWeight(double difference, double own) {
-  const double betweenNeighbours = smoothstep(0.22, 0.45, difference) * (1.0 - smoothstep(0.45, 0.8, difference));
+/// How far each vertex's height is from what edges can follow, 0..1, and at least that of each neighbour.
+struct Sampling {
+  std::vector<double> weights;
+  std::vector<double> heights;  ///< Filtered.
+};
+
+Sampling filterHeights(const Triangles& triangles, const std::vector<Vec>& patch, const std::vector<float>& raw) {
+  const Neighbours neighbours = neighboursOf(triangles, patch.size());
+  const auto perLength = [&](std::size_t v, std::size_t u) {
+    const double apart = length(patch[u] - patch[v]);
+    return apart > 0.0 ? 1.0 / apart : 0.0;
+  };
+  const std::vector<double> start(raw.begin(), raw.end());
+  Sampling out{std::vector<double>(raw.size(), 0.0), start};
+  const auto towardsMean = [&](std::size_t v, double& sum) {
+    double difference = 0.0;
+    sum = 0.0;
+    for (const std::size_t u : neighbours[v]) {
+      sum += perLength(v, u);
+      difference += perLength(v, u) * (out.heights[u] - out.heights[v]);
+    }
+    return sum > 0.0 ? difference / sum : 0.0;
+  };
+  for (std::size_t v = 0; v < raw.size(); ++v) {
+    double sum = 0.0;
+    const double bend = std::abs(towardsMean(v, sum));
+    if (start[v] == 0.0 || neighbours[v].empty()) continue;
+    const double weight = smoothstep(0.15, 0.5, bend * sum / static_cast<double>(neighbours[v].size()));
+    out.weights[v] = std::max(out.weights[v], weight);
+    for (const std::size_t u : neighbours[v]) out.weights[u] = std::max(out.weights[u], weight);
+  }
+  for (int round = 0; round < 4; ++round) {
+    std::vector<double> next = out.heights;
+    for (std::size_t v = 0; v < raw.size(); ++v) {
+      double sum = 0.0;
+      next[v] += 0.5 * out.weights[v] * towardsMean(v, sum);
+      next[v] = std::clamp(next[v], std::min(0.0, start[v]), std::max(0.0, start[v]));
+    }
+    out.heights = next;
+  }
+  return out;
+}
+
+/// w of the largest difference to a neighbour's delta, of the larger of the vertex's own delta and delta', and of how
+/// much its height was filtered.
+double toothWeight(double difference, double own, double filtered) {
+  const double betweenNeighbours =
+      smoothstep(0.22, 0.45, difference) * (1.0 - (1.0 - filtered) * smoothstep(0.45, 0.8, difference));
   return 0.23 * betweenNeighbours * smoothstep(0.0, 0.1, own);
 }
 
 /// @param turns  of each vertex: the larger of its delta' and of its delta before it was held to the faces.
-void removeTeeth(const Triangles& triangles, const std::vector<double>& turns, std::vector<Vec>& deltas) {
+void removeTeeth(const Triangles& triangles, const std::vector<double>& turns, const std::vector<double>& filtered,
+                 std::vector<Vec>& deltas) {
   const Neighbours neighbours = neighboursOf(triangles, deltas.size());
   const std::vector<Vec> squared = laplacian(neighbours, laplacian(neighbours, deltas));
   std::vector<Vec> out = deltas;
   for (std::size_t v = 0; v < deltas.size(); ++v) {
     double difference = 0.0;
     for (const std::size_t u : neighbours[v]) difference = std::max(difference, length(deltas[u] - deltas[v]));
-    out[v] = deltas[v] - toothWeight(difference, turns[v]) * squared[v];
+    out[v] = deltas[v] - toothWeight(difference, turns[v], filtered[v]) * squared[v];
   }
   deltas = out;
 }
 
 }  // namespace
 
-Finished finish(const Surface& bindPatch, const Surface& patch, const Surface& raw) {
+Finished finish(const Surface& bindPatch, const Surface& patch, const Surface& raw, bool swells) {
   const Triangles& triangles = raw.refinement->triangles;
   const std::vector<Vec> patchPositions = vecs(patch.positions);
   const std::vector<Vec> patchNormals = vecs(patch.normals);
@@ -211,6 +257,13 @@ Finished finish(const Surface& bindPatch, const Surface& patch, const Surface& r
   Folds folds{triangles, patchPositions, patchNormals, {}};
   for (const auto& t : triangles) folds.bindFronts.push_back(frontOf(t, bindPositions, bindNormals));
   const std::vector<Vec> projected = out.positions;
+  const std::vector<float> heights = swells ? raw.displacement : std::vector<float>(projected.size(), 0.0f);
+  const Sampling sampling = filterHeights(triangles, patchPositions, heights);
+  for (std::size_t v = 0; v < projected.size(); ++v) {
+    const double height = static_cast<double>(heights[v]);
+    if (height == 0.0 || sampling.heights[v] == height) continue;
+    out.positions[v] = patchPositions[v] + (sampling.heights[v] / height) * (projected[v] - patchPositions[v]);
+  }
   relaxFolds(folds, neighboursOf(triangles, projected.size()), out.positions);
   guardFolds(folds, out.positions);
   for (std::size_t v = 0; v < projected.size(); ++v) {
@@ -225,10 +278,11 @@ Finished finish(const Surface& bindPatch, const Surface& patch, const Surface& r
     const Vec ofField = fieldNormals[v] - patchNormals[v];
     const Vec ofFaces = turnOf(patchNormals[v], patchFaces[v], faces[v]);
     const double distance = length(ofField - ofFaces);
-    deltas.push_back(ofFaces + (distance > kFreedom ? kFreedom / distance : 1.0) * (ofField - ofFaces));
+    const double freedom = kFreedom * (1.0 - sampling.weights[v]);
+    deltas.push_back(ofFaces + (distance > freedom ? freedom / distance : 1.0) * (ofField - ofFaces));
     turns.push_back(std::max(length(ofField), length(ofFaces)));
   }
-  removeTeeth(triangles, turns, deltas);
+  removeTeeth(triangles, turns, sampling.weights, deltas);
   for (std::size_t v = 0; v < deltas.size(); ++v) {
     out.normals.push_back(unitOr(patchNormals[v] + deltas[v], patchNormals[v]));
   }

@@ -18,8 +18,8 @@ struct Finished {
 };
 
 /// @param patch  positions and normals without muscles.  @param raw  the same after projection, before folds and
-/// shading.
-Finished finish(const Surface& bindPatch, const Surface& patch, const Surface& raw);
+/// shading.  @param swells  heights are filtered.
+Finished finish(const Surface& bindPatch, const Surface& patch, const Surface& raw, bool swells);
 
 /// Of a body that muscles wrap, under `replace`: what projection made stands.
 Finished unfinished(const Surface& raw);

@@ -59,6 +59,7 @@ class Oracle {
   [[nodiscard]] std::vector<double> weightsAt(const Site& site) const;
   /// omega of a control vertex, `replace` only.
   [[nodiscard]] double omega(int vertex) const { return omega_[static_cast<std::size_t>(vertex)]; }
+  [[nodiscard]] bool swells() const { return rig_.surface.mode == SurfaceMode::kSwell; }
   /// Neither guarded nor shaded anew: `replace` on a body that muscles wrap.
   [[nodiscard]] bool standsAsProjected() const { return rig_.surface.mode == SurfaceMode::kReplace && wraps_; }
   /// Unit rise direction at a site in the pose.
