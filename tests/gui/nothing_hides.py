@@ -5,7 +5,6 @@ import sys
 
 import driver
 
-SOON = 20.0  # Seconds: far longer than any delay of the interface, less than the usual patience.
 
 
 def pixels(t, editor, box):
@@ -21,7 +20,7 @@ def tooltip_comes(t, editor, control, picture=None):
     x, y = editor.mouse
     beside = (x + 14, y + 20, 60, 24)
     before = pixels(t, editor, beside)
-    driver.wait_for("a tooltip of " + control, lambda: pixels(t, editor, beside) != before, SOON)
+    driver.wait_for("a tooltip of " + control, lambda: pixels(t, editor, beside) != before)
     if picture:
         editor.screenshot(t.out / picture)
     t.check("a tooltip of %s comes while nothing moves" % control, True)
@@ -99,8 +98,7 @@ def messages(t, editor):
     editor.key("ctrl+o")
     editor.wait_until("the dialog", lambda s: s["dialog"] == "open")
     editor.fill("dialog/path", str(t.folder / "mine.rig.json"))
-    editor.wait_until("messages of the file before to go", lambda s: not any("upper_arm.X" in m for m in s["messages"]),
-                      SOON)
+    editor.wait_until("messages of the file before to go", lambda s: not any("upper_arm.X" in m for m in s["messages"]))
     t.check("messages of another document are gone", True)
 
 
