@@ -84,6 +84,7 @@ Json pictureToJson(const Preferences& preferences) {
       .set("light", nameOf(look.light))
       .set("background", nameOf(look.backdrop))
       .set("ao", look.occlusion)
+      .set("moving", preferences.fullWhileMoving ? "full" : "automatic")
       .set("folder", preferences.pictureFolder.string());
 }
 
@@ -92,6 +93,7 @@ void readPicture(const Json& json, Preferences& preferences) {
   look.light = lightNamed(json.at("light").text("")).value_or(look.light);
   look.backdrop = backdropNamed(json.at("background").text("")).value_or(look.backdrop);
   read(json, "ao", look.occlusion);
+  preferences.fullWhileMoving = json.at("moving").text("") == "full";
   if (const std::string folder = json.at("folder").text(""); folder.starts_with('/')) {
     preferences.pictureFolder = folder;
   }
@@ -254,6 +256,7 @@ Preferences mergedPreferences(const Preferences& base, const Preferences& mine, 
   merge(&Preferences::hiddenFiles);
   merge(&Preferences::newestFirst);
   merge(&Preferences::look);
+  merge(&Preferences::fullWhileMoving);
   merge(&Preferences::pictureFolder);
   merge(&Preferences::window);
   merge(&Preferences::layout);

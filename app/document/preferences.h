@@ -64,6 +64,7 @@ struct Preferences {
   bool hiddenFiles = false;                        ///< The file browser shows names that begin with a dot.
   bool newestFirst = false;                        ///< ... and sorts by date.
   PictureLook look;
+  bool fullWhileMoving = false;         ///< Never a lower resolution for what moves.
   std::filesystem::path pictureFolder;  ///< Where the last picture was saved; "": never.
   WindowPlace window;
   LayoutState layout;

@@ -24,6 +24,7 @@ struct FrameState {
   glm::ivec2 viewportPixels{1, 1};
   double now = 0.0;          ///< Seconds on a clock that only grows.
   int pictureSamples = 0;    ///< That the shown picture is the mean of; 1 while something moves.
+  float pictureScale = 1.0f;  ///< Pixels of the shown picture per pixel of the viewport, along an edge.
   float uiScale = 1.0f;      ///< Window coordinates per design pixel.
   float systemScale = 1.0f;  ///< What it would be if the system alone were asked.
 };

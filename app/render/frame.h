@@ -27,6 +27,7 @@ struct Frame {
   float height = 1.0f;   ///< Of the character, in the bind pose.
   float floor = 0.0f;    ///< Height of the ground.
   Bounds surfaceBounds;  ///< World; empty without a surface.
+  glm::vec3 groundCentre{0.0f};  ///< World: of the light on the floor.
 };
 
 /// Blending for premultiplied colours, alpha kept right for transparent pictures.

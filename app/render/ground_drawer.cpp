@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sinew::app {
 namespace {
@@ -29,6 +30,39 @@ glm::vec4 shadowArea(const Frame& frame) {
 /// Another background than the usual one is shown.
 bool isChosen(const Frame& frame) {
   return frame.settings.background && frame.settings.look.backdrop != Backdrop::kStudio;
+}
+
+/// The surface's part below the floor may shine through it; everything else lies before the floor or beside it.
+/// @return pixels that hold that part, low corner and size, rows from below; nullopt: it may be anywhere.
+std::optional<glm::ivec4> sunkPixels(const Frame& frame) {
+  const View& view = frame.view;
+  const Bounds& box = frame.surfaceBounds;
+  if (view.orthographic ? view.forwardInWorld().y >= 0.0f : view.eyeInWorld.y <= frame.floor) return std::nullopt;
+  if (box.isEmpty() || box.low.y >= frame.floor) return glm::ivec4(0);
+  const float top = std::min(frame.floor, box.high.y);
+  glm::vec2 low(view.size), high(0.0f);
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::vec3 at((corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? top : box.low.y,
+                       (corner & 4) != 0 ? box.high.z : box.low.z);
+    const glm::vec3 pixel = view.toPixel(at);
+    if (!(std::abs(pixel.z) <= 1.0f)) return std::nullopt;
+    low = glm::min(low, glm::vec2(pixel));
+    high = glm::max(high, glm::vec2(pixel));
+  }
+  constexpr float kRoom = 2.0f;
+  const glm::ivec2 first(glm::clamp(glm::floor(low - kRoom), glm::vec2(0.0f), glm::vec2(view.size)));
+  const glm::ivec2 last(glm::clamp(glm::ceil(high + kRoom), glm::vec2(first), glm::vec2(view.size)));
+  return glm::ivec4(first.x, view.size.y - last.y, last - first);
+}
+
+/// Draws within these pixels alone.
+template <class Draw>
+void within(const glm::ivec4& pixels, const Draw& draw) {
+  if (pixels.z <= 0 || pixels.w <= 0) return;
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(pixels.x, pixels.y, pixels.z, pixels.w);
+  draw();
+  glDisable(GL_SCISSOR_TEST);
 }
 
 }  // namespace
@@ -144,7 +178,41 @@ void GroundDrawer::drawBackground(const Frame& frame) const {
 }
 
 void GroundDrawer::drawGround(const Frame& frame) const {
-  const glm::vec3 centre = frame.surfaceBounds.isEmpty() ? glm::vec3(0.0f) : frame.surfaceBounds.center();
+  drawFloor(frame);
+  drawShadow(frame);
+}
+
+bool GroundDrawer::drawKept(const RenderTarget& target, const Frame& frame) {
+  const std::optional<glm::ivec4> sunk = sunkPixels(frame);
+  if (!sunk || !frame.settings.background) return false;
+  sunk_ = *sunk;
+  KeptLook look{frame.view, frame.settings, frame.groundCentre};
+  keptAnew_ = look != keptLook_;
+  if (keptAnew_) {
+    keptLook_ = std::move(look);
+    kept_.resize(frame.view.size, 1);
+    kept_.begin();
+    glClearDepth(1.0);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    drawBackground(frame);
+    if (frame.settings.ground) drawFloor(frame);
+    kept_.end();
+  }
+  const glm::ivec2& size = frame.view.size;
+  glBlitNamedFramebuffer(kept_.framebuffer(), target.framebuffer(), 0, 0, size.x, size.y, 0, 0, size.x, size.y,
+                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  target.begin();
+  within(sunk_, [&] { drawBackground(frame); });
+  return true;
+}
+
+void GroundDrawer::drawGroundOverKept(const Frame& frame) const {
+  within(sunk_, [&] { drawFloor(frame); });
+  drawShadow(frame);
+}
+
+void GroundDrawer::drawFloor(const Frame& frame) const {
+  const glm::vec3& centre = frame.groundCentre;
   const GridZoom zoom = gridZoom(frame.view, centre, frame.height);
   const BackdropStyle& style = backdropStyle(frame.settings.look.backdrop);
   const GlProgram& program = isChosen(frame) ? chosenGround_ : groundProgram_;
@@ -160,13 +228,23 @@ void GroundDrawer::drawGround(const Frame& frame) const {
   glDisable(GL_CULL_FACE);
   blendPremultiplied();
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-  if (!frame.surfaceBounds.isEmpty()) {
-    groundShadowProgram_.use();
-    groundShadowProgram_.set("area", area_);
-    groundShadowProgram_.set("shadow", 0);
-    glBindTextureUnit(0, shadowTextures_[0].id());
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-  }
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+}
+
+void GroundDrawer::drawShadow(const Frame& frame) const {
+  if (frame.surfaceBounds.isEmpty()) return;
+  groundShadowProgram_.use();
+  groundShadowProgram_.set("area", area_);
+  groundShadowProgram_.set("shadow", 0);
+  glBindTextureUnit(0, shadowTextures_[0].id());
+  glBindVertexArray(empty_.id());
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_FALSE);
+  glDisable(GL_CULL_FACE);
+  blendPremultiplied();
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
 }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "app/render/frame.h"
+#include "app/render/render_target.h"
 #include "app/render/surface_drawer.h"
 
 namespace sinew::app {
@@ -18,8 +20,30 @@ class GroundDrawer {
   /// Over the opaque surface, tested against its depth.
   void drawGround(const Frame& frame) const;
 
+  /// Background and floor as they were in the picture before, or drawn once for those that follow: in place of
+  /// drawBackground() into an empty target of one sample. With drawGroundOverKept() in place of drawGround() the
+  /// picture is the same to the pixel. Changes the framebuffer.
+  /// @return false: they cannot be kept apart from the surface, and nothing was drawn.
+  [[nodiscard]] bool drawKept(const RenderTarget& target, const Frame& frame);
+  void drawGroundOverKept(const Frame& frame) const;
+  /// The last drawKept() has found another background or floor than before.
+  [[nodiscard]] bool keptAnew() const { return keptAnew_; }
+  /// On the floor: x and z of the low corner, 1 / extent on each.
+  [[nodiscard]] const glm::vec4& shadowPlace() const { return area_; }
+
  private:
+  /// All that background and floor depend on.
+  struct KeptLook {
+    View view;
+    DisplaySettings settings;
+    glm::vec3 centre{0.0f};
+
+    friend bool operator==(const KeptLook&, const KeptLook&) = default;
+  };
+
   GroundDrawer();
+  void drawFloor(const Frame& frame) const;
+  void drawShadow(const Frame& frame) const;
 
   GlProgram shadowProgram_, shadowAlphaProgram_, blurProgram_, groundProgram_, groundShadowProgram_, backgroundProgram_;
   GlProgram chosenGround_, chosenBackground_;  ///< Where another background was chosen.
@@ -27,6 +51,10 @@ class GroundDrawer {
   int shadowSize_ = 512;
   std::array<GlTexture, 2> shadowTextures_;
   std::array<GlFramebuffer, 2> shadowTargets_;
+  RenderTarget kept_;
+  std::optional<KeptLook> keptLook_;
+  bool keptAnew_ = false;
+  glm::ivec4 sunk_{0};    ///< Pixels where the surface may lie below the floor: low corner and size, from below.
   glm::vec4 area_{0.0f};  ///< x and z of the shadow texture's low corner, 1 / extent on each.
 };
 

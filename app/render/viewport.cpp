@@ -38,12 +38,17 @@ struct Viewport::State {
   bool finish = false;
   bool transparent = false;
   float floor = 0.0f;
+  bool kept = false;               ///< Of the last picture all but `boxes` is the kept background.
+  std::vector<glm::vec4> boxes{};  ///< Of the last picture: the character and its shadow.
+  std::vector<glm::vec4> changed{};
+  glm::vec3 heldCentre{0.0f};  ///< Frame::groundCentre of the last picture.
   DrawSeconds seconds{};
 };
 
 namespace {
 
-constexpr int kFirstShown = 4;  ///< Samples after which a mean is first shown.
+constexpr float kHeldWithin = 0.015f;  ///< Of the height: the light on the floor changes by one step in 255 at most.
+constexpr int kFirstShown = 4;         ///< Samples after which a mean is first shown.
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -72,6 +77,49 @@ void resetState() {
   glDepthFunc(GL_LESS);
   glFrontFace(GL_CCW);
   glBindSampler(0, 0);
+}
+
+/// What holds these points in the picture, 0..1 from the top left, with room for linear scaling; nullopt: some are not
+/// in front of the eye.
+std::optional<glm::vec4> boxAround(const View& view, std::span<const glm::vec3> points) {
+  constexpr float kRoom = 3.0f;
+  const glm::vec2 size(view.size);
+  glm::vec2 low(size), high(0.0f);
+  for (const glm::vec3& point : points) {
+    const glm::vec3 pixel = view.toPixel(point);
+    if (!(std::abs(pixel.z) <= 1.0f)) return std::nullopt;
+    low = glm::min(low, glm::vec2(pixel));
+    high = glm::max(high, glm::vec2(pixel));
+  }
+  low = glm::clamp((low - kRoom) / size, 0.0f, 1.0f);
+  return glm::vec4(low, glm::clamp((high + kRoom) / size, low, glm::vec2(1.0f)));
+}
+
+/// Boxes of all that stands before the background, where it is the character and its shadow alone.
+std::vector<glm::vec4> boxesOf(const Frame& frame, const glm::vec4& shadow) {
+  const DisplaySettings& shown = frame.settings;
+  if (shown.controlMesh || !frame.scene.segments.empty() || shown.primitives || shown.influence || shown.skeleton ||
+      !frame.scene.territoryBones.empty() || !frame.scene.primitives.empty()) {
+    return {};
+  }
+  const Bounds& box = frame.surfaceBounds;
+  if (box.isEmpty()) return {};
+  std::array<glm::vec3, 8> body;
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    body[i] = {(i & 1) != 0 ? box.high.x : box.low.x, (i & 2) != 0 ? box.high.y : box.low.y,
+               (i & 4) != 0 ? box.high.z : box.low.z};
+  }
+  std::array<glm::vec3, 4> fallen;
+  for (std::size_t i = 0; i < fallen.size(); ++i) {
+    fallen[i] = {shadow.x + ((i & 1) != 0 ? 1.0f / shadow.z : 0.0f), frame.floor,
+                 shadow.y + ((i & 2) != 0 ? 1.0f / shadow.w : 0.0f)};
+  }
+  std::vector<glm::vec4> boxes;
+  if (const auto around = boxAround(frame.view, body)) boxes.push_back(*around);
+  if (!shown.ground || boxes.empty()) return boxes;
+  if (const auto around = boxAround(frame.view, fallen)) boxes.push_back(*around);
+  else boxes.clear();
+  return boxes;
 }
 
 /// Colours were multiplied by alpha in linear light; files hold them whole.
@@ -127,8 +175,26 @@ void Viewport::setCharacter(const Character& character) {
   }
 }
 
+/// Below the character. In a movement it stays where it was until that is seen: what is drawn there can be kept.
+glm::vec3 Viewport::groundCentre(const Frame& frame, bool moving) {
+  const glm::vec3 below = frame.surfaceBounds.isEmpty() ? glm::vec3(0.0f) : frame.surfaceBounds.center();
+  glm::vec3& held = state_->heldCentre;
+  if (!moving || glm::distance(held, below) > kHeldWithin * frame.height) held = below;
+  return held;
+}
+
+void Viewport::noteChange(const Frame& frame, bool kept) {
+  State& s = *state_;
+  std::vector<glm::vec4> boxes = kept ? boxesOf(frame, s.ground.shadowPlace()) : std::vector<glm::vec4>{};
+  const bool comparable = kept && s.kept && !s.ground.keptAnew() && !boxes.empty() && !s.boxes.empty();
+  s.changed = comparable ? s.boxes : std::vector{glm::vec4(0.0f, 0.0f, 1.0f, 1.0f)};
+  if (comparable) s.changed.insert(s.changed.end(), boxes.begin(), boxes.end());
+  s.boxes = std::move(boxes);
+  s.kept = kept;
+}
+
 /// All that stands in the picture, from back to front.
-void Viewport::drawInto(const RenderTarget& target, const Frame& frame) {
+void Viewport::drawInto(const RenderTarget& target, const Frame& frame, bool keepsBackdrop) {
   State& s = *state_;
   const DisplaySettings& settings = frame.settings;
   const bool showSurface = frame.scene.surface != nullptr && !frame.surfaceBounds.isEmpty() && settings.surface;
@@ -136,10 +202,13 @@ void Viewport::drawInto(const RenderTarget& target, const Frame& frame) {
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClearDepth(1.0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  if (settings.background) s.ground.drawBackground(frame);
+  const bool kept = keepsBackdrop && s.ground.drawKept(target, frame);
+  noteChange(frame, kept);
+  if (settings.background && !kept) s.ground.drawBackground(frame);
   glEnable(GL_DEPTH_TEST);
   if (showSurface) s.surface.drawOpaque(frame);
-  if (settings.ground) s.ground.drawGround(frame);
+  if (settings.ground && kept) s.ground.drawGroundOverKept(frame);
+  else if (settings.ground) s.ground.drawGround(frame);
   if (showSurface) s.surface.drawBlended(frame);
   if (settings.controlMesh) s.lines.drawControlMesh(frame);
   if (settings.segments) s.lines.drawSegments(frame);
@@ -173,22 +242,30 @@ void Viewport::leave() {
   if (state_->finish) glFinish();
 }
 
-void Viewport::draw(const Scene& scene, const View& view, const DisplaySettings& settings) {
-  assert(scene.character != nullptr && view.size.x > 0 && view.size.y > 0);
+void Viewport::draw(const Scene& scene, const View& whole, const DisplaySettings& chosen, std::optional<float> moving) {
+  const float scale = moving.value_or(1.0f);
+  assert(scene.character != nullptr && whole.size.x > 0 && whole.size.y > 0 && scale > 0.0f && scale <= 1.0f);
+  View view = whole;
+  DisplaySettings settings = chosen;
+  if (scale < 1.0f) {
+    view.size = glm::max(glm::ivec2(glm::round(glm::vec2(whole.size) * scale)), glm::ivec2(1));
+    settings.lineScale *= scale;
+  }
   State& s = *state_;
   const double start = now();
   resetState();
   const bool surfaced = scene.surface != nullptr && scene.surface->refinement != nullptr;
   if (surfaced) s.surface.upload(scene);
-  const Frame frame{scene, view, settings, scene.character->height, s.floor, surfaced ? s.surface.bounds() : Bounds{}};
+  Frame frame{scene, view, settings, scene.character->height, s.floor, surfaced ? s.surface.bounds() : Bounds{}};
+  frame.groundCentre = groundCentre(frame, moving.has_value());
   s.target.resize(view.size, s.samples);
-  s.mean.begin(view.size);
+  s.mean.begin(whole.size);
   s.transparent = !settings.background;
   if (s.finish) glFinish();
   const double uploaded = now();
   shareFrame(frame, -1);
   if (settings.ground) s.ground.prepareShadow(frame, s.surface);
-  drawInto(s.target, frame);
+  drawInto(s.target, frame, moving.has_value() && s.samples == 1);
   leave();
   s.seconds = {uploaded - start, now() - uploaded};
 }
@@ -204,10 +281,11 @@ bool Viewport::refine(const Scene& scene, const View& view, const DisplaySetting
   View aside = view;
   const glm::vec2 shift = 2.0f * sampleOffset(sample) / glm::vec2(view.size);
   aside.clipFromView = glm::translate(glm::mat4(1.0f), glm::vec3(shift, 0.0f)) * view.clipFromView;
-  const Frame frame{scene, aside, settings, scene.character->height, s.floor, surfaced ? s.surface.bounds() : Bounds{}};
+  Frame frame{scene, aside, settings, scene.character->height, s.floor, surfaced ? s.surface.bounds() : Bounds{}};
+  frame.groundCentre = groundCentre(frame, false);
   s.sample.resize(view.size, s.samples);
   shareFrame(frame, sample);
-  drawInto(s.sample, frame);
+  drawInto(s.sample, frame, false);
   s.mean.add(s.sample);
   const bool shown = s.mean.count() == kFirstShown || s.mean.count() == kMeanSamples;
   if (shown) s.mean.writeTo(s.target);
@@ -220,6 +298,7 @@ bool Viewport::isRefined() const { return state_->mean.count() >= kMeanSamples; 
 
 void Viewport::setFinishFrames(bool finish) { state_->finish = finish; }
 const DrawSeconds& Viewport::seconds() const { return state_->seconds; }
+const std::vector<glm::vec4>& Viewport::changed() const { return state_->changed; }
 unsigned Viewport::colorTexture() const { return state_->target.texture(); }
 
 Image Viewport::readPixels() const {

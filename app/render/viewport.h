@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/render/scene.h"
@@ -46,7 +47,11 @@ class Viewport {
   /// Draws into the own framebuffer, resized to view.size. Leaves framebuffer 0 bound, and depth test, blending,
   /// culling off. scene.character must be the one of setCharacter; scene.surface may be null (then no surface is
   /// drawn).
-  void draw(const Scene& scene, const View& view, const DisplaySettings& settings);
+  /// @param moving  for one picture of a movement, soon replaced: its pixels per pixel of view.size along an edge,
+  /// 0..1.
+  ///                Lines keep their widths as they are seen. refine() needs a picture that is drawn without it.
+  void draw(const Scene& scene, const View& view, const DisplaySettings& settings,
+            std::optional<float> moving = std::nullopt);
 
   /// Draws a resting picture once more, a fraction of a pixel aside, for a mean of kMeanSamples: smooth edges, and
   /// ambient occlusion without noise. To be called after draw(), with the same arguments, until isRefined().
@@ -62,12 +67,17 @@ class Viewport {
   /// OpenGL texture of the last picture for ImGui::Image: values are display-ready (not decoded on reading), bottom row
   /// first, so show it with uv0 = (0, 1), uv1 = (1, 0). Changes when the size changes; 0 before the first draw().
   [[nodiscard]] unsigned colorTexture() const;
+  /// Where the last draw() differs from the picture before it; elsewhere the pixels are the same. 0..1: low x and y,
+  /// high x and y, from the top left.
+  [[nodiscard]] const std::vector<glm::vec4>& changed() const;
   [[nodiscard]] Image readPixels() const;
 
  private:
   Viewport();
-  void drawInto(const RenderTarget& target, const Frame& frame);
+  void drawInto(const RenderTarget& target, const Frame& frame, bool keepsBackdrop);
   void shareFrame(const Frame& frame, int sample);
+  void noteChange(const Frame& frame, bool kept);
+  [[nodiscard]] glm::vec3 groundCentre(const Frame& frame, bool moving);
   void leave();
   struct State;
   std::unique_ptr<State> state_;

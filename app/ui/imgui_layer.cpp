@@ -110,14 +110,15 @@ ImGuiLayer::~ImGuiLayer() {
   ImGui::DestroyContext();
 }
 
-void ImGuiLayer::setScale(float scale) {
-  if (scale == scale_) return;
+bool ImGuiLayer::setScale(float scale) {
+  if (scale == scale_) return false;
   scale_ = scale;
   applyStyle(scale);
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui::GetIO().Fonts->Clear();
   fonts_ = loadFonts(scale);
   ImGui_ImplOpenGL3_CreateFontsTexture();
+  return true;
 }
 
 void ImGuiLayer::beginFrame(const RawInput& input, double seconds, double drawing) {
@@ -141,10 +142,10 @@ void ImGuiLayer::beginFrame(const RawInput& input, double seconds, double drawin
   ImGui::NewFrame();
 }
 
-void ImGuiLayer::endFrame() {
+ImDrawData& ImGuiLayer::endFrame() {
   showCursor();
   ImGui::Render();
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  return *ImGui::GetDrawData();
 }
 
 void ImGuiLayer::showCursor() {

@@ -8,6 +8,7 @@
 
 struct GLFWcursor;
 struct GLFWwindow;
+struct ImDrawData;
 
 namespace sinew::app {
 
@@ -28,11 +29,12 @@ class ImGuiLayer {
   /// @param seconds  since the last frame.
   /// @param drawing  what a frame takes now, without waiting for events.
   void beginFrame(const RawInput& input, double seconds, double drawing);
-  /// Draws into the bound framebuffer and shows the pointer ImGui asks for.
-  void endFrame();
+  /// Shows the pointer ImGui asks for. @return what is to be drawn; until the next frame begins.
+  ImDrawData& endFrame();
 
   /// Between frames: letters drawn anew, spacing and round corners with them. The fonts before are gone.
-  void setScale(float scale);
+  /// @return whether it was another.
+  bool setScale(float scale);
 
   [[nodiscard]] const Fonts& fonts() const { return fonts_; }
   [[nodiscard]] float scale() const { return scale_; }

@@ -2,12 +2,12 @@
 
 #include "app/window/editor_window.h"
 
-#include <epoxy/gl.h>
-
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -21,12 +21,14 @@
 #include "app/editor/session.h"
 #include "app/editor/session_keeper.h"
 #include "app/platform/window.h"
+#include "app/render/gl_objects.h"
 #include "app/render/thumbnails.h"
 #include "app/render/viewport.h"
 #include "app/ui/imgui_layer.h"
-#include "app/ui/style.h"
 #include "app/window/editor_step.h"
+#include "app/window/moving_resolution.h"
 #include "app/window/picture.h"
+#include "app/window/screen.h"
 #include "app/window/state_log.h"
 
 namespace sinew::app {
@@ -136,7 +138,7 @@ class Editor {
       request(state_, {IntentKind::kQuit, {}});
       settle_ = kSettleFrames;
     }
-    if (window_.takeRefresh()) settle_ = kSettleFrames;
+    if (window_.takeRefresh()) settle_ = exposed_ = kSettleFrames;
     const bool due = moving || caret || wake > 0.0 || window_.input().pending() || settle_ > 0;
     if (window_.input().pending()) settle_ = kSettleFrames;
     return due && !state_.session.quit;
@@ -169,30 +171,43 @@ class Editor {
     state_.frame.now = start;
     state_.frame.systemScale = window_.contentScale();
     state_.frame.uiScale = scaleOf(window_, state_, options_);
-    imgui_.setScale(state_.frame.uiScale);
+    if (imgui_.setScale(state_.frame.uiScale)) screen_.forget();
     imgui_.beginFrame(input, since, state_.session.stats.now() * 1e-3);
     step_.run(state_, input, imgui_.fonts(), delta);
     if (step_.cameraMoves()) settle_ = std::max(settle_, 2);  // What is hovered is seen a frame later.
     const View& view = state_.frame.route.view;
-    picture_.draw(state_, view, *ImGui::GetBackgroundDrawList(), secondsNow());
+    const double drawing = secondsNow();
+    picture_.draw(state_, view, *ImGui::GetBackgroundDrawList(), drawing, resolution(input));
     present();
     const double end = secondsNow();
+    if (moving_ > 1 && picture_.isNew() && adapts()) resolution_.add({end - drawing, drawing - start});
     state_.session.stats.add(end, (continuous_ && delta > 0.0 ? delta : end - start) * 1e3);
     if (log_) log_->write(state_, step_.widgets(), view, frameNumber_, end - startTime_);
     ++frameNumber_;
   }
 
+  /// A graphics processor draws all pixels; what it takes cannot be told from a wait for the monitor.
+  bool adapts() const { return isSoftwareRenderer() && !state_.session.preferences.fullWhileMoving; }
+
+  /// Of a picture that is drawn in this frame. The first of a movement is whole: it may be the only one.
+  std::optional<float> resolution(const RawInput& input) {
+    const bool moves = state_.open.transport.playing || step_.cameraMoves() || state_.frame.route.needsFrame ||
+                       std::ranges::find(input.buttons, true) != input.buttons.end();
+    moving_ = moves ? moving_ + 1 : 0;
+    if (moving_ < 2) return std::nullopt;
+    return adapts() ? resolution_.scale() : 1.0f;
+  }
+
   void present() {
-    const glm::ivec2 size = window_.framebufferSize();
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, size.x, size.y);
-    const Tint back = palette::kBackground;
-    glClearColor(back.r, back.g, back.b, 1.0f);
-    glClear(GL_COLOR_BUFFER_BIT);
-    imgui_.endFrame();
+    ImDrawData& data = imgui_.endFrame();
+    const std::array textures{TextureRevision{reinterpret_cast<std::uintptr_t>(ImGui::GetIO().Fonts->TexID), 0},
+                              picture_.revision()};
+    const bool still = exposed_ == 0 && !state_.open.transport.playing && !state_.frame.route.needsFrame;
+    if (exposed_ > 0) --exposed_;
+    const bool shows = screen_.draw(data, window_.framebufferSize(), textures, picture_.changed(), still);
     const std::string name = state_.document.name() + (state_.document.commands.modified() ? "*" : "");
     window_.setTitle(state_.hasCharacter() ? name + " - " + kTitle : kTitle);
-    window_.swap();
+    if (shows) window_.swap();
   }
 
   Window& window_;
@@ -204,12 +219,16 @@ class Editor {
   EditorState state_;
   SessionKeeper keeper_;
   EditorStep step_;
+  Screen screen_;
+  MovingResolution resolution_;
+  int moving_ = 0;  ///< Frames in a row.
   double startTime_ = secondsNow();
   double lastFrame_ = 0.0;
   double lastLook_ = -kLookSeconds;
   WindowPlace place_;
   long long frameNumber_ = 0;
   int settle_ = kSettleFrames;
+  int exposed_ = kSettleFrames;  ///< Frames that are shown though they are equal to those before.
   bool continuous_ = false;
 };
 

@@ -81,12 +81,24 @@ Scene sceneOf(const EditorState& state, const PictureKey& key) {
 
 }  // namespace
 
-void Picture::render(EditorState& state, PictureKey key, double now) {
-  viewport_.draw(sceneOf(state, key), key.view, key.display);
+void Picture::render(EditorState& state, PictureKey key, double now, std::optional<float> moving) {
+  viewport_.draw(sceneOf(state, key), key.view, key.display, moving);
+  passing_ = moving.has_value();
+  state.frame.pictureScale = moving.value_or(1.0f);
+  state.frame.pictureSamples = 1;
   state.session.stats.upload = viewport_.seconds().upload;
   state.session.stats.draw = viewport_.seconds().draw;
   drawn_ = std::move(key);
   drawnAt_ = now;
+}
+
+void Picture::noteChange(const glm::vec4& shown, bool whole) {
+  const glm::vec2 corner(shown), size(shown.z, shown.w);
+  for (const glm::vec4& part : viewport_.changed()) {
+    changed_.emplace_back(corner + size * glm::vec2(part), corner + size * glm::vec2(part.z, part.w));
+    whole = whole || part == glm::vec4(0.0f, 0.0f, 1.0f, 1.0f);
+  }
+  if (whole) ++revision_;
 }
 
 /// The texture holds what the state is now: nothing has moved since it was drawn.
@@ -102,7 +114,13 @@ std::optional<double> Picture::secondsUntilRefining(const EditorState& state, do
 
 bool Picture::refine(EditorState& state) {
   if (!showsNow(state)) return false;
+  if (passing_) {
+    render(state, PictureKey(drawn_), drawnAt_, std::nullopt);
+    ++revision_;
+    return true;
+  }
   const bool shows = viewport_.refine(sceneOf(state, drawn_), drawn_.view, drawn_.display);
+  if (shows) ++revision_;
   if (shows) state.frame.pictureSamples = viewport_.samplesTaken();
   return shows;
 }
@@ -113,6 +131,7 @@ Result<void> Picture::save(EditorState& state, const std::filesystem::path& file
   viewport_.draw(scene, key.view, key.display);
   while (!viewport_.isRefined()) viewport_.refine(scene, key.view, key.display);
   drawn_ = {};
+  ++revision_;
   const Result<std::string> bytes = pngBytes(viewport_.readPixels());
   if (!bytes) return bytes.error();
   return writeFileAtomically(file, bytes.value());
@@ -126,7 +145,9 @@ void Picture::keepThumbnail() {
   thumbnails_.keep(file_, viewport_.readPixels());
 }
 
-void Picture::draw(EditorState& state, const View& view, ImDrawList& list, double now) {
+void Picture::draw(EditorState& state, const View& view, ImDrawList& list, double now, std::optional<float> moving) {
+  new_ = false;
+  changed_.clear();
   if (!state.hasCharacter()) return;
   if (shownDocument_ != state.session.documentsOpened) {
     keepThumbnail();
@@ -134,8 +155,10 @@ void Picture::draw(EditorState& state, const View& view, ImDrawList& list, doubl
     shownDocument_ = state.session.documentsOpened;
   }
   if (PictureKey key = keyOf(state, view); !(key == drawn_)) {
-    render(state, std::move(key), now);
-    state.frame.pictureSamples = 1;
+    const unsigned before = viewport_.colorTexture();
+    render(state, std::move(key), now, moving);
+    new_ = true;
+    noteChange(state.frame.viewport, viewport_.colorTexture() != before);
   }
   const Document& document = state.document;
   file_ = document.rigFile.empty() ? document.characterFile : document.rigFile;

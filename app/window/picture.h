@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "app/editor/editor_state.h"
 #include "app/render/thumbnails.h"
 #include "app/render/viewport.h"
+#include "app/ui/changed_tiles.h"
 
 struct ImDrawList;
 
@@ -38,7 +40,16 @@ class Picture {
 
   /// Without a character: nothing. Times go to state.session.stats. The OpenGL context must be current.
   /// @param now  seconds on the clock of secondsUntilRefining()
-  void draw(EditorState& state, const View& view, ImDrawList& list, double now);
+  /// @param moving  as Viewport::draw() has it, for a picture that is drawn anew
+  void draw(EditorState& state, const View& view, ImDrawList& list, double now, std::optional<float> moving);
+  /// The last draw() has drawn a picture.
+  [[nodiscard]] bool isNew() const { return new_; }
+
+  /// The texture that draw() shows; a new revision where more has changed than changed() says.
+  [[nodiscard]] TextureRevision revision() const { return {viewport_.colorTexture(), revision_}; }
+
+  /// Window coordinates: low x and y, high x and y. Of the last draw().
+  [[nodiscard]] const std::vector<glm::vec4>& changed() const { return changed_; }
 
   /// Seconds until refine() has work, 0: it has; nullopt: the picture is as good as it gets, or there is none.
   [[nodiscard]] std::optional<double> secondsUntilRefining(const EditorState& state, double now) const;
@@ -54,14 +65,19 @@ class Picture {
   void keepThumbnail();
 
  private:
-  void render(EditorState& state, PictureKey key, double now);
+  void render(EditorState& state, PictureKey key, double now, std::optional<float> moving);
+  void noteChange(const glm::vec4& shown, bool whole);
   bool showsNow(const EditorState& state) const;
 
   Viewport& viewport_;
   Thumbnails& thumbnails_;
   std::filesystem::path file_;  ///< Of the document in the picture; "": it has unsaved changes.
   std::size_t shownDocument_ = 0;
+  std::uint64_t revision_ = 0;
+  std::vector<glm::vec4> changed_;
   double drawnAt_ = 0.0;
+  bool passing_ = false;  ///< What is drawn is one picture of a movement.
+  bool new_ = false;
   std::pair<std::filesystem::path, std::filesystem::file_time_type> thumbnailOf_;  ///< The last one kept.
   PictureKey drawn_;
 };

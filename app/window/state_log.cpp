@@ -284,6 +284,7 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("viewport", numbers({v.x, v.y, v.z, v.w}))
       .set("mouse", numbers({mouse.x, mouse.y}))
       .set("samples", state.frame.pictureSamples)
+      .set("picture_scale", state.frame.pictureScale)
       .set("camera_moving", isMoving(state.view.tools.camera))
       .set("bones", boneState(state, view))
       .set("widgets", widgetState(widgets))

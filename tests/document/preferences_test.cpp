@@ -46,6 +46,7 @@ Preferences unlikeTheDefaults() {
   p.recentActions = {"view/wire", "edit/undo"};
   p.hiddenFiles = p.newestFirst = true;
   p.look = {LightPreset::kRim, Backdrop::kLight, true};
+  p.fullWhileMoving = true;
   p.pictureFolder = "/a/pictures";
   p.window = {-5, 17, 1900, 1000, true};
   p.layout.left = 311.25f;

@@ -55,7 +55,9 @@ def smooth_at_rest(t, editor):
     state = editor.state()
     if not state["playing"]:
         state = editor.tap("space", "the clip to play", lambda s: s["playing"])
-    t.check_equal("one sample while it plays", {s["samples"] for s in editor.next_frames(5)}, {1})
+    moving = editor.next_frames(5)
+    t.check_equal("one sample while it plays", {s["samples"] for s in moving}, {1})
+    t.check_equal("at full resolution, as the preferences say", {s["picture_scale"] for s in moving}, {1})
     editor.screenshot(t.out / "picture_moving.png")
     moving, steps = softness(grey(t.out / "picture_moving.png", middle(state)))
     editor.tap("space", "the clip to stop", lambda s: not s["playing"])
@@ -144,6 +146,10 @@ def story(t):
         raise driver.Skip("pictures cannot be compared here without convert")
     t.copy(t.assets / "demo.glb")
     file = t.copy(t.assets / "demo.rig.json")
+    # A moving picture of few pixels is soft by itself: here the samples alone are to make it so.
+    preferences = t.folder / "config" / "sinew" / "preferences.json"
+    preferences.parent.mkdir(parents=True)
+    preferences.write_text('{ "format": "sinew-preferences", "picture": { "moving": "full" } }')
     editor = t.edit(file)
     editor.wait_until("a character", lambda s: s["triangles"] > 0)
     smooth_at_rest(t, editor)

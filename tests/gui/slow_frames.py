@@ -103,8 +103,19 @@ def short_click_on_slow_frames(t, editor):
     t.check("short taps on slow frames arrive, each once", not editor.state()["playing"])
 
 
+def coarse_while_moving(t, editor):
+    """Where the processor draws, frames of this size are slow: they become smaller while it plays, and whole at rest."""
+    if not editor.state()["playing"]:
+        editor.tap("space", "playing", lambda s: s["playing"])
+    editor.wait_until("fewer pixels while it plays", lambda s: s["picture_scale"] < 1)
+    editor.tap("space", "a stop", lambda s: not s["playing"])
+    state = editor.wait_until("all pixels and samples at rest", lambda s: s["samples"] == 16)
+    t.check_equal("at rest the picture is whole", state["picture_scale"], 1)
+
+
 def story(t):
     editor = heavy(t)
+    coarse_while_moving(t, editor)
     click_and_tap(t, editor)
     whole_drag(t, editor)
     text(t, editor)

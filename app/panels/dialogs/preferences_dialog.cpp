@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kTitle = "Preferences";
 constexpr float kWidth = 600.0f;  // Design pixels.
-constexpr float kLabelWidth = 150.0f;
+constexpr float kLabelWidth = 170.0f;
 constexpr std::array kScales{0.0f, 1.0f, 1.25f, 1.5f, 1.75f, 2.0f, 2.5f, 3.0f};
 
 void label(PanelUi& ui, const char* text) {
@@ -76,6 +76,20 @@ void scaleRow(PanelUi& ui) {
   explain(ui, "Scales text, icons, spacing and handles.");
 }
 
+void resolutionRow(PanelUi& ui) {
+  label(ui, "Resolution while moving");
+  bool& full = ui.state.session.preferences.fullWhileMoving;
+  constexpr std::array<const char*, 2> kChoices{"Automatic", "Full"};
+  const int clicked = segmented(ui, "preferences/moving", kChoices.data(), static_cast<int>(kChoices.size()),
+                                full ? 1 : 0, ImGui::GetContentRegionAvail().x);
+  if (clicked >= 0) full = clicked == 1;
+  tooltip(ui,
+          "Automatic: on a computer without a graphics processor the picture is drawn with fewer pixels while it plays "
+          "or is turned, as far as it takes for 30 pictures a second.\nFull: always with all pixels, however long "
+          "that takes.");
+  explain(ui, "At rest the picture always has its full resolution, and saved pictures do.");
+}
+
 void autosaveRow(PanelUi& ui) {
   label(ui, "Autosave");
   auto seconds = static_cast<float>(ui.state.session.preferences.autosaveSeconds);
@@ -129,6 +143,7 @@ void drawPreferences(PanelUi& ui) {
     } else {
       keymapRow(ui);
       scaleRow(ui);
+      resolutionRow(ui);
       autosaveRow(ui);
     }
     ImGui::Separator();
