@@ -6,7 +6,6 @@ import sys
 import driver
 
 
-
 def pixels(t, editor, box):
     """The screen's pixels in x, y, width, height."""
     x, y, width, height = map(round, box)
