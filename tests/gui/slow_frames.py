@@ -115,11 +115,11 @@ def coarse_while_moving(t, editor):
 
 def story(t):
     editor = heavy(t)
-    coarse_while_moving(t, editor)
     click_and_tap(t, editor)
     whole_drag(t, editor)
     text(t, editor)
     short_click_on_slow_frames(t, editor)
+    coarse_while_moving(t, editor)
     editor.tap("ctrl+q", "the question about changes", lambda s: s["dialog"] == "unsaved")
     editor.click("unsaved/discard")
     t.check_equal("quits", editor.wait_for_end(), 0)
