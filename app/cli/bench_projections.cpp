@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/cli/measuring.h"
+#include "core/smoothing/projection/instruction_set.h"
 
 namespace sinew::app {
 namespace {
@@ -95,6 +96,8 @@ Result<std::vector<Contender>> contendersOf(const ProjectionTrial& trial, Surfac
 
 Result<std::vector<ProjectionRow>> measureProjections(const ProjectionTrial& trial,
                                                       const std::function<void(const std::string&)>& report) {
+  // Like with like: the vector path knows newton alone.
+  const InstructionSetScope vertexByVertex(InstructionSet::kScalar);
   const std::vector<Pose> poses = posesOf(*trial.character, trial.frames);
   std::vector<ProjectionRow> rows;
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {

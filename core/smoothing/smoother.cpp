@@ -23,7 +23,7 @@
 #include "core/smoothing/projection/replace.h"
 #include "core/smoothing/projection/rise_directions.h"
 #include "core/smoothing/projection/rise_limits.h"
-#include "core/smoothing/projection/swell.h"
+#include "core/smoothing/projection/swell_vector.h"
 #include "core/smoothing/triangle_classes.h"
 
 namespace sinew {
@@ -57,6 +57,7 @@ struct Prepared {
   int shownPrimitives = 0;                     ///< Attached and not hidden.
   std::shared_ptr<const ControlMesh> creased;  ///< The character's mesh with creased wedges; null if none are.
   std::shared_ptr<const Refinement> refinement;
+  SwellTiles tiles;                    ///< Of seen(), in `swell`.
   std::vector<Anchor> anchors;         ///< [V'] in `replace` with an anchored projection, else empty.
   std::vector<float> inverseLimits;    ///< [V'] of the rise.
   std::vector<std::uint8_t> isBorder;  ///< [V']
@@ -75,18 +76,6 @@ SwellSettings swellSettings(const Rig& rig, const Character& character) {
 ReplaceSettings replaceSettings(const Rig& rig, const Character& character) {
   return {rig.surface.iso, kSearchLength * character.height, rig.smoothing.projection,
           kRootTolerance * static_cast<double>(character.height)};
-}
-
-/// In `swell` only the overlay and the report ask: inside the region of influence or not.
-std::vector<float> influenceWeights(const ControlMesh& mesh, const FieldView& bindField) {
-  std::vector<float> omega(mesh.positions.size(), 0.0f);
-  for (std::size_t v = 0; v < omega.size(); ++v) {
-    for (const CarrierCandidate& candidate : bindField.lists->of(static_cast<int>(v))) {
-      const UnitBallMap& ball = at(bindField.primitives, candidate.primitive).influence;
-      if (ball.holds(mesh.positions[v])) omega[v] = 1.0f;
-    }
-  }
-  return omega;
 }
 
 /// Shading normals hold the wedges' patch on entry: they turn with the surface as it moves off its own patch. Where the
@@ -140,6 +129,7 @@ struct Smoother::State {
       next.candidates = std::move(prepared.candidates);
       reshape(rig, next.attachment);
       hide(next, prepared.hidden == next.hidden);
+      if (prepared.hidden == next.hidden) next.tiles = std::move(prepared.tiles);
       return {};
     }
     Result<Attachment> attachment = attach(rig, *character, graphs);
@@ -190,6 +180,12 @@ struct Smoother::State {
     next.inverseLimits.resize(static_cast<std::size_t>(next.refinement->vertexCount));
     interpolateValues(mesh(), *next.refinement, inverseLimitsInBind, next.inverseLimits);
     next.isBorder = borderVertices(mesh(), *next.refinement);
+  }
+
+  void prepareTiles(Prepared& next) const {
+    if (prepared.refinement == next.refinement && !next.tiles.tiles.empty()) return;
+    const bool swells = next.rig.surface.mode == SurfaceMode::kSwell;
+    next.tiles = swells ? makeSwellTiles(mesh(), *next.refinement, next.seen()) : SwellTiles{};
   }
 
   void prepareFronts(Prepared& next) {
@@ -254,7 +250,7 @@ struct Smoother::State {
     field.skipped = culling.carriers;
     if (p.rig.surface.mode == SurfaceMode::kSwell) {
       poseRiseDirections();
-      swell(mesh(), field, swellSettings(p.rig, *character), {rise, p.inverseLimits}, out, projection);
+      swellAsChosen(mesh(), field, swellSettings(p.rig, *character), {rise, p.inverseLimits}, p.tiles, out, projection);
       return;
     }
     evaluate(PatchKind::kFlat, *p.refinement, skinned, flatPositions, flatNormals);
@@ -357,6 +353,7 @@ Result<void> Smoother::prepare(const Rig& rig, std::span<const int> hidden) {
   next.rig = rig;
   next.creased = state_->creasedAt(rig.smoothing.creaseAngle);
   next.refinement = state_->refinementFor(rig.smoothing.depth, next.creased);
+  state_->prepareTiles(next);
   state_->prepareVertices(next);
   state_->prepareFronts(next);
   state_->prepareClasses(next);

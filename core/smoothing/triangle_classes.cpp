@@ -19,4 +19,15 @@ std::vector<TriangleClass> classifyTriangles(const ControlMesh& mesh, std::span<
   return classes;
 }
 
+std::vector<float> influenceWeights(const ControlMesh& mesh, const FieldView& bindField) {
+  std::vector<float> omega(mesh.positions.size(), 0.0f);
+  for (std::size_t v = 0; v < omega.size(); ++v) {
+    for (const CarrierCandidate& candidate : bindField.lists->of(static_cast<int>(v))) {
+      const UnitBallMap& ball = at(bindField.primitives, candidate.primitive).influence;
+      if (ball.holds(mesh.positions[v])) omega[v] = 1.0f;
+    }
+  }
+  return omega;
+}
+
 }  // namespace sinew

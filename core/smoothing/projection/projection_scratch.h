@@ -5,6 +5,7 @@
 
 #include "core/blending/field.h"
 #include "core/smoothing/projection/carrier_walk.h"
+#include "core/smoothing/roots/lane_terms.h"
 #include "core/smoothing/roots/ray_field.h"
 
 namespace sinew {
@@ -17,6 +18,9 @@ struct ProjectionScratch {
   FieldScratch field;
   RayField ray;
   RayScratch roots;
+  LaneScratch lanes;
+  std::vector<int> nearInTile;
+  std::vector<int> uncertified;  ///< Vertices that the vector path left to the scalar one in the last frame.
 };
 
 }  // namespace sinew

@@ -12,8 +12,6 @@
 namespace sinew {
 namespace {
 
-constexpr float kLeastAlong = 0.2f;  ///< Cosine between rise direction and normal below which a slope is not raised.
-
 /// f_skin(s) = g(max(0, s/W + r_T)), s along the rise direction: T on the skin, 0 from s = h on, 1 from s = -r_T W
 /// inwards.
 struct SkinField {
@@ -144,6 +142,11 @@ class Sweller {
 };
 
 }  // namespace
+
+void swellVertex(const CarriedVertex& vertex, const FieldView& field, const SwellSettings& settings,
+                 const RiseView& rise, Surface& surface, ProjectionScratch& scratch) {
+  Sweller(field, settings, rise, surface, scratch).move(vertex, field.lists->of(vertex.carrier));
+}
 
 void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
            Surface& surface, ProjectionScratch& scratch) {

@@ -11,6 +11,8 @@
 
 namespace sinew {
 
+inline constexpr float kLeastAlong = 0.2f;  ///< Cosine of rise direction and normal below which slopes are not raised.
+
 /// How the skin may rise in one pose.
 struct RiseView {
   std::span<const glm::vec3> directions;  ///< [V'] world, unit, outward (rise_directions.h).
@@ -33,5 +35,9 @@ struct SwellSettings {
 /// A vertex where F(p) = 0 is not touched. Fills displacement (s) and counts in the report.
 void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
            Surface& surface, ProjectionScratch& scratch);
+
+/// The same for one vertex.
+void swellVertex(const CarriedVertex& vertex, const FieldView& field, const SwellSettings& settings,
+                 const RiseView& rise, Surface& surface, ProjectionScratch& scratch);
 
 }  // namespace sinew

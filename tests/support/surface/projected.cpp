@@ -9,7 +9,7 @@
 #include "core/smoothing/projection/replace.h"
 #include "core/smoothing/projection/rise_directions.h"
 #include "core/smoothing/projection/rise_limits.h"
-#include "core/smoothing/projection/swell.h"
+#include "core/smoothing/projection/swell_vector.h"
 
 namespace sinew::test {
 namespace {
@@ -33,6 +33,7 @@ struct Projected::State {
   Rig rig;
   Attachment attachment;
   CandidateLists candidates;
+  SwellTiles tiles;
   std::vector<glm::vec3> riseInBind;
   std::vector<float> limitsInBind;
   std::vector<Anchor> anchors;
@@ -71,7 +72,7 @@ struct Projected::State {
                                  tolerance()};
     std::vector<float> limits(rise.size());
     interpolateValues(character.mesh, refinement, limitsInBind, limits);
-    swell(character.mesh, field, settings, {rise, limits}, surface, scratch);
+    swellAsChosen(character.mesh, field, settings, {rise, limits}, tiles, surface, scratch);
   }
 
   void replaceFrom(const SkinnedMesh& control, const Pose& pose, const FieldView& field) {
@@ -85,11 +86,12 @@ struct Projected::State {
 
 Projected::Projected(const Character& character, const Rig& rig)
     : state_(std::make_unique<State>(
-          State{character, rig, attach(rig, character).value(), {}, {}, {}, {}, {}, {}, {}, {}, {}})) {
+          State{character, rig, attach(rig, character).value(), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}})) {
   state_->candidates = makeCandidateLists(character.mesh, state_->attachment);
   state_->riseInBind = riseDirections(character.mesh, kRise * character.height);
   state_->limitsInBind = inverseRiseLimits(character.mesh, state_->riseInBind, kRise * character.height);
   state_->surface.refinement = std::make_shared<const Refinement>(refine(character.mesh, rig.smoothing.depth));
+  state_->tiles = makeSwellTiles(character.mesh, *state_->surface.refinement, state_->candidates);
   state_->patch.refinement = state_->bindPatch.refinement = state_->surface.refinement;
   Points bind = patchOf(rig.smoothing.patch, character.mesh, *state_->surface.refinement,
                         {character.mesh.positions, character.mesh.normals});
@@ -99,6 +101,8 @@ Projected::Projected(const Character& character, const Rig& rig)
 }
 
 Projected::~Projected() = default;
+
+std::size_t Projected::uncertified() const { return state_->scratch.uncertified.size(); }
 
 const Surface& Projected::now() const { return state_->surface; }
 
@@ -115,6 +119,7 @@ const Surface& Projected::at(const Pose& pose) {
   Points curved = patchOf(state_->rig.smoothing.patch, character.mesh, *surface.refinement, control);
   patch.positions = surface.positions = std::move(curved.positions);
   patch.normals = surface.normals = std::move(curved.normals);
+  surface.report = {};
   surface.displacement.assign(surface.positions.size(), 0.0f);
   std::vector<PosedPrimitive> posed;
   poseField(state_->attachment.primitives, pose.boneInWorld, posed);

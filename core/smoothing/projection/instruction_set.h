@@ -1,0 +1,30 @@
+// core/smoothing/projection/instruction_set.h: which vector instructions projection uses.
+#pragma once
+
+#include <span>
+
+namespace sinew {
+
+/// kAuto: the widest this machine has. kPlain: the same operations, one lane at a time, where there are no others.
+/// kScalar: the reference in double precision, vertex after vertex.
+enum class InstructionSet { kAuto, kScalar, kPlain, kSse4, kAvx2, kAvx512 };
+
+[[nodiscard]] const char* nameOf(InstructionSet set);
+
+/// Those that this machine runs, kScalar first; kAuto is not among them.
+[[nodiscard]] std::span<const InstructionSet> availableInstructionSets();
+
+/// What kAuto means to this process. For tests and measurements: all sets but kScalar give the same bits.
+[[nodiscard]] InstructionSet chosenInstructionSet();
+void chooseInstructionSet(InstructionSet set);
+
+/// Chooses a set while it lives; then kAuto again.
+class InstructionSetScope {
+ public:
+  explicit InstructionSetScope(InstructionSet set) { chooseInstructionSet(set); }
+  ~InstructionSetScope() { chooseInstructionSet(InstructionSet::kAuto); }
+  InstructionSetScope(const InstructionSetScope&) = delete;
+  InstructionSetScope& operator=(const InstructionSetScope&) = delete;
+};
+
+}  // namespace sinew

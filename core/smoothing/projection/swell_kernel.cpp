@@ -1,0 +1,376 @@
+// core/smoothing/projection/swell_kernel.cpp: `swell` on tiles of 16 lanes, compiled once per instruction set.
+#include "core/smoothing/projection/swell_kernel.h"
+
+#include <cmath>
+
+// SSE4, AVX2, AVX-512 and one lane at a time; vectors without a fixed size would need other tiles.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/smoothing/projection/swell_kernel.cpp"
+#include "hwy/foreach_target.h"
+//
+#include "core/smoothing/projection/lane_points.h"
+#include "core/smoothing/roots/ray_lanes.h"
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+
+/// F on the skin and the blend width there.
+struct OnSkin {
+  V field;
+  V blendWidth;
+};
+
+/// Where the rays end.
+struct Found {
+  V t;
+  M rootless;
+  M known;
+};
+
+class TileSweller {
+ public:
+  explicit TileSweller(SwellFrame& frame)
+      : frame_(frame),
+        isoRoot_(std::sqrt(frame.settings.iso)),
+        isoRadius_(static_cast<float>(std::sqrt(1.0 - std::sqrt(static_cast<double>(frame.settings.iso))))) {}
+
+  void move(const SwellTile& tile) {
+    tile_ = &tile;
+    for (std::size_t first = 0; first < kLanes; first += width()) {
+      points_.gather(frame_.surface->positions, tile.vertices, first);
+    }
+    if (!gatherNear()) return;
+    const SwellTiles& tiles = *frame_.tiles;
+    const std::size_t set = static_cast<std::size_t>(tile.cliqueSet);
+    cliques_ = {tiles.cliqueBegins[set], tiles.cliqueSlots[set], tiles.slotCounts[set]};
+    for (std::size_t first = 0; first < kLanes; first += width()) moveLanes(first);
+  }
+
+ private:
+  /// The tile's primitives that its rays can meet, as in forEachReachable(). False if there are none.
+  bool gatherNear() {
+    const Bounds box = boundsOfTile();
+    const std::size_t count = static_cast<std::size_t>(tile_->candidateCount);
+    std::vector<carrier_walk::Span>& spans = *frame_.spans;
+    bool overlaps = false;
+    for (std::size_t i = 0; i < count && !overlaps; ++i) {
+      const UnitBallMap& ball = influence(candidate(i).primitive);
+      const glm::vec3 apart = ball.center - glm::clamp(ball.center, box.low, box.high);
+      overlaps = glm::dot(apart, apart) < ball.boundingRadius * ball.boundingRadius;
+    }
+    nearCount_ = 0;
+    if (!overlaps) return false;
+    for (std::size_t i = 0; i < count; ++i) spans[i] = carrier_walk::spanTo(influence(candidate(i).primitive), box);
+    const float extent = carrier_walk::extentOf(std::span(spans).first(count));
+    for (std::size_t i = 0; i < count; ++i) {
+      if (spans[i].gap < extent) (*frame_.near)[nearCount_++] = static_cast<int>(i);
+    }
+    return nearCount_ > 0;
+  }
+
+  Bounds boundsOfTile() const {
+    V3 low = points_.load(0);
+    V3 high = low;
+    for (std::size_t first = width(); first < kLanes; first += width()) {
+      const V3 p = points_.load(first);
+      low = {hn::Min(low.x, p.x), hn::Min(low.y, p.y), hn::Min(low.z, p.z)};
+      high = {hn::Max(high.x, p.x), hn::Max(high.y, p.y), hn::Max(high.z, p.z)};
+    }
+    const auto least = [](V v) { return hn::GetLane(hn::MinOfLanes(kTag, v)); };
+    const auto most = [](V v) { return hn::GetLane(hn::MaxOfLanes(kTag, v)); };
+    return {{least(low.x), least(low.y), least(low.z)}, {most(high.x), most(high.y), most(high.z)}};
+  }
+
+  const TileCandidate& candidate(std::size_t i) const {
+    return frame_.tiles->candidates[static_cast<std::size_t>(tile_->firstCandidate) + i];
+  }
+  const PosedPrimitive& primitive(int index) const { return frame_.field.primitives[static_cast<std::size_t>(index)]; }
+  const UnitBallMap& influence(int index) const { return primitive(index).influence; }
+
+  void moveLanes(std::size_t first) {
+    const V3 p = points_.load(first);
+    const OnSkin onSkin = sampleSkin(p, first);
+    const M active = both(hn::Ne(onSkin.field, zero()), asked(first));
+    if (!any(active)) return;
+    frame_.counts.projected += static_cast<int>(hn::CountTrue(kTag, active));
+    directions_.gather(frame_.rise.directions, tile_->vertices, first);
+    const V3 d = directions_.load(first);
+    fillTerms(p, d, first);
+    const LaneSkin skin = skinOf(onSkin);
+    const RayLanes rays(*frame_.lanes, cliques_, skin, first);
+    const LaneRise rise = riseOf(rays, skin, onSkin);
+    const LaneSearch search = rays.bracket(rise, active);
+    V t;
+    const float tolerance = static_cast<float>(frame_.settings.tolerance);
+    const M solved = rays.solve(search, tolerance, 5e-8f / tolerance, t);
+    const M known = both(active, hn::Or(solved, search.rootless));
+    t = choose(search.rootless, rise.end, t);
+    giveUp(butNot(active, known), first);
+    if (any(known)) place(p, d, skin, {t, search.rootless, known}, first);
+  }
+
+  /// Lanes that hold a vertex of their own that is to be projected.
+  M asked(std::size_t first) const {
+    const auto& skipped = frame_.field.skipped;
+    const auto isAsked = [&](std::size_t lane) {
+      if (lane >= static_cast<std::size_t>(tile_->used)) return false;
+      return skipped.empty() || skipped[static_cast<std::size_t>(tile_->carriers[lane])] == 0;
+    };
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < width(); ++i) bits |= static_cast<std::uint64_t>(isAsked(first + i)) << i;
+    return hn::LoadMaskBits(kTag, reinterpret_cast<const std::uint8_t*>(&bits));
+  }
+
+  V weightedStrength(std::size_t i, const PosedPrimitive& muscle, std::size_t first) const {
+    const LaneFloats& weights = frame_.tiles->weights[static_cast<std::size_t>(tile_->firstCandidate) + i];
+    return all(muscle.strength) * hn::Load(kTag, weights.at(first));
+  }
+
+  /// r^2 is scale |y|^2, y = inBall(ball, x - center).
+  static HWY_INLINE V scaleOf(const UnitBallMap& ball) {
+    return all(ball.inverseRadius > 0.0f ? ball.inverseRadius * ball.inverseRadius : 1.0f);
+  }
+  static HWY_INLINE V3 inBall(const UnitBallMap& ball, const V3& v) {
+    return ball.inverseRadius > 0.0f ? v : times(ball.toUnit, v);
+  }
+
+  OnSkin sampleSkin(const V3& p, std::size_t first) const {
+    LaneScratch& scratch = *frame_.lanes;
+    V carved = zero();
+    V together = zero();
+    V shares = zero();
+    V widths = zero();
+    for (std::size_t slot = 0; slot < cliques_.slotCount; ++slot) {
+      hn::Store(zero(), kTag, scratch.sums[slot].of[0].at(first));
+    }
+    for (std::size_t n = 0; n < nearCount_; ++n) {
+      const std::size_t i = static_cast<std::size_t>((*frame_.near)[n]);
+      if (!((*frame_.spans)[i].gap < 0.0f)) continue;
+      const PosedPrimitive& muscle = primitive(candidate(i).primitive);
+      const UnitBallMap& ball = muscle.influence;
+      if (ball.boundingRadius == 0.0f) continue;
+      const V3 y = inBall(ball, p - all(ball.center));
+      const V here = hn::Max(zero(), all(1.0f) - scaleOf(ball) * dot(y, y));
+      if (!any(hn::Gt(here, zero()))) continue;
+      const V value = weightedStrength(i, muscle, first) * here * here;
+      shares = shares + hn::Abs(value);
+      widths = widths + hn::Abs(value) * all(std::min(frame_.settings.blendWidth, muscle.meanRadius));
+      if (muscle.strength < 0.0f) {
+        carved = carved + value;
+      } else if (cliques_.empty()) {
+        together = together + value;
+      } else {
+        LaneFloats& sum = scratch.sums[static_cast<std::size_t>(candidate(i).slot)].of[0];
+        hn::Store(hn::Load(kTag, sum.at(first)) + value, kTag, sum.at(first));
+      }
+    }
+    for (std::size_t k = 0; k + 1 < cliques_.begin.size(); ++k) together = hn::Max(together, slotSum(k, 0, first));
+    const V width = choose(hn::Gt(shares, zero()), widths / shares, all(frame_.settings.blendWidth));
+    return {together + carved, width};
+  }
+
+  /// Terms along the outward rays.
+  void fillTerms(const V3& p, const V3& d, std::size_t first) {
+    LaneScratch& scratch = *frame_.lanes;
+    scratch.termCount = 0;
+    for (std::size_t n = 0; n < nearCount_; ++n) {
+      const std::size_t i = static_cast<std::size_t>((*frame_.near)[n]);
+      const PosedPrimitive& muscle = primitive(candidate(i).primitive);
+      const UnitBallMap& ball = muscle.influence;
+      if (ball.boundingRadius == 0.0f) continue;
+      const V3 y = inBall(ball, p - all(ball.center));
+      const V3 yd = inBall(ball, d);
+      const V scale = scaleOf(ball);
+      const V squared = dot(yd, yd);
+      const V middle = zero() - dot(y, yd) / squared;
+      const V3 nearest = y + middle * yd;
+      const V peak = all(1.0f) - scale * dot(nearest, nearest);
+      const V factor = weightedStrength(i, muscle, first);
+      if (!any(both(hn::Gt(peak, zero()), hn::Ne(factor, zero())))) continue;
+      LaneTerm& term = scratch.terms[scratch.termCount++];
+      hn::Store(scale * squared, kTag, term.a.at(first));
+      hn::Store(middle, kTag, term.middle.at(first));
+      hn::Store(peak, kTag, term.peak.at(first));
+      hn::Store(factor, kTag, term.factor.at(first));
+      term.primitive = candidate(i).primitive;
+      term.slot = muscle.strength < 0.0f ? LaneTerm::kEverySum : candidate(i).slot;
+    }
+  }
+
+  HWY_INLINE V slotSum(std::size_t clique, std::size_t which, std::size_t first) const {
+    V sum = zero();
+    for (int i = cliques_.begin[clique]; i < cliques_.begin[clique + 1]; ++i) {
+      const int slot = cliques_.slots[static_cast<std::size_t>(i)];
+      sum = sum + hn::Load(kTag, frame_.lanes->sums[static_cast<std::size_t>(slot)].of[which].at(first));
+    }
+    return sum;
+  }
+
+  LaneSkin skinOf(const OnSkin& onSkin) const {
+    const M outward = hn::Gt(onSkin.field, zero());
+    return {choose(outward, all(1.0f), all(-1.0f)), all(1.0f - isoRadius_) / onSkin.blendWidth, all(isoRadius_),
+            all(isoRoot_), choose(outward, all(isoRoot_), all(1e30f))};
+  }
+
+  /// Turns the terms into the search's direction and sign, and finds where they may rise: before its middle a term
+  /// that adds, after it one that takes away.
+  LaneRise riseOf(const RayLanes& rays, const LaneSkin& skin, const OnSkin& onSkin) {
+    const M outward = hn::Gt(skin.sign, zero());
+    LaneRise rise{all(1e30f), zero(), choose(outward, onSkin.blendWidth, all(isoRadius_) / skin.inverseWidth)};
+    LaneScratch& scratch = *frame_.lanes;
+    for (LaneTerm& term : std::span(scratch.terms).first(scratch.termCount)) {
+      const V factor = skin.sign * rays.load(term.factor);
+      const V middle = skin.sign * rays.load(term.middle);
+      const V peak = rays.load(term.peak);
+      rays.store(factor, term.factor);
+      rays.store(middle, term.middle);
+      const V half = hn::Sqrt(hn::Max(zero(), peak) / rays.load(term.a));
+      const V leave = middle + half;
+      const M met = both(both(hn::Gt(peak, zero()), hn::Ne(factor, zero())), hn::Gt(leave, zero()));
+      rise.end = choose(both(met, outward), hn::Max(rise.end, leave), rise.end);
+      const M adds = hn::Gt(factor, zero());
+      const V from = hn::Max(zero(), choose(adds, middle - half, middle));
+      const V to = choose(adds, middle, leave);
+      const M rises = both(met, hn::Gt(to, zero()));
+      rise.from = choose(rises, hn::Min(rise.from, from), rise.from);
+      rise.to = choose(rises, hn::Max(rise.to, to), rise.to);
+    }
+    return rise;
+  }
+
+  void giveUp(M mask, std::size_t first) {
+    if (!any(mask)) return;
+    forEach(mask, first, [&](std::size_t lane) { frame_.uncertified->push_back(tile_->vertices[lane]); });
+  }
+
+  /// F's gradient at s along the directions, and in `value` sign * F.
+  V3 gradientAt(const V3& x, const RayLanes& rays, const LaneSkin& skin, V t, V& value, std::size_t first) const {
+    V3 gradient{zero(), zero(), zero()};
+    value = zero();
+    for (std::size_t slot = 0; slot < cliques_.slotCount; ++slot) {
+      for (LaneFloats& sum : frame_.lanes->sums[slot].of) rays.store(zero(), sum);
+    }
+    for (const LaneTerm& term : rays.terms()) {
+      const V along = t - rays.load(term.middle);
+      const V w = hn::Max(zero(), rays.load(term.peak) - rays.load(term.a) * along * along);
+      if (!any(hn::Gt(w, zero()))) continue;
+      const UnitBallMap& ball = influence(term.primitive);
+      V3 y = x - all(ball.center);
+      if (ball.inverseRadius > 0.0f) {
+        y = all(ball.inverseRadius * ball.inverseRadius) * y;
+      } else {
+        y = transposedTimes(ball.toUnit, times(ball.toUnit, y));
+      }
+      const V fw = rays.load(term.factor) * w;
+      const V3 part = (all(-4.0f) * skin.sign * fw) * y;
+      if (cliques_.empty() || term.slot == LaneTerm::kEverySum) {
+        value = value + fw * w;
+        gradient = gradient + part;
+      } else {
+        SlotSums& sums = frame_.lanes->sums[static_cast<std::size_t>(term.slot)];
+        rays.store(rays.load(sums.of[0]) + fw * w, sums.of[0]);
+        rays.store(rays.load(sums.of[1]) + part.x, sums.of[1]);
+        rays.store(rays.load(sums.of[2]) + part.y, sums.of[2]);
+        rays.store(rays.load(sums.of[3]) + part.z, sums.of[3]);
+      }
+    }
+    V best = zero();
+    V3 bestGradient{zero(), zero(), zero()};
+    for (std::size_t k = 0; k + 1 < cliques_.begin.size(); ++k) {
+      const V sum = slotSum(k, 0, first);
+      const M wins = hn::Gt(skin.sign * sum, skin.sign * best);
+      best = choose(wins, sum, best);
+      bestGradient = choose(wins, V3{slotSum(k, 1, first), slotSum(k, 2, first), slotSum(k, 3, first)}, bestGradient);
+    }
+    value = value + best;
+    return gradient + bestGradient;
+  }
+
+  void place(const V3& p, const V3& d, const LaneSkin& skin, const Found& found, std::size_t first) {
+    const V t = found.t;
+    const M moved = both(found.known, hn::Ne(t, zero()));
+    if (!any(moved)) return;
+    const RayLanes rays(*frame_.lanes, cliques_, skin, first);
+    const V s = skin.sign * t;
+    normals_.gather(frame_.surface->normals, tile_->vertices, first);
+    const V3 n = normals_.load(first);
+    V field;
+    const V3 gradient = gradientAt(p + s * d, rays, skin, t, field, first);
+    const V residual = choose(butNot(moved, found.rootless), hn::Abs(skin.value(t) + field), zero());
+    frame_.counts.residualMax = std::max(frame_.counts.residualMax, hn::GetLane(hn::MaxOfLanes(kTag, residual)));
+    // s grows by 1 along d and not at all along the skin: its gradient is n / (n.d).
+    const V slope = skin.slope(t) / hn::Max(dot(n, d), all(kLeastAlong));
+    LaneFloats limits;
+    for (std::size_t lane = first; lane < first + width(); ++lane) {
+      limits.lane[lane] = frame_.rise.inverseLimits[static_cast<std::size_t>(tile_->vertices[lane])];
+    }
+    const V inverse = hn::Load(kTag, limits.at(first));
+    const V limit = all(1.0f) / inverse;
+    const M limited = hn::Gt(s * inverse, all(0.5f));
+    const V height = choose(limited, limit - all(0.25f) * limit * limit / s, s);
+    const V3 ofField = unitOr(V3{zero(), zero(), zero()} - (slope * n + gradient), n);
+    const V3 normal = choose(limited, unitOr(n + (height / s) * (ofField - n), n), ofField);
+    write(p + height * d, normal, height, moved, first);
+  }
+
+  void write(const V3& position, const V3& normal, V height, M moved, std::size_t first) {
+    LanePoints positions;
+    LaneFloats heights;
+    positions.store(position, first);
+    normals_.store(normal, first);
+    hn::Store(height, kTag, heights.at(first));
+    forEach(moved, first, [&](std::size_t lane) {
+      const auto v = static_cast<std::size_t>(tile_->vertices[lane]);
+      frame_.surface->positions[v] = positions.at(lane);
+      frame_.surface->normals[v] = normals_.at(lane);
+      frame_.surface->displacement[v] = heights.lane[lane];
+    });
+  }
+
+  SwellFrame& frame_;
+  float isoRoot_;
+  float isoRadius_;
+  const SwellTile* tile_ = nullptr;
+  std::size_t nearCount_ = 0;
+  LaneCliques cliques_;
+  LanePoints points_;
+  LanePoints directions_;
+  LanePoints normals_;
+};
+
+void swellTiles(SwellFrame& frame) {
+  TileSweller sweller(frame);
+  for (const SwellTile& tile : frame.tiles->tiles) sweller.move(tile);
+}
+
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace sinew {
+
+SwellKernel swellKernel(InstructionSet set) {
+  switch (set) {
+#if HWY_TARGETS & HWY_AVX3
+    case InstructionSet::kAvx512:
+      return &N_AVX3::swellTiles;
+#endif
+#if HWY_TARGETS & HWY_AVX2
+    case InstructionSet::kAvx2:
+      return &N_AVX2::swellTiles;
+#endif
+#if HWY_TARGETS & HWY_SSE4
+    case InstructionSet::kSse4:
+      return &N_SSE4::swellTiles;
+#endif
+    case InstructionSet::kScalar:
+      return nullptr;
+    default:
+      return &HWY_STATIC_DISPATCH(swellTiles);
+  }
+}
+
+}  // namespace sinew
+#endif

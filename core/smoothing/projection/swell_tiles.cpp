@@ -1,0 +1,177 @@
+// core/smoothing/projection/swell_tiles.cpp: carriers in order along a space-filling curve, packed.
+#include "core/smoothing/projection/swell_tiles.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace sinew {
+namespace {
+
+/// Every third bit of the result is one of x.
+std::uint32_t spread(std::uint32_t x) {
+  x &= 0x3ff;
+  x = (x | (x << 16)) & 0x030000ff;
+  x = (x | (x << 8)) & 0x0300f00f;
+  x = (x | (x << 4)) & 0x030c30c3;
+  return (x | (x << 2)) & 0x09249249;
+}
+
+/// Control triangles along a Morton curve through the bind pose: neighbours in the list are neighbours in space.
+std::vector<int> alongCurve(const ControlMesh& mesh) {
+  const Bounds box = boundsOf(mesh.positions);
+  const float longest = std::max({box.extent().x, box.extent().y, box.extent().z, 1e-30f});
+  std::vector<std::pair<std::uint32_t, int>> keyed;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    glm::vec3 sum(0.0f);
+    for (const int corner : at(mesh.triangles, t).vertices) sum += at(mesh.positions, corner);
+    const glm::vec3 cell = (sum / 3.0f - box.low) / longest * 1023.0f;
+    keyed.emplace_back(spread(static_cast<std::uint32_t>(cell.x)) | spread(static_cast<std::uint32_t>(cell.y)) << 1 |
+                           spread(static_cast<std::uint32_t>(cell.z)) << 2,
+                       t);
+  }
+  std::ranges::sort(keyed);
+  std::vector<int> order;
+  for (const auto& [key, triangle] : keyed) order.push_back(triangle);
+  return order;
+}
+
+class Packer {
+ public:
+  Packer(const ControlMesh& mesh, const Refinement& refinement, const CandidateLists& lists, SwellTiles& out)
+      : mesh_(mesh), refinement_(refinement), lists_(lists), out_(out), open_(lists.cliqueSets.size()) {}
+
+  void addCarrier(int carrier, int firstVertex, int count) {
+    if (lists_.of(carrier).empty()) return;
+    SwellTile& tile = at(open_, at(lists_.cliqueSet, carrier));
+    for (int i = 0; i < count; ++i) {
+      tile.cliqueSet = at(lists_.cliqueSet, carrier);
+      at(tile.vertices, tile.used) = firstVertex + i;
+      at(tile.carriers, tile.used) = carrier;
+      if (++tile.used == static_cast<int>(kLanes)) close(tile);
+    }
+  }
+
+  void closeAll() {
+    for (SwellTile& tile : open_) {
+      if (tile.used > 0) close(tile);
+    }
+  }
+
+ private:
+  void close(SwellTile& tile) {
+    for (std::size_t lane = toIndex(tile.used); lane < kLanes; ++lane) {
+      tile.vertices[lane] = tile.vertices[0];
+      tile.carriers[lane] = tile.carriers[0];
+    }
+    tile.firstCandidate = static_cast<int>(out_.candidates.size());
+    gatherCandidates(tile);
+    tile.candidateCount = static_cast<int>(out_.candidates.size()) - tile.firstCandidate;
+    fillWeights(tile);
+    out_.mostCandidates = std::max(out_.mostCandidates, toIndex(tile.candidateCount));
+    out_.tiles.push_back(tile);
+    tile = {};
+  }
+
+  void gatherCandidates(const SwellTile& tile) {
+    const auto begin = static_cast<std::ptrdiff_t>(out_.candidates.size());
+    for (int lane = 0; lane < tile.used; ++lane) {
+      if (lane > 0 && at(tile.carriers, lane) == at(tile.carriers, lane - 1)) continue;
+      for (const CarrierCandidate& candidate : lists_.of(at(tile.carriers, lane))) {
+        out_.candidates.push_back({candidate.primitive, candidate.slot});
+      }
+    }
+    const std::ranges::subrange own(out_.candidates.begin() + begin, out_.candidates.end());
+    std::ranges::sort(own, {}, &TileCandidate::primitive);
+    const auto rest = std::ranges::unique(own, {}, &TileCandidate::primitive);
+    out_.candidates.erase(rest.begin(), rest.end());
+  }
+
+  void fillWeights(const SwellTile& tile) {
+    const std::size_t first = out_.weights.size();
+    out_.weights.resize(out_.candidates.size(), LaneFloats{});
+    const std::span own = std::span(out_.candidates).subspan(first);
+    for (int lane = 0; lane < tile.used; ++lane) {
+      const CarriedVertex vertex = carriedVertex(mesh_, refinement_, at(tile.vertices, lane));
+      for (const CarrierCandidate& candidate : lists_.of(vertex.carrier)) {
+        const auto place = std::ranges::lower_bound(own, candidate.primitive, {}, &TileCandidate::primitive);
+        const auto index = first + static_cast<std::size_t>(place - own.begin());
+        at(out_.weights[index].lane, lane) = candidate.weightAt(vertex.barycentric);
+      }
+    }
+  }
+
+  const ControlMesh& mesh_;
+  const Refinement& refinement_;
+  const CandidateLists& lists_;
+  SwellTiles& out_;
+  std::vector<SwellTile> open_;  ///< One per clique set: equal sets number their groups equally.
+};
+
+void flattenCliques(const CandidateLists& lists, SwellTiles& out) {
+  for (const CliqueLists& cliques : lists.cliqueSets) {
+    std::vector<int> begins{0};
+    std::vector<int> slots;
+    for (const std::vector<int>& clique : cliques) {
+      slots.insert(slots.end(), clique.begin(), clique.end());
+      begins.push_back(static_cast<int>(slots.size()));
+    }
+    const std::size_t count = slots.empty() ? 0 : static_cast<std::size_t>(std::ranges::max(slots)) + 1;
+    out.mostSlots = std::max(out.mostSlots, count);
+    out.slotCounts.push_back(count);
+    out.cliqueBegins.push_back(std::move(begins));
+    out.cliqueSlots.push_back(std::move(slots));
+  }
+}
+
+}  // namespace
+
+CarriedVertex carriedVertex(const ControlMesh& mesh, const Refinement& refinement, int vertex) {
+  if (vertex < refinement.controlVertices) return {vertex, vertex, {vertex, vertex, vertex}, {1.0f, 0.0f, 0.0f}};
+  const float n = static_cast<float>(refinement.depth);
+  const int onEdges = vertex - refinement.controlVertices;
+  if (onEdges < refinement.controlEdges * refinement.edgeVertices) {
+    const int edge = onEdges / refinement.edgeVertices;
+    const auto& ends = at(mesh.edges, edge).vertices;
+    const float w = static_cast<float>(onEdges % refinement.edgeVertices + 1) / n;
+    return {vertex, refinement.controlVertices + edge, {ends[0], ends[1], ends[1]}, {1.0f - w, w, 0.0f}};
+  }
+  const int inside = onEdges - refinement.controlEdges * refinement.edgeVertices;
+  const int triangle = inside / refinement.interiorVertices;
+  const auto& [j, k] = at(refinement.interior, inside % refinement.interiorVertices);
+  return {vertex,
+          refinement.controlVertices + refinement.controlEdges + triangle,
+          at(mesh.triangles, triangle).vertices,
+          {static_cast<float>(refinement.depth - j - k) / n, static_cast<float>(j) / n, static_cast<float>(k) / n}};
+}
+
+SwellTiles makeSwellTiles(const ControlMesh& mesh, const Refinement& refinement, const CandidateLists& lists) {
+  SwellTiles out;
+  flattenCliques(lists, out);
+  Packer packer(mesh, refinement, lists, out);
+  std::vector<bool> known(toIndex(refinement.controlVertices + refinement.controlEdges), false);
+  const auto once = [&](int carrier) {
+    if (known[toIndex(carrier)]) return false;
+    known[toIndex(carrier)] = true;
+    return true;
+  };
+  for (const int t : alongCurve(mesh)) {
+    const ControlTriangle& triangle = at(mesh.triangles, t);
+    for (const int v : triangle.vertices) {
+      if (once(v)) packer.addCarrier(v, v, 1);
+    }
+    for (const int e : triangle.edges) {
+      const int carrier = refinement.controlVertices + e;
+      if (once(carrier)) packer.addCarrier(carrier, refinement.edgeVertex(e, 1), refinement.edgeVertices);
+    }
+    packer.addCarrier(refinement.controlVertices + refinement.controlEdges + t, refinement.interiorVertex(t, 0),
+                      refinement.interiorVertices);
+  }
+  // A vertex of no triangle is projected all the same.
+  for (int v = 0; v < refinement.controlVertices; ++v) {
+    if (once(v)) packer.addCarrier(v, v, 1);
+  }
+  packer.closeAll();
+  return out;
+}
+
+}  // namespace sinew

@@ -1,0 +1,48 @@
+// core/smoothing/projection/swell_tiles.h: refined vertices in packs of 16 neighbours that share one list of muscles.
+// Made once per edit.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/smoothing/projection/candidates.h"
+#include "core/smoothing/projection/carrier_walk.h"
+#include "core/smoothing/roots/lane_terms.h"
+#include "sinew/mesh/control_mesh.h"
+#include "sinew/smoothing/refinement.h"
+
+namespace sinew {
+
+/// Up to 16 refined vertices of neighbouring carriers with the same cliques.
+struct SwellTile {
+  std::array<int, kLanes> vertices{};  ///< Lanes beyond `used` repeat the first and see nothing.
+  std::array<int, kLanes> carriers{};
+  int used = 0;
+  int firstCandidate = 0;
+  int candidateCount = 0;
+  int cliqueSet = 0;
+};
+
+struct TileCandidate {
+  int primitive = 0;
+  int slot = 0;  ///< See Candidate::slot.
+};
+
+struct SwellTiles {
+  std::vector<SwellTile> tiles;
+  std::vector<TileCandidate> candidates;  ///< Of tile after tile, ascending by primitive.
+  std::vector<LaneFloats> weights;        ///< m_i of each candidate at each lane; 0 where the carrier does not see it.
+  std::vector<std::vector<int>> cliqueBegins;  ///< Of each clique set; see LaneCliques.
+  std::vector<std::vector<int>> cliqueSlots;
+  std::vector<std::size_t> slotCounts;
+  std::size_t mostCandidates = 0;
+  std::size_t mostSlots = 0;
+};
+
+[[nodiscard]] SwellTiles makeSwellTiles(const ControlMesh& mesh, const Refinement& refinement,
+                                        const CandidateLists& lists);
+
+/// What its carrier lends a refined vertex.
+[[nodiscard]] CarriedVertex carriedVertex(const ControlMesh& mesh, const Refinement& refinement, int vertex);
+
+}  // namespace sinew

@@ -1,0 +1,23 @@
+// core/smoothing/projection/swell_vector.h: `swell` in tiles of 16, with swell() as reference and refuge.
+// docs/performance.md.
+#pragma once
+
+#include "core/smoothing/projection/instruction_set.h"
+#include "core/smoothing/projection/swell.h"
+#include "core/smoothing/projection/swell_tiles.h"
+
+namespace sinew {
+
+/// As swell() by newton, to 1e-6 H: 16 vertices at a time, and vertex by vertex where the first root is not certain;
+/// those vertices are then in scratch.uncertified. All instruction sets give the same bits, and a vertex the same
+/// whatever lies beside it.
+/// @param tiles  of the field's lists.  @param set  not kScalar; one that this machine runs.
+void swellInTiles(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
+                  const SwellTiles& tiles, InstructionSet set, Surface& surface, ProjectionScratch& scratch);
+
+/// By the instruction set that is chosen for this process: swell() where that is kScalar, or where roots are found by
+/// bisection or analytically, which are there to be compared with newton.
+void swellAsChosen(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
+                   const SwellTiles& tiles, Surface& surface, ProjectionScratch& scratch);
+
+}  // namespace sinew

@@ -1,0 +1,57 @@
+// core/smoothing/roots/lane_terms.h: the field along 16 rays that meet the same primitives, a lane per ray.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace sinew {
+
+inline constexpr std::size_t kLanes = 16;
+
+/// One number per ray.
+struct alignas(64) LaneFloats {
+  std::array<float, kLanes> lane;
+
+  [[nodiscard]] float* at(std::size_t first) { return lane.data() + first; }
+  [[nodiscard]] const float* at(std::size_t first) const { return lane.data() + first; }
+};
+
+/// One potential along each ray: w(t) = peak - a (t - middle)^2, f(t) = factor max(0, w)^2.
+/// Written about its peak: c - b^2 / a would cancel for a small primitive far along the ray.
+struct LaneTerm {
+  LaneFloats a;
+  LaneFloats middle;
+  LaneFloats peak;
+  LaneFloats factor;  ///< sign * s_i * m_i; 0 where a ray's vertex does not see the primitive.
+  int primitive = 0;
+  int slot = 0;  ///< Group slot, or kEverySum: counts in every clique (carves).
+
+  static constexpr int kEverySum = -1;
+};
+
+/// Sums of one group, a lane per ray. What they are sums of is the reader's to say.
+struct SlotSums {
+  std::array<LaneFloats, 4> of;
+};
+
+/// Which slots add up: cliques[begin[k] .. begin[k+1]); none: everything sums.
+struct LaneCliques {
+  std::span<const int> begin;
+  std::span<const int> slots;
+  std::size_t slotCount = 0;
+
+  [[nodiscard]] bool empty() const { return begin.size() < 2; }
+};
+
+/// Reused from tile to tile, so that nothing is allocated; carries nothing from one to the next. One a thread.
+struct LaneScratch {
+  std::vector<LaneTerm> terms;
+  std::size_t termCount = 0;
+  std::vector<SlotSums> sums;
+  std::int64_t evaluations = 0;  ///< Of psi or its bounds along a ray.
+};
+
+}  // namespace sinew
