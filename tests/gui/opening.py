@@ -91,6 +91,19 @@ def cesium_opens(t):
     editor.quit()
 
 
+def robot_walks(t):
+    robot = t.characters / "robot.glb"
+    if not robot.exists():
+        print("left out: no robot.glb")
+        return
+    editor = t.edit(robot)
+    state = editor.wait_until("its bones", bone_rows)
+    t.check_equal("the robot's clips begin with a dance and a death", state["clips"][:2], ["Robot_Dance", "Robot_Death"])
+    t.check_equal("the robot opens walking", (state["clip"], state["playing"]), ("Robot_Walking", True))
+    t.check("its pole targets are no rows", not any("PoleTarget" in row for row in bone_rows(state)), bone_rows(state))
+    editor.quit()
+
+
 def stranger_arrives(t, editor):
     state = editor.wait_until("its bones", bone_rows)
     t.check_equal("a death stands first in the file", state["clips"][0], "Armature|Armature|Death")
@@ -261,6 +274,7 @@ def other_missing_files(t):
 def story(t):
     fox_walks(t)
     cesium_opens(t)
+    robot_walks(t)
     file = stranger(t)
     editor = t.edit(file)
     stranger_arrives(t, editor)

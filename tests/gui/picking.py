@@ -7,6 +7,7 @@ import driver
 PLACES = {
     "demo": ("demo.glb", ("spine", "chest"), ("KP_1", "ctrl+KP_1")),
     "fox": ("Fox.glb", ("b_Spine02_03", "b_Spine01_02"), ("KP_3", "ctrl+KP_3")),
+    "robot": ("robot.glb", ("Abdomen", "Torso"), ("KP_1", "ctrl+KP_1")),
     "cesium_man": ("cesium_man.gltf", ("joint 1", "joint 2"), ("KP_3", "ctrl+KP_3")),
 }
 
