@@ -27,7 +27,7 @@ def save(editor, name):
 
 
 def walking(t):
-    """The humanoid walks, a muscle of its chest selected."""
+    """The humanoid in its walk, a muscle of its chest selected."""
     editor = t.edit(t.copy_of("humanoid"))
     editor.wait_until("the walk", lambda s: s["playing"] and "chest" in s["bones"])
     editor.click("outliner/muscle/pectoralis L")
@@ -35,6 +35,8 @@ def walking(t):
     editor.tap("r", "the scaling handles", lambda s: s["gizmo"]["visible"] and s["gizmo"]["mode"] == "scale")
     editor.move((650, 650))
     editor.next_frames(60)
+    editor.tap("space", "the pause", lambda s: not s["playing"])
+    editor.wait_until("all samples", lambda s: s["samples"] == 16)
     save(editor, "editor.png")
     editor.quit()
 
@@ -42,15 +44,14 @@ def walking(t):
 def shoulder(t):
     """A shoulder muscle from close by, bones in x-ray, the groups as a matrix."""
     editor = t.edit(t.copy_of("humanoid"))
-    editor.wait_until("the walk", lambda s: s["playing"] and "chest" in s["bones"])
-    editor.tap("space", "the pause", lambda s: not s["playing"])
+    editor.wait_until("the walk, paused as it was left", lambda s: not s["playing"] and "chest" in s["bones"])
     editor.select_muscle("deltoideus L")
     editor.tap("r", "the scaling handles", lambda s: s["gizmo"]["visible"] and s["gizmo"]["mode"] == "scale")
     editor.click("display/skeleton")
     editor.click("blending/tab")
     editor.wait_until("the matrix", lambda s: sum(w.startswith("blending/") for w in s["widgets"]) > 3)
     editor.move((650, 650))
-    editor.settle()
+    editor.wait_until("all samples", lambda s: s["samples"] == 16)
     save(editor, "groups.png")
     editor.quit()
 
