@@ -94,9 +94,10 @@ def numbers(t, editor):
     editor.save_as(t.folder / "numbers.rig.json")
     tightness = lambda: editor.saved_rig().get("surface", {}).get("iso", 0.5)
 
-    def dragged(pixels, held=None):
+    def dragged(pixels, along, held=None):
+        """From its own place in the field: two presses on one place within a moment are a double click."""
         before = tightness()
-        at = editor.widget("surface/iso")
+        at = editor.widget("surface/iso", along)
         editor.move(at)
         editor.press()
         if held:
@@ -109,11 +110,11 @@ def numbers(t, editor):
         editor.settle()
         return tightness() - before
 
-    plain = dragged(60)
+    plain = dragged(60, 0.4)
     t.check("a drag changes it", plain > 0.1, plain)
-    precise = dragged(-60, "shift")
+    precise = dragged(-60, 0.6, "shift")
     t.check("with Shift a tenth as far", 0.0 < -precise < 0.2 * plain, (plain, precise))
-    dragged(-20, "ctrl")
+    dragged(-20, 0.5, "ctrl")
     value = tightness()
     t.check("with Ctrl in steps", abs(value / 0.05 - round(value / 0.05)) < 1e-3, value)
 
