@@ -211,16 +211,7 @@ void GroundDrawer::drawGroundOverKept(const Frame& frame) const {
   drawShadow(frame);
 }
 
-void GroundDrawer::drawFloor(const Frame& frame) const {
-  const glm::vec3& centre = frame.groundCentre;
-  const GridZoom zoom = gridZoom(frame.view, centre, frame.height);
-  const BackdropStyle& style = backdropStyle(frame.settings.look.backdrop);
-  const GlProgram& program = isChosen(frame) ? chosenGround_ : groundProgram_;
-  program.use();
-  program.set("ground", glm::vec4(centre.x, centre.z, kGroundReach * zoom.reach * frame.height, zoom.cell));
-  program.set("zoom", glm::vec2(zoom.reach, zoom.towardsNext));
-  program.set("grid", glm::vec3(style.pool, style.lineTone, style.lines));
-  program.set("lineScale", frame.settings.lineScale);
+void GroundDrawer::blendQuad() const {
   glBindVertexArray(empty_.id());
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
@@ -232,21 +223,26 @@ void GroundDrawer::drawFloor(const Frame& frame) const {
   glDisable(GL_BLEND);
 }
 
+void GroundDrawer::drawFloor(const Frame& frame) const {
+  const glm::vec3& centre = frame.groundCentre;
+  const GridZoom zoom = gridZoom(frame.view, centre, frame.height);
+  const BackdropStyle& style = backdropStyle(frame.settings.look.backdrop);
+  const GlProgram& program = isChosen(frame) ? chosenGround_ : groundProgram_;
+  program.use();
+  program.set("ground", glm::vec4(centre.x, centre.z, kGroundReach * zoom.reach * frame.height, zoom.cell));
+  program.set("zoom", glm::vec2(zoom.reach, zoom.towardsNext));
+  program.set("grid", glm::vec3(style.pool, style.lineTone, style.lines));
+  program.set("lineScale", frame.settings.lineScale);
+  blendQuad();
+}
+
 void GroundDrawer::drawShadow(const Frame& frame) const {
   if (frame.surfaceBounds.isEmpty()) return;
   groundShadowProgram_.use();
   groundShadowProgram_.set("area", area_);
   groundShadowProgram_.set("shadow", 0);
   glBindTextureUnit(0, shadowTextures_[0].id());
-  glBindVertexArray(empty_.id());
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
-  glDepthMask(GL_FALSE);
-  glDisable(GL_CULL_FACE);
-  blendPremultiplied();
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-  glDepthMask(GL_TRUE);
-  glDisable(GL_BLEND);
+  blendQuad();
 }
 
 }  // namespace sinew::app

@@ -42,6 +42,7 @@ class GroundDrawer {
   };
 
   GroundDrawer();
+  void blendQuad() const;  ///< Four corners from the vertex number: tested against depth, over what is there.
   void drawFloor(const Frame& frame) const;
   void drawShadow(const Frame& frame) const;
 

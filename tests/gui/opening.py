@@ -68,36 +68,41 @@ def bone_rows(state):
     return sorted(w.removeprefix("outliner/bone/") for w in state["widgets"] if w.startswith("outliner/bone/"))
 
 
+def opened(t, name):
+    """(editor, state) of a real character; None where it is not at hand."""
+    file = t.characters / name
+    if not file.exists():
+        print("left out: no " + name)
+        return None
+    editor = t.edit(file)
+    return editor, editor.wait_until("its bones", bone_rows)
+
+
 def fox_walks(t):
-    fox = t.characters / "Fox.glb"
-    if not fox.exists():
-        print("left out: no Fox.glb")
+    found = opened(t, "Fox.glb")
+    if not found:
         return
-    state = t.edit(fox).wait_until("the fox", lambda s: s["clips"])
+    editor, state = found
     t.check_equal("the fox's first clip in the file is another", state["clips"][0], "Survey")
     t.check_equal("the fox opens walking", (state["clip"], state["playing"]), ("Walk", True))
-    t.editors[-1].quit()
+    editor.quit()
 
 
 def cesium_opens(t):
-    cesium = t.characters / "cesium_man.gltf"
-    if not cesium.exists():
-        print("left out: no cesium_man.gltf")
+    found = opened(t, "cesium_man.gltf")
+    if not found:
         return
-    editor = t.edit(cesium)
-    state = editor.wait_until("its bones", bone_rows)
+    editor, state = found
     t.check_equal("its one clip plays", (state["clip"], state["playing"]), (state["clips"][0], True))
     t.check("bones that differ by a number alone keep their names", "joint 0" in bone_rows(state), bone_rows(state))
     editor.quit()
 
 
 def robot_walks(t):
-    robot = t.characters / "robot.glb"
-    if not robot.exists():
-        print("left out: no robot.glb")
+    found = opened(t, "robot.glb")
+    if not found:
         return
-    editor = t.edit(robot)
-    state = editor.wait_until("its bones", bone_rows)
+    editor, state = found
     t.check_equal("the robot's clips begin with a dance and a death", state["clips"][:2], ["Robot_Dance", "Robot_Death"])
     t.check_equal("the robot opens walking", (state["clip"], state["playing"]), ("Robot_Walking", True))
     t.check("its pole targets are no rows", not any("PoleTarget" in row for row in bone_rows(state)), bone_rows(state))
