@@ -102,8 +102,9 @@ class Acts:
         self.wait_until("the handle " + handle, lambda s: handle in s["gizmo"]["handles"])
 
         def aim():
-            at = self.state()["gizmo"]["handles"].get(handle)
-            if at is None:
+            state = self.state()
+            at = state["gizmo"]["handles"].get(handle)
+            if at is None or state["camera_moving"]:  # A handle that moves on is not under the press that follows.
                 return False
             self.move(at)
             return self.state()["gizmo"]["hovered"] == handle

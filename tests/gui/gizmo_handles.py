@@ -201,6 +201,7 @@ def look_from(b, view):
 
 def frame(b):
     b.editor.key("f")
+    b.editor.settle()
     b.editor.wait_until("the view to rest", lambda s: not s["camera_moving"] and s["gizmo"]["visible"])
 
 
@@ -332,6 +333,7 @@ def two_muscles(b):
     first, second = b.names
     b.select(second, first)  # The last is the active one.
     b.editor.key("a")
+    b.editor.settle()  # The key has been seen, so a camera that stands still has arrived.
     b.editor.wait_until("the view to rest", lambda s: not s["camera_moving"])
     b.axes("world")
     b.mode("move")
