@@ -25,7 +25,7 @@ PlayRange aroundTime(const Transport& transport, const Character& character) {
 }
 
 bool samePose(const Transport& a, const Transport& b) {
-  return a.clip == b.clip && a.time == b.time && a.overrides == b.overrides;
+  return a.clip == b.clip && a.time == b.time && a.overrides == b.overrides && a.flex == b.flex;
 }
 
 }  // namespace
@@ -106,9 +106,14 @@ void togglePlaying(Transport& transport, const Character& character) {
 
 Pose poseAt(const Transport& transport, const Character& character) {
   const Skeleton& skeleton = character.skeleton;
-  if (transport.clip < 0) return posed(skeleton, bindPose(skeleton), transport.overrides);
-  const AnimationClip& clip = character.clips[static_cast<std::size_t>(transport.clip)];
-  return posed(skeleton, samplePose(skeleton, clip, static_cast<float>(transport.time)), transport.overrides);
+  const auto sampled = [&] {
+    if (transport.clip < 0) return bindPose(skeleton);
+    const AnimationClip& clip = character.clips[static_cast<std::size_t>(transport.clip)];
+    return samplePose(skeleton, clip, static_cast<float>(transport.time));
+  };
+  Pose pose = posed(skeleton, sampled(), transport.overrides);
+  pose.flex = transport.flex;
+  return pose;
 }
 
 LiveSurface::LiveSurface(std::shared_ptr<const Character> character)

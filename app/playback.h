@@ -25,6 +25,7 @@ struct Transport {
   float speed = 1.0f;         ///< Factor, 0.1..4.
   PlayRanges ranges{};        ///< Playing keeps to these parts of clips; through setPlayRange.
   PoseOverrides overrides{};  ///< Joints turned by hand, on top of the clip.
+  float flex = 0.0f;          ///< Pose::flex.
 };
 
 /// Length of the chosen clip, seconds; 0 for the bind pose.
@@ -102,7 +103,7 @@ class LiveSurface {
   std::optional<std::size_t> triedRig_;  ///< CommandStack::revision() last given to prepare().
   std::vector<int> hidden_;              ///< Last left out of what was given to prepare().
   std::optional<glm::vec3> eye_;         ///< What surface_ was made for.
-  std::optional<Transport> posed_;       ///< What pose_ shows: clip, time and turned joints count.
+  std::optional<Transport> posed_;       ///< What pose_ shows: clip, time, turned joints and flex count.
   bool moved_ = false;                   ///< pose_ is newer than surface_.
   double prepareSeconds_ = 0.0;
 };

@@ -67,7 +67,7 @@ void addFramedPoints(const Character& character, const Rig& rig, const Pose& pos
   skin(character, pose, skinned);
   const std::vector<glm::vec3> extremes = extremePoints(skinned.positions);
   points.insert(points.end(), extremes.begin(), extremes.end());
-  for (const PrimitiveShape& shape : shapesOf(rig, character.skeleton, pose)) {
+  for (const PrimitiveShape& shape : shapesOf(rig, character, pose)) {
     if (shape.sign < 0 && !display.primitives && !display.influence) continue;
     const glm::vec3 centre(shape.unitBallInWorld[3]);
     const float scale = display.influence ? shape.reach : 1.0f;
@@ -127,7 +127,7 @@ Image drawPicture(const PlannedPicture& picture, const AnimationClip* clip, cons
   scene.character = &character;
   scene.surface = &surface;
   scene.pose = &pose;
-  scene.primitives = shapesOf(rig, character.skeleton, pose);
+  scene.primitives = shapesOf(rig, character, pose);
   if (plan.display.controlMesh) {
     SkinnedMesh skinned;
     skin(character, pose, skinned);

@@ -7,8 +7,10 @@
 #include <map>
 #include <utility>
 
+#include "core/rig/line_edit.h"
 #include "core/rig/rig_edit.h"
 #include "core/skeleton/side_names.h"
+#include "core/symmetry/line_twins.h"
 #include "core/symmetry/twins.h"
 #include "sinew/io/rig_json.h"
 
@@ -36,6 +38,39 @@ Result<Rig> withGroups(Rig rig, const Rig& copied) {
     rig = std::move(linked).value();
   }
   return rig;
+}
+
+/// What lines of the text are called where they were pasted.
+using LineNames = std::map<std::string, std::string>;
+
+/// The line of a pasted primitive, added when the first one of it comes. Error: its bones are not there.
+Result<Rig> withLine(Rig rig, const Rig& copied, const std::string& name, const Skeleton& skeleton,
+                     const MirrorPlan* mirror, LineNames& lines) {
+  if (name.empty() || lines.contains(name)) return rig;
+  MuscleLine line = copied.lines[static_cast<std::size_t>(findLine(copied, name))];
+  for (const LineAnchor* anchor : {&line.origin, &line.insertion, line.via ? &*line.via : nullptr}) {
+    if (anchor == nullptr || skeleton.findBone(anchor->bone)) continue;
+    return errorAt("", "this character has no bone \"" + anchor->bone + '"');
+  }
+  if (mirror) {
+    Result<MuscleLine> image = mirroredLine(*mirror, line);
+    if (!image) return image.error();
+    line = std::move(image).value();
+  }
+  line.mirror.clear();
+  line.identity = {};
+  Result<Rig> added = addLine(rig, std::move(line));
+  if (added) lines.emplace(name, added->lines.back().name);
+  return added;
+}
+
+void linkPastedLines(Rig& rig, const Rig& copied, const LineNames& lines) {
+  for (const MuscleLine& line : copied.lines) {
+    const auto own = lines.find(line.name);
+    const auto twin = lines.find(line.mirror);
+    if (own == lines.end() || twin == lines.end() || line.mirror < line.name) continue;
+    rig = setLineMirror(rig, findLine(rig, own->second), findLine(rig, twin->second));
+  }
 }
 
 /// Twins of the text, both pasted, are twins again.
@@ -109,6 +144,13 @@ std::string musclesAsText(const Rig& rig, std::span<const int> indices) {
     if (!contains(groups, primitive.group)) groups.push_back(primitive.group);
     copied.primitives.push_back(std::move(primitive));
   }
+  std::vector<std::string> lines;
+  for (const Primitive& primitive : copied.primitives) lines.push_back(primitive.line);
+  for (const MuscleLine& line : rig.lines) {
+    if (!contains(lines, line.name)) continue;
+    copied.lines.push_back(line);
+    if (!contains(lines, line.mirror)) copied.lines.back().mirror.clear();
+  }
   for (const Group& group : rig.groups) {
     if (contains(groups, group.name)) copied.groups.push_back(group);
   }
@@ -127,6 +169,7 @@ Result<Pasted> pastedMuscles(const Rig& rig, const std::string& text, const Skel
   if (!grown) return grown.error();
   Pasted pasted{std::move(grown).value(), {}, {}};
   std::map<std::string, std::string> nameOf;
+  LineNames lines;
   for (Primitive primitive : copied->primitives) {
     const std::string name = primitive.name;
     if (!skeleton.findBone(primitive.bone)) {
@@ -142,11 +185,17 @@ Result<Pasted> pastedMuscles(const Rig& rig, const std::string& text, const Skel
       image.value().mirror = primitive.mirror;
       primitive = std::move(image).value();
     }
+    Result<Rig> lined = withLine(pasted.rig, copied.value(), primitive.line, skeleton, mirror, lines);
+    if (!lined) {
+      pasted.leftOut.push_back('"' + name + "\" is not pasted: " + lined.error().plainText());
+      continue;
+    }
+    if (!primitive.line.empty()) primitive.line = lines[primitive.line];
     // The second of a pair is named after what the first has become.
     const auto twin = nameOf.find(primitive.mirror);
     if (twin != nameOf.end() && mirroredName(twin->first) == name) primitive.name = twinName(pasted.rig, twin->second);
     primitive.mirror.clear();
-    Result<Rig> added = addPrimitive(pasted.rig, std::move(primitive));
+    Result<Rig> added = addPrimitive(lined.value(), std::move(primitive));
     if (!added) {
       pasted.leftOut.push_back('"' + name + "\" is not pasted: " + added.error().plainText());
       continue;
@@ -157,6 +206,7 @@ Result<Pasted> pastedMuscles(const Rig& rig, const std::string& text, const Skel
   }
   if (pasted.names.empty()) return errorAt("", pasted.leftOut.front());
   linkPasted(pasted.rig, copied.value(), nameOf);
+  linkPastedLines(pasted.rig, copied.value(), lines);
   return pasted;
 }
 
@@ -166,7 +216,8 @@ Result<Pasted> pastedOnBone(const Rig& rig, const std::string& text, const Skele
   if (!copied) return pastedMuscles(rig, text, skeleton, nullptr);
   std::vector<Primitive> moved = leaders(copied.value(), skeleton, skeleton.fileName(bone), plan);
   const bool one = std::ranges::all_of(moved, [&](const Primitive& p) { return p.bone == moved.front().bone; });
-  if (moved.empty() || !one || skeleton.findBone(moved.front().bone) == bone) {
+  const bool spans = std::ranges::any_of(moved, [](const Primitive& p) { return !p.line.empty(); });
+  if (moved.empty() || !one || spans || skeleton.findBone(moved.front().bone) == bone) {
     return pastedMuscles(rig, text, skeleton, nullptr);
   }
   Rig onBone = copied.value();

@@ -53,8 +53,12 @@ void reparentMuscles(EditorState& state, const std::vector<int>& indices, int bo
     const std::optional<int> from = skeleton.findBone(primitive.bone);
     if (from == bone) return;
     if (from) {
-      primitive.placement = carriedToBone(primitive.placement, matrices[static_cast<std::size_t>(*from)],
-                                          matrices[static_cast<std::size_t>(bone)]);
+      // On a line the bone is only what placements are measured in, in the bind pose.
+      const auto matrixOf = [&](int of) {
+        const auto i = static_cast<std::size_t>(of);
+        return primitive.line.empty() ? matrices[i] : skeleton.bones[i].bindInWorld;
+      };
+      primitive.placement = carriedToBone(primitive.placement, matrixOf(*from), matrixOf(bone));
     }
     primitive.bone = target;
   });

@@ -46,8 +46,8 @@ std::vector<int> shownTerritory(const EditorState& state) {
   if (index < 0) return {};
   const int bone = boneOf(state, index);
   if (bone < 0) return {};
-  return territoryBones(state.document.rig().primitives[static_cast<std::size_t>(index)], bone,
-                        state.character().skeleton);
+  const Primitive& primitive = state.document.rig().primitives[static_cast<std::size_t>(index)];
+  return territoryBones(primitive, bone, lineOf(state.document.rig(), primitive), state.character().skeleton);
 }
 
 std::vector<float> shownTerritoryWeights(const EditorState& state) {

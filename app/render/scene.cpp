@@ -2,20 +2,19 @@
 #include "app/render/scene.h"
 
 #include "app/document/group_colors.h"
-#include "app/document/visibility.h"
+#include "core/lines/carriers.h"
 
 namespace sinew::app {
 
-std::vector<PrimitiveShape> shapesOf(const Rig& rig, const Skeleton& skeleton, const Pose& pose) {
+std::vector<PrimitiveShape> shapesOf(const Rig& rig, const Character& character, const Pose& pose) {
   std::vector<PrimitiveShape> shapes;
-  const std::vector<int> bones = boneOfEach(rig, skeleton);
+  const std::vector<std::optional<glm::mat4>> carriers = carriersOf(rig, character, pose);
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
     const Primitive& primitive = rig.primitives[i];
-    const int bone = bones[i];
-    if (bone < 0) continue;
+    if (!carriers[i]) continue;
     PrimitiveShape shape;
     shape.rigIndex = static_cast<int>(i);
-    shape.unitBallInWorld = shapeInWorld(primitive.placement, 1.0f, pose.boneInWorld[static_cast<std::size_t>(bone)]);
+    shape.unitBallInWorld = shapeInWorld(primitive.placement, 1.0f, *carriers[i]);
     shape.reach = primitive.reach;
     shape.sign = primitive.sign;
     shape.color = toLinear(groupColor(rig, primitive.group));

@@ -52,7 +52,7 @@ struct PrimitiveShape {
 };
 
 /// The attached primitives of a rig in a pose, in rig order; unattached ones are left out.
-[[nodiscard]] std::vector<PrimitiveShape> shapesOf(const Rig& rig, const Skeleton& skeleton, const Pose& pose);
+[[nodiscard]] std::vector<PrimitiveShape> shapesOf(const Rig& rig, const Character& character, const Pose& pose);
 
 /// What a segment says; each class has its colour.
 enum class SegmentClass : std::uint8_t { kPlain, kFound, kFallback, kLost };

@@ -4,15 +4,16 @@
 
 #include <algorithm>
 
+#include "core/lines/carriers.h"
 #include "core/rig/rig_edit.h"
 
 namespace sinew::app {
 namespace {
 
-/// The bone's matrix in a pose; null if the character lacks it.
-const glm::mat4* matrixOf(const Document& document, const Pose& pose, const std::string& bone) {
-  const std::optional<int> found = document.character->skeleton.findBone(bone);
-  return found ? &pose.boneInWorld[static_cast<std::size_t>(*found)] : nullptr;
+/// What a muscle rides in a pose; nullopt if it is not attached to the character.
+std::optional<glm::mat4> matrixOf(const Document& document, const Pose& pose, int index) {
+  const Rig& rig = document.rig();
+  return carrierOf(rig, rig.primitives[static_cast<std::size_t>(index)], *document.character, pose);
 }
 
 }  // namespace
@@ -38,21 +39,21 @@ std::vector<GizmoCompanion> companionsOf(const Document& document, int active) {
   return companions;
 }
 
-std::optional<glm::vec3> centroidOf(const Document& document, const Pose& pose, const std::string& activeBone,
+std::optional<glm::vec3> centroidOf(const Document& document, const Pose& pose, int activeIndex,
                                     const Placement& active, const std::vector<GizmoCompanion>& companions) {
   if (companions.empty()) return std::nullopt;
   glm::vec3 sum(0.0f);
   int count = 0;
-  const auto add = [&](const std::string& bone, const Placement& placement) {
-    const glm::mat4* const matrix = matrixOf(document, pose, bone);
+  const auto add = [&](int index, const Placement& placement) {
+    const std::optional<glm::mat4> matrix = matrixOf(document, pose, index);
     if (!matrix) return;
     sum += glm::vec3(*matrix * glm::vec4(placement.center, 1.0f));
     ++count;
   };
-  add(activeBone, active);
+  add(activeIndex, active);
   for (const GizmoCompanion& companion : companions) {
     const int index = findPrimitive(document.rig(), companion.primitive);
-    if (index >= 0) add(document.rig().primitives[static_cast<std::size_t>(index)].bone, companion.start);
+    if (index >= 0) add(index, companion.start);
   }
   if (count < 2) return std::nullopt;
   return sum / static_cast<float>(count);
@@ -64,8 +65,7 @@ Result<Rig> dragged(const Document& document, const Pose& pose, int active, cons
   for (const GizmoCompanion& companion : companions) {
     const int index = findPrimitive(document.rig(), companion.primitive);
     if (!rig || index < 0) continue;
-    const Primitive& primitive = document.rig().primitives[static_cast<std::size_t>(index)];
-    const glm::mat4* const matrix = matrixOf(document, pose, primitive.bone);
+    const std::optional<glm::mat4> matrix = matrixOf(document, pose, index);
     if (!matrix) continue;
     const Placement placement = draggedAlong(drag.effect, companion.start, *matrix, document.character->height);
     rig = setPlacement(rig.value(), index, placement);

@@ -28,8 +28,8 @@ struct GizmoCompanion {
 
 /// Mean of the centres of the active muscle and its companions, in a pose; nothing if there are none.
 /// @param active  its bone and placement
-[[nodiscard]] std::optional<glm::vec3> centroidOf(const Document& document, const Pose& pose,
-                                                  const std::string& activeBone, const Placement& active,
+[[nodiscard]] std::optional<glm::vec3> centroidOf(const Document& document, const Pose& pose, int activeIndex,
+                                                  const Placement& active,
                                                   const std::vector<GizmoCompanion>& companions);
 
 /// The rig with the active muscle placed, and its companions dragged along. Error: a placement is refused.

@@ -9,6 +9,7 @@
 #include "app/tools/gizmo_group.h"
 #include "app/tools/status_line.h"
 #include "app/tools/tool.h"
+#include "core/lines/carriers.h"
 
 namespace sinew::app {
 namespace {
@@ -22,16 +23,15 @@ std::optional<GizmoTarget> muscleTarget(const ToolFrame& frame, bool atStart) {
   const int index = dragging ? findPrimitive(rig, frame.tools.gizmoPrimitive) : document.activePrimitive();
   if (index < 0) return std::nullopt;
   const Primitive& primitive = rig.primitives[static_cast<std::size_t>(index)];
-  const std::optional<int> bone = skeleton.findBone(primitive.bone);
-  if (!bone || !isPickable(document.visibility, rig, skeleton, index)) return std::nullopt;
+  const std::optional<glm::mat4> carrier = carrierOf(rig, primitive, *document.character, frame.context.pose);
+  if (!carrier || !isPickable(document.visibility, rig, skeleton, index)) return std::nullopt;
   GizmoTarget target{index,
                      primitive.placement,
-                     {frame.view, frame.context.pose.boneInWorld[static_cast<std::size_t>(*bone)],
-                      document.character->height, frame.context.uiScale, std::nullopt}};
+                     {frame.view, *carrier, document.character->height, frame.context.uiScale, std::nullopt}};
   if (frame.tools.pivot == GizmoPivot::kCentroid) {
     const bool fromStart = atStart && frame.tools.gizmo.drag;
     const Placement& own = fromStart ? frame.tools.gizmo.drag->start : primitive.placement;
-    target.context.pivotInWorld = centroidOf(document, frame.context.pose, primitive.bone, own,
+    target.context.pivotInWorld = centroidOf(document, frame.context.pose, index, own,
                                              fromStart ? frame.tools.companions : companionsOf(document, index));
   }
   return target;

@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/lines/carriers.h"
 #include "core/rig/attachment.h"
 
 namespace sinew::app {
@@ -41,7 +42,7 @@ struct Sight {
 struct Muscle {
   const Primitive& primitive;
   int bone;
-  const glm::mat4& boneInWorld;
+  const glm::mat4& carrier;  ///< Bone space -> world.
   bool drawn;
 };
 
@@ -64,12 +65,13 @@ bool isOnThisSide(const Sight& sight, float middle) {
 /// territory is.
 std::optional<float> heldSkin(const Sight& sight, const Muscle& muscle) {
   const Skeleton& skeleton = sight.context.document.character->skeleton;
-  const UnitBallMap map = unitBallMap(muscle.primitive.placement, 1.0f, muscle.boneInWorld);
+  const UnitBallMap map = unitBallMap(muscle.primitive.placement, 1.0f, muscle.carrier);
   if (!(map.boundingRadius > 0.0f)) return std::nullopt;
   const float radii = glm::length(map.toUnit * (sight.skin->position - map.center));
   const bool bulges = sight.lift > kVisibleLift * sight.context.document.character->height;
   if (!(radii < (bulges ? kBulgeBelow : kCoveredBelow))) return std::nullopt;
-  if (!std::ranges::binary_search(territoryBones(muscle.primitive, muscle.bone, skeleton), sight.skinBone)) {
+  const MuscleLine* line = lineOf(sight.context.document.rig(), muscle.primitive);
+  if (!std::ranges::binary_search(territoryBones(muscle.primitive, muscle.bone, line, skeleton), sight.skinBone)) {
     return std::nullopt;
   }
   const glm::vec3 direction = map.toUnit * sight.ray.direction;
@@ -90,7 +92,7 @@ bool isUnderSkin(const Sight& sight, const ShellSpan& span, const glm::mat4& sha
 
 std::optional<Candidate> candidateOf(const Sight& sight, const Muscle& muscle) {
   Candidate found{{muscle.primitive.id(), -1, 0.0f, false}, Place::kConcealed, 0.0f};
-  const glm::mat4 shape = shapeInWorld(muscle.primitive.placement, 1.0f, muscle.boneInWorld);
+  const glm::mat4 shape = shapeInWorld(muscle.primitive.placement, 1.0f, muscle.carrier);
   const std::optional<ShellSpan> span = crossShell(sight.ray, shape);
   if (span && muscle.drawn && (!sight.skin || span->enter < sight.body.enter)) {
     found.place = Place::kInFront;
@@ -137,6 +139,7 @@ std::vector<PickEntry> musclesUnder(const ViewportContext& context, const Ray& r
   const Skeleton& skeleton = document.character->skeleton;
   const std::vector<int> bones = boneOfEach(rig, skeleton);
   const EffectiveVisibility effective = effectiveVisibility(document.visibility, rig, skeleton, bones);
+  const std::vector<std::optional<glm::mat4>> carriers = carriersOf(rig, *document.character, context.pose);
   Sight sight{context, ray, skin, skinBone, {}};
   if (skin) {
     sight.body = bodySpan(crossSurface(ray, *context.surface), skin->distance, kLayer * document.character->height);
@@ -146,8 +149,8 @@ std::vector<PickEntry> musclesUnder(const ViewportContext& context, const Ray& r
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
     if (!effective.visible[i] || effective.locked[i] || bones[i] < 0) continue;
     const bool drawn = context.display.primitives || document.selection.contains(rig.primitives[i].id());
-    const glm::mat4& boneInWorld = context.pose.boneInWorld[static_cast<std::size_t>(bones[i])];
-    if (const auto candidate = candidateOf(sight, {rig.primitives[i], bones[i], boneInWorld, drawn})) {
+    if (!carriers[i]) continue;
+    if (const auto candidate = candidateOf(sight, {rig.primitives[i], bones[i], *carriers[i], drawn})) {
       found.push_back(*candidate);
     }
   }

@@ -18,12 +18,13 @@ namespace sinew::app {
 namespace {
 
 /// The names that stand for the territory in a file: those it has, or those of the default.
-std::vector<std::string> namesOf(const Primitive& primitive, const Skeleton& skeleton) {
+std::vector<std::string> namesOf(const Rig& rig, const Primitive& primitive, const Skeleton& skeleton) {
   if (primitive.territory) return *primitive.territory;
   std::vector<std::string> names;
   const std::optional<int> own = skeleton.findBone(primitive.bone);
   if (!own) return names;
-  for (const int bone : territoryBones(primitive, *own, skeleton)) names.push_back(skeleton.fileName(bone));
+  for (const int bone : territoryBones(primitive, *own, lineOf(rig, primitive), skeleton))
+    names.push_back(skeleton.fileName(bone));
   return names;
 }
 
@@ -61,7 +62,7 @@ int territorySubject(const Document& document) {
 }
 
 Result<Rig> withTerritoryBone(const Rig& rig, int index, int bone, const Skeleton& skeleton) {
-  std::vector<std::string> names = namesOf(rig.primitives[static_cast<std::size_t>(index)], skeleton);
+  std::vector<std::string> names = namesOf(rig, rig.primitives[static_cast<std::size_t>(index)], skeleton);
   const auto removed = std::erase_if(names, [&](const std::string& name) { return skeleton.findBone(name) == bone; });
   if (removed == 0) names.push_back(skeleton.fileName(bone));
   const bool any =

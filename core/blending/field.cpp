@@ -23,12 +23,12 @@ void add(FieldSample& sum, const FieldSample& part) {
 
 }  // namespace
 
-void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::mat4> boneInWorld,
+void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::mat4> carrierInWorld,
                std::vector<PosedPrimitive>& out) {
   out.resize(primitives.size());
   for (std::size_t i = 0; i < primitives.size(); ++i) {
     const FieldPrimitive& primitive = primitives[i];
-    out[i].influence = unitBallMap(primitive.placement, primitive.reach, at(boneInWorld, primitive.bone));
+    out[i].influence = unitBallMap(primitive.placement, primitive.reach, at(carrierInWorld, primitive.carrier));
     out[i].strength = primitive.strength;
     out[i].meanRadius = out[i].influence.meanRadius / primitive.reach;
   }

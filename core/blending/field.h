@@ -11,7 +11,7 @@ namespace sinew {
 
 /// A primitive as the field needs it, resolved from the rig (rig/attachment.h).
 struct FieldPrimitive {
-  int bone = 0;
+  int carrier = 0;           ///< Whose matrix places it: its bone's, or one that a muscle line makes of it.
   Placement placement;       ///< Bone space.
   float reach = 1.4142135f;  ///< k > 1.
   float strength = 1.0f;     ///< sign * s, s from strengthFor(iso, reach).
@@ -47,8 +47,9 @@ struct FieldScratch {
   std::vector<FieldSample> ofSlot;
 };
 
-/// Places all primitives. @param boneInWorld [bones].
-void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::mat4> boneInWorld,
+/// Places all primitives.
+/// @param carrierInWorld  [bones], then those of muscle lines (rig/attachment.h).
+void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::mat4> carrierInWorld,
                std::vector<PosedPrimitive>& out);
 
 /// F(x) = max over cliques of the sum of its positive m_i f_i, plus the sum of all carving m_i f_i (<= 0).

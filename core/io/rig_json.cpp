@@ -2,23 +2,17 @@
 #include "sinew/io/rig_json.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <system_error>
 
 #include "core/io/files/atomic_file.h"
-#include "core/io/json/json.h"
+#include "core/io/json/writer.h"
+#include "core/io/rig_json_lines.h"
 #include "core/rig/validation.h"
 
 namespace sinew {
 namespace {
 
 constexpr std::uintmax_t kMaxRigBytes = std::uintmax_t{64} << 20;
-
-Json numbers(std::initializer_list<float> values) {
-  std::vector<Json> items;
-  for (const float value : values) items.push_back(value);
-  return Json::array(std::move(items));
-}
 
 template <class Strings>
 Json strings(const Strings& values) {
@@ -33,29 +27,6 @@ Json listOf(const Items& items, Write write) {
   for (const auto& item : items) nodes.push_back(write(item));
   return Json::array(std::move(nodes));
 }
-
-/// An object in the making: known keys in order, then the unknown ones it came with.
-class ObjectWriter {
- public:
-  ObjectWriter& set(const char* key, Json value) {
-    value.key = key;
-    object_.children.push_back(std::move(value));
-    return *this;
-  }
-
-  Json finish(const std::string& unknownKeys) {
-    if (unknownKeys.empty()) return std::move(object_);
-    auto unknown = Json::parse(unknownKeys);
-    if (!unknown) return std::move(object_);
-    for (Json& child : unknown.value().children) {
-      if (!object_.find(child.key)) object_.children.push_back(std::move(child));
-    }
-    return std::move(object_);
-  }
-
- private:
-  Json object_ = Json::object();
-};
 
 Json surfaceNode(const SurfaceSettings& surface) {
   return ObjectWriter()
@@ -89,10 +60,14 @@ Json primitiveNode(const Primitive& primitive) {
       .set("radii", numbers({radii.x, radii.y, radii.z}))
       .set("reach", primitive.reach)
       .set("sign", primitive.sign);
+  if (!primitive.line.empty()) writer.set("line", primitive.line);
   if (!primitive.mirror.empty()) writer.set("mirror", primitive.mirror);
   if (primitive.territory) writer.set("territory", strings(*primitive.territory));
   return writer.finish(primitive.unknownKeys);
 }
+
+/// The oldest version that can say what is in the rig: older programs read what they can.
+int versionOf(const Rig& rig) { return rig.lines.empty() ? 1 : 2; }
 
 Error inFile(Error error, const std::filesystem::path& file) {
   error.file = file.string();
@@ -102,17 +77,17 @@ Error inFile(Error error, const std::filesystem::path& file) {
 }  // namespace
 
 std::string rigToJson(const Rig& rig) {
-  const Json root = ObjectWriter()
-                        .set("format", "sinew-rig")
-                        .set("version", 1)
-                        .set("character", rig.character)
-                        .set("surface", surfaceNode(rig.surface))
-                        .set("smoothing", smoothingNode(rig.smoothing))
-                        .set("groups", listOf(rig.groups, groupNode))
-                        .set("links", listOf(rig.links, [](const auto& link) { return strings(link); }))
-                        .set("primitives", listOf(rig.primitives, primitiveNode))
-                        .finish(rig.unknownKeys);
-  return root.dump(true) + '\n';
+  ObjectWriter root;
+  root.set("format", "sinew-rig")
+      .set("version", versionOf(rig))
+      .set("character", rig.character)
+      .set("surface", surfaceNode(rig.surface))
+      .set("smoothing", smoothingNode(rig.smoothing))
+      .set("groups", listOf(rig.groups, groupNode))
+      .set("links", listOf(rig.links, [](const auto& link) { return strings(link); }));
+  if (!rig.lines.empty()) root.set("lines", listOf(rig.lines, lineNode));
+  root.set("primitives", listOf(rig.primitives, primitiveNode));
+  return root.finish(rig.unknownKeys).dump(true) + '\n';
 }
 
 Result<Rig> loadRig(const std::filesystem::path& file) {

@@ -7,6 +7,7 @@
 #include "core/base/smoothstep.h"
 #include "core/character/bindings.h"
 #include "core/primitives/potential.h"
+#include "core/skeleton/bones_between.h"
 
 namespace sinew {
 namespace {
@@ -23,12 +24,55 @@ void shape(const Rig& rig, const Primitive& primitive, FieldPrimitive& field) {
   field.strength = static_cast<float>(primitive.sign) * strengthFor(rig.surface.iso, primitive.reach);
 }
 
-FieldPrimitive fieldPrimitive(const Rig& rig, const Primitive& primitive, int bone) {
+FieldPrimitive fieldPrimitive(const Rig& rig, const Primitive& primitive, int carrier) {
   FieldPrimitive field;
-  field.bone = bone;
+  field.carrier = carrier;
   shape(rig, primitive, field);
   field.group = findGroup(rig, primitive.group);
   return field;
+}
+
+/// The bone and those that share a joint with it.
+void addAround(int bone, const Skeleton& skeleton, std::vector<int>& bones) {
+  const Bone& own = at(skeleton.bones, bone);
+  bones.insert(bones.end(), own.children.begin(), own.children.end());
+  bones.push_back(bone);
+  if (own.parent >= 0) bones.push_back(own.parent);
+}
+
+void addAlong(const MuscleLine& line, const Skeleton& skeleton, std::vector<int>& bones) {
+  const std::optional<int> origin = skeleton.findBone(line.origin.bone);
+  const std::optional<int> insertion = skeleton.findBone(line.insertion.bone);
+  if (!origin || !insertion) return;
+  addAround(*origin, skeleton, bones);
+  addAround(*insertion, skeleton, bones);
+  const std::vector<int> between = bonesBetween(skeleton, *origin, *insertion);
+  bones.insert(bones.end(), between.begin(), between.end());
+}
+
+/// Names every bone of the line that the character lacks.
+template <class Check>
+void checkLineBones(const MuscleLine& line, const std::string& place, Check check) {
+  const std::string subject = "muscle line \"" + line.name + '"';
+  check(line.origin.bone, place + ".origin.bone", subject + ", origin");
+  check(line.insertion.bone, place + ".insertion.bone", subject + ", insertion");
+  if (line.via) check(line.via->bone, place + ".via.bone", subject + ", via point");
+}
+
+bool hasBones(const MuscleLine& line, const Skeleton& skeleton) {
+  return skeleton.findBone(line.origin.bone) && skeleton.findBone(line.insertion.bone) &&
+         (!line.via || skeleton.findBone(line.via->bone));
+}
+
+/// The bone's own matrix, or that of the line that carries it.
+int carrierOf(const Rig& rig, const Primitive& primitive, int bone, const Skeleton& skeleton, Attachment& attachment) {
+  if (primitive.line.empty()) return bone;
+  const LineCarrier carrier{bone, findLine(rig, primitive.line)};
+  std::vector<LineCarrier>& known = attachment.lineCarriers;
+  const auto found = std::ranges::find(known, carrier);
+  const auto index = static_cast<int>(found - known.begin());
+  if (found == known.end()) known.push_back(carrier);
+  return static_cast<int>(skeleton.bones.size()) + index;
 }
 
 /// Appends primitive `index` to the vertices its territory holds.
@@ -50,6 +94,9 @@ std::vector<Error> missingBones(const Rig& rig, const Skeleton& skeleton) {
     if (skeleton.findBone(bone)) return;
     missing.push_back(errorAt(place, "this character has no bone \"" + bone + '"', subject));
   };
+  for (std::size_t i = 0; i < rig.lines.size(); ++i) {
+    checkLineBones(rig.lines[i], "lines[" + std::to_string(i) + "]", check);
+  }
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
     const Primitive& primitive = rig.primitives[i];
     const std::string place = "primitives[" + std::to_string(i) + "]";
@@ -63,17 +110,16 @@ std::vector<Error> missingBones(const Rig& rig, const Skeleton& skeleton) {
   return missing;
 }
 
-std::vector<int> territoryBones(const Primitive& primitive, int bone, const Skeleton& skeleton) {
+std::vector<int> territoryBones(const Primitive& primitive, int bone, const MuscleLine* line,
+                                const Skeleton& skeleton) {
   std::vector<int> bones;
   if (primitive.territory) {
     for (const std::string& name : *primitive.territory) {
       if (const std::optional<int> found = skeleton.findBone(name)) bones.push_back(*found);
     }
   } else {
-    const Bone& own = at(skeleton.bones, bone);
-    bones = own.children;
-    bones.push_back(bone);
-    if (own.parent >= 0) bones.push_back(own.parent);
+    addAround(bone, skeleton, bones);
+    if (line) addAlong(*line, skeleton, bones);
   }
   std::ranges::sort(bones);
   bones.erase(std::ranges::unique(bones).begin(), bones.end());
@@ -91,10 +137,14 @@ float territoryWeight(const Character& character, int vertex, const std::vector<
 bool sameCandidates(const Rig& a, const Rig& b) {
   const auto sameGroup = [](const Group& x, const Group& y) { return x.name == y.name; };
   const auto samePlace = [](const Primitive& x, const Primitive& y) {
-    return x.bone == y.bone && x.group == y.group && x.territory == y.territory;
+    return x.bone == y.bone && x.group == y.group && x.line == y.line && x.territory == y.territory;
   };
-  return std::ranges::equal(a.primitives, b.primitives, samePlace) && a.links == b.links &&
-         std::ranges::equal(a.groups, b.groups, sameGroup);
+  const auto sameSpan = [](const MuscleLine& x, const MuscleLine& y) {
+    return x.name == y.name && x.origin.bone == y.origin.bone && x.insertion.bone == y.insertion.bone &&
+           x.via.has_value() == y.via.has_value() && (!x.via || x.via->bone == y.via->bone);
+  };
+  return std::ranges::equal(a.lines, b.lines, sameSpan) && std::ranges::equal(a.primitives, b.primitives, samePlace) &&
+         a.links == b.links && std::ranges::equal(a.groups, b.groups, sameGroup);
 }
 
 void reshape(const Rig& rig, Attachment& attachment) {
@@ -118,14 +168,16 @@ Result<Attachment> attach(const Rig& rig, const Character& character, BlendingGr
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
     const Primitive& primitive = rig.primitives[i];
     const std::optional<int> bone = character.skeleton.findBone(primitive.bone);
-    if (!bone) {
+    const MuscleLine* line = lineOf(rig, primitive);
+    if (!bone || (line && !hasBones(*line, character.skeleton))) {
       attachment.unattached.push_back(static_cast<int>(i));
       continue;
     }
     const int index = static_cast<int>(attachment.primitives.size());
-    attachment.primitives.push_back(fieldPrimitive(rig, primitive, *bone));
+    const int carrier = carrierOf(rig, primitive, *bone, character.skeleton, attachment);
+    attachment.primitives.push_back(fieldPrimitive(rig, primitive, carrier));
     attachment.rigIndex.push_back(static_cast<int>(i));
-    addCandidates(character, territoryBones(primitive, *bone, character.skeleton), index,
+    addCandidates(character, territoryBones(primitive, *bone, line, character.skeleton), index,
                   attachment.candidatesOfVertex);
   }
   return attachment;

@@ -11,23 +11,35 @@
 
 namespace sinew {
 
+/// A bone as a muscle line carries it.
+struct LineCarrier {
+  int bone = 0;
+  int line = 0;  ///< Index into Rig::lines.
+
+  friend bool operator==(const LineCarrier&, const LineCarrier&) = default;
+};
+
 /// A rig resolved against a character. Primitives whose bone is missing are left out here, never in the rig.
 struct Attachment {
   std::vector<FieldPrimitive> primitives;  ///< [A] attached ones, in rig order.
   std::vector<int> rigIndex;               ///< [A] index into Rig::primitives.
   std::vector<int> unattached;             ///< Indices into Rig::primitives.
+  std::vector<LineCarrier> lineCarriers;   ///< FieldPrimitive::carrier counts on through these after the bones.
   BlendingGraph graph;
   std::vector<std::vector<Candidate>> candidatesOfVertex;  ///< [V] primitives with m_i(v) > 0, ascending.
 };
 
 /// Every bone the rig names and the character lacks, with its JSON path: "primitives[2].bone",
-/// "primitives[2].territory[0]". An editor keeps such primitives, unattached; what makes a result from the rig refuses,
-/// rather than leave a muscle out.
+/// "primitives[2].territory[0]", "lines[0].origin.bone". An editor keeps such primitives, unattached; what makes a
+/// result from the rig refuses, rather than leave a muscle out.
 [[nodiscard]] std::vector<Error> missingBones(const Rig& rig, const Skeleton& skeleton);
 
 /// Bones of a primitive's territory: those the rig names (unknown names are skipped), or by default the primitive's
-/// bone, its nearest joint ancestor and its nearest joint children. Sorted. docs/field.md.
-[[nodiscard]] std::vector<int> territoryBones(const Primitive& primitive, int bone, const Skeleton& skeleton);
+/// bone, its nearest joint ancestor and its nearest joint children; on a line those of both ends, and the bones between
+/// them. Sorted. docs/field.md.
+/// @param line  that carries it, or null
+[[nodiscard]] std::vector<int> territoryBones(const Primitive& primitive, int bone, const MuscleLine* line,
+                                              const Skeleton& skeleton);
 
 /// m_i(v) = smoothstep(0, 0.5, sum of v's weights on the territory).
 [[nodiscard]] float territoryWeight(const Character& character, int vertex, const std::vector<bool>& isTerritoryBone);

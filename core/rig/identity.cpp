@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-/// `Item` is Primitive or Group.
+/// `Item` is Primitive, Group or MuscleLine.
 template <class Item>
 void complete(std::vector<Item>& items, const std::vector<Item>& before, std::uint32_t& last) {
   std::unordered_map<std::uint32_t, std::string_view> nameOf;
@@ -44,6 +44,7 @@ void complete(std::vector<Item>& items, const std::vector<Item>& before, std::ui
 void IdentitySource::identify(Rig& rig, const Rig& before) {
   complete(rig.primitives, before.primitives, lastPrimitive_);
   complete(rig.groups, before.groups, lastGroup_);
+  complete(rig.lines, before.lines, lastLine_);
 }
 
 }  // namespace sinew

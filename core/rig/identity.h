@@ -1,4 +1,4 @@
-// core/rig/identity.h: gives primitives and groups identities that outlive their names.
+// core/rig/identity.h: gives primitives, groups and lines identities that outlive their names.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace sinew {
 /// Source of identities: each is given once.
 class IdentitySource {
  public:
-  /// Completes a rig that edits have made from `before`: every primitive and group has an identity of its own
+  /// Completes a rig that edits have made from `before`: every primitive, group and line has an identity of its own
   /// afterwards. One that has none, or shares its with another (a copy), keeps the identity that its name had in
   /// `before` if nobody else has it, else gets a new one.
   void identify(Rig& rig, const Rig& before);
@@ -18,6 +18,7 @@ class IdentitySource {
  private:
   std::uint32_t lastPrimitive_ = 0;
   std::uint32_t lastGroup_ = 0;  ///< Counts groups alone: of a rig just read they are 1, 2, 3 ... in its order.
+  std::uint32_t lastLine_ = 0;
 };
 
 }  // namespace sinew

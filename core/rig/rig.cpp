@@ -59,6 +59,15 @@ int findPrimitive(const Rig& rig, const std::string& name) {
 
 int findGroup(const Rig& rig, const std::string& name) { return findNamed(std::span<const Group>(rig.groups), name); }
 
+int findLine(const Rig& rig, const std::string& name) {
+  return findNamed(std::span<const MuscleLine>(rig.lines), name);
+}
+
+const MuscleLine* lineOf(const Rig& rig, const Primitive& primitive) {
+  const int line = primitive.line.empty() ? -1 : findLine(rig, primitive.line);
+  return line < 0 ? nullptr : &rig.lines[static_cast<std::size_t>(line)];
+}
+
 int findPrimitive(const Rig& rig, PrimitiveId id) {
   const auto found = std::ranges::find_if(rig.primitives, [id](const Primitive& p) { return id && p.id() == id; });
   return found == rig.primitives.end() ? -1 : static_cast<int>(found - rig.primitives.begin());
@@ -69,12 +78,21 @@ int findGroup(const Rig& rig, GroupId id) {
   return found == rig.groups.end() ? -1 : static_cast<int>(found - rig.groups.begin());
 }
 
+int findLine(const Rig& rig, LineId id) {
+  const auto found = std::ranges::find_if(rig.lines, [id](const MuscleLine& line) { return id && line.id() == id; });
+  return found == rig.lines.end() ? -1 : static_cast<int>(found - rig.lines.begin());
+}
+
 std::string freePrimitiveName(const Rig& rig, const std::string& wanted) {
   return freeName(std::span<const Primitive>(rig.primitives), wanted);
 }
 
 std::string freeGroupName(const Rig& rig, const std::string& wanted) {
   return freeName(std::span<const Group>(rig.groups), wanted);
+}
+
+std::string freeLineName(const Rig& rig, const std::string& wanted) {
+  return freeName(std::span<const MuscleLine>(rig.lines), wanted);
 }
 
 const char* nameOf(SurfaceMode mode) { return mode == SurfaceMode::kSwell ? "swell" : "replace"; }

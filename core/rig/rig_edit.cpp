@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/at.h"
+#include "core/rig/line_edit.h"
 #include "core/rig/validation.h"
 
 namespace sinew {
@@ -85,6 +86,10 @@ Result<Rig> addPrimitive(const Rig& rig, Primitive primitive) {
     return errorAt(placeOf(index) + ".group", "there is no group \"" + primitive.group + '"',
                    "muscle \"" + primitive.name + "\", group");
   }
+  if (!primitive.line.empty() && findLine(rig, primitive.line) < 0) {
+    return errorAt(placeOf(index) + ".line", "there is no muscle line \"" + primitive.line + '"',
+                   "muscle \"" + primitive.name + "\", line");
+  }
   const int twin = primitive.mirror.empty() ? -1 : findPrimitive(rig, primitive.mirror);
   if (!primitive.mirror.empty() && twin < 0) {
     return errorAt(placeOf(index) + ".mirror", "there is no primitive \"" + primitive.mirror + '"',
@@ -108,7 +113,7 @@ Rig removePrimitives(const Rig& rig, std::span<const int> indices) {
     }
   }
   dropTwins(result, gone);
-  return result;
+  return withoutIdleLines(rig, std::move(result));
 }
 
 Result<Rig> setPlacement(const Rig& rig, int index, const Placement& placement) {

@@ -15,7 +15,7 @@ namespace sinew {
 /// Appends; the name is made unique; an empty group becomes the first group, made ("muscles") if there is none. If
 /// `mirror` names a primitive of the rig, the two become each other's twins (a former twin is unlinked).
 [[nodiscard]] Result<Rig> addPrimitive(const Rig& rig, Primitive primitive);
-/// Removes several; twins of removed ones lose their link.
+/// Removes several, and lines that lose their last primitive; twins of removed ones lose their link.
 [[nodiscard]] Rig removePrimitives(const Rig& rig, std::span<const int> indices);
 [[nodiscard]] Result<Rig> setPlacement(const Rig& rig, int index, const Placement& placement);
 [[nodiscard]] Result<Rig> renamePrimitive(const Rig& rig, int index, const std::string& name);

@@ -2,40 +2,17 @@
 #include "core/rig/validation.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
+#include "core/rig/refusals.h"
+
 namespace sinew {
 namespace {
 
 constexpr double kUnitTolerance = 1e-3;  // Of a quaternion's length; files written by hand have few digits.
-
-std::string numberText(float value) {
-  if (std::isnan(value)) return "NaN";
-  if (std::isinf(value)) return value > 0.0f ? "infinity" : "-infinity";
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
-}
-
-Error outOfRange(std::string place, const std::string& expected, float value, std::string subject) {
-  return errorAt(std::move(place), "expected " + expected + ", got " + numberText(value), std::move(subject));
-}
-
-/// "radius Y"
-std::string ofAxis(const std::string& what, int axis) { return what + ' ' + "XYZ"[axis]; }
-
-std::string quoted(const char* what, const std::string& name) { return what + (" \"" + name + '"'); }
-
-Error named(const char* subject, Error error) {
-  error.subject = subject;
-  return error;
-}
-
-std::string indexed(const char* list, std::size_t index) { return list + ('[' + std::to_string(index) + ']'); }
 
 /// Bytes of the UTF-8 sequence that begins at `text`, 0 if it is ill-formed (overlong, surrogate, past U+10FFFF).
 std::size_t utf8Length(std::string_view text) {
@@ -100,21 +77,29 @@ Result<NameIndex> indexNames(const std::vector<Named>& items, const char* list, 
   return index;
 }
 
-Result<void> validateMirror(const Rig& rig, std::size_t i, const NameIndex& primitives) {
-  const Primitive& primitive = rig.primitives[i];
-  if (primitive.mirror.empty()) return {};
-  const std::string place = indexed("primitives", i) + ".mirror";
-  const std::string subject = quoted("muscle", primitive.name) + ", twin";
-  const auto twin = primitives.find(primitive.mirror);
-  if (twin == primitives.end()) {
-    return errorAt(place, "expected the name of another primitive, but there is no \"" + primitive.mirror + '"',
-                   subject);
-  }
-  if (twin->second == i) return errorAt(place, "expected the name of another primitive, got its own", subject);
-  if (rig.primitives[twin->second].mirror == primitive.name) return {};
+/// How refusals call the items of a list of the rig.
+struct Called {
+  const char* list;
+  const char* one;     ///< In the file's words.
+  const char* muscle;  ///< In the interface's words.
+};
+
+template <class Twinned>
+Result<void> validateMirror(const std::vector<Twinned>& items, std::size_t i, const NameIndex& names,
+                            const Called& called) {
+  const Twinned& item = items[i];
+  if (item.mirror.empty()) return {};
+  const std::string place = indexed(called.list, i) + ".mirror";
+  const std::string subject = quoted(called.muscle, item.name) + ", twin";
+  std::string another = "expected the name of another ";
+  another += called.one;
+  const auto twin = names.find(item.mirror);
+  if (twin == names.end()) return errorAt(place, another + ", but there is no \"" + item.mirror + '"', subject);
+  if (twin->second == i) return errorAt(place, another + ", got its own", subject);
+  if (items[twin->second].mirror == item.name) return {};
   return errorAt(place,
-                 "expected a primitive whose mirror is this one, but that of \"" + primitive.mirror + "\" is \"" +
-                     rig.primitives[twin->second].mirror + '"',
+                 std::string("expected a ") + called.one + " whose mirror is this one, but that of \"" + item.mirror +
+                     "\" is \"" + items[twin->second].mirror + '"',
                  subject);
 }
 
@@ -217,6 +202,27 @@ Result<void> validateSmoothing(const SmoothingSettings& smoothing) {
   return {};
 }
 
+namespace {
+
+Result<NameIndex> validateLines(const Rig& rig) {
+  if (rig.lines.size() > static_cast<std::size_t>(kMaxPrimitives)) {
+    return errorAt(
+        "lines",
+        "expected at most " + std::to_string(kMaxPrimitives) + " lines, got " + std::to_string(rig.lines.size()),
+        "the rig");
+  }
+  auto names = indexNames(rig.lines, "lines", "muscle line");
+  if (!names) return names;
+  for (std::size_t i = 0; i < rig.lines.size(); ++i) {
+    if (auto own = validateLine(rig.lines[i], indexed("lines", i)); !own) return own.error();
+    const Called called{"lines", "line", "muscle line"};
+    if (auto mirror = validateMirror(rig.lines, i, names.value(), called); !mirror) return mirror.error();
+  }
+  return names;
+}
+
+}  // namespace
+
 Result<void> validateLinks(const Rig& rig) {
   const auto groups = indexNames(rig.groups, "groups", "group");
   if (!groups) return groups.error();
@@ -238,6 +244,8 @@ Result<void> validate(const Rig& rig, BlendingGraphMemo& graphs) {
   if (!groups) return groups.error();
   if (auto links = validateLinksAmong(rig, groups.value(), graphs); !links) return links;
 
+  const auto lines = validateLines(rig);
+  if (!lines) return lines.error();
   if (rig.primitives.size() > static_cast<std::size_t>(kMaxPrimitives)) {
     return errorAt("primitives",
                    "expected at most " + std::to_string(kMaxPrimitives) + " primitives, got " +
@@ -254,7 +262,12 @@ Result<void> validate(const Rig& rig, BlendingGraphMemo& graphs) {
                      "expected the name of a group, but there is no \"" + rig.primitives[i].group + '"',
                      quoted("muscle", rig.primitives[i].name) + ", group");
     }
-    if (auto mirror = validateMirror(rig, i, primitives.value()); !mirror) return mirror;
+    if (!rig.primitives[i].line.empty() && !lines->contains(rig.primitives[i].line)) {
+      return errorAt(place + ".line", "expected the name of a line, but there is no \"" + rig.primitives[i].line + '"',
+                     quoted("muscle", rig.primitives[i].name) + ", line");
+    }
+    const Called called{"primitives", "primitive", "muscle"};
+    if (auto mirror = validateMirror(rig.primitives, i, primitives.value(), called); !mirror) return mirror;
   }
   return {};
 }

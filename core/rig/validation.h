@@ -11,8 +11,8 @@ namespace sinew {
 
 inline constexpr int kMaxPrimitives = 65536;
 
-/// Checks ranges, finiteness, unique names, that groups exist, that twins name each other, and the blending graph's
-/// size. Bones are not checked: a rig may meet another character. The Error's place is a JSON path such as
+/// Checks ranges, finiteness, unique names, that groups and lines exist, that twins name each other, and the blending
+/// graph's size. Bones are not checked: a rig may meet another character. The Error's place is a JSON path such as
 /// "primitives[2].radii[1]"; its reason says what was expected.
 [[nodiscard]] Result<void> validate(const Rig& rig);
 /// The same for whoever validates again and again: cliques are enumerated only where groups or links have changed.
@@ -24,6 +24,8 @@ inline constexpr int kMaxPrimitives = 65536;
 [[nodiscard]] Result<void> validatePlacement(const Placement& placement, const std::string& place);
 /// All of a primitive that needs no look at the rest of the rig.
 [[nodiscard]] Result<void> validatePrimitive(const Primitive& primitive, const std::string& place);
+/// All of a line that needs no look at the rest of the rig.
+[[nodiscard]] Result<void> validateLine(const MuscleLine& line, const std::string& place);
 [[nodiscard]] Result<void> validateSurface(const SurfaceSettings& surface);
 [[nodiscard]] Result<void> validateSmoothing(const SmoothingSettings& smoothing);
 /// Links name two different groups that exist, and the blending graph has few enough cliques.

@@ -9,6 +9,7 @@
 
 #include "core/base/at.h"
 #include "core/character/skinning.h"
+#include "core/lines/carriers.h"
 #include "core/mesh/creases.h"
 #include "core/rig/attachment.h"
 #include "core/rig/validation.h"
@@ -51,6 +52,7 @@ class Stopwatch {
 struct Prepared {
   Rig rig;
   Attachment attachment;
+  Carriers carriers;
   CandidateLists candidates;                   ///< Of all attached primitives, hidden or not.
   std::vector<int> hidden;                     ///< Indices into the rig's primitives, ascending.
   CandidateLists shown;                        ///< Those of candidates that are not hidden; made only where some are.
@@ -203,7 +205,7 @@ struct Smoother::State {
   void prepareClasses(Prepared& next) {
     std::vector<PosedPrimitive> bindPrimitives;
     const Pose bind = bindPose(character->skeleton);
-    poseField(next.attachment.primitives, bind.boneInWorld, bindPrimitives);
+    poseField(next.attachment.primitives, next.carriers.inBind(character->skeleton), bindPrimitives);
     const FieldView bindField{bindPrimitives, &next.seen(), {}};
     if (next.rig.surface.mode == SurfaceMode::kReplace) {
       const SkinnedMesh control{mesh().positions, mesh().normals};
@@ -243,7 +245,7 @@ struct Smoother::State {
 
   void project(const Pose& pose, const std::optional<glm::vec3>& eye, Surface& out) {
     const Prepared& p = prepared;
-    poseField(p.attachment.primitives, pose.boneInWorld, posed);
+    poseField(p.attachment.primitives, prepared.carriers.in(pose, character->skeleton), posed);
     FieldView field{posed, &p.seen(), {}};
     cull(field, eye, out);
     if (p.shownPrimitives == 0) return;
@@ -351,6 +353,7 @@ Result<void> Smoother::prepare(const Rig& rig, std::span<const int> hidden) {
   Prepared next;
   if (Result<void> reached = state_->findCandidates(rig, hidden, next); !reached) return reached.error();
   next.rig = rig;
+  next.carriers = {rig, *state_->character, next.attachment.lineCarriers};
   next.creased = state_->creasedAt(rig.smoothing.creaseAngle);
   next.refinement = state_->refinementFor(rig.smoothing.depth, next.creased);
   state_->prepareTiles(next);

@@ -49,14 +49,6 @@ void tidy(AffineMap& mirror) {
 
 const Bone& boneAt(const MirrorPlan& plan, int bone) { return at(plan.skeleton.bones, bone); }
 
-/// A name that begins with its bone's takes the other bone's; else by the side it says.
-std::string imageName(const MirrorPlan& plan, const std::string& name, int bone) {
-  const std::string& own = boneAt(plan, bone).name;
-  const std::string& twin = boneAt(plan, at(plan.twinOf, bone)).name;
-  if (own != twin && name.starts_with(own)) return twin + name.substr(own.size());
-  return mirroredName(name).value_or(name);
-}
-
 }  // namespace
 
 glm::dvec3 reflected(const MirrorPlane& plane, const glm::dvec3& pointInWorld) {
@@ -105,6 +97,14 @@ Result<std::string> twinBone(const MirrorPlan& plan, const std::string& bone) {
   return plan.skeleton.fileName(twin);
 }
 
+std::string imageName(const MirrorPlan& plan, const std::string& name, const std::string& boneName) {
+  const int bone = *plan.skeleton.findBone(boneName);
+  const std::string& own = boneAt(plan, bone).name;
+  const std::string& twin = boneAt(plan, at(plan.twinOf, bone)).name;
+  if (own != twin && name.starts_with(own)) return twin + name.substr(own.size());
+  return mirroredName(name).value_or(name);
+}
+
 Result<Primitive> mirroredPrimitive(const MirrorPlan& plan, const Primitive& primitive) {
   Result<std::string> bone = twinBone(plan, primitive.bone);
   if (!bone) return bone.error();
@@ -112,7 +112,7 @@ Result<Primitive> mirroredPrimitive(const MirrorPlan& plan, const Primitive& pri
   image.mirror.clear();
   image.bone = std::move(bone).value();
   const int from = *plan.skeleton.findBone(primitive.bone);
-  image.name = imageName(plan, primitive.name, from);
+  image.name = imageName(plan, primitive.name, primitive.bone);
   image.placement = imageOf(primitive.placement, *at(plan.mirrors, from));
   if (image.territory) {
     for (std::string& name : *image.territory) {

@@ -72,8 +72,13 @@ struct MirrorPlan {
 
 /// The muscle on the other side: bone, placement and territory mirrored (bones of a territory without counterpart
 /// stay), reach, sign, group and unknown keys as they are, name by mirroredName where that is clear or by the bone's
-/// where it begins with that, `mirror` empty. Error: see twinBone.
+/// where it begins with that, `mirror` empty, `line` as it is (line_twins.h). Error: see twinBone.
 [[nodiscard]] Result<Primitive> mirroredPrimitive(const MirrorPlan& plan, const Primitive& primitive);
+
+/// What the image of something on a bone is called: a name that begins with its bone's takes the other bone's; else by
+/// the side it says; else the name itself.
+/// @param bone  with a counterpart
+[[nodiscard]] std::string imageName(const MirrorPlan& plan, const std::string& name, const std::string& bone);
 
 /// On a centre bone: the ellipsoid is its own mirror image within `tolerance` (fraction of H).
 [[nodiscard]] bool liesInPlane(const MirrorPlan& plan, const Primitive& primitive, float tolerance);

@@ -9,9 +9,11 @@
 #include <utility>
 
 #include "core/base/at.h"
+#include "core/rig/line_edit.h"
 #include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
 #include "core/skeleton/side_names.h"
+#include "core/symmetry/line_twins.h"
 
 namespace sinew {
 namespace {
@@ -83,7 +85,7 @@ void followPlace(const Half& leads, Primitive& follower, bool both, const Mirror
   follower.placement = placement;
 }
 
-void keepPair(const Half& a, const Half& b, const MirrorPlan& plan) {
+void keepPair(const Rig& edited, const Half& a, const Half& b, const MirrorPlan& plan) {
   if (const int leads = leader(a, b, samePlace); leads != 0) {
     const bool both = !samePlace(*a.shown, a.now) && !samePlace(*b.shown, b.now);
     leads > 0 ? followPlace(a, b.now, both, plan) : followPlace(b, a.now, both, plan);
@@ -97,6 +99,10 @@ void keepPair(const Half& a, const Half& b, const MirrorPlan& plan) {
   copyField(&Primitive::reach);
   copyField(&Primitive::sign);
   copyField(&Primitive::group);
+  const auto sameLine = [](const Primitive& x, const Primitive& y) { return x.line == y.line; };
+  const int lineLeads = leader(a, b, sameLine);
+  if (lineLeads > 0) b.now.line = twinLineName(edited, a.now.line);
+  if (lineLeads < 0) a.now.line = twinLineName(edited, b.now.line);
   const auto sameTerritory = [](const Primitive& x, const Primitive& y) { return x.territory == y.territory; };
   if (const int leads = leader(a, b, sameTerritory); leads != 0) {
     const Primitive& from = leads > 0 ? a.now : b.now;
@@ -156,6 +162,7 @@ Side sideOf(const MirrorPlan& plan, const Primitive& primitive) {
 }
 
 Rig keepTwins(const Rig& atStart, const Rig& shown, Rig edited, const MirrorPlan& plan) {
+  keepLineTwins(atStart, shown, edited, plan);
   const bool anyLinked = std::ranges::any_of(edited.primitives, [](const Primitive& p) { return !p.mirror.empty(); });
   if (!anyLinked) return edited;
   const Index then = byName(atStart);
@@ -170,7 +177,7 @@ Rig keepTwins(const Rig& atStart, const Rig& shown, Rig edited, const MirrorPlan
     const Half a{primitive, find(before, primitive.name), find(then, primitive.name)};
     const Half b{other, find(before, other.name), find(then, other.name)};
     const bool linkedBefore = a.shown && b.shown && a.shown->mirror == other.name && b.shown->mirror == primitive.name;
-    if (linkedBefore && other.mirror == primitive.name) keepPair(a, b, plan);
+    if (linkedBefore && other.mirror == primitive.name) keepPair(edited, a, b, plan);
   }
   return edited;
 }
@@ -211,21 +218,52 @@ Result<Rig> mirrorToOtherSide(const Rig& rig, int index, const MirrorPlan& plan)
     const Result<Rig> renamed = renamePrimitive(rig, index, sided);
     return renamed ? mirrorToOtherSide(renamed.value(), index, plan) : renamed;
   }
+  Result<TwinLine> line = withTwinLine(rig, original.line, plan);
+  if (!line) return line.error();
   image.value().name = freePrimitiveName(rig, image->name);
   image.value().mirror = original.name;
-  return addPrimitive(rig, std::move(image).value());
+  image.value().line = line->name;
+  return addPrimitive(line->rig, std::move(image).value());
 }
 
 Result<Rig> linkTwins(const Rig& rig, int leader, int follower, const MirrorPlan& plan) {
   assert(leader != follower);
-  Rig linked = setMirror(rig, leader, follower);
+  Result<TwinLine> line = withTwinLine(rig, at(rig.primitives, leader).line, plan);
+  if (!line) return line.error();
+  Rig linked = setMirror(line->rig, leader, follower);
   Primitive& second = at(linked.primitives, follower);
   Result<Primitive> image = imageAs(plan, at(linked.primitives, leader), second);
   if (!image) return image.error();
   if (const auto valid = validatePrimitive(image.value(), "primitives"); !valid) return valid.error();
   second = std::move(image).value();
-  return linked;
+  second.line = line->name;
+  return withoutIdleLines(rig, std::move(linked));
 }
+
+namespace {
+
+/// The lines of flipped primitives and of their twins, each turned over in its own name.
+Result<Rig> withFlippedLines(const Rig& rig, Rig flipped, std::span<const int> indices, const MirrorPlan& plan) {
+  std::vector<std::string> done;
+  for (const int index : withTwins(rig, indices)) {
+    const std::string& name = at(rig.primitives, index).line;
+    if (name.empty() || std::ranges::find(done, name) != done.end()) continue;
+    done.push_back(name);
+    const int line = findLine(rig, name);
+    Result<MuscleLine> image = mirroredLine(plan, at(rig.lines, line));
+    if (!image) return about("muscle line \"" + name + '"', image.error());
+    Result<Rig> turned = editLine(flipped, line, [&](MuscleLine& own) {
+      own.origin = image->origin;
+      own.insertion = image->insertion;
+      own.via = image->via;
+    });
+    if (!turned) return turned;
+    flipped = std::move(turned).value();
+  }
+  return flipped;
+}
+
+}  // namespace
 
 Result<Rig> flipPrimitives(const Rig& rig, std::span<const int> indices, const MirrorPlan& plan) {
   Rig flipped = rig;
@@ -236,7 +274,7 @@ Result<Rig> flipPrimitives(const Rig& rig, std::span<const int> indices, const M
     if (const auto valid = validatePrimitive(image.value(), "primitives"); !valid) return valid.error();
     primitive = std::move(image).value();
   }
-  return flipped;
+  return withFlippedLines(rig, std::move(flipped), indices, plan);
 }
 
 Rig duplicatePairs(const Rig& rig, std::span<const int> indices) {

@@ -14,7 +14,7 @@
 namespace sinew {
 
 /// `edited`, where linked twins follow what changed since `shown` on one of the two: bone, placement, reach, sign,
-/// group and territory, each by itself, so that a pair that never was exact is not torn about by an edit of its
+/// group, line and territory, each by itself, so that a pair that never was exact is not torn about by an edit of its
 /// reach. Of the placement too only what changed follows, so that centres stay to the bit while radii are pulled.
 /// Where both changed and are no longer images of each other, the one that differs from `atStart` (before the
 /// gesture) leads; if both do, the first in the rig. A bone or placement without counterpart is not followed; the

@@ -35,7 +35,7 @@ class Inspector : public HeadlessEditor {
   }
   [[nodiscard]] std::vector<int> territory(const std::string& name) const {
     const Skeleton& skeleton = state.character().skeleton;
-    return territoryBones(named(name), skeleton.findBone(named(name).bone).value(), skeleton);
+    return territoryBones(named(name), skeleton.findBone(named(name).bone).value(), nullptr, skeleton);
   }
 };
 

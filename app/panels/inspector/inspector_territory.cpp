@@ -124,8 +124,9 @@ void addRow(PanelUi& ui, const std::vector<int>& within) {
 void drawTerritoryRows(PanelUi& ui, const Subjects& subjects) {
   section(ui, "Territory");
   const Skeleton& skeleton = ui.state.character().skeleton;
-  const std::vector<int> within =
-      subjects.bone < 0 ? std::vector<int>{} : territoryBones(subjects.shown(), subjects.bone, skeleton);
+  const std::vector<int> within = subjects.bone < 0 ? std::vector<int>{}
+                                                    : territoryBones(subjects.shown(), subjects.bone,
+                                                                     lineOf(*subjects.rig, subjects.shown()), skeleton);
   headRow(ui, subjects, within.size());
   if (subjects.several() || subjects.bone < 0) return;
   const bool named = subjects.shown().territory.has_value();

@@ -92,12 +92,60 @@ Primitive anyPrimitive(Random& random, const Rig& rig) {
   return primitive;
 }
 
-void pairTwins(Random& random, Rig& rig) {
-  for (std::size_t i = 0; i + 1 < rig.primitives.size(); i += 2) {
-    if (random.chance(0.5f)) continue;
-    rig.primitives[i].mirror = rig.primitives[i + 1].name;
-    rig.primitives[i + 1].mirror = rig.primitives[i].name;
+LineAnchor anyAnchor(Random& random) {
+  return {anyName(random, random.below(9)),
+          {edgeFloat(random), edgeFloat(random), edgeFloat(random)},
+          anyUnknownKeys(random)};
+}
+
+/// Settings at their defaults are left out of files, so some stay there.
+LineSettings anySettings(Random& random) {
+  LineSettings settings;
+  if (random.chance(0.5f)) settings.rest = random.uniform(kLeastRest, kMostRest);
+  if (random.chance(0.5f)) settings.tendons = {random.uniform(0.0f, 0.4f), random.uniform(0.0f, 0.4f)};
+  if (random.chance(0.5f)) settings.volume = random.uniform(0.0f, kMostVolume);
+  if (random.chance(0.5f)) settings.limits = {random.uniform(0.01f, 0.99f), random.uniform(1.01f, 9.0f)};
+  if (random.chance(0.5f)) settings.pivot = random.uniform(0.0f, 1.0f);
+  if (random.chance(0.5f)) settings.twist = random.uniform(0.0f, 1.0f);
+  if (random.chance(0.5f)) settings.flex = {random.uniform(kLeastFlex, kMostFlex), random.uniform(-0.5f, 0.5f)};
+  if (random.chance(0.5f)) settings.base = random.uniform(0.0f, 1.0f);
+  if (random.chance(0.5f)) settings.gain = random.uniform(0.0f, kMostGain);
+  if (random.chance(0.5f)) settings.full = random.uniform(kLeastFull, kMostFull);
+  return settings;
+}
+
+void addLines(Random& random, Rig& rig) {
+  for (int i = random.below(4); i > 0; --i) {
+    MuscleLine line;
+    line.name = anyName(random, static_cast<int>(rig.lines.size()));
+    line.origin = anyAnchor(random);
+    line.insertion = anyAnchor(random);
+    if (random.chance(0.5f)) line.via = anyAnchor(random);
+    line.settings = anySettings(random);
+    line.unknownActivationKeys = anyUnknownKeys(random);
+    line.unknownKeys = anyUnknownKeys(random);
+    rig.lines.push_back(line);
   }
+  for (Primitive& primitive : rig.primitives) {
+    if (rig.lines.empty() || random.chance(0.5f)) continue;
+    primitive.line = rig.lines[static_cast<std::size_t>(random.below(static_cast<int>(rig.lines.size())))].name;
+  }
+}
+
+template <class Twinned>
+void pairTwins(Random& random, std::vector<Twinned>& items) {
+  for (std::size_t i = 0; i + 1 < items.size(); i += 2) {
+    if (random.chance(0.5f)) continue;
+    items[i].mirror = items[i + 1].name;
+    items[i + 1].mirror = items[i].name;
+  }
+}
+
+bool sameBits(const glm::vec3& a, const glm::vec3& b) {
+  for (int i = 0; i < 3; ++i) {
+    if (std::bit_cast<std::uint32_t>(a[i]) != std::bit_cast<std::uint32_t>(b[i])) return false;
+  }
+  return true;
 }
 
 std::array<std::uint32_t, 11> bitsOf(const Primitive& p) {
@@ -130,15 +178,20 @@ Rig randomDocument(std::uint64_t seed) {
     }
   }
   for (int i = random.below(8); i > 0; --i) rig.primitives.push_back(anyPrimitive(random, rig));
-  pairTwins(random, rig);
+  pairTwins(random, rig.primitives);
+  addLines(random, rig);
+  pairTwins(random, rig.lines);
   rig.unknownKeys = anyUnknownKeys(random);
   return rig;
 }
 
 bool sameFloatBits(const Rig& a, const Rig& b) {
-  if (a.primitives.size() != b.primitives.size()) return false;
+  if (a.primitives.size() != b.primitives.size() || a.lines.size() != b.lines.size()) return false;
   for (std::size_t i = 0; i < a.primitives.size(); ++i) {
     if (bitsOf(a.primitives[i]) != bitsOf(b.primitives[i])) return false;
+  }
+  for (std::size_t i = 0; i < a.lines.size(); ++i) {
+    if (!sameBits(a.lines[i].origin.point, b.lines[i].origin.point)) return false;
   }
   return std::bit_cast<std::uint32_t>(a.surface.iso) == std::bit_cast<std::uint32_t>(b.surface.iso) &&
          std::bit_cast<std::uint32_t>(a.surface.skinBlend) == std::bit_cast<std::uint32_t>(b.surface.skinBlend) &&

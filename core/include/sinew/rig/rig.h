@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "sinew/primitives/ellipsoid.h"
+#include "sinew/rig/muscle_line.h"
+#include "sinew/rig/not_compared.h"
 
 namespace sinew {
 
@@ -41,14 +43,6 @@ struct GroupId {
 
   [[nodiscard]] explicit operator bool() const { return value != 0; }
   friend auto operator<=>(const GroupId&, const GroupId&) = default;
-};
-
-/// A member that does not count when two documents are compared.
-template <class T>
-struct NotCompared {
-  T value;
-
-  friend constexpr bool operator==(const NotCompared&, const NotCompared&) { return true; }
 };
 
 /// "surface" in the file.
@@ -86,10 +80,11 @@ struct Group {
 
 /// One ellipsoid on one bone.
 struct Primitive {
-  std::string name;   ///< Unique, not empty.
-  std::string bone;   ///< Name or path (Skeleton::findBone). May be absent from the character at hand: unattached.
-  std::string group;  ///< Name of a group of the rig.
-  Placement placement;
+  std::string name;     ///< Unique, not empty.
+  std::string bone;     ///< Name or path (Skeleton::findBone). May be absent from the character at hand: unattached.
+  std::string group;    ///< Name of a group of the rig.
+  std::string line;     ///< Name of the muscle line that carries it, or empty: it rides its bone.
+  Placement placement;  ///< Of the bind pose on a line too.
   float reach = kDefaultReach;                        ///< k > 1.
   int sign = 1;                                       ///< +1 adds, -1 carves.
   std::string mirror;                                 ///< Name of the linked twin, or empty.
@@ -101,13 +96,14 @@ struct Primitive {
   friend bool operator==(const Primitive&, const Primitive&) = default;
 };
 
-/// Primitives + groups + links + settings. Two rigs with equal members are the same document.
+/// Primitives + lines + groups + links + settings. Two rigs with equal members are the same document.
 struct Rig {
   std::string character;  ///< Path relative to the rig file, "/" between; or absolute as the designer typed it.
   SurfaceSettings surface;
   SmoothingSettings smoothing;
   std::vector<Group> groups;
   std::vector<std::array<std::string, 2>> links;
+  std::vector<MuscleLine> lines;
   std::vector<Primitive> primitives;
   std::string unknownKeys;
 
@@ -117,14 +113,19 @@ struct Rig {
 /// Index by name, or -1.
 [[nodiscard]] int findPrimitive(const Rig& rig, const std::string& name);
 [[nodiscard]] int findGroup(const Rig& rig, const std::string& name);
+[[nodiscard]] int findLine(const Rig& rig, const std::string& name);
+/// The line that carries a primitive, or null.
+[[nodiscard]] const MuscleLine* lineOf(const Rig& rig, const Primitive& primitive);
 /// Index by identity, or -1.
 [[nodiscard]] int findPrimitive(const Rig& rig, PrimitiveId id);
 [[nodiscard]] int findGroup(const Rig& rig, GroupId id);
+[[nodiscard]] int findLine(const Rig& rig, LineId id);
 
 /// `wanted`, or `wanted 2`, `wanted 3` ...: the first that no primitive (or group) has. A number at the end of `wanted`
 /// counts on: a taken "thigh 2" gives "thigh 3".
 [[nodiscard]] std::string freePrimitiveName(const Rig& rig, const std::string& wanted);
 [[nodiscard]] std::string freeGroupName(const Rig& rig, const std::string& wanted);
+[[nodiscard]] std::string freeLineName(const Rig& rig, const std::string& wanted);
 
 /// Names as they stand in files, menus and on the command line.
 [[nodiscard]] const char* nameOf(SurfaceMode mode);

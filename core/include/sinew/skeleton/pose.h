@@ -8,9 +8,10 @@
 
 namespace sinew {
 
-/// Where every bone is. Bone scale, also uneven, is part of the matrices.
+/// Where every bone is, and how hard muscles are flexed. Bone scale, also uneven, is part of the matrices.
 struct Pose {
   std::vector<glm::mat4> boneInWorld;  ///< [bones] bone space -> world.
+  float flex = 0.0f;                   ///< Added to every muscle line's activation, 0..1.
 };
 
 /// The pose the inverse bind matrices describe, upright (docs/design.md).

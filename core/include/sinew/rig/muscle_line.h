@@ -1,0 +1,75 @@
+// core/include/sinew/rig/muscle_line.h: a muscle line: what a designer says of a muscle that spans two bones.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "sinew/base/geometry.h"
+#include "sinew/rig/not_compared.h"
+
+namespace sinew {
+
+/// Which line: as PrimitiveId (rig.h).
+struct LineId {
+  std::uint32_t value = 0;
+
+  [[nodiscard]] explicit operator bool() const { return value != 0; }
+  friend auto operator<=>(const LineId&, const LineId&) = default;
+};
+
+/// A point that rides a bone.
+struct LineAnchor {
+  std::string bone;       ///< Name or path (Skeleton::findBone).
+  glm::vec3 point{0.0f};  ///< Bone space.
+  std::string unknownKeys;
+
+  friend bool operator==(const LineAnchor&, const LineAnchor&) = default;
+};
+
+// Ranges of LineSettings beyond those that follow from its meaning.
+inline constexpr float kMostTendons = 0.8f;
+inline constexpr float kLeastFull = 0.1f;
+inline constexpr float kMostFull = 0.99f;
+inline constexpr float kLeastRest = 0.25f;
+inline constexpr float kMostRest = 4.0f;
+inline constexpr float kMostVolume = 4.0f;
+inline constexpr float kLeastFlex = -0.9f;  ///< Girth stays positive.
+inline constexpr float kMostFlex = 4.0f;
+inline constexpr float kMostGain = 4.0f;
+
+/// How the belly answers to its line's length. docs/lines.md.
+struct LineSettings {
+  float rest = 1.0f;                ///< Rest length / length in the bind pose, kLeastRest..kMostRest.
+  glm::vec2 tendons{0.13f, 0.15f};  ///< At origin and insertion, of the rest length; >= 0, together <= kMostTendons.
+  float volume = 1.0f;              ///< 0: girth stays; 1: volume stays; more: exaggerated. 0..kMostVolume.
+  glm::vec2 limits{0.4f, 2.0f};     ///< Belly stretch towards which girth levels off; 0 < x < 1 < y.
+  float pivot = 1.0f;               ///< Girth grows from 0: the line, 1: the bone under it.
+  float twist = 0.5f;               ///< The belly turns with 0: the origin's bone, 1: the insertion's.
+  glm::vec2 flex{0.3f, 0.0f};       ///< Height and width added at full activation, kLeastFlex..kMostFlex.
+  float base = 0.0f;                ///< Activation by hand, 0..1.
+  float gain = 1.0f;                ///< Activation from shortening, 0..kMostGain; 0: by hand alone.
+  float full = 0.75f;               ///< Line stretch at which shortening activates fully, kLeastFull..kMostFull.
+
+  friend bool operator==(const LineSettings&, const LineSettings&) = default;
+};
+
+/// From a point on one bone to a point on another, maybe the same. Primitives that name the line stretch and thicken
+/// with it (lines/line_pose.h).
+struct MuscleLine {
+  std::string name;  ///< Unique among lines, not empty.
+  LineAnchor origin;
+  LineAnchor insertion;
+  std::optional<LineAnchor> via;  ///< The line bends round this point.
+  LineSettings settings;
+  std::string unknownActivationKeys;
+  std::string mirror;  ///< Name of the linked twin, or empty.
+  std::string unknownKeys;
+  NotCompared<LineId> identity{};
+
+  [[nodiscard]] LineId id() const { return identity.value; }
+  friend bool operator==(const MuscleLine&, const MuscleLine&) = default;
+};
+
+}  // namespace sinew

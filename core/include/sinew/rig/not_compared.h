@@ -1,0 +1,14 @@
+// core/include/sinew/rig/not_compared.h: members that do not count when two documents are compared.
+#pragma once
+
+namespace sinew {
+
+/// A member that does not count when two documents are compared.
+template <class T>
+struct NotCompared {
+  T value;
+
+  friend constexpr bool operator==(const NotCompared&, const NotCompared&) { return true; }
+};
+
+}  // namespace sinew

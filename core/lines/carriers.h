@@ -1,0 +1,40 @@
+// core/lines/carriers.h: the matrices that place primitives in a pose: those of bones, and of bones as lines carry
+// them.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/lines/line_pose.h"
+#include "core/rig/attachment.h"
+
+namespace sinew {
+
+/// Made once per edit; used once per pose.
+class Carriers {
+ public:
+  Carriers() = default;
+  Carriers(const Rig& rig, const Character& character, std::span<const LineCarrier> onLines);
+
+  /// [bones + onLines] for FieldPrimitive::carrier. Valid until the next call.
+  [[nodiscard]] std::span<const glm::mat4> in(const Pose& pose, const Skeleton& skeleton);
+  /// The same in the bind pose with nothing flexed, where lines deform nothing.
+  [[nodiscard]] std::vector<glm::mat4> inBind(const Skeleton& skeleton) const;
+
+ private:
+  std::vector<std::optional<LineRest>> rests_;
+  std::vector<LineCarrier> onLines_;
+  LineScratch scratch_;
+  std::vector<PosedLine> lines_;  ///< Memory kept from pose to pose, as is the next.
+  std::vector<glm::mat4> matrices_;
+};
+
+/// [Rig::primitives] what each rides: its bone's space in the bind pose -> world now. nullopt: unattached.
+[[nodiscard]] std::vector<std::optional<glm::mat4>> carriersOf(const Rig& rig, const Character& character,
+                                                               const Pose& pose);
+/// The same for one.
+[[nodiscard]] std::optional<glm::mat4> carrierOf(const Rig& rig, const Primitive& primitive, const Character& character,
+                                                 const Pose& pose);
+
+}  // namespace sinew

@@ -1,0 +1,107 @@
+// core/lines/line_rest.cpp: anchors found, the frame of the bind pose laid.
+#include "core/lines/line_rest.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "core/base/at.h"
+#include "core/lines/contraction.h"
+#include "core/skeleton/bone_segments.h"
+
+namespace sinew {
+namespace {
+
+Result<BonePoint> found(const LineAnchor& anchor, const char* what, const Skeleton& skeleton) {
+  const std::optional<int> bone = skeleton.findBone(anchor.bone);
+  if (!bone) return errorAt("", "this character has no bone \"" + anchor.bone + '"', what);
+  const glm::dvec3 point(anchor.point);
+  return BonePoint{*bone, point,
+                   glm::dvec3(glm::dmat4(at(skeleton.bones, *bone).bindInWorld) * glm::dvec4(point, 1.0))};
+}
+
+glm::dvec3 nearestSkin(const ControlMesh& mesh, const glm::dvec3& point) {
+  double nearest = std::numeric_limits<double>::infinity();
+  glm::dvec3 result = point;
+  for (const glm::vec3& position : mesh.positions) {
+    const double distance = glm::distance(glm::dvec3(position), point);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    result = glm::dvec3(position);
+  }
+  return result;
+}
+
+glm::dvec3 madeSquare(const glm::dvec3& v, const glm::dvec3& unit) { return v - glm::dot(v, unit) * unit; }
+
+/// Any direction across another; the same for the same.
+glm::dvec3 across(const glm::dvec3& unit) {
+  const glm::dvec3 axis = std::abs(unit.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
+  return glm::normalize(madeSquare(axis, unit));
+}
+
+/// Where the bone under the middle of the line is.
+glm::dvec3 boneUnder(const Bone& bone, const glm::dvec3& middle) {
+  const Segment segment = bindSegment(bone);
+  const float t = segment.closestTo(glm::vec3(middle));
+  return glm::dvec3(segment.from + t * segment.along);
+}
+
+void layFrame(LineRest& rest, const Character& character) {
+  const double least = static_cast<double>(kShortestLine * character.height);
+  const glm::dvec3 middle = 0.5 * (rest.origin.inBind + rest.insertion.inBind);
+  const glm::dvec3 bone = boneUnder(at(character.skeleton.bones, rest.origin.bone), middle);
+  glm::dvec3 height = madeSquare(middle - bone, rest.direction);
+  if (glm::length(height) < least) height = madeSquare(nearestSkin(character.mesh, middle) - middle, rest.direction);
+  const glm::dvec3 z = glm::length(height) < least ? across(rest.direction) : glm::normalize(height);
+  rest.frame = glm::normalize(glm::quat_cast(glm::dmat3(glm::cross(rest.direction, z), rest.direction, z)));
+  rest.depth = static_cast<double>(rest.settings.pivot) * std::max(0.0, glm::dot(middle - bone, z));
+  const double tendon = static_cast<double>(rest.settings.tendons.x * rest.settings.rest) * rest.length;
+  rest.start = rest.origin.inBind + tendon * rest.direction - rest.depth * z;
+}
+
+}  // namespace
+
+Result<LineRest> lineRest(const MuscleLine& line, const Character& character) {
+  const std::string subject = "muscle line \"" + line.name + '"';
+  LineRest rest;
+  rest.settings = line.settings;
+  const auto take = [&](const LineAnchor& anchor, const char* what, BonePoint& point) -> Result<void> {
+    const Result<BonePoint> at = found(anchor, what, character.skeleton);
+    if (!at) return about(subject, at.error());
+    point = at.value();
+    return {};
+  };
+  if (auto origin = take(line.origin, "origin", rest.origin); !origin) return origin.error();
+  if (auto insertion = take(line.insertion, "insertion", rest.insertion); !insertion) return insertion.error();
+  if (line.via) {
+    if (auto via = take(*line.via, "via point", rest.via.emplace()); !via) return via.error();
+  }
+  const double straight = glm::distance(rest.origin.inBind, rest.insertion.inBind);
+  if (!(straight >= static_cast<double>(kShortestLine * character.height))) {
+    return errorAt("", "its ends are at the same place in the bind pose", subject);
+  }
+  rest.length = straight;
+  if (rest.via) {
+    rest.length =
+        glm::distance(rest.origin.inBind, rest.via->inBind) + glm::distance(rest.via->inBind, rest.insertion.inBind);
+  }
+  rest.direction = (rest.insertion.inBind - rest.origin.inBind) / straight;
+  rest.bellyStretch = bellyStretch(1.0 / static_cast<double>(line.settings.rest), line.settings);
+  layFrame(rest, character);
+  return rest;
+}
+
+std::vector<std::optional<LineRest>> lineRests(const Rig& rig, const Character& character) {
+  std::vector<std::optional<LineRest>> rests;
+  rests.reserve(rig.lines.size());
+  for (const MuscleLine& line : rig.lines) {
+    Result<LineRest> rest = lineRest(line, character);
+    rests.push_back(rest ? std::optional(std::move(rest).value()) : std::nullopt);
+  }
+  return rests;
+}
+
+}  // namespace sinew

@@ -1,0 +1,45 @@
+// core/lines/line_rest.h: a muscle line in the bind pose: what its poses are measured against. Made once per edit.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <glm/gtc/quaternion.hpp>
+
+#include "sinew/base/result.h"
+#include "sinew/character/character.h"
+#include "sinew/rig/rig.h"
+
+namespace sinew {
+
+/// A point that rides a bone, found in a skeleton.
+struct BonePoint {
+  int bone = -1;
+  glm::dvec3 inBone{0.0};
+  glm::dvec3 inBind{0.0};  ///< World.
+};
+
+/// Lengths in character units, world of the bind pose.
+struct LineRest {
+  LineSettings settings;
+  BonePoint origin;
+  BonePoint insertion;
+  std::optional<BonePoint> via;
+  double length = 0.0;                   ///< Over the via point.
+  double bellyStretch = 1.0;             ///< lambda_b in the bind pose.
+  glm::dvec3 direction{0.0, 1.0, 0.0};   ///< Unit, from the origin straight to the insertion.
+  glm::dquat frame{1.0, 0.0, 0.0, 0.0};  ///< x: width, y: along, z: height, away from the bone -> world.
+  double depth = 0.0;                    ///< From the line down to what its girth grows from, times `pivot`.
+  glm::dvec3 start{0.0};                 ///< What the belly's deformation keeps: under its end at the origin.
+};
+
+/// Shortest line, of H.
+inline constexpr float kShortestLine = 1e-3f;
+
+/// Each of the rig's lines on a character, nullopt where a bone is missing or the line is too short.
+[[nodiscard]] std::vector<std::optional<LineRest>> lineRests(const Rig& rig, const Character& character);
+/// Error: a bone is missing, or the line is too short; subject is the line.
+[[nodiscard]] Result<LineRest> lineRest(const MuscleLine& line, const Character& character);
+
+}  // namespace sinew

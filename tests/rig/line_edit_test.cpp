@@ -1,0 +1,89 @@
+// tests/rig/line_edit_test.cpp: lines come, change and go with what rides them.
+
+#include "core/rig/line_edit.h"
+
+#include <gtest/gtest.h>
+
+#include "core/rig/rig_edit.h"
+#include "core/rig/validation.h"
+
+namespace sinew {
+namespace {
+
+MuscleLine lineNamed(const std::string& name) {
+  MuscleLine line;
+  line.name = name;
+  line.origin = {"a", {0.0f, 0.0f, 0.0f}, {}};
+  line.insertion = {"b", {0.0f, 1.0f, 0.0f}, {}};
+  return line;
+}
+
+Primitive on(const std::string& line) {
+  Primitive primitive;
+  primitive.name = "belly";
+  primitive.bone = "a";
+  primitive.line = line;
+  return primitive;
+}
+
+struct LineEdit : testing::Test {
+  Rig rig;
+
+  LineEdit() {
+    rig = addLine(rig, lineNamed("biceps")).value();
+    rig = addPrimitive(rig, on("biceps")).value();
+    rig = addPrimitive(rig, on("biceps")).value();
+  }
+  ~LineEdit() override { EXPECT_TRUE(validate(rig)) << validate(rig).error().text(); }
+};
+
+TEST_F(LineEdit, NamesAreMadeUniqueAndFollowed) {
+  rig = addLine(rig, lineNamed("biceps")).value();
+  EXPECT_EQ(rig.lines[1].name, "biceps 2");
+  EXPECT_FALSE(renameLine(rig, 1, "biceps").ok());
+  EXPECT_FALSE(renameLine(rig, 1, "").ok());
+  rig = renameLine(rig, 0, "triceps").value();
+  EXPECT_EQ(rig.primitives[0].line, "triceps");
+  EXPECT_EQ(primitivesOn(rig, "triceps"), (std::vector<int>{0, 1}));
+}
+
+TEST_F(LineEdit, ALineGoesWithItsLastPrimitive) {
+  rig = addLine(rig, lineNamed("bare")).value();
+  rig = removePrimitives(rig, std::vector<int>{0});
+  EXPECT_GE(findLine(rig, "biceps"), 0);
+  rig = removePrimitives(rig, std::vector<int>{0});
+  EXPECT_LT(findLine(rig, "biceps"), 0);
+  EXPECT_GE(findLine(rig, "bare"), 0) << "a line that carried nothing is not this edit's to take";
+}
+
+TEST_F(LineEdit, TakenOffTheLineMusclesRideTheirBones) {
+  const Rig off = setLineOfSeveral(rig, std::vector<int>{0, 1}, -1);
+  EXPECT_TRUE(off.primitives[0].line.empty());
+  EXPECT_TRUE(off.lines.empty());
+  const Rig removed = removeLine(rig, 0);
+  EXPECT_TRUE(removed.primitives[1].line.empty());
+  EXPECT_TRUE(validate(removed));
+}
+
+TEST_F(LineEdit, TwinsNameEachOther) {
+  MuscleLine twin = lineNamed("other");
+  twin.mirror = "biceps";
+  rig = addLine(rig, twin).value();
+  EXPECT_EQ(rig.lines[0].mirror, "other");
+  rig = renameLine(rig, 1, "biceps R").value();
+  EXPECT_EQ(rig.lines[0].mirror, "biceps R");
+  rig = removeLine(rig, 1);
+  EXPECT_TRUE(rig.lines[0].mirror.empty());
+}
+
+TEST_F(LineEdit, WhatIsOutOfRangeIsRefusedAndNothingChanges) {
+  const Rig before = rig;
+  EXPECT_FALSE(editLine(rig, 0, [](MuscleLine& line) { line.settings.full = 1.0f; }).ok());
+  EXPECT_FALSE(addPrimitive(rig, on("calf")).ok());
+  EXPECT_EQ(rig, before);
+  rig = editLine(rig, 0, [](MuscleLine& line) { line.settings.full = 0.5f; }).value();
+  EXPECT_EQ(rig.lines[0].settings.full, 0.5f);
+}
+
+}  // namespace
+}  // namespace sinew
