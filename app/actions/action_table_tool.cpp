@@ -81,7 +81,8 @@ const Action kOthers[] = {
 template <std::size_t... kIndices>
 std::vector<Action> withTools(std::index_sequence<kIndices...>) {
   std::vector<Action> all{{tools()[kIndices]->id, tools()[kIndices]->label, tools()[kIndices]->hint,
-                           key(tools()[kIndices]->key), kNone, idle, isTool<kIndices>, chooseTool<kIndices>}...};
+                           tools()[kIndices]->shift ? shift(tools()[kIndices]->key) : key(tools()[kIndices]->key),
+                           kNone, idle, isTool<kIndices>, chooseTool<kIndices>}...};
   all.insert(all.end(), std::begin(kOthers), std::end(kOthers));
   return all;
 }

@@ -288,7 +288,8 @@ void selectNothing(EditorState& state) {
   Selection& selection = state.document.selection;
   if (editsTerritory(state)) {
     endTerritoryMode(state.view.tools);
-  } else if (selection.primitives.empty() && selection.bone < 0 && state.view.tools.tool == ToolKind::kAddMuscle) {
+  } else if (selection.primitives.empty() && selection.bone < 0 &&
+             (state.view.tools.tool == ToolKind::kAddMuscle || state.view.tools.tool == ToolKind::kMuscleLine)) {
     setTool(state.view.tools, ToolKind::kMove);
   } else {
     selection.clear();

@@ -48,6 +48,7 @@ constinit const Tool kAddMuscleTool{
     .label = "Add muscle",
     .hint = "Press on the skin and drag: a muscle grows there",
     .key = GLFW_KEY_M,
+    .shift = false,
     .icon = Icon::kAddMuscle,
     .handles = GizmoMode::kPoles,
     .whole = GizmoHandle::kNone,

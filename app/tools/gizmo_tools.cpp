@@ -112,6 +112,7 @@ constexpr Tool gizmoTool(const char* id, const char* label, const char* hint, in
           .label = label,
           .hint = hint,
           .key = key,
+          .shift = false,
           .icon = icon,
           .handles = handles,
           .whole = whole,

@@ -65,10 +65,19 @@ void updateHover(ToolFrame& frame, const std::optional<GizmoTarget>& target) {
   ViewportTools& tools = frame.tools;
   if (frame.input.mouseTaken || !pointerInside(frame)) {
     tools.gizmo.hovered = GizmoHandle::kNone;
+    tools.lineHandles.hovered = LineEnd::kNone;
     tools.hover = {};
     return;
   }
   tools.gizmo.hovered = GizmoHandle::kNone;
+  tools.lineHandles.hovered = LineEnd::kNone;
+  if (activeTool(tools).picksMuscles && !frame.input.alt) {
+    tools.lineHandles.hovered = lineEndUnder(frame.context, frame.view, frame.input.mouse);
+  }
+  if (tools.lineHandles.hovered != LineEnd::kNone) {
+    tools.hover = {};
+    return;
+  }
   if (target && !frame.input.alt) {
     tools.gizmo.hovered = hitTest(layoutGizmo(tools.gizmo, target->placement, target->context), frame.input.mouse);
   }
@@ -98,6 +107,9 @@ void pressLeft(ToolFrame& frame, const std::optional<GizmoTarget>& target) {
     tools.owner = PressOwner::kBox;
   } else if (frame.input.alt) {
     tools.owner = PressOwner::kOrbit;
+  } else if (tools.lineHandles.hovered != LineEnd::kNone) {
+    beginLineEnd(tools.lineHandles, frame.context, frame.view, frame.input.mouse);
+    tools.owner = PressOwner::kLine;
   } else if (overHandle) {
     beginGizmo(frame, *target);
   } else if (const Tool& tool = activeTool(tools); tool.press && tool.press(frame)) {
@@ -205,6 +217,9 @@ void continueOwner(ToolFrame& frame) {
         if (byButton) clickThroughHandle(frame);
       }
       break;
+    case PressOwner::kLine:
+      if (!continueLineEnd(tools.lineHandles, input, frame.context, frame.view)) tools.owner = PressOwner::kNone;
+      break;
     case PressOwner::kTool:
       if (!activeTool(tools).drag(frame, input)) tools.owner = PressOwner::kNone;
       break;
@@ -239,6 +254,7 @@ std::string statusOf(const ToolFrame& frame) {
   const ViewportTools& tools = frame.tools;
   if (std::string onTriad = describe(tools.triad); !onTriad.empty()) return onTriad;
   if (tools.gizmo.drag || tools.gizmo.hovered != GizmoHandle::kNone) return describe(tools.gizmo);
+  if (const std::string onLine = describe(tools.lineHandles); !onLine.empty()) return onLine;
   if (tools.box.drag) {
     return statusLine("Box", {"Release selects what it touches", "Shift adds", "Alt removes", "Esc cancels"});
   }
@@ -269,7 +285,8 @@ void armBox(ViewportTools& tools) {
 }
 
 bool ownsKeyboard(const ViewportTools& tools) {
-  return tools.gizmo.drag || tools.owner == PressOwner::kTool || tools.box.drag || tools.box.armed;
+  return tools.gizmo.drag || tools.owner == PressOwner::kTool || tools.owner == PressOwner::kLine || tools.box.drag ||
+         tools.box.armed;
 }
 
 bool holdsPose(const ViewportTools& tools, bool leftPressed) {
@@ -284,7 +301,8 @@ void keepDrag(ViewportTools& tools, Document& document) {
 
 void cancelDrags(ViewportTools& tools, Document& document) {
   if (const Tool& tool = activeTool(tools); tool.cancel) tool.cancel(tools, document);
-  if (tools.gizmo.drag && document.commands.inGesture()) document.commands.cancelGesture();
+  if ((tools.gizmo.drag || tools.lineHandles.drag) && document.commands.inGesture()) document.commands.cancelGesture();
+  tools.lineHandles = {};
   endGizmo(tools);
   tools.box = {};
   tools.dragWanted = false;

@@ -43,6 +43,7 @@ constinit const Tool kPoseTool{
     .label = "Pose",
     .hint = "Click a joint and turn it with the rings, to see muscles in any pose",
     .key = GLFW_KEY_P,
+    .shift = false,
     .icon = Icon::kPose,
     .handles = GizmoMode::kRotate,
     .whole = GizmoHandle::kNone,

@@ -86,6 +86,7 @@ constinit const Tool kTerritoryTool{
     .label = "Edit territory",
     .hint = "Click the bones whose skin the selected muscle may move",
     .key = GLFW_KEY_B,
+    .shift = false,
     .icon = Icon::kNone,
     .handles = GizmoMode::kPoles,
     .whole = GizmoHandle::kNone,

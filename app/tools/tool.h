@@ -37,6 +37,7 @@ struct Tool {
   const char* label;  ///< "Add muscle"
   const char* hint;   ///< One sentence for tooltip and palette.
   int key;            ///< GLFW's code, in the default keymap.
+  bool shift;         ///< With Shift.
   Icon icon;
   GizmoMode handles;  ///< Which handles stand on the target.
   GizmoHandle whole;  ///< The handle that a drag without a press takes (startDrag); kNone: there is none.
@@ -77,6 +78,7 @@ extern const Tool kRotateTool;
 extern const Tool kScaleTool;
 extern const Tool kAddMuscleTool;
 extern const Tool kPoseTool;
+extern const Tool kMuscleLineTool;
 extern const Tool kTerritoryTool;  ///< A mode over the chosen tool, not in tools().
 
 }  // namespace sinew::app

@@ -8,7 +8,7 @@
 namespace sinew::app {
 namespace {
 
-constexpr std::array<const Tool*, kToolCount> kTools{&kSelectTool, &kAddMuscleTool, &kMoveTool,
+constexpr std::array<const Tool*, kToolCount> kTools{&kSelectTool, &kAddMuscleTool, &kMuscleLineTool, &kMoveTool,
                                                      &kRotateTool, &kScaleTool,     &kPoseTool};
 
 }  // namespace

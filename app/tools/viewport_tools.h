@@ -12,6 +12,8 @@
 #include "app/tools/camera.h"
 #include "app/tools/gizmo.h"
 #include "app/tools/gizmo_group.h"
+#include "app/tools/line_handles.h"
+#include "app/tools/line_tool.h"
 #include "app/tools/pick_cycle.h"
 #include "app/tools/pose_bone.h"
 #include "app/tools/select.h"
@@ -19,19 +21,21 @@
 namespace sinew::app {
 
 /// Rows of the table of tools (tool.h).
-enum class ToolKind { kSelect, kAddMuscle, kMove, kRotate, kScale, kPose };
-inline constexpr std::size_t kToolCount = 6;
+enum class ToolKind { kSelect, kAddMuscle, kMuscleLine, kMove, kRotate, kScale, kPose };
+inline constexpr std::size_t kToolCount = 7;
 
 [[nodiscard]] std::string nameOf(ToolKind tool);  ///< Its label in lower case: "add muscle".
 
 /// Who holds the mouse from a press to its release.
-enum class PressOwner { kNone, kOutside, kGizmo, kTool, kClick, kOrbit, kPan, kBox, kMenu };
+enum class PressOwner { kNone, kOutside, kGizmo, kLine, kTool, kClick, kOrbit, kPan, kBox, kMenu };
 
 /// All that the viewport's tools remember between frames.
 struct ViewportTools {
   ToolKind tool = ToolKind::kMove;  ///< Through setTool.
   GizmoState gizmo;                 ///< `axes` is free to set between drags.
   AddMuscleState addMuscle;
+  LineToolState line;
+  LineHandles lineHandles;
   PoseBoneState pose;
   Camera camera;
   ViewportHover hover;

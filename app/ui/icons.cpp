@@ -69,6 +69,13 @@ void addToolDrawings(IconDrawings& drawings) {
     pen.line(12.6f, 1.6f, 12.6f, 6.8f);
     pen.line(10, 4.2f, 15.2f, 4.2f);
   };
+  drawings[at(Icon::kMuscleLine)] = [](const Pen& pen) {
+    pen.line(1.6f, 14.4f, 4.6f, 11.4f);
+    pen.ellipse(8, 8, 4.8f, 2.6f, -0.785f, true);
+    pen.line(11.4f, 4.6f, 14.4f, 1.6f);
+    pen.ellipse(1.8f, 14.2f, 1.2f, 1.2f, 0.0f, true);
+    pen.ellipse(14.2f, 1.8f, 1.2f, 1.2f, 0.0f, true);
+  };
   drawings[at(Icon::kPose)] = drawPose;
   drawings[at(Icon::kLoop)] = drawLoop;
   drawings[at(Icon::kPlus)] = [](const Pen& pen) {

@@ -14,6 +14,7 @@ enum class Icon {
   kRotate,
   kScale,
   kAddMuscle,
+  kMuscleLine,
   kPlay,
   kPause,
   kNext,

@@ -16,6 +16,7 @@
 #include "app/tools/axis_triad.h"
 #include "app/tools/gizmo_draw.h"
 #include "app/tools/hover_draw.h"
+#include "app/tools/line_draw.h"
 #include "core/character/skinning.h"
 #include "core/io/files/atomic_file.h"
 
@@ -177,7 +178,17 @@ void Picture::draw(EditorState& state, const View& view, ImDrawList& list, doubl
   if (state.view.tools.box.drag) {
     drawBox(list, *state.view.tools.box.drag, {v.x, v.y}, v.z / static_cast<float>(state.frame.viewportPixels.x));
   }
-  if (state.view.tools.tool == ToolKind::kAddMuscle && !state.view.tools.addMuscle.drag) {
+  const float perPixel = v.z / static_cast<float>(state.frame.viewportPixels.x);
+  const PictureFrame over{view, {v.x, v.y}, perPixel, state.frame.uiScale};
+  const Pose& pose = state.live->pose();
+  if (const std::optional<ShownLine> line = activeLine(state.document, pose)) {
+    drawLine(list, over, *line, state.view.tools.lineHandles);
+  }
+  if (const std::optional<LineDrag>& drag = state.view.tools.line.drag) {
+    drawLineEnds(list, over, *drag, state.character().skeleton, pose);
+  }
+  const bool adds = state.view.tools.tool == ToolKind::kAddMuscle || state.view.tools.tool == ToolKind::kMuscleLine;
+  if (adds && !state.view.tools.addMuscle.drag && !state.view.tools.line.drag) {
     drawLanding(list, state.view.tools.hover, state.character(), state.live->pose(), view, {v.x, v.y},
                 v.z / static_cast<float>(state.frame.viewportPixels.x), state.frame.uiScale);
   }

@@ -1,0 +1,143 @@
+// app/tools/lay_line.cpp: anchors under the skin, a belly between them.
+
+#include "app/tools/lay_line.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "app/document/shown_names.h"
+#include "app/render/picking.h"
+#include "core/base/flatness.h"
+#include "core/lines/line_rest.h"
+#include "core/primitives/affine_image.h"
+#include "core/rig/line_edit.h"
+#include "core/rig/rig_edit.h"
+#include "core/skeleton/bone_segments.h"
+#include "core/symmetry/line_twins.h"
+#include "core/symmetry/twins.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr float kBulge = 0.22f;      ///< How far the belly stands out of the skin, of its half length.
+constexpr float kMostBulge = 0.03f;  ///< Of H.
+constexpr float kLeastThick = 0.2f;  ///< Half thickness, of the half length.
+constexpr float kMostThick = 0.5f;
+constexpr float kWide = 1.1f;        ///< Width over thickness.
+constexpr float kNearPlane = 0.01f;  ///< Of H, as for muscles on one bone.
+
+const Bone& boneOf(const Character& character, int bone) {
+  return character.skeleton.bones[static_cast<std::size_t>(bone)];
+}
+
+/// Of the bind pose, world.
+glm::vec3 bindPoint(const Character& character, const SkinAnchor& anchor) {
+  return skinPointAt(character, bindPose(character.skeleton), anchor).point;
+}
+
+Result<LineAnchor> anchorUnder(const Character& character, const SkinAnchor& place) {
+  const int bone = boneAt(character, place);
+  const Bone& own = boneOf(character, bone);
+  if (!isFinite(own.bindInWorld) || isFlat(glm::dmat3(glm::mat3(own.bindInWorld)))) {
+    return errorAt(character.skeleton.fileName(bone), "this bone has a scale of zero in the bind pose");
+  }
+  const glm::vec3 skin = bindPoint(character, place);
+  const Segment axis = bindSegment(own);
+  const glm::vec3 under = 0.5f * (skin + axis.from + axis.closestTo(skin) * axis.along);
+  return LineAnchor{character.skeleton.fileName(bone), glm::vec3(own.inverseBindInWorld * glm::vec4(under, 1.0f)), {}};
+}
+
+/// From a point inside the body outwards to the skin; 0 if there is none.
+float depthUnder(const Surface& skin, const glm::vec3& point, const glm::vec3& outwards) {
+  for (const SurfaceCrossing& crossing : crossSurface({point, outwards}, skin)) {
+    if (!crossing.front) return crossing.distance;
+  }
+  return 0.0f;
+}
+
+/// World of the bind pose.
+Placement bellyInWorld(const LineRest& rest, const Surface& skin, float height) {
+  const glm::vec3 along(rest.direction);
+  const glm::vec3 out(rest.frame * glm::dvec3(0.0, 0.0, 1.0));
+  const float straight = static_cast<float>(glm::distance(rest.origin.inBind, rest.insertion.inBind));
+  const auto restLength = static_cast<float>(rest.length) * rest.settings.rest;
+  const glm::vec2 tendons = rest.settings.tendons * restLength;
+  const float half = std::max(0.5f * (straight - tendons.x - tendons.y), 0.1f * straight);
+  const glm::vec3 middle = glm::vec3(rest.origin.inBind) + (tendons.x + half) * along;
+  const float top = depthUnder(skin, middle, out) + std::min(kBulge * half, kMostBulge * height);
+  // From just under the line to its top over the skin.
+  const float thick = std::clamp(0.55f * top, kLeastThick * half, kMostThick * half);
+  Placement belly;
+  belly.center = middle + (top - thick) * out;
+  belly.rotation = glm::normalize(glm::quat_cast(glm::mat3(glm::cross(along, out), along, out)));
+  belly.radii = {kWide * thick, half, thick};
+  return belly;
+}
+
+/// Every anchor in the mirror plane, if they are near it and on centre bones.
+void snapToPlane(const MirrorPlan& plan, MuscleLine& line) {
+  if (!liesInPlane(plan, line, kNearPlane)) return;
+  for (LineAnchor* anchor : {&line.origin, &line.insertion, line.via ? &*line.via : nullptr}) {
+    if (anchor == nullptr) continue;
+    const Bone& bone = plan.skeleton.bones[static_cast<std::size_t>(*plan.skeleton.findBone(anchor->bone))];
+    glm::dvec3 point(bone.bindInWorld * glm::vec4(anchor->point, 1.0f));
+    point -= distanceTo(plan.plane, point) * plan.plane.normal;
+    anchor->point = glm::vec3(bone.inverseBindInWorld * glm::vec4(glm::vec3(point), 1.0f));
+  }
+}
+
+}  // namespace
+
+Surface bindSkin(const Character& character) {
+  Surface skin;
+  skin.refinement = std::make_shared<const Refinement>(refine(character.mesh, 1));
+  skin.positions = character.mesh.positions;
+  skin.normals = character.mesh.normals;
+  return skin;
+}
+
+Placement bellyOn(const MuscleLine& line, const Character& character, const Surface& skin) {
+  const Result<LineRest> rest = lineRest(line, character);
+  if (!rest) return {};
+  const glm::dmat4 toBone(boneOf(character, rest->origin.bone).inverseBindInWorld);
+  return imageOf(bellyInWorld(rest.value(), skin, character.height), {glm::dmat3(toBone), glm::dvec3(toBone[3])});
+}
+
+Result<LaidLine> layLine(const Character& character, const Surface& skin, const SkinAnchor& from,
+                         const SkinAnchor& to) {
+  Result<LineAnchor> origin = anchorUnder(character, from);
+  if (!origin) return origin.error();
+  Result<LineAnchor> insertion = anchorUnder(character, to);
+  if (!insertion) return insertion.error();
+  LaidLine laid;
+  laid.line.name = shownBoneName(character.skeleton, boneAt(character, from)) + " muscle";
+  laid.line.origin = std::move(origin).value();
+  laid.line.insertion = std::move(insertion).value();
+  if (const Result<LineRest> rest = lineRest(laid.line, character); !rest) return rest.error();
+  laid.belly.name = laid.line.name;
+  laid.belly.bone = laid.line.origin.bone;
+  laid.belly.line = laid.line.name;
+  laid.belly.reach = kNewReach;
+  laid.belly.placement = bellyOn(laid.line, character, skin);
+  return laid;
+}
+
+Result<Rig> withLaidLine(const Rig& rig, const LaidLine& laid, const MirrorPlan* plan) {
+  MuscleLine line = laid.line;
+  const bool mirrored = plan && mirroredLine(*plan, line).ok();
+  if (mirrored) snapToPlane(*plan, line);
+  Result<Rig> lined = addLine(rig, line);
+  if (!lined) return lined;
+  Primitive belly = laid.belly;
+  belly.line = lined->lines.back().name;
+  if (!mirrored) return addPrimitive(lined.value(), std::move(belly));
+  if (const auto snapped = snappedToPlane(*plan, belly, kNearPlane)) {
+    belly.placement = *snapped;
+    return addPrimitive(lined.value(), std::move(belly));
+  }
+  return addPair(lined.value(), std::move(belly), *plan);
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,36 @@
+// app/tools/lay_line.h: a muscle line and its belly between two places on the skin.
+#pragma once
+
+#include "app/tools/select.h"
+#include "sinew/base/result.h"
+#include "sinew/rig/rig.h"
+#include "sinew/smoothing/surface.h"
+
+namespace sinew::app {
+
+/// A line, and a muscle on it; the muscle's `line` is the line's name. Neither is in a rig yet.
+struct LaidLine {
+  MuscleLine line;
+  Primitive belly;
+};
+
+/// The control mesh in the bind pose, as a surface that rays can meet.
+[[nodiscard]] Surface bindSkin(const Character& character);
+
+/// Anchors lie half way from the skin to the axes of the bones below: far enough from a joint to pull at it, and inside
+/// the limb in every pose. The belly's long axis (y) reaches from tendon to tendon; its height (z) points away from the
+/// bone, and it stands out of the bind pose's skin. All is laid in the bind pose, whatever pose the places were picked
+/// in. Error: a bone is flattened in the bind pose, or the places are too near each other.
+/// @param skin  bindSkin
+[[nodiscard]] Result<LaidLine> layLine(const Character& character, const Surface& skin, const SkinAnchor& from,
+                                       const SkinAnchor& to);
+
+/// The belly that such a line gets: for lines whose ends were moved, or that were made otherwise.
+[[nodiscard]] Placement bellyOn(const MuscleLine& line, const Character& character, const Surface& skin);
+
+/// The rig with the line and its belly, at the end of Rig::primitives; under symmetry with those of the other side. A
+/// line that begins and ends near the mirror plane is laid into it.
+/// @param plan  null: without symmetry
+[[nodiscard]] Result<Rig> withLaidLine(const Rig& rig, const LaidLine& laid, const MirrorPlan* plan);
+
+}  // namespace sinew::app
