@@ -10,6 +10,12 @@
 namespace sinew::app::table {
 namespace {
 
+Possible hasLines(const State& s) {
+  return open(s).also(!s.document.rig().lines.empty(), "No muscle has a line: draw one from bone to bone first");
+}
+bool isFlexed(const State& s) { return s.open.flex.latched; }
+void latchFlex(State& s) { s.open.flex.latched = !s.open.flex.latched; }
+
 void frame(State& s) { frameSelection(s, true); }
 void frameAll(State& s) {
   frameBounds(s.view.tools.camera, boundsOf(s.live->surface().positions), s.frame.viewportPixels, true);
@@ -137,6 +143,8 @@ const Action kActions[] = {
      toggleOverlay},
     {"view/before", "Without muscles", "Show the character without its muscles while the key is held",
      key(GLFW_KEY_GRAVE_ACCENT), kNone, idle, isBare, latchBare, true},
+    {"view/flex", "Flex muscles", "Flex every muscle that has a line while the key is held", shift(GLFW_KEY_F), kNone,
+     hasLines, isFlexed, latchFlex, true},
     {"view/hide", "Hide or show", "Hide the selected muscles: they no longer move the skin, but stay in the file",
      key(GLFW_KEY_H), kNone, selected, nullptr, onDocument<toggleHideSelection>},
     {"view/show-all", "Show all", "Show every muscle: hide, solo and isolate end", alt(GLFW_KEY_H), kNone, hiddenAny,

@@ -74,8 +74,18 @@ struct DiskLook {
   friend bool operator==(const DiskLook&, const DiskLook&) = default;
 };
 
+/// How hard all muscle lines are flexed in the picture; not in the file.
+struct FlexState {
+  float amount = 0.0f;   ///< Of the slider, 0..1.
+  bool latched = false;  ///< Fully: switched on from a menu; or the key went down and is not up yet.
+  bool byKey = false;
+
+  [[nodiscard]] float shown() const { return latched ? 1.0f : amount; }
+};
+
 struct DocumentView {
   Transport transport;
+  FlexState flex;
   std::vector<bool> helperBones;  ///< [bones] core/character/skin_bones.h
   TimelineState timeline;
   RenameState rename;

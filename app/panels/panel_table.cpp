@@ -21,6 +21,7 @@ constexpr Panel kPanels[] = {
     {"toolstrip", "", Region::kInViewport, drawToolStrip},
     {"overlay", "", Region::kInViewport, drawNumbers},
     {"legend", "", Region::kInViewport, drawLegend},
+    {"flex", "", Region::kInViewport, drawFlex},
     {"viewport-menu", "", Region::kInViewport, drawViewportMenu},
     {"messages", "", Region::kInViewport, drawMessages, true},
     {"toast", "", Region::kInViewport, drawToast, true},

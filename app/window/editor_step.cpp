@@ -29,6 +29,7 @@ void movePose(EditorState& state, const RawInput& input, double seconds) {
   if (!state.hasCharacter()) return;
   const bool leftPressed = input.pressedButton == static_cast<int>(MouseButton::kLeft);
   if (!holdsPose(state.view.tools, leftPressed)) advance(state.open.transport, seconds, state.character());
+  state.open.transport.flex = state.open.flex.shown();
   state.live->movePose(state.open.transport);
 }
 

@@ -119,6 +119,28 @@ Json gizmoState(const EditorState& state) {
       .set("handles", handles);
 }
 
+/// The active muscle's line: its ends in the window, and how it stands.
+Json lineState(const EditorState& state, const View& view) {
+  Json line = Json::object();
+  const auto shown = state.hasCharacter() ? activeLine(state.document, state.live->pose()) : std::nullopt;
+  if (!shown) return line;
+  Json ends = Json::object();
+  for (const LineEnd end : {LineEnd::kOrigin, LineEnd::kInsertion, LineEnd::kVia}) {
+    const std::optional<glm::vec3> point = endPoint(*shown, end);
+    if (!point) continue;
+    const glm::vec2 pixel = inWindow(state, glm::vec2(view.toPixel(*point)));
+    if (inside(pixel, state.frame.viewport)) ends.set(nameOf(end), numbers({pixel.x, pixel.y}));
+  }
+  const LineHandles& handles = state.view.tools.lineHandles;
+  line.set("name", state.document.rig().lines[static_cast<std::size_t>(shown->index)].name)
+      .set("ends", ends)
+      .set("hovered", nameOf(handles.hovered))
+      .set("dragging", handles.drag.has_value())
+      .set("stretch", shown->stretch)
+      .set("activation", shown->activation);
+  return line;
+}
+
 Json boneState(const EditorState& state, const View& view) {
   Json bones = Json::object();
   if (!state.hasCharacter()) return bones;
@@ -281,6 +303,8 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("symmetry", symmetryState(state.document))
       .set("box", boxState(state))
       .set("gizmo", gizmoState(state))
+      .set("line", lineState(state, view))
+      .set("flex", state.open.flex.shown())
       .set("viewport", numbers({v.x, v.y, v.z, v.w}))
       .set("mouse", numbers({mouse.x, mouse.y}))
       .set("samples", state.frame.pictureSamples)

@@ -167,10 +167,12 @@ void drawInspector(PanelUi& ui) {
   boneRow(ui, subjects);
   groupRow(ui, subjects);
   drawTwinRow(ui, subjects);
+  drawLineRows(ui, subjects);
   drawPlacementRows(ui, subjects);
   section(ui, "Effect");
   reachRow(ui, subjects);
   signRow(ui, subjects);
+  drawLineNumbers(ui, subjects);
   drawTerritoryRows(ui, subjects);
   ImGui::PopID();
 }

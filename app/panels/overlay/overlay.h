@@ -9,6 +9,8 @@ void drawToolStrip(PanelUi& ui);
 void drawDisplayBar(PanelUi& ui);
 void drawNumbers(PanelUi& ui);
 void drawLegend(PanelUi& ui);
+/// Only where muscles have lines.
+void drawFlex(PanelUi& ui);
 /// The context menu that a right click asks for.
 void drawViewportMenu(PanelUi& ui);
 void drawMessages(PanelUi& ui);

@@ -1,0 +1,151 @@
+// app/document/line_edits.cpp: rest and contraction from poses and clips; via points; the other end.
+
+#include "app/document/line_edits.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "core/lines/line_rest.h"
+#include "core/rig/line_edit.h"
+#include "core/rig/rig_edit_several.h"
+#include "core/skeleton/bone_segments.h"
+#include "core/symmetry/line_twins.h"
+#include "core/symmetry/twins.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr float kAlongOther = 0.15f;  // Of the other bone, from its joint.
+constexpr float kNearJoint = 0.015f;  // Of H: a via point keeps this far from the joint at least.
+
+const MuscleLine& lineAt(const Rig& rig, int line) { return rig.lines[static_cast<std::size_t>(line)]; }
+
+std::string percent(float stretch) { return std::to_string(std::lround(100.0f * stretch)) + " %"; }
+
+const Bone& boneAt(const Character& character, int bone) {
+  return character.skeleton.bones[static_cast<std::size_t>(bone)];
+}
+
+/// The joint that the line crosses: the origin of the lower of its two bones, in the bind pose.
+glm::vec3 jointBetween(const LineRest& rest, const Character& character) {
+  const auto isAbove = [&](int above, int bone) {
+    for (; bone >= 0; bone = boneAt(character, bone).parent) {
+      if (bone == above) return true;
+    }
+    return false;
+  };
+  const bool insertionIsLower = isAbove(rest.origin.bone, rest.insertion.bone);
+  return glm::vec3(boneAt(character, insertionIsLower ? rest.insertion.bone : rest.origin.bone).bindInWorld[3]);
+}
+
+LineAnchor anchorOn(const Character& character, int bone, const glm::vec3& inBind) {
+  return {character.skeleton.fileName(bone),
+          glm::vec3(boneAt(character, bone).inverseBindInWorld * glm::vec4(inBind, 1.0f)),
+          {}};
+}
+
+/// Both ends of the muscle's long axis, in the bind pose.
+std::array<glm::vec3, 2> polesOf(const Primitive& primitive, const Bone& bone) {
+  const Placement& placement = primitive.placement;
+  int longest = 1;
+  for (const int axis : {0, 2}) {
+    if (placement.radii[axis] > 1.001f * placement.radii[longest]) longest = axis;
+  }
+  const glm::vec3 half = placement.radii[longest] * glm::mat3_cast(placement.rotation)[longest];
+  const auto world = [&](const glm::vec3& point) { return glm::vec3(bone.bindInWorld * glm::vec4(point, 1.0f)); };
+  return {world(placement.center - half), world(placement.center + half)};
+}
+
+/// Half way from a point to the bone's axis.
+glm::vec3 halfWayTo(const Bone& bone, const glm::vec3& point) {
+  const Segment axis = bindSegment(bone);
+  return 0.5f * (point + axis.from + axis.closestTo(point) * axis.along);
+}
+
+}  // namespace
+
+Result<Rig> withRestNow(const Rig& rig, int line, float stretch) {
+  return editLine(rig, line, [&](MuscleLine& edited) { edited.settings.rest *= stretch; });
+}
+
+Result<Rig> withFullNow(const Rig& rig, int line, float stretch) {
+  if (!(stretch < kMostFull)) {
+    return errorAt("", "the muscle is not shorter than at rest in this pose: bend the joint first");
+  }
+  return editLine(rig, line, [&](MuscleLine& edited) { edited.settings.full = std::max(stretch, kLeastFull); });
+}
+
+Result<Learned> withLearned(const Rig& rig, int line, const LineLengths& lengths) {
+  const std::string name = '"' + lineAt(rig, line).name + '"';
+  if (lengths.poses == 0) return errorAt("", "there is no clip to learn from");
+  if (!(lengths.secondPercentile < kMostFull)) {
+    return errorAt("", name + " never gets shorter than at rest in any clip: it is at least " + percent(lengths.least));
+  }
+  Result<Rig> full = withFullNow(rig, line, lengths.secondPercentile);
+  if (!full) return full.error();
+  Learned learned{std::move(full).value(), {}, {}};
+  learned.said =
+      name + ": full contraction at " + percent(lengths.secondPercentile) + ", shortest in " + lengths.shortestIn;
+  if (lengths.least < kPlausibleLeast || lengths.most > kPlausibleMost) {
+    const bool isLong = lengths.most > kPlausibleMost;
+    learned.warning = name + " gets as " + (isLong ? "long" : "short") + " as " +
+                      percent(isLong ? lengths.most : lengths.least) + " in " +
+                      (isLong ? lengths.longestIn : lengths.shortestIn) +
+                      ": does it pass through the joint? Add a via point";
+  }
+  return learned;
+}
+
+Result<Rig> withViaPoint(const Rig& rig, int line, const Character& character) {
+  Result<LineRest> rest = lineRest(lineAt(rig, line), character);
+  if (!rest) return rest.error();
+  const glm::vec3 joint = jointBetween(rest.value(), character);
+  const glm::vec3 from(rest->origin.inBind);
+  const Segment straight{from, glm::vec3(rest->insertion.inBind) - from};
+  const glm::vec3 passing = straight.from + std::clamp(straight.parameter(joint), 0.1f, 0.9f) * straight.along;
+  const glm::vec3 height(rest->frame * glm::dvec3(0.0, 0.0, 1.0));
+  const float least = kNearJoint * character.height;
+  const float away = glm::distance(passing, joint);
+  const glm::vec3 side = away > 0.1f * least ? (passing - joint) / away : height;
+  const glm::vec3 via = joint + std::max(away, least) * side;
+  return editLine(rig, line, [&](MuscleLine& edited) { edited.via = anchorOn(character, rest->origin.bone, via); });
+}
+
+Result<Rig> withoutViaPoint(const Rig& rig, int line) {
+  return editLine(rig, line, [](MuscleLine& edited) { edited.via.reset(); });
+}
+
+Result<Rig> withOtherEnd(const Rig& rig, int primitive, int bone, const Character& character, const MirrorPlan* plan) {
+  const Primitive& muscle = rig.primitives[static_cast<std::size_t>(primitive)];
+  const std::optional<int> own = character.skeleton.findBone(muscle.bone);
+  if (!own) return errorAt("", "this character has no bone \"" + muscle.bone + '"');
+  const Bone& other = boneAt(character, bone);
+  const Segment axis = bindSegment(other);
+  const glm::vec3 onAxis = axis.from + kAlongOther * axis.along;
+  std::array<glm::vec3, 2> poles = polesOf(muscle, boneAt(character, *own));
+  if (glm::distance(poles[0], onAxis) < glm::distance(poles[1], onAxis)) std::swap(poles[0], poles[1]);
+  // As far off the other bone's axis as the muscle's own line is off its bone's.
+  const glm::vec3 origin = halfWayTo(boneAt(character, *own), poles[0]);
+  const glm::vec3 middle = 0.5f * (poles[0] + poles[1]);
+  const Segment ownAxis = bindSegment(boneAt(character, *own));
+  const glm::vec3 offset = 0.5f * (middle - (ownAxis.from + ownAxis.closestTo(middle) * ownAxis.along));
+  MuscleLine line;
+  line.name = muscle.name;
+  line.origin = anchorOn(character, *own, origin);
+  line.insertion = anchorOn(character, bone, onAxis + offset);
+  if (const Result<LineRest> rest = lineRest(line, character); !rest) return rest.error();
+  Result<Rig> lined = addLine(rig, line);
+  if (!lined) return lined;
+  const std::vector<int> one{primitive};
+  Rig result = setLineOfSeveral(lined.value(), one, static_cast<int>(lined->lines.size()) - 1);
+  const int twin = twinOf(rig, primitive);
+  if (!plan || twin < 0) return result;
+  Result<TwinLine> image = withTwinLine(result, result.primitives[static_cast<std::size_t>(primitive)].line, *plan);
+  if (!image) return result;
+  return setLineOfSeveral(image->rig, std::vector<int>{twin}, findLine(image->rig, image->name));
+}
+
+}  // namespace sinew::app
