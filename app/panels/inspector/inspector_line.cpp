@@ -120,20 +120,22 @@ void lengthBar(PanelUi& ui, const MuscleLine& line, const ShownLine& shown) {
   };
   const float round = ImGui::GetStyle().FrameRounding;
   list.AddRectFilled(at, {at.x + width, at.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg), round);
+  // The redder, the more active.
+  list.AddRectFilled(at, {at.x + width, at.y + height}, palette::kAccent.faded(0.45f * shown.activation).packed(),
+                     round);
   list.AddRectFilled({x(line.settings.full), at.y + height - ui.px(5)}, {x(1.0f), at.y + height - ui.px(2)},
                      palette::kAccent.faded(0.55f).packed(), ui.px(1));
   list.AddLine({x(1.0f), at.y + ui.px(3)}, {x(1.0f), at.y + height - ui.px(2)}, palette::kMuted.packed(), 1.0f);
   list.AddLine({x(shown.stretch), at.y}, {x(shown.stretch), at.y + height}, palette::kAccent.packed(), ui.px(2));
   const auto percent = [](float share) { return std::to_string(static_cast<int>(std::lround(100.0f * share))) + " %"; };
-  const std::string text =
-      percent(shown.stretch) + (shown.activation > 0.0f ? ", active " + percent(shown.activation) : "");
+  const std::string text = percent(shown.stretch);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const bool right = x(shown.stretch) < at.x + 0.5f * width;
-  list.AddText({right ? at.x + width - size.x - ui.px(6) : at.x + ui.px(6), at.y + 0.5f * (height - size.y) - ui.px(1)},
+  list.AddText({right ? at.x + width - size.x - ui.px(6) : at.x + ui.px(6), at.y + 0.5f * (height - size.y)},
                palette::kText.packed(), text.c_str());
-  tooltip(ui,
-          "The line's length in this pose, in per cent of its rest length.\nGrey: rest. Underlined: from rest to full "
-          "contraction, where shortening activates the muscle.");
+  tooltip(ui, "The line's length in this pose, in per cent of its rest length. Active: " + percent(shown.activation) +
+                  ".\nGrey: rest. Underlined: from rest to full "
+                  "contraction, where shortening activates the muscle.");
 }
 
 void learn(PanelUi& ui, int line) {

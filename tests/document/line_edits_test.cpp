@@ -1,0 +1,113 @@
+// tests/document/line_edits_test.cpp: lengths learned from poses and clips, via points, a muscle's other end.
+
+#include "app/document/line_edits.h"
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "core/lines/carriers.h"
+#include "core/rig/line_edit.h"
+#include "core/rig/rig_edit.h"
+#include "core/rig/validation.h"
+#include "core/symmetry/twins.h"
+#include "tests/support/characters/synthetic_characters.h"
+
+namespace sinew::app {
+namespace {
+
+struct LineEdits : testing::Test {
+  std::shared_ptr<const Character> limb = test::makeLimb();
+  Rig rig;
+
+  LineEdits() {
+    MuscleLine line;
+    line.name = "flexor";
+    line.origin = {"root", {0.0f, 0.3f, 0.15f}, {}};
+    line.insertion = {"middle", {0.0f, 0.3f, 0.15f}, {}};
+    rig = addLine(rig, line).value();
+  }
+
+  [[nodiscard]] LineLengths lengths() const {
+    return lengthsOver(lineRest(rig.lines[0], *limb).value(), *limb, limb->clips);
+  }
+  /// Independent of lengthsOver: at one time of the clip.
+  [[nodiscard]] float stretchAt(const Rig& of, float time) const {
+    LineScratch scratch;
+    std::vector<PosedLine> posed;
+    poseLines(lineRests(of, *limb), limb->skeleton, samplePose(limb->skeleton, limb->clips.front(), time), scratch,
+              posed);
+    return posed.front().stretch;
+  }
+};
+
+TEST_F(LineEdits, LengthsAreThoseOfTheClip) {
+  const LineLengths seen = lengths();
+  EXPECT_EQ(seen.poses, 31);
+  EXPECT_LT(seen.least, 0.98f);
+  EXPECT_GE(seen.secondPercentile, seen.least);
+  for (float time = 0.0f; time <= 2.0f; time += 0.05f) {
+    EXPECT_GT(stretchAt(rig, time), seen.least - 0.03f);
+    EXPECT_LT(stretchAt(rig, time), seen.most + 0.03f);
+  }
+  EXPECT_EQ(seen.shortestIn, "bend");
+}
+
+TEST_F(LineEdits, LearnedContractionActivatesFullyWhereTheLineIsShortest) {
+  const LineLengths seen = lengths();
+  const Result<Learned> learned = withLearned(rig, 0, seen);
+  ASSERT_TRUE(learned.ok()) << learned.error().text();
+  EXPECT_FLOAT_EQ(learned->rig.lines[0].settings.full, seen.secondPercentile);
+  LineLengths never = seen;
+  never.least = never.secondPercentile = 1.0f;
+  EXPECT_FALSE(withLearned(rig, 0, never).ok());
+  LineLengths far = seen;
+  far.most = 1.6f;
+  EXPECT_NE(withLearned(rig, 0, far)->warning.find("160 %"), std::string::npos);
+}
+
+TEST_F(LineEdits, RestNowIsAHundredPercentThere) {
+  const float before = stretchAt(rig, 0.5f);
+  const Rig rested = withRestNow(rig, 0, before).value();
+  EXPECT_NEAR(stretchAt(rested, 0.5f), 1.0f, 1e-5f);
+  EXPECT_FALSE(withFullNow(rig, 0, 1.05f).ok());
+  EXPECT_FLOAT_EQ(withFullNow(rig, 0, 0.8f)->lines[0].settings.full, 0.8f);
+}
+
+TEST_F(LineEdits, AViaPointKeepsTheLineOutOfTheJoint) {
+  const Rig bent = withViaPoint(rig, 0, *limb).value();
+  ASSERT_TRUE(bent.lines[0].via);
+  EXPECT_EQ(bent.lines[0].via->bone, "root");
+  // In the bind pose the line passes the joint on this side, and no nearer than it did.
+  const LineRest rest = lineRest(bent.lines[0], *limb).value();
+  const glm::dvec3 joint(limb->skeleton.bones[1].bindInWorld[3]);
+  EXPECT_GT(rest.via->inBind.z, joint.z);
+  EXPECT_GE(glm::distance(rest.via->inBind, joint), 0.015 * 2.0 - 1e-6);
+  EXPECT_EQ(withoutViaPoint(bent, 0).value(), rig);
+}
+
+TEST(OtherEnd, TheMuscleStaysWhereItIsAndItsTwinFollows) {
+  const std::shared_ptr<const Character> legs = test::makeTwoLegged();
+  const MirrorPlan plan = makeMirrorPlan(*legs);
+  Primitive thigh;
+  thigh.name = "thigh L";
+  thigh.bone = "leg L";
+  thigh.placement.center = {0.0f, -0.2f, 0.1f};
+  thigh.placement.radii = {0.08f, 0.25f, 0.08f};
+  const Rig rigid = addPair({}, thigh, plan).value();
+  const int shin = legs->skeleton.findBone("shin L").value();
+  const Result<Rig> rig = withOtherEnd(rigid, 0, shin, *legs, &plan);
+  ASSERT_TRUE(rig.ok()) << rig.error().text();
+  EXPECT_TRUE(validate(rig.value()));
+  ASSERT_EQ(rig->lines.size(), 2u);
+  EXPECT_EQ(rig->lines[0].insertion.bone, "shin L");
+  EXPECT_EQ(rig->lines[1].insertion.bone, "shin R");
+  EXPECT_EQ(rig->primitives[1].line, rig->lines[1].name);
+  EXPECT_EQ(rig->primitives[0].placement, rigid.primitives[0].placement);
+  const auto before = carriersOf(rigid, *legs, bindPose(legs->skeleton));
+  const auto after = carriersOf(rig.value(), *legs, bindPose(legs->skeleton));
+  EXPECT_EQ(*before[0], *after[0]);
+  EXPECT_EQ(*before[1], *after[1]);
+}
+
+}  // namespace
+}  // namespace sinew::app
