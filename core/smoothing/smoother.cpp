@@ -14,8 +14,8 @@
 #include "core/rig/attachment.h"
 #include "core/rig/validation.h"
 #include "core/smoothing/face_culling.h"
-#include "core/smoothing/finish/fold_guard.h"
 #include "core/smoothing/finish/fold_relaxation.h"
+#include "core/smoothing/finish/fold_spread.h"
 #include "core/smoothing/finish/lift_filter.h"
 #include "core/smoothing/finish/shading_normals.h"
 #include "core/smoothing/patches/patch.h"
@@ -111,8 +111,10 @@ struct Smoother::State {
   MovedTriangles movedTriangles;
   LiftFilter liftFilter;
   std::span<const float> filtered;  ///< Its weights.
+  FoldRegion foldRegion;
+  FoldMoves foldMoves;
   FoldRelaxation foldRelaxation;
-  FoldGuard foldGuard;
+  FoldSpread foldSpread;
   ShadingNormals shadingNormals;
   std::vector<PosedPrimitive> posed;
   FaceCulling culling;
@@ -267,34 +269,27 @@ struct Smoother::State {
     interpolateDirections(mesh(), *prepared.refinement, controlRise, rise);
   }
 
-  /// Heights that the mesh cannot follow are filtered, folds smoothed out; what is left moves back towards the patch.
+  /// Heights that the mesh cannot follow are filtered, folds smoothed out; what is still folded is spread.
   void unfold(Surface& out) {
     const Refinement& refinement = *prepared.refinement;
     const bool swells = prepared.rig.surface.mode == SurfaceMode::kSwell;  // `replace` lies on the muscle as it is.
     filtered = swells ? liftFilter.apply(refinement, movedTriangles, patchPositions, out.positions, out.displacement)
                       : std::span<const float>();
-    const PatchView patch{patchPositions, patchNormals, prepared.bindFronts};
-    const std::span<const Relaxed> relaxed =
-        foldRelaxation.apply(mesh(), refinement, movedTriangles.control, patch, prepared.isBorder, out.positions);
-    for (const auto& [vertex, from] : relaxed) {
+    foldMoves.start(out.positions.size());
+    foldRegion.find(mesh(), refinement, movedTriangles.control, {patchPositions, patchNormals, prepared.bindFronts},
+                    out.positions, FoldRelaxation::kWholeArea);
+    foldRelaxation.apply(refinement, prepared.isBorder, patchPositions, foldRegion, foldMoves, out.positions);
+    foldSpread.apply(prepared.isBorder, patchPositions, foldRegion, foldMoves, out.positions);
+    for (const auto& [vertex, from] : foldMoves.list()) {
       const auto v = static_cast<std::size_t>(vertex);
       const glm::vec3 lift = from - patchPositions[v];
       out.displacement[v] *= glm::dot(out.positions[v] - patchPositions[v], lift) / glm::dot(lift, lift);
     }
-    const auto kept = foldGuard.apply(mesh(), refinement, foldRelaxation.watched(), patch, out.positions);
-    for (std::size_t v = 0; v < kept.size(); ++v) out.displacement[v] *= kept[v];
-    countGuarded(relaxed, kept, out.report);
+    out.report.guarded = static_cast<int>(foldMoves.list().size());
   }
 
-  static void countGuarded(std::span<const Relaxed> relaxed, std::span<const float> kept, SmoothingReport& report) {
-    const auto takenBack = [&](std::size_t v) { return v < kept.size() && kept[v] < 1.0f; };
-    report.guarded = static_cast<int>(relaxed.size());
-    for (std::size_t v = 0; v < kept.size(); ++v) report.guarded += takenBack(v) ? 1 : 0;
-    for (const Relaxed& one : relaxed) report.guarded -= takenBack(static_cast<std::size_t>(one.vertex)) ? 1 : 0;
-  }
-
-  /// Whether muscles have moved anything that is to be guarded and shaded. A surface that wraps the body may lie across
-  /// its patch; it has the paper's normals.
+  /// Whether muscles have moved anything that can fold and is to be shaded. A surface that wraps the body may lie
+  /// across its patch; it has the paper's normals.
   bool findMoved(const Surface& out) {
     if (prepared.rig.surface.mode == SurfaceMode::kReplace && prepared.weights.wraps) return false;
     movedTriangles.find(mesh(), *prepared.refinement, patchPositions, out.positions);

@@ -23,15 +23,18 @@ struct Scene : LiftedSheet {
 
   [[nodiscard]] std::vector<glm::vec3> relaxed(std::vector<glm::vec3> positions) {
     moved.find(mesh, refinement, patch, positions);
-    const std::span<const Relaxed> list =
-        relaxation_.apply(mesh, refinement, moved.control, view(), borderVertices(mesh, refinement), positions);
-    touched.assign(list.begin(), list.end());
+    moves_.start(positions.size());
+    region_.find(mesh, refinement, moved.control, view(), positions, FoldRelaxation::kWholeArea);
+    relaxation_.apply(refinement, borderVertices(mesh, refinement), patch, region_, moves_, positions);
+    touched.assign(moves_.list().begin(), moves_.list().end());
     return positions;
   }
 
-  std::vector<Relaxed> touched;  ///< By the last call.
+  std::vector<FoldMove> touched;  ///< By the last call.
 
  private:
+  FoldRegion region_;
+  FoldMoves moves_;
   FoldRelaxation relaxation_;
 };
 
@@ -46,7 +49,7 @@ TEST(FoldRelaxation, TurnsTrianglesBack) {
   }
 }
 
-// What the fold guard does instead: it would pull the folded skin down to the patch, a pit in the middle of the bump.
+// Skin that went back to the patch where it folds would leave a pit in the middle of the bump.
 TEST(FoldRelaxation, KeepsTheSkinUp) {
   Scene scene(flatSheet());
   const std::vector<glm::vec3> lifted = converging(scene.patch, 0.3f);
@@ -63,7 +66,7 @@ TEST(FoldRelaxation, LeavesTheRestAloneBitForBit) {
   const std::vector<glm::vec3> lifted = converging(scene.patch, 0.3f);
   const std::vector<glm::vec3> relaxed = scene.relaxed(lifted);
   std::set<int> touched;
-  for (const Relaxed& one : scene.touched) {
+  for (const FoldMove& one : scene.touched) {
     EXPECT_TRUE(touched.insert(one.vertex).second) << one.vertex << " twice";
     EXPECT_TRUE(sameBits(one.from, lifted[static_cast<std::size_t>(one.vertex)]));
     EXPECT_FALSE(sameBits(one.from, scene.patch[static_cast<std::size_t>(one.vertex)])) << "an unmoved vertex";

@@ -6,9 +6,8 @@
 namespace sinew {
 namespace {
 
-// Of a patch triangle's front over its own in the bind pose: up to which its area says nothing, from which all.
-constexpr float kNoFront = 0.02f;
-constexpr float kWholeFront = 0.17f;
+/// Of a patch triangle's front over its own in the bind pose: from which on its area can be trusted whole.
+constexpr float kWholeFront = 0.05f;
 
 float frontOf(const std::array<int, 3>& t, const glm::vec3& face, std::span<const glm::vec3> positions,
               std::span<const glm::vec3> normals) {
@@ -37,7 +36,7 @@ float trustIn(const Refinement& refinement, std::size_t triangle, const PatchVie
   const float bindFront = patch.bindFronts[triangle];
   if (!(bindFront > 0.0f)) return 0.0f;
   const float front = frontOf(refinement.triangles[triangle], face, patch.positions, patch.normals);
-  return smoothstep(kNoFront, kWholeFront, front / bindFront);
+  return smoothstep(0.0f, kWholeFront, front / bindFront);
 }
 
 }  // namespace sinew

@@ -30,7 +30,7 @@ struct PatchView {
 struct Fold {
   float area = 1.0f;    ///< q: its area over the patch's, signed along the patch's face normal; below 0: turned over.
   float weight = 0.0f;  ///< 0..1, how far q can be trusted: less where the pose has squeezed the patch itself below
-                        ///< 17 % of its front in the bind pose, 0 from 2 % on. q jumps where that folds back.
+                        ///< 5 % of its front in the bind pose. q jumps where that folds back.
 };
 
 /// A refined triangle's face: twice the area, along the normal.
@@ -42,16 +42,5 @@ struct Fold {
 /// How far q can be trusted. @param face  of the triangle in the patch.
 [[nodiscard]] float trustIn(const Refinement& refinement, std::size_t triangle, const PatchView& patch,
                             const glm::vec3& face);
-
-/// @param least  q from which on the caller does not look: its weight is 0.  @param positions [V'] world, lifted.
-[[nodiscard]] inline Fold foldOf(const Refinement& refinement, std::size_t triangle, const PatchView& patch,
-                                 std::span<const glm::vec3> positions, float least) {
-  const std::array<int, 3>& t = refinement.triangles[triangle];
-  const glm::vec3 face = faceOf(t, patch.positions);
-  const float whole = glm::dot(face, face);
-  const float left = glm::dot(faceOf(t, positions), face);
-  if (!(left < least * whole)) return {};
-  return {left / whole, trustIn(refinement, triangle, patch, face)};
-}
 
 }  // namespace sinew

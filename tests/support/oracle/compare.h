@@ -12,7 +12,7 @@ namespace sinew::oracle {
 /// The stages a surface went through: what the finisher starts from, and what it comes to.
 struct Stages {
   const Surface& patch;  ///< Without muscles.
-  const Surface& raw;    ///< Projected, before fold guard and shading.
+  const Surface& raw;    ///< Projected, before folds and shading.
   Finished finished;
 
   Stages(const Oracle& oracle, const Surface& bindPatch, const Surface& patchOf, const Surface& rawOf)
@@ -21,8 +21,8 @@ struct Stages {
         finished(oracle.standsAsProjected() ? unfinished(rawOf) : finish(bindPatch, patchOf, rawOf, oracle.swells())) {}
 };
 
-/// What the comparison of some vertices came to. "Far": more than 1e-4 H from the oracle. What the fold guard took back
-/// is compared before the guard with the oracle, and after it with the finisher.
+/// What the comparison of some vertices came to. "Far": more than 1e-4 H from the oracle. What folds have moved
+/// is compared before they did with the oracle, and after it with the finisher.
 struct Tally {
   int compared = 0;
   int sought = 0;           ///< The oracle looked for a root there.
@@ -31,7 +31,7 @@ struct Tally {
   int anotherRoot = 0;      ///< Of the far: the surface lies on a later root of the same ray.
   int nearTangent = 0;      ///< Of the far: |phi| < 1e-4 at the surface, a root that rounding makes or unmakes.
   int unexplained = 0;      ///< Of the far: neither.
-  int guarded = 0;          ///< The finisher moves it back towards the patch.
+  int guarded = 0;          ///< The finisher moves it out of a fold.
   int guardOff = 0;         ///< Of those: the surface is more than 1e-4 H from the finisher's position.
   int shadingOff = 0;       ///< Of all: the surface's normal is more than 1 degree from the finisher's.
   int normalsOff = 0;       ///< Field normals more than 1 degree from the oracle's, among the sought that are not far.

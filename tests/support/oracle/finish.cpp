@@ -10,9 +10,8 @@ namespace sinew::oracle {
 namespace {
 
 constexpr double kRelaxedArea = 0.4;
-constexpr double kSafeArea = 0.25;
-constexpr double kNoFront = 0.02;
-constexpr double kWholeFront = 0.17;
+constexpr double kSpreadArea = 0.3;
+constexpr double kWholeFront = 0.05;
 constexpr double kFreedom = 0.145;
 
 using Triangles = std::vector<std::array<int, 3>>;
@@ -64,7 +63,7 @@ struct Folds {
   }
 
   double trustIn(std::size_t i) const {
-    return smoothstep(kNoFront, kWholeFront, frontOf(triangles[i], patch, normals) / bindFronts[i]);
+    return smoothstep(0.0, kWholeFront, frontOf(triangles[i], patch, normals) / bindFronts[i]);
   }
 };
 
@@ -104,11 +103,17 @@ std::vector<Vec> laplacian(const Neighbours& neighbours, const std::vector<Vec>&
   return out;
 }
 
-void relaxFolds(const Folds& folds, const Neighbours& neighbours, std::vector<Vec>& at) {
+/// No further from `start` than that is from the patch.
+Vec held(const Vec& start, const Vec& patch, const Vec& to) {
+  const Vec way = to - start;
+  return start + std::min(1.0, length(start - patch) / std::max(1e-300, length(way))) * way;
+}
+
+/// @param start  positions of the first round: no vertex goes further from there than muscles have moved it.
+void relaxFolds(const Folds& folds, const Neighbours& neighbours, const std::vector<Vec>& start, std::vector<Vec>& at) {
   const std::vector<bool> borders = bordersOf(neighbours);
-  const std::vector<Vec> start = at;
   std::vector<double> weights(at.size(), 0.0);
-  for (int round = 0; round < 32; ++round) {
+  for (int round = 0; round < 16; ++round) {
     for (double& weight : weights) weight = std::max(0.0, weight - 0.25);
     for (std::size_t i = 0; i < folds.triangles.size(); ++i) {
       const std::optional<double> q = folds.areaOf(i, at);
@@ -119,31 +124,46 @@ void relaxFolds(const Folds& folds, const Neighbours& neighbours, std::vector<Ve
     const std::vector<Vec> towardsMean = laplacian(neighbours, at);
     for (std::size_t v = 0; v < at.size(); ++v) {
       if (borders[v] || weights[v] == 0.0) continue;
-      const double room = length(start[v] - folds.patch[v]);
-      if (room == 0.0) continue;
-      const Vec way = at[v] + weights[v] * towardsMean[v] - start[v];
-      at[v] = start[v] + std::min(1.0, room / std::max(1e-300, length(way))) * way;
+      at[v] = held(start[v], folds.patch[v], at[v] + weights[v] * towardsMean[v]);
     }
   }
 }
 
-/// Least share of their lift that triangles ask each corner to keep, as things are.
-std::vector<double> sharesAsked(const Folds& folds, const std::vector<Vec>& at) {
-  std::vector<double> shares(at.size(), 1.0);
-  for (std::size_t i = 0; i < folds.triangles.size(); ++i) {
-    const std::optional<double> q = folds.areaOf(i, at);
-    if (!q || *q >= kSafeArea) continue;
-    const double asked = 1.0 - folds.trustIn(i) * (1.0 - (1.0 - kSafeArea) / (1.0 - *q));
-    for (const int v : folds.triangles[i]) shares[index(v)] = std::min(shares[index(v)], asked);
+/// A triangle's moves towards q = 0.3, for its three corners: along the gradients of its area, as little as will do.
+std::array<Vec, 3> spreadOf(const Folds& folds, std::size_t i, double q, const std::vector<Vec>& at) {
+  const auto& t = folds.triangles[i];
+  const Vec face = faceOf(folds.patch, t);
+  std::array<Vec, 3> gradients;
+  double squared = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    gradients[k] = cross(unitOr(face, {}), at[index(t[(k + 2) % 3])] - at[index(t[(k + 1) % 3])]);
+    squared += dot(gradients[k], gradients[k]);
   }
-  return shares;
+  const double step = (kSpreadArea - q) * length(face) / std::max(squared, length(face));
+  for (Vec& gradient : gradients) gradient = step * gradient;
+  return gradients;
 }
 
-void guardFolds(const Folds& folds, std::vector<Vec>& at) {
-  for (int round = 0; round < 64; ++round) {
-    const std::vector<double> shares = sharesAsked(folds, at);
+void spreadFolds(const Folds& folds, const Neighbours& neighbours, const std::vector<Vec>& start,
+                 std::vector<Vec>& at) {
+  const std::vector<bool> borders = bordersOf(neighbours);
+  for (int round = 0; round < 24; ++round) {
+    std::vector<double> weights(at.size(), 0.0);
+    std::vector<Vec> ways(at.size());
+    for (std::size_t i = 0; i < folds.triangles.size(); ++i) {
+      const std::optional<double> q = folds.areaOf(i, at);
+      if (!q || *q >= kSpreadArea) continue;
+      const double weight = folds.trustIn(i) * std::min(1.0, (kSpreadArea - *q) / 0.1);
+      const std::array<Vec, 3> moves = spreadOf(folds, i, *q, at);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t v = index(folds.triangles[i][k]);
+        weights[v] += weight;
+        ways[v] = ways[v] + weight * moves[k];
+      }
+    }
     for (std::size_t v = 0; v < at.size(); ++v) {
-      if (shares[v] != 1.0) at[v] = folds.patch[v] + shares[v] * (at[v] - folds.patch[v]);
+      if (borders[v] || weights[v] == 0.0) continue;
+      at[v] = held(start[v], folds.patch[v], at[v] + (1.5 / std::max(1.0, weights[v])) * ways[v]);
     }
   }
 }
@@ -264,8 +284,10 @@ Finished finish(const Surface& bindPatch, const Surface& patch, const Surface& r
     if (height == 0.0 || sampling.heights[v] == height) continue;
     out.positions[v] = patchPositions[v] + (sampling.heights[v] / height) * (projected[v] - patchPositions[v]);
   }
-  relaxFolds(folds, neighboursOf(triangles, projected.size()), out.positions);
-  guardFolds(folds, out.positions);
+  const Neighbours neighbours = neighboursOf(triangles, projected.size());
+  const std::vector<Vec> start = out.positions;
+  relaxFolds(folds, neighbours, start, out.positions);
+  spreadFolds(folds, neighbours, start, out.positions);
   for (std::size_t v = 0; v < projected.size(); ++v) {
     out.guarded.push_back(length(out.positions[v] - projected[v]) > 0.0);
   }

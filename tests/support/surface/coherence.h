@@ -13,7 +13,7 @@ constexpr float kFarStep = 0.01f;  ///< Of H, a frame of 1/60 s: what counts as 
 
 /// Of several that apply, the first.
 enum class StepCause {
-  kFolds,        ///< Relaxation and guard moved the vertex further than its projection did.
+  kFolds,        ///< The removal of folds moved the vertex further than its projection did.
   kCrossing,     ///< `replace`: the skin passed the surface F = T.
   kAnchor,       ///< `replace`: the anchor came to be inside, or no longer is.
   kRoots,        ///< `replace`: a stretch of F > T appeared or vanished.

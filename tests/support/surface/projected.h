@@ -1,4 +1,4 @@
-// tests/support/surface/projected.h: what projection alone gives, in both modes, before fold guard and shading.
+// tests/support/surface/projected.h: what projection alone gives, in both modes, before folds and shading.
 #pragma once
 
 #include <memory>

@@ -19,13 +19,13 @@ struct SkinMetrics {
   long long turned = 0;         ///< Turned over against their patch, where the patch itself does not fold.
   long long turnedInFolds = 0;
   double definition = 0.0;  ///< Degrees between the shading normal and the patch's, summed over the moved vertices
-                            ///< that the fold guard left alone.
+                            ///< that folds left alone.
   double exactDefinition = 0.0;
 
   void add(const SkinMetrics& other);
 };
 
-/// @param patch  the same pose without muscles.  @param exact  the same before guard and shading (projected.h).
+/// @param patch  the same pose without muscles.  @param exact  the same before folds and shading (projected.h).
 [[nodiscard]] SkinMetrics skinMetrics(const Surface& surface, const Surface& patch, const Surface& exact);
 
 }  // namespace sinew::test

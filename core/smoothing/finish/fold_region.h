@@ -1,0 +1,62 @@
+// core/smoothing/finish/fold_region.h: the triangles in and around folds, where their removal has to look.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/smoothing/finish/fold.h"
+#include "sinew/mesh/control_mesh.h"
+
+namespace sinew {
+
+/// A refined triangle with what its area is measured against.
+struct FoldTriangle {
+  int index = 0;
+  std::array<int, 3> corners{};
+  glm::vec3 face{0.0f};  ///< Of its patch.
+  float whole = 0.0f;    ///< Squared length of that.
+  float trust = -1.0f;   ///< trustIn; below 0: not asked for yet.
+};
+
+/// The refined triangles of all control triangles in which one folds, and of those that share a control vertex with
+/// them. Grows as more fold. Kept from pose to pose for its memory.
+class FoldRegion {
+ public:
+  /// Finds the folds. Everything that is passed must outlive the use of the region.
+  /// @param control  control triangles that hold a moved vertex; beyond them nothing can fold.
+  /// @param least  q below which a triangle counts.
+  void find(const ControlMesh& mesh, const Refinement& refinement, std::span<const int> control, const PatchView& patch,
+            std::span<const glm::vec3> positions, float least);
+
+  [[nodiscard]] std::span<FoldTriangle> triangles() { return triangles_; }
+
+  /// @param least  q from which on the caller does not look: its weight is 0.  @param positions [V'] world, lifted.
+  [[nodiscard]] Fold foldOf(FoldTriangle& triangle, std::span<const glm::vec3> positions, float least) const {
+    const float left = glm::dot(faceOf(triangle.corners, positions), triangle.face);
+    if (!(left < least * triangle.whole)) return {};
+    if (triangle.trust < 0.0f) {
+      triangle.trust = trustIn(*refinement_, static_cast<std::size_t>(triangle.index), patch_, triangle.face);
+    }
+    return {left / triangle.whole, triangle.trust};
+  }
+
+  /// A triangle folds: what is around its control triangle belongs to the region from the next grow() on.
+  void add(const FoldTriangle& folding);
+  void grow();
+
+ private:
+  [[nodiscard]] int perTriangle() const { return refinement_->depth * refinement_->depth; }
+  void addControl(int control);
+
+  const ControlMesh* mesh_ = nullptr;
+  const Refinement* refinement_ = nullptr;
+  std::span<const int> control_;
+  PatchView patch_;
+  std::vector<FoldTriangle> triangles_;
+  std::vector<std::uint8_t> isNear_;    ///< [V] a corner of a control triangle in which one folds.
+  std::vector<std::uint8_t> isInside_;  ///< [T] 1: in triangles_; 2: and one of them has folded.
+  bool grows_ = false;                  ///< isNear_ has changed.
+};
+
+}  // namespace sinew
