@@ -6,6 +6,7 @@
 
 #include "sinew/io/gltf_import.h"
 #include "sinew/io/rig_json.h"
+#include "tests/support/characters/body_with_arms.h"
 #include "tests/support/characters/real_characters.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/surface/projected.h"
@@ -78,6 +79,21 @@ void expectGoodSkin(const CharacterPtr& character, const Rig& rig, double mostTe
       EXPECT_GT(percent(m.exactSwinging, m.edges), 1.2 * swinging) << character->name;
     }
   }
+}
+
+// What the bundled ones do not have, and real ones do.
+TEST(SkinQuality, OfABodyWithShouldersAnOpenNeckAndAFin) {
+  const CharacterPtr body = makeBodyWithArms();
+  const auto edgesWith = [&](int triangles) {
+    return std::ranges::count(body->mesh.edges, triangles, &Edge::triangleCount);
+  };
+  ASSERT_GT(edgesWith(1), 10);
+  ASSERT_GT(edgesWith(3), 3);
+  Rig rig = layMuscles(body);
+  expectGoodSkin(body, rig);
+  for (Primitive& muscle : rig.primitives)
+    muscle.placement.radii *= 1.6f;  // Flesh is pressed together at shoulders and elbows.
+  expectGoodSkin(body, rig);
 }
 
 TEST(SkinQuality, OfBundledCharacters) {

@@ -92,7 +92,7 @@ std::vector<std::uint8_t> borderVertices(const ControlMesh& mesh, const Refineme
   std::vector<std::uint8_t> out(static_cast<std::size_t>(refinement.vertexCount), 0);
   for (int e = 0; e < static_cast<int>(mesh.edges.size()); ++e) {
     const Edge& edge = at(mesh.edges, e);
-    if (edge.triangleCount == 2) continue;
+    if (edge.triangleCount > 1) continue;
     for (const int end : edge.vertices) at(out, end) = 1;
     for (int step = 1; step < refinement.depth; ++step) {
       at(out, refinement.edgeVertex(e, step)) = 1;

@@ -40,7 +40,7 @@ class FoldRelaxation {
   std::vector<glm::vec3> sums_;  ///< [V'] over the neighbours, each twice; read only at folding_.
 };
 
-/// [V'] 1: on an edge that has not two triangles.
+/// [V'] 1: on an edge with a single triangle. (Where more than two meet they share their vertices: nothing can open.)
 [[nodiscard]] std::vector<std::uint8_t> borderVertices(const ControlMesh& mesh, const Refinement& refinement);
 
 }  // namespace sinew

@@ -82,11 +82,11 @@ Neighbours neighboursOf(const Triangles& triangles, std::size_t count) {
   return out;
 }
 
-/// Inside, every neighbour is met twice.
+/// Inside, every neighbour is met twice, or more often where more than two triangles meet.
 std::vector<bool> bordersOf(const Neighbours& neighbours) {
   std::vector<bool> out;
   for (const std::vector<std::size_t>& around : neighbours) {
-    out.push_back(std::ranges::any_of(around, [&](std::size_t u) { return std::ranges::count(around, u) != 2; }));
+    out.push_back(std::ranges::any_of(around, [&](std::size_t u) { return std::ranges::count(around, u) == 1; }));
   }
   return out;
 }
