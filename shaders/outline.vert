@@ -1,13 +1,14 @@
 #version 450 core
-// shaders/outline.vert: the exact outline of every ellipsoid as seen, 96 segments. Seen from a point, a ball's outline
-// is a circle; the ellipsoid's own map carries it to the ellipsoid.
+// shaders/outline.vert: the outline of every primitive as seen, 96 segments. Seen from a point, a ball's outline is a
+// circle; the ellipsoid's own map carries it to the ellipsoid, exactly. A shape's is given.
 #include "frame.glsl"
 layout(location = 2) in vec4 placeX;
 layout(location = 3) in vec4 placeY;
 layout(location = 4) in vec4 placeZ;
 layout(location = 5) in vec4 placeAt;
 layout(location = 6) in vec4 tint;   // Linear colour and opacity.
-layout(location = 7) in vec4 style;  // Width in pixels; dashes around, 0: unbroken.
+layout(location = 7) in vec4 style;  // Width in pixels; dashes around, 0: unbroken; number of the given outline, or 0.
+layout(std430, binding = 1) readonly buffer Outlines { vec4 outlines[]; };  // World, 96 points each.
 uniform float extra;                 // More width, pixels.
 uniform vec4 halo;                   // Replaces the colour where its w > 0.
 out float acrossPixels;
@@ -28,24 +29,33 @@ void main() {
   float inverse_ = eye.w > 0.5 ? 0.0 : 1.0 / reach;
   color = halo.w > 0.0 ? vec4(halo.rgb, halo.a * tint.a) : tint;
   dash = 0.0;
-  if (det == 0.0 || inverse_ >= 1.0) {  // Flat, or seen from inside.
+  if (det == 0.0 || (inverse_ >= 1.0 && style.z < 0.5)) {  // Flat, or seen from inside.
     acrossPixels = halfWidth = 0.0;
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     return;
   }
-  vec3 axis = seen * inversesqrt(reach);
-  vec3 u = normalize(cross(axis, abs(axis.x) < 0.6 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));
-  vec3 w = cross(axis, u);
-  mat4 clipFromCircle = clipFromWorld * mat4(vec4(linear * (sqrt(1.0 - inverse_) * u), 0.0),
-                                             vec4(linear * (sqrt(1.0 - inverse_) * w), 0.0), vec4(0.0),
-                                             vec4(linear * (seen * inverse_) + placeAt.xyz, 1.0));
-  // The two ends of this segment, and of its neighbours: strips that meet share their normal.
-  const float turn = 6.2831853 / float(segments);
-  float at = (float(segment) + (corner == 0 || corner == 1 || corner == 3 ? 0.0 : 1.0)) * turn;
-  dash = at / 6.2831853 * style.y;
-  vec4 before = clipFromCircle * vec4(cos(at - turn), sin(at - turn), 0.0, 1.0);
-  vec4 here = clipFromCircle * vec4(cos(at), sin(at), 0.0, 1.0);
-  vec4 after = clipFromCircle * vec4(cos(at + turn), sin(at + turn), 0.0, 1.0);
+  // The end of this segment, and what lies before and after it: strips that meet share their normal.
+  int place = segment + (corner == 0 || corner == 1 || corner == 3 ? 0 : 1);
+  dash = float(place) / float(segments) * style.y;
+  vec4 before, here, after;
+  if (style.z > 0.5) {
+    int first = (int(style.z + 0.5) - 1) * segments;
+    before = clipFromWorld * outlines[first + (place + segments - 1) % segments];
+    here = clipFromWorld * outlines[first + place % segments];
+    after = clipFromWorld * outlines[first + (place + 1) % segments];
+  } else {
+    vec3 axis = seen * inversesqrt(reach);
+    vec3 u = normalize(cross(axis, abs(axis.x) < 0.6 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));
+    vec3 w = cross(axis, u);
+    mat4 clipFromCircle = clipFromWorld * mat4(vec4(linear * (sqrt(1.0 - inverse_) * u), 0.0),
+                                               vec4(linear * (sqrt(1.0 - inverse_) * w), 0.0), vec4(0.0),
+                                               vec4(linear * (seen * inverse_) + placeAt.xyz, 1.0));
+    const float turn = 6.2831853 / float(segments);
+    float at = float(place) * turn;
+    before = clipFromCircle * vec4(cos(at - turn), sin(at - turn), 0.0, 1.0);
+    here = clipFromCircle * vec4(cos(at), sin(at), 0.0, 1.0);
+    after = clipFromCircle * vec4(cos(at + turn), sin(at + turn), 0.0, 1.0);
+  }
   halfWidth = 0.5 * (style.x + extra);
   acrossPixels = (corner % 2 == 0 ? -1.0 : 1.0) * (halfWidth + 1.0);
   if (min(before.w, min(here.w, after.w)) < 1e-4) {  // Beside the eye: nothing that a picture shows.

@@ -1,5 +1,6 @@
 #version 450 core
-// shaders/ring.vert: three great circles of every ellipsoid, 64 segments each; the far half fainter.
+// shaders/ring.vert: three great circles of every primitive, 64 segments each; the far half fainter.
+#include "form.glsl"
 #include "frame.glsl"
 #include "line.glsl"
 layout(location = 2) in vec4 placeX;
@@ -7,7 +8,8 @@ layout(location = 3) in vec4 placeY;
 layout(location = 4) in vec4 placeZ;
 layout(location = 5) in vec4 placeAt;
 layout(location = 6) in vec4 tint;
-layout(location = 7) in vec4 style;
+layout(location = 7) in vec4 style;  // w > 0: shaped by `form`, to that scale.
+layout(location = 8) in vec4 form;
 uniform float width;
 uniform float dashes;  // Per circle; 0: unbroken.
 flat out vec4 color;
@@ -28,7 +30,14 @@ void main() {
   mat3 linear = mat3(placeX.xyz, placeY.xyz, placeZ.xyz);
   mat3 cofactors = mat3(cross(linear[1], linear[2]), cross(linear[2], linear[0]), cross(linear[0], linear[1]));
   vec3 middle = normalize(a + b);
-  vec3 n = normalize(cofactors * middle);
+  vec3 own = middle;
+  if (style.w > 0.0) {
+    a = onForm(form, style.w, a);
+    b = onForm(form, style.w, b);
+    middle = onForm(form, style.w, middle);
+    own = formSlope(form, middle);
+  }
+  vec3 n = normalize(cofactors * own);
   if (dot(cofactors[0], linear[0]) < 0.0) n = -n;
   float facing = dot(n, toEye(linear * middle + placeAt.xyz));
   float near = smoothstep(-0.15, 0.15, facing);

@@ -53,9 +53,12 @@ vec3 pigment() {
 }
 
 #ifdef MARKED
+#include "form.glsl"
 uniform vec4 territoryTint;   // Linear; w: strength.
 uniform int markCount;        // 0..4 muscles whose influence is outlined on the skin.
-uniform vec4 markRows[12];    // Three rows each: world -> the ball of influence, radius 1.
+uniform vec4 markRows[12];    // Three rows each: world -> the ball of influence, radius 1; of a shape, its own space.
+uniform vec4 markForms[4];
+uniform vec4 markReaches[4];  // x: reach of a shape, or 0.
 uniform vec4 markColors[4];   // Linear; w: opacity of the line.
 
 vec3 marked(vec3 color) {
@@ -65,7 +68,8 @@ vec3 marked(vec3 color) {
   for (int i = 0; i < markCount; ++i) {
     vec4 at = vec4(fragment.world, 1.0);
     vec3 inBall = vec3(dot(markRows[3 * i], at), dot(markRows[3 * i + 1], at), dot(markRows[3 * i + 2], at));
-    float outwards = length(inBall) - 1.0;
+    float reach = markReaches[i].x;
+    float outwards = (reach > 0.0 ? sqrt(formSquared(markForms[i], inBall)) / reach : length(inBall)) - 1.0;
     float pixels = outwards / max(fwidth(outwards), 1e-6);
     float line = clamp(0.5 + 0.75 * lineScale - abs(pixels), 0.0, 1.0) * markColors[i].w;
     color = mix(color, markColors[i].rgb, line);
@@ -107,6 +111,7 @@ void main() {
   vec3 color = dithered(toneMapped(pigment() * clayLight(m, l, open) + clayGloss(m, l) * open));
 #endif
 #ifdef MARKED
+#include "form.glsl"
   color = marked(color);
 #endif
 #ifdef WIRE

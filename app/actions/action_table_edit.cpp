@@ -23,6 +23,10 @@ Possible boneKnown(const State& s) {
 }
 void renameActive(State& s) { startRename(s, s.document.idAt(s.document.activePrimitive())); }
 void addOnBone(State& s) { addMuscle(s, boneToAddOn(s)); }
+template <ShapePreset preset>
+void addShaped(State& s) {
+  addMuscle(s, boneToAddOn(s), preset);
+}
 
 constexpr const char* kNoSides = "This character has no left and right bones";
 Possible mirrorable(const State& s) { return selected(s).also(canMirror(s.document), kNoSides); }
@@ -46,6 +50,16 @@ const Action kActions[] = {
     {"edit/add-on-bone", "Add muscle on bone",
      "Add a muscle in the middle of the selected bone, or of the selected muscle's bone", ctrl(GLFW_KEY_M), kNone,
      boneKnown, nullptr, addOnBone, true},
+    {"edit/shape-capsule", "Capsule", "Add a muscle with straight sides and round ends on the bone", kNone, kNone,
+     boneKnown, nullptr, addShaped<ShapePreset::kCapsule>},
+    {"edit/shape-cylinder", "Cylinder", "Add a muscle with straight sides and nearly flat ends on the bone", kNone,
+     kNone, boneKnown, nullptr, addShaped<ShapePreset::kCylinder>},
+    {"edit/shape-egg", "Egg", "Add a muscle that is thicker towards one end on the bone", kNone, kNone, boneKnown,
+     nullptr, addShaped<ShapePreset::kEgg>},
+    {"edit/shape-cone", "Cone", "Add a muscle that tapers from one round end to the other on the bone", kNone, kNone,
+     boneKnown, nullptr, addShaped<ShapePreset::kCone>},
+    {"edit/shape-spindle", "Spindle (bent)", "Add a muscle whose middle is moved sideways on the bone", kNone, kNone,
+     boneKnown, nullptr, addShaped<ShapePreset::kSpindle>},
     {"edit/duplicate", "Duplicate", "Copy the selected muscles", ctrl(GLFW_KEY_D), kNone, selected, nullptr,
      duplicateSelection},
     {"edit/rename", "Rename", "Rename the selected muscle", key(GLFW_KEY_F2), kNone, selected, nullptr, renameActive},

@@ -69,13 +69,8 @@ void addFramedPoints(const Character& character, const Rig& rig, const Pose& pos
   points.insert(points.end(), extremes.begin(), extremes.end());
   for (const PrimitiveShape& shape : shapesOf(rig, character, pose)) {
     if (shape.sign < 0 && !display.primitives && !display.influence) continue;
-    const glm::vec3 centre(shape.unitBallInWorld[3]);
-    const float scale = display.influence ? shape.reach : 1.0f;
-    for (int axis = 0; axis < 3; ++axis) {
-      const glm::vec3 radius = scale * glm::vec3(shape.unitBallInWorld[axis]);
-      points.push_back(centre + radius);
-      points.push_back(centre - radius);
-    }
+    const std::array<glm::vec3, 6> ends = extremesOf(shape, display.influence ? shape.reach : 1.0f);
+    points.insert(points.end(), ends.begin(), ends.end());
   }
   if (!display.skeleton) return;
   for (const BoneSegment& segment : boneSegments(character.skeleton, pose)) {

@@ -233,9 +233,9 @@ void jumpTo(EditorState& state, std::size_t step) {
   travel(state, [step](CommandStack& commands) { commands.jumpTo(step); });
 }
 
-void addMuscle(EditorState& state, int bone) {
+void addMuscle(EditorState& state, int bone, ShapePreset preset) {
   if (!state.hasCharacter() || isBusy(state)) return;
-  if (const auto added = addMuscleOnBone(state.document, bone)) state.open.refusal.clear();
+  if (const auto added = addMuscleOnBone(state.document, bone, preset)) state.open.refusal.clear();
   else refuse(state, added.error());
 }
 
@@ -307,13 +307,9 @@ void frameSelection(EditorState& state, bool animated) {
   Bounds bounds;
   for (const PrimitiveShape& shape : shownShapes(state, false)) {
     if (!shape.selected) continue;
+    // Twice the muscle: it is judged in its surroundings.
     const glm::vec3 center(shape.unitBallInWorld[3]);
-    for (int axis = 0; axis < 3; ++axis) {
-      // Twice the ellipsoid: a muscle is judged in its surroundings.
-      const glm::vec3 arm = 2.0f * glm::vec3(shape.unitBallInWorld[axis]);
-      bounds.add(center + arm);
-      bounds.add(center - arm);
-    }
+    for (const glm::vec3& point : extremesOf(shape, 1.0f)) bounds.add(center + 2.0f * (point - center));
   }
   if (bounds.isEmpty()) bounds = boundsOf(state.live->surface().positions);
   frameBounds(state.view.tools.camera, bounds, state.frame.viewportPixels, animated);

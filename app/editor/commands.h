@@ -33,7 +33,7 @@ void undo(EditorState& state);
 void redo(EditorState& state);
 void jumpTo(EditorState& state, std::size_t step);
 
-void addMuscle(EditorState& state, int bone);
+void addMuscle(EditorState& state, int bone, ShapePreset preset = ShapePreset::kEllipsoid);
 void deleteSelection(EditorState& state);
 void duplicateSelection(EditorState& state);
 void startRename(EditorState& state, PrimitiveId primitive);

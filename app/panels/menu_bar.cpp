@@ -76,7 +76,8 @@ struct Submenu {
   std::string_view begin;  ///< Of their ids; without the last letter, the submenu's.
   const char* title;
 };
-constexpr Submenu kSubmenus[] = {{"view/light-", "Light"}, {"view/background-", "Background"}};
+constexpr Submenu kSubmenus[] = {
+    {"edit/shape-", "Add shape on bone"}, {"view/light-", "Light"}, {"view/background-", "Background"}};
 
 const Submenu* submenuOf(const Action& item) {
   const auto* const found = std::ranges::find_if(

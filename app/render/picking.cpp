@@ -9,6 +9,8 @@
 
 #include <glm/matrix.hpp>
 
+#include "core/smoothing/roots/shaped_ray.h"
+
 namespace sinew::app {
 namespace {
 
@@ -125,6 +127,18 @@ std::pair<float, float> pixelDistance2(const glm::vec2& p, const glm::vec2& a, c
   return {glm::dot(off, off), t};
 }
 
+std::optional<ShellSpan> crossShape(const Ray& ray, const glm::mat3& toShape, const glm::vec3& center,
+                                    const Shape& shape) {
+  UnitBallMap visible;
+  visible.toUnit = toShape;
+  visible.center = center;
+  visible.shape = unitShape(shape, 1.0f);
+  const ShapedStretches stretches = ShapedRay(visible, ray.origin, ray.direction).stretches();
+  if (stretches.items().empty()) return std::nullopt;
+  const auto end = std::ranges::find(stretches.items(), false, &ShapedStretch::goesOn);
+  return ShellSpan{static_cast<float>(stretches.items().front().enter), static_cast<float>(end->leave)};
+}
+
 }  // namespace
 
 std::optional<SurfaceHit> pickSurface(const Ray& ray, const Surface& surface, const ControlMesh& mesh,
@@ -155,11 +169,12 @@ std::vector<SurfaceCrossing> crossSurface(const Ray& ray, const Surface& surface
   return crossings;
 }
 
-std::optional<ShellSpan> crossShell(const Ray& ray, const glm::mat4& unitBallInWorld) {
+std::optional<ShellSpan> crossShell(const Ray& ray, const glm::mat4& unitBallInWorld, const Shape& shape) {
   const glm::mat3 linear(unitBallInWorld);
   const float largest = std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
   if (!(std::abs(glm::determinant(linear)) > 1e-9f * largest * largest * largest)) return std::nullopt;
   const glm::mat3 toBall = glm::inverse(linear);
+  if (!shape.isPlain()) return crossShape(ray, toBall, glm::vec3(unitBallInWorld[3]), shape);
   const glm::vec3 origin = toBall * (ray.origin - glm::vec3(unitBallInWorld[3]));
   const glm::vec3 direction = toBall * ray.direction;
   // The foot of the ball's centre on the ray first: |origin|^2 - 1 from afar would cancel.

@@ -36,13 +36,15 @@ struct SurfaceCrossing {
 /// All of them, nearest first.
 [[nodiscard]] std::vector<SurfaceCrossing> crossSurface(const Ray& ray, const Surface& surface);
 
-/// The part of a ray inside an ellipsoid. Distances along the ray; `enter` is 0 if the ray starts inside.
+/// The part of a ray inside a primitive. Distances along the ray; `enter` is 0 if the ray starts inside.
 struct ShellSpan {
   float enter = 0.0f;
   float leave = 0.0f;
 };
-/// Nullopt: it misses, the ellipsoid lies behind the start, or it is flattened.
-[[nodiscard]] std::optional<ShellSpan> crossShell(const Ray& ray, const glm::mat4& unitBallInWorld);
+/// Nullopt: it misses, the primitive lies behind the start, or it is flattened. Where a bent one is entered twice, the
+/// first part.
+[[nodiscard]] std::optional<ShellSpan> crossShell(const Ray& ray, const glm::mat4& unitBallInWorld,
+                                                  const Shape& shape = {});
 
 struct BoneHit {
   int bone = -1;

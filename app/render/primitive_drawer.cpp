@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "app/render/shape_colors.h"
+#include "core/primitives/silhouette.h"
 
 namespace sinew::app {
 namespace {
@@ -22,6 +23,16 @@ const glm::vec4 kHalo{0.01f, 0.01f, 0.012f, 0.42f};
 float nearestDepth(const PrimitiveShape& shape, const glm::vec3& forward) {
   const glm::vec3 centre(shape.unitBallInWorld[3]);
   return glm::dot(centre, forward) - glm::length(glm::transpose(glm::mat3(shape.unitBallInWorld)) * forward);
+}
+
+/// One shell, `scale` times the visible body's rho.
+ShapeInstance shellOf(const PrimitiveShape& shape, float scale, const glm::vec4& color, glm::vec4 style) {
+  if (shape.shape.isPlain()) {
+    const glm::mat4& ball = shape.unitBallInWorld;
+    return {scale == 1.0f ? ball : glm::scale(ball, glm::vec3(scale)), color, style};
+  }
+  style.w = scale;
+  return {shape.unitBallInWorld, color, style, {shape.shape.core, shape.shape.belly, shape.shape.bend}};
 }
 
 /// Furthest first, so that nearer shells are blended over them; one inside another comes before it.
@@ -40,7 +51,8 @@ PrimitiveDrawer::PrimitiveDrawer()
     : visible_(ShapeMesh::ball(20)),
       influence_(ShapeMesh::ball(20)),
       outlined_(ShapeMesh::ball(3)),
-      rims_(ShapeMesh::ball(3)) {}
+      rims_(ShapeMesh::ball(3)),
+      outlines_(makeBuffer()) {}
 
 Result<PrimitiveDrawer> PrimitiveDrawer::create() {
   PrimitiveDrawer drawer;
@@ -88,16 +100,17 @@ void PrimitiveDrawer::drawShells(const Frame& frame) {
   if (frame.scene.primitives.empty()) return;
   const float scale = frame.settings.lineScale;
   std::vector<ShapeInstance> visible, influence, rims;
+  outlinePoints_.clear();
   for (const PrimitiveShape* shape : backToFront(frame)) {
     const glm::vec3 color = shapeColor(*shape);
     const glm::vec4 style(shape->selected ? 1.0f : 0.0f, shape->hovered ? 1.0f : 0.0f, shape->sign < 0 ? 1.0f : 0.0f,
                           0);
-    visible.push_back({shape->unitBallInWorld, glm::vec4(color, 0.34f), style});
-    const glm::mat4 reach = glm::scale(shape->unitBallInWorld, glm::vec3(shape->reach));
-    influence.push_back({reach, glm::vec4(color, 0.09f), style});
+    visible.push_back(shellOf(*shape, 1.0f, glm::vec4(color, 0.34f), style));
+    influence.push_back(shellOf(*shape, shape->reach, glm::vec4(color, 0.09f), style));
     if (outlineLook(*shape).width > 0.0f) continue;
     const glm::vec3 pale = glm::mix(color, glm::vec3(1.0f), 0.35f);
-    rims.push_back({shape->unitBallInWorld, glm::vec4(pale, 0.95f), glm::vec4(kRimWidth * scale, 0, 0, 0)});
+    rims.push_back({shape->unitBallInWorld, glm::vec4(pale, 0.95f),
+                    glm::vec4(kRimWidth * scale, 0, outlineNumber(*shape, frame.view), 0)});
   }
   copyDepth(frame);
   glEnable(GL_DEPTH_TEST);
@@ -115,11 +128,26 @@ void PrimitiveDrawer::drawShells(const Frame& frame) {
     visible_.setInstances(visible);
     drawFamily(visible_, {1.0f * scale, 0.0f, 1.0f, scale, true});
     rims_.setInstances(rims);
+    bindOutlines();
     drawRims(scale);
   }
   glDepthMask(GL_TRUE);
   glDepthFunc(GL_LESS);
   glDisable(GL_BLEND);
+}
+
+float PrimitiveDrawer::outlineNumber(const PrimitiveShape& shape, const View& view) {
+  if (shape.shape.isPlain()) return 0.0f;
+  const glm::vec3 eye = view.orthographic ? view.forwardInWorld() : view.eyeInWorld;
+  for (const glm::vec3& point : silhouetteOf(shape.shape, shape.unitBallInWorld, eye, view.orthographic)) {
+    outlinePoints_.emplace_back(point, 1.0f);
+  }
+  return static_cast<float>(outlinePoints_.size() / kSilhouettePoints);
+}
+
+void PrimitiveDrawer::bindOutlines() const {
+  uploadBuffer(outlines_, std::span<const glm::vec4>(outlinePoints_));
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, outlines_.id());
 }
 
 void PrimitiveDrawer::drawRims(float scale) const {
@@ -158,14 +186,16 @@ void PrimitiveDrawer::copyDepth(const Frame& frame) {
 void PrimitiveDrawer::drawOutlines(const Frame& frame) {
   const float scale = frame.settings.lineScale;
   std::vector<ShapeInstance> outlined;
+  outlinePoints_.clear();
   for (const PrimitiveShape* shape : backToFront(frame)) {
     const OutlineLook look = outlineLook(*shape);
     if (!(look.width > 0.0f)) continue;
     outlined.push_back({shape->unitBallInWorld, glm::vec4(look.color, look.opacity),
-                        glm::vec4(look.width * scale, look.dashes, 0, 0)});
+                        glm::vec4(look.width * scale, look.dashes, outlineNumber(*shape, frame.view), 0)});
   }
   if (outlined.empty()) return;
   outlined_.setInstances(outlined);
+  bindOutlines();
   glDisable(GL_DEPTH_TEST);
   blendPremultiplied();
   outlineProgram_.use();

@@ -1,4 +1,4 @@
-// app/render/primitive_drawer.h: ellipsoids and how far they reach.
+// app/render/primitive_drawer.h: primitives and how far they reach.
 #pragma once
 
 #include "app/render/frame.h"
@@ -28,6 +28,9 @@ class PrimitiveDrawer {
   /// Keeps the depth of what has been drawn, for the line where shells meet it.
   void copyDepth(const Frame& frame);
   void drawRims(float scale) const;
+  /// Adds a shape's outline; its number for shaders/outline.vert, 0: an ellipsoid, whose outline is made there.
+  [[nodiscard]] float outlineNumber(const PrimitiveShape& shape, const View& view);
+  void bindOutlines() const;
 
   GlProgram fillProgram_;
   GlProgram ringProgram_;
@@ -36,7 +39,9 @@ class PrimitiveDrawer {
   ShapeMesh influence_;
   ShapeMesh outlined_;
   ShapeMesh rims_;
-  GlTexture depth_;  ///< Of the opaque things before the shells; one sample a pixel.
+  GlBuffer outlines_;
+  std::vector<glm::vec4> outlinePoints_;  ///< World, of one shape after the other.
+  GlTexture depth_;                       ///< Of the opaque things before the shells; one sample a pixel.
   GlFramebuffer depthCopy_;
   glm::ivec2 depthSize_{0};
 };

@@ -1,4 +1,4 @@
-// app/render/scene.cpp: ellipsoids as they are drawn.
+// app/render/scene.cpp: primitives as they are drawn.
 #include "app/render/scene.h"
 
 #include "app/document/group_colors.h"
@@ -15,12 +15,23 @@ std::vector<PrimitiveShape> shapesOf(const Rig& rig, const Character& character,
     PrimitiveShape shape;
     shape.rigIndex = static_cast<int>(i);
     shape.unitBallInWorld = shapeInWorld(primitive.placement, 1.0f, *carriers[i]);
+    shape.shape = primitive.placement.shape;
     shape.reach = primitive.reach;
     shape.sign = primitive.sign;
     shape.color = toLinear(groupColor(rig, primitive.group));
     shapes.push_back(shape);
   }
   return shapes;
+}
+
+std::array<glm::vec3, 6> extremesOf(const PrimitiveShape& shape, float scale) {
+  std::array<glm::vec3, 6> points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    glm::vec3 axis(0.0f);
+    axis[static_cast<int>(i / 2)] = i % 2 == 0 ? 1.0f : -1.0f;
+    points[i] = glm::vec3(shape.unitBallInWorld * glm::vec4(onShape(shape.shape, scale, axis), 1.0f));
+  }
+  return points;
 }
 
 }  // namespace sinew::app

@@ -1,6 +1,7 @@
 // app/render/scene.h: all that one picture shows, as plain references; nothing here owns.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -36,10 +37,11 @@ struct DisplaySettings {
   friend bool operator==(const DisplaySettings&, const DisplaySettings&) = default;
 };
 
-/// One ellipsoid to draw.
+/// One primitive to draw.
 struct PrimitiveShape {
   int rigIndex = 0;
-  glm::mat4 unitBallInWorld{1.0f};  ///< Unit ball -> visible ellipsoid.
+  glm::mat4 unitBallInWorld{1.0f};  ///< Unit ball -> visible ellipsoid; its shape is made of the ball before.
+  Shape shape{};
   float reach = 1.4142135f;
   int sign = 1;
   glm::vec3 color{0.85f, 0.20f, 0.11f};  ///< Linear: its group's.
@@ -53,6 +55,9 @@ struct PrimitiveShape {
 
 /// The attached primitives of a rig in a pose, in rig order; unattached ones are left out.
 [[nodiscard]] std::vector<PrimitiveShape> shapesOf(const Rig& rig, const Character& character, const Pose& pose);
+
+/// Ends of its three axes where rho = scale, world space.
+[[nodiscard]] std::array<glm::vec3, 6> extremesOf(const PrimitiveShape& shape, float scale);
 
 /// What a segment says; each class has its colour.
 enum class SegmentClass : std::uint8_t { kPlain, kFound, kFallback, kLost };

@@ -35,7 +35,7 @@ ShapeMesh::ShapeMesh(std::span<const Vertex> vertices, std::span<const std::uint
   for (const GLuint each : {array_.id(), instanceArray_.id()}) {
     glVertexArrayVertexBuffer(each, 1, instances_.id(), 0, sizeof(ShapeInstance));
     glVertexArrayBindingDivisor(each, 1, 1);
-    for (GLuint column = 0; column < 6; ++column) attribute(each, 2 + column, 1, 4, column * sizeof(glm::vec4));
+    for (GLuint column = 0; column < 7; ++column) attribute(each, 2 + column, 1, 4, column * sizeof(glm::vec4));
   }
 }
 

@@ -13,6 +13,7 @@ struct ShapeInstance {
   glm::mat4 shapeInWorld{1.0f};
   glm::vec4 color{1.0f};  ///< Linear, opacity in w.
   glm::vec4 style{0.0f};  ///< Outline, glow: 0..1.
+  glm::vec4 form{0.0f};   ///< Core, belly, bend of a shape, where style.w > 0 (shaders/form.glsl).
 };
 
 class ShapeMesh {

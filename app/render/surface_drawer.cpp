@@ -102,20 +102,25 @@ std::vector<const PrimitiveShape*> markedShapes(const Frame& frame) {
 
 void setMarks(const GlProgram& program, const Frame& frame, std::span<const PrimitiveShape* const> shapes) {
   std::array<glm::vec4, 3 * kMostMarks> rows{};
-  std::array<glm::vec4, kMostMarks> colors{};
+  std::array<glm::vec4, kMostMarks> forms{}, reaches{}, colors{};
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const PrimitiveShape& shape = *shapes[i];
     const glm::mat4 inBall = glm::inverse(shape.unitBallInWorld);
+    reaches[i] = glm::vec4(shape.shape.isPlain() ? 0.0f : shape.reach);
     for (glm::length_t row = 0; row < 3; ++row) {
-      rows[3 * i + static_cast<std::size_t>(row)] = glm::row(inBall, row) / shape.reach;
+      rows[3 * i + static_cast<std::size_t>(row)] =
+          glm::row(inBall, row) / (shape.shape.isPlain() ? shape.reach : 1.0f);
     }
+    forms[i] = {shape.shape.core, shape.shape.belly, shape.shape.bend};
     colors[i] = glm::vec4(shapeColor(shape), shape.selected ? 0.62f : 0.30f);
   }
   program.set("markCount", static_cast<int>(shapes.size()));
   program.set("markRows", std::span<const glm::vec4>(rows));
+  program.set("markForms", std::span<const glm::vec4>(forms));
+  program.set("markReaches", std::span<const glm::vec4>(reaches));
   program.set("markColors", std::span<const glm::vec4>(colors));
-  program.set("territoryTint",
-              glm::vec4(toLinear(kTerritoryColor), frame.settings.territory ? kTerritoryStrength : 0.0f));
+  const float tint = frame.settings.territory ? kTerritoryStrength : 0.0f;
+  program.set("territoryTint", glm::vec4(toLinear(kTerritoryColor), tint));
 }
 
 Result<GlProgram> loadProgram(std::size_t kind, std::size_t shading) {

@@ -293,7 +293,7 @@ void cancelAddMuscle(AddMuscleState& state, Document& document) {
   state.drag.reset();
 }
 
-Result<std::string> addMuscleOnBone(Document& document, int bone) {
+Result<std::string> addMuscleOnBone(Document& document, int bone, ShapePreset preset) {
   const Character& character = *document.character;
   const Bone& onBone = character.skeleton.bones[static_cast<std::size_t>(bone)];
   if (!isUsable(onBone.bindInWorld)) {
@@ -306,7 +306,7 @@ Result<std::string> addMuscleOnBone(Document& document, int bone) {
   ellipsoid.normal = across(ellipsoid.along);
   ellipsoid.center = origin + 0.5f * segment;
   ellipsoid.semiAxes = semiAxesAround(character, bone, segment);
-  const Placement placement = placementOf(ellipsoid, onBone.bindInWorld);
+  const Placement placement = shaped(preset, placementOf(ellipsoid, onBone.bindInWorld), kNewReach);
   Result<Rig> rig = withMuscle(document, document.rig(), newMuscle(character.skeleton, bone, placement));
   if (!rig) return rig.error();
   const std::size_t index = document.rig().primitives.size();

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "app/document/shape_presets.h"
 #include "app/tools/input.h"
 #include "app/tools/select.h"
 #include "app/tools/skin_stroke.h"
@@ -56,6 +57,7 @@ void cancelAddMuscle(AddMuscleState& state, Document& document);
 /// For the outliner: a muscle around the middle of a bone, along it, a little thicker than the skin in the bind pose
 /// and at least 1.25 times as long as thick; a ball on a bone without length. Selected. One undo step. @return its
 /// name.
-[[nodiscard]] Result<std::string> addMuscleOnBone(Document& document, int bone);
+[[nodiscard]] Result<std::string> addMuscleOnBone(Document& document, int bone,
+                                                  ShapePreset preset = ShapePreset::kEllipsoid);
 
 }  // namespace sinew::app

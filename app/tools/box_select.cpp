@@ -11,6 +11,7 @@
 
 #include "app/tools/select.h"
 #include "app/ui/style.h"
+#include "core/primitives/silhouette.h"
 
 namespace sinew::app {
 namespace {
@@ -26,6 +27,11 @@ std::vector<glm::vec3> outlineOf(const PrimitiveShape& shape, const View& view) 
   const glm::mat3 axes(shape.unitBallInWorld);
   const glm::vec3 center(shape.unitBallInWorld[3]);
   const glm::vec3 sight = view.orthographic ? view.forwardInWorld() : center - view.eyeInWorld;
+  if (!shape.shape.isPlain()) {
+    const glm::vec3 eye = view.orthographic ? sight : view.eyeInWorld;
+    const Silhouette line = silhouetteOf(shape.shape, shape.unitBallInWorld, eye, view.orthographic);
+    return {line.begin(), line.end()};
+  }
   const glm::vec3 inBall = normalizeOr(glm::inverse(axes) * sight, {0.0f, 0.0f, 1.0f});
   const glm::vec3 other = std::abs(inBall.x) < 0.6f ? glm::vec3(1.0f, 0.0f, 0.0f) : glm::vec3(0.0f, 1.0f, 0.0f);
   const glm::vec3 u = glm::normalize(glm::cross(inBall, other));

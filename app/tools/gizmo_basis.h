@@ -64,6 +64,9 @@ inline constexpr float kGizmoArmPixels = 95.0f;
 /// Where the ray meets a plane; nothing if it grazes it (within 1 degree) or the point lies behind the eye.
 [[nodiscard]] std::optional<glm::vec3> onPlane(const glm::vec3& origin, const glm::vec3& normal, const Ray& ray);
 
+/// A pole from the centre, bone space: where the visible body is widest along one of its axes.
+[[nodiscard]] glm::vec3 poleInBone(const Placement& inBone, int axis, float sign);
+
 /// Any unit vector across a unit vector.
 [[nodiscard]] glm::vec3 across(const glm::vec3& direction);
 

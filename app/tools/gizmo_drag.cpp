@@ -275,6 +275,12 @@ Placement evaluateScale(const Evaluation& e) {
   return scaled(e.drag.effect, e.drag.start, e.frame.bone, e.context.characterHeight);
 }
 
+/// By how many radii both poles of an axis are moved along it.
+float bendAtPole(const Shape& shape, int axis) {
+  const float y = thickestAt(shape);
+  return axis == 1 ? 0.0f : shape.bend[axis / 2] * (1.0f - y * y);
+}
+
 Placement evaluatePole(const Evaluation& e) {
   const int axis = axisOf(e.way);
   const float perUnit = worldPerUnit(e.frame.bone, e.drag.start, axis);
@@ -291,7 +297,7 @@ Placement evaluatePole(const Evaluation& e) {
   placement.radii[axis] = length / perUnit;
   if (!bothEnds) {
     glm::vec3 unit(0.0f);
-    unit[axis] = e.sign;
+    unit[axis] = e.sign - bendAtPole(placement.shape, axis);
     placement.center += (placement.radii[axis] - e.drag.start.radii[axis]) * (e.drag.start.rotation * unit);
   }
   return placement;

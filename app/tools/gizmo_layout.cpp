@@ -160,7 +160,7 @@ void addPoles(Builder& b) {
       glm::vec3 unit(0.0f);
       unit[axis] = sign;
       const glm::vec3 direction = b.inBone.rotation * unit;
-      const glm::vec3 world = b.frame.center + b.frame.bone * (direction * b.inBone.radii[axis]);
+      const glm::vec3 world = b.frame.center + b.frame.bone * poleInBone(b.inBone, axis, sign);
       const glm::vec3 pixel = b.pixelOf(world);
       if (!inPicture(pixel)) continue;
       if (glm::length(glm::vec2(pixel) - b.originPixel()) < kPoleClearance * b.context.uiScale) continue;

@@ -67,7 +67,8 @@ std::optional<float> heldSkin(const Sight& sight, const Muscle& muscle) {
   const Skeleton& skeleton = sight.context.document.character->skeleton;
   const UnitBallMap map = unitBallMap(muscle.primitive.placement, 1.0f, muscle.carrier);
   if (!(map.boundingRadius > 0.0f)) return std::nullopt;
-  const float radii = glm::length(map.toUnit * (sight.skin->position - map.center));
+  const glm::vec3& skin = sight.skin->position;
+  const float radii = map.isPlain() ? glm::length(map.toUnit * (skin - map.center)) : std::sqrt(map.rSquared(skin));
   const bool bulges = sight.lift > kVisibleLift * sight.context.document.character->height;
   if (!(radii < (bulges ? kBulgeBelow : kCoveredBelow))) return std::nullopt;
   const MuscleLine* line = lineOf(sight.context.document.rig(), muscle.primitive);
@@ -93,7 +94,7 @@ bool isUnderSkin(const Sight& sight, const ShellSpan& span, const glm::mat4& sha
 std::optional<Candidate> candidateOf(const Sight& sight, const Muscle& muscle) {
   Candidate found{{muscle.primitive.id(), -1, 0.0f, false}, Place::kConcealed, 0.0f};
   const glm::mat4 shape = shapeInWorld(muscle.primitive.placement, 1.0f, muscle.carrier);
-  const std::optional<ShellSpan> span = crossShell(sight.ray, shape);
+  const std::optional<ShellSpan> span = crossShell(sight.ray, shape, muscle.primitive.placement.shape);
   if (span && muscle.drawn && (!sight.skin || span->enter < sight.body.enter)) {
     found.place = Place::kInFront;
     found.rank = found.entry.distance = span->enter;

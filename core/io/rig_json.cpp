@@ -48,8 +48,14 @@ Json smoothingNode(const SmoothingSettings& smoothing) {
 
 Json groupNode(const Group& group) { return ObjectWriter().set("name", group.name).finish(group.unknownKeys); }
 
+void setShape(const Shape& shape, ObjectWriter& writer) {
+  if (shape.core != 0.0f) writer.set("core", shape.core);
+  if (shape.belly != 0.0f) writer.set("belly", shape.belly);
+  if (shape.bend != glm::vec2(0.0f)) writer.set("bend", numbers({shape.bend.x, shape.bend.y}));
+}
+
 Json primitiveNode(const Primitive& primitive) {
-  const auto& [center, rotation, radii] = primitive.placement;
+  const auto& [center, rotation, radii, shape] = primitive.placement;
   ObjectWriter writer;
   writer.set("name", primitive.name)
       .set("bone", primitive.bone)
@@ -57,9 +63,9 @@ Json primitiveNode(const Primitive& primitive) {
       .set("kind", "ellipsoid")
       .set("center", numbers({center.x, center.y, center.z}))
       .set("rotation", numbers({rotation.x, rotation.y, rotation.z, rotation.w}))
-      .set("radii", numbers({radii.x, radii.y, radii.z}))
-      .set("reach", primitive.reach)
-      .set("sign", primitive.sign);
+      .set("radii", numbers({radii.x, radii.y, radii.z}));
+  setShape(shape, writer);
+  writer.set("reach", primitive.reach).set("sign", primitive.sign);
   if (!primitive.line.empty()) writer.set("line", primitive.line);
   if (!primitive.mirror.empty()) writer.set("mirror", primitive.mirror);
   if (primitive.territory) writer.set("territory", strings(*primitive.territory));
@@ -67,7 +73,11 @@ Json primitiveNode(const Primitive& primitive) {
 }
 
 /// The oldest version that can say what is in the rig: older programs read what they can.
-int versionOf(const Rig& rig) { return rig.lines.empty() ? 1 : 2; }
+int versionOf(const Rig& rig) {
+  const bool shaped =
+      std::ranges::any_of(rig.primitives, [](const Primitive& p) { return !p.placement.shape.isPlain(); });
+  return rig.lines.empty() && !shaped ? 1 : 2;
+}
 
 Error inFile(Error error, const std::filesystem::path& file) {
   error.file = file.string();

@@ -69,6 +69,12 @@ Placement readPlacement(Reader& reader, const Json& node, const Place& place) {
     const auto [x, y, z] = reader.vector<3>(*radii, Reader::join(place, "radii"));
     placement.radii = {x, y, z};
   }
+  readFloat(reader, node, place, "core", placement.shape.core);
+  readFloat(reader, node, place, "belly", placement.shape.belly);
+  if (const Json* bend = node.find("bend")) {
+    const auto [x, z] = reader.vector<2>(*bend, Reader::join(place, "bend"));
+    placement.shape.bend = {x, z};
+  }
   return placement;
 }
 
@@ -108,7 +114,7 @@ Primitive readPrimitive(Reader& reader, const Json& node, const Place& listed) {
     });
   }
   primitive.unknownKeys = unknownKeys(node, {"name", "bone", "group", "line", "kind", "center", "rotation", "radii",
-                                             "reach", "sign", "mirror", "territory"});
+                                             "core", "belly", "bend", "reach", "sign", "mirror", "territory"});
   return primitive;
 }
 

@@ -1,6 +1,7 @@
 // core/primitives/affine_image.cpp: principal axes by Jacobi; a canonical rotation for turn-overs.
 #include "core/primitives/affine_image.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -63,12 +64,45 @@ std::optional<double> evenScale(const glm::dmat3& m) {
   return std::abs(scale - 1.0) <= kEven ? 1.0 : scale;
 }
 
+/// The columns as a shape keeps them: y as it is, the others square to it and to each other.
+void orthogonaliseAround(glm::dmat3& columns) {
+  const glm::dvec3 along = glm::normalize(columns[1]);
+  glm::dmat3 across = columns;
+  for (const int i : {0, 2}) across[i] -= along * glm::dot(along, across[i]);
+  across[1] = along * glm::length(across[0]);  // At right angles already: stays.
+  orthogonalise(across);
+  columns[0] = across[0];
+  columns[2] = across[2];
+}
+
+/// The image's shape, after its rotation and radii.
+Shape shapeImage(const Placement& from, const glm::dmat3& linear, bool even, const Placement& image) {
+  Shape shape = from.shape;
+  if (shape.isPlain()) return shape;
+  const glm::dmat3 axes = linear * glm::mat3_cast(glm::normalize(glm::dquat(from.rotation)));
+  const glm::dmat3 imageAxes = glm::mat3_cast(glm::normalize(glm::dquat(image.rotation)));
+  if (glm::dot(axes[1], imageAxes[1]) < 0.0) shape.belly = -shape.belly;
+  if (even) {
+    if (glm::dot(axes[0], imageAxes[0]) < 0.0) shape.bend.x = -shape.bend.x;
+    if (glm::dot(axes[2], imageAxes[2]) < 0.0) shape.bend.y = -shape.bend.y;
+    return shape;
+  }
+  const glm::dvec3 bend = axes[0] * static_cast<double>(shape.bend.x * from.radii.x) +
+                          axes[2] * static_cast<double>(shape.bend.y * from.radii.z);
+  const auto inRadii = [&](int axis) {
+    const double value = glm::dot(bend, imageAxes[axis]) / static_cast<double>(image.radii[axis]);
+    return std::clamp(static_cast<float>(value), -kMostBend, kMostBend);
+  };
+  shape.bend = {inRadii(0), inRadii(2)};
+  return shape;
+}
+
 /// Any affine map: the principal axes of the image, each nearest to the image of the axis of its number.
 void placeByAxes(const Placement& from, const glm::dmat3& linear, Placement& image) {
   const glm::dmat3 axes = linear * glm::mat3_cast(glm::normalize(glm::dquat(from.rotation)));
   glm::dmat3 columns;
   for (int i = 0; i < 3; ++i) columns[i] = axes[i] * static_cast<double>(from.radii[i]);
-  orthogonalise(columns);
+  from.shape.isPlain() ? orthogonalise(columns) : orthogonaliseAround(columns);
   glm::dmat3 unit;
   for (int i = 0; i < 3; ++i) {
     const double length = glm::length(columns[i]);
@@ -95,6 +129,7 @@ Placement imageOf(const Placement& placement, const AffineMap& map) {
   const std::optional<double> scale = evenScale(map.linear);
   if (!scale) {
     placeByAxes(placement, map.linear, image);
+    image.shape = shapeImage(placement, map.linear, false, image);
     return image;
   }
   if (*scale != 1.0) image.radii = glm::vec3(glm::dvec3(placement.radii) * *scale);
@@ -102,7 +137,19 @@ Placement imageOf(const Placement& placement, const AffineMap& map) {
   const glm::dmat3 turn = map.linear / *scale;
   image.rotation = glm::quat(glm::determinant(turn) < 0.0 ? properRotation(turn, rotation)
                                                           : glm::normalize(glm::quat_cast(turn)) * rotation);
+  image.shape = shapeImage(placement, turn, true, image);
   return image;
+}
+
+Placement withLongAxisY(const Placement& placement) {
+  const glm::vec3& r = placement.radii;
+  if (r.y >= r.x && r.y >= r.z) return placement;
+  Placement turned = placement;
+  // Third turns about (1, 1, 1): the new axes are the old x to y to z to x, or back.
+  const float side = r.x >= r.z ? -0.5f : 0.5f;
+  turned.rotation = glm::normalize(placement.rotation * glm::quat(0.5f, side, side, side));
+  turned.radii = side < 0.0f ? glm::vec3(r.z, r.x, r.y) : glm::vec3(r.y, r.z, r.x);
+  return turned;
 }
 
 }  // namespace sinew

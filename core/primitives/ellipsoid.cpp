@@ -25,6 +25,50 @@ double ballRadius(const glm::dmat3& axes) {
   return radius;
 }
 
+/// Radius of a ball around the origin that holds the image of the unit ball: axes are its columns.
+double ballAround(const glm::dmat3& axes) {
+  // Half extents of the world box around the ellipsoid: row norms of the axes.
+  glm::dvec3 half(0.0);
+  for (int row = 0; row < 3; ++row) {
+    half[row] = std::sqrt(axes[0][row] * axes[0][row] + axes[1][row] * axes[1][row] + axes[2][row] * axes[2][row]);
+  }
+  const double frobenius =
+      std::sqrt(glm::dot(axes[0], axes[0]) + glm::dot(axes[1], axes[1]) + glm::dot(axes[2], axes[2]));
+  return std::min(glm::length(half), frobenius);
+}
+
+/// Largest length that the map of two columns gives a unit vector.
+double mostStretch(const glm::dvec3& a, const glm::dvec3& b) {
+  const double mean = 0.5 * (glm::dot(a, a) + glm::dot(b, b));
+  const double half = 0.5 * (glm::dot(a, a) - glm::dot(b, b));
+  return std::sqrt(mean + std::hypot(half, glm::dot(a, b)));
+}
+
+/// The same of a shape's influence.
+double ballAround(const glm::dmat3& axes, const UnitShape& shape) {
+  const double along = static_cast<double>(shape.high.y);
+  const double core = static_cast<double>(shape.core);
+  const glm::dvec3 middle = axes[0] * static_cast<double>(shape.bend.x) + axes[2] * static_cast<double>(shape.bend.y);
+  const glm::dvec3 curve =
+      (axes[0] * static_cast<double>(shape.curve.x) + axes[2] * static_cast<double>(shape.curve.y)) * (along * along);
+  // As a tube around the axis, a parabola that lies within its three control points.
+  const double lateral =
+      0.5 * static_cast<double>(shape.high.x - shape.low.x - std::abs(shape.curve.x) * shape.high.y * shape.high.y);
+  const double around = mostStretch(axes[0], axes[2]) * lateral;
+  double tube = glm::length(middle - curve);
+  // As an ellipsoid as wide as the section could be at the thick end, moved along the core and the bend.
+  const double thinnest = static_cast<double>(shape.lateral) - std::abs(static_cast<double>(shape.taper)) * along;
+  const double widest = 1.0 / std::sqrt(thinnest);
+  const double end = ballAround({axes[0] * widest, axes[1] / static_cast<double>(shape.inverseEnd), axes[2] * widest});
+  double moved = 0.0;
+  for (const double side : {-1.0, 1.0}) {
+    tube = std::max(tube, glm::length(middle + curve + side * along * axes[1]));
+    moved = std::max(
+        {moved, glm::length(middle + side * core * axes[1]), glm::length(middle + curve + side * core * axes[1])});
+  }
+  return std::min(tube + around, moved + end);
+}
+
 }  // namespace
 
 UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& boneInWorld) {
@@ -36,12 +80,13 @@ UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& b
 
   UnitBallMap map;
   map.center = glm::vec3(boneInWorld * glm::vec4(inBone.center, 1.0f));
+  map.shape = unitShape(inBone.shape, reach);
   if (isFlat(axes)) {
     map.toUnit = glm::mat3(0.0f);
     map.boundingRadius = 0.0f;
     return map;
   }
-  if (const double radius = ballRadius(axes); radius > 0.0) {
+  if (const double radius = map.isPlain() ? ballRadius(axes) : 0.0; radius > 0.0) {
     // However it is turned, a sphere is the same: no rotation is left in its map.
     map.inverseRadius = static_cast<float>(1.0 / radius);
     map.toUnit = glm::mat3(map.inverseRadius);
@@ -51,14 +96,9 @@ UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& b
   }
   map.toUnit = glm::mat3(glm::inverse(axes));
   map.meanRadius = static_cast<float>(std::cbrt(std::abs(glm::determinant(axes))));
-  // Half extents of the world box around the ellipsoid: row norms of the axes.
-  glm::dvec3 half(0.0);
-  for (int row = 0; row < 3; ++row) {
-    half[row] = std::sqrt(axes[0][row] * axes[0][row] + axes[1][row] * axes[1][row] + axes[2][row] * axes[2][row]);
-  }
-  const double frobenius =
-      std::sqrt(glm::dot(axes[0], axes[0]) + glm::dot(axes[1], axes[1]) + glm::dot(axes[2], axes[2]));
-  map.boundingRadius = static_cast<float>(std::min(glm::length(half), frobenius) * (1.0 + 1e-6));
+  map.meanRadius *= map.shape.meanRadius;
+  const double around = map.isPlain() ? ballAround(axes) : ballAround(axes, map.shape);
+  map.boundingRadius = static_cast<float>(around * (1.0 + 1e-6));
   return map;
 }
 

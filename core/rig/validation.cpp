@@ -53,6 +53,31 @@ Result<void> validateRotation(const glm::quat& rotation, const std::string& plac
   return outOfRange(place, "a quaternion x, y, z, w of length 1", static_cast<float>(length), "rotation");
 }
 
+/// Without the belly's limit, which is the reach's too.
+Result<void> validateShape(const Shape& shape, const std::string& place) {
+  if (!(shape.core >= 0.0f && shape.core <= kMostCore)) {
+    return outOfRange(place + ".core", "a number from 0 to 0.95", shape.core, "straight");
+  }
+  if (!std::isfinite(shape.belly)) return outOfRange(place + ".belly", "a finite number", shape.belly, "belly");
+  for (int i = 0; i < 2; ++i) {
+    if (std::abs(shape.bend[i]) <= kMostBend) continue;
+    return outOfRange(place + indexed(".bend", static_cast<std::size_t>(i)), "a number from -1 to 1", shape.bend[i],
+                      i == 0 ? "bend X" : "bend Z");
+  }
+  return {};
+}
+
+Result<void> validateBelly(const Primitive& primitive, const std::string& place) {
+  const Shape& shape = primitive.placement.shape;
+  if (shape.belly == 0.0f) return {};
+  // A little more than the limit: it is computed anew on every machine, and has room.
+  const float most = mostBelly(shape.core, primitive.reach);
+  if (std::abs(shape.belly) <= most * (1.0f + 1e-5f)) return {};
+  return outOfRange(place + ".belly",
+                    "a number from -" + numberText(most) + " to " + numberText(most) + ", the most at this reach",
+                    shape.belly, "belly");
+}
+
 Result<void> validateText(const std::string& text, const std::string& place) {
   if (isUtf8(text)) return {};
   return errorAt(place, "expected text in UTF-8", "text");
@@ -147,7 +172,7 @@ Result<void> validatePlacement(const Placement& placement, const std::string& pl
     return outOfRange(place + indexed(".radii", static_cast<std::size_t>(i)), "a number > 0", placement.radii[i],
                       ofAxis("radius", i));
   }
-  return {};
+  return validateShape(placement.shape, place);
 }
 
 namespace {
@@ -159,6 +184,7 @@ Result<void> validateParts(const Primitive& primitive, const std::string& place)
   if (!std::isfinite(primitive.reach) || !(primitive.reach > 1.0f)) {
     return outOfRange(place + ".reach", "a number > 1", primitive.reach, "reach");
   }
+  if (auto belly = validateBelly(primitive, place); !belly) return belly;
   if (primitive.sign != 1 && primitive.sign != -1) {
     return errorAt(place + ".sign", "expected 1 or -1, got " + std::to_string(primitive.sign), "sign");
   }

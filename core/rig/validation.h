@@ -20,7 +20,7 @@ inline constexpr int kMaxPrimitives = 65536;
 
 // Its parts, for edits that can break no more than one of them. The Error's place begins with `place`.
 
-/// Center and rotation finite, rotation within 1e-3 of unit length, radii finite and > 0.
+/// Center and rotation finite, rotation within 1e-3 of unit length, radii finite and > 0, core and bend in range.
 [[nodiscard]] Result<void> validatePlacement(const Placement& placement, const std::string& place);
 /// All of a primitive that needs no look at the rest of the rig.
 [[nodiscard]] Result<void> validatePrimitive(const Primitive& primitive, const std::string& place);

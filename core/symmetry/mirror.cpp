@@ -1,6 +1,7 @@
 // core/symmetry/mirror.cpp: what a plane makes of a placement, and of a primitive.
 #include "core/symmetry/mirror.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -48,6 +49,24 @@ void tidy(AffineMap& mirror) {
 }
 
 const Bone& boneAt(const MirrorPlan& plan, int bone) { return at(plan.skeleton.bones, bone); }
+
+/// Of two equal ellipsoids: their shapes are equal too. What tells them apart are vectors: the axis with its belly, and
+/// the bend. @param allowed  world units.
+bool sameShape(const Placement& a, const Placement& b, const glm::dmat3& bone, double allowed) {
+  if (a.shape.isPlain() && b.shape.isPlain()) return true;
+  const auto axis = [&](const Placement& placement, int i) {
+    return bone * glm::mat3_cast(glm::dquat(placement.rotation))[i] * static_cast<double>(placement.radii[i]);
+  };
+  const auto bend = [&](const Placement& p) {
+    return axis(p, 0) * static_cast<double>(p.shape.bend.x) + axis(p, 2) * static_cast<double>(p.shape.bend.y);
+  };
+  const glm::dvec3 alongA = axis(a, 1);
+  const glm::dvec3 alongB = axis(b, 1);
+  const double apart = std::min(glm::length(alongA - alongB), glm::length(alongA + alongB));
+  const glm::dvec3 bellies = alongA * static_cast<double>(a.shape.belly) - alongB * static_cast<double>(b.shape.belly);
+  return apart <= 4.0 * allowed && glm::length(bellies) <= 2.0 * allowed &&
+         glm::length(bend(a) - bend(b)) <= 2.0 * allowed;
+}
 
 }  // namespace
 
@@ -146,7 +165,7 @@ bool liesInPlane(const MirrorPlan& plan, const Primitive& primitive, float toler
   for (int i = 0; i < 3; ++i) {
     if (glm::length(a[i] - b[i]) > 4.0 * allowed * widest) return false;
   }
-  return true;
+  return sameShape(primitive.placement, image, glm::dmat3(bind), allowed);
 }
 
 std::optional<Placement> snappedToPlane(const MirrorPlan& plan, const Primitive& primitive, float tolerance) {
@@ -174,6 +193,8 @@ std::optional<Placement> snappedToPlane(const MirrorPlan& plan, const Primitive&
   laid[second] = glm::normalize(axes[second] - glm::dot(axes[second], laid[nearest]) * laid[nearest]);
   laid[third] = glm::cross(laid[nearest], laid[second]);
   snapped.rotation = glm::quat(glm::normalize(glm::quat_cast(laid)));
+  if (nearest == 1) snapped.shape.belly = 0.0f;
+  else snapped.shape.bend[nearest / 2] = 0.0f;
   return snapped;
 }
 

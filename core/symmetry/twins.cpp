@@ -54,12 +54,17 @@ int leader(const Half& a, const Half& b, Same same) {
   return same(*a.atStart, a.now) && !same(*b.atStart, b.now) ? -1 : 1;
 }
 
+bool nearlySame(const Shape& a, const Shape& b) {
+  return std::abs(a.core - b.core) <= 1e-5f && std::abs(a.belly - b.belly) <= 1e-5f &&
+         glm::length(a.bend - b.bend) <= 1e-5f;
+}
+
 /// Two placements that differ by what rounding and the sign of a quaternion may do.
 bool nearlySame(const Placement& a, const Placement& b) {
   const float size = glm::length(a.radii);
   const float turn = std::abs(glm::dot(glm::normalize(a.rotation), glm::normalize(b.rotation)));
   return glm::length(a.center - b.center) <= 1e-5f * (size + glm::length(a.center)) && turn >= 1.0f - 1e-6f &&
-         glm::length(a.radii - b.radii) <= 1e-5f * size;
+         glm::length(a.radii - b.radii) <= 1e-5f * size && nearlySame(a.shape, b.shape);
 }
 
 /// Bone and placement of the follower. What the image of the leader did not change stays to the bit.
@@ -79,6 +84,9 @@ void followPlace(const Half& leads, Primitive& follower, bool both, const Mirror
         before->placement.rotation == placement.rotation) {
       placement.rotation = follower.placement.rotation;
     }
+    if (leads.shown->placement.shape == leads.now.placement.shape && before->placement.shape == placement.shape) {
+      placement.shape = follower.placement.shape;
+    }
   }
   if (!validatePlacement(placement, "")) return;
   follower.bone = image->bone;
@@ -97,6 +105,11 @@ void keepPair(const Rig& edited, const Half& a, const Half& b, const MirrorPlan&
     if (leads < 0) a.now.*field = b.now.*field;
   };
   copyField(&Primitive::reach);
+  // Each by itself: the belly of one may be too much for the other's reach.
+  for (const Half* half : {&a, &b}) {
+    Shape& shape = half->now.placement.shape;
+    if (!shape.isPlain()) shape = legalShape(shape, half->now.reach);
+  }
   copyField(&Primitive::sign);
   copyField(&Primitive::group);
   const auto sameLine = [](const Primitive& x, const Primitive& y) { return x.line == y.line; };

@@ -74,6 +74,34 @@ TEST(RigJson, WritesKeysInOrderAndFloatsShort) {
 )");
 }
 
+Rig rigOfOne(const Shape& shape) {
+  Rig rig;
+  rig.character = "fox.glb";
+  rig.groups.push_back({"legs", {}});
+  Primitive& primitive = rig.primitives.emplace_back();
+  primitive.name = "thigh";
+  primitive.bone = "leg";
+  primitive.group = "legs";
+  primitive.placement.shape = shape;
+  return rig;
+}
+
+TEST(RigJson, ShapesAreWrittenAsVersion2AndOnlyWhatIsNot0) {
+  EXPECT_NE(rigToJson(rigOfOne({})).find("\"version\": 1,"), std::string::npos);
+  EXPECT_EQ(rigToJson(rigOfOne({})).find("\"core\""), std::string::npos);
+  const std::string straight = rigToJson(rigOfOne({0.5f, 0.0f, {}}));
+  EXPECT_NE(straight.find("\"version\": 2,"), std::string::npos);
+  EXPECT_NE(straight.find("\"radii\": [1, 1, 1],\n      \"core\": 0.5,\n      \"reach\""), std::string::npos)
+      << straight;
+  EXPECT_EQ(straight.find("\"belly\""), std::string::npos);
+  const Rig all = rigOfOne({0.5f, -0.25f, {0.0f, 0.3f}});
+  const std::string text = rigToJson(all);
+  EXPECT_NE(text.find("\"belly\": -0.25,\n      \"bend\": [0, 0.3],"), std::string::npos) << text;
+  const auto read = rigFromJson(text);
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  EXPECT_TRUE(read.value() == all);
+}
+
 TEST(RigJson, OpensTheMinimalFileOfVersion1WithDefaults) {
   const auto rig = loadRig(dataFile("v1-minimal.rig.json"));
   ASSERT_TRUE(rig.ok()) << rig.error().text();
@@ -231,6 +259,13 @@ INSTANTIATE_TEST_SUITE_P(
         BadRig{"[1,2,3], \"sign\"", "[1,2,-3], \"sign\"", "primitives[2].radii[2]", "expected a number > 0, got -3"},
         BadRig{"[1,2,3], \"sign\"", "[1,1e-60,3], \"sign\"", "primitives[2].radii[1]", "expected a number > 0, got 0"},
         BadRig{"\"reach\": 1.4142135", "\"reach\": 1", "primitives[0].reach", "expected a number > 1, got 1"},
+        BadRig{"\"sign\": -1", "\"sign\": -1, \"core\": 0.96", "primitives[2].core", "from 0 to 0.95, got 0.96"},
+        BadRig{"\"sign\": -1", "\"sign\": -1, \"core\": -0.1", "primitives[2].core", "from 0 to 0.95, got -0.1"},
+        BadRig{"\"sign\": -1", "\"sign\": -1, \"core\": \"0\"", "primitives[2].core", "a number, got \"0\""},
+        BadRig{"\"sign\": -1", "\"sign\": -1, \"belly\": 0.9", "primitives[2].belly",
+               "the most at this reach, got 0.9"},
+        BadRig{"\"sign\": -1", "\"sign\": -1, \"bend\": [0, 1.5]", "primitives[2].bend[1]", "from -1 to 1, got 1.5"},
+        BadRig{"\"sign\": -1", "\"sign\": -1, \"bend\": 0.5", "primitives[2].bend", "array of 2 numbers, got 0.5"},
         BadRig{"\"sign\": -1", "\"sign\": 0", "primitives[2].sign", "expected 1 or -1, got 0"},
         BadRig{"\"mirror\": \"thigh R\"", "\"mirror\": \"thigh X\"", "primitives[0].mirror", "there is no \"thigh X\""},
         BadRig{"\"mirror\": \"thigh R\"", "\"mirror\": \"thigh L\"", "primitives[0].mirror", "got its own"},

@@ -69,6 +69,38 @@ TEST_F(Inspector, ADragMovesAllByTheSame) {
   EXPECT_EQ(named("thigh L").placement.center.x, thigh.x);
 }
 
+TEST_F(Inspector, ShapesGoAlongTheLongestAxisAndToTheTwin) {
+  select({"thigh L"});
+  const glm::vec3 radii = named("thigh L").placement.radii;
+  typeInto("inspector/core", "0.5");
+  const Placement& thigh = named("thigh L").placement;
+  EXPECT_EQ(thigh.shape.core, 0.5f);
+  EXPECT_EQ(named("thigh R").placement.shape.core, 0.5f);
+  EXPECT_EQ(thigh.radii.y, std::max({radii.x, radii.y, radii.z}));
+  typeInto("inspector/bend.z", "-0.25");
+  EXPECT_EQ(named("thigh L").placement.shape.bend.y, -0.25f);
+  typeInto("inspector/belly", "0.2");
+  EXPECT_EQ(std::abs(named("thigh R").placement.shape.belly), 0.2f);
+  EXPECT_EQ(steps(), 3u);
+  press(kKeyZ, true);
+  press(kKeyZ, true);
+  press(kKeyZ, true);
+  EXPECT_TRUE(named("thigh L").placement.shape.isPlain());
+  EXPECT_EQ(named("thigh L").placement.radii, radii);
+}
+
+TEST_F(Inspector, ALargerReachLessensTheBellyAndSaysSo) {
+  select({"tail root"});
+  typeInto("inspector/reach", "1.2");
+  typeInto("inspector/belly", "9");
+  const float most = mostBelly(0.0f, 1.2f);
+  EXPECT_EQ(named("tail root").placement.shape.belly, most);
+  typeInto("inspector/reach", "2");
+  EXPECT_EQ(named("tail root").placement.shape.belly, mostBelly(0.0f, 2.0f));
+  ASSERT_TRUE(state.session.toast);
+  EXPECT_NE(state.session.toast->text.find("larger reach"), std::string::npos) << state.session.toast->text;
+}
+
 TEST_F(Inspector, PerCentIsOfTheCharactersHeight) {
   select({"tail root"});
   click("inspector/lengths/% of h");

@@ -6,8 +6,11 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "core/primitives/silhouette.h"
 #include "tests/render/pictures.h"
 #include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/oracle/shape.h"
+#include "tests/support/rigs/random_rigs.h"
 
 namespace sinew::test {
 namespace {
@@ -137,6 +140,60 @@ TEST(CrossShell, MatchesASearchAlongTheRay) {
     EXPECT_NEAR(span->leave, leave, 1.5f * kStep);
   }
   EXPECT_GT(hits, 100);
+}
+
+TEST(CrossShell, MatchesASearchAlongTheRayThroughShapes) {
+  Random random(6);
+  constexpr float kStep = 0.004f;
+  int hits = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    const glm::mat4 shell = glm::scale(glm::mat4_cast(random.rotation()), {0.4f, 1.0f, 0.5f});
+    const Shape shape = randomShape(random, 1.5f);
+    const glm::vec3 origin = random.rotation() * glm::vec3(0, 0, 5);
+    const Ray ray{origin, glm::normalize(0.6f * (random.rotation() * glm::vec3(0, 1, 0)) - origin)};
+    const glm::mat4 toShape = glm::inverse(shell);
+    std::optional<float> enter;
+    for (float t = 0.0f; t < 10.0f && !enter; t += kStep) {
+      const glm::vec3 p(toShape * glm::vec4(ray.origin + t * ray.direction, 1));
+      if (oracle::rho(shape, oracle::vec(p)) < 1.0) enter = t;
+    }
+    const auto span = app::crossShell(ray, shell, shape);
+    if (!enter) {
+      EXPECT_TRUE(!span || span->leave - span->enter < kStep);
+      continue;
+    }
+    ++hits;
+    ASSERT_TRUE(span);
+    if (span->leave - span->enter > kStep) {
+      EXPECT_NEAR(span->enter, *enter, 1.5f * kStep);
+    }
+  }
+  EXPECT_GT(hits, 50);
+}
+
+TEST(Silhouette, LiesOnTheShapeAndNothingOfItIsOutside) {
+  Random random(7);
+  app::View view;
+  view.eyeInWorld = {0.3f, 0.5f, 6.0f};
+  int checked = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    app::PrimitiveShape shape;
+    shape.unitBallInWorld = glm::scale(glm::mat4_cast(random.rotation()), {0.4f, 1.0f, 0.5f});
+    shape.shape = randomShape(random, 1.5f);
+    if (shape.shape.isPlain()) continue;
+    const Silhouette line = silhouetteOf(shape.shape, shape.unitBallInWorld, view.eyeInWorld, false);
+    const glm::mat4 toShape = glm::inverse(shape.unitBallInWorld);
+    const glm::vec3 eye(toShape * glm::vec4(view.eyeInWorld, 1));
+    const UnitShape unit = unitShape(shape.shape, 1.0f);
+    for (const glm::vec3& point : line) {
+      const glm::vec3 p(toShape * glm::vec4(point, 1));
+      EXPECT_NEAR(oracle::rho(shape.shape, oracle::vec(p)), 1.0, 0.05);
+      const float across = glm::dot(glm::normalize(unit.rSquaredSlope(p)), glm::normalize(eye - p));
+      EXPECT_NEAR(across, 0.0f, 0.3f) << "chords of a coarse grid";
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 1000);
 }
 
 TEST(CrossShell, FlatAndDistantOnesAndThoseBehind) {

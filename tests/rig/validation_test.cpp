@@ -28,6 +28,31 @@ TEST(Validation, NamesNotANumberAndInfinity) {
   EXPECT_EQ(validatePlacement(placement, "p").error().place, "p.rotation[3]");
 }
 
+TEST(Validation, ShapesHaveTheirRanges) {
+  Primitive primitive;
+  primitive.name = "calf";
+  primitive.bone = "leg";
+  Shape& shape = primitive.placement.shape;
+  const auto ok = [&] { return validatePrimitive(primitive, "p").ok(); };
+  shape = {kMostCore, 0.0f, {kMostBend, -kMostBend}};
+  EXPECT_TRUE(ok());
+  shape.core = std::nextafter(kMostCore, 1.0f);
+  EXPECT_FALSE(ok());
+  shape = {0.0f, std::numeric_limits<float>::quiet_NaN(), {}};
+  EXPECT_FALSE(ok());
+  shape = {0.0f, 0.0f, {0.0f, kInfinity}};
+  EXPECT_EQ(validatePrimitive(primitive, "p").error().place, "p.bend[1]");
+  for (const float reach : {1.001f, 1.4142135f, 2.0f, 8.0f}) {
+    for (const float core : {0.0f, 0.5f, kMostCore}) {
+      primitive.reach = reach;
+      shape = {core, mostBelly(core, reach), {}};
+      EXPECT_TRUE(ok()) << reach;
+      shape.belly *= -1.01f;
+      EXPECT_FALSE(ok()) << reach;
+    }
+  }
+}
+
 /// The interface shows no JSON paths: a muscle is called by its name.
 TEST(Validation, WhatIsWrongHasASubjectInPlainWords) {
   Rig rig;

@@ -307,6 +307,15 @@ TEST(Mirror, SnapsToThePlaneAndKnowsWhatLiesInIt) {
   ASSERT_TRUE(snapped);
   belly.placement = *snapped;
   EXPECT_TRUE(liesInPlane(plan, belly, 1e-5f));
+  // A shape that is not symmetric is no image of itself, until it is snapped.
+  for (const Shape& shape : {Shape{0.3f, 0.2f, {}}, Shape{0.0f, 0.0f, {0.5f, 0.0f}}, Shape{0.4f, 0.1f, {0.2f, 0.5f}}}) {
+    Primitive shaped = belly;
+    shaped.placement.shape = shape;
+    shaped.placement = *snappedToPlane(plan, shaped, 0.01f);
+    EXPECT_TRUE(liesInPlane(plan, shaped, 1e-5f));
+    shaped.placement.shape.bend.x = 0.4f;
+    EXPECT_FALSE(liesInPlane(plan, shaped, 1e-4f));
+  }
   belly.placement.center.x += 0.02f * legs->height;
   EXPECT_FALSE(snappedToPlane(plan, belly, 0.01f));
   belly.placement.center.x = 0.0f;

@@ -55,6 +55,9 @@ void expectExact(const Rig& rig, const MirrorPlan& plan) {
     EXPECT_LT(glm::length(image->placement.radii - other.placement.radii), 1e-6f * glm::length(other.placement.radii));
     for (int part = 0; part < 4; ++part)
       EXPECT_NEAR(image->placement.rotation[part], other.placement.rotation[part], 2e-6f);
+    EXPECT_NEAR(image->placement.shape.belly, other.placement.shape.belly, 1e-6f);
+    EXPECT_LT(glm::length(image->placement.shape.bend - other.placement.shape.bend), 1e-6f);
+    EXPECT_EQ(image->placement.shape.core, other.placement.shape.core);
     EXPECT_EQ(image->reach, other.reach);
     EXPECT_EQ(image->sign, other.sign);
     EXPECT_EQ(image->group, other.group);
@@ -156,6 +159,36 @@ TEST(Twins, EveryFieldFollowsFromEitherSide) {
     scene.edit(test::setBone(scene.rig, leads, leads == 0 ? "leg L" : "leg R", placement));
     expectExact(scene.rig, scene.plan);
   }
+}
+
+TEST(Twins, ShapesFollowMirrored) {
+  Scene scene;
+  const auto shaped = [&](int index, const Shape& shape) {
+    Placement placement = scene.rig.primitives[static_cast<std::size_t>(index)].placement;
+    placement.shape = shape;
+    scene.edit(setPlacement(scene.rig, index, placement));
+    expectExact(scene.rig, scene.plan);
+  };
+  shaped(0, {0.5f, 0.2f, {0.3f, -0.4f}});
+  const Shape& twin = scene.rig.primitives[1].placement.shape;
+  EXPECT_EQ(twin.core, 0.5f);
+  EXPECT_EQ(std::abs(twin.belly), 0.2f);
+  EXPECT_EQ(glm::abs(twin.bend), glm::vec2(0.3f, 0.4f));
+  // A reflection turns an odd number of axes round, as the image is kept right-handed.
+  const float turned = twin.belly / 0.2f * (twin.bend.x / 0.3f) * (twin.bend.y / -0.4f);
+  EXPECT_LT(turned, 0.0f);
+  shaped(1, {0.1f, -0.1f, {0.0f, 1.0f}});
+  EXPECT_EQ(scene.rig.primitives[0].placement.shape.core, 0.1f);
+}
+
+TEST(Twins, ABellyIsLessenedToTheFollowersOwnReach) {
+  Scene scene;
+  scene.rig.primitives[1].reach = 3.0f;  // A pair that was never exact.
+  Placement placement = scene.rig.primitives[0].placement;
+  placement.shape.belly = mostBelly(0.0f, scene.rig.primitives[0].reach);
+  scene.edit(setPlacement(scene.rig, 0, placement));
+  EXPECT_EQ(scene.rig.primitives[1].reach, 3.0f);
+  EXPECT_EQ(std::abs(scene.rig.primitives[1].placement.shape.belly), mostBelly(0.0f, 3.0f));
 }
 
 TEST(Twins, WhatIsNotTouchedKeepsItsBits) {

@@ -29,6 +29,21 @@ TEST(AddMuscleOnBone, SurroundsTheMiddleOfTheBone) {
   EXPECT_GT(std::abs(glm::dot(glm::normalize(glm::vec3(shape[0])), along)), 0.999f);
 }
 
+TEST(AddMuscleOnBone, NamedShapesLieAlongTheBone) {
+  for (const ShapePreset preset :
+       {ShapePreset::kCapsule, ShapePreset::kCylinder, ShapePreset::kEgg, ShapePreset::kCone, ShapePreset::kSpindle}) {
+    test::LimbScene scene;
+    ASSERT_TRUE(addMuscleOnBone(scene.document, 1, preset).ok());
+    const Bone& bone = scene.document.character->skeleton.bones[1];
+    const Primitive& muscle = scene.document.rig().primitives[0];
+    EXPECT_FALSE(muscle.placement.shape.isPlain()) << nameOf(preset);
+    const glm::mat4 shape = shapeInWorld(muscle.placement, 1.0f, bone.bindInWorld);
+    const glm::vec3 along = glm::normalize(glm::mat3(bone.bindInWorld) * bone.tip);
+    EXPECT_GT(std::abs(glm::dot(glm::normalize(glm::vec3(shape[1])), along)), 0.999f);
+    EXPECT_GT(glm::determinant(shape), 0.0f);
+  }
+}
+
 /// Adds one on every bone and measures it in the bind pose.
 void expectNoDiscs(const std::shared_ptr<const Character>& character, const std::string& file) {
   Document document;

@@ -8,8 +8,10 @@
 #include "app/document/shown_names.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
+#include "app/editor/edit.h"
 #include "app/editor/hidden_bones.h"
 #include "app/editor/outliner_edit.h"
+#include "app/ui/number_field.h"
 
 namespace sinew::app {
 namespace {
@@ -103,6 +105,17 @@ void groupRow(PanelUi& ui, const Subjects& subjects) {
   ImGui::EndCombo();
 }
 
+/// A belly that the reach does not allow is lessened, and that said.
+void setReach(PanelUi& ui, Primitive& primitive, float reach) {
+  primitive.reach = reach;
+  Shape& shape = primitive.placement.shape;
+  const Shape legal = legalShape(shape, reach);
+  if (legal == shape || !(reach > 1.0f)) return;
+  shape = legal;
+  say(ui.state, "Belly of " + primitive.name + " lessened: with a larger reach it can be " +
+                    numberText("%.2f", legal.belly) + " at most");
+}
+
 void reachRow(PanelUi& ui, const Subjects& subjects) {
   beginRow(ui, "Reach");
   NumberField field{"inspector/reach",
@@ -118,7 +131,7 @@ void reachRow(PanelUi& ui, const Subjects& subjects) {
                     Together::kAdd,
                     "How far the muscle's influence reaches, in radii. A larger reach fades out more softly."};
   field.get = [](const Primitive& p) { return p.reach; };
-  field.set = [](Primitive& p, float value) { p.reach = value; };
+  field.set = [&ui](Primitive& p, float value) { setReach(ui, p, value); };
   field.step = 0.1f;
   field.name = "Reach";
   ImGui::SetNextItemWidth(-1.0f);
@@ -169,6 +182,7 @@ void drawInspector(PanelUi& ui) {
   drawTwinRow(ui, subjects);
   drawLineRows(ui, subjects);
   drawPlacementRows(ui, subjects);
+  drawShapeRows(ui, subjects);
   section(ui, "Effect");
   reachRow(ui, subjects);
   signRow(ui, subjects);

@@ -71,6 +71,7 @@ void section(PanelUi& ui, const char* title, float room = 0.0f);
 
 // The parts, each in a file of its own.
 void drawTwinRow(PanelUi& ui, const Subjects& subjects);
+void drawShapeRows(PanelUi& ui, const Subjects& subjects);
 void drawPlacementRows(PanelUi& ui, const Subjects& subjects);
 void drawLineRows(PanelUi& ui, const Subjects& subjects);     ///< What one does to it.
 void drawLineNumbers(PanelUi& ui, const Subjects& subjects);  ///< The rest.

@@ -21,6 +21,7 @@ struct ProjectionScratch {
   LaneScratch lanes;
   std::vector<int> nearInTile;
   std::vector<int> uncertified;  ///< Vertices that the vector path left to the scalar one in the last frame.
+  std::vector<int> shaped;       ///< Those it did not look at, near primitives that are no ellipsoids.
 };
 
 }  // namespace sinew

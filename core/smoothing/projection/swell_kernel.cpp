@@ -42,6 +42,10 @@ class TileSweller {
       points_.gather(frame_.surface->positions, tile.vertices, first);
     }
     if (!gatherNear()) return;
+    if (nearIsShaped()) {
+      leaveToScalar();
+      return;
+    }
     const SwellTiles& tiles = *frame_.tiles;
     const std::size_t set = static_cast<std::size_t>(tile.cliqueSet);
     cliques_ = {tiles.cliqueBegins[set], tiles.cliqueSlots[set], tiles.slotCounts[set]};
@@ -68,6 +72,21 @@ class TileSweller {
       if (spans[i].gap < extent) (*frame_.near)[nearCount_++] = static_cast<int>(i);
     }
     return nearCount_ > 0;
+  }
+
+  bool nearIsShaped() const {
+    for (std::size_t n = 0; n < nearCount_; ++n) {
+      const std::size_t i = static_cast<std::size_t>((*frame_.near)[n]);
+      if (!influence(candidate(i).primitive).isPlain()) return true;
+    }
+    return false;
+  }
+
+  /// Lanes know ellipsoids alone.
+  void leaveToScalar() {
+    for (std::size_t first = 0; first < kLanes; first += width()) {
+      forEach(asked(first), first, [&](std::size_t lane) { frame_.shaped->push_back(tile_->vertices[lane]); });
+    }
   }
 
   Bounds boundsOfTile() const {

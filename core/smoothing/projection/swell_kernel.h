@@ -30,6 +30,7 @@ struct SwellFrame {
   std::vector<int>* near = nullptr;  ///< Has room for the tile with the most candidates.
   std::vector<carrier_walk::Span>* spans = nullptr;
   std::vector<int>* uncertified = nullptr;  ///< Vertices whose first root the kernel cannot vouch for; as many fit.
+  std::vector<int>* shaped = nullptr;       ///< Vertices near a primitive that is no ellipsoid; as many fit.
   KernelCounts counts;
 };
 

@@ -19,6 +19,8 @@ void swellInTiles(const ControlMesh& mesh, const FieldView& field, const SwellSe
   scratch.lanes.evaluations = 0;
   scratch.uncertified.clear();
   scratch.uncertified.reserve(surface.positions.size());
+  scratch.shaped.clear();
+  scratch.shaped.reserve(surface.positions.size());
 
   SwellFrame frame{&tiles,
                    field,
@@ -29,13 +31,16 @@ void swellInTiles(const ControlMesh& mesh, const FieldView& field, const SwellSe
                    &scratch.nearInTile,
                    &scratch.walk.spans,
                    &scratch.uncertified,
+                   &scratch.shaped,
                    {}};
   swellKernel(set)(frame);
   surface.report.projected += frame.counts.projected - static_cast<int>(scratch.uncertified.size());
   surface.report.residualMax = std::max(surface.report.residualMax, static_cast<double>(frame.counts.residualMax));
   scratch.roots.evaluations = {scratch.lanes.evaluations, 0};
-  for (const int vertex : scratch.uncertified) {
-    swellVertex(carriedVertex(mesh, *surface.refinement, vertex), field, settings, rise, surface, scratch);
+  for (const std::vector<int>* left : {&scratch.uncertified, &scratch.shaped}) {
+    for (const int vertex : *left) {
+      swellVertex(carriedVertex(mesh, *surface.refinement, vertex), field, settings, rise, surface, scratch);
+    }
   }
   surface.report.evaluations = scratch.roots.evaluations;
 }

@@ -1,106 +1,19 @@
-// core/smoothing/roots/quartic.cpp: Bernstein subdivision and Ferrari's formulas.
+// core/smoothing/roots/quartic.cpp: de Casteljau's scheme and Ferrari's formulas.
 #include "core/smoothing/roots/quartic.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "core/smoothing/roots/isolation.h"
+
 namespace sinew {
 namespace {
-
-constexpr int kMostHalvings = 40;     ///< Below 1e-12 of the interval two roots are one touch.
-constexpr int kMostNewtonSteps = 60;  ///< Bisection alone would need 50.
-constexpr int kBisectionHalvings = 8;
 
 std::array<double, 5> powerBasis(const Quartic& q) {
   const auto& b = q.b;
   return {b[0], 4.0 * (b[1] - b[0]), 6.0 * (b[2] - 2.0 * b[1] + b[0]), 4.0 * (b[3] - 3.0 * b[2] + 3.0 * b[1] - b[0]),
           b[4] - 4.0 * b[3] + 6.0 * b[2] - 4.0 * b[1] + b[0]};
-}
-
-/// De Casteljau: the parts left and right of u, each again on [0, 1].
-void split(const Quartic& q, double u, Quartic& left, Quartic& right) {
-  std::array<double, 5> row = q.b;
-  left.b[0] = row[0];
-  right.b[4] = row[4];
-  for (std::size_t level = 1; level < 5; ++level) {
-    for (std::size_t i = 0; i + level < 5; ++i) row[i] = row[i] + (row[i + 1] - row[i]) * u;
-    left.b[level] = row[0];
-    right.b[4 - level] = row[4 - level];
-  }
-}
-
-int signChanges(const Quartic& q) {
-  int changes = 0;
-  double last = 0.0;
-  for (const double value : q.b) {
-    if (value == 0.0) continue;
-    if (last * value < 0.0) ++changes;
-    last = value;
-  }
-  return changes;
-}
-
-/// The one root of q on [0, 1], q(0) > 0 > q(1).
-double bracketedNewton(const Quartic& q, double tolerance, std::int64_t& evaluations) {
-  const std::array<double, 5> c = powerBasis(q);
-  double low = 0.0;
-  double high = 1.0;
-  double u = q.b[0] / (q.b[0] - q.b[4]);
-  for (int step = 0; step < kMostNewtonSteps; ++step) {
-    ++evaluations;
-    const double value = (((c[4] * u + c[3]) * u + c[2]) * u + c[1]) * u + c[0];
-    const double slope = ((4.0 * c[4] * u + 3.0 * c[3]) * u + 2.0 * c[2]) * u + c[1];
-    (value > 0.0 ? low : high) = u;
-    double next = u - value / slope;
-    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
-    if (std::abs(next - u) <= tolerance || high - low <= tolerance) return next;
-    u = next;
-  }
-  return u;
-}
-
-/// The same by halving.
-double bracketedBisection(const Quartic& q, std::int64_t& evaluations) {
-  double low = 0.0;
-  double high = 1.0;
-  double valueLow = q.b[0];
-  double valueHigh = q.b[4];
-  evaluations += kBisectionHalvings;
-  for (int i = 0; i < kBisectionHalvings; ++i) {
-    const double middle = 0.5 * (low + high);
-    const double value = q.at(middle);
-    (value > 0.0 ? low : high) = middle;
-    (value > 0.0 ? valueLow : valueHigh) = value;
-  }
-  return low + (high - low) * valueLow / (valueLow - valueHigh);
-}
-
-/// What isolation is after.
-struct Wanted {
-  double tolerance;
-  BracketSolver solver;
-  std::int64_t& evaluations;
-};
-
-std::optional<double> isolate(const Quartic& q, double low, double high, const Wanted& wanted, int halvingsLeft) {
-  if (q.b[0] <= 0.0) return low;
-  const int changes = signChanges(q);
-  if (changes == 0) return std::nullopt;
-  if (changes == 1 && q.b[4] < 0.0) {
-    const double inside = wanted.solver == BracketSolver::kNewton
-                              ? bracketedNewton(q, wanted.tolerance / (high - low), wanted.evaluations)
-                              : bracketedBisection(q, wanted.evaluations);
-    return low + (high - low) * inside;
-  }
-  if (halvingsLeft == 0) return q.b[4] < 0.0 ? std::optional(low) : std::nullopt;
-  Quartic left;
-  Quartic right;
-  ++wanted.evaluations;
-  split(q, 0.5, left, right);
-  const double middle = 0.5 * (low + high);
-  if (const auto root = isolate(left, low, middle, wanted, halvingsLeft - 1)) return root;
-  return isolate(right, middle, high, wanted, halvingsLeft - 1);
 }
 
 void addQuadraticRoots(double b, double c, std::vector<double>& roots) {  // u^2 + b u + c
@@ -187,16 +100,22 @@ Quartic squareOfQuadratic(double w0, double w1, double w2) {
   return {{w0 * w0, w0 * w1, (w0 * w2 + 2.0 * w1 * w1) / 3.0, w1 * w2, w2 * w2}};
 }
 
+void Quartic::split(double u, Quartic& left, Quartic& right) const {
+  std::array<double, 5> row = b;
+  left.b[0] = row[0];
+  right.b[4] = row[4];
+  for (std::size_t level = 1; level < 5; ++level) {
+    for (std::size_t i = 0; i + level < 5; ++i) row[i] = row[i] + (row[i + 1] - row[i]) * u;
+    left.b[level] = row[0];
+    right.b[4 - level] = row[4 - level];
+  }
+}
+
+Quartic::Evaluator::Evaluator(const Quartic& q) : c(powerBasis(q)) {}
+
 std::optional<double> firstFallIsolated(const Quartic& q, double from, double tolerance, BracketSolver solver,
                                         std::int64_t* evaluations) {
-  std::int64_t uncounted = 0;
-  const Wanted wanted{tolerance, solver, evaluations ? *evaluations : uncounted};
-  if (from <= 0.0) return isolate(q, 0.0, 1.0, wanted, kMostHalvings);
-  if (from >= 1.0) return q.b[4] <= 0.0 ? std::optional(1.0) : std::nullopt;
-  Quartic left;
-  Quartic right;
-  split(q, from, left, right);
-  return isolate(right, from, 1.0, wanted, kMostHalvings);
+  return isolation::firstFall(q, from, tolerance, solver, evaluations);
 }
 
 std::optional<double> firstFallClosedForm(const Quartic& q, double from, double tolerance, std::int64_t* evaluations) {

@@ -1,4 +1,4 @@
-// core/smoothing/roots/ray_field.cpp: quadratics along a ray.
+// core/smoothing/roots/ray_field.cpp: terms along a ray, their sums and breakpoints.
 #include "core/smoothing/roots/ray_field.h"
 
 #include <algorithm>
@@ -9,12 +9,6 @@
 namespace sinew {
 namespace {
 
-RaySample sampleTerm(const RayTerm& term, double t) {
-  const double w = 1.0 - term.rSquared(t);
-  if (w <= 0.0 || t < term.enter || t > term.leave) return {};
-  return {term.factor * w * w, -4.0 * term.factor * w * (term.a * t + term.b)};
-}
-
 void add(RaySample& sum, const RaySample& part) {
   sum.value += part.value;
   sum.slope += part.slope;
@@ -24,6 +18,7 @@ void add(RaySample& sum, const RaySample& part) {
 
 void RayField::reset(double iso, const CliqueLists& cliques) {
   terms_.clear();
+  shaped_.clear();
   iso_ = iso;
   cliques_ = &cliques;
 }
@@ -31,6 +26,13 @@ void RayField::reset(double iso, const CliqueLists& cliques) {
 void RayField::addPrimitive(const PosedPrimitive& primitive, float weight, int slot, const glm::vec3& origin,
                             const glm::vec3& direction) {
   RayTerm term;
+  if (!primitive.influence.isPlain()) {
+    if (primitive.influence.boundingRadius == 0.0f) return;
+    term.factor = static_cast<double>(primitive.strength) * static_cast<double>(weight);
+    term.slot = primitive.strength < 0.0f ? RayTerm::kEverySum : slot;
+    addShaped(ShapedRay(primitive.influence, origin, direction), term);
+    return;
+  }
   const auto [a, b, c] = primitive.influence.alongRay(origin, direction);
   term.a = a;
   term.b = b;
@@ -44,6 +46,41 @@ void RayField::addPrimitive(const PosedPrimitive& primitive, float weight, int s
   term.factor = static_cast<double>(primitive.strength) * static_cast<double>(weight);
   term.slot = primitive.strength < 0.0f ? RayTerm::kEverySum : slot;
   terms_.push_back(term);
+}
+
+void RayField::addShaped(const ShapedRay& ray, const RayTerm& common) {
+  const bool isQuadratic = ray.isQuadratic();
+  const ShapedStretches stretches = ray.stretches();
+  for (const ShapedStretch& stretch : stretches.items()) {
+    RayTerm term = common;
+    term.enter = stretch.enter;
+    term.leave = stretch.leave;
+    term.goesOn = stretch.goesOn;
+    if (isQuadratic) {
+      const auto [a, b, c] = ray.quadraticAround(0.5 * (stretch.enter + stretch.leave));
+      term.a = a;
+      term.b = b;
+      term.c = c;
+    } else {
+      term.shaped = static_cast<int>(shaped_.size());
+    }
+    terms_.push_back(term);
+  }
+  if (!isQuadratic && !stretches.items().empty()) shaped_.push_back(ray);
+}
+
+RaySample RayField::sampleTerm(const RayTerm& term, double t) const {
+  if (t < term.enter || t > term.leave || (term.goesOn && t == term.leave)) return {};
+  if (term.shaped < 0) {
+    const double w = 1.0 - term.rSquared(t);
+    if (w <= 0.0) return {};
+    return {term.factor * w * w, -4.0 * term.factor * w * (term.a * t + term.b)};
+  }
+  const ShapedRay& ray = at(shaped_, term.shaped);
+  const glm::dvec3 p = ray.at(t);
+  const double w = 1.0 - ray.shape.rSquared(p);
+  if (w <= 0.0) return {};
+  return {term.factor * w * w, -2.0 * term.factor * w * glm::dot(ray.shape.rSquaredSlope(p), ray.along)};
 }
 
 RaySample RayField::sample(double t, RayScratch& scratch) const {

@@ -1,4 +1,5 @@
-// core/smoothing/roots/ray_field.h: the field along a ray: each ellipsoid a quadratic in t (paper 4.1).
+// core/smoothing/roots/ray_field.h: the field along a ray: each ellipsoid a quadratic in t (paper 4.1), each shaped
+// primitive a few polynomials.
 #pragma once
 
 #include <array>
@@ -6,7 +7,9 @@
 #include <vector>
 
 #include "core/blending/field.h"
+#include "core/smoothing/roots/bernstein.h"
 #include "core/smoothing/roots/quartic.h"
+#include "core/smoothing/roots/shaped_ray.h"
 #include "sinew/smoothing/evaluations.h"
 
 namespace sinew {
@@ -20,6 +23,8 @@ struct RayTerm {
   double enter = 0.0;
   double leave = 0.0;
   int slot = kEverySum;  ///< Group slot, or kEverySum: counts in every clique (the skin, carves).
+  bool goesOn = false;   ///< Another term of the same primitive begins at `leave` and owns that place.
+  int shaped = -1;       ///< Index into RayField::shaped(), whose r^2 is meant instead of a, b, c; or -1.
 
   static constexpr int kEverySum = -1;
 
@@ -32,13 +37,20 @@ struct RaySample {
   double slope = 0.0;
 };
 
+/// phi on one stretch of a ray.
+template <class Polynomial>
+struct PolynomialSums {
+  std::vector<Polynomial> ofSlot;
+  std::vector<Polynomial> sums;  ///< One per clique.
+};
+
 /// Memory that is reused from ray to ray, so that nothing is allocated, and the count of what was done with it. Its
 /// contents carry nothing from one call to the next. One a thread.
 struct RayScratch {
   std::vector<RaySample> ofSlot;
   std::vector<double> breakpoints;
-  std::vector<Quartic> quarticOfSlot;
-  std::vector<Quartic> sums;  ///< phi on one stretch, one per clique.
+  PolynomialSums<Quartic> quartics;
+  PolynomialSums<Bernstein> polynomials;  ///< On stretches with a term of higher degree.
   Evaluations evaluations;
 };
 
@@ -55,6 +67,7 @@ class RayField {
 
   [[nodiscard]] bool empty() const { return terms_.empty(); }
   [[nodiscard]] std::span<const RayTerm> terms() const { return terms_; }
+  [[nodiscard]] std::span<const ShapedRay> shaped() const { return shaped_; }
   [[nodiscard]] const CliqueLists& cliques() const { return *cliques_; }
   [[nodiscard]] double iso() const { return iso_; }
 
@@ -66,7 +79,11 @@ class RayField {
   [[nodiscard]] double lastLeave() const;
 
  private:
+  void addShaped(const ShapedRay& ray, const RayTerm& common);
+  [[nodiscard]] RaySample sampleTerm(const RayTerm& term, double t) const;
+
   std::vector<RayTerm> terms_;
+  std::vector<ShapedRay> shaped_;
   const CliqueLists* cliques_ = nullptr;
   double iso_ = 0.25;
 };

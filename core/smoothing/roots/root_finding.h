@@ -12,9 +12,10 @@ namespace sinew {
 /// First t in [begin, end] where phi, taken to be positive at `begin` (or not), changes to the other sign; a touch does
 /// not count, and phi(begin) = 0 gives `begin`. nullopt: it keeps its sign. Methods agree to `tolerance` where the root
 /// is unique:
-/// - newton: phi is a quartic in Bernstein form between breakpoints; roots are isolated by its sign changes
-///   (Descartes' rule), then found by Newton steps kept inside the bracket;
-/// - analytic (paper 4.1): the same quartics, roots in closed form (Ferrari), the first taken;
+/// - newton: phi is a quartic in Bernstein form between breakpoints, or of degree 6, 8 or 10 with shaped primitives;
+///   roots are isolated by its sign changes (Descartes' rule), then found by Newton steps kept inside the bracket;
+/// - analytic (paper 4.1): the same quartics, roots in closed form (Ferrari), the first taken; above degree 4 as
+/// newton;
 /// - bisection (paper 4.2): the same brackets, each around one root, then 8 halvings and one secant step.
 ///   The paper halves [anchor, vertex] as it is; in a tangle that misses the first root, or a close pair of roots.
 /// The sign is the caller's to know: where phi is all but 0, rounding would decide it anew, and differently.

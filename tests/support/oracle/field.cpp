@@ -56,6 +56,48 @@ std::vector<bool> territoryOf(const Primitive& primitive, int bone, const Skelet
   return in;
 }
 
+/// r of a point of unit space, where the reach is 1.
+double radiusInUnit(const Shape& shape, double reach, const Vec& inUnit) {
+  return shape.isPlain() ? length(inUnit) : rho(shape, reach * inUnit) / reach;
+}
+
+/// d g(r) of a shape, by differences.
+Vec slopeInUnit(const Shape& shape, double reach, const Vec& inUnit) {
+  const auto along = [&](const Vec& axis) {
+    constexpr double kStep = 1e-6;
+    return (g(radiusInUnit(shape, reach, inUnit + kStep * axis)) -
+            g(radiusInUnit(shape, reach, inUnit - kStep * axis))) /
+           (2.0 * kStep);
+  };
+  return {along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1})};
+}
+
+/// Of a ball around the middle of unit space that holds a shape's influence.
+double ballInUnit(const Shape& shape, double reach) {
+  const auto kappa = static_cast<double>(shape.core);
+  const double end = kappa + reach * (1.0 - kappa);
+  const double bow =
+      std::max(1.0, end * end - 1.0) * std::hypot(static_cast<double>(shape.bend.x), static_cast<double>(shape.bend.y));
+  return 1.001 * std::hypot(end, widest(shape, reach) + bow) / reach;
+}
+
+/// The last t in [from, to] where a shape's influence holds start + t along; `from` if none does.
+double lastInside(const Shape& shape, double reach, const Vec& start, const Vec& along, double from, double to) {
+  constexpr int kSteps = 400;
+  const auto inside = [&](double t) { return radiusInUnit(shape, reach, start + t * along) < 1.0; };
+  for (int i = kSteps - 1; i >= 0; --i) {
+    double low = from + (to - from) * i / kSteps;
+    if (!inside(low)) continue;
+    double high = from + (to - from) * (i + 1) / kSteps;
+    for (int halving = 0; halving < 50; ++halving) {
+      const double middle = 0.5 * (low + high);
+      (inside(middle) ? low : high) = middle;
+    }
+    return high;
+  }
+  return from;
+}
+
 }  // namespace
 
 double g(double r) { return r < 1.0 ? (1.0 - r * r) * (1.0 - r * r) : 0.0; }
@@ -95,6 +137,7 @@ Field::Field(const Character& character, const Rig& rig)
     item.group = static_cast<int>(groupNamed(primitive.group));
     const double reach = static_cast<double>(primitive.reach);
     item.reach = reach;
+    item.shape = primitive.placement.shape;
     item.strength = iso_ / g(1.0 / reach);
     item.sign = primitive.sign;
     item.centerInBone = vec(primitive.placement.center);
@@ -113,7 +156,7 @@ void Field::pose(const Pose& pose) {
     const Mat toWorld = bone.linear * item.unitToBone;
     item.flat = determinant(toWorld) == 0.0;
     if (!item.flat) item.toUnit = inverse(toWorld);
-    item.meanRadius = std::cbrt(std::abs(determinant(toWorld))) / item.reach;
+    item.meanRadius = std::cbrt(std::abs(determinant(toWorld)) * volume(item.shape)) / item.reach;
   }
 }
 
@@ -131,7 +174,7 @@ std::vector<double> Field::territoryWeights(int vertex) const {
 }
 
 double Field::radius(const Item& item, const Vec& point) const {
-  return item.flat ? 2.0 : length(item.toUnit * (point - item.center));
+  return item.flat ? 2.0 : radiusInUnit(item.shape, item.reach, item.toUnit * (point - item.center));
 }
 
 std::vector<double> Field::cliqueSums(const Vec& point, std::span<const double> weights) const {
@@ -169,6 +212,11 @@ Vec Field::gradient(const Vec& point, std::span<const double> weights) const {
     const bool counts = item.sign < 0 || cliques_[winner][static_cast<std::size_t>(item.group)];
     if (weights[i] <= 0.0 || !counts || item.flat) continue;
     const Vec inUnit = item.toUnit * (point - item.center);
+    if (!item.shape.isPlain()) {
+      const Vec slope = slopeInUnit(item.shape, item.reach, inUnit);
+      out = out + (item.sign * weights[i] * item.strength) * (transpose(item.toUnit) * slope);
+      continue;
+    }
     const double r = length(inUnit);
     if (r >= 1.0 || r == 0.0) continue;
     // grad r = A^T (A d) / r.
@@ -222,10 +270,14 @@ Field::Ray Field::along(const Vec& origin, const Vec& direction, std::span<const
     const Vec along = item.toUnit * direction;
     const double a = dot(along, along);
     const double b = dot(start, along);
-    const double discriminant = b * b - a * (dot(start, start) - 1.0);
+    const double ball = item.shape.isPlain() ? 1.0 : ballInUnit(item.shape, item.reach);
+    const double discriminant = b * b - a * (dot(start, start) - ball * ball);
     if (discriminant <= 0.0) continue;
-    out.end_ = std::max(out.end_, (-b + std::sqrt(discriminant)) / a);
-    out.terms_.push_back({start, along, item.sign * weights[i] * item.strength, static_cast<std::size_t>(item.group)});
+    double end = (-b + std::sqrt(discriminant)) / a;
+    if (!item.shape.isPlain() && end > 0.0) end = lastInside(item.shape, item.reach, start, along, 0.0, end);
+    out.end_ = std::max(out.end_, end);
+    out.terms_.push_back({start, along, item.sign * weights[i] * item.strength, static_cast<std::size_t>(item.group),
+                          item.shape, item.reach});
   }
   return out;
 }
@@ -234,7 +286,7 @@ double Field::Ray::value(double t) const {
   std::array<double, 16> perGroup{};
   double carved = 0.0;
   for (const Term& term : terms_) {
-    const double r = length(term.start + t * term.along);
+    const double r = radiusInUnit(term.shape, term.reach, term.start + t * term.along);
     (term.strength < 0.0 ? carved : perGroup[term.group]) += term.strength * g(r);
   }
   double best = 0.0;

@@ -8,6 +8,7 @@
 #include "sinew/rig/rig.h"
 #include "sinew/skeleton/pose.h"
 #include "tests/support/oracle/math.h"
+#include "tests/support/oracle/shape.h"
 
 namespace sinew::oracle {
 
@@ -55,6 +56,8 @@ class Field {
       Vec along;
       double strength = 0.0;  ///< sign m s
       std::size_t group = 0;
+      Shape shape;
+      double reach = 1.0;
     };
     std::vector<Term> terms_;
     const std::vector<std::vector<bool>>* cliques_ = nullptr;
@@ -69,6 +72,7 @@ class Field {
     int group = 0;
     Vec centerInBone;
     Mat unitToBone;  ///< Unit ball -> influence ellipsoid about its centre, bone space.
+    Shape shape;
     double reach = 1.0;
     double strength = 1.0;
     int sign = 1;

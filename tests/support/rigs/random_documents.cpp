@@ -83,6 +83,7 @@ Primitive anyPrimitive(Random& random, const Rig& rig) {
   primitive.reach =
       std::nextafter(1.0f, 2.0f) + std::abs(random.chance(0.5f) ? random.uniform(0.0f, 3.0f) : anyFloat(random));
   if (!std::isfinite(primitive.reach)) primitive.reach = 2.0f;
+  if (random.chance(0.3f)) primitive.placement.shape = randomShape(random, primitive.reach);
   primitive.sign = random.chance(0.8f) ? 1 : -1;
   if (random.chance(0.3f)) {
     primitive.territory.emplace();
@@ -148,11 +149,11 @@ bool sameBits(const glm::vec3& a, const glm::vec3& b) {
   return true;
 }
 
-std::array<std::uint32_t, 11> bitsOf(const Primitive& p) {
+std::array<std::uint32_t, 15> bitsOf(const Primitive& p) {
   const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };
-  const auto& [c, q, r] = p.placement;
-  return {bits(c.x), bits(c.y), bits(c.z), bits(q.x), bits(q.y),    bits(q.z),
-          bits(q.w), bits(r.x), bits(r.y), bits(r.z), bits(p.reach)};
+  const auto& [c, q, r, s] = p.placement;
+  return {bits(c.x), bits(c.y), bits(c.z),     bits(q.x),    bits(q.y),     bits(q.z),      bits(q.w),     bits(r.x),
+          bits(r.y), bits(r.z), bits(p.reach), bits(s.core), bits(s.belly), bits(s.bend.x), bits(s.bend.y)};
 }
 
 }  // namespace

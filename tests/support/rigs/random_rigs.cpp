@@ -55,6 +55,15 @@ Primitive ellipsoidAt(const Character& character, const std::string& name, const
   return out;
 }
 
+Shape randomShape(Random& random, float reach) {
+  Shape shape;
+  if (random.chance(0.6f)) shape.core = random.uniform(0.0f, kMostCore);
+  const float most = mostBelly(shape.core, reach);
+  if (random.chance(0.6f)) shape.belly = random.uniform(-most, most);
+  if (random.chance(0.6f)) shape.bend = {random.uniform(-kMostBend, kMostBend), random.uniform(-kMostBend, kMostBend)};
+  return shape;
+}
+
 Rig randomRig(const Character& character, const RigRecipe& recipe, std::uint64_t seed) {
   Random random(seed);
   const ControlMesh& mesh = character.mesh;
@@ -84,6 +93,9 @@ Rig randomRig(const Character& character, const RigRecipe& recipe, std::uint64_t
     if (random.chance(0.15f)) {
       const int other = random.below(static_cast<int>(character.skeleton.bones.size()));
       primitive.territory = {{primitive.bone, character.skeleton.fileName(other)}};
+    }
+    if (recipe.shapedChance > 0.0f && random.chance(recipe.shapedChance)) {
+      primitive.placement.shape = randomShape(random, primitive.reach);
     }
     rig.primitives.push_back(primitive);
   }

@@ -30,7 +30,11 @@ struct RigRecipe {
   float carveChance = 0.15f;
   float radiusLow = 0.03f;  ///< Fractions of H.
   float radiusHigh = 0.10f;
+  float shapedChance = 0.0f;  ///< Of a primitive to be no ellipsoid.
 };
+
+/// Any shape that is legal for a reach; plain ones, straight ones and untapered ones among them.
+[[nodiscard]] Shape randomShape(Random& random, float reach);
 
 /// Ellipsoids as a designer might set them: centres a little under or over the skin of random bones, any orientation,
 /// reach 1.2 to 2; default territories but for a few.

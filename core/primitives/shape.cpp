@@ -1,0 +1,133 @@
+// core/primitives/shape.cpp: legal numbers, the unit space of a shape, its bounds and volume. Formulas: docs/field.md.
+#include "sinew/primitives/shape.h"
+
+#include <array>
+#include <utility>
+
+namespace sinew {
+namespace {
+
+constexpr double kMargin = 0.95;        ///< Of the belly at which S would reach 0 at the end of the influence.
+constexpr double kStraightShare = 0.6;  ///< Of the sphere's height that onShape() gives a core of full length.
+
+/// A shape's constants in double.
+struct Numbers {
+  double core;
+  double end;    ///< e
+  double belly;  ///< p
+  double nu;
+
+  explicit Numbers(const Shape& shape)
+      : core(static_cast<double>(shape.core)), end(1.0 - core), belly(static_cast<double>(shape.belly)) {
+    nu = 2.0 /
+         (taperAt(core) + std::sqrt(std::max(0.0, taperAt(core) * taperAt(core) - 4.0 * belly * belly * end * end)));
+  }
+
+  /// S at y on the thick side.
+  [[nodiscard]] double taperAt(double y) const { return 1.0 + belly * belly - 2.0 * std::abs(belly) * y; }
+
+  /// Largest lateral radius where rho <= reach, squared.
+  [[nodiscard]] double lateralSquared(double reach) const {
+    const double s = taperAt(core);
+    const double root = std::sqrt(std::max(0.0, s * s - 4.0 * belly * belly * reach * reach * end * end));
+    return 2.0 * reach * reach / (nu * (s + root));
+  }
+
+  /// Area of the visible section at y over pi.
+  [[nodiscard]] double section(double y) const {
+    const double beyond = std::max(0.0, std::abs(y) - core) / end;
+    return (1.0 - beyond * beyond) / (nu * (1.0 + belly * belly - 2.0 * belly * y));
+  }
+
+  /// Integral of the section from `from` to `to`: Gauss and Legendre's eight points.
+  [[nodiscard]] double volume(double from, double to) const {
+    constexpr std::array<std::pair<double, double>, 4> kPoints{{{0.1834346424956498, 0.3626837833783620},
+                                                                {0.5255324099163290, 0.3137066458778873},
+                                                                {0.7966664774136267, 0.2223810344533745},
+                                                                {0.9602898564975363, 0.1012285362903763}}};
+    const double middle = 0.5 * (from + to);
+    const double half = 0.5 * (to - from);
+    double sum = 0.0;
+    for (const auto& [at, weight] : kPoints)
+      sum += weight * (section(middle - half * at) + section(middle + half * at));
+    return half * sum;
+  }
+
+  [[nodiscard]] double volume() const {
+    if (belly == 0.0) return (4.0 + 2.0 * core) / 3.0;
+    return volume(-1.0, -core) + volume(-core, core) + volume(core, 1.0);
+  }
+};
+
+float within(float value, float most) { return std::isfinite(value) ? std::clamp(value, -most, most) : 0.0f; }
+
+}  // namespace
+
+float mostBelly(float core, float reach) {
+  // S(y) > 0 up to y = K: p < K - sqrt(K^2 - 1), written without the difference.
+  const double k = static_cast<double>(core) + static_cast<double>(reach) * (1.0 - static_cast<double>(core));
+  return static_cast<float>(kMargin / (k + std::sqrt(std::max(0.0, k * k - 1.0))));
+}
+
+Shape legalShape(const Shape& shape, float reach) {
+  Shape legal;
+  legal.core = std::max(0.0f, within(shape.core, kMostCore));
+  legal.belly = within(shape.belly, mostBelly(legal.core, reach));
+  legal.bend = {within(shape.bend.x, kMostBend), within(shape.bend.y, kMostBend)};
+  return legal;
+}
+
+float thickestAt(const Shape& shape) {
+  if (shape.belly == 0.0f) return 0.0f;
+  const Numbers numbers(shape);
+  const double beyond = std::abs(numbers.belly) * numbers.nu * numbers.end * numbers.end;  // v of docs/field.md.
+  return static_cast<float>(std::copysign(numbers.core + beyond, numbers.belly));
+}
+
+glm::vec3 onShape(const Shape& shape, float scale, const glm::vec3& onSphere) {
+  if (shape.isPlain()) return scale * onSphere;
+  const Numbers numbers(shape);
+  const double size = static_cast<double>(scale);
+  const double height = std::min(1.0, std::abs(static_cast<double>(onSphere.y)));
+  const double straight = kStraightShare * numbers.core / (numbers.core + numbers.end * size);
+  const double beyond = std::max(0.0, height - straight) / (1.0 - straight);
+  const double along =
+      height < straight ? numbers.core * height / straight : numbers.core + numbers.end * size * beyond;
+  const double y = std::copysign(along, static_cast<double>(onSphere.y));
+  const double s = 1.0 + numbers.belly * numbers.belly - 2.0 * numbers.belly * y;
+  const double lateral = size * std::sqrt(std::max(0.0, 1.0 - beyond * beyond) / (numbers.nu * s));
+  const double length = std::hypot(static_cast<double>(onSphere.x), static_cast<double>(onSphere.z));
+  const double spread = length > 0.0 ? lateral / length : 0.0;
+  const double bend = 1.0 - y * y;
+  return {static_cast<float>(spread * static_cast<double>(onSphere.x) + static_cast<double>(shape.bend.x) * bend),
+          static_cast<float>(y),
+          static_cast<float>(spread * static_cast<double>(onSphere.z) + static_cast<double>(shape.bend.y) * bend)};
+}
+
+UnitShape unitShape(const Shape& shape, float reach) {
+  UnitShape unit;
+  unit.isPlain = shape.isPlain();
+  if (unit.isPlain) return unit;
+  const Numbers numbers(shape);
+  const double k = static_cast<double>(reach);
+  unit.lateral = static_cast<float>(numbers.nu * (1.0 + numbers.belly * numbers.belly));
+  unit.taper = static_cast<float>(-2.0 * numbers.nu * numbers.belly * k);
+  unit.bend = shape.bend / reach;
+  unit.curve = -reach * shape.bend;
+  unit.core = static_cast<float>(numbers.core / k);
+  unit.inverseEnd = static_cast<float>(1.0 / numbers.end);
+  unit.meanRadius = static_cast<float>(std::cbrt(0.75 * numbers.volume()));
+
+  constexpr float kRoom = 1.0f + 1e-6f;
+  const float along = kRoom * static_cast<float>(numbers.core / k + numbers.end);
+  const float lateral = kRoom * static_cast<float>(std::sqrt(numbers.lateralSquared(k)) / k);
+  const glm::vec2 middle = unit.bend;
+  const glm::vec2 ends = unit.bend + along * along * unit.curve;
+  const glm::vec2 low = glm::vec2(std::min(middle.x, ends.x), std::min(middle.y, ends.y)) - lateral;
+  const glm::vec2 high = glm::vec2(std::max(middle.x, ends.x), std::max(middle.y, ends.y)) + lateral;
+  unit.low = {low.x, -along, low.y};
+  unit.high = {high.x, along, high.y};
+  return unit;
+}
+
+}  // namespace sinew

@@ -1,0 +1,159 @@
+// tests/smoothing/shaped_surface_test.cpp: surfaces over capsules, eggs and bent spindles: the second opinion, the
+// vector path, continuity.
+
+#include <iostream>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "core/smoothing/projection/instruction_set.h"
+#include "sinew/smoothing/smoother.h"
+#include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/oracle/compare.h"
+#include "tests/support/rigs/random_rigs.h"
+#include "tests/support/rigs/trial_scenes.h"
+#include "tests/support/surface/mesh_checks.h"
+#include "tests/support/surface/projected.h"
+
+namespace sinew::test {
+namespace {
+
+using CharacterPtr = std::shared_ptr<const Character>;
+
+constexpr std::array kProjections{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic};
+
+Rig shapedRig(const Character& character, SurfaceMode mode, std::uint64_t seed) {
+  RigRecipe recipe;
+  recipe.primitives = 16;
+  recipe.groups = 3;
+  recipe.shapedChance = 0.8f;
+  if (mode == SurfaceMode::kReplace) {
+    recipe.carveChance = 0.05f;
+    recipe.radiusLow = 0.06f;
+    recipe.radiusHigh = 0.14f;
+  }
+  Rig rig = randomRig(character, recipe, seed);
+  rig.surface.mode = mode;
+  return rig;
+}
+
+oracle::Tally tallyOf(const CharacterPtr& character, const Rig& rig) {
+  Smoother smoother(character);
+  const auto prepared = smoother.prepare(rig);
+  EXPECT_TRUE(prepared.ok()) << prepared.error().text();
+  if (!prepared) return {};
+  oracle::Oracle oracle(*character, rig);
+  Projected projected(*character, rig);
+  oracle::Tally total;
+  Surface surface;
+  for (const Pose& pose : {bindPose(character->skeleton), randomPose(character->skeleton, 0.5f, 0.2f, 4)}) {
+    smoother.smooth(pose, surface);
+    EXPECT_TRUE(allFinite(surface.positions));
+    EXPECT_TRUE(allUnit(surface.normals));
+    oracle.pose(pose);
+    const Surface& raw = projected.at(pose);
+    const oracle::Stages stages(oracle, projected.bindPatch(), projected.patch(), raw);
+    const int stride = std::max(1, static_cast<int>(surface.positions.size()) / 250);
+    total.add(oracle::compare(oracle, *character, stages, surface, stride, 0));
+  }
+  return total;
+}
+
+void expectAgreement(SurfaceMode mode) {
+  int sought = 0;
+  for (const CharacterPtr& character : {makeLimb(), makeTwoLegged()}) {
+    for (const ProjectionKind projection : kProjections) {
+      Rig rig = shapedRig(*character, mode, 5);
+      rig.smoothing.projection = projection;
+      const oracle::Tally tally = tallyOf(character, rig);
+      const std::string what = character->name + ", " + nameOf(mode) + ", " + nameOf(projection);
+      std::cout << "  " << what << ": " << tally.text() << "\n";
+      EXPECT_LE(tally.farShare(), 0.008) << what << "; " << tally.firstFar;
+      EXPECT_EQ(tally.unexplained, 0) << what << "; " << tally.firstFar;
+      EXPECT_EQ(tally.farUnsought, 0) << what << "; " << tally.firstFar;
+      EXPECT_LE(tally.normalsOffShare(), 0.01) << what << "; " << tally.firstOff;
+      EXPECT_EQ(tally.guardOff, 0) << what << "; " << tally.firstOff;
+      EXPECT_EQ(tally.shadingOff, 0) << what << "; " << tally.firstOff;
+      sought += tally.sought;
+    }
+  }
+  EXPECT_GT(sought, 100);
+}
+
+TEST(ShapedSurface, SwellIsWhatBruteForceFinds) { expectAgreement(SurfaceMode::kSwell); }
+
+TEST(ShapedSurface, ReplaceIsWhatBruteForceFinds) { expectAgreement(SurfaceMode::kReplace); }
+
+TEST(ShapedSurface, AllInstructionSetsGiveTheScalarPathsSurface) {
+  const CharacterPtr character = makeTwoLegged();
+  const Rig rig = shapedRig(*character, SurfaceMode::kSwell, 9);
+  Smoother smoother(character);
+  ASSERT_TRUE(smoother.prepare(rig).ok());
+  const Pose pose = bindPose(character->skeleton);
+  Surface scalar;
+  {
+    const InstructionSetScope scope(InstructionSet::kScalar);
+    smoother.smooth(pose, scalar);
+  }
+  ASSERT_GT(scalar.report.projected, 100);
+  for (const InstructionSet set : availableInstructionSets()) {
+    const InstructionSetScope scope(set);
+    Surface surface;
+    smoother.smooth(pose, surface);
+    EXPECT_EQ(surface.report.projected, scalar.report.projected) << nameOf(set);
+    for (std::size_t v = 0; v < surface.positions.size(); ++v) {
+      ASSERT_LE(glm::distance(surface.positions[v], scalar.positions[v]), 2e-5f * character->height) << nameOf(set);
+    }
+  }
+}
+
+/// Largest step of any vertex from one surface to the next.
+float step(const Surface& a, const Surface& b) {
+  float most = 0.0f;
+  for (std::size_t v = 0; v < a.positions.size(); ++v) {
+    most = std::max(most, glm::distance(a.positions[v], b.positions[v]));
+  }
+  return most;
+}
+
+TEST(ShapedSurface, SweepsOfEachNumberAreContinuous) {
+  const CharacterPtr character = makeLimb();
+  Rig start;
+  start.groups.push_back({"arm", {}});
+  start.primitives.push_back(
+      ellipsoidAt(*character, "biceps", "middle", "arm", {0.27f, 1.0f, 0.0f}, {0.1f, 0.4f, 0.12f}));
+  const Pose pose = bindPose(character->skeleton);
+  const float belly = mostBelly(0.0f, start.primitives[0].reach);
+  const auto sweep = [&](const char* what, auto set, float low, float high) {
+    constexpr int kSteps = 60;
+    Smoother smoother(character);
+    Surface last;
+    Surface now;
+    float most = 0.0f;
+    float whole = 0.0f;
+    for (int i = 0; i <= kSteps; ++i) {
+      Rig rig = start;
+      set(rig.primitives[0].placement.shape, low + (high - low) * static_cast<float>(i) / kSteps);
+      ASSERT_TRUE(smoother.prepare(rig).ok());
+      smoother.smooth(pose, now);
+      if (i > 0) {
+        most = std::max(most, step(now, last));
+        whole += step(now, last);
+      }
+      std::swap(now, last);
+    }
+    std::cout << "  " << what << ": largest step " << most / character->height << " H of " << whole / character->height
+              << "\n";
+    EXPECT_GT(whole, 1e-3f * character->height) << what << ": does nothing";
+    EXPECT_LT(most, 4e-3f * character->height) << what;
+  };
+  sweep(
+      "core", [](Shape& shape, float value) { shape.core = value; }, 0.0f, kMostCore);
+  sweep(
+      "belly", [](Shape& shape, float value) { shape.belly = value; }, -belly, belly);
+  sweep(
+      "bend", [](Shape& shape, float value) { shape.bend.x = value; }, -kMostBend, kMostBend);
+}
+
+}  // namespace
+}  // namespace sinew::test
