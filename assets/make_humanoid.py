@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# assets/make_humanoid.py: makes the bundled humanoid, humanoid.glb and its two rigs, from nothing but this code.
+# assets/make_humanoid.py: makes the bundled humanoid, humanoid.glb and its three rigs, from nothing but this code.
 """Usage: make_humanoid.py [FOLDER] [--texture-rows N]     (default: the folder of this script)
 
 Standard library only. The same code writes the same bytes, so the files in the project can be checked against it.
@@ -24,6 +24,7 @@ def main():
     packed = glb.pack("humanoid", "Sinew assets/make_humanoid.py", mesh, skeleton, image, paint.SIZE, motion.clips())
     (folder / "humanoid.glb").write_bytes(packed)
     (folder / "humanoid.rig.json").write_text(muscles.swell_rig(mesh), encoding="utf-8")
+    (folder / "humanoid-flex.rig.json").write_text(muscles.flex_rig(mesh), encoding="utf-8")
     (folder / "humanoid-wrapped.rig.json").write_text(muscles.wrapped_rig(), encoding="utf-8")
 
 

@@ -24,9 +24,13 @@ struct KnownSample {
 
 /// In menu order. A file that is not here gets its name from its stem.
 constexpr std::array kKnownSamples{
-    KnownSample{"humanoid", "Humanoid"}, KnownSample{"humanoid-wrapped", "Humanoid wrapped"},
-    KnownSample{"horse", "Horse"},       KnownSample{"horse-wrapped", "Horse wrapped"},
-    KnownSample{"demo", "Lizard"},       KnownSample{"wrapped", "Wrapped body"},
+    KnownSample{"humanoid", "Humanoid"},
+    KnownSample{"humanoid-flex", "Humanoid flexing"},
+    KnownSample{"humanoid-wrapped", "Humanoid wrapped"},
+    KnownSample{"horse", "Horse"},
+    KnownSample{"horse-wrapped", "Horse wrapped"},
+    KnownSample{"demo", "Lizard"},
+    KnownSample{"wrapped", "Wrapped body"},
     KnownSample{"tangle", "Tangle"},
 };
 

@@ -99,9 +99,27 @@ def pair(name, bone, group, centre, rotation, radii, origins, reach=1.4142135, t
     return [left, primitive(name + " R", right, group, across, turned, radii, origins[right], name + " L", reach, others)]
 
 
-def rig_text(character, surface, smoothing, groups, links, primitives):
-    head = {"format": "sinew-rig", "version": 1, "character": character, "surface": surface, "smoothing": smoothing,
+def line_pair(name, origin, insertion, via, settings, origins):
+    """The left muscle line and its twin. Each end: (bone, place in the bind pose's world)."""
+    def end(bone, place):
+        return {"bone": bone, "point": [_short(c) for c in vec.sub(place, origins[bone])]}
+
+    def side(suffix, other, across):
+        turned = [(mirror_name(b) if across else b, (-p[0] if across else p[0], p[1], p[2]))
+                  for b, p in (origin, insertion, *([via] if via else []))]
+        entry = {"name": name + suffix, "origin": end(*turned[0]), "insertion": end(*turned[1])}
+        if via:
+            entry["via"] = end(*turned[2])
+        return {**entry, **settings, "mirror": name + other}
+
+    return [side(" L", " R", False), side(" R", " L", True)]
+
+
+def rig_text(character, surface, smoothing, groups, links, primitives, muscle_lines=()):
+    head = {"format": "sinew-rig", "version": 2 if muscle_lines else 1, "character": character, "surface": surface, "smoothing": smoothing,
             "groups": [{"name": g} for g in groups], "links": [list(link) for link in links]}
     lines = ["  %s: %s" % (json.dumps(key), json.dumps(value)) for key, value in head.items()]
-    rows = ",\n".join("    " + json.dumps(p) for p in primitives)
-    return "{\n" + ",\n".join(lines) + ',\n  "primitives": [\n' + rows + "\n  ]\n}\n"
+    lists = ([("lines", muscle_lines)] if muscle_lines else []) + [("primitives", primitives)]
+    for key, items in lists:
+        lines.append('  "%s": [\n' % key + ",\n".join("    " + json.dumps(item) for item in items) + "\n  ]")
+    return "{\n" + ",\n".join(lines) + "\n}\n"

@@ -83,9 +83,17 @@ void deform(const LineRest& rest, const Motions& motions, const Ends& ends, doub
   glm::dmat3 stretched = glm::mat3_cast(frame);
   const glm::dvec3 growth = factors(rest, line, scale);
   for (int axis = 0; axis < 3; ++axis) stretched[axis] *= growth[axis];
-  const glm::dmat3 linear = stretched * glm::transpose(glm::mat3_cast(rest.frame));
+  const glm::dmat3 toFrame = glm::transpose(glm::mat3_cast(rest.frame));
+  const glm::dmat3 linear = stretched * toFrame;
   glm::dmat4 deformation(linear);
   deformation[3] = glm::dvec4(start - linear * rest.start, 1.0);
+  if (rest.via) {
+    const glm::dvec2 tendons(rest.settings.tendons);
+    const double belly = static_cast<double>(line.bellyStretch) * (1.0 - tendons.x - tendons.y) * restLength;
+    const glm::dvec3 now = viaShift(ends.origin, direction, ends.via, tendons.x * restLength, belly);
+    const glm::dvec3 drawn = scale * (glm::mat3_cast(frame) * (toFrame * rest.viaShift));
+    deformation[3] += glm::dvec4(now - drawn, 0.0);
+  }
   line.deformation = glm::mat4(deformation);
   line.height = glm::vec3(height);
 }

@@ -14,6 +14,9 @@
 namespace sinew {
 namespace {
 
+constexpr double kMostAlong = 0.8;  // Of the half belly: a via point at its end would ask for any shift.
+constexpr double kMostShift = 0.5;  // Of the belly's length.
+
 Result<BonePoint> found(const LineAnchor& anchor, const char* what, const Skeleton& skeleton) {
   const std::optional<int> bone = skeleton.findBone(anchor.bone);
   if (!bone) return errorAt("", "this character has no bone \"" + anchor.bone + '"', what);
@@ -64,6 +67,16 @@ void layFrame(LineRest& rest, const Character& character) {
 
 }  // namespace
 
+glm::dvec3 viaShift(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& via, double tendon,
+                    double belly) {
+  const double foot = glm::dot(via - origin, direction);
+  const glm::dvec3 beside = via - origin - foot * direction;
+  const double y = std::clamp((foot - tendon - 0.5 * belly) / (0.5 * belly), -kMostAlong, kMostAlong);
+  const glm::dvec3 shift = beside / (1.0 - y * y);
+  const double length = glm::length(shift);
+  return length > kMostShift * belly ? shift * (kMostShift * belly / length) : shift;
+}
+
 Result<LineRest> lineRest(const MuscleLine& line, const Character& character) {
   const std::string subject = "muscle line \"" + line.name + '"';
   LineRest rest;
@@ -91,6 +104,12 @@ Result<LineRest> lineRest(const MuscleLine& line, const Character& character) {
   rest.direction = (rest.insertion.inBind - rest.origin.inBind) / straight;
   rest.bellyStretch = bellyStretch(1.0 / static_cast<double>(line.settings.rest), line.settings);
   layFrame(rest, character);
+  if (rest.via) {
+    const double restLength = static_cast<double>(line.settings.rest) * rest.length;
+    const glm::dvec2 tendons(line.settings.tendons);
+    rest.viaShift = viaShift(rest.origin.inBind, rest.direction, rest.via->inBind, tendons.x * restLength,
+                             rest.bellyStretch * (1.0 - tendons.x - tendons.y) * restLength);
+  }
   return rest;
 }
 

@@ -30,9 +30,16 @@ struct LineRest {
   double bellyStretch = 1.0;             ///< lambda_b in the bind pose.
   glm::dvec3 direction{0.0, 1.0, 0.0};   ///< Unit, from the origin straight to the insertion.
   glm::dquat frame{1.0, 0.0, 0.0, 0.0};  ///< x: width, y: along, z: height, away from the bone -> world.
+  glm::dvec3 viaShift{0.0};              ///< Of the belly's middle, out of the straight line towards the via point.
   double depth = 0.0;                    ///< From the line down to what its girth grows from, times `pivot`.
   glm::dvec3 start{0.0};                 ///< What the belly's deformation keeps: under its end at the origin.
 };
+
+/// How far the middle of a belly lies beside the straight line, if a parabola from belly end to belly end passes
+/// through the via point. World.
+/// @param tendon, belly  lengths along the straight line, from the origin
+[[nodiscard]] glm::dvec3 viaShift(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& via,
+                                  double tendon, double belly);
 
 /// Shortest line, of H.
 inline constexpr float kShortestLine = 1e-3f;

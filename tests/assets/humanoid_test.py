@@ -17,7 +17,7 @@ from glb_reader import Glb, open_edges  # noqa: E402
 ROOT = pathlib.Path(sys.argv[1]).resolve()
 PROGRAM = sys.argv[2] if len(sys.argv) > 2 else None
 ASSETS = ROOT / "assets"
-FILES = ("humanoid.glb", "humanoid.rig.json", "humanoid-wrapped.rig.json")
+FILES = ("humanoid.glb", "humanoid.rig.json", "humanoid-flex.rig.json", "humanoid-wrapped.rig.json")
 
 
 def area(a, b, c):

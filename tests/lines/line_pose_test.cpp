@@ -317,6 +317,30 @@ TEST(LinePose, TwistFollowsOneBoneOrTheOther) {
   EXPECT_NEAR(turnAt(1.0f), 90.0, 1e-3);
 }
 
+/// Behind the elbow a straight line passes through the joint as the arm bends; round a via point it does not.
+TEST(LinePose, AViaPointKeepsTheBellyOutOfTheJoint) {
+  const Character character = arm();
+  MuscleLine line;
+  line.name = "triceps";
+  line.origin = {"upper", {0.0f, -3.0f, -2.0f}, {}};
+  line.insertion = {"fore", {0.0f, -4.0f, -2.0f}, {}};
+  MuscleLine bent = line;
+  bent.via = LineAnchor{"upper", {0.0f, -29.0f, -2.5f}, {}};
+  const glm::dvec3 belly(0.0, -20.0, -2.0);
+  const auto away = [&](const MuscleLine& of, double degrees) {
+    // Behind the humerus, whose axis is the y axis.
+    return -through(posed(of, character, elbowAt(character, degrees)), belly).z;
+  };
+  EXPECT_NEAR(away(line, 0.0), 2.0, 1e-5);
+  EXPECT_NEAR(away(bent, 0.0), 2.0, 1e-5);
+  EXPECT_LT(away(line, 130.0), 0.5);
+  EXPECT_GT(away(bent, 130.0), 1.5);
+  const PosedLine straight = posed(line, character, elbowAt(character, 130.0));
+  const PosedLine round = posed(bent, character, elbowAt(character, 130.0));
+  EXPECT_GT(round.stretch, straight.stretch) << "an extensor is longer round the joint than through it";
+  EXPECT_GT(round.stretch, 1.05f);
+}
+
 TEST(LinePose, SweepsWithoutJumps) {
   const Character character = arm();
   Random random(9);
