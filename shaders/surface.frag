@@ -111,7 +111,6 @@ void main() {
   vec3 color = dithered(toneMapped(pigment() * clayLight(m, l, open) + clayGloss(m, l) * open));
 #endif
 #ifdef MARKED
-#include "form.glsl"
   color = marked(color);
 #endif
 #ifdef WIRE

@@ -1,4 +1,4 @@
-// app/cli/bench_field.cpp: the same sums over spheres and over ellipsoids of the same size.
+// app/cli/bench_field.cpp: the same sums over ellipsoids, spheres and shapes of the same size.
 #include "app/cli/bench_field.h"
 
 #include <cmath>
@@ -21,9 +21,11 @@ glm::vec3 spread(int i) {
   return {part(0.8191725133961645), part(0.6710436067037893), part(0.5497004779019703)};
 }
 
-std::vector<PosedPrimitive> primitivesOf(const glm::vec3& radii) {
+std::vector<PosedPrimitive> primitivesOf(const glm::vec3& radii, const Shape& shape) {
   std::vector<FieldPrimitive> primitives(kPrimitives);
-  for (int i = 0; i < kPrimitives; ++i) primitives[static_cast<std::size_t>(i)].placement = {spread(i), {}, radii};
+  for (int i = 0; i < kPrimitives; ++i) {
+    primitives[static_cast<std::size_t>(i)].placement = {spread(i), glm::quat(1.0f, 0.0f, 0.0f, 0.0f), radii, shape};
+  }
   std::vector<PosedPrimitive> posed;
   poseField(primitives, std::vector{glm::mat4(1.0f)}, posed);
   return posed;
@@ -31,6 +33,7 @@ std::vector<PosedPrimitive> primitivesOf(const glm::vec3& radii) {
 
 /// One kind's work; `checksum` keeps the compiler from leaving it out.
 struct Kind {
+  const char* name;
   std::vector<PosedPrimitive> primitives;
   std::vector<double> atPoint, onRay;
   double checksum = 0.0;
@@ -58,29 +61,42 @@ struct Kind {
 
 }  // namespace
 
-FieldCosts measureField(int rounds) {
+std::vector<FieldCost> measureField(int rounds) {
   std::vector<Candidate> candidates;
   for (int i = 0; i < kPrimitives; ++i) candidates.push_back({i, 1.0f, 0});
-  Kind ellipsoids{primitivesOf({0.20f, 0.22f, 0.24f}), {}, {}};
-  Kind spheres{primitivesOf(glm::vec3(0.22f)), {}, {}};
+  const glm::vec3 radii(0.20f, 0.22f, 0.24f);
+  std::vector<Kind> kinds;
+  const auto add = [&](const char* name, const glm::vec3& size, const Shape& shape) {
+    kinds.push_back({name, primitivesOf(size, shape), {}, {}});
+  };
+  add("ellipsoid", radii, {});
+  add("sphere", glm::vec3(0.22f), {});
+  add("core", radii, {0.5f, 0.0f, {}});
+  add("belly", radii, {0.0f, 0.3f, {}});
+  add("bend", radii, {0.0f, 0.0f, {0.5f, 0.2f}});
+  add("all three", radii, {0.5f, 0.3f, {0.5f, 0.2f}});
   for (int i = 0; i < rounds; ++i) {
-    ellipsoids.round(candidates);
-    spheres.round(candidates);
+    for (Kind& kind : kinds) kind.round(candidates);
   }
-  return {median(ellipsoids.atPoint), median(spheres.atPoint), medianRatio(spheres.atPoint, ellipsoids.atPoint),
-          median(ellipsoids.onRay),   median(spheres.onRay),   medianRatio(spheres.onRay, ellipsoids.onRay)};
+  std::vector<FieldCost> costs;
+  for (const Kind& kind : kinds) {
+    costs.push_back({kind.name, median(kind.atPoint), medianRatio(kind.atPoint, kinds.front().atPoint),
+                     median(kind.onRay), medianRatio(kind.onRay, kinds.front().onRay)});
+  }
+  return costs;
 }
 
-std::string fieldTable(const FieldCosts& costs) {
-  char text[400];
-  std::snprintf(text, sizeof text,
-                "nanoseconds a primitive, medians; sphere / ellipsoid within one round, median\n"
-                "                       ellipsoid    sphere   ratio\n"
-                "value and gradient      %8.2f  %8.2f  %6.2f\n"
-                "quadratic along a ray   %8.2f  %8.2f  %6.2f\n",
-                costs.ellipsoidAtPoint, costs.sphereAtPoint, costs.pointRatio, costs.ellipsoidOnRay, costs.sphereOnRay,
-                costs.rayRatio);
-  return text;
+std::string fieldTable(const std::vector<FieldCost>& costs) {
+  std::string table =
+      "nanoseconds a primitive, medians; ratio to the ellipsoid within one round, median\n"
+      "kind          value and gradient   ratio   terms along a ray   ratio\n";
+  for (const FieldCost& cost : costs) {
+    char row[120];
+    std::snprintf(row, sizeof row, "%-13s %18.2f  %6.2f  %18.2f  %6.2f\n", cost.kind.c_str(), cost.atPoint,
+                  cost.pointRatio, cost.onRay, cost.rayRatio);
+    table += row;
+  }
+  return table;
 }
 
 }  // namespace sinew::app

@@ -19,7 +19,7 @@ Shape shapeOf(ShapePreset preset, const glm::vec3& radii) {
     case ShapePreset::kEgg:
       return {0.0f, 0.25f, {}};
     case ShapePreset::kCone:
-      return {0.85f, 0.4f, {}};
+      return {0.85f, 0.3f, {}};
     case ShapePreset::kSpindle:
       return {0.0f, 0.0f, {0.0f, 0.6f}};
   }

@@ -71,6 +71,12 @@ double ballAround(const glm::dmat3& axes, const UnitShape& shape) {
 
 }  // namespace
 
+float UnitBallMap::shapedRSquared(const glm::vec3& fromCenter) const { return shape.rSquared(toUnit * fromCenter); }
+
+glm::vec3 UnitBallMap::shapedSlope(const glm::vec3& fromCenter) const {
+  return glm::transpose(toUnit) * shape.rSquaredSlope(toUnit * fromCenter);
+}
+
 UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& boneInWorld) {
   // In double: a bone in metres under a parent scaled by 0.01 loses digits that the field would show.
   const glm::dmat3 bone{glm::mat3(boneInWorld)};
@@ -81,6 +87,7 @@ UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& b
   UnitBallMap map;
   map.center = glm::vec3(boneInWorld * glm::vec4(inBone.center, 1.0f));
   map.shape = unitShape(inBone.shape, reach);
+  if (!map.shape.isPlain) map.form = UnitForm::kShape;
   if (isFlat(axes)) {
     map.toUnit = glm::mat3(0.0f);
     map.boundingRadius = 0.0f;
@@ -88,6 +95,7 @@ UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& b
   }
   if (const double radius = map.isPlain() ? ballRadius(axes) : 0.0; radius > 0.0) {
     // However it is turned, a sphere is the same: no rotation is left in its map.
+    map.form = UnitForm::kSphere;
     map.inverseRadius = static_cast<float>(1.0 / radius);
     map.toUnit = glm::mat3(map.inverseRadius);
     map.boundingRadius = static_cast<float>(radius * (1.0 + kRound));

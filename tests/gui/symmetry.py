@@ -100,6 +100,23 @@ def typed(t, editor, pair, before):
     return after
 
 
+def shaped(t, editor, pair, before):
+    """A shape has its image on the other side; undone, the file is as it was."""
+    first = editor.state()["document"]["undo"]
+    for done, (key, field, text) in enumerate((("core", "core", "0.5"), ("belly", "belly", "0.1"), ("bend", "bend.x", "0.4"))):
+        editor.type_number("inspector/" + field, text)
+        editor.wait_until("%s to be a step" % field, lambda s: s["document"]["undo"] == first + done + 1)
+        left, right, rig = pair.check_mirrored("a number in " + field)
+        sizes = [[abs(x) for x in (muscle[key] if key == "bend" else [muscle[key]])] for muscle in (left, right)]
+        t.check_equal("%s is as much on both sides" % key, sizes[0], sizes[1])
+        t.check_equal("and as typed", sizes[0][0], float(text))
+    t.check_equal("a rig with shapes is of version 2", rig["version"], 2)
+    editor.taps("ctrl+z", "ctrl+z", "ctrl+z")
+    editor.wait_until("the shape undone", lambda s: s["document"]["undo"] == first)
+    t.check_equal("undone, the rig is as it was", pair.read()[2], before[2])
+    return before
+
+
 def right_leads_too(t, editor, pair, before):
     editor.select_muscle(pair.right_name)
     editor.tap("w", "move", lambda s: s["gizmo"]["mode"] == "move")
@@ -195,6 +212,7 @@ def story(t):
     left, right, _ = pair.read()
     t.check_equal("one on each side", (left["bone"], right["bone"]), (role["left"], role["right"]))
     now = typed(t, editor, pair, dragged(t, editor, pair))
+    now = shaped(t, editor, pair, now)
     now = right_leads_too(t, editor, pair, now)
     editor.screenshot(t.out / ("symmetry_%s.png" % sys.argv[5]))
     back_and_forth(t, editor, pair, unlinked(t, editor, pair, now))

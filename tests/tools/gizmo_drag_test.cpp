@@ -306,5 +306,36 @@ TEST_P(EveryBone, PolesFollowThePointerWhileTheOtherEndStays) {
   EXPECT_GT(tried, 100);
 }
 
+TEST_P(EveryBone, PolesOfShapesAreWhereTheyAreWidestAndTheOtherEndStays) {
+  Random random(40);
+  int tried = 0;
+  for (int i = 0; i < 200; ++i) {
+    GizmoScene scene = test::randomGizmo(random, GetParam());
+    scene.placement.shape = {random.uniform(0.0f, 0.9f),
+                             random.uniform(-0.25f, 0.25f),
+                             {random.uniform(-0.9f, 0.9f), random.uniform(-0.9f, 0.9f)}};
+    GizmoState state;
+    const int axis = random.below(3);
+    const float sign = random.chance(0.5f) ? 1.0f : -1.0f;
+    const GizmoHandle pole = handle(GizmoHandle::kPolePlusX, 2 * axis + (sign > 0.0f ? 0 : 1));
+    if (!layoutGizmo(state, scene.placement, scene.context).find(pole)) continue;
+    const glm::mat4& bone = scene.context.boneInWorld;
+    const auto poleOf = [&](const Placement& placement, float end) {
+      return glm::vec3(bone * glm::vec4(placement.center + poleInBone(placement, axis, end), 1.0f));
+    };
+    const UnitBallMap visible = unitBallMap(scene.placement, 1.0f, bone);
+    EXPECT_NEAR(visible.rSquared(poleOf(scene.placement, sign)), 1.0f, 1e-3f) << i;
+    const glm::vec3 here = poleOf(scene.placement, sign);
+    const glm::vec3 opposite = poleOf(scene.placement, -sign);
+    beginDrag(state, pole, scene.placement, pixelOf(scene.context.view, here), scene.context);
+    const glm::vec3 target = here + 0.4f * (here - opposite);
+    const Placement after = updateDrag(state, releasedAt(pixelOf(scene.context.view, target)), scene.context).placement;
+    EXPECT_LT(glm::length(poleOf(after, -sign) - opposite), 1e-4f * scene.context.characterHeight) << i;
+    EXPECT_EQ(after.shape, scene.placement.shape);
+    ++tried;
+  }
+  EXPECT_GT(tried, 40);
+}
+
 }  // namespace
 }  // namespace sinew::app

@@ -25,14 +25,9 @@ void RayField::reset(double iso, const CliqueLists& cliques) {
 
 void RayField::addPrimitive(const PosedPrimitive& primitive, float weight, int slot, const glm::vec3& origin,
                             const glm::vec3& direction) {
+  if (!primitive.influence.isPlain()) [[unlikely]]
+    return addShaped(primitive, weight, slot, origin, direction);
   RayTerm term;
-  if (!primitive.influence.isPlain()) {
-    if (primitive.influence.boundingRadius == 0.0f) return;
-    term.factor = static_cast<double>(primitive.strength) * static_cast<double>(weight);
-    term.slot = primitive.strength < 0.0f ? RayTerm::kEverySum : slot;
-    addShaped(ShapedRay(primitive.influence, origin, direction), term);
-    return;
-  }
   const auto [a, b, c] = primitive.influence.alongRay(origin, direction);
   term.a = a;
   term.b = b;
@@ -48,11 +43,16 @@ void RayField::addPrimitive(const PosedPrimitive& primitive, float weight, int s
   terms_.push_back(term);
 }
 
-void RayField::addShaped(const ShapedRay& ray, const RayTerm& common) {
+void RayField::addShaped(const PosedPrimitive& primitive, float weight, int slot, const glm::vec3& origin,
+                         const glm::vec3& direction) {
+  if (primitive.influence.boundingRadius == 0.0f) return;
+  const ShapedRay ray(primitive.influence, origin, direction);
   const bool isQuadratic = ray.isQuadratic();
   const ShapedStretches stretches = ray.stretches();
   for (const ShapedStretch& stretch : stretches.items()) {
-    RayTerm term = common;
+    RayTerm term;
+    term.factor = static_cast<double>(primitive.strength) * static_cast<double>(weight);
+    term.slot = primitive.strength < 0.0f ? RayTerm::kEverySum : slot;
     term.enter = stretch.enter;
     term.leave = stretch.leave;
     term.goesOn = stretch.goesOn;
@@ -69,18 +69,19 @@ void RayField::addShaped(const ShapedRay& ray, const RayTerm& common) {
   if (!isQuadratic && !stretches.items().empty()) shaped_.push_back(ray);
 }
 
-RaySample RayField::sampleTerm(const RayTerm& term, double t) const {
-  if (t < term.enter || t > term.leave || (term.goesOn && t == term.leave)) return {};
-  if (term.shaped < 0) {
-    const double w = 1.0 - term.rSquared(t);
-    if (w <= 0.0) return {};
-    return {term.factor * w * w, -4.0 * term.factor * w * (term.a * t + term.b)};
-  }
+RaySample RayField::sampleShaped(const RayTerm& term, double t) const {
   const ShapedRay& ray = at(shaped_, term.shaped);
   const glm::dvec3 p = ray.at(t);
   const double w = 1.0 - ray.shape.rSquared(p);
-  if (w <= 0.0) return {};
+  if (w <= 0.0 || t < term.enter || t > term.leave || (term.goesOn && t == term.leave)) return {};
   return {term.factor * w * w, -2.0 * term.factor * w * glm::dot(ray.shape.rSquaredSlope(p), ray.along)};
+}
+
+inline RaySample RayField::sampleTerm(const RayTerm& term, double t) const {
+  if (term.shaped >= 0) return sampleShaped(term, t);
+  const double w = 1.0 - term.rSquared(t);
+  if (w <= 0.0 || t < term.enter || t > term.leave || (t == term.leave && term.goesOn)) return {};
+  return {term.factor * w * w, -4.0 * term.factor * w * (term.a * t + term.b)};
 }
 
 RaySample RayField::sample(double t, RayScratch& scratch) const {

@@ -79,8 +79,10 @@ class RayField {
   [[nodiscard]] double lastLeave() const;
 
  private:
-  void addShaped(const ShapedRay& ray, const RayTerm& common);
+  void addShaped(const PosedPrimitive& primitive, float weight, int slot, const glm::vec3& origin,
+                 const glm::vec3& direction);
   [[nodiscard]] RaySample sampleTerm(const RayTerm& term, double t) const;
+  [[nodiscard]] RaySample sampleShaped(const RayTerm& term, double t) const;
 
   std::vector<RayTerm> terms_;
   std::vector<ShapedRay> shaped_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <span>
 
@@ -20,7 +21,10 @@ struct ShapedStretch {
 /// The stretches of one ray with t >= 0, ascending: at most three from each of three parts.
 class ShapedStretches {
  public:
-  void add(const ShapedStretch& stretch) { items_[count_++] = stretch; }
+  void add(const ShapedStretch& stretch) {
+    assert(count_ < items_.size());
+    items_[count_++] = stretch;
+  }
   [[nodiscard]] std::span<const ShapedStretch> items() const { return std::span(items_).first(count_); }
   [[nodiscard]] ShapedStretch& last() { return items_[count_ - 1]; }
   void markJoined(std::size_t index) { items_[index].goesOn = true; }

@@ -2,6 +2,8 @@
 // world space.
 #pragma once
 
+#include <cstdint>
+
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -28,6 +30,9 @@ struct RayQuadratic {
   double c = 0.0;
 };
 
+/// What an influence is in the world: which way its r^2 is computed.
+enum class UnitForm : std::uint8_t { kEllipsoid, kSphere, kShape };
+
 /// An influence in the world as the affine map that takes an ellipsoid's to the unit ball, |toUnit (x - center)| < 1
 /// inside, and any other's to its unit space. Centre and map are kept apart: x^T Q x about a far origin would cancel.
 struct UnitBallMap {
@@ -38,24 +43,27 @@ struct UnitBallMap {
   /// without a matrix. 0 otherwise.
   float inverseRadius = 0.0f;
   float meanRadius = 0.0f;  ///< World: of the ball with the visible body's volume, times the reach.
-  UnitShape shape{};
+  UnitForm form = UnitForm::kEllipsoid;
+  UnitShape shape{};  ///< Of kShape.
 
-  [[nodiscard]] bool isPlain() const { return shape.isPlain; }
+  /// An ellipsoid or a sphere.
+  [[nodiscard]] bool isPlain() const { return form != UnitForm::kShape; }
 
   /// r^2 at a point: < 1 inside.
   [[nodiscard]] float rSquared(const glm::vec3& point) const {
     const glm::vec3 d = point - center;
-    if (inverseRadius > 0.0f) return inverseRadius * inverseRadius * glm::dot(d, d);
-    const glm::vec3 y = toUnit * d;
-    return shape.isPlain ? glm::dot(y, y) : shape.rSquared(y);
+    if (form == UnitForm::kEllipsoid) {
+      const glm::vec3 y = toUnit * d;
+      return glm::dot(y, y);
+    }
+    return form == UnitForm::kSphere ? inverseRadius * inverseRadius * glm::dot(d, d) : shapedRSquared(d);
   }
 
   /// d(r^2)/dx, inside the influence = 2 A^T A (x - c) of an ellipsoid; on a sphere A^T A is a number.
   [[nodiscard]] glm::vec3 rSquaredSlope(const glm::vec3& point) const {
     const glm::vec3 d = point - center;
-    if (inverseRadius > 0.0f) return 2.0f * inverseRadius * inverseRadius * d;
-    if (!shape.isPlain) return glm::transpose(toUnit) * shape.rSquaredSlope(toUnit * d);
-    return 2.0f * (glm::transpose(toUnit) * (toUnit * d));
+    if (form == UnitForm::kEllipsoid) return 2.0f * (glm::transpose(toUnit) * (toUnit * d));
+    return form == UnitForm::kSphere ? 2.0f * inverseRadius * inverseRadius * d : shapedSlope(d);
   }
 
   /// r^2 at origin + t direction, world. Of an ellipsoid alone (isPlain()).
@@ -72,6 +80,10 @@ struct UnitBallMap {
     }
     return {scale * glm::dot(yd, yd), scale * glm::dot(y, yd), scale * glm::dot(y, y)};
   }
+
+  // Apart, so that ellipsoids keep the short way.
+  [[nodiscard]] float shapedRSquared(const glm::vec3& fromCenter) const;
+  [[nodiscard]] glm::vec3 shapedSlope(const glm::vec3& fromCenter) const;
 
   /// Whether the influence holds a point; a flattened one holds none.
   [[nodiscard]] bool holds(const glm::vec3& point) const { return boundingRadius > 0.0f && rSquared(point) < 1.0f; }
