@@ -259,8 +259,8 @@ struct Smoother::State {
     }
     evaluate(PatchKind::kFlat, *p.refinement, skinned, flatPositions, flatNormals);
     poseAnchors(p.anchors, pose, anchorsInWorld);
-    replace(mesh(), field, replaceSettings(p.rig, *character), {flatPositions, flatNormals, anchorsInWorld}, p.weights,
-            out, projection);
+    replace(mesh(), field, replaceSettings(p.rig, *character),
+            {flatPositions, flatNormals, anchorsInWorld, p.inverseLimits}, p.weights, out, projection);
   }
 
   void poseRiseDirections() {

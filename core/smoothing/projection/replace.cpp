@@ -7,6 +7,7 @@
 
 #include "core/base/at.h"
 #include "core/base/smoothstep.h"
+#include "core/smoothing/projection/rise_limits.h"
 #include "core/smoothing/roots/root_finding.h"
 
 namespace sinew {
@@ -185,6 +186,19 @@ void mix(Surface& surface, std::size_t index, const Projected& projected, float 
   surface.displacement[index] = glm::dot(surface.positions[index] - patch, n);
 }
 
+/// Skin on both sides of a muscle that fills a gap would go to its far side, each through the other.
+/// @param patch, n  of the vertex before it moved.
+void drawIn(Surface& surface, std::size_t index, const glm::vec3& patch, const glm::vec3& n, float inverseLimit) {
+  const glm::vec3 way = surface.positions[index] - patch;
+  const float rise = glm::length(way);
+  const float limited = limitedRise(rise, inverseLimit);
+  if (limited == rise) return;
+  const float share = limited / rise;
+  surface.positions[index] = patch + share * way;
+  surface.normals[index] = normalizeOr(n + share * (surface.normals[index] - n), n);
+  surface.displacement[index] *= share;
+}
+
 }  // namespace
 
 ImplicitWeights implicitWeights(const ControlMesh& mesh, const FieldView& bindField, const ReplaceSettings& settings,
@@ -217,6 +231,7 @@ void replace(const ControlMesh& mesh, const FieldView& field, const ReplaceSetti
              const ImplicitWeights& weights, Surface& surface, ProjectionScratch& scratch) {
   scratch.roots.evaluations = {};
   Projector projector(field, settings, scratch);
+  const bool limits = !weights.wraps && !flat.inverseLimits.empty();
   const auto move = [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
     const float weight = omegaAt(vertex, weights.omega);
     if (weight <= 0.0f || !projector.look(vertex, near)) return;
@@ -229,7 +244,11 @@ void replace(const ControlMesh& mesh, const FieldView& field, const ReplaceSetti
       return;
     }
     surface.report.residualMax = std::max(surface.report.residualMax, projected.residual);
-    if (projected.weight > 0.0f) mix(surface, index, projected, weight);
+    if (!(projected.weight > 0.0f)) return;
+    const glm::vec3 patch = surface.positions[index];
+    const glm::vec3 n = surface.normals[index];
+    mix(surface, index, projected, weight);
+    if (limits) drawIn(surface, index, patch, n, flat.inverseLimits[index]);
   };
   // The anchor may lie anywhere on the skeleton.
   forEachReachable(mesh, *surface.refinement, field, flat.positions, Reach::kAll, scratch.walk, move);

@@ -29,6 +29,8 @@ struct FlatVertices {
   std::span<const glm::vec3> positions;  ///< [V'] barycentric, world.
   std::span<const glm::vec3> normals;    ///< [V'] barycentric, unit.
   std::span<const glm::vec3> anchors;    ///< [V'] world. Analytic projection does not look at them.
+  /// [V'] 1/L, 0: none (rise_limits.h); empty: none anywhere. They count where muscles do not wrap the body.
+  std::span<const float> inverseLimits = {};
 };
 
 /// Which control vertices go to the implicit surface.
@@ -49,7 +51,8 @@ struct ImplicitWeights {
                                               ProjectionScratch& scratch);
 
 /// p' = w p_implicit + (1 - w) p_normal, w = omega faded over the last part of the search length; likewise normals. The
-/// surface holds the patch on entry. Vertices with omega > 0 and no root stay on it and count as unresolved.
+/// surface holds the patch on entry. Vertices with omega > 0 and no root stay on it and count as unresolved. On a body
+/// that muscles do not wrap, skin that rises beyond half its limit is drawn in below it, as in `swell`.
 void replace(const ControlMesh& mesh, const FieldView& field, const ReplaceSettings& settings, const FlatVertices& flat,
              const ImplicitWeights& weights, Surface& surface, ProjectionScratch& scratch);
 

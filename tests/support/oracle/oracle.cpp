@@ -57,8 +57,8 @@ Oracle::Oracle(const Character& character, const Rig& rig)
   for (std::size_t v = 0; v < character.mesh.positions.size(); ++v) {
     vertexWeights_.push_back(field_.territoryWeights(static_cast<int>(v)));
   }
+  inverseLimits_ = inverseLimits(character.mesh, riseInBind_, kRise * height_);
   if (rig.surface.mode == SurfaceMode::kReplace) findOmegas();
-  else inverseLimits_ = inverseLimits(character.mesh, riseInBind_, kRise * height_);
   pose(bindPoseOf(character.skeleton));
 }
 

@@ -38,6 +38,7 @@ struct Answer {
   double weight = 1.0;      ///< `replace`: share of the projected position, fade included.
   bool sought = false;      ///< A root was looked for.
   bool resolved = false;
+  bool limited = false;   ///< `replace`: below the root, because other skin is near.
   bool fellBack = false;  ///< `replace`: the anchor was not inside, so the normal was followed.
   Vec rayOrigin;
   Vec rayDirection;                  ///< Unit.
@@ -116,7 +117,7 @@ class Oracle {
   std::vector<std::vector<double>> vertexWeights_;  ///< [V][primitives]
   std::vector<double> omega_;                       ///< [V]
   std::vector<Vec> riseInBind_;                     ///< [V]
-  std::vector<double> inverseLimits_;               ///< [V] `swell` only.
+  std::vector<double> inverseLimits_;               ///< [V]
   std::vector<Affine> bones_;                       ///< [bones] posed.
   std::vector<Vec> positions_;                      ///< [V] posed.
   std::vector<Vec> normals_;                        ///< [V] posed.

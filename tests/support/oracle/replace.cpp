@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/support/oracle/oracle.h"
+#include "tests/support/oracle/rise.h"
 
 namespace sinew::oracle {
 namespace {
@@ -220,6 +221,14 @@ Answer Oracle::replace(const Site& site) const {
   }
   out.position = omega * position + (1.0 - out.weight) * out.patch.position;
   out.normal = unitOr(omega * normal + (1.0 - out.weight) * out.patch.normal, out.patch.normal);
+  if (wraps_) return out;
+  // Among other skin it stays below the limit of its rise.
+  const double rise = length(out.position - out.patch.position);
+  const double limited = heightWithin(rise, inverseLimitAt(site));
+  out.limited = limited != rise;
+  if (!out.limited) return out;
+  out.position = out.patch.position + (limited / rise) * (out.position - out.patch.position);
+  out.normal = unitOr(out.patch.normal + (limited / rise) * (out.normal - out.patch.normal), out.patch.normal);
   return out;
 }
 

@@ -79,7 +79,9 @@ struct Projected::State {
     const Points flat = patchOf(PatchKind::kFlat, character.mesh, *surface.refinement, control);
     std::vector<glm::vec3> inWorld;
     poseAnchors(anchors, pose, inWorld);
-    replace(character.mesh, field, replaceSettings(), {flat.positions, flat.normals, inWorld}, weights, surface,
+    std::vector<float> limits(flat.positions.size());
+    interpolateValues(character.mesh, *surface.refinement, limitsInBind, limits);
+    replace(character.mesh, field, replaceSettings(), {flat.positions, flat.normals, inWorld, limits}, weights, surface,
             scratch);
   }
 };
