@@ -67,22 +67,20 @@ def _off(place, x, y, z):
 
 # Muscles that span a joint. Name; origin, insertion and via point as bone and place; settings of docs/lines.md.
 _LINES = [
-    ("deltoideus", ("clavicle.L", _off(_arm(0.0), 0.0, 0.035, 0.0)), ("upper_arm.L", _off(_arm(0.50), 0.018, 0.018, 0.0)), None,
-     {"flex": [0.2, 0], "activation": {"full": 0.8}}),
-    ("biceps", ("upper_arm.L", _off(_arm(0.06), 0.0, 0.0, 0.022)), ("forearm.L", _off(_fore(0.13), 0.0, 0.0, 0.022)), None,
-     {"flex": [0.35, 0.1], "activation": {"full": 0.72}}),
+    ("biceps", ("upper_arm.L", _off(_arm(0.16), 0.0, 0.0, 0.020)), ("forearm.L", _off(_fore(0.05), 0.0, 0.0, 0.014)), None,
+     {"tendons": [0.2, 0.1], "flex": [0.45, 0.1], "activation": {"full": 0.88}}),
     ("triceps", ("upper_arm.L", _off(_arm(0.08), 0.0, 0.0, -0.022)), ("forearm.L", _off(_fore(0.02), 0.0, 0.0, -0.026)),
      ("upper_arm.L", _off(_arm(0.96), 0.0, 0.0, -0.030)), {"rest": 1.12, "tendons": [0.1, 0.2], "activation": {"gain": 0.6, "full": 0.85}}),
     ("forearm", ("upper_arm.L", _off(_arm(0.92), 0.016, 0.010, 0.010)), ("hand.L", _off(_fore(0.98), 0.006, 0.008, 0.006)), None,
      {"tendons": [0.08, 0.4], "flex": [0.2, 0], "activation": {"full": 0.85}}),
     ("gluteus", ("hips", (0.070, 0.990, -0.060)), ("thigh.L", _off(_thigh(0.22), 0.020, 0.0, -0.030)), None,
      {"rest": 1.1, "tendons": [0.05, 0.15], "flex": [0.15, 0], "activation": {"full": 0.8}}),
-    ("quadriceps", ("hips", (0.092, 0.950, 0.050)), ("shin.L", _off(_shin(0.05), 0.0, 0.0, 0.032)),
-     ("thigh.L", _off(_thigh(0.97), 0.0, 0.0, 0.045)), {"tendons": [0.12, 0.2], "flex": [0.2, 0], "activation": {"full": 0.85}}),
+    ("quadriceps", ("thigh.L", _off(_thigh(0.06), 0.0, 0.0, 0.045)), ("shin.L", _off(_shin(0.05), 0.0, 0.0, 0.032)),
+     ("thigh.L", _off(_thigh(0.98), 0.0, 0.0, 0.040)), {"tendons": [0.1, 0.22], "flex": [0.2, 0], "activation": {"full": 0.85}}),
     ("hamstrings", ("hips", (0.080, 0.900, -0.045)), ("shin.L", _off(_shin(0.09), 0.0, 0.0, -0.028)), None,
      {"tendons": [0.1, 0.22], "flex": [0.25, 0], "activation": {"full": 0.8}}),
     ("calf", ("thigh.L", _off(_thigh(0.95), 0.0, 0.0, -0.030)), ("foot.L", _off(ORIGIN["foot.L"], 0.0, -0.020, -0.045)), None,
-     {"tendons": [0.06, 0.42], "flex": [0.25, 0], "activation": {"full": 0.88}}),
+     {"tendons": [0.06, 0.42], "volume": 0.6, "flex": [0.2, 0], "activation": {"gain": 0.4, "full": 0.85}}),
 ]
 
 
