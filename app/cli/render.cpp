@@ -15,7 +15,7 @@
 #include "app/document/document.h"
 #include "app/document/motion_clip.h"
 #include "app/render/framing.h"
-#include "app/render/offscreen.h"
+#include "app/platform/offscreen.h"
 #include "app/render/picking.h"
 #include "app/render/png.h"
 #include "app/render/viewport.h"

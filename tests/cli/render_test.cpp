@@ -2,7 +2,7 @@
 #include <stb_image.h>
 
 #include "app/cli/render_plan.h"
-#include "app/render/offscreen.h"
+#include "app/platform/offscreen.h"
 #include "sinew/io/rig_json.h"
 #include "tests/cli/program.h"
 

@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "app/render/framing.h"
-#include "app/render/offscreen.h"
+#include "app/platform/offscreen.h"
 #include "app/render/viewport.h"
 #include "core/mesh/weld.h"
 #include "sinew/skeleton/pose.h"

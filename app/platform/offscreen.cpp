@@ -1,5 +1,5 @@
-// app/render/offscreen.cpp: EGL without a display.
-#include "app/render/offscreen.h"
+// app/platform/offscreen.cpp: EGL without a display.
+#include "app/platform/offscreen.h"
 
 #include <array>
 #include <cstring>

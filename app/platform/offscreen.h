@@ -1,4 +1,4 @@
-// app/render/offscreen.h: an OpenGL context without window or display.
+// app/platform/offscreen.h: an OpenGL context without window or display.
 #pragma once
 
 #include <memory>
