@@ -10,7 +10,7 @@ CHARACTER = ("glb", "gltf", "rig.json")
 NAMED_WORDS = {
     "--view": ("front", "back", "left", "right", "top", "bottom", "three-quarter"),
     "--shading": ("textured", "clay", "classes", "heat"),
-    "--show": ("skeleton", "primitives", "influence", "wire", "control", "anchors", "classes"),
+    "--show": ("muscles", "skeleton", "primitives", "influence", "wire", "control", "anchors", "classes"),
 }
 
 

@@ -111,6 +111,8 @@ const Action kActions[] = {
      isShown<&D::primitives>, toggleShown<&D::primitives>},
     {"view/influence", "Influence", "How far the shown muscles reach", key(GLFW_KEY_9), kNone, open,
      isShown<&D::influence>, toggleShown<&D::influence>},
+    {"view/anatomy", "Anatomy", "Muscles as flesh with tendons, the skin as glass over them; with Skeleton, bones too",
+     key(GLFW_KEY_V), kNone, open, isShown<&D::anatomy>, toggleShown<&D::anatomy>},
     {"view/ground", "Ground", "Grid and shadow", key(GLFW_KEY_0), kNone, open, isShown<&D::ground>,
      toggleShown<&D::ground>},
     {"view/occlusion", "Ambient occlusion",

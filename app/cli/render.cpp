@@ -14,8 +14,8 @@
 #include "app/cli/verb.h"
 #include "app/document/document.h"
 #include "app/document/motion_clip.h"
-#include "app/render/framing.h"
 #include "app/platform/offscreen.h"
+#include "app/render/framing.h"
 #include "app/render/picking.h"
 #include "app/render/png.h"
 #include "app/render/viewport.h"
@@ -68,7 +68,7 @@ void addFramedPoints(const Character& character, const Rig& rig, const Pose& pos
   const std::vector<glm::vec3> extremes = extremePoints(skinned.positions);
   points.insert(points.end(), extremes.begin(), extremes.end());
   for (const PrimitiveShape& shape : shapesOf(rig, character, pose)) {
-    if (shape.sign < 0 && !display.primitives && !display.influence) continue;
+    if (shape.sign < 0 && !display.primitives && !display.influence && !display.anatomy) continue;
     const std::array<glm::vec3, 6> ends = extremesOf(shape, display.influence ? shape.reach : 1.0f);
     points.insert(points.end(), ends.begin(), ends.end());
   }
@@ -132,7 +132,8 @@ Image drawPicture(const PlannedPicture& picture, const AnimationClip* clip, cons
   viewport.draw(scene, view, plan.display);
   const auto begun = std::chrono::steady_clock::now();
   // Without noise it takes the mean of many pictures.
-  while (plan.display.look.occlusion && !viewport.isRefined()) viewport.refine(scene, view, plan.display);
+  const bool occluded = plan.display.look.occlusion || plan.display.anatomy;
+  while (occluded && !viewport.isRefined()) viewport.refine(scene, view, plan.display);
   seconds.draw += secondsSince(begun);
   seconds.upload += viewport.seconds().upload;
   seconds.draw += viewport.seconds().draw;
@@ -201,11 +202,14 @@ void addLook(CLI::App& verb, RenderOptions& options) {
   verb.add_option("--shading", options.shading,
                   "textured, clay, classes (implicit, straddling, normal) or heat (displacement)")
       ->type_name("S");
-  verb.add_option("--show", options.show, "Any of skeleton, primitives, influence, wire, control, anchors, classes")
+  verb.add_option("--show", options.show,
+                  "Any of muscles (flesh under glass), skeleton, primitives, influence, wire, control, "
+                  "anchors, classes")
       ->type_name("WHAT,...")
       ->delimiter(',')
       ->expected(1)
       ->take_all();
+  verb.add_option("--glass", options.glass, "With --show muscles: how clear the skin is, 0 to 1 (0.8)")->type_name("X");
   verb.add_flag("--surface,!--no-surface", options.surface, "The smoothed surface (on)");
   verb.add_flag("--ground,!--no-ground", options.ground, "Grid and shadow (on)");
   verb.add_flag("--cull", options.cull, "Neither compute nor draw faces that point away from the camera: faster");

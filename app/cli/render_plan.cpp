@@ -89,14 +89,17 @@ Result<void> readDisplay(const RenderOptions& options, RenderPlan& plan) {
   for (const std::string& shown : options.show) {
     if (shown == "skeleton") display.skeleton = true;
     else if (shown == "primitives") display.primitives = true;
+    else if (shown == "muscles") display.anatomy = true;
     else if (shown == "influence") display.influence = true;
     else if (shown == "wire") display.wire = true;
     else if (shown == "control") display.controlMesh = true;
     else if (shown == "anchors") plan.anchors = true;
     else if (shown == "classes") display.shading = Shading::kClasses;
     else {
-      return errorAt("--show", "expected skeleton, primitives, influence, wire, control, anchors or classes, got \"" +
-                                   shown + '"');
+      return errorAt("--show",
+                     "expected muscles, skeleton, primitives, influence, wire, control, anchors or classes, "
+                     "got \"" +
+                         shown + '"');
     }
   }
   const auto light = lightNamed(options.light);
@@ -107,6 +110,8 @@ Result<void> readDisplay(const RenderOptions& options, RenderPlan& plan) {
                    "expected studio, dark, mid, light, gradient or checker, got \"" + options.background + '"');
   }
   display.look = {*light, *backdrop, options.occlusion};
+  if (!(options.glass >= 0.0f && options.glass <= 1.0f)) return errorAt("--glass", "expected a number from 0 to 1");
+  display.glass = options.glass;
   display.cullBackFaces = options.cull;
   display.surface = options.surface;
   display.ground = options.ground;

@@ -23,6 +23,7 @@ struct RenderOptions {
   bool orthographic = false;
   std::string shading = "textured";
   std::vector<std::string> show;
+  float glass = DisplaySettings{}.glass;
   bool cull = false;
   bool surface = true;  ///< Off: what is shown of muscles, bones and control mesh alone.
   bool ground = true;

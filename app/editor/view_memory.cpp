@@ -27,7 +27,7 @@ constexpr std::array kFlags{
     Flag{"wire", &DisplaySettings::wire},           Flag{"control_mesh", &DisplaySettings::controlMesh},
     Flag{"skeleton", &DisplaySettings::skeleton},   Flag{"primitives", &DisplaySettings::primitives},
     Flag{"influence", &DisplaySettings::influence}, Flag{"cull", &DisplaySettings::cullBackFaces},
-    Flag{"ground", &DisplaySettings::ground}};
+    Flag{"ground", &DisplaySettings::ground},       Flag{"anatomy", &DisplaySettings::anatomy}};
 
 const std::filesystem::path& fileOf(const Document& document) {
   return document.rigFile.empty() ? document.characterFile : document.rigFile;
@@ -94,13 +94,14 @@ void restoreCamera(EditorState& state, const Json& json) {
 Json displayToJson(const DisplaySettings& display) {
   Json json = Json::object().set("shading", kShadings[static_cast<std::size_t>(display.shading)]);
   for (const Flag& flag : kFlags) json.set(flag.key, display.*flag.shown);
-  return json;
+  return json.set("glass", display.glass);
 }
 
 void restoreDisplay(DisplaySettings& display, const Json& json) {
   const auto shading = std::ranges::find(kShadings, json.at("shading").text(""));
   if (shading != kShadings.end()) display.shading = static_cast<Shading>(shading - kShadings.begin());
   for (const Flag& flag : kFlags) display.*flag.shown = json.at(flag.key).boolean(display.*flag.shown);
+  read(json.at("glass"), 0.0, 1.0, display.glass);
 }
 
 Json textsToJson(const std::set<std::string>& texts) {

@@ -73,4 +73,9 @@ const std::array<ClassColor, 3>& classColors() {
   return colors;
 }
 
+glm::vec3 fleshColor(float activation) {
+  constexpr glm::vec3 kLoose{0.585f, 0.340f, 0.308f}, kFlexed{0.632f, 0.105f, 0.115f};
+  return srgbFromLinear(glm::mix(linearFromSrgb(kLoose), linearFromSrgb(kFlexed), std::clamp(activation, 0.0f, 1.0f)));
+}
+
 }  // namespace sinew::app

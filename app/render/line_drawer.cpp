@@ -3,13 +3,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
+
+#include <glm/matrix.hpp>
+
+#include "app/render/color_scales.h"
+#include "app/render/muscle_drawer.h"
 
 namespace sinew::app {
 namespace {
 
 constexpr glm::vec4 kControlEdge{0.06f, 0.62f, 0.55f, 1.0f};
+constexpr glm::vec4 kTendonLine{0.88f, 0.86f, 0.80f, 0.95f};
 constexpr glm::vec2 kDotRadii{2.9f, 2.1f};
 
 }  // namespace
@@ -96,6 +103,26 @@ void LineDrawer::drawSegments(const Frame& frame) {
     lines.push_back({segment.from, segment.to, glm::vec4(segmentColor(segment.kind), 0.95f)});
   }
   draw(lines, 1.1f * frame.settings.lineScale, kDotRadii * frame.settings.lineScale, 0.45f);
+}
+
+void LineDrawer::drawMuscleLines(const Frame& frame) {
+  std::vector<Line> lines;
+  std::vector<const LinePath*> drawn;
+  for (const PrimitiveShape& shape : frame.scene.primitives) {
+    if (!shape.line || !(shape.selected || shape.hovered || shape.twin)) continue;
+    const LinePath& path = shape.line->path;
+    if (std::ranges::any_of(drawn, [&](const LinePath* other) { return *other == path; })) continue;
+    drawn.push_back(&path);
+    const glm::vec3 flesh = linearFromSrgb(fleshColor(shape.line->activation));
+    const glm::mat4 inBelly = glm::inverse(alongFibres(shape));
+    const std::vector<glm::vec3> points = pointsAlong(path);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const glm::vec3 middle = 0.5f * (points[i - 1] + points[i]);
+      const bool belly = std::abs((inBelly * glm::vec4(middle, 1.0f)).y) < 1.0f;
+      lines.push_back({points[i - 1], points[i], belly ? glm::vec4(flesh, 0.95f) : kTendonLine});
+    }
+  }
+  draw(lines, 2.2f * frame.settings.lineScale, glm::vec2(0.0f), 0.55f);
 }
 
 }  // namespace sinew::app

@@ -14,6 +14,8 @@ class LineDrawer {
   void drawControlMesh(const Frame& frame);
   /// Scene::segments with a dot at both ends, the larger at `from`; what the surface hides is fainter.
   void drawSegments(const Frame& frame);
+  /// The lines of selected and hovered muscles: tendons pale, bellies in the colour of their flesh.
+  void drawMuscleLines(const Frame& frame);
 
  private:
   /// One segment, as shaders/line.vert and dot.vert read it.

@@ -97,7 +97,8 @@ void PrimitiveDrawer::drawFamily(const ShapeMesh& shells, const ShellLook& look)
 }
 
 void PrimitiveDrawer::drawShells(const Frame& frame) {
-  if (frame.scene.primitives.empty()) return;
+  const bool bodies = frame.settings.primitives && !frame.settings.anatomy;
+  if (frame.scene.primitives.empty() || !(bodies || frame.settings.influence)) return;
   const float scale = frame.settings.lineScale;
   std::vector<ShapeInstance> visible, influence, rims;
   outlinePoints_.clear();
@@ -124,7 +125,7 @@ void PrimitiveDrawer::drawShells(const Frame& frame) {
     influence_.setInstances(influence);
     drawFamily(influence_, {1.0f * scale, 36.0f, 0.7f, scale, false});
   }
-  if (frame.settings.primitives) {
+  if (bodies) {
     visible_.setInstances(visible);
     drawFamily(visible_, {1.0f * scale, 0.0f, 1.0f, scale, true});
     rims_.setInstances(rims);

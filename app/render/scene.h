@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "app/document/picture_look.h"
+#include "core/lines/tendons.h"
 #include "sinew/character/character.h"
 #include "sinew/rig/rig.h"
 #include "sinew/skeleton/pose.h"
@@ -24,6 +26,7 @@ struct DisplaySettings {
   bool skeleton = false;       ///< In x-ray.
   bool primitives = false;     ///< Visible ellipsoids, translucent.
   bool influence = false;      ///< Their regions of influence, fainter.
+  bool anatomy = false;        ///< Muscles as flesh and tendons, the skin as glass over them.
   bool cullBackFaces = false;  ///< Asks the surface's maker, not the drawer, to leave out what cannot be seen.
   bool ground = true;          ///< Grid and shadow.
   bool background = true;      ///< Off: transparent where nothing is drawn.
@@ -33,8 +36,18 @@ struct DisplaySettings {
   float lineScale = 1.0f;      ///< Factor on line, outline and dot widths, for dense displays.
   PictureLook look;            ///< Light, background, ambient occlusion.
   float heatRange = 0.05f;     ///< Displacement at the ends of the heat scale, fraction of the height, > 0.
+  float glass = 0.8f;          ///< With `anatomy`: how clear the skin is. 0: as without, 1: a faint rim is left.
 
   friend bool operator==(const DisplaySettings&, const DisplaySettings&) = default;
+};
+
+/// The muscle line that an ellipsoid rides, in the pose.
+struct ShapeLine {
+  LinePath path;
+  float activation = 0.0f;  ///< 0..1
+  float stretch = 1.0f;     ///< Length / rest length.
+
+  friend bool operator==(const ShapeLine&, const ShapeLine&) = default;
 };
 
 /// One primitive to draw.
@@ -44,6 +57,8 @@ struct PrimitiveShape {
   Shape shape{};
   float reach = 1.4142135f;
   int sign = 1;
+  glm::vec3 radii{1.0f};                 ///< As the rig has them: the same in every pose.
+  std::optional<ShapeLine> line;         ///< nullopt: it rides a bone.
   glm::vec3 color{0.85f, 0.20f, 0.11f};  ///< Linear: its group's.
   bool selected = false;
   bool active = false;  ///< The last selected one: handles and inspector are about it.

@@ -8,8 +8,9 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kRadius = 0.075f;  ///< How far a surface darkens its neighbours, fraction of the height.
-constexpr GLuint kUnit = 5;        ///< Texture unit of shaders/surface.frag.
+constexpr float kRadius = 0.075f;        ///< How far a surface darkens its neighbours, fraction of the height.
+constexpr float kMuscleRadius = 0.040f;  ///< The same for muscles, which lie close together.
+constexpr GLuint kUnit = 5;              ///< Texture unit of shaders/surface.frag.
 constexpr int kTaps = 16;
 constexpr int kTapsOnProcessor = 9;
 
@@ -72,26 +73,32 @@ void ScreenOcclusion::resize(const glm::ivec2& size) {
   blurred_ = target(blurredTarget_, GL_R16F, size);
 }
 
-void ScreenOcclusion::drawSurface(const Frame& frame, const SurfaceDrawer& surface) const {
+void ScreenOcclusion::drawSurface(const Frame& frame, const SurfaceDrawer& surface, const MuscleDrawer& muscles) const {
   glBindFramebuffer(GL_FRAMEBUFFER, surfaceTarget_.id());
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClearDepth(1.0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glEnable(GL_DEPTH_TEST);
-  surfaceProgram_.use();
-  surfaceProgram_.set("baseMap", 0);
-  surface.drawOpaque(surfaceProgram_, frame);
+  if (frame.settings.anatomy) {
+    muscles.drawDepths();
+  } else {
+    glDisable(GL_BLEND);
+    surfaceProgram_.use();
+    surfaceProgram_.set("baseMap", 0);
+    surface.drawOpaque(surfaceProgram_, frame);
+  }
   glDisable(GL_DEPTH_TEST);
 }
 
-void ScreenOcclusion::prepare(const Frame& frame, const SurfaceDrawer& surface, int sample) {
+void ScreenOcclusion::prepare(const Frame& frame, const SurfaceDrawer& surface, const MuscleDrawer& muscles,
+                              int sample) {
   resize(frame.view.size);
   glViewport(0, 0, size_.x, size_.y);
   glDisable(GL_BLEND);
   glDisable(GL_FRAMEBUFFER_SRGB);
-  drawSurface(frame, surface);
+  drawSurface(frame, surface, muscles);
 
-  const float radius = kRadius * frame.height;
+  const float radius = (frame.settings.anatomy ? kMuscleRadius : kRadius) * frame.height;
   const auto turn = static_cast<float>(sample < 0 ? 0 : sample);
   glBindFramebuffer(GL_FRAMEBUFFER, openTarget_.id());
   glBindTextureUnit(0, surface_.id());

@@ -34,7 +34,8 @@ Look lookOf(int bone, const Scene& scene) {
 bool isShown(int bone, const Frame& frame) {
   const std::vector<bool>& hidden = frame.scene.hiddenBones;
   if (!hidden.empty() && hidden[static_cast<std::size_t>(bone)]) return false;
-  return frame.settings.skeleton ||
+  const bool marked = bone == frame.scene.selectedBone || bone == frame.scene.hoveredBone;
+  return (frame.settings.skeleton && (marked || !frame.settings.anatomy)) ||
          std::ranges::find(frame.scene.territoryBones, bone) != frame.scene.territoryBones.end();
 }
 
@@ -49,8 +50,13 @@ glm::vec2 depthRange(const Frame& frame) {
   return {range.x, std::max(range.y - range.x, 0.25f * frame.height)};
 }
 
-/// Octahedron from head to tail, `width` wide on each side.
-glm::mat4 along(const glm::vec3& head, const glm::vec3& tail, float width) {
+glm::mat4 ballAt(const glm::vec3& centre, float radius) {
+  return {glm::vec4(radius, 0, 0, 0), glm::vec4(0, radius, 0, 0), glm::vec4(0, 0, radius, 0), glm::vec4(centre, 1)};
+}
+
+}  // namespace
+
+glm::mat4 boneAlong(const glm::vec3& head, const glm::vec3& tail, float width) {
   const glm::vec3 y = tail - head;
   const glm::vec3 direction = normalizeOr(y, glm::vec3(0, 1, 0));
   const glm::vec3 other = std::abs(direction.z) < 0.8f ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0);
@@ -58,12 +64,6 @@ glm::mat4 along(const glm::vec3& head, const glm::vec3& tail, float width) {
   const glm::vec3 z = glm::cross(x, direction);
   return {glm::vec4(x * width, 0), glm::vec4(y, 0), glm::vec4(z * width, 0), glm::vec4(head, 1)};
 }
-
-glm::mat4 ballAt(const glm::vec3& centre, float radius) {
-  return {glm::vec4(radius, 0, 0, 0), glm::vec4(0, radius, 0, 0), glm::vec4(0, 0, radius, 0), glm::vec4(centre, 1)};
-}
-
-}  // namespace
 
 SkeletonDrawer::SkeletonDrawer() : bones_(ShapeMesh::octahedron()), joints_(ShapeMesh::ball(6)) {}
 
@@ -90,7 +90,7 @@ void SkeletonDrawer::place(const Frame& frame) {
     if (!isShown(segment.bone, frame)) continue;
     const Look look = lookOf(segment.bone, scene);
     const float width = std::min(0.11f * length, 0.016f * h);
-    bones.push_back({along(segment.head, segment.tail, width), look.color, glm::vec4(0, look.glow, 0, 0)});
+    bones.push_back({boneAlong(segment.head, segment.tail, width), look.color, glm::vec4(0, look.glow, 0, 0)});
   }
   for (std::size_t i = 0; i < scene.pose->boneInWorld.size(); ++i) {
     if (!isShown(static_cast<int>(i), frame)) continue;

@@ -6,10 +6,14 @@
 
 namespace sinew::app {
 
+/// From the origin to y = 1 -> from head to tail, `width` wide on each side.
+[[nodiscard]] glm::mat4 boneAlong(const glm::vec3& head, const glm::vec3& tail, float width);
+
 class SkeletonDrawer {
  public:
   [[nodiscard]] static Result<SkeletonDrawer> create();
-  /// All bones, or without DisplaySettings::skeleton those of Scene::territoryBones. The scene has a pose. Clears the
+  /// All bones, or without DisplaySettings::skeleton those of Scene::territoryBones; with DisplaySettings::anatomy,
+  /// which has bones of its own, the selected and the hovered one. The scene has a pose. Clears the
   /// depth, so that bones hide only one another: draw last.
   void draw(const Frame& frame);
 

@@ -357,13 +357,13 @@ void SurfaceDrawer::drawRange(const GlProgram& program, const Frame& frame, cons
 }
 
 void SurfaceDrawer::drawOpaque(const Frame& frame) const {
+  glDisable(GL_BLEND);
   if (refinement_ != nullptr) drawOpaque(prepareProgram(frame), frame);
 }
 
 void SurfaceDrawer::drawOpaque(const GlProgram& program, const Frame& frame) const {
   if (refinement_ == nullptr) return;
   glBindVertexArray(array_.id());
-  glDisable(GL_BLEND);
   glCullFace(GL_BACK);
   for (const Range& range : ranges_) {
     const Material& material = materialOf(range);

@@ -23,6 +23,7 @@ class SurfaceDrawer {
 
   void drawOpaque(const Frame& frame) const;
   /// The same with a program of the caller's, in use, that takes the attributes of shaders/surface.vert.
+  /// Blended where the caller has switched blending on.
   void drawOpaque(const GlProgram& program, const Frame& frame) const;
   /// Materials whose alpha blends: back sides first, then front sides.
   void drawBlended(const Frame& frame) const;

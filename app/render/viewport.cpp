@@ -14,6 +14,7 @@
 #include "app/render/ground_drawer.h"
 #include "app/render/lights.h"
 #include "app/render/line_drawer.h"
+#include "app/render/muscle_drawer.h"
 #include "app/render/primitive_drawer.h"
 #include "app/render/render_target.h"
 #include "app/render/screen_occlusion.h"
@@ -26,6 +27,7 @@ struct Viewport::State {
   SurfaceDrawer surface;
   GroundDrawer ground;
   PrimitiveDrawer primitives;
+  MuscleDrawer muscles;
   SkeletonDrawer skeleton;
   LineDrawer lines;
   ScreenOcclusion occlusion;
@@ -149,6 +151,8 @@ Result<std::unique_ptr<Viewport>> Viewport::create(int samples) {
   if (!ground) return ground.error();
   Result<PrimitiveDrawer> primitives = PrimitiveDrawer::create();
   if (!primitives) return primitives.error();
+  Result<MuscleDrawer> muscles = MuscleDrawer::create();
+  if (!muscles) return muscles.error();
   Result<SkeletonDrawer> skeleton = SkeletonDrawer::create();
   if (!skeleton) return skeleton.error();
   Result<LineDrawer> lines = LineDrawer::create();
@@ -158,9 +162,10 @@ Result<std::unique_ptr<Viewport>> Viewport::create(int samples) {
   Result<PictureMean> mean = PictureMean::create();
   if (!mean) return mean.error();
   std::unique_ptr<Viewport> viewport(new Viewport);
-  viewport->state_ = std::make_unique<State>(State{
-      std::move(surface).value(), std::move(ground).value(), std::move(primitives).value(), std::move(skeleton).value(),
-      std::move(lines).value(), std::move(occlusion).value(), std::move(mean).value(), makeBuffer(), makeBuffer()});
+  viewport->state_ = std::make_unique<State>(
+      State{std::move(surface).value(), std::move(ground).value(), std::move(primitives).value(),
+            std::move(muscles).value(), std::move(skeleton).value(), std::move(lines).value(),
+            std::move(occlusion).value(), std::move(mean).value(), makeBuffer(), makeBuffer()});
   viewport->state_->samples = samples;
   return viewport;
 }
@@ -206,13 +211,17 @@ void Viewport::drawInto(const RenderTarget& target, const Frame& frame, bool kee
   noteChange(frame, kept);
   if (settings.background && !kept) s.ground.drawBackground(frame);
   glEnable(GL_DEPTH_TEST);
-  if (showSurface) s.surface.drawOpaque(frame);
+  if (settings.anatomy) s.muscles.drawFlesh(frame);
+  else if (showSurface) s.surface.drawOpaque(frame);
   if (settings.ground && kept) s.ground.drawGroundOverKept(frame);
   else if (settings.ground) s.ground.drawGround(frame);
-  if (showSurface) s.surface.drawBlended(frame);
+  if (settings.anatomy) s.muscles.drawHollows();
+  if (showSurface && settings.anatomy) s.muscles.drawGlass(frame, s.surface);
+  else if (showSurface) s.surface.drawBlended(frame);
   if (settings.controlMesh) s.lines.drawControlMesh(frame);
   if (settings.segments) s.lines.drawSegments(frame);
   if (settings.primitives || settings.influence) s.primitives.drawShells(frame);
+  if (settings.primitives || settings.anatomy) s.lines.drawMuscleLines(frame);
   const bool bones = settings.skeleton || (settings.territory && !frame.scene.territoryBones.empty());
   if (bones && frame.scene.pose != nullptr) s.skeleton.draw(frame);
   s.primitives.drawOutlines(frame);
@@ -224,14 +233,15 @@ void Viewport::drawInto(const RenderTarget& target, const Frame& frame, bool kee
 void Viewport::shareFrame(const Frame& frame, int sample) {
   State& s = *state_;
   // On the processor a picture alone is one of a motion, which is not to wait for it.
-  const bool occluded = frame.settings.look.occlusion && frame.settings.surface && !frame.surfaceBounds.isEmpty() &&
-                        (sample >= 0 || !isSoftwareRenderer());
+  const bool surface = frame.settings.look.occlusion && frame.settings.surface && !frame.surfaceBounds.isEmpty();
+  const bool occluded = (surface || frame.settings.anatomy) && (sample >= 0 || !isSoftwareRenderer());
   const std::array<FrameBlock, 1> block{blockOf(frame, occluded)};
   uploadBuffer(s.frameBlock, std::span<const FrameBlock>(block));
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, s.frameBlock.id());
   uploadBuffer(s.lightBlock, std::span<const LightBlock>(&lightBlock(frame.settings.look.light), 1));
   glBindBufferBase(GL_UNIFORM_BUFFER, 1, s.lightBlock.id());
-  if (occluded) s.occlusion.prepare(frame, s.surface, sample);
+  if (frame.settings.anatomy) s.muscles.place(frame);
+  if (occluded) s.occlusion.prepare(frame, s.surface, s.muscles, sample);
 }
 
 void Viewport::leave() {

@@ -149,7 +149,8 @@ std::vector<PickEntry> musclesUnder(const ViewportContext& context, const Ray& r
   std::vector<Candidate> found;
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
     if (!effective.visible[i] || effective.locked[i] || bones[i] < 0) continue;
-    const bool drawn = context.display.primitives || document.selection.contains(rig.primitives[i].id());
+    const bool drawn =
+        context.display.primitives || context.display.anatomy || document.selection.contains(rig.primitives[i].id());
     if (!carriers[i]) continue;
     if (const auto candidate = candidateOf(sight, {rig.primitives[i], bones[i], *carriers[i], drawn})) {
       found.push_back(*candidate);

@@ -36,7 +36,7 @@ PictureKey keyOf(const EditorState& state, const View& view) {
   key.display.lineScale =
       state.frame.uiScale * static_cast<float>(state.frame.viewportPixels.x) / std::max(state.frame.viewport.z, 1.0f);
   key.display.skeleton = key.display.skeleton || state.view.tools.tool == ToolKind::kPose;
-  key.shapes = shownShapes(state, state.view.display.primitives);
+  key.shapes = shownShapes(state, state.view.display.primitives || state.view.display.anatomy);
   key.display.primitives = !key.shapes.empty();
   key.territory = shownTerritoryWeights(state);
   key.territoryBones = shownTerritory(state);
@@ -52,7 +52,7 @@ PictureKey keyToSave(const EditorState& state) {
   PictureKey key = keyOf(state, state.frame.route.view);
   key.display.skeleton = state.view.display.skeleton;
   key.display.primitives = state.view.display.primitives;
-  if (!key.display.primitives && !key.display.influence) key.shapes.clear();
+  if (!key.display.primitives && !key.display.influence && !key.display.anatomy) key.shapes.clear();
   for (PrimitiveShape& shape : key.shapes) shape.selected = shape.hovered = false;
   key.territory.clear();
   key.territoryBones.clear();

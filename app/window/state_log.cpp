@@ -224,6 +224,8 @@ Json display(const DisplaySettings& shown, const PictureLook& look) {
       .set("skeleton", shown.skeleton)
       .set("primitives", shown.primitives)
       .set("influence", shown.influence)
+      .set("anatomy", shown.anatomy)
+      .set("glass", shown.glass)
       .set("ground", shown.ground)
       .set("cull", shown.cullBackFaces)
       .set("light", nameOf(look.light))

@@ -106,6 +106,21 @@ TEST_F(RenderVerb, LightBackgroundAndOcclusionAreChosen) {
   }
 }
 
+TEST_F(RenderVerb, MusclesAreShownUnderGlass) {
+  const auto bytes = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> command{"render", demo("demo.rig.json"), "--size", "96x96", "--depth", "2", "-o", "a.png"};
+    command.insert(command.end(), more.begin(), more.end());
+    const Outcome done = run(command);
+    EXPECT_EQ(done.status, 0) << done.error;
+    return picture("a.png").bytes;
+  };
+  const std::string muscles = bytes({"--show", "muscles"});
+  EXPECT_NE(muscles, bytes({"--samples", "4"}));
+  EXPECT_EQ(muscles, bytes({"--show", "muscles", "--glass", "0.8"}));
+  EXPECT_NE(muscles, bytes({"--show", "muscles", "--glass", "0.3"}));
+  EXPECT_NE(muscles, bytes({"--show", "muscles,skeleton"}));
+}
+
 TEST_F(RenderVerb, AutoDepthComesFromThePicturesSize) {
   const auto bundled = loadRig(demo("demo.rig.json"));
   ASSERT_TRUE(bundled.ok());
@@ -144,6 +159,7 @@ TEST_F(RenderVerb, AWrongCommandLineIsStatus2) {
                                                 {"--view", "10,95"},
                                                 {"--shading", "shiny"},
                                                 {"--light", "moon"},
+                                                {"--glass", "1.5"},
                                                 {"--background", "pink"},
                                                 {"--show", "skeleton,nothing"},
                                                 {"--frames", "3:1"},

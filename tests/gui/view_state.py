@@ -55,6 +55,19 @@ def hidden_sides(t, editor):
     editor.wait_until("all triangles again", lambda s: not s["display"]["cull"] and s["culled"] == 0)
 
 
+def anatomy(t, editor):
+    """Muscles under glass: a key, a slider, and no step of the history."""
+    state = editor.tap("v", "muscles as flesh", lambda s: s["display"]["anatomy"] and "legend/glass" in s["widgets"])
+    t.check_equal("the skin is mostly clear", round(state["display"]["glass"], 3), 0.8)
+    x, y, width, height = state["widgets"]["legend/glass"]
+    middle = y + 0.5 * height
+    editor.drag((x + 0.8 * width, middle), (x + 0.3 * width, middle))
+    editor.wait_until("less clear skin", lambda s: s["display"]["glass"] < 0.6)
+    editor.wait_until("all samples", lambda s: s["samples"] == 16)
+    state = editor.tap("v", "the skin again", lambda s: not s["display"]["anatomy"])
+    t.check("looking is no step", state["document"]["undo"] == 0 and not state["document"]["modified"])
+
+
 def story(t):
     t.copy(t.assets / "demo.glb")
     editor = t.edit(t.copy(t.assets / "demo.rig.json"))
@@ -63,6 +76,7 @@ def story(t):
         editor.tap("space", "the clip to stop", lambda s: not s["playing"])
     depth_follows(t, editor)
     hidden_sides(t, editor)
+    anatomy(t, editor)
     t.check_equal("quits without a question", editor.quit(), 0)
 
 

@@ -229,6 +229,11 @@ TEST_F(Inspector, LegendsShowWithTheirColours) {
   settle();
   EXPECT_TRUE(shown("legend/classes"));
   EXPECT_FALSE(shown("legend/heat"));
+  run(action("view/anatomy"), state);
+  settle();
+  EXPECT_TRUE(shown("legend/anatomy"));
+  EXPECT_TRUE(shown("legend/glass"));
+  EXPECT_FALSE(shown("legend/classes")) << "the skin is glass, whatever its shading";
 }
 
 }  // namespace

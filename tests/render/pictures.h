@@ -12,8 +12,8 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
-#include "app/render/framing.h"
 #include "app/platform/offscreen.h"
+#include "app/render/framing.h"
 #include "app/render/viewport.h"
 #include "core/mesh/weld.h"
 #include "sinew/skeleton/pose.h"

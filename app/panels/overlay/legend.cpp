@@ -15,6 +15,7 @@
 #include "app/editor/visibility_commands.h"
 #include "app/panels/overlay/overlay.h"
 #include "app/render/color_scales.h"
+#include "app/ui/number_field.h"
 
 namespace sinew::app {
 namespace {
@@ -39,6 +40,7 @@ bool modeShown(const EditorState& state) {
 float underPlate(PanelUi& ui) { return modeShown(ui.state) ? ImGui::GetFrameHeight() + ui.px(22) : ui.px(kMargin); }
 
 float heatHeight(PanelUi& ui) { return 3.0f * ImGui::GetTextLineHeight() + ui.px(46); }
+float anatomyHeight(PanelUi& ui) { return ImGui::GetFrameHeight() + ImGui::GetTextLineHeight() + ui.px(41); }
 float classesHeight(PanelUi& ui) { return 4.0f * (ImGui::GetTextLineHeight() + ui.px(4)) + ui.px(16); }
 
 /// A panel at the picture's lower left corner, above the line of the mode, drawn by hand.
@@ -145,6 +147,47 @@ void drawClasses(PanelUi& ui) {
   ui.widgets.note("legend/classes", {box.low.x, box.low.y, box.high.x - box.low.x, box.high.y - box.low.y});
 }
 
+/// How clear the skin is, to be drawn, and what the colours of the muscles say.
+void drawAnatomy(PanelUi& ui) {
+  const float line = ImGui::GetTextLineHeight();
+  const float room = ui.state.frame.viewport.z - ui.px(2 * kMargin + 2 * 12);
+  const float width = std::min(ui.px(kScaleWidth), room);
+  if (width < ui.px(kScaleNarrowest)) return;
+  const Box box = plate(ui, width + ui.px(2 * 12), anatomyHeight(ui));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 corner{box.low.x + ui.px(12), box.low.y + ui.px(10)};
+  const float slider = 0.62f * width;
+  list.AddText({corner.x, corner.y + ImGui::GetStyle().FramePadding.y}, palette::kMuted.packed(), "Clear skin");
+  ImGui::SetCursorScreenPos({corner.x + width - slider, corner.y});
+  ImGui::SetNextItemWidth(slider);
+  float percent = 100.0f * ui.state.view.display.glass;
+  NumberLook look;
+  look.format = "%.0f%%";
+  look.least = 0.0f;
+  look.most = 100.0f;
+  look.step = 10.0f;
+  if (numberSlider(ui, "##glass", percent, look)) ui.state.view.display.glass = percent / 100.0f;
+  ui.widgets.note("legend/glass");
+  tooltip(ui, "How clear the skin over the muscles is. 0%: as without Anatomy, 100%: only a faint rim is left.");
+  const float top = corner.y + ImGui::GetFrameHeight() + ui.px(8);
+  const auto color = [](float activation) {
+    const glm::vec3 c = fleshColor(activation);
+    return Tint{c.r, c.g, c.b}.packed();
+  };
+  for (int i = 0; i < kSteps; ++i) {
+    const float a = static_cast<float>(i) / kSteps, b = static_cast<float>(i + 1) / kSteps;
+    list.AddRectFilledMultiColor({corner.x + a * width, top}, {corner.x + b * width, top + ui.px(10)}, color(a),
+                                 color(b), color(b), color(a));
+  }
+  const ImVec2 below{corner.x, top + ui.px(13)};
+  list.AddText(below, palette::kMuted.packed(), "loose");
+  list.AddText({corner.x + width - ImGui::CalcTextSize("flexed").x, below.y}, palette::kMuted.packed(), "flexed");
+  const bool over =
+      ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect({corner.x, top}, {corner.x + width, below.y + line});
+  tooltipWhile(ui, over, "How far a muscle on a line is flexed. Muscles without a line are drawn in between.");
+  ui.widgets.note("legend/anatomy", {box.low.x, box.low.y, box.high.x - box.low.x, box.high.y - box.low.y});
+}
+
 /// A line across the picture's lower edge while it does not show everything, with the way out.
 /// @param color  of what the text speaks of, in the picture; null: of nothing
 void drawMode(PanelUi& ui, const std::string& text, const char* button, const char* id, void (*leave)(EditorState&),
@@ -172,6 +215,7 @@ void drawMode(PanelUi& ui, const std::string& text, const char* button, const ch
 }
 
 float plateHeight(PanelUi& ui) {
+  if (ui.state.view.display.anatomy) return anatomyHeight(ui);
   const Shading shading = ui.state.view.display.shading;
   return shading == Shading::kHeat ? heatHeight(ui) : (shading == Shading::kClasses ? classesHeight(ui) : 0.0f);
 }
@@ -189,8 +233,9 @@ float legendHeight(PanelUi& ui) {
 void drawLegend(PanelUi& ui) {
   EditorState& state = ui.state;
   if (legendHeight(ui) > underPlate(ui)) {
-    if (state.view.display.shading == Shading::kHeat) drawHeat(ui);
-    if (state.view.display.shading == Shading::kClasses) drawClasses(ui);
+    if (state.view.display.anatomy) drawAnatomy(ui);
+    else if (state.view.display.shading == Shading::kHeat) drawHeat(ui);
+    else if (state.view.display.shading == Shading::kClasses) drawClasses(ui);
   }
   if (state.document.visibility.bare) {
     drawMode(ui, "Before: without muscles", state.view.bare.latched && !state.view.bare.byKey ? "Show" : nullptr,
