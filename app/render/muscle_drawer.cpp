@@ -27,6 +27,7 @@ constexpr float kInside = 0.97f;  ///< The tendon's first section, of the belly'
 
 /// Which of a muscle's axes is x, y and z where its fibres run along y.
 std::array<glm::length_t, 3> axesOf(const PrimitiveShape& shape) {
+  if (!shape.shape.isPlain()) return {0, 1, 2};  // A shape has its own long axis.
   const glm::vec3& radii = shape.radii;
   if (radii.x > radii.y && radii.x >= radii.z) return {2, 0, 1};
   if (radii.z > radii.y) return {1, 2, 0};
@@ -51,7 +52,9 @@ glm::vec4 fibresOf(const PrimitiveShape& shape) {
 
 ShapeInstance instanceOf(const PrimitiveShape& shape) {
   const float glow = shape.hovered ? 1.0f : shape.selected ? 0.5f : 0.0f;
-  return {alongFibres(shape), fibresOf(shape), glm::vec4(glow, 0.0f, 0.0f, 0.0f)};
+  const Shape& form = shape.shape;
+  return {alongFibres(shape), fibresOf(shape), glm::vec4(glow, 0.0f, 0.0f, form.isPlain() ? 0.0f : 1.0f),
+          glm::vec4(form.core, form.belly, form.bend)};
 }
 
 }  // namespace
