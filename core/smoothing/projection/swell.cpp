@@ -85,8 +85,9 @@ class Sweller {
     double whole = 0.0;
     for (const Candidate& candidate : scratch_.candidates) {
       const PosedPrimitive& primitive = at(field_.primitives, candidate.primitive);
-      if (!primitive.influence.holds(p)) continue;
-      const float share = std::abs(primitive.strength) * candidate.weight * potential(primitive.influence.rSquared(p));
+      const float rSquared = primitive.influence.rSquared(p);
+      if (!(primitive.influence.boundingRadius > 0.0f && rSquared < 1.0f)) continue;
+      const float share = std::abs(primitive.strength) * candidate.weight * potential(rSquared);
       sum += static_cast<double>(share) * static_cast<double>(std::min(settings_.blendWidth, primitive.meanRadius));
       whole += static_cast<double>(share);
     }

@@ -52,18 +52,18 @@ struct UnitBallMap {
   /// r^2 at a point: < 1 inside.
   [[nodiscard]] float rSquared(const glm::vec3& point) const {
     const glm::vec3 d = point - center;
-    if (form == UnitForm::kEllipsoid) {
-      const glm::vec3 y = toUnit * d;
-      return glm::dot(y, y);
-    }
-    return form == UnitForm::kSphere ? inverseRadius * inverseRadius * glm::dot(d, d) : shapedRSquared(d);
+    if (form == UnitForm::kShape) return shapedRSquared(d);
+    if (form == UnitForm::kSphere) return inverseRadius * inverseRadius * glm::dot(d, d);
+    const glm::vec3 y = toUnit * d;
+    return glm::dot(y, y);
   }
 
   /// d(r^2)/dx, inside the influence = 2 A^T A (x - c) of an ellipsoid; on a sphere A^T A is a number.
   [[nodiscard]] glm::vec3 rSquaredSlope(const glm::vec3& point) const {
     const glm::vec3 d = point - center;
-    if (form == UnitForm::kEllipsoid) return 2.0f * (glm::transpose(toUnit) * (toUnit * d));
-    return form == UnitForm::kSphere ? 2.0f * inverseRadius * inverseRadius * d : shapedSlope(d);
+    if (form == UnitForm::kShape) return shapedSlope(d);
+    if (form == UnitForm::kSphere) return 2.0f * inverseRadius * inverseRadius * d;
+    return 2.0f * (glm::transpose(toUnit) * (toUnit * d));
   }
 
   /// r^2 at origin + t direction, world. Of an ellipsoid alone (isPlain()).
