@@ -3,7 +3,7 @@
 
 #include "app/editor/editor_state.h"
 #include "app/platform/input_queue.h"
-#include "app/tools/input.h"
+#include "app/tools/view/input.h"
 
 namespace sinew::app {
 

@@ -13,7 +13,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/document/shown_names.h"
-#include "app/tools/gizmo_basis.h"
+#include "app/tools/gizmo/gizmo_basis.h"
 #include "core/base/flatness.h"
 #include "core/character/bindings.h"
 #include "core/rig/rig_edit.h"

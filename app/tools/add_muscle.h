@@ -6,9 +6,9 @@
 #include <string>
 
 #include "app/document/shape_presets.h"
-#include "app/tools/input.h"
 #include "app/tools/select.h"
 #include "app/tools/skin_stroke.h"
+#include "app/tools/view/input.h"
 
 namespace sinew::app {
 

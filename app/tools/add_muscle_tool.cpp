@@ -4,8 +4,8 @@
 #include <GLFW/glfw3.h>
 
 #include "app/document/shown_names.h"
-#include "app/tools/status_line.h"
 #include "app/tools/tool.h"
+#include "app/tools/view/status_line.h"
 
 namespace sinew::app {
 namespace {

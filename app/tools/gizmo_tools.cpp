@@ -5,10 +5,10 @@
 
 #include <utility>
 
-#include "app/tools/gizmo_basis.h"
-#include "app/tools/gizmo_group.h"
-#include "app/tools/status_line.h"
+#include "app/tools/gizmo/gizmo_basis.h"
+#include "app/tools/gizmo/gizmo_group.h"
 #include "app/tools/tool.h"
+#include "app/tools/view/status_line.h"
 #include "core/lines/carriers.h"
 
 namespace sinew::app {

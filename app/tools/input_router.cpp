@@ -6,9 +6,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/tools/status_line.h"
 #include "app/tools/territory_tool.h"
 #include "app/tools/tool.h"
+#include "app/tools/view/status_line.h"
 
 namespace sinew::app {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/tools/status_line.h"
+#include "app/tools/view/status_line.h"
 #include "core/lines/line_pose.h"
 #include "core/rig/line_edit.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/tools/input.h"
+#include "app/tools/view/input.h"
 #include "app/tools/viewport_context.h"
 
 namespace sinew::app {

@@ -12,8 +12,8 @@
 
 #include "app/document/shown_names.h"
 #include "app/render/picking.h"
-#include "app/tools/status_line.h"
 #include "app/tools/tool.h"
+#include "app/tools/view/status_line.h"
 
 namespace sinew::app {
 namespace {

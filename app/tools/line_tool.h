@@ -4,9 +4,9 @@
 #include <memory>
 #include <optional>
 
-#include "app/tools/input.h"
 #include "app/tools/lay_line.h"
 #include "app/tools/select.h"
+#include "app/tools/view/input.h"
 
 namespace sinew::app {
 

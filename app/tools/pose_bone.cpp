@@ -5,7 +5,7 @@
 
 #include "app/document/shown_names.h"
 #include "app/render/picking.h"
-#include "app/tools/status_line.h"
+#include "app/tools/view/status_line.h"
 
 namespace sinew::app {
 namespace {

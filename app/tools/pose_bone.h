@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/tools/gizmo.h"
+#include "app/tools/gizmo/gizmo.h"
 #include "app/tools/select.h"
 
 namespace sinew::app {

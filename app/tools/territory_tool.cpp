@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "app/document/shown_names.h"
-#include "app/tools/status_line.h"
 #include "app/tools/tool.h"
+#include "app/tools/view/status_line.h"
 #include "core/rig/attachment.h"
 #include "core/rig/rig_edit_several.h"
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "app/tools/gizmo.h"
-#include "app/tools/input.h"
+#include "app/tools/gizmo/gizmo.h"
+#include "app/tools/view/input.h"
 #include "app/tools/viewport_context.h"
 #include "app/tools/viewport_tools.h"
 #include "app/ui/icons.h"

@@ -7,16 +7,16 @@
 #include <vector>
 
 #include "app/tools/add_muscle.h"
-#include "app/tools/axis_triad.h"
 #include "app/tools/box_select.h"
-#include "app/tools/camera.h"
-#include "app/tools/gizmo.h"
-#include "app/tools/gizmo_group.h"
+#include "app/tools/gizmo/gizmo.h"
+#include "app/tools/gizmo/gizmo_group.h"
 #include "app/tools/line_handles.h"
 #include "app/tools/line_tool.h"
 #include "app/tools/pick_cycle.h"
 #include "app/tools/pose_bone.h"
 #include "app/tools/select.h"
+#include "app/tools/view/axis_triad.h"
+#include "app/tools/view/camera.h"
 
 namespace sinew::app {
 

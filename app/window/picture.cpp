@@ -13,10 +13,10 @@
 #include "app/editor/hidden_bones.h"
 #include "app/editor/territory.h"
 #include "app/render/png.h"
-#include "app/tools/axis_triad.h"
-#include "app/tools/gizmo_draw.h"
+#include "app/tools/gizmo/gizmo_draw.h"
 #include "app/tools/hover_draw.h"
 #include "app/tools/line_draw.h"
+#include "app/tools/view/axis_triad.h"
 #include "core/character/skinning.h"
 #include "core/io/files/atomic_file.h"
 

@@ -1,5 +1,5 @@
 // tests/tools/axis_triad_test.cpp: the axis gizmo shows the camera and turns it.
-#include "app/tools/axis_triad.h"
+#include "app/tools/view/axis_triad.h"
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>

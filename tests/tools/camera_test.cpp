@@ -1,6 +1,6 @@
 // tests/tools/camera_test.cpp: what a camera must keep, whatever is done to it.
 
-#include "app/tools/camera.h"
+#include "app/tools/view/camera.h"
 
 #include <cmath>
 #include <numbers>

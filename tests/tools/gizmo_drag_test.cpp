@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "app/tools/gizmo_basis.h"
+#include "app/tools/gizmo/gizmo_basis.h"
 #include "tests/tools/random_gizmo.h"
 
 namespace sinew::app {

@@ -1,6 +1,6 @@
 // tests/tools/gizmo_draw_test.cpp: what is drawn is where it can be hit. No window: ImGui only fills lists.
 
-#include "app/tools/gizmo_draw.h"
+#include "app/tools/gizmo/gizmo_draw.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>

@@ -1,13 +1,13 @@
 // tests/tools/gizmo_way_test.cpp: ways a handle may go, and the handles they name.
 
-#include "app/tools/gizmo_way.h"
+#include "app/tools/gizmo/gizmo_way.h"
 
 #include <set>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "app/tools/gizmo_basis.h"
+#include "app/tools/gizmo/gizmo_basis.h"
 
 namespace sinew::app {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/tools/gizmo_basis.h"
+#include "app/tools/gizmo/gizmo_basis.h"
 #include "app/tools/input_router.h"
 #include "core/symmetry/mirror.h"
 #include "core/symmetry/twins.h"

@@ -5,8 +5,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "app/tools/camera.h"
-#include "app/tools/gizmo.h"
+#include "app/tools/gizmo/gizmo.h"
+#include "app/tools/view/camera.h"
 #include "tests/support/rigs/random_rigs.h"
 
 namespace sinew::test {

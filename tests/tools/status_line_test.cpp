@@ -1,6 +1,6 @@
 // tests/tools/status_line_test.cpp: in every state of every tool the status line has one form
-// (app/tools/status_line.h).
-#include "app/tools/status_line.h"
+// (app/tools/view/status_line.h).
+#include "app/tools/view/status_line.h"
 
 #include <gtest/gtest.h>
 

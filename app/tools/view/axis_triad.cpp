@@ -1,6 +1,6 @@
-// app/tools/axis_triad.cpp: the axis gizmo: where it is, what the mouse does to it.
+// app/tools/view/axis_triad.cpp: the axis gizmo: where it is, what the mouse does to it.
 
-#include "app/tools/axis_triad.h"
+#include "app/tools/view/axis_triad.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/render/framing.h"
-#include "app/tools/status_line.h"
+#include "app/tools/view/status_line.h"
 
 namespace sinew::app {
 namespace {

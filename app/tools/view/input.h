@@ -1,4 +1,4 @@
-// app/tools/input.h: what one frame's mouse and keyboard did in the viewport, as plain data.
+// app/tools/view/input.h: what one frame's mouse and keyboard did in the viewport, as plain data.
 #pragma once
 
 #include <algorithm>

@@ -1,8 +1,8 @@
-// app/tools/axis_triad_draw.cpp: the axis gizmo as ImGui draws it.
+// app/tools/view/axis_triad_draw.cpp: the axis gizmo as ImGui draws it.
 
 #include <imgui.h>
 
-#include "app/tools/axis_triad.h"
+#include "app/tools/view/axis_triad.h"
 
 namespace sinew::app {
 namespace {

@@ -1,4 +1,4 @@
-// app/tools/gizmo_group.h: several selected muscles on one gizmo.
+// app/tools/gizmo/gizmo_group.h: several selected muscles on one gizmo.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/document/document.h"
-#include "app/tools/gizmo.h"
+#include "app/tools/gizmo/gizmo.h"
 #include "sinew/skeleton/pose.h"
 
 namespace sinew::app {

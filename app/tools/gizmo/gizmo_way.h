@@ -1,4 +1,5 @@
-// app/tools/gizmo_way.h: the ways a gizmo's handle may go: along or about an axis, in a plane, or without a constraint.
+// app/tools/gizmo/gizmo_way.h: the ways a gizmo's handle may go: along or about an axis, in a plane, or without a
+// constraint.
 #pragma once
 
 #include <array>

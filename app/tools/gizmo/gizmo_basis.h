@@ -1,10 +1,10 @@
-// app/tools/gizmo_basis.h: where a gizmo's axes stand in one frame; shared by its layout and its drags.
+// app/tools/gizmo/gizmo_basis.h: where a gizmo's axes stand in one frame; shared by its layout and its drags.
 #pragma once
 
 #include <array>
 #include <optional>
 
-#include "app/tools/gizmo.h"
+#include "app/tools/gizmo/gizmo.h"
 
 namespace sinew::app {
 

@@ -1,4 +1,4 @@
-// app/tools/gizmo_drag.cpp: from the pointer's way over the picture to a new placement.
+// app/tools/gizmo/gizmo_drag.cpp: from the pointer's way over the picture to a new placement.
 
 #include <algorithm>
 #include <cassert>
@@ -10,8 +10,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/tools/gizmo.h"
-#include "app/tools/gizmo_basis.h"
+#include "app/tools/gizmo/gizmo.h"
+#include "app/tools/gizmo/gizmo_basis.h"
 #include "core/base/flatness.h"
 
 namespace sinew::app {

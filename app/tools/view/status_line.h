@@ -1,4 +1,4 @@
-// app/tools/status_line.h: the one form of the status line.
+// app/tools/view/status_line.h: the one form of the status line.
 #pragma once
 
 #include <initializer_list>

@@ -1,12 +1,13 @@
-// app/tools/axis_triad.h: the axis gizmo in a corner of the viewport: shows how the camera is turned, and turns it.
+// app/tools/view/axis_triad.h: the axis gizmo in a corner of the viewport: shows how the camera is turned, and turns
+// it.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <string>
 
-#include "app/tools/camera.h"
-#include "app/tools/input.h"
+#include "app/tools/view/camera.h"
+#include "app/tools/view/input.h"
 
 struct ImDrawList;
 

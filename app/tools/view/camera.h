@@ -1,4 +1,4 @@
-// app/tools/camera.h: the orbit camera: a value, functions that move it, and the View it gives.
+// app/tools/view/camera.h: the orbit camera: a value, functions that move it, and the View it gives.
 #pragma once
 
 #include <optional>

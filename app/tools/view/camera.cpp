@@ -1,6 +1,6 @@
-// app/tools/camera.cpp: the orbit camera.
+// app/tools/view/camera.cpp: the orbit camera.
 
-#include "app/tools/camera.h"
+#include "app/tools/view/camera.h"
 
 #include <algorithm>
 #include <cmath>

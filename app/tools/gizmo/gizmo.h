@@ -1,4 +1,4 @@
-// app/tools/gizmo.h: move, rotate and scale handles of one ellipsoid: layout, hits, drags, all as values.
+// app/tools/gizmo/gizmo.h: move, rotate and scale handles of one ellipsoid: layout, hits, drags, all as values.
 //
 // Everything works in the pose of the current frame and comes back as a bone-space Placement: no matrix is decomposed.
 // With B the bone's 3x3 (rotation, scale, uneven too), q and r the placement's rotation and radii:
@@ -20,8 +20,8 @@
 #include <vector>
 
 #include "app/render/view.h"
-#include "app/tools/gizmo_way.h"
-#include "app/tools/input.h"
+#include "app/tools/gizmo/gizmo_way.h"
+#include "app/tools/view/input.h"
 #include "sinew/primitives/ellipsoid.h"
 
 namespace sinew::app {

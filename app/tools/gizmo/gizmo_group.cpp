@@ -1,6 +1,6 @@
-// app/tools/gizmo_group.cpp: several selected muscles on one gizmo.
+// app/tools/gizmo/gizmo_group.cpp: several selected muscles on one gizmo.
 
-#include "app/tools/gizmo_group.h"
+#include "app/tools/gizmo/gizmo_group.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
-// app/tools/gizmo_draw.h: the gizmo through ImGui's draw list.
+// app/tools/gizmo/gizmo_draw.h: the gizmo through ImGui's draw list.
 #pragma once
 
-#include "app/tools/gizmo.h"
+#include "app/tools/gizmo/gizmo.h"
 
 struct ImDrawList;
 

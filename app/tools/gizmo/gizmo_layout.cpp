@@ -1,4 +1,4 @@
-// app/tools/gizmo_layout.cpp: where the handles are on the screen, and which one lies under a pixel.
+// app/tools/gizmo/gizmo_layout.cpp: where the handles are on the screen, and which one lies under a pixel.
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/tools/gizmo.h"
-#include "app/tools/gizmo_basis.h"
+#include "app/tools/gizmo/gizmo.h"
+#include "app/tools/gizmo/gizmo_basis.h"
 
 namespace sinew::app {
 namespace {

@@ -1,6 +1,6 @@
-// app/tools/gizmo_draw.cpp: the gizmo in two dimensions, smooth at any window scale.
+// app/tools/gizmo/gizmo_draw.cpp: the gizmo in two dimensions, smooth at any window scale.
 
-#include "app/tools/gizmo_draw.h"
+#include "app/tools/gizmo/gizmo_draw.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <imgui.h>
 #include <glm/geometric.hpp>
 
-#include "app/tools/gizmo_basis.h"
+#include "app/tools/gizmo/gizmo_basis.h"
 
 namespace sinew::app {
 namespace {

@@ -1,6 +1,6 @@
-// app/tools/gizmo.cpp: names of handles, the gizmo's frame, and what it says of itself.
+// app/tools/gizmo/gizmo.cpp: names of handles, the gizmo's frame, and what it says of itself.
 
-#include "app/tools/gizmo.h"
+#include "app/tools/gizmo/gizmo.h"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/tools/gizmo_basis.h"
-#include "app/tools/status_line.h"
+#include "app/tools/gizmo/gizmo_basis.h"
+#include "app/tools/view/status_line.h"
 #include "core/base/flatness.h"
 
 namespace sinew::app {
