@@ -10,6 +10,7 @@
 #include "app/render/skeleton_drawer.h"
 #include "core/lines/tendons.h"
 #include "core/skeleton/bone_segments.h"
+#include "sinew/primitives/shape.h"
 
 namespace sinew::app {
 namespace {
@@ -27,11 +28,19 @@ constexpr float kInside = 0.97f;  ///< The tendon's first section, of the belly'
 
 /// Which of a muscle's axes is x, y and z where its fibres run along y.
 std::array<glm::length_t, 3> axesOf(const PrimitiveShape& shape) {
-  if (!shape.shape.isPlain()) return {0, 1, 2};  // A shape has its own long axis.
   const glm::vec3& radii = shape.radii;
+  if (!shape.shape.isPlain()) return {0, 1, 2};
   if (radii.x > radii.y && radii.x >= radii.z) return {2, 0, 1};
   if (radii.z > radii.y) return {1, 2, 0};
   return {0, 1, 2};
+}
+
+/// Radius of a muscle's section where its tendon begins, over the radii across.
+float firstSection(const PrimitiveShape& shape, float side) {
+  const UnitShape unit = unitShape(shape.shape, 1.0f);
+  if (unit.isPlain) return std::sqrt(1.0f - kTendonStart * kTendonStart);
+  const float end = std::max(kTendonStart - unit.core, 0.0f) * unit.inverseEnd;
+  return std::sqrt(std::max(1.0f - end * end, 0.0f) / (unit.lateral + unit.taper * side * kTendonStart));
 }
 
 /// Different for each muscle and the same in every picture of it.
@@ -116,8 +125,8 @@ void MuscleDrawer::addTendons(const PrimitiveShape& shape, const ShapeInstance& 
   const float halfLength = glm::length(glm::vec3(belly.shapeInWorld[1]));
   const float radius = std::clamp(kCord * std::sqrt(glm::length(x) * glm::length(z)), kCordOfHeight.x * height,
                                   kCordOfHeight.y * height);
-  const float first = kInside * std::sqrt(1.0f - kTendonStart * kTendonStart);
-  for (const Tendon& tendon : tendonsOf(belly.shapeInWorld, shape.line->path)) {
+  for (const Tendon& tendon : tendonsOf(belly.shapeInWorld, shape.line->path, shape.shape.bend)) {
+    const float first = kInside * firstSection(shape, tendon.side);
     for (const TendonPart& part : tendon.parts) {
       TendonInstance& added = tendons_.emplace_back();
       const std::array<float, 4> ends{part.share.x, part.share.y, tendon.length / halfLength, radius};
@@ -138,7 +147,8 @@ void MuscleDrawer::addBones(const Frame& frame) {
       const float length = glm::distance(bone.head, bone.tail);
       if (length < kShortestBone * frame.height) continue;
       const float width = std::min(kBoneWidth.x * length, kBoneWidth.y * frame.height);
-      bones.push_back({boneAlong(bone.head, bone.tail, width), glm::vec4(1.0f), glm::vec4(0, length / width, 0, 0)});
+      bones.push_back({boneAlong(bone.head, bone.tail, width), glm::vec4(1.0f), glm::vec4(0, length / width, 0, 0),
+                       glm::vec4(0.0f)});
     }
   }
   bones_.setInstances(bones);

@@ -55,7 +55,7 @@ class MuscleDrawer {
   std::vector<TendonInstance> tendons_;
 };
 
-/// Unit ball -> world with y along the fibres: the longest of the muscle's radii, and of equal ones y.
+/// Unit ball -> world with y along the fibres: the longest of the muscle's radii, and of equal ones y; of a shape y.
 [[nodiscard]] glm::mat4 alongFibres(const PrimitiveShape& shape);
 
 }  // namespace sinew::app

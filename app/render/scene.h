@@ -41,7 +41,7 @@ struct DisplaySettings {
   friend bool operator==(const DisplaySettings&, const DisplaySettings&) = default;
 };
 
-/// The muscle line that an ellipsoid rides, in the pose.
+/// The muscle line that a primitive rides, in the pose.
 struct ShapeLine {
   LinePath path;
   float activation = 0.0f;  ///< 0..1

@@ -24,7 +24,7 @@ std::array<glm::vec3, 4> softCurve(const glm::vec3& from, const glm::vec3& leave
   return {from, from + third * leaves, to - third * arrives, to};
 }
 
-std::optional<Tendon> tendonTo(const glm::mat4& belly, float side, const glm::vec3& anchor,
+std::optional<Tendon> tendonTo(const glm::mat4& belly, const glm::vec2& bend, float side, const glm::vec3& anchor,
                                const std::optional<glm::vec3>& via) {
   const glm::mat4 inBelly = glm::inverse(belly);
   const auto along = [&](const glm::vec3& point) { return side * (inBelly * glm::vec4(point, 1.0f)).y; };
@@ -32,9 +32,11 @@ std::optional<Tendon> tendonTo(const glm::mat4& belly, float side, const glm::ve
   if (!(end > kBeside)) return std::nullopt;  // Also where the belly is flat.
   Tendon tendon;
   tendon.side = side;
-  const glm::vec3 from(belly * glm::vec4(0.0f, kTendonStart * side, 0.0f, 1.0f));
+  // On the belly's axis: (x, z) = bend (1 - y^2).
+  const glm::vec2 aside = bend * (1.0f - kTendonStart * kTendonStart), turn = -2.0f * kTendonStart * bend;
+  const glm::vec3 from(belly * glm::vec4(aside.x, kTendonStart * side, aside.y, 1.0f));
   const glm::vec3 straight = directionOr(anchor - from, glm::vec3(0.0f, 1.0f, 0.0f));
-  const glm::vec3 leaves = directionOr(side * glm::vec3(belly[1]), straight);
+  const glm::vec3 leaves = directionOr(glm::mat3(belly) * glm::vec3(turn.x, side, turn.y), straight);
   if (via && along(*via) > 1.0f && along(*via) < end) {
     const float before = glm::distance(from, *via);
     tendon.length = before + glm::distance(*via, anchor);
@@ -59,12 +61,14 @@ void addCurve(const std::array<glm::vec3, 4>& curve, std::vector<glm::vec3>& poi
 
 }  // namespace
 
-std::vector<Tendon> tendonsOf(const glm::mat4& bellyInWorld, const LinePath& line) {
+std::vector<Tendon> tendonsOf(const glm::mat4& bellyInWorld, const LinePath& line, const glm::vec2& bend) {
   if (!(std::abs(glm::determinant(glm::mat3(bellyInWorld))) > 0.0f)) return {};
   const float towards = glm::dot(glm::vec3(bellyInWorld[1]), line.insertion - line.origin) < 0.0f ? -1.0f : 1.0f;
   std::vector<Tendon> tendons;
-  if (auto tendon = tendonTo(bellyInWorld, -towards, line.origin, line.via)) tendons.push_back(std::move(*tendon));
-  if (auto tendon = tendonTo(bellyInWorld, towards, line.insertion, line.via)) tendons.push_back(std::move(*tendon));
+  if (auto tendon = tendonTo(bellyInWorld, bend, -towards, line.origin, line.via))
+    tendons.push_back(std::move(*tendon));
+  if (auto tendon = tendonTo(bellyInWorld, bend, towards, line.insertion, line.via))
+    tendons.push_back(std::move(*tendon));
   return tendons;
 }
 

@@ -38,7 +38,9 @@ inline constexpr float kTendonStart = 0.8f;
 
 /// Those of one belly: at the origin, at the insertion. None at an anchor that lies in the belly or beside it.
 /// @param bellyInWorld  unit ball -> world, y along the fibres
-[[nodiscard]] std::vector<Tendon> tendonsOf(const glm::mat4& bellyInWorld, const LinePath& line);
+/// @param bend  Shape::bend of the belly
+[[nodiscard]] std::vector<Tendon> tendonsOf(const glm::mat4& bellyInWorld, const LinePath& line,
+                                            const glm::vec2& bend = glm::vec2(0.0f));
 
 /// Points from origin to insertion, through the via point as a soft curve.
 [[nodiscard]] std::vector<glm::vec3> pointsAlong(const LinePath& line);

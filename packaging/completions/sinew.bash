@@ -60,7 +60,8 @@ _sinew() {
         render:--fps) :; return ;;
         render:--view) _sinew_words front back left right top bottom three-quarter; return ;;
         render:--shading) _sinew_words textured clay classes heat; return ;;
-        render:--show) _sinew_words skeleton primitives influence wire control anchors classes; return ;;
+        render:--show) _sinew_words muscles skeleton primitives influence wire control anchors classes; return ;;
+        render:--glass) :; return ;;
         render:--light) :; return ;;
         render:--background) :; return ;;
         render:--size) :; return ;;
@@ -88,7 +89,7 @@ _sinew() {
         inspect:*) _sinew_files glb gltf rig.json ;;
         smooth:-*) _sinew_words -h --help --clip --time --depth --mode --patch --projection --crease -o --output --report ;;
         smooth:*) _sinew_files glb gltf rig.json ;;
-        render:-*) _sinew_words -h --help --clip --time --frames --fps --view --orthographic --shading --show --surface --no-surface --ground --no-ground --cull --transparent --light --background --ao --size --samples --depth --mode --patch --projection --crease -o --output ;;
+        render:-*) _sinew_words -h --help --clip --time --frames --fps --view --orthographic --shading --show --glass --surface --no-surface --ground --no-ground --cull --transparent --light --background --ao --size --samples --depth --mode --patch --projection --crease -o --output ;;
         render:*) _sinew_files glb gltf rig.json ;;
         bench:-*) _sinew_words -h --help ;;
         bench:*) _sinew_words field projections drag ;;

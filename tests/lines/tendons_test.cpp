@@ -57,6 +57,19 @@ TEST(Tendons, GoThroughTheViaPointInOneDirection) {
   }
 }
 
+TEST(Tendons, LeaveABentBellyAlongItsAxis) {
+  const glm::vec2 bend(0.8f, -0.5f);
+  const auto axis = [&](float y) {
+    return glm::vec3(kBelly * glm::vec4(bend.x * (1 - y * y), y, bend.y * (1 - y * y), 1));
+  };
+  for (const Tendon& tendon : tendonsOf(kBelly, kLine, bend)) {
+    const float y = kTendonStart * tendon.side;
+    EXPECT_LT(glm::distance(beginning(tendon), axis(y)), 1e-6f);
+    const glm::vec3 along = glm::normalize(axis(y + 1e-3f * tendon.side) - axis(y - 1e-3f * tendon.side));
+    EXPECT_GT(glm::dot(glm::normalize(tendon.parts[0].curve[1] - beginning(tendon)), along), 0.9999f);
+  }
+}
+
 TEST(Tendons, NoneWhereTheAnchorLiesInTheBelly) {
   LinePath line = kLine;
   line.insertion = {0.0f, 0.3f, 0.0f};

@@ -127,6 +127,25 @@ TEST_F(Anatomy, ATendonBendsThroughTheViaPoint) {
   EXPECT_EQ(pixelAt(bent, kMiddle, y)[3], 0);
 }
 
+TEST_F(Anatomy, ShapesAreDrawnAsTheyAre) {
+  PrimitiveShape shape = muscle({0.4f, 0.9f, 0.3f});
+  const Image plain = draw({shape});
+  shape.shape.core = 0.6f;
+  const Image straight = draw({shape});
+  shape.shape = {};
+  shape.shape.bend = {0.9f, 0.0f};
+  const Image bent = draw({shape});
+  const auto covered = [](const Image& image, float x, float y) {
+    const int column = kMiddle + static_cast<int>(std::lround(40.0f * x));
+    return pixelAt(image, column, kMiddle - static_cast<int>(std::lround(40.0f * y)))[3] > 0;
+  };
+  EXPECT_FALSE(covered(plain, 0.35f, 0.6f));
+  EXPECT_TRUE(covered(straight, 0.35f, 0.5f));
+  EXPECT_FALSE(covered(plain, 0.65f, 0.0f));
+  EXPECT_TRUE(covered(bent, 0.65f, 0.0f));
+  EXPECT_GT(redness(colorAt(bent, 0.36f, 0.0f)), 2.5f);
+}
+
 TEST_F(Anatomy, CarvesAreDarkAndSeenThrough) {
   PrimitiveShape carve = muscle({0.5f, 0.5f, 0.5f}, {0, 0, -0.5f});
   carve.sign = -1;
