@@ -17,9 +17,9 @@ Shape shapeOf(ShapePreset preset, const glm::vec3& radii) {
     case ShapePreset::kCylinder:
       return {0.9f, 0.0f, {}};
     case ShapePreset::kEgg:
-      return {0.0f, 0.25f, {}};
+      return {0.0f, -0.25f, {}};  // Limbs are thicker towards the body.
     case ShapePreset::kCone:
-      return {0.85f, 0.3f, {}};
+      return {0.85f, -0.3f, {}};
     case ShapePreset::kSpindle:
       return {0.0f, 0.0f, {0.0f, 0.6f}};
   }
