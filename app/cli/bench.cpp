@@ -23,7 +23,7 @@ namespace {
 
 enum class Bench {
   kProjections,  ///< The three ways to find roots, on the same frames.
-  kField,        ///< The field of spheres beside that of ellipsoids.
+  kField,        ///< The field of ellipsoids, spheres and shapes.
   kDrag,         ///< Frames of a drag, by length of the history and number of muscles.
 };
 
@@ -180,7 +180,7 @@ void addFiles(CLI::App& bench, BenchOptions& options, const char* help) {
 
 void addBenchOptions(CLI::App& verb, BenchOptions& options) {
   verb.require_subcommand(1);
-  CLI::App* field = verb.add_subcommand("field", "Compare spheres with ellipsoids: one evaluation of the field");
+  CLI::App* field = verb.add_subcommand("field", "Compare ellipsoids with spheres and shapes: one evaluation of the field");
   field->callback([&options] { options.bench = Bench::kField; });
   addNumber(*field, "--rounds", options.rounds, "Times everything is timed (15)");
 
