@@ -56,6 +56,25 @@ def shoulder(t):
     editor.quit()
 
 
+def flexing(t):
+    """The flexing humanoid as an anatomy plate: his muscles under skin of glass, an arm bent."""
+    t.copy(t.assets / "humanoid.glb")
+    editor = t.edit(t.copy(t.assets / "humanoid-flex.rig.json"))
+    state = editor.wait_until("the character", lambda s: "chest" in s["bones"])
+    editor.choose_clip(state["clips"].index("Flex"), "Flex")
+    if editor.state()["playing"]:
+        editor.tap("space", "the pause", lambda s: not s["playing"])
+    editor.taps("ctrl+Left", *["period"] * 21)
+    editor.select_muscle("biceps L")
+    editor.tap("w", "the moving handles", lambda s: s["gizmo"]["visible"] and s["gizmo"]["mode"] == "move")
+    editor.tap("v", "the anatomy", lambda s: s["display"]["anatomy"])
+    editor.click("display/skeleton")
+    editor.move((650, 650))
+    editor.wait_until("all samples", lambda s: s["samples"] == 16)
+    save(editor, "anatomy.png")
+    editor.quit()
+
+
 def story(t):
     def copy_of(name):
         t.copy(t.assets / (name + ".glb"))
@@ -64,6 +83,7 @@ def story(t):
     t.copy_of = copy_of
     walking(t)
     shoulder(t)
+    flexing(t)
 
 
 if __name__ == "__main__":

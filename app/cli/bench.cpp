@@ -180,7 +180,8 @@ void addFiles(CLI::App& bench, BenchOptions& options, const char* help) {
 
 void addBenchOptions(CLI::App& verb, BenchOptions& options) {
   verb.require_subcommand(1);
-  CLI::App* field = verb.add_subcommand("field", "Compare ellipsoids with spheres and shapes: one evaluation of the field");
+  CLI::App* field =
+      verb.add_subcommand("field", "Compare ellipsoids with spheres and shapes: one evaluation of the field");
   field->callback([&options] { options.bench = Bench::kField; });
   addNumber(*field, "--rounds", options.rounds, "Times everything is timed (15)");
 

@@ -27,6 +27,7 @@ struct OutlinerState {
 
 struct InspectorState {
   bool percent = false;        ///< Lengths in per cent of the height, else in character units.
+  bool shapeOpen = false;      ///< The rows that change a muscle's shape are unfolded.
   bool territoryOpen = false;  ///< The list of a default territory's bones is unfolded.
   std::string territoryFilter;
 };

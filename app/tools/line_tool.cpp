@@ -64,7 +64,8 @@ void cancel(ViewportTools& tools, Document& document) { cancelLine(tools.line, d
 
 std::string describeDrag(const LineDrag& drag, const Skeleton& skeleton) {
   const std::string from = shownBoneName(skeleton, drag.startBone);
-  if (drag.endBone < 0) return statusLine("From " + from, {"Release on the skin of another bone", "Esc cancels"});
+  if (drag.endBone < 0)
+    return statusLine("From " + from, {"Release on the skin of another bone adds a muscle", "Esc cancels"});
   const std::string to = drag.endBone == drag.startBone ? "the same bone: it flexes, but no joint bends it"
                                                         : shownBoneName(skeleton, drag.endBone);
   return statusLine("From " + from + " to " + to, {"Release keeps", "Esc cancels"});

@@ -99,7 +99,7 @@ complete -c sinew -n '__sinew_in "render"' -l patch -x -a 'pn phong spherigon fl
 complete -c sinew -n '__sinew_in "render"' -l projection -x -a 'newton bisection analytic' -d 'newton, bisection or analytic'
 complete -c sinew -n '__sinew_in "render"' -l crease -x -d 'Shade faces that meet at more than this angle apart; 180: smooth everywhere'
 complete -c sinew -n '__sinew_in "render"' -s o -l output -x -a '(__sinew_files png)' -d 'Picture to write: OUT.png, or OUT_%04d.png with --frames'
-complete -c sinew -n '__sinew_in "bench"' -a field -d 'Compare spheres with ellipsoids: one evaluation of the field'
+complete -c sinew -n '__sinew_in "bench"' -a field -d 'Compare ellipsoids with spheres and shapes: one evaluation of the field'
 complete -c sinew -n '__sinew_in "bench"' -a projections -d 'Compare newton, bisection and analytic: work, time, agreement'
 complete -c sinew -n '__sinew_in "bench"' -a drag -d 'Time a drag: short and long history, few and many muscles'
 complete -c sinew -n '__sinew_in "bench"' -s h -l help -d 'Print this and exit'

@@ -72,6 +72,7 @@ TEST_F(Inspector, ADragMovesAllByTheSame) {
 TEST_F(Inspector, ShapesGoAlongTheLongestAxisAndToTheTwin) {
   select({"thigh L"});
   const glm::vec3 radii = named("thigh L").placement.radii;
+  click("inspector/shape");
   typeInto("inspector/core", "0.5");
   const Placement& thigh = named("thigh L").placement;
   EXPECT_EQ(thigh.shape.core, 0.5f);
@@ -92,6 +93,7 @@ TEST_F(Inspector, ShapesGoAlongTheLongestAxisAndToTheTwin) {
 TEST_F(Inspector, ALargerReachLessensTheBellyAndSaysSo) {
   select({"tail root"});
   typeInto("inspector/reach", "1.2");
+  click("inspector/shape");
   typeInto("inspector/belly", "9");
   const float most = mostBelly(0.0f, 1.2f);
   EXPECT_EQ(named("tail root").placement.shape.belly, most);

@@ -73,6 +73,8 @@ void section(PanelUi& ui, const char* title, float room = 0.0f);
 void drawTwinRow(PanelUi& ui, const Subjects& subjects);
 void drawShapeRows(PanelUi& ui, const Subjects& subjects);
 void drawPlacementRows(PanelUi& ui, const Subjects& subjects);
+/// For a muscle that rides one bone.
+void drawOtherEndRow(PanelUi& ui, const Subjects& subjects);
 void drawLineRows(PanelUi& ui, const Subjects& subjects);     ///< What one does to it.
 void drawLineNumbers(PanelUi& ui, const Subjects& subjects);  ///< The rest.
 void drawTerritoryRows(PanelUi& ui, const Subjects& subjects);

@@ -219,8 +219,10 @@ void endsRow(PanelUi& ui, const Subjects& subjects, const MuscleLine& line) {
   }
 }
 
-/// For a muscle that rides one bone.
-void otherEndRow(PanelUi& ui, const Subjects& subjects) {
+}  // namespace
+
+void drawOtherEndRow(PanelUi& ui, const Subjects& subjects) {
+  if (subjects.several() || subjects.bone < 0 || !subjects.shown().line.empty()) return;
   const Skeleton& skeleton = ui.state.character().skeleton;
   beginRow(ui, "Other end");
   const bool open = ImGui::BeginCombo("##other-end", "on the same bone", ImGuiComboFlags_HeightLarge);
@@ -243,15 +245,10 @@ void otherEndRow(PanelUi& ui, const Subjects& subjects) {
   ImGui::EndCombo();
 }
 
-}  // namespace
-
 void drawLineRows(PanelUi& ui, const Subjects& subjects) {
   if (subjects.several() || subjects.bone < 0) return;
   const int line = findLine(ui.state.document.rig(), subjects.shown().line);
-  if (line < 0) {
-    otherEndRow(ui, subjects);
-    return;
-  }
+  if (line < 0) return;
   endsRow(ui, subjects, subjects.rig->lines[static_cast<std::size_t>(line)]);
   const std::optional<ShownLine> shown = activeLine(ui.state.document, ui.state.live->pose());
   if (!shown || findLine(ui.state.document.rig(), subjects.shown().line) != line) return;

@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <string>
+
 #include "app/panels/inspector/inspector.h"
 #include "core/primitives/affine_image.h"
 
@@ -68,12 +70,29 @@ void bendRow(PanelUi& ui, const Subjects& subjects) {
             "How far the middle is moved along the muscle's own z axis, in its radii");
 }
 
+/// "ellipsoid" or what it is made into; a click unfolds the rows that change it.
+bool foldRow(PanelUi& ui, const Subjects& subjects) {
+  bool& open = ui.state.view.inspector.shapeOpen;
+  const bool shaped = subjects.differ([](const Primitive& p) { return p.placement.shape; }) ||
+                      !subjects.shown().placement.shape.isPlain();
+  const bool onLine = !subjects.shown().line.empty();
+  beginRow(ui, "Shape");
+  const std::string text = std::string(shaped ? "shaped" : "ellipsoid") + (onLine ? "" : ", on one bone");
+  if (ImGui::Button(fitted(text, ImGui::GetContentRegionAvail().x - ui.px(12)).c_str(), {-1.0f, 0.0f})) open = !open;
+  ui.widgets.note("inspector/shape");
+  tooltip(ui, text + "\nShow or hide the straight part, the belly and the bend" +
+                  (onLine ? "." : ", and the bone that the other end is attached to."));
+  return open;
+}
+
 }  // namespace
 
 void drawShapeRows(PanelUi& ui, const Subjects& subjects) {
+  if (!foldRow(ui, subjects)) return;
   straightRow(ui, subjects);
   bellyRow(ui, subjects);
   bendRow(ui, subjects);
+  drawOtherEndRow(ui, subjects);
 }
 
 }  // namespace sinew::app
