@@ -52,7 +52,7 @@ class Structure(unittest.TestCase):
     def test_a_directory_above_and_one_beside(self):
         self.one("layer 5", core__mesh__a_DOT_h=self.header("core/mesh/a.h", '#include "sinew/smoothing/surface.h"\n'))
         self.one("layer 2", core__mesh__a_DOT_h=self.header("core/mesh/a.h", '#include "sinew/skeleton/pose.h"\n'))
-        self.one("layer 3", app__render__a_DOT_h=self.header("app/render/a.h", '#include "app/tools/gizmo/gizmo.h"\n'))
+        self.one("layer 4", app__render__a_DOT_h=self.header("app/render/a.h", '#include "app/tools/gizmo/gizmo.h"\n'))
 
     def test_an_unknown_directory(self):
         self.one("has no layer", core__attic__a_DOT_h=self.header("core/attic/a.h", '#include "sinew/base/result.h"\n'))
