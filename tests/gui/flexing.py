@@ -15,7 +15,7 @@ def between(state, a, b, share):
 
 def draw_line(t, editor, upper, lower, tip, at):
     """From the upper bone's skin to the lower one's."""
-    editor.palette("flexing", "tool/muscle-line")
+    editor.palette("add flexing", "tool/muscle-line")
     state = editor.state()
     start, end = between(state, upper, lower, at), between(state, lower, tip, 0.3)
     editor.move(start)

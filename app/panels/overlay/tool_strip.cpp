@@ -16,9 +16,9 @@ namespace sinew::app {
 namespace {
 
 /// From left to right; "" is a line.
-constexpr std::array kDisplay{"view/textured", "view/clay",     "view/classes",    "view/heat",      "",
-                              "view/wire",     "view/skeleton", "view/primitives", "view/influence", "view/anatomy",
-                              "view/ground",   "view/numbers"};
+constexpr std::array kDisplay{"view/textured", "view/clay",     "view/classes",    "view/heat",    "",
+                              "view/wire",     "view/skeleton", "view/primitives", "view/anatomy", "view/ground",
+                              "view/numbers"};
 constexpr std::size_t kUnderLine = 4;  ///< Of the strip's buttons, those below its line.
 
 /// "display/wire" for "view/wire".
