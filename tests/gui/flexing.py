@@ -64,6 +64,7 @@ def play(t, editor, clip):
 
 def pull_end(t, editor, end):
     undo = editor.state()["document"]["undo"]
+    muscle = editor.saved_rig()["primitives"][0]["name"]
     point = editor.saved_rig()["lines"][0][end]["point"]
 
     def aimed():
@@ -78,7 +79,10 @@ def pull_end(t, editor, end):
         editor.press()
         if editor.settle()["line"]["dragging"]:
             return True
-        editor.release()  # It had moved on: the press turned the camera.
+        editor.release()  # It had moved on: the press picked or turned something else.
+        editor.settle()
+        editor.click("outliner/muscle/" + muscle)
+        editor.wait_until("the muscle again", lambda s: s["document"]["selection"] == [muscle])
         return False
 
     driver.wait_for("a pull of the " + end, pulled)
