@@ -103,6 +103,7 @@ def typed(t, editor, pair, before):
 def shaped(t, editor, pair, before):
     """A shape has its image on the other side; undone, the file is as it was."""
     first = editor.state()["document"]["undo"]
+    editor.act("the shape's rows", lambda: editor.click("inspector/shape"), lambda s: "inspector/core" in s["widgets"])
     for done, (key, field, text) in enumerate((("core", "core", "0.5"), ("belly", "belly", "0.1"), ("bend", "bend.x", "0.4"))):
         editor.type_number("inspector/" + field, text)
         editor.wait_until("%s to be a step" % field, lambda s: s["document"]["undo"] == first + done + 1)
@@ -113,6 +114,7 @@ def shaped(t, editor, pair, before):
     t.check_equal("a rig with shapes is of version 2", rig["version"], 2)
     editor.taps("ctrl+z", "ctrl+z", "ctrl+z")
     editor.wait_until("the shape undone", lambda s: s["document"]["undo"] == first)
+    editor.act("no rows", lambda: editor.click("inspector/shape"), lambda s: "inspector/core" not in s["widgets"])
     t.check_equal("undone, the rig is as it was", pair.read()[2], before[2])
     return before
 
