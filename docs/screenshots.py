@@ -69,6 +69,7 @@ def flexing(t):
     editor.tap("w", "the moving handles", lambda s: s["gizmo"]["visible"] and s["gizmo"]["mode"] == "move")
     editor.tap("v", "the anatomy", lambda s: s["display"]["anatomy"])
     editor.click("display/skeleton")
+    editor.click("display/numbers")
     editor.move((650, 650))
     editor.wait_until("all samples", lambda s: s["samples"] == 16)
     save(editor, "anatomy.png")
