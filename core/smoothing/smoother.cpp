@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 
 #include <glm/geometric.hpp>
 
 #include "core/base/at.h"
+#include "core/base/stopwatch.h"
 #include "core/character/skinning.h"
+#include "core/drivers/driven_numbers.h"
 #include "core/lines/carriers.h"
 #include "core/mesh/creases.h"
 #include "core/rig/attachment.h"
@@ -32,25 +33,12 @@ namespace {
 
 constexpr double kRootTolerance = 1e-6;  ///< Fraction of H: a hundredth of the agreement docs/design.md promises.
 constexpr float kSearchLength = 0.2f;    ///< L of `replace`, fraction of H.
-constexpr std::int64_t kMaxRefinedVertices = 32'000'000;  ///< About 2 GiB with all that is kept per vertex.
-
-class Stopwatch {
- public:
-  /// Seconds since the last call, or since construction.
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const std::chrono::duration<double> passed = now - last_;
-    last_ = now;
-    return passed.count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
+constexpr std::int64_t kMaxRefinedVertices = 32'000'000;  ///< About 3 GiB with all that is kept per vertex.
 
 /// All that follows from a rig and a character, before any pose.
 struct Prepared {
-  Rig rig;
+  Rig rig;  ///< Its driven numbers as they were in the pose that was smoothed last.
+  DrivenNumbers driven;
   Attachment attachment;
   Carriers carriers;
   CandidateLists candidates;                   ///< Of all attached primitives, hidden or not.
@@ -63,8 +51,9 @@ struct Prepared {
   std::vector<Anchor> anchors;         ///< [V'] in `replace` with an anchored projection, else empty.
   std::vector<float> inverseLimits;    ///< [V'] of the rise.
   std::vector<std::uint8_t> isBorder;  ///< [V']
-  std::vector<float> bindFronts;       ///< [T n^2] of the patch.
-  ImplicitWeights weights;             ///< In `swell` omega alone, for the classes.
+  VertexRings rings;
+  std::vector<float> bindFronts;  ///< [T n^2] of the patch.
+  ImplicitWeights weights;        ///< In `swell` omega alone, for the classes.
   std::vector<TriangleClass> classes;
 
   [[nodiscard]] const CandidateLists& seen() const { return hidden.empty() ? candidates : shown; }
@@ -179,11 +168,13 @@ struct Smoother::State {
     if (prepared.refinement == next.refinement) {
       next.inverseLimits = std::move(prepared.inverseLimits);
       next.isBorder = std::move(prepared.isBorder);
+      next.rings = std::move(prepared.rings);
       return;
     }
     next.inverseLimits.resize(static_cast<std::size_t>(next.refinement->vertexCount));
     interpolateValues(mesh(), *next.refinement, inverseLimitsInBind, next.inverseLimits);
     next.isBorder = borderVertices(mesh(), *next.refinement);
+    next.rings = vertexRings(*next.refinement);
   }
 
   void prepareTiles(Prepared& next) const {
@@ -213,7 +204,8 @@ struct Smoother::State {
       const SkinnedMesh control{mesh().positions, mesh().normals};
       evaluate(PatchKind::kFlat, *next.refinement, control, flatPositions, flatNormals);
       const bool known = prepared.refinement == next.refinement && !prepared.anchors.empty();
-      next.anchors = known ? std::move(prepared.anchors) : findAnchors(character->skeleton, flatPositions);
+      if (!known) next.anchors = findAnchors(character->skeleton, flatPositions);
+      else if (&next != &prepared) next.anchors = std::move(prepared.anchors);
       poseAnchors(next.anchors, bind, anchorsInWorld);
       next.weights = implicitWeights(mesh(), bindField, replaceSettings(next.rig, *character),
                                      {flatPositions, flatNormals, anchorsInWorld}, projection);
@@ -221,6 +213,17 @@ struct Smoother::State {
       next.weights = {influenceWeights(mesh(), bindField)};
     }
     next.classes = classifyTriangles(mesh(), next.weights.omega);
+  }
+
+  /// The rig's numbers as they are in a pose, and what follows from them.
+  void drive(const Pose& pose) {
+    Prepared& p = prepared;
+    if (p.driven.isEmpty()) return;
+    const DrivenChange change = p.driven.apply(pose, character->skeleton, p.rig);
+    if (change.lines) p.carriers.settle(p.rig);
+    if (!change.primitives) return;
+    reshape(p.rig, p.attachment);
+    prepareClasses(p);
   }
 
   /// Before the patch becomes the surface.
@@ -298,8 +301,8 @@ struct Smoother::State {
 
   void shade(bool moved, Surface& out) {
     if (moved) {
-      shadingNormals.apply(*prepared.refinement, movedTriangles, patchPositions, out.positions, patchNormals, filtered,
-                           out.normals);
+      shadingNormals.apply(*prepared.refinement, prepared.rings, movedTriangles, patchPositions, out.positions,
+                           patchNormals, filtered, out.normals);
     }
     if (!out.shadingNormals.empty()) turnWithSurface(out, patchNormals, out.shadingNormals);
   }
@@ -348,6 +351,7 @@ Result<void> Smoother::prepare(const Rig& rig, std::span<const int> hidden) {
   Prepared next;
   if (Result<void> reached = state_->findCandidates(rig, hidden, next); !reached) return reached.error();
   next.rig = rig;
+  next.driven = {rig, *state_->character};
   next.carriers = {rig, *state_->character, next.attachment.lineCarriers};
   next.creased = state_->creasedAt(rig.smoothing.creaseAngle);
   next.refinement = state_->refinementFor(rig.smoothing.depth, next.creased);
@@ -363,6 +367,7 @@ void Smoother::smooth(const Pose& pose, Surface& out, const std::optional<glm::v
   State& state = *state_;
   assert(state.prepared.refinement && "prepare() first");
   Stopwatch watch;
+  state.drive(pose);
   skin(*state.character, pose, state.skinned);
   const double skinSeconds = watch.lap();
 

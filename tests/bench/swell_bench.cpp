@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/smoothing/projection/instruction_set.h"
+#include "core/lanes/instruction_set.h"
 #include "sinew/io/gltf_import.h"
 #include "sinew/io/rig_json.h"
 #include "sinew/smoothing/smoother.h"

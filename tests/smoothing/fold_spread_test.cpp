@@ -4,107 +4,26 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <set>
-
-#include <utility>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
 #include "core/smoothing/finish/fold_relaxation.h"
-#include "tests/support/surface/lifted_sheet.h"
+#include "tests/support/surface/fold_stage.h"
 #include "tests/support/surface/mesh_checks.h"
 
 namespace sinew::test {
 namespace {
 
-/// Spread alone: nothing is relaxed before.
-struct Scene : LiftedSheet {
-  using LiftedSheet::LiftedSheet;
-
-  [[nodiscard]] std::vector<glm::vec3> spread(std::vector<glm::vec3> positions) {
-    moved.find(mesh, refinement, patch, positions);
-    moves_.start(positions.size());
-    region_.find(mesh, refinement, moved.control, view(), positions, FoldRelaxation::kWholeArea);
-    spread_.apply(borderVertices(mesh, refinement), patch, region_, moves_, positions);
-    touched.assign(moves_.list().begin(), moves_.list().end());
-    return positions;
-  }
-
-  std::vector<FoldMove> touched;  ///< By the last call.
-
- private:
-  FoldRegion region_;
-  FoldMoves moves_;
-  FoldSpread spread_;
-};
-
-TEST(FoldSpread, TurnsTrianglesBack) {
-  Scene scene(flatSheet());
-  for (const float lift : {0.25f, 0.3f, 0.4f}) {
-    const std::vector<glm::vec3> lifted = converging(scene.patch, lift);
-    const std::vector<glm::vec3> spread = scene.spread(lifted);
-    std::printf("  lift %.2f: %d turned, spread %d\n", double{lift}, scene.turned(lifted), scene.turned(spread));
-    ASSERT_GT(scene.turned(lifted), 10) << lift;
-    EXPECT_LE(10 * scene.turned(spread), scene.turned(lifted)) << lift;
-  }
-}
+using Scene = FoldStage<FoldSpread>;
 
 // Along the patch, which is flat here: no pit opens where triangles were turned.
 TEST(FoldSpread, KeepsHeights) {
   Scene scene(flatSheet());
   const std::vector<glm::vec3> lifted = converging(scene.patch, 0.3f);
-  const std::vector<glm::vec3> spread = scene.spread(lifted);
+  const std::vector<glm::vec3> spread = scene.applied(lifted);
   ASSERT_GT(largestStep(lifted, spread), 0.01f) << "nothing was spread";
   for (std::size_t v = 0; v < lifted.size(); ++v) EXPECT_NEAR(spread[v].z, lifted[v].z, 1e-5f) << v;
-}
-
-TEST(FoldSpread, LeavesTheRestAloneBitForBit) {
-  Scene scene(flatSheet());
-  const std::vector<glm::vec3> lifted = converging(scene.patch, 0.3f);
-  const std::vector<glm::vec3> spread = scene.spread(lifted);
-  std::set<int> touched;
-  for (const FoldMove& one : scene.touched) {
-    EXPECT_TRUE(touched.insert(one.vertex).second) << one.vertex << " twice";
-    EXPECT_TRUE(sameBits(one.from, lifted[static_cast<std::size_t>(one.vertex)]));
-    EXPECT_FALSE(sameBits(one.from, scene.patch[static_cast<std::size_t>(one.vertex)])) << "an unmoved vertex";
-  }
-  int alone = 0;
-  for (int v = 0; v < static_cast<int>(lifted.size()); ++v) {
-    if (touched.contains(v)) continue;
-    ++alone;
-    EXPECT_TRUE(sameBits(spread[static_cast<std::size_t>(v)], lifted[static_cast<std::size_t>(v)])) << v;
-  }
-  EXPECT_GT(touched.size(), 10u);
-  EXPECT_GT(alone, 200);
-}
-
-TEST(FoldSpread, TouchesNothingWithoutAFold) {
-  Scene scene(flatSheet());
-  const std::vector<glm::vec3> lifted = converging(scene.patch, 0.05f);
-  ASSERT_GE(scene.leastArea(lifted), 0.4f);
-  ASSERT_GT(largestStep(lifted, scene.patch), 0.04f);
-  EXPECT_TRUE(sameBytes(scene.spread(lifted), lifted));
-  EXPECT_TRUE(scene.touched.empty());
-}
-
-TEST(FoldSpread, DoesNotDependOnTheOrderOfTriangles) {
-  Scene scene(flatSheet());
-  const std::vector<glm::vec3> lifted = converging(scene.patch, 0.25f);
-  const std::vector<glm::vec3> spread = scene.spread(lifted);
-  ASSERT_GT(largestStep(spread, lifted), 0.01f);
-  std::ranges::reverse(scene.mesh.triangles);
-  std::ranges::reverse(scene.refinement.triangles);
-  std::ranges::reverse(scene.bindFronts);
-  EXPECT_LT(largestStep(scene.spread(lifted), spread), 1e-4f);
-}
-
-TEST(FoldSpread, IsContinuousInTheLift) {
-  Scene scene(flatSheet());
-  const auto finish = [&](std::vector<glm::vec3> lifted) { return scene.spread(std::move(lifted)); };
-  const float slope = steepestStep(scene.patch, 0.4f, 200, finish);
-  const float finer = steepestStep(scene.patch, 0.4f, 1600, finish);
-  EXPECT_LT(finer, 2.0f * slope) << "a jump stays as steps shrink";
 }
 
 /// A vertex of the patch goes by `way` across the edges opposite to it, in that many steps; the lift stays as it is,
@@ -123,7 +42,7 @@ float steepestWhereThePatchTurns(float way, int steps) {
     std::vector<glm::vec3> lifted = scene.patch;
     for (glm::vec3& p : lifted) p.z += 0.2f * std::max(0.0f, 1.0f - glm::length(p));
     lifted[middle] = scene.patch[middle] + glm::vec3(0.0f, 0.15f, 0.2f);
-    const std::vector<glm::vec3> now = scene.spread(lifted);
+    const std::vector<glm::vec3> now = scene.applied(lifted);
     moved = std::max(moved, largestStep(now, lifted));
     if (i > 0) worst = std::max(worst, largestStep(before, now));
     before = now;
@@ -149,7 +68,7 @@ TEST(FoldSpread, KeepsBorders) {
   });
   Scene scene(half);
   const std::vector<glm::vec3> lifted = converging(scene.patch, 0.3f);
-  const std::vector<glm::vec3> spread = scene.spread(lifted);
+  const std::vector<glm::vec3> spread = scene.applied(lifted);
   ASSERT_GT(largestStep(lifted, spread), 0.01f);
   int border = 0;
   for (std::size_t v = 0; v < lifted.size(); ++v) {

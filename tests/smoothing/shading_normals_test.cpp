@@ -23,7 +23,8 @@ constexpr float kEdge = 2.0f / kCells;
 /// A flat patch, raised by a height with the normals of a field.
 class Raised {
  public:
-  Raised() : mesh_(flat()), refinement_(refine(mesh_, 1)), patchNormals_(mesh_.normals) {}
+  Raised()
+      : mesh_(flat()), refinement_(refine(mesh_, 1)), rings_(vertexRings(refinement_)), patchNormals_(mesh_.normals) {}
 
   /// @param height  of a place; 0: not moved.  @param normal  the field's, asked where it moved.
   std::vector<glm::vec3> shaded(const std::function<float(const glm::vec3&)>& height,
@@ -38,7 +39,7 @@ class Raised {
     }
     moved_.find(mesh_, refinement_, mesh_.positions, positions);
     std::vector<glm::vec3> out = fieldNormals;
-    shading_.apply(refinement_, moved_, mesh_.positions, positions, patchNormals_, {}, out);
+    shading_.apply(refinement_, rings_, moved_, mesh_.positions, positions, patchNormals_, {}, out);
     return out;
   }
 
@@ -57,6 +58,7 @@ class Raised {
 
   ControlMesh mesh_;
   Refinement refinement_;
+  VertexRings rings_;
   std::vector<glm::vec3> patchNormals_;
   MovedTriangles moved_;
   ShadingNormals shading_;

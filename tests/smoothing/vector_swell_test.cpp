@@ -10,9 +10,10 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "core/smoothing/projection/instruction_set.h"
+#include "core/lanes/instruction_set.h"
 #include "sinew/io/gltf_import.h"
 #include "sinew/io/rig_json.h"
+#include "sinew/smoothing/smoother.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/rigs/trial_scenes.h"
@@ -112,6 +113,29 @@ TEST(VectorSwell, EverySetGivesTheSameBits) {
         EXPECT_TRUE(other.positions == widest.positions) << scene.name << ", " << nameOf(set);
         EXPECT_TRUE(other.normals == widest.normals) << scene.name << ", " << nameOf(set);
         EXPECT_TRUE(other.displacement == widest.displacement) << scene.name << ", " << nameOf(set);
+      }
+    }
+  }
+}
+
+// Shading normals too: the projection's are the same by the test above.
+TEST(VectorSwell, EverySetGivesTheSameBitsOfAWholeFrame) {
+  for (const TrialScene& scene : trialScenes()) {
+    for (const int depth : {1, 3, 5}) {
+      Rig rig = withMode(scene.rig, SurfaceMode::kSwell);
+      rig.smoothing.depth = depth;
+      Smoother smoother(scene.character);
+      ASSERT_TRUE(smoother.prepare(rig).ok());
+      const Pose pose = spreadPoses(*scene.character, 3).back();
+      Surface widest;
+      smoother.smooth(pose, widest);
+      for (const InstructionSet set : availableInstructionSets()) {
+        if (set == InstructionSet::kScalar) continue;
+        const InstructionSetScope scope(set);
+        Surface other;
+        smoother.smooth(pose, other);
+        EXPECT_TRUE(sameBytes(other.positions, widest.positions)) << scene.name << ", " << nameOf(set);
+        EXPECT_TRUE(sameBytes(other.normals, widest.normals)) << scene.name << ", " << nameOf(set);
       }
     }
   }

@@ -2,11 +2,11 @@
 // docs/design.md, Normals.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/smoothing/finish/moved_triangles.h"
+#include "core/smoothing/finish/normals_kernel.h"
 
 namespace sinew {
 
@@ -29,40 +29,19 @@ namespace sinew {
 /// Continuous in time. A vertex that has not moved and has no moved neighbour keeps its normal bit for bit.
 class ShadingNormals {
  public:
-  /// @param moved  of these positions.  @param patch, positions [V'] world.  @param patchNormals [V'] unit.
+  /// @param rings  of the refinement.  @param moved  of these positions.  @param patch, positions [V'] world.
+  /// @param patchNormals [V'] unit.
   /// @param filtered [V'] 0..1, the weights of lift_filter.h; empty: all are 0.
   /// @param normals [V'] unit: in: the field's where a vertex has moved, else the patch's; out: for shading.
-  void apply(const Refinement& refinement, const MovedTriangles& moved, std::span<const glm::vec3> patch,
-             std::span<const glm::vec3> positions, std::span<const glm::vec3> patchNormals,
-             std::span<const float> filtered, std::span<glm::vec3> normals);
+  void apply(const Refinement& refinement, const VertexRings& rings, const MovedTriangles& moved,
+             std::span<const glm::vec3> patch, std::span<const glm::vec3> positions,
+             std::span<const glm::vec3> patchNormals, std::span<const float> filtered, std::span<glm::vec3> normals);
 
  private:
-  /// Sums over the faces around one vertex.
-  struct Faces {
-    glm::vec3 patch{0.0f};
-    glm::vec3 surface{0.0f};
-  };
-  void sumFaces(const Refinement& refinement, const MovedTriangles& moved, std::span<const glm::vec3> patch,
-                std::span<const glm::vec3> positions);
-  void holdToFaces(const MovedTriangles& moved, std::span<const glm::vec3> patchNormals,
-                   std::span<const float> filtered, std::span<const glm::vec3> normals);
-  [[nodiscard]] bool findTeeth(const Refinement& refinement, const MovedTriangles& moved);
-  void gatherAroundTeeth(const Refinement& refinement, const MovedTriangles& moved);
-  /// (M - 1) values at the vertices near teeth, 0 at the other corners.
-  void laplacianOf(const std::vector<glm::vec3>& values, const Refinement& refinement, const MovedTriangles& moved,
-                   std::vector<glm::vec3>& out) const;
-  void removeTeeth(const Refinement& refinement, const MovedTriangles& moved, std::span<const float> filtered);
-
-  // All read and written at moved.corners alone.
-  std::vector<Faces> faces_;             ///< [V']
-  std::vector<glm::vec3> deltas_;        ///< [V']
-  std::vector<float> turn_;              ///< [V'] squared: the larger of the turns that the field and the faces show.
-  std::vector<float> spread_;            ///< [V'] largest squared difference to a neighbour's delta; 0: no tooth.
-  std::vector<std::uint8_t> isTurned_;   ///< [V'] delta is large enough to make a tooth.
-  std::vector<std::uint8_t> nearTeeth_;  ///< [V'] a tooth or next to one.
-  std::vector<int> aroundTeeth_;         ///< Refined triangles at vertices near teeth.
-  std::vector<glm::vec3> first_;         ///< [V'] (M - 1) delta
-  std::vector<glm::vec3> second_;        ///< [V'] (M - 1)^2 delta
+  // [V'] each: scratch of NormalsFrame.
+  std::vector<NormalsVertex> work_;
+  std::vector<int> teeth_;
+  std::vector<float> weights_;
 };
 
 }  // namespace sinew

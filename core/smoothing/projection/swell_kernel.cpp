@@ -9,7 +9,7 @@
 #define HWY_TARGET_INCLUDE "core/smoothing/projection/swell_kernel.cpp"
 #include "hwy/foreach_target.h"
 //
-#include "core/smoothing/projection/lane_points.h"
+#include "core/lanes/lane_points.h"
 #include "core/smoothing/roots/ray_lanes.h"
 #include "hwy/highway.h"
 

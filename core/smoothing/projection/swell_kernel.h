@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "core/lanes/instruction_set.h"
 #include "core/smoothing/projection/carrier_walk.h"
-#include "core/smoothing/projection/instruction_set.h"
 #include "core/smoothing/projection/swell.h"
 #include "core/smoothing/projection/swell_tiles.h"
 #include "core/smoothing/roots/lane_terms.h"

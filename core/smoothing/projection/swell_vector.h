@@ -2,7 +2,7 @@
 // docs/performance.md.
 #pragma once
 
-#include "core/smoothing/projection/instruction_set.h"
+#include "core/lanes/instruction_set.h"
 #include "core/smoothing/projection/swell.h"
 #include "core/smoothing/projection/swell_tiles.h"
 

@@ -7,17 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "core/lanes/lane_floats.h"
+
 namespace sinew {
-
-inline constexpr std::size_t kLanes = 16;
-
-/// One number per ray.
-struct alignas(64) LaneFloats {
-  std::array<float, kLanes> lane;
-
-  [[nodiscard]] float* at(std::size_t first) { return lane.data() + first; }
-  [[nodiscard]] const float* at(std::size_t first) const { return lane.data() + first; }
-};
 
 /// One potential along each ray: w(t) = peak - a (t - middle)^2, f(t) = factor max(0, w)^2.
 /// Written about its peak: c - b^2 / a would cancel for a small primitive far along the ray.

@@ -10,26 +10,12 @@
 #include <cstdint>
 #include <span>
 
+#include "core/lanes/lanes.h"
 #include "core/smoothing/roots/lane_terms.h"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
-// Multiplications and additions are never fused: every set gives the same bits.
-using FloatTag = hn::CappedTag<float, kLanes>;
-using V = hn::Vec<FloatTag>;
-using M = hn::Mask<FloatTag>;
-constexpr FloatTag kTag;
-HWY_INLINE std::size_t width() { return hn::Lanes(kTag); }
-HWY_INLINE V all(float value) { return hn::Set(kTag, value); }
-HWY_INLINE V zero() { return hn::Zero(kTag); }
-HWY_INLINE bool any(M mask) { return !hn::AllFalse(kTag, mask); }
-HWY_INLINE M both(M a, M b) { return hn::And(a, b); }
-HWY_INLINE M butNot(M a, M b) { return hn::AndNot(b, a); }
-HWY_INLINE M none() { return hn::Ne(zero(), zero()); }
-HWY_INLINE V choose(M mask, V yes, V no) { return hn::IfThenElse(mask, yes, no); }
 
 /// The skin's own field less T, times the direction's sign: falls from 0 at t = 0.
 struct LaneSkin {

@@ -3,6 +3,7 @@
 #include "tests/support/surface/projected.h"
 
 #include "core/character/skinning.h"
+#include "core/lines/carriers.h"
 #include "core/rig/attachment.h"
 #include "core/smoothing/patches/patch.h"
 #include "core/smoothing/projection/anchors.h"
@@ -32,6 +33,7 @@ struct Projected::State {
   const Character& character;
   Rig rig;
   Attachment attachment;
+  Carriers carriers;
   CandidateLists candidates;
   SwellTiles tiles;
   std::vector<glm::vec3> riseInBind;
@@ -57,7 +59,7 @@ struct Projected::State {
     std::vector<glm::vec3> inWorld;
     poseAnchors(anchors, bind, inWorld);
     std::vector<PosedPrimitive> posed;
-    poseField(attachment.primitives, bind.boneInWorld, posed);
+    poseField(attachment.primitives, carriers.inBind(character.skeleton), posed);
     weights = implicitWeights(character.mesh, {posed, &candidates, {}}, replaceSettings(),
                               {flat.positions, flat.normals, inWorld}, scratch);
   }
@@ -88,7 +90,8 @@ struct Projected::State {
 
 Projected::Projected(const Character& character, const Rig& rig)
     : state_(std::make_unique<State>(
-          State{character, rig, attach(rig, character).value(), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}})) {
+          State{character, rig, attach(rig, character).value(), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}})) {
+  state_->carriers = Carriers(rig, character, state_->attachment.lineCarriers);
   state_->candidates = makeCandidateLists(character.mesh, state_->attachment);
   state_->riseInBind = riseDirections(character.mesh, kRise * character.height);
   state_->limitsInBind = inverseRiseLimits(character.mesh, state_->riseInBind, kRise * character.height);
@@ -124,7 +127,7 @@ const Surface& Projected::at(const Pose& pose) {
   surface.report = {};
   surface.displacement.assign(surface.positions.size(), 0.0f);
   std::vector<PosedPrimitive> posed;
-  poseField(state_->attachment.primitives, pose.boneInWorld, posed);
+  poseField(state_->attachment.primitives, state_->carriers.in(pose, character.skeleton), posed);
   const FieldView field{posed, &state_->candidates, {}};
   if (state_->rig.surface.mode == SurfaceMode::kSwell) {
     state_->swellFrom(control, field);

@@ -1,5 +1,5 @@
-// core/smoothing/projection/instruction_set.cpp: what this machine runs.
-#include "core/smoothing/projection/instruction_set.h"
+// core/lanes/instruction_set.cpp: what this machine runs.
+#include "core/lanes/instruction_set.h"
 
 #include <algorithm>
 #include <array>

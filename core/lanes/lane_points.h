@@ -1,4 +1,4 @@
-// core/smoothing/projection/lane_points.h: vectors in space, a lane each. Included once per instruction set.
+// core/lanes/lane_points.h: vectors in space, a lane each. Included once per instruction set.
 #if defined(SINEW_LANE_POINTS_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_LANE_POINTS_H
 #undef SINEW_LANE_POINTS_H
@@ -13,7 +13,7 @@
 
 #include <glm/mat3x3.hpp>
 
-#include "core/smoothing/roots/ray_lanes.h"
+#include "core/lanes/lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {

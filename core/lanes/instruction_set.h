@@ -1,4 +1,4 @@
-// core/smoothing/projection/instruction_set.h: which vector instructions projection uses.
+// core/lanes/instruction_set.h: which vector instructions are used.
 #pragma once
 
 #include <span>
@@ -6,7 +6,7 @@
 namespace sinew {
 
 /// kAuto: the widest this machine has. kPlain: the same operations, one lane at a time, where there are no others.
-/// kScalar: the reference in double precision, vertex after vertex.
+/// kScalar: the projection's reference in double precision, vertex after vertex; to the rest it means kAuto.
 enum class InstructionSet { kAuto, kScalar, kPlain, kSse4, kAvx2, kAvx512 };
 
 [[nodiscard]] const char* nameOf(InstructionSet set);

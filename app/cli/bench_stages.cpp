@@ -1,0 +1,80 @@
+// app/cli/bench_stages.cpp: smooths the same frames again and again and divides each stage's least time by the whole.
+#include "app/cli/bench_stages.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "app/cli/measuring.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr std::array kDepths{3, 5};
+constexpr std::array kStages{&StageSeconds::skin, &StageSeconds::patch, &StageSeconds::project, &StageSeconds::folds,
+                             &StageSeconds::normals};
+
+Rig swelling(Rig rig, int depth) {
+  rig.surface.mode = SurfaceMode::kSwell;
+  rig.smoothing.projection = ProjectionKind::kNewton;
+  rig.smoothing.depth = depth;
+  return rig;
+}
+
+Result<StageRow> measureAt(int depth, const StageTrial& trial, const std::vector<Pose>& poses) {
+  Smoother smoother(trial.character);
+  if (const auto prepared = smoother.prepare(swelling(trial.rig, depth)); !prepared) return prepared.error();
+  StageRow row{trial.scene, depth, 0.0, 0.0, {}};
+  Surface surface;
+  std::vector<StageSeconds> least(poses.size());
+  for (int round = 0; round <= trial.rounds; ++round) {  // Round 0 warms up and counts.
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      smoother.smooth(poses[i], surface);
+      if (round == 0) row.projected += surface.report.projected / static_cast<double>(poses.size());
+      for (const auto stage : kStages) {
+        const double seconds = surface.report.seconds.*stage;
+        least[i].*stage = round <= 1 ? seconds : std::min(least[i].*stage, seconds);
+      }
+    }
+  }
+  StageSeconds sum;
+  for (const StageSeconds& frame : least) {
+    for (const auto stage : kStages) sum.*stage += frame.*stage;
+  }
+  row.frameSeconds = sum.total() / static_cast<double>(poses.size());
+  for (const auto stage : kStages) row.shares.*stage = sum.*stage / std::max(sum.total(), 1e-12);
+  return row;
+}
+
+}  // namespace
+
+Result<std::vector<StageRow>> measureStages(const StageTrial& trial) {
+  const std::vector<Pose> poses = spreadFrames(*trial.character, trial.frames);
+  std::vector<StageRow> rows;
+  for (const int depth : kDepths) {
+    Result<StageRow> row = measureAt(depth, trial, poses);
+    if (!row) return row.error();
+    rows.push_back(std::move(row.value()));
+  }
+  return rows;
+}
+
+std::string tableOf(const std::vector<StageRow>& rows) {
+  std::string table =
+      "Smoothing in swell by newton. Of each frame's stages the least times of all rounds count: what the machine "
+      "does\n"
+      "when nothing else runs. Milliseconds of a frame, mean; per cent that each stage takes of all frames together.\n"
+      "\n"
+      "scene             depth  vertices  frame ms   skin  patch  project  folds  normals\n";
+  char line[160];
+  for (const StageRow& row : rows) {
+    const StageSeconds& share = row.shares;
+    std::snprintf(line, sizeof line, "%-16.40s  %5d  %8.0f  %8.3f  %5.1f  %5.1f  %7.1f  %5.1f  %7.1f\n",
+                  row.scene.c_str(), row.depth, row.projected, 1e3 * row.frameSeconds, 100.0 * share.skin,
+                  100.0 * share.patch, 100.0 * share.project, 100.0 * share.folds, 100.0 * share.normals);
+    table += line;
+  }
+  return table;
+}
+
+}  // namespace sinew::app

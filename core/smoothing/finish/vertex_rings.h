@@ -1,0 +1,31 @@
+// core/smoothing/finish/vertex_rings.h: the neighbours of each refined vertex.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "sinew/smoothing/refinement.h"
+
+namespace sinew {
+
+/// Means over neighbours: each counts once for every triangle shared, so that along a border they count half. Depends
+/// on the refinement alone.
+struct VertexRings {
+  static constexpr std::size_t kMultiple = 6;  ///< What nearly every vertex has.
+
+  std::vector<int> begin;       ///< [V' + 1] into `neighbours`; multiples of kMultiple.
+  std::vector<int> neighbours;  ///< Ascending; once where all share two triangles; filled up with the vertex itself.
+  std::vector<float> share;     ///< [V'] of one neighbour in the mean; 0 where there is none.
+
+  /// As many as a multiple of kMultiple; the vertex itself may be among them.
+  [[nodiscard]] std::span<const int> at(int vertex) const {
+    const auto v = static_cast<std::size_t>(vertex);
+    return std::span(neighbours)
+        .subspan(static_cast<std::size_t>(begin[v]), static_cast<std::size_t>(begin[v + 1] - begin[v]));
+  }
+};
+
+[[nodiscard]] VertexRings vertexRings(const Refinement& refinement);
+
+}  // namespace sinew
