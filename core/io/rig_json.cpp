@@ -6,6 +6,7 @@
 
 #include "core/io/files/atomic_file.h"
 #include "core/io/json/writer.h"
+#include "core/io/rig_json_animated.h"
 #include "core/io/rig_json_lines.h"
 #include "core/rig/validation.h"
 
@@ -29,11 +30,10 @@ Json listOf(const Items& items, Write write) {
 }
 
 Json surfaceNode(const SurfaceSettings& surface) {
-  return ObjectWriter()
-      .set("mode", nameOf(surface.mode))
-      .set("iso", surface.iso)
-      .set("skin_blend", surface.skinBlend)
-      .finish(surface.unknownKeys);
+  ObjectWriter writer;
+  writer.set("mode", nameOf(surface.mode)).set("iso", surface.iso).set("skin_blend", surface.skinBlend);
+  setAnimated(writer, surface.animated);
+  return writer.finish(surface.unknownKeys);
 }
 
 Json smoothingNode(const SmoothingSettings& smoothing) {
@@ -66,17 +66,20 @@ Json primitiveNode(const Primitive& primitive) {
       .set("radii", numbers({radii.x, radii.y, radii.z}));
   setShape(shape, writer);
   writer.set("reach", primitive.reach).set("sign", primitive.sign);
+  if (primitive.amount != 1.0f) writer.set("amount", primitive.amount);
   if (!primitive.line.empty()) writer.set("line", primitive.line);
   if (!primitive.mirror.empty()) writer.set("mirror", primitive.mirror);
   if (primitive.territory) writer.set("territory", strings(*primitive.territory));
+  setAnimated(writer, primitive.animated);
   return writer.finish(primitive.unknownKeys);
 }
 
 /// The oldest version that can say what is in the rig: older programs read what they can.
 int versionOf(const Rig& rig) {
-  const bool shaped =
-      std::ranges::any_of(rig.primitives, [](const Primitive& p) { return !p.placement.shape.isPlain(); });
-  return rig.lines.empty() && !shaped ? 1 : 2;
+  const bool newer = std::ranges::any_of(rig.primitives, [](const Primitive& p) {
+    return !p.placement.shape.isPlain() || p.amount != 1.0f || !p.animated.empty();
+  });
+  return rig.lines.empty() && rig.channels.empty() && rig.surface.animated.empty() && !newer ? 1 : 2;
 }
 
 Error inFile(Error error, const std::filesystem::path& file) {
@@ -95,6 +98,7 @@ std::string rigToJson(const Rig& rig) {
       .set("smoothing", smoothingNode(rig.smoothing))
       .set("groups", listOf(rig.groups, groupNode))
       .set("links", listOf(rig.links, [](const auto& link) { return strings(link); }));
+  if (!rig.channels.empty()) root.set("channels", listOf(rig.channels, channelNode));
   if (!rig.lines.empty()) root.set("lines", listOf(rig.lines, lineNode));
   root.set("primitives", listOf(rig.primitives, primitiveNode));
   return root.finish(rig.unknownKeys).dump(true) + '\n';

@@ -2,17 +2,10 @@
 #include "core/io/rig_json_lines.h"
 
 #include "core/io/json/writer.h"
+#include "core/io/rig_json_animated.h"
 
 namespace sinew {
 namespace {
-
-Json anchorNode(const LineAnchor& anchor) {
-  const glm::vec3& point = anchor.point;
-  return ObjectWriter()
-      .set("bone", anchor.bone)
-      .set("point", numbers({point.x, point.y, point.z}))
-      .finish(anchor.unknownKeys);
-}
 
 void setPair(ObjectWriter& writer, const char* key, const glm::vec2& pair, const glm::vec2& usual) {
   if (pair != usual) writer.set(key, numbers({pair.x, pair.y}));
@@ -20,18 +13,6 @@ void setPair(ObjectWriter& writer, const char* key, const glm::vec2& pair, const
 
 void setNumber(ObjectWriter& writer, const char* key, float value, float usual) {
   if (value != usual) writer.set(key, value);
-}
-
-LineAnchor readAnchor(Reader& reader, const Json& node, const Place& place) {
-  LineAnchor anchor;
-  if (!reader.object(node, place)) return anchor;
-  anchor.bone = readNeededText(reader, node, place, "bone");
-  if (const Json* point = reader.need(node, place, "point", "an array of 3 numbers")) {
-    const auto [x, y, z] = reader.vector<3>(*point, Reader::join(place, "point"));
-    anchor.point = {x, y, z};
-  }
-  anchor.unknownKeys = unknownKeys(node, {"bone", "point"});
-  return anchor;
 }
 
 void readPair(Reader& reader, const Json& object, const Place& place, const char* key, glm::vec2& pair) {
@@ -85,6 +66,7 @@ Json lineNode(const MuscleLine& line) {
   if (Json node = activation.finish(line.unknownActivationKeys); !node.children.empty())
     writer.set("activation", std::move(node));
   if (!line.mirror.empty()) writer.set("mirror", line.mirror);
+  setAnimated(writer, line.animated);
   return writer.finish(line.unknownKeys);
 }
 
@@ -106,8 +88,9 @@ MuscleLine readLine(Reader& reader, const Json& node, const Place& listed) {
     line.mirror = reader.text(*mirror, Reader::join(place, "mirror"));
     if (line.mirror.empty()) reader.expect(Reader::join(place, "mirror"), "the name of another line", *mirror);
   }
+  line.animated = readAnimated(reader, node, place);
   line.unknownKeys = unknownKeys(node, {"name", "origin", "insertion", "via", "rest", "tendons", "volume", "limits",
-                                        "pivot", "twist", "flex", "activation", "mirror"});
+                                        "pivot", "twist", "flex", "activation", "mirror", "animated"});
   return line;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/io/json/reader.h"
+#include "core/io/rig_json_animated.h"
 #include "core/io/rig_json_lines.h"
 #include "core/rig/validation.h"
 
@@ -21,7 +22,8 @@ SurfaceSettings readSurface(Reader& reader, const Json& node) {
   readWord(reader, node, "surface", "mode", "\"swell\" or \"replace\"", surfaceModeNamed, surface.mode);
   readFloat(reader, node, "surface", "iso", surface.iso);
   readFloat(reader, node, "surface", "skin_blend", surface.skinBlend);
-  surface.unknownKeys = unknownKeys(node, {"mode", "iso", "skin_blend"});
+  surface.animated = readAnimated(reader, node, "surface");
+  surface.unknownKeys = unknownKeys(node, {"mode", "iso", "skin_blend", "animated"});
   return surface;
 }
 
@@ -95,6 +97,7 @@ Primitive readPrimitive(Reader& reader, const Json& node, const Place& listed) {
   readKind(reader, node, place);
   primitive.placement = readPlacement(reader, node, place);
   readFloat(reader, node, place, "reach", primitive.reach);
+  readFloat(reader, node, place, "amount", primitive.amount);
   if (const Json* sign = node.find("sign")) {
     primitive.sign = reader.wholeNumber(*sign, Reader::join(place, "sign"), "1 or -1");
   }
@@ -113,8 +116,10 @@ Primitive readPrimitive(Reader& reader, const Json& node, const Place& listed) {
       primitive.territory->push_back(reader.text(bone, bonePlace));
     });
   }
-  primitive.unknownKeys = unknownKeys(node, {"name", "bone", "group", "line", "kind", "center", "rotation", "radii",
-                                             "core", "belly", "bend", "reach", "sign", "mirror", "territory"});
+  primitive.animated = readAnimated(reader, node, place);
+  primitive.unknownKeys =
+      unknownKeys(node, {"name", "bone", "group", "line", "kind", "center", "rotation", "radii", "core", "belly",
+                         "bend", "reach", "amount", "sign", "mirror", "territory", "animated"});
   return primitive;
 }
 
@@ -151,6 +156,11 @@ Rig readRig(Reader& reader, const Json& root) {
     reader.each(*links, {"links", "link"},
                 [&](const Json& node, const Place& place) { rig.links.push_back(readLink(reader, node, place)); });
   }
+  if (const Json* channels = root.find("channels")) {
+    reader.each(*channels, {"channels", "channel"}, [&](const Json& node, const Place& place) {
+      rig.channels.push_back(readChannel(reader, node, place));
+    });
+  }
   if (const Json* lines = root.find("lines")) {
     reader.each(*lines, {"lines", "muscle line"},
                 [&](const Json& node, const Place& place) { rig.lines.push_back(readLine(reader, node, place)); });
@@ -160,8 +170,8 @@ Rig readRig(Reader& reader, const Json& root) {
       rig.primitives.push_back(readPrimitive(reader, node, place));
     });
   }
-  rig.unknownKeys = unknownKeys(
-      root, {"format", "version", "character", "surface", "smoothing", "groups", "links", "lines", "primitives"});
+  rig.unknownKeys = unknownKeys(root, {"format", "version", "character", "surface", "smoothing", "groups", "links",
+                                       "channels", "lines", "primitives"});
   return rig;
 }
 

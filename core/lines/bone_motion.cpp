@@ -1,6 +1,7 @@
 // core/lines/bone_motion.cpp: polar decomposition of a bone's motion.
 #include "core/lines/bone_motion.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/flatness.h"
@@ -42,7 +43,7 @@ BoneMotion boneMotion(const glm::mat4& bind, const glm::mat4& inverseBind, const
     return motion;
   }
   motion.scale = std::cbrt(std::abs(glm::determinant(linear)));
-  motion.turn = glm::normalize(glm::quat_cast(nearestRotation(linear)));
+  motion.turn = nearestRotation(linear);
   return motion;
 }
 

@@ -1,16 +1,16 @@
 // core/lines/bone_motion.h: how far a bone has turned and grown since the bind pose.
 #pragma once
 
-#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 
 namespace sinew {
 
 struct BoneMotion {
-  glm::dquat turn{1.0, 0.0, 0.0, 0.0};  ///< World bind -> world now, the rotation nearest to the bone's motion.
-  double scale = 1.0;                   ///< Cube root of the volume's growth.
-  bool moved = false;                   ///< The bone's matrix is not that of the bind pose, bit for bit.
-  bool usable = true;                   ///< False where the bone is flattened or not finite: `turn` is none then.
+  glm::dmat3 turn{1.0};  ///< World bind -> world now, the rotation nearest to the bone's motion.
+  double scale = 1.0;    ///< Cube root of the volume's growth.
+  bool moved = false;    ///< The bone's matrix is not that of the bind pose, bit for bit.
+  bool usable = true;    ///< False where the bone is flattened or not finite: `turn` is none then.
 };
 
 /// The rotation is that of the polar decomposition, so that scale and shear do not turn it.

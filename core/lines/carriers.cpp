@@ -13,6 +13,12 @@ Carriers::Carriers(const Rig& rig, const Character& character, std::span<const L
   if (!onLines_.empty()) rests_ = lineRests(rig, character);
 }
 
+void Carriers::settle(const Rig& rig) {
+  for (std::size_t i = 0; i < rests_.size(); ++i) {
+    if (rests_[i]) sinew::settle(*rests_[i], rig.lines[i].settings);
+  }
+}
+
 std::span<const glm::mat4> Carriers::in(const Pose& pose, const Skeleton& skeleton) {
   if (onLines_.empty()) return pose.boneInWorld;
   poseLines(rests_, skeleton, pose, scratch_, lines_);
@@ -27,10 +33,19 @@ std::vector<glm::mat4> Carriers::inBind(const Skeleton& skeleton) const {
   return matrices;
 }
 
-std::vector<std::optional<glm::mat4>> carriersOf(const Rig& rig, const Character& character, const Pose& pose) {
+std::vector<PosedLine> posedLines(const Rig& rig, const Character& character, const Pose& pose) {
   LineScratch scratch;
   std::vector<PosedLine> lines;
   poseLines(lineRests(rig, character), character.skeleton, pose, scratch, lines);
+  return lines;
+}
+
+std::vector<std::optional<glm::mat4>> carriersOf(const Rig& rig, const Character& character, const Pose& pose) {
+  return carriersOf(rig, character, pose, posedLines(rig, character, pose));
+}
+
+std::vector<std::optional<glm::mat4>> carriersOf(const Rig& rig, const Character& character, const Pose& pose,
+                                                 std::span<const PosedLine> lines) {
   std::unordered_map<std::string_view, int> lineOf;
   for (std::size_t i = 0; i < rig.lines.size(); ++i) lineOf.emplace(rig.lines[i].name, static_cast<int>(i));
   std::vector<std::optional<glm::mat4>> matrices;

@@ -17,6 +17,8 @@ class Carriers {
   Carriers() = default;
   Carriers(const Rig& rig, const Character& character, std::span<const LineCarrier> onLines);
 
+  /// Takes the lines' settings from a rig that has the same lines otherwise.
+  void settle(const Rig& rig);
   /// [bones + onLines] for FieldPrimitive::carrier. Valid until the next call.
   [[nodiscard]] std::span<const glm::mat4> in(const Pose& pose, const Skeleton& skeleton);
   /// The same in the bind pose with nothing flexed, where lines deform nothing.
@@ -30,7 +32,12 @@ class Carriers {
   std::vector<glm::mat4> matrices_;
 };
 
+/// [Rig::lines] in a pose.
+[[nodiscard]] std::vector<PosedLine> posedLines(const Rig& rig, const Character& character, const Pose& pose);
 /// [Rig::primitives] what each rides: its bone's space in the bind pose -> world now. nullopt: unattached.
+/// @param lines  posedLines of the same
+[[nodiscard]] std::vector<std::optional<glm::mat4>> carriersOf(const Rig& rig, const Character& character,
+                                                               const Pose& pose, std::span<const PosedLine> lines);
 [[nodiscard]] std::vector<std::optional<glm::mat4>> carriersOf(const Rig& rig, const Character& character,
                                                                const Pose& pose);
 /// The same for one.

@@ -9,6 +9,13 @@ namespace {
 
 constexpr double kLeastBelly = 0.1;  // Of the rest length's belly, however short the line.
 
+/// ln of a stretch, levelling off at both limits; slope 1 at rest.
+double softened(double stretch, const GirthRest& rest) {
+  const double x = std::log(stretch);
+  const double limit = x < 0.0 ? rest.least : rest.most;
+  return limit * std::tanh(x / limit);
+}
+
 }  // namespace
 
 double bellyStretch(double stretch, const LineSettings& settings) {
@@ -16,15 +23,15 @@ double bellyStretch(double stretch, const LineSettings& settings) {
   return std::max(stretch - (1.0 - belly), kLeastBelly * belly) / belly;
 }
 
-double girth(double stretch, const LineSettings& settings) {
-  const auto softened = [&](double of) {
-    const double x = std::log(of);
-    const double limit =
-        x < 0.0 ? -std::log(static_cast<double>(settings.limits.x)) : std::log(static_cast<double>(settings.limits.y));
-    return limit * std::tanh(x / limit);
-  };
-  const double inBind = bellyStretch(1.0 / static_cast<double>(settings.rest), settings);
-  return std::exp(-0.5 * static_cast<double>(settings.volume) * (softened(stretch) - softened(inBind)));
+GirthRest girthRest(const LineSettings& settings) {
+  GirthRest rest{static_cast<double>(settings.volume), -std::log(static_cast<double>(settings.limits.x)),
+                 std::log(static_cast<double>(settings.limits.y)), 0.0};
+  rest.inBind = softened(bellyStretch(1.0 / static_cast<double>(settings.rest), settings), rest);
+  return rest;
+}
+
+double girth(double stretch, const GirthRest& rest) {
+  return std::exp(-0.5 * rest.volume * (softened(stretch, rest) - rest.inBind));
 }
 
 double activation(double stretch, const LineSettings& settings, double added) {

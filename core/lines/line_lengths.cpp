@@ -2,9 +2,7 @@
 #include "core/lines/line_lengths.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "core/lines/line_pose.h"
@@ -17,18 +15,15 @@ constexpr float kHertz = 15.0f;
 }  // namespace
 
 LineLengths lengthsOver(const LineRest& rest, const Character& character, std::span<const AnimationClip> clips) {
-  const std::array<std::optional<LineRest>, 1> rests{rest};
-  LineScratch scratch;
-  std::vector<PosedLine> posed;
   std::vector<float> stretches;
   LineLengths lengths;
   for (const AnimationClip& clip : clips) {
     const int steps = std::max(1, static_cast<int>(std::ceil(clip.duration * kHertz)));
     for (int step = 0; step <= steps; ++step) {
       const float time = clip.duration * static_cast<float>(step) / static_cast<float>(steps);
-      poseLines(rests, character.skeleton, samplePose(character.skeleton, clip, time), scratch, posed);
-      if (!posed.front().usable) continue;
-      const float stretch = posed.front().stretch;
+      const PosedLine line = posedLine(rest, character.skeleton, samplePose(character.skeleton, clip, time));
+      if (!line.usable) continue;
+      const float stretch = line.stretch;
       if (stretches.empty() || stretch < lengths.least) {
         lengths.least = stretch;
         lengths.shortestIn = clip.name;

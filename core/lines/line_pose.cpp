@@ -1,6 +1,8 @@
 // core/lines/line_pose.cpp: the virtual bone that two anchors span.
 #include "core/lines/line_pose.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -15,24 +17,28 @@ namespace {
 constexpr double kOpposite = 1e-6;   // 1 + cosine below which two directions are opposite.
 constexpr double kSamePoint = 1e-6;  // Of the rest length: anchors that meet have no direction.
 
-/// Least rotation of p to q, both unit; `axis`, square to p, where any would do.
-glm::dquat swing(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& axis) {
-  const double cosine = glm::dot(p, q);
-  if (1.0 + cosine < kOpposite) return {0.0, axis.x, axis.y, axis.z};
-  const glm::dvec3 turn = glm::cross(p, q);
-  return glm::normalize(glm::dquat(1.0 + cosine, turn.x, turn.y, turn.z));
+/// The bind frame's height as one bone carries it, after the least rotation that takes the carried direction onto the
+/// line: what is square to a direction loses its part along the new one in the plane of both.
+glm::dvec3 carriedHeight(const LineRest& rest, const BoneMotion& bone, const glm::dvec3& direction) {
+  const glm::dvec3 from = bone.turn * rest.frame[1];
+  const glm::dvec3 height = bone.turn * rest.frame[2];
+  const double opening = 1.0 + glm::dot(from, direction);
+  if (opening < kOpposite) return height;  // A half turn about the height: any would do.
+  return height - (glm::dot(height, direction) / opening) * (from + direction);
 }
 
-/// The bind frame as one bone carries it, swung onto the line.
-glm::dquat carried(const LineRest& rest, const BoneMotion& bone, const glm::dvec3& direction) {
-  const glm::dquat turned = bone.turn * rest.frame;
-  return swing(bone.turn * rest.direction, direction, turned * glm::dvec3(0.0, 0.0, 1.0)) * turned;
-}
-
-/// Both take the line's axis to its direction, and so does every mixture.
-glm::dquat mixed(const glm::dquat& a, glm::dquat b, double share) {
-  if (glm::dot(a, b) < 0.0) b = -b;
-  return glm::normalize((1.0 - share) * a + share * b);
+/// The normalised mixture of the quaternions of two frames around one direction, as the height it gives. Half their
+/// angle apart, the mixture of their half-angle vectors is the half angle from the first.
+/// @param a, b  unit, square to the direction
+glm::dvec3 mixedHeight(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& direction, double share) {
+  const double cosine = std::clamp(glm::dot(a, b), -1.0, 1.0);
+  const glm::dvec3 beside = glm::cross(direction, a);
+  const double halfCosine = std::sqrt(0.5 * (1.0 + cosine));
+  const double halfSine = std::copysign(std::sqrt(0.5 * (1.0 - cosine)), glm::dot(beside, b));
+  const double c = 1.0 - share + share * halfCosine;
+  const double s = share * halfSine;
+  const double square = c * c + s * s;
+  return ((c * c - s * s) / square) * a + (2.0 * c * s / square) * beside;
 }
 
 struct Ends {
@@ -42,13 +48,9 @@ struct Ends {
   double length = 0.0;
 };
 
-glm::dvec3 posed(const BonePoint& point, const Pose& pose) {
-  return glm::dvec3(glm::dmat4(at(pose.boneInWorld, point.bone)) * glm::dvec4(point.inBone, 1.0));
-}
-
 Ends endsOf(const LineRest& rest, const Pose& pose) {
-  Ends ends{posed(rest.origin, pose), posed(rest.insertion, pose), glm::dvec3(0.0)};
-  ends.via = rest.via ? posed(*rest.via, pose) : 0.5 * (ends.origin + ends.insertion);
+  Ends ends{posedPoint(rest.origin, pose), posedPoint(rest.insertion, pose), glm::dvec3(0.0)};
+  ends.via = rest.via ? posedPoint(*rest.via, pose) : 0.5 * (ends.origin + ends.insertion);
   ends.length = rest.via ? glm::distance(ends.origin, ends.via) + glm::distance(ends.via, ends.insertion)
                          : glm::distance(ends.origin, ends.insertion);
   return ends;
@@ -62,7 +64,7 @@ struct Motions {
 /// Factors of the deformation along the frame's axes.
 glm::dvec3 factors(const LineRest& rest, const PosedLine& line, double scale) {
   const auto belly = static_cast<double>(line.bellyStretch);
-  const double omega = girth(belly, rest.settings);
+  const double omega = girth(belly, rest.girth);
   const glm::dvec2 flex(rest.settings.flex);
   const auto a = static_cast<double>(line.activation);
   return scale * glm::dvec3(omega * (1.0 + flex.y * a), belly / rest.bellyStretch, omega * (1.0 + flex.x * a));
@@ -73,32 +75,31 @@ void deform(const LineRest& rest, const Motions& motions, const Ends& ends, doub
   const double straight = glm::length(along);
   const glm::dvec3 direction =
       straight > kSamePoint * rest.length ? along / straight : motions.origin.turn * rest.direction;
-  const glm::dquat frame = mixed(carried(rest, motions.origin, direction), carried(rest, motions.insertion, direction),
-                                 static_cast<double>(rest.settings.twist));
-  const glm::dvec3 height = frame * glm::dvec3(0.0, 0.0, 1.0);
+  const glm::dvec3 height =
+      mixedHeight(carriedHeight(rest, motions.origin, direction), carriedHeight(rest, motions.insertion, direction),
+                  direction, static_cast<double>(rest.settings.twist));
+  const glm::dvec3 width = glm::cross(direction, height);
   const double restLength = static_cast<double>(rest.settings.rest) * rest.length * scale;
   const glm::dvec3 start =
       ends.origin + static_cast<double>(rest.settings.tendons.x) * restLength * direction - scale * rest.depth * height;
 
-  glm::dmat3 stretched = glm::mat3_cast(frame);
   const glm::dvec3 growth = factors(rest, line, scale);
-  for (int axis = 0; axis < 3; ++axis) stretched[axis] *= growth[axis];
-  const glm::dmat3 toFrame = glm::transpose(glm::mat3_cast(rest.frame));
-  const glm::dmat3 linear = stretched * toFrame;
+  const glm::dmat3 toFrame = glm::transpose(rest.frame);
+  const glm::dmat3 linear = glm::dmat3(growth.x * width, growth.y * direction, growth.z * height) * toFrame;
   glm::dmat4 deformation(linear);
   deformation[3] = glm::dvec4(start - linear * rest.start, 1.0);
   if (rest.via) {
     const glm::dvec2 tendons(rest.settings.tendons);
     const double belly = static_cast<double>(line.bellyStretch) * (1.0 - tendons.x - tendons.y) * restLength;
     const glm::dvec3 now = viaShift(ends.origin, direction, ends.via, tendons.x * restLength, belly);
-    const glm::dvec3 drawn = scale * (glm::mat3_cast(frame) * (toFrame * rest.viaShift));
+    const glm::dvec3 drawn = scale * (glm::dmat3(width, direction, height) * (toFrame * rest.viaShift));
     deformation[3] += glm::dvec4(now - drawn, 0.0);
   }
   line.deformation = glm::mat4(deformation);
   line.height = glm::vec3(height);
 }
 
-PosedLine poseLine(const LineRest& rest, const Motions& motions, const Pose& pose) {
+PosedLine poseLine(const LineRest& rest, const Motions& motions, const Pose& pose, float flex) {
   PosedLine line;
   const bool viaMoved = rest.via && !isFinite(at(pose.boneInWorld, rest.via->bone));
   if (!motions.origin.usable || !motions.insertion.usable || viaMoved) return line;
@@ -110,7 +111,7 @@ PosedLine poseLine(const LineRest& rest, const Motions& motions, const Pose& pos
   line.insertion = glm::vec3(ends.insertion);
   line.stretch = static_cast<float>(stretch);
   line.bellyStretch = static_cast<float>(bellyStretch(stretch, rest.settings));
-  line.activation = static_cast<float>(activation(stretch, rest.settings, static_cast<double>(pose.flex)));
+  line.activation = static_cast<float>(activation(stretch, rest.settings, static_cast<double>(flex)));
   deform(rest, motions, ends, scale, line);
   line.usable = isFinite(line.deformation);
   if (!line.usable) line.deformation = glm::mat4(0.0f);
@@ -121,6 +122,15 @@ PosedLine poseLine(const LineRest& rest, const Motions& motions, const Pose& pos
 bool restsInBind(const LineRest& rest, const Motions& motions, const Skeleton& skeleton, const Pose& pose) {
   if (motions.origin.moved || motions.insertion.moved) return false;
   return !rest.via || at(pose.boneInWorld, rest.via->bone) == at(skeleton.bones, rest.via->bone).bindInWorld;
+}
+
+PosedLine poseOne(const LineRest& rest, const Motions& motions, const Skeleton& skeleton, const Pose& pose,
+                  float flex) {
+  PosedLine line = poseLine(rest, motions, pose, flex);
+  if (line.usable && line.activation == 0.0f && restsInBind(rest, motions, skeleton, pose)) {
+    line.deformation = glm::mat4(1.0f);
+  }
+  return line;
 }
 
 }  // namespace
@@ -139,11 +149,16 @@ void poseLines(std::span<const std::optional<LineRest>> rests, const Skeleton& s
     if (!rests[i]) continue;
     const LineRest& rest = *rests[i];
     const Motions motions{motionOf(rest.origin.bone), motionOf(rest.insertion.bone)};
-    out[i] = poseLine(rest, motions, pose);
-    if (out[i].usable && out[i].activation == 0.0f && restsInBind(rest, motions, skeleton, pose)) {
-      out[i].deformation = glm::mat4(1.0f);
-    }
+    out[i] = poseOne(rest, motions, skeleton, pose, pose.flexOf(static_cast<int>(i)));
   }
+}
+
+PosedLine posedLine(const LineRest& rest, const Skeleton& skeleton, const Pose& pose, float flex) {
+  const auto motionOf = [&](int bone) {
+    const Bone& of = at(skeleton.bones, bone);
+    return boneMotion(of.bindInWorld, of.inverseBindInWorld, at(pose.boneInWorld, bone));
+  };
+  return poseOne(rest, {motionOf(rest.origin.bone), motionOf(rest.insertion.bone)}, skeleton, pose, flex);
 }
 
 glm::mat4 carrierInWorld(int bone, int line, const Skeleton& skeleton, const Pose& pose,

@@ -37,6 +37,9 @@ struct LineScratch {
 void poseLines(std::span<const std::optional<LineRest>> rests, const Skeleton& skeleton, const Pose& pose,
                LineScratch& scratch, std::vector<PosedLine>& out);
 
+/// One line, for those who need no more; the same numbers. @param flex  Pose::flexOf it
+[[nodiscard]] PosedLine posedLine(const LineRest& rest, const Skeleton& skeleton, const Pose& pose, float flex = 0.0f);
+
 /// What a primitive rides: its bone's space in the bind pose -> world now.
 /// @param line  of the primitive, or -1
 [[nodiscard]] glm::mat4 carrierInWorld(int bone, int line, const Skeleton& skeleton, const Pose& pose,

@@ -17,14 +17,6 @@ namespace {
 constexpr double kMostAlong = 0.8;  // Of the half belly: a via point at its end would ask for any shift.
 constexpr double kMostShift = 0.5;  // Of the belly's length.
 
-Result<BonePoint> found(const LineAnchor& anchor, const char* what, const Skeleton& skeleton) {
-  const std::optional<int> bone = skeleton.findBone(anchor.bone);
-  if (!bone) return errorAt("", "this character has no bone \"" + anchor.bone + '"', what);
-  const glm::dvec3 point(anchor.point);
-  return BonePoint{*bone, point,
-                   glm::dvec3(glm::dmat4(at(skeleton.bones, *bone).bindInWorld) * glm::dvec4(point, 1.0))};
-}
-
 glm::dvec3 nearestSkin(const ControlMesh& mesh, const glm::dvec3& point) {
   double nearest = std::numeric_limits<double>::infinity();
   glm::dvec3 result = point;
@@ -45,27 +37,32 @@ glm::dvec3 across(const glm::dvec3& unit) {
   return glm::normalize(madeSquare(axis, unit));
 }
 
-/// Where the bone under the middle of the line is.
-glm::dvec3 boneUnder(const Bone& bone, const glm::dvec3& middle) {
-  const Segment segment = bindSegment(bone);
-  const float t = segment.closestTo(glm::vec3(middle));
-  return glm::dvec3(segment.from + t * segment.along);
-}
-
 void layFrame(LineRest& rest, const Character& character) {
   const double least = static_cast<double>(kShortestLine * character.height);
   const glm::dvec3 middle = 0.5 * (rest.origin.inBind + rest.insertion.inBind);
-  const glm::dvec3 bone = boneUnder(at(character.skeleton.bones, rest.origin.bone), middle);
+  const Bone& origin = at(character.skeleton.bones, rest.origin.bone);
+  const glm::dvec3 bone(bindSegment(origin).nearest(glm::vec3(middle)));
   glm::dvec3 height = madeSquare(middle - bone, rest.direction);
   if (glm::length(height) < least) height = madeSquare(nearestSkin(character.mesh, middle) - middle, rest.direction);
   const glm::dvec3 z = glm::length(height) < least ? across(rest.direction) : glm::normalize(height);
-  rest.frame = glm::normalize(glm::quat_cast(glm::dmat3(glm::cross(rest.direction, z), rest.direction, z)));
-  rest.depth = static_cast<double>(rest.settings.pivot) * std::max(0.0, glm::dot(middle - bone, z));
-  const double tendon = static_cast<double>(rest.settings.tendons.x * rest.settings.rest) * rest.length;
-  rest.start = rest.origin.inBind + tendon * rest.direction - rest.depth * z;
+  rest.frame = {glm::cross(rest.direction, z), rest.direction, z};
+  rest.height = std::max(0.0, glm::dot(middle - bone, z));
 }
 
 }  // namespace
+
+std::optional<BonePoint> foundPoint(const LineAnchor& anchor, const Skeleton& skeleton) {
+  const std::optional<int> bone = skeleton.findBone(anchor.bone);
+  if (!bone) return std::nullopt;
+  const glm::dvec3 point(anchor.point);
+  return BonePoint{*bone, point,
+                   glm::dvec3(glm::dmat4(at(skeleton.bones, *bone).bindInWorld) * glm::dvec4(point, 1.0))};
+}
+
+glm::dvec3 posedPoint(const BonePoint& point, const Pose& pose) {
+  const glm::mat4& bone = at(pose.boneInWorld, point.bone);
+  return glm::dmat3(glm::mat3(bone)) * point.inBone + glm::dvec3(bone[3]);
+}
 
 glm::dvec3 viaShift(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& via, double tendon,
                     double belly) {
@@ -80,11 +77,10 @@ glm::dvec3 viaShift(const glm::dvec3& origin, const glm::dvec3& direction, const
 Result<LineRest> lineRest(const MuscleLine& line, const Character& character) {
   const std::string subject = "muscle line \"" + line.name + '"';
   LineRest rest;
-  rest.settings = line.settings;
   const auto take = [&](const LineAnchor& anchor, const char* what, BonePoint& point) -> Result<void> {
-    const Result<BonePoint> at = found(anchor, what, character.skeleton);
-    if (!at) return about(subject, at.error());
-    point = at.value();
+    const std::optional<BonePoint> found = foundPoint(anchor, character.skeleton);
+    if (!found) return about(subject, errorAt("", "this character has no bone \"" + anchor.bone + '"', what));
+    point = *found;
     return {};
   };
   if (auto origin = take(line.origin, "origin", rest.origin); !origin) return origin.error();
@@ -102,15 +98,23 @@ Result<LineRest> lineRest(const MuscleLine& line, const Character& character) {
         glm::distance(rest.origin.inBind, rest.via->inBind) + glm::distance(rest.via->inBind, rest.insertion.inBind);
   }
   rest.direction = (rest.insertion.inBind - rest.origin.inBind) / straight;
-  rest.bellyStretch = bellyStretch(1.0 / static_cast<double>(line.settings.rest), line.settings);
   layFrame(rest, character);
-  if (rest.via) {
-    const double restLength = static_cast<double>(line.settings.rest) * rest.length;
-    const glm::dvec2 tendons(line.settings.tendons);
-    rest.viaShift = viaShift(rest.origin.inBind, rest.direction, rest.via->inBind, tendons.x * restLength,
-                             rest.bellyStretch * (1.0 - tendons.x - tendons.y) * restLength);
-  }
+  settle(rest, line.settings);
   return rest;
+}
+
+void settle(LineRest& rest, const LineSettings& settings) {
+  rest.settings = settings;
+  rest.bellyStretch = bellyStretch(1.0 / static_cast<double>(settings.rest), settings);
+  rest.girth = girthRest(settings);
+  rest.depth = static_cast<double>(settings.pivot) * rest.height;
+  const double tendon = static_cast<double>(settings.tendons.x * settings.rest) * rest.length;
+  rest.start = rest.origin.inBind + tendon * rest.direction - rest.depth * rest.frame[2];
+  if (!rest.via) return;
+  const double restLength = static_cast<double>(settings.rest) * rest.length;
+  const glm::dvec2 tendons(settings.tendons);
+  rest.viaShift = viaShift(rest.origin.inBind, rest.direction, rest.via->inBind, tendons.x * restLength,
+                           rest.bellyStretch * (1.0 - tendons.x - tendons.y) * restLength);
 }
 
 std::vector<std::optional<LineRest>> lineRests(const Rig& rig, const Character& character) {

@@ -5,11 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
 
+#include "core/lines/contraction.h"
 #include "sinew/base/result.h"
 #include "sinew/character/character.h"
 #include "sinew/rig/rig.h"
+#include "sinew/skeleton/pose.h"
 
 namespace sinew {
 
@@ -20,19 +22,26 @@ struct BonePoint {
   glm::dvec3 inBind{0.0};  ///< World.
 };
 
+/// nullopt: the skeleton lacks the bone.
+[[nodiscard]] std::optional<BonePoint> foundPoint(const LineAnchor& anchor, const Skeleton& skeleton);
+/// World.
+[[nodiscard]] glm::dvec3 posedPoint(const BonePoint& point, const Pose& pose);
+
 /// Lengths in character units, world of the bind pose.
 struct LineRest {
   LineSettings settings;
   BonePoint origin;
   BonePoint insertion;
   std::optional<BonePoint> via;
-  double length = 0.0;                   ///< Over the via point.
-  double bellyStretch = 1.0;             ///< lambda_b in the bind pose.
-  glm::dvec3 direction{0.0, 1.0, 0.0};   ///< Unit, from the origin straight to the insertion.
-  glm::dquat frame{1.0, 0.0, 0.0, 0.0};  ///< x: width, y: along, z: height, away from the bone -> world.
-  glm::dvec3 viaShift{0.0};              ///< Of the belly's middle, out of the straight line towards the via point.
-  double depth = 0.0;                    ///< From the line down to what its girth grows from, times `pivot`.
-  glm::dvec3 start{0.0};                 ///< What the belly's deformation keeps: under its end at the origin.
+  double length = 0.0;                  ///< Over the via point.
+  double bellyStretch = 1.0;            ///< lambda_b in the bind pose.
+  glm::dvec3 direction{0.0, 1.0, 0.0};  ///< Unit, from the origin straight to the insertion.
+  glm::dmat3 frame{1.0};                ///< Columns, world: width; along, the direction; height, away from the bone.
+  GirthRest girth;
+  glm::dvec3 viaShift{0.0};  ///< Of the belly's middle, out of the straight line towards the via point.
+  double height = 0.0;       ///< From the bone under the line up to its middle, at least 0.
+  double depth = 0.0;        ///< From the line down to what its girth grows from, times `pivot`.
+  glm::dvec3 start{0.0};     ///< What the belly's deformation keeps: under its end at the origin.
 };
 
 /// How far the middle of a belly lies beside the straight line, if a parabola from belly end to belly end passes
@@ -43,6 +52,9 @@ struct LineRest {
 
 /// Shortest line, of H.
 inline constexpr float kShortestLine = 1e-3f;
+
+/// The same line with other settings: all that follows from them, bit for bit as lineRest would make it.
+void settle(LineRest& rest, const LineSettings& settings);
 
 /// Each of the rig's lines on a character, nullopt where a bone is missing or the line is too short.
 [[nodiscard]] std::vector<std::optional<LineRest>> lineRests(const Rig& rig, const Character& character);

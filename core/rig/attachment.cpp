@@ -21,7 +21,8 @@ Result<const BlendingGraph*> graphOf(const Rig& rig, BlendingGraphMemo& graphs) 
 void shape(const Rig& rig, const Primitive& primitive, FieldPrimitive& field) {
   field.placement = primitive.placement;
   field.reach = primitive.reach;
-  field.strength = static_cast<float>(primitive.sign) * strengthFor(rig.surface.iso, primitive.reach);
+  field.strength =
+      static_cast<float>(primitive.sign) * primitive.amount * strengthFor(rig.surface.iso, primitive.reach);
 }
 
 FieldPrimitive fieldPrimitive(const Rig& rig, const Primitive& primitive, int carrier) {
@@ -59,9 +60,23 @@ void checkLineBones(const MuscleLine& line, const std::string& place, Check chec
   if (line.via) check(line.via->bone, place + ".via.bone", subject + ", via point");
 }
 
-bool hasBones(const MuscleLine& line, const Skeleton& skeleton) {
-  return skeleton.findBone(line.origin.bone) && skeleton.findBone(line.insertion.bone) &&
-         (!line.via || skeleton.findBone(line.via->bone));
+/// Names every bone that drivers read and the character lacks.
+template <class Check>
+void checkDriverBones(const std::vector<AnimatedNumber>& animated, const std::string& place, const std::string& subject,
+                      Check check) {
+  for (std::size_t i = 0; i < animated.size(); ++i) {
+    for (std::size_t d = 0; d < animated[i].drivers.size(); ++d) {
+      const DriverInput& input = animated[i].drivers[d].input;
+      const std::string own = place + ".animated[" + std::to_string(i) + "].drivers[" + std::to_string(d) + "].input";
+      const std::string words = subject + ", driver of " + wordsFor(animated[i].parameter);
+      if (input.kind == DriverInputKind::kDistance) {
+        check(input.from.bone, own + ".from.bone", words);
+        check(input.to.bone, own + ".to.bone", words);
+      } else if (input.kind <= DriverInputKind::kPose) {
+        check(input.bone, own + ".bone", words);
+      }
+    }
+  }
 }
 
 /// The bone's own matrix, or that of the line that carries it.
@@ -94,20 +109,30 @@ std::vector<Error> missingBones(const Rig& rig, const Skeleton& skeleton) {
     if (skeleton.findBone(bone)) return;
     missing.push_back(errorAt(place, "this character has no bone \"" + bone + '"', subject));
   };
+  checkDriverBones(rig.surface.animated, "surface", "surface", check);
   for (std::size_t i = 0; i < rig.lines.size(); ++i) {
-    checkLineBones(rig.lines[i], "lines[" + std::to_string(i) + "]", check);
+    const MuscleLine& line = rig.lines[i];
+    const std::string place = "lines[" + std::to_string(i) + "]";
+    checkLineBones(line, place, check);
+    checkDriverBones(line.animated, place, "muscle line \"" + line.name + '"', check);
   }
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
     const Primitive& primitive = rig.primitives[i];
     const std::string place = "primitives[" + std::to_string(i) + "]";
     const std::string subject = "muscle \"" + primitive.name + '"';
     check(primitive.bone, place + ".bone", subject);
+    checkDriverBones(primitive.animated, place, subject, check);
     if (!primitive.territory) continue;
     for (std::size_t t = 0; t < primitive.territory->size(); ++t) {
       check((*primitive.territory)[t], place + ".territory[" + std::to_string(t) + "]", subject + ", territory");
     }
   }
   return missing;
+}
+
+bool hasBones(const MuscleLine& line, const Skeleton& skeleton) {
+  return skeleton.findBone(line.origin.bone) && skeleton.findBone(line.insertion.bone) &&
+         (!line.via || skeleton.findBone(line.via->bone));
 }
 
 std::vector<int> territoryBones(const Primitive& primitive, int bone, const MuscleLine* line,

@@ -30,9 +30,13 @@ struct Attachment {
 };
 
 /// Every bone the rig names and the character lacks, with its JSON path: "primitives[2].bone",
-/// "primitives[2].territory[0]", "lines[0].origin.bone". An editor keeps such primitives, unattached; what makes a
-/// result from the rig refuses, rather than leave a muscle out.
+/// "primitives[2].territory[0]", "lines[0].origin.bone", "lines[0].animated[1].drivers[0].input.bone". An editor keeps
+/// such primitives, unattached, and such drivers, which drive nothing; what makes a result from the rig refuses, rather
+/// than leave something out.
 [[nodiscard]] std::vector<Error> missingBones(const Rig& rig, const Skeleton& skeleton);
+
+/// The character has every bone that the line names.
+[[nodiscard]] bool hasBones(const MuscleLine& line, const Skeleton& skeleton);
 
 /// Bones of a primitive's territory: those the rig names (unknown names are skipped), or by default the primitive's
 /// bone, its nearest joint ancestor and its nearest joint children; on a line those of both ends, and the bones between

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/at.h"
+#include "core/rig/animated_edit.h"
 #include "core/rig/refusals.h"
 #include "core/rig/validation.h"
 
@@ -59,6 +60,7 @@ Result<Rig> renameLine(const Rig& rig, int line, const std::string& name) {
   for (Primitive& primitive : result.primitives) {
     if (primitive.line == former) primitive.line = name;
   }
+  renameLineInputs(result, former, name);
   return result;
 }
 
@@ -70,6 +72,7 @@ Rig removeLine(const Rig& rig, int line) {
   for (Primitive& primitive : result.primitives) {
     if (primitive.line == name) primitive.line.clear();
   }
+  dropLineInputs(result, {name});
   return result;
 }
 
@@ -103,6 +106,7 @@ Rig withoutIdleLines(const Rig& before, Rig edited) {
   if (idle.empty()) return edited;
   std::erase_if(edited.lines, [&](const MuscleLine& line) { return idle.contains(line.name); });
   for (const std::string& gone : idle) dropTwin(edited, gone);
+  dropLineInputs(edited, idle);
   return edited;
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/rig/animated_validation.h"
 #include "core/rig/refusals.h"
 #include "core/rig/validation.h"
 
@@ -62,7 +63,8 @@ Result<void> validateLineParts(const MuscleLine& line, const std::string& place)
   if (line.via) {
     if (auto via = validateAnchor(*line.via, place + ".via", "via point"); !via) return via;
   }
-  return validateSettings(line.settings, place);
+  if (auto settings = validateSettings(line.settings, place); !settings) return settings;
+  return validateAnimated(line.animated, ParameterOwner::kLine, place);
 }
 
 }  // namespace

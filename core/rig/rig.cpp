@@ -95,6 +95,10 @@ std::string freeLineName(const Rig& rig, const std::string& wanted) {
   return freeName(std::span<const MuscleLine>(rig.lines), wanted);
 }
 
+std::string freeChannelName(const Rig& rig, const std::string& wanted) {
+  return freeName(std::span<const RigChannel>(rig.channels), wanted);
+}
+
 const char* nameOf(SurfaceMode mode) { return mode == SurfaceMode::kSwell ? "swell" : "replace"; }
 
 const char* nameOf(PatchKind patch) {

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/rig/animated_validation.h"
 #include "core/rig/refusals.h"
 
 namespace sinew {
@@ -188,6 +189,12 @@ Result<void> validateParts(const Primitive& primitive, const std::string& place)
   if (primitive.sign != 1 && primitive.sign != -1) {
     return errorAt(place + ".sign", "expected 1 or -1, got " + std::to_string(primitive.sign), "sign");
   }
+  if (!(primitive.amount >= 0.0f && primitive.amount <= kMostAmount)) {
+    return outOfRange(place + ".amount", "a number from 0 to 2", primitive.amount, "amount");
+  }
+  if (auto animated = validateAnimated(primitive.animated, ParameterOwner::kPrimitive, place); !animated) {
+    return animated;
+  }
   if (!primitive.territory) return {};
   for (std::size_t i = 0; i < primitive.territory->size(); ++i) {
     if (auto bone = validateName((*primitive.territory)[i], place + indexed(".territory", i)); !bone)
@@ -212,7 +219,7 @@ Result<void> validateSurface(const SurfaceSettings& surface) {
   if (!(surface.skinBlend > 0.0f && surface.skinBlend <= kMostSkinBlend)) {
     return outOfRange("surface.skin_blend", "a number > 0 and at most 10", surface.skinBlend, "skin blend");
   }
-  return {};
+  return validateAnimated(surface.animated, ParameterOwner::kSurface, "surface");
 }
 
 Result<void> validateSmoothing(const SmoothingSettings& smoothing) {
@@ -270,6 +277,7 @@ Result<void> validate(const Rig& rig, BlendingGraphMemo& graphs) {
   if (!groups) return groups.error();
   if (auto links = validateLinksAmong(rig, groups.value(), graphs); !links) return links;
 
+  if (auto channels = validateChannels(rig); !channels) return channels;
   const auto lines = validateLines(rig);
   if (!lines) return lines.error();
   if (rig.primitives.size() > static_cast<std::size_t>(kMaxPrimitives)) {
@@ -295,7 +303,7 @@ Result<void> validate(const Rig& rig, BlendingGraphMemo& graphs) {
     const Called called{"primitives", "primitive", "muscle"};
     if (auto mirror = validateMirror(rig.primitives, i, primitives.value(), called); !mirror) return mirror;
   }
-  return {};
+  return validateInputs(rig);
 }
 
 }  // namespace sinew

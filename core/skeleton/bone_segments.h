@@ -22,15 +22,19 @@ struct Segment {
   }
   /// Of the closest point of the segment, 0..1.
   [[nodiscard]] float closestTo(const glm::vec3& point) const { return std::clamp(parameter(point), 0.0f, 1.0f); }
-  [[nodiscard]] float distance(const glm::vec3& point) const {
-    return glm::distance(point, from + along * closestTo(point));
-  }
+  [[nodiscard]] glm::vec3 nearest(const glm::vec3& point) const { return from + along * closestTo(point); }
+  [[nodiscard]] float distance(const glm::vec3& point) const { return glm::distance(point, nearest(point)); }
 };
 
 /// From a bone's joint to its tip in the bind pose, world.
 [[nodiscard]] inline Segment bindSegment(const Bone& bone) {
   const glm::vec3 from(bone.bindInWorld[3]);
   return {from, glm::vec3(bone.bindInWorld * glm::vec4(bone.tip, 1.0f)) - from};
+}
+
+/// Half way from a point to the bone's axis in the bind pose, world: where an anchor under the skin lies.
+[[nodiscard]] inline glm::vec3 halfWayToAxis(const Bone& bone, const glm::vec3& point) {
+  return 0.5f * (point + bindSegment(bone).nearest(point));
 }
 
 /// A bone as drawn: from its joint to a child's joint, or to its own tip where no child is drawn. World.

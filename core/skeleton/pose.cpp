@@ -75,12 +75,16 @@ Pose restPose(const Skeleton& skeleton) { return poseFromLocals(skeleton, restLo
 
 Pose samplePose(const Skeleton& skeleton, const AnimationClip& clip, float time) {
   const float clamped = std::clamp(time, 0.0f, clip.duration);
-  if (clip.turnsBindPose) return posed(skeleton, bindPose(skeleton), turnsAt(skeleton, clip, clamped));
-  std::vector<LocalTransform> locals = restLocals(skeleton);
-  for (const Channel& channel : clip.channels) {
-    applyChannel(channel, clamped, at(locals, channel.node));
-  }
-  return poseFromLocals(skeleton, locals);
+  const auto sampled = [&] {
+    if (clip.turnsBindPose) return posed(skeleton, bindPose(skeleton), turnsAt(skeleton, clip, clamped));
+    std::vector<LocalTransform> locals = restLocals(skeleton);
+    for (const Channel& channel : clip.channels) applyChannel(channel, clamped, at(locals, channel.node));
+    return poseFromLocals(skeleton, locals);
+  };
+  Pose pose = sampled();
+  pose.clip = clip.name;
+  pose.time = clamped;
+  return pose;
 }
 
 }  // namespace sinew

@@ -8,20 +8,13 @@
 #include "core/base/at.h"
 #include "core/rig/line_edit.h"
 #include "core/skeleton/side_names.h"
+#include "core/symmetry/animated_twins.h"
 #include "core/symmetry/twins.h"
 
 namespace sinew {
 namespace {
 
 constexpr float kOwnImage = 1e-4f;  // Of H.
-
-Result<LineAnchor> mirroredAnchor(const MirrorPlan& plan, const LineAnchor& anchor) {
-  Result<std::string> bone = twinBone(plan, anchor.bone);
-  if (!bone) return bone.error();
-  const AffineMap& map = *at(plan.mirrors, *plan.skeleton.findBone(anchor.bone));
-  return LineAnchor{std::move(bone).value(), glm::vec3(map.linear * glm::dvec3(anchor.point) + map.offset),
-                    anchor.unknownKeys};
-}
 
 bool anchorInPlane(const MirrorPlan& plan, const LineAnchor& anchor, float tolerance) {
   const std::optional<int> bone = plan.skeleton.findBone(anchor.bone);
@@ -40,7 +33,8 @@ bool isLeft(const MirrorPlan& plan, const MuscleLine& line) {
 }
 
 bool sameShape(const MuscleLine& a, const MuscleLine& b) {
-  return a.origin == b.origin && a.insertion == b.insertion && a.via == b.via && a.settings == b.settings;
+  return a.origin == b.origin && a.insertion == b.insertion && a.via == b.via && a.settings == b.settings &&
+         a.animated == b.animated;
 }
 
 const MuscleLine* named(const Rig& rig, const std::string& name) {
@@ -48,9 +42,11 @@ const MuscleLine* named(const Rig& rig, const std::string& name) {
   return index < 0 ? nullptr : &at(rig.lines, index);
 }
 
-void follow(const MuscleLine& leader, MuscleLine& follower, const MirrorPlan& plan) {
+void follow(const Rig& rig, const MuscleLine& leader, MuscleLine& follower, const MirrorPlan& plan) {
   const Result<MuscleLine> image = mirroredLine(plan, leader);
   follower.settings = leader.settings;
+  follower.animated = mirroredAnimation(plan, leader);
+  readTwinLines(rig, follower.animated);
   if (!image) return;
   follower.origin = image->origin;
   follower.insertion = image->insertion;
@@ -69,6 +65,14 @@ bool secondLeads(const Rig& atStart, const Rig& shown, const MuscleLine& first, 
 
 }  // namespace
 
+Result<LineAnchor> mirroredAnchor(const MirrorPlan& plan, const LineAnchor& anchor) {
+  Result<std::string> bone = twinBone(plan, anchor.bone);
+  if (!bone) return bone.error();
+  const AffineMap& map = *at(plan.mirrors, *plan.skeleton.findBone(anchor.bone));
+  return LineAnchor{std::move(bone).value(), glm::vec3(map.linear * glm::dvec3(anchor.point) + map.offset),
+                    anchor.unknownKeys};
+}
+
 Result<MuscleLine> mirroredLine(const MirrorPlan& plan, const MuscleLine& line) {
   Result<LineAnchor> origin = mirroredAnchor(plan, line.origin);
   if (!origin) return origin.error();
@@ -77,6 +81,7 @@ Result<MuscleLine> mirroredLine(const MirrorPlan& plan, const MuscleLine& line) 
   MuscleLine image = line;
   image.mirror.clear();
   image.identity = {};
+  image.animated = mirroredAnimation(plan, line);
   image.name = imageName(plan, line.name, line.origin.bone);
   image.origin = std::move(origin).value();
   image.insertion = std::move(insertion).value();
@@ -111,6 +116,7 @@ Result<TwinLine> withTwinLine(const Rig& rig, const std::string& name, const Mir
     image.value().name = mirroredName(own).value_or(own);
   }
   image.value().mirror = own;
+  readTwinLines(sided, image.value().animated);
   Result<Rig> added = addLine(sided, std::move(image).value());
   if (!added) return added.error();
   std::string twin = added->lines.back().name;
@@ -134,9 +140,9 @@ void keepLineTwins(const Rig& atStart, const Rig& shown, Rig& edited, const Mirr
     if (!firstThen || !secondThen || firstThen->mirror != second.name) continue;
     if (sameShape(*firstThen, first) && sameShape(*secondThen, second)) continue;
     if (secondLeads(atStart, shown, first, second)) {
-      follow(second, first, plan);
+      follow(edited, second, first, plan);
     } else {
-      follow(first, second, plan);
+      follow(edited, first, second, plan);
     }
   }
 }

@@ -9,6 +9,8 @@
 
 namespace sinew {
 
+/// On the other side. Error: see twinBone.
+[[nodiscard]] Result<LineAnchor> mirroredAnchor(const MirrorPlan& plan, const LineAnchor& anchor);
 /// Anchors mirrored, settings as they are, name by the other side's bone or by the side it says, `mirror` empty. Error:
 /// see twinBone.
 [[nodiscard]] Result<MuscleLine> mirroredLine(const MirrorPlan& plan, const MuscleLine& line);

@@ -10,6 +10,7 @@
 #include "core/base/at.h"
 #include "core/base/flatness.h"
 #include "core/skeleton/side_names.h"
+#include "core/symmetry/animated_twins.h"
 
 namespace sinew {
 namespace {
@@ -133,6 +134,7 @@ Result<Primitive> mirroredPrimitive(const MirrorPlan& plan, const Primitive& pri
   const int from = *plan.skeleton.findBone(primitive.bone);
   image.name = imageName(plan, primitive.name, primitive.bone);
   image.placement = imageOf(primitive.placement, *at(plan.mirrors, from));
+  image.animated = mirroredAnimation(plan, primitive);
   if (image.territory) {
     for (std::string& name : *image.territory) {
       if (Result<std::string> twin = twinBone(plan, name)) name = std::move(twin).value();

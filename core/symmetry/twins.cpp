@@ -13,6 +13,7 @@
 #include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
 #include "core/skeleton/side_names.h"
+#include "core/symmetry/animated_twins.h"
 #include "core/symmetry/line_twins.h"
 
 namespace sinew {
@@ -105,6 +106,7 @@ void keepPair(const Rig& edited, const Half& a, const Half& b, const MirrorPlan&
     if (leads < 0) a.now.*field = b.now.*field;
   };
   copyField(&Primitive::reach);
+  copyField(&Primitive::amount);
   // Each by itself: the belly of one may be too much for the other's reach.
   for (const Half* half : {&a, &b}) {
     Shape& shape = half->now.placement.shape;
@@ -116,6 +118,12 @@ void keepPair(const Rig& edited, const Half& a, const Half& b, const MirrorPlan&
   const int lineLeads = leader(a, b, sameLine);
   if (lineLeads > 0) b.now.line = twinLineName(edited, a.now.line);
   if (lineLeads < 0) a.now.line = twinLineName(edited, b.now.line);
+  const auto sameAnimation = [](const Primitive& x, const Primitive& y) { return x.animated == y.animated; };
+  if (const int leads = leader(a, b, sameAnimation); leads != 0) {
+    Primitive& to = leads > 0 ? b.now : a.now;
+    to.animated = mirroredAnimation(plan, leads > 0 ? a.now : b.now);
+    readTwinLines(edited, to.animated);
+  }
   const auto sameTerritory = [](const Primitive& x, const Primitive& y) { return x.territory == y.territory; };
   if (const int leads = leader(a, b, sameTerritory); leads != 0) {
     const Primitive& from = leads > 0 ? a.now : b.now;
@@ -236,6 +244,7 @@ Result<Rig> mirrorToOtherSide(const Rig& rig, int index, const MirrorPlan& plan)
   image.value().name = freePrimitiveName(rig, image->name);
   image.value().mirror = original.name;
   image.value().line = line->name;
+  readTwinLines(line->rig, image.value().animated);
   return addPrimitive(line->rig, std::move(image).value());
 }
 
@@ -250,6 +259,7 @@ Result<Rig> linkTwins(const Rig& rig, int leader, int follower, const MirrorPlan
   if (const auto valid = validatePrimitive(image.value(), "primitives"); !valid) return valid.error();
   second = std::move(image).value();
   second.line = line->name;
+  readTwinLines(linked, second.animated);
   return withoutIdleLines(rig, std::move(linked));
 }
 
@@ -269,6 +279,7 @@ Result<Rig> withFlippedLines(const Rig& rig, Rig flipped, std::span<const int> i
       own.origin = image->origin;
       own.insertion = image->insertion;
       own.via = image->via;
+      own.animated = image->animated;
     });
     if (!turned) return turned;
     flipped = std::move(turned).value();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sinew/io/rig_json.h"
+#include "tests/io/rig_text.h"
 
 namespace sinew {
 namespace {
@@ -23,14 +24,6 @@ Rig withLine() {
   belly.line = "biceps L";
   rig.primitives = {belly};
   return rig;
-}
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-/// Without the layout.
-std::string squeezed(std::string text) {
-  std::erase_if(text, [](char c) { return c == ' ' || c == '\n'; });
-  return text;
 }
 
 TEST(RigLinesJson, DefaultsAreLeftOut) {

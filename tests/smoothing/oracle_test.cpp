@@ -1,5 +1,6 @@
 // tests/smoothing/oracle_test.cpp: the smoother's vertices against a double-precision brute-force solver.
 
+#include <array>
 #include <iostream>
 
 #include <gtest/gtest.h>
@@ -212,6 +213,16 @@ TEST(Oracle, OtherIsoAndSkinBlend) {
       expectAgreement("limb, iso " + std::to_string(iso) + ", blend " + std::to_string(blend),
                       tallyOf(character, rig, 2, 1500));
     }
+  }
+}
+
+TEST(Oracle, OtherAmounts) {
+  for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
+    const CharacterPtr character = makeTwoLegged();
+    Rig rig = mode == SurfaceMode::kSwell ? randomRig(*character, recipeOf(20), 31) : wrappingRig(*character, 20);
+    constexpr std::array kAmounts{0.0f, 0.4f, 0.8f, 1.3f, 2.0f};
+    for (std::size_t i = 0; i < rig.primitives.size(); ++i) rig.primitives[i].amount = kAmounts[i % kAmounts.size()];
+    expectAgreement(std::string("two-legged, amounts, ") + nameOf(mode), tallyOf(character, rig, 3, 1500));
   }
 }
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "core/smoothing/projection/instruction_set.h"
+#include "core/lanes/instruction_set.h"
 #include "sinew/smoothing/smoother.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/oracle/compare.h"

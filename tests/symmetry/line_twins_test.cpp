@@ -10,6 +10,7 @@
 #include "core/rig/validation.h"
 #include "core/symmetry/twins.h"
 #include "tests/support/characters/synthetic_characters.h"
+#include "tests/symmetry/hamstrings.h"
 
 namespace sinew {
 namespace {
@@ -17,22 +18,8 @@ namespace {
 struct LineTwins : testing::Test {
   std::shared_ptr<const Character> character = test::makeTwoLegged();
   MirrorPlan plan = makeMirrorPlan(*character);
-  Rig rig;
+  Rig rig = hamstrings(plan);
 
-  LineTwins() {
-    MuscleLine line;
-    line.name = "hamstring L";
-    line.origin = {"leg L", {0.05f, -0.1f, -0.1f}, {}};
-    line.insertion = {"shin L", {0.0f, -0.1f, -0.08f}, {}};
-    rig = addLine(rig, line).value();
-    Primitive belly;
-    belly.name = "hamstring L";
-    belly.bone = "leg L";
-    belly.line = "hamstring L";
-    belly.placement.center = {0.02f, -0.3f, -0.1f};
-    belly.placement.radii = {0.1f, 0.3f, 0.12f};
-    rig = addPair(rig, belly, plan).value();
-  }
   ~LineTwins() override { EXPECT_TRUE(validate(rig)) << validate(rig).error().text(); }
 
   const MuscleLine& line(const std::string& name) { return rig.lines[static_cast<std::size_t>(findLine(rig, name))]; }

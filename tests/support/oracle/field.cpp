@@ -138,7 +138,7 @@ Field::Field(const Character& character, const Rig& rig)
     const double reach = static_cast<double>(primitive.reach);
     item.reach = reach;
     item.shape = primitive.placement.shape;
-    item.strength = iso_ / g(1.0 / reach);
+    item.strength = static_cast<double>(primitive.amount) * iso_ / g(1.0 / reach);
     item.sign = primitive.sign;
     item.centerInBone = vec(primitive.placement.center);
     const Vec radii = vec(primitive.placement.radii);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/io/json/json.h"
+#include "tests/support/rigs/random_animation.h"
 #include "tests/support/rigs/random_rigs.h"
 
 namespace sinew::test {
@@ -162,8 +163,11 @@ Rig randomDocument(std::uint64_t seed) {
   Random random(seed);
   Rig rig;
   rig.character = anyName(random, 0) + ".glb";
-  rig.surface = {random.chance(0.5f) ? SurfaceMode::kSwell : SurfaceMode::kReplace, random.uniform(kLeastIso, kMostIso),
-                 std::min(positiveFloat(random), kMostSkinBlend), anyUnknownKeys(random)};
+  rig.surface = {random.chance(0.5f) ? SurfaceMode::kSwell : SurfaceMode::kReplace,
+                 random.uniform(kLeastIso, kMostIso),
+                 std::min(positiveFloat(random), kMostSkinBlend),
+                 {},
+                 anyUnknownKeys(random)};
   rig.smoothing = {1 + random.below(kMaxDepth),
                    static_cast<PatchKind>(random.below(4)),
                    static_cast<ProjectionKind>(random.below(3)),
@@ -182,6 +186,7 @@ Rig randomDocument(std::uint64_t seed) {
   pairTwins(random, rig.primitives);
   addLines(random, rig);
   pairTwins(random, rig.lines);
+  if (random.chance(0.5f)) addAnimation(random, {anyName(random, 1), anyName(random, 2)}, {"Walk", "跑"}, rig);
   rig.unknownKeys = anyUnknownKeys(random);
   return rig;
 }

@@ -5,8 +5,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sinew/base/geometry.h"
+#include "sinew/rig/animated_number.h"
+#include "sinew/rig/line_anchor.h"
 #include "sinew/rig/not_compared.h"
 
 namespace sinew {
@@ -17,15 +20,6 @@ struct LineId {
 
   [[nodiscard]] explicit operator bool() const { return value != 0; }
   friend auto operator<=>(const LineId&, const LineId&) = default;
-};
-
-/// A point that rides a bone.
-struct LineAnchor {
-  std::string bone;       ///< Name or path (Skeleton::findBone).
-  glm::vec3 point{0.0f};  ///< Bone space.
-  std::string unknownKeys;
-
-  friend bool operator==(const LineAnchor&, const LineAnchor&) = default;
 };
 
 // Ranges of LineSettings beyond those that follow from its meaning.
@@ -65,6 +59,7 @@ struct MuscleLine {
   LineSettings settings;
   std::string unknownActivationKeys;
   std::string mirror;  ///< Name of the linked twin, or empty.
+  std::vector<AnimatedNumber> animated;
   std::string unknownKeys;
   NotCompared<LineId> identity{};
 

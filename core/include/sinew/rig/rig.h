@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sinew/primitives/ellipsoid.h"
+#include "sinew/rig/animated_number.h"
 #include "sinew/rig/muscle_line.h"
 #include "sinew/rig/not_compared.h"
 
@@ -21,6 +22,7 @@ enum class ProjectionKind { kNewton, kBisection, kAnalytic };
 inline constexpr float kDefaultIso = 0.25f;
 inline constexpr float kDefaultReach = 1.4142135f;  ///< Where the file says nothing.
 inline constexpr float kNewReach = 2.0f;            ///< Of new muscles: the shell is as wide as the muscle itself.
+inline constexpr float kMostAmount = 2.0f;
 inline constexpr float kDefaultSkinBlend = 0.04f;
 inline constexpr float kDefaultCreaseAngle = 180.0f;  ///< Smooth everywhere.
 inline constexpr int kMaxDepth = 16;
@@ -50,7 +52,8 @@ struct SurfaceSettings {
   SurfaceMode mode = SurfaceMode::kSwell;
   float iso = kDefaultIso;              ///< T, kLeastIso..kMostIso.
   float skinBlend = kDefaultSkinBlend;  ///< h as a fraction of H, > 0, at most kMostSkinBlend.
-  std::string unknownKeys;              ///< JSON object text of keys this version does not know; kept and written back.
+  std::vector<AnimatedNumber> animated;
+  std::string unknownKeys;  ///< JSON object text of keys this version does not know; kept and written back.
 
   friend bool operator==(const SurfaceSettings&, const SurfaceSettings&) = default;
 };
@@ -86,9 +89,11 @@ struct Primitive {
   std::string line;     ///< Name of the muscle line that carries it, or empty: it rides its bone.
   Placement placement;  ///< Of the bind pose on a line too.
   float reach = kDefaultReach;                        ///< k > 1.
+  float amount = 1.0f;                                ///< Factor on the strength, 0..kMostAmount.
   int sign = 1;                                       ///< +1 adds, -1 carves.
   std::string mirror;                                 ///< Name of the linked twin, or empty.
   std::optional<std::vector<std::string>> territory;  ///< Bones; nullopt: the default (attachment.h).
+  std::vector<AnimatedNumber> animated;
   std::string unknownKeys;
   NotCompared<PrimitiveId> identity{};
 
@@ -103,6 +108,7 @@ struct Rig {
   SmoothingSettings smoothing;
   std::vector<Group> groups;
   std::vector<std::array<std::string, 2>> links;
+  std::vector<RigChannel> channels;
   std::vector<MuscleLine> lines;
   std::vector<Primitive> primitives;
   std::string unknownKeys;
@@ -121,11 +127,12 @@ struct Rig {
 [[nodiscard]] int findGroup(const Rig& rig, GroupId id);
 [[nodiscard]] int findLine(const Rig& rig, LineId id);
 
-/// `wanted`, or `wanted 2`, `wanted 3` ...: the first that no primitive (or group) has. A number at the end of `wanted`
+/// `wanted`, or `wanted 2`, `wanted 3` ...: the first that no other of its kind has. A number at the end of `wanted`
 /// counts on: a taken "thigh 2" gives "thigh 3".
 [[nodiscard]] std::string freePrimitiveName(const Rig& rig, const std::string& wanted);
 [[nodiscard]] std::string freeGroupName(const Rig& rig, const std::string& wanted);
 [[nodiscard]] std::string freeLineName(const Rig& rig, const std::string& wanted);
+[[nodiscard]] std::string freeChannelName(const Rig& rig, const std::string& wanted);
 
 /// Names as they stand in files, menus and on the command line.
 [[nodiscard]] const char* nameOf(SurfaceMode mode);

@@ -1,6 +1,8 @@
 // core/include/sinew/skeleton/pose.h: one moment of a skeleton.
 #pragma once
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
 #include "sinew/skeleton/animation_clip.h"
@@ -11,7 +13,16 @@ namespace sinew {
 /// Where every bone is, and how hard muscles are flexed. Bone scale, also uneven, is part of the matrices.
 struct Pose {
   std::vector<glm::mat4> boneInWorld;  ///< [bones] bone space -> world.
-  float flex = 0.0f;                   ///< Added to every muscle line's activation, 0..1.
+  float flex = 0.0f;                   ///< Added to the activation of muscle lines, 0..1.
+  std::vector<int> flexedLines;        ///< Which: indices into Rig::lines, ascending; empty: all.
+  std::string clip;                    ///< Name of the clip that it was sampled from; empty: none. Keys go by it.
+  float time = 0.0f;                   ///< Of that clip, seconds.
+
+  /// What is added to a line's activation. @param line  index into Rig::lines
+  [[nodiscard]] float flexOf(int line) const {
+    const bool flexes = flexedLines.empty() || std::ranges::binary_search(flexedLines, line);
+    return flexes ? flex : 0.0f;
+  }
 };
 
 /// The pose the inverse bind matrices describe, upright (docs/design.md).

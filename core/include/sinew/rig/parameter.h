@@ -1,0 +1,65 @@
+// core/include/sinew/rig/parameter.h: the numbers of a rig that keys and drivers may change. docs/drivers.md.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace sinew {
+
+struct Primitive;
+struct LineSettings;
+struct SurfaceSettings;
+
+enum class Parameter {
+  // Of a primitive.
+  kAmount,
+  kCenterX,
+  kCenterY,
+  kCenterZ,
+  kRadiusX,
+  kRadiusY,
+  kRadiusZ,
+  kReach,
+  kCore,
+  kBelly,
+  kBendX,
+  kBendZ,
+  // Of a muscle line.
+  kActivation,  ///< LineSettings::base
+  kVolume,
+  kRest,
+  kFlexHeight,
+  kFlexWidth,
+  // Of the surface.
+  kSkinBlend,
+};
+
+enum class ParameterOwner { kPrimitive, kLine, kSurface };
+
+[[nodiscard]] ParameterOwner ownerOf(Parameter parameter);
+[[nodiscard]] constexpr bool isRadius(Parameter parameter) {
+  return parameter >= Parameter::kRadiusX && parameter <= Parameter::kRadiusZ;
+}
+/// In character units, bone space: a coordinate of the centre, or a radius.
+[[nodiscard]] constexpr bool isLength(Parameter parameter) {
+  return parameter >= Parameter::kCenterX && parameter <= Parameter::kRadiusZ;
+}
+/// As files name it: "radii.x".
+[[nodiscard]] const char* nameOf(Parameter parameter);
+[[nodiscard]] std::optional<Parameter> parameterNamed(const std::string& name);
+/// As the interface names it: "Radius X".
+[[nodiscard]] const char* wordsFor(Parameter parameter);
+
+/// The number itself, or null where the owner is another.
+[[nodiscard]] float* numberIn(Primitive& primitive, Parameter parameter);
+[[nodiscard]] float* numberIn(LineSettings& line, Parameter parameter);
+[[nodiscard]] float* numberIn(SurfaceSettings& surface, Parameter parameter);
+[[nodiscard]] float numberOf(const Primitive& primitive, Parameter parameter);
+[[nodiscard]] float numberOf(const LineSettings& line, Parameter parameter);
+[[nodiscard]] float numberOf(const SurfaceSettings& surface, Parameter parameter);
+
+/// A value brought into the parameter's range; one that is not finite becomes `drawn`.
+/// @param drawn  the rig's own number: a radius keeps a hundredth of it.
+[[nodiscard]] float legalNumber(Parameter parameter, float value, float drawn);
+
+}  // namespace sinew

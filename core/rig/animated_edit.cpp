@@ -1,0 +1,282 @@
+// core/rig/animated_edit.cpp: each edit copies the rig, changes the copy, checks what it changed.
+#include "core/rig/animated_edit.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "core/base/at.h"
+#include "core/rig/animated_validation.h"
+#include "core/rig/refusals.h"
+#include "core/rig/validation.h"
+
+namespace sinew {
+namespace {
+
+std::vector<AnimatedNumber>& listOf(Rig& rig, const NumberRef& ref) {
+  switch (ownerOf(ref.parameter)) {
+    case ParameterOwner::kPrimitive:
+      return at(rig.primitives, ref.owner).animated;
+    case ParameterOwner::kLine:
+      return at(rig.lines, ref.owner).animated;
+    case ParameterOwner::kSurface:
+      break;
+  }
+  return rig.surface.animated;
+}
+
+std::string placeOf(const NumberRef& ref) {
+  const auto index = static_cast<std::size_t>(ref.owner);
+  switch (ownerOf(ref.parameter)) {
+    case ParameterOwner::kPrimitive:
+      return indexed("primitives", index);
+    case ParameterOwner::kLine:
+      return indexed("lines", index);
+    case ParameterOwner::kSurface:
+      break;
+  }
+  return "surface";
+}
+
+void dropIdle(std::vector<AnimatedNumber>& animated) {
+  keepDrivers(animated, [](const DriverInput&) { return true; });
+}
+
+/// A copy of the rig with one entry, made where there is none, changed by `change`; gone if nothing is left of it.
+template <class Change>
+Result<Rig> withNumber(const Rig& rig, const NumberRef& ref, Change change) {
+  Rig result = rig;
+  std::vector<AnimatedNumber>& animated = listOf(result, ref);
+  auto found = std::ranges::find(animated, ref.parameter, &AnimatedNumber::parameter);
+  if (found == animated.end()) {
+    animated.push_back({ref.parameter, {}, {}, {}});
+    found = animated.end() - 1;
+  }
+  change(*found);
+  dropIdle(animated);
+  if (auto valid = validateAnimated(animated, ownerOf(ref.parameter), placeOf(ref)); !valid) return valid.error();
+  if (auto inputs = validateInputs(result); !inputs) return inputs.error();
+  return result;
+}
+
+/// An edit that can break nothing.
+template <class Change>
+Rig withLess(const Rig& rig, const NumberRef& ref, Change change) {
+  Rig result = rig;
+  std::vector<AnimatedNumber>& animated = listOf(result, ref);
+  const auto found = std::ranges::find(animated, ref.parameter, &AnimatedNumber::parameter);
+  if (found == animated.end()) return result;
+  change(*found);
+  dropIdle(animated);
+  return result;
+}
+
+KeyTrack& trackOf(std::vector<KeyTrack>& tracks, const std::string& clip) {
+  const auto found = std::ranges::find(tracks, clip, &KeyTrack::clip);
+  if (found != tracks.end()) return *found;
+  tracks.push_back({clip, {}, {}});
+  return tracks.back();
+}
+
+/// A point in its place, instead of those nearer than `same`.
+void put(std::vector<glm::vec2>& points, const glm::vec2& point, float same) {
+  std::erase_if(points, [&](const glm::vec2& other) { return std::abs(other.x - point.x) < same; });
+  points.insert(std::ranges::upper_bound(points, point.x, {}, [](const glm::vec2& p) { return p.x; }), point);
+}
+
+/// Two inputs of a driven key that are closer than this are one, in the input's own units.
+float sameInput(DriverInputKind kind) {
+  switch (kind) {
+    case DriverInputKind::kBend:
+    case DriverInputKind::kTwist:
+    case DriverInputKind::kAxis:
+      return 0.5f;  // Degrees.
+    default:
+      return 0.005f;
+  }
+}
+
+bool reads(const DriverInput& input, DriverInputKind kind, const std::string& name) {
+  return input.kind == kind && (kind == DriverInputKind::kLength ? input.line : input.channel) == name;
+}
+
+template <class Visit>
+void eachList(Rig& rig, Visit visit) {
+  visit(rig.surface.animated);
+  for (MuscleLine& line : rig.lines) visit(line.animated);
+  for (Primitive& primitive : rig.primitives) visit(primitive.animated);
+}
+
+void renameInputs(Rig& rig, DriverInputKind kind, const std::string& from, const std::string& to) {
+  eachList(rig, [&](std::vector<AnimatedNumber>& animated) {
+    for (AnimatedNumber& number : animated) {
+      for (Driver& driver : number.drivers) {
+        if (!reads(driver.input, kind, from)) continue;
+        (kind == DriverInputKind::kLength ? driver.input.line : driver.input.channel) = to;
+      }
+    }
+  });
+}
+
+}  // namespace
+
+float& numberIn(Rig& rig, const NumberRef& ref) {
+  float* number = nullptr;
+  switch (ownerOf(ref.parameter)) {
+    case ParameterOwner::kPrimitive:
+      number = numberIn(at(rig.primitives, ref.owner), ref.parameter);
+      break;
+    case ParameterOwner::kLine:
+      number = numberIn(at(rig.lines, ref.owner).settings, ref.parameter);
+      break;
+    case ParameterOwner::kSurface:
+      number = numberIn(rig.surface, ref.parameter);
+      break;
+  }
+  assert(number);
+  return *number;
+}
+
+float numberOf(const Rig& rig, const NumberRef& ref) {
+  return numberIn(const_cast<Rig&>(rig), ref);  // Reading through the same way changes nothing.
+}
+
+const AnimatedNumber* animationOf(const Rig& rig, const NumberRef& ref) {
+  return animationOf(listOf(const_cast<Rig&>(rig), ref), ref.parameter);
+}
+
+Result<Rig> setKey(const Rig& rig, const NumberRef& ref, const std::string& clip, float time, float value) {
+  return withNumber(rig, ref, [&](AnimatedNumber& number) {
+    put(trackOf(number.keys, clip).curve.points, {time, value}, kSameKey);
+  });
+}
+
+Result<Rig> moveKey(const Rig& rig, const NumberRef& ref, const std::string& clip, int index, float time) {
+  return withNumber(rig, ref, [&](AnimatedNumber& number) {
+    std::vector<glm::vec2>& points = trackOf(number.keys, clip).curve.points;
+    const float value = at(points, index).y;
+    points.erase(points.begin() + index);
+    put(points, {time, value}, kSameKey);
+  });
+}
+
+Rig removeKey(const Rig& rig, const NumberRef& ref, const std::string& clip, int index) {
+  return withLess(rig, ref, [&](AnimatedNumber& number) {
+    std::vector<glm::vec2>& points = trackOf(number.keys, clip).curve.points;
+    assert(index >= 0 && static_cast<std::size_t>(index) < points.size());
+    points.erase(points.begin() + index);
+    std::erase_if(number.keys, [](const KeyTrack& track) { return track.curve.points.empty(); });
+  });
+}
+
+Rig removeKeys(const Rig& rig, const NumberRef& ref, const std::string& clip) {
+  return withLess(rig, ref, [&](AnimatedNumber& number) {
+    std::erase_if(number.keys, [&](const KeyTrack& track) { return track.clip == clip; });
+  });
+}
+
+Result<Rig> setTrack(const Rig& rig, const NumberRef& ref, const KeyTrack& track) {
+  return withNumber(rig, ref, [&](AnimatedNumber& number) { trackOf(number.keys, track.clip) = track; });
+}
+
+Result<Rig> setKeyKind(const Rig& rig, const NumberRef& ref, const std::string& clip, CurveKind kind) {
+  return withNumber(rig, ref, [&](AnimatedNumber& number) { trackOf(number.keys, clip).curve.kind = kind; });
+}
+
+Result<Rig> setDriver(const Rig& rig, const NumberRef& ref, Driver driver, int index) {
+  return withNumber(rig, ref, [&](AnimatedNumber& number) {
+    if (index < 0) number.drivers.push_back(std::move(driver));
+    else at(number.drivers, index) = std::move(driver);
+  });
+}
+
+Rig removeDriver(const Rig& rig, const NumberRef& ref, int index) {
+  return withLess(rig, ref, [&](AnimatedNumber& number) {
+    assert(index >= 0 && static_cast<std::size_t>(index) < number.drivers.size());
+    number.drivers.erase(number.drivers.begin() + index);
+  });
+}
+
+Result<Rig> setDrivenKey(const Rig& rig, const NumberRef& ref, const DriverInput& input, float x, float value) {
+  return withNumber(rig, ref, [&](AnimatedNumber& number) {
+    auto found = std::ranges::find_if(number.drivers, [&](const Driver& driver) {
+      return driver.mode == DriverMode::kReplace && driver.input == input;
+    });
+    if (found == number.drivers.end()) {
+      number.drivers.push_back({input, {}, DriverMode::kReplace, {}});
+      found = number.drivers.end() - 1;
+    }
+    put(found->curve.points, {x, value}, sameInput(input.kind));
+  });
+}
+
+Rig removeAnimation(const Rig& rig, const NumberRef& ref) {
+  return withLess(rig, ref, [](AnimatedNumber& number) {
+    number.keys.clear();
+    number.drivers.clear();
+  });
+}
+
+int findChannel(const Rig& rig, const std::string& name, const std::string& clip) {
+  const auto found = std::ranges::find_if(
+      rig.channels, [&](const RigChannel& channel) { return channel.name == name && channel.track.clip == clip; });
+  return found == rig.channels.end() ? -1 : static_cast<int>(found - rig.channels.begin());
+}
+
+Result<Rig> setChannelKey(const Rig& rig, const std::string& name, const std::string& clip, float time, float value) {
+  Rig result = rig;
+  int index = findChannel(rig, name, clip);
+  if (index < 0) {
+    index = static_cast<int>(result.channels.size());
+    result.channels.push_back({name, {clip, {}, {}}});
+  }
+  put(at(result.channels, index).track.curve.points, {time, value}, kSameKey);
+  if (auto valid = validateChannels(result); !valid) return valid.error();
+  return result;
+}
+
+Result<Rig> editChannel(const Rig& rig, const std::string& name, const std::string& clip,
+                        const std::function<void(Curve&)>& change) {
+  const int index = findChannel(rig, name, clip);
+  if (index < 0) return errorAt("channels", "there is no channel \"" + name + "\" for this clip", "channel");
+  Rig result = rig;
+  change(at(result.channels, index).track.curve);
+  if (auto valid = validateChannels(result); !valid) return valid.error();
+  return result;
+}
+
+Result<Rig> renameChannel(const Rig& rig, const std::string& name, const std::string& to) {
+  if (auto valid = validateName(to, "channels"); !valid) return valid.error();
+  const auto taken = std::ranges::any_of(rig.channels, [&](const RigChannel& channel) { return channel.name == to; });
+  if (taken && to != name) return errorAt("channels", "the name \"" + to + "\" is taken", "name");
+  Rig result = rig;
+  for (RigChannel& channel : result.channels) {
+    if (channel.name == name) channel.name = to;
+  }
+  renameInputs(result, DriverInputKind::kChannel, name, to);
+  return result;
+}
+
+Rig removeChannel(const Rig& rig, const std::string& name) {
+  Rig result = rig;
+  std::erase_if(result.channels, [&](const RigChannel& channel) { return channel.name == name; });
+  eachList(result, [&](std::vector<AnimatedNumber>& animated) {
+    keepDrivers(animated, [&](const DriverInput& input) { return !reads(input, DriverInputKind::kChannel, name); });
+  });
+  return result;
+}
+
+void renameLineInputs(Rig& rig, const std::string& from, const std::string& to) {
+  renameInputs(rig, DriverInputKind::kLength, from, to);
+}
+
+void dropLineInputs(Rig& rig, const std::unordered_set<std::string>& gone) {
+  eachList(rig, [&](std::vector<AnimatedNumber>& animated) {
+    keepDrivers(animated, [&](const DriverInput& input) {
+      return input.kind != DriverInputKind::kLength || !gone.contains(input.line);
+    });
+  });
+}
+
+}  // namespace sinew
