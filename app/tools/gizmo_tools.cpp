@@ -9,6 +9,7 @@
 #include "app/tools/gizmo/gizmo_group.h"
 #include "app/tools/tool.h"
 #include "app/tools/view/status_line.h"
+#include "core/drivers/driven_numbers.h"
 #include "core/lines/carriers.h"
 
 namespace sinew::app {
@@ -23,11 +24,15 @@ std::optional<GizmoTarget> muscleTarget(const ToolFrame& frame, bool atStart) {
   const int index = dragging ? findPrimitive(rig, frame.tools.gizmoPrimitive) : document.activePrimitive();
   if (index < 0) return std::nullopt;
   const Primitive& primitive = rig.primitives[static_cast<std::size_t>(index)];
-  const std::optional<glm::mat4> carrier = carrierOf(rig, primitive, *document.character, frame.context.pose);
+  // The gizmo holds the muscle as it is drawn, on the line as it is driven.
+  Rig memory;
+  const Rig& driven = inPose(rig, *document.character, frame.context.pose, memory);
+  const std::optional<glm::mat4> carrier = carrierOf(driven, primitive, *document.character, frame.context.pose);
   if (!carrier || !isPickable(document.visibility, rig, skeleton, index)) return std::nullopt;
-  GizmoTarget target{index,
-                     primitive.placement,
-                     {frame.view, *carrier, document.character->height, frame.context.uiScale, std::nullopt}};
+  GizmoTarget target{
+      index,
+      primitive.placement,
+      {frame.view, *carrier, document.character->height, frame.context.uiScale, primitive.reach, true, std::nullopt}};
   if (frame.tools.pivot == GizmoPivot::kCentroid) {
     const bool fromStart = atStart && frame.tools.gizmo.drag;
     const Placement& own = fromStart ? frame.tools.gizmo.drag->start : primitive.placement;
@@ -45,6 +50,8 @@ std::string gestureLabel(GizmoHandle handle, const std::string& what) {
       return "Rotate " + what;
     case HandleKind::kScale:
       return "Scale " + what;
+    case HandleKind::kShape:
+      return "Shape " + what;
     default:
       return "Radius of " + what;
   }
@@ -55,7 +62,8 @@ bool beginMuscleDrag(ToolFrame& frame, const GizmoTarget& target) {
   const std::string& name = frame.document().rig().primitives[static_cast<std::size_t>(target.primitive)].name;
   tools.gizmoPrimitive = frame.document().idAt(target.primitive);
   tools.companions.clear();
-  if (partsOf(tools.gizmo.hovered).kind != HandleKind::kPole) {
+  const HandleKind kind = partsOf(tools.gizmo.hovered).kind;
+  if (kind != HandleKind::kPole && kind != HandleKind::kShape) {
     tools.companions = companionsOf(frame.document(), target.primitive);
   }
   const std::string what = tools.companions.empty() ? name : std::to_string(tools.companions.size() + 1) + " muscles";

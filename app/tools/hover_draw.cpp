@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <imgui.h>
 #include <glm/geometric.hpp>
 
 #include "app/document/shown_names.h"
@@ -19,19 +18,6 @@ constexpr ImU32 kMarkFaint = IM_COL32(255, 214, 64, 120);
 constexpr ImU32 kShadow = IM_COL32(12, 14, 18, 190);
 constexpr float kRingRadius = 0.022f;  ///< Of H.
 constexpr std::size_t kRingPoints = 40;
-
-struct Canvas {
-  const View& view;
-  glm::vec2 topLeft;
-  float unitsPerPixel;
-  float scale;  ///< Draw list units per design pixel.
-
-  [[nodiscard]] bool isBehind(const glm::vec3& point) const { return view.toPixel(point).z > 1.0f; }
-  [[nodiscard]] ImVec2 at(const glm::vec3& point) const {
-    const glm::vec2 p = topLeft + glm::vec2(view.toPixel(point)) * unitsPerPixel;
-    return {p.x, p.y};
-  }
-};
 
 void drawRing(ImDrawList& list, const Canvas& canvas, const SkinPoint& skin, float radius) {
   const glm::vec3 helper = std::abs(skin.normal.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
@@ -48,19 +34,6 @@ void drawRing(ImDrawList& list, const Canvas& canvas, const SkinPoint& skin, flo
   list.AddPolyline(ring.data(), static_cast<int>(ring.size()), kMark, ImDrawFlags_Closed, 2.0f * canvas.scale);
 }
 
-void drawBone(ImDrawList& list, const Canvas& canvas, const Bone& bone, const glm::mat4& boneInWorld) {
-  const glm::vec3 origin(boneInWorld[3]);
-  const glm::vec3 tip(boneInWorld * glm::vec4(bone.tip, 1.0f));
-  if (canvas.isBehind(origin) || canvas.isBehind(tip)) return;
-  const ImVec2 a = canvas.at(origin);
-  const ImVec2 b = canvas.at(tip);
-  list.AddLine(a, b, kShadow, 5.0f * canvas.scale);
-  list.AddLine(a, b, kMarkFaint, 3.0f * canvas.scale);
-  list.AddCircleFilled(a, 5.0f * canvas.scale, kShadow);
-  list.AddCircleFilled(a, 4.0f * canvas.scale, kMark);
-  list.AddCircleFilled(b, 2.5f * canvas.scale, kMark);
-}
-
 void drawName(ImDrawList& list, const ImVec2& beside, float scale, const std::string& name) {
   const ImVec2 size = ImGui::CalcTextSize(name.c_str());
   const ImVec2 pad{6.0f * scale, 3.0f * scale};
@@ -74,16 +47,28 @@ void drawName(ImDrawList& list, const ImVec2& beside, float scale, const std::st
 
 }  // namespace
 
-void drawLanding(ImDrawList& list, const ViewportHover& hover, const Character& character, const Pose& pose,
-                 const View& view, const glm::vec2& topLeft, float unitsPerPixel, float uiScale) {
+void drawBoneMark(ImDrawList& list, const Canvas& canvas, const Bone& bone, const glm::mat4& boneInWorld) {
+  const glm::vec3 origin(boneInWorld[3]);
+  const glm::vec3 tip(boneInWorld * glm::vec4(bone.tip, 1.0f));
+  if (canvas.isBehind(origin) || canvas.isBehind(tip)) return;
+  const ImVec2 a = canvas.at(origin);
+  const ImVec2 b = canvas.at(tip);
+  list.AddLine(a, b, kShadow, 5.0f * canvas.scale);
+  list.AddLine(a, b, kMarkFaint, 3.0f * canvas.scale);
+  list.AddCircleFilled(a, 5.0f * canvas.scale, kShadow);
+  list.AddCircleFilled(a, 4.0f * canvas.scale, kMark);
+  list.AddCircleFilled(b, 2.5f * canvas.scale, kMark);
+}
+
+void drawLanding(ImDrawList& list, const Canvas& canvas, const ViewportHover& hover, const Character& character,
+                 const Pose& pose) {
   if (!hover.skin) return;
-  const Canvas canvas{view, topLeft, unitsPerPixel, uiScale};
   const auto bone = static_cast<std::size_t>(boneAt(character, *hover.skin));
   const SkinPoint skin = skinPointAt(character, pose, *hover.skin);
-  drawBone(list, canvas, character.skeleton.bones[bone], pose.boneInWorld[bone]);
+  drawBoneMark(list, canvas, character.skeleton.bones[bone], pose.boneInWorld[bone]);
   drawRing(list, canvas, skin, kRingRadius * character.height);
   if (canvas.isBehind(skin.point)) return;
-  drawName(list, canvas.at(skin.point), uiScale, shownBoneName(character.skeleton, static_cast<int>(bone)));
+  drawName(list, canvas.at(skin.point), canvas.scale, shownBoneName(character.skeleton, static_cast<int>(bone)));
 }
 
 }  // namespace sinew::app

@@ -1,18 +1,32 @@
 // app/tools/hover_draw.h: where a muscle would land: the skin and the bone under the pointer light up.
 #pragma once
 
-#include "app/tools/select.h"
+#include <imgui.h>
 
-struct ImDrawList;
+#include "app/tools/select.h"
 
 namespace sinew::app {
 
+/// Where the picture lies in a draw list.
+struct Canvas {
+  const View& view;
+  glm::vec2 topLeft;    ///< Of the viewport's pixel (0, 0), draw list units.
+  float unitsPerPixel;  ///< Draw list units per viewport pixel.
+  float scale;          ///< Draw list units per design pixel.
+
+  [[nodiscard]] bool isBehind(const glm::vec3& point) const { return view.toPixel(point).z > 1.0f; }
+  [[nodiscard]] ImVec2 at(const glm::vec3& point) const {
+    const glm::vec2 p = topLeft + glm::vec2(view.toPixel(point)) * unitsPerPixel;
+    return {p.x, p.y};
+  }
+};
+
+/// A bone's segment through everything. Nothing where an end is behind the eye.
+void drawBoneMark(ImDrawList& list, const Canvas& canvas, const Bone& bone, const glm::mat4& boneInWorld);
+
 /// A ring on the skin, the bone's segment through everything, its name beside the pointer. Nothing without skin under
 /// the pointer. Needs a current ImGui frame, for its font.
-/// @param topLeft        where the viewport's pixel (0, 0) lies in the draw list's coordinates.
-/// @param unitsPerPixel  draw list units per viewport pixel.
-/// @param uiScale        draw list units per design pixel.
-void drawLanding(ImDrawList& list, const ViewportHover& hover, const Character& character, const Pose& pose,
-                 const View& view, const glm::vec2& topLeft, float unitsPerPixel, float uiScale);
+void drawLanding(ImDrawList& list, const Canvas& canvas, const ViewportHover& hover, const Character& character,
+                 const Pose& pose);
 
 }  // namespace sinew::app

@@ -9,6 +9,7 @@
 #include "app/tools/territory_tool.h"
 #include "app/tools/tool.h"
 #include "app/tools/view/status_line.h"
+#include "core/drivers/driven_numbers.h"
 
 namespace sinew::app {
 namespace {
@@ -250,10 +251,25 @@ void wheel(ToolFrame& frame) {
   zoomToward(tools.camera, frame.input.wheel, frame.input.mouse, frame.context.size, point);
 }
 
+/// Why a muscle that is pulled does not become what the pointer says.
+std::string drawnOtherwise(const ToolFrame& frame) {
+  const Document& document = frame.document();
+  const int active = document.activePrimitive();
+  if (frame.tools.tool == ToolKind::kPose || active < 0) return "";
+  const auto index = static_cast<std::size_t>(active);
+  if (document.rig().primitives[index].animated.empty()) return "";
+  Rig memory;
+  const Rig& now = inPose(document.rig(), *document.character, frame.context.pose, memory);
+  if (now.primitives[index].placement == document.rig().primitives[index].placement) return "";
+  return " \xc2\xb7 Handles change the muscle as it is drawn; keys or drivers change it here";
+}
+
 std::string statusOf(const ToolFrame& frame) {
   const ViewportTools& tools = frame.tools;
   if (std::string onTriad = describe(tools.triad); !onTriad.empty()) return onTriad;
-  if (tools.gizmo.drag || tools.gizmo.hovered != GizmoHandle::kNone) return describe(tools.gizmo);
+  if (tools.gizmo.drag || tools.gizmo.hovered != GizmoHandle::kNone) {
+    return describe(tools.gizmo) + drawnOtherwise(frame);
+  }
   if (const std::string onLine = describe(tools.lineHandles); !onLine.empty()) return onLine;
   if (tools.box.drag) {
     return statusLine("Box", {"Release selects what it touches", "Shift adds", "Alt removes", "Esc cancels"});

@@ -32,20 +32,14 @@ const Bone& boneOf(const Character& character, int bone) {
   return character.skeleton.bones[static_cast<std::size_t>(bone)];
 }
 
-/// Of the bind pose, world.
-glm::vec3 bindPoint(const Character& character, const SkinAnchor& anchor) {
-  return skinPointAt(character, bindPose(character.skeleton), anchor).point;
-}
-
 Result<LineAnchor> anchorUnder(const Character& character, const SkinAnchor& place) {
   const int bone = boneAt(character, place);
   const Bone& own = boneOf(character, bone);
   if (!isFinite(own.bindInWorld) || isFlat(glm::dmat3(glm::mat3(own.bindInWorld)))) {
     return errorAt(character.skeleton.fileName(bone), "this bone has a scale of zero in the bind pose");
   }
-  const glm::vec3 skin = bindPoint(character, place);
-  const Segment axis = bindSegment(own);
-  const glm::vec3 under = 0.5f * (skin + axis.from + axis.closestTo(skin) * axis.along);
+  const glm::vec3 skin = skinPointAt(character, bindPose(character.skeleton), place).point;
+  const glm::vec3 under = halfWayToAxis(own, skin);
   return LineAnchor{character.skeleton.fileName(bone), glm::vec3(own.inverseBindInWorld * glm::vec4(under, 1.0f)), {}};
 }
 
@@ -98,13 +92,6 @@ Surface bindSkin(const Character& character) {
   return skin;
 }
 
-Placement bellyOn(const MuscleLine& line, const Character& character, const Surface& skin) {
-  const Result<LineRest> rest = lineRest(line, character);
-  if (!rest) return {};
-  const glm::dmat4 toBone(boneOf(character, rest->origin.bone).inverseBindInWorld);
-  return imageOf(bellyInWorld(rest.value(), skin, character.height), {glm::dmat3(toBone), glm::dvec3(toBone[3])});
-}
-
 Result<LaidLine> layLine(const Character& character, const Surface& skin, const SkinAnchor& from,
                          const SkinAnchor& to) {
   Result<LineAnchor> origin = anchorUnder(character, from);
@@ -115,12 +102,15 @@ Result<LaidLine> layLine(const Character& character, const Surface& skin, const 
   laid.line.name = shownBoneName(character.skeleton, boneAt(character, from)) + " muscle";
   laid.line.origin = std::move(origin).value();
   laid.line.insertion = std::move(insertion).value();
-  if (const Result<LineRest> rest = lineRest(laid.line, character); !rest) return rest.error();
+  const Result<LineRest> rest = lineRest(laid.line, character);
+  if (!rest) return rest.error();
   laid.belly.name = laid.line.name;
   laid.belly.bone = laid.line.origin.bone;
   laid.belly.line = laid.line.name;
   laid.belly.reach = kNewReach;
-  laid.belly.placement = bellyOn(laid.line, character, skin);
+  const glm::dmat4 toBone(boneOf(character, rest->origin.bone).inverseBindInWorld);
+  const Placement belly = bellyInWorld(rest.value(), skin, character.height);
+  laid.belly.placement = imageOf(belly, {glm::dmat3(toBone), glm::dvec3(toBone[3])});
   return laid;
 }
 

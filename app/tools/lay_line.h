@@ -25,9 +25,6 @@ struct LaidLine {
 [[nodiscard]] Result<LaidLine> layLine(const Character& character, const Surface& skin, const SkinAnchor& from,
                                        const SkinAnchor& to);
 
-/// The belly that such a line gets: for lines whose ends were moved, or that were made otherwise.
-[[nodiscard]] Placement bellyOn(const MuscleLine& line, const Character& character, const Surface& skin);
-
 /// The rig with the line and its belly, at the end of Rig::primitives; under symmetry with those of the other side. A
 /// line that begins and ends near the mirror plane is laid into it.
 /// @param plan  null: without symmetry

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/tools/view/status_line.h"
+#include "core/drivers/driven_numbers.h"
 #include "core/lines/line_pose.h"
 #include "core/rig/line_edit.h"
 
@@ -69,19 +70,15 @@ const char* nameOf(LineEnd end) {
 std::optional<ShownLine> activeLine(const Document& document, const Pose& pose) {
   const int active = document.character ? document.activePrimitive() : -1;
   if (active < 0) return std::nullopt;
-  const Rig& rig = document.rig();
+  Rig memory;
+  const Rig& rig = inPose(document.rig(), *document.character, pose, memory);
   const int index = findLine(rig, rig.primitives[static_cast<std::size_t>(active)].line);
   if (index < 0) return std::nullopt;
-  Result<LineRest> rest = lineRest(rig.lines[static_cast<std::size_t>(index)], *document.character);
+  const Result<LineRest> rest = lineRest(rig.lines[static_cast<std::size_t>(index)], *document.character);
   if (!rest) return std::nullopt;
-  const bool hasVia = rest->via.has_value();
-  LineScratch scratch;
-  std::vector<PosedLine> posed;
-  const std::array<std::optional<LineRest>, 1> rests{std::move(rest).value()};
-  poseLines(rests, document.character->skeleton, pose, scratch, posed);
-  const PosedLine& line = posed.front();
+  const PosedLine line = posedLine(rest.value(), document.character->skeleton, pose, pose.flexOf(index));
   if (!line.usable) return std::nullopt;
-  return ShownLine{index,        line.origin,    line.insertion, hasVia ? std::optional(line.via) : std::nullopt,
+  return ShownLine{index,        line.origin,    line.insertion, rest->via ? std::optional(line.via) : std::nullopt,
                    line.stretch, line.activation};
 }
 

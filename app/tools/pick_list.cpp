@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/drivers/driven_numbers.h"
 #include "core/lines/carriers.h"
 #include "core/rig/attachment.h"
 
@@ -136,7 +137,8 @@ BodySpan bodySpan(const std::vector<SurfaceCrossing>& crossings, float seen, flo
 std::vector<PickEntry> musclesUnder(const ViewportContext& context, const Ray& ray,
                                     const std::optional<SurfaceHit>& skin, int skinBone) {
   const Document& document = context.document;
-  const Rig& rig = document.rig();
+  Rig memory;
+  const Rig& rig = inPose(document.rig(), *document.character, context.pose, memory);
   const Skeleton& skeleton = document.character->skeleton;
   const std::vector<int> bones = boneOfEach(rig, skeleton);
   const EffectiveVisibility effective = effectiveVisibility(document.visibility, rig, skeleton, bones);

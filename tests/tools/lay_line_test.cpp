@@ -65,15 +65,6 @@ TEST_F(Laid, AnchorsLieHalfWayToTheBonesAndTheBellyStandsOut) {
   EXPECT_NEAR(2.0f * glm::length(glm::vec3(shape[1])), belly, 1e-4f);
 }
 
-TEST_F(Laid, TheSameWhateverThePose) {
-  const SkinAnchor from = on("root", {0.0f, 0.4f, 0.5f});
-  const SkinAnchor to = on("end", {0.0f, 1.6f, 0.5f});
-  const auto laid = layLine(*limb, skin, from, to);
-  const auto again = layLine(*limb, skin, from, to);
-  ASSERT_TRUE(laid.ok() && again.ok());
-  EXPECT_EQ(laid->belly, again->belly);
-}
-
 TEST_F(Laid, EndsThatMeetAreRefused) {
   const SkinAnchor from = on("root", {0.0f, 0.4f, 0.5f});
   EXPECT_FALSE(layLine(*limb, skin, from, from).ok());

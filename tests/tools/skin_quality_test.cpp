@@ -102,10 +102,11 @@ TEST(SkinQuality, OfBundledCharacters) {
 
 // Many small muscles, finer than the mesh at depth 3: their definition is what must not get lost.
 TEST(SkinQuality, OfBundledRigs) {
-  for (const char* name : {"humanoid", "horse"}) {
+  for (const char* name : {"humanoid", "humanoid-flex", "horse", "horse-flex"}) {
+    SCOPED_TRACE(name);
     const auto rig = loadRig(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / (std::string(name) + ".rig.json"));
     ASSERT_TRUE(rig.ok());
-    expectGoodSkin(bundled(name), rig.value(), 5.0);
+    expectGoodSkin(bundled(std::filesystem::path(rig.value().character).stem().string()), rig.value(), 5.0);
   }
 }
 

@@ -43,6 +43,8 @@ constexpr std::array<NamedHandle, kGizmoHandleCount> kHandles = {{
     {"pole.-y", {HandleKind::kPole, Way::kY, -1.0f}},
     {"pole.+z", {HandleKind::kPole, Way::kZ, 1.0f}},
     {"pole.-z", {HandleKind::kPole, Way::kZ, -1.0f}},
+    {"shape.belly", {HandleKind::kShape, Way::kY}},
+    {"shape.bend", {HandleKind::kShape, Way::kWhole}},
 }};  ///< By GizmoHandle.
 
 std::string hoverText(GizmoHandle handle) {
@@ -65,6 +67,9 @@ std::string hoverText(GizmoHandle handle) {
     case HandleKind::kPole:
       return statusLine("Radius handle " + std::string(parts.sign > 0.0f ? "+" : "-") + way,
                         {"Drag moves this end alone", "Alt+drag moves both ends"});
+    case HandleKind::kShape:
+      if (isAxis(parts.way)) return statusLine("Belly handle", {"Drag moves the thickest place along the muscle"});
+      return statusLine("Bend handle", {"Drag bends the muscle", "X/Z locks an axis"});
   }
   return "";
 }
@@ -148,9 +153,10 @@ std::optional<GizmoBasis> gizmoBasis(GizmoAxes axes, const Placement& inBone, co
 std::optional<GizmoBasis> basisOfDrag(const GizmoState& state, GizmoHandle handle, const Placement& inBone,
                                       const GizmoContext& context) {
   const HandleKind kind = partsOf(handle).kind;
-  const bool own = kind == HandleKind::kScale || kind == HandleKind::kPole;
+  const bool ofShape = kind == HandleKind::kPole || kind == HandleKind::kShape;
+  const bool own = kind == HandleKind::kScale || ofShape;
   GizmoContext around = context;
-  if (kind == HandleKind::kPole) around.pivotInWorld.reset();
+  if (ofShape) around.pivotInWorld.reset();
   return gizmoBasis(own ? GizmoAxes::kPrimitive : state.axes, inBone, around);
 }
 
@@ -199,6 +205,9 @@ std::string describe(const GizmoState& state) {
       break;
     case HandleKind::kPole:
       text = "Radius ";
+      break;
+    case HandleKind::kShape:
+      text = isAxis(parts.way) ? "Belly " : "Bend ";
       break;
   }
   return statusLine(text + state.drag->value, {"Release keeps", "Ctrl snaps", "Shift refines",

@@ -9,6 +9,7 @@
 //           space, so that the world's sense is kept.
 //   scale   changes radii, which lie along the primitive's own axes whatever axes are chosen.
 //           About a pivot that is not the centre, the centre goes round it by the same turn of the world.
+//   shape   belly and bend, of muscles that have a shape, while there are no other handles than poles.
 //   poles   one semi-axis, measured in the world along B q e_i; the opposite pole stays, or with Alt the centre.
 // A bone flattened to a plane cannot be edited in the picture: its layout is empty.
 #pragma once
@@ -52,10 +53,12 @@ enum class GizmoHandle {
   kPoleMinusY,
   kPolePlusZ,
   kPoleMinusZ,
+  kBelly,
+  kBend,
 };
-inline constexpr int kGizmoHandleCount = 22;  ///< kNone included.
+inline constexpr int kGizmoHandleCount = 24;  ///< kNone included.
 
-/// "move.x", "move.xy", "move.center", "rotate.screen", "scale.uniform", "pole.+x" ...; "" for kNone.
+/// "move.x", "move.xy", "move.center", "rotate.screen", "scale.uniform", "pole.+x", "shape.belly" ...; "" for kNone.
 [[nodiscard]] const char* nameOf(GizmoHandle handle);
 [[nodiscard]] const char* nameOf(GizmoMode mode);  ///< "poles", "move", "rotate", "scale"
 [[nodiscard]] const char* nameOf(GizmoAxes axes);  ///< "world", "bone", "primitive"
@@ -66,6 +69,8 @@ struct GizmoContext {
   glm::mat4 boneInWorld{1.0f};
   float characterHeight = 1.0f;             ///< H: the step of a snapped move is 1 % of it.
   float uiScale = 1.0f;                     ///< Pixels of View per design pixel.
+  float reach = 2.0f;                       ///< Of the muscle: its belly's limit follows from it.
+  bool shapeHandles = false;                ///< Belly and bend can be pulled.
   std::optional<glm::vec3> pivotInWorld{};  ///< Where the handles stand and turns turn about; else the centre.
 };
 

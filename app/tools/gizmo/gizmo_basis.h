@@ -8,8 +8,8 @@
 
 namespace sinew::app {
 
-/// What a handle does, taken apart.
-enum class HandleKind { kNone, kMove, kRotate, kScale, kPole };
+/// What a handle does, taken apart. Shape: y pulls the belly, whole the bend.
+enum class HandleKind { kNone, kMove, kRotate, kScale, kPole, kShape };
 
 struct HandleParts {
   HandleKind kind = HandleKind::kNone;

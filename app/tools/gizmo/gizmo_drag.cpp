@@ -12,6 +12,8 @@
 
 #include "app/tools/gizmo/gizmo.h"
 #include "app/tools/gizmo/gizmo_basis.h"
+#include "app/tools/gizmo/gizmo_effect.h"
+#include "app/tools/gizmo/gizmo_shape.h"
 #include "core/base/flatness.h"
 
 namespace sinew::app {
@@ -22,7 +24,6 @@ constexpr float kPrecise = 0.1f;
 constexpr float kMoveStep = 0.01f;  ///< Of H.
 constexpr float kAngleStep = kPi / 12.0f;
 constexpr float kFactorStep = 0.1f;
-constexpr float kLeastRadius = 0.002f;  ///< Of H, in the world.
 constexpr float kFarthestMove = 50.0f;  ///< Of H: beyond that the pointer is near an axis' vanishing point.
 constexpr float kPlanarRing = 0.2f;     ///< |cosine| of ring normal and sight below which a ring counts as edge-on.
 
@@ -127,10 +128,12 @@ void advanceTracks(GizmoDrag& drag, const glm::vec2& pixel, float speed, const G
 // Keys ------------------------------------------------------------------------------------------------------------
 
 void readKeys(GizmoDrag& drag, const ViewportInput& input) {
-  if (partsOf(drag.handle).kind != HandleKind::kPole) {
+  const bool oneWay = partsOf(drag.handle).kind == HandleKind::kPole || drag.handle == GizmoHandle::kBelly;
+  if (!oneWay) {
     constexpr std::array<std::pair<Key, Way>, 3> axisKeys = {
         {{Key::kX, Way::kX}, {Key::kY, Way::kY}, {Key::kZ, Way::kZ}}};
     for (const auto& [key, axis] : axisKeys) {
+      if (drag.handle == GizmoHandle::kBend && axis == Way::kY) continue;
       if (input.keyPressed(key)) drag.lock = drag.lock == axis ? Way::kNone : axis;
     }
   }
@@ -156,47 +159,6 @@ std::optional<float> typedValue(const std::string& typed) {
   const auto parsed = std::from_chars(typed.data(), end, value);
   if (typed.empty() || parsed.ec != std::errc() || parsed.ptr != end) return std::nullopt;
   return value;
-}
-
-// Effect -> placement ---------------------------------------------------------------------------------------------
-
-Placement moved(const GizmoEffect& effect, const Placement& start, const glm::dmat3& boneInverse) {
-  Placement placement = start;
-  placement.center = glm::vec3(glm::dvec3(start.center) + boneInverse * glm::dvec3(effect.moved));
-  return placement;
-}
-
-/// @param center  world, if it goes round the pivot; null: it is the pivot.
-Placement turned(const GizmoEffect& effect, const Placement& start, const glm::dmat3& boneInverse,
-                 const glm::vec3* center) {
-  if (effect.angle == 0.0f) return start;
-  const glm::vec3 axisInBone = normalizeOr(glm::vec3(boneInverse * glm::dvec3(effect.turnAxis)), effect.turnAxis);
-  const float inBone = glm::determinant(boneInverse) < 0.0 ? -effect.angle : effect.angle;
-  Placement placement = start;
-  placement.rotation = glm::normalize(glm::angleAxis(inBone, axisInBone) * start.rotation);
-  if (center) {
-    const glm::dvec3 arm = glm::dvec3(*center) - glm::dvec3(effect.pivot);
-    const glm::dvec3 swung = glm::angleAxis(static_cast<double>(effect.angle), glm::dvec3(effect.turnAxis)) * arm;
-    placement.center = glm::vec3(glm::dvec3(start.center) + boneInverse * (swung - arm));
-  }
-  return placement;
-}
-
-/// World length of one bone unit along the primitive's axis.
-float worldPerUnit(const glm::mat3& bone, const Placement& start, int axis) {
-  glm::vec3 unit(0.0f);
-  unit[axis] = 1.0f;
-  return glm::length(bone * (start.rotation * unit));
-}
-
-Placement scaled(const GizmoEffect& effect, const Placement& start, const glm::mat3& bone, float characterHeight) {
-  Placement placement = start;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (effect.factors[axis] == 1.0f) continue;
-    const float least = kLeastRadius * characterHeight / worldPerUnit(bone, start, axis);
-    placement.radii[axis] = std::max(start.radii[axis] * effect.factors[axis], std::min(least, start.radii[axis]));
-  }
-  return placement;
 }
 
 // Tracks -> placement ---------------------------------------------------------------------------------------------
@@ -303,6 +265,21 @@ Placement evaluatePole(const Evaluation& e) {
   return placement;
 }
 
+Placement evaluateShape(const Evaluation& e) {
+  const Placement& start = e.drag.start;
+  glm::vec3 travelled(0.0f);
+  for (int axis = 0; axis < 3; ++axis) {
+    travelled[axis] = e.travelled()[axis] / (worldPerUnit(e.frame.bone, start, axis) * start.radii[axis]);
+    if (e.snaps()) travelled[axis] = snapped(travelled[axis], e.step(kFactorStep));
+  }
+  const bool belly = e.drag.handle == GizmoHandle::kBelly;
+  const Placement placement = belly ? withBelly(start, travelled.y, e.context.reach, e.typed)
+                                    : withBend(start, e.way, travelled, e.context.reach, e.typed);
+  const Shape& shape = placement.shape;
+  setValue(e, belly ? number(shape.belly) : number(shape.bend.x) + ", " + number(shape.bend.y));
+  return placement;
+}
+
 Placement evaluate(GizmoDrag& drag, const ViewportInput& input, const GizmoContext& context, const GizmoBasis& frame) {
   const HandleParts parts = partsOf(drag.handle);
   const Evaluation e{drag, input, context, frame, wayOf(drag), parts.sign, typedValue(drag.typed)};
@@ -317,6 +294,8 @@ Placement evaluate(GizmoDrag& drag, const ViewportInput& input, const GizmoConte
       return evaluateScale(e);
     case HandleKind::kPole:
       return evaluatePole(e);
+    case HandleKind::kShape:
+      return evaluateShape(e);
   }
   return drag.start;
 }
@@ -366,18 +345,6 @@ DragResult updateDrag(GizmoState& state, const ViewportInput& input, const Gizmo
   const DragResult result{drag.current, committed ? DragOutcome::kCommitted : DragOutcome::kDragging, drag.effect};
   if (committed) state.drag.reset();
   return result;
-}
-
-Placement draggedAlong(const GizmoEffect& effect, const Placement& start, const glm::mat4& boneInWorld,
-                       float characterHeight) {
-  const glm::dmat3 bone{glm::mat3(boneInWorld)};
-  if (!isFinite(boneInWorld) || isFlat(bone)) return start;
-  const glm::dmat3 inverse = glm::inverse(bone);
-  const glm::vec3 center(boneInWorld * glm::vec4(start.center, 1.0f));
-  Placement placement = turned(effect, start, inverse, &center);
-  placement.center += moved(effect, start, inverse).center - start.center;
-  placement.radii = scaled(effect, start, glm::mat3(boneInWorld), characterHeight).radii;
-  return placement;
 }
 
 }  // namespace sinew::app

@@ -110,6 +110,18 @@ void drawPole(const Canvas& canvas, const HandleShape& shape, ImU32 color, bool 
   canvas.circle(shape.outline[0], radius, faded(kNeutralColor, 0.85f * strength), 1.2f);
 }
 
+void drawDiamond(const Canvas& canvas, const glm::vec2& center, ImU32 color, bool hot) {
+  const ImVec2 c = canvas.at(center);
+  const auto quad = [&](float radius, ImU32 fill) {
+    const float r = radius * canvas.scale;
+    canvas.list.AddQuadFilled({c.x, c.y - r}, {c.x + r, c.y}, {c.x, c.y + r}, {c.x - r, c.y}, fill);
+  };
+  const float radius = hot ? 7.5f : 6.0f;
+  quad(radius + 2.0f, kShadowColor);
+  quad(radius + 1.2f, kNeutralColor);
+  quad(radius, color);
+}
+
 void drawHandle(const Canvas& canvas, const HandleShape& shape, const GizmoState& state) {
   const ImU32 color = colorOf(shape.handle, state);
   const bool hot = color == kHoverColor;
@@ -119,6 +131,9 @@ void drawHandle(const Canvas& canvas, const HandleShape& shape, const GizmoState
       return;
     case HandleKind::kPole:
       drawPole(canvas, shape, color, hot);
+      return;
+    case HandleKind::kShape:
+      drawDiamond(canvas, shape.outline[0], color, hot);
       return;
     case HandleKind::kRotate:
       drawRing(canvas, shape, color, hot);
@@ -220,6 +235,7 @@ void drawDrag(const Canvas& canvas, const GizmoState& state, const GizmoContext&
 /// Back to front: what hitTest prefers is drawn last.
 int drawOrder(const HandleShape& shape) {
   const HandleParts parts = partsOf(shape.handle);
+  if (parts.kind == HandleKind::kShape) return 5;
   if (parts.kind == HandleKind::kPole) return shape.facesEye ? 4 : 3;
   if (parts.kind == HandleKind::kRotate) return 1;
   return parts.way == Way::kWhole ? 2 : (isAxis(parts.way) ? 1 : 0);

@@ -10,6 +10,7 @@
 
 #include "app/tools/gizmo/gizmo.h"
 #include "app/tools/gizmo/gizmo_basis.h"
+#include "app/tools/gizmo/gizmo_shape.h"
 
 namespace sinew::app {
 namespace {
@@ -72,7 +73,7 @@ Hit hitOf(const HandleShape& shape, const glm::vec2& pixel, float uiScale) {
     return Hit{rank, distance <= reach ? distance : kMiss};
   };
   const HandleParts parts = partsOf(shape.handle);
-  if (parts.kind == HandleKind::kPole) {
+  if (parts.kind == HandleKind::kPole || parts.kind == HandleKind::kShape) {
     return within(0, glm::length(pixel - shape.outline[0]), kPoleReach * uiScale);
   }
   if (parts.kind == HandleKind::kRotate) return within(2, distanceToFront(pixel, shape), kRingReach * uiScale);
@@ -174,9 +175,24 @@ void addPoles(Builder& b) {
   }
 }
 
+void addShapeHandle(Builder& b, GizmoHandle handle, const glm::vec3& fromCenter) {
+  const glm::vec3 pixel = b.pixelOf(b.frame.center + b.frame.bone * fromCenter);
+  if (!inPicture(pixel)) return;
+  // Over the poles: what is inside the muscle can be pulled through it.
+  b.shapes.push_back({.handle = handle, .outline = {glm::vec2(pixel)}, .inFront = {}, .depth = -1.0f});
+}
+
+void addShapeHandles(Builder& b) {
+  if (!b.context.shapeHandles || b.inBone.shape.isPlain()) return;
+  const glm::vec3 toEye = glm::transpose(b.frame.bone) * b.frame.toEye;
+  addShapeHandle(b, GizmoHandle::kBend, axisMiddleInBone(b.inBone));
+  addShapeHandle(b, GizmoHandle::kBelly, thickestInBone(b.inBone, toEye));
+}
+
 void addShapes(Builder& b) {
   switch (b.state.mode) {
     case GizmoMode::kPoles:
+      addShapeHandles(b);
       break;
     case GizmoMode::kMove:
       for (const Way axis : kAxisWays) addArm(b, HandleKind::kMove, axis);
