@@ -99,20 +99,25 @@ def pair(name, bone, group, centre, rotation, radii, origins, reach=1.4142135, t
     return [left, primitive(name + " R", right, group, across, turned, radii, origins[right], name + " L", reach, others)]
 
 
-def line_pair(name, origin, insertion, via, settings, origins):
-    """The left muscle line and its twin. Each end: (bone, place in the bind pose's world)."""
+def line(name, origin, insertion, via, settings, origins):
+    """A muscle line. Each end: (bone, place in the bind pose's world)."""
     def end(bone, place):
         return {"bone": bone, "point": [_short(c) for c in vec.sub(place, origins[bone])]}
 
-    def side(suffix, other, across):
-        turned = [(mirror_name(b) if across else b, (-p[0] if across else p[0], p[1], p[2]))
-                  for b, p in (origin, insertion, *([via] if via else []))]
-        entry = {"name": name + suffix, "origin": end(*turned[0]), "insertion": end(*turned[1])}
-        if via:
-            entry["via"] = end(*turned[2])
-        return {**entry, **settings, "mirror": name + other}
+    entry = {"name": name, "origin": end(*origin), "insertion": end(*insertion)}
+    if via:
+        entry["via"] = end(*via)
+    return {**entry, **settings}
 
-    return [side(" L", " R", False), side(" R", " L", True)]
+
+def line_pair(name, origin, insertion, via, settings, origins):
+    """The left muscle line and its twin across x = 0."""
+    def across(end):
+        return end and (mirror_name(end[0]), (-end[1][0], end[1][1], end[1][2]))
+
+    left = line(name + " L", origin, insertion, via, settings, origins)
+    right = line(name + " R", across(origin), across(insertion), across(via), settings, origins)
+    return [{**left, "mirror": name + " R"}, {**right, "mirror": name + " L"}]
 
 
 def rig_text(character, surface, smoothing, groups, links, primitives, muscle_lines=()):

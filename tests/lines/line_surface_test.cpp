@@ -69,6 +69,19 @@ TEST_P(LineSurface, FlexingSwells) {
   EXPECT_GT(front(tense), front(loose) + 0.02f);
 }
 
+TEST_P(LineSurface, FlexesTheNamedLinesAlone) {
+  rig.lines.push_back(rig.lines[0]);
+  rig.lines[1].name = "other";
+  Pose pose = bindPose(character->skeleton);
+  const Surface loose = smoothed(rig, pose);
+  pose.flex = 1.0f;
+  const Surface tense = smoothed(rig, pose);
+  pose.flexedLines = {1};
+  EXPECT_EQ(smoothed(rig, pose).positions, loose.positions) << "no muscle is on the other line";
+  pose.flexedLines = {0};
+  EXPECT_EQ(smoothed(rig, pose).positions, tense.positions);
+}
+
 TEST_P(LineSurface, BendingMovesTheSkinOtherwiseThanARigidMuscle) {
   const Pose pose = bent(0.5f);
   EXPECT_NE(smoothed(rig, pose).positions, smoothed(withoutLine(), pose).positions);

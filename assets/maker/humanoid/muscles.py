@@ -65,42 +65,46 @@ def _off(place, x, y, z):
     return (place[0] + x, place[1] + y, place[2] + z)
 
 
+# Bellies that are another in the bind pose, as in _PAIRS: a biceps that shortens may be as long as the arm lets it.
+_ON_LINE = {
+    "biceps": ("biceps", "upper_arm.L", "upper arms", (_arm(0.34), (-0.10, -0.10, 1.0)), (_arm(0.84), (-0.10, -0.10, 1.0)), 1.15, 0.034, 0.036, 0.58),
+}
 # Muscles that span a joint. Name; origin, insertion and via point as bone and place; settings of docs/lines.md.
 _LINES = [
     ("biceps", ("upper_arm.L", _off(_arm(0.16), 0.0, 0.0, 0.020)), ("forearm.L", _off(_fore(0.05), 0.0, 0.0, 0.014)), None,
-     {"tendons": [0.2, 0.1], "flex": [0.45, 0.1], "activation": {"full": 0.88}}),
+     {"tendons": [0.32, 0.04], "volume": 0.8, "flex": [0.22, 0.15], "activation": {"full": 0.88}}),
     ("triceps", ("upper_arm.L", _off(_arm(0.08), 0.0, 0.0, -0.022)), ("forearm.L", _off(_fore(0.02), 0.0, 0.0, -0.026)),
-     ("upper_arm.L", _off(_arm(0.96), 0.0, 0.0, -0.030)), {"rest": 1.12, "tendons": [0.1, 0.2], "activation": {"gain": 0.6, "full": 0.85}}),
+     ("upper_arm.L", _off(_arm(0.72), 0.0, 0.0, -0.034)), {"rest": 1.12, "tendons": [0.1, 0.2], "activation": {"gain": 0.6, "full": 0.85}}),
     ("forearm", ("upper_arm.L", _off(_arm(0.92), 0.016, 0.010, 0.010)), ("hand.L", _off(_fore(0.98), 0.006, 0.008, 0.006)), None,
-     {"tendons": [0.08, 0.4], "flex": [0.2, 0], "activation": {"full": 0.85}}),
+     {"tendons": [0.14, 0.2], "volume": 0.6, "flex": [0.04, 0.04], "activation": {"full": 0.85}}),
     ("gluteus", ("hips", (0.070, 0.990, -0.060)), ("thigh.L", _off(_thigh(0.22), 0.020, 0.0, -0.030)), None,
-     {"rest": 1.1, "tendons": [0.05, 0.15], "flex": [0.15, 0], "activation": {"full": 0.8}}),
+     {"rest": 1.1, "tendons": [0.05, 0.15], "flex": [0.1, 0], "activation": {"full": 0.8}}),
     ("quadriceps", ("thigh.L", _off(_thigh(0.06), 0.0, 0.0, 0.045)), ("shin.L", _off(_shin(0.05), 0.0, 0.0, 0.032)),
-     ("thigh.L", _off(_thigh(0.98), 0.0, 0.0, 0.040)), {"tendons": [0.1, 0.22], "flex": [0.2, 0], "activation": {"full": 0.85}}),
+     ("thigh.L", _off(_thigh(0.62), 0.0, 0.0, 0.045)), {"tendons": [0.1, 0.22], "flex": [0.2, 0], "activation": {"full": 0.85}}),
     ("hamstrings", ("hips", (0.080, 0.900, -0.045)), ("shin.L", _off(_shin(0.09), 0.0, 0.0, -0.028)), None,
-     {"tendons": [0.1, 0.22], "flex": [0.25, 0], "activation": {"full": 0.8}}),
+     {"tendons": [0.1, 0.22], "flex": [0.18, 0], "activation": {"full": 0.8}}),
     ("calf", ("thigh.L", _off(_thigh(0.95), 0.0, 0.0, -0.030)), ("foot.L", _off(ORIGIN["foot.L"], 0.0, -0.020, -0.045)), None,
-     {"tendons": [0.06, 0.42], "volume": 0.6, "flex": [0.2, 0], "activation": {"gain": 0.4, "full": 0.85}}),
+     {"tendons": [0.06, 0.42], "volume": 0.6, "flex": [0.12, 0], "activation": {"gain": 0.4, "full": 0.85}}),
 ]
 
 
 def flex_rig(mesh):
-    """humanoid-flex.rig.json: the same muscles, those of the limbs on lines."""
+    """humanoid-flex.rig.json: the same muscles, those of the limbs on lines; the biceps is longer."""
     lines = [side for row in _LINES for side in laid.line_pair(*row, ORIGIN)]
     spanning = {line["name"] for line in lines}
-    rows = [{**row, "line": row["name"]} if row["name"] in spanning else row for row in _swell_rows(mesh)]
+    rows = [{**row, "line": row["name"]} if row["name"] in spanning else row for row in _swell_rows(mesh, _ON_LINE)]
     return laid.rig_text("humanoid.glb", SURFACE, SMOOTHING, GROUPS, LINKS, rows, lines)
 
 
 def swell_rig(mesh):
     """humanoid.rig.json: muscles under the skin."""
-    return laid.rig_text("humanoid.glb", SURFACE, SMOOTHING, GROUPS, LINKS, _swell_rows(mesh))
+    return laid.rig_text("humanoid.glb", SURFACE, SMOOTHING, GROUPS, LINKS, _swell_rows(mesh, {}))
 
 
-def _swell_rows(mesh):
+def _swell_rows(mesh, instead):
     skin = laid.Skin(mesh)
     rows = []
-    for name, bone, group, a, b, longer, width, thick, sink in _PAIRS:
+    for name, bone, group, a, b, longer, width, thick, sink in (instead.get(row[0], row) for row in _PAIRS):
         rows += laid.pair(name, bone, group, *laid.ellipsoid(skin, a, b, longer, width, thick, sink), ORIGIN, REACH,
                           _OWN_SKIN.get(name))
     for name, bone, group, a, b, longer, width, thick, sink in _MIDDLE:
