@@ -7,9 +7,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/bench_animation.h"
 #include "app/cli/bench_drag.h"
 #include "app/cli/bench_field.h"
 #include "app/cli/bench_projections.h"
+#include "app/cli/bench_stages.h"
 #include "app/cli/console.h"
 #include "app/cli/trial_rig.h"
 #include "app/cli/verb.h"
@@ -23,8 +25,10 @@ namespace {
 
 enum class Bench {
   kProjections,  ///< The three ways to find roots, on the same frames.
+  kAnimation,    ///< Lines and drivers beside skinning.
   kField,        ///< The field of ellipsoids, spheres and shapes.
   kDrag,         ///< Frames of a drag, by length of the history and number of muscles.
+  kStages,       ///< The stages' shares of a frame.
 };
 
 struct BenchOptions {
@@ -111,6 +115,20 @@ Json jsonOf(const std::vector<DragRow>& rows) {
   return list;
 }
 
+Json jsonOf(const std::vector<StageRow>& rows) {
+  Json list = Json::array();
+  for (const StageRow& row : rows) {
+    Json shares = Json::object();
+    shares.set("skin", row.shares.skin).set("patch", row.shares.patch).set("project", row.shares.project);
+    shares.set("folds", row.shares.folds).set("normals", row.shares.normals);
+    Json item = Json::object();
+    item.set("scene", row.scene).set("depth", row.depth).set("vertices", row.projected);
+    item.set("frame_seconds", row.frameSeconds).set("shares", shares);
+    list.push(item);
+  }
+  return list;
+}
+
 /// How much is measured: what was asked for, else what the bench takes.
 struct Effort {
   int frames = 0;
@@ -143,13 +161,17 @@ int benchFiles(const BenchOptions& options, const Effort& effort, const char* na
   return putResult(tableOf(rows));
 }
 
+/// The document's own, or one made by rule.
+Rig rigOrTrial(const Document& document) {
+  if (!document.rig().primitives.empty()) return document.rig();
+  return trialRig(*document.character, kTrialMuscles, kTrialSeed);
+}
+
 int benchProjections(const BenchOptions& options) {
   const Effort effort = effortOf(options, {8, 15});
   const auto measure = [&](const std::filesystem::path& file, const Document& document) {
-    Rig rig = document.rig();
-    if (rig.primitives.empty()) rig = trialRig(*document.character, kTrialMuscles, kTrialSeed);
     const auto tell = [](const std::string& what) { progress("measuring " + what); };
-    return measureProjections({sceneName(file), document.character, std::move(rig), effort.frames, effort.rounds},
+    return measureProjections({sceneName(file), document.character, rigOrTrial(document), effort.frames, effort.rounds},
                               tell);
   };
   const auto files = filesOf(options, {"wrapped.rig.json", "tangle.rig.json", "demo.rig.json"});
@@ -162,6 +184,25 @@ int benchDrag(const BenchOptions& options) {
     return measureDrag({sceneName(file), document.character, effort.frames, effort.rounds});
   };
   return benchFiles<DragRow>(options, effort, "drag", filesOf(options, {"humanoid.glb"}), measure);
+}
+
+int benchAnimation(const BenchOptions& options) {
+  const std::filesystem::path file = filesOf(options, {"humanoid.glb"}).front();
+  const auto document = openDocument(file);
+  if (!document) return badInput(document.error());
+  const Character& character = *document->character;
+  const bool jointed = std::ranges::any_of(character.skeleton.bones, [](const Bone& bone) { return bone.parent >= 0; });
+  if (!jointed) return badInput({file.string(), "", "this character has no joint: there is nothing to span or drive"});
+  return putResult(animationTable(measureAnimation(character, effortOf(options, {0, 60}).rounds)));
+}
+
+int benchStages(const BenchOptions& options) {
+  const Effort effort = effortOf(options, {8, 15});
+  const auto measure = [&](const std::filesystem::path& file, const Document& document) {
+    return measureStages({sceneName(file), document.character, rigOrTrial(document), effort.frames, effort.rounds});
+  };
+  const auto files = filesOf(options, {"humanoid.rig.json", "horse.rig.json", "demo.rig.json"});
+  return benchFiles<StageRow>(options, effort, "stages", files, measure);
 }
 
 void addNumber(CLI::App& bench, const char* name, int& number, const char* help) {
@@ -185,6 +226,13 @@ void addBenchOptions(CLI::App& verb, BenchOptions& options) {
   field->callback([&options] { options.bench = Bench::kField; });
   addNumber(*field, "--rounds", options.rounds, "Times everything is timed (15)");
 
+  CLI::App* animation = verb.add_subcommand("animation", "Time 4,000 muscle lines and 1,000 drivers beside skinning");
+  animation->callback([&options] { options.bench = Bench::kAnimation; });
+  animation->add_option_function<std::string>(
+      "FILE", [&options](const std::string& file) { options.files = {file}; },
+      "A character; none: the humanoid that ships with the program");
+  addNumber(*animation, "--rounds", options.rounds, "Poses (60)");
+
   CLI::App* projections =
       verb.add_subcommand("projections", "Compare newton, bisection and analytic: work, time, agreement");
   addFiles(
@@ -198,14 +246,25 @@ void addBenchOptions(CLI::App& verb, BenchOptions& options) {
   addFiles(*drag, options, "Characters, which get muscles by rule; none: the humanoid that ships with the program");
   addNumber(*drag, "--frames", options.frames, "Frames of a drag (60)");
   addNumber(*drag, "--rounds", options.rounds, "Drags (5)");
+
+  CLI::App* stages = verb.add_subcommand("stages", "Divide a frame's time among skin, patch, project, folds, normals");
+  stages->callback([&options] { options.bench = Bench::kStages; });
+  addFiles(*stages, options,
+           "Rigs (.rig.json), or characters, which get 12 muscles by rule; none: those that ship with the program");
+  addNumber(*stages, "--frames", options.frames, "Moments of the first clip (8)");
+  addNumber(*stages, "--rounds", options.rounds, "Times each moment is timed (15)");
 }
 
 int runBench(const BenchOptions& options) {
   switch (options.bench) {
     case Bench::kField:
       return putResult(fieldTable(measureField(effortOf(options, {0, 15}).rounds)));
+    case Bench::kAnimation:
+      return benchAnimation(options);
     case Bench::kDrag:
       return benchDrag(options);
+    case Bench::kStages:
+      return benchStages(options);
     case Bench::kProjections:
       break;
   }

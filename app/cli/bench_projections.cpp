@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/cli/measuring.h"
-#include "core/smoothing/projection/instruction_set.h"
+#include "core/lanes/instruction_set.h"
 
 namespace sinew::app {
 namespace {
@@ -24,17 +24,6 @@ struct Contender {
   std::vector<double> frameSeconds, projectSeconds, frameRatios, projectRatios;
   long long far = 0;
 };
-
-std::vector<Pose> posesOf(const Character& character, int frames) {
-  if (character.clips.empty()) return {bindPose(character.skeleton)};
-  const AnimationClip& clip = character.clips.front();
-  std::vector<Pose> poses;
-  for (int i = 0; i < frames; ++i) {
-    const float share = static_cast<float>(i) / static_cast<float>(frames);
-    poses.push_back(samplePose(character.skeleton, clip, clip.duration * share));
-  }
-  return poses;
-}
 
 /// What does not change from round to round.
 void recordCounts(Contender& contender, const Surface& newton, float height) {
@@ -98,7 +87,7 @@ Result<std::vector<ProjectionRow>> measureProjections(const ProjectionTrial& tri
                                                       const std::function<void(const std::string&)>& report) {
   // Like with like: the vector path knows newton alone.
   const InstructionSetScope vertexByVertex(InstructionSet::kScalar);
-  const std::vector<Pose> poses = posesOf(*trial.character, trial.frames);
+  const std::vector<Pose> poses = spreadFrames(*trial.character, trial.frames);
   std::vector<ProjectionRow> rows;
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
     report(trial.scene + ", " + nameOf(mode));

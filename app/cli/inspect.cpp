@@ -60,6 +60,8 @@ void addRig(Json& json, const Document& document) {
   json.set("groups", listOf(rig.groups, [](const Group& group) { return group.name; }));
   json.set("links", listOf(rig.links, [&](const auto& link) { return listOf(link, asIs); }));
   json.set("unattached", listOf(unattached(document), asIs));
+  json.set("missing", listOf(missingBones(rig, document.character->skeleton),
+                             [](const Error& missing) { return missing.text(); }));
   json.set("crease_angle", rig.smoothing.creaseAngle);
   json.set("shaded_wedges", count(wedges.size()));
   json.set("creased_wedges", static_cast<int>(std::ranges::count(wedges, true, &Wedge::creased)));
@@ -215,9 +217,9 @@ void putRig(std::ostream& out, const Document& document) {
   putNames(out, "groups      ", groups);
   putNames(out, "links       ", links);
   putNames(out, "unattached  ", unattached(document));
-  for (const Error& missing : missingBones(rig, document.character->skeleton)) {
-    out << "              " << missing.text() << '\n';
-  }
+  const std::vector<Error> missing = missingBones(rig, document.character->skeleton);
+  if (!missing.empty()) out << "  missing     " << missing.size() << '\n';
+  for (const Error& one : missing) out << "              " << one.text() << '\n';
   if (rig.smoothing.creaseAngle >= kNoCreases) return;
   const std::vector<Wedge> wedges = shadedWedges(document);
   out << "  creases     over " << shortNumber(rig.smoothing.creaseAngle) << " degrees: " << wedges.size() << " wedges, "

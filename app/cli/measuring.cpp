@@ -1,4 +1,4 @@
-// app/cli/measuring.cpp: a clock and medians, for the benchmarks.
+// app/cli/measuring.cpp: a clock, medians and the frames to measure, for the benchmarks.
 #include "app/cli/measuring.h"
 
 #include <algorithm>
@@ -24,6 +24,17 @@ double medianRatio(const std::vector<double>& above, const std::vector<double>& 
     if (below[i] > 0.0) ratios.push_back(above[i] / below[i]);
   }
   return median(std::move(ratios));
+}
+
+std::vector<Pose> spreadFrames(const Character& character, int frames) {
+  if (character.clips.empty()) return {bindPose(character.skeleton)};
+  const AnimationClip& clip = character.clips.front();
+  std::vector<Pose> poses;
+  for (int i = 0; i < frames; ++i) {
+    const float share = static_cast<float>(i) / static_cast<float>(frames);
+    poses.push_back(samplePose(character.skeleton, clip, clip.duration * share));
+  }
+  return poses;
 }
 
 }  // namespace sinew::app

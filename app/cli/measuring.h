@@ -1,7 +1,10 @@
-// app/cli/measuring.h: a clock and medians, for the benchmarks.
+// app/cli/measuring.h: a clock, medians and the frames to measure, for the benchmarks.
 #pragma once
 
 #include <vector>
+
+#include "sinew/character/character.h"
+#include "sinew/skeleton/pose.h"
 
 namespace sinew::app {
 
@@ -13,5 +16,8 @@ namespace sinew::app {
 
 /// Median of above[i] / below[i], of those with below[i] > 0; 0 of none. Both of one length.
 [[nodiscard]] double medianRatio(const std::vector<double>& above, const std::vector<double>& below);
+
+/// Spread evenly over the first clip; the bind pose alone where there is none.
+[[nodiscard]] std::vector<Pose> spreadFrames(const Character& character, int count);
 
 }  // namespace sinew::app

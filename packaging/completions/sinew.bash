@@ -36,8 +36,10 @@ _sinew() {
             :render) verb=render ;;
             :bench) verb=bench ;;
             bench:field) verb=bench-field ;;
+            bench:animation) verb=bench-animation ;;
             bench:projections) verb=bench-projections ;;
             bench:drag) verb=bench-drag ;;
+            bench:stages) verb=bench-stages ;;
         esac
     done
     # Without a verb the file is the editor's.
@@ -73,12 +75,16 @@ _sinew() {
         render:--crease) :; return ;;
         render:-o|render:--output) _sinew_files png; return ;;
         bench-field:--rounds) :; return ;;
+        bench-animation:--rounds) :; return ;;
         bench-projections:--json) _sinew_files json; return ;;
         bench-projections:--frames) :; return ;;
         bench-projections:--rounds) :; return ;;
         bench-drag:--json) _sinew_files json; return ;;
         bench-drag:--frames) :; return ;;
         bench-drag:--rounds) :; return ;;
+        bench-stages:--json) _sinew_files json; return ;;
+        bench-stages:--frames) :; return ;;
+        bench-stages:--rounds) :; return ;;
     esac
     case "$verb:$cur" in
         :-*) _sinew_words --version -h --help ;;
@@ -92,12 +98,16 @@ _sinew() {
         render:-*) _sinew_words -h --help --clip --time --frames --fps --view --orthographic --shading --show --glass --surface --no-surface --ground --no-ground --cull --transparent --light --background --ao --size --samples --depth --mode --patch --projection --crease -o --output ;;
         render:*) _sinew_files glb gltf rig.json ;;
         bench:-*) _sinew_words -h --help ;;
-        bench:*) _sinew_words field projections drag ;;
+        bench:*) _sinew_words field animation projections drag stages ;;
         bench-field:-*) _sinew_words -h --help --rounds ;;
+        bench-animation:-*) _sinew_words -h --help --rounds ;;
+        bench-animation:*) _sinew_files glb gltf rig.json ;;
         bench-projections:-*) _sinew_words -h --help --json --frames --rounds ;;
         bench-projections:*) _sinew_files glb gltf rig.json ;;
         bench-drag:-*) _sinew_words -h --help --json --frames --rounds ;;
         bench-drag:*) _sinew_files glb gltf rig.json ;;
+        bench-stages:-*) _sinew_words -h --help --json --frames --rounds ;;
+        bench-stages:*) _sinew_files glb gltf rig.json ;;
     esac
 }
 complete -F _sinew sinew

@@ -17,10 +17,14 @@ function __sinew_verb
                 set verb bench
             case bench:field
                 set verb bench-field
+            case bench:animation
+                set verb bench-animation
             case bench:projections
                 set verb bench-projections
             case bench:drag
                 set verb bench-drag
+            case bench:stages
+                set verb bench-stages
         end
     end
     echo $verb
@@ -100,11 +104,16 @@ complete -c sinew -n '__sinew_in "render"' -l projection -x -a 'newton bisection
 complete -c sinew -n '__sinew_in "render"' -l crease -x -d 'Shade faces that meet at more than this angle apart; 180: smooth everywhere'
 complete -c sinew -n '__sinew_in "render"' -s o -l output -x -a '(__sinew_files png)' -d 'Picture to write: OUT.png, or OUT_%04d.png with --frames'
 complete -c sinew -n '__sinew_in "bench"' -a field -d 'Compare ellipsoids with spheres and shapes: one evaluation of the field'
+complete -c sinew -n '__sinew_in "bench"' -a animation -d 'Time 4,000 muscle lines and 1,000 drivers beside skinning'
 complete -c sinew -n '__sinew_in "bench"' -a projections -d 'Compare newton, bisection and analytic: work, time, agreement'
 complete -c sinew -n '__sinew_in "bench"' -a drag -d 'Time a drag: short and long history, few and many muscles'
+complete -c sinew -n '__sinew_in "bench"' -a stages -d 'Divide a frame\'s time among skin, patch, project, folds, normals'
 complete -c sinew -n '__sinew_in "bench"' -s h -l help -d 'Print this and exit'
 complete -c sinew -n '__sinew_in "bench-field"' -s h -l help -d 'Print this and exit'
 complete -c sinew -n '__sinew_in "bench-field"' -l rounds -x -d 'Times everything is timed (15)'
+complete -c sinew -n '__sinew_in "bench-animation"' -a '(__sinew_files glb gltf rig.json)'
+complete -c sinew -n '__sinew_in "bench-animation"' -s h -l help -d 'Print this and exit'
+complete -c sinew -n '__sinew_in "bench-animation"' -l rounds -x -d 'Poses (60)'
 complete -c sinew -n '__sinew_in "bench-projections"' -a '(__sinew_files glb gltf rig.json)'
 complete -c sinew -n '__sinew_in "bench-projections"' -s h -l help -d 'Print this and exit'
 complete -c sinew -n '__sinew_in "bench-projections"' -l json -x -a '(__sinew_files json)' -d 'Write the numbers as JSON too'
@@ -115,3 +124,8 @@ complete -c sinew -n '__sinew_in "bench-drag"' -s h -l help -d 'Print this and e
 complete -c sinew -n '__sinew_in "bench-drag"' -l json -x -a '(__sinew_files json)' -d 'Write the numbers as JSON too'
 complete -c sinew -n '__sinew_in "bench-drag"' -l frames -x -d 'Frames of a drag (60)'
 complete -c sinew -n '__sinew_in "bench-drag"' -l rounds -x -d 'Drags (5)'
+complete -c sinew -n '__sinew_in "bench-stages"' -a '(__sinew_files glb gltf rig.json)'
+complete -c sinew -n '__sinew_in "bench-stages"' -s h -l help -d 'Print this and exit'
+complete -c sinew -n '__sinew_in "bench-stages"' -l json -x -a '(__sinew_files json)' -d 'Write the numbers as JSON too'
+complete -c sinew -n '__sinew_in "bench-stages"' -l frames -x -d 'Moments of the first clip (8)'
+complete -c sinew -n '__sinew_in "bench-stages"' -l rounds -x -d 'Times each moment is timed (15)'

@@ -77,8 +77,31 @@ TEST_F(Bench, DragsWithShortAndLongHistoryFewAndManyMuscles) {
   EXPECT_GT(number(2, "vertices"), number(0, "vertices")) << "more muscles move more";
 }
 
+TEST_F(Bench, StagesShareTheFrame) {
+  const auto file = folder_ / "stages.json";
+  const Outcome outcome =
+      run({"bench", "stages", demo("demo.rig.json"), "--frames", "2", "--rounds", "3", "--json", file.string()});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  EXPECT_NE(outcome.out.find("\ndemo "), std::string::npos) << outcome.out;
+  const auto json = Json::parse(readWholeFile(file, 1 << 20).value());
+  ASSERT_TRUE(json.ok());
+  const std::vector<Json> rows = json.value().at("rows").items();
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].at("depth").number(0), 3.0);
+  EXPECT_EQ(rows[1].at("depth").number(0), 5.0);
+  EXPECT_GT(rows[1].at("vertices").number(0), rows[0].at("vertices").number(0));
+  for (const Json& row : rows) {
+    EXPECT_GT(row.at("frame_seconds").number(0), 0.0);
+    for (const char* stage : {"skin", "patch", "project", "folds", "normals"}) {
+      const double share = row.at("shares").at(stage).number(-1.0);
+      EXPECT_GT(share, 0.0) << stage;
+      EXPECT_LT(share, 1.0) << stage;
+    }
+  }
+}
+
 TEST_F(Bench, BadInputAndBadCommandLine) {
-  for (const char* bench : {"projections", "drag"}) {
+  for (const char* bench : {"projections", "drag", "stages"}) {
     const Outcome absent = run({"bench", bench, "no such file.glb"});
     EXPECT_EQ(absent.status, 1);
     EXPECT_TRUE(absent.oneErrorLine()) << absent.error;

@@ -1,0 +1,130 @@
+// app/cli/bench_animation.cpp: skinning, lines and drivers, in turn, on the same poses.
+#include "app/cli/bench_animation.h"
+
+#include <cstdio>
+#include <utility>
+
+#include "app/cli/measuring.h"
+#include "core/character/skinning.h"
+#include "core/drivers/driven_numbers.h"
+#include "core/lines/line_pose.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr int kLines = 4000;
+constexpr int kDrivers = 1000;
+
+struct Work {
+  AnimationCost cost;
+  std::vector<double> seconds;
+};
+
+/// Bones that have a parent.
+std::vector<int> joints(const Skeleton& skeleton) {
+  std::vector<int> found;
+  for (int bone = 0; bone < static_cast<int>(skeleton.bones.size()); ++bone) {
+    if (skeleton.bones[static_cast<std::size_t>(bone)].parent >= 0) found.push_back(bone);
+  }
+  return found;
+}
+
+MuscleLine lineOver(const Character& character, int bone, int number) {
+  const Skeleton& skeleton = character.skeleton;
+  const float beside = character.height * (0.01f + 0.02f * static_cast<float>(number % 7) / 7.0f);
+  MuscleLine line;
+  line.name = std::to_string(number);
+  line.origin = {skeleton.fileName(skeleton.bones[static_cast<std::size_t>(bone)].parent), {beside, 0.0f, beside}, {}};
+  line.insertion = {skeleton.fileName(bone), {beside, beside, beside}, {}};
+  return line;
+}
+
+Driver driverBy(DriverInputKind kind, const std::string& bone, const Rig& rig) {
+  Driver driver;
+  driver.input.kind = kind;
+  driver.input.bone = bone;
+  driver.input.line = rig.lines.front().name;
+  driver.input.channel = rig.channels.front().name;
+  driver.input.from = {bone, {0.0f, 0.0f, 0.0f}, {}};
+  driver.input.to = {bone, {0.0f, 1.0f, 0.0f}, {}};
+  driver.curve.points = {{-90.0f, 0.0f}, {0.0f, 0.3f}, {1.0f, 0.6f}, {90.0f, 1.0f}};
+  return driver;
+}
+
+/// A hundred muscles whose ten numbers have a driver each.
+Rig drivenRigOf(const Character& character, const std::vector<int>& bones) {
+  Rig rig;
+  rig.channels = {{"effort", {{}, {{{0.0f, 0.0f}, {1.0f, 1.0f}}, CurveKind::kSmooth}, {}}}};
+  rig.lines = {lineOver(character, bones.front(), 0)};
+  for (int i = 0; i < kDrivers / 10; ++i) {
+    Primitive primitive;
+    primitive.name = std::to_string(i);
+    const std::string& bone = character.skeleton.fileName(bones[static_cast<std::size_t>(i) % bones.size()]);
+    primitive.bone = bone;
+    for (int p = 0; p < 10; ++p) {
+      const auto kind = static_cast<DriverInputKind>((i + p) % 7);
+      primitive.animated.push_back({static_cast<Parameter>(p), {}, {driverBy(kind, bone, rig)}, {}});
+    }
+    rig.primitives.push_back(std::move(primitive));
+  }
+  return rig;
+}
+
+template <class Task>
+void timed(Work& work, const Task& task) {
+  const double start = secondsNow();
+  task();
+  work.seconds.push_back(secondsNow() - start);
+}
+
+}  // namespace
+
+std::vector<AnimationCost> measureAnimation(const Character& character, int rounds) {
+  const Skeleton& skeleton = character.skeleton;
+  const std::vector<int> bones = joints(skeleton);
+  std::vector<std::optional<LineRest>> rests;
+  for (int i = 0; i < kLines; ++i) {
+    const int bone = bones[static_cast<std::size_t>(i) % bones.size()];
+    const Result<LineRest> rest = lineRest(lineOver(character, bone, i), character);
+    rests.push_back(rest ? std::optional(rest.value()) : std::nullopt);
+  }
+  Rig rig = drivenRigOf(character, bones);
+  DrivenNumbers numbers(rig, character);
+
+  std::vector<Work> works{{{"skinning, vertices", static_cast<int>(character.mesh.positions.size()), 0.0, 1.0}, {}},
+                          {{"lines", kLines, 0.0, 1.0}, {}},
+                          {{"drivers", kDrivers, 0.0, 1.0}, {}}};
+  SkinnedMesh skinned;
+  LineScratch scratch;
+  std::vector<PosedLine> posed;
+  const AnimationClip* clip = character.clips.empty() ? nullptr : &character.clips.front();
+  for (int round = 0; round < rounds; ++round) {
+    const float share = static_cast<float>(round) / static_cast<float>(rounds);
+    const Pose pose = clip ? samplePose(skeleton, *clip, share * clip->duration) : restPose(skeleton);
+    timed(works[0], [&] { skin(character, pose, skinned); });
+    timed(works[1], [&] { poseLines(rests, skeleton, pose, scratch, posed); });
+    timed(works[2], [&] { numbers.apply(pose, skeleton, rig); });
+  }
+  std::vector<AnimationCost> costs;
+  for (Work& work : works) {
+    work.cost.seconds = median(work.seconds);
+    work.cost.ratio = medianRatio(work.seconds, works.front().seconds);
+    costs.push_back(work.cost);
+  }
+  return costs;
+}
+
+std::string animationTable(const std::vector<AnimationCost>& costs) {
+  std::string table =
+      "one pose: milliseconds, median; ratio to skinning within one round, median\n"
+      "what                  count      ms    ratio\n";
+  for (const AnimationCost& cost : costs) {
+    char row[120];
+    std::snprintf(row, sizeof row, "%-20s %6d  %6.3f  %7.2f\n", cost.what.c_str(), cost.count, 1e3 * cost.seconds,
+                  cost.ratio);
+    table += row;
+  }
+  return table;
+}
+
+}  // namespace sinew::app
