@@ -25,7 +25,8 @@ PlayRange aroundTime(const Transport& transport, const Character& character) {
 }
 
 bool samePose(const Transport& a, const Transport& b) {
-  return a.clip == b.clip && a.time == b.time && a.overrides == b.overrides && a.flex == b.flex;
+  return a.clip == b.clip && a.time == b.time && a.overrides == b.overrides && a.flex == b.flex &&
+         a.flexedLines == b.flexedLines;
 }
 
 }  // namespace
@@ -113,6 +114,7 @@ Pose poseAt(const Transport& transport, const Character& character) {
   };
   Pose pose = posed(skeleton, sampled(), transport.overrides);
   pose.flex = transport.flex;
+  pose.flexedLines = transport.flexedLines;
   return pose;
 }
 

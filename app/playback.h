@@ -25,7 +25,8 @@ struct Transport {
   float speed = 1.0f;         ///< Factor, 0.1..4.
   PlayRanges ranges{};        ///< Playing keeps to these parts of clips; through setPlayRange.
   PoseOverrides overrides{};  ///< Joints turned by hand, on top of the clip.
-  float flex = 0.0f;          ///< Pose::flex.
+  float flex = 0.0f;          ///< Pose::flex, and the next Pose::flexedLines.
+  std::vector<int> flexedLines{};
 };
 
 /// Length of the chosen clip, seconds; 0 for the bind pose.

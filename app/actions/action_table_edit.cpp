@@ -1,6 +1,7 @@
 // app/actions/action_table_edit.cpp: the Edit menu: muscles and the history.
 
 #include "app/actions/action_table.h"
+#include "app/actions/animate.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/symmetry_commands.h"
 
@@ -40,6 +41,13 @@ Possible anyMuscle(const State& s) {
 Possible boneOrMuscle(const State& s) {
   return anyMuscle(s).also(selected(s) || s.document.selection.bone >= 0, "Select a muscle or a bone first");
 }
+Possible keyable(const State& s) {
+  const Possible free = idle(s);
+  return free ? canKeyPointed(s) : free;
+}
+void deletePointed(State& s) {
+  if (!removePointedPoint(s)) deleteSelection(s);
+}
 void paste(State& s) { pasteMuscles(s, false); }
 void pasteMirrored(State& s) { pasteMuscles(s, true); }
 
@@ -63,10 +71,13 @@ const Action kActions[] = {
     {"edit/duplicate", "Duplicate", "Copy the selected muscles", ctrl(GLFW_KEY_D), kNone, selected, nullptr,
      duplicateSelection},
     {"edit/rename", "Rename", "Rename the selected muscle", key(GLFW_KEY_F2), kNone, selected, nullptr, renameActive},
-    {"edit/delete", "Delete", "Remove the selected muscles", key(GLFW_KEY_DELETE), kNone, selected, nullptr,
-     deleteSelection},
+    {"edit/delete", "Delete", "Remove the selected muscles, or the point of a curve under the pointer",
+     key(GLFW_KEY_DELETE), kNone, selected, nullptr, deletePointed},
     {"edit/group", "Group", "Put the selected muscles into a new group", ctrl(GLFW_KEY_G), kNone, selected, nullptr,
      groupSelection},
+    {"edit/key", "Key number",
+     "Key the number under the pointer at this moment of the clip; while driven keys are set, set one at this pose",
+     key(GLFW_KEY_K), kNone, keyable, nullptr, keyPointed},
     {"edit/cut", "Cut", "Copy the selected muscles and remove them", ctrl(GLFW_KEY_X), kNone, selected, nullptr,
      cutSelection, true},
     {"edit/copy", "Copy", "Put the selected muscles on the clipboard, as the text of a rig", ctrl(GLFW_KEY_C), kNone,

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "core/rig/animated_edit.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/rig_edit.h"
 #include "core/skeleton/side_names.h"
@@ -73,6 +74,66 @@ void linkPastedLines(Rig& rig, const Rig& copied, const LineNames& lines) {
   }
 }
 
+/// Channels that the rig lacks. One that is there stays as it is.
+void addChannels(Rig& rig, const Rig& copied) {
+  const Rig before = rig;
+  for (const RigChannel& channel : copied.channels) {
+    const bool known =
+        std::ranges::any_of(before.channels, [&](const RigChannel& own) { return own.name == channel.name; });
+    if (!known) rig.channels.push_back(channel);
+  }
+}
+
+/// Drivers read lines under the names that they were pasted with; those of lines that are not there are left out.
+void readPastedLines(Pasted& pasted, const LineNames& lines) {
+  const auto settle = [&](std::vector<AnimatedNumber>& animated, const std::string& name) {
+    keepDrivers(animated, [&](const DriverInput& input) {
+      if (input.kind != DriverInputKind::kLength || lines.contains(input.line)) return true;
+      if (findLine(pasted.rig, input.line) >= 0) return true;
+      pasted.leftOut.push_back('"' + name + "\" is pasted without a driver: there is no muscle line \"" + input.line +
+                               '"');
+      return false;
+    });
+    for (AnimatedNumber& number : animated) {
+      for (Driver& driver : number.drivers) {
+        const auto found = lines.find(driver.input.line);
+        if (driver.input.kind == DriverInputKind::kLength && found != lines.end()) driver.input.line = found->second;
+      }
+    }
+  };
+  for (const auto& [from, to] : lines) {
+    settle(pasted.rig.lines[static_cast<std::size_t>(findLine(pasted.rig, to))].animated, to);
+  }
+  for (const std::string& name : pasted.names) {
+    settle(pasted.rig.primitives[static_cast<std::size_t>(findPrimitive(pasted.rig, name))].animated, name);
+  }
+}
+
+/// The lines and channels that muscles and their lines read.
+void addInputs(const Rig& rig, Rig& copied) {
+  std::vector<std::string> lines;
+  std::vector<std::string> channels;
+  const auto note = [&](const std::vector<AnimatedNumber>& animated) {
+    for (const AnimatedNumber& number : animated) {
+      for (const Driver& driver : number.drivers) {
+        lines.push_back(driver.input.line);
+        channels.push_back(driver.input.channel);
+      }
+    }
+  };
+  for (const Primitive& primitive : copied.primitives) note(primitive.animated);
+  for (const MuscleLine& line : copied.lines) note(line.animated);
+  for (const MuscleLine& line : rig.lines) {
+    if (!contains(lines, line.name) || findLine(copied, line.name) >= 0) continue;
+    copied.lines.push_back(line);
+    copied.lines.back().mirror.clear();
+    copied.lines.back().animated.clear();
+  }
+  for (const RigChannel& channel : rig.channels) {
+    if (contains(channels, channel.name)) copied.channels.push_back(channel);
+  }
+}
+
 /// Twins of the text, both pasted, are twins again.
 void linkPasted(Rig& rig, const Rig& copied, const std::map<std::string, std::string>& nameOf) {
   for (const Primitive& primitive : copied.primitives) {
@@ -118,6 +179,20 @@ float lengthOf(const Skeleton& skeleton, int bone) {
   return glm::length(own.tip);
 }
 
+/// Keyed and driven lengths grow with the muscle.
+void scaleLengths(std::vector<AnimatedNumber>& animated, float factor) {
+  const auto scale = [&](Curve& curve) {
+    for (glm::vec2& point : curve.points) point.y *= factor;
+  };
+  for (AnimatedNumber& number : animated) {
+    if (!isLength(number.parameter)) continue;
+    for (KeyTrack& track : number.keys) scale(track.curve);
+    for (Driver& driver : number.drivers) {
+      if (driver.mode != DriverMode::kMultiply) scale(driver.curve);
+    }
+  }
+}
+
 void placeOnBone(Primitive& primitive, const Skeleton& skeleton, int bone) {
   const std::optional<int> from = skeleton.findBone(primitive.bone);
   const float before = from ? lengthOf(skeleton, *from) : 0.0f;
@@ -125,6 +200,7 @@ void placeOnBone(Primitive& primitive, const Skeleton& skeleton, int bone) {
   if (factor > 0.0f && std::isfinite(factor)) {
     primitive.placement.center *= factor;
     primitive.placement.radii *= factor;
+    scaleLengths(primitive.animated, factor);
   }
   primitive.bone = skeleton.fileName(bone);
   primitive.territory.reset();
@@ -151,6 +227,7 @@ std::string musclesAsText(const Rig& rig, std::span<const int> indices) {
     copied.lines.push_back(line);
     if (!contains(lines, line.mirror)) copied.lines.back().mirror.clear();
   }
+  addInputs(rig, copied);
   for (const Group& group : rig.groups) {
     if (contains(groups, group.name)) copied.groups.push_back(group);
   }
@@ -168,6 +245,7 @@ Result<Pasted> pastedMuscles(const Rig& rig, const std::string& text, const Skel
   Result<Rig> grown = withGroups(rig, copied.value());
   if (!grown) return grown.error();
   Pasted pasted{std::move(grown).value(), {}, {}};
+  addChannels(pasted.rig, copied.value());
   std::map<std::string, std::string> nameOf;
   LineNames lines;
   for (Primitive primitive : copied->primitives) {
@@ -207,6 +285,7 @@ Result<Pasted> pastedMuscles(const Rig& rig, const std::string& text, const Skel
   if (pasted.names.empty()) return errorAt("", pasted.leftOut.front());
   linkPasted(pasted.rig, copied.value(), nameOf);
   linkPastedLines(pasted.rig, copied.value(), lines);
+  readPastedLines(pasted, lines);
   return pasted;
 }
 

@@ -59,12 +59,6 @@ std::array<glm::vec3, 2> polesOf(const Primitive& primitive, const Bone& bone) {
   return {world(placement.center - half), world(placement.center + half)};
 }
 
-/// Half way from a point to the bone's axis.
-glm::vec3 halfWayTo(const Bone& bone, const glm::vec3& point) {
-  const Segment axis = bindSegment(bone);
-  return 0.5f * (point + axis.from + axis.closestTo(point) * axis.along);
-}
-
 }  // namespace
 
 Result<Rig> withRestNow(const Rig& rig, int line, float stretch) {
@@ -128,10 +122,9 @@ Result<Rig> withOtherEnd(const Rig& rig, int primitive, int bone, const Characte
   std::array<glm::vec3, 2> poles = polesOf(muscle, boneAt(character, *own));
   if (glm::distance(poles[0], onAxis) < glm::distance(poles[1], onAxis)) std::swap(poles[0], poles[1]);
   // As far off the other bone's axis as the muscle's own line is off its bone's.
-  const glm::vec3 origin = halfWayTo(boneAt(character, *own), poles[0]);
+  const glm::vec3 origin = halfWayToAxis(boneAt(character, *own), poles[0]);
   const glm::vec3 middle = 0.5f * (poles[0] + poles[1]);
-  const Segment ownAxis = bindSegment(boneAt(character, *own));
-  const glm::vec3 offset = 0.5f * (middle - (ownAxis.from + ownAxis.closestTo(middle) * ownAxis.along));
+  const glm::vec3 offset = middle - halfWayToAxis(boneAt(character, *own), middle);
   MuscleLine line;
   line.name = muscle.name;
   line.origin = anchorOn(character, *own, origin);

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "core/rig/attachment.h"
+
 namespace sinew::app {
 namespace {
 
@@ -48,17 +50,6 @@ void Visibility::setBone(Mark which, const std::string& bonePath, bool on) { mar
 
 bool Visibility::plain() const { return hidden.empty() && locked.empty() && solo.empty() && !isolated && !bare; }
 
-namespace {
-
-/// It rides no line, or the character has the bones of its line.
-bool hasLine(const Rig& rig, const Primitive& primitive, const Skeleton& skeleton) {
-  const MuscleLine* line = lineOf(rig, primitive);
-  return !line || (skeleton.findBone(line->origin.bone) && skeleton.findBone(line->insertion.bone) &&
-                   (!line->via || skeleton.findBone(line->via->bone)));
-}
-
-}  // namespace
-
 std::vector<int> boneOfEach(const Rig& rig, const Skeleton& skeleton) {
   constexpr int kAmbiguous = -2;
   std::unordered_map<std::string_view, int> byName;
@@ -75,7 +66,8 @@ std::vector<int> boneOfEach(const Rig& rig, const Skeleton& skeleton) {
     const auto placed = byPath.find(primitive.bone);
     const bool unique = named != byName.end() && named->second != kAmbiguous;
     const int bone = unique ? named->second : (placed != byPath.end() ? placed->second : -1);
-    bones.push_back(hasLine(rig, primitive, skeleton) ? bone : -1);
+    const MuscleLine* line = lineOf(rig, primitive);
+    bones.push_back(!line || hasBones(*line, skeleton) ? bone : -1);
   }
   return bones;
 }

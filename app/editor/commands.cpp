@@ -286,7 +286,9 @@ bool rename(EditorState& state, PrimitiveId primitive, const std::string& name) 
 
 void selectNothing(EditorState& state) {
   Selection& selection = state.document.selection;
-  if (editsTerritory(state)) {
+  if (state.open.animate.drivenKey.isOn()) {
+    state.open.animate.drivenKey = {};
+  } else if (editsTerritory(state)) {
     endTerritoryMode(state.view.tools);
   } else if (selection.primitives.empty() && selection.bone < 0 &&
              (state.view.tools.tool == ToolKind::kAddMuscle || state.view.tools.tool == ToolKind::kMuscleLine)) {

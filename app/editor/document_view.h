@@ -5,14 +5,17 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec2.hpp>
 
+#include "app/document/animate_state.h"
 #include "app/playback.h"
 #include "app/tools/select.h"
+#include "core/lines/line_lengths.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew::app {
@@ -74,23 +77,33 @@ struct DiskLook {
   friend bool operator==(const DiskLook&, const DiskLook&) = default;
 };
 
-/// How hard all muscle lines are flexed in the picture; not in the file.
+/// How hard muscle lines are flexed in the picture; not in the file.
 struct FlexState {
-  float amount = 0.0f;   ///< Of the slider, 0..1.
-  bool latched = false;  ///< Fully: switched on from a menu; or the key went down and is not up yet.
+  float amount = 0.0f;         ///< Of the slider, 0..1.
+  bool selectedAlone = false;  ///< Those of selected muscles, where any of them is on a line.
+  bool latched = false;        ///< Fully: switched on from a menu; or the key went down and is not up yet.
   bool byKey = false;
 
   [[nodiscard]] float shown() const { return latched ? 1.0f : amount; }
 };
 
+/// How long a muscle line gets in the clip that is shown: as long as line and clip stay the same.
+struct LineRangeState {
+  std::optional<MuscleLine> line;
+  int clip = -1;
+  LineLengths lengths;
+};
+
 struct DocumentView {
   Transport transport;
   FlexState flex;
+  LineRangeState lineRange;
   std::vector<bool> helperBones;  ///< [bones] core/character/skin_bones.h
   TimelineState timeline;
   RenameState rename;
   EulerState euler;
   BlendingState blending;
+  AnimateState animate;
   std::string rowAnchor;  ///< Key of the outliner's row where a range of rows starts.
   ViewportMenuState viewportMenu;
   PrimitiveId revealed;          ///< The muscle the outliner has scrolled to last.

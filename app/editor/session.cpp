@@ -28,6 +28,7 @@ constexpr std::array kKnownSamples{
     KnownSample{"humanoid-flex", "Humanoid flexing"},
     KnownSample{"humanoid-wrapped", "Humanoid wrapped"},
     KnownSample{"horse", "Horse"},
+    KnownSample{"horse-flex", "Horse flexing"},
     KnownSample{"horse-wrapped", "Horse wrapped"},
     KnownSample{"demo", "Lizard"},
     KnownSample{"wrapped", "Wrapped body"},

@@ -30,6 +30,7 @@ struct InspectorState {
   bool shapeOpen = false;      ///< The rows that change a muscle's shape are unfolded.
   bool territoryOpen = false;  ///< The list of a default territory's bones is unfolded.
   std::string territoryFilter;
+  bool animationOpen = false;  ///< Drivers and keys are unfolded.
 };
 
 /// "Before": the character without muscles while a key or a button is held.

@@ -11,6 +11,7 @@
 #include "app/panels/overlay/overlay.h"
 #include "app/panels/panels.h"
 #include "app/panels/shared/field_edit.h"
+#include "app/panels/timeline/timeline_keys.h"
 
 namespace sinew::app {
 namespace {
@@ -39,7 +40,9 @@ struct Regions {
 
 LayoutSizes sizesOf(const PanelUi& ui, float menuHeight) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  return shownSizes(ui.state.view.layout, display.x / ui.scale, (display.y - menuHeight) / ui.scale);
+  LayoutState wished = ui.state.view.layout;
+  wished.bottom += keyRowsHeight(ui.state);
+  return shownSizes(wished, display.x / ui.scale, (display.y - menuHeight) / ui.scale);
 }
 
 Regions divide(const PanelUi& ui, const LayoutSizes& sizes, float menuHeight) {
@@ -225,7 +228,8 @@ void drawSplitters(PanelUi& ui, const LayoutState& shown, const LayoutSizes& siz
     splitter(ui, "layout/right", right, true, -1.0f, {sizes.right, kPanelNarrowest, across, wished.right});
   }
   if (shown.bottomShown) {
-    splitter(ui, "layout/bottom", bottom, false, -1.0f, {sizes.bottom, kBottomLowest, upright, wished.bottom});
+    const float rows = keyRowsHeight(ui.state);
+    splitter(ui, "layout/bottom", bottom, false, -1.0f, {sizes.bottom - rows, kBottomLowest, upright, wished.bottom});
   }
 }
 

@@ -22,6 +22,7 @@ constexpr Panel kPanels[] = {
     {"overlay", "", Region::kInViewport, drawNumbers},
     {"legend", "", Region::kInViewport, drawLegend},
     {"flex", "", Region::kInViewport, drawFlex},
+    {"driven-key", "", Region::kInViewport, drawDrivenKey},
     {"viewport-menu", "", Region::kInViewport, drawViewportMenu},
     {"messages", "", Region::kInViewport, drawMessages, true},
     {"toast", "", Region::kInViewport, drawToast, true},

@@ -1,22 +1,20 @@
 // app/render/scene.cpp: primitives as they are drawn.
 #include "app/render/scene.h"
 
+#include <span>
 #include <string_view>
 #include <unordered_map>
 
 #include "app/document/group_colors.h"
+#include "core/drivers/driven_numbers.h"
 #include "core/lines/carriers.h"
 
 namespace sinew::app {
 namespace {
 
-/// The rig's lines as they are in a pose, by name; those that cannot be used are left out.
-std::unordered_map<std::string_view, ShapeLine> linesOf(const Rig& rig, const Character& character, const Pose& pose) {
+/// The rig's lines in a pose; those that cannot be used are left out.
+std::unordered_map<std::string_view, ShapeLine> linesByName(const Rig& rig, std::span<const PosedLine> posed) {
   std::unordered_map<std::string_view, ShapeLine> lines;
-  if (rig.lines.empty()) return lines;
-  LineScratch scratch;
-  std::vector<PosedLine> posed;
-  poseLines(lineRests(rig, character), character.skeleton, pose, scratch, posed);
   for (std::size_t i = 0; i < posed.size(); ++i) {
     const PosedLine& line = posed[i];
     if (!line.usable) continue;
@@ -28,10 +26,13 @@ std::unordered_map<std::string_view, ShapeLine> linesOf(const Rig& rig, const Ch
 
 }  // namespace
 
-std::vector<PrimitiveShape> shapesOf(const Rig& rig, const Character& character, const Pose& pose) {
+std::vector<PrimitiveShape> shapesOf(const Rig& drawn, const Character& character, const Pose& pose) {
   std::vector<PrimitiveShape> shapes;
-  const std::vector<std::optional<glm::mat4>> carriers = carriersOf(rig, character, pose);
-  const std::unordered_map<std::string_view, ShapeLine> lines = linesOf(rig, character, pose);
+  Rig memory;
+  const Rig& rig = inPose(drawn, character, pose, memory);
+  const std::vector<PosedLine> posed = posedLines(rig, character, pose);
+  const std::vector<std::optional<glm::mat4>> carriers = carriersOf(rig, character, pose, posed);
+  const std::unordered_map<std::string_view, ShapeLine> lines = linesByName(rig, posed);
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
     const Primitive& primitive = rig.primitives[i];
     if (!carriers[i]) continue;

@@ -29,6 +29,8 @@ inline constexpr Tint kAccent{0.929f, 0.541f, 0.376f, 1.0f};  ///< Warm, as musc
 inline constexpr Tint kWarning{0.949f, 0.757f, 0.361f, 1.0f};
 inline constexpr Tint kError{0.937f, 0.400f, 0.400f, 1.0f};
 inline constexpr Tint kGood{0.451f, 0.788f, 0.569f, 1.0f};
+inline constexpr Tint kKeyed{0.918f, 0.698f, 0.176f, 1.0f};   ///< Amber: numbers that have keys, and the keys.
+inline constexpr Tint kDriven{0.624f, 0.502f, 0.929f, 1.0f};  ///< Violet: numbers that follow a driver.
 }  // namespace palette
 
 /// Sets colours, spacing and rounding of the current ImGui context. @param scale 1 on ordinary screens.

@@ -4,7 +4,9 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <chrono>
+#include <vector>
 
 #include "app/actions/actions.h"
 #include "app/editor/commands.h"
@@ -25,11 +27,27 @@ double secondsNow() {
 /// comes in that frame would be lost.
 bool isTyping() { return ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive(); }
 
+/// The lines of selected muscles, ascending.
+std::vector<int> selectedLines(const Document& document) {
+  const Rig& rig = document.rig();
+  std::vector<int> lines;
+  for (const PrimitiveId id : document.selection.primitives) {
+    const int index = findPrimitive(rig, id);
+    const int line = index < 0 ? -1 : findLine(rig, rig.primitives[static_cast<std::size_t>(index)].line);
+    if (line >= 0) lines.push_back(line);
+  }
+  std::ranges::sort(lines);
+  lines.erase(std::ranges::unique(lines).begin(), lines.end());
+  return lines;
+}
+
 void movePose(EditorState& state, const RawInput& input, double seconds) {
   if (!state.hasCharacter()) return;
   const bool leftPressed = input.pressedButton == static_cast<int>(MouseButton::kLeft);
   if (!holdsPose(state.view.tools, leftPressed)) advance(state.open.transport, seconds, state.character());
-  state.open.transport.flex = state.open.flex.shown();
+  const FlexState& flex = state.open.flex;
+  state.open.transport.flex = flex.shown();
+  state.open.transport.flexedLines = flex.selectedAlone ? selectedLines(state.document) : std::vector<int>();
   state.live->movePose(state.open.transport);
 }
 
@@ -53,6 +71,8 @@ void EditorStep::run(EditorState& state, const RawInput& input, const Fonts& fon
 bool EditorStep::runInterface(EditorState& state, const RawInput& input, const Fonts& fonts) {
   const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   if (!popup && !isTyping() && !ownsKeyboard(state.view.tools)) runShortcut(state, input);
+  state.open.animate.pointed.clear();
+  state.open.animate.pointedPoint = {};
   widgets_.beginFrame();
   PanelUi ui(state, widgets_, fonts);
   const bool viewportFree = drawLayout(ui);

@@ -171,31 +171,33 @@ void Picture::draw(EditorState& state, const View& view, ImDrawList& list, doubl
   const auto texture = static_cast<std::uintptr_t>(viewport_.colorTexture());
   list.PushClipRect(low, high);
   list.AddImage(reinterpret_cast<ImTextureID>(texture), low, high, {0.0f, 1.0f}, {1.0f, 0.0f});
+  const Canvas canvas{view, {v.x, v.y}, v.z / static_cast<float>(state.frame.viewportPixels.x), state.frame.uiScale};
   if (state.frame.route.gizmo.visible) {
-    drawGizmo(list, state.view.tools.gizmo, state.frame.route.gizmo, state.frame.route.gizmoContext, {v.x, v.y},
-              v.z / static_cast<float>(state.frame.viewportPixels.x));
+    drawGizmo(list, state.view.tools.gizmo, state.frame.route.gizmo, state.frame.route.gizmoContext, canvas.topLeft,
+              canvas.unitsPerPixel);
   }
   if (state.view.tools.box.drag) {
-    drawBox(list, *state.view.tools.box.drag, {v.x, v.y}, v.z / static_cast<float>(state.frame.viewportPixels.x));
+    drawBox(list, *state.view.tools.box.drag, canvas.topLeft, canvas.unitsPerPixel);
   }
-  const float perPixel = v.z / static_cast<float>(state.frame.viewportPixels.x);
-  const PictureFrame over{view, {v.x, v.y}, perPixel, state.frame.uiScale};
   const Pose& pose = state.live->pose();
+  const DisplaySettings& display = state.view.display;
   if (const std::optional<ShownLine> line = activeLine(state.document, pose)) {
-    drawLine(list, over, *line, state.view.tools.lineHandles);
+    drawLine(list, canvas, *line, state.view.tools.lineHandles, !display.primitives && !display.anatomy);
   }
   if (const std::optional<LineDrag>& drag = state.view.tools.line.drag) {
-    drawLineEnds(list, over, *drag, state.character().skeleton, pose);
+    for (const int bone : {drag->startBone, drag->endBone}) {
+      if (bone < 0) continue;
+      const auto index = static_cast<std::size_t>(bone);
+      drawBoneMark(list, canvas, state.character().skeleton.bones[index], pose.boneInWorld[index]);
+    }
   }
   const bool adds = state.view.tools.tool == ToolKind::kAddMuscle || state.view.tools.tool == ToolKind::kMuscleLine;
   if (adds && !state.view.tools.addMuscle.drag && !state.view.tools.line.drag) {
-    drawLanding(list, state.view.tools.hover, state.character(), state.live->pose(), view, {v.x, v.y},
-                v.z / static_cast<float>(state.frame.viewportPixels.x), state.frame.uiScale);
+    drawLanding(list, canvas, state.view.tools.hover, state.character(), pose);
   }
-  const float unitsPerPixel = v.z / static_cast<float>(state.frame.viewportPixels.x);
   drawTriad(list, state.view.tools.triad,
-            layoutTriad(state.view.tools.camera, state.frame.viewportPixels, state.frame.uiScale / unitsPerPixel),
-            {v.x, v.y}, unitsPerPixel);
+            layoutTriad(state.view.tools.camera, state.frame.viewportPixels, canvas.scale / canvas.unitsPerPixel),
+            canvas.topLeft, canvas.unitsPerPixel);
   list.PopClipRect();
 }
 

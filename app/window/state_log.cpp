@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "app/actions/animate.h"
+#include "app/actions/animated_names.h"
 #include "core/io/json/json.h"
 
 namespace sinew::app {
@@ -139,6 +141,42 @@ Json lineState(const EditorState& state, const View& view) {
       .set("stretch", shown->stretch)
       .set("activation", shown->activation);
   return line;
+}
+
+void addAnimated(const EditorState& state, const Rig& now, const std::vector<AnimatedNumber>& animated, int owner,
+                 Json& values, std::size_t& keys, std::size_t& drivers) {
+  for (const AnimatedNumber& number : animated) {
+    const NumberRef ref{number.parameter, owner};
+    values.set(nameOf(number.parameter), numberOf(now, ref));
+    drivers += number.drivers.size();
+    const KeyTrack* track = trackNow(state, ref);
+    if (track != nullptr) keys += track->curve.points.size();
+  }
+}
+
+/// The driven keys that are being set; of the active muscle and its line: what is keyed in this clip or driven, and
+/// what that makes of it now.
+Json animationState(const EditorState& state) {
+  Json animation = Json::object();
+  if (!state.hasCharacter()) return animation;
+  const DrivenKeyMode& mode = state.open.animate.drivenKey;
+  if (mode.isOn()) animation.set("setting", wordsFor(mode.input, state.character().skeleton));
+  const std::optional<float> x = mode.isOn() ? inputNow(state, mode.input) : std::nullopt;
+  if (x) animation.set("input", *x);
+  const int active = state.document.activePrimitive();
+  if (active < 0) return animation;
+  const Rig& rig = state.document.rig();
+  const std::shared_ptr<const Rig> now = rigNow(state);
+  const Primitive& primitive = rig.primitives[static_cast<std::size_t>(active)];
+  const int line = findLine(rig, primitive.line);
+  Json values = Json::object();
+  std::size_t keys = 0;
+  std::size_t drivers = 0;
+  addAnimated(state, *now, primitive.animated, active, values, keys, drivers);
+  if (line >= 0) {
+    addAnimated(state, *now, rig.lines[static_cast<std::size_t>(line)].animated, line, values, keys, drivers);
+  }
+  return animation.set("keys", static_cast<int>(keys)).set("drivers", static_cast<int>(drivers)).set("now", values);
 }
 
 Json boneState(const EditorState& state, const View& view) {
@@ -307,6 +345,7 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("gizmo", gizmoState(state))
       .set("line", lineState(state, view))
       .set("flex", state.open.flex.shown())
+      .set("animation", animationState(state))
       .set("viewport", numbers({v.x, v.y, v.z, v.w}))
       .set("mouse", numbers({mouse.x, mouse.y}))
       .set("samples", state.frame.pictureSamples)

@@ -203,11 +203,11 @@ TEST(Bindings, AReservedKeyIsRefusedWithAReasonAndAnotherOneWaitedFor) {
   captureKey(state, {GLFW_KEY_ENTER});
   EXPECT_EQ(state.dialogs.keyCapture.step, KeyCapture::Step::kWaiting);
   EXPECT_NE(state.dialogs.keyCapture.notice, "");
-  captureKey(state, {GLFW_KEY_K});
+  captureKey(state, {GLFW_KEY_J});
   EXPECT_EQ(state.dialogs.keyCapture.step, KeyCapture::Step::kNone);
   const Keys keys = shortcutsOf(action("view/ground"), state.session.preferences);
   EXPECT_EQ(keys[0], (Shortcut{GLFW_KEY_0}));
-  EXPECT_EQ(keys[1], (Shortcut{GLFW_KEY_K}));
+  EXPECT_EQ(keys[1], (Shortcut{GLFW_KEY_J}));
 }
 
 TEST(Bindings, BackspaceAndDeleteClearAndEscGivesUp) {
@@ -226,12 +226,12 @@ TEST(Bindings, BackspaceAndDeleteClearAndEscGivesUp) {
 
 TEST(Bindings, EachKeymapHasItsOwnChanges) {
   Preferences preferences;
-  giveKey(preferences, action("view/ground"), 0, {GLFW_KEY_K});
+  giveKey(preferences, action("view/ground"), 0, {GLFW_KEY_J});
   preferences.keymap = Keymap::kBlender;
-  EXPECT_EQ(ownerOf({GLFW_KEY_K}, preferences), nullptr);
-  giveKey(preferences, action("view/wire"), 0, {GLFW_KEY_K});
+  EXPECT_EQ(ownerOf({GLFW_KEY_J}, preferences), nullptr);
+  giveKey(preferences, action("view/wire"), 0, {GLFW_KEY_J});
   preferences.keymap = Keymap::kMaya;
-  EXPECT_EQ(ownerOf({GLFW_KEY_K}, preferences), &action("view/ground"));
+  EXPECT_EQ(ownerOf({GLFW_KEY_J}, preferences), &action("view/ground"));
 }
 
 TEST(Bindings, WhatAFileSaysAndNobodyCanUseIsDroppedWithANote) {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/rig/animated_edit.h"
+#include "core/rig/line_edit.h"
 #include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
 #include "core/symmetry/twins.h"
@@ -47,6 +49,43 @@ TEST_F(Clipboard, APairIsPastedAsAPairUnderFreeNames) {
   EXPECT_EQ(pasted->rig.primitives[3].reach, 1.7f);
   EXPECT_EQ(pasted->rig.groups.size(), 3u);
   EXPECT_TRUE(validate(pasted->rig));
+}
+
+TEST_F(Clipboard, DriversComeWithTheChannelsAndLinesTheyRead) {
+  MuscleLine line;
+  line.name = "calf";
+  line.origin = {"leg L", {0.0f, -0.1f, 0.1f}, {}};
+  line.insertion = {"shin L", {0.0f, -0.1f, 0.1f}, {}};
+  rig = addLine(rig, line).value();
+  rig = setChannelKey(rig, "effort", "cross", 0.0f, 1.0f).value();
+  const NumberRef radius{Parameter::kRadiusX, 2};
+  Driver driver;
+  driver.curve.points = {{0.0f, 0.0f}, {1.0f, 0.1f}};
+  driver.input.kind = DriverInputKind::kChannel;
+  driver.input.channel = "effort";
+  rig = setDriver(rig, radius, driver).value();
+  driver.input = {};
+  driver.input.kind = DriverInputKind::kLength;
+  driver.input.line = "calf";
+  rig = setDriver(rig, radius, driver).value();
+  const std::string text = musclesAsText(rig, std::vector<int>{2});
+
+  const Result<Pasted> here = pastedMuscles(rig, text, legs->skeleton, nullptr);
+  ASSERT_TRUE(here);
+  EXPECT_TRUE(here->leftOut.empty());
+  EXPECT_EQ(here->rig.primitives.back().animated, rig.primitives[2].animated);
+  EXPECT_EQ(here->rig.channels.size(), 1u) << "the channel was there";
+  EXPECT_EQ(here->rig.lines.size(), 1u);
+
+  Rig other;
+  other.character = "other.glb";
+  const Result<Pasted> there = pastedMuscles(other, text, legs->skeleton, nullptr);
+  ASSERT_TRUE(there);
+  ASSERT_EQ(there->leftOut.size(), 1u) << "the line is not there";
+  ASSERT_EQ(there->rig.primitives.back().animated.size(), 1u);
+  EXPECT_EQ(there->rig.primitives.back().animated[0].drivers.size(), 1u);
+  EXPECT_EQ(there->rig.channels, rig.channels);
+  EXPECT_TRUE(validate(there->rig)) << validate(there->rig).error().text();
 }
 
 TEST_F(Clipboard, OneOfAPairHasNoTwinInTheText) {

@@ -32,11 +32,7 @@ struct LineEdits : testing::Test {
   }
   /// Independent of lengthsOver: at one time of the clip.
   [[nodiscard]] float stretchAt(const Rig& of, float time) const {
-    LineScratch scratch;
-    std::vector<PosedLine> posed;
-    poseLines(lineRests(of, *limb), limb->skeleton, samplePose(limb->skeleton, limb->clips.front(), time), scratch,
-              posed);
-    return posed.front().stretch;
+    return posedLines(of, *limb, samplePose(limb->skeleton, limb->clips.front(), time)).front().stretch;
   }
 };
 

@@ -27,12 +27,6 @@ class Inspector : public HeadlessEditor {
     for (const char* name : names) state.document.selection.primitives.push_back(idOf(state.document, name));
     settle();
   }
-  void typeInto(const std::string& id, const std::string& text) {
-    doubleClick(id);
-    press(kKeyA, true);
-    type(text);
-    press(kEnter);
-  }
   [[nodiscard]] std::vector<int> territory(const std::string& name) const {
     const Skeleton& skeleton = state.character().skeleton;
     return territoryBones(named(name), skeleton.findBone(named(name).bone).value(), nullptr, skeleton);

@@ -12,15 +12,22 @@ thread_local std::int64_t count = 0;
 void* counted(std::size_t size, std::size_t alignment) {
   ++count;
   const std::size_t whole = size == 0 ? alignment : (size + alignment - 1) / alignment * alignment;
-  if (void* const memory = std::aligned_alloc(alignment, whole)) return memory;
-  throw std::bad_alloc();
+  return std::aligned_alloc(alignment, whole);
+}
+
+void* needed(void* memory) {
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
 }
 
 }  // namespace
 
-void* operator new(std::size_t size) { return counted(size, alignof(std::max_align_t)); }
+void* operator new(std::size_t size) { return needed(counted(size, alignof(std::max_align_t))); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
-  return counted(size, static_cast<std::size_t>(alignment));
+  return needed(counted(size, static_cast<std::size_t>(alignment)));
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return counted(size, alignof(std::max_align_t));
 }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }

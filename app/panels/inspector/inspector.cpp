@@ -134,6 +134,32 @@ void reachRow(PanelUi& ui, const Subjects& subjects) {
   field.set = [&ui](Primitive& p, float value) { setReach(ui, p, value); };
   field.step = 0.1f;
   field.name = "Reach";
+  field.parameter = Parameter::kReach;
+  ImGui::SetNextItemWidth(-1.0f);
+  drawNumberField(ui, subjects, field);
+}
+
+void amountRow(PanelUi& ui, const Subjects& subjects) {
+  constexpr float kPercent = 100.0f;
+  beginRow(ui, "Amount");
+  NumberField field{"inspector/amount",
+                    "Amount of",
+                    "%.0f %%",
+                    0.5f,
+                    0.0f,
+                    kPercent * kMostAmount,
+                    {},
+                    {},
+                    {},
+                    kPercent,
+                    Together::kAdd,
+                    "How strongly the muscle works: at 0 % it is not there, at 200 % twice as strong where it blends."};
+  field.get = [](const Primitive& p) { return p.amount; };
+  field.set = [](Primitive& p, float value) { p.amount = value; };
+  field.scale = [](const Primitive&) { return kPercent; };
+  field.step = 10.0f;
+  field.name = "Amount";
+  field.parameter = Parameter::kAmount;
   ImGui::SetNextItemWidth(-1.0f);
   drawNumberField(ui, subjects, field);
 }
@@ -185,8 +211,10 @@ void drawInspector(PanelUi& ui) {
   drawShapeRows(ui, subjects);
   section(ui, "Effect");
   reachRow(ui, subjects);
+  amountRow(ui, subjects);
   signRow(ui, subjects);
   drawLineNumbers(ui, subjects);
+  drawAnimationRows(ui, subjects);
   drawTerritoryRows(ui, subjects);
   ImGui::PopID();
 }

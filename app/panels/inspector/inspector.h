@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/panels/shared/panel_ui.h"
+#include "sinew/rig/parameter.h"
 
 namespace sinew::app {
 
@@ -53,8 +54,9 @@ struct NumberField {
   std::optional<float> initial;                  ///< Shown units; what Reset gives.
   Together together = Together::kAdd;
   std::string hint;
-  float step = 0.0f;      ///< Shown units: where Ctrl stops.
-  std::string name = {};  ///< "Radius Y": in the history, before the values.
+  float step = 0.0f;                        ///< Shown units: where Ctrl stops.
+  std::string name = {};                    ///< "Radius Y": in the history, before the values.
+  std::optional<Parameter> parameter = {};  ///< What keys and drivers call it; none: they do not change it.
 };
 
 /// One undo step for a drag or what is typed, for all muscles; a right click resets, copies and pastes. The item's
@@ -78,5 +80,8 @@ void drawOtherEndRow(PanelUi& ui, const Subjects& subjects);
 void drawLineRows(PanelUi& ui, const Subjects& subjects);     ///< What one does to it.
 void drawLineNumbers(PanelUi& ui, const Subjects& subjects);  ///< The rest.
 void drawTerritoryRows(PanelUi& ui, const Subjects& subjects);
+/// Only where something is keyed or driven.
+void drawAnimationRows(PanelUi& ui, const Subjects& subjects);
+void drawSurfaceAnimation(PanelUi& ui);
 
 }  // namespace sinew::app

@@ -10,6 +10,7 @@
 #include "app/document/muscle_names.h"
 #include "app/editor/commands.h"
 #include "app/panels/inspector/inspector.h"
+#include "app/panels/shared/animated_field.h"
 #include "app/panels/shared/field_edit.h"
 #include "app/ui/number_field.h"
 #include "core/rig/rig_edit_several.h"
@@ -94,7 +95,23 @@ std::string stepName(const PanelUi& ui, const Subjects& subjects, const NumberFi
   return field.name + " " + text + namedMuscles(*subjects.rig, subjects.indices);
 }
 
-void fieldMenu(PanelUi& ui, const Subjects& subjects, const NumberField& field, float shown) {
+/// What keys and drivers may change of it: the active muscle's number first.
+AnimatedField animatedOf(const Subjects& subjects, const NumberField& field) {
+  AnimatedField animated{{}, {}, field.format};
+  if (!field.parameter) return animated;
+  const auto add = [&](int index) {
+    animated.refs.push_back({*field.parameter, index});
+    animated.scales.push_back(scaleOf(field, subjects.rig->primitives[static_cast<std::size_t>(index)]));
+  };
+  add(subjects.active);
+  for (const int index : subjects.indices) {
+    if (index != subjects.active) add(index);
+  }
+  return animated;
+}
+
+void fieldMenu(PanelUi& ui, const Subjects& subjects, const NumberField& field, const AnimatedField& animated,
+               float shown) {
   if (!ImGui::BeginPopupContextItem(field.id.c_str())) return;
   const std::string reset = field.initial ? "Reset to " + textOf(field, *field.initial) : "Reset";
   const bool wanted = ImGui::MenuItem(reset.c_str(), nullptr, false, field.initial.has_value());
@@ -110,6 +127,7 @@ void fieldMenu(PanelUi& ui, const Subjects& subjects, const NumberField& field, 
   const bool pasting = ImGui::MenuItem("Paste", nullptr, false, pasted.has_value());
   ui.widgets.note("context/paste");
   if (pasting) assign(ui, subjects, field, *pasted);
+  animationMenu(ui, animated);
   ImGui::EndPopup();
 }
 
@@ -122,6 +140,13 @@ void editSubjects(PanelUi& ui, const Subjects& subjects, const char* label,
 }
 
 void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& field) {
+  const AnimatedField animated = animatedOf(subjects, field);
+  const AnimatedLook animation = lookOf(ui, animated);
+  if (animation.beingSet) {
+    drawDrivenKeyField(ui, field.id, animated, {field.format, field.speed, field.least, field.most, field.step});
+    fieldMenu(ui, subjects, field, animated, shownValue(field, subjects.shown()));
+    return;
+  }
   const std::string label = "##" + field.id;
   const ImGuiID id = ImGui::GetID(label.c_str());
   const bool typing = ImGui::TempInputIsActive(id);
@@ -129,13 +154,17 @@ void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& f
   const bool mixed = differ && ImGui::GetActiveID() != id;
   const float before = shownValue(field, subjects.shown());
   float value = before;
-  if (mixed) ImGui::PushStyleColor(ImGuiCol_Text, palette::kMuted);
+  const bool muted = mixed && !animation.driven && !animation.keyedHere;  // On amber and violet it could not be read.
+  if (muted) ImGui::PushStyleColor(ImGuiCol_Text, palette::kMuted);
   NumberLook look{mixed ? "mixed" : field.format, field.speed, field.least, field.most, field.step};
   look.clampTyped = false;  // What is out of range is refused with its reason.
   Typing typed;
   look.typing = &typed;
+  pushAnimatedColors(animation);
   const bool edited = numberField(label.c_str(), value, look);
-  if (mixed) ImGui::PopStyleColor();
+  popAnimatedColors(ui, animation);
+  if (muted) ImGui::PopStyleColor();
+  notePointed(ui, animated);
   const std::string step = std::string(field.undoLabel) + " " + namedMuscles(*subjects.rig, subjects.indices);
   beginFieldEdit(ui, field.id, step.c_str());
   if (edited && typing && !typed.relative) assign(ui, subjects, field, value);
@@ -147,12 +176,13 @@ void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& f
   if (ImGui::IsItemDeactivated()) endFieldEdit(ui, stepName(ui, subjects, field, step));
   const bool quiet = ImGui::IsItemActive();
   if (!quiet) {
-    std::string hint = field.hint + (field.hint.empty() ? "" : "\n") +
+    std::string hint = field.hint + (field.hint.empty() ? "" : "\n") + animation.words +
                        "Drag (Shift: precise, Ctrl: steps), or double-click to type: 0.3, 12/5, +=0.1";
     if (differ) hint += "; a drag keeps the differences, a typed number is for all";
-    tooltip(ui, hint + ". Right click: reset, copy, paste.");
+    tooltip(ui, hint + (animated.refs.empty() ? ". Right click: reset, copy, paste."
+                                              : ". Right click: reset, copy, key, drive."));
   }
-  fieldMenu(ui, subjects, field, before);
+  fieldMenu(ui, subjects, field, animated, before);
 }
 
 void section(PanelUi& ui, const char* title, float room) {

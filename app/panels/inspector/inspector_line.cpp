@@ -12,6 +12,7 @@
 #include "app/document/shown_names.h"
 #include "app/editor/hidden_bones.h"
 #include "app/panels/inspector/inspector.h"
+#include "app/panels/shared/animated_field.h"
 #include "app/panels/shared/field_edit.h"
 #include "app/tools/line_handles.h"
 #include "core/rig/line_edit.h"
@@ -30,19 +31,21 @@ struct LineNumber {
   float scale;  ///< Shown units per unit of the rig.
   float& (*of)(LineSettings&);
   const char* hint;
+  std::optional<Parameter> parameter = std::nullopt;  ///< What keys and drivers call it.
 };
 
 using S = LineSettings;
 
-constexpr std::array kFlex{LineNumber{"flex-height", "Flex height", "%.0f %%", 0.5f, -90.0f, 400.0f, 100.0f,
-                                      [](S& s) -> float& { return s.flex.x; },
-                                      "How much higher the belly gets when the muscle is fully active."},
-                           LineNumber{"flex-width", "Flex width", "%.0f %%", 0.5f, -90.0f, 400.0f, 100.0f,
-                                      [](S& s) -> float& { return s.flex.y; },
-                                      "How much wider the belly gets when the muscle is fully active."}};
-constexpr std::array kVolume{
-    LineNumber{"volume", "Volume", "%.2f", 0.01f, 0.0f, kMostVolume, 1.0f, [](S& s) -> float& { return s.volume; },
-               "0: the girth stays as the muscle stretches. 1: the volume stays. More: exaggerated."}};
+constexpr std::array kFlex{
+    LineNumber{"flex-height", "Flex height", "%.0f %%", 0.5f, -90.0f, 400.0f, 100.0f,
+               [](S& s) -> float& { return s.flex.x; },
+               "How much higher the belly gets when the muscle is fully active.", Parameter::kFlexHeight},
+    LineNumber{"flex-width", "Flex width", "%.0f %%", 0.5f, -90.0f, 400.0f, 100.0f,
+               [](S& s) -> float& { return s.flex.y; },
+               "How much wider the belly gets when the muscle is fully active.", Parameter::kFlexWidth}};
+constexpr std::array kVolume{LineNumber{
+    "volume", "Volume", "%.2f", 0.01f, 0.0f, kMostVolume, 1.0f, [](S& s) -> float& { return s.volume; },
+    "0: the girth stays as the muscle stretches. 1: the volume stays. More: exaggerated.", Parameter::kVolume}};
 constexpr std::array kTendons{
     LineNumber{"tendon-origin", "Tendon at the origin", "%.0f %%", 0.2f, 0.0f, 80.0f, 100.0f,
                [](S& s) -> float& { return s.tendons.x; }, "Share of the rest length that does not stretch."},
@@ -55,7 +58,7 @@ constexpr std::array kFrame{
                "The belly turns with 0: the first bone, 1: the second."}};
 constexpr std::array kActivation{
     LineNumber{"base", "Activation by hand", "%.2f", 0.01f, 0.0f, 1.0f, 1.0f, [](S& s) -> float& { return s.base; },
-               "How active the muscle is at rest, 0 to 1."},
+               "How active the muscle is at rest, 0 to 1.", Parameter::kActivation},
     LineNumber{"gain", "Activation from shortening", "%.2f", 0.01f, 0.0f, kMostGain, 1.0f,
                [](S& s) -> float& { return s.gain; }, "How much shortening activates it. 0: by hand alone."},
     LineNumber{"full", "Full contraction", "%.0f %%", 0.2f, 100.0f * kLeastFull, 100.0f * kMostFull, 100.0f,
@@ -66,8 +69,22 @@ float shownNumber(const LineNumber& number, const MuscleLine& line) {
   return number.of(settings) * number.scale;
 }
 
+void lineMenu(PanelUi& ui, const std::string& id, const AnimatedField& animated) {
+  if (animated.refs.empty() || !ImGui::BeginPopupContextItem(id.c_str())) return;
+  animationMenu(ui, animated);
+  ImGui::EndPopup();
+}
+
 void numberField(PanelUi& ui, int line, const LineNumber& number, float width) {
   const std::string id = std::string("inspector/line/") + number.id;
+  AnimatedField animated{{}, {}, number.format};
+  if (number.parameter) animated = {{{*number.parameter, line}}, {number.scale}, number.format};
+  const AnimatedLook animation = lookOf(ui, animated);
+  if (animation.beingSet) {
+    ImGui::SetNextItemWidth(width);
+    drawDrivenKeyField(ui, id, animated, {number.format, number.speed, number.least, number.most});
+    return lineMenu(ui, id, animated);
+  }
   const Rig& rig = ui.state.document.rig();
   float value = shownNumber(number, rig.lines[static_cast<std::size_t>(line)]);
   Typing typing;
@@ -75,7 +92,10 @@ void numberField(PanelUi& ui, int line, const LineNumber& number, float width) {
   look.clampTyped = false;
   look.typing = &typing;
   ImGui::SetNextItemWidth(width);
+  pushAnimatedColors(animation);
   const bool edited = numberField(("##" + id).c_str(), value, look);
+  popAnimatedColors(ui, animation);
+  notePointed(ui, animated);
   const std::string label = std::string(number.name) + " of " + rig.lines[static_cast<std::size_t>(line)].name;
   const auto changed = [&] {
     return editLine(ui.state.document.rig(), line,
@@ -87,8 +107,12 @@ void numberField(PanelUi& ui, int line, const LineNumber& number, float width) {
   };
   editNumber(ui, id, label.c_str(), edited, typing, changed, shown);
   const bool quiet = ImGui::IsItemActive();
-  if (!quiet) tooltip(ui, std::string(number.name) + "\n" + number.hint);
+  if (!quiet) {
+    const std::string more = animated.refs.empty() ? "" : "\nRight click: key, drive.";
+    tooltip(ui, std::string(number.name) + "\n" + animation.words + number.hint + more);
+  }
   ui.widgets.note(id);
+  lineMenu(ui, id, animated);
 }
 
 void numberRow(PanelUi& ui, int line, const char* label, std::span<const LineNumber> numbers) {
@@ -102,6 +126,23 @@ void numberRow(PanelUi& ui, int line, const char* label, std::span<const LineNum
     first = false;
     numberField(ui, line, number, width);
   }
+}
+
+/// The line's lengths in the clip that is shown; none in the bind pose. A drag waits for its end: long clips take a
+/// while.
+const LineLengths* rangeInClip(PanelUi& ui, const MuscleLine& line) {
+  EditorState& state = ui.state;
+  LineRangeState& known = state.open.lineRange;
+  const int clip = state.open.transport.clip;
+  if (clip < 0) return nullptr;
+  const bool same = known.line == line && known.clip == clip;
+  if (!same && !state.document.commands.inGesture()) {
+    const Result<LineRest> rest = lineRest(line, state.character());
+    if (!rest) return nullptr;
+    const AnimationClip& shown = state.character().clips[static_cast<std::size_t>(clip)];
+    known = {line, clip, lengthsOver(rest.value(), state.character(), {&shown, 1})};
+  }
+  return known.clip == clip && known.lengths.poses > 0 ? &known.lengths : nullptr;
 }
 
 /// From half to one and a half of the rest length: the shaded part activates, the tick is now.
@@ -123,6 +164,11 @@ void lengthBar(PanelUi& ui, const MuscleLine& line, const ShownLine& shown) {
   // The redder, the more active.
   list.AddRectFilled(at, {at.x + width, at.y + height}, palette::kAccent.faded(0.45f * shown.activation).packed(),
                      round);
+  const LineLengths* range = rangeInClip(ui, line);
+  if (range) {
+    list.AddRectFilled({x(range->least), at.y + ui.px(4)}, {x(range->most), at.y + ui.px(7)},
+                       palette::kText.faded(0.55f).packed(), ui.px(1));
+  }
   list.AddRectFilled({x(line.settings.full), at.y + height - ui.px(5)}, {x(1.0f), at.y + height - ui.px(2)},
                      palette::kAccent.faded(0.55f).packed(), ui.px(1));
   list.AddLine({x(1.0f), at.y + ui.px(3)}, {x(1.0f), at.y + height - ui.px(2)}, palette::kMuted.packed(), 1.0f);
@@ -133,9 +179,12 @@ void lengthBar(PanelUi& ui, const MuscleLine& line, const ShownLine& shown) {
   const bool right = x(shown.stretch) < at.x + 0.5f * width;
   list.AddText({right ? at.x + width - size.x - ui.px(6) : at.x + ui.px(6), at.y + 0.5f * (height - size.y)},
                palette::kText.packed(), text.c_str());
-  tooltip(ui, "The line's length in this pose, in per cent of its rest length. Active: " + percent(shown.activation) +
-                  ".\nGrey: rest. Underlined: from rest to full "
-                  "contraction, where shortening activates the muscle.");
+  std::string hint =
+      "The line's length in this pose, in per cent of its rest length. Active: " + percent(shown.activation) +
+      ".\nGrey: rest. Underlined: from rest to full contraction, where shortening activates the muscle.";
+  if (range)
+    hint += "\nAbove: its lengths in this clip, " + percent(range->least) + " to " + percent(range->most) + ".";
+  tooltip(ui, hint);
 }
 
 void learn(PanelUi& ui, int line) {

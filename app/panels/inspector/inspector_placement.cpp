@@ -96,6 +96,7 @@ void centreRow(PanelUi& ui, const Subjects& subjects, const Lengths& lengths) {
     }
     field.step = kLengthStep * lengths.height;
     field.name = std::string("Centre ") + kAxisTitles[i];
+    field.parameter = static_cast<Parameter>(static_cast<int>(Parameter::kCenterX) + i);
     field.hint = std::string("Centre along the bone's ") + kAxisNames[i] + " axis; reset: the middle of the bone";
     return field;
   });
@@ -157,6 +158,7 @@ void radiiRow(PanelUi& ui, const Subjects& subjects, const Lengths& lengths) {
     field.scale = [i, &lengths](const Primitive& p) { return lengths.along(p, p.placement.rotation * axis(i)); };
     field.step = kLengthStep * lengths.height;
     field.name = std::string("Radius ") + kAxisTitles[i];
+    field.parameter = static_cast<Parameter>(static_cast<int>(Parameter::kRadiusX) + i);
     field.hint = std::string("Radius along the muscle's own ") + kAxisNames[i] + " axis";
     return field;
   });

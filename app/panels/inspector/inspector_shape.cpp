@@ -20,16 +20,17 @@ void reshape(Primitive& primitive, const std::function<void(Shape&)>& change) {
   placement.shape = legalShape(placement.shape, primitive.reach);
 }
 
-NumberField numberOf(const char* id, const char* name, const char* undoLabel, float least, float most) {
+NumberField numberOf(const char* id, Parameter parameter, const char* undoLabel, float least, float most) {
   NumberField field{id, undoLabel, kFormat, 0.005f, least, most, {}, {}, {}, 0.0f, Together::kAdd, {}};
   field.step = 0.1f;
-  field.name = name;
+  field.name = wordsFor(parameter);
+  field.parameter = parameter;
   return field;
 }
 
 void straightRow(PanelUi& ui, const Subjects& subjects) {
   beginRow(ui, "Straight");
-  NumberField field = numberOf("inspector/core", "Straight", "Straighten", 0.0f, kMostCore);
+  NumberField field = numberOf("inspector/core", Parameter::kCore, "Straighten", 0.0f, kMostCore);
   field.get = [](const Primitive& p) { return p.placement.shape.core; };
   field.set = [](Primitive& p, float value) { reshape(p, [value](Shape& shape) { shape.core = value; }); };
   field.hint = "Straight part along the longest axis: 0 is an ellipsoid, 0.9 a cylinder with rounded ends";
@@ -41,7 +42,7 @@ void bellyRow(PanelUi& ui, const Subjects& subjects) {
   beginRow(ui, "Belly");
   const Primitive& shown = subjects.shown();
   const float most = mostBelly(shown.placement.shape.core, shown.reach);
-  NumberField field = numberOf("inspector/belly", "Belly", "Move the belly of", -most, most);
+  NumberField field = numberOf("inspector/belly", Parameter::kBelly, "Move the belly of", -most, most);
   field.get = [](const Primitive& p) { return p.placement.shape.belly; };
   field.set = [](Primitive& p, float value) { reshape(p, [value](Shape& shape) { shape.belly = value; }); };
   field.hint = "Where along the longest axis the muscle is thickest. A larger reach allows less";
@@ -49,8 +50,8 @@ void bellyRow(PanelUi& ui, const Subjects& subjects) {
   drawNumberField(ui, subjects, field);
 }
 
-void bendField(PanelUi& ui, const Subjects& subjects, int i, const char* id, const char* name, const char* hint) {
-  NumberField field = numberOf(id, name, "Bend", -kMostBend, kMostBend);
+void bendField(PanelUi& ui, const Subjects& subjects, int i, const char* id, const char* hint) {
+  NumberField field = numberOf(id, i == 0 ? Parameter::kBendX : Parameter::kBendZ, "Bend", -kMostBend, kMostBend);
   field.get = [i](const Primitive& p) { return p.placement.shape.bend[i]; };
   field.set = [i](Primitive& p, float value) { reshape(p, [i, value](Shape& shape) { shape.bend[i] = value; }); };
   field.hint = hint;
@@ -62,11 +63,11 @@ void bendRow(PanelUi& ui, const Subjects& subjects) {
   const float gap = ui.px(4);
   const float width = (ImGui::GetContentRegionAvail().x - gap) / 2.0f;
   ImGui::SetNextItemWidth(width);
-  bendField(ui, subjects, 0, "inspector/bend.x", "Bend X",
+  bendField(ui, subjects, 0, "inspector/bend.x",
             "How far the middle is moved along the muscle's own x axis, in its radii");
   ImGui::SameLine(0.0f, gap);
   ImGui::SetNextItemWidth(width);
-  bendField(ui, subjects, 1, "inspector/bend.z", "Bend Z",
+  bendField(ui, subjects, 1, "inspector/bend.z",
             "How far the middle is moved along the muscle's own z axis, in its radii");
 }
 

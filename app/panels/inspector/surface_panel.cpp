@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 #include "app/panels/inspector/inspector.h"
+#include "app/panels/shared/animated_field.h"
 #include "app/panels/shared/field_edit.h"
 
 #include <algorithm>
@@ -123,6 +124,43 @@ void creaseRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
   tooltip(ui, "Faces that meet at a sharper angle than this keep a hard edge. 180: smooth everywhere.");
 }
 
+template <class Changed>
+void skinBlendRow(PanelUi& ui, const SurfaceSettings& before, Changed changed) {
+  beginRow(ui, "Skin blend");
+  constexpr float kPercent = 100.0f;
+  const char* const id = "surface/skin-blend";
+  const AnimatedField animated{{{Parameter::kSkinBlend, 0}}, {kPercent}, "%.1f %%"};
+  const AnimatedLook animation = lookOf(ui, animated);
+  NumberLook look{animated.format, 0.0f, kBlendRange[0], kBlendRange[1], 0.5f, false, true};
+  const auto menu = [&] {
+    if (!ImGui::BeginPopupContextItem(id)) return;
+    animationMenu(ui, animated);
+    ImGui::EndPopup();
+  };
+  if (animation.beingSet) {
+    look.speed = 0.02f;
+    look.logarithmic = false;
+    drawDrivenKeyField(ui, id, animated, look);
+    return menu();
+  }
+  float percent = before.skinBlend * kPercent;
+  look.clampTyped = false;
+  Typing typing;
+  look.typing = &typing;
+  pushAnimatedColors(animation);
+  const bool edited = numberSlider(ui, "##blend", percent, look);
+  popAnimatedColors(ui, animation);
+  notePointed(ui, animated);
+  editNumber(
+      ui, id, "Skin blend", edited, typing,
+      [&] { return changed([&](SurfaceSettings& s) { s.skinBlend = percent / kPercent; }); },
+      [&](const Rig& rig) { return numberText(look.format, kPercent * rig.surface.skinBlend); });
+  tooltip(ui, animation.words +
+                  "How softly the skin rises into a muscle, in percent of the character's height. Small muscles blend "
+                  "over their own size at most.\nRight click: key, drive.");
+  menu();
+}
+
 /// Why `replace` shows less than the designer placed: it needs muscles that wrap the body.
 void replaceNote(PanelUi& ui) {
   const SmoothingReport& report = ui.state.live->surface().report;
@@ -160,7 +198,7 @@ void drawSurfacePanel(PanelUi& ui) {
   isoLook.clampTyped = false;
   Typing typing;
   isoLook.typing = &typing;
-  bool edited = numberSlider(ui, "##iso", iso, isoLook);
+  const bool edited = numberSlider(ui, "##iso", iso, isoLook);
   editNumber(
       ui, "surface/iso", "Tightness", edited, typing, [&] { return changed([&](SurfaceSettings& s) { s.iso = iso; }); },
       [&](const Rig& rig) { return numberText(isoLook.format, rig.surface.iso); });
@@ -168,20 +206,8 @@ void drawSurfacePanel(PanelUi& ui) {
       ui,
       "How tightly the skin lies around muscles that blend: higher is tighter. A muscle on its own keeps its radii. "
       "(Iso value of the field.)");
-  beginRow(ui, "Skin blend");
-  float percent = before.skinBlend * 100.0f;
-  NumberLook blendLook{"%.1f %%", 0.0f, kBlendRange[0], kBlendRange[1], 0.5f, false, true};
-  blendLook.clampTyped = false;
-  typing = {};
-  blendLook.typing = &typing;
-  edited = numberSlider(ui, "##blend", percent, blendLook);
-  editNumber(
-      ui, "surface/skin-blend", "Skin blend", edited, typing,
-      [&] { return changed([&](SurfaceSettings& s) { s.skinBlend = percent / 100.0f; }); },
-      [&](const Rig& rig) { return numberText(blendLook.format, 100.0f * rig.surface.skinBlend); });
-  tooltip(ui,
-          "How softly the skin rises into a muscle, in percent of the character's height. Small muscles blend over "
-          "their own size at most.");
+  skinBlendRow(ui, before, changed);
+  drawSurfaceAnimation(ui);
 }
 
 void drawSmoothingPanel(PanelUi& ui) {

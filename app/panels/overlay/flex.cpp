@@ -2,13 +2,15 @@
 
 #include <imgui.h>
 
+#include <string>
+
 #include "app/panels/overlay/overlay.h"
 #include "app/ui/number_field.h"
 
 namespace sinew::app {
 namespace {
 
-constexpr float kWidth = 190.0f;  // Design pixels, as all here.
+constexpr float kWidth = 250.0f;  // Design pixels, as all here.
 constexpr float kLeft = 62.0f;    // Beside the tools.
 
 /// While the key is down, and from the menu until it is chosen again.
@@ -39,11 +41,19 @@ void drawFlex(PanelUi& ui) {
   ImGui::TextUnformatted("Flex");
   ImGui::SameLine();
   float percent = 100.0f * flex.shown();
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  const char* whose = flex.selectedAlone ? "Selected" : "All";
+  const float button = ImGui::CalcTextSize("Selected").x + 2.0f * ImGui::GetStyle().FramePadding.x;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemInnerSpacing.x);
   const bool edited = numberSlider(ui, "##flex", percent, {"%.0f %%", 0.0f, 0.0f, 100.0f, 10.0f, true});
   ui.widgets.note("view/flex-slider");
-  if (edited) flex = {percent / 100.0f};
-  tooltip(ui, "Flexes every muscle that has a line, to see it work. Not saved. " + hintOf(ui, action("view/flex")));
+  if (edited) flex = {percent / 100.0f, flex.selectedAlone};
+  tooltip(ui, "Flexes muscles that have a line, to see them work. Not saved. " + hintOf(ui, action("view/flex")));
+  ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
+  if (ImGui::Button((std::string(whose) + "##flexed").c_str(), {button, 0.0f}))
+    flex.selectedAlone = !flex.selectedAlone;
+  ui.widgets.note("view/flex-whose");
+  tooltip(ui, flex.selectedAlone ? "Flexes the selected muscles alone; all where none of them has a line. Click: all."
+                                 : "Flexes all muscles that have a line. Click: the selected ones alone.");
   ImGui::EndChild();
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();

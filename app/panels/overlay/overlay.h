@@ -11,6 +11,8 @@ void drawNumbers(PanelUi& ui);
 void drawLegend(PanelUi& ui);
 /// Only where muscles have lines.
 void drawFlex(PanelUi& ui);
+/// What is being set, and where its input is now.
+void drawDrivenKey(PanelUi& ui);
 /// The context menu that a right click asks for.
 void drawViewportMenu(PanelUi& ui);
 void drawMessages(PanelUi& ui);

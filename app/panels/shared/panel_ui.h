@@ -3,7 +3,9 @@
 
 #include <imgui.h>
 
+#include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "app/actions/actions.h"
@@ -15,6 +17,8 @@ namespace sinew::app {
 /// The interface and the editor behind it, for the length of a frame.
 struct PanelUi : Ui {
   EditorState& state;
+  std::shared_ptr<const Rig> driven;  ///< Of rigNow() (animated_field.h): made for `drivenOf`.
+  std::size_t drivenOf = 0;           ///< CommandStack::revision().
 
   PanelUi(EditorState& editor, WidgetLog& log, const Fonts& letters)
       : Ui{log, letters, editor.frame.uiScale}, state(editor) {}

@@ -14,6 +14,7 @@
 #include "app/editor/edit.h"
 #include "app/editor/pose_commands.h"
 #include "app/panels/timeline/timeline.h"
+#include "app/panels/timeline/timeline_keys.h"
 #include "app/panels/timeline/timeline_track.h"
 #include "app/ui/number_field.h"
 #include "core/skeleton/range_of_motion.h"
@@ -216,7 +217,10 @@ void drawTimeline(PanelUi& ui) {
   } else {
     timeReadout(ui, duration, room - used);
   }
-  drawTimelineTrack(ui);
+  const float rows = ui.px(keyRowsHeight(ui.state));
+  const float gutter = keyRowsGutter(ui);
+  const TrackSpan span = drawTimelineTrack(ui, gutter, rows);
+  if (rows > 0.0f) drawKeyRows(ui, span, gutter);
 }
 
 }  // namespace sinew::app

@@ -24,21 +24,21 @@ constexpr double kZoomPerStep = 1.25;
 constexpr double kLeastFrames = 5.0;
 
 /// The track of this frame: where it is and what it spans.
-struct Track {
+struct Track : TrackSpan {
   PanelUi& ui;
   ImDrawList& list;
   glm::vec2 low;  ///< Window coordinates.
   glm::vec2 high;
   float band;  ///< y where the scrub area begins.
-  double duration;
-  PlayRange shown;
 
+  Track(PanelUi& panel, const glm::vec2& corner, const glm::vec2& end, double seconds, const PlayRange& span)
+      : TrackSpan{corner.x, end.x, seconds, span},
+        ui(panel),
+        list(*ImGui::GetWindowDrawList()),
+        low(corner),
+        high(end),
+        band(corner.y + panel.px(kBand)) {}
   [[nodiscard]] float width() const { return high.x - low.x; }
-  [[nodiscard]] double perSecond() const { return static_cast<double>(width()) / (shown.to - shown.from); }
-  [[nodiscard]] float xOf(double time) const { return low.x + static_cast<float>((time - shown.from) * perSecond()); }
-  [[nodiscard]] double timeAt(float x) const {
-    return std::clamp(shown.from + static_cast<double>(x - low.x) / perSecond(), 0.0, duration);
-  }
   [[nodiscard]] Transport& transport() const { return ui.state.open.transport; }
 };
 
@@ -247,25 +247,23 @@ PlayRange zoomedSpan(const PlayRange& span, double at, float steps, double durat
   return {from, wanted >= duration ? duration : from + wanted};
 }
 
-void drawTimelineTrack(PanelUi& ui) {
+double TrackSpan::timeAt(float x) const {
+  return std::clamp(shown.from + static_cast<double>(x - left) / perSecond(), 0.0, duration);
+}
+
+TrackSpan drawTimelineTrack(PanelUi& ui, float gutter, float below) {
   const double duration = clipDuration(ui.state.open.transport, ui.state.character());
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const float height = std::max(room.y, ui.px(26));
+  const float height = std::max(room.y - below, ui.px(26));
   refresh(ui.state, duration);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const Track track{ui,
-                    list,
-                    {corner.x, corner.y},
-                    {corner.x + room.x, corner.y + height},
-                    corner.y + ui.px(kBand),
-                    duration,
-                    ui.state.open.timeline.shown};
+  const Track track(ui, {corner.x + gutter, corner.y}, {corner.x + room.x, corner.y + height}, duration,
+                    ui.state.open.timeline.shown);
   if (duration <= 0.0) {
     drawIdle(track);
-    return;
+    return track;
   }
-  list.PushClipRect({track.low.x, track.low.y}, {track.high.x, track.high.y}, true);
+  track.list.PushClipRect({track.low.x, track.low.y}, {track.high.x, track.high.y}, true);
   drawGround(track);
   drawTicks(track);
   drawKeys(track);
@@ -275,7 +273,9 @@ void drawTimelineTrack(PanelUi& ui) {
   rangeBar(track);
   scrubArea(track);
   drawPlayhead(track);
-  list.PopClipRect();
+  track.list.PopClipRect();
+  if (below > 0.0f) ImGui::SetCursorScreenPos({corner.x, corner.y + height});
+  return track;
 }
 
 }  // namespace sinew::app

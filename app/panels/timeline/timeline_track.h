@@ -7,8 +7,22 @@
 
 namespace sinew::app {
 
+/// Where the moments of the clip are on the screen.
+struct TrackSpan {
+  float left = 0.0f;  ///< Window coordinates.
+  float right = 0.0f;
+  double duration = 0.0;  ///< Of the clip, seconds.
+  PlayRange shown;
+
+  [[nodiscard]] double perSecond() const { return static_cast<double>(right - left) / (shown.to - shown.from); }
+  [[nodiscard]] float xOf(double time) const { return left + static_cast<float>((time - shown.from) * perSecond()); }
+  /// Within the clip.
+  [[nodiscard]] double timeAt(float x) const;
+};
+
 /// Fills the rest of the region. Nothing to drag without a clip that lasts.
-void drawTimelineTrack(PanelUi& ui);
+/// @param gutter, below  window coordinates that are left free at its left and under it
+TrackSpan drawTimelineTrack(PanelUi& ui, float gutter = 0.0f, float below = 0.0f);
 
 /// Frames between labels, so that labels are at least `leastPixels` apart: 1, 2, 5, 10, 15, 30, 60 ...
 [[nodiscard]] int tickStep(double pixelsPerFrame, double leastPixels);

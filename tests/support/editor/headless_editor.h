@@ -117,6 +117,13 @@ class HeadlessEditor : public testing::Test {
     for (const char c : text) queue.character(static_cast<char32_t>(c));
     settle();
   }
+  /// A number into its field.
+  void typeInto(const std::string& id, const std::string& text) {
+    doubleClick(id);
+    press(kKeyA, true);
+    type(text);
+    press(kEnter);
+  }
   /// A muscle on the first bone, selected.
   void addOne() {
     addMuscle(state, 0);

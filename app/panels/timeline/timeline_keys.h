@@ -1,0 +1,15 @@
+// app/panels/timeline/timeline_keys.h: rows of keys below the track, for keyed numbers and channels.
+#pragma once
+
+#include "app/panels/timeline/timeline_track.h"
+
+namespace sinew::app {
+
+/// Design pixels that the timeline is higher by; 0 where nothing is keyed in the clip that shows.
+[[nodiscard]] float keyRowsHeight(const EditorState& state);
+/// Window coordinates: the names at the left; 0 without rows, or where there is no room for them.
+[[nodiscard]] float keyRowsGutter(const PanelUi& ui);
+/// Below the track, to the end of the region.
+void drawKeyRows(PanelUi& ui, const TrackSpan& span, float gutter);
+
+}  // namespace sinew::app
