@@ -15,6 +15,17 @@ std::string ownerName(const Rig& rig, const NumberRef& ref) {
   return ownerOf(ref.parameter) == ParameterOwner::kLine ? rig.lines[index].name : rig.primitives[index].name;
 }
 
+/// "turn about X of ", where it is one of the frame's axes.
+std::string turnWords(const glm::vec3& axis) {
+  constexpr const char* kWords[][2] = {{"turn about X of ", "turn about -X of "},
+                                       {"turn about Y of ", "turn about -Y of "},
+                                       {"turn about Z of ", "turn about -Z of "}};
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(axis[i]) == 1.0f) return kWords[i][axis[i] < 0.0f ? 1 : 0];
+  }
+  return "turn of ";
+}
+
 }  // namespace
 
 std::string wordsFor(const Rig& rig, std::span<const NumberRef> refs) {
@@ -33,7 +44,7 @@ std::string wordsFor(const DriverInput& input, const Skeleton& skeleton) {
     case DriverInputKind::kTwist:
       return "twist of " + bone;
     case DriverInputKind::kAxis:
-      return "turn of " + bone;
+      return turnWords(input.axis) + bone;
     case DriverInputKind::kPose:
       return "pose of " + bone;
     case DriverInputKind::kLength:

@@ -182,6 +182,17 @@ TEST_F(Animation, TheMenuDrivesByABend) {
   EXPECT_EQ(state.document.rig(), opened);
 }
 
+TEST_F(Animation, TheMenuDrivesByAnAxisAndByADistance) {
+  choose({"drive", "drive/axis", "drive/axis/near/forearm.L", "drive/axis/near/forearm.L/Z"});
+  EXPECT_EQ(label(), "Drive radius X of biceps L by turn about Z of forearm.L");
+  choose({"drive", "drive/distance", "drive/distance/near/upper_arm.L", "drive/distance/near/upper_arm.L/hand.L"});
+  EXPECT_EQ(label(), "Drive radius X of biceps L by distance from upper_arm.L to hand.L");
+  turnElbow(-80.0f);
+  EXPECT_LT(inputNow(state, animated()->drivers.at(1).input).value(), 0.9f);
+  choose({"drive", "drive/distance", "drive/distance/near/upper_arm.L", "drive/distance/near/upper_arm.L/upper_arm.L"});
+  EXPECT_EQ(animated()->drivers.size(), 2u) << "a joint has no distance from itself";
+}
+
 TEST_F(Animation, AChannelIsMadeWithTheDriver) {
   choose({"drive", "drive/channel", "drive/channel-new"});
   EXPECT_EQ(steps(), 1u);

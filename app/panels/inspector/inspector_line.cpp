@@ -46,6 +46,11 @@ constexpr std::array kFlex{
 constexpr std::array kVolume{LineNumber{
     "volume", "Volume", "%.2f", 0.01f, 0.0f, kMostVolume, 1.0f, [](S& s) -> float& { return s.volume; },
     "0: the girth stays as the muscle stretches. 1: the volume stays. More: exaggerated.", Parameter::kVolume}};
+constexpr std::array kRest{LineNumber{
+    "rest", "Rest length", "%.0f %%", 0.2f, 100.0f * kLeastRest, 100.0f * kMostRest, 100.0f,
+    [](S& s) -> float& { return s.rest; },
+    "The length at which the belly is neither stretched nor shortened, in per cent of the line in the bind pose.",
+    Parameter::kRest}};
 constexpr std::array kTendons{
     LineNumber{"tendon-origin", "Tendon at the origin", "%.0f %%", 0.2f, 0.0f, 80.0f, 100.0f,
                [](S& s) -> float& { return s.tendons.x; }, "Share of the rest length that does not stretch."},
@@ -312,6 +317,7 @@ void drawLineNumbers(PanelUi& ui, const Subjects& subjects) {
   const int line = findLine(ui.state.document.rig(), subjects.shown().line);
   if (line < 0) return;
   section(ui, "Muscle line");
+  numberRow(ui, line, "Rest", kRest);
   numberRow(ui, line, "Volume", kVolume);
   numberRow(ui, line, "Tendons", kTendons);
   numberRow(ui, line, "Pivot", kFrame);

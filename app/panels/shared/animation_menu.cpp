@@ -75,30 +75,76 @@ BoneChoice boneChoice(const PanelUi& ui, const AnimatedField& field) {
   return choice;
 }
 
-void boneRows(PanelUi& ui, const BoneChoice& choice, const std::string& id, const std::function<void(int)>& chosen) {
+/// What stands for a bone in a menu: its label, and the widget's name.
+using BoneRow = std::function<void(int bone, const std::string& label, const std::string& id)>;
+
+void boneRows(const PanelUi& ui, const BoneChoice& choice, const std::string& id, const BoneRow& draw) {
   const Skeleton& skeleton = ui.state.character().skeleton;
-  const auto draw = [&](int bone, const char* place) {
-    ImGui::PushID(place);
+  const auto place = [&](int bone, const char* where) {
+    ImGui::PushID(where);
     ImGui::PushID(bone);
-    if (row(ui, choice.names[static_cast<std::size_t>(bone)], id + place + skeleton.fileName(bone))) chosen(bone);
+    draw(bone, choice.names[static_cast<std::size_t>(bone)], id + where + skeleton.fileName(bone));
     ImGui::PopID();
     ImGui::PopID();
   };
-  for (const int bone : choice.near) draw(bone, "/near/");
+  for (const int bone : choice.near) place(bone, "/near/");
   if (!choice.near.empty()) ImGui::Separator();
-  for (const int bone : choice.all) draw(bone, "/");
+  for (const int bone : choice.all) place(bone, "/");
 }
 
-void boneMenu(PanelUi& ui, const BoneChoice& choice, const char* label, const std::string& id, DriverInputKind kind,
-              const Chosen& chosen) {
+void boneMenu(PanelUi& ui, const BoneChoice& choice, const char* label, const std::string& id, const BoneRow& draw) {
   if (!beginSubmenu(ui, label, id)) return;
-  boneRows(ui, choice, id, [&](int bone) {
+  boneRows(ui, choice, id, draw);
+  ImGui::EndMenu();
+}
+
+/// A row for each bone, which is the input's.
+BoneRow inputRow(PanelUi& ui, DriverInputKind kind, const Chosen& chosen) {
+  return [&ui, kind, &chosen](int bone, const std::string& label, const std::string& id) {
+    if (!row(ui, label, id)) return;
     DriverInput input;
     input.kind = kind;
     input.bone = ui.state.character().skeleton.fileName(bone);
     chosen(kind == DriverInputKind::kPose ? poseInput(ui.state, bone) : input);
-  });
-  ImGui::EndMenu();
+  };
+}
+
+/// About one axis of the joint's turn frame.
+BoneRow axisMenu(PanelUi& ui, const Chosen& chosen) {
+  return [&ui, &chosen](int bone, const std::string& label, const std::string& id) {
+    if (!beginSubmenu(ui, label.c_str(), id)) return;
+    for (int axis = 0; axis < 3; ++axis) {
+      const char* letter = axis == 0 ? "X" : axis == 1 ? "Y" : "Z";
+      if (!row(ui, std::string("About ") + letter, id + "/" + letter, {},
+               "The axes are those of the pose tool's rings")) {
+        continue;
+      }
+      DriverInput input;
+      input.kind = DriverInputKind::kAxis;
+      input.bone = ui.state.character().skeleton.fileName(bone);
+      input.axis = glm::vec3(0.0f);
+      input.axis[axis] = 1.0f;
+      chosen(input);
+    }
+    ImGui::EndMenu();
+  };
+}
+
+/// From joint to joint.
+BoneRow distanceMenu(PanelUi& ui, const BoneChoice& choice, const Chosen& chosen) {
+  return [&](int from, const std::string& label, const std::string& id) {
+    if (!beginSubmenu(ui, label.c_str(), id)) return;
+    const Skeleton& skeleton = ui.state.character().skeleton;
+    boneRows(ui, choice, id, [&](int to, const std::string& name, const std::string& toId) {
+      DriverInput input;
+      input.kind = DriverInputKind::kDistance;
+      input.from.bone = skeleton.fileName(from);
+      input.to.bone = skeleton.fileName(to);
+      const Possible apart(inputNow(ui.state, input).has_value(), "In the bind pose both are in one place");
+      if (row(ui, "to " + name, toId, apart)) chosen(input);
+    });
+    ImGui::EndMenu();
+  };
 }
 
 void lineMenu(PanelUi& ui, const std::string& id, const Chosen& chosen) {
@@ -134,9 +180,11 @@ void channelMenu(PanelUi& ui, const std::string& id, const Chosen& chosen, const
 void inputMenu(PanelUi& ui, const AnimatedField& field, const std::string& id, const Chosen& chosen,
                const std::function<void()>& made) {
   const BoneChoice choice = boneChoice(ui, field);
-  boneMenu(ui, choice, "Bend of", id + "/bend", DriverInputKind::kBend, chosen);
-  boneMenu(ui, choice, "Twist of", id + "/twist", DriverInputKind::kTwist, chosen);
-  boneMenu(ui, choice, "Pose of", id + "/pose", DriverInputKind::kPose, chosen);
+  boneMenu(ui, choice, "Bend of", id + "/bend", inputRow(ui, DriverInputKind::kBend, chosen));
+  boneMenu(ui, choice, "Twist of", id + "/twist", inputRow(ui, DriverInputKind::kTwist, chosen));
+  boneMenu(ui, choice, "Turn of", id + "/axis", axisMenu(ui, chosen));
+  boneMenu(ui, choice, "Pose of", id + "/pose", inputRow(ui, DriverInputKind::kPose, chosen));
+  boneMenu(ui, choice, "Distance from", id + "/distance", distanceMenu(ui, choice, chosen));
   lineMenu(ui, id + "/length", chosen);
   channelMenu(ui, id + "/channel", chosen, made);
 }
