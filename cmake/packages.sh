@@ -12,10 +12,11 @@ sinewRunPackages=(
 )
 
 # To run the tests as well: Python for the scripts, a display without a screen, simulated input, screenshots, the source
-# format; what makes and checks a Debian package, and the shells whose completion is tried.
+# format; what a farm runs; what makes and checks a Debian package, and the shells whose completion is tried.
 # shellcheck disable=SC2034  # test.sh reads it
 sinewTestPackages=("${sinewRunPackages[@]}" python3 xvfb xauth xdotool imagemagick
   clang-format-14
+  parallel slurm-wlm  # jobs shared out
   git dpkg-dev binutils lintian desktop-file-utils appstream shared-mime-info man-db util-linux fish zsh)
 
 # Progress goes to stderr, so that a verb's result has stdout for itself.

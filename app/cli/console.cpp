@@ -26,6 +26,8 @@ int badCommandLine(const std::string& reason) {
   return kBadCommandLine;
 }
 
+int refused(const Error& error) { return error.file.empty() ? badCommandLine(error.text()) : badInput(error); }
+
 void message(const std::string& text) { putErrorLine(text); }
 
 void progress(const std::string& text) {

@@ -12,12 +12,16 @@ namespace sinew::app {
 inline constexpr int kDone = 0;
 inline constexpr int kBadInput = 1;
 inline constexpr int kBadCommandLine = 2;
+inline constexpr int kSomeFailed = 3;
 
 /// One line, "sinew: file: place: reason", on stderr. Returns kBadInput.
 [[nodiscard]] int badInput(const Error& error);
 
 /// One line on stderr. Returns kBadCommandLine.
 [[nodiscard]] int badCommandLine(const std::string& reason);
+
+/// Either of them: an error without a file is one of the command line.
+[[nodiscard]] int refused(const Error& error);
 
 /// One line on stderr that is no error: something the user should know of the result.
 void message(const std::string& text);

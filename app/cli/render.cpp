@@ -83,9 +83,8 @@ void addFramedPoints(const Character& character, const Rig& rig, const Pose& pos
 View steadyView(const Document& document, const Rig& rig, const AnimationClip* clip, const RenderOptions& options,
                 const RenderPlan& plan) {
   std::vector<glm::vec3> points;
-  for (const PlannedPicture& picture : plan.pictures) {
-    addFramedPoints(*document.character, rig, poseAtTime(*document.character, clip, picture.time), plan.display,
-                    points);
+  for (const double time : plan.times) {
+    addFramedPoints(*document.character, rig, poseAtTime(*document.character, clip, time), plan.display, points);
   }
   return framedView(points, plan.yaw, plan.pitch, plan.size, options.orthographic);
 }
@@ -95,7 +94,7 @@ Rig settled(Rig rig, const Document& document, const AnimationClip* clip, const 
   if (!rig.smoothing.autoDepth) return rig;
   const Character& character = *document.character;
   SkinnedMesh skinned;
-  skin(character, poseAtTime(character, clip, plan.pictures.front().time), skinned);
+  skin(character, poseAtTime(character, clip, plan.times.front()), skinned);
   const float pixels = character.height / view.unitsPerPixelAt(boundsOf(skinned.positions).center());
   rig.smoothing.depth = autoDepth(meanEdgeFraction(character.mesh, character.height), pixels, 0);
   message("depth " + std::to_string(rig.smoothing.depth) + " for the character's size in the picture");
@@ -110,10 +109,10 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Image drawPicture(const PlannedPicture& picture, const AnimationClip* clip, const View& view, const Rig& rig,
-                  const RenderPlan& plan, Smoother& smoother, Viewport& viewport, RenderSeconds& seconds) {
+Image drawPicture(double time, const AnimationClip* clip, const View& view, const Rig& rig, const RenderPlan& plan,
+                  Smoother& smoother, Viewport& viewport, RenderSeconds& seconds) {
   const Character& character = smoother.character();
-  const Pose pose = poseAtTime(character, clip, picture.time);
+  const Pose pose = poseAtTime(character, clip, time);
   const auto start = std::chrono::steady_clock::now();
   Surface surface;
   smoother.smooth(pose, surface, plan.display.cullBackFaces ? std::optional(view.facingPoint()) : std::nullopt);
@@ -189,7 +188,7 @@ void tellTimes(const RenderSeconds& seconds, std::size_t pictures) {
 }
 
 void tellOddities(const Document& document, const AnimationClip* clip, const RenderPlan& plan) {
-  if (clip != nullptr && plan.pictures.back().time > static_cast<double>(clip->duration) + 1e-4) {
+  if (clip != nullptr && plan.times.back() > static_cast<double>(clip->duration) + 1e-4) {
     message(document.characterFile.string() + ": clip \"" + clip->name + "\": a time is past its end; its end is used");
   }
 }
@@ -242,43 +241,41 @@ void addSmoothing(CLI::App& verb, RenderOptions& options) {
 
 void addRenderOptions(CLI::App& verb, RenderOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
-  verb.add_option_function<std::string>("FILE", to(options.input), "Rig (.rig.json) or character (.glb, .gltf)")
-      ->required();
+  verb.add_option_function<std::string>("FILE", to(options.input), "Rig (.rig.json) or character (.glb, .gltf)");
   verb.add_option("--clip", options.clip,
                   "Pose from this clip, or \"Range of motion\", made from the joints; "
                   "without any of these, the bind pose")
       ->type_name("NAME");
   verb.add_option("--time", options.time, "Seconds into the clip (of the first, if none is named)")->type_name("S");
-  verb.add_option("--frames", options.frames, "One picture per clip frame, both ends included")->type_name("A:B");
-  verb.add_option("--fps", options.framesPerSecond, "Clip frames per second (30)")->type_name("N");
+  addFrameOptions(verb, options.batch);
   addLook(verb, options);
   addSmoothing(verb, options);
   verb.add_option_function<std::string>("-o,--output", to(options.output),
                                         "Picture to write: OUT.png, or OUT_%04d.png with --frames")
       ->type_name("OUT")
       ->required();
+  addBatchOptions(verb, options.batch);
 }
 
-int runRender(const RenderOptions& options) {
-  const auto plan = planRender(options);
-  if (!plan) return badCommandLine(plan.error().text());
-  progress("reading " + options.input.string());
-  auto document = openDocument(options.input);
+/// What is wanted of one input.
+int renderInput(const RenderOptions& options, const RenderPlan& plan, const BatchInput& input) {
+  progress("reading " + input.file.string());
+  auto document = openDocument(input.file);
   if (!document) return badInput(document.error());
   document.value().character = withClipNamed(document->character, options.clip);
   Rig rig = overridden(document->rig(), options);
   if (const auto missing = missingBones(rig, document->character->skeleton); !missing.empty()) {
-    return badInput({options.input.string(), missing.front().place, missing.front().reason});
+    return badInput({input.file.string(), missing.front().place, missing.front().reason});
   }
-  const auto clip = clipOf(document.value(), options, plan.value());
+  const auto clip = clipOf(document.value(), options, plan);
   if (!clip) return badInput(clip.error());
-  const View view = steadyView(document.value(), rig, clip.value(), options, plan.value());
-  rig = settled(std::move(rig), document.value(), clip.value(), plan.value(), view);
+  const View view = steadyView(document.value(), rig, clip.value(), options, plan);
+  rig = settled(std::move(rig), document.value(), clip.value(), plan, view);
   Smoother smoother(document->character);
   if (const auto prepared = smoother.prepare(rig); !prepared) {
-    return badInput({options.input.string(), prepared.error().place, prepared.error().reason});
+    return badInput({input.file.string(), prepared.error().place, prepared.error().reason});
   }
-  tellOddities(document.value(), clip.value(), plan.value());
+  tellOddities(document.value(), clip.value(), plan);
 
   const auto context = OffscreenContext::create();
   if (!context) return badInput(context.error());
@@ -288,17 +285,25 @@ int runRender(const RenderOptions& options) {
   viewport.value()->setFinishFrames(true);
   RenderSeconds seconds;
   PictureWriter writer;
-  for (const PlannedPicture& picture : plan->pictures) {
-    progress("drawing " + picture.file.string());
-    Image image = drawPicture(picture, clip.value(), view, rig, plan.value(), smoother, *viewport.value(), seconds);
-    if (const auto written = writer.write(picture.file, std::move(image)); !written) return badInput(written.error());
+  for (const std::size_t moment : input.wanted) {
+    const std::filesystem::path& file = input.outputs[moment];
+    progress("drawing " + file.string());
+    Image image = drawPicture(plan.times[moment], clip.value(), view, rig, plan, smoother, *viewport.value(), seconds);
+    if (const auto written = writer.write(file, std::move(image)); !written) return badInput(written.error());
     if (writer.status() != kDone) return writer.status();
   }
   if (const auto written = writer.finish(); !written) return badInput(written.error());
   if (writer.status() != kDone) return writer.status();
   seconds.write = writer.seconds();
-  tellTimes(seconds, plan->pictures.size());
+  tellTimes(seconds, input.wanted.size());
   return kDone;
+}
+
+int runRender(const RenderOptions& options) {
+  const auto plan = planRender(options);
+  if (!plan) return refused(plan.error());
+  return runBatch(plan->batch, options.batch.dryRun,
+                  [&](const BatchInput& input) { return renderInput(options, plan.value(), input); });
 }
 
 }  // namespace

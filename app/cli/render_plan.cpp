@@ -14,7 +14,6 @@ namespace {
 
 constexpr int kSmallestPicture = 16;
 constexpr int kLargestPicture = 8192;
-constexpr int kMostFrames = 100000;
 
 struct NamedView {
   std::string_view name;
@@ -119,65 +118,25 @@ Result<void> readDisplay(const RenderOptions& options, RenderPlan& plan) {
   return {};
 }
 
-/// The place of a %d or %0Nd field in a file name; length 0: none.
-struct FrameField {
-  std::size_t at = 0, length = 0;
-  int width = 0;
-  bool zeros = false;
-};
-
-/// nullopt: there is a '%' that is no such field, or more than one field.
-std::optional<FrameField> frameField(const std::string& name) {
-  FrameField field;
-  const std::size_t at = name.find('%');
-  if (at == std::string::npos) return field;
-  std::size_t end = at + 1;
-  while (end < name.size() && name[end] >= '0' && name[end] <= '9') ++end;
-  if (end == name.size() || name[end] != 'd' || end - at > 3 || name.find('%', end) != std::string::npos)
-    return std::nullopt;
-  field.at = at;
-  field.length = end + 1 - at;
-  field.zeros = name[at + 1] == '0';
-  field.width = numberIn<int>(std::string_view(name).substr(at + 1, end - at - 1)).value_or(0);
-  return field;
-}
-
-std::string withFrame(const std::string& name, const FrameField& field, int frame) {
-  std::string digits = std::to_string(frame);
-  const auto width = static_cast<std::size_t>(field.width);
-  if (digits.size() < width) digits.insert(0, width - digits.size(), field.zeros ? '0' : ' ');
-  return std::string(name).replace(field.at, field.length, digits);
-}
-
 Result<void> readMoments(const RenderOptions& options, RenderPlan& plan) {
   std::string ending = options.output.extension().string();
   std::ranges::transform(ending, ending.begin(),
                          [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   if (ending != ".png")
     return errorAt("--output", "expected a name that ends in .png, got \"" + options.output.string() + '"');
-  plan.animated = !options.clip.empty() || options.time || !options.frames.empty();
-  if (options.frames.empty()) {
-    const double time = options.time.value_or(0.0);
-    if (!(time >= 0.0) || !std::isfinite(time)) return errorAt("--time", "expected seconds >= 0");
-    plan.pictures.push_back({time, options.output});
-    return {};
+  plan.animated = !options.clip.empty() || options.time || !options.batch.frames.empty();
+  if (options.time && !options.batch.frames.empty())
+    return errorAt("--time", "cannot be combined with --frames: a frame's number is its time");
+  auto batch = planBatch(options.batch, options.input, options.output);
+  if (!batch) return batch.error();
+  plan.batch = std::move(batch.value());
+  for (std::size_t i = 0; i < plan.batch.frames.size(); ++i) {
+    plan.times.push_back(secondsAt(plan.batch, options.batch, i));
   }
-  if (options.time) return errorAt("--time", "cannot be combined with --frames: a frame's number is its time");
-  if (!(options.framesPerSecond > 0.0) || !std::isfinite(options.framesPerSecond))
-    return errorAt("--fps", "expected a number > 0");
-  const auto range = pairIn<int>(options.frames, ':');
-  if (!range || (*range)[0] < 0 || (*range)[1] < (*range)[0] || (*range)[1] - (*range)[0] >= kMostFrames) {
-    return errorAt("--frames", "expected FIRST:LAST with 0 <= FIRST <= LAST and at most 100000 frames, got \"" +
-                                   options.frames + '"');
-  }
-  const std::string name = options.output.string();
-  const auto field = frameField(name);
-  if (!field || field->length == 0) {
-    return errorAt("--output", "expected one frame number field such as %04d in the name, got \"" + name + '"');
-  }
-  for (int frame = (*range)[0]; frame <= (*range)[1]; ++frame) {
-    plan.pictures.push_back({frame / options.framesPerSecond, withFrame(name, *field, frame)});
-  }
+  if (!plan.batch.frames.empty()) return {};
+  const double time = options.time.value_or(0.0);
+  if (!(time >= 0.0) || !std::isfinite(time)) return errorAt("--time", "expected seconds >= 0");
+  plan.times = {time};
   return {};
 }
 

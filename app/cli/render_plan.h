@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/batch.h"
 #include "app/render/scene.h"
 #include "sinew/base/result.h"
 
@@ -14,11 +15,10 @@ namespace sinew::app {
 /// As the command line says it.
 struct RenderOptions {
   std::filesystem::path input;
-  std::filesystem::path output;  ///< .png; with frames a printf integer field such as %04d in its name.
+  std::filesystem::path output;  ///< .png; its fields as planBatch.
   std::string clip;              ///< Name; empty: the first if a time or frames are given, else the bind pose.
   std::optional<double> time;    ///< Seconds.
-  std::string frames;            ///< "A:B", both ends included.
-  double framesPerSecond = 30.0;
+  BatchOptions batch;
   std::string view = "three-quarter";  ///< A named view, or "yaw,pitch" in degrees.
   bool orthographic = false;
   std::string shading = "textured";
@@ -40,16 +40,11 @@ struct RenderOptions {
   std::string projection;
 };
 
-/// One picture to make.
-struct PlannedPicture {
-  double time = 0.0;  ///< Seconds into the clip.
-  std::filesystem::path file;
-};
-
 struct RenderPlan {
-  std::vector<PlannedPicture> pictures;
-  bool animated = false;  ///< A clip is wanted; else the bind pose.
-  float yaw = 0.0f;       ///< Radians, as framing.h counts them.
+  Batch batch;
+  std::vector<double> times;  ///< [moments] seconds into the clip, of every input.
+  bool animated = false;      ///< A clip is wanted; else the bind pose.
+  float yaw = 0.0f;           ///< Radians, as framing.h counts them.
   float pitch = 0.0f;
   glm::ivec2 size{1280, 800};
   DisplaySettings display;

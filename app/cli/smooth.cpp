@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/batch.h"
 #include "app/cli/console.h"
 #include "app/cli/crease_option.h"
 #include "app/cli/verb.h"
@@ -27,7 +28,8 @@ struct SmoothOptions {
   std::filesystem::path output;     ///< .obj, .ply or .glb.
   std::filesystem::path report;     ///< JSON; empty: none.
   std::optional<std::string> clip;  ///< Absent: the bind pose.
-  double time = 0.0;                ///< Seconds into the clip.
+  std::optional<double> time;       ///< Seconds into the clip.
+  BatchOptions batch;
   std::optional<int> depth;
   std::optional<float> crease;  ///< Degrees.
   std::optional<std::string> mode;
@@ -54,18 +56,20 @@ std::string clipNames(const Character& character) {
   return character.clips.size() == 1 ? names : "one of " + names;
 }
 
-Result<Pose> poseOf(const Document& document, const SmoothOptions& options) {
+/// The clip asked for; null: the bind pose.
+Result<const AnimationClip*> clipOf(const Document& document, const SmoothOptions& options, double lastTime) {
+  const AnimationClip* none = nullptr;
   const Character& character = *document.character;
-  if (!options.clip) return bindPose(character.skeleton);
+  if (!options.clip) return none;
   const auto clip = std::ranges::find(character.clips, *options.clip, &AnimationClip::name);
   if (clip == character.clips.end()) {
     return Error{document.characterFile.string(), "clip \"" + *options.clip + '"', "expected " + clipNames(character)};
   }
-  if (options.time > static_cast<double>(clip->duration)) {
+  if (lastTime > static_cast<double>(clip->duration)) {
     message(document.characterFile.string() + ": clip \"" + clip->name +
             "\": the time is past its end; its end is used");
   }
-  return samplePose(character.skeleton, *clip, static_cast<float>(options.time));
+  return &*clip;
 }
 
 /// Whether a file to be written is one that was read.
@@ -128,13 +132,13 @@ void addSettings(CLI::App& verb, SmoothOptions& options) {
 
 void addSmoothOptions(CLI::App& verb, SmoothOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
-  verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf)")
-      ->required();
+  verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf)");
   CLI::Option* clip =
       verb.add_option("--clip", options.clip,
                       "Pose from this clip, or \"Range of motion\", made from the joints; without it, the bind pose");
   clip->type_name("NAME");
   verb.add_option("--time", options.time, "Seconds into the clip (0)")->type_name("S")->check(isTime)->needs(clip);
+  addFrameOptions(verb, options.batch);
   addSettings(verb, options);
   verb.add_option_function<std::string>("-o,--output", to(options.output), "Surface to write: .obj, .ply or .glb")
       ->type_name("OUT")
@@ -143,47 +147,97 @@ void addSmoothOptions(CLI::App& verb, SmoothOptions& options) {
   verb.add_option_function<std::string>("--report", to(options.report),
                                         "Counts, class sizes, residuals and seconds as JSON")
       ->type_name("FILE.json");
+  addBatchOptions(verb, options.batch);
 }
 
-int runSmooth(const SmoothOptions& options) {
-  progress("reading " + options.file.string());
-  auto document = openDocument(options.file);
+/// The report first: a surface that is there has its report.
+Result<void> writeSurface(const Surface& surface, const Character& character, const std::filesystem::path& output,
+                          const std::filesystem::path& report) {
+  if (!report.empty()) {
+    if (const auto written = writeFileAtomically(report, reportText(surface.report)); !written) return written.error();
+  }
+  return exportSurface(surface, character, output);
+}
+
+struct SmoothJob {
+  Batch batch;
+  std::vector<double> times;  ///< [moments] seconds into the clip.
+};
+
+Result<SmoothJob> planSmooth(const SmoothOptions& options) {
+  if (!options.batch.frames.empty() && !options.clip) return errorAt("--frames", "expected --clip too");
+  if (!options.batch.frames.empty() && options.time) {
+    return errorAt("--time", "cannot be combined with --frames: a frame's number is its time");
+  }
+  auto batch = planBatch(options.batch, options.file, options.output);
+  if (!batch) return batch.error();
+  SmoothJob job{std::move(batch.value()), {}};
+  for (std::size_t i = 0; i < job.batch.frames.size(); ++i) {
+    job.times.push_back(secondsAt(job.batch, options.batch, i));
+  }
+  if (job.times.empty()) job.times.push_back(options.time.value_or(0.0));
+  return job;
+}
+
+/// What is wanted of one input.
+int smoothInput(const SmoothOptions& options, const SmoothJob& job, const BatchInput& input) {
+  std::vector<std::filesystem::path> reports(input.outputs.size());
+  if (!options.report.empty()) {
+    auto named = filesBeside(job.batch, input, options.report, "--report");
+    if (!named) return badCommandLine(named.error().text());
+    reports = std::move(named.value());
+  }
+  progress("reading " + input.file.string());
+  auto document = openDocument(input.file);
   if (!document) return badInput(document.error());
-  if (options.clip) document.value().character = withClipNamed(document->character, *options.clip);
-  for (const std::filesystem::path& written : {options.output, options.report}) {
-    if (wouldOverwriteInput(written, document.value()))
-      return badCommandLine(written.string() + ": is the input; it is not overwritten");
+  if (options.clip) document.value().character = withClipNamed(document->character, options.clip.value());
+  const Character& character = *document->character;
+  for (const std::size_t moment : input.wanted) {
+    for (const std::filesystem::path& written : {input.outputs[moment], reports[moment]}) {
+      if (wouldOverwriteInput(written, document.value()))
+        return badCommandLine(written.string() + ": is the input; it is not overwritten");
+    }
   }
   const Rig rig = overridden(document->rig(), options);
-  if (const auto missing = missingBones(rig, document->character->skeleton); !missing.empty()) {
-    return badInput({options.file.string(), missing.front().place, missing.front().reason});
+  if (const auto missing = missingBones(rig, character.skeleton); !missing.empty()) {
+    return badInput({input.file.string(), missing.front().place, missing.front().reason});
   }
-  const auto pose = poseOf(document.value(), options);
-  if (!pose) return badInput(pose.error());
+  const auto clip = clipOf(document.value(), options, job.times[input.wanted.back()]);
+  if (!clip) return badInput(clip.error());
 
   progress("smoothing");
   Smoother smoother(document->character);
   if (const auto prepared = smoother.prepare(rig); !prepared) {
-    return badInput({options.file.string(), prepared.error().place, prepared.error().reason});
+    return badInput({input.file.string(), prepared.error().place, prepared.error().reason});
   }
-  Surface surface;
-  smoother.smooth(pose.value(), surface);
+  for (const std::size_t moment : input.wanted) {
+    const std::filesystem::path& output = input.outputs[moment];
+    const Pose pose = clip.value() == nullptr
+                          ? bindPose(character.skeleton)
+                          : samplePose(character.skeleton, *clip.value(), static_cast<float>(job.times[moment]));
+    Surface surface;
+    smoother.smooth(pose, surface);
+    progress("writing " + output.string());
+    if (const auto written = writeSurface(surface, character, output, reports[moment]); !written) {
+      return badInput(written.error());
+    }
+    if (const int status = putResult(output.string() + '\n'); status != kDone) return status;
+  }
+  return kDone;
+}
 
-  progress("writing " + options.output.string());
-  if (const auto written = exportSurface(surface, *document->character, options.output); !written) {
-    return badInput(written.error());
-  }
-  if (!options.report.empty()) {
-    const auto written = writeFileAtomically(options.report, reportText(surface.report));
-    if (!written) return badInput(written.error());
-  }
-  return putResult(options.output.string() + '\n');
+int runSmooth(const SmoothOptions& options) {
+  const auto job = planSmooth(options);
+  if (!job) return refused(job.error());
+  return runBatch(job->batch, options.batch.dryRun,
+                  [&](const BatchInput& input) { return smoothInput(options, job.value(), input); });
 }
 
 }  // namespace
 
 Verb smoothVerb() {
-  return makeVerb<SmoothOptions>("smooth", "Write the smoothed surface of one moment", addSmoothOptions, runSmooth);
+  return makeVerb<SmoothOptions>("smooth", "Write the smoothed surface of one moment, or of each frame",
+                                 addSmoothOptions, runSmooth);
 }
 
 }  // namespace sinew::app

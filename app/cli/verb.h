@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -37,5 +38,7 @@ template <class Options, class Add, class Run>
 [[nodiscard]] Verb smoothVerb();
 [[nodiscard]] Verb renderVerb();
 [[nodiscard]] Verb benchVerb();
+/// @param verbs  those that a farm can share: they take --shard and --resume.
+[[nodiscard]] Verb farmVerb(std::vector<Verb> verbs);
 
 }  // namespace sinew::app

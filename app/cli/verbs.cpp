@@ -25,8 +25,10 @@ constexpr const char* kExamples =
     "  sinew inspect fox.glb --json\n"
     "  sinew smooth fox.rig.json --clip Walk --time 0.4 --depth 6 -o fox.obj --report fox.json\n"
     "  sinew render fox.rig.json --clip Walk --frames 0:23 -o fox_%04d.png\n"
+    "  sinew farm render fox.rig.json --clip Walk --frames 0:239 -o fox_%04d.png --tasks 16 --to slurm\n"
     "\n"
-    "Exit status: 0 done, 1 the input is bad, 2 the command line is wrong. 'sinew VERB --help' lists a verb's options.";
+    "Exit status: 0 done, 1 the input is bad, 2 the command line is wrong, 3 some inputs of a list failed.\n"
+    "'sinew VERB --help' lists a verb's options.";
 
 void addEditOptions(CLI::App& parser, EditRequest& request) {
   parser.add_option("FILE", request.file,
@@ -45,6 +47,7 @@ std::vector<Verb> allVerbs(const RunEditor& edit) {
       inspectVerb(),
       smoothVerb(),
       renderVerb(),
+      farmVerb({smoothVerb(), renderVerb()}),
       benchVerb(),
   };
 }

@@ -34,6 +34,7 @@ _sinew() {
             :inspect) verb=inspect ;;
             :smooth) verb=smooth ;;
             :render) verb=render ;;
+            :farm) verb=farm ;;
             :bench) verb=bench ;;
             bench:field) verb=bench-field ;;
             bench:animation) verb=bench-animation ;;
@@ -49,6 +50,8 @@ _sinew() {
         edit:--scale) :; return ;;
         smooth:--clip) :; return ;;
         smooth:--time) :; return ;;
+        smooth:--frames) :; return ;;
+        smooth:--fps) :; return ;;
         smooth:--depth) :; return ;;
         smooth:--mode) _sinew_words swell replace; return ;;
         smooth:--patch) _sinew_words pn phong spherigon flat; return ;;
@@ -56,6 +59,8 @@ _sinew() {
         smooth:--crease) :; return ;;
         smooth:-o|smooth:--output) _sinew_files obj ply glb; return ;;
         smooth:--report) _sinew_files json; return ;;
+        smooth:--list) _sinew_files -; return ;;
+        smooth:--shard) :; return ;;
         render:--clip) :; return ;;
         render:--time) :; return ;;
         render:--frames) :; return ;;
@@ -74,6 +79,12 @@ _sinew() {
         render:--projection) _sinew_words newton bisection analytic; return ;;
         render:--crease) :; return ;;
         render:-o|render:--output) _sinew_files png; return ;;
+        render:--list) _sinew_files -; return ;;
+        render:--shard) :; return ;;
+        farm:--to) _sinew_words slurm parallel openjd commands; return ;;
+        farm:--tasks) :; return ;;
+        farm:--program) :; return ;;
+        farm:--job) _sinew_files -; return ;;
         bench-field:--rounds) :; return ;;
         bench-animation:--rounds) :; return ;;
         bench-projections:--json) _sinew_files json; return ;;
@@ -88,15 +99,16 @@ _sinew() {
     esac
     case "$verb:$cur" in
         :-*) _sinew_words --version -h --help ;;
-        :*) _sinew_words edit inspect smooth render bench; _sinew_files glb gltf rig.json ;;
+        :*) _sinew_words edit inspect smooth render farm bench; _sinew_files glb gltf rig.json ;;
         edit:-*) _sinew_words -h --help --log-state --scale ;;
         edit:*) _sinew_files glb gltf rig.json ;;
         inspect:-*) _sinew_words -h --help --json ;;
         inspect:*) _sinew_files glb gltf rig.json ;;
-        smooth:-*) _sinew_words -h --help --clip --time --depth --mode --patch --projection --crease -o --output --report ;;
+        smooth:-*) _sinew_words -h --help --clip --time --frames --fps --depth --mode --patch --projection --crease -o --output --report --list --shard --resume --dry-run ;;
         smooth:*) _sinew_files glb gltf rig.json ;;
-        render:-*) _sinew_words -h --help --clip --time --frames --fps --view --orthographic --shading --show --glass --surface --no-surface --ground --no-ground --cull --transparent --light --background --ao --size --samples --depth --mode --patch --projection --crease -o --output ;;
+        render:-*) _sinew_words -h --help --clip --time --frames --fps --view --orthographic --shading --show --glass --surface --no-surface --ground --no-ground --cull --transparent --light --background --ao --size --samples --depth --mode --patch --projection --crease -o --output --list --shard --resume --dry-run ;;
         render:*) _sinew_files glb gltf rig.json ;;
+        farm:-*) _sinew_words -h --help --to --tasks --program --job ;;
         bench:-*) _sinew_words -h --help ;;
         bench:*) _sinew_words field animation projections drag stages ;;
         bench-field:-*) _sinew_words -h --help --rounds ;;

@@ -13,6 +13,8 @@ function __sinew_verb
                 set verb smooth
             case :render
                 set verb render
+            case :farm
+                set verb farm
             case :bench
                 set verb bench
             case bench:field
@@ -53,8 +55,9 @@ end
 complete -c sinew -f
 complete -c sinew -n '__sinew_in ""' -a edit -d 'Open the editor'
 complete -c sinew -n '__sinew_in ""' -a inspect -d 'Describe a character or a rig, and what is wrong with it'
-complete -c sinew -n '__sinew_in ""' -a smooth -d 'Write the smoothed surface of one moment'
+complete -c sinew -n '__sinew_in ""' -a smooth -d 'Write the smoothed surface of one moment, or of each frame'
 complete -c sinew -n '__sinew_in ""' -a render -d 'Make pictures, off screen'
+complete -c sinew -n '__sinew_in ""' -a farm -d 'Write down a batch job for Slurm, GNU parallel or another farm'
 complete -c sinew -n '__sinew_in ""' -a bench -d 'Measure on this machine'
 complete -c sinew -n '__sinew_in ""' -a '(__sinew_files glb gltf rig.json)'
 complete -c sinew -n '__sinew_in ""' -l version -d 'Print the version and exit'
@@ -70,6 +73,8 @@ complete -c sinew -n '__sinew_in "smooth"' -a '(__sinew_files glb gltf rig.json)
 complete -c sinew -n '__sinew_in "smooth"' -s h -l help -d 'Print this and exit'
 complete -c sinew -n '__sinew_in "smooth"' -l clip -x -d 'Pose from this clip, or "Range of motion", made from the joints; without it, the bind pose'
 complete -c sinew -n '__sinew_in "smooth"' -l time -x -d 'Seconds into the clip (0)'
+complete -c sinew -n '__sinew_in "smooth"' -l frames -x -d 'One file per clip frame from A to B, both included, or every STEPth'
+complete -c sinew -n '__sinew_in "smooth"' -l fps -x -d 'Clip frames per second (30)'
 complete -c sinew -n '__sinew_in "smooth"' -l depth -x -d 'Every triangle becomes N x N, in place of the rig\'s depth (a file has no size on screen to follow)'
 complete -c sinew -n '__sinew_in "smooth"' -l mode -x -a 'swell replace' -d 'swell (the skin rises over the muscles) or replace (the paper\'s method)'
 complete -c sinew -n '__sinew_in "smooth"' -l patch -x -a 'pn phong spherigon flat' -d 'Curved patch over each triangle: pn, phong, spherigon or flat'
@@ -77,11 +82,15 @@ complete -c sinew -n '__sinew_in "smooth"' -l projection -x -a 'newton bisection
 complete -c sinew -n '__sinew_in "smooth"' -l crease -x -d 'Shade faces that meet at more than this angle apart; 180: smooth everywhere'
 complete -c sinew -n '__sinew_in "smooth"' -s o -l output -x -a '(__sinew_files obj ply glb)' -d 'Surface to write: .obj, .ply or .glb'
 complete -c sinew -n '__sinew_in "smooth"' -l report -x -a '(__sinew_files json)' -d 'Counts, class sizes, residuals and seconds as JSON'
+complete -c sinew -n '__sinew_in "smooth"' -l list -x -a '(__sinew_files )' -d 'Instead of FILE: a text file with an input a line; {name} in OUT is its name'
+complete -c sinew -n '__sinew_in "smooth"' -l shard -x -d 'Make share I of N, 0 to N-1; auto: as the Slurm or Grid Engine array job says'
+complete -c sinew -n '__sinew_in "smooth"' -l resume -d 'Leave out what is there already: files appear whole or not at all'
+complete -c sinew -n '__sinew_in "smooth"' -l dry-run -d 'Print the names of the files, and make none'
 complete -c sinew -n '__sinew_in "render"' -a '(__sinew_files glb gltf rig.json)'
 complete -c sinew -n '__sinew_in "render"' -s h -l help -d 'Print this and exit'
 complete -c sinew -n '__sinew_in "render"' -l clip -x -d 'Pose from this clip, or "Range of motion", made from the joints; without any of these, the bind pose'
 complete -c sinew -n '__sinew_in "render"' -l time -x -d 'Seconds into the clip (of the first, if none is named)'
-complete -c sinew -n '__sinew_in "render"' -l frames -x -d 'One picture per clip frame, both ends included'
+complete -c sinew -n '__sinew_in "render"' -l frames -x -d 'One file per clip frame from A to B, both included, or every STEPth'
 complete -c sinew -n '__sinew_in "render"' -l fps -x -d 'Clip frames per second (30)'
 complete -c sinew -n '__sinew_in "render"' -l view -x -a 'front back left right top bottom three-quarter' -d 'front, back, left, right, top, bottom, three-quarter, or YAW,PITCH in degrees'
 complete -c sinew -n '__sinew_in "render"' -l orthographic -d 'Orthographic: no perspective'
@@ -103,6 +112,15 @@ complete -c sinew -n '__sinew_in "render"' -l patch -x -a 'pn phong spherigon fl
 complete -c sinew -n '__sinew_in "render"' -l projection -x -a 'newton bisection analytic' -d 'newton, bisection or analytic'
 complete -c sinew -n '__sinew_in "render"' -l crease -x -d 'Shade faces that meet at more than this angle apart; 180: smooth everywhere'
 complete -c sinew -n '__sinew_in "render"' -s o -l output -x -a '(__sinew_files png)' -d 'Picture to write: OUT.png, or OUT_%04d.png with --frames'
+complete -c sinew -n '__sinew_in "render"' -l list -x -a '(__sinew_files )' -d 'Instead of FILE: a text file with an input a line; {name} in OUT is its name'
+complete -c sinew -n '__sinew_in "render"' -l shard -x -d 'Make share I of N, 0 to N-1; auto: as the Slurm or Grid Engine array job says'
+complete -c sinew -n '__sinew_in "render"' -l resume -d 'Leave out what is there already: files appear whole or not at all'
+complete -c sinew -n '__sinew_in "render"' -l dry-run -d 'Print the names of the files, and make none'
+complete -c sinew -n '__sinew_in "farm"' -s h -l help -d 'Print this and exit'
+complete -c sinew -n '__sinew_in "farm"' -l to -x -a 'slurm parallel openjd commands' -d 'slurm (sbatch), parallel (GNU parallel), openjd (Deadline), commands (a line each)'
+complete -c sinew -n '__sinew_in "farm"' -l tasks -x -d 'How many tasks share the work (16)'
+complete -c sinew -n '__sinew_in "farm"' -l program -x -d 'What the machines call this program; without it, its path here'
+complete -c sinew -n '__sinew_in "farm"' -l job -x -a '(__sinew_files )' -d 'Write the job here, not to stdout'
 complete -c sinew -n '__sinew_in "bench"' -a field -d 'Compare ellipsoids with spheres and shapes: one evaluation of the field'
 complete -c sinew -n '__sinew_in "bench"' -a animation -d 'Time 4,000 muscle lines and 1,000 drivers beside skinning'
 complete -c sinew -n '__sinew_in "bench"' -a projections -d 'Compare newton, bisection and analytic: work, time, agreement'

@@ -180,7 +180,8 @@ TEST_F(RenderVerb, AWrongCommandLineIsStatus2) {
 
 app::RenderOptions plannedAs(const std::string& frames, const std::string& output) {
   app::RenderOptions options;
-  options.frames = frames;
+  options.input = "a.glb";
+  options.batch.frames = frames;
   options.output = output;
   return options;
 }
@@ -188,12 +189,12 @@ app::RenderOptions plannedAs(const std::string& frames, const std::string& outpu
 TEST(RenderPlan, FrameNumbersFollowTheNamesField) {
   const auto plain = app::planRender(plannedAs("8:10", "x%d.png"));
   ASSERT_TRUE(plain.ok());
-  EXPECT_EQ(plain->pictures[0].file, "x8.png");
-  EXPECT_EQ(plain->pictures[2].file, "x10.png");
-  EXPECT_DOUBLE_EQ(plain->pictures[2].time, 10.0 / 30.0);
+  EXPECT_EQ(plain->batch.inputs[0].outputs[0], "x8.png");
+  EXPECT_EQ(plain->batch.inputs[0].outputs[2], "x10.png");
+  EXPECT_DOUBLE_EQ(plain->times[2], 10.0 / 30.0);
   const auto wide = app::planRender(plannedAs("8:8", "a/x%05d_y.png"));
   ASSERT_TRUE(wide.ok());
-  EXPECT_EQ(wide->pictures[0].file, "a/x00008_y.png");
+  EXPECT_EQ(wide->batch.inputs[0].outputs[0], "a/x00008_y.png");
 }
 
 TEST(RenderPlan, RefusesNamesThatWouldOverwriteOrConfuse) {
@@ -204,6 +205,7 @@ TEST(RenderPlan, RefusesNamesThatWouldOverwriteOrConfuse) {
 
 TEST(RenderPlan, ViewsAreNamedOrGivenInDegrees) {
   app::RenderOptions options;
+  options.input = "a.glb";
   options.output = "x.png";
   options.view = "left";
   EXPECT_NEAR(app::planRender(options)->yaw, 1.5707963f, 1e-5f);

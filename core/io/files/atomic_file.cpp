@@ -78,11 +78,43 @@ int createNeighbour(const fs::path& file, fs::path& made) {
 }
 
 /// 0, or the errno of the failure. `mode` 0: what the system gives new files.
-int fillNeighbour(Descriptor& neighbour, std::string_view bytes, mode_t mode) {
+int fill(const Descriptor& neighbour, std::string_view bytes, mode_t mode) {
   if (const int failed = writeAll(neighbour.number(), bytes); failed != 0) return failed;
   if (mode != 0 && ::fchmod(neighbour.number(), mode) != 0) return errno;
-  if (::fsync(neighbour.number()) != 0) return errno;
-  return neighbour.close() ? 0 : errno;
+  return ::fsync(neighbour.number()) == 0 ? 0 : errno;
+}
+
+/// Gives an open file without a name one that nobody has, beside `file`. 0, or the errno of the failure.
+int nameNeighbour(const Descriptor& neighbour, const fs::path& file, fs::path& made) {
+  const std::string open = "/proc/self/fd/" + std::to_string(neighbour.number());
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    made = freshNeighbour(file);
+    if (::linkat(AT_FDCWD, open.c_str(), AT_FDCWD, made.c_str(), AT_SYMLINK_FOLLOW) == 0) return 0;
+    if (errno != EEXIST) return errno;
+  }
+  return EEXIST;
+}
+
+/// Writes without a name and names what is whole, so that a process that is killed leaves nothing behind. False where
+/// that failed, also because the file system has no such files.
+bool writeUnnamed(const fs::path& file, std::string_view bytes, mode_t mode, fs::path& made) {
+  const fs::path folder = file.parent_path();
+  Descriptor neighbour(::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666));
+  if (!neighbour.isOpen() || fill(neighbour, bytes, mode) != 0) return false;
+  if (nameNeighbour(neighbour, file, made) != 0) return false;
+  if (neighbour.close()) return true;
+  ::unlink(made.c_str());
+  return false;
+}
+
+/// 0, or the errno of the failure; nothing is left then.
+int writeNamed(const fs::path& file, std::string_view bytes, mode_t mode, fs::path& made) {
+  Descriptor neighbour(createNeighbour(file, made));
+  if (!neighbour.isOpen()) return errno;
+  int failed = fill(neighbour, bytes, mode);
+  if (!neighbour.close() && failed == 0) failed = errno;
+  if (failed != 0) ::unlink(made.c_str());
+  return failed;
 }
 
 /// The rename itself must reach the disk too. Some file systems cannot; the file is whole either way.
@@ -93,11 +125,13 @@ void flushFolder(const fs::path& folder) {
 
 Result<void> replace(const fs::path& file, const fs::path& target, std::string_view bytes, mode_t mode) {
   fs::path made;
-  Descriptor neighbour(createNeighbour(target, made));
-  if (!neighbour.isOpen()) return because(file, "cannot be written", errno);
-  int failed = fillNeighbour(neighbour, bytes, mode);
-  if (failed == 0 && ::rename(made.c_str(), target.c_str()) != 0) failed = errno;
-  if (failed != 0) {
+  if (!writeUnnamed(target, bytes, mode, made)) {
+    if (const int failed = writeNamed(target, bytes, mode, made); failed != 0) {
+      return because(file, "cannot be written", failed);
+    }
+  }
+  if (::rename(made.c_str(), target.c_str()) != 0) {
+    const int failed = errno;
     ::unlink(made.c_str());
     return because(file, "cannot be written", failed);
   }

@@ -1,0 +1,71 @@
+// app/cli/batch.h: a job of many files, whole or a share of it: what every verb that writes files in series has in
+// common. docs/farm.md.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sinew/base/result.h"
+
+namespace CLI {
+class App;
+}
+
+namespace sinew::app {
+
+/// As the command line says it.
+struct BatchOptions {
+  std::string frames;  ///< "A:B" or "A:B:STEP", both ends included; empty: one moment.
+  double framesPerSecond = 30.0;
+  std::filesystem::path list;  ///< A file with an input a line; empty: the verb's one input.
+  std::string shard;           ///< "I/N" or "auto"; empty: the whole job.
+  bool resume = false;
+  bool dryRun = false;
+};
+
+/// --frames and --fps.
+void addFrameOptions(CLI::App& verb, BatchOptions& options);
+/// --list, --shard, --resume and --dry-run.
+void addBatchOptions(CLI::App& verb, BatchOptions& options);
+
+/// One input of a job.
+struct BatchInput {
+  std::filesystem::path file;
+  std::vector<std::filesystem::path> outputs;  ///< [moments] of the whole job.
+  std::vector<std::size_t> wanted;             ///< The moments to be made now, ascending.
+};
+
+struct Batch {
+  std::vector<BatchInput> inputs;  ///< In order.
+  std::vector<int> frames;         ///< [moments]; empty: one moment without a frame.
+  bool listed = false;             ///< The inputs are from a list.
+};
+
+/// Reads the list, numbers the job's items (input by input, frame by frame) and keeps this shard's: those whose number
+/// modulo N is I; to resume, those of them that are not there yet.
+/// @param output  with frames a printf integer field such as %04d in its name; with a list "{name}", which stands for
+///   the input's name without its ending
+/// Error: place is the option or the list's file, reason what was expected of it; two items write one file.
+[[nodiscard]] Result<Batch> planBatch(const BatchOptions& options, const std::filesystem::path& input,
+                                      const std::filesystem::path& output);
+
+/// A second file beside each output, such as a report. Errors as planBatch. @param batch  of `options`
+[[nodiscard]] Result<std::vector<std::filesystem::path>> filesBeside(const Batch& batch, const BatchInput& input,
+                                                                     const std::filesystem::path& pattern,
+                                                                     const std::string& option);
+
+/// Calls make(input) for every input that has work to do; a dry run prints its files instead. `make` returns an exit
+/// status and has named its failures. Returns kDone, what `make` returned where there is no list, kSomeFailed where
+/// some inputs of a list failed, kBadInput where all did.
+[[nodiscard]] int runBatch(const Batch& batch, bool dryRun, const std::function<int(const BatchInput&)>& make);
+
+/// The time of a moment. @param index  of Batch::frames
+[[nodiscard]] inline double secondsAt(const Batch& batch, const BatchOptions& options, std::size_t index) {
+  return batch.frames[index] / options.framesPerSecond;
+}
+
+}  // namespace sinew::app

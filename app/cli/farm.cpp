@@ -1,0 +1,107 @@
+// app/cli/farm.cpp: writes down a batch job for a farm. It starts nothing.
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <span>
+#include <system_error>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/console.h"
+#include "app/cli/farm_job.h"
+#include "app/cli/verb.h"
+#include "core/io/files/atomic_file.h"
+
+namespace sinew::app {
+namespace {
+
+struct FarmOptions {
+  int tasks = 16;
+  std::string to;
+  std::string program;         ///< Empty: this one.
+  std::filesystem::path file;  ///< Empty: stdout.
+  CLI::App* parser = nullptr;  ///< Keeps what it did not understand: the verb and its arguments.
+};
+
+/// Why the verb would refuse its arguments, or nullopt.
+std::optional<std::string> refusalOf(const Verb& verb, std::span<const std::string> arguments) {
+  CLI::App parser{verb.summary, verb.name};
+  const auto run = verb.add(parser);
+  std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+  try {
+    parser.parse(std::move(reversed));
+  } catch (const CLI::ParseError& error) {
+    return error.what();
+  }
+  return std::nullopt;
+}
+
+std::string thisProgram() {
+  std::error_code failed;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", failed);
+  return failed ? "sinew" : program.string();
+}
+
+int putJob(const std::string& text, const std::filesystem::path& file) {
+  if (file.empty()) return putResult(text);
+  if (const auto written = writeFileAtomically(file, text); !written) return badInput(written.error());
+  return putResult(file.string() + '\n');
+}
+
+int runFarm(const FarmOptions& options, std::span<const Verb> verbs) {
+  FarmJob job;
+  job.arguments = options.parser->remaining();
+  std::string names;
+  for (const Verb& verb : verbs) names += (names.empty() ? "" : ", ") + verb.name;
+  const std::string named = job.arguments.empty() ? "" : job.arguments.front();
+  const auto verb = std::ranges::find(verbs, named, &Verb::name);
+  if (verb == verbs.end()) return badCommandLine("farm: expected one of the verbs " + names + ", got \"" + named + '"');
+  for (const char* own : {"--shard", "--resume", "--dry-run"}) {
+    const auto isOwn = [&](const std::string& argument) {
+      return argument == own || argument.starts_with(std::string(own) + '=');
+    };
+    if (std::ranges::any_of(job.arguments, isOwn)) return badCommandLine(std::string(own) + ": farm sets it");
+  }
+  if (const auto refusal = refusalOf(*verb, std::span(job.arguments).subspan(1))) {
+    return badCommandLine(verb->name + ": " + *refusal + " (see: sinew " + verb->name + " --help)");
+  }
+  std::error_code failed;
+  job.folder = std::filesystem::current_path(failed);
+  if (failed) return badInput(errorAt("current folder", failed.message()));
+  job.program = options.program.empty() ? thisProgram() : options.program;
+  job.tasks = options.tasks;
+  if (options.to == "commands") return putJob(commandLines(job), options.file);
+  if (options.to == "parallel") return putJob(parallelScript(job), options.file);
+  if (options.to == "slurm") return putJob(slurmScript(job), options.file);
+  const auto text = openJobTemplate(job);
+  if (!text) return badCommandLine(text.error().text());
+  return putJob(text.value(), options.file);
+}
+
+void addFarmOptions(CLI::App& verb, FarmOptions& options) {
+  options.parser = &verb;
+  verb.allow_extras();
+  verb.add_option("--to", options.to,
+                  "slurm (sbatch), parallel (GNU parallel), openjd (Deadline), commands (a line each)")
+      ->type_name("FARM")
+      ->required()
+      ->check(CLI::IsMember({"slurm", "parallel", "openjd", "commands"}));
+  verb.add_option("--tasks", options.tasks, "How many tasks share the work (16)")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostTasks));
+  verb.add_option("--program", options.program, "What the machines call this program; without it, its path here")
+      ->type_name("PATH");
+  verb.add_option_function<std::string>(
+          "--job", [&options](const std::string& text) { options.file = text; }, "Write the job here, not to stdout")
+      ->type_name("FILE");
+}
+
+}  // namespace
+
+Verb farmVerb(std::vector<Verb> verbs) {
+  return makeVerb<FarmOptions>(
+      "farm", "Write down a batch job for Slurm, GNU parallel or another farm", addFarmOptions,
+      [verbs = std::move(verbs)](const FarmOptions& options) { return runFarm(options, verbs); });
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,33 @@
+// app/cli/farm_job.h: a batch job as the text that a farm's own tools take. docs/farm.md.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sinew/base/result.h"
+
+namespace sinew::app {
+
+inline constexpr int kMostTasks = 100000;
+
+struct FarmJob {
+  std::string program;                 ///< As the machines of the farm know it.
+  std::filesystem::path folder;        ///< Absolute; names in the arguments are relative to it.
+  std::vector<std::string> arguments;  ///< The verb and what follows it, without a shard.
+  int tasks = 1;                       ///< Each makes one shard.
+};
+
+/// A line a task, for a shell, xargs, or a farm's command script.
+[[nodiscard]] std::string commandLines(const FarmJob& job);
+/// A shell script that calls GNU parallel.
+[[nodiscard]] std::string parallelScript(const FarmJob& job);
+/// A job array for sbatch.
+[[nodiscard]] std::string slurmScript(const FarmJob& job);
+/// An OpenJD job template, 2023-09. Error: an argument holds "{{", which the template would expand.
+[[nodiscard]] Result<std::string> openJobTemplate(const FarmJob& job);
+
+/// One word of a POSIX shell, quoted where it has to be.
+[[nodiscard]] std::string shellWord(const std::string& text);
+
+}  // namespace sinew::app

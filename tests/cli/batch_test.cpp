@@ -1,0 +1,141 @@
+// tests/cli/batch_test.cpp: how a job is divided into items, and what is refused.
+#include "app/cli/batch.h"
+
+#include <set>
+
+#include "app/cli/shard.h"
+#include "tests/cli/program.h"
+
+namespace sinew::test {
+namespace {
+
+using app::Batch;
+using app::BatchOptions;
+
+class Jobs : public Program {
+ protected:
+  [[nodiscard]] std::filesystem::path listOf(const std::string& text) const {
+    const std::filesystem::path file = folder_ / "list.txt";
+    EXPECT_TRUE(writeFileAtomically(file, text).ok());
+    return file;
+  }
+};
+
+TEST_F(Jobs, FramesGoInStepsAndIncludeBothEnds) {
+  BatchOptions options;
+  for (const auto& [text, frames] : {std::pair{"3:3", std::vector{3}}, std::pair{"0:4:2", std::vector{0, 2, 4}},
+                                     std::pair{"1:9:5", std::vector{1, 6}}}) {
+    options.frames = text;
+    const auto batch = app::planBatch(options, "a.glb", "x%d.png");
+    ASSERT_TRUE(batch.ok()) << text;
+    EXPECT_EQ(batch->frames, frames);
+    EXPECT_EQ(batch->inputs.at(0).outputs.size(), frames.size());
+  }
+  options.framesPerSecond = 20.0;
+  options.frames = "5:10:5";
+  EXPECT_DOUBLE_EQ(secondsAt(app::planBatch(options, "a.glb", "x%d.png").value(), options, 1), 0.5);
+  for (const char* wrong : {"1", "1:", ":1", "2:1", "-1:2", "0:5:0", "0:5:-1", "0:5:1:1", "a:b", "0:100000", "0:1 "}) {
+    options.frames = wrong;
+    EXPECT_FALSE(app::planBatch(options, "a.glb", "x%d.png").ok()) << wrong;
+  }
+}
+
+TEST_F(Jobs, ShardsDivideTheItemsOfAllInputs) {
+  BatchOptions options;
+  options.frames = "0:4";
+  options.list = listOf("a/fox.rig.json\r\n  horse.glb \n\n# no\nb.x\n");
+  for (const int count : {1, 2, 4, 15, 40}) {
+    std::set<std::string> names;
+    std::size_t items = 0;
+    for (int index = 0; index < count; ++index) {
+      options.shard = std::to_string(index) + '/' + std::to_string(count);
+      const auto batch = app::planBatch(options, {}, "{name}/{name}_%02d.png");
+      ASSERT_TRUE(batch.ok()) << batch.error().text();
+      ASSERT_EQ(batch->inputs.size(), 3u);
+      for (const app::BatchInput& input : batch->inputs) {
+        EXPECT_EQ(input.outputs.size(), 5u) << "the whole job's, for what all of it decides";
+        for (const std::size_t moment : input.wanted) names.insert(input.outputs[moment].string());
+        items += input.wanted.size();
+      }
+    }
+    EXPECT_EQ(items, 15u);
+    EXPECT_EQ(names.size(), 15u);
+    EXPECT_TRUE(names.contains("fox/fox_00.png") && names.contains("horse/horse_04.png") &&
+                names.contains("b/b_02.png"));
+  }
+}
+
+TEST_F(Jobs, WhatIsThereIsLeftOutOnlyToResume) {
+  ASSERT_TRUE(writeFileAtomically(folder_ / "x1.png", "whole").ok());
+  std::filesystem::create_directory(folder_ / "x2.png");
+  BatchOptions options;
+  options.frames = "0:3";
+  const auto wanted = [&] { return app::planBatch(options, "a.glb", folder_ / "x%d.png")->inputs.at(0).wanted; };
+  EXPECT_EQ(wanted(), (std::vector<std::size_t>{0, 1, 2, 3}));
+  options.resume = true;
+  EXPECT_EQ(wanted(), (std::vector<std::size_t>{0, 2, 3})) << "a folder is no picture";
+}
+
+TEST_F(Jobs, WhatWouldOverwriteItselfIsRefused) {
+  BatchOptions options;
+  options.list = listOf("a/fox.glb\nb/fox.rig.json\n");
+  const auto same = app::planBatch(options, {}, "{name}.png");
+  ASSERT_FALSE(same.ok());
+  EXPECT_NE(same.error().text().find("two items of the job write fox.png"), std::string::npos);
+  EXPECT_FALSE(app::planBatch(options, {}, "x.png").ok()) << "no {name}";
+  EXPECT_FALSE(app::planBatch(options, "a.glb", "{name}.png").ok()) << "a list and a file";
+  options.list = listOf("# nothing\n");
+  EXPECT_FALSE(app::planBatch(options, {}, "{name}.png").ok());
+  EXPECT_FALSE(app::planBatch({}, {}, "x.png").ok()) << "neither";
+}
+
+TEST(Shard, IsReadWholeOrRefused) {
+  EXPECT_EQ(app::shardOf("")->count, 1);
+  EXPECT_EQ(app::shardOf("3/7")->index, 3);
+  for (const char* wrong : {"7/7", "-1/7", "0/0", "1", "1/", "/2", "1/2/3", "a/2", "1/2 ", "0/99999999"}) {
+    EXPECT_FALSE(app::shardOf(wrong).ok()) << wrong;
+  }
+}
+
+TEST_F(Jobs, TheProgramRefusesInOneLine) {
+  const std::string rig = demo("demo.rig.json");
+  const std::vector<std::vector<std::string>> wrong{
+      {"smooth", rig, "--frames", "0:3", "-o", "a_%d.ply"},
+      {"smooth", rig, "--clip", "Walk", "--frames", "0:3", "-o", "a.ply"},
+      {"smooth", rig, "--clip", "Walk", "--frames", "0:3", "--time", "1", "-o", "a_%d.ply"},
+      {"smooth", rig, "--clip", "Walk", "--frames", "0:3", "-o", "a_%d.ply", "--report", "r.json"},
+      {"smooth", rig, "--list", "l.txt", "-o", "{name}.ply"},
+      {"smooth", rig, "--shard", "2/2", "-o", "a.ply"},
+      {"farm", "smooth", rig, "-o", "a.ply"},
+      {"farm", "inspect", rig, "--to", "slurm"},
+      {"farm", "smooth", rig, "-o", "a.ply", "--shard", "0/2", "--to", "slurm"},
+      {"farm", "smooth", rig, "--to", "slurm"},
+      {"farm", "smooth", rig, "-o", "{{a}}.ply", "--to", "openjd"}};
+  for (const std::vector<std::string>& arguments : wrong) {
+    const Outcome refused = run(arguments);
+    EXPECT_EQ(refused.status, 2) << arguments[0] << ": " << refused.error;
+    EXPECT_TRUE(refused.oneErrorLine()) << refused.error;
+    EXPECT_EQ(refused.out, "");
+  }
+  EXPECT_EQ(run({"smooth", "--list", "absent.txt", "-o", "{name}.ply"}).status, 1);
+  EXPECT_EQ(run({"farm", "smooth", rig, "-o", "a.ply", "--to", "slurm", "--job", "no folder/job"}).status, 1);
+  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+}
+
+TEST_F(Jobs, ASeriesOfSurfacesHasAReportEach) {
+  const Outcome done = run({"smooth", demo("demo.rig.json"), "--clip", "Walk", "--frames", "0:1", "--depth", "1", "-o",
+                            "a_%d.ply", "--report", "r_%02d.json"});
+  EXPECT_EQ(done.status, 0) << done.error;
+  EXPECT_EQ(done.out, "a_0.ply\na_1.ply\n");
+  for (const char* name : {"a_0.ply", "a_1.ply", "r_00.json", "r_01.json"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder_ / name)) << name;
+  }
+  ASSERT_EQ(run({"smooth", demo("demo.rig.json"), "--clip", "Walk", "--time", "0.0333333333333333", "--depth", "1",
+                 "-o", "alone.ply"})
+                .status,
+            0);
+  EXPECT_EQ(readWholeFile(folder_ / "alone.ply", 1 << 26).value(), readWholeFile(folder_ / "a_1.ply", 1 << 26).value());
+}
+
+}  // namespace
+}  // namespace sinew::test
