@@ -97,7 +97,15 @@ class Node:
             time.sleep(0.2)
 
     def __exit__(self, *_):
+        """Ends the daemons and waits for them: they write into the folder until then."""
         for name in ("slurmd", "slurmctld", "munge"):
             file = self.folder / (name + ".pid")
-            if file.exists():
-                subprocess.run(["kill", file.read_text().strip()], check=False)
+            number = file.read_text().strip() if file.exists() else ""
+            if not number:
+                continue
+            subprocess.run(["kill", number], check=False)
+            end = time.monotonic() + 30
+            while pathlib.Path("/proc", number).exists() and time.monotonic() < end:
+                time.sleep(0.1)
+            if pathlib.Path("/proc", number).exists():
+                subprocess.run(["kill", "-9", number], check=False)
