@@ -10,18 +10,22 @@ namespace sinew {
 
 Carriers::Carriers(const Rig& rig, const Character& character, std::span<const LineCarrier> onLines)
     : onLines_(onLines.begin(), onLines.end()) {
-  if (!onLines_.empty()) rests_ = lineRests(rig, character);
+  if (onLines_.empty()) return;
+  rests_ = lineRests(rig, character);
+  lanes_ = LineLanes(rests_);
 }
 
 void Carriers::settle(const Rig& rig) {
   for (std::size_t i = 0; i < rests_.size(); ++i) {
-    if (rests_[i]) sinew::settle(*rests_[i], rig.lines[i].settings);
+    if (!rests_[i]) continue;
+    sinew::settle(*rests_[i], rig.lines[i].settings);
+    lanes_.settle(static_cast<int>(i), *rests_[i]);
   }
 }
 
 std::span<const glm::mat4> Carriers::in(const Pose& pose, const Skeleton& skeleton) {
   if (onLines_.empty()) return pose.boneInWorld;
-  poseLines(rests_, skeleton, pose, scratch_, lines_);
+  poseLines(lanes_, skeleton, pose, scratch_, lines_);
   matrices_.assign(pose.boneInWorld.begin(), pose.boneInWorld.end());
   for (const auto& [bone, line] : onLines_) matrices_.push_back(carrierInWorld(bone, line, skeleton, pose, lines_));
   return matrices_;
@@ -36,7 +40,7 @@ std::vector<glm::mat4> Carriers::inBind(const Skeleton& skeleton) const {
 std::vector<PosedLine> posedLines(const Rig& rig, const Character& character, const Pose& pose) {
   LineScratch scratch;
   std::vector<PosedLine> lines;
-  poseLines(lineRests(rig, character), character.skeleton, pose, scratch, lines);
+  poseLines(LineLanes(lineRests(rig, character)), character.skeleton, pose, scratch, lines);
   return lines;
 }
 

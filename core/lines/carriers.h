@@ -26,6 +26,7 @@ class Carriers {
 
  private:
   std::vector<std::optional<LineRest>> rests_;
+  LineLanes lanes_;  ///< Made of them.
   std::vector<LineCarrier> onLines_;
   LineScratch scratch_;
   std::vector<PosedLine> lines_;  ///< Memory kept from pose to pose, as is the next.

@@ -1,43 +1,46 @@
-// core/lines/contraction.cpp: closed forms. docs/lines.md.
+// core/lines/contraction.cpp: the formulas of line_formulas.h, one number at a time.
 #include "core/lines/contraction.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "core/lines/line_formulas.h"
 
 namespace sinew {
 namespace {
 
-constexpr double kLeastBelly = 0.1;  // Of the rest length's belly, however short the line.
+namespace lanes = HWY_NAMESPACE;
+constexpr lanes::OneDouble kOne;
 
-/// ln of a stretch, levelling off at both limits; slope 1 at rest.
-double softened(double stretch, const GirthRest& rest) {
-  const double x = std::log(stretch);
-  const double limit = x < 0.0 ? rest.least : rest.most;
-  return limit * std::tanh(x / limit);
-}
+auto lane(double value) { return lanes::hn::Set(kOne, value); }
+double number(lanes::hn::Vec<lanes::OneDouble> value) { return lanes::hn::GetLane(value); }
 
 }  // namespace
 
+double bellyShare(const LineSettings& settings) {
+  return 1.0 - static_cast<double>(settings.tendons.x) - static_cast<double>(settings.tendons.y);
+}
+
 double bellyStretch(double stretch, const LineSettings& settings) {
-  const double belly = 1.0 - static_cast<double>(settings.tendons.x) - static_cast<double>(settings.tendons.y);
-  return std::max(stretch - (1.0 - belly), kLeastBelly * belly) / belly;
+  return number(lanes::bellyStretchOf(kOne, lane(stretch), lane(bellyShare(settings))));
 }
 
 GirthRest girthRest(const LineSettings& settings) {
   GirthRest rest{static_cast<double>(settings.volume), -std::log(static_cast<double>(settings.limits.x)),
                  std::log(static_cast<double>(settings.limits.y)), 0.0};
-  rest.inBind = softened(bellyStretch(1.0 / static_cast<double>(settings.rest), settings), rest);
+  const double inBind = bellyStretch(1.0 / static_cast<double>(settings.rest), settings);
+  rest.inBind = number(lanes::softened(kOne, lane(inBind), lane(rest.least), lane(rest.most)));
   return rest;
 }
 
 double girth(double stretch, const GirthRest& rest) {
-  return std::exp(-0.5 * rest.volume * (softened(stretch, rest) - rest.inBind));
+  return number(lanes::girthOf(kOne, lane(stretch), lane(-0.5 * rest.volume), lane(rest.least), lane(rest.most),
+                               lane(rest.inBind)));
 }
 
 double activation(double stretch, const LineSettings& settings, double added) {
-  const double shortened = std::clamp((1.0 - stretch) / (1.0 - static_cast<double>(settings.full)), 0.0, 1.0);
-  const double smooth = shortened * shortened * (3.0 - 2.0 * shortened);
-  return std::clamp(static_cast<double>(settings.base) + added + static_cast<double>(settings.gain) * smooth, 0.0, 1.0);
+  const double base = static_cast<double>(settings.base) + added;
+  return number(lanes::activationOf(kOne, lane(stretch), lane(static_cast<double>(settings.full)), lane(base),
+                                    lane(static_cast<double>(settings.gain))));
 }
 
 }  // namespace sinew

@@ -17,6 +17,8 @@ struct GirthRest {
 
 /// Girth from belly stretch, both against the bind pose (omega; Scheepers' closed form where volume is 1).
 [[nodiscard]] double girth(double bellyStretch, const GirthRest& rest);
+/// What tendons leave of the rest length.
+[[nodiscard]] double bellyShare(const LineSettings& settings);
 /// Belly stretch of a line's stretch: tendons keep their length.
 [[nodiscard]] double bellyStretch(double stretch, const LineSettings& settings);
 /// Activation of a line's stretch, 0..1. @param added  to its base

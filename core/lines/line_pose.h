@@ -5,11 +5,10 @@
 // one. Formulas: docs/lines.md.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "core/lines/bone_motion.h"
+#include "core/lines/line_lanes.h"
 #include "core/lines/line_rest.h"
 #include "sinew/skeleton/pose.h"
 
@@ -27,15 +26,16 @@ struct PosedLine {
   bool usable = false;                 ///< False: missing or flattened bones; the rest is not to be read.
 };
 
-/// Memory that is reused from pose to pose: the motion of each bone that lines begin or end on.
+/// Memory that is reused from pose to pose.
 struct LineScratch {
-  std::vector<std::optional<BoneMotion>> motionOf;
+  std::vector<PosedBone> bones;   ///< [LineLanes::bones]
+  std::vector<LaneDoubles> flex;  ///< [LineLanes::blocks]
 };
 
 /// All lines of a rig in a pose; flexed by Pose::flex. Allocates nothing once `scratch` and `out` have grown.
-/// @param rests  of the same skeleton.
-void poseLines(std::span<const std::optional<LineRest>> rests, const Skeleton& skeleton, const Pose& pose,
-               LineScratch& scratch, std::vector<PosedLine>& out);
+/// @param lines  of the same skeleton.
+void poseLines(const LineLanes& lines, const Skeleton& skeleton, const Pose& pose, LineScratch& scratch,
+               std::vector<PosedLine>& out);
 
 /// One line, for those who need no more; the same numbers. @param flex  Pose::flexOf it
 [[nodiscard]] PosedLine posedLine(const LineRest& rest, const Skeleton& skeleton, const Pose& pose, float flex = 0.0f);

@@ -9,13 +9,11 @@
 
 #include "core/base/at.h"
 #include "core/lines/contraction.h"
+#include "core/lines/line_formulas.h"
 #include "core/skeleton/bone_segments.h"
 
 namespace sinew {
 namespace {
-
-constexpr double kMostAlong = 0.8;  // Of the half belly: a via point at its end would ask for any shift.
-constexpr double kMostShift = 0.5;  // Of the belly's length.
 
 glm::dvec3 nearestSkin(const ControlMesh& mesh, const glm::dvec3& point) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -66,12 +64,12 @@ glm::dvec3 posedPoint(const BonePoint& point, const Pose& pose) {
 
 glm::dvec3 viaShift(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& via, double tendon,
                     double belly) {
-  const double foot = glm::dot(via - origin, direction);
-  const glm::dvec3 beside = via - origin - foot * direction;
-  const double y = std::clamp((foot - tendon - 0.5 * belly) / (0.5 * belly), -kMostAlong, kMostAlong);
-  const glm::dvec3 shift = beside / (1.0 - y * y);
-  const double length = glm::length(shift);
-  return length > kMostShift * belly ? shift * (kMostShift * belly / length) : shift;
+  namespace lanes = HWY_NAMESPACE;
+  constexpr lanes::OneDouble kOne;
+  const auto lane = [&](double value) { return lanes::hn::Set(kOne, value); };
+  const auto shift = lanes::viaShiftOf(kOne, lanes::all(kOne, origin), lanes::all(kOne, direction),
+                                       lanes::all(kOne, via), lane(tendon), lane(belly));
+  return {lanes::hn::GetLane(shift.x), lanes::hn::GetLane(shift.y), lanes::hn::GetLane(shift.z)};
 }
 
 Result<LineRest> lineRest(const MuscleLine& line, const Character& character) {
