@@ -47,22 +47,30 @@ struct Bones {
   }
 };
 
-HWY_INLINE void gather(const PosedBone* bones, const int* places, Bones& out) {
-  constexpr std::size_t kRows = 6;
+/// Four numbers.
+HWY_INLINE void copy(const double* from, double* to) {
   const hn::CappedTag<double, 4> row;
-  alignas(64) double rows[kRows][4 * kDoubleLanes];
+  for (std::size_t i = 0; i < 4; i += hn::Lanes(row)) hn::Store(hn::Load(row, from + i), row, to + i);
+}
+
+HWY_INLINE void gather(const PosedBone* bones, const int* places, Bones& out) {
+  alignas(64) double rows[6][4 * kDoubleLanes];
   for (std::size_t lane = 0; lane < hn::Lanes(kWide); ++lane) {
     const double* from = bones[places[lane]].number.data();
-    for (std::size_t r = 0; r < kRows; ++r) {
-      for (std::size_t i = 0; i < 4; i += hn::Lanes(row)) {
-        hn::Store(hn::Load(row, from + 4 * r + i), row, rows[r] + 4 * lane + i);
-      }
-    }
+    copy(from, rows[0] + 4 * lane);
+    copy(from + 4, rows[1] + 4 * lane);
+    copy(from + 8, rows[2] + 4 * lane);
+    copy(from + 12, rows[3] + 4 * lane);
+    copy(from + 16, rows[4] + 4 * lane);
+    copy(from + 20, rows[5] + 4 * lane);
   }
-  for (std::size_t r = 0; r < kRows; ++r) {
-    W* to = out.number + 4 * r;
-    hn::LoadInterleaved4(kWide, rows[r], to[0], to[1], to[2], to[3]);
-  }
+  W* to = out.number;
+  hn::LoadInterleaved4(kWide, rows[0], to[0], to[1], to[2], to[3]);
+  hn::LoadInterleaved4(kWide, rows[1], to[4], to[5], to[6], to[7]);
+  hn::LoadInterleaved4(kWide, rows[2], to[8], to[9], to[10], to[11]);
+  hn::LoadInterleaved4(kWide, rows[3], to[12], to[13], to[14], to[15]);
+  hn::LoadInterleaved4(kWide, rows[4], to[16], to[17], to[18], to[19]);
+  hn::LoadInterleaved4(kWide, rows[5], to[20], to[21], to[22], to[23]);
 }
 
 /// The bind frame's height as one bone carries it, after the least rotation that takes the carried direction onto the
@@ -185,10 +193,11 @@ class LanePoser {
     column_[3] = choose(atRest, W3{zero, zero, zero}, column_[3]);
   }
 
+  static HWY_INLINE W size(const W3& v) { return hn::Abs(v.x) + hn::Abs(v.y) + hn::Abs(v.z); }
+
   /// 1 where the deformation is finite, else 0.
   [[nodiscard]] HWY_INLINE W usable() const {
-    W sum = hn::Zero(kWide);
-    for (const W3& column : column_) sum = sum + hn::Abs(column.x) + hn::Abs(column.y) + hn::Abs(column.z);
+    const W sum = (size(column_[0]) + size(column_[1])) + (size(column_[2]) + size(column_[3]));
     return hn::IfThenElseZero(hn::Lt(sum, wide(kMostFloat)), wide(1.0));
   }
 
@@ -206,25 +215,34 @@ class LanePoser {
         offsetof(PosedLine, height) == 25 * sizeof(float) && offsetof(PosedLine, stretch) == 28 * sizeof(float) &&
         offsetof(PosedLine, bellyStretch) == 29 * sizeof(float) &&
         offsetof(PosedLine, activation) == 30 * sizeof(float));
-    constexpr std::size_t kRows = 8;
-    alignas(64) float rows[kRows][4 * kDoubleLanes];
+    constexpr std::size_t kRow = 4 * kDoubleLanes;
+    alignas(64) float rows[8 * kRow];
     const W zero = hn::Zero(kWide);
-    for (std::size_t i = 0; i < 3; ++i) put(column_[i].x, column_[i].y, column_[i].z, zero, rows[i]);
-    put(column_[3].x, column_[3].y, column_[3].z, wide(1.0), rows[3]);
-    put(origin_.x, origin_.y, origin_.z, via_.x, rows[4]);
-    put(via_.y, via_.z, insertion_.x, insertion_.y, rows[5]);
-    put(insertion_.z, height_.x, height_.y, height_.z, rows[6]);
-    put(stretch_, bellyStretch_, activation_, usable(), rows[7]);
+    put(column_[0].x, column_[0].y, column_[0].z, zero, rows);
+    put(column_[1].x, column_[1].y, column_[1].z, zero, rows + kRow);
+    put(column_[2].x, column_[2].y, column_[2].z, zero, rows + 2 * kRow);
+    put(column_[3].x, column_[3].y, column_[3].z, wide(1.0), rows + 3 * kRow);
+    put(origin_.x, origin_.y, origin_.z, via_.x, rows + 4 * kRow);
+    put(via_.y, via_.z, insertion_.x, insertion_.y, rows + 5 * kRow);
+    put(insertion_.z, height_.x, height_.y, height_.z, rows + 6 * kRow);
+    put(stretch_, bellyStretch_, activation_, usable(), rows + 7 * kRow);
     const std::size_t count = HWY_MIN(hn::Lanes(kWide), block_.count - first_);
     for (std::size_t lane = 0; lane < count; ++lane) {
       PosedLine& line = out[block_.line[first_ + lane]];
-      if (rows[7][4 * lane + 3] == 0.0f) {
+      const float* from = rows + 4 * lane;
+      if (from[7 * kRow + 3] == 0.0f) {
         line = {};
         continue;
       }
       char* to = reinterpret_cast<char*>(&line);
-      for (std::size_t r = 0; r + 1 < kRows; ++r) std::memcpy(to + 16 * r, rows[r] + 4 * lane, 16);
-      std::memcpy(to + 16 * (kRows - 1), rows[kRows - 1] + 4 * lane, 12);
+      std::memcpy(to, from, 16);
+      std::memcpy(to + 16, from + kRow, 16);
+      std::memcpy(to + 32, from + 2 * kRow, 16);
+      std::memcpy(to + 48, from + 3 * kRow, 16);
+      std::memcpy(to + 64, from + 4 * kRow, 16);
+      std::memcpy(to + 80, from + 5 * kRow, 16);
+      std::memcpy(to + 96, from + 6 * kRow, 16);
+      std::memcpy(to + 112, from + 7 * kRow, 12);
       line.usable = true;
     }
   }
