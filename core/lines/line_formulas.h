@@ -45,19 +45,32 @@ HWY_INLINE V activationOf(D d, V stretch, V full, V base, V gain) {
   return clamped(d, base + gain * smooth, 0.0, 1.0);
 }
 
+/// How much farther out than the via point the middle of the belly goes, for a via point at y, -1 and 1 being the
+/// belly's ends: as a parabola through it, 1 / (1 - y^2), over the middle half; towards the ends, where no parabola
+/// holds, the factor fades to 1, and stays that. C1, at most 1.66.
+template <class D, class V>
+HWY_INLINE V viaFactor(D d, V y) {
+  constexpr double kParabola = 0.5;
+  const V one = hn::Set(d, 1.0);
+  const V away = hn::Min(hn::Abs(y), one);
+  const V t = (one - away) / hn::Set(d, 1.0 - kParabola);
+  // t^3 (10 - 15 t + 6 t^2) y^2 / (1 - y^2), without its 0 / 0.
+  const V fade = t * t * (hn::Set(d, 10.0) - t * (hn::Set(d, 15.0) - hn::Set(d, 6.0) * t));
+  const V fading = fade * away * away / (hn::Set(d, 1.0 - kParabola) * (one + away));
+  return hn::IfThenElse(hn::Lt(away, hn::Set(d, kParabola)), one / (one - y * y), one + fading);
+}
+
 /// viaShift() of line_rest.h.
 template <class D, class V>
 HWY_INLINE Vector3<V> viaShiftOf(D d, const Vector3<V>& origin, const Vector3<V>& direction, const Vector3<V>& via,
                                  V tendon, V belly) {
-  constexpr double kMostAlong = 0.8;  // Of the half belly: a via point at its end would ask for any shift.
   constexpr double kMostShift = 0.5;  // Of the belly's length.
   const V one = hn::Set(d, 1.0);
   const Vector3<V> there = via - origin;
   const V foot = dot(there, direction);
   const Vector3<V> beside = there - foot * direction;
   const V half = hn::Set(d, 0.5) * belly;
-  const V y = clamped(d, (foot - tendon - half) / half, -kMostAlong, kMostAlong);
-  const Vector3<V> shift = (one / (one - y * y)) * beside;
+  const Vector3<V> shift = viaFactor(d, (foot - tendon - half) / half) * beside;
   const V length = lengthOf(shift);
   const V most = hn::Set(d, kMostShift) * belly;
   return hn::IfThenElse(hn::Gt(length, most), most / length, one) * shift;
