@@ -31,18 +31,18 @@ std::vector<PrimitiveShape> shapesOf(const Rig& drawn, const Character& characte
   Rig memory;
   const Rig& rig = inPose(drawn, character, pose, memory);
   const std::vector<PosedLine> posed = posedLines(rig, character, pose);
-  const std::vector<std::optional<glm::mat4>> carriers = carriersOf(rig, character, pose, posed);
+  const std::vector<std::optional<BentMuscle>> muscles = carriedMuscles(rig, character, pose, posed);
   const std::unordered_map<std::string_view, ShapeLine> lines = linesByName(rig, posed);
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
     const Primitive& primitive = rig.primitives[i];
-    if (!carriers[i]) continue;
+    if (!muscles[i]) continue;
     PrimitiveShape shape;
     shape.rigIndex = static_cast<int>(i);
-    shape.unitBallInWorld = shapeInWorld(primitive.placement, 1.0f, *carriers[i]);
-    shape.shape = primitive.placement.shape;
+    shape.unitBallInWorld = shapeInWorld(muscles[i]->placement, 1.0f, muscles[i]->carrier);
+    shape.shape = muscles[i]->placement.shape;
     shape.reach = primitive.reach;
     shape.sign = primitive.sign;
-    shape.radii = primitive.placement.radii;
+    shape.radii = muscles[i]->placement.radii;
     if (const auto line = lines.find(primitive.line); line != lines.end()) shape.line = line->second;
     shape.color = toLinear(groupColor(rig, primitive.group));
     shapes.push_back(shape);

@@ -43,7 +43,8 @@ struct Sight {
 struct Muscle {
   const Primitive& primitive;
   int bone;
-  const glm::mat4& carrier;  ///< Bone space -> world.
+  const Placement& placement;  ///< As its line bends it.
+  const glm::mat4& carrier;    ///< Bone space -> world.
   bool drawn;
 };
 
@@ -66,7 +67,7 @@ bool isOnThisSide(const Sight& sight, float middle) {
 /// territory is.
 std::optional<float> heldSkin(const Sight& sight, const Muscle& muscle) {
   const Skeleton& skeleton = sight.context.document.character->skeleton;
-  const UnitBallMap map = unitBallMap(muscle.primitive.placement, 1.0f, muscle.carrier);
+  const UnitBallMap map = unitBallMap(muscle.placement, 1.0f, muscle.carrier);
   if (!(map.boundingRadius > 0.0f)) return std::nullopt;
   const glm::vec3& skin = sight.skin->position;
   const float radii = map.isPlain() ? glm::length(map.toUnit * (skin - map.center)) : std::sqrt(map.rSquared(skin));
@@ -94,8 +95,8 @@ bool isUnderSkin(const Sight& sight, const ShellSpan& span, const glm::mat4& sha
 
 std::optional<Candidate> candidateOf(const Sight& sight, const Muscle& muscle) {
   Candidate found{{muscle.primitive.id(), -1, 0.0f, false}, Place::kConcealed, 0.0f};
-  const glm::mat4 shape = shapeInWorld(muscle.primitive.placement, 1.0f, muscle.carrier);
-  const std::optional<ShellSpan> span = crossShell(sight.ray, shape, muscle.primitive.placement.shape);
+  const glm::mat4 shape = shapeInWorld(muscle.placement, 1.0f, muscle.carrier);
+  const std::optional<ShellSpan> span = crossShell(sight.ray, shape, muscle.placement.shape);
   if (span && muscle.drawn && (!sight.skin || span->enter < sight.body.enter)) {
     found.place = Place::kInFront;
     found.rank = found.entry.distance = span->enter;
@@ -142,7 +143,8 @@ std::vector<PickEntry> musclesUnder(const ViewportContext& context, const Ray& r
   const Skeleton& skeleton = document.character->skeleton;
   const std::vector<int> bones = boneOfEach(rig, skeleton);
   const EffectiveVisibility effective = effectiveVisibility(document.visibility, rig, skeleton, bones);
-  const std::vector<std::optional<glm::mat4>> carriers = carriersOf(rig, *document.character, context.pose);
+  const std::vector<std::optional<BentMuscle>> muscles =
+      carriedMuscles(rig, *document.character, context.pose, posedLines(rig, *document.character, context.pose));
   Sight sight{context, ray, skin, skinBone, {}};
   if (skin) {
     sight.body = bodySpan(crossSurface(ray, *context.surface), skin->distance, kLayer * document.character->height);
@@ -153,8 +155,9 @@ std::vector<PickEntry> musclesUnder(const ViewportContext& context, const Ray& r
     if (!effective.visible[i] || effective.locked[i] || bones[i] < 0) continue;
     const bool drawn =
         context.display.primitives || context.display.anatomy || document.selection.contains(rig.primitives[i].id());
-    if (!carriers[i]) continue;
-    if (const auto candidate = candidateOf(sight, {rig.primitives[i], bones[i], *carriers[i], drawn})) {
+    if (!muscles[i]) continue;
+    const auto& [carrier, placement] = *muscles[i];
+    if (const auto candidate = candidateOf(sight, {rig.primitives[i], bones[i], placement, carrier, drawn})) {
       found.push_back(*candidate);
     }
   }

@@ -23,12 +23,25 @@ void Carriers::settle(const Rig& rig) {
   }
 }
 
-std::span<const glm::mat4> Carriers::in(const Pose& pose, const Skeleton& skeleton) {
-  if (onLines_.empty()) return pose.boneInWorld;
+void Carriers::pose(std::span<const FieldPrimitive> primitives, const Pose& pose, const Skeleton& skeleton,
+                    std::vector<PosedPrimitive>& out) {
+  if (onLines_.empty()) return poseField(primitives, pose.boneInWorld, out);
   poseLines(lanes_, skeleton, pose, scratch_, lines_);
   matrices_.assign(pose.boneInWorld.begin(), pose.boneInWorld.end());
   for (const auto& [bone, line] : onLines_) matrices_.push_back(carrierInWorld(bone, line, skeleton, pose, lines_));
-  return matrices_;
+  poseField(primitives, matrices_, out);
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    const FieldPrimitive& primitive = primitives[i];
+    const int onLine = primitive.carrier - static_cast<int>(skeleton.bones.size());
+    if (onLine < 0) continue;
+    const auto [bone, line] = at(onLines_, onLine);
+    const glm::vec3& aside = at(lines_, line).aside;
+    const std::optional<LineRest>& rest = at(rests_, line);
+    if (!rest || aside == glm::vec3(0.0f)) continue;
+    const ViaBend bend = viaBend(*rest, primitive.placement, at(skeleton.bones, bone).bindInWorld);
+    const BentMuscle bent = bentMuscle(bend, at(matrices_, primitive.carrier), aside);
+    out[i].influence = unitBallMap(bent.placement, primitive.reach, bent.carrier);
+  }
 }
 
 std::vector<glm::mat4> Carriers::inBind(const Skeleton& skeleton) const {
@@ -63,6 +76,25 @@ std::vector<std::optional<glm::mat4>> carriersOf(const Rig& rig, const Character
                                 : std::nullopt);
   }
   return matrices;
+}
+
+std::vector<std::optional<BentMuscle>> carriedMuscles(const Rig& rig, const Character& character, const Pose& pose,
+                                                      std::span<const PosedLine> lines) {
+  const std::vector<std::optional<glm::mat4>> carriers = carriersOf(rig, character, pose, lines);
+  std::vector<std::optional<BentMuscle>> muscles(carriers.size());
+  for (std::size_t i = 0; i < carriers.size(); ++i) {
+    if (!carriers[i]) continue;
+    const Primitive& primitive = rig.primitives[i];
+    muscles[i] = {*carriers[i], primitive.placement};
+    const int line = findLine(rig, primitive.line);
+    if (line < 0 || at(lines, line).aside == glm::vec3(0.0f)) continue;
+    const Result<LineRest> rest = lineRest(at(rig.lines, line), character);
+    const std::optional<int> bone = character.skeleton.findBone(primitive.bone);
+    if (!rest || !bone) continue;
+    const ViaBend bend = viaBend(rest.value(), primitive.placement, at(character.skeleton.bones, *bone).bindInWorld);
+    muscles[i] = bentMuscle(bend, *carriers[i], at(lines, line).aside);
+  }
+  return muscles;
 }
 
 std::optional<glm::mat4> carrierOf(const Rig& rig, const Primitive& primitive, const Character& character,

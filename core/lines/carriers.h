@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/lines/line_pose.h"
+#include "core/lines/via_bend.h"
 #include "core/rig/attachment.h"
 
 namespace sinew {
@@ -19,8 +20,10 @@ class Carriers {
 
   /// Takes the lines' settings from a rig that has the same lines otherwise.
   void settle(const Rig& rig);
-  /// [bones + onLines] for FieldPrimitive::carrier. Valid until the next call.
-  [[nodiscard]] std::span<const glm::mat4> in(const Pose& pose, const Skeleton& skeleton);
+  /// Places all primitives in a pose.
+  /// @param primitives  whose carriers are these.  @param out [primitives]
+  void pose(std::span<const FieldPrimitive> primitives, const Pose& pose, const Skeleton& skeleton,
+            std::vector<PosedPrimitive>& out);
   /// The same in the bind pose with nothing flexed, where lines deform nothing.
   [[nodiscard]] std::vector<glm::mat4> inBind(const Skeleton& skeleton) const;
 
@@ -29,19 +32,23 @@ class Carriers {
   LineLanes lanes_;  ///< Made of them.
   std::vector<LineCarrier> onLines_;
   LineScratch scratch_;
-  std::vector<PosedLine> lines_;  ///< Memory kept from pose to pose, as is the next.
-  std::vector<glm::mat4> matrices_;
+  std::vector<PosedLine> lines_;     ///< Memory kept from pose to pose, as is the next.
+  std::vector<glm::mat4> matrices_;  ///< [bones + onLines]
 };
 
 /// [Rig::lines] in a pose.
 [[nodiscard]] std::vector<PosedLine> posedLines(const Rig& rig, const Character& character, const Pose& pose);
-/// [Rig::primitives] what each rides: its bone's space in the bind pose -> world now. nullopt: unattached.
+/// [Rig::primitives] what each rides: its bone's space in the bind pose -> world now, shifted whole by via points.
+/// nullopt: unattached.
 /// @param lines  posedLines of the same
 [[nodiscard]] std::vector<std::optional<glm::mat4>> carriersOf(const Rig& rig, const Character& character,
                                                                const Pose& pose, std::span<const PosedLine> lines);
 [[nodiscard]] std::vector<std::optional<glm::mat4>> carriersOf(const Rig& rig, const Character& character,
                                                                const Pose& pose);
-/// The same for one.
+/// [Rig::primitives] as the field has them; nullopt: unattached. @param lines  posedLines of the same
+[[nodiscard]] std::vector<std::optional<BentMuscle>> carriedMuscles(const Rig& rig, const Character& character,
+                                                                    const Pose& pose, std::span<const PosedLine> lines);
+/// carriersOf for one.
 [[nodiscard]] std::optional<glm::mat4> carrierOf(const Rig& rig, const Primitive& primitive, const Character& character,
                                                  const Pose& pose);
 

@@ -23,6 +23,7 @@ struct PosedLine {
   float stretch = 1.0f;                ///< lambda: length / rest length.
   float bellyStretch = 1.0f;           ///< lambda_b: the same of what is not tendon.
   float activation = 0.0f;             ///< 0..1
+  glm::vec3 aside{0.0f};               ///< World: what the via point adds to the deformation's shift (via_bend.h).
   bool usable = false;                 ///< False: missing or flattened bones; the rest is not to be read.
 };
 

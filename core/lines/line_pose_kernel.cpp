@@ -176,11 +176,13 @@ class LanePoser {
     const W3 start = load(block_.start);
     column_[3] = origin_ + tendon * direction_ - (scale_ * load(block_.depth)) * height_ -
                  (start.x * column_[0] + start.y * column_[1] + start.z * column_[2]);
+    aside_ = {hn::Zero(kWide), hn::Zero(kWide), hn::Zero(kWide)};
     if (!block_.hasVia) return;
     const W3 drawn = load(block_.viaShift);
     const W3 carried = dot(width, drawn) * width_ + dot(direction, drawn) * direction_ + dot(height, drawn) * height_;
     const W belly = bellyStretch_ * load(block_.belly) * restLength_;
-    column_[3] = column_[3] + (viaShiftOf(kWide, origin_, direction_, via_, tendon, belly) - scale_ * carried);
+    aside_ = viaShiftOf(kWide, origin_, direction_, via_, tendon, belly) - scale_ * carried;
+    column_[3] = column_[3] + aside_;
   }
 
   template <class Mask>
@@ -191,6 +193,7 @@ class LanePoser {
     column_[1] = choose(atRest, W3{zero, one, zero}, column_[1]);
     column_[2] = choose(atRest, W3{zero, zero, one}, column_[2]);
     column_[3] = choose(atRest, W3{zero, zero, zero}, column_[3]);
+    aside_ = choose(atRest, W3{zero, zero, zero}, aside_);
   }
 
   static HWY_INLINE W size(const W3& v) { return hn::Abs(v.x) + hn::Abs(v.y) + hn::Abs(v.z); }
@@ -214,9 +217,9 @@ class LanePoser {
         offsetof(PosedLine, via) == 19 * sizeof(float) && offsetof(PosedLine, insertion) == 22 * sizeof(float) &&
         offsetof(PosedLine, height) == 25 * sizeof(float) && offsetof(PosedLine, stretch) == 28 * sizeof(float) &&
         offsetof(PosedLine, bellyStretch) == 29 * sizeof(float) &&
-        offsetof(PosedLine, activation) == 30 * sizeof(float));
+        offsetof(PosedLine, activation) == 30 * sizeof(float) && offsetof(PosedLine, aside) == 31 * sizeof(float));
     constexpr std::size_t kRow = 4 * kDoubleLanes;
-    alignas(64) float rows[8 * kRow];
+    alignas(64) float rows[9 * kRow];
     const W zero = hn::Zero(kWide);
     put(column_[0].x, column_[0].y, column_[0].z, zero, rows);
     put(column_[1].x, column_[1].y, column_[1].z, zero, rows + kRow);
@@ -226,6 +229,7 @@ class LanePoser {
     put(via_.y, via_.z, insertion_.x, insertion_.y, rows + 5 * kRow);
     put(insertion_.z, height_.x, height_.y, height_.z, rows + 6 * kRow);
     put(stretch_, bellyStretch_, activation_, usable(), rows + 7 * kRow);
+    put(aside_.x, aside_.y, aside_.z, zero, rows + 8 * kRow);
     const std::size_t count = HWY_MIN(hn::Lanes(kWide), block_.count - first_);
     for (std::size_t lane = 0; lane < count; ++lane) {
       PosedLine& line = out[block_.line[first_ + lane]];
@@ -243,6 +247,7 @@ class LanePoser {
       std::memcpy(to + 80, from + 5 * kRow, 16);
       std::memcpy(to + 96, from + 6 * kRow, 16);
       std::memcpy(to + 112, from + 7 * kRow, 12);
+      std::memcpy(to + 124, from + 8 * kRow, 12);
       line.usable = true;
     }
   }
@@ -260,6 +265,7 @@ class LanePoser {
   W3 height_;
   W3 width_;
   W3 column_[4];
+  W3 aside_;
   W scale_;
   W restLength_;
   W stretch_;

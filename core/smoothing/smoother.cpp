@@ -250,7 +250,7 @@ struct Smoother::State {
 
   void project(const Pose& pose, const std::optional<glm::vec3>& eye, Surface& out) {
     const Prepared& p = prepared;
-    poseField(p.attachment.primitives, prepared.carriers.in(pose, character->skeleton), posed);
+    prepared.carriers.pose(p.attachment.primitives, pose, character->skeleton, posed);
     FieldView field{posed, &p.seen(), {}};
     cull(field, eye, out);
     if (p.shownPrimitives == 0) return;

@@ -127,7 +127,7 @@ const Surface& Projected::at(const Pose& pose) {
   surface.report = {};
   surface.displacement.assign(surface.positions.size(), 0.0f);
   std::vector<PosedPrimitive> posed;
-  poseField(state_->attachment.primitives, state_->carriers.in(pose, character.skeleton), posed);
+  state_->carriers.pose(state_->attachment.primitives, pose, character.skeleton, posed);
   const FieldView field{posed, &state_->candidates, {}};
   if (state_->rig.surface.mode == SurfaceMode::kSwell) {
     state_->swellFrom(control, field);
