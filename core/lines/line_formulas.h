@@ -46,11 +46,11 @@ HWY_INLINE V activationOf(D d, V stretch, V full, V base, V gain) {
 }
 
 /// How much farther out than the via point the middle of the belly goes, for a via point at y, -1 and 1 being the
-/// belly's ends: as a parabola through it, 1 / (1 - y^2), over the middle half; towards the ends, where no parabola
-/// holds, the factor fades to 1, and stays that. C1, at most 1.66.
+/// belly's ends: as a parabola through it, 1 / (1 - y^2), over the middle 0.6; towards the ends, where no parabola
+/// holds, the factor fades to 1, and stays that. C1, at most 1.94.
 template <class D, class V>
 HWY_INLINE V viaFactor(D d, V y) {
-  constexpr double kParabola = 0.5;
+  constexpr double kParabola = 0.6;
   const V one = hn::Set(d, 1.0);
   const V away = hn::Min(hn::Abs(y), one);
   const V t = (one - away) / hn::Set(d, 1.0 - kParabola);

@@ -44,7 +44,7 @@ struct LineRest {
   glm::dvec3 start{0.0};     ///< What the belly's deformation keeps: under its end at the origin.
 };
 
-/// How far the middle of a belly lies beside the straight line: over the belly's middle half as far as a parabola from
+/// How far the middle of a belly lies beside the straight line: over the belly's middle as far as a parabola from
 /// belly end to belly end through the via point; towards its ends less, no farther than the via point. World.
 /// @param tendon, belly  lengths along the straight line, from the origin
 [[nodiscard]] glm::dvec3 viaShift(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& via,

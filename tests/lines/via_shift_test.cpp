@@ -25,7 +25,7 @@ glm::dvec3 shiftAt(double y, double beside) {
 double factorAt(double y) { return glm::dot(shiftAt(y, 1.0), kBeside); }
 
 TEST(ViaShift, PutsAParabolaThroughAViaPointOverTheBellysMiddle) {
-  for (double y = -0.5; y <= 0.5; y += 0.01) {
+  for (double y = -0.59; y <= 0.59; y += 0.01) {
     // A parabola from end to end that is `shift` high in the middle.
     const double atVia = factorAt(y) * (1.0 - y * y);
     EXPECT_NEAR(atVia, 1.0, 1e-14) << y;
@@ -40,15 +40,15 @@ TEST(ViaShift, FadesTowardsTheBellysEndsWithoutJumpsOrKinks) {
     most = std::max(most, factor);
     EXPECT_GT(factor, 1.0 - 1e-12) << y;
     EXPECT_NEAR(factorAt(-y), factor, 1e-12) << y;
-    EXPECT_LT(std::abs(factorAt(y + kStep) - factor), 6.0 * kStep) << y;
+    EXPECT_LT(std::abs(factorAt(y + kStep) - factor), 7.0 * kStep) << y;
     const double bend = factorAt(y + kStep) - 2.0 * factor + factorAt(y - kStep);
-    EXPECT_LT(std::abs(bend), 90.0 * kStep * kStep) << y;
+    EXPECT_LT(std::abs(bend), 170.0 * kStep * kStep) << y;
     if (std::abs(y) >= 1.0) {
       EXPECT_NEAR(factor, 1.0, 1e-12) << y;
     }
   }
-  EXPECT_GT(most, 1.6);
-  EXPECT_LT(most, 1.66);
+  EXPECT_GT(most, 1.9);
+  EXPECT_LT(most, 1.94);
 }
 
 TEST(ViaShift, LiesStraightBesideTheLineAndIsNeverMoreThanHalfTheBelly) {

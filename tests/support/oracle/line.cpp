@@ -42,7 +42,7 @@ glm::dvec3 viaShift(const glm::dvec3& origin, const glm::dvec3& u, const glm::dv
   const double along = glm::dot(via - origin, u);
   const glm::dvec3 beside = via - (origin + along * u);
   const double y = std::abs((along - tendon - 0.5 * belly) / (0.5 * belly));
-  const double t = std::clamp(2.0 - 2.0 * y, 0.0, 1.0);
+  const double t = std::clamp((1.0 - y) / 0.4, 0.0, 1.0);
   const double parabola = y < 1.0 ? 1.0 / (1.0 - y * y) : 1.0;
   const glm::dvec3 shift = (1.0 + t * t * t * (10.0 - 15.0 * t + 6.0 * t * t) * (parabola - 1.0)) * beside;
   const double most = 0.5 * belly / std::max(glm::length(shift), 1e-300);
