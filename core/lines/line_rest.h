@@ -45,7 +45,8 @@ struct LineRest {
 };
 
 /// How far the middle of a belly lies beside the straight line: over the belly's middle as far as a parabola from
-/// belly end to belly end through the via point; towards its ends less, no farther than the via point. World.
+/// belly end to belly end through the via point; towards its ends less, in the end as far as the
+/// via point lies. World.
 /// @param tendon, belly  lengths along the straight line, from the origin
 [[nodiscard]] glm::dvec3 viaShift(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& via,
                                   double tendon, double belly);
