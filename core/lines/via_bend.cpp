@@ -14,6 +14,10 @@ namespace {
 constexpr double kAlong =
     0.9;  ///< Cosine between a muscle's axis and the line from which it bends with it: 26 degrees.
 constexpr double kAcross = 0.7;  ///< Below it, not at all.
+// Bends in radii from which a muscle bends at all, and from which wholly: slighter ones are hardly seen, and plain
+// ellipsoids are much faster.
+constexpr double kSlight = 0.25;
+constexpr double kPlain = 0.5;
 
 double smoothstep(double from, double to, double x) {
   const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
@@ -62,7 +66,8 @@ BentMuscle bentMuscle(const ViaBend& bend, const glm::mat4& carrier, const glm::
   BentMuscle muscle{carrier, bend.placement};
   const glm::dmat3 axes(glm::mat3(shapeInWorld(bend.placement, 1.0f, carrier)));
   if (!(std::abs(glm::determinant(axes)) > 0.0)) return muscle;
-  const glm::dvec3 inRadii = glm::inverse(axes) * glm::dvec3(bend.share * shift);
+  const glm::dvec3 whole = glm::inverse(axes) * glm::dvec3(bend.share * shift);
+  const glm::dvec3 inRadii = smoothstep(kSlight, kPlain, std::hypot(whole.x, whole.z)) * whole;
   const glm::vec2 drawn = bend.placement.shape.bend;
   const glm::vec2 wanted = drawn + glm::vec2(static_cast<float>(inRadii.x), static_cast<float>(inRadii.z));
   if (!std::isfinite(wanted.x) || !std::isfinite(wanted.y)) return muscle;

@@ -102,10 +102,14 @@ TEST(ViaBend, WhatExceedsTheLargestBendMovesTheMuscleWhole) {
   for (float amount = 0.0f; amount < 3.0f; amount += 0.01f) {
     const BentMuscle muscle = bentMuscle(bend, someCarrier(), amount * glm::vec3(inWorld[2]));
     EXPECT_LE(std::abs(muscle.placement.shape.bend.y), kMostBend);
-    EXPECT_NEAR(muscle.placement.shape.bend.y, std::min(amount, kMostBend), 1e-5f);
+    if (amount < 0.25f) {
+      EXPECT_TRUE(muscle.placement.shape.isPlain()) << "what is hardly seen costs nothing";
+    } else if (amount > 0.5f) {
+      EXPECT_NEAR(muscle.placement.shape.bend.y, std::min(amount, kMostBend), 1e-5f);
+    }
     EXPECT_LT(glm::distance(axisAt(muscle, 0.0f), glm::vec3(inWorld[3])), 1e-5f) << amount;
     const glm::vec3 end = axisAt(muscle, 1.0f);
-    EXPECT_LT(glm::distance(end, before), 0.011f * glm::length(glm::vec3(inWorld[2]))) << amount;
+    EXPECT_LT(glm::distance(end, before), 0.04f * glm::length(glm::vec3(inWorld[2]))) << amount;
     before = end;
   }
 }
@@ -118,8 +122,9 @@ TEST(ViaBend, DrawnMusclesAreThoseOfTheField) {
   Carriers carriers(rig, *character, attachment.lineCarriers);
   std::vector<PosedPrimitive> posed;
   int bent = 0;
-  for (const AnimationClip& clip : character->clips) {
-    const Pose pose = samplePose(character->skeleton, clip, 0.4f * clip.duration);
+  const AnimationClip& clip = character->clips.at(0);
+  for (float time = 0.0f; time < clip.duration; time += 0.1f) {
+    const Pose pose = samplePose(character->skeleton, clip, time);
     carriers.pose(attachment.primitives, pose, character->skeleton, posed);
     const auto muscles = carriedMuscles(rig, *character, pose, posedLines(rig, *character, pose));
     for (std::size_t i = 0; i < posed.size(); ++i) {
@@ -132,7 +137,7 @@ TEST(ViaBend, DrawnMusclesAreThoseOfTheField) {
       bent += drawn.isPlain() ? 0 : 1;
     }
   }
-  EXPECT_GT(bent, 3) << "triceps and quadriceps";
+  EXPECT_GT(bent, 3) << "triceps and quadriceps, where the joint bends far";
 }
 
 }  // namespace
