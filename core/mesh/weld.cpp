@@ -260,6 +260,13 @@ ControlMesh weld(const TriangleSoup& soup, float tolerance) {
   return mesh;
 }
 
+std::vector<int> weldedTriangles(const TriangleSoup& soup, float tolerance) {
+  std::vector<int> welded(soup.triangles.size(), -1);
+  int next = 0;
+  for (const KeptTriangle& triangle : keepTriangles(soup, tolerance)) welded[triangle.soupTriangle] = next++;
+  return welded;
+}
+
 bool hasColors(const ControlMesh& mesh) {
   return std::ranges::any_of(mesh.wedges, [](const Wedge& wedge) { return wedge.color != glm::vec4(1.0f); });
 }

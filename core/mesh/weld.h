@@ -28,6 +28,10 @@ struct TriangleSoup {
 /// docs/design.md.
 [[nodiscard]] ControlMesh weld(const TriangleSoup& soup, float tolerance);
 
+/// [soup triangles] The triangle of the welded mesh that each becomes, corner for corner; -1 for those that are
+/// dropped.
+[[nodiscard]] std::vector<int> weldedTriangles(const TriangleSoup& soup, float tolerance);
+
 /// The same surface as a shape only: vertices at one place become one, whatever bones they follow. Shows where
 /// separately moving parts touch. Influences, texture coordinates and colours are not kept.
 [[nodiscard]] ControlMesh joinedByPosition(const ControlMesh& mesh, float tolerance);

@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <memory>
 #include <system_error>
 
 #include <fcntl.h>
@@ -123,20 +124,53 @@ void flushFolder(const fs::path& folder) {
   if (descriptor.isOpen()) ::fsync(descriptor.number());
 }
 
-Result<void> replace(const fs::path& file, const fs::path& target, std::string_view bytes, mode_t mode) {
-  fs::path made;
-  if (!writeUnnamed(target, bytes, mode, made)) {
-    if (const int failed = writeNamed(target, bytes, mode, made); failed != 0) {
-      return because(file, "cannot be written", failed);
-    }
+/// A file on the disk beside the one that it is to replace; gone again unless it was put there.
+class Neighbour {
+ public:
+  Neighbour(fs::path file, fs::path target) : file_(std::move(file)), target_(std::move(target)) {}
+  Neighbour(const Neighbour&) = delete;
+  Neighbour& operator=(const Neighbour&) = delete;
+  ~Neighbour() {
+    if (!made_.empty()) ::unlink(made_.c_str());
   }
-  if (::rename(made.c_str(), target.c_str()) != 0) {
-    const int failed = errno;
-    ::unlink(made.c_str());
-    return because(file, "cannot be written", failed);
+
+  Result<void> fill(std::string_view bytes, mode_t mode) {
+    if (writeUnnamed(target_, bytes, mode, made_)) return {};
+    const int failed = writeNamed(target_, bytes, mode, made_);
+    if (failed == 0) return {};
+    made_.clear();
+    return because(file_, "cannot be written", failed);
   }
-  flushFolder(target.parent_path());
-  return {};
+
+  Result<void> put() {
+    if (::rename(made_.c_str(), target_.c_str()) != 0) return because(file_, "cannot be written", errno);
+    made_.clear();
+    flushFolder(target_.parent_path());
+    return {};
+  }
+
+ private:
+  fs::path file_;    ///< As the user gave it.
+  fs::path target_;  ///< Links followed.
+  fs::path made_;
+};
+
+/// A place for a regular file.
+struct Place {
+  fs::path target;
+  mode_t mode = 0;
+};
+
+Result<Place> placeOf(const fs::path& file, const struct stat* present) {
+  if (!present) return Place{file, 0};
+  if (S_ISDIR(present->st_mode)) return Error{file.string(), {}, "cannot be written: it is a folder"};
+  // A rename would walk past a write protection; the designer set it on purpose.
+  if (::access(file.c_str(), W_OK) != 0) return because(file, "cannot be written", errno);
+  // Through a link to the file it names, so that the link stays one.
+  std::error_code failed;
+  fs::path target = fs::canonical(file, failed);
+  if (failed) return because(file, "cannot be written", failed.value());
+  return Place{std::move(target), static_cast<mode_t>(present->st_mode & 07777)};
 }
 
 template <class Bytes>
@@ -170,16 +204,28 @@ Result<Bytes> readWhole(const fs::path& file, std::uintmax_t limit) {
 
 Result<void> writeFileAtomically(const fs::path& file, std::string_view bytes) {
   struct stat present {};
-  if (::stat(file.c_str(), &present) != 0) return replace(file, file, bytes, 0);
-  if (S_ISDIR(present.st_mode)) return Error{file.string(), {}, "cannot be written: it is a folder"};
-  if (!S_ISREG(present.st_mode)) return writeStream(file, bytes);
-  // A rename would walk past a write protection; the designer set it on purpose.
-  if (::access(file.c_str(), W_OK) != 0) return because(file, "cannot be written", errno);
-  // Through a link to the file it names, so that the link stays one.
-  std::error_code failed;
-  const fs::path target = fs::canonical(file, failed);
-  if (failed) return because(file, "cannot be written", failed.value());
-  return replace(file, target, bytes, present.st_mode & 07777);
+  const bool exists = ::stat(file.c_str(), &present) == 0;
+  if (exists && !S_ISREG(present.st_mode) && !S_ISDIR(present.st_mode)) return writeStream(file, bytes);
+  return writeFilesAtomically({{file, bytes}});
+}
+
+Result<void> writeFilesAtomically(const std::vector<NamedBytes>& files) {
+  std::vector<std::unique_ptr<Neighbour>> neighbours;
+  for (const NamedBytes& each : files) {
+    struct stat present {};
+    const bool exists = ::stat(each.file.c_str(), &present) == 0;
+    if (exists && !S_ISREG(present.st_mode) && !S_ISDIR(present.st_mode)) {
+      return Error{each.file.string(), {}, "cannot be written: it is not a regular file"};
+    }
+    const Result<Place> place = placeOf(each.file, exists ? &present : nullptr);
+    if (!place) return place.error();
+    neighbours.push_back(std::make_unique<Neighbour>(each.file, place->target));
+    if (auto filled = neighbours.back()->fill(each.bytes, place->mode); !filled) return filled;
+  }
+  for (const auto& neighbour : neighbours) {
+    if (auto put = neighbour->put(); !put) return put;
+  }
+  return {};
 }
 
 Result<std::string> readWholeFile(const fs::path& file, std::uintmax_t limit) {

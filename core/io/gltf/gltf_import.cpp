@@ -43,17 +43,9 @@ void noteUnused(const File& file, Notes& notes) {
     notes.add("lights (" + std::to_string(file.lights()) + ") are ignored: the editor lights the character");
 }
 
-float heightOf(const std::vector<glm::vec3>& positions) {
-  const glm::vec3 extent = boundsOf(positions).extent();
-  const float longest = std::max({extent.x, extent.y, extent.z});
-  constexpr float kFlat = 1e-6f;
-  return extent.y > kFlat * longest ? extent.y : longest;
-}
-
 void weldMesh(const TriangleSoup& soup, Character& character) {
   if (soup.triangles.empty()) refuse("meshes", "the scene has no triangles to show", "cannot be opened");
-  constexpr float kWeldTolerance = 1e-6f;  // of the height, docs/design.md
-  character.mesh = weld(soup, kWeldTolerance * heightOf(soup.positions));
+  character.mesh = weld(soup, weldTolerance(soup));
   if (character.mesh.triangles.empty())
     refuse("meshes", "all triangles have collapsed to lines or points", "cannot be opened");
   character.height = heightOf(character.mesh.positions);

@@ -38,17 +38,24 @@ struct Attributes {
 
 class SoupReader {
  public:
-  SoupReader(const File& file, const BoundSkeleton& bound, Materials& materials, Accessors& accessors, Notes& notes)
-      : file_(file), bound_(bound), materials_(materials), accessors_(accessors), notes_(notes) {
+  SoupReader(const File& file, const BoundSkeleton& bound, Materials& materials, Accessors& accessors, Notes& notes,
+             SoupOrigin* origin)
+      : file_(file), bound_(bound), materials_(materials), accessors_(accessors), notes_(notes), origin_(origin) {
     soup_.influenceBegin.push_back(0);
   }
 
-  void readMesh(int mesh, const MeshBinding& binding) {
+  void readMesh(int node, int mesh, const MeshBinding& binding) {
     const std::string place = placeOf("meshes", at(mesh));
     file_.expectSound(place);
     const std::vector<tinygltf::Primitive>& primitives = file_.model().meshes[at(mesh)].primitives;
     for (std::size_t p = 0; p < primitives.size(); ++p) {
+      SoupPart part{.node = node, .mesh = mesh, .primitive = static_cast<int>(p)};
+      part.firstTriangle = soup_.triangles.size();
+      part.firstVertex = soup_.positions.size();
       readPrimitive(primitives[p], placeOf(place + ".primitives", p), binding);
+      part.endTriangle = soup_.triangles.size();
+      part.endVertex = soup_.positions.size();
+      if (origin_ && part.endTriangle > part.firstTriangle) origin_->parts.push_back(part);
     }
   }
 
@@ -193,6 +200,7 @@ class SoupReader {
       }
     }
     soup_.positions.emplace_back(position);
+    if (origin_) origin_->fileVertex.push_back(index);
     glm::vec2 uv(0.0f);
     if (open.uv) uv = uvSource.apply(open.uv->number(index, 0), open.uv->number(index, 1));
     if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) {
@@ -278,6 +286,7 @@ class SoupReader {
   Materials& materials_;
   Accessors& accessors_;
   Notes& notes_;
+  SoupOrigin* origin_;        // or null
   std::vector<Taken> taken_;  // [vertices of the largest primitive so far]
   std::uint32_t stamp_ = 0;
   std::vector<std::pair<int, double>> scratch_;
@@ -287,12 +296,24 @@ class SoupReader {
 }  // namespace
 
 TriangleSoup readTriangles(const File& file, const NodeTree& tree, const BoundSkeleton& bound, Materials& materials,
-                           Accessors& accessors, Notes& notes) {
-  SoupReader reader(file, bound, materials, accessors, notes);
+                           Accessors& accessors, Notes& notes, SoupOrigin* origin) {
+  SoupReader reader(file, bound, materials, accessors, notes, origin);
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
-    if (bound.meshes[i]) reader.readMesh(tree.nodes[i].mesh, *bound.meshes[i]);
+    if (bound.meshes[i]) reader.readMesh(static_cast<int>(i), tree.nodes[i].mesh, *bound.meshes[i]);
   }
   return std::move(reader).take();
+}
+
+float heightOf(const std::vector<glm::vec3>& positions) {
+  const glm::vec3 extent = boundsOf(positions).extent();
+  const float longest = std::max({extent.x, extent.y, extent.z});
+  constexpr float kFlat = 1e-6f;
+  return extent.y > kFlat * longest ? extent.y : longest;
+}
+
+float weldTolerance(const TriangleSoup& soup) {
+  constexpr float kWeldTolerance = 1e-6f;  // of the height, docs/design.md
+  return kWeldTolerance * heightOf(soup.positions);
 }
 
 }  // namespace sinew::gltf

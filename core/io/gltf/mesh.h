@@ -8,10 +8,34 @@
 
 namespace sinew::gltf {
 
+/// Triangles and vertices of a soup that one primitive of a mesh gave, for one node that shows the mesh.
+struct SoupPart {
+  int node = 0;
+  int mesh = 0;
+  int primitive = 0;
+  std::size_t firstTriangle = 0;
+  std::size_t endTriangle = 0;
+  std::size_t firstVertex = 0;
+  std::size_t endVertex = 0;
+};
+
+/// Where a soup comes from.
+struct SoupOrigin {
+  std::vector<SoupPart> parts;            ///< In the soup's order; without those that have no triangles.
+  std::vector<std::uint32_t> fileVertex;  ///< [N] number of each vertex in its primitive.
+};
+
 /// All triangles of the scene's meshes, node by node in file order. Primitives without a material get one more,
 /// appended to `materials`. Vertices no triangle uses are left out. Refuses more than kMaxControlTriangles, indices and
 /// joints out of range, positions and weights that are not finite; points, lines and morph targets are noted.
+/// @param origin  filled if not null
 [[nodiscard]] TriangleSoup readTriangles(const File& file, const NodeTree& tree, const BoundSkeleton& bound,
-                                         Materials& materials, Accessors& accessors, Notes& notes);
+                                         Materials& materials, Accessors& accessors, Notes& notes,
+                                         SoupOrigin* origin = nullptr);
+
+/// H of docs/design.md: their y extent, or the largest if they are flat.
+[[nodiscard]] float heightOf(const std::vector<glm::vec3>& positions);
+/// How near vertices of a file's soup are one (mesh/weld.h).
+[[nodiscard]] float weldTolerance(const TriangleSoup& soup);
 
 }  // namespace sinew::gltf
