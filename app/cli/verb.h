@@ -36,6 +36,7 @@ template <class Options, class Add, class Run>
 
 [[nodiscard]] Verb inspectVerb();
 [[nodiscard]] Verb smoothVerb();
+[[nodiscard]] Verb exportVerb();
 [[nodiscard]] Verb renderVerb();
 [[nodiscard]] Verb benchVerb();
 /// @param verbs  those that a farm can share: they take --shard and --resume.

@@ -14,7 +14,7 @@ class Glb:
         accessor = self.json["accessors"][index]
         view = self.json["bufferViews"][accessor["bufferView"]]
         width = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}[accessor["type"]]
-        letter = {5126: "f", 5123: "H", 5121: "B"}[accessor["componentType"]]
+        letter = {5126: "f", 5125: "I", 5123: "H", 5121: "B"}[accessor["componentType"]]
         start = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
         flat = struct.unpack_from("<%d%s" % (accessor["count"] * width, letter), self.data, start)
         return [flat[i:i + width] for i in range(0, len(flat), width)]

@@ -1,0 +1,161 @@
+// app/cli/export.cpp: open, fit, write for other programs, report.
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <iomanip>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/console.h"
+#include "app/cli/verb.h"
+#include "app/document/document.h"
+#include "app/document/motion_clip.h"
+#include "core/io/json/json.h"
+#include "core/rig/attachment.h"
+#include "sinew/export/skinned_export.h"
+
+namespace sinew::app {
+namespace {
+
+struct ExportOptions {
+  std::filesystem::path file;    ///< Rig or character.
+  std::filesystem::path output;  ///< .glb or .gltf.
+  std::string kind = "skinned";
+  std::string mesh = "refined";
+  std::string weights = "refitted";
+  std::optional<int> depth;
+  std::vector<std::string> clips;
+  bool json = false;
+};
+
+Json jsonOf(const ErrorFigures& error) {
+  Json json = Json::object();
+  json.set("poses", error.poses).set("rms", error.rms).set("percentile_99_9", error.percentile999);
+  json.set("max", error.largest);
+  return json;
+}
+
+Json clipsOf(const std::vector<ClipError>& clips) {
+  Json list = Json::array();
+  for (const ClipError& clip : clips) {
+    Json item = Json::object();
+    item.set("name", clip.clip);
+    for (const Json& member : jsonOf(clip.error).children) item.set(member.key, member);
+    list.push(std::move(item));
+  }
+  return list;
+}
+
+std::string jsonText(const ExportOptions& options, const SkinnedExportReport& report) {
+  Json error = Json::object();
+  error.set("fitted", jsonOf(report.fitted)).set("held_out", jsonOf(report.heldOut));
+  error.set("all_clips", jsonOf(report.allClips)).set("clips", clipsOf(report.clips));
+  error.set("further", clipsOf(report.further));
+  Json left = Json::array();
+  for (const std::string& line : report.left) left.push(line);
+  Json json = Json::object();
+  json.set("file", options.output.string()).set("as", options.kind).set("mesh", options.mesh);
+  json.set("weights", options.weights).set("joints", report.joints);
+  json.set("vertices", static_cast<long long>(report.vertices));
+  json.set("triangles", static_cast<long long>(report.triangles));
+  json.set("bytes", static_cast<long long>(report.bytes));
+  json.set("error_percent_of_height", std::move(error)).set("left_out", std::move(left));
+  return json.dump(true) + '\n';
+}
+
+void writeRow(std::ostream& out, const std::string& name, const ErrorFigures& error) {
+  out << "  " << std::left << std::setw(24) << name << std::right << std::setw(6) << error.poses << std::fixed
+      << std::setprecision(3) << std::setw(10) << error.rms << std::setw(10) << error.percentile999 << std::setw(10)
+      << error.largest << '\n';
+}
+
+std::string plainText(const ExportOptions& options, const SkinnedExportReport& report) {
+  std::ostringstream out;
+  out << options.output.string() << '\n';
+  out << "  " << options.mesh << " mesh, " << options.weights << " weights: " << report.joints << " joints, "
+      << report.vertices << " vertices, " << report.triangles << " triangles, " << report.bytes << " bytes\n";
+  out << "  % of the height            poses       rms    99.9 %       max\n";
+  for (const ClipError& clip : report.clips) writeRow(out, '"' + clip.clip + '"', clip.error);
+  if (report.clips.size() > 1) writeRow(out, "all clips", report.allClips);
+  for (const ClipError& clip : report.further) writeRow(out, '(' + clip.clip + ')', clip.error);
+  writeRow(out, "fitted poses", report.fitted);
+  writeRow(out, "held-out poses", report.heldOut);
+  for (const std::string& line : report.left) out << "  left out: " << line << '\n';
+  return out.str();
+}
+
+std::string isOutput(const std::string& text) {
+  return isSkinnedExportName(text) ? std::string() : "expected a name that ends in .glb or .gltf, got \"" + text + '"';
+}
+
+void addExportOptions(CLI::App& verb, ExportOptions& options) {
+  const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
+  verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf)")
+      ->required();
+  verb.add_option("--as", options.kind, "skinned: joints and weights alone, muscles at rest; plays in any engine")
+      ->type_name("KIND")
+      ->required()
+      ->check(CLI::IsMember({"skinned"}));
+  verb.add_option("--mesh", options.mesh, "refined, or original: the file's own vertices, in its order")
+      ->type_name("M")
+      ->check(CLI::IsMember({"refined", "original"}));
+  verb.add_option("--depth", options.depth, "Every triangle becomes N x N, in place of the rig's depth")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMaxDepth));
+  verb.add_option(
+          "--weights", options.weights,
+          "refitted to the muscles' surface over the clips and the range of motion, or transferred from the file")
+      ->type_name("W")
+      ->check(CLI::IsMember({"refitted", "transferred"}));
+  verb.add_option("--clip", options.clips, "Keep this clip; may be given several times; without it, all are kept")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  verb.add_flag("--json", options.json, "Report as JSON");
+  verb.add_option_function<std::string>("-o,--output", to(options.output), "Character to write: .glb or .gltf")
+      ->type_name("OUT")
+      ->required()
+      ->check(isOutput);
+}
+
+bool isInput(const std::filesystem::path& written, const Document& document) {
+  std::error_code absent;  // A file that is not there yet is no input.
+  return std::filesystem::equivalent(written, document.characterFile, absent) ||
+         std::filesystem::equivalent(written, document.rigFile, absent);
+}
+
+int runExport(const ExportOptions& options) {
+  progress("reading " + options.file.string());
+  const auto document = openDocument(options.file);
+  if (!document) return badInput(document.error());
+  if (isInput(options.output, document.value())) {
+    return badCommandLine(options.output.string() + ": is the input; it is not overwritten");
+  }
+  Rig rig = document->rig();
+  if (options.depth) rig.smoothing.depth = *options.depth;
+  if (const auto missing = missingBones(rig, document->character->skeleton); !missing.empty()) {
+    return badInput({options.file.string(), missing.front().place, missing.front().reason});
+  }
+  SkinnedExportSettings settings;
+  settings.mesh = options.mesh == "original" ? ExportMesh::kOriginal : ExportMesh::kRefined;
+  settings.weights = options.weights == "transferred" ? ExportWeights::kTransferred : ExportWeights::kRefitted;
+  settings.clips = options.clips;
+  progress("exporting " + options.output.string());
+  const auto moving = withRangeOfMotion(document->character);
+  const auto report =
+      exportSkinned(document->characterFile, document->character, *moving, rig, settings, options.output);
+  if (!report) return badInput(report.error());
+  return putResult(options.json ? jsonText(options, report.value()) : plainText(options, report.value()));
+}
+
+}  // namespace
+
+Verb exportVerb() {
+  return makeVerb<ExportOptions>("export", "Write the character for games", addExportOptions, runExport);
+}
+
+}  // namespace sinew::app

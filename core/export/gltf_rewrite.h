@@ -1,0 +1,69 @@
+// core/export/gltf_rewrite.h: a glTF file read as JSON and bytes, changed, and put together again.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/io/gltf/file.h"
+#include "core/io/json/json.h"
+#include "sinew/base/geometry.h"
+
+namespace sinew::exporting {
+
+/// Member of an object that is to be changed, or null.
+[[nodiscard]] Json* memberOf(Json& object, std::string_view name);
+/// Member of an object; an empty one of that kind is made where there is none.
+[[nodiscard]] Json& madeMember(Json& object, std::string_view name, const Json& empty);
+void removeMember(Json& object, std::string_view name);
+
+/// Numbers of a vertex attribute, of indices or matrices, as they will lie in the file.
+struct AccessorData {
+  std::string_view bytes;
+  int componentType = 0;  ///< TINYGLTF_COMPONENT_TYPE_*
+  std::string type;       ///< "SCALAR", "VEC3" ...
+  std::size_t count = 0;
+  int target = 0;                  ///< TINYGLTF_TARGET_*, 0 for none.
+  std::optional<Bounds> bounds{};  ///< Of positions.
+};
+
+/// What a file consists of in the end.
+struct PackedGltf {
+  Json root;           ///< Its one buffer has a byteLength, no uri yet.
+  std::string binary;  ///< 4-byte aligned.
+};
+
+/// Accessors and bufferViews that nothing refers to any more are left out, and images come into the buffer as they are.
+class GltfRewrite {
+ public:
+  GltfRewrite(Json root, gltf::File& file) : root_(std::move(root)), file_(file) {}
+
+  [[nodiscard]] Json& root() { return root_; }
+  /// Element of one of the root's lists.
+  [[nodiscard]] Json& element(std::string_view list, int index);
+  /// Appends to one of the root's lists, which is made where it is absent. Returns its index.
+  int append(std::string_view list, Json element);
+  int addAccessor(const AccessorData& data);
+  /// Throws gltf::Refusal where bytes that are kept cannot be read.
+  [[nodiscard]] PackedGltf pack() &&;
+
+ private:
+  int addView(std::string_view bytes, int target);
+  void takeImages();
+  void dropUnused();
+  void join();
+
+  Json root_;
+  gltf::File& file_;
+  std::vector<std::string> added_;  // bytes of the views beyond the file's own
+  std::string binary_;
+};
+
+/// As a .glb. Error: over 4 GiB.
+[[nodiscard]] Result<std::string> glbOf(const PackedGltf& packed);
+/// As the text of a .gltf whose buffer lies in a file of that name beside it.
+[[nodiscard]] std::string gltfOf(const PackedGltf& packed, const std::string& binaryName);
+
+}  // namespace sinew::exporting

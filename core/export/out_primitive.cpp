@@ -1,0 +1,159 @@
+// core/export/out_primitive.cpp: positions, normals, tangents, weights and indices as accessors.
+#include "core/export/out_primitive.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "core/base/at.h"
+#include "core/io/gltf/node_tree.h"
+
+namespace sinew::exporting {
+namespace {
+
+template <class Value>
+std::string_view bytesOf(const std::vector<Value>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)};
+}
+
+template <class Value>
+int addVertexData(GltfRewrite& rewrite, const std::vector<Value>& values, std::size_t count, const char* type,
+                  int componentType = TINYGLTF_COMPONENT_TYPE_FLOAT, std::optional<Bounds> bounds = {}) {
+  return rewrite.addAccessor(
+      {bytesOf(values), componentType, type, count, TINYGLTF_TARGET_ARRAY_BUFFER, std::move(bounds)});
+}
+
+int addPositions(GltfRewrite& rewrite, const std::vector<glm::vec3>& positions) {
+  return addVertexData(rewrite, positions, positions.size(), "VEC3", TINYGLTF_COMPONENT_TYPE_FLOAT,
+                       boundsOf(positions));
+}
+
+const char* vectorType(int components) {
+  static constexpr std::array kTypes{"SCALAR", "VEC2", "VEC3", "VEC4"};
+  return kTypes[toIndex(components - 1)];
+}
+
+/// glTF has one byte for a joint where that is enough, else two.
+template <class Number>
+int addJoints(GltfRewrite& rewrite, const std::vector<std::array<int, kMostWeights>>& joints, int componentType) {
+  std::vector<Number> numbers;
+  for (const auto& four : joints) {
+    for (const int joint : four) numbers.push_back(static_cast<Number>(joint));
+  }
+  return addVertexData(rewrite, numbers, joints.size(), "VEC4", componentType);
+}
+
+int addIndices(GltfRewrite& rewrite, const std::vector<std::array<std::uint32_t, 3>>& triangles, std::size_t vertices) {
+  const std::size_t count = 3 * triangles.size();
+  if (vertices > std::numeric_limits<std::uint16_t>::max()) {
+    return rewrite.addAccessor({bytesOf(triangles), TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, "SCALAR", count,
+                                TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER});
+  }
+  std::vector<std::uint16_t> indices;
+  for (const auto& triangle : triangles) {
+    for (const std::uint32_t corner : triangle) indices.push_back(static_cast<std::uint16_t>(corner));
+  }
+  return rewrite.addAccessor({bytesOf(indices), TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, "SCALAR", count,
+                              TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER});
+}
+
+/// Upright on the normals, unit; the fourth number stays.
+void straighten(const std::vector<glm::vec3>& normals, std::vector<float>& tangents) {
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    const glm::vec3 tangent(tangents[4 * v], tangents[4 * v + 1], tangents[4 * v + 2]);
+    const glm::vec3& n = normals[v];
+    const glm::vec3 other = std::abs(n.x) < 0.9f ? glm::vec3(1.0f, 0.0f, 0.0f) : glm::vec3(0.0f, 1.0f, 0.0f);
+    const glm::vec3 upright = normalizeOr(tangent - glm::dot(tangent, n) * n, glm::normalize(glm::cross(n, other)));
+    for (int axis = 0; axis < 3; ++axis) tangents[4 * v + toIndex(axis)] = upright[axis];
+  }
+}
+
+/// World in the bind pose -> a skin's mesh space.
+struct IntoMesh {
+  explicit IntoMesh(const glm::dmat4& meshToBind)
+      : inverse(gltf::affineInverse(meshToBind).value_or(glm::dmat4(1.0))), linear(glm::dmat3(meshToBind)) {}
+
+  [[nodiscard]] glm::vec3 point(const glm::vec3& p) const {
+    return glm::vec3(inverse * glm::dvec4(glm::dvec3(p), 1.0));
+  }
+  [[nodiscard]] glm::dvec3 way(const glm::dvec3& d) const { return glm::dmat3(inverse) * d; }
+  [[nodiscard]] glm::vec3 normal(const glm::vec3& n) const {
+    return normalizeOr(glm::vec3(glm::normalize(glm::transpose(linear) * glm::dvec3(n))), n);
+  }
+  [[nodiscard]] bool mirrors() const { return glm::determinant(linear) < 0.0; }
+
+  glm::dmat4 inverse;
+  glm::dmat3 linear;
+};
+
+}  // namespace
+
+OutPrimitives::OutPrimitives(Source& source, const ControlMesh& mesh, const Surface& bind,
+                             const std::vector<FourWeights>& weights, OutSkins& skins)
+    : source_(source), mesh_(mesh), bind_(bind), weights_(weights), skins_(skins) {}
+
+void OutPrimitives::setWeights(int node, const std::vector<FourWeights>& weights, GltfRewrite& rewrite,
+                               Json& attributes) {
+  std::vector<std::array<int, kMostWeights>> joints;
+  std::vector<std::array<float, kMostWeights>> shares;
+  int largest = 0;
+  for (const FourWeights& own : weights) {
+    std::array<int, kMostWeights> four{};
+    for (std::size_t i = 0; i < kMostWeights && own.binding[i] >= 0; ++i) {
+      four[i] = skins_.jointOf(node, own.binding[i]);
+      largest = std::max(largest, four[i]);
+    }
+    joints.push_back(four);
+    shares.push_back(own.weight);
+  }
+  const bool narrow = largest <= std::numeric_limits<std::uint8_t>::max();
+  attributes.set("JOINTS_0", narrow
+                                 ? addJoints<std::uint8_t>(rewrite, joints, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE)
+                                 : addJoints<std::uint16_t>(rewrite, joints, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT));
+  attributes.set("WEIGHTS_0", addVertexData(rewrite, shares, shares.size(), "VEC4"));
+}
+
+PrimitiveCounts OutPrimitives::writeRefined(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive,
+                                            std::set<std::string>& left) {
+  RefinedPrimitive refined = refinedPrimitive(source_, part, bind_);
+  if (refined.triangles.empty()) return {};
+  const IntoMesh into(skins_.meshToBind(part.node));
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;
+  std::vector<FourWeights> weights;
+  for (std::size_t v = 0; v < refined.refined.size(); ++v) {
+    positions.push_back(into.point(at(bind_.positions, refined.refined[v])));
+    normals.push_back(into.normal(shadingNormal(bind_, toIndex(refined.drawn[v]))));
+    weights.push_back(at(weights_, refined.refined[v]));
+  }
+  if (into.mirrors()) {
+    for (auto& triangle : refined.triangles) std::swap(triangle[1], triangle[2]);
+  }
+  for (const Json& attribute : primitive.at("attributes").children) {
+    if (attribute.key.starts_with('_'))
+      left.insert("vertex attribute " + attribute.key + ": it has no meaning between vertices");
+  }
+  if (primitive.find("targets")) left.insert("morph targets: they move the file's own vertices");
+  Json attributes = Json::object();
+  attributes.set("POSITION", addPositions(rewrite, positions));
+  attributes.set("NORMAL", addVertexData(rewrite, normals, normals.size(), "VEC3"));
+  for (VertexAttribute& attribute : refined.attributes) {
+    if (attribute.name == "TANGENT") straighten(normals, attribute.values);
+    attributes.set(attribute.name,
+                   addVertexData(rewrite, attribute.values, positions.size(), vectorType(attribute.components)));
+  }
+  setWeights(part.node, weights, rewrite, attributes);
+  primitive.set("attributes", std::move(attributes));
+  primitive.set("indices", addIndices(rewrite, refined.triangles, positions.size()));
+  for (const char* gone : {"mode", "targets"}) removeMember(primitive, gone);
+  if (Json* extensions = memberOf(primitive, "extensions")) {
+    removeMember(*extensions, "KHR_draco_mesh_compression");
+    if (extensions->children.empty()) removeMember(primitive, "extensions");
+  }
+  return {positions.size(), refined.triangles.size()};
+}
+
+}  // namespace sinew::exporting

@@ -1,0 +1,45 @@
+// core/export/out_primitive.h: the primitives of the exported file: accessors made, JSON pointed at them.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/export/four_weights.h"
+#include "core/export/gltf_rewrite.h"
+#include "core/export/out_skins.h"
+#include "core/export/refined_primitive.h"
+#include "core/export/source.h"
+#include "sinew/smoothing/surface.h"
+
+namespace sinew::exporting {
+
+struct PrimitiveCounts {
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+};
+
+class OutPrimitives {
+ public:
+  /// @param weights  [V'], or [V] where only writeOriginal is asked for
+  OutPrimitives(Source& source, const ControlMesh& mesh, const Surface& bind, const std::vector<FourWeights>& weights,
+                OutSkins& skins);
+
+  /// Exchanges all attributes and indices of a copy of the part's JSON. Without vertices where no triangle is left.
+  PrimitiveCounts writeRefined(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive,
+                               std::set<std::string>& left);
+  /// Exchanges positions, normals and weights; all else stays the accessors it is.
+  PrimitiveCounts writeOriginal(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive);
+
+ private:
+  void setWeights(int node, const std::vector<FourWeights>& weights, GltfRewrite& rewrite, Json& attributes);
+  [[nodiscard]] std::vector<int> controlVertices(const gltf::SoupPart& part, std::size_t count) const;
+
+  Source& source_;
+  const ControlMesh& mesh_;
+  const Surface& bind_;
+  const std::vector<FourWeights>& weights_;
+  OutSkins& skins_;
+};
+
+}  // namespace sinew::exporting

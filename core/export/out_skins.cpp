@@ -1,0 +1,87 @@
+// core/export/out_skins.cpp: joint numbers, inverse bind matrices, skins of nodes.
+#include "core/export/out_skins.h"
+
+#include <algorithm>
+
+#include "core/base/at.h"
+#include "core/io/gltf/node_tree.h"
+
+namespace sinew::exporting {
+
+OutSkins::OutSkins(Source& source) : source_(source) {
+  for (const gltf::SoupPart& part : source.origin.parts) {
+    const gltf::MeshBinding& binding = *at(source.bound.meshes, part.node);
+    Skin& skin = skins_[binding.skin];
+    if (!std::ranges::count(skin.users, part.node)) skin.users.push_back(part.node);
+    if (binding.skin < 0 || !skin.bindings.empty()) continue;
+    skin.meshToBind = binding.meshToBind;
+    skin.bindings = at(source.bound.jointBindings, binding.skin);
+    skin.own = skin.bindings.size();
+    for (std::size_t j = 0; j < skin.own; ++j) skin.jointOf.emplace(skin.bindings[j], static_cast<int>(j));
+  }
+}
+
+int OutSkins::skinOf(int node) const { return at(source_.bound.meshes, node)->skin; }
+
+int OutSkins::jointOf(int node, int binding) {
+  Skin& skin = skins_.at(skinOf(node));
+  const auto [place, isNew] = skin.jointOf.emplace(binding, static_cast<int>(skin.bindings.size()));
+  if (isNew) skin.bindings.push_back(binding);
+  return place->second;
+}
+
+const glm::dmat4& OutSkins::meshToBind(int node) const { return skins_.at(skinOf(node)).meshToBind; }
+
+std::vector<glm::mat4> OutSkins::inverseBinds(int fileSkin, const Skin& skin, bool& changed) {
+  std::vector<glm::mat4> matrices;
+  for (const int binding : skin.bindings) {
+    matrices.emplace_back(glm::dmat4(at(source_.bound.skeleton.bindings, binding).inverseBind) * skin.meshToBind);
+  }
+  changed = skin.bindings.size() > skin.own;
+  if (fileSkin < 0) return matrices;
+  const int accessor = at(source_.file.model().skins, fileSkin).inverseBindMatrices;
+  if (accessor < 0) {
+    std::fill_n(matrices.begin(), skin.own, glm::mat4(1.0f));
+    return matrices;
+  }
+  const gltf::Accessor& from = source_.accessors.open(accessor, "skins", TINYGLTF_TYPE_MAT4);
+  for (std::size_t j = 0; j < skin.own; ++j) {
+    glm::dmat4 matrix;
+    for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = from.number(j, i);
+    if (gltf::affineInverse(matrix)) matrices[j] = glm::mat4(matrix);
+    else changed = true;  // The import binds such a joint by its rest pose.
+  }
+  return matrices;
+}
+
+void OutSkins::writeSkin(int fileSkin, const Skin& skin, GltfRewrite& rewrite) {
+  bool changed = false;
+  const std::vector<glm::mat4> matrices = inverseBinds(fileSkin, skin, changed);
+  int number = fileSkin;
+  if (fileSkin < 0) {
+    Json made = Json::object();
+    made.set("joints", Json::array());
+    number = rewrite.append("skins", std::move(made));
+  }
+  if (changed) {
+    Json& joints = *memberOf(rewrite.element("skins", number), "joints");
+    for (std::size_t j = skin.own; j < skin.bindings.size(); ++j) joints.push(source_.nodeOf(skin.bindings[j]));
+    const std::string_view bytes(reinterpret_cast<const char*>(matrices.data()), matrices.size() * sizeof(glm::mat4));
+    const int accessor = rewrite.addAccessor({bytes, TINYGLTF_COMPONENT_TYPE_FLOAT, "MAT4", matrices.size()});
+    rewrite.element("skins", number).set("inverseBindMatrices", accessor);
+  }
+  for (const int node : skin.users) {
+    Json& user = rewrite.element("nodes", node);
+    if (user.find("mesh")) user.set("skin", number);
+  }
+}
+
+void OutSkins::write(GltfRewrite& rewrite) {
+  for (const auto& [fileSkin, skin] : skins_) {
+    if (skin.bindings.empty()) continue;
+    for (const int binding : skin.bindings) nodes_.insert(source_.nodeOf(binding));
+    writeSkin(fileSkin, skin, rewrite);
+  }
+}
+
+}  // namespace sinew::exporting

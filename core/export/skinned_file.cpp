@@ -1,0 +1,177 @@
+// core/export/skinned_file.cpp: every mesh of the scene made anew, all else left as it is.
+#include "core/export/skinned_file.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "core/base/at.h"
+#include "core/export/out_primitive.h"
+#include "core/export/out_skins.h"
+
+namespace sinew::exporting {
+namespace {
+
+constexpr double kFirstTriangleMode = TINYGLTF_MODE_TRIANGLES;
+
+class FileMaker {
+ public:
+  FileMaker(Source& source, const ControlMesh& mesh, const Surface& bind, const std::vector<FourWeights>& weights,
+            const SkinnedExportSettings& settings)
+      : source_(source),
+        settings_(settings),
+        rewrite_(source.root, source.file),
+        skins_(source),
+        primitives_(source, mesh, bind, weights, skins_) {}
+
+  SkinnedFile run() {
+    keepClips();
+    for (const gltf::SoupPart& part : source_.origin.parts) partsOf_[part.node].push_back(part);
+    for (const auto& [node, parts] : partsOf_) makeMesh(node, parts);
+    skins_.write(rewrite_);
+    dropEmptyClips();
+    madeMember(rewrite_.root(), "asset", Json::object()).set("generator", "Sinew");
+    dropUnusedExtensions();
+    result_.joints = skins_.jointNodes();
+    result_.packed = std::move(rewrite_).pack();
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] bool isRefined() const { return settings_.mesh == ExportMesh::kRefined; }
+
+  void keepClips() {
+    Json* clips = memberOf(rewrite_.root(), "animations");
+    if (!clips || settings_.clips.empty()) return;
+    std::vector<Json> kept;
+    for (std::size_t i = 0; i < clips->children.size(); ++i) {
+      const std::string name = clips->children[i].at("name").text("");
+      const std::string shown = name.empty() ? "clip " + std::to_string(i) : name;  // As the import names it.
+      if (!std::ranges::count(settings_.clips, shown)) continue;
+      clips->children[i].set("name", shown);
+      kept.push_back(std::move(clips->children[i]));
+    }
+    clips->children = std::move(kept);
+  }
+
+  void makeMesh(int node, const std::vector<gltf::SoupPart>& parts) {
+    const int number = parts.front().mesh;
+    const Json& from = at(source_.root.at("meshes").items(), number);
+    Json mesh = from;
+    std::vector<Json> made;
+    const std::vector<Json>& primitives = from.at("primitives").items();
+    for (std::size_t p = 0; p < primitives.size(); ++p) {
+      const auto part = std::ranges::find(parts, static_cast<int>(p), &gltf::SoupPart::primitive);
+      if (part != parts.end()) {
+        Json primitive = primitives[p];
+        if (makePrimitive(*part, primitive)) made.push_back(std::move(primitive));
+      } else {
+        keepOther(node, primitives[p], made);
+      }
+    }
+    place(node, number, std::move(mesh), std::move(made));
+  }
+
+  bool makePrimitive(const gltf::SoupPart& part, Json& primitive) {
+    const PrimitiveCounts counts = isRefined() ? primitives_.writeRefined(part, rewrite_, primitive, left_)
+                                               : primitives_.writeOriginal(part, rewrite_, primitive);
+    result_.vertices += static_cast<std::int64_t>(counts.vertices);
+    result_.triangles += static_cast<std::int64_t>(counts.triangles);
+    return counts.vertices > 0;
+  }
+
+  /// Points and lines follow their skin as before; where the mesh had none, there is none that fits them.
+  void keepOther(int node, const Json& primitive, std::vector<Json>& made) {
+    if (primitive.at("mode").number(kFirstTriangleMode) >= kFirstTriangleMode) return;
+    if (at(source_.bound.meshes, node)->skin >= 0) made.push_back(primitive);
+    else left_.insert("points and lines of meshes without a skin: nothing would move them");
+  }
+
+  /// A mesh that only one node shows is exchanged; of one that several show, each gets its own.
+  void place(int node, int number, Json mesh, std::vector<Json> primitives) {
+    Json& user = rewrite_.element("nodes", node);
+    if (isRefined()) removeMember(user, "weights");
+    if (primitives.empty()) {
+      removeMember(user, "mesh");
+      removeMember(user, "skin");
+      return;
+    }
+    if (isRefined()) removeMember(mesh, "weights");
+    mesh.set("primitives", Json::array(std::move(primitives)));
+    if (replaced_.insert(number).second && !isShownElsewhere(number)) {
+      mesh.key = {};
+      rewrite_.element("meshes", number) = std::move(mesh);
+      return;
+    }
+    const int added = rewrite_.append("meshes", std::move(mesh));
+    rewrite_.element("nodes", node).set("mesh", added);
+  }
+
+  /// By a node that keeps it.
+  [[nodiscard]] bool isShownElsewhere(int mesh) const {
+    const std::vector<Json>& nodes = source_.root.at("nodes").items();
+    for (std::size_t node = 0; node < nodes.size(); ++node) {
+      if (nodes[node].at("mesh").number(-1.0) == mesh && !partsOf_.contains(static_cast<int>(node))) return true;
+    }
+    return false;
+  }
+
+  /// Channels of morph weights whose targets are gone, and clips that have no other.
+  void dropEmptyClips() {
+    Json* clips = memberOf(rewrite_.root(), "animations");
+    if (!clips) return;
+    if (isRefined()) {
+      for (Json& clip : clips->children) {
+        Json* channels = memberOf(clip, "channels");
+        if (!channels) continue;
+        std::erase_if(channels->children, [&](const Json& channel) {
+          const Json& target = channel.at("target");
+          return target.at("path").text("") == "weights" &&
+                 partsOf_.contains(static_cast<int>(target.at("node").number(-1.0)));
+        });
+      }
+      std::erase_if(clips->children, [](const Json& clip) { return clip.at("channels").items().empty(); });
+    }
+    if (clips->children.empty()) removeMember(rewrite_.root(), "animations");
+  }
+
+  static bool names(const Json& value, const std::string& extension) {
+    const Json* extensions = value.kind == Json::Kind::kObject ? value.find("extensions") : nullptr;
+    if (extensions && extensions->find(extension)) return true;
+    return std::ranges::any_of(value.children, [&](const Json& child) { return names(child, extension); });
+  }
+
+  /// Compression that the new meshes do not have any more.
+  void dropUnusedExtensions() {
+    Json& root = rewrite_.root();
+    for (const char* extension : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"}) {
+      if (std::string(extension).starts_with("KHR") && names(root, extension)) continue;
+      for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
+        Json* used = memberOf(root, list);
+        if (!used) continue;
+        std::erase_if(used->children, [&](const Json& name) { return name.content == extension; });
+        if (used->children.empty()) removeMember(root, list);
+      }
+    }
+    for (const std::string& line : left_) result_.left.push_back(line);
+  }
+
+  Source& source_;
+  const SkinnedExportSettings& settings_;
+  GltfRewrite rewrite_;
+  OutSkins skins_;
+  OutPrimitives primitives_;
+  std::map<int, std::vector<gltf::SoupPart>> partsOf_;  // by node
+  std::set<int> replaced_;                              // meshes
+  std::set<std::string> left_;
+  SkinnedFile result_;
+};
+
+}  // namespace
+
+SkinnedFile skinnedFile(Source& source, const ControlMesh& mesh, const Surface& bind,
+                        const std::vector<FourWeights>& weights, const SkinnedExportSettings& settings) {
+  return FileMaker(source, mesh, bind, weights, settings).run();
+}
+
+}  // namespace sinew::exporting

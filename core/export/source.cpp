@@ -1,0 +1,57 @@
+// core/export/source.cpp: the stages of the import again, as far as they tell where things come from.
+#include "core/export/source.h"
+
+#include "core/base/at.h"
+#include "core/io/files/atomic_file.h"
+#include "core/io/gltf/uri.h"
+
+namespace sinew::exporting {
+namespace {
+
+constexpr std::uintmax_t kMaxFileBytes = 1ULL << 30;
+/// As the import reads it: extras may be deep.
+constexpr int kMaxDepth = 200;
+
+Json wholeJson(const std::filesystem::path& path) {
+  const Result<std::vector<std::uint8_t>> bytes = readWholeBytes(path, kMaxFileBytes);
+  if (!bytes) throw gltf::Refusal{bytes.error()};
+  Result<Json> root = Json::parse(gltf::openContainer(bytes.value()).json, {.depth = kMaxDepth, .leftOut = {}});
+  if (!root) throw gltf::Refusal{root.error()};
+  return std::move(root).value();
+}
+
+}  // namespace
+
+Source::Source(const std::filesystem::path& from) : path(from), root(wholeJson(from)), file(from), accessors(file) {
+  gltf::Notes notes;  // The import has told them.
+  const gltf::NodeTree tree = gltf::readNodes(file, notes);
+  bound = gltf::bindSkeleton(file, tree, accessors, notes);
+  gltf::Materials materials = gltf::readMaterials(file, notes);
+  soup = gltf::readTriangles(file, tree, bound, materials, accessors, notes, &origin);
+  controlTriangle = weldedTriangles(soup, gltf::weldTolerance(soup));
+  fileNode.assign(bound.skeleton.nodes.size(), -1);
+  for (std::size_t node = 0; node < bound.skeletonNode.size(); ++node) {
+    if (bound.skeletonNode[node] >= 0) at(fileNode, bound.skeletonNode[node]) = static_cast<int>(node);
+  }
+}
+
+bool Source::reads(const std::filesystem::path& other) const {
+  std::error_code absent;  // A file that is not there yet is read by nobody.
+  if (std::filesystem::equivalent(path, other, absent)) return true;
+  for (const char* list : {"buffers", "images"}) {
+    for (const Json& item : root.at(list).items()) {
+      const std::string uri = item.at("uri").text("");
+      if (uri.empty() || gltf::isDataUri(uri)) continue;
+      const Result<std::filesystem::path> relative = gltf::relativePathOf(uri);
+      if (relative && std::filesystem::equivalent(path.parent_path() / relative.value(), other, absent)) return true;
+    }
+  }
+  return false;
+}
+
+int Source::nodeOf(int binding) const {
+  const Bone& bone = at(bound.skeleton.bones, at(bound.skeleton.bindings, binding).bone);
+  return at(fileNode, bone.node);
+}
+
+}  // namespace sinew::exporting

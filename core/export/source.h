@@ -1,0 +1,36 @@
+// core/export/source.h: the file a character came from, open again, with the way from its triangles to the mesh.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "core/io/gltf/accessor.h"
+#include "core/io/gltf/file.h"
+#include "core/io/gltf/mesh.h"
+#include "core/io/gltf/skin.h"
+#include "core/io/json/json.h"
+#include "core/mesh/weld.h"
+
+namespace sinew::exporting {
+
+struct Source {
+  explicit Source(const std::filesystem::path& from);  ///< Throws gltf::Refusal.
+
+  std::filesystem::path path;
+  Json root;  ///< All of the file's JSON, extras too.
+  gltf::File file;
+  gltf::Accessors accessors;
+  gltf::BoundSkeleton bound;
+  TriangleSoup soup;
+  gltf::SoupOrigin origin;
+  std::vector<int> controlTriangle;  ///< [soup triangles] of the character's mesh, corner for corner; -1: dropped.
+  std::vector<int> fileNode;         ///< [skeleton nodes] node of the file.
+
+  /// Whether a path is the file itself or one that it reads its buffers or images from.
+  [[nodiscard]] bool reads(const std::filesystem::path& other) const;
+  /// Node of the file that a binding's bone is.
+  [[nodiscard]] int nodeOf(int binding) const;
+};
+
+}  // namespace sinew::exporting

@@ -1,0 +1,154 @@
+// core/export/weight_fit.cpp: Gram matrices gathered over poses, solved with a pull towards the neighbours.
+#include "core/export/weight_fit.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include <glm/geometric.hpp>
+
+#include "core/base/at.h"
+
+namespace sinew::exporting {
+namespace {
+
+constexpr int kSweeps = 2;            ///< Of pulling towards the neighbours.
+constexpr double kSmoothness = 1e-4;  ///< mu as a share of the Gram matrix's mean diagonal.
+constexpr double kShareStep = 3.0;    ///< By which further poses are let count more.
+constexpr double kLeastSmoothness = 1e-12;
+
+/// Neighbours of every vertex along edges, ascending.
+std::vector<std::vector<int>> neighboursOf(std::size_t count, std::span<const std::array<int, 3>> triangles) {
+  std::vector<std::vector<int>> result(count);
+  for (const std::array<int, 3>& triangle : triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int a = triangle[i];
+      const int b = triangle[(i + 1) % 3];
+      if (toIndex(a) >= count || toIndex(b) >= count) continue;
+      at(result, a).push_back(b);
+      at(result, b).push_back(a);
+    }
+  }
+  for (std::vector<int>& list : result) {
+    std::ranges::sort(list);
+    list.erase(std::ranges::unique(list).begin(), list.end());
+  }
+  return result;
+}
+
+CandidateWeights onCandidates(std::span<const int> candidates, const FourWeights& weights) {
+  CandidateWeights result{};
+  for (std::size_t i = 0; i < kMostWeights && weights.binding[i] >= 0; ++i) {
+    const auto found = std::ranges::find(candidates, weights.binding[i]);
+    if (found == candidates.end()) continue;
+    result[static_cast<std::size_t>(found - candidates.begin())] = static_cast<double>(weights.weight[i]);
+  }
+  return result;
+}
+
+}  // namespace
+
+WeightFit::WeightFit(std::vector<glm::vec3> rest, std::vector<std::vector<int>> candidates,
+                     std::vector<FourWeights> start)
+    : rest_(std::move(rest)), candidates_(std::move(candidates)), start_(std::move(start)) {
+  assert(rest_.size() == candidates_.size() && rest_.size() == start_.size());
+  begin_.push_back(0);
+  for (const std::vector<int>& list : candidates_)
+    begin_.push_back(begin_.back() + list.size() * (list.size() + 1) / 2);
+  own_.assign(begin_.back(), 0.0);
+  further_.assign(begin_.back(), 0.0);
+}
+
+void WeightFit::add(std::span<const glm::dmat4> matrices, std::span<const glm::vec3> live, bool further) {
+  poses_ += 1.0;
+  std::vector<double>& sums = further ? further_ : own_;
+  std::array<glm::dvec3, kMostCandidates> way{};
+  for (std::size_t v = 0; v < rest_.size(); ++v) {
+    const std::vector<int>& list = candidates_[v];
+    const glm::dvec4 point(glm::dvec3(rest_[v]), 1.0);
+    const glm::dvec3 target(live[v]);
+    for (std::size_t i = 0; i < list.size(); ++i) way[i] = glm::dvec3(at(matrices, list[i]) * point) - target;
+    double* sum = sums.data() + begin_[v];
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      for (std::size_t k = 0; k <= i; ++k) *sum++ += glm::dot(way[i], way[k]);
+    }
+  }
+}
+
+/// What a vertex is solved with.
+struct WeightFit::Vertex {
+  std::size_t count = 0;  ///< Candidates.
+  CandidateWeights start{};
+  Gram all{};           ///< Every pose counted alike.
+  double before = 0.0;  ///< With the weights it starts with.
+};
+
+Gram WeightFit::gramOf(std::size_t vertex, double ownShare, double furtherShare) const {
+  Gram gram{};
+  std::size_t sum = begin_[vertex];
+  for (std::size_t i = 0; i < candidates_[vertex].size(); ++i) {
+    for (std::size_t k = 0; k <= i; ++k, ++sum) {
+      gram[i][k] = gram[k][i] = ownShare * own_[sum] + furtherShare * further_[sum];
+    }
+  }
+  return gram;
+}
+
+CandidateWeights WeightFit::startOf(std::size_t vertex) const {
+  return onCandidates(candidates_[vertex], start_[vertex]);
+}
+
+FourWeights WeightFit::kept(std::size_t vertex, const CandidateWeights& weights) const {
+  std::vector<Share> shares;
+  for (std::size_t i = 0; i < candidates_[vertex].size(); ++i) {
+    if (weights[i] > 0.0) shares.push_back({candidates_[vertex][i], weights[i]});
+  }
+  return fourLargest(std::move(shares));
+}
+
+CandidateWeights WeightFit::solved(const Vertex& vertex, const Gram& gram, const CandidateWeights& near) const {
+  double trace = 0.0;
+  for (std::size_t i = 0; i < vertex.count; ++i) trace += gram[i][i];
+  const double mu = std::max(kSmoothness * trace / static_cast<double>(vertex.count), kLeastSmoothness);
+  return bestWeights(gram, vertex.count, mu, near);
+}
+
+CandidateWeights WeightFit::meanOf(std::size_t vertex, const std::vector<int>& neighbours,
+                                   const std::vector<FourWeights>& current) const {
+  CandidateWeights mean{};
+  for (const int other : neighbours) {
+    const CandidateWeights theirs = onCandidates(candidates_[vertex], at(current, other));
+    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += theirs[i] / static_cast<double>(neighbours.size());
+  }
+  return mean;
+}
+
+/// With further poses counting as little as they may without the vertex being farther off over all poses.
+CandidateWeights WeightFit::notWorse(std::size_t index, const Vertex& vertex, const CandidateWeights& near,
+                                     double furtherShare) const {
+  for (double share = furtherShare;; share = std::min(1.0, kShareStep * share)) {
+    const CandidateWeights best = solved(vertex, gramOf(index, 1.0, share), near);
+    if (energyOf(vertex.all, best, vertex.count) <= vertex.before) return best;
+    if (share >= 1.0) return vertex.start;
+  }
+}
+
+std::vector<FourWeights> WeightFit::solve(std::span<const std::array<int, 3>> triangles, double furtherShare,
+                                          double tolerance) const {
+  const std::vector<std::vector<int>> neighbours = neighboursOf(rest_.size(), triangles);
+  std::vector<FourWeights> current = start_;
+  std::vector<FourWeights> next = start_;
+  for (int sweep = 0; sweep <= kSweeps; ++sweep) {
+    for (std::size_t v = 0; v < rest_.size(); ++v) {
+      Vertex vertex{candidates_[v].size(), startOf(v), gramOf(v, 1.0, 1.0)};
+      vertex.before = energyOf(vertex.all, vertex.start, vertex.count);
+      if (vertex.before <= poses_ * tolerance * tolerance) continue;
+      const bool smooths = sweep > 0 && !neighbours[v].empty();
+      const CandidateWeights near = smooths ? meanOf(v, neighbours[v], current) : vertex.start;
+      next[v] = kept(v, notWorse(v, vertex, near, furtherShare));
+    }
+    std::swap(current, next);
+  }
+  return current;
+}
+
+}  // namespace sinew::exporting

@@ -1,0 +1,74 @@
+// core/include/sinew/export/skinned_export.h: a character with its muscles at rest as glTF that any engine plays.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sinew/base/result.h"
+#include "sinew/character/character.h"
+#include "sinew/rig/rig.h"
+
+namespace sinew {
+
+enum class ExportMesh {
+  kRefined,   ///< Every triangle of the file as the rig's depth splits it.
+  kOriginal,  ///< The file's own vertices, in its order; moved, with other weights.
+};
+
+enum class ExportWeights {
+  kTransferred,  ///< The file's, interpolated over the triangles; the four largest.
+  kRefitted,     ///< Fitted to the live surface over poses (docs/export.md).
+};
+
+struct SkinnedExportSettings {
+  ExportMesh mesh = ExportMesh::kRefined;
+  ExportWeights weights = ExportWeights::kRefitted;
+  std::vector<std::string> clips{};  ///< Names of those to keep; empty: all.
+};
+
+/// Distances between exported and live vertices, percent of the character's height.
+struct ErrorFigures {
+  double rms = 0.0;
+  double percentile999 = 0.0;  ///< At most this in 99.9 of 100 vertices and poses; read from classes 0.1 % wide.
+  double largest = 0.0;
+  int poses = 0;  ///< 0: nothing was measured, the others are 0.
+};
+
+struct ClipError {
+  std::string clip;
+  ErrorFigures error;
+};
+
+struct SkinnedExportReport {
+  int joints = 0;             ///< Of all skins in the file, each node once.
+  std::int64_t vertices = 0;  ///< As the file splits them.
+  std::int64_t triangles = 0;
+  std::uint64_t bytes = 0;         ///< Of all files written.
+  std::vector<ClipError> clips;    ///< Those exported, at 30 poses a second.
+  ErrorFigures allClips;           ///< The same poses together.
+  std::vector<ClipError> further;  ///< Clips that are not exported (`moving`), at 10 poses a second.
+  ErrorFigures fitted;            ///< The poses that refitted weights are fitted to; measured for transferred ones too.
+  ErrorFigures heldOut;           ///< Of the same kind, but kept from the fit.
+  std::vector<std::string> left;  ///< What of the source file is not in the export, each with the reason.
+};
+
+/// Whether the ending (.glb, .gltf; capitals too) is one that exportSkinned writes.
+[[nodiscard]] bool isSkinnedExportName(const std::filesystem::path& file);
+
+/// Writes `characterFile` again with the surface of the bind pose in place of its meshes; nodes, clips, materials,
+/// images, extensions and extras stay as they are there. A .gltf has NAME.bin beside it. Both are whole or not written.
+/// Same inputs give the same bytes.
+/// @param character  as importGltf(characterFile) gave it.
+/// @param moving     the same character, with the clips that weights are also fitted to (the range of motion) at the
+///                   end of its own.
+/// Error: unknown clip or bones, an invalid rig, more than a .glb holds, or a file cannot be written.
+[[nodiscard]] Result<SkinnedExportReport> exportSkinned(const std::filesystem::path& characterFile,
+                                                        const std::shared_ptr<const Character>& character,
+                                                        const Character& moving, const Rig& rig,
+                                                        const SkinnedExportSettings& settings,
+                                                        const std::filesystem::path& file);
+
+}  // namespace sinew

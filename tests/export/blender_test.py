@@ -1,0 +1,128 @@
+# tests/export/blender_test.py: Blender plays what `sinew export` writes. Usage: blender_test.py PROGRAM ROOT CHARACTERS
+"""At five moments of each of up to three clips every vertex that Blender shows lies where `sinew smooth` has it, within
+the error that the export printed. Left out (77) where Blender is not installed."""
+import json
+import math
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "support"))
+from glb_reader import Glb
+
+MOMENTS = 5
+MOST_CLIPS = 3
+SLACK = 0.02  # % of the height: Blender keeps bones as head, tail and roll.
+
+
+def output(*command):
+    return subprocess.run([str(word) for word in command], check=True, capture_output=True, text=True).stdout
+
+
+def blender(*arguments):
+    """Debian's Blender takes the first Python on PATH for its own, which may be another one than Debian's."""
+    environment = {**os.environ, "PATH": "/usr/bin:" + os.environ.get("PATH", "")}
+    command = ["blender", "-b", "--factory-startup", "--python-exit-code", "3", *map(str, arguments)]
+    return subprocess.run(command, env=environment, capture_output=True, text=True)
+
+
+def missing():
+    """Why nothing can be tried here, or None."""
+    if not shutil.which("blender"):
+        return "Blender is not installed"
+    importer = "import numpy; numpy.bool = bool; import io_scene_gltf2"
+    return "Blender has no numpy or no glTF importer" if blender("--python-expr", importer).returncode else None
+
+
+def key_times(glb, animation):
+    """Some times of keys of the clip's busiest sampler: between keys Blender turns by another formula."""
+    inputs = {sampler["input"] for sampler in animation["samplers"]}
+    times = max(([t for (t,) in glb.rows(index)] for index in inputs), key=len)
+    return [times[i * (len(times) - 1) // (MOMENTS - 1)] for i in range(MOMENTS)]
+
+
+def corners_of(glb):
+    """{object name: [(triangle, corner) of the whole file for each of its vertices]}"""
+    result, triangle = {}, 0
+    for node in glb.json["nodes"]:
+        if "mesh" not in node:
+            continue
+        mesh = glb.json["meshes"][node["mesh"]]
+        corners = []
+        for primitive in mesh["primitives"]:
+            count = glb.json["accessors"][primitive["attributes"]["POSITION"]]["count"]
+            own = [None] * count
+            indices = [i for (i,) in glb.rows(primitive["indices"])]
+            for place, index in enumerate(indices):
+                own[index] = own[index] or (triangle + place // 3, place % 3)
+            triangle += len(indices) // 3
+            corners += own
+        result[node.get("name") or mesh.get("name")] = corners
+    return result
+
+
+def surface(program, source, clip, seconds, folder):
+    """Corners of all triangles of the live surface."""
+    output(program, "smooth", source, "--clip", clip, "--time", repr(seconds), "-o", folder / "live.obj")
+    points, triangles = [], []
+    for line in (folder / "live.obj").read_text().splitlines():
+        words = line.split()
+        if words[:1] == ["v"]:
+            points.append(tuple(map(float, words[1:4])))
+        elif words[:1] == ["f"]:
+            triangles.append([points[int(word.split("/")[0]) - 1] for word in words[1:]])
+    return triangles
+
+
+def check(program, source, folder):
+    report = json.loads(output(program, "export", source, "--as", "skinned", "--json", "-o", folder / "out.glb"))
+    printed = {clip["name"]: clip["max"] for clip in report["error_percent_of_height"]["clips"]}
+    height = json.loads(output(program, "inspect", source, "--json"))["height"]
+    glb = Glb(folder / "out.glb")
+    clips = [a for a in glb.json["animations"] if a.get("name") in printed][:MOST_CLIPS]
+    (folder / "asked.json").write_text(json.dumps([[a["name"], key_times(glb, a)] for a in clips]))
+    shown = blender("--python", HERE / "in_blender.py", "--", folder / "out.glb", folder / "asked.json",
+                    folder / "seen.json")
+    assert shown.returncode == 0, shown.stdout + shown.stderr
+    corners = corners_of(glb)
+    compared = 0
+    for clip, seconds, objects in json.loads((folder / "seen.json").read_text()):
+        triangles = surface(program, source, clip, seconds, folder)
+        worst = 0.0
+        for name, own in corners.items():
+            shown = objects[name]
+            assert len(shown) == len(own), "%s: %d vertices in Blender, %d in the file" % (name, len(shown), len(own))
+            for place, (triangle, corner) in zip(shown, own):
+                worst = max(worst, math.dist(place, triangles[triangle][corner]))
+                compared += 1
+        percent = 100.0 * worst / height
+        print("  %-16s %7.3f s: %.3f %% of the height off, %.3f printed" % (clip, seconds, percent, printed[clip]))
+        assert percent <= 1.05 * printed[clip] + SLACK, "%s at %g s" % (clip, seconds)
+    assert compared > 0, "nothing was compared"
+
+
+def main():
+    program, root, characters = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+    reason = missing()
+    if reason:
+        print("left out: " + reason)
+        return 77
+    sources = [root / "assets" / (name + ".rig.json") for name in ("humanoid", "horse", "humanoid-flex", "horse-flex")]
+    sources += [characters / name for name in ("Fox.glb", "greenman.glb", "robot.glb")]
+    for source in sources:
+        if not source.exists():
+            print("left out: no " + source.name)
+            continue
+        print(source.name)
+        with tempfile.TemporaryDirectory() as folder:
+            check(program.resolve(), source, pathlib.Path(folder))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

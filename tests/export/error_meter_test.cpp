@@ -1,0 +1,54 @@
+// tests/export/error_meter_test.cpp: figures beside those of a sorted list.
+#include "core/export/error_meter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace sinew::exporting {
+namespace {
+
+TEST(ErrorMeter, AgreesWithASortedList) {
+  std::mt19937 random(5);
+  std::lognormal_distribution<double> spread(-4.0, 2.0);
+  constexpr double kHeight = 1.7;
+  ErrorMeter meter(kHeight);
+  std::vector<double> percent;
+  for (int i = 0; i < 54321; ++i) {
+    const double distance = i % 10 == 0 ? 0.0 : spread(random);
+    meter.add(distance);
+    percent.push_back(100.0 * distance / kHeight);
+  }
+  meter.addPose();
+  meter.addPose();
+  std::ranges::sort(percent);
+  double squares = 0.0;
+  for (const double p : percent) squares += p * p;
+  const ErrorFigures figures = meter.figures();
+  EXPECT_EQ(figures.poses, 2);
+  EXPECT_NEAR(figures.rms, std::sqrt(squares / static_cast<double>(percent.size())), 1e-9 * figures.rms);
+  EXPECT_NEAR(figures.largest, percent.back(), 1e-12 * figures.largest);
+  const double exact = percent[percent.size() - 1 - percent.size() / 1000];
+  EXPECT_GE(figures.percentile999, exact * (1.0 - 1e-6));
+  EXPECT_LE(figures.percentile999, exact * 1.0011);
+}
+
+TEST(ErrorMeter, WithoutDistancesAllIsZero) {
+  const ErrorFigures figures = ErrorMeter(1.0).figures();
+  EXPECT_EQ(figures.poses, 0);
+  EXPECT_EQ(figures.rms, 0.0);
+  EXPECT_EQ(figures.percentile999, 0.0);
+  EXPECT_EQ(figures.largest, 0.0);
+}
+
+TEST(ErrorMeter, TwoDistancesHaveTheLargerAsPercentile) {
+  ErrorMeter meter(100.0);
+  meter.add(0.25);
+  meter.add(3.0);
+  EXPECT_NEAR(meter.figures().percentile999, 3.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace sinew::exporting

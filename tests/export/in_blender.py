@@ -1,0 +1,57 @@
+# tests/export/in_blender.py: run by Blender: opens a .glb, plays its clips, writes where every vertex is.
+"""blender -b --factory-startup --python in_blender.py -- FILE.glb ASKED.json OUT.json
+
+ASKED.json: [[clip, [seconds, ...]], ...]. OUT.json: [[clip, seconds, {object: [[x, y, z], ...]}], ...] in glTF's axes."""
+import json
+import sys
+
+import numpy
+
+numpy.bool = bool  # Blender 3.4's importer asks for it by its old name.
+import bpy
+
+
+def play(clip):
+    """Every object moves by its action of that clip, and by nothing else."""
+    for item in bpy.data.objects:
+        if not item.animation_data:
+            continue
+        action = None
+        for track in item.animation_data.nla_tracks:
+            track.mute = True
+            if track.name == clip:
+                action = track.strips[0].action
+        item.animation_data.action = action
+
+
+def vertices():
+    graph = bpy.context.evaluated_depsgraph_get()
+    result = {}
+    for item in bpy.data.objects:
+        if item.type != "MESH":
+            continue
+        evaluated = item.evaluated_get(graph)
+        mesh = evaluated.to_mesh()
+        places = [evaluated.matrix_world @ vertex.co for vertex in mesh.vertices]
+        result[item.name] = [[place.x, place.z, -place.y] for place in places]
+        evaluated.to_mesh_clear()
+    return result
+
+
+def main():
+    file, asked, out = sys.argv[sys.argv.index("--") + 1:]
+    for item in list(bpy.data.objects):
+        bpy.data.objects.remove(item)
+    bpy.ops.import_scene.gltf(filepath=file)
+    scene = bpy.context.scene
+    seen = []
+    for clip, times in json.load(open(asked)):
+        play(clip)
+        for seconds in times:
+            frame = seconds * scene.render.fps / scene.render.fps_base
+            scene.frame_set(int(frame), subframe=frame - int(frame))
+            seen.append([clip, seconds, vertices()])
+    json.dump(seen, open(out, "w"))
+
+
+main()

@@ -1,0 +1,245 @@
+// tests/export/skinned_export_test.cpp: what is exported, seen by other readers, beside the live surface.
+#include "sinew/export/skinned_export.h"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "core/io/files/atomic_file.h"
+#include "sinew/smoothing/smoother.h"
+#include "tests/export/export_scenes.h"
+#include "tests/support/characters/gltf_oracle.h"
+#include "tests/support/temporary_folder.h"
+
+namespace sinew::test {
+namespace {
+
+class SkinnedExport : public ::testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    scene_ = sceneNamed(GetParam());
+    if (!scene_.character) GTEST_SKIP() << "there is no " << GetParam() << " in " << SINEW_CHARACTERS_DIR;
+    ASSERT_FALSE(scene_.rig.primitives.empty());
+  }
+
+  /// The live surface at a time of a clip, or in the bind pose.
+  Surface live(const AnimationClip* clip, float time, int depth = 0) const {
+    Smoother smoother(scene_.character);
+    Rig rig = scene_.rig;
+    if (depth > 0) rig.smoothing.depth = depth;
+    EXPECT_TRUE(smoother.prepare(rig).ok());
+    Surface surface;
+    const Skeleton& skeleton = scene_.character->skeleton;
+    smoother.smooth(clip ? samplePose(skeleton, *clip, time) : bindPose(skeleton), surface);
+    return surface;
+  }
+
+  /// Five poses of every clip, each of them among those that were measured.
+  static std::vector<float> measuredTimes(const AnimationClip& clip) {
+    const int last = static_cast<int>(clip.duration * 30.0f);
+    std::vector<float> times;
+    for (int i = 0; i < 5; ++i) times.push_back(static_cast<float>(i * last / 4) / 30.0f);
+    return times;
+  }
+
+  ExportScene scene_;
+  TemporaryFolder folder_;
+};
+
+TEST_P(SkinnedExport, PlaysAsThePrintedErrorSays) {
+  const auto file = folder_.path() / "out.glb";
+  const auto report = scene_.write(file);
+  ASSERT_TRUE(report.ok()) << report.error().text();
+  const GltfOracle oracle(file);
+  const double height = static_cast<double>(scene_.character->height);
+  ASSERT_EQ(oracle.clips(), scene_.character->clips.size());
+  for (std::size_t c = 0; c < oracle.clips(); ++c) {
+    const AnimationClip& clip = scene_.character->clips[c];
+    const ClipError& printed = report->clips[c];
+    EXPECT_EQ(printed.clip, clip.name);
+    double worst = 0.0;
+    for (const float time : measuredTimes(clip)) {
+      const Surface surface = live(&clip, time);
+      const auto& triangles = surface.refinement->triangles;
+      const auto exported = oracle.triangles(c, static_cast<double>(time));
+      ASSERT_EQ(exported.size(), triangles.size());
+      for (std::size_t t = 0; t < triangles.size(); ++t) {
+        for (std::size_t i = 0; i < 3; ++i) {
+          const glm::dvec3 point(surface.positions[static_cast<std::size_t>(triangles[t][i])]);
+          worst = std::max(worst, 100.0 / height * glm::distance(point, exported[t][i]));
+        }
+      }
+    }
+    EXPECT_LE(worst, printed.error.largest + 1e-3) << clip.name;
+    EXPECT_GT(worst, 0.02 * printed.error.largest) << clip.name << ": the printed error is of something else";
+  }
+}
+
+TEST_P(SkinnedExport, HasTheBindPoseOfTheLiveSurface) {
+  const auto file = folder_.path() / "out.gltf";
+  ASSERT_TRUE(scene_.writeQuickly(file, {.weights = ExportWeights::kTransferred}).ok());
+  const auto again = importGltf(file);
+  ASSERT_TRUE(again.ok()) << again.error().text();
+  const Surface bind = live(nullptr, 0.0f);
+  const Refinement& refinement = *bind.refinement;
+  const ControlMesh& mesh = again.value()->mesh;
+  const std::size_t split = refinement.triangles.size() / scene_.character->mesh.triangles.size();
+  const float tolerance = 4e-6f * scene_.character->height;  // The import welds what lies within 1e-6.
+  ASSERT_EQ(mesh.triangles.size() + static_cast<std::size_t>(mesh.trianglesDropped), refinement.triangles.size());
+  if (mesh.trianglesDropped > 0) GTEST_SKIP() << "triangles without size: the order is another one";
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& parent = scene_.character->mesh.triangles[t / split];
+    EXPECT_EQ(mesh.triangles[t].material, parent.material);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& point = mesh.positions[static_cast<std::size_t>(mesh.triangles[t].vertices[i])];
+      ASSERT_LT(glm::distance(point, bind.positions[static_cast<std::size_t>(refinement.triangles[t][i])]), tolerance);
+      const auto& wedge = mesh.wedges[static_cast<std::size_t>(mesh.triangles[t].wedges[i])];
+      ASSERT_LT(glm::distance(wedge.uv, refinement.drawUv[refinement.drawTriangles[t][i]]), 1e-5f);
+    }
+  }
+}
+
+TEST_P(SkinnedExport, KeepsSkeletonClipsMaterialsAndImages) {
+  const auto file = folder_.path() / "out.glb";
+  ASSERT_TRUE(scene_.write(file, {.weights = ExportWeights::kTransferred}).ok());
+  const auto again = importGltf(file);
+  ASSERT_TRUE(again.ok()) << again.error().text();
+  const Character& before = *scene_.character;
+  const Character& after = *again.value();
+  ASSERT_EQ(after.skeleton.bones.size(), before.skeleton.bones.size());
+  for (std::size_t b = 0; b < before.skeleton.bones.size(); ++b) {
+    EXPECT_EQ(after.skeleton.bones[b].path, before.skeleton.bones[b].path);
+    EXPECT_EQ(after.skeleton.bones[b].bindInWorld, before.skeleton.bones[b].bindInWorld);
+  }
+  ASSERT_EQ(after.clips.size(), before.clips.size());
+  for (std::size_t c = 0; c < before.clips.size(); ++c) {
+    EXPECT_EQ(after.clips[c].name, before.clips[c].name);
+    ASSERT_EQ(after.clips[c].channels.size(), before.clips[c].channels.size());
+    for (std::size_t i = 0; i < before.clips[c].channels.size(); ++i) {
+      EXPECT_EQ(after.clips[c].channels[i].times, before.clips[c].channels[i].times);
+      EXPECT_EQ(after.clips[c].channels[i].values, before.clips[c].channels[i].values);
+    }
+  }
+  ASSERT_EQ(after.materials.size(), before.materials.size());
+  for (std::size_t m = 0; m < before.materials.size(); ++m) {
+    EXPECT_EQ(after.materials[m].name, before.materials[m].name);
+    EXPECT_EQ(after.materials[m].baseColor, before.materials[m].baseColor);
+    EXPECT_EQ(after.materials[m].baseColorTexture, before.materials[m].baseColorTexture);
+  }
+  ASSERT_EQ(after.textures.size(), before.textures.size());
+  for (std::size_t t = 0; t < before.textures.size(); ++t) {
+    EXPECT_EQ(after.textures[t].encoded, before.textures[t].encoded);
+  }
+}
+
+TEST_P(SkinnedExport, WeightsAreFourNotNegativeAndSumToOne) {
+  for (const ExportMesh mesh : {ExportMesh::kRefined, ExportMesh::kOriginal}) {
+    const auto file = folder_.path() / "out.glb";
+    ASSERT_TRUE(scene_.writeQuickly(file, {.mesh = mesh}).ok());
+    const tinygltf::Model model = rawModel(file);
+    for (const tinygltf::Node& node : model.nodes) {
+      if (node.mesh < 0) continue;
+      ASSERT_GE(node.skin, 0);
+      const std::size_t joints = model.skins[static_cast<std::size_t>(node.skin)].joints.size();
+      for (const auto& primitive : model.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
+        EXPECT_FALSE(primitive.attributes.contains("JOINTS_1"));
+        EXPECT_FALSE(primitive.attributes.contains("WEIGHTS_1"));
+        const auto weights = rawNumbers<float>(model, primitive.attributes.at("WEIGHTS_0"));
+        const auto numbers = rawNumbers<std::uint8_t>(model, primitive.attributes.at("JOINTS_0"));
+        ASSERT_EQ(weights.size(), numbers.size());
+        for (std::size_t v = 0; v < weights.size(); v += 4) {
+          double sum = 0.0;
+          for (std::size_t i = v; i < v + 4; ++i) {
+            EXPECT_GE(weights[i], 0.0f);
+            EXPECT_LT(numbers[i], joints);
+            EXPECT_TRUE(weights[i] > 0.0f || numbers[i] == 0);
+            sum += static_cast<double>(weights[i]);
+          }
+          ASSERT_NEAR(sum, 1.0, 1e-6);
+        }
+      }
+    }
+  }
+}
+
+TEST_P(SkinnedExport, RefittedWeightsAreNeverFartherOffThanTransferredOnes) {
+  for (const ExportMesh mesh : {ExportMesh::kRefined, ExportMesh::kOriginal}) {
+    const auto refitted = scene_.write(folder_.path() / "a.glb", {.mesh = mesh});
+    const auto transferred =
+        scene_.write(folder_.path() / "b.glb", {.mesh = mesh, .weights = ExportWeights::kTransferred});
+    ASSERT_TRUE(refitted.ok() && transferred.ok());
+    EXPECT_EQ(refitted->fitted.poses, transferred->fitted.poses);
+    EXPECT_LE(refitted->fitted.rms, transferred->fitted.rms * (1.0 + 1e-4));
+    EXPECT_GT(refitted->heldOut.poses, 0);
+  }
+}
+
+TEST_P(SkinnedExport, OriginalKeepsVerticesOrderTrianglesAndTextureCoordinates) {
+  const auto file = folder_.path() / "out.glb";
+  ASSERT_TRUE(scene_.writeQuickly(file, {.mesh = ExportMesh::kOriginal}).ok());
+  const tinygltf::Model before = rawModel(scene_.characterFile);
+  const tinygltf::Model after = rawModel(file);
+  ASSERT_EQ(after.meshes.size(), before.meshes.size());
+  bool moved = false;
+  for (std::size_t m = 0; m < before.meshes.size(); ++m) {
+    ASSERT_EQ(after.meshes[m].primitives.size(), before.meshes[m].primitives.size());
+    for (std::size_t p = 0; p < before.meshes[m].primitives.size(); ++p) {
+      const tinygltf::Primitive& old = before.meshes[m].primitives[p];
+      const tinygltf::Primitive& now = after.meshes[m].primitives[p];
+      ASSERT_EQ(now.indices < 0, old.indices < 0);
+      if (old.indices >= 0) {
+        EXPECT_EQ(rawBytes(after, now.indices), rawBytes(before, old.indices));
+      }
+      EXPECT_EQ(now.material, old.material);
+      const auto positions = rawNumbers<float>(before, old.attributes.at("POSITION"));
+      const auto exported = rawNumbers<float>(after, now.attributes.at("POSITION"));
+      ASSERT_EQ(exported.size(), positions.size());
+      moved = moved || exported != positions;
+      for (const auto& [name, accessor] : old.attributes) {
+        if (name == "POSITION" || name == "NORMAL" || name.starts_with("JOINTS") || name.starts_with("WEIGHTS"))
+          continue;
+        EXPECT_EQ(rawBytes(after, now.attributes.at(name)), rawBytes(before, accessor)) << name;
+      }
+    }
+  }
+  EXPECT_TRUE(moved) << "no muscle shows in the bind pose";
+}
+
+TEST_P(SkinnedExport, OriginalVerticesLieOnTheLiveSurface) {
+  const auto file = folder_.path() / "out.glb";
+  const auto report = scene_.writeQuickly(file, {.mesh = ExportMesh::kOriginal});
+  ASSERT_TRUE(report.ok());
+  const auto again = importGltf(file);
+  ASSERT_TRUE(again.ok()) << again.error().text();
+  const Surface bind = live(nullptr, 0.0f);
+  const ControlMesh& mesh = again.value()->mesh;
+  const ControlMesh& control = scene_.character->mesh;
+  const std::size_t dropped = static_cast<std::size_t>(mesh.trianglesDropped + control.trianglesDropped);
+  if (dropped > 0) GTEST_SKIP() << "triangles without size: muscles may give them one";
+  ASSERT_EQ(mesh.triangles.size(), control.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& point = mesh.positions[static_cast<std::size_t>(mesh.triangles[t].vertices[i])];
+      const auto& lives = bind.positions[static_cast<std::size_t>(control.triangles[t].vertices[i])];
+      ASSERT_LT(glm::distance(point, lives), 5e-6f * scene_.character->height);
+    }
+  }
+}
+
+TEST_P(SkinnedExport, SameInputsSameBytes) {
+  for (const char* name : {"a.glb", "b.glb"}) ASSERT_TRUE(scene_.writeQuickly(folder_.path() / name).ok());
+  EXPECT_EQ(readWholeFile(folder_.path() / "a.glb", 1 << 28).value(),
+            readWholeFile(folder_.path() / "b.glb", 1 << 28).value());
+}
+
+INSTANTIATE_TEST_SUITE_P(Characters, SkinnedExport,
+                         ::testing::Values("humanoid", "horse", "humanoid-flex", "horse-flex", "Fox.glb",
+                                           "greenman.glb", "cesium_man.gltf", "robot.glb"),
+                         [](const auto& character) {
+                           std::string name = character.param;
+                           for (char& c : name) c = c == '.' || c == '-' ? '_' : c;
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace sinew::test
