@@ -38,36 +38,41 @@ std::vector<int> OutPrimitives::controlVertices(const gltf::SoupPart& part, std:
   return result;
 }
 
+/// The file's normals; empty where it has none.
+std::vector<glm::vec3> OutPrimitives::fileNormals(const gltf::SoupPart& part, const Json& attributes,
+                                                  std::size_t count) const {
+  const Json* normal = attributes.find("NORMAL");
+  if (!normal) return {};
+  const std::string place = gltf::placeOf("meshes", toIndex(part.mesh)) + ".primitives.attributes.NORMAL";
+  const double index = normal->number(-1.0);
+  if (!(index >= 0.0 && index < static_cast<double>(source_.file.model().accessors.size()))) {
+    gltf::refuse(place, "there is no such accessor");
+  }
+  const gltf::Accessor& accessor = source_.accessors.open(static_cast<int>(index), place, TINYGLTF_TYPE_VEC3);
+  if (accessor.count() != count) gltf::refuse(place, "not as many values as positions");
+  return readVectors(accessor);
+}
+
+/// What a vertex follows that no triangle uses.
+FourWeights OutPrimitives::anyWeights(int node) const {
+  const gltf::MeshBinding& binding = *at(source_.bound.meshes, node);
+  const int first = binding.skin < 0 ? binding.rigid : at(source_.bound.jointBindings, binding.skin).front();
+  return {{first, -1, -1, -1}, {1.0f}};
+}
+
 PrimitiveCounts OutPrimitives::writeOriginal(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive) {
   const auto& from = at(at(source_.file.model().meshes, part.mesh).primitives, part.primitive).attributes;
   std::vector<glm::vec3> positions =
       readVectors(source_.accessors.open(from.at("POSITION"), "meshes", TINYGLTF_TYPE_VEC3));
-  const glm::dmat4 binds = at(source_.bound.meshes, part.node)->meshToBind;
-  const glm::dmat4& toBind = skins_.meshToBind(part.node);
-  const std::vector<int> control = controlVertices(part, positions.size());
   Json& attributes = *memberOf(primitive, "attributes");
-  const Json* normal = attributes.find("NORMAL");
-  std::vector<glm::vec3> normals;
-  if (normal) {
-    normals = readVectors(source_.accessors.open(static_cast<int>(normal->number(-1.0)), "meshes", TINYGLTF_TYPE_VEC3));
-    normals.resize(positions.size());
-  }
-  const bool moves = binds != toBind;  // A mesh that had no skin lies elsewhere in its new one.
-  const glm::dmat4 placed = glm::inverse(toBind) * binds;
-  const glm::dmat3 intoMesh(glm::inverse(toBind));
-  const glm::dmat3 normalIntoMesh = glm::transpose(glm::dmat3(toBind));
-  const glm::dmat3 normalPlaced = glm::transpose(glm::inverse(glm::dmat3(placed)));
+  std::vector<glm::vec3> normals = fileNormals(part, attributes, positions.size());
+  const std::vector<int> control = controlVertices(part, positions.size());
+  const glm::dmat3 toBind(skins_.meshToBind(part.node));
+  const glm::dmat3 intoMesh = glm::inverse(toBind);
   std::vector<FourWeights> weights;
   for (std::size_t v = 0; v < positions.size(); ++v) {
-    if (moves) {
-      positions[v] = glm::vec3(placed * glm::dvec4(glm::dvec3(positions[v]), 1.0));
-      if (normal) normals[v] = normalizeOr(glm::vec3(normalPlaced * glm::dvec3(normals[v])), normals[v]);
-    }
     if (control[v] < 0) {
-      const int any = at(source_.bound.meshes, part.node)->rigid;
-      const auto& joints = source_.bound.jointBindings;
-      const int skin = at(source_.bound.meshes, part.node)->skin;
-      weights.push_back({{skin < 0 ? any : at(joints, skin).front(), -1, -1, -1}, {1.0f}});
+      weights.push_back(anyWeights(part.node));
       continue;
     }
     const std::size_t c = toIndex(control[v]);
@@ -76,17 +81,17 @@ PrimitiveCounts OutPrimitives::writeOriginal(const gltf::SoupPart& part, GltfRew
       positions[v] += glm::vec3(intoMesh * glm::dvec3(bind_.positions[c] - mesh_.positions[c]));
     }
     const glm::vec3 turn = bind_.normals[c] - mesh_.normals[c];
-    if (normal && glm::length(turn) > kSameNormal) {
-      const glm::dvec3 world = glm::normalize(glm::inverse(normalIntoMesh) * glm::dvec3(normals[v]));
-      normals[v] = normalizeOr(glm::vec3(glm::normalize(normalIntoMesh * (world + glm::dvec3(turn)))), normals[v]);
-    }
+    if (normals.empty() || glm::length(turn) <= kSameNormal) continue;
+    const glm::dvec3 world = glm::normalize(glm::transpose(intoMesh) * glm::dvec3(normals[v]));
+    normals[v] =
+        normalizeOr(glm::vec3(glm::normalize(glm::transpose(toBind) * (world + glm::dvec3(turn)))), normals[v]);
   }
   const auto add = [&](const std::vector<glm::vec3>& values, std::optional<Bounds> bounds) {
     return rewrite.addAccessor({bytesOf(values), TINYGLTF_COMPONENT_TYPE_FLOAT, "VEC3", values.size(),
                                 TINYGLTF_TARGET_ARRAY_BUFFER, std::move(bounds)});
   };
   attributes.set("POSITION", add(positions, boundsOf(positions)));
-  if (normal) attributes.set("NORMAL", add(normals, {}));
+  if (!normals.empty()) attributes.set("NORMAL", add(normals, {}));
   std::erase_if(attributes.children, [](const Json& attribute) {
     return attribute.key.starts_with("JOINTS_") || attribute.key.starts_with("WEIGHTS_");
   });

@@ -33,6 +33,9 @@ class OutPrimitives {
 
  private:
   void setWeights(int node, const std::vector<FourWeights>& weights, GltfRewrite& rewrite, Json& attributes);
+  [[nodiscard]] std::vector<glm::vec3> fileNormals(const gltf::SoupPart& part, const Json& attributes,
+                                                   std::size_t count) const;
+  [[nodiscard]] FourWeights anyWeights(int node) const;
   [[nodiscard]] std::vector<int> controlVertices(const gltf::SoupPart& part, std::size_t count) const;
 
   Source& source_;

@@ -11,26 +11,29 @@ namespace sinew::exporting {
 OutSkins::OutSkins(Source& source) : source_(source) {
   for (const gltf::SoupPart& part : source.origin.parts) {
     const gltf::MeshBinding& binding = *at(source.bound.meshes, part.node);
-    Skin& skin = skins_[binding.skin];
+    Skin& skin = skins_[keyOf(part.node)];
     if (!std::ranges::count(skin.users, part.node)) skin.users.push_back(part.node);
-    if (binding.skin < 0 || !skin.bindings.empty()) continue;
     skin.meshToBind = binding.meshToBind;
+    if (binding.skin < 0 || !skin.bindings.empty()) continue;
     skin.bindings = at(source.bound.jointBindings, binding.skin);
     skin.own = skin.bindings.size();
     for (std::size_t j = 0; j < skin.own; ++j) skin.jointOf.emplace(skin.bindings[j], static_cast<int>(j));
   }
 }
 
-int OutSkins::skinOf(int node) const { return at(source_.bound.meshes, node)->skin; }
+int OutSkins::keyOf(int node) const {
+  const int skin = at(source_.bound.meshes, node)->skin;
+  return skin < 0 ? -1 - node : skin;
+}
 
 int OutSkins::jointOf(int node, int binding) {
-  Skin& skin = skins_.at(skinOf(node));
+  Skin& skin = skins_.at(keyOf(node));
   const auto [place, isNew] = skin.jointOf.emplace(binding, static_cast<int>(skin.bindings.size()));
   if (isNew) skin.bindings.push_back(binding);
   return place->second;
 }
 
-const glm::dmat4& OutSkins::meshToBind(int node) const { return skins_.at(skinOf(node)).meshToBind; }
+const glm::dmat4& OutSkins::meshToBind(int node) const { return skins_.at(keyOf(node)).meshToBind; }
 
 std::vector<glm::mat4> OutSkins::inverseBinds(int fileSkin, const Skin& skin, bool& changed) {
   std::vector<glm::mat4> matrices;

@@ -13,7 +13,7 @@
 namespace sinew::exporting {
 
 /// A skin keeps its joints, their order and their matrices; a joint that only fitted weights name comes after them.
-/// Meshes that had no skin share a new one, in the bind pose's world space.
+/// A node whose mesh had no skin gets one of its own.
 class OutSkins {
  public:
   explicit OutSkins(Source& source);
@@ -36,13 +36,12 @@ class OutSkins {
     std::vector<int> users;      // nodes
   };
 
-  [[nodiscard]] int skinOf(int node) const;  // of the file, or -1
-  Skin& open(int node);
+  [[nodiscard]] int keyOf(int node) const;
   void writeSkin(int fileSkin, const Skin& skin, GltfRewrite& rewrite);
   [[nodiscard]] std::vector<glm::mat4> inverseBinds(int fileSkin, const Skin& skin, bool& changed);
 
   Source& source_;
-  std::map<int, Skin> skins_;  // by the file's number; -1: the new one
+  std::map<int, Skin> skins_;  // by the file's number; new ones by -1 - node
   std::set<int> nodes_;
 };
 
