@@ -78,8 +78,9 @@ void WeightFit::add(std::span<const glm::dmat4> matrices, std::span<const glm::v
 struct WeightFit::Vertex {
   std::size_t count = 0;  ///< Candidates.
   CandidateWeights start{};
-  Gram all{};           ///< Every pose counted alike.
-  double before = 0.0;  ///< With the weights it starts with.
+  Gram all{};                        ///< Every pose counted alike.
+  double before = 0.0;               ///< With the weights it starts with.
+  std::vector<std::size_t> choices;  ///< Candidates that are tried.
 };
 
 Gram WeightFit::gramOf(std::size_t vertex, double ownShare, double furtherShare) const {
@@ -105,11 +106,21 @@ FourWeights WeightFit::kept(std::size_t vertex, const CandidateWeights& weights)
   return fourLargest(std::move(shares));
 }
 
+/// Among the vertex's choices alone.
 CandidateWeights WeightFit::solved(const Vertex& vertex, const Gram& gram, const CandidateWeights& near) const {
   double trace = 0.0;
   for (std::size_t i = 0; i < vertex.count; ++i) trace += gram[i][i];
   const double mu = std::max(kSmoothness * trace / static_cast<double>(vertex.count), kLeastSmoothness);
-  return bestWeights(gram, vertex.count, mu, near);
+  Gram own{};
+  CandidateWeights ownNear{};
+  for (std::size_t i = 0; i < vertex.choices.size(); ++i) {
+    ownNear[i] = near[vertex.choices[i]];
+    for (std::size_t k = 0; k < vertex.choices.size(); ++k) own[i][k] = gram[vertex.choices[i]][vertex.choices[k]];
+  }
+  const CandidateWeights best = bestWeights(own, vertex.choices.size(), mu, ownNear);
+  CandidateWeights result{};
+  for (std::size_t i = 0; i < vertex.choices.size(); ++i) result[vertex.choices[i]] = best[i];
+  return result;
 }
 
 CandidateWeights WeightFit::meanOf(std::size_t vertex, const std::vector<int>& neighbours,
@@ -139,11 +150,15 @@ std::vector<FourWeights> WeightFit::solve(std::span<const std::array<int, 3>> tr
   std::vector<FourWeights> next = start_;
   for (int sweep = 0; sweep <= kSweeps; ++sweep) {
     for (std::size_t v = 0; v < rest_.size(); ++v) {
-      Vertex vertex{candidates_[v].size(), startOf(v), gramOf(v, 1.0, 1.0)};
+      Vertex vertex{candidates_[v].size(), startOf(v), gramOf(v, 1.0, 1.0), 0.0, {}};
       vertex.before = energyOf(vertex.all, vertex.start, vertex.count);
       if (vertex.before <= poses_ * tolerance * tolerance) continue;
       const bool smooths = sweep > 0 && !neighbours[v].empty();
       const CandidateWeights near = smooths ? meanOf(v, neighbours[v], current) : vertex.start;
+      const CandidateWeights now = onCandidates(candidates_[v], current[v]);
+      for (std::size_t i = 0; i < vertex.count; ++i) {
+        if (sweep == 0 || near[i] + now[i] + vertex.start[i] > 0.0) vertex.choices.push_back(i);
+      }
       next[v] = kept(v, notWorse(v, vertex, near, furtherShare));
     }
     std::swap(current, next);

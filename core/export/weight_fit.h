@@ -22,8 +22,9 @@ class WeightFit {
   /// @param further  one of those that solve() may count less
   void add(std::span<const glm::dmat4> matrices, std::span<const glm::vec3> live, bool further);
 
-  /// The weights, each vertex's drawn a little to the mean of its neighbours'. Over all poses, each counted alike, no
-  /// vertex is farther off than with the weights it starts with (but for the rounding of weights to floats).
+  /// The weights: first the best of all candidates, then two sweeps that draw each vertex's a little to the mean of its
+  /// neighbours', with the candidates that it, they, or the weights it starts with follow. Over all poses, each counted
+  /// alike, no vertex is farther off than with the weights it starts with (but for the rounding of weights to floats).
   /// @param furtherShare  what a further pose counts beside any other, above 0, at most 1; more where that is needed
   /// @param tolerance  a distance; vertices that come as near with the weights they start with keep them
   /// @param triangles  between the vertices; those with a corner beyond `count` are skipped

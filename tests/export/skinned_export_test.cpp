@@ -232,6 +232,23 @@ TEST_P(SkinnedExport, SameInputsSameBytes) {
             readWholeFile(folder_.path() / "b.glb", 1 << 28).value());
 }
 
+/// docs/export.md prints what is reached; a change of the fit that loses it shows here.
+TEST(SkinnedExportFigures, BundledCharactersComeNear) {
+  struct Ceiling {
+    const char* rig;
+    double rms;  // all clips, percent of the height
+  };
+  const TemporaryFolder folder;
+  for (const Ceiling& ceiling : {Ceiling{"humanoid", 0.152}, Ceiling{"humanoid-flex", 0.168}, Ceiling{"horse", 0.19},
+                                 Ceiling{"horse-flex", 0.24}}) {
+    const auto report = bundledScene(ceiling.rig).write(folder.path() / "out.glb");
+    ASSERT_TRUE(report.ok());
+    EXPECT_LT(report->allClips.rms, ceiling.rms) << ceiling.rig;
+    EXPECT_LT(report->heldOut.rms, 1.1 * report->fitted.rms)
+        << ceiling.rig << ": fitted to the poses, not to the motion";
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Characters, SkinnedExport,
                          ::testing::Values("humanoid", "horse", "humanoid-flex", "horse-flex", "Fox.glb",
                                            "greenman.glb", "cesium_man.gltf", "robot.glb"),

@@ -120,6 +120,28 @@ TEST_F(AtomicFile, ALinkStaysALink) {
   EXPECT_EQ(contentOf(folder_ / "real"), "new");
 }
 
+TEST_F(AtomicFile, FilesThatBelongTogetherAreAllNewOrAllOld) {
+  const fs::path first = folder_ / "a.bin";
+  const fs::path second = folder_ / "a.gltf";
+  ASSERT_TRUE(writeFilesAtomically({{first, "old bytes"}, {second, "old text"}}).ok());
+  EXPECT_EQ(contentOf(first), "old bytes");
+  EXPECT_EQ(contentOf(second), "old text");
+  {
+    const FileSizeLimit full(4);
+    const auto written = writeFilesAtomically({{first, "new"}, {second, "new text"}});
+    ASSERT_FALSE(written.ok());
+    EXPECT_EQ(written.error().file, second.string());
+  }
+  for (const fs::path& taken : {folder_, fs::path("/dev/full"), folder_ / "absent" / "c"}) {
+    const auto written = writeFilesAtomically({{first, "new"}, {taken, "new"}});
+    ASSERT_FALSE(written.ok());
+    EXPECT_EQ(written.error().file, taken.string());
+  }
+  EXPECT_EQ(contentOf(first), "old bytes");
+  EXPECT_EQ(contentOf(second), "old text");
+  EXPECT_EQ(filesInFolder(), 2U);
+}
+
 TEST_F(AtomicFile, ReadingRefusesWhatIsNoFileOrTooLarge) {
   const fs::path file = folder_ / "ten";
   ASSERT_TRUE(writeFileAtomically(file, "0123456789").ok());

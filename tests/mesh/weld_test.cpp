@@ -212,6 +212,25 @@ TEST(Weld, DegenerateTrianglesAreCountedAndTheirVerticesVanish) {
   EXPECT_EQ(mesh.positions.size(), 4u);
 }
 
+TEST(Weld, EveryTriangleKnowsWhatBecomesOfIt) {
+  TriangleSoup soup = splitAtRandom(torus(12, 9), 5, 0.0f);
+  const auto corner = soup.triangles[7];
+  soup.triangles.insert(soup.triangles.begin() + 4, {corner[0], corner[0], corner[2]});
+  soup.materials.insert(soup.materials.begin() + 4, 0);
+  const ControlMesh mesh = weld(soup, 1e-6f);
+  const std::vector<int> welded = weldedTriangles(soup, 1e-6f);
+  ASSERT_EQ(welded.size(), soup.triangles.size());
+  EXPECT_EQ(welded[4], -1);
+  EXPECT_EQ(std::ranges::count(welded, -1), mesh.trianglesDropped);
+  for (std::size_t t = 0; t < welded.size(); ++t) {
+    if (welded[t] < 0) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int vertex = mesh.triangles[static_cast<std::size_t>(welded[t])].vertices[i];
+      EXPECT_EQ(mesh.positions[static_cast<std::size_t>(vertex)], soup.positions[soup.triangles[t][i]]);
+    }
+  }
+}
+
 TEST(Weld, SliversStay) {
   TriangleSoup soup;
   for (const float x : {0.0f, 1.0f, 2.0f}) addVertex(soup, {x, 0, 0});
