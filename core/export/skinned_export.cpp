@@ -243,6 +243,8 @@ Result<SkinnedExportReport> exportSkinned(const std::filesystem::path& character
     return Error{characterFile.string(), refusal.error.place, refusal.error.reason};
   } catch (const std::bad_alloc&) {
     return Error{characterFile.string(), {}, "there is not enough memory to export it"};
+  } catch (const std::exception& error) {
+    return Error{characterFile.string(), {}, shortened(error.what())};
   }
 }
 

@@ -64,7 +64,8 @@ struct SkinnedExportReport {
 /// @param character  as importGltf(characterFile) gave it.
 /// @param moving     the same character, with the clips that weights are also fitted to (the range of motion) at the
 ///                   end of its own.
-/// Error: unknown clip or bones, an invalid rig, more than a .glb holds, or a file cannot be written.
+/// Error: unknown clip, an invalid rig, more than a .glb holds, or a file cannot be written. Muscles whose bone is
+/// missing are left out (core/rig/attachment.h, missingBones). Never throws.
 [[nodiscard]] Result<SkinnedExportReport> exportSkinned(const std::filesystem::path& characterFile,
                                                         const std::shared_ptr<const Character>& character,
                                                         const Character& moving, const Rig& rig,
