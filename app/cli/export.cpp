@@ -11,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/batch.h"
 #include "app/cli/console.h"
 #include "app/cli/verb.h"
 #include "app/document/document.h"
@@ -31,6 +32,7 @@ struct ExportOptions {
   std::optional<int> depth;
   std::vector<std::string> clips;
   bool json = false;
+  BatchOptions batch;
 };
 
 Json jsonOf(const ErrorFigures& error) {
@@ -51,7 +53,8 @@ Json clipsOf(const std::vector<ClipError>& clips) {
   return list;
 }
 
-std::string jsonText(const ExportOptions& options, const SkinnedExportReport& report) {
+std::string jsonText(const ExportOptions& options, const std::filesystem::path& output,
+                     const SkinnedExportReport& report) {
   Json error = Json::object();
   error.set("fitted", jsonOf(report.fitted)).set("held_out", jsonOf(report.heldOut));
   error.set("all_clips", jsonOf(report.allClips)).set("clips", clipsOf(report.clips));
@@ -59,7 +62,7 @@ std::string jsonText(const ExportOptions& options, const SkinnedExportReport& re
   Json left = Json::array();
   for (const std::string& line : report.left) left.push(line);
   Json json = Json::object();
-  json.set("file", options.output.string()).set("as", options.kind).set("mesh", options.mesh);
+  json.set("file", output.string()).set("as", options.kind).set("mesh", options.mesh);
   json.set("weights", options.weights).set("joints", report.joints);
   json.set("vertices", static_cast<long long>(report.vertices));
   json.set("triangles", static_cast<long long>(report.triangles));
@@ -74,9 +77,10 @@ void writeRow(std::ostream& out, const std::string& name, const ErrorFigures& er
       << error.largest << '\n';
 }
 
-std::string plainText(const ExportOptions& options, const SkinnedExportReport& report) {
+std::string plainText(const ExportOptions& options, const std::filesystem::path& output,
+                      const SkinnedExportReport& report) {
   std::ostringstream out;
-  out << options.output.string() << '\n';
+  out << output.string() << '\n';
   out << "  " << options.mesh << " mesh, " << options.weights << " weights: " << report.joints << " joints, "
       << report.vertices << " vertices, " << report.triangles << " triangles, " << report.bytes << " bytes\n";
   out << "  % of the height            poses       rms    99.9 %       max\n";
@@ -95,8 +99,7 @@ std::string isOutput(const std::string& text) {
 
 void addExportOptions(CLI::App& verb, ExportOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
-  verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf)")
-      ->required();
+  verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf)");
   verb.add_option("--as", options.kind, "skinned: joints and weights alone, muscles at rest; plays in any engine")
       ->type_name("KIND")
       ->required()
@@ -120,6 +123,7 @@ void addExportOptions(CLI::App& verb, ExportOptions& options) {
       ->type_name("OUT")
       ->required()
       ->check(isOutput);
+  addBatchOptions(verb, options.batch);
 }
 
 bool isInput(const std::filesystem::path& written, const Document& document) {
@@ -128,28 +132,36 @@ bool isInput(const std::filesystem::path& written, const Document& document) {
          std::filesystem::equivalent(written, document.rigFile, absent);
 }
 
-int runExport(const ExportOptions& options) {
-  progress("reading " + options.file.string());
-  const auto document = openDocument(options.file);
+int exportInput(const ExportOptions& options, const BatchInput& input) {
+  const std::filesystem::path& output = input.outputs.front();
+  progress("reading " + input.file.string());
+  const auto document = openDocument(input.file);
   if (!document) return badInput(document.error());
-  if (isInput(options.output, document.value())) {
-    return badCommandLine(options.output.string() + ": is the input; it is not overwritten");
+  if (isInput(output, document.value())) {
+    return badCommandLine(output.string() + ": is the input; it is not overwritten");
   }
   Rig rig = document->rig();
   if (options.depth) rig.smoothing.depth = *options.depth;
   if (const auto missing = missingBones(rig, document->character->skeleton); !missing.empty()) {
-    return badInput({options.file.string(), missing.front().place, missing.front().reason});
+    return badInput({input.file.string(), missing.front().place, missing.front().reason});
   }
   SkinnedExportSettings settings;
   settings.mesh = options.mesh == "original" ? ExportMesh::kOriginal : ExportMesh::kRefined;
   settings.weights = options.weights == "transferred" ? ExportWeights::kTransferred : ExportWeights::kRefitted;
   settings.clips = options.clips;
-  progress("exporting " + options.output.string());
+  progress("exporting " + output.string());
   const auto moving = withRangeOfMotion(document->character);
-  const auto report =
-      exportSkinned(document->characterFile, document->character, *moving, rig, settings, options.output);
+  const auto report = exportSkinned(document->characterFile, document->character, *moving, rig, settings, output);
   if (!report) return badInput(report.error());
-  return putResult(options.json ? jsonText(options, report.value()) : plainText(options, report.value()));
+  return putResult(options.json ? jsonText(options, output, report.value())
+                                : plainText(options, output, report.value()));
+}
+
+int runExport(const ExportOptions& options) {
+  const auto batch = planBatch(options.batch, options.file, options.output);
+  if (!batch) return refused(batch.error());
+  return runBatch(batch.value(), options.batch.dryRun,
+                  [&](const BatchInput& input) { return exportInput(options, input); });
 }
 
 }  // namespace

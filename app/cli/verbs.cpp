@@ -49,7 +49,7 @@ std::vector<Verb> allVerbs(const RunEditor& edit) {
       smoothVerb(),
       exportVerb(),
       renderVerb(),
-      farmVerb({smoothVerb(), renderVerb()}),
+      farmVerb({smoothVerb(), exportVerb(), renderVerb()}),
       benchVerb(),
   };
 }

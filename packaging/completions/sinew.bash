@@ -33,6 +33,7 @@ _sinew() {
             :edit) verb=edit ;;
             :inspect) verb=inspect ;;
             :smooth) verb=smooth ;;
+            :export) verb=export ;;
             :render) verb=render ;;
             :farm) verb=farm ;;
             :bench) verb=bench ;;
@@ -61,6 +62,14 @@ _sinew() {
         smooth:--report) _sinew_files json; return ;;
         smooth:--list) _sinew_files -; return ;;
         smooth:--shard) :; return ;;
+        export:--as) _sinew_words skinned; return ;;
+        export:--mesh) _sinew_words refined original; return ;;
+        export:--depth) :; return ;;
+        export:--weights) _sinew_words refitted transferred; return ;;
+        export:--clip) :; return ;;
+        export:-o|export:--output) _sinew_files glb gltf; return ;;
+        export:--list) _sinew_files -; return ;;
+        export:--shard) :; return ;;
         render:--clip) :; return ;;
         render:--time) :; return ;;
         render:--frames) :; return ;;
@@ -99,13 +108,15 @@ _sinew() {
     esac
     case "$verb:$cur" in
         :-*) _sinew_words --version -h --help ;;
-        :*) _sinew_words edit inspect smooth render farm bench; _sinew_files glb gltf rig.json ;;
+        :*) _sinew_words edit inspect smooth export render farm bench; _sinew_files glb gltf rig.json ;;
         edit:-*) _sinew_words -h --help --log-state --scale ;;
         edit:*) _sinew_files glb gltf rig.json ;;
         inspect:-*) _sinew_words -h --help --json ;;
         inspect:*) _sinew_files glb gltf rig.json ;;
         smooth:-*) _sinew_words -h --help --clip --time --frames --fps --depth --mode --patch --projection --crease -o --output --report --list --shard --resume --dry-run ;;
         smooth:*) _sinew_files glb gltf rig.json ;;
+        export:-*) _sinew_words -h --help --as --mesh --depth --weights --clip --json -o --output --list --shard --resume --dry-run ;;
+        export:*) _sinew_files glb gltf rig.json ;;
         render:-*) _sinew_words -h --help --clip --time --frames --fps --view --orthographic --shading --show --glass --surface --no-surface --ground --no-ground --cull --transparent --light --background --ao --size --samples --depth --mode --patch --projection --crease -o --output --list --shard --resume --dry-run ;;
         render:*) _sinew_files glb gltf rig.json ;;
         farm:-*) _sinew_words -h --help --to --tasks --program --job ;;

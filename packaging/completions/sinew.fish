@@ -11,6 +11,8 @@ function __sinew_verb
                 set verb inspect
             case :smooth
                 set verb smooth
+            case :export
+                set verb export
             case :render
                 set verb render
             case :farm
@@ -56,6 +58,7 @@ complete -c sinew -f
 complete -c sinew -n '__sinew_in ""' -a edit -d 'Open the editor'
 complete -c sinew -n '__sinew_in ""' -a inspect -d 'Describe a character or a rig, and what is wrong with it'
 complete -c sinew -n '__sinew_in ""' -a smooth -d 'Write the smoothed surface of one moment, or of each frame'
+complete -c sinew -n '__sinew_in ""' -a export -d 'Write the character for games'
 complete -c sinew -n '__sinew_in ""' -a render -d 'Make pictures, off screen'
 complete -c sinew -n '__sinew_in ""' -a farm -d 'Write down a batch job for Slurm, GNU parallel or another farm'
 complete -c sinew -n '__sinew_in ""' -a bench -d 'Measure on this machine'
@@ -86,6 +89,19 @@ complete -c sinew -n '__sinew_in "smooth"' -l list -x -a '(__sinew_files )' -d '
 complete -c sinew -n '__sinew_in "smooth"' -l shard -x -d 'Make share I of N, 0 to N-1; auto: as the Slurm or Grid Engine array job says'
 complete -c sinew -n '__sinew_in "smooth"' -l resume -d 'Leave out what is there already: files appear whole or not at all'
 complete -c sinew -n '__sinew_in "smooth"' -l dry-run -d 'Print the names of the files, and make none'
+complete -c sinew -n '__sinew_in "export"' -a '(__sinew_files glb gltf rig.json)'
+complete -c sinew -n '__sinew_in "export"' -s h -l help -d 'Print this and exit'
+complete -c sinew -n '__sinew_in "export"' -l as -x -a 'skinned' -d 'skinned: joints and weights alone, muscles at rest; plays in any engine'
+complete -c sinew -n '__sinew_in "export"' -l mesh -x -a 'refined original' -d 'refined, or original: the file\'s own vertices, in its order'
+complete -c sinew -n '__sinew_in "export"' -l depth -x -d 'Every triangle becomes N x N, in place of the rig\'s depth'
+complete -c sinew -n '__sinew_in "export"' -l weights -x -a 'refitted transferred' -d 'refitted to the muscles\' surface over the clips and the range of motion, or transferred from the file'
+complete -c sinew -n '__sinew_in "export"' -l clip -x -d 'Keep this clip; may be given several times; without it, all are kept'
+complete -c sinew -n '__sinew_in "export"' -l json -d 'Report as JSON'
+complete -c sinew -n '__sinew_in "export"' -s o -l output -x -a '(__sinew_files glb gltf)' -d 'Character to write: .glb or .gltf'
+complete -c sinew -n '__sinew_in "export"' -l list -x -a '(__sinew_files )' -d 'Instead of FILE: a text file with an input a line; {name} in OUT is its name'
+complete -c sinew -n '__sinew_in "export"' -l shard -x -d 'Make share I of N, 0 to N-1; auto: as the Slurm or Grid Engine array job says'
+complete -c sinew -n '__sinew_in "export"' -l resume -d 'Leave out what is there already: files appear whole or not at all'
+complete -c sinew -n '__sinew_in "export"' -l dry-run -d 'Print the names of the files, and make none'
 complete -c sinew -n '__sinew_in "render"' -a '(__sinew_files glb gltf rig.json)'
 complete -c sinew -n '__sinew_in "render"' -s h -l help -d 'Print this and exit'
 complete -c sinew -n '__sinew_in "render"' -l clip -x -d 'Pose from this clip, or "Range of motion", made from the joints; without any of these, the bind pose'

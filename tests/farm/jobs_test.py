@@ -118,6 +118,19 @@ class Jobs(unittest.TestCase):
         (self.folder / "list.txt").write_text("missing.glb\nabsent.glb\n")
         self.assertEqual(sinew(self.folder, "smooth", "--list", "list.txt", *out, check=False).returncode, 1)
 
+    def test_characters_for_games_are_shared_out(self):
+        (self.folder / "list.txt").write_text("".join("%s\n" % (ROOT / "assets" / name) for name in (
+            "demo.rig.json", "horse.rig.json", "wrapped.glb")))
+        job = ["export", "--list", "list.txt", "--as", "skinned", "--depth", "1", "--weights", "transferred", "-o",
+               "out file's/{name} muscled.glb"]
+        names = sinew(self.folder, *job, "--dry-run").stdout.splitlines()
+        for index in (2, 0, 1):
+            sinew(self.folder, *job, "--shard", "%d/3" % index)
+        parts = contents(self.folder)
+        self.assertEqual(sorted("out file's/" + name for name in parts), sorted(names))
+        sinew(self.folder, *job)
+        self.assertEqual(contents(self.folder), parts)
+
     def test_command_lines(self):
         lines = self.farm("commands", 5, RENDER).read_text().splitlines()
         self.assertEqual(len(lines), 5)
