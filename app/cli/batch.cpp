@@ -61,7 +61,8 @@ Result<std::vector<std::filesystem::path>> linesOf(const std::filesystem::path& 
   if (!text) return text.error();
   std::vector<std::filesystem::path> lines;
   constexpr const char* kBlank = " \t\r";
-  for (std::size_t at = 0; at < text->size();) {
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  for (std::size_t at = text->starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0; at < text->size();) {
     const std::size_t end = std::min(text->find('\n', at), text->size());
     const std::string line = text->substr(at, end - at);
     at = end + 1;

@@ -43,7 +43,9 @@ TEST_F(Jobs, FramesGoInStepsAndIncludeBothEnds) {
 TEST_F(Jobs, ShardsDivideTheItemsOfAllInputs) {
   BatchOptions options;
   options.frames = "0:4";
-  options.list = listOf("a/fox.rig.json\r\n  horse.glb \n\n# no\nb.x\n");
+  options.list = listOf(
+      "\xef\xbb\xbf"
+      "a/fox.rig.json\r\n  horse.glb \n\n# no\nb.x\n");
   for (const int count : {1, 2, 4, 15, 40}) {
     std::set<std::string> names;
     std::size_t items = 0;
