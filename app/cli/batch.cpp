@@ -14,6 +14,7 @@
 #include "app/cli/console.h"
 #include "app/cli/shard.h"
 #include "core/io/files/atomic_file.h"
+#include "sinew/io/rig_json.h"
 
 namespace sinew::app {
 namespace {
@@ -87,6 +88,16 @@ bool isThere(const std::filesystem::path& file) {
   return std::filesystem::is_regular_file(file, absent);
 }
 
+/// The input, or the character that it names, is the file.
+bool isInput(const std::filesystem::path& file, const std::filesystem::path& input) {
+  if (!isThere(file)) return false;
+  std::error_code absent;
+  if (std::filesystem::equivalent(file, input, absent)) return true;
+  if (!input.filename().string().ends_with(".rig.json")) return false;
+  const auto rig = loadRig(input);
+  return rig && std::filesystem::equivalent(file, input.parent_path() / rig->character, absent);
+}
+
 }  // namespace
 
 void addFrameOptions(CLI::App& verb, BatchOptions& options) {
@@ -98,7 +109,7 @@ void addFrameOptions(CLI::App& verb, BatchOptions& options) {
 void addBatchOptions(CLI::App& verb, BatchOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
   verb.add_option_function<std::string>("--list", to(options.list),
-                                        "Instead of FILE: a text file with an input a line; {name} in OUT is its name")
+                                        "Instead of FILE: a text file, one input per line; {name} in OUT is its name")
       ->type_name("FILE.txt");
   verb.add_option("--shard", options.shard,
                   "Make share I of N, 0 to N-1; auto: as the Slurm or Grid Engine array job says")
@@ -133,6 +144,8 @@ Result<Batch> planBatch(const BatchOptions& options, const std::filesystem::path
       if (!names.insert(name.lexically_normal().string()).second) {
         return errorAt("--output", "two items of the job write " + name.string());
       }
+      // Here, as what is there is left out to resume.
+      if (isInput(name, file)) return errorAt("--output", name.string() + ": is the input; it is not overwritten");
       if (shard->holds(item) && !(options.resume && isThere(name))) of.wanted.push_back(moment);
     }
     batch.inputs.push_back(std::move(of));

@@ -21,7 +21,7 @@ namespace sinew::app {
 struct BatchOptions {
   std::string frames;  ///< "A:B" or "A:B:STEP", both ends included; empty: one moment.
   double framesPerSecond = 30.0;
-  std::filesystem::path list;  ///< A file with an input a line; empty: the verb's one input.
+  std::filesystem::path list;  ///< A file, one input per line; empty: the verb's one input.
   std::string shard;           ///< "I/N" or "auto"; empty: the whole job.
   bool resume = false;
   bool dryRun = false;

@@ -1,6 +1,4 @@
 // app/cli/export.cpp: open, fit, write for other programs, report.
-#include <array>
-#include <charconv>
 #include <filesystem>
 #include <iomanip>
 #include <optional>

@@ -70,10 +70,9 @@ int runFarm(const FarmOptions& options, std::span<const Verb> verbs) {
   if (failed) return badInput(errorAt("current folder", failed.message()));
   job.program = options.program.empty() ? thisProgram() : options.program;
   job.tasks = options.tasks;
-  if (options.to == "commands") return putJob(commandLines(job), options.file);
   if (options.to == "parallel") return putJob(parallelScript(job), options.file);
   if (options.to == "slurm") return putJob(slurmScript(job), options.file);
-  const auto text = openJobTemplate(job);
+  const auto text = options.to == "commands" ? commandLines(job) : openJobTemplate(job);
   if (!text) return badCommandLine(text.error().text());
   return putJob(text.value(), options.file);
 }

@@ -3,6 +3,7 @@
 #include "app/cli/farm_job.h"
 
 #include <algorithm>
+#include <span>
 #include <string_view>
 
 #include "core/io/json/json.h"
@@ -17,9 +18,10 @@ std::string inFolder(const FarmJob& job) { return "cd " + shellWord(job.folder.s
 
 /// The program with its arguments and a shard, which is a word of the shell already.
 std::string commandOf(const FarmJob& job, const std::string& shard) {
-  std::string line = shellWord(job.program);
-  for (const std::string& argument : job.arguments) line += ' ' + shellWord(argument);
-  return line + " --shard " + shard + " --resume";
+  std::string line =
+      shellWord(job.program) + ' ' + shellWord(job.arguments.front()) + " --shard " + shard + " --resume";
+  for (const std::string& argument : std::span(job.arguments).subspan(1)) line += ' ' + shellWord(argument);
+  return line;
 }
 
 std::string shardText(const std::string& index, const FarmJob& job) { return index + '/' + std::to_string(job.tasks); }
@@ -36,7 +38,11 @@ std::string shellWord(const std::string& text) {
   return quoted + '\'';
 }
 
-std::string commandLines(const FarmJob& job) {
+Result<std::string> commandLines(const FarmJob& job) {
+  const auto breaks = [](const std::string& text) { return text.find('\n') != std::string::npos; };
+  if (std::ranges::any_of(job.arguments, breaks) || breaks(job.folder.string()) || breaks(job.program)) {
+    return errorAt("--to", "commands: a line break in what is to run would break its line");
+  }
   std::string lines;
   for (int task = 0; task < job.tasks; ++task) {
     lines += inFolder(job) + commandOf(job, shardText(std::to_string(task), job)) + '\n';
@@ -49,8 +55,8 @@ std::string parallelScript(const FarmJob& job) {
          "# " +
          std::to_string(job.tasks) +
          " tasks for GNU parallel. Its options can be added: sh JOB --jobs 4 --sshlogin HOST\n" + inFolder(job) +
-         "seq 0 " + std::to_string(job.tasks - 1) + " | parallel --quote -I " + kShardWord + " \"$@\" " +
-         commandOf(job, shardText(kShardWord, job)) + '\n';
+         "seq 0 " + std::to_string(job.tasks - 1) + " | parallel --quote --workdir " + shellWord(job.folder.string()) +
+         " -I " + kShardWord + " \"$@\" " + commandOf(job, shardText(kShardWord, job)) + '\n';
 }
 
 std::string slurmScript(const FarmJob& job) {

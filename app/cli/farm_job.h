@@ -18,8 +18,8 @@ struct FarmJob {
   int tasks = 1;                       ///< Each makes one shard.
 };
 
-/// A line a task, for a shell, xargs, or a farm's command script.
-[[nodiscard]] std::string commandLines(const FarmJob& job);
+/// One line per task, for a shell or a farm's command script. Error: a line break in what is to run.
+[[nodiscard]] Result<std::string> commandLines(const FarmJob& job);
 /// A shell script that calls GNU parallel.
 [[nodiscard]] std::string parallelScript(const FarmJob& job);
 /// A job array for sbatch.

@@ -27,16 +27,21 @@ struct ArrayVariables {
   const char* first;
   const char* last;
   const char* step;
+  const char* count;  ///< Null: the system does not say.
 };
 constexpr ArrayVariables kSlurm{"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_MAX",
-                                "SLURM_ARRAY_TASK_STEP"};
-constexpr ArrayVariables kGridEngine{"SGE_TASK_ID", "SGE_TASK_FIRST", "SGE_TASK_LAST", "SGE_TASK_STEPSIZE"};
+                                "SLURM_ARRAY_TASK_STEP", "SLURM_ARRAY_TASK_COUNT"};
+constexpr ArrayVariables kGridEngine{"SGE_TASK_ID", "SGE_TASK_FIRST", "SGE_TASK_LAST", "SGE_TASK_STEPSIZE", nullptr};
 
 std::optional<Shard> shardIn(const ArrayVariables& names) {
   const auto id = variable(names.id), first = variable(names.first), last = variable(names.last);
   const int step = variable(names.step).value_or(1);
   if (!id || !first || !last || step < 1 || *first < 0 || *id < *first || *id > *last) return std::nullopt;
-  return Shard{(*id - *first) / step, (*last - *first) / step + 1};
+  const Shard shard{(*id - *first) / step, (*last - *first) / step + 1};
+  // An array with gaps, such as one of failed tasks alone, would leave shares out.
+  const int tasks = names.count == nullptr ? shard.count : variable(names.count).value_or(shard.count);
+  if ((*id - *first) % step != 0 || tasks != shard.count) return std::nullopt;
+  return shard;
 }
 
 }  // namespace
@@ -46,7 +51,7 @@ Result<Shard> shardOf(const std::string& text) {
   if (text == "auto") {
     if (const auto slurm = shardIn(kSlurm)) return *slurm;
     if (const auto gridEngine = shardIn(kGridEngine)) return *gridEngine;
-    return errorAt("--shard", "auto: this is no task of a Slurm or Grid Engine array job");
+    return errorAt("--shard", "auto: this is no task of a Slurm or Grid Engine array job without gaps");
   }
   const std::size_t slash = text.find('/');
   const auto index = intIn(std::string_view(text).substr(0, slash));

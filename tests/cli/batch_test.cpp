@@ -91,6 +91,17 @@ TEST_F(Jobs, WhatWouldOverwriteItselfIsRefused) {
   EXPECT_FALSE(app::planBatch({}, {}, "x.png").ok()) << "neither";
 }
 
+TEST_F(Jobs, AnInputIsNeverTakenForWhatIsDone) {
+  for (const char* name : {"demo.glb", "demo.rig.json"}) {
+    std::filesystem::copy_file(demo(name), folder_ / name);
+  }
+  for (const char* input : {"demo.glb", "demo.rig.json"}) {
+    const Outcome refused = run({"export", input, "--as", "skinned", "-o", "./demo.glb", "--resume"});
+    EXPECT_EQ(refused.status, 2) << refused.error;
+    EXPECT_TRUE(refused.oneErrorLine()) << refused.error;
+  }
+}
+
 TEST(Shard, IsReadWholeOrRefused) {
   EXPECT_EQ(app::shardOf("")->count, 1);
   EXPECT_EQ(app::shardOf("3/7")->index, 3);
@@ -112,6 +123,7 @@ TEST_F(Jobs, TheProgramRefusesInOneLine) {
       {"farm", "inspect", rig, "--to", "slurm"},
       {"farm", "smooth", rig, "-o", "a.ply", "--shard", "0/2", "--to", "slurm"},
       {"farm", "smooth", rig, "--to", "slurm"},
+      {"farm", "smooth", rig, "-o", "a\nb.ply", "--to", "commands"},
       {"farm", "smooth", rig, "-o", "{{a}}.ply", "--to", "openjd"}};
   for (const std::vector<std::string>& arguments : wrong) {
     const Outcome refused = run(arguments);

@@ -155,8 +155,11 @@ class Jobs(unittest.TestCase):
         last = {"SGE_TASK_ID": "5", "SGE_TASK_FIRST": "1", "SGE_TASK_LAST": "9", "SGE_TASK_STEPSIZE": "4"}
         sinew(self.folder, *RENDER, "--shard", "auto", environment=last)
         self.expect_whole("render")
-        none = sinew(self.folder, *RENDER, "--shard", "auto", check=False)
-        self.assertEqual((none.returncode, len(none.stderr.splitlines())), (2, 1), none.stderr)
+        gaps = {"SLURM_ARRAY_TASK_ID": "3", "SLURM_ARRAY_TASK_MIN": "3", "SLURM_ARRAY_TASK_MAX": "7",
+                "SLURM_ARRAY_TASK_STEP": "1", "SLURM_ARRAY_TASK_COUNT": "2"}
+        for environment in ({}, gaps):
+            none = sinew(self.folder, *RENDER, "--shard", "auto", environment=environment, check=False)
+            self.assertEqual((none.returncode, len(none.stderr.splitlines())), (2, 1), none.stderr)
 
     def test_a_slurm_array_job(self):
         reason = slurm_node.why_not()
