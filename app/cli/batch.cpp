@@ -88,15 +88,25 @@ bool isThere(const std::filesystem::path& file) {
   return std::filesystem::is_regular_file(file, absent);
 }
 
-/// The input, or the character that it names, is the file.
-bool isInput(const std::filesystem::path& file, const std::filesystem::path& input) {
-  if (!isThere(file)) return false;
-  std::error_code absent;
-  if (std::filesystem::equivalent(file, input, absent)) return true;
-  if (!input.filename().string().ends_with(".rig.json")) return false;
-  const auto rig = loadRig(input);
-  return rig && std::filesystem::equivalent(file, input.parent_path() / rig->character, absent);
-}
+/// What an input is read from: itself and, where it is a rig, its character.
+class InputFiles {
+ public:
+  explicit InputFiles(const std::filesystem::path& input) : input_(input) {}
+
+  [[nodiscard]] bool hold(const std::filesystem::path& file) {
+    if (!isThere(file)) return false;
+    if (!character_) {                   // Not before something is there: most jobs write where nothing is.
+      const auto rig = loadRig(input_);  // Of a character: an error.
+      character_ = rig ? characterPath(rig.value(), input_) : input_;
+    }
+    std::error_code absent;
+    return std::filesystem::equivalent(file, input_, absent) || std::filesystem::equivalent(file, *character_, absent);
+  }
+
+ private:
+  const std::filesystem::path& input_;
+  std::optional<std::filesystem::path> character_;
+};
 
 }  // namespace
 
@@ -144,8 +154,6 @@ Result<Batch> planBatch(const BatchOptions& options, const std::filesystem::path
       if (!names.insert(name.lexically_normal().string()).second) {
         return errorAt("--output", "two items of the job write " + name.string());
       }
-      // Here, as what is there is left out to resume.
-      if (isInput(name, file)) return errorAt("--output", name.string() + ": is the input; it is not overwritten");
       if (shard->holds(item) && !(options.resume && isThere(name))) of.wanted.push_back(moment);
     }
     batch.inputs.push_back(std::move(of));
@@ -157,10 +165,13 @@ Result<std::vector<std::filesystem::path>> filesBeside(const Batch& batch, const
                                                        const std::filesystem::path& pattern,
                                                        const std::string& option) {
   std::vector<std::filesystem::path> files;
+  InputFiles read(input.file);
   for (std::size_t i = 0; i < std::max<std::size_t>(batch.frames.size(), 1); ++i) {
     const std::optional<int> frame = batch.frames.empty() ? std::nullopt : std::optional(batch.frames[i]);
     auto name = nameOfItem(pattern, option, input.file, batch.listed, frame);
     if (!name) return name.error();
+    // Here, before what is there is left out to resume.
+    if (read.hold(name.value())) return errorAt(option, name->string() + ": is the input; it is not overwritten");
     files.push_back(std::move(name.value()));
   }
   return files;

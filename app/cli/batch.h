@@ -49,7 +49,8 @@ struct Batch {
 /// modulo N is I; to resume, those of them that are not there yet.
 /// @param output  with frames a printf integer field such as %04d in its name; with a list "{name}", which stands for
 ///   the input's name without its ending
-/// Error: place is the option or the list's file, reason what was expected of it; two items write one file.
+/// Error: place is the option or the list's file, reason what was expected of it; two items write one file,
+/// or one writes what it is read from.
 [[nodiscard]] Result<Batch> planBatch(const BatchOptions& options, const std::filesystem::path& input,
                                       const std::filesystem::path& output);
 

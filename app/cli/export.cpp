@@ -124,20 +124,11 @@ void addExportOptions(CLI::App& verb, ExportOptions& options) {
   addBatchOptions(verb, options.batch);
 }
 
-bool isInput(const std::filesystem::path& written, const Document& document) {
-  std::error_code absent;  // A file that is not there yet is no input.
-  return std::filesystem::equivalent(written, document.characterFile, absent) ||
-         std::filesystem::equivalent(written, document.rigFile, absent);
-}
-
 int exportInput(const ExportOptions& options, const BatchInput& input) {
   const std::filesystem::path& output = input.outputs.front();
   progress("reading " + input.file.string());
   const auto document = openDocument(input.file);
   if (!document) return badInput(document.error());
-  if (isInput(output, document.value())) {
-    return badCommandLine(output.string() + ": is the input; it is not overwritten");
-  }
   Rig rig = document->rig();
   if (options.depth) rig.smoothing.depth = *options.depth;
   if (const auto missing = missingBones(rig, document->character->skeleton); !missing.empty()) {

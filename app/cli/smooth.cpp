@@ -72,13 +72,6 @@ Result<const AnimationClip*> clipOf(const Document& document, const SmoothOption
   return &*clip;
 }
 
-/// Whether a file to be written is one that was read.
-bool wouldOverwriteInput(const std::filesystem::path& written, const Document& document) {
-  std::error_code absent;  // A file that is not there yet is no input.
-  return std::filesystem::equivalent(written, document.characterFile, absent) ||
-         std::filesystem::equivalent(written, document.rigFile, absent);
-}
-
 std::string reportText(const SmoothingReport& report) {
   Json seconds = Json::object();
   seconds.set("skin", report.seconds.skin).set("patch", report.seconds.patch).set("project", report.seconds.project);
@@ -192,12 +185,6 @@ int smoothInput(const SmoothOptions& options, const SmoothJob& job, const BatchI
   if (!document) return badInput(document.error());
   if (options.clip) document.value().character = withClipNamed(document->character, options.clip.value());
   const Character& character = *document->character;
-  for (const std::size_t moment : input.wanted) {
-    for (const std::filesystem::path& written : {input.outputs[moment], reports[moment]}) {
-      if (wouldOverwriteInput(written, document.value()))
-        return badCommandLine(written.string() + ": is the input; it is not overwritten");
-    }
-  }
   const Rig rig = overridden(document->rig(), options);
   if (const auto missing = missingBones(rig, character.skeleton); !missing.empty()) {
     return badInput({input.file.string(), missing.front().place, missing.front().reason});

@@ -53,7 +53,6 @@ class GltfRewrite {
   int addView(std::string_view bytes, int target);
   void takeImages();
   void dropUnused();
-  void join();
 
   Json root_;
   gltf::File& file_;

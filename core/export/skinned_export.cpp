@@ -1,4 +1,4 @@
-// core/export/skinned_export.cpp: pose by pose the live surface, then weights, then the file, then how near it comes.
+// core/export/skinned_export.cpp: pose by pose the live surface, then weights, then the file, then how close it comes.
 #include "sinew/export/skinned_export.h"
 
 #include <algorithm>

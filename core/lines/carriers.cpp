@@ -7,6 +7,22 @@
 #include "core/base/at.h"
 
 namespace sinew {
+namespace {
+
+/// [Rig::primitives] bone and line, -1 for none.
+std::vector<LineCarrier> ridesOf(const Rig& rig, const Skeleton& skeleton) {
+  std::unordered_map<std::string_view, int> lineOf;
+  for (std::size_t i = 0; i < rig.lines.size(); ++i) lineOf.emplace(rig.lines[i].name, static_cast<int>(i));
+  std::vector<LineCarrier> rides;
+  rides.reserve(rig.primitives.size());
+  for (const Primitive& primitive : rig.primitives) {
+    const auto line = primitive.line.empty() ? lineOf.end() : lineOf.find(primitive.line);
+    rides.push_back({skeleton.findBone(primitive.bone).value_or(-1), line == lineOf.end() ? -1 : line->second});
+  }
+  return rides;
+}
+
+}  // namespace
 
 Carriers::Carriers(const Rig& rig, const Character& character, std::span<const LineCarrier> onLines)
     : onLines_(onLines.begin(), onLines.end()) {
@@ -63,16 +79,11 @@ std::vector<std::optional<glm::mat4>> carriersOf(const Rig& rig, const Character
 
 std::vector<std::optional<glm::mat4>> carriersOf(const Rig& rig, const Character& character, const Pose& pose,
                                                  std::span<const PosedLine> lines) {
-  std::unordered_map<std::string_view, int> lineOf;
-  for (std::size_t i = 0; i < rig.lines.size(); ++i) lineOf.emplace(rig.lines[i].name, static_cast<int>(i));
   std::vector<std::optional<glm::mat4>> matrices;
   matrices.reserve(rig.primitives.size());
-  for (const Primitive& primitive : rig.primitives) {
-    const std::optional<int> bone = character.skeleton.findBone(primitive.bone);
-    const auto line = primitive.line.empty() ? lineOf.end() : lineOf.find(primitive.line);
-    const int index = line == lineOf.end() ? -1 : line->second;
-    const bool attached = bone && (index < 0 || lines[static_cast<std::size_t>(index)].usable);
-    matrices.push_back(attached ? std::optional(carrierInWorld(*bone, index, character.skeleton, pose, lines))
+  for (const auto& [bone, line] : ridesOf(rig, character.skeleton)) {
+    const bool attached = bone >= 0 && (line < 0 || at(lines, line).usable);
+    matrices.push_back(attached ? std::optional(carrierInWorld(bone, line, character.skeleton, pose, lines))
                                 : std::nullopt);
   }
   return matrices;
@@ -80,19 +91,19 @@ std::vector<std::optional<glm::mat4>> carriersOf(const Rig& rig, const Character
 
 std::vector<std::optional<BentMuscle>> carriedMuscles(const Rig& rig, const Character& character, const Pose& pose,
                                                       std::span<const PosedLine> lines) {
-  const std::vector<std::optional<glm::mat4>> carriers = carriersOf(rig, character, pose, lines);
-  std::vector<std::optional<BentMuscle>> muscles(carriers.size());
-  for (std::size_t i = 0; i < carriers.size(); ++i) {
-    if (!carriers[i]) continue;
-    const Primitive& primitive = rig.primitives[i];
-    muscles[i] = {*carriers[i], primitive.placement};
-    const int line = findLine(rig, primitive.line);
+  const std::vector<LineCarrier> rides = ridesOf(rig, character.skeleton);
+  std::vector<std::optional<BentMuscle>> muscles(rides.size());
+  for (std::size_t i = 0; i < rides.size(); ++i) {
+    const auto& [bone, line] = rides[i];
+    if (bone < 0 || (line >= 0 && !at(lines, line).usable)) continue;
+    const Placement& placement = rig.primitives[i].placement;
+    const glm::mat4 carrier = carrierInWorld(bone, line, character.skeleton, pose, lines);
+    muscles[i] = {carrier, placement};
     if (line < 0 || at(lines, line).aside == glm::vec3(0.0f)) continue;
     const Result<LineRest> rest = lineRest(at(rig.lines, line), character);
-    const std::optional<int> bone = character.skeleton.findBone(primitive.bone);
-    if (!rest || !bone) continue;
-    const ViaBend bend = viaBend(rest.value(), primitive.placement, at(character.skeleton.bones, *bone).bindInWorld);
-    muscles[i] = bentMuscle(bend, *carriers[i], at(lines, line).aside);
+    if (!rest) continue;
+    const ViaBend bend = viaBend(rest.value(), placement, at(character.skeleton.bones, bone).bindInWorld);
+    muscles[i] = bentMuscle(bend, carrier, at(lines, line).aside);
   }
   return muscles;
 }

@@ -4,11 +4,10 @@
 #include <cstring>
 #include <type_traits>
 
+#include "core/lanes/targets.h"
 #include "core/lines/line_block.h"
 #include "core/lines/line_pose.h"
 
-// As in swell_kernel.cpp.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/lines/line_pose_kernel.cpp"
 #include "hwy/foreach_target.h"

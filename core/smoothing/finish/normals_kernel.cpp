@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-// As in swell_kernel.cpp.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+#include "core/lanes/targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/smoothing/finish/normals_kernel.cpp"
 #include "hwy/foreach_target.h"

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-// SSE4, AVX2, AVX-512 and one lane at a time; vectors without a fixed size would need other tiles.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+#include "core/lanes/targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/smoothing/projection/swell_kernel.cpp"
 #include "hwy/foreach_target.h"
