@@ -26,6 +26,11 @@ constexpr double kShareOfFurther = 0.25;
 /// Of the height: weights that bring a vertex as near as that are not fitted.
 constexpr double kNearEnough = 1e-5;
 
+// What share of the work each stage is, about.
+constexpr double kGathering = 0.2;
+constexpr double kSolving = 0.5;
+constexpr double kMeasuring = 0.3;
+
 std::string lowerEnding(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -36,8 +41,13 @@ std::string lowerEnding(const std::filesystem::path& file) {
 class SkinnedExport {
  public:
   SkinnedExport(std::shared_ptr<const Character> character, const Character& moving, const Rig& rig,
-                const SkinnedExportSettings& settings)
-      : character_(std::move(character)), moving_(moving), rig_(rig), settings_(settings), smoother_(character_) {}
+                const SkinnedExportSettings& settings, const ExportProgress& progress)
+      : character_(std::move(character)),
+        moving_(moving),
+        rig_(rig),
+        settings_(settings),
+        progress_(progress),
+        smoother_(character_) {}
 
   Result<void> findWeights() {
     if (const auto prepared = smoother_.prepare(rig_); !prepared) return prepared;
@@ -66,6 +76,7 @@ class SkinnedExport {
     ErrorMeter fitted(height);
     ErrorMeter heldOut(height);
     ErrorMeter all(height);
+    progress_.begin(kMeasuring);
     forEachPose([](PoseUse) { return true; },
                 [&](const ExportPose& pose) {
                   std::vector<ErrorMeter*> meant{&at(meters, pose.clip)};
@@ -103,7 +114,9 @@ class SkinnedExport {
   /// Smooths the poses that are meant and calls use(pose) after each, the live surface and the matrices at hand.
   template <class Means, class Use>
   void forEachPose(Means means, Use use) {
+    double done = 0.0;
     for (const ExportPose& pose : poses_) {
+      progress_.tell(done++ / static_cast<double>(poses_.size()));
       if (!means(pose.use)) continue;
       const Pose moment = samplePose(character_->skeleton, at(moving_.clips, pose.clip), pose.time);
       smoother_.smooth(moment, live_);
@@ -117,9 +130,12 @@ class SkinnedExport {
     std::vector<glm::vec3> rest = bind_.positions;
     rest.resize(count_);
     WeightFit fit(std::move(rest), std::move(candidates), weights_);
+    progress_.begin(kGathering);
     forEachPose([](PoseUse use) { return use == PoseUse::kFitted; },
                 [&](const ExportPose& pose) { fit.add(matrices_, live_.positions, !isOwn(pose)); });
-    weights_ = fit.solve(trianglesOfFit(), furtherShare(), kNearEnough * static_cast<double>(character_->height));
+    progress_.begin(kSolving);
+    weights_ =
+        fit.solve(trianglesOfFit(), furtherShare(), kNearEnough * static_cast<double>(character_->height), progress_);
   }
 
   [[nodiscard]] bool isOwn(const ExportPose& pose) const { return toIndex(pose.clip) < character_->clips.size(); }
@@ -145,6 +161,7 @@ class SkinnedExport {
   const Character& moving_;
   const Rig& rig_;
   const SkinnedExportSettings& settings_;
+  StageProgress progress_;
   Smoother smoother_;
   Surface bind_;
   std::size_t count_ = 0;  ///< Refined vertices that are exported: the first so many.
@@ -232,15 +249,17 @@ bool isSkinnedExportName(const std::filesystem::path& file) {
 Result<SkinnedExportReport> exportSkinned(const std::filesystem::path& characterFile,
                                           const std::shared_ptr<const Character>& character, const Character& moving,
                                           const Rig& rig, const SkinnedExportSettings& settings,
-                                          const std::filesystem::path& file) {
+                                          const std::filesystem::path& file, const ExportProgress& progress) {
   if (!isSkinnedExportName(file)) return Error{file.string(), {}, "expected a name that ends in .glb or .gltf"};
   if (auto known = checkClips(characterFile, *character, settings.clips); !known) return known.error();
   try {
     Source source(characterFile);
-    SkinnedExport work(character, moving, rig, settings);
+    SkinnedExport work(character, moving, rig, settings, progress);
     return exported(source, work, file);
   } catch (const gltf::Refusal& refusal) {
     return Error{characterFile.string(), refusal.error.place, refusal.error.reason};
+  } catch (const Cancelled&) {
+    return Error{file.string(), {}, std::string(kCancelled)};
   } catch (const std::bad_alloc&) {
     return Error{characterFile.string(), {}, "there is not enough memory to export it"};
   } catch (const std::exception& error) {

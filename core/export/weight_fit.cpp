@@ -15,6 +15,7 @@ constexpr int kSweeps = 2;            ///< Of pulling towards the neighbours.
 constexpr double kSmoothness = 1e-4;  ///< mu as a share of the Gram matrix's mean diagonal.
 constexpr double kShareStep = 3.0;    ///< By which further poses are let count more.
 constexpr double kLeastSmoothness = 1e-12;
+constexpr std::size_t kToldEvery = 256;  ///< Vertices.
 
 /// Neighbours of every vertex along edges, ascending.
 std::vector<std::vector<int>> neighboursOf(std::size_t count, std::span<const std::array<int, 3>> triangles) {
@@ -144,12 +145,14 @@ CandidateWeights WeightFit::notWorse(std::size_t index, const Vertex& vertex, co
 }
 
 std::vector<FourWeights> WeightFit::solve(std::span<const std::array<int, 3>> triangles, double furtherShare,
-                                          double tolerance) const {
+                                          double tolerance, const StageProgress& progress) const {
   const std::vector<std::vector<int>> neighbours = neighboursOf(rest_.size(), triangles);
   std::vector<FourWeights> current = start_;
   std::vector<FourWeights> next = start_;
   for (int sweep = 0; sweep <= kSweeps; ++sweep) {
     for (std::size_t v = 0; v < rest_.size(); ++v) {
+      // The sweeps after the first choose among fewer and are soon done.
+      if (sweep == 0 && v % kToldEvery == 0) progress.tell(static_cast<double>(v) / static_cast<double>(rest_.size()));
       Vertex vertex{candidates_[v].size(), startOf(v), gramOf(v, 1.0, 1.0), 0.0, {}};
       vertex.before = energyOf(vertex.all, vertex.start, vertex.count);
       if (vertex.before <= poses_ * tolerance * tolerance) continue;

@@ -7,6 +7,7 @@
 
 #include "core/export/best_weights.h"
 #include "core/export/four_weights.h"
+#include "core/export/stage_progress.h"
 
 namespace sinew::exporting {
 
@@ -29,7 +30,7 @@ class WeightFit {
   /// @param tolerance  a distance; vertices that come as near with the weights they start with keep them
   /// @param triangles  between the vertices; those with a corner beyond `count` are skipped
   [[nodiscard]] std::vector<FourWeights> solve(std::span<const std::array<int, 3>> triangles, double furtherShare,
-                                               double tolerance) const;
+                                               double tolerance, const StageProgress& progress) const;
 
  private:
   struct Vertex;

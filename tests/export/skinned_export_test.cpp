@@ -75,6 +75,34 @@ TEST_P(SkinnedExport, PlaysAsThePrintedErrorSays) {
   }
 }
 
+TEST_P(SkinnedExport, TellsHowFarItIsAndCanBeCancelledAtAnyMoment) {
+  const auto file = folder_.path() / "out.glb";
+  const auto write = [&](const ExportProgress& progress) {
+    SkinnedExportSettings settings;
+    settings.clips = {scene_.character->clips.front().name};
+    return exportSkinned(scene_.characterFile, scene_.character, *scene_.character, scene_.rig, settings, file,
+                         progress);
+  };
+  std::vector<double> told;
+  ASSERT_TRUE(write([&](double share) {
+                told.push_back(share);
+                return true;
+              }).ok());
+  ASSERT_GT(told.size(), 20u);
+  EXPECT_TRUE(std::ranges::is_sorted(told));
+  EXPECT_GE(told.front(), 0.0);
+  EXPECT_LE(told.back(), 1.0);
+  EXPECT_GT(told.back(), 0.9);
+  std::filesystem::remove(file);
+  for (const std::size_t last : {std::size_t{0}, told.size() / 2, told.size() - 1}) {
+    std::size_t calls = 0;
+    const auto report = write([&](double) { return calls++ < last; });
+    ASSERT_FALSE(report.ok());
+    EXPECT_EQ(report.error().reason, kCancelled);
+    EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
+  }
+}
+
 TEST_P(SkinnedExport, HasTheBindPoseOfTheLiveSurface) {
   const auto file = folder_.path() / "out.gltf";
   ASSERT_TRUE(scene_.writeQuickly(file, {.weights = ExportWeights::kTransferred}).ok());

@@ -68,7 +68,7 @@ TEST(WeightFit, FindsTheWeightsThatMadeTheMovement) {
   const Movement movement = randomMovement(random);
   WeightFit fit(movement.rest, kAll, kFirst);
   for (const auto& pose : movement.poses) fit.add(pose, liveIn(movement, pose, 0.0f, random), false);
-  const std::vector<FourWeights> found = fit.solve({}, 1.0, 1e-6);
+  const std::vector<FourWeights> found = fit.solve({}, 1.0, 1e-6, StageProgress({}));
   for (std::size_t v = 0; v < found.size(); ++v) {
     for (const auto& pose : movement.poses) {
       const glm::dvec3 rest(movement.rest[v]);
@@ -91,7 +91,7 @@ TEST(WeightFit, NoVertexIsFartherOffThanBefore) {
         live.push_back(liveIn(movement, movement.poses[p], bulge, random));
         fit.add(movement.poses[p], live.back(), p % 3 == 0);
       }
-      const std::vector<FourWeights> found = fit.solve(triangles, 0.1, 1e-6);
+      const std::vector<FourWeights> found = fit.solve(triangles, 0.1, 1e-6, StageProgress({}));
       const auto squares = [&](const FourWeights& weights, std::size_t v) {
         double sum = 0.0;
         for (std::size_t p = 0; p < live.size(); ++p) {
@@ -114,7 +114,7 @@ TEST(WeightFit, WeightsNearEnoughStayToTheBit) {
   const Movement movement = randomMovement(random);
   WeightFit fit(movement.rest, kAll, movement.truth);
   for (const auto& pose : movement.poses) fit.add(pose, liveIn(movement, pose, 0.0f, random), false);
-  EXPECT_EQ(fit.solve({}, 1.0, 1e-5), movement.truth);
+  EXPECT_EQ(fit.solve({}, 1.0, 1e-5, StageProgress({})), movement.truth);
 }
 
 TEST(FourLargest, KeepsTheLargestAndSumsToOne) {

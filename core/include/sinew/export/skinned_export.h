@@ -9,6 +9,7 @@
 
 #include "sinew/base/result.h"
 #include "sinew/character/character.h"
+#include "sinew/export/progress.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew {
@@ -64,12 +65,13 @@ struct SkinnedExportReport {
 /// @param character  as importGltf(characterFile) gave it.
 /// @param moving     the same character, with the clips that weights are also fitted to (the range of motion) at the
 ///                   end of its own.
-/// Error: unknown clip, an invalid rig, more than a .glb holds, or a file cannot be written. Muscles whose bone is
-/// missing are left out (core/rig/attachment.h, missingBones). Never throws.
+/// Error: unknown clip, an invalid rig, more than a .glb holds, a file cannot be written, or cancelled. Muscles whose
+/// bone is missing are left out (core/rig/attachment.h, missingBones). Never throws.
 [[nodiscard]] Result<SkinnedExportReport> exportSkinned(const std::filesystem::path& characterFile,
                                                         const std::shared_ptr<const Character>& character,
                                                         const Character& moving, const Rig& rig,
                                                         const SkinnedExportSettings& settings,
-                                                        const std::filesystem::path& file);
+                                                        const std::filesystem::path& file,
+                                                        const ExportProgress& progress = {});
 
 }  // namespace sinew
