@@ -29,6 +29,8 @@ struct ExportOptions {
   std::string weights = "refitted";
   std::optional<int> depth;
   std::vector<std::string> clips;
+  int helpers = 24;
+  std::string jointScale = "full";
   bool json = false;
   BatchOptions batch;
 };
@@ -79,8 +81,9 @@ std::string plainText(const ExportOptions& options, const std::filesystem::path&
                       const SkinnedExportReport& report) {
   std::ostringstream out;
   out << output.string() << '\n';
-  out << "  " << options.mesh << " mesh, " << options.weights << " weights: " << report.joints << " joints, "
-      << report.vertices << " vertices, " << report.triangles << " triangles, " << report.bytes << " bytes\n";
+  out << "  " << options.mesh << " mesh, " << options.weights << " weights: " << report.joints << " joints ("
+      << report.lineJoints << " of lines, " << report.rigidHelpers << " rigid), " << report.vertices << " vertices, "
+      << report.triangles << " triangles, " << report.bytes << " bytes\n";
   out << "  % of the height            poses       rms    99.9 %       max\n";
   for (const ClipError& clip : report.clips) writeRow(out, '"' + clip.clip + '"', clip.error);
   if (report.clips.size() > 1) writeRow(out, "all clips", report.allClips);
@@ -101,7 +104,7 @@ void addExportOptions(CLI::App& verb, ExportOptions& options) {
   verb.add_option("--as", options.kind, "skinned: joints and weights alone, muscles at rest; plays in any engine")
       ->type_name("KIND")
       ->required()
-      ->check(CLI::IsMember({"skinned"}));
+      ->check(CLI::IsMember({"skinned", "helpers"}));
   verb.add_option("--mesh", options.mesh, "refined, or original: the file's own vertices, in its order")
       ->type_name("M")
       ->check(CLI::IsMember({"refined", "original"}));
@@ -116,6 +119,13 @@ void addExportOptions(CLI::App& verb, ExportOptions& options) {
   verb.add_option("--clip", options.clips, "Keep this clip; may be given several times; without it, all are kept")
       ->type_name("NAME")
       ->allow_extra_args(false);
+  verb.add_option("--joints", options.helpers, "Joints that helpers may add, those of muscle lines first")
+      ->type_name("N")
+      ->check(CLI::Range(0, kMostHelpers));
+  verb.add_option("--joint-scale", options.jointScale,
+                  "How joints of muscle lines may scale: full, uniform, or none (two joints a line)")
+      ->type_name("S")
+      ->check(CLI::IsMember({"full", "uniform", "none"}));
   verb.add_flag("--json", options.json, "Report as JSON");
   verb.add_option_function<std::string>("-o,--output", to(options.output), "Character to write: .glb or .gltf")
       ->type_name("OUT")
@@ -138,6 +148,11 @@ int exportInput(const ExportOptions& options, const BatchInput& input) {
   settings.mesh = options.mesh == "original" ? ExportMesh::kOriginal : ExportMesh::kRefined;
   settings.weights = options.weights == "transferred" ? ExportWeights::kTransferred : ExportWeights::kRefitted;
   settings.clips = options.clips;
+  settings.kind = options.kind == "helpers" ? ExportKind::kHelpers : ExportKind::kSkinned;
+  settings.helpers = options.helpers;
+  settings.jointScale = options.jointScale == "none"      ? JointScale::kNone
+                        : options.jointScale == "uniform" ? JointScale::kUniform
+                                                          : JointScale::kFull;
   progress("exporting " + output.string());
   const auto moving = withRangeOfMotion(document->character);
   const auto report = exportSkinned(document->characterFile, document->character, *moving, rig, settings, output);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/export/four_weights.h"
+#include "core/export/fit/four_weights.h"
 #include "core/export/gltf_rewrite.h"
 #include "core/export/out_skins.h"
 #include "core/export/refined_primitive.h"

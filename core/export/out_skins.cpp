@@ -21,6 +21,22 @@ OutSkins::OutSkins(Source& source) : source_(source) {
   }
 }
 
+void OutSkins::addJoints(std::span<const HelperJoint> joints, std::span<const int> nodes) {
+  addedNodes_.assign(nodes.begin(), nodes.end());
+  for (const HelperJoint& joint : joints) addedInverseBinds_.push_back(joint.inverseBind);
+}
+
+int OutSkins::nodeOf(int binding) const {
+  const int added = binding - static_cast<int>(source_.bound.skeleton.bindings.size());
+  return added < 0 ? source_.nodeOf(binding) : at(addedNodes_, added);
+}
+
+glm::dmat4 OutSkins::inverseBindOf(int binding) const {
+  const int added = binding - static_cast<int>(source_.bound.skeleton.bindings.size());
+  return added < 0 ? glm::dmat4(at(source_.bound.skeleton.bindings, binding).inverseBind)
+                   : at(addedInverseBinds_, added);
+}
+
 int OutSkins::keyOf(int node) const {
   const int skin = at(source_.bound.meshes, node)->skin;
   return skin < 0 ? -1 - node : skin;
@@ -38,7 +54,7 @@ const glm::dmat4& OutSkins::meshToBind(int node) const { return skins_.at(keyOf(
 std::vector<glm::mat4> OutSkins::inverseBinds(int fileSkin, const Skin& skin, bool& changed) {
   std::vector<glm::mat4> matrices;
   for (const int binding : skin.bindings) {
-    matrices.emplace_back(glm::dmat4(at(source_.bound.skeleton.bindings, binding).inverseBind) * skin.meshToBind);
+    matrices.emplace_back(inverseBindOf(binding) * skin.meshToBind);
   }
   changed = skin.bindings.size() > skin.own;
   if (fileSkin < 0) return matrices;
@@ -68,7 +84,7 @@ void OutSkins::writeSkin(int fileSkin, const Skin& skin, GltfRewrite& rewrite) {
   }
   if (changed) {
     Json& joints = *memberOf(rewrite.element("skins", number), "joints");
-    for (std::size_t j = skin.own; j < skin.bindings.size(); ++j) joints.push(source_.nodeOf(skin.bindings[j]));
+    for (std::size_t j = skin.own; j < skin.bindings.size(); ++j) joints.push(nodeOf(skin.bindings[j]));
     const std::string_view bytes(reinterpret_cast<const char*>(matrices.data()), matrices.size() * sizeof(glm::mat4));
     const int accessor = rewrite.addAccessor({bytes, TINYGLTF_COMPONENT_TYPE_FLOAT, "MAT4", matrices.size()});
     rewrite.element("skins", number).set("inverseBindMatrices", accessor);
@@ -82,7 +98,7 @@ void OutSkins::writeSkin(int fileSkin, const Skin& skin, GltfRewrite& rewrite) {
 void OutSkins::write(GltfRewrite& rewrite) {
   for (const auto& [fileSkin, skin] : skins_) {
     if (skin.bindings.empty()) continue;
-    for (const int binding : skin.bindings) nodes_.insert(source_.nodeOf(binding));
+    for (const int binding : skin.bindings) nodes_.insert(nodeOf(binding));
     writeSkin(fileSkin, skin, rewrite);
   }
 }

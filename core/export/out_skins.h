@@ -3,10 +3,12 @@
 
 #include <map>
 #include <set>
+#include <span>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
 
+#include "core/export/fit/helper_joint.h"
 #include "core/export/gltf_rewrite.h"
 #include "core/export/source.h"
 
@@ -18,6 +20,8 @@ class OutSkins {
  public:
   explicit OutSkins(Source& source);
 
+  /// Joints that bindings beyond the skeleton's mean. @param nodes  [joints] of the file
+  void addJoints(std::span<const HelperJoint> joints, std::span<const int> nodes);
   /// Number of a binding among the joints of a node's skin; appended if it is none yet.
   int jointOf(int node, int binding);
   /// Mesh space of a node's skin -> world in the bind pose.
@@ -37,12 +41,16 @@ class OutSkins {
   };
 
   [[nodiscard]] int keyOf(int node) const;
+  [[nodiscard]] int nodeOf(int binding) const;
+  [[nodiscard]] glm::dmat4 inverseBindOf(int binding) const;
   void writeSkin(int fileSkin, const Skin& skin, GltfRewrite& rewrite);
   [[nodiscard]] std::vector<glm::mat4> inverseBinds(int fileSkin, const Skin& skin, bool& changed);
 
   Source& source_;
   std::map<int, Skin> skins_;  // by the file's number; new ones by -1 - node
   std::set<int> nodes_;
+  std::vector<int> addedNodes_;
+  std::vector<glm::dmat4> addedInverseBinds_;
 };
 
 }  // namespace sinew::exporting

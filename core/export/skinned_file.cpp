@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/at.h"
+#include "core/export/helper_nodes.h"
 #include "core/export/out_primitive.h"
 #include "core/export/out_skins.h"
 
@@ -16,16 +17,17 @@ constexpr double kFirstTriangleMode = TINYGLTF_MODE_TRIANGLES;
 
 class FileMaker {
  public:
-  FileMaker(Source& source, const ControlMesh& mesh, const Surface& bind, const std::vector<FourWeights>& weights,
-            const SkinnedExportSettings& settings)
+  FileMaker(Source& source, const ControlMesh& mesh, const JointFit& fit, const SkinnedExportSettings& settings)
       : source_(source),
+        fit_(fit),
         settings_(settings),
         rewrite_(source.root, source.file),
         skins_(source),
-        primitives_(source, mesh, bind, weights, skins_) {}
+        primitives_(source, mesh, fit.bind(), fit.weights(), skins_) {}
 
   SkinnedFile run() {
     keepClips();
+    addHelpers();
     for (const gltf::SoupPart& part : source_.origin.parts) partsOf_[part.node].push_back(part);
     for (const auto& [node, parts] : partsOf_) makeMesh(node, parts);
     skins_.write(rewrite_);
@@ -52,6 +54,13 @@ class FileMaker {
       kept.push_back(std::move(clips->children[i]));
     }
     clips->children = std::move(kept);
+  }
+
+  void addHelpers() {
+    const std::vector<HelperJoint> joints = fit_.helpers();
+    const std::vector<int> nodes = addHelperNodes(source_, joints, rewrite_);
+    skins_.addJoints(joints, nodes);
+    addHelperKeys(joints, nodes, fit_.helperClips(), rewrite_);
   }
 
   void makeMesh(int node, const std::vector<gltf::SoupPart>& parts) {
@@ -157,6 +166,7 @@ class FileMaker {
   }
 
   Source& source_;
+  const JointFit& fit_;
   const SkinnedExportSettings& settings_;
   GltfRewrite rewrite_;
   OutSkins skins_;
@@ -169,9 +179,9 @@ class FileMaker {
 
 }  // namespace
 
-SkinnedFile skinnedFile(Source& source, const ControlMesh& mesh, const Surface& bind,
-                        const std::vector<FourWeights>& weights, const SkinnedExportSettings& settings) {
-  return FileMaker(source, mesh, bind, weights, settings).run();
+SkinnedFile skinnedFile(Source& source, const ControlMesh& mesh, const JointFit& fit,
+                        const SkinnedExportSettings& settings) {
+  return FileMaker(source, mesh, fit, settings).run();
 }
 
 }  // namespace sinew::exporting

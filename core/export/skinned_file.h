@@ -4,11 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "core/export/four_weights.h"
+#include "core/export/fit/joint_fit.h"
 #include "core/export/gltf_rewrite.h"
 #include "core/export/source.h"
 #include "sinew/export/skinned_export.h"
-#include "sinew/smoothing/surface.h"
 
 namespace sinew::exporting {
 
@@ -20,10 +19,9 @@ struct SkinnedFile {
   std::vector<std::string> left;  ///< SkinnedExportReport::left
 };
 
-/// @param bind     the surface in the bind pose  @param mesh  the character's
-/// @param weights  [V'] or, for the file's own vertices, [V]
+/// @param fit   after measure()  @param mesh  the character's
 /// Throws gltf::Refusal.
-[[nodiscard]] SkinnedFile skinnedFile(Source& source, const ControlMesh& mesh, const Surface& bind,
-                                      const std::vector<FourWeights>& weights, const SkinnedExportSettings& settings);
+[[nodiscard]] SkinnedFile skinnedFile(Source& source, const ControlMesh& mesh, const JointFit& fit,
+                                      const SkinnedExportSettings& settings);
 
 }  // namespace sinew::exporting

@@ -49,9 +49,8 @@ bool Source::reads(const std::filesystem::path& other) const {
   return false;
 }
 
-int Source::nodeOf(int binding) const {
-  const Bone& bone = at(bound.skeleton.bones, at(bound.skeleton.bindings, binding).bone);
-  return at(fileNode, bone.node);
-}
+int Source::nodeOfBone(int bone) const { return at(fileNode, at(bound.skeleton.bones, bone).node); }
+
+int Source::nodeOf(int binding) const { return nodeOfBone(at(bound.skeleton.bindings, binding).bone); }
 
 }  // namespace sinew::exporting

@@ -29,7 +29,9 @@ struct Source {
 
   /// Whether a path is the file itself or one that it reads its buffers or images from.
   [[nodiscard]] bool reads(const std::filesystem::path& other) const;
-  /// Node of the file that a binding's bone is.
+  /// Node of the file that a bone is.
+  [[nodiscard]] int nodeOfBone(int bone) const;
+  /// That a binding's bone is.
   [[nodiscard]] int nodeOf(int binding) const;
 };
 

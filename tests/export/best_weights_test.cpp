@@ -1,5 +1,5 @@
 // tests/export/best_weights_test.cpp: no other legal weights are better.
-#include "core/export/best_weights.h"
+#include "core/export/fit/best_weights.h"
 
 #include <random>
 

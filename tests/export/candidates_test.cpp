@@ -1,10 +1,10 @@
 // tests/export/candidates_test.cpp: which joints the fit may choose from.
-#include "core/export/candidates.h"
+#include "core/export/fit/candidates.h"
 
 #include <algorithm>
 #include <set>
 
-#include "core/export/best_weights.h"
+#include "core/export/fit/best_weights.h"
 #include "sinew/smoothing/refinement.h"
 #include "tests/export/export_scenes.h"
 

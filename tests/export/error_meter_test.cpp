@@ -1,5 +1,5 @@
 // tests/export/error_meter_test.cpp: figures beside those of a sorted list.
-#include "core/export/error_meter.h"
+#include "core/export/fit/error_meter.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // tests/export/weight_fit_test.cpp: weights that made a movement are found again; the fit never makes things worse.
-#include "core/export/weight_fit.h"
+#include "core/export/fit/weight_fit.h"
 
 #include <random>
 

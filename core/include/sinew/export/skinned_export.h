@@ -24,10 +24,27 @@ enum class ExportWeights {
   kRefitted,     ///< Fitted to the live surface over poses (docs/export.md).
 };
 
+enum class ExportKind {
+  kSkinned,  ///< The character's own joints.
+  kHelpers,  ///< And joints that move as muscles do, keyed in every clip.
+};
+
+/// How a muscle line's joint may scale, for engines that cannot do all.
+enum class JointScale {
+  kFull,     ///< Along each of its axes.
+  kUniform,  ///< Alike along all.
+  kNone,     ///< Not at all: two joints a line, one under the belly, one on top.
+};
+
+inline constexpr int kMostHelpers = 256;
+
 struct SkinnedExportSettings {
+  ExportKind kind = ExportKind::kSkinned;
   ExportMesh mesh = ExportMesh::kRefined;
   ExportWeights weights = ExportWeights::kRefitted;
   std::vector<std::string> clips{};  ///< Names of those to keep; empty: all.
+  int helpers = 24;                  ///< Joints that kHelpers may add, lines' joints first, 0..kMostHelpers.
+  JointScale jointScale = JointScale::kFull;
 };
 
 /// Distances between exported and live vertices, percent of the character's height.
@@ -45,6 +62,8 @@ struct ClipError {
 
 struct SkinnedExportReport {
   int joints = 0;             ///< Of all skins in the file, each node once.
+  int lineJoints = 0;         ///< Of them, those of muscle lines ...
+  int rigidHelpers = 0;       ///< ... and those fitted where most error was left.
   std::int64_t vertices = 0;  ///< As the file splits them.
   std::int64_t triangles = 0;
   std::uint64_t bytes = 0;         ///< Of all files written.

@@ -1,4 +1,4 @@
-// core/export/best_weights.h: the best weights of one vertex: at most four, >= 0, sum 1, least squares.
+// core/export/fit/best_weights.h: the best weights of one vertex: at most four, >= 0, sum 1, least squares.
 #pragma once
 
 #include <array>

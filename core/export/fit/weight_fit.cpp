@@ -1,5 +1,5 @@
-// core/export/weight_fit.cpp: Gram matrices gathered over poses, solved with a pull towards the neighbours.
-#include "core/export/weight_fit.h"
+// core/export/fit/weight_fit.cpp: Gram matrices gathered over poses, solved with a pull towards the neighbours.
+#include "core/export/fit/weight_fit.h"
 
 #include <algorithm>
 #include <cassert>

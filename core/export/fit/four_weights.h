@@ -1,4 +1,4 @@
-// core/export/four_weights.h: at most four weights a vertex, and where they put it.
+// core/export/fit/four_weights.h: at most four weights a vertex, and where they put it.
 #pragma once
 
 #include <array>
@@ -17,6 +17,7 @@ namespace sinew::exporting {
 inline constexpr int kMostWeights = 4;  ///< A vertex, in every engine.
 
 /// Weights of one vertex, the largest first, > 0, sum 1 to the last bit but one; unused ones are 0 on binding -1.
+/// Bindings of the skeleton are followed by joints that the export adds, in order (helper_joint.h).
 struct FourWeights {
   std::array<int, kMostWeights> binding{-1, -1, -1, -1};
   std::array<float, kMostWeights> weight{};

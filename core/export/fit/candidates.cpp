@@ -1,11 +1,11 @@
-// core/export/candidates.cpp: joints of a vertex, of the muscles over it and of its surroundings, in that order.
-#include "core/export/candidates.h"
+// core/export/fit/candidates.cpp: joints of a vertex, of the muscles over it and of its surroundings, in that order.
+#include "core/export/fit/candidates.h"
 
 #include <algorithm>
 
 #include "core/base/at.h"
 #include "core/character/skin_bones.h"
-#include "core/export/best_weights.h"
+#include "core/export/fit/best_weights.h"
 #include "core/rig/attachment.h"
 
 namespace sinew::exporting {

@@ -1,4 +1,4 @@
-// core/export/stage_progress.h: progress through the stages of one export.
+// core/export/fit/stage_progress.h: progress through the stages of one export.
 #pragma once
 
 #include <algorithm>

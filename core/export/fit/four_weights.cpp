@@ -1,5 +1,5 @@
-// core/export/four_weights.cpp: transfer over the patch, the largest four, skinning with them.
-#include "core/export/four_weights.h"
+// core/export/fit/four_weights.cpp: transfer over the patch, the largest four, skinning with them.
+#include "core/export/fit/four_weights.h"
 
 #include <algorithm>
 #include <cassert>

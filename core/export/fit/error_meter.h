@@ -1,4 +1,4 @@
-// core/export/error_meter.h: root mean square, 99.9 percentile and maximum of many distances, in constant memory.
+// core/export/fit/error_meter.h: root mean square, 99.9 percentile and maximum of many distances, in constant memory.
 #pragma once
 
 #include <cstdint>

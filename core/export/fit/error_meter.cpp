@@ -1,5 +1,5 @@
-// core/export/error_meter.cpp: distances by the leading bits of their floats.
-#include "core/export/error_meter.h"
+// core/export/fit/error_meter.cpp: distances by the leading bits of their floats.
+#include "core/export/fit/error_meter.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,13 +1,13 @@
-// core/export/weight_fit.h: weights fitted to the live surface, pose by pose, then solved for at once.
+// core/export/fit/weight_fit.h: weights fitted to the live surface, pose by pose, then solved for at once.
 #pragma once
 
 #include <array>
 #include <span>
 #include <vector>
 
-#include "core/export/best_weights.h"
-#include "core/export/four_weights.h"
-#include "core/export/stage_progress.h"
+#include "core/export/fit/best_weights.h"
+#include "core/export/fit/four_weights.h"
+#include "core/export/fit/stage_progress.h"
 
 namespace sinew::exporting {
 

@@ -1,9 +1,9 @@
-// core/export/candidates.h: which joints a vertex may follow when its weights are fitted.
+// core/export/fit/candidates.h: which joints a vertex may follow when its weights are fitted.
 #pragma once
 
 #include <vector>
 
-#include "core/export/four_weights.h"
+#include "core/export/fit/four_weights.h"
 #include "sinew/base/result.h"
 #include "sinew/character/character.h"
 #include "sinew/rig/rig.h"

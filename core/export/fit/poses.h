@@ -1,4 +1,4 @@
-// core/export/poses.h: the poses that an export is fitted to and measured in.
+// core/export/fit/poses.h: the poses that an export is fitted to and measured in.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 namespace sinew::exporting {
 
 inline constexpr int kMeasuredPerSecond = 30;
-inline constexpr int kFittedEvery = 3;   ///< Of the measured poses: 10 a second.
-inline constexpr int kHeldOutEvery = 5;  ///< Of those: a fifth is kept from the fit.
+inline constexpr int kFurtherPerSecond = 10;
+inline constexpr int kHeldOutEvery = 5;  ///< A fifth of what could be fitted is kept from the fit.
 
 /// What a pose is for.
 enum class PoseUse { kMeasured, kFitted, kHeldOut };
@@ -21,7 +21,8 @@ struct ExportPose {
   PoseUse use = PoseUse::kMeasured;
 };
 
-/// Clips at 30 poses a second, every third of them fitted or held out; further clips at 10 a second, all of which are.
+/// Clips at 30 poses a second and at their ends. All of them are fitted or held out where the clips are short; where
+/// they are long, every second or third. Further clips at 10 poses a second, all fitted or held out.
 /// @param clips    of the exported file: indices into character.clips
 /// @param further  clips that are fitted to but not exported, likewise
 [[nodiscard]] std::vector<ExportPose> exportPoses(const Character& character, const std::vector<int>& clips,

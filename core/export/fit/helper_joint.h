@@ -1,0 +1,25 @@
+// core/export/fit/helper_joint.h: a joint that the export adds to the character's own.
+#pragma once
+
+#include <string>
+
+#include "core/export/fit/trs.h"
+#include "sinew/skeleton/pose.h"
+
+namespace sinew::exporting {
+
+struct HelperJoint {
+  std::string name;
+  int bone = 0;                 ///< Its parent.
+  Trs rest;                     ///< In the parent's space. A clip that does not know the joint leaves it there.
+  glm::dmat4 inverseBind{1.0};  ///< World of the bind pose -> the joint's space at rest.
+  int line = -1;                ///< Of the rig, whose belly it carries; -1: a rigid helper.
+};
+
+/// Hung on a bone as it stands in the bind pose.
+[[nodiscard]] HelperJoint makeHelper(std::string name, int bone, const Trs& rest, const Skeleton& skeleton);
+
+/// World of the bind pose -> world now. @param local  in its parent's space
+[[nodiscard]] glm::dmat4 helperMatrix(const HelperJoint& joint, const Pose& pose, const Trs& local);
+
+}  // namespace sinew::exporting

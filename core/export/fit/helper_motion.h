@@ -1,0 +1,49 @@
+// core/export/fit/helper_motion.h: where rigid helpers go in one pose, their weights given.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/export/fit/four_weights.h"
+#include "core/export/fit/helper_joint.h"
+
+namespace sinew::exporting {
+
+/// A moment that weights and helpers are fitted in.
+struct FitPose {
+  Pose pose;
+  std::vector<glm::dmat4> matrices;  ///< [bindings and lines' joints] world of the bind pose -> world now.
+  std::vector<glm::vec3> live;       ///< [vertices] of the live surface.
+  bool further = false;              ///< One that no exported clip holds.
+};
+
+/// Helpers are moved one after the other, each as the vertices that follow it ask for, weighted by how much they do.
+class HelperMotion {
+ public:
+  /// @param rest  [vertices]  @param weights  [vertices] bindings from `first` on are helpers, in order
+  HelperMotion(const Skeleton& skeleton, std::span<const glm::vec3> rest, std::span<const FourWeights> weights,
+               std::span<const HelperJoint> helpers, int first);
+
+  /// @param matrices  of the pose, [first]
+  /// @param locals  [helpers] where to begin, and where they come to; as floats hold it
+  void solve(const Pose& pose, std::span<const glm::dmat4> matrices, std::span<const glm::vec3> live, int rounds,
+             std::vector<Trs>& locals) const;
+
+ private:
+  void solveOne(std::size_t helper, const Pose& pose, std::span<const glm::dmat4> all, std::span<const glm::vec3> live,
+                Trs& local) const;
+
+  struct Helper {
+    std::vector<int> vertices;  ///< That follow it.
+    glm::dmat4 intoBone{1.0};   ///< World of the bind pose -> its bone's space.
+    double spread = 0.0;        ///< Mean distance of what follows it from its place.
+    double hold = 0.0;          ///< How much it is held to where it rests.
+  };
+  std::span<const glm::vec3> rest_;
+  std::span<const FourWeights> weights_;
+  std::span<const HelperJoint> joints_;
+  std::vector<Helper> helpers_;
+  int first_ = 0;
+};
+
+}  // namespace sinew::exporting

@@ -1,0 +1,77 @@
+// core/export/fit/joint_fit.h: joints and weights that come near the live surface, and how near.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/export/fit/four_weights.h"
+#include "core/export/fit/helper_clip.h"
+#include "core/export/fit/helper_motion.h"
+#include "core/export/fit/line_joints.h"
+#include "core/export/fit/poses.h"
+#include "core/export/fit/stage_progress.h"
+#include "sinew/export/skinned_export.h"
+#include "sinew/smoothing/smoother.h"
+
+namespace sinew::exporting {
+
+/// The stages of one export, in order.
+class JointFit {
+ public:
+  /// As exportSkinned(); all but `progress` must outlive this.
+  JointFit(std::shared_ptr<const Character> character, const Character& moving, const Rig& rig,
+           const SkinnedExportSettings& settings, const ExportProgress& progress);
+
+  /// Error: the rig does not fit the character.
+  Result<void> findWeights();
+  /// Compares all poses, and finds the keys of the added joints on the way.
+  void measure(SkinnedExportReport& report);
+
+  [[nodiscard]] const Surface& bind() const { return bind_; }
+  /// Of the vertices that are exported.
+  [[nodiscard]] const std::vector<FourWeights>& weights() const { return weights_; }
+  /// Those added: lines' first.
+  [[nodiscard]] std::vector<HelperJoint> helpers() const;
+  /// After measure(): one for each clip that is exported, in the character's order.
+  [[nodiscard]] const std::vector<HelperClip>& helperClips() const { return helperClips_; }
+
+ private:
+  void choosePoses();
+  void layLines();
+  void refit(std::vector<std::vector<int>> candidates);
+  [[nodiscard]] std::vector<FitPose> fitPoses();
+  void addHelpers(const std::vector<FitPose>& poses);
+  void moveHelpers(const Pose& moment, bool isKeyed, const HelperMotion& motion);
+  void keep(const ExportPose& pose);
+  template <class Means, class Use>
+  void forEachPose(Means means, Use use);
+
+  [[nodiscard]] bool isOwn(const ExportPose& pose) const;
+  [[nodiscard]] double furtherShare() const;
+  [[nodiscard]] std::vector<std::array<int, 3>> trianglesOfFit() const;
+  [[nodiscard]] std::vector<glm::vec3> restOfFit() const;
+  [[nodiscard]] int firstRigid() const;
+
+  std::shared_ptr<const Character> character_;
+  const Character& moving_;
+  const Rig& rig_;
+  const SkinnedExportSettings& settings_;
+  StageProgress progress_;
+  Smoother smoother_;
+  Surface bind_;
+  std::size_t count_ = 0;  ///< Refined vertices that are exported: the first so many.
+  std::vector<int> clips_;
+  std::vector<ExportPose> poses_;
+  std::vector<FourWeights> weights_;
+  LineJoints lines_;
+  std::vector<HelperJoint> rigid_;
+  std::vector<HelperClip> helperClips_;
+  // Of the pose at hand.
+  Surface live_;
+  std::vector<glm::dmat4> matrices_;  ///< [bindings, lines' joints, rigid helpers]
+  std::vector<Trs> lineLocals_;
+  std::vector<Trs> rigidLocals_;
+};
+
+}  // namespace sinew::exporting
