@@ -9,11 +9,14 @@
 
 #include <gtest/gtest.h>
 #include <tiny_gltf.h>
+#include <glm/geometric.hpp>
 
 #include "app/document/motion_clip.h"
 #include "sinew/export/skinned_export.h"
 #include "sinew/io/gltf_import.h"
 #include "sinew/io/rig_json.h"
+#include "sinew/smoothing/smoother.h"
+#include "tests/support/characters/gltf_oracle.h"
 #include "tests/support/characters/real_characters.h"
 #include "tests/tools/laid_muscles.h"
 
@@ -36,7 +39,48 @@ struct ExportScene {
     if (settings.clips.empty()) settings.clips = {character->clips.front().name};
     return exportSkinned(characterFile, character, *character, rig, settings, file);
   }
+
+  /// The live surface at a time of a clip, or in the bind pose.
+  [[nodiscard]] Surface live(const AnimationClip* clip, float time) const {
+    Smoother smoother(character);
+    EXPECT_TRUE(smoother.prepare(rig).ok());
+    Surface surface;
+    const Skeleton& skeleton = character->skeleton;
+    smoother.smooth(clip ? samplePose(skeleton, *clip, time) : bindPose(skeleton), surface);
+    return surface;
+  }
 };
+
+/// The exported file, played by an independent reader, stays within the printed error of the live surface in five poses
+/// of every clip that is in it, each among those that were measured; and the printed error is of the same order.
+inline void expectPlaysAsPrinted(const ExportScene& scene, const std::filesystem::path& file,
+                                 const SkinnedExportReport& report) {
+  const GltfOracle oracle(file);
+  const double height = static_cast<double>(scene.character->height);
+  ASSERT_EQ(oracle.clips(), report.clips.size());
+  for (std::size_t c = 0; c < oracle.clips(); ++c) {
+    const ClipError& printed = report.clips[c];
+    const auto found = std::ranges::find(scene.character->clips, printed.clip, &AnimationClip::name);
+    ASSERT_NE(found, scene.character->clips.end());
+    const AnimationClip& clip = *found;
+    double worst = 0.0;
+    for (int i = 0; i < 5; ++i) {
+      const float time = static_cast<float>(i * static_cast<int>(clip.duration * 30.0f) / 4) / 30.0f;
+      const Surface surface = scene.live(&clip, time);
+      const auto& triangles = surface.refinement->triangles;
+      const auto exported = oracle.triangles(c, static_cast<double>(time));
+      ASSERT_EQ(exported.size(), triangles.size());
+      for (std::size_t t = 0; t < triangles.size(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          const glm::dvec3 point(surface.positions[static_cast<std::size_t>(triangles[t][k])]);
+          worst = std::max(worst, 100.0 / height * glm::distance(point, exported[t][k]));
+        }
+      }
+    }
+    EXPECT_LE(worst, printed.error.largest + 1e-3) << clip.name;
+    EXPECT_GT(worst, 0.02 * printed.error.largest) << clip.name << ": the printed error is of something else";
+  }
+}
 
 inline ExportScene bundledScene(const std::string& rig) {
   const auto file = std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / (rig + ".rig.json");

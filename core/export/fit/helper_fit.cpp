@@ -187,9 +187,11 @@ class HelperFit {
   }
 
   [[nodiscard]] int bestSeed(const std::vector<double>& energy) const {
+    const double tolerance = kTolerance * task_.height;
+    const double least = tolerance * tolerance * static_cast<double>(task_.poses.size());
     std::vector<int> order;
     for (std::size_t v = 0; v < energy.size(); ++v) {
-      if (energy[v] > 0.0) order.push_back(static_cast<int>(v));
+      if (energy[v] > least) order.push_back(static_cast<int>(v));
     }
     const std::size_t looked = std::min(order.size(), kMostSeeds);
     std::ranges::partial_sort(order, order.begin() + static_cast<std::ptrdiff_t>(looked), std::ranges::greater{},
