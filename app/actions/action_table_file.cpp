@@ -1,6 +1,7 @@
 // app/actions/action_table_file.cpp: the File menu.
 
 #include "app/actions/action_table.h"
+#include "app/actions/export_commands.h"
 #include "app/editor/picture_commands.h"
 
 namespace sinew::app::table {
@@ -12,6 +13,8 @@ void reopenFile(State& s) { request(s, {IntentKind::kReopen, {}}); }
 void showPreferences(State& s) { s.dialogs.preferences = true; }
 void quitEditor(State& s) { request(s, {IntentKind::kQuit, {}}); }
 
+Possible farmable(const State& s) { return idle(s).also(rigIsSaved(s), "Save the rig first"); }
+
 const Action kActions[] = {
     {"file/open", "Open...", "Open a character (.glb, .gltf) or a rig (.rig.json)", ctrl(GLFW_KEY_O), kNone, always,
      nullptr, showOpenDialog},
@@ -19,6 +22,12 @@ const Action kActions[] = {
     {"file/save-as", "Save as...", "Write the rig to another file", ctrlShift(GLFW_KEY_S), kNone, idle, nullptr,
      saveAs},
     {"file/reopen", "Reopen", "Read the file again as it is on disk", kNone, kNone, idle, nullptr, reopenFile},
+    {"file/export-character", "Character for games...",
+     "Write the character with its muscles for game engines and other programs: one mesh, joints, clips",
+     ctrlShift(GLFW_KEY_E), kNone, idle, nullptr, showExportDialog, true},
+    {"file/export-farm", "As a farm job...",
+     "Write a job that exports this rig, or all rigs of its folder, on the machines of a farm", kNone, kNone, farmable,
+     nullptr, showFarmDialog},
     {"file/save-picture", "Save picture...", "Write the picture, without the interface, to a PNG file", kNone, kNone,
      open, nullptr, showPictureDialog, true},
     {"file/save-picture-now", "Save picture now", "Write the picture to the folder of the last one, else to Pictures",

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cstddef>
 
+#include "app/export/rig_list.h"
+
 namespace sinew::app {
 namespace {
 
@@ -39,15 +41,6 @@ std::string withFrame(const std::string& name, const FrameField& field, int fram
   return std::string(name).replace(field.at, field.length, digits);
 }
 
-/// fox of a/fox.rig.json.
-std::string nameOfInput(const std::filesystem::path& input) {
-  const std::string name = input.filename().string();
-  for (const std::string ending : {".rig.json", ".glb", ".gltf"}) {
-    if (name.size() > ending.size() && name.ends_with(ending)) return name.substr(0, name.size() - ending.size());
-  }
-  return input.stem().string();
-}
-
 }  // namespace
 
 Result<std::filesystem::path> nameOfItem(const std::filesystem::path& pattern, const std::string& option,
@@ -65,7 +58,7 @@ Result<std::filesystem::path> nameOfItem(const std::filesystem::path& pattern, c
   if (at == std::string::npos) {
     return errorAt(option, "expected {name} in the name, for the inputs of the list, got \"" + name + '"');
   }
-  const std::string own = nameOfInput(input);
+  const std::string own = nameWithoutEnding(input);
   for (; at != std::string::npos; at = name.find(kNameField, at + own.size())) {
     name.replace(at, std::string(kNameField).size(), own);
   }

@@ -8,8 +8,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/console.h"
-#include "app/cli/farm_job.h"
 #include "app/cli/verb.h"
+#include "app/export/farm_job.h"
 #include "core/io/files/atomic_file.h"
 
 namespace sinew::app {
@@ -34,12 +34,6 @@ std::optional<std::string> refusalOf(const Verb& verb, std::span<const std::stri
     return error.what();
   }
   return std::nullopt;
-}
-
-std::string thisProgram() {
-  std::error_code failed;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", failed);
-  return failed ? "sinew" : program.string();
 }
 
 int putJob(const std::string& text, const std::filesystem::path& file) {
@@ -70,9 +64,7 @@ int runFarm(const FarmOptions& options, std::span<const Verb> verbs) {
   if (failed) return badInput(errorAt("current folder", failed.message()));
   job.program = options.program.empty() ? thisProgram() : options.program;
   job.tasks = options.tasks;
-  if (options.to == "parallel") return putJob(parallelScript(job), options.file);
-  if (options.to == "slurm") return putJob(slurmScript(job), options.file);
-  const auto text = options.to == "commands" ? commandLines(job) : openJobTemplate(job);
+  const auto text = findFarmTarget(options.to)->write(job);
   if (!text) return badCommandLine(text.error().text());
   return putJob(text.value(), options.file);
 }
@@ -80,11 +72,13 @@ int runFarm(const FarmOptions& options, std::span<const Verb> verbs) {
 void addFarmOptions(CLI::App& verb, FarmOptions& options) {
   options.parser = &verb;
   verb.allow_extras();
+  std::vector<std::string> words;
+  for (const FarmTarget& target : farmTargets()) words.emplace_back(target.word);
   verb.add_option("--to", options.to,
                   "slurm (sbatch), parallel (GNU parallel), openjd (Deadline), commands (a line each)")
       ->type_name("FARM")
       ->required()
-      ->check(CLI::IsMember({"slurm", "parallel", "openjd", "commands"}));
+      ->check(CLI::IsMember(words));
   verb.add_option("--tasks", options.tasks, "How many tasks share the work (16)")
       ->type_name("N")
       ->check(CLI::Range(1, kMostTasks));

@@ -18,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostEntries = 5000;
+constexpr std::array kJobEndings{".sh", ".json", ".txt"};
 constexpr std::size_t kMostRecentPlaces = 5;
 
 std::string lowerCase(std::string text) {
@@ -28,6 +29,9 @@ std::string lowerCase(std::string text) {
 bool passes(const std::string& lowerName, FileFilter filter) {
   if (filter == FileFilter::kPictures) return lowerName.ends_with(".png");
   const bool rig = lowerName.ends_with(".rig.json");
+  if (filter == FileFilter::kJobs) {
+    return !rig && std::ranges::any_of(kJobEndings, [&](const char* end) { return lowerName.ends_with(end); });
+  }
   const bool character = lowerName.ends_with(".glb") || lowerName.ends_with(".gltf");
   return (rig && filter != FileFilter::kCharacters) || (character && filter != FileFilter::kRigs);
 }

@@ -18,7 +18,7 @@ struct FolderEntry {
 };
 
 /// Which files; folders are always there.
-enum class FileFilter { kAll, kRigs, kCharacters, kPictures };
+enum class FileFilter { kAll, kRigs, kCharacters, kPictures, kJobs };
 
 struct ListingOptions {
   FileFilter filter = FileFilter::kAll;
@@ -28,8 +28,8 @@ struct ListingOptions {
   friend bool operator==(const ListingOptions&, const ListingOptions&) = default;
 };
 
-/// Folders first, then files that can be opened (.glb, .gltf, .rig.json) or pictures (.png), as the filter says, each
-/// in the order asked for. At most 5,000. An unreadable folder is empty.
+/// Folders first, then files that can be opened (.glb, .gltf, .rig.json) pictures (.png) or farm jobs (.sh, .json,
+/// .txt), as the filter says, each in the order asked for. At most 5,000. An unreadable folder is empty.
 [[nodiscard]] std::vector<FolderEntry> listFolder(const std::filesystem::path& folder, const ListingOptions& options);
 
 /// A folder's entries kept until something changes.

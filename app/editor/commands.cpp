@@ -155,7 +155,8 @@ void perform(EditorState& state, const Intent& intent) {
       recover(state, intent.file);
       break;
     case IntentKind::kQuit:
-      state.session.quit = true;
+      if (state.session.exports.empty()) state.session.quit = true;
+      else state.dialogs.exportQuestion = true;
       break;
   }
 }

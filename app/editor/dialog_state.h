@@ -7,6 +7,7 @@
 
 #include "app/document/file_stamp.h"
 #include "app/document/folder_listing.h"
+#include "app/editor/export_state.h"
 
 namespace sinew::app {
 
@@ -17,7 +18,8 @@ struct Intent {
   std::filesystem::path file;  ///< To open; kRecover: of LeftBehind.
 };
 
-enum class DialogKind { kNone, kOpen, kSaveAs, kSavePicture };
+/// The last two only choose a place, for the export dialog.
+enum class DialogKind { kNone, kOpen, kSaveAs, kSavePicture, kExportPlace, kJobPlace };
 
 /// The path dialog.
 struct FileDialogState {
@@ -76,6 +78,8 @@ struct Dialogs {
   LocateState locate;
   ConflictQuestion conflict;
   Intent question;  ///< Asking about unsaved changes before this; kNone: not asking.
+  ExportDialogState exporting;
+  bool exportQuestion = false;  ///< Asking whether to quit though exports are not done.
   PaletteState palette;
   bool keySheet = false;
   bool preferences = false;

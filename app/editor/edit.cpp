@@ -34,18 +34,13 @@ void refuse(EditorState& state, const Error& error) {
   sayRefusal(state, text);
   if (text == state.open.refusal) return;
   state.open.refusal = text;
-  // The toast has it: the list need not open.
-  const bool shown = state.session.messagesShown;
-  addMessage(state.session, MessageKind::kError, text);
-  state.session.messagesShown = shown;
+  addQuietly(state.session, MessageKind::kError, text);
 }
 
 void sayRefusedField(EditorState& state) {
   if (state.open.refusal.empty()) return;
   sayRefusal(state, state.open.refusal);
-  const bool shown = state.session.messagesShown;
-  addMessage(state.session, MessageKind::kError, state.open.refusal);
-  state.session.messagesShown = shown;
+  addQuietly(state.session, MessageKind::kError, state.open.refusal);
 }
 
 void say(EditorState& state, const std::string& text) { state.session.toast = Toast{text, false, state.frame.now}; }
@@ -83,6 +78,12 @@ void addMessage(SessionState& session, MessageKind kind, const std::string& text
   }
   ++same->count;
   std::rotate(same, same + 1, messages.end());
+}
+
+void addQuietly(SessionState& session, MessageKind kind, const std::string& text, MessageAbout about) {
+  const bool shown = session.messagesShown;
+  addMessage(session, kind, text, about);
+  session.messagesShown = shown;
 }
 
 void forgetDocumentMessages(SessionState& session) {

@@ -33,6 +33,9 @@ void keepPlayRange(EditorState& state);
 /// Adds a line to the messages; said again, it counts up and becomes the newest.
 void addMessage(SessionState& session, MessageKind kind, const std::string& text,
                 MessageAbout about = MessageAbout::kDocument);
+/// The same where a toast has it already: the list need not open.
+void addQuietly(SessionState& session, MessageKind kind, const std::string& text,
+                MessageAbout about = MessageAbout::kDocument);
 /// Another document is open: what was said of the one before goes.
 void forgetDocumentMessages(SessionState& session);
 

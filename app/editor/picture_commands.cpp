@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "app/document/folder_listing.h"
+#include "app/export/rig_list.h"
 
 namespace sinew::app {
 namespace {
@@ -36,15 +37,6 @@ fs::path namedFolder() {
     if (fs::path folder = pictureLine(line); !folder.empty()) return folder;
   }
   return {};
-}
-
-/// "fox" for fox.rig.json.
-std::string stemOf(const Document& document) {
-  std::string name = document.name();
-  for (const std::string_view ending : {".rig.json", ".json", ".glb", ".gltf"}) {
-    if (name.size() > ending.size() && name.ends_with(ending)) return name.substr(0, name.size() - ending.size());
-  }
-  return name;
 }
 
 fs::path folderForPictures(const EditorState& state) {
@@ -82,12 +74,13 @@ void showPictureDialog(EditorState& state) {
   state.dialogs.file = {};
   state.dialogs.file.kind = DialogKind::kSavePicture;
   state.dialogs.file.folder = folderForPictures(state);
-  state.dialogs.file.text = stemOf(state.document) + ".png";
+  state.dialogs.file.text = nameWithoutEnding(state.document.name()) + ".png";
   state.dialogs.file.appearing = true;
 }
 
 void savePictureNow(EditorState& state) {
-  const std::string begin = (folderForPictures(state) / (stemOf(state.document) + '-' + timeText())).string();
+  const std::string begin =
+      (folderForPictures(state) / (nameWithoutEnding(state.document.name()) + '-' + timeText())).string();
   fs::path file = begin + ".png";
   std::error_code failed;
   for (int again = 2; fs::exists(file, failed); ++again) file = begin + '-' + std::to_string(again) + ".png";

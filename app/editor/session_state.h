@@ -5,11 +5,13 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/document/preferences.h"
 #include "app/document/recovery.h"
 #include "app/editor/toast.h"
+#include "app/export/export_queue.h"
 #include "app/platform/frame_stats.h"
 
 namespace sinew::app {
@@ -42,6 +44,10 @@ struct SessionState {
   std::optional<std::filesystem::path> pictureWanted;  ///< The window writes its picture there after this frame.
   Thumbnails* thumbnails = nullptr;                    ///< The window's; null without one.
   FrameStats stats;
+  ExportQueue exports;  ///< In the background.
+  /// As soon as they are done; asked for at these documentsOpened and CommandStack::revision(): what is edited after
+  /// that is asked about.
+  std::optional<std::pair<std::size_t, std::size_t>> quitAfterExports;
   bool quit = false;
 };
 

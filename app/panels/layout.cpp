@@ -18,6 +18,8 @@ namespace {
 
 constexpr float kBadgeRoom = 90.0f;  // Design pixels: what the count of messages takes of the status line.
 
+constexpr float kExportGap = 16.0f;  // Left of what is exported in the background.
+
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
@@ -168,11 +170,18 @@ void drawStatus(PanelUi& ui, const Box& box) {
   const std::string text =
       state.hasCharacter() ? state.frame.route.status : "No character \xc2\xb7 Drop opens a .glb, .gltf or .rig.json";
   const float badge = state.session.messages.empty() ? 0.0f : ui.px(kBadgeRoom);
-  const std::string shown = fitted(text, ImGui::GetContentRegionAvail().x - badge);
+  const float exporting = exportStatusWidth(ui);
+  const float room = ImGui::GetContentRegionAvail().x - badge;
+  const ImVec2 place{ImGui::GetCursorPosX() + room - exporting, ImGui::GetCursorPosY()};
+  const std::string shown = fitted(text, room - (exporting > 0.0f ? exporting + ui.px(kExportGap) : 0.0f));
   mutedText(shown.c_str());
   ui.widgets.note("status/line");
   if (shown != text) tooltip(ui, text);
-  ImGui::SameLine();
+  if (exporting > 0.0f) {
+    ImGui::SetCursorPos(place);
+    drawExportStatus(ui);
+  }
+  ImGui::SetCursorPos(place);
   drawMessageBadge(ui);
   ImGui::End();
   ImGui::PopStyleColor();

@@ -76,8 +76,10 @@ struct Submenu {
   std::string_view begin;  ///< Of their ids; without the last letter, the submenu's.
   const char* title;
 };
-constexpr Submenu kSubmenus[] = {
-    {"edit/shape-", "Add shape on bone"}, {"view/light-", "Light"}, {"view/background-", "Background"}};
+constexpr Submenu kSubmenus[] = {{"file/export-", "Export"},
+                                 {"edit/shape-", "Add shape on bone"},
+                                 {"view/light-", "Light"},
+                                 {"view/background-", "Background"}};
 
 const Submenu* submenuOf(const Action& item) {
   const auto* const found = std::ranges::find_if(

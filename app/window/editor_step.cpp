@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/actions/actions.h"
+#include "app/actions/export_commands.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/hidden_bones.h"
@@ -55,6 +56,7 @@ void movePose(EditorState& state, const RawInput& input, double seconds) {
 
 void EditorStep::run(EditorState& state, const RawInput& input, const Fonts& fonts, double seconds) {
   const double start = secondsNow();
+  followExports(state);
   // A press on a panel keeps a drag that goes on without a button, before the panel begins a gesture of its own.
   if (!viewportFree_ && input.pressedButton >= 0) keepDrag(state.view.tools, state.document);
   const bool viewportFree = viewportFree_ = runInterface(state, input, fonts);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <set>
 #include <utility>
@@ -239,14 +240,31 @@ Json messageState(const EditorState& state) {
   return messages;
 }
 
+/// Those that are not done.
+Json exportState(const EditorState& state) {
+  Json exports = Json::array();
+  for (const ExportStand& stand : state.session.exports.stands()) {
+    exports.push(Json::object()
+                     .set("file", stand.file.string())
+                     .set("running", stand.running)
+                     .set("share", std::floor(100.0 * stand.share) / 100.0));
+  }
+  return exports;
+}
+
 std::string dialogName(const EditorState& state) {
   if (state.dialogs.conflict.found != OnDisk::kSame) return "conflict";
   if (state.dialogs.question.kind != IntentKind::kNone) return "unsaved";
+  if (state.dialogs.exportQuestion) return "export-question";
   if (state.dialogs.file.kind == DialogKind::kSavePicture) return "picture";
+  if (state.dialogs.file.kind == DialogKind::kExportPlace || state.dialogs.file.kind == DialogKind::kJobPlace)
+    return "export-place";
   if (state.dialogs.file.kind != DialogKind::kNone)
     return !state.dialogs.file.locateFor.empty()          ? "locate-file"
            : state.dialogs.file.kind == DialogKind::kOpen ? "open"
                                                           : "save";
+  if (state.dialogs.exporting.shown == ExportDialog::kCharacter) return "export";
+  if (state.dialogs.exporting.shown == ExportDialog::kFarmJob) return "farm";
   if (!state.dialogs.locate.rigFile.empty()) return "locate";
   if (state.dialogs.recovery) return "recovery";
   if (state.dialogs.preferences) return "preferences";
@@ -354,6 +372,7 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("bones", boneState(state, view))
       .set("widgets", widgetState(widgets))
       .set("messages", messageState(state))
+      .set("exports", exportState(state))
       .set("toast", state.session.toast ? state.session.toast->text : std::string())
       .dump();
 }

@@ -106,6 +106,7 @@ Result<SkinnedExportReport> exportSkinned(const std::filesystem::path& character
   if (auto known = checkClips(characterFile, *character, settings.clips); !known) return known.error();
   try {
     Source source(characterFile);
+    requireSame(source, *character);
     JointFit fit(character, moving, rig, settings, progress);
     return exported(source, *character, fit, settings, file);
   } catch (const gltf::Refusal& refusal) {

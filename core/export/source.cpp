@@ -1,8 +1,11 @@
 // core/export/source.cpp: the stages of the import again, as far as they tell where things come from.
 #include "core/export/source.h"
 
+#include <algorithm>
+
 #include "core/base/at.h"
 #include "core/io/files/atomic_file.h"
+#include "core/io/gltf/animation.h"
 #include "core/io/gltf/uri.h"
 
 namespace sinew::exporting {
@@ -18,6 +21,28 @@ Json wholeJson(const std::filesystem::path& path) {
   Result<Json> root = Json::parse(gltf::openContainer(bytes.value()).json, {.depth = kMaxDepth, .leftOut = {}});
   if (!root) throw gltf::Refusal{root.error()};
   return std::move(root).value();
+}
+
+bool sameMesh(const ControlMesh& a, const ControlMesh& b) {
+  return a.positions == b.positions &&
+         std::ranges::equal(a.triangles, b.triangles, {}, &ControlTriangle::vertices, &ControlTriangle::vertices);
+}
+
+bool sameSkeleton(const Skeleton& a, const Skeleton& b) {
+  return std::ranges::equal(a.nodes, b.nodes, {}, &Node::parent, &Node::parent) &&
+         std::ranges::equal(a.bones, b.bones, {}, &Bone::path, &Bone::path) &&
+         std::ranges::equal(a.bones, b.bones, {}, &Bone::bindInWorld, &Bone::bindInWorld) &&
+         std::ranges::equal(a.bindings, b.bindings, {}, &Binding::bone, &Binding::bone) &&
+         std::ranges::equal(a.bindings, b.bindings, {}, &Binding::inverseBind, &Binding::inverseBind);
+}
+
+bool sameChannel(const Channel& a, const Channel& b) {
+  return a.node == b.node && a.path == b.path && a.interpolation == b.interpolation && a.times == b.times &&
+         a.values == b.values;
+}
+
+bool sameClip(const AnimationClip& a, const AnimationClip& b) {
+  return a.name == b.name && std::ranges::equal(a.channels, b.channels, sameChannel);
 }
 
 }  // namespace
@@ -52,5 +77,16 @@ bool Source::reads(const std::filesystem::path& other) const {
 int Source::nodeOfBone(int bone) const { return at(fileNode, at(bound.skeleton.bones, bone).node); }
 
 int Source::nodeOf(int binding) const { return nodeOfBone(at(bound.skeleton.bindings, binding).bone); }
+
+void requireSame(const Source& source, const Character& character) {
+  gltf::Notes notes;  // The import has told them.
+  gltf::Accessors accessors(source.file);
+  const auto clips = gltf::readClips(source.file, source.bound.skeleton, source.bound.skeletonNode, accessors, notes);
+  if (sameMesh(weld(source.soup, gltf::weldTolerance(source.soup)), character.mesh) &&
+      sameSkeleton(source.bound.skeleton, character.skeleton) && std::ranges::equal(clips, character.clips, sameClip)) {
+    return;
+  }
+  gltf::refuse({}, "has changed since it was opened: its mesh, joints or clips are others; open it again");
+}
 
 }  // namespace sinew::exporting

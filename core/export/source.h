@@ -11,6 +11,7 @@
 #include "core/io/gltf/skin.h"
 #include "core/io/json/json.h"
 #include "core/mesh/weld.h"
+#include "sinew/character/character.h"
 
 namespace sinew::exporting {
 
@@ -34,5 +35,9 @@ struct Source {
   /// That a binding's bone is.
   [[nodiscard]] int nodeOf(int binding) const;
 };
+
+/// Throws gltf::Refusal unless mesh, joints and clips of the character are those that the file gives now: it may have
+/// been replaced since it was imported.
+void requireSame(const Source& source, const Character& character);
 
 }  // namespace sinew::exporting

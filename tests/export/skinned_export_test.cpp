@@ -216,6 +216,44 @@ TEST_P(SkinnedExport, SameInputsSameBytes) {
 }
 
 /// docs/export.md prints what is reached; a change of the fit that loses it shows here.
+/// The file on the disk is no longer what the character was imported from: said, not exported, whatever differs.
+TEST(SkinnedExportGuard, RefusesAFileThatHasChangedSinceItWasImported) {
+  const TemporaryFolder folder;
+  const auto out = folder.path() / "out.glb";
+  const ExportScene good = bundledScene("demo");
+  const auto expectRefused = [&](const ExportScene& scene, const std::string& what) {
+    const auto report = scene.writeQuickly(out, {.weights = ExportWeights::kTransferred});
+    ASSERT_FALSE(report.ok()) << what;
+    EXPECT_NE(report.error().reason.find("has changed since it was opened"), std::string::npos)
+        << what << ": " << report.error().text();
+    EXPECT_EQ(report.error().file, scene.characterFile.string());
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << what;
+  };
+  for (const char* other : {"humanoid", "horse", "wrapped"}) {
+    ExportScene scene = good;
+    scene.characterFile = bundledScene(other).characterFile;
+    expectRefused(scene, other);
+  }
+  const std::vector<std::pair<std::string, std::function<void(Character&)>>> changes{
+      {"a vertex", [](Character& c) { c.mesh.positions[7].x += 0.25f; }},
+      {"a triangle less", [](Character& c) { c.mesh.triangles.pop_back(); }},
+      {"a triangle turned",
+       [](Character& c) { std::swap(c.mesh.triangles[3].vertices[0], c.mesh.triangles[3].vertices[1]); }},
+      {"a joint's name", [](Character& c) { c.skeleton.bones.back().path += "x"; }},
+      {"a bind pose", [](Character& c) { c.skeleton.bones.back().bindInWorld[3].y += 0.5f; }},
+      {"a weight's joint", [](Character& c) { c.skeleton.bindings.back().bone = 0; }},
+      {"a clip less", [](Character& c) { c.clips.pop_back(); }},
+      {"a key", [](Character& c) { c.clips.front().channels.front().values.front().x += 0.1f; }}};
+  for (const auto& [what, change] : changes) {
+    Character changed = *good.character;
+    change(changed);
+    ExportScene scene = good;
+    scene.character = std::make_shared<const Character>(std::move(changed));
+    expectRefused(scene, what);
+  }
+  ASSERT_TRUE(good.writeQuickly(out, {.weights = ExportWeights::kTransferred}).ok());
+}
+
 TEST(SkinnedExportFigures, BundledCharactersComeNear) {
   struct Ceiling {
     const char* rig;

@@ -7,6 +7,10 @@ namespace sinew::app {
 
 void drawFileDialog(PanelUi& ui);
 void drawUnsavedQuestion(PanelUi& ui);
+void drawExportDialog(PanelUi& ui);
+void drawFarmDialog(PanelUi& ui);
+/// Quitting while something is exported.
+void drawExportQuestion(PanelUi& ui);
 void drawLocateQuestion(PanelUi& ui);
 void drawConflictQuestion(PanelUi& ui);
 void drawRecoveryQuestion(PanelUi& ui);

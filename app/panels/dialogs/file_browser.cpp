@@ -227,6 +227,8 @@ void drawEntries(PanelUi& ui, float height) {
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
       if (dialog.kind == DialogKind::kSavePicture) mutedText("No pictures here.");
+      else if (dialog.kind == DialogKind::kExportPlace) mutedText("No characters here.");
+      else if (dialog.kind == DialogKind::kJobPlace) mutedText("No jobs here.");
       else mutedText(dialog.filter == FileFilter::kRigs ? "No rigs here." : "No characters or rigs here.");
     }
     dialog.reveal = false;

@@ -13,9 +13,11 @@
 #include <string>
 #include <system_error>
 
+#include "app/actions/export_commands.h"
 #include "app/editor/commands.h"
 #include "app/editor/locate_character.h"
 #include "app/editor/picture_commands.h"
+#include "app/panels/dialogs/dialog_parts.h"
 #include "app/panels/dialogs/dialogs.h"
 
 namespace sinew::app {
@@ -43,6 +45,11 @@ void showFolder(FileDialogState& dialog, const std::filesystem::path& folder) {
 std::filesystem::path saveTarget(const FileDialogState& dialog) {
   const std::filesystem::path typed = resolveTyped(dialog.folder, dialog.text);
   return dialog.kind == DialogKind::kSavePicture ? withPictureEnding(typed) : withRigEnding(typed);
+}
+
+/// The export dialog asked for a place; it asks itself before it replaces anything.
+bool choosesPlace(const FileDialogState& dialog) {
+  return dialog.kind == DialogKind::kExportPlace || dialog.kind == DialogKind::kJobPlace;
 }
 
 /// Save As would overwrite a file that is not this document's own.
@@ -88,7 +95,20 @@ void confirmPicture(EditorState& state) {
   wantPicture(state, target);
 }
 
+void confirmPlace(EditorState& state) {
+  const FileDialogState& dialog = state.dialogs.file;
+  const std::filesystem::path chosen = resolveTyped(dialog.folder, dialog.text).lexically_normal();
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(chosen.parent_path(), ignored)) {
+    complain(state.dialogs.file, "There is no folder " + chosen.parent_path().string());
+    return;
+  }
+  takePlace(state.dialogs, dialog.kind, chosen);
+  close(state);
+}
+
 void confirmSave(EditorState& state) {
+  if (choosesPlace(state.dialogs.file)) return confirmPlace(state);
   if (replaces(state) && !state.dialogs.file.overwriteAsked) {
     state.dialogs.file.overwriteAsked = true;
     state.dialogs.file.appearing = true;
@@ -132,11 +152,15 @@ int editPath(ImGuiInputTextCallbackData* data) {
 const char* titleOf(const FileDialogState& dialog) {
   if (!dialog.locateFor.empty()) return "Locate the character";
   if (dialog.kind == DialogKind::kSavePicture) return "Save the picture as";
+  if (dialog.kind == DialogKind::kExportPlace) return "Where to export to";
+  if (dialog.kind == DialogKind::kJobPlace) return "Where to write the job";
   return dialog.kind == DialogKind::kOpen ? "Open a character or a rig" : "Save the rig as";
 }
 
 const char* hintOf(DialogKind kind) {
   if (kind == DialogKind::kSavePicture) return "Name of the picture";
+  if (kind == DialogKind::kExportPlace) return "Name of the exported character";
+  if (kind == DialogKind::kJobPlace) return "Name of the job's file";
   return kind == DialogKind::kOpen ? "Name or path  (Tab completes)" : "Name of the rig";
 }
 
@@ -200,15 +224,14 @@ void leave(EditorState& state) {
 void drawButtons(PanelUi& ui) {
   EditorState& state = ui.state;
   const FileDialogState& dialog = state.dialogs.file;
-  const char* verb = dialog.kind == DialogKind::kOpen ? "Open" : (dialog.overwriteAsked ? "Replace" : "Save");
+  const char* saving = choosesPlace(dialog) ? "Choose" : (dialog.overwriteAsked ? "Replace" : "Save");
+  const char* verb = dialog.kind == DialogKind::kOpen ? "Open" : saving;
   const float width = ui.px(96);
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0f * width - ui.px(8));
   const bool cancelled = ImGui::Button(dialog.overwriteAsked ? "Keep" : "Cancel", {width, 0.0f});
   ui.widgets.note("dialog/cancel");
   ImGui::SameLine(0.0f, ui.px(8));
-  ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccent.faded(0.45f));
-  const bool confirmed = ImGui::Button(verb, {width, 0.0f});
-  ImGui::PopStyleColor();
+  const bool confirmed = accentButton(verb, {width, 0.0f});
   ui.widgets.note("dialog/ok");
   if (confirmed) confirmPath(state);
   else if (cancelled || escapePressed(ui)) leave(state);
@@ -231,6 +254,8 @@ ListingOptions listingOptions(const EditorState& state) {
   FileFilter filter = state.dialogs.file.filter;
   if (state.dialogs.file.kind == DialogKind::kSaveAs) filter = FileFilter::kRigs;
   if (state.dialogs.file.kind == DialogKind::kSavePicture) filter = FileFilter::kPictures;
+  if (state.dialogs.file.kind == DialogKind::kExportPlace) filter = FileFilter::kCharacters;
+  if (state.dialogs.file.kind == DialogKind::kJobPlace) filter = FileFilter::kJobs;
   return {filter, state.session.preferences.hiddenFiles, state.session.preferences.newestFirst};
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "app/actions/key_capture.h"
+#include "app/panels/dialogs/dialog_parts.h"
 #include "app/panels/dialogs/dialogs.h"
 #include "app/ui/number_field.h"
 
@@ -20,21 +21,8 @@ constexpr float kWidth = 600.0f;  // Design pixels.
 constexpr float kLabelWidth = 170.0f;
 constexpr std::array kScales{0.0f, 1.0f, 1.25f, 1.5f, 1.75f, 2.0f, 2.5f, 3.0f};
 
-void label(PanelUi& ui, const char* text) {
-  ImGui::AlignTextToFramePadding();
-  mutedText(text);
-  ImGui::SameLine(ui.px(kLabelWidth));
-}
-
-void explain(PanelUi& ui, const char* text) {
-  ImGui::SetCursorPosX(ui.px(kLabelWidth));
-  ImGui::PushStyleColor(ImGuiCol_Text, palette::kMuted.faded(0.8f));
-  ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(text);
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-  ImGui::Dummy({0.0f, ui.px(6)});
-}
+void label(PanelUi& ui, const char* text) { dialogLabel(ui, text, kLabelWidth); }
+void explain(PanelUi& ui, const char* text) { dialogExplain(ui, text, kLabelWidth); }
 
 void keymapRow(PanelUi& ui) {
   label(ui, "Keymap");
@@ -123,9 +111,7 @@ void buttons(PanelUi& ui, bool& closed) {
   if (ImGui::Button("Clear recent files")) ui.state.session.preferences.recentFiles.clear();
   ui.widgets.note("preferences/forget");
   ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
-  ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccent.faded(0.45f));
-  closed = ImGui::Button("Close", {width, 0.0f});
-  ImGui::PopStyleColor();
+  closed = accentButton("Close", {width, 0.0f});
   ui.widgets.note("preferences/close");
 }
 

@@ -4,22 +4,18 @@
 
 #include <string>
 
+#include "app/actions/export_commands.h"
 #include "app/editor/commands.h"
 #include "app/editor/session.h"
+#include "app/panels/dialogs/dialog_parts.h"
 #include "app/panels/dialogs/dialogs.h"
 
 namespace sinew::app {
 namespace {
 
 constexpr const char* kUnsavedTitle = "Unsaved changes";
+constexpr const char* kExportTitle = "An export is running";
 constexpr const char* kRecoveryTitle = "Unsaved work found";
-
-bool accentButton(const char* label, const ImVec2& size) {
-  ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccent.faded(0.45f));
-  const bool pressed = ImGui::Button(label, size);
-  ImGui::PopStyleColor();
-  return pressed;
-}
 
 enum class Answer { kNone, kSave, kDiscard, kCancel };
 
@@ -38,6 +34,33 @@ Answer askUnsaved(PanelUi& ui) {
   if (accentButton("Save", size)) answer = Answer::kSave;
   ui.widgets.note("unsaved/save");
   return escapePressed(ui) ? Answer::kCancel : answer;
+}
+
+/// @return whether the question is over.
+bool askExport(PanelUi& ui) {
+  SessionState& session = ui.state.session;
+  const std::vector<ExportStand> stands = session.exports.stands();
+  if (stands.empty()) {  // Done meanwhile.
+    perform(ui.state, {IntentKind::kQuit, {}});
+    return true;
+  }
+  std::string names;
+  for (const ExportStand& stand : stands) names += (names.empty() ? "" : ", ") + stand.file.filename().string();
+  ImGui::TextWrapped("%s %s not written yet.", names.c_str(), stands.size() == 1 ? "is" : "are");
+  ImGui::Dummy({0.0f, ui.px(6)});
+  const ImVec2 size{ui.px(128), 0.0f};
+  ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 3.0f * size.x - 2.0f * ui.px(8));
+  const bool stay = ImGui::Button("Cancel", size);
+  ui.widgets.note("export-question/cancel");
+  ImGui::SameLine(0.0f, ui.px(8));
+  const bool now = ImGui::Button("Quit without", size);
+  ui.widgets.note("export-question/now");
+  ImGui::SameLine(0.0f, ui.px(8));
+  const bool later = accentButton("Quit when done", size);
+  ui.widgets.note("export-question/later");
+  if (now) session.quit = true;
+  if (later) quitAfterExports(ui.state);
+  return now || later || stay || escapePressed(ui);
 }
 
 std::string muscleCount(int count) { return count == 1 ? std::string("1 muscle") : std::to_string(count) + " muscles"; }
@@ -119,6 +142,22 @@ void drawUnsavedQuestion(PanelUi& ui) {
       ImGui::CloseCurrentPopup();
       if (answer == Answer::kDiscard) perform(state, intent);
       if (answer == Answer::kSave) save(state, intent);
+    }
+    ImGui::EndPopup();
+  }
+  popDialogStyle();
+}
+
+void drawExportQuestion(PanelUi& ui) {
+  EditorState& state = ui.state;
+  if (!state.dialogs.exportQuestion) return;
+  if (!ImGui::IsPopupOpen(kExportTitle)) ImGui::OpenPopup(kExportTitle);
+  placeDialog(ui, 460);
+  pushDialogStyle(ui);
+  if (ImGui::BeginPopupModal(kExportTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
+    if (askExport(ui)) {
+      state.dialogs.exportQuestion = false;
+      ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();
   }

@@ -23,4 +23,9 @@ void drawToast(PanelUi& ui);
 /// 0 without messages.
 float drawMessageBadge(PanelUi& ui);
 
+/// What is exported in the background, in the status line: file, progress, cancel. 0 wide while there is nothing.
+[[nodiscard]] float exportStatusWidth(PanelUi& ui);
+/// At the cursor.
+void drawExportStatus(PanelUi& ui);
+
 }  // namespace sinew::app

@@ -1,10 +1,12 @@
-// app/cli/farm_job.cpp: one job, four ways to write it down. All tasks resume, so that one that is run again makes only
-// what is missing.
-#include "app/cli/farm_job.h"
+// app/export/farm_job.cpp: one job, four ways to write it down. All tasks resume, so that one that is run again makes
+// only what is missing.
+#include "app/export/farm_job.h"
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 #include <string_view>
+#include <system_error>
 
 #include "core/io/json/json.h"
 
@@ -28,7 +30,27 @@ std::string shardText(const std::string& index, const FarmJob& job) { return ind
 
 std::string nameOf(const FarmJob& job) { return "sinew-" + job.arguments.front(); }
 
+constexpr FarmTarget kTargets[] = {
+    {"slurm", "Slurm", ".sh", "sbatch", slurmScript},
+    {"parallel", "GNU parallel", ".sh", "sh", parallelScript},
+    {"openjd", "OpenJD", ".json", "openjd run, or Deadline Cloud", openJobTemplate},
+    {"commands", "Commands", ".txt", "any shell, or a farm's command script", commandLines},
+};
+
 }  // namespace
+
+std::span<const FarmTarget> farmTargets() { return kTargets; }
+
+const FarmTarget* findFarmTarget(std::string_view word) {
+  const auto* const found = std::ranges::find(kTargets, word, &FarmTarget::word);
+  return found == std::end(kTargets) ? nullptr : found;
+}
+
+std::string thisProgram() {
+  std::error_code failed;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", failed);
+  return failed ? "sinew" : program.string();
+}
 
 std::string shellWord(const std::string& text) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
@@ -50,7 +72,7 @@ Result<std::string> commandLines(const FarmJob& job) {
   return lines;
 }
 
-std::string parallelScript(const FarmJob& job) {
+Result<std::string> parallelScript(const FarmJob& job) {
   return "#!/bin/sh\n"
          "# " +
          std::to_string(job.tasks) +
@@ -59,7 +81,7 @@ std::string parallelScript(const FarmJob& job) {
          " -I " + kShardWord + " \"$@\" " + commandOf(job, shardText(kShardWord, job)) + '\n';
 }
 
-std::string slurmScript(const FarmJob& job) {
+Result<std::string> slurmScript(const FarmJob& job) {
   const std::string name = nameOf(job);
   return "#!/bin/sh\n"
          "#SBATCH --job-name=" +

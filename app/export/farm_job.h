@@ -1,8 +1,10 @@
-// app/cli/farm_job.h: a batch job as the text that a farm's own tools take. docs/farm.md.
+// app/export/farm_job.h: a batch job as the text that a farm's own tools take. docs/farm.md.
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sinew/base/result.h"
@@ -18,12 +20,27 @@ struct FarmJob {
   int tasks = 1;                       ///< Each makes one shard.
 };
 
+/// What a job is written for.
+struct FarmTarget {
+  const char* word;    ///< Of --to.
+  const char* title;   ///< "GNU parallel"
+  const char* ending;  ///< That the job's file usually has.
+  const char* runWith;
+  Result<std::string> (*write)(const FarmJob& job);
+};
+[[nodiscard]] std::span<const FarmTarget> farmTargets();
+/// By its word; null: there is none.
+[[nodiscard]] const FarmTarget* findFarmTarget(std::string_view word);
+
+/// The path of the running program.
+[[nodiscard]] std::string thisProgram();
+
 /// One line per task, for a shell or a farm's command script. Error: a line break in what is to run.
 [[nodiscard]] Result<std::string> commandLines(const FarmJob& job);
 /// A shell script that calls GNU parallel.
-[[nodiscard]] std::string parallelScript(const FarmJob& job);
+[[nodiscard]] Result<std::string> parallelScript(const FarmJob& job);
 /// A job array for sbatch.
-[[nodiscard]] std::string slurmScript(const FarmJob& job);
+[[nodiscard]] Result<std::string> slurmScript(const FarmJob& job);
 /// An OpenJD job template, 2023-09. Error: an argument holds "{{", which the template would expand.
 [[nodiscard]] Result<std::string> openJobTemplate(const FarmJob& job);
 

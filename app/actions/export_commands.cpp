@@ -1,0 +1,296 @@
+// app/actions/export_commands.cpp: from what the dialogs say to an export in the background or a job's file.
+#include "app/actions/export_commands.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "app/document/folder_listing.h"
+#include "app/editor/commands.h"
+#include "app/editor/edit.h"
+#include "app/editor/session.h"
+#include "app/export/rig_list.h"
+#include "core/io/files/atomic_file.h"
+
+namespace sinew::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostTasksAtFirst = 16;  ///< As `sinew farm` without --tasks.
+
+const fs::path& fileOf(const Document& document) {
+  return document.rigFile.empty() ? document.characterFile : document.rigFile;
+}
+
+/// "fox" for fox.rig.json.
+std::string stemOf(const Document& document) { return nameWithoutEnding(fileOf(document)); }
+
+bool isFarm(const ExportDialogState& dialog) { return dialog.shown == ExportDialog::kFarmJob; }
+
+std::string muscledName(const std::string& stem, const ExportKind& kind) {
+  return stem + "_muscled" + kind.endings.front();
+}
+
+void giveEnding(ExportPlace& place, const ExportKind& kind) {
+  const fs::path name = place.name;
+  if (!name.empty() && withExportEnding(name, kind) != name) {
+    place.name = fs::path(name).replace_extension(kind.endings.front()).string();
+  }
+}
+
+const FarmTarget& targetOf(const ExportDialogState& dialog) { return *findFarmTarget(dialog.target); }
+
+/// Places and clips of another document.
+void startWith(EditorState& state) {
+  ExportDialogState& dialog = state.dialogs.exporting;
+  if (dialog.of == fileOf(state.document)) return;
+  dialog.of = fileOf(state.document);
+  std::error_code ignored;
+  // The program's own folder is no place to work in.
+  const fs::path folder =
+      isSample(dialog.of) ? homeFolder() : fs::absolute(dialog.of, ignored).lexically_normal().parent_path();
+  const ExportKind& kind = chosenKind(state.dialogs);
+  const std::string stem = stemOf(state.document);
+  dialog.place = {folder, muscledName(stem, kind)};
+  dialog.pattern = {folder, muscledName("{name}", kind)};
+  dialog.job = {folder, stem + "_export" + targetOf(dialog).ending};
+  dialog.settings.clips.clear();
+  dialog.settings.depth.reset();
+  dialog.chosenClips = dialog.wholeFolder = false;
+  dialog.tasks = 0;
+}
+
+void show(EditorState& state, ExportDialog which) {
+  startWith(state);
+  ExportDialogState& dialog = state.dialogs.exporting;
+  dialog.shown = which;
+  dialog.overwriteAsked = false;
+  dialog.error.clear();
+}
+
+fs::path resolved(const ExportPlace& place) { return resolveTyped(place.folder, place.name).lexically_normal(); }
+
+/// Why a file cannot go there; "" if it can.
+std::string placeError(const ExportPlace& place, const fs::path& file) {
+  std::error_code ignored;
+  if (place.name.empty() || !file.has_filename()) return "It needs a name";
+  if (!fs::is_directory(file.parent_path(), ignored)) return "There is no folder " + file.parent_path().string();
+  if (fs::is_directory(file, ignored)) return file.filename().string() + " is a folder";
+  return "";
+}
+
+/// All that the job's file says, and the list of rigs beside it.
+struct FarmFiles {
+  FarmJob job;
+  fs::path file;
+  fs::path list;  ///< "": there is one rig only.
+  std::string listText;
+};
+
+FarmFiles farmFiles(const EditorState& state) {
+  const ExportDialogState& dialog = state.dialogs.exporting;
+  const ExportKind& kind = chosenKind(state.dialogs);
+  std::error_code ignored;
+  const fs::path rig = fs::absolute(state.document.rigFile, ignored).lexically_normal();
+  FarmFiles farm;
+  farm.file = resolved(dialog.job);
+  farm.job.program = thisProgram();
+  farm.job.folder = rig.parent_path();
+  farm.job.arguments = {"export"};
+  const std::vector<fs::path> rigs = dialog.wholeFolder ? rigsBeside(state.document) : std::vector<fs::path>{rig};
+  if (dialog.wholeFolder) {
+    farm.list = fs::path(farm.file).replace_extension(".list.txt");
+    farm.listText = listText(farm.job.folder, rigs);
+    farm.job.arguments.insert(farm.job.arguments.end(), {"--list", pathWord(farm.job.folder, farm.list)});
+  } else {
+    farm.job.arguments.push_back(pathWord(farm.job.folder, rig));
+  }
+  for (std::string& word : exportArguments(kind, chosenSettings(state))) farm.job.arguments.push_back(std::move(word));
+  const fs::path out = withExportEnding(resolved(dialog.wholeFolder ? dialog.pattern : dialog.place), kind);
+  farm.job.arguments.insert(farm.job.arguments.end(), {"-o", pathWord(farm.job.folder, out)});
+  farm.job.tasks = farmTasks(dialog, rigs.size());
+  return farm;
+}
+
+std::string writeFarmJob(EditorState& state) {
+  const FarmFiles farm = farmFiles(state);
+  const FarmTarget& target = targetOf(state.dialogs.exporting);
+  const Result<std::string> text = target.write(farm.job);
+  if (!text) return text.error().plainText();
+  std::vector<NamedBytes> files{{farm.file, text.value()}};
+  if (!farm.list.empty()) files.push_back({farm.list, farm.listText});
+  if (const auto written = writeFilesAtomically(files); !written) return written.error().plainText();
+  say(state, "Farm job written: " + farm.file.string() + "; run it with " + target.runWith);
+  return "";
+}
+
+void startExport(EditorState& state, const fs::path& file) {
+  const Document& document = state.document;
+  state.session.exports.add({&chosenKind(state.dialogs),
+                             {document.characterFile, document.character, document.rig()},
+                             chosenSettings(state),
+                             file});
+  const std::size_t before = state.session.exports.stands().size() - 1;
+  const std::string name = file.filename().string();
+  say(state, before == 0 ? "Exporting " + name + " in the background" : name + " is exported next");
+}
+
+/// The exported file; "" without a name.
+fs::path outOf(Dialogs& dialogs) {
+  const ExportPlace& place = placeOf(dialogs, DialogKind::kExportPlace);
+  return place.name.empty() ? fs::path() : withExportEnding(resolved(place), chosenKind(dialogs));
+}
+
+/// Why it cannot be done as the dialog stands; "" if it can.
+std::string refusalOf(EditorState& state, const ExportPlace& place, const fs::path& out) {
+  const ExportDialogState& dialog = state.dialogs.exporting;
+  if (std::string error = placeError(place, out); !error.empty()) return error;
+  const bool whole = isFarm(dialog) && dialog.wholeFolder;
+  if (whole && out.filename().string().find("{name}") == std::string::npos) {
+    return "The name needs {name}, which stands for the name of each rig";
+  }
+  if (!whole && dialog.chosenClips && chosenSettings(state).clips.empty()) return "Choose a clip, or all clips";
+  return isFarm(dialog) ? placeError(dialog.job, resolved(dialog.job)) : "";
+}
+
+std::pair<std::size_t, std::size_t> editedSoFar(const EditorState& state) {
+  return {state.session.documentsOpened, state.document.commands.revision()};
+}
+
+void tell(EditorState& state, const ExportOutcome& outcome) {
+  const std::string name = outcome.file.filename().string();
+  if (outcome.result.ok()) {
+    const ExportSummary& summary = outcome.result.value();
+    say(state, "Exported " + name + ": " + summary.figures);
+    std::string text = "Exported " + outcome.file.string() + ": " + summary.figures;
+    for (const std::string& left : summary.left) text += "\nleft out: " + left;
+    addQuietly(state.session, MessageKind::kNote, text, MessageAbout::kProgram);
+  } else if (outcome.cancelled) {
+    say(state, "Cancelled: " + name + " was not written");
+  } else {
+    addMessage(state.session, MessageKind::kError, "Not exported: " + outcome.result.error().plainText(),
+               MessageAbout::kProgram);
+    state.session.quitAfterExports.reset();  // It is to be read.
+  }
+}
+
+}  // namespace
+
+bool rigIsSaved(const EditorState& state) {
+  return !state.document.rigFile.empty() && !state.document.commands.modified();
+}
+
+void showExportDialog(EditorState& state) { show(state, ExportDialog::kCharacter); }
+void showFarmDialog(EditorState& state) { show(state, ExportDialog::kFarmJob); }
+
+void closeExportDialog(Dialogs& dialogs) {
+  dialogs.exporting.shown = ExportDialog::kNone;
+  dialogs.exporting.overwriteAsked = false;
+  dialogs.exporting.error.clear();
+}
+
+const ExportKind& chosenKind(const Dialogs& dialogs) { return exportKinds()[dialogs.exporting.kind]; }
+
+void chooseKind(Dialogs& dialogs, std::size_t kind) {
+  dialogs.exporting.kind = kind;
+  giveEnding(dialogs.exporting.place, exportKinds()[kind]);
+  giveEnding(dialogs.exporting.pattern, exportKinds()[kind]);
+}
+
+void chooseTarget(Dialogs& dialogs, const FarmTarget& target) {
+  ExportDialogState& dialog = dialogs.exporting;
+  fs::path name = dialog.job.name;
+  if (name.extension() == targetOf(dialog).ending) dialog.job.name = name.replace_extension(target.ending).string();
+  dialog.target = target.word;
+}
+
+ExportSettings chosenSettings(const EditorState& state) {
+  const ExportDialogState& dialog = state.dialogs.exporting;
+  ExportSettings settings = dialog.settings;
+  settings.clips.clear();
+  if (!dialog.chosenClips || (isFarm(dialog) && dialog.wholeFolder)) return settings;
+  for (const std::string& name : exportableClips(state.character())) {
+    if (std::ranges::count(dialog.settings.clips, name) > 0) settings.clips.push_back(name);
+  }
+  return settings;
+}
+
+ExportPlace& placeOf(Dialogs& dialogs, DialogKind kind) {
+  ExportDialogState& dialog = dialogs.exporting;
+  if (kind == DialogKind::kJobPlace) return dialog.job;
+  return isFarm(dialog) && dialog.wholeFolder ? dialog.pattern : dialog.place;
+}
+
+void browseForPlace(EditorState& state, DialogKind kind) {
+  const fs::path file = resolved(placeOf(state.dialogs, kind));
+  state.dialogs.exporting.overwriteAsked = false;
+  state.dialogs.file = {};
+  state.dialogs.file.kind = kind;
+  state.dialogs.file.folder = file.parent_path();
+  state.dialogs.file.text = file.filename().string();
+  state.dialogs.file.appearing = true;
+}
+
+void takePlace(Dialogs& dialogs, DialogKind kind, const fs::path& file) {
+  ExportPlace& place = placeOf(dialogs, kind);
+  place = {file.parent_path(), file.filename().string()};
+  if (kind == DialogKind::kExportPlace) {
+    place.name = withExportEnding(place.name, chosenKind(dialogs)).string();
+  } else if (!file.has_extension()) {
+    place.name += targetOf(dialogs.exporting).ending;
+  }
+  dialogs.exporting.error.clear();
+}
+
+std::vector<fs::path> rigsBeside(const Document& document) {
+  std::error_code ignored;
+  return rigsIn(fs::absolute(document.rigFile, ignored).lexically_normal().parent_path());
+}
+
+int farmTasks(const ExportDialogState& dialog, std::size_t rigs) {
+  const int most = std::clamp(static_cast<int>(rigs), 1, kMostTasks);
+  return dialog.tasks == 0 ? std::min(most, kMostTasksAtFirst) : std::clamp(dialog.tasks, 1, most);
+}
+
+std::vector<fs::path> replacedFiles(EditorState& state) {
+  if (!isFarm(state.dialogs.exporting)) return replacedByExport(outOf(state.dialogs));
+  const FarmFiles farm = farmFiles(state);
+  std::vector<fs::path> files{farm.file};
+  if (!farm.list.empty()) files.push_back(farm.list);
+  std::error_code failed;
+  std::erase_if(files, [&](const fs::path& file) { return !fs::exists(file, failed); });
+  return files;
+}
+
+bool confirmExport(EditorState& state) {
+  ExportDialogState& dialog = state.dialogs.exporting;
+  const fs::path out = outOf(state.dialogs);
+  dialog.error = refusalOf(state, placeOf(state.dialogs, DialogKind::kExportPlace), out);
+  if (!dialog.error.empty()) return false;
+  if (!dialog.overwriteAsked && !replacedFiles(state).empty()) {
+    dialog.overwriteAsked = true;
+    return false;
+  }
+  if (isFarm(dialog)) dialog.error = writeFarmJob(state);
+  else startExport(state, out);
+  dialog.overwriteAsked = false;
+  if (!dialog.error.empty()) return false;
+  closeExportDialog(state.dialogs);
+  return true;
+}
+
+void followExports(EditorState& state) {
+  for (const ExportOutcome& outcome : state.session.exports.takeDone()) tell(state, outcome);
+  if (!state.session.quitAfterExports || !state.session.exports.empty()) return;
+  const Intent quit{IntentKind::kQuit, {}};
+  if (std::exchange(state.session.quitAfterExports, std::nullopt) == editedSoFar(state)) perform(state, quit);
+  else request(state, quit);
+}
+
+void quitAfterExports(EditorState& state) { state.session.quitAfterExports = editedSoFar(state); }
+
+}  // namespace sinew::app

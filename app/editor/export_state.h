@@ -1,0 +1,41 @@
+// app/editor/export_state.h: what is chosen in the export dialogs. Remembered while the editor runs.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+#include "app/export/export_kinds.h"
+
+namespace sinew::app {
+
+enum class ExportDialog { kNone, kCharacter, kFarmJob };
+
+/// A file to be written.
+struct ExportPlace {
+  std::filesystem::path folder;  ///< Absolute.
+  std::string name;              ///< As typed: may be a path, relative to the folder or not.
+};
+
+struct ExportDialogState {
+  ExportDialog shown = ExportDialog::kNone;
+  std::size_t kind = 0;      ///< Of exportKinds().
+  ExportSettings settings;   ///< `clips` are those with a check mark.
+  bool chosenClips = false;  ///< Those alone, else all.
+  bool advanced = false;     ///< That part is unfolded.
+
+  // Of one document; another begins with its own.
+  std::filesystem::path of;  ///< The rig, or a character without one.
+  ExportPlace place;         ///< The character.
+  ExportPlace pattern;       ///< Farm, a whole folder: the characters, with "{name}".
+  ExportPlace job;           ///< Farm: the job's file.
+
+  std::string target = "slurm";  ///< Farm: of farmTargets().
+  bool wholeFolder = false;      ///< Farm: all rigs beside the open one.
+  int tasks = 0;                 ///< Farm; 0: as many as there are rigs, up to 16.
+
+  bool overwriteAsked = false;  ///< "Replace it?" is on the screen.
+  std::string error;            ///< Why the last try failed.
+};
+
+}  // namespace sinew::app

@@ -1,0 +1,120 @@
+// app/export/export_kinds.cpp: the table of kinds, and what they have in common.
+#include "app/export/export_kinds.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+#include <new>
+#include <system_error>
+
+#include "app/document/folder_listing.h"
+#include "app/document/motion_clip.h"
+#include "core/rig/attachment.h"
+
+namespace sinew::app {
+namespace {
+
+std::string lowerEnding(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+std::string percentText(double percent) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), percent < 0.01 ? "%.1g %%" : "%.2g %%", percent);
+  return text.data();
+}
+
+/// How close it comes over its clips; without any over the poses that it was measured in.
+std::string figuresOf(const SkinnedExportReport& report) {
+  const ErrorFigures& error = report.allClips.poses > 0 ? report.allClips : report.fitted;
+  std::string text;
+  if (error.poses > 0) {
+    text = "RMS " + percentText(error.rms) + " of the height, largest " + percentText(error.largest) + "; ";
+  }
+  return text + std::to_string(report.joints) + (report.joints == 1 ? " joint; " : " joints; ") +
+         sizeText(report.bytes);
+}
+
+Result<ExportSummary> runSkinned(const ExportSource& source, const ExportSettings& settings,
+                                 const std::filesystem::path& file, const ExportProgress& progress) {
+  const auto moving = withRangeOfMotion(source.character);
+  const auto report = exportSkinned(source.characterFile, source.character, *moving, source.rig,
+                                    {settings.mesh, settings.weights, settings.clips}, file, progress);
+  if (!report) return report.error();
+  return ExportSummary{figuresOf(report.value()), report->left};
+}
+
+constexpr std::array kGltf{".glb", ".gltf"};
+
+constexpr ExportKind kKinds[] = {
+    {"skinned", "Skinned",
+     "Joints and weights alone, the muscles at rest in the mesh: plays in every game engine and viewer.", kGltf,
+     ExportFields{.mesh = true, .depth = true, .weights = true, .clips = true}, runSkinned},
+};
+
+/// The character as its file gives it: clips that were made in memory are at the end.
+std::shared_ptr<const Character> asInFile(const std::shared_ptr<const Character>& character) {
+  if (std::ranges::none_of(character->clips, &AnimationClip::turnsBindPose)) return character;
+  auto own = std::make_shared<Character>(*character);
+  std::erase_if(own->clips, [](const AnimationClip& clip) { return clip.turnsBindPose; });
+  return own;
+}
+
+}  // namespace
+
+std::span<const ExportKind> exportKinds() { return kKinds; }
+
+std::filesystem::path withExportEnding(std::filesystem::path file, const ExportKind& kind) {
+  if (std::ranges::find(kind.endings, lowerEnding(file)) == kind.endings.end()) file += kind.endings.front();
+  return file;
+}
+
+std::vector<std::filesystem::path> replacedByExport(const std::filesystem::path& file) {
+  std::vector<std::filesystem::path> files{file};
+  std::filesystem::path binary = file;
+  if (lowerEnding(file) == ".gltf") files.push_back(binary.replace_extension(".bin"));
+  std::error_code failed;
+  std::erase_if(files, [&](const std::filesystem::path& each) { return !std::filesystem::exists(each, failed); });
+  return files;
+}
+
+std::vector<std::string> exportArguments(const ExportKind& kind, const ExportSettings& settings) {
+  std::vector<std::string> words{"--as", kind.word};
+  const auto add = [&](const char* option, const std::string& value) {
+    words.emplace_back(option);
+    words.push_back(value);
+  };
+  if (kind.fields.mesh && settings.mesh == ExportMesh::kOriginal) add("--mesh", "original");
+  if (kind.fields.depth && settings.depth) add("--depth", std::to_string(*settings.depth));
+  if (kind.fields.weights && settings.weights == ExportWeights::kTransferred) add("--weights", "transferred");
+  // In one word: a clip's name may begin with a dash.
+  if (kind.fields.clips) {
+    for (const std::string& clip : settings.clips) words.push_back("--clip=" + clip);
+  }
+  return words;
+}
+
+std::vector<std::string> exportableClips(const Character& character) {
+  std::vector<std::string> names;
+  for (const AnimationClip& clip : character.clips) {
+    if (!clip.turnsBindPose) names.push_back(clip.name);
+  }
+  return names;
+}
+
+Result<ExportSummary> runExport(const ExportKind& kind, const ExportSource& source, const ExportSettings& settings,
+                                const std::filesystem::path& file, const ExportProgress& progress) {
+  try {
+    ExportSource own{source.characterFile, asInFile(source.character), source.rig};
+    if (settings.depth) own.rig.smoothing.depth = *settings.depth;
+    if (const auto missing = missingBones(own.rig, own.character->skeleton); !missing.empty()) return missing.front();
+    return kind.run(own, settings, file, progress);
+  } catch (const std::bad_alloc&) {
+    return Error{file.string(), {}, "there is not enough memory to export it"};
+  }
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,178 @@
+// app/panels/dialogs/export_rows.cpp: what the export dialog and the farm dialog both ask.
+#include "app/panels/dialogs/export_rows.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "app/actions/export_commands.h"
+#include "app/panels/dialogs/dialog_parts.h"
+#include "app/ui/number_field.h"
+#include "core/base/at.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr std::size_t kClipRows = 6;  // More of them scroll.
+
+void label(PanelUi& ui, const char* text) { dialogLabel(ui, text, kExportLabels); }
+void explain(PanelUi& ui, const std::string& text) { dialogExplain(ui, text.c_str(), kExportLabels); }
+
+void kindRow(PanelUi& ui) {
+  label(ui, "Kind");
+  std::vector<const char*> titles;
+  for (const ExportKind& kind : exportKinds()) titles.push_back(kind.title);
+  Dialogs& dialogs = ui.state.dialogs;
+  if (titles.size() == 1) {  // Nothing to choose.
+    ImGui::TextUnformatted(titles.front());
+    ui.widgets.note("export/kind");
+  } else {
+    const int clicked = segmented(ui, "export/kind", titles.data(), static_cast<int>(titles.size()),
+                                  static_cast<int>(dialogs.exporting.kind), ImGui::GetContentRegionAvail().x);
+    if (clicked >= 0) chooseKind(dialogs, static_cast<std::size_t>(clicked));
+  }
+  explain(ui, chosenKind(dialogs).purpose);
+}
+
+void meshRow(PanelUi& ui) {
+  ExportSettings& settings = ui.state.dialogs.exporting.settings;
+  label(ui, "Mesh");
+  const int clicked = chooseWord(ui, "export/mesh", {"Refined", "Original"}, static_cast<int>(settings.mesh));
+  if (clicked >= 0) settings.mesh = static_cast<ExportMesh>(clicked);
+  explain(ui, settings.mesh == ExportMesh::kRefined
+                  ? "As smooth as in the picture: every triangle of the file is divided."
+                  : "The file's own vertices in their own order, moved to where the muscles take them. Morph targets "
+                    "stay.");
+}
+
+std::string countText(long long number) {
+  std::string text = std::to_string(number);
+  for (int at = static_cast<int>(text.size()) - 3; at > 0; at -= 3) text.insert(static_cast<std::size_t>(at), ",");
+  return text;
+}
+
+/// Only where triangles are divided.
+void depthRow(PanelUi& ui) {
+  ExportSettings& settings = ui.state.dialogs.exporting.settings;
+  const int ofRig = ui.state.document.rig().smoothing.depth;
+  label(ui, "Depth");
+  auto depth = static_cast<float>(settings.depth.value_or(ofRig));
+  ImGui::SetNextItemWidth(-1.0f);
+  const bool changed = numberSlider(ui, "##depth", depth, {"%.0f", 0.0f, 1.0f, kMaxDepth, 1.0f, true});
+  ui.widgets.note("export/depth");
+  if (changed) {
+    settings.depth = static_cast<int>(depth);
+    if (*settings.depth == ofRig) settings.depth.reset();
+  }
+  const long long n = settings.depth.value_or(ofRig);
+  const auto triangles = static_cast<long long>(ui.state.character().mesh.triangles.size()) * n * n;
+  explain(ui, "Every triangle becomes " + std::to_string(n) + " x " + std::to_string(n) + ": " + countText(triangles) +
+                  (settings.depth ? " triangles." : " triangles, as in the rig."));
+}
+
+void drawClip(PanelUi& ui, const std::string& name, std::size_t index) {
+  std::vector<std::string>& chosen = ui.state.dialogs.exporting.settings.clips;
+  const auto found = std::ranges::find(chosen, name);
+  bool kept = found != chosen.end();
+  ImGui::PushID(static_cast<int>(index));
+  const bool changed = ImGui::Checkbox("##kept", &kept);
+  ImGui::PopID();
+  ui.widgets.note("export/clip/" + std::to_string(index));
+  ImGui::SameLine();
+  ImGui::TextUnformatted(fitted(name, ImGui::GetContentRegionAvail().x).c_str());
+  if (!changed) return;
+  ui.state.dialogs.exporting.error.clear();
+  if (kept) chosen.push_back(name);
+  else chosen.erase(found);
+}
+
+void keepClipThatPlays(EditorState& state) {
+  const int clip = state.open.transport.clip;
+  if (clip < 0 || at(state.character().clips, clip).turnsBindPose) return;
+  state.dialogs.exporting.settings.clips.push_back(at(state.character().clips, clip).name);
+}
+
+void clipRows(PanelUi& ui) {
+  ExportDialogState& dialog = ui.state.dialogs.exporting;
+  const std::vector<std::string> names = exportableClips(ui.state.character());
+  if (names.empty()) return;
+  label(ui, "Clips");
+  const std::string all = "All (" + std::to_string(names.size()) + ")";
+  const int clicked = chooseWord(ui, "export/clips", {all.c_str(), "Chosen"}, dialog.chosenClips ? 1 : 0);
+  if (clicked >= 0) {
+    dialog.chosenClips = clicked == 1;
+    dialog.error.clear();
+    if (dialog.chosenClips && dialog.settings.clips.empty()) keepClipThatPlays(ui.state);
+  }
+  if (dialog.chosenClips) {
+    ImGui::SetCursorPosX(ui.px(kExportLabels));
+    const auto rows = static_cast<float>(std::min(names.size(), kClipRows));
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kRaised.faded(0.6f));
+    ImGui::BeginChild("clips", {0.0f, rows * ImGui::GetFrameHeightWithSpacing() + ui.px(8)}, true);
+    for (std::size_t i = 0; i < names.size(); ++i) drawClip(ui, names[i], i);
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+  }
+  ImGui::Dummy({0.0f, ui.px(6)});
+}
+
+void weightsRow(PanelUi& ui) {
+  ExportSettings& settings = ui.state.dialogs.exporting.settings;
+  label(ui, "Weights");
+  const int clicked = chooseWord(ui, "export/weights", {"Transferred", "Refitted"}, static_cast<int>(settings.weights));
+  if (clicked >= 0) settings.weights = static_cast<ExportWeights>(clicked);
+  explain(ui, settings.weights == ExportWeights::kRefitted
+                  ? "Fitted to the muscles' surface over the clips and the range of motion: closest to the picture."
+                  : "Those of the file, as they are painted there.");
+}
+
+}  // namespace
+
+int chooseWord(PanelUi& ui, const char* id, std::initializer_list<const char*> words, int chosen) {
+  return segmented(ui, id, words.begin(), static_cast<int>(words.size()), chosen, ImGui::GetContentRegionAvail().x);
+}
+
+void drawExportSettings(PanelUi& ui, bool clips) {
+  ExportDialogState& dialog = ui.state.dialogs.exporting;
+  kindRow(ui);
+  const ExportFields& fields = chosenKind(ui.state.dialogs).fields;
+  if (fields.mesh) meshRow(ui);
+  if (fields.depth && (!fields.mesh || dialog.settings.mesh == ExportMesh::kRefined)) depthRow(ui);
+  if (fields.clips && clips) clipRows(ui);
+  if (!fields.weights) return;
+  ImGui::SetNextItemOpen(dialog.advanced);
+  dialog.advanced = ImGui::TreeNodeEx("Advanced", ImGuiTreeNodeFlags_NoTreePushOnOpen);
+  ui.widgets.note("export/advanced");
+  ImGui::Dummy({0.0f, ui.px(2)});
+  if (dialog.advanced) weightsRow(ui);
+}
+
+bool drawPlace(PanelUi& ui, const char* id, const char* text, DialogKind kind) {
+  ExportDialogState& dialog = ui.state.dialogs.exporting;
+  ExportPlace& place = placeOf(ui.state.dialogs, kind);
+  label(ui, text);
+  const float button = ui.px(96);
+  ImGui::SetNextItemWidth(-button - ui.px(8));
+  ImGui::PushID(id);
+  const bool entered = ImGui::InputTextWithHint(
+      "##name", "Name", &place.name, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
+  ui.widgets.note(id);
+  if (ImGui::IsItemEdited()) {
+    dialog.error.clear();
+    dialog.overwriteAsked = false;
+  }
+  ImGui::SameLine(0.0f, ui.px(8));
+  const bool browse = ImGui::Button("Choose...", {button, 0.0f});
+  ui.widgets.note(std::string(id) + "-browse");
+  ImGui::PopID();
+  ImGui::SetCursorPosX(ui.px(kExportLabels));
+  mutedLine(ui, "in " + place.folder.string());
+  ImGui::Dummy({0.0f, ui.px(6)});
+  if (browse) browseForPlace(ui.state, kind);
+  return entered;
+}
+
+}  // namespace sinew::app
