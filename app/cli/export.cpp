@@ -24,13 +24,13 @@ namespace {
 struct ExportOptions {
   std::filesystem::path file;    ///< Rig or character.
   std::filesystem::path output;  ///< .glb or .gltf.
-  std::string kind = "skinned";
+  std::string kind = "helpers";
   std::string mesh = "refined";
   std::string weights = "refitted";
   std::optional<int> depth;
   std::vector<std::string> clips;
-  int helpers = 24;
-  std::string jointScale = "full";
+  std::optional<int> helpers;
+  std::optional<std::string> jointScale;
   bool json = false;
   BatchOptions batch;
 };
@@ -64,6 +64,7 @@ std::string jsonText(const ExportOptions& options, const std::filesystem::path& 
   Json json = Json::object();
   json.set("file", output.string()).set("as", options.kind).set("mesh", options.mesh);
   json.set("weights", options.weights).set("joints", report.joints);
+  json.set("line_joints", report.lineJoints).set("rigid_helpers", report.rigidHelpers);
   json.set("vertices", static_cast<long long>(report.vertices));
   json.set("triangles", static_cast<long long>(report.triangles));
   json.set("bytes", static_cast<long long>(report.bytes));
@@ -75,6 +76,13 @@ void writeRow(std::ostream& out, const std::string& name, const ErrorFigures& er
   out << "  " << std::left << std::setw(24) << name << std::right << std::setw(6) << error.poses << std::fixed
       << std::setprecision(3) << std::setw(10) << error.rms << std::setw(10) << error.percentile999 << std::setw(10)
       << error.largest << '\n';
+}
+
+std::string addedText(const SkinnedExportReport& report) {
+  const int added = report.lineJoints + report.rigidHelpers;
+  if (added == 0) return {};
+  return " (" + std::to_string(added) + " added: " + std::to_string(report.lineJoints) + " of muscle lines, " +
+         std::to_string(report.rigidHelpers) + " rigid)";
 }
 
 std::string plainText(const ExportOptions& options, const std::filesystem::path& output,
@@ -101,9 +109,11 @@ std::string isOutput(const std::string& text) {
 void addExportOptions(CLI::App& verb, ExportOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
   verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf)");
-  verb.add_option("--as", options.kind, "skinned: joints and weights alone, muscles at rest; plays in any engine")
+  verb.add_option(
+          "--as", options.kind,
+          "helpers: with joints that move as the muscles do, keyed in every clip (default); skinned: the file's "
+          "joints alone, muscles at rest")
       ->type_name("KIND")
-      ->required()
       ->check(CLI::IsMember({"skinned", "helpers"}));
   verb.add_option("--mesh", options.mesh, "refined, or original: the file's own vertices, in its order")
       ->type_name("M")
@@ -119,11 +129,13 @@ void addExportOptions(CLI::App& verb, ExportOptions& options) {
   verb.add_option("--clip", options.clips, "Keep this clip; may be given several times; without it, all are kept")
       ->type_name("NAME")
       ->allow_extra_args(false);
-  verb.add_option("--joints", options.helpers, "Joints that helpers may add, those of muscle lines first")
+  verb.add_option("--joints", options.helpers,
+                  "helpers: how many joints may be added (24), whatever serves best: those of "
+                  "muscle lines, or others")
       ->type_name("N")
       ->check(CLI::Range(0, kMostHelpers));
   verb.add_option("--joint-scale", options.jointScale,
-                  "How joints of muscle lines may scale: full, uniform, or none (two joints a line)")
+                  "helpers: how joints of muscle lines may scale: full, uniform, or none (two joints a line)")
       ->type_name("S")
       ->check(CLI::IsMember({"full", "uniform", "none"}));
   verb.add_flag("--json", options.json, "Report as JSON");
@@ -148,11 +160,9 @@ int exportInput(const ExportOptions& options, const BatchInput& input) {
   settings.mesh = options.mesh == "original" ? ExportMesh::kOriginal : ExportMesh::kRefined;
   settings.weights = options.weights == "transferred" ? ExportWeights::kTransferred : ExportWeights::kRefitted;
   settings.clips = options.clips;
-  settings.kind = options.kind == "helpers" ? ExportKind::kHelpers : ExportKind::kSkinned;
-  settings.helpers = options.helpers;
-  settings.jointScale = options.jointScale == "none"      ? JointScale::kNone
-                        : options.jointScale == "uniform" ? JointScale::kUniform
-                                                          : JointScale::kFull;
+  settings.joints = options.kind == "helpers" ? ExportJoints::kHelpers : ExportJoints::kOwn;
+  settings.helpers = options.helpers.value_or(kDefaultHelpers);
+  if (options.jointScale) settings.jointScale = jointScaleNamed(*options.jointScale).value_or(JointScale::kFull);
   progress("exporting " + output.string());
   const auto moving = withRangeOfMotion(document->character);
   const auto report = exportSkinned(document->characterFile, document->character, *moving, rig, settings, output);
@@ -161,7 +171,17 @@ int exportInput(const ExportOptions& options, const BatchInput& input) {
                                 : plainText(options, output, report.value()));
 }
 
+/// Why the options do not go together; they name no file, so the status is 2.
+std::optional<Error> misfit(const ExportOptions& options) {
+  const bool helpers = options.kind == "helpers";
+  if (!helpers && options.helpers) return errorAt({}, "--joints goes with --as helpers");
+  if (!helpers && options.jointScale) return errorAt({}, "--joint-scale goes with --as helpers");
+  if (helpers && options.weights == "transferred") return errorAt({}, "--weights transferred goes with --as skinned");
+  return std::nullopt;
+}
+
 int runExport(const ExportOptions& options) {
+  if (const auto error = misfit(options)) return refused(*error);
   const auto batch = planBatch(options.batch, options.file, options.output);
   if (!batch) return refused(batch.error());
   return runBatch(batch.value(), options.batch.dryRun,

@@ -38,18 +38,39 @@ std::string figuresOf(const SkinnedExportReport& report) {
          sizeText(report.bytes);
 }
 
-Result<ExportSummary> runSkinned(const ExportSource& source, const ExportSettings& settings,
-                                 const std::filesystem::path& file, const ExportProgress& progress) {
+Result<ExportSummary> runJoints(const ExportSource& source, const SkinnedExportSettings& settings,
+                                const std::filesystem::path& file, const ExportProgress& progress) {
   const auto moving = withRangeOfMotion(source.character);
-  const auto report = exportSkinned(source.characterFile, source.character, *moving, source.rig,
-                                    {settings.mesh, settings.weights, settings.clips}, file, progress);
+  const auto report =
+      exportSkinned(source.characterFile, source.character, *moving, source.rig, settings, file, progress);
   if (!report) return report.error();
   return ExportSummary{figuresOf(report.value()), report->left};
+}
+
+Result<ExportSummary> runHelpers(const ExportSource& source, const ExportSettings& settings,
+                                 const std::filesystem::path& file, const ExportProgress& progress) {
+  return runJoints(source,
+                   {.joints = ExportJoints::kHelpers,
+                    .mesh = settings.mesh,
+                    .clips = settings.clips,
+                    .helpers = settings.helpers,
+                    .jointScale = settings.jointScale},
+                   file, progress);
+}
+
+Result<ExportSummary> runSkinned(const ExportSource& source, const ExportSettings& settings,
+                                 const std::filesystem::path& file, const ExportProgress& progress) {
+  return runJoints(source, {.mesh = settings.mesh, .weights = settings.weights, .clips = settings.clips}, file,
+                   progress);
 }
 
 constexpr std::array kGltf{".glb", ".gltf"};
 
 constexpr ExportKind kKinds[] = {
+    {"helpers", "With muscle joints",
+     "Adds joints that move as the muscles do, keyed in every clip: closest to the picture, and plays in every game "
+     "engine.",
+     kGltf, ExportFields{.mesh = true, .depth = true, .clips = true, .helpers = true}, runHelpers},
     {"skinned", "Skinned",
      "Joints and weights alone, the muscles at rest in the mesh: plays in every game engine and viewer.", kGltf,
      ExportFields{.mesh = true, .depth = true, .weights = true, .clips = true}, runSkinned},
@@ -89,6 +110,9 @@ std::vector<std::string> exportArguments(const ExportKind& kind, const ExportSet
   };
   if (kind.fields.mesh && settings.mesh == ExportMesh::kOriginal) add("--mesh", "original");
   if (kind.fields.depth && settings.depth) add("--depth", std::to_string(*settings.depth));
+  if (kind.fields.helpers && settings.helpers != kDefaultHelpers) add("--joints", std::to_string(settings.helpers));
+  if (kind.fields.helpers && settings.jointScale != JointScale::kFull)
+    add("--joint-scale", nameOf(settings.jointScale));
   if (kind.fields.weights && settings.weights == ExportWeights::kTransferred) add("--weights", "transferred");
   // In one word: a clip's name may begin with a dash.
   if (kind.fields.clips) {

@@ -29,6 +29,8 @@ struct ExportSettings {
   ExportWeights weights = ExportWeights::kRefitted;
   std::optional<int> depth{};        ///< 1..kMaxDepth; none: the rig's.
   std::vector<std::string> clips{};  ///< Empty: all.
+  int helpers = kDefaultHelpers;     ///< 0..kMostHelpers
+  JointScale jointScale = JointScale::kFull;
 };
 
 /// What came of it.
@@ -43,6 +45,7 @@ struct ExportFields {
   bool depth = false;
   bool weights = false;
   bool clips = false;
+  bool helpers = false;  ///< And how they may scale.
 };
 
 struct ExportKind {

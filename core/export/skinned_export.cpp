@@ -2,6 +2,7 @@
 #include "sinew/export/skinned_export.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <exception>
 #include <new>
@@ -16,6 +17,8 @@ namespace sinew {
 namespace {
 
 using namespace exporting;
+
+constexpr std::array kScaleNames{"full", "uniform", "none"};  // In the order of JointScale.
 
 std::string lowerEnding(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
@@ -92,6 +95,14 @@ Result<SkinnedExportReport> exported(Source& source, const Character& character,
 }
 
 }  // namespace
+
+const char* nameOf(JointScale scale) { return kScaleNames[static_cast<std::size_t>(scale)]; }
+
+std::optional<JointScale> jointScaleNamed(const std::string& name) {
+  const auto found = std::ranges::find(kScaleNames, name);
+  if (found == kScaleNames.end()) return std::nullopt;
+  return static_cast<JointScale>(found - kScaleNames.begin());
+}
 
 bool isSkinnedExportName(const std::filesystem::path& file) {
   const std::string ending = lowerEnding(file);

@@ -40,7 +40,7 @@ class HelperExport : public ::testing::TestWithParam<const char*> {
 
 TEST_P(HelperExport, PlaysAsThePrintedErrorSaysAndTwiceAsNearAsWithoutRefit) {
   const auto file = folder_.path() / "out.glb";
-  const auto report = scene_.write(file, {.kind = ExportKind::kHelpers});
+  const auto report = scene_.write(file, {.joints = ExportJoints::kHelpers});
   ASSERT_TRUE(report.ok()) << report.error().text();
   const auto plain = scene_.write(folder_.path() / "plain.glb", {.weights = ExportWeights::kTransferred});
   expectPlaysAsPrinted(scene_, file, report.value());
@@ -52,8 +52,8 @@ TEST_P(HelperExport, PlaysAsThePrintedErrorSaysAndTwiceAsNearAsWithoutRefit) {
 
 TEST_P(HelperExport, OriginalVerticesComeNearerToo) {
   const std::vector clips{scene_.character->clips.back().name};
-  const auto with = scene_.writeQuickly(folder_.path() / "with.glb",
-                                        {.kind = ExportKind::kHelpers, .mesh = ExportMesh::kOriginal, .clips = clips});
+  const auto with = scene_.writeQuickly(
+      folder_.path() / "with.glb", {.joints = ExportJoints::kHelpers, .mesh = ExportMesh::kOriginal, .clips = clips});
   const auto without =
       scene_.writeQuickly(folder_.path() / "without.glb", {.mesh = ExportMesh::kOriginal, .clips = clips});
   ASSERT_TRUE(with.ok() && without.ok());
@@ -64,7 +64,7 @@ TEST_P(HelperExport, OriginalVerticesComeNearerToo) {
 TEST_P(HelperExport, MoreJointsComeNearerAndNoneIsTheSkinnedExport) {
   const std::vector clips{scene_.character->clips.back().name};  // The first may hold no motion.
   const auto none =
-      scene_.writeQuickly(folder_.path() / "0.glb", {.kind = ExportKind::kHelpers, .clips = clips, .helpers = 0});
+      scene_.writeQuickly(folder_.path() / "0.glb", {.joints = ExportJoints::kHelpers, .clips = clips, .helpers = 0});
   const auto skinned = scene_.writeQuickly(folder_.path() / "skinned.glb", {.clips = clips});
   ASSERT_TRUE(none.ok() && skinned.ok());
   EXPECT_EQ(none->joints, skinned->joints);
@@ -72,7 +72,7 @@ TEST_P(HelperExport, MoreJointsComeNearerAndNoneIsTheSkinnedExport) {
   double last = none->fitted.rms;
   for (const int helpers : {4, 12, 40}) {
     const auto report = scene_.writeQuickly(folder_.path() / "more.glb",
-                                            {.kind = ExportKind::kHelpers, .clips = clips, .helpers = helpers});
+                                            {.joints = ExportJoints::kHelpers, .clips = clips, .helpers = helpers});
     ASSERT_TRUE(report.ok());
     EXPECT_LE(report->joints, skinned->joints + helpers);
     EXPECT_EQ(report->lineJoints + report->rigidHelpers, helpers);
@@ -83,7 +83,7 @@ TEST_P(HelperExport, MoreJointsComeNearerAndNoneIsTheSkinnedExport) {
 
 TEST_P(HelperExport, AddedNodesHaveNamesOfTheirOwnAndKeysInEveryClip) {
   const auto file = folder_.path() / "out.glb";
-  ASSERT_TRUE(scene_.write(file, {.kind = ExportKind::kHelpers, .helpers = 6}).ok());
+  ASSERT_TRUE(scene_.write(file, {.joints = ExportJoints::kHelpers, .helpers = 6}).ok());
   const tinygltf::Model model = rawModel(file);
   const tinygltf::Model before = rawModel(scene_.characterFile);
   const std::vector<int> added = addedNodes(model);
@@ -115,7 +115,7 @@ TEST_P(HelperExport, AddedNodesHaveNamesOfTheirOwnAndKeysInEveryClip) {
 }
 
 TEST_P(HelperExport, SameInputsSameBytes) {
-  const SkinnedExportSettings settings{.kind = ExportKind::kHelpers, .helpers = 5};
+  const SkinnedExportSettings settings{.joints = ExportJoints::kHelpers, .helpers = 5};
   for (const char* name : {"a.glb", "b.glb"}) ASSERT_TRUE(scene_.writeQuickly(folder_.path() / name, settings).ok());
   EXPECT_EQ(readWholeFile(folder_.path() / "a.glb", 1 << 28).value(),
             readWholeFile(folder_.path() / "b.glb", 1 << 28).value());
@@ -136,8 +136,8 @@ TEST(HelperExportScale, JointsScaleAsTheEngineCan) {
   const std::size_t before = rawModel(scene.characterFile).nodes.size();
   for (const JointScale scale : {JointScale::kFull, JointScale::kUniform, JointScale::kNone}) {
     const auto file = folder.path() / "out.glb";
-    const auto report =
-        scene.writeQuickly(file, {.kind = ExportKind::kHelpers, .clips = {"Flex"}, .helpers = 40, .jointScale = scale});
+    const auto report = scene.writeQuickly(
+        file, {.joints = ExportJoints::kHelpers, .clips = {"Flex"}, .helpers = 40, .jointScale = scale});
     ASSERT_TRUE(report.ok()) << report.error().text();
     EXPECT_GT(report->lineJoints, 3);
     expectPlaysAsPrinted(scene, file, report.value());
@@ -169,7 +169,7 @@ TEST(HelperExportFigures, BundledCharactersComeNear) {
   const TemporaryFolder folder;
   for (const Ceiling& ceiling : {Ceiling{"humanoid", 0.065, 0.45}, Ceiling{"humanoid-flex", 0.073, 0.5},
                                  Ceiling{"horse", 0.11, 0.78}, Ceiling{"horse-flex", 0.14, 0.98}}) {
-    const auto report = bundledScene(ceiling.rig).write(folder.path() / "out.glb", {.kind = ExportKind::kHelpers});
+    const auto report = bundledScene(ceiling.rig).write(folder.path() / "out.glb", {.joints = ExportJoints::kHelpers});
     ASSERT_TRUE(report.ok());
     EXPECT_LT(report->allClips.rms, ceiling.rms) << ceiling.rig;
     EXPECT_LT(report->allClips.percentile999, ceiling.percentile999) << ceiling.rig;

@@ -34,8 +34,8 @@ struct StageShares {
   double measuring = 0.3;
 };
 
-StageShares sharesOf(ExportKind kind) {
-  return kind == ExportKind::kSkinned ? StageShares{} : StageShares{0.04, 0.1, 0.76, 0.1};
+StageShares sharesOf(ExportJoints joints) {
+  return joints == ExportJoints::kOwn ? StageShares{} : StageShares{0.04, 0.1, 0.76, 0.1};
 }
 
 bool isFitted(PoseUse use) { return use == PoseUse::kFitted; }
@@ -58,14 +58,14 @@ Result<void> JointFit::findWeights() {
   const bool refined = settings_.mesh == ExportMesh::kRefined;
   count_ = toIndex(refined ? refinement.vertexCount : refinement.controlVertices);
   choosePoses();
-  if (settings_.kind == ExportKind::kHelpers) layLines();
+  if (settings_.joints == ExportJoints::kHelpers) layLines();
   std::vector<std::vector<Share>> shares = interpolatedWeights(character_->mesh, refinement);
   for (std::size_t v = 0; v < count_; ++v) weights_.push_back(fourLargest(shares[v]));
-  if (settings_.weights == ExportWeights::kTransferred && settings_.kind == ExportKind::kSkinned) return {};
+  if (settings_.weights == ExportWeights::kTransferred && settings_.joints == ExportJoints::kOwn) return {};
   auto candidates = weightCandidates(*character_, rig_, refinement, shares);
   if (!candidates) return candidates.error();
   refit(std::move(candidates).value());
-  if (settings_.kind == ExportKind::kHelpers) addHelpers(fitPoses());
+  if (settings_.joints == ExportJoints::kHelpers) addHelpers(fitPoses());
   return {};
 }
 
@@ -109,10 +109,10 @@ void JointFit::forEachPose(Means means, Use use) {
 void JointFit::refit(std::vector<std::vector<int>> candidates) {
   candidates.resize(count_);
   WeightFit fit(restOfFit(), std::move(candidates), weights_);
-  progress_.begin(sharesOf(settings_.kind).gathering);
+  progress_.begin(sharesOf(settings_.joints).gathering);
   forEachPose(isFitted,
               [&](const ExportPose& pose, const Pose&) { fit.add(matrices_, live_.positions, !isOwn(pose)); });
-  progress_.begin(sharesOf(settings_.kind).solving);
+  progress_.begin(sharesOf(settings_.joints).solving);
   weights_ =
       fit.solve(trianglesOfFit(), furtherShare(), kNearEnough * static_cast<double>(character_->height), progress_);
 }
@@ -150,7 +150,7 @@ void JointFit::addHelpers(const std::vector<FitPose>& poses) {
                         lines_.joints(),
                         furtherShare(),
                         static_cast<double>(character_->height)};
-  progress_.begin(sharesOf(settings_.kind).helping);
+  progress_.begin(sharesOf(settings_.joints).helping);
   HelperResult result = fitHelpers(task, std::move(weights_), settings_.helpers, progress_);
   weights_ = std::move(result.weights);
   rigid_ = std::move(result.helpers);
@@ -190,7 +190,7 @@ void JointFit::measure(SkinnedExportReport& report) {
   ErrorMeter all(height);
   const std::vector<glm::vec3> rest = restOfFit();
   const HelperMotion motion(character_->skeleton, rest, weights_, rigid_, firstRigid());
-  progress_.begin(sharesOf(settings_.kind).measuring);
+  progress_.begin(sharesOf(settings_.joints).measuring);
   forEachPose([](PoseUse) { return true; },
               [&](const ExportPose& pose, const Pose& moment) {
                 moveHelpers(moment, isOwn(pose), motion);

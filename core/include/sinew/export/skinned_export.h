@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,8 @@ enum class ExportWeights {
   kRefitted,     ///< Fitted to the live surface over poses (docs/export.md).
 };
 
-enum class ExportKind {
-  kSkinned,  ///< The character's own joints.
+enum class ExportJoints {
+  kOwn,      ///< The character's own joints.
   kHelpers,  ///< And joints that move as muscles do, keyed in every clip.
 };
 
@@ -36,14 +37,18 @@ enum class JointScale {
   kNone,     ///< Not at all: two joints a line, one under the belly, one on top.
 };
 
+[[nodiscard]] const char* nameOf(JointScale scale);
+[[nodiscard]] std::optional<JointScale> jointScaleNamed(const std::string& name);
+
+inline constexpr int kDefaultHelpers = 24;
 inline constexpr int kMostHelpers = 256;
 
 struct SkinnedExportSettings {
-  ExportKind kind = ExportKind::kSkinned;
+  ExportJoints joints = ExportJoints::kOwn;
   ExportMesh mesh = ExportMesh::kRefined;
   ExportWeights weights = ExportWeights::kRefitted;
   std::vector<std::string> clips{};  ///< Names of those to keep; empty: all.
-  int helpers = 24;                  ///< Joints that kHelpers may add, lines' joints first, 0..kMostHelpers.
+  int helpers = kDefaultHelpers;     ///< Joints that kHelpers may add, 0..kMostHelpers.
   JointScale jointScale = JointScale::kFull;
 };
 
