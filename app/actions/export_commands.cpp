@@ -42,6 +42,11 @@ void giveEnding(ExportPlace& place, const ExportKind& kind) {
   }
 }
 
+fs::path absoluteRig(const Document& document) {
+  std::error_code ignored;
+  return fs::absolute(document.rigFile, ignored).lexically_normal();
+}
+
 const FarmTarget& targetOf(const ExportDialogState& dialog) { return *findFarmTarget(dialog.target); }
 
 /// Places and clips of another document.
@@ -94,25 +99,23 @@ struct FarmFiles {
 FarmFiles farmFiles(const EditorState& state) {
   const ExportDialogState& dialog = state.dialogs.exporting;
   const ExportKind& kind = chosenKind(state.dialogs);
-  std::error_code ignored;
-  const fs::path rig = fs::absolute(state.document.rigFile, ignored).lexically_normal();
   FarmFiles farm;
   farm.file = resolved(dialog.job);
   farm.job.program = thisProgram();
-  farm.job.folder = rig.parent_path();
+  farm.job.folder = absoluteRig(state.document).parent_path();
   farm.job.arguments = {"export"};
-  const std::vector<fs::path> rigs = dialog.wholeFolder ? rigsBeside(state.document) : std::vector<fs::path>{rig};
+  const std::vector<fs::path> rigs = farmRigs(state);
   if (dialog.wholeFolder) {
     farm.list = fs::path(farm.file).replace_extension(".list.txt");
     farm.listText = listText(farm.job.folder, rigs);
     farm.job.arguments.insert(farm.job.arguments.end(), {"--list", pathWord(farm.job.folder, farm.list)});
   } else {
-    farm.job.arguments.push_back(pathWord(farm.job.folder, rig));
+    farm.job.arguments.push_back(pathWord(farm.job.folder, rigs.front()));
   }
   for (std::string& word : exportArguments(kind, chosenSettings(state))) farm.job.arguments.push_back(std::move(word));
   const fs::path out = withExportEnding(resolved(dialog.wholeFolder ? dialog.pattern : dialog.place), kind);
   farm.job.arguments.insert(farm.job.arguments.end(), {"-o", pathWord(farm.job.folder, out)});
-  farm.job.tasks = farmTasks(dialog, rigs.size());
+  farm.job.tasks = farmTasks(state);
   return farm;
 }
 
@@ -185,7 +188,12 @@ bool rigIsSaved(const EditorState& state) {
 }
 
 void showExportDialog(EditorState& state) { show(state, ExportDialog::kCharacter); }
-void showFarmDialog(EditorState& state) { show(state, ExportDialog::kFarmJob); }
+void showFarmDialog(EditorState& state) {
+  show(state, ExportDialog::kFarmJob);
+  ExportDialogState& dialog = state.dialogs.exporting;
+  dialog.rigs = rigsIn(absoluteRig(state.document).parent_path());
+  if (dialog.rigs.size() < 2) dialog.wholeFolder = false;
+}
 
 void closeExportDialog(Dialogs& dialogs) {
   dialogs.exporting.shown = ExportDialog::kNone;
@@ -246,14 +254,15 @@ void takePlace(Dialogs& dialogs, DialogKind kind, const fs::path& file) {
   dialogs.exporting.error.clear();
 }
 
-std::vector<fs::path> rigsBeside(const Document& document) {
-  std::error_code ignored;
-  return rigsIn(fs::absolute(document.rigFile, ignored).lexically_normal().parent_path());
+std::vector<fs::path> farmRigs(const EditorState& state) {
+  if (state.dialogs.exporting.wholeFolder) return state.dialogs.exporting.rigs;
+  return {absoluteRig(state.document)};
 }
 
-int farmTasks(const ExportDialogState& dialog, std::size_t rigs) {
-  const int most = std::clamp(static_cast<int>(rigs), 1, kMostTasks);
-  return dialog.tasks == 0 ? std::min(most, kMostTasksAtFirst) : std::clamp(dialog.tasks, 1, most);
+int farmTasks(const EditorState& state) {
+  const int wanted = state.dialogs.exporting.tasks;
+  const int most = std::clamp(static_cast<int>(farmRigs(state).size()), 1, kMostTasks);
+  return wanted == 0 ? std::min(most, kMostTasksAtFirst) : std::clamp(wanted, 1, most);
 }
 
 std::vector<fs::path> replacedFiles(EditorState& state) {

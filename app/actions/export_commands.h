@@ -34,10 +34,9 @@ void browseForPlace(EditorState& state, DialogKind kind);
 /// What the path dialog has given. @param file  absolute
 void takePlace(Dialogs& dialogs, DialogKind kind, const std::filesystem::path& file);
 
-/// Rigs in the folder of the open one, itself included, by name.
-[[nodiscard]] std::vector<std::filesystem::path> rigsBeside(const Document& document);
-/// Farm: how many tasks the job gets, of how many rigs.
-[[nodiscard]] int farmTasks(const ExportDialogState& dialog, std::size_t rigs);
+/// Farm: the rigs that the job exports, and how many tasks it has.
+[[nodiscard]] std::vector<std::filesystem::path> farmRigs(const EditorState& state);
+[[nodiscard]] int farmTasks(const EditorState& state);
 
 /// What is there already and would be replaced.
 [[nodiscard]] std::vector<std::filesystem::path> replacedFiles(EditorState& state);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/export/export_kinds.h"
 
@@ -30,9 +31,10 @@ struct ExportDialogState {
   ExportPlace pattern;       ///< Farm, a whole folder: the characters, with "{name}".
   ExportPlace job;           ///< Farm: the job's file.
 
-  std::string target = "slurm";  ///< Farm: of farmTargets().
-  bool wholeFolder = false;      ///< Farm: all rigs beside the open one.
-  int tasks = 0;                 ///< Farm; 0: as many as there are rigs, up to 16.
+  std::string target = "slurm";               ///< Farm: of farmTargets().
+  std::vector<std::filesystem::path> rigs{};  ///< Farm: in the open rig's folder, it included; as the dialog opened.
+  bool wholeFolder = false;                   ///< Farm: all rigs beside the open one.
+  int tasks = 0;                              ///< Farm; 0: as many as there are rigs, up to 16.
 
   bool overwriteAsked = false;  ///< "Replace it?" is on the screen.
   std::string error;            ///< Why the last try failed.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/actions/export_commands.h"
+#include "app/export/rig_list.h"
 #include "app/panels/dialogs/dialog_parts.h"
 #include "app/panels/dialogs/dialogs.h"
 #include "app/panels/dialogs/export_rows.h"
@@ -19,21 +20,25 @@ namespace {
 
 constexpr float kWidth = 560.0f;  // Design pixels.
 
-void rigsRow(PanelUi& ui, std::size_t beside) {
+/// Only where there are others.
+void rigsRow(PanelUi& ui) {
   ExportDialogState& dialog = ui.state.dialogs.exporting;
+  if (dialog.rigs.size() < 2) return;
   dialogLabel(ui, "Rigs", kExportLabels);
-  const std::string all = "All " + std::to_string(beside) + " in its folder";
+  const std::string all = "All " + std::to_string(dialog.rigs.size()) + " in its folder";
   const int clicked = chooseWord(ui, "farm/rigs", {"This one", all.c_str()}, dialog.wholeFolder ? 1 : 0);
   if (clicked >= 0) {
     dialog.wholeFolder = clicked == 1;
     dialog.error.clear();
     dialog.overwriteAsked = false;
   }
-  dialogExplain(ui,
-                dialog.wholeFolder
-                    ? "Rigs are read when the job runs, as they are saved then. All their clips are kept."
-                    : "The rig is read when the job runs, as it is saved then.",
-                kExportLabels);
+  std::string names;
+  for (const std::filesystem::path& rig : farmRigs(ui.state)) {
+    names += (names.empty() ? "" : ", ") + nameWithoutEnding(rig);
+  }
+  ImGui::SetCursorPosX(ui.px(kExportLabels));
+  mutedLine(ui, names);
+  ImGui::Dummy({0.0f, ui.px(6)});
 }
 
 void targetRow(PanelUi& ui) {
@@ -46,20 +51,20 @@ void targetRow(PanelUi& ui) {
                                 static_cast<int>(chosen - farmTargets().data()), ImGui::GetContentRegionAvail().x);
   if (clicked >= 0) chooseTarget(dialogs, farmTargets()[static_cast<std::size_t>(clicked)]);
   const std::string hint = std::string("Run it with ") + findFarmTarget(dialogs.exporting.target)->runWith +
-                           ". Characters that are there already are kept.";
+                           ". Rigs are read when it runs; files that exist by then are kept.";
   dialogExplain(ui, hint.c_str(), kExportLabels);
 }
 
 /// One rig is one task.
-void tasksRow(PanelUi& ui, std::size_t rigs) {
-  ExportDialogState& dialog = ui.state.dialogs.exporting;
+void tasksRow(PanelUi& ui) {
+  const std::size_t rigs = farmRigs(ui.state).size();
   if (rigs < 2) return;
   dialogLabel(ui, "Tasks", kExportLabels);
-  auto tasks = static_cast<float>(farmTasks(dialog, rigs));
+  auto tasks = static_cast<float>(farmTasks(ui.state));
   ImGui::SetNextItemWidth(-1.0f);
   const auto most = static_cast<float>(std::min<std::size_t>(rigs, kMostTasks));
   if (numberSlider(ui, "##tasks", tasks, {"%.0f", 0.0f, 1.0f, most, 1.0f, true})) {
-    dialog.tasks = static_cast<int>(tasks);
+    ui.state.dialogs.exporting.tasks = static_cast<int>(tasks);
   }
   ui.widgets.note("farm/tasks");
   dialogExplain(ui, "Each makes its share of the rigs, on its own machine.", kExportLabels);
@@ -74,14 +79,13 @@ bool drawCharacter(PanelUi& ui) {
 
 bool drawFarm(PanelUi& ui) {
   const ExportDialogState& dialog = ui.state.dialogs.exporting;
-  const std::size_t beside = rigsBeside(ui.state.document).size();
-  rigsRow(ui, beside);
+  rigsRow(ui);
   drawExportSettings(ui, !dialog.wholeFolder);
   ImGui::Separator();
   ImGui::Dummy({0.0f, ui.px(4)});
   const bool entered = drawPlace(ui, "export/place", dialog.wholeFolder ? "Files" : "File", DialogKind::kExportPlace);
   targetRow(ui);
-  tasksRow(ui, dialog.wholeFolder ? beside : 1);
+  tasksRow(ui);
   return drawPlace(ui, "farm/job", "Job", DialogKind::kJobPlace) || entered;
 }
 

@@ -1,0 +1,112 @@
+# tests/gui/export.py: File > Export in the real window: the command line's bytes, edits and cancelling meanwhile, the end.
+import sys
+
+import driver
+
+LONG = 12  # Depth: an export of many seconds, to be cancelled.
+
+
+def open_dialog(editor):
+    return editor.tap("ctrl+shift+e", "the export dialog", lambda s: s["dialog"] == "export" and "export/ok" in s["widgets"])
+
+
+def start(editor, name, depth):
+    open_dialog(editor)
+    editor.type_number("export/depth", str(depth))
+    editor.click("export/place")
+    editor.key("ctrl+a")
+    editor.type(name)
+    editor.wait_until("the name to be there", lambda s: s["dialog"] == "export")
+    editor.click("export/ok")
+    return editor.wait_until("the dialog to close", lambda s: s["dialog"] == "")
+
+
+def running(state):
+    return any(export["running"] for export in state["exports"])
+
+
+def beside(t):
+    return sorted(path.name for path in t.folder.iterdir() if path.suffix in (".glb", ".gltf", ".bin"))
+
+
+def exports_from_the_menu(t, editor, rig):
+    editor.click("menu/file")
+    editor.point_at(lambda: editor.widget("file/export"))
+    editor.click("file/export-character")
+    editor.wait_until("the export dialog", lambda s: s["dialog"] == "export" and "export/ok" in s["widgets"])
+    editor.click("export/ok")
+    state = editor.wait_until("the figures", lambda s: not s["exports"] and any("RMS" in m for m in s["messages"]))
+    t.check("the message names file and figures",
+            "humanoid_muscled.glb: RMS " in state["messages"][-1] and " joints; " in state["messages"][-1], state["messages"])
+    file = t.folder / "humanoid_muscled.glb"
+    t.check_equal("the command line exports", t.run_program("export", rig, "--as", "skinned", "-o", "cli.glb").returncode, 0)
+    t.check("the editor's file has the command line's bytes", file.read_bytes() == (t.folder / "cli.glb").read_bytes())
+    t.check_equal("it opens", t.run_program("inspect", file).returncode, 0)
+
+
+def edits_meanwhile(t, editor):
+    state = start(editor, "meanwhile.glb", 6)
+    t.check("it runs in the background", running(state), state["exports"])
+    undo = state["document"]["undo"]
+    editor.select_muscle("gluteus L")
+    editor.key("Delete")
+    state = editor.wait_until("the muscle to go", lambda s: s["document"]["undo"] > undo)
+    t.check("edited while it runs", running(state), state["exports"])
+    editor.tap("ctrl+z", "the muscle to be back", lambda s: s["document"]["undo"] == undo)
+    if not state["playing"]:
+        editor.tap("space", "the clip to play", lambda s: s["playing"])
+    editor.next_frames(10)
+    editor.wait_until("the export to end", lambda s: not s["exports"])
+    done = t.run_program("export", t.folder / "humanoid.rig.json", "--as", "skinned", "--depth", 6, "-o", "cli6.glb")
+    t.check_equal("the command line exports at this depth", done.returncode, 0)
+    t.check("what was edited meanwhile is not in it",
+            (t.folder / "meanwhile.glb").read_bytes() == (t.folder / "cli6.glb").read_bytes())
+
+
+def cancelled(t, editor):
+    before = beside(t)
+    start(editor, "cancelled.glb", LONG)
+    editor.wait_until("it to be under way", lambda s: s["exports"] and s["exports"][0]["share"] > 0.02)
+    editor.click("status/export-cancel")
+    editor.wait_until("the toast that says so", lambda s: not s["exports"] and "Cancelled: cancelled.glb" in s["toast"])
+    t.check_equal("no file is left", beside(t), before)
+
+
+def quits_meanwhile(t, editor):
+    before = beside(t)
+    start(editor, "unfinished.glb", LONG)
+    editor.wait_until("it to be under way", lambda s: s["exports"] and s["exports"][0]["share"] > 0.02)
+    editor.tap("ctrl+q", "the question", lambda s: s["dialog"] == "export-question" and "export-question/cancel" in s["widgets"])
+    editor.click("export-question/cancel")
+    state = editor.wait_until("the question to go", lambda s: s["dialog"] == "")
+    t.check("it goes on", running(state), state["exports"])
+    editor.tap("ctrl+q", "the question", lambda s: s["dialog"] == "export-question" and "export-question/now" in s["widgets"])
+    editor.click("export-question/now")
+    t.check_equal("it quits", editor.wait_for_end(), 0)
+    t.check_equal("no half file is left", beside(t), before)
+
+
+def quits_when_done(t, rig):
+    editor = t.edit(rig)
+    editor.wait_until("the rig", lambda s: s["document"]["primitives"] > 0)
+    start(editor, "last.glb", 6)
+    editor.tap("ctrl+q", "the question", lambda s: s["dialog"] == "export-question" and "export-question/later" in s["widgets"])
+    editor.click("export-question/later")
+    t.check_equal("it quits when it is done", editor.wait_for_end(), 0)
+    t.check("the file is whole", (t.folder / "last.glb").read_bytes() == (t.folder / "cli6.glb").read_bytes())
+
+
+def story(t):
+    t.copy(t.assets / "humanoid.glb")
+    rig = t.copy(t.assets / "humanoid.rig.json")
+    editor = t.edit(rig)
+    editor.wait_until("the rig", lambda s: s["document"]["primitives"] > 0)
+    exports_from_the_menu(t, editor, rig)
+    edits_meanwhile(t, editor)
+    cancelled(t, editor)
+    quits_meanwhile(t, editor)
+    quits_when_done(t, rig)
+
+
+if __name__ == "__main__":
+    sys.exit(driver.run("export", story))
