@@ -89,9 +89,9 @@ std::string plainText(const ExportOptions& options, const std::filesystem::path&
                       const SkinnedExportReport& report) {
   std::ostringstream out;
   out << output.string() << '\n';
-  out << "  " << options.mesh << " mesh, " << options.weights << " weights: " << report.joints << " joints ("
-      << report.lineJoints << " of lines, " << report.rigidHelpers << " rigid), " << report.vertices << " vertices, "
-      << report.triangles << " triangles, " << report.bytes << " bytes\n";
+  out << "  " << options.mesh << " mesh, " << options.weights << " weights: " << report.joints << " joints"
+      << addedText(report) << ", " << report.vertices << " vertices, " << report.triangles << " triangles, "
+      << report.bytes << " bytes\n";
   out << "  % of the height            poses       rms    99.9 %       max\n";
   for (const ClipError& clip : report.clips) writeRow(out, '"' + clip.clip + '"', clip.error);
   if (report.clips.size() > 1) writeRow(out, "all clips", report.allClips);

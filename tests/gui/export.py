@@ -39,7 +39,7 @@ def exports_from_the_menu(t, editor, rig):
     t.check("the message names file and figures",
             "humanoid_muscled.glb: RMS " in state["messages"][-1] and " joints; " in state["messages"][-1], state["messages"])
     file = t.folder / "humanoid_muscled.glb"
-    t.check_equal("the command line exports", t.run_program("export", rig, "--as", "skinned", "-o", "cli.glb").returncode, 0)
+    t.check_equal("the command line exports", t.run_program("export", rig, "--as", "helpers", "-o", "cli.glb").returncode, 0)
     t.check("the editor's file has the command line's bytes", file.read_bytes() == (t.folder / "cli.glb").read_bytes())
     t.check_equal("it opens", t.run_program("inspect", file).returncode, 0)
 
@@ -57,7 +57,7 @@ def edits_meanwhile(t, editor):
         editor.tap("space", "the clip to play", lambda s: s["playing"])
     editor.next_frames(10)
     editor.wait_until("the export to end", lambda s: not s["exports"])
-    done = t.run_program("export", t.folder / "humanoid.rig.json", "--as", "skinned", "--depth", 6, "-o", "cli6.glb")
+    done = t.run_program("export", t.folder / "humanoid.rig.json", "--as", "helpers", "--depth", 6, "-o", "cli6.glb")
     t.check_equal("the command line exports at this depth", done.returncode, 0)
     t.check("what was edited meanwhile is not in it",
             (t.folder / "meanwhile.glb").read_bytes() == (t.folder / "cli6.glb").read_bytes())

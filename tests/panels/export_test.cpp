@@ -21,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargest = 1 << 28;
+constexpr std::size_t kSkinned = 1;  // Of exportKinds(): the quickest.
 
 class ExportDialogs : public HeadlessEditor {
  protected:
@@ -38,6 +39,7 @@ class ExportDialogs : public HeadlessEditor {
   }
   void openDialog() {
     run(action("file/export-character"), state);
+    chooseKind(state.dialogs, kSkinned);
     settle();
     ASSERT_TRUE(shown("export/ok"));
   }
@@ -102,6 +104,22 @@ class ExportDialogs : public HeadlessEditor {
   const test::TemporaryFolder own;
   const fs::path folder = own.path();
 };
+
+TEST_F(ExportDialogs, BeginsWithMuscleJointsAndWritesWhatTheCommandLineWrites) {
+  run(action("file/export-character"), state);
+  state.dialogs.exporting.settings.depth = 1;
+  state.dialogs.exporting.settings.helpers = 3;
+  settle();
+  EXPECT_STREQ(chosenKind(state.dialogs).word, "helpers");
+  click("export/advanced");
+  settle();
+  click("export/scale/uniform");
+  EXPECT_FALSE(shown("export/weights/transferred")) << "helpers need fitted weights";
+  click("export/ok");
+  finish();
+  ASSERT_EQ(commandLine("export demo.rig.json --depth 1 --joints 3 --joint-scale uniform -o cli.glb"), 0);
+  EXPECT_EQ(bytesOf(folder / "demo_muscled.glb"), bytesOf(folder / "cli.glb"));
+}
 
 TEST_F(ExportDialogs, WritesWhatTheCommandLineWritesAndSaysHowCloseItComes) {
   start("quick", false);

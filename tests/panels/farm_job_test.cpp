@@ -12,6 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kSkinned = 1;  // Of exportKinds(): the quickest.
+
 class FarmJobs : public HeadlessEditor {
  protected:
   void SetUp() override {
@@ -63,7 +65,7 @@ TEST_F(FarmJobs, OneRigAsTheCommandLineWritesItForEveryFarm) {
     const std::string name = std::string("demo_export") + target.ending;
     EXPECT_EQ(
         textOf(name),
-        written(std::string("export demo.rig.json --as skinned -o demo_muscled.glb --tasks 1 --to ") + target.word));
+        written(std::string("export demo.rig.json --as helpers -o demo_muscled.glb --tasks 1 --to ") + target.word));
     EXPECT_TRUE(state.session.toast->text.starts_with("Farm job written: " + (folder / name).string()));
     fs::remove(folder / name);
   }
@@ -71,6 +73,8 @@ TEST_F(FarmJobs, OneRigAsTheCommandLineWritesItForEveryFarm) {
 
 TEST_F(FarmJobs, WhatIsChosenIsInTheJob) {
   openDialog();
+  chooseKind(state.dialogs, kSkinned);
+  settle();
   click("export/mesh/original");
   click("export/clips/chosen");
   state.dialogs.exporting.settings.weights = ExportWeights::kTransferred;
@@ -83,6 +87,8 @@ TEST_F(FarmJobs, WhatIsChosenIsInTheJob) {
 
 TEST_F(FarmJobs, AWholeFolderIsAListThatTheProgramReads) {
   openDialog();
+  chooseKind(state.dialogs, kSkinned);
+  settle();
   click("farm/rigs/all 5 in its folder");
   EXPECT_FALSE(shown("export/clips/chosen")) << "other rigs, other clips";
   state.dialogs.exporting.settings.depth = 1;
@@ -108,6 +114,8 @@ TEST_F(FarmJobs, AWholeFolderIsAListThatTheProgramReads) {
 TEST_F(FarmJobs, PatternsWithoutTheNameAndFilesThatAreThereAreAskedAbout) {
   own.write("demo_export.list.txt", "mine");
   openDialog();
+  chooseKind(state.dialogs, kSkinned);
+  settle();
   click("farm/rigs/all 5 in its folder");
   state.dialogs.exporting.pattern.name = "all.glb";
   click("export/ok");

@@ -129,6 +129,35 @@ void weightsRow(PanelUi& ui) {
                   : "Those of the file, as they are painted there.");
 }
 
+/// What an engine can do.
+void jointScaleRow(PanelUi& ui) {
+  ExportSettings& settings = ui.state.dialogs.exporting.settings;
+  label(ui, "Joint scale");
+  const int clicked =
+      chooseWord(ui, "export/scale", {"Full", "Uniform", "None"}, static_cast<int>(settings.jointScale));
+  if (clicked >= 0) settings.jointScale = static_cast<JointScale>(clicked);
+  switch (settings.jointScale) {
+    case JointScale::kFull:
+      return explain(ui, "Along each axis, as three.js, Godot, Unity, Unreal and Blender can.");
+    case JointScale::kUniform:
+      return explain(ui, "Alike along all axes, for engines that cannot scale unevenly.");
+    case JointScale::kNone:
+      return explain(ui, "For engines that cannot scale joints: two for each muscle line.");
+  }
+}
+
+void helperRow(PanelUi& ui) {
+  ExportSettings& settings = ui.state.dialogs.exporting.settings;
+  label(ui, "Joints");
+  auto helpers = static_cast<float>(settings.helpers);
+  ImGui::SetNextItemWidth(-1.0f);
+  if (numberSlider(ui, "##joints", helpers, {"%.0f", 0.0f, 0.0f, kMostHelpers, 1.0f, true})) {
+    settings.helpers = static_cast<int>(helpers);
+  }
+  ui.widgets.note("export/joints");
+  explain(ui, "At most so many are added, where they bring the mesh closest to the picture.");
+}
+
 }  // namespace
 
 int chooseWord(PanelUi& ui, const char* id, std::initializer_list<const char*> words, int chosen) {
@@ -142,12 +171,14 @@ void drawExportSettings(PanelUi& ui, bool clips) {
   if (fields.mesh) meshRow(ui);
   if (fields.depth && (!fields.mesh || dialog.settings.mesh == ExportMesh::kRefined)) depthRow(ui);
   if (fields.clips && clips) clipRows(ui);
-  if (!fields.weights) return;
+  if (fields.helpers) helperRow(ui);
+  if (!fields.weights && !fields.helpers) return;
   ImGui::SetNextItemOpen(dialog.advanced);
   dialog.advanced = ImGui::TreeNodeEx("Advanced", ImGuiTreeNodeFlags_NoTreePushOnOpen);
   ui.widgets.note("export/advanced");
   ImGui::Dummy({0.0f, ui.px(2)});
-  if (dialog.advanced) weightsRow(ui);
+  if (dialog.advanced && fields.weights) weightsRow(ui);
+  if (dialog.advanced && fields.helpers) jointScaleRow(ui);
 }
 
 bool drawPlace(PanelUi& ui, const char* id, const char* text, DialogKind kind) {

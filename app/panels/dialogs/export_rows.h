@@ -9,7 +9,7 @@ namespace sinew::app {
 
 inline constexpr float kExportLabels = 96.0f;  ///< Design pixels: the column of names.
 
-/// Kind, mesh, depth, clips, weights: those that the kind has. @param clips  false: they are not asked for
+/// Kind, mesh, depth, clips, joints, weights: those that the kind has. @param clips  false: they are not asked for
 void drawExportSettings(PanelUi& ui, bool clips);
 /// Name and folder of a file to write. @param id  "export/place"  @return whether Enter was pressed in its name
 bool drawPlace(PanelUi& ui, const char* id, const char* label, DialogKind kind);
