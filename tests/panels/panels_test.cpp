@@ -28,7 +28,7 @@ TEST_F(Panels, NamesAreOnTheScreenInEveryState) {
     click(std::string("menu/") + menu.id);
     // Rows of a submenu are on the screen once it is open.
     const auto submenuOf = [](std::string_view id) {
-      for (const char* submenu : {"edit/shape", "view/light", "view/background"}) {
+      for (const char* submenu : {"file/export", "edit/shape", "view/light", "view/background"}) {
         if (id.starts_with(std::string(submenu) + '-')) return std::string(submenu);
       }
       return std::string();
