@@ -7,6 +7,7 @@
 
 #include "core/base/at.h"
 #include "core/export/helper_nodes.h"
+#include "core/export/line_data.h"
 #include "core/export/out_primitive.h"
 #include "core/export/out_skins.h"
 
@@ -31,6 +32,9 @@ class FileMaker {
     for (const gltf::SoupPart& part : source_.origin.parts) partsOf_[part.node].push_back(part);
     for (const auto& [node, parts] : partsOf_) makeMesh(node, parts);
     skins_.write(rewrite_);
+    if (!addLineData(source_, fit_.lines(), helperNodes_, rewrite_)) {
+      left_.insert("line data: extras of the skin are no object");
+    }
     dropEmptyClips();
     madeMember(rewrite_.root(), "asset", Json::object()).set("generator", "Sinew");
     dropUnusedExtensions();
@@ -58,9 +62,9 @@ class FileMaker {
 
   void addHelpers() {
     const std::vector<HelperJoint> joints = fit_.helpers();
-    const std::vector<int> nodes = addHelperNodes(source_, joints, rewrite_);
-    skins_.addJoints(joints, nodes);
-    addHelperKeys(joints, nodes, fit_.helperClips(), rewrite_);
+    helperNodes_ = addHelperNodes(source_, joints, rewrite_);
+    skins_.addJoints(joints, helperNodes_);
+    addHelperKeys(joints, helperNodes_, fit_.helperClips(), rewrite_);
   }
 
   void makeMesh(int node, const std::vector<gltf::SoupPart>& parts) {
@@ -172,7 +176,8 @@ class FileMaker {
   OutSkins skins_;
   OutPrimitives primitives_;
   std::map<int, std::vector<gltf::SoupPart>> partsOf_;  // by node
-  std::set<int> replaced_;                              // meshes
+  std::vector<int> helperNodes_;
+  std::set<int> replaced_;  // meshes
   std::set<std::string> left_;
   SkinnedFile result_;
 };

@@ -67,9 +67,12 @@ def main():
             else:
                 character = source
             out = [folder / "refined.glb", folder / "refined.gltf", folder / "original.glb"]
-            for file in out:
-                subprocess.run([program, "export", source, "--as", "skinned", "--mesh", file.stem, "-o", file], check=True,
-                               capture_output=True)
+            kinds = [["skinned", "--mesh", file.stem] for file in out]
+            if source.stem.endswith("-flex.rig"):
+                out.append(folder / "helpers.glb")
+                kinds.append(["helpers"])
+            for file, kind in zip(out, kinds):
+                subprocess.run([program, "export", source, "--as", *kind, "-o", file], check=True, capture_output=True)
             found = issues([character, *out], modules)
             had = {code for _, code, _ in found[str(character)]}
             for file in out:

@@ -17,7 +17,7 @@ LAYERS = {
 }
 PUBLIC = "core/include/"  # sinew/mesh/x.h there is the public face of core/mesh
 MAX_FILES = 44  # .h and .cpp in one directory
-SOURCES = {".h", ".cpp", ".vert", ".frag", ".geom", ".comp", ".glsl", ".py", ".sh", ".cmake"}
+SOURCES = {".h", ".cpp", ".vert", ".frag", ".geom", ".comp", ".glsl", ".py", ".sh", ".cmake", ".js", ".gd", ".cs"}
 SCRIPTS_WITHOUT_ENDING = {".ci/run"}
 LEFT_OUT = {".git", "build", "out", ".cache"}
 MAX_LINES = 400
@@ -27,7 +27,7 @@ WINDOW_AND_GPU = re.compile(r"^(epoxy/|GLFW/|GL/|EGL/|GLES|KHR/|imgui|backends/i
 FILE_LIBRARIES = re.compile(r"^(tiny_gltf|tinygltf|nlohmann/|stb)")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 PAGES = {"README.md", "CONTRIBUTING.md"}  # and docs/*.md: every path they name in backticks must exist
-TREES = ("app", "core", "tests", "shaders", "assets", "docs", "cmake", "packaging")
+TREES = ("app", "core", "tests", "shaders", "assets", "docs", "cmake", "packaging", "examples")
 NAMED_PATH = re.compile(r"(?:%s)/[\w./*{},-]*" % "|".join(TREES))
 SAMPLE = "tests/install/consumer/main.cpp"
 PLACEHOLDER = re.compile(r"[A-Z]{3,}")  # app/cli/NAME.cpp: not a path but a pattern

@@ -33,6 +33,7 @@ class JointFit {
   [[nodiscard]] const std::vector<FourWeights>& weights() const { return weights_; }
   /// Those added: lines' first.
   [[nodiscard]] std::vector<HelperJoint> helpers() const;
+  [[nodiscard]] const LineJoints& lines() const { return lines_; }
   /// After measure(): one for each clip that is exported, in the character's order.
   [[nodiscard]] const std::vector<HelperClip>& helperClips() const { return helperClips_; }
 

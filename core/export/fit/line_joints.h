@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/at.h"
 #include "core/export/fit/helper_joint.h"
 #include "core/lines/line_rest.h"
 #include "sinew/export/skinned_export.h"
@@ -21,6 +22,10 @@ class LineJoints {
   LineJoints(const Rig& rig, const Character& character, JointScale scale, std::span<const Pose> poses);
 
   [[nodiscard]] const std::vector<HelperJoint>& joints() const { return joints_; }
+  [[nodiscard]] JointScale scale() const { return scale_; }
+  /// The bind pose of a joint's line, with the rig's own settings. @param line  HelperJoint::line
+  [[nodiscard]] const LineRest& restOf(int line) const { return *at(rests_, line); }
+  [[nodiscard]] const std::string& nameOf(int line) const { return at(rig_.lines, line).name; }
   /// [joints] in their parents' spaces.
   void pose(const Pose& pose, std::vector<Trs>& locals) const;
   /// Leaves joints out. @param kept  [joints]

@@ -1,0 +1,180 @@
+// tests/export/line_oracle.cpp: where the core puts muscle lines' joints in random poses, for runtimes to be held
+// against. Usage: line_oracle post FOLDER             writes post.glb and post.rig.json: lines of all kinds, half with
+// via points
+//        line_oracle poses RIG SCALE COUNT   prints the poses; SCALE as --joint-scale has it
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "core/base/at.h"
+#include "core/export/fit/line_joints.h"
+#include "core/export/source.h"
+#include "sinew/io/gltf_import.h"
+#include "sinew/io/rig_json.h"
+#include "tests/support/characters/gltf_builder.h"
+#include "tests/support/rigs/random_rigs.h"
+
+namespace sinew::test {
+namespace {
+
+using nlohmann::ordered_json;
+
+template <class Vector>
+ordered_json numbersOf(const Vector& vector, int count) {
+  ordered_json list;
+  for (int i = 0; i < count; ++i) list.push_back(vector[i]);
+  return list;
+}
+
+ordered_json matrixOf(const glm::dmat4& matrix) { return numbersOf(glm::value_ptr(matrix), 16); }
+
+glm::vec3 randomIn(Random& random, const glm::vec3& low, const glm::vec3& high) {
+  return {random.uniform(low.x, high.x), random.uniform(low.y, high.y), random.uniform(low.z, high.z)};
+}
+
+MuscleLine randomLine(int number, Random& random) {
+  MuscleLine line;
+  line.name = "line " + std::to_string(number);
+  line.origin = {"hip", randomIn(random, {-0.5f, 0.1f, -0.5f}, {0.5f, 0.6f, 0.5f}), {}};
+  line.insertion = {"knee", randomIn(random, {-0.5f, 0.2f, -0.5f}, {0.5f, 0.7f, 0.5f}), {}};
+  const glm::vec3 around = randomIn(random, {-0.7f, 0.7f, -0.7f}, {0.7f, 1.0f, 0.7f});
+  if (number % 2 == 1) line.via = LineAnchor{number % 4 == 1 ? "hip" : "knee", around, {}};
+  LineSettings& settings = line.settings;
+  settings.rest = random.uniform(0.8f, 1.25f);
+  settings.tendons = {random.uniform(0.0f, 0.4f), random.uniform(0.0f, 0.4f)};
+  settings.volume = random.uniform(0.0f, 2.0f);
+  settings.limits = {random.uniform(0.3f, 0.8f), random.uniform(1.2f, 2.5f)};
+  settings.pivot = random.uniform(0.0f, 1.0f);
+  settings.twist = random.uniform(0.0f, 1.0f);
+  settings.flex = {random.uniform(-0.3f, 0.6f), random.uniform(-0.3f, 0.6f)};
+  settings.base = random.chance(0.5f) ? random.uniform(0.0f, 0.6f) : 0.0f;
+  settings.gain = random.uniform(0.0f, 1.5f);
+  settings.full = random.uniform(0.5f, 0.95f);
+  return line;
+}
+
+/// Under a node that turns and scales, and with one bone that is larger than the other.
+int writePost(const std::filesystem::path& folder) {
+  Post post = makePost();
+  ordered_json& nodes = post.file.json["nodes"];
+  ordered_json& roots = post.file.json["scenes"][0]["nodes"];
+  const int armature = static_cast<int>(nodes.size());
+  nodes.push_back(
+      {{"name", "armature"}, {"rotation", {0.5, 0.5, 0.5, 0.5}}, {"scale", {0.5, 0.5, 0.5}}, {"children", {1}}});
+  for (ordered_json& root : roots) {
+    if (root == 1) root = armature;
+  }
+  std::ofstream(folder / "post.glb", std::ios::binary) << post.file.glb();
+  const auto character = importGltf(folder / "post.glb");
+  if (!character) return std::cerr << character.error().text() << '\n', 1;
+  constexpr int kLines = 12;
+  RigRecipe recipe;
+  recipe.primitives = kLines;
+  recipe.carveChance = 0.0f;
+  Rig rig = randomRig(*character.value(), recipe, 7);
+  rig.character = "post.glb";
+  Random random(11);
+  for (int i = 0; i < kLines; ++i) {
+    rig.lines.push_back(randomLine(i, random));
+    rig.primitives[toIndex(i)].line = rig.lines.back().name;
+  }
+  const auto saved = saveRig(rig, folder / "post.rig.json");
+  if (!saved) return std::cerr << saved.error().text() << '\n', 1;
+  return 0;
+}
+
+Channel still(int node, ChannelPath path, const glm::vec4& value) {
+  return {node, path, Interpolation::kLinear, {0.0f}, {value}};
+}
+
+/// Joints turned by up to 110 degrees and moved a little; in some poses grown alike, in some unevenly; the roots
+/// anywhere.
+AnimationClip randomClip(const Skeleton& skeleton, float height, Random& random) {
+  AnimationClip clip;
+  const int growing = random.below(3);
+  for (const Bone& bone : skeleton.bones) {
+    const LocalTransform& rest = at(skeleton.nodes, bone.node).rest;
+    if (rest.matrix) continue;
+    const bool isRoot = bone.parent < 0;
+    const glm::quat any = random.rotation();
+    const float angle = random.uniform(-1.9f, 1.9f);
+    const glm::quat turn = isRoot ? any : glm::angleAxis(angle, glm::normalize(glm::vec3(any.x, any.y, any.z)));
+    const glm::quat q = rest.rotation * turn;
+    clip.channels.push_back(still(bone.node, ChannelPath::kRotation, {q.x, q.y, q.z, q.w}));
+    const float reach = (isRoot ? 2.0f : 0.01f) * height;
+    const glm::vec3 t = rest.translation + randomIn(random, glm::vec3(-reach), glm::vec3(reach));
+    clip.channels.push_back(still(bone.node, ChannelPath::kTranslation, {t, 0.0f}));
+    if (growing == 0) continue;
+    const float even = random.uniform(0.7f, 1.4f);
+    const glm::vec3 uneven = randomIn(random, glm::vec3(0.8f), glm::vec3(1.25f));
+    clip.channels.push_back(
+        still(bone.node, ChannelPath::kScale, {rest.scale * (growing == 1 ? glm::vec3(even) : uneven), 0.0f}));
+  }
+  return clip;
+}
+
+ordered_json nodesOf(const AnimationClip& clip, std::span<const int> fileNodes) {
+  constexpr std::array kNames{"translation", "rotation", "scale"};
+  ordered_json nodes = ordered_json::object();
+  for (const Channel& channel : clip.channels) {
+    const int count = channel.path == ChannelPath::kRotation ? 4 : 3;
+    nodes[std::to_string(fileNodes[toIndex(channel.node)])][kNames[static_cast<std::size_t>(channel.path)]] =
+        numbersOf(channel.values.front(), count);
+  }
+  return nodes;
+}
+
+int printPoses(const std::filesystem::path& file, const std::string& scale, int count) {
+  const auto rig = loadRig(file);
+  if (!rig) return std::cerr << rig.error().text() << '\n', 1;
+  const auto characterFile = characterPath(rig.value(), file);
+  const auto character = importGltf(characterFile).value();
+  const Skeleton& skeleton = character->skeleton;
+  const exporting::Source source(characterFile);
+  const JointScale kind = scale == "none"      ? JointScale::kNone
+                          : scale == "uniform" ? JointScale::kUniform
+                                               : JointScale::kFull;
+  const Pose bind = bindPose(skeleton);
+  const exporting::LineJoints lines(rig.value(), *character, kind, {&bind, 1});
+  Random random(5);
+  ordered_json all{{"height", character->height}, {"poses", ordered_json::array()}};
+  for (int i = 0; i < count; ++i) {
+    const AnimationClip clip = randomClip(skeleton, character->height, random);
+    Pose pose = samplePose(skeleton, clip, 0.0f);
+    pose.flex = i % 2 == 0 ? 0.0f : random.uniform(0.0f, 1.0f);
+    ordered_json bones = ordered_json::object();
+    for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
+      bones[std::to_string(source.nodeOfBone(static_cast<int>(b)))] = matrixOf(glm::dmat4(pose.boneInWorld[b]));
+    }
+    std::vector<exporting::Trs> locals;
+    lines.pose(pose, locals);
+    ordered_json joints = ordered_json::object();
+    for (std::size_t j = 0; j < locals.size(); ++j) {
+      const exporting::HelperJoint& joint = lines.joints()[j];
+      joints[joint.name] = matrixOf(glm::dmat4(at(pose.boneInWorld, joint.bone)) * locals[j].toMatrix());
+    }
+    all["poses"].push_back({{"flex", pose.flex},
+                            {"nodes", nodesOf(clip, source.fileNode)},
+                            {"bones", std::move(bones)},
+                            {"joints", std::move(joints)}});
+  }
+  std::cout << all.dump() << '\n';
+  return 0;
+}
+
+}  // namespace
+}  // namespace sinew::test
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.size() == 2 && words[0] == "post") return sinew::test::writePost(words[1]);
+  if (words.size() == 4 && words[0] == "poses") {
+    return sinew::test::printPoses(words[1], words[2], std::atoi(words[3].c_str()));
+  }
+  return 2;
+}
