@@ -46,9 +46,8 @@ function swung([, y, z], direction) {
 
 // Between the heights a and b around the direction, as their quaternions mix.
 function mixed(a, b, direction, share) {
-  const beside = cross(direction, a), cosine = Math.min(Math.max(dot(a, b), -1), 1);
-  const c = 1 - share + share * Math.sqrt(0.5 * (1 + cosine));
-  const s = share * Math.sqrt(0.5 * (1 - cosine)) * (dot(beside, b) < 0 ? -1 : 1);
+  const beside = cross(direction, a), half = 0.5 * Math.atan2(dot(beside, b), dot(a, b));
+  const c = 1 - share + share * Math.cos(half), s = share * Math.sin(half);
   return scaled(add(scaled(a, c * c - s * s), beside, 2 * c * s), 1 / (c * c + s * s));
 }
 

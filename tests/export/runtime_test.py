@@ -1,8 +1,8 @@
-# tests/export/runtime_test.py: runtimes of examples/ against the core. Usage: runtime_test.py PROGRAM ORACLE ROOT node|browser|mono
-"""Random poses of three rigs and all joint scales: world matrices of muscle joints agree to 1e-4 of the height. `node`
-checks the formulas with node alone, and three's graph where npm gives three; `browser` loads an export in Chromium,
-checks there and looks at a picture; `mono` compiles and runs the C# with stubs of Unity's types. Left out (77) where the
-tools are missing."""
+# tests/export/runtime_test.py: runtimes of examples/ against the core. Usage: runtime_test.py PROGRAM ORACLE ROOT HOW
+"""Random poses of three rigs and all joint scales: world matrices of muscle joints agree to 1e-4 of the height. HOW
+`node` checks the formulas with node alone, and three's graph where npm gives three; `browser` loads an export in
+Chromium, checks there and looks at a picture; `mono` compiles and runs the C# with stubs of Unity's types; `godot` runs
+the GDScript as Python. Left out (77) where the tools are missing."""
 import functools
 import http.server
 import json
@@ -14,9 +14,12 @@ import sys
 import tempfile
 import threading
 
+import godot_in_python
+
 THREE = "0.170.0"
 POSES = 100
 NEAR = 1e-4  # Of the height.
+WIDE = 560
 CLIPS = {"humanoid-flex": "Flex", "horse-flex": "Gallop", "post": "bend"}
 
 CHECK_PAGE = """<!doctype html><title>checking</title>
@@ -82,6 +85,11 @@ def graph_checks(found):
             ("%d keys within %.1e H" % (found["keys"], found["keyed"]), found["keys"] > 100 and found["keyed"] < NEAR)]
 
 
+def joint_check(found):
+    holds = found["joints"] >= 6 * POSES and found["worst"] < NEAR
+    return "%d joints within %.1e H" % (found["joints"], found["worst"]), holds
+
+
 def scenes():
     return [(name, scale) for name in CLIPS for scale in ("full", "uniform", "none")]
 
@@ -133,8 +141,8 @@ class Browser:
 
 
 def pixels(file):
-    """Width, height, bytes r g b of the part right of the page's form."""
-    run = subprocess.run(["convert", file, "-crop", "560x800+240+0", "+repage", "-depth", "8", "rgb:-"], check=True,
+    """Bytes r g b of the part right of the page's form, WIDE pixels in a row."""
+    run = subprocess.run(["convert", file, "-crop", "%dx800+%d+0" % (WIDE, 800 - WIDE), "+repage", "-depth", "8", "rgb:-"], check=True,
                          capture_output=True)
     return run.stdout
 
@@ -168,11 +176,42 @@ def in_browser(bench):
         if os.environ.get("SINEW_KEEP_PICTURES"):
             shutil.copy(shot, os.environ["SINEW_KEEP_PICTURES"])
     background = pictures["1"][:3]
-    triples = [[p[i:i + 3] for i in range(0, len(p), 3)] for p in pictures.values()]
-    covered = sum(pixel != background for pixel in triples[1]) / len(triples[1])
-    changed = sum(max(abs(a - b) for a, b in zip(*pair)) > 8 for pair in zip(*triples)) / len(triples[1])
-    good &= judged("index.html", [("%.1f %% of the picture is the character" % (100 * covered), 0.05 < covered < 0.6),
-                                  ("%.2f %% of it change with the muscles" % (100 * changed), 0.0005 < changed < 0.1)])
+    without, shown = [[p[i:i + 3] for i in range(0, len(p), 3)] for p in pictures.values()]
+    covered = sum(pixel != background for pixel in shown) / len(shown)
+    changed = [i for i, pair in enumerate(zip(without, shown)) if max(abs(a - b) for a, b in zip(*pair)) > 8]
+    near = sum(i % WIDE > WIDE / 3 for i in changed)  # On the side of the arm.
+    good &= judged("index.html", [
+        ("%.1f %% of the picture is the character" % (100 * covered), 0.05 < covered < 0.6),
+        ("%.2f %% of it change with the muscles" % (100 * len(changed) / len(shown)), 0.001 < len(changed) / len(shown) < 0.05),
+        ("%d of %d where the arm bends" % (near, len(changed)), near > 0.95 * len(changed))])
+    return 0 if good else 1
+
+
+def by_mono(bench):
+    """The compiler finds what a wrong type or name is; Unity itself is not here."""
+    for tool in ("mcs", "mono"):
+        if not shutil.which(tool):
+            print("left out: %s is not installed" % tool)
+            return 77
+    exe = bench.folder / "check.exe"
+    sources = ["examples/unity/SinewMuscles.cs", "tests/export/unity_stubs.cs"]
+    subprocess.run(["mcs", "-warnaserror", "-out:%s" % exe, *(bench.root / source for source in sources)], check=True)
+    good = True
+    for name, scale in scenes():
+        file, poses = bench.export(name, scale, "hero.gltf")
+        found = json.loads(subprocess.run(["mono", exe, file, poses], check=True, capture_output=True, text=True).stdout)
+        good &= judged("%s, %s" % (name, scale), [joint_check(found)])
+    return 0 if good else 1
+
+
+def as_python(bench):
+    """Godot is not here: the GDScript is run as Python."""
+    text = (bench.root / "examples/godot/sinew_muscles.gd").read_text()
+    good = True
+    for name, scale in scenes():
+        file, poses = bench.export(name, scale, "hero.gltf")
+        found = godot_in_python.check(text, json.loads(file.read_text()), json.loads(poses.read_text()))
+        good &= judged("%s, %s" % (name, scale), [joint_check(found)])
     return 0 if good else 1
 
 
@@ -180,7 +219,7 @@ def main():
     program, oracle, root = (pathlib.Path(word).resolve() for word in sys.argv[1:4])
     with tempfile.TemporaryDirectory() as name:
         bench = Bench(program, oracle, root, pathlib.Path(name))
-        return {"node": in_node, "browser": in_browser}[sys.argv[4]](bench)
+        return {"node": in_node, "browser": in_browser, "mono": by_mono, "godot": as_python}[sys.argv[4]](bench)
 
 
 if __name__ == "__main__":
