@@ -24,7 +24,7 @@ constexpr const char* kExamples =
     "\n"
     "  sinew inspect fox.glb --json\n"
     "  sinew smooth fox.rig.json --clip Walk --time 0.4 --depth 6 -o fox.obj --report fox.json\n"
-    "  sinew export fox.rig.json --as skinned -o fox_muscled.glb\n"
+    "  sinew export fox.rig.json -o fox_muscled.glb\n"
     "  sinew render fox.rig.json --clip Walk --frames 0:23 -o fox_%04d.png\n"
     "  sinew farm render fox.rig.json --clip Walk --frames 0:239 -o fox_%04d.png --tasks 16 --to slurm\n"
     "\n"

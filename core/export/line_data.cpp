@@ -24,17 +24,6 @@ Json numbers(std::initializer_list<double> values) {
 Json numbersOf(const glm::dvec2& v) { return numbers({v.x, v.y}); }
 Json numbersOf(const glm::dvec3& v) { return numbers({v.x, v.y, v.z}); }
 
-const char* nameOf(JointScale scale) {
-  switch (scale) {
-    case JointScale::kNone:
-      return "none";
-    case JointScale::kUniform:
-      return "uniform";
-    default:
-      return "full";
-  }
-}
-
 class LineWriter {
  public:
   LineWriter(const Source& source, const LineJoints& lines, std::span<const int> nodes)

@@ -60,7 +60,7 @@ class LineData : public ::testing::Test {
 
   static SkinnedExportSettings helpers(JointScale scale) {
     SkinnedExportSettings settings;
-    settings.kind = ExportKind::kHelpers;
+    settings.joints = ExportJoints::kHelpers;
     settings.jointScale = scale;
     return settings;
   }
