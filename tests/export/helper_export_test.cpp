@@ -18,6 +18,16 @@ std::map<std::string, const tinygltf::AnimationChannel*> channelsOf(const tinygl
   return channels;
 }
 
+/// Over all clips, percent of the height. docs/export.md prints what is reached; a change that loses it shows here.
+struct Ceiling {
+  double rms;
+  double percentile999;
+};
+const std::map<std::string, Ceiling> kReached{{"humanoid", {0.065, 0.45}},     {"humanoid-flex", {0.073, 0.5}},
+                                              {"horse", {0.11, 0.78}},         {"horse-flex", {0.14, 0.98}},
+                                              {"Fox.glb", {0.18, 1.4}},        {"greenman.glb", {0.16, 1.1}},
+                                              {"cesium_man.gltf", {0.1, 0.8}}, {"robot.glb", {0.03, 0.35}}};
+
 class HelperExport : public ::testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
@@ -45,6 +55,9 @@ TEST_P(HelperExport, PlaysAsThePrintedErrorSaysAndTwiceAsNearAsWithoutRefit) {
   const auto plain = scene_.write(folder_.path() / "plain.glb", {.weights = ExportWeights::kTransferred});
   expectPlaysAsPrinted(scene_, file, report.value());
   EXPECT_LE(report->lineJoints + report->rigidHelpers, 24);
+  const Ceiling& ceiling = kReached.at(GetParam());
+  EXPECT_LT(report->allClips.rms, ceiling.rms);
+  EXPECT_LT(report->allClips.percentile999, ceiling.percentile999);
   EXPECT_LT(report->allClips.rms, plain->allClips.rms / 2.4);
   EXPECT_LT(report->heldOut.rms, 2.0 * report->fitted.rms);
   EXPECT_TRUE(importGltf(file).ok());
@@ -70,7 +83,7 @@ TEST_P(HelperExport, MoreJointsComeNearerAndNoneIsTheSkinnedExport) {
   EXPECT_EQ(none->joints, skinned->joints);
   EXPECT_LE(none->fitted.rms, skinned->fitted.rms * 1.0001);
   double last = none->fitted.rms;
-  for (const int helpers : {4, 12, 40}) {
+  for (const int helpers : {5, 30}) {
     const auto report = scene_.writeQuickly(folder_.path() / "more.glb",
                                             {.joints = ExportJoints::kHelpers, .clips = clips, .helpers = helpers});
     ASSERT_TRUE(report.ok());
@@ -156,23 +169,6 @@ TEST(HelperExportScale, JointsScaleAsTheEngineCan) {
     }
     EXPECT_EQ(scales, scale != JointScale::kNone);
     EXPECT_EQ(isUneven, scale == JointScale::kFull);
-  }
-}
-
-/// docs/export.md prints what is reached; a change of the fit that loses it shows here.
-TEST(HelperExportFigures, BundledCharactersComeNear) {
-  struct Ceiling {
-    const char* rig;
-    double rms;  // All clips, percent of the height.
-    double percentile999;
-  };
-  const TemporaryFolder folder;
-  for (const Ceiling& ceiling : {Ceiling{"humanoid", 0.065, 0.45}, Ceiling{"humanoid-flex", 0.073, 0.5},
-                                 Ceiling{"horse", 0.11, 0.78}, Ceiling{"horse-flex", 0.14, 0.98}}) {
-    const auto report = bundledScene(ceiling.rig).write(folder.path() / "out.glb", {.joints = ExportJoints::kHelpers});
-    ASSERT_TRUE(report.ok());
-    EXPECT_LT(report->allClips.rms, ceiling.rms) << ceiling.rig;
-    EXPECT_LT(report->allClips.percentile999, ceiling.percentile999) << ceiling.rig;
   }
 }
 

@@ -9,6 +9,10 @@ import subprocess
 import sys
 import tempfile
 
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from simple_rig import simple_rig
+
 CHECK = r"""
 const fs = require('fs'), path = require('path'), validator = require('gltf-validator');
 (async () => {
@@ -65,12 +69,11 @@ def main():
             if source.suffix == ".json":
                 character = source.parent / json.loads(source.read_text())["character"]
             else:
-                character = source
-            out = [folder / "refined.glb", folder / "refined.gltf", folder / "original.glb"]
-            kinds = [["skinned", "--mesh", file.stem] for file in out]
-            if source.stem.endswith("-flex.rig"):
-                out.append(folder / "helpers.glb")
-                kinds.append(["helpers"])
+                character, source = source, simple_rig(program, source, folder)
+            out = [folder / "refined.glb", folder / "refined.gltf", folder / "original.glb", folder / "helpers.glb",
+                   folder / "helpers-original.gltf"]
+            kinds = [["skinned", "--mesh", file.stem] for file in out[:3]]
+            kinds += [["helpers"], ["helpers", "--mesh", "original", "--joint-scale", "none"]]
             for file, kind in zip(out, kinds):
                 subprocess.run([program, "export", source, "--as", *kind, "-o", file], check=True, capture_output=True)
             found = issues([character, *out], modules)
