@@ -46,11 +46,12 @@ class GltfRewrite {
   /// Appends to one of the root's lists, which is made where it is absent. Returns its index.
   int append(std::string_view list, Json element);
   int addAccessor(const AccessorData& data);
+  /// @param target  TINYGLTF_TARGET_*, 0 for none
+  int addView(std::string_view bytes, int target);
   /// Throws gltf::Refusal where bytes that are kept cannot be read.
   [[nodiscard]] PackedGltf pack() &&;
 
  private:
-  int addView(std::string_view bytes, int target);
   void takeImages();
   void dropUnused();
 

@@ -60,7 +60,7 @@ FourWeights OutPrimitives::anyWeights(int node) const {
   return {{first, -1, -1, -1}, {1.0f}};
 }
 
-PrimitiveCounts OutPrimitives::writeOriginal(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive) {
+WrittenPrimitive OutPrimitives::writeOriginal(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive) {
   const auto& from = at(at(source_.file.model().meshes, part.mesh).primitives, part.primitive).attributes;
   std::vector<glm::vec3> positions =
       readVectors(source_.accessors.open(from.at("POSITION"), "meshes", TINYGLTF_TYPE_VEC3));

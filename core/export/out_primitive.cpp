@@ -6,10 +6,9 @@
 #include <limits>
 
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "core/base/at.h"
-#include "core/io/gltf/node_tree.h"
+#include "core/export/into_mesh.h"
 
 namespace sinew::exporting {
 namespace {
@@ -71,24 +70,6 @@ void straighten(const std::vector<glm::vec3>& normals, std::vector<float>& tange
   }
 }
 
-/// World in the bind pose -> a skin's mesh space.
-struct IntoMesh {
-  explicit IntoMesh(const glm::dmat4& meshToBind)
-      : inverse(gltf::affineInverse(meshToBind).value_or(glm::dmat4(1.0))), linear(glm::dmat3(meshToBind)) {}
-
-  [[nodiscard]] glm::vec3 point(const glm::vec3& p) const {
-    return glm::vec3(inverse * glm::dvec4(glm::dvec3(p), 1.0));
-  }
-  [[nodiscard]] glm::dvec3 way(const glm::dvec3& d) const { return glm::dmat3(inverse) * d; }
-  [[nodiscard]] glm::vec3 normal(const glm::vec3& n) const {
-    return normalizeOr(glm::vec3(glm::normalize(glm::transpose(linear) * glm::dvec3(n))), n);
-  }
-  [[nodiscard]] bool mirrors() const { return glm::determinant(linear) < 0.0; }
-
-  glm::dmat4 inverse;
-  glm::dmat3 linear;
-};
-
 }  // namespace
 
 OutPrimitives::OutPrimitives(Source& source, const ControlMesh& mesh, const Surface& bind,
@@ -116,8 +97,8 @@ void OutPrimitives::setWeights(int node, const std::vector<FourWeights>& weights
   attributes.set("WEIGHTS_0", addVertexData(rewrite, shares, shares.size(), "VEC4"));
 }
 
-PrimitiveCounts OutPrimitives::writeRefined(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive,
-                                            std::set<std::string>& left) {
+WrittenPrimitive OutPrimitives::writeRefined(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive,
+                                             std::set<std::string>& left) {
   RefinedPrimitive refined = refinedPrimitive(source_, part, bind_);
   if (refined.triangles.empty()) return {};
   const IntoMesh into(skins_.meshToBind(part.node));
@@ -153,7 +134,7 @@ PrimitiveCounts OutPrimitives::writeRefined(const gltf::SoupPart& part, GltfRewr
     removeMember(*extensions, "KHR_draco_mesh_compression");
     if (extensions->children.empty()) removeMember(primitive, "extensions");
   }
-  return {positions.size(), refined.triangles.size()};
+  return {positions.size(), refined.triangles.size(), std::move(refined.refined), std::move(refined.drawn)};
 }
 
 }  // namespace sinew::exporting

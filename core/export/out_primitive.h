@@ -14,9 +14,11 @@
 
 namespace sinew::exporting {
 
-struct PrimitiveCounts {
+struct WrittenPrimitive {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
+  std::vector<int> refined{};  ///< As RefinedPrimitive has them; empty for the file's own vertices.
+  std::vector<int> drawn{};
 };
 
 class OutPrimitives {
@@ -26,10 +28,10 @@ class OutPrimitives {
                 OutSkins& skins);
 
   /// Exchanges all attributes and indices of a copy of the part's JSON. Without vertices where no triangle is left.
-  PrimitiveCounts writeRefined(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive,
-                               std::set<std::string>& left);
+  WrittenPrimitive writeRefined(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive,
+                                std::set<std::string>& left);
   /// Exchanges positions, normals and weights; all else stays the accessors it is.
-  PrimitiveCounts writeOriginal(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive);
+  WrittenPrimitive writeOriginal(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive);
 
  private:
   void setWeights(int node, const std::vector<FourWeights>& weights, GltfRewrite& rewrite, Json& attributes);

@@ -18,10 +18,12 @@ constexpr double kFirstTriangleMode = TINYGLTF_MODE_TRIANGLES;
 
 class FileMaker {
  public:
-  FileMaker(Source& source, const ControlMesh& mesh, const JointFit& fit, const SkinnedExportSettings& settings)
+  FileMaker(Source& source, const ControlMesh& mesh, const JointFit& fit, const SkinnedExportSettings& settings,
+            const FinishFile& finish)
       : source_(source),
         fit_(fit),
         settings_(settings),
+        finish_(finish),
         rewrite_(source.root, source.file),
         skins_(source),
         primitives_(source, mesh, fit.bind(), fit.weights(), skins_) {}
@@ -38,6 +40,7 @@ class FileMaker {
     dropEmptyClips();
     madeMember(rewrite_.root(), "asset", Json::object()).set("generator", "Sinew");
     dropUnusedExtensions();
+    if (finish_) finish_(rewrite_, skins_, written_);
     result_.joints = skins_.jointNodes();
     result_.packed = std::move(rewrite_).pack();
     return std::move(result_);
@@ -77,7 +80,7 @@ class FileMaker {
       const auto part = std::ranges::find(parts, static_cast<int>(p), &gltf::SoupPart::primitive);
       if (part != parts.end()) {
         Json primitive = primitives[p];
-        if (makePrimitive(*part, primitive)) made.push_back(std::move(primitive));
+        if (makePrimitive(*part, static_cast<int>(made.size()), primitive)) made.push_back(std::move(primitive));
       } else {
         keepOther(node, primitives[p], made);
       }
@@ -85,12 +88,14 @@ class FileMaker {
     place(node, number, std::move(mesh), std::move(made));
   }
 
-  bool makePrimitive(const gltf::SoupPart& part, Json& primitive) {
-    const PrimitiveCounts counts = isRefined() ? primitives_.writeRefined(part, rewrite_, primitive, left_)
-                                               : primitives_.writeOriginal(part, rewrite_, primitive);
-    result_.vertices += static_cast<std::int64_t>(counts.vertices);
-    result_.triangles += static_cast<std::int64_t>(counts.triangles);
-    return counts.vertices > 0;
+  bool makePrimitive(const gltf::SoupPart& part, int place, Json& primitive) {
+    WrittenPrimitive written = isRefined() ? primitives_.writeRefined(part, rewrite_, primitive, left_)
+                                           : primitives_.writeOriginal(part, rewrite_, primitive);
+    result_.vertices += static_cast<std::int64_t>(written.vertices);
+    result_.triangles += static_cast<std::int64_t>(written.triangles);
+    if (written.vertices == 0) return false;
+    written_.push_back({part.node, place, std::move(written.refined), std::move(written.drawn)});
+    return true;
   }
 
   /// Points and lines follow their skin as before; where the mesh had none, there is none that fits them.
@@ -172,6 +177,8 @@ class FileMaker {
   Source& source_;
   const JointFit& fit_;
   const SkinnedExportSettings& settings_;
+  const FinishFile& finish_;
+  std::vector<OutPrimitive> written_;
   GltfRewrite rewrite_;
   OutSkins skins_;
   OutPrimitives primitives_;
@@ -185,8 +192,8 @@ class FileMaker {
 }  // namespace
 
 SkinnedFile skinnedFile(Source& source, const ControlMesh& mesh, const JointFit& fit,
-                        const SkinnedExportSettings& settings) {
-  return FileMaker(source, mesh, fit, settings).run();
+                        const SkinnedExportSettings& settings, const FinishFile& finish) {
+  return FileMaker(source, mesh, fit, settings, finish).run();
 }
 
 }  // namespace sinew::exporting

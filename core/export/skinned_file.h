@@ -1,11 +1,14 @@
 // core/export/skinned_file.h: the source file with the bind pose's surface and its weights in place of its meshes.
 #pragma once
 
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/export/fit/joint_fit.h"
 #include "core/export/gltf_rewrite.h"
+#include "core/export/out_skins.h"
 #include "core/export/source.h"
 #include "sinew/export/skinned_export.h"
 
@@ -19,9 +22,20 @@ struct SkinnedFile {
   std::vector<std::string> left;  ///< SkinnedExportReport::left
 };
 
+/// A refined primitive as it stands in the file.
+struct OutPrimitive {
+  int node = 0;              ///< Of the file: it shows the mesh that the primitive belongs to.
+  int place = 0;             ///< Among the mesh's primitives.
+  std::vector<int> refined;  ///< [n] refined vertex that each vertex shows.
+  std::vector<int> drawn;    ///< [n] drawn vertex whose shading normal it has.
+};
+
+/// What else is to be done to the file before it is packed.
+using FinishFile = std::function<void(GltfRewrite& rewrite, const OutSkins& skins, std::span<const OutPrimitive>)>;
+
 /// @param fit   after measure()  @param mesh  the character's
 /// Throws gltf::Refusal.
 [[nodiscard]] SkinnedFile skinnedFile(Source& source, const ControlMesh& mesh, const JointFit& fit,
-                                      const SkinnedExportSettings& settings);
+                                      const SkinnedExportSettings& settings, const FinishFile& finish = {});
 
 }  // namespace sinew::exporting

@@ -78,10 +78,83 @@ TEST_F(Export, UnknownClipsAreToldTheKnownOnesAndNothingIsWritten) {
 
 TEST_F(Export, UnknownWordsAndEndingsAreABadCommandLine) {
   expectRefused(skinned(demo("demo.rig.json"), "out.fbx"), 2, ".glb or .gltf");
-  expectRefused(run({"export", demo("demo.rig.json"), "--as", "helpers", "-o", "out.glb"}), 2, "skinned");
+  expectRefused(run({"export", demo("demo.rig.json"), "--as", "fur", "-o", "out.glb"}), 2, "skinned");
   expectRefused(run({"export", demo("demo.rig.json"), "-o", "out.glb"}), 2, "--as");
   expectRefused(skinned(demo("demo.rig.json"), "out.glb", {"--weights", "mine"}), 2, "mine");
   EXPECT_TRUE(names().empty());
+}
+
+TEST_F(Export, WhatAKindHasNoUseForIsABadCommandLine) {
+  const std::string rig = demo("demo.rig.json");
+  const auto refused = [&](std::vector<std::string> more, const std::string& words) {
+    more.insert(more.begin(), {"export", rig});
+    expectRefused(run(more), 2, words);
+  };
+  refused({"--as", "skinned", "-o", "out.pc2"}, ".glb or .gltf");
+  refused({"--as", "skinned", "-o", "out.glb", "--fps", "24"}, "--fps: is for --as baked alone");
+  refused({"--as", "skinned", "-o", "out.glb", "--bound", "1"}, "--bound: is for --as baked alone");
+  refused({"--as", "skinned", "-o", "out.glb", "--joints", "3"}, "--joints: is for --as helpers alone");
+  refused({"--as", "baked", "-o", "out.glb", "--clip", "Walk", "--joint-scale", "none"}, "--joint-scale: is for --as");
+  refused({"--as", "baked", "-o", "out.glb", "--clip", "Walk", "--mesh", "original"}, "--mesh original: is for");
+  refused({"--as", "baked", "-o", "out.fbx", "--clip", "Walk"}, ".glb, .gltf, .pc2 or .mdd");
+  refused({"--as", "baked", "-o", "out.mdd", "--clip", "Walk", "--bound", "1"}, "--bound: is for .glb and .gltf alone");
+  refused({"--as", "baked", "-o", "out.pc2", "--clip", "Walk", "--weights", "refitted"}, "--weights: is for .glb");
+  refused({"--as", "baked", "-o", "out.glb"}, "--clip: expected one clip");
+  refused({"--as", "baked", "-o", "out.glb", "--clip", "Walk", "--clip", "Idle"}, "--clip: expected one clip");
+  refused({"--as", "baked", "-o", "out.glb", "--clip", "Walk", "--bound", "0"}, "--bound");
+  refused({"--as", "baked", "-o", "out.glb", "--clip", "Walk", "--fps", "-1"}, "--fps");
+  EXPECT_TRUE(names().empty());
+}
+
+TEST_F(Export, BakesAClipAndReportsInBothForms) {
+  const auto baked = [&](const std::string& out, std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"export", demo("demo.rig.json"), "--as", "baked", "--clip", "Walk", "-o", out});
+    return run(more);
+  };
+  const Outcome plain = baked("out.glb");
+  ASSERT_EQ(plain.status, 0) << plain.error;
+  for (const char* row : {"out.glb\n  \"Walk\": ", " targets, ", "joints alone", "baked", "bound"}) {
+    EXPECT_NE(plain.out.find(row), std::string::npos) << row << " in " << plain.out;
+  }
+  const auto json = Json::parse(baked("out.gltf", {"--json", "--bound", "0.5", "--fps", "12"}).out);
+  ASSERT_TRUE(json.ok());
+  EXPECT_EQ(json->keys(),
+            (std::vector<std::string>{"file", "as", "clip", "fps", "frames", "weights", "bound", "targets", "joints",
+                                      "vertices", "triangles", "bytes", "error_percent_of_height", "left_out"}));
+  EXPECT_EQ(json->at("bound").number(0.0), 0.5);
+  EXPECT_EQ(json->at("fps").number(0.0), 12.0);
+  EXPECT_LE(json->at("error_percent_of_height").at("baked").at("max").number(9.0), 0.5);
+  const auto cache = Json::parse(baked("cache.pc2", {"--json"}).out);
+  ASSERT_TRUE(cache.ok());
+  EXPECT_EQ(cache->keys(),
+            (std::vector<std::string>{"file", "as", "clip", "fps", "frames", "vertices", "triangles", "bytes"}));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "cache.obj"));
+  double ofFiles = 0.0;
+  for (const std::string& name : names()) {
+    if (name.starts_with("cache")) ofFiles += static_cast<double>(std::filesystem::file_size(folder_ / name));
+  }
+  EXPECT_EQ(cache->at("bytes").number(0.0), ofFiles);
+  EXPECT_EQ(baked("motion.mdd").status, 0);
+  expectRefused(run({"export", demo("demo.rig.json"), "--as", "baked", "--clip", "Wlk", "-o", "other.glb"}), 1,
+                "clip \"Wlk\": expected one of \"Walk\", \"Idle\"");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "other.glb"));
+}
+
+TEST_F(Export, BakedPlacesThatCannotBeWrittenAreStatus1AndLeaveNothing) {
+  std::filesystem::create_directory(folder_ / "one.obj");
+  std::filesystem::create_directory(folder_ / "two.pc2");
+  std::filesystem::create_directory(folder_ / "three.mtl");
+  std::filesystem::create_symlink("/dev/full", folder_ / "full.mdd");
+  const auto before = names();
+  const auto refused = [&](const std::string& out, const std::string& words) {
+    expectRefused(run({"export", demo("demo.rig.json"), "--as", "baked", "--clip", "Idle", "-o", out}), 1, words);
+  };
+  refused("one.mdd", "one.obj: cannot be written: it is a folder");
+  refused("two.pc2", "two.pc2: cannot be written: it is a folder");
+  refused("three.pc2", "three.mtl: cannot be written: it is a folder");
+  refused("full.mdd", "full.mdd: cannot be written: ");
+  refused("absent/out.pc2", "absent/out.pc2: cannot be written: there is no such folder");
+  EXPECT_EQ(names(), before);
 }
 
 TEST_F(Export, PlacesThatCannotBeWrittenAreStatus1AndLeaveNothing) {

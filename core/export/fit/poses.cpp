@@ -13,8 +13,9 @@ constexpr int kEnough = 150;    ///< Fitted poses, before every second or third 
 constexpr int kMostStep = 3;    ///< 10 poses a second at least.
 constexpr double kSame = 1e-3;  ///< Of a frame: times no farther apart are one.
 
-/// Times of a clip, seconds: so many a second from its start on, then its end.
-std::vector<float> timesOf(const AnimationClip& clip, int perSecond) {
+}  // namespace
+
+std::vector<float> clipTimes(const AnimationClip& clip, double perSecond) {
   const double frames = static_cast<double>(clip.duration) * perSecond;
   std::vector<float> times;
   for (int frame = 0; frame <= frames + kSame; ++frame) {
@@ -24,14 +25,12 @@ std::vector<float> timesOf(const AnimationClip& clip, int perSecond) {
   return times;
 }
 
-}  // namespace
-
 std::vector<ExportPose> exportPoses(const Character& character, const std::vector<int>& clips,
                                     const std::vector<int>& further) {
   std::vector<ExportPose> poses;
   int fitted = 0;
   const auto add = [&](int clip, int perSecond, std::size_t step) {
-    const std::vector<float> times = timesOf(at(character.clips, clip), perSecond);
+    const std::vector<float> times = clipTimes(at(character.clips, clip), perSecond);
     for (std::size_t frame = 0; frame < times.size(); ++frame) {
       ExportPose pose{clip, times[frame], PoseUse::kMeasured};
       if (frame % step == 0) pose.use = ++fitted % kHeldOutEvery == 0 ? PoseUse::kHeldOut : PoseUse::kFitted;
@@ -39,7 +38,7 @@ std::vector<ExportPose> exportPoses(const Character& character, const std::vecto
     }
   };
   std::size_t all = 0;
-  for (const int clip : clips) all += timesOf(at(character.clips, clip), kMeasuredPerSecond).size();
+  for (const int clip : clips) all += clipTimes(at(character.clips, clip), kMeasuredPerSecond).size();
   const std::size_t step = std::clamp<std::size_t>(all / kEnough, 1, kMostStep);
   for (const int clip : clips) add(clip, kMeasuredPerSecond, step);
   for (const int clip : further) add(clip, kFurtherPerSecond, 1);

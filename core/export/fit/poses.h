@@ -21,6 +21,9 @@ struct ExportPose {
   PoseUse use = PoseUse::kMeasured;
 };
 
+/// Times of a clip, seconds: so many a second from its start on, then its end.
+[[nodiscard]] std::vector<float> clipTimes(const AnimationClip& clip, double perSecond);
+
 /// Clips at 30 poses a second and at their ends. All of them are fitted or held out where the clips are short; where
 /// they are long, every second or third. Further clips at 10 poses a second, all fitted or held out.
 /// @param clips    of the exported file: indices into character.clips

@@ -14,10 +14,6 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "core/character/skinning.h"
-#include "sinew/io/gltf_import.h"
-#include "sinew/skeleton/pose.h"
-
 namespace sinew::test {
 namespace {
 
@@ -104,6 +100,32 @@ glm::dvec4 slerp(glm::dvec4 a, glm::dvec4 b, double t) {
   return (std::sin((1.0 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle);
 }
 
+/// Morph weights of a node at a time of a clip, linear or stepped between keys; of the mesh where nothing moves them.
+std::vector<double> morphWeights(const tinygltf::Model& model, int node, std::optional<std::size_t> clip, double time) {
+  const tinygltf::Node& shown = model.nodes.at(at(node));
+  std::vector<double> weights = model.meshes.at(at(shown.mesh)).weights;
+  if (!shown.weights.empty()) weights = shown.weights;
+  if (!clip) return weights;
+  const tinygltf::Animation& animation = model.animations.at(*clip);
+  for (const tinygltf::AnimationChannel& channel : animation.channels) {
+    if (channel.target_path != "weights" || channel.target_node != node) continue;
+    const tinygltf::AnimationSampler& sampler = animation.samplers.at(at(channel.sampler));
+    const std::vector<double> times = numbers(model, sampler.input);
+    const std::vector<double> values = numbers(model, sampler.output);
+    const std::size_t count = values.size() / times.size();
+    const auto after = static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), time) - times.begin());
+    const std::size_t next = std::min(after, times.size() - 1);
+    const std::size_t key = after == 0 ? 0 : after - 1;
+    const double span = times[next] - times[key];
+    const double t = span > 0.0 && sampler.interpolation != "STEP" ? (time - times[key]) / span : 0.0;
+    weights.assign(count, 0.0);
+    for (std::size_t k = 0; k < count; ++k) {
+      weights[k] = (1.0 - t) * values[key * count + k] + t * values[next * count + k];
+    }
+  }
+  return weights;
+}
+
 /// Value of a sampler at a time (glTF 2.0, appendix C).
 glm::dvec4 sample(const tinygltf::Model& model, const tinygltf::AnimationSampler& sampler, bool rotation, double time) {
   const std::vector<double> times = numbers(model, sampler.input);
@@ -161,6 +183,9 @@ struct GltfOracle::Impl {
     return result;
   }
 
+  template <class Add>
+  std::vector<RawTriangle> collected(std::optional<std::size_t> clip, double time, Add add) const;
+
   void animate(const tinygltf::Animation& animation, double time, std::vector<Local>& locals) const {
     for (const tinygltf::AnimationChannel& channel : animation.channels) {
       if (channel.target_path == "weights") continue;
@@ -188,16 +213,58 @@ struct GltfOracle::Impl {
     return result;
   }
 
+  /// glTF: targets move vertices before joints do.
+  std::vector<double> morphed(const tinygltf::Primitive& primitive, const std::vector<double>& weights,
+                              const std::string& attribute = "POSITION") const {
+    std::vector<double> positions = numbers(model, primitive.attributes.at(attribute));
+    EXPECT_TRUE(primitive.targets.empty() || primitive.targets.size() == weights.size());
+    for (std::size_t k = 0; k < primitive.targets.size(); ++k) {
+      const auto target = primitive.targets[k].find(attribute);
+      if (target == primitive.targets[k].end()) continue;
+      const std::vector<double> deltas = numbers(model, target->second);
+      EXPECT_EQ(deltas.size(), positions.size());
+      for (std::size_t i = 0; i < positions.size(); ++i) positions[i] += weights.at(k) * deltas.at(i);
+    }
+    return positions;
+  }
+
   void addPrimitive(const tinygltf::Primitive& primitive, const glm::dmat4& world,
-                    const std::vector<glm::dmat4>& joints, std::vector<RawTriangle>& out) const {
-    const std::vector<double> positions = numbers(model, primitive.attributes.at("POSITION"));
-    std::vector<glm::dmat4> matrices(positions.size() / 3, joints.empty() ? world : glm::dmat4(0.0));
-    if (!joints.empty()) blend(primitive, joints, matrices);
+                    const std::vector<glm::dmat4>& joints, const std::vector<double>& weights,
+                    std::vector<RawTriangle>& out) const {
+    const std::vector<double> positions = morphed(primitive, weights);
+    const std::vector<glm::dmat4> matrices = blended(primitive, world, joints);
     std::vector<glm::dvec3> vertices;
     for (std::size_t v = 0; v < matrices.size(); ++v) {
       vertices.emplace_back(matrices[v] *
                             glm::dvec4(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2], 1.0));
     }
+    addTriangles(primitive, vertices, out);
+  }
+
+  void addNormals(const tinygltf::Primitive& primitive, const glm::dmat4& world, const std::vector<glm::dmat4>& joints,
+                  const std::vector<double>& weights, bool isMorphed, std::vector<RawTriangle>& out) const {
+    const std::vector<double> own =
+        isMorphed ? morphed(primitive, weights, "NORMAL") : numbers(model, primitive.attributes.at("NORMAL"));
+    const std::vector<glm::dmat4> matrices = blended(primitive, world, joints);
+    std::vector<glm::dvec3> normals;
+    for (std::size_t v = 0; v < matrices.size(); ++v) {
+      const glm::dvec3 normal(own[3 * v], own[3 * v + 1], own[3 * v + 2]);
+      normals.push_back(glm::normalize(glm::transpose(glm::inverse(glm::dmat3(matrices[v]))) * normal));
+    }
+    addTriangles(primitive, normals, out);
+  }
+
+  /// One matrix a vertex.
+  std::vector<glm::dmat4> blended(const tinygltf::Primitive& primitive, const glm::dmat4& world,
+                                  const std::vector<glm::dmat4>& joints) const {
+    const std::size_t count = model.accessors.at(at(primitive.attributes.at("POSITION"))).count;
+    std::vector<glm::dmat4> matrices(count, joints.empty() ? world : glm::dmat4(0.0));
+    if (!joints.empty()) blend(primitive, joints, matrices);
+    return matrices;
+  }
+
+  void addTriangles(const tinygltf::Primitive& primitive, const std::vector<glm::dvec3>& vertices,
+                    std::vector<RawTriangle>& out) const {
     std::vector<double> indices;
     if (primitive.indices >= 0) indices = numbers(model, primitive.indices);
     else
@@ -250,84 +317,34 @@ double GltfOracle::duration(std::size_t clip) const {
   return last;
 }
 
-std::vector<RawTriangle> GltfOracle::triangles(std::optional<std::size_t> clip, double time) const {
-  const std::vector<glm::dmat4> world = impl_->worlds(clip, time);
+template <class Add>
+std::vector<RawTriangle> GltfOracle::Impl::collected(std::optional<std::size_t> clip, double time, Add add) const {
+  const std::vector<glm::dmat4> world = worlds(clip, time);
   std::vector<RawTriangle> result;
-  for (std::size_t n = 0; n < impl_->model.nodes.size(); ++n) {
-    const tinygltf::Node& node = impl_->model.nodes[n];
+  for (std::size_t n = 0; n < model.nodes.size(); ++n) {
+    const tinygltf::Node& node = model.nodes[n];
     if (node.mesh < 0) continue;
-    const std::vector<glm::dmat4> joints = impl_->jointMatrices(node, world);
-    for (const auto& primitive : impl_->model.meshes.at(at(node.mesh)).primitives) {
-      impl_->addPrimitive(primitive, world[n], joints, result);
+    const std::vector<glm::dmat4> joints = jointMatrices(node, world);
+    const std::vector<double> weights = morphWeights(model, static_cast<int>(n), clip, time);
+    for (const auto& primitive : model.meshes.at(at(node.mesh)).primitives) {
+      add(primitive, world[n], joints, weights, result);
     }
   }
   return result;
 }
 
-namespace {
-
-/// Largest distance between a corner in the file and its vertex in the import; the corners may start elsewhere and turn
-/// the other way (mirrored binds).
-double distance(const RawTriangle& raw, const ControlTriangle& triangle, const std::vector<glm::vec3>& positions) {
-  double best = 1e300;
-  for (std::size_t start = 0; start < 6; ++start) {
-    double worst = 0.0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t k = start < 3 ? (start + i) % 3 : (start + 3 - i) % 3;
-      worst = std::max(worst, glm::length(raw[k] - glm::dvec3(positions[at(triangle.vertices[i])])));
-    }
-    best = std::min(best, worst);
-  }
-  return best;
+std::vector<RawTriangle> GltfOracle::triangles(std::optional<std::size_t> clip, double time) const {
+  return impl_->collected(
+      clip, time,
+      [&](const auto& primitive, const auto& world, const auto& joints, const auto& weights,
+          std::vector<RawTriangle>& out) { impl_->addPrimitive(primitive, world, joints, weights, out); });
 }
 
-/// Raw triangles that keep three corners when welded. Judged at rest: the bind pose has no smaller triangles there.
-std::vector<std::size_t> keptTriangles(const std::vector<RawTriangle>& triangles, double tolerance) {
-  std::vector<std::size_t> kept;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const RawTriangle& p = triangles[t];
-    if (glm::length(p[0] - p[1]) > tolerance && glm::length(p[1] - p[2]) > tolerance &&
-        glm::length(p[2] - p[0]) > tolerance) {
-      kept.push_back(t);
-    }
-  }
-  return kept;
-}
-
-}  // namespace
-
-void expectSkinsLikeTheFile(const std::filesystem::path& file, double tolerance) {
-  const auto imported = importGltf(file);
-  ASSERT_TRUE(imported.ok()) << imported.error().text();
-  const Character& character = *imported.value();
-  const double height = static_cast<double>(character.height);
-  const GltfOracle oracle(file);
-  const std::vector<RawTriangle> resting = oracle.triangles(std::nullopt, 0.0);
-  const std::vector<std::size_t> kept = keptTriangles(resting, 1e-6 * height);
-  ASSERT_EQ(kept.size(), character.mesh.triangles.size());
-  ASSERT_EQ(resting.size() - kept.size(), at(character.mesh.trianglesDropped));
-
-  SkinnedMesh skinned;
-  const auto compare = [&](const Pose& pose, const std::vector<RawTriangle>& raw, const std::string& when) {
-    skin(character, pose, skinned);
-    double worst = 0.0;
-    for (std::size_t t = 0; t < kept.size(); ++t) {
-      worst = std::max(worst, distance(raw[kept[t]], character.mesh.triangles[t], skinned.positions));
-    }
-    EXPECT_LE(worst, tolerance * height) << file << " " << when;
-  };
-  compare(restPose(character.skeleton), resting, "at rest");
-  ASSERT_EQ(oracle.clips(), character.clips.size());
-  for (std::size_t clip = 0; clip < oracle.clips(); ++clip) {
-    const double duration = oracle.duration(clip);
-    EXPECT_NEAR(duration, static_cast<double>(character.clips[clip].duration), 1e-6 * std::max(1.0, duration));
-    for (const double share : {0.0, 0.1, 0.37, 0.5, 0.81, 1.0}) {
-      const auto time = static_cast<float>(share * duration);
-      compare(samplePose(character.skeleton, character.clips[clip], time),
-              oracle.triangles(clip, static_cast<double>(time)),
-              character.clips[clip].name + " at " + std::to_string(time));
-    }
-  }
+std::vector<RawTriangle> GltfOracle::normals(std::optional<std::size_t> clip, double time, bool morphed) const {
+  return impl_->collected(
+      clip, time,
+      [&](const auto& primitive, const auto& world, const auto& joints, const auto& weights,
+          std::vector<RawTriangle>& out) { impl_->addNormals(primitive, world, joints, weights, morphed, out); });
 }
 
 }  // namespace sinew::test

@@ -1,0 +1,64 @@
+// core/export/fit/morph_fit.h: what skinning leaves over, frame by frame, as few morph targets times weights.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "core/export/fit/four_weights.h"
+#include "core/export/fit/stage_progress.h"
+#include "sinew/export/skinned_export.h"
+
+namespace sinew::exporting {
+
+/// A vertex of the file, with the numbers that the file has.
+struct MorphVertex {
+  int refined = 0;       ///< Of the live surface.
+  int space = 0;         ///< Mesh space that its targets are written in.
+  glm::dvec3 rest{0.0};  ///< Bind pose.
+  FourWeights weights;
+};
+
+struct MorphTargets {
+  int count = 0;
+  std::vector<float> weights;                  ///< [frames * count], the largest of each target 1.
+  std::vector<double> shares;                  ///< [count * frames] what each frame adds to a target: least squares.
+  std::vector<std::vector<glm::vec3>> deltas;  ///< [count][vertices] in their mesh spaces; many are 0.
+  ErrorFigures figures;                        ///< Of all vertices in all frames, by these numbers.
+};
+
+/// Blended 3 x 3 matrix of a vertex: bind pose -> pose.
+[[nodiscard]] glm::dmat3 blendedMatrix(std::span<const glm::dmat4> matrices, const FourWeights& weights);
+
+class MorphFit {
+ public:
+  /// @param meshToBind  of each mesh space: invertible
+  MorphFit(std::vector<MorphVertex> vertices, std::vector<glm::dmat3> meshToBind, double height);
+
+  /// Adds a frame: where the live surface has the refined vertices. @param matrices  of all bindings
+  void add(std::vector<glm::dmat4> matrices, std::span<const glm::vec3> live);
+  /// How near skinning alone comes.
+  [[nodiscard]] ErrorFigures skinnedFigures() const;
+  /// As few targets as found with which no vertex in any frame is farther off than `bound`, a distance. Nothing: not
+  /// even one target a frame is enough. Throws Cancelled.
+  [[nodiscard]] std::optional<MorphTargets> solve(double bound, const StageProgress& progress) const;
+
+ private:
+  friend class MorphSearch;
+  struct Frame {
+    std::vector<glm::dmat4> matrices;
+    std::vector<glm::vec3> live;  ///< [vertices] world.
+    std::vector<float> wanted;    ///< [3 vertices] displacement in the bind pose.
+  };
+
+  std::vector<MorphVertex> vertices_;
+  std::vector<glm::dmat3> meshToBind_;
+  std::vector<glm::dmat3> bindToMesh_;
+  double height_ = 1.0;
+  std::vector<Frame> frames_;
+};
+
+}  // namespace sinew::exporting

@@ -1,0 +1,169 @@
+// core/export/morph_targets.cpp: targets, names and channels as JSON and bytes.
+#include "core/export/morph_targets.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "core/base/at.h"
+
+namespace sinew::exporting {
+namespace {
+
+/// What the JSON of a sparse accessor and its two views takes, about.
+constexpr std::size_t kSparseJson = 250;
+
+template <class Value>
+std::string_view bytesOf(const std::vector<Value>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)};
+}
+
+Json numbersOf(const glm::vec3& v) {
+  return Json::array({static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)});
+}
+
+template <class Number>
+int addIndices(GltfRewrite& rewrite, const std::vector<std::size_t>& indices) {
+  std::vector<Number> numbers;
+  for (const std::size_t index : indices) numbers.push_back(static_cast<Number>(index));
+  return rewrite.addView(bytesOf(numbers), 0);
+}
+
+/// An accessor of which only `moved` of `count` are not 0. @param moved  not empty, rising
+int addSparse(GltfRewrite& rewrite, const std::vector<std::size_t>& moved, const std::vector<glm::vec3>& values,
+              std::size_t count, const Bounds& bounds) {
+  const bool isNarrow = count <= std::numeric_limits<std::uint16_t>::max();
+  Json indices = Json::object();
+  indices.set("bufferView",
+              isNarrow ? addIndices<std::uint16_t>(rewrite, moved) : addIndices<std::uint32_t>(rewrite, moved));
+  indices.set("componentType",
+              isNarrow ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT);
+  Json places = Json::object();
+  places.set("bufferView", rewrite.addView(bytesOf(values), 0));
+  Json sparse = Json::object();
+  sparse.set("count", static_cast<long long>(moved.size()));
+  sparse.set("indices", std::move(indices)).set("values", std::move(places));
+  Json accessor = Json::object();
+  accessor.set("componentType", TINYGLTF_COMPONENT_TYPE_FLOAT).set("count", static_cast<long long>(count));
+  accessor.set("type", "VEC3").set("min", numbersOf(bounds.low)).set("max", numbersOf(bounds.high));
+  accessor.set("sparse", std::move(sparse));
+  return rewrite.append("accessors", std::move(accessor));
+}
+
+int addDeltas(GltfRewrite& rewrite, const std::vector<glm::vec3>& deltas) {
+  std::vector<std::size_t> moved;
+  std::vector<glm::vec3> values;
+  for (std::size_t v = 0; v < deltas.size(); ++v) {
+    if (deltas[v] == glm::vec3(0.0f)) continue;
+    moved.push_back(v);
+    values.push_back(deltas[v]);
+  }
+  const Bounds bounds = boundsOf(deltas);
+  if (moved.empty()) {  // Some readers know no accessor without any data.
+    moved.push_back(0);
+    values.emplace_back(0.0f);
+  }
+  const std::size_t indexBytes = deltas.size() <= std::numeric_limits<std::uint16_t>::max() ? 2 : 4;
+  const std::size_t sparseBytes = moved.size() * (sizeof(glm::vec3) + indexBytes) + kSparseJson;
+  if (sparseBytes < deltas.size() * sizeof(glm::vec3)) {
+    return addSparse(rewrite, moved, values, deltas.size(), bounds);
+  }
+  return rewrite.addAccessor(
+      {bytesOf(deltas), TINYGLTF_COMPONENT_TYPE_FLOAT, "VEC3", deltas.size(), TINYGLTF_TARGET_ARRAY_BUFFER, bounds});
+}
+
+Json targetsOf(const PrimitiveDeltas& deltas, GltfRewrite& rewrite) {
+  Json targets = Json::array();
+  for (std::size_t k = 0; k < deltas.positions.size(); ++k) {
+    Json target = Json::object();
+    target.set("POSITION", addDeltas(rewrite, deltas.positions[k]));
+    target.set("NORMAL", addDeltas(rewrite, deltas.normals[k]));
+    targets.push(std::move(target));
+  }
+  return targets;
+}
+
+/// Of points and lines, which no target moves.
+Json idleTargets(const Json& primitive, std::size_t targets, GltfRewrite& rewrite) {
+  const auto positions = static_cast<int>(primitive.at("attributes").at("POSITION").number(0.0));
+  const double count = rewrite.element("accessors", positions).at("count").number(1.0);
+  const int still = addDeltas(rewrite, std::vector<glm::vec3>(static_cast<std::size_t>(count), glm::vec3(0.0f)));
+  Json list = Json::array();
+  for (std::size_t k = 0; k < targets; ++k) {
+    Json target = Json::object();
+    target.set("POSITION", still);
+    list.push(std::move(target));
+  }
+  return list;
+}
+
+int meshOf(int node, GltfRewrite& rewrite) {
+  return static_cast<int>(rewrite.element("nodes", node).at("mesh").number(0.0));
+}
+
+std::set<int> nodesOf(std::span<const OutPrimitive> primitives) {
+  std::set<int> nodes;
+  for (const OutPrimitive& primitive : primitives) nodes.insert(primitive.node);
+  return nodes;
+}
+
+}  // namespace
+
+void addMorphTargets(std::span<const OutPrimitive> primitives, std::span<const PrimitiveDeltas> deltas,
+                     const std::string& clip, GltfRewrite& rewrite) {
+  const std::size_t count = deltas.empty() ? 0 : deltas.front().positions.size();
+  if (count == 0) return;
+  Json names = Json::array();
+  for (std::size_t k = 0; k < count; ++k) names.push(clip + ' ' + std::to_string(k + 1));
+  for (const int node : nodesOf(primitives)) {
+    const int number = meshOf(node, rewrite);
+    const std::size_t parts = rewrite.element("meshes", number).at("primitives").items().size();
+    for (std::size_t place = 0; place < parts; ++place) {
+      const auto own = std::ranges::find_if(primitives, [&](const OutPrimitive& primitive) {
+        return primitive.node == node && toIndex(primitive.place) == place;
+      });
+      const Json& primitive = rewrite.element("meshes", number).at("primitives").items()[place];
+      Json targets = own == primitives.end()
+                         ? idleTargets(primitive, count, rewrite)
+                         : targetsOf(deltas[static_cast<std::size_t>(own - primitives.begin())], rewrite);
+      memberOf(rewrite.element("meshes", number), "primitives")->children[place].set("targets", std::move(targets));
+    }
+    Json& mesh = rewrite.element("meshes", number);
+    mesh.set("weights", Json::array(std::vector<Json>(count, Json(0))));
+    if (mesh.at("extras").kind != Json::Kind::kObject) mesh.set("extras", Json::object());
+    memberOf(mesh, "extras")->set("targetNames", names);
+  }
+}
+
+void addMorphWeights(std::span<const OutPrimitive> primitives, const std::vector<float>& times,
+                     const std::vector<float>& weights, const std::string& clip, GltfRewrite& rewrite) {
+  if (weights.empty()) return;
+  if (rewrite.root().at("animations").items().empty()) {
+    Json made = Json::object();
+    made.set("name", clip).set("channels", Json::array()).set("samplers", Json::array());
+    rewrite.append("animations", std::move(made));
+  }
+  const int input = rewrite.addAccessor({bytesOf(times), TINYGLTF_COMPONENT_TYPE_FLOAT, "SCALAR", times.size()});
+  rewrite.element("accessors", input)
+      .set("min", Json::array({static_cast<double>(times.front())}))
+      .set("max", Json::array({static_cast<double>(times.back())}));
+  Json sampler = Json::object();
+  sampler.set("input", input).set("interpolation", "LINEAR");
+  sampler.set("output",
+              rewrite.addAccessor({bytesOf(weights), TINYGLTF_COMPONENT_TYPE_FLOAT, "SCALAR", weights.size()}));
+  Json& animation = rewrite.element("animations", 0);
+  Json& samplers = *memberOf(animation, "samplers");
+  samplers.push(std::move(sampler));
+  const auto number = static_cast<long long>(samplers.children.size()) - 1;
+  for (const int node : nodesOf(primitives)) {
+    Json target = Json::object();
+    target.set("node", node).set("path", "weights");
+    Json channel = Json::object();
+    channel.set("sampler", number).set("target", std::move(target));
+    memberOf(animation, "channels")->push(std::move(channel));
+  }
+}
+
+}  // namespace sinew::exporting
