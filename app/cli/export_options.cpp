@@ -58,7 +58,7 @@ void addExportOptions(CLI::App& verb, ExportOptions& options) {
       ->check(CLI::Range(kLeastBound, kMostBound));
   verb.add_flag("--json", options.json, "Report as JSON");
   verb.add_option_function<std::string>("-o,--output", to(options.output),
-                                        "File to write: .glb or .gltf; baked: .pc2 or .mdd, too")
+                                        "File to write: .glb, .gltf or .usda; baked: .glb, .gltf, .pc2 or .mdd")
       ->type_name("OUT")
       ->required();
   addBatchOptions(verb, options.batch);
@@ -74,7 +74,7 @@ Result<void> checkExportOptions(const ExportOptions& options) {
   const bool isNamed = isBaked ? isBakedExportName(options.output) : isSkinnedExportName(options.output);
   if (!isNamed) {
     return errorAt("--output", std::string("expected a name that ends in ") +
-                                   (isBaked ? ".glb, .gltf, .pc2 or .mdd" : ".glb or .gltf") + ", got \"" +
+                                   (isBaked ? ".glb, .gltf, .pc2 or .mdd" : ".glb, .gltf or .usda") + ", got \"" +
                                    options.output.string() + '"');
   }
   const bool isHelpers = options.kind == "helpers";

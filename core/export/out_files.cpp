@@ -29,7 +29,7 @@ Result<void> checkClips(const std::filesystem::path& file, const Character& char
 }
 
 std::vector<std::filesystem::path> filesOf(const std::filesystem::path& file) {
-  if (lowerEnding(file) == ".glb") return {file};
+  if (lowerEnding(file) != ".gltf") return {file};
   std::filesystem::path binary = file;
   return {binary.replace_extension(".bin"), file};
 }

@@ -20,7 +20,7 @@ namespace sinew::exporting {
 [[nodiscard]] Result<void> checkClips(const std::filesystem::path& file, const Character& character,
                                       const std::vector<std::string>& asked);
 
-/// Files that a .glb or .gltf consists of, the one named last.
+/// Files that an export consists of, the one named last; of a .usda not its textures: how many is not known before.
 [[nodiscard]] std::vector<std::filesystem::path> filesOf(const std::filesystem::path& file);
 
 /// Before the work. Error: no such folder, a place that is a folder, or one that the character is read from.

@@ -9,6 +9,8 @@
 #include "core/export/fit/joint_fit.h"
 #include "core/export/out_files.h"
 #include "core/export/skinned_file.h"
+#include "core/export/usd_files.h"
+#include "core/io/files/atomic_file.h"
 
 namespace sinew {
 namespace {
@@ -16,6 +18,26 @@ namespace {
 using namespace exporting;
 
 constexpr std::array kScaleNames{"full", "uniform", "none"};  // In the order of JointScale.
+
+Result<std::uint64_t> writeUsd(const Source& source, const PackedGltf& packed, const std::filesystem::path& file,
+                               std::vector<std::string>& left) {
+  const auto files = usdFiles(packed, source.path.parent_path(), file, left);
+  if (!files) return files.error();
+  std::vector<std::filesystem::path> places;
+  std::vector<NamedBytes> named;
+  std::uint64_t bytes = 0;
+  for (const OutFile& each : files.value()) {
+    places.push_back(each.file);
+    named.push_back({each.file, each.bytes});
+    bytes += each.bytes.size();
+  }
+  if (auto free = checkPlaces(source, places); !free) return free.error();
+  if (auto written = named.size() == 1 ? writeFileAtomically(file, named.front().bytes) : writeFilesAtomically(named);
+      !written) {
+    return written.error();
+  }
+  return bytes;
+}
 
 Result<SkinnedExportReport> exported(Source& source, const Character& character, JointFit& fit,
                                      const SkinnedExportSettings& settings, const std::filesystem::path& file) {
@@ -28,7 +50,8 @@ Result<SkinnedExportReport> exported(Source& source, const Character& character,
   report.vertices = made.vertices;
   report.triangles = made.triangles;
   report.left = std::move(made.left);
-  const Result<std::uint64_t> bytes = writeGltf(made.packed, file);
+  const Result<std::uint64_t> bytes =
+      lowerEnding(file) == ".usda" ? writeUsd(source, made.packed, file, report.left) : writeGltf(made.packed, file);
   if (!bytes) return bytes.error();
   report.bytes = bytes.value();
   return report;
@@ -46,14 +69,14 @@ std::optional<JointScale> jointScaleNamed(const std::string& name) {
 
 bool isSkinnedExportName(const std::filesystem::path& file) {
   const std::string ending = lowerEnding(file);
-  return ending == ".glb" || ending == ".gltf";
+  return ending == ".glb" || ending == ".gltf" || ending == ".usda";
 }
 
 Result<SkinnedExportReport> exportSkinned(const std::filesystem::path& characterFile,
                                           const std::shared_ptr<const Character>& character, const Character& moving,
                                           const Rig& rig, const SkinnedExportSettings& settings,
                                           const std::filesystem::path& file, const ExportProgress& progress) {
-  if (!isSkinnedExportName(file)) return Error{file.string(), {}, "expected a name that ends in .glb or .gltf"};
+  if (!isSkinnedExportName(file)) return Error{file.string(), {}, "expected a name that ends in .glb, .gltf or .usda"};
   if (auto known = checkClips(characterFile, *character, settings.clips); !known) return known.error();
   try {
     Source source(characterFile);

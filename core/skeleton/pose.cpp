@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/at.h"
+#include "core/skeleton/node_locals.h"
 #include "core/skeleton/pose_override.h"
 
 namespace sinew {
@@ -23,28 +24,6 @@ Pose poseFromLocals(const Skeleton& skeleton, const std::vector<LocalTransform>&
     pose.boneInWorld.emplace_back(at(inWorld, bone.node));
   }
   return pose;
-}
-
-std::vector<LocalTransform> restLocals(const Skeleton& skeleton) {
-  std::vector<LocalTransform> locals;
-  locals.reserve(skeleton.nodes.size());
-  for (const Node& node : skeleton.nodes) locals.push_back(node.rest);
-  return locals;
-}
-
-void applyChannel(const Channel& channel, float time, LocalTransform& local) {
-  const glm::vec4 value = sampleChannel(channel, time);
-  switch (channel.path) {
-    case ChannelPath::kTranslation:
-      local.translation = glm::vec3(value);
-      break;
-    case ChannelPath::kRotation:
-      local.rotation = glm::quat(value.w, value.x, value.y, value.z);
-      break;
-    case ChannelPath::kScale:
-      local.scale = glm::vec3(value);
-      break;
-  }
 }
 
 /// The turns of a clip that turns the bind pose; every channel is the rotation of a bone's node.
@@ -77,9 +56,7 @@ Pose samplePose(const Skeleton& skeleton, const AnimationClip& clip, float time)
   const float clamped = std::clamp(time, 0.0f, clip.duration);
   const auto sampled = [&] {
     if (clip.turnsBindPose) return posed(skeleton, bindPose(skeleton), turnsAt(skeleton, clip, clamped));
-    std::vector<LocalTransform> locals = restLocals(skeleton);
-    for (const Channel& channel : clip.channels) applyChannel(channel, clamped, at(locals, channel.node));
-    return poseFromLocals(skeleton, locals);
+    return poseFromLocals(skeleton, sampleLocals(skeleton, clip, clamped));
   };
   Pose pose = sampled();
   pose.clip = clip.name;

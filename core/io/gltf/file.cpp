@@ -16,6 +16,12 @@ constexpr std::uint64_t kMaxStride = 65536;
 /// Real files need about ten levels; extras may have more.
 constexpr int kMaxDepth = 200;
 
+std::vector<std::uint8_t> contentsOf(const fs::path& path) {
+  Result<std::vector<std::uint8_t>> contents = readWholeBytes(path, kMaxFileBytes);
+  if (!contents) throw Refusal{contents.error()};
+  return std::move(contents).value();
+}
+
 Json parseJson(std::string_view text) {
   Result<Json> root = Json::parse(text, {.depth = kMaxDepth, .leftOut = "extras"});
   if (!root) throw Refusal{root.error()};
@@ -47,17 +53,18 @@ std::uint64_t wholeOf(const Json& value) { return static_cast<std::uint64_t>(val
 
 }  // namespace
 
-File::File(const fs::path& path) : folder_(path.has_parent_path() ? path.parent_path() : fs::path(".")) {
-  Result<std::vector<std::uint8_t>> contents = readWholeBytes(path, kMaxFileBytes);
-  if (!contents) throw Refusal{contents.error()};
-  const Container container = openContainer(contents.value());
+File::File(const fs::path& path)
+    : File(contentsOf(path), path.has_parent_path() ? path.parent_path() : fs::path(".")) {}
+
+File::File(std::vector<std::uint8_t> contents, fs::path folder) : folder_(std::move(folder)) {
+  const Container container = openContainer(contents);
   const Json root = parseJson(container.json);
   guarded_ = guard(root);
   checkUris(root);
   parse(guarded_.text);
   guarded_.text = {};
   adopt(root);
-  openBuffers(root.at("buffers"), std::move(contents).value(), container);
+  openBuffers(root.at("buffers"), std::move(contents), container);
   checkViews();
 }
 

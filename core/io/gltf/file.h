@@ -24,6 +24,8 @@ struct EncodedImage {
 class File {
  public:
   explicit File(const std::filesystem::path& path);
+  /// The same, read already. @param folder  where the uris of buffers and images begin
+  File(std::vector<std::uint8_t> contents, std::filesystem::path folder);
 
   /// Types, ranges and indices in it are sound, except in what expectSound refuses; absent indices are -1.
   [[nodiscard]] const tinygltf::Model& model() const { return model_; }

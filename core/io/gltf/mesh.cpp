@@ -7,6 +7,7 @@
 
 #include <glm/matrix.hpp>
 
+#include "core/io/gltf/triangle_modes.h"
 #include "sinew/io/gltf_import.h"
 
 namespace sinew::gltf {
@@ -20,12 +21,6 @@ constexpr std::size_t kMaxJointSets = 16;
 constexpr double kMaxCoordinate = 1e15;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-enum class Mode {
-  kTriangles = TINYGLTF_MODE_TRIANGLES,
-  kStrip = TINYGLTF_MODE_TRIANGLE_STRIP,
-  kFan = TINYGLTF_MODE_TRIANGLE_FAN
-};
 
 /// The accessors of one primitive.
 struct Attributes {
@@ -87,10 +82,10 @@ class SoupReader {
     startPrimitive(open.position->count());
     const bool mirrored = glm::determinant(glm::dmat3(binding.meshToBind)) < 0.0;
     const std::size_t corners = indices ? indices->count() : open.position->count();
-    const std::size_t triangles = countTriangles(static_cast<Mode>(primitive.mode), corners);
+    const std::size_t triangles = triangleCount(primitive.mode, corners);
     if (triangles > kMaxTriangles - soup_.triangles.size()) refuse(place, "more than 2 million triangles", "too large");
     for (std::size_t t = 0; t < triangles; ++t) {
-      std::array<std::uint32_t, 3> triangle = cornersOf(static_cast<Mode>(primitive.mode), t);
+      std::array<std::uint32_t, 3> triangle = triangleCorners(primitive.mode, t);
       for (std::uint32_t& corner : triangle) {
         if (indices) corner = indices->integer(corner, 0);
         if (corner >= open.position->count()) {
@@ -163,19 +158,6 @@ class SoupReader {
     }
     if (open.joints.empty()) notes_.add("skinned meshes without joints and weights follow the skin's first joint");
     return open;
-  }
-
-  static std::size_t countTriangles(Mode mode, std::size_t corners) {
-    if (mode == Mode::kTriangles) return corners / 3;
-    return corners < 3 ? 0 : corners - 2;
-  }
-
-  /// Corner numbers of a triangle; every second one of a strip is turned so that all face the same way.
-  static std::array<std::uint32_t, 3> cornersOf(Mode mode, std::size_t triangle) {
-    const auto t = static_cast<std::uint32_t>(triangle);
-    if (mode == Mode::kTriangles) return {3 * t, 3 * t + 1, 3 * t + 2};
-    if (mode == Mode::kFan) return {t + 1, t + 2, 0};
-    return {t, t + 1 + t % 2, t + 2 - t % 2};
   }
 
   /// Forgets which vertices of the last primitive were taken over, without touching them all.

@@ -80,11 +80,12 @@ struct SkinnedExportReport {
   std::vector<std::string> left;  ///< What of the source file is not in the export, each with the reason.
 };
 
-/// Whether the ending (.glb, .gltf; capitals too) is one that exportSkinned writes.
+/// Whether the ending (.glb, .gltf, .usda; capitals too) is one that exportSkinned writes.
 [[nodiscard]] bool isSkinnedExportName(const std::filesystem::path& file);
 
 /// Writes `characterFile` again with the surface of the bind pose in place of its meshes; nodes, clips, materials,
-/// images, extensions and extras stay as they are there. A .gltf has NAME.bin beside it. Both are whole or not written.
+/// images, extensions and extras stay as they are there. A .gltf has NAME.bin beside it; a .usda, which holds what USD
+/// can say of it (docs/export.md), its textures NAME_N.png or .jpg. All are whole or not written.
 /// Same inputs give the same bytes.
 /// @param character  as importGltf(characterFile) gave it.
 /// @param moving     the same character, with the clips that weights are also fitted to (the range of motion) at the
