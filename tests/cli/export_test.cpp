@@ -77,9 +77,8 @@ TEST_F(Export, UnknownClipsAreToldTheKnownOnesAndNothingIsWritten) {
 }
 
 TEST_F(Export, UnknownWordsAndEndingsAreABadCommandLine) {
-  expectRefused(skinned(demo("demo.rig.json"), "out.fbx"), 2, ".glb or .gltf");
+  expectRefused(skinned(demo("demo.rig.json"), "out.fbx"), 2, ".glb, .gltf or .usda");
   expectRefused(run({"export", demo("demo.rig.json"), "--as", "fur", "-o", "out.glb"}), 2, "skinned");
-  expectRefused(run({"export", demo("demo.rig.json"), "-o", "out.glb"}), 2, "--as");
   expectRefused(skinned(demo("demo.rig.json"), "out.glb", {"--weights", "mine"}), 2, "mine");
   EXPECT_TRUE(names().empty());
 }
@@ -170,6 +169,45 @@ TEST_F(Export, PlacesThatCannotBeWrittenAreStatus1AndLeaveNothing) {
   expectRefused(skinned(rig, "half.gltf"), 1, "half.bin: cannot be written: ");
   expectRefused(skinned(rig, "absent/out.glb"), 1, "absent/out.glb: cannot be written: there is no such folder");
   EXPECT_EQ(names(), before);
+}
+
+TEST_F(Export, AStageIsWholeOrNotThere) {
+  const std::vector<std::string> quickly{"--depth", "1", "--weights", "transferred"};
+  ASSERT_EQ(skinned(demo("demo.rig.json"), "Out.USDA", quickly).status, 0);
+  const auto whole = names();
+  ASSERT_EQ(whole, (std::vector<std::string>{"Out.USDA", "Out_0.png"}));
+  const std::string text = readWholeFile(folder_ / "Out.USDA", 1 << 26).value();
+  EXPECT_TRUE(text.starts_with("#usda 1.0\n"));
+  EXPECT_NE(text.find("@Out_0.png@"), std::string::npos);
+  for (const char* name : {"Out.USDA", "Out_0.png"}) std::filesystem::remove(folder_ / name);
+
+  std::filesystem::create_directory(folder_ / "folder.usda");
+  std::filesystem::create_directory(folder_ / "a_0.png");
+  std::filesystem::create_symlink("/dev/full", folder_ / "full.usda");
+  std::filesystem::create_symlink("/dev/full", folder_ / "b_0.png");
+  const auto before = names();
+  const std::string rig = demo("demo.rig.json");
+  expectRefused(skinned(rig, "folder.usda", quickly), 1, "folder.usda: cannot be written: it is a folder");
+  expectRefused(skinned(rig, "a.usda", quickly), 1, "a_0.png: cannot be written: it is a folder");
+  expectRefused(skinned(rig, "full.usda", quickly), 1, "full.usda: cannot be written: ");
+  expectRefused(skinned(rig, "b.usda", quickly), 1, "b_0.png: cannot be written: ");
+  expectRefused(skinned(rig, "absent/out.usda", quickly), 1, "absent/out.usda: cannot be written: there is no such");
+  EXPECT_EQ(names(), before);
+}
+
+TEST_F(Export, ATextureThatIsReadIsNotOverwritten) {
+  // A source whose image lies where the export would put its own.
+  ASSERT_EQ(skinned(demo("demo.rig.json"), "a.usda", {"--depth", "1", "--weights", "transferred"}).status, 0);
+  ASSERT_EQ(skinned(demo("demo.glb"), "own.gltf", {"--depth", "1", "--weights", "transferred"}).status, 0);
+  auto root = Json::parse(readWholeFile(folder_ / "own.gltf", 1 << 26).value());
+  ASSERT_TRUE(root.ok());
+  root.value().set("images", Json::array({Json::object().set("uri", "a_0.png")}));
+  std::ofstream(folder_ / "own.gltf") << root->dump();
+  std::filesystem::remove(folder_ / "a.usda");
+  const std::string image = readWholeFile(folder_ / "a_0.png", 1 << 26).value();
+  expectRefused(skinned("own.gltf", "a.usda"), 1, "a_0.png: cannot be written: the character is read from it");
+  EXPECT_EQ(readWholeFile(folder_ / "a_0.png", 1 << 26).value(), image);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.usda"));
 }
 
 TEST_F(Export, AFolderThatIsReadOnlyStaysEmpty) {
