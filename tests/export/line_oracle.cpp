@@ -37,13 +37,24 @@ glm::vec3 randomIn(Random& random, const glm::vec3& low, const glm::vec3& high) 
   return {random.uniform(low.x, high.x), random.uniform(low.y, high.y), random.uniform(low.z, high.z)};
 }
 
-MuscleLine randomLine(int number, Random& random) {
+/// Between a bone and the one above it, both ends beside the bones' origins.
+MuscleLine randomLine(int number, const Character& character, Random& random) {
+  const Skeleton& skeleton = character.skeleton;
+  const float reach = 0.1f * character.height;
+  int bone = 0;
+  while (at(skeleton.bones, bone).parent < 0) bone = random.below(static_cast<int>(skeleton.bones.size()));
+  const int above = at(skeleton.bones, bone).parent;
+  const auto place = [&](int of) { return glm::vec3(at(skeleton.bones, of).bindInWorld[3]); };
+  const auto anchor = [&](int of, const glm::vec3& near) {
+    const glm::vec3 there = near + randomIn(random, glm::vec3(-reach), glm::vec3(reach));
+    return LineAnchor{
+        skeleton.fileName(of), glm::vec3(at(skeleton.bones, of).inverseBindInWorld * glm::vec4(there, 1.0f)), {}};
+  };
   MuscleLine line;
   line.name = "line " + std::to_string(number);
-  line.origin = {"hip", randomIn(random, {-0.5f, 0.1f, -0.5f}, {0.5f, 0.6f, 0.5f}), {}};
-  line.insertion = {"knee", randomIn(random, {-0.5f, 0.2f, -0.5f}, {0.5f, 0.7f, 0.5f}), {}};
-  const glm::vec3 around = randomIn(random, {-0.7f, 0.7f, -0.7f}, {0.7f, 1.0f, 0.7f});
-  if (number % 2 == 1) line.via = LineAnchor{number % 4 == 1 ? "hip" : "knee", around, {}};
+  line.origin = anchor(above, place(above));
+  line.insertion = anchor(bone, place(bone) + (place(bone) - place(above)));
+  if (number % 2 == 1) line.via = anchor(number % 4 == 1 ? above : bone, place(bone));
   LineSettings& settings = line.settings;
   settings.rest = random.uniform(0.8f, 1.25f);
   settings.tendons = {random.uniform(0.0f, 0.4f), random.uniform(0.0f, 0.4f)};
@@ -58,34 +69,39 @@ MuscleLine randomLine(int number, Random& random) {
   return line;
 }
 
-/// Under a node that turns and scales, and with one bone that is larger than the other.
-int writePost(const std::filesystem::path& folder) {
-  Post post = makePost();
-  ordered_json& nodes = post.file.json["nodes"];
-  ordered_json& roots = post.file.json["scenes"][0]["nodes"];
-  const int armature = static_cast<int>(nodes.size());
-  nodes.push_back(
-      {{"name", "armature"}, {"rotation", {0.5, 0.5, 0.5, 0.5}}, {"scale", {0.5, 0.5, 0.5}}, {"children", {1}}});
-  for (ordered_json& root : roots) {
-    if (root == 1) root = armature;
-  }
-  std::ofstream(folder / "post.glb", std::ios::binary) << post.file.glb();
-  const auto character = importGltf(folder / "post.glb");
-  if (!character) return std::cerr << character.error().text() << '\n', 1;
+int failed(const Error& error) {
+  std::cerr << error.text() << '\n';
+  return 1;
+}
+
+int writeLines(const std::filesystem::path& characterFile, const std::filesystem::path& file) {
+  const auto imported = importGltf(characterFile);
+  if (!imported) return failed(imported.error());
+  const Character& character = *imported.value();
   constexpr int kLines = 12;
   RigRecipe recipe;
   recipe.primitives = kLines;
   recipe.carveChance = 0.0f;
-  Rig rig = randomRig(*character.value(), recipe, 7);
-  rig.character = "post.glb";
+  Rig rig = randomRig(character, recipe, 7);
+  rig.character = std::filesystem::relative(characterFile, file.parent_path()).string();
   Random random(11);
   for (int i = 0; i < kLines; ++i) {
-    rig.lines.push_back(randomLine(i, random));
+    rig.lines.push_back(randomLine(i, character, random));
     rig.primitives[toIndex(i)].line = rig.lines.back().name;
   }
-  const auto saved = saveRig(rig, folder / "post.rig.json");
-  if (!saved) return std::cerr << saved.error().text() << '\n', 1;
-  return 0;
+  const auto saved = saveRig(rig, file);
+  return saved ? 0 : failed(saved.error());
+}
+
+/// The post under a node that turns and scales.
+int writePost(const std::filesystem::path& file) {
+  Post post = makePost();
+  ordered_json& nodes = post.file.json["nodes"];
+  const auto armature = static_cast<int>(nodes.size());
+  nodes.push_back(
+      {{"name", "armature"}, {"rotation", {0.5, 0.5, 0.5, 0.5}}, {"scale", {0.5, 0.5, 0.5}}, {"children", {1}}});
+  post.file.json["scenes"][0]["nodes"] = {0, armature};
+  return (std::ofstream(file, std::ios::binary) << post.file.glb()).good() ? 0 : 1;
 }
 
 Channel still(int node, ChannelPath path, const glm::vec4& value) {
@@ -131,7 +147,7 @@ ordered_json nodesOf(const AnimationClip& clip, std::span<const int> fileNodes) 
 
 int printPoses(const std::filesystem::path& file, const std::string& scale, int count) {
   const auto rig = loadRig(file);
-  if (!rig) return std::cerr << rig.error().text() << '\n', 1;
+  if (!rig) return failed(rig.error());
   const auto characterFile = characterPath(rig.value(), file);
   const auto character = importGltf(characterFile).value();
   const Skeleton& skeleton = character->skeleton;
@@ -173,6 +189,7 @@ int printPoses(const std::filesystem::path& file, const std::string& scale, int 
 int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   if (words.size() == 2 && words[0] == "post") return sinew::test::writePost(words[1]);
+  if (words.size() == 3 && words[0] == "lines") return sinew::test::writeLines(words[1], words[2]);
   if (words.size() == 4 && words[0] == "poses") {
     return sinew::test::printPoses(words[1], words[2], std::atoi(words[3].c_str()));
   }
