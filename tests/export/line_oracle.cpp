@@ -1,7 +1,8 @@
-// tests/export/line_oracle.cpp: where the core puts muscle lines' joints in random poses, for runtimes to be held
-// against. Usage: line_oracle post FOLDER             writes post.glb and post.rig.json: lines of all kinds, half with
-// via points
-//        line_oracle poses RIG SCALE COUNT   prints the poses; SCALE as --joint-scale has it
+// tests/export/line_oracle.cpp: where the core puts muscle lines' joints in poses, for runtimes to be held against.
+//
+// line_oracle post FILE.glb            writes a small skeleton
+// line_oracle lines CHARACTER RIG      writes a rig of random lines, half of them with via points
+// line_oracle poses RIG SCALE COUNT    prints poses: the bind pose, then random ones; SCALE as --joint-scale has it
 #include <array>
 #include <cstdlib>
 #include <fstream>
@@ -160,8 +161,8 @@ int printPoses(const std::filesystem::path& file, const std::string& scale, int 
   Random random(5);
   ordered_json all{{"height", character->height}, {"poses", ordered_json::array()}};
   for (int i = 0; i < count; ++i) {
-    const AnimationClip clip = randomClip(skeleton, character->height, random);
-    Pose pose = samplePose(skeleton, clip, 0.0f);
+    const AnimationClip clip = i == 0 ? AnimationClip{} : randomClip(skeleton, character->height, random);
+    Pose pose = i == 0 ? bind : samplePose(skeleton, clip, 0.0f);
     pose.flex = i % 2 == 0 ? 0.0f : random.uniform(0.0f, 1.0f);
     ordered_json bones = ordered_json::object();
     for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {

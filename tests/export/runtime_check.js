@@ -33,9 +33,9 @@ function parentsOf(nodes) {
 
 // The formulas alone: world matrices of bones in, locals of joints out.
 export function checkFormulas(json, oracle, { poseLine, localOf, matrixOf }) {
-  const result = { joints: 0, vias: 0, worst: 0, moved: 0 };
+  const result = { joints: 0, vias: 0, worst: 0, moved: 0, bind: 0 };
   const parents = parentsOf(json.nodes);
-  for (const pose of oracle.poses) {
+  for (const [number, pose] of oracle.poses.entries()) {
     const worldOf = (node) => matrixOf(pose.bones[node]);
     for (const data of json.skins.flatMap((skin) => skin.extras?.sinew ?? [])) {
       for (const line of data.lines) {
@@ -47,7 +47,9 @@ export function checkFormulas(json, oracle, { poseLine, localOf, matrixOf }) {
           const expected = pose.joints[json.nodes[node].name];
           const off = (local) => apart(inWorld(parent, local), expected, line.size, oracle.height);
           result.worst = Math.max(result.worst, off(e));
-          result.moved = Math.max(result.moved, off(restOf(json.nodes[node])));
+          const fromRest = off(restOf(json.nodes[node]));
+          result.moved = Math.max(result.moved, fromRest);
+          if (number === 0) result.bind = Math.max(result.bind, fromRest);
           ++result.joints;
         });
       }
@@ -68,7 +70,7 @@ export function checkGraph(gltf, oracle, three, clone, SinewMuscles) {
   place.add(root);
   const muscles = new SinewMuscles(gltf, root);
   const lines = muscles.data.flatMap((data) => data.lines);
-  for (const pose of oracle.poses) {
+  for (const pose of oracle.poses.slice(1)) {  // The nodes of a file need not stand in the bind pose.
     for (const [node, local] of Object.entries(pose.nodes)) {
       const object = muscles.nodes[node];
       object.position.fromArray(local.translation);
