@@ -71,7 +71,7 @@ _sinew() {
         export:--joint-scale) _sinew_words full uniform none; return ;;
         export:--fps) :; return ;;
         export:--bound) :; return ;;
-        export:-o|export:--output) _sinew_files glb gltf; return ;;
+        export:-o|export:--output) _sinew_files glb gltf usda pc2 mdd; return ;;
         export:--list) _sinew_files -; return ;;
         export:--shard) :; return ;;
         render:--clip) :; return ;;

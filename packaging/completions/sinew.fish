@@ -101,7 +101,7 @@ complete -c sinew -n '__sinew_in "export"' -l joint-scale -x -a 'full uniform no
 complete -c sinew -n '__sinew_in "export"' -l fps -x -d 'baked: frames a second (30); the clip\'s end is one, too'
 complete -c sinew -n '__sinew_in "export"' -l bound -x -d 'baked: how far any vertex may be off in any frame, percent of the height (0.1)'
 complete -c sinew -n '__sinew_in "export"' -l json -d 'Report as JSON'
-complete -c sinew -n '__sinew_in "export"' -s o -l output -x -a '(__sinew_files glb gltf)' -d 'File to write: .glb or .gltf; baked: .pc2 or .mdd, too'
+complete -c sinew -n '__sinew_in "export"' -s o -l output -x -a '(__sinew_files glb gltf usda pc2 mdd)' -d 'File to write: .glb, .gltf or .usda; baked: .glb, .gltf, .pc2 or .mdd'
 complete -c sinew -n '__sinew_in "export"' -l list -x -a '(__sinew_files )' -d 'Instead of FILE: a text file, one input per line; {name} in OUT is its name'
 complete -c sinew -n '__sinew_in "export"' -l shard -x -d 'Make share I of N, 0 to N-1; auto: as the Slurm or Grid Engine array job says'
 complete -c sinew -n '__sinew_in "export"' -l resume -d 'Leave out what is there already: files appear whole or not at all'
