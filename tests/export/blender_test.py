@@ -1,6 +1,6 @@
 # tests/export/blender_test.py: Blender plays what `sinew export` writes. Usage: blender_test.py PROGRAM ROOT CHARACTERS
 """At five moments of each of up to three clips every vertex that Blender shows lies where `sinew smooth` has it, within
-the error that the export printed. Left out (77) where Blender is not installed."""
+the error that the export printed; of baked clips within the bound, and of point caches where it is. Left out (77) where Blender is not installed."""
 import json
 import math
 import os
@@ -19,6 +19,7 @@ from simple_rig import simple_rig
 
 MOMENTS = 5
 MOST_CLIPS = 3
+BAKED = {"humanoid.rig.json": "Dance", "horse.rig.json": "Gallop", "horse-flex.rig.json": "Walk"}
 SLACK = 0.05  # % of the height: Blender keeps bones as head, tail and roll, in floats; joints on joints add up.
 
 
@@ -41,12 +42,16 @@ def missing():
     return "Blender has no numpy or no glTF importer" if blender("--python-expr", importer).returncode else None
 
 
-def key_times(glb, animation, nodes):
-    """Some times of keys of the clip's busiest sampler: between keys Blender turns by another formula. Of the first
-    `nodes` nodes alone: those that the export added have keys enough."""
+def longest_times(glb, animation, nodes):
+    """Key times of the clip's busiest sampler. Of the first `nodes` nodes alone: those that the export added have keys
+    enough."""
     used = {channel["sampler"] for channel in animation["channels"] if channel["target"]["node"] < nodes}
     inputs = {animation["samplers"][sampler]["input"] for sampler in used}
-    times = max(([t for (t,) in glb.rows(index)] for index in inputs), key=len)
+    return max(([t for (t,) in glb.rows(index)] for index in inputs), key=len)
+
+
+def spread(times):
+    """Some of them; between keys Blender turns by another formula."""
     return [times[i * (len(times) - 1) // (MOMENTS - 1)] for i in range(MOMENTS)]
 
 
@@ -83,31 +88,80 @@ def surface(program, source, clip, seconds, folder):
     return triangles
 
 
+def compare(triangles, corners, objects, height):
+    """Largest distance of a vertex that Blender shows from where the live surface has it, percent of the height."""
+    worst = 0.0
+    for name, own in corners.items():
+        shown = objects[name] if name in objects else objects[name + ".001"]  # Blender names shape keys, too.
+        assert len(shown) == len(own), "%s: %d vertices in Blender, %d in the file" % (name, len(shown), len(own))
+        for place, (triangle, corner) in zip(shown, own):
+            worst = max(worst, math.dist(place, triangles[triangle][corner]))
+    return 100.0 * worst / height
+
+
+def seen(file, asked, folder):
+    """[clip, seconds, {object: places}] of the moments that are asked for."""
+    (folder / "asked.json").write_text(json.dumps(asked))
+    run = blender("--python", HERE / "in_blender.py", "--", file, folder / "asked.json", folder / "seen.json")
+    assert run.returncode == 0, run.stdout + run.stderr
+    return json.loads((folder / "seen.json").read_text())
+
+
+def height_of(program, source):
+    return json.loads(output(program, "inspect", source, "--json"))["height"]
+
+
+def check_baked(program, source, clip, folder):
+    """Within the bound at every baked frame looked at."""
+    exported = Glb(folder / "out.glb")
+    own = len(exported.json["nodes"])
+    keys = longest_times(exported, next(a for a in exported.json["animations"] if a["name"] == clip), own)
+    rate = (len(keys) - 1) / keys[-1]  # So that joints have a key in every baked frame.
+    assert all(abs(i / rate - key) < 1e-4 for i, key in enumerate(keys)), "the keys of %s are not even" % clip
+    bound = 0.1
+    report = json.loads(output(program, "export", source, "--as", "baked", "--clip", clip, "--bound", bound,
+                               "--fps", repr(rate), "--json", "-o", folder / "baked.glb"))
+    assert report["targets"] > 2
+    height, corners = height_of(program, source), corners_of(Glb(folder / "baked.glb"))
+    for _, seconds, objects in seen(folder / "baked.glb", [[clip, spread(keys)]], folder):
+        percent = compare(surface(program, source, clip, seconds, folder), corners, objects, height)
+        print("  %-16s %7.3f s: %.3f %% of the height off, %.3f printed, baked with %d targets" %
+              (clip, seconds, percent, report["error_percent_of_height"]["baked"]["max"], report["targets"]))
+        assert percent <= bound + SLACK, "%s at %g s, baked" % (clip, seconds)
+
+
+def check_cache(program, source, clip, ending, folder):
+    """Blender's Mesh Cache modifier shows the live vertices."""
+    file = folder / "cache.obj"
+    report = json.loads(output(program, "export", source, "--as", "baked", "--clip", clip, "--json",
+                               "-o", file.with_suffix(ending)))
+    frames = [i * (report["frames"] - 2) // (MOMENTS - 1) for i in range(MOMENTS)]
+    for _, seconds, objects in seen(file, [[clip, [frame / 30 for frame in frames]]], folder):
+        output(program, "smooth", source, "--clip", clip, "--time", repr(seconds), "-o", folder / "live.obj")
+        (shown,) = objects.values()
+        live = [tuple(map(float, line.split()[1:4])) for line in (folder / "live.obj").read_text().splitlines()
+                if line.startswith("v ")]
+        assert len(shown) == len(live) == report["vertices"]
+        percent = 100.0 / height_of(program, source) * max(map(math.dist, shown, live))
+        print("  %-16s %7.3f s: %.5f %% of the height off, %s" % (clip, seconds, percent, ending))
+        assert percent <= 1e-3, "%s at %g s, %s" % (clip, seconds, ending)
+    file.with_suffix(ending).unlink()
+
+
 def check(program, source, kind, folder):
     report = json.loads(output(program, "export", source, "--as", kind, "--json", "-o", folder / "out.glb"))
     printed = {clip["name"]: clip["max"] for clip in report["error_percent_of_height"]["clips"]}
-    height = json.loads(output(program, "inspect", source, "--json"))["height"]
-    glb = Glb(folder / "out.glb")
+    height, glb = height_of(program, source), Glb(folder / "out.glb")
     clips = [a for a in glb.json["animations"] if a.get("name") in printed][:MOST_CLIPS]
-    own = len(glb.json["nodes"]) - report["line_joints"] - report["rigid_helpers"]
-    (folder / "asked.json").write_text(json.dumps([[a["name"], key_times(glb, a, own)] for a in clips]))
-    shown = blender("--python", HERE / "in_blender.py", "--", folder / "out.glb", folder / "asked.json",
-                    folder / "seen.json")
-    assert shown.returncode == 0, shown.stdout + shown.stderr
     corners = corners_of(glb)
     compared = 0
-    for clip, seconds, objects in json.loads((folder / "seen.json").read_text()):
-        triangles = surface(program, source, clip, seconds, folder)
-        worst = 0.0
-        for name, own in corners.items():
-            shown = objects[name]
-            assert len(shown) == len(own), "%s: %d vertices in Blender, %d in the file" % (name, len(shown), len(own))
-            for place, (triangle, corner) in zip(shown, own):
-                worst = max(worst, math.dist(place, triangles[triangle][corner]))
-                compared += 1
-        percent = 100.0 * worst / height
+    own = len(glb.json["nodes"]) - report["line_joints"] - report["rigid_helpers"]
+    asked = [[a["name"], spread(longest_times(glb, a, own))] for a in clips]
+    for clip, seconds, objects in seen(folder / "out.glb", asked, folder):
+        percent = compare(surface(program, source, clip, seconds, folder), corners, objects, height)
         print("  %-16s %7.3f s: %.3f %% of the height off, %.3f printed" % (clip, seconds, percent, printed[clip]))
         assert percent <= 1.05 * printed[clip] + SLACK, "%s at %g s" % (clip, seconds)
+        compared += 1
     assert compared > 0, "nothing was compared"
 
 
@@ -128,9 +182,14 @@ def main():
             own = source
             if source.suffix != ".json":
                 own = simple_rig(program.resolve(), source, pathlib.Path(folder))
-            for kind in ("skinned", "helpers"):
+            for kind in ("helpers", "skinned"):
                 print("  as " + kind)
                 check(program.resolve(), own, kind, pathlib.Path(folder))
+            clip = BAKED.get(source.name)
+            if clip:
+                check_baked(program.resolve(), source, clip, pathlib.Path(folder))
+                for ending in (".pc2", ".mdd"):
+                    check_cache(program.resolve(), source, clip, ending, pathlib.Path(folder))
     return 0
 
 

@@ -1,8 +1,10 @@
-# tests/export/in_blender.py: run by Blender: opens a .glb, plays its clips, writes where every vertex is.
-"""blender -b --factory-startup --python in_blender.py -- FILE.glb ASKED.json OUT.json
+# tests/export/in_blender.py: run by Blender: opens a .glb or point cache, plays it, writes where every vertex is.
+"""blender -b --factory-startup --python in_blender.py -- FILE ASKED.json OUT.json
 
-ASKED.json: [[clip, [seconds, ...]], ...]. OUT.json: [[clip, seconds, {object: [[x, y, z], ...]}], ...] in glTF's axes."""
+ASKED.json: [[clip, [seconds, ...]], ...]. OUT.json: [[clip, seconds, {object: [[x, y, z], ...]}], ...] in glTF's axes.
+FILE: a .glb, or an .obj with a .pc2 or .mdd of 30 frames a second beside it."""
 import json
+import os
 import sys
 
 import numpy
@@ -13,7 +15,8 @@ import bpy
 
 def play(clip):
     """Every object moves by its action of that clip, and by nothing else."""
-    for item in bpy.data.objects:
+    shapes = [item.data.shape_keys for item in bpy.data.objects if item.type == "MESH" and item.data.shape_keys]
+    for item in [*bpy.data.objects, *shapes]:
         if not item.animation_data:
             continue
         action = None
@@ -38,11 +41,24 @@ def vertices():
     return result
 
 
+def show(file):
+    """A character, or a surface with a cache of its points beside it."""
+    if not file.endswith(".obj"):
+        bpy.ops.import_scene.gltf(filepath=file)
+        return
+    bpy.ops.wm.obj_import(filepath=file)
+    cache = file.removesuffix(".obj") + (".pc2" if os.path.exists(file.removesuffix(".obj") + ".pc2") else ".mdd")
+    modifier = bpy.context.object.modifiers.new("cache", "MESH_CACHE")
+    modifier.cache_format = cache[-3:].upper()
+    modifier.filepath = cache
+    bpy.context.scene.render.fps = 30
+
+
 def main():
     file, asked, out = sys.argv[sys.argv.index("--") + 1:]
     for item in list(bpy.data.objects):
         bpy.data.objects.remove(item)
-    bpy.ops.import_scene.gltf(filepath=file)
+    show(file)
     scene = bpy.context.scene
     seen = []
     for clip, times in json.load(open(asked)):

@@ -76,6 +76,12 @@ def main():
             kinds += [["helpers"], ["helpers", "--mesh", "original", "--joint-scale", "none"]]
             for file, kind in zip(out, kinds):
                 subprocess.run([program, "export", source, "--as", *kind, "-o", file], check=True, capture_output=True)
+            clips = json.loads(subprocess.run([program, "inspect", source, "--json"], check=True, capture_output=True).stdout)
+            clip = min(clips["clips"], key=lambda each: each["duration"])["name"]
+            for file in (folder / "baked.glb", folder / "baked.gltf"):
+                subprocess.run([program, "export", source, "--as", "baked", "--clip", clip, "--bound", "0.05", "-o", file],
+                               check=True, capture_output=True)
+                out.append(file)
             found = issues([character, *out], modules)
             had = {code for _, code, _ in found[str(character)]}
             for file in out:

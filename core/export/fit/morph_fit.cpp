@@ -116,7 +116,7 @@ class MorphSearch {
   }
 
  private:
-  /// Weights over time and shapes, as the file has them.
+  /// Weights over time, 0..1, and shapes, as the file has them.
   struct Shapes {
     Eigen::MatrixXf weights;  ///< [frames, targets]
     Eigen::MatrixXf deltas;   ///< [3 vertices, targets] in the bind pose.
@@ -131,33 +131,43 @@ class MorphSearch {
     Eigen::Ref<const Eigen::MatrixXf> deltas;
   };
 
-  /// All components, the largest first, made as they are asked for.
+  /// A target that stands still, then all components of what moves, the largest first, made as they are asked for.
   struct Basis {
-    Eigen::MatrixXd over;   ///< [frames, frames] orthonormal columns.
-    Eigen::MatrixXf exact;  ///< [3 vertices, made ...] in the bind pose.
-    Shapes shapes;          ///< Of `exact` as files have them; columns beyond `made` are without meaning.
-    Eigen::Index made = 0;
+    Eigen::MatrixXd over;    ///< [frames, frames - 1] orthonormal columns of sum 0.
+    Eigen::MatrixXf exact;   ///< [3 vertices, made ...] in the bind pose; the first: the mean.
+    Shapes shapes;           ///< Of `exact` as files have them; columns beyond `made` are without meaning.
+    std::vector<float> low;  ///< [made] what is left at a weight of 0, in parts of the shape.
 
     ShapesView first(Eigen::Index targets, const MorphSearch& search) {
       constexpr Eigen::Index kAhead = 16;
-      for (; made < targets; ++made) {
+      for (auto made = static_cast<Eigen::Index>(low.size()); made < targets; ++made) {
         if (made == exact.cols()) {
           exact.conservativeResize(search.rows(), made + kAhead);
           shapes.deltas.conservativeResize(search.rows(), made + kAhead);
-          shapes.weights.conservativeResize(over.rows(), made + kAhead);
+          shapes.weights.conservativeResize(search.frameCount(), made + kAhead);
         }
-        search.makeComponent(over.col(made), shapes.weights.col(made), exact.col(made));
+        low.push_back(made == 0 ? search.makeStill(shapes.weights.col(0), exact.col(0))
+                                : search.makeComponent(over.col(made - 1), shapes.weights.col(made), exact.col(made)));
         shapes.deltas.col(made) = exact.col(made);
         search.round(shapes.deltas.col(made), kDensest * search.asked_);
       }
+      shapes.deltas.col(0) = still(targets);
+      search.round(shapes.deltas.col(0), kDensest * search.asked_);
       return {shapes.weights.leftCols(targets), shapes.deltas.leftCols(targets)};
     }
 
     /// With more or fewer entries dropped.
     [[nodiscard]] Shapes dropped(Eigen::Index targets, const MorphSearch& search, double below) const {
       Shapes result{shapes.weights.leftCols(targets), exact.leftCols(targets)};
+      result.deltas.col(0) = still(targets);
       for (Eigen::Index k = 0; k < targets; ++k) search.round(result.deltas.col(k), below);
       return result;
+    }
+
+    /// The mean and what the other targets leave at weights of 0.
+    [[nodiscard]] Eigen::VectorXf still(Eigen::Index targets) const {
+      const Eigen::Map<const Eigen::VectorXf> parts(low.data(), targets);
+      return exact.leftCols(targets) * parts;
     }
   };
 
@@ -179,20 +189,34 @@ class MorphSearch {
       for (Eigen::Index r = 0; r < count; ++r) block.row(r) *= std::sqrt(squares_[(row + r) / 3]);
       gram.selfadjointView<Eigen::Lower>().rankUpdate(block.transpose());
     }
+    gram.triangularView<Eigen::Upper>() = gram.transpose();
+    const Eigen::VectorXd means = gram.rowwise().mean();
+    gram.colwise() -= means;
+    gram.rowwise() -= (means.array() - means.mean()).matrix().transpose();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
-    return {solver.eigenvectors().rowwise().reverse(), {}, {}};
+    return {solver.eigenvectors().rowwise().reverse().leftCols(frames - 1), {}, {}, {}};
   }
 
-  /// The largest weight is 1, so that a dropped entry of a shape is what is lost at most.
-  void makeComponent(const Eigen::VectorXd& over, Eigen::Ref<Eigen::VectorXf> weights,
-                     Eigen::Ref<Eigen::VectorXf> deltas) const {
-    Eigen::Index largest = 0;
-    over.cwiseAbs().maxCoeff(&largest);
-    const double scale = over[largest];
-    weights = (over / scale).cast<float>();
+  /// Weights of 1 in every frame.
+  float makeStill(Eigen::Ref<Eigen::VectorXf> weights, Eigen::Ref<Eigen::VectorXf> mean) const {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(rows());
-    for (Eigen::Index f = 0; f < frameCount(); ++f) sum += scale * over[f] * wanted(f).cast<double>();
+    for (Eigen::Index f = 0; f < frameCount(); ++f) sum += wanted(f).cast<double>();
+    mean = (sum / static_cast<double>(frameCount())).cast<float>();
+    weights.setOnes();
+    return 1.0f;
+  }
+
+  /// Weights from 0 to 1: programs clamp others, and a dropped entry of a shape is what is lost at most. Returns what
+  /// part of the shape is left at 0.
+  float makeComponent(const Eigen::VectorXd& over, Eigen::Ref<Eigen::VectorXf> weights,
+                      Eigen::Ref<Eigen::VectorXf> deltas) const {
+    const double low = over.minCoeff();
+    const double range = std::max(over.maxCoeff() - low, std::numeric_limits<double>::min());
+    weights = ((over.array() - low) / range).matrix().cast<float>();
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(rows());
+    for (Eigen::Index f = 0; f < frameCount(); ++f) sum += range * over[f] * wanted(f).cast<double>();
     deltas = sum.cast<float>();
+    return static_cast<float>(low / range);
   }
 
   [[nodiscard]] glm::vec3 inMesh(std::size_t vertex, const float* delta) const {

@@ -24,7 +24,7 @@ struct MorphVertex {
 
 struct MorphTargets {
   int count = 0;
-  std::vector<float> weights;                  ///< [frames * count], the largest of each target 1.
+  std::vector<float> weights;                  ///< [frames * count] 0..1.
   std::vector<double> shares;                  ///< [count * frames] what each frame adds to a target: least squares.
   std::vector<std::vector<glm::vec3>> deltas;  ///< [count][vertices] in their mesh spaces; many are 0.
   ErrorFigures figures;                        ///< Of all vertices in all frames, by these numbers.
