@@ -139,6 +139,25 @@ TEST_F(Export, BakesAClipAndReportsInBothForms) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "other.glb"));
 }
 
+TEST_F(Export, ListsAreBakedInSharesAndResumed) {
+  std::ofstream(folder_ / "list.txt") << demo("demo.rig.json") << '\n' << demo("humanoid.rig.json") << '\n';
+  const auto baked = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"export", "--list", "list.txt", "--as", "baked", "--clip", "Walk", "--fps", "5",
+                               "--depth", "1", "-o", "{name}.mdd"});
+    return run(more);
+  };
+  EXPECT_EQ(baked({"--dry-run"}).out, "demo.mdd\nhumanoid.mdd\n");
+  EXPECT_EQ(names(), (std::vector<std::string>{"list.txt"}));
+  ASSERT_EQ(baked({"--shard", "1/2"}).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "humanoid.obj"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "demo.mdd"));
+  const Outcome rest = baked({"--resume"});
+  ASSERT_EQ(rest.status, 0) << rest.error;
+  EXPECT_TRUE(rest.out.starts_with("demo.mdd\n"));
+  EXPECT_EQ(rest.out.find("humanoid"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "demo.obj"));
+}
+
 TEST_F(Export, BakedPlacesThatCannotBeWrittenAreStatus1AndLeaveNothing) {
   std::filesystem::create_directory(folder_ / "one.obj");
   std::filesystem::create_directory(folder_ / "two.pc2");

@@ -27,6 +27,8 @@ constexpr double kDamping = 1e-4;
 constexpr double kReaders = 1e-6;
 /// Rounds of counting those vertices more that are far off.
 constexpr int kRounds = 24;
+/// Products that all Gram matrices may take, about: of many vertices and frames there are fewer rounds, one at least.
+constexpr double kMostProducts = 3e10;
 /// Rounds without a gain after which the search ends.
 constexpr int kFutile = 6;
 /// A vertex that is on its place still counts as much as that of one at the bound.
@@ -97,8 +99,11 @@ class MorphSearch {
   std::optional<MorphTargets> run() {
     if (isWithin(Shapes{})) return targetsOf({});
     squares_ = Eigen::VectorXd::Ones(vertexCount());
-    for (int round = 0, futile = 0; round < kRounds && futile < kFutile && best_ != 1; ++round, ++futile) {
-      part_ = round / (kRounds + 1.0);
+    const auto frames = static_cast<double>(frameCount());
+    const double affordable = kMostProducts / (static_cast<double>(rows()) * frames * frames);
+    const int rounds = static_cast<int>(std::clamp(affordable, 1.0, static_cast<double>(kRounds)));
+    for (int round = 0, futile = 0; round < rounds && futile < kFutile && best_ != 1; ++round, ++futile) {
+      part_ = round / (rounds + 1.0);
       Basis basis = principal();
       const Eigen::Index most = best_ > 0 ? best_ - 1 : frameCount();
       Eigen::Index targets = 1;
@@ -109,9 +114,9 @@ class MorphSearch {
         whole_ = std::move(basis);
         futile = -1;
       }
-      countFarOnesMore((futile < 0 ? whole_ : basis).first(best_ - 1, *this));
+      if (round + 1 < rounds) countFarOnesMore((futile < 0 ? whole_ : basis).first(best_ - 1, *this));
     }
-    part_ = kRounds / (kRounds + 1.0);
+    part_ = rounds / (rounds + 1.0);
     return targetsOf(sparsest());
   }
 
