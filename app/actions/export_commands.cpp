@@ -156,6 +156,10 @@ std::string refusalOf(EditorState& state, const ExportPlace& place, const fs::pa
   if (whole && out.filename().string().find("{name}") == std::string::npos) {
     return "The name needs {name}, which stands for the name of each rig";
   }
+  if (chosenKind(state.dialogs).fields.oneClip) {
+    if (whole) return "Other rigs have other clips: this kind is for the open rig alone";
+    if (chosenSettings(state).clips.size() != 1) return "Choose the clip";
+  }
   if (!whole && dialog.chosenClips && chosenSettings(state).clips.empty()) return "Choose a clip, or all clips";
   return isFarm(dialog) ? placeError(dialog.job, resolved(dialog.job)) : "";
 }
@@ -220,7 +224,8 @@ ExportSettings chosenSettings(const EditorState& state) {
   const ExportDialogState& dialog = state.dialogs.exporting;
   ExportSettings settings = dialog.settings;
   settings.clips.clear();
-  if (!dialog.chosenClips || (isFarm(dialog) && dialog.wholeFolder)) return settings;
+  const bool all = !dialog.chosenClips && !chosenKind(state.dialogs).fields.oneClip;
+  if (all || (isFarm(dialog) && dialog.wholeFolder)) return settings;
   for (const std::string& name : exportableClips(state.character())) {
     if (std::ranges::count(dialog.settings.clips, name) > 0) settings.clips.push_back(name);
   }

@@ -28,9 +28,9 @@ int exportInput(const ExportOptions& options, const BatchInput& input) {
   };
   if (options.kind == "baked") {
     const BakedExportSettings settings = bakedSettings(options);
-    // A clip made in memory has a place in a cache of points, but none in a file of clips.
-    const auto character = isPointCacheName(output) ? withClipNamed(document->character, settings.clip)
-                                                    : std::shared_ptr<const Character>(document->character);
+    // A clip made in memory has a place among points, but none in a file of clips.
+    const auto character = isBakedPointsName(output) ? withClipNamed(document->character, settings.clip)
+                                                     : std::shared_ptr<const Character>(document->character);
     return put(exportBaked(document->characterFile, character, rig, settings, output));
   }
   const auto moving = withRangeOfMotion(document->character);

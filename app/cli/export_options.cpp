@@ -22,8 +22,8 @@ void addExportOptions(CLI::App& verb, ExportOptions& options) {
   verb.add_option(
           "--as", options.kind,
           "helpers: with joints that move as the muscles do, keyed in every clip (default); skinned: the file's "
-          "joints alone, muscles at rest; baked: one clip as it is, in morph targets (.glb, .gltf) or a point "
-          "cache (.pc2, .mdd)")
+          "joints alone, muscles at rest; baked: one clip as it is, in morph targets (.glb, .gltf) or points "
+          "(.usda; .pc2 or .mdd, a cache beside an .obj)")
       ->type_name("KIND")
       ->check(CLI::IsMember({"skinned", "helpers", "baked"}));
   verb.add_option("--mesh", options.mesh, "refined, or original: the file's own vertices, in its order")
@@ -58,7 +58,7 @@ void addExportOptions(CLI::App& verb, ExportOptions& options) {
       ->check(CLI::Range(kLeastBound, kMostBound));
   verb.add_flag("--json", options.json, "Report as JSON");
   verb.add_option_function<std::string>("-o,--output", to(options.output),
-                                        "File to write: .glb, .gltf or .usda; baked: .glb, .gltf, .pc2 or .mdd")
+                                        "File to write: .glb, .gltf or .usda; baked: .glb, .gltf, .usda, .pc2 or .mdd")
       ->type_name("OUT")
       ->required();
   addBatchOptions(verb, options.batch);
@@ -66,7 +66,7 @@ void addExportOptions(CLI::App& verb, ExportOptions& options) {
 
 Result<void> checkExportOptions(const ExportOptions& options) {
   const bool isBaked = options.kind == "baked";
-  const bool isCache = isBaked && isPointCacheName(options.output);
+  const bool arePoints = isBaked && isBakedPointsName(options.output);
   const auto only = [](const char* option, bool isGiven, bool isFor, const char* what) -> Result<void> {
     if (!isGiven || isFor) return {};
     return errorAt(option, std::string("is for ") + what + " alone");
@@ -74,8 +74,8 @@ Result<void> checkExportOptions(const ExportOptions& options) {
   const bool isNamed = isBaked ? isBakedExportName(options.output) : isSkinnedExportName(options.output);
   if (!isNamed) {
     return errorAt("--output", std::string("expected a name that ends in ") +
-                                   (isBaked ? ".glb, .gltf, .pc2 or .mdd" : ".glb, .gltf or .usda") + ", got \"" +
-                                   options.output.string() + '"');
+                                   (isBaked ? ".glb, .gltf, .usda, .pc2 or .mdd" : ".glb, .gltf or .usda") +
+                                   ", got \"" + options.output.string() + '"');
   }
   const bool isHelpers = options.kind == "helpers";
   for (const Result<void>& fits :
@@ -84,8 +84,8 @@ Result<void> checkExportOptions(const ExportOptions& options) {
         only("--weights transferred", options.weights == "transferred", !isHelpers, "--as skinned and --as baked"),
         only("--fps", options.framesPerSecond.has_value(), isBaked, "--as baked"),
         only("--bound", options.bound.has_value(), isBaked, "--as baked"),
-        only("--bound", options.bound.has_value(), !isCache, ".glb and .gltf"),
-        only("--weights", options.weights.has_value(), !isCache, ".glb and .gltf"),
+        only("--bound", options.bound.has_value(), !arePoints, ".glb and .gltf"),
+        only("--weights", options.weights.has_value(), !arePoints, ".glb and .gltf"),
         only("--mesh original", options.mesh == "original", !isBaked, "--as skinned and --as helpers")}) {
     if (!fits) return fits;
   }

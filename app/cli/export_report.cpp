@@ -94,22 +94,23 @@ std::string plainText(const ExportOptions& options, const std::filesystem::path&
 std::string jsonText(const ExportOptions& options, const std::filesystem::path& output,
                      const BakedExportReport& report) {
   const BakedExportSettings settings = bakedSettings(options);
-  const bool isCache = isPointCacheName(output);
+  const bool arePoints = isBakedPointsName(output);
   Json json = Json::object();
   json.set("file", output.string()).set("as", options.kind).set("clip", settings.clip);
   json.set("fps", settings.framesPerSecond).set("frames", report.frames);
-  if (!isCache) {
+  if (!arePoints) {
     json.set("weights", options.weights.value_or(kRefitted)).set("bound", settings.bound);
     json.set("targets", report.targets).set("joints", report.joints);
   }
   json.set("vertices", static_cast<long long>(report.vertices));
   json.set("triangles", static_cast<long long>(report.triangles));
   json.set("bytes", static_cast<long long>(report.bytes));
-  if (!isCache) {
+  if (!arePoints) {
     Json error = Json::object();
     error.set("skinned", jsonOf(report.skinned)).set("baked", jsonOf(report.baked));
-    json.set("error_percent_of_height", std::move(error)).set("left_out", linesOf(report.left));
+    json.set("error_percent_of_height", std::move(error));
   }
+  json.set("left_out", linesOf(report.left));
   return json.dump(true) + '\n';
 }
 
@@ -119,9 +120,10 @@ std::string plainText(const ExportOptions& options, const std::filesystem::path&
   std::ostringstream out;
   out << output.string() << "\n  \"" << settings.clip << "\": " << report.frames << " frames, "
       << settings.framesPerSecond << " a second; ";
-  if (isPointCacheName(output)) {
+  if (isBakedPointsName(output)) {
     out << report.vertices << " vertices, " << report.triangles << " triangles, " << report.bytes
-        << " bytes with the .obj\n";
+        << " bytes in all files\n";
+    writeLeft(out, report.left);
     return out.str();
   }
   out << report.targets << " targets, " << report.joints << " joints, " << report.vertices << " vertices, "

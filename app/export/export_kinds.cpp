@@ -27,6 +27,13 @@ std::string percentText(double percent) {
   return text.data();
 }
 
+/// As the command line reads it back.
+std::string numberWord(double number) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%g", number);
+  return text.data();
+}
+
 /// How close it comes over its clips; without any over the poses that it was measured in.
 std::string figuresOf(const SkinnedExportReport& report) {
   const ErrorFigures& error = report.allClips.poses > 0 ? report.allClips : report.fitted;
@@ -64,16 +71,46 @@ Result<ExportSummary> runSkinned(const ExportSource& source, const ExportSetting
                    progress);
 }
 
+Result<ExportSummary> runBaked(const ExportSource& source, const ExportSettings& settings,
+                               const std::filesystem::path& file, const ExportProgress& progress) {
+  const BakedExportSettings baked{.clip = settings.clips.front(),
+                                  .framesPerSecond = settings.framesPerSecond,
+                                  .bound = settings.bound,
+                                  .weights = settings.weights};
+  const auto report = exportBaked(source.characterFile, source.character, source.rig, baked, file, progress);
+  if (!report) return report.error();
+  std::string figures = std::to_string(report->frames) + " frames; ";
+  if (report->targets > 0) {
+    figures += "largest distance " + percentText(report->baked.largest) + " of the height; " +
+               std::to_string(report->targets) + (report->targets == 1 ? " morph target; " : " morph targets; ");
+  }
+  return ExportSummary{figures + sizeText(report->bytes), report->left};
+}
+
+constexpr std::array kStages{".glb", ".gltf", ".usda"};
 constexpr std::array kGltf{".glb", ".gltf"};
+constexpr std::array kCaches{".pc2", ".mdd"};
+constexpr std::array kPoints{".usda"};
 
 constexpr ExportKind kKinds[] = {
     {"helpers", "With muscle joints",
      "Adds joints that move as the muscles do, keyed in every clip: closest to the picture, and plays in every game "
      "engine.",
-     kGltf, ExportFields{.mesh = true, .depth = true, .clips = true, .helpers = true}, runHelpers},
+     kStages, ExportFields{.mesh = true, .depth = true, .clips = true, .helpers = true}, runHelpers},
     {"skinned", "Skinned",
-     "Joints and weights alone, the muscles at rest in the mesh: plays in every game engine and viewer.", kGltf,
+     "Joints and weights alone, the muscles at rest in the mesh: plays in every game engine and viewer.", kStages,
      ExportFields{.mesh = true, .depth = true, .weights = true, .clips = true}, runSkinned},
+    {"baked", "Baked clip",
+     "One clip as it is in the picture: joints, and morph targets that bring every vertex as near as you ask.", kGltf,
+     ExportFields{.depth = true, .weights = true, .oneClip = true, .bound = true}, runBaked},
+    {"baked", "Point cache",
+     "One clip as it is in the picture, every vertex in every frame, for Blender, Maya and others; an .obj comes with "
+     "it.",
+     kCaches, ExportFields{.depth = true, .oneClip = true}, runBaked},
+    {"baked", "USD points",
+     "One clip as it is in the picture, every vertex in every frame, with materials and textures, for programs that "
+     "read USD.",
+     kPoints, ExportFields{.depth = true, .oneClip = true}, runBaked},
 };
 
 /// The character as its file gives it: clips that were made in memory are at the end.
@@ -97,6 +134,9 @@ std::vector<std::filesystem::path> replacedByExport(const std::filesystem::path&
   std::vector<std::filesystem::path> files{file};
   std::filesystem::path binary = file;
   if (lowerEnding(file) == ".gltf") files.push_back(binary.replace_extension(".bin"));
+  if (std::ranges::find(kCaches, lowerEnding(file)) != kCaches.end()) {
+    for (const char* ending : {".obj", ".mtl"}) files.push_back(binary.replace_extension(ending));
+  }
   std::error_code failed;
   std::erase_if(files, [&](const std::filesystem::path& each) { return !std::filesystem::exists(each, failed); });
   return files;
@@ -114,8 +154,12 @@ std::vector<std::string> exportArguments(const ExportKind& kind, const ExportSet
   if (kind.fields.helpers && settings.jointScale != JointScale::kFull)
     add("--joint-scale", nameOf(settings.jointScale));
   if (kind.fields.weights && settings.weights == ExportWeights::kTransferred) add("--weights", "transferred");
+  const ExportSettings plain;
+  if (kind.fields.oneClip && settings.framesPerSecond != plain.framesPerSecond)
+    add("--fps", numberWord(settings.framesPerSecond));
+  if (kind.fields.bound && settings.bound != plain.bound) add("--bound", numberWord(settings.bound));
   // In one word: a clip's name may begin with a dash.
-  if (kind.fields.clips) {
+  if (kind.fields.clips || kind.fields.oneClip) {
     for (const std::string& clip : settings.clips) words.push_back("--clip=" + clip);
   }
   return words;

@@ -10,6 +10,7 @@
 
 #include "sinew/base/result.h"
 #include "sinew/character/character.h"
+#include "sinew/export/baked_export.h"
 #include "sinew/export/progress.h"
 #include "sinew/export/skinned_export.h"
 #include "sinew/rig/rig.h"
@@ -31,6 +32,8 @@ struct ExportSettings {
   std::vector<std::string> clips{};  ///< Empty: all.
   int helpers = kDefaultHelpers;     ///< 0..kMostHelpers
   JointScale jointScale = JointScale::kFull;
+  double framesPerSecond = BakedExportSettings().framesPerSecond;  ///< Of one clip.
+  double bound = BakedExportSettings().bound;                      ///< Percent of the height, kLeastBound..kMostBound
 };
 
 /// What came of it.
@@ -46,6 +49,8 @@ struct ExportFields {
   bool weights = false;
   bool clips = false;
   bool helpers = false;  ///< And how they may scale.
+  bool oneClip = false;  ///< Exactly one, and its frames a second.
+  bool bound = false;
 };
 
 struct ExportKind {

@@ -10,7 +10,6 @@
 #include "core/export/out_files.h"
 #include "core/export/skinned_file.h"
 #include "core/export/usd_files.h"
-#include "core/io/files/atomic_file.h"
 
 namespace sinew {
 namespace {
@@ -18,26 +17,6 @@ namespace {
 using namespace exporting;
 
 constexpr std::array kScaleNames{"full", "uniform", "none"};  // In the order of JointScale.
-
-Result<std::uint64_t> writeUsd(const Source& source, const PackedGltf& packed, const std::filesystem::path& file,
-                               std::vector<std::string>& left) {
-  const auto files = usdFiles(packed, source.path.parent_path(), file, left);
-  if (!files) return files.error();
-  std::vector<std::filesystem::path> places;
-  std::vector<NamedBytes> named;
-  std::uint64_t bytes = 0;
-  for (const OutFile& each : files.value()) {
-    places.push_back(each.file);
-    named.push_back({each.file, each.bytes});
-    bytes += each.bytes.size();
-  }
-  if (auto free = checkPlaces(source, places); !free) return free.error();
-  if (auto written = named.size() == 1 ? writeFileAtomically(file, named.front().bytes) : writeFilesAtomically(named);
-      !written) {
-    return written.error();
-  }
-  return bytes;
-}
 
 Result<SkinnedExportReport> exported(Source& source, const Character& character, JointFit& fit,
                                      const SkinnedExportSettings& settings, const std::filesystem::path& file) {

@@ -82,8 +82,10 @@ void requireSame(const Source& source, const Character& character) {
   gltf::Notes notes;  // The import has told them.
   gltf::Accessors accessors(source.file);
   const auto clips = gltf::readClips(source.file, source.bound.skeleton, source.bound.skeletonNode, accessors, notes);
+  std::vector<AnimationClip> imported = character.clips;
+  std::erase_if(imported, &AnimationClip::turnsBindPose);
   if (sameMesh(weld(source.soup, gltf::weldTolerance(source.soup)), character.mesh) &&
-      sameSkeleton(source.bound.skeleton, character.skeleton) && std::ranges::equal(clips, character.clips, sameClip)) {
+      sameSkeleton(source.bound.skeleton, character.skeleton) && std::ranges::equal(clips, imported, sameClip)) {
     return;
   }
   gltf::refuse({}, "has changed since it was opened: its mesh, joints or clips are others; open it again");

@@ -37,7 +37,7 @@ struct Source {
 };
 
 /// Throws gltf::Refusal unless mesh, joints and clips of the character are those that the file gives now: it may have
-/// been replaced since it was imported.
+/// been replaced since it was imported. Clips that were made in memory do not count.
 void requireSame(const Source& source, const Character& character);
 
 }  // namespace sinew::exporting

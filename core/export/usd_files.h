@@ -1,26 +1,23 @@
 // core/export/usd_files.h: the finished glTF as the files of a USD stage.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "core/export/gltf_rewrite.h"
+#include "core/export/source.h"
 #include "core/export/usd/stage.h"
 
 namespace sinew::exporting {
 
-struct OutFile {
-  std::filesystem::path file;
-  std::string bytes;
-};
-
-/// The textures and, last, the .usda itself. Throws gltf::Refusal.
-/// @param folder   of the source, which images that could not be read name from
-/// @param moments  points over time in place of a skeleton; null: skinned
+/// Writes the .usda and its textures, all or none. Bytes of all of them. Throws gltf::Refusal.
+/// @param file     .usda; the place was free before the work
 /// @param left     what .usda does not hold is added
-[[nodiscard]] Result<std::vector<OutFile>> usdFiles(const PackedGltf& packed, const std::filesystem::path& folder,
-                                                    const std::filesystem::path& file, std::vector<std::string>& left,
-                                                    const usd::PointMoments* moments = nullptr);
+/// @param moments  points over time in place of a skeleton; null: skinned
+[[nodiscard]] Result<std::uint64_t> writeUsd(const Source& source, const PackedGltf& packed,
+                                             const std::filesystem::path& file, std::vector<std::string>& left,
+                                             const usd::PointMoments* moments = nullptr);
 
 }  // namespace sinew::exporting

@@ -49,8 +49,9 @@ TEST_F(Export, ReportsWhatItWroteInBothForms) {
   ASSERT_EQ(outcome.status, 0) << outcome.error;
   const auto json = Json::parse(outcome.out);
   ASSERT_TRUE(json.ok());
-  EXPECT_EQ(json->keys(), (std::vector<std::string>{"file", "as", "mesh", "weights", "joints", "vertices", "triangles",
-                                                    "bytes", "error_percent_of_height", "left_out"}));
+  EXPECT_EQ(json->keys(),
+            (std::vector<std::string>{"file", "as", "mesh", "weights", "joints", "line_joints", "rigid_helpers",
+                                      "vertices", "triangles", "bytes", "error_percent_of_height", "left_out"}));
   const Json& error = json->at("error_percent_of_height");
   EXPECT_EQ(error.keys(), (std::vector<std::string>{"fitted", "held_out", "all_clips", "clips", "further"}));
   EXPECT_EQ(error.at("clips").items().size(), 2U);
@@ -89,14 +90,15 @@ TEST_F(Export, WhatAKindHasNoUseForIsABadCommandLine) {
     more.insert(more.begin(), {"export", rig});
     expectRefused(run(more), 2, words);
   };
-  refused({"--as", "skinned", "-o", "out.pc2"}, ".glb or .gltf");
+  refused({"--as", "skinned", "-o", "out.pc2"}, ".glb, .gltf or .usda");
   refused({"--as", "skinned", "-o", "out.glb", "--fps", "24"}, "--fps: is for --as baked alone");
   refused({"--as", "skinned", "-o", "out.glb", "--bound", "1"}, "--bound: is for --as baked alone");
   refused({"--as", "skinned", "-o", "out.glb", "--joints", "3"}, "--joints: is for --as helpers alone");
   refused({"--as", "baked", "-o", "out.glb", "--clip", "Walk", "--joint-scale", "none"}, "--joint-scale: is for --as");
   refused({"--as", "baked", "-o", "out.glb", "--clip", "Walk", "--mesh", "original"}, "--mesh original: is for");
-  refused({"--as", "baked", "-o", "out.fbx", "--clip", "Walk"}, ".glb, .gltf, .pc2 or .mdd");
+  refused({"--as", "baked", "-o", "out.fbx", "--clip", "Walk"}, ".glb, .gltf, .usda, .pc2 or .mdd");
   refused({"--as", "baked", "-o", "out.mdd", "--clip", "Walk", "--bound", "1"}, "--bound: is for .glb and .gltf alone");
+  refused({"--as", "baked", "-o", "out.usda", "--clip", "Walk", "--bound", "1"}, "--bound: is for .glb and .gltf");
   refused({"--as", "baked", "-o", "out.pc2", "--clip", "Walk", "--weights", "refitted"}, "--weights: is for .glb");
   refused({"--as", "baked", "-o", "out.glb"}, "--clip: expected one clip");
   refused({"--as", "baked", "-o", "out.glb", "--clip", "Walk", "--clip", "Idle"}, "--clip: expected one clip");
@@ -125,8 +127,8 @@ TEST_F(Export, BakesAClipAndReportsInBothForms) {
   EXPECT_LE(json->at("error_percent_of_height").at("baked").at("max").number(9.0), 0.5);
   const auto cache = Json::parse(baked("cache.pc2", {"--json"}).out);
   ASSERT_TRUE(cache.ok());
-  EXPECT_EQ(cache->keys(),
-            (std::vector<std::string>{"file", "as", "clip", "fps", "frames", "vertices", "triangles", "bytes"}));
+  EXPECT_EQ(cache->keys(), (std::vector<std::string>{"file", "as", "clip", "fps", "frames", "vertices", "triangles",
+                                                     "bytes", "left_out"}));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "cache.obj"));
   double ofFiles = 0.0;
   for (const std::string& name : names()) {
@@ -134,6 +136,11 @@ TEST_F(Export, BakesAClipAndReportsInBothForms) {
   }
   EXPECT_EQ(cache->at("bytes").number(0.0), ofFiles);
   EXPECT_EQ(baked("motion.mdd").status, 0);
+  const auto stage = Json::parse(baked("stage.usda", {"--json", "--fps", "7"}).out);
+  ASSERT_TRUE(stage.ok());
+  EXPECT_EQ(stage->keys(), cache->keys());
+  EXPECT_EQ(stage->at("triangles").number(0.0), cache->at("triangles").number(1.0));
+  EXPECT_GE(stage->at("bytes").number(0.0), static_cast<double>(std::filesystem::file_size(folder_ / "stage.usda")));
   expectRefused(run({"export", demo("demo.rig.json"), "--as", "baked", "--clip", "Wlk", "-o", "other.glb"}), 1,
                 "clip \"Wlk\": expected one of \"Walk\", \"Idle\"");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "other.glb"));

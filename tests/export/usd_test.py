@@ -69,7 +69,7 @@ def farthest(a, b):
     return max(map(math.dist, a, b))
 
 
-def check_references(root, folder):
+def check_paths(root, folder):
     """What relations and connections name is there, and so are the textures."""
     paths = {prim.path: prim for prim in root.all()}
     for prim in root.all():
@@ -81,6 +81,9 @@ def check_references(root, folder):
                                               for each in list(paths[path].types)), value
             elif prim.types[name] == "asset":
                 assert (folder / value).is_file(), value
+
+
+def check_joints(root):
     (skeleton,) = root.all("Skeleton")
     for path in skeleton.values["joints"]:
         assert all(map(IDENTIFIER.match, path.split("/"))), path
@@ -129,7 +132,8 @@ def check(program, source, folder, *kind, exact=EXACT):
     height = json.loads(output(program, "inspect", source, "--json"))["height"]
     layer, root = usd_reader.read(file)
     assert layer["upAxis"] == "Y" and layer["metersPerUnit"] == 1 and layer["defaultPrim"] == root.name
-    check_references(root, folder)
+    check_paths(root, folder)
+    check_joints(root)
     check_attributes(root, Glb(glb), file)
     animations = root.all("SkelAnimation")
     printed = {clip["name"]: clip["max"] for clip in report["error_percent_of_height"]["clips"]}
@@ -156,6 +160,36 @@ def check(program, source, folder, *kind, exact=EXACT):
     return file
 
 
+def check_points(program, source, folder, clip, rate):
+    """A baked clip: the points are those of the live surface, in every frame."""
+    file = folder / (source.name.split(".")[0] + " points.usda")
+    baked = ["export", source, "--as", "baked", "--clip", clip, "--fps", rate, "--depth", "1", "-o", file]
+    report = json.loads(output(program, *baked, "--json"))
+    first = file.read_bytes()
+    output(program, *baked)
+    assert file.read_bytes() == first, "the same inputs, other bytes"
+    beside = list(folder.glob(file.stem + "_*"))
+    assert report["bytes"] == len(first) + sum(each.stat().st_size for each in beside)
+    layer, root = usd_reader.read(file)
+    assert root.kind == "Xform" and not root.all("Skeleton") and layer["timeCodesPerSecond"] == rate
+    check_paths(root, folder)
+    codes = root.codes_below()
+    assert codes[:-1] == list(range(len(codes) - 1)) and len(codes) == report["frames"]
+    assert [layer["startTimeCode"], layer["endTimeCode"]] == [codes[0], codes[-1]]
+    assert sum(len(mesh.at("points", 0.0)) for mesh in root.all("Mesh")) == report["vertices"]
+    height = json.loads(output(program, "inspect", source, "--json"))["height"]
+    worst = 0.0
+    for i in range(MOMENTS):
+        code = codes[i * (len(codes) - 1) // (MOMENTS - 1)]
+        moment = ["--clip", clip, "--time", repr(code / rate), "--depth", "1"]
+        live = surface(program, source, folder, *moment)
+        worst = max(worst, 100.0 / height * farthest(usd_reader.pointed(root, code), live))
+    assert worst <= EXACT, "%s: %g %%" % (source, worst)
+    print("%s %s: %d frames of points, %.5f %% of the height from the live surface" %
+          (source.name, clip, len(codes), worst))
+    return file
+
+
 def check_awkward(program, folder):
     files = []
     for name, options in (("plain", {}), ("scales", {"scales": True}), ("still", {"clips": False})):
@@ -173,6 +207,7 @@ def check_awkward(program, folder):
         assert len([each for each in root.all("Mesh") if "primvars:displayColor" in each.values]) == 1
         assert sum("\u00fcfte" in joint for joint in names) == 2  # Two skins bind it differently.
         assert len(names) == 9, names  # 5 of skins, 1 again, a mesh, "stretch", a root
+    files.append(check_points(program, folder / "plain \u00fc.gltf", folder, '1st "clip"', 12))
     # At rest: the same place as in a clip whose keys are those of the rest pose.
     resting = folder / "resting.gltf"
     resting.write_text(json.dumps(awkward(resting=True)), encoding="utf-8")
@@ -214,7 +249,9 @@ def check_tinyusdz(files, folder):
         assert sorted(own) == sorted(name for name, _, _ in meshes)
         for name, points, indices in meshes:
             assert indices == own[name].values["faceVertexIndices"], name
-            flat = [as_float(number) for point in own[name].values["points"] for number in point]
+            codes = own[name].codes()
+            first = own[name].at("points", codes[0] if codes else None)
+            flat = [as_float(number) for point in first for number in point]
             assert points == flat, name
         print("tinyusdz reads %s: %d meshes" % (file.name, len(meshes)))
     return None
@@ -229,6 +266,8 @@ def main():
             files.append(check(program, root / "assets" / (each + ".rig.json"), folder, "skinned"))
         files.append(check(program, root / "assets" / "humanoid-flex.rig.json", folder, "helpers", "--joints", "8",
                            exact=HALVES))
+        files.append(check_points(program, root / "assets" / "humanoid-flex.rig.json", folder, "Flex", 5))
+        files.append(check_points(program, root / "assets" / "horse.rig.json", folder, "Gallop", 30))
         for each in ("Fox.glb", "greenman.glb", "cesium_man.gltf", "robot.glb", "SimpleSkin.gltf"):
             if (characters / each).exists():
                 kind = ["skinned", "--weights", "transferred", "--depth", "1"]

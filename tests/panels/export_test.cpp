@@ -121,6 +121,29 @@ TEST_F(ExportDialogs, BeginsWithMuscleJointsAndWritesWhatTheCommandLineWrites) {
   EXPECT_EQ(bytesOf(folder / "demo_muscled.glb"), bytesOf(folder / "cli.glb"));
 }
 
+TEST_F(ExportDialogs, BakesOneClipAsTheCommandLineDoes) {
+  fs::create_directory(folder / "cli");  // USD names its root after the file.
+  const auto kinds = exportKinds();
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    if (!kinds[kind].fields.oneClip) continue;
+    run(action("file/export-character"), state);
+    chooseKind(state.dialogs, kind);
+    state.dialogs.exporting.settings.depth = 1;
+    settle();
+    EXPECT_FALSE(shown("export/clips/chosen"));
+    click("export/clip/0");  // Stays: there is one.
+    ASSERT_EQ(chosenSettings(state).clips.size(), 1u);
+    click("export/ok");
+    finish();
+    const std::string ending = kinds[kind].endings.front();
+    const std::string clip = exportableClips(state.character()).front();
+    ASSERT_TRUE(fs::exists(folder / ("demo_muscled" + ending))) << lastMessage();
+    ASSERT_EQ(
+        commandLine("export demo.rig.json --as baked --depth 1 --clip '" + clip + "' -o cli/demo_muscled" + ending), 0);
+    EXPECT_EQ(bytesOf(folder / ("demo_muscled" + ending)), bytesOf(folder / "cli" / ("demo_muscled" + ending)));
+  }
+}
+
 TEST_F(ExportDialogs, WritesWhatTheCommandLineWritesAndSaysHowCloseItComes) {
   start("quick", false);
   finish();

@@ -20,6 +20,9 @@ class Prim:
         """Where anything is sampled."""
         return sorted({code for name, samples in self.values.items() if name.endswith(".timeSamples") for code in samples})
 
+    def codes_below(self):
+        return sorted({code for prim in self.all() for code in prim.codes()})
+
     def at(self, name, code):
         samples = self.values.get(name + ".timeSamples")
         return self.values[name] if samples is None else samples[code]
@@ -107,6 +110,19 @@ def local(translation, rotation, scale):
             [2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)],
             [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)]]
     return [[s * e for e in row] + [0.0] for s, row in zip(scale, rows)] + [list(translation) + [1.0]]
+
+
+def pointed(root, code):
+    """Corners of all triangles of meshes whose points are sampled, mesh by mesh."""
+    corners = []
+    for mesh in root.all("Mesh"):
+        points, index = mesh.at("points", code), mesh.values["faceVertexIndices"]
+        assert mesh.values["faceVertexCounts"] == [3] * (len(index) // 3)
+        assert len(mesh.at("normals", code)) == len(points)
+        low, high = mesh.at("extent", code)
+        assert low == tuple(map(min, zip(*points))) and high == tuple(map(max, zip(*points)))
+        corners += [points[i] for i in index]
+    return corners
 
 
 def skinned(root, animation=None, code=0.0):

@@ -5,6 +5,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -85,7 +86,8 @@ void drawClip(PanelUi& ui, const std::string& name, std::size_t index) {
   ImGui::TextUnformatted(fitted(name, ImGui::GetContentRegionAvail().x).c_str());
   if (!changed) return;
   ui.state.dialogs.exporting.error.clear();
-  if (kept) chosen.push_back(name);
+  if (chosenKind(ui.state.dialogs).fields.oneClip) chosen = {name};
+  else if (kept) chosen.push_back(name);
   else chosen.erase(found);
 }
 
@@ -93,6 +95,53 @@ void keepClipThatPlays(EditorState& state) {
   const int clip = state.open.transport.clip;
   if (clip < 0 || at(state.character().clips, clip).turnsBindPose) return;
   state.dialogs.exporting.settings.clips.push_back(at(state.character().clips, clip).name);
+}
+
+void clipList(PanelUi& ui, const std::vector<std::string>& names) {
+  ImGui::SetCursorPosX(ui.px(kExportLabels));
+  const auto rows = static_cast<float>(std::min(names.size(), kClipRows));
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kRaised.faded(0.6f));
+  ImGui::BeginChild("clips", {0.0f, rows * ImGui::GetFrameHeightWithSpacing() + ui.px(8)}, true);
+  for (std::size_t i = 0; i < names.size(); ++i) drawClip(ui, names[i], i);
+  ImGui::EndChild();
+  ImGui::PopStyleColor();
+}
+
+/// The one that is exported, and its frames.
+void oneClipRows(PanelUi& ui) {
+  ExportDialogState& dialog = ui.state.dialogs.exporting;
+  const std::vector<std::string> names = exportableClips(ui.state.character());
+  if (names.empty()) return;
+  if (chosenSettings(ui.state).clips.size() != 1) {
+    dialog.settings.clips.clear();
+    keepClipThatPlays(ui.state);
+    if (dialog.settings.clips.empty()) dialog.settings.clips.push_back(names.front());
+  }
+  label(ui, "Clip");
+  clipList(ui, names);
+  ImGui::Dummy({0.0f, ui.px(6)});
+  label(ui, "Frames");
+  auto rate = static_cast<float>(dialog.settings.framesPerSecond);
+  ImGui::SetNextItemWidth(-1.0f);
+  if (numberSlider(ui, "##fps", rate, {"%.0f a second", 0.0f, 1.0f, 120.0f, 1.0f, true})) {
+    dialog.settings.framesPerSecond = static_cast<double>(rate);
+  }
+  ui.widgets.note("export/fps");
+  ImGui::Dummy({0.0f, ui.px(6)});
+}
+
+void boundRow(PanelUi& ui) {
+  ExportSettings& settings = ui.state.dialogs.exporting.settings;
+  label(ui, "Distance");
+  auto bound = static_cast<float>(settings.bound);
+  ImGui::SetNextItemWidth(-1.0f);
+  NumberLook look{"%.2f %%", 0.0f, 0.01f, 5.0f, 0.01f};
+  look.logarithmic = true;
+  if (numberSlider(ui, "##bound", bound, look)) {
+    settings.bound = std::round(1000.0 * static_cast<double>(bound)) / 1000.0;
+  }
+  ui.widgets.note("export/bound");
+  explain(ui, "How far a vertex may be off in any frame, of the height: the nearer, the more morph targets.");
 }
 
 void clipRows(PanelUi& ui) {
@@ -107,15 +156,7 @@ void clipRows(PanelUi& ui) {
     dialog.error.clear();
     if (dialog.chosenClips && dialog.settings.clips.empty()) keepClipThatPlays(ui.state);
   }
-  if (dialog.chosenClips) {
-    ImGui::SetCursorPosX(ui.px(kExportLabels));
-    const auto rows = static_cast<float>(std::min(names.size(), kClipRows));
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kRaised.faded(0.6f));
-    ImGui::BeginChild("clips", {0.0f, rows * ImGui::GetFrameHeightWithSpacing() + ui.px(8)}, true);
-    for (std::size_t i = 0; i < names.size(); ++i) drawClip(ui, names[i], i);
-    ImGui::EndChild();
-    ImGui::PopStyleColor();
-  }
+  if (dialog.chosenClips) clipList(ui, names);
   ImGui::Dummy({0.0f, ui.px(6)});
 }
 
@@ -171,6 +212,8 @@ void drawExportSettings(PanelUi& ui, bool clips) {
   if (fields.mesh) meshRow(ui);
   if (fields.depth && (!fields.mesh || dialog.settings.mesh == ExportMesh::kRefined)) depthRow(ui);
   if (fields.clips && clips) clipRows(ui);
+  if (fields.oneClip && clips) oneClipRows(ui);
+  if (fields.bound) boundRow(ui);
   if (fields.helpers) helperRow(ui);
   if (!fields.weights && !fields.helpers) return;
   ImGui::SetNextItemOpen(dialog.advanced);

@@ -9,19 +9,18 @@
 namespace sinew::exporting {
 namespace {
 
-constexpr int kEnough = 150;    ///< Fitted poses, before every second or third will do.
-constexpr int kMostStep = 3;    ///< 10 poses a second at least.
-constexpr double kSame = 1e-3;  ///< Of a frame: times no farther apart are one.
+constexpr int kEnough = 150;  ///< Fitted poses, before every second or third will do.
+constexpr int kMostStep = 3;  ///< 10 poses a second at least.
 
 }  // namespace
 
 std::vector<float> clipTimes(const AnimationClip& clip, double perSecond) {
   const double frames = static_cast<double>(clip.duration) * perSecond;
   std::vector<float> times;
-  for (int frame = 0; frame <= frames + kSame; ++frame) {
+  for (int frame = 0; frame <= frames + kSameTime; ++frame) {
     times.push_back(static_cast<float>(frame) / static_cast<float>(perSecond));
   }
-  if (frames - std::floor(frames + kSame) > kSame) times.push_back(clip.duration);
+  if (frames - std::floor(frames + kSameTime) > kSameTime) times.push_back(clip.duration);
   return times;
 }
 

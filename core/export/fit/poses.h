@@ -10,7 +10,8 @@ namespace sinew::exporting {
 
 inline constexpr int kMeasuredPerSecond = 30;
 inline constexpr int kFurtherPerSecond = 10;
-inline constexpr int kHeldOutEvery = 5;  ///< A fifth of what could be fitted is kept from the fit.
+inline constexpr double kSameTime = 1e-3;  ///< Of a frame: times no farther apart are one.
+inline constexpr int kHeldOutEvery = 5;    ///< A fifth of what could be fitted is kept from the fit.
 
 /// What a pose is for.
 enum class PoseUse { kMeasured, kFitted, kHeldOut };

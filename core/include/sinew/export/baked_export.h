@@ -27,9 +27,9 @@ struct BakedExportSettings {
 
 struct BakedExportReport {
   int frames = 0;             ///< Baked moments.
-  std::int64_t vertices = 0;  ///< As the file splits them; refined ones in a point cache.
+  std::int64_t vertices = 0;  ///< As the file splits them; refined ones in .pc2 and .mdd.
   std::uint64_t bytes = 0;    ///< Of all files written.
-  // Of .glb and .gltf; a point cache holds the surface itself.
+  // Of .glb and .gltf; baked points are the surface itself.
   int targets = 0;
   int joints = 0;  ///< Of all skins in the file, each node once.
   std::int64_t triangles = 0;
@@ -38,16 +38,17 @@ struct BakedExportReport {
   std::vector<std::string> left;  ///< What of the source file is not in the export, each with the reason.
 };
 
-/// Whether the ending is one that exportBaked writes: .glb, .gltf, .pc2, .mdd; capitals too.
+/// Whether the ending is one that exportBaked writes: .glb, .gltf, .usda, .pc2, .mdd; capitals too.
 [[nodiscard]] bool isBakedExportName(const std::filesystem::path& file);
-/// .pc2 or .mdd: the surface's vertices alone.
-[[nodiscard]] bool isPointCacheName(const std::filesystem::path& file);
+/// .usda, .pc2 or .mdd: where every vertex is in every frame, without joints.
+[[nodiscard]] bool isBakedPointsName(const std::filesystem::path& file);
 
 /// .glb, .gltf: as exportSkinned, of the refined mesh with the one clip, and as few morph targets with animated weights
 /// as bring every vertex in every baked frame as near to the live surface as the bound says. .pc2, .mdd: the refined
-/// vertices in world at each baked frame, beside them NAME.obj with the first (its .mtl and textures too). All files
-/// are whole or none is written. Same inputs give the same bytes.
-/// @param character  as importGltf(characterFile) gave it; for point caches it may have clips of its own at the end
+/// vertices in world at each baked frame, beside them NAME.obj with the first (its .mtl and textures too). .usda: the
+/// same points as time samples of meshes with normals and materials. All files are whole or none is written. Same
+/// inputs give the same bytes.
+/// @param character  as importGltf(characterFile) gave it; for baked points it may have clips of its own at the end
 /// Error: unknown clip, an invalid rig, a bound that floats or singular poses do not allow, too many frames or more
 /// than a file holds, a file cannot be written, or cancelled. Muscles whose bone is missing are left out. Never throws.
 [[nodiscard]] Result<BakedExportReport> exportBaked(const std::filesystem::path& characterFile,

@@ -1,0 +1,38 @@
+// core/export/baked_clip.cpp: a clip's times.
+#include "core/export/baked_clip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/export/fit/poses.h"
+#include "core/io/gltf/file.h"
+
+namespace sinew::exporting {
+namespace {
+
+const AnimationClip& clipOf(const Character& character, const BakedExportSettings& settings) {
+  return *std::ranges::find(character.clips, settings.clip, &AnimationClip::name);
+}
+
+}  // namespace
+
+BakedClip::BakedClip(const Character& character, const BakedExportSettings& settings)
+    : clip(clipOf(character, settings)), times(clipTimes(clip, settings.framesPerSecond)) {
+  for (std::size_t frame = 0; frame < times.size(); ++frame) frames.push_back(static_cast<double>(frame));
+  const double end = static_cast<double>(clip.duration) * settings.framesPerSecond;
+  if (std::abs(end - frames.back()) > kSameTime) frames.back() = end;
+}
+
+void refuseClip(const BakedExportSettings& settings, const std::string& what) {
+  throw gltf::Refusal{
+      errorAt("clip \"" + settings.clip + '"', what + "; expected fewer frames a second, or a smaller depth")};
+}
+
+void requireFrames(const Character& character, const BakedExportSettings& settings, int most) {
+  const AnimationClip& clip = clipOf(character, settings);
+  if (static_cast<double>(clip.duration) * settings.framesPerSecond >= most) {
+    refuseClip(settings, "has more than " + std::to_string(most) + " frames");
+  }
+}
+
+}  // namespace sinew::exporting

@@ -1,0 +1,214 @@
+// core/export/baked_targets.cpp: weights for the clip, then targets for what they leave.
+#include "core/export/baked_targets.h"
+
+#include <map>
+#include <sstream>
+#include <utility>
+
+#include "core/base/at.h"
+#include "core/export/baked_clip.h"
+#include "core/export/fit/joint_fit.h"
+#include "core/export/fit/morph_fit.h"
+#include "core/export/into_mesh.h"
+#include "core/export/morph_targets.h"
+#include "core/export/out_files.h"
+#include "core/export/skinned_file.h"
+#include "sinew/smoothing/smoother.h"
+
+namespace sinew::exporting {
+namespace {
+
+/// Of a clip. The search for targets is cubic in it.
+constexpr int kMostFrames = 4000;
+/// Vertices times frames that are held at once: 3 GB.
+constexpr std::size_t kMostPoints = 100'000'000;
+/// Normals that turn less, about a quarter of a degree, have no entry in a target.
+constexpr float kNormalStep = 1.0f / 256.0f;
+// Shares of the work.
+constexpr double kFitting = 0.3;
+constexpr double kGathering = 0.2;
+constexpr double kSearching = 0.3;
+constexpr double kShading = 0.2;
+
+std::string percentText(double percent) {
+  std::ostringstream text;
+  text << percent;
+  return text.str();
+}
+
+/// Morph targets on the written primitives.
+class TargetMaker {
+ public:
+  TargetMaker(std::shared_ptr<const Character> character, const Rig& rig, const JointFit& fit,
+              const BakedExportSettings& settings, const ExportProgress& progress)
+      : character_(std::move(character)),
+        fit_(fit),
+        settings_(settings),
+        moments_(*character_, settings),
+        progress_(progress),
+        smoother_(character_),
+        prepared_(smoother_.prepare(rig).ok()) {}  // As it was for the weights.
+
+  /// FinishFile. Throws gltf::Refusal.
+  void addTo(GltfRewrite& rewrite, const OutSkins& skins, std::span<const OutPrimitive> primitives,
+             BakedExportReport& report) {
+    if (primitives.empty() || !prepared_) return;
+    MorphFit morphs = gathered(skins, primitives);
+    report.frames = static_cast<int>(moments_.times.size());
+    report.skinned = morphs.skinnedFigures();
+    progress_.begin(kSearching);
+    const double height = static_cast<double>(character_->height);
+    const auto targets = morphs.solve(settings_.bound / 100.0 * height, progress_);
+    if (!targets) {
+      throw gltf::Refusal{errorAt("clip \"" + settings_.clip + '"',
+                                  "cannot be baked to " + percentText(settings_.bound) +
+                                      " % of the height: the joints flatten what is skinned to them, or floats are "
+                                      "too coarse; expected a larger bound")};
+    }
+    report.targets = targets->count;
+    report.baked = targets->figures;
+    progress_.begin(kShading);
+    const std::vector<PrimitiveDeltas> deltas = deltasOf(*targets, skins, primitives);
+    addMorphTargets(primitives, deltas, settings_.clip, rewrite);
+    addMorphWeights(primitives, moments_.times, targets->weights, settings_.clip, rewrite);
+  }
+
+ private:
+  /// Calls use(frame) for each, the surface and the matrices at hand.
+  template <class Use>
+  void forEachFrame(Use use) {
+    for (std::size_t frame = 0; frame < moments_.times.size(); ++frame) {
+      progress_.tell(static_cast<double>(frame) / static_cast<double>(moments_.times.size()));
+      const Pose pose = samplePose(character_->skeleton, moments_.clip, moments_.times[frame]);
+      smoother_.smooth(pose, live_);
+      bindingMatrices(character_->skeleton, pose, matrices_);
+      use(frame);
+    }
+  }
+
+  /// Each refined vertex once for every node that shows it.
+  MorphFit gathered(const OutSkins& skins, std::span<const OutPrimitive> primitives) {
+    std::vector<MorphVertex> vertices;
+    std::vector<glm::dmat3> spaces;
+    std::map<int, int> spaceOf;                   // by node
+    std::map<std::pair<int, int>, int> vertexOf;  // by space and refined vertex
+    for (const OutPrimitive& primitive : primitives) {
+      const glm::dmat4& meshToBind = skins.meshToBind(primitive.node);
+      const IntoMesh into(meshToBind);
+      const auto [space, isNew] = spaceOf.emplace(primitive.node, static_cast<int>(spaces.size()));
+      if (isNew) spaces.emplace_back(meshToBind);
+      std::vector<int>& numbers = numbers_.emplace_back();
+      for (const int refined : primitive.refined) {
+        const auto [place, isFirst] =
+            vertexOf.emplace(std::pair(space->second, refined), static_cast<int>(vertices.size()));
+        numbers.push_back(place->second);
+        if (!isFirst) continue;
+        const glm::dvec3 written(into.point(at(fit_.bind().positions, refined)));
+        vertices.push_back(
+            {refined, space->second, glm::dvec3(meshToBind * glm::dvec4(written, 1.0)), at(fit_.weights(), refined)});
+      }
+    }
+    if (vertices.size() * moments_.times.size() > kMostPoints) {
+      refuseClip(settings_, "needs more than " + std::to_string(kMostPoints) + " vertices in all frames");
+    }
+    MorphFit morphs(std::move(vertices), std::move(spaces), static_cast<double>(character_->height));
+    progress_.begin(kGathering);
+    forEachFrame([&](std::size_t) { morphs.add(matrices_, live_.positions); });
+    return morphs;
+  }
+
+  /// Normals by least squares over the same weights: what, skinned as normals are, comes nearest to the live ones.
+  std::vector<PrimitiveDeltas> deltasOf(const MorphTargets& targets, const OutSkins& skins,
+                                        std::span<const OutPrimitive> primitives) {
+    std::vector<PrimitiveDeltas> result;
+    std::vector<IntoMesh> into;
+    std::vector<std::vector<glm::vec3>> rest;
+    for (std::size_t p = 0; p < primitives.size(); ++p) {
+      into.emplace_back(skins.meshToBind(primitives[p].node));
+      PrimitiveDeltas& own = result.emplace_back();
+      own.normals.assign(toIndex(targets.count), std::vector<glm::vec3>(numbers_[p].size(), glm::vec3(0.0f)));
+      for (const std::vector<glm::vec3>& all : targets.deltas) {
+        std::vector<glm::vec3>& deltas = own.positions.emplace_back();
+        for (const int number : numbers_[p]) deltas.push_back(at(all, number));
+      }
+      std::vector<glm::vec3>& normals = rest.emplace_back();
+      for (const int drawn : primitives[p].drawn) {
+        normals.push_back(into[p].normal(shadingNormal(fit_.bind(), toIndex(drawn))));
+      }
+    }
+    if (targets.count == 0) return result;
+    forEachFrame([&](std::size_t frame) {
+      for (std::size_t p = 0; p < primitives.size(); ++p) {
+        for (std::size_t v = 0; v < numbers_[p].size(); ++v) {
+          const glm::dmat3 blend = blendedMatrix(matrices_, at(fit_.weights(), primitives[p].refined[v]));
+          const glm::vec3 live = shadingNormal(live_, toIndex(primitives[p].drawn[v]));
+          const glm::vec3 inBind = normalizeOr(glm::vec3(glm::transpose(blend) * glm::dvec3(live)), live);
+          const glm::vec3 change = into[p].normal(inBind) - rest[p][v];
+          if (glm::length(change) < kNormalStep) continue;
+          for (std::size_t k = 0; k < result[p].normals.size(); ++k) {
+            result[p].normals[k][v] += static_cast<float>(targets.shares[k * moments_.times.size() + frame]) * change;
+          }
+        }
+      }
+    });
+    for (PrimitiveDeltas& own : result) {
+      for (std::vector<glm::vec3>& normals : own.normals) {
+        for (glm::vec3& normal : normals) {
+          if (glm::length(normal) < kNormalStep) normal = glm::vec3(0.0f);
+        }
+      }
+    }
+    return result;
+  }
+
+  std::shared_ptr<const Character> character_;
+  const JointFit& fit_;
+  const BakedExportSettings& settings_;
+  BakedClip moments_;
+  StageProgress progress_;
+  Smoother smoother_;
+  bool prepared_;
+  std::vector<std::vector<int>> numbers_;  ///< [primitives][vertices] of MorphFit's.
+  // Of the frame at hand.
+  Surface live_;
+  std::vector<glm::dmat4> matrices_;
+};
+
+}  // namespace
+
+Result<BakedExportReport> bakeTargets(Source& source, const std::shared_ptr<const Character>& character, const Rig& rig,
+                                      const BakedExportSettings& settings, const std::filesystem::path& file,
+                                      const ExportProgress& progress) {
+  requireFrames(*character, settings, kMostFrames);
+  if (auto free = checkPlaces(source, filesOf(file)); !free) return free.error();
+  SkinnedExportSettings skinning;
+  skinning.weights = settings.weights;
+  skinning.clips = {settings.clip};
+  ExportProgress ofFit;
+  ExportProgress ofTargets;
+  if (progress) {
+    ofFit = [&](double share) { return progress(kFitting * share); };
+    ofTargets = [&](double share) { return progress(kFitting + share); };
+  }
+  JointFit fit(character, *character, rig, skinning, ofFit);
+  if (auto found = fit.findWeights(); !found) return found.error();
+  SkinnedExportReport asSkinned;
+  fit.measure(asSkinned);
+  BakedExportReport report;
+  TargetMaker targets(character, rig, fit, settings, ofTargets);
+  SkinnedFile made =
+      skinnedFile(source, character->mesh, fit, skinning,
+                  [&](GltfRewrite& rewrite, const OutSkins& skins, std::span<const OutPrimitive> primitives) {
+                    targets.addTo(rewrite, skins, primitives, report);
+                  });
+  report.joints = made.joints;
+  report.vertices = made.vertices;
+  report.triangles = made.triangles;
+  report.left = std::move(made.left);
+  const Result<std::uint64_t> bytes = writeGltf(made.packed, file);
+  if (!bytes) return bytes.error();
+  report.bytes = bytes.value();
+  return report;
+}
+
+}  // namespace sinew::exporting
