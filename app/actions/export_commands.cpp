@@ -13,6 +13,7 @@
 #include "app/editor/edit.h"
 #include "app/editor/session.h"
 #include "app/export/rig_list.h"
+#include "core/base/at.h"
 #include "core/io/files/atomic_file.h"
 
 namespace sinew::app {
@@ -35,9 +36,11 @@ std::string muscledName(const std::string& stem, const ExportKind& kind) {
   return stem + "_muscled" + kind.endings.front();
 }
 
-void giveEnding(ExportPlace& place, const ExportKind& kind) {
+/// One that was not chosen becomes the new kind's own.
+void giveEnding(ExportPlace& place, const ExportKind& former, const ExportKind& kind) {
   const fs::path name = place.name;
-  if (!name.empty() && withExportEnding(name, kind) != name) {
+  if (name.empty()) return;
+  if (withExportEnding(name, kind) != name || name.extension() == former.endings.front()) {
     place.name = fs::path(name).replace_extension(kind.endings.front()).string();
   }
 }
@@ -158,7 +161,7 @@ std::string refusalOf(EditorState& state, const ExportPlace& place, const fs::pa
   }
   if (chosenKind(state.dialogs).fields.oneClip) {
     if (whole) return "Other rigs have other clips: this kind is for the open rig alone";
-    if (chosenSettings(state).clips.size() != 1) return "Choose the clip";
+    if (chosenSettings(state).clips.empty()) return "The character has no clips";
   }
   if (!whole && dialog.chosenClips && chosenSettings(state).clips.empty()) return "Choose a clip, or all clips";
   return isFarm(dialog) ? placeError(dialog.job, resolved(dialog.job)) : "";
@@ -208,9 +211,10 @@ void closeExportDialog(Dialogs& dialogs) {
 const ExportKind& chosenKind(const Dialogs& dialogs) { return exportKinds()[dialogs.exporting.kind]; }
 
 void chooseKind(Dialogs& dialogs, std::size_t kind) {
+  const ExportKind& former = chosenKind(dialogs);
   dialogs.exporting.kind = kind;
-  giveEnding(dialogs.exporting.place, exportKinds()[kind]);
-  giveEnding(dialogs.exporting.pattern, exportKinds()[kind]);
+  giveEnding(dialogs.exporting.place, former, chosenKind(dialogs));
+  giveEnding(dialogs.exporting.pattern, former, chosenKind(dialogs));
 }
 
 void chooseTarget(Dialogs& dialogs, const FarmTarget& target) {
@@ -220,12 +224,26 @@ void chooseTarget(Dialogs& dialogs, const FarmTarget& target) {
   dialog.target = target.word;
 }
 
+std::string chosenOneClip(const EditorState& state) {
+  const std::vector<std::string> names = exportableClips(state.character());
+  if (names.empty()) return {};
+  const std::string& chosen = state.dialogs.exporting.oneClip;
+  if (std::ranges::find(names, chosen) != names.end()) return chosen;
+  const int playing = state.open.transport.clip;
+  if (playing < 0 || at(state.character().clips, playing).turnsBindPose) return names.front();
+  return at(state.character().clips, playing).name;
+}
+
 ExportSettings chosenSettings(const EditorState& state) {
   const ExportDialogState& dialog = state.dialogs.exporting;
   ExportSettings settings = dialog.settings;
   settings.clips.clear();
-  const bool all = !dialog.chosenClips && !chosenKind(state.dialogs).fields.oneClip;
-  if (all || (isFarm(dialog) && dialog.wholeFolder)) return settings;
+  const bool whole = isFarm(dialog) && dialog.wholeFolder;
+  if (chosenKind(state.dialogs).fields.oneClip) {
+    if (const std::string clip = chosenOneClip(state); !clip.empty() && !whole) settings.clips.push_back(clip);
+    return settings;
+  }
+  if (!dialog.chosenClips || whole) return settings;
   for (const std::string& name : exportableClips(state.character())) {
     if (std::ranges::count(dialog.settings.clips, name) > 0) settings.clips.push_back(name);
   }

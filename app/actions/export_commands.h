@@ -19,8 +19,10 @@ void showFarmDialog(EditorState& state);
 void closeExportDialog(Dialogs& dialogs);
 
 [[nodiscard]] const ExportKind& chosenKind(const Dialogs& dialogs);
-/// Another kind: the names get its ending.
+/// Another kind: names get its ending, unless theirs was chosen and is one of its own.
 void chooseKind(Dialogs& dialogs, std::size_t kind);
+/// Of kinds that take one clip; "" where the character has none.
+[[nodiscard]] std::string chosenOneClip(const EditorState& state);
 /// What will be exported with: clips only if they are chosen one by one, in the character's order.
 [[nodiscard]] ExportSettings chosenSettings(const EditorState& state);
 

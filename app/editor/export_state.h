@@ -23,6 +23,7 @@ struct ExportDialogState {
   std::size_t kind = 0;      ///< Of exportKinds().
   ExportSettings settings;   ///< `clips` are those with a check mark.
   bool chosenClips = false;  ///< Those alone, else all.
+  std::string oneClip;       ///< Of kinds that take one; one that the character lacks: that which plays.
   bool advanced = false;     ///< That part is unfolded.
 
   // Of one document; another begins with its own.

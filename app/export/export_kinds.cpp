@@ -93,7 +93,7 @@ constexpr std::array kCaches{".pc2", ".mdd"};
 constexpr std::array kPoints{".usda"};
 
 constexpr ExportKind kKinds[] = {
-    {"helpers", "With muscle joints",
+    {"helpers", "Muscle joints",
      "Adds joints that move as the muscles do, keyed in every clip: closest to the picture, and plays in every game "
      "engine.",
      kStages, ExportFields{.mesh = true, .depth = true, .clips = true, .helpers = true}, runHelpers},

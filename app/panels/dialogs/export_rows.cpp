@@ -86,8 +86,7 @@ void drawClip(PanelUi& ui, const std::string& name, std::size_t index) {
   ImGui::TextUnformatted(fitted(name, ImGui::GetContentRegionAvail().x).c_str());
   if (!changed) return;
   ui.state.dialogs.exporting.error.clear();
-  if (chosenKind(ui.state.dialogs).fields.oneClip) chosen = {name};
-  else if (kept) chosen.push_back(name);
+  if (kept) chosen.push_back(name);
   else chosen.erase(found);
 }
 
@@ -97,28 +96,23 @@ void keepClipThatPlays(EditorState& state) {
   state.dialogs.exporting.settings.clips.push_back(at(state.character().clips, clip).name);
 }
 
-void clipList(PanelUi& ui, const std::vector<std::string>& names) {
-  ImGui::SetCursorPosX(ui.px(kExportLabels));
-  const auto rows = static_cast<float>(std::min(names.size(), kClipRows));
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kRaised.faded(0.6f));
-  ImGui::BeginChild("clips", {0.0f, rows * ImGui::GetFrameHeightWithSpacing() + ui.px(8)}, true);
-  for (std::size_t i = 0; i < names.size(); ++i) drawClip(ui, names[i], i);
-  ImGui::EndChild();
-  ImGui::PopStyleColor();
-}
-
 /// The one that is exported, and its frames.
 void oneClipRows(PanelUi& ui) {
   ExportDialogState& dialog = ui.state.dialogs.exporting;
   const std::vector<std::string> names = exportableClips(ui.state.character());
   if (names.empty()) return;
-  if (chosenSettings(ui.state).clips.size() != 1) {
-    dialog.settings.clips.clear();
-    keepClipThatPlays(ui.state);
-    if (dialog.settings.clips.empty()) dialog.settings.clips.push_back(names.front());
-  }
+  const std::string chosen = chosenOneClip(ui.state);
   label(ui, "Clip");
-  clipList(ui, names);
+  ImGui::SetNextItemWidth(-1.0f);
+  const bool open = ImGui::BeginCombo("##one-clip", chosen.c_str(), ImGuiComboFlags_HeightLarge);
+  ui.widgets.note("export/one-clip");
+  if (open) {
+    for (const std::string& name : names) {
+      if (ImGui::Selectable(name.c_str(), name == chosen)) dialog.oneClip = name;
+      ui.widgets.note("export/one-clip/" + name);
+    }
+    ImGui::EndCombo();
+  }
   ImGui::Dummy({0.0f, ui.px(6)});
   label(ui, "Frames");
   auto rate = static_cast<float>(dialog.settings.framesPerSecond);
@@ -156,7 +150,15 @@ void clipRows(PanelUi& ui) {
     dialog.error.clear();
     if (dialog.chosenClips && dialog.settings.clips.empty()) keepClipThatPlays(ui.state);
   }
-  if (dialog.chosenClips) clipList(ui, names);
+  if (dialog.chosenClips) {
+    ImGui::SetCursorPosX(ui.px(kExportLabels));
+    const auto rows = static_cast<float>(std::min(names.size(), kClipRows));
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kRaised.faded(0.6f));
+    ImGui::BeginChild("clips", {0.0f, rows * ImGui::GetFrameHeightWithSpacing() + ui.px(8)}, true);
+    for (std::size_t i = 0; i < names.size(); ++i) drawClip(ui, names[i], i);
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+  }
   ImGui::Dummy({0.0f, ui.px(6)});
 }
 
