@@ -4,7 +4,7 @@
 # To configure, build and start the program.
 sinewRunPackages=(
   g++ cmake ninja-build pkg-config
-  libglm-dev nlohmann-json3-dev libtinygltf-dev libstb-dev libhwy-dev libeigen3-dev  # core
+  libglm-dev nlohmann-json3-dev libtinygltf-dev libstb-dev libhwy-dev libtbb-dev libeigen3-dev  # core
   libglfw3-dev libimgui-dev libepoxy-dev libegl-dev libopengl-dev libgl-dev libfreetype-dev libspng-dev libcli11-dev  # app
   libgtest-dev  # the tests are part of the same CMake project
   libgl1-mesa-dri  # OpenGL 4.5 in software where there is no graphics card

@@ -8,6 +8,7 @@
 #include "app/document/document.h"
 #include "app/document/motion_clip.h"
 #include "core/rig/attachment.h"
+#include "sinew/base/threads.h"
 
 namespace sinew::app {
 namespace {
@@ -42,6 +43,7 @@ int runExport(const ExportOptions& options) {
   if (const auto fits = checkExportOptions(options); !fits) return refused(fits.error());
   const auto batch = planBatch(options.batch, options.file, options.output);
   if (!batch) return refused(batch.error());
+  const ThreadLimit limit(options.threads);
   return runBatch(batch.value(), options.batch.dryRun,
                   [&](const BatchInput& input) { return exportInput(options, input); });
 }

@@ -8,6 +8,8 @@
 namespace sinew::app {
 namespace {
 
+constexpr int kMostThreads = 1024;
+
 std::string isFrameRate(const std::string& text) {
   double number = 0.0;
   if (CLI::detail::lexical_cast(text, number) && number > 0.0 && std::isfinite(number)) return {};
@@ -56,6 +58,9 @@ void addExportOptions(CLI::App& verb, ExportOptions& options) {
                   "baked: how far any vertex may be off in any frame, percent of the height (0.1)")
       ->type_name("PERCENT")
       ->check(CLI::Range(kLeastBound, kMostBound));
+  verb.add_option("--threads", options.threads, "Work on N cores at most; without it, on all; the file is the same")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
   verb.add_flag("--json", options.json, "Report as JSON");
   verb.add_option_function<std::string>("-o,--output", to(options.output),
                                         "File to write: .glb, .gltf or .usda; baked: .glb, .gltf, .usda, .pc2 or .mdd")

@@ -1,11 +1,14 @@
 // app/export/export_queue.cpp: a thread for the export that runs; three atomics between it and the interface.
 #include "app/export/export_queue.h"
 
+#include <algorithm>
 #include <atomic>
 #include <optional>
 #include <system_error>
 #include <thread>
 #include <utility>
+
+#include "sinew/base/threads.h"
 
 namespace sinew::app {
 
@@ -46,7 +49,10 @@ void ExportQueue::startNext() {
     run_ = std::make_unique<Run>(std::move(waiting_.front()));
     waiting_.erase(waiting_.begin());
     try {
-      run_->thread = std::jthread([run = run_.get()] { run->work(); });
+      run_->thread = std::jthread([run = run_.get()] {
+        const ThreadLimit limit(std::max(1, threadCount() - 1));  // The editor stays live.
+        run->work();
+      });
     } catch (const std::system_error& error) {
       done_.push_back(
           {run_->order.file, Error{run_->order.file.string(), {}, std::string("no thread for it: ") + error.what()}});

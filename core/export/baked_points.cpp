@@ -4,6 +4,7 @@
 #include "core/base/at.h"
 #include "core/export/baked_clip.h"
 #include "core/export/fit/joint_fit.h"
+#include "core/export/fit/live_surfaces.h"
 #include "core/export/out_files.h"
 #include "core/export/point_cache.h"
 #include "core/export/skinned_file.h"
@@ -29,11 +30,14 @@ Result<BakedExportReport> bakeCache(const Source& source, const SharedCharacter&
   std::filesystem::path object = file;
   object.replace_extension(".obj");
   if (auto free = checkPlaces(source, {object, file}); !free) return free.error();
-  Smoother smoother(character);
-  if (const auto prepared = smoother.prepare(rig); !prepared) return prepared.error();
+  LiveSurfaces surfaces(character);
+  if (const auto prepared = surfaces.prepare(rig); !prepared) return prepared.error();
   const BakedClip moments(*character, settings);
+  const auto poseOf = [&](std::size_t frame) {
+    return samplePose(character->skeleton, moments.clip, moments.times[frame]);
+  };
   Surface surface;
-  smoother.smooth(samplePose(character->skeleton, moments.clip, moments.times.front()), surface);
+  surfaces.smooth(poseOf(0), surface);
   const auto format = lowerEnding(file) == ".pc2" ? PointCache::Format::kPc2 : PointCache::Format::kMdd;
   const auto frames = static_cast<double>(moments.times.size());
   if (surface.refinement->triangles.empty()) {
@@ -46,11 +50,10 @@ Result<BakedExportReport> bakeCache(const Source& source, const SharedCharacter&
   PointCache cache(format, moments.times, surface.positions.size());
   StageProgress stage(progress);
   stage.begin(1.0);
-  for (const float time : moments.times) {
-    stage.tell(static_cast<double>(&time - moments.times.data()) / frames);
-    smoother.smooth(samplePose(character->skeleton, moments.clip, time), surface);
-    cache.add(surface.positions);
-  }
+  surfaces.forEach(moments.times.size(), poseOf, [&](std::size_t frame, const Pose&, const Surface& live) {
+    stage.tell(static_cast<double>(frame) / frames);
+    cache.add(live.positions);
+  });
   std::vector<std::filesystem::path> places;
   std::vector<NamedBytes> files;
   for (const SideFile& side : first.sides) files.push_back({file.parent_path() / side.name, side.bytes});

@@ -8,12 +8,12 @@
 #include "core/base/at.h"
 #include "core/export/baked_clip.h"
 #include "core/export/fit/joint_fit.h"
+#include "core/export/fit/live_surfaces.h"
 #include "core/export/fit/morph_fit.h"
 #include "core/export/into_mesh.h"
 #include "core/export/morph_targets.h"
 #include "core/export/out_files.h"
 #include "core/export/skinned_file.h"
-#include "sinew/smoothing/smoother.h"
 
 namespace sinew::exporting {
 namespace {
@@ -46,8 +46,8 @@ class TargetMaker {
         settings_(settings),
         moments_(*character_, settings),
         progress_(progress),
-        smoother_(character_),
-        prepared_(smoother_.prepare(rig).ok()) {}  // As it was for the weights.
+        surfaces_(character_),
+        prepared_(surfaces_.prepare(rig).ok()) {}  // As it was for the weights.
 
   /// FinishFile. Throws gltf::Refusal.
   void addTo(GltfRewrite& rewrite, const OutSkins& skins, std::span<const OutPrimitive> primitives,
@@ -74,16 +74,18 @@ class TargetMaker {
   }
 
  private:
-  /// Calls use(frame) for each, the surface and the matrices at hand.
+  /// Calls use(frame, live surface) for each, the matrices at hand.
   template <class Use>
   void forEachFrame(Use use) {
-    for (std::size_t frame = 0; frame < moments_.times.size(); ++frame) {
-      progress_.tell(static_cast<double>(frame) / static_cast<double>(moments_.times.size()));
-      const Pose pose = samplePose(character_->skeleton, moments_.clip, moments_.times[frame]);
-      smoother_.smooth(pose, live_);
+    const std::size_t count = moments_.times.size();
+    const auto poseOf = [&](std::size_t frame) {
+      return samplePose(character_->skeleton, moments_.clip, moments_.times[frame]);
+    };
+    surfaces_.forEach(count, poseOf, [&](std::size_t frame, const Pose& pose, const Surface& live) {
+      progress_.tell(static_cast<double>(frame) / static_cast<double>(count));
       bindingMatrices(character_->skeleton, pose, matrices_);
-      use(frame);
-    }
+      use(frame, live);
+    });
   }
 
   /// Each refined vertex once for every node that shows it.
@@ -113,7 +115,7 @@ class TargetMaker {
     }
     MorphFit morphs(std::move(vertices), std::move(spaces), static_cast<double>(character_->height));
     progress_.begin(kGathering);
-    forEachFrame([&](std::size_t) { morphs.add(matrices_, live_.positions); });
+    forEachFrame([&](std::size_t, const Surface& live) { morphs.add(matrices_, live.positions); });
     return morphs;
   }
 
@@ -137,11 +139,11 @@ class TargetMaker {
       }
     }
     if (targets.count == 0) return result;
-    forEachFrame([&](std::size_t frame) {
+    forEachFrame([&](std::size_t frame, const Surface& surface) {
       for (std::size_t p = 0; p < primitives.size(); ++p) {
         for (std::size_t v = 0; v < numbers_[p].size(); ++v) {
           const glm::dmat3 blend = blendedMatrix(matrices_, at(fit_.weights(), primitives[p].refined[v]));
-          const glm::vec3 live = shadingNormal(live_, toIndex(primitives[p].drawn[v]));
+          const glm::vec3 live = shadingNormal(surface, toIndex(primitives[p].drawn[v]));
           const glm::vec3 inBind = normalizeOr(glm::vec3(glm::transpose(blend) * glm::dvec3(live)), live);
           const glm::vec3 change = into[p].normal(inBind) - rest[p][v];
           if (glm::length(change) < kNormalStep) continue;
@@ -166,11 +168,10 @@ class TargetMaker {
   const BakedExportSettings& settings_;
   BakedClip moments_;
   StageProgress progress_;
-  Smoother smoother_;
+  LiveSurfaces surfaces_;
   bool prepared_;
   std::vector<std::vector<int>> numbers_;  ///< [primitives][vertices] of MorphFit's.
   // Of the frame at hand.
-  Surface live_;
   std::vector<glm::dmat4> matrices_;
 };
 

@@ -69,17 +69,6 @@ ReplaceSettings replaceSettings(const Rig& rig, const Character& character) {
           kRootTolerance * static_cast<double>(character.height)};
 }
 
-/// Shading normals hold the wedges' patch on entry: they turn with the surface as it moves off its own patch. Where the
-/// patch is not creased, or not moved, this is exact.
-void turnWithSurface(const Surface& surface, std::span<const glm::vec3> patchNormals, std::vector<glm::vec3>& shading) {
-  forEachDrawVertex(*surface.refinement, [&](std::size_t d, std::size_t vertex) {
-    const glm::vec3& normal = surface.normals[vertex];
-    const glm::vec3& patch = patchNormals[vertex];
-    if (normal == patch) return;
-    shading[d] = shading[d] == patch ? normal : normalizeOr(normal + (shading[d] - patch), shading[d]);
-  });
-}
-
 }  // namespace
 
 struct Smoother::State {
@@ -276,8 +265,10 @@ struct Smoother::State {
   void unfold(Surface& out) {
     const Refinement& refinement = *prepared.refinement;
     const bool swells = prepared.rig.surface.mode == SurfaceMode::kSwell;  // `replace` lies on the muscle as it is.
-    filtered = swells ? liftFilter.apply(refinement, movedTriangles, patchPositions, out.positions, out.displacement)
-                      : std::span<const float>();
+    filtered = {};
+    if (swells) {
+      filtered = liftFilter.apply(prepared.rings, movedTriangles, patchPositions, out.positions, out.displacement);
+    }
     foldMoves.start(out.positions.size());
     foldRegion.find(mesh(), refinement, movedTriangles.control, {patchPositions, patchNormals, prepared.bindFronts},
                     out.positions, FoldRelaxation::kWholeArea);
@@ -334,9 +325,12 @@ Smoother::Smoother(std::shared_ptr<const Character> character) : state_(std::mak
   state_->character = std::move(character);
 }
 
+Smoother::Smoother(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Smoother::~Smoother() = default;
 Smoother::Smoother(Smoother&&) noexcept = default;
 Smoother& Smoother::operator=(Smoother&&) noexcept = default;
+
+Smoother Smoother::twin() const { return Smoother(std::make_unique<State>(*state_)); }
 
 Result<void> Smoother::prepare(const Rig& rig, std::span<const int> hidden) {
   assert(std::ranges::is_sorted(hidden));

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/io/files/atomic_file.h"
+#include "sinew/base/threads.h"
 #include "sinew/smoothing/smoother.h"
 #include "tests/export/export_scenes.h"
 #include "tests/support/characters/gltf_oracle.h"
@@ -177,11 +178,12 @@ TEST_P(BakedExport, NormalsFollowTheLiveOnes) {
   EXPECT_LT(morphed, 0.5 * still);
 }
 
-TEST_P(BakedExport, SameInputsSameBytes) {
+TEST_P(BakedExport, SameInputsSameBytesOnAnyNumberOfThreads) {
   for (const char* name : {"out.glb", "out.mdd", "out.usda"}) {
     const auto file = folder_.path() / name;  // USD names its root after the file.
     ASSERT_TRUE(bake(file).ok());
     const std::string first = readWholeFile(file, 1 << 28).value();
+    const ThreadLimit limit(3);
     ASSERT_TRUE(bake(file).ok());
     EXPECT_EQ(readWholeFile(file, 1 << 28).value(), first);
   }

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/io/files/atomic_file.h"
+#include "sinew/base/threads.h"
 #include "tests/export/export_scenes.h"
 #include "tests/support/temporary_folder.h"
 
@@ -43,7 +44,7 @@ TEST_P(SkinnedExport, TellsHowFarItIsAndCanBeCancelledAtAnyMoment) {
                 told.push_back(share);
                 return true;
               }).ok());
-  ASSERT_GT(told.size(), 20u);
+  ASSERT_GT(told.size(), 10u);
   EXPECT_TRUE(std::ranges::is_sorted(told));
   EXPECT_GE(told.front(), 0.0);
   EXPECT_LE(told.back(), 1.0);
@@ -209,13 +210,15 @@ TEST_P(SkinnedExport, OriginalVerticesLieOnTheLiveSurface) {
   }
 }
 
-TEST_P(SkinnedExport, SameInputsSameBytes) {
-  for (const char* name : {"a.glb", "b.glb"}) ASSERT_TRUE(scene_.writeQuickly(folder_.path() / name).ok());
+TEST_P(SkinnedExport, SameInputsSameBytesOnAnyNumberOfThreads) {
+  for (const auto& [name, threads] : {std::pair("a.glb", 1), std::pair("b.glb", 3)}) {
+    const ThreadLimit limit(threads);
+    ASSERT_TRUE(scene_.writeQuickly(folder_.path() / name).ok());
+  }
   EXPECT_EQ(readWholeFile(folder_.path() / "a.glb", 1 << 28).value(),
             readWholeFile(folder_.path() / "b.glb", 1 << 28).value());
 }
 
-/// docs/export.md prints what is reached; a change of the fit that loses it shows here.
 /// The file on the disk is no longer what the character was imported from: said, not exported, whatever differs.
 TEST(SkinnedExportGuard, RefusesAFileThatHasChangedSinceItWasImported) {
   const TemporaryFolder folder;

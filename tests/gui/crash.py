@@ -55,7 +55,8 @@ def dragged_and_killed(t, file, before):
 
     def pull():
         step[0] += 1
-        editor.move((start[0] + step[0] % 60, start[1] + (step[0] // 2) % 30))
+        # Never back to the start: there nothing is unsaved.
+        editor.move((start[0] + 1 + step[0] % 60, start[1] + (step[0] // 2) % 30))
 
     def kept_after(rig):
         """Goes on pulling until another state than that is on the disk."""

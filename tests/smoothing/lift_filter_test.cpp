@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -24,8 +25,9 @@ struct Heights {
   std::vector<glm::vec3> positions;
   LiftFilter filter{};
   MovedTriangles moved{};
+  VertexRings rings;
 
-  Heights() : mesh(flat()), refinement(refine(mesh, 1)) {}
+  Heights() : mesh(flat()), refinement(refine(mesh, 1)), rings(vertexRings(refinement)) {}
 
   /// @return weights, empty where the filter found nothing to do.
   std::vector<float> filtered(const std::vector<float>& raw) {
@@ -33,7 +35,7 @@ struct Heights {
     positions = mesh.positions;
     for (std::size_t v = 0; v < raw.size(); ++v) positions[v].z += raw[v];
     moved.find(mesh, refinement, mesh.positions, positions);
-    const auto weights = filter.apply(refinement, moved, mesh.positions, positions, heights);
+    const auto weights = filter.apply(rings, moved, mesh.positions, positions, heights);
     return {weights.begin(), weights.end()};
   }
 
@@ -128,6 +130,99 @@ TEST(LiftFilter, IsContinuousInTheHeights) {
   EXPECT_LT(worst, 4.0f * kEdge / kSteps);
 }
 
+/// The definition, edge by edge of every triangle and in double precision; fills `weights`.
+std::vector<double> asDefined(const Refinement& refinement, const std::vector<glm::vec3>& patch,
+                              const std::vector<float>& heights, std::vector<double>& weights) {
+  const std::size_t n = heights.size();
+  const auto sums = [&](const std::vector<double>& s, std::vector<double>& perLength, std::vector<double>& edges) {
+    std::vector<double> difference(n, 0.0);
+    perLength.assign(n, 0.0);
+    edges.assign(n, 0.0);
+    for (const std::array<int, 3>& t : refinement.triangles) {
+      for (std::size_t i = 0; i < 9; ++i) {
+        const auto a = static_cast<std::size_t>(t[i / 3]);
+        const auto b = static_cast<std::size_t>(t[i % 3]);
+        if (a == b) continue;
+        const double length = glm::distance(glm::dvec3(patch[a]), glm::dvec3(patch[b]));
+        edges[a] += 1.0;
+        if (length == 0.0) continue;
+        perLength[a] += 1.0 / length;
+        difference[a] += (s[b] - s[a]) / length;
+      }
+    }
+    return difference;
+  };
+  std::vector<double> now(heights.begin(), heights.end());
+  std::vector<double> perLength;
+  std::vector<double> edges;
+  std::vector<double> difference = sums(now, perLength, edges);
+  std::vector<double> own(n, 0.0);
+  for (std::size_t v = 0; v < n; ++v) {
+    if (heights[v] == 0.0f) continue;
+    const double t = std::clamp((std::abs(difference[v]) / edges[v] - 0.15) / 0.35, 0.0, 1.0);
+    own[v] = t * t * (3.0 - 2.0 * t);
+  }
+  weights = own;
+  for (const std::array<int, 3>& t : refinement.triangles) {
+    for (const int a : t) {
+      for (const int b : t) {
+        weights[static_cast<std::size_t>(a)] =
+            std::max(weights[static_cast<std::size_t>(a)], own[static_cast<std::size_t>(b)]);
+      }
+    }
+  }
+  for (int round = 0; round < 4; ++round) {
+    difference = sums(now, perLength, edges);
+    for (std::size_t v = 0; v < n; ++v) {
+      if (weights[v] == 0.0 || heights[v] == 0.0f || perLength[v] == 0.0) continue;
+      const auto height = static_cast<double>(heights[v]);
+      now[v] = std::clamp(now[v] + 0.5 * weights[v] * difference[v] / perLength[v], std::min(0.0, height),
+                          std::max(0.0, height));
+    }
+  }
+  return now;
+}
+
+TEST(LiftFilter, AgreesWithItsDefinition) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+  for (int trial = 0; trial < 6; ++trial) {
+    Heights bent;
+    // Uneven edges, some of no length; heights here and there, of both signs.
+    for (glm::vec3& p : bent.mesh.positions) p.z = 0.03f * unit(random);
+    for (int i = 0; i < 5; ++i) {
+      const auto& t = bent.refinement.triangles[static_cast<std::size_t>(97 * i + trial)];
+      bent.mesh.positions[static_cast<std::size_t>(t[1])] = bent.mesh.positions[static_cast<std::size_t>(t[0])];
+    }
+    const float share = 0.2f + 0.15f * static_cast<float>(trial);
+    std::vector<float> raw;
+    for (std::size_t v = 0; v < bent.mesh.positions.size(); ++v) {
+      raw.push_back(unit(random) < share ? kEdge * (unit(random) - 0.4f) : 0.0f);
+    }
+    const std::vector<float> weights = bent.filtered(raw);
+    ASSERT_FALSE(weights.empty());
+    std::vector<double> wanted;
+    const std::vector<double> heights = asDefined(bent.refinement, bent.mesh.positions, raw, wanted);
+    for (std::size_t v = 0; v < raw.size(); ++v) {
+      ASSERT_NEAR(static_cast<double>(bent.heights[v]), heights[v], 1e-6) << v;
+      if (raw[v] == 0.0f) continue;
+      ASSERT_NEAR(static_cast<double>(weights[v]), wanted[v], 1e-5) << v;
+    }
+  }
+}
+
+TEST(LiftFilter, GivesTheSameBitsByEveryInstructionSet) {
+  Heights sheet;
+  const std::vector<float> raw = sheet.disc(kEdge, 0.25f);
+  sheet.filtered(raw);
+  const std::vector<float> first = sheet.heights;
+  for (const InstructionSet set : availableInstructionSets()) {
+    const InstructionSetScope scope(set);
+    sheet.filtered(raw);
+    EXPECT_EQ(sheet.heights, first) << nameOf(set);
+  }
+}
+
 TEST(LiftFilter, DoesNotDependOnTheOrderOfTriangles) {
   Heights sheet;
   const std::vector<float> raw = sheet.disc(kEdge, 0.25f);
@@ -135,6 +230,7 @@ TEST(LiftFilter, DoesNotDependOnTheOrderOfTriangles) {
   const std::vector<float> first = sheet.heights;
   std::ranges::reverse(sheet.mesh.triangles);
   std::ranges::reverse(sheet.refinement.triangles);
+  sheet.rings = vertexRings(sheet.refinement);
   sheet.filtered(raw);
   for (std::size_t v = 0; v < first.size(); ++v) EXPECT_NEAR(sheet.heights[v], first[v], 1e-6f) << v;
 }

@@ -76,17 +76,9 @@ void print(const std::string& what, const Agreement& seen) {
               seen.worstNormal);
 }
 
-/// Those of assets that trialScenes() leaves out.
-TrialScene bundled(const std::string& name) {
-  const std::filesystem::path file = std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / (name + ".rig.json");
-  const auto rig = loadRig(file);
-  const auto character = importGltf(characterPath(rig.value(), file));
-  return {name, character.value(), rig.value()};
-}
-
 TEST(VectorSwell, IsTheScalarOnCharacters) {
   std::vector<TrialScene> scenes = trialScenes();
-  for (const char* name : {"humanoid", "horse", "demo"}) scenes.push_back(bundled(name));
+  for (const char* name : {"humanoid", "horse", "demo"}) scenes.push_back(bundledTrialScene(name));
   for (const TrialScene& scene : scenes) {
     Agreement seen;
     addAgreement(*scene.character, withMode(scene.rig, SurfaceMode::kSwell), spreadPoses(*scene.character, 4), seen);

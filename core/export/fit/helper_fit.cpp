@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/at.h"
+#include "core/base/parallel.h"
 #include "core/export/fit/rigid_motion.h"
 #include "core/export/fit/weight_fit.h"
 
@@ -25,6 +26,7 @@ constexpr int kLastTurns = 8;            ///< And once all is chosen.
 constexpr std::size_t kMostSeeds = 400;  ///< Vertices that are looked at as places.
 constexpr std::size_t kMostGains = 4;    ///< Helpers that a vertex may newly follow in a turn.
 constexpr double kTolerance = 1e-5;      ///< Of H: what is as near is not fitted.
+constexpr std::size_t kLeastRange = 64;  ///< Vertices that are worth a thread.
 constexpr float kAlmostAlone = 0.99f;    ///< A weight beside which the others say nothing.
 
 class HelperFit {
@@ -70,6 +72,16 @@ class HelperFit {
   [[nodiscard]] int inUse() const { return static_cast<int>(std::ranges::count(dropped_, false)); }
   [[nodiscard]] std::size_t helpers() const { return dropped_.size(); }
 
+  /// Calls use(pose, vertex) for all, each vertex's poses in order.
+  template <class Use>
+  void forEachInEachPose(const Use& use) const {
+    forRanges(task_.rest.size(), kLeastRange, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = 0; f < task_.poses.size(); ++f) {
+        for (std::size_t v = begin; v < end; ++v) use(f, v);
+      }
+    });
+  }
+
   /// The least useful helpers go; what followed them follows what else it did.
   void drop(int many) {
     if (many <= 0) return;
@@ -100,26 +112,24 @@ class HelperFit {
     std::vector<double> plain(n, 0.0);
     std::vector<std::array<double, kMostWeights>> shared(n);
     for (auto& four : shared) four.fill(0.0);
-    for (std::size_t f = 0; f < task_.poses.size(); ++f) {
+    forEachInEachPose([&](std::size_t f, std::size_t v) {
       const double counts = task_.poses[f].further ? task_.furtherShare : 1.0;
-      for (std::size_t v = 0; v < n; ++v) {
-        const FourWeights& w = weights_[v];
-        if (std::ranges::none_of(w.binding, [&](int b) { return b >= first_; })) continue;
-        const glm::dvec3 point(task_.rest[v]);
-        const glm::dvec3 live(task_.poses[f].live[v]);
-        const glm::dvec3 off = skinned(matrices_[f], w, point) - live;
-        const glm::dvec3 offPlain = skinned(matrices_[f], start_[v], point) - live;
-        now[v] += counts * glm::dot(off, off);
-        plain[v] += counts * glm::dot(offPlain, offPlain);
-        for (std::size_t i = 0; i < kMostWeights && w.binding[i] >= 0; ++i) {
-          if (w.binding[i] < first_ || w.weight[i] > kAlmostAlone) continue;
-          const auto share = static_cast<double>(w.weight[i]);
-          const glm::dvec3 own(matrices_[f][toIndex(w.binding[i])] * glm::dvec4(point, 1.0));
-          const glm::dvec3 rest = (off - share * (own - live)) / (1.0 - share);
-          shared[v][i] += counts * glm::dot(rest, rest);
-        }
+      const FourWeights& w = weights_[v];
+      if (std::ranges::none_of(w.binding, [&](int b) { return b >= first_; })) return;
+      const glm::dvec3 point(task_.rest[v]);
+      const glm::dvec3 live(task_.poses[f].live[v]);
+      const glm::dvec3 off = skinned(matrices_[f], w, point) - live;
+      const glm::dvec3 offPlain = skinned(matrices_[f], start_[v], point) - live;
+      now[v] += counts * glm::dot(off, off);
+      plain[v] += counts * glm::dot(offPlain, offPlain);
+      for (std::size_t i = 0; i < kMostWeights && w.binding[i] >= 0; ++i) {
+        if (w.binding[i] < first_ || w.weight[i] > kAlmostAlone) continue;
+        const auto share = static_cast<double>(w.weight[i]);
+        const glm::dvec3 own(matrices_[f][toIndex(w.binding[i])] * glm::dvec4(point, 1.0));
+        const glm::dvec3 rest = (off - share * (own - live)) / (1.0 - share);
+        shared[v][i] += counts * glm::dot(rest, rest);
       }
-    }
+    });
     for (std::size_t v = 0; v < n; ++v) {
       for (std::size_t i = 0; i < kMostWeights && weights_[v].binding[i] >= 0; ++i) {
         if (weights_[v].binding[i] < first_) continue;
@@ -157,14 +167,12 @@ class HelperFit {
   /// [vertices] squared distances to the live surface over all poses but further ones.
   [[nodiscard]] std::vector<double> energies() const {
     std::vector<double> energies(task_.rest.size(), 0.0);
-    for (std::size_t f = 0; f < task_.poses.size(); ++f) {
-      if (task_.poses[f].further) continue;
-      for (std::size_t v = 0; v < energies.size(); ++v) {
-        const glm::dvec3 off =
-            skinned(matrices_[f], weights_[v], glm::dvec3(task_.rest[v])) - glm::dvec3(task_.poses[f].live[v]);
-        energies[v] += glm::dot(off, off);
-      }
-    }
+    forEachInEachPose([&](std::size_t f, std::size_t v) {
+      if (task_.poses[f].further) return;
+      const glm::dvec3 off =
+          skinned(matrices_[f], weights_[v], glm::dvec3(task_.rest[v])) - glm::dvec3(task_.poses[f].live[v]);
+      energies[v] += glm::dot(off, off);
+    });
     return energies;
   }
 
@@ -261,19 +269,17 @@ class HelperFit {
     const std::size_t helpers = this->helpers();
     std::vector<double> toward(n * helpers, 0.0);
     std::vector<double> length(n * helpers, 0.0);
-    for (std::size_t f = 0; f < task_.poses.size(); ++f) {
-      if (task_.poses[f].further) continue;
-      for (std::size_t v = 0; v < n; ++v) {
-        const glm::dvec4 point(glm::dvec3(task_.rest[v]), 1.0);
-        const glm::dvec3 now = skinned(matrices_[f], weights_[v], glm::dvec3(point));
-        const glm::dvec3 off = glm::dvec3(task_.poses[f].live[v]) - now;
-        for (std::size_t h = 0; h < helpers; ++h) {
-          const glm::dvec3 way = glm::dvec3(matrices_[f][toIndex(first_) + h] * point) - now;
-          toward[v * helpers + h] += glm::dot(off, way);
-          length[v * helpers + h] += glm::dot(way, way);
-        }
+    forEachInEachPose([&](std::size_t f, std::size_t v) {
+      if (task_.poses[f].further) return;
+      const glm::dvec4 point(glm::dvec3(task_.rest[v]), 1.0);
+      const glm::dvec3 now = skinned(matrices_[f], weights_[v], glm::dvec3(point));
+      const glm::dvec3 off = glm::dvec3(task_.poses[f].live[v]) - now;
+      for (std::size_t h = 0; h < helpers; ++h) {
+        const glm::dvec3 way = glm::dvec3(matrices_[f][toIndex(first_) + h] * point) - now;
+        toward[v * helpers + h] += glm::dot(off, way);
+        length[v * helpers + h] += glm::dot(way, way);
       }
-    }
+    });
     std::vector<std::vector<int>> result(n);
     for (std::size_t v = 0; v < n; ++v) {
       const auto add = [&](int binding) {
@@ -304,14 +310,14 @@ class HelperFit {
   void solveMotions() {
     const int firstRigid = first_ + lines_;
     const HelperMotion motion(task_.skeleton, task_.rest, weights_, rigid_, firstRigid);
-    for (std::size_t f = 0; f < task_.poses.size(); ++f) {
+    forEachIndex(task_.poses.size(), 1, [&](std::size_t f) {
       const FitPose& pose = task_.poses[f];
-      if (pose.further) continue;
+      if (pose.further) return;
       motion.solve(pose.pose, pose.matrices, pose.live, 1, locals_[f]);
       for (std::size_t h = 0; h < rigid_.size(); ++h) {
         matrices_[f][toIndex(firstRigid) + h] = helperMatrix(rigid_[h], pose.pose, locals_[f][h]);
       }
-    }
+    });
   }
 
   const HelperTask& task_;

@@ -49,11 +49,11 @@ JointFit::JointFit(std::shared_ptr<const Character> character, const Character& 
       rig_(rig),
       settings_(settings),
       progress_(progress),
-      smoother_(character_) {}
+      surfaces_(character_) {}
 
 Result<void> JointFit::findWeights() {
-  if (const auto prepared = smoother_.prepare(rig_); !prepared) return prepared;
-  smoother_.smooth(bindPose(character_->skeleton), bind_);
+  if (const auto prepared = surfaces_.prepare(rig_); !prepared) return prepared;
+  surfaces_.smooth(bindPose(character_->skeleton), bind_);
   const Refinement& refinement = *bind_.refinement;
   const bool refined = settings_.mesh == ExportMesh::kRefined;
   count_ = toIndex(refined ? refinement.vertexCount : refinement.controlVertices);
@@ -91,19 +91,23 @@ void JointFit::layLines() {
 /// bindings and lines' joints at hand.
 template <class Means, class Use>
 void JointFit::forEachPose(Means means, Use use) {
-  double done = 0.0;
+  std::vector<const ExportPose*> meant;
   for (const ExportPose& pose : poses_) {
-    progress_.tell(done++ / static_cast<double>(poses_.size()));
-    if (!means(pose.use)) continue;
-    const Pose moment = samplePose(character_->skeleton, at(moving_.clips, pose.clip), pose.time);
-    smoother_.smooth(moment, live_);
+    if (means(pose.use)) meant.push_back(&pose);
+  }
+  const auto momentOf = [&](std::size_t i) {
+    return samplePose(character_->skeleton, at(moving_.clips, meant[i]->clip), meant[i]->time);
+  };
+  surfaces_.forEach(meant.size(), momentOf, [&](std::size_t i, const Pose& moment, const Surface& live) {
+    progress_.tell(static_cast<double>(i) / static_cast<double>(meant.size()));
+    live_ = &live;
     bindingMatrices(character_->skeleton, moment, matrices_);
     lines_.pose(moment, lineLocals_);
     for (std::size_t j = 0; j < lineLocals_.size(); ++j) {
       matrices_.push_back(helperMatrix(lines_.joints()[j], moment, lineLocals_[j]));
     }
-    use(pose, moment);
-  }
+    use(*meant[i], moment);
+  });
 }
 
 void JointFit::refit(std::vector<std::vector<int>> candidates) {
@@ -111,7 +115,7 @@ void JointFit::refit(std::vector<std::vector<int>> candidates) {
   WeightFit fit(restOfFit(), std::move(candidates), weights_);
   progress_.begin(sharesOf(settings_.joints).gathering);
   forEachPose(isFitted,
-              [&](const ExportPose& pose, const Pose&) { fit.add(matrices_, live_.positions, !isOwn(pose)); });
+              [&](const ExportPose& pose, const Pose&) { fit.add(matrices_, live_->positions, !isOwn(pose)); });
   progress_.begin(sharesOf(settings_.joints).solving);
   weights_ =
       fit.solve(trianglesOfFit(), furtherShare(), kNearEnough * static_cast<double>(character_->height), progress_);
@@ -134,8 +138,8 @@ std::vector<FitPose> JointFit::fitPoses() {
   forEachPose(isFitted, [&](const ExportPose& pose, const Pose& moment) {
     const bool taken = isOwn(pose) ? ownSeen++ % ownStep == 0 : furtherSeen++ % furtherStep == 0;
     if (!taken) return;
-    const auto end = live_.positions.begin() + static_cast<std::ptrdiff_t>(count_);
-    poses.push_back({moment, matrices_, {live_.positions.begin(), end}, !isOwn(pose)});
+    const auto end = live_->positions.begin() + static_cast<std::ptrdiff_t>(count_);
+    poses.push_back({moment, matrices_, {live_->positions.begin(), end}, !isOwn(pose)});
   });
   return poses;
 }
@@ -163,7 +167,7 @@ void JointFit::moveHelpers(const Pose& moment, bool isKeyed, const HelperMotion&
     rigidLocals_.clear();
     for (const HelperJoint& joint : rigid_) rigidLocals_.push_back(joint.rest);
   }
-  if (isKeyed) motion.solve(moment, matrices_, live_.positions, kRoundsInPose, rigidLocals_);
+  if (isKeyed) motion.solve(moment, matrices_, live_->positions, kRoundsInPose, rigidLocals_);
   for (std::size_t j = 0; j < rigid_.size(); ++j) {
     matrices_.push_back(helperMatrix(rigid_[j], moment, rigidLocals_[j]));
   }
@@ -202,7 +206,7 @@ void JointFit::measure(SkinnedExportReport& report) {
                 for (ErrorMeter* meter : meant) meter->addPose();
                 for (std::size_t v = 0; v < count_; ++v) {
                   const glm::dvec3 exported = skinned(matrices_, weights_[v], glm::dvec3(bind_.positions[v]));
-                  const double distance = glm::length(exported - glm::dvec3(live_.positions[v]));
+                  const double distance = glm::length(exported - glm::dvec3(live_->positions[v]));
                   for (ErrorMeter* meter : meant) meter->add(distance);
                 }
               });

@@ -9,10 +9,10 @@
 #include "core/export/fit/helper_clip.h"
 #include "core/export/fit/helper_motion.h"
 #include "core/export/fit/line_joints.h"
+#include "core/export/fit/live_surfaces.h"
 #include "core/export/fit/poses.h"
 #include "core/export/fit/stage_progress.h"
 #include "sinew/export/skinned_export.h"
-#include "sinew/smoothing/smoother.h"
 
 namespace sinew::exporting {
 
@@ -59,7 +59,7 @@ class JointFit {
   const Rig& rig_;
   const SkinnedExportSettings& settings_;
   StageProgress progress_;
-  Smoother smoother_;
+  LiveSurfaces surfaces_;
   Surface bind_;
   std::size_t count_ = 0;  ///< Refined vertices that are exported: the first so many.
   std::vector<int> clips_;
@@ -69,7 +69,7 @@ class JointFit {
   std::vector<HelperJoint> rigid_;
   std::vector<HelperClip> helperClips_;
   // Of the pose at hand.
-  Surface live_;
+  const Surface* live_ = nullptr;
   std::vector<glm::dmat4> matrices_;  ///< [bindings, lines' joints, rigid helpers]
   std::vector<Trs> lineLocals_;
   std::vector<Trs> rigidLocals_;

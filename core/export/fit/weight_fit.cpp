@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/at.h"
+#include "core/base/parallel.h"
 
 namespace sinew::exporting {
 namespace {
@@ -15,7 +16,8 @@ constexpr int kSweeps = 2;            ///< Of pulling towards the neighbours.
 constexpr double kSmoothness = 1e-4;  ///< mu as a share of the Gram matrix's mean diagonal.
 constexpr double kShareStep = 3.0;    ///< By which further poses are let count more.
 constexpr double kLeastSmoothness = 1e-12;
-constexpr std::size_t kToldEvery = 256;  ///< Vertices.
+constexpr std::size_t kToldEvery = 1024;  ///< Vertices.
+constexpr std::size_t kLeastRange = 64;   ///< Vertices that are worth a thread.
 
 /// Neighbours of every vertex along edges, ascending.
 std::vector<std::vector<int>> neighboursOf(std::size_t count, std::span<const std::array<int, 3>> triangles) {
@@ -62,8 +64,8 @@ WeightFit::WeightFit(std::vector<glm::vec3> rest, std::vector<std::vector<int>> 
 void WeightFit::add(std::span<const glm::dmat4> matrices, std::span<const glm::vec3> live, bool further) {
   poses_ += 1.0;
   std::vector<double>& sums = further ? further_ : own_;
-  std::array<glm::dvec3, kMostCandidates> way{};
-  for (std::size_t v = 0; v < rest_.size(); ++v) {
+  forEachIndex(rest_.size(), kLeastRange, [&](std::size_t v) {
+    std::array<glm::dvec3, kMostCandidates> way{};
     const std::vector<int>& list = candidates_[v];
     const glm::dvec4 point(glm::dvec3(rest_[v]), 1.0);
     const glm::dvec3 target(live[v]);
@@ -72,7 +74,7 @@ void WeightFit::add(std::span<const glm::dmat4> matrices, std::span<const glm::v
     for (std::size_t i = 0; i < list.size(); ++i) {
       for (std::size_t k = 0; k <= i; ++k) *sum++ += glm::dot(way[i], way[k]);
     }
-  }
+  });
 }
 
 /// What a vertex is solved with.
@@ -150,12 +152,10 @@ std::vector<FourWeights> WeightFit::solve(std::span<const std::array<int, 3>> tr
   std::vector<FourWeights> current = start_;
   std::vector<FourWeights> next = start_;
   for (int sweep = 0; sweep <= kSweeps; ++sweep) {
-    for (std::size_t v = 0; v < rest_.size(); ++v) {
-      // The sweeps after the first choose among fewer and are soon done.
-      if (sweep == 0 && v % kToldEvery == 0) progress.tell(static_cast<double>(v) / static_cast<double>(rest_.size()));
+    const auto solveOne = [&](std::size_t v) {
       Vertex vertex{candidates_[v].size(), startOf(v), gramOf(v, 1.0, 1.0), 0.0, {}};
       vertex.before = energyOf(vertex.all, vertex.start, vertex.count);
-      if (vertex.before <= poses_ * tolerance * tolerance) continue;
+      if (vertex.before <= poses_ * tolerance * tolerance) return;
       const bool smooths = sweep > 0 && !neighbours[v].empty();
       const CandidateWeights near = smooths ? meanOf(v, neighbours[v], current) : vertex.start;
       const CandidateWeights now = onCandidates(candidates_[v], current[v]);
@@ -163,6 +163,12 @@ std::vector<FourWeights> WeightFit::solve(std::span<const std::array<int, 3>> tr
         if (sweep == 0 || near[i] + now[i] + vertex.start[i] > 0.0) vertex.choices.push_back(i);
       }
       next[v] = kept(v, notWorse(v, vertex, near, furtherShare));
+    };
+    for (std::size_t first = 0; first < rest_.size(); first += kToldEvery) {
+      // The sweeps after the first choose among fewer and are soon done.
+      if (sweep == 0) progress.tell(static_cast<double>(first) / static_cast<double>(rest_.size()));
+      const std::size_t count = std::min(kToldEvery, rest_.size() - first);
+      forEachIndex(count, kLeastRange, [&](std::size_t i) { solveOne(first + i); });
     }
     std::swap(current, next);
   }

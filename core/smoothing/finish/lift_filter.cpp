@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/geometric.hpp>
-
 #include "core/base/at.h"
 #include "core/base/smoothstep.h"
 
@@ -17,103 +15,98 @@ constexpr float kBentWhole = 0.5f;  ///< c from which the filter works whole.
 constexpr float kStep = 0.5f;       ///< Of the way to the mean, a round.
 constexpr int kRounds = 4;
 
-float perLengthOf(const glm::vec3& edge) {
-  const float squared = glm::dot(edge, edge);
-  return squared > 0.0f ? 1.0f / std::sqrt(squared) : 0.0f;
+std::size_t sixes(std::span<const int> ring) { return ring.size() / VertexRings::kMultiple; }
+
+float differenceOf(std::span<const int> ring, const SixEdges* edges, std::span<const float> values, float own) {
+  float difference = 0.0f;
+  for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple, ++edges) {
+    for (std::size_t k = 0; k < VertexRings::kMultiple; ++k) {
+      difference += edges->perLength[SixEdges::kAt[k]] * (at(values, ring[i + k]) - own);
+    }
+  }
+  return difference;
 }
 
 }  // namespace
 
-void LiftFilter::measureEdges(const Refinement& refinement, const MovedTriangles& moved,
-                              std::span<const glm::vec3> patch, std::span<const float> heights) {
-  links_.clear();
-  sum_.assign(patch.size(), 0.0f);
-  edges_.assign(patch.size(), 0.0f);
-  for (const int triangle : moved.refined) {
-    const std::array<int, 3>& t = at(refinement.triangles, triangle);
-    if (at(heights, t[0]) == 0.0f && at(heights, t[1]) == 0.0f && at(heights, t[2]) == 0.0f) continue;
-    Link& link = links_.emplace_back(Link{t, {}});
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto a = static_cast<std::size_t>(t[(i + 1) % 3]);
-      const auto b = static_cast<std::size_t>(t[(i + 2) % 3]);
-      const float perLength = perLengthOf(patch[b] - patch[a]);
-      link.perLength[i] = perLength;
-      sum_[a] += perLength;
-      sum_[b] += perLength;
-      edges_[a] += 1.0f;
-      edges_[b] += 1.0f;
-    }
+void LiftFilter::sumEdges(const VertexRings& rings, const MovedTriangles& moved, std::span<const glm::vec3> patch,
+                          std::span<const glm::vec3> positions, std::span<const float> heights) {
+  moved_.clear();
+  places_.resize(patch.size());
+  std::size_t count = 0;
+  for (const int vertex : moved.near) {
+    const glm::vec3& p = at(patch, vertex);
+    const float height = at(heights, vertex);
+    at(places_, vertex).of = {p.x, p.y, p.z, height};
+    if (height == 0.0f || at(positions, vertex) == p) continue;
+    moved_.push_back(vertex);
+    count += sixes(rings.at(vertex));
   }
+  if (edges_.size() < count) edges_.resize(count);
+  sums_.resize(moved_.size());
+  const InstructionSet set = chosenInstructionSet();
+  liftKernel(set == InstructionSet::kScalar ? availableInstructionSets().back()
+                                            : set)({&rings, moved_, places_.data(), edges_.data(), sums_.data()});
 }
 
-void LiftFilter::sumDifferences(std::span<const float> values) {
-  for (const Link& link : links_) {
-    for (const int v : link.corners) at(difference_, v) = 0.0f;
-  }
-  for (const Link& link : links_) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto a = static_cast<std::size_t>(link.corners[(i + 1) % 3]);
-      const auto b = static_cast<std::size_t>(link.corners[(i + 2) % 3]);
-      const float difference = link.perLength[i] * (values[b] - values[a]);
-      difference_[a] += difference;
-      difference_[b] -= difference;
-    }
-  }
+void LiftFilter::raise(int vertex, float weight) {
+  float& now = at(weights_, vertex);
+  if (now == 0.0f) weighted_.push_back(vertex);
+  now = std::max(now, weight);
 }
 
-bool LiftFilter::weigh(std::span<const float> heights) {
-  difference_.resize(heights.size());
-  own_.assign(heights.size(), 0.0f);
-  sumDifferences(heights);
-  bool any = false;
-  for (const Link& link : links_) {
-    for (const int vertex : link.corners) {
-      const auto v = static_cast<std::size_t>(vertex);
-      // (M - 1) s = difference / sum; the mean length is edges / sum.
-      if (heights[v] == 0.0f || std::abs(difference_[v]) <= kBentFrom * edges_[v]) continue;
-      own_[v] = smoothstep(kBentFrom, kBentWhole, std::abs(difference_[v]) / edges_[v]);
-      any = true;
-    }
+bool LiftFilter::weigh(const VertexRings& rings) {
+  for (const int vertex : weighted_) {
+    if (toIndex(vertex) < weights_.size()) at(weights_, vertex) = 0.0f;
   }
-  if (!any) return false;
-  weights_.assign(heights.size(), 0.0f);
-  const auto mostOf = [](const std::vector<float>& values, const std::array<int, 3>& t) {
-    return std::max({at(values, t[0]), at(values, t[1]), at(values, t[2])});
-  };
-  for (const Link& link : links_) {
-    const float most = mostOf(own_, link.corners);
-    if (most == 0.0f) continue;
-    for (const int v : link.corners) at(weights_, v) = std::max(at(weights_, v), most);
+  weighted_.clear();
+  weights_.resize(places_.size());
+  for (std::size_t i = 0; i < moved_.size(); ++i) {
+    // (M - 1) s = difference / perLength; the mean length is the number of neighbours over that.
+    const float bent = std::abs(sums_[i].difference) * at(rings.share, moved_[i]);
+    if (bent <= kBentFrom) continue;
+    const float weight = smoothstep(kBentFrom, kBentWhole, bent);
+    raise(moved_[i], weight);
+    for (const int neighbour : rings.at(moved_[i])) raise(neighbour, weight);
   }
-  std::erase_if(links_, [&](const Link& link) { return mostOf(weights_, link.corners) == 0.0f; });
-  return true;
+  return !weighted_.empty();
 }
 
-void LiftFilter::evenOut(std::span<const float> heights) {
+void LiftFilter::findActive(const VertexRings& rings) {
   active_.clear();
-  for (std::size_t v = 0; v < heights.size(); ++v) {
-    if (weights_[v] > 0.0f && heights[v] != 0.0f) active_.push_back(static_cast<int>(v));
+  const SixEdges* edges = edges_.data();
+  for (std::size_t i = 0; i < moved_.size(); ++i) {
+    if (at(weights_, moved_[i]) > 0.0f && sums_[i].perLength > 0.0f) active_.push_back({moved_[i], edges, sums_[i]});
+    edges += sixes(rings.at(moved_[i]));
   }
+}
+
+void LiftFilter::evenOut(const VertexRings& rings, std::span<const float> heights) {
   filtered_.assign(heights.begin(), heights.end());
   for (int round = 0; round < kRounds; ++round) {
-    if (round > 0) sumDifferences(filtered_);
-    for (const int vertex : active_) {
-      const auto v = static_cast<std::size_t>(vertex);
-      if (!(sum_[v] > 0.0f)) continue;
-      const float next = filtered_[v] + kStep * weights_[v] * difference_[v] / sum_[v];
-      filtered_[v] = std::clamp(next, std::min(0.0f, heights[v]), std::max(0.0f, heights[v]));
+    if (round > 0) {
+      for (Active& a : active_) {
+        a.sums.difference = differenceOf(rings.at(a.vertex), a.edges, filtered_, at(filtered_, a.vertex));
+      }
+    }
+    for (const Active& a : active_) {
+      const float height = at(heights, a.vertex);
+      float& filtered = at(filtered_, a.vertex);
+      const float next = filtered + kStep * at(weights_, a.vertex) * a.sums.difference / a.sums.perLength;
+      filtered = std::clamp(next, std::min(0.0f, height), std::max(0.0f, height));
     }
   }
 }
 
-std::span<const float> LiftFilter::apply(const Refinement& refinement, const MovedTriangles& moved,
+std::span<const float> LiftFilter::apply(const VertexRings& rings, const MovedTriangles& moved,
                                          std::span<const glm::vec3> patch, std::span<glm::vec3> positions,
                                          std::span<float> heights) {
-  measureEdges(refinement, moved, patch, heights);
-  if (!weigh(heights)) return {};
-  evenOut(heights);
-  for (const int vertex : active_) {
-    const auto v = static_cast<std::size_t>(vertex);
+  sumEdges(rings, moved, patch, positions, heights);
+  if (!weigh(rings)) return {};
+  findActive(rings);
+  evenOut(rings, heights);
+  for (const Active& a : active_) {
+    const auto v = toIndex(a.vertex);
     positions[v] = patch[v] + (filtered_[v] / heights[v]) * (positions[v] - patch[v]);
     heights[v] = filtered_[v];
   }

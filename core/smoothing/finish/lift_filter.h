@@ -1,11 +1,12 @@
 // core/smoothing/finish/lift_filter.h: heights that the refined mesh is too coarse for. docs/design.md, Sampling.
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
+#include "core/smoothing/finish/lift_kernel.h"
 #include "core/smoothing/finish/moved_triangles.h"
+#include "core/smoothing/finish/vertex_rings.h"
 
 namespace sinew {
 
@@ -23,30 +24,31 @@ class LiftFilter {
   /// @param moved  of these positions.  @param patch [V'] world.  @param positions [V'] world, in and out.
   /// @param heights [V'] signed, world units, in and out: how far each vertex has moved.
   /// @return [V'] w; empty if it is 0 everywhere. Valid until the next call.
-  std::span<const float> apply(const Refinement& refinement, const MovedTriangles& moved,
-                               std::span<const glm::vec3> patch, std::span<glm::vec3> positions,
-                               std::span<float> heights);
+  std::span<const float> apply(const VertexRings& rings, const MovedTriangles& moved, std::span<const glm::vec3> patch,
+                               std::span<glm::vec3> positions, std::span<float> heights);
 
  private:
-  /// A refined triangle with 1/length of its edges; perLength[i] is opposite its corner i.
-  struct Link {
-    std::array<int, 3> corners{};
-    std::array<float, 3> perLength{};
+  /// A vertex with a height and w > 0.
+  struct Active {
+    int vertex = 0;
+    const SixEdges* edges = nullptr;
+    LiftSums sums{};
   };
-  void measureEdges(const Refinement& refinement, const MovedTriangles& moved, std::span<const glm::vec3> patch,
-                    std::span<const float> heights);
-  [[nodiscard]] bool weigh(std::span<const float> heights);
-  void sumDifferences(std::span<const float> values);
-  void evenOut(std::span<const float> heights);
+  void sumEdges(const VertexRings& rings, const MovedTriangles& moved, std::span<const glm::vec3> patch,
+                std::span<const glm::vec3> positions, std::span<const float> heights);
+  [[nodiscard]] bool weigh(const VertexRings& rings);
+  void raise(int vertex, float weight);
+  void findActive(const VertexRings& rings);
+  void evenOut(const VertexRings& rings, std::span<const float> heights);
 
-  std::vector<Link> links_;        ///< First all triangles that hold a height, then those at vertices with w > 0.
-  std::vector<float> sum_;         ///< [V'] of perLength at a vertex.
-  std::vector<float> edges_;       ///< [V'] how many there are, inside of the mesh each twice.
-  std::vector<float> difference_;  ///< [V'] sum_ times (M - 1) s.
-  std::vector<float> own_;         ///< [V'] w, of the vertex alone.
-  std::vector<float> weights_;     ///< [V'] w.
-  std::vector<float> filtered_;    ///< [V'] heights.
-  std::vector<int> active_;        ///< Vertices with w > 0 and a height.
+  std::vector<int> moved_;         ///< Vertices with a height.
+  std::vector<LiftPlace> places_;  ///< [V'] of moved vertices and their neighbours.
+  std::vector<SixEdges> edges_;
+  std::vector<LiftSums> sums_;  ///< [moved_]
+  std::vector<float> weights_;  ///< [V'] w.
+  std::vector<int> weighted_;   ///< Vertices with w > 0.
+  std::vector<Active> active_;
+  std::vector<float> filtered_;  ///< [V'] heights.
 };
 
 }  // namespace sinew

@@ -18,4 +18,13 @@ void ShadingNormals::apply(const Refinement& refinement, const VertexRings& ring
   normalsKernel(set == InstructionSet::kScalar ? availableInstructionSets().back() : set)(frame);
 }
 
+void turnWithSurface(const Surface& surface, std::span<const glm::vec3> patchNormals, std::vector<glm::vec3>& shading) {
+  forEachDrawVertex(*surface.refinement, [&](std::size_t d, std::size_t vertex) {
+    const glm::vec3& normal = surface.normals[vertex];
+    const glm::vec3& patch = patchNormals[vertex];
+    if (normal == patch) return;
+    shading[d] = shading[d] == patch ? normal : normalizeOr(normal + (shading[d] - patch), shading[d]);
+  });
+}
+
 }  // namespace sinew

@@ -7,6 +7,7 @@
 
 #include "core/smoothing/finish/moved_triangles.h"
 #include "core/smoothing/finish/normals_kernel.h"
+#include "sinew/smoothing/surface.h"
 
 namespace sinew {
 
@@ -43,5 +44,10 @@ class ShadingNormals {
   std::vector<int> teeth_;
   std::vector<float> weights_;
 };
+
+/// The same turns for creases. Where the patch is not creased, or not moved, this is exact.
+/// @param surface  with its normals as apply() leaves them.  @param patchNormals [V'] unit.
+/// @param shading [D] unit: in: the wedges' patch; out: turned with the surface as it moves off its own patch.
+void turnWithSurface(const Surface& surface, std::span<const glm::vec3> patchNormals, std::vector<glm::vec3>& shading);
 
 }  // namespace sinew

@@ -18,17 +18,8 @@ namespace {
 constexpr int kMuscles = 12;
 constexpr std::uint64_t kSeed = 1;
 
-TrialScene bundled(const std::string& name) {
-  const std::filesystem::path file = std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / (name + ".rig.json");
-  auto rig = loadRig(file);
-  if (!rig) throw std::runtime_error(rig.error().text());
-  auto character = importGltf(characterPath(rig.value(), file));
-  if (!character) throw std::runtime_error(character.error().text());
-  return {name, character.value(), rig.value()};
-}
-
 std::vector<TrialScene> load() {
-  std::vector<TrialScene> scenes{bundled("wrapped"), bundled("tangle")};
+  std::vector<TrialScene> scenes{bundledTrialScene("wrapped"), bundledTrialScene("tangle")};
   for (const char* file : {"Fox.glb", "greenman.glb", "cesium_man.gltf", "robot.glb"}) {
     if (auto character = realCharacter(file)) {
       scenes.push_back({character->name, character, trialRig(*character, kMuscles, kSeed)});
@@ -40,6 +31,15 @@ std::vector<TrialScene> load() {
 }
 
 }  // namespace
+
+TrialScene bundledTrialScene(const std::string& name) {
+  const std::filesystem::path file = std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / (name + ".rig.json");
+  auto rig = loadRig(file);
+  if (!rig) throw std::runtime_error(rig.error().text());
+  auto character = importGltf(characterPath(rig.value(), file));
+  if (!character) throw std::runtime_error(character.error().text());
+  return {name, character.value(), rig.value()};
+}
 
 const std::vector<TrialScene>& trialScenes() {
   static const std::vector<TrialScene> scenes = load();

@@ -26,6 +26,9 @@ struct TrialScene {
 /// Least share of its triangles that culling should find, all around: on wrapped and tangle muscles move almost all.
 [[nodiscard]] double leastCulled(const TrialScene& scene);
 
+/// One of assets, with its rig as it is.
+[[nodiscard]] TrialScene bundledTrialScene(const std::string& name);
+
 /// One of them; fails the test if there is none of that name.
 [[nodiscard]] const TrialScene& trialScene(const std::string& name);
 

@@ -22,13 +22,17 @@ struct PreparationCounts {
 /// Skin, patch, project, remove folds, shading normals: stages in files of their own, in order.
 /// prepare() once per edit, smooth() once per pose. Editor, command line, export and tests all go through here.
 /// The surface depends on the character, the rig and the pose alone, never on what was smoothed before.
-/// Not thread-safe; use one Smoother per thread (the character is shared, read-only).
+/// Not thread-safe; use one Smoother per thread (the character is shared, read-only), or a
+/// CrowdSmoother.
 class Smoother {
  public:
   explicit Smoother(std::shared_ptr<const Character> character);
   ~Smoother();
   Smoother(Smoother&&) noexcept;
   Smoother& operator=(Smoother&&) noexcept;
+
+  /// Another one, prepared as this one is, for another thread. Their surfaces share one Refinement.
+  [[nodiscard]] Smoother twin() const;
 
   /// Takes the rig: attachment, candidate lists, refinement tables, triangle classes. Keeps what did not change.
   /// Error: the rig is invalid, the blending graph too large, or the refined mesh would not fit memory; then the
@@ -50,6 +54,7 @@ class Smoother {
 
  private:
   struct State;
+  explicit Smoother(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
 

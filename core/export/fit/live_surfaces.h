@@ -1,0 +1,44 @@
+// core/export/fit/live_surfaces.h: the live surface at one moment after the other, several computed at once.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sinew/base/threads.h"
+#include "sinew/smoothing/crowd_smoother.h"
+
+namespace sinew::exporting {
+
+class LiveSurfaces {
+ public:
+  explicit LiveSurfaces(std::shared_ptr<const Character> character) : smoother_(std::move(character)) {}
+
+  [[nodiscard]] Result<void> prepare(const Rig& rig) { return smoother_.prepare(rig); }
+  void smooth(const Pose& pose, Surface& out) { smoother_.smooth(std::span(&pose, 1), std::span(&out, 1)); }
+
+  /// Calls use(i, pose, surface) for i = 0..count-1, in order and from this thread.
+  /// @param poseOf  pose of i
+  template <class PoseOf, class Use>
+  void forEach(std::size_t count, const PoseOf& poseOf, const Use& use) {
+    const std::size_t many = kPosesOfThread * static_cast<std::size_t>(threadCount());
+    for (std::size_t first = 0; first < count; first += many) {
+      const std::size_t now = std::min(many, count - first);
+      poses_.clear();
+      for (std::size_t i = 0; i < now; ++i) poses_.push_back(poseOf(first + i));
+      if (surfaces_.size() < now) surfaces_.resize(now);
+      smoother_.smooth(poses_, std::span(surfaces_).first(now));
+      for (std::size_t i = 0; i < now; ++i) use(first + i, poses_[i], surfaces_[i]);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kPosesOfThread = 4;  ///< Held at once.
+
+  CrowdSmoother smoother_;
+  std::vector<Pose> poses_;
+  std::vector<Surface> surfaces_;
+};
+
+}  // namespace sinew::exporting

@@ -1,0 +1,51 @@
+// core/smoothing/crowd_smoother.cpp: a smoother for every thread that comes by.
+#include "sinew/smoothing/crowd_smoother.h"
+
+#include <cassert>
+#include <mutex>
+
+#include "core/base/parallel.h"
+
+namespace sinew {
+
+struct CrowdSmoother::State {
+  Smoother first;
+  std::mutex mutex;
+  std::vector<std::unique_ptr<Smoother>> idle;  ///< Twins of `first`, prepared as it is.
+
+  std::unique_ptr<Smoother> take() {
+    const std::scoped_lock lock(mutex);
+    if (idle.empty()) return std::make_unique<Smoother>(first.twin());
+    std::unique_ptr<Smoother> taken = std::move(idle.back());
+    idle.pop_back();
+    return taken;
+  }
+  void giveBack(std::unique_ptr<Smoother> smoother) {
+    const std::scoped_lock lock(mutex);
+    idle.push_back(std::move(smoother));
+  }
+};
+
+CrowdSmoother::CrowdSmoother(std::shared_ptr<const Character> character)
+    : state_(std::make_unique<State>(Smoother(std::move(character)))) {}
+
+CrowdSmoother::~CrowdSmoother() = default;
+CrowdSmoother::CrowdSmoother(CrowdSmoother&&) noexcept = default;
+CrowdSmoother& CrowdSmoother::operator=(CrowdSmoother&&) noexcept = default;
+
+Result<void> CrowdSmoother::prepare(const Rig& rig, std::span<const int> hidden) {
+  if (auto prepared = state_->first.prepare(rig, hidden); !prepared) return prepared;
+  state_->idle.clear();
+  return {};
+}
+
+void CrowdSmoother::smooth(std::span<const Pose> poses, std::span<Surface> out) {
+  assert(poses.size() == out.size());
+  forRanges(poses.size(), 1, [&](std::size_t begin, std::size_t end) {
+    std::unique_ptr<Smoother> smoother = state_->take();
+    for (std::size_t i = begin; i < end; ++i) smoother->smooth(poses[i], out[i]);
+    state_->giveBack(std::move(smoother));
+  });
+}
+
+}  // namespace sinew

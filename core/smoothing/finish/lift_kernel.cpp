@@ -1,0 +1,74 @@
+// core/smoothing/finish/lift_kernel.cpp: six neighbours at once, compiled once per instruction set.
+#include "core/smoothing/finish/lift_kernel.h"
+
+#include "core/lanes/targets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/smoothing/finish/lift_kernel.cpp"
+#include "hwy/foreach_target.h"
+//
+#include "core/lanes/lane_blocks.h"
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+
+using Pair = Blocks<2>;
+
+void sumEdges(const LiftFrame& frame) {
+  const Pair zero = Pair::all(0.0f);
+  const Pair one = Pair::all(1.0f);
+  SixEdges* edges = frame.edges;
+  LiftSums* out = frame.sums;
+  for (const int vertex : frame.moved) {
+    const auto place = [&](int v) HWY_ATTR { return frame.places[v].of.data(); };
+    const Pair own = Pair::joined(place(vertex), place(vertex));
+    Pair lengths = zero;
+    Pair differences = zero;
+    const std::span<const int> ring = frame.rings->at(vertex);
+    for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
+      const auto two = [&](std::size_t k)
+                           HWY_ATTR { return Pair::joined(place(ring[i + k]), place(ring[i + k + 1])) - own; };
+      const Pair a = two(0);
+      const Pair b = two(2);
+      const Pair c = two(4);
+      const Pair squared = sums(xyzAndW(a * a, zero), xyzAndW(b * b, zero), xyzAndW(c * c, zero), zero);
+      const Pair heights = sums(xyzAndW(zero, a), xyzAndW(zero, b), xyzAndW(zero, c), zero);
+      const Pair perLength = wherePositive(squared, one / root(squared));
+      perLength.store(edges++->perLength.data());
+      lengths = lengths + perLength;
+      differences = differences + perLength * heights;
+    }
+    const Blocks<1> both =
+        sums(lower(differences) + upper(differences), lower(lengths) + upper(lengths), lower(zero), lower(zero));
+    *out++ = {first(both), first(spread<1>(both))};
+  }
+}
+
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace sinew {
+
+LiftKernel liftKernel(InstructionSet set) {
+  switch (set) {
+#if HWY_TARGETS & HWY_AVX3
+    case InstructionSet::kAvx512:
+      return &N_AVX3::sumEdges;
+#endif
+#if HWY_TARGETS & HWY_AVX2
+    case InstructionSet::kAvx2:
+      return &N_AVX2::sumEdges;
+#endif
+#if HWY_TARGETS & HWY_SSE4
+    case InstructionSet::kSse4:
+      return &N_SSE4::sumEdges;
+#endif
+    default:
+      return &HWY_STATIC_DISPATCH(sumEdges);
+  }
+}
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,43 @@
+// core/smoothing/finish/lift_kernel.h: how far edges are from following the heights, by instruction set.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "core/lanes/instruction_set.h"
+#include "core/smoothing/finish/vertex_rings.h"
+
+namespace sinew {
+
+/// A vertex's place on the patch, and its height.
+struct alignas(16) LiftPlace {
+  std::array<float, 4> of{};
+};
+
+/// 1/length of the edges to six neighbours of a ring: those of 0, 2 and 4, 0, those of 1, 3 and 5, 0. It is 0 where
+/// the length is 0 too.
+struct alignas(32) SixEdges {
+  static constexpr std::array<std::size_t, VertexRings::kMultiple> kAt{0, 4, 1, 5, 2, 6};  ///< Of neighbour i.
+  std::array<float, 8> perLength{};
+};
+
+/// Sums over a vertex's neighbours.
+struct LiftSums {
+  float difference = 0.0f;  ///< Of height per length.
+  float perLength = 0.0f;
+};
+
+struct LiftFrame {
+  const VertexRings* rings = nullptr;
+  std::span<const int> moved;
+  const LiftPlace* places = nullptr;  ///< [V'] read at moved vertices and their neighbours.
+  SixEdges* edges = nullptr;          ///< Out: of the rings of all moved vertices, in order.
+  LiftSums* sums = nullptr;           ///< Out: [moved]
+};
+
+using LiftKernel = void (*)(const LiftFrame& frame);
+
+/// All give the same bits.
+[[nodiscard]] LiftKernel liftKernel(InstructionSet set);
+
+}  // namespace sinew

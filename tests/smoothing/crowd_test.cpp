@@ -1,0 +1,68 @@
+// tests/smoothing/crowd_test.cpp: a crowd's surfaces are those of one smoother, bit for bit, whatever the threads.
+
+#include "sinew/smoothing/crowd_smoother.h"
+
+#include <gtest/gtest.h>
+
+#include "sinew/base/threads.h"
+#include "tests/support/rigs/trial_scenes.h"
+
+namespace sinew::test {
+namespace {
+
+class Crowd : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Crowd, SurfacesAreThoseOfOneSmoother) {
+  const TrialScene scene = bundledTrialScene(GetParam());
+  const std::vector<Pose> poses = spreadPoses(*scene.character, 23);
+  CrowdSmoother crowd(scene.character);
+  Smoother single(scene.character);
+  std::vector<Surface> surfaces(poses.size());
+  Surface wanted;
+  for (const int depth : {2, 3}) {
+    Rig rig = scene.rig;
+    rig.smoothing.depth = depth;
+    const std::vector<int> hidden(1, depth);  // Prepared anew, and otherwise, the second time.
+    ASSERT_TRUE(crowd.prepare(rig, hidden).ok() && single.prepare(rig, hidden).ok());
+    for (const int threads : {1, 2, 5}) {
+      const ThreadLimit limit(threads);
+      crowd.smooth(poses, surfaces);
+      for (std::size_t i = 0; i < poses.size(); ++i) {
+        single.smooth(poses[i], wanted);
+        ASSERT_EQ(surfaces[i].positions, wanted.positions) << i << " on " << threads;
+        ASSERT_EQ(surfaces[i].normals, wanted.normals) << i << " on " << threads;
+        ASSERT_EQ(surfaces[i].refinement, surfaces[0].refinement) << "one topology";
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rigs, Crowd, ::testing::Values("humanoid", "humanoid-flex", "horse-flex"),
+                         [](const auto& rig) {
+                           std::string name = rig.param;
+                           for (char& c : name) c = c == '-' ? '_' : c;
+                           return name;
+                         });
+
+TEST(CrowdOfNone, IsNoError) {
+  const TrialScene scene = bundledTrialScene("demo");
+  CrowdSmoother crowd(scene.character);
+  ASSERT_TRUE(crowd.prepare(scene.rig).ok());
+  crowd.smooth({}, {});
+}
+
+TEST(CrowdOfNone, ARigThatIsRefusedLeavesTheFormerOne) {
+  const TrialScene scene = bundledTrialScene("demo");
+  CrowdSmoother crowd(scene.character);
+  ASSERT_TRUE(crowd.prepare(scene.rig).ok());
+  Rig bad = scene.rig;
+  bad.smoothing.depth = -1;
+  EXPECT_FALSE(crowd.prepare(bad).ok());
+  const std::vector<Pose> poses = spreadPoses(*scene.character, 3);
+  std::vector<Surface> surfaces(poses.size());
+  crowd.smooth(poses, surfaces);
+  EXPECT_EQ(surfaces[0].report.depth, scene.rig.smoothing.depth);
+}
+
+}  // namespace
+}  // namespace sinew::test
