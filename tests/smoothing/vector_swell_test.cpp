@@ -110,24 +110,30 @@ TEST(VectorSwell, EverySetGivesTheSameBits) {
   }
 }
 
-// Shading normals too: the projection's are the same by the test above.
+// Patches, shading normals and `replace` too: the projection's are the same by the test above.
 TEST(VectorSwell, EverySetGivesTheSameBitsOfAWholeFrame) {
+  constexpr PatchKind kKinds[] = {PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon};
   for (const TrialScene& scene : trialScenes()) {
     for (const int depth : {1, 3, 5}) {
-      Rig rig = withMode(scene.rig, SurfaceMode::kSwell);
-      rig.smoothing.depth = depth;
-      Smoother smoother(scene.character);
-      ASSERT_TRUE(smoother.prepare(rig).ok());
-      const Pose pose = spreadPoses(*scene.character, 3).back();
-      Surface widest;
-      smoother.smooth(pose, widest);
-      for (const InstructionSet set : availableInstructionSets()) {
-        if (set == InstructionSet::kScalar) continue;
-        const InstructionSetScope scope(set);
-        Surface other;
-        smoother.smooth(pose, other);
-        EXPECT_TRUE(sameBytes(other.positions, widest.positions)) << scene.name << ", " << nameOf(set);
-        EXPECT_TRUE(sameBytes(other.normals, widest.normals)) << scene.name << ", " << nameOf(set);
+      for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
+        Rig rig = withMode(scene.rig, mode);
+        rig.smoothing.depth = depth;
+        rig.smoothing.patch = kKinds[(depth + static_cast<int>(mode)) / 2 % 3];
+        Smoother smoother(scene.character);
+        ASSERT_TRUE(smoother.prepare(rig).ok());
+        const Pose pose = spreadPoses(*scene.character, 3).back();
+        Surface widest;
+        smoother.smooth(pose, widest);
+        for (const InstructionSet set : availableInstructionSets()) {
+          // The projection's scalar path differs; `replace` has no other.
+          if (set == InstructionSet::kScalar && mode == SurfaceMode::kSwell) continue;
+          const InstructionSetScope scope(set);
+          Surface other;
+          smoother.smooth(pose, other);
+          EXPECT_TRUE(sameBytes(other.positions, widest.positions)) << scene.name << ", " << nameOf(set);
+          EXPECT_TRUE(sameBytes(other.normals, widest.normals)) << scene.name << ", " << nameOf(set);
+          EXPECT_TRUE(other.displacement == widest.displacement) << scene.name << ", " << nameOf(set);
+        }
       }
     }
   }

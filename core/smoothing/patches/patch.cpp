@@ -1,4 +1,4 @@
-// core/smoothing/patches/patch.cpp: the four patches.
+// core/smoothing/patches/patch.cpp: the four patches, one vertex after the other: the reference of patch_kernel.cpp.
 #include "core/smoothing/patches/patch.h"
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/at.h"
+#include "core/smoothing/patches/patch_kernel.h"
 
 namespace sinew {
 namespace {
@@ -151,6 +152,13 @@ PatchPoint edgePoint(PatchKind kind, const Corner& a, const Corner& b, float w) 
   return point(kind, Corners{{a, b, Corner{}}, 2}, {1.0f - w, w, 0.0f});
 }
 
+/// Of a vertex inside a triangle.
+Barycentric insideWeights(const Refinement& refinement, int index) {
+  const float n = static_cast<float>(refinement.depth);
+  const auto& [j, k] = at(refinement.interior, index);
+  return {static_cast<float>(refinement.depth - j - k) / n, static_cast<float>(j) / n, static_cast<float>(k) / n};
+}
+
 /// Points inside a triangle, at the refinement's lattice.
 class Inside {
  public:
@@ -158,10 +166,7 @@ class Inside {
       : kind_(kind), corners_(corners), pn_(corners), refinement_(refinement) {}
 
   PatchPoint point(int index) const {
-    const float n = static_cast<float>(refinement_.depth);
-    const auto& [j, k] = at(refinement_.interior, index);
-    const Barycentric w{static_cast<float>(refinement_.depth - j - k) / n, static_cast<float>(j) / n,
-                        static_cast<float>(k) / n};
+    const Barycentric w = insideWeights(refinement_, index);
     return kind_ == PatchKind::kPn ? pn_.at(w) : sinew::point(kind_, corners_, w);
   }
 
@@ -172,61 +177,74 @@ class Inside {
   const Refinement& refinement_;
 };
 
-}  // namespace
-
-void evaluatePatches(PatchKind kind, const ControlMesh& mesh, const Refinement& refinement,
-                     std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
-                     std::span<glm::vec3> outPositions, std::span<glm::vec3> outNormals) {
-  const auto corner = [&](int vertex) { return Corner{at(positions, vertex), at(normals, vertex)}; };
+void evaluateOneByOne(const PatchFrame& frame) {
+  const Refinement& refinement = *frame.refinement;
+  const auto corner = [&](int vertex) { return Corner{at(frame.positions, vertex), at(frame.normals, vertex)}; };
   const auto store = [&](int vertex, const PatchPoint& result) {
-    at(outPositions, vertex) = result.position;
-    at(outNormals, vertex) = result.normal;
+    at(frame.outPositions, vertex) = result.position;
+    at(frame.outNormals, vertex) = result.normal;
   };
   const float n = static_cast<float>(refinement.depth);
 
-  for (int v = 0; v < refinement.controlVertices; ++v) store(v, corner(v));
-
   for (int e = 0; e < refinement.controlEdges && refinement.edgeVertices > 0; ++e) {
-    const auto& ends = at(mesh.edges, e).vertices;
+    const auto& ends = at(frame.mesh->edges, e).vertices;
     const Corner a = corner(ends[0]);
     const Corner b = corner(ends[1]);
     for (int step = 1; step < refinement.depth; ++step) {
-      store(refinement.edgeVertex(e, step), edgePoint(kind, a, b, static_cast<float>(step) / n));
+      store(refinement.edgeVertex(e, step), edgePoint(frame.kind, a, b, static_cast<float>(step) / n));
     }
   }
 
-  for (std::size_t t = 0; t < mesh.triangles.size() && refinement.interiorVertices > 0; ++t) {
-    const auto& vertices = mesh.triangles[t].vertices;
-    const Inside inside(kind, {{corner(vertices[0]), corner(vertices[1]), corner(vertices[2])}, 3}, refinement);
+  for (std::size_t t = 0; t < frame.mesh->triangles.size() && refinement.interiorVertices > 0; ++t) {
+    const auto& vertices = frame.mesh->triangles[t].vertices;
+    const Inside inside(frame.kind, {{corner(vertices[0]), corner(vertices[1]), corner(vertices[2])}, 3}, refinement);
     for (int i = 0; i < refinement.interiorVertices; ++i) {
       store(refinement.interiorVertex(static_cast<int>(t), i), inside.point(i));
     }
   }
 }
 
-void interpolateDirections(const ControlMesh& mesh, const Refinement& refinement, std::span<const glm::vec3> control,
-                           std::span<glm::vec3> out) {
-  const auto corner = [&](int vertex) { return Corner{glm::vec3(0.0f), at(control, vertex)}; };
+void interpolateOneByOne(const DirectionFrame& frame) {
+  const Refinement& refinement = *frame.refinement;
+  const auto corner = [&](int vertex) { return Corner{glm::vec3(0.0f), at(frame.control, vertex)}; };
   const float n = static_cast<float>(refinement.depth);
-  std::ranges::copy(control, out.begin());
   for (int e = 0; e < refinement.controlEdges && refinement.edgeVertices > 0; ++e) {
-    const auto& ends = at(mesh.edges, e).vertices;
+    const auto& ends = at(frame.mesh->edges, e).vertices;
     const Corners corners{{corner(ends[0]), corner(ends[1]), Corner{}}, 2};
     for (int step = 1; step < refinement.depth; ++step) {
       const float w = static_cast<float>(step) / n;
-      at(out, refinement.edgeVertex(e, step)) = phongNormal(corners, {1.0f - w, w, 0.0f});
+      at(frame.out, refinement.edgeVertex(e, step)) = phongNormal(corners, {1.0f - w, w, 0.0f});
     }
   }
-  for (std::size_t t = 0; t < mesh.triangles.size() && refinement.interiorVertices > 0; ++t) {
-    const auto& vertices = mesh.triangles[t].vertices;
+  for (std::size_t t = 0; t < frame.mesh->triangles.size() && refinement.interiorVertices > 0; ++t) {
+    const auto& vertices = frame.mesh->triangles[t].vertices;
     const Corners corners{{corner(vertices[0]), corner(vertices[1]), corner(vertices[2])}, 3};
     for (int i = 0; i < refinement.interiorVertices; ++i) {
-      const auto& [j, k] = at(refinement.interior, i);
-      at(out, refinement.interiorVertex(static_cast<int>(t), i)) = phongNormal(
-          corners,
-          {static_cast<float>(refinement.depth - j - k) / n, static_cast<float>(j) / n, static_cast<float>(k) / n});
+      at(frame.out, refinement.interiorVertex(static_cast<int>(t), i)) =
+          phongNormal(corners, insideWeights(refinement, i));
     }
   }
+}
+
+PatchKernels chosenKernels() {
+  const InstructionSet set = chosenInstructionSet();
+  return set == InstructionSet::kScalar ? PatchKernels{&evaluateOneByOne, &interpolateOneByOne} : patchKernels(set);
+}
+
+}  // namespace
+
+void evaluatePatches(PatchKind kind, const ControlMesh& mesh, const Refinement& refinement,
+                     std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+                     std::span<glm::vec3> outPositions, std::span<glm::vec3> outNormals) {
+  std::ranges::copy(positions, outPositions.begin());
+  std::ranges::copy(normals, outNormals.begin());
+  chosenKernels().patches({kind, &mesh, &refinement, positions, normals, outPositions, outNormals});
+}
+
+void interpolateDirections(const ControlMesh& mesh, const Refinement& refinement, std::span<const glm::vec3> control,
+                           std::span<glm::vec3> out) {
+  std::ranges::copy(control, out.begin());
+  chosenKernels().directions({&mesh, &refinement, control, out});
 }
 
 void interpolateValues(const ControlMesh& mesh, const Refinement& refinement, std::span<const float> control,

@@ -1,0 +1,356 @@
+// core/smoothing/patches/patch_kernel.cpp: the four patches and directions, compiled once per instruction set. Every
+// lane does the operations of patch.cpp in the same order.
+#include "core/smoothing/patches/patch_kernel.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "core/base/at.h"
+#include "core/lanes/targets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/smoothing/patches/patch_kernel.cpp"
+#include "hwy/foreach_target.h"
+//
+#include "core/lanes/lane_rows.h"
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+
+/// Barycentric, the same in every lane; an edge's third is 0.
+struct Weights {
+  float u;
+  float v;
+  float s;
+
+  /// The corner with the largest; the first of equal ones.
+  [[nodiscard]] std::size_t heaviest() const {
+    if (u >= v && u >= s) return 0;
+    return v >= s ? 1 : 2;
+  }
+};
+
+/// Numbers of one corner after the other.
+template <std::size_t kCorners>
+struct Corners {
+  V3 of[kCorners];
+};
+
+/// Corners of one edge or triangle a lane.
+template <std::size_t kCorners>
+struct Ends {
+  static constexpr std::size_t kCount = kCorners;
+  Corners<kCorners> positions;
+  Corners<kCorners> normals;
+};
+
+struct Point {
+  V3 position;
+  V3 normal;
+};
+
+HWY_INLINE V3 operator*(const V3& a, V s) { return s * a; }
+HWY_INLINE V3 operator/(const V3& a, V s) { return {a.x / s, a.y / s, a.z / s}; }
+
+template <std::size_t kCorners>
+HWY_INLINE V3 weighted(const Corners<kCorners>& corners, const Weights& w) {
+  V3 sum = V3{zero(), zero(), zero()} + all(w.u) * corners.of[0] + all(w.v) * corners.of[1];
+  if constexpr (kCorners == 3) sum = sum + all(w.s) * corners.of[2];
+  return sum;
+}
+
+/// Lanes whose vector is too short or too long for a float's square.
+HWY_NOINLINE V3 unitLaneByLane(const V3& v, const V3& fallback) {
+  LanePoints from;
+  LanePoints instead;
+  from.store(v, 0);
+  instead.store(fallback, 0);
+  for (std::size_t lane = 0; lane < width(); ++lane) {
+    const glm::vec3 unit = normalizeOr(from.at(lane), instead.at(lane));
+    from.x.lane[lane] = unit.x;
+    from.y.lane[lane] = unit.y;
+    from.z.lane[lane] = unit.z;
+  }
+  return from.load(0);
+}
+
+/// As normalizeOr of base/geometry.h, bit for bit.
+HWY_INLINE V3 exactUnitOr(const V3& v, const V3& fallback) {
+  const V squared = dot(v, v);
+  const M usual = both(hn::Gt(squared, all(1e-20f)), hn::Lt(squared, all(1e20f)));
+  if (HWY_UNLIKELY(!hn::AllTrue(kTag, usual))) return unitLaneByLane(v, fallback);
+  return v / hn::Sqrt(squared);
+}
+
+template <std::size_t kCorners>
+HWY_INLINE V3 phongNormal(const Corners<kCorners>& normals, const Weights& w) {
+  return exactUnitOr(weighted(normals, w), normals.of[w.heaviest()]);
+}
+
+template <std::size_t kCorners>
+struct FlatPatch {
+  explicit FlatPatch(const Ends<kCorners>& of) : ends(of) {}
+
+  HWY_INLINE Point at(const Weights& w) const { return {weighted(ends.positions, w), phongNormal(ends.normals, w)}; }
+
+  const Ends<kCorners>& ends;
+};
+
+template <std::size_t kCorners>
+struct PhongPatch {
+  explicit PhongPatch(const Ends<kCorners>& of) : ends(of) {}
+
+  HWY_INLINE Point at(const Weights& w) const {
+    constexpr float kAlpha = 0.75f;
+    const V3 flat = weighted(ends.positions, w);
+    Corners<kCorners> onPlanes;
+    for (std::size_t i = 0; i < kCorners; ++i) {
+      const V3& normal = ends.normals.of[i];
+      onPlanes.of[i] = flat - dot(flat - ends.positions.of[i], normal) * normal;
+    }
+    return {flat * all(1.0f - kAlpha) + weighted(onPlanes, w) * all(kAlpha), phongNormal(ends.normals, w)};
+  }
+
+  const Ends<kCorners>& ends;
+};
+
+template <std::size_t kCorners>
+struct SpherigonPatch {
+  explicit SpherigonPatch(const Ends<kCorners>& of) : ends(of) {}
+
+  HWY_INLINE Point at(const Weights& w) const {
+    const V3 flat = weighted(ends.positions, w);
+    const V3 normal = phongNormal(ends.normals, w);
+    const float weights[3] = {w.u, w.v, w.s};
+    V height = zero();
+    float sum = 0.0f;
+    for (std::size_t i = 0; i < kCorners; ++i) {
+      const V3& own = ends.normals.of[i];
+      const V between = all(1.0f) + dot(normal, own);
+      const V along = choose(hn::Lt(between, all(0.1f)), all(0.1f), between);
+      const float squared = weights[i] * weights[i];
+      height = height + all(squared) * dot(ends.positions.of[i] - flat, normal + own) / along;
+      sum += squared;
+    }
+    return {flat + normal * (height / all(sum)), normal};
+  }
+
+  const Ends<kCorners>& ends;
+};
+
+template <std::size_t kCorners>
+HWY_INLINE V3 pnTangentPoint(const Ends<kCorners>& ends, std::size_t a, std::size_t b) {
+  const V3& from = ends.positions.of[a];
+  const V3& to = ends.positions.of[b];
+  const V3& normal = ends.normals.of[a];
+  return (all(2.0f) * from + to - dot(to - from, normal) * normal) / all(3.0f);
+}
+
+template <std::size_t kCorners>
+HWY_INLINE V3 pnEdgeNormal(const Ends<kCorners>& ends, std::size_t a, std::size_t b) {
+  const V3 along = ends.positions.of[b] - ends.positions.of[a];
+  const V3 sum = ends.normals.of[a] + ends.normals.of[b];
+  const V squared = dot(along, along);
+  const V v = choose(hn::Gt(squared, zero()), all(2.0f) * dot(along, sum) / squared, zero());
+  return exactUnitOr(sum - v * along, ends.normals.of[a]);
+}
+
+struct PnEdge {
+  explicit PnEdge(const Ends<2>& of)
+      : ends(of), b21(pnTangentPoint(of, 0, 1)), b12(pnTangentPoint(of, 1, 0)), n11(pnEdgeNormal(of, 0, 1)) {}
+
+  HWY_INLINE Point at(const Weights& w) const {
+    const float u = w.u;
+    const float v = w.v;
+    const V3 position = ends.positions.of[0] * all(u * u * u) + b21 * all(3.0f * u * u * v) +
+                        b12 * all(3.0f * u * v * v) + ends.positions.of[1] * all(v * v * v);
+    const V3 normal = ends.normals.of[0] * all(u * u) + n11 * all(u * v) + ends.normals.of[1] * all(v * v);
+    return {position, exactUnitOr(normal, ends.normals.of[w.heaviest()])};
+  }
+
+  const Ends<2>& ends;
+  V3 b21;
+  V3 b12;
+  V3 n11;
+};
+
+struct PnTriangle {
+  explicit PnTriangle(const Ends<3>& of)
+      : ends(of),
+        b210(pnTangentPoint(of, 0, 1)),
+        b120(pnTangentPoint(of, 1, 0)),
+        b021(pnTangentPoint(of, 1, 2)),
+        b012(pnTangentPoint(of, 2, 1)),
+        b102(pnTangentPoint(of, 2, 0)),
+        b201(pnTangentPoint(of, 0, 2)),
+        n110(pnEdgeNormal(of, 0, 1)),
+        n011(pnEdgeNormal(of, 1, 2)),
+        n101(pnEdgeNormal(of, 2, 0)) {
+    const V3(&p)[3] = ends.positions.of;
+    const V3 edgeMean = (b210 + b120 + b021 + b012 + b102 + b201) / all(6.0f);
+    const V3 cornerMean = (p[0] + p[1] + p[2]) / all(3.0f);
+    b111 = edgeMean + (edgeMean - cornerMean) * all(0.5f);
+  }
+
+  HWY_INLINE Point at(const Weights& w) const {
+    const auto& [u, v, s] = w;
+    const V3(&p)[3] = ends.positions.of;
+    const V3(&n)[3] = ends.normals.of;
+    const V3 position = p[0] * all(u * u * u) + p[1] * all(v * v * v) + p[2] * all(s * s * s) +
+                        (b210 * all(u * u * v) + b120 * all(u * v * v) + b021 * all(v * v * s) + b012 * all(v * s * s) +
+                         b102 * all(u * s * s) + b201 * all(u * u * s)) *
+                            all(3.0f) +
+                        b111 * all(6.0f * u * v * s);
+    const V3 normal = n[0] * all(u * u) + n[1] * all(v * v) + n[2] * all(s * s) + n110 * all(u * v) +
+                      n011 * all(v * s) + n101 * all(u * s);
+    return {position, exactUnitOr(normal, n[w.heaviest()])};
+  }
+
+  const Ends<3>& ends;
+  V3 b210, b120, b021, b012, b102, b201, b111;
+  V3 n110, n011, n101;
+};
+
+/// width() edges or triangles from one on; lanes beyond the last one repeat it.
+template <class Piece>
+class PieceLanes {
+ public:
+  static constexpr std::size_t kCorners = std::tuple_size_v<decltype(Piece::vertices)>;
+
+  PieceLanes(std::span<const Piece> pieces, std::size_t first)
+      : pieces_(pieces.subspan(first, std::min(width(), pieces.size() - first))) {}
+
+  [[nodiscard]] std::size_t used() const { return pieces_.size(); }
+
+  HWY_INLINE Corners<kCorners> corners(const Rows& from) const {
+    Corners<kCorners> out;
+    for (std::size_t c = 0; c < kCorners; ++c) {
+      RowPointers rows;
+      for (std::size_t lane = 0; lane < width(); ++lane) {
+        rows[lane] = from.at(pieces_[std::min(lane, used() - 1)].vertices[c]);
+      }
+      out.of[c] = gathered(rows);
+    }
+    return out;
+  }
+
+ private:
+  std::span<const Piece> pieces_;
+};
+
+/// The refined vertices of all edges or of all triangles, piece after piece.
+template <class Piece>
+struct Stretch {
+  std::span<const Piece> pieces;
+  std::size_t first;
+  std::size_t each;
+};
+
+HWY_INLINE Stretch<Edge> edgesOf(const ControlMesh& mesh, const Refinement& refinement) {
+  return {mesh.edges, toIndex(refinement.controlVertices), toIndex(refinement.edgeVertices)};
+}
+HWY_INLINE Stretch<ControlTriangle> trianglesOf(const ControlMesh& mesh, const Refinement& refinement) {
+  return {mesh.triangles, toIndex(refinement.interiorVertex(0, 0)), toIndex(refinement.interiorVertices)};
+}
+
+/// One of a piece's vertices.
+HWY_INLINE Weights weightsOf(const Edge*, const Refinement& refinement, std::size_t i) {
+  const float w = static_cast<float>(i + 1) / static_cast<float>(refinement.depth);
+  return {1.0f - w, w, 0.0f};
+}
+HWY_INLINE Weights weightsOf(const ControlTriangle*, const Refinement& refinement, std::size_t i) {
+  const float n = static_cast<float>(refinement.depth);
+  const auto& [j, k] = refinement.interior[i];
+  return {static_cast<float>(refinement.depth - j - k) / n, static_cast<float>(j) / n, static_cast<float>(k) / n};
+}
+
+/// Calls visit(lanes, place), place being the first refined vertex of the first lane.
+template <class Piece, class Visit>
+HWY_INLINE void forEachLanes(const Stretch<Piece>& stretch, Visit visit) {
+  if (stretch.each == 0) return;
+  for (std::size_t i = 0; i < stretch.pieces.size(); i += width()) {
+    visit(PieceLanes<Piece>(stretch.pieces, i), stretch.first + i * stretch.each);
+  }
+}
+
+template <class Patch, class Piece>
+HWY_NOINLINE void evaluate(const PatchFrame& frame, const Stretch<Piece>& stretch) {
+  const Rows positions(frame.positions);
+  const Rows normals(frame.normals);
+  forEachLanes(stretch, [&](const PieceLanes<Piece>& lanes, std::size_t place) HWY_ATTR {
+    const Ends<PieceLanes<Piece>::kCorners> ends{lanes.corners(positions), lanes.corners(normals)};
+    const Patch patch(ends);
+    for (std::size_t i = 0; i < stretch.each; ++i) {
+      const Point point = patch.at(weightsOf(stretch.pieces.data(), *frame.refinement, i));
+      scatter(point.position, &frame.outPositions[place + i], stretch.each, lanes.used());
+      scatter(point.normal, &frame.outNormals[place + i], stretch.each, lanes.used());
+    }
+  });
+}
+
+template <class EdgePatch, class TrianglePatch>
+void evaluateBoth(const PatchFrame& frame) {
+  evaluate<EdgePatch>(frame, edgesOf(*frame.mesh, *frame.refinement));
+  evaluate<TrianglePatch>(frame, trianglesOf(*frame.mesh, *frame.refinement));
+}
+
+void evaluateKind(const PatchFrame& frame) {
+  switch (frame.kind) {
+    case PatchKind::kPn:
+      return evaluateBoth<PnEdge, PnTriangle>(frame);
+    case PatchKind::kPhong:
+      return evaluateBoth<PhongPatch<2>, PhongPatch<3>>(frame);
+    case PatchKind::kSpherigon:
+      return evaluateBoth<SpherigonPatch<2>, SpherigonPatch<3>>(frame);
+    case PatchKind::kFlat:
+      return evaluateBoth<FlatPatch<2>, FlatPatch<3>>(frame);
+  }
+}
+
+template <class Piece>
+HWY_NOINLINE void interpolate(const DirectionFrame& frame, const Stretch<Piece>& stretch) {
+  const Rows control(frame.control);
+  forEachLanes(stretch, [&](const PieceLanes<Piece>& lanes, std::size_t place) HWY_ATTR {
+    const auto corners = lanes.corners(control);
+    for (std::size_t i = 0; i < stretch.each; ++i) {
+      const V3 direction = phongNormal(corners, weightsOf(stretch.pieces.data(), *frame.refinement, i));
+      scatter(direction, &frame.out[place + i], stretch.each, lanes.used());
+    }
+  });
+}
+
+void interpolateBoth(const DirectionFrame& frame) {
+  interpolate(frame, edgesOf(*frame.mesh, *frame.refinement));
+  interpolate(frame, trianglesOf(*frame.mesh, *frame.refinement));
+}
+
+constexpr PatchKernels kKernels{&evaluateKind, &interpolateBoth};
+
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace sinew {
+
+PatchKernels patchKernels(InstructionSet set) {
+  switch (set) {
+#if HWY_TARGETS & HWY_AVX3
+    case InstructionSet::kAvx512:
+      return N_AVX3::kKernels;
+#endif
+#if HWY_TARGETS & HWY_AVX2
+    case InstructionSet::kAvx2:
+      return N_AVX2::kKernels;
+#endif
+#if HWY_TARGETS & HWY_SSE4
+    case InstructionSet::kSse4:
+      return N_SSE4::kKernels;
+#endif
+    default:
+      return HWY_STATIC_DISPATCH(kKernels);
+  }
+}
+
+}  // namespace sinew
+#endif

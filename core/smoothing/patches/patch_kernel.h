@@ -1,0 +1,43 @@
+// core/smoothing/patches/patch_kernel.h: patches and directions, an edge or a control triangle a lane, by instruction
+// set.
+#pragma once
+
+#include <span>
+
+#include "core/lanes/instruction_set.h"
+#include "sinew/mesh/control_mesh.h"
+#include "sinew/rig/rig.h"
+#include "sinew/smoothing/refinement.h"
+
+namespace sinew {
+
+/// The arguments of evaluatePatches (patch.h).
+struct PatchFrame {
+  PatchKind kind = PatchKind::kPn;
+  const ControlMesh* mesh = nullptr;
+  const Refinement* refinement = nullptr;
+  std::span<const glm::vec3> positions;
+  std::span<const glm::vec3> normals;
+  std::span<glm::vec3> outPositions;
+  std::span<glm::vec3> outNormals;
+};
+
+/// The arguments of interpolateDirections.
+struct DirectionFrame {
+  const ControlMesh* mesh = nullptr;
+  const Refinement* refinement = nullptr;
+  std::span<const glm::vec3> control;
+  std::span<glm::vec3> out;
+};
+
+/// Both fill the vertices on edges and inside triangles; the control vertices' own places are left as they are.
+/// Nothing is allocated.
+struct PatchKernels {
+  void (*patches)(const PatchFrame& frame) = nullptr;
+  void (*directions)(const DirectionFrame& frame) = nullptr;
+};
+
+/// All give the bits of the formulas in patch.cpp.  @param set  not kScalar; one that this machine runs.
+[[nodiscard]] PatchKernels patchKernels(InstructionSet set);
+
+}  // namespace sinew
