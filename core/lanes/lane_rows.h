@@ -91,9 +91,17 @@ HWY_INLINE void scatter(const V3& v, glm::vec3* to, std::size_t stride, std::siz
   hn::Store(hn::BitCast(kTag, hn::InterleaveUpper(pairs, xyLow, zLow)), kTag, rows + kWidth);
   hn::Store(hn::BitCast(kTag, hn::InterleaveLower(pairs, xyHigh, zHigh)), kTag, rows + 2 * kWidth);
   hn::Store(hn::BitCast(kTag, hn::InterleaveUpper(pairs, xyHigh, zHigh)), kTag, rows + 3 * kWidth);
-  for (std::size_t lane = 0; lane < used; ++lane) {
+  const auto copy = [&](std::size_t lane) HWY_ATTR {
     std::memcpy(to + lane * stride, rows + lane % 4 * kWidth + lane / 4 * 4, sizeof(glm::vec3));
+  };
+  std::size_t lane = 0;
+  for (; lane + 4 <= used; lane += 4) {
+    copy(lane);
+    copy(lane + 1);
+    copy(lane + 2);
+    copy(lane + 3);
   }
+  for (; lane < used; ++lane) copy(lane);
 }
 
 #endif

@@ -254,7 +254,6 @@ HWY_INLINE Stretch<ControlTriangle> trianglesOf(const ControlMesh& mesh, const R
   return {mesh.triangles, toIndex(refinement.interiorVertex(0, 0)), toIndex(refinement.interiorVertices)};
 }
 
-/// One of a piece's vertices.
 HWY_INLINE Weights weightsOf(const Edge*, const Refinement& refinement, std::size_t i) {
   const float w = static_cast<float>(i + 1) / static_cast<float>(refinement.depth);
   return {1.0f - w, w, 0.0f};
@@ -264,6 +263,15 @@ HWY_INLINE Weights weightsOf(const ControlTriangle*, const Refinement& refinemen
   const auto& [j, k] = refinement.interior[i];
   return {static_cast<float>(refinement.depth - j - k) / n, static_cast<float>(j) / n, static_cast<float>(k) / n};
 }
+
+/// Of the vertices of one piece.
+struct Lattice {
+  template <class Piece>
+  Lattice(const Stretch<Piece>& stretch, const Refinement& refinement) {
+    for (std::size_t i = 0; i < stretch.each; ++i) at[i] = weightsOf(stretch.pieces.data(), refinement, i);
+  }
+  std::array<Weights, (kMaxDepth - 1) * (kMaxDepth - 2) / 2> at;
+};
 
 /// Calls visit(lanes, place), place being the first refined vertex of the first lane.
 template <class Piece, class Visit>
@@ -278,11 +286,12 @@ template <class Patch, class Piece>
 HWY_NOINLINE void evaluate(const PatchFrame& frame, const Stretch<Piece>& stretch) {
   const Rows positions(frame.positions);
   const Rows normals(frame.normals);
+  const Lattice lattice(stretch, *frame.refinement);
   forEachLanes(stretch, [&](const PieceLanes<Piece>& lanes, std::size_t place) HWY_ATTR {
     const Ends<PieceLanes<Piece>::kCorners> ends{lanes.corners(positions), lanes.corners(normals)};
     const Patch patch(ends);
     for (std::size_t i = 0; i < stretch.each; ++i) {
-      const Point point = patch.at(weightsOf(stretch.pieces.data(), *frame.refinement, i));
+      const Point point = patch.at(lattice.at[i]);
       scatter(point.position, &frame.outPositions[place + i], stretch.each, lanes.used());
       scatter(point.normal, &frame.outNormals[place + i], stretch.each, lanes.used());
     }
@@ -311,10 +320,11 @@ void evaluateKind(const PatchFrame& frame) {
 template <class Piece>
 HWY_NOINLINE void interpolate(const DirectionFrame& frame, const Stretch<Piece>& stretch) {
   const Rows control(frame.control);
+  const Lattice lattice(stretch, *frame.refinement);
   forEachLanes(stretch, [&](const PieceLanes<Piece>& lanes, std::size_t place) HWY_ATTR {
     const auto corners = lanes.corners(control);
     for (std::size_t i = 0; i < stretch.each; ++i) {
-      const V3 direction = phongNormal(corners, weightsOf(stretch.pieces.data(), *frame.refinement, i));
+      const V3 direction = phongNormal(corners, lattice.at[i]);
       scatter(direction, &frame.out[place + i], stretch.each, lanes.used());
     }
   });
