@@ -71,6 +71,7 @@ _sinew() {
         export:--joint-scale) _sinew_words full uniform none; return ;;
         export:--fps) :; return ;;
         export:--bound) :; return ;;
+        export:--threads) :; return ;;
         export:-o|export:--output) _sinew_files glb gltf usda pc2 mdd; return ;;
         export:--list) _sinew_files -; return ;;
         export:--shard) :; return ;;
@@ -119,7 +120,7 @@ _sinew() {
         inspect:*) _sinew_files glb gltf rig.json ;;
         smooth:-*) _sinew_words -h --help --clip --time --frames --fps --depth --mode --patch --projection --crease -o --output --report --list --shard --resume --dry-run ;;
         smooth:*) _sinew_files glb gltf rig.json ;;
-        export:-*) _sinew_words -h --help --as --mesh --depth --weights --clip --joints --joint-scale --fps --bound --json -o --output --list --shard --resume --dry-run ;;
+        export:-*) _sinew_words -h --help --as --mesh --depth --weights --clip --joints --joint-scale --fps --bound --threads --json -o --output --list --shard --resume --dry-run ;;
         export:*) _sinew_files glb gltf rig.json ;;
         render:-*) _sinew_words -h --help --clip --time --frames --fps --view --orthographic --shading --show --glass --surface --no-surface --ground --no-ground --cull --transparent --light --background --ao --size --samples --depth --mode --patch --projection --crease -o --output --list --shard --resume --dry-run ;;
         render:*) _sinew_files glb gltf rig.json ;;

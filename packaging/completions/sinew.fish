@@ -100,6 +100,7 @@ complete -c sinew -n '__sinew_in "export"' -l joints -x -d 'helpers: how many jo
 complete -c sinew -n '__sinew_in "export"' -l joint-scale -x -a 'full uniform none' -d 'helpers: how joints of muscle lines may scale: full, uniform, or none (two joints a line)'
 complete -c sinew -n '__sinew_in "export"' -l fps -x -d 'baked: frames a second (30); the clip\'s end is one, too'
 complete -c sinew -n '__sinew_in "export"' -l bound -x -d 'baked: how far any vertex may be off in any frame, percent of the height (0.1)'
+complete -c sinew -n '__sinew_in "export"' -l threads -x -d 'Work on N cores at most; without it, on all; the file is the same'
 complete -c sinew -n '__sinew_in "export"' -l json -d 'Report as JSON'
 complete -c sinew -n '__sinew_in "export"' -s o -l output -x -a '(__sinew_files glb gltf usda pc2 mdd)' -d 'File to write: .glb, .gltf or .usda; baked: .glb, .gltf, .usda, .pc2 or .mdd'
 complete -c sinew -n '__sinew_in "export"' -l list -x -a '(__sinew_files )' -d 'Instead of FILE: a text file, one input per line; {name} in OUT is its name'
