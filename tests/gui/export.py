@@ -89,7 +89,7 @@ def quits_meanwhile(t, editor):
 def quits_when_done(t, rig):
     editor = t.edit(rig)
     editor.wait_until("the rig", lambda s: s["document"]["primitives"] > 0)
-    start(editor, "last.glb", 6)
+    start(editor, "last.glb", 4)
     editor.tap("ctrl+q", "the question", lambda s: s["dialog"] == "export-question" and "export-question/later" in s["widgets"])
     editor.click("export-question/later")
     t.check_equal("it quits when it is done", editor.wait_for_end(), 0)
