@@ -1,7 +1,9 @@
-// core/character/skinning.cpp: linear blend skinning, one matrix a vertex.
+// core/character/skinning.cpp: linear blend skinning, one matrix a vertex, one vertex after the other: the reference of
+// skinning_kernel.cpp.
 #include "core/character/skinning.h"
 
 #include "core/base/at.h"
+#include "core/character/skinning_kernel.h"
 
 namespace sinew {
 namespace {
@@ -21,29 +23,41 @@ glm::mat4 blended(const ControlMesh& mesh, std::span<const glm::mat4> matrices, 
   return sum;
 }
 
+/// A direction of the bind pose, unit, in the world.
+glm::vec3 carried(const glm::vec3& direction, const glm::mat4& matrix) {
+  return normalizeOr(normalMatrix(glm::mat3(matrix)) * direction, direction);
+}
+
+void skinOneByOne(const SkinFrame& frame) {
+  for (std::size_t v = 0; v < frame.directions.size(); ++v) {
+    const glm::mat4 matrix = blended(*frame.mesh, frame.matrices, static_cast<int>(v));
+    if (!frame.outPositions.empty()) {
+      frame.outPositions[v] = glm::vec3(matrix * glm::vec4(frame.mesh->positions[v], 1.0f));
+    }
+    frame.outDirections[v] = carried(frame.directions[v], matrix);
+  }
+}
+
+void skinAsChosen(const SkinFrame& frame) {
+  const InstructionSet set = chosenInstructionSet();
+  const SkinKernel kernel = set == InstructionSet::kScalar ? &skinOneByOne : skinKernel(set);
+  kernel(frame);
+}
+
 }  // namespace
 
 void skin(const Character& character, const Pose& pose, SkinnedMesh& out) {
   const ControlMesh& mesh = character.mesh;
   poseMatrices(character.skeleton, pose, out.matrices);
-  const std::size_t count = mesh.positions.size();
-  out.positions.resize(count);
-  out.normals.resize(count);
-  for (std::size_t v = 0; v < count; ++v) {
-    const glm::mat4 matrix = blended(mesh, out.matrices, static_cast<int>(v));
-    out.positions[v] = glm::vec3(matrix * glm::vec4(mesh.positions[v], 1.0f));
-    out.normals[v] = normalizeOr(normalMatrix(glm::mat3(matrix)) * mesh.normals[v], mesh.normals[v]);
-  }
+  out.positions.resize(mesh.positions.size());
+  out.normals.resize(mesh.positions.size());
+  skinAsChosen({&mesh, out.matrices, mesh.normals, out.positions, out.normals});
 }
 
 void skinDirections(const Character& character, std::span<const glm::vec3> bind, const SkinnedMesh& skinned,
                     std::vector<glm::vec3>& out) {
-  out = skinned.normals;
-  for (std::size_t v = 0; v < bind.size(); ++v) {
-    if (bind[v] == character.mesh.normals[v]) continue;
-    const glm::mat3 matrix = normalMatrix(glm::mat3(blended(character.mesh, skinned.matrices, static_cast<int>(v))));
-    out[v] = normalizeOr(matrix * bind[v], bind[v]);
-  }
+  out.resize(bind.size());
+  skinAsChosen({&character.mesh, skinned.matrices, bind, {}, out});
 }
 
 void skinWedgeNormals(const Character& character, std::span<const Wedge> wedges, const SkinnedMesh& skinned,
@@ -53,8 +67,7 @@ void skinWedgeNormals(const Character& character, std::span<const Wedge> wedges,
     const Wedge& wedge = wedges[w];
     out[w] = at(skinned.normals, wedge.vertex);
     if (!wedge.creased) continue;
-    const glm::mat3 matrix = normalMatrix(glm::mat3(blended(character.mesh, skinned.matrices, wedge.vertex)));
-    out[w] = normalizeOr(matrix * wedge.normal, wedge.normal);
+    out[w] = carried(wedge.normal, blended(character.mesh, skinned.matrices, wedge.vertex));
   }
 }
 

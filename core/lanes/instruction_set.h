@@ -6,8 +6,8 @@
 namespace sinew {
 
 /// kAuto: the widest this machine has. kPlain: the same operations, one lane at a time, where there are no others.
-/// kScalar: vertex after vertex, without lanes, the references of tests: the projection's in double precision, the
-/// patches' with the same bits; to the rest it means kAuto.
+/// kScalar: vertex after vertex, without lanes, the references of tests: the projection's in double precision,
+/// skinning's and the patches' with the same bits; to the rest it means kAuto.
 enum class InstructionSet { kAuto, kScalar, kPlain, kSse4, kAvx2, kAvx512 };
 
 [[nodiscard]] const char* nameOf(InstructionSet set);

@@ -14,6 +14,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "core/lanes/lanes.h"
+#include "sinew/base/geometry.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
@@ -26,6 +27,8 @@ struct V3 {
   friend HWY_INLINE V3 operator+(const V3& a, const V3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
   friend HWY_INLINE V3 operator-(const V3& a, const V3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
   friend HWY_INLINE V3 operator*(V s, const V3& a) { return {s * a.x, s * a.y, s * a.z}; }
+  friend HWY_INLINE V3 operator*(const V3& a, V s) { return s * a; }
+  friend HWY_INLINE V3 operator/(const V3& a, V s) { return {a.x / s, a.y / s, a.z / s}; }
 };
 
 HWY_INLINE V dot(const V3& a, const V3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -70,6 +73,28 @@ struct LanePoints {
     hn::Store(v.z, kTag, z.at(first));
   }
 };
+
+inline HWY_NOINLINE V3 normalizedLaneByLane(const V3& v, const V3& fallback) {
+  LanePoints units;
+  LanePoints fallbacks;
+  units.store(v, 0);
+  fallbacks.store(fallback, 0);
+  for (std::size_t lane = 0; lane < width(); ++lane) {
+    const glm::vec3 unit = sinew::normalizeOr(units.at(lane), fallbacks.at(lane));
+    units.x.lane[lane] = unit.x;
+    units.y.lane[lane] = unit.y;
+    units.z.lane[lane] = unit.z;
+  }
+  return units.load(0);
+}
+
+/// As normalizeOr of base/geometry.h, bit for bit. Fast where a float's square holds all lengths.
+HWY_INLINE V3 normalizeOr(const V3& v, const V3& fallback) {
+  const V squared = dot(v, v);
+  const M usual = both(hn::Gt(squared, all(1e-20f)), hn::Lt(squared, all(1e20f)));
+  if (HWY_UNLIKELY(!hn::AllTrue(kTag, usual))) return normalizedLaneByLane(v, fallback);
+  return v / hn::Sqrt(squared);
+}
 
 /// Calls visit(lane) for every lane of the mask, whose lanes are those from `first` on.
 template <class Visit>

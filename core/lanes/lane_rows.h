@@ -106,6 +106,14 @@ HWY_INLINE void scatter(const V3& v, glm::vec3* to, std::size_t stride, std::siz
 
 #endif
 
+/// What row(lane) points to, of every lane.
+template <class Row>
+HWY_INLINE V3 gatheredBy(Row row) {
+  RowPointers rows;
+  for (std::size_t lane = 0; lane < width(); ++lane) rows[lane] = row(lane);
+  return gathered(rows);
+}
+
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -7,7 +7,7 @@ import sys
 
 # Each directory may include only those with a lower number. "io/gltf" is a directory of its own.
 LAYERS = {
-    "core": {"base": 1, "lanes": 1, "mesh": 2, "skeleton": 2, "primitives": 2, "character": 3, "blending": 3, "rig": 4, "symmetry": 5,
+    "core": {"base": 1, "lanes": 2, "mesh": 2, "skeleton": 2, "primitives": 2, "character": 3, "blending": 3, "rig": 4, "symmetry": 5,
              "lines": 5, "drivers": 6, "smoothing/patches": 5, "smoothing/roots": 5, "smoothing/projection": 6, "smoothing/finish": 6,
              "smoothing": 7, "io/files": 8, "io/json": 8, "io/gltf": 9, "io": 10,
              "export/fit": 11, "export/usd": 12, "export": 13},

@@ -50,9 +50,6 @@ struct Point {
   V3 normal;
 };
 
-HWY_INLINE V3 operator*(const V3& a, V s) { return s * a; }
-HWY_INLINE V3 operator/(const V3& a, V s) { return {a.x / s, a.y / s, a.z / s}; }
-
 template <std::size_t kCorners>
 HWY_INLINE V3 weighted(const Corners<kCorners>& corners, const Weights& w) {
   V3 sum = V3{zero(), zero(), zero()} + all(w.u) * corners.of[0] + all(w.v) * corners.of[1];
@@ -60,32 +57,9 @@ HWY_INLINE V3 weighted(const Corners<kCorners>& corners, const Weights& w) {
   return sum;
 }
 
-/// Lanes whose vector is too short or too long for a float's square.
-HWY_NOINLINE V3 unitLaneByLane(const V3& v, const V3& fallback) {
-  LanePoints from;
-  LanePoints instead;
-  from.store(v, 0);
-  instead.store(fallback, 0);
-  for (std::size_t lane = 0; lane < width(); ++lane) {
-    const glm::vec3 unit = normalizeOr(from.at(lane), instead.at(lane));
-    from.x.lane[lane] = unit.x;
-    from.y.lane[lane] = unit.y;
-    from.z.lane[lane] = unit.z;
-  }
-  return from.load(0);
-}
-
-/// As normalizeOr of base/geometry.h, bit for bit.
-HWY_INLINE V3 exactUnitOr(const V3& v, const V3& fallback) {
-  const V squared = dot(v, v);
-  const M usual = both(hn::Gt(squared, all(1e-20f)), hn::Lt(squared, all(1e20f)));
-  if (HWY_UNLIKELY(!hn::AllTrue(kTag, usual))) return unitLaneByLane(v, fallback);
-  return v / hn::Sqrt(squared);
-}
-
 template <std::size_t kCorners>
 HWY_INLINE V3 phongNormal(const Corners<kCorners>& normals, const Weights& w) {
-  return exactUnitOr(weighted(normals, w), normals.of[w.heaviest()]);
+  return normalizeOr(weighted(normals, w), normals.of[w.heaviest()]);
 }
 
 template <std::size_t kCorners>
@@ -153,7 +127,7 @@ HWY_INLINE V3 pnEdgeNormal(const Ends<kCorners>& ends, std::size_t a, std::size_
   const V3 sum = ends.normals.of[a] + ends.normals.of[b];
   const V squared = dot(along, along);
   const V v = choose(hn::Gt(squared, zero()), all(2.0f) * dot(along, sum) / squared, zero());
-  return exactUnitOr(sum - v * along, ends.normals.of[a]);
+  return normalizeOr(sum - v * along, ends.normals.of[a]);
 }
 
 struct PnEdge {
@@ -166,7 +140,7 @@ struct PnEdge {
     const V3 position = ends.positions.of[0] * all(u * u * u) + b21 * all(3.0f * u * u * v) +
                         b12 * all(3.0f * u * v * v) + ends.positions.of[1] * all(v * v * v);
     const V3 normal = ends.normals.of[0] * all(u * u) + n11 * all(u * v) + ends.normals.of[1] * all(v * v);
-    return {position, exactUnitOr(normal, ends.normals.of[w.heaviest()])};
+    return {position, normalizeOr(normal, ends.normals.of[w.heaviest()])};
   }
 
   const Ends<2>& ends;
@@ -204,7 +178,7 @@ struct PnTriangle {
                         b111 * all(6.0f * u * v * s);
     const V3 normal = n[0] * all(u * u) + n[1] * all(v * v) + n[2] * all(s * s) + n110 * all(u * v) +
                       n011 * all(v * s) + n101 * all(u * s);
-    return {position, exactUnitOr(normal, n[w.heaviest()])};
+    return {position, normalizeOr(normal, n[w.heaviest()])};
   }
 
   const Ends<3>& ends;
@@ -226,11 +200,8 @@ class PieceLanes {
   HWY_INLINE Corners<kCorners> corners(const Rows& from) const {
     Corners<kCorners> out;
     for (std::size_t c = 0; c < kCorners; ++c) {
-      RowPointers rows;
-      for (std::size_t lane = 0; lane < width(); ++lane) {
-        rows[lane] = from.at(pieces_[std::min(lane, used() - 1)].vertices[c]);
-      }
-      out.of[c] = gathered(rows);
+      out.of[c] = gatheredBy([&](std::size_t lane)
+                                 HWY_ATTR { return from.at(pieces_[std::min(lane, used() - 1)].vertices[c]); });
     }
     return out;
   }

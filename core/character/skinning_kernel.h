@@ -1,0 +1,25 @@
+// core/character/skinning_kernel.h: linear blend skinning, a vertex a lane, by instruction set.
+#pragma once
+
+#include <span>
+
+#include "core/lanes/instruction_set.h"
+#include "sinew/mesh/control_mesh.h"
+
+namespace sinew {
+
+/// What skinning.h passes to the kernel. All but `matrices` are [V]. Nothing is allocated.
+struct SkinFrame {
+  const ControlMesh* mesh = nullptr;
+  std::span<const glm::mat4> matrices;    ///< [bindings] from the bind pose to the pose.
+  std::span<const glm::vec3> directions;  ///< Bind pose, unit; carried as normals are.
+  std::span<glm::vec3> outPositions;      ///< Of the mesh's positions; or empty: not asked for.
+  std::span<glm::vec3> outDirections;     ///< Unit.
+};
+
+using SkinKernel = void (*)(const SkinFrame& frame);
+
+/// All give the bits of the formulas in skinning.cpp.  @param set  not kScalar; one that this machine runs.
+[[nodiscard]] SkinKernel skinKernel(InstructionSet set);
+
+}  // namespace sinew

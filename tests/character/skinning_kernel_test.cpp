@@ -1,0 +1,94 @@
+// tests/character/skinning_kernel_test.cpp: skinning in lanes: bit for bit that of one vertex after the other.
+#include "core/character/skinning_kernel.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "core/character/skinning.h"
+#include "core/smoothing/projection/rise_directions.h"
+#include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/rigs/random_rigs.h"
+#include "tests/support/rigs/trial_scenes.h"
+#include "tests/support/surface/mesh_checks.h"
+
+namespace sinew::test {
+namespace {
+
+struct Skinned {
+  SkinnedMesh mesh;
+  std::vector<glm::vec3> rise;
+};
+
+Skinned skinnedBy(InstructionSet set, const Character& character, const Pose& pose) {
+  const InstructionSetScope scope(set);
+  Skinned out;
+  skin(character, pose, out.mesh);
+  skinDirections(character, riseDirections(character.mesh, kRise * character.height), out.mesh, out.rise);
+  return out;
+}
+
+void expectSameBits(const Character& character, const Pose& pose, const std::string& what) {
+  const Skinned scalar = skinnedBy(InstructionSet::kScalar, character, pose);
+  ASSERT_EQ(scalar.mesh.positions.size(), character.mesh.positions.size());
+  for (const InstructionSet set : availableInstructionSets()) {
+    if (set == InstructionSet::kScalar) continue;
+    const Skinned lanes = skinnedBy(set, character, pose);
+    EXPECT_TRUE(sameBytes(lanes.mesh.positions, scalar.mesh.positions)) << what << ", " << nameOf(set);
+    EXPECT_TRUE(sameBytes(lanes.mesh.normals, scalar.mesh.normals)) << what << ", " << nameOf(set);
+    EXPECT_TRUE(sameBytes(lanes.rise, scalar.rise)) << what << ", " << nameOf(set);
+  }
+}
+
+TEST(SkinningKernel, GivesTheScalarBitsOnCharacters) {
+  for (const TrialScene& scene : trialScenes()) {
+    for (const Pose& pose : spreadPoses(*scene.character, 2)) expectSameBits(*scene.character, pose, scene.name);
+  }
+}
+
+// Bones that are mirrored, flattened, shrunk to a point, or so small or large that squares leave a float's range.
+TEST(SkinningKernel, GivesTheScalarBitsOfBonesOfAnySize) {
+  const std::vector<glm::vec3> sizes{{-1.0f, 1.0f, 1.0f},   {1.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f},
+                                     {1e-7f, 1e-7f, 1e-7f}, {1e7f, 2e7f, 1e7f}, {1.0f, 1e-12f, 1.0f}};
+  for (const auto& character : {makeLimb(), makeTwoLegged(), makeStrip(), makeTube(), makeCube()}) {
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+      const Pose pose = randomPose(character->skeleton, 1.0f, 0.4f, seed);
+      expectSameBits(*character, pose, "random pose");
+      for (const glm::vec3& size : sizes) {
+        Pose sized = pose;
+        for (std::size_t bone = seed % 2; bone < sized.boneInWorld.size(); bone += 2) {
+          sized.boneInWorld[bone] = glm::scale(sized.boneInWorld[bone], size);
+        }
+        expectSameBits(*character, sized, "size " + std::to_string(size.x) + ", " + std::to_string(size.y));
+      }
+    }
+  }
+}
+
+// Vertices behind the last one are neither read into a result nor written.
+TEST(SkinningKernel, FillsAsManyAsAreAskedFor) {
+  const auto character = makeLimb();
+  const Pose pose = randomPose(character->skeleton, 0.6f, 0.3f, 1);
+  const SkinnedMesh whole = skinnedBy(InstructionSet::kScalar, *character, pose).mesh;
+  const glm::vec3 untouched(-7.25f, 1e30f, 3.0f);
+  for (const InstructionSet set : availableInstructionSets()) {
+    if (set == InstructionSet::kScalar) continue;
+    for (std::size_t count = 0; count <= 35; ++count) {
+      std::vector<glm::vec3> positions(count + 40, untouched);
+      std::vector<glm::vec3> normals(count + 40, untouched);
+      const auto asked = [&](auto& all) { return std::span(all).first(count); };
+      skinKernel(set)(
+          {&character->mesh, whole.matrices, asked(character->mesh.normals), asked(positions), asked(normals)});
+      for (std::size_t v = 0; v < positions.size(); ++v) {
+        ASSERT_TRUE(sameBits(positions[v], v < count ? whole.positions[v] : untouched)) << count << ", " << nameOf(set);
+        ASSERT_TRUE(sameBits(normals[v], v < count ? whole.normals[v] : untouched)) << count << ", " << nameOf(set);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sinew::test
