@@ -116,8 +116,8 @@ class TileSweller {
     frame_.counts.projected += static_cast<int>(hn::CountTrue(kTag, active));
     directions_.gather(frame_.rise.directions, tile_->vertices, first);
     const V3 d = directions_.load(first);
-    fillTerms(p, d, first);
     const LaneSkin skin = skinOf(onSkin);
+    fillTerms(p, d, skin, active, first);
     const RayLanes rays(*frame_.lanes, cliques_, skin, first);
     const LaneRise rise = riseOf(rays, skin, onSkin);
     const LaneSearch search = rays.bracket(rise, active);
@@ -190,8 +190,9 @@ class TileSweller {
     return {together + carved, width};
   }
 
-  /// Terms along the outward rays.
-  void fillTerms(const V3& p, const V3& d, std::size_t first) {
+  /// Terms in the search's direction and sign: those that some active lane's ray meets ahead. A term that a ray does
+  /// not meet adds 0 to it, so that no lane depends on what its neighbours meet.
+  void fillTerms(const V3& p, const V3& d, const LaneSkin& skin, M active, std::size_t first) {
     LaneScratch& scratch = *frame_.lanes;
     scratch.termCount = 0;
     for (std::size_t n = 0; n < nearCount_; ++n) {
@@ -199,18 +200,23 @@ class TileSweller {
       const PosedPrimitive& muscle = primitive(candidate(i).primitive);
       const UnitBallMap& ball = muscle.influence;
       if (ball.boundingRadius == 0.0f) continue;
-      const V3 y = inBall(ball, p - all(ball.center));
+      const V factor = skin.sign * weightedStrength(i, muscle, first);
+      const M seen = both(active, hn::Ne(factor, zero()));
+      const V3 fromCenter = p - all(ball.center);
+      if (!any(both(seen, mayMeet(fromCenter, skin.sign * d, ball.boundingRadius)))) continue;
+      const V3 y = inBall(ball, fromCenter);
       const V3 yd = inBall(ball, d);
       const V scale = scaleOf(ball);
       const V squared = dot(yd, yd);
       const V middle = zero() - dot(y, yd) / squared;
       const V3 nearest = y + middle * yd;
       const V peak = all(1.0f) - scale * dot(nearest, nearest);
-      const V factor = weightedStrength(i, muscle, first);
-      if (!any(both(hn::Gt(peak, zero()), hn::Ne(factor, zero())))) continue;
+      const V a = scale * squared;
+      const V ahead = skin.sign * middle;
+      if (!any(both(seen, liesAhead(a, ahead, peak)))) continue;
       LaneTerm& term = scratch.terms[scratch.termCount++];
-      hn::Store(scale * squared, kTag, term.a.at(first));
-      hn::Store(middle, kTag, term.middle.at(first));
+      hn::Store(a, kTag, term.a.at(first));
+      hn::Store(ahead, kTag, term.middle.at(first));
       hn::Store(peak, kTag, term.peak.at(first));
       hn::Store(factor, kTag, term.factor.at(first));
       term.primitive = candidate(i).primitive;
@@ -233,21 +239,18 @@ class TileSweller {
             all(isoRoot_), choose(outward, all(isoRoot_), all(1e30f))};
   }
 
-  /// Turns the terms into the search's direction and sign, and finds where they may rise: before its middle a term
-  /// that adds, after it one that takes away.
-  LaneRise riseOf(const RayLanes& rays, const LaneSkin& skin, const OnSkin& onSkin) {
+  /// Where terms may rise: before its middle one that adds, after it one that takes away.
+  LaneRise riseOf(const RayLanes& rays, const LaneSkin& skin, const OnSkin& onSkin) const {
     const M outward = hn::Gt(skin.sign, zero());
     LaneRise rise{all(1e30f), zero(), choose(outward, onSkin.blendWidth, all(isoRadius_) / skin.inverseWidth)};
-    LaneScratch& scratch = *frame_.lanes;
-    for (LaneTerm& term : std::span(scratch.terms).first(scratch.termCount)) {
-      const V factor = skin.sign * rays.load(term.factor);
-      const V middle = skin.sign * rays.load(term.middle);
+    for (const LaneTerm& term : rays.terms()) {
+      const V factor = rays.load(term.factor);
+      const V middle = rays.load(term.middle);
       const V peak = rays.load(term.peak);
-      rays.store(factor, term.factor);
-      rays.store(middle, term.middle);
-      const V half = hn::Sqrt(hn::Max(zero(), peak) / rays.load(term.a));
+      const V a = rays.load(term.a);
+      const V half = hn::Sqrt(hn::Max(zero(), peak) / a);
       const V leave = middle + half;
-      const M met = both(both(hn::Gt(peak, zero()), hn::Ne(factor, zero())), hn::Gt(leave, zero()));
+      const M met = both(hn::Ne(factor, zero()), liesAhead(a, middle, peak));
       rise.end = choose(both(met, outward), hn::Max(rise.end, leave), rise.end);
       const M adds = hn::Gt(factor, zero());
       const V from = hn::Max(zero(), choose(adds, middle - half, middle));

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <span>
 
-#include "core/lanes/lanes.h"
+#include "core/lanes/lane_points.h"
 #include "core/smoothing/roots/lane_terms.h"
 #include "hwy/highway.h"
 
@@ -68,6 +68,22 @@ struct LaneRise {
   V to;    ///< ... and after this again.
   V end;   ///< Of the search.
 };
+
+/// Whether a ray may meet a ball; rounding never says no where it does.
+/// @param fromCenter  the ray's origin less the ball's centre.  @param d  unit.
+HWY_INLINE M mayMeet(const V3& fromCenter, const V3& d, float radius) {
+  const V squared = dot(fromCenter, fromCenter);
+  const V along = dot(fromCenter, d);
+  const V within = all(1.01f * radius * radius) + all(1e-5f) * squared;
+  const M ahead = hn::Or(hn::Lt(along, zero()), hn::Lt(squared, within));
+  return both(ahead, hn::Lt(squared - along * along, within));
+}
+
+/// Whether a term is above 0 anywhere at t >= 0: at its middle, or at 0 by sample()'s own operations.
+HWY_INLINE M liesAhead(V a, V middle, V peak) {
+  const V atStart = peak - a * middle * middle;
+  return both(hn::Gt(peak, zero()), hn::Or(hn::Gt(middle, zero()), hn::Gt(atStart, zero())));
+}
 
 /// psi along the rays of the lanes from `first` on.
 class RayLanes {
