@@ -45,8 +45,9 @@ using RowPointers = std::array<const float*, kLanes>;  ///< The first width() ar
 
 HWY_INLINE V3 gathered(const RowPointers& rows) { return {all(rows[0][0]), all(rows[0][1]), all(rows[0][2])}; }
 
-HWY_INLINE void scatter(const V3& v, glm::vec3* to, std::size_t, std::size_t) {
-  *to = {hn::GetLane(v.x), hn::GetLane(v.y), hn::GetLane(v.z)};
+template <class Place>
+HWY_INLINE void scatterTo(const V3& v, Place place, std::size_t) {
+  *place(0) = {hn::GetLane(v.x), hn::GetLane(v.y), hn::GetLane(v.z)};
 }
 
 #else
@@ -77,8 +78,9 @@ HWY_INLINE V3 gathered(const RowPointers& rows) {
           hn::BitCast(kTag, hn::InterleaveLower(pairs, abHigh, cdHigh))};
 }
 
-/// The first `used` lanes to every `stride`-th place from `to` on.
-HWY_INLINE void scatter(const V3& v, glm::vec3* to, std::size_t stride, std::size_t used) {
+/// The first `used` lanes, each to the place that place(lane) points to.
+template <class Place>
+HWY_INLINE void scatterTo(const V3& v, Place place, std::size_t used) {
   const hn::RepartitionToWide<FloatTag> pairs;
   const auto xyLow = hn::BitCast(pairs, hn::InterleaveLower(kTag, v.x, v.y));
   const auto xyHigh = hn::BitCast(pairs, hn::InterleaveUpper(kTag, v.x, v.y));
@@ -92,7 +94,7 @@ HWY_INLINE void scatter(const V3& v, glm::vec3* to, std::size_t stride, std::siz
   hn::Store(hn::BitCast(kTag, hn::InterleaveLower(pairs, xyHigh, zHigh)), kTag, rows + 2 * kWidth);
   hn::Store(hn::BitCast(kTag, hn::InterleaveUpper(pairs, xyHigh, zHigh)), kTag, rows + 3 * kWidth);
   const auto copy = [&](std::size_t lane) HWY_ATTR {
-    std::memcpy(to + lane * stride, rows + lane % 4 * kWidth + lane / 4 * 4, sizeof(glm::vec3));
+    std::memcpy(place(lane), rows + lane % 4 * kWidth + lane / 4 * 4, sizeof(glm::vec3));
   };
   std::size_t lane = 0;
   for (; lane + 4 <= used; lane += 4) {
@@ -105,6 +107,12 @@ HWY_INLINE void scatter(const V3& v, glm::vec3* to, std::size_t stride, std::siz
 }
 
 #endif
+
+/// The first `used` lanes to every `stride`-th place from `to` on.
+HWY_INLINE void scatter(const V3& v, glm::vec3* to, std::size_t stride, std::size_t used) {
+  scatterTo(
+      v, [=](std::size_t lane) { return to + lane * stride; }, used);
+}
 
 /// What row(lane) points to, of every lane.
 template <class Row>

@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/character/skinning.h"
+#include "core/mesh/creases.h"
 #include "core/smoothing/patches/patch.h"
 #include "sinew/io/gltf_import.h"
 #include "tests/support/characters/synthetic_characters.h"
@@ -155,6 +156,72 @@ TEST(PatchKernel, GivesTheScalarBitsOnDegenerateMeshes) {
     }
   }
   EXPECT_GT(fallbacks, 100);  // At even depths they meet in the middle of the edge.
+}
+
+std::vector<glm::vec3> shadedBy(InstructionSet set, PatchKind kind, const ControlMesh& creased,
+                                const Refinement& refinement, const SkinnedMesh& control,
+                                const std::vector<glm::vec3>& wedgeNormals,
+                                const std::vector<glm::vec3>& patchNormals) {
+  const InstructionSetScope scope(set);
+  std::vector<glm::vec3> out(refinement.drawVertex.size() + kBehind, kUntouched);
+  evaluateShading(kind, creased, refinement, control.positions, wedgeNormals, patchNormals,
+                  std::span(out).first(refinement.drawVertex.size()));
+  return out;
+}
+
+/// Returns how many drawn vertices have another normal than the patch's.
+int expectSameShading(const ControlMesh& creased, const SkinnedMesh& control,
+                      const std::vector<glm::vec3>& wedgeNormals, const std::string& what) {
+  int shaded = 0;
+  for (const int depth : kDepths) {
+    const Refinement refinement = refine(creased, depth);
+    for (const PatchKind kind : kKinds) {
+      const Filled patch = filledBy(InstructionSet::kScalar, kind, creased, refinement, control);
+      const auto by = [&](InstructionSet set) {
+        return shadedBy(set, kind, creased, refinement, control, wedgeNormals, patch.normals);
+      };
+      const std::vector<glm::vec3> scalar = by(InstructionSet::kScalar);
+      forEachDrawVertex(refinement, [&](std::size_t d, std::size_t v) { shaded += scalar[d] != patch.normals[v]; });
+      for (const InstructionSet set : availableInstructionSets()) {
+        EXPECT_TRUE(sameBytes(by(set), scalar))
+            << what << ", kind " << static_cast<int>(kind) << ", depth " << depth << ", " << nameOf(set);
+      }
+    }
+  }
+  return shaded;
+}
+
+TEST(PatchKernel, GivesTheScalarBitsOfCreases) {
+  for (const auto& character : {makeLimb(), makeTwoLegged(), makeStrip(), makeTube(), makeCube()}) {
+    SkinnedMesh control;
+    skin(*character, randomPose(character->skeleton, 0.6f, 0.3f, 1), control);
+    int shaded = 0;
+    for (const float degrees : {10.0f, 20.0f, 40.0f}) {
+      const ControlMesh sharp = creased(character->mesh, degrees);
+      std::vector<glm::vec3> wedgeNormals;
+      skinWedgeNormals(*character, sharp.wedges, control, wedgeNormals);
+      shaded += expectSameShading(sharp, control, wedgeNormals, "degrees " + std::to_string(degrees));
+    }
+    // All edges of the cube are creased.
+    EXPECT_GT(shaded, character->mesh.positions.size() == 8 ? 1000 : -1);
+  }
+}
+
+// Any wedges are creased, so that any number of pieces is left for the last lanes; their normals may be opposite.
+TEST(PatchKernel, GivesTheScalarBitsOfRandomCreases) {
+  Random random(7);
+  int shaded = 0;
+  for (int extra = 0; extra < 20; ++extra) {
+    ControlMesh mesh = randomMesh(random, 12, 4 + extra);
+    const SkinnedMesh control = degenerateControl(random, mesh.positions.size(), 1.0f);
+    std::vector<glm::vec3> wedgeNormals = degenerateControl(random, mesh.wedges.size(), 1.0f).normals;
+    for (std::size_t w = 0; w < mesh.wedges.size(); ++w) {
+      mesh.wedges[w].creased = random.chance(0.3f);
+      if (!mesh.wedges[w].creased) wedgeNormals[w] = control.normals[static_cast<std::size_t>(mesh.wedges[w].vertex)];
+    }
+    shaded += expectSameShading(mesh, control, wedgeNormals, std::to_string(mesh.triangles.size()) + " triangles");
+  }
+  EXPECT_GT(shaded, 1000);
 }
 
 // A zero sum has the heavier end's direction; of two equal ones the first's.

@@ -110,6 +110,30 @@ TEST(VectorSwell, EverySetGivesTheSameBits) {
   }
 }
 
+// Where a ray's neighbours meet other muscles than it does, carves among them.
+TEST(VectorSwell, EverySetGivesTheSameBitsOnRandomRigs) {
+  const CharacterPtr character = makeTwoLegged();
+  for (std::uint64_t seed = 0; seed < 16; ++seed) {
+    RigRecipe recipe;
+    recipe.primitives = 16;
+    recipe.groups = 1 + static_cast<int>(seed % 4);
+    recipe.carveChance = 0.3f;
+    recipe.radiusHigh = seed % 2 == 0 ? 0.1f : 0.4f;
+    Rig rig = randomRig(*character, recipe, seed);
+    rig.smoothing.depth = 4;
+    Projected projected(*character, rig);
+    const Pose pose = randomPose(character->skeleton, 0.6f, 0.3f, seed);
+    const Surface widest = projected.at(pose);
+    EXPECT_GT(widest.report.projected, 100);
+    for (const InstructionSet set : availableInstructionSets()) {
+      if (set == InstructionSet::kScalar) continue;
+      const Surface other = surfaceBy(set, projected, pose);
+      EXPECT_TRUE(sameBytes(other.positions, widest.positions)) << seed << ", " << nameOf(set);
+      EXPECT_TRUE(sameBytes(other.normals, widest.normals)) << seed << ", " << nameOf(set);
+    }
+  }
+}
+
 // Patches, shading normals and `replace` too: the projection's are the same by the test above.
 TEST(VectorSwell, EverySetGivesTheSameBitsOfAWholeFrame) {
   constexpr PatchKind kKinds[] = {PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon};

@@ -226,9 +226,40 @@ void interpolateOneByOne(const DirectionFrame& frame) {
   }
 }
 
+void shadeOneByOne(const ShadingFrame& frame) {
+  const ControlMesh& mesh = *frame.mesh;
+  const Refinement& refinement = *frame.refinement;
+  const auto isCreased = [&](int wedge) { return at(mesh.wedges, wedge).creased; };
+  const auto corner = [&](int wedge) {
+    const auto w = static_cast<std::size_t>(wedge);
+    return Corner{at(frame.positions, mesh.wedges[w].vertex), frame.wedgeNormals[w]};
+  };
+  const float n = static_cast<float>(refinement.depth);
+
+  for (const DrawnRun& run : refinement.drawRuns) {
+    if (std::ranges::none_of(run.wedges, isCreased)) continue;
+    const Corner a = corner(run.wedges[0]);
+    const Corner b = corner(run.wedges[1]);
+    for (int step = 1; step < refinement.depth; ++step) {
+      const glm::vec3 normal = edgePoint(frame.kind, a, b, static_cast<float>(step) / n).normal;
+      at(frame.outNormals, run.first + step - 1) = normal;
+    }
+  }
+
+  for (std::size_t t = 0; t < refinement.drawInterior.size(); ++t) {
+    const auto& wedges = mesh.triangles[t].wedges;
+    if (std::ranges::none_of(wedges, isCreased)) continue;
+    const Inside inside(frame.kind, {{corner(wedges[0]), corner(wedges[1]), corner(wedges[2])}, 3}, refinement);
+    for (int i = 0; i < refinement.interiorVertices; ++i) {
+      at(frame.outNormals, refinement.drawInterior[t] + i) = inside.point(i).normal;
+    }
+  }
+}
+
 PatchKernels chosenKernels() {
   const InstructionSet set = chosenInstructionSet();
-  return set == InstructionSet::kScalar ? PatchKernels{&evaluateOneByOne, &interpolateOneByOne} : patchKernels(set);
+  if (set != InstructionSet::kScalar) return patchKernels(set);
+  return {&evaluateOneByOne, &interpolateOneByOne, &shadeOneByOne};
 }
 
 }  // namespace
@@ -273,36 +304,11 @@ void interpolateValues(const ControlMesh& mesh, const Refinement& refinement, st
 void evaluateShading(PatchKind kind, const ControlMesh& mesh, const Refinement& refinement,
                      std::span<const glm::vec3> positions, std::span<const glm::vec3> wedgeNormals,
                      std::span<const glm::vec3> patchNormals, std::span<glm::vec3> outNormals) {
-  const auto isCreased = [&](int wedge) { return at(mesh.wedges, wedge).creased; };
-  const auto corner = [&](int wedge) {
-    const auto w = static_cast<std::size_t>(wedge);
-    return Corner{at(positions, mesh.wedges[w].vertex), wedgeNormals[w]};
-  };
-  const float n = static_cast<float>(refinement.depth);
   forEachDrawVertex(refinement, [&](std::size_t d, std::size_t vertex) { outNormals[d] = patchNormals[vertex]; });
-
   for (std::size_t w = 0; w < mesh.wedges.size(); ++w) {
     if (mesh.wedges[w].creased) outNormals[w] = wedgeNormals[w];
   }
-
-  for (const DrawnRun& run : refinement.drawRuns) {
-    if (std::ranges::none_of(run.wedges, isCreased)) continue;
-    const Corner a = corner(run.wedges[0]);
-    const Corner b = corner(run.wedges[1]);
-    for (int step = 1; step < refinement.depth; ++step) {
-      const glm::vec3 normal = edgePoint(kind, a, b, static_cast<float>(step) / n).normal;
-      at(outNormals, run.first + step - 1) = normal;
-    }
-  }
-
-  for (std::size_t t = 0; t < refinement.drawInterior.size(); ++t) {
-    const auto& wedges = mesh.triangles[t].wedges;
-    if (std::ranges::none_of(wedges, isCreased)) continue;
-    const Inside inside(kind, {{corner(wedges[0]), corner(wedges[1]), corner(wedges[2])}, 3}, refinement);
-    for (int i = 0; i < refinement.interiorVertices; ++i) {
-      at(outNormals, refinement.drawInterior[t] + i) = inside.point(i).normal;
-    }
-  }
+  chosenKernels().shading({kind, &mesh, &refinement, positions, wedgeNormals, outNormals});
 }
 
 }  // namespace sinew

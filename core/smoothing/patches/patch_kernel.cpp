@@ -1,5 +1,5 @@
-// core/smoothing/patches/patch_kernel.cpp: the four patches and directions, compiled once per instruction set. Every
-// lane does the operations of patch.cpp in the same order.
+// core/smoothing/patches/patch_kernel.cpp: patches, directions and the normals of creases, compiled once per
+// instruction set.
 #include "core/smoothing/patches/patch_kernel.h"
 
 #include <algorithm>
@@ -12,179 +12,11 @@
 #define HWY_TARGET_INCLUDE "core/smoothing/patches/patch_kernel.cpp"
 #include "hwy/foreach_target.h"
 //
-#include "core/lanes/lane_rows.h"
+#include "core/smoothing/patches/patch_lanes.h"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
-
-/// Barycentric, the same in every lane; an edge's third is 0.
-struct Weights {
-  float u;
-  float v;
-  float s;
-
-  /// The corner with the largest; the first of equal ones.
-  [[nodiscard]] std::size_t heaviest() const {
-    if (u >= v && u >= s) return 0;
-    return v >= s ? 1 : 2;
-  }
-};
-
-/// Numbers of one corner after the other.
-template <std::size_t kCorners>
-struct Corners {
-  V3 of[kCorners];
-};
-
-/// Corners of one edge or triangle a lane.
-template <std::size_t kCorners>
-struct Ends {
-  static constexpr std::size_t kCount = kCorners;
-  Corners<kCorners> positions;
-  Corners<kCorners> normals;
-};
-
-struct Point {
-  V3 position;
-  V3 normal;
-};
-
-template <std::size_t kCorners>
-HWY_INLINE V3 weighted(const Corners<kCorners>& corners, const Weights& w) {
-  V3 sum = V3{zero(), zero(), zero()} + all(w.u) * corners.of[0] + all(w.v) * corners.of[1];
-  if constexpr (kCorners == 3) sum = sum + all(w.s) * corners.of[2];
-  return sum;
-}
-
-template <std::size_t kCorners>
-HWY_INLINE V3 phongNormal(const Corners<kCorners>& normals, const Weights& w) {
-  return normalizeOr(weighted(normals, w), normals.of[w.heaviest()]);
-}
-
-template <std::size_t kCorners>
-struct FlatPatch {
-  explicit FlatPatch(const Ends<kCorners>& of) : ends(of) {}
-
-  HWY_INLINE Point at(const Weights& w) const { return {weighted(ends.positions, w), phongNormal(ends.normals, w)}; }
-
-  const Ends<kCorners>& ends;
-};
-
-template <std::size_t kCorners>
-struct PhongPatch {
-  explicit PhongPatch(const Ends<kCorners>& of) : ends(of) {}
-
-  HWY_INLINE Point at(const Weights& w) const {
-    constexpr float kAlpha = 0.75f;
-    const V3 flat = weighted(ends.positions, w);
-    Corners<kCorners> onPlanes;
-    for (std::size_t i = 0; i < kCorners; ++i) {
-      const V3& normal = ends.normals.of[i];
-      onPlanes.of[i] = flat - dot(flat - ends.positions.of[i], normal) * normal;
-    }
-    return {flat * all(1.0f - kAlpha) + weighted(onPlanes, w) * all(kAlpha), phongNormal(ends.normals, w)};
-  }
-
-  const Ends<kCorners>& ends;
-};
-
-template <std::size_t kCorners>
-struct SpherigonPatch {
-  explicit SpherigonPatch(const Ends<kCorners>& of) : ends(of) {}
-
-  HWY_INLINE Point at(const Weights& w) const {
-    const V3 flat = weighted(ends.positions, w);
-    const V3 normal = phongNormal(ends.normals, w);
-    const float weights[3] = {w.u, w.v, w.s};
-    V height = zero();
-    float sum = 0.0f;
-    for (std::size_t i = 0; i < kCorners; ++i) {
-      const V3& own = ends.normals.of[i];
-      const V between = all(1.0f) + dot(normal, own);
-      const V along = choose(hn::Lt(between, all(0.1f)), all(0.1f), between);
-      const float squared = weights[i] * weights[i];
-      height = height + all(squared) * dot(ends.positions.of[i] - flat, normal + own) / along;
-      sum += squared;
-    }
-    return {flat + normal * (height / all(sum)), normal};
-  }
-
-  const Ends<kCorners>& ends;
-};
-
-template <std::size_t kCorners>
-HWY_INLINE V3 pnTangentPoint(const Ends<kCorners>& ends, std::size_t a, std::size_t b) {
-  const V3& from = ends.positions.of[a];
-  const V3& to = ends.positions.of[b];
-  const V3& normal = ends.normals.of[a];
-  return (all(2.0f) * from + to - dot(to - from, normal) * normal) / all(3.0f);
-}
-
-template <std::size_t kCorners>
-HWY_INLINE V3 pnEdgeNormal(const Ends<kCorners>& ends, std::size_t a, std::size_t b) {
-  const V3 along = ends.positions.of[b] - ends.positions.of[a];
-  const V3 sum = ends.normals.of[a] + ends.normals.of[b];
-  const V squared = dot(along, along);
-  const V v = choose(hn::Gt(squared, zero()), all(2.0f) * dot(along, sum) / squared, zero());
-  return normalizeOr(sum - v * along, ends.normals.of[a]);
-}
-
-struct PnEdge {
-  explicit PnEdge(const Ends<2>& of)
-      : ends(of), b21(pnTangentPoint(of, 0, 1)), b12(pnTangentPoint(of, 1, 0)), n11(pnEdgeNormal(of, 0, 1)) {}
-
-  HWY_INLINE Point at(const Weights& w) const {
-    const float u = w.u;
-    const float v = w.v;
-    const V3 position = ends.positions.of[0] * all(u * u * u) + b21 * all(3.0f * u * u * v) +
-                        b12 * all(3.0f * u * v * v) + ends.positions.of[1] * all(v * v * v);
-    const V3 normal = ends.normals.of[0] * all(u * u) + n11 * all(u * v) + ends.normals.of[1] * all(v * v);
-    return {position, normalizeOr(normal, ends.normals.of[w.heaviest()])};
-  }
-
-  const Ends<2>& ends;
-  V3 b21;
-  V3 b12;
-  V3 n11;
-};
-
-struct PnTriangle {
-  explicit PnTriangle(const Ends<3>& of)
-      : ends(of),
-        b210(pnTangentPoint(of, 0, 1)),
-        b120(pnTangentPoint(of, 1, 0)),
-        b021(pnTangentPoint(of, 1, 2)),
-        b012(pnTangentPoint(of, 2, 1)),
-        b102(pnTangentPoint(of, 2, 0)),
-        b201(pnTangentPoint(of, 0, 2)),
-        n110(pnEdgeNormal(of, 0, 1)),
-        n011(pnEdgeNormal(of, 1, 2)),
-        n101(pnEdgeNormal(of, 2, 0)) {
-    const V3(&p)[3] = ends.positions.of;
-    const V3 edgeMean = (b210 + b120 + b021 + b012 + b102 + b201) / all(6.0f);
-    const V3 cornerMean = (p[0] + p[1] + p[2]) / all(3.0f);
-    b111 = edgeMean + (edgeMean - cornerMean) * all(0.5f);
-  }
-
-  HWY_INLINE Point at(const Weights& w) const {
-    const auto& [u, v, s] = w;
-    const V3(&p)[3] = ends.positions.of;
-    const V3(&n)[3] = ends.normals.of;
-    const V3 position = p[0] * all(u * u * u) + p[1] * all(v * v * v) + p[2] * all(s * s * s) +
-                        (b210 * all(u * u * v) + b120 * all(u * v * v) + b021 * all(v * v * s) + b012 * all(v * s * s) +
-                         b102 * all(u * s * s) + b201 * all(u * u * s)) *
-                            all(3.0f) +
-                        b111 * all(6.0f * u * v * s);
-    const V3 normal = n[0] * all(u * u) + n[1] * all(v * v) + n[2] * all(s * s) + n110 * all(u * v) +
-                      n011 * all(v * s) + n101 * all(u * s);
-    return {position, normalizeOr(normal, n[w.heaviest()])};
-  }
-
-  const Ends<3>& ends;
-  V3 b210, b120, b021, b012, b102, b201, b111;
-  V3 n110, n011, n101;
-};
 
 /// width() edges or triangles from one on; lanes beyond the last one repeat it.
 template <class Piece>
@@ -210,103 +42,142 @@ class PieceLanes {
   std::span<const Piece> pieces_;
 };
 
-/// The refined vertices of all edges or of all triangles, piece after piece.
-template <class Piece>
-struct Stretch {
-  std::span<const Piece> pieces;
-  std::size_t first;
-  std::size_t each;
-};
-
-HWY_INLINE Stretch<Edge> edgesOf(const ControlMesh& mesh, const Refinement& refinement) {
-  return {mesh.edges, toIndex(refinement.controlVertices), toIndex(refinement.edgeVertices)};
-}
-HWY_INLINE Stretch<ControlTriangle> trianglesOf(const ControlMesh& mesh, const Refinement& refinement) {
-  return {mesh.triangles, toIndex(refinement.interiorVertex(0, 0)), toIndex(refinement.interiorVertices)};
-}
-
-HWY_INLINE Weights weightsOf(const Edge*, const Refinement& refinement, std::size_t i) {
-  const float w = static_cast<float>(i + 1) / static_cast<float>(refinement.depth);
-  return {1.0f - w, w, 0.0f};
-}
-HWY_INLINE Weights weightsOf(const ControlTriangle*, const Refinement& refinement, std::size_t i) {
-  const float n = static_cast<float>(refinement.depth);
-  const auto& [j, k] = refinement.interior[i];
-  return {static_cast<float>(refinement.depth - j - k) / n, static_cast<float>(j) / n, static_cast<float>(k) / n};
-}
-
-/// Of the vertices of one piece.
-struct Lattice {
-  template <class Piece>
-  Lattice(const Stretch<Piece>& stretch, const Refinement& refinement) {
-    for (std::size_t i = 0; i < stretch.each; ++i) at[i] = weightsOf(stretch.pieces.data(), refinement, i);
-  }
-  std::array<Weights, (kMaxDepth - 1) * (kMaxDepth - 2) / 2> at;
-};
-
-/// Calls visit(lanes, place), place being the first refined vertex of the first lane.
+/// Calls visit(lanes, place), place being the first refined vertex of the first lane. @param first  of all refined
+/// vertices.  @param each  refined vertices of a piece.
 template <class Piece, class Visit>
-HWY_INLINE void forEachLanes(const Stretch<Piece>& stretch, Visit visit) {
-  if (stretch.each == 0) return;
-  for (std::size_t i = 0; i < stretch.pieces.size(); i += width()) {
-    visit(PieceLanes<Piece>(stretch.pieces, i), stretch.first + i * stretch.each);
+HWY_INLINE void forEachLanes(std::span<const Piece> pieces, int first, std::size_t each, Visit visit) {
+  if (each == 0) return;
+  for (std::size_t i = 0; i < pieces.size(); i += width()) {
+    visit(PieceLanes<Piece>(pieces, i), toIndex(first) + i * each);
   }
 }
 
 template <class Patch, class Piece>
-HWY_NOINLINE void evaluate(const PatchFrame& frame, const Stretch<Piece>& stretch) {
+HWY_NOINLINE void evaluateAll(const PatchFrame& frame, std::span<const Piece> pieces, int first) {
+  constexpr std::size_t kCorners = PieceLanes<Piece>::kCorners;
   const Rows positions(frame.positions);
   const Rows normals(frame.normals);
-  const Lattice lattice(stretch, *frame.refinement);
-  forEachLanes(stretch, [&](const PieceLanes<Piece>& lanes, std::size_t place) HWY_ATTR {
-    const Ends<PieceLanes<Piece>::kCorners> ends{lanes.corners(positions), lanes.corners(normals)};
+  const Lattice<kCorners> lattice(*frame.refinement);
+  forEachLanes(pieces, first, lattice.count, [&](const PieceLanes<Piece>& lanes, std::size_t place) HWY_ATTR {
+    const Ends<kCorners> ends{lanes.corners(positions), lanes.corners(normals)};
     const Patch patch(ends);
-    for (std::size_t i = 0; i < stretch.each; ++i) {
+    for (std::size_t i = 0; i < lattice.count; ++i) {
       const Point point = patch.at(lattice.at[i]);
-      scatter(point.position, &frame.outPositions[place + i], stretch.each, lanes.used());
-      scatter(point.normal, &frame.outNormals[place + i], stretch.each, lanes.used());
+      scatter(point.position, &frame.outPositions[place + i], lattice.count, lanes.used());
+      scatter(point.normal, &frame.outNormals[place + i], lattice.count, lanes.used());
     }
   });
 }
 
-template <class EdgePatch, class TrianglePatch>
-void evaluateBoth(const PatchFrame& frame) {
-  evaluate<EdgePatch>(frame, edgesOf(*frame.mesh, *frame.refinement));
-  evaluate<TrianglePatch>(frame, trianglesOf(*frame.mesh, *frame.refinement));
+template <class Piece>
+HWY_NOINLINE void interpolate(const DirectionFrame& frame, std::span<const Piece> pieces, int first) {
+  const Rows control(frame.control);
+  const Lattice<PieceLanes<Piece>::kCorners> lattice(*frame.refinement);
+  forEachLanes(pieces, first, lattice.count, [&](const PieceLanes<Piece>& lanes, std::size_t place) HWY_ATTR {
+    const auto corners = lanes.corners(control);
+    for (std::size_t i = 0; i < lattice.count; ++i) {
+      scatter(phongNormal(corners, lattice.at[i]), &frame.out[place + i], lattice.count, lanes.used());
+    }
+  });
 }
+
+/// Collects edges or triangles as drawn, those with a creased wedge, until they fill the lanes.
+template <class Patch, std::size_t kCorners>
+class Shader {
+ public:
+  explicit Shader(const ShadingFrame& frame)
+      : frame_(frame), positions_(frame.positions), normals_(frame.wedgeNormals), lattice_(*frame.refinement) {}
+
+  /// @param first  drawn vertex.
+  void add(const std::array<int, kCorners>& wedges, int first) {
+    if (std::ranges::none_of(wedges, [&](int wedge) { return at(frame_.mesh->wedges, wedge).creased; })) return;
+    wedges_[used_] = wedges;
+    first_[used_] = toIndex(first);
+    if (++used_ == width()) shade();
+  }
+
+  void finish() {
+    if (used_ == 0) return;
+    std::fill(wedges_.begin() + static_cast<std::ptrdiff_t>(used_), wedges_.end(), wedges_[0]);
+    shade();
+  }
+
+ private:
+  void shade() {
+    Ends<kCorners> ends;
+    for (std::size_t c = 0; c < kCorners; ++c) {
+      ends.positions.of[c] =
+          gatheredBy([&](std::size_t lane) { return positions_.at(at(frame_.mesh->wedges, wedges_[lane][c]).vertex); });
+      ends.normals.of[c] = gatheredBy([&](std::size_t lane) { return normals_.at(wedges_[lane][c]); });
+    }
+    const Patch patch(ends);
+    for (std::size_t i = 0; i < lattice_.count; ++i) {
+      scatterTo(
+          patch.at(lattice_.at[i]).normal, [&](std::size_t lane) { return &frame_.outNormals[first_[lane] + i]; },
+          used_);
+    }
+    used_ = 0;
+  }
+
+  const ShadingFrame& frame_;
+  Rows positions_;
+  Rows normals_;
+  Lattice<kCorners> lattice_;
+  std::size_t used_ = 0;
+  std::array<std::array<int, kCorners>, kLanes> wedges_{};
+  std::array<std::size_t, kLanes> first_{};
+};
+
+/// One kind, by its formulas for edges and for triangles.
+template <class EdgePatch, class TrianglePatch>
+struct Kind {
+  static void evaluate(const PatchFrame& frame) {
+    const Refinement& refinement = *frame.refinement;
+    evaluateAll<EdgePatch, Edge>(frame, frame.mesh->edges, refinement.controlVertices);
+    evaluateAll<TrianglePatch, ControlTriangle>(frame, frame.mesh->triangles, refinement.interiorVertex(0, 0));
+  }
+  static void shade(const ShadingFrame& frame) {
+    const Refinement& refinement = *frame.refinement;
+    Shader<EdgePatch, 2> edges(frame);
+    for (const DrawnRun& run : refinement.drawRuns) edges.add(run.wedges, run.first);
+    edges.finish();
+    Shader<TrianglePatch, 3> triangles(frame);
+    for (std::size_t t = 0; t < refinement.drawInterior.size(); ++t) {
+      triangles.add(frame.mesh->triangles[t].wedges, refinement.drawInterior[t]);
+    }
+    triangles.finish();
+  }
+};
 
 void evaluateKind(const PatchFrame& frame) {
   switch (frame.kind) {
     case PatchKind::kPn:
-      return evaluateBoth<PnEdge, PnTriangle>(frame);
+      return Kind<PnEdge, PnTriangle>::evaluate(frame);
     case PatchKind::kPhong:
-      return evaluateBoth<PhongPatch<2>, PhongPatch<3>>(frame);
+      return Kind<PhongPatch<2>, PhongPatch<3>>::evaluate(frame);
     case PatchKind::kSpherigon:
-      return evaluateBoth<SpherigonPatch<2>, SpherigonPatch<3>>(frame);
+      return Kind<SpherigonPatch<2>, SpherigonPatch<3>>::evaluate(frame);
     case PatchKind::kFlat:
-      return evaluateBoth<FlatPatch<2>, FlatPatch<3>>(frame);
+      return Kind<FlatPatch<2>, FlatPatch<3>>::evaluate(frame);
   }
 }
 
-template <class Piece>
-HWY_NOINLINE void interpolate(const DirectionFrame& frame, const Stretch<Piece>& stretch) {
-  const Rows control(frame.control);
-  const Lattice lattice(stretch, *frame.refinement);
-  forEachLanes(stretch, [&](const PieceLanes<Piece>& lanes, std::size_t place) HWY_ATTR {
-    const auto corners = lanes.corners(control);
-    for (std::size_t i = 0; i < stretch.each; ++i) {
-      const V3 direction = phongNormal(corners, lattice.at[i]);
-      scatter(direction, &frame.out[place + i], stretch.each, lanes.used());
-    }
-  });
+void interpolateAll(const DirectionFrame& frame) {
+  const Refinement& refinement = *frame.refinement;
+  interpolate<Edge>(frame, frame.mesh->edges, refinement.controlVertices);
+  interpolate<ControlTriangle>(frame, frame.mesh->triangles, refinement.interiorVertex(0, 0));
 }
 
-void interpolateBoth(const DirectionFrame& frame) {
-  interpolate(frame, edgesOf(*frame.mesh, *frame.refinement));
-  interpolate(frame, trianglesOf(*frame.mesh, *frame.refinement));
+/// All but pn have the same normals.
+void shadeKind(const ShadingFrame& frame) {
+  if (frame.kind == PatchKind::kPn) {
+    Kind<PnEdge, PnTriangle>::shade(frame);
+  } else {
+    Kind<FlatPatch<2>, FlatPatch<3>>::shade(frame);
+  }
 }
 
-constexpr PatchKernels kKernels{&evaluateKind, &interpolateBoth};
+constexpr PatchKernels kKernels{&evaluateKind, &interpolateAll, &shadeKind};
 
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -1,5 +1,5 @@
-// core/smoothing/patches/patch_kernel.h: patches and directions, an edge or a control triangle a lane, by instruction
-// set.
+// core/smoothing/patches/patch_kernel.h: patches, directions and the normals of creases, an edge or a control
+// triangle a lane, by instruction set.
 #pragma once
 
 #include <span>
@@ -30,11 +30,22 @@ struct DirectionFrame {
   std::span<glm::vec3> out;
 };
 
-/// Both fill the vertices on edges and inside triangles; the control vertices' own places are left as they are.
+/// The arguments of evaluateShading; drawn vertices that no creased wedge reaches are left as they are.
+struct ShadingFrame {
+  PatchKind kind = PatchKind::kPn;
+  const ControlMesh* mesh = nullptr;
+  const Refinement* refinement = nullptr;
+  std::span<const glm::vec3> positions;
+  std::span<const glm::vec3> wedgeNormals;
+  std::span<glm::vec3> outNormals;
+};
+
+/// All fill the vertices on edges and inside triangles; places of control vertices and wedges are left as they are.
 /// Nothing is allocated.
 struct PatchKernels {
   void (*patches)(const PatchFrame& frame) = nullptr;
   void (*directions)(const DirectionFrame& frame) = nullptr;
+  void (*shading)(const ShadingFrame& frame) = nullptr;
 };
 
 /// All give the bits of the formulas in patch.cpp.  @param set  not kScalar; one that this machine runs.
