@@ -26,7 +26,7 @@ struct ExportOptions {
   std::optional<std::string> jointScale;
   std::optional<double> framesPerSecond;
   std::optional<double> bound;  ///< Percent of the height.
-  int threads = 0;  ///< At most; 0: one a core.
+  int threads = 0;              ///< At most; 0: one a core.
   bool json = false;
   BatchOptions batch;
 };
