@@ -38,10 +38,16 @@ void skinOneByOne(const SkinFrame& frame) {
   }
 }
 
-void skinAsChosen(const SkinFrame& frame) {
+void skinWedgesOneByOne(const WedgeFrame& frame) {
+  for (std::size_t w = 0; w < frame.wedges.size(); ++w) {
+    const Wedge& wedge = frame.wedges[w];
+    if (wedge.creased) frame.out[w] = carried(wedge.normal, blended(*frame.mesh, frame.matrices, wedge.vertex));
+  }
+}
+
+SkinKernels chosenKernels() {
   const InstructionSet set = chosenInstructionSet();
-  const SkinKernel kernel = set == InstructionSet::kScalar ? &skinOneByOne : skinKernel(set);
-  kernel(frame);
+  return set == InstructionSet::kScalar ? SkinKernels{&skinOneByOne, &skinWedgesOneByOne} : skinKernels(set);
 }
 
 }  // namespace
@@ -51,24 +57,20 @@ void skin(const Character& character, const Pose& pose, SkinnedMesh& out) {
   poseMatrices(character.skeleton, pose, out.matrices);
   out.positions.resize(mesh.positions.size());
   out.normals.resize(mesh.positions.size());
-  skinAsChosen({&mesh, out.matrices, mesh.normals, out.positions, out.normals});
+  chosenKernels().vertices({&mesh, out.matrices, mesh.normals, out.positions, out.normals});
 }
 
 void skinDirections(const Character& character, std::span<const glm::vec3> bind, const SkinnedMesh& skinned,
                     std::vector<glm::vec3>& out) {
   out.resize(bind.size());
-  skinAsChosen({&character.mesh, skinned.matrices, bind, {}, out});
+  chosenKernels().vertices({&character.mesh, skinned.matrices, bind, {}, out});
 }
 
 void skinWedgeNormals(const Character& character, std::span<const Wedge> wedges, const SkinnedMesh& skinned,
                       std::vector<glm::vec3>& out) {
   out.resize(wedges.size());
-  for (std::size_t w = 0; w < wedges.size(); ++w) {
-    const Wedge& wedge = wedges[w];
-    out[w] = at(skinned.normals, wedge.vertex);
-    if (!wedge.creased) continue;
-    out[w] = carried(wedge.normal, blended(character.mesh, skinned.matrices, wedge.vertex));
-  }
+  for (std::size_t w = 0; w < wedges.size(); ++w) out[w] = at(skinned.normals, wedges[w].vertex);
+  chosenKernels().wedges({&character.mesh, skinned.matrices, wedges, out});
 }
 
 }  // namespace sinew

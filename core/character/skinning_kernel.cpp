@@ -3,6 +3,7 @@
 #include "core/character/skinning_kernel.h"
 
 #include <algorithm>
+#include <array>
 
 #include "core/base/at.h"
 #include "core/lanes/targets.h"
@@ -55,43 +56,63 @@ HWY_INLINE V3 moved(const V3& point, const LaneMatrix& matrix) {
   return (m[0] * point.x + m[1] * point.y) + (m[2] * point.z + m[3]);
 }
 
-class Skinner {
- public:
-  explicit Skinner(const SkinFrame& frame)
-      : frame_(frame), positions_(frame.mesh->positions), directions_(frame.directions) {}
-
-  /// Vertices from `first` on, as many as there are lanes; lanes beyond the last vertex repeat it.
-  void skin(int first) {
-    const int last = static_cast<int>(frame_.directions.size()) - 1;
-    const auto used = std::min(width(), toIndex(last - first + 1));
-    const auto vertex = [&](std::size_t lane) { return std::min(first + static_cast<int>(lane), last); };
-    for (std::size_t lane = 0; lane < width(); ++lane) {
-      blend(frame_.mesh->influencesOf(vertex(lane)), frame_.matrices.data(), blended_ + lane * kNumbers);
-    }
-    LaneMatrix matrix;
-    for (std::size_t c = 0; c < 4; ++c) {
-      matrix.column[c] = gatheredBy([&](std::size_t lane) { return blended_ + lane * kNumbers + 4 * c; });
-    }
-    if (!frame_.outPositions.empty()) {
-      const V3 point = gatheredBy([&](std::size_t lane) { return positions_.at(vertex(lane)); });
-      scatter(moved(point, matrix), &at(frame_.outPositions, first), 1, used);
-    }
-    const V3 direction = gatheredBy([&](std::size_t lane) { return directions_.at(vertex(lane)); });
-    scatter(carried(direction, matrix), &at(frame_.outDirections, first), 1, used);
+/// @param vertex  of a lane.
+template <class Vertex>
+HWY_INLINE LaneMatrix blendedOf(const ControlMesh& mesh, std::span<const glm::mat4> matrices, Vertex vertex) {
+  alignas(64) float blended[kLanes * kNumbers];
+  for (std::size_t lane = 0; lane < width(); ++lane) {
+    blend(mesh.influencesOf(vertex(lane)), matrices.data(), blended + lane * kNumbers);
   }
-
- private:
-  const SkinFrame& frame_;
-  Rows positions_;
-  Rows directions_;
-  alignas(64) float blended_[kLanes * kNumbers];
-};
-
-void skinAll(const SkinFrame& frame) {
-  Skinner skinner(frame);
-  const int count = static_cast<int>(frame.directions.size());
-  for (int first = 0; first < count; first += static_cast<int>(width())) skinner.skin(first);
+  LaneMatrix out;
+  for (std::size_t c = 0; c < 4; ++c) {
+    out.column[c] = gatheredBy([&](std::size_t lane) { return blended + lane * kNumbers + 4 * c; });
+  }
+  return out;
 }
+
+/// Lanes beyond the last vertex repeat it.
+void skinVertices(const SkinFrame& frame) {
+  const Rows positions(frame.mesh->positions);
+  const Rows directions(frame.directions);
+  const int count = static_cast<int>(frame.directions.size());
+  for (int first = 0; first < count; first += static_cast<int>(width())) {
+    const auto used = std::min(width(), toIndex(count - first));
+    const auto vertex = [&](std::size_t lane) { return std::min(first + static_cast<int>(lane), count - 1); };
+    const LaneMatrix matrix = blendedOf(*frame.mesh, frame.matrices, vertex);
+    if (!frame.outPositions.empty()) {
+      const V3 point = gatheredBy([&](std::size_t lane) { return positions.at(vertex(lane)); });
+      scatter(moved(point, matrix), &at(frame.outPositions, first), 1, used);
+    }
+    const V3 direction = gatheredBy([&](std::size_t lane) { return directions.at(vertex(lane)); });
+    scatter(carried(direction, matrix), &at(frame.outDirections, first), 1, used);
+  }
+}
+
+/// The first `used` of the wedges that are listed; the others are any of them.
+void skinListed(const WedgeFrame& frame, const std::array<std::size_t, kLanes>& listed, std::size_t used) {
+  const auto wedge = [&](std::size_t lane) -> const Wedge& { return frame.wedges[listed[lane]]; };
+  const LaneMatrix matrix =
+      blendedOf(*frame.mesh, frame.matrices, [&](std::size_t lane) { return wedge(lane).vertex; });
+  LanePoints normals;
+  for (std::size_t lane = 0; lane < width(); ++lane) normals.set(lane, wedge(lane).normal);
+  scatterTo(
+      carried(normals.load(0), matrix), [&](std::size_t lane) { return &frame.out[listed[lane]]; }, used);
+}
+
+void skinWedges(const WedgeFrame& frame) {
+  std::array<std::size_t, kLanes> listed{};
+  std::size_t used = 0;
+  for (std::size_t w = 0; w < frame.wedges.size(); ++w) {
+    if (!frame.wedges[w].creased) continue;
+    listed[used] = w;
+    if (++used < width()) continue;
+    skinListed(frame, listed, used);
+    used = 0;
+  }
+  if (used > 0) skinListed(frame, listed, used);
+}
+
+constexpr SkinKernels kKernels{&skinVertices, &skinWedges};
 
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -99,22 +120,22 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace sinew {
 
-SkinKernel skinKernel(InstructionSet set) {
+SkinKernels skinKernels(InstructionSet set) {
   switch (set) {
 #if HWY_TARGETS & HWY_AVX3
     case InstructionSet::kAvx512:
-      return &N_AVX3::skinAll;
+      return N_AVX3::kKernels;
 #endif
 #if HWY_TARGETS & HWY_AVX2
     case InstructionSet::kAvx2:
-      return &N_AVX2::skinAll;
+      return N_AVX2::kKernels;
 #endif
 #if HWY_TARGETS & HWY_SSE4
     case InstructionSet::kSse4:
-      return &N_SSE4::skinAll;
+      return N_SSE4::kKernels;
 #endif
     default:
-      return &HWY_STATIC_DISPATCH(skinAll);
+      return HWY_STATIC_DISPATCH(kKernels);
   }
 }
 

@@ -17,9 +17,20 @@ struct SkinFrame {
   std::span<glm::vec3> outDirections;     ///< Unit.
 };
 
-using SkinKernel = void (*)(const SkinFrame& frame);
+/// What skinWedgeNormals (skinning.h) passes: a wedge that is not creased keeps what `out` holds.
+struct WedgeFrame {
+  const ControlMesh* mesh = nullptr;
+  std::span<const glm::mat4> matrices;
+  std::span<const Wedge> wedges;  ///< [W] theirs are the mesh's vertices.
+  std::span<glm::vec3> out;       ///< [W] unit.
+};
+
+struct SkinKernels {
+  void (*vertices)(const SkinFrame& frame) = nullptr;
+  void (*wedges)(const WedgeFrame& frame) = nullptr;
+};
 
 /// All give the bits of the formulas in skinning.cpp.  @param set  not kScalar; one that this machine runs.
-[[nodiscard]] SkinKernel skinKernel(InstructionSet set);
+[[nodiscard]] SkinKernels skinKernels(InstructionSet set);
 
 }  // namespace sinew

@@ -57,11 +57,13 @@ struct LanePoints {
   /// The lanes from `first` on, as many as a vector holds.
   void gather(std::span<const glm::vec3> from, const std::array<int, kLanes>& vertices, std::size_t first) {
     for (std::size_t lane = first; lane < first + width(); ++lane) {
-      const glm::vec3& v = from[static_cast<std::size_t>(vertices[lane])];
-      x.lane[lane] = v.x;
-      y.lane[lane] = v.y;
-      z.lane[lane] = v.z;
+      set(lane, from[static_cast<std::size_t>(vertices[lane])]);
     }
+  }
+  void set(std::size_t lane, const glm::vec3& v) {
+    x.lane[lane] = v.x;
+    y.lane[lane] = v.y;
+    z.lane[lane] = v.z;
   }
   [[nodiscard]] glm::vec3 at(std::size_t lane) const { return {x.lane[lane], y.lane[lane], z.lane[lane]}; }
   HWY_INLINE V3 load(std::size_t first) const {
@@ -80,10 +82,7 @@ inline HWY_NOINLINE V3 normalizedLaneByLane(const V3& v, const V3& fallback) {
   units.store(v, 0);
   fallbacks.store(fallback, 0);
   for (std::size_t lane = 0; lane < width(); ++lane) {
-    const glm::vec3 unit = sinew::normalizeOr(units.at(lane), fallbacks.at(lane));
-    units.x.lane[lane] = unit.x;
-    units.y.lane[lane] = unit.y;
-    units.z.lane[lane] = unit.z;
+    units.set(lane, sinew::normalizeOr(units.at(lane), fallbacks.at(lane)));
   }
   return units.load(0);
 }

@@ -68,6 +68,38 @@ TEST(SkinningKernel, GivesTheScalarBitsOfBonesOfAnySize) {
   }
 }
 
+// Any wedges are creased, so that any number of them is left for the last lanes.
+TEST(SkinningKernel, GivesTheScalarBitsOfCreasedWedges) {
+  Random random(5);
+  for (const auto& character : {makeTwoLegged(), makeTube(), makeCube()}) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      SkinnedMesh skinned;
+      skin(*character, randomPose(character->skeleton, 1.0f, 0.4f, seed), skinned);
+      ControlMesh mesh = character->mesh;
+      for (Wedge& wedge : mesh.wedges) {
+        wedge.creased = random.chance(0.3f);
+        wedge.normal = random.rotation() * glm::vec3(0.0f, 1.0f, 0.0f);
+      }
+      const auto by = [&](InstructionSet set) {
+        const InstructionSetScope scope(set);
+        std::vector<glm::vec3> normals;
+        skinWedgeNormals(*character, mesh.wedges, skinned, normals);
+        return normals;
+      };
+      const std::vector<glm::vec3> scalar = by(InstructionSet::kScalar);
+      int turned = 0;
+      for (std::size_t w = 0; w < scalar.size(); ++w) {
+        const bool own = scalar[w] != skinned.normals[static_cast<std::size_t>(mesh.wedges[w].vertex)];
+        ASSERT_EQ(own, mesh.wedges[w].creased);
+        turned += own ? 1 : 0;
+      }
+      EXPECT_TRUE(turned > 0 || mesh.wedges.size() < 20);
+      for (const InstructionSet set : availableInstructionSets())
+        EXPECT_TRUE(sameBytes(by(set), scalar)) << nameOf(set);
+    }
+  }
+}
+
 // Vertices behind the last one are neither read into a result nor written.
 TEST(SkinningKernel, FillsAsManyAsAreAskedFor) {
   const auto character = makeLimb();
@@ -80,7 +112,7 @@ TEST(SkinningKernel, FillsAsManyAsAreAskedFor) {
       std::vector<glm::vec3> positions(count + 40, untouched);
       std::vector<glm::vec3> normals(count + 40, untouched);
       const auto asked = [&](auto& all) { return std::span(all).first(count); };
-      skinKernel(set)(
+      skinKernels(set).vertices(
           {&character->mesh, whole.matrices, asked(character->mesh.normals), asked(positions), asked(normals)});
       for (std::size_t v = 0; v < positions.size(); ++v) {
         ASSERT_TRUE(sameBits(positions[v], v < count ? whole.positions[v] : untouched)) << count << ", " << nameOf(set);
