@@ -1,4 +1,5 @@
 // app/main.cpp: picks verb or window.
+#include <csignal>
 #include <exception>
 #include <new>
 
@@ -19,6 +20,7 @@ int edit(const sinew::app::EditRequest& request) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // A file that may not grow is an error of the call that writes it.
   try {
     return sinew::app::runCommandLine(argc, argv, edit);
   } catch (const std::bad_alloc&) {

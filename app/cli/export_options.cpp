@@ -16,6 +16,12 @@ std::string isFrameRate(const std::string& text) {
   return "expected a number > 0, got \"" + text + '"';
 }
 
+std::string isBound(const std::string& text) {
+  double number = 0.0;
+  if (CLI::detail::lexical_cast(text, number) && number >= kLeastBound && number <= kMostBound) return {};
+  return "expected percent of the height from 0.001 to 100, got \"" + text + '"';
+}
+
 }  // namespace
 
 void addExportOptions(CLI::App& verb, ExportOptions& options) {
@@ -57,7 +63,7 @@ void addExportOptions(CLI::App& verb, ExportOptions& options) {
   verb.add_option("--bound", options.bound,
                   "baked: how far any vertex may be off in any frame, percent of the height (0.1)")
       ->type_name("PERCENT")
-      ->check(CLI::Range(kLeastBound, kMostBound));
+      ->check(isBound);
   verb.add_option("--threads", options.threads, "Work on N cores at most; without it, on all; the file is the same")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads));

@@ -41,9 +41,10 @@ Json linesOf(const std::vector<std::string>& lines) {
 }
 
 void writeRow(std::ostream& out, const std::string& name, const ErrorFigures& error) {
-  out << "  " << std::left << std::setw(24) << name << std::right << std::setw(6) << error.poses << std::fixed
-      << std::setprecision(3) << std::setw(10) << error.rms << std::setw(10) << error.percentile999 << std::setw(10)
-      << error.largest << '\n';
+  out << "  " << std::left << std::setw(23) << name << ' ' << std::right << std::setw(6) << error.poses << std::fixed
+      << std::setprecision(3);
+  for (const double percent : {error.rms, error.percentile999, error.largest}) out << ' ' << std::setw(9) << percent;
+  out << '\n';
 }
 
 void writeLeft(std::ostream& out, const std::vector<std::string>& left) {

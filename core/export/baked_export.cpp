@@ -1,6 +1,7 @@
 // core/export/baked_export.cpp: which form a baked clip takes, and what may be asked for.
 #include "sinew/export/baked_export.h"
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <new>
@@ -37,6 +38,10 @@ Result<BakedExportReport> exportBaked(const std::filesystem::path& characterFile
     return errorAt("bound", "expected percent of the height from 0.001 to 100");
   }
   if (auto known = checkClips(characterFile, *character, {settings.clip}); !known) return known.error();
+  if (std::ranges::count(character->clips, settings.clip, &AnimationClip::name) > 1) {
+    return Error{characterFile.string(), "clip \"" + settings.clip + '"',
+                 "there are several of that name; expected one"};
+  }
   try {
     Source source(characterFile);
     requireSame(source, *character);

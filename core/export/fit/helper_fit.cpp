@@ -247,12 +247,12 @@ class HelperFit {
     for (std::size_t f = 0; f < task_.poses.size(); ++f) {
       const FitPose& pose = task_.poses[f];
       Trs local = helper.rest;
-      if (!pose.further) {
-        const glm::dmat4 fromWorld = glm::inverse(glm::dmat4(at(pose.pose.boneInWorld, bone)));
+      const std::optional<glm::dmat4> intoPosed = fromWorld(pose.pose, bone);
+      if (!pose.further && intoPosed) {
         RigidMotion motion;
         for (const auto& [v, counts] : around) {
           motion.add(glm::dvec3(intoBone * glm::dvec4(glm::dvec3(task_.rest[toIndex(v)]), 1.0)) - place,
-                     glm::dvec3(fromWorld * glm::dvec4(glm::dvec3(pose.live[toIndex(v)]), 1.0)) - place, counts);
+                     glm::dvec3(*intoPosed * glm::dvec4(glm::dvec3(pose.live[toIndex(v)]), 1.0)) - place, counts);
         }
         const RigidMotion::Motion best = motion.best();
         local = rounded({place + best.translation, best.rotation, glm::dvec3(1.0)});

@@ -1,6 +1,7 @@
 // core/export/fit/helper_joint.h: a joint that the export adds to the character's own.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/export/fit/trs.h"
@@ -21,5 +22,9 @@ struct HelperJoint {
 
 /// World of the bind pose -> world now. @param local  in its parent's space
 [[nodiscard]] glm::dmat4 helperMatrix(const HelperJoint& joint, const Pose& pose, const Trs& local);
+
+/// World -> bone in a pose; none where the pose flattens the bone, so that no key of a joint below it moves anything
+/// along some direction.
+[[nodiscard]] std::optional<glm::dmat4> fromWorld(const Pose& pose, int bone);
 
 }  // namespace sinew::exporting

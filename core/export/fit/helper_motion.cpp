@@ -44,7 +44,11 @@ void HelperMotion::solveOne(std::size_t helper, const Pose& pose, std::span<cons
   const Helper& own = helpers_[helper];
   if (own.vertices.empty()) return;
   const glm::dvec3 place = joints_[helper].rest.translation;
-  const glm::dmat4 fromWorld = glm::inverse(glm::dmat4(at(pose.boneInWorld, joints_[helper].bone)));
+  const std::optional<glm::dmat4> intoBone = fromWorld(pose, joints_[helper].bone);
+  if (!intoBone) {
+    local = joints_[helper].rest;
+    return;
+  }
   RigidMotion motion;
   for (int axis = 0; axis < 3; ++axis) {
     glm::dvec3 aside(0.0);
@@ -64,7 +68,7 @@ void HelperMotion::solveOne(std::size_t helper, const Pose& pose, std::span<cons
       else wanted -= share * glm::dvec3(all[toIndex(weights.binding[i])] * point);
     }
     const glm::dvec3 from = glm::dvec3(own.intoBone * point) - place;
-    motion.add(from, glm::dvec3(fromWorld * glm::dvec4(wanted / weight, 1.0)) - place, weight * weight);
+    motion.add(from, glm::dvec3(*intoBone * glm::dvec4(wanted / weight, 1.0)) - place, weight * weight);
   }
   const RigidMotion::Motion best = motion.best();
   local = rounded({place + best.translation, best.rotation, glm::dvec3(1.0)});

@@ -113,15 +113,15 @@ void LineJoints::pose(const Pose& pose, std::vector<Trs>& locals) const {
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const HelperJoint& joint = joints_[j];
     const PosedLine& line = at(lines, joint.line);
-    if (!line.usable || line.deformation == glm::mat4(0.0f)) {
+    const std::optional<glm::dmat4> intoParent = fromWorld(pose, joint.bone);
+    if (!line.usable || line.deformation == glm::mat4(0.0f) || !intoParent) {
       locals.push_back(joint.rest);
       continue;
     }
     const glm::dmat4 motion = glm::dmat4(line.deformation) * at(fromBind_, joint.line);
     const glm::dmat4 inBind =
         glm::dmat4(at(character_->skeleton.bones, joint.bone).bindInWorld) * joint.rest.toMatrix();
-    const glm::dmat4 parent(at(pose.boneInWorld, joint.bone));
-    Trs local = trsOf(glm::inverse(parent) * motion * inBind);
+    Trs local = trsOf(*intoParent * motion * inBind);
     const double even = std::sqrt(local.scale.x * local.scale.z);
     if (scale_ == JointScale::kUniform) local.scale = glm::dvec3(even);
     if (scale_ == JointScale::kNone) local.scale = glm::dvec3(1.0);

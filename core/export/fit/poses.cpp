@@ -20,7 +20,8 @@ std::vector<float> clipTimes(const AnimationClip& clip, double perSecond) {
   for (int frame = 0; frame <= frames + kSameTime; ++frame) {
     times.push_back(static_cast<float>(frame) / static_cast<float>(perSecond));
   }
-  if (frames - std::floor(frames + kSameTime) > kSameTime) times.push_back(clip.duration);
+  const bool moves = times.size() == 1 && clip.duration > 0.0f;
+  if (moves || frames - std::floor(frames + kSameTime) > kSameTime) times.push_back(clip.duration);
   return times;
 }
 
