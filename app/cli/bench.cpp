@@ -7,13 +7,13 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/cli/bench_animation.h"
-#include "app/cli/bench_drag.h"
-#include "app/cli/bench_field.h"
-#include "app/cli/bench_projections.h"
-#include "app/cli/bench_stages.h"
+#include "app/bench/animation.h"
+#include "app/bench/drag.h"
+#include "app/bench/field.h"
+#include "app/bench/projections.h"
+#include "app/bench/stages.h"
+#include "app/bench/trial_rig.h"
 #include "app/cli/console.h"
-#include "app/cli/trial_rig.h"
 #include "app/cli/verb.h"
 #include "app/document/document.h"
 #include "app/platform/data_files.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/cli/trial_placement.h"
+#include "app/bench/trial_placement.h"
 #include "core/character/bindings.h"
 #include "sinew/base/geometry.h"
 

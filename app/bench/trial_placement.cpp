@@ -1,5 +1,5 @@
-// app/cli/trial_placement.cpp: bones ranked by their skin; an ellipsoid half under the skin.
-#include "app/cli/trial_placement.h"
+// app/bench/trial_placement.cpp: bones ranked by their skin; an ellipsoid half under the skin.
+#include "app/bench/trial_placement.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// app/cli/bench_stages.h: what each stage of smoothing takes of a frame in `swell`.
+// app/bench/stages.h: what each stage of smoothing takes of a frame in `swell`.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
-// app/cli/measuring.cpp: a clock, medians and the frames to measure, for the benchmarks.
-#include "app/cli/measuring.h"
+// app/bench/measuring.cpp: a clock, medians and the frames to measure, for the benchmarks.
+#include "app/bench/measuring.h"
 
 #include <algorithm>
 #include <chrono>

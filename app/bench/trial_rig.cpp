@@ -1,7 +1,7 @@
-// app/cli/trial_rig.cpp: bones ranked by their skin; an ellipsoid half under the skin of each.
-#include "app/cli/trial_rig.h"
+// app/bench/trial_rig.cpp: bones ranked by their skin; an ellipsoid half under the skin of each.
+#include "app/bench/trial_rig.h"
 
-#include "app/cli/trial_placement.h"
+#include "app/bench/trial_placement.h"
 #include "core/base/split_mix.h"
 
 namespace sinew {

@@ -1,4 +1,4 @@
-// app/cli/bench_drag.h: what a frame of a drag costs beside drawing, with short and long history, few and many muscles.
+// app/bench/drag.h: what a frame of a drag costs beside drawing, with short and long history, few and many muscles.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// app/cli/measuring.h: a clock, medians and the frames to measure, for the benchmarks.
+// app/bench/measuring.h: a clock, medians and the frames to measure, for the benchmarks.
 #pragma once
 
 #include <vector>

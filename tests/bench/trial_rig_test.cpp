@@ -1,5 +1,5 @@
-// tests/cli/trial_rig_test.cpp: muscles set by rule: valid, repeatable, under the skin and over it.
-#include "app/cli/trial_rig.h"
+// tests/bench/trial_rig_test.cpp: muscles set by rule: valid, repeatable, under the skin and over it.
+#include "app/bench/trial_rig.h"
 #include "tests/support/rigs/bedded_rig.h"
 
 #include <set>

@@ -1,11 +1,11 @@
-// app/cli/bench_stages.cpp: smooths the same frames again and again and divides each stage's least time by the whole.
-#include "app/cli/bench_stages.h"
+// app/bench/stages.cpp: smooths the same frames again and again and divides each stage's least time by the whole.
+#include "app/bench/stages.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
 
-#include "app/cli/measuring.h"
+#include "app/bench/measuring.h"
 
 namespace sinew::app {
 namespace {

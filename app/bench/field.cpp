@@ -1,11 +1,11 @@
-// app/cli/bench_field.cpp: the same sums over ellipsoids, spheres and shapes of the same size.
-#include "app/cli/bench_field.h"
+// app/bench/field.cpp: the same sums over ellipsoids, spheres and shapes of the same size.
+#include "app/bench/field.h"
 
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
-#include "app/cli/measuring.h"
+#include "app/bench/measuring.h"
 #include "core/blending/field.h"
 #include "core/smoothing/roots/ray_field.h"
 

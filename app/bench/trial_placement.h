@@ -1,4 +1,4 @@
-// app/cli/trial_placement.h: where muscles that are placed by rule lie: the skin of a bone, an ellipsoid along it.
+// app/bench/trial_placement.h: where muscles that are placed by rule lie: the skin of a bone, an ellipsoid along it.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// app/cli/bench_field.h: what one evaluation of the field costs, kind by kind.
+// app/bench/field.h: what one evaluation of the field costs, kind by kind.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// app/cli/bench_projections.h: work, time and agreement of the three projections on one character.
+// app/bench/projections.h: work, time and agreement of the three projections on one character.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// app/cli/bench_animation.h: what muscle lines and drivers cost, beside skinning the character that they belong to.
+// app/bench/animation.h: what muscle lines and drivers cost, beside skinning the character that they belong to.
 #pragma once
 
 #include <string>

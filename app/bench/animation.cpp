@@ -1,10 +1,10 @@
-// app/cli/bench_animation.cpp: skinning, lines and drivers, in turn, on the same poses.
-#include "app/cli/bench_animation.h"
+// app/bench/animation.cpp: skinning, lines and drivers, in turn, on the same poses.
+#include "app/bench/animation.h"
 
 #include <cstdio>
 #include <utility>
 
-#include "app/cli/measuring.h"
+#include "app/bench/measuring.h"
 #include "core/character/skinning.h"
 #include "core/drivers/driven_numbers.h"
 #include "core/lines/line_pose.h"

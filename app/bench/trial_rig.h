@@ -1,4 +1,4 @@
-// app/cli/trial_rig.h: muscles set by rule, for measurements and tests.
+// app/bench/trial_rig.h: muscles set by rule, for measurements and tests.
 #pragma once
 
 #include <cstdint>

@@ -1,12 +1,12 @@
-// app/cli/bench_projections.cpp: smooths the same frames by all projections in turn.
-#include "app/cli/bench_projections.h"
+// app/bench/projections.cpp: smooths the same frames by all projections in turn.
+#include "app/bench/projections.h"
 
 #include <algorithm>
 #include <array>
 
 #include <glm/geometric.hpp>
 
-#include "app/cli/measuring.h"
+#include "app/bench/measuring.h"
 #include "core/lanes/instruction_set.h"
 
 namespace sinew::app {

@@ -1,5 +1,5 @@
-// app/cli/bench_drag.cpp: the same drag in several documents, frame by frame in turn.
-#include "app/cli/bench_drag.h"
+// app/bench/drag.cpp: the same drag in several documents, frame by frame in turn.
+#include "app/bench/drag.h"
 
 #include <array>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "app/cli/measuring.h"
-#include "app/cli/trial_rig.h"
+#include "app/bench/measuring.h"
+#include "app/bench/trial_rig.h"
 #include "app/document/document.h"
 #include "app/playback.h"
 #include "core/rig/rig_edit.h"
