@@ -77,10 +77,10 @@ def bash(root):
     for verb in verbs:
         path = "-".join(verb.path)
         out.append("        %s:-*) _sinew_words %s ;;\n" % (path, " ".join(names_of(verb))))
-        if verb.verbs:
-            out.append("        %s:*) _sinew_words %s ;;\n" % (path, " ".join(v.path[-1] for v in verb.verbs)))
-        elif verb.positionals:
-            out.append("        %s:*) _sinew_files %s ;;\n" % (path, pattern(verb.positionals[0].endings())))
+        actions = ["_sinew_words " + " ".join(v.path[-1] for v in verb.verbs)] if verb.verbs else []
+        actions += ["_sinew_files " + pattern(one.endings()) for one in verb.positionals[:1]]
+        if actions:
+            out.append("        %s:*) %s ;;\n" % (path, "; ".join(actions)))
     out.append("    esac\n}\ncomplete -F _sinew sinew\n")
     return "".join(out)
 
@@ -127,11 +127,11 @@ def zsh(root):
     for verb in [v for v in all_verbs(root) if v.verbs]:
         name = "_sinew_" + "_".join(verb.path)
         out.append("\n%s() {\n  local -a verbs=(%s)\n  if ((CURRENT == 2)) && [[ $words[2] != -* ]]; then\n"
-                   "    _describe verb verbs\n    return\n  fi\n  local verb=$words[2]\n"
-                   "  ((CURRENT > 2)) && shift words && ((CURRENT--))\n  case $verb in\n" % (
-                       name, zsh_described(verb.verbs)))
+                   "    _describe verb verbs\n%s    return\n  fi\n  case $words[2] in\n" % (
+                       name, zsh_described(verb.verbs),
+                       "".join("    %s\n" % zsh_files(one.endings()) for one in verb.positionals[:1])))
         for one in verb.verbs:
-            out.append("    %s) %s ;;\n" % (one.path[-1], zsh_case(one)))
+            out.append("    %s) shift words; ((CURRENT--)); %s ;;\n" % (one.path[-1], zsh_case(one)))
         out.append("    *) %s ;;\n  esac\n}\n" % zsh_case(verb))
     out.append("\n_sinew() {\n  local -a verbs=(%s)\n" % zsh_described(root.verbs))
     out.append("  if ((CURRENT == 2)) && [[ $words[2] != -* ]]; then\n    _describe verb verbs\n    %s\n    return\n"

@@ -89,7 +89,9 @@ def option_lines(option):
 
 
 def leaves(verb):
-    return [verb] if verb.path and not verb.verbs else [leaf for one in verb.verbs for leaf in leaves(one)]
+    """What runs: verbs without verbs of their own, and those that read files without one."""
+    own = [verb] if verb.path and (verb.positionals or not verb.verbs) else []
+    return own + [leaf for one in verb.verbs for leaf in leaves(one)]
 
 
 def synopsis(verb):

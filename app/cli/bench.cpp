@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <initializer_list>
+#include <optional>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -11,8 +12,9 @@
 #include "app/bench/drag.h"
 #include "app/bench/field.h"
 #include "app/bench/projections.h"
+#include "app/bench/rig_or_trial.h"
 #include "app/bench/stages.h"
-#include "app/bench/trial_rig.h"
+#include "app/cli/bench_whole.h"
 #include "app/cli/console.h"
 #include "app/cli/verb.h"
 #include "app/document/document.h"
@@ -24,6 +26,7 @@ namespace sinew::app {
 namespace {
 
 enum class Bench {
+  kWhole,        ///< Everything that the project aims at.
   kProjections,  ///< The three ways to find roots, on the same frames.
   kAnimation,    ///< Lines and drivers beside skinning.
   kField,        ///< The field of ellipsoids, spheres and shapes.
@@ -32,15 +35,12 @@ enum class Bench {
 };
 
 struct BenchOptions {
-  Bench bench = Bench::kProjections;
-  std::vector<std::filesystem::path> files;  ///< Rigs or characters; none: those that ship with the program.
-  std::filesystem::path json;                ///< Empty: none.
-  int frames = 0;                            ///< Moments of the clip or of the drag; 0: as many as the bench takes.
-  int rounds = 0;                            ///< Each frame is timed once a round; 0: as many as the bench takes.
+  Bench bench = Bench::kWhole;
+  std::vector<std::filesystem::path> files;   ///< Rigs or characters; none: those that ship with the program.
+  std::optional<std::filesystem::path> json;  ///< Empty, of the whole alone: on stdout.
+  int frames = 0;                             ///< Moments of the clip or of the drag; 0: as many as the bench takes.
+  int rounds = 0;                             ///< Each frame is timed once a round; 0: as many as the bench takes.
 };
-
-constexpr int kTrialMuscles = 12;
-constexpr std::uint64_t kTrialSeed = 1;
 
 constexpr const char* kColumns =
     "scene, mode, projection   what was smoothed, and how roots were found\n"
@@ -58,12 +58,6 @@ std::vector<std::filesystem::path> filesOf(const BenchOptions& options, std::ini
   std::vector<std::filesystem::path> files;
   for (const char* name : bundled) files.push_back(dataFile(std::string("assets/") + name));
   return files;
-}
-
-/// "fox" of both fox.glb and fox.rig.json.
-std::string sceneName(const std::filesystem::path& file) {
-  const std::string name = file.filename().string();
-  return name.substr(0, name.find('.', 1));
 }
 
 std::string tableOf(const std::vector<ProjectionRow>& rows) {
@@ -152,19 +146,13 @@ int benchFiles(const BenchOptions& options, const Effort& effort, const char* na
     if (!measured) return badInput({file.string(), measured.error().place, measured.error().reason});
     rows.insert(rows.end(), measured->begin(), measured->end());
   }
-  if (!options.json.empty()) {
+  if (options.json) {
     Json json = Json::object();
     json.set("bench", name).set("frames", effort.frames).set("rounds", effort.rounds).set("rows", jsonOf(rows));
-    const auto written = writeFileAtomically(options.json, json.dump(true) + '\n');
+    const auto written = writeFileAtomically(*options.json, json.dump(true) + '\n');
     if (!written) return badInput(written.error());
   }
   return putResult(tableOf(rows));
-}
-
-/// The document's own, or one made by rule.
-Rig rigOrTrial(const Document& document) {
-  if (!document.rig().primitives.empty()) return document.rig();
-  return trialRig(*document.character, kTrialMuscles, kTrialSeed);
 }
 
 int benchProjections(const BenchOptions& options) {
@@ -209,18 +197,37 @@ void addNumber(CLI::App& bench, const char* name, int& number, const char* help)
   bench.add_option(name, number, help)->type_name("N")->check(CLI::Range(1, 1000));
 }
 
-void addFiles(CLI::App& bench, BenchOptions& options, const char* help) {
+void addInputs(CLI::App& bench, BenchOptions& options, const char* help) {
   bench.add_option_function<std::vector<std::string>>(
       "FILE", [&options](const std::vector<std::string>& files) { options.files.assign(files.begin(), files.end()); },
       help);
+}
+
+void addFiles(CLI::App& bench, BenchOptions& options, const char* help) {
+  addInputs(bench, options, help);
   bench
       .add_option_function<std::string>(
           "--json", [&options](const std::string& file) { options.json = file; }, "Write the numbers as JSON too")
       ->type_name("FILE.json");
 }
 
+/// `--json` may stand alone here: the numbers go to stdout, as other verbs' do.
+void addWhole(CLI::App& verb, BenchOptions& options) {
+  verb.require_subcommand(0, 1);
+  addInputs(
+      verb, options,
+      "Rigs (.rig.json), or characters, which get 12 muscles by rule; none: humanoid and horse, made for each mode");
+  verb.add_option_function<std::vector<std::string>>(
+          "--json",
+          [&options](const std::vector<std::string>& files) { options.json = files.empty() ? "" : files.front(); },
+          "Print JSON, for programs; or write it to FILE.json beside the table")
+      ->type_name("FILE.json")
+      ->expected(0, 1);
+  addNumber(verb, "--rounds", options.rounds, "Times everything is timed (7)");
+}
+
 void addBenchOptions(CLI::App& verb, BenchOptions& options) {
-  verb.require_subcommand(1);
+  addWhole(verb, options);
   CLI::App* field =
       verb.add_subcommand("field", "Compare ellipsoids with spheres and shapes: one evaluation of the field");
   field->callback([&options] { options.bench = Bench::kField; });
@@ -235,6 +242,7 @@ void addBenchOptions(CLI::App& verb, BenchOptions& options) {
 
   CLI::App* projections =
       verb.add_subcommand("projections", "Compare newton, bisection and analytic: work, time, agreement");
+  projections->callback([&options] { options.bench = Bench::kProjections; });
   addFiles(
       *projections, options,
       "Rigs (.rig.json), or characters, which get 12 muscles by rule; none: the scenes that ship with the program");
@@ -257,6 +265,8 @@ void addBenchOptions(CLI::App& verb, BenchOptions& options) {
 
 int runBench(const BenchOptions& options) {
   switch (options.bench) {
+    case Bench::kWhole:
+      return benchWhole({options.files, options.json, options.rounds});
     case Bench::kField:
       return putResult(fieldTable(measureField(effortOf(options, {0, 15}).rounds)));
     case Bench::kAnimation:

@@ -99,6 +99,8 @@ _sinew() {
         farm:--tasks) :; return ;;
         farm:--program) :; return ;;
         farm:--job) _sinew_files -; return ;;
+        bench:--json) _sinew_files json; return ;;
+        bench:--rounds) :; return ;;
         bench-field:--rounds) :; return ;;
         bench-animation:--rounds) :; return ;;
         bench-projections:--json) _sinew_files json; return ;;
@@ -125,8 +127,8 @@ _sinew() {
         render:-*) _sinew_words -h --help --clip --time --frames --fps --view --orthographic --shading --show --glass --surface --no-surface --ground --no-ground --cull --transparent --light --background --ao --size --samples --depth --mode --patch --projection --crease -o --output --list --shard --resume --dry-run ;;
         render:*) _sinew_files glb gltf rig.json ;;
         farm:-*) _sinew_words -h --help --to --tasks --program --job ;;
-        bench:-*) _sinew_words -h --help ;;
-        bench:*) _sinew_words field animation projections drag stages ;;
+        bench:-*) _sinew_words -h --help --json --rounds ;;
+        bench:*) _sinew_words field animation projections drag stages; _sinew_files glb gltf rig.json ;;
         bench-field:-*) _sinew_words -h --help --rounds ;;
         bench-animation:-*) _sinew_words -h --help --rounds ;;
         bench-animation:*) _sinew_files glb gltf rig.json ;;

@@ -50,7 +50,9 @@ class Program:
 
     def leaves(self):
         for verb in self.subcommands():
-            yield from ([verb, sub] for sub in self.subcommands(verb)) if self.subcommands(verb) else [[verb]]
+            if not self.subcommands(verb) or "\nPositionals:" in self.help(verb):
+                yield [verb]
+            yield from ([verb, sub] for sub in self.subcommands(verb))
 
     def flags(self, *verb):
         lines = [line for line in self.help(*verb).splitlines() if re.match(r"  -", line)]
@@ -84,8 +86,9 @@ def completes(name, offer, program):
     for verb in program.leaves():
         check("%s: options of %s" % (name, verb), {o for o in offer([*verb, "--"])},
               {f for f in program.flags(*verb) if f.startswith("--")})
-    check(name + ": what bench measures", offer(["bench", ""]), set(program.subcommands("bench")))
-    for verb in (["inspect"], ["smooth", "--clip", "Walk"], ["render"], ["bench", "drag"], ["edit"]):
+    check(name + ": what bench measures", offer(["bench", ""]), set(program.subcommands("bench")) | READ | {"folder"})
+    for verb in (["inspect"], ["smooth", "--clip", "Walk"], ["render"], ["bench", "--json", "fox.json"], ["bench", "drag"],
+                 ["edit"]):
         check("%s: files to read after %s" % (name, verb), offer([*verb, "fo"]), READ | {"folder"})
     for option, wanted in ((["smooth", "-o"], {"fox.obj", "fox.ply", "fox.glb"}),
                            (["render", "--output"], {"fox.png"}),

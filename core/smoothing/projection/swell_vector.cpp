@@ -35,6 +35,7 @@ void swellInTiles(const ControlMesh& mesh, const FieldView& field, const SwellSe
                    {}};
   swellKernel(set)(frame);
   surface.report.projected += frame.counts.projected - static_cast<int>(scratch.uncertified.size());
+  surface.report.uncertified = static_cast<int>(scratch.uncertified.size());
   surface.report.residualMax = std::max(surface.report.residualMax, static_cast<double>(frame.counts.residualMax));
   scratch.roots.evaluations = {scratch.lanes.evaluations, 0};
   for (const std::vector<int>* left : {&scratch.uncertified, &scratch.shaped}) {

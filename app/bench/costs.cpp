@@ -1,0 +1,115 @@
+// app/bench/costs.cpp: rigs of different size smooth the same moments in turn.
+#include "app/bench/costs.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "app/bench/even_rig.h"
+#include "app/bench/measuring.h"
+#include "app/bench/trial_placement.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr int kFrames = 8;
+constexpr int kFramesOfGrowth = 2;  ///< Depth 12 and 4,000 muscles take long.
+constexpr std::array kDepths{2, 3, 4, 5, 6, 8, 10, 12};
+constexpr std::array kMuscles{41, 400, 4000};
+constexpr double kStep = 1.0 / 60.0;
+
+/// One rig at work. Seconds and counts of all timed frames, in the order of rounds and moments.
+struct Contender {
+  Smoother smoother;
+  Surface surface;
+  std::vector<double> seconds, projected;
+};
+
+/// Every rig through all moments in each round.
+Result<std::vector<Contender>> run(const BenchScene& scene, const std::vector<Rig>& rigs,
+                                   const std::vector<Pose>& poses, int rounds) {
+  std::vector<Contender> contenders;
+  for (const Rig& rig : rigs) {
+    Result<Smoother> smoother = preparedSmoother(scene, rig);
+    if (!smoother) return smoother.error();
+    contenders.push_back({std::move(smoother.value()), {}, {}, {}});
+  }
+  inTurn(contenders.size(), rounds, [&](std::size_t variant, int round) {
+    Contender& contender = contenders[variant];
+    for (const Pose& pose : poses) {
+      contender.smoother.smooth(pose, contender.surface);
+      if (round == 0) continue;
+      contender.seconds.push_back(contender.surface.report.seconds.total());
+      contender.projected.push_back(contender.surface.report.projected);
+    }
+  });
+  return contenders;
+}
+
+Rig withoutMuscles(Rig rig) {
+  rig.primitives.clear();
+  return rig;
+}
+
+/// Median of what a frame takes over the floor's of the same moment and round, by its projected vertices; at least 0.
+double secondsPerProjected(const Contender& with, const Contender& floor) {
+  std::vector<double> each;
+  for (std::size_t i = 0; i < with.seconds.size(); ++i) {
+    if (with.projected[i] > 0.0) each.push_back((with.seconds[i] - floor.seconds[i]) / with.projected[i]);
+  }
+  return std::max(median(std::move(each)), 0.0);
+}
+
+}  // namespace
+
+Result<MuscleCost> measureMuscleCost(const BenchScene& scene, int rounds) {
+  const Rig rig = rigAt(scene, kBenchDepth);
+  const auto contenders =
+      run(scene, {rig, withoutMuscles(rig)}, steadyFrames(*scene.character, kFrames, kStep), rounds);
+  if (!contenders) return contenders.error();
+  const Contender& with = contenders->front();
+  const Contender& floor = contenders->back();
+  MuscleCost cost;
+  cost.withOverWithout = medianRatio(with.seconds, floor.seconds);
+  cost.nsPerProjectedVertex = 1e9 * secondsPerProjected(with, floor);
+  cost.nsPerVertexFloor = 1e9 * median(floor.seconds) / std::max<double>(1, floor.surface.report.refinedVertices);
+  cost.frameSeconds = median(with.seconds);
+  return cost;
+}
+
+Result<double> exponentOfVertices(const BenchScene& scene, int rounds) {
+  std::vector<Rig> rigs;
+  for (const int depth : kDepths) rigs.push_back(rigAt(scene, depth));
+  const auto contenders = run(scene, rigs, steadyFrames(*scene.character, kFramesOfGrowth, kStep), rounds);
+  if (!contenders) return contenders.error();
+  std::vector<double> vertices, seconds;
+  for (const Contender& contender : contenders.value()) {
+    vertices.push_back(contender.surface.report.refinedVertices);
+    seconds.push_back(median(contender.seconds));
+  }
+  return exponent(vertices, seconds);
+}
+
+Result<double> exponentOfPrimitives(const BenchScene& scene, int rounds) {
+  if (skinsOf(*scene.character).empty()) return Error{"", scene.name, "no skin to lay muscles in"};
+  std::vector<Rig> rigs;
+  for (const int muscles : kMuscles) {
+    Rig rig = evenRig(*scene.character, muscles);
+    rig.surface = scene.rig.surface;
+    rig.surface.animated.clear();
+    rig.smoothing = rigAt(scene, kBenchDepth).smoothing;
+    rigs.push_back(std::move(rig));
+  }
+  rigs.push_back(withoutMuscles(rigs.front()));
+  const auto contenders = run(scene, rigs, steadyFrames(*scene.character, kFramesOfGrowth, kStep), rounds);
+  if (!contenders) return contenders.error();
+  std::vector<double> muscles, seconds;
+  for (std::size_t i = 0; i < kMuscles.size(); ++i) {
+    muscles.push_back(kMuscles[i]);
+    seconds.push_back(secondsPerProjected(contenders.value()[i], contenders->back()));
+  }
+  return exponent(muscles, seconds);
+}
+
+}  // namespace sinew::app

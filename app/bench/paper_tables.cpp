@@ -1,0 +1,115 @@
+// app/bench/paper_tables.cpp: depths, projections and culling in turn, on moments spread over the clip.
+#include "app/bench/paper_tables.h"
+
+#include <array>
+#include <numbers>
+#include <utility>
+
+#include "app/bench/measuring.h"
+#include "app/bench/paper_figures.h"
+#include "app/render/framing.h"
+#include "core/character/skinning.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr int kFrames = 2;
+constexpr std::array kProjections{ProjectionKind::kAnalytic, ProjectionKind::kBisection, ProjectionKind::kNewton};
+
+/// A moment, and the eye that culls: a picture's that shows the character from the front and a little to the side.
+struct Moment {
+  Pose pose;
+  glm::vec3 eye;
+};
+
+std::vector<Moment> momentsOf(const Character& character) {
+  std::vector<Moment> moments;
+  for (Pose& pose : spreadFrames(character, kFrames)) {
+    SkinnedMesh skinned;
+    skin(character, pose, skinned);
+    const View view = framedView(skinned.positions, std::numbers::pi_v<float> / 6.0f, 0.2f, {1280, 800}, false);
+    moments.push_back({std::move(pose), view.facingPoint()});
+  }
+  return moments;
+}
+
+/// One row at work. Rows that differ in culling alone share no smoother: each frame finds what its own left.
+struct Contender {
+  Smoother smoother;
+  bool culling = false;
+  Surface surface;
+  std::vector<double> seconds;
+};
+
+void run(std::vector<Contender>& contenders, const std::vector<Moment>& moments, int rounds) {
+  inTurn(contenders.size(), rounds, [&](std::size_t variant, int round) {
+    Contender& contender = contenders[variant];
+    for (const Moment& moment : moments) {
+      const auto eye = contender.culling ? std::optional(moment.eye) : std::nullopt;
+      contender.smoother.smooth(moment.pose, contender.surface, eye);
+      if (round > 0) contender.seconds.push_back(contender.surface.report.seconds.total());
+    }
+  });
+}
+
+double rateOf(double seconds) { return seconds > 0.0 ? 1.0 / seconds : 0.0; }
+
+std::optional<double> paperRate(const PaperRates& rates, ProjectionKind projection, bool culling) {
+  if (projection == ProjectionKind::kAnalytic) return culling ? rates.analyticCulled : rates.analytic;
+  if (projection == ProjectionKind::kBisection) return culling ? rates.bisectionCulled : rates.bisection;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<std::vector<Table1Row>> measureTable1(const BenchScene& scene, int rounds) {
+  std::vector<Table1Row> rows;
+  std::vector<Contender> contenders;
+  for (const PaperRates& paper : kPaperTable1) {
+    for (const ProjectionKind projection : kProjections) {
+      for (const bool culling : {false, true}) {
+        Result<Smoother> smoother = preparedSmoother(scene, rigAt(scene, paper.depth, projection));
+        if (!smoother) return smoother.error();
+        contenders.push_back({std::move(smoother.value()), culling, {}, {}});
+        rows.push_back({scene.name, scene.rig.surface.mode, paper.depth, projection, culling, 0.0, 0.0,
+                        paperRate(paper, projection, culling)});
+      }
+    }
+  }
+  run(contenders, momentsOf(*scene.character), rounds);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].frameSeconds = median(contenders[i].seconds);
+    rows[i].fps = rateOf(rows[i].frameSeconds);
+  }
+  return rows;
+}
+
+Result<std::vector<Table2Row>> measureTable2(const BenchScene& scene, int rounds) {
+  std::vector<Table2Row> rows;
+  std::vector<Contender> contenders;
+  const auto quadrupled = 4.0 * static_cast<double>(scene.character->mesh.triangles.size());
+  const bool humanoid = quadrupled == kPaperTable2.front().humanoidTriangles;
+  const bool horse = quadrupled == kPaperTable2.front().horseTriangles;
+  for (const PaperSizes& paper : kPaperTable2) {
+    Result<Smoother> smoother = preparedSmoother(scene, rigAt(scene, paper.depth));
+    if (!smoother) return smoother.error();
+    contenders.push_back({std::move(smoother.value()), true, {}, {}});
+    Table2Row row{scene.name, scene.rig.surface.mode, paper.depth, 0, 0, 0.0, 0.0, {}, {}};
+    if (humanoid || horse) {
+      row.paperTriangles = humanoid ? paper.humanoidTriangles : paper.horseTriangles;
+      row.paperFps = humanoid ? paper.humanoidFps : paper.horseFps;
+    }
+    rows.push_back(std::move(row));
+  }
+  run(contenders, momentsOf(*scene.character), rounds);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const SmoothingReport& report = contenders[i].surface.report;
+    rows[i].triangles = report.refinedTriangles;
+    rows[i].vertices = report.refinedVertices;
+    rows[i].frameSeconds = median(contenders[i].seconds);
+    rows[i].fps = rateOf(rows[i].frameSeconds);
+  }
+  return rows;
+}
+
+}  // namespace sinew::app
