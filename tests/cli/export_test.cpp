@@ -103,6 +103,7 @@ TEST_F(Export, WhatAKindHasNoUseForIsABadCommandLine) {
   refused({"--as", "baked", "-o", "out.glb"}, "--clip: expected one clip");
   refused({"--as", "baked", "-o", "out.glb", "--clip", "Walk", "--clip", "Idle"}, "--clip: expected one clip");
   refused({"--as", "baked", "-o", "out.glb", "--clip", "Walk", "--bound", "0"}, "--bound");
+  refused({"--as", "baked", "-o", "out.glb", "--clip", "Walk", "--bound", "nan"}, "--bound");
   refused({"--as", "baked", "-o", "out.glb", "--clip", "Walk", "--fps", "-1"}, "--fps");
   EXPECT_TRUE(names().empty());
 }

@@ -101,6 +101,34 @@ Sheet movingSheet(const std::vector<glm::dvec3>& middles, bool withFurther = fal
 
 const std::vector<glm::dvec3> kMiddles{{0.25, 0.25, 0.0}, {0.75, 0.3, 0.0}, {0.5, 0.75, 0.0}};
 
+TEST(HelperFit, RestsWhereAPoseFlattensTheBone) {
+  Sheet sheet = movingSheet(kMiddles);
+  for (const double thin : {0.0, 1e-7}) {
+    FitPose& pose = sheet.poses[4];
+    const glm::dmat4 flat =
+        glm::scale(glm::rotate(glm::dmat4(1.0), 0.7, glm::dvec3(0.0, 1.0, 0.0)), glm::dvec3(thin, 1.0, 1.0));
+    pose.pose.boneInWorld = {glm::mat4(flat)};
+    pose.matrices = {glm::dmat4(glm::mat4(flat))};
+    EXPECT_FALSE(fromWorld(pose.pose, 0).has_value());
+    const HelperResult result = fitHelpers(sheet.task(), sheet.start, 3, StageProgress({}));
+    ASSERT_EQ(result.helpers.size(), 3u);
+    const HelperMotion motion(sheet.skeleton, sheet.rest, result.weights, result.helpers, 1);
+    std::vector<Trs> locals(3);
+    motion.solve(pose.pose, pose.matrices, pose.live, 2, locals);
+    for (std::size_t h = 0; h < 3; ++h) EXPECT_EQ(locals[h].translation, result.helpers[h].rest.translation);
+  }
+}
+
+/// Uneven and small, but not flat.
+TEST(HelperFit, ThinBonesStillCarryHelpers) {
+  Pose pose;
+  pose.boneInWorld = {glm::scale(glm::mat4(1.0f), glm::vec3(1e-3f, 1.0f, 1.0f)),
+                      glm::scale(glm::mat4(1.0f), glm::vec3(1e-4f)), glm::mat4(0.0f)};
+  EXPECT_TRUE(fromWorld(pose, 0).has_value());
+  EXPECT_TRUE(fromWorld(pose, 1).has_value());
+  EXPECT_FALSE(fromWorld(pose, 2).has_value());
+}
+
 TEST(HelperFit, FindsHiddenJointsAgain) {
   const Sheet sheet = movingSheet(kMiddles);
   const double before = sheet.error({{}, {}, sheet.start});
