@@ -16,7 +16,8 @@ struct MuscleCost {
 /// Error: the rig is refused.
 [[nodiscard]] Result<MuscleCost> measureMuscleCost(const BenchScene& scene, int rounds);
 
-/// p of seconds = c vertices^p, of whole frames at depths 2 to 12. Error: the rig is refused.
+/// p of seconds = c vertices^p, of whole frames at depths 2 to 12, or as far as there are at most 400,000 vertices, but
+/// 4 at least. Error: the rig is refused.
 [[nodiscard]] Result<double> exponentOfVertices(const BenchScene& scene, int rounds);
 
 /// p of seconds over the floor for each projected vertex = c muscles^p, of 41, 400 and 4,000 muscles (even_rig.h) in

@@ -1,4 +1,4 @@
-// app/bench/paper_tables.cpp: depths, projections and culling in turn, on moments spread over the clip.
+// app/bench/paper_tables.cpp: projections with and without culling in turn, on moments spread over the clip.
 #include "app/bench/paper_tables.h"
 
 #include <array>
@@ -33,9 +33,9 @@ std::vector<Moment> momentsOf(const Character& character) {
   return moments;
 }
 
-/// One row at work. Rows that differ in culling alone share no smoother: each frame finds what its own left.
+/// One row at work.
 struct Contender {
-  Smoother smoother;
+  Smoother* smoother = nullptr;
   bool culling = false;
   Surface surface;
   std::vector<double> seconds;
@@ -46,13 +46,21 @@ void run(std::vector<Contender>& contenders, const std::vector<Moment>& moments,
     Contender& contender = contenders[variant];
     for (const Moment& moment : moments) {
       const auto eye = contender.culling ? std::optional(moment.eye) : std::nullopt;
-      contender.smoother.smooth(moment.pose, contender.surface, eye);
+      contender.smoother->smooth(moment.pose, contender.surface, eye);
       if (round > 0) contender.seconds.push_back(contender.surface.report.seconds.total());
     }
   });
 }
 
 double rateOf(double seconds) { return seconds > 0.0 ? 1.0 / seconds : 0.0; }
+
+bool isPaperHumanoid(const Character& character) {
+  return 4.0 * static_cast<double>(character.mesh.triangles.size()) == kPaperTable2.front().humanoidTriangles;
+}
+
+bool isPaperHorse(const Character& character) {
+  return 4.0 * static_cast<double>(character.mesh.triangles.size()) == kPaperTable2.front().horseTriangles;
+}
 
 std::optional<double> paperRate(const PaperRates& rates, ProjectionKind projection, bool culling) {
   if (projection == ProjectionKind::kAnalytic) return culling ? rates.analyticCulled : rates.analytic;
@@ -63,37 +71,40 @@ std::optional<double> paperRate(const PaperRates& rates, ProjectionKind projecti
 }  // namespace
 
 Result<std::vector<Table1Row>> measureTable1(const BenchScene& scene, int rounds) {
+  const bool humanoid = isPaperHumanoid(*scene.character);
+  const std::vector<Moment> moments = momentsOf(*scene.character);
   std::vector<Table1Row> rows;
-  std::vector<Contender> contenders;
-  for (const PaperRates& paper : kPaperTable1) {
+  for (const PaperRates& paper : kPaperTable1) {  // One depth after the other: all at once fill the memory.
+    std::vector<Smoother> smoothers;
     for (const ProjectionKind projection : kProjections) {
-      for (const bool culling : {false, true}) {
-        Result<Smoother> smoother = preparedSmoother(scene, rigAt(scene, paper.depth, projection));
-        if (!smoother) return smoother.error();
-        contenders.push_back({std::move(smoother.value()), culling, {}, {}});
-        rows.push_back({scene.name, scene.rig.surface.mode, paper.depth, projection, culling, 0.0, 0.0,
-                        paperRate(paper, projection, culling)});
-      }
+      Result<Smoother> smoother = preparedSmoother(scene, rigAt(scene, paper.depth, projection));
+      if (!smoother) return smoother.error();
+      smoothers.push_back(std::move(smoother.value()));
     }
-  }
-  run(contenders, momentsOf(*scene.character), rounds);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].frameSeconds = median(contenders[i].seconds);
-    rows[i].fps = rateOf(rows[i].frameSeconds);
+    std::vector<Contender> contenders;
+    for (Smoother& smoother : smoothers) {
+      for (const bool culling : {false, true}) contenders.push_back({&smoother, culling, {}, {}});
+    }
+    run(contenders, moments, rounds);
+    for (std::size_t i = 0; i < contenders.size(); ++i) {
+      const double seconds = median(contenders[i].seconds);
+      const ProjectionKind projection = kProjections[i / 2];
+      const bool culling = contenders[i].culling;
+      rows.push_back({scene.name, scene.rig.surface.mode, paper.depth, projection, culling, seconds, rateOf(seconds),
+                      humanoid ? paperRate(paper, projection, culling) : std::nullopt});
+    }
   }
   return rows;
 }
 
 Result<std::vector<Table2Row>> measureTable2(const BenchScene& scene, int rounds) {
   std::vector<Table2Row> rows;
-  std::vector<Contender> contenders;
-  const auto quadrupled = 4.0 * static_cast<double>(scene.character->mesh.triangles.size());
-  const bool humanoid = quadrupled == kPaperTable2.front().humanoidTriangles;
-  const bool horse = quadrupled == kPaperTable2.front().horseTriangles;
+  std::vector<Smoother> smoothers;
+  const bool humanoid = isPaperHumanoid(*scene.character), horse = isPaperHorse(*scene.character);
   for (const PaperSizes& paper : kPaperTable2) {
     Result<Smoother> smoother = preparedSmoother(scene, rigAt(scene, paper.depth));
     if (!smoother) return smoother.error();
-    contenders.push_back({std::move(smoother.value()), true, {}, {}});
+    smoothers.push_back(std::move(smoother.value()));
     Table2Row row{scene.name, scene.rig.surface.mode, paper.depth, 0, 0, 0.0, 0.0, {}, {}};
     if (humanoid || horse) {
       row.paperTriangles = humanoid ? paper.humanoidTriangles : paper.horseTriangles;
@@ -101,6 +112,8 @@ Result<std::vector<Table2Row>> measureTable2(const BenchScene& scene, int rounds
     }
     rows.push_back(std::move(row));
   }
+  std::vector<Contender> contenders;
+  for (Smoother& smoother : smoothers) contenders.push_back({&smoother, true, {}, {}});
   run(contenders, momentsOf(*scene.character), rounds);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const SmoothingReport& report = contenders[i].surface.report;

@@ -18,10 +18,10 @@ struct Table1Row {
   bool culling = false;
   double frameSeconds = 0.0;       ///< Median.
   double fps = 0.0;                ///< 1 / frameSeconds.
-  std::optional<double> paperFps;  ///< Where the paper has this row; it knows no newton.
+  std::optional<double> paperFps;  ///< Of the paper's humanoid, where the mesh has as many triangles; not by newton.
 };
 
-/// The paper's table is of its humanoid; its figures stand beside any scene. Error: the rig is refused.
+/// All projections with and without culling in turn, one depth after the other. Error: the rig is refused.
 [[nodiscard]] Result<std::vector<Table1Row>> measureTable1(const BenchScene& scene, int rounds);
 
 /// By newton, back faces culled as in the paper.

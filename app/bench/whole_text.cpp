@@ -57,8 +57,10 @@ std::string textOf(const std::vector<Table1Row>& rows) {
       text += formatted("%s%-7s  %-16.40s  %5d ", line ? "\n" : "", nameOf(row.mode), row.scene.c_str(), row.depth);
       line = &row;
     }
-    text += row.paperFps ? formatted(" %8.0f %6s", row.fps, ('[' + rateOf(row.paperFps) + ']').c_str())
-                         : formatted("   %7.0f", row.fps);
+    // The paper knows no newton: no room for its figure there.
+    text += row.projection == ProjectionKind::kNewton
+                ? formatted("   %7.0f", row.fps)
+                : formatted(" %8.0f %6s", row.fps, ('[' + rateOf(row.paperFps) + ']').c_str());
   }
   return text + '\n';
 }
