@@ -80,7 +80,8 @@ std::string textOf(const std::vector<Table2Row>& rows) {
 
 std::string textOf(const Whole& whole) {
   std::string text = textOf(whole.machine);
-  text += formatted("Medians of %d rounds, variants in turn within each; ratios within one round.\n", whole.rounds);
+  text += formatted("Medians of %d round%s, variants in turn within each; ratios within one round.\n", whole.rounds,
+                    whole.rounds == 1 ? "" : "s");
   for (const ModeFigures& figures : whole.modes) text += textOf(figures);
   return text + textOf(whole.table1) + textOf(whole.table2);
 }

@@ -261,6 +261,10 @@ void addBenchOptions(CLI::App& verb, BenchOptions& options) {
            "Rigs (.rig.json), or characters, which get 12 muscles by rule; none: those that ship with the program");
   addNumber(*stages, "--frames", options.frames, "Moments of the first clip (8)");
   addNumber(*stages, "--rounds", options.rounds, "Times each moment is timed (15)");
+  // The whole's options belong to no part: those have their own behind their names.
+  for (CLI::App* part : verb.get_subcommands([](const CLI::App*) { return true; })) {
+    for (CLI::Option* option : verb.get_options()) part->excludes(option);
+  }
 }
 
 int runBench(const BenchOptions& options) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "app/bench/rig_or_trial.h"
@@ -45,6 +46,12 @@ Result<ModeScenes> scenesOf(SurfaceMode mode, const std::vector<std::filesystem:
   return scenes;
 }
 
+/// Nobody waits a minute for figures that have no place to go.
+bool hasFolder(const std::filesystem::path& file) {
+  std::error_code failed;
+  return file.parent_path().empty() || std::filesystem::is_directory(file.parent_path(), failed);
+}
+
 void tellProgress(int done, int all, const std::string& now) {
   constexpr int kWidth = 24;
   const auto filled = static_cast<std::size_t>(kWidth * done / all);
@@ -55,6 +62,9 @@ void tellProgress(int done, int all, const std::string& now) {
 
 int benchWhole(WholeOptions options) {
   if (options.json && isInput(*options.json)) options.files.push_back(std::exchange(*options.json, {}));
+  if (options.json && !hasFolder(*options.json)) {
+    return badInput({options.json->string(), "", "cannot be written: its folder does not exist"});
+  }
   std::vector<ModeScenes> modes;
   for (const Bundled& bundled : kBundled) {
     std::vector<std::filesystem::path> files = options.files;

@@ -176,7 +176,7 @@ TEST_F(Bench, WholeRigAfterJsonIsMeasuredAndKept) {
   }
 }
 
-TEST_F(Bench, WholeRefusesAtOnceWhatCannotBeRead) {
+TEST_F(Bench, WholeRefusesAtOnceWhatCannotBeReadOrWritten) {
   const auto json = folder_ / "whole.json";
   for (const char* file : {"no such file.glb", "nonsense"}) {
     const Outcome outcome = run({"bench", demo("demo.rig.json"), file, "--json", json.string()});
@@ -185,6 +185,10 @@ TEST_F(Bench, WholeRefusesAtOnceWhatCannotBeRead) {
     EXPECT_EQ(outcome.out, "");
     EXPECT_FALSE(std::filesystem::exists(json));
   }
+  const Outcome outcome = run({"bench", "--json", (folder_ / "no such folder" / "whole.json").string()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_TRUE(outcome.oneErrorLine()) << outcome.error;
+  EXPECT_EQ(outcome.out, "");
 }
 
 TEST_F(Bench, BadInputAndBadCommandLine) {
@@ -196,6 +200,9 @@ TEST_F(Bench, BadInputAndBadCommandLine) {
   for (const auto& arguments : {std::vector<std::string>{"bench", "--rounds", "0"},
                                 {"bench", "--frames", "3"},
                                 {"bench", "drag", "--json"},
+                                {"bench", "--json", "out.json", "field"},
+                                {"bench", "--rounds", "3", "stages"},
+                                {"bench", demo("demo.glb"), "drag"},
                                 {"bench", "projections", "--rounds", "0"},
                                 {"bench", "drag", "--frames", "0"}}) {
     const Outcome outcome = run(arguments);
