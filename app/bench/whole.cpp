@@ -40,6 +40,7 @@ void addMode(const ModeScenes& scenes, int rounds, ModeFigures& figures, Whole& 
                    [&, rounds] { return keep(exponentOfVertices(scene, rounds), figures.exponentVertices); }});
   parts.push_back({"growth with muscles" + where,
                    [&, rounds] { return keep(exponentOfPrimitives(scene, rounds), figures.exponentPrimitives); }});
+  parts.push_back({"threads" + where, [&, rounds] { return keep(measureThreads(scene, rounds), figures.threads); }});
   parts.push_back({"table 1" + where, [&, rounds] { return append(measureTable1(scene, rounds), whole.table1); }});
   for (const BenchScene& each : scenes) {
     parts.push_back({"table 2, " + each.name + ", " + nameOf(figures.mode),

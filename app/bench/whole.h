@@ -12,6 +12,7 @@
 #include "app/bench/paper_tables.h"
 #include "app/bench/scene.h"
 #include "app/bench/speedup.h"
+#include "app/bench/threads.h"
 
 namespace sinew::app {
 
@@ -23,7 +24,7 @@ struct ModeFigures {
   MuscleCost cost;
   double exponentVertices = 0.0;
   double exponentPrimitives = 0.0;
-  // Figures of threads, threads2_single and threads2_crowd in JSON, belong here.
+  ThreadGain threads;
   std::optional<DrawCost> drawing;  ///< nullopt: no context to draw in.
 };
 

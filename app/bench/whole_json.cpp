@@ -29,6 +29,7 @@ Json jsonOf(const ModeFigures& figures) {
   json.set("ns_per_projected_vertex", figures.cost.nsPerProjectedVertex);
   json.set("ns_per_vertex_floor", figures.cost.nsPerVertexFloor);
   json.set("exponent_vertices", figures.exponentVertices).set("exponent_primitives", figures.exponentPrimitives);
+  json.set("threads2_single", figures.threads.single).set("threads2_crowd", figures.threads.crowd);
   json.set("within_1e-4H", speedups.agreement.within).set("nan", speedups.agreement.notFinite);
   json.set("uncertified_share", speedups.agreement.uncertifiedShare);
   json.set("draw_seconds", figures.drawing ? Json(figures.drawing->drawSeconds) : Json());

@@ -35,6 +35,8 @@ std::string textOf(const ModeFigures& figures) {
   text += formatted("  ns a vertex, floor %32.1f\n", cost.nsPerVertexFloor);
   text += formatted("  exponent of vertices %30.2f\n", figures.exponentVertices);
   text += formatted("  exponent of muscles %31.2f\n", figures.exponentPrimitives);
+  text += formatted("  one thread / two, one surface %21.2f\n", figures.threads.single);
+  text += formatted("  one thread / two, crowd of 100 %20.2f\n", figures.threads.crowd);
   text += formatted("  within 1e-4 H of scalar %27.3f %%\n", 100.0 * agreement.within);
   text += formatted("  left to scalar as uncertain %23.3f %%\n", 100.0 * agreement.uncertifiedShare);
   text += formatted("  not a number %38lld\n", agreement.notFinite);

@@ -24,6 +24,7 @@ Whole madeUp() {
     figures.cost = {3.5, 15.25, 2.25, 0.004};
     figures.exponentVertices = 0.9;
     figures.exponentPrimitives = 0.35;
+    figures.threads = {1.25, 1.75};
     whole.modes.push_back(figures);
   }
   whole.modes[0].drawing = DrawCost{0.02, 0.001};
@@ -47,6 +48,8 @@ TEST(WholeBench, JsonHasEveryFigure) {
   EXPECT_EQ(swell.at("ns_per_vertex_floor").number(0), 2.25);
   EXPECT_EQ(swell.at("exponent_vertices").number(0), 0.9);
   EXPECT_EQ(swell.at("exponent_primitives").number(0), 0.35);
+  EXPECT_EQ(swell.at("threads2_single").number(0), 1.25);
+  EXPECT_EQ(swell.at("threads2_crowd").number(0), 1.75);
   EXPECT_EQ(swell.at("within_1e-4H").number(0), 0.75);
   EXPECT_EQ(swell.at("nan").number(0), 3.0);
   EXPECT_EQ(swell.at("uncertified_share").number(0), 0.125);
