@@ -2,7 +2,7 @@
 #include "core/base/parallel.h"
 
 #include <algorithm>
-#include <optional>
+#include <map>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -32,11 +32,10 @@ class HandOver {
   }
 };
 
-/// Of this thread, kept for its next call.
+/// Of this thread, kept for its next calls: one may run inside another.
 tbb::task_arena& limitedArena(int threads) {
-  thread_local std::optional<tbb::task_arena> arena;
-  if (!arena || arena->max_concurrency() != threads) arena.emplace(threads);
-  return *arena;
+  thread_local std::map<int, tbb::task_arena> arenas;
+  return arenas.try_emplace(threads, threads).first->second;
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ void run(std::size_t count, std::size_t least, void* use, Call call);
 
 }  // namespace parallel
 
-/// Calls use(begin, end) for ranges that make up 0..count, each at least `least` long, on up to threadCount() threads.
+/// Calls use(begin, end) for ranges that make up 0..count, on up to threadCount() threads; only ranges longer than
+/// `least` are divided.
 /// A range's results must not depend on how far the others are: then they do not depend on the number of threads. What
 /// is thrown is thrown again here.
 template <class Use>

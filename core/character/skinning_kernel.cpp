@@ -37,10 +37,6 @@ struct LaneMatrix {
   V3 column[4];
 };
 
-HWY_INLINE V3 cross(const V3& a, const V3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 /// As normalMatrix of base/geometry.h carries it.
 HWY_INLINE V3 carried(const V3& direction, const LaneMatrix& matrix) {
   const V3(&m)[4] = matrix.column;
@@ -118,26 +114,11 @@ constexpr SkinKernels kKernels{&skinVertices, &skinWedges};
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "core/lanes/dispatch.h"
+
 namespace sinew {
 
-SkinKernels skinKernels(InstructionSet set) {
-  switch (set) {
-#if HWY_TARGETS & HWY_AVX3
-    case InstructionSet::kAvx512:
-      return N_AVX3::kKernels;
-#endif
-#if HWY_TARGETS & HWY_AVX2
-    case InstructionSet::kAvx2:
-      return N_AVX2::kKernels;
-#endif
-#if HWY_TARGETS & HWY_SSE4
-    case InstructionSet::kSse4:
-      return N_SSE4::kKernels;
-#endif
-    default:
-      return HWY_STATIC_DISPATCH(kKernels);
-  }
-}
+SkinKernels skinKernels(InstructionSet set) { SINEW_RETURN_BY_SET(set, kKernels) }
 
 }  // namespace sinew
 #endif

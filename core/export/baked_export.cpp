@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <new>
 
 #include "core/export/baked_points.h"
 #include "core/export/baked_targets.h"
-#include "core/export/fit/stage_progress.h"
+#include "core/export/guarded.h"
 #include "core/export/out_files.h"
 
 namespace sinew {
@@ -42,20 +40,12 @@ Result<BakedExportReport> exportBaked(const std::filesystem::path& characterFile
     return Error{characterFile.string(), "clip \"" + settings.clip + '"',
                  "there are several of that name; expected one"};
   }
-  try {
+  return guarded(characterFile, file, [&]() -> Result<BakedExportReport> {
     Source source(characterFile);
     requireSame(source, *character);
     return isBakedPointsName(file) ? bakePoints(source, character, rig, settings, file, progress)
                                    : bakeTargets(source, character, rig, settings, file, progress);
-  } catch (const gltf::Refusal& refusal) {
-    return Error{characterFile.string(), refusal.error.place, refusal.error.reason};
-  } catch (const Cancelled&) {
-    return Error{file.string(), {}, std::string(kCancelled)};
-  } catch (const std::bad_alloc&) {
-    return Error{characterFile.string(), {}, "there is not enough memory to export it"};
-  } catch (const std::exception& error) {
-    return Error{characterFile.string(), {}, shortened(error.what())};
-  }
+  });
 }
 
 }  // namespace sinew

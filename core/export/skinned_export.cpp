@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <exception>
-#include <new>
 
 #include "core/export/fit/joint_fit.h"
+#include "core/export/guarded.h"
 #include "core/export/out_files.h"
 #include "core/export/skinned_file.h"
 #include "core/export/usd_files.h"
@@ -57,20 +56,12 @@ Result<SkinnedExportReport> exportSkinned(const std::filesystem::path& character
                                           const std::filesystem::path& file, const ExportProgress& progress) {
   if (!isSkinnedExportName(file)) return Error{file.string(), {}, "expected a name that ends in .glb, .gltf or .usda"};
   if (auto known = checkClips(characterFile, *character, settings.clips); !known) return known.error();
-  try {
+  return guarded(characterFile, file, [&]() -> Result<SkinnedExportReport> {
     Source source(characterFile);
     requireSame(source, *character);
     JointFit fit(character, moving, rig, settings, progress);
     return exported(source, *character, fit, settings, file);
-  } catch (const gltf::Refusal& refusal) {
-    return Error{characterFile.string(), refusal.error.place, refusal.error.reason};
-  } catch (const Cancelled&) {
-    return Error{file.string(), {}, std::string(kCancelled)};
-  } catch (const std::bad_alloc&) {
-    return Error{characterFile.string(), {}, "there is not enough memory to export it"};
-  } catch (const std::exception& error) {
-    return Error{characterFile.string(), {}, shortened(error.what())};
-  }
+  });
 }
 
 }  // namespace sinew

@@ -40,6 +40,11 @@ InstructionSet chosenInstructionSet() {
   return set == InstructionSet::kAuto ? availableInstructionSets().back() : set;
 }
 
+InstructionSet chosenVectorSet() {
+  const InstructionSet set = chosenInstructionSet();
+  return set == InstructionSet::kScalar ? availableInstructionSets().back() : set;
+}
+
 void chooseInstructionSet(InstructionSet set) {
   assert(set == InstructionSet::kAuto || std::ranges::count(availableInstructionSets(), set) == 1);
   chosen = set;

@@ -17,6 +17,8 @@ enum class InstructionSet { kAuto, kScalar, kPlain, kSse4, kAvx2, kAvx512 };
 
 /// What kAuto means to this process. For tests and measurements: all sets but kScalar give the same bits.
 [[nodiscard]] InstructionSet chosenInstructionSet();
+/// The same for kernels without a scalar reference.
+[[nodiscard]] InstructionSet chosenVectorSet();
 void chooseInstructionSet(InstructionSet set);
 
 /// Chooses a set while it lives; then kAuto again.

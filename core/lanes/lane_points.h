@@ -32,6 +32,9 @@ struct V3 {
 };
 
 HWY_INLINE V dot(const V3& a, const V3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+HWY_INLINE V3 cross(const V3& a, const V3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 HWY_INLINE V3 all(const glm::vec3& v) { return {all(v.x), all(v.y), all(v.z)}; }
 HWY_INLINE V3 times(const glm::mat3& m, const V3& v) { return v.x * all(m[0]) + v.y * all(m[1]) + v.z * all(m[2]); }
 HWY_INLINE V3 transposedTimes(const glm::mat3& m, const V3& v) {

@@ -285,26 +285,11 @@ void poseBlocks(const PoseFrame& frame) {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "core/lanes/dispatch.h"
+
 namespace sinew {
 
-LineKernel lineKernel(InstructionSet set) {
-  switch (set) {
-#if HWY_TARGETS & HWY_AVX3
-    case InstructionSet::kAvx512:
-      return &N_AVX3::poseBlocks;
-#endif
-#if HWY_TARGETS & HWY_AVX2
-    case InstructionSet::kAvx2:
-      return &N_AVX2::poseBlocks;
-#endif
-#if HWY_TARGETS & HWY_SSE4
-    case InstructionSet::kSse4:
-      return &N_SSE4::poseBlocks;
-#endif
-    default:
-      return &HWY_STATIC_DISPATCH(poseBlocks);
-  }
-}
+LineKernel lineKernel(InstructionSet set) { SINEW_RETURN_BY_SET(set, poseBlocks) }
 
 }  // namespace sinew
 #endif

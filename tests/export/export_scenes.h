@@ -149,4 +149,11 @@ std::vector<Number> rawNumbers(const tinygltf::Model& model, int index) {
   return numbers;
 }
 
+/// For INSTANTIATE_TEST_SUITE_P, where the parameter is what sceneNamed() takes.
+inline std::string nameOfScene(const ::testing::TestParamInfo<const char*>& scene) {
+  std::string name = scene.param;
+  for (char& c : name) c = c == '.' || c == '-' ? '_' : c;
+  return name;
+}
+
 }  // namespace sinew::test

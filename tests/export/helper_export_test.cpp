@@ -141,11 +141,7 @@ TEST_P(HelperExport, SameInputsSameBytesOnAnyNumberOfThreads) {
 INSTANTIATE_TEST_SUITE_P(Characters, HelperExport,
                          ::testing::Values("humanoid", "horse", "humanoid-flex", "horse-flex", "Fox.glb",
                                            "greenman.glb", "cesium_man.gltf", "robot.glb"),
-                         [](const auto& character) {
-                           std::string name = character.param;
-                           for (char& c : name) c = c == '.' || c == '-' ? '_' : c;
-                           return name;
-                         });
+                         nameOfScene);
 
 TEST(HelperExportScale, JointsScaleAsTheEngineCan) {
   const ExportScene scene = bundledScene("humanoid-flex");

@@ -276,11 +276,7 @@ TEST(SkinnedExportFigures, BundledCharactersComeNear) {
 INSTANTIATE_TEST_SUITE_P(Characters, SkinnedExport,
                          ::testing::Values("humanoid", "horse", "humanoid-flex", "horse-flex", "Fox.glb",
                                            "greenman.glb", "cesium_man.gltf", "robot.glb"),
-                         [](const auto& character) {
-                           std::string name = character.param;
-                           for (char& c : name) c = c == '.' || c == '-' ? '_' : c;
-                           return name;
-                         });
+                         nameOfScene);
 
 }  // namespace
 }  // namespace sinew::test

@@ -107,9 +107,12 @@ void oneClipRows(PanelUi& ui) {
   const bool open = ImGui::BeginCombo("##one-clip", chosen.c_str(), ImGuiComboFlags_HeightLarge);
   ui.widgets.note("export/one-clip");
   if (open) {
-    for (const std::string& name : names) {
-      if (ImGui::Selectable(name.c_str(), name == chosen)) dialog.oneClip = name;
-      ui.widgets.note("export/one-clip/" + name);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      ImGui::PushID(static_cast<int>(i));
+      const std::string shown = fitted(names[i], ImGui::GetContentRegionAvail().x);
+      if (ImGui::Selectable(shown.c_str(), names[i] == chosen)) dialog.oneClip = names[i];
+      ImGui::PopID();
+      ui.widgets.note("export/one-clip/" + std::to_string(i));
     }
     ImGui::EndCombo();
   }

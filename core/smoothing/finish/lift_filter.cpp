@@ -44,9 +44,7 @@ void LiftFilter::sumEdges(const VertexRings& rings, const MovedTriangles& moved,
   }
   if (edges_.size() < count) edges_.resize(count);
   sums_.resize(moved_.size());
-  const InstructionSet set = chosenInstructionSet();
-  liftKernel(set == InstructionSet::kScalar ? availableInstructionSets().back()
-                                            : set)({&rings, moved_, places_.data(), edges_.data(), sums_.data()});
+  liftKernel(chosenVectorSet())({&rings, moved_, places_.data(), edges_.data(), sums_.data()});
 }
 
 void LiftFilter::raise(int vertex, float weight) {

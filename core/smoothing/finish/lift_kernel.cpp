@@ -49,26 +49,11 @@ void sumEdges(const LiftFrame& frame) {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "core/lanes/dispatch.h"
+
 namespace sinew {
 
-LiftKernel liftKernel(InstructionSet set) {
-  switch (set) {
-#if HWY_TARGETS & HWY_AVX3
-    case InstructionSet::kAvx512:
-      return &N_AVX3::sumEdges;
-#endif
-#if HWY_TARGETS & HWY_AVX2
-    case InstructionSet::kAvx2:
-      return &N_AVX2::sumEdges;
-#endif
-#if HWY_TARGETS & HWY_SSE4
-    case InstructionSet::kSse4:
-      return &N_SSE4::sumEdges;
-#endif
-    default:
-      return &HWY_STATIC_DISPATCH(sumEdges);
-  }
-}
+LiftKernel liftKernel(InstructionSet set) { SINEW_RETURN_BY_SET(set, sumEdges) }
 
 }  // namespace sinew
 #endif

@@ -123,10 +123,6 @@ void sumFaces(const NormalsFrame& frame) {
   }
 }
 
-HWY_INLINE V3 cross(const V3& a, const V3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 /// Unit, where the length is that of a sum of a few weighted unit vectors; `fallback` where they cancel.
 HWY_INLINE V3 unitOfSum(const V3& sum, const V3& fallback) {
   const V squared = dot(sum, sum);
@@ -329,26 +325,11 @@ void makeNormals(NormalsFrame& frame) {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "core/lanes/dispatch.h"
+
 namespace sinew {
 
-NormalsKernel normalsKernel(InstructionSet set) {
-  switch (set) {
-#if HWY_TARGETS & HWY_AVX3
-    case InstructionSet::kAvx512:
-      return &N_AVX3::makeNormals;
-#endif
-#if HWY_TARGETS & HWY_AVX2
-    case InstructionSet::kAvx2:
-      return &N_AVX2::makeNormals;
-#endif
-#if HWY_TARGETS & HWY_SSE4
-    case InstructionSet::kSse4:
-      return &N_SSE4::makeNormals;
-#endif
-    default:
-      return &HWY_STATIC_DISPATCH(makeNormals);
-  }
-}
+NormalsKernel normalsKernel(InstructionSet set) { SINEW_RETURN_BY_SET(set, makeNormals) }
 
 }  // namespace sinew
 #endif

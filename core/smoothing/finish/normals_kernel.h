@@ -1,4 +1,4 @@
-// core/smoothing/finish/normals_kernel.h: the faces around vertices, and and normals for shading, by instruction set.
+// core/smoothing/finish/normals_kernel.h: the faces around vertices, and normals for shading, by instruction set.
 #pragma once
 
 #include <array>

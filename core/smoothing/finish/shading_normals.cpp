@@ -14,8 +14,7 @@ void ShadingNormals::apply(const Refinement& refinement, const VertexRings& ring
   weights_.resize(normals.size());
   NormalsFrame frame{&refinement, &rings,  &moved,       patch,         positions,      patchNormals,
                      filtered,    normals, work_.data(), teeth_.data(), weights_.data()};
-  const InstructionSet set = chosenInstructionSet();
-  normalsKernel(set == InstructionSet::kScalar ? availableInstructionSets().back() : set)(frame);
+  normalsKernel(chosenVectorSet())(frame);
 }
 
 void turnWithSurface(const Surface& surface, std::span<const glm::vec3> patchNormals, std::vector<glm::vec3>& shading) {

@@ -183,26 +183,11 @@ constexpr PatchKernels kKernels{&evaluateKind, &interpolateAll, &shadeKind};
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "core/lanes/dispatch.h"
+
 namespace sinew {
 
-PatchKernels patchKernels(InstructionSet set) {
-  switch (set) {
-#if HWY_TARGETS & HWY_AVX3
-    case InstructionSet::kAvx512:
-      return N_AVX3::kKernels;
-#endif
-#if HWY_TARGETS & HWY_AVX2
-    case InstructionSet::kAvx2:
-      return N_AVX2::kKernels;
-#endif
-#if HWY_TARGETS & HWY_SSE4
-    case InstructionSet::kSse4:
-      return N_SSE4::kKernels;
-#endif
-    default:
-      return HWY_STATIC_DISPATCH(kKernels);
-  }
-}
+PatchKernels patchKernels(InstructionSet set) { SINEW_RETURN_BY_SET(set, kKernels) }
 
 }  // namespace sinew
 #endif

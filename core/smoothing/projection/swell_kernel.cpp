@@ -371,28 +371,11 @@ void swellTiles(SwellFrame& frame) {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "core/lanes/dispatch.h"
+
 namespace sinew {
 
-SwellKernel swellKernel(InstructionSet set) {
-  switch (set) {
-#if HWY_TARGETS & HWY_AVX3
-    case InstructionSet::kAvx512:
-      return &N_AVX3::swellTiles;
-#endif
-#if HWY_TARGETS & HWY_AVX2
-    case InstructionSet::kAvx2:
-      return &N_AVX2::swellTiles;
-#endif
-#if HWY_TARGETS & HWY_SSE4
-    case InstructionSet::kSse4:
-      return &N_SSE4::swellTiles;
-#endif
-    case InstructionSet::kScalar:
-      return nullptr;
-    default:
-      return &HWY_STATIC_DISPATCH(swellTiles);
-  }
-}
+SwellKernel swellKernel(InstructionSet set) { SINEW_RETURN_BY_SET(set, swellTiles) }
 
 }  // namespace sinew
 #endif
