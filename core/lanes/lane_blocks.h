@@ -123,6 +123,10 @@ template <std::size_t kCount>
 Blocks<kCount / 2> upper(const Blocks<kCount>& a) {
   return Blocks<kCount / 2>::load(a.of + 2 * kCount);
 }
+template <std::size_t kCount>
+Blocks<2 * kCount> bothOf(const Blocks<kCount>& low, const Blocks<kCount>& high) {
+  return Blocks<2 * kCount>::joined(low.of, high.of);
+}
 inline float first(const Blocks<1>& a) { return a.of[0]; }
 
 #else
@@ -252,6 +256,15 @@ HWY_INLINE Blocks<kCount / 2> upper(const Blocks<kCount>& a) {
     return {{hn::UpperHalf(typename Blocks<kCount / 2>::Tag(), a.of[0])}};
   } else {
     return {{a.of[1]}};
+  }
+}
+template <std::size_t kCount>
+HWY_INLINE Blocks<2 * kCount> bothOf(const Blocks<kCount>& low, const Blocks<kCount>& high) {
+  using Many = Blocks<2 * kCount>;
+  if constexpr (Many::kVectors == 1) {
+    return {{hn::Combine(typename Many::Tag(), high.of[0], low.of[0])}};
+  } else {
+    return {{low.of[0], high.of[0]}};
   }
 }
 HWY_INLINE float first(const Blocks<1>& a) { return hn::GetLane(a.of[0]); }

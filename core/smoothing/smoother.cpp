@@ -89,6 +89,7 @@ struct Smoother::State {
   MovedTriangles movedTriangles;
   LiftFilter liftFilter;
   std::span<const float> filtered;  ///< Its weights.
+  VertexPairs pairs;                ///< Of movedTriangles.corners, as the last stage left them.
   FoldRegion foldRegion;
   FoldMoves foldMoves;
   FoldRelaxation foldRelaxation;
@@ -263,19 +264,21 @@ struct Smoother::State {
 
   /// Heights that the mesh cannot follow are filtered, folds smoothed out; what is still folded is spread.
   void unfold(Surface& out) {
-    const Refinement& refinement = *prepared.refinement;
     const bool swells = prepared.rig.surface.mode == SurfaceMode::kSwell;  // `replace` lies on the muscle as it is.
     filtered = {};
     if (swells) {
       filtered = liftFilter.apply(prepared.rings, movedTriangles, patchPositions, out.positions, out.displacement);
     }
+    pairs.fill(movedTriangles.corners, patchPositions, out.positions);
     foldMoves.start(out.positions.size());
-    foldRegion.find(mesh(), refinement, movedTriangles.control, {patchPositions, patchNormals, prepared.bindFronts},
-                    out.positions, FoldRelaxation::kWholeArea);
-    foldRelaxation.apply(refinement, prepared.isBorder, patchPositions, foldRegion, foldMoves, out.positions);
+    foldRegion.find(mesh(), *prepared.refinement, prepared.rings, movedTriangles,
+                    {patchPositions, patchNormals, prepared.bindFronts}, pairs, out.positions,
+                    FoldRelaxation::kWholeArea);
+    foldRelaxation.apply(prepared.rings, prepared.isBorder, patchPositions, foldRegion, foldMoves, out.positions);
     foldSpread.apply(prepared.isBorder, patchPositions, foldRegion, foldMoves, out.positions);
     for (const auto& [vertex, from] : foldMoves.list()) {
       const auto v = static_cast<std::size_t>(vertex);
+      pairs.moveTo(vertex, out.positions[v]);
       const glm::vec3 lift = from - patchPositions[v];
       out.displacement[v] *= glm::dot(out.positions[v] - patchPositions[v], lift) / glm::dot(lift, lift);
     }
@@ -286,14 +289,14 @@ struct Smoother::State {
   /// across its patch; it has the paper's normals.
   bool findMoved(const Surface& out) {
     if (prepared.rig.surface.mode == SurfaceMode::kReplace && prepared.weights.wraps) return false;
-    movedTriangles.find(mesh(), *prepared.refinement, patchPositions, out.positions);
+    movedTriangles.find(mesh(), *prepared.refinement, prepared.rings, patchPositions, out.positions);
     return !movedTriangles.refined.empty();
   }
 
   void shade(bool moved, Surface& out) {
     if (moved) {
-      shadingNormals.apply(*prepared.refinement, prepared.rings, movedTriangles, patchPositions, out.positions,
-                           patchNormals, filtered, out.normals);
+      shadingNormals.apply(*prepared.refinement, prepared.rings, movedTriangles, pairs, patchNormals, filtered,
+                           out.normals);
     }
     if (!out.shadingNormals.empty()) turnWithSurface(out, patchNormals, out.shadingNormals);
   }

@@ -34,7 +34,7 @@ struct Heights {
     heights = raw;
     positions = mesh.positions;
     for (std::size_t v = 0; v < raw.size(); ++v) positions[v].z += raw[v];
-    moved.find(mesh, refinement, mesh.positions, positions);
+    moved.find(mesh, refinement, rings, mesh.positions, positions);
     const auto weights = filter.apply(rings, moved, mesh.positions, positions, heights);
     return {weights.begin(), weights.end()};
   }

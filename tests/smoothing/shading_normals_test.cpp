@@ -37,9 +37,10 @@ class Raised {
       positions[v].z += rise;
       fieldNormals[v] = glm::normalize(normal(mesh_.positions[v]));
     }
-    moved_.find(mesh_, refinement_, mesh_.positions, positions);
+    moved_.find(mesh_, refinement_, rings_, mesh_.positions, positions);
+    pairs_.fill(moved_.corners, mesh_.positions, positions);
     std::vector<glm::vec3> out = fieldNormals;
-    shading_.apply(refinement_, rings_, moved_, mesh_.positions, positions, patchNormals_, {}, out);
+    shading_.apply(refinement_, rings_, moved_, pairs_, patchNormals_, {}, out);
     return out;
   }
 
@@ -61,6 +62,7 @@ class Raised {
   VertexRings rings_;
   std::vector<glm::vec3> patchNormals_;
   MovedTriangles moved_;
+  VertexPairs pairs_;
   ShadingNormals shading_;
 };
 

@@ -1,44 +1,47 @@
 // core/smoothing/finish/fold_region.cpp: one look at all moved triangles, then only around those that fold.
 #include "core/smoothing/finish/fold_region.h"
 
-#include <algorithm>
+#include "core/smoothing/finish/fold_kernel.h"
 
 namespace sinew {
-namespace {
 
-constexpr std::uint8_t kInside = 1;
-constexpr std::uint8_t kFolding = 2;
-
-}  // namespace
-
-void FoldRegion::find(const ControlMesh& mesh, const Refinement& refinement, std::span<const int> control,
-                      const PatchView& patch, std::span<const glm::vec3> positions, float least) {
+void FoldRegion::find(const ControlMesh& mesh, const Refinement& refinement, const VertexRings& rings,
+                      const MovedTriangles& moved, const PatchView& patch, const VertexPairs& pairs,
+                      std::span<const glm::vec3> positions, float least) {
   mesh_ = &mesh;
   refinement_ = &refinement;
-  control_ = control;
+  rings_ = &rings;
+  control_ = moved.control;
   patch_ = patch;
   triangles_.clear();
+  first_.assign(mesh.triangles.size(), -1);
+  isFolding_.assign(mesh.triangles.size(), 0);
   isNear_.assign(mesh.positions.size(), 0);
-  isInside_.assign(mesh.triangles.size(), 0);
   grows_ = false;
-  for (const int t : control) {
-    for (int i = t * perTriangle(); i < (t + 1) * perTriangle(); ++i) {
-      const std::array<int, 3>& corners = at(refinement.triangles, i);
-      const glm::vec3 face = faceOf(corners, patch.positions);
-      FoldTriangle triangle{i, corners, face, glm::dot(face, face)};
-      if (foldOf(triangle, positions, least).weight == 0.0f) continue;
-      add(triangle);
-      break;
-    }
+
+  constexpr std::size_t kRoom = 4;
+  shrunk_.resize(moved.refined.size() + kRoom);
+  const std::size_t count =
+      foldKernel(chosenVectorSet())({moved.refined, refinement.triangles.data(), pairs.data(), least, shrunk_.data()});
+  for (const int i : std::span(shrunk_).first(count)) {
+    if (at(isFolding_, i / perTriangle()) != 0) continue;
+    FoldTriangle triangle = triangleOf(i);
+    if (foldOf(triangle, positions, least).weight != 0.0f) add(triangle);
   }
   grow();
 }
 
+FoldTriangle FoldRegion::triangleOf(int index) const {
+  const std::array<int, 3>& corners = at(refinement_->triangles, index);
+  const glm::vec3 face = faceOf(corners, patch_.positions);
+  return {index, corners, face, glm::dot(face, face)};
+}
+
 void FoldRegion::add(const FoldTriangle& folding) {
   const int control = folding.index / perTriangle();
-  std::uint8_t& state = at(isInside_, control);
-  if ((state & kFolding) != 0) return;
-  state |= kFolding;
+  std::uint8_t& isFolding = at(isFolding_, control);
+  if (isFolding != 0) return;
+  isFolding = 1;
   grows_ = true;
   for (const int v : at(mesh_->triangles, control).vertices) at(isNear_, v) = 1;
 }
@@ -46,19 +49,11 @@ void FoldRegion::add(const FoldTriangle& folding) {
 void FoldRegion::grow() {
   if (!grows_) return;
   grows_ = false;
+  const auto isNear = [&](int corner) { return at(isNear_, corner) != 0; };
   for (const int t : control_) {
-    if ((at(isInside_, t) & kInside) != 0) continue;
-    const auto near = [&](int corner) { return at(isNear_, corner) != 0; };
-    if (std::ranges::any_of(at(mesh_->triangles, t).vertices, near)) addControl(t);
-  }
-}
-
-void FoldRegion::addControl(int control) {
-  at(isInside_, control) |= kInside;
-  for (int i = control * perTriangle(); i < (control + 1) * perTriangle(); ++i) {
-    const std::array<int, 3>& corners = at(refinement_->triangles, i);
-    const glm::vec3 face = faceOf(corners, patch_.positions);
-    triangles_.push_back({i, corners, face, glm::dot(face, face)});
+    if (at(first_, t) >= 0 || std::ranges::none_of(at(mesh_->triangles, t).vertices, isNear)) continue;
+    at(first_, t) = static_cast<int>(triangles_.size());
+    for (int i = t * perTriangle(); i < (t + 1) * perTriangle(); ++i) triangles_.push_back(triangleOf(i));
   }
 }
 

@@ -1,11 +1,15 @@
 // core/smoothing/finish/fold_region.h: the triangles in and around folds, where their removal has to look.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/smoothing/finish/fold.h"
+#include "core/smoothing/finish/moved_triangles.h"
+#include "core/smoothing/finish/vertex_pairs.h"
+#include "core/smoothing/finish/vertex_rings.h"
 #include "sinew/mesh/control_mesh.h"
 
 namespace sinew {
@@ -24,12 +28,27 @@ struct FoldTriangle {
 class FoldRegion {
  public:
   /// Finds the folds. Everything that is passed must outlive the use of the region.
-  /// @param control  control triangles that hold a moved vertex; beyond them nothing can fold.
+  /// @param rings  of the refinement.  @param moved  beyond its triangles nothing can fold.
+  /// @param pairs  of the vertices of moved.refined, as in the patch and in positions.
   /// @param least  q below which a triangle counts.
-  void find(const ControlMesh& mesh, const Refinement& refinement, std::span<const int> control, const PatchView& patch,
+  void find(const ControlMesh& mesh, const Refinement& refinement, const VertexRings& rings,
+            const MovedTriangles& moved, const PatchView& patch, const VertexPairs& pairs,
             std::span<const glm::vec3> positions, float least);
 
   [[nodiscard]] std::span<FoldTriangle> triangles() { return triangles_; }
+
+  /// Calls visit(triangle) once for each triangle at one of the vertices, which have all been in triangles that fold.
+  /// @param isOne  whether a vertex is one of them.
+  template <class IsOne, class Visit>
+  void forEachAt(std::span<const int> vertices, IsOne isOne, Visit visit) {
+    for (const int v : vertices) {
+      for (const int i : rings_->trianglesOf(v)) {
+        FoldTriangle& triangle = at(triangles_, at(first_, i / perTriangle()) + i % perTriangle());
+        const bool comesBefore = std::ranges::any_of(triangle.corners, [&](int c) { return c < v && isOne(c); });
+        if (!comesBefore) visit(triangle);
+      }
+    }
+  }
 
   /// @param least  q from which on the caller does not look: its weight is 0.  @param positions [V'] world, lifted.
   [[nodiscard]] Fold foldOf(FoldTriangle& triangle, std::span<const glm::vec3> positions, float least) const {
@@ -47,16 +66,19 @@ class FoldRegion {
 
  private:
   [[nodiscard]] int perTriangle() const { return refinement_->depth * refinement_->depth; }
-  void addControl(int control);
+  [[nodiscard]] FoldTriangle triangleOf(int index) const;
 
   const ControlMesh* mesh_ = nullptr;
   const Refinement* refinement_ = nullptr;
+  const VertexRings* rings_ = nullptr;
   std::span<const int> control_;
   PatchView patch_;
   std::vector<FoldTriangle> triangles_;
-  std::vector<std::uint8_t> isNear_;    ///< [V] a corner of a control triangle in which one folds.
-  std::vector<std::uint8_t> isInside_;  ///< [T] 1: in triangles_; 2: and one of them has folded.
-  bool grows_ = false;                  ///< isNear_ has changed.
+  std::vector<int> first_;               ///< [T] of a control triangle's in triangles_; -1: outside.
+  std::vector<std::uint8_t> isFolding_;  ///< [T] one of a control triangle's has folded.
+  std::vector<std::uint8_t> isNear_;     ///< [V] a corner of a control triangle in which one folds.
+  std::vector<int> shrunk_;              ///< Scratch.
+  bool grows_ = false;                   ///< isNear_ has changed.
 };
 
 }  // namespace sinew

@@ -18,21 +18,16 @@ float weightOf(const Fold& fold) {
 
 }  // namespace
 
-void FoldRelaxation::ask(bool first, std::span<const std::uint8_t> isBorder, std::span<const glm::vec3> patch,
-                         FoldRegion& region, std::span<const glm::vec3> positions) {
-  const auto hasMoved = [&](int v) { return at(weights_, v) > 0.0f; };
-  for (FoldTriangle& t : region.triangles()) {
-    // Where no corner has moved, nothing has changed, and only corners that cannot move could be asked again.
-    if (!first && std::ranges::none_of(t.corners, hasMoved)) continue;
-    const float weight = weightOf(region.foldOf(t, positions, kWholeArea));
-    if (weight == 0.0f) continue;
-    region.add(t);
-    for (const int corner : t.corners) {
-      const auto v = static_cast<std::size_t>(corner);
-      if (isBorder[v] != 0 || positions[v] == patch[v]) continue;
-      if (asked_[v] == 0.0f) asking_.push_back(corner);
-      asked_[v] = std::max(asked_[v], weight);
-    }
+void FoldRelaxation::askOf(FoldTriangle& triangle, std::span<const std::uint8_t> isBorder,
+                           std::span<const glm::vec3> patch, FoldRegion& region, std::span<const glm::vec3> positions) {
+  const float weight = weightOf(region.foldOf(triangle, positions, kWholeArea));
+  if (weight == 0.0f) return;
+  region.add(triangle);
+  for (const int corner : triangle.corners) {
+    const auto v = static_cast<std::size_t>(corner);
+    if (isBorder[v] != 0 || positions[v] == patch[v]) continue;
+    if (asked_[v] == 0.0f) asking_.push_back(corner);
+    asked_[v] = std::max(asked_[v], weight);
   }
 }
 
@@ -52,35 +47,34 @@ void FoldRelaxation::mergeWeights() {
   });
 }
 
-void FoldRelaxation::sumNeighbours(FoldRegion& region, std::span<const glm::vec3> positions) {
-  for (const int v : folding_) at(sums_, v) = glm::vec3(0.0f);
-  for (const FoldTriangle& t : region.triangles()) {
-    const auto a = static_cast<std::size_t>(t.corners[0]);
-    const auto b = static_cast<std::size_t>(t.corners[1]);
-    const auto c = static_cast<std::size_t>(t.corners[2]);
-    if (weights_[a] > 0.0f) sums_[a] += positions[b] + positions[c];
-    if (weights_[b] > 0.0f) sums_[b] += positions[c] + positions[a];
-    if (weights_[c] > 0.0f) sums_[c] += positions[a] + positions[b];
+void FoldRelaxation::findMeans(const VertexRings& rings, std::span<const glm::vec3> positions) {
+  means_.clear();
+  for (const int v : folding_) {
+    const glm::vec3& own = at(positions, v);
+    glm::vec3 sum(0.0f);
+    for (const int neighbour : rings.at(v)) sum += at(positions, neighbour) - own;
+    means_.push_back(own + at(rings.share, v) * sum);
   }
 }
 
-void FoldRelaxation::apply(const Refinement& refinement, std::span<const std::uint8_t> isBorder,
+void FoldRelaxation::apply(const VertexRings& rings, std::span<const std::uint8_t> isBorder,
                            std::span<const glm::vec3> patch, FoldRegion& region, FoldMoves& moves,
                            std::span<glm::vec3> positions) {
   asked_.resize(positions.size());
   weights_.resize(positions.size());
-  sums_.resize(positions.size());
-  ask(true, isBorder, patch, region, positions);
+  const auto ask = [&](FoldTriangle& triangle) { askOf(triangle, isBorder, patch, region, positions); };
+  const auto hasMoved = [&](int v) { return at(weights_, v) > 0.0f; };
+  for (FoldTriangle& triangle : region.triangles()) ask(triangle);
   mergeWeights();
   for (int round = 0; round < kRounds && !folding_.empty(); ++round) {
     region.grow();  // All triangles at a folding vertex, and all that its move can fold.
-    sumNeighbours(region, positions);
-    for (const int vertex : folding_) {
-      const auto v = static_cast<std::size_t>(vertex);
-      const glm::vec3 mean = sums_[v] / static_cast<float>(2 * refinement.trianglesAt[v]);
-      moves.move(vertex, positions[v] + weights_[v] * (mean - positions[v]), patch, positions);
+    findMeans(rings, positions);
+    for (std::size_t i = 0; i < folding_.size(); ++i) {
+      const auto v = toIndex(folding_[i]);
+      moves.move(folding_[i], positions[v] + weights_[v] * (means_[i] - positions[v]), patch, positions);
     }
-    ask(false, isBorder, patch, region, positions);
+    // Elsewhere nothing has changed, and only corners that cannot move could be asked again.
+    region.forEachAt(folding_, hasMoved, ask);
     mergeWeights();
   }
   for (const int v : folding_) at(weights_, v) = 0.0f;

@@ -22,22 +22,22 @@ class FoldRelaxation {
   /// q below which a triangle is relaxed.
   static constexpr float kWholeArea = 0.4f;
 
-  /// @param region  found with kWholeArea.
+  /// @param rings  of the refinement.  @param region  found with kWholeArea.
   /// @param isBorder [V'] borderVertices.  @param patch, positions [V'] world; positions in and out.
-  void apply(const Refinement& refinement, std::span<const std::uint8_t> isBorder, std::span<const glm::vec3> patch,
+  void apply(const VertexRings& rings, std::span<const std::uint8_t> isBorder, std::span<const glm::vec3> patch,
              FoldRegion& region, FoldMoves& moves, std::span<glm::vec3> positions);
 
  private:
-  void ask(bool first, std::span<const std::uint8_t> isBorder, std::span<const glm::vec3> patch, FoldRegion& region,
-           std::span<const glm::vec3> positions);
+  void askOf(FoldTriangle& triangle, std::span<const std::uint8_t> isBorder, std::span<const glm::vec3> patch,
+             FoldRegion& region, std::span<const glm::vec3> positions);
   void mergeWeights();
-  void sumNeighbours(FoldRegion& region, std::span<const glm::vec3> positions);
+  void findMeans(const VertexRings& rings, std::span<const glm::vec3> positions);
 
   std::vector<float> asked_;  ///< [V'] weights of this round; 0 but for asking_.
   std::vector<int> asking_;
-  std::vector<float> weights_;   ///< [V'] 0 but for folding_.
-  std::vector<int> folding_;     ///< Vertices with a weight in this round.
-  std::vector<glm::vec3> sums_;  ///< [V'] over the neighbours, each twice; read only at folding_.
+  std::vector<float> weights_;    ///< [V'] 0 but for folding_.
+  std::vector<int> folding_;      ///< Vertices with a weight in this round.
+  std::vector<glm::vec3> means_;  ///< [folding_] of the neighbours.
 };
 
 /// [V'] 1: on an edge with a single triangle. (Where more than two meet they share their vertices: nothing can open.)

@@ -37,14 +37,18 @@ void FoldSpread::askOf(const FoldTriangle& triangle, const Fold& fold, std::span
 }
 
 void FoldSpread::ask(bool first, FoldRegion& region, std::span<const glm::vec3> positions) {
-  const auto hasMoved = [&](int v) { return at(isMoved_, v) != 0; };
-  for (FoldTriangle& t : region.triangles()) {
+  const auto askAbout = [&](FoldTriangle& triangle) {
+    const Fold fold = region.foldOf(triangle, positions, kLeastArea);
+    if (fold.weight == 0.0f) return;
+    region.add(triangle);
+    askOf(triangle, fold, positions);
+  };
+  if (first) {
+    for (FoldTriangle& triangle : region.triangles()) askAbout(triangle);
+  } else {
     // Where no corner was asked in the last round nothing has changed.
-    if (!first && std::ranges::none_of(t.corners, hasMoved)) continue;
-    const Fold fold = region.foldOf(t, positions, kLeastArea);
-    if (fold.weight == 0.0f) continue;
-    region.add(t);
-    askOf(t, fold, positions);
+    region.forEachAt(
+        moved_, [&](int v) { return at(isMoved_, v) != 0; }, askAbout);
   }
   region.grow();
 }

@@ -6,67 +6,83 @@
 #include "core/base/at.h"
 
 namespace sinew {
+namespace {
 
-void MovedTriangles::find(const ControlMesh& mesh, const Refinement& refinement, std::span<const glm::vec3> patch,
-                          std::span<const glm::vec3> positions) {
-  moved_.resize(positions.size());
-  for (std::size_t v = 0; v < positions.size(); ++v) moved_[v] = positions[v] != patch[v] ? 1 : 0;
+/// What is flagged, ascending. Without a branch: flags change too often to be foreseen.
+void list(const std::vector<std::uint8_t>& flags, std::vector<int>& out) {
+  out.resize(flags.size());
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < flags.size(); ++v) {
+    out[count] = static_cast<int>(v);
+    count += flags[v];
+  }
+  out.resize(count);
+}
+
+/// Flags vertices and their neighbours.
+void flagAround(std::span<const int> vertices, const VertexRings& rings, std::vector<std::uint8_t>& flags) {
+  flags.assign(rings.share.size(), 0);
+  for (const int v : vertices) {
+    at(flags, v) = 1;
+    for (const int neighbour : rings.at(v)) at(flags, neighbour) = 1;
+  }
+}
+
+}  // namespace
+
+void MovedTriangles::find(const ControlMesh& mesh, const Refinement& refinement, const VertexRings& rings,
+                          std::span<const glm::vec3> patch, std::span<const glm::vec3> positions) {
+  isMoved_.resize(positions.size());
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    const glm::vec3& p = patch[v];
+    const glm::vec3& q = positions[v];
+    isMoved_[v] = static_cast<std::uint8_t>((p.x != q.x) | (p.y != q.y) | (p.z != q.z));
+  }
+  list(isMoved_, moved_);
+  findControl(mesh, refinement);
+  flagAround(moved_, rings, isNear);
+  list(isNear, near);
+  flagAround(near, rings, isCorner_);
+  list(isCorner_, corners);
+  findRefined(mesh, refinement);
+}
+
+void MovedTriangles::findControl(const ControlMesh& mesh, const Refinement& refinement) {
   const auto anyMoved = [&](int first, int count) {
-    const auto run = std::span(moved_).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
+    const auto run = std::span(isMoved_).subspan(toIndex(first), toIndex(count));
     return std::ranges::find(run, 1) != run.end();
   };
-
-  movedEdge_.assign(mesh.edges.size(), 0);
+  isMovedEdge_.assign(mesh.edges.size(), 0);
   for (int e = 0; e < static_cast<int>(mesh.edges.size()) && refinement.edgeVertices > 0; ++e) {
-    at(movedEdge_, e) = anyMoved(refinement.edgeVertex(e, 1), refinement.edgeVertices) ? 1 : 0;
+    at(isMovedEdge_, e) = anyMoved(refinement.edgeVertex(e, 1), refinement.edgeVertices) ? 1 : 0;
   }
   control.clear();
-  corner_.assign(mesh.positions.size(), 0);
+  isEnd_.assign(mesh.positions.size(), 0);
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
     const ControlTriangle& triangle = at(mesh.triangles, t);
-    const bool holdsMoved = std::ranges::any_of(triangle.vertices, [&](int v) { return at(moved_, v) != 0; }) ||
-                            std::ranges::any_of(triangle.edges, [&](int e) { return at(movedEdge_, e) != 0; }) ||
+    const bool holdsMoved = std::ranges::any_of(triangle.vertices, [&](int v) { return at(isMoved_, v) != 0; }) ||
+                            std::ranges::any_of(triangle.edges, [&](int e) { return at(isMovedEdge_, e) != 0; }) ||
                             anyMoved(refinement.interiorVertex(t, 0), refinement.interiorVertices);
     if (!holdsMoved) continue;
     control.push_back(t);
-    for (const int v : triangle.vertices) at(corner_, v) = 1;
+    for (const int v : triangle.vertices) at(isEnd_, v) = 1;
   }
-  aroundControl.clear();
+}
+
+void MovedTriangles::findRefined(const ControlMesh& mesh, const Refinement& refinement) {
+  const int perTriangle = refinement.depth * refinement.depth;
+  refined.resize(refinement.triangles.size());
+  std::size_t count = 0;
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
     const auto& ends = at(mesh.triangles, t).vertices;
-    const auto atMoved = [&](int v) { return at(corner_, v) != 0; };
-    if (std::ranges::any_of(ends, atMoved)) aroundControl.push_back(t);
-  }
-
-  isNear = moved_;
-  const auto flagged = [](const std::vector<std::uint8_t>& flags, const std::array<int, 3>& t) {
-    return (at(flags, t[0]) | at(flags, t[1]) | at(flags, t[2])) != 0;
-  };
-  for (const int t : control) {
-    for (const std::array<int, 3>& small : refinedTriangles(refinement, t)) {
-      if (!flagged(moved_, small)) continue;
-      for (const int v : small) at(isNear, v) = 1;
-    }
-  }
-  refined.clear();
-  isCorner_.assign(positions.size(), 0);
-  const int perTriangle = refinement.depth * refinement.depth;
-  for (const int t : aroundControl) {
+    if (std::ranges::none_of(ends, [&](int v) { return at(isEnd_, v) != 0; })) continue;
     for (int i = t * perTriangle; i < (t + 1) * perTriangle; ++i) {
       const std::array<int, 3>& small = at(refinement.triangles, i);
-      if (!flagged(isNear, small)) continue;
-      refined.push_back(i);
-      for (const int v : small) at(isCorner_, v) = 1;
+      refined[count] = i;
+      count += at(isNear, small[0]) | at(isNear, small[1]) | at(isNear, small[2]);
     }
   }
-  const auto list = [](const std::vector<std::uint8_t>& flags, std::vector<int>& out) {
-    out.clear();
-    for (std::size_t v = 0; v < flags.size(); ++v) {
-      if (flags[v] != 0) out.push_back(static_cast<int>(v));
-    }
-  };
-  list(isNear, near);
-  list(isCorner_, corners);
+  refined.resize(count);
 }
 
 }  // namespace sinew

@@ -80,7 +80,7 @@ HWY_INLINE void addTo(const NormalsFrame& frame, const std::array<int, 3>& t, co
 }
 
 HWY_INLINE const float* cornerOf(const NormalsFrame& frame, const std::array<int, 3>& t, std::size_t i) {
-  return frame.work[t[i]].pair.data();
+  return frame.pairs[t[i]].of.data();
 }
 
 HWY_INLINE void addFace(const NormalsFrame& frame, const std::array<int, 3>& t) {
@@ -100,16 +100,7 @@ HWY_INLINE void addTwoFaces(const NormalsFrame& frame, const std::array<int, 3>&
 #endif
 
 void sumFaces(const NormalsFrame& frame) {
-  for (const int vertex : frame.moved->corners) {
-    const glm::vec3& p = frame.patch[static_cast<std::size_t>(vertex)];
-    const glm::vec3& q = frame.positions[static_cast<std::size_t>(vertex)];
-    NormalsVertex& work = frame.work[vertex];
-    for (int i = 0; i < 3; ++i) {
-      work.pair[static_cast<std::size_t>(i)] = p[i];
-      work.pair[static_cast<std::size_t>(i) + 4] = q[i];
-    }
-    work.faces = {};
-  }
+  for (const int vertex : frame.moved->corners) frame.work[vertex].faces = {};
   const std::array<int, 3>* triangles = frame.refinement->triangles.data();
   const std::span<const int> refined = frame.moved->refined;
   std::size_t i = 0;
@@ -118,8 +109,8 @@ void sumFaces(const NormalsFrame& frame) {
 #endif
   for (; i < refined.size(); ++i) addFace(frame, triangles[refined[i]]);
   for (const int vertex : frame.moved->corners) {
-    // holdToFaces() fills in the others.
-    if (!frame.moved->isNear[static_cast<std::size_t>(vertex)]) frame.work[vertex] = {};
+    // holdToFaces() writes the others' turns; these have none.
+    if (!frame.moved->isNear[static_cast<std::size_t>(vertex)]) frame.work[vertex].faces[0] = 0.0f;
   }
 }
 

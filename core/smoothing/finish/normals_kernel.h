@@ -8,14 +8,14 @@
 
 #include "core/lanes/instruction_set.h"
 #include "core/smoothing/finish/moved_triangles.h"
+#include "core/smoothing/finish/vertex_pairs.h"
 #include "core/smoothing/finish/vertex_rings.h"
 
 namespace sinew {
 
 /// Scratch of one vertex.
 struct alignas(64) NormalsVertex {
-  /// 0 before and after. First the place on the patch and on the surface, each with a fourth number that is 0; then
-  /// delta, held to the faces, and (M - 1) delta.
+  /// 0 before and after. delta, held to the faces, and (M - 1) delta, each with a fourth number.
   std::array<float, 8> pair{};
   /// First the sums of the unit normals around, times their angles; then in [0] the larger of the squared turns that
   /// the field and the faces show.
@@ -28,8 +28,7 @@ struct NormalsFrame {
   const Refinement* refinement = nullptr;
   const VertexRings* rings = nullptr;
   const MovedTriangles* moved = nullptr;
-  std::span<const glm::vec3> patch;
-  std::span<const glm::vec3> positions;
+  const VertexPair* pairs = nullptr;
   std::span<const glm::vec3> patchNormals;
   std::span<const float> filtered;  ///< Empty: all are 0.
   std::span<glm::vec3> normals;     ///< In and out: as ShadingNormals::apply.

@@ -6,13 +6,12 @@
 namespace sinew {
 
 void ShadingNormals::apply(const Refinement& refinement, const VertexRings& rings, const MovedTriangles& moved,
-                           std::span<const glm::vec3> patch, std::span<const glm::vec3> positions,
-                           std::span<const glm::vec3> patchNormals, std::span<const float> filtered,
-                           std::span<glm::vec3> normals) {
+                           const VertexPairs& pairs, std::span<const glm::vec3> patchNormals,
+                           std::span<const float> filtered, std::span<glm::vec3> normals) {
   work_.resize(normals.size());
   teeth_.resize(normals.size());
   weights_.resize(normals.size());
-  NormalsFrame frame{&refinement, &rings,  &moved,       patch,         positions,      patchNormals,
+  NormalsFrame frame{&refinement, &rings,  &moved,       pairs.data(),  patchNormals,
                      filtered,    normals, work_.data(), teeth_.data(), weights_.data()};
   normalsKernel(chosenVectorSet())(frame);
 }

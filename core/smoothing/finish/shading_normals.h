@@ -30,13 +30,13 @@ namespace sinew {
 /// Continuous in time. A vertex that has not moved and has no moved neighbour keeps its normal bit for bit.
 class ShadingNormals {
  public:
-  /// @param rings  of the refinement.  @param moved  of these positions.  @param patch, positions [V'] world.
+  /// @param rings  of the refinement.  @param moved  of these positions.  @param pairs  of moved.corners.
   /// @param patchNormals [V'] unit.
   /// @param filtered [V'] 0..1, the weights of lift_filter.h; empty: all are 0.
   /// @param normals [V'] unit: in: the field's where a vertex has moved, else the patch's; out: for shading.
   void apply(const Refinement& refinement, const VertexRings& rings, const MovedTriangles& moved,
-             std::span<const glm::vec3> patch, std::span<const glm::vec3> positions,
-             std::span<const glm::vec3> patchNormals, std::span<const float> filtered, std::span<glm::vec3> normals);
+             const VertexPairs& pairs, std::span<const glm::vec3> patchNormals, std::span<const float> filtered,
+             std::span<glm::vec3> normals);
 
  private:
   // [V'] each: scratch of NormalsFrame.

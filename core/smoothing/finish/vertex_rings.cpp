@@ -17,33 +17,38 @@ bool comeTwice(std::span<const int> sorted) {
   return true;
 }
 
-/// The other corners of the triangles at each vertex. @param first [V' + 1] of each vertex's.
-std::vector<int> otherCorners(const Refinement& refinement, const std::vector<std::size_t>& first) {
-  std::vector<int> others(first.back());
-  std::vector<std::size_t> next = first;
-  for (const std::array<int, 3>& t : refinement.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      std::size_t& place = at(next, t[i]);
-      others[place++] = t[(i + 1) % 3];
-      others[place++] = t[(i + 2) % 3];
-    }
+/// The triangles at each vertex. @param rings  with trianglesBegin.
+void findTriangles(const Refinement& refinement, VertexRings& rings) {
+  rings.triangles.resize(toIndex(rings.trianglesBegin.back()));
+  std::vector<int> next = rings.trianglesBegin;
+  for (int i = 0; i < static_cast<int>(refinement.triangles.size()); ++i) {
+    for (const int corner : at(refinement.triangles, i)) at(rings.triangles, at(next, corner)++) = i;
   }
-  return others;
+}
+
+/// The other corners of the triangles at a vertex, ascending.
+void otherCorners(const Refinement& refinement, int vertex, std::span<const int> triangles, std::vector<int>& out) {
+  out.clear();
+  for (const int i : triangles) {
+    const std::array<int, 3>& t = at(refinement.triangles, i);
+    const auto place = std::ranges::find(t, vertex) - t.begin();
+    for (const std::ptrdiff_t step : {1, 2}) out.push_back(t[static_cast<std::size_t>((place + step) % 3)]);
+  }
+  std::ranges::sort(out);
 }
 
 }  // namespace
 
 VertexRings vertexRings(const Refinement& refinement) {
-  std::vector<std::size_t> first{0};
-  for (const int triangles : refinement.trianglesAt) first.push_back(first.back() + 2 * toIndex(triangles));
-  std::vector<int> others = otherCorners(refinement, first);
   VertexRings rings;
+  rings.trianglesBegin.push_back(0);
+  for (const int count : refinement.trianglesAt) rings.trianglesBegin.push_back(rings.trianglesBegin.back() + count);
+  findTriangles(refinement, rings);
   rings.begin.push_back(0);
-  rings.neighbours.reserve(others.size());
+  rings.neighbours.reserve(2 * rings.triangles.size());
+  std::vector<int> all;
   for (int v = 0; v < refinement.vertexCount; ++v) {
-    const std::size_t begin = at(first, v);
-    const std::span<int> all = std::span(others).subspan(begin, at(first, v + 1) - begin);
-    std::ranges::sort(all);
+    otherCorners(refinement, v, rings.trianglesOf(v), all);
     const std::size_t step = comeTwice(all) ? 2 : 1;
     for (std::size_t i = 0; i < all.size(); i += step) rings.neighbours.push_back(all[i]);
     rings.share.push_back(all.empty() ? 0.0f : static_cast<float>(step) / static_cast<float>(all.size()));

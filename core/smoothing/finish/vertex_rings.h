@@ -1,4 +1,4 @@
-// core/smoothing/finish/vertex_rings.h: the neighbours of each refined vertex.
+// core/smoothing/finish/vertex_rings.h: the neighbours of each refined vertex, and the triangles at it.
 #pragma once
 
 #include <cstddef>
@@ -17,12 +17,19 @@ struct VertexRings {
   std::vector<int> begin;       ///< [V' + 1] into `neighbours`; multiples of kMultiple.
   std::vector<int> neighbours;  ///< Ascending; once where all share two triangles; filled up with the vertex itself.
   std::vector<float> share;     ///< [V'] of one neighbour in the mean; 0 where there is none.
+  std::vector<int> trianglesBegin;  ///< [V' + 1] into `triangles`.
+  std::vector<int> triangles;       ///< Refined triangles at each vertex, ascending.
 
   /// As many as a multiple of kMultiple; the vertex itself may be among them.
   [[nodiscard]] std::span<const int> at(int vertex) const {
     const auto v = static_cast<std::size_t>(vertex);
     return std::span(neighbours)
         .subspan(static_cast<std::size_t>(begin[v]), static_cast<std::size_t>(begin[v + 1] - begin[v]));
+  }
+  [[nodiscard]] std::span<const int> trianglesOf(int vertex) const {
+    const auto v = static_cast<std::size_t>(vertex);
+    return std::span(triangles).subspan(static_cast<std::size_t>(trianglesBegin[v]),
+                                        static_cast<std::size_t>(trianglesBegin[v + 1] - trianglesBegin[v]));
   }
 };
 

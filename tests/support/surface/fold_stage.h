@@ -16,9 +16,11 @@ struct FoldStage : LiftedSheet {
 
   /// The sheet's skin after the stage.
   [[nodiscard]] std::vector<glm::vec3> applied(std::vector<glm::vec3> positions) {
-    moved.find(mesh, refinement, patch, positions);
+    rings = vertexRings(refinement);  // A test may have changed the triangles.
+    moved.find(mesh, refinement, rings, patch, positions);
+    pairs_.fill(moved.corners, patch, positions);
     moves_.start(positions.size());
-    region_.find(mesh, refinement, moved.control, view(), positions, FoldRelaxation::kWholeArea);
+    region_.find(mesh, refinement, rings, moved, view(), pairs_, positions, FoldRelaxation::kWholeArea);
     run(stage_, borderVertices(mesh, refinement), positions);
     touched.assign(moves_.list().begin(), moves_.list().end());
     return positions;
@@ -28,12 +30,13 @@ struct FoldStage : LiftedSheet {
 
  private:
   void run(FoldRelaxation& stage, const std::vector<std::uint8_t>& isBorder, std::vector<glm::vec3>& positions) {
-    stage.apply(refinement, isBorder, patch, region_, moves_, positions);
+    stage.apply(rings, isBorder, patch, region_, moves_, positions);
   }
   void run(FoldSpread& stage, const std::vector<std::uint8_t>& isBorder, std::vector<glm::vec3>& positions) {
     stage.apply(isBorder, patch, region_, moves_, positions);
   }
 
+  VertexPairs pairs_;
   FoldRegion region_;
   FoldMoves moves_;
   Stage stage_;

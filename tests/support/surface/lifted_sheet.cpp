@@ -21,6 +21,7 @@ glm::vec3 face(const std::vector<glm::vec3>& at, const std::array<int, 3>& t) {
 LiftedSheet::LiftedSheet(const Sheet& sheet)
     : mesh(meshOf(sheet.positions, sheet.triangles)),
       refinement(refine(mesh, 1)),
+      rings(vertexRings(refinement)),
       patch(mesh.positions),
       bindFronts(triangleFronts(refinement, mesh.positions, mesh.normals)) {}
 

@@ -12,7 +12,8 @@ namespace sinew::test {
 
 struct LiftedSheet {
   ControlMesh mesh;
-  Refinement refinement;         ///< Depth 1.
+  Refinement refinement;  ///< Depth 1.
+  VertexRings rings;
   std::vector<glm::vec3> patch;  ///< Positions; as the mesh unless a test poses it.
   std::vector<float> bindFronts;
   MovedTriangles moved;
