@@ -47,7 +47,8 @@ HWY_INLINE V3 gathered(const RowPointers& rows) { return {all(rows[0][0]), all(r
 
 template <class Place>
 HWY_INLINE void scatterTo(const V3& v, Place place, std::size_t) {
-  *place(0) = {hn::GetLane(v.x), hn::GetLane(v.y), hn::GetLane(v.z)};
+  const float row[3] = {hn::GetLane(v.x), hn::GetLane(v.y), hn::GetLane(v.z)};
+  std::memcpy(place(0), row, sizeof(row));
 }
 
 #else

@@ -42,6 +42,7 @@ Result<void> CrowdSmoother::prepare(const Rig& rig, std::span<const int> hidden)
 void CrowdSmoother::smooth(std::span<const Pose> poses, std::span<Surface> out) {
   assert(poses.size() == out.size());
   forRanges(poses.size(), 1, [&](std::size_t begin, std::size_t end) {
+    const ThreadLimit one(1);  // Surfaces enough for all threads.
     std::unique_ptr<Smoother> smoother = state_->take();
     for (std::size_t i = begin; i < end; ++i) smoother->smooth(poses[i], out[i]);
     state_->giveBack(std::move(smoother));

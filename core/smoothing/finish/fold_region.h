@@ -42,7 +42,8 @@ class FoldRegion {
   template <class IsOne, class Visit>
   void forEachAt(std::span<const int> vertices, IsOne isOne, Visit visit) {
     for (const int v : vertices) {
-      for (const int i : rings_->trianglesOf(v)) {
+      for (const int corner : rings_->cornersOf(v)) {
+        const int i = corner / 3;
         FoldTriangle& triangle = at(triangles_, at(first_, i / perTriangle()) + i % perTriangle());
         const bool comesBefore = std::ranges::any_of(triangle.corners, [&](int c) { return c < v && isOne(c); });
         if (!comesBefore) visit(triangle);

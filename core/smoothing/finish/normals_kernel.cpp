@@ -12,7 +12,7 @@
 #include "hwy/foreach_target.h"
 //
 #include "core/lanes/lane_blocks.h"
-#include "core/lanes/lane_points.h"
+#include "core/lanes/lane_rows.h"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -44,15 +44,15 @@ HWY_INLINE Blocks<kCount> roughAngle(const Blocks<kCount>& x) {
 
 /// Of one triangle or of two, block by block: their normals, times the angle at one corner.
 template <std::size_t kCount>
-struct CornerNormals {
+struct LaneCorners {
   Blocks<kCount> a;
   Blocks<kCount> b;
   Blocks<kCount> c;
 };
 
 template <std::size_t kCount>
-HWY_INLINE CornerNormals<kCount> cornerNormals(const Blocks<kCount>& a, const Blocks<kCount>& b,
-                                               const Blocks<kCount>& c) {
+HWY_INLINE LaneCorners<kCount> cornerNormals(const Blocks<kCount>& a, const Blocks<kCount>& b,
+                                             const Blocks<kCount>& c) {
   using Many = Blocks<kCount>;
   const Many ab = b - a;
   const Many bc = c - b;
@@ -69,49 +69,45 @@ HWY_INLINE CornerNormals<kCount> cornerNormals(const Blocks<kCount>& a, const Bl
   return {spread<0>(weights) * face, spread<1>(weights) * face, spread<2>(weights) * face};
 }
 
-HWY_INLINE void addTo(const NormalsFrame& frame, const std::array<int, 3>& t, const CornerNormals<2>& normals) {
-  const auto add = [&](int v, const Pair& more) HWY_ATTR {
-    float* sum = frame.work[v].faces.data();
-    (Pair::load(sum) + more).store(sum);
-  };
-  add(t[0], normals.a);
-  add(t[1], normals.b);
-  add(t[2], normals.c);
-}
-
 HWY_INLINE const float* cornerOf(const NormalsFrame& frame, const std::array<int, 3>& t, std::size_t i) {
   return frame.pairs[t[i]].of.data();
 }
 
-HWY_INLINE void addFace(const NormalsFrame& frame, const std::array<int, 3>& t) {
-  const auto corner = [&](std::size_t i) HWY_ATTR { return Pair::load(cornerOf(frame, t, i)); };
-  addTo(frame, t, cornerNormals(corner(0), corner(1), corner(2)));
+HWY_INLINE void store(const LaneCorners<2>& normals, CornerNormals& to) {
+  normals.a.store(to.of[0].data());
+  normals.b.store(to.of[1].data());
+  normals.c.store(to.of[2].data());
 }
 
-#if HWY_TARGET == HWY_AVX3
-/// The first one's are added first, as addFace() one after the other would.
-HWY_INLINE void addTwoFaces(const NormalsFrame& frame, const std::array<int, 3>& t, const std::array<int, 3>& u) {
-  const auto corner = [&](std::size_t i)
-                          HWY_ATTR { return Blocks<4>::joined(cornerOf(frame, t, i), cornerOf(frame, u, i)); };
-  const CornerNormals<4> both = cornerNormals(corner(0), corner(1), corner(2));
-  addTo(frame, t, {lower(both.a), lower(both.b), lower(both.c)});
-  addTo(frame, u, {upper(both.a), upper(both.b), upper(both.c)});
-}
-#endif
-
-void sumFaces(const NormalsFrame& frame) {
-  for (const int vertex : frame.moved->corners) frame.work[vertex].faces = {};
+void findFaces(const NormalsFrame& frame, std::size_t begin, std::size_t end) {
   const std::array<int, 3>* triangles = frame.refinement->triangles.data();
-  const std::span<const int> refined = frame.moved->refined;
-  std::size_t i = 0;
+  const std::vector<int>& refined = frame.moved->refined;
+  std::size_t i = begin;
 #if HWY_TARGET == HWY_AVX3
-  for (; i + 1 < refined.size(); i += 2) addTwoFaces(frame, triangles[refined[i]], triangles[refined[i + 1]]);
-#endif
-  for (; i < refined.size(); ++i) addFace(frame, triangles[refined[i]]);
-  for (const int vertex : frame.moved->corners) {
-    // holdToFaces() writes the others' turns; these have none.
-    if (!frame.moved->isNear[static_cast<std::size_t>(vertex)]) frame.work[vertex].faces[0] = 0.0f;
+  for (; i + 1 < end; i += 2) {
+    const std::array<int, 3>& t = triangles[refined[i]];
+    const std::array<int, 3>& u = triangles[refined[i + 1]];
+    const auto corner = [&](std::size_t k)
+                            HWY_ATTR { return Blocks<4>::joined(cornerOf(frame, t, k), cornerOf(frame, u, k)); };
+    const LaneCorners<4> both = cornerNormals(corner(0), corner(1), corner(2));
+    store({lower(both.a), lower(both.b), lower(both.c)}, frame.triangles[refined[i]]);
+    store({upper(both.a), upper(both.b), upper(both.c)}, frame.triangles[refined[i + 1]]);
   }
+#endif
+  for (; i < end; ++i) {
+    const std::array<int, 3>& t = triangles[refined[i]];
+    const auto corner = [&](std::size_t k) HWY_ATTR { return Pair::load(cornerOf(frame, t, k)); };
+    store(cornerNormals(corner(0), corner(1), corner(2)), frame.triangles[refined[i]]);
+  }
+}
+
+/// Of the triangles at a vertex, in order.
+HWY_INLINE Pair sumOfFaces(const NormalsFrame& frame, int vertex) {
+  Pair sum = Pair::all(0.0f);
+  for (const int corner : frame.rings->cornersOf(vertex)) {
+    sum = sum + Pair::load(frame.triangles[corner / 3].of[static_cast<std::size_t>(corner % 3)].data());
+  }
+  return sum;
 }
 
 /// Unit, where the length is that of a sum of a few weighted unit vectors; `fallback` where they cancel.
@@ -136,74 +132,56 @@ HWY_INLINE V3 turnOf(const V3& v, const V3& from, const V3& to) {
   return choose(whole, rotated, choose(hn::Gt(t, zero()), between, plain));
 }
 
-/// Of up to width() vertices; the lanes beyond them repeat the last one.
-struct HeldLanes {
-  LanePoints own;
+/// Up to width() vertices; the lanes beyond them repeat the last one.
+void holdToFaces(const NormalsFrame& frame, const Rows& patchNormals, std::span<const int> vertices) {
+  const auto vertexOf = [&](std::size_t lane) { return vertices[std::min(lane, vertices.size() - 1)]; };
+  alignas(32) std::array<std::array<float, 8>, kLanes> sums{};
   LanePoints normals;
-  LanePoints patchFaces;
-  LanePoints faces;
-  LaneFloats filtered;
-  LaneFloats turns;
-
-  void gather(const NormalsFrame& frame, std::span<const int> vertices) {
-    for (std::size_t lane = 0; lane < width(); ++lane) {
-      const int vertex = vertices[std::min(lane, vertices.size() - 1)];
-      const auto v = static_cast<std::size_t>(vertex);
-      const float* sums = frame.work[vertex].faces.data();
-      put(own, lane, &frame.patchNormals[v].x);
-      put(normals, lane, &frame.normals[v].x);
-      put(patchFaces, lane, sums);
-      put(faces, lane, sums + 4);
-      if (!frame.filtered.empty()) filtered.lane[lane] = frame.filtered[v];
-    }
+  LaneFloats filtered{};
+  for (std::size_t lane = 0; lane < width(); ++lane) {
+    const auto v = static_cast<std::size_t>(vertexOf(lane));
+    sumOfFaces(frame, vertexOf(lane)).store(sums[lane].data());
+    normals.set(lane, frame.normals[v]);
+    if (!frame.filtered.empty()) filtered.lane[lane] = frame.filtered[v];
   }
-
- private:
-  static HWY_INLINE void put(LanePoints& points, std::size_t lane, const float* from) {
-    points.x.lane[lane] = from[0];
-    points.y.lane[lane] = from[1];
-    points.z.lane[lane] = from[2];
-  }
-};
-
-void holdToFaces(const NormalsFrame& frame, std::span<const int> vertices) {
-  HeldLanes lanes;
-  lanes.gather(frame, vertices);
-  const V3 own = lanes.own.load(0);
-  const V3 normal = lanes.normals.load(0);
+  const V3 own = gatheredBy([&](std::size_t lane) HWY_ATTR { return patchNormals.at(vertexOf(lane)); });
+  const V3 patchFaces = gatheredBy([&](std::size_t lane) HWY_ATTR { return sums[lane].data(); });
+  const V3 faces = gatheredBy([&](std::size_t lane) HWY_ATTR { return sums[lane].data() + 4; });
+  const V3 normal = normals.load(0);
   const V3 fieldDelta = normal - own;
-  const V3 shown = turnOf(own, unitOfSum(lanes.patchFaces.load(0), own), unitOfSum(lanes.faces.load(0), own));
+  const V3 shown = turnOf(own, unitOfSum(patchFaces, own), unitOfSum(faces, own));
   const V turn = hn::Max(dot(fieldDelta, fieldDelta), dot(shown, shown));
   const V3 beyond = fieldDelta - shown;
   const V squared = dot(beyond, beyond);
   const V whole = all(kFreedom);
-  const V freedom = frame.filtered.empty() ? whole : whole * (all(1.0f) - hn::Load(kTag, lanes.filtered.at(0)));
+  const V freedom = frame.filtered.empty() ? whole : whole * (all(1.0f) - hn::Load(kTag, filtered.at(0)));
   const M held = hn::Gt(squared, freedom * freedom);
   const V3 delta = choose(held, shown + (freedom / hn::Sqrt(squared)) * beyond, fieldDelta);
-  const V3 turned = choose(held, unitOfSum(own + delta, normal), normal);
-  lanes.own.store(delta, 0);
-  lanes.normals.store(turned, 0);
-  hn::Store(turn, kTag, lanes.turns.at(0));
-  for (std::size_t lane = 0; lane < vertices.size(); ++lane) {
-    float* pair = frame.work[vertices[lane]].pair.data();
-    pair[0] = lanes.own.x.lane[lane];
-    pair[1] = lanes.own.y.lane[lane];
-    pair[2] = lanes.own.z.lane[lane];
-    frame.work[vertices[lane]].faces[0] = lanes.turns.lane[lane];
-  }
+  normals.store(choose(held, unitOfSum(own + delta, normal), normal), 0);
+  scatterTo(
+      delta, [&](std::size_t lane) { return frame.vertices[vertices[lane]].delta.data(); }, vertices.size());
+  LaneFloats turns;
+  hn::Store(turn, kTag, turns.at(0));
+  for (std::size_t lane = 0; lane < vertices.size(); ++lane) frame.turns[vertices[lane]] = turns.lane[lane];
   forEach(held, 0, [&](std::size_t lane) {
-    if (lane < vertices.size()) frame.normals[static_cast<std::size_t>(vertices[lane])] = lanes.normals.at(lane);
+    if (lane < vertices.size()) frame.normals[static_cast<std::size_t>(vertices[lane])] = normals.at(lane);
   });
 }
 
+void hold(const NormalsFrame& frame, std::size_t begin, std::size_t end) {
+  const std::span<const int> near = frame.moved->near;
+  const Rows patchNormals(frame.patchNormals);
+  for (std::size_t i = begin; i < end; i += width()) {
+    holdToFaces(frame, patchNormals, near.subspan(i, std::min(width(), end - i)));
+  }
+}
+
 using Vector = Blocks<1>;
+using OfVertex = std::array<float, 4> NormalsVertex::*;
 
-constexpr std::size_t kDelta = 0;  ///< Where in a vertex's pair delta is ...
-constexpr std::size_t kFirst = 4;  ///< ... and (M - 1) delta.
-
-template <std::size_t kWhat>
+template <OfVertex kWhat>
 HWY_INLINE const float* placeOf(const NormalsFrame& frame, int vertex) {
-  return frame.work[vertex].pair.data() + kWhat;
+  return (frame.vertices[vertex].*kWhat).data();
 }
 
 /// What six neighbours differ by, two in each.
@@ -213,7 +191,7 @@ struct SixNeighbours {
   Pair c;
 };
 
-template <std::size_t kWhat>
+template <OfVertex kWhat>
 HWY_INLINE SixNeighbours differences(const NormalsFrame& frame, const int* ring, const Pair& own) {
   const auto two = [&](std::size_t i) HWY_ATTR {
     return Pair::joined(placeOf<kWhat>(frame, ring[i]), placeOf<kWhat>(frame, ring[i + 1])) - own;
@@ -221,27 +199,30 @@ HWY_INLINE SixNeighbours differences(const NormalsFrame& frame, const int* ring,
   return {two(0), two(2), two(4)};
 }
 
-/// (M - 1) delta at all corners, and the vertices that differ from a neighbour by more than kTeethFrom, with the square
-/// of the largest difference. Returns how many.
-std::size_t findTeeth(const NormalsFrame& frame) {
+/// (M - 1) delta, and the vertices that differ from a neighbour by more than kTeethFrom, with the square of the largest
+/// difference. Returns how many.
+std::size_t listTeeth(const NormalsFrame& frame, std::size_t begin, std::size_t end) {
+  int* teeth = frame.teeth.data() + begin;
+  float* weights = frame.weights.data() + begin;
   std::size_t count = 0;
-  for (const int vertex : frame.moved->corners) {
-    const float* place = placeOf<kDelta>(frame, vertex);
+  for (std::size_t at = begin; at < end; ++at) {
+    const int vertex = frame.moved->corners[at];
+    const float* place = placeOf<&NormalsVertex::delta>(frame, vertex);
     const Pair own = Pair::joined(place, place);
     Pair sum = Pair::all(0.0f);
     Pair most = sum;
     const std::span<const int> ring = frame.rings->at(vertex);
     for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
-      const SixNeighbours six = differences<kDelta>(frame, ring.data() + i, own);
+      const SixNeighbours six = differences<&NormalsVertex::delta>(frame, ring.data() + i, own);
       sum = sum + ((six.a + six.b) + six.c);
       most = greater(most, sums(six.a * six.a, six.b * six.b, six.c * six.c, six.c * six.c));
     }
     const Vector share = Vector::all(frame.rings->share[static_cast<std::size_t>(vertex)]);
-    (share * (lower(sum) + upper(sum))).store(frame.work[vertex].pair.data() + kFirst);
+    (share * (lower(sum) + upper(sum))).store(frame.vertices[vertex].first.data());
     const Vector apart = greater(lower(most), upper(most));
-    frame.teeth[count] = vertex;
-    frame.weights[count] = first(greater(greater(apart, spread<1>(apart)), spread<2>(apart)));
-    count += frame.weights[count] > kTeethFrom * kTeethFrom ? 1 : 0;
+    teeth[count] = vertex;
+    weights[count] = first(greater(greater(apart, spread<1>(apart)), spread<2>(apart)));
+    count += weights[count] > kTeethFrom * kTeethFrom ? 1 : 0;
   }
   return count;
 }
@@ -252,16 +233,16 @@ HWY_INLINE V smoothstepOf(float from, float to, V x) {
 }
 
 /// In place of the squared differences.
-void weighTeeth(const NormalsFrame& frame, std::size_t count) {
-  for (std::size_t begin = 0; begin < count; begin += width()) {
+void weighTeeth(const NormalsFrame& frame, std::span<const int> teeth, float* weights) {
+  for (std::size_t begin = 0; begin < teeth.size(); begin += width()) {
     LaneFloats squared;
     LaneFloats turns;
     LaneFloats cliffs;
     for (std::size_t lane = 0; lane < width(); ++lane) {
-      const std::size_t tooth = std::min(begin + lane, count - 1);
-      const int vertex = frame.teeth[tooth];
-      squared.lane[lane] = frame.weights[tooth];
-      turns.lane[lane] = frame.work[vertex].faces[0];
+      const std::size_t tooth = std::min(begin + lane, teeth.size() - 1);
+      const int vertex = teeth[tooth];
+      squared.lane[lane] = weights[tooth];
+      turns.lane[lane] = frame.turns[vertex];
       cliffs.lane[lane] = frame.filtered.empty() ? 1.0f : 1.0f - frame.filtered[static_cast<std::size_t>(vertex)];
     }
     const V apart = hn::Sqrt(hn::Load(kTag, squared.at(0)));
@@ -271,46 +252,42 @@ void weighTeeth(const NormalsFrame& frame, std::size_t count) {
     const V weight = all(kTeeth) * smoothstepOf(kTeethFrom, kTeethWhole, apart) * (all(1.0f) - cliff) *
                      smoothstepOf(0.0f, kTurnedWhole, turn);
     hn::Store(weight, kTag, squared.at(0));
-    for (std::size_t lane = 0; lane < width() && begin + lane < count; ++lane) {
-      frame.weights[begin + lane] = squared.lane[lane];
+    for (std::size_t lane = 0; lane < width() && begin + lane < teeth.size(); ++lane) {
+      weights[begin + lane] = squared.lane[lane];
     }
   }
 }
 
+std::size_t findTeeth(const NormalsFrame& frame, std::size_t begin, std::size_t end) {
+  const std::size_t count = listTeeth(frame, begin, end);
+  weighTeeth(frame, std::span<const int>(frame.teeth).subspan(begin, count), frame.weights.data() + begin);
+  return count;
+}
+
 /// delta less its share of (M - 1)^2 delta.
-void removeTeeth(const NormalsFrame& frame, std::size_t count) {
-  for (std::size_t tooth = 0; tooth < count; ++tooth) {
+void removeTeeth(const NormalsFrame& frame, std::size_t begin, std::size_t count) {
+  for (std::size_t tooth = begin; tooth < begin + count; ++tooth) {
     if (frame.weights[tooth] == 0.0f) continue;
     const int vertex = frame.teeth[tooth];
     const auto v = static_cast<std::size_t>(vertex);
-    const float* place = placeOf<kFirst>(frame, vertex);
+    const float* place = placeOf<&NormalsVertex::first>(frame, vertex);
     const Pair own = Pair::joined(place, place);
     Pair sum = Pair::all(0.0f);
     const std::span<const int> ring = frame.rings->at(vertex);
     for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
-      const SixNeighbours six = differences<kFirst>(frame, ring.data() + i, own);
+      const SixNeighbours six = differences<&NormalsVertex::first>(frame, ring.data() + i, own);
       sum = sum + ((six.a + six.b) + six.c);
     }
     const Vector second = Vector::all(frame.weights[tooth] * frame.rings->share[v]) * (lower(sum) + upper(sum));
     alignas(16) std::array<float, 4> delta;
-    (Vector::load(placeOf<kDelta>(frame, vertex)) - second).store(delta.data());
+    (Vector::load(placeOf<&NormalsVertex::delta>(frame, vertex)) - second).store(delta.data());
     const glm::vec3 normal = frame.patchNormals[v] + glm::vec3(delta[0], delta[1], delta[2]);
     const float squared = normal.x * normal.x + normal.y * normal.y + normal.z * normal.z;
     if (squared > 1e-12f) frame.normals[v] = (1.0f / std::sqrt(squared)) * normal;
   }
 }
 
-void makeNormals(NormalsFrame& frame) {
-  sumFaces(frame);
-  const std::span<const int> near = frame.moved->near;
-  for (std::size_t i = 0; i < near.size(); i += width()) {
-    holdToFaces(frame, near.subspan(i, std::min(width(), near.size() - i)));
-  }
-  const std::size_t teeth = findTeeth(frame);
-  weighTeeth(frame, teeth);
-  removeTeeth(frame, teeth);
-  for (const int vertex : frame.moved->corners) frame.work[vertex].pair = {};
-}
+NormalsKernel kernelHere() { return {findFaces, hold, findTeeth, removeTeeth}; }
 
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -320,7 +297,7 @@ HWY_AFTER_NAMESPACE();
 
 namespace sinew {
 
-NormalsKernel normalsKernel(InstructionSet set) { SINEW_RETURN_BY_SET(set, makeNormals) }
+NormalsKernel normalsKernel(InstructionSet set) { SINEW_RETURN_BY_SET(set, kernelHere()) }
 
 }  // namespace sinew
 #endif

@@ -13,31 +13,42 @@
 
 namespace sinew {
 
-/// Scratch of one vertex.
-struct alignas(64) NormalsVertex {
-  /// 0 before and after. delta, held to the faces, and (M - 1) delta, each with a fourth number.
-  std::array<float, 8> pair{};
-  /// First the sums of the unit normals around, times their angles; then in [0] the larger of the squared turns that
-  /// the field and the faces show.
-  std::array<float, 8> faces{};
+/// Of each corner of a triangle: the patch's unit normal, then the surface's, times the angle there. Four numbers each.
+struct alignas(32) CornerNormals {
+  std::array<std::array<float, 8>, 3> of;
 };
 
-/// What shading_normals.h passes to the kernel. Spans and arrays are [V']; all but `rings` are read and written at
-/// moved.corners alone. Nothing is allocated.
+/// Scratch of one vertex, 0 before and after. A fourth number that is 0 each.
+struct alignas(32) NormalsVertex {
+  std::array<float, 4> delta{};  ///< Held to the faces.
+  std::array<float, 4> first{};  ///< (M - 1) delta.
+};
+
+/// What shading_normals.h passes to the kernel. Spans and arrays of vertices are [V']; all but `rings` are read and
+/// written at moved.corners alone. Nothing is allocated.
 struct NormalsFrame {
   const Refinement* refinement = nullptr;
   const VertexRings* rings = nullptr;
   const MovedTriangles* moved = nullptr;
   const VertexPair* pairs = nullptr;
   std::span<const glm::vec3> patchNormals;
-  std::span<const float> filtered;  ///< Empty: all are 0.
-  std::span<glm::vec3> normals;     ///< In and out: as ShadingNormals::apply.
-  NormalsVertex* work = nullptr;
-  int* teeth = nullptr;      ///< Scratch: vertices, as many as moved.corners.
-  float* weights = nullptr;  ///< Scratch: theirs.
+  std::span<const float> filtered;     ///< Empty: all are 0.
+  std::span<glm::vec3> normals;        ///< In and out: as ShadingNormals::apply.
+  CornerNormals* triangles = nullptr;  ///< [T n^2] scratch: at moved.refined.
+  NormalsVertex* vertices = nullptr;
+  float* turns = nullptr;    ///< Squared, the larger of what the field and the faces show; 0 before and after.
+  std::span<int> teeth;      ///< [moved.corners] scratch: vertices, those of a block from its place on.
+  std::span<float> weights;  ///< [moved.corners] theirs.
 };
 
-using NormalsKernel = void (*)(NormalsFrame& frame);
+/// Stages, one after the other: each can be shared out, as its parts write to different places. Of the spans of
+/// `moved` from begin to end.
+struct NormalsKernel {
+  void (*faces)(const NormalsFrame& frame, std::size_t begin, std::size_t end);             ///< moved.refined
+  void (*hold)(const NormalsFrame& frame, std::size_t begin, std::size_t end);              ///< moved.near
+  std::size_t (*findTeeth)(const NormalsFrame& frame, std::size_t begin, std::size_t end);  ///< moved.corners
+  void (*removeTeeth)(const NormalsFrame& frame, std::size_t begin, std::size_t count);     ///< Those found there.
+};
 
 /// All give the same bits.
 [[nodiscard]] NormalsKernel normalsKernel(InstructionSet set);

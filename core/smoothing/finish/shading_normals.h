@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/scratch_array.h"
 #include "core/smoothing/finish/moved_triangles.h"
 #include "core/smoothing/finish/normals_kernel.h"
 #include "sinew/smoothing/surface.h"
@@ -39,10 +40,13 @@ class ShadingNormals {
              std::span<glm::vec3> normals);
 
  private:
-  // [V'] each: scratch of NormalsFrame.
-  std::vector<NormalsVertex> work_;
+  // Scratch of NormalsFrame. What no muscle reaches is never written, and takes no memory.
+  ScratchArray<CornerNormals> triangles_;
+  std::vector<NormalsVertex> vertices_;
+  std::vector<float> turns_;
   std::vector<int> teeth_;
   std::vector<float> weights_;
+  std::vector<std::size_t> teethOfBlock_;
 };
 
 /// The same turns for creases. Where the patch is not creased, or not moved, this is exact.

@@ -17,22 +17,22 @@ bool comeTwice(std::span<const int> sorted) {
   return true;
 }
 
-/// The triangles at each vertex. @param rings  with trianglesBegin.
-void findTriangles(const Refinement& refinement, VertexRings& rings) {
-  rings.triangles.resize(toIndex(rings.trianglesBegin.back()));
-  std::vector<int> next = rings.trianglesBegin;
-  for (int i = 0; i < static_cast<int>(refinement.triangles.size()); ++i) {
-    for (const int corner : at(refinement.triangles, i)) at(rings.triangles, at(next, corner)++) = i;
+/// @param rings  with cornersBegin.
+void findCorners(const Refinement& refinement, VertexRings& rings) {
+  rings.corners.resize(toIndex(rings.cornersBegin.back()));
+  std::vector<int> next = rings.cornersBegin;
+  int corner = 0;
+  for (const std::array<int, 3>& t : refinement.triangles) {
+    for (const int vertex : t) at(rings.corners, at(next, vertex)++) = corner++;
   }
 }
 
-/// The other corners of the triangles at a vertex, ascending.
-void otherCorners(const Refinement& refinement, int vertex, std::span<const int> triangles, std::vector<int>& out) {
+/// The others of the triangles at a vertex, ascending.
+void otherVertices(const Refinement& refinement, std::span<const int> corners, std::vector<int>& out) {
   out.clear();
-  for (const int i : triangles) {
-    const std::array<int, 3>& t = at(refinement.triangles, i);
-    const auto place = std::ranges::find(t, vertex) - t.begin();
-    for (const std::ptrdiff_t step : {1, 2}) out.push_back(t[static_cast<std::size_t>((place + step) % 3)]);
+  for (const int corner : corners) {
+    const std::array<int, 3>& t = at(refinement.triangles, corner / 3);
+    for (const int step : {1, 2}) out.push_back(at(t, (corner + step) % 3));
   }
   std::ranges::sort(out);
 }
@@ -41,14 +41,14 @@ void otherCorners(const Refinement& refinement, int vertex, std::span<const int>
 
 VertexRings vertexRings(const Refinement& refinement) {
   VertexRings rings;
-  rings.trianglesBegin.push_back(0);
-  for (const int count : refinement.trianglesAt) rings.trianglesBegin.push_back(rings.trianglesBegin.back() + count);
-  findTriangles(refinement, rings);
+  rings.cornersBegin.push_back(0);
+  for (const int count : refinement.trianglesAt) rings.cornersBegin.push_back(rings.cornersBegin.back() + count);
+  findCorners(refinement, rings);
   rings.begin.push_back(0);
-  rings.neighbours.reserve(2 * rings.triangles.size());
+  rings.neighbours.reserve(2 * rings.corners.size());
   std::vector<int> all;
   for (int v = 0; v < refinement.vertexCount; ++v) {
-    otherCorners(refinement, v, rings.trianglesOf(v), all);
+    otherVertices(refinement, rings.cornersOf(v), all);
     const std::size_t step = comeTwice(all) ? 2 : 1;
     for (std::size_t i = 0; i < all.size(); i += step) rings.neighbours.push_back(all[i]);
     rings.share.push_back(all.empty() ? 0.0f : static_cast<float>(step) / static_cast<float>(all.size()));

@@ -14,11 +14,11 @@ namespace sinew {
 struct VertexRings {
   static constexpr std::size_t kMultiple = 6;  ///< What nearly every vertex has.
 
-  std::vector<int> begin;       ///< [V' + 1] into `neighbours`; multiples of kMultiple.
-  std::vector<int> neighbours;  ///< Ascending; once where all share two triangles; filled up with the vertex itself.
-  std::vector<float> share;     ///< [V'] of one neighbour in the mean; 0 where there is none.
-  std::vector<int> trianglesBegin;  ///< [V' + 1] into `triangles`.
-  std::vector<int> triangles;       ///< Refined triangles at each vertex, ascending.
+  std::vector<int> begin;         ///< [V' + 1] into `neighbours`; multiples of kMultiple.
+  std::vector<int> neighbours;    ///< Ascending; once where all share two triangles; filled up with the vertex itself.
+  std::vector<float> share;       ///< [V'] of one neighbour in the mean; 0 where there is none.
+  std::vector<int> cornersBegin;  ///< [V' + 1] into `corners`.
+  std::vector<int> corners;       ///< Of triangles: 3 triangle + which of its corners is the vertex. Ascending.
 
   /// As many as a multiple of kMultiple; the vertex itself may be among them.
   [[nodiscard]] std::span<const int> at(int vertex) const {
@@ -26,10 +26,10 @@ struct VertexRings {
     return std::span(neighbours)
         .subspan(static_cast<std::size_t>(begin[v]), static_cast<std::size_t>(begin[v + 1] - begin[v]));
   }
-  [[nodiscard]] std::span<const int> trianglesOf(int vertex) const {
+  [[nodiscard]] std::span<const int> cornersOf(int vertex) const {
     const auto v = static_cast<std::size_t>(vertex);
-    return std::span(triangles).subspan(static_cast<std::size_t>(trianglesBegin[v]),
-                                        static_cast<std::size_t>(trianglesBegin[v + 1] - trianglesBegin[v]));
+    return std::span(corners).subspan(static_cast<std::size_t>(cornersBegin[v]),
+                                      static_cast<std::size_t>(cornersBegin[v + 1] - cornersBegin[v]));
   }
 };
 

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/base/at.h"
+#include "core/base/parallel.h"
 #include "core/lanes/targets.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -42,14 +43,19 @@ class PieceLanes {
   std::span<const Piece> pieces_;
 };
 
-/// Calls visit(lanes, place), place being the first refined vertex of the first lane. @param first  of all refined
-/// vertices.  @param each  refined vertices of a piece.
+/// Calls visit(lanes, place), on any thread, place being the first refined vertex of the first lane. @param first  of
+/// all refined vertices.  @param each  refined vertices of a piece.
 template <class Piece, class Visit>
 HWY_INLINE void forEachLanes(std::span<const Piece> pieces, int first, std::size_t each, Visit visit) {
   if (each == 0) return;
-  for (std::size_t i = 0; i < pieces.size(); i += width()) {
-    visit(PieceLanes<Piece>(pieces, i), toIndex(first) + i * each);
-  }
+  constexpr std::size_t kLeastVertices = 4096;  // Of one thread.
+  const std::size_t groups = (pieces.size() + width() - 1) / width();
+  forRanges(groups, kLeastVertices / (each * width()) + 1, [&](std::size_t begin, std::size_t end) HWY_ATTR {
+    for (std::size_t group = begin; group < end; ++group) {
+      const std::size_t i = group * width();
+      visit(PieceLanes<Piece>(pieces, i), toIndex(first) + i * each);
+    }
+  });
 }
 
 template <class Patch, class Piece>

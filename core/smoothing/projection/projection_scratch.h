@@ -10,6 +10,22 @@
 
 namespace sinew {
 
+/// What is found out about some tiles.
+struct TileCounts {
+  int projected = 0;
+  float residualMax = 0.0f;
+};
+
+/// For the tiles of one range.
+struct TileScratch {
+  TileCounts counts;
+  LaneScratch lanes;
+  std::vector<int> near;  ///< Has room for the tile with the most candidates.
+  std::vector<carrier_walk::Span> spans;
+  std::vector<int> uncertified;  ///< Vertices whose first root the vector path cannot vouch for; as many fit.
+  std::vector<int> shaped;       ///< Vertices near a primitive that is no ellipsoid; as many fit.
+};
+
 /// Reused from vertex to vertex and from frame to frame, so that nothing is allocated once it has grown. Its contents
 /// carry nothing from one frame to the next. One a thread.
 struct ProjectionScratch {
@@ -18,10 +34,7 @@ struct ProjectionScratch {
   FieldScratch field;
   RayField ray;
   RayScratch roots;
-  LaneScratch lanes;
-  std::vector<int> nearInTile;
-  std::vector<int> uncertified;  ///< Vertices that the vector path left to the scalar one in the last frame.
-  std::vector<int> shaped;       ///< Those it did not look at, near primitives that are no ellipsoids.
+  std::vector<TileScratch> tiles;  ///< Of the ranges that a frame's tiles are divided into.
 };
 
 }  // namespace sinew

@@ -57,7 +57,7 @@ class TileSweller {
   bool gatherNear() {
     const Bounds box = boundsOfTile();
     const std::size_t count = static_cast<std::size_t>(tile_->candidateCount);
-    std::vector<carrier_walk::Span>& spans = *frame_.spans;
+    std::vector<carrier_walk::Span>& spans = frame_.scratch->spans;
     bool overlaps = false;
     for (std::size_t i = 0; i < count && !overlaps; ++i) {
       const UnitBallMap& ball = influence(candidate(i).primitive);
@@ -69,14 +69,14 @@ class TileSweller {
     for (std::size_t i = 0; i < count; ++i) spans[i] = carrier_walk::spanTo(influence(candidate(i).primitive), box);
     const float extent = carrier_walk::extentOf(std::span(spans).first(count));
     for (std::size_t i = 0; i < count; ++i) {
-      if (spans[i].gap < extent) (*frame_.near)[nearCount_++] = static_cast<int>(i);
+      if (spans[i].gap < extent) frame_.scratch->near[nearCount_++] = static_cast<int>(i);
     }
     return nearCount_ > 0;
   }
 
   bool nearIsShaped() const {
     for (std::size_t n = 0; n < nearCount_; ++n) {
-      const std::size_t i = static_cast<std::size_t>((*frame_.near)[n]);
+      const std::size_t i = static_cast<std::size_t>(frame_.scratch->near[n]);
       if (!influence(candidate(i).primitive).isPlain()) return true;
     }
     return false;
@@ -85,7 +85,7 @@ class TileSweller {
   /// Lanes know ellipsoids alone.
   void leaveToScalar() {
     for (std::size_t first = 0; first < kLanes; first += width()) {
-      forEach(asked(first), first, [&](std::size_t lane) { frame_.shaped->push_back(tile_->vertices[lane]); });
+      forEach(asked(first), first, [&](std::size_t lane) { frame_.scratch->shaped.push_back(tile_->vertices[lane]); });
     }
   }
 
@@ -113,12 +113,12 @@ class TileSweller {
     const OnSkin onSkin = sampleSkin(p, first);
     const M active = both(hn::Ne(onSkin.field, zero()), asked(first));
     if (!any(active)) return;
-    frame_.counts.projected += static_cast<int>(hn::CountTrue(kTag, active));
+    frame_.scratch->counts.projected += static_cast<int>(hn::CountTrue(kTag, active));
     directions_.gather(frame_.rise.directions, tile_->vertices, first);
     const V3 d = directions_.load(first);
     const LaneSkin skin = skinOf(onSkin);
     fillTerms(p, d, skin, active, first);
-    const RayLanes rays(*frame_.lanes, cliques_, skin, first);
+    const RayLanes rays(frame_.scratch->lanes, cliques_, skin, first);
     const LaneRise rise = riseOf(rays, skin, onSkin);
     const LaneSearch search = rays.bracket(rise, active);
     V t;
@@ -156,7 +156,7 @@ class TileSweller {
   }
 
   OnSkin sampleSkin(const V3& p, std::size_t first) const {
-    LaneScratch& scratch = *frame_.lanes;
+    LaneScratch& scratch = frame_.scratch->lanes;
     V carved = zero();
     V together = zero();
     V shares = zero();
@@ -165,8 +165,8 @@ class TileSweller {
       hn::Store(zero(), kTag, scratch.sums[slot].of[0].at(first));
     }
     for (std::size_t n = 0; n < nearCount_; ++n) {
-      const std::size_t i = static_cast<std::size_t>((*frame_.near)[n]);
-      if (!((*frame_.spans)[i].gap < 0.0f)) continue;
+      const std::size_t i = static_cast<std::size_t>(frame_.scratch->near[n]);
+      if (!(frame_.scratch->spans[i].gap < 0.0f)) continue;
       const PosedPrimitive& muscle = primitive(candidate(i).primitive);
       const UnitBallMap& ball = muscle.influence;
       if (ball.boundingRadius == 0.0f) continue;
@@ -193,10 +193,10 @@ class TileSweller {
   /// Terms in the search's direction and sign: those that some active lane's ray meets ahead. A term that a ray does
   /// not meet adds 0 to it, so that no lane depends on what its neighbours meet.
   void fillTerms(const V3& p, const V3& d, const LaneSkin& skin, M active, std::size_t first) {
-    LaneScratch& scratch = *frame_.lanes;
+    LaneScratch& scratch = frame_.scratch->lanes;
     scratch.termCount = 0;
     for (std::size_t n = 0; n < nearCount_; ++n) {
-      const std::size_t i = static_cast<std::size_t>((*frame_.near)[n]);
+      const std::size_t i = static_cast<std::size_t>(frame_.scratch->near[n]);
       const PosedPrimitive& muscle = primitive(candidate(i).primitive);
       const UnitBallMap& ball = muscle.influence;
       if (ball.boundingRadius == 0.0f) continue;
@@ -228,7 +228,7 @@ class TileSweller {
     V sum = zero();
     for (int i = cliques_.begin[clique]; i < cliques_.begin[clique + 1]; ++i) {
       const int slot = cliques_.slots[static_cast<std::size_t>(i)];
-      sum = sum + hn::Load(kTag, frame_.lanes->sums[static_cast<std::size_t>(slot)].of[which].at(first));
+      sum = sum + hn::Load(kTag, frame_.scratch->lanes.sums[static_cast<std::size_t>(slot)].of[which].at(first));
     }
     return sum;
   }
@@ -264,7 +264,7 @@ class TileSweller {
 
   void giveUp(M mask, std::size_t first) {
     if (!any(mask)) return;
-    forEach(mask, first, [&](std::size_t lane) { frame_.uncertified->push_back(tile_->vertices[lane]); });
+    forEach(mask, first, [&](std::size_t lane) { frame_.scratch->uncertified.push_back(tile_->vertices[lane]); });
   }
 
   /// F's gradient at s along the directions, and in `value` sign * F.
@@ -272,7 +272,7 @@ class TileSweller {
     V3 gradient{zero(), zero(), zero()};
     value = zero();
     for (std::size_t slot = 0; slot < cliques_.slotCount; ++slot) {
-      for (LaneFloats& sum : frame_.lanes->sums[slot].of) rays.store(zero(), sum);
+      for (LaneFloats& sum : frame_.scratch->lanes.sums[slot].of) rays.store(zero(), sum);
     }
     for (const LaneTerm& term : rays.terms()) {
       const V along = t - rays.load(term.middle);
@@ -291,7 +291,7 @@ class TileSweller {
         value = value + fw * w;
         gradient = gradient + part;
       } else {
-        SlotSums& sums = frame_.lanes->sums[static_cast<std::size_t>(term.slot)];
+        SlotSums& sums = frame_.scratch->lanes.sums[static_cast<std::size_t>(term.slot)];
         rays.store(rays.load(sums.of[0]) + fw * w, sums.of[0]);
         rays.store(rays.load(sums.of[1]) + part.x, sums.of[1]);
         rays.store(rays.load(sums.of[2]) + part.y, sums.of[2]);
@@ -314,14 +314,15 @@ class TileSweller {
     const V t = found.t;
     const M moved = both(found.known, hn::Ne(t, zero()));
     if (!any(moved)) return;
-    const RayLanes rays(*frame_.lanes, cliques_, skin, first);
+    const RayLanes rays(frame_.scratch->lanes, cliques_, skin, first);
     const V s = skin.sign * t;
     normals_.gather(frame_.surface->normals, tile_->vertices, first);
     const V3 n = normals_.load(first);
     V field;
     const V3 gradient = gradientAt(p + s * d, rays, skin, t, field, first);
     const V residual = choose(butNot(moved, found.rootless), hn::Abs(skin.value(t) + field), zero());
-    frame_.counts.residualMax = std::max(frame_.counts.residualMax, hn::GetLane(hn::MaxOfLanes(kTag, residual)));
+    frame_.scratch->counts.residualMax =
+        std::max(frame_.scratch->counts.residualMax, hn::GetLane(hn::MaxOfLanes(kTag, residual)));
     // s grows by 1 along d and not at all along the skin: its gradient is n / (n.d).
     const V slope = skin.slope(t) / hn::Max(dot(n, d), all(kLeastAlong));
     LaneFloats limits;
@@ -364,7 +365,7 @@ class TileSweller {
 
 void swellTiles(SwellFrame& frame) {
   TileSweller sweller(frame);
-  for (const SwellTile& tile : frame.tiles->tiles) sweller.move(tile);
+  for (const SwellTile& tile : frame.asked) sweller.move(tile);
 }
 
 }  // namespace sinew::HWY_NAMESPACE

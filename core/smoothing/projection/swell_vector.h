@@ -9,8 +9,9 @@
 namespace sinew {
 
 /// As swell() by newton, to 1e-6 H: 16 vertices at a time, and vertex by vertex where the first root is not certain
-/// (scratch.uncertified) or where the tile is near a primitive that is no ellipsoid (scratch.shaped). All instruction
-/// sets give the same bits, and among ellipsoids a vertex gets the same whatever lies beside it.
+/// (TileScratch::uncertified) or where the tile is near a primitive that is no ellipsoid (TileScratch::shaped). All
+/// instruction sets and any number of threads give the same bits, and among ellipsoids a vertex gets the same whatever
+/// lies beside it.
 /// @param tiles  of the field's lists.  @param set  not kScalar; one that this machine runs.
 void swellInTiles(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
                   const SwellTiles& tiles, InstructionSet set, Surface& surface, ProjectionScratch& scratch);

@@ -107,7 +107,7 @@ Projected::Projected(const Character& character, const Rig& rig)
 
 Projected::~Projected() = default;
 
-std::size_t Projected::uncertified() const { return state_->scratch.uncertified.size(); }
+std::size_t Projected::uncertified() const { return static_cast<std::size_t>(state_->surface.report.uncertified); }
 
 const Surface& Projected::now() const { return state_->surface; }
 
