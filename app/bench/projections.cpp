@@ -8,6 +8,7 @@
 
 #include "app/bench/measuring.h"
 #include "core/lanes/instruction_set.h"
+#include "sinew/base/threads.h"
 
 namespace sinew::app {
 namespace {
@@ -85,6 +86,7 @@ Result<std::vector<Contender>> contendersOf(const ProjectionTrial& trial, Surfac
 
 Result<std::vector<ProjectionRow>> measureProjections(const ProjectionTrial& trial,
                                                       const std::function<void(const std::string&)>& report) {
+  const ThreadLimit one(1);
   // Like with like: the vector path knows newton alone.
   const InstructionSetScope vertexByVertex(InstructionSet::kScalar);
   const std::vector<Pose> poses = spreadFrames(*trial.character, trial.frames);

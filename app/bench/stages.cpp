@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "app/bench/measuring.h"
+#include "sinew/base/threads.h"
 
 namespace sinew::app {
 namespace {
@@ -49,6 +50,7 @@ Result<StageRow> measureAt(int depth, const StageTrial& trial, const std::vector
 }  // namespace
 
 Result<std::vector<StageRow>> measureStages(const StageTrial& trial) {
+  const ThreadLimit one(1);
   const std::vector<Pose> poses = spreadFrames(*trial.character, trial.frames);
   std::vector<StageRow> rows;
   for (const int depth : kDepths) {

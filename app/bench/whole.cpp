@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "sinew/base/threads.h"
+
 namespace sinew::app {
 namespace {
 
@@ -56,6 +58,7 @@ void addMode(const ModeScenes& scenes, int rounds, ModeFigures& figures, Whole& 
 }  // namespace
 
 Result<Whole> measureWhole(const std::vector<ModeScenes>& modes, int rounds, const TellProgress& tell) {
+  const ThreadLimit one(1);  // measureThreads() has its own.
   Whole whole;
   whole.machine = machineHere();
   whole.rounds = rounds;

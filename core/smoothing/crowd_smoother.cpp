@@ -3,6 +3,7 @@
 
 #include <cassert>
 #include <mutex>
+#include <optional>
 
 #include "core/base/parallel.h"
 
@@ -41,8 +42,10 @@ Result<void> CrowdSmoother::prepare(const Rig& rig, std::span<const int> hidden)
 
 void CrowdSmoother::smooth(std::span<const Pose> poses, std::span<Surface> out) {
   assert(poses.size() == out.size());
+  const bool enough = poses.size() >= static_cast<std::size_t>(threadCount());  // For all threads: a surface each.
   forRanges(poses.size(), 1, [&](std::size_t begin, std::size_t end) {
-    const ThreadLimit one(1);  // Surfaces enough for all threads.
+    std::optional<ThreadLimit> one;
+    if (enough) one.emplace(1);
     std::unique_ptr<Smoother> smoother = state_->take();
     for (std::size_t i = begin; i < end; ++i) smoother->smooth(poses[i], out[i]);
     state_->giveBack(std::move(smoother));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -27,12 +28,15 @@
 #include "core/smoothing/projection/rise_limits.h"
 #include "core/smoothing/projection/swell_vector.h"
 #include "core/smoothing/triangle_classes.h"
+#include "sinew/base/threads.h"
 
 namespace sinew {
 namespace {
 
 constexpr double kRootTolerance = 1e-6;  ///< Fraction of H: a hundredth of the agreement docs/design.md promises.
 constexpr float kSearchLength = 0.2f;    ///< L of `replace`, fraction of H.
+constexpr int kLeastShared = 6'000;      ///< Refined vertices of `swell`: fewer are done before other threads wake.
+constexpr int kLeastReplaced = 1'000;    ///< Of `replace`.
 constexpr std::int64_t kMaxRefinedVertices = 32'000'000;  ///< About 3 GiB with all that is kept per vertex.
 
 /// All that follows from a rig and a character, before any pose.
@@ -57,6 +61,7 @@ struct Prepared {
   std::vector<TriangleClass> classes;
 
   [[nodiscard]] const CandidateLists& seen() const { return hidden.empty() ? candidates : shown; }
+  [[nodiscard]] bool swells() const { return rig.surface.mode == SurfaceMode::kSwell; }
 };
 
 SwellSettings swellSettings(const Rig& rig, const Character& character) {
@@ -169,8 +174,7 @@ struct Smoother::State {
 
   void prepareTiles(Prepared& next) const {
     if (prepared.refinement == next.refinement && !next.tiles.tiles.empty()) return;
-    const bool swells = next.rig.surface.mode == SurfaceMode::kSwell;
-    next.tiles = swells ? makeSwellTiles(mesh(), *next.refinement, next.seen()) : SwellTiles{};
+    next.tiles = next.swells() ? makeSwellTiles(mesh(), *next.refinement, next.seen()) : SwellTiles{};
   }
 
   void prepareFronts(Prepared& next) {
@@ -190,7 +194,7 @@ struct Smoother::State {
     const Pose bind = bindPose(character->skeleton);
     poseField(next.attachment.primitives, next.carriers.inBind(character->skeleton), bindPrimitives);
     const FieldView bindField{bindPrimitives, &next.seen(), {}};
-    if (next.rig.surface.mode == SurfaceMode::kReplace) {
+    if (!next.swells()) {
       const SkinnedMesh control{mesh().positions, mesh().normals};
       evaluate(PatchKind::kFlat, *next.refinement, control, flatPositions, flatNormals);
       const bool known = prepared.refinement == next.refinement && !prepared.anchors.empty();
@@ -230,7 +234,7 @@ struct Smoother::State {
   void cull(const FieldView& field, const std::optional<glm::vec3>& eye, Surface& out) {
     culling.clear();
     if (eye) {
-      const bool moved = prepared.rig.surface.mode == SurfaceMode::kReplace && prepared.shownPrimitives > 0;
+      const bool moved = !prepared.swells() && prepared.shownPrimitives > 0;
       const auto classes = moved ? std::span<const TriangleClass>(prepared.classes) : std::span<const TriangleClass>();
       cullFaces({*character, *prepared.refinement, field, classes, out.positions}, *eye, culling);
     }
@@ -245,7 +249,7 @@ struct Smoother::State {
     cull(field, eye, out);
     if (p.shownPrimitives == 0) return;
     field.skipped = culling.carriers;
-    if (p.rig.surface.mode == SurfaceMode::kSwell) {
+    if (p.swells()) {
       poseRiseDirections();
       swellAsChosen(mesh(), field, swellSettings(p.rig, *character), {rise, p.inverseLimits}, p.tiles, out, projection);
       return;
@@ -264,9 +268,8 @@ struct Smoother::State {
 
   /// Heights that the mesh cannot follow are filtered, folds smoothed out; what is still folded is spread.
   void unfold(Surface& out) {
-    const bool swells = prepared.rig.surface.mode == SurfaceMode::kSwell;  // `replace` lies on the muscle as it is.
     filtered = {};
-    if (swells) {
+    if (prepared.swells()) {  // `replace` lies on the muscle as it is.
       filtered = liftFilter.apply(prepared.rings, movedTriangles, patchPositions, out.positions, out.displacement);
     }
     pairs.fill(movedTriangles.corners, patchPositions, out.positions);
@@ -288,7 +291,7 @@ struct Smoother::State {
   /// Whether muscles have moved anything that can fold and is to be shaded. A surface that wraps the body may lie
   /// across its patch; it has the paper's normals.
   bool findMoved(const Surface& out) {
-    if (prepared.rig.surface.mode == SurfaceMode::kReplace && prepared.weights.wraps) return false;
+    if (!prepared.swells() && prepared.weights.wraps) return false;
     movedTriangles.find(mesh(), *prepared.refinement, prepared.rings, patchPositions, out.positions);
     return !movedTriangles.refined.empty();
   }
@@ -363,6 +366,9 @@ Result<void> Smoother::prepare(const Rig& rig, std::span<const int> hidden) {
 void Smoother::smooth(const Pose& pose, Surface& out, const std::optional<glm::vec3>& eye) {
   State& state = *state_;
   assert(state.prepared.refinement && "prepare() first");
+  std::optional<ThreadLimit> alone;
+  const int leastShared = state.prepared.swells() ? kLeastShared : kLeastReplaced;
+  if (state.prepared.refinement->vertexCount < leastShared) alone.emplace(1);
   Stopwatch watch;
   state.drive(pose);
   skin(*state.character, pose, state.skinned);
@@ -383,15 +389,12 @@ void Smoother::smooth(const Pose& pose, Surface& out, const std::optional<glm::v
   const bool moved = state.findMoved(out);
   if (moved) state.unfold(out);
   const double foldSeconds = watch.lap();
-
   state.shade(moved, out);
   out.report.seconds = {skinSeconds, patchSeconds, projectSeconds, foldSeconds, watch.lap()};
 }
 
 const Character& Smoother::character() const { return *state_->character; }
-
 PreparationCounts Smoother::preparationCounts() const { return {state_->attachments, state_->graphs.enumerations()}; }
-
 const std::vector<int>& Smoother::unattached() const { return state_->prepared.attachment.unattached; }
 
 }  // namespace sinew

@@ -42,9 +42,10 @@ void expectSame(const Refinement& refinement) {
     const std::span<const int> at = rings.cornersOf(v);
     EXPECT_EQ(at.size(), static_cast<std::size_t>(refinement.trianglesAt[place])) << v;
     EXPECT_TRUE(std::ranges::is_sorted(at));
-    for (const int corner : at) {
+    for (const int& corner : at) {
       const auto c = static_cast<std::size_t>(corner);
       EXPECT_EQ(refinement.triangles[c / 3][c % 3], v);
+      EXPECT_EQ(&rings.corners[static_cast<std::size_t>(rings.placeOf[c])], &corner);
     }
   }
 }

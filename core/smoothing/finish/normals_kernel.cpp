@@ -73,10 +73,12 @@ HWY_INLINE const float* cornerOf(const NormalsFrame& frame, const std::array<int
   return frame.pairs[t[i]].of.data();
 }
 
-HWY_INLINE void store(const LaneCorners<2>& normals, CornerNormals& to) {
-  normals.a.store(to.of[0].data());
-  normals.b.store(to.of[1].data());
-  normals.c.store(to.of[2].data());
+/// Each where its vertex has them together.
+HWY_INLINE void store(const LaneCorners<2>& normals, const NormalsFrame& frame, int triangle) {
+  const int* places = frame.rings->placeOf.data() + 3 * triangle;
+  normals.a.store(frame.corners[places[0]].of.data());
+  normals.b.store(frame.corners[places[1]].of.data());
+  normals.c.store(frame.corners[places[2]].of.data());
 }
 
 void findFaces(const NormalsFrame& frame, std::size_t begin, std::size_t end) {
@@ -90,23 +92,23 @@ void findFaces(const NormalsFrame& frame, std::size_t begin, std::size_t end) {
     const auto corner = [&](std::size_t k)
                             HWY_ATTR { return Blocks<4>::joined(cornerOf(frame, t, k), cornerOf(frame, u, k)); };
     const LaneCorners<4> both = cornerNormals(corner(0), corner(1), corner(2));
-    store({lower(both.a), lower(both.b), lower(both.c)}, frame.triangles[refined[i]]);
-    store({upper(both.a), upper(both.b), upper(both.c)}, frame.triangles[refined[i + 1]]);
+    store({lower(both.a), lower(both.b), lower(both.c)}, frame, refined[i]);
+    store({upper(both.a), upper(both.b), upper(both.c)}, frame, refined[i + 1]);
   }
 #endif
   for (; i < end; ++i) {
     const std::array<int, 3>& t = triangles[refined[i]];
     const auto corner = [&](std::size_t k) HWY_ATTR { return Pair::load(cornerOf(frame, t, k)); };
-    store(cornerNormals(corner(0), corner(1), corner(2)), frame.triangles[refined[i]]);
+    store(cornerNormals(corner(0), corner(1), corner(2)), frame, refined[i]);
   }
 }
 
 /// Of the triangles at a vertex, in order.
 HWY_INLINE Pair sumOfFaces(const NormalsFrame& frame, int vertex) {
+  const int begin = frame.rings->cornersBegin[static_cast<std::size_t>(vertex)];
+  const int end = frame.rings->cornersBegin[static_cast<std::size_t>(vertex) + 1];
   Pair sum = Pair::all(0.0f);
-  for (const int corner : frame.rings->cornersOf(vertex)) {
-    sum = sum + Pair::load(frame.triangles[corner / 3].of[static_cast<std::size_t>(corner % 3)].data());
-  }
+  for (int i = begin; i < end; ++i) sum = sum + Pair::load(frame.corners[i].of.data());
   return sum;
 }
 

@@ -13,9 +13,9 @@
 
 namespace sinew {
 
-/// Of each corner of a triangle: the patch's unit normal, then the surface's, times the angle there. Four numbers each.
+/// At the corner of a triangle: the patch's unit normal, then the surface's, times the angle. Four numbers each.
 struct alignas(32) CornerNormals {
-  std::array<std::array<float, 8>, 3> of;
+  std::array<float, 8> of;
 };
 
 /// Scratch of one vertex, 0 before and after. A fourth number that is 0 each.
@@ -32,9 +32,9 @@ struct NormalsFrame {
   const MovedTriangles* moved = nullptr;
   const VertexPair* pairs = nullptr;
   std::span<const glm::vec3> patchNormals;
-  std::span<const float> filtered;     ///< Empty: all are 0.
-  std::span<glm::vec3> normals;        ///< In and out: as ShadingNormals::apply.
-  CornerNormals* triangles = nullptr;  ///< [T n^2] scratch: at moved.refined.
+  std::span<const float> filtered;   ///< Empty: all are 0.
+  std::span<glm::vec3> normals;      ///< In and out: as ShadingNormals::apply.
+  CornerNormals* corners = nullptr;  ///< [3 T n^2] scratch, vertex by vertex as rings->corners: those of moved.refined.
   NormalsVertex* vertices = nullptr;
   float* turns = nullptr;    ///< Squared, the larger of what the field and the faces show; 0 before and after.
   std::span<int> teeth;      ///< [moved.corners] scratch: vertices, those of a block from its place on.

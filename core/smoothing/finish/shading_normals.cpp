@@ -17,16 +17,15 @@ constexpr std::size_t kBlock = 512;  ///< Vertices that one thread looks at.
 void ShadingNormals::apply(const Refinement& refinement, const VertexRings& rings, const MovedTriangles& moved,
                            const VertexPairs& pairs, std::span<const glm::vec3> patchNormals,
                            std::span<const float> filtered, std::span<glm::vec3> normals) {
-  triangles_.resize(refinement.triangles.size());
+  corners_.resize(rings.corners.size());
   vertices_.resize(normals.size());
   turns_.resize(normals.size());
   teeth_.resize(moved.corners.size());
   weights_.resize(moved.corners.size());
   const std::size_t blocks = (moved.corners.size() + kBlock - 1) / kBlock;
   teethOfBlock_.resize(blocks);
-  const NormalsFrame frame{&refinement,      &rings,        &moved,  pairs.data(),
-                           patchNormals,     filtered,      normals, triangles_.data(),
-                           vertices_.data(), turns_.data(), teeth_,  weights_};
+  const NormalsFrame frame{&refinement, &rings,          &moved,           pairs.data(),  patchNormals, filtered,
+                           normals,     corners_.data(), vertices_.data(), turns_.data(), teeth_,       weights_};
   const NormalsKernel kernel = normalsKernel(chosenVectorSet());
   const auto ofBlock = [&](std::size_t block) {
     return std::pair{block * kBlock, std::min((block + 1) * kBlock, moved.corners.size())};

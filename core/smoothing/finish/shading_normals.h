@@ -41,7 +41,7 @@ class ShadingNormals {
 
  private:
   // Scratch of NormalsFrame. What no muscle reaches is never written, and takes no memory.
-  ScratchArray<CornerNormals> triangles_;
+  ScratchArray<CornerNormals> corners_;
   std::vector<NormalsVertex> vertices_;
   std::vector<float> turns_;
   std::vector<int> teeth_;

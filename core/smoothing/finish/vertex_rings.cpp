@@ -20,10 +20,14 @@ bool comeTwice(std::span<const int> sorted) {
 /// @param rings  with cornersBegin.
 void findCorners(const Refinement& refinement, VertexRings& rings) {
   rings.corners.resize(toIndex(rings.cornersBegin.back()));
+  rings.placeOf.reserve(rings.corners.size());
   std::vector<int> next = rings.cornersBegin;
   int corner = 0;
   for (const std::array<int, 3>& t : refinement.triangles) {
-    for (const int vertex : t) at(rings.corners, at(next, vertex)++) = corner++;
+    for (const int vertex : t) {
+      rings.placeOf.push_back(at(next, vertex));
+      at(rings.corners, at(next, vertex)++) = corner++;
+    }
   }
 }
 

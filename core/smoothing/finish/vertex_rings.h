@@ -20,6 +20,8 @@ struct VertexRings {
   std::vector<int> cornersBegin;  ///< [V' + 1] into `corners`.
   std::vector<int> corners;       ///< Of triangles: 3 triangle + which of its corners is the vertex. Ascending.
 
+  std::vector<int> placeOf;  ///< [3 T n^2] of each corner, its place in `corners`.
+
   /// As many as a multiple of kMultiple; the vertex itself may be among them.
   [[nodiscard]] std::span<const int> at(int vertex) const {
     const auto v = static_cast<std::size_t>(vertex);

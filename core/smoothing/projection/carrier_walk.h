@@ -73,12 +73,22 @@ enum class Reach {
   kAll,          ///< Every candidate, wherever it is.
 };
 
+/// One of so many equal parts, of control vertices, edges and triangles alike.
+struct WalkShare {
+  std::size_t index = 0;
+  std::size_t of = 1;
+
+  [[nodiscard]] int begin(int count) const { return static_cast<int>(toIndex(count) * index / of); }
+  [[nodiscard]] int end(int count) const { return static_cast<int>(toIndex(count) * (index + 1) / of); }
+};
+
 /// Calls visit(const CarriedVertex&, std::span<const CarrierCandidate> near) for every refined vertex of every carrier
-/// that has a primitive to ask for; `near` holds those. Order is that of the refined vertices.
+/// of the share that has a primitive to ask for; `near` holds those. Order is that of the refined vertices.
 /// @param positions [V'] world.
 template <class Visit>
 void forEachReachable(const ControlMesh& mesh, const Refinement& refinement, const FieldView& field,
-                      std::span<const glm::vec3> positions, Reach reach, WalkScratch& scratch, Visit&& visit) {
+                      std::span<const glm::vec3> positions, Reach reach, const WalkShare& share, WalkScratch& scratch,
+                      Visit&& visit) {
   std::vector<CarrierCandidate>& near = scratch.near;
   std::vector<carrier_walk::Span>& spans = scratch.spans;
   const auto gather = [&](int carrier, int first, int count) {
@@ -103,11 +113,11 @@ void forEachReachable(const ControlMesh& mesh, const Refinement& refinement, con
   };
   const float n = static_cast<float>(refinement.depth);
 
-  for (int v = 0; v < refinement.controlVertices; ++v) {
+  for (int v = share.begin(refinement.controlVertices); v < share.end(refinement.controlVertices); ++v) {
     if (gather(v, v, 1))
       visit(CarriedVertex{v, v, {v, v, v}, {1.0f, 0.0f, 0.0f}}, std::span<const CarrierCandidate>(near));
   }
-  for (int e = 0; e < refinement.controlEdges; ++e) {
+  for (int e = share.begin(refinement.controlEdges); e < share.end(refinement.controlEdges); ++e) {
     const int carrier = refinement.controlVertices + e;
     if (refinement.edgeVertices == 0 || !gather(carrier, refinement.edgeVertex(e, 1), refinement.edgeVertices))
       continue;
@@ -118,7 +128,8 @@ void forEachReachable(const ControlMesh& mesh, const Refinement& refinement, con
             std::span<const CarrierCandidate>(near));
     }
   }
-  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+  const int triangles = static_cast<int>(mesh.triangles.size());
+  for (int t = share.begin(triangles); t < share.end(triangles); ++t) {
     const int carrier = refinement.controlVertices + refinement.controlEdges + t;
     if (!gather(carrier, refinement.interiorVertex(t, 0), refinement.interiorVertices)) continue;
     for (int i = 0; i < refinement.interiorVertices; ++i) {

@@ -26,15 +26,30 @@ struct TileScratch {
   std::vector<int> shaped;       ///< Vertices near a primitive that is no ellipsoid; as many fit.
 };
 
-/// Reused from vertex to vertex and from frame to frame, so that nothing is allocated once it has grown. Its contents
-/// carry nothing from one frame to the next. One a thread.
-struct ProjectionScratch {
+/// What is found out about some vertices.
+struct VertexCounts {
+  int projected = 0;
+  int unresolved = 0;
+  int anchorFallbacks = 0;
+  double residualMax = 0.0;
+};
+
+/// For vertices one after the other.
+struct VertexScratch {
   WalkScratch walk;
   std::vector<Candidate> candidates;
   FieldScratch field;
   RayField ray;
   RayScratch roots;
-  std::vector<TileScratch> tiles;  ///< Of the ranges that a frame's tiles are divided into.
+  VertexCounts counts;
+};
+
+/// Reused from vertex to vertex and from frame to frame, so that nothing is allocated once it has grown. Its contents
+/// carry nothing from one frame to the next. One a surface that is being made: what it starts with is for the thread
+/// that calls.
+struct ProjectionScratch : VertexScratch {
+  std::vector<VertexScratch> shares;  ///< Of the parts that a frame's vertices are divided into.
+  std::vector<TileScratch> tiles;     ///< Of the ranges that a frame's tiles are divided into.
 };
 
 }  // namespace sinew

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/at.h"
+#include "core/base/parallel.h"
 #include "core/base/smoothstep.h"
 #include "core/smoothing/projection/rise_limits.h"
 #include "core/smoothing/roots/root_finding.h"
@@ -20,6 +21,9 @@ constexpr float kWrapped = 0.7f;          ///< Share of anchors inside from whic
 constexpr int kProminenceSamples = 9;
 constexpr int kMostStretches = 8;  ///< Along one ray; more is noise.
 
+constexpr std::size_t kVerticesInShare = 512;  ///< Fewer are not worth another thread's trouble.
+constexpr std::size_t kSharesOfThread = 4;     ///< So that one with little to do can help.
+
 /// Roots laid over each other, front to back.
 struct Projected {
   glm::vec3 position{0.0f};  ///< Weighted sum.
@@ -33,10 +37,8 @@ struct Projected {
 
 class Projector {
  public:
-  Projector(const FieldView& field, const ReplaceSettings& settings, ProjectionScratch& scratch)
+  Projector(const FieldView& field, const ReplaceSettings& settings, VertexScratch& scratch)
       : field_(field), settings_(settings), scratch_(scratch) {}
-
-  int anchorFallbacks() const { return anchorFallbacks_; }
 
   /// Reads the candidates of a vertex; false where none has weight.
   bool look(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
@@ -73,7 +75,7 @@ class Projector {
     const glm::vec3 q = flat.anchors[index];
     layLine(p, normalizeOr(q - p, -n), static_cast<double>(glm::length(q - p)), inside, n, result);
     if (!inside && result.left() > 0.0f) {
-      ++anchorFallbacks_;  // the anchor is not always inside
+      ++scratch_.counts.anchorFallbacks;  // the anchor is not always inside
       layLine(p, -n, static_cast<double>(settings_.searchLength), inside, n, result);
     }
     return result;
@@ -164,10 +166,9 @@ class Projector {
 
   const FieldView& field_;
   const ReplaceSettings& settings_;
-  ProjectionScratch& scratch_;
+  VertexScratch& scratch_;
   const CliqueLists* cliques_ = nullptr;
   bool looksInwards_ = true;
-  int anchorFallbacks_ = 0;
 };
 
 float omegaAt(const CarriedVertex& vertex, std::span<const float> omega) {
@@ -197,6 +198,36 @@ void drawIn(Surface& surface, std::size_t index, const glm::vec3& patch, const g
   surface.positions[index] = patch + share * way;
   surface.normals[index] = normalizeOr(n + share * (surface.normals[index] - n), n);
   surface.displacement[index] *= share;
+}
+
+/// A vertex is written by its share alone, which reads no other's place.
+void replaceShare(const ControlMesh& mesh, const WalkShare& share, const FieldView& field,
+                  const ReplaceSettings& settings, const FlatVertices& flat, const ImplicitWeights& weights,
+                  Surface& surface, VertexScratch& scratch) {
+  scratch.roots.evaluations = {};
+  scratch.counts = {};
+  Projector projector(field, settings, scratch);
+  const bool limits = !weights.wraps && !flat.inverseLimits.empty();
+  const auto move = [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
+    const float weight = omegaAt(vertex, weights.omega);
+    if (weight <= 0.0f || !projector.look(vertex, near)) return;
+    const auto index = static_cast<std::size_t>(vertex.index);
+    if (!weights.wraps && !projector.isInside(flat.positions[index])) return;
+    ++scratch.counts.projected;
+    const Projected projected = projector.project(flat, index, weights.wraps);
+    if (!projected.found) {
+      ++scratch.counts.unresolved;
+      return;
+    }
+    scratch.counts.residualMax = std::max(scratch.counts.residualMax, projected.residual);
+    if (!(projected.weight > 0.0f)) return;
+    const glm::vec3 patch = surface.positions[index];
+    const glm::vec3 n = surface.normals[index];
+    mix(surface, index, projected, weight);
+    if (limits) drawIn(surface, index, patch, n, flat.inverseLimits[index]);
+  };
+  // The anchor may lie anywhere on the skeleton.
+  forEachReachable(mesh, *surface.refinement, field, flat.positions, Reach::kAll, share, scratch.walk, move);
 }
 
 }  // namespace
@@ -229,31 +260,23 @@ ImplicitWeights implicitWeights(const ControlMesh& mesh, const FieldView& bindFi
 
 void replace(const ControlMesh& mesh, const FieldView& field, const ReplaceSettings& settings, const FlatVertices& flat,
              const ImplicitWeights& weights, Surface& surface, ProjectionScratch& scratch) {
-  scratch.roots.evaluations = {};
-  Projector projector(field, settings, scratch);
-  const bool limits = !weights.wraps && !flat.inverseLimits.empty();
-  const auto move = [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
-    const float weight = omegaAt(vertex, weights.omega);
-    if (weight <= 0.0f || !projector.look(vertex, near)) return;
-    const auto index = static_cast<std::size_t>(vertex.index);
-    if (!weights.wraps && !projector.isInside(flat.positions[index])) return;
-    ++surface.report.projected;
-    const Projected projected = projector.project(flat, index, weights.wraps);
-    if (!projected.found) {
-      ++surface.report.unresolved;
-      return;
-    }
-    surface.report.residualMax = std::max(surface.report.residualMax, projected.residual);
-    if (!(projected.weight > 0.0f)) return;
-    const glm::vec3 patch = surface.positions[index];
-    const glm::vec3 n = surface.normals[index];
-    mix(surface, index, projected, weight);
-    if (limits) drawIn(surface, index, patch, n, flat.inverseLimits[index]);
-  };
-  // The anchor may lie anywhere on the skeleton.
-  forEachReachable(mesh, *surface.refinement, field, flat.positions, Reach::kAll, scratch.walk, move);
-  surface.report.anchorFallbacks = projector.anchorFallbacks();
-  surface.report.evaluations = scratch.roots.evaluations;
+  const std::size_t shares = std::clamp(surface.positions.size() / kVerticesInShare, std::size_t{1},
+                                        kSharesOfThread * static_cast<std::size_t>(threadCount()));
+  scratch.shares.resize(std::max(scratch.shares.size(), shares));
+  forEachIndex(shares, 1, [&](std::size_t index) {
+    replaceShare(mesh, {index, shares}, field, settings, flat, weights, surface, scratch.shares[index]);
+  });
+  SmoothingReport& report = surface.report;
+  report.evaluations = {};
+  report.anchorFallbacks = 0;
+  for (const VertexScratch& share : std::span(scratch.shares).first(shares)) {
+    report.projected += share.counts.projected;
+    report.unresolved += share.counts.unresolved;
+    report.anchorFallbacks += share.counts.anchorFallbacks;
+    report.residualMax = std::max(report.residualMax, share.counts.residualMax);
+    report.evaluations.field += share.roots.evaluations.field;
+    report.evaluations.quartic += share.roots.evaluations.quartic;
+  }
 }
 
 }  // namespace sinew

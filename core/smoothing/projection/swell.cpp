@@ -45,7 +45,7 @@ struct SkinField {
 class Sweller {
  public:
   Sweller(const FieldView& field, const SwellSettings& settings, const RiseView& rise, Surface& surface,
-          ProjectionScratch& scratch)
+          VertexScratch& scratch)
       : field_(field),
         settings_(settings),
         rise_(rise),
@@ -138,14 +138,14 @@ class Sweller {
   const SwellSettings& settings_;
   RiseView rise_;
   Surface& surface_;
-  ProjectionScratch& scratch_;
+  VertexScratch& scratch_;
   double isoRadius_;  ///< r_T
 };
 
 }  // namespace
 
 void swellVertex(const CarriedVertex& vertex, const FieldView& field, const SwellSettings& settings,
-                 const RiseView& rise, Surface& surface, ProjectionScratch& scratch) {
+                 const RiseView& rise, Surface& surface, VertexScratch& scratch) {
   Sweller(field, settings, rise, surface, scratch).move(vertex, field.lists->of(vertex.carrier));
 }
 
@@ -154,7 +154,7 @@ void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings&
   scratch.roots.evaluations = {};
   Sweller sweller(field, settings, rise, surface, scratch);
   forEachReachable(
-      mesh, *surface.refinement, field, surface.positions, Reach::kOverlapping, scratch.walk,
+      mesh, *surface.refinement, field, surface.positions, Reach::kOverlapping, {}, scratch.walk,
       [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) { sweller.move(vertex, near); });
   surface.report.evaluations = scratch.roots.evaluations;
 }

@@ -38,6 +38,6 @@ void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings&
 
 /// The same for one vertex.
 void swellVertex(const CarriedVertex& vertex, const FieldView& field, const SwellSettings& settings,
-                 const RiseView& rise, Surface& surface, ProjectionScratch& scratch);
+                 const RiseView& rise, Surface& surface, VertexScratch& scratch);
 
 }  // namespace sinew
