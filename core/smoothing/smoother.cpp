@@ -23,7 +23,7 @@
 #include "core/smoothing/patches/patch.h"
 #include "core/smoothing/projection/anchors.h"
 #include "core/smoothing/projection/candidates.h"
-#include "core/smoothing/projection/replace.h"
+#include "core/smoothing/projection/replace_vector.h"
 #include "core/smoothing/projection/rise_directions.h"
 #include "core/smoothing/projection/rise_limits.h"
 #include "core/smoothing/projection/swell_vector.h"
@@ -51,7 +51,7 @@ struct Prepared {
   int shownPrimitives = 0;                     ///< Attached and not hidden.
   std::shared_ptr<const ControlMesh> creased;  ///< The character's mesh with creased wedges; null if none are.
   std::shared_ptr<const Refinement> refinement;
-  SwellTiles tiles;                    ///< Of seen(), in `swell`.
+  SwellTiles tiles;                    ///< Of seen().
   std::vector<Anchor> anchors;         ///< [V'] in `replace` with an anchored projection, else empty.
   std::vector<float> inverseLimits;    ///< [V'] of the rise.
   std::vector<std::uint8_t> isBorder;  ///< [V']
@@ -174,7 +174,7 @@ struct Smoother::State {
 
   void prepareTiles(Prepared& next) const {
     if (prepared.refinement == next.refinement && !next.tiles.tiles.empty()) return;
-    next.tiles = next.swells() ? makeSwellTiles(mesh(), *next.refinement, next.seen()) : SwellTiles{};
+    next.tiles = makeSwellTiles(mesh(), *next.refinement, next.seen());
   }
 
   void prepareFronts(Prepared& next) {
@@ -256,8 +256,8 @@ struct Smoother::State {
     }
     evaluate(PatchKind::kFlat, *p.refinement, skinned, flatPositions, flatNormals);
     poseAnchors(p.anchors, pose, anchorsInWorld);
-    replace(mesh(), field, replaceSettings(p.rig, *character),
-            {flatPositions, flatNormals, anchorsInWorld, p.inverseLimits}, p.weights, out, projection);
+    replaceAsChosen(mesh(), field, replaceSettings(p.rig, *character),
+                    {flatPositions, flatNormals, anchorsInWorld, p.inverseLimits}, p.weights, p.tiles, out, projection);
   }
 
   void poseRiseDirections() {

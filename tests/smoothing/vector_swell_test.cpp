@@ -19,62 +19,12 @@
 #include "tests/support/rigs/trial_scenes.h"
 #include "tests/support/surface/mesh_checks.h"
 #include "tests/support/surface/projected.h"
+#include "tests/support/surface/vector_agreement.h"
 
 namespace sinew::test {
 namespace {
 
 using CharacterPtr = std::shared_ptr<const Character>;
-
-constexpr double kAgreement = 1e-4;  ///< Of H: what docs/design.md promises.
-constexpr double kAim = 1e-6;
-
-struct Agreement {
-  int projected = 0;
-  int uncertified = 0;
-  int far = 0;         ///< Beyond kAgreement.
-  int beyondAim = 0;   ///< Beyond kAim.
-  double worst = 0.0;  ///< Of H.
-  double worstNormal = 0.0;
-
-  [[nodiscard]] double uncertifiedShare() const {
-    return static_cast<double>(uncertified) / static_cast<double>(std::max(projected, 1));
-  }
-};
-
-void compare(const Surface& scalar, const Surface& vector, double height, Agreement& out) {
-  for (std::size_t v = 0; v < scalar.positions.size(); ++v) {
-    const double apart = static_cast<double>(glm::distance(scalar.positions[v], vector.positions[v])) / height;
-    out.worst = std::max(out.worst, apart);
-    out.far += apart > kAgreement ? 1 : 0;
-    out.beyondAim += apart > kAim ? 1 : 0;
-    const double turned = static_cast<double>(glm::distance(scalar.normals[v], vector.normals[v]));
-    out.worstNormal = std::max(out.worstNormal, turned);
-  }
-}
-
-Surface surfaceBy(InstructionSet set, Projected& projected, const Pose& pose) {
-  const InstructionSetScope scope(set);
-  return projected.at(pose);
-}
-
-void addAgreement(const Character& character, const Rig& rig, const std::vector<Pose>& poses, Agreement& out) {
-  Projected projected(character, rig);
-  for (const Pose& pose : poses) {
-    const Surface scalar = surfaceBy(InstructionSet::kScalar, projected, pose);
-    const Surface& surface = projected.at(pose);
-    EXPECT_TRUE(allFinite(surface.positions));
-    EXPECT_TRUE(allUnit(surface.normals));
-    out.projected += surface.report.projected;
-    out.uncertified += static_cast<int>(projected.uncertified());
-    compare(scalar, surface, static_cast<double>(character.height), out);
-  }
-}
-
-void print(const std::string& what, const Agreement& seen) {
-  std::printf("  %-26s %7d projected, %5.2f %% uncertified, worst %.2g H, %d beyond 1e-6 H, normals %.2g\n",
-              what.c_str(), seen.projected, 100.0 * seen.uncertifiedShare(), seen.worst, seen.beyondAim,
-              seen.worstNormal);
-}
 
 TEST(VectorSwell, IsTheScalarOnCharacters) {
   std::vector<TrialScene> scenes = trialScenes();
@@ -149,8 +99,7 @@ TEST(VectorSwell, EverySetGivesTheSameBitsOfAWholeFrame) {
         Surface widest;
         smoother.smooth(pose, widest);
         for (const InstructionSet set : availableInstructionSets()) {
-          // The projection's scalar path differs; `replace` has no other.
-          if (set == InstructionSet::kScalar && mode == SurfaceMode::kSwell) continue;
+          if (set == InstructionSet::kScalar) continue;  // The projection's scalar path differs.
           const InstructionSetScope scope(set);
           Surface other;
           smoother.smooth(pose, other);

@@ -1,30 +1,16 @@
 // core/smoothing/projection/projection_scratch.h: memory that projection keeps from frame to frame.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/blending/field.h"
 #include "core/smoothing/projection/carrier_walk.h"
 #include "core/smoothing/roots/lane_terms.h"
 #include "core/smoothing/roots/ray_field.h"
+#include "sinew/smoothing/surface.h"
 
 namespace sinew {
-
-/// What is found out about some tiles.
-struct TileCounts {
-  int projected = 0;
-  float residualMax = 0.0f;
-};
-
-/// For the tiles of one range.
-struct TileScratch {
-  TileCounts counts;
-  LaneScratch lanes;
-  std::vector<int> near;  ///< Has room for the tile with the most candidates.
-  std::vector<carrier_walk::Span> spans;
-  std::vector<int> uncertified;  ///< Vertices whose first root the vector path cannot vouch for; as many fit.
-  std::vector<int> shaped;       ///< Vertices near a primitive that is no ellipsoid; as many fit.
-};
 
 /// What is found out about some vertices.
 struct VertexCounts {
@@ -32,6 +18,17 @@ struct VertexCounts {
   int unresolved = 0;
   int anchorFallbacks = 0;
   double residualMax = 0.0;
+};
+
+/// For the tiles of one range.
+struct TileScratch {
+  VertexCounts counts;
+  LaneScratch lanes;
+  std::vector<LaneTerm> lines;  ///< In `replace`: along each vertex's line, in both directions.
+  std::vector<int> near;        ///< Has room for the tile with the most candidates.
+  std::vector<carrier_walk::Span> spans;
+  std::vector<int> uncertified;  ///< Vertices whose first root the vector path cannot vouch for; as many fit.
+  std::vector<int> shaped;       ///< Vertices near a primitive that is no ellipsoid; as many fit.
 };
 
 /// For vertices one after the other.
@@ -48,8 +45,25 @@ struct VertexScratch {
 /// carry nothing from one frame to the next. One a surface that is being made: what it starts with is for the thread
 /// that calls.
 struct ProjectionScratch : VertexScratch {
+  std::vector<float> omega;           ///< [V'] in `replace`.
   std::vector<VertexScratch> shares;  ///< Of the parts that a frame's vertices are divided into.
   std::vector<TileScratch> tiles;     ///< Of the ranges that a frame's tiles are divided into.
 };
+
+inline void add(const VertexCounts& part, VertexCounts& sum) {
+  sum.projected += part.projected;
+  sum.unresolved += part.unresolved;
+  sum.anchorFallbacks += part.anchorFallbacks;
+  sum.residualMax = std::max(sum.residualMax, part.residualMax);
+}
+
+/// Adds what has been found out to a frame's report.
+inline void tell(const VertexScratch& scratch, SmoothingReport& report) {
+  report.projected += scratch.counts.projected;
+  report.unresolved += scratch.counts.unresolved;
+  report.anchorFallbacks = scratch.counts.anchorFallbacks;
+  report.residualMax = std::max(report.residualMax, scratch.counts.residualMax);
+  report.evaluations = scratch.roots.evaluations;
+}
 
 }  // namespace sinew

@@ -14,21 +14,11 @@
 namespace sinew {
 namespace {
 
-constexpr double kFadeBegin = 0.8;  ///< Fraction of the search length from where a projection loses weight.
-
-constexpr double kFullProminence = 0.25;  ///< Fraction of T from which a stretch counts whole.
-constexpr float kWrapped = 0.7f;          ///< Share of anchors inside from which muscles count as wrapping the body.
-constexpr int kProminenceSamples = 9;
-constexpr int kMostStretches = 8;  ///< Along one ray; more is noise.
-
+constexpr float kWrapped = 0.7f;  ///< Share of anchors inside from which muscles count as wrapping the body.
 constexpr std::size_t kVerticesInShare = 512;  ///< Fewer are not worth another thread's trouble.
 constexpr std::size_t kSharesOfThread = 4;     ///< So that one with little to do can help.
 
-/// Roots laid over each other, front to back.
-struct Projected {
-  glm::vec3 position{0.0f};  ///< Weighted sum.
-  glm::vec3 normal{0.0f};    ///< Weighted sum.
-  float weight = 0.0f;       ///< Sum of weights, 0..1; the rest is the patch's.
+struct Projected : Replaced {
   double residual = 0.0;
   bool found = false;  ///< Some root exists within the search length, of whatever weight.
 
@@ -149,8 +139,9 @@ class Projector {
 
   void lay(const glm::vec3& position, double distance, double prominent, double residual, const glm::vec3& n,
            Projected& result) {
-    const double far = (distance / static_cast<double>(settings_.searchLength) - kFadeBegin) / (1.0 - kFadeBegin);
-    const double share = prominent / (kFullProminence * static_cast<double>(settings_.iso));
+    constexpr double kBegin = static_cast<double>(kFadeBegin);
+    const double far = (distance / static_cast<double>(settings_.searchLength) - kBegin) / (1.0 - kBegin);
+    const double share = prominent / static_cast<double>(kFullProminence * settings_.iso);
     const float own =
         smoothstep(0.0f, 1.0f, static_cast<float>(share)) * (1.0f - smoothstep(0.0f, 1.0f, static_cast<float>(far)));
     const float weight = own == 1.0f ? result.left() : own * result.left();
@@ -177,7 +168,7 @@ float omegaAt(const CarriedVertex& vertex, std::span<const float> omega) {
   return sum;
 }
 
-void mix(Surface& surface, std::size_t index, const Projected& projected, float omega) {
+void mix(Surface& surface, std::size_t index, const Replaced& projected, float omega) {
   const glm::vec3 patch = surface.positions[index];
   const glm::vec3 n = surface.normals[index];
   const float patchShare = 1.0f - omega * projected.weight;
@@ -200,6 +191,24 @@ void drawIn(Surface& surface, std::size_t index, const glm::vec3& patch, const g
   surface.displacement[index] *= share;
 }
 
+void moveVertex(const CarriedVertex& vertex, std::span<const CarrierCandidate> near, Projector& projector,
+                const FlatVertices& flat, const ImplicitWeights& weights, Surface& surface, VertexCounts& counts) {
+  const float weight = omegaAt(vertex, weights.omega);
+  if (weight <= 0.0f || !projector.look(vertex, near)) return;
+  const auto index = static_cast<std::size_t>(vertex.index);
+  if (!weights.wraps && !projector.isInside(flat.positions[index])) return;
+  ++counts.projected;
+  const Projected projected = projector.project(flat, index, weights.wraps);
+  if (!projected.found) {
+    ++counts.unresolved;
+    return;
+  }
+  counts.residualMax = std::max(counts.residualMax, projected.residual);
+  if (!(projected.weight > 0.0f)) return;
+  const bool limits = !weights.wraps && !flat.inverseLimits.empty();
+  placeReplaced(projected, weight, limits ? flat.inverseLimits[index] : 0.0f, index, surface);
+}
+
 /// A vertex is written by its share alone, which reads no other's place.
 void replaceShare(const ControlMesh& mesh, const WalkShare& share, const FieldView& field,
                   const ReplaceSettings& settings, const FlatVertices& flat, const ImplicitWeights& weights,
@@ -207,30 +216,27 @@ void replaceShare(const ControlMesh& mesh, const WalkShare& share, const FieldVi
   scratch.roots.evaluations = {};
   scratch.counts = {};
   Projector projector(field, settings, scratch);
-  const bool limits = !weights.wraps && !flat.inverseLimits.empty();
   const auto move = [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
-    const float weight = omegaAt(vertex, weights.omega);
-    if (weight <= 0.0f || !projector.look(vertex, near)) return;
-    const auto index = static_cast<std::size_t>(vertex.index);
-    if (!weights.wraps && !projector.isInside(flat.positions[index])) return;
-    ++scratch.counts.projected;
-    const Projected projected = projector.project(flat, index, weights.wraps);
-    if (!projected.found) {
-      ++scratch.counts.unresolved;
-      return;
-    }
-    scratch.counts.residualMax = std::max(scratch.counts.residualMax, projected.residual);
-    if (!(projected.weight > 0.0f)) return;
-    const glm::vec3 patch = surface.positions[index];
-    const glm::vec3 n = surface.normals[index];
-    mix(surface, index, projected, weight);
-    if (limits) drawIn(surface, index, patch, n, flat.inverseLimits[index]);
+    moveVertex(vertex, near, projector, flat, weights, surface, scratch.counts);
   };
   // The anchor may lie anywhere on the skeleton.
   forEachReachable(mesh, *surface.refinement, field, flat.positions, Reach::kAll, share, scratch.walk, move);
 }
 
 }  // namespace
+
+void placeReplaced(const Replaced& replaced, float omega, float inverseLimit, std::size_t vertex, Surface& surface) {
+  const glm::vec3 patch = surface.positions[vertex];
+  const glm::vec3 n = surface.normals[vertex];
+  mix(surface, vertex, replaced, omega);
+  if (inverseLimit > 0.0f) drawIn(surface, vertex, patch, n, inverseLimit);
+}
+
+void replaceVertex(const CarriedVertex& vertex, const FieldView& field, const ReplaceSettings& settings,
+                   const FlatVertices& flat, const ImplicitWeights& weights, Surface& surface, VertexScratch& scratch) {
+  Projector projector(field, settings, scratch);
+  moveVertex(vertex, field.lists->of(vertex.carrier), projector, flat, weights, surface, scratch.counts);
+}
 
 ImplicitWeights implicitWeights(const ControlMesh& mesh, const FieldView& bindField, const ReplaceSettings& settings,
                                 const FlatVertices& flat, ProjectionScratch& scratch) {
@@ -266,17 +272,14 @@ void replace(const ControlMesh& mesh, const FieldView& field, const ReplaceSetti
   forEachIndex(shares, 1, [&](std::size_t index) {
     replaceShare(mesh, {index, shares}, field, settings, flat, weights, surface, scratch.shares[index]);
   });
-  SmoothingReport& report = surface.report;
-  report.evaluations = {};
-  report.anchorFallbacks = 0;
+  scratch.counts = {};
+  scratch.roots.evaluations = {};
   for (const VertexScratch& share : std::span(scratch.shares).first(shares)) {
-    report.projected += share.counts.projected;
-    report.unresolved += share.counts.unresolved;
-    report.anchorFallbacks += share.counts.anchorFallbacks;
-    report.residualMax = std::max(report.residualMax, share.counts.residualMax);
-    report.evaluations.field += share.roots.evaluations.field;
-    report.evaluations.quartic += share.roots.evaluations.quartic;
+    add(share.counts, scratch.counts);
+    scratch.roots.evaluations.field += share.roots.evaluations.field;
+    scratch.roots.evaluations.quartic += share.roots.evaluations.quartic;
   }
+  tell(scratch, surface.report);
 }
 
 }  // namespace sinew

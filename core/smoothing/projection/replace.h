@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "core/smoothing/projection/carrier_walk.h"
 #include "core/smoothing/projection/projection_scratch.h"
 #include "sinew/mesh/control_mesh.h"
 #include "sinew/rig/rig.h"
@@ -50,10 +51,30 @@ struct ImplicitWeights {
                                               const ReplaceSettings& settings, const FlatVertices& flat,
                                               ProjectionScratch& scratch);
 
+// What the scalar and the vector path share.
+inline constexpr float kFadeBegin = 0.8f;  ///< Fraction of the search length from where a projection loses weight.
+inline constexpr float kFullProminence = 0.25f;  ///< Fraction of T from which a stretch counts whole.
+inline constexpr int kProminenceSamples = 9;
+inline constexpr int kMostStretches = 8;  ///< Along one ray; more is noise.
+
+/// Roots laid over each other, front to back.
+struct Replaced {
+  glm::vec3 position{0.0f};  ///< Weighted sum.
+  glm::vec3 normal{0.0f};    ///< Weighted sum.
+  float weight = 0.0f;       ///< Sum of weights, 0..1; the rest is the patch's.
+};
+
+/// Moves a vertex from its patch. @param omega  of the vertex.  @param inverseLimit  of its rise; 0: none.
+void placeReplaced(const Replaced& replaced, float omega, float inverseLimit, std::size_t vertex, Surface& surface);
+
 /// p' = w p_implicit + (1 - w) p_normal, w = omega faded over the last part of the search length; likewise normals. The
 /// surface holds the patch on entry. Vertices with omega > 0 and no root stay on it and count as unresolved. On a body
 /// that muscles do not wrap, skin that rises beyond half its limit is drawn in below it, as in `swell`.
 void replace(const ControlMesh& mesh, const FieldView& field, const ReplaceSettings& settings, const FlatVertices& flat,
              const ImplicitWeights& weights, Surface& surface, ProjectionScratch& scratch);
+
+/// One vertex, as replace() does.
+void replaceVertex(const CarriedVertex& vertex, const FieldView& field, const ReplaceSettings& settings,
+                   const FlatVertices& flat, const ImplicitWeights& weights, Surface& surface, VertexScratch& scratch);
 
 }  // namespace sinew

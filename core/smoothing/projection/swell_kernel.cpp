@@ -9,8 +9,7 @@
 #define HWY_TARGET_INCLUDE "core/smoothing/projection/swell_kernel.cpp"
 #include "hwy/foreach_target.h"
 //
-#include "core/lanes/lane_points.h"
-#include "core/smoothing/roots/ray_lanes.h"
+#include "core/smoothing/projection/tile_field.h"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -29,26 +28,21 @@ struct Found {
   M known;
 };
 
-class TileSweller {
+class TileSweller : TileField {
  public:
   explicit TileSweller(SwellFrame& frame)
-      : frame_(frame),
+      : TileField(*frame.tiles, frame.field, *frame.scratch),
+        frame_(frame),
         isoRoot_(std::sqrt(frame.settings.iso)),
         isoRadius_(static_cast<float>(std::sqrt(1.0 - std::sqrt(static_cast<double>(frame.settings.iso))))) {}
 
   void move(const SwellTile& tile) {
-    tile_ = &tile;
-    for (std::size_t first = 0; first < kLanes; first += width()) {
-      points_.gather(frame_.surface->positions, tile.vertices, first);
-    }
+    start(tile, frame_.surface->positions);
     if (!gatherNear()) return;
     if (nearIsShaped()) {
       leaveToScalar();
       return;
     }
-    const SwellTiles& tiles = *frame_.tiles;
-    const std::size_t set = static_cast<std::size_t>(tile.cliqueSet);
-    cliques_ = {tiles.cliqueBegins[set], tiles.cliqueSlots[set], tiles.slotCounts[set]};
     for (std::size_t first = 0; first < kLanes; first += width()) moveLanes(first);
   }
 
@@ -57,7 +51,7 @@ class TileSweller {
   bool gatherNear() {
     const Bounds box = boundsOfTile();
     const std::size_t count = static_cast<std::size_t>(tile_->candidateCount);
-    std::vector<carrier_walk::Span>& spans = frame_.scratch->spans;
+    std::vector<carrier_walk::Span>& spans = scratch_.spans;
     bool overlaps = false;
     for (std::size_t i = 0; i < count && !overlaps; ++i) {
       const UnitBallMap& ball = influence(candidate(i).primitive);
@@ -69,56 +63,22 @@ class TileSweller {
     for (std::size_t i = 0; i < count; ++i) spans[i] = carrier_walk::spanTo(influence(candidate(i).primitive), box);
     const float extent = carrier_walk::extentOf(std::span(spans).first(count));
     for (std::size_t i = 0; i < count; ++i) {
-      if (spans[i].gap < extent) frame_.scratch->near[nearCount_++] = static_cast<int>(i);
+      if (spans[i].gap < extent) scratch_.near[nearCount_++] = static_cast<int>(i);
     }
     return nearCount_ > 0;
   }
-
-  bool nearIsShaped() const {
-    for (std::size_t n = 0; n < nearCount_; ++n) {
-      const std::size_t i = static_cast<std::size_t>(frame_.scratch->near[n]);
-      if (!influence(candidate(i).primitive).isPlain()) return true;
-    }
-    return false;
-  }
-
-  /// Lanes know ellipsoids alone.
-  void leaveToScalar() {
-    for (std::size_t first = 0; first < kLanes; first += width()) {
-      forEach(asked(first), first, [&](std::size_t lane) { frame_.scratch->shaped.push_back(tile_->vertices[lane]); });
-    }
-  }
-
-  Bounds boundsOfTile() const {
-    V3 low = points_.load(0);
-    V3 high = low;
-    for (std::size_t first = width(); first < kLanes; first += width()) {
-      const V3 p = points_.load(first);
-      low = {hn::Min(low.x, p.x), hn::Min(low.y, p.y), hn::Min(low.z, p.z)};
-      high = {hn::Max(high.x, p.x), hn::Max(high.y, p.y), hn::Max(high.z, p.z)};
-    }
-    const auto least = [](V v) { return hn::GetLane(hn::MinOfLanes(kTag, v)); };
-    const auto most = [](V v) { return hn::GetLane(hn::MaxOfLanes(kTag, v)); };
-    return {{least(low.x), least(low.y), least(low.z)}, {most(high.x), most(high.y), most(high.z)}};
-  }
-
-  const TileCandidate& candidate(std::size_t i) const {
-    return frame_.tiles->candidates[static_cast<std::size_t>(tile_->firstCandidate) + i];
-  }
-  const PosedPrimitive& primitive(int index) const { return frame_.field.primitives[static_cast<std::size_t>(index)]; }
-  const UnitBallMap& influence(int index) const { return primitive(index).influence; }
 
   void moveLanes(std::size_t first) {
     const V3 p = points_.load(first);
     const OnSkin onSkin = sampleSkin(p, first);
     const M active = both(hn::Ne(onSkin.field, zero()), asked(first));
     if (!any(active)) return;
-    frame_.scratch->counts.projected += static_cast<int>(hn::CountTrue(kTag, active));
+    scratch_.counts.projected += static_cast<int>(hn::CountTrue(kTag, active));
     directions_.gather(frame_.rise.directions, tile_->vertices, first);
     const V3 d = directions_.load(first);
     const LaneSkin skin = skinOf(onSkin);
     fillTerms(p, d, skin, active, first);
-    const RayLanes rays(frame_.scratch->lanes, cliques_, skin, first);
+    const RayLanes rays(scratch_.lanes, cliques_, skin, first);
     const LaneRise rise = riseOf(rays, skin, onSkin);
     const LaneSearch search = rays.bracket(rise, active);
     V t;
@@ -130,43 +90,18 @@ class TileSweller {
     if (any(known)) place(p, d, skin, {t, search.rootless, known}, first);
   }
 
-  /// Lanes that hold a vertex of their own that is to be projected.
-  M asked(std::size_t first) const {
-    const auto& skipped = frame_.field.skipped;
-    const auto isAsked = [&](std::size_t lane) {
-      if (lane >= static_cast<std::size_t>(tile_->used)) return false;
-      return skipped.empty() || skipped[static_cast<std::size_t>(tile_->carriers[lane])] == 0;
-    };
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < width(); ++i) bits |= static_cast<std::uint64_t>(isAsked(first + i)) << i;
-    return hn::LoadMaskBits(kTag, reinterpret_cast<const std::uint8_t*>(&bits));
-  }
-
-  V weightedStrength(std::size_t i, const PosedPrimitive& muscle, std::size_t first) const {
-    const LaneFloats& weights = frame_.tiles->weights[static_cast<std::size_t>(tile_->firstCandidate) + i];
-    return all(muscle.strength) * hn::Load(kTag, weights.at(first));
-  }
-
-  /// r^2 is scale |y|^2, y = inBall(ball, x - center).
-  static HWY_INLINE V scaleOf(const UnitBallMap& ball) {
-    return all(ball.inverseRadius > 0.0f ? ball.inverseRadius * ball.inverseRadius : 1.0f);
-  }
-  static HWY_INLINE V3 inBall(const UnitBallMap& ball, const V3& v) {
-    return ball.inverseRadius > 0.0f ? v : times(ball.toUnit, v);
-  }
-
   OnSkin sampleSkin(const V3& p, std::size_t first) const {
-    LaneScratch& scratch = frame_.scratch->lanes;
+    LaneScratch& lanes = scratch_.lanes;
     V carved = zero();
     V together = zero();
     V shares = zero();
     V widths = zero();
     for (std::size_t slot = 0; slot < cliques_.slotCount; ++slot) {
-      hn::Store(zero(), kTag, scratch.sums[slot].of[0].at(first));
+      hn::Store(zero(), kTag, lanes.sums[slot].of[0].at(first));
     }
     for (std::size_t n = 0; n < nearCount_; ++n) {
-      const std::size_t i = static_cast<std::size_t>(frame_.scratch->near[n]);
-      if (!(frame_.scratch->spans[i].gap < 0.0f)) continue;
+      const std::size_t i = static_cast<std::size_t>(scratch_.near[n]);
+      if (!(scratch_.spans[i].gap < 0.0f)) continue;
       const PosedPrimitive& muscle = primitive(candidate(i).primitive);
       const UnitBallMap& ball = muscle.influence;
       if (ball.boundingRadius == 0.0f) continue;
@@ -181,7 +116,7 @@ class TileSweller {
       } else if (cliques_.empty()) {
         together = together + value;
       } else {
-        LaneFloats& sum = scratch.sums[static_cast<std::size_t>(candidate(i).slot)].of[0];
+        LaneFloats& sum = lanes.sums[static_cast<std::size_t>(candidate(i).slot)].of[0];
         hn::Store(hn::Load(kTag, sum.at(first)) + value, kTag, sum.at(first));
       }
     }
@@ -193,10 +128,10 @@ class TileSweller {
   /// Terms in the search's direction and sign: those that some active lane's ray meets ahead. A term that a ray does
   /// not meet adds 0 to it, so that no lane depends on what its neighbours meet.
   void fillTerms(const V3& p, const V3& d, const LaneSkin& skin, M active, std::size_t first) {
-    LaneScratch& scratch = frame_.scratch->lanes;
-    scratch.termCount = 0;
+    LaneScratch& lanes = scratch_.lanes;
+    lanes.termCount = 0;
     for (std::size_t n = 0; n < nearCount_; ++n) {
-      const std::size_t i = static_cast<std::size_t>(frame_.scratch->near[n]);
+      const std::size_t i = static_cast<std::size_t>(scratch_.near[n]);
       const PosedPrimitive& muscle = primitive(candidate(i).primitive);
       const UnitBallMap& ball = muscle.influence;
       if (ball.boundingRadius == 0.0f) continue;
@@ -214,7 +149,7 @@ class TileSweller {
       const V a = scale * squared;
       const V ahead = skin.sign * middle;
       if (!any(both(seen, liesAhead(a, ahead, peak)))) continue;
-      LaneTerm& term = scratch.terms[scratch.termCount++];
+      LaneTerm& term = lanes.terms[lanes.termCount++];
       hn::Store(a, kTag, term.a.at(first));
       hn::Store(ahead, kTag, term.middle.at(first));
       hn::Store(peak, kTag, term.peak.at(first));
@@ -224,19 +159,14 @@ class TileSweller {
     }
   }
 
-  HWY_INLINE V slotSum(std::size_t clique, std::size_t which, std::size_t first) const {
-    V sum = zero();
-    for (int i = cliques_.begin[clique]; i < cliques_.begin[clique + 1]; ++i) {
-      const int slot = cliques_.slots[static_cast<std::size_t>(i)];
-      sum = sum + hn::Load(kTag, frame_.scratch->lanes.sums[static_cast<std::size_t>(slot)].of[which].at(first));
-    }
-    return sum;
-  }
-
   LaneSkin skinOf(const OnSkin& onSkin) const {
     const M outward = hn::Gt(onSkin.field, zero());
-    return {choose(outward, all(1.0f), all(-1.0f)), all(1.0f - isoRadius_) / onSkin.blendWidth, all(isoRadius_),
-            all(isoRoot_), choose(outward, all(isoRoot_), all(1e30f))};
+    return {choose(outward, all(1.0f), all(-1.0f)),
+            all(1.0f - isoRadius_) / onSkin.blendWidth,
+            all(isoRadius_),
+            all(isoRoot_),
+            choose(outward, all(isoRoot_), all(1e30f)),
+            zero()};
   }
 
   /// Where terms may rise: before its middle one that adds, after it one that takes away.
@@ -262,67 +192,19 @@ class TileSweller {
     return rise;
   }
 
-  void giveUp(M mask, std::size_t first) {
-    if (!any(mask)) return;
-    forEach(mask, first, [&](std::size_t lane) { frame_.scratch->uncertified.push_back(tile_->vertices[lane]); });
-  }
-
-  /// F's gradient at s along the directions, and in `value` sign * F.
-  V3 gradientAt(const V3& x, const RayLanes& rays, const LaneSkin& skin, V t, V& value, std::size_t first) const {
-    V3 gradient{zero(), zero(), zero()};
-    value = zero();
-    for (std::size_t slot = 0; slot < cliques_.slotCount; ++slot) {
-      for (LaneFloats& sum : frame_.scratch->lanes.sums[slot].of) rays.store(zero(), sum);
-    }
-    for (const LaneTerm& term : rays.terms()) {
-      const V along = t - rays.load(term.middle);
-      const V w = hn::Max(zero(), rays.load(term.peak) - rays.load(term.a) * along * along);
-      if (!any(hn::Gt(w, zero()))) continue;
-      const UnitBallMap& ball = influence(term.primitive);
-      V3 y = x - all(ball.center);
-      if (ball.inverseRadius > 0.0f) {
-        y = all(ball.inverseRadius * ball.inverseRadius) * y;
-      } else {
-        y = transposedTimes(ball.toUnit, times(ball.toUnit, y));
-      }
-      const V fw = rays.load(term.factor) * w;
-      const V3 part = (all(-4.0f) * skin.sign * fw) * y;
-      if (cliques_.empty() || term.slot == LaneTerm::kEverySum) {
-        value = value + fw * w;
-        gradient = gradient + part;
-      } else {
-        SlotSums& sums = frame_.scratch->lanes.sums[static_cast<std::size_t>(term.slot)];
-        rays.store(rays.load(sums.of[0]) + fw * w, sums.of[0]);
-        rays.store(rays.load(sums.of[1]) + part.x, sums.of[1]);
-        rays.store(rays.load(sums.of[2]) + part.y, sums.of[2]);
-        rays.store(rays.load(sums.of[3]) + part.z, sums.of[3]);
-      }
-    }
-    V best = zero();
-    V3 bestGradient{zero(), zero(), zero()};
-    for (std::size_t k = 0; k + 1 < cliques_.begin.size(); ++k) {
-      const V sum = slotSum(k, 0, first);
-      const M wins = hn::Gt(skin.sign * sum, skin.sign * best);
-      best = choose(wins, sum, best);
-      bestGradient = choose(wins, V3{slotSum(k, 1, first), slotSum(k, 2, first), slotSum(k, 3, first)}, bestGradient);
-    }
-    value = value + best;
-    return gradient + bestGradient;
-  }
-
   void place(const V3& p, const V3& d, const LaneSkin& skin, const Found& found, std::size_t first) {
     const V t = found.t;
     const M moved = both(found.known, hn::Ne(t, zero()));
     if (!any(moved)) return;
-    const RayLanes rays(frame_.scratch->lanes, cliques_, skin, first);
+    const RayLanes rays(scratch_.lanes, cliques_, skin, first);
     const V s = skin.sign * t;
     normals_.gather(frame_.surface->normals, tile_->vertices, first);
     const V3 n = normals_.load(first);
     V field;
     const V3 gradient = gradientAt(p + s * d, rays, skin, t, field, first);
     const V residual = choose(butNot(moved, found.rootless), hn::Abs(skin.value(t) + field), zero());
-    frame_.scratch->counts.residualMax =
-        std::max(frame_.scratch->counts.residualMax, hn::GetLane(hn::MaxOfLanes(kTag, residual)));
+    scratch_.counts.residualMax =
+        std::max(scratch_.counts.residualMax, static_cast<double>(hn::GetLane(hn::MaxOfLanes(kTag, residual))));
     // s grows by 1 along d and not at all along the skin: its gradient is n / (n.d).
     const V slope = skin.slope(t) / hn::Max(dot(n, d), all(kLeastAlong));
     LaneFloats limits;
@@ -355,10 +237,6 @@ class TileSweller {
   SwellFrame& frame_;
   float isoRoot_;
   float isoRadius_;
-  const SwellTile* tile_ = nullptr;
-  std::size_t nearCount_ = 0;
-  LaneCliques cliques_;
-  LanePoints points_;
   LanePoints directions_;
   LanePoints normals_;
 };

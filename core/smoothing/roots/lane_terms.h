@@ -26,7 +26,7 @@ struct LaneTerm {
 
 /// Sums of one group, a lane per ray. What they are sums of is the reader's to say.
 struct SlotSums {
-  std::array<LaneFloats, 4> of;
+  std::array<LaneFloats, 5> of;
 };
 
 /// Which slots add up: cliques[begin[k] .. begin[k+1]); none: everything sums.

@@ -24,6 +24,7 @@ struct LaneSkin {
   V isoRadius;     ///< r_T
   V isoRoot;       ///< sqrt T
   V most;          ///< Of the fall below sqrt T: outwards the field ends.
+  V offset;        ///< Added everywhere: 0, or all there is in `replace`, which has no field of the skin.
 
   // w^2 - T = (w - sqrt T)(w + sqrt T): exact in the last place where t, and so the rise, is tiny.
   HWY_INLINE V fall(V t) const {
@@ -32,7 +33,7 @@ struct LaneSkin {
   }
   HWY_INLINE V value(V t) const {
     const V e = fall(t);
-    return zero() - e * (isoRoot + isoRoot - sign * e);
+    return offset - e * (isoRoot + isoRoot - sign * e);
   }
   HWY_INLINE V radius(V t) const { return hn::Max(zero(), isoRadius + sign * (t * inverseWidth)); }
   HWY_INLINE V root(V t) const { return isoRoot - sign * fall(t); }
@@ -158,7 +159,8 @@ class RayLanes {
     // The factors of the skin's slope rise or fall all along: their least values are at the ends.
     const V falls =
         skin_.inverseWidth * hn::Min(skin_.radius(t0), skin_.radius(t1)) * hn::Min(skin_.root(t0), skin_.root(t1));
-    return {skin + least, all(4.0f) * (steepest - falls), values - skin, all(4.0f) * (slopes + falls), skin + atEnd};
+    return {skin + least, all(4.0f) * (steepest - falls), values + hn::Abs(skin), all(4.0f) * (slopes + falls),
+            skin + atEnd};
   }
 
   /// Brackets the first change of sign of the active lanes; psi > 0 at 0. Lanes that end up neither bracketed nor
@@ -210,7 +212,7 @@ class RayLanes {
   HWY_INLINE V load(const LaneFloats& floats) const { return hn::Load(kTag, floats.at(first_)); }
   HWY_INLINE void store(V value, LaneFloats& floats) const { hn::Store(value, kTag, floats.at(first_)); }
 
- private:
+ protected:
   /// From `low`, stretch after stretch: one is passed if its bounds prove that psi stays positive, and holds the root
   /// if psi proves to fall through 0 in it; else it is halved.
   void march(const LaneRise& rise, M open, LaneSearch& search) const {

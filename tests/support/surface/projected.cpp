@@ -7,7 +7,7 @@
 #include "core/rig/attachment.h"
 #include "core/smoothing/patches/patch.h"
 #include "core/smoothing/projection/anchors.h"
-#include "core/smoothing/projection/replace.h"
+#include "core/smoothing/projection/replace_vector.h"
 #include "core/smoothing/projection/rise_directions.h"
 #include "core/smoothing/projection/rise_limits.h"
 #include "core/smoothing/projection/swell_vector.h"
@@ -83,8 +83,8 @@ struct Projected::State {
     poseAnchors(anchors, pose, inWorld);
     std::vector<float> limits(flat.positions.size());
     interpolateValues(character.mesh, *surface.refinement, limitsInBind, limits);
-    replace(character.mesh, field, replaceSettings(), {flat.positions, flat.normals, inWorld, limits}, weights, surface,
-            scratch);
+    replaceAsChosen(character.mesh, field, replaceSettings(), {flat.positions, flat.normals, inWorld, limits}, weights,
+                    tiles, surface, scratch);
   }
 };
 

@@ -1,0 +1,336 @@
+// core/smoothing/projection/replace_kernel.cpp: `replace` on tiles of 16 lanes, compiled once per instruction set.
+#include "core/smoothing/projection/replace_kernel.h"
+
+#include <algorithm>
+
+#include "core/lanes/targets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/smoothing/projection/replace_kernel.cpp"
+#include "hwy/foreach_target.h"
+//
+#include "core/smoothing/projection/tile_field.h"
+#include "core/smoothing/roots/change_lanes.h"
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+
+/// Roots laid over each other: replace.h.
+struct LaidLanes {
+  V3 position;
+  V3 normal;
+  V weight;
+  V residual;
+  M found;
+
+  [[nodiscard]] V left() const { return all(1.0f) - weight; }
+};
+
+/// Vertices and the lines through them.
+struct LineLanes {
+  V3 p;
+  V3 inwards;  ///< Unit.
+  V3 n;        ///< What a root without a gradient takes for its normal.
+  V length;    ///< Inwards, to the anchor.
+};
+
+HWY_INLINE V3 zero3() { return {zero(), zero(), zero()}; }
+
+/// A change of sign along a line.
+struct FoundLanes {
+  V t;
+  M found;
+};
+
+class TileReplacer : TileField {
+ public:
+  explicit TileReplacer(ReplaceFrame& frame)
+      : TileField(*frame.tiles, frame.field, *frame.scratch),
+        frame_(frame),
+        tolerance_(static_cast<float>(frame.settings.tolerance)),
+        skin_{zero(), zero(), zero(), zero(), zero(), zero()},
+        asked_(none()),
+        open_(none()),
+        fallback_(none()) {}
+
+  void move(const SwellTile& tile) {
+    start(tile, frame_.flat.positions);
+    if (!gatherNear()) return;
+    if (nearIsShaped()) {
+      leaveToScalar();
+      return;
+    }
+    for (std::size_t first = 0; first < kLanes; first += width()) moveLanes(first);
+  }
+
+ private:
+  /// The tile's muscles that its vertices' lines can meet. False if there are none.
+  bool gatherNear() {
+    float reach = frame_.settings.searchLength;
+    for (int lane = 0; frame_.wraps && lane < tile_->used; ++lane) {
+      const auto v = static_cast<std::size_t>(tile_->vertices[static_cast<std::size_t>(lane)]);
+      reach = std::max(reach, glm::distance(frame_.flat.positions[v], frame_.flat.anchors[v]));
+    }
+    const Bounds box = boundsOfTile();
+    nearCount_ = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(tile_->candidateCount); ++i) {
+      const UnitBallMap& ball = influence(candidate(i).primitive);
+      if (ball.boundingRadius == 0.0f) continue;
+      if (carrier_walk::spanTo(ball, box).gap < reach) scratch_.near[nearCount_++] = static_cast<int>(i);
+    }
+    return nearCount_ > 0;
+  }
+
+  void moveLanes(std::size_t first) {
+    first_ = first;
+    LaneFloats omega;
+    LanePoints anchors;
+    for (std::size_t lane = first; lane < first + width(); ++lane) {
+      const auto v = static_cast<std::size_t>(tile_->vertices[lane]);
+      omega.lane[lane] = frame_.omega[v];
+      anchors.set(lane, frame_.flat.anchors[v]);
+      normals_.set(lane, frame_.flat.normals[v]);
+    }
+    open_ = both(asked(first), both(hn::Gt(hn::Load(kTag, omega.at(first)), zero()), isSeen()));
+    if (!any(open_)) return;
+    const V3 p = points_.load(first);
+    const V3 n = normals_.load(first);
+    const V3 back = zero3() - n;
+    const V search = all(frame_.settings.searchLength);
+    LineLanes line{p, back, n, search};
+    if (frame_.wraps) {
+      const V3 way = anchors.load(first) - p;
+      line.length = hn::Sqrt(dot(way, way));
+      line.inwards = unitOr(way, back);
+    }
+    aimAlong(line);
+    const M inside = both(open_, hn::Gt(raysOf(kOn, kFall).sample(zero()).value, zero()));
+    if (!frame_.wraps) open_ = inside;
+    asked_ = open_;
+    LaidLanes laid{zero3(), zero3(), zero(), zero(), none()};
+    layLine(line, inside, laid);
+    if (frame_.wraps) {
+      // The anchor is not always inside.
+      const M again = both(butNot(open_, inside), hn::Gt(laid.left(), zero()));
+      fallback_ = again;
+      if (any(again)) {
+        const LineLanes along{p, back, n, search};
+        const M others = butNot(open_, again);
+        open_ = again;
+        aimAlong(along);
+        layStretches(along, zero(), laid);
+        open_ = hn::Or(open_, others);
+      }
+    } else {
+      fallback_ = none();
+    }
+    finish(laid, omega);
+  }
+
+  /// Lanes that some muscle has weight at.
+  M isSeen() const {
+    V sum = zero();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(tile_->candidateCount); ++i) {
+      const LaneFloats& weights = tiles_.weights[static_cast<std::size_t>(tile_->firstCandidate) + i];
+      sum = sum + hn::Load(kTag, weights.at(first_));
+    }
+    return hn::Gt(sum, zero());
+  }
+
+  /// The muscles along the lines, which go on in both directions.
+  void aimAlong(const LineLanes& line) {
+    lineCount_ = 0;
+    for (std::size_t k = 0; k < nearCount_; ++k) {
+      const std::size_t i = static_cast<std::size_t>(scratch_.near[k]);
+      const PosedPrimitive& muscle = primitive(candidate(i).primitive);
+      const UnitBallMap& ball = muscle.influence;
+      const V factor = weightedStrength(i, muscle, first_);
+      const M seen = both(open_, hn::Ne(factor, zero()));
+      const V3 fromCenter = line.p - all(ball.center);
+      const V along = dot(fromCenter, line.inwards);
+      const V squaredApart = dot(fromCenter, fromCenter);
+      const V within = all(1.01f * ball.boundingRadius * ball.boundingRadius) + all(1e-5f) * squaredApart;
+      if (!any(both(seen, hn::Lt(squaredApart - along * along, within)))) continue;
+      const V3 y = inBall(ball, fromCenter);
+      const V3 yd = inBall(ball, line.inwards);
+      const V squared = dot(yd, yd);
+      const V middle = zero() - dot(y, yd) / squared;
+      const V3 nearest = y + middle * yd;
+      const V peak = all(1.0f) - scaleOf(ball) * dot(nearest, nearest);
+      if (!any(both(seen, hn::Gt(peak, zero())))) continue;
+      LaneTerm& term = scratch_.lines[lineCount_++];
+      hn::Store(scaleOf(ball) * squared, kTag, term.a.at(first_));
+      hn::Store(middle, kTag, term.middle.at(first_));
+      hn::Store(peak, kTag, term.peak.at(first_));
+      hn::Store(factor, kTag, term.factor.at(first_));
+      term.primitive = candidate(i).primitive;
+      term.slot = muscle.strength < 0.0f ? LaneTerm::kEverySum : candidate(i).slot;
+    }
+  }
+
+  static constexpr float kOn = 1.0f;     ///< Ways along a line: inwards ...
+  static constexpr float kBack = -1.0f;  ///< ... and outwards.
+  static constexpr float kFall = 1.0f;   ///< What is looked for: where F falls to T ...
+  static constexpr float kRise = -1.0f;  ///< ... and where it rises to it.
+
+  /// psi = sense (F - T) at way t on the lines.
+  ChangeLanes raysOf(float way, float sense) {
+    LaneScratch& lanes = scratch_.lanes;
+    lanes.termCount = lineCount_;
+    for (std::size_t i = 0; i < lineCount_; ++i) {
+      const LaneTerm& line = scratch_.lines[i];
+      LaneTerm& term = lanes.terms[i];
+      const auto copy = [&](const LaneFloats& from, LaneFloats& to, float times)
+                            HWY_ATTR { hn::Store(all(times) * hn::Load(kTag, from.at(first_)), kTag, to.at(first_)); };
+      copy(line.a, term.a, 1.0f);
+      copy(line.middle, term.middle, way);
+      copy(line.peak, term.peak, 1.0f);
+      copy(line.factor, term.factor, sense);
+      term.primitive = line.primitive;
+      term.slot = line.slot;
+    }
+    const float iso = frame_.settings.iso;
+    skin_ = {all(sense), zero(), zero(), zero(), all(1e30f), all(-sense * iso)};
+    return ChangeLanes(lanes, cliques_, skin_, first_);
+  }
+
+  /// Lanes that cannot be vouched for leave open_.
+  FoundLanes change(const ChangeLanes& rays, V begin, V end, M active) {
+    const LaneSearch search = rays.first(begin, end, active);
+    V t = zero();
+    const M solved = rays.solve(search, tolerance_, 5e-8f / tolerance_, t);
+    open_ = butNot(open_, butNot(active, hn::Or(solved, search.rootless)));
+    return {t, both(both(active, solved), open_)};
+  }
+
+  /// Largest F - T over a stretch, by samples. @param rays  looking for falls.
+  static V prominence(const ChangeLanes& rays, V begin, V end) {
+    constexpr int kSamples = kProminenceSamples;
+    V most = zero();
+    for (int i = 1; i <= kSamples; ++i) {
+      const V t = begin + (end - begin) * all(static_cast<float>(i) / static_cast<float>(kSamples + 1));
+      most = hn::Max(most, rays.sample(t).value);
+    }
+    return most;
+  }
+
+  void layLine(const LineLanes& line, M inside, LaidLanes& laid) {
+    V ownEnd = zero();
+    if (any(inside)) {
+      const ChangeLanes out = raysOf(kBack, kFall);
+      const FoundLanes root = change(out, zero(), all(frame_.settings.searchLength), inside);
+      const V outside = prominence(out, zero(), root.t);
+      const V residual = hn::Abs(out.sample(root.t).value);
+      const ChangeLanes on = raysOf(kOn, kFall);
+      const FoundLanes own = change(on, zero(), line.length, both(inside, open_));
+      ownEnd = choose(own.found, own.t, choose(inside, line.length, zero()));
+      const V most = hn::Max(hn::Max(outside, prominence(on, zero(), ownEnd)), on.sample(zero()).value);
+      lay(line, zero() - root.t, {most, residual}, both(root.found, open_), laid);
+    }
+    if (frame_.wraps) layStretches(line, ownEnd, laid);
+  }
+
+  /// From `begin` inwards, as long as there is weight left.
+  void layStretches(const LineLanes& line, V begin, LaidLanes& laid) {
+    const V reachable = hn::Min(line.length, all(frame_.settings.searchLength));
+    const V nudge = all(4.0f * tolerance_);  // Off a root, where rounding decides the sign.
+    V t = choose(hn::Gt(begin, zero()), begin + nudge, zero());
+    M goesOn = open_;
+    for (int i = 0; i < kMostStretches; ++i) {
+      goesOn = both(both(goesOn, open_), both(hn::Lt(t, reachable), hn::Gt(laid.left(), zero())));
+      if (!any(goesOn)) return;
+      const FoundLanes in = change(raysOf(kOn, kRise), t, reachable, goesOn);
+      goesOn = in.found;
+      if (!any(goesOn)) return;
+      const ChangeLanes falls = raysOf(kOn, kFall);
+      const FoundLanes out = change(falls, in.t + nudge, line.length, goesOn);
+      const V end = choose(out.found, out.t, line.length);
+      const V residual = hn::Abs(falls.sample(in.t).value);
+      lay(line, in.t, {prominence(falls, in.t, end), residual}, both(goesOn, open_), laid);
+      t = end + nudge;
+    }
+  }
+
+  static V eased(V t) {
+    const V x = hn::Min(hn::Max(t, zero()), all(1.0f));
+    return x * x * (all(3.0f) - all(2.0f) * x);
+  }
+
+  struct RootLanes {
+    V prominence;
+    V residual;
+  };
+
+  /// A root at t inwards. The rays are those that look inwards for falls.
+  void lay(const LineLanes& line, V t, const RootLanes& root, M mask, LaidLanes& laid) {
+    if (!any(mask)) return;
+    const V far = (hn::Abs(t) / all(frame_.settings.searchLength) - all(kFadeBegin)) / all(1.0f - kFadeBegin);
+    const V share = root.prominence / all(kFullProminence * frame_.settings.iso);
+    const V own = eased(share) * (all(1.0f) - eased(far));
+    const M whole = hn::Ge(own, all(1.0f));
+    const V weight = choose(whole, laid.left(), own * laid.left());
+    laid.found = hn::Or(laid.found, mask);
+    laid.residual = choose(mask, hn::Max(laid.residual, root.residual), laid.residual);
+    const M counts = both(mask, hn::Gt(weight, zero()));
+    if (!any(counts)) return;
+    const V3 x = line.p + t * line.inwards;
+    const ChangeLanes rays(scratch_.lanes, cliques_, skin_, first_);
+    V value;
+    const V3 gradient = gradientAt(x, rays, skin_, t, value, first_);
+    const V3 normal = unitOr(zero3() - gradient, line.n);
+    laid.position = choose(counts, laid.position + weight * x, laid.position);
+    laid.normal = choose(counts, laid.normal + weight * normal, laid.normal);
+    laid.weight = choose(counts, choose(whole, all(1.0f), laid.weight + weight), laid.weight);
+  }
+
+  void finish(const LaidLanes& laid, const LaneFloats& omega) {
+    giveUp(butNot(asked_, open_), first_);
+    const M done = both(asked_, open_);
+    scratch_.counts.projected += static_cast<int>(hn::CountTrue(kTag, done));
+    scratch_.counts.unresolved += static_cast<int>(hn::CountTrue(kTag, butNot(done, laid.found)));
+    scratch_.counts.anchorFallbacks += static_cast<int>(hn::CountTrue(kTag, both(done, fallback_)));
+    const V residual = choose(both(done, laid.found), laid.residual, zero());
+    scratch_.counts.residualMax =
+        std::max(scratch_.counts.residualMax, static_cast<double>(hn::GetLane(hn::MaxOfLanes(kTag, residual))));
+    LanePoints positions;
+    LaneFloats weights;
+    positions.store(laid.position, first_);
+    normals_.store(laid.normal, first_);
+    hn::Store(laid.weight, kTag, weights.at(first_));
+    forEach(both(done, hn::Gt(laid.weight, zero())), first_, [&](std::size_t lane) {
+      const auto v = static_cast<std::size_t>(tile_->vertices[lane]);
+      const float limit = frame_.wraps || frame_.flat.inverseLimits.empty() ? 0.0f : frame_.flat.inverseLimits[v];
+      placeReplaced({positions.at(lane), normals_.at(lane), weights.lane[lane]}, omega.lane[lane], limit, v,
+                    *frame_.surface);
+    });
+  }
+
+  ReplaceFrame& frame_;
+  float tolerance_;
+  std::size_t first_ = 0;
+  std::size_t lineCount_ = 0;  ///< Of scratch_.lines.
+  LaneSkin skin_;
+  M asked_;
+  M open_;  ///< Of the asked, those that can still be vouched for.
+  M fallback_;
+  LanePoints normals_;
+};
+
+void replaceTiles(ReplaceFrame& frame) {
+  TileReplacer replacer(frame);
+  for (const SwellTile& tile : frame.asked) replacer.move(tile);
+}
+
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include "core/lanes/dispatch.h"
+
+namespace sinew {
+
+ReplaceKernel replaceKernel(InstructionSet set) { SINEW_RETURN_BY_SET(set, replaceTiles) }
+
+}  // namespace sinew
+#endif

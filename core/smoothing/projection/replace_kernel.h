@@ -1,0 +1,31 @@
+// core/smoothing/projection/replace_kernel.h: `replace` of 16 vertices at once, by instruction set.
+#pragma once
+
+#include <span>
+
+#include "core/lanes/instruction_set.h"
+#include "core/smoothing/projection/projection_scratch.h"
+#include "core/smoothing/projection/replace.h"
+#include "core/smoothing/projection/swell_tiles.h"
+
+namespace sinew {
+
+/// All that some of a frame's tiles need. The kernel allocates nothing.
+struct ReplaceFrame {
+  const SwellTiles* tiles = nullptr;
+  std::span<const SwellTile> asked;  ///< Those of them that are moved.
+  FieldView field;
+  ReplaceSettings settings;
+  FlatVertices flat;
+  bool wraps = true;             ///< ImplicitWeights::wraps
+  std::span<const float> omega;  ///< [V'] weights of the implicit surface.
+  Surface* surface = nullptr;
+  TileScratch* scratch = nullptr;
+};
+
+using ReplaceKernel = void (*)(ReplaceFrame& frame);
+
+/// The kernel for a set that this machine runs (instruction_set.h). All give the same bits.
+[[nodiscard]] ReplaceKernel replaceKernel(InstructionSet set);
+
+}  // namespace sinew

@@ -1,0 +1,36 @@
+// core/smoothing/projection/tile_ranges.h: a frame's tiles, shared out among threads.
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include "core/base/parallel.h"
+#include "core/smoothing/projection/projection_scratch.h"
+#include "core/smoothing/projection/swell_tiles.h"
+
+namespace sinew {
+
+inline constexpr std::size_t kTilesInRange = 16;   ///< Fewer are not worth another thread's trouble.
+inline constexpr std::size_t kRangesOfThread = 4;  ///< So that one with little to do can help.
+
+/// Room for what a range of so many tiles may need.
+void makeRoom(const SwellTiles& tiles, std::size_t range, TileScratch& scratch);
+
+/// Calls use(tiles, range) for parts of the tiles, each with a scratch of its own: scratch.tiles[range].
+/// @return how many ranges there are.
+template <class Use>
+std::size_t forTileRanges(const SwellTiles& tiles, ProjectionScratch& scratch, Use use) {
+  const std::size_t count = tiles.tiles.size();
+  const std::size_t ranges =
+      std::clamp(count / kTilesInRange, std::size_t{1}, kRangesOfThread * static_cast<std::size_t>(threadCount()));
+  scratch.tiles.resize(std::max(scratch.tiles.size(), ranges));
+  forEachIndex(ranges, 1, [&](std::size_t range) {
+    const std::size_t begin = count * range / ranges;
+    const std::size_t end = count * (range + 1) / ranges;
+    makeRoom(tiles, end - begin, scratch.tiles[range]);
+    use(std::span(tiles.tiles).subspan(begin, end - begin), range);
+  });
+  return ranges;
+}
+
+}  // namespace sinew
