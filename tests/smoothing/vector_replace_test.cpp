@@ -29,7 +29,7 @@ TEST(VectorReplace, IsTheScalarOnCharacters) {
     print(scene.name, seen);
     EXPECT_GT(seen.projected, 50) << scene.name;
     EXPECT_EQ(seen.far, 0) << scene.name;
-    EXPECT_LE(seen.uncertifiedShare(), 0.05) << scene.name;
+    EXPECT_LE(seen.uncertifiedShare(), 0.025) << scene.name;
   }
 }
 

@@ -89,12 +89,14 @@ class Projector {
                        scratch_.roots);
   }
 
-  /// Largest phi over a stretch, by samples: continuous in the stretch's ends, 0 when it vanishes.
+  /// Largest phi over a stretch, by samples, or as much as counts whole: continuous in the stretch's ends, 0 when it
+  /// vanishes.
   double prominence(double begin, double end) {
+    const double whole = static_cast<double>(kFullProminence * settings_.iso);
     double most = 0.0;
-    for (int i = 1; i <= kProminenceSamples; ++i) {
-      most = std::max(most,
-                      scratch_.ray.sample(begin + (end - begin) * i / (kProminenceSamples + 1), scratch_.roots).value);
+    for (const int tenths : kProminenceSamples) {
+      most = std::max(most, scratch_.ray.sample(begin + (end - begin) * tenths / 10.0, scratch_.roots).value);
+      if (most >= whole) break;
     }
     return most;
   }

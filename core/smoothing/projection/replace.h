@@ -1,6 +1,7 @@
 // core/smoothing/projection/replace.h: the paper's mode: vertices inside the influence go to the implicit surface.
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "core/smoothing/projection/carrier_walk.h"
@@ -54,7 +55,8 @@ struct ImplicitWeights {
 // What the scalar and the vector path share.
 inline constexpr float kFadeBegin = 0.8f;  ///< Fraction of the search length from where a projection loses weight.
 inline constexpr float kFullProminence = 0.25f;  ///< Fraction of T from which a stretch counts whole.
-inline constexpr int kProminenceSamples = 9;
+/// Tenths of a stretch at which F - T is sampled, those first where it is likely to be large: enough is enough.
+inline constexpr std::array<int, 9> kProminenceSamples{5, 3, 7, 2, 8, 4, 6, 1, 9};
 inline constexpr int kMostStretches = 8;  ///< Along one ray; more is noise.
 
 /// Roots laid over each other, front to back.

@@ -77,7 +77,9 @@ class TileReplacer : TileField {
     for (std::size_t i = 0; i < static_cast<std::size_t>(tile_->candidateCount); ++i) {
       const UnitBallMap& ball = influence(candidate(i).primitive);
       if (ball.boundingRadius == 0.0f) continue;
-      if (carrier_walk::spanTo(ball, box).gap < reach) scratch_.near[nearCount_++] = static_cast<int>(i);
+      const glm::vec3 apart = ball.center - glm::clamp(ball.center, box.low, box.high);
+      const float within = reach + ball.boundingRadius;
+      if (glm::dot(apart, apart) < within * within) scratch_.near[nearCount_++] = static_cast<int>(i);
     }
     return nearCount_ > 0;
   }
@@ -92,7 +94,7 @@ class TileReplacer : TileField {
       anchors.set(lane, frame_.flat.anchors[v]);
       normals_.set(lane, frame_.flat.normals[v]);
     }
-    open_ = both(asked(first), both(hn::Gt(hn::Load(kTag, omega.at(first)), zero()), isSeen()));
+    open_ = seenOf(both(asked(first), hn::Gt(hn::Load(kTag, omega.at(first)), zero())));
     if (!any(open_)) return;
     const V3 p = points_.load(first);
     const V3 n = normals_.load(first);
@@ -128,14 +130,14 @@ class TileReplacer : TileField {
     finish(laid, omega);
   }
 
-  /// Lanes that some muscle has weight at.
-  M isSeen() const {
-    V sum = zero();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(tile_->candidateCount); ++i) {
+  /// Of the lanes those that some muscle has weight at.
+  M seenOf(M lanes) const {
+    M seen = none();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(tile_->candidateCount) && any(butNot(lanes, seen)); ++i) {
       const LaneFloats& weights = tiles_.weights[static_cast<std::size_t>(tile_->firstCandidate) + i];
-      sum = sum + hn::Load(kTag, weights.at(first_));
+      seen = hn::Or(seen, hn::Gt(hn::Load(kTag, weights.at(first_)), zero()));
     }
-    return hn::Gt(sum, zero());
+    return both(lanes, seen);
   }
 
   /// The muscles along the lines, which go on in both directions.
@@ -204,12 +206,13 @@ class TileReplacer : TileField {
     return {t, both(both(active, solved), open_)};
   }
 
-  /// Largest F - T over a stretch, by samples. @param rays  looking for falls.
-  static V prominence(const ChangeLanes& rays, V begin, V end) {
-    constexpr int kSamples = kProminenceSamples;
-    V most = zero();
-    for (int i = 1; i <= kSamples; ++i) {
-      const V t = begin + (end - begin) * all(static_cast<float>(i) / static_cast<float>(kSamples + 1));
+  /// Largest F - T over a stretch, by samples, or as much as counts whole. @param rays  looking for falls.
+  /// @param most  what is known already.
+  V prominence(const ChangeLanes& rays, V begin, V end, M active, V most) const {
+    const V whole = all(kFullProminence * frame_.settings.iso);
+    for (const int tenths : kProminenceSamples) {
+      if (!any(both(active, hn::Lt(most, whole)))) break;
+      const V t = begin + (end - begin) * all(0.1f * static_cast<float>(tenths));
       most = hn::Max(most, rays.sample(t).value);
     }
     return most;
@@ -220,12 +223,13 @@ class TileReplacer : TileField {
     if (any(inside)) {
       const ChangeLanes out = raysOf(kBack, kFall);
       const FoundLanes root = change(out, zero(), all(frame_.settings.searchLength), inside);
-      const V outside = prominence(out, zero(), root.t);
+      const V outside = prominence(out, zero(), root.t, root.found, zero());
       const V residual = hn::Abs(out.sample(root.t).value);
       const ChangeLanes on = raysOf(kOn, kFall);
       const FoundLanes own = change(on, zero(), line.length, both(inside, open_));
       ownEnd = choose(own.found, own.t, choose(inside, line.length, zero()));
-      const V most = hn::Max(hn::Max(outside, prominence(on, zero(), ownEnd)), on.sample(zero()).value);
+      const V atSkin = hn::Max(outside, on.sample(zero()).value);
+      const V most = prominence(on, zero(), ownEnd, root.found, atSkin);
       lay(line, zero() - root.t, {most, residual}, both(root.found, open_), laid);
     }
     if (frame_.wraps) layStretches(line, ownEnd, laid);
@@ -247,7 +251,7 @@ class TileReplacer : TileField {
       const FoundLanes out = change(falls, in.t + nudge, line.length, goesOn);
       const V end = choose(out.found, out.t, line.length);
       const V residual = hn::Abs(falls.sample(in.t).value);
-      lay(line, in.t, {prominence(falls, in.t, end), residual}, both(goesOn, open_), laid);
+      lay(line, in.t, {prominence(falls, in.t, end, goesOn, zero()), residual}, both(goesOn, open_), laid);
       t = end + nudge;
     }
   }
