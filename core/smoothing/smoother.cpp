@@ -37,7 +37,7 @@ constexpr double kRootTolerance = 1e-6;  ///< Fraction of H: a hundredth of the 
 constexpr float kSearchLength = 0.2f;    ///< L of `replace`, fraction of H.
 constexpr int kLeastShared = 6'000;      ///< Refined vertices of `swell`: fewer are done before other threads wake.
 constexpr int kLeastReplaced = 1'000;    ///< Of `replace`.
-constexpr std::int64_t kMaxRefinedVertices = 32'000'000;  ///< About 3 GiB with all that is kept per vertex.
+constexpr std::int64_t kMaxRefinedVertices = 16'000'000;  ///< 8 GiB: half a KiB each with all that is kept.
 
 /// All that follows from a rig and a character, before any pose.
 struct Prepared {
@@ -51,7 +51,7 @@ struct Prepared {
   int shownPrimitives = 0;                     ///< Attached and not hidden.
   std::shared_ptr<const ControlMesh> creased;  ///< The character's mesh with creased wedges; null if none are.
   std::shared_ptr<const Refinement> refinement;
-  SwellTiles tiles;                    ///< Of seen().
+  VertexTiles tiles;                   ///< Of seen().
   std::vector<Anchor> anchors;         ///< [V'] in `replace` with an anchored projection, else empty.
   std::vector<float> inverseLimits;    ///< [V'] of the rise.
   std::vector<std::uint8_t> isBorder;  ///< [V']
@@ -174,7 +174,7 @@ struct Smoother::State {
 
   void prepareTiles(Prepared& next) const {
     if (prepared.refinement == next.refinement && !next.tiles.tiles.empty()) return;
-    next.tiles = makeSwellTiles(mesh(), *next.refinement, next.seen());
+    next.tiles = makeVertexTiles(mesh(), *next.refinement, next.seen());
   }
 
   void prepareFronts(Prepared& next) {

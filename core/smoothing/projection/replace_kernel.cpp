@@ -54,7 +54,7 @@ class TileReplacer : TileField {
         open_(none()),
         fallback_(none()) {}
 
-  void move(const SwellTile& tile) {
+  void move(const VertexTile& tile) {
     start(tile, frame_.flat.positions);
     if (!gatherNear()) return;
     if (nearIsShaped()) {
@@ -323,7 +323,7 @@ class TileReplacer : TileField {
 
 void replaceTiles(ReplaceFrame& frame) {
   TileReplacer replacer(frame);
-  for (const SwellTile& tile : frame.asked) replacer.move(tile);
+  for (const VertexTile& tile : frame.asked) replacer.move(tile);
 }
 
 }  // namespace sinew::HWY_NAMESPACE

@@ -10,11 +10,11 @@
 namespace sinew {
 
 void replaceInTiles(const ControlMesh& mesh, const FieldView& field, const ReplaceSettings& settings,
-                    const FlatVertices& flat, const ImplicitWeights& weights, const SwellTiles& tiles,
+                    const FlatVertices& flat, const ImplicitWeights& weights, const VertexTiles& tiles,
                     InstructionSet set, Surface& surface, ProjectionScratch& scratch) {
   scratch.omega.resize(surface.positions.size());
   interpolateValues(mesh, *surface.refinement, weights.omega, scratch.omega);
-  const std::size_t ranges = forTileRanges(tiles, scratch, [&](std::span<const SwellTile> asked, std::size_t range) {
+  const std::size_t ranges = forTileRanges(tiles, scratch, [&](std::span<const VertexTile> asked, std::size_t range) {
     ReplaceFrame frame{
         &tiles, asked, field, settings, flat, weights.wraps, scratch.omega, &surface, &scratch.tiles[range]};
     replaceKernel(set)(frame);
@@ -40,7 +40,7 @@ void replaceInTiles(const ControlMesh& mesh, const FieldView& field, const Repla
 }
 
 void replaceAsChosen(const ControlMesh& mesh, const FieldView& field, const ReplaceSettings& settings,
-                     const FlatVertices& flat, const ImplicitWeights& weights, const SwellTiles& tiles,
+                     const FlatVertices& flat, const ImplicitWeights& weights, const VertexTiles& tiles,
                      Surface& surface, ProjectionScratch& scratch) {
   const InstructionSet set = chosenInstructionSet();
   if (set == InstructionSet::kScalar || settings.projection != ProjectionKind::kNewton) {

@@ -4,7 +4,7 @@
 
 #include "core/lanes/instruction_set.h"
 #include "core/smoothing/projection/replace.h"
-#include "core/smoothing/projection/swell_tiles.h"
+#include "core/smoothing/projection/vertex_tiles.h"
 
 namespace sinew {
 
@@ -12,13 +12,13 @@ namespace sinew {
 /// is near a primitive that is no ellipsoid. All instruction sets and any number of threads give the same bits.
 /// @param tiles  of the field's lists.  @param set  not kScalar; one that this machine runs.
 void replaceInTiles(const ControlMesh& mesh, const FieldView& field, const ReplaceSettings& settings,
-                    const FlatVertices& flat, const ImplicitWeights& weights, const SwellTiles& tiles,
+                    const FlatVertices& flat, const ImplicitWeights& weights, const VertexTiles& tiles,
                     InstructionSet set, Surface& surface, ProjectionScratch& scratch);
 
 /// By the instruction set that is chosen for this process: replace() where that is kScalar, or where roots are found by
 /// bisection or analytically, which are there to be compared with newton.
 void replaceAsChosen(const ControlMesh& mesh, const FieldView& field, const ReplaceSettings& settings,
-                     const FlatVertices& flat, const ImplicitWeights& weights, const SwellTiles& tiles,
+                     const FlatVertices& flat, const ImplicitWeights& weights, const VertexTiles& tiles,
                      Surface& surface, ProjectionScratch& scratch);
 
 }  // namespace sinew

@@ -36,7 +36,7 @@ class TileSweller : TileField {
         isoRoot_(std::sqrt(frame.settings.iso)),
         isoRadius_(static_cast<float>(std::sqrt(1.0 - std::sqrt(static_cast<double>(frame.settings.iso))))) {}
 
-  void move(const SwellTile& tile) {
+  void move(const VertexTile& tile) {
     start(tile, frame_.surface->positions);
     if (!gatherNear()) return;
     if (nearIsShaped()) {
@@ -243,7 +243,7 @@ class TileSweller : TileField {
 
 void swellTiles(SwellFrame& frame) {
   TileSweller sweller(frame);
-  for (const SwellTile& tile : frame.asked) sweller.move(tile);
+  for (const VertexTile& tile : frame.asked) sweller.move(tile);
 }
 
 }  // namespace sinew::HWY_NAMESPACE

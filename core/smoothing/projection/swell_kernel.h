@@ -8,14 +8,14 @@
 #include "core/lanes/instruction_set.h"
 #include "core/smoothing/projection/projection_scratch.h"
 #include "core/smoothing/projection/swell.h"
-#include "core/smoothing/projection/swell_tiles.h"
+#include "core/smoothing/projection/vertex_tiles.h"
 
 namespace sinew {
 
 /// All that some of a frame's tiles need. The kernel allocates nothing.
 struct SwellFrame {
-  const SwellTiles* tiles = nullptr;
-  std::span<const SwellTile> asked;  ///< Those of them that are moved.
+  const VertexTiles* tiles = nullptr;
+  std::span<const VertexTile> asked;  ///< Those of them that are moved.
   FieldView field;
   SwellSettings settings;
   RiseView rise;

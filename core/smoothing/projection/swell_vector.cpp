@@ -8,8 +8,8 @@
 
 namespace sinew {
 void swellInTiles(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
-                  const SwellTiles& tiles, InstructionSet set, Surface& surface, ProjectionScratch& scratch) {
-  const std::size_t ranges = forTileRanges(tiles, scratch, [&](std::span<const SwellTile> asked, std::size_t range) {
+                  const VertexTiles& tiles, InstructionSet set, Surface& surface, ProjectionScratch& scratch) {
+  const std::size_t ranges = forTileRanges(tiles, scratch, [&](std::span<const VertexTile> asked, std::size_t range) {
     SwellFrame frame{&tiles, asked, field, settings, rise, &surface, &scratch.tiles[range]};
     swellKernel(set)(frame);
   });
@@ -34,7 +34,7 @@ void swellInTiles(const ControlMesh& mesh, const FieldView& field, const SwellSe
 }
 
 void swellAsChosen(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
-                   const SwellTiles& tiles, Surface& surface, ProjectionScratch& scratch) {
+                   const VertexTiles& tiles, Surface& surface, ProjectionScratch& scratch) {
   const InstructionSet set = chosenInstructionSet();
   if (set == InstructionSet::kScalar || settings.projection != ProjectionKind::kNewton) {
     swell(mesh, field, settings, rise, surface, scratch);

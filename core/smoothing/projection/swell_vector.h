@@ -4,7 +4,7 @@
 
 #include "core/lanes/instruction_set.h"
 #include "core/smoothing/projection/swell.h"
-#include "core/smoothing/projection/swell_tiles.h"
+#include "core/smoothing/projection/vertex_tiles.h"
 
 namespace sinew {
 
@@ -14,11 +14,11 @@ namespace sinew {
 /// lies beside it.
 /// @param tiles  of the field's lists.  @param set  not kScalar; one that this machine runs.
 void swellInTiles(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
-                  const SwellTiles& tiles, InstructionSet set, Surface& surface, ProjectionScratch& scratch);
+                  const VertexTiles& tiles, InstructionSet set, Surface& surface, ProjectionScratch& scratch);
 
 /// By the instruction set that is chosen for this process: swell() where that is kScalar, or where roots are found by
 /// bisection or analytically, which are there to be compared with newton.
 void swellAsChosen(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
-                   const SwellTiles& tiles, Surface& surface, ProjectionScratch& scratch);
+                   const VertexTiles& tiles, Surface& surface, ProjectionScratch& scratch);
 
 }  // namespace sinew

@@ -8,7 +8,7 @@
 
 #include "core/lanes/lane_points.h"
 #include "core/smoothing/projection/projection_scratch.h"
-#include "core/smoothing/projection/swell_tiles.h"
+#include "core/smoothing/projection/vertex_tiles.h"
 #include "core/smoothing/roots/ray_lanes.h"
 #include "hwy/highway.h"
 
@@ -18,10 +18,10 @@ namespace sinew::HWY_NAMESPACE {
 /// One tile at a time: its vertices' places, the muscles near it and what a mode's kernel reads of them.
 class TileField {
  protected:
-  TileField(const SwellTiles& tiles, const FieldView& field, TileScratch& scratch)
+  TileField(const VertexTiles& tiles, const FieldView& field, TileScratch& scratch)
       : tiles_(tiles), field_(field), scratch_(scratch) {}
 
-  void start(const SwellTile& tile, std::span<const glm::vec3> positions) {
+  void start(const VertexTile& tile, std::span<const glm::vec3> positions) {
     tile_ = &tile;
     for (std::size_t first = 0; first < kLanes; first += width()) points_.gather(positions, tile.vertices, first);
     const std::size_t set = static_cast<std::size_t>(tile.cliqueSet);
@@ -144,10 +144,10 @@ class TileField {
     return gradient + bestGradient;
   }
 
-  const SwellTiles& tiles_;
+  const VertexTiles& tiles_;
   const FieldView& field_;
   TileScratch& scratch_;
-  const SwellTile* tile_ = nullptr;
+  const VertexTile* tile_ = nullptr;
   std::size_t nearCount_ = 0;  ///< Of scratch_.near: indices of the tile's candidates.
   LaneCliques cliques_;
   LanePoints points_;

@@ -3,7 +3,7 @@
 
 namespace sinew {
 
-void makeRoom(const SwellTiles& tiles, std::size_t range, TileScratch& scratch) {
+void makeRoom(const VertexTiles& tiles, std::size_t range, TileScratch& scratch) {
   const auto grow = [](auto& items, std::size_t size) {
     if (items.size() < size) items.resize(size);
   };

@@ -6,7 +6,7 @@
 
 #include "core/base/parallel.h"
 #include "core/smoothing/projection/projection_scratch.h"
-#include "core/smoothing/projection/swell_tiles.h"
+#include "core/smoothing/projection/vertex_tiles.h"
 
 namespace sinew {
 
@@ -14,12 +14,12 @@ inline constexpr std::size_t kTilesInRange = 16;   ///< Fewer are not worth anot
 inline constexpr std::size_t kRangesOfThread = 4;  ///< So that one with little to do can help.
 
 /// Room for what a range of so many tiles may need.
-void makeRoom(const SwellTiles& tiles, std::size_t range, TileScratch& scratch);
+void makeRoom(const VertexTiles& tiles, std::size_t range, TileScratch& scratch);
 
 /// Calls use(tiles, range) for parts of the tiles, each with a scratch of its own: scratch.tiles[range].
 /// @return how many ranges there are.
 template <class Use>
-std::size_t forTileRanges(const SwellTiles& tiles, ProjectionScratch& scratch, Use use) {
+std::size_t forTileRanges(const VertexTiles& tiles, ProjectionScratch& scratch, Use use) {
   const std::size_t count = tiles.tiles.size();
   const std::size_t ranges =
       std::clamp(count / kTilesInRange, std::size_t{1}, kRangesOfThread * static_cast<std::size_t>(threadCount()));

@@ -35,7 +35,7 @@ struct Projected::State {
   Attachment attachment;
   Carriers carriers;
   CandidateLists candidates;
-  SwellTiles tiles;
+  VertexTiles tiles;
   std::vector<glm::vec3> riseInBind;
   std::vector<float> limitsInBind;
   std::vector<Anchor> anchors;
@@ -96,7 +96,7 @@ Projected::Projected(const Character& character, const Rig& rig)
   state_->riseInBind = riseDirections(character.mesh, kRise * character.height);
   state_->limitsInBind = inverseRiseLimits(character.mesh, state_->riseInBind, kRise * character.height);
   state_->surface.refinement = std::make_shared<const Refinement>(refine(character.mesh, rig.smoothing.depth));
-  state_->tiles = makeSwellTiles(character.mesh, *state_->surface.refinement, state_->candidates);
+  state_->tiles = makeVertexTiles(character.mesh, *state_->surface.refinement, state_->candidates);
   state_->patch.refinement = state_->bindPatch.refinement = state_->surface.refinement;
   Points bind = patchOf(rig.smoothing.patch, character.mesh, *state_->surface.refinement,
                         {character.mesh.positions, character.mesh.normals});

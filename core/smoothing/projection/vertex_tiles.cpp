@@ -1,5 +1,5 @@
-// core/smoothing/projection/swell_tiles.cpp: carriers in order along a space-filling curve, packed.
-#include "core/smoothing/projection/swell_tiles.h"
+// core/smoothing/projection/vertex_tiles.cpp: carriers in order along a space-filling curve, packed.
+#include "core/smoothing/projection/vertex_tiles.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -37,12 +37,12 @@ std::vector<int> alongCurve(const ControlMesh& mesh) {
 
 class Packer {
  public:
-  Packer(const ControlMesh& mesh, const Refinement& refinement, const CandidateLists& lists, SwellTiles& out)
+  Packer(const ControlMesh& mesh, const Refinement& refinement, const CandidateLists& lists, VertexTiles& out)
       : mesh_(mesh), refinement_(refinement), lists_(lists), out_(out), open_(lists.cliqueSets.size()) {}
 
   void addCarrier(int carrier, int firstVertex, int count) {
     if (lists_.of(carrier).empty()) return;
-    SwellTile& tile = at(open_, at(lists_.cliqueSet, carrier));
+    VertexTile& tile = at(open_, at(lists_.cliqueSet, carrier));
     for (int i = 0; i < count; ++i) {
       tile.cliqueSet = at(lists_.cliqueSet, carrier);
       at(tile.vertices, tile.used) = firstVertex + i;
@@ -52,13 +52,13 @@ class Packer {
   }
 
   void closeAll() {
-    for (SwellTile& tile : open_) {
+    for (VertexTile& tile : open_) {
       if (tile.used > 0) close(tile);
     }
   }
 
  private:
-  void close(SwellTile& tile) {
+  void close(VertexTile& tile) {
     for (std::size_t lane = toIndex(tile.used); lane < kLanes; ++lane) {
       tile.vertices[lane] = tile.vertices[0];
       tile.carriers[lane] = tile.carriers[0];
@@ -72,7 +72,7 @@ class Packer {
     tile = {};
   }
 
-  void gatherCandidates(const SwellTile& tile) {
+  void gatherCandidates(const VertexTile& tile) {
     const auto begin = static_cast<std::ptrdiff_t>(out_.candidates.size());
     for (int lane = 0; lane < tile.used; ++lane) {
       if (lane > 0 && at(tile.carriers, lane) == at(tile.carriers, lane - 1)) continue;
@@ -86,7 +86,7 @@ class Packer {
     out_.candidates.erase(rest.begin(), rest.end());
   }
 
-  void fillWeights(const SwellTile& tile) {
+  void fillWeights(const VertexTile& tile) {
     const std::size_t first = out_.weights.size();
     out_.weights.resize(out_.candidates.size(), LaneFloats{});
     const std::span own = std::span(out_.candidates).subspan(first);
@@ -103,11 +103,11 @@ class Packer {
   const ControlMesh& mesh_;
   const Refinement& refinement_;
   const CandidateLists& lists_;
-  SwellTiles& out_;
-  std::vector<SwellTile> open_;  ///< One per clique set: equal sets number their groups equally.
+  VertexTiles& out_;
+  std::vector<VertexTile> open_;  ///< One per clique set: equal sets number their groups equally.
 };
 
-void flattenCliques(const CandidateLists& lists, SwellTiles& out) {
+void flattenCliques(const CandidateLists& lists, VertexTiles& out) {
   for (const CliqueLists& cliques : lists.cliqueSets) {
     std::vector<int> begins{0};
     std::vector<int> slots;
@@ -144,8 +144,8 @@ CarriedVertex carriedVertex(const ControlMesh& mesh, const Refinement& refinemen
           {static_cast<float>(refinement.depth - j - k) / n, static_cast<float>(j) / n, static_cast<float>(k) / n}};
 }
 
-SwellTiles makeSwellTiles(const ControlMesh& mesh, const Refinement& refinement, const CandidateLists& lists) {
-  SwellTiles out;
+VertexTiles makeVertexTiles(const ControlMesh& mesh, const Refinement& refinement, const CandidateLists& lists) {
+  VertexTiles out;
   flattenCliques(lists, out);
   Packer packer(mesh, refinement, lists, out);
   std::vector<bool> known(toIndex(refinement.controlVertices + refinement.controlEdges), false);

@@ -1,4 +1,4 @@
-// core/smoothing/projection/swell_tiles.h: refined vertices in packs of 16 neighbours that share one list of muscles.
+// core/smoothing/projection/vertex_tiles.h: refined vertices in packs of 16 neighbours that share one list of muscles.
 // Made once per edit.
 #pragma once
 
@@ -14,7 +14,7 @@
 namespace sinew {
 
 /// Up to 16 refined vertices of neighbouring carriers with the same cliques.
-struct SwellTile {
+struct VertexTile {
   std::array<int, kLanes> vertices{};  ///< Lanes beyond `used` repeat the first and see nothing.
   std::array<int, kLanes> carriers{};
   int used = 0;
@@ -28,8 +28,8 @@ struct TileCandidate {
   int slot = 0;  ///< See Candidate::slot.
 };
 
-struct SwellTiles {
-  std::vector<SwellTile> tiles;
+struct VertexTiles {
+  std::vector<VertexTile> tiles;
   std::vector<TileCandidate> candidates;  ///< Of tile after tile, ascending by primitive.
   std::vector<LaneFloats> weights;        ///< m_i of each candidate at each lane; 0 where the carrier does not see it.
   std::vector<std::vector<int>> cliqueBegins;  ///< Of each clique set; see LaneCliques.
@@ -39,8 +39,8 @@ struct SwellTiles {
   std::size_t mostSlots = 0;
 };
 
-[[nodiscard]] SwellTiles makeSwellTiles(const ControlMesh& mesh, const Refinement& refinement,
-                                        const CandidateLists& lists);
+[[nodiscard]] VertexTiles makeVertexTiles(const ControlMesh& mesh, const Refinement& refinement,
+                                          const CandidateLists& lists);
 
 /// What its carrier lends a refined vertex.
 [[nodiscard]] CarriedVertex carriedVertex(const ControlMesh& mesh, const Refinement& refinement, int vertex);
