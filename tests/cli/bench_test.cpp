@@ -141,7 +141,9 @@ TEST_F(Bench, WholeInOneRun) {
   EXPECT_GE(json.at("machine").at("threads").number(0), 1.0);
   expectFigures(json.at("swell"));
   expectFigures(json.at("replace"));
-  EXPECT_EQ(json.at("replace").at("uncertified_share").number(1), 0.0) << "nothing is vectorised there";
+  for (const char* mode : {"swell", "replace"}) {
+    EXPECT_LE(json.at(mode).at("uncertified_share").number(1), 0.05) << mode;
+  }
   ASSERT_EQ(json.at("table1").items().size(), 2u * 6u * 3u * 2u) << "modes x depths x projections x culling";
   for (const Json& row : json.at("table1").items()) {
     EXPECT_GT(row.at("fps").number(0), 0.0) << row.dump();
