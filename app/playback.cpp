@@ -3,10 +3,10 @@
 #include "app/playback.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
+#include "core/base/stopwatch.h"
 #include "core/smoothing/auto_depth.h"
 
 namespace sinew::app {
@@ -119,15 +119,13 @@ Pose poseAt(const Transport& transport, const Character& character) {
 }
 
 LiveSurface::LiveSurface(std::shared_ptr<const Character> character)
-    : character_(std::move(character)),
-      smoother_(character_),
-      meanEdge_(meanEdgeFraction(character_->mesh, character_->height)) {}
+    : tables_(characterTables(std::move(character))),
+      meanEdge_(meanEdgeFraction(tables_->character->mesh, tables_->character->height)) {}
 
-Result<LiveSurface> LiveSurface::create(std::shared_ptr<const Character> character, const CommandStack& commands,
-                                        const Transport& transport) {
-  LiveSurface live(std::move(character));
+Result<LiveSurface> LiveSurface::create(const Document& document, const Transport& transport) {
+  LiveSurface live(document.character);
   live.movePose(transport);
-  if (const auto updated = live.update(commands); !updated) return updated.error();
+  if (const auto updated = live.update(document); !updated) return updated.error();
   return live;
 }
 
@@ -137,36 +135,45 @@ int LiveSurface::depthFor(const SmoothingSettings& settings, float heightPixels)
   return followed_ ? depth_ : settings.depth;
 }
 
-Result<bool> LiveSurface::prepareIfChanged(const CommandStack& commands, int depth, const std::vector<int>& hidden) {
-  if (triedRig_ == commands.revision() && depth_ == depth && hidden_ == hidden) return false;
-  triedRig_ = commands.revision();
+Result<bool> LiveSurface::prepareIfChanged(const Document& document, int depth, const std::vector<int>& hidden) {
+  if (triedRig_ == document.commands.revision() && depth_ == depth && hidden_ == hidden) return false;
+  triedRig_ = document.commands.revision();
   depth_ = depth;
   hidden_ = hidden;
-  Rig rig = commands.rig();
-  rig.smoothing.depth = depth;
-  const auto start = std::chrono::steady_clock::now();
-  const Result<void> prepared = smoother_.prepare(rig, hidden);
-  prepareSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  Stopwatch watch;
+  auto prepared = prepare(tables_, document.rig(), {hidden, depth, document.poser()}, preparation_.get(), graphs_);
+  prepareSeconds_ = watch.lap();
   if (!prepared) return prepared.error();
+  preparation_ = std::move(prepared).value();
   return true;
+}
+
+/// While a rig is refused, the surface is that of another rig than the one the document poses.
+void LiveSurface::smooth(const Document& document, const std::optional<glm::vec3>& eye) {
+  if (preparation_->poser == document.poser()) {
+    sinew::smooth(preparation_, document.posedRig(pose_), pose_, eye, memory_, surface_);
+  } else {
+    const PosedRig former = preparation_->poser->pose(pose_);
+    sinew::smooth(preparation_, former, pose_, eye, memory_, surface_);
+  }
 }
 
 void LiveSurface::movePose(const Transport& transport) {
   if (posed_ && samePose(*posed_, transport)) return;
-  pose_ = poseAt(transport, *character_);
+  pose_ = poseAt(transport, *tables_->character);
   posed_ = transport;
   moved_ = true;
 }
 
-Result<bool> LiveSurface::update(const CommandStack& commands, const SurfaceView& view) {
-  const SmoothingSettings& settings = commands.rig().smoothing;
+Result<bool> LiveSurface::update(const Document& document, const SurfaceView& view) {
+  const SmoothingSettings& settings = document.rig().smoothing;
   const int depth = depthFor(settings, view.heightPixels);
   followed_ = settings.autoDepth && (followed_ || view.heightPixels > 0.0f);
-  const Result<bool> prepared = prepareIfChanged(commands, depth, view.hidden);
+  const Result<bool> prepared = prepareIfChanged(document, depth, view.hidden);
   if (!prepared && revision_ == 0) return prepared;
   const bool stale = moved_ || eye_ != view.eye || (prepared.ok() && prepared.value());
   if (stale) {
-    smoother_.smooth(pose_, surface_, view.eye);
+    smooth(document, view.eye);
     moved_ = false;
     eye_ = view.eye;
     ++revision_;

@@ -6,11 +6,13 @@
 #include <optional>
 #include <vector>
 
-#include "app/document/command_stack.h"
+#include "app/document/document.h"
 #include "core/skeleton/pose_override.h"
+#include "core/smoothing/preparation.h"
+#include "core/smoothing/smooth.h"
 #include "sinew/base/result.h"
 #include "sinew/character/character.h"
-#include "sinew/smoothing/smoother.h"
+#include "sinew/smoothing/surface.h"
 
 namespace sinew::app {
 
@@ -68,16 +70,16 @@ struct SurfaceView {
 /// when an eye it was made for has.
 class LiveSurface {
  public:
-  /// Error: the rig cannot be prepared for this character.
-  [[nodiscard]] static Result<LiveSurface> create(std::shared_ptr<const Character> character,
-                                                  const CommandStack& commands, const Transport& transport);
+  /// Error: the rig cannot be prepared for its character.
+  [[nodiscard]] static Result<LiveSurface> create(const Document& document, const Transport& transport);
 
   /// Brings the pose to the transport's moment; the surface follows with the next update().
   void movePose(const Transport& transport);
 
   /// Brings the surface up to date with rig, pose and view. True if it changed. Error: the rig was refused; the surface
   /// then goes on with the last rig that was accepted, and the same rig is not tried again.
-  [[nodiscard]] Result<bool> update(const CommandStack& commands, const SurfaceView& view = {});
+  /// @param document  of the character that this was created with
+  [[nodiscard]] Result<bool> update(const Document& document, const SurfaceView& view = {});
 
   [[nodiscard]] const Pose& pose() const { return pose_; }
   [[nodiscard]] const Surface& surface() const { return surface_; }
@@ -89,12 +91,15 @@ class LiveSurface {
 
  private:
   explicit LiveSurface(std::shared_ptr<const Character> character);
+  void smooth(const Document& document, const std::optional<glm::vec3>& eye);
   /// Follows the size on screen where the rig asks for it and the size is known; else keeps still, or is the rig's.
   [[nodiscard]] int depthFor(const SmoothingSettings& settings, float heightPixels) const;
-  [[nodiscard]] Result<bool> prepareIfChanged(const CommandStack& commands, int depth, const std::vector<int>& hidden);
+  [[nodiscard]] Result<bool> prepareIfChanged(const Document& document, int depth, const std::vector<int>& hidden);
 
-  std::shared_ptr<const Character> character_;
-  Smoother smoother_;
+  std::shared_ptr<const CharacterTables> tables_;
+  std::shared_ptr<const Preparation> preparation_;  ///< Of the last rig that was accepted.
+  BlendingGraphMemo graphs_;
+  SmoothingMemory memory_;
   Pose pose_;
   Surface surface_;
   std::size_t revision_ = 0;

@@ -105,10 +105,9 @@ std::vector<NumberRef> refsOf(const Rig& rig, std::span<const HeldNumber> number
   return refs;
 }
 
-std::shared_ptr<const Rig> rigNow(const EditorState& state) {
-  std::shared_ptr<const Rig> rig = state.document.commands.sharedRig();
-  if (!state.hasCharacter() || !isAnimated(*rig)) return rig;
-  return std::make_shared<const Rig>(drivenRig(*rig, state.character(), state.live->pose()));
+float numberNow(const EditorState& state, const NumberRef& ref) {
+  if (!state.hasCharacter()) return numberOf(state.document.rig(), ref);
+  return numberOf(state.document.posedRig(state.live->pose()).numbers, ref);
 }
 
 std::optional<float> inputNow(const EditorState& state, const DriverInput& input) {
@@ -267,7 +266,7 @@ float drivenKeyValue(const EditorState& state, const NumberRef& ref) {
       if (driver.mode == DriverMode::kReplace && driver.input == input) return valueAt(driver.curve, *x);
     }
   }
-  return numberOf(*rigNow(state), ref);
+  return numberNow(state, ref);
 }
 
 Result<Rig> withDrivenKeys(const EditorState& state, std::span<const NumberRef> refs, std::span<const float> values) {

@@ -20,8 +20,8 @@ namespace sinew::app {
 /// Those that are there.
 [[nodiscard]] std::vector<NumberRef> refsOf(const Rig& rig, std::span<const HeldNumber> numbers);
 
-/// The rig as it is in the pose that is shown; the rig itself where nothing is animated.
-[[nodiscard]] std::shared_ptr<const Rig> rigNow(const EditorState& state);
+/// A number as keys and drivers leave it in the pose that is shown.
+[[nodiscard]] float numberNow(const EditorState& state, const NumberRef& ref);
 [[nodiscard]] std::optional<float> inputNow(const EditorState& state, const DriverInput& input);
 
 // Keys.

@@ -89,8 +89,11 @@ std::vector<AnimationCost> measureAnimation(const Character& character, int roun
     rests.push_back(rest ? std::optional(rest.value()) : std::nullopt);
   }
   const LineLanes lines(rests);
-  Rig rig = drivenRigOf(character, bones);
-  DrivenNumbers numbers(rig, character);
+  const Rig rig = drivenRigOf(character, bones);
+  const DrivenNumbers numbers(rig, character);
+  const RigNumbers drawn = drawnNumbers(rig);
+  RigNumbers driven;
+  DriverScratch drivers;
 
   std::vector<Work> works{{{"skinning, vertices", static_cast<int>(character.mesh.positions.size()), 0.0, 1.0}, {}},
                           {{"lines", kLines, 0.0, 1.0}, {}},
@@ -104,7 +107,10 @@ std::vector<AnimationCost> measureAnimation(const Character& character, int roun
     const Pose pose = clip ? samplePose(skeleton, *clip, share * clip->duration) : restPose(skeleton);
     timed(works[0], [&] { skin(character, pose, skinned); });
     timed(works[1], [&] { poseLines(lines, skeleton, pose, scratch, posed); });
-    timed(works[2], [&] { numbers.apply(pose, skeleton, rig); });
+    timed(works[2], [&] {
+      driven = drawn;
+      numbers.apply(pose, skeleton, drivers, driven);
+    });
   }
   std::vector<AnimationCost> costs;
   for (Work& work : works) {

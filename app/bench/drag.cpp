@@ -34,7 +34,7 @@ class Drag {
   static Result<Drag> create(const DragTrial& trial, const Situation& situation) {
     Drag drag(trial.character, situation);
     if (drag.document_.rig().primitives.empty()) return Error{"", trial.scene, "no skin to lay muscles in"};
-    Result<LiveSurface> live = LiveSurface::create(trial.character, drag.document_.commands, drag.transport_);
+    Result<LiveSurface> live = LiveSurface::create(drag.document_, drag.transport_);
     if (!live) return live.error();
     drag.live_.emplace(std::move(live.value()));
     return drag;
@@ -50,7 +50,7 @@ class Drag {
     document_.commands.updateGesture(std::move(rig.value()));
     advance(transport_, kFrame, *document_.character);
     live_->movePose(transport_);
-    if (const Result<bool> updated = live_->update(document_.commands); !updated) return updated.error();
+    if (const Result<bool> updated = live_->update(document_); !updated) return updated.error();
     if (timed) {
       frameSeconds_.push_back(secondsNow() - start);
       prepareSeconds_.push_back(live_->prepareSeconds());

@@ -31,6 +31,7 @@ Result<DrawCost> measureDrawing(const BenchScene& scene, int rounds) {
   SkinnedMesh skinned;
   skin(*scene.character, poses.front(), skinned);
   const View view = framedView(skinned.positions, 0.5f, 0.2f, kSize, false);
+  const RigPoser poser(rig, *scene.character);
   std::vector<double> draw, upload;
   for (std::size_t p = 0; p < poses.size(); ++p) {  // The first picture makes programs and textures.
     Surface surface;
@@ -39,7 +40,7 @@ Result<DrawCost> measureDrawing(const BenchScene& scene, int rounds) {
     picture.character = scene.character.get();
     picture.surface = &surface;
     picture.pose = &poses[p];
-    picture.primitives = shapesOf(rig, *scene.character, poses[p]);
+    picture.primitives = shapesOf(rig, poser.pose(poses[p]));
     viewport.value()->draw(picture, view, {});
     if (p == 0) continue;
     draw.push_back(viewport.value()->seconds().draw);

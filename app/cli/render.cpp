@@ -60,14 +60,22 @@ Pose poseAtTime(const Character& character, const AnimationClip* clip, double ti
                          : samplePose(character.skeleton, *clip, static_cast<float>(time));
 }
 
+/// A rig's muscles as they are drawn, moment after moment.
+struct PosedShapes {
+  const Rig& rig;
+  RigPoser poser;
+
+  [[nodiscard]] std::vector<PrimitiveShape> at(const Pose& pose) const { return shapesOf(rig, poser.pose(pose)); }
+};
+
 /// Points that hold all that one moment shows: skin, ellipsoids, and bones where they are drawn.
-void addFramedPoints(const Character& character, const Rig& rig, const Pose& pose, const DisplaySettings& display,
-                     std::vector<glm::vec3>& points) {
+void addFramedPoints(const Character& character, const PosedShapes& muscles, const Pose& pose,
+                     const DisplaySettings& display, std::vector<glm::vec3>& points) {
   SkinnedMesh skinned;
   skin(character, pose, skinned);
   const std::vector<glm::vec3> extremes = extremePoints(skinned.positions);
   points.insert(points.end(), extremes.begin(), extremes.end());
-  for (const PrimitiveShape& shape : shapesOf(rig, character, pose)) {
+  for (const PrimitiveShape& shape : muscles.at(pose)) {
     if (shape.sign < 0 && !display.primitives && !display.influence && !display.anatomy) continue;
     const std::array<glm::vec3, 6> ends = extremesOf(shape, display.influence ? shape.reach : 1.0f);
     points.insert(points.end(), ends.begin(), ends.end());
@@ -80,11 +88,11 @@ void addFramedPoints(const Character& character, const Rig& rig, const Pose& pos
 }
 
 /// One view for all moments, so that a clip's pictures stand still.
-View steadyView(const Document& document, const Rig& rig, const AnimationClip* clip, const RenderOptions& options,
-                const RenderPlan& plan) {
+View steadyView(const Document& document, const PosedShapes& muscles, const AnimationClip* clip,
+                const RenderOptions& options, const RenderPlan& plan) {
   std::vector<glm::vec3> points;
   for (const double time : plan.times) {
-    addFramedPoints(*document.character, rig, poseAtTime(*document.character, clip, time), plan.display, points);
+    addFramedPoints(*document.character, muscles, poseAtTime(*document.character, clip, time), plan.display, points);
   }
   return framedView(points, plan.yaw, plan.pitch, plan.size, options.orthographic);
 }
@@ -109,8 +117,8 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Image drawPicture(double time, const AnimationClip* clip, const View& view, const Rig& rig, const RenderPlan& plan,
-                  Smoother& smoother, Viewport& viewport, RenderSeconds& seconds) {
+Image drawPicture(double time, const AnimationClip* clip, const View& view, const PosedShapes& muscles,
+                  const RenderPlan& plan, Smoother& smoother, Viewport& viewport, RenderSeconds& seconds) {
   const Character& character = smoother.character();
   const Pose pose = poseAtTime(character, clip, time);
   const auto start = std::chrono::steady_clock::now();
@@ -121,7 +129,7 @@ Image drawPicture(double time, const AnimationClip* clip, const View& view, cons
   scene.character = &character;
   scene.surface = &surface;
   scene.pose = &pose;
-  scene.primitives = shapesOf(rig, character, pose);
+  scene.primitives = muscles.at(pose);
   if (plan.display.controlMesh) {
     SkinnedMesh skinned;
     skin(character, pose, skinned);
@@ -269,7 +277,8 @@ int renderInput(const RenderOptions& options, const RenderPlan& plan, const Batc
   }
   const auto clip = clipOf(document.value(), options, plan);
   if (!clip) return badInput(clip.error());
-  const View view = steadyView(document.value(), rig, clip.value(), options, plan);
+  const PosedShapes muscles{rig, RigPoser(rig, *document->character)};
+  const View view = steadyView(document.value(), muscles, clip.value(), options, plan);
   rig = settled(std::move(rig), document.value(), clip.value(), plan, view);
   Smoother smoother(document->character);
   if (const auto prepared = smoother.prepare(rig); !prepared) {
@@ -288,7 +297,8 @@ int renderInput(const RenderOptions& options, const RenderPlan& plan, const Batc
   for (const std::size_t moment : input.wanted) {
     const std::filesystem::path& file = input.outputs[moment];
     progress("drawing " + file.string());
-    Image image = drawPicture(plan.times[moment], clip.value(), view, rig, plan, smoother, *viewport.value(), seconds);
+    Image image =
+        drawPicture(plan.times[moment], clip.value(), view, muscles, plan, smoother, *viewport.value(), seconds);
     if (const auto written = writer.write(file, std::move(image)); !written) return badInput(written.error());
     if (writer.status() != kDone) return writer.status();
   }

@@ -8,6 +8,7 @@
 
 #include "app/document/command_stack.h"
 #include "app/document/file_stamp.h"
+#include "app/document/posed_rig_memo.h"
 #include "app/document/selection.h"
 #include "app/document/visibility.h"
 #include "core/symmetry/mirror.h"
@@ -28,12 +29,20 @@ struct Document {
   std::shared_ptr<const MirrorPlan> mirror;  ///< Null or unusable: nothing can be mirrored. See prepareMirror.
   bool symmetry = false;  ///< View state: what is added, deleted, duplicated or pasted is so on both sides.
   Visibility visibility;
+  mutable PosedRigMemo poses;  ///< For posedRig().
 
   [[nodiscard]] const Rig& rig() const { return commands.rig(); }
   /// Rig index of the active primitive: the last picked that is in the rig; or -1.
   [[nodiscard]] int activePrimitive() const;
   /// Its name; "" if there is none.
   [[nodiscard]] const std::string& activeName() const;
+  /// The rig as it is in a pose: what everything that shows or measures it reads. Valid until the next call.
+  [[nodiscard]] const PosedRig& posedRig(const Pose& pose) const {
+    return poses.posed(rig(), commands.revision(), character, pose);
+  }
+  [[nodiscard]] const std::shared_ptr<const RigPoser>& poser() const {
+    return poses.poser(rig(), commands.revision(), character);
+  }
   /// Of the primitive at a rig index.
   [[nodiscard]] PrimitiveId idAt(int index) const { return rig().primitives[static_cast<std::size_t>(index)].id(); }
   /// For the title: file name, "*" added by the caller when modified.

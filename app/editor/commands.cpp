@@ -120,7 +120,7 @@ bool showDocument(EditorState& state, Document document) {
     document.character = withClipNamed(document.character, view->at("clip").at("name").text(""));
     transport = transportOf(*view, *document.character, transport);
   }
-  Result<LiveSurface> live = LiveSurface::create(document.character, document.commands, transport);
+  Result<LiveSurface> live = LiveSurface::create(document, transport);
   if (!live) {
     Error error = live.error();
     error.file = (document.rigFile.empty() ? document.characterFile : document.rigFile).string();

@@ -143,12 +143,13 @@ void playRangeOfMotion(EditorState& state) {
   if (!state.hasCharacter()) return;
   std::shared_ptr<const Character> extended = withRangeOfMotion(state.document.character);
   if (extended != state.document.character) {
-    Result<LiveSurface> live = LiveSurface::create(extended, state.document.commands, state.open.transport);
+    std::shared_ptr<const Character> former = std::exchange(state.document.character, extended);
+    Result<LiveSurface> live = LiveSurface::create(state.document, state.open.transport);
     if (!live) {
+      state.document.character = std::move(former);
       addMessage(state.session, MessageKind::kError, live.error().plainText());
       return;
     }
-    state.document.character = std::move(extended);
     state.live = std::move(live).value();
     ++state.session.documentsOpened;
   }

@@ -1,50 +1,36 @@
 // app/render/scene.cpp: primitives as they are drawn.
 #include "app/render/scene.h"
 
-#include <span>
-#include <string_view>
-#include <unordered_map>
-
 #include "app/document/group_colors.h"
-#include "core/drivers/driven_numbers.h"
-#include "core/lines/carriers.h"
+#include "core/base/at.h"
 
 namespace sinew::app {
 namespace {
 
-/// The rig's lines in a pose; those that cannot be used are left out.
-std::unordered_map<std::string_view, ShapeLine> linesByName(const Rig& rig, std::span<const PosedLine> posed) {
-  std::unordered_map<std::string_view, ShapeLine> lines;
-  for (std::size_t i = 0; i < posed.size(); ++i) {
-    const PosedLine& line = posed[i];
-    if (!line.usable) continue;
-    const LinePath path{line.origin, rig.lines[i].via ? std::optional(line.via) : std::nullopt, line.insertion};
-    lines.emplace(rig.lines[i].name, ShapeLine{path, line.activation, line.stretch});
-  }
-  return lines;
+std::optional<ShapeLine> shapeLine(const Rig& rig, const PosedRig& posed, int index) {
+  if (index < 0) return std::nullopt;
+  const PosedLine& line = at(posed.lines, index);
+  const std::optional<glm::vec3> via = at(rig.lines, index).via ? std::optional(line.via) : std::nullopt;
+  return ShapeLine{{line.origin, via, line.insertion}, line.activation, line.stretch};
 }
 
 }  // namespace
 
-std::vector<PrimitiveShape> shapesOf(const Rig& drawn, const Character& character, const Pose& pose) {
+std::vector<PrimitiveShape> shapesOf(const Rig& rig, const PosedRig& posed) {
   std::vector<PrimitiveShape> shapes;
-  Rig memory;
-  const Rig& rig = inPose(drawn, character, pose, memory);
-  const std::vector<PosedLine> posed = posedLines(rig, character, pose);
-  const std::vector<std::optional<BentMuscle>> muscles = carriedMuscles(rig, character, pose, posed);
-  const std::unordered_map<std::string_view, ShapeLine> lines = linesByName(rig, posed);
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
-    const Primitive& primitive = rig.primitives[i];
-    if (!muscles[i]) continue;
+    const PosedMuscle& muscle = posed.muscles[i];
+    if (!muscle.usable) continue;
+    const Placement& placement = muscle.body.placement;
     PrimitiveShape shape;
     shape.rigIndex = static_cast<int>(i);
-    shape.unitBallInWorld = shapeInWorld(muscles[i]->placement, 1.0f, muscles[i]->carrier);
-    shape.shape = muscles[i]->placement.shape;
-    shape.reach = primitive.reach;
-    shape.sign = primitive.sign;
-    shape.radii = muscles[i]->placement.radii;
-    if (const auto line = lines.find(primitive.line); line != lines.end()) shape.line = line->second;
-    shape.color = toLinear(groupColor(rig, primitive.group));
+    shape.unitBallInWorld = shapeInWorld(placement, 1.0f, muscle.body.carrier);
+    shape.shape = placement.shape;
+    shape.reach = posed.numbers.primitives[i].reach;
+    shape.sign = rig.primitives[i].sign;
+    shape.radii = placement.radii;
+    shape.line = shapeLine(rig, posed, muscle.line);
+    shape.color = toLinear(groupColor(rig, rig.primitives[i].group));
     shapes.push_back(shape);
   }
   return shapes;

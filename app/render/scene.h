@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/document/picture_look.h"
+#include "core/drivers/posed_rig.h"
 #include "core/lines/tendons.h"
 #include "sinew/character/character.h"
 #include "sinew/rig/rig.h"
@@ -68,8 +69,9 @@ struct PrimitiveShape {
   friend bool operator==(const PrimitiveShape&, const PrimitiveShape&) = default;
 };
 
-/// The attached primitives of a rig in a pose, in rig order; unattached ones are left out.
-[[nodiscard]] std::vector<PrimitiveShape> shapesOf(const Rig& rig, const Character& character, const Pose& pose);
+/// The primitives of a rig in a pose, in rig order; what is not to be seen is left out.
+/// @param posed  of this rig
+[[nodiscard]] std::vector<PrimitiveShape> shapesOf(const Rig& rig, const PosedRig& posed);
 
 /// Ends of its three axes where rho = scale, world space.
 [[nodiscard]] std::array<glm::vec3, 6> extremesOf(const PrimitiveShape& shape, float scale);

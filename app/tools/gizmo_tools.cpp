@@ -9,8 +9,6 @@
 #include "app/tools/gizmo/gizmo_group.h"
 #include "app/tools/tool.h"
 #include "app/tools/view/status_line.h"
-#include "core/drivers/driven_numbers.h"
-#include "core/lines/carriers.h"
 
 namespace sinew::app {
 namespace {
@@ -25,14 +23,12 @@ std::optional<GizmoTarget> muscleTarget(const ToolFrame& frame, bool atStart) {
   if (index < 0) return std::nullopt;
   const Primitive& primitive = rig.primitives[static_cast<std::size_t>(index)];
   // The gizmo holds the muscle as it is drawn, on the line as it is driven.
-  Rig memory;
-  const Rig& driven = inPose(rig, *document.character, frame.context.pose, memory);
-  const std::optional<glm::mat4> carrier = carrierOf(driven, primitive, *document.character, frame.context.pose);
-  if (!carrier || !isPickable(document.visibility, rig, skeleton, index)) return std::nullopt;
-  GizmoTarget target{
-      index,
-      primitive.placement,
-      {frame.view, *carrier, document.character->height, frame.context.uiScale, primitive.reach, true, std::nullopt}};
+  const PosedMuscle& muscle = document.posedRig(frame.context.pose).muscles[static_cast<std::size_t>(index)];
+  if (!muscle.usable || !isPickable(document.visibility, rig, skeleton, index)) return std::nullopt;
+  GizmoTarget target{index,
+                     primitive.placement,
+                     {frame.view, muscle.carrier, document.character->height, frame.context.uiScale, primitive.reach,
+                      true, std::nullopt}};
   if (frame.tools.pivot == GizmoPivot::kCentroid) {
     const bool fromStart = atStart && frame.tools.gizmo.drag;
     const Placement& own = fromStart ? frame.tools.gizmo.drag->start : primitive.placement;

@@ -258,8 +258,7 @@ std::string drawnOtherwise(const ToolFrame& frame) {
   if (frame.tools.tool == ToolKind::kPose || active < 0) return "";
   const auto index = static_cast<std::size_t>(active);
   if (document.rig().primitives[index].animated.empty()) return "";
-  Rig memory;
-  const Rig& now = inPose(document.rig(), *document.character, frame.context.pose, memory);
+  const RigNumbers& now = document.posedRig(frame.context.pose).numbers;
   if (now.primitives[index].placement == document.rig().primitives[index].placement) return "";
   return " \xc2\xb7 Handles change the muscle as it is drawn; keys or drivers change it here";
 }

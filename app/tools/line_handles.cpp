@@ -70,16 +70,13 @@ const char* nameOf(LineEnd end) {
 std::optional<ShownLine> activeLine(const Document& document, const Pose& pose) {
   const int active = document.character ? document.activePrimitive() : -1;
   if (active < 0) return std::nullopt;
-  Rig memory;
-  const Rig& rig = inPose(document.rig(), *document.character, pose, memory);
-  const int index = findLine(rig, rig.primitives[static_cast<std::size_t>(active)].line);
-  if (index < 0) return std::nullopt;
-  const Result<LineRest> rest = lineRest(rig.lines[static_cast<std::size_t>(index)], *document.character);
-  if (!rest) return std::nullopt;
-  const PosedLine line = posedLine(rest.value(), document.character->skeleton, pose, pose.flexOf(index));
-  if (!line.usable) return std::nullopt;
-  return ShownLine{index,        line.origin,    line.insertion, rest->via ? std::optional(line.via) : std::nullopt,
-                   line.stretch, line.activation};
+  const PosedRig& posed = document.posedRig(pose);
+  const int index = at(posed.muscles, active).line;
+  if (index < 0 || !at(posed.lines, index).usable) return std::nullopt;
+  const PosedLine& line = at(posed.lines, index);
+  return ShownLine{index,          line.origin,
+                   line.insertion, at(document.rig().lines, index).via ? std::optional(line.via) : std::nullopt,
+                   line.stretch,   line.activation};
 }
 
 std::optional<glm::vec3> endPoint(const ShownLine& line, LineEnd end) {

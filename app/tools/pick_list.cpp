@@ -138,13 +138,11 @@ BodySpan bodySpan(const std::vector<SurfaceCrossing>& crossings, float seen, flo
 std::vector<PickEntry> musclesUnder(const ViewportContext& context, const Ray& ray,
                                     const std::optional<SurfaceHit>& skin, int skinBone) {
   const Document& document = context.document;
-  Rig memory;
-  const Rig& rig = inPose(document.rig(), *document.character, context.pose, memory);
+  const Rig& rig = document.rig();
+  const PosedRig& posed = document.posedRig(context.pose);
   const Skeleton& skeleton = document.character->skeleton;
   const std::vector<int> bones = boneOfEach(rig, skeleton);
   const EffectiveVisibility effective = effectiveVisibility(document.visibility, rig, skeleton, bones);
-  const std::vector<std::optional<BentMuscle>> muscles =
-      carriedMuscles(rig, *document.character, context.pose, posedLines(rig, *document.character, context.pose));
   Sight sight{context, ray, skin, skinBone, {}};
   if (skin) {
     sight.body = bodySpan(crossSurface(ray, *context.surface), skin->distance, kLayer * document.character->height);
@@ -155,8 +153,8 @@ std::vector<PickEntry> musclesUnder(const ViewportContext& context, const Ray& r
     if (!effective.visible[i] || effective.locked[i] || bones[i] < 0) continue;
     const bool drawn =
         context.display.primitives || context.display.anatomy || document.selection.contains(rig.primitives[i].id());
-    if (!muscles[i]) continue;
-    const auto& [carrier, placement] = *muscles[i];
+    if (!posed.muscles[i].usable) continue;
+    const auto& [carrier, placement] = posed.muscles[i].body;
     if (const auto candidate = candidateOf(sight, {rig.primitives[i], bones[i], placement, carrier, drawn})) {
       found.push_back(*candidate);
     }

@@ -71,7 +71,7 @@ int boneAt(const Character& character, const SkinAnchor& anchor) {
 }
 
 std::vector<PrimitiveShape> primitiveShapes(const Document& document, const Pose& pose) {
-  std::vector<PrimitiveShape> shapes = shapesOf(document.rig(), *document.character, pose);
+  std::vector<PrimitiveShape> shapes = shapesOf(document.rig(), document.posedRig(pose));
   const std::vector<int> hidden = hiddenPrimitives(document.visibility, document.rig(), document.character->skeleton);
   std::erase_if(shapes,
                 [&](const PrimitiveShape& shape) { return std::ranges::binary_search(hidden, shape.rigIndex); });

@@ -114,7 +114,7 @@ void EditorStep::updateSurface(EditorState& state) {
   if (!state.hasCharacter()) return;
   state.live->movePose(state.open.transport);  // The pose tool may have turned a joint.
   followEdits(state.document);
-  const Result<bool> updated = state.live->update(state.document.commands, surfaceView(state));
+  const Result<bool> updated = state.live->update(state.document, surfaceView(state));
   if (!updated) addMessage(state.session, MessageKind::kError, updated.error().plainText());
   state.session.stats.stages = state.live->surface().report.seconds;
   const std::pair prepared(state.session.documentsOpened, state.document.commands.revision());

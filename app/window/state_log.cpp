@@ -144,11 +144,11 @@ Json lineState(const EditorState& state, const View& view) {
   return line;
 }
 
-void addAnimated(const EditorState& state, const Rig& now, const std::vector<AnimatedNumber>& animated, int owner,
-                 Json& values, std::size_t& keys, std::size_t& drivers) {
+void addAnimated(const EditorState& state, const std::vector<AnimatedNumber>& animated, int owner, Json& values,
+                 std::size_t& keys, std::size_t& drivers) {
   for (const AnimatedNumber& number : animated) {
     const NumberRef ref{number.parameter, owner};
-    values.set(nameOf(number.parameter), numberOf(now, ref));
+    values.set(nameOf(number.parameter), numberNow(state, ref));
     drivers += number.drivers.size();
     const KeyTrack* track = trackNow(state, ref);
     if (track != nullptr) keys += track->curve.points.size();
@@ -167,15 +167,14 @@ Json animationState(const EditorState& state) {
   const int active = state.document.activePrimitive();
   if (active < 0) return animation;
   const Rig& rig = state.document.rig();
-  const std::shared_ptr<const Rig> now = rigNow(state);
   const Primitive& primitive = rig.primitives[static_cast<std::size_t>(active)];
   const int line = findLine(rig, primitive.line);
   Json values = Json::object();
   std::size_t keys = 0;
   std::size_t drivers = 0;
-  addAnimated(state, *now, primitive.animated, active, values, keys, drivers);
+  addAnimated(state, primitive.animated, active, values, keys, drivers);
   if (line >= 0) {
-    addAnimated(state, *now, rig.lines[static_cast<std::size_t>(line)].animated, line, values, keys, drivers);
+    addAnimated(state, rig.lines[static_cast<std::size_t>(line)].animated, line, values, keys, drivers);
   }
   return animation.set("keys", static_cast<int>(keys)).set("drivers", static_cast<int>(drivers)).set("now", values);
 }

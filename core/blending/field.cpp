@@ -33,14 +33,16 @@ void add(FieldSample& sum, const FieldSample& part) {
 
 }  // namespace
 
-void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::mat4> carrierInWorld,
+PosedPrimitive posedPrimitive(const FieldPrimitive& primitive, const glm::mat4& carrier) {
+  const UnitBallMap influence = unitBallMap(primitive.placement, primitive.reach, carrier);
+  return {influence, primitive.strength, influence.meanRadius / primitive.reach};
+}
+
+void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::mat4> boneInWorld,
                std::vector<PosedPrimitive>& out) {
   out.resize(primitives.size());
   for (std::size_t i = 0; i < primitives.size(); ++i) {
-    const FieldPrimitive& primitive = primitives[i];
-    out[i].influence = unitBallMap(primitive.placement, primitive.reach, at(carrierInWorld, primitive.carrier));
-    out[i].strength = primitive.strength;
-    out[i].meanRadius = out[i].influence.meanRadius / primitive.reach;
+    out[i] = posedPrimitive(primitives[i], at(boneInWorld, primitives[i].bone));
   }
 }
 

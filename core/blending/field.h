@@ -11,10 +11,11 @@ namespace sinew {
 
 /// A primitive as the field needs it, resolved from the rig (rig/attachment.h).
 struct FieldPrimitive {
-  int carrier = 0;           ///< Whose matrix places it: its bone's, or one that a muscle line makes of it.
+  int bone = 0;
+  int sign = 1;              ///< +1 adds, -1 carves.
   Placement placement;       ///< Bone space.
   float reach = 1.4142135f;  ///< k > 1.
-  float strength = 1.0f;     ///< sign * s, s from strengthFor(iso, reach).
+  float strength = 1.0f;     ///< sign * amount * s, s from strengthFor(iso, reach).
   int group = 0;
 };
 
@@ -47,9 +48,10 @@ struct FieldScratch {
   std::vector<FieldSample> ofSlot;
 };
 
-/// Places all primitives.
-/// @param carrierInWorld  [bones], then those of muscle lines (rig/attachment.h).
-void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::mat4> carrierInWorld,
+/// A primitive as a matrix places it. @param carrier  bone space -> world
+[[nodiscard]] PosedPrimitive posedPrimitive(const FieldPrimitive& primitive, const glm::mat4& carrier);
+/// All of them on their bones. @param boneInWorld  [bones]
+void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::mat4> boneInWorld,
                std::vector<PosedPrimitive>& out);
 
 /// F(x) = max over cliques of the sum of its positive m_i f_i, plus the sum of all carving m_i f_i (<= 0).

@@ -20,100 +20,76 @@ float joined(float value, float driven, DriverMode mode) {
   return driven;
 }
 
-void note(Parameter parameter, DrivenChange& change) {
-  change.primitives |= ownerOf(parameter) == ParameterOwner::kPrimitive;
-  change.lines |= ownerOf(parameter) == ParameterOwner::kLine;
-}
-
 bool shapes(Parameter parameter) { return parameter >= Parameter::kReach && parameter <= Parameter::kBendZ; }
 
 }  // namespace
 
 DrivenNumbers::DrivenNumbers(const Rig& rig, const Character& character) {
-  if (!isAnimated(rig)) return;
-  std::vector<std::optional<LineRest>> rests;
-  take(rig.surface.animated, 0, rig, character, rests);
-  for (std::size_t i = 0; i < rig.lines.size(); ++i)
-    take(rig.lines[i].animated, static_cast<int>(i), rig, character, rests);
+  add(rig.surface.animated, 0, rig, character);
+  for (std::size_t i = 0; i < rig.lines.size(); ++i) add(rig.lines[i].animated, static_cast<int>(i), rig, character);
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
-    take(rig.primitives[i].animated, static_cast<int>(i), rig, character, rests);
+    add(rig.primitives[i].animated, static_cast<int>(i), rig, character);
   }
-  lineLanes_ = LineLanes(rests);
 }
 
-void DrivenNumbers::take(const std::vector<AnimatedNumber>& animated, int owner, const Rig& rig,
-                         const Character& character, std::vector<std::optional<LineRest>>& rests) {
+void DrivenNumbers::add(const std::vector<AnimatedNumber>& animated, int owner, const Rig& rig,
+                        const Character& character) {
   for (const AnimatedNumber& of : animated) {
-    Number number{{of.parameter, owner}, 0.0f, of.keys, {}};
-    number.drawn = numberOf(rig, number.ref);
+    Number number{{of.parameter, owner}, of.keys, {}};
     for (const Driver& driver : of.drivers) {
       std::optional<FoundInput> input = foundInput(driver.input, rig, character);
       if (!input) continue;
       if (input->line >= 0) {
-        rests.resize(rig.lines.size());
-        at(rests, input->line) = lineRest(at(rig.lines, input->line), character).value();
+        rests_.resize(rig.lines.size());
+        at(rests_, input->line) = lineRest(at(rig.lines, input->line), character).value();
       }
       number.drivers.push_back({std::move(*input), driver.curve, driver.mode});
     }
     numbers_.push_back(std::move(number));
   }
-  // A belly lessened in one pose is whole again in the next.
-  const bool limits = animationOf(animated, Parameter::kReach) || animationOf(animated, Parameter::kCore);
-  if (!limits || animationOf(animated, Parameter::kBelly)) return;
-  const NumberRef belly{Parameter::kBelly, owner};
-  numbers_.push_back({belly, numberOf(rig, belly), {}, {}});
 }
 
-void DrivenNumbers::measureLines(const Pose& pose, const Skeleton& skeleton) {
-  if (lineLanes_.size() > 0) poseLines(lineLanes_, skeleton, pose, lineScratch_, lines_);
+bool DrivenNumbers::changes(ParameterOwner owner) const {
+  return std::ranges::any_of(numbers_, [owner](const Number& n) { return ownerOf(n.ref.parameter) == owner; });
 }
 
-float DrivenNumbers::valueOf(const Number& number, const Pose& pose, const Skeleton& skeleton) {
+void DrivenNumbers::measureLines(const Pose& pose, const Skeleton& skeleton, std::vector<PosedLine>& lines) const {
+  lines.resize(rests_.size());
+  for (std::size_t i = 0; i < rests_.size(); ++i) {
+    if (rests_[i]) lines[i] = posedLine(*rests_[i], skeleton, pose, pose.flexOf(static_cast<int>(i)));
+  }
+}
+
+float DrivenNumbers::valueOf(const Number& number, float drawn, const Pose& pose, const Skeleton& skeleton,
+                             DriverScratch& scratch) const {
   const KeyTrack* track = trackIn(number.keys, pose.clip);
-  float value = track == nullptr ? number.drawn : valueAt(track->curve, pose.time);
+  float value = track == nullptr ? drawn : valueAt(track->curve, pose.time);
   for (const Join& driver : number.drivers) {
-    const float x = sinew::valueOf(driver.input, skeleton, pose, lines_, inputs_);
+    const float x = sinew::valueOf(driver.input, skeleton, pose, scratch.lines, scratch.inputs);
     value = joined(value, valueAt(driver.curve, x), driver.mode);
   }
-  return legalNumber(number.ref.parameter, value, number.drawn);
+  return legalNumber(number.ref.parameter, value, drawn);
 }
 
-DrivenChange DrivenNumbers::apply(const Pose& pose, const Skeleton& skeleton, Rig& rig) {
-  DrivenChange change;
-  measureLines(pose, skeleton);
-  inputs_.turnOf.assign(inputs_.turnOf.size(), std::nullopt);
+void DrivenNumbers::apply(const Pose& pose, const Skeleton& skeleton, DriverScratch& scratch,
+                          RigNumbers& numbers) const {
+  measureLines(pose, skeleton, scratch.lines);
+  scratch.inputs.turnOf.assign(scratch.inputs.turnOf.size(), std::nullopt);
   for (const Number& number : numbers_) {
-    float& now = numberIn(rig, number.ref);
-    const float value = valueOf(number, pose, skeleton);
-    if (value == now) continue;
-    now = value;
-    note(number.ref.parameter, change);
+    float& now = numberIn(numbers, number.ref);
+    now = valueOf(number, now, pose, skeleton, scratch);
   }
   // What one number leaves of another's range: a larger reach allows less of a belly.
   for (const Number& number : numbers_) {
     if (!shapes(number.ref.parameter)) continue;
-    Primitive& primitive = at(rig.primitives, number.ref.owner);
-    primitive.placement.shape = legalShape(primitive.placement.shape, primitive.reach);
+    MuscleNumbers& muscle = at(numbers.primitives, number.ref.owner);
+    muscle.placement.shape = legalShape(muscle.placement.shape, muscle.reach);
   }
-  return change;
 }
 
 bool isAnimated(const Rig& rig) {
   const auto any = [](const auto& of) { return !of.animated.empty(); };
   return any(rig.surface) || std::ranges::any_of(rig.lines, any) || std::ranges::any_of(rig.primitives, any);
-}
-
-Rig drivenRig(const Rig& rig, const Character& character, const Pose& pose) {
-  Rig driven = rig;
-  DrivenNumbers numbers(rig, character);
-  if (!numbers.isEmpty()) numbers.apply(pose, character.skeleton, driven);
-  return driven;
-}
-
-const Rig& inPose(const Rig& rig, const Character& character, const Pose& pose, Rig& memory) {
-  if (!isAnimated(rig)) return rig;
-  memory = drivenRig(rig, character, pose);
-  return memory;
 }
 
 }  // namespace sinew

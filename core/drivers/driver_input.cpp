@@ -7,7 +7,6 @@
 
 #include "core/base/at.h"
 #include "core/drivers/joint_turns.h"
-#include "core/lines/carriers.h"
 #include "core/skeleton/pose_override.h"
 
 namespace sinew {
@@ -100,8 +99,11 @@ std::optional<float> inputNow(const DriverInput& input, const Rig& rig, const Ch
   const std::optional<FoundInput> found = foundInput(input, rig, character);
   if (!found) return std::nullopt;
   InputScratch scratch;
-  std::vector<PosedLine> lines;
-  if (found->line >= 0) lines = posedLines(rig, character, pose);
+  std::vector<PosedLine> lines(rig.lines.size());
+  if (found->line >= 0) {
+    const Result<LineRest> rest = lineRest(at(rig.lines, found->line), character);
+    at(lines, found->line) = posedLine(rest.value(), character.skeleton, pose, pose.flexOf(found->line));
+  }
   return valueOf(*found, character.skeleton, pose, lines, scratch);
 }
 

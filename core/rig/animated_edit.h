@@ -7,18 +7,11 @@
 #include <string>
 #include <unordered_set>
 
+#include "core/rig/rig_numbers.h"
 #include "sinew/base/result.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew {
-
-/// A number of a rig.
-struct NumberRef {
-  Parameter parameter = Parameter::kAmount;
-  int owner = 0;  ///< Index into Rig::primitives or Rig::lines; not read for the surface.
-
-  friend bool operator==(const NumberRef&, const NumberRef&) = default;
-};
 
 [[nodiscard]] float& numberIn(Rig& rig, const NumberRef& ref);
 [[nodiscard]] float numberOf(const Rig& rig, const NumberRef& ref);

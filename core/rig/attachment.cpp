@@ -18,18 +18,18 @@ Result<const BlendingGraph*> graphOf(const Rig& rig, BlendingGraphMemo& graphs) 
   return graphs.graph(static_cast<int>(rig.groups.size()), links);
 }
 
-void shape(const Rig& rig, const Primitive& primitive, FieldPrimitive& field) {
-  field.placement = primitive.placement;
-  field.reach = primitive.reach;
-  field.strength =
-      static_cast<float>(primitive.sign) * primitive.amount * strengthFor(rig.surface.iso, primitive.reach);
+void setNumbers(const MuscleNumbers& numbers, float iso, FieldPrimitive& field) {
+  field.placement = numbers.placement;
+  field.reach = numbers.reach;
+  field.strength = static_cast<float>(field.sign) * numbers.amount * strengthFor(iso, numbers.reach);
 }
 
-FieldPrimitive fieldPrimitive(const Rig& rig, const Primitive& primitive, int carrier) {
+FieldPrimitive fieldPrimitive(const Rig& rig, const Primitive& primitive, int bone) {
   FieldPrimitive field;
-  field.carrier = carrier;
-  shape(rig, primitive, field);
+  field.bone = bone;
+  field.sign = primitive.sign;
   field.group = findGroup(rig, primitive.group);
+  setNumbers({primitive.placement, primitive.reach, primitive.amount}, rig.surface.iso, field);
   return field;
 }
 
@@ -77,17 +77,6 @@ void checkDriverBones(const std::vector<AnimatedNumber>& animated, const std::st
       }
     }
   }
-}
-
-/// The bone's own matrix, or that of the line that carries it.
-int carrierOf(const Rig& rig, const Primitive& primitive, int bone, const Skeleton& skeleton, Attachment& attachment) {
-  if (primitive.line.empty()) return bone;
-  const LineCarrier carrier{bone, findLine(rig, primitive.line)};
-  std::vector<LineCarrier>& known = attachment.lineCarriers;
-  const auto found = std::ranges::find(known, carrier);
-  const auto index = static_cast<int>(found - known.begin());
-  if (found == known.end()) known.push_back(carrier);
-  return static_cast<int>(skeleton.bones.size()) + index;
 }
 
 /// Appends primitive `index` to the vertices its territory holds.
@@ -172,10 +161,20 @@ bool sameCandidates(const Rig& a, const Rig& b) {
          a.links == b.links && std::ranges::equal(a.groups, b.groups, sameGroup);
 }
 
-void reshape(const Rig& rig, Attachment& attachment) {
-  for (std::size_t i = 0; i < attachment.primitives.size(); ++i) {
+std::vector<FieldPrimitive> fieldPrimitives(const Rig& rig, const Attachment& attachment) {
+  std::vector<FieldPrimitive> primitives = attachment.primitives;
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
     const Primitive& primitive = at(rig.primitives, attachment.rigIndex[i]);
-    shape(rig, primitive, attachment.primitives[i]);
+    primitives[i].sign = primitive.sign;
+    setNumbers({primitive.placement, primitive.reach, primitive.amount}, rig.surface.iso, primitives[i]);
+  }
+  return primitives;
+}
+
+void setNumbers(const RigNumbers& numbers, float iso, const Attachment& attachment,
+                std::span<FieldPrimitive> primitives) {
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    setNumbers(at(numbers.primitives, attachment.rigIndex[i]), iso, primitives[i]);
   }
 }
 
@@ -199,8 +198,7 @@ Result<Attachment> attach(const Rig& rig, const Character& character, BlendingGr
       continue;
     }
     const int index = static_cast<int>(attachment.primitives.size());
-    const int carrier = carrierOf(rig, primitive, *bone, character.skeleton, attachment);
-    attachment.primitives.push_back(fieldPrimitive(rig, primitive, carrier));
+    attachment.primitives.push_back(fieldPrimitive(rig, primitive, *bone));
     attachment.rigIndex.push_back(static_cast<int>(i));
     addCandidates(character, territoryBones(primitive, *bone, line, character.skeleton), index,
                   attachment.candidatesOfVertex);

@@ -1,30 +1,23 @@
 // core/rig/attachment.h: a rig meets a character: bones found, groups numbered, territories laid out.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/blending/blending_graph.h"
 #include "core/blending/field.h"
+#include "core/rig/rig_numbers.h"
 #include "sinew/base/result.h"
 #include "sinew/character/character.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew {
 
-/// A bone as a muscle line carries it.
-struct LineCarrier {
-  int bone = 0;
-  int line = 0;  ///< Index into Rig::lines.
-
-  friend bool operator==(const LineCarrier&, const LineCarrier&) = default;
-};
-
 /// A rig resolved against a character. Primitives whose bone is missing are left out here, never in the rig.
 struct Attachment {
   std::vector<FieldPrimitive> primitives;  ///< [A] attached ones, in rig order.
   std::vector<int> rigIndex;               ///< [A] index into Rig::primitives.
   std::vector<int> unattached;             ///< Indices into Rig::primitives.
-  std::vector<LineCarrier> lineCarriers;   ///< FieldPrimitive::carrier counts on through these after the bones.
   BlendingGraph graph;
   std::vector<std::vector<Candidate>> candidatesOfVertex;  ///< [V] primitives with m_i(v) > 0, ascending.
 };
@@ -52,8 +45,12 @@ struct Attachment {
 /// most. Such is every drag.
 [[nodiscard]] bool sameCandidates(const Rig& a, const Rig& b);
 
-/// The shapes of a rig whose candidates are the attached one's (sameCandidates). Costs nothing per vertex.
-void reshape(const Rig& rig, Attachment& attachment);
+/// The attached primitives with shapes, strengths and signs of a rig whose candidates are the attached one's
+/// (sameCandidates). Costs nothing per vertex.  @return [A]
+[[nodiscard]] std::vector<FieldPrimitive> fieldPrimitives(const Rig& rig, const Attachment& attachment);
+/// The same primitives with the numbers that the rig has in a pose.  @param primitives [A]
+void setNumbers(const RigNumbers& numbers, float iso, const Attachment& attachment,
+                std::span<FieldPrimitive> primitives);
 
 /// `rig` has passed validate(). Error: the blending graph is too large.
 [[nodiscard]] Result<Attachment> attach(const Rig& rig, const Character& character);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/rig/rig_numbers.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew {
@@ -59,24 +60,13 @@ float read(const Owner& owner, Parameter parameter) {
   return number == nullptr ? 0.0f : *number;
 }
 
-}  // namespace
-
-ParameterOwner ownerOf(Parameter parameter) { return rowOf(parameter).owner; }
-
-const char* nameOf(Parameter parameter) { return rowOf(parameter).name; }
-
-const char* wordsFor(Parameter parameter) { return rowOf(parameter).words; }
-
-std::optional<Parameter> parameterNamed(const std::string& name) {
-  const auto found = std::ranges::find_if(kRows, [&](const Row& row) { return row.name == name; });
-  return found == kRows.end() ? std::nullopt : std::optional(found->parameter);
-}
-
-float* numberIn(Primitive& primitive, Parameter parameter) {
-  Placement& placement = primitive.placement;
+/// A number of a primitive, or of MuscleNumbers, whose members have the same names.
+template <class Owner>
+float* muscleNumber(Owner& owner, Parameter parameter) {
+  Placement& placement = owner.placement;
   switch (parameter) {
     case Parameter::kAmount:
-      return &primitive.amount;
+      return &owner.amount;
     case Parameter::kCenterX:
       return &placement.center.x;
     case Parameter::kCenterY:
@@ -90,7 +80,7 @@ float* numberIn(Primitive& primitive, Parameter parameter) {
     case Parameter::kRadiusZ:
       return &placement.radii.z;
     case Parameter::kReach:
-      return &primitive.reach;
+      return &owner.reach;
     case Parameter::kCore:
       return &placement.shape.core;
     case Parameter::kBelly:
@@ -103,6 +93,23 @@ float* numberIn(Primitive& primitive, Parameter parameter) {
       return nullptr;
   }
 }
+
+}  // namespace
+
+ParameterOwner ownerOf(Parameter parameter) { return rowOf(parameter).owner; }
+
+const char* nameOf(Parameter parameter) { return rowOf(parameter).name; }
+
+const char* wordsFor(Parameter parameter) { return rowOf(parameter).words; }
+
+std::optional<Parameter> parameterNamed(const std::string& name) {
+  const auto found = std::ranges::find_if(kRows, [&](const Row& row) { return row.name == name; });
+  return found == kRows.end() ? std::nullopt : std::optional(found->parameter);
+}
+
+float* numberIn(Primitive& primitive, Parameter parameter) { return muscleNumber(primitive, parameter); }
+
+float* numberIn(MuscleNumbers& numbers, Parameter parameter) { return muscleNumber(numbers, parameter); }
 
 float* numberIn(LineSettings& line, Parameter parameter) {
   switch (parameter) {

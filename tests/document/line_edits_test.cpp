@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "core/lines/carriers.h"
+#include "core/drivers/posed_rig.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
@@ -32,7 +32,7 @@ struct LineEdits : testing::Test {
   }
   /// Independent of lengthsOver: at one time of the clip.
   [[nodiscard]] float stretchAt(const Rig& of, float time) const {
-    return posedLines(of, *limb, samplePose(limb->skeleton, limb->clips.front(), time)).front().stretch;
+    return RigPoser(of, *limb).pose(samplePose(limb->skeleton, limb->clips.front(), time)).lines.front().stretch;
   }
 };
 
@@ -99,10 +99,10 @@ TEST(OtherEnd, TheMuscleStaysWhereItIsAndItsTwinFollows) {
   EXPECT_EQ(rig->lines[1].insertion.bone, "shin R");
   EXPECT_EQ(rig->primitives[1].line, rig->lines[1].name);
   EXPECT_EQ(rig->primitives[0].placement, rigid.primitives[0].placement);
-  const auto before = carriersOf(rigid, *legs, bindPose(legs->skeleton));
-  const auto after = carriersOf(rig.value(), *legs, bindPose(legs->skeleton));
-  EXPECT_EQ(*before[0], *after[0]);
-  EXPECT_EQ(*before[1], *after[1]);
+  const PosedRig before = RigPoser(rigid, *legs).pose(bindPose(legs->skeleton));
+  const PosedRig after = RigPoser(rig.value(), *legs).pose(bindPose(legs->skeleton));
+  EXPECT_EQ(before.muscles[0].carrier, after.muscles[0].carrier);
+  EXPECT_EQ(before.muscles[1].carrier, after.muscles[1].carrier);
 }
 
 }  // namespace

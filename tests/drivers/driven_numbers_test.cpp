@@ -1,8 +1,6 @@
 // tests/drivers/driven_numbers_test.cpp: numbers that follow the pose: joined, within range, independent of what came
 // before.
 
-#include "core/drivers/driven_numbers.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -19,6 +17,7 @@
 #include "core/skeleton/pose_override.h"
 #include "tests/support/allocations.h"
 #include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/rigs/driven_rig.h"
 #include "tests/support/rigs/random_animation.h"
 
 namespace sinew {
@@ -57,7 +56,7 @@ struct Driven : testing::Test {
     ASSERT_TRUE(validate(rig)) << validate(rig).error().text();
   }
   [[nodiscard]] float at(Parameter parameter, const Pose& pose) const {
-    return numberOf(drivenRig(rig, *character, pose), {parameter, 0});
+    return numberOf(test::drivenRig(rig, *character, pose), {parameter, 0});
   }
 };
 
@@ -159,14 +158,14 @@ TEST(DrivenRigs, AreRigsAndDoNotDependOnWhatCameBefore) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Rig rig = test::animatedLimbRig(*character, seed);
     ASSERT_TRUE(validate(rig)) << validate(rig).error().text();
-    DrivenNumbers numbers(rig, *character);
-    Rig passing = rig;
+    const RigPoser poser(rig, *character);
+    PosedRig passing;
     for (const float time : {0.0f, 1.7f, 0.4f, 1.1f, 0.0f, 0.4f}) {
       Pose pose = samplePose(character->skeleton, clip, time);
       if (time == 1.1f) pose = bindPose(character->skeleton);
-      numbers.apply(pose, character->skeleton, passing);
-      const Rig alone = drivenRig(rig, *character, pose);
-      EXPECT_EQ(passing, alone);
+      poser.pose(pose, passing);
+      const Rig alone = test::drivenRig(rig, *character, pose);
+      EXPECT_EQ(test::withNumbers(rig, passing.numbers), alone);
       EXPECT_TRUE(validate(alone)) << validate(alone).error().text();
       changed += alone != rig ? 1 : 0;
     }
@@ -174,17 +173,18 @@ TEST(DrivenRigs, AreRigsAndDoNotDependOnWhatCameBefore) {
   EXPECT_GT(changed, 100);
 }
 
-TEST(DrivenRigs, ApplyingAllocatesNothingOnceItHasRun) {
+TEST(DrivenRigs, PosingAllocatesNothingOnceItHasRun) {
   const auto character = test::makeLimb();
   const AnimationClip& clip = character->clips.front();
-  Rig rig = test::animatedLimbRig(*character, 7);
-  DrivenNumbers numbers(rig, *character);
-  ASSERT_FALSE(numbers.isEmpty());
+  const Rig rig = test::animatedLimbRig(*character, 7);
+  const RigPoser poser(rig, *character);
+  ASSERT_TRUE(poser.drivesMuscles());
+  PosedRig posed;
   const Pose first = samplePose(character->skeleton, clip, 0.3f);
   const Pose second = samplePose(character->skeleton, clip, 1.3f);
-  numbers.apply(first, character->skeleton, rig);
+  poser.pose(first, posed);
   const std::int64_t before = test::allocations();
-  numbers.apply(second, character->skeleton, rig);
+  poser.pose(second, posed);
   EXPECT_EQ(test::allocations(), before);
 }
 

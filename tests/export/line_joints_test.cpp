@@ -7,7 +7,7 @@
 
 #include "app/document/motion_clip.h"
 #include "core/base/at.h"
-#include "core/lines/carriers.h"
+#include "core/drivers/posed_rig.h"
 #include "tests/export/export_scenes.h"
 
 namespace sinew::exporting {
@@ -26,8 +26,9 @@ std::vector<Pose> posesOf(const std::shared_ptr<const Character>& character, flo
 
 /// The deformation of a line against that of the bind pose, by docs/lines.md.
 glm::dmat4 motionOf(const Rig& rig, const Character& character, const Pose& pose, int line) {
-  const auto now = posedLines(rig, character, pose);
-  const auto inBind = posedLines(rig, character, bindPose(character.skeleton));
+  const RigPoser poser(rig, character);
+  const std::vector<PosedLine> now = poser.pose(pose).lines;
+  const std::vector<PosedLine> inBind = poser.pose(bindPose(character.skeleton)).lines;
   return glm::dmat4(at(now, line).deformation) * glm::inverse(glm::dmat4(at(inBind, line).deformation));
 }
 

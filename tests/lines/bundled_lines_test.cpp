@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "core/lines/carriers.h"
+#include "core/drivers/posed_rig.h"
 #include "core/lines/line_lengths.h"
 #include "sinew/io/gltf_import.h"
 #include "sinew/io/rig_json.h"
@@ -63,11 +63,13 @@ TEST(BundledLines, BicepsPeaksOverTheMiddleOfTheUpperArm) {
   const auto joint = [&](const char* bone, const Pose& pose) {
     return glm::vec3(pose.boneInWorld[static_cast<std::size_t>(skeleton.findBone(bone).value())][3]);
   };
+  const auto index = static_cast<std::size_t>(biceps - humanoid.rig.primitives.begin());
+  const RigPoser poser(humanoid.rig, *humanoid.character);
   const AnimationClip& flex = humanoid.clip("Flex");
   float thickest = 0.0f;
   for (float time = 0.0f; time < flex.duration; time += 0.1f) {
     const Pose pose = samplePose(skeleton, flex, time);
-    const glm::mat4 carrier = carrierOf(humanoid.rig, *biceps, *humanoid.character, pose).value();
+    const glm::mat4 carrier = poser.pose(pose).muscles[index].carrier;
     const glm::vec3 shoulder = joint("upper_arm.L", pose);
     const glm::vec3 arm = joint("forearm.L", pose) - shoulder;
     const glm::vec3 middle = glm::vec3(carrier * glm::vec4(biceps->placement.center, 1.0f)) - shoulder;

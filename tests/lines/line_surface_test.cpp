@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/lines/carriers.h"
 #include "sinew/smoothing/smoother.h"
 #include "tests/support/allocations.h"
 #include "tests/support/characters/synthetic_characters.h"

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "core/lines/carriers.h"
+#include "core/smoothing/posed_field.h"
 #include "sinew/io/gltf_import.h"
 #include "sinew/io/rig_json.h"
 
@@ -118,18 +118,19 @@ TEST(ViaBend, DrawnMusclesAreThoseOfTheField) {
   const std::filesystem::path assets = std::filesystem::path(SINEW_SOURCE_DIR) / "assets";
   const auto character = importGltf(assets / "humanoid.glb").value();
   const Rig rig = loadRig(assets / "humanoid-flex.rig.json").value();
-  const Attachment attachment = attach(rig, *character).value();
-  Carriers carriers(rig, *character, attachment.lineCarriers);
-  std::vector<PosedPrimitive> posed;
+  BlendingGraphMemo graphs;
+  const auto preparation = prepare(characterTables(character), rig, {}, nullptr, graphs).value();
+  PosedField field;
   int bent = 0;
   const AnimationClip& clip = character->clips.at(0);
   for (float time = 0.0f; time < clip.duration; time += 0.1f) {
     const Pose pose = samplePose(character->skeleton, clip, time);
-    carriers.pose(attachment.primitives, pose, character->skeleton, posed);
-    const auto muscles = carriedMuscles(rig, *character, pose, posedLines(rig, *character, pose));
+    const PosedRig posedRig = preparation->poser->pose(pose);
+    poseField(preparation, posedRig, pose, field);
+    const std::vector<PosedPrimitive>& posed = field.primitives;
     for (std::size_t i = 0; i < posed.size(); ++i) {
-      const auto index = static_cast<std::size_t>(attachment.rigIndex[i]);
-      const auto& [carrier, placement] = muscles[index].value();
+      const auto index = static_cast<std::size_t>(preparation->attached->attachment.rigIndex[i]);
+      const auto& [carrier, placement] = posedRig.muscles[index].body;
       const UnitBallMap drawn = unitBallMap(placement, rig.primitives[index].reach, carrier);
       EXPECT_EQ(drawn.center, posed[i].influence.center) << rig.primitives[index].name;
       EXPECT_EQ(drawn.toUnit, posed[i].influence.toUnit);

@@ -10,10 +10,10 @@
 #include "app/panels/shared/animated_field.h"
 #include "app/panels/shared/curve_editor.h"
 #include "app/panels/timeline/timeline_keys.h"
-#include "core/drivers/driven_numbers.h"
 #include "core/drivers/driver_input.h"
 #include "tests/support/editor/headless_editor.h"
 #include "tests/support/editor/muscles_named.h"
+#include "tests/support/rigs/driven_rig.h"
 
 namespace sinew::app {
 namespace {
@@ -40,7 +40,7 @@ class Animation : public HeadlessEditor {
   [[nodiscard]] float drawn() const { return numberOf(state.document.rig(), radius()); }
   /// By the definition, not by what the panels keep.
   [[nodiscard]] float now() const {
-    return numberOf(drivenRig(state.document.rig(), state.character(), state.live->pose()), radius());
+    return numberOf(test::drivenRig(state.document.rig(), state.character(), state.live->pose()), radius());
   }
   [[nodiscard]] float bend() const {
     DriverInput input;
@@ -240,7 +240,7 @@ TEST_F(Animation, DrivenKeysOfSeveralKeepTheirProportions) {
   const auto valueOf = [&](const char* name) {
     const Rig& rig = state.document.rig();
     const NumberRef ref{Parameter::kRadiusX, findPrimitive(rig, name)};
-    return numberOf(drivenRig(rig, state.character(), state.live->pose()), ref);
+    return numberOf(test::drivenRig(rig, state.character(), state.live->pose()), ref);
   };
   const float share = valueOf("calf L") / valueOf("biceps L");
   const float before = valueOf("biceps L");

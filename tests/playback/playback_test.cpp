@@ -99,11 +99,11 @@ class LiveSurfaceTest : public testing::Test {
 
 TEST_F(LiveSurfaceTest, SmoothsOnlyWhenRigOrTimeMoves) {
   Transport transport{0, 0.0, false, true, 1.0f};
-  auto live = LiveSurface::create(document.character, document.commands, transport);
+  auto live = LiveSurface::create(document, transport);
   ASSERT_TRUE(live.ok()) << live.error().text();
   const auto update = [&] {
     live.value().movePose(transport);
-    return live.value().update(document.commands).value();
+    return live.value().update(document).value();
   };
   EXPECT_FALSE(update());
   transport.time = 0.2;
@@ -122,25 +122,25 @@ TEST_F(LiveSurfaceTest, SmoothsOnlyWhenRigOrTimeMoves) {
 
 TEST_F(LiveSurfaceTest, ARefusedRigLeavesTheSurfaceAndIsToldOnce) {
   Transport transport{0, 0.0, false, true, 1.0f};
-  auto live = LiveSurface::create(document.character, document.commands, transport);
+  auto live = LiveSurface::create(document, transport);
   ASSERT_TRUE(live.ok());
   const auto positions = live.value().surface().positions;
   Rig bad = document.rig();
   bad.surface.iso = 7.0f;
   document.commands.apply("Bad", bad);
-  EXPECT_FALSE(live.value().update(document.commands).ok());
+  EXPECT_FALSE(live.value().update(document).ok());
   EXPECT_EQ(live.value().surface().positions, positions);
-  EXPECT_TRUE(live.value().update(document.commands).ok());
+  EXPECT_TRUE(live.value().update(document).ok());
   document.commands.undo();
-  EXPECT_TRUE(live.value().update(document.commands).ok());
+  EXPECT_TRUE(live.value().update(document).ok());
 }
 
 TEST_F(LiveSurfaceTest, ASurfaceForAnEyeFollowsIt) {
   const Transport transport{0, 0.0, false, true, 1.0f};
-  auto live = LiveSurface::create(document.character, document.commands, transport);
+  auto live = LiveSurface::create(document, transport);
   ASSERT_TRUE(live.ok());
   const auto update = [&](const std::optional<glm::vec3>& eye) {
-    return live.value().update(document.commands, {eye, 0.0f}).value();
+    return live.value().update(document, {eye, 0.0f}).value();
   };
   EXPECT_TRUE(update(glm::vec3(0.0f, 0.5f, 5.0f)));
   EXPECT_GT(live.value().surface().report.culledTriangles, 0);
@@ -152,10 +152,10 @@ TEST_F(LiveSurfaceTest, ASurfaceForAnEyeFollowsIt) {
 
 TEST_F(LiveSurfaceTest, AutoDepthFollowsTheSizeAndLeavesTheDocumentAlone) {
   const Transport transport{0, 0.0, false, true, 1.0f};
-  auto live = LiveSurface::create(document.character, document.commands, transport);
+  auto live = LiveSurface::create(document, transport);
   ASSERT_TRUE(live.ok());
   const auto depthAt = [&](float pixels) {
-    EXPECT_TRUE(live.value().update(document.commands, {std::nullopt, pixels}).ok());
+    EXPECT_TRUE(live.value().update(document, {std::nullopt, pixels}).ok());
     EXPECT_EQ(live.value().surface().report.depth, live.value().depth());
     return live.value().depth();
   };

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/drivers/driven_numbers.h"
 #include "core/rig/validation.h"
 #include "sinew/smoothing/smoother.h"
 #include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/rigs/driven_rig.h"
 #include "tests/support/rigs/random_animation.h"
 
 namespace sinew {
@@ -37,7 +37,7 @@ TEST_P(DrivenSurface, IsTheSurfaceOfTheNumbers) {
     for (const float time : {1.4f, 0.2f, 1.4f}) {
       const Pose pose = samplePose(character->skeleton, clip, time);
       live.smooth(pose, driven);
-      const Rig numbers = typedIn(drivenRig(rig, *character, pose));
+      const Rig numbers = typedIn(test::drivenRig(rig, *character, pose));
       Smoother fresh(character);
       ASSERT_TRUE(fresh.prepare(numbers));
       Surface typed;

@@ -10,7 +10,6 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "core/drivers/driven_numbers.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
@@ -18,6 +17,7 @@
 #include "core/symmetry/line_twins.h"
 #include "core/symmetry/twins.h"
 #include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/rigs/driven_rig.h"
 #include "tests/support/rigs/random_animation.h"
 #include "tests/symmetry/hamstrings.h"
 
@@ -70,8 +70,8 @@ TEST_F(AnimatedTwins, ArePlacedAsImagesInMirroredPoses) {
     edit(edited);
     for (int i = 0; i < 5; ++i) {
       const auto [left, right] = anyPoses(random);
-      const Rig here = drivenRig(rig, *character, left);
-      const Rig there = drivenRig(rig, *character, right);
+      const Rig here = test::drivenRig(rig, *character, left);
+      const Rig there = test::drivenRig(rig, *character, right);
       const Result<Primitive> image = mirroredPrimitive(plan, here.primitives[0]);
       ASSERT_TRUE(image);
       const Primitive& twin = there.primitives[1];

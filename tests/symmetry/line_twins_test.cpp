@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/lines/carriers.h"
+#include "core/drivers/posed_rig.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
@@ -33,12 +33,12 @@ struct LineTwins : testing::Test {
   void expectMirrored() {
     Pose pose = bindPose(character->skeleton);
     pose.flex = 0.7f;
-    const auto carriers = carriersOf(rig, *character, pose);
+    const PosedRig posed = RigPoser(rig, *character).pose(pose);
     const auto centre = [&](std::size_t i) {
-      return glm::dvec3(*carriers[i] * glm::vec4(rig.primitives[i].placement.center, 1.0f));
+      return glm::dvec3(posed.muscles[i].carrier * glm::vec4(rig.primitives[i].placement.center, 1.0f));
     };
     EXPECT_LT(glm::distance(reflected(plan.plane, centre(0)), centre(1)), 1e-5);
-    const auto volume = [&](std::size_t i) { return glm::determinant(glm::mat3(*carriers[i])); };
+    const auto volume = [&](std::size_t i) { return glm::determinant(glm::mat3(posed.muscles[i].carrier)); };
     EXPECT_NEAR(volume(0), volume(1), 1e-5f);
   }
 };

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "core/lines/carriers.h"
 #include "core/rig/validation.h"
 #include "core/symmetry/twins.h"
 #include "tests/support/characters/real_characters.h"

@@ -279,7 +279,7 @@ bool numberRows(PanelUi& ui, const Animated& of) {
   const std::array refs{of.ref};
   std::string words = wordsFor(ui.state.document.rig(), refs);
   const std::string title = sinew::wordsFor(of.ref.parameter);
-  const std::string now = valueText(of.ref.parameter, DriverMode::kReplace, numberOf(rigNow(ui), of.ref));
+  const std::string now = valueText(of.ref.parameter, DriverMode::kReplace, numberNow(ui.state, of.ref));
   ImGui::PushFont(ui.fonts.strong);
   ImGui::TextUnformatted(title.c_str());
   ImGui::PopFont();

@@ -68,15 +68,6 @@ AnimatedField beingSet(const PanelUi& ui, const AnimatedField& field) {
 
 }  // namespace
 
-const Rig& rigNow(PanelUi& ui) {
-  const std::size_t revision = ui.state.document.commands.revision();
-  if (ui.driven == nullptr || ui.drivenOf != revision) {
-    ui.driven = rigNow(ui.state);
-    ui.drivenOf = revision;
-  }
-  return *ui.driven;
-}
-
 AnimatedLook lookOf(PanelUi& ui, const AnimatedField& field) {
   AnimatedLook look;
   if (field.refs.empty()) return look;
@@ -90,9 +81,9 @@ AnimatedLook lookOf(PanelUi& ui, const AnimatedField& field) {
   look.keyedHere = track != nullptr;
   look.keyedElsewhere = track == nullptr && !number->keys.empty();
   look.keyNow = track != nullptr && app::keyNow(ui.state, *track) >= 0;
-  const auto text = [&](const Rig& rig) { return numberText(field.format, numberOf(rig, ref) * field.scales.front()); };
-  look.words =
-      "Drawn " + text(ui.state.document.rig()) + ", now " + text(rigNow(ui)) + ": " + causesOf(*number, track) + "\n";
+  const auto text = [&](float value) { return numberText(field.format, value * field.scales.front()); };
+  look.words = "Drawn " + text(numberOf(ui.state.document.rig(), ref)) + ", now " + text(numberNow(ui.state, ref)) +
+               ": " + causesOf(*number, track) + "\n";
   if (look.keyedHere) {
     look.words += "In this clip its keys replace the number. To change a key: set the number, then " +
                   howToStart(ui, action("edit/key")) + "\n";

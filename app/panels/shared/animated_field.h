@@ -19,9 +19,6 @@ struct AnimatedField {
   const char* format = "%.3f";  ///< Of shown units.
 };
 
-/// The document's rig as it is in the pose that is shown; made once a frame and edit.
-[[nodiscard]] const Rig& rigNow(PanelUi& ui);
-
 /// What keys and drivers do to the shown number.
 struct AnimatedLook {
   bool driven = false;

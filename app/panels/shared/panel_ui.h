@@ -3,9 +3,7 @@
 
 #include <imgui.h>
 
-#include <cstddef>
 #include <filesystem>
-#include <memory>
 #include <string>
 
 #include "app/actions/actions.h"
@@ -17,8 +15,6 @@ namespace sinew::app {
 /// The interface and the editor behind it, for the length of a frame.
 struct PanelUi : Ui {
   EditorState& state;
-  std::shared_ptr<const Rig> driven;  ///< Of rigNow() (animated_field.h): made for `drivenOf`.
-  std::size_t drivenOf = 0;           ///< CommandStack::revision().
 
   PanelUi(EditorState& editor, WidgetLog& log, const Fonts& letters)
       : Ui{log, letters, editor.frame.uiScale}, state(editor) {}

@@ -4,33 +4,10 @@
 
 #include <algorithm>
 
-#include "core/drivers/driven_numbers.h"
-#include "core/lines/carriers.h"
+#include "core/base/at.h"
 #include "core/rig/rig_edit.h"
 
 namespace sinew::app {
-namespace {
-
-/// What muscles ride in a pose.
-class Carried {
- public:
-  Carried(const Document& document, const Pose& pose)
-      : character_(*document.character), pose_(pose), rig_(inPose(document.rig(), character_, pose, memory_)) {}
-
-  /// nullopt if it is not attached to the character.
-  [[nodiscard]] std::optional<glm::mat4> matrixOf(int index) const {
-    return carrierOf(rig_, rig_.primitives[static_cast<std::size_t>(index)], character_, pose_);
-  }
-
- private:
-  Rig memory_;
-  const Character& character_;
-  const Pose& pose_;
-  const Rig& rig_;
-};
-
-}  // namespace
-
 const char* nameOf(GizmoPivot pivot) { return pivot == GizmoPivot::kActive ? "active" : "centroid"; }
 
 std::vector<GizmoCompanion> companionsOf(const Document& document, int active) {
@@ -55,13 +32,13 @@ std::vector<GizmoCompanion> companionsOf(const Document& document, int active) {
 std::optional<glm::vec3> centroidOf(const Document& document, const Pose& pose, int activeIndex,
                                     const Placement& active, const std::vector<GizmoCompanion>& companions) {
   if (companions.empty()) return std::nullopt;
-  const Carried carried(document, pose);
+  const PosedRig& posed = document.posedRig(pose);
   glm::vec3 sum(0.0f);
   int count = 0;
   const auto add = [&](int index, const Placement& placement) {
-    const std::optional<glm::mat4> matrix = carried.matrixOf(index);
-    if (!matrix) return;
-    sum += glm::vec3(*matrix * glm::vec4(placement.center, 1.0f));
+    const PosedMuscle& muscle = at(posed.muscles, index);
+    if (!muscle.usable) return;
+    sum += glm::vec3(muscle.carrier * glm::vec4(placement.center, 1.0f));
     ++count;
   };
   add(activeIndex, active);
@@ -77,13 +54,13 @@ Result<Rig> dragged(const Document& document, const Pose& pose, int active, cons
                     const std::vector<GizmoCompanion>& companions) {
   Result<Rig> rig = setPlacement(document.rig(), active, drag.placement);
   if (companions.empty()) return rig;
-  const Carried carried(document, pose);
+  const PosedRig& posed = document.posedRig(pose);
   for (const GizmoCompanion& companion : companions) {
     const int index = findPrimitive(document.rig(), companion.primitive);
     if (!rig || index < 0) continue;
-    const std::optional<glm::mat4> matrix = carried.matrixOf(index);
-    if (!matrix) continue;
-    const Placement placement = draggedAlong(drag.effect, companion.start, *matrix, document.character->height);
+    const PosedMuscle& muscle = at(posed.muscles, index);
+    if (!muscle.usable) continue;
+    const Placement placement = draggedAlong(drag.effect, companion.start, muscle.carrier, document.character->height);
     rig = setPlacement(rig.value(), index, placement);
   }
   return rig;

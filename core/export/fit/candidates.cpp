@@ -48,13 +48,11 @@ std::vector<std::vector<Share>> ringShares(const ControlMesh& mesh) {
 /// [V] bones of the muscles that reach each control vertex, each with the muscle's nearness in radii.
 std::vector<std::vector<Share>> muscleShares(const Character& character, const Rig& rig, const Attachment& attachment) {
   const Skeleton& skeleton = character.skeleton;
-  const int bones = static_cast<int>(skeleton.bones.size());
   std::vector<std::vector<Share>> result(character.mesh.positions.size());
   for (std::size_t v = 0; v < result.size(); ++v) {
     for (const Candidate& candidate : attachment.candidatesOfVertex[v]) {
       const Primitive& primitive = at(rig.primitives, at(attachment.rigIndex, candidate.primitive));
-      const int carrier = at(attachment.primitives, candidate.primitive).carrier;
-      const int bone = carrier < bones ? carrier : at(attachment.lineCarriers, carrier - bones).bone;
+      const int bone = at(attachment.primitives, candidate.primitive).bone;
       const glm::vec3 center(at(skeleton.bones, bone).bindInWorld * glm::vec4(primitive.placement.center, 1.0f));
       const glm::vec3& radii = primitive.placement.radii;
       const float reach = primitive.reach * std::max({radii.x, radii.y, radii.z});

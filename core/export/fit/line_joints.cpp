@@ -9,8 +9,6 @@
 #include <glm/matrix.hpp>
 
 #include "core/base/at.h"
-#include "core/drivers/driven_numbers.h"
-#include "core/lines/carriers.h"
 
 namespace sinew::exporting {
 namespace {
@@ -75,11 +73,14 @@ bool carriesMuscle(const Rig& rig, const std::string& line) {
 }  // namespace
 
 LineJoints::LineJoints(const Rig& rig, const Character& character, JointScale scale, std::span<const Pose> poses)
-    : rig_(rig), character_(&character), scale_(scale), rests_(lineRests(rig, character)) {
+    : character_(&character), scale_(scale), rests_(lineRests(rig, character)) {
   if (rig.lines.empty()) return;
+  poser_.emplace(rig, character);
+  for (const MuscleLine& line : rig.lines) names_.push_back(line.name);
   const Skeleton& skeleton = character.skeleton;
   const Pose bind = bindPose(skeleton);
-  for (const PosedLine& line : posedLines(drivenRig(rig, character, bind), character, bind)) {
+  const PosedRig posed = poser_->pose(bind);
+  for (const PosedLine& line : posed.lines) {
     const glm::dmat4 deformation(line.deformation);
     fromBind_.push_back(line.usable && glm::determinant(deformation) > 0.0 ? glm::inverse(deformation)
                                                                            : glm::dmat4(1.0));
@@ -109,7 +110,7 @@ void LineJoints::add(int line, std::string name, int bone, const glm::dvec3& pla
 void LineJoints::pose(const Pose& pose, std::vector<Trs>& locals) const {
   locals.clear();
   if (joints_.empty()) return;
-  const std::vector<PosedLine> lines = posedLines(drivenRig(rig_, *character_, pose), *character_, pose);
+  const std::vector<PosedLine> lines = poser_->pose(pose).lines;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const HelperJoint& joint = joints_[j];
     const PosedLine& line = at(lines, joint.line);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/at.h"
+#include "core/drivers/posed_rig.h"
 #include "core/export/fit/helper_joint.h"
 #include "core/lines/line_rest.h"
 #include "sinew/export/skinned_export.h"
@@ -25,7 +26,7 @@ class LineJoints {
   [[nodiscard]] JointScale scale() const { return scale_; }
   /// The bind pose of a joint's line, with the rig's own settings. @param line  HelperJoint::line
   [[nodiscard]] const LineRest& restOf(int line) const { return *at(rests_, line); }
-  [[nodiscard]] const std::string& nameOf(int line) const { return at(rig_.lines, line).name; }
+  [[nodiscard]] const std::string& nameOf(int line) const { return at(names_, line); }
   /// [joints] in their parents' spaces.
   void pose(const Pose& pose, std::vector<Trs>& locals) const;
   /// Leaves joints out. @param kept  [joints]
@@ -34,9 +35,10 @@ class LineJoints {
  private:
   void add(int line, std::string name, int bone, const glm::dvec3& place);
 
-  Rig rig_;
   const Character* character_ = nullptr;
+  std::optional<RigPoser> poser_;
   JointScale scale_ = JointScale::kFull;
+  std::vector<std::string> names_;  ///< [lines]
   std::vector<std::optional<LineRest>> rests_;
   std::vector<glm::dmat4> fromBind_;  ///< [lines] world of the exported bind pose -> of the pose that lines deform.
   std::vector<HelperJoint> joints_;

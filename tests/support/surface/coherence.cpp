@@ -55,7 +55,7 @@ class MuscleMotion {
     before_ = now_;
     now_.clear();
     for (const FieldPrimitive& p : attachment_.primitives) {
-      now_.push_back(shapeInWorld(p.placement, p.reach, pose.boneInWorld[static_cast<std::size_t>(p.carrier)]));
+      now_.push_back(shapeInWorld(p.placement, p.reach, pose.boneInWorld[static_cast<std::size_t>(p.bone)]));
     }
   }
 

@@ -23,6 +23,7 @@ struct Pose {
     const bool flexes = flexedLines.empty() || std::ranges::binary_search(flexedLines, line);
     return flexes ? flex : 0.0f;
   }
+  friend bool operator==(const Pose&, const Pose&) = default;
 };
 
 /// The pose the inverse bind matrices describe, upright (docs/design.md).

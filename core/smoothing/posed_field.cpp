@@ -1,0 +1,47 @@
+// core/smoothing/posed_field.cpp: the muscles of a posed rig as the field needs them, and the mesh they move.
+#include "core/smoothing/posed_field.h"
+
+#include "core/base/at.h"
+
+namespace sinew {
+namespace {
+
+/// Which triangles are implicit follows from the numbers; it is read again only when they have changed.
+void readDriven(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, PosedField& out) {
+  out.driven = preparation->primitives;
+  setNumbers(rig.numbers, preparation->iso, preparation->attached->attachment, out.driven);
+  out.bind = &preparation->bind;
+  if (rig.numbers.primitives == preparation->poser->drawn().primitives) return;
+  if (out.readFrom != preparation || out.readWith != rig.numbers.primitives) {
+    out.drivenBind = readBindPose(*preparation, out.driven);
+    out.readWith = rig.numbers.primitives;
+    out.readFrom = preparation;
+  }
+  out.bind = &out.drivenBind;
+}
+
+void placePrimitives(const Preparation& preparation, std::span<const FieldPrimitive> primitives, const PosedRig& rig,
+                     std::vector<PosedPrimitive>& out) {
+  const std::vector<int>& rigIndex = preparation.attached->attachment.rigIndex;
+  out.resize(primitives.size());
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    const PosedMuscle& muscle = at(rig.muscles, rigIndex[i]);
+    out[i] = posedPrimitive(primitives[i], muscle.carrier);
+    // A muscle that its line bends keeps the width over which it blends.
+    if (muscle.isBent) out[i].influence = unitBallMap(muscle.body.placement, primitives[i].reach, muscle.body.carrier);
+  }
+}
+
+}  // namespace
+
+void poseField(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, const Pose& pose,
+               PosedField& out) {
+  out.rig = &rig;
+  out.bind = &preparation->bind;
+  const bool driven = preparation->poser->drivesMuscles();
+  if (driven) readDriven(preparation, rig, out);
+  placePrimitives(*preparation, driven ? out.driven : preparation->primitives, rig, out.primitives);
+  skin(preparation->character(), pose, out.control);
+}
+
+}  // namespace sinew

@@ -1,0 +1,30 @@
+// core/smoothing/posed_field.h: a preparation in one pose: the rig's numbers, the placed muscles, the skinned mesh.
+#pragma once
+
+#include <vector>
+
+#include "core/character/skinning.h"
+#include "core/drivers/posed_rig.h"
+#include "core/smoothing/preparation.h"
+
+namespace sinew {
+
+/// Made once per pose; everything after it reads it. Keeps its memory, and carries nothing else from pose to pose.
+struct PosedField {
+  const PosedRig* rig = nullptr;
+  SkinnedMesh control;                     ///< World.
+  std::vector<PosedPrimitive> primitives;  ///< [A] world.
+  const BindReading* bind = nullptr;       ///< With the numbers of this pose.
+
+  // Where keys or drivers change primitives.
+  std::vector<FieldPrimitive> driven;  ///< [A]
+  BindReading drivenBind;
+  std::vector<MuscleNumbers> readWith;               ///< Of which drivenBind was read,
+  std::shared_ptr<const Preparation> readFrom = {};  ///< and in which preparation.
+};
+
+/// @param rig  posed by preparation->poser in this pose; must outlive the use of `out`.
+void poseField(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, const Pose& pose,
+               PosedField& out);
+
+}  // namespace sinew

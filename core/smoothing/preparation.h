@@ -1,0 +1,108 @@
+// core/smoothing/preparation.h: all that follows from a character and a rig before any pose. Immutable.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/drivers/posed_rig.h"
+#include "core/mesh/creases.h"
+#include "core/rig/attachment.h"
+#include "core/smoothing/finish/vertex_rings.h"
+#include "core/smoothing/projection/anchors.h"
+#include "core/smoothing/projection/candidates.h"
+#include "core/smoothing/projection/replace.h"
+#include "core/smoothing/projection/swell.h"
+#include "core/smoothing/projection/vertex_tiles.h"
+#include "sinew/base/result.h"
+#include "sinew/character/character.h"
+#include "sinew/rig/rig.h"
+#include "sinew/smoothing/surface.h"
+
+namespace sinew {
+
+/// What follows from a character alone.
+struct CharacterTables {
+  std::shared_ptr<const Character> character;
+  std::vector<glm::vec3> riseInBind;       ///< [V] rise_directions.h
+  std::vector<float> inverseLimitsInBind;  ///< [V] rise_limits.h
+};
+[[nodiscard]] std::shared_ptr<const CharacterTables> characterTables(std::shared_ptr<const Character> character);
+
+/// Muscles on the skin: territories, groups and cliques. The same for all rigs that differ in shapes, signs and
+/// settings at most (sameCandidates), so that a drag attaches nothing.
+struct AttachedRig {
+  Rig rig;  ///< The one that was attached.
+  Attachment attachment;
+  CandidateLists candidates;  ///< Of all attached primitives, hidden or not.
+};
+
+/// The refined mesh and what follows from its connectivity.
+struct RefinedMesh {
+  std::shared_ptr<const ControlMesh> creased;  ///< The character's mesh with creased wedges; null if none are.
+  float creaseAngle = kNoCreases;              ///< What `creased` was made with.
+  std::shared_ptr<const Refinement> refinement;
+  std::vector<float> inverseLimits;    ///< [V'] of the rise.
+  std::vector<std::uint8_t> isBorder;  ///< [V']
+  VertexRings rings;
+};
+
+/// Which control triangles are implicit, read off the bind pose with the numbers of a rig as they are (paper 3.1).
+struct BindReading {
+  ImplicitWeights weights;  ///< In `swell` omega alone, for the classes.
+  std::vector<TriangleClass> classes;
+};
+
+/// Parts that did not change from one preparation to the next are shared, not copied.
+struct Preparation {
+  std::shared_ptr<const CharacterTables> tables;
+  SurfaceMode mode = SurfaceMode::kSwell;
+  float iso = kDefaultIso;
+  SmoothingSettings smoothing;
+  std::shared_ptr<const RigPoser> poser;
+  std::shared_ptr<const AttachedRig> attached;
+  std::vector<FieldPrimitive> primitives;      ///< [A] as drawn.
+  std::vector<int> hidden;                     ///< Indices into the rig's primitives, ascending.
+  int shownPrimitives = 0;                     ///< Attached and not hidden.
+  std::shared_ptr<const CandidateLists> seen;  ///< Of what is not hidden.
+  std::shared_ptr<const RefinedMesh> refined;
+  std::shared_ptr<const VertexTiles> tiles;              ///< Of `seen`.
+  std::shared_ptr<const std::vector<float>> bindFronts;  ///< [T n^2] of the patch.
+  std::shared_ptr<const std::vector<Anchor>> anchors;    ///< [V'] in `replace`, else null.
+  BindReading bind;
+
+  [[nodiscard]] const Character& character() const { return *tables->character; }
+  [[nodiscard]] const ControlMesh& mesh() const { return tables->character->mesh; }
+  [[nodiscard]] const Refinement& refinement() const { return *refined->refinement; }
+  [[nodiscard]] bool swells() const { return mode == SurfaceMode::kSwell; }
+};
+
+/// What a preparation may be asked beyond its rig.
+struct PreparationOptions {
+  std::span<const int> hidden{};            ///< Indices into the rig's primitives, ascending, that contribute nothing.
+  std::optional<int> depth{};               ///< In place of the rig's.
+  std::shared_ptr<const RigPoser> poser{};  ///< Of this rig and character, if there is one already.
+};
+
+/// Error: the rig is invalid, the blending graph too large, or the refined mesh would not fit memory.
+/// @param former  of the same character, or null: what still serves is taken from it
+/// @param graphs  what is known of blending graphs, from one preparation to the next
+[[nodiscard]] Result<std::shared_ptr<const Preparation>> prepare(const std::shared_ptr<const CharacterTables>& tables,
+                                                                 const Rig& rig, const PreparationOptions& options,
+                                                                 const Preparation* former, BlendingGraphMemo& graphs);
+
+/// Reads the bind pose with primitives in other shapes than those drawn.
+/// @param primitives [A]
+[[nodiscard]] BindReading readBindPose(const Preparation& preparation, std::span<const FieldPrimitive> primitives);
+
+/// Constants of the modes. @param skinBlend  as it is in a pose
+[[nodiscard]] SwellSettings swellSettings(const Preparation& preparation, float skinBlend);
+[[nodiscard]] ReplaceSettings replaceSettings(const Preparation& preparation);
+
+/// The curved patches, or flat ones, of a posed control mesh. @param positions, normals [V']
+void evaluatePatch(const Preparation& preparation, PatchKind kind, std::span<const glm::vec3> controlPositions,
+                   std::span<const glm::vec3> controlNormals, std::vector<glm::vec3>& positions,
+                   std::vector<glm::vec3>& normals);
+
+}  // namespace sinew

@@ -1,0 +1,22 @@
+// core/smoothing/smooth.h: the pipeline: a preparation, a posed rig and scratch memory make a surface.
+#pragma once
+
+#include <optional>
+
+#include "core/smoothing/posed_field.h"
+#include "core/smoothing/workspace.h"
+
+namespace sinew {
+
+/// What one thread keeps from pose to pose.
+struct SmoothingMemory {
+  PosedField posed;
+  Workspace workspace;
+};
+
+/// Skin, patch, project, remove folds, shading normals. Threads may share the preparation, each with memory of its own.
+/// @param rig  posed by preparation->poser in this pose.  @param eye  as in Smoother::smooth
+void smooth(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, const Pose& pose,
+            const std::optional<glm::vec3>& eye, SmoothingMemory& memory, Surface& out);
+
+}  // namespace sinew

@@ -1,0 +1,120 @@
+// core/smoothing/stages.cpp: patch -> project -> folds -> normals, each on the surface that the one before has left.
+#include "core/smoothing/stages.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+#include "core/base/at.h"
+#include "core/smoothing/patches/patch.h"
+#include "core/smoothing/projector.h"
+
+namespace sinew {
+namespace {
+
+/// A creased wedge has a normal of its own, which later stages turn with the surface.
+void shadeCreases(const Preparation& preparation, const PosedField& posed, Workspace& workspace, Surface& out) {
+  out.shadingNormals.clear();
+  const ControlMesh* creased = preparation.refined->creased.get();
+  if (!creased) return;
+  skinWedgeNormals(preparation.character(), creased->wedges, posed.control, workspace.wedgeNormals);
+  out.shadingNormals.resize(out.refinement->drawVertex.size());
+  evaluateShading(preparation.smoothing.patch, *creased, *out.refinement, posed.control.positions,
+                  workspace.wedgeNormals, out.normals, out.shadingNormals);
+}
+
+void startReport(const Preparation& p, const PosedField& posed, SmoothingReport& report) {
+  const std::vector<TriangleClass>& classes = posed.bind->classes;
+  report = {};
+  report.mode = p.mode;
+  report.patch = p.smoothing.patch;
+  report.projection = p.smoothing.projection;
+  report.depth = p.refinement().depth;
+  report.controlTriangles = static_cast<int>(p.mesh().triangles.size());
+  report.refinedTriangles = static_cast<int>(p.refinement().triangles.size());
+  report.refinedVertices = p.refinement().vertexCount;
+  report.implicitTriangles = static_cast<int>(std::ranges::count(classes, TriangleClass::kImplicit));
+  report.straddlingTriangles = static_cast<int>(std::ranges::count(classes, TriangleClass::kStraddling));
+  report.normalTriangles = static_cast<int>(std::ranges::count(classes, TriangleClass::kNormal));
+  report.unwrapped = posed.bind->weights.unwrapped;
+  report.primitives = p.shownPrimitives;
+  report.cliques = static_cast<int>(p.attached->attachment.graph.cliques.size());
+}
+
+/// Marks what the eye cannot see; without an eye the marks are empty.
+void cull(const Preparation& p, const PosedField& posed, const FieldView& field, const std::optional<glm::vec3>& eye,
+          FaceCulling& culling, Surface& out) {
+  culling.clear();
+  if (eye) {
+    const bool replaces = !p.swells() && p.shownPrimitives > 0;
+    const auto classes =
+        replaces ? std::span<const TriangleClass>(posed.bind->classes) : std::span<const TriangleClass>();
+    cullFaces({p.character(), p.refinement(), field, classes, out.positions}, *eye, culling);
+  }
+  out.culled = culling.triangles;
+  out.report.culledTriangles = culling.culled;
+}
+
+}  // namespace
+
+void layPatch(const Preparation& preparation, const PosedField& posed, Workspace& workspace, Surface& out) {
+  out.refinement = preparation.refined->refinement;
+  out.classes = posed.bind->classes;
+  evaluatePatch(preparation, preparation.smoothing.patch, posed.control.positions, posed.control.normals, out.positions,
+                out.normals);
+  out.displacement.assign(out.positions.size(), 0.0f);
+  workspace.patchPositions = out.positions;
+  workspace.patchNormals = out.normals;
+  shadeCreases(preparation, posed, workspace, out);
+  startReport(preparation, posed, out.report);
+}
+
+void project(const Preparation& preparation, const PosedField& posed, const Pose& pose,
+             const std::optional<glm::vec3>& eye, Workspace& workspace, Surface& out) {
+  FieldView field{posed.primitives, preparation.seen.get(), {}};
+  cull(preparation, posed, field, eye, workspace.culling, out);
+  if (preparation.shownPrimitives == 0) return;
+  field.skipped = workspace.culling.carriers;
+  chosenProjector().project({preparation, posed, field}, pose, workspace, out);
+}
+
+bool findMoved(const Preparation& preparation, const PosedField& posed, Workspace& workspace, const Surface& out) {
+  // A surface that wraps the body may lie across its patch; it has the paper's normals.
+  if (!preparation.swells() && posed.bind->weights.wraps) return false;
+  MovedTriangles& moved = workspace.movedTriangles;
+  moved.find(preparation.mesh(), preparation.refinement(), preparation.refined->rings, workspace.patchPositions,
+             out.positions);
+  return !moved.refined.empty();
+}
+
+void unfold(const Preparation& preparation, Workspace& w, Surface& out) {
+  const RefinedMesh& refined = *preparation.refined;
+  w.filtered = {};
+  if (preparation.swells()) {  // `replace` lies on the muscle as it is.
+    w.filtered = w.liftFilter.apply(refined.rings, w.movedTriangles, w.patchPositions, out.positions, out.displacement);
+  }
+  w.pairs.fill(w.movedTriangles.corners, w.patchPositions, out.positions);
+  w.foldMoves.start(out.positions.size());
+  w.foldRegion.find(preparation.mesh(), preparation.refinement(), refined.rings, w.movedTriangles,
+                    {w.patchPositions, w.patchNormals, *preparation.bindFronts}, w.pairs, out.positions,
+                    FoldRelaxation::kWholeArea);
+  w.foldRelaxation.apply(refined.rings, refined.isBorder, w.patchPositions, w.foldRegion, w.foldMoves, out.positions);
+  w.foldSpread.apply(refined.isBorder, w.patchPositions, w.foldRegion, w.foldMoves, out.positions);
+  for (const auto& [vertex, from] : w.foldMoves.list()) {
+    const std::size_t v = toIndex(vertex);
+    w.pairs.moveTo(vertex, out.positions[v]);
+    const glm::vec3 lift = from - w.patchPositions[v];
+    out.displacement[v] *= glm::dot(out.positions[v] - w.patchPositions[v], lift) / glm::dot(lift, lift);
+  }
+  out.report.guarded = static_cast<int>(w.foldMoves.list().size());
+}
+
+void shade(const Preparation& preparation, bool moved, Workspace& workspace, Surface& out) {
+  if (moved) {
+    workspace.shadingNormals.apply(preparation.refinement(), preparation.refined->rings, workspace.movedTriangles,
+                                   workspace.pairs, workspace.patchNormals, workspace.filtered, out.normals);
+  }
+  if (!out.shadingNormals.empty()) turnWithSurface(out, workspace.patchNormals, out.shadingNormals);
+}
+
+}  // namespace sinew

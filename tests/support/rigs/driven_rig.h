@@ -1,0 +1,12 @@
+// tests/support/rigs/driven_rig.h: a rig with the numbers of a pose typed in.
+#pragma once
+
+#include "core/drivers/posed_rig.h"
+
+namespace sinew::test {
+
+/// The rig with the numbers that it has in a pose; keys and drivers stay.
+[[nodiscard]] Rig withNumbers(Rig rig, const RigNumbers& numbers);
+[[nodiscard]] Rig drivenRig(const Rig& rig, const Character& character, const Pose& pose);
+
+}  // namespace sinew::test
