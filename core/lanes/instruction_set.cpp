@@ -45,9 +45,9 @@ InstructionSet chosenVectorSet() {
   return set == InstructionSet::kScalar ? availableInstructionSets().back() : set;
 }
 
-void chooseInstructionSet(InstructionSet set) {
+InstructionSet chooseInstructionSet(InstructionSet set) {
   assert(set == InstructionSet::kAuto || std::ranges::count(availableInstructionSets(), set) == 1);
-  chosen = set;
+  return chosen.exchange(set);
 }
 
 }  // namespace sinew

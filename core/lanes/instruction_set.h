@@ -19,15 +19,19 @@ enum class InstructionSet { kAuto, kScalar, kPlain, kSse4, kAvx2, kAvx512 };
 [[nodiscard]] InstructionSet chosenInstructionSet();
 /// The same for kernels without a scalar reference.
 [[nodiscard]] InstructionSet chosenVectorSet();
-void chooseInstructionSet(InstructionSet set);
+/// Returns what was chosen before.
+InstructionSet chooseInstructionSet(InstructionSet set);
 
-/// Chooses a set while it lives; then kAuto again.
+/// Chooses a set while it lives; then what was chosen before.
 class InstructionSetScope {
  public:
-  explicit InstructionSetScope(InstructionSet set) { chooseInstructionSet(set); }
-  ~InstructionSetScope() { chooseInstructionSet(InstructionSet::kAuto); }
+  explicit InstructionSetScope(InstructionSet set) : former_(chooseInstructionSet(set)) {}
+  ~InstructionSetScope() { chooseInstructionSet(former_); }
   InstructionSetScope(const InstructionSetScope&) = delete;
   InstructionSetScope& operator=(const InstructionSetScope&) = delete;
+
+ private:
+  InstructionSet former_;
 };
 
 }  // namespace sinew
