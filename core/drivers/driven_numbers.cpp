@@ -31,18 +31,15 @@ bool shapes(Parameter parameter) { return parameter >= Parameter::kReach && para
 
 DrivenNumbers::DrivenNumbers(const Rig& rig, const Character& character) {
   if (!isAnimated(rig)) return;
-  std::vector<std::optional<LineRest>> rests;
-  take(rig.surface.animated, 0, rig, character, rests);
-  for (std::size_t i = 0; i < rig.lines.size(); ++i)
-    take(rig.lines[i].animated, static_cast<int>(i), rig, character, rests);
+  take(rig.surface.animated, 0, rig, character);
+  for (std::size_t i = 0; i < rig.lines.size(); ++i) take(rig.lines[i].animated, static_cast<int>(i), rig, character);
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
-    take(rig.primitives[i].animated, static_cast<int>(i), rig, character, rests);
+    take(rig.primitives[i].animated, static_cast<int>(i), rig, character);
   }
-  lineLanes_ = LineLanes(rests);
 }
 
 void DrivenNumbers::take(const std::vector<AnimatedNumber>& animated, int owner, const Rig& rig,
-                         const Character& character, std::vector<std::optional<LineRest>>& rests) {
+                         const Character& character) {
   for (const AnimatedNumber& of : animated) {
     Number number{{of.parameter, owner}, 0.0f, of.keys, {}};
     number.drawn = numberOf(rig, number.ref);
@@ -50,8 +47,8 @@ void DrivenNumbers::take(const std::vector<AnimatedNumber>& animated, int owner,
       std::optional<FoundInput> input = foundInput(driver.input, rig, character);
       if (!input) continue;
       if (input->line >= 0) {
-        rests.resize(rig.lines.size());
-        at(rests, input->line) = lineRest(at(rig.lines, input->line), character).value();
+        rests_.resize(rig.lines.size());
+        at(rests_, input->line) = lineRest(at(rig.lines, input->line), character).value();
       }
       number.drivers.push_back({std::move(*input), driver.curve, driver.mode});
     }
@@ -65,7 +62,7 @@ void DrivenNumbers::take(const std::vector<AnimatedNumber>& animated, int owner,
 }
 
 void DrivenNumbers::measureLines(const Pose& pose, const Skeleton& skeleton) {
-  if (lineLanes_.size() > 0) poseLines(lineLanes_, skeleton, pose, lineScratch_, lines_);
+  if (!rests_.empty()) poseLines(rests_, skeleton, pose, lineScratch_, lines_);
 }
 
 float DrivenNumbers::valueOf(const Number& number, const Pose& pose, const Skeleton& skeleton) {

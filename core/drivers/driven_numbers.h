@@ -39,15 +39,13 @@ class DrivenNumbers {
     std::vector<KeyTrack> keys;
     std::vector<Join> drivers;
   };
-  /// @param rests  [Rig::lines] takes those that inputs read
-  void take(const std::vector<AnimatedNumber>& animated, int owner, const Rig& rig, const Character& character,
-            std::vector<std::optional<LineRest>>& rests);
+  void take(const std::vector<AnimatedNumber>& animated, int owner, const Rig& rig, const Character& character);
   void measureLines(const Pose& pose, const Skeleton& skeleton);
   [[nodiscard]] float valueOf(const Number& number, const Pose& pose, const Skeleton& skeleton);
 
   std::vector<Number> numbers_;
-  LineLanes lineLanes_;      ///< [Rig::lines] those that inputs read; empty: none are.
-  LineScratch lineScratch_;  ///< Memory kept from pose to pose, as are the next.
+  std::vector<std::optional<LineRest>> rests_;  ///< [Rig::lines] those that inputs read; empty: none are.
+  LineScratch lineScratch_;                     ///< Memory kept from pose to pose, as are the next.
   std::vector<PosedLine> lines_;
   InputScratch inputs_;
 };

@@ -22,27 +22,32 @@ std::vector<LineCarrier> ridesOf(const Rig& rig, const Skeleton& skeleton) {
   return rides;
 }
 
+/// A muscle as its line's via point bends it; nullopt: the via point moves nothing.
+/// @param carrier  of the muscle, with the line's whole shift
+std::optional<BentMuscle> bendOnLine(const LineRest& rest, const PosedLine& line, const Placement& placement,
+                                     const glm::mat4& boneInBind, const glm::mat4& carrier) {
+  if (line.aside == glm::vec3(0.0f)) return std::nullopt;
+  return bentMuscle(viaBend(rest, placement, boneInBind), carrier, line.aside);
+}
+
 }  // namespace
 
 Carriers::Carriers(const Rig& rig, const Character& character, std::span<const LineCarrier> onLines)
     : onLines_(onLines.begin(), onLines.end()) {
   if (onLines_.empty()) return;
   rests_ = lineRests(rig, character);
-  lanes_ = LineLanes(rests_);
 }
 
 void Carriers::settle(const Rig& rig) {
   for (std::size_t i = 0; i < rests_.size(); ++i) {
-    if (!rests_[i]) continue;
-    sinew::settle(*rests_[i], rig.lines[i].settings);
-    lanes_.settle(static_cast<int>(i), *rests_[i]);
+    if (rests_[i]) sinew::settle(*rests_[i], rig.lines[i].settings);
   }
 }
 
 void Carriers::pose(std::span<const FieldPrimitive> primitives, const Pose& pose, const Skeleton& skeleton,
                     std::vector<PosedPrimitive>& out) {
   if (onLines_.empty()) return poseField(primitives, pose.boneInWorld, out);
-  poseLines(lanes_, skeleton, pose, scratch_, lines_);
+  poseLines(rests_, skeleton, pose, scratch_, lines_);
   matrices_.assign(pose.boneInWorld.begin(), pose.boneInWorld.end());
   for (const auto& [bone, line] : onLines_) matrices_.push_back(carrierInWorld(bone, line, skeleton, pose, lines_));
   poseField(primitives, matrices_, out);
@@ -51,12 +56,12 @@ void Carriers::pose(std::span<const FieldPrimitive> primitives, const Pose& pose
     const int onLine = primitive.carrier - static_cast<int>(skeleton.bones.size());
     if (onLine < 0) continue;
     const auto [bone, line] = at(onLines_, onLine);
-    const glm::vec3& aside = at(lines_, line).aside;
     const std::optional<LineRest>& rest = at(rests_, line);
-    if (!rest || aside == glm::vec3(0.0f)) continue;
-    const ViaBend bend = viaBend(*rest, primitive.placement, at(skeleton.bones, bone).bindInWorld);
-    const BentMuscle bent = bentMuscle(bend, at(matrices_, primitive.carrier), aside);
-    out[i].influence = unitBallMap(bent.placement, primitive.reach, bent.carrier);
+    if (!rest) continue;
+    const std::optional<BentMuscle> bent =
+        bendOnLine(*rest, at(lines_, line), primitive.placement, at(skeleton.bones, bone).bindInWorld,
+                   at(matrices_, primitive.carrier));
+    if (bent) out[i].influence = unitBallMap(bent->placement, primitive.reach, bent->carrier);
   }
 }
 
@@ -69,7 +74,7 @@ std::vector<glm::mat4> Carriers::inBind(const Skeleton& skeleton) const {
 std::vector<PosedLine> posedLines(const Rig& rig, const Character& character, const Pose& pose) {
   LineScratch scratch;
   std::vector<PosedLine> lines;
-  poseLines(LineLanes(lineRests(rig, character)), character.skeleton, pose, scratch, lines);
+  poseLines(lineRests(rig, character), character.skeleton, pose, scratch, lines);
   return lines;
 }
 
@@ -99,11 +104,12 @@ std::vector<std::optional<BentMuscle>> carriedMuscles(const Rig& rig, const Char
     const Placement& placement = rig.primitives[i].placement;
     const glm::mat4 carrier = carrierInWorld(bone, line, character.skeleton, pose, lines);
     muscles[i] = {carrier, placement};
-    if (line < 0 || at(lines, line).aside == glm::vec3(0.0f)) continue;
+    if (line < 0 || !at(rig.lines, line).via) continue;
     const Result<LineRest> rest = lineRest(at(rig.lines, line), character);
     if (!rest) continue;
-    const ViaBend bend = viaBend(rest.value(), placement, at(character.skeleton.bones, bone).bindInWorld);
-    muscles[i] = bentMuscle(bend, carrier, at(lines, line).aside);
+    const auto bent =
+        bendOnLine(rest.value(), at(lines, line), placement, at(character.skeleton.bones, bone).bindInWorld, carrier);
+    if (bent) muscles[i] = *bent;
   }
   return muscles;
 }

@@ -28,8 +28,7 @@ class Carriers {
   [[nodiscard]] std::vector<glm::mat4> inBind(const Skeleton& skeleton) const;
 
  private:
-  std::vector<std::optional<LineRest>> rests_;
-  LineLanes lanes_;  ///< Made of them.
+  std::vector<std::optional<LineRest>> rests_;  ///< [Rig::lines]
   std::vector<LineCarrier> onLines_;
   LineScratch scratch_;
   std::vector<PosedLine> lines_;     ///< Memory kept from pose to pose, as is the next.
@@ -48,7 +47,7 @@ class Carriers {
 /// [Rig::primitives] as the field has them; nullopt: unattached. @param lines  posedLines of the same
 [[nodiscard]] std::vector<std::optional<BentMuscle>> carriedMuscles(const Rig& rig, const Character& character,
                                                                     const Pose& pose, std::span<const PosedLine> lines);
-/// carriersOf for one.
+/// What one of the rig's primitives rides.
 [[nodiscard]] std::optional<glm::mat4> carrierOf(const Rig& rig, const Primitive& primitive, const Character& character,
                                                  const Pose& pose);
 
