@@ -116,10 +116,15 @@ std::vector<std::optional<BentMuscle>> carriedMuscles(const Rig& rig, const Char
 
 std::optional<glm::mat4> carrierOf(const Rig& rig, const Primitive& primitive, const Character& character,
                                    const Pose& pose) {
-  Rig one;
-  if (const MuscleLine* line = lineOf(rig, primitive)) one.lines.push_back(*line);
-  one.primitives.push_back(primitive);
-  return carriersOf(one, character, pose).front();
+  const std::optional<int> bone = character.skeleton.findBone(primitive.bone);
+  if (!bone) return std::nullopt;
+  const int index = primitive.line.empty() ? -1 : findLine(rig, primitive.line);
+  if (index < 0) return at(pose.boneInWorld, *bone);
+  const Result<LineRest> rest = lineRest(at(rig.lines, index), character);
+  if (!rest) return std::nullopt;
+  const PosedLine line = posedLine(rest.value(), character.skeleton, pose, pose.flexOf(index));
+  if (!line.usable) return std::nullopt;
+  return line.deformation * at(character.skeleton.bones, *bone).bindInWorld;
 }
 
 }  // namespace sinew
