@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -340,6 +339,7 @@ Smoother Smoother::twin() const { return Smoother(std::make_unique<State>(*state
 
 Result<void> Smoother::prepare(const Rig& rig, std::span<const int> hidden) {
   assert(std::ranges::is_sorted(hidden));
+  if (Result<void> able = checkProcessor(); !able) return able.error();
   if (Result<void> valid = validate(rig, state_->graphs); !valid) return valid.error();
   const std::int64_t vertices = refinedVertexCount(state_->mesh(), rig.smoothing.depth);
   if (vertices > kMaxRefinedVertices) {

@@ -1,7 +1,9 @@
-// tests/lanes/instruction_set_test.cpp: which instructions are chosen.
+// tests/lanes/instruction_set_test.cpp: which instructions are chosen, and machines that lack them.
 #include "core/lanes/instruction_set.h"
 
 #include <gtest/gtest.h>
+
+#include "hwy/targets.h"
 
 namespace sinew::test {
 namespace {
@@ -18,6 +20,15 @@ TEST(InstructionSetScope, LeavesWhatWasChosenBefore) {
     EXPECT_EQ(chosenVectorSet(), widest);
   }
   EXPECT_EQ(chosenInstructionSet(), widest);
+}
+
+TEST(Processor, IsRefusedWithoutSse4) {
+  EXPECT_TRUE(checkProcessor());
+  hwy::SetSupportedTargetsForTest(HWY_SCALAR);
+  const Result<void> refused = checkProcessor();
+  hwy::SetSupportedTargetsForTest(0);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().text(), "this processor lacks SSE4.2 with AES and CLMUL, which Sinew needs");
 }
 
 }  // namespace
