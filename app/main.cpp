@@ -6,6 +6,7 @@
 #include "app/cli/console.h"
 #include "app/cli/verbs.h"
 #include "app/window/editor_window.h"
+#include "core/lanes/instruction_set.h"
 
 namespace {
 
@@ -20,6 +21,7 @@ int edit(const sinew::app::EditRequest& request) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (const auto able = sinew::checkProcessor(); !able) return sinew::app::badInput(able.error());
   std::signal(SIGXFSZ, SIG_IGN);  // A file that may not grow is an error of the call that writes it.
   try {
     return sinew::app::runCommandLine(argc, argv, edit);

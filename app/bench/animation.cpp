@@ -88,7 +88,6 @@ std::vector<AnimationCost> measureAnimation(const Character& character, int roun
     const Result<LineRest> rest = lineRest(lineOver(character, bone, i), character);
     rests.push_back(rest ? std::optional(rest.value()) : std::nullopt);
   }
-  const LineLanes lines(rests);
   const Rig rig = drivenRigOf(character, bones);
   const DrivenNumbers numbers(rig, character);
   const RigNumbers drawn = drawnNumbers(rig);
@@ -106,7 +105,7 @@ std::vector<AnimationCost> measureAnimation(const Character& character, int roun
     const float share = static_cast<float>(round) / static_cast<float>(rounds);
     const Pose pose = clip ? samplePose(skeleton, *clip, share * clip->duration) : restPose(skeleton);
     timed(works[0], [&] { skin(character, pose, skinned); });
-    timed(works[1], [&] { poseLines(lines, skeleton, pose, scratch, posed); });
+    timed(works[1], [&] { poseLines(rests, skeleton, pose, scratch, posed); });
     timed(works[2], [&] {
       driven = drawn;
       numbers.apply(pose, skeleton, drivers, driven);

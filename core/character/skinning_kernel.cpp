@@ -1,5 +1,5 @@
 // core/character/skinning_kernel.cpp: vertices follow their bones, compiled once per instruction set. Every lane does
-// the operations of skinning.cpp in the same order.
+// the same operations in the same order, whatever the set.
 #include "core/character/skinning_kernel.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-constexpr std::size_t kNumbers = 16;  ///< Of a matrix, column by column.
+constexpr std::size_t kNumbers = 16;  ///< A matrix's, column by column.
 
 /// The weighted sum of a vertex's matrices, with as few vectors as hold it.
 HWY_INLINE void blend(std::span<const Influence> influences, const glm::mat4* matrices, float* to) {
@@ -38,30 +38,30 @@ struct LaneMatrix {
 };
 
 /// As normalMatrix of base/geometry.h carries it.
-HWY_INLINE V3 carried(const V3& direction, const LaneMatrix& matrix) {
+HWY_INLINE V3 carry(const V3& direction, const LaneMatrix& matrix) {
   const V3(&m)[4] = matrix.column;
   const V3 cofactors[3] = {cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])};
-  const V sign = choose(hn::Lt(dot(m[0], cofactors[0]), zero()), all(-1.0f), all(1.0f));
+  const V sign = select(hn::Lt(dot(m[0], cofactors[0]), zero()), all(-1.0f), all(1.0f));
   const V3 sum =
       (sign * cofactors[0]) * direction.x + (sign * cofactors[1]) * direction.y + (sign * cofactors[2]) * direction.z;
   return normalizeOr(sum, direction);
 }
 
-HWY_INLINE V3 moved(const V3& point, const LaneMatrix& matrix) {
+HWY_INLINE V3 move(const V3& point, const LaneMatrix& matrix) {
   const V3(&m)[4] = matrix.column;
   return (m[0] * point.x + m[1] * point.y) + (m[2] * point.z + m[3]);
 }
 
 /// @param vertex  of a lane.
 template <class Vertex>
-HWY_INLINE LaneMatrix blendedOf(const ControlMesh& mesh, std::span<const glm::mat4> matrices, Vertex vertex) {
+HWY_INLINE LaneMatrix blendLanes(const ControlMesh& mesh, std::span<const glm::mat4> matrices, Vertex vertex) {
   alignas(64) float blended[kLanes * kNumbers];
   for (std::size_t lane = 0; lane < width(); ++lane) {
     blend(mesh.influencesOf(vertex(lane)), matrices.data(), blended + lane * kNumbers);
   }
   LaneMatrix out;
   for (std::size_t c = 0; c < 4; ++c) {
-    out.column[c] = gatheredBy([&](std::size_t lane) { return blended + lane * kNumbers + 4 * c; });
+    out.column[c] = gatherBy([&](std::size_t lane) { return blended + lane * kNumbers + 4 * c; });
   }
   return out;
 }
@@ -74,13 +74,13 @@ void skinVertices(const SkinFrame& frame) {
   for (int first = 0; first < count; first += static_cast<int>(width())) {
     const auto used = std::min(width(), toIndex(count - first));
     const auto vertex = [&](std::size_t lane) { return std::min(first + static_cast<int>(lane), count - 1); };
-    const LaneMatrix matrix = blendedOf(*frame.mesh, frame.matrices, vertex);
+    const LaneMatrix matrix = blendLanes(*frame.mesh, frame.matrices, vertex);
     if (!frame.outPositions.empty()) {
-      const V3 point = gatheredBy([&](std::size_t lane) { return positions.at(vertex(lane)); });
-      scatter(moved(point, matrix), &at(frame.outPositions, first), 1, used);
+      const V3 point = gatherBy([&](std::size_t lane) { return positions.at(vertex(lane)); });
+      scatter(move(point, matrix), &at(frame.outPositions, first), 1, used);
     }
-    const V3 direction = gatheredBy([&](std::size_t lane) { return directions.at(vertex(lane)); });
-    scatter(carried(direction, matrix), &at(frame.outDirections, first), 1, used);
+    const V3 direction = gatherBy([&](std::size_t lane) { return directions.at(vertex(lane)); });
+    scatter(carry(direction, matrix), &at(frame.outDirections, first), 1, used);
   }
 }
 
@@ -88,11 +88,11 @@ void skinVertices(const SkinFrame& frame) {
 void skinListed(const WedgeFrame& frame, const std::array<std::size_t, kLanes>& listed, std::size_t used) {
   const auto wedge = [&](std::size_t lane) -> const Wedge& { return frame.wedges[listed[lane]]; };
   const LaneMatrix matrix =
-      blendedOf(*frame.mesh, frame.matrices, [&](std::size_t lane) { return wedge(lane).vertex; });
+      blendLanes(*frame.mesh, frame.matrices, [&](std::size_t lane) { return wedge(lane).vertex; });
   LanePoints normals;
   for (std::size_t lane = 0; lane < width(); ++lane) normals.set(lane, wedge(lane).normal);
   scatterTo(
-      carried(normals.load(0), matrix), [&](std::size_t lane) { return &frame.out[listed[lane]]; }, used);
+      carry(normals.load(0), matrix), [&](std::size_t lane) { return &frame.out[listed[lane]]; }, used);
 }
 
 void skinWedges(const WedgeFrame& frame) {

@@ -13,7 +13,7 @@ struct SkinFrame {
   const ControlMesh* mesh = nullptr;
   std::span<const glm::mat4> matrices;    ///< [bindings] from the bind pose to the pose.
   std::span<const glm::vec3> directions;  ///< Bind pose, unit; carried as normals are.
-  std::span<glm::vec3> outPositions;      ///< Of the mesh's positions; or empty: not asked for.
+  std::span<glm::vec3> outPositions;      ///< Those of the mesh's positions; or empty: not asked for.
   std::span<glm::vec3> outDirections;     ///< Unit.
 };
 
@@ -30,7 +30,7 @@ struct SkinKernels {
   void (*wedges)(const WedgeFrame& frame) = nullptr;
 };
 
-/// All give the bits of the formulas in skinning.cpp.  @param set  not kScalar; one that this machine runs.
+/// All give the same bits.  @param set  not kScalar; one that this machine runs.
 [[nodiscard]] SkinKernels skinKernels(InstructionSet set);
 
 }  // namespace sinew

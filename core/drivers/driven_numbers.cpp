@@ -53,13 +53,6 @@ bool DrivenNumbers::changes(ParameterOwner owner) const {
   return std::ranges::any_of(numbers_, [owner](const Number& n) { return ownerOf(n.ref.parameter) == owner; });
 }
 
-void DrivenNumbers::measureLines(const Pose& pose, const Skeleton& skeleton, std::vector<PosedLine>& lines) const {
-  lines.resize(rests_.size());
-  for (std::size_t i = 0; i < rests_.size(); ++i) {
-    if (rests_[i]) lines[i] = posedLine(*rests_[i], skeleton, pose, pose.flexOf(static_cast<int>(i)));
-  }
-}
-
 float DrivenNumbers::valueOf(const Number& number, float drawn, const Pose& pose, const Skeleton& skeleton,
                              DriverScratch& scratch) const {
   const KeyTrack* track = trackIn(number.keys, pose.clip);
@@ -73,7 +66,7 @@ float DrivenNumbers::valueOf(const Number& number, float drawn, const Pose& pose
 
 void DrivenNumbers::apply(const Pose& pose, const Skeleton& skeleton, DriverScratch& scratch,
                           RigNumbers& numbers) const {
-  measureLines(pose, skeleton, scratch.lines);
+  if (!rests_.empty()) poseLines(rests_, skeleton, pose, scratch.posing, scratch.lines);
   scratch.inputs.turnOf.assign(scratch.inputs.turnOf.size(), std::nullopt);
   for (const Number& number : numbers_) {
     float& now = numberIn(numbers, number.ref);

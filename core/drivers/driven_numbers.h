@@ -13,6 +13,7 @@ namespace sinew {
 /// Memory that is reused from pose to pose; carries nothing from one to the next.
 struct DriverScratch {
   std::vector<PosedLine> lines;  ///< [Rig::lines] those that inputs read.
+  LineScratch posing;
   InputScratch inputs;
 };
 
@@ -41,7 +42,6 @@ class DrivenNumbers {
     std::vector<Join> drivers;
   };
   void add(const std::vector<AnimatedNumber>& animated, int owner, const Rig& rig, const Character& character);
-  void measureLines(const Pose& pose, const Skeleton& skeleton, std::vector<PosedLine>& lines) const;
   [[nodiscard]] float valueOf(const Number& number, float drawn, const Pose& pose, const Skeleton& skeleton,
                               DriverScratch& scratch) const;
 

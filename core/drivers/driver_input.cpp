@@ -13,8 +13,8 @@ namespace sinew {
 namespace {
 
 bool findPoints(const DriverInput& input, const Character& character, FoundInput& found) {
-  const std::optional<BonePoint> from = foundPoint(input.from, character.skeleton);
-  const std::optional<BonePoint> to = foundPoint(input.to, character.skeleton);
+  const std::optional<BonePoint> from = findPoint(input.from, character.skeleton);
+  const std::optional<BonePoint> to = findPoint(input.to, character.skeleton);
   if (!from || !to) return false;
   found.from = *from;
   found.to = *to;

@@ -25,13 +25,11 @@ RigPoser::RigPoser(const Rig& rig, const Character& character)
 }
 
 void RigPoser::poseLines(const Pose& pose, PosedRig& out) const {
-  out.rests.assign(rests_.begin(), rests_.end());
-  out.lines.resize(rests_.size());
-  for (std::size_t i = 0; i < rests_.size(); ++i) {
-    std::optional<LineRest>& rest = out.rests[i];
-    if (rest && drivesLines_) settle(*rest, out.numbers.lines[i]);
-    out.lines[i] = rest ? posedLine(*rest, *skeleton_, pose, pose.flexOf(static_cast<int>(i))) : PosedLine{};
+  out.rests = rests_;
+  for (std::size_t i = 0; drivesLines_ && i < rests_.size(); ++i) {
+    if (out.rests[i]) settle(*out.rests[i], out.numbers.lines[i]);
   }
+  sinew::poseLines(out.rests, *skeleton_, pose, out.posing, out.lines);
 }
 
 PosedMuscle RigPoser::posedMuscle(const Ride& ride, const Placement& placement, const Pose& pose,

@@ -30,6 +30,7 @@ struct PosedRig {
 
   // Memory kept from pose to pose; not to be read.
   DriverScratch drivers;
+  LineScratch posing;
   std::vector<std::optional<LineRest>> rests;
 };
 

@@ -13,7 +13,7 @@ namespace sinew {
 namespace {
 
 std::vector<InstructionSet> findAvailable() {
-  std::vector<InstructionSet> sets{InstructionSet::kScalar, InstructionSet::kPlain};
+  std::vector<InstructionSet> sets{InstructionSet::kScalar};
   const std::int64_t targets = hwy::SupportedTargets();
   if (targets & HWY_SSE4) sets.push_back(InstructionSet::kSse4);
   if (targets & HWY_AVX2) sets.push_back(InstructionSet::kAvx2);
@@ -26,8 +26,13 @@ std::atomic<InstructionSet> chosen = InstructionSet::kAuto;
 }  // namespace
 
 const char* nameOf(InstructionSet set) {
-  constexpr std::array kNames{"auto", "scalar", "plain", "sse4", "avx2", "avx512"};
+  constexpr std::array kNames{"auto", "scalar", "sse4", "avx2", "avx512"};
   return kNames[static_cast<std::size_t>(set)];
+}
+
+Result<void> checkProcessor() {
+  if (hwy::SupportedTargets() & HWY_SSE4) return {};
+  return errorAt("", "this processor lacks SSE4.2 with AES and CLMUL, which Sinew needs");
 }
 
 std::span<const InstructionSet> availableInstructionSets() {
@@ -42,12 +47,14 @@ InstructionSet chosenInstructionSet() {
 
 InstructionSet chosenVectorSet() {
   const InstructionSet set = chosenInstructionSet();
-  return set == InstructionSet::kScalar ? availableInstructionSets().back() : set;
+  if (set != InstructionSet::kScalar) return set;
+  assert(checkProcessor());
+  return availableInstructionSets().back();
 }
 
-void chooseInstructionSet(InstructionSet set) {
+InstructionSet chooseInstructionSet(InstructionSet set) {
   assert(set == InstructionSet::kAuto || std::ranges::count(availableInstructionSets(), set) == 1);
-  chosen = set;
+  return chosen.exchange(set);
 }
 
 }  // namespace sinew

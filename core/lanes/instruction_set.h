@@ -3,31 +3,39 @@
 
 #include <span>
 
+#include "sinew/base/result.h"
+
 namespace sinew {
 
-/// kAuto: the widest this machine has. kPlain: the same operations, one lane at a time, where there are no others.
-/// kScalar: vertex after vertex, without lanes, the references of tests: the projection's in double precision,
-/// skinning's and the patches' with the same bits; to the rest it means kAuto.
-enum class InstructionSet { kAuto, kScalar, kPlain, kSse4, kAvx2, kAvx512 };
+/// kAuto: the widest this machine has. kScalar: the projection goes vertex by vertex, in double precision: the
+/// reference of its vectors, and the way for what they give up; all other stages take it for kAuto.
+enum class InstructionSet { kAuto, kScalar, kSse4, kAvx2, kAvx512 };
 
 [[nodiscard]] const char* nameOf(InstructionSet set);
+
+/// Error: this processor lacks SSE4, without which no kernel runs.
+[[nodiscard]] Result<void> checkProcessor();
 
 /// Those that this machine runs, kScalar first; kAuto is not among them.
 [[nodiscard]] std::span<const InstructionSet> availableInstructionSets();
 
 /// What kAuto means to this process. For tests and measurements: all sets but kScalar give the same bits.
 [[nodiscard]] InstructionSet chosenInstructionSet();
-/// The same for kernels without a scalar reference.
+/// The same for stages that have kernels alone. checkProcessor() must have succeeded.
 [[nodiscard]] InstructionSet chosenVectorSet();
-void chooseInstructionSet(InstructionSet set);
+/// Returns what was chosen before.
+InstructionSet chooseInstructionSet(InstructionSet set);
 
-/// Chooses a set while it lives; then kAuto again.
+/// Chooses a set while it lives; then what was chosen before.
 class InstructionSetScope {
  public:
-  explicit InstructionSetScope(InstructionSet set) { chooseInstructionSet(set); }
-  ~InstructionSetScope() { chooseInstructionSet(InstructionSet::kAuto); }
+  explicit InstructionSetScope(InstructionSet set) : former_(chooseInstructionSet(set)) {}
+  ~InstructionSetScope() { chooseInstructionSet(former_); }
   InstructionSetScope(const InstructionSetScope&) = delete;
   InstructionSetScope& operator=(const InstructionSetScope&) = delete;
+
+ private:
+  InstructionSet former_;
 };
 
 }  // namespace sinew

@@ -7,8 +7,6 @@
 #define SINEW_LANE_BLOCKS_H
 #endif
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -17,119 +15,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-#if HWY_TARGET == HWY_SCALAR
-
-/// kCount blocks of four numbers.
-template <std::size_t kCount>
-struct Blocks {
-  float of[4 * kCount];
-
-  static Blocks all(float value) {
-    return made([&](std::size_t) { return value; });
-  }
-  static Blocks load(const float* from) {
-    return made([&](std::size_t i) { return from[i]; });
-  }
-  /// Half of the blocks from each of two places.
-  static Blocks joined(const float* low, const float* high) {
-    return made([&](std::size_t i) { return i < 2 * kCount ? low[i] : high[i - 2 * kCount]; });
-  }
-  void store(float* to) const { std::copy(of, of + 4 * kCount, to); }
-
-  template <class Value>
-  static Blocks made(Value value) {
-    Blocks out;
-    for (std::size_t i = 0; i < 4 * kCount; ++i) out.of[i] = value(i);
-    return out;
-  }
-  /// Block by block: number k is number order[k].
-  [[nodiscard]] Blocks shuffled(const std::size_t (&order)[4]) const {
-    return made([&](std::size_t i) { return of[i / 4 * 4 + order[i % 4]]; });
-  }
-};
-
-#define SINEW_BLOCKS_OPERATOR(op)                                                   \
-  template <std::size_t kCount>                                                     \
-  Blocks<kCount> operator op(const Blocks<kCount>& a, const Blocks<kCount>& b) {    \
-    return Blocks<kCount>::made([&](std::size_t i) { return a.of[i] op b.of[i]; }); \
-  }
-SINEW_BLOCKS_OPERATOR(+)
-SINEW_BLOCKS_OPERATOR(-)
-SINEW_BLOCKS_OPERATOR(*)
-SINEW_BLOCKS_OPERATOR(/)
-#undef SINEW_BLOCKS_OPERATOR
-
-template <std::size_t kCount>
-Blocks<kCount> root(const Blocks<kCount>& a) {
-  return Blocks<kCount>::made([&](std::size_t i) { return std::sqrt(a.of[i]); });
-}
-template <std::size_t kCount>
-Blocks<kCount> magnitude(const Blocks<kCount>& a) {
-  return Blocks<kCount>::made([&](std::size_t i) { return std::abs(a.of[i]); });
-}
-template <std::size_t kCount>
-Blocks<kCount> lesser(const Blocks<kCount>& a, const Blocks<kCount>& b) {
-  return Blocks<kCount>::made([&](std::size_t i) { return a.of[i] < b.of[i] ? a.of[i] : b.of[i]; });
-}
-/// yes where `test` is below 0, else no.
-template <std::size_t kCount>
-Blocks<kCount> whereNegative(const Blocks<kCount>& test, const Blocks<kCount>& yes, const Blocks<kCount>& no) {
-  return Blocks<kCount>::made([&](std::size_t i) { return test.of[i] < 0.0f ? yes.of[i] : no.of[i]; });
-}
-template <std::size_t kCount>
-Blocks<kCount> greater(const Blocks<kCount>& a, const Blocks<kCount>& b) {
-  return Blocks<kCount>::made([&](std::size_t i) { return a.of[i] > b.of[i] ? a.of[i] : b.of[i]; });
-}
-/// value where `test` is above 0, else 0.
-template <std::size_t kCount>
-Blocks<kCount> wherePositive(const Blocks<kCount>& test, const Blocks<kCount>& value) {
-  return Blocks<kCount>::made([&](std::size_t i) { return test.of[i] > 0.0f ? value.of[i] : 0.0f; });
-}
-/// (y, z, x, w)
-template <std::size_t kCount>
-Blocks<kCount> yzxw(const Blocks<kCount>& a) {
-  return a.shuffled({1, 2, 0, 3});
-}
-/// (z, x, y, w)
-template <std::size_t kCount>
-Blocks<kCount> zxyw(const Blocks<kCount>& a) {
-  return a.shuffled({2, 0, 1, 3});
-}
-template <int kNumber, std::size_t kCount>
-Blocks<kCount> spread(const Blocks<kCount>& a) {
-  return a.shuffled({kNumber, kNumber, kNumber, kNumber});
-}
-/// x, y, z of the first and w of the second.
-template <std::size_t kCount>
-Blocks<kCount> xyzAndW(const Blocks<kCount>& xyz, const Blocks<kCount>& w) {
-  return Blocks<kCount>::made([&](std::size_t i) { return i % 4 == 3 ? w.of[i] : xyz.of[i]; });
-}
-/// (sum of a, sum of b, sum of c, sum of d), block by block.
-template <std::size_t kCount>
-Blocks<kCount> sums(const Blocks<kCount>& a, const Blocks<kCount>& b, const Blocks<kCount>& c,
-                    const Blocks<kCount>& d) {
-  const Blocks<kCount>* rows[4] = {&a, &b, &c, &d};
-  return Blocks<kCount>::made([&](std::size_t i) {
-    const float* of = rows[i % 4]->of + i / 4 * 4;
-    return (of[0] + of[2]) + (of[1] + of[3]);
-  });
-}
-template <std::size_t kCount>
-Blocks<kCount / 2> lower(const Blocks<kCount>& a) {
-  return Blocks<kCount / 2>::load(a.of);
-}
-template <std::size_t kCount>
-Blocks<kCount / 2> upper(const Blocks<kCount>& a) {
-  return Blocks<kCount / 2>::load(a.of + 2 * kCount);
-}
-template <std::size_t kCount>
-Blocks<2 * kCount> bothOf(const Blocks<kCount>& low, const Blocks<kCount>& high) {
-  return Blocks<2 * kCount>::joined(low.of, high.of);
-}
-inline float first(const Blocks<1>& a) { return a.of[0]; }
-
-#else
 
 /// kCount blocks of four numbers, in as few vectors as hold them.
 template <std::size_t kCount>
@@ -141,7 +26,7 @@ struct Blocks {
   Vector of[kVectors];
 
   template <class Value>
-  static HWY_INLINE Blocks made(Value value) {
+  static HWY_INLINE Blocks make(Value value) {
     if constexpr (kVectors == 1) {
       return {{value(0)}};
     } else {
@@ -150,13 +35,13 @@ struct Blocks {
     }
   }
   static HWY_INLINE Blocks all(float value) {
-    return made([=](std::size_t) HWY_ATTR { return hn::Set(Tag(), value); });
+    return make([=](std::size_t) HWY_ATTR { return hn::Set(Tag(), value); });
   }
   static HWY_INLINE Blocks load(const float* from) {
-    return made([=](std::size_t i) HWY_ATTR { return hn::Load(Tag(), from + i * kEach); });
+    return make([=](std::size_t i) HWY_ATTR { return hn::Load(Tag(), from + i * kEach); });
   }
   /// Half of the blocks from each of two places.
-  static HWY_INLINE Blocks joined(const float* low, const float* high) {
+  static HWY_INLINE Blocks join(const float* low, const float* high) {
     const hn::CappedTag<float, 2 * kCount> half;
     if constexpr (kVectors == 1) {
       return {{hn::Combine(Tag(), hn::Load(half, high), hn::Load(half, low))}};
@@ -168,10 +53,10 @@ struct Blocks {
     for (std::size_t i = 0; i < kVectors; ++i) hn::Store(of[i], Tag(), to + i * kEach);
   }
   /// Block by block, by the sixteen bytes' new places.
-  [[nodiscard]] HWY_INLINE Blocks shuffled(const std::uint8_t* bytes) const {
+  [[nodiscard]] HWY_INLINE Blocks shuffle(const std::uint8_t* bytes) const {
     const hn::Repartition<std::uint8_t, Tag> byteTag;
     const auto order = hn::LoadDup128(byteTag, bytes);
-    return made([&](std::size_t i)
+    return make([&](std::size_t i)
                     HWY_ATTR { return hn::BitCast(Tag(), hn::TableLookupBytes(hn::BitCast(byteTag, of[i]), order)); });
   }
 };
@@ -180,7 +65,7 @@ struct Blocks {
   template <std::size_t kCount>                                                      \
   HWY_INLINE Blocks<kCount> name parameters {                                        \
     [[maybe_unused]] const typename Blocks<kCount>::Tag tag;                         \
-    return Blocks<kCount>::made([&](std::size_t i) HWY_ATTR { return expression; }); \
+    return Blocks<kCount>::make([&](std::size_t i) HWY_ATTR { return expression; }); \
   }
 #define SINEW_B const Blocks<kCount>&
 SINEW_BLOCKS_FUNCTION(operator+, (SINEW_B a, SINEW_B b), hn::Add(a.of[i], b.of[i]))
@@ -189,11 +74,11 @@ SINEW_BLOCKS_FUNCTION(operator*, (SINEW_B a, SINEW_B b), hn::Mul(a.of[i], b.of[i
 SINEW_BLOCKS_FUNCTION(operator/, (SINEW_B a, SINEW_B b), hn::Div(a.of[i], b.of[i]))
 SINEW_BLOCKS_FUNCTION(root, (SINEW_B a), hn::Sqrt(a.of[i]))
 SINEW_BLOCKS_FUNCTION(magnitude, (SINEW_B a), hn::Abs(a.of[i]))
-SINEW_BLOCKS_FUNCTION(lesser, (SINEW_B a, SINEW_B b), hn::Min(a.of[i], b.of[i]))
+SINEW_BLOCKS_FUNCTION(min, (SINEW_B a, SINEW_B b), hn::Min(a.of[i], b.of[i]))
 /// yes where `test` is below 0, else no.
 SINEW_BLOCKS_FUNCTION(whereNegative, (SINEW_B test, SINEW_B yes, SINEW_B no),
                       hn::IfThenElse(hn::Lt(test.of[i], hn::Zero(tag)), yes.of[i], no.of[i]))
-SINEW_BLOCKS_FUNCTION(greater, (SINEW_B a, SINEW_B b), hn::Max(a.of[i], b.of[i]))
+SINEW_BLOCKS_FUNCTION(max, (SINEW_B a, SINEW_B b), hn::Max(a.of[i], b.of[i]))
 /// value where `test` is above 0, else 0.
 SINEW_BLOCKS_FUNCTION(wherePositive, (SINEW_B test, SINEW_B value),
                       hn::IfThenElseZero(hn::Gt(test.of[i], hn::Zero(tag)), value.of[i]))
@@ -206,16 +91,16 @@ inline constexpr std::uint8_t kZxyw[16] = {8, 9, 10, 11, 0, 1, 2, 3, 4, 5, 6, 7,
 /// (y, z, x, w)
 template <std::size_t kCount>
 HWY_INLINE Blocks<kCount> yzxw(const Blocks<kCount>& a) {
-  return a.shuffled(kYzxw);
+  return a.shuffle(kYzxw);
 }
 /// (z, x, y, w)
 template <std::size_t kCount>
 HWY_INLINE Blocks<kCount> zxyw(const Blocks<kCount>& a) {
-  return a.shuffled(kZxyw);
+  return a.shuffle(kZxyw);
 }
 template <int kNumber, std::size_t kCount>
 HWY_INLINE Blocks<kCount> spread(const Blocks<kCount>& a) {
-  return Blocks<kCount>::made([&](std::size_t i) HWY_ATTR { return hn::Broadcast<kNumber>(a.of[i]); });
+  return Blocks<kCount>::make([&](std::size_t i) HWY_ATTR { return hn::Broadcast<kNumber>(a.of[i]); });
 }
 /// x, y, z of the first and w of the second.
 template <std::size_t kCount>
@@ -224,7 +109,7 @@ HWY_INLINE Blocks<kCount> xyzAndW(const Blocks<kCount>& xyz, const Blocks<kCount
   const hn::Repartition<std::uint32_t, Tag> bits;
   alignas(16) static constexpr std::uint32_t kW[4] = {0, 0, 0, ~0u};
   const auto isW = hn::MaskFromVec(hn::BitCast(Tag(), hn::LoadDup128(bits, kW)));
-  return Blocks<kCount>::made([&](std::size_t i) HWY_ATTR { return hn::IfThenElse(isW, w.of[i], xyz.of[i]); });
+  return Blocks<kCount>::make([&](std::size_t i) HWY_ATTR { return hn::IfThenElse(isW, w.of[i], xyz.of[i]); });
 }
 /// (sum of a, sum of b, sum of c, sum of d), block by block.
 template <std::size_t kCount>
@@ -233,7 +118,7 @@ HWY_INLINE Blocks<kCount> sums(const Blocks<kCount>& a, const Blocks<kCount>& b,
   using Tag = typename Blocks<kCount>::Tag;
   const Tag tag;
   const hn::RepartitionToWide<Tag> wide;
-  return Blocks<kCount>::made([&](std::size_t i) HWY_ATTR {
+  return Blocks<kCount>::make([&](std::size_t i) HWY_ATTR {
     const auto ab = hn::BitCast(
         wide, hn::Add(hn::InterleaveLower(tag, a.of[i], b.of[i]), hn::InterleaveUpper(tag, a.of[i], b.of[i])));
     const auto cd = hn::BitCast(
@@ -268,8 +153,6 @@ HWY_INLINE Blocks<2 * kCount> bothOf(const Blocks<kCount>& low, const Blocks<kCo
   }
 }
 HWY_INLINE float first(const Blocks<1>& a) { return hn::GetLane(a.of[0]); }
-
-#endif
 
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -40,15 +40,16 @@ HWY_INLINE V3 times(const glm::mat3& m, const V3& v) { return v.x * all(m[0]) + 
 HWY_INLINE V3 transposedTimes(const glm::mat3& m, const V3& v) {
   return {dot(all(m[0]), v), dot(all(m[1]), v), dot(all(m[2]), v)};
 }
-HWY_INLINE V3 choose(M mask, const V3& yes, const V3& no) {
-  return {choose(mask, yes.x, no.x), choose(mask, yes.y, no.y), choose(mask, yes.z, no.z)};
+HWY_INLINE V3 select(M mask, const V3& yes, const V3& no) {
+  return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
 }
+HWY_INLINE V3 choose(M mask, const V3& yes, const V3& no) { return select(mask, yes, no); }
 
 /// As normalizeOr of base/geometry.h, for lengths that a float's square holds; `fallback` for others.
 HWY_INLINE V3 unitOr(const V3& v, const V3& fallback) {
   const V squared = dot(v, v);
   const M usual = both(hn::Gt(squared, all(1e-20f)), hn::Lt(squared, all(1e20f)));
-  return choose(usual, (all(1.0f) / hn::Sqrt(squared)) * v, fallback);
+  return select(usual, (all(1.0f) / hn::Sqrt(squared)) * v, fallback);
 }
 
 /// Points or directions of a tile's lanes.
@@ -79,7 +80,7 @@ struct LanePoints {
   }
 };
 
-inline HWY_NOINLINE V3 normalizedLaneByLane(const V3& v, const V3& fallback) {
+inline HWY_NOINLINE V3 normalizeLaneByLane(const V3& v, const V3& fallback) {
   LanePoints units;
   LanePoints fallbacks;
   units.store(v, 0);
@@ -94,7 +95,7 @@ inline HWY_NOINLINE V3 normalizedLaneByLane(const V3& v, const V3& fallback) {
 HWY_INLINE V3 normalizeOr(const V3& v, const V3& fallback) {
   const V squared = dot(v, v);
   const M usual = both(hn::Gt(squared, all(1e-20f)), hn::Lt(squared, all(1e20f)));
-  if (HWY_UNLIKELY(!hn::AllTrue(kTag, usual))) return normalizedLaneByLane(v, fallback);
+  if (HWY_UNLIKELY(!hn::AllTrue(kTag, usual))) return normalizeLaneByLane(v, fallback);
   return v / hn::Sqrt(squared);
 }
 

@@ -41,18 +41,6 @@ class Rows {
 
 using RowPointers = std::array<const float*, kLanes>;  ///< The first width() are used.
 
-#if HWY_TARGET == HWY_SCALAR
-
-HWY_INLINE V3 gathered(const RowPointers& rows) { return {all(rows[0][0]), all(rows[0][1]), all(rows[0][2])}; }
-
-template <class Place>
-HWY_INLINE void scatterTo(const V3& v, Place place, std::size_t) {
-  const float row[3] = {hn::GetLane(v.x), hn::GetLane(v.y), hn::GetLane(v.z)};
-  std::memcpy(place(0), row, sizeof(row));
-}
-
-#else
-
 /// Every fourth row, a block of four numbers each.
 template <class Tag>
 HWY_INLINE hn::Vec<Tag> everyFourth(Tag tag, const float* const* rows) {
@@ -64,7 +52,7 @@ HWY_INLINE hn::Vec<Tag> everyFourth(Tag tag, const float* const* rows) {
   }
 }
 
-HWY_INLINE V3 gathered(const RowPointers& rows) {
+HWY_INLINE V3 gather(const RowPointers& rows) {
   const hn::RepartitionToWide<FloatTag> pairs;
   const V a = everyFourth(kTag, rows.data());
   const V b = everyFourth(kTag, rows.data() + 1);
@@ -107,8 +95,6 @@ HWY_INLINE void scatterTo(const V3& v, Place place, std::size_t used) {
   for (; lane < used; ++lane) copy(lane);
 }
 
-#endif
-
 /// The first `used` lanes to every `stride`-th place from `to` on.
 HWY_INLINE void scatter(const V3& v, glm::vec3* to, std::size_t stride, std::size_t used) {
   scatterTo(
@@ -117,10 +103,10 @@ HWY_INLINE void scatter(const V3& v, glm::vec3* to, std::size_t stride, std::siz
 
 /// What row(lane) points to, of every lane.
 template <class Row>
-HWY_INLINE V3 gatheredBy(Row row) {
+HWY_INLINE V3 gatherBy(Row row) {
   RowPointers rows;
   for (std::size_t lane = 0; lane < width(); ++lane) rows[lane] = row(lane);
-  return gathered(rows);
+  return gather(rows);
 }
 
 }  // namespace sinew::HWY_NAMESPACE

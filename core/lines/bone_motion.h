@@ -17,8 +17,8 @@ struct BoneMotion {
 /// @param bind, inverseBind  bone -> world in the bind pose, and back.
 [[nodiscard]] BoneMotion boneMotion(const glm::mat4& bind, const glm::mat4& inverseBind, const glm::mat4& now);
 
-/// The rotation nearest to a matrix that is not flat (Higham's iteration). Of one that turns space over, the rotation
-/// nearest to its negative.
+/// The rotation nearest to a matrix that is not flat (Higham's iteration). If it turns space over, the
+/// rotation nearest to its negative.
 [[nodiscard]] glm::dmat3 nearestRotation(glm::dmat3 matrix);
 
 }  // namespace sinew

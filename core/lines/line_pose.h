@@ -5,10 +5,11 @@
 // one. Formulas: docs/lines.md.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "core/lines/line_lanes.h"
+#include "core/lines/bone_motion.h"
 #include "core/lines/line_rest.h"
 #include "sinew/skeleton/pose.h"
 
@@ -29,14 +30,13 @@ struct PosedLine {
 
 /// Memory that is reused from pose to pose.
 struct LineScratch {
-  std::vector<PosedBone> bones;   ///< [LineLanes::bones]
-  std::vector<LaneDoubles> flex;  ///< [LineLanes::blocks]
+  std::vector<std::optional<BoneMotion>> motions;  ///< [bones] those that lines ride.
 };
 
 /// All lines of a rig in a pose; flexed by Pose::flex. Allocates nothing once `scratch` and `out` have grown.
-/// @param lines  of the same skeleton.
-void poseLines(const LineLanes& lines, const Skeleton& skeleton, const Pose& pose, LineScratch& scratch,
-               std::vector<PosedLine>& out);
+/// @param lines  [Rig::lines] on the same skeleton; nullopt where there is no line, which is not usable.
+void poseLines(std::span<const std::optional<LineRest>> lines, const Skeleton& skeleton, const Pose& pose,
+               LineScratch& scratch, std::vector<PosedLine>& out);
 
 /// One line, for those who need no more; the same numbers. @param flex  Pose::flexOf it
 [[nodiscard]] PosedLine posedLine(const LineRest& rest, const Skeleton& skeleton, const Pose& pose, float flex = 0.0f);

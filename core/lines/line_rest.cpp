@@ -1,4 +1,4 @@
-// core/lines/line_rest.cpp: anchors found, the frame of the bind pose laid.
+// core/lines/line_rest.cpp: finds the anchors and sets up the frame of the bind pose.
 #include "core/lines/line_rest.h"
 
 #include <algorithm>
@@ -9,7 +9,6 @@
 
 #include "core/base/at.h"
 #include "core/lines/contraction.h"
-#include "core/lines/line_formulas.h"
 #include "core/skeleton/bone_segments.h"
 
 namespace sinew {
@@ -27,29 +26,43 @@ glm::dvec3 nearestSkin(const ControlMesh& mesh, const glm::dvec3& point) {
   return result;
 }
 
-glm::dvec3 madeSquare(const glm::dvec3& v, const glm::dvec3& unit) { return v - glm::dot(v, unit) * unit; }
+/// What is left of v without its part along a unit vector.
+glm::dvec3 partAcross(const glm::dvec3& v, const glm::dvec3& unit) { return v - glm::dot(v, unit) * unit; }
 
 /// Any direction across another; the same for the same.
-glm::dvec3 across(const glm::dvec3& unit) {
+glm::dvec3 anyAcross(const glm::dvec3& unit) {
   const glm::dvec3 axis = std::abs(unit.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
-  return glm::normalize(madeSquare(axis, unit));
+  return glm::normalize(partAcross(axis, unit));
 }
 
-void layFrame(LineRest& rest, const Character& character) {
+void setFrame(LineRest& rest, const Character& character) {
   const double least = static_cast<double>(kShortestLine * character.height);
   const glm::dvec3 middle = 0.5 * (rest.origin.inBind + rest.insertion.inBind);
   const Bone& origin = at(character.skeleton.bones, rest.origin.bone);
   const glm::dvec3 bone(bindSegment(origin).nearest(glm::vec3(middle)));
-  glm::dvec3 height = madeSquare(middle - bone, rest.direction);
-  if (glm::length(height) < least) height = madeSquare(nearestSkin(character.mesh, middle) - middle, rest.direction);
-  const glm::dvec3 z = glm::length(height) < least ? across(rest.direction) : glm::normalize(height);
+  glm::dvec3 height = partAcross(middle - bone, rest.direction);
+  if (glm::length(height) < least) height = partAcross(nearestSkin(character.mesh, middle) - middle, rest.direction);
+  const glm::dvec3 z = glm::length(height) < least ? anyAcross(rest.direction) : glm::normalize(height);
   rest.frame = {glm::cross(rest.direction, z), rest.direction, z};
   rest.height = std::max(0.0, glm::dot(middle - bone, z));
 }
 
+/// How much farther out than the via point the middle of the belly goes, for a via point at y, -1 and 1 being the
+/// belly's ends: as a parabola through it, 1 / (1 - y^2), over the middle 0.6; towards the ends, where no parabola
+/// holds, the factor fades to 1, and stays that. C1, at most 1.94.
+double viaFactor(double y) {
+  constexpr double kParabola = 0.6;
+  const double away = std::min(1.0, std::abs(y));
+  if (away < kParabola) return 1.0 / (1.0 - y * y);
+  const double t = (1.0 - away) / (1.0 - kParabola);
+  // t^3 (10 - 15 t + 6 t^2) y^2 / (1 - y^2), without its 0 / 0.
+  const double fade = t * t * (10.0 - t * (15.0 - 6.0 * t));
+  return 1.0 + fade * away * away / ((1.0 - kParabola) * (1.0 + away));
+}
+
 }  // namespace
 
-std::optional<BonePoint> foundPoint(const LineAnchor& anchor, const Skeleton& skeleton) {
+std::optional<BonePoint> findPoint(const LineAnchor& anchor, const Skeleton& skeleton) {
   const std::optional<int> bone = skeleton.findBone(anchor.bone);
   if (!bone) return std::nullopt;
   const glm::dvec3 point(anchor.point);
@@ -64,19 +77,21 @@ glm::dvec3 posedPoint(const BonePoint& point, const Pose& pose) {
 
 glm::dvec3 viaShift(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& via, double tendon,
                     double belly) {
-  namespace lanes = HWY_NAMESPACE;
-  constexpr lanes::OneDouble kOne;
-  const auto lane = [&](double value) { return lanes::hn::Set(kOne, value); };
-  const auto shift = lanes::viaShiftOf(kOne, lanes::all(kOne, origin), lanes::all(kOne, direction),
-                                       lanes::all(kOne, via), lane(tendon), lane(belly));
-  return {lanes::hn::GetLane(shift.x), lanes::hn::GetLane(shift.y), lanes::hn::GetLane(shift.z)};
+  constexpr double kMaxShift = 0.5;  // Share of the belly's length.
+  const glm::dvec3 there = via - origin;
+  const double foot = glm::dot(there, direction);
+  const glm::dvec3 beside = there - foot * direction;
+  const double half = 0.5 * belly;
+  const glm::dvec3 shift = viaFactor((foot - tendon - half) / half) * beside;
+  const double length = glm::length(shift), limit = kMaxShift * belly;
+  return length > limit ? (limit / length) * shift : shift;
 }
 
 Result<LineRest> lineRest(const MuscleLine& line, const Character& character) {
   const std::string subject = "muscle line \"" + line.name + '"';
   LineRest rest;
   const auto take = [&](const LineAnchor& anchor, const char* what, BonePoint& point) -> Result<void> {
-    const std::optional<BonePoint> found = foundPoint(anchor, character.skeleton);
+    const std::optional<BonePoint> found = findPoint(anchor, character.skeleton);
     if (!found) return about(subject, errorAt("", "this character has no bone \"" + anchor.bone + '"', what));
     point = *found;
     return {};
@@ -96,7 +111,7 @@ Result<LineRest> lineRest(const MuscleLine& line, const Character& character) {
         glm::distance(rest.origin.inBind, rest.via->inBind) + glm::distance(rest.via->inBind, rest.insertion.inBind);
   }
   rest.direction = (rest.insertion.inBind - rest.origin.inBind) / straight;
-  layFrame(rest, character);
+  setFrame(rest, character);
   settle(rest, line.settings);
   return rest;
 }

@@ -23,7 +23,7 @@ struct BonePoint {
 };
 
 /// nullopt: the skeleton lacks the bone.
-[[nodiscard]] std::optional<BonePoint> foundPoint(const LineAnchor& anchor, const Skeleton& skeleton);
+[[nodiscard]] std::optional<BonePoint> findPoint(const LineAnchor& anchor, const Skeleton& skeleton);
 /// World.
 [[nodiscard]] glm::dvec3 posedPoint(const BonePoint& point, const Pose& pose);
 
@@ -38,7 +38,7 @@ struct LineRest {
   glm::dvec3 direction{0.0, 1.0, 0.0};  ///< Unit, from the origin straight to the insertion.
   glm::dmat3 frame{1.0};                ///< Columns, world: width; along, the direction; height, away from the bone.
   GirthRest girth;
-  glm::dvec3 viaShift{0.0};  ///< Of the belly's middle, out of the straight line towards the via point.
+  glm::dvec3 viaShift{0.0};  ///< How far the belly's middle is moved out of the straight line towards the via point.
   double height = 0.0;       ///< From the bone under the line up to its middle, at least 0.
   double depth = 0.0;        ///< From the line down to what its girth grows from, times `pivot`.
   glm::dvec3 start{0.0};     ///< What the belly's deformation keeps: under its end at the origin.

@@ -23,14 +23,14 @@ struct LinePath {
 /// A cubic Bezier curve, a part of a tendon.
 struct TendonPart {
   std::array<glm::vec3, 4> curve{};
-  glm::vec2 share{0.0f, 1.0f};  ///< Of the tendon's length at both ends; 0 in the belly, 1 at the anchor.
+  glm::vec2 share{0.0f, 1.0f};  ///< Part of the tendon's length at both ends; 0 in the belly, 1 at the anchor.
 };
 
 /// A tendon from inside the end of its belly to an anchor.
 struct Tendon {
   std::vector<TendonPart> parts;  ///< One, or two that meet in the via point with one direction.
-  float length = 0.0f;            ///< Of straight segments through its ends and the via point.
-  float side = 1.0f;              ///< Of the belly's y axis: +1, -1.
+  float length = 0.0f;            ///< Sum of straight segments through its ends and the via point.
+  float side = 1.0f;              ///< Which end of the belly's y axis: +1, -1.
 };
 
 /// Where a tendon begins, of the belly's half length from its middle.

@@ -56,7 +56,7 @@ ViaBend viaBend(const LineRest& rest, const Placement& placement, const glm::mat
       rest.bellyStretch * (1.0 - tendons.x - tendons.y) * static_cast<double>(rest.settings.rest) * rest.length;
   if (!(radius > 0.0) || !(belly > 0.0)) return bend;
   const double cosine = std::abs(glm::dot(axis, rest.direction)) / radius;
-  // Of a parabola over the belly, a muscle of a share h of its length sees the share h^2 as a bend.
+  // A muscle of a share h of the belly's length sees the share h^2 of a parabola over the belly as a bend.
   const double share = std::min(2.0 * radius * cosine / belly, 1.0);
   bend.share = static_cast<float>(share * share * smoothstep(kAcross, kAlong, cosine));
   return bend;

@@ -12,8 +12,8 @@ namespace sinew {
 /// How a muscle takes what its via point adds to the line's shift (PosedLine::aside).
 struct ViaBend {
   Placement placement;  ///< The muscle's, its y axis along the line where a plain ellipsoid's other axis was.
-  float share = 0.0f;   ///< Of the shift, as a bend; the rest moves the muscle as a whole. 0..1: 1 for a muscle along
-                        ///< the line and as long as its belly.
+  float share = 0.0f;   ///< Part of the shift that is a bend; the rest moves the muscle as a whole. 0..1: 1 for a
+                        ///< muscle along the line and as long as its belly.
 };
 /// @param boneInBind  of the bone in whose space the placement is
 [[nodiscard]] ViaBend viaBend(const LineRest& rest, const Placement& placement, const glm::mat4& boneInBind);

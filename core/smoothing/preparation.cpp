@@ -134,6 +134,7 @@ Result<std::shared_ptr<const Preparation>> prepare(const std::shared_ptr<const C
                                                    const PreparationOptions& options, const Preparation* former,
                                                    BlendingGraphMemo& graphs) {
   const Character& character = *tables->character;
+  if (Result<void> able = checkProcessor(); !able) return able.error();
   if (Result<void> valid = validate(rig, graphs); !valid) return valid.error();
   const int depth = options.depth.value_or(rig.smoothing.depth);
   if (Result<void> fits = checkSize(character.mesh, depth); !fits) return fits.error();

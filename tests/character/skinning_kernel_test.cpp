@@ -1,6 +1,7 @@
 // tests/character/skinning_kernel_test.cpp: skinning in lanes: bit for bit that of one vertex after the other.
 #include "core/character/skinning_kernel.h"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,12 +9,14 @@
 #include <gtest/gtest.h>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "core/base/at.h"
 #include "core/character/skinning.h"
 #include "core/smoothing/projection/rise_directions.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/rigs/trial_scenes.h"
 #include "tests/support/surface/mesh_checks.h"
+#include "tests/support/surface/scalar_skinning.h"
 
 namespace sinew::test {
 namespace {
@@ -23,20 +26,25 @@ struct Skinned {
   std::vector<glm::vec3> rise;
 };
 
-Skinned skinnedBy(InstructionSet set, const Character& character, const Pose& pose) {
-  const InstructionSetScope scope(set);
+Skinned skinBy(const SkinKernels& kernels, const Character& character, const Pose& pose) {
+  const ControlMesh& mesh = character.mesh;
   Skinned out;
   skin(character, pose, out.mesh);
-  skinDirections(character, riseDirections(character.mesh, kRise * character.height), out.mesh, out.rise);
+  SkinnedMesh& skinned = out.mesh;
+  std::ranges::fill(skinned.positions, glm::vec3(0.0f));
+  std::ranges::fill(skinned.normals, glm::vec3(0.0f));
+  out.rise.resize(mesh.positions.size());
+  kernels.vertices({&mesh, skinned.matrices, mesh.normals, skinned.positions, skinned.normals});
+  kernels.vertices({&mesh, skinned.matrices, riseDirections(mesh, kRise * character.height), {}, out.rise});
   return out;
 }
 
 void expectSameBits(const Character& character, const Pose& pose, const std::string& what) {
-  const Skinned scalar = skinnedBy(InstructionSet::kScalar, character, pose);
+  const Skinned scalar = skinBy(scalarSkinKernels(), character, pose);
   ASSERT_EQ(scalar.mesh.positions.size(), character.mesh.positions.size());
   for (const InstructionSet set : availableInstructionSets()) {
     if (set == InstructionSet::kScalar) continue;
-    const Skinned lanes = skinnedBy(set, character, pose);
+    const Skinned lanes = skinBy(skinKernels(set), character, pose);
     EXPECT_TRUE(sameBytes(lanes.mesh.positions, scalar.mesh.positions)) << what << ", " << nameOf(set);
     EXPECT_TRUE(sameBytes(lanes.mesh.normals, scalar.mesh.normals)) << what << ", " << nameOf(set);
     EXPECT_TRUE(sameBytes(lanes.rise, scalar.rise)) << what << ", " << nameOf(set);
@@ -80,22 +88,25 @@ TEST(SkinningKernel, GivesTheScalarBitsOfCreasedWedges) {
         wedge.creased = random.chance(0.3f);
         wedge.normal = random.rotation() * glm::vec3(0.0f, 1.0f, 0.0f);
       }
-      const auto by = [&](InstructionSet set) {
-        const InstructionSetScope scope(set);
-        std::vector<glm::vec3> normals;
-        skinWedgeNormals(*character, mesh.wedges, skinned, normals);
+      std::vector<glm::vec3> ofVertices;
+      for (const Wedge& wedge : mesh.wedges) ofVertices.push_back(skinned.normals[toIndex(wedge.vertex)]);
+      const auto by = [&](const SkinKernels& kernels) {
+        std::vector<glm::vec3> normals = ofVertices;
+        kernels.wedges({&character->mesh, skinned.matrices, mesh.wedges, normals});
         return normals;
       };
-      const std::vector<glm::vec3> scalar = by(InstructionSet::kScalar);
+      const std::vector<glm::vec3> scalar = by(scalarSkinKernels());
       int turned = 0;
       for (std::size_t w = 0; w < scalar.size(); ++w) {
-        const bool own = scalar[w] != skinned.normals[static_cast<std::size_t>(mesh.wedges[w].vertex)];
+        const bool own = scalar[w] != ofVertices[w];
         ASSERT_EQ(own, mesh.wedges[w].creased);
         turned += own ? 1 : 0;
       }
       EXPECT_TRUE(turned > 0 || mesh.wedges.size() < 20);
-      for (const InstructionSet set : availableInstructionSets())
-        EXPECT_TRUE(sameBytes(by(set), scalar)) << nameOf(set);
+      for (const InstructionSet set : availableInstructionSets()) {
+        if (set == InstructionSet::kScalar) continue;
+        EXPECT_TRUE(sameBytes(by(skinKernels(set)), scalar)) << nameOf(set);
+      }
     }
   }
 }
@@ -104,7 +115,7 @@ TEST(SkinningKernel, GivesTheScalarBitsOfCreasedWedges) {
 TEST(SkinningKernel, FillsAsManyAsAreAskedFor) {
   const auto character = makeLimb();
   const Pose pose = randomPose(character->skeleton, 0.6f, 0.3f, 1);
-  const SkinnedMesh whole = skinnedBy(InstructionSet::kScalar, *character, pose).mesh;
+  const SkinnedMesh whole = skinBy(scalarSkinKernels(), *character, pose).mesh;
   const glm::vec3 untouched(-7.25f, 1e30f, 3.0f);
   for (const InstructionSet set : availableInstructionSets()) {
     if (set == InstructionSet::kScalar) continue;

@@ -32,7 +32,7 @@ glm::mat4 someCarrier() {
   return carrier;
 }
 
-/// Of the axis at y in radii, world.
+/// Place of the axis at y in radii, world.
 glm::vec3 axisAt(const BentMuscle& muscle, float y) {
   const glm::vec2 bend = (1.0f - y * y) * muscle.placement.shape.bend;
   return glm::vec3(shapeInWorld(muscle.placement, 1.0f, muscle.carrier) * glm::vec4(bend.x, y, bend.y, 1.0f));

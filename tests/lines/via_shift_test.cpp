@@ -15,7 +15,7 @@ const glm::dvec3 kBeside = glm::normalize(glm::cross(kAlong, glm::dvec3(0.3, 0.1
 constexpr double kTendon = 2.0;
 constexpr double kBelly = 10.0;
 
-/// Of a via point at y, -1 and 1 being the belly's ends.
+/// Shift by a via point at y, -1 and 1 being the belly's ends.
 glm::dvec3 shiftAt(double y, double beside) {
   const glm::dvec3 via = kOrigin + (kTendon + 0.5 * kBelly * (1.0 + y)) * kAlong + beside * kBeside;
   return viaShift(kOrigin, kAlong, via, kTendon, kBelly);

@@ -13,12 +13,12 @@
 
 #include "core/character/skinning.h"
 #include "core/mesh/creases.h"
-#include "core/smoothing/patches/patch.h"
 #include "sinew/io/gltf_import.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/rigs/trial_scenes.h"
 #include "tests/support/surface/mesh_checks.h"
+#include "tests/support/surface/scalar_patches.h"
 #include "tests/support/surface/sheets.h"
 
 namespace sinew::test {
@@ -36,31 +36,33 @@ struct Filled {
   std::vector<glm::vec3> directions;
 };
 
-Filled filledBy(InstructionSet set, PatchKind kind, const ControlMesh& mesh, const Refinement& refinement,
-                const SkinnedMesh& control) {
-  const InstructionSetScope scope(set);
+Filled fillBy(const PatchKernels& kernels, PatchKind kind, const ControlMesh& mesh, const Refinement& refinement,
+              const SkinnedMesh& control) {
   const auto count = static_cast<std::size_t>(refinement.vertexCount);
   const std::vector<glm::vec3> untouched(count + kBehind, kUntouched);
   Filled out{untouched, untouched, untouched};
   const auto own = [&](std::vector<glm::vec3>& all) { return std::span(all).first(count); };
-  evaluatePatches(kind, mesh, refinement, control.positions, control.normals, own(out.positions), own(out.normals));
-  interpolateDirections(mesh, refinement, control.normals, own(out.directions));
+  std::ranges::copy(control.positions, out.positions.begin());
+  std::ranges::copy(control.normals, out.normals.begin());
+  std::ranges::copy(control.normals, out.directions.begin());
+  kernels.patches({kind, &mesh, &refinement, control.positions, control.normals, own(out.positions), own(out.normals)});
+  kernels.directions({&mesh, &refinement, control.normals, own(out.directions)});
   return out;
 }
 
-/// All sets give the bits of kScalar, for all kinds at these depths.
+/// All sets give the bits of the reference, for all kinds at these depths.
 void expectSameBits(const ControlMesh& mesh, const SkinnedMesh& control, std::span<const int> depths,
                     const std::string& what) {
   for (const int depth : depths) {
     const Refinement refinement = refine(mesh, depth);
     for (const PatchKind kind : kKinds) {
-      const Filled scalar = filledBy(InstructionSet::kScalar, kind, mesh, refinement, control);
+      const Filled scalar = fillBy(scalarPatchKernels(), kind, mesh, refinement, control);
       ASSERT_EQ(std::ranges::count(scalar.positions, kUntouched), kBehind);
       for (const InstructionSet set : availableInstructionSets()) {
         if (set == InstructionSet::kScalar) continue;
         const std::string where = what + ", kind " + std::to_string(static_cast<int>(kind)) + ", depth " +
                                   std::to_string(depth) + ", " + nameOf(set);
-        const Filled lanes = filledBy(set, kind, mesh, refinement, control);
+        const Filled lanes = fillBy(patchKernels(set), kind, mesh, refinement, control);
         ASSERT_TRUE(sameBytes(lanes.positions, scalar.positions)) << where;
         ASSERT_TRUE(sameBytes(lanes.normals, scalar.normals)) << where;
         ASSERT_TRUE(sameBytes(lanes.directions, scalar.directions)) << where;
@@ -158,14 +160,16 @@ TEST(PatchKernel, GivesTheScalarBitsOnDegenerateMeshes) {
   EXPECT_GT(fallbacks, 100);  // At even depths they meet in the middle of the edge.
 }
 
-std::vector<glm::vec3> shadedBy(InstructionSet set, PatchKind kind, const ControlMesh& creased,
-                                const Refinement& refinement, const SkinnedMesh& control,
-                                const std::vector<glm::vec3>& wedgeNormals,
-                                const std::vector<glm::vec3>& patchNormals) {
-  const InstructionSetScope scope(set);
+std::vector<glm::vec3> shadeBy(const PatchKernels& kernels, PatchKind kind, const ControlMesh& creased,
+                               const Refinement& refinement, const SkinnedMesh& control,
+                               const std::vector<glm::vec3>& wedgeNormals, const std::vector<glm::vec3>& patchNormals) {
   std::vector<glm::vec3> out(refinement.drawVertex.size() + kBehind, kUntouched);
-  evaluateShading(kind, creased, refinement, control.positions, wedgeNormals, patchNormals,
-                  std::span(out).first(refinement.drawVertex.size()));
+  forEachDrawVertex(refinement, [&](std::size_t d, std::size_t v) { out[d] = patchNormals[v]; });
+  for (std::size_t w = 0; w < creased.wedges.size(); ++w) {
+    if (creased.wedges[w].creased) out[w] = wedgeNormals[w];
+  }
+  kernels.shading({kind, &creased, &refinement, control.positions, wedgeNormals,
+                   std::span(out).first(refinement.drawVertex.size())});
   return out;
 }
 
@@ -176,14 +180,15 @@ int expectSameShading(const ControlMesh& creased, const SkinnedMesh& control,
   for (const int depth : kDepths) {
     const Refinement refinement = refine(creased, depth);
     for (const PatchKind kind : kKinds) {
-      const Filled patch = filledBy(InstructionSet::kScalar, kind, creased, refinement, control);
-      const auto by = [&](InstructionSet set) {
-        return shadedBy(set, kind, creased, refinement, control, wedgeNormals, patch.normals);
+      const Filled patch = fillBy(scalarPatchKernels(), kind, creased, refinement, control);
+      const auto by = [&](const PatchKernels& kernels) {
+        return shadeBy(kernels, kind, creased, refinement, control, wedgeNormals, patch.normals);
       };
-      const std::vector<glm::vec3> scalar = by(InstructionSet::kScalar);
+      const std::vector<glm::vec3> scalar = by(scalarPatchKernels());
       forEachDrawVertex(refinement, [&](std::size_t d, std::size_t v) { shaded += scalar[d] != patch.normals[v]; });
       for (const InstructionSet set : availableInstructionSets()) {
-        EXPECT_TRUE(sameBytes(by(set), scalar))
+        if (set == InstructionSet::kScalar) continue;
+        EXPECT_TRUE(sameBytes(by(patchKernels(set)), scalar))
             << what << ", kind " << static_cast<int>(kind) << ", depth " << depth << ", " << nameOf(set);
       }
     }
@@ -235,7 +240,8 @@ TEST(PatchKernel, OppositeNormalsFallBackInEveryLane) {
   const Refinement refinement = refine(mesh, 2);
   int opposite = 0;
   for (const InstructionSet set : availableInstructionSets()) {
-    const Filled filled = filledBy(set, PatchKind::kPhong, mesh, refinement, control);
+    if (set == InstructionSet::kScalar) continue;
+    const Filled filled = fillBy(patchKernels(set), PatchKind::kPhong, mesh, refinement, control);
     for (int e = 0; e < refinement.controlEdges; ++e) {
       const auto& ends = mesh.edges[static_cast<std::size_t>(e)].vertices;
       const glm::vec3 first = control.normals[static_cast<std::size_t>(ends[0])];

@@ -22,13 +22,13 @@ void sumEdges(const LiftFrame& frame) {
   LiftSums* out = frame.sums;
   for (const int vertex : frame.moved) {
     const auto place = [&](int v) HWY_ATTR { return frame.places[v].of.data(); };
-    const Pair own = Pair::joined(place(vertex), place(vertex));
+    const Pair own = Pair::join(place(vertex), place(vertex));
     Pair lengths = zero;
     Pair differences = zero;
     const std::span<const int> ring = frame.rings->at(vertex);
     for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
       const auto two = [&](std::size_t k)
-                           HWY_ATTR { return Pair::joined(place(ring[i + k]), place(ring[i + k + 1])) - own; };
+                           HWY_ATTR { return Pair::join(place(ring[i + k]), place(ring[i + k + 1])) - own; };
       const Pair a = two(0);
       const Pair b = two(2);
       const Pair c = two(4);

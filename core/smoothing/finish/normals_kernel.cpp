@@ -35,14 +35,14 @@ using Pair = Blocks<2>;
 template <std::size_t kCount>
 HWY_INLINE Blocks<kCount> roughAngle(const Blocks<kCount>& x) {
   const auto all = [](float value) HWY_ATTR { return Blocks<kCount>::all(value); };
-  const Blocks<kCount> positive = lesser(all(0.5f) * magnitude(x), all(1.0f));
+  const Blocks<kCount> positive = min(all(0.5f) * magnitude(x), all(1.0f));
   const Blocks<kCount> polynomial =
       all(1.5707288f) + positive * (all(-0.2121144f) + positive * (all(0.0742610f) - positive * all(0.0187293f)));
   const Blocks<kCount> angle = root(all(1.0f) - positive) * polynomial;
   return whereNegative(x, all(3.14159265f) - angle, angle);
 }
 
-/// Of one triangle or of two, block by block: their normals, times the angle at one corner.
+/// Normals of one triangle or of two, block by block, times the angle at one corner.
 template <std::size_t kCount>
 struct LaneCorners {
   Blocks<kCount> a;
@@ -90,7 +90,7 @@ void findFaces(const NormalsFrame& frame, std::size_t begin, std::size_t end) {
     const std::array<int, 3>& t = triangles[refined[i]];
     const std::array<int, 3>& u = triangles[refined[i + 1]];
     const auto corner = [&](std::size_t k)
-                            HWY_ATTR { return Blocks<4>::joined(cornerOf(frame, t, k), cornerOf(frame, u, k)); };
+                            HWY_ATTR { return Blocks<4>::join(cornerOf(frame, t, k), cornerOf(frame, u, k)); };
     const LaneCorners<4> both = cornerNormals(corner(0), corner(1), corner(2));
     store({lower(both.a), lower(both.b), lower(both.c)}, frame, refined[i]);
     store({upper(both.a), upper(both.b), upper(both.c)}, frame, refined[i + 1]);
@@ -103,7 +103,7 @@ void findFaces(const NormalsFrame& frame, std::size_t begin, std::size_t end) {
   }
 }
 
-/// Of the triangles at a vertex, in order.
+/// Sum over the triangles at a vertex, in order.
 HWY_INLINE Pair sumOfFaces(const NormalsFrame& frame, int vertex) {
   const int begin = frame.rings->cornersBegin[static_cast<std::size_t>(vertex)];
   const int end = frame.rings->cornersBegin[static_cast<std::size_t>(vertex) + 1];
@@ -115,7 +115,7 @@ HWY_INLINE Pair sumOfFaces(const NormalsFrame& frame, int vertex) {
 /// Unit, where the length is that of a sum of a few weighted unit vectors; `fallback` where they cancel.
 HWY_INLINE V3 unitOfSum(const V3& sum, const V3& fallback) {
   const V squared = dot(sum, sum);
-  return choose(hn::Gt(squared, all(1e-12f)), (all(1.0f) / hn::Sqrt(squared)) * sum, fallback);
+  return select(hn::Gt(squared, all(1e-12f)), (all(1.0f) / hn::Sqrt(squared)) * sum, fallback);
 }
 
 /// What the least rotation that takes `from` to `to`, both unit, adds to v. Opposite ones have no such rotation:
@@ -131,7 +131,7 @@ HWY_INLINE V3 turnOf(const V3& v, const V3& from, const V3& to) {
   if (hn::AllTrue(kTag, whole)) return rotated;
   const V3 plain = to - from;
   const V3 between = share * rotated + (all(1.0f) - share) * plain;
-  return choose(whole, rotated, choose(hn::Gt(t, zero()), between, plain));
+  return select(whole, rotated, select(hn::Gt(t, zero()), between, plain));
 }
 
 /// Up to width() vertices; the lanes beyond them repeat the last one.
@@ -146,9 +146,9 @@ void holdToFaces(const NormalsFrame& frame, const Rows& patchNormals, std::span<
     normals.set(lane, frame.normals[v]);
     if (!frame.filtered.empty()) filtered.lane[lane] = frame.filtered[v];
   }
-  const V3 own = gatheredBy([&](std::size_t lane) HWY_ATTR { return patchNormals.at(vertexOf(lane)); });
-  const V3 patchFaces = gatheredBy([&](std::size_t lane) HWY_ATTR { return sums[lane].data(); });
-  const V3 faces = gatheredBy([&](std::size_t lane) HWY_ATTR { return sums[lane].data() + 4; });
+  const V3 own = gatherBy([&](std::size_t lane) HWY_ATTR { return patchNormals.at(vertexOf(lane)); });
+  const V3 patchFaces = gatherBy([&](std::size_t lane) HWY_ATTR { return sums[lane].data(); });
+  const V3 faces = gatherBy([&](std::size_t lane) HWY_ATTR { return sums[lane].data() + 4; });
   const V3 normal = normals.load(0);
   const V3 fieldDelta = normal - own;
   const V3 shown = turnOf(own, unitOfSum(patchFaces, own), unitOfSum(faces, own));
@@ -158,8 +158,8 @@ void holdToFaces(const NormalsFrame& frame, const Rows& patchNormals, std::span<
   const V whole = all(kFreedom);
   const V freedom = frame.filtered.empty() ? whole : whole * (all(1.0f) - hn::Load(kTag, filtered.at(0)));
   const M held = hn::Gt(squared, freedom * freedom);
-  const V3 delta = choose(held, shown + (freedom / hn::Sqrt(squared)) * beyond, fieldDelta);
-  normals.store(choose(held, unitOfSum(own + delta, normal), normal), 0);
+  const V3 delta = select(held, shown + (freedom / hn::Sqrt(squared)) * beyond, fieldDelta);
+  normals.store(select(held, unitOfSum(own + delta, normal), normal), 0);
   scatterTo(
       delta, [&](std::size_t lane) { return frame.vertices[vertices[lane]].delta.data(); }, vertices.size());
   LaneFloats turns;
@@ -196,7 +196,7 @@ struct SixNeighbours {
 template <OfVertex kWhat>
 HWY_INLINE SixNeighbours differences(const NormalsFrame& frame, const int* ring, const Pair& own) {
   const auto two = [&](std::size_t i) HWY_ATTR {
-    return Pair::joined(placeOf<kWhat>(frame, ring[i]), placeOf<kWhat>(frame, ring[i + 1])) - own;
+    return Pair::join(placeOf<kWhat>(frame, ring[i]), placeOf<kWhat>(frame, ring[i + 1])) - own;
   };
   return {two(0), two(2), two(4)};
 }
@@ -210,20 +210,20 @@ std::size_t listTeeth(const NormalsFrame& frame, std::size_t begin, std::size_t 
   for (std::size_t at = begin; at < end; ++at) {
     const int vertex = frame.moved->corners[at];
     const float* place = placeOf<&NormalsVertex::delta>(frame, vertex);
-    const Pair own = Pair::joined(place, place);
+    const Pair own = Pair::join(place, place);
     Pair sum = Pair::all(0.0f);
     Pair most = sum;
     const std::span<const int> ring = frame.rings->at(vertex);
     for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
       const SixNeighbours six = differences<&NormalsVertex::delta>(frame, ring.data() + i, own);
       sum = sum + ((six.a + six.b) + six.c);
-      most = greater(most, sums(six.a * six.a, six.b * six.b, six.c * six.c, six.c * six.c));
+      most = max(most, sums(six.a * six.a, six.b * six.b, six.c * six.c, six.c * six.c));
     }
     const Vector share = Vector::all(frame.rings->share[static_cast<std::size_t>(vertex)]);
     (share * (lower(sum) + upper(sum))).store(frame.vertices[vertex].first.data());
-    const Vector apart = greater(lower(most), upper(most));
+    const Vector apart = max(lower(most), upper(most));
     teeth[count] = vertex;
-    weights[count] = first(greater(greater(apart, spread<1>(apart)), spread<2>(apart)));
+    weights[count] = first(max(max(apart, spread<1>(apart)), spread<2>(apart)));
     count += weights[count] > kTeethFrom * kTeethFrom ? 1 : 0;
   }
   return count;
@@ -273,7 +273,7 @@ void removeTeeth(const NormalsFrame& frame, std::size_t begin, std::size_t count
     const int vertex = frame.teeth[tooth];
     const auto v = static_cast<std::size_t>(vertex);
     const float* place = placeOf<&NormalsVertex::first>(frame, vertex);
-    const Pair own = Pair::joined(place, place);
+    const Pair own = Pair::join(place, place);
     Pair sum = Pair::all(0.0f);
     const std::span<const int> ring = frame.rings->at(vertex);
     for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {

@@ -12,12 +12,6 @@
 
 namespace sinew {
 
-/// A point of a patch with its unit normal.
-struct PatchPoint {
-  glm::vec3 position{0.0f};
-  glm::vec3 normal{0.0f, 1.0f, 0.0f};
-};
-
 /// Fills all refined vertices from skinned control vertices.
 /// pn: cubic position, quadratic normal (Vlachos et al. 2001). phong: Boubekeur & Alexa 2008, alpha 3/4. spherigon:
 /// Volino & Magnenat-Thalmann 1998, corner weights squared. flat: barycentric; for all but pn the normal is barycentric

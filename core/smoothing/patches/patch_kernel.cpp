@@ -33,8 +33,8 @@ class PieceLanes {
   HWY_INLINE Corners<kCorners> corners(const Rows& from) const {
     Corners<kCorners> out;
     for (std::size_t c = 0; c < kCorners; ++c) {
-      out.of[c] = gatheredBy([&](std::size_t lane)
-                                 HWY_ATTR { return from.at(pieces_[std::min(lane, used() - 1)].vertices[c]); });
+      out.of[c] =
+          gatherBy([&](std::size_t lane) HWY_ATTR { return from.at(pieces_[std::min(lane, used() - 1)].vertices[c]); });
     }
     return out;
   }
@@ -48,9 +48,9 @@ class PieceLanes {
 template <class Piece, class Visit>
 HWY_INLINE void forEachLanes(std::span<const Piece> pieces, int first, std::size_t each, Visit visit) {
   if (each == 0) return;
-  constexpr std::size_t kLeastVertices = 4096;  // Of one thread.
+  constexpr std::size_t kMinVertices = 4096;  // For one thread.
   const std::size_t groups = (pieces.size() + width() - 1) / width();
-  forRanges(groups, kLeastVertices / (each * width()) + 1, [&](std::size_t begin, std::size_t end) HWY_ATTR {
+  forRanges(groups, kMinVertices / (each * width()) + 1, [&](std::size_t begin, std::size_t end) HWY_ATTR {
     for (std::size_t group = begin; group < end; ++group) {
       const std::size_t i = group * width();
       visit(PieceLanes<Piece>(pieces, i), toIndex(first) + i * each);
@@ -113,8 +113,8 @@ class Shader {
     Ends<kCorners> ends;
     for (std::size_t c = 0; c < kCorners; ++c) {
       ends.positions.of[c] =
-          gatheredBy([&](std::size_t lane) { return positions_.at(at(frame_.mesh->wedges, wedges_[lane][c]).vertex); });
-      ends.normals.of[c] = gatheredBy([&](std::size_t lane) { return normals_.at(wedges_[lane][c]); });
+          gatherBy([&](std::size_t lane) { return positions_.at(at(frame_.mesh->wedges, wedges_[lane][c]).vertex); });
+      ends.normals.of[c] = gatherBy([&](std::size_t lane) { return normals_.at(wedges_[lane][c]); });
     }
     const Patch patch(ends);
     for (std::size_t i = 0; i < lattice_.count; ++i) {

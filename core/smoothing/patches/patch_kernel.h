@@ -48,7 +48,7 @@ struct PatchKernels {
   void (*shading)(const ShadingFrame& frame) = nullptr;
 };
 
-/// All give the bits of the formulas in patch.cpp.  @param set  not kScalar; one that this machine runs.
+/// All give the same bits.  @param set  not kScalar; one that this machine runs.
 [[nodiscard]] PatchKernels patchKernels(InstructionSet set);
 
 }  // namespace sinew

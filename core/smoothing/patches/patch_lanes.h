@@ -1,5 +1,5 @@
-// core/smoothing/patches/patch_lanes.h: the formulas of the four patches, an edge or a triangle a lane: the operations
-// of patch.cpp in the same order. Included once per instruction set.
+// core/smoothing/patches/patch_lanes.h: the formulas of the four patches, an edge or a triangle a lane. Included once
+// per instruction set.
 #if defined(SINEW_PATCH_LANES_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_PATCH_LANES_H
 #undef SINEW_PATCH_LANES_H
@@ -51,7 +51,7 @@ struct Point {
 };
 
 template <std::size_t kCorners>
-HWY_INLINE V3 weighted(const Corners<kCorners>& corners, const Weights& w) {
+HWY_INLINE V3 weightedSum(const Corners<kCorners>& corners, const Weights& w) {
   V3 sum = V3{zero(), zero(), zero()} + all(w.u) * corners.of[0] + all(w.v) * corners.of[1];
   if constexpr (kCorners == 3) sum = sum + all(w.s) * corners.of[2];
   return sum;
@@ -59,50 +59,53 @@ HWY_INLINE V3 weighted(const Corners<kCorners>& corners, const Weights& w) {
 
 template <std::size_t kCorners>
 HWY_INLINE V3 phongNormal(const Corners<kCorners>& normals, const Weights& w) {
-  return normalizeOr(weighted(normals, w), normals.of[w.heaviest()]);
+  return normalizeOr(weightedSum(normals, w), normals.of[w.heaviest()]);
 }
 
 template <std::size_t kCorners>
 struct FlatPatch {
   explicit FlatPatch(const Ends<kCorners>& of) : ends(of) {}
 
-  HWY_INLINE Point at(const Weights& w) const { return {weighted(ends.positions, w), phongNormal(ends.normals, w)}; }
+  HWY_INLINE Point at(const Weights& w) const { return {weightedSum(ends.positions, w), phongNormal(ends.normals, w)}; }
 
   const Ends<kCorners>& ends;
 };
 
+/// Phong tessellation: pulled towards the mean of its projections on the corners' tangent planes.
 template <std::size_t kCorners>
 struct PhongPatch {
   explicit PhongPatch(const Ends<kCorners>& of) : ends(of) {}
 
   HWY_INLINE Point at(const Weights& w) const {
     constexpr float kAlpha = 0.75f;
-    const V3 flat = weighted(ends.positions, w);
+    const V3 flat = weightedSum(ends.positions, w);
     Corners<kCorners> onPlanes;
     for (std::size_t i = 0; i < kCorners; ++i) {
       const V3& normal = ends.normals.of[i];
       onPlanes.of[i] = flat - dot(flat - ends.positions.of[i], normal) * normal;
     }
-    return {flat * all(1.0f - kAlpha) + weighted(onPlanes, w) * all(kAlpha), phongNormal(ends.normals, w)};
+    return {flat * all(1.0f - kAlpha) + weightedSum(onPlanes, w) * all(kAlpha), phongNormal(ends.normals, w)};
   }
 
   const Ends<kCorners>& ends;
 };
 
+/// Spherigon: mean of the points on the spheres through each corner, along the Phong normal.
 template <std::size_t kCorners>
 struct SpherigonPatch {
   explicit SpherigonPatch(const Ends<kCorners>& of) : ends(of) {}
 
   HWY_INLINE Point at(const Weights& w) const {
-    const V3 flat = weighted(ends.positions, w);
+    const V3 flat = weightedSum(ends.positions, w);
     const V3 normal = phongNormal(ends.normals, w);
     const float weights[3] = {w.u, w.v, w.s};
     V height = zero();
     float sum = 0.0f;
     for (std::size_t i = 0; i < kCorners; ++i) {
       const V3& own = ends.normals.of[i];
+      // 1 + N.Ni goes to 0 for opposite normals, where no such sphere exists.
       const V between = all(1.0f) + dot(normal, own);
-      const V along = choose(hn::Lt(between, all(0.1f)), all(0.1f), between);
+      const V along = select(hn::Lt(between, all(0.1f)), all(0.1f), between);
       const float squared = weights[i] * weights[i];
       height = height + all(squared) * dot(ends.positions.of[i] - flat, normal + own) / along;
       sum += squared;
@@ -113,6 +116,7 @@ struct SpherigonPatch {
   const Ends<kCorners>& ends;
 };
 
+/// Tangent control point a third of the way from a to b, moved into a's tangent plane.
 template <std::size_t kCorners>
 HWY_INLINE V3 pnTangentPoint(const Ends<kCorners>& ends, std::size_t a, std::size_t b) {
   const V3& from = ends.positions.of[a];
@@ -121,12 +125,13 @@ HWY_INLINE V3 pnTangentPoint(const Ends<kCorners>& ends, std::size_t a, std::siz
   return (all(2.0f) * from + to - dot(to - from, normal) * normal) / all(3.0f);
 }
 
+/// Mid-edge normal: the mean reflected in the plane across the edge, so that inflections show.
 template <std::size_t kCorners>
 HWY_INLINE V3 pnEdgeNormal(const Ends<kCorners>& ends, std::size_t a, std::size_t b) {
   const V3 along = ends.positions.of[b] - ends.positions.of[a];
   const V3 sum = ends.normals.of[a] + ends.normals.of[b];
   const V squared = dot(along, along);
-  const V v = choose(hn::Gt(squared, zero()), all(2.0f) * dot(along, sum) / squared, zero());
+  const V v = select(hn::Gt(squared, zero()), all(2.0f) * dot(along, sum) / squared, zero());
   return normalizeOr(sum - v * along, ends.normals.of[a]);
 }
 

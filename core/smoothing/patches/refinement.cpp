@@ -167,7 +167,7 @@ class Builder {
   const ControlMesh& mesh_;
   bool colored_ = false;
   Refinement out_;
-  IndexTable runs_;               ///< Of drawRuns, by their wedges, which name the edge too.
+  IndexTable runs_;               ///< Finds drawRuns by their wedges, which name the edge too.
   std::vector<int> lattice_;      ///< Refined vertices of the triangle at hand.
   std::vector<int> drawLattice_;  ///< Drawn vertices of the triangle at hand.
 };

@@ -35,8 +35,8 @@ class Smoother {
   [[nodiscard]] Smoother twin() const;
 
   /// Takes the rig: attachment, candidate lists, refinement tables, triangle classes. Keeps what did not change.
-  /// Error: the rig is invalid, the blending graph too large, or the refined mesh would not fit memory; then the
-  /// former preparation stays in force.
+  /// Error: the rig is invalid, the blending graph too large, the refined mesh would not fit memory, or the processor
+  /// lacks SSE4; then the former preparation stays in force.
   /// @param hidden  indices into the rig's primitives, ascending, of those that contribute nothing: the surface is, bit
   ///                for bit, that of the rig without them. Showing and hiding re-attach nothing.
   [[nodiscard]] Result<void> prepare(const Rig& rig, std::span<const int> hidden = {});

@@ -1,5 +1,5 @@
-// tests/lines/vector_pose_test.cpp: lines by vector instructions: as docs/lines.md has them line by line, and bit for
-// bit the same by every set, among any neighbours.
+// tests/lines/random_lines_test.cpp: lines and poses at random are as docs/lines.md has them; one line has the bits of
+// many; what degenerates.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "core/lanes/instruction_set.h"
 #include "core/lines/contraction.h"
 #include "core/lines/line_pose.h"
 #include "tests/support/allocations.h"
@@ -112,11 +111,10 @@ class Trial {
   std::mt19937 engine_;
 };
 
-std::vector<PosedLine> posedBy(InstructionSet set, const Rests& rests, const Skeleton& skeleton, const Pose& pose) {
-  const InstructionSetScope scope(set);
+std::vector<PosedLine> poseAll(const Rests& rests, const Skeleton& skeleton, const Pose& pose) {
   LineScratch scratch;
   std::vector<PosedLine> lines;
-  poseLines(LineLanes(rests), skeleton, pose, scratch, lines);
+  poseLines(rests, skeleton, pose, scratch, lines);
   return lines;
 }
 
@@ -152,7 +150,7 @@ void expectAgreement(const PosedLine& line, const oracle::Line& wanted, const Li
   EXPECT_NEAR(line.activation, wanted.activation, kFloat);
 }
 
-TEST(VectorPose, IsTheDefinitionsLineByLine) {
+TEST(RandomLines, IsTheDefinitionsLineByLine) {
   int compared = 0;
   double leastAgreement = 1.0;
   for (unsigned seed = 0; seed < 40; ++seed) {
@@ -160,7 +158,7 @@ TEST(VectorPose, IsTheDefinitionsLineByLine) {
     const Rests rests = trial.lines(61);
     for (const double far : {0.0, 4.0, 1e5}) {
       const Pose pose = trial.pose(far);
-      const auto lines = posedBy(InstructionSet::kAuto, rests, trial.character.skeleton, pose);
+      const auto lines = poseAll(rests, trial.character.skeleton, pose);
       ASSERT_EQ(lines.size(), rests.size());
       for (std::size_t i = 0; i < lines.size(); ++i) {
         if (!rests[i]) {
@@ -180,7 +178,7 @@ TEST(VectorPose, IsTheDefinitionsLineByLine) {
   EXPECT_LT(leastAgreement, 0.01) << "frames almost a half turn apart were not among them";
 }
 
-TEST(VectorPose, EverySetGivesTheSameBitsAndOneLineThoseOfMany) {
+TEST(RandomLines, OneLineHasTheBitsOfMany) {
   for (unsigned seed = 100; seed < 120; ++seed) {
     Trial trial(seed);
     const Skeleton& skeleton = trial.character.skeleton;
@@ -188,42 +186,34 @@ TEST(VectorPose, EverySetGivesTheSameBitsAndOneLineThoseOfMany) {
     for (Pose pose : {trial.pose(0.0), trial.pose(4.0), trial.almostBind()}) {
       if (seed % 4 == 0) pose.boneInWorld[2][3].y = std::numeric_limits<float>::infinity();
       if (seed % 4 == 1) pose.boneInWorld[2] = glm::scale(pose.boneInWorld[2], {1.0f, 1.0f, 0.0f});
-      const auto wanted = posedBy(InstructionSet::kPlain, rests, skeleton, pose);
-      for (const InstructionSet set : availableInstructionSets()) {
-        const auto lines = posedBy(set, rests, skeleton, pose);
-        const InstructionSetScope scope(set);
-        for (std::size_t i = 0; i < rests.size(); ++i) {
-          EXPECT_TRUE(sameBits(lines[i], wanted[i])) << nameOf(set) << ", seed " << seed << ", line " << i;
-          if (!rests[i]) continue;
-          const PosedLine alone = posedLine(*rests[i], skeleton, pose, pose.flexOf(static_cast<int>(i)));
-          EXPECT_TRUE(sameBits(alone, wanted[i])) << nameOf(set) << ", seed " << seed << ", line " << i;
-        }
+      const auto wanted = poseAll(rests, skeleton, pose);
+      for (std::size_t i = 0; i < rests.size(); ++i) {
+        if (!rests[i]) continue;
+        const PosedLine alone = posedLine(*rests[i], skeleton, pose, pose.flexOf(static_cast<int>(i)));
+        EXPECT_TRUE(sameBits(alone, wanted[i])) << "seed " << seed << ", line " << i;
       }
     }
   }
 }
 
-TEST(VectorPose, BindPoseDeformsNothingBitForBit) {
+TEST(RandomLines, BindPoseDeformsNothingBitForBit) {
   for (unsigned seed = 200; seed < 220; ++seed) {
     Trial trial(seed);
     const Rests rests = trial.lines(33, true);
-    const Pose pose = bindPose(trial.character.skeleton);
-    for (const InstructionSet set : availableInstructionSets()) {
-      const auto lines = posedBy(set, rests, trial.character.skeleton, pose);
-      for (std::size_t i = 0; i < rests.size(); ++i) {
-        if (!rests[i]) continue;
-        EXPECT_EQ(lines[i].deformation, glm::mat4(1.0f)) << nameOf(set) << ", seed " << seed << ", line " << i;
-        EXPECT_EQ(lines[i].stretch, 1.0f);
-        EXPECT_EQ(lines[i].activation, 0.0f);
-      }
+    const auto lines = poseAll(rests, trial.character.skeleton, bindPose(trial.character.skeleton));
+    for (std::size_t i = 0; i < rests.size(); ++i) {
+      if (!rests[i]) continue;
+      EXPECT_EQ(lines[i].deformation, glm::mat4(1.0f)) << "seed " << seed << ", line " << i;
+      EXPECT_EQ(lines[i].stretch, 1.0f);
+      EXPECT_EQ(lines[i].activation, 0.0f);
     }
   }
 }
 
 /// Two bones whose space is the world's in the bind pose, a line along y from one to the other, round a third.
-class Degenerate : public testing::TestWithParam<InstructionSet> {
+class DegenerateLine : public testing::Test {
  protected:
-  Degenerate() {
+  DegenerateLine() {
     character.height = 10.0f;
     character.skeleton.nodes.resize(3);
     character.skeleton.bones.resize(3);
@@ -240,7 +230,6 @@ class Degenerate : public testing::TestWithParam<InstructionSet> {
   }
 
   [[nodiscard]] PosedLine posed() const {
-    const InstructionSetScope scope(GetParam());
     return posedLine(lineRest(line, character).value(), character.skeleton, pose);
   }
 
@@ -249,7 +238,7 @@ class Degenerate : public testing::TestWithParam<InstructionSet> {
   Pose pose;
 };
 
-TEST_P(Degenerate, AnchorsThatMeetKeepTheOriginsDirection) {
+TEST_F(DegenerateLine, AnchorsThatMeetKeepTheOriginsDirection) {
   pose.boneInWorld[1] = glm::translate(glm::mat4(1.0f), {0.0f, -2.0f, 0.0f});
   const PosedLine met = posed();
   ASSERT_TRUE(met.usable);
@@ -260,7 +249,7 @@ TEST_P(Degenerate, AnchorsThatMeetKeepTheOriginsDirection) {
   EXPECT_LT(met.deformation[1].y, 0.15f);
 }
 
-TEST_P(Degenerate, OppositeDirectionsTurnAboutTheHeight) {
+TEST_F(DegenerateLine, OppositeDirectionsTurnAboutTheHeight) {
   pose.boneInWorld[1] = glm::translate(glm::mat4(1.0f), {0.0f, -4.0f, 0.0f});
   const PosedLine opposite = posed();
   ASSERT_TRUE(opposite.usable);
@@ -268,7 +257,7 @@ TEST_P(Degenerate, OppositeDirectionsTurnAboutTheHeight) {
   EXPECT_LT(glm::distance(glm::normalize(glm::vec3(opposite.deformation[1])), glm::vec3(0, -1, 0)), 1e-6f);
 }
 
-TEST_P(Degenerate, BonesThatAreNotUsableHideTheLine) {
+TEST_F(DegenerateLine, BonesThatAreNotUsableHideTheLine) {
   for (const std::size_t bone : {0u, 1u}) {
     const glm::mat4 whole = pose.boneInWorld[bone];
     pose.boneInWorld[bone] = glm::scale(whole, {1.0f, 0.0f, 1.0f});
@@ -280,7 +269,7 @@ TEST_P(Degenerate, BonesThatAreNotUsableHideTheLine) {
   EXPECT_TRUE(posed().usable);
 }
 
-TEST_P(Degenerate, AViaPointNeedsNoMoreThanAPlace) {
+TEST_F(DegenerateLine, AViaPointNeedsNoMoreThanAPlace) {
   line.via = LineAnchor{"c", {0.0f, 2.0f, 1.5f}, {}};
   pose.boneInWorld[2] = glm::scale(pose.boneInWorld[2], {1.0f, 1.0f, 0.0f});
   EXPECT_TRUE(posed().usable);
@@ -289,44 +278,40 @@ TEST_P(Degenerate, AViaPointNeedsNoMoreThanAPlace) {
   EXPECT_TRUE(sameBits(posed(), PosedLine{}));
 }
 
-INSTANTIATE_TEST_SUITE_P(Sets, Degenerate, testing::ValuesIn(availableInstructionSets()),
-                         [](const auto& of) { return nameOf(of.param); });
-
-TEST(VectorPose, TakesSettingsOverAsIfMadeOfThem) {
+/// As much as lineRest() of the same line with those settings would make of it.
+TEST(RandomLines, TakeOtherSettings) {
   Trial trial(300);
-  Rests rests = trial.lines(29);
-  LineLanes lanes(rests);
-  const Pose pose = trial.pose(1.0);
-  for (std::size_t i = 0; i < rests.size(); ++i) {
-    if (!rests[i]) continue;
-    settle(*rests[i], trial.line(false).settings);
-    lanes.settle(static_cast<int>(i), *rests[i]);
+  for (int i = 0; i < 29; ++i) {
+    MuscleLine line = trial.line(false);
+    Result<LineRest> settled = lineRest(line, trial.character);
+    if (!settled) continue;
+    line.settings = trial.line(false).settings;
+    settle(settled.value(), line.settings);
+    const LineRest made = lineRest(line, trial.character).value();
+    const Pose pose = trial.pose(1.0);
+    EXPECT_TRUE(sameBits(posedLine(settled.value(), trial.character.skeleton, pose),
+                         posedLine(made, trial.character.skeleton, pose)))
+        << i;
   }
-  LineScratch scratch;
-  std::vector<PosedLine> lines;
-  poseLines(lanes, trial.character.skeleton, pose, scratch, lines);
-  const auto wanted = posedBy(InstructionSet::kAuto, rests, trial.character.skeleton, pose);
-  for (std::size_t i = 0; i < rests.size(); ++i) EXPECT_TRUE(sameBits(lines[i], wanted[i])) << i;
 }
 
-TEST(VectorPose, AllocatesNothingOnceItsMemoryHasGrown) {
+TEST(RandomLines, AllocatesNothingOnceItsMemoryHasGrown) {
   Trial trial(400);
   Rests rests = trial.lines(100);
-  LineLanes lanes(rests);
   LineScratch scratch;
   std::vector<PosedLine> lines;
   const std::vector<Pose> poses{trial.pose(0.0), trial.pose(1.0), trial.pose(2.0)};
-  poseLines(lanes, trial.character.skeleton, poses[0], scratch, lines);
+  poseLines(rests, trial.character.skeleton, poses[0], scratch, lines);
   const std::int64_t before = allocations();
-  for (const Pose& pose : poses) poseLines(lanes, trial.character.skeleton, pose, scratch, lines);
-  for (std::size_t i = 0; i < rests.size(); ++i) {
-    if (rests[i]) lanes.settle(static_cast<int>(i), *rests[i]);
+  for (const Pose& pose : poses) poseLines(rests, trial.character.skeleton, pose, scratch, lines);
+  for (std::optional<LineRest>& rest : rests) {
+    if (rest) settle(*rest, rest->settings);
   }
   EXPECT_EQ(allocations(), before);
 }
 
-/// The logarithm and the exponential functions are the kernel's own.
-TEST(VectorPose, GirthIsThatOfTheStandardLibrary) {
+/// Logarithm and exponential function are series.
+TEST(RandomLines, GirthIsThatOfTheStandardLibrary) {
   for (const glm::vec2& limits : {glm::vec2(0.4f, 2.0f), glm::vec2(0.999f, 1.001f), glm::vec2(1e-30f, 1e30f)}) {
     for (const float volume : {0.0f, 1.0f, 4.0f}) {
       LineSettings settings;

@@ -1,0 +1,11 @@
+// tests/support/surface/scalar_patches.h: the reference of patch_kernel.h: its operations in the same order, without
+// vectors.
+#pragma once
+
+#include "core/smoothing/patches/patch_kernel.h"
+
+namespace sinew::test {
+
+[[nodiscard]] PatchKernels scalarPatchKernels();
+
+}  // namespace sinew::test

@@ -1,0 +1,43 @@
+// tests/support/surface/scalar_skinning.cpp: linear blend skinning, one matrix a vertex, one vertex after the other.
+#include "tests/support/surface/scalar_skinning.h"
+
+#include "core/base/at.h"
+
+namespace sinew::test {
+namespace {
+
+glm::mat4 blend(const ControlMesh& mesh, std::span<const glm::mat4> matrices, int vertex) {
+  glm::mat4 sum(0.0f);
+  for (const Influence& influence : mesh.influencesOf(vertex)) {
+    sum += at(matrices, influence.binding) * influence.weight;
+  }
+  return sum;
+}
+
+/// A direction of the bind pose, unit, in the world.
+glm::vec3 carry(const glm::vec3& direction, const glm::mat4& matrix) {
+  return normalizeOr(normalMatrix(glm::mat3(matrix)) * direction, direction);
+}
+
+void skinVertices(const SkinFrame& frame) {
+  for (std::size_t v = 0; v < frame.directions.size(); ++v) {
+    const glm::mat4 matrix = blend(*frame.mesh, frame.matrices, static_cast<int>(v));
+    if (!frame.outPositions.empty()) {
+      frame.outPositions[v] = glm::vec3(matrix * glm::vec4(frame.mesh->positions[v], 1.0f));
+    }
+    frame.outDirections[v] = carry(frame.directions[v], matrix);
+  }
+}
+
+void skinWedges(const WedgeFrame& frame) {
+  for (std::size_t w = 0; w < frame.wedges.size(); ++w) {
+    const Wedge& wedge = frame.wedges[w];
+    if (wedge.creased) frame.out[w] = carry(wedge.normal, blend(*frame.mesh, frame.matrices, wedge.vertex));
+  }
+}
+
+}  // namespace
+
+SkinKernels scalarSkinKernels() { return {&skinVertices, &skinWedges}; }
+
+}  // namespace sinew::test
