@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/at.h"
+#include "core/primitives/shape_numbers.h"
 
 namespace sinew {
 namespace {
@@ -25,7 +26,7 @@ void note(Parameter parameter, DrivenChange& change) {
   change.lines |= ownerOf(parameter) == ParameterOwner::kLine;
 }
 
-bool shapes(Parameter parameter) { return parameter >= Parameter::kReach && parameter <= Parameter::kBendZ; }
+bool shapes(Parameter parameter) { return parameter == Parameter::kReach || isShape(parameter); }
 
 }  // namespace
 
@@ -57,11 +58,14 @@ void DrivenNumbers::take(const std::vector<AnimatedNumber>& animated, int owner,
     }
     numbers_.push_back(std::move(number));
   }
+  if (std::ranges::none_of(animated, [](const AnimatedNumber& of) { return shapes(of.parameter); })) return;
   // A belly lessened in one pose is whole again in the next.
-  const bool limits = animationOf(animated, Parameter::kReach) || animationOf(animated, Parameter::kCore);
-  if (!limits || animationOf(animated, Parameter::kBelly)) return;
-  const NumberRef belly{Parameter::kBelly, owner};
-  numbers_.push_back({belly, numberOf(rig, belly), {}, {}});
+  for (int i = 0; i < kShapeNumbers; ++i) {
+    const NumberRef number{shapeParameter(i), owner};
+    const bool limited = shapeNumbers()[static_cast<std::size_t>(i)].most != nullptr;
+    if (limited && !animationOf(animated, number.parameter))
+      numbers_.push_back({number, numberOf(rig, number), {}, {}});
+  }
 }
 
 void DrivenNumbers::measureLines(const Pose& pose, const Skeleton& skeleton) {

@@ -1,11 +1,43 @@
-// core/primitives/shape.cpp: legal numbers, the unit space of a shape, its bounds and volume. Formulas: docs/field.md.
+// core/primitives/shape.cpp: the table of numbers, the unit space of a shape, its bounds and volume. Formulas:
+// docs/field.md.
 #include "sinew/primitives/shape.h"
 
 #include <array>
+#include <string_view>
 #include <utility>
+#include <vector>
+
+#include "core/primitives/shape_numbers.h"
 
 namespace sinew {
 namespace {
+
+constexpr std::array<ShapeNumber, kShapeNumbers> kNumbers{
+    {{"core", "core", "Straight", "Straight", "Straighten",
+      "Straight part along the longest axis: 0 is an ellipsoid, 0.9 a cylinder with rounded ends",
+      [](Shape& shape) -> float& { return shape.core; }, 0.0f, kMostCore},
+     {"belly", "belly", "Belly", "Belly", "Move the belly of",
+      "Where along the longest axis the muscle is thickest. A larger reach allows less",
+      [](Shape& shape) -> float& { return shape.belly; }, -1.0f, 1.0f, 1,
+      [](const Shape& shape, float reach) { return mostBelly(shape.core, reach); }},
+     {"bend", "bend.x", "Bend", "Bend X", "Bend",
+      "How far the middle is moved along the muscle's own x axis, in its radii",
+      [](Shape& shape) -> float& { return shape.bend.x; }, -kMostBend, kMostBend, 0},
+     {"bend", "bend.z", "Bend", "Bend Z", "Bend",
+      "How far the middle is moved along the muscle's own z axis, in its radii",
+      [](Shape& shape) -> float& { return shape.bend.y; }, -kMostBend, kMostBend, 2}}};
+static_assert(kNumbers.back().key != nullptr, "a row for each member of Shape");
+
+std::vector<std::span<const ShapeNumber>> byKey() {
+  std::vector<std::span<const ShapeNumber>> keys;
+  for (auto first = kNumbers.begin(); first != kNumbers.end();) {
+    const auto end = std::find_if(
+        first, kNumbers.end(), [&](const ShapeNumber& number) { return std::string_view(number.key) != first->key; });
+    keys.emplace_back(first, end);
+    first = end;
+  }
+  return keys;
+}
 
 constexpr double kMargin = 0.95;        ///< Of the belly at which S would reach 0 at the end of the influence.
 constexpr double kStraightShare = 0.6;  ///< Of the sphere's height that onShape() gives a core of full length.
@@ -59,9 +91,20 @@ struct Numbers {
   }
 };
 
-float within(float value, float most) { return std::isfinite(value) ? std::clamp(value, -most, most) : 0.0f; }
-
 }  // namespace
+
+std::pair<float, float> ShapeNumber::range(const Shape& shape, float reach) const {
+  if (most == nullptr) return {low, high};
+  const float limit = most(shape, reach);
+  return {std::max(low, -limit), std::min(high, limit)};
+}
+
+std::span<const ShapeNumber, kShapeNumbers> shapeNumbers() { return kNumbers; }
+
+std::span<const std::span<const ShapeNumber>> shapeKeys() {
+  static const std::vector<std::span<const ShapeNumber>> keys = byKey();
+  return keys;
+}
 
 float mostBelly(float core, float reach) {
   // S(y) > 0 up to y = K: p < K - sqrt(K^2 - 1), written without the difference.
@@ -71,9 +114,11 @@ float mostBelly(float core, float reach) {
 
 Shape legalShape(const Shape& shape, float reach) {
   Shape legal;
-  legal.core = std::max(0.0f, within(shape.core, kMostCore));
-  legal.belly = within(shape.belly, mostBelly(legal.core, reach));
-  legal.bend = {within(shape.bend.x, kMostBend), within(shape.bend.y, kMostBend)};
+  for (const ShapeNumber& number : shapeNumbers()) {
+    const auto [low, high] = number.range(legal, reach);
+    const float value = number.of(shape);
+    number.member(legal) = std::isfinite(value) ? std::clamp(value, low, high) : 0.0f;
+  }
   return legal;
 }
 
@@ -83,6 +128,14 @@ float thickestAt(const Shape& shape) {
   const double beyond = std::abs(numbers.belly) * numbers.nu * numbers.end * numbers.end;  // v of docs/field.md.
   return static_cast<float>(std::copysign(numbers.core + beyond, numbers.belly));
 }
+
+float sectionAt(const Shape& shape, float y) {
+  const UnitShape unit = unitShape(shape, 1.0f);
+  const float end = std::max(std::abs(y) - unit.core, 0.0f) * unit.inverseEnd;
+  return std::sqrt(std::max(1.0f - end * end, 0.0f) / (unit.lateral + unit.taper * y));
+}
+
+glm::vec2 axisAt(const Shape& shape, float y) { return shape.bend * (1.0f - y * y); }
 
 glm::vec3 onShape(const Shape& shape, float scale, const glm::vec3& onSphere) {
   if (shape.isPlain()) return scale * onSphere;
