@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -87,5 +88,8 @@ struct UnitShape {
 
 /// @param shape  legal for the reach.
 [[nodiscard]] UnitShape unitShape(const Shape& shape, float reach);
+
+/// Radius of a ball around the center that holds the influence. @param axes  images of the unit space's axes.
+[[nodiscard]] double ballAround(const UnitShape& shape, const glm::dmat3& axes);
 
 }  // namespace sinew
