@@ -9,7 +9,7 @@ layout(location = 4) in vec4 placeZ;
 layout(location = 5) in vec4 placeAt;
 layout(location = 6) in vec4 tint;
 layout(location = 7) in vec4 style;  // w > 0: shaped by `form`, to that scale.
-layout(location = 8) in vec4 form;
+layout(location = 8) in vec4 form[FORM_VECTORS];
 uniform float width;
 uniform float dashes;  // Per circle; 0: unbroken.
 flat out vec4 color;
@@ -32,10 +32,11 @@ void main() {
   vec3 middle = normalize(a + b);
   vec3 own = middle;
   if (style.w > 0.0) {
-    a = onForm(form, style.w, a);
-    b = onForm(form, style.w, b);
-    middle = onForm(form, style.w, middle);
-    own = formSlope(form, middle);
+    Form shaped = formOf(form);
+    a = onForm(shaped, style.w, a);
+    b = onForm(shaped, style.w, b);
+    middle = onForm(shaped, style.w, middle);
+    own = formSlope(shaped, middle);
   }
   vec3 n = normalize(cofactors * own);
   if (dot(cofactors[0], linear[0]) < 0.0) n = -n;

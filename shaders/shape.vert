@@ -10,7 +10,7 @@ layout(location = 4) in vec4 placeZ;
 layout(location = 5) in vec4 placeAt;
 layout(location = 6) in vec4 tint;   // Linear colour and opacity.
 layout(location = 7) in vec4 style;  // Outline 0..1, glow 0..1; w > 0: shaped by `form`, to that scale.
-layout(location = 8) in vec4 form;
+layout(location = 8) in vec4 form[FORM_VECTORS];
 uniform vec4 swell;  // Pixels by which the shape grows away from a point in it (w), and that point.
 out vec3 world;
 out vec3 shapeNormal;
@@ -19,8 +19,8 @@ flat out vec4 look;
 
 void main() {
   mat3 linear = mat3(placeX.xyz, placeY.xyz, placeZ.xyz);
-  vec3 at = style.w > 0.0 ? onForm(form, style.w, position) : position;
-  vec3 own = style.w > 0.0 ? formSlope(form, at) : normal;
+  vec3 at = style.w > 0.0 ? onForm(formOf(form), style.w, position) : position;
+  vec3 own = style.w > 0.0 ? formSlope(formOf(form), at) : normal;
   world = linear * at + placeAt.xyz;
   // Cofactors carry normals, also through flattened shapes.
   shapeNormal = mat3(cross(linear[1], linear[2]), cross(linear[2], linear[0]), cross(linear[0], linear[1])) * own;

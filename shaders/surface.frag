@@ -57,9 +57,15 @@ vec3 pigment() {
 uniform vec4 territoryTint;   // Linear; w: strength.
 uniform int markCount;        // 0..4 muscles whose influence is outlined on the skin.
 uniform vec4 markRows[12];    // Three rows each: world -> the ball of influence, radius 1; of a shape, its own space.
-uniform vec4 markForms[4];
+uniform vec4 markForms[4 * FORM_VECTORS];
 uniform vec4 markReaches[4];  // x: reach of a shape, or 0.
 uniform vec4 markColors[4];   // Linear; w: opacity of the line.
+
+Form markForm(int mark) {
+  vec4 numbers[FORM_VECTORS];
+  for (int i = 0; i < FORM_VECTORS; ++i) numbers[i] = markForms[mark * FORM_VECTORS + i];
+  return formOf(numbers);
+}
 
 vec3 marked(vec3 color) {
   float light = dot(color, vec3(0.2126, 0.7152, 0.0722));
@@ -69,7 +75,7 @@ vec3 marked(vec3 color) {
     vec4 at = vec4(fragment.world, 1.0);
     vec3 inBall = vec3(dot(markRows[3 * i], at), dot(markRows[3 * i + 1], at), dot(markRows[3 * i + 2], at));
     float reach = markReaches[i].x;
-    float outwards = (reach > 0.0 ? sqrt(formSquared(markForms[i], inBall)) / reach : length(inBall)) - 1.0;
+    float outwards = (reach > 0.0 ? sqrt(formSquared(markForm(i), inBall)) / reach : length(inBall)) - 1.0;
     float pixels = outwards / max(fwidth(outwards), 1e-6);
     float line = clamp(0.5 + 0.75 * lineScale - abs(pixels), 0.0, 1.0) * markColors[i].w;
     color = mix(color, markColors[i].rgb, line);

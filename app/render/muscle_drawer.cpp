@@ -35,14 +35,6 @@ std::array<glm::length_t, 3> axesOf(const PrimitiveShape& shape) {
   return {0, 1, 2};
 }
 
-/// Radius of a muscle's section where its tendon begins, over the radii across.
-float firstSection(const PrimitiveShape& shape, float side) {
-  const UnitShape unit = unitShape(shape.shape, 1.0f);
-  if (unit.isPlain) return std::sqrt(1.0f - kTendonStart * kTendonStart);
-  const float end = std::max(kTendonStart - unit.core, 0.0f) * unit.inverseEnd;
-  return std::sqrt(std::max(1.0f - end * end, 0.0f) / (unit.lateral + unit.taper * side * kTendonStart));
-}
-
 /// Different for each muscle and the same in every picture of it.
 float numberOf(int rigIndex) {
   const double turn = 0.6180339887498949 * (rigIndex + 1);
@@ -61,9 +53,11 @@ glm::vec4 fibresOf(const PrimitiveShape& shape) {
 
 ShapeInstance instanceOf(const PrimitiveShape& shape) {
   const float glow = shape.hovered ? 1.0f : shape.selected ? 0.5f : 0.0f;
-  const Shape& form = shape.shape;
-  return {alongFibres(shape), fibresOf(shape), glm::vec4(glow, 0.0f, 0.0f, form.isPlain() ? 0.0f : 1.0f),
-          glm::vec4(form.core, form.belly, form.bend)};
+  ShapeInstance belly = shellOf(shape, 1.0f);
+  belly.shapeInWorld = alongFibres(shape);
+  belly.color = fibresOf(shape);
+  belly.style.x = glow;
+  return belly;
 }
 
 }  // namespace
@@ -126,7 +120,7 @@ void MuscleDrawer::addTendons(const PrimitiveShape& shape, const ShapeInstance& 
   const float radius = std::clamp(kCord * std::sqrt(glm::length(x) * glm::length(z)), kCordOfHeight.x * height,
                                   kCordOfHeight.y * height);
   for (const Tendon& tendon : tendonsOf(belly.shapeInWorld, shape.line->path, shape.shape.bend)) {
-    const float first = kInside * firstSection(shape, tendon.side);
+    const float first = kInside * sectionAt(shape.shape, tendon.side * kTendonStart);
     for (const TendonPart& part : tendon.parts) {
       TendonInstance& added = tendons_.emplace_back();
       const std::array<float, 4> ends{part.share.x, part.share.y, tendon.length / halfLength, radius};
@@ -147,8 +141,7 @@ void MuscleDrawer::addBones(const Frame& frame) {
       const float length = glm::distance(bone.head, bone.tail);
       if (length < kShortestBone * frame.height) continue;
       const float width = std::min(kBoneWidth.x * length, kBoneWidth.y * frame.height);
-      bones.push_back({boneAlong(bone.head, bone.tail, width), glm::vec4(1.0f), glm::vec4(0, length / width, 0, 0),
-                       glm::vec4(0.0f)});
+      bones.push_back({boneAlong(bone.head, bone.tail, width), glm::vec4(1.0f), glm::vec4(0, length / width, 0, 0)});
     }
   }
   bones_.setInstances(bones);

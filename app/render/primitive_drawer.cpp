@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <vector>
 
-#include <glm/gtc/matrix_transform.hpp>
-
 #include "app/render/shape_colors.h"
 #include "core/primitives/silhouette.h"
 
@@ -25,14 +23,11 @@ float nearestDepth(const PrimitiveShape& shape, const glm::vec3& forward) {
   return glm::dot(centre, forward) - glm::length(glm::transpose(glm::mat3(shape.unitBallInWorld)) * forward);
 }
 
-/// One shell, `scale` times the visible body's rho.
-ShapeInstance shellOf(const PrimitiveShape& shape, float scale, const glm::vec4& color, glm::vec4 style) {
-  if (shape.shape.isPlain()) {
-    const glm::mat4& ball = shape.unitBallInWorld;
-    return {scale == 1.0f ? ball : glm::scale(ball, glm::vec3(scale)), color, style};
-  }
-  style.w = scale;
-  return {shape.unitBallInWorld, color, style, {shape.shape.core, shape.shape.belly, shape.shape.bend}};
+ShapeInstance shellOf(const PrimitiveShape& shape, float scale, const glm::vec4& color, const glm::vec3& style) {
+  ShapeInstance shell = app::shellOf(shape, scale);
+  shell.color = color;
+  shell.style = glm::vec4(style, shell.style.w);
+  return shell;
 }
 
 /// Furthest first, so that nearer shells are blended over them; one inside another comes before it.
@@ -104,8 +99,7 @@ void PrimitiveDrawer::drawShells(const Frame& frame) {
   outlinePoints_.clear();
   for (const PrimitiveShape* shape : backToFront(frame)) {
     const glm::vec3 color = shapeColor(*shape);
-    const glm::vec4 style(shape->selected ? 1.0f : 0.0f, shape->hovered ? 1.0f : 0.0f, shape->sign < 0 ? 1.0f : 0.0f,
-                          0);
+    const glm::vec3 style(shape->selected ? 1.0f : 0.0f, shape->hovered ? 1.0f : 0.0f, shape->sign < 0 ? 1.0f : 0.0f);
     visible.push_back(shellOf(*shape, 1.0f, glm::vec4(color, 0.34f), style));
     influence.push_back(shellOf(*shape, shape->reach, glm::vec4(color, 0.09f), style));
     if (outlineLook(*shape).width > 0.0f) continue;

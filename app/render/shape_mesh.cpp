@@ -7,6 +7,10 @@
 #include <numbers>
 #include <vector>
 
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "core/primitives/shape_numbers.h"
+
 namespace sinew::app {
 namespace {
 
@@ -17,6 +21,17 @@ void attribute(GLuint array, GLuint location, GLuint binding, GLint count, std::
 }
 
 }  // namespace
+
+ShapeInstance shellOf(const PrimitiveShape& shape, float scale) {
+  ShapeInstance shell;
+  shell.shapeInWorld = shape.unitBallInWorld;
+  if (!shape.shape.isPlain()) shell.style.w = scale;
+  else if (scale != 1.0f) shell.shapeInWorld = glm::scale(shell.shapeInWorld, glm::vec3(scale));
+  for (std::size_t i = 0; i < kShapeNumbers; ++i) {
+    shell.form[i / 4][static_cast<glm::length_t>(i % 4)] = shapeNumbers()[i].of(shape.shape);
+  }
+  return shell;
+}
 
 ShapeMesh::ShapeMesh(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices)
     : array_(makeVertexArray()),
@@ -35,7 +50,8 @@ ShapeMesh::ShapeMesh(std::span<const Vertex> vertices, std::span<const std::uint
   for (const GLuint each : {array_.id(), instanceArray_.id()}) {
     glVertexArrayVertexBuffer(each, 1, instances_.id(), 0, sizeof(ShapeInstance));
     glVertexArrayBindingDivisor(each, 1, 1);
-    for (GLuint column = 0; column < 7; ++column) attribute(each, 2 + column, 1, 4, column * sizeof(glm::vec4));
+    constexpr GLuint kVectors = sizeof(ShapeInstance) / sizeof(glm::vec4);
+    for (GLuint i = 0; i < kVectors; ++i) attribute(each, 2 + i, 1, 4, i * sizeof(glm::vec4));
   }
 }
 

@@ -1,20 +1,28 @@
 // app/render/shape_mesh.h: a small fixed mesh drawn many times: balls and bones.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
 #include "app/render/gl_objects.h"
+#include "app/render/scene.h"
 
 namespace sinew::app {
+
+/// The numbers of a shape, in the order of shapeNumbers(), four to a vector: shaders/form.glsl takes them apart.
+using FormVectors = std::array<glm::vec4, (kShapeNumbers + 3) / 4>;
 
 /// One copy, as shaders/shape.vert and ring.vert read it.
 struct ShapeInstance {
   glm::mat4 shapeInWorld{1.0f};
   glm::vec4 color{1.0f};  ///< Linear, opacity in w.
   glm::vec4 style{0.0f};  ///< Outline, glow: 0..1.
-  glm::vec4 form{0.0f};   ///< Core, belly, bend of a shape, where style.w > 0 (shaders/form.glsl).
+  FormVectors form{};     ///< Of a shape, where style.w > 0.
 };
+
+/// The surface rho = `scale` of a primitive, made of the unit ball; colour, outline and glow are left to the caller.
+[[nodiscard]] ShapeInstance shellOf(const PrimitiveShape& shape, float scale);
 
 class ShapeMesh {
  public:

@@ -12,6 +12,7 @@
 #include "app/render/color_scales.h"
 #include "app/render/occlusion.h"
 #include "app/render/shape_colors.h"
+#include "app/render/shape_mesh.h"
 
 namespace sinew::app {
 namespace {
@@ -102,16 +103,15 @@ std::vector<const PrimitiveShape*> markedShapes(const Frame& frame) {
 
 void setMarks(const GlProgram& program, const Frame& frame, std::span<const PrimitiveShape* const> shapes) {
   std::array<glm::vec4, 3 * kMostMarks> rows{};
-  std::array<glm::vec4, kMostMarks> forms{}, reaches{}, colors{};
+  std::array<glm::vec4, std::tuple_size_v<FormVectors> * kMostMarks> forms{};
+  std::array<glm::vec4, kMostMarks> reaches{}, colors{};
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const PrimitiveShape& shape = *shapes[i];
-    const glm::mat4 inBall = glm::inverse(shape.unitBallInWorld);
-    reaches[i] = glm::vec4(shape.shape.isPlain() ? 0.0f : shape.reach);
-    for (glm::length_t row = 0; row < 3; ++row) {
-      rows[3 * i + static_cast<std::size_t>(row)] =
-          glm::row(inBall, row) / (shape.shape.isPlain() ? shape.reach : 1.0f);
-    }
-    forms[i] = {shape.shape.core, shape.shape.belly, shape.shape.bend};
+    const ShapeInstance influence = shellOf(shape, shape.reach);
+    const glm::mat4 inShell = glm::inverse(influence.shapeInWorld);
+    for (glm::length_t row = 0; row < 3; ++row) rows[3 * i + static_cast<std::size_t>(row)] = glm::row(inShell, row);
+    reaches[i] = glm::vec4(influence.style.w);
+    std::ranges::copy(influence.form, forms.begin() + static_cast<std::ptrdiff_t>(i * influence.form.size()));
     colors[i] = glm::vec4(shapeColor(shape), shape.selected ? 0.62f : 0.30f);
   }
   program.set("markCount", static_cast<int>(shapes.size()));

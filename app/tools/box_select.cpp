@@ -5,9 +5,7 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 
 #include "app/tools/select.h"
 #include "app/ui/style.h"
@@ -16,31 +14,16 @@
 namespace sinew::app {
 namespace {
 
-constexpr int kOutlinePoints = 24;
-
 bool inside(const glm::vec3& pixel, const glm::vec2& low, const glm::vec2& high) {
   return std::abs(pixel.z) <= 1.0f && pixel.x >= low.x && pixel.y >= low.y && pixel.x <= high.x && pixel.y <= high.y;
 }
 
-/// Points of the outline that the eye sees: where the unit ball's normals, carried to the world, are across the sight.
+/// Points of the outline that the eye sees, and the middle.
 std::vector<glm::vec3> outlineOf(const PrimitiveShape& shape, const View& view) {
-  const glm::mat3 axes(shape.unitBallInWorld);
-  const glm::vec3 center(shape.unitBallInWorld[3]);
-  const glm::vec3 sight = view.orthographic ? view.forwardInWorld() : center - view.eyeInWorld;
-  if (!shape.shape.isPlain()) {
-    const glm::vec3 eye = view.orthographic ? sight : view.eyeInWorld;
-    const Silhouette line = silhouetteOf(shape.shape, shape.unitBallInWorld, eye, view.orthographic);
-    return {line.begin(), line.end()};
-  }
-  const glm::vec3 inBall = normalizeOr(glm::inverse(axes) * sight, {0.0f, 0.0f, 1.0f});
-  const glm::vec3 other = std::abs(inBall.x) < 0.6f ? glm::vec3(1.0f, 0.0f, 0.0f) : glm::vec3(0.0f, 1.0f, 0.0f);
-  const glm::vec3 u = glm::normalize(glm::cross(inBall, other));
-  const glm::vec3 v = glm::cross(inBall, u);
-  std::vector<glm::vec3> points{center};
-  for (int i = 0; i < kOutlinePoints; ++i) {
-    const float angle = 2.0f * std::numbers::pi_v<float> * static_cast<float>(i) / kOutlinePoints;
-    points.push_back(center + axes * (std::cos(angle) * u + std::sin(angle) * v));
-  }
+  const glm::vec3 eye = view.orthographic ? view.forwardInWorld() : view.eyeInWorld;
+  const Silhouette line = silhouetteOf(shape.shape, shape.unitBallInWorld, eye, view.orthographic);
+  std::vector<glm::vec3> points(line.begin(), line.end());
+  points.emplace_back(shape.unitBallInWorld[3]);
   return points;
 }
 

@@ -70,7 +70,7 @@ std::optional<float> heldSkin(const Sight& sight, const Muscle& muscle) {
   const UnitBallMap map = unitBallMap(muscle.placement, 1.0f, muscle.carrier);
   if (!(map.boundingRadius > 0.0f)) return std::nullopt;
   const glm::vec3& skin = sight.skin->position;
-  const float radii = map.isPlain() ? glm::length(map.toUnit * (skin - map.center)) : std::sqrt(map.rSquared(skin));
+  const float radii = std::sqrt(map.rSquared(skin));
   const bool bulges = sight.lift > kVisibleLift * sight.context.document.character->height;
   if (!(radii < (bulges ? kBulgeBelow : kCoveredBelow))) return std::nullopt;
   const MuscleLine* line = lineOf(sight.context.document.rig(), muscle.primitive);

@@ -8,22 +8,12 @@ namespace sinew {
 namespace {
 
 /// Value and gradient of one candidate, weight and sign included.
-[[gnu::always_inline]] inline FieldSample sampleAny(const PosedPrimitive& primitive, float weight,
-                                                    const glm::vec3& point) {
+FieldSample sampleCandidate(const PosedPrimitive& primitive, float weight, const glm::vec3& point) {
   const UnitBallMap& ball = primitive.influence;
   const float rSquared = ball.rSquared(point);
   if (!(rSquared < 1.0f) || ball.boundingRadius == 0.0f) return {};
   const float factor = primitive.strength * weight;
   return {factor * potential(rSquared), factor * potentialSlope(rSquared) * ball.rSquaredSlope(point)};
-}
-
-// Apart, so that ellipsoids need no calls.
-[[gnu::noinline]] FieldSample sampleShaped(const PosedPrimitive& primitive, float weight, const glm::vec3& point) {
-  return sampleAny(primitive, weight, point);
-}
-
-FieldSample sampleCandidate(const PosedPrimitive& primitive, float weight, const glm::vec3& point) {
-  return primitive.influence.isPlain() ? sampleAny(primitive, weight, point) : sampleShaped(primitive, weight, point);
 }
 
 void add(FieldSample& sum, const FieldSample& part) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/at.h"
+#include "core/primitives/shape_numbers.h"
 
 namespace sinew {
 namespace {
@@ -20,7 +21,7 @@ float joined(float value, float driven, DriverMode mode) {
   return driven;
 }
 
-bool shapes(Parameter parameter) { return parameter >= Parameter::kReach && parameter <= Parameter::kBendZ; }
+bool shapes(Parameter parameter) { return parameter == Parameter::kReach || isShape(parameter); }
 
 }  // namespace
 

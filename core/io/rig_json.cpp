@@ -2,12 +2,14 @@
 #include "sinew/io/rig_json.h"
 
 #include <algorithm>
+#include <span>
 #include <system_error>
 
 #include "core/io/files/atomic_file.h"
 #include "core/io/json/writer.h"
 #include "core/io/rig_json_animated.h"
 #include "core/io/rig_json_lines.h"
+#include "core/primitives/shape_numbers.h"
 #include "core/rig/validation.h"
 
 namespace sinew {
@@ -49,9 +51,12 @@ Json smoothingNode(const SmoothingSettings& smoothing) {
 Json groupNode(const Group& group) { return ObjectWriter().set("name", group.name).finish(group.unknownKeys); }
 
 void setShape(const Shape& shape, ObjectWriter& writer) {
-  if (shape.core != 0.0f) writer.set("core", shape.core);
-  if (shape.belly != 0.0f) writer.set("belly", shape.belly);
-  if (shape.bend != glm::vec2(0.0f)) writer.set("bend", numbers({shape.bend.x, shape.bend.y}));
+  for (const std::span<const ShapeNumber> key : shapeKeys()) {
+    std::vector<Json> values;
+    for (const ShapeNumber& number : key) values.push_back(number.of(shape));
+    if (std::ranges::all_of(key, [&](const ShapeNumber& number) { return number.of(shape) == 0.0f; })) continue;
+    writer.set(key.front().key, values.size() == 1 ? values.front() : Json::array(std::move(values)));
+  }
 }
 
 Json primitiveNode(const Primitive& primitive) {

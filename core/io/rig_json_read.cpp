@@ -1,12 +1,17 @@
 // core/io/rig_json_read.cpp: text -> Rig, strictly, every refusal with its JSON path.
 #include "sinew/io/rig_json.h"
 
+#include <array>
 #include <optional>
+#include <span>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/io/json/reader.h"
 #include "core/io/rig_json_animated.h"
 #include "core/io/rig_json_lines.h"
+#include "core/primitives/shape_numbers.h"
 #include "core/rig/validation.h"
 
 namespace sinew {
@@ -57,6 +62,17 @@ std::array<std::string, 2> readLink(Reader& reader, const Json& node, const Plac
   return {reader.text(node.children[0], Reader::at(place, 0)), reader.text(node.children[1], Reader::at(place, 1))};
 }
 
+/// The numbers of one key: one by itself, or a list.
+void readShape(Reader& reader, const Json& node, const Place& place, std::span<const ShapeNumber> key, Shape& shape) {
+  const Json* found = node.find(key.front().key);
+  if (found == nullptr) return;
+  const Place own = Reader::join(place, key.front().key);
+  std::array<float, kShapeNumbers> values{};
+  if (key.size() == 1) values[0] = reader.number(*found, own);
+  else reader.vector(*found, own, std::span(values).first(key.size()));
+  for (std::size_t i = 0; i < key.size(); ++i) key[i].member(shape) = values[i];
+}
+
 Placement readPlacement(Reader& reader, const Json& node, const Place& place) {
   Placement placement;
   if (const Json* center = reader.need(node, place, "center", "an array of 3 numbers")) {
@@ -71,12 +87,7 @@ Placement readPlacement(Reader& reader, const Json& node, const Place& place) {
     const auto [x, y, z] = reader.vector<3>(*radii, Reader::join(place, "radii"));
     placement.radii = {x, y, z};
   }
-  readFloat(reader, node, place, "core", placement.shape.core);
-  readFloat(reader, node, place, "belly", placement.shape.belly);
-  if (const Json* bend = node.find("bend")) {
-    const auto [x, z] = reader.vector<2>(*bend, Reader::join(place, "bend"));
-    placement.shape.bend = {x, z};
-  }
+  for (const std::span<const ShapeNumber> key : shapeKeys()) readShape(reader, node, place, key, placement.shape);
   return placement;
 }
 
@@ -117,9 +128,10 @@ Primitive readPrimitive(Reader& reader, const Json& node, const Place& listed) {
     });
   }
   primitive.animated = readAnimated(reader, node, place);
-  primitive.unknownKeys =
-      unknownKeys(node, {"name", "bone", "group", "line", "kind", "center", "rotation", "radii", "core", "belly",
-                         "bend", "reach", "amount", "sign", "mirror", "territory", "animated"});
+  std::vector<std::string_view> known{"name",  "bone",  "group",  "line", "kind",   "center",    "rotation",
+                                      "radii", "reach", "amount", "sign", "mirror", "territory", "animated"};
+  for (const ShapeNumber& number : shapeNumbers()) known.push_back(number.key);
+  primitive.unknownKeys = unknownKeys(node, known);
   return primitive;
 }
 

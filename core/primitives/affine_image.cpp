@@ -10,6 +10,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "core/primitives/shape_numbers.h"
+
 namespace sinew {
 namespace {
 
@@ -75,25 +77,30 @@ void orthogonaliseAround(glm::dmat3& columns) {
   columns[2] = across[2];
 }
 
-/// The image's shape, after its rotation and radii.
+/// The image's shape, after its rotation and radii. Numbers along an axis turn round with it; under uneven stretch
+/// those across are parts of a vector that the map carries.
 Shape shapeImage(const Placement& from, const glm::dmat3& linear, bool even, const Placement& image) {
   Shape shape = from.shape;
   if (shape.isPlain()) return shape;
   const glm::dmat3 axes = linear * glm::mat3_cast(glm::normalize(glm::dquat(from.rotation)));
   const glm::dmat3 imageAxes = glm::mat3_cast(glm::normalize(glm::dquat(image.rotation)));
-  if (glm::dot(axes[1], imageAxes[1]) < 0.0) shape.belly = -shape.belly;
-  if (even) {
-    if (glm::dot(axes[0], imageAxes[0]) < 0.0) shape.bend.x = -shape.bend.x;
-    if (glm::dot(axes[2], imageAxes[2]) < 0.0) shape.bend.y = -shape.bend.y;
-    return shape;
+  for (const std::span<const ShapeNumber> key : shapeKeys()) {
+    if (key.front().axis == ShapeNumber::kNoAxis) continue;
+    glm::dvec3 vector(0.0);
+    for (const ShapeNumber& number : key) {
+      vector += axes[number.axis] * static_cast<double>(number.of(from.shape) * from.radii[number.axis]);
+    }
+    for (const ShapeNumber& number : key) {
+      const glm::dvec3& own = imageAxes[number.axis];
+      float& value = number.member(shape);
+      if (even || number.axis == 1) {
+        if (glm::dot(axes[number.axis], own) < 0.0) value = -value;
+      } else {
+        const double inRadii = glm::dot(vector, own) / static_cast<double>(image.radii[number.axis]);
+        value = std::clamp(static_cast<float>(inRadii), number.low, number.high);
+      }
+    }
   }
-  const glm::dvec3 bend = axes[0] * static_cast<double>(shape.bend.x * from.radii.x) +
-                          axes[2] * static_cast<double>(shape.bend.y * from.radii.z);
-  const auto inRadii = [&](int axis) {
-    const double value = glm::dot(bend, imageAxes[axis]) / static_cast<double>(image.radii[axis]);
-    return std::clamp(static_cast<float>(value), -kMostBend, kMostBend);
-  };
-  shape.bend = {inRadii(0), inRadii(2)};
   return shape;
 }
 
@@ -143,6 +150,7 @@ Placement imageOf(const Placement& placement, const AffineMap& map) {
 
 Placement withLongAxisY(const Placement& placement) {
   const glm::vec3& r = placement.radii;
+  if (!placement.shape.isPlain()) return placement;
   if (r.y >= r.x && r.y >= r.z) return placement;
   Placement turned = placement;
   // Third turns about (1, 1, 1): the new axes are the old x to y to z to x, or back.

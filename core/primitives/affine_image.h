@@ -20,7 +20,8 @@ struct AffineMap {
 /// @param map  finite, not flattened (base/flatness.h); else radii may be 0.
 [[nodiscard]] Placement imageOf(const Placement& placement, const AffineMap& map);
 
-/// The same ellipsoid, called so that its longest axis is y: axes go round, x to y to z or back. Of a plain one.
+/// The same ellipsoid, called so that its longest axis is y: axes go round, x to y to z or back. A shape stays: it has
+/// its y axis.
 [[nodiscard]] Placement withLongAxisY(const Placement& placement);
 
 }  // namespace sinew

@@ -1,4 +1,5 @@
-// core/primitives/potential.h: the quartic potential and the constants that follow from the iso value.
+// core/primitives/potential.h: the quartic potential and the constants that follow from the iso value. What relies on
+// its formula beside these functions: CONTRIBUTING.md, A formula of the surface.
 #pragma once
 
 #include <cmath>
@@ -6,19 +7,30 @@
 namespace sinew {
 
 /// g(r) = (1 - r^2)^2 for r < 1, else 0 (paper 3.1), from r squared. C1; support radius 1; g(0) = 1.
-[[nodiscard]] inline float potential(float rSquared) {
-  const float w = 1.0f - rSquared;
-  return w > 0.0f ? w * w : 0.0f;
+template <class Real>
+[[nodiscard]] Real potential(Real rSquared) {
+  const Real w = Real(1) - rSquared;
+  return w > Real(0) ? w * w : Real(0);
 }
 
 /// d g / d (r^2) = -2 (1 - r^2) for r < 1, else 0.
-[[nodiscard]] inline float potentialSlope(float rSquared) {
-  const float w = 1.0f - rSquared;
-  return w > 0.0f ? -2.0f * w : 0.0f;
+template <class Real>
+[[nodiscard]] Real potentialSlope(Real rSquared) {
+  const Real w = Real(1) - rSquared;
+  return w > Real(0) ? Real(-2) * w : Real(0);
 }
 
-/// r_T: where g equals the iso value, sqrt(1 - sqrt T). 0 < iso < 1.
-[[nodiscard]] inline float isoRadius(float iso) { return std::sqrt(1.0f - std::sqrt(iso)); }
+/// 1 - r^2 where g equals the iso value, sqrt T. 0 < iso < 1.
+template <class Real>
+[[nodiscard]] Real isoRoot(Real iso) {
+  return std::sqrt(iso);
+}
+
+/// r_T: where g equals the iso value, sqrt(1 - sqrt T).
+template <class Real>
+[[nodiscard]] Real isoRadius(Real iso) {
+  return std::sqrt(Real(1) - isoRoot(iso));
+}
 
 /// s: factor that puts the iso surface of a lone primitive on its visible ellipsoid, T / g(1 / reach). reach > 1.
 /// docs/field.md.

@@ -1,11 +1,45 @@
-// core/primitives/shape.cpp: legal numbers, the unit space of a shape, its bounds and volume. Formulas: docs/field.md.
+// core/primitives/shape.cpp: the table of numbers, the unit space of a shape, its bounds and volume. Formulas:
+// docs/field.md.
 #include "sinew/primitives/shape.h"
 
 #include <array>
+#include <string_view>
 #include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "core/primitives/shape_numbers.h"
 
 namespace sinew {
 namespace {
+
+constexpr std::array<ShapeNumber, kShapeNumbers> kNumbers{
+    {{"core", "core", "Straight", "Straight", "Straighten",
+      "Straight part along the longest axis: 0 is an ellipsoid, 0.9 a cylinder with rounded ends",
+      [](Shape& shape) -> float& { return shape.core; }, 0.0f, kMostCore},
+     {"belly", "belly", "Belly", "Belly", "Move the belly of",
+      "Where along the longest axis the muscle is thickest. A larger reach allows less",
+      [](Shape& shape) -> float& { return shape.belly; }, -1.0f, 1.0f, 1,
+      [](const Shape& shape, float reach) { return mostBelly(shape.core, reach); }},
+     {"bend", "bend.x", "Bend", "Bend X", "Bend",
+      "How far the middle is moved along the muscle's own x axis, in its radii",
+      [](Shape& shape) -> float& { return shape.bend.x; }, -kMostBend, kMostBend, 0},
+     {"bend", "bend.z", "Bend", "Bend Z", "Bend",
+      "How far the middle is moved along the muscle's own z axis, in its radii",
+      [](Shape& shape) -> float& { return shape.bend.y; }, -kMostBend, kMostBend, 2}}};
+static_assert(kNumbers.back().key != nullptr, "a row for each member of Shape");
+
+std::vector<std::span<const ShapeNumber>> byKey() {
+  std::vector<std::span<const ShapeNumber>> keys;
+  for (auto first = kNumbers.begin(); first != kNumbers.end();) {
+    const auto end = std::find_if(
+        first, kNumbers.end(), [&](const ShapeNumber& number) { return std::string_view(number.key) != first->key; });
+    keys.emplace_back(first, end);
+    first = end;
+  }
+  return keys;
+}
 
 constexpr double kMargin = 0.95;        ///< Of the belly at which S would reach 0 at the end of the influence.
 constexpr double kStraightShare = 0.6;  ///< Of the sphere's height that onShape() gives a core of full length.
@@ -59,9 +93,39 @@ struct Numbers {
   }
 };
 
-float within(float value, float most) { return std::isfinite(value) ? std::clamp(value, -most, most) : 0.0f; }
+/// ballAround() of the unit ball.
+double ballAroundEllipsoid(const glm::dmat3& axes) {
+  // Half extents of the world box around the ellipsoid: row norms of the axes.
+  glm::dvec3 half(0.0);
+  for (int row = 0; row < 3; ++row) {
+    half[row] = std::sqrt(axes[0][row] * axes[0][row] + axes[1][row] * axes[1][row] + axes[2][row] * axes[2][row]);
+  }
+  const double frobenius =
+      std::sqrt(glm::dot(axes[0], axes[0]) + glm::dot(axes[1], axes[1]) + glm::dot(axes[2], axes[2]));
+  return std::min(glm::length(half), frobenius);
+}
+
+/// Largest length that the map of two columns gives a unit vector.
+double mostStretch(const glm::dvec3& a, const glm::dvec3& b) {
+  const double mean = 0.5 * (glm::dot(a, a) + glm::dot(b, b));
+  const double half = 0.5 * (glm::dot(a, a) - glm::dot(b, b));
+  return std::sqrt(mean + std::hypot(half, glm::dot(a, b)));
+}
 
 }  // namespace
+
+std::pair<float, float> ShapeNumber::range(const Shape& shape, float reach) const {
+  if (most == nullptr) return {low, high};
+  const float limit = most(shape, reach);
+  return {std::max(low, -limit), std::min(high, limit)};
+}
+
+std::span<const ShapeNumber, kShapeNumbers> shapeNumbers() { return kNumbers; }
+
+std::span<const std::span<const ShapeNumber>> shapeKeys() {
+  static const std::vector<std::span<const ShapeNumber>> keys = byKey();
+  return keys;
+}
 
 float mostBelly(float core, float reach) {
   // S(y) > 0 up to y = K: p < K - sqrt(K^2 - 1), written without the difference.
@@ -71,9 +135,11 @@ float mostBelly(float core, float reach) {
 
 Shape legalShape(const Shape& shape, float reach) {
   Shape legal;
-  legal.core = std::max(0.0f, within(shape.core, kMostCore));
-  legal.belly = within(shape.belly, mostBelly(legal.core, reach));
-  legal.bend = {within(shape.bend.x, kMostBend), within(shape.bend.y, kMostBend)};
+  for (const ShapeNumber& number : shapeNumbers()) {
+    const auto [low, high] = number.range(legal, reach);
+    const float value = number.of(shape);
+    number.member(legal) = std::isfinite(value) ? std::clamp(value, low, high) : 0.0f;
+  }
   return legal;
 }
 
@@ -83,6 +149,14 @@ float thickestAt(const Shape& shape) {
   const double beyond = std::abs(numbers.belly) * numbers.nu * numbers.end * numbers.end;  // v of docs/field.md.
   return static_cast<float>(std::copysign(numbers.core + beyond, numbers.belly));
 }
+
+float sectionAt(const Shape& shape, float y) {
+  const UnitShape unit = unitShape(shape, 1.0f);
+  const float end = std::max(std::abs(y) - unit.core, 0.0f) * unit.inverseEnd;
+  return std::sqrt(std::max(1.0f - end * end, 0.0f) / (unit.lateral + unit.taper * y));
+}
+
+glm::vec2 axisAt(const Shape& shape, float y) { return shape.bend * (1.0f - y * y); }
 
 glm::vec3 onShape(const Shape& shape, float scale, const glm::vec3& onSphere) {
   if (shape.isPlain()) return scale * onSphere;
@@ -128,6 +202,32 @@ UnitShape unitShape(const Shape& shape, float reach) {
   unit.low = {low.x, -along, low.y};
   unit.high = {high.x, along, high.y};
   return unit;
+}
+
+double ballAround(const UnitShape& shape, const glm::dmat3& axes) {
+  if (shape.isPlain) return ballAroundEllipsoid(axes);
+  const double along = static_cast<double>(shape.high.y);
+  const double core = static_cast<double>(shape.core);
+  const glm::dvec3 middle = axes[0] * static_cast<double>(shape.bend.x) + axes[2] * static_cast<double>(shape.bend.y);
+  const glm::dvec3 curve =
+      (axes[0] * static_cast<double>(shape.curve.x) + axes[2] * static_cast<double>(shape.curve.y)) * (along * along);
+  // As a tube around the axis, a parabola that lies within its three control points.
+  const double lateral =
+      0.5 * static_cast<double>(shape.high.x - shape.low.x - std::abs(shape.curve.x) * shape.high.y * shape.high.y);
+  const double around = mostStretch(axes[0], axes[2]) * lateral;
+  double tube = glm::length(middle - curve);
+  // As an ellipsoid as wide as the section could be at the thick end, moved along the core and the bend.
+  const double thinnest = static_cast<double>(shape.lateral) - std::abs(static_cast<double>(shape.taper)) * along;
+  const double widest = 1.0 / std::sqrt(thinnest);
+  const double end =
+      ballAroundEllipsoid({axes[0] * widest, axes[1] / static_cast<double>(shape.inverseEnd), axes[2] * widest});
+  double moved = 0.0;
+  for (const double side : {-1.0, 1.0}) {
+    tube = std::max(tube, glm::length(middle + curve + side * along * axes[1]));
+    moved = std::max(
+        {moved, glm::length(middle + side * core * axes[1]), glm::length(middle + curve + side * core * axes[1])});
+  }
+  return std::min(tube + around, moved + end);
 }
 
 }  // namespace sinew

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/primitives/shape_numbers.h"
 #include "core/rig/rig_numbers.h"
 #include "sinew/rig/rig.h"
 
@@ -30,7 +31,7 @@ struct Row {
 constexpr auto kPrimitive = ParameterOwner::kPrimitive;
 constexpr auto kLine = ParameterOwner::kLine;
 
-// In the order of Parameter. Radii and belly have limits of their own kind (legalNumber, legalShape).
+// In the order of Parameter, without the numbers of shapes. Radii have limits of their own kind (legalNumber).
 constexpr std::array kRows{
     Row{Parameter::kAmount, kPrimitive, "amount", "Amount", 0.0f, kMostAmount},
     Row{Parameter::kCenterX, kPrimitive, "center.x", "Centre X", -kUnbounded, kUnbounded},
@@ -40,10 +41,6 @@ constexpr std::array kRows{
     Row{Parameter::kRadiusY, kPrimitive, "radii.y", "Radius Y", 0.0f, kUnbounded},
     Row{Parameter::kRadiusZ, kPrimitive, "radii.z", "Radius Z", 0.0f, kUnbounded},
     Row{Parameter::kReach, kPrimitive, "reach", "Reach", kLeastReach, kMostReach},
-    Row{Parameter::kCore, kPrimitive, "core", "Straight", 0.0f, kMostCore},
-    Row{Parameter::kBelly, kPrimitive, "belly", "Belly", -1.0f, 1.0f},
-    Row{Parameter::kBendX, kPrimitive, "bend.x", "Bend X", -kMostBend, kMostBend},
-    Row{Parameter::kBendZ, kPrimitive, "bend.z", "Bend Z", -kMostBend, kMostBend},
     Row{Parameter::kActivation, kLine, "activation", "Activation by hand", 0.0f, 1.0f},
     Row{Parameter::kVolume, kLine, "volume", "Volume", 0.0f, kMostVolume},
     Row{Parameter::kRest, kLine, "rest", "Rest length", kLeastRest, kMostRest},
@@ -51,7 +48,18 @@ constexpr std::array kRows{
     Row{Parameter::kFlexWidth, kLine, "flex.width", "Flex width", kLeastFlex, kMostFlex},
     Row{Parameter::kSkinBlend, ParameterOwner::kSurface, "skin_blend", "Skin blend", kLeastSkinBlend, kMostSkinBlend}};
 
-const Row& rowOf(Parameter parameter) { return kRows[static_cast<std::size_t>(parameter)]; }
+const ShapeNumber& shapeNumberOf(Parameter parameter) {
+  return shapeNumbers()[static_cast<std::size_t>(parameter) - static_cast<std::size_t>(Parameter::kShape)];
+}
+
+Row rowOf(Parameter parameter) {
+  if (isShape(parameter)) {
+    const ShapeNumber& number = shapeNumberOf(parameter);
+    return {parameter, kPrimitive, number.name, number.words, number.low, number.high};
+  }
+  const auto index = static_cast<std::size_t>(parameter);
+  return kRows[parameter < Parameter::kShape ? index : index - kShapeNumbers];
+}
 
 /// Reading through the same table of members changes nothing.
 template <class Owner>
@@ -81,16 +89,8 @@ float* muscleNumber(Owner& owner, Parameter parameter) {
       return &placement.radii.z;
     case Parameter::kReach:
       return &owner.reach;
-    case Parameter::kCore:
-      return &placement.shape.core;
-    case Parameter::kBelly:
-      return &placement.shape.belly;
-    case Parameter::kBendX:
-      return &placement.shape.bend.x;
-    case Parameter::kBendZ:
-      return &placement.shape.bend.y;
     default:
-      return nullptr;
+      return isShape(parameter) ? &shapeNumberOf(parameter).member(placement.shape) : nullptr;
   }
 }
 
@@ -103,8 +103,11 @@ const char* nameOf(Parameter parameter) { return rowOf(parameter).name; }
 const char* wordsFor(Parameter parameter) { return rowOf(parameter).words; }
 
 std::optional<Parameter> parameterNamed(const std::string& name) {
-  const auto found = std::ranges::find_if(kRows, [&](const Row& row) { return row.name == name; });
-  return found == kRows.end() ? std::nullopt : std::optional(found->parameter);
+  for (int i = 0; i <= static_cast<int>(Parameter::kSkinBlend); ++i) {
+    const Row row = rowOf(static_cast<Parameter>(i));
+    if (row.name == name) return row.parameter;
+  }
+  return std::nullopt;
 }
 
 float* numberIn(Primitive& primitive, Parameter parameter) { return muscleNumber(primitive, parameter); }
@@ -140,7 +143,7 @@ float numberOf(const SurfaceSettings& surface, Parameter parameter) { return rea
 
 float legalNumber(Parameter parameter, float value, float drawn) {
   if (!std::isfinite(value)) return drawn;
-  const Row& row = rowOf(parameter);
+  const Row row = rowOf(parameter);
   const float least = isRadius(parameter) ? kLeastOfDrawn * drawn : row.least;
   return std::clamp(value, least, row.most);
 }

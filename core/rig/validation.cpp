@@ -2,11 +2,16 @@
 #include "core/rig/validation.h"
 
 #include <array>
+#include <cctype>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
+#include "core/primitives/shape_numbers.h"
 #include "core/rig/animated_validation.h"
 #include "core/rig/refusals.h"
 
@@ -54,29 +59,26 @@ Result<void> validateRotation(const glm::quat& rotation, const std::string& plac
   return outOfRange(place, "a quaternion x, y, z, w of length 1", static_cast<float>(length), "rotation");
 }
 
-/// Without the belly's limit, which is the reach's too.
-Result<void> validateShape(const Shape& shape, const std::string& place) {
-  if (!(shape.core >= 0.0f && shape.core <= kMostCore)) {
-    return outOfRange(place + ".core", "a number from 0 to 0.95", shape.core, "straight");
-  }
-  if (!std::isfinite(shape.belly)) return outOfRange(place + ".belly", "a finite number", shape.belly, "belly");
-  for (int i = 0; i < 2; ++i) {
-    if (std::abs(shape.bend[i]) <= kMostBend) continue;
-    return outOfRange(place + indexed(".bend", static_cast<std::size_t>(i)), "a number from -1 to 1", shape.bend[i],
-                      i == 0 ? "bend X" : "bend Z");
+/// @param reach  none: all but the limits that are the reach's too
+Result<void> validateShape(const Shape& shape, const std::string& place, std::optional<float> reach = {}) {
+  for (const std::span<const ShapeNumber> key : shapeKeys()) {
+    for (std::size_t i = 0; i < key.size(); ++i) {
+      const ShapeNumber& number = key[i];
+      const float value = number.of(shape);
+      const bool open = !reach && number.most != nullptr;
+      const auto [low, high] = reach ? number.range(shape, *reach) : std::pair(number.low, number.high);
+      // A little more than the limit: it is computed anew on every machine, and has room.
+      const float room = reach ? 1.0f + 1e-5f : 1.0f;
+      if (open ? std::isfinite(value) : value >= low * room && value <= high * room) continue;
+      const std::string range = "a number from " + numberText(low) + " to " + numberText(high);
+      std::string words = number.words;
+      words[0] = static_cast<char>(std::tolower(words[0]));
+      const std::string list = place + '.' + number.key;
+      return outOfRange(key.size() == 1 ? list : indexed(list.c_str(), i),
+                        open ? "a finite number" : range + (reach ? ", the most at this reach" : ""), value, words);
+    }
   }
   return {};
-}
-
-Result<void> validateBelly(const Primitive& primitive, const std::string& place) {
-  const Shape& shape = primitive.placement.shape;
-  if (shape.belly == 0.0f) return {};
-  // A little more than the limit: it is computed anew on every machine, and has room.
-  const float most = mostBelly(shape.core, primitive.reach);
-  if (std::abs(shape.belly) <= most * (1.0f + 1e-5f)) return {};
-  return outOfRange(place + ".belly",
-                    "a number from -" + numberText(most) + " to " + numberText(most) + ", the most at this reach",
-                    shape.belly, "belly");
 }
 
 Result<void> validateText(const std::string& text, const std::string& place) {
@@ -185,7 +187,7 @@ Result<void> validateParts(const Primitive& primitive, const std::string& place)
   if (!std::isfinite(primitive.reach) || !(primitive.reach > 1.0f)) {
     return outOfRange(place + ".reach", "a number > 1", primitive.reach, "reach");
   }
-  if (auto belly = validateBelly(primitive, place); !belly) return belly;
+  if (auto limits = validateShape(primitive.placement.shape, place, primitive.reach); !limits) return limits;
   if (primitive.sign != 1 && primitive.sign != -1) {
     return errorAt(place + ".sign", "expected 1 or -1, got " + std::to_string(primitive.sign), "sign");
   }

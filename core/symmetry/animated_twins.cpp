@@ -61,7 +61,7 @@ float stepFor(const Primitive& primitive, Parameter parameter) {
 }
 
 constexpr int kFirst = static_cast<int>(Parameter::kCenterX);
-constexpr int kLast = static_cast<int>(Parameter::kBendZ);
+constexpr int kLast = static_cast<int>(shapeParameter(kShapeNumbers - 1));
 
 /// What a number of a primitive is on its image, found by taking a step: exactly one number of the image may move.
 std::optional<NumberMap> mapOf(const MirrorPlan& plan, const Primitive& primitive, Parameter parameter) {

@@ -9,6 +9,7 @@
 
 #include "core/base/at.h"
 #include "core/base/flatness.h"
+#include "core/primitives/shape_numbers.h"
 #include "core/skeleton/side_names.h"
 #include "core/symmetry/animated_twins.h"
 
@@ -51,22 +52,25 @@ void tidy(AffineMap& mirror) {
 
 const Bone& boneAt(const MirrorPlan& plan, int bone) { return at(plan.skeleton.bones, bone); }
 
-/// Of two equal ellipsoids: their shapes are equal too. What tells them apart are vectors: the axis with its belly, and
-/// the bend. @param allowed  world units.
+/// Whether equal ellipsoids, each the other's image, have equal shapes too. What tells them apart are vectors: the axis
+/// y, and numbers along axes. @param allowed  world units.
 bool sameShape(const Placement& a, const Placement& b, const glm::dmat3& bone, double allowed) {
   if (a.shape.isPlain() && b.shape.isPlain()) return true;
   const auto axis = [&](const Placement& placement, int i) {
     return bone * glm::mat3_cast(glm::dquat(placement.rotation))[i] * static_cast<double>(placement.radii[i]);
   };
-  const auto bend = [&](const Placement& p) {
-    return axis(p, 0) * static_cast<double>(p.shape.bend.x) + axis(p, 2) * static_cast<double>(p.shape.bend.y);
-  };
   const glm::dvec3 alongA = axis(a, 1);
   const glm::dvec3 alongB = axis(b, 1);
   const double apart = std::min(glm::length(alongA - alongB), glm::length(alongA + alongB));
-  const glm::dvec3 bellies = alongA * static_cast<double>(a.shape.belly) - alongB * static_cast<double>(b.shape.belly);
-  return apart <= 4.0 * allowed && glm::length(bellies) <= 2.0 * allowed &&
-         glm::length(bend(a) - bend(b)) <= 2.0 * allowed;
+  return apart <= 4.0 * allowed && std::ranges::all_of(shapeKeys(), [&](std::span<const ShapeNumber> key) {
+           glm::dvec3 between(0.0);
+           for (const ShapeNumber& number : key) {
+             if (number.axis == ShapeNumber::kNoAxis) continue;
+             between += axis(a, number.axis) * static_cast<double>(number.of(a.shape)) -
+                        axis(b, number.axis) * static_cast<double>(number.of(b.shape));
+           }
+           return glm::length(between) <= 2.0 * allowed;
+         });
 }
 
 }  // namespace
@@ -195,8 +199,9 @@ std::optional<Placement> snappedToPlane(const MirrorPlan& plan, const Primitive&
   laid[second] = glm::normalize(axes[second] - glm::dot(axes[second], laid[nearest]) * laid[nearest]);
   laid[third] = glm::cross(laid[nearest], laid[second]);
   snapped.rotation = glm::quat(glm::normalize(glm::quat_cast(laid)));
-  if (nearest == 1) snapped.shape.belly = 0.0f;
-  else snapped.shape.bend[nearest / 2] = 0.0f;
+  for (const ShapeNumber& number : shapeNumbers()) {
+    if (number.axis == nearest) number.member(snapped.shape) = 0.0f;
+  }
   return snapped;
 }
 

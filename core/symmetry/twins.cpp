@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/at.h"
+#include "core/primitives/shape_numbers.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
@@ -56,8 +57,8 @@ int leader(const Half& a, const Half& b, Same same) {
 }
 
 bool nearlySame(const Shape& a, const Shape& b) {
-  return std::abs(a.core - b.core) <= 1e-5f && std::abs(a.belly - b.belly) <= 1e-5f &&
-         glm::length(a.bend - b.bend) <= 1e-5f;
+  return std::ranges::all_of(shapeNumbers(),
+                             [&](const ShapeNumber& number) { return std::abs(number.of(a) - number.of(b)) <= 1e-5f; });
 }
 
 /// Two placements that differ by what rounding and the sign of a quaternion may do.
@@ -109,8 +110,7 @@ void keepPair(const Rig& edited, const Half& a, const Half& b, const MirrorPlan&
   copyField(&Primitive::amount);
   // Each by itself: the belly of one may be too much for the other's reach.
   for (const Half* half : {&a, &b}) {
-    Shape& shape = half->now.placement.shape;
-    if (!shape.isPlain()) shape = legalShape(shape, half->now.reach);
+    half->now.placement.shape = legalShape(half->now.placement.shape, half->now.reach);
   }
   copyField(&Primitive::sign);
   copyField(&Primitive::group);

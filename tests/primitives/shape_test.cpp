@@ -8,6 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/primitives/affine_image.h"
+#include "core/primitives/shape_numbers.h"
 #include "sinew/primitives/ellipsoid.h"
 #include "tests/support/oracle/shape.h"
 #include "tests/support/rigs/random_rigs.h"
@@ -39,6 +40,23 @@ glm::mat4 randomBone(Random& random) {
 /// In the primitive's space divided by its radii.
 glm::vec3 inRadii(const Placement& placement, const glm::mat4& bone, const glm::vec3& world) {
   return glm::vec3(glm::inverse(glm::dmat4(shapeInWorld(placement, 1.0f, bone))) * glm::dvec4(world, 1.0));
+}
+
+TEST(Shape, TheTableHasEveryMemberOnceInOrder) {
+  Shape shape;
+  for (std::size_t i = 0; i < kShapeNumbers; ++i) {
+    const ShapeNumber& number = shapeNumbers()[i];
+    EXPECT_EQ(&number.member(shape), &shapeNumbers()[0].member(shape) + i) << number.name;
+    EXPECT_EQ(number.of(Shape{}), 0.0f) << number.name << ": an ellipsoid has none";
+    EXPECT_TRUE(number.low <= 0.0f && number.high > 0.0f) << number.name;
+    EXPECT_TRUE(std::string(number.name).starts_with(number.key)) << number.name;
+  }
+  std::size_t listed = 0;
+  for (const std::span<const ShapeNumber> key : shapeKeys()) {
+    listed += key.size();
+    for (const ShapeNumber& number : key) EXPECT_STREQ(number.key, key.front().key);
+  }
+  EXPECT_EQ(listed, static_cast<std::size_t>(kShapeNumbers)) << "numbers of a key stand side by side";
 }
 
 TEST(Shape, IsTheFormulaOfThePageAtEveryPointItReaches) {

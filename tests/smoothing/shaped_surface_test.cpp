@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/lanes/instruction_set.h"
+#include "core/primitives/shape_numbers.h"
 #include "sinew/smoothing/smoother.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/oracle/compare.h"
@@ -123,8 +124,8 @@ TEST(ShapedSurface, SweepsOfEachNumberAreContinuous) {
   start.primitives.push_back(
       ellipsoidAt(*character, "biceps", "middle", "arm", {0.27f, 1.0f, 0.0f}, {0.1f, 0.4f, 0.12f}));
   const Pose pose = bindPose(character->skeleton);
-  const float belly = mostBelly(0.0f, start.primitives[0].reach);
-  const auto sweep = [&](const char* what, auto set, float low, float high) {
+  for (const ShapeNumber& number : shapeNumbers()) {
+    const auto [low, high] = number.range({}, start.primitives[0].reach);
     constexpr int kSteps = 60;
     Smoother smoother(character);
     Surface last;
@@ -133,7 +134,7 @@ TEST(ShapedSurface, SweepsOfEachNumberAreContinuous) {
     float whole = 0.0f;
     for (int i = 0; i <= kSteps; ++i) {
       Rig rig = start;
-      set(rig.primitives[0].placement.shape, low + (high - low) * static_cast<float>(i) / kSteps);
+      number.member(rig.primitives[0].placement.shape) = low + (high - low) * static_cast<float>(i) / kSteps;
       ASSERT_TRUE(smoother.prepare(rig).ok());
       smoother.smooth(pose, now);
       if (i > 0) {
@@ -142,17 +143,11 @@ TEST(ShapedSurface, SweepsOfEachNumberAreContinuous) {
       }
       std::swap(now, last);
     }
-    std::cout << "  " << what << ": largest step " << most / character->height << " H of " << whole / character->height
-              << "\n";
-    EXPECT_GT(whole, 1e-3f * character->height) << what << ": does nothing";
-    EXPECT_LT(most, 4e-3f * character->height) << what;
-  };
-  sweep(
-      "core", [](Shape& shape, float value) { shape.core = value; }, 0.0f, kMostCore);
-  sweep(
-      "belly", [](Shape& shape, float value) { shape.belly = value; }, -belly, belly);
-  sweep(
-      "bend", [](Shape& shape, float value) { shape.bend.x = value; }, -kMostBend, kMostBend);
+    std::cout << "  " << number.name << ": largest step " << most / character->height << " H of "
+              << whole / character->height << "\n";
+    EXPECT_GT(whole, 1e-3f * character->height) << number.name << ": does nothing";
+    EXPECT_LT(most, 4e-3f * character->height) << number.name;
+  }
 }
 
 }  // namespace

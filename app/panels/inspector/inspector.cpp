@@ -12,6 +12,7 @@
 #include "app/editor/hidden_bones.h"
 #include "app/editor/outliner_edit.h"
 #include "app/ui/number_field.h"
+#include "core/primitives/shape_numbers.h"
 
 namespace sinew::app {
 namespace {
@@ -105,15 +106,18 @@ void groupRow(PanelUi& ui, const Subjects& subjects) {
   ImGui::EndCombo();
 }
 
-/// A belly that the reach does not allow is lessened, and that said.
+/// What the reach does not allow of the shape is lessened, and that said.
 void setReach(PanelUi& ui, Primitive& primitive, float reach) {
   primitive.reach = reach;
   Shape& shape = primitive.placement.shape;
   const Shape legal = legalShape(shape, reach);
   if (legal == shape || !(reach > 1.0f)) return;
+  for (const ShapeNumber& number : shapeNumbers()) {
+    if (number.of(legal) == number.of(shape)) continue;
+    say(ui.state, std::string(number.words) + " of " + primitive.name + " lessened: with a larger reach it can be " +
+                      numberText("%.2f", number.of(legal)) + " at most");
+  }
   shape = legal;
-  say(ui.state, "Belly of " + primitive.name + " lessened: with a larger reach it can be " +
-                    numberText("%.2f", legal.belly) + " at most");
 }
 
 void reachRow(PanelUi& ui, const Subjects& subjects) {

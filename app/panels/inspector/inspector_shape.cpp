@@ -2,10 +2,12 @@
 
 #include <imgui.h>
 
+#include <span>
 #include <string>
 
 #include "app/panels/inspector/inspector.h"
 #include "core/primitives/affine_image.h"
+#include "core/primitives/shape_numbers.h"
 
 namespace sinew::app {
 namespace {
@@ -13,62 +15,48 @@ namespace {
 constexpr const char* kFormat = "%.2f";
 
 /// Sets one number of the shape. An ellipsoid's longest axis becomes its y first: it is the one that shapes go along.
-void reshape(Primitive& primitive, const std::function<void(Shape&)>& change) {
-  Placement& placement = primitive.placement;
-  if (placement.shape.isPlain()) placement = withLongAxisY(placement);
-  change(placement.shape);
-  placement.shape = legalShape(placement.shape, primitive.reach);
+void reshape(Primitive& primitive, const ShapeNumber& number, float value) {
+  primitive.placement = withLongAxisY(primitive.placement);
+  Shape& shape = primitive.placement.shape;
+  number.member(shape) = value;
+  shape = legalShape(shape, primitive.reach);
 }
 
-NumberField numberOf(const char* id, Parameter parameter, const char* undoLabel, float least, float most) {
-  NumberField field{id, undoLabel, kFormat, 0.005f, least, most, {}, {}, {}, 0.0f, Together::kAdd, {}};
-  field.step = 0.1f;
-  field.name = wordsFor(parameter);
-  field.parameter = parameter;
-  return field;
-}
-
-void straightRow(PanelUi& ui, const Subjects& subjects) {
-  beginRow(ui, "Straight");
-  NumberField field = numberOf("inspector/core", Parameter::kCore, "Straighten", 0.0f, kMostCore);
-  field.get = [](const Primitive& p) { return p.placement.shape.core; };
-  field.set = [](Primitive& p, float value) { reshape(p, [value](Shape& shape) { shape.core = value; }); };
-  field.hint = "Straight part along the longest axis: 0 is an ellipsoid, 0.9 a cylinder with rounded ends";
-  ImGui::SetNextItemWidth(-1.0f);
-  drawNumberField(ui, subjects, field);
-}
-
-void bellyRow(PanelUi& ui, const Subjects& subjects) {
-  beginRow(ui, "Belly");
+void shapeField(PanelUi& ui, const Subjects& subjects, int index) {
+  const ShapeNumber& number = shapeNumbers()[static_cast<std::size_t>(index)];
   const Primitive& shown = subjects.shown();
-  const float most = mostBelly(shown.placement.shape.core, shown.reach);
-  NumberField field = numberOf("inspector/belly", Parameter::kBelly, "Move the belly of", -most, most);
-  field.get = [](const Primitive& p) { return p.placement.shape.belly; };
-  field.set = [](Primitive& p, float value) { reshape(p, [value](Shape& shape) { shape.belly = value; }); };
-  field.hint = "Where along the longest axis the muscle is thickest. A larger reach allows less";
-  ImGui::SetNextItemWidth(-1.0f);
+  const auto [low, high] = number.range(shown.placement.shape, shown.reach);
+  NumberField field{std::string("inspector/") + number.name,
+                    number.change,
+                    kFormat,
+                    0.005f,
+                    low,
+                    high,
+                    {},
+                    {},
+                    {},
+                    0.0f,
+                    Together::kAdd,
+                    number.hint};
+  field.get = [&number](const Primitive& p) { return number.of(p.placement.shape); };
+  field.set = [&number](Primitive& p, float value) { reshape(p, number, value); };
+  field.step = 0.1f;
+  field.name = number.words;
+  field.parameter = shapeParameter(index);
   drawNumberField(ui, subjects, field);
 }
 
-void bendField(PanelUi& ui, const Subjects& subjects, int i, const char* id, const char* hint) {
-  NumberField field = numberOf(id, i == 0 ? Parameter::kBendX : Parameter::kBendZ, "Bend", -kMostBend, kMostBend);
-  field.get = [i](const Primitive& p) { return p.placement.shape.bend[i]; };
-  field.set = [i](Primitive& p, float value) { reshape(p, [i, value](Shape& shape) { shape.bend[i] = value; }); };
-  field.hint = hint;
-  drawNumberField(ui, subjects, field);
-}
-
-void bendRow(PanelUi& ui, const Subjects& subjects) {
-  beginRow(ui, "Bend");
+/// The numbers of one key side by side.
+void shapeRow(PanelUi& ui, const Subjects& subjects, std::span<const ShapeNumber> key) {
+  beginRow(ui, key.front().row);
   const float gap = ui.px(4);
-  const float width = (ImGui::GetContentRegionAvail().x - gap) / 2.0f;
-  ImGui::SetNextItemWidth(width);
-  bendField(ui, subjects, 0, "inspector/bend.x",
-            "How far the middle is moved along the muscle's own x axis, in its radii");
-  ImGui::SameLine(0.0f, gap);
-  ImGui::SetNextItemWidth(width);
-  bendField(ui, subjects, 1, "inspector/bend.z",
-            "How far the middle is moved along the muscle's own z axis, in its radii");
+  const auto count = static_cast<float>(key.size());
+  const float width = (ImGui::GetContentRegionAvail().x - gap * (count - 1.0f)) / count;
+  for (const ShapeNumber& number : key) {
+    if (&number != &key.front()) ImGui::SameLine(0.0f, gap);
+    ImGui::SetNextItemWidth(width);
+    shapeField(ui, subjects, static_cast<int>(&number - shapeNumbers().data()));
+  }
 }
 
 /// "ellipsoid" or what it is made into; a click unfolds the rows that change it.
@@ -81,7 +69,7 @@ bool foldRow(PanelUi& ui, const Subjects& subjects) {
   const std::string text = std::string(shaped ? "shaped" : "ellipsoid") + (onLine ? "" : ", on one bone");
   if (ImGui::Button(fitted(text, ImGui::GetContentRegionAvail().x - ui.px(12)).c_str(), {-1.0f, 0.0f})) open = !open;
   ui.widgets.note("inspector/shape");
-  tooltip(ui, text + "\nShow or hide the straight part, the belly and the bend" +
+  tooltip(ui, text + "\nShow or hide the numbers that make it differ from an ellipsoid" +
                   (onLine ? "." : ", and the bone that the other end is attached to."));
   return open;
 }
@@ -90,9 +78,7 @@ bool foldRow(PanelUi& ui, const Subjects& subjects) {
 
 void drawShapeRows(PanelUi& ui, const Subjects& subjects) {
   if (!foldRow(ui, subjects)) return;
-  straightRow(ui, subjects);
-  bellyRow(ui, subjects);
-  bendRow(ui, subjects);
+  for (const std::span<const ShapeNumber> key : shapeKeys()) shapeRow(ui, subjects, key);
   drawOtherEndRow(ui, subjects);
 }
 

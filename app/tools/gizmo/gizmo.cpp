@@ -125,10 +125,11 @@ std::array<glm::vec3, 3> gizmoAxes(GizmoAxes axes, const Placement& inBone, cons
 glm::vec3 poleInBone(const Placement& inBone, int axis, float sign) {
   glm::vec3 pole(0.0f);
   pole[axis] = sign;
-  const Shape& shape = inBone.shape;
-  if (shape.isPlain() || axis == 1) return inBone.rotation * pole * inBone.radii[axis];
-  const float y = thickestAt(shape);
-  pole += glm::vec3(shape.bend.x * (1.0f - y * y), y, shape.bend.y * (1.0f - y * y));
+  if (axis != 1) {
+    const float y = thickestAt(inBone.shape);
+    const glm::vec2 across = axisAt(inBone.shape, y);
+    pole += glm::vec3(across.x, y, across.y);
+  }
   return inBone.rotation * (pole * inBone.radii);
 }
 

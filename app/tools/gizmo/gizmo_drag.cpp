@@ -238,10 +238,7 @@ Placement evaluateScale(const Evaluation& e) {
 }
 
 /// By how many radii both poles of an axis are moved along it.
-float bendAtPole(const Shape& shape, int axis) {
-  const float y = thickestAt(shape);
-  return axis == 1 ? 0.0f : shape.bend[axis / 2] * (1.0f - y * y);
-}
+float bendAtPole(const Shape& shape, int axis) { return axis == 1 ? 0.0f : axisAt(shape, thickestAt(shape))[axis / 2]; }
 
 Placement evaluatePole(const Evaluation& e) {
   const int axis = axisOf(e.way);

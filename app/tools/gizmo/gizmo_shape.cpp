@@ -13,13 +13,13 @@ constexpr float kBetween = 0.70710678f;  // Poles of the section lie on its axes
 }  // namespace
 
 glm::vec3 axisMiddleInBone(const Placement& inBone) {
-  const glm::vec2& bend = inBone.shape.bend;
-  return inBone.rotation * (glm::vec3(bend.x, 0.0f, bend.y) * inBone.radii);
+  const glm::vec2 across = axisAt(inBone.shape, 0.0f);
+  return inBone.rotation * (glm::vec3(across.x, 0.0f, across.y) * inBone.radii);
 }
 
 glm::vec3 thickestInBone(const Placement& inBone, const glm::vec3& toEye) {
   const float y = thickestAt(inBone.shape);
-  const glm::vec2 axis = inBone.shape.bend * (1.0f - y * y);
+  const glm::vec2 axis = axisAt(inBone.shape, y);
   constexpr std::array<glm::vec2, 4> kCorners{glm::vec2(1, 1), glm::vec2(1, -1), glm::vec2(-1, 1), glm::vec2(-1, -1)};
   glm::vec3 best(0.0f);
   float nearest = -std::numeric_limits<float>::infinity();

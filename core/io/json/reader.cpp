@@ -57,6 +57,13 @@ float Reader::number(const Json& node, const Place& place) {
   return 0.0f;
 }
 
+void Reader::vector(const Json& node, const Place& place, std::span<float> values) {
+  if (node.kind != Kind::kArray || node.children.size() != values.size()) {
+    return expect(place, "an array of " + std::to_string(values.size()) + " numbers", node);
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = number(node.children[i], at(place, i));
+}
+
 int Reader::wholeNumber(const Json& node, const Place& place, const std::string& expected) {
   int value = 0;
   const char* const end = node.content.data() + node.content.size();
@@ -66,7 +73,7 @@ int Reader::wholeNumber(const Json& node, const Place& place, const std::string&
   return 0;
 }
 
-std::string unknownKeys(const Json& object, std::initializer_list<std::string_view> known) {
+std::string unknownKeys(const Json& object, std::span<const std::string_view> known) {
   Json rest = Json::object();
   for (const Json& child : object.children) {
     if (std::ranges::find(known, child.key) == known.end()) rest.children.push_back(child);

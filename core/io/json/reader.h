@@ -4,6 +4,7 @@
 #include <array>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -49,13 +50,11 @@ class Reader {
   template <std::size_t N>
   std::array<float, N> vector(const Json& node, const Place& place) {
     std::array<float, N> values{};
-    if (node.kind != Json::Kind::kArray || node.children.size() != N) {
-      expect(place, "an array of " + std::to_string(N) + " numbers", node);
-      return values;
-    }
-    for (std::size_t i = 0; i < N; ++i) values[i] = number(node.children[i], at(place, i));
+    vector(node, place, values);
     return values;
   }
+  /// As many numbers as `values` has room for; after a refusal they stay as they are.
+  void vector(const Json& node, const Place& place, std::span<float> values);
 
   /// The children, each with its place; none, after a refusal, if the node is no array.
   template <class Read>
@@ -82,7 +81,10 @@ class Reader {
 };
 
 /// What the object holds beyond `known`, as the text of an object; "" for nothing.
-[[nodiscard]] std::string unknownKeys(const Json& object, std::initializer_list<std::string_view> known);
+[[nodiscard]] std::string unknownKeys(const Json& object, std::span<const std::string_view> known);
+[[nodiscard]] inline std::string unknownKeys(const Json& object, std::initializer_list<std::string_view> known) {
+  return unknownKeys(object, std::span(known.begin(), known.size()));
+}
 
 /// A member that is one of a few words; absent: as it was.
 template <class Enum>

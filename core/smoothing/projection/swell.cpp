@@ -37,7 +37,7 @@ struct SkinField {
 
   double slope(double s) const {
     const double r = std::max(0.0, s / width + isoRadius);
-    return r < 1.0 ? -4.0 * r * (1.0 - r * r) / width : 0.0;
+    return 2.0 * r * potentialSlope(r * r) / width;
   }
 };
 
@@ -51,7 +51,7 @@ class Sweller {
         rise_(rise),
         surface_(surface),
         scratch_(scratch),
-        isoRadius_(std::sqrt(1.0 - std::sqrt(static_cast<double>(settings.iso)))) {}
+        isoRadius_(isoRadius(static_cast<double>(settings.iso))) {}
 
   void move(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
     weigh(vertex, near);

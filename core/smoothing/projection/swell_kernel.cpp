@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/lanes/targets.h"
+#include "core/primitives/potential.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/smoothing/projection/swell_kernel.cpp"
@@ -33,8 +34,8 @@ class TileSweller : TileField {
   explicit TileSweller(SwellFrame& frame)
       : TileField(*frame.tiles, frame.field, *frame.scratch),
         frame_(frame),
-        isoRoot_(std::sqrt(frame.settings.iso)),
-        isoRadius_(static_cast<float>(std::sqrt(1.0 - std::sqrt(static_cast<double>(frame.settings.iso))))) {}
+        isoRoot_(isoRoot(frame.settings.iso)),
+        isoRadius_(static_cast<float>(isoRadius(static_cast<double>(frame.settings.iso)))) {}
 
   void move(const VertexTile& tile) {
     start(tile, frame_.surface->positions);

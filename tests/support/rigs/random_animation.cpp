@@ -109,7 +109,8 @@ void addAnimation(Random& random, const std::vector<std::string>& bones, const s
   };
   some(Parameter::kSkinBlend, Parameter::kSkinBlend, rig.surface.animated);
   for (MuscleLine& line : rig.lines) some(Parameter::kActivation, Parameter::kFlexWidth, line.animated);
-  for (Primitive& primitive : rig.primitives) some(Parameter::kAmount, Parameter::kBendZ, primitive.animated);
+  for (Primitive& primitive : rig.primitives)
+    some(Parameter::kAmount, shapeParameter(kShapeNumbers - 1), primitive.animated);
 }
 
 }  // namespace sinew::test

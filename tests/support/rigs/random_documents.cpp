@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/io/json/json.h"
+#include "core/primitives/shape_numbers.h"
 #include "tests/support/rigs/random_animation.h"
 #include "tests/support/rigs/random_rigs.h"
 
@@ -150,11 +151,14 @@ bool sameBits(const glm::vec3& a, const glm::vec3& b) {
   return true;
 }
 
-std::array<std::uint32_t, 15> bitsOf(const Primitive& p) {
-  const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };
+std::vector<std::uint32_t> bitsOf(const Primitive& p) {
   const auto& [c, q, r, s] = p.placement;
-  return {bits(c.x), bits(c.y), bits(c.z),     bits(q.x),    bits(q.y),     bits(q.z),      bits(q.w),     bits(r.x),
-          bits(r.y), bits(r.z), bits(p.reach), bits(s.core), bits(s.belly), bits(s.bend.x), bits(s.bend.y)};
+  std::vector<std::uint32_t> bits;
+  for (const float value : {c.x, c.y, c.z, q.x, q.y, q.z, q.w, r.x, r.y, r.z, p.reach}) {
+    bits.push_back(std::bit_cast<std::uint32_t>(value));
+  }
+  for (const ShapeNumber& number : shapeNumbers()) bits.push_back(std::bit_cast<std::uint32_t>(number.of(s)));
+  return bits;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include <glm/gtc/constants.hpp>
@@ -11,6 +12,7 @@
 
 #include "core/base/split_mix.h"
 #include "core/character/bindings.h"
+#include "core/primitives/shape_numbers.h"
 
 namespace sinew::test {
 namespace {
@@ -57,10 +59,13 @@ Primitive ellipsoidAt(const Character& character, const std::string& name, const
 
 Shape randomShape(Random& random, float reach) {
   Shape shape;
-  if (random.chance(0.6f)) shape.core = random.uniform(0.0f, kMostCore);
-  const float most = mostBelly(shape.core, reach);
-  if (random.chance(0.6f)) shape.belly = random.uniform(-most, most);
-  if (random.chance(0.6f)) shape.bend = {random.uniform(-kMostBend, kMostBend), random.uniform(-kMostBend, kMostBend)};
+  for (const std::span<const ShapeNumber> key : shapeKeys()) {
+    if (!random.chance(0.6f)) continue;
+    for (const ShapeNumber& number : key) {
+      const auto [low, high] = number.range(shape, reach);
+      number.member(shape) = random.uniform(low, high);
+    }
+  }
   return shape;
 }
 

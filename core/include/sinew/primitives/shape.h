@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -22,9 +23,12 @@ struct Shape {
   glm::vec2 bend{0.0f};  ///< By how much the middle of the axis is moved, in radii x and z; -kMostBend..kMostBend each.
 
   /// An ellipsoid.
-  [[nodiscard]] bool isPlain() const { return core == 0.0f && belly == 0.0f && bend.x == 0.0f && bend.y == 0.0f; }
+  [[nodiscard]] bool isPlain() const { return *this == Shape{}; }
   friend bool operator==(const Shape&, const Shape&) = default;
 };
+
+/// How many numbers a shape has: core/primitives/shape_numbers.h describes each.
+inline constexpr int kShapeNumbers = sizeof(Shape) / sizeof(float);
 
 /// The most that `belly` may be either way: S stays positive wherever the influence reaches. reach > 1.
 [[nodiscard]] float mostBelly(float core, float reach);
@@ -33,6 +37,10 @@ struct Shape {
 
 /// y of the thickest section, where the lateral radii are exactly 1.
 [[nodiscard]] float thickestAt(const Shape& shape);
+/// Radius of the visible section at y, over the radii across.
+[[nodiscard]] float sectionAt(const Shape& shape, float y);
+/// Where the axis is at y, in radii x and z.
+[[nodiscard]] glm::vec2 axisAt(const Shape& shape, float y);
 
 /// The point of the surface rho = scale that belongs to a point of the unit sphere, in the primitive's space divided by
 /// its radii; onto, continuous, and the identity times `scale` for an ellipsoid. Poles go to the ends of the axis, the
@@ -80,5 +88,8 @@ struct UnitShape {
 
 /// @param shape  legal for the reach.
 [[nodiscard]] UnitShape unitShape(const Shape& shape, float reach);
+
+/// Radius of a ball around the center that holds the influence. @param axes  images of the unit space's axes.
+[[nodiscard]] double ballAround(const UnitShape& shape, const glm::dmat3& axes);
 
 }  // namespace sinew

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "sinew/primitives/shape.h"
+
 namespace sinew {
 
 struct Primitive;
@@ -20,12 +22,9 @@ enum class Parameter {
   kRadiusY,
   kRadiusZ,
   kReach,
-  kCore,
-  kBelly,
-  kBendX,
-  kBendZ,
+  kShape,  ///< The first number of its shape; the others follow in the order of Shape's members (shapeParameter).
   // Of a muscle line.
-  kActivation,  ///< LineSettings::base
+  kActivation = kShape + kShapeNumbers,  ///< LineSettings::base
   kVolume,
   kRest,
   kFlexHeight,
@@ -39,6 +38,13 @@ enum class ParameterOwner { kPrimitive, kLine, kSurface };
 [[nodiscard]] ParameterOwner ownerOf(Parameter parameter);
 [[nodiscard]] constexpr bool isRadius(Parameter parameter) {
   return parameter >= Parameter::kRadiusX && parameter <= Parameter::kRadiusZ;
+}
+[[nodiscard]] constexpr bool isShape(Parameter parameter) {
+  return parameter >= Parameter::kShape && parameter < Parameter::kActivation;
+}
+/// @param number  0 .. kShapeNumbers - 1
+[[nodiscard]] constexpr Parameter shapeParameter(int number) {
+  return static_cast<Parameter>(static_cast<int>(Parameter::kShape) + number);
 }
 /// In character units, bone space: a coordinate of the centre, or a radius.
 [[nodiscard]] constexpr bool isLength(Parameter parameter) {
