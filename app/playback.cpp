@@ -142,10 +142,13 @@ Result<bool> LiveSurface::prepareIfChanged(const CommandStack& commands, int dep
   triedRig_ = commands.revision();
   depth_ = depth;
   hidden_ = hidden;
-  Rig rig = commands.rig();
-  rig.smoothing.depth = depth;
+  std::optional<Rig> otherDepth;
+  if (commands.rig().smoothing.depth != depth) {
+    otherDepth = commands.rig();
+    otherDepth->smoothing.depth = depth;
+  }
   const auto start = std::chrono::steady_clock::now();
-  const Result<void> prepared = smoother_.prepare(rig, hidden);
+  const Result<void> prepared = smoother_.prepare(otherDepth ? *otherDepth : commands.rig(), hidden);
   prepareSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!prepared) return prepared.error();
   return true;

@@ -22,7 +22,7 @@ namespace sinew::app {
 class CommandStack {
  public:
   /// What every edit passes through before it is shown: for what must hold whoever edits (linked twins follow).
-  /// (before the gesture, shown now, wanted) -> what is shown.
+  /// (before the gesture, shown now, wanted) -> what is shown. The three share identities.
   using Keeper = std::function<Rig(const Rig& atStart, const Rig& shown, Rig wanted)>;
 
   explicit CommandStack(Rig rig);

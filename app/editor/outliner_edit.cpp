@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/document/reparent.h"
 #include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/territory.h"
+#include "core/rig/reparent.h"
 #include "core/rig/rig_edit_several.h"
 
 namespace sinew::app {

@@ -98,7 +98,7 @@ void flipSelection(EditorState& state) {
 
 void unlinkSelection(EditorState& state) {
   Rig rig = state.document.rig();
-  for (const int index : selectedIndices(state.document)) rig = clearMirror(rig, index);
+  for (const int index : selectedIndices(state.document)) rig = clearMirror(std::move(rig), index);
   edit(state, "Unlink " + namedMuscles(state.document.rig(), selectedIndices(state.document)), std::move(rig));
 }
 

@@ -122,12 +122,12 @@ Result<Rig> withLaidLine(const Rig& rig, const LaidLine& laid, const MirrorPlan*
   if (!lined) return lined;
   Primitive belly = laid.belly;
   belly.line = lined->lines.back().name;
-  if (!mirrored) return addPrimitive(lined.value(), std::move(belly));
+  if (!mirrored) return addPrimitive(std::move(lined).value(), std::move(belly));
   if (const auto snapped = snappedToPlane(*plan, belly, kNearPlane)) {
     belly.placement = *snapped;
-    return addPrimitive(lined.value(), std::move(belly));
+    return addPrimitive(std::move(lined).value(), std::move(belly));
   }
-  return addPair(lined.value(), std::move(belly), *plan);
+  return addPair(std::move(lined).value(), std::move(belly), *plan);
 }
 
 }  // namespace sinew::app

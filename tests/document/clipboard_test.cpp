@@ -164,6 +164,27 @@ TEST_F(Clipboard, OnTheSameBoneOrFromSeveralItGoesWhereItWas) {
   EXPECT_EQ(pasted->rig.primitives.back().placement, lost.placement);
 }
 
+TEST_F(Clipboard, APasteThatFillsTheRigStopsThereWithoutTheLinesOfWhatIsLeftOut) {
+  MuscleLine line;
+  line.name = "calf";
+  line.origin = {"leg L", {0.0f, -0.1f, 0.1f}, {}};
+  line.insertion = {"shin L", {0.0f, -0.1f, 0.1f}, {}};
+  Rig source = addLine(rig, line).value();
+  source.primitives[1].line = "calf";
+  const std::string text = musclesAsText(source, std::vector<int>{2, 1});
+  Rig full;
+  full.groups = {{"torso", {}}};
+  full.primitives.resize(kMaxPrimitives - 1, rig.primitives[2]);
+  for (std::size_t i = 0; i < full.primitives.size(); ++i) full.primitives[i].name = std::to_string(i);
+  const Result<Pasted> pasted = pastedMuscles(full, text, legs->skeleton, nullptr);
+  ASSERT_TRUE(pasted);
+  EXPECT_EQ(pasted->names, std::vector<std::string>{"belly"});
+  EXPECT_EQ(pasted->rig.primitives.size(), static_cast<std::size_t>(kMaxPrimitives));
+  EXPECT_TRUE(pasted->rig.lines.empty());
+  ASSERT_EQ(pasted->leftOut.size(), 1u);
+  EXPECT_NE(pasted->leftOut[0].find("65536"), std::string::npos) << pasted->leftOut[0];
+}
+
 TEST_F(Clipboard, AnythingElseIsRefusedInOneLine) {
   for (const char* text : {"", "hello", "{}", "[1, 2]", R"({"format": "sinew-rig", "version": 1})"}) {
     const Result<Pasted> pasted = pastedMuscles(rig, text, legs->skeleton, nullptr);

@@ -7,15 +7,17 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <utility>
 
-#include "app/document/line_edits.h"
 #include "app/document/shown_names.h"
 #include "app/editor/hidden_bones.h"
 #include "app/panels/inspector/inspector.h"
 #include "app/panels/shared/animated_field.h"
 #include "app/panels/shared/field_edit.h"
 #include "app/tools/line_handles.h"
+#include "core/lines/line_fitting.h"
 #include "core/rig/line_edit.h"
+#include "core/symmetry/line_twins.h"
 
 namespace sinew::app {
 namespace {
@@ -293,8 +295,12 @@ void drawOtherEndRow(PanelUi& ui, const Subjects& subjects) {
     ui.widgets.note("inspector/other-end/" + skeleton.fileName(bone));
     if (!chosen) continue;
     const Document& document = ui.state.document;
+    Result<Rig> lined = withOtherEnd(document.rig(), subjects.active, bone, ui.state.character());
+    if (lined && document.mirror) {
+      lined = withTwinOnLine(std::move(lined).value(), subjects.active, *document.mirror);
+    }
     edit(ui.state, "Attach " + subjects.shown().name + " to " + names[static_cast<std::size_t>(bone)],
-         withOtherEnd(document.rig(), subjects.active, bone, ui.state.character(), document.mirror.get()));
+         std::move(lined));
   }
   ImGui::EndCombo();
 }

@@ -76,7 +76,7 @@ Result<Rig> withKeyMoved(const Rig& start, const Rig& shown, const KeyRow& row, 
   Result<Rig> rest = editChannel(shown, row.channel, row.track.clip, [&](Curve& curve) {
     curve.points = points.empty() ? std::vector<glm::vec2>{{time, value}} : points;
   });
-  return rest ? setChannelKey(rest.value(), row.channel, row.track.clip, time, value) : rest;
+  return rest ? setChannelKey(std::move(rest).value(), row.channel, row.track.clip, time, value) : rest;
 }
 
 Result<Rig> withoutKey(const Rig& rig, const KeyRow& row, int key) {

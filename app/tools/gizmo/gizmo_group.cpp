@@ -3,6 +3,7 @@
 #include "app/tools/gizmo/gizmo_group.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/drivers/driven_numbers.h"
 #include "core/lines/carriers.h"
@@ -84,7 +85,7 @@ Result<Rig> dragged(const Document& document, const Pose& pose, int active, cons
     const std::optional<glm::mat4> matrix = carried.matrixOf(index);
     if (!matrix) continue;
     const Placement placement = draggedAlong(drag.effect, companion.start, *matrix, document.character->height);
-    rig = setPlacement(rig.value(), index, placement);
+    rig = setPlacement(std::move(rig).value(), index, placement);
   }
   return rig;
 }

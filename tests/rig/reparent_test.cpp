@@ -1,6 +1,6 @@
-// tests/document/reparent_test.cpp: a primitive that changes bones stays where it is.
+// tests/rig/reparent_test.cpp: a primitive that changes bones stays where it is.
 
-#include "app/document/reparent.h"
+#include "core/rig/reparent.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace sinew::app {
+namespace sinew {
 namespace {
 
 glm::quat randomRotation(std::mt19937& random) {
@@ -91,4 +91,4 @@ TEST(CarriedToBone, AFlatBoneChangesNothing) {
 }
 
 }  // namespace
-}  // namespace sinew::app
+}  // namespace sinew
