@@ -18,7 +18,7 @@ Result<Rig> rigInText(const std::string& text) {
   return rig;
 }
 
-Result<Pasted> paste(const Rig& rig, const Rig& copied, const Skeleton& skeleton, const MirrorPlan* mirror) {
+Result<Pasted> pasteRig(const Rig& rig, const Rig& copied, const Skeleton& skeleton, const MirrorPlan* mirror) {
   Result<Merged> merged = mergeRigs(rig, copied, skeleton, mirror);
   if (!merged) return merged.error();
   Pasted pasted{std::move(merged.value().rig), {}, {}};
@@ -43,18 +43,17 @@ std::string musclesAsText(const Rig& rig, std::span<const int> indices) {
   return rigToJson(copied);
 }
 
-Result<Pasted> pastedMuscles(const Rig& rig, const std::string& text, const Skeleton& skeleton,
-                             const MirrorPlan* mirror) {
+Result<Pasted> pasteText(const Rig& rig, const std::string& text, const Skeleton& skeleton, const MirrorPlan* mirror) {
   const Result<Rig> copied = rigInText(text);
-  return copied ? paste(rig, copied.value(), skeleton, mirror) : copied.error();
+  return copied ? pasteRig(rig, copied.value(), skeleton, mirror) : copied.error();
 }
 
-Result<Pasted> pastedOnBone(const Rig& rig, const std::string& text, const Skeleton& skeleton, int bone,
-                            const MirrorPlan* plan) {
+Result<Pasted> pasteTextOnBone(const Rig& rig, const std::string& text, const Skeleton& skeleton, int bone,
+                               const MirrorPlan* plan) {
   const Result<Rig> copied = rigInText(text);
   if (!copied) return copied.error();
-  const std::optional<Rig> moved = movedToBone(copied.value(), skeleton, bone, plan);
-  return paste(rig, moved ? *moved : copied.value(), skeleton, nullptr);
+  const std::optional<Rig> moved = moveToBone(copied.value(), skeleton, bone, plan);
+  return pasteRig(rig, moved ? *moved : copied.value(), skeleton, nullptr);
 }
 
 }  // namespace sinew::app

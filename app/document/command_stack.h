@@ -31,7 +31,7 @@ class CommandStack {
 
   [[nodiscard]] const Rig& rig() const { return *current_; }
   [[nodiscard]] std::shared_ptr<const Rig> sharedRig() const { return current_; }
-  /// Of the last step: inside a gesture the rig as it was at its beginning.
+  /// The last step's: inside a gesture the rig as it was at its beginning.
   [[nodiscard]] const Rig& rigOfStep() const { return *steps_[position_].rig; }
   /// Grows with every change of rig(), undo and redo included: what watchers compare.
   [[nodiscard]] std::size_t revision() const { return revision_; }

@@ -17,8 +17,8 @@
 namespace sinew {
 namespace {
 
-constexpr float kAlongOther = 0.15f;  // Of the other bone, from its joint.
-constexpr float kNearJoint = 0.015f;  // Of H: a via point keeps this far from the joint at least.
+constexpr float kAlongOther = 0.15f;  // Fraction of the other bone, from its joint.
+constexpr float kNearJoint = 0.015f;  // Fraction of H: a via point keeps this far from the joint at least.
 
 std::string percent(float stretch) { return std::to_string(std::lround(100.0f * stretch)) + " %"; }
 

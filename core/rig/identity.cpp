@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 #include <unordered_map>
-#include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "core/rig/references.h"
@@ -22,7 +22,7 @@ void complete(std::vector<Item>& items, const std::vector<Item>& before, std::ui
     nameOf.emplace(item.id().value, item.name);
     idOf.emplace(item.name, item.id().value);
   }
-  // Of several that share an identity, the one with the old name is the original; without one, the first.
+  // Where several share an identity, the one with the old name is the original; without one, the first.
   std::unordered_map<std::uint32_t, const Item*> ownerOf;
   for (const Item& item : items) {
     const std::uint32_t id = item.id().value;
@@ -43,48 +43,40 @@ void complete(std::vector<Item>& items, const std::vector<Item>& before, std::ui
   }
 }
 
-using Renames = std::unordered_map<std::string_view, std::string_view>;
-
-/// Former name -> name, of what is called otherwise now.
+/// `edited` begins with what was there before, under the same names.
 template <class Item>
-Renames renamesOf(const std::vector<Item>& before, const std::vector<Item>& edited) {
+bool onlyAdded(const std::vector<Item>& before, const std::vector<Item>& edited) {
   const auto same = [](const Item& a, const Item& b) { return a.id() == b.id() && a.name == b.name; };
-  if (std::ranges::equal(before, edited, same)) return {};
-  std::unordered_map<std::uint32_t, std::string_view> nameOf;
-  for (const Item& item : edited) {
-    if (item.id()) nameOf.emplace(item.id().value, item.name);
-  }
-  Renames renames;
-  for (const Item& item : before) {
-    const auto name = nameOf.find(item.id().value);
-    if (name != nameOf.end() && name->second != item.name) renames.emplace(item.name, name->second);
-  }
-  return renames;
+  return std::ranges::mismatch(before, edited, same).in1 == before.end();
 }
 
-/// Items that are gone go first: their names may be taken.
+using Renames = std::unordered_map<std::string, std::string>;
+
+/// Gives items the names that they have in `edited`; those that are gone there go, for their names may be taken.
+/// @return former name -> name
 template <class Item>
-void rename(std::vector<Item>& items, const std::vector<Item>& edited, const Renames& renames) {
-  if (renames.empty()) return;
-  std::unordered_set<std::uint32_t> there;
-  for (const Item& item : edited) there.insert(item.id().value);
-  std::erase_if(items, [&](const Item& item) { return !there.contains(item.id().value); });
+Renames rename(std::vector<Item>& items, const std::vector<Item>& edited) {
+  std::unordered_map<std::uint32_t, const std::string*> nameOf;
+  for (const Item& item : edited) nameOf.emplace(item.id().value, &item.name);
+  std::erase_if(items, [&](const Item& item) { return item.id() && !nameOf.contains(item.id().value); });
+  Renames renames;
   for (Item& item : items) {
-    if (const auto name = renames.find(item.name); name != renames.end()) item.name = name->second;
+    if (item.id()) renames.emplace(std::exchange(item.name, *nameOf.at(item.id().value)), item.name);
   }
+  return renames;
 }
 
 }  // namespace
 
 std::optional<Rig> withNamesOf(const Rig& before, const Rig& edited) {
-  const Renames primitives = renamesOf(before.primitives, edited.primitives);
-  const Renames groups = renamesOf(before.groups, edited.groups);
-  const Renames lines = renamesOf(before.lines, edited.lines);
-  if (primitives.empty() && groups.empty() && lines.empty()) return std::nullopt;
+  if (onlyAdded(before.primitives, edited.primitives) && onlyAdded(before.groups, edited.groups) &&
+      onlyAdded(before.lines, edited.lines)) {
+    return std::nullopt;
+  }
   Rig renamed = before;
-  rename(renamed.primitives, edited.primitives, primitives);
-  rename(renamed.groups, edited.groups, groups);
-  rename(renamed.lines, edited.lines, lines);
+  const Renames primitives = rename(renamed.primitives, edited.primitives);
+  const Renames groups = rename(renamed.groups, edited.groups);
+  const Renames lines = rename(renamed.lines, edited.lines);
   eachReference(renamed, [&](Named kind, std::string& name) {
     if (kind == Named::kChannel) return;
     const Renames& renames = kind == Named::kPrimitive ? primitives : kind == Named::kGroup ? groups : lines;

@@ -22,8 +22,8 @@ class IdentitySource {
   std::uint32_t lastLine_ = 0;
 };
 
-/// `before` as it would be had everything that `edited` still has been called as there. Nothing: it was, or nothing has
-/// an identity. Channels have none.
+/// `before` as it would be had what `edited` still has been called as there, without primitives, groups and lines that
+/// it has no more. Nothing: `edited` at most adds. What has no identity stays as it is; channels have none.
 [[nodiscard]] std::optional<Rig> withNamesOf(const Rig& before, const Rig& edited);
 
 }  // namespace sinew

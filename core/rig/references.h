@@ -51,6 +51,10 @@ void eachReference(Rig& rig, Visit visit) {
 }
 
 /// References to `from` become references to `to`.
-void renameReferences(Rig& rig, Named kind, const std::string& from, const std::string& to);
+inline void renameReferences(Rig& rig, Named kind, const std::string& from, const std::string& to) {
+  eachReference(rig, [&](Named named, std::string& name) {
+    if (named == kind && name == from) name = to;
+  });
+}
 
 }  // namespace sinew

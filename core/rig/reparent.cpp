@@ -29,7 +29,7 @@ void scaleLengths(std::vector<AnimatedNumber>& animated, float factor) {
 
 }  // namespace
 
-Placement carriedToBone(const Placement& inFrom, const glm::mat4& fromInWorld, const glm::mat4& toInWorld) {
+Placement carryToBone(const Placement& inFrom, const glm::mat4& fromInWorld, const glm::mat4& toInWorld) {
   if (!isFinite(fromInWorld) || !isFinite(toInWorld)) return inFrom;
   const glm::dmat4 from(fromInWorld);
   const glm::dmat4 to(toInWorld);
@@ -41,7 +41,7 @@ Placement carriedToBone(const Placement& inFrom, const glm::mat4& fromInWorld, c
   return usable ? image : inFrom;
 }
 
-Primitive scaledToBone(Primitive primitive, const Skeleton& skeleton, int bone) {
+Primitive scaleToBone(Primitive primitive, const Skeleton& skeleton, int bone) {
   const std::optional<int> from = skeleton.findBone(primitive.bone);
   const float before = from ? lengthOf(skeleton, *from) : 0.0f;
   const float factor = before > 0.0f ? lengthOf(skeleton, bone) / before : 1.0f;

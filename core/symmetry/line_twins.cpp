@@ -15,7 +15,7 @@
 namespace sinew {
 namespace {
 
-constexpr float kOwnImage = 1e-4f;  // Of H.
+constexpr float kOwnImage = 1e-4f;  // Fraction of H.
 
 bool anchorInPlane(const MirrorPlan& plan, const LineAnchor& anchor, float tolerance) {
   const std::optional<int> bone = plan.skeleton.findBone(anchor.bone);

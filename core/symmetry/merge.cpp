@@ -167,7 +167,7 @@ int sideOfBone(const MirrorPlan& plan, const Skeleton& skeleton, const std::stri
   return distanceTo(plan.plane, glm::dvec3(at(skeleton.bones, *index).bindInWorld[3])) < 0.0 ? -1 : 1;
 }
 
-/// Indices of the primitives without twins, and of twins of the one on the side of `bone`, else the first.
+/// Indices of the primitives without twins, and of twins of the one on the side of `bone`, else the first by name.
 std::vector<int> leaders(const Rig& rig, const Skeleton& skeleton, const std::string& bone, const MirrorPlan* plan) {
   const auto isThere = [&](int index) {
     return plan && sideOfBone(*plan, skeleton, at(rig.primitives, index).bone) == sideOfBone(*plan, skeleton, bone);
@@ -175,7 +175,7 @@ std::vector<int> leaders(const Rig& rig, const Skeleton& skeleton, const std::st
   std::vector<int> indices;
   for (int i = 0; i < static_cast<int>(rig.primitives.size()); ++i) {
     const int twin = twinOf(rig, i);
-    if (twin >= 0 && twin < i) continue;
+    if (twin >= 0 && at(rig.primitives, twin).name < at(rig.primitives, i).name) continue;
     indices.push_back(twin >= 0 && !isThere(i) && isThere(twin) ? twin : i);
   }
   return indices;
@@ -187,7 +187,7 @@ Result<Merged> mergeRigs(Rig into, const Rig& from, const Skeleton& skeleton, co
   return Merge(std::move(into), from, skeleton, mirror).run();
 }
 
-std::optional<Rig> movedToBone(const Rig& rig, const Skeleton& skeleton, int bone, const MirrorPlan* plan) {
+std::optional<Rig> moveToBone(const Rig& rig, const Skeleton& skeleton, int bone, const MirrorPlan* plan) {
   const std::vector<int> moving = leaders(rig, skeleton, skeleton.fileName(bone), plan);
   if (moving.empty()) return std::nullopt;
   const std::string& from = at(rig.primitives, moving.front()).bone;
@@ -196,7 +196,7 @@ std::optional<Rig> movedToBone(const Rig& rig, const Skeleton& skeleton, int bon
   Rig moved = rig;
   moved.primitives.clear();
   for (const int index : moving) {
-    Primitive& primitive = moved.primitives.emplace_back(scaledToBone(at(rig.primitives, index), skeleton, bone));
+    Primitive& primitive = moved.primitives.emplace_back(scaleToBone(at(rig.primitives, index), skeleton, bone));
     const std::string twin = std::exchange(primitive.mirror, {});
     if (twin.empty() || !plan) continue;
     Result<Primitive> image = mirroredPrimitive(*plan, primitive);

@@ -46,7 +46,6 @@ struct Merged {
 /// the one on its side of the plane, and the other as its image. Nothing: they are on several, on `bone`, or ride
 /// lines.
 /// @param plan  null: twins become single
-[[nodiscard]] std::optional<Rig> movedToBone(const Rig& rig, const Skeleton& skeleton, int bone,
-                                             const MirrorPlan* plan);
+[[nodiscard]] std::optional<Rig> moveToBone(const Rig& rig, const Skeleton& skeleton, int bone, const MirrorPlan* plan);
 
 }  // namespace sinew

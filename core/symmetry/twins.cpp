@@ -20,7 +20,7 @@
 namespace sinew {
 namespace {
 
-constexpr float kOwnImage = 1e-4f;  // Of H.
+constexpr float kOwnImage = 1e-4f;  // Fraction of H.
 
 using Index = std::unordered_map<std::string_view, const Primitive*>;
 
