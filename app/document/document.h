@@ -10,6 +10,7 @@
 #include "app/document/file_stamp.h"
 #include "app/document/selection.h"
 #include "app/document/visibility.h"
+#include "core/base/at.h"
 #include "core/symmetry/mirror.h"
 #include "sinew/base/result.h"
 #include "sinew/character/character.h"
@@ -34,8 +35,8 @@ struct Document {
   [[nodiscard]] int activePrimitive() const;
   /// Its name; "" if there is none.
   [[nodiscard]] const std::string& activeName() const;
-  /// Of the primitive at a rig index.
-  [[nodiscard]] PrimitiveId idAt(int index) const { return rig().primitives[static_cast<std::size_t>(index)].id(); }
+  /// The identity of the primitive at a rig index.
+  [[nodiscard]] PrimitiveId idAt(int index) const { return at(rig().primitives, index).id(); }
   /// For the title: file name, "*" added by the caller when modified.
   [[nodiscard]] std::string name() const;
 };
