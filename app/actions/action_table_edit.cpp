@@ -4,6 +4,7 @@
 #include "app/actions/animate.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/symmetry_commands.h"
+#include "core/base/at.h"
 
 namespace sinew::app::table {
 namespace {
@@ -15,7 +16,7 @@ int boneToAddOn(const State& s) {
   if (s.document.selection.bone >= 0) return s.document.selection.bone;
   const int active = s.document.activePrimitive();
   if (active < 0) return -1;
-  const std::string& bone = s.document.rig().primitives[static_cast<std::size_t>(active)].bone;
+  const std::string& bone = at(s.document.rig().primitives, active).bone;
   return s.character().skeleton.findBone(bone).value_or(-1);
 }
 Possible boneKnown(const State& s) {

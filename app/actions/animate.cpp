@@ -17,16 +17,15 @@ namespace {
 constexpr float kStrongBend = 90.0f;  // Degrees.
 constexpr float kShare = 0.2f;        // Of the number, where the input is strong.
 
-/// The same edit of one number after the other. @param change  (const Rig&, const NumberRef&) -> Result<Rig>
+/// The same edit of one number after the other. @param change  (Rig, const NumberRef&) -> Result<Rig>
 template <class Change>
-Result<Rig> withAll(const Rig& rig, std::span<const NumberRef> refs, Change change) {
-  Rig result = rig;
+Result<Rig> withAll(Rig rig, std::span<const NumberRef> refs, Change change) {
   for (const NumberRef& ref : refs) {
-    Result<Rig> next = change(std::as_const(result), ref);
-    if (!next) return next.error();
-    result = std::move(next).value();
+    Result<Rig> next = change(std::move(rig), ref);
+    if (!next) return next;
+    rig = std::move(next).value();
   }
-  return result;
+  return rig;
 }
 
 /// What a new driver adds at a strong input.
@@ -62,8 +61,9 @@ Curve firstCurve(DriverInputKind kind, float step) {
 }
 
 Result<Rig> driven(const Rig& rig, std::span<const NumberRef> refs, const DriverInput& input) {
-  return withAll(rig, refs, [&](const Rig& of, const NumberRef& ref) {
-    return setDriver(of, ref, {input, firstCurve(input.kind, strongStep(of, ref)), DriverMode::kAdd, {}});
+  return withAll(rig, refs, [&](Rig of, const NumberRef& ref) {
+    Driver driver{input, firstCurve(input.kind, strongStep(of, ref)), DriverMode::kAdd, {}};
+    return setDriver(std::move(of), ref, std::move(driver));
   });
 }
 
@@ -178,9 +178,10 @@ void keyNumbers(EditorState& state, std::span<const NumberRef> refs, KeyValue va
   };
   const Rig& rig = state.document.rig();
   const std::string label = "Key " + wordsFor(rig, refs) + " at " + timeText(time);
-  const bool done = edit(state, label, withAll(rig, refs, [&](const Rig& of, const NumberRef& ref) {
+  const bool done = edit(state, label, withAll(rig, refs, [&](Rig of, const NumberRef& ref) {
                            const KeyTrack* track = trackNow(state, ref);
-                           return setKey(of, ref, track ? track->clip : clipNow(state), time, valueOf(of, ref));
+                           const float now = valueOf(of, ref);
+                           return setKey(std::move(of), ref, track ? track->clip : clipNow(state), time, now);
                          }));
   if (!done) return;
   for (const NumberRef& ref : refs) rememberDrawn(state, ref);
@@ -190,10 +191,11 @@ void keyNumbers(EditorState& state, std::span<const NumberRef> refs, KeyValue va
 void removeKeysNow(EditorState& state, std::span<const NumberRef> refs) {
   const Rig& rig = state.document.rig();
   const std::string label = "Remove key of " + wordsFor(rig, refs) + " at " + timeText(timeNow(state));
-  edit(state, label, withAll(rig, refs, [&](const Rig& of, const NumberRef& ref) -> Result<Rig> {
+  edit(state, label, withAll(rig, refs, [&](Rig of, const NumberRef& ref) -> Result<Rig> {
          const KeyTrack* track = trackNow(state, ref);
          const int key = track == nullptr ? -1 : keyNow(state, *track);
-         return key < 0 ? of : removeKey(of, ref, track->clip, key);
+         if (key < 0) return of;
+         return removeKey(std::move(of), ref, track->clip, key);
        }));
 }
 
@@ -201,9 +203,10 @@ void removeClipKeys(EditorState& state, std::span<const NumberRef> refs) {
   const Rig& rig = state.document.rig();
   const KeyTrack* shown = refs.empty() ? nullptr : trackNow(state, refs.front());
   edit(state, "Remove keys of " + wordsFor(rig, refs) + clipWords(shown, clipNow(state)),
-       withAll(rig, refs, [&](const Rig& of, const NumberRef& ref) -> Result<Rig> {
+       withAll(rig, refs, [&](Rig of, const NumberRef& ref) -> Result<Rig> {
          const KeyTrack* track = trackNow(state, ref);
-         return track == nullptr ? of : removeKeys(of, ref, track->clip);
+         if (track == nullptr) return of;
+         return removeKeys(std::move(of), ref, track->clip);
        }));
 }
 
@@ -229,7 +232,7 @@ void driveByNewChannel(EditorState& state, std::span<const NumberRef> refs) {
 void stopAnimating(EditorState& state, std::span<const NumberRef> refs) {
   const Rig& rig = state.document.rig();
   edit(state, "Remove keys and drivers of " + wordsFor(rig, refs),
-       withAll(rig, refs, [](const Rig& of, const NumberRef& ref) -> Result<Rig> { return removeAnimation(of, ref); }));
+       withAll(rig, refs, [](Rig of, const NumberRef& ref) { return Result(removeAnimation(std::move(of), ref)); }));
 }
 
 DriverInput poseInput(const EditorState& state, int bone) {
@@ -274,8 +277,9 @@ Result<Rig> withDrivenKeys(const EditorState& state, std::span<const NumberRef> 
   const std::optional<float> x = inputNow(state, input);
   if (!x) return errorAt({}, "the driver's input is not in this character");
   std::size_t next = 0;
-  return withAll(state.document.rig(), refs,
-                 [&](const Rig& of, const NumberRef& ref) { return setDrivenKey(of, ref, input, *x, values[next++]); });
+  return withAll(state.document.rig(), refs, [&](Rig of, const NumberRef& ref) {
+    return setDrivenKey(std::move(of), ref, input, *x, values[next++]);
+  });
 }
 
 std::string drivenKeyLabel(const EditorState& state, std::span<const NumberRef> refs) {

@@ -21,7 +21,7 @@ void closeExportDialog(Dialogs& dialogs);
 [[nodiscard]] const ExportKind& chosenKind(const Dialogs& dialogs);
 /// Another kind: names get its ending, unless theirs was chosen and is one of its own.
 void chooseKind(Dialogs& dialogs, std::size_t kind);
-/// Of kinds that take one clip; "" where the character has none.
+/// The clip of kinds that take one; "" where the character has none.
 [[nodiscard]] std::string chosenOneClip(const EditorState& state);
 /// What will be exported with: clips only if they are chosen one by one, in the character's order.
 [[nodiscard]] ExportSettings chosenSettings(const EditorState& state);

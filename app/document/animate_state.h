@@ -21,7 +21,7 @@ struct HeldNumber {
 
 /// Set driven key: an edit of these numbers becomes a point at where the input is now.
 struct DrivenKeyMode {
-  std::vector<HeldNumber> numbers;  ///< Of one parameter, the shown one first; empty: off.
+  std::vector<HeldNumber> numbers;  ///< One parameter's, the shown one first; empty: off.
   DriverInput input;
 
   [[nodiscard]] bool isOn() const { return !numbers.empty(); }
@@ -52,7 +52,7 @@ struct KeyedNumber {
 
 struct AnimateState {
   std::vector<KeyedNumber> keyed;
-  std::vector<HeldNumber> pointed;  ///< Of the field under the pointer in the last frame, the shown one first.
+  std::vector<HeldNumber> pointed;  ///< In the field that was under the pointer last frame, the shown one first.
   DrivenKeyMode drivenKey;
   PointDrag drag;
   CurvePoint chosen;           ///< Its numbers are shown under the curve.

@@ -19,24 +19,20 @@ namespace sinew::app {
 
 struct Pasted {
   Rig rig;
-  std::vector<std::string> names;    ///< Of the new muscles, in order.
+  std::vector<std::string> names;    ///< The new muscles', in order.
   std::vector<std::string> leftOut;  ///< Why each of the others is not there, one line each.
 };
 
-/// Appends what the text holds, under free names; twins that are both in it are twins again. Groups go by name and are
-/// made where absent, linked to each other as in the text. Muscle lines are copied, not shared. Muscles on bones that
-/// this character lacks are left out.
+/// The rig with what the text holds (core/symmetry/merge.h: mergeRigs).
 /// @param mirror  null, or the plan by which each is pasted on the other side.
 /// Error: the text is no rig, holds no muscle, or none could be pasted.
-[[nodiscard]] Result<Pasted> pastedMuscles(const Rig& rig, const std::string& text, const Skeleton& skeleton,
-                                           const MirrorPlan* mirror);
+[[nodiscard]] Result<Pasted> pasteText(const Rig& rig, const std::string& text, const Skeleton& skeleton,
+                                       const MirrorPlan* mirror);
 
-/// The same, but on another bone: what was copied from one bone (or from a pair of bones, with twins) goes to `bone`,
-/// at the same place along it, as much larger as that bone is longer. Twins go to its mirror image. Default
-/// territories. What was copied from several bones, from this one, or
+/// The same on another bone, to which it is moved (moveToBone). What was copied from several bones, from this one, or
 /// rides a muscle line, goes where it was.
 /// @param plan  null: twins become single muscles.
-[[nodiscard]] Result<Pasted> pastedOnBone(const Rig& rig, const std::string& text, const Skeleton& skeleton, int bone,
-                                          const MirrorPlan* plan);
+[[nodiscard]] Result<Pasted> pasteTextOnBone(const Rig& rig, const std::string& text, const Skeleton& skeleton,
+                                             int bone, const MirrorPlan* plan);
 
 }  // namespace sinew::app

@@ -35,9 +35,9 @@ void CommandStack::beginGesture(const std::string& label) {
 void CommandStack::updateGesture(Rig rig) {
   assert(gesture_);
   if (*current_ == rig) return;
+  identities_.identify(rig, *current_);
   if (keeper_) rig = keeper_(*steps_[position_].rig, *current_, std::move(rig));
   if (*current_ == rig) return;
-  identities_.identify(rig, *current_);
   show(std::make_shared<const Rig>(std::move(rig)));
 }
 

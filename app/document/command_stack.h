@@ -22,7 +22,7 @@ namespace sinew::app {
 class CommandStack {
  public:
   /// What every edit passes through before it is shown: for what must hold whoever edits (linked twins follow).
-  /// (before the gesture, shown now, wanted) -> what is shown.
+  /// (before the gesture, shown now, wanted) -> what is shown. The three share identities.
   using Keeper = std::function<Rig(const Rig& atStart, const Rig& shown, Rig wanted)>;
 
   explicit CommandStack(Rig rig);
@@ -31,7 +31,7 @@ class CommandStack {
 
   [[nodiscard]] const Rig& rig() const { return *current_; }
   [[nodiscard]] std::shared_ptr<const Rig> sharedRig() const { return current_; }
-  /// Of the last step: inside a gesture the rig as it was at its beginning.
+  /// The last step's: inside a gesture the rig as it was at its beginning.
   [[nodiscard]] const Rig& rigOfStep() const { return *steps_[position_].rig; }
   /// Grows with every change of rig(), undo and redo included: what watchers compare.
   [[nodiscard]] std::size_t revision() const { return revision_; }

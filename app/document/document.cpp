@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/at.h"
 #include "core/symmetry/twins.h"
 #include "sinew/io/gltf_import.h"
 #include "sinew/io/rig_json.h"
@@ -77,7 +78,7 @@ int Document::activePrimitive() const {
 const std::string& Document::activeName() const {
   static const std::string kNone;
   const int active = activePrimitive();
-  return active < 0 ? kNone : rig().primitives[static_cast<std::size_t>(active)].name;
+  return active < 0 ? kNone : at(rig().primitives, active).name;
 }
 
 std::string Document::name() const {

@@ -11,6 +11,7 @@
 #include "app/document/posed_rig_memo.h"
 #include "app/document/selection.h"
 #include "app/document/visibility.h"
+#include "core/base/at.h"
 #include "core/symmetry/mirror.h"
 #include "sinew/base/result.h"
 #include "sinew/character/character.h"
@@ -43,8 +44,8 @@ struct Document {
   [[nodiscard]] const std::shared_ptr<const RigPoser>& poser() const {
     return poses.poser(rig(), commands.revision(), character);
   }
-  /// Of the primitive at a rig index.
-  [[nodiscard]] PrimitiveId idAt(int index) const { return rig().primitives[static_cast<std::size_t>(index)].id(); }
+  /// The identity of the primitive at a rig index.
+  [[nodiscard]] PrimitiveId idAt(int index) const { return at(rig().primitives, index).id(); }
   /// For the title: file name, "*" added by the caller when modified.
   [[nodiscard]] std::string name() const;
 };

@@ -9,6 +9,8 @@
 
 #include <glm/common.hpp>
 
+#include "core/base/at.h"
+
 namespace sinew::app {
 namespace {
 
@@ -32,7 +34,7 @@ glm::vec3 groupColor(int slot) {
 }
 
 int colorSlot(const Rig& rig, int group) {
-  const GroupId id = rig.groups[static_cast<std::size_t>(group)].id();
+  const GroupId id = at(rig.groups, group).id();
   return id ? static_cast<int>(id.value - 1) : group;
 }
 

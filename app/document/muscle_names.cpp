@@ -2,10 +2,12 @@
 
 #include "app/document/muscle_names.h"
 
+#include "core/base/at.h"
+
 namespace sinew::app {
 
 std::string namedMuscles(const Rig& rig, std::span<const int> indices) {
-  if (indices.size() == 1) return rig.primitives[static_cast<std::size_t>(indices.front())].name;
+  if (indices.size() == 1) return at(rig.primitives, indices.front()).name;
   return std::to_string(indices.size()) + " muscles";
 }
 

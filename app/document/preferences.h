@@ -57,7 +57,7 @@ inline constexpr double kMostAutosaveSeconds = 600.0;
 struct Preferences {
   Keymap keymap = Keymap::kMaya;
   std::array<KeyChanges, kKeymaps.size()> keys;  ///< By keymap.
-  float scale = 0.0f;                            ///< Of the interface, 0.5..4; 0: what the system says.
+  float scale = 0.0f;                            ///< The interface's, 0.5..4; 0: what the system says.
   double autosaveSeconds = 30.0;
   std::vector<std::filesystem::path> recentFiles;  ///< Absolute, newest first, each once.
   std::vector<std::string> recentActions;          ///< Ids, newest first: what the palette offers first.

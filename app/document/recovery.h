@@ -52,7 +52,7 @@ struct LeftBehind {
   std::filesystem::file_time_type when;
   int primitives = 0;
 
-  [[nodiscard]] std::string name() const;  ///< Of the rig file, or the character's.
+  [[nodiscard]] std::string name() const;  ///< The rig file's, or the character's.
 };
 
 /// Newest first. Damaged ones, which a power cut may leave, are left out; locks that hold nothing are cleared away.

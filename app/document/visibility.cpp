@@ -6,6 +6,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "core/base/at.h"
 #include "core/rig/attachment.h"
 
 namespace sinew::app {
@@ -26,13 +27,13 @@ std::vector<bool> inherited(const std::set<std::string>& marked, const Skeleton&
   if (marked.empty()) return result;
   for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
     const Bone& bone = skeleton.bones[b];
-    const bool above = bone.parent >= 0 && result[static_cast<std::size_t>(bone.parent)];
+    const bool above = bone.parent >= 0 && at(result, bone.parent);
     result[b] = above || marked.contains(bone.path);
   }
   return result;
 }
 
-bool holds(const std::vector<bool>& ofBones, int bone) { return bone >= 0 && ofBones[static_cast<std::size_t>(bone)]; }
+bool holds(const std::vector<bool>& ofBones, int bone) { return bone >= 0 && at(ofBones, bone); }
 
 }  // namespace
 

@@ -30,7 +30,7 @@ struct Visibility {
   Marks locked;
   Marks solo;                                     ///< If a bone or a muscle of the rig carries it, the rest is hidden.
   std::optional<std::set<PrimitiveId>> isolated;  ///< Only these muscles are shown, in what is otherwise visible.
-  PrimitiveId newest;                             ///< Of those that welcomeNew has seen.
+  PrimitiveId newest;                             ///< The last that welcomeNew has seen.
   bool bare = false;                              ///< No muscle at all: the character as it was before.
 
   [[nodiscard]] Marks& marks(Mark mark);

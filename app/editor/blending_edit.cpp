@@ -10,6 +10,7 @@
 #include "app/document/muscle_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
+#include "core/base/at.h"
 #include "core/rig/rig_edit.h"
 #include "core/rig/rig_edit_several.h"
 
@@ -18,7 +19,7 @@ namespace {
 
 Tint tintOf(const glm::vec3& color) { return {color.r, color.g, color.b}; }
 
-const std::string& nameOfGroup(const Rig& rig, int group) { return rig.groups[static_cast<std::size_t>(group)].name; }
+const std::string& nameOfGroup(const Rig& rig, int group) { return at(rig.groups, group).name; }
 
 }  // namespace
 
@@ -42,8 +43,8 @@ std::vector<std::vector<bool>> linkTable(const Rig& rig) {
     const int i = findGroup(rig, a);
     const int j = findGroup(rig, b);
     if (i < 0 || j < 0) continue;
-    table[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = true;
-    table[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)] = true;
+    at(at(table, i), j) = true;
+    at(at(table, j), i) = true;
   }
   return table;
 }
@@ -70,8 +71,7 @@ void groupSelection(EditorState& state) {
   const std::string name = freeGroupName(state.document.rig(), "group");
   const std::string what = namedMuscles(state.document.rig(), indices);
   if (!edit(state, "Group " + what, moveToNewGroup(state.document.rig(), indices, name))) return;
-  const GroupId added =
-      state.document.rig().groups[static_cast<std::size_t>(findGroup(state.document.rig(), name))].id();
+  const GroupId added = at(state.document.rig().groups, findGroup(state.document.rig(), name)).id();
   state.open.blending.group = added;
   // Its name is typed where groups are listed.
   state.view.outliner.tab = LeftTab::kGroups;

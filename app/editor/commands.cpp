@@ -15,6 +15,7 @@
 #include "app/editor/symmetry_commands.h"
 #include "app/editor/territory.h"
 #include "app/editor/view_memory.h"
+#include "core/base/at.h"
 #include "core/character/skin_bones.h"
 #include "core/rig/attachment.h"
 #include "core/rig/rig_edit.h"
@@ -259,7 +260,7 @@ void duplicateSelection(EditorState& state) {
   state.document.selection.primitives.clear();
   // The copies of what was selected; those of twins, made by symmetry, follow.
   for (std::size_t i = before; i < primitives.size(); ++i) {
-    const PrimitiveId original = primitives[static_cast<std::size_t>(indices[i - before])].id();
+    const PrimitiveId original = at(primitives, indices[i - before]).id();
     if (originals.contains(original)) state.document.selection.primitives.push_back(primitives[i].id());
   }
   const std::string copies = namedMuscles(state.document.rig(), selectedIndices(state.document));
@@ -274,14 +275,13 @@ void duplicateSelection(EditorState& state) {
 
 void startRename(EditorState& state, PrimitiveId primitive) {
   const int index = findPrimitive(state.document.rig(), primitive);
-  if (index >= 0)
-    state.open.rename = {primitive, state.document.rig().primitives[static_cast<std::size_t>(index)].name, true};
+  if (index >= 0) state.open.rename = {primitive, at(state.document.rig().primitives, index).name, true};
 }
 
 bool rename(EditorState& state, PrimitiveId primitive, const std::string& name) {
   const int index = findPrimitive(state.document.rig(), primitive);
   if (index < 0) return false;
-  const std::string before = state.document.rig().primitives[static_cast<std::size_t>(index)].name;
+  const std::string before = at(state.document.rig().primitives, index).name;
   return before == name || edit(state, "Rename " + before, renameWithTwin(state.document.rig(), index, name));
 }
 

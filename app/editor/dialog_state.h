@@ -36,7 +36,7 @@ struct FileDialogState {
   bool overwriteAsked = false;                 ///< "Replace it?" is on the screen.
   bool naming = false;                         ///< A new folder's name is being typed.
   std::string newFolder;
-  FolderListing listing;  ///< Of the folder, as last read.
+  FolderListing listing;  ///< The folder's, as last read.
   bool reveal = false;    ///< The list scrolls to the file that the field names.
 };
 

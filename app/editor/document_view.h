@@ -45,7 +45,7 @@ struct GroupRename {
 struct BlendingState {
   GroupId group;  ///< The chosen one; 0 if none.
   GroupRename rename;
-  std::map<GroupId, glm::vec2> places;  ///< Of nodes, design pixels; kept for groups that undo may bring back.
+  std::map<GroupId, glm::vec2> places;  ///< Nodes, design pixels; kept for groups that undo may bring back.
   glm::vec2 pan{0.0f};                  ///< Design pixels: what the graph's origin is moved by.
   float zoom = 1.0f;
   bool fitWanted = true;  ///< Bring all nodes into the canvas with the next frame.
@@ -79,7 +79,7 @@ struct DiskLook {
 
 /// How hard muscle lines are flexed in the picture; not in the file.
 struct FlexState {
-  float amount = 0.0f;         ///< Of the slider, 0..1.
+  float amount = 0.0f;         ///< The slider's, 0..1.
   bool selectedAlone = false;  ///< Those of selected muscles, where any of them is on a line.
   bool latched = false;        ///< Fully: switched on from a menu; or the key went down and is not up yet.
   bool byKey = false;

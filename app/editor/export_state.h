@@ -20,13 +20,13 @@ struct ExportPlace {
 
 struct ExportDialogState {
   ExportDialog shown = ExportDialog::kNone;
-  std::size_t kind = 0;      ///< Of exportKinds().
+  std::size_t kind = 0;      ///< Index into exportKinds().
   ExportSettings settings;   ///< `clips` are those with a check mark.
   bool chosenClips = false;  ///< Those alone, else all.
-  std::string oneClip;       ///< Of kinds that take one; one that the character lacks: that which plays.
+  std::string oneClip;       ///< For kinds that take one; one that the character lacks: that which plays.
   bool advanced = false;     ///< That part is unfolded.
 
-  // Of one document; another begins with its own.
+  // One document's; another begins with its own.
   std::filesystem::path of;  ///< The rig, or a character without one.
   ExportPlace place;         ///< The character.
   ExportPlace pattern;       ///< Farm, a whole folder: the characters, with "{name}".

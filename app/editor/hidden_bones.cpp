@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/editor/territory.h"
+#include "core/base/at.h"
 
 namespace sinew::app {
 
@@ -14,7 +15,7 @@ std::vector<bool> hiddenBones(const EditorState& state) {
   if (std::ranges::find(helpers, true) == helpers.end()) return {};
   std::vector<bool> hidden = helpers;
   const auto show = [&](int bone) {
-    if (bone >= 0) hidden[static_cast<std::size_t>(bone)] = false;
+    if (bone >= 0) at(hidden, bone) = false;
   };
   for (const int bone : boneOfEach(state.document.rig(), state.character().skeleton)) show(bone);
   for (const JointTurn& turn : state.open.transport.overrides.turns) show(turn.bone);
@@ -23,8 +24,6 @@ std::vector<bool> hiddenBones(const EditorState& state) {
   return std::ranges::find(hidden, true) == hidden.end() ? std::vector<bool>{} : hidden;
 }
 
-bool isHidden(const std::vector<bool>& hidden, int bone) {
-  return !hidden.empty() && hidden[static_cast<std::size_t>(bone)];
-}
+bool isHidden(const std::vector<bool>& hidden, int bone) { return !hidden.empty() && at(hidden, bone); }
 
 }  // namespace sinew::app

@@ -5,19 +5,17 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/document/reparent.h"
+#include "app/document/muscle_names.h"
 #include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/territory.h"
+#include "core/base/at.h"
+#include "core/rig/reparent.h"
 #include "core/rig/rig_edit_several.h"
 
 namespace sinew::app {
 namespace {
-
-const std::string& nameOfMuscle(const Rig& rig, int index) {
-  return rig.primitives[static_cast<std::size_t>(index)].name;
-}
 
 /// The row that the keyboard stands on: of the active muscle, else of the bone.
 int cursorRow(const Document& document, const std::vector<OutlinerRow>& rows) {
@@ -36,7 +34,7 @@ std::vector<PrimitiveId> musclesBetween(const Document& document, const std::vec
   std::vector<PrimitiveId> muscles;
   const int step = from <= to ? 1 : -1;
   for (int position = from; position != to + step; position += step) {
-    const OutlinerRow& row = rows[static_cast<std::size_t>(position)];
+    const OutlinerRow& row = at(rows, position);
     if (row.kind == RowKind::kMuscle) muscles.push_back(document.idAt(row.index));
   }
   return muscles;
@@ -58,19 +56,17 @@ void reparentMuscles(EditorState& state, const std::vector<int>& indices, int bo
         const auto i = static_cast<std::size_t>(of);
         return primitive.line.empty() ? matrices[i] : skeleton.bones[i].bindInWorld;
       };
-      primitive.placement = carriedToBone(primitive.placement, matrixOf(*from), matrixOf(bone));
+      primitive.placement = carryToBone(primitive.placement, matrixOf(*from), matrixOf(bone));
     }
     primitive.bone = target;
   });
-  const std::string what =
-      indices.size() == 1 ? nameOfMuscle(*rig, indices.front()) : std::to_string(indices.size()) + " muscles";
-  edit(state, "Move " + what + " to " + shownBoneName(skeleton, bone), std::move(moved));
+  edit(state, "Move " + namedMuscles(*rig, indices) + " to " + shownBoneName(skeleton, bone), std::move(moved));
 }
 
 void clickMuscle(EditorState& state, const std::vector<OutlinerRow>& rows, int position, bool range, bool toggle) {
   const Rig& rig = state.document.rig();
   const Skeleton& skeleton = state.character().skeleton;
-  const OutlinerRow& row = rows[static_cast<std::size_t>(position)];
+  const OutlinerRow& row = at(rows, position);
   if (static_cast<std::size_t>(row.index) >= rig.primitives.size()) return;
   Selection& selection = state.document.selection;
   const int anchor = range ? rowOf(rows, state.open.rowAnchor, rig, skeleton) : -1;
@@ -94,7 +90,7 @@ void clickBone(EditorState& state, int bone) {
   }
   state.document.selection.primitives.clear();
   state.document.selection.bone = bone;
-  state.open.rowAnchor = "b:" + state.character().skeleton.bones[static_cast<std::size_t>(bone)].path;
+  state.open.rowAnchor = "b:" + at(state.character().skeleton.bones, bone).path;
 }
 
 void moveCursor(EditorState& state, const std::vector<OutlinerRow>& rows, int by, bool extend) {
@@ -102,9 +98,9 @@ void moveCursor(EditorState& state, const std::vector<OutlinerRow>& rows, int by
   const int from = cursorRow(state.document, rows);
   int to = from < 0 ? (by > 0 ? 0 : count - 1) : from + by;
   // The unattached node's own row cannot be selected.
-  if (to >= 0 && to < count && rows[static_cast<std::size_t>(to)].kind == RowKind::kUnattached) to += by > 0 ? 1 : -1;
+  if (to >= 0 && to < count && at(rows, to).kind == RowKind::kUnattached) to += by > 0 ? 1 : -1;
   if (to < 0 || to >= count) return;
-  const OutlinerRow& row = rows[static_cast<std::size_t>(to)];
+  const OutlinerRow& row = at(rows, to);
   if (row.kind == RowKind::kMuscle) {
     clickMuscle(state, rows, to, extend, false);
   } else if (!extend) {
@@ -121,7 +117,7 @@ void selectMuscles(Document& document, const std::vector<int>& indices) {
 
 void setFolded(EditorState& state, int bone, bool folded, bool all) {
   const Skeleton& skeleton = state.character().skeleton;
-  const Bone& own = skeleton.bones[static_cast<std::size_t>(bone)];
+  const Bone& own = at(skeleton.bones, bone);
   std::set<std::string>& paths = state.view.outliner.folded;
   if (folded) {
     paths.insert(own.path);
@@ -134,8 +130,8 @@ void setFolded(EditorState& state, int bone, bool folded, bool all) {
 
 void unfoldTo(EditorState& state, int bone) {
   const Skeleton& skeleton = state.character().skeleton;
-  for (int b = bone; b >= 0; b = skeleton.bones[static_cast<std::size_t>(b)].parent) {
-    state.view.outliner.folded.erase(skeleton.bones[static_cast<std::size_t>(b)].path);
+  for (int b = bone; b >= 0; b = at(skeleton.bones, b).parent) {
+    state.view.outliner.folded.erase(at(skeleton.bones, b).path);
   }
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/base/at.h"
+
 namespace sinew::app {
 namespace {
 
@@ -20,7 +22,7 @@ struct Walk {
 
   [[nodiscard]] bool filtered() const { return !view.filter.empty(); }
   [[nodiscard]] bool muscleShown(int muscle, bool boneMatches) const {
-    return boneMatches || containsText(rig.primitives[static_cast<std::size_t>(muscle)].name, view.filter);
+    return boneMatches || containsText(at(rig.primitives, muscle).name, view.filter);
   }
   [[nodiscard]] bool foldedAway(const std::string& path) const {
     return !filtered() && view.folded != nullptr && view.folded->contains(path);
@@ -30,7 +32,7 @@ struct Walk {
 void sortMuscles(Walk& walk, const std::vector<int>& boneOf) {
   walk.musclesOfBone.resize(walk.skeleton.bones.size());
   for (std::size_t i = 0; i < boneOf.size(); ++i) {
-    auto& list = boneOf[i] >= 0 ? walk.musclesOfBone[static_cast<std::size_t>(boneOf[i])] : walk.unattached;
+    auto& list = boneOf[i] >= 0 ? at(walk.musclesOfBone, boneOf[i]) : walk.unattached;
     list.push_back(static_cast<int>(i));
   }
 }
@@ -47,7 +49,7 @@ void markShown(Walk& walk) {
         std::ranges::any_of(walk.musclesOfBone[b], [&](int i) { return walk.muscleShown(i, walk.matches[b]); });
     const bool hidden = !walk.view.hiddenBones.empty() && walk.view.hiddenBones[b];
     if (muscle || (walk.matches[b] && !walk.view.onlyWithMuscles && !hidden)) walk.shown[b] = true;
-    if (walk.shown[b] && bone.parent >= 0) walk.shown[static_cast<std::size_t>(bone.parent)] = true;
+    if (walk.shown[b] && bone.parent >= 0) at(walk.shown, bone.parent) = true;
   }
 }
 
@@ -56,8 +58,8 @@ void addBone(Walk& walk, int index, int level) {
   if (!walk.shown[b]) return;
   const Bone& bone = walk.skeleton.bones[b];
   OutlinerRow row{RowKind::kBone, index, level, false, !walk.foldedAway(bone.path)};
-  row.foldable = !walk.musclesOfBone[b].empty() ||
-                 std::ranges::any_of(bone.children, [&](int c) { return walk.shown[static_cast<std::size_t>(c)]; });
+  row.foldable =
+      !walk.musclesOfBone[b].empty() || std::ranges::any_of(bone.children, [&](int c) { return at(walk.shown, c); });
   walk.rows.push_back(row);
   if (!row.open) return;
   for (const int muscle : walk.musclesOfBone[b]) {
@@ -69,7 +71,7 @@ void addBone(Walk& walk, int index, int level) {
 void addUnattached(Walk& walk) {
   std::vector<int> shown = walk.unattached;
   std::erase_if(shown, [&](int muscle) {
-    const Primitive& primitive = walk.rig.primitives[static_cast<std::size_t>(muscle)];
+    const Primitive& primitive = at(walk.rig.primitives, muscle);
     return !walk.muscleShown(muscle, containsText(primitive.bone, walk.view.filter));
   });
   if (shown.empty()) return;
@@ -117,11 +119,11 @@ std::vector<int> musclesUnder(int bone, const Skeleton& skeleton, const std::vec
   std::vector<bool> below(skeleton.bones.size(), false);
   for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
     const int parent = skeleton.bones[b].parent;
-    below[b] = static_cast<int>(b) == bone || (parent >= 0 && below[static_cast<std::size_t>(parent)]);
+    below[b] = static_cast<int>(b) == bone || (parent >= 0 && at(below, parent));
   }
   std::vector<int> muscles;
   for (std::size_t i = 0; i < boneOf.size(); ++i) {
-    if (boneOf[i] >= 0 && below[static_cast<std::size_t>(boneOf[i])]) muscles.push_back(static_cast<int>(i));
+    if (boneOf[i] >= 0 && at(below, boneOf[i])) muscles.push_back(static_cast<int>(i));
   }
   return muscles;
 }

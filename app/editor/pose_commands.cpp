@@ -10,6 +10,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/hidden_bones.h"
+#include "core/base/at.h"
 #include "core/skeleton/range_of_motion.h"
 
 namespace sinew::app {
@@ -19,9 +20,9 @@ constexpr glm::quat kIdentity(1.0f, 0.0f, 0.0f, 0.0f);
 
 /// Which side of the mirror plane a bone lies on: -1, +1; 0 for one that is its own counterpart or has none.
 int sideOf(const MirrorPlan& mirror, const Skeleton& skeleton, int bone) {
-  const int twin = mirror.twinOf[static_cast<std::size_t>(bone)];
+  const int twin = at(mirror.twinOf, bone);
   if (twin < 0 || twin == bone) return 0;
-  const glm::dvec3 origin(glm::vec3(skeleton.bones[static_cast<std::size_t>(bone)].bindInWorld[3]));
+  const glm::dvec3 origin(glm::vec3(at(skeleton.bones, bone).bindInWorld[3]));
   return distanceTo(mirror.plane, origin) < 0.0 ? -1 : 1;
 }
 
@@ -30,9 +31,9 @@ PoseOverrides sideOnBoth(const PoseOverrides& overrides, const MirrorPlan& mirro
   PoseOverrides result = overrides;
   for (int bone = 0; bone < static_cast<int>(skeleton.bones.size()); ++bone) {
     if (sideOf(mirror, skeleton, bone) != side) continue;
-    const int twin = mirror.twinOf[static_cast<std::size_t>(bone)];
-    result.set(twin, mirroredTurn(overrides.turnOf(bone), skeleton.bones[static_cast<std::size_t>(bone)],
-                                  skeleton.bones[static_cast<std::size_t>(twin)], glm::vec3(mirror.plane.normal)));
+    const int twin = at(mirror.twinOf, bone);
+    result.set(twin, mirroredTurn(overrides.turnOf(bone), at(skeleton.bones, bone), at(skeleton.bones, twin),
+                                  glm::vec3(mirror.plane.normal)));
   }
   return result;
 }
@@ -120,7 +121,7 @@ void toggleHoldPose(EditorState& state) {
 void selectParentJoint(Document& document) {
   int& bone = document.selection.bone;
   if (bone < 0) bone = 0;
-  else if (const int parent = document.character->skeleton.bones[static_cast<std::size_t>(bone)].parent; parent >= 0) {
+  else if (const int parent = at(document.character->skeleton.bones, bone).parent; parent >= 0) {
     bone = parent;
   }
 }
@@ -134,7 +135,7 @@ void selectChildJoint(EditorState& state) {
     for (bone = 0; isHidden(hidden, bone);) ++bone;
     return;
   }
-  const std::vector<int>& children = skeleton.bones[static_cast<std::size_t>(bone)].children;
+  const std::vector<int>& children = at(skeleton.bones, bone).children;
   const auto child = std::ranges::find_if(children, isShown);
   if (child != children.end()) bone = *child;
 }

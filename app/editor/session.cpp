@@ -11,6 +11,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/platform/data_files.h"
+#include "core/base/at.h"
 
 namespace sinew::app {
 namespace {
@@ -142,7 +143,7 @@ void jumpToBone(EditorState& state, int bone) {
   state.document.selection.bone = bone;
   state.view.outlinerFilter.clear();
   // As much of the surroundings as a tenth of the character's height.
-  const glm::vec3 center(state.live->pose().boneInWorld[static_cast<std::size_t>(bone)][3]);
+  const glm::vec3 center(at(state.live->pose().boneInWorld, bone)[3]);
   Bounds bounds;
   bounds.add(center - glm::vec3(0.1f * state.character().height));
   bounds.add(center + glm::vec3(0.1f * state.character().height));

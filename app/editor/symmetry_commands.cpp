@@ -13,13 +13,12 @@
 #include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
+#include "core/base/at.h"
 #include "core/rig/rig_edit.h"
 #include "core/symmetry/twins.h"
 
 namespace sinew::app {
 namespace {
-
-const Primitive& at(const Rig& rig, int index) { return rig.primitives[static_cast<std::size_t>(index)]; }
 
 std::string countText(std::size_t count, const std::string& one) {
   return count == 1 ? one : std::to_string(count) + " muscles";
@@ -40,9 +39,9 @@ std::vector<PrimitiveId> pickableMuscles(const Document& document) {
 /// Where muscles that were just pasted lie: their bone, and a muscle that hides the first where it lies exactly on one.
 std::string placesOf(const Document& document, const std::vector<std::string>& names) {
   const Rig& rig = document.rig();
-  const Primitive& first = at(rig, findPrimitive(rig, names.front()));
+  const Primitive& first = at(rig.primitives, findPrimitive(rig, names.front()));
   const bool one = std::ranges::all_of(
-      names, [&](const auto& name) { return at(rig, findPrimitive(rig, name)).bone == first.bone; });
+      names, [&](const auto& name) { return at(rig.primitives, findPrimitive(rig, name)).bone == first.bone; });
   std::string text =
       one || names.size() == 2 ? shownBoneName(document.character->skeleton, first.bone) : "their own bones";
   for (const Primitive& other : rig.primitives) {
@@ -98,7 +97,7 @@ void flipSelection(EditorState& state) {
 
 void unlinkSelection(EditorState& state) {
   Rig rig = state.document.rig();
-  for (const int index : selectedIndices(state.document)) rig = clearMirror(rig, index);
+  for (const int index : selectedIndices(state.document)) rig = clearMirror(std::move(rig), index);
   edit(state, "Unlink " + namedMuscles(state.document.rig(), selectedIndices(state.document)), std::move(rig));
 }
 
@@ -107,7 +106,7 @@ void linkSelection(EditorState& state) {
   const int leader = state.document.activePrimitive();
   for (const int index : selectedIndices(state.document)) {
     if (index == leader) continue;
-    edit(state, "Link " + at(rig, leader).name + " and " + at(rig, index).name,
+    edit(state, "Link " + at(rig.primitives, leader).name + " and " + at(rig.primitives, index).name,
          linkTwins(rig, leader, index, *state.document.mirror));
     return;
   }
@@ -119,7 +118,7 @@ void selectTwins(Document& document) {
   for (const PrimitiveId id : document.selection.primitives) {
     const int index = findPrimitive(rig, id);
     const int twin = index < 0 ? -1 : twinOf(rig, index);
-    if (twin >= 0) twins.push_back(at(rig, twin).id());
+    if (twin >= 0) twins.push_back(at(rig.primitives, twin).id());
   }
   document.selection.setAll(twins);
 }
@@ -134,7 +133,7 @@ std::string whyTwinStays(const Document& document) {
   const int active = document.activePrimitive();
   if (active < 0 || twinOf(document.rig(), active) < 0) return "";
   if (!document.mirror) return "this character has no symmetry plane";
-  const Result<std::string> bone = twinBone(*document.mirror, at(document.rig(), active).bone);
+  const Result<std::string> bone = twinBone(*document.mirror, at(document.rig().primitives, active).bone);
   return bone ? "" : bone.error().reason;
 }
 
@@ -147,13 +146,11 @@ void selectOnBone(Document& document) {
   const Skeleton& skeleton = document.character->skeleton;
   const std::vector<int> boneOf = boneOfEach(rig, skeleton);
   std::set<int> bones;
-  for (const int index : selectedIndices(document)) bones.insert(boneOf[static_cast<std::size_t>(index)]);
+  for (const int index : selectedIndices(document)) bones.insert(at(boneOf, index));
   if (bones.empty()) bones.insert(document.selection.bone);
   bones.erase(-1);
   std::vector<PrimitiveId> muscles = pickableMuscles(document);
-  std::erase_if(muscles, [&](PrimitiveId id) {
-    return !bones.contains(boneOf[static_cast<std::size_t>(findPrimitive(rig, id))]);
-  });
+  std::erase_if(muscles, [&](PrimitiveId id) { return !bones.contains(at(boneOf, findPrimitive(rig, id))); });
   selectKeepingActive(document, muscles);
 }
 
@@ -177,8 +174,8 @@ void pasteMuscles(EditorState& state, bool mirrored) {
   const Skeleton& skeleton = state.character().skeleton;
   const MirrorPlan* const plan = canMirror(document) ? document.mirror.get() : nullptr;
   const int bone = mirrored ? -1 : document.selection.bone;
-  Result<Pasted> pasted = bone >= 0 ? pastedOnBone(document.rig(), copied, skeleton, bone, plan)
-                                    : pastedMuscles(document.rig(), copied, skeleton, mirrored ? plan : nullptr);
+  Result<Pasted> pasted = bone >= 0 ? pasteTextOnBone(document.rig(), copied, skeleton, bone, plan)
+                                    : pasteText(document.rig(), copied, skeleton, mirrored ? plan : nullptr);
   if (!pasted) {
     refuse(state, pasted.error());
     return;

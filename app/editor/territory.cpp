@@ -5,6 +5,7 @@
 #include "app/editor/edit.h"
 
 #include "app/tools/territory_tool.h"
+#include "core/base/at.h"
 #include "core/rig/attachment.h"
 #include "core/rig/rig_edit_several.h"
 
@@ -17,7 +18,7 @@ int subject(const EditorState& state) {
 }
 
 int boneOf(const EditorState& state, int index) {
-  const Primitive& primitive = state.document.rig().primitives[static_cast<std::size_t>(index)];
+  const Primitive& primitive = at(state.document.rig().primitives, index);
   return state.character().skeleton.findBone(primitive.bone).value_or(-1);
 }
 
@@ -46,7 +47,7 @@ std::vector<int> shownTerritory(const EditorState& state) {
   if (index < 0) return {};
   const int bone = boneOf(state, index);
   if (bone < 0) return {};
-  const Primitive& primitive = state.document.rig().primitives[static_cast<std::size_t>(index)];
+  const Primitive& primitive = at(state.document.rig().primitives, index);
   return territoryBones(primitive, bone, lineOf(state.document.rig(), primitive), state.character().skeleton);
 }
 
@@ -55,7 +56,7 @@ std::vector<float> shownTerritoryWeights(const EditorState& state) {
   std::vector<float> weights;
   if (bones.empty()) return weights;
   std::vector<bool> within(state.character().skeleton.bones.size(), false);
-  for (const int bone : bones) within[static_cast<std::size_t>(bone)] = true;
+  for (const int bone : bones) at(within, bone) = true;
   const std::size_t count = state.character().mesh.positions.size();
   weights.reserve(count);
   for (std::size_t v = 0; v < count; ++v) {

@@ -73,7 +73,7 @@ void drawSamples(PanelUi& ui) {
 
 /// Rows of the table that share the beginning of their id and stand in a menu of their own.
 struct Submenu {
-  std::string_view begin;  ///< Of their ids; without the last letter, the submenu's.
+  std::string_view begin;  ///< How their ids begin; without the last letter, the submenu's.
   const char* title;
 };
 constexpr Submenu kSubmenus[] = {{"file/export-", "Export"},

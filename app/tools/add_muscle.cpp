@@ -14,6 +14,7 @@
 
 #include "app/document/shown_names.h"
 #include "app/tools/gizmo/gizmo_basis.h"
+#include "core/base/at.h"
 #include "core/base/flatness.h"
 #include "core/character/bindings.h"
 #include "core/rig/rig_edit.h"
@@ -25,15 +26,15 @@ namespace {
 constexpr float kClickLength = 0.05f;  ///< Semi-axes, of H.
 constexpr float kClickWidth = 0.032f;
 constexpr float kClickThickness = 0.026f;
-constexpr float kWidth = 0.6f;  ///< Of the half length of a stroke: full enough to show under the skin at once.
+constexpr float kWidth = 0.6f;  ///< Fraction of half a stroke's length: full enough to show under the skin at once.
 constexpr float kThickness = 0.55f;
 constexpr float kShortestStroke = 0.01f;  ///< Chord, of H.
 constexpr float kLongestStroke = 1.5f;
 constexpr float kLeastHalf = 0.015f;  ///< Half length, of H.
 constexpr float kMostHalf = 0.75f;
 constexpr float kMostHalfOnBone = 0.3f;
-constexpr float kSlenderness = 1.25f;  ///< Of a muscle added on a bone: length over thickness, at least.
-constexpr float kSunk = 0.3f;          ///< Of the thickness: how deep the centre lies under the skin.
+constexpr float kSlenderness = 1.25f;  ///< Length over thickness of a muscle added on a bone, at least.
+constexpr float kSunk = 0.3f;          ///< Fraction of the thickness: how deep the centre lies under the skin.
 
 bool isUsable(const glm::mat4& boneInWorld) {
   return isFinite(boneInWorld) && !isFlat(glm::dmat3(glm::mat3(boneInWorld)));
@@ -173,7 +174,7 @@ Primitive newMuscle(const Skeleton& skeleton, int bone, const Placement& placeme
   return primitive;
 }
 
-constexpr float kNearPlane = 0.01f;  ///< Of H: a muscle added this near to the middle is laid into it.
+constexpr float kNearPlane = 0.01f;  ///< Fraction of H: a muscle added this near to the middle is laid into it.
 
 /// The muscle, and with symmetry its twin; one in the middle stays alone.
 Result<Rig> withMuscle(const Document& document, const Rig& rig, Primitive muscle) {
@@ -187,7 +188,7 @@ Result<Rig> withMuscle(const Document& document, const Rig& rig, Primitive muscl
 }
 
 Placement placementOf(const AddMuscleDrag& drag, const SkinStroke& stroke, const Character& character) {
-  const glm::vec3 tip = character.skeleton.bones[static_cast<std::size_t>(drag.bone)].tip;
+  const glm::vec3 tip = at(character.skeleton.bones, drag.bone).tip;
   return placementOnSkin(stroke, drag.boneInWorld, glm::mat3(drag.boneInWorld) * tip, character.height);
 }
 
@@ -219,11 +220,11 @@ float skinDistance(const Character& character, int bone, const glm::vec3& origin
   return count > 0 ? sum / static_cast<float>(count) : 0.0f;
 }
 
-/// Of a muscle around a bone, world: along it, and twice across.
+/// Half axes of a muscle around a bone, world: along it, and twice across.
 glm::vec3 semiAxesAround(const Character& character, int bone, const glm::vec3& segment) {
   const float height = character.height;
   const float length = glm::length(segment);
-  const glm::vec3 origin(character.skeleton.bones[static_cast<std::size_t>(bone)].bindInWorld[3]);
+  const glm::vec3 origin(at(character.skeleton.bones, bone).bindInWorld[3]);
   const glm::vec3 axis = normalizeOr(segment, glm::vec3(0.0f, 1.0f, 0.0f));
   const float half = std::clamp(0.45f * length, 0.03f * height, kMostHalfOnBone * height);
   const float skin = skinDistance(character, bone, origin, axis);
@@ -250,7 +251,7 @@ Result<void> beginAddMuscle(AddMuscleState& state, const ViewportContext& contex
   drag.skin = snapshotOf(*context.surface);
   drag.start = {hover.pointInWorld, skinPointAt(*document.character, context.pose, *hover.skin).normal};
   drag.bone = boneAt(*document.character, *hover.skin);
-  drag.boneInWorld = context.pose.boneInWorld[static_cast<std::size_t>(drag.bone)];
+  drag.boneInWorld = at(context.pose.boneInWorld, drag.bone);
   drag.pressPixel = pixel;
   drag.selectionBefore = document.selection;
   drag.rigBefore = document.commands.sharedRig();
@@ -295,7 +296,7 @@ void cancelAddMuscle(AddMuscleState& state, Document& document) {
 
 Result<std::string> addMuscleOnBone(Document& document, int bone, ShapePreset preset) {
   const Character& character = *document.character;
-  const Bone& onBone = character.skeleton.bones[static_cast<std::size_t>(bone)];
+  const Bone& onBone = at(character.skeleton.bones, bone);
   if (!isUsable(onBone.bindInWorld)) {
     return errorAt(character.skeleton.fileName(bone), "this bone has a scale of zero in the bind pose");
   }

@@ -16,7 +16,7 @@ namespace {
 constexpr ImU32 kMark = IM_COL32(255, 214, 64, 255);
 constexpr ImU32 kMarkFaint = IM_COL32(255, 214, 64, 120);
 constexpr ImU32 kShadow = IM_COL32(12, 14, 18, 190);
-constexpr float kRingRadius = 0.022f;  ///< Of H.
+constexpr float kRingRadius = 0.022f;  ///< Fraction of H.
 constexpr std::size_t kRingPoints = 40;
 
 void drawRing(ImDrawList& list, const Canvas& canvas, const SkinPoint& skin, float radius) {

@@ -10,7 +10,7 @@ namespace sinew::app {
 /// Where the picture lies in a draw list.
 struct Canvas {
   const View& view;
-  glm::vec2 topLeft;    ///< Of the viewport's pixel (0, 0), draw list units.
+  glm::vec2 topLeft;    ///< The viewport's pixel (0, 0), draw list units.
   float unitsPerPixel;  ///< Draw list units per viewport pixel.
   float scale;          ///< Draw list units per design pixel.
 

@@ -9,6 +9,7 @@
 
 #include "app/document/shown_names.h"
 #include "app/render/picking.h"
+#include "core/base/at.h"
 #include "core/base/flatness.h"
 #include "core/lines/line_rest.h"
 #include "core/primitives/affine_image.h"
@@ -22,15 +23,13 @@ namespace sinew::app {
 namespace {
 
 constexpr float kBulge = 0.22f;      ///< How far the belly stands out of the skin, of its half length.
-constexpr float kMostBulge = 0.03f;  ///< Of H.
+constexpr float kMostBulge = 0.03f;  ///< Fraction of H.
 constexpr float kLeastThick = 0.2f;  ///< Half thickness, of the half length.
 constexpr float kMostThick = 0.5f;
 constexpr float kWide = 1.1f;        ///< Width over thickness.
-constexpr float kNearPlane = 0.01f;  ///< Of H, as for muscles on one bone.
+constexpr float kNearPlane = 0.01f;  ///< Fraction of H, as for muscles on one bone.
 
-const Bone& boneOf(const Character& character, int bone) {
-  return character.skeleton.bones[static_cast<std::size_t>(bone)];
-}
+const Bone& boneOf(const Character& character, int bone) { return at(character.skeleton.bones, bone); }
 
 Result<LineAnchor> anchorUnder(const Character& character, const SkinAnchor& place) {
   const int bone = boneAt(character, place);
@@ -75,7 +74,7 @@ void snapToPlane(const MirrorPlan& plan, MuscleLine& line) {
   if (!liesInPlane(plan, line, kNearPlane)) return;
   for (LineAnchor* anchor : {&line.origin, &line.insertion, line.via ? &*line.via : nullptr}) {
     if (anchor == nullptr) continue;
-    const Bone& bone = plan.skeleton.bones[static_cast<std::size_t>(*plan.skeleton.findBone(anchor->bone))];
+    const Bone& bone = at(plan.skeleton.bones, *plan.skeleton.findBone(anchor->bone));
     glm::dvec3 point(bone.bindInWorld * glm::vec4(anchor->point, 1.0f));
     point -= distanceTo(plan.plane, point) * plan.plane.normal;
     anchor->point = glm::vec3(bone.inverseBindInWorld * glm::vec4(glm::vec3(point), 1.0f));
@@ -122,12 +121,12 @@ Result<Rig> withLaidLine(const Rig& rig, const LaidLine& laid, const MirrorPlan*
   if (!lined) return lined;
   Primitive belly = laid.belly;
   belly.line = lined->lines.back().name;
-  if (!mirrored) return addPrimitive(lined.value(), std::move(belly));
+  if (!mirrored) return addPrimitive(std::move(lined).value(), std::move(belly));
   if (const auto snapped = snappedToPlane(*plan, belly, kNearPlane)) {
     belly.placement = *snapped;
-    return addPrimitive(lined.value(), std::move(belly));
+    return addPrimitive(std::move(lined).value(), std::move(belly));
   }
-  return addPair(lined.value(), std::move(belly), *plan);
+  return addPair(std::move(lined).value(), std::move(belly), *plan);
 }
 
 }  // namespace sinew::app

@@ -12,7 +12,7 @@ namespace sinew::app {
 
 /// A gesture in progress. The pose is held meanwhile, and the skin that was pressed is what the pointer meets.
 struct LineDrag {
-  Surface skin;  ///< Of the press.
+  Surface skin;  ///< As it was at the press.
   Surface bindSkin;
   SkinAnchor start;
   int startBone = -1;

@@ -15,7 +15,7 @@ namespace sinew::app {
 struct PickCycle {
   std::vector<PickEntry> here;  ///< Empty: no cycle.
   std::size_t taken = 0;        ///< Index into `here`.
-  glm::vec2 pixel{0.0f};        ///< Of the first click.
+  glm::vec2 pixel{0.0f};        ///< The first click's.
   View view;
   std::vector<glm::mat4> boneInWorld;
   std::size_t step = 0;  ///< The document's, at the last click.

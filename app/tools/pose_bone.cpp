@@ -6,6 +6,7 @@
 #include "app/document/shown_names.h"
 #include "app/render/picking.h"
 #include "app/tools/view/status_line.h"
+#include "core/base/at.h"
 
 namespace sinew::app {
 namespace {
@@ -30,7 +31,7 @@ Placement atJoint() {
 std::optional<JointTarget> jointTarget(const PoseBoneState& state, const ViewportContext& context, const View& view) {
   const int bone = state.bone >= 0 ? state.bone : context.document.selection.bone;
   if (!context.overrides || bone < 0 || bone >= static_cast<int>(context.pose.boneInWorld.size())) return std::nullopt;
-  const glm::mat4& boneInWorld = context.pose.boneInWorld[static_cast<std::size_t>(bone)];
+  const glm::mat4& boneInWorld = at(context.pose.boneInWorld, bone);
   if (!isFinite(boneInWorld)) return std::nullopt;
   glm::mat3 frame = turnFrame(boneInWorld);
   if (state.bone >= 0) {
@@ -83,7 +84,7 @@ ViewportHover hoverJoint(const ViewportContext& context, const View& view, const
   if (const auto hit =
           pickBone(pixel, view, skeleton, context.pose, kJointReach * context.uiScale, context.hiddenBones)) {
     hover.bone = hit->bone;
-    if (!hover.skin) hover.pointInWorld = glm::vec3(context.pose.boneInWorld[static_cast<std::size_t>(hit->bone)][3]);
+    if (!hover.skin) hover.pointInWorld = glm::vec3(at(context.pose.boneInWorld, hit->bone)[3]);
   }
   return hover;
 }

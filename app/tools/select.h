@@ -28,7 +28,7 @@ struct ViewportHover {
   int primitive = -1;  ///< Rig index: what a click takes, see musclesUnder.
   int bone = -1;       ///< The skin's, by weight; or of the skeleton shown in x-ray.
   std::optional<SkinAnchor> skin;
-  glm::vec3 pointInWorld{0.0f};  ///< Of the nearest hit; valid if primitive >= 0, bone >= 0 or skin.
+  glm::vec3 pointInWorld{0.0f};  ///< The nearest hit; valid if primitive >= 0, bone >= 0 or skin.
   std::vector<PickEntry> here;   ///< All that clicks on this place take, in turn.
   std::size_t at = 0;            ///< Index into `here` of what the next click takes.
   int taken = -1;                ///< The same of what the last click took; -1: none has taken from `here` yet.

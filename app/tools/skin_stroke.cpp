@@ -12,10 +12,12 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/at.h"
+
 namespace sinew::app {
 namespace {
 
-constexpr float kFold = 0.02f;          ///< Of H: path length that may be hidden before the stroke ends.
+constexpr float kFold = 0.02f;          ///< Fraction of H: path length that may be hidden before the stroke ends.
 constexpr float kShortestLine = 0.01f;  ///< Pixels: below it the line has no direction.
 
 using EdgeEnds = std::pair<int, int>;  ///< Refined vertices, the smaller first.
@@ -82,7 +84,7 @@ class SkinCut {
   }
 
  private:
-  [[nodiscard]] bool isAbove(int vertex) const { return heights_[static_cast<std::size_t>(vertex)] >= 0.0f; }
+  [[nodiscard]] bool isAbove(int vertex) const { return at(heights_, vertex) >= 0.0f; }
 
   [[nodiscard]] CutPiece pieceOf(const std::array<int, 3>& triangle) const {
     CutPiece piece;

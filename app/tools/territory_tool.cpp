@@ -11,6 +11,7 @@
 #include "app/document/shown_names.h"
 #include "app/tools/tool.h"
 #include "app/tools/view/status_line.h"
+#include "core/base/at.h"
 #include "core/rig/attachment.h"
 #include "core/rig/rig_edit_several.h"
 
@@ -57,12 +58,12 @@ std::string describeTerritory(const ToolFrame& frame) {
 int territorySubject(const Document& document) {
   const int active = document.activePrimitive();
   if (active < 0) return -1;
-  const Primitive& primitive = document.rig().primitives[static_cast<std::size_t>(active)];
+  const Primitive& primitive = at(document.rig().primitives, active);
   return document.character->skeleton.findBone(primitive.bone) ? active : -1;
 }
 
 Result<Rig> withTerritoryBone(const Rig& rig, int index, int bone, const Skeleton& skeleton) {
-  std::vector<std::string> names = namesOf(rig, rig.primitives[static_cast<std::size_t>(index)], skeleton);
+  std::vector<std::string> names = namesOf(rig, at(rig.primitives, index), skeleton);
   const auto removed = std::erase_if(names, [&](const std::string& name) { return skeleton.findBone(name) == bone; });
   if (removed == 0) names.push_back(skeleton.fileName(bone));
   const bool any =
@@ -76,7 +77,7 @@ Result<void> toggleTerritoryBone(Document& document, int bone) {
   if (index < 0) return {};
   Result<Rig> changed = withTerritoryBone(document.rig(), index, bone, document.character->skeleton);
   if (!changed) return changed.error();
-  const std::string name = document.rig().primitives[static_cast<std::size_t>(index)].name;
+  const std::string name = at(document.rig().primitives, index).name;
   document.commands.apply("Territory of " + name, std::move(changed).value());
   return {};
 }

@@ -14,7 +14,7 @@ namespace sinew::app {
 /// References and pointers are valid for the call. Tools change the document's commands and selection, nothing else.
 struct ViewportContext {
   Document& document;
-  const Pose& pose;                    ///< Of the frame on the screen.
+  const Pose& pose;                    ///< The frame's on the screen.
   const Surface* surface = nullptr;    ///< Null before the first smoothing: nothing can be picked on the skin.
   DisplaySettings display;             ///< Shown primitives can be picked, hidden ones not.
   glm::ivec2 size{1, 1};               ///< Viewport, pixels.

@@ -46,7 +46,7 @@ struct ViewportTools {
   glm::vec2 lastPixel{0.0f};
   PrimitiveId gizmoPrimitive;              ///< The one being dragged.
   std::vector<GizmoCompanion> companions;  ///< Dragged along with it.
-  GizmoPivot pivot = GizmoPivot::kActive;  ///< Of several selected muscles. Free to set between drags.
+  GizmoPivot pivot = GizmoPivot::kActive;  ///< Where several selected muscles turn. Free to set between drags.
   BoxSelectState box;
   bool dragWanted = false;     ///< Through startDrag: begins with the next frame.
   bool buttonless = false;     ///< The gizmo's drag goes on without a button: a click or Enter keeps it.

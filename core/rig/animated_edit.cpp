@@ -1,4 +1,4 @@
-// core/rig/animated_edit.cpp: each edit copies the rig, changes the copy, checks what it changed.
+// core/rig/animated_edit.cpp: each edit changes the rig that it was given and checks what it changed.
 #include "core/rig/animated_edit.h"
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 
 #include "core/base/at.h"
 #include "core/rig/animated_validation.h"
+#include "core/rig/references.h"
 #include "core/rig/refusals.h"
 #include "core/rig/validation.h"
 
@@ -43,11 +44,10 @@ void dropIdle(std::vector<AnimatedNumber>& animated) {
   keepDrivers(animated, [](const DriverInput&) { return true; });
 }
 
-/// A copy of the rig with one entry, made where there is none, changed by `change`; gone if nothing is left of it.
+/// The rig with one entry, made where there is none, changed by `change`; gone if nothing is left of it.
 template <class Change>
-Result<Rig> withNumber(const Rig& rig, const NumberRef& ref, Change change) {
-  Rig result = rig;
-  std::vector<AnimatedNumber>& animated = listOf(result, ref);
+Result<Rig> withNumber(Rig rig, const NumberRef& ref, Change change) {
+  std::vector<AnimatedNumber>& animated = listOf(rig, ref);
   auto found = std::ranges::find(animated, ref.parameter, &AnimatedNumber::parameter);
   if (found == animated.end()) {
     animated.push_back({ref.parameter, {}, {}, {}});
@@ -56,20 +56,19 @@ Result<Rig> withNumber(const Rig& rig, const NumberRef& ref, Change change) {
   change(*found);
   dropIdle(animated);
   if (auto valid = validateAnimated(animated, ownerOf(ref.parameter), placeOf(ref)); !valid) return valid.error();
-  if (auto inputs = validateInputs(result); !inputs) return inputs.error();
-  return result;
+  if (auto inputs = validateInputs(rig); !inputs) return inputs.error();
+  return rig;
 }
 
 /// An edit that can break nothing.
 template <class Change>
-Rig withLess(const Rig& rig, const NumberRef& ref, Change change) {
-  Rig result = rig;
-  std::vector<AnimatedNumber>& animated = listOf(result, ref);
+Rig withLess(Rig rig, const NumberRef& ref, Change change) {
+  std::vector<AnimatedNumber>& animated = listOf(rig, ref);
   const auto found = std::ranges::find(animated, ref.parameter, &AnimatedNumber::parameter);
-  if (found == animated.end()) return result;
+  if (found == animated.end()) return rig;
   change(*found);
   dropIdle(animated);
-  return result;
+  return rig;
 }
 
 KeyTrack& trackOf(std::vector<KeyTrack>& tracks, const std::string& clip) {
@@ -97,26 +96,11 @@ float sameInput(DriverInputKind kind) {
   }
 }
 
-bool reads(const DriverInput& input, DriverInputKind kind, const std::string& name) {
-  return input.kind == kind && (kind == DriverInputKind::kLength ? input.line : input.channel) == name;
-}
-
 template <class Visit>
 void eachList(Rig& rig, Visit visit) {
   visit(rig.surface.animated);
   for (MuscleLine& line : rig.lines) visit(line.animated);
   for (Primitive& primitive : rig.primitives) visit(primitive.animated);
-}
-
-void renameInputs(Rig& rig, DriverInputKind kind, const std::string& from, const std::string& to) {
-  eachList(rig, [&](std::vector<AnimatedNumber>& animated) {
-    for (AnimatedNumber& number : animated) {
-      for (Driver& driver : number.drivers) {
-        if (!reads(driver.input, kind, from)) continue;
-        (kind == DriverInputKind::kLength ? driver.input.line : driver.input.channel) = to;
-      }
-    }
-  });
 }
 
 }  // namespace
@@ -146,14 +130,14 @@ const AnimatedNumber* animationOf(const Rig& rig, const NumberRef& ref) {
   return animationOf(listOf(const_cast<Rig&>(rig), ref), ref.parameter);
 }
 
-Result<Rig> setKey(const Rig& rig, const NumberRef& ref, const std::string& clip, float time, float value) {
-  return withNumber(rig, ref, [&](AnimatedNumber& number) {
+Result<Rig> setKey(Rig rig, const NumberRef& ref, const std::string& clip, float time, float value) {
+  return withNumber(std::move(rig), ref, [&](AnimatedNumber& number) {
     put(trackOf(number.keys, clip).curve.points, {time, value}, kSameKey);
   });
 }
 
-Result<Rig> moveKey(const Rig& rig, const NumberRef& ref, const std::string& clip, int index, float time) {
-  return withNumber(rig, ref, [&](AnimatedNumber& number) {
+Result<Rig> moveKey(Rig rig, const NumberRef& ref, const std::string& clip, int index, float time) {
+  return withNumber(std::move(rig), ref, [&](AnimatedNumber& number) {
     std::vector<glm::vec2>& points = trackOf(number.keys, clip).curve.points;
     const float value = at(points, index).y;
     points.erase(points.begin() + index);
@@ -161,8 +145,8 @@ Result<Rig> moveKey(const Rig& rig, const NumberRef& ref, const std::string& cli
   });
 }
 
-Rig removeKey(const Rig& rig, const NumberRef& ref, const std::string& clip, int index) {
-  return withLess(rig, ref, [&](AnimatedNumber& number) {
+Rig removeKey(Rig rig, const NumberRef& ref, const std::string& clip, int index) {
+  return withLess(std::move(rig), ref, [&](AnimatedNumber& number) {
     std::vector<glm::vec2>& points = trackOf(number.keys, clip).curve.points;
     assert(index >= 0 && static_cast<std::size_t>(index) < points.size());
     points.erase(points.begin() + index);
@@ -170,36 +154,36 @@ Rig removeKey(const Rig& rig, const NumberRef& ref, const std::string& clip, int
   });
 }
 
-Rig removeKeys(const Rig& rig, const NumberRef& ref, const std::string& clip) {
-  return withLess(rig, ref, [&](AnimatedNumber& number) {
+Rig removeKeys(Rig rig, const NumberRef& ref, const std::string& clip) {
+  return withLess(std::move(rig), ref, [&](AnimatedNumber& number) {
     std::erase_if(number.keys, [&](const KeyTrack& track) { return track.clip == clip; });
   });
 }
 
-Result<Rig> setTrack(const Rig& rig, const NumberRef& ref, const KeyTrack& track) {
-  return withNumber(rig, ref, [&](AnimatedNumber& number) { trackOf(number.keys, track.clip) = track; });
+Result<Rig> setTrack(Rig rig, const NumberRef& ref, const KeyTrack& track) {
+  return withNumber(std::move(rig), ref, [&](AnimatedNumber& number) { trackOf(number.keys, track.clip) = track; });
 }
 
-Result<Rig> setKeyKind(const Rig& rig, const NumberRef& ref, const std::string& clip, CurveKind kind) {
-  return withNumber(rig, ref, [&](AnimatedNumber& number) { trackOf(number.keys, clip).curve.kind = kind; });
+Result<Rig> setKeyKind(Rig rig, const NumberRef& ref, const std::string& clip, CurveKind kind) {
+  return withNumber(std::move(rig), ref, [&](AnimatedNumber& number) { trackOf(number.keys, clip).curve.kind = kind; });
 }
 
-Result<Rig> setDriver(const Rig& rig, const NumberRef& ref, Driver driver, int index) {
-  return withNumber(rig, ref, [&](AnimatedNumber& number) {
+Result<Rig> setDriver(Rig rig, const NumberRef& ref, Driver driver, int index) {
+  return withNumber(std::move(rig), ref, [&](AnimatedNumber& number) {
     if (index < 0) number.drivers.push_back(std::move(driver));
     else at(number.drivers, index) = std::move(driver);
   });
 }
 
-Rig removeDriver(const Rig& rig, const NumberRef& ref, int index) {
-  return withLess(rig, ref, [&](AnimatedNumber& number) {
+Rig removeDriver(Rig rig, const NumberRef& ref, int index) {
+  return withLess(std::move(rig), ref, [&](AnimatedNumber& number) {
     assert(index >= 0 && static_cast<std::size_t>(index) < number.drivers.size());
     number.drivers.erase(number.drivers.begin() + index);
   });
 }
 
-Result<Rig> setDrivenKey(const Rig& rig, const NumberRef& ref, const DriverInput& input, float x, float value) {
-  return withNumber(rig, ref, [&](AnimatedNumber& number) {
+Result<Rig> setDrivenKey(Rig rig, const NumberRef& ref, const DriverInput& input, float x, float value) {
+  return withNumber(std::move(rig), ref, [&](AnimatedNumber& number) {
     auto found = std::ranges::find_if(number.drivers, [&](const Driver& driver) {
       return driver.mode == DriverMode::kReplace && driver.input == input;
     });
@@ -211,8 +195,8 @@ Result<Rig> setDrivenKey(const Rig& rig, const NumberRef& ref, const DriverInput
   });
 }
 
-Rig removeAnimation(const Rig& rig, const NumberRef& ref) {
-  return withLess(rig, ref, [](AnimatedNumber& number) {
+Rig removeAnimation(Rig rig, const NumberRef& ref) {
+  return withLess(std::move(rig), ref, [](AnimatedNumber& number) {
     number.keys.clear();
     number.drivers.clear();
   });
@@ -224,51 +208,45 @@ int findChannel(const Rig& rig, const std::string& name, const std::string& clip
   return found == rig.channels.end() ? -1 : static_cast<int>(found - rig.channels.begin());
 }
 
-Result<Rig> setChannelKey(const Rig& rig, const std::string& name, const std::string& clip, float time, float value) {
-  Rig result = rig;
+Result<Rig> setChannelKey(Rig rig, const std::string& name, const std::string& clip, float time, float value) {
   int index = findChannel(rig, name, clip);
   if (index < 0) {
-    index = static_cast<int>(result.channels.size());
-    result.channels.push_back({name, {clip, {}, {}}});
+    index = static_cast<int>(rig.channels.size());
+    rig.channels.push_back({name, {clip, {}, {}}});
   }
-  put(at(result.channels, index).track.curve.points, {time, value}, kSameKey);
-  if (auto valid = validateChannels(result); !valid) return valid.error();
-  return result;
+  put(at(rig.channels, index).track.curve.points, {time, value}, kSameKey);
+  if (auto valid = validateChannels(rig); !valid) return valid.error();
+  return rig;
 }
 
-Result<Rig> editChannel(const Rig& rig, const std::string& name, const std::string& clip,
+Result<Rig> editChannel(Rig rig, const std::string& name, const std::string& clip,
                         const std::function<void(Curve&)>& change) {
   const int index = findChannel(rig, name, clip);
   if (index < 0) return errorAt("channels", "there is no channel \"" + name + "\" for this clip", "channel");
-  Rig result = rig;
-  change(at(result.channels, index).track.curve);
-  if (auto valid = validateChannels(result); !valid) return valid.error();
-  return result;
+  change(at(rig.channels, index).track.curve);
+  if (auto valid = validateChannels(rig); !valid) return valid.error();
+  return rig;
 }
 
-Result<Rig> renameChannel(const Rig& rig, const std::string& name, const std::string& to) {
+Result<Rig> renameChannel(Rig rig, const std::string& name, const std::string& to) {
   if (auto valid = validateName(to, "channels"); !valid) return valid.error();
   const auto taken = std::ranges::any_of(rig.channels, [&](const RigChannel& channel) { return channel.name == to; });
   if (taken && to != name) return errorAt("channels", "the name \"" + to + "\" is taken", "name");
-  Rig result = rig;
-  for (RigChannel& channel : result.channels) {
+  for (RigChannel& channel : rig.channels) {
     if (channel.name == name) channel.name = to;
   }
-  renameInputs(result, DriverInputKind::kChannel, name, to);
-  return result;
+  renameReferences(rig, Named::kChannel, name, to);
+  return rig;
 }
 
-Rig removeChannel(const Rig& rig, const std::string& name) {
-  Rig result = rig;
-  std::erase_if(result.channels, [&](const RigChannel& channel) { return channel.name == name; });
-  eachList(result, [&](std::vector<AnimatedNumber>& animated) {
-    keepDrivers(animated, [&](const DriverInput& input) { return !reads(input, DriverInputKind::kChannel, name); });
+Rig removeChannel(Rig rig, const std::string& name) {
+  std::erase_if(rig.channels, [&](const RigChannel& channel) { return channel.name == name; });
+  eachList(rig, [&](std::vector<AnimatedNumber>& animated) {
+    keepDrivers(animated, [&](const DriverInput& input) {
+      return input.kind != DriverInputKind::kChannel || input.channel != name;
+    });
   });
-  return result;
-}
-
-void renameLineInputs(Rig& rig, const std::string& from, const std::string& to) {
-  renameInputs(rig, DriverInputKind::kLength, from, to);
+  return rig;
 }
 
 void dropLineInputs(Rig& rig, const std::unordered_set<std::string>& gone) {

@@ -1,6 +1,6 @@
 // core/rig/animated_edit.h: changes of keys, drivers and channels, as pure functions rig -> rig.
 //
-// As in rig_edit.h: the rig that is given stays as it is; indices must be in range (asserted).
+// As in rig_edit.h: a rig is taken by value; indices must be in range (asserted).
 #pragma once
 
 #include <functional>
@@ -23,41 +23,37 @@ inline constexpr float kSameKey = 1.0f / 120.0f;
 
 /// A key at a time of a clip, in place of one that is there. Error: see validateAnimated.
 /// @param clip  empty: in every clip
-[[nodiscard]] Result<Rig> setKey(const Rig& rig, const NumberRef& ref, const std::string& clip, float time,
-                                 float value);
+[[nodiscard]] Result<Rig> setKey(Rig rig, const NumberRef& ref, const std::string& clip, float time, float value);
 /// Moves key `index` of the clip's track; one that is there already gives way.
-[[nodiscard]] Result<Rig> moveKey(const Rig& rig, const NumberRef& ref, const std::string& clip, int index, float time);
-[[nodiscard]] Rig removeKey(const Rig& rig, const NumberRef& ref, const std::string& clip, int index);
+[[nodiscard]] Result<Rig> moveKey(Rig rig, const NumberRef& ref, const std::string& clip, int index, float time);
+[[nodiscard]] Rig removeKey(Rig rig, const NumberRef& ref, const std::string& clip, int index);
 /// The clip's whole track.
-[[nodiscard]] Rig removeKeys(const Rig& rig, const NumberRef& ref, const std::string& clip);
+[[nodiscard]] Rig removeKeys(Rig rig, const NumberRef& ref, const std::string& clip);
 /// The whole track of its clip, in place of one that is there.
-[[nodiscard]] Result<Rig> setTrack(const Rig& rig, const NumberRef& ref, const KeyTrack& track);
-[[nodiscard]] Result<Rig> setKeyKind(const Rig& rig, const NumberRef& ref, const std::string& clip, CurveKind kind);
+[[nodiscard]] Result<Rig> setTrack(Rig rig, const NumberRef& ref, const KeyTrack& track);
+[[nodiscard]] Result<Rig> setKeyKind(Rig rig, const NumberRef& ref, const std::string& clip, CurveKind kind);
 
 /// Appends, or with an index replaces. Error: see validateAnimated; its line or channel is not there.
-[[nodiscard]] Result<Rig> setDriver(const Rig& rig, const NumberRef& ref, Driver driver, int index = -1);
-[[nodiscard]] Rig removeDriver(const Rig& rig, const NumberRef& ref, int index);
+[[nodiscard]] Result<Rig> setDriver(Rig rig, const NumberRef& ref, Driver driver, int index = -1);
+[[nodiscard]] Rig removeDriver(Rig rig, const NumberRef& ref, int index);
 /// Set driven key: where the input is x, the number is `value`. A point of the driver that replaces by this input,
 /// which is made where there is none. Error: its curve is full.
-[[nodiscard]] Result<Rig> setDrivenKey(const Rig& rig, const NumberRef& ref, const DriverInput& input, float x,
-                                       float value);
+[[nodiscard]] Result<Rig> setDrivenKey(Rig rig, const NumberRef& ref, const DriverInput& input, float x, float value);
 /// Neither keys nor drivers any more.
-[[nodiscard]] Rig removeAnimation(const Rig& rig, const NumberRef& ref);
+[[nodiscard]] Rig removeAnimation(Rig rig, const NumberRef& ref);
 
 /// The index of a channel's track for exactly this clip, or -1.
 [[nodiscard]] int findChannel(const Rig& rig, const std::string& name, const std::string& clip);
 /// A key of a channel, which is made where there is none.
-[[nodiscard]] Result<Rig> setChannelKey(const Rig& rig, const std::string& name, const std::string& clip, float time,
+[[nodiscard]] Result<Rig> setChannelKey(Rig rig, const std::string& name, const std::string& clip, float time,
                                         float value);
 /// Changes a channel's track for exactly this clip. Error: it is not there, or see validateChannels.
-[[nodiscard]] Result<Rig> editChannel(const Rig& rig, const std::string& name, const std::string& clip,
+[[nodiscard]] Result<Rig> editChannel(Rig rig, const std::string& name, const std::string& clip,
                                       const std::function<void(Curve&)>& change);
-[[nodiscard]] Result<Rig> renameChannel(const Rig& rig, const std::string& name, const std::string& to);
+[[nodiscard]] Result<Rig> renameChannel(Rig rig, const std::string& name, const std::string& to);
 /// All its tracks, and the drivers that read it.
-[[nodiscard]] Rig removeChannel(const Rig& rig, const std::string& name);
+[[nodiscard]] Rig removeChannel(Rig rig, const std::string& name);
 
-/// Drivers that read the length of a line follow its name.
-void renameLineInputs(Rig& rig, const std::string& from, const std::string& to);
 /// Drivers that read the length of lines that are gone go too.
 void dropLineInputs(Rig& rig, const std::unordered_set<std::string>& gone);
 /// Drivers whose input `keep` refuses go, and numbers that nothing changes any more.

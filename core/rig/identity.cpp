@@ -2,9 +2,13 @@
 
 #include "core/rig/identity.h"
 
+#include <algorithm>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
+
+#include "core/rig/references.h"
 
 namespace sinew {
 namespace {
@@ -18,7 +22,7 @@ void complete(std::vector<Item>& items, const std::vector<Item>& before, std::ui
     nameOf.emplace(item.id().value, item.name);
     idOf.emplace(item.name, item.id().value);
   }
-  // Of several that share an identity, the one with the old name is the original; without one, the first.
+  // Where several share an identity, the one with the old name is the original; without one, the first.
   std::unordered_map<std::uint32_t, const Item*> ownerOf;
   for (const Item& item : items) {
     const std::uint32_t id = item.id().value;
@@ -39,7 +43,47 @@ void complete(std::vector<Item>& items, const std::vector<Item>& before, std::ui
   }
 }
 
+/// `edited` begins with what was there before, under the same names.
+template <class Item>
+bool onlyAdded(const std::vector<Item>& before, const std::vector<Item>& edited) {
+  const auto same = [](const Item& a, const Item& b) { return a.id() == b.id() && a.name == b.name; };
+  return std::ranges::mismatch(before, edited, same).in1 == before.end();
+}
+
+using Renames = std::unordered_map<std::string, std::string>;
+
+/// Gives items the names that they have in `edited`; those that are gone there go, for their names may be taken.
+/// @return former name -> name
+template <class Item>
+Renames rename(std::vector<Item>& items, const std::vector<Item>& edited) {
+  std::unordered_map<std::uint32_t, const std::string*> nameOf;
+  for (const Item& item : edited) nameOf.emplace(item.id().value, &item.name);
+  std::erase_if(items, [&](const Item& item) { return item.id() && !nameOf.contains(item.id().value); });
+  Renames renames;
+  for (Item& item : items) {
+    if (item.id()) renames.emplace(std::exchange(item.name, *nameOf.at(item.id().value)), item.name);
+  }
+  return renames;
+}
+
 }  // namespace
+
+std::optional<Rig> withNamesOf(const Rig& before, const Rig& edited) {
+  if (onlyAdded(before.primitives, edited.primitives) && onlyAdded(before.groups, edited.groups) &&
+      onlyAdded(before.lines, edited.lines)) {
+    return std::nullopt;
+  }
+  Rig renamed = before;
+  const Renames primitives = rename(renamed.primitives, edited.primitives);
+  const Renames groups = rename(renamed.groups, edited.groups);
+  const Renames lines = rename(renamed.lines, edited.lines);
+  eachReference(renamed, [&](Named kind, std::string& name) {
+    if (kind == Named::kChannel) return;
+    const Renames& renames = kind == Named::kPrimitive ? primitives : kind == Named::kGroup ? groups : lines;
+    if (const auto found = renames.find(name); found != renames.end()) name = found->second;
+  });
+  return renamed;
+}
 
 void IdentitySource::identify(Rig& rig, const Rig& before) {
   complete(rig.primitives, before.primitives, lastPrimitive_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "sinew/rig/rig.h"
 
@@ -20,5 +21,9 @@ class IdentitySource {
   std::uint32_t lastGroup_ = 0;  ///< Counts groups alone: of a rig just read they are 1, 2, 3 ... in its order.
   std::uint32_t lastLine_ = 0;
 };
+
+/// `before` as it would be had what `edited` still has been called as there, without primitives, groups and lines that
+/// it has no more. Nothing: `edited` at most adds. What has no identity stays as it is; channels have none.
+[[nodiscard]] std::optional<Rig> withNamesOf(const Rig& before, const Rig& edited);
 
 }  // namespace sinew

@@ -1,13 +1,13 @@
-// core/rig/line_edit.cpp: each edit copies the rig, changes the copy, checks what it changed.
+// core/rig/line_edit.cpp: each edit changes the rig that it was given and checks what it changed.
 #include "core/rig/line_edit.h"
 
 #include <algorithm>
 #include <cassert>
-#include <unordered_set>
 #include <utility>
 
 #include "core/base/at.h"
 #include "core/rig/animated_edit.h"
+#include "core/rig/references.h"
 #include "core/rig/refusals.h"
 #include "core/rig/validation.h"
 
@@ -23,91 +23,85 @@ void dropTwin(Rig& rig, const std::string& gone) {
   }
 }
 
+void pairUp(Rig& rig, int line, int twin) {
+  MuscleLine& a = at(rig.lines, line);
+  MuscleLine& b = at(rig.lines, twin);
+  dropTwin(rig, a.name);
+  dropTwin(rig, b.name);
+  a.mirror = b.name;
+  b.mirror = a.name;
+}
+
 }  // namespace
 
-Result<Rig> addLine(const Rig& rig, MuscleLine line) {
+Result<void> append(Rig& rig, MuscleLine line) {
   const auto index = static_cast<int>(rig.lines.size());
   line.name = freeLineName(rig, line.name.empty() ? "line" : line.name);
   const int twin = line.mirror.empty() ? -1 : findLine(rig, line.mirror);
   line.mirror.clear();
   if (const auto valid = validateLine(line, placeOf(index)); !valid) return valid.error();
-  Rig result = rig;
-  result.lines.push_back(std::move(line));
-  return twin < 0 ? result : setLineMirror(result, index, twin);
+  rig.lines.push_back(std::move(line));
+  if (twin >= 0) pairUp(rig, index, twin);
+  return {};
 }
 
-Result<Rig> editLine(const Rig& rig, int line, const std::function<void(MuscleLine&)>& change) {
-  MuscleLine edited = at(rig.lines, line);
+Result<Rig> addLine(Rig rig, MuscleLine line) {
+  if (const auto added = append(rig, std::move(line)); !added) return added.error();
+  return rig;
+}
+
+Result<Rig> editLine(Rig rig, int line, const std::function<void(MuscleLine&)>& change) {
+  MuscleLine& edited = at(rig.lines, line);
+  [[maybe_unused]] const std::pair names(edited.name, edited.mirror);
   change(edited);
-  assert(edited.name == at(rig.lines, line).name && edited.mirror == at(rig.lines, line).mirror);
+  assert(names == std::pair(edited.name, edited.mirror));
   if (const auto valid = validateLine(edited, placeOf(line)); !valid) return valid.error();
-  Rig result = rig;
-  at(result.lines, line) = std::move(edited);
-  return result;
+  return rig;
 }
 
-Result<Rig> renameLine(const Rig& rig, int line, const std::string& name) {
-  const std::string former = at(rig.lines, line).name;
+Result<Rig> renameLine(Rig rig, int line, const std::string& name) {
   if (const auto valid = validateName(name, placeOf(line) + ".name"); !valid) return valid.error();
   if (const int owner = findLine(rig, name); owner >= 0 && owner != line) {
     return errorAt(placeOf(line) + ".name", "the name \"" + name + "\" is taken", "name");
   }
-  Rig result = rig;
-  at(result.lines, line).name = name;
-  for (MuscleLine& other : result.lines) {
-    if (other.mirror == former) other.mirror = name;
-  }
-  for (Primitive& primitive : result.primitives) {
-    if (primitive.line == former) primitive.line = name;
-  }
-  renameLineInputs(result, former, name);
-  return result;
+  const std::string former = std::exchange(at(rig.lines, line).name, name);
+  renameReferences(rig, Named::kLine, former, name);
+  return rig;
 }
 
-Rig removeLine(const Rig& rig, int line) {
+Rig removeLine(Rig rig, int line) {
   const std::string name = at(rig.lines, line).name;
-  Rig result = rig;
-  result.lines.erase(result.lines.begin() + line);
-  dropTwin(result, name);
-  for (Primitive& primitive : result.primitives) {
+  rig.lines.erase(rig.lines.begin() + line);
+  dropTwin(rig, name);
+  for (Primitive& primitive : rig.primitives) {
     if (primitive.line == name) primitive.line.clear();
   }
-  dropLineInputs(result, {name});
-  return result;
+  dropLineInputs(rig, {name});
+  return rig;
 }
 
-Rig setLineOfSeveral(const Rig& rig, std::span<const int> primitives, int line) {
-  Rig result = rig;
+Rig setLineOfSeveral(Rig rig, std::span<const int> primitives, int line) {
+  std::unordered_set<std::string> left;
   for (const int index : primitives) {
-    at(result.primitives, index).line = line < 0 ? std::string() : at(rig.lines, line).name;
+    left.insert(std::exchange(at(rig.primitives, index).line, line < 0 ? "" : at(rig.lines, line).name));
   }
-  return withoutIdleLines(rig, std::move(result));
+  return withoutIdleLines(std::move(rig), std::move(left));
 }
 
-Rig setLineMirror(const Rig& rig, int line, int twin) {
+Rig setLineMirror(Rig rig, int line, int twin) {
   assert(line != twin);
-  Rig result = rig;
-  MuscleLine& a = at(result.lines, line);
-  MuscleLine& b = at(result.lines, twin);
-  dropTwin(result, a.name);
-  dropTwin(result, b.name);
-  a.mirror = b.name;
-  b.mirror = a.name;
-  return result;
+  pairUp(rig, line, twin);
+  return rig;
 }
 
-Rig withoutIdleLines(const Rig& before, Rig edited) {
-  std::unordered_set<std::string> busy;
-  for (const Primitive& primitive : edited.primitives) busy.insert(primitive.line);
-  std::unordered_set<std::string> idle;
-  for (const Primitive& primitive : before.primitives) {
-    if (!primitive.line.empty() && !busy.contains(primitive.line)) idle.insert(primitive.line);
-  }
-  if (idle.empty()) return edited;
-  std::erase_if(edited.lines, [&](const MuscleLine& line) { return idle.contains(line.name); });
-  for (const std::string& gone : idle) dropTwin(edited, gone);
-  dropLineInputs(edited, idle);
-  return edited;
+Rig withoutIdleLines(Rig rig, std::unordered_set<std::string> lines) {
+  for (const Primitive& primitive : rig.primitives) lines.erase(primitive.line);
+  lines.erase("");
+  if (lines.empty()) return rig;
+  std::erase_if(rig.lines, [&](const MuscleLine& line) { return lines.contains(line.name); });
+  for (const std::string& gone : lines) dropTwin(rig, gone);
+  dropLineInputs(rig, lines);
+  return rig;
 }
 
 std::vector<int> primitivesOn(const Rig& rig, const std::string& line) {

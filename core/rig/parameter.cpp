@@ -14,7 +14,7 @@ namespace sinew {
 namespace {
 
 constexpr float kUnbounded = std::numeric_limits<float>::max();
-constexpr float kLeastOfDrawn = 0.01f;  // Of a radius as drawn.
+constexpr float kLeastOfDrawn = 0.01f;  // Fraction of a radius as drawn.
 constexpr float kLeastReach = 1.05f;
 constexpr float kMostReach = 16.0f;
 constexpr float kLeastSkinBlend = 1e-4f;

@@ -1,4 +1,4 @@
-// core/rig/rig_edit.cpp: each edit copies the rig, changes the copy, checks what it changed.
+// core/rig/rig_edit.cpp: each edit changes the rig that it was given and checks what it changed.
 #include "core/rig/rig_edit.h"
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 
 #include "core/base/at.h"
 #include "core/rig/line_edit.h"
+#include "core/rig/references.h"
 #include "core/rig/validation.h"
 
 namespace sinew {
@@ -27,15 +28,13 @@ const Group& groupAt(const Rig& rig, int index) {
 
 std::string placeOf(int index) { return "primitives[" + std::to_string(index) + ']'; }
 
-/// A copy of the rig with one primitive changed by `change`, if that primitive stands up by itself.
+/// The rig with one primitive changed by `change`, if that primitive stands up by itself.
 template <class Change>
-Result<Rig> withPrimitive(const Rig& rig, int index, Change change) {
-  Primitive edited = primitiveAt(rig, index);
+Result<Rig> withPrimitive(Rig rig, int index, Change change) {
+  Primitive& edited = primitiveAt(rig, index);
   change(edited);
   if (const auto valid = validatePrimitive(edited, placeOf(index)); !valid) return valid.error();
-  Rig result = rig;
-  primitiveAt(result, index) = std::move(edited);
-  return result;
+  return rig;
 }
 
 Error nameTaken(std::string place, const std::string& name) {
@@ -70,19 +69,16 @@ std::vector<bool> marked(const Rig& rig, std::span<const int> indices) {
 
 }  // namespace
 
-Result<Rig> addPrimitive(const Rig& rig, Primitive primitive) {
+Result<void> append(Rig& rig, Primitive primitive) {
   if (rig.primitives.size() >= static_cast<std::size_t>(kMaxPrimitives)) {
     return errorAt("primitives", "a rig holds at most " + std::to_string(kMaxPrimitives) + " primitives", "the rig");
   }
-  Rig result = rig;
-  if (primitive.group.empty()) {
-    if (result.groups.empty()) result.groups.push_back({"muscles", {}});
-    primitive.group = result.groups.front().name;
-  }
+  const bool makesGroup = primitive.group.empty() && rig.groups.empty();
+  if (primitive.group.empty()) primitive.group = makesGroup ? "muscles" : rig.groups.front().name;
   primitive.name = freePrimitiveName(rig, primitive.name.empty() ? "muscle" : primitive.name);
   const int index = static_cast<int>(rig.primitives.size());
   if (const auto valid = validatePrimitive(primitive, placeOf(index)); !valid) return valid.error();
-  if (findGroup(result, primitive.group) < 0) {
+  if (!makesGroup && findGroup(rig, primitive.group) < 0) {
     return errorAt(placeOf(index) + ".group", "there is no group \"" + primitive.group + '"',
                    "muscle \"" + primitive.name + "\", group");
   }
@@ -95,84 +91,83 @@ Result<Rig> addPrimitive(const Rig& rig, Primitive primitive) {
     return errorAt(placeOf(index) + ".mirror", "there is no primitive \"" + primitive.mirror + '"',
                    "muscle \"" + primitive.name + "\", twin");
   }
-  result.primitives.push_back(std::move(primitive));
-  if (twin >= 0) pairUp(result, index, twin);
-  return result;
+  if (makesGroup) rig.groups.push_back({primitive.group, {}});
+  rig.primitives.push_back(std::move(primitive));
+  if (twin >= 0) pairUp(rig, index, twin);
+  return {};
 }
 
-Rig removePrimitives(const Rig& rig, std::span<const int> indices) {
+Result<Rig> addPrimitive(Rig rig, Primitive primitive) {
+  if (const auto added = append(rig, std::move(primitive)); !added) return added.error();
+  return rig;
+}
+
+Rig removePrimitives(Rig rig, std::span<const int> indices) {
   const std::vector<bool> leaves = marked(rig, indices);
   std::unordered_set<std::string> gone;
-  Rig result = rig;
-  result.primitives.clear();
+  std::unordered_set<std::string> lines;
+  std::vector<Primitive> kept;
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
+    Primitive& primitive = rig.primitives[i];
     if (leaves[i]) {
-      gone.insert(rig.primitives[i].name);
+      gone.insert(primitive.name);
+      lines.insert(primitive.line);
     } else {
-      result.primitives.push_back(rig.primitives[i]);
+      kept.push_back(std::move(primitive));
     }
   }
-  dropTwins(result, gone);
-  return withoutIdleLines(rig, std::move(result));
+  rig.primitives = std::move(kept);
+  dropTwins(rig, gone);
+  return withoutIdleLines(std::move(rig), std::move(lines));
 }
 
-Result<Rig> setPlacement(const Rig& rig, int index, const Placement& placement) {
-  return withPrimitive(rig, index, [&](Primitive& primitive) { primitive.placement = placement; });
+Result<Rig> setPlacement(Rig rig, int index, const Placement& placement) {
+  return withPrimitive(std::move(rig), index, [&](Primitive& primitive) { primitive.placement = placement; });
 }
 
-Result<Rig> renamePrimitive(const Rig& rig, int index, const std::string& name) {
+Result<Rig> renamePrimitive(Rig rig, int index, const std::string& name) {
   const std::string former = primitiveAt(rig, index).name;
   if (const int owner = findPrimitive(rig, name); owner >= 0 && owner != index) {
     return nameTaken(placeOf(index) + ".name", name);
   }
-  auto result = withPrimitive(rig, index, [&](Primitive& primitive) { primitive.name = name; });
-  if (!result) return result;
-  for (Primitive& other : result.value().primitives) {
-    if (other.mirror == former) other.mirror = name;
-  }
+  auto result = withPrimitive(std::move(rig), index, [&](Primitive& primitive) { primitive.name = name; });
+  if (result) renameReferences(result.value(), Named::kPrimitive, former, name);
   return result;
 }
 
-Rig setMirror(const Rig& rig, int index, int twin) {
+Rig setMirror(Rig rig, int index, int twin) {
   assert(index != twin);
-  Rig result = rig;
-  pairUp(result, index, twin);
-  return result;
+  pairUp(rig, index, twin);
+  return rig;
 }
 
-Rig clearMirror(const Rig& rig, int index) {
-  Rig result = rig;
-  dropTwins(result, {primitiveAt(rig, index).name});
-  primitiveAt(result, index).mirror.clear();
-  return result;
+Rig clearMirror(Rig rig, int index) {
+  dropTwins(rig, {primitiveAt(rig, index).name});
+  primitiveAt(rig, index).mirror.clear();
+  return rig;
 }
 
-Result<Rig> addGroup(const Rig& rig, const std::string& name) {
+Result<Rig> addGroup(Rig rig, const std::string& name) {
   const std::string place = "groups[" + std::to_string(rig.groups.size()) + "].name";
   if (const auto valid = validateName(name, place); !valid) return valid.error();
   if (findGroup(rig, name) >= 0) return nameTaken(place, name);
-  Rig result = rig;
-  result.groups.push_back({name, {}});
+  rig.groups.push_back({name, {}});
   // A group without links is a clique of its own, so that many groups alone can be too many cliques.
-  if (const auto valid = validateLinks(result); !valid) return valid.error();
-  return result;
+  if (const auto valid = validateLinks(rig); !valid) return valid.error();
+  return rig;
 }
 
-Result<Rig> renameGroup(const Rig& rig, int group, const std::string& name) {
+Result<Rig> renameGroup(Rig rig, int group, const std::string& name) {
   const std::string former = groupAt(rig, group).name;
   const std::string place = "groups[" + std::to_string(group) + "].name";
   if (const auto valid = validateName(name, place); !valid) return valid.error();
   if (const int owner = findGroup(rig, name); owner >= 0 && owner != group) return nameTaken(place, name);
-  Rig result = rig;
-  at(result.groups, group).name = name;
-  for (auto& link : result.links) std::ranges::replace(link, former, name);
-  for (Primitive& primitive : result.primitives) {
-    if (primitive.group == former) primitive.group = name;
-  }
-  return result;
+  at(rig.groups, group).name = name;
+  renameReferences(rig, Named::kGroup, former, name);
+  return rig;
 }
 
-Result<Rig> removeGroup(const Rig& rig, int group) {
+Result<Rig> removeGroup(Rig rig, int group) {
   const std::string name = groupAt(rig, group).name;
   const auto members = std::ranges::count(rig.primitives, name, &Primitive::group);
   if (members > 0) {
@@ -181,42 +176,38 @@ Result<Rig> removeGroup(const Rig& rig, int group) {
                        (members == 1 ? " primitive" : " primitives"),
                    "groups");
   }
-  Rig result = rig;
-  result.groups.erase(result.groups.begin() + group);
-  std::erase_if(result.links, [&](const auto& link) { return link[0] == name || link[1] == name; });
-  return result;
+  rig.groups.erase(rig.groups.begin() + group);
+  std::erase_if(rig.links, [&](const auto& link) { return link[0] == name || link[1] == name; });
+  return rig;
 }
 
-Result<Rig> setLink(const Rig& rig, int groupA, int groupB, bool linked) {
+Result<Rig> setLink(Rig rig, int groupA, int groupB, bool linked) {
   const std::string& a = groupAt(rig, groupA).name;
   const std::string& b = groupAt(rig, groupB).name;
   if (groupA == groupB)
     return errorAt("links", "a group cannot be linked to itself; its primitives always blend", "link");
   const bool already = std::ranges::any_of(rig.links, [&](const auto& link) { return joins(link, a, b); });
   if (already == linked) return rig;
-  Rig result = rig;
   if (linked) {
-    result.links.push_back({a, b});
+    rig.links.push_back({a, b});
   } else {
-    std::erase_if(result.links, [&](const auto& link) { return joins(link, a, b); });
+    std::erase_if(rig.links, [&](const auto& link) { return joins(link, a, b); });
   }
   // Both ways: what a link held together may fall into more cliques than it was.
-  if (const auto valid = validateLinks(result); !valid) return valid.error();
-  return result;
+  if (const auto valid = validateLinks(rig); !valid) return valid.error();
+  return rig;
 }
 
-Result<Rig> setSurface(const Rig& rig, const SurfaceSettings& surface) {
+Result<Rig> setSurface(Rig rig, const SurfaceSettings& surface) {
   if (const auto valid = validateSurface(surface); !valid) return valid.error();
-  Rig result = rig;
-  result.surface = surface;
-  return result;
+  rig.surface = surface;
+  return rig;
 }
 
-Result<Rig> setSmoothing(const Rig& rig, const SmoothingSettings& smoothing) {
+Result<Rig> setSmoothing(Rig rig, const SmoothingSettings& smoothing) {
   if (const auto valid = validateSmoothing(smoothing); !valid) return valid.error();
-  Rig result = rig;
-  result.smoothing = smoothing;
-  return result;
+  rig.smoothing = smoothing;
+  return rig;
 }
 
 }  // namespace sinew

@@ -1,4 +1,4 @@
-// core/rig/rig_edit_several.cpp: several primitives changed in one copy of the rig.
+// core/rig/rig_edit_several.cpp: several primitives changed in one rig.
 #include "core/rig/rig_edit_several.h"
 
 #include <cassert>
@@ -10,15 +10,13 @@
 
 namespace sinew {
 
-Result<Rig> editPrimitives(const Rig& rig, std::span<const int> indices,
-                           const std::function<void(Primitive&)>& change) {
-  Rig result = rig;
+Result<Rig> editPrimitives(Rig rig, std::span<const int> indices, const std::function<void(Primitive&)>& change) {
   for (const int index : indices) {
     assert(index >= 0 && static_cast<std::size_t>(index) < rig.primitives.size());
-    Primitive& primitive = at(result.primitives, index);
+    Primitive& primitive = at(rig.primitives, index);
+    [[maybe_unused]] const std::pair names(primitive.name, primitive.mirror);
     change(primitive);
-    assert(primitive.name == at(rig.primitives, index).name);
-    assert(primitive.mirror == at(rig.primitives, index).mirror);
+    assert(names == std::pair(primitive.name, primitive.mirror));
     const std::string place = "primitives[" + std::to_string(index) + ']';
     if (const auto valid = validatePrimitive(primitive, place); !valid) return valid.error();
     if (findGroup(rig, primitive.group) < 0) {
@@ -26,25 +24,25 @@ Result<Rig> editPrimitives(const Rig& rig, std::span<const int> indices,
                      "muscle \"" + primitive.name + "\", group");
     }
   }
-  return result;
+  return rig;
 }
 
-Result<Rig> setGroupOfSeveral(const Rig& rig, std::span<const int> indices, const std::string& group) {
-  return editPrimitives(rig, indices, [&](Primitive& primitive) { primitive.group = group; });
+Result<Rig> setGroupOfSeveral(Rig rig, std::span<const int> indices, const std::string& group) {
+  return editPrimitives(std::move(rig), indices, [&](Primitive& primitive) { primitive.group = group; });
 }
 
-Result<Rig> moveToNewGroup(const Rig& rig, std::span<const int> indices, const std::string& name) {
-  const Result<Rig> grown = addGroup(rig, name);
-  return grown ? setGroupOfSeveral(grown.value(), indices, name) : grown;
+Result<Rig> moveToNewGroup(Rig rig, std::span<const int> indices, const std::string& name) {
+  Result<Rig> grown = addGroup(std::move(rig), name);
+  return grown ? setGroupOfSeveral(std::move(grown).value(), indices, name) : grown;
 }
 
-Result<Rig> dissolveGroup(const Rig& rig, int group, int into) {
+Result<Rig> dissolveGroup(Rig rig, int group, int into) {
   if (group == into) return errorAt("groups", "a group's primitives cannot go to the group that is removed", "groups");
   assert(into >= 0 && static_cast<std::size_t>(into) < rig.groups.size());
   const std::string heir = at(rig.groups, into).name;
   const std::vector<int> members = membersOf(rig, at(rig.groups, group).name);
-  const Result<Rig> moved = setGroupOfSeveral(rig, members, heir);
-  return moved ? removeGroup(moved.value(), group) : moved;
+  Result<Rig> moved = setGroupOfSeveral(std::move(rig), members, heir);
+  return moved ? removeGroup(std::move(moved).value(), group) : moved;
 }
 
 std::vector<int> membersOf(const Rig& rig, const std::string& group) {

@@ -18,7 +18,7 @@
 namespace sinew {
 namespace {
 
-constexpr double kUnitTolerance = 1e-3;  // Of a quaternion's length; files written by hand have few digits.
+constexpr double kUnitTolerance = 1e-3;  // On a quaternion's length; files written by hand have few digits.
 
 /// Bytes of the UTF-8 sequence that begins at `text`, 0 if it is ill-formed (overlong, surrogate, past U+10FFFF).
 std::size_t utf8Length(std::string_view text) {

@@ -21,7 +21,7 @@ struct NumberMap {
   float offset = 0.0f;
 };
 
-constexpr float kStray = 1e-3f;  // Of a step along one axis, how much of it may appear on another.
+constexpr float kStray = 1e-3f;  // How much of a step along one axis may appear on another.
 
 bool mirrorBone(const MirrorPlan& plan, std::string& bone) {
   Result<std::string> twin = twinBone(plan, bone);

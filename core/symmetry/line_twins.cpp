@@ -2,6 +2,7 @@
 #include "core/symmetry/line_twins.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -14,7 +15,7 @@
 namespace sinew {
 namespace {
 
-constexpr float kOwnImage = 1e-4f;  // Of H.
+constexpr float kOwnImage = 1e-4f;  // Fraction of H.
 
 bool anchorInPlane(const MirrorPlan& plan, const LineAnchor& anchor, float tolerance) {
   const std::optional<int> bone = plan.skeleton.findBone(anchor.bone);
@@ -98,29 +99,37 @@ bool liesInPlane(const MirrorPlan& plan, const MuscleLine& line, float tolerance
          (!line.via || anchorInPlane(plan, *line.via, tolerance));
 }
 
-Result<TwinLine> withTwinLine(const Rig& rig, const std::string& name, const MirrorPlan& plan) {
+Result<TwinLine> withTwinLine(Rig rig, std::string name, const MirrorPlan& plan) {
   const int index = name.empty() ? -1 : findLine(rig, name);
-  if (index < 0) return TwinLine{rig, {}};
+  if (index < 0) return TwinLine{std::move(rig), {}};
   const MuscleLine& line = at(rig.lines, index);
-  if (!line.mirror.empty()) return TwinLine{rig, line.mirror};
-  if (liesInPlane(plan, line, kOwnImage)) return TwinLine{rig, name};
+  if (!line.mirror.empty()) name = line.mirror;
+  if (!line.mirror.empty() || liesInPlane(plan, line, kOwnImage)) return TwinLine{std::move(rig), std::move(name)};
   Result<MuscleLine> image = mirroredLine(plan, line);
   if (!image) return about("muscle line \"" + name + '"', image.error());
-  Rig sided = rig;
-  std::string own = name;
   if (image->name == name) {
-    own = freeLineName(rig, name + (isLeft(plan, line) ? " L" : " R"));
-    Result<Rig> renamed = renameLine(rig, index, own);
+    const std::string own = freeLineName(rig, name + (isLeft(plan, line) ? " L" : " R"));
+    Result<Rig> renamed = renameLine(std::move(rig), index, own);
     if (!renamed) return renamed.error();
-    sided = std::move(renamed).value();
+    rig = std::move(renamed).value();
     image.value().name = mirroredName(own).value_or(own);
   }
-  image.value().mirror = own;
-  readTwinLines(sided, image.value().animated);
-  Result<Rig> added = addLine(sided, std::move(image).value());
-  if (!added) return added.error();
-  std::string twin = added->lines.back().name;
-  return TwinLine{std::move(added).value(), std::move(twin)};
+  image.value().mirror = at(rig.lines, index).name;
+  readTwinLines(rig, image.value().animated);
+  if (const auto added = append(rig, std::move(image).value()); !added) return added.error();
+  std::string twin = rig.lines.back().name;
+  return TwinLine{std::move(rig), std::move(twin)};
+}
+
+Rig withTwinOnLine(Rig rig, int primitive, const MirrorPlan& plan) {
+  const int twin = twinOf(rig, primitive);
+  const std::string& line = at(rig.primitives, primitive).line;
+  if (twin < 0 || line.empty()) return rig;
+  Result<TwinLine> image = withTwinLine(rig, line, plan);
+  if (!image) return rig;
+  Rig& lined = image.value().rig;
+  const int twinLine = findLine(lined, image->name);
+  return setLineOfSeveral(std::move(lined), std::array{twin}, twinLine);
 }
 
 std::string twinLineName(const Rig& rig, const std::string& line) {

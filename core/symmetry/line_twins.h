@@ -26,7 +26,11 @@ struct TwinLine {
 
 /// The line on the other side: the linked twin, made and linked if there is none; the line itself if it lies in the
 /// plane. Where the name says no side, both get theirs. Error: see mirroredLine.
-[[nodiscard]] Result<TwinLine> withTwinLine(const Rig& rig, const std::string& line, const MirrorPlan& plan);
+[[nodiscard]] Result<TwinLine> withTwinLine(Rig rig, std::string line, const MirrorPlan& plan);
+
+/// The twin of a primitive rides the twin line of its line (withTwinLine). The rig as it is: it has no twin, rides no
+/// line, or its line has no image.
+[[nodiscard]] Rig withTwinOnLine(Rig rig, int primitive, const MirrorPlan& plan);
 
 /// The name of the line that an image of a primitive rides, of those that are there: the twin, or the line itself if it
 /// has none.

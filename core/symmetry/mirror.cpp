@@ -16,7 +16,7 @@
 namespace sinew {
 namespace {
 
-constexpr double kTidy = 2e-7;  // Of a map's size: what differs less from a permutation of axes is one.
+constexpr double kTidy = 2e-7;  // Fraction of a map's size: what differs less from a permutation of axes is one.
 
 bool isFinite(const glm::dmat4& m) {
   for (int column = 0; column < 4; ++column) {

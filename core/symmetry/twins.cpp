@@ -10,6 +10,7 @@
 
 #include "core/base/at.h"
 #include "core/primitives/shape_numbers.h"
+#include "core/rig/identity.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
@@ -20,7 +21,7 @@
 namespace sinew {
 namespace {
 
-constexpr float kOwnImage = 1e-4f;  // Of H.
+constexpr float kOwnImage = 1e-4f;  // Fraction of H.
 
 using Index = std::unordered_map<std::string_view, const Primitive*>;
 
@@ -182,7 +183,12 @@ Side sideOf(const MirrorPlan& plan, const Primitive& primitive) {
   return (distance >= 0.0) == leftIsPositive(plan) ? Side::kLeft : Side::kRight;
 }
 
-Rig keepTwins(const Rig& atStart, const Rig& shown, Rig edited, const MirrorPlan& plan) {
+Rig keepTwins(const Rig& rigAtStart, const Rig& rigShown, Rig edited, const MirrorPlan& plan) {
+  // A new name is no change: what it names is looked for, and compared, under the name that it has now.
+  const std::optional<Rig> startRenamed = withNamesOf(rigAtStart, edited);
+  const std::optional<Rig> shownRenamed = withNamesOf(rigShown, edited);
+  const Rig& atStart = startRenamed ? *startRenamed : rigAtStart;
+  const Rig& shown = shownRenamed ? *shownRenamed : rigShown;
   keepLineTwins(atStart, shown, edited, plan);
   const bool anyLinked = std::ranges::any_of(edited.primitives, [](const Primitive& p) { return !p.mirror.empty(); });
   if (!anyLinked) return edited;
@@ -218,16 +224,15 @@ std::vector<int> withTwins(const Rig& rig, std::span<const int> indices) {
   return all;
 }
 
-Result<Rig> addPair(const Rig& rig, Primitive primitive, const MirrorPlan& plan) {
-  Result<Rig> added = addPrimitive(rig, std::move(primitive));
-  if (!added) return added;
-  const Primitive& first = added->primitives.back();
-  if (liesInPlane(plan, first, kOwnImage)) return added;
-  return mirrorToOtherSide(added.value(), static_cast<int>(rig.primitives.size()), plan);
+Result<Rig> addPair(Rig rig, Primitive primitive, const MirrorPlan& plan) {
+  const auto index = static_cast<int>(rig.primitives.size());
+  if (const auto added = append(rig, std::move(primitive)); !added) return added.error();
+  if (liesInPlane(plan, at(rig.primitives, index), kOwnImage)) return rig;
+  return mirrorToOtherSide(std::move(rig), index, plan);
 }
 
-Result<Rig> mirrorToOtherSide(const Rig& rig, int index, const MirrorPlan& plan) {
-  if (const int twin = twinOf(rig, index); twin >= 0) return linkTwins(rig, index, twin, plan);
+Result<Rig> mirrorToOtherSide(Rig rig, int index, const MirrorPlan& plan) {
+  if (const int twin = twinOf(rig, index); twin >= 0) return linkTwins(std::move(rig), index, twin, plan);
   const Primitive& original = at(rig.primitives, index);
   if (liesInPlane(plan, original, kOwnImage)) {
     return errorAt("", '"' + original.name + "\" lies in the middle: it is its own mirror image");
@@ -236,104 +241,106 @@ Result<Rig> mirrorToOtherSide(const Rig& rig, int index, const MirrorPlan& plan)
   if (!image) return image.error();
   const std::string sided = nameWithSide(rig, original, plan);
   if (image->name == original.name && mirroredName(sided)) {
-    const Result<Rig> renamed = renamePrimitive(rig, index, sided);
-    return renamed ? mirrorToOtherSide(renamed.value(), index, plan) : renamed;
+    Result<Rig> renamed = renamePrimitive(std::move(rig), index, sided);
+    return renamed ? mirrorToOtherSide(std::move(renamed).value(), index, plan) : renamed;
   }
-  Result<TwinLine> line = withTwinLine(rig, original.line, plan);
-  if (!line) return line.error();
-  image.value().name = freePrimitiveName(rig, image->name);
   image.value().mirror = original.name;
+  const std::string ownLine = original.line;
+  Result<TwinLine> line = withTwinLine(std::move(rig), ownLine, plan);
+  if (!line) return line.error();
   image.value().line = line->name;
   readTwinLines(line->rig, image.value().animated);
-  return addPrimitive(line->rig, std::move(image).value());
+  return addPrimitive(std::move(line).value().rig, std::move(image).value());
 }
 
-Result<Rig> linkTwins(const Rig& rig, int leader, int follower, const MirrorPlan& plan) {
+Result<Rig> linkTwins(Rig rig, int leader, int follower, const MirrorPlan& plan) {
   assert(leader != follower);
-  Result<TwinLine> line = withTwinLine(rig, at(rig.primitives, leader).line, plan);
+  const std::string ownLine = at(rig.primitives, leader).line;
+  Result<TwinLine> line = withTwinLine(std::move(rig), ownLine, plan);
   if (!line) return line.error();
-  Rig linked = setMirror(line->rig, leader, follower);
+  Rig linked = setMirror(std::move(line.value().rig), leader, follower);
   Primitive& second = at(linked.primitives, follower);
   Result<Primitive> image = imageAs(plan, at(linked.primitives, leader), second);
   if (!image) return image.error();
   if (const auto valid = validatePrimitive(image.value(), "primitives"); !valid) return valid.error();
-  second = std::move(image).value();
+  const std::string former = std::exchange(second, std::move(image).value()).line;
   second.line = line->name;
   readTwinLines(linked, second.animated);
-  return withoutIdleLines(rig, std::move(linked));
+  return withoutIdleLines(std::move(linked), {former});
 }
 
 namespace {
 
-/// The lines of flipped primitives and of their twins, each turned over in its own name.
-Result<Rig> withFlippedLines(const Rig& rig, Rig flipped, std::span<const int> indices, const MirrorPlan& plan) {
-  std::vector<std::string> done;
-  for (const int index : withTwins(rig, indices)) {
-    const std::string& name = at(rig.primitives, index).line;
-    if (name.empty() || std::ranges::find(done, name) != done.end()) continue;
-    done.push_back(name);
-    const int line = findLine(rig, name);
+/// The lines of flipped primitives, each turned over in its own name.
+Result<Rig> withFlippedLines(Rig rig, std::span<const int> indices, const MirrorPlan& plan) {
+  std::vector<int> done{-1};
+  for (const int index : indices) {
+    const int line = findLine(rig, at(rig.primitives, index).line);
+    if (std::ranges::find(done, line) != done.end()) continue;
+    done.push_back(line);
     Result<MuscleLine> image = mirroredLine(plan, at(rig.lines, line));
-    if (!image) return about("muscle line \"" + name + '"', image.error());
-    Result<Rig> turned = editLine(flipped, line, [&](MuscleLine& own) {
+    if (!image) return about("muscle line \"" + at(rig.lines, line).name + '"', image.error());
+    Result<Rig> turned = editLine(std::move(rig), line, [&](MuscleLine& own) {
       own.origin = image->origin;
       own.insertion = image->insertion;
       own.via = image->via;
       own.animated = image->animated;
     });
     if (!turned) return turned;
-    flipped = std::move(turned).value();
+    rig = std::move(turned).value();
   }
-  return flipped;
+  return rig;
 }
 
 }  // namespace
 
-Result<Rig> flipPrimitives(const Rig& rig, std::span<const int> indices, const MirrorPlan& plan) {
-  Rig flipped = rig;
-  for (const int index : withTwins(rig, indices)) {
-    Primitive& primitive = at(flipped.primitives, index);
+Result<Rig> flipPrimitives(Rig rig, std::span<const int> indices, const MirrorPlan& plan) {
+  const std::vector<int> flipped = withTwins(rig, indices);
+  for (const int index : flipped) {
+    Primitive& primitive = at(rig.primitives, index);
     Result<Primitive> image = imageAs(plan, primitive, primitive);
     if (!image) return image.error();
     if (const auto valid = validatePrimitive(image.value(), "primitives"); !valid) return valid.error();
     primitive = std::move(image).value();
   }
-  return withFlippedLines(rig, std::move(flipped), indices, plan);
+  return withFlippedLines(std::move(rig), flipped, plan);
 }
 
-Rig duplicatePairs(const Rig& rig, std::span<const int> indices) {
+Rig duplicatePairs(Rig rig, std::span<const int> indices) {
   std::vector<int> sources(indices.begin(), indices.end());
   std::ranges::sort(sources);
   sources.erase(std::ranges::unique(sources).begin(), sources.end());
   const std::size_t room = static_cast<std::size_t>(kMaxPrimitives) - rig.primitives.size();
   if (sources.size() > room) sources.resize(room);
-  Rig result = rig;
-  std::unordered_map<std::string, std::string> copyOf;
-  for (const int index : sources) {
-    Primitive copy = at(rig.primitives, index);
-    const auto twinsCopy = copyOf.find(copy.mirror);
+  std::unordered_map<int, int> copyOf;  // Indices.
+  for (const int source : sources) {
+    Primitive copy = at(rig.primitives, source);
+    const int twin = twinOf(rig, source);
+    const auto twinsCopy = copyOf.find(twin);
     // The second of a pair is named after the first one's copy.
     copy.name = twinsCopy != copyOf.end() && mirroredName(copy.mirror) == copy.name
-                    ? twinName(result, twinsCopy->second)
-                    : freePrimitiveName(result, copy.name);
-    copyOf.emplace(at(rig.primitives, index).name, copy.name);
+                    ? twinName(rig, at(rig.primitives, twinsCopy->second).name)
+                    : freePrimitiveName(rig, copy.name);
     copy.mirror.clear();
-    result.primitives.push_back(std::move(copy));
+    const auto index = static_cast<int>(rig.primitives.size());
+    if (twinsCopy != copyOf.end()) {
+      Primitive& other = at(rig.primitives, twinsCopy->second);
+      copy.mirror = other.name;
+      other.mirror = copy.name;
+    }
+    copyOf.emplace(source, index);
+    rig.primitives.push_back(std::move(copy));
   }
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    const auto twin = copyOf.find(at(rig.primitives, sources[i]).mirror);
-    if (twin != copyOf.end()) result.primitives[rig.primitives.size() + i].mirror = twin->second;
-  }
-  return result;
+  return rig;
 }
 
-Result<Rig> renameWithTwin(const Rig& rig, int index, const std::string& name) {
+Result<Rig> renameWithTwin(Rig rig, int index, const std::string& name) {
   const int twin = twinOf(rig, index);
-  Result<Rig> renamed = renamePrimitive(rig, index, name);
+  Result<Rig> renamed = renamePrimitive(std::move(rig), index, name);
   if (!renamed || twin < 0) return renamed;
   const std::optional<std::string> other = mirroredName(name);
   if (!other || findPrimitive(renamed.value(), *other) >= 0) return renamed;
-  return renamePrimitive(renamed.value(), twin, *other);
+  return renamePrimitive(std::move(renamed).value(), twin, *other);
 }
 
 std::string twinName(const Rig& rig, const std::string& name) {

@@ -40,7 +40,7 @@ struct Clipboard : testing::Test {
 
 TEST_F(Clipboard, APairIsPastedAsAPairUnderFreeNames) {
   const std::string text = musclesAsText(rig, std::vector<int>{0, 1});
-  const Result<Pasted> pasted = pastedMuscles(rig, text, legs->skeleton, nullptr);
+  const Result<Pasted> pasted = pasteText(rig, text, legs->skeleton, nullptr);
   ASSERT_TRUE(pasted);
   EXPECT_EQ(pasted->names, (std::vector<std::string>{"thigh L 2", "thigh R 2"}));
   EXPECT_EQ(twinOf(pasted->rig, 3), 4);
@@ -70,7 +70,7 @@ TEST_F(Clipboard, DriversComeWithTheChannelsAndLinesTheyRead) {
   rig = setDriver(rig, radius, driver).value();
   const std::string text = musclesAsText(rig, std::vector<int>{2});
 
-  const Result<Pasted> here = pastedMuscles(rig, text, legs->skeleton, nullptr);
+  const Result<Pasted> here = pasteText(rig, text, legs->skeleton, nullptr);
   ASSERT_TRUE(here);
   EXPECT_TRUE(here->leftOut.empty());
   EXPECT_EQ(here->rig.primitives.back().animated, rig.primitives[2].animated);
@@ -79,7 +79,7 @@ TEST_F(Clipboard, DriversComeWithTheChannelsAndLinesTheyRead) {
 
   Rig other;
   other.character = "other.glb";
-  const Result<Pasted> there = pastedMuscles(other, text, legs->skeleton, nullptr);
+  const Result<Pasted> there = pasteText(other, text, legs->skeleton, nullptr);
   ASSERT_TRUE(there);
   ASSERT_EQ(there->leftOut.size(), 1u) << "the line is not there";
   ASSERT_EQ(there->rig.primitives.back().animated.size(), 1u);
@@ -101,7 +101,7 @@ TEST_F(Clipboard, AnotherDocumentGetsTheGroupsAndIsToldWhatItCannotTake) {
   Skeleton other = legs->skeleton;
   other.bones[static_cast<std::size_t>(*other.findBone("leg R"))].name = "elsewhere";
   other.bones[static_cast<std::size_t>(*other.findBone("elsewhere"))].path = "elsewhere";
-  const Result<Pasted> pasted = pastedMuscles(Rig{}, text, other, nullptr);
+  const Result<Pasted> pasted = pasteText(Rig{}, text, other, nullptr);
   ASSERT_TRUE(pasted);
   EXPECT_EQ(pasted->names, (std::vector<std::string>{"thigh L", "belly"}));
   ASSERT_EQ(pasted->leftOut.size(), 1u);
@@ -114,7 +114,7 @@ TEST_F(Clipboard, AnotherDocumentGetsTheGroupsAndIsToldWhatItCannotTake) {
 TEST_F(Clipboard, PastedMirroredGoesToTheOtherSide) {
   const Rig single = removePrimitives(rig, std::vector<int>{1});
   const std::string text = musclesAsText(single, std::vector<int>{0});
-  const Result<Pasted> pasted = pastedMuscles(single, text, legs->skeleton, &plan);
+  const Result<Pasted> pasted = pasteText(single, text, legs->skeleton, &plan);
   ASSERT_TRUE(pasted);
   EXPECT_EQ(pasted->names, std::vector<std::string>{"thigh R"});
   EXPECT_EQ(pasted->rig.primitives.back().bone, "leg R");
@@ -125,7 +125,7 @@ TEST_F(Clipboard, OnAnotherBoneItGoesToTheSamePlaceAlongItWithItsTwinOnTheOtherS
   const Skeleton& skeleton = legs->skeleton;
   const int target = *skeleton.findBone("shin R");
   const std::string text = musclesAsText(rig, std::vector<int>{0, 1});
-  const Result<Pasted> pasted = pastedOnBone(rig, text, skeleton, target, &plan);
+  const Result<Pasted> pasted = pasteTextOnBone(rig, text, skeleton, target, &plan);
   ASSERT_TRUE(pasted);
   ASSERT_EQ(pasted->names.size(), 2u);
   const Primitive& right = pasted->rig.primitives[3];
@@ -145,8 +145,8 @@ TEST_F(Clipboard, OnTheSameBoneOrFromSeveralItGoesWhereItWas) {
   const Skeleton& skeleton = legs->skeleton;
   for (const std::vector<int>& copied : {std::vector<int>{2}, std::vector<int>{0, 2}}) {
     const std::string text = musclesAsText(rig, copied);
-    const Result<Pasted> there = pastedOnBone(rig, text, skeleton, *skeleton.findBone("spine"), &plan);
-    const Result<Pasted> plain = pastedMuscles(rig, text, skeleton, nullptr);
+    const Result<Pasted> there = pasteTextOnBone(rig, text, skeleton, *skeleton.findBone("spine"), &plan);
+    const Result<Pasted> plain = pasteText(rig, text, skeleton, nullptr);
     ASSERT_TRUE(there && plain);
     EXPECT_EQ(there->rig, plain->rig);
   }
@@ -158,15 +158,36 @@ TEST_F(Clipboard, OnTheSameBoneOrFromSeveralItGoesWhereItWas) {
   other.groups = {{"torso", {}}};
   other.primitives = {lost};
   const int spine = *skeleton.findBone("spine");
-  const Result<Pasted> pasted = pastedOnBone(rig, musclesAsText(other, std::vector<int>{0}), skeleton, spine, &plan);
+  const Result<Pasted> pasted = pasteTextOnBone(rig, musclesAsText(other, std::vector<int>{0}), skeleton, spine, &plan);
   ASSERT_TRUE(pasted);
   EXPECT_EQ(pasted->rig.primitives.back().bone, "spine");
   EXPECT_EQ(pasted->rig.primitives.back().placement, lost.placement);
 }
 
+TEST_F(Clipboard, APasteThatFillsTheRigStopsThereWithoutTheLinesOfWhatIsLeftOut) {
+  MuscleLine line;
+  line.name = "calf";
+  line.origin = {"leg L", {0.0f, -0.1f, 0.1f}, {}};
+  line.insertion = {"shin L", {0.0f, -0.1f, 0.1f}, {}};
+  Rig source = addLine(rig, line).value();
+  source.primitives[1].line = "calf";
+  const std::string text = musclesAsText(source, std::vector<int>{2, 1});
+  Rig full;
+  full.groups = {{"torso", {}}};
+  full.primitives.resize(kMaxPrimitives - 1, rig.primitives[2]);
+  for (std::size_t i = 0; i < full.primitives.size(); ++i) full.primitives[i].name = std::to_string(i);
+  const Result<Pasted> pasted = pasteText(full, text, legs->skeleton, nullptr);
+  ASSERT_TRUE(pasted);
+  EXPECT_EQ(pasted->names, std::vector<std::string>{"belly"});
+  EXPECT_EQ(pasted->rig.primitives.size(), static_cast<std::size_t>(kMaxPrimitives));
+  EXPECT_TRUE(pasted->rig.lines.empty());
+  ASSERT_EQ(pasted->leftOut.size(), 1u);
+  EXPECT_NE(pasted->leftOut[0].find("65536"), std::string::npos) << pasted->leftOut[0];
+}
+
 TEST_F(Clipboard, AnythingElseIsRefusedInOneLine) {
   for (const char* text : {"", "hello", "{}", "[1, 2]", R"({"format": "sinew-rig", "version": 1})"}) {
-    const Result<Pasted> pasted = pastedMuscles(rig, text, legs->skeleton, nullptr);
+    const Result<Pasted> pasted = pasteText(rig, text, legs->skeleton, nullptr);
     ASSERT_FALSE(pasted) << text;
     EXPECT_FALSE(pasted.error().text().empty());
   }

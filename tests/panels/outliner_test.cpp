@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/document/reparent.h"
 #include "app/editor/outliner_edit.h"
 #include "app/editor/outliner_rows.h"
 #include "tests/support/editor/muscles_named.h"

@@ -8,6 +8,7 @@
 
 #include "app/document/document.h"
 #include "core/rig/rig_edit.h"
+#include "tests/support/rigs/rig_copies.h"
 
 namespace sinew::app {
 namespace {
@@ -118,6 +119,20 @@ TEST_F(LiveSurfaceTest, SmoothsOnlyWhenRigOrTimeMoves) {
   document.commands.undo();
   EXPECT_TRUE(update());
   EXPECT_EQ(live.value().surface().positions.size(), before);
+}
+
+TEST_F(LiveSurfaceTest, AnEditIsNotCopiedOnItsWayToTheSurface) {
+  Primitive muscle;
+  muscle.bone = document.character->skeleton.bones.front().name;
+  Rig rig = document.rig();
+  for (int i = 0; i < 7; ++i) rig = addPrimitive(std::move(rig), muscle).value();
+  document.commands.apply("Muscles", rig);
+  auto live = LiveSurface::create(document.character, document.commands, {});
+  ASSERT_TRUE(live.ok()) << live.error().text();
+  document.commands.apply("Rename", renamePrimitive(std::move(rig), 0, "other").value());
+  const test::RigCopies copies(document.rig());
+  ASSERT_TRUE(live.value().update(document.commands).value());
+  EXPECT_LE(copies.count(), 1) << "the Smoother may keep one";
 }
 
 TEST_F(LiveSurfaceTest, ARefusedRigLeavesTheSurfaceAndIsToldOnce) {

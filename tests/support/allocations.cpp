@@ -8,9 +8,12 @@
 namespace {
 
 thread_local std::int64_t count = 0;
+thread_local std::size_t watched = 0;  // Bytes; 0: none.
+thread_local std::int64_t countOfWatched = 0;
 
 void* counted(std::size_t size, std::size_t alignment) {
   ++count;
+  if (size == watched) ++countOfWatched;
   const std::size_t whole = size == 0 ? alignment : (size + alignment - 1) / alignment * alignment;
   return std::aligned_alloc(alignment, whole);
 }
@@ -37,5 +40,14 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std
 namespace sinew::test {
 
 std::int64_t allocations() { return count; }
+
+AllocationsOf::AllocationsOf(std::size_t bytes) {
+  watched = bytes;
+  countOfWatched = 0;
+}
+
+AllocationsOf::~AllocationsOf() { watched = 0; }
+
+std::int64_t AllocationsOf::count() const { return countOfWatched; }
 
 }  // namespace sinew::test

@@ -9,6 +9,7 @@
 #include "core/symmetry/mirror.h"
 #include "core/symmetry/twins.h"
 #include "tests/support/editor/muscles_named.h"
+#include "tests/support/rigs/rig_copies.h"
 #include "tests/tools/limb_scene.h"
 
 namespace sinew::app {
@@ -166,6 +167,24 @@ TEST(MultiSelection, EveryHandleInEverySpaceAndMannerMovesAllAndItsTwinsOnce) {
     }
   }
   EXPECT_GT(dragged, 200);
+}
+
+TEST(MultiSelection, AFrameOfADragCopiesTheRigOnceHoweverManyMove) {
+  Legs scene;
+  select(scene.document, {"thigh R", "shin", "belly"});
+  scene.setMode(GizmoHandle::kMoveCenter);
+  const HandleShape* const shape = scene.move({5, 5}).gizmo.find(GizmoHandle::kMoveCenter);
+  ASSERT_TRUE(shape);
+  const glm::vec2 from = shape->anchor;
+  scene.move(from);
+  scene.press(from);
+  scene.drag(from + glm::vec2(20, 10));
+  const std::size_t before = scene.document.commands.revision();
+  const test::RigCopies copies(scene.document.rig());
+  scene.drag(from + glm::vec2(30, -10));
+  EXPECT_EQ(copies.count(), 1);
+  EXPECT_EQ(scene.document.commands.revision(), before + 1);
+  EXPECT_EQ(scene.tools.companions.size(), 2u);
 }
 
 TEST(MultiSelection, WithBothTwinsSelectedOnlyOneIsMovedByTheHand) {

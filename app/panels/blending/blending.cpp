@@ -11,6 +11,7 @@
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
 #include "app/editor/outliner_edit.h"
+#include "core/base/at.h"
 #include "core/blending/blending_graph.h"
 #include "core/rig/rig_edit_several.h"
 
@@ -54,7 +55,7 @@ void drawCounts(PanelUi& ui) {
 /// The chosen group in a line: what it is, its muscles, the selection into it.
 void drawChosen(PanelUi& ui, int group) {
   const auto rig = ui.state.document.commands.sharedRig();
-  const std::string name = rig->groups[static_cast<std::size_t>(group)].name;
+  const std::string name = at(rig->groups, group).name;
   ImGui::Separator();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -102,7 +103,7 @@ void deleteItems(PanelUi& ui, const Rig& rig, int group, bool empty) {
   if (!open) return;
   for (int into = 0; into < static_cast<int>(rig.groups.size()); ++into) {
     if (into == group) continue;
-    const std::string& name = rig.groups[static_cast<std::size_t>(into)].name;
+    const std::string& name = at(rig.groups, into).name;
     if (menuItem(ui, name.c_str(), ("group-delete/" + name).c_str())) removeGroupOf(ui.state, group, into);
   }
   ImGui::EndMenu();
@@ -111,7 +112,7 @@ void deleteItems(PanelUi& ui, const Rig& rig, int group, bool empty) {
 }  // namespace
 
 std::string groupText(const Rig& rig, int group) {
-  const std::string& name = rig.groups[static_cast<std::size_t>(group)].name;
+  const std::string& name = at(rig.groups, group).name;
   const std::size_t count = membersOf(rig, name).size();
   return name + ": " + (count == 1 ? "1 muscle" : std::to_string(count) + " muscles");
 }
@@ -119,7 +120,7 @@ std::string groupText(const Rig& rig, int group) {
 void startGroupRename(EditorState& state, GroupId group) {
   const int index = findGroup(state.document.rig(), group);
   if (index < 0) return;
-  state.open.blending.rename = {group, state.document.rig().groups[static_cast<std::size_t>(index)].name, true};
+  state.open.blending.rename = {group, at(state.document.rig().groups, index).name, true};
 }
 
 void groupRenameField(PanelUi& ui, float width) {
@@ -145,8 +146,8 @@ void takeDroppedMuscles(PanelUi& ui, const std::string& group) {
 
 void groupMenu(PanelUi& ui, int group) {
   const auto rig = ui.state.document.commands.sharedRig();
-  const std::string name = rig->groups[static_cast<std::size_t>(group)].name;
-  const GroupId id = rig->groups[static_cast<std::size_t>(group)].id();
+  const std::string name = at(rig->groups, group).name;
+  const GroupId id = at(rig->groups, group).id();
   ui.state.open.blending.group = id;
   const std::vector<int> members = membersOf(*rig, name);
   const std::vector<int> selected = selectedIndices(ui.state.document);
@@ -157,11 +158,11 @@ void groupMenu(PanelUi& ui, int group) {
   if (menuItem(ui, "Rename", "group-rename")) startGroupRename(ui.state, id);
   ImGui::Separator();
   const bool hidden = !members.empty() && std::ranges::all_of(members, [&](int i) {
-    return ui.state.document.visibility.hidden.muscles.contains(rig->primitives[static_cast<std::size_t>(i)].id());
+    return ui.state.document.visibility.hidden.muscles.contains(at(rig->primitives, i).id());
   });
   if (menuItem(ui, hidden ? "Show its muscles" : "Hide its muscles", "group-hide", !members.empty())) {
     for (const int i : members) {
-      ui.state.document.visibility.setMuscle(Mark::kHidden, rig->primitives[static_cast<std::size_t>(i)].id(), !hidden);
+      ui.state.document.visibility.setMuscle(Mark::kHidden, at(rig->primitives, i).id(), !hidden);
     }
   }
   ImGui::Separator();

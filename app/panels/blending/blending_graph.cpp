@@ -38,7 +38,7 @@ struct Graph {
   std::shared_ptr<const Rig> rig;
   std::vector<std::array<int, 2>> edges;
   std::vector<glm::vec2> at;  ///< [groups] screen.
-  glm::vec2 low{0.0f};        ///< Of the canvas, screen.
+  glm::vec2 low{0.0f};        ///< The canvas's, screen.
   glm::vec2 size{0.0f};
   float scale = 1.0f;  ///< Screen units per design pixel of the graph.
   Hit hit;

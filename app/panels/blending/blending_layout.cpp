@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kSteps = 240;
 constexpr float kGravity = 0.03f;  ///< A node; holds parts together that no link holds, against the push of all.
-constexpr float kClosest = 0.62f;  ///< Of kNodeSpacing: what two nodes keep in the end.
+constexpr float kClosest = 0.62f;  ///< Fraction of kNodeSpacing: what two nodes keep in the end.
 constexpr int kPartings = 60;
 constexpr float kTau = 6.2831853f;
 

@@ -9,6 +9,7 @@
 
 #include "app/editor/blending_edit.h"
 #include "app/panels/blending/blending.h"
+#include "core/base/at.h"
 #include "core/rig/rig_edit_several.h"
 
 namespace sinew::app {
@@ -32,8 +33,8 @@ struct Matrix {
   int column = -1;
 
   [[nodiscard]] int count() const { return static_cast<int>(rig->groups.size()); }
-  [[nodiscard]] const std::string& name(int group) const { return rig->groups[static_cast<std::size_t>(group)].name; }
-  [[nodiscard]] GroupId id(int group) const { return rig->groups[static_cast<std::size_t>(group)].id(); }
+  [[nodiscard]] const std::string& name(int group) const { return at(rig->groups, group).name; }
+  [[nodiscard]] GroupId id(int group) const { return at(rig->groups, group).id(); }
   [[nodiscard]] ImVec2 corner(int i, int j) const {
     return {cells.x + cell * static_cast<float>(j), cells.y + cell * static_cast<float>(i)};
   }
@@ -103,7 +104,7 @@ void nameItems(Matrix& matrix) {
 
 std::string cellHint(const Matrix& matrix, int i, int j) {
   if (i == j) return groupText(*matrix.rig, i) + ", which always blend with each other";
-  const bool linked = matrix.linked[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+  const bool linked = at(at(matrix.linked, i), j);
   return matrix.name(j) + " and " + matrix.name(i) +
          (linked ? " blend. Click to unlink." : " do not blend: the stronger wins. Click to link.");
 }
@@ -139,7 +140,7 @@ void noteCell(Matrix& matrix, int i, int j, const ImVec2& low) {
 
 void drawDiagonal(const Matrix& matrix, ImDrawList& list, int group, const ImVec2& low, const ImVec2& high) {
   list.AddRectFilled(low, high, groupTint(*matrix.rig, group).packed(), matrix.ui.px(4));
-  const std::string text = std::to_string(matrix.members[static_cast<std::size_t>(group)]);
+  const std::string text = std::to_string(at(matrix.members, group));
   const float size = std::min(0.62f * (high.y - low.y), ImGui::GetFontSize());
   const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0.0f, text.c_str());
   if (extent.x > high.x - low.x) return;
@@ -156,7 +157,7 @@ void drawCell(Matrix& matrix, ImDrawList& list, int i, int j) {
   const ImVec2 high{corner.x + matrix.cell - inset, corner.y + matrix.cell - inset};
   if (i == j) {
     drawDiagonal(matrix, list, i, low, high);
-  } else if (matrix.linked[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]) {
+  } else if (at(at(matrix.linked, i), j)) {
     const Tint mixed = between(groupTint(*matrix.rig, i), groupTint(*matrix.rig, j));
     list.AddRectFilled(low, high, mixed.faded(0.42f).packed(), matrix.ui.px(4));
     list.AddCircleFilled({0.5f * (low.x + high.x), 0.5f * (low.y + high.y)}, 0.2f * matrix.cell, mixed.packed(), 14);

@@ -14,6 +14,7 @@
 #include "app/panels/dialogs/dialogs.h"
 #include "app/panels/dialogs/export_rows.h"
 #include "app/ui/number_field.h"
+#include "core/base/at.h"
 
 namespace sinew::app {
 namespace {
@@ -49,7 +50,7 @@ void targetRow(PanelUi& ui) {
   const FarmTarget* const chosen = findFarmTarget(dialogs.exporting.target);
   const int clicked = segmented(ui, "farm/target", titles.data(), static_cast<int>(titles.size()),
                                 static_cast<int>(chosen - farmTargets().data()), ImGui::GetContentRegionAvail().x);
-  if (clicked >= 0) chooseTarget(dialogs, farmTargets()[static_cast<std::size_t>(clicked)]);
+  if (clicked >= 0) chooseTarget(dialogs, at(farmTargets(), clicked));
   const std::string hint = std::string("Run it with ") + findFarmTarget(dialogs.exporting.target)->runWith +
                            ". Rigs are read when it runs; files that exist by then are kept.";
   dialogExplain(ui, hint.c_str(), kExportLabels);

@@ -21,7 +21,7 @@ constexpr float kWideWidth = 1220.0f;
 constexpr float kTwoColumns = 640.0f;
 constexpr float kLineGap = 1.0f;
 constexpr float kAroundSheet = 136.0f;  // Height of all else in the window.
-constexpr float kKeysAt = 0.60f;        // Of a column's width.
+constexpr float kKeysAt = 0.60f;        // Fraction of a column's width.
 
 /// A heading with lines of what and how under it.
 struct Section {

@@ -19,7 +19,7 @@ namespace {
 constexpr float kListHeight = 380.0f;  // Design pixels.
 constexpr float kKeyWidth = 116.0f;
 constexpr float kResetWidth = 52.0f;
-constexpr float kLeastHeight = 120.0f;  // Of the list, in a low window.
+constexpr float kLeastHeight = 120.0f;  // The list's, in a low window.
 constexpr float kAroundList = 320.0f;   // Height of all else, with some of the window around the dialog.
 
 std::string lowered(std::string text) {

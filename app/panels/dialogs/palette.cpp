@@ -15,6 +15,7 @@
 #include "app/editor/session.h"
 #include "app/panels/dialogs/dialogs.h"
 #include "app/panels/dialogs/palette_search.h"
+#include "core/base/at.h"
 
 namespace sinew::app {
 namespace {
@@ -167,7 +168,7 @@ bool drawRow(PanelUi& ui, const Entry& entry, const Candidate& candidate, const 
   drawMarked(list, {corner.x + ui.px(30), middle}, candidate.label, found.marks,
              candidate.usable ? palette::kText : palette::kMuted.faded(0.6f));
   const float right = corner.x + ImGui::GetContentRegionAvail().x - ui.px(8);
-  // Of what cannot be done the reason is worth more than the keys.
+  // Where something cannot be done, the reason is worth more than the keys.
   const bool usable = candidate.usable;
   const std::string keys = usable && entry.action != nullptr ? keyText(*entry.action, ui.state) : entry.why;
   const float keysWidth = keys.empty() ? 0.0f : ImGui::CalcTextSize(keys.c_str()).x;
@@ -228,14 +229,14 @@ void drawContents(PanelUi& ui) {
   if (lit != before) palette.chosen = lit;
   int taken = drawFound(ui, all, found, lit, lit != before);
   if (entered) taken = lit;
-  const bool usable = taken >= 0 && all.candidates[found[static_cast<std::size_t>(taken)].index].usable;
+  const bool usable = taken >= 0 && all.candidates[at(found, taken).index].usable;
   if (usable || ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
     ui.state.dialogs.palette = {};
     ImGui::CloseCurrentPopup();
   } else if (entered || taken >= 0) {
     palette.appearing = true;  // What cannot be done now leaves the palette as it is.
   }
-  if (usable) choose(ui.state, all.entries[found[static_cast<std::size_t>(taken)].index]);
+  if (usable) choose(ui.state, all.entries[at(found, taken).index]);
 }
 
 }  // namespace

@@ -131,7 +131,7 @@ std::vector<Found> search(std::string_view query, const std::vector<Candidate>& 
     const bool recent = candidate.recent >= 0;
     if (asked && recent) fit->score += std::max(kRecentBonus - candidate.recent / 5, 0);
     if (asked && !candidate.usable) fit->score -= kUnusable;
-    // Of equals the shorter label, which the query covers better.
+    // Among equals the shorter label, which the query covers better.
     const std::size_t rank =
         asked ? candidate.label.size() : (recent ? static_cast<std::size_t>(candidate.recent) : candidates.size() + i);
     ranked.push_back({!asked && !candidate.usable,

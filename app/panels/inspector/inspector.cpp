@@ -13,6 +13,7 @@
 #include "app/editor/outliner_edit.h"
 #include "app/ui/number_field.h"
 #include "core/primitives/shape_numbers.h"
+#include "core/base/at.h"
 
 namespace sinew::app {
 namespace {
@@ -31,7 +32,7 @@ void nameRow(PanelUi& ui, const Subjects& subjects) {
     ui.widgets.note("inspector/names");
     std::string names;
     for (const int index : subjects.indices) {
-      names += (names.empty() ? "" : ", ") + subjects.rig->primitives[static_cast<std::size_t>(index)].name;
+      names += (names.empty() ? "" : ", ") + at(subjects.rig->primitives, index).name;
     }
     tooltip(ui, names + "\nEdits apply to all of them.");
     return;
@@ -49,7 +50,7 @@ void boneRow(PanelUi& ui, const Subjects& subjects) {
   const bool differ = subjects.differ([](const Primitive& p) { return p.bone; });
   const std::string missing = subjects.bone < 0 ? " (missing)" : "";
   const std::vector<std::string> names = shownFileNames(skeleton);
-  const std::string own = subjects.bone < 0 ? subjects.shown().bone : names[static_cast<std::size_t>(subjects.bone)];
+  const std::string own = subjects.bone < 0 ? subjects.shown().bone : at(names, subjects.bone);
   const std::string shown = differ ? "mixed" : own + missing;
   const bool open = ImGui::BeginCombo("##bone", comboText(shown).c_str(), ImGuiComboFlags_HeightLarge);
   ui.widgets.note("inspector/bone");
@@ -62,7 +63,7 @@ void boneRow(PanelUi& ui, const Subjects& subjects) {
   for (int bone = 0; bone < static_cast<int>(skeleton.bones.size()); ++bone) {
     if (isHidden(hidden, bone)) continue;
     const std::string& name = skeleton.fileName(bone);
-    const std::string& label = names[static_cast<std::size_t>(bone)];
+    const std::string& label = at(names, bone);
     const bool chosen = ImGui::Selectable(label.c_str(), !differ && bone == subjects.bone);
     ui.widgets.note("inspector/bone/" + name);
     if (label != name) tooltip(ui, name);
@@ -92,7 +93,7 @@ void groupRow(PanelUi& ui, const Subjects& subjects) {
     return;
   }
   for (int group = 0; group < static_cast<int>(rig.groups.size()); ++group) {
-    const std::string& name = rig.groups[static_cast<std::size_t>(group)].name;
+    const std::string& name = at(rig.groups, group).name;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool chosen = ImGui::Selectable(("     " + name).c_str(), !differ && name == own);
     ui.widgets.note("inspector/group/" + name);

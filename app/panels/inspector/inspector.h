@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/panels/shared/panel_ui.h"
+#include "core/base/at.h"
 #include "sinew/rig/parameter.h"
 
 namespace sinew::app {
@@ -23,15 +24,15 @@ struct Subjects {
   std::shared_ptr<const Rig> rig;
   std::vector<int> indices;  ///< Rig indices of all selected, ascending.
   int active = -1;           ///< The one whose values are shown where they differ.
-  int bone = -1;             ///< Of the active one; -1: unattached.
+  int bone = -1;             ///< The active one's; -1: unattached.
 
-  [[nodiscard]] const Primitive& shown() const { return rig->primitives[static_cast<std::size_t>(active)]; }
+  [[nodiscard]] const Primitive& shown() const { return at(rig->primitives, active); }
   [[nodiscard]] bool several() const { return indices.size() > 1; }
   /// Whether what `part` gives is not the same for all.
   template <class Part>
   [[nodiscard]] bool differ(Part part) const {
     for (const int index : indices) {
-      if (!(part(rig->primitives[static_cast<std::size_t>(index)]) == part(shown()))) return true;
+      if (!(part(at(rig->primitives, index)) == part(shown()))) return true;
     }
     return false;
   }

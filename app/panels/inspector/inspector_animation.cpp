@@ -10,6 +10,7 @@
 #include "app/panels/shared/animated_field.h"
 #include "app/panels/shared/curve_editor.h"
 #include "app/panels/shared/field_edit.h"
+#include "core/base/at.h"
 
 namespace sinew::app {
 namespace {
@@ -39,7 +40,7 @@ std::vector<Animated> animatedOf(const Subjects& subjects) {
   std::vector<Animated> all;
   addAll(all, subjects.shown().animated, subjects.active);
   const int line = findLine(*subjects.rig, subjects.shown().line);
-  if (line >= 0) addAll(all, subjects.rig->lines[static_cast<std::size_t>(line)].animated, line);
+  if (line >= 0) addAll(all, at(subjects.rig->lines, line).animated, line);
   return all;
 }
 
@@ -122,7 +123,7 @@ struct DriverRow {
   std::string words;  ///< "radius X of biceps L by bend of forearm.L"
   std::optional<float> now;
 
-  [[nodiscard]] const Driver& driver() const { return of.number.drivers[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] const Driver& driver() const { return at(of.number.drivers, index); }
   [[nodiscard]] Result<Rig> with(const Driver& changed) const {
     return setDriver(ui.state.document.rig(), of.ref, changed, index);
   }
@@ -153,7 +154,7 @@ void pointFields(const DriverRow& row, int point) {
     const std::string id = row.id + (axis == 0 ? "/point.x" : "/point.y");
     const Shown shown =
         axis == 0 ? shownInputs(row.driver().input.kind) : shownValues(row.of.ref.parameter, row.driver().mode);
-    float value = shown.scale * curve.points[static_cast<std::size_t>(point)][axis];
+    float value = shown.scale * at(curve.points, point)[axis];
     Typing typing;
     NumberLook look{shown.format, 0.01f * std::max(std::abs(value), 0.1f)};
     look.typing = &typing;
@@ -161,7 +162,7 @@ void pointFields(const DriverRow& row, int point) {
     const bool edited = numberField(("##" + id).c_str(), value, look);
     editField(row.ui, id, ("Point of the driver of " + row.words).c_str(), edited, [&] {
       Curve changed = curve;
-      changed.points[static_cast<std::size_t>(point)][axis] = value / shown.scale;
+      at(changed.points, point)[axis] = value / shown.scale;
       return row.with(changed);
     });
     if (!typing.refusal.empty()) refuse(row.ui.state, errorAt({}, typing.refusal));
@@ -289,7 +290,7 @@ bool numberRows(PanelUi& ui, const Animated& of) {
   ui.widgets.note(of.id() + "/now");
   tooltip(ui, "The number now");
   for (int i = 0; i < static_cast<int>(of.number.drivers.size()); ++i) {
-    const DriverInput& input = of.number.drivers[static_cast<std::size_t>(i)].input;
+    const DriverInput& input = at(of.number.drivers, i).input;
     const DriverRow row{ui,
                         of,
                         i,

@@ -13,6 +13,7 @@
 #include "app/panels/shared/animated_field.h"
 #include "app/panels/shared/field_edit.h"
 #include "app/ui/number_field.h"
+#include "core/base/at.h"
 #include "core/rig/rig_edit_several.h"
 
 namespace sinew::app {
@@ -50,7 +51,7 @@ void follow(PanelUi& ui, const Subjects& subjects, const NumberField& field, flo
 const Primitive& atStart(const PanelUi& ui, const Primitive& primitive) {
   const Rig& rig = ui.state.document.commands.rigOfStep();
   const int index = findPrimitive(rig, primitive.id());
-  return index < 0 ? primitive : rig.primitives[static_cast<std::size_t>(index)];
+  return index < 0 ? primitive : at(rig.primitives, index);
 }
 
 /// The same change for all, of what they were before the gesture: `from` of the active one becomes `to`.
@@ -82,10 +83,10 @@ std::optional<float> numberIn(const char* text) {
 std::string stepName(const PanelUi& ui, const Subjects& subjects, const NumberField& field, const std::string& plain) {
   std::string text;
   for (const int index : subjects.indices) {
-    const Primitive& before = atStart(ui, subjects.rig->primitives[static_cast<std::size_t>(index)]);
+    const Primitive& before = atStart(ui, at(subjects.rig->primitives, index));
     const int now = findPrimitive(ui.state.document.rig(), before.id());
     if (now < 0) return plain;
-    const Primitive& after = ui.state.document.rig().primitives[static_cast<std::size_t>(now)];
+    const Primitive& after = at(ui.state.document.rig().primitives, now);
     const std::string from = textOf(field, shownValue(field, before));
     const std::string to = textOf(field, shownValue(field, after));
     const std::string own = from + " to " + to + " on ";
@@ -101,7 +102,7 @@ AnimatedField animatedOf(const Subjects& subjects, const NumberField& field) {
   if (!field.parameter) return animated;
   const auto add = [&](int index) {
     animated.refs.push_back({*field.parameter, index});
-    animated.scales.push_back(scaleOf(field, subjects.rig->primitives[static_cast<std::size_t>(index)]));
+    animated.scales.push_back(scaleOf(field, at(subjects.rig->primitives, index)));
   };
   add(subjects.active);
   for (const int index : subjects.indices) {

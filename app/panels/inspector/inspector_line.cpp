@@ -7,15 +7,18 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <utility>
 
-#include "app/document/line_edits.h"
 #include "app/document/shown_names.h"
 #include "app/editor/hidden_bones.h"
 #include "app/panels/inspector/inspector.h"
 #include "app/panels/shared/animated_field.h"
 #include "app/panels/shared/field_edit.h"
 #include "app/tools/line_handles.h"
+#include "core/base/at.h"
+#include "core/lines/line_fitting.h"
 #include "core/rig/line_edit.h"
+#include "core/symmetry/line_twins.h"
 
 namespace sinew::app {
 namespace {
@@ -91,7 +94,7 @@ void numberField(PanelUi& ui, int line, const LineNumber& number, float width) {
     return lineMenu(ui, id, animated);
   }
   const Rig& rig = ui.state.document.rig();
-  float value = shownNumber(number, rig.lines[static_cast<std::size_t>(line)]);
+  float value = shownNumber(number, at(rig.lines, line));
   Typing typing;
   NumberLook look{number.format, number.speed, number.least, number.most};
   look.clampTyped = false;
@@ -101,14 +104,14 @@ void numberField(PanelUi& ui, int line, const LineNumber& number, float width) {
   const bool edited = numberField(("##" + id).c_str(), value, look);
   popAnimatedColors(ui, animation);
   notePointed(ui, animated);
-  const std::string label = std::string(number.name) + " of " + rig.lines[static_cast<std::size_t>(line)].name;
+  const std::string label = std::string(number.name) + " of " + at(rig.lines, line).name;
   const auto changed = [&] {
     return editLine(ui.state.document.rig(), line,
                     [&](MuscleLine& of) { number.of(of.settings) = value / number.scale; });
   };
   const auto shown = [&](const Rig& of) {
     const bool there = line < static_cast<int>(of.lines.size());
-    return there ? numberText(number.format, shownNumber(number, of.lines[static_cast<std::size_t>(line)])) : "";
+    return there ? numberText(number.format, shownNumber(number, at(of.lines, line))) : "";
   };
   editNumber(ui, id, label.c_str(), edited, typing, changed, shown);
   const bool quiet = ImGui::IsItemActive();
@@ -144,7 +147,7 @@ const LineLengths* rangeInClip(PanelUi& ui, const MuscleLine& line) {
   if (!same && !state.document.commands.inGesture()) {
     const Result<LineRest> rest = lineRest(line, state.character());
     if (!rest) return nullptr;
-    const AnimationClip& shown = state.character().clips[static_cast<std::size_t>(clip)];
+    const AnimationClip& shown = at(state.character().clips, clip);
     known = {line, clip, lengthsOver(rest.value(), state.character(), {&shown, 1})};
   }
   return known.clip == clip && known.lengths.poses > 0 ? &known.lengths : nullptr;
@@ -194,7 +197,7 @@ void lengthBar(PanelUi& ui, const MuscleLine& line, const ShownLine& shown) {
 
 void learn(PanelUi& ui, int line) {
   EditorState& state = ui.state;
-  const MuscleLine& own = state.document.rig().lines[static_cast<std::size_t>(line)];
+  const MuscleLine& own = at(state.document.rig().lines, line);
   const Result<LineRest> rest = lineRest(own, state.character());
   if (!rest) return refuse(state, rest.error());
   const LineLengths lengths = lengthsOver(rest.value(), state.character(), state.character().clips);
@@ -214,7 +217,7 @@ bool smallButton(PanelUi& ui, const char* label, const char* id, const char* hin
 
 void lengthButtons(PanelUi& ui, int line, const ShownLine& shown) {
   EditorState& state = ui.state;
-  const std::string name = state.document.rig().lines[static_cast<std::size_t>(line)].name;
+  const std::string name = at(state.document.rig().lines, line).name;
   beginRow(ui, "Set");
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - 2.0f * gap) / 3.0f;
@@ -239,7 +242,7 @@ void lengthButtons(PanelUi& ui, int line, const ShownLine& shown) {
 
 void viaRow(PanelUi& ui, int line) {
   EditorState& state = ui.state;
-  const MuscleLine& own = state.document.rig().lines[static_cast<std::size_t>(line)];
+  const MuscleLine& own = at(state.document.rig().lines, line);
   const std::string name = own.name;
   beginRow(ui, "Via point");
   if (own.via) {
@@ -289,12 +292,15 @@ void drawOtherEndRow(PanelUi& ui, const Subjects& subjects) {
   const std::vector<std::string> names = shownFileNames(skeleton);
   for (int bone = 0; bone < static_cast<int>(skeleton.bones.size()); ++bone) {
     if (isHidden(hidden, bone) || bone == subjects.bone) continue;
-    const bool chosen = ImGui::Selectable(names[static_cast<std::size_t>(bone)].c_str());
+    const bool chosen = ImGui::Selectable(at(names, bone).c_str());
     ui.widgets.note("inspector/other-end/" + skeleton.fileName(bone));
     if (!chosen) continue;
     const Document& document = ui.state.document;
-    edit(ui.state, "Attach " + subjects.shown().name + " to " + names[static_cast<std::size_t>(bone)],
-         withOtherEnd(document.rig(), subjects.active, bone, ui.state.character(), document.mirror.get()));
+    Result<Rig> lined = withOtherEnd(document.rig(), subjects.active, bone, ui.state.character());
+    if (lined && document.mirror) {
+      lined = withTwinOnLine(std::move(lined).value(), subjects.active, *document.mirror);
+    }
+    edit(ui.state, "Attach " + subjects.shown().name + " to " + at(names, bone), std::move(lined));
   }
   ImGui::EndCombo();
 }
@@ -303,10 +309,10 @@ void drawLineRows(PanelUi& ui, const Subjects& subjects) {
   if (subjects.several() || subjects.bone < 0) return;
   const int line = findLine(ui.state.document.rig(), subjects.shown().line);
   if (line < 0) return;
-  endsRow(ui, subjects, subjects.rig->lines[static_cast<std::size_t>(line)]);
+  endsRow(ui, subjects, at(subjects.rig->lines, line));
   const std::optional<ShownLine> shown = activeLine(ui.state.document, ui.state.live->pose());
   if (!shown || findLine(ui.state.document.rig(), subjects.shown().line) != line) return;
-  lengthBar(ui, subjects.rig->lines[static_cast<std::size_t>(line)], *shown);
+  lengthBar(ui, at(subjects.rig->lines, line), *shown);
   lengthButtons(ui, line, *shown);
   numberRow(ui, line, "Flex", kFlex);
   viaRow(ui, line);

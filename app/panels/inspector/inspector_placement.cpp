@@ -10,6 +10,7 @@
 
 #include "app/editor/commands.h"
 #include "app/panels/inspector/inspector.h"
+#include "core/base/at.h"
 
 namespace sinew::app {
 namespace {
@@ -18,9 +19,9 @@ constexpr const char* kDegreeFormat = "%.1f\xc2\xb0";
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
 constexpr const char* kAxisTitles[] = {"X", "Y", "Z"};
 constexpr Tint kAxisTints[] = {{0.90f, 0.40f, 0.42f}, {0.53f, 0.79f, 0.39f}, {0.38f, 0.60f, 0.95f}};
-constexpr float kLengthStep = 0.01f;  ///< Of the height; as on the handles.
+constexpr float kLengthStep = 0.01f;  ///< Fraction of the height; as on the handles.
 constexpr float kDegreeStep = 15.0f;
-constexpr float kFirstRadius = 0.05f;  ///< Of the height: what Reset gives.
+constexpr float kFirstRadius = 0.05f;  ///< Fraction of the height: what Reset gives.
 
 /// What turns lengths of the rig into what is shown.
 struct Lengths {
@@ -33,7 +34,7 @@ struct Lengths {
   [[nodiscard]] float along(const Primitive& primitive, const glm::vec3& directionInBone) const {
     const std::optional<int> bone = skeleton.findBone(primitive.bone);
     if (!bone) return perWorld;
-    const glm::mat3 linear(skeleton.bones[static_cast<std::size_t>(*bone)].bindInWorld);
+    const glm::mat3 linear(at(skeleton.bones, *bone).bindInWorld);
     const float length = glm::length(linear * directionInBone);
     return perWorld * (std::abs(length - 1.0f) < 1e-4f ? 1.0f : length);
   }
@@ -91,7 +92,7 @@ void centreRow(PanelUi& ui, const Subjects& subjects, const Lengths& lengths) {
     field.set = [i](Primitive& p, float value) { p.placement.center[i] = value; };
     field.scale = [i, &lengths](const Primitive& p) { return lengths.along(p, axis(i)); };
     if (subjects.bone >= 0) {
-      const Bone& bone = lengths.skeleton.bones[static_cast<std::size_t>(subjects.bone)];
+      const Bone& bone = at(lengths.skeleton.bones, subjects.bone);
       field.initial = 0.5f * bone.tip[i] * lengths.along(subjects.shown(), axis(i));
     }
     field.step = kLengthStep * lengths.height;

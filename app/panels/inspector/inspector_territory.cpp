@@ -16,6 +16,7 @@
 #include "app/editor/territory.h"
 #include "app/panels/inspector/inspector.h"
 #include "app/panels/shared/field_edit.h"
+#include "core/base/at.h"
 #include "core/rig/attachment.h"
 
 namespace sinew::app {
@@ -108,9 +109,9 @@ void addRow(PanelUi& ui, const std::vector<int>& within) {
   for (int bone = 0; bone < static_cast<int>(skeleton.bones.size()); ++bone) {
     if (isHidden(hidden, bone)) continue;
     if (std::ranges::binary_search(within, bone)) continue;
-    if (!containsText(skeleton.bones[static_cast<std::size_t>(bone)].name, filter)) continue;
+    if (!containsText(at(skeleton.bones, bone).name, filter)) continue;
     const std::string& name = skeleton.fileName(bone);
-    const std::string& label = names[static_cast<std::size_t>(bone)];
+    const std::string& label = at(names, bone);
     const bool chosen = ImGui::Selectable(label.c_str());
     ui.widgets.note("inspector/territory-add/" + name);
     if (label != name) tooltip(ui, name);
@@ -133,7 +134,7 @@ void drawTerritoryRows(PanelUi& ui, const Subjects& subjects) {
   if (!named && !editsTerritory(ui.state) && !ui.state.view.inspector.territoryOpen) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(1)});
   const std::vector<std::string> names = shownFileNames(skeleton);
-  for (const int bone : within) boneRow(ui, skeleton.fileName(bone), names[static_cast<std::size_t>(bone)], bone);
+  for (const int bone : within) boneRow(ui, skeleton.fileName(bone), at(names, bone), bone);
   for (const std::string& name : subjects.shown().territory.value_or(std::vector<std::string>{})) {
     if (!skeleton.findBone(name)) boneRow(ui, name, name, -1);
   }

@@ -19,6 +19,7 @@
 #include "app/panels/outliner/outliner.h"
 #include "app/panels/outliner/outliner_row.h"
 #include "app/ui/elide.h"
+#include "core/base/at.h"
 
 namespace sinew::app {
 namespace {
@@ -40,7 +41,7 @@ OutlinerContent gather(const EditorState& state) {
   frame.effective = effectiveVisibility(state.document.visibility, *frame.rig, skeleton, frame.boneOf);
   if (editsTerritory(state)) {
     frame.territory.assign(skeleton.bones.size(), false);
-    for (const int bone : shownTerritory(state)) frame.territory[static_cast<std::size_t>(bone)] = true;
+    for (const int bone : shownTerritory(state)) at(frame.territory, bone) = true;
   }
   frame.boneNames = shownBoneNames(skeleton);
   frame.boneEnds = endsOfBones(frame.boneNames);
@@ -87,12 +88,12 @@ void reveal(PanelUi& ui, const OutlinerContent& frame) {
   EditorState& state = ui.state;
   const int index = state.document.activePrimitive();
   if (index < 0 || static_cast<std::size_t>(index) >= frame.rig->primitives.size()) return;
-  const PrimitiveId active = frame.rig->primitives[static_cast<std::size_t>(index)].id();
+  const PrimitiveId active = at(frame.rig->primitives, index).id();
   if (active == state.open.revealed) return;
   const auto found = std::ranges::find_if(
       frame.rows, [&](const OutlinerRow& row) { return row.kind == RowKind::kMuscle && row.index == index; });
   if (found == frame.rows.end()) {
-    const int bone = frame.boneOf[static_cast<std::size_t>(index)];
+    const int bone = at(frame.boneOf, index);
     if (bone < 0) state.view.outliner.unattachedFolded = false;
     unfoldTo(state, bone);
     // Found with the next frame, unless the search leaves it out.

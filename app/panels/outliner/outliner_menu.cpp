@@ -10,6 +10,7 @@
 #include "app/editor/outliner_edit.h"
 #include "app/editor/visibility_commands.h"
 #include "app/panels/outliner/outliner_row.h"
+#include "core/base/at.h"
 
 namespace sinew::app {
 namespace {
@@ -44,7 +45,7 @@ bool item(PanelUi& ui, const char* label, const char* id, bool enabled = true) {
 
 /// A menu entry with the group's colour before its name.
 bool groupItem(PanelUi& ui, const Rig& rig, int group, bool chosen) {
-  const std::string& name = rig.groups[static_cast<std::size_t>(group)].name;
+  const std::string& name = at(rig.groups, group).name;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const bool clicked = ImGui::MenuItem(("     " + name).c_str(), nullptr, chosen);
   ui.widgets.note("context/group/" + name);
@@ -57,9 +58,9 @@ void groupSubmenu(PanelUi& ui, const OutlinerContent& frame, int index) {
   const bool open = ImGui::BeginMenu("Move to group");
   ui.widgets.note("context/group");
   if (!open) return;
-  const std::string& own = frame.rig->primitives[static_cast<std::size_t>(index)].group;
+  const std::string& own = at(frame.rig->primitives, index).group;
   for (int group = 0; group < static_cast<int>(frame.rig->groups.size()); ++group) {
-    const std::string& name = frame.rig->groups[static_cast<std::size_t>(group)].name;
+    const std::string& name = at(frame.rig->groups, group).name;
     if (groupItem(ui, *frame.rig, group, name == own)) moveToGroup(ui.state, selectedIndices(ui.state.document), name);
   }
   ImGui::Separator();
@@ -74,7 +75,7 @@ void boneSubmenu(PanelUi& ui, const OutlinerContent& frame) {
   for (int bone = 0; bone < static_cast<int>(frame.skeleton.bones.size()); ++bone) {
     if (isHidden(frame.hiddenBones, bone)) continue;
     ImGui::PushID(bone);
-    const bool chosen = ImGui::MenuItem(frame.boneNames[static_cast<std::size_t>(bone)].c_str());
+    const bool chosen = ImGui::MenuItem(at(frame.boneNames, bone).c_str());
     ImGui::PopID();
     ui.widgets.note("context/bone/" + std::to_string(bone));
     if (chosen) reparentMuscles(ui.state, selectedIndices(ui.state.document), bone);
@@ -86,7 +87,7 @@ void boneSubmenu(PanelUi& ui, const OutlinerContent& frame) {
 
 void muscleMenu(PanelUi& ui, const OutlinerContent& frame, int index) {
   if (!beginContextMenu(ui)) return;
-  const PrimitiveId muscle = frame.rig->primitives[static_cast<std::size_t>(index)].id();
+  const PrimitiveId muscle = at(frame.rig->primitives, index).id();
   if (!ui.state.document.selection.contains(muscle)) ui.state.document.selection.set(muscle);
   actionItem(ui, "view/frame");
   actionItem(ui, "edit/rename");
@@ -115,7 +116,7 @@ void boneMenu(PanelUi& ui, const OutlinerContent& frame, int bone) {
     reparentMuscles(ui.state, selected, bone);
   }
   ImGui::Separator();
-  const std::string& path = frame.skeleton.bones[static_cast<std::size_t>(bone)].path;
+  const std::string& path = at(frame.skeleton.bones, bone).path;
   Visibility& visibility = ui.state.document.visibility;
   const bool hidden = visibility.hidden.bones.contains(path);
   if (item(ui, hidden ? "Show its muscles" : "Hide its muscles", "hide-bone")) {

@@ -11,6 +11,7 @@
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
 #include "app/editor/outliner_edit.h"
+#include "core/base/at.h"
 
 namespace sinew::app {
 namespace {
@@ -32,10 +33,8 @@ struct Row {
 
   [[nodiscard]] float indent() const { return low.x + ui.px(4.0f + kIndent * static_cast<float>(row.level)); }
   [[nodiscard]] float middle(float size) const { return low.y + 0.5f * (high.y - low.y - size); }
-  [[nodiscard]] const Primitive& primitive() const {
-    return frame.rig->primitives[static_cast<std::size_t>(row.index)];
-  }
-  [[nodiscard]] const Bone& bone() const { return frame.skeleton.bones[static_cast<std::size_t>(row.index)]; }
+  [[nodiscard]] const Primitive& primitive() const { return at(frame.rig->primitives, row.index); }
+  [[nodiscard]] const Bone& bone() const { return at(frame.skeleton.bones, row.index); }
   [[nodiscard]] bool isMuscle() const { return row.kind == RowKind::kMuscle; }
   /// Where the switches that are seen begin.
   [[nodiscard]] float nameEnd() const {
@@ -139,7 +138,7 @@ void drawRename(Row& row) {
 void drawDragged(PanelUi& ui, int index) {
   const auto& primitives = ui.state.document.rig().primitives;
   const std::size_t count = draggedMuscles(ui.state.document, index).size();
-  const std::string& name = primitives[static_cast<std::size_t>(index)].name;
+  const std::string& name = at(primitives, index).name;
   ImGui::TextUnformatted((count == 1 ? name : std::to_string(count) + " muscles").c_str());
   mutedText("Drop on a bone or a group");
 }
@@ -265,7 +264,7 @@ void drawUnattachedHead(const Row& row) {
 }  // namespace
 
 void drawOutlinerRow(PanelUi& ui, const OutlinerContent& frame, int position) {
-  const OutlinerRow& entry = frame.rows[static_cast<std::size_t>(position)];
+  const OutlinerRow& entry = at(frame.rows, position);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   Row row{ui, frame, entry, position, low, {low.x + width, low.y + frame.rowHeight}};

@@ -16,7 +16,7 @@ void drawDrivenKey(PanelUi& ui);
 /// The context menu that a right click asks for.
 void drawViewportMenu(PanelUi& ui);
 void drawMessages(PanelUi& ui);
-/// Of the list at the picture's lower left; 0 while it is not shown.
+/// Height of the list at the picture's lower left; 0 while it is not shown.
 [[nodiscard]] float messagesHeight(PanelUi& ui);
 void drawToast(PanelUi& ui);
 /// How many messages there are, at the right end of the current line; a click shows or hides them. @return its width,

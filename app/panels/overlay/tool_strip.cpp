@@ -19,7 +19,7 @@ namespace {
 constexpr std::array kDisplay{"view/textured", "view/clay",     "view/classes",    "view/heat",    "",
                               "view/wire",     "view/skeleton", "view/primitives", "view/anatomy", "view/ground",
                               "view/numbers"};
-constexpr std::size_t kUnderLine = 4;  ///< Of the strip's buttons, those below its line.
+constexpr std::size_t kUnderLine = 4;  ///< Those of the strip's buttons that are below its line.
 
 /// "display/wire" for "view/wire".
 std::string pillId(const char* actionId) {

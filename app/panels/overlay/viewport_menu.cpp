@@ -12,6 +12,7 @@
 #include "app/editor/visibility_commands.h"
 #include "app/panels/overlay/overlay.h"
 #include "app/tools/select.h"
+#include "core/base/at.h"
 
 namespace sinew::app {
 namespace {
@@ -43,7 +44,7 @@ void swatch(PanelUi& ui, const ImVec2& corner, const PickEntry& entry) {
   const Rig& rig = ui.state.document.rig();
   const int index = findPrimitive(rig, entry.muscle);
   if (index < 0) return;
-  const Tint tint = groupTint(rig, rig.primitives[static_cast<std::size_t>(index)].group);
+  const Tint tint = groupTint(rig, at(rig.primitives, index).group);
   ImGui::GetWindowDrawList()->AddCircleFilled({corner.x + ui.px(7), corner.y + 0.5f * ImGui::GetTextLineHeight()},
                                               ui.px(4), tint.packed(), 16);
 }

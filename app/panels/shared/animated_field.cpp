@@ -13,7 +13,7 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kStrong = 0.42f;  // Of the colour in the ground.
+constexpr float kStrong = 0.42f;  // The color's share in the ground.
 constexpr float kFaint = 0.16f;
 constexpr float kMark = 3.0f;  // Design pixels: half the mark of a key.
 

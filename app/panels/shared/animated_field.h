@@ -16,7 +16,7 @@ namespace sinew::app {
 struct AnimatedField {
   std::vector<NumberRef> refs;  ///< Into the document's rig, of one parameter, the shown one first; empty: none.
   std::vector<float> scales;    ///< [refs] shown units per unit of the rig.
-  const char* format = "%.3f";  ///< Of shown units.
+  const char* format = "%.3f";  ///< For shown units.
 };
 
 /// What keys and drivers do to the shown number.

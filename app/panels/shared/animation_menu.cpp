@@ -10,6 +10,7 @@
 #include "app/document/shown_names.h"
 #include "app/editor/hidden_bones.h"
 #include "app/panels/shared/animated_field.h"
+#include "core/base/at.h"
 
 namespace sinew::app {
 namespace {
@@ -46,9 +47,9 @@ void addNear(const Skeleton& skeleton, const std::string& name, std::vector<int>
     if (candidate >= 0 && std::ranges::find(near, candidate) == near.end()) near.push_back(candidate);
   };
   add(*bone);
-  add(skeleton.bones[static_cast<std::size_t>(*bone)].parent);
+  add(at(skeleton.bones, *bone).parent);
   for (int child = 0; child < static_cast<int>(skeleton.bones.size()); ++child) {
-    if (skeleton.bones[static_cast<std::size_t>(child)].parent == *bone) add(child);
+    if (at(skeleton.bones, child).parent == *bone) add(child);
   }
 }
 
@@ -83,7 +84,7 @@ void boneRows(const PanelUi& ui, const BoneChoice& choice, const std::string& id
   const auto place = [&](int bone, const char* where) {
     ImGui::PushID(where);
     ImGui::PushID(bone);
-    draw(bone, choice.names[static_cast<std::size_t>(bone)], id + where + skeleton.fileName(bone));
+    draw(bone, at(choice.names, bone), id + where + skeleton.fileName(bone));
     ImGui::PopID();
     ImGui::PopID();
   };

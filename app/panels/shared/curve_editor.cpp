@@ -20,8 +20,8 @@ constexpr float kInset = 6.0f;
 constexpr float kPoint = 3.5f;
 constexpr float kLeastGutter = 34.0f;
 constexpr float kReach = 9.0f;   // How near to a point a press takes it.
-constexpr float kLabel = 0.84f;  // Of the font.
-constexpr float kPad = 0.08f;    // Of the range, around the curve.
+constexpr float kLabel = 0.84f;  // Fraction of the font.
+constexpr float kPad = 0.08f;    // Fraction of the range, around the curve.
 constexpr int kSteps = 96;
 
 /// Where the picture is and what it spans.

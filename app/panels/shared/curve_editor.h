@@ -10,12 +10,12 @@
 namespace sinew::app {
 
 struct CurveView {
-  std::string id;            ///< Of the widget.
+  std::string id;            ///< The widget's.
   CurvePoint place;          ///< Which curve; `point` is not read.
   std::optional<float> now;  ///< The input where it is now.
   std::function<std::string(float)> inputText;
   std::function<std::string(float)> valueText;
-  const char* label = "";  ///< Of the undo step.
+  const char* label = "";  ///< The undo step's.
   /// The rig with another curve.
   std::function<Result<Rig>(const Curve&)> changed;
 };

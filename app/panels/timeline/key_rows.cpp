@@ -8,6 +8,7 @@
 
 #include "app/actions/animate.h"
 #include "app/actions/animated_names.h"
+#include "core/base/at.h"
 
 namespace sinew::app {
 namespace {
@@ -32,8 +33,7 @@ void addChannels(std::vector<KeyRow>& rows, const EditorState& state) {
     int track = findChannel(rig, channel.name, clipNow(state));
     if (track < 0) track = findChannel(rig, channel.name, {});
     if (track < 0) continue;
-    rows.push_back(
-        {"timeline/row/" + name, name, {}, channel.name, rig.channels[static_cast<std::size_t>(track)].track});
+    rows.push_back({"timeline/row/" + name, name, {}, channel.name, at(rig.channels, track).track});
   }
 }
 
@@ -46,10 +46,10 @@ std::vector<KeyRow> keyRows(const EditorState& state) {
   for (const PrimitiveId id : state.document.selection.primitives) {
     const int index = findPrimitive(rig, id);
     if (index < 0) continue;
-    const Primitive& primitive = rig.primitives[static_cast<std::size_t>(index)];
+    const Primitive& primitive = at(rig.primitives, index);
     addNumbers(rows, state, primitive.animated, index);
     const int line = findLine(rig, primitive.line);
-    if (line >= 0) addNumbers(rows, state, rig.lines[static_cast<std::size_t>(line)].animated, line);
+    if (line >= 0) addNumbers(rows, state, at(rig.lines, line).animated, line);
   }
   addNumbers(rows, state, rig.surface.animated, 0);
   addChannels(rows, state);
@@ -70,13 +70,13 @@ Result<Rig> withKeyMoved(const Rig& start, const Rig& shown, const KeyRow& row, 
   }
   const int index = findChannel(start, row.channel, row.track.clip);
   if (index < 0) return errorAt("", "the channel is gone", "channel");
-  std::vector<glm::vec2> points = start.channels[static_cast<std::size_t>(index)].track.curve.points;
-  const float value = points[static_cast<std::size_t>(key)].y;
+  std::vector<glm::vec2> points = at(start.channels, index).track.curve.points;
+  const float value = at(points, key).y;
   points.erase(points.begin() + key);
   Result<Rig> rest = editChannel(shown, row.channel, row.track.clip, [&](Curve& curve) {
     curve.points = points.empty() ? std::vector<glm::vec2>{{time, value}} : points;
   });
-  return rest ? setChannelKey(rest.value(), row.channel, row.track.clip, time, value) : rest;
+  return rest ? setChannelKey(std::move(rest).value(), row.channel, row.track.clip, time, value) : rest;
 }
 
 Result<Rig> withoutKey(const Rig& rig, const KeyRow& row, int key) {

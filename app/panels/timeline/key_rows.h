@@ -12,7 +12,7 @@ namespace sinew::app {
 
 /// A track of keys in the clip that shows: of a number, or of a channel.
 struct KeyRow {
-  std::string id;       ///< Of the widget.
+  std::string id;       ///< The widget's.
   std::string name;     ///< "radius X of biceps L", "channel effort"
   NumberRef ref;        ///< Where it is no channel.
   std::string channel;  ///< Empty: a number.
@@ -21,7 +21,7 @@ struct KeyRow {
   [[nodiscard]] bool isChannel() const { return !channel.empty(); }
 };
 
-/// Of the selected muscles, their lines and the surface, then all channels. None in the bind pose.
+/// Rows of the selected muscles, their lines and the surface, then all channels. None in the bind pose.
 [[nodiscard]] std::vector<KeyRow> keyRows(const EditorState& state);
 
 // Pure edits of a row's track.

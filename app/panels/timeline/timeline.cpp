@@ -17,6 +17,7 @@
 #include "app/panels/timeline/timeline_keys.h"
 #include "app/panels/timeline/timeline_track.h"
 #include "app/ui/number_field.h"
+#include "core/base/at.h"
 #include "core/skeleton/range_of_motion.h"
 
 namespace sinew::app {
@@ -28,13 +29,13 @@ constexpr float kSpeedWidth = 84.0f;
 
 /// As the list shows it.
 std::string clipName(const std::vector<std::string>& shown, int clip) {
-  return clip < 0 ? "Bind pose" : shown[static_cast<std::size_t>(clip)];
+  return clip < 0 ? "Bind pose" : at(shown, clip);
 }
 
 /// The name in the file, where another is drawn.
 void fileNameTooltip(PanelUi& ui, const std::string& drawn, int clip) {
   if (clip < 0) return;
-  const std::string& name = ui.state.character().clips[static_cast<std::size_t>(clip)].name;
+  const std::string& name = at(ui.state.character().clips, clip).name;
   if (!name.empty() && name != drawn) tooltip(ui, name);
 }
 
@@ -49,7 +50,7 @@ bool clipRow(PanelUi& ui, const std::vector<std::string>& names, int clip) {
   fileNameTooltip(ui, shown, clip);
   if (clip < 0) return chosen;
   char length[32];
-  const float seconds = character.clips[static_cast<std::size_t>(clip)].duration;
+  const float seconds = at(character.clips, clip).duration;
   std::snprintf(length, sizeof length, "%.2f s", static_cast<double>(seconds));
   ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(length).x);
   mutedText(length);

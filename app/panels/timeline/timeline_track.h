@@ -11,7 +11,7 @@ namespace sinew::app {
 struct TrackSpan {
   float left = 0.0f;  ///< Window coordinates.
   float right = 0.0f;
-  double duration = 0.0;  ///< Of the clip, seconds.
+  double duration = 0.0;  ///< The clip's, seconds.
   PlayRange shown;
 
   [[nodiscard]] double perSecond() const { return static_cast<double>(right - left) / (shown.to - shown.from); }

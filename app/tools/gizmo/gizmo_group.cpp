@@ -3,6 +3,7 @@
 #include "app/tools/gizmo/gizmo_group.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/at.h"
 #include "core/rig/rig_edit.h"
@@ -61,7 +62,7 @@ Result<Rig> dragged(const Document& document, const Pose& pose, int active, cons
     const PosedMuscle& muscle = at(posed.muscles, index);
     if (!muscle.usable) continue;
     const Placement placement = draggedAlong(drag.effect, companion.start, muscle.carrier, document.character->height);
-    rig = setPlacement(rig.value(), index, placement);
+    rig = setPlacement(std::move(rig).value(), index, placement);
   }
   return rig;
 }

@@ -15,7 +15,7 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kKnobPlace = 0.78f;  ///< Of the ball's radius, from its centre.
+constexpr float kKnobPlace = 0.78f;  ///< Fraction of the ball's radius, from its center.
 constexpr float kKnobRadius = 9.0f;  ///< Design pixels.
 constexpr float kSameDirection = 0.9995f;
 

@@ -16,7 +16,7 @@ namespace sinew::app {
 /// The six ends of the axes. Even: positive.
 enum class AxisEnd { kX = 0, kMinusX, kY, kMinusY, kZ, kMinusZ };
 
-inline constexpr float kTriadRadius = 44.0f;  ///< Of the ball, design pixels.
+inline constexpr float kTriadRadius = 44.0f;  ///< The ball's, design pixels.
 inline constexpr float kTriadMargin = 14.0f;  ///< From the corner to the ball.
 
 /// What the triad remembers between frames.
@@ -36,7 +36,7 @@ struct TriadLayout {
   struct End {
     AxisEnd end = AxisEnd::kX;
     glm::vec2 pixel{0.0f};
-    float radius = 0.0f;  ///< Of its knob.
+    float radius = 0.0f;  ///< Its knob's.
     float depth = 0.0f;   ///< -1 furthest from the eye .. 1 nearest.
   };
   glm::vec2 centre{0.0f};

@@ -1,6 +1,6 @@
-// tests/document/reparent_test.cpp: a primitive that changes bones stays where it is.
+// tests/rig/reparent_test.cpp: a primitive that changes bones stays where it is.
 
-#include "app/document/reparent.h"
+#include "core/rig/reparent.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace sinew::app {
+namespace sinew {
 namespace {
 
 glm::quat randomRotation(std::mt19937& random) {
@@ -47,7 +47,7 @@ TEST(CarriedToBone, LooksTheSameUnderRotationsAndEvenScale) {
     const glm::mat4 from = randomBone(random, i % 2 == 0 ? 1.0f : 3.0f);
     const glm::mat4 to = randomBone(random, i % 3 == 0 ? 1.0f : 0.5f);
     const Placement before = randomPlacement(random);
-    const Placement after = carriedToBone(before, from, to);
+    const Placement after = carryToBone(before, from, to);
     EXPECT_LT(difference(shapeInWorld(before, 1.0f, from), shapeInWorld(after, 1.0f, to)), 2e-4f);
     EXPECT_NEAR(glm::length(after.rotation), 1.0f, 1e-5f);
   }
@@ -74,7 +74,7 @@ TEST(CarriedToBone, StaysInPlaceUnderUnevenScaleAndShear) {
     if (i % 7 == 0) to = sheared(to, random);
     if (i % 11 == 0) to = glm::scale(to, {-1.0f, 1.0f, 1.0f});
     const Placement before = randomPlacement(random);
-    const Placement after = carriedToBone(before, from, to);
+    const Placement after = carryToBone(before, from, to);
     EXPECT_LT(difference(shapeInWorld(before, 1.0f, from), shapeInWorld(after, 1.0f, to)), 1e-4f) << i;
     EXPECT_NEAR(glm::length(after.rotation), 1.0f, 1e-5f);
     EXPECT_GT(std::min({after.radii.x, after.radii.y, after.radii.z}), 0.0f);
@@ -85,10 +85,10 @@ TEST(CarriedToBone, AFlatBoneChangesNothing) {
   std::mt19937 random(5);
   const Placement before = randomPlacement(random);
   const glm::mat4 flat = glm::scale(glm::mat4(1.0f), {1.0f, 0.0f, 1.0f});
-  const Placement after = carriedToBone(before, randomBone(random, 1.0f), flat);
+  const Placement after = carryToBone(before, randomBone(random, 1.0f), flat);
   EXPECT_EQ(after.center, before.center);
   EXPECT_EQ(after.radii, before.radii);
 }
 
 }  // namespace
-}  // namespace sinew::app
+}  // namespace sinew

@@ -1,33 +1,28 @@
-// app/document/line_edits.cpp: rest and contraction from poses and clips; via points; the other end.
-
-#include "app/document/line_edits.h"
+// core/lines/line_fitting.cpp: rest and contraction from poses and clips; via points; the other end.
+#include "core/lines/line_fitting.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "core/base/at.h"
 #include "core/lines/line_rest.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/rig_edit_several.h"
 #include "core/skeleton/bone_segments.h"
-#include "core/symmetry/line_twins.h"
-#include "core/symmetry/twins.h"
 
-namespace sinew::app {
+namespace sinew {
 namespace {
 
-constexpr float kAlongOther = 0.15f;  // Of the other bone, from its joint.
-constexpr float kNearJoint = 0.015f;  // Of H: a via point keeps this far from the joint at least.
-
-const MuscleLine& lineAt(const Rig& rig, int line) { return rig.lines[static_cast<std::size_t>(line)]; }
+constexpr float kAlongOther = 0.15f;  // Fraction of the other bone, from its joint.
+constexpr float kNearJoint = 0.015f;  // Fraction of H: a via point keeps this far from the joint at least.
 
 std::string percent(float stretch) { return std::to_string(std::lround(100.0f * stretch)) + " %"; }
 
-const Bone& boneAt(const Character& character, int bone) {
-  return character.skeleton.bones[static_cast<std::size_t>(bone)];
-}
+const Bone& boneAt(const Character& character, int bone) { return at(character.skeleton.bones, bone); }
 
 /// The joint that the line crosses: the origin of the lower of its two bones, in the bind pose.
 glm::vec3 jointBetween(const LineRest& rest, const Character& character) {
@@ -61,24 +56,25 @@ std::array<glm::vec3, 2> polesOf(const Primitive& primitive, const Bone& bone) {
 
 }  // namespace
 
-Result<Rig> withRestNow(const Rig& rig, int line, float stretch) {
-  return editLine(rig, line, [&](MuscleLine& edited) { edited.settings.rest *= stretch; });
+Result<Rig> withRestNow(Rig rig, int line, float stretch) {
+  return editLine(std::move(rig), line, [&](MuscleLine& edited) { edited.settings.rest *= stretch; });
 }
 
-Result<Rig> withFullNow(const Rig& rig, int line, float stretch) {
+Result<Rig> withFullNow(Rig rig, int line, float stretch) {
   if (!(stretch < kMostFull)) {
     return errorAt("", "the muscle is not shorter than at rest in this pose: bend the joint first");
   }
-  return editLine(rig, line, [&](MuscleLine& edited) { edited.settings.full = std::max(stretch, kLeastFull); });
+  return editLine(std::move(rig), line,
+                  [&](MuscleLine& edited) { edited.settings.full = std::max(stretch, kLeastFull); });
 }
 
-Result<Learned> withLearned(const Rig& rig, int line, const LineLengths& lengths) {
-  const std::string name = '"' + lineAt(rig, line).name + '"';
+Result<Learned> withLearned(Rig rig, int line, const LineLengths& lengths) {
+  const std::string name = '"' + at(rig.lines, line).name + '"';
   if (lengths.poses == 0) return errorAt("", "there is no clip to learn from");
   if (!(lengths.secondPercentile < kMostFull)) {
     return errorAt("", name + " never gets shorter than at rest in any clip: it is at least " + percent(lengths.least));
   }
-  Result<Rig> full = withFullNow(rig, line, lengths.secondPercentile);
+  Result<Rig> full = withFullNow(std::move(rig), line, lengths.secondPercentile);
   if (!full) return full.error();
   Learned learned{std::move(full).value(), {}, {}};
   learned.said =
@@ -93,8 +89,8 @@ Result<Learned> withLearned(const Rig& rig, int line, const LineLengths& lengths
   return learned;
 }
 
-Result<Rig> withViaPoint(const Rig& rig, int line, const Character& character) {
-  Result<LineRest> rest = lineRest(lineAt(rig, line), character);
+Result<Rig> withViaPoint(Rig rig, int line, const Character& character) {
+  Result<LineRest> rest = lineRest(at(rig.lines, line), character);
   if (!rest) return rest.error();
   const glm::vec3 joint = jointBetween(rest.value(), character);
   const glm::vec3 from(rest->origin.inBind);
@@ -105,15 +101,16 @@ Result<Rig> withViaPoint(const Rig& rig, int line, const Character& character) {
   const float away = glm::distance(passing, joint);
   const glm::vec3 side = away > 0.1f * least ? (passing - joint) / away : height;
   const glm::vec3 via = joint + std::max(away, least) * side;
-  return editLine(rig, line, [&](MuscleLine& edited) { edited.via = anchorOn(character, rest->origin.bone, via); });
+  return editLine(std::move(rig), line,
+                  [&](MuscleLine& edited) { edited.via = anchorOn(character, rest->origin.bone, via); });
 }
 
-Result<Rig> withoutViaPoint(const Rig& rig, int line) {
-  return editLine(rig, line, [](MuscleLine& edited) { edited.via.reset(); });
+Result<Rig> withoutViaPoint(Rig rig, int line) {
+  return editLine(std::move(rig), line, [](MuscleLine& edited) { edited.via.reset(); });
 }
 
-Result<Rig> withOtherEnd(const Rig& rig, int primitive, int bone, const Character& character, const MirrorPlan* plan) {
-  const Primitive& muscle = rig.primitives[static_cast<std::size_t>(primitive)];
+Result<Rig> withOtherEnd(Rig rig, int primitive, int bone, const Character& character) {
+  const Primitive& muscle = at(rig.primitives, primitive);
   const std::optional<int> own = character.skeleton.findBone(muscle.bone);
   if (!own) return errorAt("", "this character has no bone \"" + muscle.bone + '"');
   const Bone& other = boneAt(character, bone);
@@ -130,15 +127,9 @@ Result<Rig> withOtherEnd(const Rig& rig, int primitive, int bone, const Characte
   line.origin = anchorOn(character, *own, origin);
   line.insertion = anchorOn(character, bone, onAxis + offset);
   if (const Result<LineRest> rest = lineRest(line, character); !rest) return rest.error();
-  Result<Rig> lined = addLine(rig, line);
-  if (!lined) return lined;
-  const std::vector<int> one{primitive};
-  Rig result = setLineOfSeveral(lined.value(), one, static_cast<int>(lined->lines.size()) - 1);
-  const int twin = twinOf(rig, primitive);
-  if (!plan || twin < 0) return result;
-  Result<TwinLine> image = withTwinLine(result, result.primitives[static_cast<std::size_t>(primitive)].line, *plan);
-  if (!image) return result;
-  return setLineOfSeveral(image->rig, std::vector<int>{twin}, findLine(image->rig, image->name));
+  if (const auto added = append(rig, std::move(line)); !added) return added.error();
+  const auto last = static_cast<int>(rig.lines.size()) - 1;
+  return setLineOfSeveral(std::move(rig), std::array{primitive}, last);
 }
 
-}  // namespace sinew::app
+}  // namespace sinew

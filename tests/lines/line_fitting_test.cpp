@@ -1,6 +1,6 @@
-// tests/document/line_edits_test.cpp: lengths learned from poses and clips, via points, a muscle's other end.
+// tests/lines/line_fitting_test.cpp: lengths learned from poses and clips, via points, a muscle's other end.
 
-#include "app/document/line_edits.h"
+#include "core/lines/line_fitting.h"
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -9,17 +9,18 @@
 #include "core/rig/line_edit.h"
 #include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
+#include "core/symmetry/line_twins.h"
 #include "core/symmetry/twins.h"
 #include "tests/support/characters/synthetic_characters.h"
 
-namespace sinew::app {
+namespace sinew {
 namespace {
 
-struct LineEdits : testing::Test {
+struct LineFitting : testing::Test {
   std::shared_ptr<const Character> limb = test::makeLimb();
   Rig rig;
 
-  LineEdits() {
+  LineFitting() {
     MuscleLine line;
     line.name = "flexor";
     line.origin = {"root", {0.0f, 0.3f, 0.15f}, {}};
@@ -36,7 +37,7 @@ struct LineEdits : testing::Test {
   }
 };
 
-TEST_F(LineEdits, LengthsAreThoseOfTheClip) {
+TEST_F(LineFitting, LengthsAreThoseOfTheClip) {
   const LineLengths seen = lengths();
   EXPECT_EQ(seen.poses, 31);
   EXPECT_LT(seen.least, 0.98f);
@@ -48,7 +49,7 @@ TEST_F(LineEdits, LengthsAreThoseOfTheClip) {
   EXPECT_EQ(seen.shortestIn, "bend");
 }
 
-TEST_F(LineEdits, LearnedContractionActivatesFullyWhereTheLineIsShortest) {
+TEST_F(LineFitting, LearnedContractionActivatesFullyWhereTheLineIsShortest) {
   const LineLengths seen = lengths();
   const Result<Learned> learned = withLearned(rig, 0, seen);
   ASSERT_TRUE(learned.ok()) << learned.error().text();
@@ -61,7 +62,7 @@ TEST_F(LineEdits, LearnedContractionActivatesFullyWhereTheLineIsShortest) {
   EXPECT_NE(withLearned(rig, 0, far)->warning.find("160 %"), std::string::npos);
 }
 
-TEST_F(LineEdits, RestNowIsAHundredPercentThere) {
+TEST_F(LineFitting, RestNowIsAHundredPercentThere) {
   const float before = stretchAt(rig, 0.5f);
   const Rig rested = withRestNow(rig, 0, before).value();
   EXPECT_NEAR(stretchAt(rested, 0.5f), 1.0f, 1e-5f);
@@ -69,7 +70,7 @@ TEST_F(LineEdits, RestNowIsAHundredPercentThere) {
   EXPECT_FLOAT_EQ(withFullNow(rig, 0, 0.8f)->lines[0].settings.full, 0.8f);
 }
 
-TEST_F(LineEdits, AViaPointKeepsTheLineOutOfTheJoint) {
+TEST_F(LineFitting, AViaPointKeepsTheLineOutOfTheJoint) {
   const Rig bent = withViaPoint(rig, 0, *limb).value();
   ASSERT_TRUE(bent.lines[0].via);
   EXPECT_EQ(bent.lines[0].via->bone, "root");
@@ -91,19 +92,20 @@ TEST(OtherEnd, TheMuscleStaysWhereItIsAndItsTwinFollows) {
   thigh.placement.radii = {0.08f, 0.25f, 0.08f};
   const Rig rigid = addPair({}, thigh, plan).value();
   const int shin = legs->skeleton.findBone("shin L").value();
-  const Result<Rig> rig = withOtherEnd(rigid, 0, shin, *legs, &plan);
-  ASSERT_TRUE(rig.ok()) << rig.error().text();
-  EXPECT_TRUE(validate(rig.value()));
-  ASSERT_EQ(rig->lines.size(), 2u);
-  EXPECT_EQ(rig->lines[0].insertion.bone, "shin L");
-  EXPECT_EQ(rig->lines[1].insertion.bone, "shin R");
-  EXPECT_EQ(rig->primitives[1].line, rig->lines[1].name);
-  EXPECT_EQ(rig->primitives[0].placement, rigid.primitives[0].placement);
+  const Result<Rig> own = withOtherEnd(rigid, 0, shin, *legs);
+  ASSERT_TRUE(own.ok()) << own.error().text();
+  const Rig rig = withTwinOnLine(own.value(), 0, plan);
+  EXPECT_TRUE(validate(rig));
+  ASSERT_EQ(rig.lines.size(), 2u);
+  EXPECT_EQ(rig.lines[0].insertion.bone, "shin L");
+  EXPECT_EQ(rig.lines[1].insertion.bone, "shin R");
+  EXPECT_EQ(rig.primitives[1].line, rig.lines[1].name);
+  EXPECT_EQ(rig.primitives[0].placement, rigid.primitives[0].placement);
   const PosedRig before = RigPoser(rigid, *legs).pose(bindPose(legs->skeleton));
-  const PosedRig after = RigPoser(rig.value(), *legs).pose(bindPose(legs->skeleton));
+  const PosedRig after = RigPoser(rig, *legs).pose(bindPose(legs->skeleton));
   EXPECT_EQ(before.muscles[0].carrier, after.muscles[0].carrier);
   EXPECT_EQ(before.muscles[1].carrier, after.muscles[1].carrier);
 }
 
 }  // namespace
-}  // namespace sinew::app
+}  // namespace sinew

@@ -1,0 +1,60 @@
+// core/rig/references.h: the names by which parts of a rig refer to each other, in one place.
+//
+// A reference is a name, in memory as in the file, and within one rig a name means one thing of its kind. Between two
+// rigs it does not: there things go by identity (identity.h) or index, and references are renamed before they are
+// compared or move over.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sinew/rig/rig.h"
+
+namespace sinew {
+
+/// What a reference names.
+enum class Named { kPrimitive, kGroup, kLine, kChannel };
+
+/// visit(Named, std::string&) for each reference that is not empty. It may change the name.
+template <class Visit>
+void eachReference(std::vector<AnimatedNumber>& animated, Visit visit) {
+  for (AnimatedNumber& number : animated) {
+    for (Driver& driver : number.drivers) {
+      if (!driver.input.line.empty()) visit(Named::kLine, driver.input.line);
+      if (!driver.input.channel.empty()) visit(Named::kChannel, driver.input.channel);
+    }
+  }
+}
+
+template <class Visit>
+void eachReference(Primitive& primitive, Visit visit) {
+  if (!primitive.group.empty()) visit(Named::kGroup, primitive.group);
+  if (!primitive.line.empty()) visit(Named::kLine, primitive.line);
+  if (!primitive.mirror.empty()) visit(Named::kPrimitive, primitive.mirror);
+  eachReference(primitive.animated, visit);
+}
+
+template <class Visit>
+void eachReference(MuscleLine& line, Visit visit) {
+  if (!line.mirror.empty()) visit(Named::kLine, line.mirror);
+  eachReference(line.animated, visit);
+}
+
+template <class Visit>
+void eachReference(Rig& rig, Visit visit) {
+  for (auto& link : rig.links) {
+    for (std::string& group : link) visit(Named::kGroup, group);
+  }
+  eachReference(rig.surface.animated, visit);
+  for (MuscleLine& line : rig.lines) eachReference(line, visit);
+  for (Primitive& primitive : rig.primitives) eachReference(primitive, visit);
+}
+
+/// References to `from` become references to `to`.
+inline void renameReferences(Rig& rig, Named kind, const std::string& from, const std::string& to) {
+  eachReference(rig, [&](Named named, std::string& name) {
+    if (named == kind && name == from) name = to;
+  });
+}
+
+}  // namespace sinew
