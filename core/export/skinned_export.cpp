@@ -1,6 +1,9 @@
 // core/export/skinned_export.cpp: pose by pose the live surface, then weights, then the file, then how close it comes.
 #include "sinew/export/skinned_export.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/export/fit/joint_fit.h"
 #include "core/export/formats.h"
 #include "core/export/guarded.h"
@@ -11,6 +14,21 @@ namespace sinew {
 namespace {
 
 using namespace exporting;
+
+/// All exported clips together. Each second is 30 poses that are smoothed, fitted and measured.
+constexpr double kMostSeconds = 3600.0;
+
+Result<void> checkLength(const std::filesystem::path& file, const Character& character,
+                         const std::vector<std::string>& asked) {
+  double seconds = 0.0;
+  for (const AnimationClip& clip : character.clips) {
+    if (asked.empty() || std::ranges::count(asked, clip.name) > 0) seconds += static_cast<double>(clip.duration);
+  }
+  if (seconds <= kMostSeconds) return {};
+  return Error{file.string(), "clips",
+               "last " + std::to_string(std::llround(seconds)) + " seconds together; expected at most " +
+                   std::to_string(std::llround(kMostSeconds)) + ": choose fewer of them"};
+}
 
 Result<SkinnedExportReport> fitAndWrite(Source& source, const Character& character, JointFit& fit,
                                         const SkinnedExportSettings& settings, WriteSkin* write,
@@ -46,6 +64,7 @@ Result<SkinnedExportReport> exportSkinned(const std::filesystem::path& character
   const ExportFormat* const format = findFormat(file, {ExportForm::kSkin});
   if (!format) return unknownEnding(file, {ExportForm::kSkin});
   if (auto known = checkClips(characterFile, *character, settings.clips); !known) return known.error();
+  if (auto fits = checkLength(characterFile, *character, settings.clips); !fits) return fits.error();
   return catchErrors(characterFile, file, [&]() -> Result<SkinnedExportReport> {
     Source source(characterFile);
     requireSame(source, *character);

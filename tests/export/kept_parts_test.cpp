@@ -263,6 +263,24 @@ TEST_F(KeptParts, ImagesBesideTheFileComeIntoItByteForByte) {
   }
 }
 
+TEST_F(KeptParts, ClipsOfHoursAreRefusedUnlessTheyAreLeftOut) {
+  ordered_json& clips = post_.file.json["animations"];
+  ordered_json longer = clips[0];
+  longer["name"] = "sleep";
+  longer["samplers"][0]["input"] = post_.file.accessor(std::vector<float>{0.0f, 7200.0f}, "SCALAR");
+  clips.push_back(longer);
+  ASSERT_TRUE(writeFileAtomically(source_, post_.file.glb()).ok());
+  const auto character = importGltf(source_);
+  ASSERT_TRUE(character.ok()) << character.error().text();
+  const auto out = folder_.path() / "out.glb";
+  const auto report = exportSkinned(source_, character.value(), *character.value(), Rig{}, {}, out);
+  ASSERT_FALSE(report.ok());
+  EXPECT_EQ(report.error().file, source_.string());
+  EXPECT_EQ(report.error().reason, "last 7201 seconds together; expected at most 3600: choose fewer of them");
+  EXPECT_FALSE(std::filesystem::exists(out));
+  EXPECT_TRUE(exportSkinned(source_, character.value(), *character.value(), Rig{}, {.clips = {"bend"}}, out).ok());
+}
+
 TEST_F(KeptParts, NormalsThatTheFileDoesNotHaveAreRefused) {
   for (const int accessor : {-1, 99}) {
     post_.attributes()["NORMAL"] = accessor;

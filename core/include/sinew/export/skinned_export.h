@@ -89,9 +89,9 @@ struct SkinnedExportReport {
 /// @param character  as importGltf(characterFile) gave it.
 /// @param moving     the same character, with the clips that weights are also fitted to (the range of motion) at the
 ///                   end of its own.
-/// Error: the file is no longer what `character` was imported from, unknown clip, an invalid rig, more than a .glb
-/// holds, a file cannot be written, or cancelled. Muscles whose bone is missing are left out (core/rig/attachment.h,
-/// missingBones). Never throws.
+/// Error: the file is no longer what `character` was imported from, unknown clip, clips of more than an hour together,
+/// an invalid rig, more than a .glb holds, a file cannot be written, or cancelled. Muscles whose bone is missing are
+/// left out (core/rig/attachment.h, missingBones). Never throws.
 [[nodiscard]] Result<SkinnedExportReport> exportSkinned(const std::filesystem::path& characterFile,
                                                         const std::shared_ptr<const Character>& character,
                                                         const Character& moving, const Rig& rig,
