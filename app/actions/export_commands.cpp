@@ -12,6 +12,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/session.h"
+#include "app/export/export_report.h"
 #include "app/export/rig_list.h"
 #include "core/base/at.h"
 #include "core/io/files/atomic_file.h"
@@ -33,15 +34,15 @@ std::string stemOf(const Document& document) { return nameWithoutEnding(fileOf(d
 bool isFarm(const ExportDialogState& dialog) { return dialog.shown == ExportDialog::kFarmJob; }
 
 std::string muscledName(const std::string& stem, const ExportKind& kind) {
-  return stem + "_muscled" + kind.endings.front();
+  return stem + "_muscled" + usualEnding(kind);
 }
 
 /// One that was not chosen becomes the new kind's own.
 void giveEnding(ExportPlace& place, const ExportKind& former, const ExportKind& kind) {
   const fs::path name = place.name;
   if (name.empty()) return;
-  if (withExportEnding(name, kind) != name || name.extension() == former.endings.front()) {
-    place.name = fs::path(name).replace_extension(kind.endings.front()).string();
+  if (withExportEnding(name, kind) != name || name.extension() == usualEnding(former)) {
+    place.name = fs::path(name).replace_extension(usualEnding(kind)).string();
   }
 }
 
@@ -174,10 +175,10 @@ std::pair<std::size_t, std::size_t> editedSoFar(const EditorState& state) {
 void tell(EditorState& state, const ExportOutcome& outcome) {
   const std::string name = outcome.file.filename().string();
   if (outcome.result.ok()) {
-    const ExportSummary& summary = outcome.result.value();
-    say(state, "Exported " + name + ": " + summary.figures);
-    std::string text = "Exported " + outcome.file.string() + ": " + summary.figures;
-    for (const std::string& left : summary.left) text += "\nleft out: " + left;
+    const std::string figures = exportFigures(outcome.result.value());
+    say(state, "Exported " + name + ": " + figures);
+    std::string text = "Exported " + outcome.file.string() + ": " + figures;
+    for (const std::string& left : leftOut(outcome.result.value())) text += "\nleft out: " + left;
     addQuietly(state.session, MessageKind::kNote, text, MessageAbout::kProgram);
   } else if (outcome.cancelled) {
     say(state, "Cancelled: " + name + " was not written");
@@ -225,12 +226,13 @@ void chooseTarget(Dialogs& dialogs, const FarmTarget& target) {
 }
 
 std::string chosenOneClip(const EditorState& state) {
-  const std::vector<std::string> names = exportableClips(state.character());
+  const std::vector<std::string> names = exportableClips(chosenKind(state.dialogs), state.character());
   if (names.empty()) return {};
+  const auto isOffered = [&](const std::string& name) { return std::ranges::find(names, name) != names.end(); };
   const std::string& chosen = state.dialogs.exporting.oneClip;
-  if (std::ranges::find(names, chosen) != names.end()) return chosen;
+  if (isOffered(chosen)) return chosen;
   const int playing = state.open.transport.clip;
-  if (playing < 0 || at(state.character().clips, playing).turnsBindPose) return names.front();
+  if (playing < 0 || !isOffered(at(state.character().clips, playing).name)) return names.front();
   return at(state.character().clips, playing).name;
 }
 
@@ -244,7 +246,7 @@ ExportSettings chosenSettings(const EditorState& state) {
     return settings;
   }
   if (!dialog.chosenClips || whole) return settings;
-  for (const std::string& name : exportableClips(state.character())) {
+  for (const std::string& name : exportableClips(chosenKind(state.dialogs), state.character())) {
     if (std::ranges::count(dialog.settings.clips, name) > 0) settings.clips.push_back(name);
   }
   return settings;

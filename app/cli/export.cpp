@@ -1,57 +1,151 @@
-// app/cli/export.cpp: open, fit, write for other programs, report.
+// app/cli/export.cpp: `sinew export`: the kinds and settings of app/export as options, open, export, report.
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <memory>
+#include <initializer_list>
 
+#include <CLI/CLI.hpp>
+
+#include "app/cli/batch.h"
 #include "app/cli/console.h"
-#include "app/cli/export_verb.h"
 #include "app/cli/verb.h"
 #include "app/document/document.h"
-#include "app/document/motion_clip.h"
-#include "core/rig/attachment.h"
+#include "app/export/export_report.h"
 #include "sinew/base/threads.h"
 
 namespace sinew::app {
 namespace {
 
-int exportInput(const ExportOptions& options, const BatchInput& input) {
+constexpr int kMostThreads = 1024;
+
+struct ExportOptions {
+  std::filesystem::path file;  ///< Rig or character.
+  std::filesystem::path output;
+  std::string word = exportKinds().front().word;  ///< Said after --as.
+  ExportSettings settings;
+  CLI::App* parser = nullptr;  ///< Knows which options are given.
+  int threads = 0;             ///< At most; 0: one a core.
+  bool json = false;
+  BatchOptions batch;
+};
+
+std::string isFrameRate(const std::string& text) {
+  double number = 0.0;
+  if (CLI::detail::lexical_cast(text, number) && number > 0.0 && std::isfinite(number)) return {};
+  return "expected a number > 0, got \"" + text + '"';
+}
+
+std::string isBound(const std::string& text) {
+  double number = 0.0;
+  if (CLI::detail::lexical_cast(text, number) && number >= kLeastBound && number <= kMostBound) return {};
+  return "expected percent of the height from 0.001 to 100, got \"" + text + '"';
+}
+
+/// An option whose words are the names of the values, in this order in the help.
+template <class Value>
+void addNamed(CLI::App& verb, const char* option, const char* type, Value& setting, std::initializer_list<Value> values,
+              const char* help) {
+  std::vector<std::string> words;
+  for (const Value value : values) words.emplace_back(nameOf(value));
+  verb.add_option_function<std::string>(
+          option,
+          [&setting, all = std::vector<Value>(values)](const std::string& word) {
+            setting = *std::ranges::find_if(all, [&](Value value) { return word == nameOf(value); });
+          },
+          help)
+      ->type_name(type)
+      ->check(CLI::IsMember(words));
+}
+
+void addSettings(CLI::App& verb, ExportSettings& settings) {
+  addNamed(verb, "--mesh", "M", settings.mesh, {ExportMesh::kRefined, ExportMesh::kOriginal},
+           "refined, or original: the file's own vertices, in its order");
+  verb.add_option("--depth", settings.depth, "Every triangle becomes N x N, in place of the rig's depth")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMaxDepth));
+  addNamed(verb, "--weights", "W", settings.weights, {ExportWeights::kRefitted, ExportWeights::kTransferred},
+           "refitted to the muscles' surface over the clips and the range of motion, or transferred from the file");
+  verb.add_option("--clip", settings.clips, "Keep this clip; may be given several times; without it, all are kept")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  verb.add_option(
+          "--joints", settings.helpers,
+          "helpers: how many joints may be added (24), whatever serves best: those of muscle lines, or rigid ones")
+      ->type_name("N")
+      ->check(CLI::Range(0, kMostHelpers));
+  addNamed(verb, "--joint-scale", "S", settings.jointScale,
+           {JointScale::kFull, JointScale::kUniform, JointScale::kNone},
+           "helpers: how joints of muscle lines may scale: full, uniform, or none (two joints a line)");
+  verb.add_option("--fps", settings.framesPerSecond, "baked: frames a second (30); the clip's end is one, too")
+      ->type_name("N")
+      ->check(isFrameRate);
+  verb.add_option("--bound", settings.bound,
+                  "baked: how far any vertex may be off in any frame, percent of the height (0.1)")
+      ->type_name("PERCENT")
+      ->check(isBound);
+}
+
+/// Those without a choice, and of words that have others.
+std::string endingsText() {
+  const std::string usual = exportEndingsOf(exportKinds().front().word);
+  std::string text = usual;
+  for (const std::string& word : exportWords()) {
+    if (exportEndingsOf(word) != usual) text += "; " + word + ": " + exportEndingsOf(word);
+  }
+  return text;
+}
+
+void addOptions(CLI::App& verb, ExportOptions& options) {
+  options.parser = &verb;
+  const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
+  verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf)");
+  verb.add_option(
+          "--as", options.word,
+          "helpers: with joints that move as the muscles do, keyed in every clip (default); skinned: the file's "
+          "joints alone, muscles at rest; baked: one clip as it is, in morph targets (.glb, .gltf) or points "
+          "(.usda; .pc2 or .mdd, a cache beside an .obj)")
+      ->type_name("KIND")
+      ->check(CLI::IsMember(exportWords()));
+  addSettings(verb, options.settings);
+  verb.add_option("--threads", options.threads, "Work on N cores at most; without it, on all; the file is the same")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+  verb.add_flag("--json", options.json, "Report as JSON");
+  verb.add_option_function<std::string>("-o,--output", to(options.output), "File to write: " + endingsText())
+      ->type_name("OUT")
+      ->required();
+  addBatchOptions(verb, options.batch);
+}
+
+int exportInput(const ExportOptions& options, const ExportKind& kind, const BatchInput& input) {
   const std::filesystem::path& output = input.outputs.front();
   progress("reading " + input.file.string());
   const auto document = openDocument(input.file);
   if (!document) return badInput(document.error());
-  Rig rig = document->rig();
-  if (options.depth) rig.smoothing.depth = *options.depth;
-  if (const auto missing = missingBones(rig, document->character->skeleton); !missing.empty()) {
-    return badInput({input.file.string(), missing.front().place, missing.front().reason});
-  }
   progress("exporting " + output.string());
-  const auto put = [&](const auto& report) {
-    return report ? putResult(reportText(options, output, report.value())) : badInput(report.error());
-  };
-  if (options.kind == "baked") {
-    const BakedExportSettings settings = bakedSettings(options);
-    // A clip made in memory has a place among points, but none in a file of clips.
-    const auto character = isBakedPointsName(output) ? withClipNamed(document->character, settings.clip)
-                                                     : std::shared_ptr<const Character>(document->character);
-    return put(exportBaked(document->characterFile, character, rig, settings, output));
-  }
-  const auto moving = withRangeOfMotion(document->character);
-  return put(
-      exportSkinned(document->characterFile, document->character, *moving, rig, skinnedSettings(options), output));
+  const ExportSource source{document->characterFile, document->character, document->rig(), input.file};
+  const auto report = runExport(kind, source, options.settings, output, {});
+  if (!report) return badInput(report.error());
+  const ExportResult result{kind, options.settings, output, report.value()};
+  return putResult(options.json ? exportJson(result) : exportText(result));
 }
 
-int runExport(const ExportOptions& options) {
-  if (const auto fits = checkExportOptions(options); !fits) return refused(fits.error());
+int runVerb(const ExportOptions& options) {
+  const auto kind = findExportKind(options.word, options.output);
+  if (!kind) return refused(kind.error());
+  const auto isGiven = [&](const char* option) { return options.parser->count(option) > 0; };
+  if (const auto fits = checkExportSettings(*kind.value(), options.settings, isGiven); !fits) {
+    return refused(fits.error());
+  }
   const auto batch = planBatch(options.batch, options.file, options.output);
   if (!batch) return refused(batch.error());
   const ThreadLimit limit(options.threads);
   return runBatch(batch.value(), options.batch.dryRun,
-                  [&](const BatchInput& input) { return exportInput(options, input); });
+                  [&](const BatchInput& input) { return exportInput(options, *kind.value(), input); });
 }
 
 }  // namespace
 
-Verb exportVerb() {
-  return makeVerb<ExportOptions>("export", "Write the character for games", addExportOptions, runExport);
-}
+Verb exportVerb() { return makeVerb<ExportOptions>("export", "Write the character for games", addOptions, runVerb); }
 
 }  // namespace sinew::app

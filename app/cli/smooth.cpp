@@ -25,7 +25,7 @@ namespace {
 
 struct SmoothOptions {
   std::filesystem::path file;       ///< Rig or character.
-  std::filesystem::path output;     ///< .obj, .ply or .glb.
+  std::filesystem::path output;     ///< isExportName().
   std::filesystem::path report;     ///< JSON; empty: none.
   std::optional<std::string> clip;  ///< Absent: the bind pose.
   std::optional<double> time;       ///< Seconds into the clip.
@@ -103,7 +103,8 @@ std::string isTime(const std::string& text) {
 }
 
 std::string isOutput(const std::string& text) {
-  return isExportName(text) ? std::string() : "expected a name that ends in .obj, .ply or .glb, got \"" + text + '"';
+  if (isExportName(text)) return {};
+  return "expected a name that ends in " + exportNameEndings() + ", got \"" + text + '"';
 }
 
 void addSettings(CLI::App& verb, SmoothOptions& options) {
@@ -133,7 +134,7 @@ void addSmoothOptions(CLI::App& verb, SmoothOptions& options) {
   verb.add_option("--time", options.time, "Seconds into the clip (0)")->type_name("S")->check(isTime)->needs(clip);
   addFrameOptions(verb, options.batch);
   addSettings(verb, options);
-  verb.add_option_function<std::string>("-o,--output", to(options.output), "Surface to write: .obj, .ply or .glb")
+  verb.add_option_function<std::string>("-o,--output", to(options.output), "Surface to write: " + exportNameEndings())
       ->type_name("OUT")
       ->required()
       ->check(isOutput);

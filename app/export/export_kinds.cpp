@@ -1,31 +1,18 @@
-// app/export/export_kinds.cpp: the table of kinds, and what they have in common.
+// app/export/export_kinds.cpp: the table of kinds, the table of their settings, and running one.
 #include "app/export/export_kinds.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdio>
 #include <new>
 #include <system_error>
 
-#include "app/document/folder_listing.h"
 #include "app/document/motion_clip.h"
+#include "core/base/listed.h"
 #include "core/rig/attachment.h"
 
 namespace sinew::app {
 namespace {
-
-std::string lowerEnding(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
-std::string percentText(double percent) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), percent < 0.01 ? "%.1g %%" : "%.2g %%", percent);
-  return text.data();
-}
 
 /// As the command line reads it back.
 std::string numberWord(double number) {
@@ -34,28 +21,16 @@ std::string numberWord(double number) {
   return text.data();
 }
 
-/// How close it comes over its clips; without any over the poses that it was measured in.
-std::string figuresOf(const SkinnedExportReport& report) {
-  const ErrorFigures& error = report.allClips.poses > 0 ? report.allClips : report.fitted;
-  std::string text;
-  if (error.poses > 0) {
-    text = "RMS " + percentText(error.rms) + " of the height, largest " + percentText(error.largest) + "; ";
-  }
-  return text + std::to_string(report.joints) + (report.joints == 1 ? " joint; " : " joints; ") +
-         sizeText(report.bytes);
-}
-
-Result<ExportSummary> runJoints(const ExportSource& source, const SkinnedExportSettings& settings,
-                                const std::filesystem::path& file, const ExportProgress& progress) {
+Result<ExportReport> runJoints(const ExportSource& source, const SkinnedExportSettings& settings,
+                               const std::filesystem::path& file, const ExportProgress& progress) {
   const auto moving = withRangeOfMotion(source.character);
-  const auto report =
-      exportSkinned(source.characterFile, source.character, *moving, source.rig, settings, file, progress);
+  auto report = exportSkinned(source.characterFile, source.character, *moving, source.rig, settings, file, progress);
   if (!report) return report.error();
-  return ExportSummary{figuresOf(report.value()), report->left};
+  return ExportReport(std::move(report).value());
 }
 
-Result<ExportSummary> runHelpers(const ExportSource& source, const ExportSettings& settings,
-                                 const std::filesystem::path& file, const ExportProgress& progress) {
+Result<ExportReport> runHelpers(const ExportSource& source, const ExportSettings& settings,
+                                const std::filesystem::path& file, const ExportProgress& progress) {
   return runJoints(source,
                    {.joints = ExportJoints::kHelpers,
                     .mesh = settings.mesh,
@@ -65,55 +40,101 @@ Result<ExportSummary> runHelpers(const ExportSource& source, const ExportSetting
                    file, progress);
 }
 
-Result<ExportSummary> runSkinned(const ExportSource& source, const ExportSettings& settings,
-                                 const std::filesystem::path& file, const ExportProgress& progress) {
+Result<ExportReport> runSkinned(const ExportSource& source, const ExportSettings& settings,
+                                const std::filesystem::path& file, const ExportProgress& progress) {
   return runJoints(source, {.mesh = settings.mesh, .weights = settings.weights, .clips = settings.clips}, file,
                    progress);
 }
 
-Result<ExportSummary> runBaked(const ExportSource& source, const ExportSettings& settings,
-                               const std::filesystem::path& file, const ExportProgress& progress) {
+Result<ExportReport> runBaked(const ExportSource& source, const ExportSettings& settings,
+                              const std::filesystem::path& file, const ExportProgress& progress) {
   const BakedExportSettings baked{.clip = settings.clips.front(),
                                   .framesPerSecond = settings.framesPerSecond,
                                   .bound = settings.bound,
                                   .weights = settings.weights};
-  const auto report = exportBaked(source.characterFile, source.character, source.rig, baked, file, progress);
+  auto report = exportBaked(source.characterFile, source.character, source.rig, baked, file, progress);
   if (!report) return report.error();
-  std::string figures = std::to_string(report->frames) + " frames; ";
-  if (report->targets > 0) {
-    figures += "largest distance " + percentText(report->baked.largest) + " of the height; " +
-               std::to_string(report->targets) + (report->targets == 1 ? " morph target; " : " morph targets; ");
-  }
-  return ExportSummary{figures + sizeText(report->bytes), report->left};
+  return ExportReport(std::move(report).value());
 }
 
-constexpr std::array kStages{".glb", ".gltf", ".usda"};
-constexpr std::array kGltf{".glb", ".gltf"};
-constexpr std::array kCaches{".pc2", ".mdd"};
-constexpr std::array kPoints{".usda"};
-
 constexpr ExportKind kKinds[] = {
-    {"helpers", "Muscle joints",
+    {"helpers",
+     "Muscle joints",
      "Adds joints that move as the muscles do, keyed in every clip: closest to the picture, and plays in every game "
      "engine.",
-     kStages, ExportFields{.mesh = true, .depth = true, .clips = true, .helpers = true}, runHelpers},
-    {"skinned", "Skinned",
-     "Joints and weights alone, the muscles at rest in the mesh: plays in every game engine and viewer.", kStages,
-     ExportFields{.mesh = true, .depth = true, .weights = true, .clips = true}, runSkinned},
-    {"baked", "Baked clip",
-     "One clip as it is in the picture: joints, and morph targets that bring every vertex as near as you ask.", kGltf,
-     ExportFields{.depth = true, .weights = true, .oneClip = true, .bound = true}, runBaked},
-    {"baked", "Point cache",
+     ExportForm::kSkin,
+     {.mesh = true, .depth = true, .clips = true, .helpers = true},
+     {.weights = true},
+     runHelpers},
+    {"skinned",
+     "Skinned",
+     "Joints and weights alone, the muscles at rest in the mesh: plays in every game engine and viewer.",
+     ExportForm::kSkin,
+     {.mesh = true, .depth = true, .weights = true, .clips = true},
+     {},
+     runSkinned},
+    {"baked",
+     "Baked clip",
+     "One clip as it is in the picture: joints, and morph targets that bring every vertex as near as you ask.",
+     ExportForm::kTargets,
+     {.depth = true, .weights = true, .oneClip = true, .bound = true},
+     {.mesh = true},
+     runBaked},
+    {"baked",
+     "Point cache",
      "One clip as it is in the picture, every vertex in every frame, for Blender, Maya and others; an .obj comes with "
      "it.",
-     kCaches, ExportFields{.depth = true, .oneClip = true}, runBaked},
-    {"baked", "USD points",
+     ExportForm::kCache,
+     {.depth = true, .oneClip = true, .motion = true},
+     {.mesh = true},
+     runBaked},
+    {"baked",
+     "USD points",
      "One clip as it is in the picture, every vertex in every frame, with materials and textures, for programs that "
      "read USD.",
-     kPoints, ExportFields{.depth = true, .oneClip = true}, runBaked},
+     ExportForm::kStage,
+     {.depth = true, .oneClip = true, .motion = true},
+     {.mesh = true},
+     runBaked},
 };
 
-/// The character as its file gives it: clips that were made in memory are at the end.
+/// A setting as the command line says it.
+struct SettingWord {
+  const char* option;
+  bool ExportFields::*field;
+  std::string (*valueOf)(const ExportSettings& settings);  ///< "": it is not said.
+};
+
+constexpr SettingWord kSettings[] = {
+    {"--mesh", &ExportFields::mesh, [](const ExportSettings& s) -> std::string { return nameOf(s.mesh); }},
+    {"--depth", &ExportFields::depth,
+     [](const ExportSettings& s) { return s.depth ? std::to_string(*s.depth) : std::string(); }},
+    {"--joints", &ExportFields::helpers, [](const ExportSettings& s) { return std::to_string(s.helpers); }},
+    {"--joint-scale", &ExportFields::helpers,
+     [](const ExportSettings& s) -> std::string { return nameOf(s.jointScale); }},
+    {"--weights", &ExportFields::weights, [](const ExportSettings& s) -> std::string { return nameOf(s.weights); }},
+    {"--fps", &ExportFields::oneClip, [](const ExportSettings& s) { return numberWord(s.framesPerSecond); }},
+    {"--bound", &ExportFields::bound, [](const ExportSettings& s) { return numberWord(s.bound); }},
+};
+
+bool isUsual(const SettingWord& setting, const ExportSettings& settings) {
+  return setting.valueOf(settings) == setting.valueOf(ExportSettings());
+}
+
+/// Who reads a setting: endings of the kind's word, or else other words.
+std::string readersOf(bool ExportFields::*field, const ExportKind& kind) {
+  std::vector<std::string> words;
+  std::vector<ExportForm> forms;
+  for (const ExportKind& other : kKinds) {
+    if (!(other.fields.*field)) continue;
+    if (std::string_view(other.word) == kind.word) forms.push_back(other.form);
+    const std::string word = std::string("--as ") + other.word;
+    if (std::ranges::find(words, word) == words.end()) words.push_back(word);
+  }
+  return listed(forms.empty() ? words : exportEndings(forms), "and");
+}
+
+/// With the clips of the file alone: those that were made in memory are at the end.
 std::shared_ptr<const Character> asInFile(const std::shared_ptr<const Character>& character) {
   if (std::ranges::none_of(character->clips, &AnimationClip::turnsBindPose)) return character;
   auto own = std::make_shared<Character>(*character);
@@ -125,60 +146,87 @@ std::shared_ptr<const Character> asInFile(const std::shared_ptr<const Character>
 
 std::span<const ExportKind> exportKinds() { return kKinds; }
 
+std::vector<std::string> exportWords() {
+  std::vector<std::string> words;
+  for (const ExportKind& kind : kKinds) {
+    if (std::ranges::find(words, kind.word) == words.end()) words.emplace_back(kind.word);
+  }
+  return words;
+}
+
+std::string exportEndingsOf(const std::string& word) {
+  std::vector<ExportForm> forms;
+  for (const ExportKind& kind : kKinds) {
+    if (word == kind.word) forms.push_back(kind.form);
+  }
+  return listed(exportEndings(forms), "or");
+}
+
+Result<const ExportKind*> findExportKind(const std::string& word, const std::filesystem::path& file) {
+  for (const ExportKind& kind : kKinds) {
+    if (word == kind.word && hasExportEnding(file, {kind.form})) return &kind;
+  }
+  return errorAt("--output",
+                 "expected a name that ends in " + exportEndingsOf(word) + ", got \"" + file.string() + '"');
+}
+
+std::string usualEnding(const ExportKind& kind) { return exportEndings({kind.form}).front(); }
+
 std::filesystem::path withExportEnding(std::filesystem::path file, const ExportKind& kind) {
-  if (std::ranges::find(kind.endings, lowerEnding(file)) == kind.endings.end()) file += kind.endings.front();
+  if (!hasExportEnding(file, {kind.form})) file += usualEnding(kind);
   return file;
 }
 
 std::vector<std::filesystem::path> replacedByExport(const std::filesystem::path& file) {
-  std::vector<std::filesystem::path> files{file};
-  std::filesystem::path binary = file;
-  if (lowerEnding(file) == ".gltf") files.push_back(binary.replace_extension(".bin"));
-  if (std::ranges::find(kCaches, lowerEnding(file)) != kCaches.end()) {
-    for (const char* ending : {".obj", ".mtl"}) files.push_back(binary.replace_extension(ending));
-  }
+  std::vector<std::filesystem::path> files = exportedFiles(file);
+  std::ranges::rotate(files, files.end() - 1);  // The one that was asked for first.
   std::error_code failed;
   std::erase_if(files, [&](const std::filesystem::path& each) { return !std::filesystem::exists(each, failed); });
   return files;
 }
 
+Result<void> checkExportSettings(const ExportKind& kind, const ExportSettings& settings,
+                                 const std::function<bool(const char* option)>& isGiven) {
+  for (const SettingWord& setting : kSettings) {
+    if (!isGiven(setting.option) || kind.fields.*setting.field) continue;
+    const bool isSettled = kind.settled.*setting.field;
+    if (isSettled && isUsual(setting, settings)) continue;
+    return errorAt(isSettled ? setting.option + (' ' + setting.valueOf(settings)) : setting.option,
+                   "is for " + readersOf(setting.field, kind) + " alone");
+  }
+  if (kind.fields.oneClip && settings.clips.size() != 1) return errorAt("--clip", "expected one clip to bake");
+  return {};
+}
+
 std::vector<std::string> exportArguments(const ExportKind& kind, const ExportSettings& settings) {
   std::vector<std::string> words{"--as", kind.word};
-  const auto add = [&](const char* option, const std::string& value) {
-    words.emplace_back(option);
-    words.push_back(value);
-  };
-  if (kind.fields.mesh && settings.mesh == ExportMesh::kOriginal) add("--mesh", "original");
-  if (kind.fields.depth && settings.depth) add("--depth", std::to_string(*settings.depth));
-  if (kind.fields.helpers && settings.helpers != kDefaultHelpers) add("--joints", std::to_string(settings.helpers));
-  if (kind.fields.helpers && settings.jointScale != JointScale::kFull)
-    add("--joint-scale", nameOf(settings.jointScale));
-  if (kind.fields.weights && settings.weights == ExportWeights::kTransferred) add("--weights", "transferred");
-  const ExportSettings plain;
-  if (kind.fields.oneClip && settings.framesPerSecond != plain.framesPerSecond)
-    add("--fps", numberWord(settings.framesPerSecond));
-  if (kind.fields.bound && settings.bound != plain.bound) add("--bound", numberWord(settings.bound));
-  // In one word: a clip's name may begin with a dash.
-  if (kind.fields.clips || kind.fields.oneClip) {
-    for (const std::string& clip : settings.clips) words.push_back("--clip=" + clip);
+  for (const SettingWord& setting : kSettings) {
+    if (!(kind.fields.*setting.field) || isUsual(setting, settings)) continue;
+    words.insert(words.end(), {setting.option, setting.valueOf(settings)});
   }
+  // In one word: a clip's name may begin with a dash.
+  for (const std::string& clip : settings.clips) words.push_back("--clip=" + clip);
   return words;
 }
 
-std::vector<std::string> exportableClips(const Character& character) {
+std::vector<std::string> exportableClips(const ExportKind& kind, const Character& character) {
   std::vector<std::string> names;
   for (const AnimationClip& clip : character.clips) {
-    if (!clip.turnsBindPose) names.push_back(clip.name);
+    if (kind.fields.motion || !clip.turnsBindPose) names.push_back(clip.name);
   }
   return names;
 }
 
-Result<ExportSummary> runExport(const ExportKind& kind, const ExportSource& source, const ExportSettings& settings,
-                                const std::filesystem::path& file, const ExportProgress& progress) {
+Result<ExportReport> runExport(const ExportKind& kind, const ExportSource& source, const ExportSettings& settings,
+                               const std::filesystem::path& file, const ExportProgress& progress) {
   try {
     ExportSource own{source.characterFile, asInFile(source.character), source.rig};
+    if (kind.fields.motion) own.character = withClipNamed(own.character, settings.clips.front());
     if (settings.depth) own.rig.smoothing.depth = *settings.depth;
-    if (const auto missing = missingBones(own.rig, own.character->skeleton); !missing.empty()) return missing.front();
+    if (auto missing = missingBones(own.rig, own.character->skeleton); !missing.empty()) {
+      missing.front().file = source.rigFile.string();
+      return missing.front();
+    }
     return kind.run(own, settings, file, progress);
   } catch (const std::bad_alloc&) {
     return Error{file.string(), {}, "there is not enough memory to export it"};

@@ -29,7 +29,7 @@ struct ExportQueue::Run {
   std::atomic<double> share = 0.0;
   std::atomic<bool> cancelled = false;
   std::atomic<bool> done = false;
-  std::optional<Result<ExportSummary>> result;
+  std::optional<Result<ExportReport>> result;
   std::jthread thread;  ///< Last: it ends before what it uses.
 };
 

@@ -27,7 +27,7 @@ struct ExportStand {
 
 struct ExportOutcome {
   std::filesystem::path file;
-  Result<ExportSummary> result;
+  Result<ExportReport> result;
   bool cancelled = false;  ///< The result says so too.
 };
 

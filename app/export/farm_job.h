@@ -22,7 +22,7 @@ struct FarmJob {
 
 /// What a job is written for.
 struct FarmTarget {
-  const char* word;    ///< Of --to.
+  const char* word;    ///< Said after --to.
   const char* title;   ///< "GNU parallel"
   const char* ending;  ///< That the job's file usually has.
   const char* runWith;

@@ -9,7 +9,6 @@
 #include "app/tools/territory_tool.h"
 #include "app/tools/tool.h"
 #include "app/tools/view/status_line.h"
-#include "core/drivers/driven_numbers.h"
 
 namespace sinew::app {
 namespace {

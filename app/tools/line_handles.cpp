@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/tools/view/status_line.h"
-#include "core/drivers/driven_numbers.h"
+#include "core/base/at.h"
 #include "core/lines/line_pose.h"
 #include "core/rig/line_edit.h"
 

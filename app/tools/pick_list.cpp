@@ -8,8 +8,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/drivers/driven_numbers.h"
-#include "core/lines/carriers.h"
 #include "core/rig/attachment.h"
 
 namespace sinew::app {

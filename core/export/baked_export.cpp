@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/export/baked_points.h"
-#include "core/export/baked_targets.h"
+#include "core/export/formats.h"
 #include "core/export/guarded.h"
 #include "core/export/out_files.h"
 
@@ -13,22 +12,18 @@ namespace sinew {
 
 using namespace exporting;
 
-bool isBakedPointsName(const std::filesystem::path& file) {
-  const std::string ending = lowerEnding(file);
-  return ending == ".pc2" || ending == ".mdd" || ending == ".usda";
-}
+namespace {
 
-bool isBakedExportName(const std::filesystem::path& file) {
-  return isSkinnedExportName(file) || isBakedPointsName(file);
-}
+const std::vector<ExportForm> kBakedForms{ExportForm::kTargets, ExportForm::kStage, ExportForm::kCache};
+
+}  // namespace
 
 Result<BakedExportReport> exportBaked(const std::filesystem::path& characterFile,
                                       const std::shared_ptr<const Character>& character, const Rig& rig,
                                       const BakedExportSettings& settings, const std::filesystem::path& file,
                                       const ExportProgress& progress) {
-  if (!isBakedExportName(file)) {
-    return Error{file.string(), {}, "expected a name that ends in .glb, .gltf, .usda, .pc2 or .mdd"};
-  }
+  const ExportFormat* const format = findFormat(file, kBakedForms);
+  if (!format) return unknownEnding(file, kBakedForms);
   if (!(settings.framesPerSecond > 0.0) || !std::isfinite(settings.framesPerSecond)) {
     return errorAt("frames per second", "expected a number above 0");
   }
@@ -40,11 +35,11 @@ Result<BakedExportReport> exportBaked(const std::filesystem::path& characterFile
     return Error{characterFile.string(), "clip \"" + settings.clip + '"',
                  "there are several of that name; expected one"};
   }
-  return guarded(characterFile, file, [&]() -> Result<BakedExportReport> {
+  return catchErrors(characterFile, file, [&]() -> Result<BakedExportReport> {
     Source source(characterFile);
     requireSame(source, *character);
-    return isBakedPointsName(file) ? bakePoints(source, character, rig, settings, file, progress)
-                                   : bakeTargets(source, character, rig, settings, file, progress);
+    if (auto free = checkPlaces(source, exportedFiles(file)); !free) return free.error();
+    return format->bakeClip(source, character, rig, settings, file, progress);
   });
 }
 

@@ -1,15 +1,14 @@
 // core/export/baked_points.cpp: the live surface at every frame, in a cache beside an .obj, or in a USD stage.
-#include "core/export/baked_points.h"
-
 #include "core/base/at.h"
+#include "core/base/lower_case.h"
 #include "core/export/baked_clip.h"
 #include "core/export/fit/joint_fit.h"
 #include "core/export/fit/live_surfaces.h"
+#include "core/export/formats.h"
 #include "core/export/out_files.h"
 #include "core/export/point_cache.h"
 #include "core/export/skinned_file.h"
 #include "core/export/usd_files.h"
-#include "core/io/files/atomic_file.h"
 #include "core/io/surface_formats.h"
 #include "sinew/smoothing/smoother.h"
 
@@ -19,17 +18,17 @@ namespace {
 constexpr int kMostFrames = 1'000'000;
 constexpr double kMostCacheBytes = 4e9;
 constexpr double kMostStageBytes = 2e9;
-/// Of .usda: a point and a normal as text, about.
+/// Bytes of a point and a normal as text, about.
 constexpr double kTextOfVertex = 96.0;
 
 using SharedCharacter = std::shared_ptr<const Character>;
 
-Result<BakedExportReport> bakeCache(const Source& source, const SharedCharacter& character, const Rig& rig,
+}  // namespace
+
+Result<BakedExportReport> bakeCache(Source& source, const SharedCharacter& character, const Rig& rig,
                                     const BakedExportSettings& settings, const std::filesystem::path& file,
                                     const ExportProgress& progress) {
-  std::filesystem::path object = file;
-  object.replace_extension(".obj");
-  if (auto free = checkPlaces(source, {object, file}); !free) return free.error();
+  requireFrames(*character, settings, kMostFrames);
   LiveSurfaces surfaces(character);
   if (const auto prepared = surfaces.prepare(rig); !prepared) return prepared.error();
   const BakedClip moments(*character, settings);
@@ -54,18 +53,15 @@ Result<BakedExportReport> bakeCache(const Source& source, const SharedCharacter&
     stage.tell(static_cast<double>(frame) / frames);
     cache.add(live.positions);
   });
-  std::vector<std::filesystem::path> places;
   std::vector<NamedBytes> files;
   for (const SideFile& side : first.sides) files.push_back({file.parent_path() / side.name, side.bytes});
-  files.push_back({object, first.obj});
+  std::filesystem::path object = file;
+  files.push_back({object.replace_extension(".obj"), first.obj});
   files.push_back({file, cache.bytes()});
+  const Result<std::uint64_t> bytes = writeFiles(source, files);
+  if (!bytes) return bytes.error();
   BakedExportReport report;
-  for (const NamedBytes& each : files) {
-    places.push_back(each.file);
-    report.bytes += each.bytes.size();
-  }
-  if (auto free = checkPlaces(source, places); !free) return free.error();
-  if (auto written = writeFilesAtomically(files); !written) return written.error();
+  report.bytes = bytes.value();
   report.frames = static_cast<int>(moments.times.size());
   report.vertices = static_cast<std::int64_t>(surface.positions.size());
   report.triangles = static_cast<std::int64_t>(surface.refinement->triangles.size());
@@ -76,7 +72,7 @@ Result<BakedExportReport> bakeCache(const Source& source, const SharedCharacter&
 Result<BakedExportReport> bakeStage(Source& source, const SharedCharacter& character, const Rig& rig,
                                     const BakedExportSettings& settings, const std::filesystem::path& file,
                                     const ExportProgress& progress) {
-  if (auto free = checkPlaces(source, filesOf(file)); !free) return free.error();
+  requireFrames(*character, settings, kMostFrames);
   const SkinnedExportSettings skinning{.weights = ExportWeights::kTransferred};
   JointFit fit(character, *character, rig, skinning, {});
   if (auto found = fit.findWeights(); !found) return found.error();
@@ -110,23 +106,13 @@ Result<BakedExportReport> bakeStage(Source& source, const SharedCharacter& chara
   };
   BakedExportReport report;
   report.left = std::move(made.left);
-  const Result<std::uint64_t> bytes = writeUsd(source, made.packed, file, report.left, &points);
+  const Result<std::uint64_t> bytes = writeStage(source, made.packed, file, report.left, &points);
   if (!bytes) return bytes.error();
   report.bytes = bytes.value();
   report.frames = static_cast<int>(moments.times.size());
   report.vertices = made.vertices;
   report.triangles = made.triangles;
   return report;
-}
-
-}  // namespace
-
-Result<BakedExportReport> bakePoints(Source& source, const SharedCharacter& character, const Rig& rig,
-                                     const BakedExportSettings& settings, const std::filesystem::path& file,
-                                     const ExportProgress& progress) {
-  requireFrames(*character, settings, kMostFrames);
-  return lowerEnding(file) == ".usda" ? bakeStage(source, character, rig, settings, file, progress)
-                                      : bakeCache(source, character, rig, settings, file, progress);
 }
 
 }  // namespace sinew::exporting

@@ -1,6 +1,4 @@
 // core/export/baked_targets.cpp: weights for the clip, then targets for what they leave.
-#include "core/export/baked_targets.h"
-
 #include <map>
 #include <sstream>
 #include <utility>
@@ -10,6 +8,7 @@
 #include "core/export/fit/joint_fit.h"
 #include "core/export/fit/live_surfaces.h"
 #include "core/export/fit/morph_fit.h"
+#include "core/export/formats.h"
 #include "core/export/into_mesh.h"
 #include "core/export/morph_targets.h"
 #include "core/export/out_files.h"
@@ -18,7 +17,7 @@
 namespace sinew::exporting {
 namespace {
 
-/// Of a clip. The search for targets is cubic in it.
+/// Frames of a clip. The search for targets is cubic in them.
 constexpr int kMostFrames = 4000;
 /// Vertices times frames that are held at once: 3 GB.
 constexpr std::size_t kMostPoints = 100'000'000;
@@ -53,7 +52,7 @@ class TargetMaker {
   void addTo(GltfRewrite& rewrite, const OutSkins& skins, std::span<const OutPrimitive> primitives,
              BakedExportReport& report) {
     if (primitives.empty() || !prepared_) return;
-    MorphFit morphs = gathered(skins, primitives);
+    MorphFit morphs = gatherVertices(skins, primitives);
     report.frames = static_cast<int>(moments_.times.size());
     report.skinned = morphs.skinnedFigures();
     progress_.begin(kSearching);
@@ -89,7 +88,7 @@ class TargetMaker {
   }
 
   /// Each refined vertex once for every node that shows it.
-  MorphFit gathered(const OutSkins& skins, std::span<const OutPrimitive> primitives) {
+  MorphFit gatherVertices(const OutSkins& skins, std::span<const OutPrimitive> primitives) {
     std::vector<MorphVertex> vertices;
     std::vector<glm::dmat3> spaces;
     std::map<int, int> spaceOf;                   // by node
@@ -171,7 +170,7 @@ class TargetMaker {
   LiveSurfaces surfaces_;
   bool prepared_;
   std::vector<std::vector<int>> numbers_;  ///< [primitives][vertices] of MorphFit's.
-  // Of the frame at hand.
+  // The frame at hand.
   std::vector<glm::dmat4> matrices_;
 };
 
@@ -181,7 +180,6 @@ Result<BakedExportReport> bakeTargets(Source& source, const std::shared_ptr<cons
                                       const BakedExportSettings& settings, const std::filesystem::path& file,
                                       const ExportProgress& progress) {
   requireFrames(*character, settings, kMostFrames);
-  if (auto free = checkPlaces(source, filesOf(file)); !free) return free.error();
   SkinnedExportSettings skinning;
   skinning.weights = settings.weights;
   skinning.clips = {settings.clip};
@@ -206,7 +204,8 @@ Result<BakedExportReport> bakeTargets(Source& source, const std::shared_ptr<cons
   report.vertices = made.vertices;
   report.triangles = made.triangles;
   report.left = std::move(made.left);
-  const Result<std::uint64_t> bytes = writeGltf(made.packed, file);
+  WriteSkin* const write = findFormat(file, {ExportForm::kSkin})->writeSkin;
+  const Result<std::uint64_t> bytes = write(source, made.packed, file, report.left);
   if (!bytes) return bytes.error();
   report.bytes = bytes.value();
   return report;

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/base/at.h"
+#include "core/io/gltf/image_bytes.h"
 
 namespace sinew::exporting {
 namespace {
@@ -112,17 +113,11 @@ void keepReferenced(Json& root, std::string_view list, Visit visitAll, const std
   });
 }
 
-bool startsWith(gltf::Bytes bytes, std::string_view magic, std::size_t from = 0) {
-  return bytes.size() >= from + magic.size() &&
-         std::equal(magic.begin(), magic.end(), bytes.begin() + static_cast<std::ptrdiff_t>(from),
-                    [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
-}
-
 /// "" for a kind that is not known.
 std::string mimeTypeOf(gltf::Bytes bytes) {
   if (startsWith(bytes, "\x89PNG")) return "image/png";
   if (startsWith(bytes, "\xff\xd8\xff")) return "image/jpeg";
-  if (startsWith(bytes, "RIFF") && startsWith(bytes, "WEBP", 8)) return "image/webp";
+  if (bytes.size() > 8 && startsWith(bytes, "RIFF") && startsWith(bytes.subspan(8), "WEBP")) return "image/webp";
   if (startsWith(bytes, "\xabKTX 20")) return "image/ktx2";
   return {};
 }
@@ -133,7 +128,7 @@ void appendNumber(std::string& out, std::size_t value) {
 
 void align(std::string& bytes, char with) { bytes.append((4 - bytes.size() % 4) % 4, with); }
 
-std::string percentEncoded(const std::string& name) {
+std::string percentEncode(const std::string& name) {
   static constexpr std::string_view kHex = "0123456789ABCDEF";
   std::string result;
   for (const char c : name) {
@@ -146,11 +141,6 @@ std::string percentEncoded(const std::string& name) {
   return result;
 }
 
-Json boundsJson(const glm::vec3& corner) {
-  // As doubles: every digit of the float, which is what a reader compares with.
-  return Json::array({static_cast<double>(corner.x), static_cast<double>(corner.y), static_cast<double>(corner.z)});
-}
-
 }  // namespace
 
 Json* memberOf(Json& object, std::string_view name) {
@@ -159,10 +149,12 @@ Json* memberOf(Json& object, std::string_view name) {
   return found == object.children.end() ? nullptr : &*found;
 }
 
-Json& madeMember(Json& object, std::string_view name, const Json& empty) {
+Json& ensureMember(Json& object, std::string_view name, const Json& empty) {
   if (!memberOf(object, name)) object.set(std::string(name), empty);
   return *memberOf(object, name);
 }
+
+Json numbersOf(const glm::dvec3& values) { return Json::array({values.x, values.y, values.z}); }
 
 void removeMember(Json& object, std::string_view name) {
   std::erase_if(object.children, [&](const Json& child) { return child.key == name; });
@@ -171,7 +163,7 @@ void removeMember(Json& object, std::string_view name) {
 Json& GltfRewrite::element(std::string_view list, int index) { return at(memberOf(root_, list)->children, index); }
 
 int GltfRewrite::append(std::string_view list, Json element) {
-  Json& items = madeMember(root_, list, Json::array());
+  Json& items = ensureMember(root_, list, Json::array());
   items.push(std::move(element));
   return static_cast<int>(items.children.size()) - 1;
 }
@@ -188,7 +180,7 @@ int GltfRewrite::addAccessor(const AccessorData& data) {
   Json accessor = Json::object();
   accessor.set("bufferView", addView(data.bytes, data.target)).set("componentType", data.componentType);
   accessor.set("count", static_cast<long long>(data.count)).set("type", data.type);
-  if (data.bounds) accessor.set("min", boundsJson(data.bounds->low)).set("max", boundsJson(data.bounds->high));
+  if (data.bounds) accessor.set("min", numbersOf(data.bounds->low)).set("max", numbersOf(data.bounds->high));
   return append("accessors", std::move(accessor));
 }
 
@@ -274,7 +266,7 @@ Result<std::string> glbOf(const PackedGltf& packed) {
 
 std::string gltfOf(const PackedGltf& packed, const std::string& binaryName) {
   Json root = packed.root;
-  memberOf(root, "buffers")->children.front().set("uri", percentEncoded(binaryName));
+  memberOf(root, "buffers")->children.front().set("uri", percentEncode(binaryName));
   return root.dump(true) + '\n';
 }
 

@@ -16,8 +16,17 @@ namespace sinew::exporting {
 /// Member of an object that is to be changed, or null.
 [[nodiscard]] Json* memberOf(Json& object, std::string_view name);
 /// Member of an object; an empty one of that kind is made where there is none.
-[[nodiscard]] Json& madeMember(Json& object, std::string_view name, const Json& empty);
+[[nodiscard]] Json& ensureMember(Json& object, std::string_view name, const Json& empty);
 void removeMember(Json& object, std::string_view name);
+
+/// Every digit of the floats, which is what a reader compares with.
+[[nodiscard]] Json numbersOf(const glm::dvec3& values);
+
+/// Values as they will lie in the file.
+template <class Value>
+[[nodiscard]] std::string_view bytesOf(const std::vector<Value>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)};
+}
 
 /// Numbers of a vertex attribute, of indices or matrices, as they will lie in the file.
 struct AccessorData {
@@ -26,7 +35,7 @@ struct AccessorData {
   std::string type;       ///< "SCALAR", "VEC3" ...
   std::size_t count = 0;
   int target = 0;                  ///< TINYGLTF_TARGET_*, 0 for none.
-  std::optional<Bounds> bounds{};  ///< Of positions.
+  std::optional<Bounds> bounds{};  ///< Positions have them.
 };
 
 /// What a file consists of in the end.
@@ -46,6 +55,12 @@ class GltfRewrite {
   /// Appends to one of the root's lists, which is made where it is absent. Returns its index.
   int append(std::string_view list, Json element);
   int addAccessor(const AccessorData& data);
+  /// Floats of a vertex attribute, one value a vertex.
+  template <class Value>
+  int addAttribute(const std::vector<Value>& values, const char* type, std::optional<Bounds> bounds = {}) {
+    return addAccessor({bytesOf(values), TINYGLTF_COMPONENT_TYPE_FLOAT, type, values.size(),
+                        TINYGLTF_TARGET_ARRAY_BUFFER, std::move(bounds)});
+  }
   /// @param target  TINYGLTF_TARGET_*, 0 for none
   int addView(std::string_view bytes, int target);
   /// Throws gltf::Refusal where bytes that are kept cannot be read.

@@ -14,8 +14,8 @@ namespace sinew::exporting {
 
 /// @param file  that is written  @param make  () -> Result<Report>
 template <class Make>
-[[nodiscard]] auto guarded(const std::filesystem::path& characterFile, const std::filesystem::path& file,
-                           const Make& make) -> decltype(make()) {
+[[nodiscard]] auto catchErrors(const std::filesystem::path& characterFile, const std::filesystem::path& file,
+                               const Make& make) -> decltype(make()) {
   try {
     return make();
   } catch (const gltf::Refusal& refusal) {

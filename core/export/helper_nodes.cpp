@@ -2,18 +2,15 @@
 #include "core/export/helper_nodes.h"
 
 #include <algorithm>
-#include <functional>
 #include <set>
 #include <string>
 
 #include <glm/vec4.hpp>
 
-#include "core/base/at.h"
+#include "core/export/clip_json.h"
 
 namespace sinew::exporting {
 namespace {
-
-Json numbersOf(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 /// glTF's order.
 glm::vec4 xyzw(const glm::dquat& q) {
@@ -29,13 +26,8 @@ std::string freeName(std::set<std::string>& taken, const std::string& wanted) {
 /// One clip of the file, with channels to come.
 class ClipKeys {
  public:
-  ClipKeys(int clip, const HelperClip& keys, GltfRewrite& rewrite) : clip_(clip), keys_(keys), rewrite_(rewrite) {
-    const auto& times = keys.times;
-    input_ = rewrite.addAccessor({bytesOf(times), TINYGLTF_COMPONENT_TYPE_FLOAT, "SCALAR", times.size()});
-    Json& accessor = rewrite.element("accessors", input_);
-    accessor.set("min", Json::array({static_cast<double>(times.front())}));
-    accessor.set("max", Json::array({static_cast<double>(times.back())}));
-  }
+  ClipKeys(int clip, const HelperClip& keys, GltfRewrite& rewrite)
+      : clip_(clip), rewrite_(rewrite), input_(addTimes(keys.times, rewrite)) {}
 
   void add(const HelperJoint& joint, int node, const std::vector<Trs>& locals) {
     std::vector<glm::vec3> translations;
@@ -48,37 +40,22 @@ class ClipKeys {
       const bool isFar = !rotations.empty() && glm::dot(rotations.back(), turn) < 0.0f;  // The short way between keys.
       rotations.push_back(isFar ? -turn : turn);
     }
-    addChannel(node, "translation", "VEC3", translations, glm::vec3(joint.rest.translation));
-    addChannel(node, "rotation", "VEC4", rotations, xyzw(joint.rest.rotation));
-    addChannel(node, "scale", "VEC3", scales, glm::vec3(joint.rest.scale));
+    addPath(node, "translation", "VEC3", translations, glm::vec3(joint.rest.translation));
+    addPath(node, "rotation", "VEC4", rotations, xyzw(joint.rest.rotation));
+    addPath(node, "scale", "VEC3", scales, glm::vec3(joint.rest.scale));
   }
 
  private:
   template <class Value>
-  static std::string_view bytesOf(const std::vector<Value>& values) {
-    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)};
-  }
-
-  template <class Value>
-  void addChannel(int node, const char* path, const char* type, const std::vector<Value>& values, const Value& rest) {
+  void addPath(int node, const char* path, const char* type, const std::vector<Value>& values, const Value& rest) {
     if (std::ranges::all_of(values, [&](const Value& value) { return value == rest; })) return;
-    Json sampler = Json::object();
-    sampler.set("input", input_).set("interpolation", "LINEAR");
-    sampler.set("output", rewrite_.addAccessor({bytesOf(values), TINYGLTF_COMPONENT_TYPE_FLOAT, type, values.size()}));
-    Json& clip = rewrite_.element("animations", clip_);
-    Json& samplers = *memberOf(clip, "samplers");
-    samplers.push(std::move(sampler));
-    Json target = Json::object();
-    target.set("node", node).set("path", path);
-    Json channel = Json::object();
-    channel.set("sampler", static_cast<long long>(samplers.children.size()) - 1).set("target", std::move(target));
-    memberOf(clip, "channels")->push(std::move(channel));
+    const int output = rewrite_.addAccessor({bytesOf(values), TINYGLTF_COMPONENT_TYPE_FLOAT, type, values.size()});
+    addChannel(clip_, addSampler(clip_, input_, output, rewrite_), node, path, rewrite_);
   }
 
   int clip_;
-  const HelperClip& keys_;
   GltfRewrite& rewrite_;
-  int input_ = 0;
+  int input_;
 };
 
 }  // namespace
@@ -95,7 +72,7 @@ std::vector<int> addHelperNodes(const Source& source, std::span<const HelperJoin
                                       static_cast<double>(turn.z), static_cast<double>(turn.w)}));
     nodes.push_back(rewrite.append("nodes", std::move(node)));
     Json& parent = rewrite.element("nodes", source.nodeOfBone(joint.bone));
-    madeMember(parent, "children", Json::array()).push(nodes.back());
+    ensureMember(parent, "children", Json::array()).push(nodes.back());
   }
   return nodes;
 }
@@ -106,9 +83,7 @@ void addHelperKeys(std::span<const HelperJoint> joints, std::span<const int> nod
   const auto inFile = static_cast<int>(rewrite.root().at("animations").items().size());
   std::size_t next = 0;
   for (int clip = 0; clip < inFile && next < clips.size(); ++clip) {
-    const std::string name = rewrite.element("animations", clip).at("name").text("");
-    const std::string shown = name.empty() ? "clip " + std::to_string(clip) : name;  // As the import names it.
-    if (shown != clips[next].clip) continue;
+    if (clipName(rewrite.element("animations", clip), clip) != clips[next].clip) continue;
     ClipKeys keys(clip, clips[next], rewrite);
     for (std::size_t j = 0; j < joints.size(); ++j) keys.add(joints[j], nodes[j], clips[next].locals[j]);
     ++next;

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "core/export/fit/helper_clip.h"
 #include "core/export/fit/helper_joint.h"
 #include "core/export/gltf_rewrite.h"
 #include "core/export/source.h"

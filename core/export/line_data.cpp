@@ -21,8 +21,8 @@ Json numbers(std::initializer_list<double> values) {
   return list;
 }
 
-Json numbersOf(const glm::dvec2& v) { return numbers({v.x, v.y}); }
-Json numbersOf(const glm::dvec3& v) { return numbers({v.x, v.y, v.z}); }
+Json floatsOf(const glm::dvec2& v) { return numbers({v.x, v.y}); }
+Json floatsOf(const glm::dvec3& v) { return numbers({v.x, v.y, v.z}); }
 
 class LineWriter {
  public:
@@ -48,7 +48,7 @@ class LineWriter {
   /// A point that rides a node.
   [[nodiscard]] Json place(const BonePoint& point) const {
     Json data = Json::object();
-    data.set("node", source_.nodeOfBone(point.bone)).set("point", numbersOf(point.inBone));
+    data.set("node", source_.nodeOfBone(point.bone)).set("point", floatsOf(point.inBone));
     return data;
   }
 
@@ -72,18 +72,18 @@ class LineWriter {
     for (std::size_t j = first; j < end_; ++j) {
       const glm::dvec3 stands(parent * glm::dvec4(lines_.joints()[j].rest.translation, 1.0));
       Json one = Json::object();
-      one.set("node", nodes_[j]).set("at", numbersOf(intoFrame * (stands - rest.start)));
+      one.set("node", nodes_[j]).set("at", floatsOf(intoFrame * (stands - rest.start)));
       joints.push(std::move(one));
     }
     Json data = Json::object();
     data.set("name", lines_.nameOf(joint.line)).set("joints", std::move(joints));
     data.set("size", static_cast<float>(std::cbrt(std::abs(glm::determinant(glm::dmat3(parent))))));
     data.set("origin", end(rest.origin, rest)).set("insertion", end(rest.insertion, rest));
-    if (rest.via) data.set("via", place(*rest.via).set("shift", numbersOf(intoFrame * rest.viaShift)));
+    if (rest.via) data.set("via", place(*rest.via).set("shift", floatsOf(intoFrame * rest.viaShift)));
     data.set("length", static_cast<float>(rest.length)).set("rest", settings.rest);
-    data.set("tendons", numbersOf(settings.tendons)).set("volume", settings.volume);
-    data.set("limits", numbersOf(settings.limits)).set("depth", static_cast<float>(rest.depth));
-    data.set("twist", settings.twist).set("flex", numbersOf(settings.flex));
+    data.set("tendons", floatsOf(settings.tendons)).set("volume", settings.volume);
+    data.set("limits", floatsOf(settings.limits)).set("depth", static_cast<float>(rest.depth));
+    data.set("twist", settings.twist).set("flex", floatsOf(settings.flex));
     data.set("base", settings.base).set("gain", settings.gain).set("full", settings.full);
     return data;
   }
@@ -107,7 +107,7 @@ bool addLineData(const Source& source, const LineJoints& lines, std::span<const 
   bool isHeld = true;
   for (Json& skin : skins->children) {
     if (!namesAny(skin, nodes.first(lines.joints().size()))) continue;
-    Json& extras = madeMember(skin, "extras", Json::object());
+    Json& extras = ensureMember(skin, "extras", Json::object());
     isHeld = extras.kind == Json::Kind::kObject;
     if (!isHeld) continue;
     Json data = Json::object();

@@ -8,21 +8,13 @@
 #include <utility>
 
 #include "core/base/at.h"
+#include "core/export/clip_json.h"
 
 namespace sinew::exporting {
 namespace {
 
 /// What the JSON of a sparse accessor and its two views takes, about.
 constexpr std::size_t kSparseJson = 250;
-
-template <class Value>
-std::string_view bytesOf(const std::vector<Value>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)};
-}
-
-Json numbersOf(const glm::vec3& v) {
-  return Json::array({static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)});
-}
 
 template <class Number>
 int addIndices(GltfRewrite& rewrite, const std::vector<std::size_t>& indices) {
@@ -70,8 +62,7 @@ int addDeltas(GltfRewrite& rewrite, const std::vector<glm::vec3>& deltas) {
   if (sparseBytes < deltas.size() * sizeof(glm::vec3)) {
     return addSparse(rewrite, moved, values, deltas.size(), bounds);
   }
-  return rewrite.addAccessor(
-      {bytesOf(deltas), TINYGLTF_COMPONENT_TYPE_FLOAT, "VEC3", deltas.size(), TINYGLTF_TARGET_ARRAY_BUFFER, bounds});
+  return rewrite.addAttribute(deltas, "VEC3", bounds);
 }
 
 Json targetsOf(const PrimitiveDeltas& deltas, GltfRewrite& rewrite) {
@@ -85,7 +76,7 @@ Json targetsOf(const PrimitiveDeltas& deltas, GltfRewrite& rewrite) {
   return targets;
 }
 
-/// Of points and lines, which no target moves.
+/// Targets of points and lines, which none moves.
 Json idleTargets(const Json& primitive, std::size_t targets, GltfRewrite& rewrite) {
   const auto positions = static_cast<int>(primitive.at("attributes").at("POSITION").number(0.0));
   const double count = rewrite.element("accessors", positions).at("count").number(1.0);
@@ -145,25 +136,10 @@ void addMorphWeights(std::span<const OutPrimitive> primitives, const std::vector
     made.set("name", clip).set("channels", Json::array()).set("samplers", Json::array());
     rewrite.append("animations", std::move(made));
   }
-  const int input = rewrite.addAccessor({bytesOf(times), TINYGLTF_COMPONENT_TYPE_FLOAT, "SCALAR", times.size()});
-  rewrite.element("accessors", input)
-      .set("min", Json::array({static_cast<double>(times.front())}))
-      .set("max", Json::array({static_cast<double>(times.back())}));
-  Json sampler = Json::object();
-  sampler.set("input", input).set("interpolation", "LINEAR");
-  sampler.set("output",
-              rewrite.addAccessor({bytesOf(weights), TINYGLTF_COMPONENT_TYPE_FLOAT, "SCALAR", weights.size()}));
-  Json& animation = rewrite.element("animations", 0);
-  Json& samplers = *memberOf(animation, "samplers");
-  samplers.push(std::move(sampler));
-  const auto number = static_cast<long long>(samplers.children.size()) - 1;
-  for (const int node : nodesOf(primitives)) {
-    Json target = Json::object();
-    target.set("node", node).set("path", "weights");
-    Json channel = Json::object();
-    channel.set("sampler", number).set("target", std::move(target));
-    memberOf(animation, "channels")->push(std::move(channel));
-  }
+  const int input = addTimes(times, rewrite);
+  const int output = rewrite.addAccessor({bytesOf(weights), TINYGLTF_COMPONENT_TYPE_FLOAT, "SCALAR", weights.size()});
+  const int sampler = addSampler(0, input, output, rewrite);
+  for (const int node : nodesOf(primitives)) addChannel(0, sampler, node, "weights", rewrite);
 }
 
 }  // namespace sinew::exporting

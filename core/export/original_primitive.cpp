@@ -1,29 +1,77 @@
 // core/export/original_primitive.cpp: the file's own vertices, moved by muscles at rest, with other weights.
+#include <cmath>
+#include <optional>
+
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "core/base/at.h"
+#include "core/export/into_mesh.h"
 #include "core/export/out_primitive.h"
 
 namespace sinew::exporting {
 namespace {
 
+constexpr const char* kNotFinite = ": values that are not finite, which glTF does not allow; others stand for them";
 /// Turns of normals smaller than this are rounding: the file's normal stays, bit for bit.
 constexpr float kSameNormal = 1e-4f;
 
-std::vector<glm::vec3> readVectors(const gltf::Accessor& accessor) {
-  std::vector<glm::vec3> values(accessor.count());
-  for (std::size_t v = 0; v < values.size(); ++v) {
-    for (int axis = 0; axis < 3; ++axis) values[v][axis] = static_cast<float>(accessor.number(v, axis));
-  }
-  return values;
+std::vector<glm::vec3> pointsOf(const std::vector<float>& values) {
+  std::vector<glm::vec3> points;
+  for (std::size_t i = 0; i + 2 < values.size(); i += 3) points.emplace_back(values[i], values[i + 1], values[i + 2]);
+  return points;
 }
 
-std::string_view bytesOf(const std::vector<glm::vec3>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(glm::vec3)};
+bool isFinite(const glm::vec3& v) { return std::isfinite(v.x + v.y + v.z); }
+
+/// What stands for an element that is not finite: white, as the import shows it, some unit tangent, or 0.
+float replacement(const std::string& attribute, int component) {
+  if (attribute == "TANGENT") return component == 0 || component == 3 ? 1.0f : 0.0f;
+  return attribute.starts_with("COLOR_") ? 1.0f : 0.0f;
+}
+
+/// All values of an attribute, those replaced that are not finite; nothing where none is.
+std::optional<std::vector<float>> replaceNonFinite(const gltf::Accessor& accessor, const std::string& attribute) {
+  std::vector<float> values;
+  bool isSound = true;
+  for (std::size_t v = 0; v < accessor.count(); ++v) {
+    bool isWhole = true;
+    for (int c = 0; c < accessor.components(); ++c) {
+      values.push_back(static_cast<float>(accessor.number(v, c)));
+      isWhole = isWhole && std::isfinite(values.back());
+    }
+    isSound = isSound && isWhole;
+    for (int c = 0; !isWhole && c < accessor.components(); ++c) {
+      values[values.size() - toIndex(accessor.components() - c)] = replacement(attribute, c);
+    }
+  }
+  return isSound ? std::nullopt : std::optional(std::move(values));
 }
 
 }  // namespace
+
+/// Attributes that are still the file's stay what they are there, but for values that are not finite: glTF allows none.
+void OutPrimitives::repair(const std::string& place, GltfRewrite& rewrite, Json& attributes,
+                           std::set<std::string>& left) {
+  const std::vector<tinygltf::Accessor>& accessors = source_.file.model().accessors;
+  for (const Json& attribute : std::vector<Json>(attributes.children)) {
+    const double index = attribute.number(-1.0);
+    if (!(index >= 0.0 && index < static_cast<double>(accessors.size()))) continue;
+    const tinygltf::Accessor& from = at(accessors, static_cast<int>(index));
+    if (from.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT) continue;
+    const std::string own = place + '.' + attribute.key;
+    const std::optional<std::vector<float>> values =
+        replaceNonFinite(source_.accessors.open(static_cast<int>(index), own, from.type), attribute.key);
+    if (!values) continue;
+    std::optional<Bounds> bounds;
+    if (attribute.key == "POSITION") bounds = boundsOf(pointsOf(*values));  // A morph target's.
+    const std::string type = at(source_.root.at("accessors").items(), static_cast<int>(index)).at("type").text("");
+    const int added = rewrite.addAccessor(
+        {bytesOf(*values), TINYGLTF_COMPONENT_TYPE_FLOAT, type, from.count, TINYGLTF_TARGET_ARRAY_BUFFER, bounds});
+    attributes.set(attribute.key, added);
+    left.insert(attribute.key + kNotFinite);
+  }
+}
 
 /// [file vertices] control vertex, or -1 for what no triangle of the mesh uses.
 std::vector<int> OutPrimitives::controlVertices(const gltf::SoupPart& part, std::size_t count) const {
@@ -44,13 +92,9 @@ std::vector<glm::vec3> OutPrimitives::fileNormals(const gltf::SoupPart& part, co
   const Json* normal = attributes.find("NORMAL");
   if (!normal) return {};
   const std::string place = gltf::placeOf("meshes", toIndex(part.mesh)) + ".primitives.attributes.NORMAL";
-  const double index = normal->number(-1.0);
-  if (!(index >= 0.0 && index < static_cast<double>(source_.file.model().accessors.size()))) {
-    gltf::refuse(place, "there is no such accessor");
-  }
-  const gltf::Accessor& accessor = source_.accessors.open(static_cast<int>(index), place, TINYGLTF_TYPE_VEC3);
+  const gltf::Accessor& accessor = source_.accessors.open(*normal, place, TINYGLTF_TYPE_VEC3);
   if (accessor.count() != count) gltf::refuse(place, "not as many values as positions");
-  return readVectors(accessor);
+  return gltf::vectorsOf<glm::vec3>(accessor);
 }
 
 /// What a vertex follows that no triangle uses.
@@ -60,17 +104,23 @@ FourWeights OutPrimitives::anyWeights(int node) const {
   return {{first, -1, -1, -1}, {1.0f}};
 }
 
-WrittenPrimitive OutPrimitives::writeOriginal(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive) {
+WrittenPrimitive OutPrimitives::writeOriginal(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive,
+                                              std::set<std::string>& left) {
   const auto& from = at(at(source_.file.model().meshes, part.mesh).primitives, part.primitive).attributes;
   std::vector<glm::vec3> positions =
-      readVectors(source_.accessors.open(from.at("POSITION"), "meshes", TINYGLTF_TYPE_VEC3));
+      gltf::vectorsOf<glm::vec3>(source_.accessors.open(from.at("POSITION"), "meshes", TINYGLTF_TYPE_VEC3));
   Json& attributes = *memberOf(primitive, "attributes");
   std::vector<glm::vec3> normals = fileNormals(part, attributes, positions.size());
   const std::vector<int> control = controlVertices(part, positions.size());
+  const IntoMesh into(skins_.meshToBind(part.node));
   const glm::dmat3 toBind(skins_.meshToBind(part.node));
   const glm::dmat3 intoMesh = glm::inverse(toBind);
   std::vector<FourWeights> weights;
   for (std::size_t v = 0; v < positions.size(); ++v) {
+    if (!normals.empty() && !isFinite(normals[v])) {
+      normals[v] = control[v] < 0 ? glm::vec3(0.0f, 0.0f, 1.0f) : into.normal(at(mesh_.normals, control[v]));
+      left.insert(std::string("NORMAL") + kNotFinite);
+    }
     if (control[v] < 0) {
       weights.push_back(anyWeights(part.node));
       continue;
@@ -86,16 +136,18 @@ WrittenPrimitive OutPrimitives::writeOriginal(const gltf::SoupPart& part, GltfRe
     normals[v] =
         normalizeOr(glm::vec3(glm::normalize(glm::transpose(toBind) * (world + glm::dvec3(turn)))), normals[v]);
   }
-  const auto add = [&](const std::vector<glm::vec3>& values, std::optional<Bounds> bounds) {
-    return rewrite.addAccessor({bytesOf(values), TINYGLTF_COMPONENT_TYPE_FLOAT, "VEC3", values.size(),
-                                TINYGLTF_TARGET_ARRAY_BUFFER, std::move(bounds)});
-  };
-  attributes.set("POSITION", add(positions, boundsOf(positions)));
-  if (!normals.empty()) attributes.set("NORMAL", add(normals, {}));
+  attributes.set("POSITION", rewrite.addAttribute(positions, "VEC3", boundsOf(positions)));
+  if (!normals.empty()) attributes.set("NORMAL", rewrite.addAttribute(normals, "VEC3"));
   std::erase_if(attributes.children, [](const Json& attribute) {
     return attribute.key.starts_with("JOINTS_") || attribute.key.starts_with("WEIGHTS_");
   });
   setWeights(part.node, weights, rewrite, attributes);
+  const std::string place =
+      gltf::placeOf(gltf::placeOf("meshes", toIndex(part.mesh)) + ".primitives", toIndex(part.primitive));
+  repair(place + ".attributes", rewrite, attributes, left);
+  if (Json* targets = memberOf(primitive, "targets")) {
+    for (Json& target : targets->children) repair(place + ".targets", rewrite, target, left);
+  }
   return {positions.size(), part.endTriangle - part.firstTriangle};
 }
 

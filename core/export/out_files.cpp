@@ -2,18 +2,10 @@
 #include "core/export/out_files.h"
 
 #include <algorithm>
-#include <cctype>
 #include <system_error>
 
-#include "core/io/files/atomic_file.h"
-
+#include "core/export/formats.h"
 namespace sinew::exporting {
-
-std::string lowerEnding(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
 
 Result<void> checkClips(const std::filesystem::path& file, const Character& character,
                         const std::vector<std::string>& asked) {
@@ -26,12 +18,6 @@ Result<void> checkClips(const std::filesystem::path& file, const Character& char
         known.empty() ? "it has no clips" : "expected " + (character.clips.size() > 1 ? "one of " + known : known)};
   }
   return {};
-}
-
-std::vector<std::filesystem::path> filesOf(const std::filesystem::path& file) {
-  if (lowerEnding(file) != ".gltf") return {file};
-  std::filesystem::path binary = file;
-  return {binary.replace_extension(".bin"), file};
 }
 
 Result<void> checkPlaces(const Source& source, const std::vector<std::filesystem::path>& files) {
@@ -51,19 +37,33 @@ Result<void> checkPlaces(const Source& source, const std::vector<std::filesystem
   return {};
 }
 
-Result<std::uint64_t> writeGltf(const PackedGltf& packed, const std::filesystem::path& file) {
-  const std::vector<std::filesystem::path> files = filesOf(file);
-  if (files.size() == 1) {
-    const Result<std::string> bytes = glbOf(packed);
-    if (!bytes) return Error{file.string(), {}, bytes.error().reason};
-    if (auto written = writeFileAtomically(file, bytes.value()); !written) return written.error();
-    return std::uint64_t{bytes->size()};
+Result<std::uint64_t> writeFiles(const Source& source, const std::vector<NamedBytes>& files) {
+  std::vector<std::filesystem::path> places;
+  std::uint64_t bytes = 0;
+  for (const NamedBytes& each : files) {
+    places.push_back(each.file);
+    bytes += each.bytes.size();
   }
-  const std::string text = gltfOf(packed, files.front().filename().string());
-  if (auto written = writeFilesAtomically({{files.front(), packed.binary}, {file, text}}); !written) {
-    return written.error();
-  }
-  return std::uint64_t{text.size() + packed.binary.size()};
+  if (auto free = checkPlaces(source, places); !free) return free.error();
+  const auto written =
+      files.size() == 1 ? writeFileAtomically(files.front().file, files.front().bytes) : writeFilesAtomically(files);
+  if (!written) return written.error();
+  return bytes;
+}
+
+Result<std::uint64_t> writeGlb(const Source& source, const PackedGltf& packed, const std::filesystem::path& file,
+                               std::vector<std::string>& /*left*/) {
+  const Result<std::string> bytes = glbOf(packed);
+  if (!bytes) return Error{file.string(), {}, bytes.error().reason};
+  return writeFiles(source, {{file, bytes.value()}});
+}
+
+Result<std::uint64_t> writeGltf(const Source& source, const PackedGltf& packed, const std::filesystem::path& file,
+                                std::vector<std::string>& /*left*/) {
+  std::filesystem::path binary = file;
+  binary.replace_extension(".bin");
+  const std::string text = gltfOf(packed, binary.filename().string());
+  return writeFiles(source, {{binary, packed.binary}, {file, text}});
 }
 
 }  // namespace sinew::exporting

@@ -6,28 +6,22 @@
 #include <string>
 #include <vector>
 
-#include "core/export/gltf_rewrite.h"
 #include "core/export/source.h"
+#include "core/io/files/atomic_file.h"
 #include "sinew/base/result.h"
 #include "sinew/character/character.h"
 
 namespace sinew::exporting {
 
-/// ".glb" of "OUT.GLB".
-[[nodiscard]] std::string lowerEnding(const std::filesystem::path& file);
-
 /// Error: a clip that the character does not have, and those that it has.
 [[nodiscard]] Result<void> checkClips(const std::filesystem::path& file, const Character& character,
                                       const std::vector<std::string>& asked);
-
-/// Files that an export consists of, the one named last; of a .usda not its textures: how many is not known before.
-[[nodiscard]] std::vector<std::filesystem::path> filesOf(const std::filesystem::path& file);
 
 /// Before the work. Error: no such folder, a place that is a folder, or one that the character is read from.
 /// @param files  the one that was asked for last
 [[nodiscard]] Result<void> checkPlaces(const Source& source, const std::vector<std::filesystem::path>& files);
 
-/// Bytes of all files written.
-[[nodiscard]] Result<std::uint64_t> writeGltf(const PackedGltf& packed, const std::filesystem::path& file);
+/// Checks the places and writes all files or none. Returns the bytes of all of them. @param files  as checkPlaces()
+[[nodiscard]] Result<std::uint64_t> writeFiles(const Source& source, const std::vector<NamedBytes>& files);
 
 }  // namespace sinew::exporting

@@ -13,23 +13,6 @@
 namespace sinew::exporting {
 namespace {
 
-template <class Value>
-std::string_view bytesOf(const std::vector<Value>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)};
-}
-
-template <class Value>
-int addVertexData(GltfRewrite& rewrite, const std::vector<Value>& values, std::size_t count, const char* type,
-                  int componentType = TINYGLTF_COMPONENT_TYPE_FLOAT, std::optional<Bounds> bounds = {}) {
-  return rewrite.addAccessor(
-      {bytesOf(values), componentType, type, count, TINYGLTF_TARGET_ARRAY_BUFFER, std::move(bounds)});
-}
-
-int addPositions(GltfRewrite& rewrite, const std::vector<glm::vec3>& positions) {
-  return addVertexData(rewrite, positions, positions.size(), "VEC3", TINYGLTF_COMPONENT_TYPE_FLOAT,
-                       boundsOf(positions));
-}
-
 const char* vectorType(int components) {
   static constexpr std::array kTypes{"SCALAR", "VEC2", "VEC3", "VEC4"};
   return kTypes[toIndex(components - 1)];
@@ -42,7 +25,7 @@ int addJoints(GltfRewrite& rewrite, const std::vector<std::array<int, kMostWeigh
   for (const auto& four : joints) {
     for (const int joint : four) numbers.push_back(static_cast<Number>(joint));
   }
-  return addVertexData(rewrite, numbers, joints.size(), "VEC4", componentType);
+  return rewrite.addAccessor({bytesOf(numbers), componentType, "VEC4", joints.size(), TINYGLTF_TARGET_ARRAY_BUFFER});
 }
 
 int addIndices(GltfRewrite& rewrite, const std::vector<std::array<std::uint32_t, 3>>& triangles, std::size_t vertices) {
@@ -94,7 +77,7 @@ void OutPrimitives::setWeights(int node, const std::vector<FourWeights>& weights
   attributes.set("JOINTS_0", narrow
                                  ? addJoints<std::uint8_t>(rewrite, joints, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE)
                                  : addJoints<std::uint16_t>(rewrite, joints, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT));
-  attributes.set("WEIGHTS_0", addVertexData(rewrite, shares, shares.size(), "VEC4"));
+  attributes.set("WEIGHTS_0", rewrite.addAttribute(shares, "VEC4"));
 }
 
 WrittenPrimitive OutPrimitives::writeRefined(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive,
@@ -119,12 +102,13 @@ WrittenPrimitive OutPrimitives::writeRefined(const gltf::SoupPart& part, GltfRew
   }
   if (primitive.find("targets")) left.insert("morph targets: they move the file's own vertices");
   Json attributes = Json::object();
-  attributes.set("POSITION", addPositions(rewrite, positions));
-  attributes.set("NORMAL", addVertexData(rewrite, normals, normals.size(), "VEC3"));
+  attributes.set("POSITION", rewrite.addAttribute(positions, "VEC3", boundsOf(positions)));
+  attributes.set("NORMAL", rewrite.addAttribute(normals, "VEC3"));
   for (VertexAttribute& attribute : refined.attributes) {
     if (attribute.name == "TANGENT") straighten(normals, attribute.values);
-    attributes.set(attribute.name,
-                   addVertexData(rewrite, attribute.values, positions.size(), vectorType(attribute.components)));
+    attributes.set(attribute.name, rewrite.addAccessor({bytesOf(attribute.values), TINYGLTF_COMPONENT_TYPE_FLOAT,
+                                                        vectorType(attribute.components), positions.size(),
+                                                        TINYGLTF_TARGET_ARRAY_BUFFER}));
   }
   setWeights(part.node, weights, rewrite, attributes);
   primitive.set("attributes", std::move(attributes));

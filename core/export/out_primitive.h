@@ -30,11 +30,13 @@ class OutPrimitives {
   /// Exchanges all attributes and indices of a copy of the part's JSON. Without vertices where no triangle is left.
   WrittenPrimitive writeRefined(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive,
                                 std::set<std::string>& left);
-  /// Exchanges positions, normals and weights; all else stays the accessors it is.
-  WrittenPrimitive writeOriginal(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive);
+  /// Exchanges positions, normals, weights, and what is not finite; all else stays the accessors it is.
+  WrittenPrimitive writeOriginal(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive,
+                                 std::set<std::string>& left);
 
  private:
   void setWeights(int node, const std::vector<FourWeights>& weights, GltfRewrite& rewrite, Json& attributes);
+  void repair(const std::string& place, GltfRewrite& rewrite, Json& attributes, std::set<std::string>& left);
   [[nodiscard]] std::vector<glm::vec3> fileNormals(const gltf::SoupPart& part, const Json& attributes,
                                                    std::size_t count) const;
   [[nodiscard]] FourWeights anyWeights(int node) const;

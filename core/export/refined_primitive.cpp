@@ -36,7 +36,7 @@ class AttributeReader {
     place_ = gltf::placeOf(gltf::placeOf("meshes", toIndex(part.mesh)) + ".primitives", toIndex(part.primitive));
   }
 
-  /// Of the part's vertices of the soup.
+  /// The values of the part's vertices of the soup.
   std::vector<VertexAttribute> read() {
     const Json& primitive =
         at(at(source_.root.at("meshes").items(), part_.mesh).at("primitives").items(), part_.primitive);
@@ -50,15 +50,10 @@ class AttributeReader {
  private:
   VertexAttribute readOne(const Json& attribute) {
     const std::string place = place_ + ".attributes." + attribute.key;
-    const double index = attribute.number(-1.0);
-    if (!(index >= 0.0 && index < static_cast<double>(source_.root.at("accessors").items().size()))) {
-      gltf::refuse(place, "there is no such accessor");
-    }
     const bool uv = attribute.key.starts_with("TEXCOORD_");
     const bool color = attribute.key.starts_with("COLOR_");
     const int type = uv ? TINYGLTF_TYPE_VEC2 : TINYGLTF_TYPE_VEC4;
-    const gltf::Accessor& accessor =
-        source_.accessors.open(static_cast<int>(index), place, type, color ? TINYGLTF_TYPE_VEC3 : -1);
+    const gltf::Accessor& accessor = source_.accessors.open(attribute, place, type, color ? TINYGLTF_TYPE_VEC3 : -1);
     VertexAttribute result{attribute.key, accessor.components(), {}};
     for (std::size_t v = part_.firstVertex; v < part_.endVertex; ++v) {
       const std::uint32_t element = source_.origin.fileVertex[v];

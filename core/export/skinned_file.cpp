@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/at.h"
+#include "core/export/clip_json.h"
 #include "core/export/helper_nodes.h"
 #include "core/export/line_data.h"
 #include "core/export/out_primitive.h"
@@ -38,7 +39,7 @@ class FileMaker {
       left_.insert("line data: extras of the skin are no object");
     }
     dropEmptyClips();
-    madeMember(rewrite_.root(), "asset", Json::object()).set("generator", "Sinew");
+    ensureMember(rewrite_.root(), "asset", Json::object()).set("generator", "Sinew");
     dropUnusedExtensions();
     if (finish_) finish_(rewrite_, skins_, written_);
     result_.joints = skins_.jointNodes();
@@ -53,12 +54,12 @@ class FileMaker {
     Json* clips = memberOf(rewrite_.root(), "animations");
     if (!clips || settings_.clips.empty()) return;
     std::vector<Json> kept;
-    for (std::size_t i = 0; i < clips->children.size(); ++i) {
-      const std::string name = clips->children[i].at("name").text("");
-      const std::string shown = name.empty() ? "clip " + std::to_string(i) : name;  // As the import names it.
-      if (!std::ranges::count(settings_.clips, shown)) continue;
-      clips->children[i].set("name", shown);
-      kept.push_back(std::move(clips->children[i]));
+    int index = 0;
+    for (Json& clip : clips->children) {
+      const std::string name = clipName(clip, index++);
+      if (!std::ranges::count(settings_.clips, name)) continue;
+      clip.set("name", name);
+      kept.push_back(std::move(clip));
     }
     clips->children = std::move(kept);
   }
@@ -90,7 +91,7 @@ class FileMaker {
 
   bool makePrimitive(const gltf::SoupPart& part, int place, Json& primitive) {
     WrittenPrimitive written = isRefined() ? primitives_.writeRefined(part, rewrite_, primitive, left_)
-                                           : primitives_.writeOriginal(part, rewrite_, primitive);
+                                           : primitives_.writeOriginal(part, rewrite_, primitive, left_);
     result_.vertices += static_cast<std::int64_t>(written.vertices);
     result_.triangles += static_cast<std::int64_t>(written.triangles);
     if (written.vertices == 0) return false;

@@ -24,7 +24,7 @@ struct SkinnedFile {
 
 /// A refined primitive as it stands in the file.
 struct OutPrimitive {
-  int node = 0;              ///< Of the file: it shows the mesh that the primitive belongs to.
+  int node = 0;              ///< The file's node that shows the primitive's mesh.
   int place = 0;             ///< Among the mesh's primitives.
   std::vector<int> refined;  ///< [n] refined vertex that each vertex shows.
   std::vector<int> drawn;    ///< [n] drawn vertex whose shading normal it has.

@@ -2,26 +2,14 @@
 #include "core/export/source.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/at.h"
-#include "core/io/files/atomic_file.h"
 #include "core/io/gltf/animation.h"
 #include "core/io/gltf/uri.h"
 
 namespace sinew::exporting {
 namespace {
-
-constexpr std::uintmax_t kMaxFileBytes = 1ULL << 30;
-/// As the import reads it: extras may be deep.
-constexpr int kMaxDepth = 200;
-
-Json wholeJson(const std::filesystem::path& path) {
-  const Result<std::vector<std::uint8_t>> bytes = readWholeBytes(path, kMaxFileBytes);
-  if (!bytes) throw gltf::Refusal{bytes.error()};
-  Result<Json> root = Json::parse(gltf::openContainer(bytes.value()).json, {.depth = kMaxDepth, .leftOut = {}});
-  if (!root) throw gltf::Refusal{root.error()};
-  return std::move(root).value();
-}
 
 bool sameMesh(const ControlMesh& a, const ControlMesh& b) {
   return a.positions == b.positions &&
@@ -47,7 +35,13 @@ bool sameClip(const AnimationClip& a, const AnimationClip& b) {
 
 }  // namespace
 
-Source::Source(const std::filesystem::path& from) : path(from), root(wholeJson(from)), file(from), accessors(file) {
+Source::Source(const std::filesystem::path& from) : Source(from, gltf::contentsOf(from)) {}
+
+Source::Source(const std::filesystem::path& from, std::vector<std::uint8_t> contents)
+    : path(from),
+      root(gltf::parseJson(gltf::openContainer(contents).json, {})),
+      file(std::move(contents), gltf::folderOf(from)),
+      accessors(file) {
   gltf::Notes notes;  // The import has told them.
   const gltf::NodeTree tree = gltf::readNodes(file, notes);
   bound = gltf::bindSkeleton(file, tree, accessors, notes);

@@ -16,7 +16,8 @@
 namespace sinew::exporting {
 
 struct Source {
-  explicit Source(const std::filesystem::path& from);  ///< Throws gltf::Refusal.
+  /// Reads the file once: what requireSame() compares and what is written again are one version. Throws gltf::Refusal.
+  explicit Source(const std::filesystem::path& from);
 
   std::filesystem::path path;
   Json root;  ///< All of the file's JSON, extras too.
@@ -34,6 +35,9 @@ struct Source {
   [[nodiscard]] int nodeOfBone(int bone) const;
   /// That a binding's bone is.
   [[nodiscard]] int nodeOf(int binding) const;
+
+ private:
+  Source(const std::filesystem::path& from, std::vector<std::uint8_t> contents);
 };
 
 /// Throws gltf::Refusal unless mesh, joints and clips of the character are those that the file gives now: it may have

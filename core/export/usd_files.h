@@ -16,8 +16,8 @@ namespace sinew::exporting {
 /// @param file     .usda; the place was free before the work
 /// @param left     what .usda does not hold is added
 /// @param moments  points over time in place of a skeleton; null: skinned
-[[nodiscard]] Result<std::uint64_t> writeUsd(const Source& source, const PackedGltf& packed,
-                                             const std::filesystem::path& file, std::vector<std::string>& left,
-                                             const usd::PointMoments* moments = nullptr);
+[[nodiscard]] Result<std::uint64_t> writeStage(const Source& source, const PackedGltf& packed,
+                                               const std::filesystem::path& file, std::vector<std::string>& left,
+                                               const usd::PointMoments* moments);
 
 }  // namespace sinew::exporting

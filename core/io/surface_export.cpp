@@ -2,30 +2,24 @@
 #include "sinew/io/surface_export.h"
 
 #include <algorithm>
-#include <cctype>
+#include <iterator>
 #include <set>
 #include <string_view>
 
 #include <stb_image_write.h>
 
+#include "core/base/at.h"
+#include "core/base/listed.h"
+#include "core/base/lower_case.h"
 #include "core/io/files/atomic_file.h"
+#include "core/io/gltf/image_bytes.h"
 #include "core/io/surface_formats.h"
 
 namespace sinew {
 namespace {
 
-std::string lowerEnding(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
-bool startsWith(const std::vector<std::uint8_t>& bytes, std::initializer_list<std::uint8_t> magic) {
-  return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
-}
-
 void appendBytes(void* out, void* bytes, int count) {
-  static_cast<std::string*>(out)->append(static_cast<const char*>(bytes), static_cast<std::size_t>(count));
+  static_cast<std::string*>(out)->append(static_cast<const char*>(bytes), toIndex(count));
 }
 
 Result<void> writeObj(const Surface& surface, const Character& character, const std::filesystem::path& file) {
@@ -36,11 +30,32 @@ Result<void> writeObj(const Surface& surface, const Character& character, const 
   return writeFileAtomically(file, files.obj);
 }
 
+Result<void> writePly(const Surface& surface, const Character& /*character*/, const std::filesystem::path& file) {
+  return writeFileAtomically(file, plyBytes(surface));
+}
+
+Result<void> writeGlb(const Surface& surface, const Character& character, const std::filesystem::path& file) {
+  const auto bytes = glbBytes(surface, character);
+  if (!bytes) return Error{file.string(), bytes.error().place, bytes.error().reason};
+  return writeFileAtomically(file, bytes.value());
+}
+
+/// A new format is one row and its writer. @param file  in a folder that is there
+struct SurfaceFormat {
+  std::string_view ending;  ///< Lower case.
+  Result<void> (*write)(const Surface& surface, const Character& character, const std::filesystem::path& file);
+};
+constexpr SurfaceFormat kFormats[] = {{".obj", writeObj}, {".ply", writePly}, {".glb", writeGlb}};
+
+const SurfaceFormat* findFormat(const std::filesystem::path& file) {
+  const auto* const found = std::ranges::find(kFormats, lowerEnding(file), &SurfaceFormat::ending);
+  return found == std::end(kFormats) ? nullptr : found;
+}
+
 }  // namespace
 
 std::vector<MaterialRun> materialRuns(const Surface& surface, const Character& character) {
-  const auto split =
-      static_cast<std::size_t>(surface.refinement->depth) * static_cast<std::size_t>(surface.refinement->depth);
+  const std::size_t split = toIndex(surface.refinement->depth) * toIndex(surface.refinement->depth);
   std::vector<MaterialRun> runs;
   for (std::size_t t = 0; t < character.mesh.triangles.size(); ++t) {
     const int material = character.mesh.triangles[t].material;
@@ -59,7 +74,7 @@ std::vector<int> usedMaterials(const Surface& surface, const Character& characte
 std::vector<int> usedTextures(const std::vector<int>& materials, const Character& character) {
   std::set<int> used;
   for (const int material : materials) {
-    const int texture = character.materials[static_cast<std::size_t>(material)].baseColorTexture;
+    const int texture = at(character.materials, material).baseColorTexture;
     if (texture >= 0) used.insert(texture);
   }
   return {used.begin(), used.end()};
@@ -67,21 +82,25 @@ std::vector<int> usedTextures(const std::vector<int>& materials, const Character
 
 ImageFile imageFile(const Texture& texture) {
   const std::string_view encoded(reinterpret_cast<const char*>(texture.encoded.data()), texture.encoded.size());
-  if (startsWith(texture.encoded, {0x89, 'P', 'N', 'G'})) return {std::string(encoded), "image/png", ".png"};
-  if (startsWith(texture.encoded, {0xFF, 0xD8, 0xFF})) return {std::string(encoded), "image/jpeg", ".jpg"};
+  const std::string ending(imageEnding(texture.encoded));
+  if (!ending.empty()) return {std::string(encoded), ending == ".png" ? "image/png" : "image/jpeg", ending};
   ImageFile made{{}, "image/png", ".png"};
   stbi_write_png_to_func(appendBytes, &made.bytes, texture.width, texture.height, 4, texture.rgba.data(),
                          texture.width * 4);
   return made;
 }
 
-bool isExportName(const std::filesystem::path& file) {
-  const std::string ending = lowerEnding(file);
-  return ending == ".obj" || ending == ".ply" || ending == ".glb";
+bool isExportName(const std::filesystem::path& file) { return findFormat(file) != nullptr; }
+
+std::string exportNameEndings() {
+  std::vector<std::string> endings;
+  for (const SurfaceFormat& format : kFormats) endings.emplace_back(format.ending);
+  return listed(endings, "or");
 }
 
 Result<void> exportSurface(const Surface& surface, const Character& character, const std::filesystem::path& file) {
-  if (!isExportName(file)) return Error{file.string(), {}, "expected a name that ends in .obj, .ply or .glb"};
+  const SurfaceFormat* const format = findFormat(file);
+  if (!format) return Error{file.string(), {}, "expected a name that ends in " + exportNameEndings()};
   if (!surface.refinement || surface.refinement->triangles.empty()) {
     return Error{file.string(), {}, "cannot be written: the surface has no triangles"};
   }
@@ -90,12 +109,7 @@ Result<void> exportSurface(const Surface& surface, const Character& character, c
   if (file.has_parent_path() && !std::filesystem::is_directory(file.parent_path(), unknown)) {
     return Error{file.string(), {}, "cannot be written: there is no such folder"};
   }
-  const std::string ending = lowerEnding(file);
-  if (ending == ".obj") return writeObj(surface, character, file);
-  if (ending == ".ply") return writeFileAtomically(file, plyBytes(surface));
-  const auto bytes = glbBytes(surface, character);
-  if (!bytes) return Error{file.string(), bytes.error().place, bytes.error().reason};
-  return writeFileAtomically(file, bytes.value());
+  return format->write(surface, character, file);
 }
 
 }  // namespace sinew

@@ -45,6 +45,9 @@ struct ObjFiles {
   std::vector<SideFile> sides;  ///< Textures, then the .mtl.
 };
 
+/// A name as .obj and .mtl can hold it: one word that starts no comment.
+[[nodiscard]] std::string asWord(std::string name);
+
 /// @param stem of the .obj's name: side files are called after it.
 [[nodiscard]] ObjFiles objFiles(const Surface& surface, const Character& character, const std::string& stem);
 

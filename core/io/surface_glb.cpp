@@ -10,6 +10,7 @@
 
 #include <tiny_gltf.h>
 
+#include "core/base/at.h"
 #include "core/io/json/json.h"
 #include "core/io/surface_formats.h"
 
@@ -146,9 +147,9 @@ class GlbWriter {
   void writeMaterials() {
     for (const int texture : usedTextures(materials_, character_)) {
       textureNumber_[texture] = static_cast<int>(model_.textures.size());
-      writeTexture(character_.textures[static_cast<std::size_t>(texture)]);
+      writeTexture(at(character_.textures, texture));
     }
-    for (const int material : materials_) writeMaterial(character_.materials[static_cast<std::size_t>(material)]);
+    for (const int material : materials_) writeMaterial(at(character_.materials, material));
   }
 
   std::map<std::string, int> writeAttributes() {
@@ -209,7 +210,7 @@ class GlbWriter {
   const Surface& surface_;
   const Character& character_;
   std::vector<int> materials_;
-  std::map<int, int> textureNumber_;  // Of the character -> of the file.
+  std::map<int, int> textureNumber_;  // The character's -> the file's.
   tinygltf::Model model_;
 };
 

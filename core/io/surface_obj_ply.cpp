@@ -7,6 +7,7 @@
 #include <cstring>
 #include <set>
 
+#include "core/base/at.h"
 #include "core/io/surface_formats.h"
 
 namespace sinew {
@@ -34,20 +35,12 @@ void appendRounded(std::string& out, const char* word, std::initializer_list<flo
   appendLine(out, word, values, 6);
 }
 
-/// Words in these formats end at white space, and names must not start a comment.
-std::string asWord(std::string name) {
-  for (char& c : name) {
-    if (static_cast<unsigned char>(c) <= ' ' || c == '#' || c == 0x7f) c = '_';
-  }
-  return name;
-}
-
 /// One word per used material, [materials of the character]; unused ones stay empty.
 std::vector<std::string> materialWords(const std::vector<int>& used, const Character& character) {
   std::vector<std::string> words(character.materials.size());
   std::set<std::string> taken;
   for (const int material : used) {
-    const auto m = static_cast<std::size_t>(material);
+    const auto m = toIndex(material);
     std::string word = asWord(character.materials[m].name);
     if (word.empty() || taken.contains(word)) word += (word.empty() ? "material_" : "_") + std::to_string(m);
     while (!taken.insert(word).second) word += '_';
@@ -60,8 +53,8 @@ std::string mtlText(const std::vector<int>& used, const Character& character, co
                     const std::vector<std::string>& textureNames) {
   std::string out = "# Made by Sinew\n";
   for (const int index : used) {
-    const Material& material = character.materials[static_cast<std::size_t>(index)];
-    out += "newmtl " + words[static_cast<std::size_t>(index)] + '\n';
+    const Material& material = at(character.materials, index);
+    out += "newmtl " + at(words, index) + '\n';
     appendRounded(out, "Kd", {material.baseColor.r, material.baseColor.g, material.baseColor.b});
     appendRounded(out, "Ks", {0.04f, 0.04f, 0.04f});
     // Shininess that looks about as rough (Blinn's exponent for a GGX lobe of roughness^2).
@@ -72,7 +65,7 @@ std::string mtlText(const std::vector<int>& used, const Character& character, co
     appendRounded(out, "d", {opaque ? 1.0f : material.baseColor.a});
     out += "illum 2\n";
     if (material.baseColorTexture < 0) continue;
-    const std::string& texture = textureNames[static_cast<std::size_t>(material.baseColorTexture)];
+    const std::string& texture = at(textureNames, material.baseColorTexture);
     out += "map_Kd " + texture + '\n';
     if (!opaque) out += "map_d -imfchan m " + texture + '\n';
   }
@@ -99,7 +92,7 @@ std::string objText(const Surface& surface, const Character& character, const st
   const bool creased = !surface.shadingNormals.empty();
   for (const glm::vec3& n : creased ? surface.shadingNormals : surface.normals) appendExact(out, "vn", {n.x, n.y, n.z});
   for (const MaterialRun& run : materialRuns(surface, character)) {
-    out += "usemtl " + words[static_cast<std::size_t>(run.material)] + '\n';
+    out += "usemtl " + at(words, run.material) + '\n';
     for (std::size_t t = run.begin; t < run.end; ++t) appendFace(out, surface, refinement.drawTriangles[t]);
   }
   return out;
@@ -124,6 +117,14 @@ std::array<std::uint8_t, 4> shownColor(const glm::vec4& linear) {
 
 }  // namespace
 
+// Words in these formats end at white space, and names must not start a comment.
+std::string asWord(std::string name) {
+  for (char& c : name) {
+    if (static_cast<unsigned char>(c) <= ' ' || c == '#' || c == 0x7f) c = '_';
+  }
+  return name;
+}
+
 ObjFiles objFiles(const Surface& surface, const Character& character, const std::string& stem) {
   ObjFiles files;
   const std::string base = asWord(stem);
@@ -131,8 +132,8 @@ ObjFiles objFiles(const Surface& surface, const Character& character, const std:
   std::vector<std::string> textureNames(character.textures.size());
   int number = 0;
   for (const int texture : usedTextures(materials, character)) {
-    ImageFile image = imageFile(character.textures[static_cast<std::size_t>(texture)]);
-    std::string& name = textureNames[static_cast<std::size_t>(texture)];
+    ImageFile image = imageFile(at(character.textures, texture));
+    std::string& name = at(textureNames, texture);
     name = base + '_' + std::to_string(number++) + image.ending;
     files.sides.push_back({name, std::move(image.bytes)});
   }

@@ -62,7 +62,7 @@ _sinew() {
         smooth:--report) _sinew_files json; return ;;
         smooth:--list) _sinew_files -; return ;;
         smooth:--shard) :; return ;;
-        export:--as) _sinew_words skinned helpers baked; return ;;
+        export:--as) _sinew_words helpers skinned baked; return ;;
         export:--mesh) _sinew_words refined original; return ;;
         export:--depth) :; return ;;
         export:--weights) _sinew_words refitted transferred; return ;;

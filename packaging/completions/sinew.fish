@@ -91,7 +91,7 @@ complete -c sinew -n '__sinew_in "smooth"' -l resume -d 'Leave out what is there
 complete -c sinew -n '__sinew_in "smooth"' -l dry-run -d 'Print the names of the files, and make none'
 complete -c sinew -n '__sinew_in "export"' -a '(__sinew_files glb gltf rig.json)'
 complete -c sinew -n '__sinew_in "export"' -s h -l help -d 'Print this and exit'
-complete -c sinew -n '__sinew_in "export"' -l as -x -a 'skinned helpers baked' -d 'helpers: with joints that move as the muscles do, keyed in every clip (default); skinned: the file\'s joints alone, muscles at rest; baked: one clip as it is, in morph targets (.glb, .gltf) or points (.usda; .pc2 or .mdd, a cache beside an .obj)'
+complete -c sinew -n '__sinew_in "export"' -l as -x -a 'helpers skinned baked' -d 'helpers: with joints that move as the muscles do, keyed in every clip (default); skinned: the file\'s joints alone, muscles at rest; baked: one clip as it is, in morph targets (.glb, .gltf) or points (.usda; .pc2 or .mdd, a cache beside an .obj)'
 complete -c sinew -n '__sinew_in "export"' -l mesh -x -a 'refined original' -d 'refined, or original: the file\'s own vertices, in its order'
 complete -c sinew -n '__sinew_in "export"' -l depth -x -d 'Every triangle becomes N x N, in place of the rig\'s depth'
 complete -c sinew -n '__sinew_in "export"' -l weights -x -a 'refitted transferred' -d 'refitted to the muscles\' surface over the clips and the range of motion, or transferred from the file'

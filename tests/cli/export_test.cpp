@@ -100,6 +100,8 @@ TEST_F(Export, WhatAKindHasNoUseForIsABadCommandLine) {
   refused({"--as", "baked", "-o", "out.mdd", "--clip", "Walk", "--bound", "1"}, "--bound: is for .glb and .gltf alone");
   refused({"--as", "baked", "-o", "out.usda", "--clip", "Walk", "--bound", "1"}, "--bound: is for .glb and .gltf");
   refused({"--as", "baked", "-o", "out.pc2", "--clip", "Walk", "--weights", "refitted"}, "--weights: is for .glb");
+  refused({"-o", "out.glb", "--weights", "transferred"},
+          "--weights transferred: is for --as skinned and --as baked alone");
   refused({"--as", "baked", "-o", "out.glb"}, "--clip: expected one clip");
   refused({"--as", "baked", "-o", "out.glb", "--clip", "Walk", "--clip", "Idle"}, "--clip: expected one clip");
   refused({"--as", "baked", "-o", "out.glb", "--clip", "Walk", "--bound", "0"}, "--bound");

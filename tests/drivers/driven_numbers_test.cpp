@@ -10,6 +10,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "core/drivers/joint_turns.h"
+#include "core/rig/animated_edit.h"
 #include "core/rig/attachment.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/rig_edit.h"

@@ -38,7 +38,7 @@ struct Sheet {
         matrices.push_back(helperMatrix(result.helpers[h], pose.pose, locals[h]));
       }
       for (std::size_t v = 0; v < rest.size(); ++v) {
-        const glm::dvec3 off = skinned(matrices, result.weights[v], glm::dvec3(rest[v])) - glm::dvec3(pose.live[v]);
+        const glm::dvec3 off = skinPoint(matrices, result.weights[v], glm::dvec3(rest[v])) - glm::dvec3(pose.live[v]);
         sum += glm::dot(off, off);
         count += 1.0;
       }
@@ -181,7 +181,7 @@ TEST(HelperFit, FurtherPosesStayAsTheyWere) {
     std::vector<glm::dmat4> matrices = pose.matrices;
     for (const HelperJoint& helper : result.helpers) matrices.push_back(helperMatrix(helper, pose.pose, helper.rest));
     for (std::size_t v = 0; v < sheet.rest.size(); ++v) {
-      const glm::dvec3 point = skinned(matrices, result.weights[v], glm::dvec3(sheet.rest[v]));
+      const glm::dvec3 point = skinPoint(matrices, result.weights[v], glm::dvec3(sheet.rest[v]));
       EXPECT_LT(glm::distance(point, glm::dvec3(pose.live[v])), 1e-5);
     }
   }

@@ -1,4 +1,8 @@
 // tests/export/kept_parts_test.cpp: what an export keeps of files that hold more than one plain mesh.
+#include <cmath>
+#include <limits>
+#include <map>
+
 #include <nlohmann/json.hpp>
 
 #include "core/io/files/atomic_file.h"
@@ -153,6 +157,52 @@ TEST_F(KeptParts, MorphTargetsGoWithARefinedMeshAndStayWithTheOriginal) {
   EXPECT_EQ(rawBytes(model, model.meshes[0].primitives[0].targets.at(0).at("POSITION")), rawBytes(before, target));
 }
 
+TEST_F(KeptParts, ValuesThatAreNotFiniteAreReplacedInTheOriginalMesh) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kInfinite = std::numeric_limits<float>::infinity();
+  const std::size_t count = post_.positions.size() / 3;
+  std::vector<float> normals;
+  for (std::size_t v = 0; v < count; ++v) normals.insert(normals.end(), {0.0f, 0.0f, 1.0f});
+  normals[3] = kNan;
+  std::vector<float> uv(2 * count, 0.5f);
+  uv[2] = kInfinite;
+  std::vector<float> colors(3 * count, 0.25f);
+  colors[4] = kNan;
+  std::vector<float> tangents;
+  for (std::size_t v = 0; v < count; ++v) tangents.insert(tangents.end(), {0.0f, 1.0f, 0.0f, -1.0f});
+  tangents[7] = kNan;
+  std::vector<float> deltas(3 * count, 0.125f);
+  deltas[5] = -kInfinite;
+  post_.attributes()["NORMAL"] = post_.file.accessor(normals, "VEC3");
+  post_.attributes()["TEXCOORD_0"] = post_.file.accessor(uv, "VEC2");
+  post_.attributes()["COLOR_0"] = post_.file.accessor(colors, "VEC3");
+  post_.attributes()["TANGENT"] = post_.file.accessor(tangents, "VEC4");
+  const int sound = post_.file.accessor(std::vector<float>(2 * count, 0.75f), "VEC2");
+  post_.attributes()["TEXCOORD_1"] = sound;
+  const int target = post_.file.accessor(deltas, "VEC3");
+  post_.primitive()["targets"] = ordered_json::array({ordered_json{{"POSITION", target}}});
+  const SkinnedExportReport report = exported(kOriginal);
+  const tinygltf::Model model = rawModel(folder_.path() / "out.glb");
+  const tinygltf::Primitive& primitive = model.meshes[0].primitives[0];
+  const auto numbers = [&](const std::map<std::string, int>& attributes, const char* name) {
+    const std::vector<float> values = rawNumbers<float>(model, attributes.at(name));
+    EXPECT_TRUE(std::ranges::all_of(values, [](float value) { return std::isfinite(value); })) << name;
+    return values;
+  };
+  const auto moved = numbers(primitive.attributes, "NORMAL");
+  EXPECT_NEAR(std::hypot(moved[3], moved[4], moved[5]), 1.0f, 1e-5f) << "as the surface has it";
+  EXPECT_EQ(std::vector(moved.begin() + 6, moved.end()), std::vector(normals.begin() + 6, normals.end()));
+  const auto uvs = numbers(primitive.attributes, "TEXCOORD_0");
+  EXPECT_EQ(std::vector(uvs.begin(), uvs.begin() + 5), (std::vector{0.5f, 0.5f, 0.0f, 0.0f, 0.5f}));
+  EXPECT_EQ(numbers(primitive.attributes, "COLOR_0")[4], 1.0f);
+  const auto upright = numbers(primitive.attributes, "TANGENT");
+  EXPECT_EQ(std::vector(upright.begin() + 4, upright.begin() + 8), (std::vector{1.0f, 0.0f, 0.0f, 1.0f}));
+  EXPECT_EQ(numbers(primitive.targets.at(0), "POSITION")[5], 0.0f);
+  EXPECT_EQ(rawBytes(model, primitive.attributes.at("TEXCOORD_1")), rawBytes(rawModel(source_), sound));
+  ASSERT_EQ(report.left.size(), 5U);
+  EXPECT_NE(report.left[0].find("COLOR_0: values that are not finite"), std::string::npos) << report.left[0];
+}
+
 TEST_F(KeptParts, ExtrasCamerasAndExtensionsStay) {
   ordered_json& file = post_.file.json;
   file["nodes"][1]["extras"] = {{"health", 12.5}, {"tags", {"a", "b"}}};
@@ -211,6 +261,24 @@ TEST_F(KeptParts, ImagesBesideTheFileComeIntoItByteForByte) {
     const auto& data = model.buffers.at(0).data;
     EXPECT_EQ(std::string(reinterpret_cast<const char*>(data.data()) + view.byteOffset, view.byteLength), image);
   }
+}
+
+TEST_F(KeptParts, ClipsOfHoursAreRefusedUnlessTheyAreLeftOut) {
+  ordered_json& clips = post_.file.json["animations"];
+  ordered_json longer = clips[0];
+  longer["name"] = "sleep";
+  longer["samplers"][0]["input"] = post_.file.accessor(std::vector<float>{0.0f, 7200.0f}, "SCALAR");
+  clips.push_back(longer);
+  ASSERT_TRUE(writeFileAtomically(source_, post_.file.glb()).ok());
+  const auto character = importGltf(source_);
+  ASSERT_TRUE(character.ok()) << character.error().text();
+  const auto out = folder_.path() / "out.glb";
+  const auto report = exportSkinned(source_, character.value(), *character.value(), Rig{}, {}, out);
+  ASSERT_FALSE(report.ok());
+  EXPECT_EQ(report.error().file, source_.string());
+  EXPECT_EQ(report.error().reason, "last 7201 seconds together; expected at most 3600: choose fewer of them");
+  EXPECT_FALSE(std::filesystem::exists(out));
+  EXPECT_TRUE(exportSkinned(source_, character.value(), *character.value(), Rig{}, {.clips = {"bend"}}, out).ok());
 }
 
 TEST_F(KeptParts, NormalsThatTheFileDoesNotHaveAreRefused) {

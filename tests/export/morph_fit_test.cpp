@@ -46,7 +46,7 @@ class MorphFitTest : public ::testing::Test {
       for (std::size_t v = 0; v < vertices_.size(); ++v) {
         glm::dvec3 point = vertices_[v].rest;
         for (std::size_t k = 0; k < moved.size(); ++k) point += curve(static_cast<int>(k), frame) * moved[k][v];
-        live.emplace_back(skinned(matricesAt(frame), vertices_[v].weights, point));
+        live.emplace_back(skinPoint(matricesAt(frame), vertices_[v].weights, point));
       }
       live_.push_back(live);
       fit.add(matricesAt(frame), live);
@@ -65,7 +65,7 @@ class MorphFitTest : public ::testing::Test {
                    glm::dvec3(targets.deltas[k][v]);
         }
         const glm::dvec3 point = vertices_[v].rest + spaces_[static_cast<std::size_t>(vertices_[v].space)] * delta;
-        const glm::dvec3 shown = skinned(matricesAt(static_cast<int>(frame)), vertices_[v].weights, point);
+        const glm::dvec3 shown = skinPoint(matricesAt(static_cast<int>(frame)), vertices_[v].weights, point);
         worst = std::max(worst, glm::distance(shown, glm::dvec3(live_[frame][v])));
       }
     }

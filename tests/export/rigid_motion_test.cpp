@@ -99,8 +99,8 @@ TEST(Trs, IsFoundAgainInItsMatrix) {
     const glm::dvec3 point = randomPoint(random);
     const glm::dvec3 moved = trs.translation + trs.rotation * (trs.scale * point);
     EXPECT_LT(glm::distance(glm::dvec3(trs.toMatrix() * glm::dvec4(point, 1.0)), moved), 1e-12);
-    EXPECT_LT(glm::distance(rounded(trs).scale, trs.scale), 1e-6);
-    EXPECT_EQ(rounded(trs).scale, rounded(rounded(trs)).scale);
+    EXPECT_LT(glm::distance(roundToFloats(trs).scale, trs.scale), 1e-6);
+    EXPECT_EQ(roundToFloats(trs).scale, roundToFloats(roundToFloats(trs)).scale);
   }
   EXPECT_EQ(trsOf(glm::dmat4(0.0)).scale, glm::dvec3(0.0));
 }

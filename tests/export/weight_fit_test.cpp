@@ -55,7 +55,7 @@ std::vector<glm::vec3> liveIn(const Movement& movement, const std::vector<glm::d
   std::vector<glm::vec3> live;
   for (std::size_t v = 0; v < movement.rest.size(); ++v) {
     const glm::vec3 off(unit(random), unit(random), unit(random));
-    live.push_back(glm::vec3(skinned(matrices, movement.truth[v], glm::dvec3(movement.rest[v]))) + bulge * off);
+    live.push_back(glm::vec3(skinPoint(matrices, movement.truth[v], glm::dvec3(movement.rest[v]))) + bulge * off);
   }
   return live;
 }
@@ -72,7 +72,7 @@ TEST(WeightFit, FindsTheWeightsThatMadeTheMovement) {
   for (std::size_t v = 0; v < found.size(); ++v) {
     for (const auto& pose : movement.poses) {
       const glm::dvec3 rest(movement.rest[v]);
-      EXPECT_LT(glm::distance(skinned(pose, found[v], rest), skinned(pose, movement.truth[v], rest)), 2e-3);
+      EXPECT_LT(glm::distance(skinPoint(pose, found[v], rest), skinPoint(pose, movement.truth[v], rest)), 2e-3);
     }
   }
 }
@@ -96,7 +96,7 @@ TEST(WeightFit, NoVertexIsFartherOffThanBefore) {
         double sum = 0.0;
         for (std::size_t p = 0; p < live.size(); ++p) {
           const glm::dvec3 off =
-              skinned(movement.poses[p], weights, glm::dvec3(movement.rest[v])) - glm::dvec3(live[p][v]);
+              skinPoint(movement.poses[p], weights, glm::dvec3(movement.rest[v])) - glm::dvec3(live[p][v]);
           sum += glm::dot(off, off);
         }
         return sum;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/rig/attachment.h"
 #include "sinew/smoothing/smoother.h"
 #include "tests/support/allocations.h"
 #include "tests/support/characters/synthetic_characters.h"

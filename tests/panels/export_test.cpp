@@ -132,12 +132,12 @@ TEST_F(ExportDialogs, BakesOneClipAsTheCommandLineDoes) {
     settle();
     EXPECT_FALSE(shown("export/clips/chosen"));
     click("export/one-clip");
-    click("export/one-clip/" + std::to_string(exportableClips(state.character()).size() - 1));
+    click("export/one-clip/" + std::to_string(exportableClips(kinds[kind], state.character()).size() - 1));
     ASSERT_EQ(chosenSettings(state).clips.size(), 1u);
     click("export/ok");
     finish();
-    const std::string ending = kinds[kind].endings.front();
-    const std::string clip = exportableClips(state.character()).back();
+    const std::string ending = usualEnding(kinds[kind]);
+    const std::string clip = exportableClips(kinds[kind], state.character()).back();
     ASSERT_TRUE(fs::exists(folder / ("demo_muscled" + ending))) << lastMessage();
     ASSERT_EQ(
         commandLine("export demo.rig.json --as baked --depth 1 --clip '" + clip + "' -o cli/demo_muscled" + ending), 0);
@@ -166,6 +166,30 @@ TEST_F(ExportDialogs, TheRangeOfMotionThatIsShownIsNotExportedAsAClip) {
   finish();
   ASSERT_EQ(commandLine("export demo.rig.json --as skinned --depth 1 --weights transferred -o cli.glb"), 0);
   EXPECT_EQ(bytesOf(folder / "shown.glb"), bytesOf(folder / "cli.glb"));
+}
+
+TEST_F(ExportDialogs, TheRangeOfMotionThatIsShownCanBeBakedToPointsAsOnTheCommandLine) {
+  run(action("play/range-of-motion"), state);
+  state.open.transport.playing = false;
+  const auto kinds = exportKinds();
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    if (!kinds[kind].fields.oneClip) continue;
+    run(action("file/export-character"), state);
+    chooseKind(state.dialogs, kind);
+    state.dialogs.exporting.settings.depth = 1;
+    state.dialogs.exporting.settings.framesPerSecond = 5.0;
+    settle();
+    const bool arePoints = kinds[kind].form != ExportForm::kTargets;
+    EXPECT_EQ(chosenOneClip(state) == "Range of motion", arePoints) << "no glTF holds it: " << kinds[kind].title;
+    if (kinds[kind].form != ExportForm::kCache) {
+      press(kEscape);
+      continue;
+    }
+    click("export/ok");
+    finish();
+    ASSERT_EQ(commandLine("export demo.rig.json --as baked --depth 1 --fps 5 --clip 'Range of motion' -o cli.pc2"), 0);
+    EXPECT_EQ(bytesOf(folder / "demo_muscled.pc2"), bytesOf(folder / "cli.pc2"));
+  }
 }
 
 TEST_F(ExportDialogs, EditsThatAreNotSavedAreExportedAndLaterOnesAreNot) {

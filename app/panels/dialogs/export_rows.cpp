@@ -99,7 +99,7 @@ void keepClipThatPlays(EditorState& state) {
 /// The one that is exported, and its frames.
 void oneClipRows(PanelUi& ui) {
   ExportDialogState& dialog = ui.state.dialogs.exporting;
-  const std::vector<std::string> names = exportableClips(ui.state.character());
+  const std::vector<std::string> names = exportableClips(chosenKind(ui.state.dialogs), ui.state.character());
   if (names.empty()) return;
   const std::string chosen = chosenOneClip(ui.state);
   label(ui, "Clip");
@@ -143,7 +143,7 @@ void boundRow(PanelUi& ui) {
 
 void clipRows(PanelUi& ui) {
   ExportDialogState& dialog = ui.state.dialogs.exporting;
-  const std::vector<std::string> names = exportableClips(ui.state.character());
+  const std::vector<std::string> names = exportableClips(chosenKind(ui.state.dialogs), ui.state.character());
   if (names.empty()) return;
   label(ui, "Clips");
   const std::string all = "All (" + std::to_string(names.size()) + ")";

@@ -77,7 +77,7 @@ class Choice {
   const CandidateWeights& near_;
   std::array<std::size_t, kMost> chosen_{};
   std::array<std::array<double, kMost>, kMost> factor_{};
-  std::array<double, kMost> inverse_{};  ///< Of the factor's diagonal.
+  std::array<double, kMost> inverse_{};  ///< Reciprocals of the factor's diagonal.
   std::array<double, kMost> pull_{};
   std::array<double, kMost> ones_{};
   std::array<Sums, kMost> sums_{};

@@ -36,9 +36,8 @@ std::vector<std::vector<Share>> ringShares(const ControlMesh& mesh) {
   std::vector<std::vector<Share>> result(mesh.positions.size());
   for (const Edge& edge : mesh.edges) {
     for (const int end : {0, 1}) {
-      for (const Influence& influence : mesh.influencesOf(edge.vertices[static_cast<std::size_t>(1 - end)])) {
-        add(at(result, edge.vertices[static_cast<std::size_t>(end)]), influence.binding,
-            static_cast<double>(influence.weight));
+      for (const Influence& influence : mesh.influencesOf(edge.vertices[toIndex(1 - end)])) {
+        add(at(result, at(edge.vertices, end)), influence.binding, static_cast<double>(influence.weight));
       }
     }
   }

@@ -21,7 +21,7 @@ class ErrorMeter {
   [[nodiscard]] ErrorFigures figures() const;
 
  private:
-  static constexpr std::size_t kClasses = std::size_t{1} << 18U;  ///< Of a float's exponent and ten bits more.
+  static constexpr std::size_t kClasses = std::size_t{1} << 18U;  ///< A float's exponent and ten bits more.
 
   double scale_ = 1.0;
   double squares_ = 0.0;

@@ -43,7 +43,7 @@ struct Share {
 void bindingMatrices(const Skeleton& skeleton, const Pose& pose, std::vector<glm::dmat4>& out);
 
 /// Linear blend skinning of a point of the bind pose.
-[[nodiscard]] glm::dvec3 skinned(std::span<const glm::dmat4> matrices, const FourWeights& weights,
-                                 const glm::dvec3& point);
+[[nodiscard]] glm::dvec3 skinPoint(std::span<const glm::dmat4> matrices, const FourWeights& weights,
+                                   const glm::dvec3& point);
 
 }  // namespace sinew::exporting

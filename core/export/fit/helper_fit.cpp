@@ -18,17 +18,22 @@ namespace sinew::exporting {
 namespace {
 
 constexpr double kSpare = 0.5;           ///< Rigid helpers beyond what is asked; the least useful joints go again.
-constexpr double kReach = 0.08;          ///< Of H: how far around its seed a new helper begins.
+constexpr double kReach = 0.08;          ///< Times H: how far around its seed a new helper begins.
 constexpr int kRounds = 4;               ///< In so many goes helpers are placed.
 constexpr int kDrops = 3;                ///< In so many the least useful ones go.
-constexpr int kTurns = 3;                ///< Of weights and motions after each.
-constexpr int kLastTurns = 8;            ///< And once all is chosen.
+constexpr int kTurns = 3;                ///< Solutions for weights and motions after each.
+constexpr int kLastTurns = 8;            ///< The same once all is chosen.
 constexpr std::size_t kMostSeeds = 400;  ///< Vertices that are looked at as places.
 constexpr std::size_t kMostGains = 4;    ///< Helpers that a vertex may newly follow in a turn.
-constexpr double kTolerance = 1e-5;      ///< Of H: what is as near is not fitted.
+constexpr double kTolerance = 1e-5;      ///< Times H: what is as near is not fitted.
 constexpr std::size_t kLeastRange = 64;  ///< Vertices that are worth a thread.
 constexpr float kAlmostAlone = 0.99f;    ///< A weight beside which the others say nothing.
 
+/// Smooth skinning decomposition (Le and Deng, "Smooth Skinning Decomposition with Rigid Bones", 2012) with the
+/// character's own joints given: weights and rigid motions are solved by turns, each by least squares with the other
+/// held. There they begin with clusters of vertices; here a helper begins where the error that the joints leave is
+/// largest, so that it adds what they cannot do. More are placed than asked for, and the least useful go again in
+/// rounds: which ones serve best shows only when all have settled.
 class HelperFit {
  public:
   HelperFit(const HelperTask& task, std::vector<FourWeights> start)
@@ -118,8 +123,8 @@ class HelperFit {
       if (std::ranges::none_of(w.binding, [&](int b) { return b >= first_; })) return;
       const glm::dvec3 point(task_.rest[v]);
       const glm::dvec3 live(task_.poses[f].live[v]);
-      const glm::dvec3 off = skinned(matrices_[f], w, point) - live;
-      const glm::dvec3 offPlain = skinned(matrices_[f], start_[v], point) - live;
+      const glm::dvec3 off = skinPoint(matrices_[f], w, point) - live;
+      const glm::dvec3 offPlain = skinPoint(matrices_[f], start_[v], point) - live;
       now[v] += counts * glm::dot(off, off);
       plain[v] += counts * glm::dot(offPlain, offPlain);
       for (std::size_t i = 0; i < kMostWeights && w.binding[i] >= 0; ++i) {
@@ -170,7 +175,7 @@ class HelperFit {
     forEachInEachPose([&](std::size_t f, std::size_t v) {
       if (task_.poses[f].further) return;
       const glm::dvec3 off =
-          skinned(matrices_[f], weights_[v], glm::dvec3(task_.rest[v])) - glm::dvec3(task_.poses[f].live[v]);
+          skinPoint(matrices_[f], weights_[v], glm::dvec3(task_.rest[v])) - glm::dvec3(task_.poses[f].live[v]);
       energies[v] += glm::dot(off, off);
     });
     return energies;
@@ -255,7 +260,7 @@ class HelperFit {
                      glm::dvec3(*intoPosed * glm::dvec4(glm::dvec3(pose.live[toIndex(v)]), 1.0)) - place, counts);
         }
         const RigidMotion::Motion best = motion.best();
-        local = rounded({place + best.translation, best.rotation, glm::dvec3(1.0)});
+        local = roundToFloats({place + best.translation, best.rotation, glm::dvec3(1.0)});
       }
       locals_[f].push_back(local);
       matrices_[f].push_back(helperMatrix(helper, pose.pose, local));
@@ -272,7 +277,7 @@ class HelperFit {
     forEachInEachPose([&](std::size_t f, std::size_t v) {
       if (task_.poses[f].further) return;
       const glm::dvec4 point(glm::dvec3(task_.rest[v]), 1.0);
-      const glm::dvec3 now = skinned(matrices_[f], weights_[v], glm::dvec3(point));
+      const glm::dvec3 now = skinPoint(matrices_[f], weights_[v], glm::dvec3(point));
       const glm::dvec3 off = glm::dvec3(task_.poses[f].live[v]) - now;
       for (std::size_t h = 0; h < helpers; ++h) {
         const glm::dvec3 way = glm::dvec3(matrices_[f][toIndex(first_) + h] * point) - now;

@@ -18,7 +18,7 @@ constexpr double kFlat = 1e-5;  ///< Determinant, beside that of a scale as larg
 }  // namespace
 
 HelperJoint makeHelper(std::string name, int bone, const Trs& rest, const Skeleton& skeleton) {
-  const Trs held = rounded(rest);
+  const Trs held = roundToFloats(rest);
   const glm::dmat4 inBind = glm::dmat4(at(skeleton.bones, bone).bindInWorld) * held.toMatrix();
   return {std::move(name), bone, held, glm::dmat4(glm::mat4(glm::inverse(inBind))), -1};
 }

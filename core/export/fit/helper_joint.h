@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/export/fit/trs.h"
 #include "sinew/skeleton/pose.h"
@@ -14,7 +15,14 @@ struct HelperJoint {
   int bone = 0;                 ///< Its parent.
   Trs rest;                     ///< In the parent's space. A clip that does not know the joint leaves it there.
   glm::dmat4 inverseBind{1.0};  ///< World of the bind pose -> the joint's space at rest.
-  int line = -1;                ///< Of the rig, whose belly it carries; -1: a rigid helper.
+  int line = -1;                ///< The rig's line whose belly it carries; -1: a rigid helper.
+};
+
+/// How helper joints move in a clip.
+struct HelperClip {
+  std::string clip;
+  std::vector<float> times;              ///< [keys] seconds, rising.
+  std::vector<std::vector<Trs>> locals;  ///< [joints][keys] in their parents' spaces.
 };
 
 /// Hung on a bone as it stands in the bind pose.

@@ -71,7 +71,7 @@ void HelperMotion::solveOne(std::size_t helper, const Pose& pose, std::span<cons
     motion.add(from, glm::dvec3(*intoBone * glm::dvec4(wanted / weight, 1.0)) - place, weight * weight);
   }
   const RigidMotion::Motion best = motion.best();
-  local = rounded({place + best.translation, best.rotation, glm::dvec3(1.0)});
+  local = roundToFloats({place + best.translation, best.rotation, glm::dvec3(1.0)});
 }
 
 void HelperMotion::solve(const Pose& pose, std::span<const glm::dmat4> matrices, std::span<const glm::vec3> live,

@@ -17,7 +17,9 @@ struct FitPose {
   bool further = false;              ///< One that no exported clip holds.
 };
 
-/// Helpers are moved one after the other, each as the vertices that follow it ask for, weighted by how much they do.
+/// Rigid helpers in one pose by block coordinate descent: one after the other takes the rigid motion nearest to where
+/// its vertices would have to be, each counting by its weight squared, while the others stand still. Every step lowers
+/// the same sum of squares that the weights are fitted to, so the two can go on by turns.
 class HelperMotion {
  public:
   /// @param rest  [vertices]  @param weights  [vertices] bindings from `first` on are helpers, in order

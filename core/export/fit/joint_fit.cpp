@@ -17,7 +17,7 @@ namespace {
 
 /// What the range of motion counts beside all clips together: it holds poses that no clip may ever come near.
 constexpr double kShareOfFurther = 0.25;
-/// Of the height: weights that bring a vertex as near as that are not fitted.
+/// Share of the height: weights that bring a vertex as near as that are not fitted.
 constexpr double kNearEnough = 1e-5;
 /// Rounds of moving one helper after the other in a pose.
 constexpr int kRoundsInPose = 6;
@@ -205,7 +205,7 @@ void JointFit::measure(SkinnedExportReport& report) {
                 if (pose.use == PoseUse::kHeldOut) meant.push_back(&heldOut);
                 for (ErrorMeter* meter : meant) meter->addPose();
                 for (std::size_t v = 0; v < count_; ++v) {
-                  const glm::dvec3 exported = skinned(matrices_, weights_[v], glm::dvec3(bind_.positions[v]));
+                  const glm::dvec3 exported = skinPoint(matrices_, weights_[v], glm::dvec3(bind_.positions[v]));
                   const double distance = glm::length(exported - glm::dvec3(live_->positions[v]));
                   for (ErrorMeter* meter : meant) meter->add(distance);
                 }

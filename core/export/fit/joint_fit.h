@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/export/fit/four_weights.h"
-#include "core/export/fit/helper_clip.h"
 #include "core/export/fit/helper_motion.h"
 #include "core/export/fit/line_joints.h"
 #include "core/export/fit/live_surfaces.h"
@@ -16,7 +15,13 @@
 
 namespace sinew::exporting {
 
-/// The stages of one export, in order.
+/// Joints and weights that play back, by linear blend skinning, what the live surface does.
+///
+/// The surface is smoothed in the poses of the exported clips and of a range of motion. Weights are fitted to it by
+/// least squares (weight_fit.h): what muscles do near a joint is nearly linear in the bones' matrices, so most of it
+/// needs no new joint. What is left goes to joints of muscle lines, which move exactly as lines deform (line_joints.h),
+/// and to rigid ones (helper_fit.h). Every fifth pose is kept from the fit: its error tells whether the fit holds
+/// beyond the poses it has seen. docs/export.md.
 class JointFit {
  public:
   /// As exportSkinned(); all but `progress` must outlive this.
@@ -29,7 +34,7 @@ class JointFit {
   void measure(SkinnedExportReport& report);
 
   [[nodiscard]] const Surface& bind() const { return bind_; }
-  /// Of the vertices that are exported.
+  /// [vertices that are exported]
   [[nodiscard]] const std::vector<FourWeights>& weights() const { return weights_; }
   /// Those added: lines' first.
   [[nodiscard]] std::vector<HelperJoint> helpers() const;
@@ -68,7 +73,7 @@ class JointFit {
   LineJoints lines_;
   std::vector<HelperJoint> rigid_;
   std::vector<HelperClip> helperClips_;
-  // Of the pose at hand.
+  // The pose at hand.
   const Surface* live_ = nullptr;
   std::vector<glm::dmat4> matrices_;  ///< [bindings, lines' joints, rigid helpers]
   std::vector<Trs> lineLocals_;

@@ -13,7 +13,7 @@
 namespace sinew::exporting {
 namespace {
 
-constexpr double kEven = 1e-4;  ///< Of the scale: less unevenness does not count.
+constexpr double kEven = 1e-4;  ///< Share of the scale: less unevenness does not count.
 
 /// Turns and scales alike in all directions.
 bool isSimilarity(const glm::mat4& matrix) {
@@ -126,7 +126,7 @@ void LineJoints::pose(const Pose& pose, std::vector<Trs>& locals) const {
     const double even = std::sqrt(local.scale.x * local.scale.z);
     if (scale_ == JointScale::kUniform) local.scale = glm::dvec3(even);
     if (scale_ == JointScale::kNone) local.scale = glm::dvec3(1.0);
-    locals.push_back(rounded(local));
+    locals.push_back(roundToFloats(local));
   }
 }
 

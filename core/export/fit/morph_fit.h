@@ -16,7 +16,7 @@ namespace sinew::exporting {
 
 /// A vertex of the file, with the numbers that the file has.
 struct MorphVertex {
-  int refined = 0;       ///< Of the live surface.
+  int refined = 0;       ///< Vertex of the live surface.
   int space = 0;         ///< Mesh space that its targets are written in.
   glm::dvec3 rest{0.0};  ///< Bind pose.
   FourWeights weights;
@@ -27,7 +27,7 @@ struct MorphTargets {
   std::vector<float> weights;                  ///< [frames * count] 0..1.
   std::vector<double> shares;                  ///< [count * frames] what each frame adds to a target: least squares.
   std::vector<std::vector<glm::vec3>> deltas;  ///< [count][vertices] in their mesh spaces; many are 0.
-  ErrorFigures figures;                        ///< Of all vertices in all frames, by these numbers.
+  ErrorFigures figures;                        ///< All vertices in all frames, by these numbers.
 };
 
 /// Blended 3 x 3 matrix of a vertex: bind pose -> pose.

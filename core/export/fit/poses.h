@@ -10,14 +10,14 @@ namespace sinew::exporting {
 
 inline constexpr int kMeasuredPerSecond = 30;
 inline constexpr int kFurtherPerSecond = 10;
-inline constexpr double kSameTime = 1e-3;  ///< Of a frame: times no farther apart are one.
+inline constexpr double kSameTime = 1e-3;  ///< Share of a frame: times no farther apart are one.
 inline constexpr int kHeldOutEvery = 5;    ///< A fifth of what could be fitted is kept from the fit.
 
 /// What a pose is for.
 enum class PoseUse { kMeasured, kFitted, kHeldOut };
 
 struct ExportPose {
-  int clip = 0;  ///< Of the character that has them all.
+  int clip = 0;  ///< Index in the character that has them all.
   float time = 0.0f;
   PoseUse use = PoseUse::kMeasured;
 };

@@ -29,7 +29,7 @@ Trs trsOf(const glm::dmat4& matrix) {
   return result;
 }
 
-Trs rounded(const Trs& exact) {
+Trs roundToFloats(const Trs& exact) {
   const glm::quat turn(exact.rotation);
   return {glm::dvec3(glm::vec3(exact.translation)), glm::normalize(glm::dquat(turn)),
           glm::dvec3(glm::vec3(exact.scale))};

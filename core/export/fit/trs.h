@@ -16,11 +16,11 @@ struct Trs {
   [[nodiscard]] glm::dmat4 toMatrix() const;
 };
 
-/// Of a matrix whose columns are at right angles and right-handed; of any other the nearest by columns: the second
-/// column keeps its direction, the others lose what they share with it. A matrix with a column of zeros gives scale 0.
+/// The parts of a matrix whose columns are at right angles and right-handed. Any other is replaced by the nearest by
+/// columns: the second keeps its direction, the others lose what they share with it. A column of zeros gives scale 0.
 [[nodiscard]] Trs trsOf(const glm::dmat4& matrix);
 
 /// As floats hold it, the rotation unit again.
-[[nodiscard]] Trs rounded(const Trs& exact);
+[[nodiscard]] Trs roundToFloats(const Trs& exact);
 
 }  // namespace sinew::exporting

@@ -12,7 +12,7 @@
 namespace sinew::exporting {
 namespace {
 
-constexpr int kSweeps = 2;            ///< Of pulling towards the neighbours.
+constexpr int kSweeps = 2;            ///< Rounds of pulling towards the neighbours.
 constexpr double kSmoothness = 1e-4;  ///< mu as a share of the Gram matrix's mean diagonal.
 constexpr double kShareStep = 3.0;    ///< By which further poses are let count more.
 constexpr double kLeastSmoothness = 1e-12;
@@ -101,7 +101,7 @@ CandidateWeights WeightFit::startOf(std::size_t vertex) const {
   return onCandidates(candidates_[vertex], start_[vertex]);
 }
 
-FourWeights WeightFit::kept(std::size_t vertex, const CandidateWeights& weights) const {
+FourWeights WeightFit::fourOf(std::size_t vertex, const CandidateWeights& weights) const {
   std::vector<Share> shares;
   for (std::size_t i = 0; i < candidates_[vertex].size(); ++i) {
     if (weights[i] > 0.0) shares.push_back({candidates_[vertex][i], weights[i]});
@@ -110,7 +110,7 @@ FourWeights WeightFit::kept(std::size_t vertex, const CandidateWeights& weights)
 }
 
 /// Among the vertex's choices alone.
-CandidateWeights WeightFit::solved(const Vertex& vertex, const Gram& gram, const CandidateWeights& near) const {
+CandidateWeights WeightFit::solveAmong(const Vertex& vertex, const Gram& gram, const CandidateWeights& near) const {
   double trace = 0.0;
   for (std::size_t i = 0; i < vertex.count; ++i) trace += gram[i][i];
   const double mu = std::max(kSmoothness * trace / static_cast<double>(vertex.count), kLeastSmoothness);
@@ -140,7 +140,7 @@ CandidateWeights WeightFit::meanOf(std::size_t vertex, const std::vector<int>& n
 CandidateWeights WeightFit::notWorse(std::size_t index, const Vertex& vertex, const CandidateWeights& near,
                                      double furtherShare) const {
   for (double share = furtherShare;; share = std::min(1.0, kShareStep * share)) {
-    const CandidateWeights best = solved(vertex, gramOf(index, 1.0, share), near);
+    const CandidateWeights best = solveAmong(vertex, gramOf(index, 1.0, share), near);
     if (energyOf(vertex.all, best, vertex.count) <= vertex.before) return best;
     if (share >= 1.0) return vertex.start;
   }
@@ -162,7 +162,7 @@ std::vector<FourWeights> WeightFit::solve(std::span<const std::array<int, 3>> tr
       for (std::size_t i = 0; i < vertex.count; ++i) {
         if (sweep == 0 || near[i] + now[i] + vertex.start[i] > 0.0) vertex.choices.push_back(i);
       }
-      next[v] = kept(v, notWorse(v, vertex, near, furtherShare));
+      next[v] = fourOf(v, notWorse(v, vertex, near, furtherShare));
     };
     for (std::size_t first = 0; first < rest_.size(); first += kToldEvery) {
       // The sweeps after the first choose among fewer and are soon done.

@@ -11,7 +11,10 @@
 
 namespace sinew::exporting {
 
-/// Least squares over poses. Vertices 0..count of the refinement take part.
+/// Weights of a vertex by least squares over poses: w minimizes sum_f |sum_j w_j (M_jf v - y_f)|^2, where M_jf are the
+/// skinning matrices and y_f the live vertex, with w >= 0, sum w = 1 and at most four not 0. The sum is a quadratic
+/// form, so only its Gram matrix over the candidates is kept, however many poses there are, and the form is minimized
+/// exactly (best_weights.h). Vertices 0..count of the refinement take part. docs/export.md, "How weights are fitted".
 class WeightFit {
  public:
   /// @param rest        [count] the bind pose that is exported
@@ -35,13 +38,13 @@ class WeightFit {
  private:
   struct Vertex;
   [[nodiscard]] Gram gramOf(std::size_t vertex, double ownShare, double furtherShare) const;
-  [[nodiscard]] CandidateWeights solved(const Vertex& vertex, const Gram& gram, const CandidateWeights& near) const;
+  [[nodiscard]] CandidateWeights solveAmong(const Vertex& vertex, const Gram& gram, const CandidateWeights& near) const;
   [[nodiscard]] CandidateWeights notWorse(std::size_t index, const Vertex& vertex, const CandidateWeights& near,
                                           double furtherShare) const;
   [[nodiscard]] CandidateWeights meanOf(std::size_t vertex, const std::vector<int>& neighbours,
                                         const std::vector<FourWeights>& current) const;
   [[nodiscard]] CandidateWeights startOf(std::size_t vertex) const;
-  [[nodiscard]] FourWeights kept(std::size_t vertex, const CandidateWeights& weights) const;
+  [[nodiscard]] FourWeights fourOf(std::size_t vertex, const CandidateWeights& weights) const;
 
   std::vector<glm::vec3> rest_;
   std::vector<std::vector<int>> candidates_;

@@ -39,7 +39,7 @@ Trs trsOf(const LocalTransform& local) {
 }
 
 /// What stands in a space that scales evenly, in the space above.
-Trs folded(const Trs& above, const Trs& below) {
+Trs fold(const Trs& above, const Trs& below) {
   const double size = above.scale.x;
   return {above.translation + above.rotation * (size * below.translation), above.rotation * below.rotation,
           size * below.scale};
@@ -143,7 +143,7 @@ class JointMaker {
       Trs local = trsOf(at(nodes, node));
       int above = at(skeleton_.nodes, node).parent;
       for (; above >= 0 && at(jointOfNode_, above) < 0; above = at(skeleton_.nodes, above).parent) {
-        local = folded(trsOf(at(nodes, above)), local);
+        local = fold(trsOf(at(nodes, above)), local);
       }
       locals.push_back(local);
     }
@@ -171,7 +171,7 @@ class JointMaker {
     }
   }
 
-  /// Of all moments, and of the rest pose. Calls visit(Trs&).
+  /// Calls visit(Trs&) for the rest pose and all moments.
   template <class Visit>
   void eachLocal(std::size_t joint, const Visit& visit) {
     visit(result_.joints[joint].rest);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/base/at.h"
+#include "core/io/gltf/image_bytes.h"
 
 namespace sinew::usd {
 namespace {
@@ -58,15 +59,6 @@ std::string numberOf(float value) {
   std::string out;
   appendNumber(out, value);
   return out;
-}
-
-/// "" for a kind that UsdUVTexture need not know.
-std::string endingOf(gltf::Bytes bytes) {
-  const auto begins = [&](std::string_view magic) {
-    return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin(),
-                                                      [](char a, auto b) { return static_cast<std::uint8_t>(a) == b; });
-  };
-  return begins("\x89PNG") ? ".png" : begins("\xff\xd8\xff") ? ".jpg" : "";
 }
 
 }  // namespace
@@ -275,7 +267,7 @@ std::string Materials::fileOf(const Json& textureInfo) {
   if (const auto known = files_.find(image); known != files_.end()) return known->second;
   std::string& name = files_[image];
   const Result<gltf::EncodedImage> encoded = file_.encodedImage(toIndex(image));
-  const std::string ending = encoded ? endingOf(encoded->bytes) : std::string();
+  const std::string ending(encoded ? imageEnding(encoded->bytes) : "");  // What UsdUVTexture need not know has none.
   if (ending.empty()) {
     left_.insert("textures without a PNG or JPEG image");
     return {};

@@ -20,8 +20,7 @@ constexpr std::size_t kFour = 4;
 
 class MeshReader {
  public:
-  MeshReader(const gltf::File& file, const gltf::BoundSkeleton& bound, gltf::Accessors& accessors)
-      : file_(file), bound_(bound), accessors_(accessors) {}
+  MeshReader(const gltf::BoundSkeleton& bound, gltf::Accessors& accessors) : bound_(bound), accessors_(accessors) {}
 
   /// Without triangles where there are none.
   /// @param attributes  as the file's JSON has them: the import knows no normals
@@ -33,10 +32,10 @@ class MeshReader {
     attributes_ = &attributes;
     if (!has("POSITION")) return mesh;
     place_ = place + ".attributes.";
-    mesh.points = vectors<glm::vec3>(open("POSITION", TINYGLTF_TYPE_VEC3));
-    if (has("NORMAL")) mesh.normals = vectors<glm::vec3>(open("NORMAL", TINYGLTF_TYPE_VEC3));
+    mesh.points = gltf::vectorsOf<glm::vec3>(open("POSITION", TINYGLTF_TYPE_VEC3));
+    if (has("NORMAL")) mesh.normals = gltf::vectorsOf<glm::vec3>(open("NORMAL", TINYGLTF_TYPE_VEC3));
     for (std::size_t set = 0; has("TEXCOORD_" + std::to_string(set)); ++set) {
-      mesh.uvs.push_back(vectors<glm::vec2>(open("TEXCOORD_" + std::to_string(set), TINYGLTF_TYPE_VEC2)));
+      mesh.uvs.push_back(gltf::vectorsOf<glm::vec2>(open("TEXCOORD_" + std::to_string(set), TINYGLTF_TYPE_VEC2)));
       for (glm::vec2& uv : mesh.uvs.back()) uv.y = 1.0f - uv.y;
     }
     if (has("COLOR_0")) readColors(mesh);
@@ -52,10 +51,7 @@ class MeshReader {
   [[nodiscard]] bool has(const std::string& name) const { return attributes_->find(name) != nullptr; }
 
   const gltf::Accessor& open(const std::string& name, int type, int orType = -1) {
-    const double index = attributes_->at(name).number(-1.0);
-    const auto accessors = static_cast<double>(file_.model().accessors.size());
-    if (!(index >= 0.0 && index < accessors)) gltf::refuse(place_ + name, "there is no such accessor");
-    const gltf::Accessor& accessor = accessors_.open(static_cast<int>(index), place_ + name, type, orType);
+    const gltf::Accessor& accessor = accessors_.open(attributes_->at(name), place_ + name, type, orType);
     if (accessor.count() > kMostVertices) gltf::refuse(accessor.place(), "too many vertices");
     return accessor;
   }
@@ -63,15 +59,6 @@ class MeshReader {
   void expectAll(bool absent, std::size_t count, const Mesh& mesh) const {
     if (absent || count == mesh.points.size()) return;
     gltf::refuse(place_, std::to_string(count) + " values for " + std::to_string(mesh.points.size()) + " positions");
-  }
-
-  template <class Vector>
-  static std::vector<Vector> vectors(const gltf::Accessor& from) {
-    std::vector<Vector> values(from.count());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      for (int c = 0; c < Vector::length(); ++c) values[i][c] = static_cast<float>(from.number(i, c));
-    }
-    return values;
   }
 
   void readColors(Mesh& mesh) {
@@ -145,7 +132,6 @@ class MeshReader {
     }
   }
 
-  const gltf::File& file_;
   const gltf::BoundSkeleton& bound_;
   gltf::Accessors& accessors_;
   const Json* attributes_ = nullptr;
@@ -156,7 +142,7 @@ class MeshReader {
 
 std::vector<Mesh> meshesOf(const gltf::File& file, const Json& root, const gltf::NodeTree& tree,
                            const gltf::BoundSkeleton& bound, gltf::Accessors& accessors, std::set<std::string>& left) {
-  MeshReader reader(file, bound, accessors);
+  MeshReader reader(bound, accessors);
   std::vector<Mesh> meshes;
   for (std::size_t node = 0; node < tree.nodes.size(); ++node) {
     if (!bound.meshes[node]) continue;

@@ -16,7 +16,7 @@ namespace sinew::usd {
 /// One primitive of a mesh, for one node that shows it. Vertices in the file's order.
 struct Mesh {
   std::string name;
-  int material = -1;  ///< Of the file; -1: none.
+  int material = -1;  ///< Index in the file; -1: none.
   glm::dmat4 meshToBind{1.0};
   std::vector<glm::vec3> points;
   std::vector<glm::vec3> normals;  ///< Or none.

@@ -72,7 +72,7 @@ class StageMaker {
     if (!animations.empty()) text_.open("def Scope \"Animations\"");
     for (std::size_t c = 0; c < animations.size(); ++c) writeClip(joints_.clips[c], animations[c]);
     if (!animations.empty()) text_.close();
-    return finished();
+    return finishStage();
   }
 
   Stage points(const PointMoments& moments) && {
@@ -110,7 +110,7 @@ class StageMaker {
       text_.close();
     }
     materials_.write(path(), text_);
-    return finished();
+    return finishStage();
   }
 
  private:
@@ -134,7 +134,7 @@ class StageMaker {
     text_.open("def " + type + " \"" + name_ + '"', all);
   }
 
-  Stage finished() {
+  Stage finishStage() {
     text_.close();
     stage_.text = std::move(text_).take();
     stage_.textures = std::move(materials_).takeTextures();

@@ -14,7 +14,7 @@
 namespace sinew::usd {
 
 struct Stage {
-  std::string text;                ///< Of the .usda.
+  std::string text;                ///< The .usda.
   std::vector<SideFile> textures;  ///< Beside it.
   std::set<std::string> left;      ///< What of the file is not in them, each with the reason.
 };

@@ -102,7 +102,7 @@ class Text {
   std::size_t depth_ = 0;
 };
 
-/// Of a prim: what it was called before its name became an identifier.
+/// Metadata of a prim: what it was called before its name became an identifier.
 [[nodiscard]] std::vector<std::string> displayName(const std::string& name, const std::string& identifier);
 
 }  // namespace sinew::usd

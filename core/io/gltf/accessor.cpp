@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/base/at.h"
+
 namespace sinew::gltf {
 namespace {
 
@@ -29,7 +31,7 @@ const char* nameOf(int type) {
 }
 
 std::size_t sizeOf(int componentType) {
-  return static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(componentType)));
+  return toIndex(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(componentType)));
 }
 
 }  // namespace
@@ -39,7 +41,7 @@ T Accessor::load(std::size_t index, int component) const {
   const std::uint8_t* from = element(index);
   if (!from) return T{};
   T value;
-  std::memcpy(&value, from + static_cast<std::size_t>(component) * sizeof(T), sizeof(T));
+  std::memcpy(&value, from + toIndex(component) * sizeof(T), sizeof(T));
   return value;
 }
 
@@ -101,7 +103,7 @@ const std::uint8_t* Accessor::element(std::size_t index) const {
     else high = middle;
   }
   if (low < sparseCount_ && sparseIndex(low) == index) {
-    return sparseValues_ + low * sizeOf(componentType_) * static_cast<std::size_t>(components_);
+    return sparseValues_ + low * sizeOf(componentType_) * toIndex(components_);
   }
   return base_ ? base_ + index * stride_ : nullptr;
 }
@@ -111,13 +113,19 @@ Accessors::Accessors(const File& file) : file_(file), opened_(file.model().acces
 const Accessor& Accessors::open(int index, const std::string& reference, int type, int orType) {
   file_.expectSound(reference);
   if (index < 0) refuse(reference, "missing");
-  std::unique_ptr<Accessor>& opened = opened_[static_cast<std::size_t>(index)];
-  if (!opened) opened = std::make_unique<Accessor>(read(static_cast<std::size_t>(index)));
+  std::unique_ptr<Accessor>& opened = at(opened_, index);
+  if (!opened) opened = std::make_unique<Accessor>(read(toIndex(index)));
   if (opened->type_ != type && opened->type_ != orType) {
     const std::string expected = nameOf(type) + (orType < 0 ? std::string() : std::string(" or ") + nameOf(orType));
     refuse(reference, opened->place_ + " is " + nameOf(opened->type_) + "; " + expected + " expected");
   }
   return *opened;
+}
+
+const Accessor& Accessors::open(const Json& index, const std::string& reference, int type, int orType) {
+  const double number = index.number(-1.0);
+  if (!(number >= 0.0 && number < static_cast<double>(opened_.size()))) refuse(reference, "there is no such accessor");
+  return open(static_cast<int>(number), reference, type, orType);
 }
 
 Accessor Accessors::read(std::size_t index) {
@@ -132,9 +140,9 @@ Accessor Accessors::read(std::size_t index) {
   if (from.count > kMaxElements) refuse(accessor.place_ + ".count", std::to_string(from.count) + " elements; too many");
   accessor.count_ = from.count;
 
-  const std::size_t elementSize = sizeOf(from.componentType) * static_cast<std::size_t>(accessor.components_);
+  const std::size_t elementSize = sizeOf(from.componentType) * toIndex(accessor.components_);
   if (from.bufferView >= 0) {
-    const std::size_t stride = file_.model().bufferViews[static_cast<std::size_t>(from.bufferView)].byteStride;
+    const std::size_t stride = file_.model().bufferViews[toIndex(from.bufferView)].byteStride;
     accessor.stride_ = stride == 0 ? elementSize : stride;
     accessor.base_ =
         locate(accessor.place_, from.bufferView, from.byteOffset, from.count, elementSize, accessor.stride_);
@@ -146,7 +154,7 @@ Accessor Accessors::read(std::size_t index) {
 void Accessors::readSparse(const tinygltf::Accessor& from, std::size_t elementSize, Accessor& accessor) {
   const auto& [count, isSparse, indices, values] = from.sparse;
   const std::string place = accessor.place_ + ".sparse";
-  const auto entries = static_cast<std::size_t>(count);
+  const auto entries = toIndex(count);
   if (entries > accessor.count_) refuse(place + ".count", "more entries than the accessor has elements");
   if (indices.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
       indices.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
@@ -177,7 +185,7 @@ const std::uint8_t* Accessors::locate(const std::string& place, int view, std::u
     refuse(place,
            "stride " + std::to_string(stride) + " is less than an element's " + std::to_string(elementSize) + " bytes");
   }
-  const Bytes bytes = file_.bufferView(static_cast<std::size_t>(view));
+  const Bytes bytes = file_.bufferView(toIndex(view));
   // count <= 2^31, stride <= 2^16, offset <= 2^53: none of these sums leaves 64 bits.
   const std::uint64_t needed = count == 0 ? 0 : offset + (count - 1) * stride + elementSize;
   if (needed > bytes.size()) {

@@ -49,6 +49,16 @@ class Accessor {
   const std::uint8_t* sparseValues_ = nullptr;
 };
 
+/// All elements of an accessor with as many components as the vectors have.
+template <class Vector>
+[[nodiscard]] std::vector<Vector> vectorsOf(const Accessor& from) {
+  std::vector<Vector> values(from.count());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    for (int c = 0; c < Vector::length(); ++c) values[i][c] = static_cast<float>(from.number(i, c));
+  }
+  return values;
+}
+
 /// The accessors of a file, each opened once, when first used.
 class Accessors {
  public:
@@ -57,6 +67,8 @@ class Accessors {
   /// The accessor an index refers to (-1: refused as missing); it must be of the given tinygltf type, or of the other
   /// one if that is named. Refuses at the accessor's JSON path, or that of the reference.
   [[nodiscard]] const Accessor& open(int index, const std::string& reference, int type, int orType = -1);
+  /// The same, of an index in the file's JSON that nothing has checked.
+  [[nodiscard]] const Accessor& open(const Json& index, const std::string& reference, int type, int orType = -1);
 
  private:
   [[nodiscard]] Accessor read(std::size_t index);

@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "core/base/at.h"
+
 namespace sinew::gltf {
 namespace {
 
@@ -60,12 +62,12 @@ class ClipReader {
       return std::nullopt;
     }
     file_.expectSound(place + ".target.node");
-    channel.node = from.target_node < 0 ? -1 : skeletonNode_[static_cast<std::size_t>(from.target_node)];
+    channel.node = from.target_node < 0 ? -1 : at(skeletonNode_, from.target_node);
     if (channel.node < 0) {
       notes_.add("animation channels for nodes that move no bone are ignored: nothing follows them");
       return std::nullopt;
     }
-    if (skeleton_.nodes[static_cast<std::size_t>(channel.node)].rest.matrix) {
+    if (at(skeleton_.nodes, channel.node).rest.matrix) {
       notes_.add("animation channels for nodes placed by a matrix are ignored: such nodes stay still");
       return std::nullopt;
     }
@@ -77,10 +79,10 @@ class ClipReader {
     const int sampler = animation.channels[channel].sampler;
     const std::size_t samplers = animation.samplers.size();
     if (sampler < 0) refuse(place, "missing");
-    if (static_cast<std::size_t>(sampler) >= samplers) {
+    if (toIndex(sampler) >= samplers) {
       refuse(place, "there is no sampler " + std::to_string(sampler) + "; the file has " + std::to_string(samplers));
     }
-    return static_cast<std::size_t>(sampler);
+    return toIndex(sampler);
   }
 
   /// False for a sampler without keys.

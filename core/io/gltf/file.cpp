@@ -2,6 +2,7 @@
 
 #include "core/io/gltf/file.h"
 
+#include "core/base/at.h"
 #include "core/io/files/atomic_file.h"
 #include "core/io/gltf/uri.h"
 
@@ -15,19 +16,6 @@ constexpr std::uintmax_t kMaxFileBytes = 1ULL << 30;
 constexpr std::uint64_t kMaxStride = 65536;
 /// Real files need about ten levels; extras may have more.
 constexpr int kMaxDepth = 200;
-
-std::vector<std::uint8_t> contentsOf(const fs::path& path) {
-  Result<std::vector<std::uint8_t>> contents = readWholeBytes(path, kMaxFileBytes);
-  if (!contents) throw Refusal{contents.error()};
-  return std::move(contents).value();
-}
-
-Json parseJson(std::string_view text) {
-  Result<Json> root = Json::parse(text, {.depth = kMaxDepth, .leftOut = "extras"});
-  if (!root) throw Refusal{root.error()};
-  if (root->kind != Json::Kind::kObject) refuse("JSON", "a glTF file must be a JSON object");
-  return std::move(root).value();
-}
 
 /// Also those nothing uses: a file that names something outside its folder is not to be trusted.
 void checkUris(const Json& root) {
@@ -53,12 +41,26 @@ std::uint64_t wholeOf(const Json& value) { return static_cast<std::uint64_t>(val
 
 }  // namespace
 
-File::File(const fs::path& path)
-    : File(contentsOf(path), path.has_parent_path() ? path.parent_path() : fs::path(".")) {}
+std::vector<std::uint8_t> contentsOf(const fs::path& path) {
+  Result<std::vector<std::uint8_t>> contents = readWholeBytes(path, kMaxFileBytes);
+  if (!contents) throw Refusal{contents.error()};
+  return std::move(contents).value();
+}
+
+fs::path folderOf(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+
+Json parseJson(std::string_view text, std::string_view leftOut) {
+  Result<Json> root = Json::parse(text, {.depth = kMaxDepth, .leftOut = leftOut});
+  if (!root) throw Refusal{root.error()};
+  if (root->kind != Json::Kind::kObject) refuse("JSON", "a glTF file must be a JSON object");
+  return std::move(root).value();
+}
+
+File::File(const fs::path& path) : File(contentsOf(path), folderOf(path)) {}
 
 File::File(std::vector<std::uint8_t> contents, fs::path folder) : folder_(std::move(folder)) {
   const Container container = openContainer(contents);
-  const Json root = parseJson(container.json);
+  const Json root = parseJson(container.json, "extras");
   guarded_ = guard(root);
   checkUris(root);
   parse(guarded_.text);
@@ -142,7 +144,7 @@ void File::openBuffers(const Json& list, std::vector<std::uint8_t> file, const C
 void File::checkViews() const {
   for (std::size_t i = 0; i < model_.bufferViews.size(); ++i) {
     const tinygltf::BufferView& view = model_.bufferViews[i];
-    const auto buffer = static_cast<std::size_t>(view.buffer);
+    const auto buffer = toIndex(view.buffer);
     const std::size_t available = model_.buffers[buffer].data.size();
     if (hasBytes_[buffer] && (view.byteOffset > available || view.byteLength > available - view.byteOffset)) {
       refuse(placeOf("bufferViews", i), "bytes " + std::to_string(view.byteOffset) + " to " +
@@ -154,7 +156,7 @@ void File::checkViews() const {
 
 Bytes File::bufferView(std::size_t index) const {
   const tinygltf::BufferView& view = model_.bufferViews[index];
-  const auto buffer = static_cast<std::size_t>(view.buffer);
+  const auto buffer = toIndex(view.buffer);
   if (!hasBytes_[buffer]) refuse(placeOf("buffers", buffer), "has no uri and the file holds no bytes for it");
   return Bytes(model_.buffers[buffer].data).subspan(view.byteOffset, view.byteLength);
 }
@@ -163,7 +165,7 @@ Result<EncodedImage> File::encodedImage(std::size_t index) {
   const std::string place = placeOf("images", index);
   expectSound(place);
   const tinygltf::Image& image = model_.images[index];
-  if (image.bufferView >= 0) return EncodedImage{bufferView(static_cast<std::size_t>(image.bufferView)), {}};
+  if (image.bufferView >= 0) return EncodedImage{bufferView(toIndex(image.bufferView)), {}};
   if (image.uri.empty()) return errorAt("", "has neither uri nor bufferView");
   Result<std::vector<std::uint8_t>> bytes = read(image.uri, place + ".uri");
   if (!bytes) return bytes.error();

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <tiny_gltf.h>
@@ -19,12 +20,19 @@ struct EncodedImage {
   std::vector<std::uint8_t> own;
 };
 
+/// A whole file. Throws Refusal.
+[[nodiscard]] std::vector<std::uint8_t> contentsOf(const std::filesystem::path& path);
+/// Where the uris of buffers and images begin.
+[[nodiscard]] std::filesystem::path folderOf(const std::filesystem::path& path);
+/// The JSON of a container, but for members called `leftOut`. Throws Refusal.
+[[nodiscard]] Json parseJson(std::string_view text, std::string_view leftOut);
+
 /// A .glb or .gltf. Every uri of buffers and images is checked when it is opened: data: uris and files inside the
 /// file's own folder, nothing else. Refuses with the JSON path or byte.
 class File {
  public:
   explicit File(const std::filesystem::path& path);
-  /// The same, read already. @param folder  where the uris of buffers and images begin
+  /// The same, read already. @param folder  as folderOf() gives it
   File(std::vector<std::uint8_t> contents, std::filesystem::path folder);
 
   /// Types, ranges and indices in it are sound, except in what expectSound refuses; absent indices are -1.

@@ -8,6 +8,9 @@
 
 #include <stb_image.h>
 
+#include "core/base/at.h"
+#include "core/io/gltf/image_bytes.h"
+
 namespace sinew::gltf {
 namespace {
 
@@ -21,12 +24,6 @@ constexpr int kMaxScans = 200;
 std::uint32_t bigEndian(Bytes bytes, std::size_t at) {
   return static_cast<std::uint32_t>(bytes[at]) << 24 | static_cast<std::uint32_t>(bytes[at + 1]) << 16 |
          static_cast<std::uint32_t>(bytes[at + 2]) << 8 | static_cast<std::uint32_t>(bytes[at + 3]);
-}
-
-bool startsWith(Bytes bytes, std::string_view magic) {
-  return bytes.size() >= magic.size() &&
-         std::equal(magic.begin(), magic.end(), bytes.begin(),
-                    [](char c, std::uint8_t b) { return static_cast<std::uint8_t>(c) == b; });
 }
 
 /// All IDAT data of a PNG in one piece.
@@ -47,8 +44,7 @@ bool unpacksWithin(Bytes png, int width, int height) {
   if (data.size() * kMaxDeflateRatio <= kHarmlessBytes) return true;
   constexpr std::size_t kMaxPixelBytes = 8;  // four channels of 16 bits
   // Interlacing adds a filter byte a row to each of seven passes.
-  const std::size_t most = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * kMaxPixelBytes +
-                           16 * static_cast<std::size_t>(height) + 1024;
+  const std::size_t most = toIndex(width) * toIndex(height) * kMaxPixelBytes + 16 * toIndex(height) + 1024;
   const auto room = std::make_unique_for_overwrite<char[]>(most);
   return stbi_zlib_decode_buffer(room.get(), static_cast<int>(most), data.data(), static_cast<int>(data.size())) >= 0;
 }
@@ -79,7 +75,7 @@ Result<Image> decodeImage(Bytes encoded, std::size_t maxPixels) {
     return errorAt("", "the image is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
                            " pixels; at most 8192 x 8192 are read");
   }
-  const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  const std::size_t pixels = toIndex(image.width) * toIndex(image.height);
   if (pixels > maxPixels) return errorAt("", "the file's images have too many pixels together");
   if (png && !unpacksWithin(encoded, image.width, image.height)) {
     return errorAt("", "damaged image: it unpacks to more than its dimensions");

@@ -8,6 +8,7 @@
 #include <map>
 #include <tuple>
 
+#include "core/base/at.h"
 #include "core/io/gltf/image.h"
 
 namespace sinew::gltf {
@@ -15,8 +16,6 @@ namespace {
 
 constexpr std::size_t kMaxPixels = 96U << 20;         // of all textures: 384 MiB as RGBA
 constexpr std::size_t kMaxEncodedBytes = 256U << 20;  // kept for export
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 float unit(double number) { return static_cast<float>(std::clamp(number, 0.0, 1.0)); }
 
@@ -91,7 +90,7 @@ class MaterialReader {
     }
     if (from.emissiveTexture.index >= 0) notes_.add("emissive textures are ignored: these materials do not glow");
     else
-      for (int i = 0; i < 3; ++i) material.emissive[i] = unit(from.emissiveFactor[at(i)]);
+      for (int i = 0; i < 3; ++i) material.emissive[i] = unit(at(from.emissiveFactor, i));
     readAlpha(from, place, material);
     material.doubleSided = from.doubleSided;
     if (from.normalTexture.index >= 0) notes_.add("normal textures are ignored: fine relief is not shown");
@@ -101,7 +100,7 @@ class MaterialReader {
   }
 
   void readMetallic(const tinygltf::PbrMetallicRoughness& pbr, Material& material, UvSource& uv) {
-    for (int i = 0; i < 4; ++i) material.baseColor[i] = unit(pbr.baseColorFactor[at(i)]);
+    for (int i = 0; i < 4; ++i) material.baseColor[i] = unit(at(pbr.baseColorFactor, i));
     material.metallic = unit(pbr.metallicFactor);
     material.roughness = unit(pbr.roughnessFactor);
     const tinygltf::TextureInfo& texture = pbr.baseColorTexture;
@@ -120,7 +119,7 @@ class MaterialReader {
   void readGlossiness(const tinygltf::Value& glossiness, Material& material, UvSource& uv) {
     std::array<double, 4> color{1.0, 1.0, 1.0, 1.0};
     numbers(glossiness, "diffuseFactor", color);
-    for (int i = 0; i < 4; ++i) material.baseColor[i] = unit(color[at(i)]);
+    for (int i = 0; i < 4; ++i) material.baseColor[i] = unit(at(color, i));
     material.metallic = 0.0f;
     material.roughness = 1.0f - unit(number(glossiness, "glossinessFactor", 1.0));
     if (const tinygltf::Value& texture = glossiness.Get("diffuseTexture"); texture.IsObject()) {
@@ -144,9 +143,9 @@ class MaterialReader {
 
   /// Index into the result's textures, or -1.
   int readTexture(int index) {
-    const std::string place = placeOf("textures", at(index));
+    const std::string place = placeOf("textures", toIndex(index));
     file_.expectSound(place);
-    const tinygltf::Texture& texture = file_.model().textures[at(index)];
+    const tinygltf::Texture& texture = file_.model().textures[toIndex(index)];
     if (texture.source < 0) {
       notes_.add(place + " has no PNG or JPEG source and is ignored: the material is drawn without");
       return -1;
@@ -154,14 +153,14 @@ class MaterialReader {
     const Texture settings = readSampler(texture.sampler);
     const auto key = std::tuple(texture.source, settings.wrapU, settings.wrapV, settings.nearest);
     const auto known = known_.find(key);
-    return known != known_.end() ? known->second : known_[key] = makeTexture(at(texture.source), settings);
+    return known != known_.end() ? known->second : known_[key] = makeTexture(toIndex(texture.source), settings);
   }
 
   Texture readSampler(int index) const {
     Texture settings;
     if (index < 0) return settings;
-    file_.expectSound(placeOf("samplers", at(index)));
-    const tinygltf::Sampler& sampler = file_.model().samplers[at(index)];
+    file_.expectSound(placeOf("samplers", toIndex(index)));
+    const tinygltf::Sampler& sampler = file_.model().samplers[toIndex(index)];
     settings.wrapU = wrapOf(sampler.wrapS);
     settings.wrapV = wrapOf(sampler.wrapT);
     settings.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;

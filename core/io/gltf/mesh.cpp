@@ -7,6 +7,7 @@
 
 #include <glm/matrix.hpp>
 
+#include "core/base/at.h"
 #include "core/io/gltf/triangle_modes.h"
 #include "sinew/io/gltf_import.h"
 
@@ -19,8 +20,6 @@ constexpr std::size_t kMaxVertices = 6 * kMaxTriangles;
 constexpr std::size_t kMaxInfluences = 32U << 20;
 constexpr std::size_t kMaxJointSets = 16;
 constexpr double kMaxCoordinate = 1e15;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// The accessors of one primitive.
 struct Attributes {
@@ -40,9 +39,9 @@ class SoupReader {
   }
 
   void readMesh(int node, int mesh, const MeshBinding& binding) {
-    const std::string place = placeOf("meshes", at(mesh));
+    const std::string place = placeOf("meshes", toIndex(mesh));
     file_.expectSound(place);
-    const std::vector<tinygltf::Primitive>& primitives = file_.model().meshes[at(mesh)].primitives;
+    const std::vector<tinygltf::Primitive>& primitives = file_.model().meshes[toIndex(mesh)].primitives;
     for (std::size_t p = 0; p < primitives.size(); ++p) {
       SoupPart part{.node = node, .mesh = mesh, .primitive = static_cast<int>(p)};
       part.firstTriangle = soup_.triangles.size();
@@ -73,7 +72,7 @@ class SoupReader {
       return;
     }
     const Attributes open =
-        openAttributes(primitive, place + ".attributes", materials_.uvSources[at(material)].set, binding);
+        openAttributes(primitive, place + ".attributes", at(materials_.uvSources, material).set, binding);
     const Accessor* indices = nullptr;
     if (primitive.indices >= 0) {
       indices = &accessors_.open(primitive.indices, place + ".indices", TINYGLTF_TYPE_SCALAR);
@@ -92,7 +91,7 @@ class SoupReader {
           refuse(indices->place(), "index " + std::to_string(corner) + "; the primitive has " +
                                        std::to_string(open.position->count()) + " vertices");
         }
-        corner = vertex(corner, open, binding, materials_.uvSources[at(material)]);
+        corner = vertex(corner, open, binding, at(materials_.uvSources, material));
       }
       if (mirrored) std::swap(triangle[1], triangle[2]);
       soup_.triangles.push_back(triangle);
@@ -244,12 +243,12 @@ class SoupReader {
 
   int firstBinding(std::uint32_t index, const Attributes& open, const MeshBinding& binding) const {
     if (binding.skin < 0) return binding.rigid;
-    if (open.joints.empty()) return bound_.jointBindings[at(binding.skin)].front();
+    if (open.joints.empty()) return at(bound_.jointBindings, binding.skin).front();
     return bindingOf(*open.joints.front(), index, 0, binding);
   }
 
   int bindingOf(const Accessor& joints, std::uint32_t index, int component, const MeshBinding& binding) const {
-    const std::vector<int>& bindings = bound_.jointBindings[at(binding.skin)];
+    const std::vector<int>& bindings = at(bound_.jointBindings, binding.skin);
     const std::uint32_t joint = joints.integer(index, component);
     if (joint >= bindings.size()) {
       refuse(joints.place(), "vertex " + std::to_string(index) + " names joint " + std::to_string(joint) +

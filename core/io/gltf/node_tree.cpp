@@ -10,10 +10,10 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/base/at.h"
+
 namespace sinew::gltf {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// A matrix, or translation, rotation and scale; either way kept in float for posing and in double for binding.
 void readTransform(const tinygltf::Node& from, TreeNode& node) {
@@ -41,8 +41,8 @@ void linkChildren(const std::vector<tinygltf::Node>& list, NodeTree& tree, std::
     for (std::size_t k = 0; k < list[i].children.size(); ++k) {
       const int child = list[i].children[k];
       const auto place = [&] { return placeOf(placeOf("nodes", i) + ".children", k); };
-      TreeNode& node = tree.nodes[at(child)];
-      if (at(child) == i) refuse(place(), "a node is its own child");
+      TreeNode& node = at(tree.nodes, child);
+      if (toIndex(child) == i) refuse(place(), "a node is its own child");
       if (node.parent >= 0) {
         refuse(place(), "node " + std::to_string(child) + " already has a parent, node " + std::to_string(node.parent));
       }
@@ -59,7 +59,7 @@ void orderNodes(const std::vector<std::vector<int>>& children, NodeTree& tree) {
     if (tree.nodes[i].parent < 0) tree.order.push_back(static_cast<int>(i));
   }
   for (std::size_t next = 0; next < tree.order.size(); ++next) {
-    const std::vector<int>& kids = children[at(tree.order[next])];
+    const std::vector<int>& kids = children[toIndex(tree.order[next])];
     tree.order.insert(tree.order.end(), kids.begin(), kids.end());
   }
   if (tree.order.size() != tree.nodes.size()) refuse("nodes", "some nodes are their own ancestors");
@@ -72,22 +72,22 @@ void markScene(const File& file, NodeTree& tree, Notes& notes) {
     return;
   }
   file.expectSound("scene");
-  const std::size_t used = at(std::max(file.model().defaultScene, 0));
+  const std::size_t used = toIndex(std::max(file.model().defaultScene, 0));
   if (scenes.size() > 1) {
     notes.add("scenes (" + std::to_string(scenes.size() - 1) + ") besides the default one, scene " +
               std::to_string(used) + ", are ignored: they are not shown");
   }
   file.expectSound(placeOf("scenes", used));
-  for (const int node : scenes[used].nodes) tree.nodes[at(node)].inScene = true;
+  for (const int node : scenes[used].nodes) at(tree.nodes, node).inScene = true;
   for (const int node : tree.order) {
-    TreeNode& child = tree.nodes[at(node)];
+    TreeNode& child = at(tree.nodes, node);
     if (child.parent >= 0 && tree[child.parent].inScene) child.inScene = true;
   }
 }
 
 void placeInWorld(NodeTree& tree) {
   for (const int index : tree.order) {
-    TreeNode& node = tree.nodes[at(index)];
+    TreeNode& node = at(tree.nodes, index);
     node.restInWorld = node.parent < 0 ? node.local : tree[node.parent].restInWorld * node.local;
     if (!isTame(node.restInWorld)) refuse("nodes[" + std::to_string(index) + "]", "lies too far away in the scene");
   }

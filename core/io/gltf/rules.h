@@ -17,10 +17,10 @@ enum class Type {
   kNumbers,  ///< An array of `size` numbers.
   kText,
   kWhole,  ///< A whole number >= 0 (also written 3.0), at most kMaxWhole.
-  kIndex,  ///< Of an element of the file's list `list`.
+  kIndex,  ///< Index of an element of the file's list `list`.
   kComponentType,
   kShape,       ///< SCALAR, VEC3, ...
-  kAttributes,  ///< Of a mesh primitive: names with the indices of accessors.
+  kAttributes,  ///< A mesh primitive's: names with the indices of accessors.
   kMarker,      ///< Anything: only its presence counts.
   kMarkers,     ///< An array: only whether it has elements counts.
   kObject,
@@ -69,7 +69,7 @@ struct Rule {
   }
 };
 
-/// Of `asset`, and of all else.
+/// Rules of `asset`, and of all else.
 [[nodiscard]] const Rule& assetRule();
 [[nodiscard]] std::span<const Rule> fileRules();
 

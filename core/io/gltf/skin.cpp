@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ranges>
 
+#include "core/base/at.h"
 #include "sinew/io/gltf_import.h"
 
 namespace sinew::gltf {
@@ -18,8 +19,6 @@ constexpr std::size_t kMaxPathBytes = 64U << 20;
 /// Joints of all skins together, and bindings besides the bones' own.
 constexpr std::size_t kMaxSkinJoints = 1U << 18;
 constexpr std::size_t kMaxExtraBindings = 4096;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 struct Skin {
   std::vector<int> joints;               // nodes
@@ -61,8 +60,8 @@ class Binder {
   void readSkins() {
     skins_.resize(file_.model().skins.size());
     for (const TreeNode& node : tree_.nodes) {
-      if (!node.inScene || node.mesh < 0 || node.skin < 0 || skins_[at(node.skin)]) continue;
-      skins_[at(node.skin)] = readSkin(at(node.skin));
+      if (!node.inScene || node.mesh < 0 || node.skin < 0 || at(skins_, node.skin)) continue;
+      at(skins_, node.skin) = readSkin(toIndex(node.skin));
     }
     const auto unused = std::ranges::count_if(skins_, [](const auto& skin) { return !skin; });
     if (unused > 0) notes_.add("skins (" + std::to_string(unused) + ") that no mesh of the scene uses are ignored");
@@ -74,7 +73,7 @@ class Binder {
     const tinygltf::Skin& from = file_.model().skins[index];
     if (from.joints.empty()) refuse(place + ".joints", "a skin needs at least one joint");
     skinJoints_ += from.joints.size();
-    if (from.joints.size() > at(kMaxJoints) || skinJoints_ > kMaxSkinJoints) refuseJoints();
+    if (from.joints.size() > toIndex(kMaxJoints) || skinJoints_ > kMaxSkinJoints) refuseJoints();
     Skin skin;
     skin.joints = from.joints;
     skin.inverseBinds.assign(from.joints.size(), glm::dmat4(1.0));
@@ -114,10 +113,10 @@ class Binder {
     std::vector<bool> isBone(tree_.nodes.size(), false);
     std::vector<int> wanted;
     const auto want = [&](int node) {
-      if (isBone[at(node)]) return;
-      isBone[at(node)] = true;
+      if (at(isBone, node)) return;
+      at(isBone, node) = true;
       wanted.push_back(node);
-      if (wanted.size() > at(kMaxJoints)) refuseJoints();
+      if (wanted.size() > toIndex(kMaxJoints)) refuseJoints();
     };
     for (const auto& skin : skins_) {
       if (skin) std::ranges::for_each(skin->joints, want);
@@ -127,14 +126,14 @@ class Binder {
     std::vector<int> boneAbove(tree_.nodes.size(), -1);  // node of the nearest bone above
     for (const int node : tree_.order) {
       const int parent = tree_[node].parent;
-      if (parent >= 0) boneAbove[at(node)] = isBone[at(parent)] ? parent : boneAbove[at(parent)];
+      if (parent >= 0) at(boneAbove, node) = at(isBone, parent) ? parent : at(boneAbove, parent);
     }
     for (const int node : wanted) addBone(node, boneAbove);
     for (const int node : tree_.order) {
       const int parent = tree_[node].parent;
-      const bool bone = isBone[at(node)];
-      nearestBone_[at(node)] = bone ? boneOfNode_[at(node)] : parent < 0 ? -1 : nearestBone_[at(parent)];
-      inBone_[at(node)] = bone || parent < 0 ? glm::dmat4(1.0) : inBone_[at(parent)] * tree_[node].local;
+      const bool bone = at(isBone, node);
+      at(nearestBone_, node) = bone ? at(boneOfNode_, node) : parent < 0 ? -1 : at(nearestBone_, parent);
+      at(inBone_, node) = bone || parent < 0 ? glm::dmat4(1.0) : at(inBone_, parent) * tree_[node].local;
     }
   }
 
@@ -142,7 +141,7 @@ class Binder {
   void wantUncarriedMeshes(std::vector<bool> carried, const Want& want) {
     for (const int node : tree_.order) {
       const int parent = tree_[node].parent;
-      if (parent >= 0 && carried[at(parent)]) carried[at(node)] = true;
+      if (parent >= 0 && at(carried, parent)) at(carried, node) = true;
     }
     for (std::size_t node = 0; node < tree_.nodes.size(); ++node) {
       const TreeNode& mesh = tree_.nodes[node];
@@ -155,14 +154,14 @@ class Binder {
     std::vector<bool> needed = isBone;
     for (std::size_t i = tree_.order.size(); i-- > 0;) {
       const int node = tree_.order[i];
-      if (needed[at(node)] && tree_[node].parent >= 0) needed[at(tree_[node].parent)] = true;
+      if (at(needed, node) && tree_[node].parent >= 0) needed[toIndex(tree_[node].parent)] = true;
     }
     result_.skeletonNode.assign(tree_.nodes.size(), -1);
     for (const int node : tree_.order) {
-      if (!needed[at(node)]) continue;
-      result_.skeletonNode[at(node)] = static_cast<int>(result_.skeleton.nodes.size());
+      if (!at(needed, node)) continue;
+      at(result_.skeletonNode, node) = static_cast<int>(result_.skeleton.nodes.size());
       const TreeNode& from = tree_[node];
-      const int parent = from.parent < 0 ? -1 : result_.skeletonNode[at(from.parent)];
+      const int parent = from.parent < 0 ? -1 : at(result_.skeletonNode, from.parent);
       result_.skeleton.nodes.push_back({.name = from.name, .parent = parent, .rest = from.rest});
     }
   }
@@ -170,13 +169,13 @@ class Binder {
   /// The bone of a node, after those of its ancestors.
   void addBone(int node, const std::vector<int>& boneAbove) {
     std::vector<int> chain;
-    for (int n = node; n >= 0 && boneOfNode_[at(n)] < 0; n = boneAbove[at(n)]) chain.push_back(n);
+    for (int n = node; n >= 0 && at(boneOfNode_, n) < 0; n = at(boneAbove, n)) chain.push_back(n);
     for (const int n : chain | std::views::reverse) {
       Bone bone;
       bone.name = tree_[n].name;
-      bone.node = result_.skeletonNode[at(n)];
-      bone.parent = boneAbove[at(n)] < 0 ? -1 : boneOfNode_[at(boneAbove[at(n)])];
-      boneOfNode_[at(n)] = static_cast<int>(bones().size());
+      bone.node = at(result_.skeletonNode, n);
+      bone.parent = at(boneAbove, n) < 0 ? -1 : boneOfNode_[toIndex(at(boneAbove, n))];
+      at(boneOfNode_, n) = static_cast<int>(bones().size());
       bones().push_back(std::move(bone));
     }
   }
@@ -187,7 +186,7 @@ class Binder {
     for (std::size_t b = 0; b < bones().size(); ++b) {
       Bone& bone = bones()[b];
       if (bone.name.empty()) bone.name = "joint " + std::to_string(b);
-      length[b] = bone.name.size() + 8 + (bone.parent < 0 ? 0 : length[at(bone.parent)]);
+      length[b] = bone.name.size() + 8 + (bone.parent < 0 ? 0 : at(length, bone.parent));
       total += length[b];
     }
     if (total > kMaxPathBytes) refuse("nodes", "the joints' names are too long for so deep a skeleton");
@@ -207,7 +206,7 @@ class Binder {
   void bindSkin(Skin& skin) {
     chooseMeshToBind(skin);
     for (std::size_t j = 0; j < skin.joints.size(); ++j) {
-      const auto bone = at(boneOfNode_[at(skin.joints[j])]);
+      const auto bone = toIndex(boneOfNode_[toIndex(skin.joints[j])]);
       if (isBound_[bone]) continue;
       isBound_[bone] = true;
       const std::optional<glm::dmat4> bind = skin.singular[j] ? std::nullopt : affineInverse(skin.inverseBinds[j]);
@@ -223,9 +222,9 @@ class Binder {
     glm::dmat4 anchor = restOf(skin.joints[root]);
     std::size_t by = root;
     for (std::size_t j = 0; j < skin.joints.size(); ++j) {
-      const int bone = boneOfNode_[at(skin.joints[j])];
-      if (!isBound_[at(bone)] || skin.singular[j]) continue;
-      anchor = bindInWorld_[at(bone)];
+      const int bone = boneOfNode_[toIndex(skin.joints[j])];
+      if (!at(isBound_, bone) || skin.singular[j]) continue;
+      anchor = at(bindInWorld_, bone);
       by = j;
       break;
     }
@@ -237,13 +236,13 @@ class Binder {
   /// First joint that has no ancestor in the same skin.
   std::size_t rootOf(const Skin& skin) const {
     std::vector<bool> inSkin(result_.skeleton.bones.size(), false);
-    for (const int joint : skin.joints) inSkin[at(boneOfNode_[at(joint)])] = true;
+    for (const int joint : skin.joints) inSkin[toIndex(at(boneOfNode_, joint))] = true;
     std::vector<bool> below(inSkin.size(), false);  // some ancestor is in the skin
     for (std::size_t b = 0; b < inSkin.size(); ++b) {
       const int parent = result_.skeleton.bones[b].parent;
-      below[b] = parent >= 0 && (below[at(parent)] || inSkin[at(parent)]);
+      below[b] = parent >= 0 && (at(below, parent) || at(inSkin, parent));
     }
-    const auto isRoot = [&](int joint) { return !below[at(boneOfNode_[at(joint)])]; };
+    const auto isRoot = [&](int joint) { return !below[toIndex(at(boneOfNode_, joint))]; };
     return static_cast<std::size_t>(std::ranges::find_if(skin.joints, isRoot) - skin.joints.begin());
   }
 
@@ -251,7 +250,7 @@ class Binder {
   void bindRest() {
     for (std::size_t node = 0; node < tree_.nodes.size(); ++node) {
       const int bone = boneOfNode_[node];
-      if (bone >= 0 && !isBound_[at(bone)]) bindInWorld_[at(bone)] = restOf(static_cast<int>(node));
+      if (bone >= 0 && !at(isBound_, bone)) at(bindInWorld_, bone) = restOf(static_cast<int>(node));
     }
   }
 
@@ -267,7 +266,7 @@ class Binder {
       if (!skin) continue;
       const glm::dmat4 bindToMesh = affineInverse(skin->meshToBind).value_or(glm::dmat4(1.0));
       for (std::size_t j = 0; j < skin->joints.size(); ++j) {
-        const int bone = boneOfNode_[at(skin->joints[j])];
+        const int bone = boneOfNode_[toIndex(skin->joints[j])];
         skin->bindings.push_back(skin->singular[j] ? bone : bindingOf(bone, skin->inverseBinds[j] * bindToMesh, size));
       }
     }
@@ -280,14 +279,14 @@ class Binder {
   int bindingOf(int bone, const glm::dmat4& inverseBind, double size) {
     std::vector<Binding>& bindings = result_.skeleton.bindings;
     const auto same = [&](const glm::dmat4& other) {
-      const glm::dmat4 change = bindInWorld_[at(bone)] * (inverseBind - other);
+      const glm::dmat4 change = at(bindInWorld_, bone) * (inverseBind - other);
       for (int column = 0; column < 4; ++column) {
         const double allowed = kSameBinding * (column == 3 ? std::max(size, 1e-30) : 1.0);
         if (!(glm::length(glm::dvec3(change[column])) <= allowed)) return false;
       }
       return true;
     };
-    if (same(affineInverse(bindInWorld_[at(bone)]).value_or(glm::dmat4(1.0)))) return bone;
+    if (same(affineInverse(at(bindInWorld_, bone)).value_or(glm::dmat4(1.0)))) return bone;
     for (std::size_t b = bones().size(); b < bindings.size(); ++b) {
       if (bindings[b].bone == bone && same(glm::dmat4(bindings[b].inverseBind))) return static_cast<int>(b);
     }
@@ -309,10 +308,10 @@ class Binder {
       MeshBinding binding;
       if (node.skin >= 0) {
         binding.skin = node.skin;
-        binding.meshToBind = skins_[at(node.skin)]->meshToBind;
+        binding.meshToBind = at(skins_, node.skin)->meshToBind;
       } else {
         binding.rigid = nearestBone_[i];
-        binding.meshToBind = bindInWorld_[at(binding.rigid)] * inBone_[i];
+        binding.meshToBind = at(bindInWorld_, binding.rigid) * inBone_[i];
       }
       result_.meshes[i] = binding;
     }

@@ -14,7 +14,7 @@ namespace sinew::gltf {
 struct MeshBinding {
   glm::dmat4 meshToBind{1.0};  ///< POSITION -> world in the bind pose.
   int skin = -1;               ///< Whose joints JOINTS_n names; -1 for a rigid mesh.
-  int rigid = 0;               ///< Of a rigid mesh: the one binding its vertices follow.
+  int rigid = 0;               ///< The one binding that a rigid mesh's vertices follow.
 };
 
 struct BoundSkeleton {

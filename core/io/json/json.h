@@ -29,7 +29,7 @@ struct Json {
   Kind kind = Kind::kNull;
   std::string key;             ///< In an object: its key there.
   std::string content;         ///< String: its characters, UTF-8. Number: its JSON token.
-  std::vector<Json> children;  ///< Of an array or object, in order. Keys of an object are unique.
+  std::vector<Json> children;  ///< Those of an array or object, in order. An object's keys are unique.
 
   Json() = default;                                               ///< null
   Json(bool value) : kind(value ? Kind::kTrue : Kind::kFalse) {}  // NOLINT: implicit on purpose, so that
@@ -53,8 +53,8 @@ struct Json {
   // Reading: what is absent or of another type gives the fallback. References live as long as this value.
   [[nodiscard]] const Json* find(std::string_view name) const;  ///< Member of an object, or nullptr.
   [[nodiscard]] const Json& at(std::string_view name) const;    ///< Likewise; null if absent.
-  [[nodiscard]] const std::vector<Json>& items() const;         ///< Of an array, else empty.
-  [[nodiscard]] std::vector<std::string> keys() const;          ///< Of an object, else empty.
+  [[nodiscard]] const std::vector<Json>& items() const;         ///< An array's, else empty.
+  [[nodiscard]] std::vector<std::string> keys() const;          ///< An object's, else empty.
   [[nodiscard]] bool boolean(bool fallback) const;
   [[nodiscard]] double number(double fallback) const;
   [[nodiscard]] std::string text(const std::string& fallback) const;

@@ -1,4 +1,5 @@
 // core/io/json/json_parse.cpp: nlohmann's lexer drives a small builder that knows the path and the limits.
+#include "core/base/at.h"
 #include "core/io/json/json.h"
 
 #include <algorithm>
@@ -86,7 +87,7 @@ class Builder {
     return false;
   }
 
-  /// Of the value that comes next, "primitives[2].radii[1]".
+  /// The path of the value that comes next, "primitives[2].radii[1]".
   [[nodiscard]] std::string path() const {
     std::string result;
     for (std::size_t i = 0; i < stack_.size(); ++i) {
@@ -133,7 +134,7 @@ class Builder {
 
   bool open(Kind kind) {
     if (!count()) return false;
-    if (stack_.size() >= static_cast<std::size_t>(limits_.depth)) {
+    if (stack_.size() >= toIndex(limits_.depth)) {
       return fail(shortPath(), "JSON nested deeper than " + std::to_string(limits_.depth) + " levels");
     }
     stack_.emplace_back();

@@ -22,26 +22,21 @@ struct BakedExportSettings {
   std::string clip;                                  ///< Its name.
   double framesPerSecond = 30.0;                     ///< Above 0, finite; the clip's end is baked too.
   double bound = 0.1;                                ///< Percent of the height, kLeastBound..kMostBound; .glb, .gltf.
-  ExportWeights weights = ExportWeights::kRefitted;  ///< Of .glb and .gltf.
+  ExportWeights weights = ExportWeights::kRefitted;  ///< For .glb and .gltf.
 };
 
 struct BakedExportReport {
   int frames = 0;             ///< Baked moments.
   std::int64_t vertices = 0;  ///< As the file splits them; refined ones in .pc2 and .mdd.
-  std::uint64_t bytes = 0;    ///< Of all files written.
-  // Of .glb and .gltf; baked points are the surface itself.
+  std::uint64_t bytes = 0;    ///< All files that were written.
+  // For .glb and .gltf; baked points are the surface itself.
   int targets = 0;
-  int joints = 0;  ///< Of all skins in the file, each node once.
+  int joints = 0;  ///< Those of all skins in the file, each node once.
   std::int64_t triangles = 0;
   ErrorFigures skinned;           ///< Joints and weights alone, in the baked frames.
   ErrorFigures baked;             ///< With the targets.
   std::vector<std::string> left;  ///< What of the source file is not in the export, each with the reason.
 };
-
-/// Whether the ending is one that exportBaked writes: .glb, .gltf, .usda, .pc2, .mdd; capitals too.
-[[nodiscard]] bool isBakedExportName(const std::filesystem::path& file);
-/// .usda, .pc2 or .mdd: where every vertex is in every frame, without joints.
-[[nodiscard]] bool isBakedPointsName(const std::filesystem::path& file);
 
 /// .glb, .gltf: as exportSkinned, of the refined mesh with the one clip, and as few morph targets with animated weights
 /// as bring every vertex in every baked frame as near to the live surface as the bound says. .pc2, .mdd: the refined

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,8 +36,10 @@ enum class JointScale {
   kNone,     ///< Not at all: two joints a line, one under the belly, one on top.
 };
 
+/// "refined", "refitted", "full" ...
+[[nodiscard]] const char* nameOf(ExportMesh mesh);
+[[nodiscard]] const char* nameOf(ExportWeights weights);
 [[nodiscard]] const char* nameOf(JointScale scale);
-[[nodiscard]] std::optional<JointScale> jointScaleNamed(const std::string& name);
 
 inline constexpr int kDefaultHelpers = 24;
 inline constexpr int kMostHelpers = 256;
@@ -66,33 +67,31 @@ struct ClipError {
 };
 
 struct SkinnedExportReport {
-  int joints = 0;             ///< Of all skins in the file, each node once.
-  int lineJoints = 0;         ///< Of them, those of muscle lines ...
+  int joints = 0;             ///< Those of all skins in the file, each node once.
+  int lineJoints = 0;         ///< Among them those of muscle lines ...
   int rigidHelpers = 0;       ///< ... and those fitted where most error was left.
   std::int64_t vertices = 0;  ///< As the file splits them.
   std::int64_t triangles = 0;
-  std::uint64_t bytes = 0;         ///< Of all files written.
+  std::uint64_t bytes = 0;         ///< All files that were written.
   std::vector<ClipError> clips;    ///< Those exported, at 30 poses a second.
   ErrorFigures allClips;           ///< The same poses together.
   std::vector<ClipError> further;  ///< Clips that are not exported (`moving`), at 10 poses a second.
   ErrorFigures fitted;            ///< The poses that refitted weights are fitted to; measured for transferred ones too.
-  ErrorFigures heldOut;           ///< Of the same kind, but kept from the fit.
+  ErrorFigures heldOut;           ///< Poses of the same kind, but kept from the fit.
   std::vector<std::string> left;  ///< What of the source file is not in the export, each with the reason.
 };
-
-/// Whether the ending (.glb, .gltf, .usda; capitals too) is one that exportSkinned writes.
-[[nodiscard]] bool isSkinnedExportName(const std::filesystem::path& file);
 
 /// Writes `characterFile` again with the surface of the bind pose in place of its meshes; nodes, clips, materials,
 /// images, extensions and extras stay as they are there. A .gltf has NAME.bin beside it; a .usda, which holds what USD
 /// can say of it (docs/export.md), its textures NAME_N.png or .jpg. All are whole or not written.
 /// Same inputs give the same bytes.
+/// @param file       its ending is one of ExportForm::kSkin (sinew/export/formats.h)
 /// @param character  as importGltf(characterFile) gave it.
 /// @param moving     the same character, with the clips that weights are also fitted to (the range of motion) at the
 ///                   end of its own.
-/// Error: the file is no longer what `character` was imported from, unknown clip, an invalid rig, more than a .glb
-/// holds, a file cannot be written, or cancelled. Muscles whose bone is missing are left out (core/rig/attachment.h,
-/// missingBones). Never throws.
+/// Error: the file is no longer what `character` was imported from, unknown clip, clips of more than an hour together,
+/// an invalid rig, more than a .glb holds, a file cannot be written, or cancelled. Muscles whose bone is missing are
+/// left out (core/rig/attachment.h, missingBones). Never throws.
 [[nodiscard]] Result<SkinnedExportReport> exportSkinned(const std::filesystem::path& characterFile,
                                                         const std::shared_ptr<const Character>& character,
                                                         const Character& moving, const Rig& rig,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "sinew/base/result.h"
 #include "sinew/character/character.h"
@@ -9,8 +10,10 @@
 
 namespace sinew {
 
-/// Whether the ending (.obj, .ply, .glb; capitals too) is one that exportSurface writes.
+/// Whether the ending is one that exportSurface writes; capitals too.
 [[nodiscard]] bool isExportName(const std::filesystem::path& file);
+/// Those endings: ".obj, .ply or .glb".
+[[nodiscard]] std::string exportNameEndings();
 
 /// Format by ending. .obj: one v and vn per refined vertex, shared across seams, so that a closed surface is closed in
 /// the file (vn per drawn vertex where the surface has creases); vt per wedge; nine significant digits; one usemtl per

@@ -1,0 +1,29 @@
+// app/export/export_report.h: what an export has made, in words and as JSON.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/export/export_kinds.h"
+
+namespace sinew::app {
+
+/// One that is done.
+struct ExportResult {
+  const ExportKind& kind;
+  const ExportSettings& settings;
+  const std::filesystem::path& file;
+  const ExportReport& report;
+};
+
+/// A document (docs/formats.md), or lines for people.
+[[nodiscard]] std::string exportJson(const ExportResult& result);
+[[nodiscard]] std::string exportText(const ExportResult& result);
+
+/// "RMS 0.15 % of the height, largest 2.2 %; 24 joints; 660 KB"
+[[nodiscard]] std::string exportFigures(const ExportReport& report);
+/// What of the source file is not in the export, each with the reason.
+[[nodiscard]] const std::vector<std::string>& leftOut(const ExportReport& report);
+
+}  // namespace sinew::app

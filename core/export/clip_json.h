@@ -1,0 +1,22 @@
+// core/export/clip_json.h: clips of the file as JSON: what they are called, and channels that are added to them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/export/gltf_rewrite.h"
+
+namespace sinew::exporting {
+
+/// As the import names it.
+[[nodiscard]] std::string clipName(const Json& clip, int index);
+
+/// An accessor of key times. @param times  seconds, rising, not empty
+[[nodiscard]] int addTimes(const std::vector<float>& times, GltfRewrite& rewrite);
+
+/// Linear between keys. Returns the sampler's number in the clip. @param input, output  accessors
+int addSampler(int clip, int input, int output, GltfRewrite& rewrite);
+/// @param sampler  of the clip  @param path  "translation", "weights" ...
+void addChannel(int clip, int sampler, int node, const char* path, GltfRewrite& rewrite);
+
+}  // namespace sinew::exporting
