@@ -9,7 +9,7 @@
 
 #include "app/bench/even_rig.h"
 #include "app/bench/measuring.h"
-#include "app/bench/trial_placement.h"
+#include "core/rig/trial_rig.h"
 
 namespace sinew::app {
 namespace {

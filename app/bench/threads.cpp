@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/bench/measuring.h"
+#include "core/base/stopwatch.h"
 #include "sinew/base/threads.h"
 #include "sinew/smoothing/crowd_smoother.h"
 
@@ -22,9 +23,9 @@ Result<double> gainOf(const BenchScene& scene, int depth, int count, int rounds)
   std::array<std::vector<double>, 2> seconds;  // [threads - 1]
   inTurn(seconds.size(), rounds, [&](std::size_t variant, int round) {
     const ThreadLimit limit(static_cast<int>(variant) + 1);
-    const double begin = secondsNow();
+    Stopwatch watch;
     smoother.smooth(poses, surfaces);
-    if (round > 0) seconds[variant].push_back(secondsNow() - begin);
+    if (round > 0) seconds[variant].push_back(watch.lap());
   });
   return medianRatio(seconds[0], seconds[1]);
 }

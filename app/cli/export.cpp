@@ -6,8 +6,8 @@
 #include "app/cli/export_verb.h"
 #include "app/cli/verb.h"
 #include "app/document/document.h"
-#include "app/document/motion_clip.h"
 #include "core/rig/attachment.h"
+#include "core/symmetry/motion_clip.h"
 #include "sinew/base/threads.h"
 
 namespace sinew::app {

@@ -9,8 +9,8 @@
 #include <system_error>
 
 #include "app/document/folder_listing.h"
-#include "app/document/motion_clip.h"
 #include "core/rig/attachment.h"
+#include "core/symmetry/motion_clip.h"
 
 namespace sinew::app {
 namespace {

@@ -1,8 +1,8 @@
 // core/io/surface_export.cpp: picks the format; what the formats share.
 #include "sinew/io/surface_export.h"
+#include "core/base/lower_case.h"
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <string_view>
 
@@ -13,12 +13,6 @@
 
 namespace sinew {
 namespace {
-
-std::string lowerEnding(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
 
 bool startsWith(const std::vector<std::uint8_t>& bytes, std::initializer_list<std::uint8_t> magic) {
   return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
