@@ -7,12 +7,10 @@
 #include <vector>
 
 #include "app/bench/costs.h"
-#include "app/bench/drawing.h"
 #include "app/bench/machine.h"
 #include "app/bench/paper_tables.h"
 #include "app/bench/scene.h"
 #include "app/bench/speedup.h"
-#include "app/bench/threads.h"
 
 namespace sinew::app {
 
