@@ -38,7 +38,7 @@ struct Table1Row {
   bool culling = false;
   double frameSeconds = 0.0;       ///< Median.
   double fps = 0.0;                ///< 1 / frameSeconds.
-  std::optional<double> paperFps;  ///< Of the paper's humanoid, where the mesh has as many triangles; not by newton.
+  std::optional<double> paperFps;  ///< The paper's humanoid's, where the mesh has as many triangles; not by newton.
 };
 
 /// All projections with and without culling in turn, one depth after the other. Error: the rig is refused.

@@ -21,7 +21,7 @@ constexpr int kFrames = 8;
 constexpr double kStep = 1.0 / 60.0;
 constexpr int kCrowd = 100;
 constexpr int kCrowdDepth = 3;
-constexpr float kAgreement = 1e-4f;  // Of H.
+constexpr float kAgreement = 1e-4f;  // Fraction of H.
 
 /// A way for moments to follow each other, and where its ratio goes.
 struct Situation {

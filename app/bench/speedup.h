@@ -43,8 +43,8 @@ struct Speedups {
 
 /// Time on one thread over time on two, medians; 1 where the machine has one core.
 struct ThreadGain {
-  double single = 1.0;  ///< Of one surface at kBenchDepth.
-  double crowd = 1.0;   ///< Of a hundred moments at depth 3, smoothed at once.
+  double single = 1.0;  ///< One surface at kBenchDepth.
+  double crowd = 1.0;   ///< A hundred moments at depth 3, smoothed at once.
 };
 
 /// Error: the rig is refused.

@@ -24,7 +24,7 @@ struct DragRow {
   int undoSteps = 0;
   int untouched = 0;            ///< Muscles beside the one that is dragged.
   double frameSeconds = 0.0;    ///< Edit, pose, prepare, smooth.
-  double prepareSeconds = 0.0;  ///< Of which prepare.
+  double prepareSeconds = 0.0;  ///< The part of it that prepare takes.
   double projected = 0.0;       ///< Vertices a root was sought for, mean of the frames.
   double frameRatio = 1.0;      ///< Over the first row's for the same frame in the same round, median.
 };

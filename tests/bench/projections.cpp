@@ -33,7 +33,7 @@ struct ProjectionRow {
 
 constexpr std::array kProjections{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic};
 constexpr std::size_t kNewton = 0;
-constexpr double kAgreement = 1e-4;  // Of H.
+constexpr double kAgreement = 1e-4;  // Fraction of H.
 
 /// One projection at work: its smoother and what it has shown so far.
 struct Contender {

@@ -15,8 +15,8 @@ struct StageRow {
   std::string scene;
   int depth = 1;
   double projected = 0.0;     ///< Vertices a root was sought for, mean of the frames.
-  double frameSeconds = 0.0;  ///< Of the stages' least times, mean of the frames.
-  StageSeconds shares;        ///< Of the sum of the least times of all frames.
+  double frameSeconds = 0.0;  ///< Sum of the stages' least times, mean of the frames.
+  StageSeconds shares;        ///< Shares of the sum of all frames' least times.
 };
 
 constexpr std::array kDepths{3, 5};
