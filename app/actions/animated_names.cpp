@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "app/document/shown_names.h"
+#include "core/base/lower_case.h"
 
 namespace sinew::app {
 namespace {
@@ -31,7 +32,7 @@ std::string turnWords(const glm::vec3& axis) {
 std::string wordsFor(const Rig& rig, std::span<const NumberRef> refs) {
   const Parameter parameter = refs.front().parameter;
   std::string words = sinew::wordsFor(parameter);
-  if (words[0] >= 'A' && words[0] <= 'Z') words[0] = static_cast<char>(words[0] - 'A' + 'a');
+  words[0] = toLower(words[0]);
   if (ownerOf(parameter) == ParameterOwner::kSurface) return words;
   return words + " of " + (refs.size() == 1 ? ownerName(rig, refs.front()) : std::to_string(refs.size()) + " muscles");
 }

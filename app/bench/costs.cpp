@@ -1,4 +1,4 @@
-// app/bench/costs.cpp: rigs of different size smooth the same moments in turn.
+// app/bench/costs.cpp: rigs of different size smooth the same moments in turn; a clip is drawn off screen.
 #include "app/bench/costs.h"
 
 #include <algorithm>
@@ -9,7 +9,11 @@
 
 #include "app/bench/even_rig.h"
 #include "app/bench/measuring.h"
-#include "app/bench/trial_placement.h"
+#include "app/platform/offscreen.h"
+#include "app/render/framing.h"
+#include "app/render/viewport.h"
+#include "core/character/skinning.h"
+#include "core/rig/trial_rig.h"
 
 namespace sinew::app {
 namespace {
@@ -21,6 +25,8 @@ constexpr std::array kMuscles{41, 400, 4000};
 /// Deeper is left out, so that a character of many triangles does not fill the memory.
 constexpr std::int64_t kMostVertices = 200'000;
 constexpr double kStep = 1.0 / 60.0;
+constexpr int kSamples = 4;
+constexpr glm::ivec2 kSize{1280, 800};
 
 /// One rig at work. Seconds and counts of all timed frames, in the order of rounds and moments.
 struct Contender {
@@ -116,6 +122,38 @@ Result<double> exponentOfPrimitives(const BenchScene& scene, int rounds) {
     seconds.push_back(secondsPerProjected(contenders.value()[i], contenders->back()));
   }
   return exponent(muscles, seconds);
+}
+
+Result<DrawCost> measureDrawing(const BenchScene& scene, int rounds) {
+  const Rig rig = rigAt(scene, kBenchDepth);
+  Result<Smoother> smoother = preparedSmoother(scene, rig);
+  if (!smoother) return smoother.error();
+  const auto context = OffscreenContext::create();
+  if (!context) return context.error();
+  const auto viewport = Viewport::create(kSamples);
+  if (!viewport) return viewport.error();
+  viewport.value()->setCharacter(*scene.character);
+  viewport.value()->setFinishFrames(true);
+  const std::vector<Pose> poses = steadyFrames(*scene.character, rounds + 1, kStep);
+  SkinnedMesh skinned;
+  skin(*scene.character, poses.front(), skinned);
+  const View view = framedView(skinned.positions, 0.5f, 0.2f, kSize, false);
+  const RigPoser poser(rig, *scene.character);
+  std::vector<double> draw, upload;
+  for (std::size_t p = 0; p < poses.size(); ++p) {  // The first picture makes programs and textures.
+    Surface surface;
+    smoother.value().smooth(poses[p], surface);
+    Scene picture;
+    picture.character = scene.character.get();
+    picture.surface = &surface;
+    picture.pose = &poses[p];
+    picture.primitives = shapesOf(rig, poser.pose(poses[p]));
+    viewport.value()->draw(picture, view, {});
+    if (p == 0) continue;
+    draw.push_back(viewport.value()->seconds().draw);
+    upload.push_back(viewport.value()->seconds().upload);
+  }
+  return DrawCost{median(draw), median(upload)};
 }
 
 }  // namespace sinew::app

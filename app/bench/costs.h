@@ -1,4 +1,5 @@
-// app/bench/costs.h: what muscles add to a frame, and how that grows with vertices and with muscles.
+// app/bench/costs.h: what muscles add to a frame, how that grows with vertices and with muscles, and what drawing
+// takes.
 #pragma once
 
 #include "app/bench/scene.h"
@@ -23,5 +24,15 @@ struct MuscleCost {
 /// p of seconds over the floor for each projected vertex = c muscles^p, of 41, 400 and 4,000 muscles (even_rig.h) in
 /// the scene's mode, at kBenchDepth. Error: the character has no skin to lay muscles in.
 [[nodiscard]] Result<double> exponentOfPrimitives(const BenchScene& scene, int rounds);
+
+/// Medians.
+struct DrawCost {
+  double drawSeconds = 0.0;
+  double uploadSeconds = 0.0;
+};
+
+/// A clip that plays at 60 frames a second at kBenchDepth, drawn off screen at 1280x800 as `sinew render` draws, to the
+/// end of every picture. Error: no context, as `sinew render` would say; or the rig is refused.
+[[nodiscard]] Result<DrawCost> measureDrawing(const BenchScene& scene, int rounds);
 
 }  // namespace sinew::app

@@ -17,7 +17,7 @@ struct Machine {
   std::string compiler;
   std::string buildType;  ///< With the flags that were added; "none" if neither was given.
   bool assertions = false;
-  std::string version;  ///< Of the program.
+  std::string version;  ///< The program's.
 };
 
 [[nodiscard]] Machine machineHere();

@@ -1,8 +1,7 @@
-// app/bench/measuring.cpp: a clock, medians and the frames to measure, for the benchmarks.
+// app/bench/measuring.cpp: medians and the frames to measure, for the benchmarks.
 #include "app/bench/measuring.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -18,10 +17,6 @@ Pose poseAt(const Character& character, double seconds) {
 }
 
 }  // namespace
-
-double secondsNow() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0.0;

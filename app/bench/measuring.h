@@ -1,4 +1,4 @@
-// app/bench/measuring.h: a clock, medians and the frames to measure, for the benchmarks.
+// app/bench/measuring.h: medians and the frames to measure, for the benchmarks.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,6 @@
 #include "sinew/skeleton/pose.h"
 
 namespace sinew::app {
-
-/// Of a clock that never goes back; only differences mean anything.
-[[nodiscard]] double secondsNow();
 
 /// The upper one of an even number; 0 of none.
 [[nodiscard]] double median(std::vector<double> values);

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "app/bench/measuring.h"
-#include "app/bench/paper_figures.h"
 #include "app/render/framing.h"
 #include "core/character/skinning.h"
 

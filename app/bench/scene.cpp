@@ -3,7 +3,25 @@
 
 #include <utility>
 
+#include "app/document/document.h"
+#include "core/rig/trial_rig.h"
+
 namespace sinew::app {
+namespace {
+
+constexpr int kTrialMuscles = 12;
+constexpr std::uint64_t kTrialSeed = 1;
+
+}  // namespace
+
+Result<BenchScene> openScene(const std::filesystem::path& file) {
+  const Result<Document> document = openDocument(file);
+  if (!document) return document.error();
+  const std::string name = file.filename().string();
+  const bool bare = document->rig().primitives.empty();
+  return BenchScene{name.substr(0, name.find('.', 1)), document->character,
+                    bare ? trialRig(*document->character, kTrialMuscles, kTrialSeed) : document->rig()};
+}
 
 Rig rigAt(const BenchScene& scene, int depth, ProjectionKind projection) {
   Rig rig = scene.rig;

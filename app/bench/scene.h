@@ -1,6 +1,7 @@
 // app/bench/scene.h: a character with muscles in one surface mode: what `sinew bench` measures.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -16,6 +17,10 @@ struct BenchScene {
   std::shared_ptr<const Character> character;
   Rig rig;
 };
+
+/// A rig, or a character, which gets 12 muscles by rule if it has none. "fox" of both fox.glb and fox.rig.json.
+/// Error: as openDocument.
+[[nodiscard]] Result<BenchScene> openScene(const std::filesystem::path& file);
 
 /// The depth at which single figures are taken: the paper's highest in its second table.
 inline constexpr int kBenchDepth = 5;

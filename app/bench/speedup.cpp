@@ -1,4 +1,4 @@
-// app/bench/speedup.cpp: the same moments by every instruction set in turn.
+// app/bench/speedup.cpp: the same moments by every instruction set in turn, and by one thread and two.
 #include "app/bench/speedup.h"
 
 #include <algorithm>
@@ -9,13 +9,19 @@
 #include <glm/geometric.hpp>
 
 #include "app/bench/measuring.h"
+#include "core/base/stopwatch.h"
 #include "core/lanes/instruction_set.h"
+#include "sinew/base/threads.h"
+#include "sinew/smoothing/crowd_smoother.h"
 
 namespace sinew::app {
 namespace {
 
 constexpr int kFrames = 8;
-constexpr float kAgreement = 1e-4f;  // Of H.
+constexpr double kStep = 1.0 / 60.0;
+constexpr int kCrowd = 100;
+constexpr int kCrowdDepth = 3;
+constexpr float kAgreement = 1e-4f;  // Fraction of H.
 
 /// A way for moments to follow each other, and where its ratio goes.
 struct Situation {
@@ -90,13 +96,28 @@ Result<std::vector<Contender>> run(const BenchScene& scene, const Situation& sit
   return contenders;
 }
 
+Result<double> gainOf(const BenchScene& scene, int depth, int count, int rounds) {
+  CrowdSmoother smoother(scene.character);
+  if (const auto prepared = smoother.prepare(rigAt(scene, depth)); !prepared) return prepared.error();
+  const std::vector<Pose> poses = steadyFrames(*scene.character, count, kStep);
+  std::vector<Surface> surfaces(poses.size());
+  std::array<std::vector<double>, 2> seconds;  // [threads - 1]
+  inTurn(seconds.size(), rounds, [&](std::size_t variant, int round) {
+    const ThreadLimit limit(static_cast<int>(variant) + 1);
+    Stopwatch watch;
+    smoother.smooth(poses, surfaces);
+    if (round > 0) seconds[variant].push_back(watch.lap());
+  });
+  return medianRatio(seconds[0], seconds[1]);
+}
+
 }  // namespace
 
 Result<Speedups> measureSpeedups(const BenchScene& scene, int rounds) {
   const Character& character = *scene.character;
   const std::array situations{
       Situation{&SetSpeedup::cold, true, steadyFrames(character, 1, 0.0)},
-      Situation{&SetSpeedup::warm60Hz, false, steadyFrames(character, kFrames, 1.0 / 60.0)},
+      Situation{&SetSpeedup::warm60Hz, false, steadyFrames(character, kFrames, kStep)},
       Situation{&SetSpeedup::warm20Hz, false, steadyFrames(character, kFrames, 1.0 / 20.0)},
       Situation{&SetSpeedup::cut, false, cutFrames(character, kFrames)},
   };
@@ -115,6 +136,14 @@ Result<Speedups> measureSpeedups(const BenchScene& scene, int rounds) {
   }
   speedups.agreement = comparison.shares();
   return speedups;
+}
+
+Result<ThreadGain> measureThreads(const BenchScene& scene, int rounds) {
+  const Result<double> single = gainOf(scene, kBenchDepth, 1, rounds);
+  if (!single) return single.error();
+  const Result<double> crowd = gainOf(scene, kCrowdDepth, kCrowd, rounds);
+  if (!crowd) return crowd.error();
+  return ThreadGain{single.value(), crowd.value()};
 }
 
 }  // namespace sinew::app

@@ -1,4 +1,4 @@
-// app/bench/speedup.h: the scalar reference's time over the vector path's, and how far the two agree.
+// app/bench/speedup.h: what vectors and a second thread gain, and how far vectors agree with the scalar reference.
 #pragma once
 
 #include <string>
@@ -40,5 +40,14 @@ struct Speedups {
 /// turn. The reference is so in the projection alone: the rest of its frame has the machine's vectors.
 /// Error: the rig is refused.
 [[nodiscard]] Result<Speedups> measureSpeedups(const BenchScene& scene, int rounds);
+
+/// Time on one thread over time on two, medians; 1 where the machine has one core.
+struct ThreadGain {
+  double single = 1.0;  ///< One surface at kBenchDepth.
+  double crowd = 1.0;   ///< A hundred moments at depth 3, smoothed at once.
+};
+
+/// Error: the rig is refused.
+[[nodiscard]] Result<ThreadGain> measureThreads(const BenchScene& scene, int rounds);
 
 }  // namespace sinew::app

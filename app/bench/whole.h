@@ -7,12 +7,10 @@
 #include <vector>
 
 #include "app/bench/costs.h"
-#include "app/bench/drawing.h"
 #include "app/bench/machine.h"
 #include "app/bench/paper_tables.h"
 #include "app/bench/scene.h"
 #include "app/bench/speedup.h"
-#include "app/bench/threads.h"
 
 namespace sinew::app {
 
@@ -32,8 +30,8 @@ struct Whole {
   Machine machine;
   int rounds = 0;
   std::vector<ModeFigures> modes;
-  std::vector<Table1Row> table1;  ///< Of each mode's first scene.
-  std::vector<Table2Row> table2;  ///< Of all scenes.
+  std::vector<Table1Row> table1;  ///< Each mode's first scene.
+  std::vector<Table2Row> table2;  ///< All scenes.
 };
 
 /// The scenes of one mode, one at least.

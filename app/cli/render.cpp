@@ -1,6 +1,4 @@
 // app/cli/render.cpp: open, frame all moments at once, then pose, smooth, draw and write each.
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <future>
 #include <optional>
@@ -9,56 +7,25 @@
 
 #include "app/cli/anchor_segments.h"
 #include "app/cli/console.h"
-#include "app/cli/crease_option.h"
 #include "app/cli/render_plan.h"
+#include "app/cli/surface_options.h"
 #include "app/cli/verb.h"
 #include "app/document/document.h"
-#include "app/document/motion_clip.h"
 #include "app/platform/offscreen.h"
 #include "app/render/framing.h"
 #include "app/render/picking.h"
 #include "app/render/png.h"
 #include "app/render/viewport.h"
+#include "core/base/stopwatch.h"
 #include "core/character/skinning.h"
 #include "core/io/files/atomic_file.h"
 #include "core/rig/attachment.h"
 #include "core/smoothing/auto_depth.h"
+#include "core/symmetry/motion_clip.h"
 #include "sinew/smoothing/smoother.h"
 
 namespace sinew::app {
 namespace {
-
-Rig overridden(Rig rig, const RenderOptions& options) {
-  if (options.depth) {
-    rig.smoothing.depth = *options.depth;
-    rig.smoothing.autoDepth = false;
-  }
-  if (options.crease) rig.smoothing.creaseAngle = *options.crease;
-  rig.surface.mode = surfaceModeNamed(options.mode).value_or(rig.surface.mode);
-  rig.smoothing.patch = patchKindNamed(options.patch).value_or(rig.smoothing.patch);
-  rig.smoothing.projection = projectionKindNamed(options.projection).value_or(rig.smoothing.projection);
-  return rig;
-}
-
-/// The clip asked for; null: the bind pose.
-Result<const AnimationClip*> clipOf(const Document& document, const RenderOptions& options, const RenderPlan& plan) {
-  const AnimationClip* none = nullptr;
-  if (!plan.animated) return none;
-  const std::vector<AnimationClip>& clips = document.character->clips;
-  const std::string file = document.characterFile.string();
-  if (clips.empty()) return Error{file, "", "has no clips; without --clip, --time and --frames its bind pose is drawn"};
-  if (options.clip.empty()) return &clips.front();
-  const auto found = std::ranges::find(clips, options.clip, &AnimationClip::name);
-  if (found != clips.end()) return &*found;
-  std::string names;
-  for (const AnimationClip& clip : clips) names += (names.empty() ? "\"" : ", \"") + clip.name + '"';
-  return Error{file, "clip \"" + options.clip + '"', "expected one of " + names};
-}
-
-Pose poseAtTime(const Character& character, const AnimationClip* clip, double time) {
-  return clip == nullptr ? bindPose(character.skeleton)
-                         : samplePose(character.skeleton, *clip, static_cast<float>(time));
-}
 
 /// A rig's muscles as they are drawn, moment after moment.
 struct PosedShapes {
@@ -92,7 +59,7 @@ View steadyView(const Document& document, const PosedShapes& muscles, const Anim
                 const RenderOptions& options, const RenderPlan& plan) {
   std::vector<glm::vec3> points;
   for (const double time : plan.times) {
-    addFramedPoints(*document.character, muscles, poseAtTime(*document.character, clip, time), plan.display, points);
+    addFramedPoints(*document.character, muscles, poseAt(*document.character, clip, time), plan.display, points);
   }
   return framedView(points, plan.yaw, plan.pitch, plan.size, options.orthographic);
 }
@@ -102,7 +69,7 @@ Rig settled(Rig rig, const Document& document, const AnimationClip* clip, const 
   if (!rig.smoothing.autoDepth) return rig;
   const Character& character = *document.character;
   SkinnedMesh skinned;
-  skin(character, poseAtTime(character, clip, plan.times.front()), skinned);
+  skin(character, poseAt(character, clip, plan.times.front()), skinned);
   const float pixels = character.height / view.unitsPerPixelAt(boundsOf(skinned.positions).center());
   rig.smoothing.depth = autoDepth(meanEdgeFraction(character.mesh, character.height), pixels, 0);
   message("depth " + std::to_string(rig.smoothing.depth) + " for the character's size in the picture");
@@ -113,18 +80,14 @@ struct RenderSeconds {
   double smooth = 0.0, upload = 0.0, draw = 0.0, write = 0.0;
 };
 
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 Image drawPicture(double time, const AnimationClip* clip, const View& view, const PosedShapes& muscles,
                   const RenderPlan& plan, Smoother& smoother, Viewport& viewport, RenderSeconds& seconds) {
   const Character& character = smoother.character();
-  const Pose pose = poseAtTime(character, clip, time);
-  const auto start = std::chrono::steady_clock::now();
+  const Pose pose = poseAt(character, clip, time);
+  Stopwatch watch;
   Surface surface;
   smoother.smooth(pose, surface, plan.display.cullBackFaces ? std::optional(view.facingPoint()) : std::nullopt);
-  seconds.smooth += secondsSince(start);
+  seconds.smooth += watch.lap();
   Scene scene;
   scene.character = &character;
   scene.surface = &surface;
@@ -137,11 +100,11 @@ Image drawPicture(double time, const AnimationClip* clip, const View& view, cons
   }
   if (plan.anchors) scene.segments = anchorSegments(character, pose, surface);
   viewport.draw(scene, view, plan.display);
-  const auto begun = std::chrono::steady_clock::now();
+  watch.lap();
   // Without noise it takes the mean of many pictures.
   const bool occluded = plan.display.look.occlusion || plan.display.anatomy;
   while (occluded && !viewport.isRefined()) viewport.refine(scene, view, plan.display);
-  seconds.draw += secondsSince(begun);
+  seconds.draw += watch.lap();
   seconds.upload += viewport.seconds().upload;
   seconds.draw += viewport.seconds().draw;
   return viewport.readPixels();
@@ -155,11 +118,11 @@ class PictureWriter {
     if (const Result<void> before = finish(); !before) return before;
     file_ = file;
     writing_ = std::async(std::launch::async, [file, image = std::move(image)]() -> Written {
-      const auto start = std::chrono::steady_clock::now();
+      Stopwatch watch;
       const Result<std::string> bytes = pngBytes(image);
       if (!bytes) return {Error{file.string(), bytes.error().place, bytes.error().reason}, 0.0};
       Result<void> done = writeFileAtomically(file, bytes.value());
-      return {std::move(done), secondsSince(start)};
+      return {std::move(done), watch.lap()};
     });
     return {};
   }
@@ -195,12 +158,6 @@ void tellTimes(const RenderSeconds& seconds, std::size_t pictures) {
   message(line);
 }
 
-void tellOddities(const Document& document, const AnimationClip* clip, const RenderPlan& plan) {
-  if (clip != nullptr && plan.times.back() > static_cast<double>(clip->duration) + 1e-4) {
-    message(document.characterFile.string() + ": clip \"" + clip->name + "\": a time is past its end; its end is used");
-  }
-}
-
 void addLook(CLI::App& verb, RenderOptions& options) {
   verb.add_option("--view", options.view,
                   "front, back, left, right, top, bottom, three-quarter, or YAW,PITCH in degrees")
@@ -231,22 +188,6 @@ void addLook(CLI::App& verb, RenderOptions& options) {
       ->check(CLI::Range(1, 64));
 }
 
-void addSmoothing(CLI::App& verb, RenderOptions& options) {
-  verb.add_option("--depth", options.depth, "Every triangle becomes N x N, also where a rig follows the picture's size")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMaxDepth));
-  verb.add_option("--mode", options.mode, "swell or replace")
-      ->type_name("M")
-      ->check(CLI::IsMember({"swell", "replace"}));
-  verb.add_option("--patch", options.patch, "pn, phong, spherigon or flat")
-      ->type_name("P")
-      ->check(CLI::IsMember({"pn", "phong", "spherigon", "flat"}));
-  verb.add_option("--projection", options.projection, "newton, bisection or analytic")
-      ->type_name("P")
-      ->check(CLI::IsMember({"newton", "bisection", "analytic"}));
-  addCreaseOption(verb, options.crease);
-}
-
 void addRenderOptions(CLI::App& verb, RenderOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
   verb.add_option_function<std::string>("FILE", to(options.input), "Rig (.rig.json) or character (.glb, .gltf)");
@@ -257,7 +198,7 @@ void addRenderOptions(CLI::App& verb, RenderOptions& options) {
   verb.add_option("--time", options.time, "Seconds into the clip (of the first, if none is named)")->type_name("S");
   addFrameOptions(verb, options.batch);
   addLook(verb, options);
-  addSmoothing(verb, options);
+  addSurfaceOptions(verb, options.surfaceOptions);
   verb.add_option_function<std::string>("-o,--output", to(options.output),
                                         "Picture to write: OUT.png, or OUT_%04d.png with --frames")
       ->type_name("OUT")
@@ -271,11 +212,15 @@ int renderInput(const RenderOptions& options, const RenderPlan& plan, const Batc
   auto document = openDocument(input.file);
   if (!document) return badInput(document.error());
   document.value().character = withClipNamed(document->character, options.clip);
-  Rig rig = overridden(document->rig(), options);
+  Rig rig = overridden(document->rig(), options.surfaceOptions);
   if (const auto missing = missingBones(rig, document->character->skeleton); !missing.empty()) {
     return badInput({input.file.string(), missing.front().place, missing.front().reason});
   }
-  const auto clip = clipOf(document.value(), options, plan);
+  Result<const AnimationClip*> clip(nullptr);
+  if (plan.animated) {
+    const auto named = options.clip.empty() ? std::nullopt : std::optional(options.clip);
+    clip = clipOf(document.value(), named, plan.times.back());
+  }
   if (!clip) return badInput(clip.error());
   const PosedShapes muscles{rig, RigPoser(rig, *document->character)};
   const View view = steadyView(document.value(), muscles, clip.value(), options, plan);
@@ -284,7 +229,6 @@ int renderInput(const RenderOptions& options, const RenderPlan& plan, const Batc
   if (const auto prepared = smoother.prepare(rig); !prepared) {
     return badInput({input.file.string(), prepared.error().place, prepared.error().reason});
   }
-  tellOddities(document.value(), clip.value(), plan);
 
   const auto context = OffscreenContext::create();
   if (!context) return badInput(context.error());

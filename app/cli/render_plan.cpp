@@ -9,6 +9,8 @@
 #include <optional>
 #include <string_view>
 
+#include "core/base/lower_case.h"
+
 namespace sinew::app {
 namespace {
 
@@ -119,10 +121,7 @@ Result<void> readDisplay(const RenderOptions& options, RenderPlan& plan) {
 }
 
 Result<void> readMoments(const RenderOptions& options, RenderPlan& plan) {
-  std::string ending = options.output.extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  if (ending != ".png")
+  if (lowerEnding(options.output) != ".png")
     return errorAt("--output", "expected a name that ends in .png, got \"" + options.output.string() + '"');
   plan.animated = !options.clip.empty() || options.time || !options.batch.frames.empty();
   if (options.time && !options.batch.frames.empty())

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/cli/batch.h"
+#include "app/cli/surface_options.h"
 #include "app/render/scene.h"
 #include "sinew/base/result.h"
 
@@ -33,11 +34,7 @@ struct RenderOptions {
   bool occlusion = false;
   std::string size = "1280x800";
   int samples = 4;
-  std::optional<int> depth;
-  std::optional<float> crease;  ///< Degrees.
-  std::string mode;
-  std::string patch;
-  std::string projection;
+  SurfaceOptions surfaceOptions;
 };
 
 struct RenderPlan {

@@ -1,5 +1,4 @@
 // app/cli/smooth.cpp: open, override, pose, smooth, export, report.
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -10,13 +9,13 @@
 
 #include "app/cli/batch.h"
 #include "app/cli/console.h"
-#include "app/cli/crease_option.h"
+#include "app/cli/surface_options.h"
 #include "app/cli/verb.h"
 #include "app/document/document.h"
-#include "app/document/motion_clip.h"
 #include "core/io/files/atomic_file.h"
 #include "core/io/json/json.h"
 #include "core/rig/attachment.h"
+#include "core/symmetry/motion_clip.h"
 #include "sinew/io/surface_export.h"
 #include "sinew/smoothing/smoother.h"
 
@@ -30,47 +29,8 @@ struct SmoothOptions {
   std::optional<std::string> clip;  ///< Absent: the bind pose.
   std::optional<double> time;       ///< Seconds into the clip.
   BatchOptions batch;
-  std::optional<int> depth;
-  std::optional<float> crease;  ///< Degrees.
-  std::optional<std::string> mode;
-  std::optional<std::string> patch;
-  std::optional<std::string> projection;
+  SurfaceOptions surface;
 };
-
-/// The rig with what the command line overrides. The words have passed the parser.
-Rig overridden(Rig rig, const SmoothOptions& options) {
-  if (options.depth) rig.smoothing.depth = *options.depth;
-  if (options.crease) rig.smoothing.creaseAngle = *options.crease;
-  if (options.mode) rig.surface.mode = surfaceModeNamed(*options.mode).value_or(rig.surface.mode);
-  if (options.patch) rig.smoothing.patch = patchKindNamed(*options.patch).value_or(rig.smoothing.patch);
-  if (options.projection) {
-    rig.smoothing.projection = projectionKindNamed(*options.projection).value_or(rig.smoothing.projection);
-  }
-  return rig;
-}
-
-std::string clipNames(const Character& character) {
-  if (character.clips.empty()) return "none: it has no clips";
-  std::string names;
-  for (const AnimationClip& clip : character.clips) names += (names.empty() ? "\"" : ", \"") + clip.name + '"';
-  return character.clips.size() == 1 ? names : "one of " + names;
-}
-
-/// The clip asked for; null: the bind pose.
-Result<const AnimationClip*> clipOf(const Document& document, const SmoothOptions& options, double lastTime) {
-  const AnimationClip* none = nullptr;
-  const Character& character = *document.character;
-  if (!options.clip) return none;
-  const auto clip = std::ranges::find(character.clips, *options.clip, &AnimationClip::name);
-  if (clip == character.clips.end()) {
-    return Error{document.characterFile.string(), "clip \"" + *options.clip + '"', "expected " + clipNames(character)};
-  }
-  if (lastTime > static_cast<double>(clip->duration)) {
-    message(document.characterFile.string() + ": clip \"" + clip->name +
-            "\": the time is past its end; its end is used");
-  }
-  return &*clip;
-}
 
 std::string reportText(const SmoothingReport& report) {
   Json seconds = Json::object();
@@ -107,23 +67,6 @@ std::string isOutput(const std::string& text) {
   return "expected a name that ends in " + exportNameEndings() + ", got \"" + text + '"';
 }
 
-void addSettings(CLI::App& verb, SmoothOptions& options) {
-  verb.add_option("--depth", options.depth,
-                  "Every triangle becomes N x N, in place of the rig's depth (a file has no size on screen to follow)")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMaxDepth));
-  verb.add_option("--mode", options.mode, "swell (the skin rises over the muscles) or replace (the paper's method)")
-      ->type_name("M")
-      ->check(CLI::IsMember({"swell", "replace"}));
-  verb.add_option("--patch", options.patch, "Curved patch over each triangle: pn, phong, spherigon or flat")
-      ->type_name("P")
-      ->check(CLI::IsMember({"pn", "phong", "spherigon", "flat"}));
-  verb.add_option("--projection", options.projection, "How roots are found: newton, bisection or analytic")
-      ->type_name("P")
-      ->check(CLI::IsMember({"newton", "bisection", "analytic"}));
-  addCreaseOption(verb, options.crease);
-}
-
 void addSmoothOptions(CLI::App& verb, SmoothOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
   verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf)");
@@ -133,7 +76,7 @@ void addSmoothOptions(CLI::App& verb, SmoothOptions& options) {
   clip->type_name("NAME");
   verb.add_option("--time", options.time, "Seconds into the clip (0)")->type_name("S")->check(isTime)->needs(clip);
   addFrameOptions(verb, options.batch);
-  addSettings(verb, options);
+  addSurfaceOptions(verb, options.surface);
   verb.add_option_function<std::string>("-o,--output", to(options.output), "Surface to write: " + exportNameEndings())
       ->type_name("OUT")
       ->required()
@@ -186,11 +129,12 @@ int smoothInput(const SmoothOptions& options, const SmoothJob& job, const BatchI
   if (!document) return badInput(document.error());
   if (options.clip) document.value().character = withClipNamed(document->character, options.clip.value());
   const Character& character = *document->character;
-  const Rig rig = overridden(document->rig(), options);
+  const Rig rig = overridden(document->rig(), options.surface);
   if (const auto missing = missingBones(rig, character.skeleton); !missing.empty()) {
     return badInput({input.file.string(), missing.front().place, missing.front().reason});
   }
-  const auto clip = clipOf(document.value(), options, job.times[input.wanted.back()]);
+  Result<const AnimationClip*> clip(nullptr);
+  if (options.clip) clip = clipOf(document.value(), options.clip, job.times[input.wanted.back()]);
   if (!clip) return badInput(clip.error());
 
   progress("smoothing");
@@ -200,11 +144,8 @@ int smoothInput(const SmoothOptions& options, const SmoothJob& job, const BatchI
   }
   for (const std::size_t moment : input.wanted) {
     const std::filesystem::path& output = input.outputs[moment];
-    const Pose pose = clip.value() == nullptr
-                          ? bindPose(character.skeleton)
-                          : samplePose(character.skeleton, *clip.value(), static_cast<float>(job.times[moment]));
     Surface surface;
-    smoother.smooth(pose, surface);
+    smoother.smooth(poseAt(character, clip.value(), job.times[moment]), surface);
     progress("writing " + output.string());
     if (const auto written = writeSurface(surface, character, output, reports[moment]); !written) {
       return badInput(written.error());

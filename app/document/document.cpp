@@ -2,25 +2,18 @@
 
 #include "app/document/document.h"
 
-#include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <system_error>
 #include <utility>
 
 #include "core/base/at.h"
+#include "core/base/lower_case.h"
 #include "core/symmetry/twins.h"
 #include "sinew/io/gltf_import.h"
 #include "sinew/io/rig_json.h"
 
 namespace sinew::app {
 namespace {
-
-std::string lowerCaseName(const std::filesystem::path& file) {
-  std::string name = file.filename().string();
-  std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return name;
-}
 
 Result<Document> openCharacter(const std::filesystem::path& file) {
   auto character = importGltf(file);
@@ -88,14 +81,14 @@ std::string Document::name() const {
 }
 
 Result<Document> openDocument(const std::filesystem::path& file) {
-  const std::string name = lowerCaseName(file);
+  const std::string name = lowerCase(file.filename().string());
   if (name.ends_with(".json")) return openRig(file);
   if (name.ends_with(".glb") || name.ends_with(".gltf")) return openCharacter(file);
   return Error{file.string(), "", "expected a character (.glb, .gltf) or a rig (.rig.json)", "cannot be opened"};
 }
 
 std::optional<std::filesystem::path> missingCharacter(const std::filesystem::path& rigFile) {
-  if (!lowerCaseName(rigFile).ends_with(".json")) return std::nullopt;
+  if (!lowerCase(rigFile.filename().string()).ends_with(".json")) return std::nullopt;
   const Result<Rig> rig = loadRig(rigFile);
   if (!rig) return std::nullopt;
   std::filesystem::path file = characterPath(rig.value(), rigFile);

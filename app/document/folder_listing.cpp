@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <system_error>
 #include <tuple>
+
+#include "core/base/lower_case.h"
 
 namespace sinew::app {
 namespace {
@@ -20,11 +21,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostEntries = 5000;
 constexpr std::array kJobEndings{".sh", ".json", ".txt"};
 constexpr std::size_t kMostRecentPlaces = 5;
-
-std::string lowerCase(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 bool passes(const std::string& lowerName, FileFilter filter) {
   if (filter == FileFilter::kPictures) return lowerName.ends_with(".png");
@@ -57,10 +53,7 @@ void sortEntries(std::vector<FolderEntry>& entries, bool newestFirst) {
 
 std::size_t sameLetters(const std::string& a, const std::string& b) {
   std::size_t count = 0;
-  while (count < a.size() && count < b.size() &&
-         std::tolower(static_cast<unsigned char>(a[count])) == std::tolower(static_cast<unsigned char>(b[count]))) {
-    ++count;
-  }
+  while (count < a.size() && count < b.size() && toLower(a[count]) == toLower(b[count])) ++count;
   return count;
 }
 

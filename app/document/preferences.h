@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/document/picture_look.h"
+#include "app/platform/window_place.h"
 #include "sinew/base/result.h"
 
 namespace sinew::app {
@@ -36,17 +37,6 @@ struct LayoutState {
   std::vector<std::string> folded;  ///< Ids of the panels that show their title alone.
 
   friend bool operator==(const LayoutState&, const LayoutState&) = default;
-};
-
-/// Where the window was, screen coordinates of its content; width 0: never placed.
-struct WindowPlace {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
-  bool maximised = false;
-
-  friend bool operator==(const WindowPlace&, const WindowPlace&) = default;
 };
 
 inline constexpr std::size_t kMostRecentFiles = 15;

@@ -3,10 +3,11 @@
 #include "app/document/shown_names.h"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 #include <set>
 #include <string_view>
+
+#include "core/base/lower_case.h"
 
 namespace sinew::app {
 namespace {
@@ -88,9 +89,8 @@ std::string suffixOf(const std::vector<std::string>& names, std::string_view pre
 }
 
 std::string afterLastSeparator(std::string name) {
-  std::string small = name;
+  std::string small = lowerCase(name);
   std::erase(small, ' ');
-  std::ranges::transform(small, small.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (small.ends_with(kBaseLayer)) name.resize(name.rfind('|'));
   const std::size_t last = name.find_last_of(kOuter);
   return last == name.npos || last + 1 == name.size() ? name : name.substr(last + 1);

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "app/document/damaged_file.h"
-#include "app/document/motion_clip.h"
 #include "app/document/muscle_names.h"
 #include "app/editor/disk_conflict.h"
 #include "app/editor/edit.h"
@@ -20,6 +19,7 @@
 #include "core/rig/attachment.h"
 #include "core/rig/rig_edit.h"
 #include "core/skeleton/first_clip.h"
+#include "core/symmetry/motion_clip.h"
 #include "core/symmetry/twins.h"
 
 namespace sinew::app {

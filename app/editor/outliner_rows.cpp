@@ -3,7 +3,8 @@
 #include "app/editor/outliner_rows.h"
 
 #include <algorithm>
-#include <cctype>
+
+#include "core/base/lower_case.h"
 
 #include "core/base/at.h"
 
@@ -81,13 +82,11 @@ void addUnattached(Walk& walk) {
   for (const int muscle : shown) walk.rows.push_back({RowKind::kMuscle, muscle, 1});
 }
 
-char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
-
 }  // namespace
 
 bool containsText(const std::string& text, const std::string& part) {
   if (part.empty()) return true;
-  return !std::ranges::search(text, part, [](char a, char b) { return lower(a) == lower(b); }).empty();
+  return !std::ranges::search(text, part, {}, toLower, toLower).empty();
 }
 
 std::vector<OutlinerRow> outlinerRows(const Rig& rig, const Skeleton& skeleton, const std::vector<int>& boneOf,

@@ -2,9 +2,7 @@
 
 #include "app/editor/picture_commands.h"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
@@ -14,6 +12,7 @@
 
 #include "app/document/folder_listing.h"
 #include "app/export/rig_list.h"
+#include "core/base/lower_case.h"
 
 namespace sinew::app {
 namespace {
@@ -64,9 +63,7 @@ fs::path picturesFolder() {
 }
 
 fs::path withPictureEnding(fs::path file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending != ".png") file += ".png";
+  if (lowerEnding(file) != ".png") file += ".png";
   return file;
 }
 

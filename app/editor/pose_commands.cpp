@@ -6,12 +6,12 @@
 #include <string>
 #include <utility>
 
-#include "app/document/motion_clip.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/hidden_bones.h"
 #include "core/base/at.h"
 #include "core/skeleton/range_of_motion.h"
+#include "core/symmetry/motion_clip.h"
 
 namespace sinew::app {
 namespace {

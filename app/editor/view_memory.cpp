@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "app/document/motion_clip.h"
 #include "app/document/view_files.h"
 #include "app/editor/session.h"
+#include "core/symmetry/motion_clip.h"
 
 namespace sinew::app {
 namespace {

@@ -7,9 +7,9 @@
 #include <new>
 #include <system_error>
 
-#include "app/document/motion_clip.h"
 #include "core/base/listed.h"
 #include "core/rig/attachment.h"
+#include "core/symmetry/motion_clip.h"
 
 namespace sinew::app {
 namespace {

@@ -36,7 +36,7 @@ void setContextHints() {
 }
 
 /// Enough of it lies on a screen to be seen and taken hold of.
-bool isOnScreen(const WindowGeometry& place) {
+bool isOnScreen(const WindowPlace& place) {
   constexpr int kSeen = 100;
   int count = 0;
   GLFWmonitor** monitors = glfwGetMonitors(&count);
@@ -44,8 +44,8 @@ bool isOnScreen(const WindowGeometry& place) {
     glm::ivec2 corner{0};
     glm::ivec2 size{0};
     glfwGetMonitorWorkarea(monitor, &corner.x, &corner.y, &size.x, &size.y);
-    const glm::ivec2 low = glm::max(corner, place.position);
-    const glm::ivec2 high = glm::min(corner + size, place.position + place.size);
+    const glm::ivec2 low = glm::max(corner, glm::ivec2(place.x, place.y));
+    const glm::ivec2 high = glm::min(corner + size, glm::ivec2(place.x + place.width, place.y + place.height));
     return high.x - low.x >= kSeen && high.y - low.y >= kSeen;
   });
 }
@@ -62,8 +62,8 @@ glm::ivec2 fittedToScreen(const glm::ivec2& size) {
   return area.x > 0 && area.y > 0 ? glm::min(size, glm::ivec2(glm::vec2(area) / scale)) : size;
 }
 
-void restore(GLFWwindow* window, const WindowGeometry& place) {
-  glfwSetWindowPos(window, place.position.x, place.position.y);
+void restore(GLFWwindow* window, const WindowPlace& place) {
+  glfwSetWindowPos(window, place.x, place.y);
   if (place.maximised) glfwMaximizeWindow(window);
   glfwShowWindow(window);
 }
@@ -73,15 +73,15 @@ Window& self(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUse
 }  // namespace
 
 Result<std::unique_ptr<Window>> Window::open(const glm::ivec2& size, const std::string& title,
-                                             const std::optional<WindowGeometry>& before) {
+                                             const WindowPlace& before) {
   if (glfwInit() != GLFW_TRUE) return Error{"", "window", "no display can be opened: " + lastGlfwError()};
   setContextHints();
   std::unique_ptr<Window> window(new Window);
-  const bool known = before && isOnScreen(*before);
+  const bool known = isOnScreen(before);
   // The size it had is in the screen's own pixels; it is shown once it stands where it stood.
   if (known) glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_FALSE);
   if (known) glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-  const glm::ivec2 wanted = known ? before->size : fittedToScreen(size);
+  const glm::ivec2 wanted = known ? glm::ivec2(before.width, before.height) : fittedToScreen(size);
   window->window_ = glfwCreateWindow(wanted.x, wanted.y, title.c_str(), nullptr, nullptr);
   if (window->window_ == nullptr) return Error{"", "window", "OpenGL 4.5 is needed: " + lastGlfwError()};
   window->title_ = title;
@@ -89,8 +89,8 @@ Result<std::unique_ptr<Window>> Window::open(const glm::ivec2& size, const std::
   glfwSwapInterval(1);
   window->installCallbacks();
   if (known) {
-    window->geometry_ = *before;
-    restore(window->window_, *before);
+    window->place_ = before;
+    restore(window->window_, before);
   }
   return window;
 }
@@ -160,15 +160,15 @@ float Window::contentScale() const {
   return std::clamp(std::max(x, y) / std::max(ratio, 0.1f), 1.0f, 4.0f);
 }
 
-WindowGeometry Window::geometry() const {
+WindowPlace Window::place() const {
   const bool maximised = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
   const bool away = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
   if (!maximised && !away) {
-    glfwGetWindowPos(window_, &geometry_.position.x, &geometry_.position.y);
-    geometry_.size = size();
+    glfwGetWindowPos(window_, &place_.x, &place_.y);
+    glfwGetWindowSize(window_, &place_.width, &place_.height);
   }
-  if (!away) geometry_.maximised = maximised;
-  return geometry_;
+  if (!away) place_.maximised = maximised;
+  return place_;
 }
 
 void Window::setTitle(const std::string& title) {

@@ -4,25 +4,18 @@
 #include <array>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
 #include "app/platform/input_queue.h"
+#include "app/platform/window_place.h"
 #include "sinew/base/result.h"
 
 struct GLFWwindow;
 
 namespace sinew::app {
-
-/// Where a window is to be or was: screen coordinates of its content.
-struct WindowGeometry {
-  glm::ivec2 position{0};
-  glm::ivec2 size{0};
-  bool maximised = false;
-};
 
 /// Owns GLFW and the window. One at a time, main thread only. Its address is what the callbacks know, so it never
 /// moves.
@@ -30,9 +23,9 @@ class Window {
  public:
   /// Opens the window and makes its context current. Error: no display, or no OpenGL 4.5.
   /// @param size  for a first start: grows with the screen's content scale.
-  /// @param before  where it was the last time, if it is known and still on a screen.
+  /// @param before  where it was the last time; matters if it is still on a screen.
   [[nodiscard]] static Result<std::unique_ptr<Window>> open(const glm::ivec2& size, const std::string& title,
-                                                            const std::optional<WindowGeometry>& before = {});
+                                                            const WindowPlace& before = {});
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
@@ -43,7 +36,7 @@ class Window {
   [[nodiscard]] glm::ivec2 framebufferSize() const;  ///< Pixels.
   [[nodiscard]] float contentScale() const;          ///< 1 on ordinary screens, 2 on dense ones.
   /// Now; of a maximised or minimised window, what it was before.
-  [[nodiscard]] WindowGeometry geometry() const;
+  [[nodiscard]] WindowPlace place() const;
 
   void setTitle(const std::string& title);
   [[nodiscard]] bool closeRequested() const;
@@ -66,7 +59,7 @@ class Window {
   InputQueue input_;
   std::vector<std::filesystem::path> drops_;
   std::string title_;
-  mutable WindowGeometry geometry_;        ///< The last that was neither maximised nor minimised.
+  mutable WindowPlace place_;              ///< The last that was neither maximised nor minimised.
   std::array<int, kKeyCodes> meanings_{};  ///< What a held key meant when it went down; 0: it is up.
   bool refresh_ = true;
 };

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <chrono>
 #include <cmath>
 #include <span>
 
@@ -20,6 +19,7 @@
 #include "app/render/screen_occlusion.h"
 #include "app/render/skeleton_drawer.h"
 #include "app/render/surface_drawer.h"
+#include "core/base/stopwatch.h"
 
 namespace sinew::app {
 
@@ -51,8 +51,6 @@ namespace {
 
 constexpr float kHeldWithin = 0.015f;  ///< Of the height: the light on the floor changes by one step in 255 at most.
 constexpr int kFirstShown = 4;         ///< Samples after which a mean is first shown.
-
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 FrameBlock blockOf(const Frame& frame, bool occluded) {
   FrameBlock block;
@@ -262,7 +260,7 @@ void Viewport::draw(const Scene& scene, const View& whole, const DisplaySettings
     settings.lineScale *= scale;
   }
   State& s = *state_;
-  const double start = now();
+  Stopwatch watch;
   resetState();
   const bool surfaced = scene.surface != nullptr && scene.surface->refinement != nullptr;
   if (surfaced) s.surface.upload(scene);
@@ -272,12 +270,12 @@ void Viewport::draw(const Scene& scene, const View& whole, const DisplaySettings
   s.mean.begin(whole.size);
   s.transparent = !settings.background;
   if (s.finish) glFinish();
-  const double uploaded = now();
+  s.seconds.upload = watch.lap();
   shareFrame(frame, -1);
   if (settings.ground) s.ground.prepareShadow(frame, s.surface);
   drawInto(s.target, frame, moving.has_value() && s.samples == 1);
   leave();
-  s.seconds = {uploaded - start, now() - uploaded};
+  s.seconds.draw = watch.lap();
 }
 
 bool Viewport::refine(const Scene& scene, const View& view, const DisplaySettings& settings) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/tools/tool.h"
+#include "core/base/lower_case.h"
 
 namespace sinew::app {
 namespace {
@@ -13,11 +14,7 @@ constexpr std::array<const Tool*, kToolCount> kTools{&kSelectTool, &kAddMuscleTo
 
 }  // namespace
 
-std::string nameOf(ToolKind tool) {
-  std::string name = kTools[static_cast<std::size_t>(tool)]->label;
-  for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return name;
-}
+std::string nameOf(ToolKind tool) { return lowerCase(kTools[static_cast<std::size_t>(tool)]->label); }
 
 std::span<const Tool* const, kToolCount> tools() { return kTools; }
 

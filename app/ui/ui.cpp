@@ -9,8 +9,9 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <cctype>
 #include <string_view>
+
+#include "core/base/lower_case.h"
 
 namespace sinew::app {
 namespace {
@@ -23,12 +24,6 @@ constexpr double kNextFrame = 1e-3;
 ImU32 iconColor(bool active, bool hovered) {
   if (active) return palette::kAccent.packed();
   return (hovered ? palette::kText : palette::kMuted).packed();
-}
-
-std::string lowered(const char* word) {
-  std::string text = word;
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 void showTooltip(Ui& ui, const std::string& text) {
@@ -161,7 +156,7 @@ int segmented(Ui& ui, const std::string& id, const char* const* words, int count
   for (int i = 0; i < count; ++i) {
     const ImVec2 low{corner.x + part * static_cast<float>(i), corner.y};
     ImGui::SetCursorScreenPos(low);
-    const std::string name = id + "/" + lowered(words[i]);
+    const std::string name = id + "/" + lowerCase(words[i]);
     if (ImGui::InvisibleButton(name.c_str(), {part, height})) clicked = i;
     ui.widgets.note(name);
     const bool lit = i == chosen;

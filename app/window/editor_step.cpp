@@ -5,7 +5,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <chrono>
 #include <vector>
 
 #include "app/actions/actions.h"
@@ -16,13 +15,10 @@
 #include "app/editor/viewport_input.h"
 #include "app/editor/visibility_commands.h"
 #include "app/panels/panels.h"
+#include "core/base/stopwatch.h"
 
 namespace sinew::app {
 namespace {
-
-double secondsNow() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// A text field has the keyboard. ImGui goes on wanting text for a frame after the field is left, and a key that
 /// comes in that frame would be lost.
@@ -55,16 +51,16 @@ void movePose(EditorState& state, const RawInput& input, double seconds) {
 }  // namespace
 
 void EditorStep::run(EditorState& state, const RawInput& input, const Fonts& fonts, double seconds) {
-  const double start = secondsNow();
+  Stopwatch watch;
   followExports(state);
   // A press on a panel keeps a drag that goes on without a button, before the panel begins a gesture of its own.
   if (!viewportFree_ && input.pressedButton >= 0) keepDrag(state.view.tools, state.document);
   const bool viewportFree = viewportFree_ = runInterface(state, input, fonts);
-  double interface = secondsNow() - start;
+  double interface = watch.lap();
   movePose(state, input, seconds);
-  const double toolsStart = secondsNow();
+  watch.lap();
   runTools(state, input, viewportFree, seconds);
-  interface += secondsNow() - toolsStart;
+  interface += watch.lap();
   updateSurface(state);
   state.session.stats.ui = interface;
 }

@@ -45,15 +45,6 @@ double secondsNow() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-WindowPlace placeOf(const WindowGeometry& geometry) {
-  return {geometry.position.x, geometry.position.y, geometry.size.x, geometry.size.y, geometry.maximised};
-}
-
-std::optional<WindowGeometry> geometryOf(const WindowPlace& place) {
-  if (place.width <= 0 || place.height <= 0) return std::nullopt;
-  return WindowGeometry{{place.x, place.y}, {place.width, place.height}, place.maximised};
-}
-
 /// The running editor.
 class Editor {
  public:
@@ -88,14 +79,14 @@ class Editor {
       refinePicture();
       if (const double now = secondsNow(); now - lastLook_ >= kLookSeconds) {
         lastLook_ = now;
-        place_ = placeOf(window_.geometry());
+        place_ = window_.place();
       }
       const std::size_t said = state_.session.messagesSaid;
       keeper_.tick(state_, secondsNow(), place_);
       if (state_.session.messagesSaid != said) settle_ = kSettleFrames;
     }
     picture_.keepThumbnail();
-    keeper_.finish(state_, placeOf(window_.geometry()));
+    keeper_.finish(state_, window_.place());
   }
 
  private:
@@ -263,10 +254,10 @@ int runEditor(const EditorOptions& options) {
   }
   const float grown = options.scale > 0.0f ? options.scale : std::max(state.session.preferences.scale, 1.0f);
   const glm::ivec2 size(glm::vec2(kWindowSize) * grown);
-  std::optional<WindowGeometry> place = geometryOf(state.session.preferences.window);
+  WindowPlace place = state.session.preferences.window;
   // What a smaller interface left behind has no room for a larger one.
   const bool larger = options.scale > std::max(state.session.preferences.scale, 1.0f);
-  if (place && larger && (place->size.x < size.x || place->size.y < size.y)) place.reset();
+  if (larger && (place.width < size.x || place.height < size.y)) place = {};
   const Result<std::unique_ptr<Window>> window = Window::open(size, kTitle, place);
   if (!window) return refuse(orphaned.value_or(window.error()));
   const Result<std::unique_ptr<Viewport>> viewport = Viewport::create(Viewport::defaultSamples());

@@ -1,19 +1,20 @@
 // core/skeleton/name_words.cpp: words in names.
 #include "core/skeleton/name_words.h"
 
+#include "core/base/lower_case.h"
+
 namespace sinew {
 namespace {
 
 bool isUpper(char c) { return c >= 'A' && c <= 'Z'; }
 bool isLetter(char c) { return isUpper(c) || (c >= 'a' && c <= 'z'); }
-char lowered(char c) { return isUpper(c) ? static_cast<char>(c - 'A' + 'a') : c; }
 
 }  // namespace
 
 std::string lettersOf(std::string_view name) {
   std::string letters;
   for (const char c : name) {
-    if (isLetter(c)) letters.push_back(lowered(c));
+    if (isLetter(c)) letters.push_back(toLower(c));
   }
   return letters;
 }
@@ -28,7 +29,7 @@ std::vector<std::string> wordsOf(std::string_view name) {
     }
     const bool capital = i > 0 && isUpper(name[i]) && isLetter(name[i - 1]) && !isUpper(name[i - 1]);
     if (!inWord || capital) words.emplace_back();
-    words.back().push_back(lowered(name[i]));
+    words.back().push_back(toLower(name[i]));
     inWord = true;
   }
   return words;

@@ -5,6 +5,8 @@
 #include <array>
 #include <utility>
 
+#include "core/base/lower_case.h"
+
 namespace sinew {
 namespace {
 
@@ -20,15 +22,6 @@ constexpr std::array<MarkerPair, 4> kShort{MarkerPair{"l", "r"}, MarkerPair{"lf"
 bool isUpper(char c) { return c >= 'A' && c <= 'Z'; }
 bool isLower(char c) { return c >= 'a' && c <= 'z'; }
 bool isLetter(char c) { return isUpper(c) || isLower(c); }
-
-std::string lowered(std::string_view text) {
-  std::string result(text);
-  // ASCII alone: bytes of other letters stay what they are.
-  for (char& c : result) {
-    if (isUpper(c)) c = static_cast<char>(c - 'A' + 'a');
-  }
-  return result;
-}
 
 /// A new word begins at `at`: after anything but a letter, at a capital after a small letter, and at the last capital
 /// of a run that a small letter follows ("LArm": L, Arm).
@@ -97,7 +90,7 @@ std::string_view opposite(std::string_view lowerMarker) {
 }  // namespace
 
 std::vector<SideMarker> sideMarkers(std::string_view name) {
-  const std::string lower = lowered(name);
+  const std::string lower = lowerCase(name);
   std::vector<SideMarker> markers;
   addWholeWords(name, lower, markers);
   if (markers.empty()) addShort(name, lower, markers);
@@ -117,7 +110,7 @@ std::optional<std::string> mirroredName(std::string_view name) {
   if (markers.size() != 1) return std::nullopt;
   const std::string_view marker = name.substr(markers[0].begin, markers[0].length);
   std::string result(name.substr(0, markers[0].begin));
-  result += inCaseOf(opposite(lowered(marker)), marker);
+  result += inCaseOf(opposite(lowerCase(marker)), marker);
   result += name.substr(markers[0].begin + markers[0].length);
   return result;
 }

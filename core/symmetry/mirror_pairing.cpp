@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/at.h"
+#include "core/base/lower_case.h"
 #include "core/skeleton/side_names.h"
 
 namespace sinew {
@@ -25,13 +26,6 @@ constexpr double kCentreReach = 0.02;  // Bones this near to the plane, origin a
 constexpr char kAnySide = '\x01';
 
 // By name ---------------------------------------------------------------------------------------------------------
-
-std::string lowered(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
-}
 
 /// "b_leg01_015" -> "b_leg01".
 std::string withoutNumber(std::string name) {
@@ -55,7 +49,7 @@ std::string sideless(std::string_view name, const SideMarker& marker) {
 std::vector<SidedKey> keysOf(std::string_view name, bool numbers) {
   std::vector<SidedKey> keys;
   for (const SideMarker& marker : sideMarkers(name)) {
-    const std::string key = lowered(sideless(name, marker));
+    const std::string key = lowerCase(sideless(name, marker));
     keys.push_back({numbers ? key : withoutNumber(key), marker.side});
   }
   return keys;
@@ -76,7 +70,7 @@ std::vector<SidedKey> pathKeysOf(const Bone& bone) {
       side = marker.side;
       part = sideless(part, marker);
     }
-    key += withoutNumber(lowered(part)) + '/';
+    key += withoutNumber(lowerCase(part)) + '/';
     if (slash == std::string_view::npos) break;
     rest.remove_prefix(slash + 1);
   }

@@ -37,11 +37,6 @@ _sinew() {
             :render) verb=render ;;
             :farm) verb=farm ;;
             :bench) verb=bench ;;
-            bench:field) verb=bench-field ;;
-            bench:animation) verb=bench-animation ;;
-            bench:projections) verb=bench-projections ;;
-            bench:drag) verb=bench-drag ;;
-            bench:stages) verb=bench-stages ;;
         esac
     done
     # Without a verb the file is the editor's.
@@ -101,17 +96,6 @@ _sinew() {
         farm:--job) _sinew_files -; return ;;
         bench:--json) _sinew_files json; return ;;
         bench:--rounds) :; return ;;
-        bench-field:--rounds) :; return ;;
-        bench-animation:--rounds) :; return ;;
-        bench-projections:--json) _sinew_files json; return ;;
-        bench-projections:--frames) :; return ;;
-        bench-projections:--rounds) :; return ;;
-        bench-drag:--json) _sinew_files json; return ;;
-        bench-drag:--frames) :; return ;;
-        bench-drag:--rounds) :; return ;;
-        bench-stages:--json) _sinew_files json; return ;;
-        bench-stages:--frames) :; return ;;
-        bench-stages:--rounds) :; return ;;
     esac
     case "$verb:$cur" in
         :-*) _sinew_words --version -h --help ;;
@@ -128,16 +112,7 @@ _sinew() {
         render:*) _sinew_files glb gltf rig.json ;;
         farm:-*) _sinew_words -h --help --to --tasks --program --job ;;
         bench:-*) _sinew_words -h --help --json --rounds ;;
-        bench:*) _sinew_words field animation projections drag stages; _sinew_files glb gltf rig.json ;;
-        bench-field:-*) _sinew_words -h --help --rounds ;;
-        bench-animation:-*) _sinew_words -h --help --rounds ;;
-        bench-animation:*) _sinew_files glb gltf rig.json ;;
-        bench-projections:-*) _sinew_words -h --help --json --frames --rounds ;;
-        bench-projections:*) _sinew_files glb gltf rig.json ;;
-        bench-drag:-*) _sinew_words -h --help --json --frames --rounds ;;
-        bench-drag:*) _sinew_files glb gltf rig.json ;;
-        bench-stages:-*) _sinew_words -h --help --json --frames --rounds ;;
-        bench-stages:*) _sinew_files glb gltf rig.json ;;
+        bench:*) _sinew_files glb gltf rig.json ;;
     esac
 }
 complete -F _sinew sinew

@@ -19,16 +19,6 @@ function __sinew_verb
                 set verb farm
             case :bench
                 set verb bench
-            case bench:field
-                set verb bench-field
-            case bench:animation
-                set verb bench-animation
-            case bench:projections
-                set verb bench-projections
-            case bench:drag
-                set verb bench-drag
-            case bench:stages
-                set verb bench-stages
         end
     end
     echo $verb
@@ -78,7 +68,7 @@ complete -c sinew -n '__sinew_in "smooth"' -l clip -x -d 'Pose from this clip, o
 complete -c sinew -n '__sinew_in "smooth"' -l time -x -d 'Seconds into the clip (0)'
 complete -c sinew -n '__sinew_in "smooth"' -l frames -x -d 'One file per clip frame from A to B, both included, or every STEPth'
 complete -c sinew -n '__sinew_in "smooth"' -l fps -x -d 'Clip frames per second (30)'
-complete -c sinew -n '__sinew_in "smooth"' -l depth -x -d 'Every triangle becomes N x N, in place of the rig\'s depth (a file has no size on screen to follow)'
+complete -c sinew -n '__sinew_in "smooth"' -l depth -x -d 'Every triangle becomes N x N, in place of the rig\'s depth, also of one that follows the size on screen'
 complete -c sinew -n '__sinew_in "smooth"' -l mode -x -a 'swell replace' -d 'swell (the skin rises over the muscles) or replace (the paper\'s method)'
 complete -c sinew -n '__sinew_in "smooth"' -l patch -x -a 'pn phong spherigon flat' -d 'Curved patch over each triangle: pn, phong, spherigon or flat'
 complete -c sinew -n '__sinew_in "smooth"' -l projection -x -a 'newton bisection analytic' -d 'How roots are found: newton, bisection or analytic'
@@ -127,10 +117,10 @@ complete -c sinew -n '__sinew_in "render"' -l background -x -d 'studio, dark, mi
 complete -c sinew -n '__sinew_in "render"' -l ao -d 'Ambient occlusion: crevices and folds are darker'
 complete -c sinew -n '__sinew_in "render"' -l size -x -d 'Pixels, each 16 to 8192 (1280x800)'
 complete -c sinew -n '__sinew_in "render"' -l samples -x -d 'Samples per pixel, at most what the driver offers (4)'
-complete -c sinew -n '__sinew_in "render"' -l depth -x -d 'Every triangle becomes N x N, also where a rig follows the picture\'s size'
-complete -c sinew -n '__sinew_in "render"' -l mode -x -a 'swell replace' -d 'swell or replace'
-complete -c sinew -n '__sinew_in "render"' -l patch -x -a 'pn phong spherigon flat' -d 'pn, phong, spherigon or flat'
-complete -c sinew -n '__sinew_in "render"' -l projection -x -a 'newton bisection analytic' -d 'newton, bisection or analytic'
+complete -c sinew -n '__sinew_in "render"' -l depth -x -d 'Every triangle becomes N x N, in place of the rig\'s depth, also of one that follows the size on screen'
+complete -c sinew -n '__sinew_in "render"' -l mode -x -a 'swell replace' -d 'swell (the skin rises over the muscles) or replace (the paper\'s method)'
+complete -c sinew -n '__sinew_in "render"' -l patch -x -a 'pn phong spherigon flat' -d 'Curved patch over each triangle: pn, phong, spherigon or flat'
+complete -c sinew -n '__sinew_in "render"' -l projection -x -a 'newton bisection analytic' -d 'How roots are found: newton, bisection or analytic'
 complete -c sinew -n '__sinew_in "render"' -l crease -x -d 'Shade faces that meet at more than this angle apart; 180: smooth everywhere'
 complete -c sinew -n '__sinew_in "render"' -s o -l output -x -a '(__sinew_files png)' -d 'Picture to write: OUT.png, or OUT_%04d.png with --frames'
 complete -c sinew -n '__sinew_in "render"' -l list -x -a '(__sinew_files )' -d 'Instead of FILE: a text file, one input per line; {name} in OUT is its name'
@@ -142,32 +132,7 @@ complete -c sinew -n '__sinew_in "farm"' -l to -x -a 'slurm parallel openjd comm
 complete -c sinew -n '__sinew_in "farm"' -l tasks -x -d 'How many tasks share the work (16)'
 complete -c sinew -n '__sinew_in "farm"' -l program -x -d 'What the machines call this program; without it, its path here'
 complete -c sinew -n '__sinew_in "farm"' -l job -x -a '(__sinew_files )' -d 'Write the job here, not to stdout'
-complete -c sinew -n '__sinew_in "bench"' -a field -d 'Compare ellipsoids with spheres and shapes: one evaluation of the field'
-complete -c sinew -n '__sinew_in "bench"' -a animation -d 'Time 4,000 muscle lines and 1,000 drivers beside skinning'
-complete -c sinew -n '__sinew_in "bench"' -a projections -d 'Compare newton, bisection and analytic: work, time, agreement'
-complete -c sinew -n '__sinew_in "bench"' -a drag -d 'Time a drag: short and long history, few and many muscles'
-complete -c sinew -n '__sinew_in "bench"' -a stages -d 'Divide a frame\'s time among skin, patch, project, folds, normals'
 complete -c sinew -n '__sinew_in "bench"' -a '(__sinew_files glb gltf rig.json)'
 complete -c sinew -n '__sinew_in "bench"' -s h -l help -d 'Print this and exit'
 complete -c sinew -n '__sinew_in "bench"' -l json -x -a '(__sinew_files json)' -d 'Print JSON, for programs; or write it to FILE.json beside the table'
 complete -c sinew -n '__sinew_in "bench"' -l rounds -x -d 'Times everything is timed (7)'
-complete -c sinew -n '__sinew_in "bench-field"' -s h -l help -d 'Print this and exit'
-complete -c sinew -n '__sinew_in "bench-field"' -l rounds -x -d 'Times everything is timed (15)'
-complete -c sinew -n '__sinew_in "bench-animation"' -a '(__sinew_files glb gltf rig.json)'
-complete -c sinew -n '__sinew_in "bench-animation"' -s h -l help -d 'Print this and exit'
-complete -c sinew -n '__sinew_in "bench-animation"' -l rounds -x -d 'Poses (60)'
-complete -c sinew -n '__sinew_in "bench-projections"' -a '(__sinew_files glb gltf rig.json)'
-complete -c sinew -n '__sinew_in "bench-projections"' -s h -l help -d 'Print this and exit'
-complete -c sinew -n '__sinew_in "bench-projections"' -l json -x -a '(__sinew_files json)' -d 'Write the numbers as JSON too'
-complete -c sinew -n '__sinew_in "bench-projections"' -l frames -x -d 'Moments of the first clip (8)'
-complete -c sinew -n '__sinew_in "bench-projections"' -l rounds -x -d 'Times each moment is timed (15)'
-complete -c sinew -n '__sinew_in "bench-drag"' -a '(__sinew_files glb gltf rig.json)'
-complete -c sinew -n '__sinew_in "bench-drag"' -s h -l help -d 'Print this and exit'
-complete -c sinew -n '__sinew_in "bench-drag"' -l json -x -a '(__sinew_files json)' -d 'Write the numbers as JSON too'
-complete -c sinew -n '__sinew_in "bench-drag"' -l frames -x -d 'Frames of a drag (60)'
-complete -c sinew -n '__sinew_in "bench-drag"' -l rounds -x -d 'Drags (5)'
-complete -c sinew -n '__sinew_in "bench-stages"' -a '(__sinew_files glb gltf rig.json)'
-complete -c sinew -n '__sinew_in "bench-stages"' -s h -l help -d 'Print this and exit'
-complete -c sinew -n '__sinew_in "bench-stages"' -l json -x -a '(__sinew_files json)' -d 'Write the numbers as JSON too'
-complete -c sinew -n '__sinew_in "bench-stages"' -l frames -x -d 'Moments of the first clip (8)'
-complete -c sinew -n '__sinew_in "bench-stages"' -l rounds -x -d 'Times each moment is timed (15)'

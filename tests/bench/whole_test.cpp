@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "app/bench/paper_figures.h"
-
 namespace sinew::app {
 namespace {
 

@@ -1,7 +1,6 @@
 // tests/character/planted_feet_test.cpp: the feet of the bundled characters stand where they were set down.
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -9,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/lower_case.h"
 #include "core/character/bindings.h"
 #include "core/character/skinning.h"
 #include "sinew/io/gltf_import.h"
@@ -46,15 +46,10 @@ struct Track {
   [[nodiscard]] std::size_t next(std::size_t sample) const { return sample + 1 < planted.size() ? sample + 1 : 0; }
 };
 
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 /// The nearest bone at or above whose name speaks of a foot's or hoof's root; -1 if there is none.
 int footOf(const Skeleton& skeleton, int bone) {
   for (int b = bone; b >= 0; b = skeleton.bones[static_cast<std::size_t>(b)].parent) {
-    const std::string name = lower(skeleton.bones[static_cast<std::size_t>(b)].name);
+    const std::string name = lowerCase(skeleton.bones[static_cast<std::size_t>(b)].name);
     if (name.starts_with("foot") || name.starts_with("hoof")) return b;
   }
   return -1;

@@ -28,11 +28,10 @@ struct Outcome {
 /// A folder of its own for each test; the program runs with no display.
 class Program : public ::testing::Test {
  protected:
-  [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const {
+  [[nodiscard]] Outcome run(const std::vector<std::string>& arguments, const char* program = SINEW_PROGRAM) const {
     const std::string out = (folder_ / "stdout").string();
     const std::string error = (folder_ / "stderr").string();
-    std::string command =
-        "cd " + quoted(folder_.string()) + " && env -u DISPLAY -u WAYLAND_DISPLAY " + quoted(SINEW_PROGRAM);
+    std::string command = "cd " + quoted(folder_.string()) + " && env -u DISPLAY -u WAYLAND_DISPLAY " + quoted(program);
     for (const std::string& argument : arguments) command += ' ' + quoted(argument);
     command += " >" + quoted(out) + " 2>" + quoted(error) + " </dev/null";
     const int status = std::system(command.c_str());

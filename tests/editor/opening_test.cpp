@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/document/motion_clip.h"
 #include "app/editor/commands.h"
 #include "app/editor/hidden_bones.h"
 #include "app/editor/locate_character.h"
@@ -13,6 +12,7 @@
 #include "app/editor/pose_commands.h"
 #include "app/render/picking.h"
 #include "core/io/files/atomic_file.h"
+#include "core/symmetry/motion_clip.h"
 #include "sinew/io/rig_json.h"
 #include "tests/support/characters/gltf_builder.h"
 #include "tests/support/temporary_folder.h"

@@ -7,12 +7,12 @@
 #include <fstream>
 #include <iterator>
 
-#include "app/document/motion_clip.h"
 #include "app/document/view_files.h"
 #include "app/editor/commands.h"
 #include "app/editor/pose_commands.h"
 #include "app/editor/session_keeper.h"
 #include "core/skeleton/range_of_motion.h"
+#include "core/symmetry/motion_clip.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew::app {

@@ -5,9 +5,9 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "app/document/motion_clip.h"
 #include "core/base/at.h"
 #include "core/drivers/posed_rig.h"
+#include "core/symmetry/motion_clip.h"
 #include "tests/export/export_scenes.h"
 
 namespace sinew::exporting {
@@ -15,7 +15,7 @@ namespace {
 
 std::vector<Pose> posesOf(const std::shared_ptr<const Character>& character, float every) {
   std::vector<Pose> poses;
-  const auto moving = app::withRangeOfMotion(character);
+  const auto moving = withRangeOfMotion(character);
   for (const AnimationClip& clip : moving->clips) {
     for (float time = 0.0f; time < clip.duration; time += every) {
       poses.push_back(samplePose(character->skeleton, clip, time));

@@ -121,8 +121,9 @@ def runs_without_its_source(root, source, work):
         (data / "shaders/surface.frag").write_text("no shader")
         done = subprocess.run(render, capture_output=True, text=True, cwd=work)
         check("its own shaders come first", done.returncode == 1 and str(data) in done.stderr, done.stderr)
-    nothing = run(*hidden, program, "bench", "field", "--rounds", 1)
-    check("bench finds what it needs", nothing != "")
+    told = run(*hidden, program, "bench", data / "assets/demo.rig.json", "--rounds", 1)
+    check("bench measures a sample", "Table 1" in told, told)
+    check("no package ships the measurements for those who change the code", not list(root.rglob("*sinew_bench*")))
 
 
 def installs_and_goes_again(deb, work):

@@ -86,9 +86,7 @@ def completes(name, offer, program):
     for verb in program.leaves():
         check("%s: options of %s" % (name, verb), {o for o in offer([*verb, "--"])},
               {f for f in program.flags(*verb) if f.startswith("--")})
-    check(name + ": what bench measures", offer(["bench", ""]), set(program.subcommands("bench")) | READ | {"folder"})
-    for verb in (["inspect"], ["smooth", "--clip", "Walk"], ["render"], ["bench", "--json", "fox.json"], ["bench", "drag"],
-                 ["edit"]):
+    for verb in (["inspect"], ["smooth", "--clip", "Walk"], ["render"], ["bench", "--json", "fox.json"], ["edit"]):
         check("%s: files to read after %s" % (name, verb), offer([*verb, "fo"]), READ | {"folder"})
     for option, wanted in ((["smooth", "-o"], {"fox.obj", "fox.ply", "fox.glb"}),
                            (["render", "--output"], {"fox.png"}),

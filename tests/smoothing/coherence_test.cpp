@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/bench/trial_rig.h"
+#include "core/rig/trial_rig.h"
 #include "sinew/smoothing/smoother.h"
 #include "tests/smoothing/coherence_ceilings.h"
 #include "tests/support/rigs/bedded_rig.h"

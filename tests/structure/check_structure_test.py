@@ -40,6 +40,16 @@ class Structure(unittest.TestCase):
         body = '#include "app/document/document.h"\n'
         self.one("core never includes app", core__rig__a_DOT_h=self.header("core/rig/a.h", body))
 
+    def test_a_test_of_core_including_app(self):
+        for here in ("mesh", "support/rigs"):
+            path = "tests/%s/a.h" % here
+            for header in ("app/bench/scene.h", "tests/tools/limb_scene.h", "tests/support/editor/drawn_text.h"):
+                body = self.header(path, '#include "%s"\n' % header)
+                tree = {"tests__CMakeLists_DOT_txt": "mesh support", path.replace("/", "__").replace(".", "_DOT_"): body}
+                self.one("tests of core include nothing of app", **tree)
+        body = self.header("tests/support/editor/a.h", '#include "app/bench/scene.h"\n')
+        self.assertEqual([], self.problems(tests__CMakeLists_DOT_txt="support", tests__support__editor__a_DOT_h=body))
+
     def test_core_including_a_window(self):
         for header in ("epoxy/gl.h", "GLFW/glfw3.h", "imgui.h"):
             self.one("core knows no window", core__io__a_DOT_h=self.header("core/io/a.h", "#include <%s>\n" % header))

@@ -7,11 +7,11 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <cctype>
 #include <string>
 
 #include "app/actions/key_capture.h"
 #include "app/panels/dialogs/dialogs.h"
+#include "core/base/lower_case.h"
 
 namespace sinew::app {
 namespace {
@@ -22,17 +22,12 @@ constexpr float kResetWidth = 52.0f;
 constexpr float kLeastHeight = 120.0f;  // The list's, in a low window.
 constexpr float kAroundList = 320.0f;   // Height of all else, with some of the window around the dialog.
 
-std::string lowered(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 /// Its label, its menu or one of its keys contains what is searched for.
 bool isFound(const PanelUi& ui, const Menu& menu, const Action& item) {
-  const std::string query = lowered(ui.state.dialogs.keySearch);
+  const std::string query = lowerCase(ui.state.dialogs.keySearch);
   std::string text = std::string(item.label) + '\n' + menu.title;
   for (const Shortcut& shortcut : shortcutsOf(item, ui.state.session.preferences)) text += '\n' + textOf(shortcut);
-  return lowered(text).find(query) != std::string::npos;
+  return lowerCase(text).find(query) != std::string::npos;
 }
 
 std::string heldModifiers() {

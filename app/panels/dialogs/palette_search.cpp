@@ -6,6 +6,8 @@
 #include <cctype>
 #include <tuple>
 
+#include "core/base/lower_case.h"
+
 namespace sinew::app {
 namespace {
 
@@ -19,8 +21,6 @@ constexpr int kRecentBonus = 4;     ///< For the one used last; a step less for 
 constexpr int kUnusable = 6;        ///< Less for what cannot be done now.
 constexpr int kClearlyWorse = 8;    ///< By more than this: another entry was meant.
 constexpr int kWorst = -1000000;
-
-char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
 bool isWordCharacter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || (c & 0x80) != 0; }
 
@@ -48,7 +48,7 @@ std::optional<Fit> fitWord(std::string_view word, std::string_view text) {
         before = best[i - 1][j - 2];
         beforeAt = j - 2;
       }
-      if (lower(word[i]) != lower(text[j])) continue;
+      if (toLower(word[i]) != toLower(text[j])) continue;
       if (i == 0) {
         best[i][j] = weightAt(text, j);
         continue;
@@ -83,9 +83,7 @@ std::vector<std::string_view> wordsOf(std::string_view query) {
   return words;
 }
 
-bool sameText(std::string_view a, std::string_view b) {
-  return std::ranges::equal(a, b, [](char x, char y) { return lower(x) == lower(y); });
-}
+bool sameText(std::string_view a, std::string_view b) { return std::ranges::equal(a, b, {}, toLower, toLower); }
 
 /// The label alone if it fits; else label and context as one text.
 std::optional<Fit> fitCandidate(std::string_view query, const Candidate& candidate) {

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "app/document/motion_clip.h"
 #include "app/document/shown_names.h"
 #include "app/editor/edit.h"
 #include "app/editor/pose_commands.h"
@@ -19,6 +18,7 @@
 #include "app/ui/number_field.h"
 #include "core/base/at.h"
 #include "core/skeleton/range_of_motion.h"
+#include "core/symmetry/motion_clip.h"
 
 namespace sinew::app {
 namespace {

@@ -7,6 +7,8 @@
 #include <cctype>
 #include <cstdint>
 
+#include "core/base/lower_case.h"
+
 namespace sinew::gltf {
 namespace {
 
@@ -82,9 +84,7 @@ bool hasScheme(std::string_view uri) {
 
 bool isDataUri(std::string_view uri) {
   constexpr std::string_view kScheme = "data:";
-  return uri.size() >= kScheme.size() && std::ranges::equal(uri.substr(0, kScheme.size()), kScheme, {}, [](char c) {
-           return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-         });
+  return uri.size() >= kScheme.size() && std::ranges::equal(uri.substr(0, kScheme.size()), kScheme, {}, toLower);
 }
 
 Result<std::vector<std::uint8_t>> decodeDataUri(std::string_view uri) {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "app/bench/trial_placement.h"
 #include "core/character/bindings.h"
+#include "core/rig/trial_rig.h"
 #include "sinew/base/geometry.h"
 
 namespace sinew::test {

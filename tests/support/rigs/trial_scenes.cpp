@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/bench/trial_rig.h"
+#include "core/rig/trial_rig.h"
 #include "sinew/io/gltf_import.h"
 #include "sinew/io/rig_json.h"
 #include "tests/support/characters/real_characters.h"

@@ -18,7 +18,7 @@ struct TrialScene {
 };
 
 /// assets/wrapped and assets/tangle with their rigs, always; then those of Fox, greenman, cesium_man and robot that are
-/// at hand, each with 12 muscles set by rule (app/bench/trial_rig.h). Prints which are left out, once.
+/// at hand, each with 12 muscles set by rule (core/rig/trial_rig.h). Prints which are left out, once.
 [[nodiscard]] const std::vector<TrialScene>& trialScenes();
 
 /// The same with materials that have one side: what may be culled.

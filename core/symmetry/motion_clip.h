@@ -1,4 +1,4 @@
-// app/document/motion_clip.h: the range of motion as one more clip of an open character.
+// core/symmetry/motion_clip.h: the range of motion as one more clip of an open character.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,7 @@
 
 #include "sinew/character/character.h"
 
-namespace sinew::app {
+namespace sinew {
 
 /// The character with a clip "Range of motion" (core/skeleton/range_of_motion.h) at the end of its clips. The same
 /// character where it has a clip of that name already, its file's own too, or where none of its joints can turn.
@@ -20,4 +20,4 @@ namespace sinew::app {
 /// Index of the first clip of that name, or -1.
 [[nodiscard]] int findClip(const Character& character, std::string_view name);
 
-}  // namespace sinew::app
+}  // namespace sinew

@@ -1,6 +1,6 @@
-// tests/document/motion_clip_test.cpp: the range of motion joins the clips, once, and never in place of a file's own.
+// tests/symmetry/motion_clip_test.cpp: the range of motion joins the clips, once, and never in place of a file's own.
 
-#include "app/document/motion_clip.h"
+#include "core/symmetry/motion_clip.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "core/skeleton/range_of_motion.h"
 #include "tests/support/characters/synthetic_characters.h"
 
-namespace sinew::app {
+namespace sinew {
 namespace {
 
 TEST(MotionClip, JoinsAtTheEndAndLeavesTheRestAlone) {
@@ -49,4 +49,4 @@ TEST(MotionClip, NothingToTurnIsNoClip) {
 }
 
 }  // namespace
-}  // namespace sinew::app
+}  // namespace sinew

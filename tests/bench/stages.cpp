@@ -1,15 +1,23 @@
-// app/bench/stages.cpp: smooths the same frames again and again and divides each stage's least time by the whole.
-#include "app/bench/stages.h"
-
+// tests/bench/stages.cpp: smooths the same frames again and again and divides each stage's least time by the whole.
 #include <algorithm>
 #include <array>
 #include <cstdio>
 
 #include "app/bench/measuring.h"
 #include "sinew/base/threads.h"
+#include "tests/bench/parts.h"
 
 namespace sinew::app {
 namespace {
+
+/// One depth of one scene.
+struct StageRow {
+  std::string scene;
+  int depth = 1;
+  double projected = 0.0;     ///< Vertices a root was sought for, mean of the frames.
+  double frameSeconds = 0.0;  ///< Sum of the stages' least times, mean of the frames.
+  StageSeconds shares;        ///< Shares of the sum of all frames' least times.
+};
 
 constexpr std::array kDepths{3, 5};
 constexpr std::array kStages{&StageSeconds::skin, &StageSeconds::patch, &StageSeconds::project, &StageSeconds::folds,
@@ -22,13 +30,13 @@ Rig swelling(Rig rig, int depth) {
   return rig;
 }
 
-Result<StageRow> measureAt(int depth, const StageTrial& trial, const std::vector<Pose>& poses) {
-  Smoother smoother(trial.character);
-  if (const auto prepared = smoother.prepare(swelling(trial.rig, depth)); !prepared) return prepared.error();
-  StageRow row{trial.scene, depth, 0.0, 0.0, {}};
+Result<StageRow> measureAt(int depth, const BenchScene& scene, int rounds, const std::vector<Pose>& poses) {
+  Smoother smoother(scene.character);
+  if (const auto prepared = smoother.prepare(swelling(scene.rig, depth)); !prepared) return prepared.error();
+  StageRow row{scene.name, depth, 0.0, 0.0, {}};
   Surface surface;
   std::vector<StageSeconds> least(poses.size());
-  for (int round = 0; round <= trial.rounds; ++round) {  // Round 0 warms up and counts.
+  for (int round = 0; round <= rounds; ++round) {  // Round 0 warms up and counts.
     for (std::size_t i = 0; i < poses.size(); ++i) {
       smoother.smooth(poses[i], surface);
       if (round == 0) row.projected += surface.report.projected / static_cast<double>(poses.size());
@@ -47,14 +55,13 @@ Result<StageRow> measureAt(int depth, const StageTrial& trial, const std::vector
   return row;
 }
 
-}  // namespace
-
-Result<std::vector<StageRow>> measureStages(const StageTrial& trial) {
+/// Frames are spread evenly over the first clip, or are the bind pose.
+Result<std::vector<StageRow>> measureStages(const BenchScene& scene, const Effort& effort) {
   const ThreadLimit one(1);
-  const std::vector<Pose> poses = spreadFrames(*trial.character, trial.frames);
+  const std::vector<Pose> poses = spreadFrames(*scene.character, effort.frames);
   std::vector<StageRow> rows;
   for (const int depth : kDepths) {
-    Result<StageRow> row = measureAt(depth, trial, poses);
+    Result<StageRow> row = measureAt(depth, scene, effort.rounds, poses);
     if (!row) return row.error();
     rows.push_back(std::move(row.value()));
   }
@@ -77,6 +84,28 @@ std::string tableOf(const std::vector<StageRow>& rows) {
     table += line;
   }
   return table;
+}
+
+Json jsonOf(const std::vector<StageRow>& rows) {
+  Json list = Json::array();
+  for (const StageRow& row : rows) {
+    Json shares = Json::object();
+    shares.set("skin", row.shares.skin).set("patch", row.shares.patch).set("project", row.shares.project);
+    shares.set("folds", row.shares.folds).set("normals", row.shares.normals);
+    Json item = Json::object();
+    item.set("scene", row.scene).set("depth", row.depth).set("vertices", row.projected);
+    item.set("frame_seconds", row.frameSeconds).set("shares", shares);
+    list.push(item);
+  }
+  return list;
+}
+
+}  // namespace
+
+Result<Report> reportStages(Files files, const Effort& effort) {
+  const auto rows = rowsOf<StageRow>(files, [&](const auto& scene) { return measureStages(scene, effort); });
+  if (!rows) return rows.error();
+  return Report{tableOf(rows.value()), jsonOf(rows.value())};
 }
 
 }  // namespace sinew::app

@@ -1,6 +1,5 @@
-// app/bench/drag.cpp: the same drag in several documents, frame by frame in turn.
-#include "app/bench/drag.h"
-
+// tests/bench/drag.cpp: what a frame of a drag costs beside drawing: the same drag in several documents, frame by frame
+// in turn.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -9,13 +8,26 @@
 #include <utility>
 
 #include "app/bench/measuring.h"
-#include "app/bench/trial_rig.h"
 #include "app/document/document.h"
 #include "app/playback.h"
+#include "core/base/stopwatch.h"
 #include "core/rig/rig_edit.h"
+#include "core/rig/trial_rig.h"
+#include "tests/bench/parts.h"
 
 namespace sinew::app {
 namespace {
+
+/// One situation. Seconds are medians of all timed frames.
+struct DragRow {
+  std::string scene;
+  int undoSteps = 0;
+  int untouched = 0;            ///< Muscles beside the one that is dragged.
+  double frameSeconds = 0.0;    ///< Edit, pose, prepare, smooth.
+  double prepareSeconds = 0.0;  ///< The part of it that prepare takes.
+  double projected = 0.0;       ///< Vertices a root was sought for, mean of the frames.
+  double frameRatio = 1.0;      ///< Over the first row's for the same frame in the same round, median.
+};
 
 struct Situation {
   int undoSteps;
@@ -31,9 +43,9 @@ constexpr double kFrame = 1.0 / 60.0;
 /// A document with a history, its surface, and what its frames have cost.
 class Drag {
  public:
-  static Result<Drag> create(const DragTrial& trial, const Situation& situation) {
-    Drag drag(trial.character, situation);
-    if (drag.document_.rig().primitives.empty()) return Error{"", trial.scene, "no skin to lay muscles in"};
+  static Result<Drag> create(const BenchScene& scene, const Situation& situation) {
+    Drag drag(scene.character, situation);
+    if (drag.document_.rig().primitives.empty()) return Error{"", scene.name, "no skin to lay muscles in"};
     Result<LiveSurface> live = LiveSurface::create(drag.document_, drag.transport_);
     if (!live) return live.error();
     drag.live_.emplace(std::move(live.value()));
@@ -44,7 +56,7 @@ class Drag {
 
   /// @param share of a turn that the muscle goes round a circle.  @param timed  else only warms up.
   Result<void> frame(double share, bool timed) {
-    const double start = secondsNow();
+    Stopwatch watch;
     Result<Rig> rig = setPlacement(document_.rig(), kDragged, placementAt(share));
     if (!rig) return rig.error();
     document_.commands.updateGesture(std::move(rig.value()));
@@ -52,7 +64,7 @@ class Drag {
     live_->movePose(transport_);
     if (const Result<bool> updated = live_->update(document_); !updated) return updated.error();
     if (timed) {
-      frameSeconds_.push_back(secondsNow() - start);
+      frameSeconds_.push_back(watch.lap());
       prepareSeconds_.push_back(live_->prepareSeconds());
       projected_ += live_->surface().report.projected;
     }
@@ -108,19 +120,19 @@ class Drag {
   double projected_ = 0.0;
 };
 
-}  // namespace
-
-Result<std::vector<DragRow>> measureDrag(const DragTrial& trial) {
+/// One muscle is dragged through the command stack and the editor's live surface. Every frame is made in all situations
+/// in turn, so that a slow moment of the machine meets them alike. Error: no skin to lay muscles in.
+Result<std::vector<DragRow>> measureDrag(const BenchScene& scene, const Effort& effort) {
   std::vector<Drag> drags;
   for (const Situation& situation : kSituations) {
-    Result<Drag> drag = Drag::create(trial, situation);
+    Result<Drag> drag = Drag::create(scene, situation);
     if (!drag) return drag.error();
     drags.push_back(std::move(drag.value()));
   }
-  for (int round = 0; round <= trial.rounds; ++round) {  // Round 0 warms up.
+  for (int round = 0; round <= effort.rounds; ++round) {  // Round 0 warms up.
     for (Drag& drag : drags) drag.begin();
-    for (int i = 0; i < trial.frames; ++i) {
-      const double share = (i + 0.5) / trial.frames;
+    for (int i = 0; i < effort.frames; ++i) {
+      const double share = (i + 0.5) / effort.frames;
       for (Drag& drag : drags) {
         if (const Result<void> made = drag.frame(share, round > 0); !made) return made.error();
       }
@@ -128,7 +140,7 @@ Result<std::vector<DragRow>> measureDrag(const DragTrial& trial) {
     for (Drag& drag : drags) drag.end();
   }
   std::vector<DragRow> rows;
-  for (const Drag& drag : drags) rows.push_back(drag.row(trial.scene, drags.front()));
+  for (const Drag& drag : drags) rows.push_back(drag.row(scene.name, drags.front()));
   return rows;
 }
 
@@ -148,6 +160,26 @@ std::string tableOf(const std::vector<DragRow>& rows) {
     table += line;
   }
   return table;
+}
+
+Json jsonOf(const std::vector<DragRow>& rows) {
+  Json list = Json::array();
+  for (const DragRow& row : rows) {
+    Json item = Json::object();
+    item.set("scene", row.scene).set("undo_steps", row.undoSteps).set("untouched", row.untouched);
+    item.set("vertices", row.projected).set("frame_seconds", row.frameSeconds);
+    item.set("prepare_seconds", row.prepareSeconds).set("frame_ratio", row.frameRatio);
+    list.push(item);
+  }
+  return list;
+}
+
+}  // namespace
+
+Result<Report> reportDrag(Files files, const Effort& effort) {
+  const auto rows = rowsOf<DragRow>(files, [&](const auto& scene) { return measureDrag(scene, effort); });
+  if (!rows) return rows.error();
+  return Report{tableOf(rows.value()), jsonOf(rows.value())};
 }
 
 }  // namespace sinew::app

@@ -1,6 +1,5 @@
-// tests/bench/trial_rig_test.cpp: muscles set by rule: valid, repeatable, under the skin and over it.
-#include "app/bench/trial_rig.h"
-#include "tests/support/rigs/bedded_rig.h"
+// tests/rig/trial_rig_test.cpp: muscles set by rule: valid, repeatable, under the skin and over it.
+#include "core/rig/trial_rig.h"
 
 #include <set>
 
@@ -11,6 +10,7 @@
 #include "core/rig/validation.h"
 #include "tests/support/characters/real_characters.h"
 #include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/rigs/bedded_rig.h"
 
 namespace sinew::test {
 namespace {

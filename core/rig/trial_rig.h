@@ -1,11 +1,12 @@
-// app/bench/trial_placement.h: where muscles that are placed by rule lie: the skin of a bone, an ellipsoid along it.
+// core/rig/trial_rig.h: muscles placed by rule, for characters that have none: what benchmarks and tests measure.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/skeleton/bone_segments.h"
 #include "sinew/character/character.h"
-#include "sinew/primitives/ellipsoid.h"
+#include "sinew/rig/rig.h"
 
 namespace sinew {
 
@@ -26,5 +27,10 @@ struct Skin {
 
 /// An ellipsoid along the bone, half buried in the skin at a vertex of it.
 [[nodiscard]] Placement placementAt(const Character& character, const Bone& bone, const Segment& segment, int vertex);
+
+/// `muscles` ellipsoids as a first try would set them: on the bones with the most skin, one each (more where they are
+/// few), lying along the bone, half buried in the skin at a vertex of that bone's which the seed picks. Three groups in
+/// a chain a - b - c, default territories, no carves. The same character, count and seed give the same rig.
+[[nodiscard]] Rig trialRig(const Character& character, int muscles, std::uint64_t seed);
 
 }  // namespace sinew

@@ -1,19 +1,27 @@
-// app/bench/animation.cpp: skinning, lines and drivers, in turn, on the same poses.
-#include "app/bench/animation.h"
-
+// tests/bench/animation.cpp: what muscle lines and drivers cost beside skinning their character, on the same poses.
 #include <cstdio>
 #include <utility>
 
 #include "app/bench/measuring.h"
+#include "core/base/stopwatch.h"
 #include "core/character/skinning.h"
 #include "core/drivers/driven_numbers.h"
 #include "core/lines/line_pose.h"
+#include "tests/bench/parts.h"
 
 namespace sinew::app {
 namespace {
 
 constexpr int kLines = 4000;
 constexpr int kDrivers = 1000;
+
+/// Medians of the rounds; the ratio is to skinning within one round.
+struct AnimationCost {
+  std::string what;
+  int count = 0;
+  double seconds = 0.0;  ///< For all of them in one pose.
+  double ratio = 1.0;    ///< To skinning.
+};
 
 struct Work {
   AnimationCost cost;
@@ -72,13 +80,12 @@ Rig drivenRigOf(const Character& character, const std::vector<int>& bones) {
 
 template <class Task>
 void timed(Work& work, const Task& task) {
-  const double start = secondsNow();
+  Stopwatch watch;
   task();
-  work.seconds.push_back(secondsNow() - start);
+  work.seconds.push_back(watch.lap());
 }
 
-}  // namespace
-
+/// Skinning comes first. The character has bones with parents.
 std::vector<AnimationCost> measureAnimation(const Character& character, int rounds) {
   const Skeleton& skeleton = character.skeleton;
   const std::vector<int> bones = joints(skeleton);
@@ -120,7 +127,7 @@ std::vector<AnimationCost> measureAnimation(const Character& character, int roun
   return costs;
 }
 
-std::string animationTable(const std::vector<AnimationCost>& costs) {
+std::string tableOf(const std::vector<AnimationCost>& costs) {
   std::string table =
       "one pose: milliseconds, median; ratio to skinning within one round, median\n"
       "what                  count      ms    ratio\n";
@@ -131,6 +138,17 @@ std::string animationTable(const std::vector<AnimationCost>& costs) {
     table += row;
   }
   return table;
+}
+
+}  // namespace
+
+Result<Report> reportAnimation(Files files, const Effort& effort) {
+  const Result<BenchScene> scene = openScene(files.front());
+  if (!scene) return scene.error();
+  if (joints(scene->character->skeleton).empty()) {
+    return Error{files.front().string(), "", "this character has no joint: there is nothing to span or drive"};
+  }
+  return Report{tableOf(measureAnimation(*scene->character, effort.rounds))};
 }
 
 }  // namespace sinew::app

@@ -1,5 +1,5 @@
-// app/document/motion_clip.cpp: the range of motion as one more clip.
-#include "app/document/motion_clip.h"
+// core/symmetry/motion_clip.cpp: the range of motion as one more clip.
+#include "core/symmetry/motion_clip.h"
 
 #include <algorithm>
 #include <utility>
@@ -8,7 +8,7 @@
 #include "core/skeleton/range_of_motion.h"
 #include "core/symmetry/mirror.h"
 
-namespace sinew::app {
+namespace sinew {
 
 int findClip(const Character& character, std::string_view name) {
   const auto found = std::ranges::find(character.clips, name, &AnimationClip::name);
@@ -33,4 +33,4 @@ std::shared_ptr<const Character> withClipNamed(std::shared_ptr<const Character> 
   return clip == kRangeOfMotionName ? withRangeOfMotion(std::move(character)) : character;
 }
 
-}  // namespace sinew::app
+}  // namespace sinew

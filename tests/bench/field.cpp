@@ -1,16 +1,28 @@
-// app/bench/field.cpp: the same sums over ellipsoids, spheres and shapes of the same size.
-#include "app/bench/field.h"
+// tests/bench/field.cpp: what one evaluation of the field costs, kind by kind: the same sums over ellipsoids, spheres
+// and shapes of the same size.
 
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
 #include "app/bench/measuring.h"
+#include "core/base/stopwatch.h"
 #include "core/blending/field.h"
 #include "core/smoothing/roots/ray_field.h"
+#include "tests/bench/parts.h"
 
 namespace sinew::app {
 namespace {
+
+/// Nanoseconds a primitive and point or ray, medians of the rounds; ratios to the ellipsoid of one round, median. A ray
+/// is met by a primitive when it becomes terms along it (core/smoothing/roots/ray_field.h).
+struct FieldCost {
+  std::string kind;
+  double atPoint = 0.0;
+  double pointRatio = 1.0;
+  double onRay = 0.0;
+  double rayRatio = 1.0;
+};
 
 constexpr int kPrimitives = 40;
 constexpr int kPoints = 20'000;
@@ -40,11 +52,11 @@ struct Kind {
 
   void round(const std::vector<Candidate>& candidates) {
     const CliqueLists sumsAlone;
-    const double start = secondsNow();
+    Stopwatch watch;
     for (int i = 0; i < kPoints; ++i) {
       checksum += static_cast<double>(sampleField(primitives, candidates, sumsAlone, spread(i)).value);
     }
-    const double middle = secondsNow();
+    const double pointSeconds = watch.lap();
     RayField ray;
     for (int i = 0; i < kPoints; ++i) {
       ray.reset(0.25, sumsAlone);
@@ -54,13 +66,12 @@ struct Kind {
       checksum += static_cast<double>(ray.terms().size());
     }
     constexpr double kEach = 1e9 / (double{kPoints} * kPrimitives);
-    atPoint.push_back((middle - start) * kEach);
-    onRay.push_back((secondsNow() - middle) * kEach);
+    atPoint.push_back(pointSeconds * kEach);
+    onRay.push_back(watch.lap() * kEach);
   }
 };
 
-}  // namespace
-
+/// The same places and points for all kinds, in turn.
 std::vector<FieldCost> measureField(int rounds) {
   std::vector<Candidate> candidates;
   for (int i = 0; i < kPrimitives; ++i) candidates.push_back({i, 1.0f, 0});
@@ -86,7 +97,7 @@ std::vector<FieldCost> measureField(int rounds) {
   return costs;
 }
 
-std::string fieldTable(const std::vector<FieldCost>& costs) {
+std::string tableOf(const std::vector<FieldCost>& costs) {
   std::string table =
       "nanoseconds a primitive, medians; ratio to the ellipsoid within one round, median\n"
       "kind          value and gradient   ratio   terms along a ray   ratio\n";
@@ -98,5 +109,9 @@ std::string fieldTable(const std::vector<FieldCost>& costs) {
   }
   return table;
 }
+
+}  // namespace
+
+Result<Report> reportField(Files, const Effort& effort) { return Report{tableOf(measureField(effort.rounds))}; }
 
 }  // namespace sinew::app

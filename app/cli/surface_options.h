@@ -1,0 +1,41 @@
+// app/cli/surface_options.h: what `smooth` and `render` have in common: how the surface is made, and the clip it moves
+// by.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/document/document.h"
+#include "sinew/base/result.h"
+#include "sinew/skeleton/pose.h"
+
+namespace CLI {
+class App;
+}
+
+namespace sinew::app {
+
+/// In place of the rig's own, where given.
+struct SurfaceOptions {
+  std::optional<int> depth;
+  std::optional<float> crease;  ///< Degrees.
+  std::string mode;             ///< Empty: the rig's, as for the next two.
+  std::string patch;
+  std::string projection;
+};
+
+/// --depth, --mode, --patch, --projection and --crease. `options` must outlive the parse.
+void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options);
+
+/// The rig with what the command line says instead. The words have passed the parser.
+[[nodiscard]] Rig overridden(Rig rig, const SurfaceOptions& options);
+
+/// The clip of that name; nullopt: the first. Says so if the last time lies past its end.
+/// Error: no such clip, and those that there are.
+[[nodiscard]] Result<const AnimationClip*> clipOf(const Document& document, const std::optional<std::string>& name,
+                                                  double lastTime);
+
+/// @param clip  null: the bind pose
+[[nodiscard]] Pose poseAt(const Character& character, const AnimationClip* clip, double seconds);
+
+}  // namespace sinew::app

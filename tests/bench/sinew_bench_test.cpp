@@ -1,0 +1,134 @@
+// tests/bench/sinew_bench_test.cpp: each part of sinew_bench measures what it says. Times are never judged.
+#include "core/io/json/json.h"
+#include "tests/cli/program.h"
+
+namespace sinew::test {
+namespace {
+
+class Parts : public Program {
+ protected:
+  Outcome run(const std::vector<std::string>& arguments) const { return Program::run(arguments, SINEW_BENCH); }
+};
+
+TEST_F(Parts, ProjectionsOfTheBundledScenes) {
+  const auto file = folder_ / "bench.json";
+  const Outcome outcome = run({"projections", "--frames", "2", "--rounds", "1", "--json", file.string()});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  EXPECT_NE(outcome.out.find("x newton"), std::string::npos) << outcome.out;
+  const auto json = Json::parse(readWholeFile(file, 1 << 20).value());
+  ASSERT_TRUE(json.ok());
+  const std::vector<Json> rows = json.value().at("rows").items();
+  ASSERT_EQ(rows.size(), 3u * 2u * 3u) << "scenes x modes x projections";
+  for (const Json& row : rows) {
+    const std::string what = row.dump();
+    EXPECT_GT(row.at("vertices").number(0), 100.0) << what;
+    EXPECT_GE(row.at("field_per_vertex").number(0), 1.0) << what;
+    EXPECT_GT(row.at("quartic_per_vertex").number(0), 0.0) << what;
+    EXPECT_GT(row.at("project_seconds").number(0), 0.0) << what;
+    const bool swell = row.at("mode").text("") == "swell";
+    if (row.at("projection").text("") == "newton") {
+      EXPECT_EQ(row.at("difference_max").number(1), 0.0) << what;
+      EXPECT_EQ(row.at("frame_ratio").number(0), 1.0) << what;
+    }
+    if (swell) {
+      EXPECT_LE(row.at("difference_share").number(1), 0.008) << what;
+      EXPECT_EQ(row.at("unresolved").number(1), 0.0) << what;
+    }
+  }
+  // Bisection halves each bracket eight times; a closed form is solved once a stretch that may hold a root.
+  const auto quartics = [&](std::size_t row) { return rows[row].at("quartic_per_vertex").number(0); };
+  EXPECT_GT(quartics(1), 7.0);
+  EXPECT_LT(quartics(2), quartics(0));
+}
+
+TEST_F(Parts, PlainCharactersGetMusclesByRule) {
+  const Outcome outcome = run({"projections", demo("demo.glb"), "--frames", "1", "--rounds", "1"});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  EXPECT_NE(outcome.out.find("\ndemo "), std::string::npos) << outcome.out;
+}
+
+TEST_F(Parts, FieldOfSpheresAndEllipsoids) {
+  const Outcome outcome = run({"field", "--rounds", "1"});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  EXPECT_NE(outcome.out.find("value and gradient"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Parts, DragsWithShortAndLongHistoryFewAndManyMuscles) {
+  const auto file = folder_ / "drag.json";
+  const Outcome outcome = run({"drag", demo("demo.glb"), "--frames", "3", "--rounds", "1", "--json", file.string()});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  EXPECT_NE(outcome.out.find("x first"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\ndemo "), std::string::npos) << outcome.out;
+  const auto json = Json::parse(readWholeFile(file, 1 << 20).value());
+  ASSERT_TRUE(json.ok());
+  EXPECT_EQ(json.value().at("frames").number(0), 3.0);
+  const std::vector<Json> rows = json.value().at("rows").items();
+  ASSERT_EQ(rows.size(), 3u);
+  const auto number = [&](std::size_t row, const char* key) { return rows[row].at(key).number(-1.0); };
+  const double expected[3][2] = {{5, 10}, {200, 10}, {5, 60}};
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    EXPECT_EQ(number(row, "undo_steps"), expected[row][0]);
+    EXPECT_EQ(number(row, "untouched"), expected[row][1]);
+    EXPECT_GT(number(row, "prepare_seconds"), 0.0);
+    EXPECT_GT(number(row, "frame_seconds"), number(row, "prepare_seconds"));
+    EXPECT_GT(number(row, "frame_ratio"), 0.0);
+  }
+  EXPECT_EQ(number(0, "frame_ratio"), 1.0);
+  EXPECT_GT(number(0, "vertices"), 100.0);
+  EXPECT_EQ(number(1, "vertices"), number(0, "vertices")) << "history moves no skin";
+  EXPECT_GT(number(2, "vertices"), number(0, "vertices")) << "more muscles move more";
+}
+
+TEST_F(Parts, StagesShareTheFrame) {
+  const auto file = folder_ / "stages.json";
+  const Outcome outcome =
+      run({"stages", demo("demo.rig.json"), "--frames", "2", "--rounds", "3", "--json", file.string()});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  EXPECT_NE(outcome.out.find("\ndemo "), std::string::npos) << outcome.out;
+  const auto json = Json::parse(readWholeFile(file, 1 << 20).value());
+  ASSERT_TRUE(json.ok());
+  const std::vector<Json> rows = json.value().at("rows").items();
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].at("depth").number(0), 3.0);
+  EXPECT_EQ(rows[1].at("depth").number(0), 5.0);
+  EXPECT_GT(rows[1].at("vertices").number(0), rows[0].at("vertices").number(0));
+  for (const Json& row : rows) {
+    EXPECT_GT(row.at("frame_seconds").number(0), 0.0);
+    for (const char* stage : {"skin", "patch", "project", "folds", "normals"}) {
+      const double share = row.at("shares").at(stage).number(-1.0);
+      EXPECT_GT(share, 0.0) << stage;
+      EXPECT_LT(share, 1.0) << stage;
+    }
+  }
+}
+
+TEST_F(Parts, AnimationBesideSkinning) {
+  const Outcome outcome = run({"animation", demo("demo.glb"), "--rounds", "2"});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  for (const char* what : {"\nskinning, vertices", "\nlines", "\ndrivers"}) {
+    EXPECT_NE(outcome.out.find(what), std::string::npos) << outcome.out;
+  }
+}
+
+TEST_F(Parts, BadInputAndBadCommandLine) {
+  for (const char* part : {"animation", "projections", "drag", "stages"}) {
+    const Outcome absent = run({part, "no such file.glb"});
+    EXPECT_EQ(absent.status, 1);
+    EXPECT_TRUE(absent.oneErrorLine()) << absent.error;
+  }
+  for (const auto& arguments : {std::vector<std::string>{},
+                                {"no such part"},
+                                {"drag", "--json"},
+                                {"field", demo("demo.glb")},
+                                {"animation", demo("demo.glb"), demo("demo.glb")},
+                                {"--rounds", "3", "stages"},
+                                {"projections", "--rounds", "0"},
+                                {"drag", "--frames", "0"}}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_TRUE(outcome.oneErrorLine()) << outcome.error;
+  }
+}
+
+}  // namespace
+}  // namespace sinew::test
