@@ -29,7 +29,7 @@ std::string freeName(std::set<std::string>& taken, const std::string& wanted) {
 /// One clip of the file, with channels to come.
 class ClipKeys {
  public:
-  ClipKeys(int clip, const HelperClip& keys, GltfRewrite& rewrite) : clip_(clip), keys_(keys), rewrite_(rewrite) {
+  ClipKeys(int clip, const HelperClip& keys, GltfRewrite& rewrite) : clip_(clip), rewrite_(rewrite) {
     const auto& times = keys.times;
     input_ = rewrite.addAccessor({bytesOf(times), TINYGLTF_COMPONENT_TYPE_FLOAT, "SCALAR", times.size()});
     Json& accessor = rewrite.element("accessors", input_);
@@ -76,7 +76,6 @@ class ClipKeys {
   }
 
   int clip_;
-  const HelperClip& keys_;
   GltfRewrite& rewrite_;
   int input_ = 0;
 };

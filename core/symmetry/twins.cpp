@@ -214,7 +214,7 @@ std::vector<int> withTwins(const Rig& rig, std::span<const int> indices) {
     if (const int twin = twinOf(rig, index); twin >= 0) all.push_back(twin);
   }
   std::ranges::sort(all);
-  all.erase(std::ranges::unique(all).begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
 
@@ -304,7 +304,7 @@ Result<Rig> flipPrimitives(const Rig& rig, std::span<const int> indices, const M
 Rig duplicatePairs(const Rig& rig, std::span<const int> indices) {
   std::vector<int> sources(indices.begin(), indices.end());
   std::ranges::sort(sources);
-  sources.erase(std::ranges::unique(sources).begin(), sources.end());
+  sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
   const std::size_t room = static_cast<std::size_t>(kMaxPrimitives) - rig.primitives.size();
   if (sources.size() > room) sources.resize(room);
   Rig result = rig;

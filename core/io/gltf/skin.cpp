@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include "sinew/io/gltf_import.h"
 
@@ -171,7 +170,8 @@ class Binder {
   void addBone(int node, const std::vector<int>& boneAbove) {
     std::vector<int> chain;
     for (int n = node; n >= 0 && boneOfNode_[at(n)] < 0; n = boneAbove[at(n)]) chain.push_back(n);
-    for (const int n : chain | std::views::reverse) {
+    std::ranges::reverse(chain);
+    for (const int n : chain) {
       Bone bone;
       bone.name = tree_[n].name;
       bone.node = result_.skeletonNode[at(n)];
