@@ -5,7 +5,8 @@ root=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")" && pwd)
 source "$root/cmake/packages.sh"
 
 sinewInstallPackages "${sinewRunPackages[@]}"
-sinewBuild "$root" release sinew
+# Whoever only runs the program needs no test library; `cmake --preset release` adds the tests to the same build.
+sinewBuild "$root" release sinew -D SINEW_BUILD_TESTS=OFF
 program=$root/build/release/app/sinew
 
 # Nothing asked for and no screen to open a window on: show the playback as pictures.

@@ -5,7 +5,9 @@ root=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")" && pwd)
 source "$root/cmake/packages.sh"
 
 sinewInstallPackages "${sinewTestPackages[@]}"
+began=$SECONDS
 sinewBuild "$root" ci
+sinewSay "the build took $((SECONDS - began)) s"
 
 # Why tests were left out, each reason once with its count, from what the skipped tests themselves printed.
 leftOut() {

@@ -13,6 +13,8 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/SinewConfig.cmake.in $
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/SinewConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/SinewConfig.cmake ${PROJECT_BINARY_DIR}/SinewConfigVersion.cmake
   DESTINATION ${sinew_package_dir} COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/cpp DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/sinew/examples
+  COMPONENT development)
 
 if(SINEW_BUILD_APP)
   # A package of the program leaves the library out.
@@ -53,7 +55,8 @@ if(SINEW_BUILD_APP)
   sinew_install_gzipped(${packaging}/sinew.1 sinew.1 ${CMAKE_INSTALL_MANDIR}/man1)
   sinew_install_gzipped(${PROJECT_SOURCE_DIR}/CHANGELOG.md changelog ${CMAKE_INSTALL_DATADIR}/doc/sinew)
   sinew_install_gzipped(${packaging}/debian/changelog changelog.Debian ${CMAKE_INSTALL_DATADIR}/doc/sinew)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/sinew)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/sinew
+    PATTERN cpp EXCLUDE)
   install(FILES ${packaging}/debian/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/sinew)
   get_property(packed_files DIRECTORY PROPERTY sinew_packed)
   add_custom_target(sinew_packed ALL DEPENDS ${packed_files})

@@ -6,18 +6,21 @@ sinewRunPackages=(
   g++ cmake ninja-build pkg-config
   libglm-dev nlohmann-json3-dev libtinygltf-dev libstb-dev libhwy-dev libtbb-dev libeigen3-dev  # core
   libglfw3-dev libimgui-dev libepoxy-dev libegl-dev libopengl-dev libgl-dev libfreetype-dev libspng-dev libcli11-dev  # app
-  libgtest-dev libbenchmark-dev  # the tests are part of the same CMake project
   libgl1-mesa-dri  # OpenGL 4.5 in software where there is no graphics card
   fonts-inter fonts-dejavu-core  # the editor's letters
 )
 
-# To run the tests as well: Python for the scripts, a display without a screen, simulated input, screenshots, the source
+# To build and run the tests as well: their libraries; Python for the scripts, a display without a screen, simulated input, screenshots, the source
 # format; what a farm runs; what makes and checks a Debian package, and the shells whose completion is tried.
 # shellcheck disable=SC2034  # test.sh reads it
-sinewTestPackages=("${sinewRunPackages[@]}" python3 xvfb xauth xdotool imagemagick
+sinewTestPackages=("${sinewRunPackages[@]}" libgtest-dev libbenchmark-dev python3 xvfb xauth xdotool imagemagick
   clang-format-14
   parallel slurm-wlm  # jobs shared out
   git dpkg-dev binutils lintian desktop-file-utils appstream shared-mime-info man-db util-linux fish zsh)
+
+# What .ci/run needs besides: a second compiler.
+# shellcheck disable=SC2034  # .ci/run reads it
+sinewCiPackages=(clang-14)
 
 # Progress goes to stderr, so that a verb's result has stdout for itself.
 sinewSay() { printf 'sinew: %s\n' "$*" >&2; }
@@ -56,10 +59,11 @@ sinewInstallPackages() {
     sinewFail "apt-get could not install: ${missing[*]}"
 }
 
-# sinewBuild ROOT PRESET [TARGET]: configures once, then builds what changed; a build with nothing to do takes a second.
+# sinewBuild ROOT PRESET [TARGET [OPTION...]]: configures once, with the options, then builds what changed; a build with
+# nothing to do takes a second.
 sinewBuild() {
   local root=$1 preset=$2 target=${3:-all}
-  local build=$root/build/$preset launcher=()
+  local options=("${@:4}") build=$root/build/$preset launcher=()
   command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   # A build made before the project was moved names the old directory everywhere.
   if [[ -f $build/CMakeCache.txt ]] && ! grep -qxF -- "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; then
@@ -68,7 +72,7 @@ sinewBuild() {
   fi
   if [[ ! -f $build/build.ninja ]]; then
     sinewSay "configuring $build"
-    cmake -S "$root" --preset "$preset" "${launcher[@]}" >&2 || sinewFail "cmake could not configure $build"
+    cmake -S "$root" --preset "$preset" "${launcher[@]}" "${options[@]}" >&2 || sinewFail "cmake could not configure $build"
     sinewSay "building $build; the first time takes minutes"
   fi
   cmake --build "$build" --target "$target" >&2 || sinewFail "the build in $build failed; see its messages above"

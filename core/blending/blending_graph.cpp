@@ -93,7 +93,7 @@ Result<BlendingGraph> makeBlendingGraph(int groupCount, std::span<const std::arr
   }
   for (Groups& list : neighbours) {
     std::ranges::sort(list);
-    list.erase(std::ranges::unique(list).begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
   }
   BlendingGraph graph;
   graph.groupCount = groupCount;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <ranges>
+#include <span>
 
 #include "sinew/character/character.h"
 
@@ -17,12 +17,32 @@ struct WeightedBinding {
   [[nodiscard]] int bone() const { return binding.bone; }
 };
 
+/// A range of WeightedBinding. Views of <ranges> would say it in a line, but clang 14 cannot compile g++ 12's.
+struct BindingRange {
+  struct Iterator {
+    const Influence* influence = nullptr;
+    const Binding* bindings = nullptr;
+
+    WeightedBinding operator*() const {
+      return {bindings[static_cast<std::size_t>(influence->binding)], influence->weight};
+    }
+    Iterator& operator++() {
+      ++influence;
+      return *this;
+    }
+    friend bool operator==(const Iterator&, const Iterator&) = default;
+  };
+
+  std::span<const Influence> influences;
+  const Binding* bindings = nullptr;
+
+  [[nodiscard]] Iterator begin() const { return {influences.data(), bindings}; }
+  [[nodiscard]] Iterator end() const { return {influences.data() + influences.size(), bindings}; }
+};
+
 /// The bindings of one vertex with its weights, in the order of the mesh. The character must outlive the use.
-[[nodiscard]] inline auto bindingsOf(const Character& character, int vertex) {
-  return character.mesh.influencesOf(vertex) |
-         std::views::transform([&bindings = character.skeleton.bindings](const Influence& influence) {
-           return WeightedBinding{bindings[static_cast<std::size_t>(influence.binding)], influence.weight};
-         });
+[[nodiscard]] inline BindingRange bindingsOf(const Character& character, int vertex) {
+  return {character.mesh.influencesOf(vertex), character.skeleton.bindings.data()};
 }
 
 /// The bone of the binding with the most weight, the first of equals.

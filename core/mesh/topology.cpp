@@ -27,7 +27,7 @@ Topology topologyOf(std::span<const std::array<int, 3>> triangles) {
 
   Topology result;
   result.triangles = static_cast<int>(triangles.size());
-  result.vertices = static_cast<int>(std::ranges::unique(vertices).begin() - vertices.begin());
+  result.vertices = static_cast<int>(std::unique(vertices.begin(), vertices.end()) - vertices.begin());
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t end = i + 1;
     while (end < edges.size() && edges[end] == edges[i]) ++end;

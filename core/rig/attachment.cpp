@@ -136,7 +136,7 @@ std::vector<int> territoryBones(const Primitive& primitive, int bone, const Musc
     if (line) addAlong(*line, skeleton, bones);
   }
   std::ranges::sort(bones);
-  bones.erase(std::ranges::unique(bones).begin(), bones.end());
+  bones.erase(std::unique(bones.begin(), bones.end()), bones.end());
   return bones;
 }
 

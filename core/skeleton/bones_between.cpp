@@ -28,7 +28,7 @@ std::vector<int> bonesBetween(const Skeleton& skeleton, int from, int to) {
     bones.push_back(to);
   }
   std::ranges::sort(bones);
-  bones.erase(std::ranges::unique(bones).begin(), bones.end());
+  bones.erase(std::unique(bones.begin(), bones.end()), bones.end());
   return bones;
 }
 

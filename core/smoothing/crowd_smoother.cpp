@@ -10,6 +10,8 @@
 namespace sinew {
 
 struct CrowdSmoother::State {
+  explicit State(std::shared_ptr<const Character> character) : first(std::move(character)) {}
+
   Smoother first;
   std::mutex mutex;
   std::vector<std::unique_ptr<Smoother>> idle;  ///< Twins of `first`, prepared as it is.
@@ -28,7 +30,7 @@ struct CrowdSmoother::State {
 };
 
 CrowdSmoother::CrowdSmoother(std::shared_ptr<const Character> character)
-    : state_(std::make_unique<State>(Smoother(std::move(character)))) {}
+    : state_(std::make_unique<State>(std::move(character))) {}
 
 CrowdSmoother::~CrowdSmoother() = default;
 CrowdSmoother::CrowdSmoother(CrowdSmoother&&) noexcept = default;

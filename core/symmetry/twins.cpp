@@ -220,7 +220,7 @@ std::vector<int> withTwins(const Rig& rig, std::span<const int> indices) {
     if (const int twin = twinOf(rig, index); twin >= 0) all.push_back(twin);
   }
   std::ranges::sort(all);
-  all.erase(std::ranges::unique(all).begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
 
@@ -309,7 +309,7 @@ Result<Rig> flipPrimitives(Rig rig, std::span<const int> indices, const MirrorPl
 Rig duplicatePairs(Rig rig, std::span<const int> indices) {
   std::vector<int> sources(indices.begin(), indices.end());
   std::ranges::sort(sources);
-  sources.erase(std::ranges::unique(sources).begin(), sources.end());
+  sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
   const std::size_t room = static_cast<std::size_t>(kMaxPrimitives) - rig.primitives.size();
   if (sources.size() > room) sources.resize(room);
   std::unordered_map<int, int> copyOf;  // Indices.

@@ -11,9 +11,7 @@
 namespace sinew::test {
 namespace {
 
-std::filesystem::path asset(const char* name) {
-  return std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / name;
-}
+std::filesystem::path asset(const char* name) { return std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / name; }
 
 TEST(PosedRigs, AMuscleWithoutItsBoneIsNotToBeSeenAndTheOthersStay) {
   const auto character = importGltf(asset("humanoid.glb")).value();

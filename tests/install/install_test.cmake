@@ -1,18 +1,6 @@
-# tests/install/install_test.cmake: installs into a fresh folder, builds a project that finds Sinew there, runs it.
-# cmake -DBUILD=... -DCONSUMER=... -DWORK=... -DASSETS=... -DFLAGS=... -DAPP=ON|OFF -P install_test.cmake
-function(run)
-  execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT status EQUAL 0)
-    message(FATAL_ERROR "${ARGV}\nexit ${status}\n${output}")
-  endif()
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
-
-function(expect_match text pattern)
-  if(NOT text MATCHES "${pattern}")
-    message(FATAL_ERROR "expected '${pattern}' in:\n${text}")
-  endif()
-endfunction()
+# tests/install/install_test.cmake: installs into a fresh folder, builds projects that find Sinew there, runs them.
+# cmake -DBUILD=... -DCONSUMER=... -DSAMPLES=... -DWORK=... -DASSETS=... -DFLAGS=... -DAPP=ON|OFF -P install_test.cmake
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
@@ -25,11 +13,17 @@ foreach(file ${exported})
     message(FATAL_ERROR "${file} leaks '${CMAKE_MATCH_0}'")
   endif()
 endforeach()
-run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -G Ninja
-  -DCMAKE_PREFIX_PATH=${WORK}/prefix "-DCMAKE_CXX_FLAGS=${FLAGS}")
-run(${CMAKE_COMMAND} --build ${WORK}/build)
+function(build_against_prefix source build)
+  run(${CMAKE_COMMAND} -S ${source} -B ${build} -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix "-DCMAKE_CXX_FLAGS=${FLAGS}")
+  run(${CMAKE_COMMAND} --build ${build})
+endfunction()
+
+build_against_prefix(${CONSUMER} ${WORK}/build)
 run(${WORK}/build/consumer ${ASSETS}/demo.rig.json)
 expect_match("${output}" "^[1-9][0-9]+ vertices")
+
+build_against_prefix(${SAMPLES} ${WORK}/samples)
+include(${CMAKE_CURRENT_LIST_DIR}/samples.cmake)
 
 if(APP)
   run(${WORK}/prefix/bin/sinew inspect ${WORK}/prefix/share/sinew/assets/demo.glb)

@@ -56,7 +56,7 @@ def names_its_dependencies(deb, root):
 def holds_what_it_should(root):
     files = {path.relative_to(root).as_posix() for path in root.rglob("*") if path.is_file()}
     check("all parts are there", not set(EXPECTED) - files, set(EXPECTED) - files)
-    strange = [f for f in files if re.search(r"(\.py|\.h|\.a|\.cmake|CMakeLists\.txt)$|/maker/", f)]
+    strange = [f for f in files if re.search(r"(\.py|\.h|\.cpp|\.a|\.cmake|CMakeLists\.txt)$|/maker/", f)]
     check("no part of the library or of the build", not strange, strange)
     for size in (16, 24, 32, 48, 64, 128, 256):
         head = (root / ("usr/share/icons/hicolor/%dx%d/apps/sinew.png" % (size, size))).read_bytes()[16:24]
@@ -96,7 +96,7 @@ def rigs_have_their_type(root, work):
     check("which the program opens", "application/x-sinew-rig+json;" in entry)
 
 
-def runs_without_its_source(root, source, work):
+def runs_without_its_source(deb, root, source, work):
     hidden = package_root.without(source)
     if hidden is None:
         print("left out: the source tree hidden from the installed program, unshare cannot mount here")
@@ -105,6 +105,9 @@ def runs_without_its_source(root, source, work):
     if hidden:
         seen = subprocess.run([*hidden, "ls", source], capture_output=True, text=True)
         check("the source tree is hidden", seen.returncode == 0 and seen.stdout == "", seen.stdout + seen.stderr)
+    described = re.search(r"command line \(([^)]*)\)", run("dpkg-deb", "--field", deb, "Description"))[1]
+    verbs = re.findall(r"^  (\w+) {2,}", run(*hidden, program, "--help").split("Subcommands:")[1], re.MULTILINE)
+    check("the description names the verbs", re.findall(r"\w+", described) == [v for v in verbs if v != "edit"], described)
     version = run(*hidden, program, "--version")
     check("--version: version and commit", re.fullmatch(r"sinew \d+\.\d+\.\d+ \(\S+\)\n", version), version)
     told = run(*hidden, program, "inspect", data / "assets/humanoid.rig.json")
@@ -164,7 +167,7 @@ def main():
         holds_what_it_should(root)
         pleases_the_checkers(deb, root)
         rigs_have_their_type(root, work)
-        runs_without_its_source(root, source, work)
+        runs_without_its_source(deb, root, source, work)
         installs_and_goes_again(deb, work)
     finally:
         shutil.rmtree(work, ignore_errors=True)

@@ -10,7 +10,7 @@ LAYERS = {
     "core": {"base": 1, "lanes": 2, "mesh": 2, "skeleton": 2, "primitives": 2, "character": 3, "blending": 3, "rig": 4, "symmetry": 5,
              "lines": 5, "drivers": 6, "smoothing/patches": 5, "smoothing/roots": 5, "smoothing/projection": 6, "smoothing/finish": 6,
              "smoothing": 7, "io/files": 8, "io/json": 8, "io/gltf": 9, "io": 10,
-             "export/fit": 11, "export/usd": 12, "export": 13},
+             "export/fit": 11, "export/usd": 12, "export": 13, "sinew": 14},
     "app": {"platform": 0, "document": 1, "ui": 2, "render": 2, "playback": 2, "export": 2, "bench": 3, "tools/view": 3, "cli": 4, "tools/gizmo": 4, "tools": 5,
             "editor": 6, "actions": 7, "panels/shared": 8, "panels/outliner": 9, "panels/blending": 9, "panels/inspector": 9,
             "panels/timeline": 9, "panels/overlay": 9, "panels/dialogs": 9, "panels": 10, "window": 11, "main": 12},
@@ -32,6 +32,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 PAGES = {"README.md", "CONTRIBUTING.md"}  # and docs/*.md: every path they name in backticks must exist
 TREES = ("app", "core", "tests", "shaders", "assets", "docs", "cmake", "packaging", "examples")
 NAMED_PATH = re.compile(r"(?:%s)/[\w./*{},-]*" % "|".join(TREES))
+MAP = "docs/architecture.md"
 SAMPLE = "tests/install/consumer/main.cpp"
 PLACEHOLDER = re.compile(r"[A-Z]{3,}")  # app/cli/NAME.cpp: not a path but a pattern
 
@@ -158,7 +159,7 @@ def check_pages(root, paths):
 
 
 def check_map(text):
-    """The tables of layers in README.md say what LAYERS says."""
+    """The tables of layers in docs/architecture.md say what LAYERS says."""
     shown, tree = {}, None
     for line in text.splitlines():
         if head := re.match(r"\| layer \| (\w+) \|", line):
@@ -167,7 +168,7 @@ def check_map(text):
             tree.update((name, int(row[1])) for name in re.findall(r"`([^`]+)`", row[2]))
     for name, layers in shown.items():
         for different in sorted(set(layers.items()) ^ set(LAYERS.get(name, {}).items())):
-            yield "README.md: %s/%s on layer %d: the map and check_structure.py differ" % (name, *different)
+            yield MAP + ": %s/%s on layer %d: the map and check_structure.py differ" % (name, *different)
 
 
 def check_sample(text, program):
@@ -179,12 +180,8 @@ def check_sample(text, program):
                 yield "README.md: '%s' is not in %s" % (line.strip(), SAMPLE)
 
 
-def check_readme(root):
-    readme, program = root / "README.md", root / SAMPLE
-    if readme.is_file():
-        text = readme.read_text(encoding="utf-8")
-        yield from check_map(text)
-        yield from check_sample(text, program.read_text() if program.is_file() else "")
+def text_of(path):
+    return path.read_text(encoding="utf-8") if path.is_file() else ""
 
 
 def problems(root):
@@ -197,7 +194,8 @@ def problems(root):
                 yield "%s:%d: %s" % (path.as_posix(), number, reason)
     yield from check_tests(root, paths)
     yield from check_pages(root, paths)
-    yield from check_readme(root)
+    yield from check_map(text_of(root / MAP))
+    yield from check_sample(text_of(root / "README.md"), text_of(root / SAMPLE))
     for path in LONGER:
         if not (root / path).is_file() or len((root / path).read_text().splitlines()) <= MAX_LINES:
             yield "%s: needs its place in LONGER no more" % path

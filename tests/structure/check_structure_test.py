@@ -97,9 +97,9 @@ class Structure(unittest.TestCase):
             rows[number].append("`%s`" % name)
         table = "| layer | core | |\n|---|---|---|\n"
         table += "".join("| %d | %s | x |\n" % (n, " ".join(names)) for n, names in rows.items())
-        self.assertEqual([], self.problems(README_DOT_md=table))
-        self.one("core/base on layer 1", README_DOT_md=table.replace("`base`", ""))
-        self.one("core/attic on layer 1", README_DOT_md=table.replace("`base`", "`base` `attic`"))
+        self.assertEqual([], self.problems(docs__architecture_DOT_md=table))
+        self.one("core/base on layer 1", docs__architecture_DOT_md=table.replace("`base`", ""))
+        self.one("core/attic on layer 1", docs__architecture_DOT_md=table.replace("`base`", "`base` `attic`"))
 
     def test_a_sample_that_nobody_compiles(self):
         page = "```cpp\n  int x = 1;\n```\n"

@@ -12,8 +12,8 @@
 #include "app/editor/hidden_bones.h"
 #include "app/editor/outliner_edit.h"
 #include "app/ui/number_field.h"
-#include "core/primitives/shape_numbers.h"
 #include "core/base/at.h"
+#include "core/primitives/shape_numbers.h"
 
 namespace sinew::app {
 namespace {

@@ -33,7 +33,7 @@ std::vector<std::vector<int>> neighboursOf(std::size_t count, std::span<const st
   }
   for (std::vector<int>& list : result) {
     std::ranges::sort(list);
-    list.erase(std::ranges::unique(list).begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
   }
   return result;
 }

@@ -42,7 +42,6 @@ class StageMaker {
  public:
   StageMaker(gltf::File& file, const Json& root, const std::string& stem)
       : file_(file),
-        root_(root),
         stem_(stem),
         name_(identifierOf(stem, "Character")),
         accessors_(file),
@@ -224,7 +223,6 @@ class StageMaker {
   }
 
   gltf::File& file_;
-  const Json& root_;
   std::string stem_;
   std::string name_;
   Stage stage_;

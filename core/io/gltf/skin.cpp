@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include "core/base/at.h"
 #include "sinew/io/gltf_import.h"
@@ -170,7 +169,8 @@ class Binder {
   void addBone(int node, const std::vector<int>& boneAbove) {
     std::vector<int> chain;
     for (int n = node; n >= 0 && at(boneOfNode_, n) < 0; n = at(boneAbove, n)) chain.push_back(n);
-    for (const int n : chain | std::views::reverse) {
+    std::ranges::reverse(chain);
+    for (const int n : chain) {
       Bone bone;
       bone.name = tree_[n].name;
       bone.node = at(result_.skeletonNode, n);

@@ -63,7 +63,7 @@ class Gatherer {
     std::vector<int> groups;
     for (const CarrierCandidate& candidate : own) groups.push_back(groupOf(candidate));
     std::ranges::sort(groups);
-    groups.erase(std::ranges::unique(groups).begin(), groups.end());
+    groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
     for (CarrierCandidate& candidate : own) {
       candidate.slot = static_cast<int>(std::ranges::lower_bound(groups, groupOf(candidate)) - groups.begin());
     }

@@ -78,8 +78,8 @@ class PointGrid {
       const glm::vec3& p = point.position;
       return std::tuple(place(point), point.fromCenter, p.x, p.y, p.z);
     });
-    const auto rest = std::ranges::unique(points_, {}, place);
-    points_.erase(rest.begin(), rest.end());
+    const auto samePlace = [&](const Point& a, const Point& b) { return place(a) == place(b); };
+    points_.erase(std::unique(points_.begin(), points_.end(), samePlace), points_.end());
   }
 
   void addInside(const ControlMesh& mesh, std::span<const glm::vec3> directions, const ControlTriangle& triangle,

@@ -80,10 +80,10 @@ class Packer {
         out_.candidates.push_back({candidate.primitive, candidate.slot});
       }
     }
-    const std::ranges::subrange own(out_.candidates.begin() + begin, out_.candidates.end());
-    std::ranges::sort(own, {}, &TileCandidate::primitive);
-    const auto rest = std::ranges::unique(own, {}, &TileCandidate::primitive);
-    out_.candidates.erase(rest.begin(), rest.end());
+    const auto first = out_.candidates.begin() + begin;
+    std::ranges::sort(first, out_.candidates.end(), {}, &TileCandidate::primitive);
+    const auto same = [](const TileCandidate& a, const TileCandidate& b) { return a.primitive == b.primitive; };
+    out_.candidates.erase(std::unique(first, out_.candidates.end(), same), out_.candidates.end());
   }
 
   void fillWeights(const VertexTile& tile) {

@@ -1,9 +1,7 @@
 // tests/install/consumer/main.cpp: opens a rig, smooths its character in the bind pose, prints what came out.
 #include <cstdio>
 
-#include "sinew/io/gltf_import.h"
-#include "sinew/io/rig_json.h"
-#include "sinew/smoothing/smoother.h"
+#include "sinew/sinew.h"
 
 namespace {
 
