@@ -278,8 +278,7 @@ void replace(const ControlMesh& mesh, const FieldView& field, const ReplaceSetti
   scratch.roots.evaluations = {};
   for (const VertexScratch& share : std::span(scratch.shares).first(shares)) {
     add(share.counts, scratch.counts);
-    scratch.roots.evaluations.field += share.roots.evaluations.field;
-    scratch.roots.evaluations.quartic += share.roots.evaluations.quartic;
+    add(share.roots.evaluations, scratch.roots.evaluations);
   }
   tell(scratch, surface.report);
 }

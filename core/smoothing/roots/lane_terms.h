@@ -8,20 +8,37 @@
 #include <vector>
 
 #include "core/lanes/lane_floats.h"
+#include "sinew/primitives/shape.h"
+#include "sinew/smoothing/evaluations.h"
 
 namespace sinew {
 
-/// One potential along each ray: w(t) = peak - a (t - middle)^2, f(t) = factor max(0, w)^2.
-/// Written about its peak: c - b^2 / a would cancel for a small primitive far along the ray.
+/// One potential along each ray, f(t) = factor max(0, w(t))^2 with w = 1 - r^2. Of an ellipsoid
+/// w(t) = peak - a (t - middle)^2: about its peak, as c - b^2 / a would cancel for a small primitive far along the ray.
 struct LaneTerm {
   LaneFloats a;
   LaneFloats middle;
   LaneFloats peak;
   LaneFloats factor;  ///< sign * s_i * m_i; 0 where a ray's vertex does not see the primitive.
   int primitive = 0;
-  int slot = 0;  ///< Group slot, or kEverySum: counts in every clique (carves).
+  int slot = 0;         ///< Group slot, or kEverySum: counts in every clique (carves).
+  int shape = kPlain;   ///< Index into LaneScratch::shapes, which then stand for a and peak; kPlain: an ellipsoid.
+  float way = 1.0f;     ///< Of a shape: 1, or -1 where the rays run against its lines.
 
   static constexpr int kEverySum = -1;
+  static constexpr int kPlain = -1;
+};
+
+/// A shaped primitive along each line, in its unit space: point + s along, s = way (t - middle) from where the line is
+/// closest to the primitive's center.
+struct LaneShape {
+  const UnitShape* unit = nullptr;
+  std::array<LaneFloats, 3> point;
+  std::array<LaneFloats, 3> along;  ///< Per world unit.
+  LaneFloats enter;                 ///< s where the line enters the shape's box, beyond which nothing of it is ...
+  LaneFloats leave;                 ///< ... and leaves it; both 0 where it misses.
+  LaneFloats turnX;                 ///< s where the offsets from a bent axis turn.
+  LaneFloats turnZ;
 };
 
 /// Sums of one group, a lane per ray. What they are sums of is the reader's to say.
@@ -36,14 +53,17 @@ struct LaneCliques {
   std::size_t slotCount = 0;
 
   [[nodiscard]] bool empty() const { return begin.size() < 2; }
+  [[nodiscard]] std::size_t count() const { return empty() ? 0 : begin.size() - 1; }
 };
 
 /// Reused from tile to tile, so that nothing is allocated; carries nothing from one to the next. One a thread.
 struct LaneScratch {
   std::vector<LaneTerm> terms;
   std::size_t termCount = 0;
+  std::vector<LaneShape> shapes;
+  std::size_t shapeCount = 0;
   std::vector<SlotSums> sums;
-  std::int64_t evaluations = 0;  ///< Of psi or its bounds along a ray.
+  Evaluations evaluations;
 };
 
 }  // namespace sinew
