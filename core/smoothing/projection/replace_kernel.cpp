@@ -144,7 +144,7 @@ class TileReplacer : TileField {
       const std::size_t i = static_cast<std::size_t>(scratch_.near[k]);
       const V factor = weightedStrength(i, primitive(candidate(i).primitive));
       const M seen = both(open_, hn::Ne(factor, zero()));
-      if (fillTerm(i, line.p, line.inwards, factor, seen, false, scratch_.lines[lineCount_])) ++lineCount_;
+      if (addTerm(i, line.p, line.inwards, factor, seen, false, scratch_.lines[lineCount_])) ++lineCount_;
     }
   }
 
@@ -168,8 +168,10 @@ class TileReplacer : TileField {
       copy(line.factor, term.factor, sense);
       term.primitive = line.primitive;
       term.slot = line.slot;
-      term.shape = line.shape;
-      term.way = way;
+    }
+    for (LaneShape& shape : std::span(lanes.shapes).first(lanes.shapeCount)) {
+      shape.way = way;
+      shape.sense = sense;
     }
     const float iso = inputs_.settings.iso;
     skin_ = {false, all(sense), zero(), zero(), zero(), zero(), all(-sense * iso)};
@@ -178,6 +180,12 @@ class TileReplacer : TileField {
 
   /// First change of sign. Lanes that cannot be vouched for leave open_.
   FoundLanes findChange(const RayLanes& rays, V begin, V end, M active) {
+    if (roots_.method == ProjectionKind::kAnalytic) {
+      // Quartics lie between breakpoints: there is no root before the first or after the last.
+      const Range influence = rays.influence();
+      begin = hn::Max(begin, influence.low);
+      end = hn::Min(end, influence.high);
+    }
     const LaneSearch search = rays.bracketBetween(begin, end, active);
     const LaneRoots roots = solve(rays, search, roots_);
     open_ = butNot(open_, butNot(active, hn::Or(roots.solved, search.rootless)));

@@ -132,7 +132,7 @@ class TileSweller : TileField {
       if (muscle.influence.boundingRadius == 0.0f) continue;
       const V factor = skin.sign * weightedStrength(i, muscle);
       const M seen = both(active, hn::Ne(factor, zero()));
-      if (fillTerm(i, p, along, factor, seen, true, lanes.terms[lanes.termCount])) ++lanes.termCount;
+      if (addTerm(i, p, along, factor, seen, true, lanes.terms[lanes.termCount])) ++lanes.termCount;
     }
   }
 
@@ -152,29 +152,24 @@ class TileSweller : TileField {
     const LaneSkin& skin = rays.skin();
     const M outward = hn::Gt(skin.sign, zero());
     LaneRise rise{all(1e30f), zero(), choose(outward, onSkin.blendWidth, all(isoRadius_) / skin.inverseWidth)};
-    for (const LaneTerm& term : rays.terms()) {
-      const V factor = rays.load(term.factor);
-      const M adds = hn::Gt(factor, zero());
-      Range rising;
-      V leave;
-      M met = hn::Ne(factor, zero());
-      if (HWY_UNLIKELY(term.shape >= 0)) {
-        rising = rays.boxOf(term);
-        leave = rising.high;
-        met = both(met, both(hn::Lt(rising.low, leave), hn::Gt(leave, zero())));
-      } else {
-        const V middle = rays.load(term.middle);
-        const V peak = rays.load(term.peak);
-        const V a = rays.load(term.a);
-        const V half = hn::Sqrt(hn::Max(zero(), peak) / a);
-        leave = middle + half;
-        met = both(met, liesAhead(a, middle, peak));
-        rising = {choose(adds, middle - half, middle), choose(adds, middle, leave)};
-      }
+    const auto include = [&](M met, const Range& rising, V leave) HWY_ATTR {
       rise.end = choose(both(met, outward), hn::Max(rise.end, leave), rise.end);
       const M rises = both(met, hn::Gt(rising.high, zero()));
       rise.from = choose(rises, hn::Min(rise.from, hn::Max(zero(), rising.low)), rise.from);
       rise.to = choose(rises, hn::Max(rise.to, rising.high), rise.to);
+    };
+    for (const LaneTerm& term : rays.terms()) {
+      const V factor = rays.load(term.factor);
+      const V middle = rays.load(term.middle);
+      const Range extent = rays.extentOf(term);
+      const M met = both(hn::Ne(factor, zero()), liesAhead(rays.load(term.a), middle, rays.load(term.peak)));
+      const M adds = hn::Gt(factor, zero());
+      include(met, {choose(adds, extent.low, middle), choose(adds, middle, extent.high)}, extent.high);
+    }
+    for (const LaneShape& shape : rays.shapes()) {
+      const ShapeOnRays ray = rays.onRays(shape);
+      const Range box = ray.box();
+      include(both(hn::Ne(ray.factor(), zero()), both(ray.meets(), hn::Gt(box.high, zero()))), box, box.high);
     }
     return rise;
   }

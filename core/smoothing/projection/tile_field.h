@@ -82,9 +82,10 @@ class TileField {
   /// Forgets all terms of scratch_.lanes.
   void clearTerms() { scratch_.lanes.termCount = scratch_.lanes.shapeCount = 0; }
 
-  /// The candidate's potential along lines p + t d.
-  /// @param ahead  only t >= 0 counts.  @return false where no line that sees the muscle meets it.
-  bool fillTerm(std::size_t i, const V3& p, const V3& d, V factor, M seen, bool ahead, LaneTerm& term) {
+  /// The candidate's potential along lines p + t d: a shape goes to scratch_.lanes.
+  /// @param ahead  only t >= 0 counts.  @return whether `term` was filled: with an ellipsoid that some line that sees it
+  /// meets.
+  bool addTerm(std::size_t i, const V3& p, const V3& d, V factor, M seen, bool ahead, LaneTerm& term) {
     const TileCandidate& of = candidate(i);
     const PosedPrimitive& muscle = primitive(of.primitive);
     const UnitBallMap& ball = muscle.influence;
@@ -92,20 +93,31 @@ class TileField {
     if (!any(both(seen, mayMeet(fromCenter, d, ball.boundingRadius, ahead)))) return false;
     const V3 y = inBall(ball, fromCenter);
     const V3 yd = inBall(ball, d);
-    term.primitive = of.primitive;
-    term.slot = muscle.strength < 0.0f ? LaneTerm::kEverySum : of.slot;
-    term.shape = LaneTerm::kPlain;
-    hn::Store(factor, kTag, term.factor.at(first_));
-    if (!ball.isPlain()) return fillShapedTerm(ball.shape, y, yd, seen, ahead, term);
+    const int slot = muscle.strength < 0.0f ? LaneTerm::kEverySum : of.slot;
+    if (HWY_UNLIKELY(!ball.isPlain())) {
+      LaneShape& shape = scratch_.lanes.shapes[scratch_.lanes.shapeCount];
+      shape.primitive = of.primitive;
+      shape.slot = slot;
+      hn::Store(factor, kTag, shape.factor.at(first_));
+      fillShape(ball.shape, y, yd, first_, shape);
+      const ShapeOnRays ray(shape, first_);
+      const M met = ahead ? both(ray.meets(), hn::Gt(ray.box().high, zero())) : ray.meets();
+      if (any(both(seen, met))) ++scratch_.lanes.shapeCount;
+      return false;
+    }
     const V squared = dot(yd, yd);
     const V middle = zero() - dot(y, yd) / squared;
     const V3 nearest = y + middle * yd;
     const V peak = all(1.0f) - scaleOf(ball) * dot(nearest, nearest);
     const V a = scaleOf(ball) * squared;
+    if (!any(both(seen, ahead ? liesAhead(a, middle, peak) : hn::Gt(peak, zero())))) return false;
+    hn::Store(factor, kTag, term.factor.at(first_));
     hn::Store(a, kTag, term.a.at(first_));
     hn::Store(middle, kTag, term.middle.at(first_));
     hn::Store(peak, kTag, term.peak.at(first_));
-    return any(both(seen, ahead ? liesAhead(a, middle, peak) : hn::Gt(peak, zero())));
+    term.primitive = of.primitive;
+    term.slot = slot;
+    return true;
   }
 
   /// Hands vertices over to the scalar path.
@@ -120,34 +132,33 @@ class TileField {
     V3 gradient{zero(), zero(), zero()};
     value = zero();
     rays.clearSums();
-    for (const LaneTerm& term : rays.terms()) {
-      const UnitBallMap& ball = influence(term.primitive);
-      V w;
-      V3 halfSlope;  // Of r^2.
-      if (HWY_UNLIKELY(term.shape >= 0)) {
-        const ShapePoint at = rays.shapeOf(term).at(all(term.way) * (t - rays.load(term.middle)));
-        w = hn::Max(zero(), all(1.0f) - at.rSquared());
-        if (!any(hn::Gt(w, zero()))) continue;
-        halfSlope = transposedTimes(ball.toUnit, at.halfSlope());
-      } else {
-        const V along = t - rays.load(term.middle);
-        w = hn::Max(zero(), rays.load(term.peak) - rays.load(term.a) * along * along);
-        if (!any(hn::Gt(w, zero()))) continue;
-        const V3 y = x - all(ball.center);
-        halfSlope = ball.inverseRadius > 0.0f ? all(ball.inverseRadius * ball.inverseRadius) * y
-                                              : transposedTimes(ball.toUnit, times(ball.toUnit, y));
-      }
-      const V fw = rays.load(term.factor) * w;
+    const auto addPart = [&](int slot, V fw, V w, const V3& halfSlope) HWY_ATTR {
       const V3 part = (all(-4.0f) * sign * fw) * halfSlope;
-      if (rays.isEverywhere(term)) {
+      if (rays.isEverywhere(slot)) {
         value = value + fw * w;
         gradient = gradient + part;
       } else {
-        rays.add(term.slot, 0, fw * w);
-        rays.add(term.slot, 1, part.x);
-        rays.add(term.slot, 2, part.y);
-        rays.add(term.slot, 3, part.z);
+        rays.add(slot, 0, fw * w);
+        rays.add(slot, 1, part.x);
+        rays.add(slot, 2, part.y);
+        rays.add(slot, 3, part.z);
       }
+    };
+    for (const LaneTerm& term : rays.terms()) {
+      const V along = t - rays.load(term.middle);
+      const V w = hn::Max(zero(), rays.load(term.peak) - rays.load(term.a) * along * along);
+      if (!any(hn::Gt(w, zero()))) continue;
+      const UnitBallMap& ball = influence(term.primitive);
+      const V3 y = x - all(ball.center);
+      const V3 halfSlope = ball.inverseRadius > 0.0f ? all(ball.inverseRadius * ball.inverseRadius) * y
+                                                     : transposedTimes(ball.toUnit, times(ball.toUnit, y));
+      addPart(term.slot, rays.load(term.factor) * w, w, halfSlope);
+    }
+    for (const LaneShape& shape : rays.shapes()) {
+      const ShapeOnRays ray = rays.onRays(shape);
+      const ShapePoint at = ray.at(t);
+      const V w = hn::Max(zero(), all(1.0f) - at.rSquared());
+      addPart(shape.slot, ray.factor() * w, w, transposedTimes(influence(shape.primitive).toUnit, at.halfSlope()));
     }
     V best = zero();
     V3 bestGradient{zero(), zero(), zero()};
@@ -186,20 +197,6 @@ class TileField {
     const M meets = hn::Lt(squared - along * along, within);
     if (!ahead) return meets;
     return both(hn::Or(hn::Lt(along, zero()), hn::Lt(squared, within)), meets);
-  }
-
-  bool fillShapedTerm(const UnitShape& unit, const V3& y, const V3& yd, M seen, bool ahead, LaneTerm& term) {
-    LaneScratch& lanes = scratch_.lanes;
-    LaneShape& shape = lanes.shapes[lanes.shapeCount];
-    const V middle = fillShape(unit, y, yd, first_, shape);
-    hn::Store(middle, kTag, term.middle.at(first_));
-    const V enter = hn::Load(kTag, shape.enter.at(first_));
-    const V leave = hn::Load(kTag, shape.leave.at(first_));
-    const M met = hn::Lt(enter, leave);
-    if (!any(both(seen, ahead ? both(met, hn::Gt(middle + leave, zero())) : met))) return false;
-    term.shape = static_cast<int>(lanes.shapeCount++);
-    term.way = 1.0f;
-    return true;
   }
 };
 

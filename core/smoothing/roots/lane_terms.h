@@ -13,26 +13,29 @@
 
 namespace sinew {
 
-/// One potential along each ray, f(t) = factor max(0, w(t))^2 with w = 1 - r^2. Of an ellipsoid
-/// w(t) = peak - a (t - middle)^2: about its peak, as c - b^2 / a would cancel for a small primitive far along the ray.
+/// One ellipsoid's potential along each ray: w(t) = peak - a (t - middle)^2, f(t) = factor max(0, w)^2.
+/// Written about its peak: c - b^2 / a would cancel for a small primitive far along the ray.
 struct LaneTerm {
   LaneFloats a;
   LaneFloats middle;
   LaneFloats peak;
   LaneFloats factor;  ///< sign * s_i * m_i; 0 where a ray's vertex does not see the primitive.
   int primitive = 0;
-  int slot = 0;         ///< Group slot, or kEverySum: counts in every clique (carves).
-  int shape = kPlain;   ///< Index into LaneScratch::shapes, which then stand for a and peak; kPlain: an ellipsoid.
-  float way = 1.0f;     ///< Of a shape: 1, or -1 where the rays run against its lines.
+  int slot = 0;  ///< Group slot, or kEverySum: counts in every clique (carves).
 
   static constexpr int kEverySum = -1;
-  static constexpr int kPlain = -1;
 };
 
-/// A shaped primitive along each line, in its unit space: point + s along, s = way (t - middle) from where the line is
-/// closest to the primitive's center.
+/// The same of a shaped primitive, whose w = 1 - r^2 is no quadratic: its lines in its unit space, point + s along, s
+/// from where each is closest to the primitive's center.
 struct LaneShape {
   const UnitShape* unit = nullptr;
+  int primitive = 0;
+  int slot = 0;
+  float way = 1.0f;    ///< 1: rays run along the lines, -1: against them: s = way t - middle.
+  float sense = 1.0f;  ///< Times the factor.
+  LaneFloats middle;
+  LaneFloats factor;
   std::array<LaneFloats, 3> point;
   std::array<LaneFloats, 3> along;  ///< Per world unit.
   LaneFloats enter;                 ///< s where the line enters the shape's box, beyond which nothing of it is ...

@@ -120,12 +120,10 @@ class RayQuartics {
       distance = choose(closer, apart, distance);
     };
     for (const LaneTerm& term : rays_.terms()) {
-      if (term.shape >= 0) continue;
-      const V peak = rays_.load(term.peak);
-      const M exists = both(hn::Ne(rays_.load(term.factor), zero()), hn::Gt(peak, zero()));
-      const V half = hn::Sqrt(hn::Max(zero(), peak) / rays_.load(term.a));
-      consider(rays_.load(term.middle) - half, exists);
-      consider(rays_.load(term.middle) + half, exists);
+      const M exists = both(hn::Ne(rays_.load(term.factor), zero()), hn::Gt(rays_.load(term.peak), zero()));
+      const Range extent = rays_.extentOf(term);
+      consider(extent.low, exists);
+      consider(extent.high, exists);
     }
     // Outwards the skin's own field ends.
     const LaneSkin& skin = rays_.skin();
@@ -144,12 +142,6 @@ class RayQuartics {
     rays_.clearSums();
     for (const LaneTerm& term : rays_.terms()) {
       const V factor = rays_.load(term.factor);
-      if (term.shape >= 0) {
-        const Range box = rays_.boxOf(term);
-        const M there = both(hn::Lt(box.low, inside + (inside - low)), hn::Gt(box.high, low));
-        sum.hasShape = hn::Or(sum.hasShape, both(hn::Ne(factor, zero()), there));
-        continue;
-      }
       const V a = rays_.load(term.a);
       const V middle = rays_.load(term.middle);
       const V peak = rays_.load(term.peak);
@@ -163,9 +155,15 @@ class RayQuartics {
                                      counted * (w1 * w1 - (w0 + w0) * a), counted * all(-2.0f) * w1 * a,
                                      counted * a * a};
       for (std::size_t k = 0; k < squared.size(); ++k) {
-        if (rays_.isEverywhere(term)) sum.of[k] = sum.of[k] + squared[k];
+        if (rays_.isEverywhere(term.slot)) sum.of[k] = sum.of[k] + squared[k];
         else rays_.add(term.slot, k, squared[k]);
       }
+    }
+    for (const LaneShape& shape : rays_.shapes()) {
+      const ShapeOnRays ray = rays_.onRays(shape);
+      const Range box = ray.box();
+      const M there = both(hn::Lt(box.low, inside + (inside - low)), hn::Gt(box.high, low));
+      sum.hasShape = hn::Or(sum.hasShape, both(hn::Ne(ray.factor(), zero()), there));
     }
     addWinner(sum);
     return sum;

@@ -90,37 +90,24 @@ class RayLanes {
       : scratch_(scratch), cliques_(cliques), skin_(skin), first_(first) {}
 
   HWY_INLINE std::span<const LaneTerm> terms() const { return {scratch_.terms.data(), scratch_.termCount}; }
+  HWY_INLINE std::span<const LaneShape> shapes() const { return {scratch_.shapes.data(), scratch_.shapeCount}; }
+  HWY_INLINE ShapeOnRays onRays(const LaneShape& shape) const { return {shape, first_}; }
   HWY_INLINE const LaneSkin& skin() const { return skin_; }
   HWY_INLINE const LaneCliques& cliques() const { return cliques_; }
 
   LaneSample sample(V t) const {
-    V value = zero();
-    V slope = zero();
+    LaneSample sum{zero(), zero()};  // The slope's over -4.
     clearSums();
     for (const LaneTerm& term : terms()) {
-      V w;
-      V ad;  // Half the slope of r^2.
-      if (HWY_UNLIKELY(term.shape >= 0)) {
-        const V way = all(term.way);
-        const ShapeLines::Sample seen = shapeOf(term).sample(way * (t - load(term.middle)));
-        w = seen.w;
-        ad = way * seen.halfSlope;
-      } else {
-        const V d = t - load(term.middle);
-        ad = load(term.a) * d;
-        w = hn::Max(zero(), load(term.peak) - ad * d);
-      }
-      const V fw = load(term.factor) * w;
-      if (isEverywhere(term)) {
-        value = value + fw * w;
-        slope = slope + fw * ad;
-      } else {
-        add(term.slot, 0, fw * w);
-        add(term.slot, 1, fw * ad);
-      }
+      const V d = t - load(term.middle);
+      const V ad = load(term.a) * d;
+      const V w = hn::Max(zero(), load(term.peak) - ad * d);
+      addSample(term.slot, load(term.factor) * w, w, ad, sum);
     }
-    addWinner(value, slope);
-    return {skin_.value(t) + value, skin_.slope(t) - all(4.0f) * slope};
+    // By value: what has an address is kept in memory by the loop above.
+    if (HWY_UNLIKELY(!shapes().empty())) sum = withShapes(sum, t);
+    if (!cliques_.empty()) sum = withWinner(sum);
+    return {skin_.value(t) + sum.value, skin_.slope(t) - all(4.0f) * sum.slope};
   }
 
   /// Bounds of psi and its slope on [t0, t1], by lane: those of the terms are summed, and the skin's.
@@ -128,35 +115,10 @@ class RayLanes {
     LaneBounds sum{zero(), zero(), zero(), zero(), zero(), zero()};
     clearSums();
     for (const LaneTerm& term : terms()) {
-      const PotentialBounds of = boundsOf(term, t0, t1);
-      const V factor = load(term.factor);
-      const M adds = hn::Ge(factor, zero());
-      const V atLow = factor * of.w.low * of.w.low;
-      const V atHigh = factor * of.w.high * of.w.high;
-      // The slope is -4 factor rate slope w.
-      const V rate = factor * of.rate;
-      const V leastDw = rate * (hn::Min(of.slope.low, zero()) * of.w.high + hn::Max(of.slope.low, zero()) * of.w.low);
-      const V mostDw = rate * (hn::Max(of.slope.high, zero()) * of.w.high + hn::Min(of.slope.high, zero()) * of.w.low);
-      const V least = choose(adds, atLow, atHigh);
-      const V steepest = zero() - choose(adds, leastDw, mostDw);
-      const V gentlest = zero() - choose(adds, mostDw, leastDw);
-      const V end = factor * of.atEnd * of.atEnd;
-      sum.values = sum.values + hn::Abs(atHigh);
-      sum.slopes = sum.slopes + hn::Max(hn::Abs(steepest), hn::Abs(gentlest));
-      if (isEverywhere(term)) {
-        sum.least = sum.least + least;
-        sum.atEnd = sum.atEnd + end;
-        sum.steepest = sum.steepest + steepest;
-        sum.gentlest = sum.gentlest + gentlest;
-      } else {
-        add(term.slot, kLeast, least);
-        add(term.slot, kAtEnd, end);
-        add(term.slot, kSteepest, steepest);
-        add(term.slot, kGentlest, gentlest);
-        add(term.slot, kMost, choose(adds, atHigh, atLow));
-      }
+      addBounds(term.slot, load(term.factor), ellipsoidBounds(term, t0, t1), sum);
     }
-    addWinners(sum);
+    if (HWY_UNLIKELY(!shapes().empty())) sum = withShapes(sum, t0, t1);
+    if (!cliques_.empty()) sum = withWinners(sum);
     const V skin = skin_.value(t1);
     LaneBounds psi{skin + sum.least, sum.steepest, sum.gentlest, sum.values + hn::Abs(skin), sum.slopes,
                    skin + sum.atEnd};
@@ -218,9 +180,7 @@ class RayLanes {
   HWY_INLINE void store(V value, LaneFloats& floats) const { hn::Store(value, kTag, floats.at(first_)); }
 
   // Sums of terms by their groups' slots, for those that are not in every sum.
-  HWY_INLINE bool isEverywhere(const LaneTerm& term) const {
-    return cliques_.empty() || term.slot == LaneTerm::kEverySum;
-  }
+  HWY_INLINE bool isEverywhere(int slot) const { return cliques_.empty() || slot == LaneTerm::kEverySum; }
   void clearSums() const {
     if (cliques_.empty()) return;
     for (std::size_t slot = 0; slot < cliques_.slotCount; ++slot) {
@@ -240,15 +200,25 @@ class RayLanes {
     return sum;
   }
 
-  HWY_INLINE ShapeLines shapeOf(const LaneTerm& term) const {
-    return {scratch_.shapes[static_cast<std::size_t>(term.shape)], first_};
+  /// Where an ellipsoid's influence begins and ends along the rays that meet it.
+  HWY_INLINE Range extentOf(const LaneTerm& term) const {
+    const V half = hn::Sqrt(hn::Max(zero(), load(term.peak)) / load(term.a));
+    return {load(term.middle) - half, load(term.middle) + half};
   }
-  /// Where a shape's box begins and ends along the rays.
-  HWY_INLINE Range boxOf(const LaneTerm& term) const {
-    const LaneShape& shape = scratch_.shapes[static_cast<std::size_t>(term.shape)];
-    const V middle = load(term.middle);
-    const V way = all(term.way);
-    return rangeOf(middle + way * load(shape.enter), middle + way * load(shape.leave));
+  /// From where the first influence begins to where the last one ends: F is 0 before and after.
+  Range influence() const {
+    Range whole{all(1e30f), all(-1e30f)};
+    const auto include = [&](const Range& extent, V factor) HWY_ATTR {
+      const M seen = both(hn::Ne(factor, zero()), hn::Lt(extent.low, extent.high));
+      whole.low = choose(seen, hn::Min(whole.low, extent.low), whole.low);
+      whole.high = choose(seen, hn::Max(whole.high, extent.high), whole.high);
+    };
+    for (const LaneTerm& term : terms()) include(extentOf(term), load(term.factor));
+    for (const LaneShape& shape : shapes()) {
+      const ShapeOnRays ray = onRays(shape);
+      include(ray.box(), ray.factor());
+    }
+    return whole;
   }
 
   void count(M lanes) const { scratch_.evaluations.field += static_cast<std::int64_t>(hn::CountTrue(kTag, lanes)); }
@@ -263,26 +233,71 @@ class RayLanes {
   static constexpr std::size_t kGentlest = 3;
   static constexpr std::size_t kMost = 4;
 
+  HWY_INLINE void addSample(int slot, V fw, V w, V halfSlope, LaneSample& sum) const {
+    if (isEverywhere(slot)) {
+      sum.value = sum.value + fw * w;
+      sum.slope = sum.slope + fw * halfSlope;
+    } else {
+      add(slot, 0, fw * w);
+      add(slot, 1, fw * halfSlope);
+    }
+  }
+
+  HWY_NOINLINE LaneSample withShapes(LaneSample sum, V t) const {
+    for (const LaneShape& shape : shapes()) {
+      const ShapeOnRays ray = onRays(shape);
+      const ShapeOnRays::Sample seen = ray.sample(t);
+      addSample(shape.slot, ray.factor() * seen.w, seen.w, seen.halfSlope, sum);
+    }
+    return sum;
+  }
+
+  HWY_NOINLINE LaneBounds withShapes(LaneBounds sum, V t0, V t1) const {
+    for (const LaneShape& shape : shapes()) {
+      const ShapeOnRays ray = onRays(shape);
+      addBounds(shape.slot, ray.factor(), ray.bounds(t0, t1), sum);
+    }
+    return sum;
+  }
+
+  HWY_INLINE void addBounds(int slot, V factor, const PotentialBounds& of, LaneBounds& sum) const {
+    const M adds = hn::Ge(factor, zero());
+    const V atLow = factor * of.w.low * of.w.low;
+    const V atHigh = factor * of.w.high * of.w.high;
+    // The slope is -4 factor rate slope w.
+    const V rate = factor * of.rate;
+    const V leastDw = rate * (hn::Min(of.slope.low, zero()) * of.w.high + hn::Max(of.slope.low, zero()) * of.w.low);
+    const V mostDw = rate * (hn::Max(of.slope.high, zero()) * of.w.high + hn::Min(of.slope.high, zero()) * of.w.low);
+    const V least = choose(adds, atLow, atHigh);
+    const V steepest = zero() - choose(adds, leastDw, mostDw);
+    const V gentlest = zero() - choose(adds, mostDw, leastDw);
+    const V end = factor * of.atEnd * of.atEnd;
+    sum.values = sum.values + hn::Abs(atHigh);
+    sum.slopes = sum.slopes + hn::Max(hn::Abs(steepest), hn::Abs(gentlest));
+    if (isEverywhere(slot)) {
+      sum.least = sum.least + least;
+      sum.atEnd = sum.atEnd + end;
+      sum.steepest = sum.steepest + steepest;
+      sum.gentlest = sum.gentlest + gentlest;
+    } else {
+      add(slot, kLeast, least);
+      add(slot, kAtEnd, end);
+      add(slot, kSteepest, steepest);
+      add(slot, kGentlest, gentlest);
+      add(slot, kMost, choose(adds, atHigh, atLow));
+    }
+  }
+
   /// An ellipsoid's w is concave: its least value is at an end, its largest at an end or at its peak.
-  HWY_INLINE PotentialBounds boundsOf(const LaneTerm& term, V t0, V t1) const {
-    const V d0 = t0 - load(term.middle);
-    const V d1 = t1 - load(term.middle);
-    if (HWY_UNLIKELY(term.shape >= 0)) return shapeBounds(term, d0, d1);
+  HWY_INLINE PotentialBounds ellipsoidBounds(const LaneTerm& term, V t0, V t1) const {
     const V a = load(term.a);
     const V peak = load(term.peak);
+    const V d0 = t0 - load(term.middle);
+    const V d1 = t1 - load(term.middle);
     const V w0 = hn::Max(zero(), peak - a * d0 * d0);
     const V w1 = hn::Max(zero(), peak - a * d1 * d1);
     const M peaks = both(hn::Lt(d0, zero()), hn::Gt(d1, zero()));
     return {{hn::Min(w0, w1), choose(peaks, hn::Max(zero(), peak), hn::Max(w0, w1))}, {d0, d1}, a, w1};
-  }
-
-  PotentialBounds shapeBounds(const LaneTerm& term, V d0, V d1) const {
-    const ShapeLines shape = shapeOf(term);
-    if (term.way > 0.0f) return shape.bounds(d0, d1);
-    PotentialBounds bounds = shape.bounds(zero() - d1, zero() - d0);
-    bounds.slope = {zero() - bounds.slope.high, zero() - bounds.slope.low};
-    bounds.atEnd = shape.sample(zero() - d1).w;
-    return bounds;
   }
 
   /// From search.low to `end`, stretch after stretch, the first up to search.high: one is passed if its bounds prove
@@ -319,22 +334,20 @@ class RayLanes {
   }
 
   /// Of the cliques' sums the one whose F is largest; psi's sign turns it into the least.
-  void addWinner(V& value, V& slope) const {
+  HWY_INLINE LaneSample withWinner(const LaneSample& sum) const {
     V best = zero();
     V bestSlope = zero();
     for (std::size_t k = 0; k < cliques_.count(); ++k) {
-      const V sum = sumOf(k, 0);
-      const M wins = hn::Gt(skin_.sign * sum, skin_.sign * best);
-      best = choose(wins, sum, best);
+      const V value = sumOf(k, 0);
+      const M wins = hn::Gt(skin_.sign * value, skin_.sign * best);
+      best = choose(wins, value, best);
       bestSlope = choose(wins, sumOf(k, 1), bestSlope);
     }
-    value = value + best;
-    slope = slope + bestSlope;
+    return {sum.value + best, sum.slope + bestSlope};
   }
 
   /// F's sum is the largest: only cliques that may be it somewhere on the stretch have a say about slopes.
-  void addWinners(LaneBounds& sum) const {
-    if (cliques_.empty()) return;
+  HWY_INLINE LaneBounds withWinners(LaneBounds sum) const {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     const V sign = skin_.sign;
     const M outward = hn::Gt(sign, zero());
@@ -359,6 +372,7 @@ class RayLanes {
     sum.atEnd = sum.atEnd + sign * atEnd;
     sum.steepest = sum.steepest + steepest;
     sum.gentlest = sum.gentlest + gentlest;
+    return sum;
   }
 
   LaneScratch& scratch_;

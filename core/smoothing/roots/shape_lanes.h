@@ -79,35 +79,40 @@ struct PotentialBounds {
   V atEnd;  ///< w at the stretch's end.
 };
 
-/// A shaped primitive along the lines of the lanes from `first` on.
-class ShapeLines {
+/// A shaped primitive along the rays of the lanes from `first` on.
+class ShapeOnRays {
  public:
-  HWY_INLINE ShapeLines(const LaneShape& shape, std::size_t first) : shape_(shape), first_(first) {}
+  HWY_INLINE ShapeOnRays(const LaneShape& shape, std::size_t first) : shape_(shape), first_(first) {}
 
-  HWY_INLINE V3 along() const { return {load(shape_.along[0]), load(shape_.along[1]), load(shape_.along[2])}; }
+  HWY_INLINE V factor() const { return all(shape_.sense) * load(shape_.factor); }
 
-  /// The point at s, held to the shape's box: beyond it r^2 is at least 1, as it is on its faces.
-  HWY_INLINE ShapePoint at(V s) const { return at(s, along()); }
+  /// From where to where the rays are in the shape's box.
+  HWY_INLINE Range box() const { return way() * Range{fromMiddle(shape_.enter), fromMiddle(shape_.leave)}; }
+  HWY_INLINE M meets() const { return hn::Lt(load(shape_.enter), load(shape_.leave)); }
+
+  /// The point at t, held to the box: beyond it r^2 is at least 1, as it is on its faces.
+  HWY_INLINE ShapePoint at(V t) const { return pointAt(lineAt(t), along()); }
 
   struct Sample {
     V w;
-    V halfSlope;  ///< Of r^2, per s.
+    V halfSlope;  ///< Of r^2.
   };
 
-  Sample sample(V s) const {
+  Sample sample(V t) const {
     const V3 d = along();
-    const ShapePoint p = at(s, d);
-    return {hn::Max(zero(), all(1.0f) - p.rSquared()), dot(p.halfSlope(), d)};
+    const ShapePoint p = pointAt(lineAt(t), d);
+    return {hn::Max(zero(), all(1.0f) - p.rSquared()), way() * dot(p.halfSlope(), d)};
   }
 
   /// Interval arithmetic on the formula's slope; r^2 then stays between the lines of least and of greatest slope through
   /// its values at both ends, which is closer than intervals of its own by an order of the stretch's length.
   PotentialBounds bounds(V from, V to) const {
-    const V s0 = held(from);
-    const V s1 = held(to);
+    const bool runsAlong = shape_.way > 0.0f;
+    const V s0 = held(lineAt(runsAlong ? from : to));
+    const V s1 = held(lineAt(runsAlong ? to : from));
     const V3 d = along();
-    const ShapePoint p0 = at(s0, d);
-    const ShapePoint p1 = at(s1, d);
+    const ShapePoint p0 = pointAt(s0, d);
+    const ShapePoint p1 = pointAt(s1, d);
     const Range slope = slopes(s0, s1, p0, p1, d);
     const V r0 = p0.rSquared();
     const V r1 = p1.rSquared();
@@ -123,15 +128,19 @@ class ShapeLines {
     const V high = choose(rises, r1, choose(falls, r0, r0 + most * summit));
     const V one = all(1.0f);
     return {{hn::Max(zero(), one - high), hn::Max(zero(), hn::Min(one, one - low))},
-            slope,
+            way() * slope,
             one,
-            hn::Max(zero(), one - r1)};
+            hn::Max(zero(), one - (runsAlong ? r1 : r0))};
   }
 
  private:
   HWY_INLINE V load(const LaneFloats& floats) const { return hn::Load(kTag, floats.at(first_)); }
+  HWY_INLINE V way() const { return all(shape_.way); }
+  HWY_INLINE V fromMiddle(const LaneFloats& s) const { return load(shape_.middle) + load(s); }
+  HWY_INLINE V lineAt(V t) const { return way() * t - load(shape_.middle); }
+  HWY_INLINE V3 along() const { return {load(shape_.along[0]), load(shape_.along[1]), load(shape_.along[2])}; }
   HWY_INLINE V held(V s) const { return clamped(s, load(shape_.enter), load(shape_.leave)); }
-  HWY_INLINE ShapePoint at(V s, const V3& d) const {
+  HWY_INLINE ShapePoint pointAt(V s, const V3& d) const {
     const V3 point{load(shape_.point[0]), load(shape_.point[1]), load(shape_.point[2])};
     return {*shape_.unit, point + held(s) * d};
   }
@@ -151,8 +160,8 @@ class ShapeLines {
     Range z = rangeOf(p0.z, p1.z);
     Range outward = rangeOf(p0.x * d.x + p0.z * d.z, p1.x * d.x + p1.z * d.z);  // Half the slope of x^2 + z^2.
     if (bent) {
-      const V atX = at(clamped(load(shape_.turnX), s0, s1), d).x;
-      const V atZ = at(clamped(load(shape_.turnZ), s0, s1), d).z;
+      const V atX = pointAt(clamped(load(shape_.turnX), s0, s1), d).x;
+      const V atZ = pointAt(clamped(load(shape_.turnZ), s0, s1), d).z;
       x = {hn::Min(x.low, atX), hn::Max(x.high, atX)};
       z = {hn::Min(z.low, atZ), hn::Max(z.high, atZ)};
       const auto rate = [&](V alongAxis, float curve, const ShapePoint& p)
@@ -171,11 +180,13 @@ class ShapeLines {
 };
 
 /// Lays lines p + t d through a shape.
-/// @param y, yd  p less the shape's center and d, in its unit space.  @return the way t to where s = 0.
-inline V fillShape(const UnitShape& unit, const V3& y, const V3& yd, std::size_t first, LaneShape& out) {
+/// @param y, yd  p less the shape's center and d, in its unit space.
+inline void fillShape(const UnitShape& unit, const V3& y, const V3& yd, std::size_t first, LaneShape& out) {
   const V middle = zero() - dot(y, yd) / dot(yd, yd);
   const V3 point = y + middle * yd;
   out.unit = &unit;
+  out.way = out.sense = 1.0f;
+  hn::Store(middle, kTag, out.middle.at(first));
   const V far = all(1e30f);
   Range inside{zero() - far, far};
   const auto clip = [&](V start, V along, float low, float high, std::size_t axis) HWY_ATTR {
@@ -201,7 +212,6 @@ inline V fillShape(const UnitShape& unit, const V3& y, const V3& yd, std::size_t
   };
   turn(yd.x, unit.curve.x, out.turnX);
   turn(yd.z, unit.curve.y, out.turnZ);
-  return middle;
 }
 
 }  // namespace sinew::HWY_NAMESPACE
