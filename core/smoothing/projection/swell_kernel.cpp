@@ -169,7 +169,7 @@ class TileSweller : TileField {
     for (const LaneShape& shape : rays.shapes()) {
       const ShapeOnRays ray = rays.onRays(shape);
       const Range box = ray.box();
-      include(both(hn::Ne(ray.factor(), zero()), both(ray.meets(), hn::Gt(box.high, zero()))), box, box.high);
+      include(both(hn::Ne(ray.factor(), zero()), hn::Gt(box.high, zero())), box, box.high);
     }
     return rise;
   }

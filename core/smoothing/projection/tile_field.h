@@ -90,7 +90,8 @@ class TileField {
     const PosedPrimitive& muscle = primitive(of.primitive);
     const UnitBallMap& ball = muscle.influence;
     const V3 fromCenter = p - all(ball.center);
-    if (!any(both(seen, mayMeet(fromCenter, d, ball.boundingRadius, ahead)))) return false;
+    const M near = mayMeet(fromCenter, d, ball.boundingRadius, ahead);
+    if (!any(both(seen, near))) return false;
     const V3 y = inBall(ball, fromCenter);
     const V3 yd = inBall(ball, d);
     const int slot = muscle.strength < 0.0f ? LaneTerm::kEverySum : of.slot;
@@ -98,11 +99,11 @@ class TileField {
       LaneShape& shape = scratch_.lanes.shapes[scratch_.lanes.shapeCount];
       shape.primitive = of.primitive;
       shape.slot = slot;
-      hn::Store(factor, kTag, shape.factor.at(first_));
-      fillShape(ball.shape, y, yd, first_, shape);
-      const ShapeOnRays ray(shape, first_);
-      const M met = ahead ? both(ray.meets(), hn::Gt(ray.box().high, zero())) : ray.meets();
-      if (any(both(seen, met))) ++scratch_.lanes.shapeCount;
+      const M met = both(both(seen, near), fillShape(ball.shape, y, yd, first_, shape));
+      hn::Store(hn::IfThenElseZero(met, factor), kTag, shape.factor.at(first_));
+      if (any(ahead ? both(met, hn::Gt(ShapeOnRays(shape, first_).box().high, zero())) : met)) {
+        ++scratch_.lanes.shapeCount;
+      }
       return false;
     }
     const V squared = dot(yd, yd);

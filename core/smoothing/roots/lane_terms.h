@@ -35,11 +35,11 @@ struct LaneShape {
   float way = 1.0f;    ///< 1: rays run along the lines, -1: against them: s = way t - middle.
   float sense = 1.0f;  ///< Times the factor.
   LaneFloats middle;
-  LaneFloats factor;
+  LaneFloats factor;  ///< 0 also where a ray does not meet the shape's box.
   std::array<LaneFloats, 3> point;
   std::array<LaneFloats, 3> along;  ///< Per world unit.
   LaneFloats enter;                 ///< s where the line enters the shape's box, beyond which nothing of it is ...
-  LaneFloats leave;                 ///< ... and leaves it; both 0 where it misses.
+  LaneFloats leave;                 ///< ... and leaves it.
   LaneFloats turnX;                 ///< s where the offsets from a bent axis turn.
   LaneFloats turnZ;
 };

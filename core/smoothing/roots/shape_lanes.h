@@ -88,7 +88,6 @@ class ShapeOnRays {
 
   /// From where to where the rays are in the shape's box.
   HWY_INLINE Range box() const { return way() * Range{fromMiddle(shape_.enter), fromMiddle(shape_.leave)}; }
-  HWY_INLINE M meets() const { return hn::Lt(load(shape_.enter), load(shape_.leave)); }
 
   /// The point at t, held to the box: beyond it r^2 is at least 1, as it is on its faces.
   HWY_INLINE ShapePoint at(V t) const { return pointAt(lineAt(t), along()); }
@@ -181,7 +180,8 @@ class ShapeOnRays {
 
 /// Lays lines p + t d through a shape.
 /// @param y, yd  p less the shape's center and d, in its unit space.
-inline void fillShape(const UnitShape& unit, const V3& y, const V3& yd, std::size_t first, LaneShape& out) {
+/// @return lanes whose line meets the shape's box; all but factor, primitive and slot are filled in.
+inline M fillShape(const UnitShape& unit, const V3& y, const V3& yd, std::size_t first, LaneShape& out) {
   const V middle = zero() - dot(y, yd) / dot(yd, yd);
   const V3 point = y + middle * yd;
   out.unit = &unit;
@@ -212,6 +212,7 @@ inline void fillShape(const UnitShape& unit, const V3& y, const V3& yd, std::siz
   };
   turn(yd.x, unit.curve.x, out.turnX);
   turn(yd.z, unit.curve.y, out.turnZ);
+  return meets;
 }
 
 }  // namespace sinew::HWY_NAMESPACE
