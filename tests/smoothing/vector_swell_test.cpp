@@ -32,8 +32,8 @@ using CharacterPtr = std::shared_ptr<const Character>;
 
 void expectAgreement(const TrialScene& scene, ProjectionKind projection, double worst) {
   Agreement seen;
-  addAgreement(*scene.character, withMode(scene.rig, SurfaceMode::kSwell, projection),
-               spreadPoses(*scene.character, 4), seen);
+  addAgreement(*scene.character, withMode(scene.rig, SurfaceMode::kSwell, projection), spreadPoses(*scene.character, 4),
+               seen);
   const std::string what = scene.name + ", " + nameOf(projection);
   print(what, seen);
   EXPECT_GT(seen.projected, 500) << what;

@@ -106,24 +106,24 @@ class TileReplacer : TileField {
     const M inside = both(open_, hn::Gt(raysOf(kOn, kFall).sample(zero()).value, zero()));
     if (!inputs_.wraps) open_ = inside;
     asked_ = open_;
-    CompositeLanes laid{zero3(), zero3(), zero(), zero(), none()};
-    compositeLine(line, inside, laid);
+    CompositeLanes composite{zero3(), zero3(), zero(), zero(), none()};
+    compositeLine(line, inside, composite);
     if (toAnchors_) {
       // The anchor is not always inside.
-      const M again = both(butNot(open_, inside), hn::Gt(laid.left(), zero()));
+      const M again = both(butNot(open_, inside), hn::Gt(composite.left(), zero()));
       fallback_ = again;
       if (any(again)) {
         const LineLanes along{p, back, n, search};
         const M others = butNot(open_, again);
         open_ = again;
         fillLines(along);
-        compositeStretches(along, zero(), laid);
+        compositeStretches(along, zero(), composite);
         open_ = hn::Or(open_, others);
       }
     } else {
       fallback_ = none();
     }
-    finish(laid, omega);
+    finish(composite, omega);
   }
 
   /// Those lanes that some muscle has weight at.
@@ -193,18 +193,18 @@ class TileReplacer : TileField {
   }
 
   /// Largest F - T over a stretch, by samples, or as much as counts whole. @param rays  looking for falls.
-  /// @param most  what is known already.
-  V prominence(const RayLanes& rays, V begin, V end, M active, V most) const {
+  /// @param largest  what is known already.
+  V prominence(const RayLanes& rays, V begin, V end, M active, V largest) const {
     const V whole = all(kFullProminence * inputs_.settings.iso);
     for (const int tenths : kProminenceSamples) {
-      if (!any(both(active, hn::Lt(most, whole)))) break;
+      if (!any(both(active, hn::Lt(largest, whole)))) break;
       const V t = begin + (end - begin) * all(0.1f * static_cast<float>(tenths));
-      most = hn::Max(most, rays.sample(t).value);
+      largest = hn::Max(largest, rays.sample(t).value);
     }
-    return most;
+    return largest;
   }
 
-  void compositeLine(const LineLanes& line, M inside, CompositeLanes& laid) {
+  void compositeLine(const LineLanes& line, M inside, CompositeLanes& composite) {
     V ownEnd = zero();
     if (any(inside)) {
       const RayLanes out = raysOf(kBack, kFall);
@@ -215,20 +215,20 @@ class TileReplacer : TileField {
       const FoundLanes own = findChange(on, zero(), line.length, both(inside, open_));
       ownEnd = choose(own.found, own.t, choose(inside, line.length, zero()));
       const V atSkin = hn::Max(outside, on.sample(zero()).value);
-      const V most = prominence(on, zero(), ownEnd, root.found, atSkin);
-      compositeRoot(line, zero() - root.t, {most, residual}, both(root.found, open_), laid);
+      const V largest = prominence(on, zero(), ownEnd, root.found, atSkin);
+      compositeRoot(line, zero() - root.t, {largest, residual}, both(root.found, open_), composite);
     }
-    if (inputs_.wraps) compositeStretches(line, ownEnd, laid);
+    if (inputs_.wraps) compositeStretches(line, ownEnd, composite);
   }
 
   /// From `begin` inwards, as long as there is weight left.
-  void compositeStretches(const LineLanes& line, V begin, CompositeLanes& laid) {
+  void compositeStretches(const LineLanes& line, V begin, CompositeLanes& composite) {
     const V reachable = hn::Min(line.length, all(inputs_.settings.searchLength));
     const V nudge = all(4.0f * roots_.tolerance);  // Off a root, where rounding decides the sign.
     V t = choose(hn::Gt(begin, zero()), begin + nudge, zero());
     M goesOn = open_;
     for (int i = 0; i < kMostStretches; ++i) {
-      goesOn = both(both(goesOn, open_), both(hn::Lt(t, reachable), hn::Gt(laid.left(), zero())));
+      goesOn = both(both(goesOn, open_), both(hn::Lt(t, reachable), hn::Gt(composite.left(), zero())));
       if (!any(goesOn)) return;
       const FoundLanes in = findChange(raysOf(kOn, kRise), t, reachable, goesOn);
       goesOn = in.found;
@@ -237,7 +237,8 @@ class TileReplacer : TileField {
       const FoundLanes out = findChange(falls, in.t + nudge, line.length, goesOn);
       const V end = choose(out.found, out.t, line.length);
       const V residual = hn::Abs(falls.sample(in.t).value);
-      compositeRoot(line, in.t, {prominence(falls, in.t, end, goesOn, zero()), residual}, both(goesOn, open_), laid);
+      compositeRoot(line, in.t, {prominence(falls, in.t, end, goesOn, zero()), residual}, both(goesOn, open_),
+                    composite);
       t = end + nudge;
     }
   }
@@ -253,15 +254,15 @@ class TileReplacer : TileField {
   };
 
   /// A root at t inwards. The rays are those that look inwards for falls.
-  void compositeRoot(const LineLanes& line, V t, const RootLanes& root, M mask, CompositeLanes& laid) {
+  void compositeRoot(const LineLanes& line, V t, const RootLanes& root, M mask, CompositeLanes& composite) {
     if (!any(mask)) return;
     const V far = (hn::Abs(t) / all(inputs_.settings.searchLength) - all(kFadeBegin)) / all(1.0f - kFadeBegin);
     const V share = root.prominence / all(kFullProminence * inputs_.settings.iso);
     const V own = eased(share) * (all(1.0f) - eased(far));
     const M whole = hn::Ge(own, all(1.0f));
-    const V weight = choose(whole, laid.left(), own * laid.left());
-    laid.found = hn::Or(laid.found, mask);
-    laid.residual = choose(mask, hn::Max(laid.residual, root.residual), laid.residual);
+    const V weight = choose(whole, composite.left(), own * composite.left());
+    composite.found = hn::Or(composite.found, mask);
+    composite.residual = choose(mask, hn::Max(composite.residual, root.residual), composite.residual);
     const M counts = both(mask, hn::Gt(weight, zero()));
     if (!any(counts)) return;
     const V3 x = line.p + t * line.inwards;
@@ -269,24 +270,24 @@ class TileReplacer : TileField {
     V value;
     const V3 gradient = gradientAt(x, rays, t, value);
     const V3 normal = unitOr(zero3() - gradient, line.n);
-    laid.position = choose(counts, laid.position + weight * x, laid.position);
-    laid.normal = choose(counts, laid.normal + weight * normal, laid.normal);
-    laid.weight = choose(counts, choose(whole, all(1.0f), laid.weight + weight), laid.weight);
+    composite.position = choose(counts, composite.position + weight * x, composite.position);
+    composite.normal = choose(counts, composite.normal + weight * normal, composite.normal);
+    composite.weight = choose(counts, choose(whole, all(1.0f), composite.weight + weight), composite.weight);
   }
 
-  void finish(const CompositeLanes& laid, const LaneFloats& omega) {
+  void finish(const CompositeLanes& composite, const LaneFloats& omega) {
     giveUp(butNot(asked_, open_));
     const M done = both(asked_, open_);
     scratch_.counts.projected += static_cast<int>(hn::CountTrue(kTag, done));
-    scratch_.counts.unresolved += static_cast<int>(hn::CountTrue(kTag, butNot(done, laid.found)));
+    scratch_.counts.unresolved += static_cast<int>(hn::CountTrue(kTag, butNot(done, composite.found)));
     scratch_.counts.anchorFallbacks += static_cast<int>(hn::CountTrue(kTag, both(done, fallback_)));
-    countResidual(choose(both(done, laid.found), laid.residual, zero()));
+    countResidual(choose(both(done, composite.found), composite.residual, zero()));
     LanePoints positions;
     LaneFloats weights;
-    positions.store(laid.position, first_);
-    normals_.store(laid.normal, first_);
-    hn::Store(laid.weight, kTag, weights.at(first_));
-    forEach(both(done, hn::Gt(laid.weight, zero())), first_, [&](std::size_t lane) {
+    positions.store(composite.position, first_);
+    normals_.store(composite.normal, first_);
+    hn::Store(composite.weight, kTag, weights.at(first_));
+    forEach(both(done, hn::Gt(composite.weight, zero())), first_, [&](std::size_t lane) {
       const auto v = static_cast<std::size_t>(tile_->vertices[lane]);
       const float limit = inputs_.wraps || inputs_.flat.inverseLimits.empty() ? 0.0f : inputs_.flat.inverseLimits[v];
       placeReplaced({positions.at(lane), normals_.at(lane), weights.lane[lane]}, omega.lane[lane], limit, v,

@@ -54,7 +54,7 @@ class Sweller {
         isoRadius_(std::sqrt(1.0 - std::sqrt(static_cast<double>(settings.iso)))) {}
 
   void move(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
-    weigh(vertex, near);
+    gatherCandidates(vertex, near);
     if (scratch_.candidates.empty()) return;
     const auto index = static_cast<std::size_t>(vertex.index);
     const glm::vec3 p = surface_.positions[index];
@@ -63,13 +63,13 @@ class Sweller {
     if (onSkin == 0.0f) return;
     ++scratch_.counts.projected;
     const SkinField skin(isoRadius_, blendWidthAt(p));
-    const double s = root(skin, p, rise_.directions[index], onSkin > 0.0f, cliques);
+    const double s = findRoot(skin, p, rise_.directions[index], onSkin > 0.0f, cliques);
     if (s == 0.0) return;
     place(skin, index, static_cast<float>(s), cliques);
   }
 
  private:
-  void weigh(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
+  void gatherCandidates(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
     scratch_.candidates.clear();
     for (const CarrierCandidate& candidate : near) {
       const float weight = candidate.weightAt(vertex.barycentric);
@@ -95,8 +95,8 @@ class Sweller {
   }
 
   /// s*, signed along the direction.
-  double root(const SkinField& skin, const glm::vec3& p, const glm::vec3& outwards, bool outward,
-              const CliqueLists& cliques) {
+  double findRoot(const SkinField& skin, const glm::vec3& p, const glm::vec3& outwards, bool outward,
+                  const CliqueLists& cliques) {
     scratch_.ray.reset(static_cast<double>(settings_.iso), cliques);
     scratch_.ray.addTerm(skin.term(outward));
     const glm::vec3 direction = outward ? outwards : -outwards;

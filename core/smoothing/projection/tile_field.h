@@ -37,9 +37,9 @@ class TileField {
       low = {hn::Min(low.x, p.x), hn::Min(low.y, p.y), hn::Min(low.z, p.z)};
       high = {hn::Max(high.x, p.x), hn::Max(high.y, p.y), hn::Max(high.z, p.z)};
     }
-    const auto least = [](V v) { return hn::GetLane(hn::MinOfLanes(kTag, v)); };
-    const auto most = [](V v) { return hn::GetLane(hn::MaxOfLanes(kTag, v)); };
-    return {{least(low.x), least(low.y), least(low.z)}, {most(high.x), most(high.y), most(high.z)}};
+    const auto min = [](V v) { return hn::GetLane(hn::MinOfLanes(kTag, v)); };
+    const auto max = [](V v) { return hn::GetLane(hn::MaxOfLanes(kTag, v)); };
+    return {{min(low.x), min(low.y), min(low.z)}, {max(high.x), max(high.y), max(high.z)}};
   }
 
   const TileCandidate& candidate(std::size_t i) const {
@@ -83,8 +83,8 @@ class TileField {
   void clearTerms() { scratch_.lanes.termCount = scratch_.lanes.shapeCount = 0; }
 
   /// The candidate's potential along lines p + t d: a shape goes to scratch_.lanes.
-  /// @param ahead  only t >= 0 counts.  @return whether `term` was filled: with an ellipsoid that some line that sees it
-  /// meets.
+  /// @param ahead  only t >= 0 counts.  @return whether `term` was filled: with an ellipsoid that some line that sees
+  /// it meets.
   bool addTerm(std::size_t i, const V3& p, const V3& d, V factor, M seen, bool ahead, LaneTerm& term) {
     const TileCandidate& of = candidate(i);
     const PosedPrimitive& muscle = primitive(of.primitive);

@@ -19,8 +19,8 @@ void makeRoom(const VertexTiles& tiles, std::size_t range, TileScratch& scratch)
 /// Sums what the first `ranges` scratches have counted, and adds it to the report.
 void tellOfRanges(std::size_t ranges, ProjectionScratch& scratch, SmoothingReport& report);
 
-/// Shares the tiles out among threads: calls moveTiles(tiles, scratch) for parts of them, each with a scratch of its own,
-/// and moveVertex(vertex, scratch) for every vertex that it left uncertified.
+/// Shares the tiles out among threads: calls moveTiles(tiles, scratch) for parts of them, each with a scratch of its
+/// own, and moveVertex(vertex, scratch) for every vertex that it left uncertified.
 template <class MoveTiles, class MoveVertex>
 void projectTiles(const VertexTiles& tiles, ProjectionScratch& scratch, SmoothingReport& report, MoveTiles moveTiles,
                   MoveVertex moveVertex) {

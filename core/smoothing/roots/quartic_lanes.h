@@ -72,9 +72,9 @@ class RayQuartics {
 
   /// Cuts brackets where terms begin or end in them, those nearest to the middle first.
   void narrow(LaneSearch& search) const {
-    constexpr int kMostCuts = 8;
+    constexpr int kMaxCuts = 8;
     M open = search.bracketed;
-    for (int i = 0; i < kMostCuts; ++i) {
+    for (int i = 0; i < kMaxCuts; ++i) {
       const Breakpoint cut = nearestBreakpoint(search);
       open = both(open, cut.found);
       if (!any(open)) return;
@@ -151,9 +151,8 @@ class RayQuartics {
       // w = w0 + w1 u - a u^2
       const V w0 = peak - a * d * d;
       const V w1 = all(-2.0f) * a * d;
-      const std::array<V, 5> squared{counted * w0 * w0, counted * (w0 + w0) * w1,
-                                     counted * (w1 * w1 - (w0 + w0) * a), counted * all(-2.0f) * w1 * a,
-                                     counted * a * a};
+      const std::array<V, 5> squared{counted * w0 * w0, counted * (w0 + w0) * w1, counted * (w1 * w1 - (w0 + w0) * a),
+                                     counted * all(-2.0f) * w1 * a, counted * a * a};
       for (std::size_t k = 0; k < squared.size(); ++k) {
         if (rays_.isEverywhere(term.slot)) sum.of[k] = sum.of[k] + squared[k];
         else rays_.add(term.slot, k, squared[k]);
@@ -173,7 +172,7 @@ class RayQuartics {
     const LaneSkin& skin = rays_.skin();
     if (!skin.falls) return {skin.offset, zero(), zero(), zero(), zero()};
     // w = 1 - (r + k u)^2
-    const M there = hn::Lt(skin.fall(inside), skin.most);
+    const M there = hn::Lt(skin.fall(inside), skin.maxFall);
     const V k = choose(there, skin.sign * skin.inverseWidth, zero());
     const V r = skin.radius(low);
     const V w = skin.root(low);

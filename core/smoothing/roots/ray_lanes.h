@@ -26,13 +26,13 @@ struct LaneSkin {
   V inverseWidth;  ///< 1 / W
   V isoRadius;     ///< r_T
   V isoRoot;       ///< sqrt T
-  V most;          ///< Of the fall below sqrt T: outwards the field ends.
+  V maxFall;       ///< Of the fall below sqrt T: outwards the field ends.
   V offset;        ///< Added everywhere.
 
   // w^2 - T = (w - sqrt T)(w + sqrt T): exact in the last place where t, and so the rise, is tiny.
   HWY_INLINE V fall(V t) const {
     const V u = t * inverseWidth;
-    return hn::Min(u * (isoRadius + isoRadius + sign * u), most);
+    return hn::Min(u * (isoRadius + isoRadius + sign * u), maxFall);
   }
   HWY_INLINE V value(V t) const {
     if (!falls) return offset;
@@ -41,9 +41,7 @@ struct LaneSkin {
   }
   HWY_INLINE V radius(V t) const { return hn::Max(zero(), isoRadius + sign * (t * inverseWidth)); }
   HWY_INLINE V root(V t) const { return isoRoot - sign * fall(t); }
-  HWY_INLINE V slope(V t) const {
-    return falls ? all(-4.0f) * inverseWidth * (radius(t) * root(t)) : zero();
-  }
+  HWY_INLINE V slope(V t) const { return falls ? all(-4.0f) * inverseWidth * (radius(t) * root(t)) : zero(); }
 };
 
 /// psi(t) = sign (skin(t) + F(t) - T) and its slope.
@@ -54,9 +52,9 @@ struct LaneSample {
 
 /// What holds on a whole stretch of every ray.
 struct LaneBounds {
-  V least;     ///< psi is nowhere less ...
-  V steepest;  ///< ... and its slope nowhere more ...
-  V gentlest;  ///< ... and nowhere less.
+  V value;     ///< psi is nowhere less ...
+  V maxSlope;  ///< ... and its slope nowhere more ...
+  V minSlope;  ///< ... and nowhere less.
   V values;    ///< Sums of the magnitudes that went into the three: what rounding is measured by.
   V slopes;
   V atEnd;  ///< psi at the stretch's end.
@@ -120,26 +118,27 @@ class RayLanes {
     if (HWY_UNLIKELY(!shapes().empty())) sum = withShapes(sum, t0, t1);
     if (!cliques_.empty()) sum = withWinners(sum);
     const V skin = skin_.value(t1);
-    LaneBounds psi{skin + sum.least, sum.steepest, sum.gentlest, sum.values + hn::Abs(skin), sum.slopes,
-                   skin + sum.atEnd};
+    LaneBounds psi{skin + sum.value,           sum.maxSlope, sum.minSlope,
+                   sum.values + hn::Abs(skin), sum.slopes,   skin + sum.atEnd};
     if (skin_.falls) {
       // The factors of the skin's slope rise or fall all along: their least and largest values are at the ends.
       const Range radius = rangeOf(skin_.radius(t0), skin_.radius(t1));
       const Range root = rangeOf(skin_.root(t0), skin_.root(t1));
-      const V most = skin_.inverseWidth * radius.high * root.high;
-      psi.steepest = psi.steepest - skin_.inverseWidth * radius.low * root.low;
-      psi.gentlest = psi.gentlest - most;
-      psi.slopes = psi.slopes + most;
+      const V fall = skin_.inverseWidth * radius.high * root.high;
+      psi.maxSlope = psi.maxSlope - skin_.inverseWidth * radius.low * root.low;
+      psi.minSlope = psi.minSlope - fall;
+      psi.slopes = psi.slopes + fall;
     }
     const V four = all(4.0f);
-    psi.steepest = four * psi.steepest;
-    psi.gentlest = four * psi.gentlest;
+    psi.maxSlope = four * psi.maxSlope;
+    psi.minSlope = four * psi.minSlope;
     psi.slopes = four * psi.slopes;
     return psi;
   }
 
-  /// Brackets the first change of sign of the active lanes' rays that start on the skin; psi > 0 at 0. Lanes that end up
-  /// neither bracketed nor rootless have no certificate. Each lane goes its own way: none sees what its neighbors are.
+  /// Brackets the first change of sign of the active lanes' rays that start on the skin; psi > 0 at 0. Lanes that end
+  /// up neither bracketed nor rootless have no certificate. Each lane goes its own way: none sees what its neighbors
+  /// are.
   LaneSearch bracketFromSkin(const LaneRise& rise, M active) const {
     const M outward = hn::Gt(skin_.sign, zero());
     const M falls = hn::Ge(rise.from, rise.end);
@@ -227,11 +226,11 @@ class RayLanes {
   }
 
  private:
-  static constexpr std::size_t kLeast = 0;
+  static constexpr std::size_t kMin = 0;
   static constexpr std::size_t kAtEnd = 1;
-  static constexpr std::size_t kSteepest = 2;
-  static constexpr std::size_t kGentlest = 3;
-  static constexpr std::size_t kMost = 4;
+  static constexpr std::size_t kMaxSlope = 2;
+  static constexpr std::size_t kMinSlope = 3;
+  static constexpr std::size_t kMax = 4;
 
   HWY_INLINE void addSample(int slot, V fw, V w, V halfSlope, LaneSample& sum) const {
     if (isEverywhere(slot)) {
@@ -266,25 +265,25 @@ class RayLanes {
     const V atHigh = factor * of.w.high * of.w.high;
     // The slope is -4 factor rate slope w.
     const V rate = factor * of.rate;
-    const V leastDw = rate * (hn::Min(of.slope.low, zero()) * of.w.high + hn::Max(of.slope.low, zero()) * of.w.low);
-    const V mostDw = rate * (hn::Max(of.slope.high, zero()) * of.w.high + hn::Min(of.slope.high, zero()) * of.w.low);
-    const V least = choose(adds, atLow, atHigh);
-    const V steepest = zero() - choose(adds, leastDw, mostDw);
-    const V gentlest = zero() - choose(adds, mostDw, leastDw);
+    const V minDw = rate * (hn::Min(of.slope.low, zero()) * of.w.high + hn::Max(of.slope.low, zero()) * of.w.low);
+    const V maxDw = rate * (hn::Max(of.slope.high, zero()) * of.w.high + hn::Min(of.slope.high, zero()) * of.w.low);
+    const V min = choose(adds, atLow, atHigh);
+    const V maxSlope = zero() - choose(adds, minDw, maxDw);
+    const V minSlope = zero() - choose(adds, maxDw, minDw);
     const V end = factor * of.atEnd * of.atEnd;
     sum.values = sum.values + hn::Abs(atHigh);
-    sum.slopes = sum.slopes + hn::Max(hn::Abs(steepest), hn::Abs(gentlest));
+    sum.slopes = sum.slopes + hn::Max(hn::Abs(maxSlope), hn::Abs(minSlope));
     if (isEverywhere(slot)) {
-      sum.least = sum.least + least;
+      sum.value = sum.value + min;
       sum.atEnd = sum.atEnd + end;
-      sum.steepest = sum.steepest + steepest;
-      sum.gentlest = sum.gentlest + gentlest;
+      sum.maxSlope = sum.maxSlope + maxSlope;
+      sum.minSlope = sum.minSlope + minSlope;
     } else {
-      add(slot, kLeast, least);
+      add(slot, kMin, min);
       add(slot, kAtEnd, end);
-      add(slot, kSteepest, steepest);
-      add(slot, kGentlest, gentlest);
-      add(slot, kMost, choose(adds, atHigh, atLow));
+      add(slot, kMaxSlope, maxSlope);
+      add(slot, kMinSlope, minSlope);
+      add(slot, kMax, choose(adds, atHigh, atLow));
     }
   }
 
@@ -301,18 +300,19 @@ class RayLanes {
   }
 
   /// From search.low to `end`, stretch after stretch, the first up to search.high: one is passed if its bounds prove
-  /// that psi stays positive or only rises, and holds the root if psi proves to fall through 0 in it; else it is halved.
+  /// that psi stays positive or only rises, and holds the root if psi proves to fall through 0 in it; else it is
+  /// halved.
   /// @param to  psi only falls from here to `end`.  @param endsBelow  lanes where psi is known to be below 0 at `end`.
-  void march(V to, V end, M endsBelow, int mostStretches, M open, LaneSearch& search) const {
+  void march(V to, V end, M endsBelow, int maxStretches, M open, LaneSearch& search) const {
     V low = search.low;
     V high = search.high;
-    for (int i = 0; i < mostStretches && any(open); ++i) {
+    for (int i = 0; i < maxStretches && any(open); ++i) {
       const LaneBounds seen = bounds(low, high);
       count(open);
-      const M clear = hn::Gt(seen.least, all(1e-5f) * seen.values);
+      const M clear = hn::Gt(seen.value, all(1e-5f) * seen.values);
       const V enough = all(1e-3f) * seen.slopes;
-      const M rises = hn::Ge(seen.gentlest, enough);
-      const M falls = hn::Le(seen.steepest, zero() - enough);
+      const M rises = hn::Ge(seen.minSlope, enough);
+      const M falls = hn::Le(seen.maxSlope, zero() - enough);
       const M found = both(both(open, falls), hn::Le(seen.atEnd, zero()));
       const M passed = both(open, hn::Or(hn::Or(clear, rises), both(falls, hn::Gt(seen.atEnd, zero()))));
       search.bracketed = hn::Or(search.bracketed, found);
@@ -352,26 +352,26 @@ class RayLanes {
     const V sign = skin_.sign;
     const M outward = hn::Gt(sign, zero());
     V surely = all(-kInfinity);  // F's sum is nowhere less.
-    V least = surely;            // Times the sign, as is atEnd.
+    V min = surely;              // Times the sign, as is atEnd.
     V atEnd = surely;
     for (std::size_t k = 0; k < cliques_.count(); ++k) {
-      const V low = sumOf(k, kLeast);
-      surely = hn::Max(surely, choose(outward, low, zero() - sumOf(k, kMost)));
-      least = hn::Max(least, sign * low);
+      const V low = sumOf(k, kMin);
+      surely = hn::Max(surely, choose(outward, low, zero() - sumOf(k, kMax)));
+      min = hn::Max(min, sign * low);
       atEnd = hn::Max(atEnd, sign * sumOf(k, kAtEnd));
     }
-    V steepest = all(-kInfinity);
-    V gentlest = all(kInfinity);
+    V maxSlope = all(-kInfinity);
+    V minSlope = all(kInfinity);
     for (std::size_t k = 0; k < cliques_.count(); ++k) {
-      const V possibly = choose(outward, sumOf(k, kMost), zero() - sumOf(k, kLeast));
+      const V possibly = choose(outward, sumOf(k, kMax), zero() - sumOf(k, kMin));
       const M wins = hn::Ge(possibly, surely);
-      steepest = choose(wins, hn::Max(steepest, sumOf(k, kSteepest)), steepest);
-      gentlest = choose(wins, hn::Min(gentlest, sumOf(k, kGentlest)), gentlest);
+      maxSlope = choose(wins, hn::Max(maxSlope, sumOf(k, kMaxSlope)), maxSlope);
+      minSlope = choose(wins, hn::Min(minSlope, sumOf(k, kMinSlope)), minSlope);
     }
-    sum.least = sum.least + sign * least;
+    sum.value = sum.value + sign * min;
     sum.atEnd = sum.atEnd + sign * atEnd;
-    sum.steepest = sum.steepest + steepest;
-    sum.gentlest = sum.gentlest + gentlest;
+    sum.maxSlope = sum.maxSlope + maxSlope;
+    sum.minSlope = sum.minSlope + minSlope;
     return sum;
   }
 

@@ -24,7 +24,7 @@ struct RootSettings {
       : method(kind), tolerance(static_cast<float>(worldTolerance)) {}
 
   /// A slope of psi less steep than this lets rounding move the root.
-  [[nodiscard]] float leastSlope() const { return 5e-8f / tolerance; }
+  [[nodiscard]] float minSlope() const { return 5e-8f / tolerance; }
 };
 
 /// What roots are: lanes whose root rounding cannot have moved.
@@ -35,12 +35,12 @@ struct LaneRoots {
 
 /// Newton's steps from `start`, kept inside the bracket.
 inline LaneRoots newtonRoots(const RayLanes& rays, const LaneSearch& search, V start, const RootSettings& settings) {
-  constexpr int kMostSteps = 24;
+  constexpr int kMaxSteps = 24;
   V low = search.low;
   V high = search.high;
   LaneRoots roots{start, none()};
   M open = search.bracketed;
-  for (int step = 0; step < kMostSteps && any(open); ++step) {
+  for (int step = 0; step < kMaxSteps && any(open); ++step) {
     const LaneSample at = rays.sample(roots.t);
     rays.count(open);
     const M above = hn::Gt(at.value, zero());
@@ -51,7 +51,7 @@ inline LaneRoots newtonRoots(const RayLanes& rays, const LaneSearch& search, V s
     const V next = choose(inside, newton, all(0.5f) * (low + high));
     const M still = hn::Le(hn::Abs(next - roots.t), all(settings.tolerance));
     const M done = both(open, still);
-    roots.solved = hn::Or(roots.solved, both(done, hn::Le(at.slope, all(-settings.leastSlope()))));
+    roots.solved = hn::Or(roots.solved, both(done, hn::Le(at.slope, all(-settings.minSlope()))));
     roots.t = choose(open, next, roots.t);
     open = butNot(open, done);
   }
@@ -78,7 +78,7 @@ inline LaneRoots bisectedRoots(const RayLanes& rays, const LaneSearch& search, c
   }
   const V secant = low + (high - low) * (atLow / (atLow - atHigh));
   const V t = choose(both(hn::Ge(secant, low), hn::Le(secant, high)), secant, low);
-  return {t, both(search.bracketed, hn::Le(rays.sample(t).slope, all(-settings.leastSlope())))};
+  return {t, both(search.bracketed, hn::Le(rays.sample(t).slope, all(-settings.minSlope())))};
 }
 
 /// Closed form (paper 4.1). The bracket is first cut at places where some term begins or ends, until psi is one quartic

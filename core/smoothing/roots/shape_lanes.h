@@ -103,8 +103,8 @@ class ShapeOnRays {
     return {hn::Max(zero(), all(1.0f) - p.rSquared()), way() * dot(p.halfSlope(), d)};
   }
 
-  /// Interval arithmetic on the formula's slope; r^2 then stays between the lines of least and of greatest slope through
-  /// its values at both ends, which is closer than intervals of its own by an order of the stretch's length.
+  /// Interval arithmetic on the formula's slope; r^2 then stays between the lines of least and of greatest slope
+  /// through its values at both ends, which is closer than intervals of its own by an order of the stretch's length.
   PotentialBounds bounds(V from, V to) const {
     const bool runsAlong = shape_.way > 0.0f;
     const V s0 = held(lineAt(runsAlong ? from : to));
@@ -116,15 +116,15 @@ class ShapeOnRays {
     const V r0 = p0.rSquared();
     const V r1 = p1.rSquared();
     const V length = s1 - s0;
-    const V least = slope.low + slope.low;
-    const V most = slope.high + slope.high;
-    const M rises = hn::Ge(least, zero());
-    const M falls = hn::Le(most, zero());
-    const V spread = most - least;
-    const V valley = clamped((r0 - r1 + most * length) / spread, zero(), length);
-    const V summit = clamped((r1 - r0 - least * length) / spread, zero(), length);
-    const V low = choose(rises, r0, choose(falls, r1, r0 + least * valley));
-    const V high = choose(rises, r1, choose(falls, r0, r0 + most * summit));
+    const V min = slope.low + slope.low;
+    const V max = slope.high + slope.high;
+    const M rises = hn::Ge(min, zero());
+    const M falls = hn::Le(max, zero());
+    const V spread = max - min;
+    const V valley = clamped((r0 - r1 + max * length) / spread, zero(), length);
+    const V summit = clamped((r1 - r0 - min * length) / spread, zero(), length);
+    const V low = choose(rises, r0, choose(falls, r1, r0 + min * valley));
+    const V high = choose(rises, r1, choose(falls, r0, r0 + max * summit));
     const V one = all(1.0f);
     return {{hn::Max(zero(), one - high), hn::Max(zero(), hn::Min(one, one - low))},
             way() * slope,
