@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/lanes/instruction_set.h"
 #include "sinew/smoothing/smoother.h"
 #include "tests/support/rigs/trial_scenes.h"
 
@@ -41,6 +42,29 @@ TEST_P(FrameAllocations, ThereAreNoneInAFrameThatHasBeenSeenBefore) {
         const std::int64_t before = allocations();
         for (const Pose& pose : poses) smoother.smooth(pose, surface, eye);
         EXPECT_EQ(allocations(), before) << scene.name << ", crease " << crease << (eye ? ", culled" : "");
+      }
+    }
+  }
+}
+
+// Some vertices of each are left to the scalar path, which must not allocate either.
+TEST(SearchAllocations, ThereAreNoneByAnySearchOnBundledRigs) {
+  for (const char* name : {"humanoid", "humanoid-wrapped", "horse-flex", "tangle"}) {
+    const TrialScene scene = bundledTrialScene(name);
+    const std::vector<Pose> poses = spreadPoses(*scene.character, 3);
+    for (const InstructionSet set : {chosenInstructionSet(), InstructionSet::kScalar}) {
+      const InstructionSetScope scope(set);
+      for (const ProjectionKind projection :
+           {ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic}) {
+        Rig rig = scene.rig;
+        rig.smoothing.projection = projection;
+        Smoother smoother(scene.character);
+        ASSERT_TRUE(smoother.prepare(rig).ok());
+        Surface surface;
+        for (const Pose& pose : poses) smoother.smooth(pose, surface);
+        const std::int64_t before = allocations();
+        for (const Pose& pose : poses) smoother.smooth(pose, surface);
+        EXPECT_EQ(allocations(), before) << name << ", " << nameOf(projection) << ", " << nameOf(set);
       }
     }
   }

@@ -79,7 +79,8 @@ TEST(Quartic, RealRootsOfKnownFactors) {
       for (std::size_t i = 4; i > 0; --i) c[i] = c[i - 1] - root * c[i];
       c[0] *= -root;
     }
-    const std::vector<double> found = realRoots(c);
+    const RealRoots roots = realRoots(c);
+    const std::span<const double> found = roots.all();
     ASSERT_EQ(found.size(), 4u) << "round " << round;
     for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(found[i], r[i], 1e-6);
   }

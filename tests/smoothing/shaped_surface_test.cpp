@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "core/lanes/instruction_set.h"
 #include "core/primitives/shape_numbers.h"
 #include "sinew/smoothing/smoother.h"
 #include "tests/support/characters/synthetic_characters.h"
@@ -15,6 +14,7 @@
 #include "tests/support/rigs/trial_scenes.h"
 #include "tests/support/surface/mesh_checks.h"
 #include "tests/support/surface/projected.h"
+#include "tests/support/surface/vector_agreement.h"
 
 namespace sinew::test {
 namespace {
@@ -85,25 +85,25 @@ TEST(ShapedSurface, SwellIsWhatBruteForceFinds) { expectAgreement(SurfaceMode::k
 
 TEST(ShapedSurface, ReplaceIsWhatBruteForceFinds) { expectAgreement(SurfaceMode::kReplace); }
 
-TEST(ShapedSurface, AllInstructionSetsGiveTheScalarPathsSurface) {
-  const CharacterPtr character = makeTwoLegged();
-  const Rig rig = shapedRig(*character, SurfaceMode::kSwell, 9);
-  Smoother smoother(character);
-  ASSERT_TRUE(smoother.prepare(rig).ok());
-  const Pose pose = bindPose(character->skeleton);
-  Surface scalar;
-  {
-    const InstructionSetScope scope(InstructionSet::kScalar);
-    smoother.smooth(pose, scalar);
-  }
-  ASSERT_GT(scalar.report.projected, 100);
-  for (const InstructionSet set : availableInstructionSets()) {
-    const InstructionSetScope scope(set);
-    Surface surface;
-    smoother.smooth(pose, surface);
-    EXPECT_EQ(surface.report.projected, scalar.report.projected) << nameOf(set);
-    for (std::size_t v = 0; v < surface.positions.size(); ++v) {
-      ASSERT_LE(glm::distance(surface.positions[v], scalar.positions[v]), 2e-5f * character->height) << nameOf(set);
+TEST(ShapedSurface, LanesGiveTheScalarPathsSurface) {
+  for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
+    for (const ProjectionKind projection : kProjections) {
+      Agreement seen;
+      for (const CharacterPtr& character : {makeLimb(), makeTwoLegged()}) {
+        for (std::uint64_t seed = 0; seed < 8; ++seed) {
+          Rig rig = shapedRig(*character, mode, seed);
+          rig.smoothing.projection = projection;
+          rig.smoothing.depth = 4;
+          addAgreement(*character, rig, {randomPose(character->skeleton, 0.5f, 0.2f, seed)}, seen);
+        }
+      }
+      const std::string what = std::string(nameOf(mode)) + ", " + nameOf(projection);
+      print(what, seen);
+      EXPECT_GT(seen.projected, 2000) << what;
+      // Where two roots meet, rounding says which is there.
+      EXPECT_LE(seen.beyondAim, seen.projected / (projection == ProjectionKind::kBisection ? 20 : 500)) << what;
+      EXPECT_LE(seen.far, seen.projected / 2000) << what;
+      EXPECT_LE(seen.uncertifiedShare(), 0.05) << what;
     }
   }
 }

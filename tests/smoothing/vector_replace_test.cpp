@@ -1,6 +1,7 @@
 // tests/smoothing/vector_replace_test.cpp: `replace` in tiles: as the scalar path, and bit for bit the same by every
 // set.
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -16,26 +17,34 @@ namespace {
 
 std::vector<TrialScene> scenes() {
   std::vector<TrialScene> out = trialScenes();
-  for (const char* name : {"humanoid-wrapped", "horse-wrapped", "humanoid", "demo"}) {
+  for (const char* name : {"humanoid-wrapped", "horse-wrapped", "humanoid", "demo", "horse-flex"}) {
     out.push_back(bundledTrialScene(name));
   }
   return out;
 }
 
+constexpr std::array kProjections{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic};
+
 TEST(VectorReplace, IsTheScalarOnCharacters) {
   for (const TrialScene& scene : scenes()) {
-    Agreement seen;
-    addAgreement(*scene.character, withMode(scene.rig, SurfaceMode::kReplace), spreadPoses(*scene.character, 4), seen);
-    print(scene.name, seen);
-    EXPECT_GT(seen.projected, 50) << scene.name;
-    EXPECT_EQ(seen.far, 0) << scene.name;
-    EXPECT_LE(seen.uncertifiedShare(), 0.025) << scene.name;
+    for (const ProjectionKind projection : kProjections) {
+      Agreement seen;
+      addAgreement(*scene.character, withMode(scene.rig, SurfaceMode::kReplace, projection),
+                   spreadPoses(*scene.character, 4), seen);
+      const std::string what = scene.name + ", " + nameOf(projection);
+      print(what, seen);
+      EXPECT_GT(seen.projected, 50) << what;
+      EXPECT_EQ(seen.far, 0) << what;
+      EXPECT_LE(seen.uncertifiedShare(), 0.025) << what;
+    }
   }
 }
 
 TEST(VectorReplace, EverySetGivesTheSameBits) {
+  std::size_t number = 0;
   for (const TrialScene& scene : scenes()) {
-    Projected projected(*scene.character, withMode(scene.rig, SurfaceMode::kReplace));
+    const ProjectionKind projection = kProjections[number++ % kProjections.size()];
+    Projected projected(*scene.character, withMode(scene.rig, SurfaceMode::kReplace, projection));
     for (const Pose& pose : spreadPoses(*scene.character, 2)) {
       const Surface widest = projected.at(pose);
       for (const InstructionSet set : availableInstructionSets()) {

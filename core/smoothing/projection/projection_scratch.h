@@ -20,17 +20,6 @@ struct VertexCounts {
   double residualMax = 0.0;
 };
 
-/// For the tiles of one range.
-struct TileScratch {
-  VertexCounts counts;
-  LaneScratch lanes;
-  std::vector<LaneTerm> lines;  ///< In `replace`: along each vertex's line, in both directions.
-  std::vector<int> near;        ///< Has room for the tile with the most candidates.
-  std::vector<carrier_walk::Span> spans;
-  std::vector<int> uncertified;  ///< Vertices whose first root the vector path cannot vouch for; as many fit.
-  std::vector<int> shaped;       ///< Vertices near a primitive that is no ellipsoid; as many fit.
-};
-
 /// For vertices one after the other.
 struct VertexScratch {
   WalkScratch walk;
@@ -41,6 +30,17 @@ struct VertexScratch {
   VertexCounts counts;
 };
 
+/// For the tiles of one range.
+struct TileScratch {
+  VertexCounts counts;
+  VertexScratch vertices;  ///< For those that the vector path leaves to the scalar one.
+  LaneScratch lanes;
+  std::vector<LaneTerm> lines;  ///< In `replace`: along each vertex's line, in both directions.
+  std::vector<int> near;        ///< Has room for the tile with the most candidates.
+  std::vector<carrier_walk::Span> spans;
+  std::vector<int> uncertified;  ///< Vertices whose first root the vector path cannot vouch for; as many fit.
+};
+
 /// Reused from vertex to vertex and from frame to frame, so that nothing is allocated once it has grown. Its contents
 /// carry nothing from one frame to the next. One a surface that is being made: what it starts with is for the thread
 /// that calls.
@@ -49,6 +49,11 @@ struct ProjectionScratch : VertexScratch {
   std::vector<VertexScratch> shares;  ///< Of the parts that a frame's vertices are divided into.
   std::vector<TileScratch> tiles;     ///< Of the ranges that a frame's tiles are divided into.
 };
+
+inline void add(const Evaluations& part, Evaluations& sum) {
+  sum.field += part.field;
+  sum.quartic += part.quartic;
+}
 
 inline void add(const VertexCounts& part, VertexCounts& sum) {
   sum.projected += part.projected;

@@ -31,7 +31,7 @@ class Projector {
       : field_(field), settings_(settings), scratch_(scratch) {}
 
   /// Reads the candidates of a vertex; false where none has weight.
-  bool look(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
+  bool gatherCandidates(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
     scratch_.candidates.clear();
     for (const CarrierCandidate& candidate : near) {
       const float weight = candidate.weightAt(vertex.barycentric);
@@ -59,14 +59,14 @@ class Projector {
     const bool inside = isInside(p);
     Projected result;
     if (!inwards || settings_.projection == ProjectionKind::kAnalytic) {
-      layLine(p, -n, static_cast<double>(settings_.searchLength), inside, n, result);
+      compositeLine(p, -n, static_cast<double>(settings_.searchLength), inside, n, result);
       return result;
     }
     const glm::vec3 q = flat.anchors[index];
-    layLine(p, normalizeOr(q - p, -n), static_cast<double>(glm::length(q - p)), inside, n, result);
+    compositeLine(p, normalizeOr(q - p, -n), static_cast<double>(glm::length(q - p)), inside, n, result);
     if (!inside && result.left() > 0.0f) {
       ++scratch_.counts.anchorFallbacks;  // the anchor is not always inside
-      layLine(p, -n, static_cast<double>(settings_.searchLength), inside, n, result);
+      compositeLine(p, -n, static_cast<double>(settings_.searchLength), inside, n, result);
     }
     return result;
   }
@@ -76,7 +76,7 @@ class Projector {
     return sampleField(field_.primitives, scratch_.candidates, *cliques_, point, scratch_.field).value;
   }
 
-  void aim(const glm::vec3& p, const glm::vec3& direction) {
+  void gatherTerms(const glm::vec3& p, const glm::vec3& direction) {
     scratch_.ray.reset(static_cast<double>(settings_.iso), *cliques_);
     for (const Candidate& candidate : scratch_.candidates) {
       scratch_.ray.addPrimitive(at(field_.primitives, candidate.primitive), candidate.weight, candidate.slot, p,
@@ -84,7 +84,7 @@ class Projector {
     }
   }
 
-  std::optional<double> change(double begin, double end, bool fromPositive) {
+  std::optional<double> findChange(double begin, double end, bool fromPositive) {
     return firstChange(scratch_.ray, begin, end, fromPositive, settings_.projection, settings_.tolerance,
                        scratch_.roots);
   }
@@ -93,54 +93,54 @@ class Projector {
   /// vanishes.
   double prominence(double begin, double end) {
     const double whole = static_cast<double>(kFullProminence * settings_.iso);
-    double most = 0.0;
+    double largest = 0.0;
     for (const int tenths : kProminenceSamples) {
-      most = std::max(most, scratch_.ray.sample(begin + (end - begin) * tenths / 10.0, scratch_.roots).value);
-      if (most >= whole) break;
+      largest = std::max(largest, scratch_.ray.sample(begin + (end - begin) * tenths / 10.0, scratch_.roots).value);
+      if (largest >= whole) break;
     }
-    return most;
+    return largest;
   }
 
   /// The line through p: from inside first outwards to the end of p's own stretch, then the stretches inwards.
-  void layLine(const glm::vec3& p, const glm::vec3& inwards, double inwardLength, bool inside, const glm::vec3& n,
-               Projected& result) {
+  void compositeLine(const glm::vec3& p, const glm::vec3& inwards, double inwardLength, bool inside, const glm::vec3& n,
+                     Projected& result) {
     double ownEnd = 0.0;
     if (inside) {
-      aim(p, -inwards);
-      const std::optional<double> root = change(0.0, static_cast<double>(settings_.searchLength), true);
+      gatherTerms(p, -inwards);
+      const std::optional<double> root = findChange(0.0, static_cast<double>(settings_.searchLength), true);
       const double prominenceOutside = root ? prominence(0.0, *root) : 0.0;
       const double residual = root ? std::abs(scratch_.ray.sample(*root, scratch_.roots).value) : 0.0;
-      aim(p, inwards);
-      ownEnd = change(0.0, inwardLength, true).value_or(inwardLength);
+      gatherTerms(p, inwards);
+      ownEnd = findChange(0.0, inwardLength, true).value_or(inwardLength);
       if (root) {
-        const double most =
+        const double largest =
             std::max({prominenceOutside, prominence(0.0, ownEnd), scratch_.ray.sample(0.0, scratch_.roots).value});
-        lay(p - static_cast<float>(*root) * inwards, *root, most, residual, n, result);
+        compositeRoot(p - static_cast<float>(*root) * inwards, *root, largest, residual, n, result);
       }
     } else {
-      aim(p, inwards);
+      gatherTerms(p, inwards);
     }
-    layStretches(p, inwards, inside ? ownEnd : 0.0, inwardLength, n, result);
+    compositeStretches(p, inwards, inside ? ownEnd : 0.0, inwardLength, n, result);
   }
 
-  void layStretches(const glm::vec3& p, const glm::vec3& inwards, double begin, double end, const glm::vec3& n,
-                    Projected& result) {
+  void compositeStretches(const glm::vec3& p, const glm::vec3& inwards, double begin, double end, const glm::vec3& n,
+                          Projected& result) {
     if (!looksInwards_) return;
     const double reachable = std::min(end, static_cast<double>(settings_.searchLength));
     const double nudge = 4.0 * settings_.tolerance;  // off a root, where rounding decides the sign
     double t = begin > 0.0 ? begin + nudge : 0.0;
     for (int i = 0; i < kMostStretches && t < reachable && result.left() > 0.0f; ++i) {
-      const std::optional<double> in = change(t, reachable, false);
+      const std::optional<double> in = findChange(t, reachable, false);
       if (!in) return;
-      const double out = *in + nudge < end ? change(*in + nudge, end, true).value_or(end) : end;
+      const double out = *in + nudge < end ? findChange(*in + nudge, end, true).value_or(end) : end;
       const double residual = std::abs(scratch_.ray.sample(*in, scratch_.roots).value);
-      lay(p + static_cast<float>(*in) * inwards, *in, prominence(*in, out), residual, n, result);
+      compositeRoot(p + static_cast<float>(*in) * inwards, *in, prominence(*in, out), residual, n, result);
       t = out + nudge;
     }
   }
 
-  void lay(const glm::vec3& position, double distance, double prominent, double residual, const glm::vec3& n,
-           Projected& result) {
+  void compositeRoot(const glm::vec3& position, double distance, double prominent, double residual, const glm::vec3& n,
+                     Projected& result) {
     constexpr double kBegin = static_cast<double>(kFadeBegin);
     const double far = (distance / static_cast<double>(settings_.searchLength) - kBegin) / (1.0 - kBegin);
     const double share = prominent / static_cast<double>(kFullProminence * settings_.iso);
@@ -170,7 +170,7 @@ float omegaAt(const CarriedVertex& vertex, std::span<const float> omega) {
   return sum;
 }
 
-void mix(Surface& surface, std::size_t index, const Replaced& projected, float omega) {
+void blendWithPatch(Surface& surface, std::size_t index, const Replaced& projected, float omega) {
   const glm::vec3 patch = surface.positions[index];
   const glm::vec3 n = surface.normals[index];
   const float patchShare = 1.0f - omega * projected.weight;
@@ -182,7 +182,7 @@ void mix(Surface& surface, std::size_t index, const Replaced& projected, float o
 
 /// Skin on both sides of a muscle that fills a gap would go to its far side, each through the other.
 /// @param patch, n  of the vertex before it moved.
-void drawIn(Surface& surface, std::size_t index, const glm::vec3& patch, const glm::vec3& n, float inverseLimit) {
+void limitRise(Surface& surface, std::size_t index, const glm::vec3& patch, const glm::vec3& n, float inverseLimit) {
   const glm::vec3 way = surface.positions[index] - patch;
   const float rise = glm::length(way);
   const float limited = limitedRise(rise, inverseLimit);
@@ -196,7 +196,7 @@ void drawIn(Surface& surface, std::size_t index, const glm::vec3& patch, const g
 void moveVertex(const CarriedVertex& vertex, std::span<const CarrierCandidate> near, Projector& projector,
                 const FlatVertices& flat, const ImplicitWeights& weights, Surface& surface, VertexCounts& counts) {
   const float weight = omegaAt(vertex, weights.omega);
-  if (weight <= 0.0f || !projector.look(vertex, near)) return;
+  if (weight <= 0.0f || !projector.gatherCandidates(vertex, near)) return;
   const auto index = static_cast<std::size_t>(vertex.index);
   if (!weights.wraps && !projector.isInside(flat.positions[index])) return;
   ++counts.projected;
@@ -230,8 +230,8 @@ void replaceShare(const ControlMesh& mesh, const WalkShare& share, const FieldVi
 void placeReplaced(const Replaced& replaced, float omega, float inverseLimit, std::size_t vertex, Surface& surface) {
   const glm::vec3 patch = surface.positions[vertex];
   const glm::vec3 n = surface.normals[vertex];
-  mix(surface, vertex, replaced, omega);
-  if (inverseLimit > 0.0f) drawIn(surface, vertex, patch, n, inverseLimit);
+  blendWithPatch(surface, vertex, replaced, omega);
+  if (inverseLimit > 0.0f) limitRise(surface, vertex, patch, n, inverseLimit);
 }
 
 void replaceVertex(const CarriedVertex& vertex, const FieldView& field, const ReplaceSettings& settings,
@@ -248,7 +248,8 @@ ImplicitWeights implicitWeights(const ControlMesh& mesh, const FieldView& bindFi
   const auto eachInRegion = [&](auto&& visit) {
     for (int v = 0; v < static_cast<int>(mesh.positions.size()); ++v) {
       const auto index = static_cast<std::size_t>(v);
-      if (!projector.look(CarriedVertex{v, v, {v, v, v}, {1.0f, 0.0f, 0.0f}}, bindField.lists->of(v))) continue;
+      if (!projector.gatherCandidates(CarriedVertex{v, v, {v, v, v}, {1.0f, 0.0f, 0.0f}}, bindField.lists->of(v)))
+        continue;
       if (projector.insideInfluence(flat.positions[index])) visit(index);
     }
   };
@@ -278,8 +279,7 @@ void replace(const ControlMesh& mesh, const FieldView& field, const ReplaceSetti
   scratch.roots.evaluations = {};
   for (const VertexScratch& share : std::span(scratch.shares).first(shares)) {
     add(share.counts, scratch.counts);
-    scratch.roots.evaluations.field += share.roots.evaluations.field;
-    scratch.roots.evaluations.quartic += share.roots.evaluations.quartic;
+    add(share.roots.evaluations, scratch.roots.evaluations);
   }
   tell(scratch, surface.report);
 }

@@ -10,14 +10,14 @@
 #include "hwy/foreach_target.h"
 //
 #include "core/smoothing/projection/tile_field.h"
-#include "core/smoothing/roots/change_lanes.h"
+#include "core/smoothing/roots/root_lanes.h"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Roots laid over each other: replace.h.
-struct LaidLanes {
+/// Roots composited front to back: replace.h.
+struct CompositeLanes {
   V3 position;
   V3 normal;
   V weight;
@@ -45,32 +45,29 @@ struct FoundLanes {
 
 class TileReplacer : TileField {
  public:
-  explicit TileReplacer(ReplaceFrame& frame)
-      : TileField(*frame.tiles, frame.field, *frame.scratch),
-        frame_(frame),
-        tolerance_(static_cast<float>(frame.settings.tolerance)),
-        skin_{zero(), zero(), zero(), zero(), zero(), zero()},
+  explicit TileReplacer(ReplaceInputs& inputs)
+      : TileField(*inputs.tiles, inputs.field, *inputs.scratch),
+        inputs_(inputs),
+        toAnchors_(inputs.wraps && inputs.settings.projection != ProjectionKind::kAnalytic),
+        roots_(inputs.settings.projection, inputs.settings.tolerance),
+        skin_{false, zero(), zero(), zero(), zero(), zero(), zero()},
         asked_(none()),
         open_(none()),
         fallback_(none()) {}
 
   void move(const VertexTile& tile) {
-    start(tile, frame_.flat.positions);
+    start(tile, inputs_.flat.positions);
     if (!gatherNear()) return;
-    if (nearIsShaped()) {
-      leaveToScalar();
-      return;
-    }
-    for (std::size_t first = 0; first < kLanes; first += width()) moveLanes(first);
+    for (first_ = 0; first_ < kLanes; first_ += width()) moveLanes();
   }
 
  private:
   /// The tile's muscles that its vertices' lines can meet. False if there are none.
   bool gatherNear() {
-    float reach = frame_.settings.searchLength;
-    for (int lane = 0; frame_.wraps && lane < tile_->used; ++lane) {
+    float reach = inputs_.settings.searchLength;
+    for (int lane = 0; toAnchors_ && lane < tile_->used; ++lane) {
       const auto v = static_cast<std::size_t>(tile_->vertices[static_cast<std::size_t>(lane)]);
-      reach = std::max(reach, glm::distance(frame_.flat.positions[v], frame_.flat.anchors[v]));
+      reach = std::max(reach, glm::distance(inputs_.flat.positions[v], inputs_.flat.anchors[v]));
     }
     const Bounds box = boundsOfTile();
     nearCount_ = 0;
@@ -84,54 +81,53 @@ class TileReplacer : TileField {
     return nearCount_ > 0;
   }
 
-  void moveLanes(std::size_t first) {
-    first_ = first;
+  void moveLanes() {
     LaneFloats omega;
     LanePoints anchors;
-    for (std::size_t lane = first; lane < first + width(); ++lane) {
+    for (std::size_t lane = first_; lane < first_ + width(); ++lane) {
       const auto v = static_cast<std::size_t>(tile_->vertices[lane]);
-      omega.lane[lane] = frame_.omega[v];
-      anchors.set(lane, frame_.flat.anchors[v]);
-      normals_.set(lane, frame_.flat.normals[v]);
+      omega.lane[lane] = inputs_.omega[v];
+      anchors.set(lane, inputs_.flat.anchors[v]);
+      normals_.set(lane, inputs_.flat.normals[v]);
     }
-    open_ = seenOf(both(asked(first), hn::Gt(hn::Load(kTag, omega.at(first)), zero())));
+    open_ = withMuscles(both(asked(), hn::Gt(hn::Load(kTag, omega.at(first_)), zero())));
     if (!any(open_)) return;
-    const V3 p = points_.load(first);
-    const V3 n = normals_.load(first);
+    const V3 p = points_.load(first_);
+    const V3 n = normals_.load(first_);
     const V3 back = zero3() - n;
-    const V search = all(frame_.settings.searchLength);
+    const V search = all(inputs_.settings.searchLength);
     LineLanes line{p, back, n, search};
-    if (frame_.wraps) {
-      const V3 way = anchors.load(first) - p;
+    if (toAnchors_) {
+      const V3 way = anchors.load(first_) - p;
       line.length = hn::Sqrt(dot(way, way));
       line.inwards = unitOr(way, back);
     }
-    aimAlong(line);
+    fillLines(line);
     const M inside = both(open_, hn::Gt(raysOf(kOn, kFall).sample(zero()).value, zero()));
-    if (!frame_.wraps) open_ = inside;
+    if (!inputs_.wraps) open_ = inside;
     asked_ = open_;
-    LaidLanes laid{zero3(), zero3(), zero(), zero(), none()};
-    layLine(line, inside, laid);
-    if (frame_.wraps) {
+    CompositeLanes composite{zero3(), zero3(), zero(), zero(), none()};
+    compositeLine(line, inside, composite);
+    if (toAnchors_) {
       // The anchor is not always inside.
-      const M again = both(butNot(open_, inside), hn::Gt(laid.left(), zero()));
+      const M again = both(butNot(open_, inside), hn::Gt(composite.left(), zero()));
       fallback_ = again;
       if (any(again)) {
         const LineLanes along{p, back, n, search};
         const M others = butNot(open_, again);
         open_ = again;
-        aimAlong(along);
-        layStretches(along, zero(), laid);
+        fillLines(along);
+        compositeStretches(along, zero(), composite);
         open_ = hn::Or(open_, others);
       }
     } else {
       fallback_ = none();
     }
-    finish(laid, omega);
+    finish(composite, omega);
   }
 
-  /// Of the lanes those that some muscle has weight at.
-  M seenOf(M lanes) const {
+  /// Those lanes that some muscle has weight at.
+  M withMuscles(M lanes) const {
     M seen = none();
     for (std::size_t i = 0; i < static_cast<std::size_t>(tile_->candidateCount) && any(butNot(lanes, seen)); ++i) {
       const LaneFloats& weights = tiles_.weights[static_cast<std::size_t>(tile_->firstCandidate) + i];
@@ -141,33 +137,14 @@ class TileReplacer : TileField {
   }
 
   /// The muscles along the lines, which go on in both directions.
-  void aimAlong(const LineLanes& line) {
+  void fillLines(const LineLanes& line) {
     lineCount_ = 0;
+    clearTerms();
     for (std::size_t k = 0; k < nearCount_; ++k) {
       const std::size_t i = static_cast<std::size_t>(scratch_.near[k]);
-      const PosedPrimitive& muscle = primitive(candidate(i).primitive);
-      const UnitBallMap& ball = muscle.influence;
-      const V factor = weightedStrength(i, muscle, first_);
+      const V factor = weightedStrength(i, primitive(candidate(i).primitive));
       const M seen = both(open_, hn::Ne(factor, zero()));
-      const V3 fromCenter = line.p - all(ball.center);
-      const V along = dot(fromCenter, line.inwards);
-      const V squaredApart = dot(fromCenter, fromCenter);
-      const V within = all(1.01f * ball.boundingRadius * ball.boundingRadius) + all(1e-5f) * squaredApart;
-      if (!any(both(seen, hn::Lt(squaredApart - along * along, within)))) continue;
-      const V3 y = inBall(ball, fromCenter);
-      const V3 yd = inBall(ball, line.inwards);
-      const V squared = dot(yd, yd);
-      const V middle = zero() - dot(y, yd) / squared;
-      const V3 nearest = y + middle * yd;
-      const V peak = all(1.0f) - scaleOf(ball) * dot(nearest, nearest);
-      if (!any(both(seen, hn::Gt(peak, zero())))) continue;
-      LaneTerm& term = scratch_.lines[lineCount_++];
-      hn::Store(scaleOf(ball) * squared, kTag, term.a.at(first_));
-      hn::Store(middle, kTag, term.middle.at(first_));
-      hn::Store(peak, kTag, term.peak.at(first_));
-      hn::Store(factor, kTag, term.factor.at(first_));
-      term.primitive = candidate(i).primitive;
-      term.slot = muscle.strength < 0.0f ? LaneTerm::kEverySum : candidate(i).slot;
+      if (addTerm(i, line.p, line.inwards, factor, seen, false, scratch_.lines[lineCount_])) ++lineCount_;
     }
   }
 
@@ -177,7 +154,7 @@ class TileReplacer : TileField {
   static constexpr float kRise = -1.0f;  ///< ... and where it rises to it.
 
   /// psi = sense (F - T) at way t on the lines.
-  ChangeLanes raysOf(float way, float sense) {
+  RayLanes raysOf(float way, float sense) {
     LaneScratch& lanes = scratch_.lanes;
     lanes.termCount = lineCount_;
     for (std::size_t i = 0; i < lineCount_; ++i) {
@@ -192,66 +169,76 @@ class TileReplacer : TileField {
       term.primitive = line.primitive;
       term.slot = line.slot;
     }
-    const float iso = frame_.settings.iso;
-    skin_ = {all(sense), zero(), zero(), zero(), all(1e30f), all(-sense * iso)};
-    return ChangeLanes(lanes, cliques_, skin_, first_);
+    for (LaneShape& shape : std::span(lanes.shapes).first(lanes.shapeCount)) {
+      shape.way = way;
+      shape.sense = sense;
+    }
+    const float iso = inputs_.settings.iso;
+    skin_ = {false, all(sense), zero(), zero(), zero(), zero(), all(-sense * iso)};
+    return RayLanes(lanes, cliques_, skin_, first_);
   }
 
-  /// Lanes that cannot be vouched for leave open_.
-  FoundLanes change(const ChangeLanes& rays, V begin, V end, M active) {
-    const LaneSearch search = rays.first(begin, end, active);
-    V t = zero();
-    const M solved = rays.solve(search, tolerance_, 5e-8f / tolerance_, t);
-    open_ = butNot(open_, butNot(active, hn::Or(solved, search.rootless)));
-    return {t, both(both(active, solved), open_)};
+  /// First change of sign. Lanes that cannot be vouched for leave open_.
+  FoundLanes findChange(const RayLanes& rays, V begin, V end, M active) {
+    if (roots_.method == ProjectionKind::kAnalytic) {
+      // Quartics lie between breakpoints: there is no root before the first or after the last.
+      const Range influence = rays.influence();
+      begin = hn::Max(begin, influence.low);
+      end = hn::Min(end, influence.high);
+    }
+    const LaneSearch search = rays.bracketBetween(begin, end, active);
+    const LaneRoots roots = solve(rays, search, roots_);
+    open_ = butNot(open_, butNot(active, hn::Or(roots.solved, search.rootless)));
+    return {roots.t, both(both(active, roots.solved), open_)};
   }
 
   /// Largest F - T over a stretch, by samples, or as much as counts whole. @param rays  looking for falls.
-  /// @param most  what is known already.
-  V prominence(const ChangeLanes& rays, V begin, V end, M active, V most) const {
-    const V whole = all(kFullProminence * frame_.settings.iso);
+  /// @param largest  what is known already.
+  V prominence(const RayLanes& rays, V begin, V end, M active, V largest) const {
+    const V whole = all(kFullProminence * inputs_.settings.iso);
     for (const int tenths : kProminenceSamples) {
-      if (!any(both(active, hn::Lt(most, whole)))) break;
+      if (!any(both(active, hn::Lt(largest, whole)))) break;
       const V t = begin + (end - begin) * all(0.1f * static_cast<float>(tenths));
-      most = hn::Max(most, rays.sample(t).value);
+      largest = hn::Max(largest, rays.sample(t).value);
     }
-    return most;
+    return largest;
   }
 
-  void layLine(const LineLanes& line, M inside, LaidLanes& laid) {
+  void compositeLine(const LineLanes& line, M inside, CompositeLanes& composite) {
     V ownEnd = zero();
     if (any(inside)) {
-      const ChangeLanes out = raysOf(kBack, kFall);
-      const FoundLanes root = change(out, zero(), all(frame_.settings.searchLength), inside);
+      const RayLanes out = raysOf(kBack, kFall);
+      const FoundLanes root = findChange(out, zero(), all(inputs_.settings.searchLength), inside);
       const V outside = prominence(out, zero(), root.t, root.found, zero());
       const V residual = hn::Abs(out.sample(root.t).value);
-      const ChangeLanes on = raysOf(kOn, kFall);
-      const FoundLanes own = change(on, zero(), line.length, both(inside, open_));
+      const RayLanes on = raysOf(kOn, kFall);
+      const FoundLanes own = findChange(on, zero(), line.length, both(inside, open_));
       ownEnd = choose(own.found, own.t, choose(inside, line.length, zero()));
       const V atSkin = hn::Max(outside, on.sample(zero()).value);
-      const V most = prominence(on, zero(), ownEnd, root.found, atSkin);
-      lay(line, zero() - root.t, {most, residual}, both(root.found, open_), laid);
+      const V largest = prominence(on, zero(), ownEnd, root.found, atSkin);
+      compositeRoot(line, zero() - root.t, {largest, residual}, both(root.found, open_), composite);
     }
-    if (frame_.wraps) layStretches(line, ownEnd, laid);
+    if (inputs_.wraps) compositeStretches(line, ownEnd, composite);
   }
 
   /// From `begin` inwards, as long as there is weight left.
-  void layStretches(const LineLanes& line, V begin, LaidLanes& laid) {
-    const V reachable = hn::Min(line.length, all(frame_.settings.searchLength));
-    const V nudge = all(4.0f * tolerance_);  // Off a root, where rounding decides the sign.
+  void compositeStretches(const LineLanes& line, V begin, CompositeLanes& composite) {
+    const V reachable = hn::Min(line.length, all(inputs_.settings.searchLength));
+    const V nudge = all(4.0f * roots_.tolerance);  // Off a root, where rounding decides the sign.
     V t = choose(hn::Gt(begin, zero()), begin + nudge, zero());
     M goesOn = open_;
     for (int i = 0; i < kMostStretches; ++i) {
-      goesOn = both(both(goesOn, open_), both(hn::Lt(t, reachable), hn::Gt(laid.left(), zero())));
+      goesOn = both(both(goesOn, open_), both(hn::Lt(t, reachable), hn::Gt(composite.left(), zero())));
       if (!any(goesOn)) return;
-      const FoundLanes in = change(raysOf(kOn, kRise), t, reachable, goesOn);
+      const FoundLanes in = findChange(raysOf(kOn, kRise), t, reachable, goesOn);
       goesOn = in.found;
       if (!any(goesOn)) return;
-      const ChangeLanes falls = raysOf(kOn, kFall);
-      const FoundLanes out = change(falls, in.t + nudge, line.length, goesOn);
+      const RayLanes falls = raysOf(kOn, kFall);
+      const FoundLanes out = findChange(falls, in.t + nudge, line.length, goesOn);
       const V end = choose(out.found, out.t, line.length);
       const V residual = hn::Abs(falls.sample(in.t).value);
-      lay(line, in.t, {prominence(falls, in.t, end, goesOn, zero()), residual}, both(goesOn, open_), laid);
+      compositeRoot(line, in.t, {prominence(falls, in.t, end, goesOn, zero()), residual}, both(goesOn, open_),
+                    composite);
       t = end + nudge;
     }
   }
@@ -267,52 +254,50 @@ class TileReplacer : TileField {
   };
 
   /// A root at t inwards. The rays are those that look inwards for falls.
-  void lay(const LineLanes& line, V t, const RootLanes& root, M mask, LaidLanes& laid) {
+  void compositeRoot(const LineLanes& line, V t, const RootLanes& root, M mask, CompositeLanes& composite) {
     if (!any(mask)) return;
-    const V far = (hn::Abs(t) / all(frame_.settings.searchLength) - all(kFadeBegin)) / all(1.0f - kFadeBegin);
-    const V share = root.prominence / all(kFullProminence * frame_.settings.iso);
+    const V far = (hn::Abs(t) / all(inputs_.settings.searchLength) - all(kFadeBegin)) / all(1.0f - kFadeBegin);
+    const V share = root.prominence / all(kFullProminence * inputs_.settings.iso);
     const V own = eased(share) * (all(1.0f) - eased(far));
     const M whole = hn::Ge(own, all(1.0f));
-    const V weight = choose(whole, laid.left(), own * laid.left());
-    laid.found = hn::Or(laid.found, mask);
-    laid.residual = choose(mask, hn::Max(laid.residual, root.residual), laid.residual);
+    const V weight = choose(whole, composite.left(), own * composite.left());
+    composite.found = hn::Or(composite.found, mask);
+    composite.residual = choose(mask, hn::Max(composite.residual, root.residual), composite.residual);
     const M counts = both(mask, hn::Gt(weight, zero()));
     if (!any(counts)) return;
     const V3 x = line.p + t * line.inwards;
-    const ChangeLanes rays(scratch_.lanes, cliques_, skin_, first_);
+    const RayLanes rays(scratch_.lanes, cliques_, skin_, first_);
     V value;
-    const V3 gradient = gradientAt(x, rays, skin_, t, value, first_);
+    const V3 gradient = gradientAt(x, rays, t, value);
     const V3 normal = unitOr(zero3() - gradient, line.n);
-    laid.position = choose(counts, laid.position + weight * x, laid.position);
-    laid.normal = choose(counts, laid.normal + weight * normal, laid.normal);
-    laid.weight = choose(counts, choose(whole, all(1.0f), laid.weight + weight), laid.weight);
+    composite.position = choose(counts, composite.position + weight * x, composite.position);
+    composite.normal = choose(counts, composite.normal + weight * normal, composite.normal);
+    composite.weight = choose(counts, choose(whole, all(1.0f), composite.weight + weight), composite.weight);
   }
 
-  void finish(const LaidLanes& laid, const LaneFloats& omega) {
-    giveUp(butNot(asked_, open_), first_);
+  void finish(const CompositeLanes& composite, const LaneFloats& omega) {
+    giveUp(butNot(asked_, open_));
     const M done = both(asked_, open_);
     scratch_.counts.projected += static_cast<int>(hn::CountTrue(kTag, done));
-    scratch_.counts.unresolved += static_cast<int>(hn::CountTrue(kTag, butNot(done, laid.found)));
+    scratch_.counts.unresolved += static_cast<int>(hn::CountTrue(kTag, butNot(done, composite.found)));
     scratch_.counts.anchorFallbacks += static_cast<int>(hn::CountTrue(kTag, both(done, fallback_)));
-    const V residual = choose(both(done, laid.found), laid.residual, zero());
-    scratch_.counts.residualMax =
-        std::max(scratch_.counts.residualMax, static_cast<double>(hn::GetLane(hn::MaxOfLanes(kTag, residual))));
+    countResidual(choose(both(done, composite.found), composite.residual, zero()));
     LanePoints positions;
     LaneFloats weights;
-    positions.store(laid.position, first_);
-    normals_.store(laid.normal, first_);
-    hn::Store(laid.weight, kTag, weights.at(first_));
-    forEach(both(done, hn::Gt(laid.weight, zero())), first_, [&](std::size_t lane) {
+    positions.store(composite.position, first_);
+    normals_.store(composite.normal, first_);
+    hn::Store(composite.weight, kTag, weights.at(first_));
+    forEach(both(done, hn::Gt(composite.weight, zero())), first_, [&](std::size_t lane) {
       const auto v = static_cast<std::size_t>(tile_->vertices[lane]);
-      const float limit = frame_.wraps || frame_.flat.inverseLimits.empty() ? 0.0f : frame_.flat.inverseLimits[v];
+      const float limit = inputs_.wraps || inputs_.flat.inverseLimits.empty() ? 0.0f : inputs_.flat.inverseLimits[v];
       placeReplaced({positions.at(lane), normals_.at(lane), weights.lane[lane]}, omega.lane[lane], limit, v,
-                    *frame_.surface);
+                    *inputs_.surface);
     });
   }
 
-  ReplaceFrame& frame_;
-  float tolerance_;
-  std::size_t first_ = 0;
+  ReplaceInputs& inputs_;
+  bool toAnchors_;  ///< Lines go to the anchors, otherwise along the normals.
+  RootSettings roots_;
   std::size_t lineCount_ = 0;  ///< Of scratch_.lines.
   LaneSkin skin_;
   M asked_;
@@ -321,9 +306,9 @@ class TileReplacer : TileField {
   LanePoints normals_;
 };
 
-void replaceTiles(ReplaceFrame& frame) {
-  TileReplacer replacer(frame);
-  for (const VertexTile& tile : frame.asked) replacer.move(tile);
+void replaceTiles(ReplaceInputs& inputs) {
+  TileReplacer replacer(inputs);
+  for (const VertexTile& tile : inputs.asked) replacer.move(tile);
 }
 
 }  // namespace sinew::HWY_NAMESPACE

@@ -11,7 +11,7 @@
 namespace sinew {
 
 /// All that some of a frame's tiles need. The kernel allocates nothing.
-struct ReplaceFrame {
+struct ReplaceInputs {
   const VertexTiles* tiles = nullptr;
   std::span<const VertexTile> asked;  ///< Those of them that are moved.
   FieldView field;
@@ -23,7 +23,7 @@ struct ReplaceFrame {
   TileScratch* scratch = nullptr;
 };
 
-using ReplaceKernel = void (*)(ReplaceFrame& frame);
+using ReplaceKernel = void (*)(ReplaceInputs& inputs);
 
 /// The kernel for a set that this machine runs (instruction_set.h). All give the same bits.
 [[nodiscard]] ReplaceKernel replaceKernel(InstructionSet set);

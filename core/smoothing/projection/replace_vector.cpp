@@ -1,7 +1,5 @@
-// core/smoothing/projection/replace_vector.cpp: memory for the kernel, and what it leaves to the scalar path.
+// core/smoothing/projection/replace_vector.cpp: kernels for the tiles, replaceVertex() for what they leave.
 #include "core/smoothing/projection/replace_vector.h"
-
-#include <algorithm>
 
 #include "core/smoothing/patches/patch.h"
 #include "core/smoothing/projection/replace_kernel.h"
@@ -14,36 +12,21 @@ void replaceInTiles(const ControlMesh& mesh, const FieldView& field, const Repla
                     InstructionSet set, Surface& surface, ProjectionScratch& scratch) {
   scratch.omega.resize(surface.positions.size());
   interpolateValues(mesh, *surface.refinement, weights.omega, scratch.omega);
-  const std::size_t ranges = forTileRanges(tiles, scratch, [&](std::span<const VertexTile> asked, std::size_t range) {
-    ReplaceFrame frame{
-        &tiles, asked, field, settings, flat, weights.wraps, scratch.omega, &surface, &scratch.tiles[range]};
-    replaceKernel(set)(frame);
-  });
-
-  SmoothingReport& report = surface.report;
-  report.uncertified = 0;
-  scratch.counts = {};
-  scratch.roots.evaluations = {};
-  for (std::size_t range = 0; range < ranges; ++range) {
-    const TileScratch& used = scratch.tiles[range];
-    report.uncertified += static_cast<int>(used.uncertified.size());
-    scratch.roots.evaluations.field += used.lanes.evaluations;
-    add(used.counts, scratch.counts);
-    for (const std::vector<int>* left : {&used.uncertified, &used.shaped}) {
-      for (const int vertex : *left) {
-        replaceVertex(carriedVertex(mesh, *surface.refinement, vertex), field, settings, flat, weights, surface,
-                      scratch);
-      }
-    }
-  }
-  tell(scratch, report);
+  const auto moveTiles = [&](std::span<const VertexTile> asked, TileScratch& range) {
+    ReplaceInputs inputs{&tiles, asked, field, settings, flat, weights.wraps, scratch.omega, &surface, &range};
+    replaceKernel(set)(inputs);
+  };
+  const auto moveVertex = [&](int vertex, VertexScratch& range) {
+    replaceVertex(carriedVertex(mesh, *surface.refinement, vertex), field, settings, flat, weights, surface, range);
+  };
+  projectTiles(tiles, scratch, surface.report, moveTiles, moveVertex);
 }
 
 void replaceAsChosen(const ControlMesh& mesh, const FieldView& field, const ReplaceSettings& settings,
                      const FlatVertices& flat, const ImplicitWeights& weights, const VertexTiles& tiles,
                      Surface& surface, ProjectionScratch& scratch) {
   const InstructionSet set = chosenInstructionSet();
-  if (set == InstructionSet::kScalar || settings.projection != ProjectionKind::kNewton) {
+  if (set == InstructionSet::kScalar) {
     replace(mesh, field, settings, flat, weights, surface, scratch);
   } else {
     replaceInTiles(mesh, field, settings, flat, weights, tiles, set, surface, scratch);

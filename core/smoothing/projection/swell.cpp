@@ -54,22 +54,22 @@ class Sweller {
         isoRadius_(isoRadius(static_cast<double>(settings.iso))) {}
 
   void move(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
-    weigh(vertex, near);
+    gatherCandidates(vertex, near);
     if (scratch_.candidates.empty()) return;
     const auto index = static_cast<std::size_t>(vertex.index);
     const glm::vec3 p = surface_.positions[index];
     const CliqueLists& cliques = field_.lists->cliquesOf(vertex.carrier);
     const float onSkin = sampleField(field_.primitives, scratch_.candidates, cliques, p, scratch_.field).value;
     if (onSkin == 0.0f) return;
-    ++surface_.report.projected;
+    ++scratch_.counts.projected;
     const SkinField skin(isoRadius_, blendWidthAt(p));
-    const double s = root(skin, p, rise_.directions[index], onSkin > 0.0f, cliques);
+    const double s = findRoot(skin, p, rise_.directions[index], onSkin > 0.0f, cliques);
     if (s == 0.0) return;
     place(skin, index, static_cast<float>(s), cliques);
   }
 
  private:
-  void weigh(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
+  void gatherCandidates(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
     scratch_.candidates.clear();
     for (const CarrierCandidate& candidate : near) {
       const float weight = candidate.weightAt(vertex.barycentric);
@@ -95,8 +95,8 @@ class Sweller {
   }
 
   /// s*, signed along the direction.
-  double root(const SkinField& skin, const glm::vec3& p, const glm::vec3& outwards, bool outward,
-              const CliqueLists& cliques) {
+  double findRoot(const SkinField& skin, const glm::vec3& p, const glm::vec3& outwards, bool outward,
+                  const CliqueLists& cliques) {
     scratch_.ray.reset(static_cast<double>(settings_.iso), cliques);
     scratch_.ray.addTerm(skin.term(outward));
     const glm::vec3 direction = outward ? outwards : -outwards;
@@ -113,8 +113,8 @@ class Sweller {
     // own field stops at the plateau, continuously.
     const double t = found.value_or(end);
     if (found)
-      surface_.report.residualMax =
-          std::max(surface_.report.residualMax, std::abs(scratch_.ray.sample(t, scratch_.roots).value));
+      scratch_.counts.residualMax =
+          std::max(scratch_.counts.residualMax, std::abs(scratch_.ray.sample(t, scratch_.roots).value));
     return outward ? t : -t;
   }
 
@@ -152,11 +152,12 @@ void swellVertex(const CarriedVertex& vertex, const FieldView& field, const Swel
 void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
            Surface& surface, ProjectionScratch& scratch) {
   scratch.roots.evaluations = {};
+  scratch.counts = {};
   Sweller sweller(field, settings, rise, surface, scratch);
   forEachReachable(
       mesh, *surface.refinement, field, surface.positions, Reach::kOverlapping, {}, scratch.walk,
       [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) { sweller.move(vertex, near); });
-  surface.report.evaluations = scratch.roots.evaluations;
+  tell(scratch, surface.report);
 }
 
 }  // namespace sinew

@@ -13,7 +13,7 @@
 namespace sinew {
 
 /// All that some of a frame's tiles need. The kernel allocates nothing.
-struct SwellFrame {
+struct SwellInputs {
   const VertexTiles* tiles = nullptr;
   std::span<const VertexTile> asked;  ///< Those of them that are moved.
   FieldView field;
@@ -23,7 +23,7 @@ struct SwellFrame {
   TileScratch* scratch = nullptr;
 };
 
-using SwellKernel = void (*)(SwellFrame& frame);
+using SwellKernel = void (*)(SwellInputs& inputs);
 
 /// The kernel for a set that this machine runs (instruction_set.h); null for kScalar.
 [[nodiscard]] SwellKernel swellKernel(InstructionSet set);

@@ -16,60 +16,64 @@ std::array<double, 5> powerBasis(const Quartic& q) {
           b[4] - 4.0 * b[3] + 6.0 * b[2] - 4.0 * b[1] + b[0]};
 }
 
-void addQuadraticRoots(double b, double c, std::vector<double>& roots) {  // u^2 + b u + c
+void addQuadraticRoots(double b, double c, RealRoots& roots) {  // u^2 + b u + c
   const double half = -0.5 * b;
   const double discriminant = half * half - c;
   // A double root comes out slightly negative by rounding; relative, as an absolute bound loses roots (Ferrari's trap).
   if (discriminant < -1e-12 * (half * half + std::abs(c))) return;
   const double root = std::sqrt(std::max(discriminant, 0.0));
   const double far = half >= 0.0 ? half + root : half - root;
-  roots.push_back(far);
-  roots.push_back(far != 0.0 ? c / far : 0.0);
+  roots.add(far);
+  roots.add(far != 0.0 ? c / far : 0.0);
 }
 
 /// Real roots of u^3 + a u^2 + b u + c.
-std::vector<double> cubicRoots(double a, double b, double c) {
+RealRoots cubicRoots(double a, double b, double c) {
   const double q = (a * a - 3.0 * b) / 9.0;
   const double r = (2.0 * a * a * a - 9.0 * a * b + 27.0 * c) / 54.0;
   if (r * r < q * q * q) {
     const double angle = std::acos(std::clamp(r / std::sqrt(q * q * q), -1.0, 1.0));
     const double scale = -2.0 * std::sqrt(q);
     constexpr double kThird = 2.0 * std::numbers::pi / 3.0;
-    return {scale * std::cos(angle / 3.0) - a / 3.0, scale * std::cos(angle / 3.0 + kThird) - a / 3.0,
-            scale * std::cos(angle / 3.0 - kThird) - a / 3.0};
+    RealRoots roots;
+    for (const double turn : {0.0, kThird, -kThird}) roots.add(scale * std::cos(angle / 3.0 + turn) - a / 3.0);
+    return roots;
   }
   const double s = -std::copysign(std::cbrt(std::abs(r) + std::sqrt(std::max(r * r - q * q * q, 0.0))), r);
   const double t = s != 0.0 ? q / s : 0.0;
-  return {s + t - a / 3.0};
+  RealRoots roots;
+  roots.add(s + t - a / 3.0);
+  return roots;
 }
 
 /// Real roots of u^4 + a u^3 + b u^2 + c u + d.
-std::vector<double> monicQuarticRoots(double a, double b, double c, double d) {
+RealRoots monicQuarticRoots(double a, double b, double c, double d) {
   // Depressed: y^4 + p y^2 + q y + r, u = y - a/4.
   const double a2 = a * a;
   const double p = b - 0.375 * a2;
   const double q = c - 0.5 * a * b + 0.125 * a2 * a;
   const double r = d - 0.25 * a * c + 0.0625 * a2 * b - 3.0 / 256.0 * a2 * a2;
   const double shift = -0.25 * a;
-  std::vector<double> roots;
+  RealRoots roots;
   // One active ellipsoid makes the quartic biquadratic: q is rounding, judged beside the terms it was summed from.
   const double qScale = std::abs(c) + std::abs(0.5 * a * b) + std::abs(0.125 * a2 * a);
   double z = 0.0;
-  if (std::abs(q) > 1e-12 * qScale) z = std::ranges::max(cubicRoots(2.0 * p, p * p - 4.0 * r, -q * q));
+  if (std::abs(q) > 1e-12 * qScale) z = std::ranges::max(cubicRoots(2.0 * p, p * p - 4.0 * r, -q * q).all());
   if (z > 0.0) {
     const double s = std::sqrt(z);
     addQuadraticRoots(s, 0.5 * (p + z - q / s), roots);
     addQuadraticRoots(-s, 0.5 * (p + z + q / s), roots);
   } else {
-    std::vector<double> squares;
+    RealRoots squares;
     addQuadraticRoots(p, r, squares);
-    for (const double square : squares) {
+    for (const double square : squares.all()) {
       if (square < -1e-12 * std::abs(p)) continue;
       const double root = std::sqrt(std::max(square, 0.0));
-      roots.insert(roots.end(), {-root, root});
+      roots.add(-root);
+      roots.add(root);
     }
   }
-  for (double& root : roots) root += shift;
+  for (double& root : roots.all()) root += shift;
   return roots;
 }
 
@@ -123,10 +127,13 @@ std::optional<double> firstFallClosedForm(const Quartic& q, double from, double 
   if (std::ranges::all_of(q.b, [](double value) { return value > 0.0; })) return std::nullopt;
   if (evaluations) ++*evaluations;
   const std::array<double, 5> c = powerBasis(q);
-  std::vector<double> roots = realRoots(c);
-  for (double& root : roots) root = polished(c, root);
-  std::erase_if(roots, [&](double root) { return !(root > from && root <= 1.0); });
-  std::ranges::sort(roots);
+  RealRoots inside;
+  const RealRoots everywhere = realRoots(c);
+  for (const double root : everywhere.all()) {
+    const double close = polished(c, root);
+    if (close > from && close <= 1.0) inside.add(close);
+  }
+  const std::span<const double> roots = inside.all();
   for (std::size_t i = 0; i < roots.size(); ++i) {
     const double after = i + 1 < roots.size() ? 0.5 * (roots[i] + roots[i + 1]) : 0.5 * (roots[i] + 1.0);
     if (q.at(after) < 0.0 || (roots[i] == 1.0 && q.b[4] <= 0.0)) return roots[i];
@@ -135,11 +142,11 @@ std::optional<double> firstFallClosedForm(const Quartic& q, double from, double 
   return q.b[4] < 0.0 ? firstFallIsolated(q, from, tolerance, BracketSolver::kNewton, evaluations) : std::nullopt;
 }
 
-std::vector<double> realRoots(const std::array<double, 5>& c) {
+RealRoots realRoots(const std::array<double, 5>& c) {
   double largest = 0.0;
   for (const double value : c) largest = std::max(largest, std::abs(value));
   const double negligible = 1e-13 * largest;
-  std::vector<double> roots;
+  RealRoots roots;
   if (std::abs(c[4]) > negligible) {
     roots = monicQuarticRoots(c[3] / c[4], c[2] / c[4], c[1] / c[4], c[0] / c[4]);
   } else if (std::abs(c[3]) > negligible) {
@@ -147,9 +154,8 @@ std::vector<double> realRoots(const std::array<double, 5>& c) {
   } else if (std::abs(c[2]) > negligible) {
     addQuadraticRoots(c[1] / c[2], c[0] / c[2], roots);
   } else if (std::abs(c[1]) > negligible) {
-    roots.push_back(-c[0] / c[1]);
+    roots.add(-c[0] / c[1]);
   }
-  std::ranges::sort(roots);
   return roots;
 }
 

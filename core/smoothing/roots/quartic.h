@@ -2,10 +2,11 @@
 #pragma once
 
 #include <array>
+#include <cassert>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace sinew {
 
@@ -57,8 +58,25 @@ struct Quartic {
 [[nodiscard]] std::optional<double> firstFallClosedForm(const Quartic& q, double from, double tolerance,
                                                         std::int64_t* evaluations = nullptr);
 
+/// Up to four numbers, ascending.
+class RealRoots {
+ public:
+  void add(double root) {
+    assert(count_ < roots_.size());
+    std::size_t place = count_++;
+    for (; place > 0 && roots_[place - 1] > root; --place) roots_[place] = roots_[place - 1];
+    roots_[place] = root;
+  }
+  [[nodiscard]] std::span<double> all() { return std::span(roots_).first(count_); }
+  [[nodiscard]] std::span<const double> all() const { return std::span(roots_).first(count_); }
+
+ private:
+  std::array<double, 4> roots_{};
+  std::size_t count_ = 0;
+};
+
 /// Real roots of c[0] + c[1] u + ... + c[4] u^4, ascending, multiple roots possibly once. Leading coefficients that are
 /// negligible beside the others count as zero.
-[[nodiscard]] std::vector<double> realRoots(const std::array<double, 5>& c);
+[[nodiscard]] RealRoots realRoots(const std::array<double, 5>& c);
 
 }  // namespace sinew
