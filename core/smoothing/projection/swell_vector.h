@@ -8,9 +8,9 @@
 
 namespace sinew {
 
-/// As swell(), to 1e-6 H (by bisection to 1e-4): 16 vertices at a time, and vertex by vertex where the first root is not
-/// certain (TileScratch::uncertified). All instruction sets and any number of threads give the same bits, and a vertex
-/// gets the same whatever lies beside it.
+/// As swell(), to 1e-6 H (by bisection to 1e-4): 16 vertices at a time, and vertex by vertex where the first root is
+/// not certain (TileScratch::uncertified). All instruction sets and any number of threads give the same bits, and a
+/// vertex gets the same whatever lies beside it.
 /// @param tiles  of the field's lists.  @param set  not kScalar; one that this machine runs.
 void swellInTiles(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
                   const VertexTiles& tiles, InstructionSet set, Surface& surface, ProjectionScratch& scratch);
