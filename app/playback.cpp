@@ -150,12 +150,11 @@ Result<bool> LiveSurface::prepareIfChanged(const Document& document, int depth, 
 
 /// While a rig is refused, the surface is that of another rig than the one the document poses.
 void LiveSurface::smooth(const Document& document, const std::optional<glm::vec3>& eye) {
-  if (preparation_->poser == document.poser()) {
-    sinew::smooth(preparation_, document.posedRig(pose_), pose_, eye, memory_, surface_);
-  } else {
-    const PosedRig former = preparation_->poser->pose(pose_);
-    sinew::smooth(preparation_, former, pose_, eye, memory_, surface_);
-  }
+  Stopwatch watch;
+  const bool accepted = preparation_->poser == document.poser();
+  if (!accepted) preparation_->poser->pose(pose_, former_);
+  const PosedRig& rig = accepted ? document.posedRig(pose_) : former_;
+  sinew::smooth(preparation_, rig, pose_, eye, memory_, surface_, watch.lap());
 }
 
 void LiveSurface::movePose(const Transport& transport) {

@@ -100,6 +100,7 @@ class LiveSurface {
   std::shared_ptr<const Preparation> preparation_;  ///< Of the last rig that was accepted.
   BlendingGraphMemo graphs_;
   SmoothingMemory memory_;
+  PosedRig former_;  ///< The accepted rig in pose_, while the document's is refused.
   Pose pose_;
   Surface surface_;
   std::size_t revision_ = 0;

@@ -34,9 +34,9 @@ void RigPoser::poseLines(const Pose& pose, PosedRig& out) const {
 
 PosedMuscle RigPoser::posedMuscle(const Ride& ride, const Placement& placement, const Pose& pose,
                                   const PosedRig& in) const {
-  if (ride.bone < 0) return {};
   PosedMuscle muscle;
   muscle.line = ride.line;
+  if (ride.bone < 0) return muscle;
   muscle.usable = ride.line < 0 || at(in.lines, ride.line).usable;
   muscle.carrier = carrierInWorld(ride.bone, ride.line, *skeleton_, pose, in.lines);
   muscle.body = {muscle.carrier, placement};

@@ -1,5 +1,5 @@
 // core/primitives/potential.h: the quartic potential and the constants that follow from the iso value. What relies on
-// its formula beside these functions: CONTRIBUTING.md, A formula of the surface.
+// its formula beside these functions: CONTRIBUTING.md, Another potential g.
 #pragma once
 
 #include <cmath>

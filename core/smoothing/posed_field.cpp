@@ -12,8 +12,8 @@ void readDriven(const std::shared_ptr<const Preparation>& preparation, const Pos
   setNumbers(rig.numbers, preparation->iso, preparation->attached->attachment, out.driven);
   out.bind = &preparation->bind;
   if (rig.numbers.primitives == preparation->poser->drawn().primitives) return;
-  if (out.readFrom != preparation || out.readWith != rig.numbers.primitives) {
-    out.drivenBind = readBindPose(*preparation, out.driven);
+  if (!out.readFrom || out.readWith != rig.numbers.primitives) {
+    readBindPose(*preparation, out.driven, out.scratch, out.drivenBind);
     out.readWith = rig.numbers.primitives;
     out.readFrom = preparation;
   }
@@ -34,9 +34,10 @@ void placePrimitives(const Preparation& preparation, std::span<const FieldPrimit
 
 }  // namespace
 
-void poseField(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, const Pose& pose,
-               PosedField& out) {
+void poseFieldAndSkin(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, const Pose& pose,
+                      PosedField& out) {
   out.rig = &rig;
+  if (out.readFrom != preparation) out.readFrom.reset();  // Nothing keeps a former preparation alive.
   out.bind = &preparation->bind;
   const bool driven = preparation->poser->drivesMuscles();
   if (driven) readDriven(preparation, rig, out);

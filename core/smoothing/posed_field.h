@@ -19,12 +19,13 @@ struct PosedField {
   // Where keys or drivers change primitives.
   std::vector<FieldPrimitive> driven;  ///< [A]
   BindReading drivenBind;
-  std::vector<MuscleNumbers> readWith;               ///< Of which drivenBind was read,
-  std::shared_ptr<const Preparation> readFrom = {};  ///< and in which preparation.
+  std::vector<MuscleNumbers> readWith;            ///< The numbers that drivenBind was read with,
+  std::shared_ptr<const Preparation> readFrom{};  ///< and the preparation; null: it holds nothing.
+  BindScratch scratch;
 };
 
 /// @param rig  posed by preparation->poser in this pose; must outlive the use of `out`.
-void poseField(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, const Pose& pose,
-               PosedField& out);
+void poseFieldAndSkin(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, const Pose& pose,
+                      PosedField& out);
 
 }  // namespace sinew

@@ -6,6 +6,7 @@
 
 #include "core/base/at.h"
 #include "core/lanes/instruction_set.h"
+#include "core/mesh/creases.h"
 #include "core/rig/validation.h"
 #include "core/smoothing/finish/fold_relaxation.h"
 #include "core/smoothing/patches/patch.h"
@@ -56,7 +57,7 @@ void hide(std::span<const int> hidden, const Preparation* former, Preparation& n
 
 std::shared_ptr<const ControlMesh> creasedMesh(const ControlMesh& mesh, float degrees, const Preparation* former) {
   if (degrees >= kNoCreases) return nullptr;
-  if (former && former->refined->creaseAngle == degrees) return former->refined->creased;
+  if (former && former->smoothing.creaseAngle == degrees) return former->refined->creased;
   auto result = std::make_shared<const ControlMesh>(creased(mesh, degrees));
   return hasCreases(*result) ? result : nullptr;
 }
@@ -66,15 +67,9 @@ std::shared_ptr<const RefinedMesh> refineMesh(const CharacterTables& tables, con
   const ControlMesh& mesh = tables.character->mesh;
   const std::shared_ptr<const ControlMesh> creased = creasedMesh(mesh, smoothing.creaseAngle, former);
   const RefinedMesh* known = former ? former->refined.get() : nullptr;
-  if (known && known->refinement->depth == smoothing.depth && known->creased == creased) {
-    if (known->creaseAngle == smoothing.creaseAngle) return former->refined;
-    auto same = std::make_shared<RefinedMesh>(*known);
-    same->creaseAngle = smoothing.creaseAngle;
-    return same;
-  }
+  if (known && known->refinement->depth == smoothing.depth && known->creased == creased) return former->refined;
   auto refined = std::make_shared<RefinedMesh>();
   refined->creased = creased;
-  refined->creaseAngle = smoothing.creaseAngle;
   refined->refinement = std::make_shared<const Refinement>(refine(creased ? *creased : mesh, smoothing.depth));
   const Refinement& refinement = *refined->refinement;
   refined->inverseLimits.resize(toIndex(refinement.vertexCount));
@@ -110,15 +105,13 @@ std::shared_ptr<const std::vector<Anchor>> anchorsOf(const Preparation& next, co
   return std::make_shared<const std::vector<Anchor>>(findAnchors(next.character().skeleton, positions));
 }
 
-ImplicitWeights replaceWeights(const Preparation& preparation, const FieldView& bindField, const Pose& bind) {
+ImplicitWeights replaceWeights(const Preparation& preparation, const FieldView& bindField, const Pose& bind,
+                               BindScratch& scratch) {
   const ControlMesh& mesh = preparation.mesh();
-  std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> normals;
-  std::vector<glm::vec3> anchors;
-  evaluatePatch(preparation, PatchKind::kFlat, mesh.positions, mesh.normals, positions, normals);
-  poseAnchors(*preparation.anchors, bind, anchors);
-  ProjectionScratch scratch;
-  return implicitWeights(mesh, bindField, replaceSettings(preparation), {positions, normals, anchors}, scratch);
+  evaluatePatch(preparation, PatchKind::kFlat, mesh.positions, mesh.normals, scratch.positions, scratch.normals);
+  poseAnchors(*preparation.anchors, bind, scratch.anchors);
+  return implicitWeights(mesh, bindField, replaceSettings(preparation),
+                         {scratch.positions, scratch.normals, scratch.anchors}, scratch.projection);
 }
 
 }  // namespace
@@ -156,20 +149,19 @@ Result<std::shared_ptr<const Preparation>> prepare(const std::shared_ptr<const C
   next->tiles = tilesOf(*next, former);
   next->bindFronts = bindFrontsOf(*next, former);
   next->anchors = anchorsOf(*next, former);
-  next->bind = readBindPose(*next, next->primitives);
+  BindScratch scratch;
+  readBindPose(*next, next->primitives, scratch, next->bind);
   return std::shared_ptr<const Preparation>(std::move(next));
 }
 
-BindReading readBindPose(const Preparation& preparation, std::span<const FieldPrimitive> primitives) {
+void readBindPose(const Preparation& preparation, std::span<const FieldPrimitive> primitives, BindScratch& scratch,
+                  BindReading& out) {
   const Pose bind = bindPose(preparation.character().skeleton);
-  std::vector<PosedPrimitive> posed;
-  poseField(primitives, bind.boneInWorld, posed);
-  const FieldView bindField{posed, preparation.seen.get(), {}};
-  BindReading reading;
-  if (preparation.swells()) reading.weights = {influenceWeights(preparation.mesh(), bindField)};
-  else reading.weights = replaceWeights(preparation, bindField, bind);
-  reading.classes = classifyTriangles(preparation.mesh(), reading.weights.omega);
-  return reading;
+  poseField(primitives, bind.boneInWorld, scratch.primitives);
+  const FieldView bindField{scratch.primitives, preparation.seen.get(), {}};
+  if (preparation.swells()) out.weights = {influenceWeights(preparation.mesh(), bindField)};
+  else out.weights = replaceWeights(preparation, bindField, bind, scratch);
+  out.classes = classifyTriangles(preparation.mesh(), out.weights.omega);
 }
 
 SwellSettings swellSettings(const Preparation& preparation, float skinBlend) {

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "core/drivers/posed_rig.h"
-#include "core/mesh/creases.h"
 #include "core/rig/attachment.h"
 #include "core/smoothing/finish/vertex_rings.h"
 #include "core/smoothing/projection/anchors.h"
 #include "core/smoothing/projection/candidates.h"
+#include "core/smoothing/projection/projection_scratch.h"
 #include "core/smoothing/projection/replace.h"
 #include "core/smoothing/projection/swell.h"
 #include "core/smoothing/projection/vertex_tiles.h"
@@ -41,7 +41,6 @@ struct AttachedRig {
 /// The refined mesh and what follows from its connectivity.
 struct RefinedMesh {
   std::shared_ptr<const ControlMesh> creased;  ///< The character's mesh with creased wedges; null if none are.
-  float creaseAngle = kNoCreases;              ///< What `creased` was made with.
   std::shared_ptr<const Refinement> refinement;
   std::vector<float> inverseLimits;    ///< [V'] of the rise.
   std::vector<std::uint8_t> isBorder;  ///< [V']
@@ -81,7 +80,7 @@ struct Preparation {
 /// What a preparation may be asked beyond its rig.
 struct PreparationOptions {
   std::span<const int> hidden{};            ///< Indices into the rig's primitives, ascending, that contribute nothing.
-  std::optional<int> depth{};               ///< In place of the rig's.
+  std::optional<int> depth{};               ///< 1..kMaxDepth, in place of the rig's.
   std::shared_ptr<const RigPoser> poser{};  ///< Of this rig and character, if there is one already.
 };
 
@@ -92,9 +91,18 @@ struct PreparationOptions {
                                                                  const Rig& rig, const PreparationOptions& options,
                                                                  const Preparation* former, BlendingGraphMemo& graphs);
 
+/// Memory for reading the bind pose again and again.
+struct BindScratch {
+  std::vector<PosedPrimitive> primitives;
+  std::vector<glm::vec3> positions;  ///< [V'] flat.
+  std::vector<glm::vec3> normals;    ///< [V']
+  std::vector<glm::vec3> anchors;    ///< [V']
+  ProjectionScratch projection;
+};
 /// Reads the bind pose with primitives in other shapes than those drawn.
 /// @param primitives [A]
-[[nodiscard]] BindReading readBindPose(const Preparation& preparation, std::span<const FieldPrimitive> primitives);
+void readBindPose(const Preparation& preparation, std::span<const FieldPrimitive> primitives, BindScratch& scratch,
+                  BindReading& out);
 
 /// Constants of the modes. @param skinBlend  as it is in a pose
 [[nodiscard]] SwellSettings swellSettings(const Preparation& preparation, float skinBlend);

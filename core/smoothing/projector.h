@@ -15,7 +15,7 @@ struct Projection {
   FieldView field;  ///< Muscles that are seen, and carriers that are not asked for.
 };
 
-/// One way to compute what both modes define. All agree to 1e-6 H (docs/design.md, Projection).
+/// One way to compute what both modes define. They agree as docs/design.md promises (Projection): to 1e-6 H by newton.
 struct Projector {
   const char* name;
   /// `surface` holds the patch on entry; fills positions, normals, displacement and counts in the report.

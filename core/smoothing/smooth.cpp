@@ -15,14 +15,14 @@ constexpr int kMinSharedReplace = 1'000;
 }  // namespace
 
 void smooth(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, const Pose& pose,
-            const std::optional<glm::vec3>& eye, SmoothingMemory& memory, Surface& out) {
+            const std::optional<glm::vec3>& eye, SmoothingMemory& memory, Surface& out, double posingSeconds) {
   const Preparation& p = *preparation;
   std::optional<ThreadLimit> alone;
   if (p.refinement().vertexCount < (p.swells() ? kMinSharedSwell : kMinSharedReplace)) alone.emplace(1);
   StageSeconds seconds;
   Stopwatch watch;
-  poseField(preparation, rig, pose, memory.posed);
-  seconds.skin = watch.lap();
+  poseFieldAndSkin(preparation, rig, pose, memory.posed);
+  seconds.skin = posingSeconds + watch.lap();
   layPatch(p, memory.posed, memory.workspace, out);
   seconds.patch = watch.lap();
   project(p, memory.posed, pose, eye, memory.workspace, out);

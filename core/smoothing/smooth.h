@@ -16,7 +16,8 @@ struct SmoothingMemory {
 
 /// Skin, patch, project, remove folds, shading normals. Threads may share the preparation, each with memory of its own.
 /// @param rig  posed by preparation->poser in this pose.  @param eye  as in Smoother::smooth
+/// @param posingSeconds  what posing the rig took: counted with the skin
 void smooth(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, const Pose& pose,
-            const std::optional<glm::vec3>& eye, SmoothingMemory& memory, Surface& out);
+            const std::optional<glm::vec3>& eye, SmoothingMemory& memory, Surface& out, double posingSeconds = 0.0);
 
 }  // namespace sinew

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/base/stopwatch.h"
 #include "core/smoothing/preparation.h"
 #include "core/smoothing/smooth.h"
 
@@ -14,6 +15,7 @@ struct Smoother::State {
   std::shared_ptr<const Preparation> preparation;  ///< Null until prepare() has succeeded.
   BlendingGraphMemo graphs;
   int attachments = 0;
+  std::vector<int> unattached;
   PosedRig rig;
   SmoothingMemory memory;
 };
@@ -34,6 +36,7 @@ Smoother Smoother::twin() const {
   state->preparation = state_->preparation;
   state->graphs = state_->graphs;
   state->attachments = state_->attachments;
+  state->unattached = state_->unattached;
   return Smoother(std::move(state));
 }
 
@@ -44,22 +47,21 @@ Result<void> Smoother::prepare(const Rig& rig, std::span<const int> hidden) {
   if (!prepared) return prepared.error();
   if (!former || former->attached != prepared.value()->attached) ++state_->attachments;
   state_->preparation = std::move(prepared).value();
+  state_->unattached = state_->preparation->attached->attachment.unattached;
   return {};
 }
 
 void Smoother::smooth(const Pose& pose, Surface& out, const std::optional<glm::vec3>& eye) {
   assert(state_->preparation && "prepare() first");
+  Stopwatch watch;
   state_->preparation->poser->pose(pose, state_->rig);
-  sinew::smooth(state_->preparation, state_->rig, pose, eye, state_->memory, out);
+  sinew::smooth(state_->preparation, state_->rig, pose, eye, state_->memory, out, watch.lap());
 }
 
 const Character& Smoother::character() const { return *state_->tables->character; }
 
 PreparationCounts Smoother::preparationCounts() const { return {state_->attachments, state_->graphs.enumerations()}; }
 
-const std::vector<int>& Smoother::unattached() const {
-  static const std::vector<int> kNone;
-  return state_->preparation ? state_->preparation->attached->attachment.unattached : kNone;
-}
+const std::vector<int>& Smoother::unattached() const { return state_->unattached; }
 
 }  // namespace sinew

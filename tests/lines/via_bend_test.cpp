@@ -126,7 +126,7 @@ TEST(ViaBend, DrawnMusclesAreThoseOfTheField) {
   for (float time = 0.0f; time < clip.duration; time += 0.1f) {
     const Pose pose = samplePose(character->skeleton, clip, time);
     const PosedRig posedRig = preparation->poser->pose(pose);
-    poseField(preparation, posedRig, pose, field);
+    poseFieldAndSkin(preparation, posedRig, pose, field);
     const std::vector<PosedPrimitive>& posed = field.primitives;
     for (std::size_t i = 0; i < posed.size(); ++i) {
       const auto index = static_cast<std::size_t>(preparation->attached->attachment.rigIndex[i]);

@@ -127,12 +127,12 @@ TEST_F(LiveSurfaceTest, AnEditIsNotCopiedOnItsWayToTheSurface) {
   Rig rig = document.rig();
   for (int i = 0; i < 7; ++i) rig = addPrimitive(std::move(rig), muscle).value();
   document.commands.apply("Muscles", rig);
-  auto live = LiveSurface::create(document.character, document.commands, {});
+  auto live = LiveSurface::create(document, {});
   ASSERT_TRUE(live.ok()) << live.error().text();
   document.commands.apply("Rename", renamePrimitive(std::move(rig), 0, "other").value());
   const test::RigCopies copies(document.rig());
-  ASSERT_TRUE(live.value().update(document.commands).value());
-  EXPECT_LE(copies.count(), 1) << "the Smoother may keep one";
+  ASSERT_TRUE(live.value().update(document).value());
+  EXPECT_EQ(copies.count(), 0);
 }
 
 TEST_F(LiveSurfaceTest, ARefusedRigLeavesTheSurfaceAndIsToldOnce) {

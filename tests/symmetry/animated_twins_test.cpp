@@ -1,6 +1,7 @@
 // tests/symmetry/animated_twins_test.cpp: driven twins are mirror images in mirrored poses.
 
 #include "core/symmetry/animated_twins.h"
+#include "core/rig/animated_edit.h"
 
 #include <algorithm>
 #include <array>

@@ -25,9 +25,9 @@ struct Projected : Replaced {
   [[nodiscard]] float left() const { return 1.0f - weight; }
 };
 
-class Projector {
+class VertexReplacer {
  public:
-  Projector(const FieldView& field, const ReplaceSettings& settings, VertexScratch& scratch)
+  VertexReplacer(const FieldView& field, const ReplaceSettings& settings, VertexScratch& scratch)
       : field_(field), settings_(settings), scratch_(scratch) {}
 
   /// Reads the candidates of a vertex; false where none has weight.
@@ -193,7 +193,7 @@ void limitRise(Surface& surface, std::size_t index, const glm::vec3& patch, cons
   surface.displacement[index] *= share;
 }
 
-void moveVertex(const CarriedVertex& vertex, std::span<const CarrierCandidate> near, Projector& projector,
+void moveVertex(const CarriedVertex& vertex, std::span<const CarrierCandidate> near, VertexReplacer& projector,
                 const FlatVertices& flat, const ImplicitWeights& weights, Surface& surface, VertexCounts& counts) {
   const float weight = omegaAt(vertex, weights.omega);
   if (weight <= 0.0f || !projector.gatherCandidates(vertex, near)) return;
@@ -217,7 +217,7 @@ void replaceShare(const ControlMesh& mesh, const WalkShare& share, const FieldVi
                   Surface& surface, VertexScratch& scratch) {
   scratch.roots.evaluations = {};
   scratch.counts = {};
-  Projector projector(field, settings, scratch);
+  VertexReplacer projector(field, settings, scratch);
   const auto move = [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
     moveVertex(vertex, near, projector, flat, weights, surface, scratch.counts);
   };
@@ -236,7 +236,7 @@ void placeReplaced(const Replaced& replaced, float omega, float inverseLimit, st
 
 void replaceVertex(const CarriedVertex& vertex, const FieldView& field, const ReplaceSettings& settings,
                    const FlatVertices& flat, const ImplicitWeights& weights, Surface& surface, VertexScratch& scratch) {
-  Projector projector(field, settings, scratch);
+  VertexReplacer projector(field, settings, scratch);
   moveVertex(vertex, field.lists->of(vertex.carrier), projector, flat, weights, surface, scratch.counts);
 }
 
@@ -244,7 +244,7 @@ ImplicitWeights implicitWeights(const ControlMesh& mesh, const FieldView& bindFi
                                 const FlatVertices& flat, ProjectionScratch& scratch) {
   ImplicitWeights weights;
   weights.omega.assign(mesh.positions.size(), 0.0f);
-  Projector projector(bindField, settings, scratch);
+  VertexReplacer projector(bindField, settings, scratch);
   const auto eachInRegion = [&](auto&& visit) {
     for (int v = 0; v < static_cast<int>(mesh.positions.size()); ++v) {
       const auto index = static_cast<std::size_t>(v);

@@ -47,7 +47,7 @@ const Surface& Projected::bindPatch() const { return state_->bindPatch; }
 const Surface& Projected::at(const Pose& pose) {
   State& state = *state_;
   state.preparation->poser->pose(pose, state.rig);
-  poseField(state.preparation, state.rig, pose, state.posed);
+  poseFieldAndSkin(state.preparation, state.rig, pose, state.posed);
   layPatch(*state.preparation, state.posed, state.workspace, state.surface);
   state.patch = state.surface;
   project(*state.preparation, state.posed, pose, std::nullopt, state.workspace, state.surface);
