@@ -32,7 +32,7 @@ struct ClassColor {
 /// By TriangleClass.
 [[nodiscard]] const std::array<ClassColor, 3>& classColors();
 
-/// Of muscles that are loose (0) to fully flexed (1), sRGB.
+/// Color of muscles from loose (0) to fully flexed (1), sRGB.
 [[nodiscard]] glm::vec3 fleshColor(float activation);
 
 }  // namespace sinew::app

@@ -35,7 +35,7 @@ std::array<glm::vec3, 8> cornersOf(const Bounds& box) {
 /// Sight along `axes`: for each side of the picture, how far the points press against it.
 struct Fit {
   glm::vec2 centre{0.0f};    ///< Right and up of the eye, along the axes.
-  float eyeBackward = 0.0f;  ///< Of a perspective eye, along the axes.
+  float eyeBackward = 0.0f;  ///< Place of a perspective eye, along the axes.
   glm::vec2 halfExtent{0.0f};
   float nearestBackward = 0.0f, furthestBackward = 0.0f;
 };

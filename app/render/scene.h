@@ -90,7 +90,7 @@ struct SceneSegment {
 struct Scene {
   const Character* character = nullptr;
   const Surface* surface = nullptr;
-  std::uint64_t surfaceRevision = 0;  ///< Of one character: equal numbers, equal surfaces, uploaded once. 0: unknown.
+  std::uint64_t surfaceRevision = 0;  ///< Equal for equal surfaces of a character, uploaded once. 0: unknown.
   const Pose* pose = nullptr;
   std::vector<PrimitiveShape> primitives;
   int selectedBone = -1;

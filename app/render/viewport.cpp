@@ -40,8 +40,8 @@ struct Viewport::State {
   bool finish = false;
   bool transparent = false;
   float floor = 0.0f;
-  bool kept = false;               ///< Of the last picture all but `boxes` is the kept background.
-  std::vector<glm::vec4> boxes{};  ///< Of the last picture: the character and its shadow.
+  bool kept = false;               ///< All but `boxes` of the last picture is the kept background.
+  std::vector<glm::vec4> boxes{};  ///< The character and its shadow in the last picture.
   std::vector<glm::vec4> changed{};
   glm::vec3 heldCentre{0.0f};  ///< Frame::groundCentre of the last picture.
   DrawSeconds seconds{};
@@ -49,7 +49,7 @@ struct Viewport::State {
 
 namespace {
 
-constexpr float kHeldWithin = 0.015f;  ///< Of the height: the light on the floor changes by one step in 255 at most.
+constexpr float kHeldWithin = 0.015f;  ///< Fraction of the height: at most one step in 255 of the floor's light.
 constexpr int kFirstShown = 4;         ///< Samples after which a mean is first shown.
 
 FrameBlock blockOf(const Frame& frame, bool occluded) {

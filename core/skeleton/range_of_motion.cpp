@@ -25,7 +25,7 @@ constexpr float kRadians = kPi / 180.0f;
 constexpr int kFramesPerSecond = 30;
 constexpr int kOneWayFrames = 30;
 constexpr int kBothWaysFrames = 45;
-constexpr float kPlaceTolerance = 0.02f;  ///< Of the skeleton's size: how nearly twins lie opposite each other.
+constexpr float kPlaceTolerance = 0.02f;  ///< How nearly twins lie opposite, fraction of the skeleton's size.
 
 // What each kind of joint does --------------------------------------------------------------------------------------
 
@@ -87,7 +87,7 @@ struct Body {
   const Skeleton& skeleton;
   std::vector<JointRole> roles;
   std::vector<int> twinOf;
-  glm::vec3 normal;  ///< Of the mirror plane.
+  glm::vec3 normal;  ///< Normal of the mirror plane.
   glm::vec3 left;    ///< The plane's normal, towards the left.
   glm::vec3 forward;
   std::vector<bool> moves;

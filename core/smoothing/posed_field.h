@@ -19,8 +19,8 @@ struct PosedField {
   // Where keys or drivers change primitives.
   std::vector<FieldPrimitive> driven;  ///< [A]
   BindReading drivenBind;
-  std::vector<MuscleNumbers> readWith;               ///< Of which drivenBind was read,
-  std::shared_ptr<const Preparation> readFrom = {};  ///< and in which preparation.
+  std::vector<MuscleNumbers> readWith;               ///< The numbers that drivenBind was read with,
+  std::shared_ptr<const Preparation> readFrom = {};  ///< and the preparation it was read from.
 };
 
 /// @param rig  posed by preparation->poser in this pose; must outlive the use of `out`.

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargest = 1 << 28;
-constexpr std::size_t kSkinned = 1;  // Of exportKinds(): the quickest.
+constexpr std::size_t kSkinned = 1;  // Index into exportKinds(): the quickest.
 
 class ExportDialogs : public HeadlessEditor {
  protected:

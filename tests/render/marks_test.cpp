@@ -286,7 +286,7 @@ TEST_F(Drawing, TheSameSurfaceIsNotUploadedAgainAndANewOneIs) {
   EXPECT_NE(moved, first);
   viewport->setCharacter(*quad);
   for (glm::vec3& p : moment.surface.positions) p.x -= 0.4f;
-  EXPECT_EQ(picture(), first);  // Of another character a number says nothing.
+  EXPECT_EQ(picture(), first);  // A number says nothing about another character.
 }
 
 }  // namespace

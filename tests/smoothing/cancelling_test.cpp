@@ -11,7 +11,7 @@
 namespace sinew::test {
 namespace {
 
-constexpr float kStays = 1e-4f;  ///< Of H.
+constexpr float kStays = 1e-4f;  ///< Fraction of H.
 
 /// Each muscle of a rig again as a carve: the same ellipsoid, told by another quaternion, so that the sums do not
 /// cancel to the last bit.

@@ -19,7 +19,7 @@ namespace sinew::test {
 namespace {
 
 constexpr double kIso = 0.25;          // T
-constexpr double kRadius = 0.3;        // Of the visible ball.
+constexpr double kRadius = 0.3;        // Radius of the visible ball.
 constexpr double kReach = 2.0;         // k
 constexpr double kSearchLength = 0.4;  // L
 

@@ -26,7 +26,7 @@ namespace sinew::test {
 namespace {
 
 constexpr std::array kProjections{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic};
-constexpr double kSecant = 5e-6;  ///< Of H: what halvings and one secant step leave.
+constexpr double kSecant = 5e-6;  ///< Fraction of H that halvings and one secant step leave.
 
 using CharacterPtr = std::shared_ptr<const Character>;
 

@@ -69,7 +69,7 @@ struct GizmoContext {
   glm::mat4 boneInWorld{1.0f};
   float characterHeight = 1.0f;             ///< H: the step of a snapped move is 1 % of it.
   float uiScale = 1.0f;                     ///< Pixels of View per design pixel.
-  float reach = 2.0f;                       ///< Of the muscle: its belly's limit follows from it.
+  float reach = 2.0f;                       ///< The muscle's reach: its belly's limit follows from it.
   bool shapeHandles = false;                ///< Belly and bend can be pulled.
   std::optional<glm::vec3> pivotInWorld{};  ///< Where the handles stand and turns turn about; else the centre.
 };
@@ -85,8 +85,8 @@ struct GizmoEffect {
   glm::vec3 moved{0.0f};
   glm::vec3 turnAxis{0.0f, 1.0f, 0.0f};  ///< Unit.
   float angle = 0.0f;                    ///< Radians, world sense.
-  glm::vec3 pivot{0.0f};                 ///< Of the turn.
-  glm::vec3 factors{1.0f};               ///< Of the radii, each primitive's own axes. Poles: 1, they pull theirs alone.
+  glm::vec3 pivot{0.0f};                 ///< Center of the turn.
+  glm::vec3 factors{1.0f};  ///< Factors on the radii, each primitive's own axes. Poles: 1, they pull theirs alone.
 };
 
 /// A drag in progress. Deltas are in the chosen axes, relative to the placement at the start.

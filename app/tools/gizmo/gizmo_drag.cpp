@@ -21,10 +21,10 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kPrecise = 0.1f;
-constexpr float kMoveStep = 0.01f;  ///< Of H.
+constexpr float kMoveStep = 0.01f;  ///< Fraction of H.
 constexpr float kAngleStep = kPi / 12.0f;
 constexpr float kFactorStep = 0.1f;
-constexpr float kFarthestMove = 50.0f;  ///< Of H: beyond that the pointer is near an axis' vanishing point.
+constexpr float kFarthestMove = 50.0f;  ///< Multiple of H: beyond that the pointer is near an axis' vanishing point.
 constexpr float kPlanarRing = 0.2f;     ///< |cosine| of ring normal and sight below which a ring counts as edge-on.
 
 glm::mat3 axesMatrix(const GizmoBasis& frame) { return {frame.axes[0], frame.axes[1], frame.axes[2]}; }

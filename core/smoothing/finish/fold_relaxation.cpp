@@ -9,7 +9,7 @@ namespace sinew {
 namespace {
 
 constexpr int kRounds = 16;
-constexpr float kFade = 0.25f;  ///< Of a weight, per round: weights that came and went would swing.
+constexpr float kFade = 0.25f;  ///< Change of a weight per round: weights that came and went would swing.
 
 /// How much a lifted triangle asks for, 0..1: all of it from q = 0 on.
 float weightOf(const Fold& fold) {

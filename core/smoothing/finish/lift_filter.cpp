@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kBentFrom = 0.15f;  ///< c up to which the mesh follows the heights.
 constexpr float kBentWhole = 0.5f;  ///< c from which the filter works whole.
-constexpr float kStep = 0.5f;       ///< Of the way to the mean, a round.
+constexpr float kStep = 0.5f;       ///< Fraction of the way to the mean, per round.
 constexpr int kRounds = 4;
 
 std::size_t sixes(std::span<const int> ring) { return ring.size() / VertexRings::kMultiple; }

@@ -17,13 +17,13 @@ struct alignas(16) LiftPlace {
 /// 1/length of the edges to six neighbours of a ring: those of 0, 2 and 4, 0, those of 1, 3 and 5, 0. It is 0 where
 /// the length is 0 too.
 struct alignas(32) SixEdges {
-  static constexpr std::array<std::size_t, VertexRings::kMultiple> kAt{0, 4, 1, 5, 2, 6};  ///< Of neighbour i.
+  static constexpr std::array<std::size_t, VertexRings::kMultiple> kAt{0, 4, 1, 5, 2, 6};  ///< Place of neighbour i.
   std::array<float, 8> perLength{};
 };
 
 /// Sums over a vertex's neighbours.
 struct LiftSums {
-  float difference = 0.0f;  ///< Of height per length.
+  float difference = 0.0f;  ///< Sum of height differences per length.
   float perLength = 0.0f;
 };
 

@@ -18,7 +18,7 @@ struct VertexRings {
   std::vector<int> neighbours;    ///< Ascending; once where all share two triangles; filled up with the vertex itself.
   std::vector<float> share;       ///< [V'] of one neighbour in the mean; 0 where there is none.
   std::vector<int> cornersBegin;  ///< [V' + 1] into `corners`.
-  std::vector<int> corners;       ///< Of triangles: 3 triangle + which of its corners is the vertex. Ascending.
+  std::vector<int> corners;       ///< Triangle corners: 3 triangle + which of its corners is the vertex. Ascending.
 
   std::vector<int> placeOf;  ///< [3 T n^2] of each corner, its place in `corners`.
 

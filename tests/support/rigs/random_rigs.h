@@ -26,11 +26,11 @@ class Random {
 struct RigRecipe {
   int primitives = 5;
   int groups = 3;           ///< 1..8
-  float linkChance = 0.4f;  ///< Of each pair of groups.
+  float linkChance = 0.4f;  ///< Chance of each pair of groups to be linked.
   float carveChance = 0.15f;
   float radiusLow = 0.03f;  ///< Fractions of H.
   float radiusHigh = 0.10f;
-  float shapedChance = 0.0f;  ///< Of a primitive to be no ellipsoid.
+  float shapedChance = 0.0f;  ///< Chance of a primitive to be no ellipsoid.
 };
 
 /// Any shape that is legal for a reach; plain ones, straight ones and untapered ones among them.

@@ -44,7 +44,7 @@ struct UnitBallMap {
   float inverseRadius = 0.0f;
   float meanRadius = 0.0f;  ///< World: of the ball with the visible body's volume, times the reach.
   UnitForm form = UnitForm::kEllipsoid;
-  UnitShape shape{};  ///< Of kShape.
+  UnitShape shape{};  ///< Where form is kShape.
 
   /// An ellipsoid or a sphere.
   [[nodiscard]] bool isPlain() const { return form != UnitForm::kShape; }

@@ -13,7 +13,7 @@ struct LineSettings;
 struct SurfaceSettings;
 
 enum class Parameter {
-  // Of a primitive.
+  // A primitive's.
   kAmount,
   kCenterX,
   kCenterY,
@@ -23,13 +23,13 @@ enum class Parameter {
   kRadiusZ,
   kReach,
   kShape,  ///< The first number of its shape; the others follow in the order of Shape's members (shapeParameter).
-  // Of a muscle line.
+  // A muscle line's.
   kActivation = kShape + kShapeNumbers,  ///< LineSettings::base
   kVolume,
   kRest,
   kFlexHeight,
   kFlexWidth,
-  // Of the surface.
+  // The surface's.
   kSkinBlend,
 };
 
