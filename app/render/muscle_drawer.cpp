@@ -229,7 +229,7 @@ void MuscleDrawer::drawGlass(const Frame& frame, const SurfaceDrawer& surface) c
   const bool onDark = frame.settings.background && backdrop.low.g + backdrop.high.g < 0.5f;
   program.set("contourColor", onDark ? kLightContour : kDarkContour);
   program.set("depthScale", glm::vec2(clip[2][2], clip[3][2]));
-  glVertexAttrib4f(5, 1.0f, 1.0f, 1.0f, 1.0f);  // For surfaces without colours.
+  glVertexAttrib4f(5, 1.0f, 1.0f, 1.0f, 1.0f);  // For surfaces without colors.
   // Depth first: one layer of glass, never two.
   glDisable(GL_BLEND);
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);

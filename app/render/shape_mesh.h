@@ -21,7 +21,7 @@ struct ShapeInstance {
   FormVectors form{};     ///< A shape's, where style.w > 0.
 };
 
-/// The surface rho = `scale` of a primitive, made of the unit ball; colour, outline and glow are left to the caller.
+/// The surface rho = `scale` of a primitive, made of the unit ball; color, outline and glow are left to the caller.
 [[nodiscard]] ShapeInstance shellOf(const PrimitiveShape& shape, float scale);
 
 class ShapeMesh {

@@ -78,7 +78,7 @@ int longestSide(const ControlMesh& mesh, const ControlTriangle& triangle) {
   return longest;
 }
 
-/// [T] The direction in which each face counts; zero only for one without area and without a neighbour that has any.
+/// [T] The direction in which each face counts; zero only for one without area and without a neighbor that has any.
 std::vector<glm::dvec3> faceNormals(const ControlMesh& mesh, const Sides& sides) {
   std::vector<glm::dvec3> normals;
   normals.reserve(mesh.triangles.size());

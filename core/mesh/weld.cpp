@@ -15,7 +15,7 @@ namespace {
 
 /// Two weights closer than this are the same: the step of an 8-bit weight is 0.004.
 constexpr float kWeightTolerance = 1e-4f;
-/// Cells are this many tolerances wide: wide enough that a vertex rarely has to look into a neighbour cell.
+/// Cells are this many tolerances wide: wide enough that a vertex rarely has to look into a neighbor cell.
 constexpr double kCellInTolerances = 8.0;
 /// At most this many cells along the longest axis, so that cell numbers stay exact in double and in 64 bits.
 constexpr double kMostCells = 1e15;

@@ -93,7 +93,7 @@ std::optional<AffineMap> boneMirror(const glm::mat4& boneInBind, const glm::mat4
   if (!isFinite(map)) return std::nullopt;
   AffineMap mirror{glm::dmat3(map), glm::dvec3(map[3])};
   tidy(mirror);
-  // A centre that a tidy map moves by less than its own rounding is not moved.
+  // A center that a tidy map moves by less than its own rounding is not moved.
   const double reach = glm::length(glm::dvec3(boneInBind[3])) / glm::length(glm::dvec3(twinBoneInBind[0]));
   for (int i = 0; i < 3; ++i) {
     if (std::abs(mirror.offset[i]) < kTidy * reach) mirror.offset[i] = 0.0;
@@ -107,10 +107,10 @@ int MirrorPlan::pairCount() const {
   return pairs;
 }
 
-int MirrorPlan::centreCount() const {
-  int centres = 0;
-  for (std::size_t i = 0; i < twinOf.size(); ++i) centres += twinOf[i] == static_cast<int>(i) ? 1 : 0;
-  return centres;
+int MirrorPlan::centerCount() const {
+  int centers = 0;
+  for (std::size_t i = 0; i < twinOf.size(); ++i) centers += twinOf[i] == static_cast<int>(i) ? 1 : 0;
+  return centers;
 }
 
 Result<std::string> twinBone(const MirrorPlan& plan, const std::string& bone) {

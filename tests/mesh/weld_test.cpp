@@ -303,8 +303,8 @@ TEST(JoinedByPosition, LeavesAWeldedMeshAsItIs) {
   EXPECT_EQ(joined.triangles.size(), mesh.triangles.size());
 }
 
-// Two triangles on one edge, each with vertices of its own: how many wedges depends on the colours there alone.
-TEST(Weld, ColoursSplitWedgesAndNothingElse) {
+// Two triangles on one edge, each with vertices of its own: how many wedges depends on the colors there alone.
+TEST(Weld, ColorsSplitWedgesAndNothingElse) {
   TriangleSoup soup;
   for (const glm::vec3& p : {glm::vec3(0, 0, 0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(1, 0, 0),
                              glm::vec3(1, 1, 0), glm::vec3(0, 1, 0)}) {

@@ -317,7 +317,7 @@ TEST_F(ExportDialogs, PlacesThatDoNotExistAreSaidInTheDialog) {
   EXPECT_TRUE(state.session.exports.empty());
 }
 
-TEST_F(ExportDialogs, CancelledInTheMiddleItLeavesNoFile) {
+TEST_F(ExportDialogs, CanceledInTheMiddleItLeavesNoFile) {
   const auto before = names();
   start("long.glb", true);
   finishAfter([&] { return share() > 0.05; });

@@ -26,7 +26,7 @@ Rig undone(Rig rig) {
   return rig;
 }
 
-TEST(Cancelling, AMuscleAndTheCarveThatUndoesItLeaveTheSkin) {
+TEST(Canceling, AMuscleAndTheCarveThatUndoesItLeaveTheSkin) {
   for (const auto& character : {makeLimb(), makeTwoLegged(), makeStrip()}) {
     for (const ProjectionKind projection :
          {ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic}) {
@@ -55,7 +55,7 @@ TEST(Cancelling, AMuscleAndTheCarveThatUndoesItLeaveTheSkin) {
 }
 
 // An influence that just touches a vertex: the field there is rounding, and so must be what it does.
-TEST(Cancelling, AnInfluenceThatBarelyTouchesBarelyMoves) {
+TEST(Canceling, AnInfluenceThatBarelyTouchesBarelyMoves) {
   const auto character = makeLimb();
   RigRecipe recipe;
   recipe.primitives = 1;

@@ -76,7 +76,7 @@ TEST(VectorSwell, EverySetGivesTheSameBits) {
   }
 }
 
-// Where a ray's neighbours meet other muscles than it does, carves among them.
+// Where a ray's neighbors meet other muscles than it does, carves among them.
 TEST(VectorSwell, EverySetGivesTheSameBitsOnRandomRigs) {
   const CharacterPtr character = makeTwoLegged();
   for (std::uint64_t seed = 0; seed < 16; ++seed) {

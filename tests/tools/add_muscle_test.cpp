@@ -20,7 +20,7 @@ using test::BoneScale;
 using test::LimbScene;
 using test::Random;
 
-/// Largest extent of the world ellipsoid along a unit direction, from its centre.
+/// Largest extent of the world ellipsoid along a unit direction, from its center.
 float extentAlong(const glm::mat4& shape, const glm::vec3& direction) {
   return glm::length(glm::transpose(glm::mat3(shape)) * direction);
 }

@@ -1,4 +1,4 @@
-// core/smoothing/finish/fold_relaxation.cpp: vertices of folded triangles move to the mean of their neighbours.
+// core/smoothing/finish/fold_relaxation.cpp: vertices of folded triangles move to the mean of their neighbors.
 #include "core/smoothing/finish/fold_relaxation.h"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ void FoldRelaxation::findMeans(const VertexRings& rings, std::span<const glm::ve
   for (const int v : folding_) {
     const glm::vec3& own = at(positions, v);
     glm::vec3 sum(0.0f);
-    for (const int neighbour : rings.at(v)) sum += at(positions, neighbour) - own;
+    for (const int neighbor : rings.at(v)) sum += at(positions, neighbor) - own;
     means_.push_back(own + at(rings.share, v) * sum);
   }
 }

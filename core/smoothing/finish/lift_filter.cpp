@@ -60,12 +60,12 @@ bool LiftFilter::weigh(const VertexRings& rings) {
   weighted_.clear();
   weights_.resize(places_.size());
   for (std::size_t i = 0; i < moved_.size(); ++i) {
-    // (M - 1) s = difference / perLength; the mean length is the number of neighbours over that.
+    // (M - 1) s = difference / perLength; the mean length is the number of neighbors over that.
     const float bent = std::abs(sums_[i].difference) * at(rings.share, moved_[i]);
     if (bent <= kBentFrom) continue;
     const float weight = smoothstep(kBentFrom, kBentWhole, bent);
     raise(moved_[i], weight);
-    for (const int neighbour : rings.at(moved_[i])) raise(neighbour, weight);
+    for (const int neighbor : rings.at(moved_[i])) raise(neighbor, weight);
   }
   return !weighted_.empty();
 }

@@ -1,4 +1,4 @@
-// core/smoothing/finish/lift_kernel.cpp: six neighbours at once, compiled once per instruction set.
+// core/smoothing/finish/lift_kernel.cpp: six neighbors at once, compiled once per instruction set.
 #include "core/smoothing/finish/lift_kernel.h"
 
 #include "core/lanes/targets.h"

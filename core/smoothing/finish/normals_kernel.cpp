@@ -22,7 +22,7 @@ constexpr float kFreedom = 0.145f;       ///< About 8 degrees.
 constexpr float kRotationFrom = -0.95f;  ///< Cosine between face normals from which a rotation between them counts.
 constexpr float kRotationWhole = -0.7f;
 constexpr float kTeeth = 0.23f;  ///< Largest weight of the second step.
-// Difference between neighbours' deltas from which the second step works, from which it works whole, and where it ends.
+// Difference between neighbors' deltas from which the second step works, from which it works whole, and where it ends.
 constexpr float kTeethFrom = 0.22f;
 constexpr float kTeethWhole = 0.45f;
 constexpr float kCliffFrom = 0.45f;
@@ -186,22 +186,22 @@ HWY_INLINE const float* placeOf(const NormalsFrame& frame, int vertex) {
   return (frame.vertices[vertex].*kWhat).data();
 }
 
-/// What six neighbours differ by, two in each.
-struct SixNeighbours {
+/// What six neighbors differ by, two in each.
+struct SixNeighbors {
   Pair a;
   Pair b;
   Pair c;
 };
 
 template <OfVertex kWhat>
-HWY_INLINE SixNeighbours differences(const NormalsFrame& frame, const int* ring, const Pair& own) {
+HWY_INLINE SixNeighbors differences(const NormalsFrame& frame, const int* ring, const Pair& own) {
   const auto two = [&](std::size_t i) HWY_ATTR {
     return Pair::join(placeOf<kWhat>(frame, ring[i]), placeOf<kWhat>(frame, ring[i + 1])) - own;
   };
   return {two(0), two(2), two(4)};
 }
 
-/// (M - 1) delta, and the vertices that differ from a neighbour by more than kTeethFrom, with the square of the largest
+/// (M - 1) delta, and the vertices that differ from a neighbor by more than kTeethFrom, with the square of the largest
 /// difference. Returns how many.
 std::size_t listTeeth(const NormalsFrame& frame, std::size_t begin, std::size_t end) {
   int* teeth = frame.teeth.data() + begin;
@@ -215,7 +215,7 @@ std::size_t listTeeth(const NormalsFrame& frame, std::size_t begin, std::size_t 
     Pair most = sum;
     const std::span<const int> ring = frame.rings->at(vertex);
     for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
-      const SixNeighbours six = differences<&NormalsVertex::delta>(frame, ring.data() + i, own);
+      const SixNeighbors six = differences<&NormalsVertex::delta>(frame, ring.data() + i, own);
       sum = sum + ((six.a + six.b) + six.c);
       most = max(most, sums(six.a * six.a, six.b * six.b, six.c * six.c, six.c * six.c));
     }
@@ -277,7 +277,7 @@ void removeTeeth(const NormalsFrame& frame, std::size_t begin, std::size_t count
     Pair sum = Pair::all(0.0f);
     const std::span<const int> ring = frame.rings->at(vertex);
     for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
-      const SixNeighbours six = differences<&NormalsVertex::first>(frame, ring.data() + i, own);
+      const SixNeighbors six = differences<&NormalsVertex::first>(frame, ring.data() + i, own);
       sum = sum + ((six.a + six.b) + six.c);
     }
     const Vector second = Vector::all(frame.weights[tooth] * frame.rings->share[v]) * (lower(sum) + upper(sum));

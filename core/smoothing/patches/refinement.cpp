@@ -59,7 +59,7 @@ class Builder {
   int addDrawn(int refinedVertex, const glm::vec2& uv, const glm::vec4& color) {
     out_.drawVertex.push_back(refinedVertex);
     out_.drawUv.push_back(uv);
-    // Shares of 1 need not sum to 1 in floats, and glTF allows no colour above 1.
+    // Shares of 1 need not sum to 1 in floats, and glTF allows no color above 1.
     if (colored_) out_.drawColor.push_back(glm::clamp(color, 0.0f, 1.0f));
     return static_cast<int>(out_.drawVertex.size()) - 1;
   }

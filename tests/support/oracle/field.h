@@ -71,7 +71,7 @@ class Field {
     int bone = 0;
     int group = 0;
     Vec centerInBone;
-    Mat unitToBone;  ///< Unit ball -> influence ellipsoid about its centre, bone space.
+    Mat unitToBone;  ///< Unit ball -> influence ellipsoid about its center, bone space.
     Shape shape;
     double reach = 1.0;
     double strength = 1.0;

@@ -36,7 +36,7 @@ struct RigRecipe {
 /// Any shape that is legal for a reach; plain ones, straight ones and untapered ones among them.
 [[nodiscard]] Shape randomShape(Random& random, float reach);
 
-/// Ellipsoids as a designer might set them: centres a little under or over the skin of random bones, any orientation,
+/// Ellipsoids as a designer might set them: centers a little under or over the skin of random bones, any orientation,
 /// reach 1.2 to 2; default territories but for a few.
 [[nodiscard]] Rig randomRig(const Character& character, const RigRecipe& recipe, std::uint64_t seed);
 
@@ -44,7 +44,7 @@ struct RigRecipe {
 /// bind pose.
 [[nodiscard]] Pose randomPose(const Skeleton& skeleton, float angle, float stretch, std::uint64_t seed);
 
-/// One ellipsoid of the given radii (character units) on a bone, centred at a bind-pose point in the world.
+/// One ellipsoid of the given radii (character units) on a bone, centered at a bind-pose point in the world.
 [[nodiscard]] Primitive ellipsoidAt(const Character& character, const std::string& name, const std::string& bone,
                                     const std::string& group, const glm::vec3& centerInBindWorld,
                                     const glm::vec3& radii);

@@ -34,7 +34,7 @@ struct RayQuadratic {
 enum class UnitForm : std::uint8_t { kEllipsoid, kSphere, kShape };
 
 /// An influence in the world as the affine map that takes an ellipsoid's to the unit ball, |toUnit (x - center)| < 1
-/// inside, and any other's to its unit space. Centre and map are kept apart: x^T Q x about a far origin would cancel.
+/// inside, and any other's to its unit space. Center and map are kept apart: x^T Q x about a far origin would cancel.
 struct UnitBallMap {
   glm::mat3 toUnit{1.0f};
   glm::vec3 center{0.0f};       ///< World.

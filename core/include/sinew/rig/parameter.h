@@ -46,7 +46,7 @@ enum class ParameterOwner { kPrimitive, kLine, kSurface };
 [[nodiscard]] constexpr Parameter shapeParameter(int number) {
   return static_cast<Parameter>(static_cast<int>(Parameter::kShape) + number);
 }
-/// In character units, bone space: a coordinate of the centre, or a radius.
+/// In character units, bone space: a coordinate of the center, or a radius.
 [[nodiscard]] constexpr bool isLength(Parameter parameter) {
   return parameter >= Parameter::kCenterX && parameter <= Parameter::kRadiusZ;
 }
