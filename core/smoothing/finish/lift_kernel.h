@@ -27,7 +27,7 @@ struct LiftSums {
   float perLength = 0.0f;
 };
 
-struct LiftFrame {
+struct LiftInputs {
   const VertexRings* rings = nullptr;
   std::span<const int> moved;
   const LiftPlace* places = nullptr;  ///< [V'] read at moved vertices and their neighbors.
@@ -35,7 +35,7 @@ struct LiftFrame {
   LiftSums* sums = nullptr;           ///< Out: [moved]
 };
 
-using LiftKernel = void (*)(const LiftFrame& frame);
+using LiftKernel = void (*)(const LiftInputs& inputs);
 
 /// All give the same bits.
 [[nodiscard]] LiftKernel liftKernel(InstructionSet set);

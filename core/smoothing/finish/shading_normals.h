@@ -40,7 +40,7 @@ class ShadingNormals {
              std::span<glm::vec3> normals);
 
  private:
-  // Scratch of NormalsFrame. What no muscle reaches is never written, and takes no memory.
+  // Scratch of NormalsInputs. What no muscle reaches is never written, and takes no memory.
   ScratchArray<CornerNormals> corners_;
   std::vector<NormalsVertex> vertices_;
   std::vector<float> turns_;
