@@ -25,7 +25,11 @@ constexpr int kMostCompared = 64;
 
 using Cell = std::array<std::int64_t, 3>;
 
-/// For every soup vertex in use, the soup vertex that stands for it.
+/// Finds for every soup vertex in use the soup vertex that stands for it: one at the same place that follows the same
+/// bones with the same weights. Files split vertices at seams, and pieces that are smoothed separately tear the surface
+/// apart (docs/design.md, Welding). Exact duplicates are found by a hash; what is left is compared within the
+/// tolerance, in order of arrival, with the representatives in the cells of a grid around it. Only representatives are
+/// in the grid, so a chain of near vertices cannot collapse into one.
 class Welder {
  public:
   Welder(const TriangleSoup& soup, float tolerance)

@@ -301,6 +301,10 @@ void addKeys(Channel& channel, const JointMovement& movement, int begin, int fra
 
 }  // namespace
 
+/// Writes the script: each joint's role (joint_roles.h) says in which ways it turns and how far. Axes come from where
+/// the bones lie and where the character faces, not from the joints' own axes, which every exporter sets differently.
+/// Twins move in one step, the second as the mirror image of the first, and so do all digits and the whole tail: the
+/// clip stays short.
 std::vector<MovementStep> rangeOfMotionSteps(const Skeleton& skeleton, const RangeOfMotionHints& hints) {
   std::vector<MovementStep> steps;
   if (skeleton.bones.empty()) return steps;

@@ -83,6 +83,10 @@ double distanceTo(const MirrorPlane& plane, const glm::dvec3& pointInWorld) {
   return glm::dot(plane.normal, pointInWorld) - plane.offset;
 }
 
+/// The map from a bone's space to its twin's: to the world, across the plane, and back from the world. It is computed
+/// in double. Exporters usually make twin bones mirror images along their own axes; then the map is a permutation of
+/// axes with signs, and rounding it to exactly that makes the image of an image equal to the original, bit for bit
+/// (mirror.h, Canonical form).
 std::optional<AffineMap> boneMirror(const glm::mat4& boneInBind, const glm::mat4& twinBoneInBind,
                                     const MirrorPlane& plane) {
   const glm::dmat4 bone(boneInBind);
@@ -147,6 +151,9 @@ Result<Primitive> mirroredPrimitive(const MirrorPlan& plan, const Primitive& pri
   return image;
 }
 
+/// Compares a primitive with its own image. An ellipsoid has many placements (axes may be exchanged or turned round),
+/// so ellipsoids are compared by their quadratic forms, the sums of the outer products of their half axes in the world.
+/// Shapes have directions besides, which sameShape() compares.
 bool liesInPlane(const MirrorPlan& plan, const Primitive& primitive, float tolerance) {
   const std::optional<int> bone = plan.skeleton.findBone(primitive.bone);
   if (!bone || at(plan.twinOf, *bone) != *bone) return false;

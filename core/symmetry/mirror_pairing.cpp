@@ -205,6 +205,10 @@ std::vector<std::array<int, 2>> pairsByName(const Skeleton& skeleton) {
   return pairs;
 }
 
+/// Pairs by name come first, unless the bones are far from opposite: a name that lies should not win against the
+/// skeleton. The rest is paired by place. Center bones go first, so that none is paired with another one near the
+/// plane; then the children of counterparts, best fit first, as long as a new pair makes its children eligible; bones
+/// without such kin come last. docs/symmetry.md, The plane and the pairs.
 void pairAll(MirrorPlan& plan, const std::vector<std::array<int, 2>>& named) {
   Placing placing{plan, endsOfBones(plan.skeleton), static_cast<double>(plan.characterHeight)};
   for (const auto& [left, right] : named) {

@@ -57,6 +57,11 @@ void FoldRelaxation::findMeans(const VertexRings& rings, std::span<const glm::ve
   }
 }
 
+/// Moves the corners of folded triangles towards the mean of their neighbors. Such triangles mostly lie on the muscle
+/// in the wrong order: the mean restores the order and stays on the muscle, while a move back to the patch would tear a
+/// pit into it. Each round reads only the positions that the round before has left (Jacobi), so that the order of
+/// triangles does not matter. After the first round only triangles at vertices with a weight are looked at again:
+/// nothing else has changed. docs/design.md, Folds.
 void FoldRelaxation::apply(const VertexRings& rings, std::span<const std::uint8_t> isBorder,
                            std::span<const glm::vec3> patch, FoldRegion& region, FoldMoves& moves,
                            std::span<glm::vec3> positions) {

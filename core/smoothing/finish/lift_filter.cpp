@@ -96,6 +96,10 @@ void LiftFilter::evenOut(const VertexRings& rings, std::span<const float> height
   }
 }
 
+/// Lowers heights that the refined edges cannot follow, by a few steps towards the mean of the neighbors, weighted by
+/// 1/length: that mean leaves heights alone that grow evenly. The sums over the edges decide where the filter works and
+/// serve its first round; the other rounds visit only vertices with a weight, usually few. A round reads only the
+/// heights of the one before, so that the order of vertices does not matter. docs/design.md, Sampling.
 std::span<const float> LiftFilter::apply(const VertexRings& rings, const MovedTriangles& moved,
                                          std::span<const glm::vec3> patch, std::span<glm::vec3> positions,
                                          std::span<float> heights) {

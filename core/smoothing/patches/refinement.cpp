@@ -23,6 +23,10 @@ int interiorIndex(int depth, int j, int k) {
   return index;
 }
 
+/// Splits each control triangle into a lattice of n^2 triangles. Vertices on an edge belong to the edge and are
+/// numbered in its own direction, so that the triangles at it share them and cracks cannot open. Vertices as drawn have
+/// texture coordinates and colors besides: they are shared along an edge only where both triangles have the same two
+/// wedges. docs/design.md, Refinement.
 class Builder {
  public:
   Builder(const ControlMesh& mesh, int depth)
