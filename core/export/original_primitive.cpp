@@ -12,7 +12,9 @@
 namespace sinew::exporting {
 namespace {
 
-constexpr const char* kNotFinite = ": values that are not finite, which glTF does not allow; others stand for them";
+std::string notFinite(const std::string& attribute) {
+  return attribute + ": values that are not finite, which glTF does not allow; others stand for them";
+}
 /// Turns of normals smaller than this are rounding: the file's normal stays, bit for bit.
 constexpr float kSameNormal = 1e-4f;
 
@@ -69,7 +71,7 @@ void OutPrimitives::repair(const std::string& place, GltfRewrite& rewrite, Json&
     const int added = rewrite.addAccessor(
         {bytesOf(*values), TINYGLTF_COMPONENT_TYPE_FLOAT, type, from.count, TINYGLTF_TARGET_ARRAY_BUFFER, bounds});
     attributes.set(attribute.key, added);
-    left.insert(attribute.key + kNotFinite);
+    left.insert(notFinite(attribute.key));
   }
 }
 
@@ -119,7 +121,7 @@ WrittenPrimitive OutPrimitives::writeOriginal(const gltf::SoupPart& part, GltfRe
   for (std::size_t v = 0; v < positions.size(); ++v) {
     if (!normals.empty() && !isFinite(normals[v])) {
       normals[v] = control[v] < 0 ? glm::vec3(0.0f, 0.0f, 1.0f) : into.normal(at(mesh_.normals, control[v]));
-      left.insert(std::string("NORMAL") + kNotFinite);
+      left.insert(notFinite("NORMAL"));
     }
     if (control[v] < 0) {
       weights.push_back(anyWeights(part.node));

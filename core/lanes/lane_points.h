@@ -43,7 +43,6 @@ HWY_INLINE V3 transposedTimes(const glm::mat3& m, const V3& v) {
 HWY_INLINE V3 select(M mask, const V3& yes, const V3& no) {
   return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
 }
-HWY_INLINE V3 choose(M mask, const V3& yes, const V3& no) { return select(mask, yes, no); }
 
 /// As normalizeOr of base/geometry.h, for lengths that a float's square holds; `fallback` for others.
 HWY_INLINE V3 unitOr(const V3& v, const V3& fallback) {

@@ -27,10 +27,8 @@ HWY_INLINE bool any(M mask) { return !hn::AllFalse(kTag, mask); }
 HWY_INLINE M both(M a, M b) { return hn::And(a, b); }
 /// a without b.
 HWY_INLINE M andNot(M a, M b) { return hn::AndNot(b, a); }
-HWY_INLINE M butNot(M a, M b) { return andNot(a, b); }
 HWY_INLINE M none() { return hn::Ne(zero(), zero()); }
 HWY_INLINE V select(M mask, V yes, V no) { return hn::IfThenElse(mask, yes, no); }
-HWY_INLINE V choose(M mask, V yes, V no) { return select(mask, yes, no); }
 
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

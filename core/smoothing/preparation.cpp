@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/at.h"
+#include "core/lanes/instruction_set.h"
 #include "core/rig/validation.h"
 #include "core/smoothing/finish/fold_relaxation.h"
 #include "core/smoothing/patches/patch.h"

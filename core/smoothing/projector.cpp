@@ -42,11 +42,11 @@ void projectScalar(const Projection& projection, const Pose& pose, Workspace& wo
 void projectInVectors(const Projection& projection, const Pose& pose, Workspace& workspace, Surface& surface) {
   const Preparation& p = projection.preparation;
   if (p.swells()) {
-    swellAsChosen(p.mesh(), projection.field, swellSettings(p, projection.posed.rig->numbers.skinBlend),
-                  poseRise(projection, workspace), *p.tiles, surface, workspace.projection);
+    swellInTiles(p.mesh(), projection.field, swellSettings(p, projection.posed.rig->numbers.skinBlend),
+                 poseRise(projection, workspace), *p.tiles, chosenVectorSet(), surface, workspace.projection);
   } else {
-    replaceAsChosen(p.mesh(), projection.field, replaceSettings(p), poseFlat(projection, pose, workspace),
-                    projection.posed.bind->weights, *p.tiles, surface, workspace.projection);
+    replaceInTiles(p.mesh(), projection.field, replaceSettings(p), poseFlat(projection, pose, workspace),
+                   projection.posed.bind->weights, *p.tiles, chosenVectorSet(), surface, workspace.projection);
   }
 }
 

@@ -64,7 +64,7 @@ TEST_P(Threads, MakeTheSameCreases) {
   expectSame(rig);
 }
 
-INSTANTIATE_TEST_SUITE_P(Rigs, Threads, ::testing::Values("humanoid", "horse", "demo", "tangle"),
+INSTANTIATE_TEST_SUITE_P(Rigs, Threads, ::testing::Values("humanoid", "horse", "demo", "wrapped"),
                          [](const auto& rig) { return std::string(rig.param); });
 
 }  // namespace

@@ -162,7 +162,7 @@ void holdToFaces(const NormalsInputs& inputs, const Rows& patchNormals, std::spa
   normals.store(select(held, unitOfSum(own + delta, normal), normal), 0);
   scatterTo(
       delta, [&](std::size_t lane) { return inputs.vertices[vertices[lane]].delta.data(); }, vertices.size());
-  LaneFloats turns;
+  LaneFloats turns{};
   hn::Store(turn, kTag, turns.at(0));
   for (std::size_t lane = 0; lane < vertices.size(); ++lane) inputs.turns[vertices[lane]] = turns.lane[lane];
   forEach(held, 0, [&](std::size_t lane) {

@@ -110,11 +110,11 @@ class TileReplacer : TileField {
     compositeLine(line, inside, composite);
     if (toAnchors_) {
       // The anchor is not always inside.
-      const M again = both(butNot(open_, inside), hn::Gt(composite.left(), zero()));
+      const M again = both(andNot(open_, inside), hn::Gt(composite.left(), zero()));
       fallback_ = again;
       if (any(again)) {
         const LineLanes along{p, back, n, search};
-        const M others = butNot(open_, again);
+        const M others = andNot(open_, again);
         open_ = again;
         fillLines(along);
         compositeStretches(along, zero(), composite);
@@ -129,7 +129,7 @@ class TileReplacer : TileField {
   /// Those lanes that some muscle has weight at.
   M withMuscles(M lanes) const {
     M seen = none();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(tile_->candidateCount) && any(butNot(lanes, seen)); ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(tile_->candidateCount) && any(andNot(lanes, seen)); ++i) {
       const LaneFloats& weights = tiles_.weights[static_cast<std::size_t>(tile_->firstCandidate) + i];
       seen = hn::Or(seen, hn::Gt(hn::Load(kTag, weights.at(first_)), zero()));
     }
@@ -188,7 +188,7 @@ class TileReplacer : TileField {
     }
     const LaneSearch search = rays.bracketBetween(begin, end, active);
     const LaneRoots roots = solve(rays, search, roots_);
-    open_ = butNot(open_, butNot(active, hn::Or(roots.solved, search.rootless)));
+    open_ = andNot(open_, andNot(active, hn::Or(roots.solved, search.rootless)));
     return {roots.t, both(both(active, roots.solved), open_)};
   }
 
@@ -213,7 +213,7 @@ class TileReplacer : TileField {
       const V residual = hn::Abs(out.sample(root.t).value);
       const RayLanes on = raysOf(kOn, kFall);
       const FoundLanes own = findChange(on, zero(), line.length, both(inside, open_));
-      ownEnd = choose(own.found, own.t, choose(inside, line.length, zero()));
+      ownEnd = select(own.found, own.t, select(inside, line.length, zero()));
       const V atSkin = hn::Max(outside, on.sample(zero()).value);
       const V largest = prominence(on, zero(), ownEnd, root.found, atSkin);
       compositeRoot(line, zero() - root.t, {largest, residual}, both(root.found, open_), composite);
@@ -225,7 +225,7 @@ class TileReplacer : TileField {
   void compositeStretches(const LineLanes& line, V begin, CompositeLanes& composite) {
     const V reachable = hn::Min(line.length, all(inputs_.settings.searchLength));
     const V nudge = all(4.0f * roots_.tolerance);  // Off a root, where rounding decides the sign.
-    V t = choose(hn::Gt(begin, zero()), begin + nudge, zero());
+    V t = select(hn::Gt(begin, zero()), begin + nudge, zero());
     M goesOn = open_;
     for (int i = 0; i < kMostStretches; ++i) {
       goesOn = both(both(goesOn, open_), both(hn::Lt(t, reachable), hn::Gt(composite.left(), zero())));
@@ -235,7 +235,7 @@ class TileReplacer : TileField {
       if (!any(goesOn)) return;
       const RayLanes falls = raysOf(kOn, kFall);
       const FoundLanes out = findChange(falls, in.t + nudge, line.length, goesOn);
-      const V end = choose(out.found, out.t, line.length);
+      const V end = select(out.found, out.t, line.length);
       const V residual = hn::Abs(falls.sample(in.t).value);
       compositeRoot(line, in.t, {prominence(falls, in.t, end, goesOn, zero()), residual}, both(goesOn, open_),
                     composite);
@@ -260,9 +260,9 @@ class TileReplacer : TileField {
     const V share = root.prominence / all(kFullProminence * inputs_.settings.iso);
     const V own = eased(share) * (all(1.0f) - eased(far));
     const M whole = hn::Ge(own, all(1.0f));
-    const V weight = choose(whole, composite.left(), own * composite.left());
+    const V weight = select(whole, composite.left(), own * composite.left());
     composite.found = hn::Or(composite.found, mask);
-    composite.residual = choose(mask, hn::Max(composite.residual, root.residual), composite.residual);
+    composite.residual = select(mask, hn::Max(composite.residual, root.residual), composite.residual);
     const M counts = both(mask, hn::Gt(weight, zero()));
     if (!any(counts)) return;
     const V3 x = line.p + t * line.inwards;
@@ -270,18 +270,18 @@ class TileReplacer : TileField {
     V value;
     const V3 gradient = gradientAt(x, rays, t, value);
     const V3 normal = unitOr(zero3() - gradient, line.n);
-    composite.position = choose(counts, composite.position + weight * x, composite.position);
-    composite.normal = choose(counts, composite.normal + weight * normal, composite.normal);
-    composite.weight = choose(counts, choose(whole, all(1.0f), composite.weight + weight), composite.weight);
+    composite.position = select(counts, composite.position + weight * x, composite.position);
+    composite.normal = select(counts, composite.normal + weight * normal, composite.normal);
+    composite.weight = select(counts, select(whole, all(1.0f), composite.weight + weight), composite.weight);
   }
 
   void finish(const CompositeLanes& composite, const LaneFloats& omega) {
-    giveUp(butNot(asked_, open_));
+    giveUp(andNot(asked_, open_));
     const M done = both(asked_, open_);
     scratch_.counts.projected += static_cast<int>(hn::CountTrue(kTag, done));
-    scratch_.counts.unresolved += static_cast<int>(hn::CountTrue(kTag, butNot(done, composite.found)));
+    scratch_.counts.unresolved += static_cast<int>(hn::CountTrue(kTag, andNot(done, composite.found)));
     scratch_.counts.anchorFallbacks += static_cast<int>(hn::CountTrue(kTag, both(done, fallback_)));
-    countResidual(choose(both(done, composite.found), composite.residual, zero()));
+    countResidual(select(both(done, composite.found), composite.residual, zero()));
     LanePoints positions;
     LaneFloats weights;
     positions.store(composite.position, first_);

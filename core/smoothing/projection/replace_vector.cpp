@@ -22,15 +22,4 @@ void replaceInTiles(const ControlMesh& mesh, const FieldView& field, const Repla
   projectTiles(tiles, scratch, surface.report, moveTiles, moveVertex);
 }
 
-void replaceAsChosen(const ControlMesh& mesh, const FieldView& field, const ReplaceSettings& settings,
-                     const FlatVertices& flat, const ImplicitWeights& weights, const VertexTiles& tiles,
-                     Surface& surface, ProjectionScratch& scratch) {
-  const InstructionSet set = chosenInstructionSet();
-  if (set == InstructionSet::kScalar) {
-    replace(mesh, field, settings, flat, weights, surface, scratch);
-  } else {
-    replaceInTiles(mesh, field, settings, flat, weights, tiles, set, surface, scratch);
-  }
-}
-
 }  // namespace sinew

@@ -8,17 +8,11 @@
 
 namespace sinew {
 
-/// As replace() by newton, to 1e-6 H where roots are certain, and vertex by vertex where they are not or where the tile
-/// is near a primitive that is no ellipsoid. All instruction sets and any number of threads give the same bits.
+/// As replace(), to 1e-6 H where roots are certain (by bisection to 1e-4), and vertex by vertex where they are not. All
+/// instruction sets and any number of threads give the same bits.
 /// @param tiles  of the field's lists.  @param set  not kScalar; one that this machine runs.
 void replaceInTiles(const ControlMesh& mesh, const FieldView& field, const ReplaceSettings& settings,
                     const FlatVertices& flat, const ImplicitWeights& weights, const VertexTiles& tiles,
                     InstructionSet set, Surface& surface, ProjectionScratch& scratch);
-
-/// By the instruction set that is chosen for this process: replace() where that is kScalar, or where roots are found by
-/// bisection or analytically, which are there to be compared with newton.
-void replaceAsChosen(const ControlMesh& mesh, const FieldView& field, const ReplaceSettings& settings,
-                     const FlatVertices& flat, const ImplicitWeights& weights, const VertexTiles& tiles,
-                     Surface& surface, ProjectionScratch& scratch);
 
 }  // namespace sinew

@@ -82,8 +82,8 @@ class TileSweller : TileField {
     const LaneRoots roots = solve(rays, search, roots_);
     const M known = both(active, hn::Or(roots.solved, search.rootless));
     scratch_.counts.projected += static_cast<int>(hn::CountTrue(kTag, known));
-    giveUp(butNot(active, known));
-    if (any(known)) place(p, d, rays, {choose(search.rootless, rise.end, roots.t), search.rootless, known});
+    giveUp(andNot(active, known));
+    if (any(known)) place(p, d, rays, {select(search.rootless, rise.end, roots.t), search.rootless, known});
   }
 
   OnSkin sampleSkin(const V3& p) const {
@@ -118,7 +118,7 @@ class TileSweller : TileField {
     const LaneSkin none{false, zero(), zero(), zero(), zero(), zero(), zero()};
     const RayLanes sums(lanes, cliques_, none, first_);
     for (std::size_t k = 0; k < cliques_.count(); ++k) together = hn::Max(together, sums.sumOf(k, 0));
-    const V width = choose(hn::Gt(shares, zero()), widths / shares, all(inputs_.settings.blendWidth));
+    const V width = select(hn::Gt(shares, zero()), widths / shares, all(inputs_.settings.blendWidth));
     return {together + carved, width};
   }
 
@@ -140,11 +140,11 @@ class TileSweller : TileField {
   LaneSkin skinOf(const OnSkin& onSkin) const {
     const M outward = hn::Gt(onSkin.field, zero());
     return {true,
-            choose(outward, all(1.0f), all(-1.0f)),
+            select(outward, all(1.0f), all(-1.0f)),
             all(1.0f - isoRadius_) / onSkin.blendWidth,
             all(isoRadius_),
             all(isoRoot_),
-            choose(outward, all(isoRoot_), all(1e30f)),
+            select(outward, all(isoRoot_), all(1e30f)),
             zero()};
   }
 
@@ -152,12 +152,12 @@ class TileSweller : TileField {
   LaneRise riseOf(const RayLanes& rays, const OnSkin& onSkin) const {
     const LaneSkin& skin = rays.skin();
     const M outward = hn::Gt(skin.sign, zero());
-    LaneRise rise{all(1e30f), zero(), choose(outward, onSkin.blendWidth, all(isoRadius_) / skin.inverseWidth)};
+    LaneRise rise{all(1e30f), zero(), select(outward, onSkin.blendWidth, all(isoRadius_) / skin.inverseWidth)};
     const auto include = [&](M met, const Range& rising, V leave) HWY_ATTR {
-      rise.end = choose(both(met, outward), hn::Max(rise.end, leave), rise.end);
+      rise.end = select(both(met, outward), hn::Max(rise.end, leave), rise.end);
       const M rises = both(met, hn::Gt(rising.high, zero()));
-      rise.from = choose(rises, hn::Min(rise.from, hn::Max(zero(), rising.low)), rise.from);
-      rise.to = choose(rises, hn::Max(rise.to, rising.high), rise.to);
+      rise.from = select(rises, hn::Min(rise.from, hn::Max(zero(), rising.low)), rise.from);
+      rise.to = select(rises, hn::Max(rise.to, rising.high), rise.to);
     };
     for (const LaneTerm& term : rays.terms()) {
       const V factor = rays.load(term.factor);
@@ -165,7 +165,7 @@ class TileSweller : TileField {
       const Range extent = rays.extentOf(term);
       const M met = both(hn::Ne(factor, zero()), liesAhead(rays.load(term.a), middle, rays.load(term.peak)));
       const M adds = hn::Gt(factor, zero());
-      include(met, {choose(adds, extent.low, middle), choose(adds, middle, extent.high)}, extent.high);
+      include(met, {select(adds, extent.low, middle), select(adds, middle, extent.high)}, extent.high);
     }
     for (const LaneShape& shape : rays.shapes()) {
       const ShapeOnRays ray = rays.onRays(shape);
@@ -185,7 +185,7 @@ class TileSweller : TileField {
     const V3 n = normals_.load(first_);
     V field;
     const V3 gradient = gradientAt(p + s * d, rays, t, field);
-    countResidual(choose(butNot(moved, found.rootless), hn::Abs(skin.value(t) + field), zero()));
+    countResidual(select(andNot(moved, found.rootless), hn::Abs(skin.value(t) + field), zero()));
     // s grows by 1 along d and not at all along the skin: its gradient is n / (n.d).
     const V slope = skin.slope(t) / hn::Max(dot(n, d), all(kLeastAlong));
     LaneFloats limits;
@@ -195,9 +195,9 @@ class TileSweller : TileField {
     const V inverse = hn::Load(kTag, limits.at(first_));
     const V limit = all(1.0f) / inverse;
     const M limited = hn::Gt(s * inverse, all(0.5f));
-    const V height = choose(limited, limit - all(0.25f) * limit * limit / s, s);
+    const V height = select(limited, limit - all(0.25f) * limit * limit / s, s);
     const V3 ofField = unitOr(V3{zero(), zero(), zero()} - (slope * n + gradient), n);
-    const V3 normal = choose(limited, unitOr(n + (height / s) * (ofField - n), n), ofField);
+    const V3 normal = select(limited, unitOr(n + (height / s) * (ofField - n), n), ofField);
     write(p + height * d, normal, height, moved);
   }
 

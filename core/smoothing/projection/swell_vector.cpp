@@ -18,14 +18,4 @@ void swellInTiles(const ControlMesh& mesh, const FieldView& field, const SwellSe
   projectTiles(tiles, scratch, surface.report, moveTiles, moveVertex);
 }
 
-void swellAsChosen(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
-                   const VertexTiles& tiles, Surface& surface, ProjectionScratch& scratch) {
-  const InstructionSet set = chosenInstructionSet();
-  if (set == InstructionSet::kScalar) {
-    swell(mesh, field, settings, rise, surface, scratch);
-  } else {
-    swellInTiles(mesh, field, settings, rise, tiles, set, surface, scratch);
-  }
-}
-
 }  // namespace sinew

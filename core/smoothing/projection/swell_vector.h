@@ -8,17 +8,11 @@
 
 namespace sinew {
 
-/// As swell() by newton, to 1e-6 H: 16 vertices at a time, and vertex by vertex where the first root is not certain
-/// (TileScratch::uncertified) or where the tile is near a primitive that is no ellipsoid (TileScratch::shaped). All
-/// instruction sets and any number of threads give the same bits, and among ellipsoids a vertex gets the same whatever
-/// lies beside it.
+/// As swell(), to 1e-6 H (by bisection to 1e-4): 16 vertices at a time, and vertex by vertex where the first root is
+/// not certain (TileScratch::uncertified). All instruction sets and any number of threads give the same bits, and a
+/// vertex gets the same whatever lies beside it.
 /// @param tiles  of the field's lists.  @param set  not kScalar; one that this machine runs.
 void swellInTiles(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
                   const VertexTiles& tiles, InstructionSet set, Surface& surface, ProjectionScratch& scratch);
-
-/// By the instruction set that is chosen for this process: swell() where that is kScalar, or where roots are found by
-/// bisection or analytically, which are there to be compared with newton.
-void swellAsChosen(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
-                   const VertexTiles& tiles, Surface& surface, ProjectionScratch& scratch);
 
 }  // namespace sinew

@@ -166,8 +166,8 @@ class TileField {
     for (std::size_t k = 0; k < cliques_.count(); ++k) {
       const V sum = rays.sumOf(k, 0);
       const M wins = hn::Gt(sign * sum, sign * best);
-      best = choose(wins, sum, best);
-      bestGradient = choose(wins, V3{rays.sumOf(k, 1), rays.sumOf(k, 2), rays.sumOf(k, 3)}, bestGradient);
+      best = select(wins, sum, best);
+      bestGradient = select(wins, V3{rays.sumOf(k, 1), rays.sumOf(k, 2), rays.sumOf(k, 3)}, bestGradient);
     }
     value = value + best;
     return gradient + bestGradient;

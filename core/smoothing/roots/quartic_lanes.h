@@ -43,7 +43,7 @@ HWY_INLINE V largestResolventRoot(V p, V q, V r) {
   // One: Cardano.
   const V size = cubeRoot(hn::Max(all(1e-30f), hn::Abs(cubicR) + hn::Sqrt(hn::Max(zero(), discriminant))));
   const V s = zero() - hn::CopySign(size, cubicR);
-  return choose(hn::Lt(discriminant, zero()), ofThree, s + cubicQ / s) - all(2.0f / 3.0f) * p;
+  return select(hn::Lt(discriminant, zero()), ofThree, s + cubicQ / s) - all(2.0f / 3.0f) * p;
 }
 
 /// Largest real root of y^4 - y^3 + c y^2 + d y + e; of none: not a number, or any.
@@ -62,7 +62,7 @@ HWY_INLINE V largestQuarticRoot(V c, V d, V e) {
   const V ofLeft = hn::Sqrt(left) - half;
   const V ofRight = hn::Sqrt(right) + half;
   const V ofBoth = hn::Max(ofLeft, ofRight);
-  return choose(hn::Lt(left, zero()), ofRight, choose(hn::Lt(right, zero()), ofLeft, ofBoth)) + all(0.25f);
+  return select(hn::Lt(left, zero()), ofRight, select(hn::Lt(right, zero()), ofLeft, ofBoth)) + all(0.25f);
 }
 
 /// psi of ellipsoids between places where terms begin and end: quartics, one a clique.
@@ -80,8 +80,8 @@ class RayQuartics {
       if (!any(open)) return;
       const M above = hn::Gt(rays_.sample(cut.t).value, zero());
       rays_.count(open);
-      search.low = choose(both(open, above), cut.t, search.low);
-      search.high = choose(butNot(open, above), cut.t, search.high);
+      search.low = select(both(open, above), cut.t, search.low);
+      search.high = select(andNot(open, above), cut.t, search.high);
     }
   }
 
@@ -98,7 +98,7 @@ class RayQuartics {
     const V c4 = c.of[4] * tangent * tangent * tangent * scale;
     const V t = search.low + tangent / largestQuarticRoot(c2, c3, c4);
     const M inside = both(hn::Gt(t, search.low), hn::Lt(t, search.high));
-    return choose(butNot(inside, c.hasShape), t, search.low);
+    return select(andNot(inside, c.hasShape), t, search.low);
   }
 
  private:
@@ -115,9 +115,9 @@ class RayQuartics {
       const V apart = hn::Abs(t - middle);
       const M inside = both(hn::Gt(t, search.low), hn::Lt(t, search.high));
       const M closer = both(both(exists, inside), hn::Lt(apart, distance));
-      nearest.t = choose(closer, t, nearest.t);
+      nearest.t = select(closer, t, nearest.t);
       nearest.found = hn::Or(nearest.found, closer);
-      distance = choose(closer, apart, distance);
+      distance = select(closer, apart, distance);
     };
     for (const LaneTerm& term : rays_.terms()) {
       const M exists = both(hn::Ne(rays_.load(term.factor), zero()), hn::Gt(rays_.load(term.peak), zero()));
@@ -147,7 +147,7 @@ class RayQuartics {
       const V peak = rays_.load(term.peak);
       const V d = low - middle;
       const V e = inside - middle;
-      const V counted = choose(hn::Gt(peak - a * e * e, zero()), factor, zero());
+      const V counted = select(hn::Gt(peak - a * e * e, zero()), factor, zero());
       // w = w0 + w1 u - a u^2
       const V w0 = peak - a * d * d;
       const V w1 = all(-2.0f) * a * d;
@@ -173,7 +173,7 @@ class RayQuartics {
     if (!skin.falls) return {skin.offset, zero(), zero(), zero(), zero()};
     // w = 1 - (r + k u)^2
     const M there = hn::Lt(skin.fall(inside), skin.maxFall);
-    const V k = choose(there, skin.sign * skin.inverseWidth, zero());
+    const V k = select(there, skin.sign * skin.inverseWidth, zero());
     const V r = skin.radius(low);
     const V w = skin.root(low);
     const V kk = k * k;
@@ -187,7 +187,7 @@ class RayQuartics {
     std::array<V, 5> best{zero(), zero(), zero(), zero(), zero()};
     for (std::size_t clique = 0; clique < rays_.cliques().count(); ++clique) {
       const M wins = hn::Gt(sign * rays_.sumOf(clique, 0), sign * best[0]);
-      for (std::size_t k = 0; k < best.size(); ++k) best[k] = choose(wins, rays_.sumOf(clique, k), best[k]);
+      for (std::size_t k = 0; k < best.size(); ++k) best[k] = select(wins, rays_.sumOf(clique, k), best[k]);
     }
     for (std::size_t k = 0; k < best.size(); ++k) sum.of[k] = sum.of[k] + best[k];
   }

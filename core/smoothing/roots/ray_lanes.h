@@ -144,7 +144,7 @@ class RayLanes {
     const M falls = hn::Ge(rise.from, rise.end);
     const V from = hn::Min(rise.from, rise.end);
     LaneSearch search{zero(), from, both(both(active, falls), outward), none()};
-    M open = butNot(active, search.bracketed);
+    M open = andNot(active, search.bracketed);
     if (!any(open)) return search;
     const V value = sample(from).value;
     count(open);
@@ -152,10 +152,10 @@ class RayLanes {
     const M above = both(open, hn::Gt(value, zero()));
     search.bracketed = hn::Or(search.bracketed, below);
     search.rootless = both(above, falls);
-    open = butNot(above, falls);
+    open = andNot(above, falls);
     const V to = hn::Min(rise.to, rise.end);
-    search.low = choose(open, from, search.low);
-    search.high = choose(open, to, search.high);
+    search.low = select(open, from, search.low);
+    search.high = select(open, to, search.high);
     // Outwards only -T is left at the end.
     march(to, rise.end, outward, 20, open, search);
     return search;
@@ -164,13 +164,13 @@ class RayLanes {
   /// The same between `begin` and `end` of rays that have no skin of their own, along which psi may rise and fall
   /// anywhere. A lane whose psi is not above 0 at `begin` has its root there.
   LaneSearch bracketBetween(V begin, V end, M active) const {
-    LaneSearch search{begin, end, none(), butNot(active, hn::Lt(begin, end))};
-    M open = butNot(active, search.rootless);
+    LaneSearch search{begin, end, none(), andNot(active, hn::Lt(begin, end))};
+    M open = andNot(active, search.rootless);
     if (!any(open)) return search;
     search.bracketed = both(open, hn::Le(sample(begin).value, zero()));
     count(open);
-    open = butNot(open, search.bracketed);
-    search.high = choose(search.bracketed, begin, end);
+    open = andNot(open, search.bracketed);
+    search.high = select(search.bracketed, begin, end);
     march(end, end, none(), 40, open, search);
     return search;
   }
@@ -209,8 +209,8 @@ class RayLanes {
     Range whole{all(1e30f), all(-1e30f)};
     const auto include = [&](const Range& extent, V factor) HWY_ATTR {
       const M seen = both(hn::Ne(factor, zero()), hn::Lt(extent.low, extent.high));
-      whole.low = choose(seen, hn::Min(whole.low, extent.low), whole.low);
-      whole.high = choose(seen, hn::Max(whole.high, extent.high), whole.high);
+      whole.low = select(seen, hn::Min(whole.low, extent.low), whole.low);
+      whole.high = select(seen, hn::Max(whole.high, extent.high), whole.high);
     };
     for (const LaneTerm& term : terms()) include(extentOf(term), load(term.factor));
     for (const LaneShape& shape : shapes()) {
@@ -267,9 +267,9 @@ class RayLanes {
     const V rate = factor * of.rate;
     const V minDw = rate * (hn::Min(of.slope.low, zero()) * of.w.high + hn::Max(of.slope.low, zero()) * of.w.low);
     const V maxDw = rate * (hn::Max(of.slope.high, zero()) * of.w.high + hn::Min(of.slope.high, zero()) * of.w.low);
-    const V min = choose(adds, atLow, atHigh);
-    const V maxSlope = zero() - choose(adds, minDw, maxDw);
-    const V minSlope = zero() - choose(adds, maxDw, minDw);
+    const V min = select(adds, atLow, atHigh);
+    const V maxSlope = zero() - select(adds, minDw, maxDw);
+    const V minSlope = zero() - select(adds, maxDw, minDw);
     const V end = factor * of.atEnd * of.atEnd;
     sum.values = sum.values + hn::Abs(atHigh);
     sum.slopes = sum.slopes + hn::Max(hn::Abs(maxSlope), hn::Abs(minSlope));
@@ -283,7 +283,7 @@ class RayLanes {
       add(slot, kAtEnd, end);
       add(slot, kMaxSlope, maxSlope);
       add(slot, kMinSlope, minSlope);
-      add(slot, kMax, choose(adds, atHigh, atLow));
+      add(slot, kMax, select(adds, atHigh, atLow));
     }
   }
 
@@ -296,7 +296,7 @@ class RayLanes {
     const V w0 = hn::Max(zero(), peak - a * d0 * d0);
     const V w1 = hn::Max(zero(), peak - a * d1 * d1);
     const M peaks = both(hn::Lt(d0, zero()), hn::Gt(d1, zero()));
-    return {{hn::Min(w0, w1), choose(peaks, hn::Max(zero(), peak), hn::Max(w0, w1))}, {d0, d1}, a, w1};
+    return {{hn::Min(w0, w1), select(peaks, hn::Max(zero(), peak), hn::Max(w0, w1))}, {d0, d1}, a, w1};
   }
 
   /// From search.low to `end`, stretch after stretch, the first up to search.high: one is passed if its bounds prove
@@ -316,18 +316,18 @@ class RayLanes {
       const M found = both(both(open, falls), hn::Le(seen.atEnd, zero()));
       const M passed = both(open, hn::Or(hn::Or(clear, rises), both(falls, hn::Gt(seen.atEnd, zero()))));
       search.bracketed = hn::Or(search.bracketed, found);
-      open = butNot(open, found);
+      open = andNot(open, found);
       const V length = high - low;
       const V halved = low + all(0.5f) * length;
-      low = choose(passed, high, low);
+      low = select(passed, high, low);
       const M over = both(passed, hn::Ge(low, to));
       const M ended = both(over, hn::Ge(low, end));
       search.rootless = hn::Or(search.rootless, ended);
-      const V onward = choose(hn::Lt(low, to), hn::Min(low + length + length, to), end);
-      high = choose(open, choose(passed, onward, halved), high);
-      const M lastFall = both(butNot(over, ended), endsBelow);
+      const V onward = select(hn::Lt(low, to), hn::Min(low + length + length, to), end);
+      high = select(open, select(passed, onward, halved), high);
+      const M lastFall = both(andNot(over, ended), endsBelow);
       search.bracketed = hn::Or(search.bracketed, lastFall);
-      open = butNot(open, hn::Or(ended, lastFall));
+      open = andNot(open, hn::Or(ended, lastFall));
     }
     search.low = low;
     search.high = high;
@@ -340,8 +340,8 @@ class RayLanes {
     for (std::size_t k = 0; k < cliques_.count(); ++k) {
       const V value = sumOf(k, 0);
       const M wins = hn::Gt(skin_.sign * value, skin_.sign * best);
-      best = choose(wins, value, best);
-      bestSlope = choose(wins, sumOf(k, 1), bestSlope);
+      best = select(wins, value, best);
+      bestSlope = select(wins, sumOf(k, 1), bestSlope);
     }
     return {sum.value + best, sum.slope + bestSlope};
   }
@@ -356,17 +356,17 @@ class RayLanes {
     V atEnd = surely;
     for (std::size_t k = 0; k < cliques_.count(); ++k) {
       const V low = sumOf(k, kMin);
-      surely = hn::Max(surely, choose(outward, low, zero() - sumOf(k, kMax)));
+      surely = hn::Max(surely, select(outward, low, zero() - sumOf(k, kMax)));
       min = hn::Max(min, sign * low);
       atEnd = hn::Max(atEnd, sign * sumOf(k, kAtEnd));
     }
     V maxSlope = all(-kInfinity);
     V minSlope = all(kInfinity);
     for (std::size_t k = 0; k < cliques_.count(); ++k) {
-      const V possibly = choose(outward, sumOf(k, kMax), zero() - sumOf(k, kMin));
+      const V possibly = select(outward, sumOf(k, kMax), zero() - sumOf(k, kMin));
       const M wins = hn::Ge(possibly, surely);
-      maxSlope = choose(wins, hn::Max(maxSlope, sumOf(k, kMaxSlope)), maxSlope);
-      minSlope = choose(wins, hn::Min(minSlope, sumOf(k, kMinSlope)), minSlope);
+      maxSlope = select(wins, hn::Max(maxSlope, sumOf(k, kMaxSlope)), maxSlope);
+      minSlope = select(wins, hn::Min(minSlope, sumOf(k, kMinSlope)), minSlope);
     }
     sum.value = sum.value + sign * min;
     sum.atEnd = sum.atEnd + sign * atEnd;

@@ -44,16 +44,16 @@ inline LaneRoots newtonRoots(const RayLanes& rays, const LaneSearch& search, V s
     const LaneSample at = rays.sample(roots.t);
     rays.count(open);
     const M above = hn::Gt(at.value, zero());
-    low = choose(above, roots.t, low);
-    high = choose(above, high, roots.t);
+    low = select(above, roots.t, low);
+    high = select(above, high, roots.t);
     const V newton = roots.t - at.value / at.slope;
     const M inside = both(hn::Ge(newton, low), hn::Le(newton, high));
-    const V next = choose(inside, newton, all(0.5f) * (low + high));
+    const V next = select(inside, newton, all(0.5f) * (low + high));
     const M still = hn::Le(hn::Abs(next - roots.t), all(settings.tolerance));
     const M done = both(open, still);
     roots.solved = hn::Or(roots.solved, both(done, hn::Le(at.slope, all(-settings.minSlope()))));
-    roots.t = choose(open, next, roots.t);
-    open = butNot(open, done);
+    roots.t = select(open, next, roots.t);
+    open = andNot(open, done);
   }
   return roots;
 }
@@ -71,13 +71,13 @@ inline LaneRoots bisectedRoots(const RayLanes& rays, const LaneSearch& search, c
     const V value = rays.sample(middle).value;
     rays.count(search.bracketed);
     const M above = hn::Gt(value, zero());
-    low = choose(above, middle, low);
-    atLow = choose(above, value, atLow);
-    high = choose(above, high, middle);
-    atHigh = choose(above, atHigh, value);
+    low = select(above, middle, low);
+    atLow = select(above, value, atLow);
+    high = select(above, high, middle);
+    atHigh = select(above, atHigh, value);
   }
   const V secant = low + (high - low) * (atLow / (atLow - atHigh));
-  const V t = choose(both(hn::Ge(secant, low), hn::Le(secant, high)), secant, low);
+  const V t = select(both(hn::Ge(secant, low), hn::Le(secant, high)), secant, low);
   return {t, both(search.bracketed, hn::Le(rays.sample(t).slope, all(-settings.minSlope())))};
 }
 

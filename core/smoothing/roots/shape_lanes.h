@@ -34,7 +34,7 @@ HWY_INLINE Range operator*(const Range& a, const Range& b) {
 HWY_INLINE Range squareOf(const Range& r) {
   const Range squares = rangeOf(r.low * r.low, r.high * r.high);
   const M holdsZero = both(hn::Le(r.low, zero()), hn::Ge(r.high, zero()));
-  return {choose(holdsZero, zero(), squares.low), squares.high};
+  return {select(holdsZero, zero(), squares.low), squares.high};
 }
 HWY_INLINE V clamped(V x, V low, V high) { return hn::Min(hn::Max(x, low), high); }
 
@@ -58,7 +58,7 @@ struct ShapePoint {
   HWY_INLINE V across() const { return x * x + z * z; }
   HWY_INLINE V rSquared() const {
     const V ends = end * end;
-    return choose(hn::Lt(ends, all(1.0f)), girth * across() + ends, ends);  // S may be negative beyond.
+    return select(hn::Lt(ends, all(1.0f)), girth * across() + ends, ends);  // S may be negative beyond.
   }
   /// Half of d(r^2)/dp.
   HWY_INLINE V3 halfSlope() const {
@@ -123,8 +123,8 @@ class ShapeOnRays {
     const V spread = max - min;
     const V valley = clamped((r0 - r1 + max * length) / spread, zero(), length);
     const V summit = clamped((r1 - r0 - min * length) / spread, zero(), length);
-    const V low = choose(rises, r0, choose(falls, r1, r0 + min * valley));
-    const V high = choose(rises, r1, choose(falls, r0, r0 + max * summit));
+    const V low = select(rises, r0, select(falls, r1, r0 + min * valley));
+    const V high = select(rises, r1, select(falls, r0, r0 + max * summit));
     const V one = all(1.0f);
     return {{hn::Max(zero(), one - high), hn::Max(zero(), hn::Min(one, one - low))},
             way() * slope,
@@ -193,7 +193,7 @@ inline M fillShape(const UnitShape& unit, const V3& y, const V3& yd, std::size_t
     hn::Store(start, kTag, out.point[axis].at(first));
     hn::Store(along, kTag, out.along[axis].at(first));
     const V tiny = all(1e-20f);
-    const V divisor = choose(hn::Lt(hn::Abs(along), tiny), tiny, along);
+    const V divisor = select(hn::Lt(hn::Abs(along), tiny), tiny, along);
     const Range slab = rangeOf((all(low) - start) / divisor, (all(high) - start) / divisor);
     inside = {hn::Max(inside.low, slab.low), hn::Min(inside.high, slab.high)};
   };
@@ -201,14 +201,14 @@ inline M fillShape(const UnitShape& unit, const V3& y, const V3& yd, std::size_t
   clip(point.y, yd.y, unit.low.y, unit.high.y, 1);
   clip(point.z, yd.z, unit.low.z, unit.high.z, 2);
   const M meets = hn::Lt(inside.low, inside.high);
-  hn::Store(choose(meets, inside.low, zero()), kTag, out.enter.at(first));
-  hn::Store(choose(meets, inside.high, zero()), kTag, out.leave.at(first));
+  hn::Store(select(meets, inside.low, zero()), kTag, out.enter.at(first));
+  hn::Store(select(meets, inside.high, zero()), kTag, out.leave.at(first));
   // x' = dx - 2 curve (y + s dy) dy = 0
   const auto turn = [&](V along, float curve, LaneFloats& to) HWY_ATTR {
     const V twice = all(2.0f * curve) * yd.y;
     const V bends = twice * yd.y;
     const V at = (along - twice * point.y) / bends;
-    hn::Store(choose(hn::Eq(bends, zero()), zero(), clamped(at, zero() - far, far)), kTag, to.at(first));
+    hn::Store(select(hn::Eq(bends, zero()), zero(), clamped(at, zero() - far, far)), kTag, to.at(first));
   };
   turn(yd.x, unit.curve.x, out.turnX);
   turn(yd.z, unit.curve.y, out.turnZ);
