@@ -124,7 +124,7 @@ TEST(GltfColors, PrimitivesWithoutThemAreWhite) {
     primitives = coloredFirst ? ordered_json::array({colored, white}) : ordered_json::array({white, colored});
     const auto character = imported(post);
     ASSERT_EQ(character->mesh.triangles.size(), 20u);
-    EXPECT_EQ(character->mesh.positions.size(), 12u) << "colours never split vertices";
+    EXPECT_EQ(character->mesh.positions.size(), 12u) << "colors never split vertices";
     // Eight corners below in gray; twelve of the rest in white, of which the lower two rings are there twice.
     EXPECT_EQ(character->mesh.wedges.size(), 20u);
     for (std::size_t t = 0; t < 20; ++t) {
@@ -175,8 +175,8 @@ const BadColors kBadColors[] = {
     {"scalar", with<float>("SCALAR", 12, false), kAttribute, "is SCALAR; VEC3 or VEC4 expected"},
     {"two channels", with<float>("VEC2", 24, false), kAttribute, "is VEC2; VEC3 or VEC4 expected"},
     {"too few", with<float>("VEC4", 44, false), "accessors[#]", "11 values of COLOR_0 for 12 positions"},
-    {"bytes that are not normalised", with<std::uint8_t>("VEC4", 48, false), "accessors[#]", kTypes},
-    {"shorts that are not normalised", with<std::uint16_t>("VEC3", 36, false), "accessors[#]", kTypes},
+    {"bytes that are not normalized", with<std::uint8_t>("VEC4", 48, false), "accessors[#]", kTypes},
+    {"shorts that are not normalized", with<std::uint16_t>("VEC3", 36, false), "accessors[#]", kTypes},
     {"signed bytes", with<std::int8_t>("VEC4", 48, true), "accessors[#]", kTypes},
     {"signed shorts", with<std::int16_t>("VEC4", 48, true), "accessors[#]", kTypes},
     {"whole numbers", with<std::uint32_t>("VEC4", 48, true), "accessors[#]", kTypes},

@@ -317,7 +317,7 @@ TEST(Weld, ColorsSplitWedgesAndNothingElse) {
   EXPECT_FALSE(hasColors(plain));
   soup.colors.assign(6, glm::vec4(1.0f));
   EXPECT_EQ(weld(soup, kTolerance).wedges.size(), 4u);
-  EXPECT_FALSE(hasColors(weld(soup, kTolerance))) << "white is no colour";
+  EXPECT_FALSE(hasColors(weld(soup, kTolerance))) << "white is no color";
   soup.colors.assign(6, glm::vec4(0.2f, 0.4f, 0.6f, 1.0f));
   EXPECT_EQ(weld(soup, kTolerance).wedges.size(), 4u);
   for (int channel = 0; channel < 4; ++channel) {

@@ -151,7 +151,7 @@ ControlMesh painted(ControlMesh mesh) {
 
 TEST(Refinement, DrawnVerticesCarryBarycentricColors) {
   for (const CharacterPtr& character : characters()) {
-    EXPECT_TRUE(refine(character->mesh, 3).drawColor.empty()) << "no memory for meshes without colours";
+    EXPECT_TRUE(refine(character->mesh, 3).drawColor.empty()) << "no memory for meshes without colors";
     const ControlMesh mesh = painted(character->mesh);
     for (const int n : {1, 2, 3, 5}) {
       const Refinement refinement = refine(mesh, n);

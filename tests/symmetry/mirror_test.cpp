@@ -107,7 +107,7 @@ void print(const std::string& name, const MirrorPlan& plan) {
   std::cout << name << ": plane (" << plan.plane.normal.x << ", " << plan.plane.normal.y << ", " << plan.plane.normal.z
             << ") " << plan.plane.offset << ", " << plan.twinOf.size() << " bones, " << plan.pairCount() << " pairs ("
             << by(PairedBy::kName) / 2 << " by name, " << by(PairedBy::kPlace) / 2 << " by place), "
-            << plan.centerCount() << " centre, " << by(PairedBy::kNothing) << " alone\n";
+            << plan.centerCount() << " center, " << by(PairedBy::kNothing) << " alone\n";
   for (std::size_t i = 0; i < plan.twinOf.size(); ++i) {
     if (plan.twinOf[i] < 0) std::cout << "  alone: " << plan.skeleton.bones[i].name << '\n';
   }

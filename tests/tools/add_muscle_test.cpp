@@ -114,7 +114,7 @@ TEST(PlacementOnSkin, InAHollowItLiesOnTheBottom) {
   const glm::mat4 shape = shapeInWorld(placementOnSkin(stroke, one, {0, 0, 1}, 1.8f), 1.0f, one);
   EXPECT_LT(glm::vec3(shape[2]).y, 0.0f) << "out of the skin, into the hollow";
   const float thickness = extentAlong(shape, {0, 1, 0});
-  EXPECT_GT(shape[3].y, radius) << "its centre is under the skin";
+  EXPECT_GT(shape[3].y, radius) << "its center is under the skin";
   EXPECT_LT(shape[3].y - thickness, radius - 0.5f * thickness) << "yet it shows";
 }
 
