@@ -97,14 +97,14 @@ class LiveSurface {
   [[nodiscard]] Result<bool> prepareIfChanged(const Document& document, int depth, const std::vector<int>& hidden);
 
   std::shared_ptr<const CharacterTables> tables_;
-  std::shared_ptr<const Preparation> preparation_;  ///< Of the last rig that was accepted.
+  std::shared_ptr<const Preparation> preparation_;  ///< Preparation of the last rig that was accepted.
   BlendingGraphMemo graphs_;
   SmoothingMemory memory_;
   PosedRig former_;  ///< The accepted rig in pose_, while the document's is refused.
   Pose pose_;
   Surface surface_;
   std::size_t revision_ = 0;
-  float meanEdge_ = 0.0f;                ///< Of the control mesh, fraction of H.
+  float meanEdge_ = 0.0f;                ///< Mean edge of the control mesh, fraction of H.
   int depth_ = 0;                        ///< Last given to prepare(); 0: nothing was.
   bool followed_ = false;                ///< depth_ came from the size on screen.
   std::optional<std::size_t> triedRig_;  ///< CommandStack::revision() last given to prepare().

@@ -7,7 +7,7 @@ vec3 dithered(vec3 linear) {
   return max(linear + noise * slope / 255.0, vec3(0.0));
 }
 
-// Khronos "PBR neutral": colours below 0.8 stay what they are, brighter ones roll off and pale. khronos.org, 2024.
+// Khronos "PBR neutral": colors below 0.8 stay what they are, brighter ones roll off and pale. khronos.org, 2024.
 vec3 toneMapped(vec3 color) {
   const float start = 0.76, desaturation = 0.15;
   float low = min(color.r, min(color.g, color.b));

@@ -4,7 +4,7 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 3) in vec2 uv;
-layout(location = 5) in vec4 color;  // Without colours its alpha is 1, OpenGL's default.
+layout(location = 5) in vec4 color;  // Without colors its alpha is 1, OpenGL's default.
 out vec3 world;
 out vec3 shapeNormal;
 out vec2 mapAt;

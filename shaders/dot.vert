@@ -7,7 +7,7 @@ layout(location = 2) in vec4 tint;
 uniform vec2 radii;  // Pixels, at `from` and at `to`.
 flat out vec4 color;
 flat out float radius;
-out vec2 fromCentre;  // Pixels.
+out vec2 fromCenter;  // Pixels.
 
 void main() {
   int corner = gl_VertexID % 6;
@@ -16,8 +16,8 @@ void main() {
   radius = atFrom ? radii.x : radii.y;
   vec2 side = vec2(corner == 1 || corner == 2 || corner == 4 ? 1.0 : -1.0,
                    corner == 2 || corner == 4 || corner == 5 ? 1.0 : -1.0);
-  fromCentre = side * (radius + 1.0);
+  fromCenter = side * (radius + 1.0);
   vec3 at = atFrom ? from : to;
   gl_Position = clipFromWorld * vec4(at + toEye(at) * 0.002 * picture.z, 1.0);
-  gl_Position.xy += fromCentre * 2.0 / picture.xy * gl_Position.w;
+  gl_Position.xy += fromCenter * 2.0 / picture.xy * gl_Position.w;
 }

@@ -1,5 +1,5 @@
 #version 450 core
-// shaders/glass.frag: the skin as glass over the muscles: clear where it faces the eye, lit and in its own colour
+// shaders/glass.frag: the skin as glass over the muscles: clear where it faces the eye, lit and in its own color
 // towards its rim. With WIRE edges or without. Premultiplied.
 #include "frame.glsl"
 #include "color.glsl"

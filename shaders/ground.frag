@@ -5,7 +5,7 @@ in vec3 world;
 uniform vec4 ground;
 uniform float lineScale;
 #ifdef CHOSEN_LOOK
-uniform vec3 grid;  // Factors: on the pool of light, on the colours of the lines, on their opacity.
+uniform vec3 grid;  // Factors: on the pool of light, on the colors of the lines, on their opacity.
 #define POOL(value) ((value) * grid.x)
 #define TONE(value) ((value) * grid.y)
 #define LINES(value) ((value) * grid.z)

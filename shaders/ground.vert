@@ -1,7 +1,7 @@
 #version 450 core
 // shaders/ground.vert: a wide square on the floor around the character.
 #include "frame.glsl"
-uniform vec4 ground;  // Centre x and z, half extent, grid cell.
+uniform vec4 ground;  // Center x and z, half extent, grid cell.
 out vec3 world;
 
 void main() {

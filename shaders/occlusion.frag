@@ -19,7 +19,7 @@ vec3 placeAt(vec2 pixel, float away) {
 
 const float kStrength = 6.0;
 
-// Interleaved gradient noise: neighbours differ as much as they can.
+// Interleaved gradient noise: neighbors differ as much as they can.
 float noise(vec2 at) { return fract(52.9829189 * fract(dot(at, vec2(0.06711056, 0.00583715)))); }
 
 void main() {

@@ -3,7 +3,7 @@
 uniform sampler2D surface;
 uniform sampler2D source;
 uniform int width;    // Pixels to each side.
-uniform float range;  // Distance along the view at which a neighbour counts no more.
+uniform float range;  // Distance along the view at which a neighbor counts no more.
 layout(location = 0) out float open;
 
 void main() {

@@ -6,11 +6,11 @@ layout(location = 2) in vec4 placeX;
 layout(location = 3) in vec4 placeY;
 layout(location = 4) in vec4 placeZ;
 layout(location = 5) in vec4 placeAt;
-layout(location = 6) in vec4 tint;   // Linear colour and opacity.
+layout(location = 6) in vec4 tint;   // Linear color and opacity.
 layout(location = 7) in vec4 style;  // Width in pixels; dashes around, 0: unbroken; number of the given outline, or 0.
 layout(std430, binding = 1) readonly buffer Outlines { vec4 outlines[]; };  // World, 96 points each.
 uniform float extra;                 // More width, pixels.
-uniform vec4 halo;                   // Replaces the colour where its w > 0.
+uniform vec4 halo;                   // Replaces the color where its w > 0.
 out float acrossPixels;
 flat out float halfWidth;
 flat out vec4 color;

@@ -8,7 +8,7 @@ layout(location = 0) out vec2 shade;
 in vec2 atMap;
 in float vertexAlpha;
 uniform sampler2D baseMap;
-uniform vec2 alpha;  // Base colour's, cutoff (below 0: it blends).
+uniform vec2 alpha;  // Base color's, cutoff (below 0: it blends).
 #endif
 
 void main() {

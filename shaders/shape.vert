@@ -8,7 +8,7 @@ layout(location = 2) in vec4 placeX;  // Columns of shape -> world.
 layout(location = 3) in vec4 placeY;
 layout(location = 4) in vec4 placeZ;
 layout(location = 5) in vec4 placeAt;
-layout(location = 6) in vec4 tint;   // Linear colour and opacity.
+layout(location = 6) in vec4 tint;   // Linear color and opacity.
 layout(location = 7) in vec4 style;  // Outline 0..1, glow 0..1; w > 0: shaped by `form`, to that scale.
 layout(location = 8) in vec4 form[FORM_VECTORS];
 uniform vec4 swell;  // Pixels by which the shape grows away from a point in it (w), and that point.

@@ -17,7 +17,7 @@ const int kRings = 24, kCorners = 14;
 const float kFunnel = 0.20;  // The belly's section fades within this, in half lengths of the belly.
 
 struct Ring {
-  vec3 centre;
+  vec3 center;
   vec3 x;
   vec3 z;
 };
@@ -25,7 +25,7 @@ struct Ring {
 Ring ringAt(float t) {
   float s = 1.0 - t;
   Ring ring;
-  ring.centre = s * s * s * curve0.xyz + 3.0 * s * s * t * curve1.xyz + 3.0 * s * t * t * curve2.xyz +
+  ring.center = s * s * s * curve0.xyz + 3.0 * s * s * t * curve1.xyz + 3.0 * s * t * t * curve2.xyz +
                 t * t * t * curve3.xyz;
   vec3 along = normalize(s * s * (curve1.xyz - curve0.xyz) + 2.0 * s * t * (curve2.xyz - curve1.xyz) +
                          t * t * (curve3.xyz - curve2.xyz));
@@ -37,7 +37,7 @@ Ring ringAt(float t) {
   float closing = clamp((1.0 - share) * curve2.w * 0.5 * (length(halfX.xyz) + length(halfZ.xyz)) / curve3.w, 0.0, 1.0);
   float closed = sqrt(1.0 - (1.0 - closing) * (1.0 - closing));
   float cord = curve3.w * mix(1.0, 0.72, smoothstep(0.0, 1.0, share));
-  cord = max(cord, 0.75 * pixel * (clipFromWorld * vec4(ring.centre, 1.0)).w);  // Seen from far as well.
+  cord = max(cord, 0.75 * pixel * (clipFromWorld * vec4(ring.center, 1.0)).w);  // Seen from far as well.
   ring.x = x * mix(cord, halfX.w * length(halfX.xyz), belly) * closed;
   ring.z = z * mix(cord, halfX.w * length(halfZ.xyz), belly) * closed;
   return ring;
@@ -54,8 +54,8 @@ void main() {
   float step_ = t < 0.5 ? 0.01 : -0.01;
   Ring beside = ringAt(t + step_);
   vec3 outwards = here.x * at.x + here.z * at.y;
-  vec3 along = (beside.centre + beside.x * at.x + beside.z * at.y - here.centre - outwards) / step_;
-  world = here.centre + outwards;
+  vec3 along = (beside.center + beside.x * at.x + beside.z * at.y - here.center - outwards) / step_;
+  world = here.center + outwards;
   around = here.x * at.y - here.z * at.x;
   vec3 normal = cross(along, around);
   shapeNormal = dot(normal, outwards) < 0.0 ? -normal : normal;

@@ -15,7 +15,7 @@ namespace sinew::app {
 namespace {
 
 constexpr float kStrongBend = 90.0f;  // Degrees.
-constexpr float kShare = 0.2f;        // Of the number, where the input is strong.
+constexpr float kShare = 0.2f;        // Change as a fraction of the number, where the input is strong.
 
 /// The same edit of one number after the other. @param change  (Rig, const NumberRef&) -> Result<Rig>
 template <class Change>

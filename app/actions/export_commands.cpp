@@ -180,7 +180,7 @@ void tell(EditorState& state, const ExportOutcome& outcome) {
     std::string text = "Exported " + outcome.file.string() + ": " + figures;
     for (const std::string& left : leftOut(outcome.result.value())) text += "\nleft out: " + left;
     addQuietly(state.session, MessageKind::kNote, text, MessageAbout::kProgram);
-  } else if (outcome.cancelled) {
+  } else if (outcome.canceled) {
     say(state, "Cancelled: " + name + " was not written");
   } else {
     addMessage(state.session, MessageKind::kError, "Not exported: " + outcome.result.error().plainText(),

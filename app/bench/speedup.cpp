@@ -48,13 +48,13 @@ long long countNotFinite(const Surface& surface) {
 struct Comparison {
   long long projected = 0, far = 0, uncertified = 0, notFinite = 0;
 
-  void add(const Surface& reference, const Surface& optimised, float height) {
+  void add(const Surface& reference, const Surface& optimized, float height) {
     projected += reference.report.projected;
-    uncertified += optimised.report.uncertified;
-    notFinite += countNotFinite(optimised);
+    uncertified += optimized.report.uncertified;
+    notFinite += countNotFinite(optimized);
     for (std::size_t v = 0; v < reference.positions.size(); ++v) {
       // What is no number is not near either.
-      if (!(glm::distance(reference.positions[v], optimised.positions[v]) <= kAgreement * height)) ++far;
+      if (!(glm::distance(reference.positions[v], optimized.positions[v]) <= kAgreement * height)) ++far;
     }
   }
   [[nodiscard]] Agreement shares() const {

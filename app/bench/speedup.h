@@ -8,7 +8,7 @@
 
 namespace sinew::app {
 
-/// Scalar reference over optimised, medians of frames of the same moment in the same round.
+/// Scalar reference over optimized, medians of frames of the same moment in the same round.
 struct SetSpeedup {
   double cold = 0.0;      ///< The first frame of a smoother that has just been prepared.
   double warm60Hz = 0.0;  ///< A clip that plays at 60 frames a second ...

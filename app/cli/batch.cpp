@@ -96,7 +96,7 @@ class InputFiles {
   [[nodiscard]] bool hold(const std::filesystem::path& file) {
     if (!isThere(file)) return false;
     if (!character_) {                   // Not before something is there: most jobs write where nothing is.
-      const auto rig = loadRig(input_);  // Of a character: an error.
+      const auto rig = loadRig(input_);  // An error for a character.
       character_ = rig ? characterPath(rig.value(), input_) : input_;
     }
     std::error_code absent;

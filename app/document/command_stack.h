@@ -18,7 +18,7 @@ namespace sinew::app {
 /// A linear history of rigs, which it alone writes, of poses made by hand and of the parts of clips that play. Each
 /// step is a whole rig (a value of a few kilobytes, shared, never copied on undo), a pose and the ranges.
 /// Every primitive and group in it has an identity that lasts as long as the stack.
-/// A gesture (one drag) shows its states at once and leaves one step, or none if cancelled or without effect.
+/// A gesture (one drag) shows its states at once and leaves one step, or none if canceled or without effect.
 class CommandStack {
  public:
   /// What every edit passes through before it is shown: for what must hold whoever edits (linked twins follow).

@@ -1,4 +1,4 @@
-// app/document/group_colors.cpp: the colours of groups and of territories, the same in picture and panels.
+// app/document/group_colors.cpp: the colors of groups and of territories, the same in picture and panels.
 
 #include "app/document/group_colors.h"
 

@@ -65,7 +65,7 @@ Json windowToJson(const WindowPlace& window) {
       .set("y", window.y)
       .set("width", window.width)
       .set("height", window.height)
-      .set("maximised", window.maximised);
+      .set("maximised", window.maximized);
 }
 
 WindowPlace windowFromJson(const Json& json) {
@@ -74,7 +74,7 @@ WindowPlace windowFromJson(const Json& json) {
   read(json, "y", -kFarthestPixel, kFarthestPixel, window.y);
   read(json, "width", 0, kFarthestPixel, window.width);
   read(json, "height", 0, kFarthestPixel, window.height);
-  read(json, "maximised", window.maximised);
+  read(json, "maximised", window.maximized);
   return window;
 }
 

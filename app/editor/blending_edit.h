@@ -1,4 +1,4 @@
-// app/editor/blending_edit.h: what the two views of the blending graph do to the rig, and their colours.
+// app/editor/blending_edit.h: what the two views of the blending graph do to the rig, and their colors.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace sinew::app {
 
-/// The colour a group has everywhere, by its place in Rig::groups (document/group_colors.h); muted for -1.
+/// The color a group has everywhere, by its place in Rig::groups (document/group_colors.h); muted for -1.
 [[nodiscard]] Tint groupTint(const Rig& rig, int group);
 /// By name; muted for a group that is not there.
 [[nodiscard]] Tint groupTint(const Rig& rig, const std::string& group);

@@ -19,7 +19,7 @@ void selectEntry(Document& document, const PickEntry& entry);
 /// frame. One undo step. Without skin there: nothing.
 void addMuscleAt(EditorState& state, const ViewportHover& target);
 
-/// Why an action of the menu is grey; "" while it is not, or where nothing better than its hint can be said.
+/// Why an action of the menu is gray; "" while it is not, or where nothing better than its hint can be said.
 [[nodiscard]] std::string whyDisabled(const EditorState& state, std::string_view actionId);
 
 }  // namespace sinew::app

@@ -15,19 +15,19 @@ namespace sinew::app {
 /// `result` is the thread's until `done` is set, then the owner's.
 struct ExportQueue::Run {
   explicit Run(ExportOrder what) : order(std::move(what)) {}
-  ~Run() { cancelled = true; }
+  ~Run() { canceled = true; }
 
   void work() {
     result = runExport(*order.kind, order.source, order.settings, order.file, [this](double part) {
       share = part;
-      return !cancelled;
+      return !canceled;
     });
     done = true;
   }
 
   const ExportOrder order;
   std::atomic<double> share = 0.0;
-  std::atomic<bool> cancelled = false;
+  std::atomic<bool> canceled = false;
   std::atomic<bool> done = false;
   std::optional<Result<ExportReport>> result;
   std::jthread thread;  ///< Last: it ends before what it uses.
@@ -62,12 +62,12 @@ void ExportQueue::startNext() {
 }
 
 void ExportQueue::cancel() {
-  if (run_) run_->cancelled = true;
+  if (run_) run_->canceled = true;
 }
 
 std::vector<ExportStand> ExportQueue::stands() const {
   std::vector<ExportStand> stands;
-  if (run_) stands.push_back({run_->order.file, run_->share, true, run_->cancelled});
+  if (run_) stands.push_back({run_->order.file, run_->share, true, run_->canceled});
   for (const ExportOrder& order : waiting_) stands.push_back({order.file});
   return stands;
 }
@@ -77,8 +77,8 @@ bool ExportQueue::empty() const { return !run_ && done_.empty(); }
 std::vector<ExportOutcome> ExportQueue::takeDone() {
   if (run_ && run_->done) {
     run_->thread.join();
-    const bool cancelled = !run_->result->ok() && run_->result->error().reason == kCancelled;
-    done_.push_back({run_->order.file, std::move(*run_->result), cancelled});
+    const bool canceled = !run_->result->ok() && run_->result->error().reason == kCanceled;
+    done_.push_back({run_->order.file, std::move(*run_->result), canceled});
     startNext();
   }
   return std::exchange(done_, {});

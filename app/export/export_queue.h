@@ -22,13 +22,13 @@ struct ExportStand {
   std::filesystem::path file;
   double share = 0.0;  ///< Done, 0..1.
   bool running = false;
-  bool cancelled = false;  ///< It is about to stop.
+  bool canceled = false;  ///< It is about to stop.
 };
 
 struct ExportOutcome {
   std::filesystem::path file;
   Result<ExportReport> result;
-  bool cancelled = false;  ///< The result says so too.
+  bool canceled = false;  ///< The result says so too.
 };
 
 /// All calls from one thread, which never waits but in the destructor. One export runs at a time on a thread of its

@@ -77,7 +77,7 @@ void beginRegion(const char* name, const Box& box, ImGuiWindowFlags more) {
 struct Sized {
   float shown;  ///< In this frame.
   float least;
-  float spare;    ///< What the neighbour can give.
+  float spare;    ///< What the neighbor can give.
   float& wished;  ///< What is remembered; a drag makes it what is shown, moved with the pointer.
 };
 

@@ -158,8 +158,8 @@ void drawName(PanelUi& ui) {
   const float room = ImGui::GetWindowWidth() - left - ui.px(12);
   if (room < ui.px(40)) return;
   const std::string shown = fitted(name, room);
-  const float centred = 0.5f * (ImGui::GetWindowWidth() - ImGui::CalcTextSize(shown.c_str()).x);
-  ImGui::SameLine(std::max(centred, left));
+  const float centered = 0.5f * (ImGui::GetWindowWidth() - ImGui::CalcTextSize(shown.c_str()).x);
+  ImGui::SameLine(std::max(centered, left));
   mutedText(shown.c_str());
   if (shown != name) tooltip(ui, name);
 }

@@ -64,7 +64,7 @@ glm::ivec2 fittedToScreen(const glm::ivec2& size) {
 
 void restore(GLFWwindow* window, const WindowPlace& place) {
   glfwSetWindowPos(window, place.x, place.y);
-  if (place.maximised) glfwMaximizeWindow(window);
+  if (place.maximized) glfwMaximizeWindow(window);
   glfwShowWindow(window);
 }
 
@@ -161,13 +161,13 @@ float Window::contentScale() const {
 }
 
 WindowPlace Window::place() const {
-  const bool maximised = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
+  const bool maximized = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
   const bool away = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
-  if (!maximised && !away) {
+  if (!maximized && !away) {
     glfwGetWindowPos(window_, &place_.x, &place_.y);
     glfwGetWindowSize(window_, &place_.width, &place_.height);
   }
-  if (!away) place_.maximised = maximised;
+  if (!away) place_.maximized = maximized;
   return place_;
 }
 

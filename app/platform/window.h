@@ -35,7 +35,7 @@ class Window {
   [[nodiscard]] glm::ivec2 size() const;             ///< Window coordinates, as the mouse has them.
   [[nodiscard]] glm::ivec2 framebufferSize() const;  ///< Pixels.
   [[nodiscard]] float contentScale() const;          ///< 1 on ordinary screens, 2 on dense ones.
-  /// Now; of a maximised or minimised window, what it was before.
+  /// Now; of a maximized or minimized window, what it was before.
   [[nodiscard]] WindowPlace place() const;
 
   void setTitle(const std::string& title);
@@ -59,7 +59,7 @@ class Window {
   InputQueue input_;
   std::vector<std::filesystem::path> drops_;
   std::string title_;
-  mutable WindowPlace place_;              ///< The last that was neither maximised nor minimised.
+  mutable WindowPlace place_;              ///< The last that was neither maximized nor minimized.
   std::array<int, kKeyCodes> meanings_{};  ///< What a held key meant when it went down; 0: it is up.
   bool refresh_ = true;
 };

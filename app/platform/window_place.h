@@ -9,7 +9,7 @@ struct WindowPlace {
   int y = 0;
   int width = 0;
   int height = 0;
-  bool maximised = false;
+  bool maximized = false;
 
   friend bool operator==(const WindowPlace&, const WindowPlace&) = default;
 };

@@ -1,4 +1,4 @@
-// app/render/color_scales.cpp: the heat map's scale and the colours of triangle classes.
+// app/render/color_scales.cpp: the heat map's scale and the colors of triangle classes.
 #include "app/render/color_scales.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ std::array<glm::vec3, 9> makeHeatStops() {
     const float x = static_cast<float>(i) / 4.0f - 1.0f;
     const float far = std::abs(x);
     const float lightness = kMiddleLightness + (kEndLightness - kMiddleLightness) * far;
-    // Chroma grows fast at first: a little displacement is already a colour.
+    // Chroma grows fast at first: a little displacement is already a color.
     const float chroma = kMostChroma * std::pow(far, 0.7f) + 0.004f;
     stops[i] = fromOklch(lightness, chroma, x < 0.0f ? kInwardsHue : kOutwardsHue);
   }

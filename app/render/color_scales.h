@@ -1,4 +1,4 @@
-// app/render/color_scales.h: colours that carry meaning; the picture and its legends share them.
+// app/render/color_scales.h: colors that carry meaning; the picture and its legends share them.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace sinew::app {
 /// equal displacements look equally far (Oklab: B. Ottosson, "A perceptual color space for image processing", 2020).
 [[nodiscard]] const std::array<glm::vec3, 9>& heatStops();
 
-/// sRGB colour at x, as the skin has it before light falls on it; x is clamped to -1..1. Between stops light is mixed.
+/// sRGB color at x, as the skin has it before light falls on it; x is clamped to -1..1. Between stops light is mixed.
 [[nodiscard]] glm::vec3 heatColor(float x);
 
 /// What a triangle class is called in the interface and shown in.
@@ -32,7 +32,7 @@ struct ClassColor {
 /// By TriangleClass.
 [[nodiscard]] const std::array<ClassColor, 3>& classColors();
 
-/// Of muscles that are loose (0) to fully flexed (1), sRGB.
+/// Color of muscles from loose (0) to fully flexed (1), sRGB.
 [[nodiscard]] glm::vec3 fleshColor(float activation);
 
 }  // namespace sinew::app

@@ -24,13 +24,13 @@ struct Frame {
   const Scene& scene;
   const View& view;
   const DisplaySettings& settings;
-  float height = 1.0f;           ///< Of the character, in the bind pose.
+  float height = 1.0f;           ///< The character's, in the bind pose.
   float floor = 0.0f;            ///< Height of the ground.
   Bounds surfaceBounds;          ///< World; empty without a surface.
-  glm::vec3 groundCentre{0.0f};  ///< World: of the light on the floor.
+  glm::vec3 groundCenter{0.0f};  ///< World: of the light on the floor.
 };
 
-/// Blending for premultiplied colours, alpha kept right for transparent pictures.
+/// Blending for premultiplied colors, alpha kept right for transparent pictures.
 inline void blendPremultiplied() {
   glEnable(GL_BLEND);
   glBlendEquation(GL_FUNC_ADD);

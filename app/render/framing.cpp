@@ -34,8 +34,8 @@ std::array<glm::vec3, 8> cornersOf(const Bounds& box) {
 
 /// Sight along `axes`: for each side of the picture, how far the points press against it.
 struct Fit {
-  glm::vec2 centre{0.0f};    ///< Right and up of the eye, along the axes.
-  float eyeBackward = 0.0f;  ///< Of a perspective eye, along the axes.
+  glm::vec2 center{0.0f};    ///< Right and up of the eye, along the axes.
+  float eyeBackward = 0.0f;  ///< Place of a perspective eye, along the axes.
   glm::vec2 halfExtent{0.0f};
   float nearestBackward = 0.0f, furthestBackward = 0.0f;
 };
@@ -55,7 +55,7 @@ Fit fitPoints(std::span<const glm::vec3> points, const glm::mat3& axes, const gl
     furthest = std::min(furthest, p.z);
   }
   Fit fit;
-  fit.centre = 0.5f * (cone - coneLow);
+  fit.center = 0.5f * (cone - coneLow);
   const glm::vec2 back = (cone + coneLow) / (2.0f * tangents);
   fit.eyeBackward = std::max(back.x, back.y);
   fit.halfExtent = 0.5f * (high - low);
@@ -105,7 +105,7 @@ View framedView(std::span<const glm::vec3> points, float yaw, float pitch, const
         glm::ortho(-halfHeight * aspect, halfHeight * aspect, -halfHeight, halfHeight, 0.0f, 17.0f * span);
   } else {
     const float back = std::max(fit.eyeBackward, fit.nearestBackward + 0.05f * span);
-    view.eyeInWorld = axes * glm::vec3(fit.centre, back);
+    view.eyeInWorld = axes * glm::vec3(fit.center, back);
     const float nearPlane = std::max(0.5f * (back - fit.nearestBackward), 0.005f * span);
     view.clipFromView = glm::perspective(kFieldOfView, aspect, nearPlane, back - fit.furthestBackward + 60.0f * span);
   }

@@ -74,9 +74,9 @@ float gridCell(float height) {
   return decade * (share < 1.5f ? 1.0f : share < 3.5f ? 2.0f : share < 7.5f ? 5.0f : 10.0f);
 }
 
-GridZoom gridZoom(const View& view, const glm::vec3& centre, float height) {
+GridZoom gridZoom(const View& view, const glm::vec3& center, float height) {
   // How many characters, one on the other, the picture would hold there.
-  const float shown = view.unitsPerPixelAt(centre) * static_cast<float>(view.size.y) / height;
+  const float shown = view.unitsPerPixelAt(center) * static_cast<float>(view.size.y) / height;
   const float level = std::clamp(std::log(std::max(shown, 1e-6f)) / std::log(kGridRank), -2.0f, 4.0f);
   const float whole = std::floor(level);
   return {std::max(1.0f, shown / kShownByDefault), gridCell(height) * std::pow(kGridRank, whole), level - whole};
@@ -186,7 +186,7 @@ bool GroundDrawer::drawKept(const RenderTarget& target, const Frame& frame) {
   const std::optional<glm::ivec4> sunk = sunkPixels(frame);
   if (!sunk || !frame.settings.background) return false;
   sunk_ = *sunk;
-  KeptLook look{frame.view, frame.settings, frame.groundCentre};
+  KeptLook look{frame.view, frame.settings, frame.groundCenter};
   keptAnew_ = look != keptLook_;
   if (keptAnew_) {
     keptLook_ = std::move(look);
@@ -224,12 +224,12 @@ void GroundDrawer::blendQuad() const {
 }
 
 void GroundDrawer::drawFloor(const Frame& frame) const {
-  const glm::vec3& centre = frame.groundCentre;
-  const GridZoom zoom = gridZoom(frame.view, centre, frame.height);
+  const glm::vec3& center = frame.groundCenter;
+  const GridZoom zoom = gridZoom(frame.view, center, frame.height);
   const BackdropStyle& style = backdropStyle(frame.settings.look.backdrop);
   const GlProgram& program = isChosen(frame) ? chosenGround_ : groundProgram_;
   program.use();
-  program.set("ground", glm::vec4(centre.x, centre.z, kGroundReach * zoom.reach * frame.height, zoom.cell));
+  program.set("ground", glm::vec4(center.x, center.z, kGroundReach * zoom.reach * frame.height, zoom.cell));
   program.set("zoom", glm::vec2(zoom.reach, zoom.towardsNext));
   program.set("grid", glm::vec3(style.pool, style.lineTone, style.lines));
   program.set("lineScale", frame.settings.lineScale);

@@ -36,7 +36,7 @@ class GroundDrawer {
   struct KeptLook {
     View view;
     DisplaySettings settings;
-    glm::vec3 centre{0.0f};
+    glm::vec3 center{0.0f};
 
     friend bool operator==(const KeptLook&, const KeptLook&) = default;
   };
@@ -62,10 +62,10 @@ class GroundDrawer {
 /// How the floor follows the eye as it draws back or comes close.
 struct GridZoom {
   float reach = 1.0f;        ///< Factor on the floor's extent, >= 1.
-  float cell = 1.0f;         ///< Of the middle rank of lines, character units; the others a fifth and five times.
+  float cell = 1.0f;         ///< The middle rank's, character units; a fifth of it and five times it in the others.
   float towardsNext = 0.0f;  ///< 0..1: how far the ranks have moved on; 1 looks as 0 with cells five times as large.
 };
-[[nodiscard]] GridZoom gridZoom(const View& view, const glm::vec3& centre, float height);
+[[nodiscard]] GridZoom gridZoom(const View& view, const glm::vec3& center, float height);
 
 /// A round length (1, 2 or 5 times a power of ten) near a quarter of the height: the grid's cell.
 [[nodiscard]] float gridCell(float height);

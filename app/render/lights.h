@@ -6,7 +6,7 @@
 
 namespace sinew::app {
 
-/// As shaders/lighting.glsl lays it out (std140). Colours are linear.
+/// As shaders/lighting.glsl lays it out (std140). Colors are linear.
 struct LightBlock {
   glm::vec4 sky{0.0f};
   glm::vec4 floor{0.0f};  ///< What the ground reflects.
@@ -34,7 +34,7 @@ struct BackdropStyle {
   glm::vec3 low{0.0f};    ///< sRGB: at the rim, at the bottom, the dark squares.
   glm::vec3 high{0.0f};   ///< sRGB: in the middle, at the top, the light squares.
   float pool = 1.0f;      ///< Factor on the pool of light on the ground.
-  float lineTone = 1.0f;  ///< Factor on the grid's colours: below 1 on light backgrounds.
+  float lineTone = 1.0f;  ///< Factor on the grid's colors: below 1 on light backgrounds.
   float lines = 1.0f;     ///< Factor on the opacity of the grid.
 };
 [[nodiscard]] const BackdropStyle& backdropStyle(Backdrop backdrop);

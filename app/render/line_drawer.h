@@ -14,7 +14,7 @@ class LineDrawer {
   void drawControlMesh(const Frame& frame);
   /// Scene::segments with a dot at both ends, the larger at `from`; what the surface hides is fainter.
   void drawSegments(const Frame& frame);
-  /// The lines of selected and hovered muscles: tendons pale, bellies in the colour of their flesh.
+  /// The lines of selected and hovered muscles: tendons pale, bellies in the color of their flesh.
   void drawMuscleLines(const Frame& frame);
 
  private:
@@ -33,7 +33,7 @@ class LineDrawer {
   GlBuffer lines_;
 };
 
-/// Linear colour of a class of segments, for legends.
+/// Linear color of a class of segments, for legends.
 [[nodiscard]] glm::vec3 segmentColor(SegmentClass kind);
 
 }  // namespace sinew::app

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kTendonVertices = 24 * 14 * 6;  ///< As shaders/tendon.vert numbers them.
 constexpr float kUnmoved = 0.45f;             ///< The tone of muscles that no line flexes: between loose and flexed.
-constexpr float kStrandWidth = 0.12f;         ///< Of the mean of half length and mean radius across.
+constexpr float kStrandWidth = 0.12f;         ///< Fraction of the mean of half length and mean radius across.
 constexpr float kCord = 0.20f;                ///< A tendon's radius, of the belly's mean radius across,
 constexpr glm::vec2 kCordOfHeight{0.0016f, 0.0085f};       ///< within these, of the character's height.
 constexpr glm::vec2 kBoneWidth{0.12f, 0.012f};             ///< A bone's, of its length and of the character's height.
@@ -229,7 +229,7 @@ void MuscleDrawer::drawGlass(const Frame& frame, const SurfaceDrawer& surface) c
   const bool onDark = frame.settings.background && backdrop.low.g + backdrop.high.g < 0.5f;
   program.set("contourColor", onDark ? kLightContour : kDarkContour);
   program.set("depthScale", glm::vec2(clip[2][2], clip[3][2]));
-  glVertexAttrib4f(5, 1.0f, 1.0f, 1.0f, 1.0f);  // For surfaces without colours.
+  glVertexAttrib4f(5, 1.0f, 1.0f, 1.0f, 1.0f);  // For surfaces without colors.
   // Depth first: one layer of glass, never two.
   glDisable(GL_BLEND);
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);

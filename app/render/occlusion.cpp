@@ -112,7 +112,7 @@ float opennessAt(const Voxels& voxels, const std::array<glm::vec3, kRays>& direc
   return all > 0.0f ? seen / all : 1.0f;
 }
 
-/// Each vertex half way to the mean of its neighbours.
+/// Each vertex half way to the mean of its neighbors.
 void smoothAlongEdges(const ControlMesh& mesh, std::vector<float>& values) {
   std::vector<float> sum(values.size(), 0.0f), count(values.size(), 0.0f);
   for (const Edge& edge : mesh.edges) {

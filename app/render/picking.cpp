@@ -177,7 +177,7 @@ std::optional<ShellSpan> crossShell(const Ray& ray, const glm::mat4& unitBallInW
   if (!shape.isPlain()) return crossShape(ray, toBall, glm::vec3(unitBallInWorld[3]), shape);
   const glm::vec3 origin = toBall * (ray.origin - glm::vec3(unitBallInWorld[3]));
   const glm::vec3 direction = toBall * ray.direction;
-  // The foot of the ball's centre on the ray first: |origin|^2 - 1 from afar would cancel.
+  // The foot of the ball's center on the ray first: |origin|^2 - 1 from afar would cancel.
   const float length2 = glm::dot(direction, direction);
   const float foot = -glm::dot(origin, direction) / length2;
   const glm::vec3 closest = origin + foot * direction;

@@ -19,8 +19,8 @@ const glm::vec4 kHalo{0.01f, 0.01f, 0.012f, 0.42f};
 
 /// How near an ellipsoid comes to the eye, along the view. Smaller is nearer.
 float nearestDepth(const PrimitiveShape& shape, const glm::vec3& forward) {
-  const glm::vec3 centre(shape.unitBallInWorld[3]);
-  return glm::dot(centre, forward) - glm::length(glm::transpose(glm::mat3(shape.unitBallInWorld)) * forward);
+  const glm::vec3 center(shape.unitBallInWorld[3]);
+  return glm::dot(center, forward) - glm::length(glm::transpose(glm::mat3(shape.unitBallInWorld)) * forward);
 }
 
 ShapeInstance shellOf(const PrimitiveShape& shape, float scale, const glm::vec4& color, const glm::vec3& style) {

@@ -41,7 +41,7 @@ class PrimitiveDrawer {
   ShapeMesh rims_;
   GlBuffer outlines_;
   std::vector<glm::vec4> outlinePoints_;  ///< World, of one shape after the other.
-  GlTexture depth_;                       ///< Of the opaque things before the shells; one sample a pixel.
+  GlTexture depth_;                       ///< Depth of the opaque things before the shells; one sample per pixel.
   GlFramebuffer depthCopy_;
   glm::ivec2 depthSize_{0};
 };

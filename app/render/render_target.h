@@ -1,4 +1,4 @@
-// app/render/render_target.h: the picture's framebuffer: sRGB colour and depth, multisampled and resolved.
+// app/render/render_target.h: the picture's framebuffer: sRGB color and depth, multisampled and resolved.
 #pragma once
 
 #include "app/render/gl_objects.h"

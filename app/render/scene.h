@@ -31,7 +31,7 @@ struct DisplaySettings {
   bool cullBackFaces = false;  ///< Asks the surface's maker, not the drawer, to leave out what cannot be seen.
   bool ground = true;          ///< Grid and shadow.
   bool background = true;      ///< Off: transparent where nothing is drawn.
-  bool lighting = true;        ///< Off: Shading::kTextured shows the bare base colour.
+  bool lighting = true;        ///< Off: Shading::kTextured shows the bare base color.
   bool territory = true;       ///< Scene::territory as a tint on the skin.
   bool segments = true;        ///< Scene::segments.
   float lineScale = 1.0f;      ///< Factor on line, outline and dot widths, for dense displays.
@@ -76,7 +76,7 @@ struct PrimitiveShape {
 /// Ends of its three axes where rho = scale, world space.
 [[nodiscard]] std::array<glm::vec3, 6> extremesOf(const PrimitiveShape& shape, float scale);
 
-/// What a segment says; each class has its colour.
+/// What a segment says; each class has its color.
 enum class SegmentClass : std::uint8_t { kPlain, kFound, kFallback, kLost };
 
 /// A straight line with a dot at both ends: a projection ray, an anchor. World space.
@@ -90,7 +90,7 @@ struct SceneSegment {
 struct Scene {
   const Character* character = nullptr;
   const Surface* surface = nullptr;
-  std::uint64_t surfaceRevision = 0;  ///< Of one character: equal numbers, equal surfaces, uploaded once. 0: unknown.
+  std::uint64_t surfaceRevision = 0;  ///< Equal for equal surfaces of a character, uploaded once. 0: unknown.
   const Pose* pose = nullptr;
   std::vector<PrimitiveShape> primitives;
   int selectedBone = -1;

@@ -8,7 +8,7 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kRadius = 0.075f;        ///< How far a surface darkens its neighbours, fraction of the height.
+constexpr float kRadius = 0.075f;        ///< How far a surface darkens its neighbors, fraction of the height.
 constexpr float kMuscleRadius = 0.040f;  ///< The same for muscles, which lie close together.
 constexpr GLuint kUnit = 5;              ///< Texture unit of shaders/surface.frag.
 constexpr int kTaps = 16;

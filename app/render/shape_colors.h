@@ -16,7 +16,7 @@ struct OutlineLook {
   float dashes = 0.0f;  ///< Around the ellipsoid; 0: unbroken.
 };
 
-/// Its group's colour; a selected one a little lighter.
+/// Its group's color; a selected one a little lighter.
 [[nodiscard]] inline glm::vec3 shapeColor(const PrimitiveShape& shape) {
   return shape.selected ? glm::mix(shape.color, glm::vec3(1.0f), 0.12f) : shape.color;
 }

@@ -18,10 +18,10 @@ struct ShapeInstance {
   glm::mat4 shapeInWorld{1.0f};
   glm::vec4 color{1.0f};  ///< Linear, opacity in w.
   glm::vec4 style{0.0f};  ///< Outline, glow: 0..1.
-  FormVectors form{};     ///< Of a shape, where style.w > 0.
+  FormVectors form{};     ///< A shape's, where style.w > 0.
 };
 
-/// The surface rho = `scale` of a primitive, made of the unit ball; colour, outline and glow are left to the caller.
+/// The surface rho = `scale` of a primitive, made of the unit ball; color, outline and glow are left to the caller.
 [[nodiscard]] ShapeInstance shellOf(const PrimitiveShape& shape, float scale);
 
 class ShapeMesh {

@@ -50,8 +50,8 @@ glm::vec2 depthRange(const Frame& frame) {
   return {range.x, std::max(range.y - range.x, 0.25f * frame.height)};
 }
 
-glm::mat4 ballAt(const glm::vec3& centre, float radius) {
-  return {glm::vec4(radius, 0, 0, 0), glm::vec4(0, radius, 0, 0), glm::vec4(0, 0, radius, 0), glm::vec4(centre, 1)};
+glm::mat4 ballAt(const glm::vec3& center, float radius) {
+  return {glm::vec4(radius, 0, 0, 0), glm::vec4(0, radius, 0, 0), glm::vec4(0, 0, radius, 0), glm::vec4(center, 1)};
 }
 
 }  // namespace
@@ -120,7 +120,7 @@ void SkeletonDrawer::draw(const Frame& frame) {
   program_.use();
   program_.set("depthRange", depthRange(frame));
   program_.set("contour", 0.0f);
-  // Depth first, colour where it is nearest: one layer of translucent bone, never two.
+  // Depth first, color where it is nearest: one layer of translucent bone, never two.
   glDepthFunc(GL_LEQUAL);
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   drawAll(0.0f);

@@ -66,7 +66,7 @@ class SurfaceDrawer {
 
   /// Programs for each Shading.
   using Programs = std::array<GlProgram, 4>;
-  /// +1 with wire, +2 with marks, +4 with vertex colours (kTextured alone), +8 with a light that was chosen or with
+  /// +1 with wire, +2 with marks, +4 with vertex colors (kTextured alone), +8 with a light that was chosen or with
   /// occlusion: these are made when first used.
   mutable std::array<Programs, 16> programs_;
   GlVertexArray array_;

@@ -9,7 +9,7 @@ void SurfaceDrawer::drawForShadow(const Frame& frame, const GlProgram& solid, co
   const int perCoarse = coarse ? refinement_->depth * refinement_->depth : 1;
   glBindVertexArray(array_.id());
   glVertexArrayElementBuffer(array_.id(), coarse ? coarseIndices_.id() : indices_.id());
-  glVertexAttrib4f(5, 1.0f, 1.0f, 1.0f, 1.0f);  // For surfaces without colours.
+  glVertexAttrib4f(5, 1.0f, 1.0f, 1.0f, 1.0f);  // For surfaces without colors.
   for (const Range& range : shadowRanges_) {
     const Material& material = materialOf(range);
     const AlphaMode alpha = alphaIn(frame, material);

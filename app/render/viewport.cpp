@@ -40,16 +40,16 @@ struct Viewport::State {
   bool finish = false;
   bool transparent = false;
   float floor = 0.0f;
-  bool kept = false;               ///< Of the last picture all but `boxes` is the kept background.
-  std::vector<glm::vec4> boxes{};  ///< Of the last picture: the character and its shadow.
+  bool kept = false;               ///< All but `boxes` of the last picture is the kept background.
+  std::vector<glm::vec4> boxes{};  ///< The character and its shadow in the last picture.
   std::vector<glm::vec4> changed{};
-  glm::vec3 heldCentre{0.0f};  ///< Frame::groundCentre of the last picture.
+  glm::vec3 heldCenter{0.0f};  ///< Frame::groundCenter of the last picture.
   DrawSeconds seconds{};
 };
 
 namespace {
 
-constexpr float kHeldWithin = 0.015f;  ///< Of the height: the light on the floor changes by one step in 255 at most.
+constexpr float kHeldWithin = 0.015f;  ///< Fraction of the height: at most one step in 255 of the floor's light.
 constexpr int kFirstShown = 4;         ///< Samples after which a mean is first shown.
 
 FrameBlock blockOf(const Frame& frame, bool occluded) {
@@ -122,7 +122,7 @@ std::vector<glm::vec4> boxesOf(const Frame& frame, const glm::vec4& shadow) {
   return boxes;
 }
 
-/// Colours were multiplied by alpha in linear light; files hold them whole.
+/// Colors were multiplied by alpha in linear light; files hold them whole.
 void divideByAlpha(std::vector<std::uint8_t>& rgba) {
   const auto decode = [](double s) { return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4); };
   const auto encode = [](double l) { return l <= 0.0031308 ? l * 12.92 : 1.055 * std::pow(l, 1.0 / 2.4) - 0.055; };
@@ -179,9 +179,9 @@ void Viewport::setCharacter(const Character& character) {
 }
 
 /// Below the character. In a movement it stays where it was until that is seen: what is drawn there can be kept.
-glm::vec3 Viewport::groundCentre(const Frame& frame, bool moving) {
+glm::vec3 Viewport::groundCenter(const Frame& frame, bool moving) {
   const glm::vec3 below = frame.surfaceBounds.isEmpty() ? glm::vec3(0.0f) : frame.surfaceBounds.center();
-  glm::vec3& held = state_->heldCentre;
+  glm::vec3& held = state_->heldCenter;
   if (!moving || glm::distance(held, below) > kHeldWithin * frame.height) held = below;
   return held;
 }
@@ -265,7 +265,7 @@ void Viewport::draw(const Scene& scene, const View& whole, const DisplaySettings
   const bool surfaced = scene.surface != nullptr && scene.surface->refinement != nullptr;
   if (surfaced) s.surface.upload(scene);
   Frame frame{scene, view, settings, scene.character->height, s.floor, surfaced ? s.surface.bounds() : Bounds{}};
-  frame.groundCentre = groundCentre(frame, moving.has_value());
+  frame.groundCenter = groundCenter(frame, moving.has_value());
   s.target.resize(view.size, s.samples);
   s.mean.begin(whole.size);
   s.transparent = !settings.background;
@@ -290,7 +290,7 @@ bool Viewport::refine(const Scene& scene, const View& view, const DisplaySetting
   const glm::vec2 shift = 2.0f * sampleOffset(sample) / glm::vec2(view.size);
   aside.clipFromView = glm::translate(glm::mat4(1.0f), glm::vec3(shift, 0.0f)) * view.clipFromView;
   Frame frame{scene, aside, settings, scene.character->height, s.floor, surfaced ? s.surface.bounds() : Bounds{}};
-  frame.groundCentre = groundCentre(frame, false);
+  frame.groundCenter = groundCenter(frame, false);
   s.sample.resize(view.size, s.samples);
   shareFrame(frame, sample);
   drawInto(s.sample, frame, false);

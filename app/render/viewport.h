@@ -77,7 +77,7 @@ class Viewport {
   void drawInto(const RenderTarget& target, const Frame& frame, bool keepsBackdrop);
   void shareFrame(const Frame& frame, int sample);
   void noteChange(const Frame& frame, bool kept);
-  [[nodiscard]] glm::vec3 groundCentre(const Frame& frame, bool moving);
+  [[nodiscard]] glm::vec3 groundCenter(const Frame& frame, bool moving);
   void leave();
   struct State;
   std::unique_ptr<State> state_;

@@ -34,7 +34,7 @@ constexpr float kLeastHalf = 0.015f;  ///< Half length, of H.
 constexpr float kMostHalf = 0.75f;
 constexpr float kMostHalfOnBone = 0.3f;
 constexpr float kSlenderness = 1.25f;  ///< Length over thickness of a muscle added on a bone, at least.
-constexpr float kSunk = 0.3f;          ///< Fraction of the thickness: how deep the centre lies under the skin.
+constexpr float kSunk = 0.3f;          ///< Fraction of the thickness: how deep the center lies under the skin.
 
 bool isUsable(const glm::mat4& boneInWorld) {
   return isFinite(boneInWorld) && !isFlat(glm::dmat3(glm::mat3(boneInWorld)));
@@ -117,15 +117,15 @@ PathProfile profileOf(std::span<const SkinPoint> path, const glm::vec3& along, c
 /// Thickness on a flat skin.
 float flatThickness(float half, float height) { return std::clamp(kThickness * half, 0.02f * height, 0.15f * height); }
 
-/// Semi-axes and centre; direction and normal are there.
+/// Semi-axes and center; direction and normal are there.
 void fitToProfile(EllipsoidInWorld& ellipsoid, const glm::vec3& start, const PathProfile& profile, float height) {
   const float halfChord = 0.5f * profile.length;
   const float rise = std::clamp(profile.heightAt(halfChord), -halfChord, halfChord);
   const float thickness = flatThickness(halfChord, height);
-  // Half of an arch's height lifts the centre, half makes the ellipsoid thicker: together they reach its top.
+  // Half of an arch's height lifts the center, half makes the ellipsoid thicker: together they reach its top.
   const float arch = std::max(rise, 0.0f);
   const float level = rise - 0.5f * arch - kSunk * thickness;
-  // On a high arch the centre is over the chord, and at its level the path is shorter than the chord.
+  // On a high arch the center is over the chord, and at its level the path is shorter than the chord.
   const glm::vec2 ends = level > 0.0f ? profile.rangeAt(level) : glm::vec2(0.0f, profile.length);
   const float half = std::clamp(0.5f * (ends.y - ends.x), kLeastHalf * height, kMostHalf * height);
   ellipsoid.semiAxes = {half, std::clamp(kWidth * half, 0.02f * height, 0.2f * height),

@@ -31,7 +31,7 @@ struct AddMuscleState {
 /// An ellipsoid half buried in the skin along a stroke. Its long axis (x) lies along the chord from the first point to
 /// the last, its thickness (z) along the mean skin normal made perpendicular to the chord, +z out of the skin. In the
 /// middle it stands out of the skin by as much on a curved path as on a straight one, and its ends are not above the
-/// path: where the path arches over the chord it is thicker and its centre higher, where the path sags it lies deeper.
+/// path: where the path arches over the chord it is thicker and its center higher, where the path sags it lies deeper.
 /// A chord below 1 % of H is a click: 5 % of H at the start, along `boneAxisInWorld` laid into the tangent plane. A
 /// stroke ends where it is 150 % of H away from its start.
 /// Under uneven bone scale the long axis and the tangent plane are kept and their extents exact. Semi-axes in the

@@ -26,7 +26,7 @@ struct BoxSelectState {
   std::optional<BoxDrag> drag;
 };
 
-/// Names, in rig order, of the muscles whose ellipsoid's outline or centre is in the rectangle: also behind the skin.
+/// Names, in rig order, of the muscles whose ellipsoid's outline or center is in the rectangle: also behind the skin.
 /// Hidden and locked ones are left out.
 [[nodiscard]] std::vector<PrimitiveId> musclesInBox(const ViewportContext& context, const View& view,
                                                     const glm::vec2& corner, const glm::vec2& opposite);

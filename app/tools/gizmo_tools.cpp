@@ -76,7 +76,7 @@ bool continueMuscleDrag(ToolFrame& frame, const ViewportInput& input) {
     return false;
   }
   const DragResult drag = updateDrag(frame.tools.gizmo, input, target->context);
-  if (drag.outcome == DragOutcome::kCancelled) {
+  if (drag.outcome == DragOutcome::kCanceled) {
     commands.cancelGesture();
     return false;
   }

@@ -69,7 +69,7 @@ Placement bellyInWorld(const LineRest& rest, const Surface& skin, float height) 
   return belly;
 }
 
-/// Every anchor in the mirror plane, if they are near it and on centre bones.
+/// Every anchor in the mirror plane, if they are near it and on center bones.
 void snapToPlane(const MirrorPlan& plan, MuscleLine& line) {
   if (!liesInPlane(plan, line, kNearPlane)) return;
   for (LineAnchor* anchor : {&line.origin, &line.insertion, line.via ? &*line.via : nullptr}) {

@@ -15,9 +15,9 @@ namespace {
 
 constexpr float kCoveredBelow = 1.12f;  ///< Skin over a muscle lies a little outside its ellipsoid, where both blend.
 constexpr float kBulgeBelow = 1.4f;     ///< Where the skin is lifted visibly, its bulge reaches further.
-constexpr float kVisibleLift = 0.004f;  ///< Of H.
-constexpr float kNearHalf = 0.6f;       ///< Of the way through the body: muscles further away belong to its other side.
-constexpr float kLayer = 0.006f;        ///< Of H: clothes on skin.
+constexpr float kVisibleLift = 0.004f;  ///< Fraction of H.
+constexpr float kNearHalf = 0.6f;  ///< Share of the way through the body: what is further belongs to its other side.
+constexpr float kLayer = 0.006f;   ///< Fraction of H: clothes on skin.
 
 enum class Place { kInFront, kHoldsSkin, kUnderSkin, kConcealed };
 

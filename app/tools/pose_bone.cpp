@@ -22,7 +22,7 @@ Placement atJoint() {
   Placement placement;
   placement.center = glm::vec3(0.0f);
   placement.rotation = glm::quat(1.0f, 0.0f, 0.0f, 0.0f);
-  placement.radii = glm::vec3(0.0f);  // No poles: they would lie on the centre.
+  placement.radii = glm::vec3(0.0f);  // No poles: they would lie on the center.
   return placement;
 }
 
@@ -71,8 +71,8 @@ bool continueTurn(PoseBoneState& state, GizmoState& gizmo, const ViewportInput& 
     return false;
   }
   const DragResult dragged = updateDrag(gizmo, input, target->context);
-  const bool cancelled = dragged.outcome == DragOutcome::kCancelled;
-  context.overrides->set(state.bone, cancelled ? state.before : state.start * dragged.placement.rotation);
+  const bool canceled = dragged.outcome == DragOutcome::kCanceled;
+  context.overrides->set(state.bone, canceled ? state.before : state.start * dragged.placement.rotation);
   if (dragged.outcome != DragOutcome::kDragging) state.bone = -1;
   return state.bone >= 0;
 }

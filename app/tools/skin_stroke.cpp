@@ -28,7 +28,7 @@ struct CutPiece {
   EdgeEnds leave;
 };
 
-/// The skin cut by a plane. Neighbours wind their common edge in opposite ways: what leaves one triangle enters the
+/// The skin cut by a plane. Neighbors wind their common edge in opposite ways: what leaves one triangle enters the
 /// next.
 class SkinCut {
  public:

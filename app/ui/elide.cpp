@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kEllipsis = "...";
 constexpr std::string_view kSeparators = "_:.-| /";
-constexpr float kHeadShare = 0.4f;  ///< Of the room; the rest is for the end, where names differ most often.
+constexpr float kHeadShare = 0.4f;  ///< Share of the room; the rest is for the end, where names differ most often.
 
 bool isContinuation(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; }
 

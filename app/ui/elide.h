@@ -17,7 +17,7 @@ struct SharedEnds {
   std::string_view suffix;
 };
 
-/// Of more than half of the names, as long as they can be, up to and with a separator (one of "_:.-| /"). Empty where
+/// The longest ends that more than half of the names share, up to and with a separator (one of "_:.-| /"). Empty where
 /// there is none, and for fewer than two names. Views into the names.
 [[nodiscard]] SharedEnds sharedEnds(std::span<const std::string_view> names);
 

@@ -112,7 +112,7 @@ void addToolDrawings(IconDrawings& drawings) {
     }
     pen.ellipse(8, 8, 3, 2, 0.5f, true);
   };
-  drawings[at(Icon::kMinimise)] = [](const Pen& pen) { pen.line(3.6f, 11.4f, 12.4f, 11.4f); };
+  drawings[at(Icon::kMinimize)] = [](const Pen& pen) { pen.line(3.6f, 11.4f, 12.4f, 11.4f); };
   drawings[at(Icon::kCopy)] = [](const Pen& pen) {
     pen.outline({{5.4f, 5.4f}, {13.4f, 5.4f}, {13.4f, 14}, {5.4f, 14}}, true);
     pen.outline({{3.4f, 10.6f}, {2.6f, 10.6f}, {2.6f, 2}, {10.6f, 2}, {10.6f, 3.4f}}, false);

@@ -40,7 +40,7 @@ enum class Icon {
   kWarning,
   kError,
   kCopy,
-  kMinimise,
+  kMinimize,
   kSymmetry,
   kBox,
   // Marks of the outliner, the groups and the territory.

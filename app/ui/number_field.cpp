@@ -51,7 +51,7 @@ float stepOf(const NumberLook& look, const ImGuiIO& io) {
   return look.whole ? std::max(std::round(step), 1.0f) : step;
 }
 
-/// Of the range, 0 to 1.
+/// Fraction of the range, 0 to 1.
 float fractionOf(float value, const NumberLook& look) {
   if (look.logarithmic) return std::log(value / look.least) / std::log(look.most / look.least);
   return (value - look.least) / (look.most - look.least);

@@ -5,7 +5,7 @@
 
 namespace sinew::app {
 
-/// A colour as a constant (ImVec4 of 1.86 cannot be one); turns into ImGui's two forms by itself.
+/// A color as a constant (ImVec4 of 1.86 cannot be one); turns into ImGui's two forms by itself.
 struct Tint {
   float r = 0.0f;
   float g = 0.0f;
@@ -17,7 +17,7 @@ struct Tint {
   [[nodiscard]] ImU32 packed() const { return ImGui::ColorConvertFloat4ToU32({r, g, b, a * ImGui::GetStyle().Alpha}); }
 };
 
-/// The few colours there are; everything else is one of these, lighter or fainter.
+/// The few colors there are; everything else is one of these, lighter or fainter.
 namespace palette {
 inline constexpr Tint kBackground{0.086f, 0.094f, 0.110f, 1.0f};
 inline constexpr Tint kPanel{0.118f, 0.129f, 0.149f, 1.0f};
@@ -33,7 +33,7 @@ inline constexpr Tint kKeyed{0.918f, 0.698f, 0.176f, 1.0f};   ///< Amber: number
 inline constexpr Tint kDriven{0.624f, 0.502f, 0.929f, 1.0f};  ///< Violet: numbers that follow a driver.
 }  // namespace palette
 
-/// Sets colours, spacing and rounding of the current ImGui context. @param scale 1 on ordinary screens.
+/// Sets colors, spacing and rounding of the current ImGui context. @param scale 1 on ordinary screens.
 void applyStyle(float scale);
 
 }  // namespace sinew::app

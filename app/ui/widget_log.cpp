@@ -44,7 +44,7 @@ void WidgetLog::note(const std::string& id) {
                {x, y, std::max(right - x, 0.0f), std::max(bottom - y, 0.0f)}};
   noteScrolling(item);
   laidOut_.push_back(std::move(item));
-  // A sliver cannot be clicked: its centre would lie on the edge of what covers the rest.
+  // A sliver cannot be clicked: its center would lie on the edge of what covers the rest.
   if (right - x < 3.0f || bottom - y < 3.0f) return;
   note(id, {x, y, right - x, bottom - y});
 }

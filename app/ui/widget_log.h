@@ -14,7 +14,7 @@ struct LaidOut {
   std::string id;
   std::string window;       ///< ImGui's name of the window it is in.
   glm::vec4 whole{0.0f};    ///< x, y, width, height in window coordinates, as if nothing cut it off.
-  glm::vec4 visible{0.0f};  ///< Of that, what is seen; width or height 0: nothing.
+  glm::vec4 visible{0.0f};  ///< The visible part of that; width or height 0: nothing.
   bool scrollsX = false;    ///< What is cut off can be scrolled to, in its window or one around it.
   bool scrollsY = false;
 };

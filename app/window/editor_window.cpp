@@ -180,7 +180,7 @@ class Editor {
   /// A graphics processor draws all pixels; what it takes cannot be told from a wait for the monitor.
   bool adapts() const { return isSoftwareRenderer() && !state_.session.preferences.fullWhileMoving; }
 
-  /// Of a picture that is drawn in this frame. The first of a movement is whole: it may be the only one.
+  /// Scale of a picture that is drawn in this frame. The first of a movement is whole: it may be the only one.
   std::optional<float> resolution(const RawInput& input) {
     const bool moves = state_.open.transport.playing || step_.cameraMoves() || state_.frame.route.needsFrame ||
                        std::ranges::find(input.buttons, true) != input.buttons.end();

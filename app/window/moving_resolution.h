@@ -17,13 +17,13 @@ struct FrameCost {
 class MovingResolution {
  public:
   static constexpr double kFrameGoal = 1.0 / 32.0;  ///< Seconds; a little below what is promised, 30 a second.
-  static constexpr std::array<float, 5> kScales{1.0f, 0.85f, 0.72f, 0.61f, 0.52f};  ///< Of width and height.
+  static constexpr std::array<float, 5> kScales{1.0f, 0.85f, 0.72f, 0.61f, 0.52f};  ///< Factors on width and height.
   static constexpr std::size_t kFewFrames = 3;    ///< Slow ones in a row: a step down.
   static constexpr std::size_t kManyFrames = 20;  ///< Fast ones in a row: a step up.
 
   /// A frame was drawn at scale() while the picture moved.
   void add(const FrameCost& cost);
-  /// Of the next moving picture. Kept from one movement to the next: they cost about the same.
+  /// Scale of the next moving picture. Kept from one movement to the next: they cost about the same.
   [[nodiscard]] float scale() const { return kScales[step_]; }
   /// Seconds that drawing may take after all else: at least half of the goal, so that a slow surface does not make a
   /// picture coarse that is not the reason.

@@ -71,7 +71,7 @@ class Picture {
 
   Viewport& viewport_;
   Thumbnails& thumbnails_;
-  std::filesystem::path file_;  ///< Of the document in the picture; "": it has unsaved changes.
+  std::filesystem::path file_;  ///< File of the document in the picture; "": it has unsaved changes.
   std::size_t shownDocument_ = 0;
   std::uint64_t revision_ = 0;
   std::vector<glm::vec4> changed_;

@@ -98,7 +98,7 @@ Json symmetryState(const Document& document) {
   return Json::object()
       .set("on", document.symmetry)
       .set("pairs", plan ? plan->pairCount() : 0)
-      .set("centre", plan ? plan->centreCount() : 0)
+      .set("centre", plan ? plan->centerCount() : 0)
       .set("twin", active < 0 ? std::string() : document.rig().primitives[static_cast<std::size_t>(active)].mirror);
 }
 

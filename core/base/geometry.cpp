@@ -1,4 +1,4 @@
-// core/base/geometry.cpp: boxes, safe normalising, the matrix of normals.
+// core/base/geometry.cpp: boxes, safe normalizing, the matrix of normals.
 #include "sinew/base/geometry.h"
 
 #include <cmath>

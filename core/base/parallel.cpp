@@ -32,7 +32,7 @@ class HandOver {
   }
 };
 
-/// Of this thread, kept for its next calls: one may run inside another.
+/// This thread's arena, kept for its next calls: one may run inside another.
 tbb::task_arena& limitedArena(int threads) {
   thread_local std::map<int, tbb::task_arena> arenas;
   return arenas.try_emplace(threads, threads).first->second;

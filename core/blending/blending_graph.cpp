@@ -14,21 +14,26 @@ namespace {
 
 using Groups = std::vector<int>;  // sorted
 
+/// Lists the maximal cliques, each once. A clique is extended by every candidate, a group linked to all of its members;
+/// `excluded` are those whose extensions have been listed already, and a clique is maximal when both lists are empty. A
+/// maximal clique contains the pivot or a group not linked to it, so only those branch (the pivot's choice: Tomita,
+/// Tanaka and Takahashi 2006). A graph can have 3^(n/3) maximal cliques (Moon and Moser 1965), hence the limit.
+/// docs/field.md, Many muscles.
 class CliqueSearch {
  public:
-  CliqueSearch(std::vector<Groups> neighbours, std::vector<Groups>& found)
-      : neighbours_(std::move(neighbours)), found_(found) {}
+  CliqueSearch(std::vector<Groups> neighbors, std::vector<Groups>& found)
+      : neighbors_(std::move(neighbors)), found_(found) {}
 
   /// False: too many.
   bool run() {
-    Groups all(neighbours_.size());
+    Groups all(neighbors_.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
     Groups clique;
     return extend(clique, all, {});
   }
 
  private:
-  const Groups& neighboursOf(int group) const { return at(neighbours_, group); }
+  const Groups& neighborsOf(int group) const { return at(neighbors_, group); }
 
   /// Looks the smaller set's members up in the larger: sparse graphs of thousands of groups stay quick.
   static Groups intersection(const Groups& a, const Groups& b) {
@@ -39,13 +44,13 @@ class CliqueSearch {
     return both;
   }
 
-  /// The candidate or excluded group with the most neighbours among the candidates: its neighbours need no branch.
+  /// The candidate or excluded group with the most neighbors among the candidates: its neighbors need no branch.
   int pivot(const Groups& candidates, const Groups& excluded) const {
     int best = -1;
     std::size_t most = 0;
     for (const Groups* list : {&candidates, &excluded}) {
       for (const int group : *list) {
-        const std::size_t count = intersection(neighboursOf(group), candidates).size();
+        const std::size_t count = intersection(neighborsOf(group), candidates).size();
         if (best < 0 || count > most) {
           best = group;
           most = count;
@@ -65,10 +70,10 @@ class CliqueSearch {
     }
     if (candidates.empty()) return true;
     Groups branches;
-    std::ranges::set_difference(candidates, neighboursOf(pivot(candidates, excluded)), std::back_inserter(branches));
+    std::ranges::set_difference(candidates, neighborsOf(pivot(candidates, excluded)), std::back_inserter(branches));
     for (const int group : branches) {
       clique.push_back(group);
-      if (!extend(clique, intersection(candidates, neighboursOf(group)), intersection(excluded, neighboursOf(group)))) {
+      if (!extend(clique, intersection(candidates, neighborsOf(group)), intersection(excluded, neighborsOf(group)))) {
         return false;
       }
       clique.pop_back();
@@ -78,26 +83,26 @@ class CliqueSearch {
     return true;
   }
 
-  std::vector<Groups> neighbours_;
+  std::vector<Groups> neighbors_;
   std::vector<Groups>& found_;
 };
 
 }  // namespace
 
 Result<BlendingGraph> makeBlendingGraph(int groupCount, std::span<const std::array<int, 2>> links) {
-  std::vector<Groups> neighbours(static_cast<std::size_t>(groupCount));
+  std::vector<Groups> neighbors(static_cast<std::size_t>(groupCount));
   for (const auto& [a, b] : links) {
     if (a == b) continue;
-    at(neighbours, a).push_back(b);
-    at(neighbours, b).push_back(a);
+    at(neighbors, a).push_back(b);
+    at(neighbors, b).push_back(a);
   }
-  for (Groups& list : neighbours) {
+  for (Groups& list : neighbors) {
     std::ranges::sort(list);
     list.erase(std::unique(list.begin(), list.end()), list.end());
   }
   BlendingGraph graph;
   graph.groupCount = groupCount;
-  if (groupCount > 0 && !CliqueSearch(std::move(neighbours), graph.cliques).run()) {
+  if (groupCount > 0 && !CliqueSearch(std::move(neighbors), graph.cliques).run()) {
     return errorAt("links", "the blending graph has more than " + std::to_string(kMaxCliques) +
                                 " maximal sets of mutually linked groups; merge groups or remove links");
   }

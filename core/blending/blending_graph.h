@@ -35,7 +35,7 @@ class BlendingGraphMemo {
 
  private:
   std::optional<BlendingGraph> graph_;
-  std::vector<std::array<int, 2>> links_;  ///< Of graph_.
+  std::vector<std::array<int, 2>> links_;  ///< Links of graph_.
   int enumerations_ = 0;
 };
 

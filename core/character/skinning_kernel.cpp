@@ -67,45 +67,45 @@ HWY_INLINE LaneMatrix blendLanes(const ControlMesh& mesh, std::span<const glm::m
 }
 
 /// Lanes beyond the last vertex repeat it.
-void skinVertices(const SkinFrame& frame) {
-  const Rows positions(frame.mesh->positions);
-  const Rows directions(frame.directions);
-  const int count = static_cast<int>(frame.directions.size());
+void skinVertices(const SkinInputs& inputs) {
+  const Rows positions(inputs.mesh->positions);
+  const Rows directions(inputs.directions);
+  const int count = static_cast<int>(inputs.directions.size());
   for (int first = 0; first < count; first += static_cast<int>(width())) {
     const auto used = std::min(width(), toIndex(count - first));
     const auto vertex = [&](std::size_t lane) { return std::min(first + static_cast<int>(lane), count - 1); };
-    const LaneMatrix matrix = blendLanes(*frame.mesh, frame.matrices, vertex);
-    if (!frame.outPositions.empty()) {
+    const LaneMatrix matrix = blendLanes(*inputs.mesh, inputs.matrices, vertex);
+    if (!inputs.outPositions.empty()) {
       const V3 point = gatherBy([&](std::size_t lane) { return positions.at(vertex(lane)); });
-      scatter(move(point, matrix), &at(frame.outPositions, first), 1, used);
+      scatter(move(point, matrix), &at(inputs.outPositions, first), 1, used);
     }
     const V3 direction = gatherBy([&](std::size_t lane) { return directions.at(vertex(lane)); });
-    scatter(carry(direction, matrix), &at(frame.outDirections, first), 1, used);
+    scatter(carry(direction, matrix), &at(inputs.outDirections, first), 1, used);
   }
 }
 
 /// The first `used` of the wedges that are listed; the others are any of them.
-void skinListed(const WedgeFrame& frame, const std::array<std::size_t, kLanes>& listed, std::size_t used) {
-  const auto wedge = [&](std::size_t lane) -> const Wedge& { return frame.wedges[listed[lane]]; };
+void skinListed(const WedgeInputs& inputs, const std::array<std::size_t, kLanes>& listed, std::size_t used) {
+  const auto wedge = [&](std::size_t lane) -> const Wedge& { return inputs.wedges[listed[lane]]; };
   const LaneMatrix matrix =
-      blendLanes(*frame.mesh, frame.matrices, [&](std::size_t lane) { return wedge(lane).vertex; });
+      blendLanes(*inputs.mesh, inputs.matrices, [&](std::size_t lane) { return wedge(lane).vertex; });
   LanePoints normals;
   for (std::size_t lane = 0; lane < width(); ++lane) normals.set(lane, wedge(lane).normal);
   scatterTo(
-      carry(normals.load(0), matrix), [&](std::size_t lane) { return &frame.out[listed[lane]]; }, used);
+      carry(normals.load(0), matrix), [&](std::size_t lane) { return &inputs.out[listed[lane]]; }, used);
 }
 
-void skinWedges(const WedgeFrame& frame) {
+void skinWedges(const WedgeInputs& inputs) {
   std::array<std::size_t, kLanes> listed{};
   std::size_t used = 0;
-  for (std::size_t w = 0; w < frame.wedges.size(); ++w) {
-    if (!frame.wedges[w].creased) continue;
+  for (std::size_t w = 0; w < inputs.wedges.size(); ++w) {
+    if (!inputs.wedges[w].creased) continue;
     listed[used] = w;
     if (++used < width()) continue;
-    skinListed(frame, listed, used);
+    skinListed(inputs, listed, used);
     used = 0;
   }
-  if (used > 0) skinListed(frame, listed, used);
+  if (used > 0) skinListed(inputs, listed, used);
 }
 
 constexpr SkinKernels kKernels{&skinVertices, &skinWedges};

@@ -9,7 +9,7 @@
 namespace sinew {
 
 /// What skinning.h passes to the kernel. All but `matrices` are [V]. Nothing is allocated.
-struct SkinFrame {
+struct SkinInputs {
   const ControlMesh* mesh = nullptr;
   std::span<const glm::mat4> matrices;    ///< [bindings] from the bind pose to the pose.
   std::span<const glm::vec3> directions;  ///< Bind pose, unit; carried as normals are.
@@ -18,7 +18,7 @@ struct SkinFrame {
 };
 
 /// What skinWedgeNormals (skinning.h) passes: a wedge that is not creased keeps what `out` holds.
-struct WedgeFrame {
+struct WedgeInputs {
   const ControlMesh* mesh = nullptr;
   std::span<const glm::mat4> matrices;
   std::span<const Wedge> wedges;  ///< [W] theirs are the mesh's vertices.
@@ -26,8 +26,8 @@ struct WedgeFrame {
 };
 
 struct SkinKernels {
-  void (*vertices)(const SkinFrame& frame) = nullptr;
-  void (*wedges)(const WedgeFrame& frame) = nullptr;
+  void (*vertices)(const SkinInputs& inputs) = nullptr;
+  void (*wedges)(const WedgeInputs& inputs) = nullptr;
 };
 
 /// All give the same bits.  @param set  not kScalar; one that this machine runs.

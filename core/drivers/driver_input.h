@@ -15,11 +15,11 @@ namespace sinew {
 struct FoundInput {
   DriverInputKind kind = DriverInputKind::kBend;
   int bone = -1;
-  glm::vec3 axis{1.0f, 0.0f, 0.0f};  ///< Of the turn frame; of a twist too.
+  glm::vec3 axis{1.0f, 0.0f, 0.0f};  ///< Axis of the turn frame and of a twist.
   glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
   float width = kDefaultPoseWidth;
   int line = -1;                 ///< Index into Rig::lines.
-  std::vector<KeyTrack> tracks;  ///< Of the channel.
+  std::vector<KeyTrack> tracks;  ///< Tracks of the channel.
   BonePoint from;
   BonePoint to;
   double distanceInBind = 1.0;

@@ -22,7 +22,7 @@ using WriteSkin = Result<std::uint64_t>(const Source& source, const PackedGltf& 
                                         const std::filesystem::path& file, std::vector<std::string>& left);
 WriteSkin writeGlb, writeGltf, writeUsd;
 
-/// As exportBaked() for names of the format. Throws gltf::Refusal, Cancelled.
+/// As exportBaked() for names of the format. Throws gltf::Refusal, Canceled.
 using BakeClip = Result<BakedExportReport>(Source& source, const std::shared_ptr<const Character>& character,
                                            const Rig& rig, const BakedExportSettings& settings,
                                            const std::filesystem::path& file, const ExportProgress& progress);

@@ -20,8 +20,8 @@ template <class Make>
     return make();
   } catch (const gltf::Refusal& refusal) {
     return Error{characterFile.string(), refusal.error.place, refusal.error.reason};
-  } catch (const Cancelled&) {
-    return Error{file.string(), {}, std::string(kCancelled)};
+  } catch (const Canceled&) {
+    return Error{file.string(), {}, std::string(kCanceled)};
   } catch (const std::bad_alloc&) {
     return Error{characterFile.string(), {}, "there is not enough memory to export it"};
   } catch (const std::exception& error) {

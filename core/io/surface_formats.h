@@ -17,7 +17,7 @@ struct MaterialRun {
   std::size_t end = 0;
 };
 
-/// In triangle order; neighbours differ in material.
+/// In triangle order; neighbors differ in material.
 [[nodiscard]] std::vector<MaterialRun> materialRuns(const Surface& surface, const Character& character);
 
 /// Indices of the materials that some triangle has, ascending; and of the textures these materials have, likewise.

@@ -25,12 +25,12 @@ void appendLine(std::string& out, const char* word, std::initializer_list<float>
   out += '\n';
 }
 
-/// Nine digits tell any float from its neighbours.
+/// Nine digits tell any float from its neighbors.
 void appendExact(std::string& out, const char* word, std::initializer_list<float> values) {
   appendLine(out, word, values, 9);
 }
 
-/// Colours and the like: what eight bits of a screen cannot tell is left out.
+/// Colors and the like: what eight bits of a screen cannot tell is left out.
 void appendRounded(std::string& out, const char* word, std::initializer_list<float> values) {
   appendLine(out, word, values, 6);
 }

@@ -78,7 +78,7 @@ int longestSide(const ControlMesh& mesh, const ControlTriangle& triangle) {
   return longest;
 }
 
-/// [T] The direction in which each face counts; zero only for one without area and without a neighbour that has any.
+/// [T] The direction in which each face counts; zero only for one without area and without a neighbor that has any.
 std::vector<glm::dvec3> faceNormals(const ControlMesh& mesh, const Sides& sides) {
   std::vector<glm::dvec3> normals;
   normals.reserve(mesh.triangles.size());
@@ -127,7 +127,11 @@ int cornerAt(const ControlMesh& mesh, const Side& side, int vertex) {
   return 3 * side.triangle + (first ? side.side : (side.side + 1) % 3);
 }
 
-/// [3T] for each corner, the corner that stands for its fan.
+/// Joins the corners of each control vertex into fans: where the surface turns at an edge by at most the angle, the
+/// corners of the two faces are joined at both ends of the edge. Union-find over the edges needs no order of faces
+/// around a vertex, so borders and edges of more than two faces are no special cases. Only the welded mesh decides, not
+/// the normals in the file (docs/design.md, Creases).  @return [3T] for each corner, the corner that stands for its
+/// fan.
 std::vector<int> fansOf(const ControlMesh& mesh, float degrees) {
   const Sides sides(mesh);
   const std::vector<glm::dvec3> normals = faceNormals(mesh, sides);

@@ -13,7 +13,7 @@ inline constexpr float kNoCreases = 180.0f;
 /// by edges across which the surface turns by at most `degrees` (to 0.01 degrees, in the bind pose). A vertex with one
 /// fan stays as it is; with more, its wedges are creased, each with the normal of its fan's faces, weighted by angle
 /// (mesh/normals.h). A border joins nothing. Of an edge with more than two triangles, those that go on smoothly into
-/// each other are joined. A triangle without an area goes with its neighbour across its longest edge.
+/// each other are joined. A triangle without an area goes with its neighbor across its longest edge.
 /// @param mesh welded, no wedge creased.  @param degrees 0..180; kNoCreases gives the mesh itself.
 [[nodiscard]] ControlMesh creased(const ControlMesh& mesh, float degrees);
 

@@ -15,7 +15,7 @@ namespace {
 double cornerAngle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const glm::dvec3 u = b - a;
   const glm::dvec3 v = c - a;
-  // atan2 keeps its accuracy for slivers, where acos of the normalised dot product loses it.
+  // atan2 keeps its accuracy for slivers, where acos of the normalized dot product loses it.
   return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
 }
 
@@ -44,11 +44,11 @@ std::vector<glm::vec3> vertexNormals(std::span<const glm::vec3> positions, std::
   }
 
   // Faces that cancel leave rounding only; a true normal of one sliver still weighs far more than this.
-  constexpr double kCancelled = 1e-10;
+  constexpr double kCanceled = 1e-10;
   std::vector<glm::vec3> normals(positions.size(), glm::vec3(0.0f, 1.0f, 0.0f));
   for (std::size_t v = 0; v < sums.size(); ++v) {
     const double length = glm::length(sums[v]);
-    if (length > kCancelled) normals[v] = glm::vec3(sums[v] / length);
+    if (length > kCanceled) normals[v] = glm::vec3(sums[v] / length);
   }
   return normals;
 }

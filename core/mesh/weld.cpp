@@ -15,7 +15,7 @@ namespace {
 
 /// Two weights closer than this are the same: the step of an 8-bit weight is 0.004.
 constexpr float kWeightTolerance = 1e-4f;
-/// Cells are this many tolerances wide: wide enough that a vertex rarely has to look into a neighbour cell.
+/// Cells are this many tolerances wide: wide enough that a vertex rarely has to look into a neighbor cell.
 constexpr double kCellInTolerances = 8.0;
 /// At most this many cells along the longest axis, so that cell numbers stay exact in double and in 64 bits.
 constexpr double kMostCells = 1e15;
@@ -25,7 +25,11 @@ constexpr int kMostCompared = 64;
 
 using Cell = std::array<std::int64_t, 3>;
 
-/// For every soup vertex in use, the soup vertex that stands for it.
+/// Finds for every soup vertex in use the soup vertex that stands for it: one at the same place that follows the same
+/// bones with the same weights. Files split vertices at seams, and pieces that are smoothed separately tear the surface
+/// apart (docs/design.md, Welding). Exact duplicates are found by a hash; what is left is compared within the
+/// tolerance, in order of arrival, with the representatives in the cells of a grid around it. Only representatives are
+/// in the grid, so a chain of near vertices cannot collapse into one.
 class Welder {
  public:
   Welder(const TriangleSoup& soup, float tolerance)

@@ -22,7 +22,7 @@ struct TriangleSoup {
 };
 
 /// Merges vertices that lie within `tolerance` (1e-6 of the height) of each other and follow the same bindings with
-/// the same weights (to 1e-4) into geometric vertices; vertices that agree in uv and colour too become one wedge. A
+/// the same weights (to 1e-4) into geometric vertices; vertices that agree in uv and color too become one wedge. A
 /// triangle that loses a corner is dropped and counted; a sliver with three corners stays, for without it a closed mesh
 /// would open. Vertices no triangle uses vanish. Fills edges and normals too. Same input, same order of everything.
 /// docs/design.md.
@@ -33,7 +33,7 @@ struct TriangleSoup {
 [[nodiscard]] std::vector<int> weldedTriangles(const TriangleSoup& soup, float tolerance);
 
 /// The same surface as a shape only: vertices at one place become one, whatever bones they follow. Shows where
-/// separately moving parts touch. Influences, texture coordinates and colours are not kept.
+/// separately moving parts touch. Influences, texture coordinates and colors are not kept.
 [[nodiscard]] ControlMesh joinedByPosition(const ControlMesh& mesh, float tolerance);
 
 }  // namespace sinew

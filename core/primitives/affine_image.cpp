@@ -16,7 +16,7 @@ namespace sinew {
 namespace {
 
 constexpr double kEven = 1e-6;     // Lengths and angles that differ less are equal: below what a float file can say.
-constexpr int kJacobiSweeps = 40;  // Of at most about eight that are needed.
+constexpr int kJacobiSweeps = 40;  // At most about eight are needed.
 
 /// Rotation of the image, for `axes` = mirror * rotation of improper orthogonal columns: some axes must be turned
 /// round, all three or one. Which, is said by the map itself, so that the map and its inverse agree.

@@ -34,7 +34,7 @@ glm::vec3 UnitBallMap::shapedSlope(const glm::vec3& fromCenter) const {
 }
 
 UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& boneInWorld) {
-  // In double: a bone in metres under a parent scaled by 0.01 loses digits that the field would show.
+  // In double: a bone in meters under a parent scaled by 0.01 loses digits that the field would show.
   const glm::dmat3 bone{glm::mat3(boneInWorld)};
   const glm::dmat3 rotation = glm::mat3_cast(glm::dquat(inBone.rotation));
   glm::dmat3 axes = bone * rotation;

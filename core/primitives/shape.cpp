@@ -41,8 +41,8 @@ std::vector<std::span<const ShapeNumber>> byKey() {
   return keys;
 }
 
-constexpr double kMargin = 0.95;        ///< Of the belly at which S would reach 0 at the end of the influence.
-constexpr double kStraightShare = 0.6;  ///< Of the sphere's height that onShape() gives a core of full length.
+constexpr double kMargin = 0.95;        ///< Fraction of the belly at which S would reach 0 at the influence's end.
+constexpr double kStraightShare = 0.6;  ///< Fraction of the sphere's height that onShape() gives a full core.
 
 /// A shape's constants in double.
 struct Numbers {

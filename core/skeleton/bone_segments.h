@@ -15,12 +15,12 @@ struct Segment {
   glm::vec3 from{0.0f};
   glm::vec3 along{0.0f};  ///< From its start to its end.
 
-  /// Of the foot of a point on the whole line: 0 at the start, 1 at the end.
+  /// Parameter of a point's foot on the whole line: 0 at the start, 1 at the end.
   [[nodiscard]] float parameter(const glm::vec3& point) const {
     const float squared = glm::dot(along, along);
     return squared > 0.0f ? glm::dot(point - from, along) / squared : 0.0f;
   }
-  /// Of the closest point of the segment, 0..1.
+  /// Parameter of the closest point of the segment, 0..1.
   [[nodiscard]] float closestTo(const glm::vec3& point) const { return std::clamp(parameter(point), 0.0f, 1.0f); }
   [[nodiscard]] glm::vec3 nearest(const glm::vec3& point) const { return from + along * closestTo(point); }
   [[nodiscard]] float distance(const glm::vec3& point) const { return glm::distance(point, nearest(point)); }

@@ -16,7 +16,7 @@ enum class JointRole {
   kShoulder,
   kElbow,
   kWrist,
-  kHip,  ///< Of a leg.
+  kHip,  ///< Root of a leg.
   kKnee,
   kAnkle,
   kDigit,  ///< Finger or toe.

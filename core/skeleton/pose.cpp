@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-/// Walks the tree once, parents first. In double: a metre-sized bone may hang under a node scaled by 0.01.
+/// Walks the tree once, parents first. In double: a meter-sized bone may hang under a node scaled by 0.01.
 Pose poseFromLocals(const Skeleton& skeleton, const std::vector<LocalTransform>& locals) {
   std::vector<glm::dmat4> inWorld(locals.size());
   for (std::size_t i = 0; i < locals.size(); ++i) {

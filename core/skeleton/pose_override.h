@@ -36,7 +36,7 @@ struct PoseOverrides {
   [[nodiscard]] bool isEmpty() const { return turns.empty(); }
   /// The identity where a bone is not turned.
   [[nodiscard]] glm::quat turnOf(int bone) const;
-  /// Normalises; the identity (also as -1), or what cannot be normalised, takes the bone's turn away.
+  /// Normalizes; the identity (also as -1), or what cannot be normalized, takes the bone's turn away.
   void set(int bone, const glm::quat& turn);
 
   friend bool operator==(const PoseOverrides&, const PoseOverrides&) = default;
@@ -62,8 +62,8 @@ struct PoseOverrides {
 [[nodiscard]] glm::quat mirroredTurn(const glm::quat& turn, const Bone& bone, const Bone& twin,
                                      const glm::vec3& planeNormal);
 
-/// Every turn on the other side: left becomes right and right left; centre joints are mirrored in place.
-/// @param twinOf  [bones] its counterpart, itself for centre bones, -1: none; then its turn stays where it is.
+/// Every turn on the other side: left becomes right and right left; center joints are mirrored in place.
+/// @param twinOf  [bones] its counterpart, itself for center bones, -1: none; then its turn stays where it is.
 [[nodiscard]] PoseOverrides mirroredPose(const PoseOverrides& overrides, const Skeleton& skeleton,
                                          std::span<const int> twinOf, const glm::vec3& planeNormal);
 

@@ -25,7 +25,7 @@ constexpr float kRadians = kPi / 180.0f;
 constexpr int kFramesPerSecond = 30;
 constexpr int kOneWayFrames = 30;
 constexpr int kBothWaysFrames = 45;
-constexpr float kPlaceTolerance = 0.02f;  ///< Of the skeleton's size: how nearly twins lie opposite each other.
+constexpr float kPlaceTolerance = 0.02f;  ///< How nearly twins lie opposite, fraction of the skeleton's size.
 
 // What each kind of joint does --------------------------------------------------------------------------------------
 
@@ -87,7 +87,7 @@ struct Body {
   const Skeleton& skeleton;
   std::vector<JointRole> roles;
   std::vector<int> twinOf;
-  glm::vec3 normal;  ///< Of the mirror plane.
+  glm::vec3 normal;  ///< Normal of the mirror plane.
   glm::vec3 left;    ///< The plane's normal, towards the left.
   glm::vec3 forward;
   std::vector<bool> moves;
@@ -301,6 +301,10 @@ void addKeys(Channel& channel, const JointMovement& movement, int begin, int fra
 
 }  // namespace
 
+/// Writes the script: each joint's role (joint_roles.h) says in which ways it turns and how far. Axes come from where
+/// the bones lie and where the character faces, not from the joints' own axes, which every exporter sets differently.
+/// Twins move in one step, the second as the mirror image of the first, and so do all digits and the whole tail: the
+/// clip stays short.
 std::vector<MovementStep> rangeOfMotionSteps(const Skeleton& skeleton, const RangeOfMotionHints& hints) {
   std::vector<MovementStep> steps;
   if (skeleton.bones.empty()) return steps;

@@ -14,7 +14,7 @@ inline constexpr std::string_view kRangeOfMotionName = "Range of motion";
 /// What a skeleton alone does not tell. Empty: found from where bones lie and from names.
 struct RangeOfMotionHints {
   std::vector<int> twinOf;                  ///< [bones] as MirrorPlan::twinOf (core/symmetry/mirror.h).
-  glm::vec3 planeNormal{1.0f, 0.0f, 0.0f};  ///< Of the mirror plane, unit, bind pose; read with twinOf.
+  glm::vec3 planeNormal{1.0f, 0.0f, 0.0f};  ///< Normal of the mirror plane, unit, bind pose; read with twinOf.
   std::vector<bool> carriesSkin;            ///< [bones] skin follows it: joints that move no skin stay out of the clip.
 };
 

@@ -35,7 +35,7 @@ struct CharacterTables {
 struct AttachedRig {
   Rig rig;  ///< The one that was attached.
   Attachment attachment;
-  CandidateLists candidates;  ///< Of all attached primitives, hidden or not.
+  CandidateLists candidates;  ///< Candidates among all attached primitives, hidden or not.
 };
 
 /// The refined mesh and what follows from its connectivity.
@@ -64,9 +64,9 @@ struct Preparation {
   std::vector<FieldPrimitive> primitives;      ///< [A] as drawn.
   std::vector<int> hidden;                     ///< Indices into the rig's primitives, ascending.
   int shownPrimitives = 0;                     ///< Attached and not hidden.
-  std::shared_ptr<const CandidateLists> seen;  ///< Of what is not hidden.
+  std::shared_ptr<const CandidateLists> seen;  ///< Candidates that are not hidden.
   std::shared_ptr<const RefinedMesh> refined;
-  std::shared_ptr<const VertexTiles> tiles;              ///< Of `seen`.
+  std::shared_ptr<const VertexTiles> tiles;              ///< Made from `seen`.
   std::shared_ptr<const std::vector<float>> bindFronts;  ///< [T n^2] of the patch.
   std::shared_ptr<const std::vector<Anchor>> anchors;    ///< [V'] in `replace`, else null.
   BindReading bind;
@@ -81,7 +81,7 @@ struct Preparation {
 struct PreparationOptions {
   std::span<const int> hidden{};            ///< Indices into the rig's primitives, ascending, that contribute nothing.
   std::optional<int> depth{};               ///< 1..kMaxDepth, in place of the rig's.
-  std::shared_ptr<const RigPoser> poser{};  ///< Of this rig and character, if there is one already.
+  std::shared_ptr<const RigPoser> poser{};  ///< A poser of this rig and character, if there is one.
 };
 
 /// Error: the rig is invalid, the blending graph too large, or the refined mesh would not fit memory.

@@ -15,7 +15,7 @@ namespace sinew {
 /// see twinBone.
 [[nodiscard]] Result<MuscleLine> mirroredLine(const MirrorPlan& plan, const MuscleLine& line);
 
-/// Every anchor lies on a centre bone and within `tolerance` (fraction of H) of the plane: the line is its own image.
+/// Every anchor lies on a center bone and within `tolerance` (fraction of H) of the plane: the line is its own image.
 [[nodiscard]] bool liesInPlane(const MirrorPlan& plan, const MuscleLine& line, float tolerance);
 
 /// A rig, and what an image of a primitive of it names as its line.

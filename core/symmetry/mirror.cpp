@@ -83,6 +83,10 @@ double distanceTo(const MirrorPlane& plane, const glm::dvec3& pointInWorld) {
   return glm::dot(plane.normal, pointInWorld) - plane.offset;
 }
 
+/// The map from a bone's space to its twin's: to the world, across the plane, and back from the world. It is computed
+/// in double. Exporters usually make twin bones mirror images along their own axes; then the map is a permutation of
+/// axes with signs, and rounding it to exactly that makes the image of an image equal to the original, bit for bit
+/// (mirror.h, Canonical form).
 std::optional<AffineMap> boneMirror(const glm::mat4& boneInBind, const glm::mat4& twinBoneInBind,
                                     const MirrorPlane& plane) {
   const glm::dmat4 bone(boneInBind);
@@ -93,7 +97,7 @@ std::optional<AffineMap> boneMirror(const glm::mat4& boneInBind, const glm::mat4
   if (!isFinite(map)) return std::nullopt;
   AffineMap mirror{glm::dmat3(map), glm::dvec3(map[3])};
   tidy(mirror);
-  // A centre that a tidy map moves by less than its own rounding is not moved.
+  // A center that a tidy map moves by less than its own rounding is not moved.
   const double reach = glm::length(glm::dvec3(boneInBind[3])) / glm::length(glm::dvec3(twinBoneInBind[0]));
   for (int i = 0; i < 3; ++i) {
     if (std::abs(mirror.offset[i]) < kTidy * reach) mirror.offset[i] = 0.0;
@@ -107,10 +111,10 @@ int MirrorPlan::pairCount() const {
   return pairs;
 }
 
-int MirrorPlan::centreCount() const {
-  int centres = 0;
-  for (std::size_t i = 0; i < twinOf.size(); ++i) centres += twinOf[i] == static_cast<int>(i) ? 1 : 0;
-  return centres;
+int MirrorPlan::centerCount() const {
+  int centers = 0;
+  for (std::size_t i = 0; i < twinOf.size(); ++i) centers += twinOf[i] == static_cast<int>(i) ? 1 : 0;
+  return centers;
 }
 
 Result<std::string> twinBone(const MirrorPlan& plan, const std::string& bone) {
@@ -147,6 +151,9 @@ Result<Primitive> mirroredPrimitive(const MirrorPlan& plan, const Primitive& pri
   return image;
 }
 
+/// Compares a primitive with its own image. An ellipsoid has many placements (axes may be exchanged or turned round),
+/// so ellipsoids are compared by their quadratic forms, the sums of the outer products of their half axes in the world.
+/// Shapes have directions besides, which sameShape() compares.
 bool liesInPlane(const MirrorPlan& plan, const Primitive& primitive, float tolerance) {
   const std::optional<int> bone = plan.skeleton.findBone(primitive.bone);
   if (!bone || at(plan.twinOf, *bone) != *bone) return false;

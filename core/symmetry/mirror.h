@@ -38,12 +38,12 @@ struct MirrorPlane {
                                                   const MirrorPlane& plane);
 
 /// How a bone came to its counterpart.
-enum class PairedBy { kNothing, kName, kPlace, kCentre };  ///< kCentre: it lies in the plane, its own counterpart.
+enum class PairedBy { kNothing, kName, kPlace, kCenter };  ///< kCenter: it lies in the plane, its own counterpart.
 
 /// What is needed to mirror anything on a character. A plan without bones mirrors nothing.
 struct MirrorPlan {
   MirrorPlane plane;
-  std::vector<int> twinOf;         ///< [bones] the counterpart, itself for centre bones, -1: none. Its own inverse.
+  std::vector<int> twinOf;         ///< [bones] the counterpart, itself for center bones, -1: none. Its own inverse.
   std::vector<PairedBy> pairedBy;  ///< [bones]
   std::vector<std::optional<AffineMap>> mirrors;  ///< [bones] into the counterpart's space; none: no counterpart.
   Skeleton skeleton;                              ///< The character's, for names.
@@ -51,9 +51,9 @@ struct MirrorPlan {
 
   /// Number of bones that have another bone as counterpart, halved.
   [[nodiscard]] int pairCount() const;
-  [[nodiscard]] int centreCount() const;
+  [[nodiscard]] int centerCount() const;
   /// Something can be mirrored: a pair, or a bone in the plane.
-  [[nodiscard]] bool usable() const { return pairCount() + centreCount() > 0; }
+  [[nodiscard]] bool usable() const { return pairCount() + centerCount() > 0; }
 };
 
 /// Finds the plane and the pairs. Names say which bones belong together (side_names.h; numbers at the end may differ, a
@@ -80,11 +80,11 @@ struct MirrorPlan {
 /// @param bone  with a counterpart
 [[nodiscard]] std::string imageName(const MirrorPlan& plan, const std::string& name, const std::string& bone);
 
-/// On a centre bone: the ellipsoid is its own mirror image within `tolerance` (fraction of H).
+/// On a center bone: the ellipsoid is its own mirror image within `tolerance` (fraction of H).
 [[nodiscard]] bool liesInPlane(const MirrorPlan& plan, const Primitive& primitive, float tolerance);
 
-/// For a muscle on a centre bone whose centre lies within `tolerance` (fraction of H) of the plane: the placement with
-/// the centre in the plane and axes along and across it, radii kept. Nothing elsewhere.
+/// For a muscle on a center bone whose center lies within `tolerance` (fraction of H) of the plane: the placement with
+/// the center in the plane and axes along and across it, radii kept. Nothing elsewhere.
 [[nodiscard]] std::optional<Placement> snappedToPlane(const MirrorPlan& plan, const Primitive& primitive,
                                                       float tolerance);
 

@@ -21,7 +21,7 @@ namespace {
 // Fractions of H.
 constexpr double kNamedReach = 0.25;   // Named pairs further from being opposite than this are not believed.
 constexpr double kPlaceReach = 0.04;   // Bones paired by place lie this near to each other's image.
-constexpr double kCentreReach = 0.02;  // Bones this near to the plane, origin and tip, may be centre bones.
+constexpr double kCenterReach = 0.02;  // Bones this near to the plane, origin and tip, may be center bones.
 
 constexpr char kAnySide = '\x01';
 
@@ -158,10 +158,10 @@ bool parentsAgree(const Placing& placing, int a, int b) {
 }
 
 /// @param whole  the tip must lie in the plane too: what only begins there may be one of a pair.
-void placeCentres(Placing& placing, bool whole) {
+void placeCenters(Placing& placing, bool whole) {
   for (int a = 0; a < static_cast<int>(placing.ends.size()); ++a) {
     if (!placing.isFree(a) || saysASide(placing.bone(a))) continue;
-    if ((whole ? placing.offPlane(a) : placing.originOffPlane(a)) < kCentreReach) placing.pair(a, a, PairedBy::kCentre);
+    if ((whole ? placing.offPlane(a) : placing.originOffPlane(a)) < kCenterReach) placing.pair(a, a, PairedBy::kCenter);
   }
 }
 
@@ -205,16 +205,20 @@ std::vector<std::array<int, 2>> pairsByName(const Skeleton& skeleton) {
   return pairs;
 }
 
+/// Pairs by name come first, unless the bones are far from opposite: a name that lies should not win against the
+/// skeleton. The rest is paired by place. Center bones go first, so that none is paired with another one near the
+/// plane; then the children of counterparts, best fit first, as long as a new pair makes its children eligible; bones
+/// without such kin come last. docs/symmetry.md, The plane and the pairs.
 void pairAll(MirrorPlan& plan, const std::vector<std::array<int, 2>>& named) {
   Placing placing{plan, endsOfBones(plan.skeleton), static_cast<double>(plan.characterHeight)};
   for (const auto& [left, right] : named) {
     if (placing.originMisfit(left, right) < kNamedReach) placing.pair(left, right, PairedBy::kName);
   }
-  placeCentres(placing, true);
+  placeCenters(placing, true);
   while (placePairs(placing, true)) {
   }
   placePairs(placing, false);
-  placeCentres(placing, false);
+  placeCenters(placing, false);
 }
 
 }  // namespace sinew

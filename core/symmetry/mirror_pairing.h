@@ -13,7 +13,7 @@ namespace sinew {
 [[nodiscard]] std::vector<std::array<int, 2>> pairsByName(const Skeleton& skeleton);
 
 /// Fills twinOf and pairedBy of a plan that has its plane: named pairs that lie opposite each other, roughly; then
-/// centre bones and pairs by place, parents first, a pair's children among themselves before strangers.
+/// center bones and pairs by place, parents first, a pair's children among themselves before strangers.
 void pairAll(MirrorPlan& plan, const std::vector<std::array<int, 2>>& named);
 
 }  // namespace sinew

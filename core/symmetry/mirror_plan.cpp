@@ -180,6 +180,11 @@ struct Found {
   double misfit = std::numeric_limits<double>::infinity();
 };
 
+/// Tries a few planes: each likely normal with each likely offset. The misfit of one is the mean distance of skin
+/// samples and bones from their mirror images' counterparts; a distance counts up to a cap, so that a bag on one
+/// shoulder does not decide. The simplest plane comes first and stays unless another fits noticeably better: in a plane
+/// through the origin across an axis, mirrored numbers are the originals with other signs. docs/symmetry.md, The plane
+/// and the pairs.
 Found bestPlane(const Finder& finder) {
   Found best;
   for (const glm::dvec3& normal : normals(finder)) {

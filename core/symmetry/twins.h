@@ -15,7 +15,7 @@ namespace sinew {
 
 /// `edited`, where linked twins follow what changed since `shown` on one of the two: bone, placement, reach, sign,
 /// group, line and territory, each by itself, so that a pair that never was exact is not torn about by an edit of its
-/// reach. Of the placement too only what changed follows, so that centres stay to the bit while radii are pulled.
+/// reach. Of the placement too only what changed follows, so that centers stay to the bit while radii are pulled.
 /// Where both changed and are no longer images of each other, the one that differs from `atStart` (before the
 /// gesture) leads; if both do, the first in the rig. A bone or placement without counterpart is not followed; the
 /// link stays. Muscles and links that are new are left alone. What is the same in two of the rigs is told by identity,
@@ -27,8 +27,8 @@ namespace sinew {
 /// The indices with their twins, ascending, each once.
 [[nodiscard]] std::vector<int> withTwins(const Rig& rig, std::span<const int> indices);
 
-/// A primitive and its mirror image, linked. A single one where the image would be itself: on a centre bone, in the
-/// plane within 1e-4 H. The image is named by the side; where the name says none, as on a centre bone, both get theirs:
+/// A primitive and its mirror image, linked. A single one where the image would be itself: on a center bone, in the
+/// plane within 1e-4 H. The image is named by the side; where the name says none, as on a center bone, both get theirs:
 /// "belly L", "belly R". Error: see twinBone, addPrimitive.
 [[nodiscard]] Result<Rig> addPair(Rig rig, Primitive primitive, const MirrorPlan& plan);
 /// Appends the image of one that has no twin yet, linked to it and both named as by addPair; its twin, if it has one,
@@ -49,7 +49,7 @@ namespace sinew {
 /// Error: see renamePrimitive.
 [[nodiscard]] Result<Rig> renameWithTwin(Rig rig, int index, const std::string& name);
 
-/// The side of the plane that a muscle's centre is on, in the bind pose. Bones with names say which side is left; where
+/// The side of the plane that a muscle's center is on, in the bind pose. Bones with names say which side is left; where
 /// none does it is +X, as glTF has it.
 [[nodiscard]] Side sideOf(const MirrorPlan& plan, const Primitive& primitive);
 

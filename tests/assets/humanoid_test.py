@@ -99,7 +99,7 @@ class Humanoid(unittest.TestCase):
         moved = {bone for weights in self.bound().values() for bone in weights}
         self.assertEqual({self.glb.json["nodes"][j]["name"] for j in self.glb.json["skins"][0]["joints"]}, moved)
 
-    def test_neighbours_do_not_follow_wholly_different_bones(self):
+    def test_neighbors_do_not_follow_wholly_different_bones(self):
         """Along every edge at least a fifth of the weight is shared, or the bones are parent and child."""
         nodes, bound = self.glb.json["nodes"], self.bound()
         parent = {nodes[c]["name"]: n["name"] for n in nodes for c in n.get("children", [])}

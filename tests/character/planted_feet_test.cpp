@@ -126,7 +126,7 @@ struct Worst {
   float sink = 0.0f;     ///< Deepest below the ground.
   double planted = 0.0;  ///< Part of the samples.
   int standings = 0;
-  float highest = 0.0f;  ///< Of the lowest point: how clearly the foot leaves the ground.
+  float highest = 0.0f;  ///< Height of the lowest point: how clearly the foot leaves the ground.
 };
 
 /// Adds up how the touching point moves against the ground while the foot stands, also where heel hands over to toe. A

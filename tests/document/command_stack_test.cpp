@@ -158,7 +158,7 @@ TEST(CommandStack, AnEditAfterUndoForgetsTheAbandonedBranch) {
   EXPECT_EQ(stack.label(2), "c");
 }
 
-TEST(CommandStack, ACancelledDragKeepsWhatCouldBeRedone) {
+TEST(CommandStack, ACanceledDragKeepsWhatCouldBeRedone) {
   CommandStack stack(rigNumbered(0));
   stack.apply("a", rigNumbered(1));
   stack.undo();

@@ -1,4 +1,4 @@
-// tests/document/group_colors_test.cpp: colours of groups stay apart for every eye, and stay with their groups.
+// tests/document/group_colors_test.cpp: colors of groups stay apart for every eye, and stay with their groups.
 #include "app/document/group_colors.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace sinew::app {
 namespace {
 
-/// Oklab (Ottosson 2020) of a linear colour.
+/// Oklab (Ottosson 2020) of a linear color.
 glm::vec3 oklab(const glm::vec3& c) {
   const auto root = [](float x) { return std::cbrt(std::max(x, 0.0f)); };
   const float l = root(0.4122215f * c.r + 0.5363325f * c.g + 0.0514460f * c.b);
@@ -26,7 +26,7 @@ glm::vec3 oklab(const glm::vec3& c) {
           0.0259040f * l + 0.7827718f * m - 0.8086758f * s};
 }
 
-/// How a linear colour looks to whom a kind of cone is missing (Machado, Oliveira & Fernandes 2009); rows.
+/// How a linear color looks to whom a kind of cone is missing (Machado, Oliveira & Fernandes 2009); rows.
 using Eye = std::array<glm::vec3, 3>;
 constexpr Eye kNormal{glm::vec3{1, 0, 0}, glm::vec3{0, 1, 0}, glm::vec3{0, 0, 1}};
 constexpr Eye kProtan{glm::vec3{0.152286f, 1.052583f, -0.204868f}, glm::vec3{0.114503f, 0.786281f, 0.099216f},

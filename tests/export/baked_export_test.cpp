@@ -189,7 +189,7 @@ TEST_P(BakedExport, SameInputsSameBytesOnAnyNumberOfThreads) {
   }
 }
 
-TEST_P(BakedExport, TellsHowFarItIsAndCanBeCancelledAtAnyMoment) {
+TEST_P(BakedExport, TellsHowFarItIsAndCanBeCanceledAtAnyMoment) {
   for (const char* name : {"out.gltf", "out.pc2", "out.usda"}) {
     const auto file = folder_.path() / name;
     std::vector<double> told;
@@ -208,7 +208,7 @@ TEST_P(BakedExport, TellsHowFarItIsAndCanBeCancelledAtAnyMoment) {
       std::size_t calls = 0;
       const auto report = bake(file, 0.2, 8.0, [&](double) { return calls++ < last; });
       ASSERT_FALSE(report.ok());
-      EXPECT_EQ(report.error().reason, kCancelled);
+      EXPECT_EQ(report.error().reason, kCanceled);
       EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
     }
   }

@@ -2,7 +2,7 @@
 const moved = (e, p) => [0, 1, 2].map((i) => e[i] * p[0] + e[4 + i] * p[1] + e[8 + i] * p[2] + e[12 + i]);
 const distance = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 
-// Of H: how far two matrices move the joint's origin, and points that are H / 5 from it in the joint at rest, apart.
+// Fraction of H by which two matrices move the joint's origin, and points H / 5 from it in the joint at rest, apart.
 export function apart(a, b, size, height) {
   const r = (0.2 * height) / size;
   const points = [[0, 0, 0], [r, 0, 0], [0, r, 0], [0, 0, r]];

@@ -31,7 +31,7 @@ TEST_P(SkinnedExport, PlaysAsThePrintedErrorSays) {
   expectPlaysAsPrinted(scene_, file, report.value());
 }
 
-TEST_P(SkinnedExport, TellsHowFarItIsAndCanBeCancelledAtAnyMoment) {
+TEST_P(SkinnedExport, TellsHowFarItIsAndCanBeCanceledAtAnyMoment) {
   const auto file = folder_.path() / "out.glb";
   const auto write = [&](const ExportProgress& progress) {
     SkinnedExportSettings settings;
@@ -54,7 +54,7 @@ TEST_P(SkinnedExport, TellsHowFarItIsAndCanBeCancelledAtAnyMoment) {
     std::size_t calls = 0;
     const auto report = write([&](double) { return calls++ < last; });
     ASSERT_FALSE(report.ok());
-    EXPECT_EQ(report.error().reason, kCancelled);
+    EXPECT_EQ(report.error().reason, kCanceled);
     EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
   }
 }

@@ -47,7 +47,7 @@ namespace UnityEngine {
             place.w = 1;
             return new Matrix4x4(a.MultiplyVector(b.x), a.MultiplyVector(b.y), a.MultiplyVector(b.z), place);
         }
-        public Matrix4x4 inverse { get {  // Of affine ones.
+        public Matrix4x4 inverse { get {  // Affine matrices only.
             Vector3 p = Vector3.Cross(y, z), q = Vector3.Cross(z, x), r = Vector3.Cross(x, y);
             float volume = Vector3.Dot(x, p);
             var turned = new Matrix4x4(new Vector4(p.x, q.x, r.x, 0), new Vector4(p.y, q.y, r.y, 0), new Vector4(p.z, q.z, r.z, 0),
@@ -75,7 +75,7 @@ namespace UnityEngine {
     public class Transform {
         public string name;
         public Transform parent;
-        public Matrix4x4 localToWorldMatrix;  // Of bones: as the test sets it.
+        public Matrix4x4 localToWorldMatrix;  // For bones, as the test sets it.
         public Vector3 localPosition, localScale;
         public Quaternion localRotation;
     }

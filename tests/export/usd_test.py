@@ -236,7 +236,7 @@ def check_tinyusdz(files, folder):
     for file in files:
         copies[file] = folder / "read" / file.name
         copies[file].parent.mkdir(exist_ok=True)
-        # Its scenes know no other inputs than colours of textures; it would refuse the whole file.
+        # Its scenes know no other inputs than colors of textures; it would refuse the whole file.
         text = re.sub(r"\n.*\.connect = <.*(outputs:a|VertexColor\.outputs:result)>", "", file.read_text())
         copies[file].write_text(text)
     environment = {**os.environ, "NODE_PATH": modules, "SEEN": str(folder / "seen.json")}

@@ -80,7 +80,7 @@ TEST(WeightFit, FindsTheWeightsThatMadeTheMovement) {
 TEST(WeightFit, NoVertexIsFartherOffThanBefore) {
   std::mt19937 random(2);
   const Movement movement = randomMovement(random);
-  // Beginning with the best weights there are but for noise, and with a pull from neighbours that differ.
+  // Beginning with the best weights there are but for noise, and with a pull from neighbors that differ.
   std::vector<std::array<int, 3>> triangles;
   for (int v = 0; v + 2 < 40; ++v) triangles.push_back({v, v + 1, v + 2});
   for (const float bulge : {0.0f, 0.01f, 0.3f}) {

@@ -1,4 +1,4 @@
-# tests/gui/arrival.py: a character whose alpha would hide all of it is shown, with a message; vertex colours are drawn.
+# tests/gui/arrival.py: a character whose alpha would hide all of it is shown, with a message; vertex colors are drawn.
 import base64
 import json
 import struct
@@ -104,7 +104,7 @@ def painted(t, plain):
     colors = [channel for corner in CORNERS for channel in ((255, 0, 0, 0) if corner[1] == 0.0 else (0, 0, 255, 0))]
     file = post(t.folder, "painted.gltf", {"alphaMode": "BLEND"}, colors)
     editor, messages = opened(t, file)
-    t.check("vertex colours: their alpha is told", any(TOLD in message for message in messages), messages)
+    t.check("vertex colors: their alpha is told", any(TOLD in message for message in messages), messages)
     t.check("vertex colours are not among what is ignored", not any("vertex colour" in m for m in messages), messages)
     told = t.run_program("inspect", file).stdout
     t.check("the command line counts them", "colours     at 8 of the wedges" in told, told)

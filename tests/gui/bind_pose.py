@@ -39,23 +39,23 @@ def bones_in_bind(path):
 
 
 def ellipsoid_in_bind(bones, muscle):
-    """(centre, three semi-axes), bind pose. The axes are the images of the ellipsoid's own; sheared bones shear them."""
+    """(center, three semi-axes), bind pose. The axes are the images of the ellipsoid's own; sheared bones shear them."""
     bone = bones[muscle["bone"]]
-    centre = [sum(row[k] * muscle["center"][k] for k in range(3)) + row[3] for row in bone[:3]]
+    center = [sum(row[k] * muscle["center"][k] for k in range(3)) + row[3] for row in bone[:3]]
     axes = []
     for i in range(3):
         unit = [0.0, 0.0, 0.0]
         unit[i] = muscle["radii"][i]
         arm = rigs.turned(muscle["rotation"], unit)
         axes.append([sum(row[k] * arm[k] for k in range(3)) for row in bone[:3]])
-    return centre, axes
+    return center, axes
 
 
 def support(ellipsoid, direction):
     """How far it reaches in a direction. Two ellipsoids are the same if this is, for all directions."""
-    centre, axes = ellipsoid
+    center, axes = ellipsoid
     dot = lambda a: sum(x * y for x, y in zip(a, direction))
-    return dot(centre) + math.sqrt(sum(dot(axis) ** 2 for axis in axes))
+    return dot(center) + math.sqrt(sum(dot(axis) ** 2 for axis in axes))
 
 
 def mirror_error(bones, left, right):

@@ -32,7 +32,7 @@ def show(editor, view):
 
 
 class Picture:
-    """Colours on the screen."""
+    """Colors on the screen."""
 
     def __init__(self, t, editor):
         self.file = t.folder / "picture.png"
@@ -46,7 +46,7 @@ class Picture:
 
 
 def matrix_shows(t, editor):
-    """Which pairs the matrix marks: a dot of colour in the middle of the cell, none in the others."""
+    """Which pairs the matrix marks: a dot of color in the middle of the cell, none in the others."""
     editor.move((640, 786))  # Nothing is hovered.
     names = list(editor.state()["groups"])
     picture = Picture(t, editor)

@@ -3,7 +3,7 @@ import sys
 
 import driver
 
-LONG = 12  # Depth: an export of many seconds, to be cancelled.
+LONG = 12  # Depth: an export of many seconds, to be canceled.
 
 
 def open_dialog(editor):
@@ -63,7 +63,7 @@ def edits_meanwhile(t, editor):
             (t.folder / "meanwhile.glb").read_bytes() == (t.folder / "cli4.glb").read_bytes())
 
 
-def cancelled(t, editor):
+def canceled(t, editor):
     before = beside(t)
     start(editor, "cancelled.glb", LONG)
     editor.wait_until("it to be under way", lambda s: s["exports"] and s["exports"][0]["share"] > 0.02)
@@ -103,7 +103,7 @@ def story(t):
     editor.wait_until("the rig", lambda s: s["document"]["primitives"] > 0)
     exports_from_the_menu(t, editor, rig)
     edits_meanwhile(t, editor)
-    cancelled(t, editor)
+    canceled(t, editor)
     quits_meanwhile(t, editor)
     quits_when_done(t, rig)
 

@@ -121,7 +121,7 @@ class Bench:
     def in_world(self, vector, bone=BONE):
         return [dot(row[:3], vector) for row in self.bones[bone][:3]]
 
-    def centre(self, muscle):
+    def center(self, muscle):
         return bind_pose.ellipsoid_in_bind(self.bones, muscle)[0]
 
     def axis(self, space, i):
@@ -138,9 +138,9 @@ class Bench:
 
 
 def check_moved(b, what, space, ways, after):
-    """The centre went along those axes of the space and no other; nothing else changed."""
-    b.t.check_equal(what + " moves the centre alone", rigs.changed_parts(b.before, after), {"center"})
-    way = minus(b.centre(after), b.centre(b.before))
+    """The center went along those axes of the space and no other; nothing else changed."""
+    b.t.check_equal(what + " moves the center alone", rigs.changed_parts(b.before, after), {"center"})
+    way = minus(b.center(after), b.center(b.before))
     length = math.sqrt(dot(way, way))
     b.t.check(what + " moves", length > 0.002 * b.height, length)
     if ways is None:
@@ -172,7 +172,7 @@ def check_scaled(b, what, axes, after):
 
 def check_pulled(b, what, handle, after):
     axis, sign = "xyz".index(handle[-1]), 1 if "+" in handle else -1
-    b.t.check_equal(what + " changes a radius and the centre", rigs.changed_parts(b.before, after), {"center", "radii"})
+    b.t.check_equal(what + " changes a radius and the center", rigs.changed_parts(b.before, after), {"center", "radii"})
     b.t.check_equal(what + " changes one radius", rigs.changed_axes(b.before["radii"], after["radii"], 0.0), {axis})
     stays = math.dist(rigs.pole(b.before, axis, -sign), rigs.pole(after, axis, -sign))
     b.t.check(what + " leaves the other end where it was", stays < 1e-5 * b.height, stays)
@@ -252,7 +252,7 @@ def locks(b):
     b.mode("move")
     check_moved(b, "Z over the arm along X", "primitive", {2}, b.one("move.x", during=lambda: b.editor.key("z")))
     after = b.one("move.center", during=lambda: b.editor.key("x", "x"))
-    way = minus(b.centre(after), b.centre(b.before))
+    way = minus(b.center(after), b.center(b.before))
     ways = [i for i in range(3) if abs(dot(way, b.axis("primitive", i))) > 1e-4 * b.height]
     b.t.check("X twice frees the move again", len(ways) > 1, way)
 
@@ -263,7 +263,7 @@ HANDLE = {"move": "move.y", "rotate": "rotate.y", "scale": "scale.uniform", "pol
 def value_of(b, mode, handle, after):
     """What a drag did, as the number that could have been typed: length, degrees, factor, radius."""
     if mode == "move":
-        return dot(minus(b.centre(after), b.centre(b.before)), b.axis("bone", 1))
+        return dot(minus(b.center(after), b.center(b.before)), b.axis("bone", 1))
     if mode == "rotate":
         axis, degrees = b.turn(b.before, after)
         return math.copysign(degrees, dot(axis, b.axis("bone", 1)))
@@ -315,7 +315,7 @@ def cancel_one(b, handle, cancel):
     b.t.check_equal("%s ends %s without a trace" % (cancel, handle), b.editor.settle()["document"], before)
 
 
-def cancelled(b):
+def canceled(b):
     """Every handle, by Esc and by the right button in turn: nothing is left of it, not even a step to redo."""
     b.axes("bone")
     b.t.check("the rig is as it began", b.rig() == b.start)
@@ -338,11 +338,11 @@ def two_muscles(b):
     b.axes("world")
     b.mode("move")
     after = b.dragged("move.center")
-    ways = [minus(b.centre(after[name]), b.centre(b.start[name])) for name in b.names]
+    ways = [minus(b.center(after[name]), b.center(b.start[name])) for name in b.names]
     b.t.check("both move by the same way in the world",
               math.dist(*ways) < 1e-5 * b.height and math.hypot(*ways[0]) > 0.002 * b.height, ways)
     after = b.dragged("move.center", during=lambda: b.editor.key("y", "period", "2"))
-    ways = [minus(b.centre(after[name]), b.centre(b.start[name])) for name in b.names]
+    ways = [minus(b.center(after[name]), b.center(b.start[name])) for name in b.names]
     b.t.check("a lock and a number hold for both", all(math.dist(way, [0.0, 0.2, 0.0]) < 1e-4 for way in ways), ways)
     for pivot in ("active", "centroid"):
         if b.editor.state()["gizmo"]["pivot"] != pivot:
@@ -374,11 +374,11 @@ def turn_both(b, pivot):
         axis, degrees = b.turn(b.start[name], after[name], bone)
         b.t.check("%s turns by 90 degrees about Y, pivot: %s" % (name, pivot),
                   abs(degrees * axis[1] - 90.0) < 0.01 and abs(axis[1]) > 1.0 - 1e-4, (axis, degrees))
-    old, new = ([b.centre(rig[name]) for name in b.names] for rig in (b.start, after))
+    old, new = ([b.center(rig[name]) for name in b.names] for rig in (b.start, after))
     middle = [0.5 * (x + y) for x, y in zip(*old)] if pivot == "centroid" else old[0]
     for before, now in zip(old, new):
         x, y, z = minus(before, middle)
-        b.t.check("a centre goes round the %s pivot" % pivot, math.dist(minus(now, middle), [z, y, -x]) < 1e-4 * b.height,
+        b.t.check("a center goes round the %s pivot" % pivot, math.dist(minus(now, middle), [z, y, -x]) < 1e-4 * b.height,
                   (middle, before, now))
 
 
@@ -388,7 +388,7 @@ def keys(t):
     locks(b)
     snapped_and_precise(b)
     typed(b)
-    cancelled(b)
+    canceled(b)
     two_muscles(b)
     finish(b)
 

@@ -8,8 +8,8 @@ import driver
 SAMPLES = 16
 
 
-def grey(path, crop=None):
-    """Rows of grey values of a picture, or of a part of it (x, y, width, height)."""
+def gray(path, crop=None):
+    """Rows of gray values of a picture, or of a part of it (x, y, width, height)."""
     part = ["-crop", "%dx%d+%d+%d" % (crop[2], crop[3], crop[0], crop[1]), "+repage"] if crop else []
     done = subprocess.run(["convert", str(path), *part, "-colorspace", "Gray", "-depth", "8", "pgm:-"],
                           capture_output=True, check=True)
@@ -59,11 +59,11 @@ def smooth_at_rest(t, editor):
     t.check_equal("one sample while it plays", {s["samples"] for s in moving}, {1})
     t.check_equal("at full resolution, as the preferences say", {s["picture_scale"] for s in moving}, {1})
     editor.screenshot(t.out / "picture_moving.png")
-    moving, steps = softness(grey(t.out / "picture_moving.png", middle(state)))
+    moving, steps = softness(gray(t.out / "picture_moving.png", middle(state)))
     editor.tap("space", "the clip to stop", lambda s: not s["playing"])
     state = at_rest(editor)
     editor.screenshot(t.out / "picture_resting.png")
-    resting, steps_at_rest = softness(grey(t.out / "picture_resting.png", middle(state)))
+    resting, steps_at_rest = softness(gray(t.out / "picture_resting.png", middle(state)))
     t.check("there are edges to look at", min(steps, steps_at_rest) > 100, (steps, steps_at_rest))
     t.check("edges at rest are smooth", resting > 0.35 and resting > 2.0 * moving, (moving, resting))
 
@@ -100,7 +100,7 @@ def saved_pictures(t, editor):
     t.check_equal("one picture", len(saved), 1)
     t.check("the note says where", str(saved[0]) in said, said)
     editor.wait_until("the note to go by itself", lambda s: s["toast"] == "")
-    whole = grey(saved[0])
+    whole = gray(saved[0])
     t.check_equal("as large as the view", (len(whole[0]), len(whole)), (round(state["viewport"][2]), round(state["viewport"][3])))
     resting, steps = softness(whole)
     t.check("with samples", steps > 100 and resting > 0.35, (steps, resting))
@@ -108,7 +108,7 @@ def saved_pictures(t, editor):
     state = at_rest(editor)
     editor.screenshot(t.out / "picture_shown.png")
     x, y, width, height = middle(state)
-    shown = grey(t.out / "picture_shown.png", (x, y, width, height))
+    shown = gray(t.out / "picture_shown.png", (x, y, width, height))
     left, top = round(x - state["viewport"][0]), round(y - state["viewport"][1])
     differences = [abs(a - b) for row, line in zip(shown, whole[top:top + height]) for a, b in zip(row, line[left:left + width])]
     t.check("as it is shown", sum(differences) / len(differences) < 0.5, sum(differences) / len(differences))
@@ -118,7 +118,7 @@ def saved_pictures(t, editor):
     editor.fill("dialog/path", str(t.folder / "named"))
     editor.wait_until("the dialog to close", lambda s: s["dialog"] == "")
     driver.wait_for("the named picture", lambda: (t.folder / "named.png").exists())
-    t.check_equal("the same picture", grey(t.folder / "named.png"), whole)
+    t.check_equal("the same picture", gray(t.folder / "named.png"), whole)
 
 
 def choices_last(t, editor, file):

@@ -58,7 +58,7 @@ class Hands:
                 if x + 90 < at[0] < x + width - 230 and y + 90 < at[1] < y + height - 130]
 
     def handle(self):
-        """A handle pulled somewhere: freely, along an axis, snapped, precisely, or cancelled."""
+        """A handle pulled somewhere: freely, along an axis, snapped, precisely, or canceled."""
         editor = self.editor
         key, mode = self.random.choice([("w", "move"), ("e", "rotate"), ("r", "scale"), ("q", "poles")])
         editor.tap(key, mode, lambda s: s["gizmo"]["mode"] == mode)

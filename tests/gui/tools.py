@@ -34,10 +34,10 @@ def after_drag(editor, handle, way, during=None):
 
 
 def check_move(t, handle, before, after):
-    t.check_equal(handle + " moves the centre alone", rigs.changed_parts(before, after), {"center"})
+    t.check_equal(handle + " moves the center alone", rigs.changed_parts(before, after), {"center"})
     if handle == "move.center":
         return
-    # Axes are the bone's, and so are the coordinates of the centre.
+    # Axes are the bone's, and so are the coordinates of the center.
     may = {"xyz".index(axis) for axis in handle.split(".")[1]}
     moved = rigs.changed_axes(before["center"], after["center"], TINY)
     t.check(handle + " moves along its own axes", moved and moved <= may, moved)
@@ -64,7 +64,7 @@ def check_scale(t, handle, before, after):
 
 def check_pole(t, handle, before, after):
     axis, sign = "xyz".index(handle[-1]), 1 if "+" in handle else -1
-    t.check_equal(handle + " changes a radius and the centre", rigs.changed_parts(before, after), {"center", "radii"})
+    t.check_equal(handle + " changes a radius and the center", rigs.changed_parts(before, after), {"center", "radii"})
     t.check_equal(handle + " changes one radius", rigs.changed_axes(before["radii"], after["radii"], 0.0), {axis})
     stays = math.dist(rigs.pole(before, axis, -sign), rigs.pole(after, axis, -sign))
     t.check(handle + " leaves the other end where it was", stays < TINY, stays)
@@ -142,7 +142,7 @@ def both_ends(t, editor, before):
         editor.move((editor.mouse[0] + 6, editor.mouse[1] + 6))
 
     after = after_drag_held(editor, handle, WAY, alt, "alt")
-    t.check_equal("with Alt %s leaves the centre" % handle, rigs.changed_parts(before, after), {"radii"})
+    t.check_equal("with Alt %s leaves the center" % handle, rigs.changed_parts(before, after), {"radii"})
 
 
 def cancels(t, editor, before):
@@ -172,7 +172,7 @@ def cancels(t, editor, before):
     t.check("and so is its file", file.read_bytes() == written)
 
 
-def cancelled_muscle(t, editor):
+def canceled_muscle(t, editor):
     """Esc while a muscle grows: no muscle, the selection as it was."""
     before = editor.state()["document"]
     editor.tap("m", "the muscle tool", lambda s: s["tool"] == "add muscle")
@@ -185,7 +185,7 @@ def cancelled_muscle(t, editor):
     editor.move((middle[0] + 20, middle[1] + 10))
     state = editor.tap("Escape", "Esc to take it back", lambda s: s["document"]["primitives"] == 1)
     editor.release()
-    t.check_equal("a cancelled muscle leaves no trace", state["document"], before)
+    t.check_equal("a canceled muscle leaves no trace", state["document"], before)
     editor.tap("q", "the select tool", lambda s: s["tool"] == "select")
 
 
@@ -196,7 +196,7 @@ def story(t):
     numbers_and_snaps(t, editor, before)
     both_ends(t, editor, before)
     cancels(t, editor, before)
-    cancelled_muscle(t, editor)
+    canceled_muscle(t, editor)
     editor.screenshot(t.out / "tools.png")
     t.check_equal("quits without a question", editor.quit(), 0)
 

@@ -1,4 +1,4 @@
-// tests/io/color_export_test.cpp: vertex colours and hidden materials in .glb, .ply and .obj.
+// tests/io/color_export_test.cpp: vertex colors and hidden materials in .glb, .ply and .obj.
 
 #include <cmath>
 #include <cstring>
@@ -16,7 +16,7 @@
 namespace sinew {
 namespace {
 
-/// The tube with its seam, each wedge in a colour of its own.
+/// The tube with its seam, each wedge in a color of its own.
 Character paintedTube() {
   Character character = *test::makeTube();
   std::mt19937 random(3);
@@ -49,7 +49,7 @@ class ColorExport : public testing::Test {
   const test::TemporaryFolder folder_;
 };
 
-TEST_F(ColorExport, GlbBringsEveryColourBack) {
+TEST_F(ColorExport, GlbBringsEveryColorBack) {
   const Character tube = paintedTube();
   const Surface surface = surfaceOf(tube);
   exported(surface, tube, "tube.glb");
@@ -88,14 +88,14 @@ TEST_F(ColorExport, PlyHasThemAsScreensShowThem) {
   }
 }
 
-TEST_F(ColorExport, CharactersWithoutColoursHaveNoneInTheirFiles) {
+TEST_F(ColorExport, CharactersWithoutColorsHaveNoneInTheirFiles) {
   const Character tube = *test::makeTube();
   const Surface surface = surfaceOf(tube);
   EXPECT_EQ(exported(surface, tube, "tube.glb").find("COLOR_0"), std::string::npos);
   EXPECT_EQ(exported(surface, tube, "tube.ply").find("uchar red"), std::string::npos);
 }
 
-TEST_F(ColorExport, ObjIsTheSameWithAndWithoutColours) {
+TEST_F(ColorExport, ObjIsTheSameWithAndWithoutColors) {
   const Character plain = *test::makeTube();
   const Character painted = paintedTube();
   EXPECT_EQ(exported(surfaceOf(plain), plain, "tube.obj"), exported(surfaceOf(painted), painted, "tube.obj"));

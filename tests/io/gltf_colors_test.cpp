@@ -95,7 +95,7 @@ TEST(GltfColors, FloatsBeyondTheRangeAreClamped) {
   for (const Wedge& wedge : character->mesh.wedges) EXPECT_EQ(wedge.color, glm::vec4(1.0f, 0.0f, 0.5f, 1.0f));
 }
 
-TEST(GltfColors, ColoursThatAreNotFiniteAreWhiteAndNoted) {
+TEST(GltfColors, ColorsThatAreNotFiniteAreWhiteAndNoted) {
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     Post post = makePost();
     std::vector<float> colors(48, 0.25f);
@@ -109,7 +109,7 @@ TEST(GltfColors, ColoursThatAreNotFiniteAreWhiteAndNoted) {
   }
 }
 
-/// The lower half of the post in one primitive, the rest in another; which of them has colours, and in which order.
+/// The lower half of the post in one primitive, the rest in another; which of them has colors, and in which order.
 TEST(GltfColors, PrimitivesWithoutThemAreWhite) {
   for (const bool coloredFirst : {true, false}) {
     Post post = makePost();
@@ -124,13 +124,13 @@ TEST(GltfColors, PrimitivesWithoutThemAreWhite) {
     primitives = coloredFirst ? ordered_json::array({colored, white}) : ordered_json::array({white, colored});
     const auto character = imported(post);
     ASSERT_EQ(character->mesh.triangles.size(), 20u);
-    EXPECT_EQ(character->mesh.positions.size(), 12u) << "colours never split vertices";
-    // Eight corners below in grey; twelve of the rest in white, of which the lower two rings are there twice.
+    EXPECT_EQ(character->mesh.positions.size(), 12u) << "colors never split vertices";
+    // Eight corners below in gray; twelve of the rest in white, of which the lower two rings are there twice.
     EXPECT_EQ(character->mesh.wedges.size(), 20u);
     for (std::size_t t = 0; t < 20; ++t) {
-      const bool grey = coloredFirst ? t < 8 : t >= 12;
+      const bool gray = coloredFirst ? t < 8 : t >= 12;
       for (const int wedge : character->mesh.triangles[t].wedges) {
-        const glm::vec4 expected = grey ? glm::vec4(0.5f, 0.5f, 0.5f, 1.0f) : glm::vec4(1.0f);
+        const glm::vec4 expected = gray ? glm::vec4(0.5f, 0.5f, 0.5f, 1.0f) : glm::vec4(1.0f);
         EXPECT_EQ(character->mesh.wedges[static_cast<std::size_t>(wedge)].color, expected) << t;
       }
     }
@@ -175,8 +175,8 @@ const BadColors kBadColors[] = {
     {"scalar", with<float>("SCALAR", 12, false), kAttribute, "is SCALAR; VEC3 or VEC4 expected"},
     {"two channels", with<float>("VEC2", 24, false), kAttribute, "is VEC2; VEC3 or VEC4 expected"},
     {"too few", with<float>("VEC4", 44, false), "accessors[#]", "11 values of COLOR_0 for 12 positions"},
-    {"bytes that are not normalised", with<std::uint8_t>("VEC4", 48, false), "accessors[#]", kTypes},
-    {"shorts that are not normalised", with<std::uint16_t>("VEC3", 36, false), "accessors[#]", kTypes},
+    {"bytes that are not normalized", with<std::uint8_t>("VEC4", 48, false), "accessors[#]", kTypes},
+    {"shorts that are not normalized", with<std::uint16_t>("VEC3", 36, false), "accessors[#]", kTypes},
     {"signed bytes", with<std::int8_t>("VEC4", 48, true), "accessors[#]", kTypes},
     {"signed shorts", with<std::int16_t>("VEC4", 48, true), "accessors[#]", kTypes},
     {"whole numbers", with<std::uint32_t>("VEC4", 48, true), "accessors[#]", kTypes},

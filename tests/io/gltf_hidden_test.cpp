@@ -27,7 +27,7 @@ Texture textureWith(int alpha) {
   Texture texture;
   texture.width = texture.height = 2;
   texture.rgba.assign(16, 0);
-  texture.rgba[11] = static_cast<std::uint8_t>(alpha);  // Of the third pixel; the others have 0.
+  texture.rgba[11] = static_cast<std::uint8_t>(alpha);  // The third pixel's; the others have 0.
   return texture;
 }
 

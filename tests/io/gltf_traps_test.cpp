@@ -92,7 +92,7 @@ TEST_F(GltfTrap, MoreThanFourJointsAVertex) {
   EXPECT_NEAR(character->mesh.influencesOf(0)[1].weight, 0.5f, 1e-6f);
 }
 
-TEST_F(GltfTrap, NormalisedIntegerWeightsAndShortJoints) {
+TEST_F(GltfTrap, NormalizedIntegerWeightsAndShortJoints) {
   for (const bool bytes : {true, false}) {
     Post post = makePost();
     std::vector<std::uint8_t> asBytes;
@@ -193,7 +193,7 @@ TEST_F(GltfTrap, StripsAndFansKeepTheirWinding) {
   }
 }
 
-TEST_F(GltfTrap, PointsLinesMorphTargetsAndFurtherColoursAreListed) {
+TEST_F(GltfTrap, PointsLinesMorphTargetsAndFurtherColorsAreListed) {
   Post post = makePost();
   post.attributes()["COLOR_1"] = post.file.accessor(std::vector<float>(48, 1.0f), "VEC4");
   post.primitive()["targets"] = ordered_json::array({{{"POSITION", post.attributes()["POSITION"]}}});
@@ -231,7 +231,7 @@ TEST_F(GltfTrap, QuantizedPositions) {
   post.attributes()["POSITION"] = post.file.accessor(positions, "VEC3");
   post.file.json["extensionsUsed"] = {"KHR_mesh_quantization"};
   post.file.json["extensionsRequired"] = {"KHR_mesh_quantization"};
-  // The inverse bind matrices of the file take metres, so scale the root instead: hip and knee now in centimetres.
+  // The inverse bind matrices of the file take meters, so scale the root instead: hip and knee now in centimeters.
   post.file.json["skins"][0].erase("inverseBindMatrices");
   const auto character = import(post, false);
   EXPECT_EQ(character->height, 200.0f);

@@ -70,7 +70,7 @@ struct Obj {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
   std::vector<glm::vec2> uvs;
-  std::vector<std::array<int, 3>> faces;  // Of positions, from 0.
+  std::vector<std::array<int, 3>> faces;  // Indices of positions, from 0.
   std::vector<std::array<int, 3>> uvFaces;
   std::vector<std::array<int, 3>> normalFaces;
   std::vector<std::string> materialOfFace;

@@ -284,7 +284,7 @@ TEST(Creases, CrumpledMeshesGiveUnitNormalsAndTheSameEveryTime) {
   }
 }
 
-TEST(Creases, KeepTheColourOfEveryCorner) {
+TEST(Creases, KeepTheColorOfEveryCorner) {
   ControlMesh mesh = prism(6);
   for (std::size_t w = 0; w < mesh.wedges.size(); ++w) mesh.wedges[w].color.r = 0.01f * static_cast<float>(w);
   const ControlMesh sharp = creased(mesh, 30.0f);

@@ -303,8 +303,8 @@ TEST(JoinedByPosition, LeavesAWeldedMeshAsItIs) {
   EXPECT_EQ(joined.triangles.size(), mesh.triangles.size());
 }
 
-// Two triangles on one edge, each with vertices of its own: how many wedges depends on the colours there alone.
-TEST(Weld, ColoursSplitWedgesAndNothingElse) {
+// Two triangles on one edge, each with vertices of its own: how many wedges depends on the colors there alone.
+TEST(Weld, ColorsSplitWedgesAndNothingElse) {
   TriangleSoup soup;
   for (const glm::vec3& p : {glm::vec3(0, 0, 0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(1, 0, 0),
                              glm::vec3(1, 1, 0), glm::vec3(0, 1, 0)}) {
@@ -317,7 +317,7 @@ TEST(Weld, ColoursSplitWedgesAndNothingElse) {
   EXPECT_FALSE(hasColors(plain));
   soup.colors.assign(6, glm::vec4(1.0f));
   EXPECT_EQ(weld(soup, kTolerance).wedges.size(), 4u);
-  EXPECT_FALSE(hasColors(weld(soup, kTolerance))) << "white is no colour";
+  EXPECT_FALSE(hasColors(weld(soup, kTolerance))) << "white is no color";
   soup.colors.assign(6, glm::vec4(0.2f, 0.4f, 0.6f, 1.0f));
   EXPECT_EQ(weld(soup, kTolerance).wedges.size(), 4u);
   for (int channel = 0; channel < 4; ++channel) {

@@ -150,7 +150,7 @@ TEST_F(Animation, TheBindPoseHasNoKeys) {
   const Action& key = action("edit/key");
   EXPECT_FALSE(key.enabled(state));
   EXPECT_STREQ(key.enabled(state).reason(), "Choose a clip first: the bind pose has no time");
-  choose({"key"});  // Grey.
+  choose({"key"});  // Gray.
   EXPECT_EQ(animated(), nullptr);
   EXPECT_EQ(steps(), 0u);
 }

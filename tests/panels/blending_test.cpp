@@ -183,7 +183,7 @@ TEST_F(Blending, MoreCliquesThanAllowedAreRefusedWithTheReason) {
   EXPECT_NE(refusal.find(std::to_string(kMaxCliques)), std::string::npos);
 }
 
-TEST(BlendingColours, NeighboursDifferAndAreTheSameEveryTime) {
+TEST(BlendingColors, NeighborsDifferAndAreTheSameEveryTime) {
   Rig rig;
   for (int i = 0; i < 61; ++i) rig.groups.push_back({"group " + std::to_string(i), {}, {}});
   for (int i = 0; i < 60; ++i) {

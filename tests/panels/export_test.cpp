@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargest = 1 << 28;
-constexpr std::size_t kSkinned = 1;  // Of exportKinds(): the quickest.
+constexpr std::size_t kSkinned = 1;  // Index into exportKinds(): the quickest.
 
 class ExportDialogs : public HeadlessEditor {
  protected:
@@ -317,7 +317,7 @@ TEST_F(ExportDialogs, PlacesThatDoNotExistAreSaidInTheDialog) {
   EXPECT_TRUE(state.session.exports.empty());
 }
 
-TEST_F(ExportDialogs, CancelledInTheMiddleItLeavesNoFile) {
+TEST_F(ExportDialogs, CanceledInTheMiddleItLeavesNoFile) {
   const auto before = names();
   start("long.glb", true);
   finishAfter([&] { return share() > 0.05; });

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kSkinned = 1;  // Of exportKinds(): the quickest.
+constexpr std::size_t kSkinned = 1;  // Index into exportKinds(): the quickest.
 
 class FarmJobs : public HeadlessEditor {
  protected:

@@ -217,7 +217,7 @@ TEST_F(Inspector, TheLastBoneCannotLeave) {
   EXPECT_FALSE(withTerritoryBone(rig, index, bones.front(), skeleton).ok());
 }
 
-TEST_F(Inspector, LegendsShowWithTheirColours) {
+TEST_F(Inspector, LegendsShowWithTheirColors) {
   run(action("view/heat"), state);
   settle();
   EXPECT_TRUE(shown("legend/heat"));

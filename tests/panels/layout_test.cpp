@@ -122,7 +122,7 @@ class Layout : public HeadlessEditor {
     int worst = 0;
     std::string where;
     for (std::size_t i = 0; i < glyphs.size(); ++i) {
-      // Neighbours in a word may touch.
+      // Neighbors in a word may touch.
       for (std::size_t k = i + 2; k < glyphs.size(); ++k) {
         if (!meant(glyphs[i].list, only) || !meant(glyphs[k].list, only)) continue;
         if (covered(glyphs[i], glyphs[k]) < 0.4f) continue;

@@ -1,4 +1,4 @@
-// tests/panels/nothing_hides_test.cpp: tooltips of a sleeping editor, reasons of what is greyed, messages, toasts, the
+// tests/panels/nothing_hides_test.cpp: tooltips of a sleeping editor, reasons of what is grayed, messages, toasts, the
 // question about a file that has changed.
 
 #include <imgui.h>
@@ -58,7 +58,7 @@ TEST_F(NothingHides, ATooltipComesThoughNothingElseMoves) {
   }
 }
 
-TEST_F(NothingHides, AGreyedMenuEntryHasATooltip) {
+TEST_F(NothingHides, AGrayedMenuEntryHasATooltip) {
   click("menu/edit");
   ASSERT_TRUE(shown("edit/delete"));
   queue.move(center("edit/delete"));
@@ -82,7 +82,7 @@ TEST_F(NothingHides, TheReasonFitsTheState) {
   EXPECT_EQ(hintOfAction("edit/delete"), action("edit/delete").hint);
 }
 
-TEST_F(NothingHides, EnterInThePaletteNeverTakesWhatIsGreyed) {
+TEST_F(NothingHides, EnterInThePaletteNeverTakesWhatIsGrayed) {
   press(GLFW_KEY_P, true);
   type("duplicate");
   ASSERT_TRUE(shown("palette/edit/duplicate"));

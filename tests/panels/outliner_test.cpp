@@ -290,7 +290,7 @@ TEST(OutlinerRows, AThousandMusclesOnFiveHundredBones) {
   EXPECT_EQ(found.back().index, 999);
 }
 
-/// Whether a row is drawn as lit: a rectangle of that colour begins and ends with it.
+/// Whether a row is drawn as lit: a rectangle of that color begins and ends with it.
 bool isLit(const glm::vec4& row) {
   const ImU32 color = ImGui::GetColorU32(ImGuiCol_HeaderHovered);
   bool top = false;

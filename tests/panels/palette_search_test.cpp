@@ -88,10 +88,10 @@ TEST(PaletteSearch, OfEqualFitsTheOneThatCanBeDoneComesFirst) {
     for (int i = 0; i < 6; ++i)
       candidates.push_back({"Delete", "", static_cast<int>(random() % 9) - 1, random() % 2 == 0});
     for (const char* query : {"", "del", "delete"}) {
-      bool greyed = false;
+      bool grayed = false;
       for (const Found& one : search(query, candidates, 100)) {
-        EXPECT_FALSE(greyed && candidates[one.index].usable) << query;
-        greyed = greyed || !candidates[one.index].usable;
+        EXPECT_FALSE(grayed && candidates[one.index].usable) << query;
+        grayed = grayed || !candidates[one.index].usable;
       }
     }
   }

@@ -100,7 +100,7 @@ TEST_F(ViewportMenuTest, AddsAMuscleOnTheSkinThatWasPointedAt) {
   EXPECT_EQ(state.document.rig().primitives.size(), 1u) << "one step";
 }
 
-TEST_F(ViewportMenuTest, OnSkinWithoutMusclesTheyAreGreyAndSayWhy) {
+TEST_F(ViewportMenuTest, OnSkinWithoutMusclesTheyAreGrayAndSayWhy) {
   state.document.selection.set(state.document.idAt(0));
   deleteSelection(state);
   settle();
@@ -148,7 +148,7 @@ TEST_F(ViewportMenuTest, OfSeveralItListsAllByName) {
   EXPECT_EQ(state.document.activeName(), other);
 }
 
-TEST_F(ViewportMenuTest, EveryGreyEntryGivesAReason) {
+TEST_F(ViewportMenuTest, EveryGrayEntryGivesAReason) {
   // Whatever is selected or missing, an entry that cannot be chosen says why.
   for (const bool muscle : {true, false}) {
     if (!muscle) {

@@ -185,7 +185,7 @@ TEST_F(Anatomy, FibresMoveAndStretchWithTheMuscle) {
 
 TEST_F(Anatomy, FromFarFibresFadeIntoTheirMean) {
   const glm::vec3 radii(0.8f, 1.2f, 0.8f);
-  // How much neighbours differ beyond a smooth shade: the mean second difference along the middle row.
+  // How much neighbors differ beyond a smooth shade: the mean second difference along the middle row.
   const auto roughness = [&](int size) {
     view_ = viewOf(size);
     const Image image = draw({muscle(radii)});

@@ -1,4 +1,4 @@
-// tests/render/arrival_test.cpp: alpha and vertex colours in the picture, and the same alpha in the shadow.
+// tests/render/arrival_test.cpp: alpha and vertex colors in the picture, and the same alpha in the shadow.
 #include "tests/render/pictures.h"
 #include "tests/support/characters/synthetic_characters.h"
 
@@ -134,7 +134,7 @@ TEST_F(Arriving, VertexAlphaCountsInPictureAndShadow) {
 }
 
 // Unlit, the picture is the product of the three, in linear light.
-TEST_F(Arriving, VertexColoursMultiplyTheBaseColour) {
+TEST_F(Arriving, VertexColorsMultiplyTheBaseColor) {
   for (const bool wire : {false, true}) {
     const auto quad = makeQuad();
     quad->materials[0].baseColor = {0.5f, 1.0f, 0.25f, 1.0f};
@@ -157,7 +157,7 @@ TEST_F(Arriving, VertexColoursMultiplyTheBaseColour) {
   }
 }
 
-TEST_F(Arriving, VertexColoursRunFromCornerToCorner) {
+TEST_F(Arriving, VertexColorsRunFromCornerToCorner) {
   const auto quad = makeQuad();
   for (Wedge& wedge : quad->mesh.wedges) wedge.color.r = wedge.uv.x;  // 0 at the left, 1 at the right.
   for (const int depth : {1, 4}) {
@@ -178,8 +178,8 @@ TEST_F(Arriving, VertexColoursRunFromCornerToCorner) {
   }
 }
 
-// A mesh without colours, one with, one without: nothing is left over from the one before.
-TEST_F(Arriving, AnotherCharacterHasItsOwnColours) {
+// A mesh without colors, one with, one without: nothing is left over from the one before.
+TEST_F(Arriving, AnotherCharacterHasItsOwnColors) {
   const auto plain = makeQuad(), painted = makeQuad();
   for (Wedge& wedge : painted->mesh.wedges) wedge.color = {1.0f, 0.0f, 0.0f, 1.0f};
   const auto viewport = viewportFor(*plain);

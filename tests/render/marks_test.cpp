@@ -232,7 +232,7 @@ TEST_F(Drawing, SegmentsAreDrawnFromPixelToPixelWithDotsAtTheirEnds) {
   const Pixel faint = colored(hidden, 0.5f * (behind.from + behind.to));
   EXPECT_LT(faint[2], 250);
   EXPECT_GT(faint[2], colored(on, 0.5f * (segment.from + segment.to))[2] + 20);
-  // Every class has a colour of its own.
+  // Every class has a color of its own.
   const std::array kinds{SegmentClass::kPlain, SegmentClass::kFound, SegmentClass::kFallback, SegmentClass::kLost};
   for (const SegmentClass a : kinds) {
     for (const SegmentClass b : kinds) {
@@ -260,11 +260,11 @@ TEST_F(Drawing, TerritoryBonesAreHighlightedThoughTheSkeletonIsHidden) {
   EXPECT_EQ(picture(false), picture(true));  // The only bone is one of the territory.
 }
 
-TEST_F(Drawing, UnlitBaseColoursAreExact) {
+TEST_F(Drawing, UnlitBaseColorsAreExact) {
   const auto quad = makeQuad();
-  for (const int grey : {0, 64, 128, 188, 255}) {
-    quad->materials[0].baseColor = glm::vec4(glm::vec3(linearOf(grey)), 1.0f);
-    EXPECT_EQ(pixelAt(drawBare(quad, *viewportFor(*quad), viewOfQuad()), 32, 32), (Pixel{grey, grey, grey, 255}));
+  for (const int gray : {0, 64, 128, 188, 255}) {
+    quad->materials[0].baseColor = glm::vec4(glm::vec3(linearOf(gray)), 1.0f);
+    EXPECT_EQ(pixelAt(drawBare(quad, *viewportFor(*quad), viewOfQuad()), 32, 32), (Pixel{gray, gray, gray, 255}));
   }
 }
 
@@ -286,7 +286,7 @@ TEST_F(Drawing, TheSameSurfaceIsNotUploadedAgainAndANewOneIs) {
   EXPECT_NE(moved, first);
   viewport->setCharacter(*quad);
   for (glm::vec3& p : moment.surface.positions) p.x -= 0.4f;
-  EXPECT_EQ(picture(), first);  // Of another character a number says nothing.
+  EXPECT_EQ(picture(), first);  // A number says nothing about another character.
 }
 
 }  // namespace

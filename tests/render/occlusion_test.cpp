@@ -15,7 +15,7 @@ namespace sinew::test {
 namespace {
 
 /// Adds a ball of triangles.
-void addBall(TriangleSoup& soup, const glm::vec3& centre, float radius) {
+void addBall(TriangleSoup& soup, const glm::vec3& center, float radius) {
   constexpr int kRows = 16, kColumns = 32;
   const auto first = static_cast<std::uint32_t>(soup.positions.size());
   for (int row = 0; row <= kRows; ++row) {
@@ -24,7 +24,7 @@ void addBall(TriangleSoup& soup, const glm::vec3& centre, float radius) {
       const float turn = 2.0f * std::numbers::pi_v<float> * static_cast<float>(column % kColumns) / kColumns;
       const float ring = row == 0 || row == kRows ? 0.0f : std::sin(polar);
       const glm::vec3 outwards(ring * std::sin(turn), std::cos(polar), ring * std::cos(turn));
-      soup.positions.push_back(centre + radius * outwards);
+      soup.positions.push_back(center + radius * outwards);
     }
   }
   for (std::uint32_t row = 0; row < kRows; ++row) {

@@ -20,7 +20,7 @@ using app::PrimitiveShape;
 using app::Ray;
 using app::View;
 
-/// A copy in which every control triangle has a colour of its own: triangle t is drawn as t + 1 in base 40.
+/// A copy in which every control triangle has a color of its own: triangle t is drawn as t + 1 in base 40.
 std::shared_ptr<Character> numbered(const Character& original) {
   auto character = std::make_shared<Character>(original);
   character->materials.clear();

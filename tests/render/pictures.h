@@ -78,7 +78,7 @@ inline app::Scene sceneOf(const Character& character, const Moment& moment) {
   return scene;
 }
 
-/// Bare colours on nothing: what a test can predict.
+/// Bare colors on nothing: what a test can predict.
 inline app::DisplaySettings bareColors() {
   app::DisplaySettings settings;
   settings.ground = false;

@@ -238,7 +238,7 @@ TEST_F(Drawing, EveryLightAndBackgroundLooksDifferent) {
   EXPECT_EQ(seen.size(), app::kBackdropNames.size());
 }
 
-TEST_F(Drawing, FlatBackgroundsAreOneColour) {
+TEST_F(Drawing, FlatBackgroundsAreOneColor) {
   const auto quad = makeQuad();
   const Moment moment = bindMoment(quad, 1, PatchKind::kFlat);
   const auto viewport = viewportFor(*quad, 1);

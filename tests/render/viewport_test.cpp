@@ -17,7 +17,7 @@ using app::Scene;
 using app::Shading;
 using app::View;
 
-/// One colour all over.
+/// One color all over.
 Texture plainTexture(int red, int green, int blue, int alpha) {
   Texture texture;
   texture.width = texture.height = 4;
@@ -31,16 +31,16 @@ View viewOf(const Moment& moment, bool orthographic = false) {
   return app::framedView(boundsOf(moment.surface.positions), 0.6f, 0.2f, {160, 120}, orthographic);
 }
 
-TEST_F(Drawing, TextureColoursComeOutAsTheyWentIn) {
+TEST_F(Drawing, TextureColorsComeOutAsTheyWentIn) {
   const auto quad = makeQuad();
   quad->materials[0].baseColorTexture = 0;
   for (const int samples : {1, 4}) {
-    for (const int grey : {1, 12, 55, 128, 188, 254}) {
-      quad->textures = {plainTexture(grey, 255 - grey, 128, 255)};
+    for (const int gray : {1, 12, 55, 128, 188, 254}) {
+      quad->textures = {plainTexture(gray, 255 - gray, 128, 255)};
       const auto viewport = viewportFor(*quad, samples);
       const Pixel pixel = pixelAt(drawBare(quad, *viewport, viewOfQuad()), 32, 32);
-      EXPECT_NEAR(pixel[0], grey, 1);
-      EXPECT_NEAR(pixel[1], 255 - grey, 1);
+      EXPECT_NEAR(pixel[0], gray, 1);
+      EXPECT_NEAR(pixel[1], 255 - gray, 1);
       EXPECT_NEAR(pixel[2], 128, 1);
       EXPECT_EQ(pixel[3], 255);
     }
@@ -174,7 +174,7 @@ TEST_F(Drawing, EverySettingShows) {
   EXPECT_NE(picture(selected, marks), unmarked);
 }
 
-TEST_F(Drawing, ClassesColourTheirOwnTriangles) {
+TEST_F(Drawing, ClassesColorTheirOwnTriangles) {
   // Two materials, so that triangles are drawn in another order than they stand in.
   const auto quad = makeQuad();
   quad->materials.emplace_back();

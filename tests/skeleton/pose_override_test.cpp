@@ -169,7 +169,7 @@ TEST(PoseOverrides, NoTurnIsTheSameBits) {
   overrides.set(6, glm::quat(1, 0, 0, 0));
   EXPECT_TRUE(overrides.isEmpty());
   EXPECT_EQ(posed(scene.skeleton, scene.moment, overrides).boneInWorld, scene.moment.boneInWorld);
-  overrides.set(100, chance.rotation());  // Of a longer skeleton.
+  overrides.set(100, chance.rotation());  // A longer skeleton's.
   EXPECT_EQ(posed(scene.skeleton, scene.moment, overrides).boneInWorld, scene.moment.boneInWorld);
 }
 

@@ -32,7 +32,7 @@ Surface over(const Placement& placement, float skinBlend) {
 }
 
 const Placement kMuscle{glm::vec3(0.3f, 0.3f, 0.0f), glm::quat(1.0f, 0.0f, 0.0f, 0.0f), glm::vec3(0.1f, 0.24f, 0.15f)};
-const float kMeanRadius = std::cbrt(0.1f * 0.24f * 0.15f) / 2.0f;  // Of H, which is 2.
+const float kMeanRadius = std::cbrt(0.1f * 0.24f * 0.15f) / 2.0f;  // Fraction of H, which is 2.
 
 TEST(BlendWidth, SkinRisesNoLessUnderAWiderBlend) {
   Surface before = over(kMuscle, 0.002f);

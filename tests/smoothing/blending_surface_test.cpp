@@ -83,7 +83,7 @@ TEST(BlendingSurface, LinkedGroupsDoSum) {
   EXPECT_GT(most, 0.01f) << "where both reach, the blend rises over the higher of the two";
 }
 
-// A - B - C: both neighbours blend with B, never with each other.
+// A - B - C: both neighbors blend with B, never with each other.
 TEST(BlendingSurface, ChainIsTheHigherOfItsTwoPairs) {
   const CharacterPtr strip = makeStrip();
   for (const ProjectionKind projection : kProjections) {

@@ -11,7 +11,7 @@
 namespace sinew::test {
 namespace {
 
-constexpr float kStays = 1e-4f;  ///< Of H.
+constexpr float kStays = 1e-4f;  ///< Fraction of H.
 
 /// Each muscle of a rig again as a carve: the same ellipsoid, told by another quaternion, so that the sums do not
 /// cancel to the last bit.
@@ -26,7 +26,7 @@ Rig undone(Rig rig) {
   return rig;
 }
 
-TEST(Cancelling, AMuscleAndTheCarveThatUndoesItLeaveTheSkin) {
+TEST(Canceling, AMuscleAndTheCarveThatUndoesItLeaveTheSkin) {
   for (const auto& character : {makeLimb(), makeTwoLegged(), makeStrip()}) {
     for (const ProjectionKind projection :
          {ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic}) {
@@ -55,7 +55,7 @@ TEST(Cancelling, AMuscleAndTheCarveThatUndoesItLeaveTheSkin) {
 }
 
 // An influence that just touches a vertex: the field there is rounding, and so must be what it does.
-TEST(Cancelling, AnInfluenceThatBarelyTouchesBarelyMoves) {
+TEST(Canceling, AnInfluenceThatBarelyTouchesBarelyMoves) {
   const auto character = makeLimb();
   RigRecipe recipe;
   recipe.primitives = 1;

@@ -21,7 +21,7 @@ struct Recorded {
   SurfaceMode mode;
   StepCause cause;
   double perMillion;  ///< Vertex steps.
-  double largest;     ///< Of H.
+  double largest;     ///< Fraction of H.
 };
 
 using enum Laid;

@@ -23,7 +23,7 @@ namespace sinew::test {
 namespace {
 
 constexpr double kMargin = 1.25;   ///< On what is recorded.
-constexpr double kFewSteps = 4.0;  ///< Of one cause, beyond the margin: what rounding may sort elsewhere.
+constexpr double kFewSteps = 4.0;  ///< Steps of one cause beyond the margin that rounding may sort elsewhere.
 
 struct Walk {
   const char* scene;

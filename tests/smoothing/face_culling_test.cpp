@@ -20,7 +20,7 @@ struct Tally {
   long long triangles = 0;
   long long culled = 0;
   long long small = 0;    ///< Refined triangles of culled ones.
-  long long towards = 0;  ///< Of those: on the whole surface they face the eye.
+  long long towards = 0;  ///< Those that face the eye on the whole surface.
   long long changed = 0;  ///< Drawn vertices that differ from the whole surface's in any bit.
 };
 

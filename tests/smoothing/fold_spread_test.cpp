@@ -27,7 +27,7 @@ TEST(FoldSpread, KeepsHeights) {
 }
 
 /// A vertex of the patch goes by `way` across the edges opposite to it, in that many steps; the lift stays as it is,
-/// and leans over its neighbours. @return how far the skin steps at most, over the patch's own step
+/// and leans over its neighbors. @return how far the skin steps at most, over the patch's own step
 float steepestWhereThePatchTurns(float way, int steps) {
   Scene scene(flatSheet());
   const auto middle = static_cast<std::size_t>(

@@ -181,7 +181,7 @@ TEST(Identity, PatchesMeetTheirEdges) {
   }
 }
 
-// Neighbouring refined triangles must not fold: in the bind pose a patch's small triangles face as their corners'
+// Neighboring refined triangles must not fold: in the bind pose a patch's small triangles face as their corners'
 // normals.
 TEST(Identity, SmallTrianglesFaceOutwards) {
   for (const CharacterPtr& character : characters()) {

@@ -109,7 +109,7 @@ TEST(LiftFilter, EvensOutARimThatIsNarrowerThanAnEdge) {
   }
 }
 
-// A vertex that begins to move, between neighbours that stand high already, rises from 0.
+// A vertex that begins to move, between neighbors that stand high already, rises from 0.
 TEST(LiftFilter, IsContinuousInTheHeights) {
   Heights sheet;
   constexpr int kSteps = 400;

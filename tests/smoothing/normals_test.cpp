@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kDepth = 8;
 constexpr double kAllowedDegrees = 10.0;
-constexpr double kFade = 0.06;  ///< Of a territory weight, between neighbours.
+constexpr double kFade = 0.06;  ///< Change of a territory weight between neighbors.
 
 double degreesBetween(const glm::vec3& a, const glm::vec3& b) {
   const double cosine = static_cast<double>(glm::dot(glm::normalize(a), glm::normalize(b)));
@@ -55,12 +55,12 @@ Faceted facetedOf(const Surface& surface) {
 }
 
 struct Count {
-  int moved = 0;    ///< By the muscles; in `replace` those that lie on F = T with all their neighbours.
-  int creased = 0;  ///< Of those: a face leans away by more than 10 degrees (unlinked groups meet, the cage folds), or:
-  int folded = 0;   ///< Of the creased: the mesh lies over itself there, inside out.
+  int moved = 0;    ///< By the muscles; in `replace` those that lie on F = T with all their neighbors.
+  int creased = 0;  ///< A face leans away by more than 10 degrees (unlinked groups meet, the cage folds), or:
+  int folded = 0;   ///< Creased ones where the mesh lies over itself, inside out.
   int judged = 0;   ///< The rest.
-  int raw = 0;      ///< Of the judged: beyond 10 degrees.
-  int off = 0;      ///< Of the judged: beyond 10 degrees more than the patch's own normal is off from the patch.
+  int raw = 0;      ///< Judged ones beyond 10 degrees.
+  int off = 0;      ///< Judged ones more than 10 degrees beyond the patch's own normal's deviation from the patch.
 };
 
 /// In `replace`: vertices with F = T, as have all around them, and under territories that hardly fade from one to the

@@ -16,7 +16,7 @@ namespace sinew::test {
 namespace {
 
 constexpr std::array kProjections{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic};
-constexpr double kAgreement = 1e-4;  // Of H.
+constexpr double kAgreement = 1e-4;  // Fraction of H.
 constexpr int kPoses = 3;
 constexpr int kAsked = 900;  ///< Vertices the oracle is asked about, a scene, mode and projection.
 
@@ -72,7 +72,7 @@ TEST(ProjectionAgreement, ReplaceIsWhatBruteForceFinds) { expectAgreement(Surfac
 struct Difference {
   int compared = 0;
   int far = 0;        ///< Beyond 1e-4 H.
-  int farUnique = 0;  ///< Of those: the ray has one root only.
+  int farUnique = 0;  ///< Those whose ray has only one root.
   double worstNear = 0.0;
 };
 

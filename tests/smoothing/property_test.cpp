@@ -197,7 +197,7 @@ TEST(Property, MirroredBonesAreHarmless) {
   }
 }
 
-/// Largest step of any vertex between surfaces of neighbouring parameters.
+/// Largest step of any vertex between surfaces of neighboring parameters.
 float largestStep(const Surface& a, const Surface& b) {
   float out = 0.0f;
   for (std::size_t v = 0; v < a.positions.size(); ++v) {

@@ -139,7 +139,7 @@ TEST(Refinement, DrawnVerticesAreNotRepeated) {
   }
 }
 
-/// A colour for every wedge, the extremes among them.
+/// A color for every wedge, the extremes among them.
 ControlMesh painted(ControlMesh mesh) {
   std::mt19937 random(7);
   std::uniform_int_distribution<int> level(0, 8);
@@ -149,9 +149,9 @@ ControlMesh painted(ControlMesh mesh) {
   return mesh;
 }
 
-TEST(Refinement, DrawnVerticesCarryBarycentricColours) {
+TEST(Refinement, DrawnVerticesCarryBarycentricColors) {
   for (const CharacterPtr& character : characters()) {
-    EXPECT_TRUE(refine(character->mesh, 3).drawColor.empty()) << "no memory for meshes without colours";
+    EXPECT_TRUE(refine(character->mesh, 3).drawColor.empty()) << "no memory for meshes without colors";
     const ControlMesh mesh = painted(character->mesh);
     for (const int n : {1, 2, 3, 5}) {
       const Refinement refinement = refine(mesh, n);
@@ -177,8 +177,8 @@ TEST(Refinement, DrawnVerticesCarryBarycentricColours) {
   }
 }
 
-// Colours change nothing but the colours: the mesh, its drawn vertices and texture coordinates stay, bit for bit.
-TEST(Refinement, ColoursLeaveTheRestAsItIs) {
+// Colors change nothing but the colors: the mesh, its drawn vertices and texture coordinates stay, bit for bit.
+TEST(Refinement, ColorsLeaveTheRestAsItIs) {
   for (const CharacterPtr& character : characters()) {
     const Refinement plain = refine(character->mesh, 4);
     const Refinement colored = refine(painted(character->mesh), 4);

@@ -19,7 +19,7 @@ namespace sinew::test {
 namespace {
 
 constexpr double kIso = 0.25;          // T
-constexpr double kRadius = 0.3;        // Of the visible ball.
+constexpr double kRadius = 0.3;        // Radius of the visible ball.
 constexpr double kReach = 2.0;         // k
 constexpr double kSearchLength = 0.4;  // L
 
@@ -28,13 +28,13 @@ double smoothstep(double t) {
   return x * x * (3.0 - 2.0 * x);
 }
 
-/// F of docs/field.md at a distance from the ball's centre.
+/// F of docs/field.md at a distance from the ball's center.
 double fieldAt(double distance) {
   const auto g = [](double r) { return r < 1.0 ? (1.0 - r * r) * (1.0 - r * r) : 0.0; };
   return kIso / g(1.0 / kReach) * g(distance / (kReach * kRadius));
 }
 
-/// The largest F - T at nine points spaced evenly in a stretch of a ray that runs `beside` the centre of a ball `depth`
+/// The largest F - T at nine points spaced evenly in a stretch of a ray that runs `beside` the center of a ball `depth`
 /// below its start.
 double prominence(double depth, double beside, double from, double to) {
   double most = 0.0;
@@ -79,7 +79,7 @@ struct OverBall {
             scratch);
   }
 
-  /// Distance of a vertex's ray from the ball's centre.
+  /// Distance of a vertex's ray from the ball's center.
   [[nodiscard]] double besideCenter(std::size_t v) const {
     const glm::vec3 away = patch.positions[v] - center;
     return static_cast<double>(glm::length(away - glm::dot(away, normal) * normal));

@@ -286,7 +286,7 @@ TEST(Smoother, DisplacementInReplaceIsThePatchNormalsShare) {
   EXPECT_GT(moved, 0);
 }
 
-// docs/design.md with the numbers typed in: T = 1/4, h = 0.08, a sphere of radius 0.3 whose centre lies on a flat skin.
+// docs/design.md with the numbers typed in: T = 1/4, h = 0.08, a sphere of radius 0.3 whose center lies on a flat skin.
 TEST(Smoother, SwellOverASphereOnAFlatSkin) {
   const CharacterPtr character = makeStrip();
   Rig rig;

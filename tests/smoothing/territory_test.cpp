@@ -47,7 +47,7 @@ std::vector<bool> outsideOf(const Character& character, const Refinement& refine
 /// What a rig did against the bare character over some moments of a clip.
 struct Moved {
   int outside = 0;         ///< Vertices, times, outside the territory that changed a bit of their place, or of their
-                           ///< normal with no moved neighbour (docs/design.md, Normals).
+                           ///< normal with no moved neighbor (docs/design.md, Normals).
   int inside = 0;          ///< ... and within.
   int watchedOutside = 0;  ///< Vertices outside, per moment.
 };

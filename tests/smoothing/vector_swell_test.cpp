@@ -26,7 +26,7 @@ namespace sinew::test {
 namespace {
 
 constexpr std::array kProjections{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic};
-constexpr double kSecant = 5e-6;  ///< Of H: what halvings and one secant step leave.
+constexpr double kSecant = 5e-6;  ///< Fraction of H that halvings and one secant step leave.
 
 using CharacterPtr = std::shared_ptr<const Character>;
 
@@ -76,7 +76,7 @@ TEST(VectorSwell, EverySetGivesTheSameBits) {
   }
 }
 
-// Where a ray's neighbours meet other muscles than it does, carves among them.
+// Where a ray's neighbors meet other muscles than it does, carves among them.
 TEST(VectorSwell, EverySetGivesTheSameBitsOnRandomRigs) {
   const CharacterPtr character = makeTwoLegged();
   for (std::uint64_t seed = 0; seed < 16; ++seed) {

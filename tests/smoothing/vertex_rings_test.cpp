@@ -1,4 +1,4 @@
-// tests/smoothing/vertex_rings_test.cpp: neighbours, each once for every triangle shared.
+// tests/smoothing/vertex_rings_test.cpp: neighbors, each once for every triangle shared.
 #include "core/smoothing/finish/vertex_rings.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace sinew::test {
 namespace {
 
-/// How much each neighbour of a vertex counts in the mean.
+/// How much each neighbor of a vertex counts in the mean.
 using Shares = std::map<int, double>;
 
 std::vector<Shares> sharesByTriangles(const Refinement& refinement) {
@@ -59,7 +59,7 @@ TEST(VertexRings, OfASheetWithBorders) {
 // Its edges have one triangle, two and three.
 TEST(VertexRings, OfABodyWithAnOpenNeckAndAFin) { expectSame(refine(makeBodyWithArms()->mesh, 3)); }
 
-TEST(VertexRings, InsideAPatchNoNeighbourIsListedTwice) {
+TEST(VertexRings, InsideAPatchNoNeighborIsListedTwice) {
   const Refinement refinement = refine(makeBodyWithArms()->mesh, 5);
   const VertexRings rings = vertexRings(refinement);
   const int inside = refinement.interiorVertex(0, 0);

@@ -34,10 +34,10 @@ struct LineTwins : testing::Test {
     Pose pose = bindPose(character->skeleton);
     pose.flex = 0.7f;
     const PosedRig posed = RigPoser(rig, *character).pose(pose);
-    const auto centre = [&](std::size_t i) {
+    const auto center = [&](std::size_t i) {
       return glm::dvec3(posed.muscles[i].carrier * glm::vec4(rig.primitives[i].placement.center, 1.0f));
     };
-    EXPECT_LT(glm::distance(reflected(plan.plane, centre(0)), centre(1)), 1e-5);
+    EXPECT_LT(glm::distance(reflected(plan.plane, center(0)), center(1)), 1e-5);
     const auto volume = [&](std::size_t i) { return glm::determinant(glm::mat3(posed.muscles[i].carrier)); };
     EXPECT_NEAR(volume(0), volume(1), 1e-5f);
   }

@@ -107,7 +107,7 @@ void print(const std::string& name, const MirrorPlan& plan) {
   std::cout << name << ": plane (" << plan.plane.normal.x << ", " << plan.plane.normal.y << ", " << plan.plane.normal.z
             << ") " << plan.plane.offset << ", " << plan.twinOf.size() << " bones, " << plan.pairCount() << " pairs ("
             << by(PairedBy::kName) / 2 << " by name, " << by(PairedBy::kPlace) / 2 << " by place), "
-            << plan.centreCount() << " centre, " << by(PairedBy::kNothing) << " alone\n";
+            << plan.centerCount() << " center, " << by(PairedBy::kNothing) << " alone\n";
   for (std::size_t i = 0; i < plan.twinOf.size(); ++i) {
     if (plan.twinOf[i] < 0) std::cout << "  alone: " << plan.skeleton.bones[i].name << '\n';
   }
@@ -117,7 +117,7 @@ struct Expected {
   const char* file;
   glm::dvec3 normal;
   int pairs;
-  int centres;
+  int centers;
 };
 
 void PrintTo(const Expected& expected, std::ostream* out) { *out << expected.file; }
@@ -131,7 +131,7 @@ TEST_P(RealCharacters, ArePairedAndMirrored) {
   print(GetParam().file, plan);
   EXPECT_NEAR(std::abs(glm::dot(plan.plane.normal, GetParam().normal)), 1.0, 0.01);
   EXPECT_EQ(plan.pairCount(), GetParam().pairs);
-  EXPECT_EQ(plan.centreCount(), GetParam().centres);
+  EXPECT_EQ(plan.centerCount(), GetParam().centers);
   expectSoundPlan(plan);
 }
 
@@ -146,7 +146,7 @@ TEST(Mirror, TheBundledLizardIsPairedToTheLastBone) {
   ASSERT_TRUE(lizard);
   const MirrorPlan plan = makeMirrorPlan(*lizard.value());
   print("demo.glb", plan);
-  EXPECT_EQ(static_cast<int>(plan.twinOf.size()), 2 * plan.pairCount() + plan.centreCount());
+  EXPECT_EQ(static_cast<int>(plan.twinOf.size()), 2 * plan.pairCount() + plan.centerCount());
   expectSoundPlan(plan);
 }
 
@@ -202,7 +202,7 @@ TEST(Mirror, PairsNastyNames) {
   const std::vector<int> expected = {0, 2, 1, 4, 3, 5, 7, 6, 11, 10, 9, 8, 13, 12, 15, 14, -1};
   EXPECT_EQ(plan.twinOf, expected);
   EXPECT_EQ(plan.pairedBy[1], PairedBy::kName);
-  EXPECT_EQ(plan.pairedBy[0], PairedBy::kCentre);
+  EXPECT_EQ(plan.pairedBy[0], PairedBy::kCenter);
 }
 
 TEST(Mirror, PairsBonesWithoutNamesByPlaceThroughTheTree) {

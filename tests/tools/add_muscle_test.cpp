@@ -20,7 +20,7 @@ using test::BoneScale;
 using test::LimbScene;
 using test::Random;
 
-/// Largest extent of the world ellipsoid along a unit direction, from its centre.
+/// Largest extent of the world ellipsoid along a unit direction, from its center.
 float extentAlong(const glm::mat4& shape, const glm::vec3& direction) {
   return glm::length(glm::transpose(glm::mat3(shape)) * direction);
 }
@@ -114,7 +114,7 @@ TEST(PlacementOnSkin, InAHollowItLiesOnTheBottom) {
   const glm::mat4 shape = shapeInWorld(placementOnSkin(stroke, one, {0, 0, 1}, 1.8f), 1.0f, one);
   EXPECT_LT(glm::vec3(shape[2]).y, 0.0f) << "out of the skin, into the hollow";
   const float thickness = extentAlong(shape, {0, 1, 0});
-  EXPECT_GT(shape[3].y, radius) << "its centre is under the skin";
+  EXPECT_GT(shape[3].y, radius) << "its center is under the skin";
   EXPECT_LT(shape[3].y - thickness, radius - 0.5f * thickness) << "yet it shows";
 }
 

@@ -87,15 +87,15 @@ TEST(AxisTriad, EndsLieWhereTheirAxesPointInThePicture) {
     float depth = -2.0f;
     for (const TriadLayout::End& end : layout.ends) {
       const glm::vec3 seen = rotation * direction(end.end);
-      const glm::vec2 away = (end.pixel - layout.centre) / layout.radius;
+      const glm::vec2 away = (end.pixel - layout.center) / layout.radius;
       EXPECT_LT(glm::distance(away, 0.78f * glm::vec2(seen.x, -seen.y)), 1e-3f);
       EXPECT_GE(end.depth, depth);  // Furthest first.
       depth = end.depth;
       EXPECT_LE(glm::length(away) + end.radius / layout.radius, 1.03f);
     }
     // All of it stands in the picture, in the lower right corner.
-    EXPECT_LE(layout.centre.x + layout.radius, static_cast<float>(kSize.x));
-    EXPECT_LE(layout.centre.y + layout.radius, static_cast<float>(kSize.y));
+    EXPECT_LE(layout.center.x + layout.radius, static_cast<float>(kSize.x));
+    EXPECT_LE(layout.center.y + layout.radius, static_cast<float>(kSize.y));
     EXPECT_FLOAT_EQ(layout.radius, kTriadRadius * scale);
   }
 }
@@ -113,8 +113,8 @@ TEST(AxisTriad, AClickLooksFromTheEndAndTheNextFromTheOpposite) {
     EXPECT_LT(glm::distance(forwardAfter(camera), -direction(end)), 1e-4f);
     advance(camera, 1.0f);
     const TriadLayout arrived = layoutTriad(camera, kSize, 1.0f);
-    EXPECT_EQ(axisEndAt(arrived, arrived.centre), end);  // It has come to the middle, nearest to the eye.
-    click(triad, camera, arrived.centre);
+    EXPECT_EQ(axisEndAt(arrived, arrived.center), end);  // It has come to the middle, nearest to the eye.
+    click(triad, camera, arrived.center);
     EXPECT_LT(glm::distance(forwardAfter(camera), direction(end)), 1e-4f);
   }
 }
@@ -157,21 +157,21 @@ TEST(AxisTriad, TakesTheMouseOnTheBallAloneAndNeverFromOthers) {
   Camera camera;
   AxisTriad triad;
   const TriadLayout layout = layoutTriad(camera, kSize, 1.0f);
-  EXPECT_TRUE(passTriad(triad, camera, at(layout.centre), kSize, 1.0f, false).mouseTaken);
+  EXPECT_TRUE(passTriad(triad, camera, at(layout.center), kSize, 1.0f, false).mouseTaken);
   EXPECT_FALSE(passTriad(triad, camera, at({100, 100}), kSize, 1.0f, false).mouseTaken);
   EXPECT_FALSE(passTriad(triad, camera, press({100, 100}), kSize, 1.0f, false).mouseTaken);
   // A drag of something else passes over it.
-  EXPECT_FALSE(passTriad(triad, camera, hold(layout.centre), kSize, 1.0f, true).mouseTaken);
+  EXPECT_FALSE(passTriad(triad, camera, hold(layout.center), kSize, 1.0f, true).mouseTaken);
   EXPECT_FALSE(triad.ballHovered);
   // A panel lies over it.
-  ViewportInput covered = press(layout.centre);
+  ViewportInput covered = press(layout.center);
   covered.mouseTaken = true;
   const CameraStand before = camera.stand;
   EXPECT_FALSE(routeTriad(triad, camera, covered, kSize, 1.0f));
   EXPECT_FALSE(triad.ownsMouse());
   EXPECT_EQ(camera.stand.yaw, before.yaw);
   // A release that never came (the window lost the focus) ends the press all the same.
-  EXPECT_TRUE(routeTriad(triad, camera, press(layout.centre + glm::vec2(0, 30)), kSize, 1.0f));
+  EXPECT_TRUE(routeTriad(triad, camera, press(layout.center + glm::vec2(0, 30)), kSize, 1.0f));
   routeTriad(triad, camera, at({100, 100}), kSize, 1.0f);
   EXPECT_FALSE(triad.ownsMouse());
 }

@@ -257,7 +257,7 @@ TEST_P(EveryBone, ScaleBoxesStretchOneRadius) {
   EXPECT_GT(tried, 100);
 }
 
-TEST(GizmoPoles, ADragGoesByTheCentreAlsoWhereTheHandlesStandOnAPivot) {
+TEST(GizmoPoles, ADragGoesByTheCenterAlsoWhereTheHandlesStandOnAPivot) {
   GizmoScene scene = test::plainGizmo();
   scene.context.pivotInWorld = glm::vec3(0.3f, 0.5f, 0.1f);
   const GizmoState state;

@@ -163,7 +163,7 @@ TEST(GizmoKeys, EscapeAndTheRightButtonGiveBackTheStart) {
     Drag drag(GizmoHandle::kMoveCenter);
     EXPECT_NE(drag.to(kPress + glm::vec2(50, 20)).center, drag.scene.placement.center);
     const DragResult result = updateDrag(drag.state, leave, drag.scene.context);
-    EXPECT_EQ(result.outcome, DragOutcome::kCancelled);
+    EXPECT_EQ(result.outcome, DragOutcome::kCanceled);
     EXPECT_EQ(result.placement.center, drag.scene.placement.center);
     EXPECT_FALSE(drag.state.drag.has_value());
   }

@@ -153,14 +153,14 @@ TEST(MultiSelection, EveryHandleInEverySpaceAndMannerMovesAllAndItsTwinsOnce) {
         scene.setMode(handle);
         if (!dragHandle(scene, handle, manner)) continue;
         ++dragged;
-        const bool cancelled = manner == Manner::kEscape || manner == Manner::kRightButton;
-        if (cancelled) {
+        const bool canceled = manner == Manner::kEscape || manner == Manner::kRightButton;
+        if (canceled) {
           EXPECT_TRUE(scene.document.rig() == before.document.rig()) << nameOf(handle);
         }
-        EXPECT_LE(scene.document.commands.stepCount(), cancelled ? 1u : 2u);
+        EXPECT_LE(scene.document.commands.stepCount(), canceled ? 1u : 2u);
         expectTogether(scene, before, handle, scene.document.activeName());
         scene.expectTwinsExact();
-        if (!cancelled && scene.document.commands.stepCount() == 2) scene.document.commands.undo();
+        if (!canceled && scene.document.commands.stepCount() == 2) scene.document.commands.undo();
         EXPECT_TRUE(scene.document.rig() == before.document.rig()) << nameOf(handle);
         if (HasFailure()) return;
       }

@@ -55,7 +55,7 @@ struct Shell {
     const glm::dmat4 shape(shapeInWorld(primitive.placement, 1.0f, boneInWorld));
     toBall = glm::inverse(glm::dmat3(shape));
     center = glm::dvec3(shape[3]);
-    // The widest chord along the ray goes through the centre.
+    // The widest chord along the ray goes through the center.
     thickness = 2.0 / glm::length(toBall * glm::dvec3(ray.direction));
   }
   [[nodiscard]] double radii(const Ray& ray, double t) const {

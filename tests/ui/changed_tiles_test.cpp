@@ -66,7 +66,7 @@ class Tiles : public testing::Test {
   std::vector<ImDrawList*> lists_;
 };
 
-/// By painter's rule, the oracle: the topmost colour of each pixel.
+/// By painter's rule, the oracle: the topmost color of each pixel.
 std::vector<ImU32> painted(const std::vector<Box>& boxes) {
   std::vector<ImU32> pixels(static_cast<std::size_t>(kSize.x * kSize.y), 0);
   for (const Box& box : boxes) {

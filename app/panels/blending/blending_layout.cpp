@@ -81,7 +81,7 @@ void partOverlaps(std::vector<glm::vec2>& places) {
   }
 }
 
-void centre(std::vector<glm::vec2>& places) {
+void center(std::vector<glm::vec2>& places) {
   glm::vec2 low = places.front();
   glm::vec2 high = low;
   for (const glm::vec2& place : places) {
@@ -101,7 +101,7 @@ std::vector<glm::vec2> layoutGraph(int count, std::span<const std::array<int, 2>
     step(places, links, 0.3f * kNodeSpacing * left + 0.2f);
   }
   partOverlaps(places);
-  centre(places);
+  center(places);
   return places;
 }
 

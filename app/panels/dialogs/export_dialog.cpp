@@ -113,13 +113,13 @@ bool drawEnd(PanelUi& ui, const char* verb, bool entered) {
   drawComplaint(ui);
   const float width = ui.px(104);
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0f * width - ui.px(8));
-  const bool cancelled = ImGui::Button(dialog.overwriteAsked ? "Keep" : "Cancel", {width, 0.0f});
+  const bool canceled = ImGui::Button(dialog.overwriteAsked ? "Keep" : "Cancel", {width, 0.0f});
   ui.widgets.note("export/cancel");
   ImGui::SameLine(0.0f, ui.px(8));
   const bool confirmed = accentButton(dialog.overwriteAsked ? "Replace" : verb, {width, 0.0f});
   ui.widgets.note("export/ok");
   if (confirmed || entered) return confirmExport(ui.state);
-  if (!cancelled && !escapePressed(ui)) return false;
+  if (!canceled && !escapePressed(ui)) return false;
   if (dialog.overwriteAsked) {
     dialog.overwriteAsked = false;
     return false;

@@ -228,13 +228,13 @@ void drawButtons(PanelUi& ui) {
   const char* verb = dialog.kind == DialogKind::kOpen ? "Open" : saving;
   const float width = ui.px(96);
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0f * width - ui.px(8));
-  const bool cancelled = ImGui::Button(dialog.overwriteAsked ? "Keep" : "Cancel", {width, 0.0f});
+  const bool canceled = ImGui::Button(dialog.overwriteAsked ? "Keep" : "Cancel", {width, 0.0f});
   ui.widgets.note("dialog/cancel");
   ImGui::SameLine(0.0f, ui.px(8));
   const bool confirmed = accentButton(verb, {width, 0.0f});
   ui.widgets.note("dialog/ok");
   if (confirmed) confirmPath(state);
-  else if (cancelled || escapePressed(ui)) leave(state);
+  else if (canceled || escapePressed(ui)) leave(state);
 }
 
 void takeKeys(EditorState& state) {

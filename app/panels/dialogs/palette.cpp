@@ -137,7 +137,7 @@ Icon iconOf(const Entry& entry) {
   return Icon::kNone;
 }
 
-/// The label, letters that were asked for in the accent's colour.
+/// The label, letters that were asked for in the accent's color.
 void drawMarked(ImDrawList& list, ImVec2 at, const std::string& text, const std::vector<std::size_t>& marks,
                 Tint tint) {
   std::size_t begin = 0;

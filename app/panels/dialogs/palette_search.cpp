@@ -116,7 +116,7 @@ std::vector<Found> search(std::string_view query, const std::vector<Candidate>& 
   struct Ranked {
     bool last;
     int score;
-    bool greyed;
+    bool grayed;
     std::size_t rank;  ///< Among equals.
     Found found;
   };
@@ -139,11 +139,11 @@ std::vector<Found> search(std::string_view query, const std::vector<Candidate>& 
                       {i, fit->score, std::move(fit->marks)}});
   }
   std::ranges::stable_sort(ranked, [](const Ranked& a, const Ranked& b) {
-    return std::tie(a.last, a.score, a.greyed, a.rank) < std::tie(b.last, b.score, b.greyed, b.rank);
+    return std::tie(a.last, a.score, a.grayed, a.rank) < std::tie(b.last, b.score, b.grayed, b.rank);
   });
   // What cannot be done now never comes first.
-  if (asked && !ranked.empty() && ranked.front().greyed) {
-    const auto usable = std::ranges::find(ranked, false, &Ranked::greyed);
+  if (asked && !ranked.empty() && ranked.front().grayed) {
+    const auto usable = std::ranges::find(ranked, false, &Ranked::grayed);
     if (usable != ranked.end()) std::rotate(ranked.begin(), usable, usable + 1);
   }
   std::vector<Found> found;

@@ -1,4 +1,4 @@
-// app/panels/inspector/inspector_placement.cpp: where a muscle is: centre, rotation, radii, in units or per cent of the
+// app/panels/inspector/inspector_placement.cpp: where a muscle is: center, rotation, radii, in units or per cent of the
 // height.
 
 #include <imgui.h>
@@ -74,7 +74,7 @@ void vectorRow(PanelUi& ui, const Subjects& subjects, const char* label, MakeFie
   ImGui::PopStyleVar();
 }
 
-void centreRow(PanelUi& ui, const Subjects& subjects, const Lengths& lengths) {
+void centerRow(PanelUi& ui, const Subjects& subjects, const Lengths& lengths) {
   vectorRow(ui, subjects, "Centre", [&](int i) {
     NumberField field{std::string("inspector/center.") + kAxisNames[i],
                       "Move",
@@ -178,7 +178,7 @@ void drawPlacementRows(PanelUi& ui, const Subjects& subjects) {
   const int chosen = segmented(ui, "inspector/lengths", kUnits, 2, ui.state.view.inspector.percent ? 1 : 0, width);
   if (chosen >= 0) ui.state.view.inspector.percent = chosen == 1;
   const Lengths lengths = lengthsOf(ui.state);
-  centreRow(ui, subjects, lengths);
+  centerRow(ui, subjects, lengths);
   rotationRow(ui, subjects);
   radiiRow(ui, subjects, lengths);
 }

@@ -43,7 +43,7 @@ bool item(PanelUi& ui, const char* label, const char* id, bool enabled = true) {
   return chosen;
 }
 
-/// A menu entry with the group's colour before its name.
+/// A menu entry with the group's color before its name.
 bool groupItem(PanelUi& ui, const Rig& rig, int group, bool chosen) {
   const std::string& name = at(rig.groups, group).name;
   const ImVec2 corner = ImGui::GetCursorScreenPos();

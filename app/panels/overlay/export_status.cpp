@@ -38,7 +38,7 @@ float widthOf(const std::string& text) { return ImGui::CalcTextSize(text.c_str()
 float shareWidth() { return widthOf("100 %"); }
 
 std::string hintFor(const EditorState& state, const std::vector<ExportStand>& stands) {
-  std::string hint = (stands.front().cancelled ? "Stopping " : "Exporting ") + stands.front().file.string();
+  std::string hint = (stands.front().canceled ? "Stopping " : "Exporting ") + stands.front().file.string();
   for (std::size_t i = 1; i < stands.size(); ++i) hint += "\nthen " + stands[i].file.string();
   return state.session.quitAfterExports ? hint + "\nThe editor closes when it is done." : hint;
 }
@@ -52,7 +52,7 @@ void drawBar(PanelUi& ui, const ExportStand& stand) {
   list.AddRectFilled(low, high, palette::kLine.packed(), 0.5f * ui.px(kBarHeight));
   const float filled = static_cast<float>(stand.share) * ui.px(kBar);
   if (filled >= 1.0f) {
-    list.AddRectFilled(low, {low.x + filled, high.y}, (stand.cancelled ? palette::kMuted : palette::kAccent).packed(),
+    list.AddRectFilled(low, {low.x + filled, high.y}, (stand.canceled ? palette::kMuted : palette::kAccent).packed(),
                        0.5f * ui.px(kBarHeight));
   }
   ImGui::Dummy({ui.px(kBar), ImGui::GetTextLineHeight()});

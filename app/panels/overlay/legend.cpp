@@ -1,4 +1,4 @@
-// app/panels/overlay/legend.cpp: what the colours in the picture mean, and which mode it is in.
+// app/panels/overlay/legend.cpp: what the colors in the picture mean, and which mode it is in.
 
 #include "app/panels/overlay/legend.h"
 
@@ -147,7 +147,7 @@ void drawClasses(PanelUi& ui) {
   ui.widgets.note("legend/classes", {box.low.x, box.low.y, box.high.x - box.low.x, box.high.y - box.low.y});
 }
 
-/// How clear the skin is, to be drawn, and what the colours of the muscles say.
+/// How clear the skin is, to be drawn, and what the colors of the muscles say.
 void drawAnatomy(PanelUi& ui) {
   const float line = ImGui::GetTextLineHeight();
   const float room = ui.state.frame.viewport.z - ui.px(2 * kMargin + 2 * 12);

@@ -1,4 +1,4 @@
-// app/panels/overlay/legend.h: what the colours in the picture mean; before-and-after and territory buttons.
+// app/panels/overlay/legend.h: what the colors in the picture mean; before-and-after and territory buttons.
 #pragma once
 
 #include "app/panels/shared/panel_ui.h"

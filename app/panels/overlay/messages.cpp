@@ -111,7 +111,7 @@ bool drawHead(PanelUi& ui) {
   const bool all = ImGui::Button("Clear");
   ui.widgets.note("messages/dismiss-all");
   ImGui::SameLine(0.0f, ui.px(4));
-  if (iconButton(ui, "messages/hide", Icon::kMinimise, false, size)) ui.state.session.messagesShown = false;
+  if (iconButton(ui, "messages/hide", Icon::kMinimize, false, size)) ui.state.session.messagesShown = false;
   tooltip(ui, "Hide; the status line still counts them");
   return all;
 }

@@ -37,7 +37,7 @@ std::optional<float> besideDialog(const PanelUi& ui, const ImVec2& low, const Im
   return fits ? below : std::max(taken.Min.y - gap - size.y, 0.0f);
 }
 
-/// Top left corner: bottom centre of the picture, above the messages; beside the pointer if that is where it would lie.
+/// Top left corner: bottom center of the picture, above the messages; beside the pointer if that is where it would lie.
 ImVec2 placeOf(PanelUi& ui, const ImVec2& size) {
   const glm::vec4& picture = ui.state.frame.viewport;
   const float below = messagesHeight(ui);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* kPopup = "viewport-menu";
 
-/// The last item's hint, also where it is grey.
+/// The last item's hint, also where it is gray.
 void hint(PanelUi& ui, const std::string& text) {
   if (!text.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(5)});
@@ -28,7 +28,7 @@ void hint(PanelUi& ui, const std::string& text) {
   }
 }
 
-/// An action with its label and key from the table, grey with the reason where it does not apply.
+/// An action with its label and key from the table, gray with the reason where it does not apply.
 void actionItem(PanelUi& ui, const char* id) {
   const Action& item = action(id);
   const std::string keys = "   " + keyText(item, ui.state);
@@ -39,7 +39,7 @@ void actionItem(PanelUi& ui, const char* id) {
   if (chosen) run(item, ui.state);
 }
 
-/// A dot in the group's colour before a muscle's name.
+/// A dot in the group's color before a muscle's name.
 void swatch(PanelUi& ui, const ImVec2& corner, const PickEntry& entry) {
   const Rig& rig = ui.state.document.rig();
   const int index = findPrimitive(rig, entry.muscle);

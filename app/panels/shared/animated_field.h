@@ -1,4 +1,4 @@
-// app/panels/shared/animated_field.h: what keys and drivers add to a number's field: its colours, its words, its menu,
+// app/panels/shared/animated_field.h: what keys and drivers add to a number's field: its colors, its words, its menu,
 // and its edits while driven keys are set.
 #pragma once
 

@@ -134,7 +134,7 @@ void drawPlot(PanelUi& ui, const Plot& plot, const Curve& curve, const CurveView
   }
 }
 
-/// The dragged point between its neighbours.
+/// The dragged point between its neighbors.
 Curve withMoved(Curve curve, int index, glm::vec2 to, float least) {
   std::vector<glm::vec2>& points = curve.points;
   if (index > 0) to.x = std::max(to.x, points[static_cast<std::size_t>(index) - 1].x + least);

@@ -159,11 +159,11 @@ void drawTicks(const Track& track) {
   const auto last = static_cast<int>(std::floor(track.shown.to / kFrameSeconds + 1e-6));
   for (int frame = first; frame <= last; frame += small) {
     const float x = std::floor(track.xOf(frame * kFrameSeconds)) + 0.5f;
-    const bool labelled = frame % step == 0;
-    const float length = track.ui.px(labelled ? 7.0f : 4.0f);
+    const bool labeled = frame % step == 0;
+    const float length = track.ui.px(labeled ? 7.0f : 4.0f);
     track.list.AddLine({x, track.band}, {x, track.band + length},
-                       (labelled ? palette::kMuted.faded(0.8f) : palette::kMuted.faded(0.35f)).packed());
-    if (!labelled) continue;
+                       (labeled ? palette::kMuted.faded(0.8f) : palette::kMuted.faded(0.35f)).packed());
+    if (!labeled) continue;
     std::array<char, 16> text{};
     std::snprintf(text.data(), text.size(), "%d", frame);
     const float size = 0.86f * ImGui::GetFontSize();

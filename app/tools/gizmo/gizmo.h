@@ -2,15 +2,15 @@
 //
 // Everything works in the pose of the current frame and comes back as a bone-space Placement: no matrix is decomposed.
 // With B the bone's 3x3 (rotation, scale, uneven too), q and r the placement's rotation and radii:
-//   move    a world displacement d changes the centre by inverse(B) d: exact for every bone.
+//   move    a world displacement d changes the center by inverse(B) d: exact for every bone.
 //   rotate  by theta about a world direction n: in bone space about normalize(inverse(B) n). The line n stays put in
 //           the world; under even scale that is exactly the world rotation, under uneven scale the turn is sheared with
 //           the bone (the result must remain an ellipsoid on the bone). Mirrored bones turn the other way round in bone
 //           space, so that the world's sense is kept.
 //   scale   changes radii, which lie along the primitive's own axes whatever axes are chosen.
-//           About a pivot that is not the centre, the centre goes round it by the same turn of the world.
+//           About a pivot that is not the center, the center goes round it by the same turn of the world.
 //   shape   belly and bend, of muscles that have a shape, while there are no other handles than poles.
-//   poles   one semi-axis, measured in the world along B q e_i; the opposite pole stays, or with Alt the centre.
+//   poles   one semi-axis, measured in the world along B q e_i; the opposite pole stays, or with Alt the center.
 // A bone flattened to a plane cannot be edited in the picture: its layout is empty.
 #pragma once
 
@@ -69,14 +69,14 @@ struct GizmoContext {
   glm::mat4 boneInWorld{1.0f};
   float characterHeight = 1.0f;             ///< H: the step of a snapped move is 1 % of it.
   float uiScale = 1.0f;                     ///< Pixels of View per design pixel.
-  float reach = 2.0f;                       ///< Of the muscle: its belly's limit follows from it.
+  float reach = 2.0f;                       ///< The muscle's reach: its belly's limit follows from it.
   bool shapeHandles = false;                ///< Belly and bend can be pulled.
-  std::optional<glm::vec3> pivotInWorld{};  ///< Where the handles stand and turns turn about; else the centre.
+  std::optional<glm::vec3> pivotInWorld{};  ///< Where the handles stand and turns turn about; else the center.
 };
 
 /// Motion along one way a handle may go, summed over the frames of a drag.
 struct GizmoTrack {
-  glm::vec3 travelled{0.0f};  ///< Coordinates in the gizmo's axes (world lengths), or x = radians, or x = pixels.
+  glm::vec3 traveled{0.0f};   ///< Coordinates in the gizmo's axes (world lengths), or x = radians, or x = pixels.
   glm::vec2 lastPixel{0.0f};  ///< Up to where it is summed.
 };
 
@@ -85,8 +85,8 @@ struct GizmoEffect {
   glm::vec3 moved{0.0f};
   glm::vec3 turnAxis{0.0f, 1.0f, 0.0f};  ///< Unit.
   float angle = 0.0f;                    ///< Radians, world sense.
-  glm::vec3 pivot{0.0f};                 ///< Of the turn.
-  glm::vec3 factors{1.0f};               ///< Of the radii, each primitive's own axes. Poles: 1, they pull theirs alone.
+  glm::vec3 pivot{0.0f};                 ///< Center of the turn.
+  glm::vec3 factors{1.0f};  ///< Factors on the radii, each primitive's own axes. Poles: 1, they pull theirs alone.
 };
 
 /// A drag in progress. Deltas are in the chosen axes, relative to the placement at the start.
@@ -95,7 +95,7 @@ struct GizmoDrag {
   Placement start;
   glm::vec2 pressPixel{0.0f};
   glm::vec2 pointer{0.0f};
-  float grabbedLength = 1.0f;  ///< Scale: world distance from the centre at which the handle was grabbed.
+  float grabbedLength = 1.0f;  ///< Scale: world distance from the center at which the handle was grabbed.
   Way lock = Way::kNone;       ///< The axis whose key was pressed; kNone: as the handle goes.
   std::string typed;           ///< Number being typed; "" if none.
   std::array<GizmoTrack, kAllWays.size()> tracks;  ///< By trackOf(way).
@@ -118,7 +118,7 @@ struct GizmoState {
 struct HandleShape {
   GizmoHandle handle = GizmoHandle::kNone;
   glm::vec2 anchor{0.0f};          ///< Whole pixels; hits this handle.
-  std::vector<glm::vec2> outline;  ///< Arrow: base, tip. Plane: four corners. Ring: closed loop. Dot: its centre.
+  std::vector<glm::vec2> outline;  ///< Arrow: base, tip. Plane: four corners. Ring: closed loop. Dot: its center.
   std::vector<bool> inFront;       ///< Ring: whether each point of the outline is on the half facing the eye.
   float depth = 0.0f;              ///< Poles: -1..1; the nearer wins where two lie on each other.
   bool facesEye = true;            ///< Poles: on the near side of the ellipsoid.
@@ -127,7 +127,7 @@ struct HandleShape {
 /// The handles that can be seen and hit; others (edge-on, pointing at the eye, covered, off the picture) are left out.
 struct GizmoLayout {
   bool visible = false;
-  glm::vec2 origin{0.0f};  ///< Pixel of the centre.
+  glm::vec2 origin{0.0f};  ///< Pixel of the center.
   std::array<glm::vec3, 3> axesInWorld{glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)};
   float uiScale = 1.0f;
   std::vector<HandleShape> handles;
@@ -149,12 +149,12 @@ struct GizmoLayout {
 void beginDrag(GizmoState& state, GizmoHandle handle, const Placement& inBone, const glm::vec2& pixel,
                const GizmoContext& context);
 
-enum class DragOutcome { kDragging, kCommitted, kCancelled };
+enum class DragOutcome { kDragging, kCommitted, kCanceled };
 
 struct DragResult {
-  Placement placement;  ///< Bone space; the start's if cancelled.
+  Placement placement;  ///< Bone space; the start's if canceled.
   DragOutcome outcome = DragOutcome::kDragging;
-  GizmoEffect effect;  ///< Nothing if cancelled.
+  GizmoEffect effect;  ///< Nothing if canceled.
 };
 
 /// The effect on another ellipsoid, from its placement at the start, on a bone as it stands now. A flattened bone: as

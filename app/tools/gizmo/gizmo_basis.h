@@ -29,8 +29,8 @@ struct HandleParts {
 /// A gizmo in one frame's pose.
 struct GizmoBasis {
   glm::mat3 bone{1.0f};               ///< B.
-  glm::dmat3 boneInverse{1.0};        ///< In double: a bone in metres under a scale of 0.01 loses digits otherwise.
-  glm::vec3 origin{0.0f};             ///< Where the handles stand: the pivot, or the ellipsoid's centre; world.
+  glm::dmat3 boneInverse{1.0};        ///< In double: a bone in meters under a scale of 0.01 loses digits otherwise.
+  glm::vec3 origin{0.0f};             ///< Where the handles stand: the pivot, or the ellipsoid's center; world.
   glm::vec3 center{0.0f};             ///< The ellipsoid's, world.
   std::array<glm::vec3, 3> axes;      ///< Unit, world.
   glm::vec3 toEye{0.0f, 0.0f, 1.0f};  ///< Unit, from the origin.
@@ -47,7 +47,7 @@ inline constexpr float kGizmoArmPixels = 95.0f;
 [[nodiscard]] std::optional<GizmoBasis> gizmoBasis(GizmoAxes axes, const Placement& inBone,
                                                    const GizmoContext& context);
 
-/// The basis that a drag of a handle goes by: scale and poles along the primitive's own axes; poles about its centre,
+/// The basis that a drag of a handle goes by: scale and poles along the primitive's own axes; poles about its center,
 /// also where the handles stand on a pivot.
 [[nodiscard]] std::optional<GizmoBasis> basisOfDrag(const GizmoState& state, GizmoHandle handle,
                                                     const Placement& inBone, const GizmoContext& context);
@@ -64,7 +64,7 @@ inline constexpr float kGizmoArmPixels = 95.0f;
 /// Where the ray meets a plane; nothing if it grazes it (within 1 degree) or the point lies behind the eye.
 [[nodiscard]] std::optional<glm::vec3> onPlane(const glm::vec3& origin, const glm::vec3& normal, const Ray& ray);
 
-/// A pole from the centre, bone space: where the visible body is widest along one of its axes.
+/// A pole from the center, bone space: where the visible body is widest along one of its axes.
 [[nodiscard]] glm::vec3 poleInBone(const Placement& inBone, int axis, float sign);
 
 /// Any unit vector across a unit vector.

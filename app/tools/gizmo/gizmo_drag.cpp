@@ -21,10 +21,10 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kPrecise = 0.1f;
-constexpr float kMoveStep = 0.01f;  ///< Of H.
+constexpr float kMoveStep = 0.01f;  ///< Fraction of H.
 constexpr float kAngleStep = kPi / 12.0f;
 constexpr float kFactorStep = 0.1f;
-constexpr float kFarthestMove = 50.0f;  ///< Of H: beyond that the pointer is near an axis' vanishing point.
+constexpr float kFarthestMove = 50.0f;  ///< Multiple of H: beyond that the pointer is near an axis' vanishing point.
 constexpr float kPlanarRing = 0.2f;     ///< |cosine| of ring normal and sight below which a ring counts as edge-on.
 
 glm::mat3 axesMatrix(const GizmoBasis& frame) { return {frame.axes[0], frame.axes[1], frame.axes[2]}; }
@@ -80,7 +80,7 @@ void advanceMove(GizmoTrack& track, Way way, const glm::vec2& pixel, float speed
   if (isAxis(way)) coordinates[axisOf(way)] = glm::dot(delta, frame.along(way));
   else coordinates = glm::inverse(axesMatrix(frame)) * delta;
   if (isPlane(way)) coordinates[normalAxisOf(way)] = 0.0f;
-  track.travelled += speed * coordinates;
+  track.traveled += speed * coordinates;
 }
 
 void advanceRotation(GizmoTrack& track, Way way, const glm::vec2& pixel, float speed, const GizmoBasis& frame,
@@ -96,7 +96,7 @@ void advanceRotation(GizmoTrack& track, Way way, const glm::vec2& pixel, float s
     const glm::vec3 b = *to - frame.origin;
     const float tooNear = 0.03f * frame.arm;
     if (glm::length(a) < tooNear || glm::length(b) < tooNear) return;
-    track.travelled.x += speed * std::atan2(glm::dot(normal, glm::cross(a, b)), glm::dot(a, b));
+    track.traveled.x += speed * std::atan2(glm::dot(normal, glm::cross(a, b)), glm::dot(a, b));
     return;
   }
   // Edge-on the ring is a line across the picture: rolled along it, an arm's length is one radian.
@@ -104,7 +104,7 @@ void advanceRotation(GizmoTrack& track, Way way, const glm::vec2& pixel, float s
   const glm::vec2 onScreen = glm::vec2(context.view.toPixel(frame.origin + frame.arm * tangent)) -
                              glm::vec2(context.view.toPixel(frame.origin));
   const float lengthSquared = glm::dot(onScreen, onScreen);
-  if (lengthSquared > 1.0f) track.travelled.x += speed * glm::dot(pixel - before, onScreen) / lengthSquared;
+  if (lengthSquared > 1.0f) track.traveled.x += speed * glm::dot(pixel - before, onScreen) / lengthSquared;
 }
 
 void advanceTracks(GizmoDrag& drag, const glm::vec2& pixel, float speed, const GizmoBasis& frame,
@@ -116,7 +116,7 @@ void advanceTracks(GizmoDrag& drag, const glm::vec2& pixel, float speed, const G
     if (parts.kind == HandleKind::kRotate) {
       if (!isPlane(way)) advanceRotation(track, way, pixel, speed, frame, context);
     } else if (parts.kind == HandleKind::kScale && way == Way::kWhole) {
-      track.travelled.x += speed * ((pixel.x - track.lastPixel.x) - (pixel.y - track.lastPixel.y));
+      track.traveled.x += speed * ((pixel.x - track.lastPixel.x) - (pixel.y - track.lastPixel.y));
       track.lastPixel = pixel;
     } else {
       advanceMove(track, way, pixel, speed, frame, context);
@@ -172,7 +172,7 @@ struct Evaluation {
   float sign;
   std::optional<float> typed;
 
-  [[nodiscard]] const glm::vec3& travelled() const { return drag.tracks[trackOf(way)].travelled; }
+  [[nodiscard]] const glm::vec3& traveled() const { return drag.tracks[trackOf(way)].traveled; }
   [[nodiscard]] float step(float coarse) const { return input.shift ? kPrecise * coarse : coarse; }
   [[nodiscard]] bool snaps() const { return input.ctrl && !typed; }
 };
@@ -189,7 +189,7 @@ int firstAxisOf(Way way) {
 }
 
 Placement evaluateMove(const Evaluation& e) {
-  glm::vec3 coordinates = e.travelled();
+  glm::vec3 coordinates = e.traveled();
   const glm::mat3 axes = axesMatrix(e.frame);
   if (e.snaps()) {
     for (int i = 0; i < 3; ++i) coordinates[i] = snapped(coordinates[i], e.step(kMoveStep * e.context.characterHeight));
@@ -209,7 +209,7 @@ Placement evaluateMove(const Evaluation& e) {
 }
 
 Placement evaluateRotation(const Evaluation& e) {
-  float angle = e.travelled().x;
+  float angle = e.traveled().x;
   if (e.snaps()) angle = snapped(angle, e.step(kAngleStep));
   if (e.typed) angle = *e.typed * kPi / 180.0f;
   e.drag.angle = angle;
@@ -223,9 +223,9 @@ Placement evaluateRotation(const Evaluation& e) {
 Placement evaluateScale(const Evaluation& e) {
   // A lock on the uniform handle changes which radii follow, not how they are pulled.
   const bool uniform = partsOf(e.drag.handle).way == Way::kWhole;
-  const glm::vec3& travelled = e.drag.tracks[trackOf(uniform ? Way::kWhole : e.way)].travelled;
-  float factor = uniform ? std::exp2(travelled.x / (kGizmoArmPixels * e.context.uiScale))
-                         : 1.0f + travelled[axisOf(e.way)] / e.drag.grabbedLength;
+  const glm::vec3& traveled = e.drag.tracks[trackOf(uniform ? Way::kWhole : e.way)].traveled;
+  float factor = uniform ? std::exp2(traveled.x / (kGizmoArmPixels * e.context.uiScale))
+                         : 1.0f + traveled[axisOf(e.way)] / e.drag.grabbedLength;
   if (e.snaps()) factor = std::max(snapped(factor, e.step(kFactorStep)), e.step(kFactorStep));
   factor = std::clamp(e.typed.value_or(factor), 0.01f, 1000.0f);
   e.drag.factor = factor;
@@ -244,7 +244,7 @@ Placement evaluatePole(const Evaluation& e) {
   const int axis = axisOf(e.way);
   const float perUnit = worldPerUnit(e.frame.bone, e.drag.start, axis);
   const float before = perUnit * e.drag.start.radii[axis];
-  const float pulled = e.sign * e.travelled()[axis];
+  const float pulled = e.sign * e.traveled()[axis];
   const bool bothEnds = e.input.alt;
   float length = before + (bothEnds ? pulled : 0.5f * pulled);
   if (e.snaps()) length = snapped(length, e.step(kMoveStep * e.context.characterHeight));
@@ -264,14 +264,14 @@ Placement evaluatePole(const Evaluation& e) {
 
 Placement evaluateShape(const Evaluation& e) {
   const Placement& start = e.drag.start;
-  glm::vec3 travelled(0.0f);
+  glm::vec3 traveled(0.0f);
   for (int axis = 0; axis < 3; ++axis) {
-    travelled[axis] = e.travelled()[axis] / (worldPerUnit(e.frame.bone, start, axis) * start.radii[axis]);
-    if (e.snaps()) travelled[axis] = snapped(travelled[axis], e.step(kFactorStep));
+    traveled[axis] = e.traveled()[axis] / (worldPerUnit(e.frame.bone, start, axis) * start.radii[axis]);
+    if (e.snaps()) traveled[axis] = snapped(traveled[axis], e.step(kFactorStep));
   }
   const bool belly = e.drag.handle == GizmoHandle::kBelly;
-  const Placement placement = belly ? withBelly(start, travelled.y, e.context.reach, e.typed)
-                                    : withBend(start, e.way, travelled, e.context.reach, e.typed);
+  const Placement placement = belly ? withBelly(start, traveled.y, e.context.reach, e.typed)
+                                    : withBend(start, e.way, traveled, e.context.reach, e.typed);
   const Shape& shape = placement.shape;
   setValue(e, belly ? number(shape.belly) : number(shape.bend.x) + ", " + number(shape.bend.y));
   return placement;
@@ -297,7 +297,7 @@ Placement evaluate(GizmoDrag& drag, const ViewportInput& input, const GizmoConte
   return drag.start;
 }
 
-/// Scale and poles work along the primitive's axes whatever axes are chosen; poles from its centre.
+/// Scale and poles work along the primitive's axes whatever axes are chosen; poles from its center.
 }  // namespace
 
 void beginDrag(GizmoState& state, GizmoHandle handle, const Placement& inBone, const glm::vec2& pixel,
@@ -327,9 +327,9 @@ DragResult updateDrag(GizmoState& state, const ViewportInput& input, const Gizmo
   assert(state.drag);
   GizmoDrag& drag = *state.drag;
   if (input.keyPressed(Key::kEscape) || input.button(MouseButton::kRight).pressed) {
-    const DragResult cancelled{drag.start, DragOutcome::kCancelled, {}};
+    const DragResult canceled{drag.start, DragOutcome::kCanceled, {}};
     state.drag.reset();
-    return cancelled;
+    return canceled;
   }
   readKeys(drag, input);
   // The placement at the start, carried by the bone of this frame: what was dragged so far is added to that.

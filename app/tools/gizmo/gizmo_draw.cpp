@@ -53,7 +53,7 @@ ImU32 colorOf(GizmoHandle handle, const GizmoState& state) {
   if (handle == hot) return kHoverColor;
   const HandleParts parts = partsOf(handle);
   if (parts.way == Way::kWhole) return kNeutralColor;
-  // A plane has the colour of the axis across it.
+  // A plane has the color of the axis across it.
   const int axis = isPlane(parts.way) ? normalAxisOf(parts.way) : axisOf(parts.way);
   return kAxisColors[static_cast<std::size_t>(axis)];
 }

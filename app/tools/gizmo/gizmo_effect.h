@@ -5,7 +5,7 @@
 
 namespace sinew::app {
 
-inline constexpr float kLeastRadius = 0.002f;  ///< Of H, in the world.
+inline constexpr float kLeastRadius = 0.002f;  ///< Fraction of H, in the world.
 
 [[nodiscard]] Placement moved(const GizmoEffect& effect, const Placement& start, const glm::dmat3& boneInverse);
 /// @param center  world, if it goes round the pivot; null: it is the pivot.

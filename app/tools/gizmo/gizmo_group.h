@@ -26,7 +26,7 @@ struct GizmoCompanion {
 /// its own pair is the active itself, of other pairs the one that was picked first.
 [[nodiscard]] std::vector<GizmoCompanion> companionsOf(const Document& document, int active);
 
-/// Mean of the centres of the active muscle and its companions, in a pose; nothing if there are none.
+/// Mean of the centers of the active muscle and its companions, in a pose; nothing if there are none.
 /// @param active  its bone and placement
 [[nodiscard]] std::optional<glm::vec3> centroidOf(const Document& document, const Pose& pose, int activeIndex,
                                                   const Placement& active,

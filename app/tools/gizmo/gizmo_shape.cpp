@@ -34,15 +34,15 @@ glm::vec3 thickestInBone(const Placement& inBone, const glm::vec3& toEye) {
   return best;
 }
 
-Placement withBelly(const Placement& start, float travelled, float reach, std::optional<float> typed) {
+Placement withBelly(const Placement& start, float traveled, float reach, std::optional<float> typed) {
   Placement placement = start;
   // Without a straight part the thickest section is at y = belly: the handle stays under the pointer.
-  placement.shape.belly = typed.value_or(start.shape.belly + travelled);
+  placement.shape.belly = typed.value_or(start.shape.belly + traveled);
   placement.shape = legalShape(placement.shape, reach);
   return placement;
 }
 
-Placement withBend(const Placement& start, Way way, const glm::vec3& travelled, float reach,
+Placement withBend(const Placement& start, Way way, const glm::vec3& traveled, float reach,
                    std::optional<float> typed) {
   Placement placement = start;
   glm::vec2& bend = placement.shape.bend;
@@ -51,8 +51,8 @@ Placement withBend(const Placement& start, Way way, const glm::vec3& travelled, 
   if (typed) {
     (alongX ? bend.x : bend.y) = *typed;
   } else {
-    if (alongX) bend.x += travelled.x;
-    if (alongZ) bend.y += travelled.z;
+    if (alongX) bend.x += traveled.x;
+    if (alongZ) bend.y += traveled.z;
   }
   placement.shape = legalShape(placement.shape, reach);
   return placement;

@@ -39,13 +39,13 @@ CameraStand standAhead(const Camera& camera) { return camera.transition ? camera
 TriadLayout layoutTriad(const Camera& camera, const glm::ivec2& size, float uiScale) {
   TriadLayout layout;
   layout.radius = kTriadRadius * uiScale;
-  layout.centre = glm::vec2(size) - (kTriadMargin + kTriadRadius) * uiScale;
+  layout.center = glm::vec2(size) - (kTriadMargin + kTriadRadius) * uiScale;
   const glm::mat3 axes = cameraAxes(camera.stand.yaw, camera.stand.pitch);  // Right, up, backward.
   for (std::size_t i = 0; i < layout.ends.size(); ++i) {
     const auto end = static_cast<AxisEnd>(i);
     const glm::vec3 seen = directionOf(end) * axes;
     const float nearness = 1.0f + 0.12f * seen.z;
-    layout.ends[i] = {end, layout.centre + kKnobPlace * layout.radius * glm::vec2(seen.x, -seen.y),
+    layout.ends[i] = {end, layout.center + kKnobPlace * layout.radius * glm::vec2(seen.x, -seen.y),
                       kKnobRadius * uiScale * nearness, seen.z};
   }
   std::ranges::stable_sort(layout.ends, {}, &TriadLayout::End::depth);
@@ -89,7 +89,7 @@ bool routeTriad(AxisTriad& triad, Camera& camera, const ViewportInput& input, co
   const TriadLayout layout = layoutTriad(camera, size, uiScale);
   const ButtonState& left = input.button(MouseButton::kLeft);
   if (!triad.pressed) {
-    triad.ballHovered = !input.mouseTaken && glm::distance(input.mouse, layout.centre) <= layout.radius;
+    triad.ballHovered = !input.mouseTaken && glm::distance(input.mouse, layout.center) <= layout.radius;
     triad.hovered = triad.ballHovered ? axisEndAt(layout, input.mouse) : std::nullopt;
     if (!triad.ballHovered || !left.pressed || input.alt) return false;
     triad.pressed = true;

@@ -39,7 +39,7 @@ struct TriadLayout {
     float radius = 0.0f;  ///< Its knob's.
     float depth = 0.0f;   ///< -1 furthest from the eye .. 1 nearest.
   };
-  glm::vec2 centre{0.0f};
+  glm::vec2 center{0.0f};
   float radius = 0.0f;
   std::array<End, 6> ends{};  ///< Furthest first: the order to draw in.
 };

@@ -31,10 +31,10 @@ void drawTriad(ImDrawList& list, const AxisTriad& triad, const TriadLayout& layo
     const glm::vec2 p = topLeft + pixel * unitsPerPixel;
     return ImVec2{p.x, p.y};
   };
-  const ImVec2 centre = at(layout.centre);
+  const ImVec2 center = at(layout.center);
   const float scale = unitsPerPixel * layout.radius / kTriadRadius;  // List units per design pixel.
   if (triad.ballHovered || triad.pressed) {
-    list.AddCircleFilled(centre, layout.radius * unitsPerPixel, IM_COL32(255, 255, 255, triad.turning ? 34 : 22), 48);
+    list.AddCircleFilled(center, layout.radius * unitsPerPixel, IM_COL32(255, 255, 255, triad.turning ? 34 : 22), 48);
   }
   for (const TriadLayout::End& end : layout.ends) {  // Furthest first.
     const bool positive = static_cast<int>(end.end) % 2 == 0;
@@ -42,7 +42,7 @@ void drawTriad(ImDrawList& list, const AxisTriad& triad, const TriadLayout& layo
     const float light = 0.72f + 0.28f * (0.5f + 0.5f * end.depth);
     const ImVec2 knob = at(end.pixel);
     const float radius = end.radius * unitsPerPixel * (hovered ? 1.12f : 1.0f);
-    if (positive) list.AddLine(centre, knob, colorOf(end.end, light, 0.95f), 2.2f * scale);
+    if (positive) list.AddLine(center, knob, colorOf(end.end, light, 0.95f), 2.2f * scale);
     list.AddCircleFilled(knob, radius, positive ? colorOf(end.end, light, 1.0f) : colorOf(end.end, 0.30f, 0.92f), 24);
     if (!positive) list.AddCircle(knob, radius - 0.75f * scale, colorOf(end.end, light, 1.0f), 24, 1.5f * scale);
     if (hovered) list.AddCircle(knob, radius, IM_COL32(255, 255, 255, 235), 24, 1.8f * scale);

@@ -37,7 +37,7 @@ void moveTo(Camera& camera, const CameraStand& goal, bool animated) {
   else camera.stand = goal;
 }
 
-/// Least distance from which the box's corners lie in the picture when its centre is the target.
+/// Least distance from which the box's corners lie in the picture when its center is the target.
 float distanceToShow(const Camera& camera, const glm::vec3& halfExtent, const glm::ivec2& size) {
   const glm::mat3 axes = cameraAxes(camera.stand.yaw, camera.stand.pitch);
   const float tanY = kHalfHeightRatio;

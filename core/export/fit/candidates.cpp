@@ -31,7 +31,7 @@ void add(std::vector<Share>& shares, int binding, double weight) {
   else shares.insert(place, {binding, weight});
 }
 
-/// [V] what the neighbours of each control vertex follow.
+/// [V] what the neighbors of each control vertex follow.
 std::vector<std::vector<Share>> ringShares(const ControlMesh& mesh) {
   std::vector<std::vector<Share>> result(mesh.positions.size());
   for (const Edge& edge : mesh.edges) {

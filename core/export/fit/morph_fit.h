@@ -43,7 +43,7 @@ class MorphFit {
   /// How near skinning alone comes.
   [[nodiscard]] ErrorFigures skinnedFigures() const;
   /// As few targets as found with which no vertex in any frame is farther off than `bound`, a distance. Nothing: not
-  /// even one target a frame is enough. Throws Cancelled.
+  /// even one target a frame is enough. Throws Canceled.
   [[nodiscard]] std::optional<MorphTargets> solve(double bound, const StageProgress& progress) const;
 
  private:

@@ -7,8 +7,8 @@
 
 namespace sinew::exporting {
 
-/// Thrown out of an export that its caller cancelled.
-struct Cancelled {};
+/// Thrown out of an export that its caller canceled.
+struct Canceled {};
 
 class StageProgress {
  public:
@@ -20,9 +20,9 @@ class StageProgress {
     stage_ = share;
     tell(0.0);
   }
-  /// How much of the stage is done, 0..1. Throws Cancelled.
+  /// How much of the stage is done, 0..1. Throws Canceled.
   void tell(double part) const {
-    if (tell_ && !tell_(std::min(1.0, before_ + stage_ * part))) throw Cancelled{};
+    if (tell_ && !tell_(std::min(1.0, before_ + stage_ * part))) throw Canceled{};
   }
 
  private:

@@ -1,4 +1,4 @@
-// core/export/fit/weight_fit.cpp: Gram matrices gathered over poses, solved with a pull towards the neighbours.
+// core/export/fit/weight_fit.cpp: Gram matrices gathered over poses, solved with a pull towards the neighbors.
 #include "core/export/fit/weight_fit.h"
 
 #include <algorithm>
@@ -12,15 +12,15 @@
 namespace sinew::exporting {
 namespace {
 
-constexpr int kSweeps = 2;            ///< Rounds of pulling towards the neighbours.
+constexpr int kSweeps = 2;            ///< Rounds of pulling towards the neighbors.
 constexpr double kSmoothness = 1e-4;  ///< mu as a share of the Gram matrix's mean diagonal.
 constexpr double kShareStep = 3.0;    ///< By which further poses are let count more.
 constexpr double kLeastSmoothness = 1e-12;
 constexpr std::size_t kToldEvery = 1024;  ///< Vertices.
 constexpr std::size_t kLeastRange = 64;   ///< Vertices that are worth a thread.
 
-/// Neighbours of every vertex along edges, ascending.
-std::vector<std::vector<int>> neighboursOf(std::size_t count, std::span<const std::array<int, 3>> triangles) {
+/// Neighbors of every vertex along edges, ascending.
+std::vector<std::vector<int>> neighborsOf(std::size_t count, std::span<const std::array<int, 3>> triangles) {
   std::vector<std::vector<int>> result(count);
   for (const std::array<int, 3>& triangle : triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -126,12 +126,12 @@ CandidateWeights WeightFit::solveAmong(const Vertex& vertex, const Gram& gram, c
   return result;
 }
 
-CandidateWeights WeightFit::meanOf(std::size_t vertex, const std::vector<int>& neighbours,
+CandidateWeights WeightFit::meanOf(std::size_t vertex, const std::vector<int>& neighbors,
                                    const std::vector<FourWeights>& current) const {
   CandidateWeights mean{};
-  for (const int other : neighbours) {
+  for (const int other : neighbors) {
     const CandidateWeights theirs = onCandidates(candidates_[vertex], at(current, other));
-    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += theirs[i] / static_cast<double>(neighbours.size());
+    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += theirs[i] / static_cast<double>(neighbors.size());
   }
   return mean;
 }
@@ -148,7 +148,7 @@ CandidateWeights WeightFit::notWorse(std::size_t index, const Vertex& vertex, co
 
 std::vector<FourWeights> WeightFit::solve(std::span<const std::array<int, 3>> triangles, double furtherShare,
                                           double tolerance, const StageProgress& progress) const {
-  const std::vector<std::vector<int>> neighbours = neighboursOf(rest_.size(), triangles);
+  const std::vector<std::vector<int>> neighbors = neighborsOf(rest_.size(), triangles);
   std::vector<FourWeights> current = start_;
   std::vector<FourWeights> next = start_;
   for (int sweep = 0; sweep <= kSweeps; ++sweep) {
@@ -156,8 +156,8 @@ std::vector<FourWeights> WeightFit::solve(std::span<const std::array<int, 3>> tr
       Vertex vertex{candidates_[v].size(), startOf(v), gramOf(v, 1.0, 1.0), 0.0, {}};
       vertex.before = energyOf(vertex.all, vertex.start, vertex.count);
       if (vertex.before <= poses_ * tolerance * tolerance) return;
-      const bool smooths = sweep > 0 && !neighbours[v].empty();
-      const CandidateWeights near = smooths ? meanOf(v, neighbours[v], current) : vertex.start;
+      const bool smooths = sweep > 0 && !neighbors[v].empty();
+      const CandidateWeights near = smooths ? meanOf(v, neighbors[v], current) : vertex.start;
       const CandidateWeights now = onCandidates(candidates_[v], current[v]);
       for (std::size_t i = 0; i < vertex.count; ++i) {
         if (sweep == 0 || near[i] + now[i] + vertex.start[i] > 0.0) vertex.choices.push_back(i);

@@ -27,7 +27,7 @@ class WeightFit {
   void add(std::span<const glm::dmat4> matrices, std::span<const glm::vec3> live, bool further);
 
   /// The weights: first the best of all candidates, then two sweeps that draw each vertex's a little to the mean of its
-  /// neighbours', with the candidates that it, they, or the weights it starts with follow. Over all poses, each counted
+  /// neighbors', with the candidates that it, they, or the weights it starts with follow. Over all poses, each counted
   /// alike, no vertex is farther off than with the weights it starts with (but for the rounding of weights to floats).
   /// @param furtherShare  what a further pose counts beside any other, above 0, at most 1; more where that is needed
   /// @param tolerance  a distance; vertices that come as near with the weights they start with keep them
@@ -41,7 +41,7 @@ class WeightFit {
   [[nodiscard]] CandidateWeights solveAmong(const Vertex& vertex, const Gram& gram, const CandidateWeights& near) const;
   [[nodiscard]] CandidateWeights notWorse(std::size_t index, const Vertex& vertex, const CandidateWeights& near,
                                           double furtherShare) const;
-  [[nodiscard]] CandidateWeights meanOf(std::size_t vertex, const std::vector<int>& neighbours,
+  [[nodiscard]] CandidateWeights meanOf(std::size_t vertex, const std::vector<int>& neighbors,
                                         const std::vector<FourWeights>& current) const;
   [[nodiscard]] CandidateWeights startOf(std::size_t vertex) const;
   [[nodiscard]] FourWeights fourOf(std::size_t vertex, const CandidateWeights& weights) const;

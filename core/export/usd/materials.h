@@ -57,7 +57,7 @@ class Materials {
   std::string stem_;
   std::set<std::string>& left_;
   std::map<int, std::string> names_;  // of materials in use: identifiers
-  std::set<int> colored_;             // of which every mesh has vertex colours
+  std::set<int> colored_;             // of which every mesh has vertex colors
   std::map<int, std::string> files_;  // by image
   std::vector<SideFile> textures_;
 };

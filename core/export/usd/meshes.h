@@ -37,8 +37,8 @@ struct Mesh {
 /// "primvars:st" for TEXCOORD_0, "primvars:st1" ...
 [[nodiscard]] std::string uvName(std::size_t set);
 
-/// What does not change over time, of a mesh prim that is open: faces, texture coordinates, colours.
-/// @param factor  the material's colour, which vertex colours are multiplied with
+/// What does not change over time, of a mesh prim that is open: faces, texture coordinates, colors.
+/// @param factor  the material's color, which vertex colors are multiplied with
 void writeTopology(const Mesh& mesh, const glm::vec4& factor, bool doubleSided, Text& text);
 
 /// Their box, as `extent` holds it.

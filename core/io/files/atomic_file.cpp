@@ -62,16 +62,16 @@ Result<void> writeStream(const fs::path& file, std::string_view bytes) {
   return {};
 }
 
-fs::path freshNeighbour(const fs::path& file) {
+fs::path freshNeighbor(const fs::path& file) {
   static std::atomic<unsigned> counter{0};
   const std::string name = ".sinew-" + std::to_string(::getpid()) + '-' + std::to_string(counter++) + ".part";
   return file.parent_path() / name;
 }
 
 /// Creates a file nobody has, beside `file`; its name goes to `made`.
-int createNeighbour(const fs::path& file, fs::path& made) {
+int createNeighbor(const fs::path& file, fs::path& made) {
   for (int attempt = 0; attempt < 1000; ++attempt) {
-    made = freshNeighbour(file);
+    made = freshNeighbor(file);
     const int descriptor = ::open(made.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor >= 0 || errno != EEXIST) return descriptor;
   }
@@ -79,17 +79,17 @@ int createNeighbour(const fs::path& file, fs::path& made) {
 }
 
 /// 0, or the errno of the failure. `mode` 0: what the system gives new files.
-int fill(const Descriptor& neighbour, std::string_view bytes, mode_t mode) {
-  if (const int failed = writeAll(neighbour.number(), bytes); failed != 0) return failed;
-  if (mode != 0 && ::fchmod(neighbour.number(), mode) != 0) return errno;
-  return ::fsync(neighbour.number()) == 0 ? 0 : errno;
+int fill(const Descriptor& neighbor, std::string_view bytes, mode_t mode) {
+  if (const int failed = writeAll(neighbor.number(), bytes); failed != 0) return failed;
+  if (mode != 0 && ::fchmod(neighbor.number(), mode) != 0) return errno;
+  return ::fsync(neighbor.number()) == 0 ? 0 : errno;
 }
 
 /// Gives an open file without a name one that nobody has, beside `file`. 0, or the errno of the failure.
-int nameNeighbour(const Descriptor& neighbour, const fs::path& file, fs::path& made) {
-  const std::string open = "/proc/self/fd/" + std::to_string(neighbour.number());
+int nameNeighbor(const Descriptor& neighbor, const fs::path& file, fs::path& made) {
+  const std::string open = "/proc/self/fd/" + std::to_string(neighbor.number());
   for (int attempt = 0; attempt < 1000; ++attempt) {
-    made = freshNeighbour(file);
+    made = freshNeighbor(file);
     if (::linkat(AT_FDCWD, open.c_str(), AT_FDCWD, made.c_str(), AT_SYMLINK_FOLLOW) == 0) return 0;
     if (errno != EEXIST) return errno;
   }
@@ -100,20 +100,20 @@ int nameNeighbour(const Descriptor& neighbour, const fs::path& file, fs::path& m
 /// that failed, also because the file system has no such files.
 bool writeUnnamed(const fs::path& file, std::string_view bytes, mode_t mode, fs::path& made) {
   const fs::path folder = file.parent_path();
-  Descriptor neighbour(::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666));
-  if (!neighbour.isOpen() || fill(neighbour, bytes, mode) != 0) return false;
-  if (nameNeighbour(neighbour, file, made) != 0) return false;
-  if (neighbour.close()) return true;
+  Descriptor neighbor(::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666));
+  if (!neighbor.isOpen() || fill(neighbor, bytes, mode) != 0) return false;
+  if (nameNeighbor(neighbor, file, made) != 0) return false;
+  if (neighbor.close()) return true;
   ::unlink(made.c_str());
   return false;
 }
 
 /// 0, or the errno of the failure; nothing is left then.
 int writeNamed(const fs::path& file, std::string_view bytes, mode_t mode, fs::path& made) {
-  Descriptor neighbour(createNeighbour(file, made));
-  if (!neighbour.isOpen()) return errno;
-  int failed = fill(neighbour, bytes, mode);
-  if (!neighbour.close() && failed == 0) failed = errno;
+  Descriptor neighbor(createNeighbor(file, made));
+  if (!neighbor.isOpen()) return errno;
+  int failed = fill(neighbor, bytes, mode);
+  if (!neighbor.close() && failed == 0) failed = errno;
   if (failed != 0) ::unlink(made.c_str());
   return failed;
 }
@@ -125,12 +125,12 @@ void flushFolder(const fs::path& folder) {
 }
 
 /// A file on the disk beside the one that it is to replace; gone again unless it was put there.
-class Neighbour {
+class Neighbor {
  public:
-  Neighbour(fs::path file, fs::path target) : file_(std::move(file)), target_(std::move(target)) {}
-  Neighbour(const Neighbour&) = delete;
-  Neighbour& operator=(const Neighbour&) = delete;
-  ~Neighbour() {
+  Neighbor(fs::path file, fs::path target) : file_(std::move(file)), target_(std::move(target)) {}
+  Neighbor(const Neighbor&) = delete;
+  Neighbor& operator=(const Neighbor&) = delete;
+  ~Neighbor() {
     if (!made_.empty()) ::unlink(made_.c_str());
   }
 
@@ -210,7 +210,7 @@ Result<void> writeFileAtomically(const fs::path& file, std::string_view bytes) {
 }
 
 Result<void> writeFilesAtomically(const std::vector<NamedBytes>& files) {
-  std::vector<std::unique_ptr<Neighbour>> neighbours;
+  std::vector<std::unique_ptr<Neighbor>> neighbors;
   for (const NamedBytes& each : files) {
     struct stat present {};
     const bool exists = ::stat(each.file.c_str(), &present) == 0;
@@ -219,11 +219,11 @@ Result<void> writeFilesAtomically(const std::vector<NamedBytes>& files) {
     }
     const Result<Place> place = placeOf(each.file, exists ? &present : nullptr);
     if (!place) return place.error();
-    neighbours.push_back(std::make_unique<Neighbour>(each.file, place->target));
-    if (auto filled = neighbours.back()->fill(each.bytes, place->mode); !filled) return filled;
+    neighbors.push_back(std::make_unique<Neighbor>(each.file, place->target));
+    if (auto filled = neighbors.back()->fill(each.bytes, place->mode); !filled) return filled;
   }
-  for (const auto& neighbour : neighbours) {
-    if (auto put = neighbour->put(); !put) return put;
+  for (const auto& neighbor : neighbors) {
+    if (auto put = neighbor->put(); !put) return put;
   }
   return {};
 }

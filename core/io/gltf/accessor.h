@@ -18,7 +18,7 @@ class Accessor {
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] int components() const { return components_; }
   [[nodiscard]] bool isFloat() const { return componentType_ == TINYGLTF_COMPONENT_TYPE_FLOAT; }
-  /// Floats, or normalised unsigned bytes or shorts: what glTF allows for colours.
+  /// Floats, or normalized unsigned bytes or shorts: what glTF allows for colors.
   [[nodiscard]] bool holdsColors() const;
   [[nodiscard]] const std::string& place() const { return place_; }
 

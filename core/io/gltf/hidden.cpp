@@ -15,7 +15,7 @@ namespace {
 /// Less than this rounds to nothing in a picture of 8 bits.
 constexpr float kLeastShown = 0.5f / 255.0f;
 
-/// [materials] the largest alpha of the vertex colours; nullopt: no triangle uses the material.
+/// [materials] the largest alpha of the vertex colors; nullopt: no triangle uses the material.
 std::vector<std::optional<float>> vertexAlphas(const Character& character) {
   std::vector<std::optional<float>> largest(character.materials.size());
   for (const ControlTriangle& triangle : character.mesh.triangles) {

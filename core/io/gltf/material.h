@@ -1,4 +1,4 @@
-// core/io/gltf/material.h: materials and the base-colour textures they use.
+// core/io/gltf/material.h: materials and the base-color textures they use.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace sinew::gltf {
 
-/// Where a material takes its base-colour uv from.
+/// Where a material takes its base-color uv from.
 struct UvSource {
   int set = 0;                                                    ///< TEXCOORD_n
   std::array<double, 6> transform{1.0, 0.0, 0.0, 0.0, 1.0, 0.0};  ///< KHR_texture_transform: two rows of u, v, 1.

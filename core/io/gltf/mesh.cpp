@@ -194,7 +194,7 @@ class SoupReader {
     return taken.soupVertex;
   }
 
-  /// Colours start with the first primitive that has them; vertices without are white.
+  /// Colors start with the first primitive that has them; vertices without are white.
   void addColor(std::uint32_t index, const Attributes& open) {
     if (!open.color && soup_.colors.empty()) return;
     soup_.colors.resize(soup_.positions.size(), glm::vec4(1.0f));

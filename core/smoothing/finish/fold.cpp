@@ -6,7 +6,7 @@
 namespace sinew {
 namespace {
 
-/// Of a patch triangle's front over its own in the bind pose: from which on its area can be trusted whole.
+/// Ratio of a patch triangle's front to its front in the bind pose, from which on its area is trusted fully.
 constexpr float kWholeFront = 0.05f;
 
 float frontOf(const std::array<int, 3>& t, const glm::vec3& face, std::span<const glm::vec3> positions,

@@ -18,7 +18,7 @@ namespace sinew {
 struct FoldTriangle {
   int index = 0;
   std::array<int, 3> corners{};
-  glm::vec3 face{0.0f};  ///< Of its patch.
+  glm::vec3 face{0.0f};  ///< Face vector of its patch.
   float whole = 0.0f;    ///< Squared length of that.
   float trust = -1.0f;   ///< trustIn; below 0: not asked for yet.
 };

@@ -1,4 +1,4 @@
-// core/smoothing/finish/fold_relaxation.cpp: vertices of folded triangles move to the mean of their neighbours.
+// core/smoothing/finish/fold_relaxation.cpp: vertices of folded triangles move to the mean of their neighbors.
 #include "core/smoothing/finish/fold_relaxation.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace sinew {
 namespace {
 
 constexpr int kRounds = 16;
-constexpr float kFade = 0.25f;  ///< Of a weight, per round: weights that came and went would swing.
+constexpr float kFade = 0.25f;  ///< Change of a weight per round: weights that came and went would swing.
 
 /// How much a lifted triangle asks for, 0..1: all of it from q = 0 on.
 float weightOf(const Fold& fold) {
@@ -52,11 +52,16 @@ void FoldRelaxation::findMeans(const VertexRings& rings, std::span<const glm::ve
   for (const int v : folding_) {
     const glm::vec3& own = at(positions, v);
     glm::vec3 sum(0.0f);
-    for (const int neighbour : rings.at(v)) sum += at(positions, neighbour) - own;
+    for (const int neighbor : rings.at(v)) sum += at(positions, neighbor) - own;
     means_.push_back(own + at(rings.share, v) * sum);
   }
 }
 
+/// Moves the corners of folded triangles towards the mean of their neighbors. Such triangles mostly lie on the muscle
+/// in the wrong order: the mean restores the order and stays on the muscle, while a move back to the patch would tear a
+/// pit into it. Each round reads only the positions that the round before has left (Jacobi), so that the order of
+/// triangles does not matter. After the first round only triangles at vertices with a weight are looked at again:
+/// nothing else has changed. docs/design.md, Folds.
 void FoldRelaxation::apply(const VertexRings& rings, std::span<const std::uint8_t> isBorder,
                            std::span<const glm::vec3> patch, FoldRegion& region, FoldMoves& moves,
                            std::span<glm::vec3> positions) {

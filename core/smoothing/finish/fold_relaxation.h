@@ -12,8 +12,8 @@ namespace sinew {
 
 /// Smooths lifted skin where refined triangles fold over.
 ///
-/// The corners of a triangle with q below 0.4 (fold.h) are moved towards the mean of their neighbours, by all of the
-/// way from q = 0 on, weighted by how far q can be trusted: neighbours come back into their order, and the skin stays
+/// The corners of a triangle with q below 0.4 (fold.h) are moved towards the mean of their neighbors, by all of the
+/// way from q = 0 on, weighted by how far q can be trusted: neighbors come back into their order, and the skin stays
 /// on the muscle. A weight that is no longer asked for falls by 1/4 a round. Up to 16 rounds, each of which reads the
 /// one before alone: the order of triangles does not matter. Vertices that have not moved stay, as do borders, and the
 /// result is continuous in time.
@@ -37,7 +37,7 @@ class FoldRelaxation {
   std::vector<int> asking_;
   std::vector<float> weights_;    ///< [V'] 0 but for folding_.
   std::vector<int> folding_;      ///< Vertices with a weight in this round.
-  std::vector<glm::vec3> means_;  ///< [folding_] of the neighbours.
+  std::vector<glm::vec3> means_;  ///< [folding_] of the neighbors.
 };
 
 /// [V'] 1: on an edge with a single triangle. (Where more than two meet they share their vertices: nothing can open.)

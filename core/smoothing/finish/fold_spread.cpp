@@ -9,8 +9,8 @@ namespace {
 
 constexpr int kRounds = 24;
 constexpr float kLeastArea = 0.3f;   ///< q below which a triangle asks.
-constexpr float kWholeLack = 0.1f;   ///< Of q, from which on it asks with its whole weight.
-constexpr float kRelaxation = 1.5f;  ///< Of the mean move; above 1: converges faster.
+constexpr float kWholeLack = 0.1f;   ///< Lack of q from which on it asks with its whole weight.
+constexpr float kRelaxation = 1.5f;  ///< Factor on the mean move; above 1: converges faster.
 
 }  // namespace
 
@@ -53,6 +53,11 @@ void FoldSpread::ask(bool first, FoldRegion& region, std::span<const glm::vec3> 
   region.grow();
 }
 
+/// Solves q >= 0.3 for every triangle as a constraint on its area, by the projection step of position based dynamics
+/// (Mueller et al. 2007): each corner moves along the gradient of the area, by the constraint's lack over the sum of
+/// the squared gradients. Where two cushions of flesh press on each other the mean of the neighbors is folded too, and
+/// relaxation alone leaves the fold. A corner takes the weighted mean of what all its triangles ask for (Jacobi), so
+/// that the order of triangles does not matter. docs/design.md, Folds.
 void FoldSpread::apply(std::span<const std::uint8_t> isBorder, std::span<const glm::vec3> patch, FoldRegion& region,
                        FoldMoves& moves, std::span<glm::vec3> positions) {
   weights_.resize(positions.size());

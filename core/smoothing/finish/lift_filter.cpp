@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kBentFrom = 0.15f;  ///< c up to which the mesh follows the heights.
 constexpr float kBentWhole = 0.5f;  ///< c from which the filter works whole.
-constexpr float kStep = 0.5f;       ///< Of the way to the mean, a round.
+constexpr float kStep = 0.5f;       ///< Fraction of the way to the mean, per round.
 constexpr int kRounds = 4;
 
 std::size_t sixes(std::span<const int> ring) { return ring.size() / VertexRings::kMultiple; }
@@ -60,12 +60,12 @@ bool LiftFilter::weigh(const VertexRings& rings) {
   weighted_.clear();
   weights_.resize(places_.size());
   for (std::size_t i = 0; i < moved_.size(); ++i) {
-    // (M - 1) s = difference / perLength; the mean length is the number of neighbours over that.
+    // (M - 1) s = difference / perLength; the mean length is the number of neighbors over that.
     const float bent = std::abs(sums_[i].difference) * at(rings.share, moved_[i]);
     if (bent <= kBentFrom) continue;
     const float weight = smoothstep(kBentFrom, kBentWhole, bent);
     raise(moved_[i], weight);
-    for (const int neighbour : rings.at(moved_[i])) raise(neighbour, weight);
+    for (const int neighbor : rings.at(moved_[i])) raise(neighbor, weight);
   }
   return !weighted_.empty();
 }
@@ -96,6 +96,10 @@ void LiftFilter::evenOut(const VertexRings& rings, std::span<const float> height
   }
 }
 
+/// Lowers heights that the refined edges cannot follow, by a few steps towards the mean of the neighbors, weighted by
+/// 1/length: that mean leaves heights alone that grow evenly. The sums over the edges decide where the filter works and
+/// serve its first round; the other rounds visit only vertices with a weight, usually few. A round reads only the
+/// heights of the one before, so that the order of vertices does not matter. docs/design.md, Sampling.
 std::span<const float> LiftFilter::apply(const VertexRings& rings, const MovedTriangles& moved,
                                          std::span<const glm::vec3> patch, std::span<glm::vec3> positions,
                                          std::span<float> heights) {

@@ -13,9 +13,9 @@ namespace sinew {
 /// Low-pass filter for the heights of moved vertices, where they bend more than edges can follow.
 ///
 /// A rim that is narrower than an edge is sampled high at one vertex and low at the next one, as the triangulation has
-/// it: saw teeth. With M the mean over a vertex's neighbours, weighted by 1/length (0 for heights that grow evenly,
+/// it: saw teeth. With M the mean over a vertex's neighbors, weighted by 1/length (0 for heights that grow evenly,
 /// whatever the lengths), c = |(M - 1) s| over the edges' length says how far the mesh is from following s. The filter
-/// is s += w (M - 1) s / 2, four times, w from 0 at c = 0.15 to 1 at 0.5, and at least that of each neighbour.
+/// is s += w (M - 1) s / 2, four times, w from 0 at c = 0.15 to 1 at 0.5, and at least that of each neighbor.
 ///
 /// Heights keep their sign and never grow, so that a vertex that has not moved stays, and grooves between muscles stay
 /// deep. Continuous in time and independent of the order of triangles.
@@ -42,7 +42,7 @@ class LiftFilter {
   void evenOut(const VertexRings& rings, std::span<const float> heights);
 
   std::vector<int> moved_;         ///< Vertices with a height.
-  std::vector<LiftPlace> places_;  ///< [V'] of moved vertices and their neighbours.
+  std::vector<LiftPlace> places_;  ///< [V'] of moved vertices and their neighbors.
   std::vector<SixEdges> edges_;
   std::vector<LiftSums> sums_;  ///< [moved_]
   std::vector<float> weights_;  ///< [V'] w.

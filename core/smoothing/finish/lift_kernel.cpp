@@ -1,4 +1,4 @@
-// core/smoothing/finish/lift_kernel.cpp: six neighbours at once, compiled once per instruction set.
+// core/smoothing/finish/lift_kernel.cpp: six neighbors at once, compiled once per instruction set.
 #include "core/smoothing/finish/lift_kernel.h"
 
 #include "core/lanes/targets.h"
@@ -15,17 +15,17 @@ namespace sinew::HWY_NAMESPACE {
 
 using Pair = Blocks<2>;
 
-void sumEdges(const LiftFrame& frame) {
+void sumEdges(const LiftInputs& inputs) {
   const Pair zero = Pair::all(0.0f);
   const Pair one = Pair::all(1.0f);
-  SixEdges* edges = frame.edges;
-  LiftSums* out = frame.sums;
-  for (const int vertex : frame.moved) {
-    const auto place = [&](int v) HWY_ATTR { return frame.places[v].of.data(); };
+  SixEdges* edges = inputs.edges;
+  LiftSums* out = inputs.sums;
+  for (const int vertex : inputs.moved) {
+    const auto place = [&](int v) HWY_ATTR { return inputs.places[v].of.data(); };
     const Pair own = Pair::join(place(vertex), place(vertex));
     Pair lengths = zero;
     Pair differences = zero;
-    const std::span<const int> ring = frame.rings->at(vertex);
+    const std::span<const int> ring = inputs.rings->at(vertex);
     for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
       const auto two = [&](std::size_t k)
                            HWY_ATTR { return Pair::join(place(ring[i + k]), place(ring[i + k + 1])) - own; };

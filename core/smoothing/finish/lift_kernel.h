@@ -14,28 +14,28 @@ struct alignas(16) LiftPlace {
   std::array<float, 4> of{};
 };
 
-/// 1/length of the edges to six neighbours of a ring: those of 0, 2 and 4, 0, those of 1, 3 and 5, 0. It is 0 where
+/// 1/length of the edges to six neighbors of a ring: those of 0, 2 and 4, 0, those of 1, 3 and 5, 0. It is 0 where
 /// the length is 0 too.
 struct alignas(32) SixEdges {
-  static constexpr std::array<std::size_t, VertexRings::kMultiple> kAt{0, 4, 1, 5, 2, 6};  ///< Of neighbour i.
+  static constexpr std::array<std::size_t, VertexRings::kMultiple> kAt{0, 4, 1, 5, 2, 6};  ///< Place of neighbor i.
   std::array<float, 8> perLength{};
 };
 
-/// Sums over a vertex's neighbours.
+/// Sums over a vertex's neighbors.
 struct LiftSums {
-  float difference = 0.0f;  ///< Of height per length.
+  float difference = 0.0f;  ///< Sum of height differences per length.
   float perLength = 0.0f;
 };
 
-struct LiftFrame {
+struct LiftInputs {
   const VertexRings* rings = nullptr;
   std::span<const int> moved;
-  const LiftPlace* places = nullptr;  ///< [V'] read at moved vertices and their neighbours.
+  const LiftPlace* places = nullptr;  ///< [V'] read at moved vertices and their neighbors.
   SixEdges* edges = nullptr;          ///< Out: of the rings of all moved vertices, in order.
   LiftSums* sums = nullptr;           ///< Out: [moved]
 };
 
-using LiftKernel = void (*)(const LiftFrame& frame);
+using LiftKernel = void (*)(const LiftInputs& inputs);
 
 /// All give the same bits.
 [[nodiscard]] LiftKernel liftKernel(InstructionSet set);

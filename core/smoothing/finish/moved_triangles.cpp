@@ -19,12 +19,12 @@ void list(const std::vector<std::uint8_t>& flags, std::vector<int>& out) {
   out.resize(count);
 }
 
-/// Flags vertices and their neighbours.
+/// Flags vertices and their neighbors.
 void flagAround(std::span<const int> vertices, const VertexRings& rings, std::vector<std::uint8_t>& flags) {
   flags.assign(rings.share.size(), 0);
   for (const int v : vertices) {
     at(flags, v) = 1;
-    for (const int neighbour : rings.at(v)) at(flags, neighbour) = 1;
+    for (const int neighbor : rings.at(v)) at(flags, neighbor) = 1;
   }
 }
 

@@ -14,8 +14,8 @@ namespace sinew {
 /// What the stages after projection have to look at. Kept from pose to pose for its memory.
 struct MovedTriangles {
   std::vector<int> control;          ///< Control triangles that hold a moved vertex. Ascending.
-  std::vector<int> refined;          ///< Refined triangles at moved vertices and at their neighbours. Ascending.
-  std::vector<std::uint8_t> isNear;  ///< [V'] 1: has moved, or a neighbour has.
+  std::vector<int> refined;          ///< Refined triangles at moved vertices and at their neighbors. Ascending.
+  std::vector<std::uint8_t> isNear;  ///< [V'] 1: has moved, or a neighbor has.
   std::vector<int> near;             ///< Those vertices. Ascending.
   std::vector<int> corners;          ///< The vertices of `refined`, those among them. Ascending.
 

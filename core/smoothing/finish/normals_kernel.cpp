@@ -22,7 +22,7 @@ constexpr float kFreedom = 0.145f;       ///< About 8 degrees.
 constexpr float kRotationFrom = -0.95f;  ///< Cosine between face normals from which a rotation between them counts.
 constexpr float kRotationWhole = -0.7f;
 constexpr float kTeeth = 0.23f;  ///< Largest weight of the second step.
-// Difference between neighbours' deltas from which the second step works, from which it works whole, and where it ends.
+// Difference between neighbors' deltas from which the second step works, from which it works whole, and where it ends.
 constexpr float kTeethFrom = 0.22f;
 constexpr float kTeethWhole = 0.45f;
 constexpr float kCliffFrom = 0.45f;
@@ -69,46 +69,46 @@ HWY_INLINE LaneCorners<kCount> cornerNormals(const Blocks<kCount>& a, const Bloc
   return {spread<0>(weights) * face, spread<1>(weights) * face, spread<2>(weights) * face};
 }
 
-HWY_INLINE const float* cornerOf(const NormalsFrame& frame, const std::array<int, 3>& t, std::size_t i) {
-  return frame.pairs[t[i]].of.data();
+HWY_INLINE const float* cornerOf(const NormalsInputs& inputs, const std::array<int, 3>& t, std::size_t i) {
+  return inputs.pairs[t[i]].of.data();
 }
 
 /// Each where its vertex has them together.
-HWY_INLINE void store(const LaneCorners<2>& normals, const NormalsFrame& frame, int triangle) {
-  const int* places = frame.rings->placeOf.data() + 3 * triangle;
-  normals.a.store(frame.corners[places[0]].of.data());
-  normals.b.store(frame.corners[places[1]].of.data());
-  normals.c.store(frame.corners[places[2]].of.data());
+HWY_INLINE void store(const LaneCorners<2>& normals, const NormalsInputs& inputs, int triangle) {
+  const int* places = inputs.rings->placeOf.data() + 3 * triangle;
+  normals.a.store(inputs.corners[places[0]].of.data());
+  normals.b.store(inputs.corners[places[1]].of.data());
+  normals.c.store(inputs.corners[places[2]].of.data());
 }
 
-void findFaces(const NormalsFrame& frame, std::size_t begin, std::size_t end) {
-  const std::array<int, 3>* triangles = frame.refinement->triangles.data();
-  const std::vector<int>& refined = frame.moved->refined;
+void findFaces(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
+  const std::array<int, 3>* triangles = inputs.refinement->triangles.data();
+  const std::vector<int>& refined = inputs.moved->refined;
   std::size_t i = begin;
 #if HWY_TARGET == HWY_AVX3
   for (; i + 1 < end; i += 2) {
     const std::array<int, 3>& t = triangles[refined[i]];
     const std::array<int, 3>& u = triangles[refined[i + 1]];
     const auto corner = [&](std::size_t k)
-                            HWY_ATTR { return Blocks<4>::join(cornerOf(frame, t, k), cornerOf(frame, u, k)); };
+                            HWY_ATTR { return Blocks<4>::join(cornerOf(inputs, t, k), cornerOf(inputs, u, k)); };
     const LaneCorners<4> both = cornerNormals(corner(0), corner(1), corner(2));
-    store({lower(both.a), lower(both.b), lower(both.c)}, frame, refined[i]);
-    store({upper(both.a), upper(both.b), upper(both.c)}, frame, refined[i + 1]);
+    store({lower(both.a), lower(both.b), lower(both.c)}, inputs, refined[i]);
+    store({upper(both.a), upper(both.b), upper(both.c)}, inputs, refined[i + 1]);
   }
 #endif
   for (; i < end; ++i) {
     const std::array<int, 3>& t = triangles[refined[i]];
-    const auto corner = [&](std::size_t k) HWY_ATTR { return Pair::load(cornerOf(frame, t, k)); };
-    store(cornerNormals(corner(0), corner(1), corner(2)), frame, refined[i]);
+    const auto corner = [&](std::size_t k) HWY_ATTR { return Pair::load(cornerOf(inputs, t, k)); };
+    store(cornerNormals(corner(0), corner(1), corner(2)), inputs, refined[i]);
   }
 }
 
 /// Sum over the triangles at a vertex, in order.
-HWY_INLINE Pair sumOfFaces(const NormalsFrame& frame, int vertex) {
-  const int begin = frame.rings->cornersBegin[static_cast<std::size_t>(vertex)];
-  const int end = frame.rings->cornersBegin[static_cast<std::size_t>(vertex) + 1];
+HWY_INLINE Pair sumOfFaces(const NormalsInputs& inputs, int vertex) {
+  const int begin = inputs.rings->cornersBegin[static_cast<std::size_t>(vertex)];
+  const int end = inputs.rings->cornersBegin[static_cast<std::size_t>(vertex) + 1];
   Pair sum = Pair::all(0.0f);
-  for (int i = begin; i < end; ++i) sum = sum + Pair::load(frame.corners[i].of.data());
+  for (int i = begin; i < end; ++i) sum = sum + Pair::load(inputs.corners[i].of.data());
   return sum;
 }
 
@@ -135,16 +135,16 @@ HWY_INLINE V3 turnOf(const V3& v, const V3& from, const V3& to) {
 }
 
 /// Up to width() vertices; the lanes beyond them repeat the last one.
-void holdToFaces(const NormalsFrame& frame, const Rows& patchNormals, std::span<const int> vertices) {
+void holdToFaces(const NormalsInputs& inputs, const Rows& patchNormals, std::span<const int> vertices) {
   const auto vertexOf = [&](std::size_t lane) { return vertices[std::min(lane, vertices.size() - 1)]; };
   alignas(32) std::array<std::array<float, 8>, kLanes> sums{};
   LanePoints normals;
   LaneFloats filtered{};
   for (std::size_t lane = 0; lane < width(); ++lane) {
     const auto v = static_cast<std::size_t>(vertexOf(lane));
-    sumOfFaces(frame, vertexOf(lane)).store(sums[lane].data());
-    normals.set(lane, frame.normals[v]);
-    if (!frame.filtered.empty()) filtered.lane[lane] = frame.filtered[v];
+    sumOfFaces(inputs, vertexOf(lane)).store(sums[lane].data());
+    normals.set(lane, inputs.normals[v]);
+    if (!inputs.filtered.empty()) filtered.lane[lane] = inputs.filtered[v];
   }
   const V3 own = gatherBy([&](std::size_t lane) HWY_ATTR { return patchNormals.at(vertexOf(lane)); });
   const V3 patchFaces = gatherBy([&](std::size_t lane) HWY_ATTR { return sums[lane].data(); });
@@ -156,25 +156,25 @@ void holdToFaces(const NormalsFrame& frame, const Rows& patchNormals, std::span<
   const V3 beyond = fieldDelta - shown;
   const V squared = dot(beyond, beyond);
   const V whole = all(kFreedom);
-  const V freedom = frame.filtered.empty() ? whole : whole * (all(1.0f) - hn::Load(kTag, filtered.at(0)));
+  const V freedom = inputs.filtered.empty() ? whole : whole * (all(1.0f) - hn::Load(kTag, filtered.at(0)));
   const M held = hn::Gt(squared, freedom * freedom);
   const V3 delta = select(held, shown + (freedom / hn::Sqrt(squared)) * beyond, fieldDelta);
   normals.store(select(held, unitOfSum(own + delta, normal), normal), 0);
   scatterTo(
-      delta, [&](std::size_t lane) { return frame.vertices[vertices[lane]].delta.data(); }, vertices.size());
+      delta, [&](std::size_t lane) { return inputs.vertices[vertices[lane]].delta.data(); }, vertices.size());
   LaneFloats turns{};
   hn::Store(turn, kTag, turns.at(0));
-  for (std::size_t lane = 0; lane < vertices.size(); ++lane) frame.turns[vertices[lane]] = turns.lane[lane];
+  for (std::size_t lane = 0; lane < vertices.size(); ++lane) inputs.turns[vertices[lane]] = turns.lane[lane];
   forEach(held, 0, [&](std::size_t lane) {
-    if (lane < vertices.size()) frame.normals[static_cast<std::size_t>(vertices[lane])] = normals.at(lane);
+    if (lane < vertices.size()) inputs.normals[static_cast<std::size_t>(vertices[lane])] = normals.at(lane);
   });
 }
 
-void hold(const NormalsFrame& frame, std::size_t begin, std::size_t end) {
-  const std::span<const int> near = frame.moved->near;
-  const Rows patchNormals(frame.patchNormals);
+void hold(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
+  const std::span<const int> near = inputs.moved->near;
+  const Rows patchNormals(inputs.patchNormals);
   for (std::size_t i = begin; i < end; i += width()) {
-    holdToFaces(frame, patchNormals, near.subspan(i, std::min(width(), end - i)));
+    holdToFaces(inputs, patchNormals, near.subspan(i, std::min(width(), end - i)));
   }
 }
 
@@ -182,45 +182,45 @@ using Vector = Blocks<1>;
 using OfVertex = std::array<float, 4> NormalsVertex::*;
 
 template <OfVertex kWhat>
-HWY_INLINE const float* placeOf(const NormalsFrame& frame, int vertex) {
-  return (frame.vertices[vertex].*kWhat).data();
+HWY_INLINE const float* placeOf(const NormalsInputs& inputs, int vertex) {
+  return (inputs.vertices[vertex].*kWhat).data();
 }
 
-/// What six neighbours differ by, two in each.
-struct SixNeighbours {
+/// What six neighbors differ by, two in each.
+struct SixNeighbors {
   Pair a;
   Pair b;
   Pair c;
 };
 
 template <OfVertex kWhat>
-HWY_INLINE SixNeighbours differences(const NormalsFrame& frame, const int* ring, const Pair& own) {
+HWY_INLINE SixNeighbors differences(const NormalsInputs& inputs, const int* ring, const Pair& own) {
   const auto two = [&](std::size_t i) HWY_ATTR {
-    return Pair::join(placeOf<kWhat>(frame, ring[i]), placeOf<kWhat>(frame, ring[i + 1])) - own;
+    return Pair::join(placeOf<kWhat>(inputs, ring[i]), placeOf<kWhat>(inputs, ring[i + 1])) - own;
   };
   return {two(0), two(2), two(4)};
 }
 
-/// (M - 1) delta, and the vertices that differ from a neighbour by more than kTeethFrom, with the square of the largest
+/// (M - 1) delta, and the vertices that differ from a neighbor by more than kTeethFrom, with the square of the largest
 /// difference. Returns how many.
-std::size_t listTeeth(const NormalsFrame& frame, std::size_t begin, std::size_t end) {
-  int* teeth = frame.teeth.data() + begin;
-  float* weights = frame.weights.data() + begin;
+std::size_t listTeeth(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
+  int* teeth = inputs.teeth.data() + begin;
+  float* weights = inputs.weights.data() + begin;
   std::size_t count = 0;
   for (std::size_t at = begin; at < end; ++at) {
-    const int vertex = frame.moved->corners[at];
-    const float* place = placeOf<&NormalsVertex::delta>(frame, vertex);
+    const int vertex = inputs.moved->corners[at];
+    const float* place = placeOf<&NormalsVertex::delta>(inputs, vertex);
     const Pair own = Pair::join(place, place);
     Pair sum = Pair::all(0.0f);
     Pair most = sum;
-    const std::span<const int> ring = frame.rings->at(vertex);
+    const std::span<const int> ring = inputs.rings->at(vertex);
     for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
-      const SixNeighbours six = differences<&NormalsVertex::delta>(frame, ring.data() + i, own);
+      const SixNeighbors six = differences<&NormalsVertex::delta>(inputs, ring.data() + i, own);
       sum = sum + ((six.a + six.b) + six.c);
       most = max(most, sums(six.a * six.a, six.b * six.b, six.c * six.c, six.c * six.c));
     }
-    const Vector share = Vector::all(frame.rings->share[static_cast<std::size_t>(vertex)]);
-    (share * (lower(sum) + upper(sum))).store(frame.vertices[vertex].first.data());
+    const Vector share = Vector::all(inputs.rings->share[static_cast<std::size_t>(vertex)]);
+    (share * (lower(sum) + upper(sum))).store(inputs.vertices[vertex].first.data());
     const Vector apart = max(lower(most), upper(most));
     teeth[count] = vertex;
     weights[count] = first(max(max(apart, spread<1>(apart)), spread<2>(apart)));
@@ -235,7 +235,7 @@ HWY_INLINE V smoothstepOf(float from, float to, V x) {
 }
 
 /// In place of the squared differences.
-void weighTeeth(const NormalsFrame& frame, std::span<const int> teeth, float* weights) {
+void weighTeeth(const NormalsInputs& inputs, std::span<const int> teeth, float* weights) {
   for (std::size_t begin = 0; begin < teeth.size(); begin += width()) {
     LaneFloats squared;
     LaneFloats turns;
@@ -244,8 +244,8 @@ void weighTeeth(const NormalsFrame& frame, std::span<const int> teeth, float* we
       const std::size_t tooth = std::min(begin + lane, teeth.size() - 1);
       const int vertex = teeth[tooth];
       squared.lane[lane] = weights[tooth];
-      turns.lane[lane] = frame.turns[vertex];
-      cliffs.lane[lane] = frame.filtered.empty() ? 1.0f : 1.0f - frame.filtered[static_cast<std::size_t>(vertex)];
+      turns.lane[lane] = inputs.turns[vertex];
+      cliffs.lane[lane] = inputs.filtered.empty() ? 1.0f : 1.0f - inputs.filtered[static_cast<std::size_t>(vertex)];
     }
     const V apart = hn::Sqrt(hn::Load(kTag, squared.at(0)));
     const V turn = hn::Sqrt(hn::Load(kTag, turns.at(0)));
@@ -260,32 +260,32 @@ void weighTeeth(const NormalsFrame& frame, std::span<const int> teeth, float* we
   }
 }
 
-std::size_t findTeeth(const NormalsFrame& frame, std::size_t begin, std::size_t end) {
-  const std::size_t count = listTeeth(frame, begin, end);
-  weighTeeth(frame, std::span<const int>(frame.teeth).subspan(begin, count), frame.weights.data() + begin);
+std::size_t findTeeth(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
+  const std::size_t count = listTeeth(inputs, begin, end);
+  weighTeeth(inputs, std::span<const int>(inputs.teeth).subspan(begin, count), inputs.weights.data() + begin);
   return count;
 }
 
 /// delta less its share of (M - 1)^2 delta.
-void removeTeeth(const NormalsFrame& frame, std::size_t begin, std::size_t count) {
+void removeTeeth(const NormalsInputs& inputs, std::size_t begin, std::size_t count) {
   for (std::size_t tooth = begin; tooth < begin + count; ++tooth) {
-    if (frame.weights[tooth] == 0.0f) continue;
-    const int vertex = frame.teeth[tooth];
+    if (inputs.weights[tooth] == 0.0f) continue;
+    const int vertex = inputs.teeth[tooth];
     const auto v = static_cast<std::size_t>(vertex);
-    const float* place = placeOf<&NormalsVertex::first>(frame, vertex);
+    const float* place = placeOf<&NormalsVertex::first>(inputs, vertex);
     const Pair own = Pair::join(place, place);
     Pair sum = Pair::all(0.0f);
-    const std::span<const int> ring = frame.rings->at(vertex);
+    const std::span<const int> ring = inputs.rings->at(vertex);
     for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
-      const SixNeighbours six = differences<&NormalsVertex::first>(frame, ring.data() + i, own);
+      const SixNeighbors six = differences<&NormalsVertex::first>(inputs, ring.data() + i, own);
       sum = sum + ((six.a + six.b) + six.c);
     }
-    const Vector second = Vector::all(frame.weights[tooth] * frame.rings->share[v]) * (lower(sum) + upper(sum));
+    const Vector second = Vector::all(inputs.weights[tooth] * inputs.rings->share[v]) * (lower(sum) + upper(sum));
     alignas(16) std::array<float, 4> delta;
-    (Vector::load(placeOf<&NormalsVertex::delta>(frame, vertex)) - second).store(delta.data());
-    const glm::vec3 normal = frame.patchNormals[v] + glm::vec3(delta[0], delta[1], delta[2]);
+    (Vector::load(placeOf<&NormalsVertex::delta>(inputs, vertex)) - second).store(delta.data());
+    const glm::vec3 normal = inputs.patchNormals[v] + glm::vec3(delta[0], delta[1], delta[2]);
     const float squared = normal.x * normal.x + normal.y * normal.y + normal.z * normal.z;
-    if (squared > 1e-12f) frame.normals[v] = (1.0f / std::sqrt(squared)) * normal;
+    if (squared > 1e-12f) inputs.normals[v] = (1.0f / std::sqrt(squared)) * normal;
   }
 }
 

@@ -26,7 +26,7 @@ struct alignas(32) NormalsVertex {
 
 /// What shading_normals.h passes to the kernel. Spans and arrays of vertices are [V']; all but `rings` are read and
 /// written at moved.corners alone. Nothing is allocated.
-struct NormalsFrame {
+struct NormalsInputs {
   const Refinement* refinement = nullptr;
   const VertexRings* rings = nullptr;
   const MovedTriangles* moved = nullptr;
@@ -44,10 +44,10 @@ struct NormalsFrame {
 /// Stages, one after the other: each can be shared out, as its parts write to different places. Of the spans of
 /// `moved` from begin to end.
 struct NormalsKernel {
-  void (*faces)(const NormalsFrame& frame, std::size_t begin, std::size_t end);             ///< moved.refined
-  void (*hold)(const NormalsFrame& frame, std::size_t begin, std::size_t end);              ///< moved.near
-  std::size_t (*findTeeth)(const NormalsFrame& frame, std::size_t begin, std::size_t end);  ///< moved.corners
-  void (*removeTeeth)(const NormalsFrame& frame, std::size_t begin, std::size_t count);     ///< Those found there.
+  void (*faces)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);             ///< moved.refined
+  void (*hold)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);              ///< moved.near
+  std::size_t (*findTeeth)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);  ///< moved.corners
+  void (*removeTeeth)(const NormalsInputs& inputs, std::size_t begin, std::size_t count);     ///< Those found there.
 };
 
 /// All give the same bits.

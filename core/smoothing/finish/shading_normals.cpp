@@ -24,20 +24,20 @@ void ShadingNormals::apply(const Refinement& refinement, const VertexRings& ring
   weights_.resize(moved.corners.size());
   const std::size_t blocks = (moved.corners.size() + kBlock - 1) / kBlock;
   teethOfBlock_.resize(blocks);
-  const NormalsFrame frame{&refinement, &rings,          &moved,           pairs.data(),  patchNormals, filtered,
-                           normals,     corners_.data(), vertices_.data(), turns_.data(), teeth_,       weights_};
+  const NormalsInputs inputs{&refinement, &rings,          &moved,           pairs.data(),  patchNormals, filtered,
+                             normals,     corners_.data(), vertices_.data(), turns_.data(), teeth_,       weights_};
   const NormalsKernel kernel = normalsKernel(chosenVectorSet());
   const auto ofBlock = [&](std::size_t block) {
     return std::pair{block * kBlock, std::min((block + 1) * kBlock, moved.corners.size())};
   };
   forRanges(moved.refined.size(), 2 * kBlock,
-            [&](std::size_t begin, std::size_t end) { kernel.faces(frame, begin, end); });
-  forRanges(moved.near.size(), kBlock, [&](std::size_t begin, std::size_t end) { kernel.hold(frame, begin, end); });
+            [&](std::size_t begin, std::size_t end) { kernel.faces(inputs, begin, end); });
+  forRanges(moved.near.size(), kBlock, [&](std::size_t begin, std::size_t end) { kernel.hold(inputs, begin, end); });
   forEachIndex(blocks, 1, [&](std::size_t block) {
     const auto [begin, end] = ofBlock(block);
-    teethOfBlock_[block] = kernel.findTeeth(frame, begin, end);
+    teethOfBlock_[block] = kernel.findTeeth(inputs, begin, end);
   });
-  forEachIndex(blocks, 1, [&](std::size_t block) { kernel.removeTeeth(frame, block * kBlock, teethOfBlock_[block]); });
+  forEachIndex(blocks, 1, [&](std::size_t block) { kernel.removeTeeth(inputs, block * kBlock, teethOfBlock_[block]); });
   for (const int vertex : moved.corners) {
     at(vertices_, vertex) = {};
     at(turns_, vertex) = 0.0f;

@@ -20,15 +20,15 @@ namespace sinew {
 ///    the faces around a vertex (weighted by the corners' angles) and delta' the turn that the least rotation from
 ///    N(patch) to N(surface) gives to n_patch, delta is moved towards delta' until it is within kFreedom of it. Smooth
 ///    places keep the field's normal exactly.
-/// 2. The faces themselves alternate along a rim that runs across the mesh. With M the mean over a vertex's neighbours,
+/// 2. The faces themselves alternate along a rim that runs across the mesh. With M the mean over a vertex's neighbors,
 ///    delta -= weight (M - 1)^2 delta: nearly all of what alternates from vertex to vertex, little of what spreads over
-///    several. The weight is 0 where neighbours differ little, where the vertex itself is not turned, and on cliffs,
+///    several. The weight is 0 where neighbors differ little, where the vertex itself is not turned, and on cliffs,
 ///    which are meant.
 ///
 /// Where heights were filtered (lift_filter.h) the field's normal is not that of the surface, and a cliff is not meant:
 /// there, by the filter's weight, delta goes over into delta', and cliffs are no exception in the second step.
 ///
-/// Continuous in time. A vertex that has not moved and has no moved neighbour keeps its normal bit for bit.
+/// Continuous in time. A vertex that has not moved and has no moved neighbor keeps its normal bit for bit.
 class ShadingNormals {
  public:
   /// @param rings  of the refinement.  @param moved  of these positions.  @param pairs  of moved.corners.
@@ -40,7 +40,7 @@ class ShadingNormals {
              std::span<glm::vec3> normals);
 
  private:
-  // Scratch of NormalsFrame. What no muscle reaches is never written, and takes no memory.
+  // Scratch of NormalsInputs. What no muscle reaches is never written, and takes no memory.
   ScratchArray<CornerNormals> corners_;
   std::vector<NormalsVertex> vertices_;
   std::vector<float> turns_;

@@ -16,7 +16,7 @@ struct alignas(32) VertexPair {
   std::array<float, 8> of{};
 };
 
-/// Of the vertices that a stage looks at. Kept from pose to pose for its memory.
+/// Pairs of the vertices that a stage reads. Kept from pose to pose for its memory.
 class VertexPairs {
  public:
   /// @param vertices  those that will be read.  @param patch, positions [V'] world.

@@ -49,15 +49,15 @@ VertexRings vertexRings(const Refinement& refinement) {
   for (const int count : refinement.trianglesAt) rings.cornersBegin.push_back(rings.cornersBegin.back() + count);
   findCorners(refinement, rings);
   rings.begin.push_back(0);
-  rings.neighbours.reserve(2 * rings.corners.size());
+  rings.neighbors.reserve(2 * rings.corners.size());
   std::vector<int> all;
   for (int v = 0; v < refinement.vertexCount; ++v) {
     otherVertices(refinement, rings.cornersOf(v), all);
     const std::size_t step = comeTwice(all) ? 2 : 1;
-    for (std::size_t i = 0; i < all.size(); i += step) rings.neighbours.push_back(all[i]);
+    for (std::size_t i = 0; i < all.size(); i += step) rings.neighbors.push_back(all[i]);
     rings.share.push_back(all.empty() ? 0.0f : static_cast<float>(step) / static_cast<float>(all.size()));
-    while (rings.neighbours.size() % VertexRings::kMultiple != 0) rings.neighbours.push_back(v);
-    rings.begin.push_back(static_cast<int>(rings.neighbours.size()));
+    while (rings.neighbors.size() % VertexRings::kMultiple != 0) rings.neighbors.push_back(v);
+    rings.begin.push_back(static_cast<int>(rings.neighbors.size()));
   }
   return rings;
 }

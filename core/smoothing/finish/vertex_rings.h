@@ -1,4 +1,4 @@
-// core/smoothing/finish/vertex_rings.h: the neighbours of each refined vertex, and the triangles at it.
+// core/smoothing/finish/vertex_rings.h: the neighbors of each refined vertex, and the triangles at it.
 #pragma once
 
 #include <cstddef>
@@ -9,24 +9,24 @@
 
 namespace sinew {
 
-/// Means over neighbours: each counts once for every triangle shared, so that along a border they count half. Depends
+/// Means over neighbors: each counts once for every triangle shared, so that along a border they count half. Depends
 /// on the refinement alone.
 struct VertexRings {
   static constexpr std::size_t kMultiple = 6;  ///< What nearly every vertex has.
 
-  std::vector<int> begin;         ///< [V' + 1] into `neighbours`; multiples of kMultiple.
-  std::vector<int> neighbours;    ///< Ascending; once where all share two triangles; filled up with the vertex itself.
-  std::vector<float> share;       ///< [V'] of one neighbour in the mean; 0 where there is none.
+  std::vector<int> begin;         ///< [V' + 1] into `neighbors`; multiples of kMultiple.
+  std::vector<int> neighbors;     ///< Ascending; once where all share two triangles; filled up with the vertex itself.
+  std::vector<float> share;       ///< [V'] of one neighbor in the mean; 0 where there is none.
   std::vector<int> cornersBegin;  ///< [V' + 1] into `corners`.
-  std::vector<int> corners;       ///< Of triangles: 3 triangle + which of its corners is the vertex. Ascending.
+  std::vector<int> corners;       ///< Triangle corners: 3 triangle + which of its corners is the vertex. Ascending.
 
   std::vector<int> placeOf;  ///< [3 T n^2] of each corner, its place in `corners`.
 
   /// As many as a multiple of kMultiple; the vertex itself may be among them.
   [[nodiscard]] std::span<const int> at(int vertex) const {
     const auto v = static_cast<std::size_t>(vertex);
-    return std::span(neighbours)
-        .subspan(static_cast<std::size_t>(begin[v]), static_cast<std::size_t>(begin[v + 1] - begin[v]));
+    return std::span(neighbors).subspan(static_cast<std::size_t>(begin[v]),
+                                        static_cast<std::size_t>(begin[v + 1] - begin[v]));
   }
   [[nodiscard]] std::span<const int> cornersOf(int vertex) const {
     const auto v = static_cast<std::size_t>(vertex);

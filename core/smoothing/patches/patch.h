@@ -21,7 +21,7 @@ void evaluatePatches(PatchKind kind, const ControlMesh& mesh, const Refinement& 
                      std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                      std::span<glm::vec3> outPositions, std::span<glm::vec3> outNormals);
 
-/// Directions of control vertices at all refined vertices: barycentric and renormalised, along an edge from its two
+/// Directions of control vertices at all refined vertices: barycentric and renormalized, along an edge from its two
 /// ends alone. @param control [V] unit.  @param out [V'] unit.
 void interpolateDirections(const ControlMesh& mesh, const Refinement& refinement, std::span<const glm::vec3> control,
                            std::span<glm::vec3> out);

@@ -59,30 +59,30 @@ HWY_INLINE void forEachLanes(std::span<const Piece> pieces, int first, std::size
 }
 
 template <class Patch, class Piece>
-HWY_NOINLINE void evaluateAll(const PatchFrame& frame, std::span<const Piece> pieces, int first) {
+HWY_NOINLINE void evaluateAll(const PatchInputs& inputs, std::span<const Piece> pieces, int first) {
   constexpr std::size_t kCorners = PieceLanes<Piece>::kCorners;
-  const Rows positions(frame.positions);
-  const Rows normals(frame.normals);
-  const Lattice<kCorners> lattice(*frame.refinement);
+  const Rows positions(inputs.positions);
+  const Rows normals(inputs.normals);
+  const Lattice<kCorners> lattice(*inputs.refinement);
   forEachLanes(pieces, first, lattice.count, [&](const PieceLanes<Piece>& lanes, std::size_t place) HWY_ATTR {
     const Ends<kCorners> ends{lanes.corners(positions), lanes.corners(normals)};
     const Patch patch(ends);
     for (std::size_t i = 0; i < lattice.count; ++i) {
       const Point point = patch.at(lattice.at[i]);
-      scatter(point.position, &frame.outPositions[place + i], lattice.count, lanes.used());
-      scatter(point.normal, &frame.outNormals[place + i], lattice.count, lanes.used());
+      scatter(point.position, &inputs.outPositions[place + i], lattice.count, lanes.used());
+      scatter(point.normal, &inputs.outNormals[place + i], lattice.count, lanes.used());
     }
   });
 }
 
 template <class Piece>
-HWY_NOINLINE void interpolate(const DirectionFrame& frame, std::span<const Piece> pieces, int first) {
-  const Rows control(frame.control);
-  const Lattice<PieceLanes<Piece>::kCorners> lattice(*frame.refinement);
+HWY_NOINLINE void interpolate(const DirectionInputs& inputs, std::span<const Piece> pieces, int first) {
+  const Rows control(inputs.control);
+  const Lattice<PieceLanes<Piece>::kCorners> lattice(*inputs.refinement);
   forEachLanes(pieces, first, lattice.count, [&](const PieceLanes<Piece>& lanes, std::size_t place) HWY_ATTR {
     const auto corners = lanes.corners(control);
     for (std::size_t i = 0; i < lattice.count; ++i) {
-      scatter(phongNormal(corners, lattice.at[i]), &frame.out[place + i], lattice.count, lanes.used());
+      scatter(phongNormal(corners, lattice.at[i]), &inputs.out[place + i], lattice.count, lanes.used());
     }
   });
 }
@@ -91,12 +91,12 @@ HWY_NOINLINE void interpolate(const DirectionFrame& frame, std::span<const Piece
 template <class Patch, std::size_t kCorners>
 class Shader {
  public:
-  explicit Shader(const ShadingFrame& frame)
-      : frame_(frame), positions_(frame.positions), normals_(frame.wedgeNormals), lattice_(*frame.refinement) {}
+  explicit Shader(const ShadingInputs& inputs)
+      : inputs_(inputs), positions_(inputs.positions), normals_(inputs.wedgeNormals), lattice_(*inputs.refinement) {}
 
   /// @param first  drawn vertex.
   void add(const std::array<int, kCorners>& wedges, int first) {
-    if (std::ranges::none_of(wedges, [&](int wedge) { return at(frame_.mesh->wedges, wedge).creased; })) return;
+    if (std::ranges::none_of(wedges, [&](int wedge) { return at(inputs_.mesh->wedges, wedge).creased; })) return;
     wedges_[used_] = wedges;
     first_[used_] = toIndex(first);
     if (++used_ == width()) shade();
@@ -113,19 +113,19 @@ class Shader {
     Ends<kCorners> ends;
     for (std::size_t c = 0; c < kCorners; ++c) {
       ends.positions.of[c] =
-          gatherBy([&](std::size_t lane) { return positions_.at(at(frame_.mesh->wedges, wedges_[lane][c]).vertex); });
+          gatherBy([&](std::size_t lane) { return positions_.at(at(inputs_.mesh->wedges, wedges_[lane][c]).vertex); });
       ends.normals.of[c] = gatherBy([&](std::size_t lane) { return normals_.at(wedges_[lane][c]); });
     }
     const Patch patch(ends);
     for (std::size_t i = 0; i < lattice_.count; ++i) {
       scatterTo(
-          patch.at(lattice_.at[i]).normal, [&](std::size_t lane) { return &frame_.outNormals[first_[lane] + i]; },
+          patch.at(lattice_.at[i]).normal, [&](std::size_t lane) { return &inputs_.outNormals[first_[lane] + i]; },
           used_);
     }
     used_ = 0;
   }
 
-  const ShadingFrame& frame_;
+  const ShadingInputs& inputs_;
   Rows positions_;
   Rows normals_;
   Lattice<kCorners> lattice_;
@@ -137,49 +137,49 @@ class Shader {
 /// One kind, by its formulas for edges and for triangles.
 template <class EdgePatch, class TrianglePatch>
 struct Kind {
-  static void evaluate(const PatchFrame& frame) {
-    const Refinement& refinement = *frame.refinement;
-    evaluateAll<EdgePatch, Edge>(frame, frame.mesh->edges, refinement.controlVertices);
-    evaluateAll<TrianglePatch, ControlTriangle>(frame, frame.mesh->triangles, refinement.interiorVertex(0, 0));
+  static void evaluate(const PatchInputs& inputs) {
+    const Refinement& refinement = *inputs.refinement;
+    evaluateAll<EdgePatch, Edge>(inputs, inputs.mesh->edges, refinement.controlVertices);
+    evaluateAll<TrianglePatch, ControlTriangle>(inputs, inputs.mesh->triangles, refinement.interiorVertex(0, 0));
   }
-  static void shade(const ShadingFrame& frame) {
-    const Refinement& refinement = *frame.refinement;
-    Shader<EdgePatch, 2> edges(frame);
+  static void shade(const ShadingInputs& inputs) {
+    const Refinement& refinement = *inputs.refinement;
+    Shader<EdgePatch, 2> edges(inputs);
     for (const DrawnRun& run : refinement.drawRuns) edges.add(run.wedges, run.first);
     edges.finish();
-    Shader<TrianglePatch, 3> triangles(frame);
+    Shader<TrianglePatch, 3> triangles(inputs);
     for (std::size_t t = 0; t < refinement.drawInterior.size(); ++t) {
-      triangles.add(frame.mesh->triangles[t].wedges, refinement.drawInterior[t]);
+      triangles.add(inputs.mesh->triangles[t].wedges, refinement.drawInterior[t]);
     }
     triangles.finish();
   }
 };
 
-void evaluateKind(const PatchFrame& frame) {
-  switch (frame.kind) {
+void evaluateKind(const PatchInputs& inputs) {
+  switch (inputs.kind) {
     case PatchKind::kPn:
-      return Kind<PnEdge, PnTriangle>::evaluate(frame);
+      return Kind<PnEdge, PnTriangle>::evaluate(inputs);
     case PatchKind::kPhong:
-      return Kind<PhongPatch<2>, PhongPatch<3>>::evaluate(frame);
+      return Kind<PhongPatch<2>, PhongPatch<3>>::evaluate(inputs);
     case PatchKind::kSpherigon:
-      return Kind<SpherigonPatch<2>, SpherigonPatch<3>>::evaluate(frame);
+      return Kind<SpherigonPatch<2>, SpherigonPatch<3>>::evaluate(inputs);
     case PatchKind::kFlat:
-      return Kind<FlatPatch<2>, FlatPatch<3>>::evaluate(frame);
+      return Kind<FlatPatch<2>, FlatPatch<3>>::evaluate(inputs);
   }
 }
 
-void interpolateAll(const DirectionFrame& frame) {
-  const Refinement& refinement = *frame.refinement;
-  interpolate<Edge>(frame, frame.mesh->edges, refinement.controlVertices);
-  interpolate<ControlTriangle>(frame, frame.mesh->triangles, refinement.interiorVertex(0, 0));
+void interpolateAll(const DirectionInputs& inputs) {
+  const Refinement& refinement = *inputs.refinement;
+  interpolate<Edge>(inputs, inputs.mesh->edges, refinement.controlVertices);
+  interpolate<ControlTriangle>(inputs, inputs.mesh->triangles, refinement.interiorVertex(0, 0));
 }
 
 /// All but pn have the same normals.
-void shadeKind(const ShadingFrame& frame) {
-  if (frame.kind == PatchKind::kPn) {
-    Kind<PnEdge, PnTriangle>::shade(frame);
+void shadeKind(const ShadingInputs& inputs) {
+  if (inputs.kind == PatchKind::kPn) {
+    Kind<PnEdge, PnTriangle>::shade(inputs);
   } else {
-    Kind<FlatPatch<2>, FlatPatch<3>>::shade(frame);
+    Kind<FlatPatch<2>, FlatPatch<3>>::shade(inputs);
   }
 }
 

@@ -12,7 +12,7 @@
 namespace sinew {
 
 /// The arguments of evaluatePatches (patch.h).
-struct PatchFrame {
+struct PatchInputs {
   PatchKind kind = PatchKind::kPn;
   const ControlMesh* mesh = nullptr;
   const Refinement* refinement = nullptr;
@@ -23,7 +23,7 @@ struct PatchFrame {
 };
 
 /// The arguments of interpolateDirections.
-struct DirectionFrame {
+struct DirectionInputs {
   const ControlMesh* mesh = nullptr;
   const Refinement* refinement = nullptr;
   std::span<const glm::vec3> control;
@@ -31,7 +31,7 @@ struct DirectionFrame {
 };
 
 /// The arguments of evaluateShading; drawn vertices that no creased wedge reaches are left as they are.
-struct ShadingFrame {
+struct ShadingInputs {
   PatchKind kind = PatchKind::kPn;
   const ControlMesh* mesh = nullptr;
   const Refinement* refinement = nullptr;
@@ -43,9 +43,9 @@ struct ShadingFrame {
 /// All fill the vertices on edges and inside triangles; places of control vertices and wedges are left as they are.
 /// Nothing is allocated.
 struct PatchKernels {
-  void (*patches)(const PatchFrame& frame) = nullptr;
-  void (*directions)(const DirectionFrame& frame) = nullptr;
-  void (*shading)(const ShadingFrame& frame) = nullptr;
+  void (*patches)(const PatchInputs& inputs) = nullptr;
+  void (*directions)(const DirectionInputs& inputs) = nullptr;
+  void (*shading)(const ShadingInputs& inputs) = nullptr;
 };
 
 /// All give the same bits.  @param set  not kScalar; one that this machine runs.

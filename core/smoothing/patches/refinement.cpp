@@ -23,6 +23,10 @@ int interiorIndex(int depth, int j, int k) {
   return index;
 }
 
+/// Splits each control triangle into a lattice of n^2 triangles. Vertices on an edge belong to the edge and are
+/// numbered in its own direction, so that the triangles at it share them and cracks cannot open. Vertices as drawn have
+/// texture coordinates and colors besides: they are shared along an edge only where both triangles have the same two
+/// wedges. docs/design.md, Refinement.
 class Builder {
  public:
   Builder(const ControlMesh& mesh, int depth)
@@ -59,7 +63,7 @@ class Builder {
   int addDrawn(int refinedVertex, const glm::vec2& uv, const glm::vec4& color) {
     out_.drawVertex.push_back(refinedVertex);
     out_.drawUv.push_back(uv);
-    // Shares of 1 need not sum to 1 in floats, and glTF allows no colour above 1.
+    // Shares of 1 need not sum to 1 in floats, and glTF allows no color above 1.
     if (colored_) out_.drawColor.push_back(glm::clamp(color, 0.0f, 1.0f));
     return static_cast<int>(out_.drawVertex.size()) - 1;
   }

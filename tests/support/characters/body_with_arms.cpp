@@ -12,8 +12,8 @@
 namespace sinew::test {
 namespace {
 
-constexpr int kTop = 12;       ///< Of the torso, in cells.
-constexpr int kFinColumn = 2;  ///< Of corners on the back.
+constexpr int kTop = 12;       ///< Top of the torso, in cells.
+constexpr int kFinColumn = 2;  ///< Column of corners on the back.
 
 /// Torso x 0..4, y 0..11; arms x -6..-1 and 5..10, y 8..9; all of them z 0..1.
 std::set<Cell> cellsOfBody() {

@@ -86,9 +86,9 @@ void boundaryQuads(const std::set<Cell>& cells, std::vector<Cell>& corners, std:
   for (const Cell& cell : cells) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       for (const int side : {-1, 1}) {
-        Cell neighbour = cell;
-        neighbour[axis] += side;
-        if (cells.count(neighbour) != 0) continue;
+        Cell neighbor = cell;
+        neighbor[axis] += side;
+        if (cells.count(neighbor) != 0) continue;
         const std::size_t u = (axis + 1) % 3;
         const std::size_t v = (axis + 2) % 3;
         std::array<int, 4> quad{};

@@ -33,7 +33,7 @@ using Cell = std::array<int, 3>;
 /// The cells' outer faces as quads over shared corners, outside out.
 void boundaryQuads(const std::set<Cell>& cells, std::vector<Cell>& corners, std::vector<std::array<int, 4>>& quads);
 
-/// Pulls every corner towards its neighbours, a few times: boxes become limbs. In cells.
+/// Pulls every corner towards its neighbors, a few times: boxes become limbs. In cells.
 [[nodiscard]] std::vector<glm::vec3> rounded(const std::vector<Cell>& corners,
                                              const std::vector<std::array<int, 4>>& quads);
 

@@ -9,16 +9,16 @@
 namespace sinew::test {
 
 CarriedOffsets::CarriedOffsets(const Refinement& refinement)
-    : neighbour_(static_cast<std::size_t>(refinement.vertexCount), 0) {
+    : neighbor_(static_cast<std::size_t>(refinement.vertexCount), 0) {
   for (const auto& t : refinement.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) neighbour_[static_cast<std::size_t>(t[i])] = t[(i + 1) % 3];
+    for (std::size_t i = 0; i < 3; ++i) neighbor_[static_cast<std::size_t>(t[i])] = t[(i + 1) % 3];
   }
 }
 
 PatchFrame CarriedOffsets::frame(const Surface& patch, int vertex) const {
   const auto v = static_cast<std::size_t>(vertex);
   const glm::vec3 n = patch.normals[v];
-  const glm::vec3 towards = patch.positions[static_cast<std::size_t>(neighbour_[v])] - patch.positions[v];
+  const glm::vec3 towards = patch.positions[static_cast<std::size_t>(neighbor_[v])] - patch.positions[v];
   const glm::vec3 tangent = normalizeOr(towards - glm::dot(towards, n) * n, {1.0f, 0.0f, 0.0f});
   return {patch.positions[v], glm::mat3(n, tangent, glm::cross(n, tangent))};
 }

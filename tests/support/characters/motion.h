@@ -10,7 +10,7 @@
 
 namespace sinew::test {
 
-/// Axes that ride on the patch at one vertex: the normal, the direction to a neighbour across it, and the third.
+/// Axes that ride on the patch at one vertex: the normal, the direction to a neighbor across it, and the third.
 struct PatchFrame {
   glm::vec3 origin{0.0f};
   glm::mat3 axes{1.0f};  ///< Columns.
@@ -28,7 +28,7 @@ class CarriedOffsets {
   [[nodiscard]] PatchFrame frame(const Surface& patch, int vertex) const;
 
  private:
-  std::vector<int> neighbour_;  ///< [V'] a vertex that shares a small triangle.
+  std::vector<int> neighbor_;  ///< [V'] a vertex that shares a small triangle.
 };
 
 }  // namespace sinew::test

@@ -9,7 +9,7 @@
 namespace sinew::oracle {
 namespace {
 
-constexpr double kTolerance = 1e-4;  // Of H.
+constexpr double kTolerance = 1e-4;  // Fraction of H.
 
 std::string describe(int vertex, const Answer& answer, const Vec& seen, double height) {
   const Vec away = seen - answer.rayOrigin;

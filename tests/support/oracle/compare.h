@@ -26,16 +26,16 @@ struct Stages {
 struct Tally {
   int compared = 0;
   int sought = 0;           ///< The oracle looked for a root there.
-  int far = 0;              ///< Of the sought.
-  int farUnsought = 0;      ///< Of the others, where the surface must be the patch.
-  int anotherRoot = 0;      ///< Of the far: the surface lies on a later root of the same ray.
-  int nearTangent = 0;      ///< Of the far: |phi| < 1e-4 at the surface, a root that rounding makes or unmakes.
-  int unexplained = 0;      ///< Of the far: neither.
+  int far = 0;              ///< Sought ones away from the oracle's surface.
+  int farUnsought = 0;      ///< The same among the others, where the surface must be the patch.
+  int anotherRoot = 0;      ///< Far ones whose surface lies on a later root of the same ray.
+  int nearTangent = 0;      ///< Far ones with |phi| < 1e-4 at the surface, a root that rounding makes or unmakes.
+  int unexplained = 0;      ///< Far ones of neither kind.
   int guarded = 0;          ///< The finisher moves it out of a fold.
-  int guardOff = 0;         ///< Of those: the surface is more than 1e-4 H from the finisher's position.
-  int shadingOff = 0;       ///< Of all: the surface's normal is more than 1 degree from the finisher's.
+  int guardOff = 0;         ///< Guarded ones more than 1e-4 H from the finisher's position.
+  int shadingOff = 0;       ///< Vertices whose normal is more than 1 degree from the finisher's.
   int normalsOff = 0;       ///< Field normals more than 1 degree from the oracle's, among the sought that are not far.
-  int normalsOnCrease = 0;  ///< Of those: two cliques tie there, so the gradient jumps.
+  int normalsOnCrease = 0;  ///< Those where two cliques tie, so the gradient jumps.
   double worstShading = 0.0;  ///< Degrees: largest angle of the surface's normal to the finisher's.
   double worst = 0.0;         ///< Largest distance among those not far, fractions of H.
   std::string firstFar;       ///< The first unexplained one, or else the first far one, in words.

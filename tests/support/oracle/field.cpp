@@ -72,7 +72,7 @@ Vec slopeInUnit(const Shape& shape, double reach, const Vec& inUnit) {
   return {along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1})};
 }
 
-/// Of a ball around the middle of unit space that holds a shape's influence.
+/// Radius of a ball around the middle of unit space that contains a shape's influence.
 double ballInUnit(const Shape& shape, double reach) {
   const auto kappa = static_cast<double>(shape.core);
   const double end = kappa + reach * (1.0 - kappa);

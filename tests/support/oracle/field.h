@@ -29,7 +29,7 @@ class Field {
   /// m_i(v) of a control vertex.
   [[nodiscard]] std::vector<double> territoryWeights(int vertex) const;
   [[nodiscard]] double value(const Vec& point, std::span<const double> weights) const;
-  /// Of the clique that wins at the point.
+  /// Gradient of the clique that is the maximum at the point.
   [[nodiscard]] Vec gradient(const Vec& point, std::span<const double> weights) const;
   /// By how much the best clique's positive part leads the best clique with another one; 0 on a crease.
   [[nodiscard]] double lead(const Vec& point, std::span<const double> weights) const;
@@ -71,7 +71,7 @@ class Field {
     int bone = 0;
     int group = 0;
     Vec centerInBone;
-    Mat unitToBone;  ///< Unit ball -> influence ellipsoid about its centre, bone space.
+    Mat unitToBone;  ///< Unit ball -> influence ellipsoid about its center, bone space.
     Shape shape;
     double reach = 1.0;
     double strength = 1.0;
@@ -80,7 +80,7 @@ class Field {
     // Posed:
     Vec center;
     Mat toUnit;
-    double meanRadius = 0.0;  ///< Of the ball with the visible ellipsoid's volume.
+    double meanRadius = 0.0;  ///< Radius of the ball with the visible ellipsoid's volume.
     bool flat = false;
   };
 

@@ -67,12 +67,12 @@ struct Folds {
   }
 };
 
-using Neighbours = std::vector<std::vector<std::size_t>>;
+using Neighbors = std::vector<std::vector<std::size_t>>;
 
-/// The other corners of the triangles around each vertex: a neighbour counts once for every triangle it shares, so that
-/// neighbours along a border count half.
-Neighbours neighboursOf(const Triangles& triangles, std::size_t count) {
-  Neighbours out(count);
+/// The other corners of the triangles around each vertex: a neighbor counts once for every triangle it shares, so that
+/// neighbors along a border count half.
+Neighbors neighborsOf(const Triangles& triangles, std::size_t count) {
+  Neighbors out(count);
   for (const auto& t : triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
       out[index(t[i])].push_back(index(t[(i + 1) % 3]));
@@ -82,23 +82,23 @@ Neighbours neighboursOf(const Triangles& triangles, std::size_t count) {
   return out;
 }
 
-/// Inside, every neighbour is met twice, or more often where more than two triangles meet.
-std::vector<bool> bordersOf(const Neighbours& neighbours) {
+/// Inside, every neighbor is met twice, or more often where more than two triangles meet.
+std::vector<bool> bordersOf(const Neighbors& neighbors) {
   std::vector<bool> out;
-  for (const std::vector<std::size_t>& around : neighbours) {
+  for (const std::vector<std::size_t>& around : neighbors) {
     out.push_back(std::ranges::any_of(around, [&](std::size_t u) { return std::ranges::count(around, u) == 1; }));
   }
   return out;
 }
 
-/// Mean over the neighbours less the value itself.
-std::vector<Vec> laplacian(const Neighbours& neighbours, const std::vector<Vec>& values) {
+/// Mean over the neighbors less the value itself.
+std::vector<Vec> laplacian(const Neighbors& neighbors, const std::vector<Vec>& values) {
   std::vector<Vec> out(values.size());
   for (std::size_t v = 0; v < values.size(); ++v) {
-    if (neighbours[v].empty()) continue;
+    if (neighbors[v].empty()) continue;
     Vec sum;
-    for (const std::size_t u : neighbours[v]) sum = sum + values[u];
-    out[v] = (1.0 / static_cast<double>(neighbours[v].size())) * sum - values[v];
+    for (const std::size_t u : neighbors[v]) sum = sum + values[u];
+    out[v] = (1.0 / static_cast<double>(neighbors[v].size())) * sum - values[v];
   }
   return out;
 }
@@ -110,8 +110,8 @@ Vec held(const Vec& start, const Vec& patch, const Vec& to) {
 }
 
 /// @param start  positions of the first round: no vertex goes further from there than muscles have moved it.
-void relaxFolds(const Folds& folds, const Neighbours& neighbours, const std::vector<Vec>& start, std::vector<Vec>& at) {
-  const std::vector<bool> borders = bordersOf(neighbours);
+void relaxFolds(const Folds& folds, const Neighbors& neighbors, const std::vector<Vec>& start, std::vector<Vec>& at) {
+  const std::vector<bool> borders = bordersOf(neighbors);
   std::vector<double> weights(at.size(), 0.0);
   for (int round = 0; round < 16; ++round) {
     for (double& weight : weights) weight = std::max(0.0, weight - 0.25);
@@ -121,7 +121,7 @@ void relaxFolds(const Folds& folds, const Neighbours& neighbours, const std::vec
       const double weight = folds.trustIn(i) * (1.0 - smoothstep(0.0, kRelaxedArea, *q));
       for (const int v : folds.triangles[i]) weights[index(v)] = std::max(weights[index(v)], weight);
     }
-    const std::vector<Vec> towardsMean = laplacian(neighbours, at);
+    const std::vector<Vec> towardsMean = laplacian(neighbors, at);
     for (std::size_t v = 0; v < at.size(); ++v) {
       if (borders[v] || weights[v] == 0.0) continue;
       at[v] = held(start[v], folds.patch[v], at[v] + weights[v] * towardsMean[v]);
@@ -144,9 +144,8 @@ std::array<Vec, 3> spreadOf(const Folds& folds, std::size_t i, double q, const s
   return gradients;
 }
 
-void spreadFolds(const Folds& folds, const Neighbours& neighbours, const std::vector<Vec>& start,
-                 std::vector<Vec>& at) {
-  const std::vector<bool> borders = bordersOf(neighbours);
+void spreadFolds(const Folds& folds, const Neighbors& neighbors, const std::vector<Vec>& start, std::vector<Vec>& at) {
+  const std::vector<bool> borders = bordersOf(neighbors);
   for (int round = 0; round < 24; ++round) {
     std::vector<double> weights(at.size(), 0.0);
     std::vector<Vec> ways(at.size());
@@ -198,14 +197,14 @@ Vec turnOf(const Vec& v, const Vec& from, const Vec& to) {
   return share * (turned - v) + (1.0 - share) * difference;
 }
 
-/// How far each vertex's height is from what edges can follow, 0..1, and at least that of each neighbour.
+/// How far each vertex's height is from what edges can follow, 0..1, and at least that of each neighbor.
 struct Sampling {
   std::vector<double> weights;
   std::vector<double> heights;  ///< Filtered.
 };
 
 Sampling filterHeights(const Triangles& triangles, const std::vector<Vec>& patch, const std::vector<float>& raw) {
-  const Neighbours neighbours = neighboursOf(triangles, patch.size());
+  const Neighbors neighbors = neighborsOf(triangles, patch.size());
   const auto perLength = [&](std::size_t v, std::size_t u) {
     const double apart = length(patch[u] - patch[v]);
     return apart > 0.0 ? 1.0 / apart : 0.0;
@@ -215,7 +214,7 @@ Sampling filterHeights(const Triangles& triangles, const std::vector<Vec>& patch
   const auto towardsMean = [&](std::size_t v, double& sum) {
     double difference = 0.0;
     sum = 0.0;
-    for (const std::size_t u : neighbours[v]) {
+    for (const std::size_t u : neighbors[v]) {
       sum += perLength(v, u);
       difference += perLength(v, u) * (out.heights[u] - out.heights[v]);
     }
@@ -224,10 +223,10 @@ Sampling filterHeights(const Triangles& triangles, const std::vector<Vec>& patch
   for (std::size_t v = 0; v < raw.size(); ++v) {
     double sum = 0.0;
     const double bend = std::abs(towardsMean(v, sum));
-    if (start[v] == 0.0 || neighbours[v].empty()) continue;
-    const double weight = smoothstep(0.15, 0.5, bend * sum / static_cast<double>(neighbours[v].size()));
+    if (start[v] == 0.0 || neighbors[v].empty()) continue;
+    const double weight = smoothstep(0.15, 0.5, bend * sum / static_cast<double>(neighbors[v].size()));
     out.weights[v] = std::max(out.weights[v], weight);
-    for (const std::size_t u : neighbours[v]) out.weights[u] = std::max(out.weights[u], weight);
+    for (const std::size_t u : neighbors[v]) out.weights[u] = std::max(out.weights[u], weight);
   }
   for (int round = 0; round < 4; ++round) {
     std::vector<double> next = out.heights;
@@ -241,23 +240,23 @@ Sampling filterHeights(const Triangles& triangles, const std::vector<Vec>& patch
   return out;
 }
 
-/// w of the largest difference to a neighbour's delta, of the larger of the vertex's own delta and delta', and of how
+/// w of the largest difference to a neighbor's delta, of the larger of the vertex's own delta and delta', and of how
 /// much its height was filtered.
 double toothWeight(double difference, double own, double filtered) {
-  const double betweenNeighbours =
+  const double betweenNeighbors =
       smoothstep(0.22, 0.45, difference) * (1.0 - (1.0 - filtered) * smoothstep(0.45, 0.8, difference));
-  return 0.23 * betweenNeighbours * smoothstep(0.0, 0.1, own);
+  return 0.23 * betweenNeighbors * smoothstep(0.0, 0.1, own);
 }
 
 /// @param turns  of each vertex: the larger of its delta' and of its delta before it was held to the faces.
 void removeTeeth(const Triangles& triangles, const std::vector<double>& turns, const std::vector<double>& filtered,
                  std::vector<Vec>& deltas) {
-  const Neighbours neighbours = neighboursOf(triangles, deltas.size());
-  const std::vector<Vec> squared = laplacian(neighbours, laplacian(neighbours, deltas));
+  const Neighbors neighbors = neighborsOf(triangles, deltas.size());
+  const std::vector<Vec> squared = laplacian(neighbors, laplacian(neighbors, deltas));
   std::vector<Vec> out = deltas;
   for (std::size_t v = 0; v < deltas.size(); ++v) {
     double difference = 0.0;
-    for (const std::size_t u : neighbours[v]) difference = std::max(difference, length(deltas[u] - deltas[v]));
+    for (const std::size_t u : neighbors[v]) difference = std::max(difference, length(deltas[u] - deltas[v]));
     out[v] = deltas[v] - toothWeight(difference, turns[v], filtered[v]) * squared[v];
   }
   deltas = out;
@@ -284,10 +283,10 @@ Finished finish(const Surface& bindPatch, const Surface& patch, const Surface& r
     if (height == 0.0 || sampling.heights[v] == height) continue;
     out.positions[v] = patchPositions[v] + (sampling.heights[v] / height) * (projected[v] - patchPositions[v]);
   }
-  const Neighbours neighbours = neighboursOf(triangles, projected.size());
+  const Neighbors neighbors = neighborsOf(triangles, projected.size());
   const std::vector<Vec> start = out.positions;
-  relaxFolds(folds, neighbours, start, out.positions);
-  spreadFolds(folds, neighbours, start, out.positions);
+  relaxFolds(folds, neighbors, start, out.positions);
+  spreadFolds(folds, neighbors, start, out.positions);
   for (std::size_t v = 0; v < projected.size(); ++v) {
     out.guarded.push_back(length(out.positions[v] - projected[v]) > 0.0);
   }

@@ -21,7 +21,7 @@ struct Finished {
 /// shading.  @param swells  heights are filtered.
 Finished finish(const Surface& bindPatch, const Surface& patch, const Surface& raw, bool swells);
 
-/// Of a body that muscles wrap, under `replace`: what projection made stands.
+/// The surface of a body that muscles wrap, under `replace`: the projection's result as it is.
 Finished unfinished(const Surface& raw);
 
 }  // namespace sinew::oracle

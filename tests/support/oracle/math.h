@@ -43,7 +43,7 @@ double determinant(const Mat& m);
 Mat cofactors(const Mat& m);
 /// The determinant must not be 0.
 Mat inverse(const Mat& m);
-/// Of a quaternion of any length but 0.
+/// Rotation by a quaternion of any length but 0.
 Mat rotation(const glm::quat& q);
 
 /// x -> linear x + offset.

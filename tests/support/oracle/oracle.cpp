@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kSteps = 2400;
 constexpr int kOtherRoots = 8;
-constexpr double kRise = 0.1;         ///< Of H: what an edge should allow.
+constexpr double kRise = 0.1;         ///< Fraction of H that an edge should allow.
 constexpr double kLeastCosine = 0.2;  ///< n . d counts as at least this.
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }

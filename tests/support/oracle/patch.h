@@ -26,7 +26,7 @@ bool knowsPatch(PatchKind kind);
 /// alpha 3/4, interpolated normal. `flat`: barycentric position and normal.
 PatchPoint patchPoint(PatchKind kind, const Corners& corners, const std::array<double, 3>& barycentric);
 
-/// Barycentric position and renormalised barycentric normal.
+/// Barycentric position and renormalized barycentric normal.
 PatchPoint flatPoint(const Corners& corners, const std::array<double, 3>& barycentric);
 
 }  // namespace sinew::oracle

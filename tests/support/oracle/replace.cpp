@@ -10,7 +10,7 @@
 namespace sinew::oracle {
 namespace {
 
-constexpr int kSteps = 2400;   ///< Of the brute-force search.
+constexpr int kSteps = 2400;   ///< Steps of the brute-force search.
 constexpr int kStretches = 8;  ///< More than any test lays behind each other.
 // docs/design.md, "Replace: the paper's method"; the number is that of the step there.
 constexpr double kWrapped = 0.7;             ///< 0: "for 70 % of the control vertices inside the region of influence".

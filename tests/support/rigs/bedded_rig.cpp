@@ -15,7 +15,7 @@ namespace {
 constexpr float kOwnSkin = 0.9f;     ///< Weight on its bone from which skin is its own.
 constexpr float kLeastRoom = 0.03f;  ///< Fractions of H.
 constexpr float kDeepest = 0.04f;
-constexpr float kBedded = 0.7f;  ///< Of its thickness, how deep its middle lies.
+constexpr float kBedded = 0.7f;  ///< Depth of its middle, fraction of its thickness.
 
 /// The vertex's weight on one bone.
 float weightOn(const Character& character, int vertex, int bone) {

@@ -26,17 +26,17 @@ class Random {
 struct RigRecipe {
   int primitives = 5;
   int groups = 3;           ///< 1..8
-  float linkChance = 0.4f;  ///< Of each pair of groups.
+  float linkChance = 0.4f;  ///< Chance of each pair of groups to be linked.
   float carveChance = 0.15f;
   float radiusLow = 0.03f;  ///< Fractions of H.
   float radiusHigh = 0.10f;
-  float shapedChance = 0.0f;  ///< Of a primitive to be no ellipsoid.
+  float shapedChance = 0.0f;  ///< Chance of a primitive to be no ellipsoid.
 };
 
 /// Any shape that is legal for a reach; plain ones, straight ones and untapered ones among them.
 [[nodiscard]] Shape randomShape(Random& random, float reach);
 
-/// Ellipsoids as a designer might set them: centres a little under or over the skin of random bones, any orientation,
+/// Ellipsoids as a designer might set them: centers a little under or over the skin of random bones, any orientation,
 /// reach 1.2 to 2; default territories but for a few.
 [[nodiscard]] Rig randomRig(const Character& character, const RigRecipe& recipe, std::uint64_t seed);
 
@@ -44,7 +44,7 @@ struct RigRecipe {
 /// bind pose.
 [[nodiscard]] Pose randomPose(const Skeleton& skeleton, float angle, float stretch, std::uint64_t seed);
 
-/// One ellipsoid of the given radii (character units) on a bone, centred at a bind-pose point in the world.
+/// One ellipsoid of the given radii (character units) on a bone, centered at a bind-pose point in the world.
 [[nodiscard]] Primitive ellipsoidAt(const Character& character, const std::string& name, const std::string& bone,
                                     const std::string& group, const glm::vec3& centerInBindWorld,
                                     const glm::vec3& radii);

@@ -9,9 +9,9 @@
 
 namespace sinew::test {
 
-constexpr float kFarStep = 0.01f;  ///< Of H, a frame of 1/60 s: what counts as far.
+constexpr float kFarStep = 0.01f;  ///< Fraction of H in a frame of 1/60 s that counts as far.
 
-/// Of several that apply, the first.
+/// The first of those that apply.
 enum class StepCause {
   kFolds,        ///< The removal of folds moved the vertex further than its projection did.
   kCrossing,     ///< `replace`: the skin passed the surface F = T.
@@ -29,11 +29,11 @@ enum class StepCause {
 
 /// One vertex between two frames.
 struct Step {
-  float size = 0.0f;  ///< Of H, in the frame that rides on the patch.
+  float size = 0.0f;  ///< Fraction of H, in the frame that rides on the patch.
   int vertex = 0;
   std::string clip;
-  float time = 0.0f;    ///< Of the later frame.
-  std::string details;  ///< Of far steps: numbers for whoever looks into it.
+  float time = 0.0f;    ///< Time of the later frame.
+  std::string details;  ///< Numbers of far steps, to look into them.
 };
 
 struct FarSteps {

@@ -18,7 +18,7 @@ struct EdgeCensus {
   int triangles = 0;
   int borderEdges = 0;        ///< In one triangle.
   int crowdedEdges = 0;       ///< In more than two.
-  int inconsistentEdges = 0;  ///< Run twice in the same direction: neighbours that disagree about the outside.
+  int inconsistentEdges = 0;  ///< Run twice in the same direction: neighbors that disagree about the outside.
   [[nodiscard]] int euler() const { return vertices - edges + triangles; }
 };
 

@@ -181,62 +181,62 @@ class Inside {
   const Refinement& refinement_;
 };
 
-void evaluate(const PatchFrame& frame) {
-  const Refinement& refinement = *frame.refinement;
-  const auto corner = [&](int vertex) { return Corner{at(frame.positions, vertex), at(frame.normals, vertex)}; };
+void evaluate(const PatchInputs& inputs) {
+  const Refinement& refinement = *inputs.refinement;
+  const auto corner = [&](int vertex) { return Corner{at(inputs.positions, vertex), at(inputs.normals, vertex)}; };
   const auto store = [&](int vertex, const Point& result) {
-    at(frame.outPositions, vertex) = result.position;
-    at(frame.outNormals, vertex) = result.normal;
+    at(inputs.outPositions, vertex) = result.position;
+    at(inputs.outNormals, vertex) = result.normal;
   };
   const float n = static_cast<float>(refinement.depth);
 
   for (int e = 0; e < refinement.controlEdges && refinement.edgeVertices > 0; ++e) {
-    const auto& ends = at(frame.mesh->edges, e).vertices;
+    const auto& ends = at(inputs.mesh->edges, e).vertices;
     const Corner a = corner(ends[0]);
     const Corner b = corner(ends[1]);
     for (int step = 1; step < refinement.depth; ++step) {
-      store(refinement.edgeVertex(e, step), edgePoint(frame.kind, a, b, static_cast<float>(step) / n));
+      store(refinement.edgeVertex(e, step), edgePoint(inputs.kind, a, b, static_cast<float>(step) / n));
     }
   }
 
-  for (std::size_t t = 0; t < frame.mesh->triangles.size() && refinement.interiorVertices > 0; ++t) {
-    const auto& vertices = frame.mesh->triangles[t].vertices;
-    const Inside inside(frame.kind, {{corner(vertices[0]), corner(vertices[1]), corner(vertices[2])}, 3}, refinement);
+  for (std::size_t t = 0; t < inputs.mesh->triangles.size() && refinement.interiorVertices > 0; ++t) {
+    const auto& vertices = inputs.mesh->triangles[t].vertices;
+    const Inside inside(inputs.kind, {{corner(vertices[0]), corner(vertices[1]), corner(vertices[2])}, 3}, refinement);
     for (int i = 0; i < refinement.interiorVertices; ++i) {
       store(refinement.interiorVertex(static_cast<int>(t), i), inside.point(i));
     }
   }
 }
 
-void interpolate(const DirectionFrame& frame) {
-  const Refinement& refinement = *frame.refinement;
-  const auto corner = [&](int vertex) { return Corner{glm::vec3(0.0f), at(frame.control, vertex)}; };
+void interpolate(const DirectionInputs& inputs) {
+  const Refinement& refinement = *inputs.refinement;
+  const auto corner = [&](int vertex) { return Corner{glm::vec3(0.0f), at(inputs.control, vertex)}; };
   const float n = static_cast<float>(refinement.depth);
   for (int e = 0; e < refinement.controlEdges && refinement.edgeVertices > 0; ++e) {
-    const auto& ends = at(frame.mesh->edges, e).vertices;
+    const auto& ends = at(inputs.mesh->edges, e).vertices;
     const Corners corners{{corner(ends[0]), corner(ends[1]), Corner{}}, 2};
     for (int step = 1; step < refinement.depth; ++step) {
       const float w = static_cast<float>(step) / n;
-      at(frame.out, refinement.edgeVertex(e, step)) = phongNormal(corners, {1.0f - w, w, 0.0f});
+      at(inputs.out, refinement.edgeVertex(e, step)) = phongNormal(corners, {1.0f - w, w, 0.0f});
     }
   }
-  for (std::size_t t = 0; t < frame.mesh->triangles.size() && refinement.interiorVertices > 0; ++t) {
-    const auto& vertices = frame.mesh->triangles[t].vertices;
+  for (std::size_t t = 0; t < inputs.mesh->triangles.size() && refinement.interiorVertices > 0; ++t) {
+    const auto& vertices = inputs.mesh->triangles[t].vertices;
     const Corners corners{{corner(vertices[0]), corner(vertices[1]), corner(vertices[2])}, 3};
     for (int i = 0; i < refinement.interiorVertices; ++i) {
-      at(frame.out, refinement.interiorVertex(static_cast<int>(t), i)) =
+      at(inputs.out, refinement.interiorVertex(static_cast<int>(t), i)) =
           phongNormal(corners, insideWeights(refinement, i));
     }
   }
 }
 
-void shade(const ShadingFrame& frame) {
-  const ControlMesh& mesh = *frame.mesh;
-  const Refinement& refinement = *frame.refinement;
+void shade(const ShadingInputs& inputs) {
+  const ControlMesh& mesh = *inputs.mesh;
+  const Refinement& refinement = *inputs.refinement;
   const auto isCreased = [&](int wedge) { return at(mesh.wedges, wedge).creased; };
   const auto corner = [&](int wedge) {
     const auto w = static_cast<std::size_t>(wedge);
-    return Corner{at(frame.positions, mesh.wedges[w].vertex), frame.wedgeNormals[w]};
+    return Corner{at(inputs.positions, mesh.wedges[w].vertex), inputs.wedgeNormals[w]};
   };
   const float n = static_cast<float>(refinement.depth);
 
@@ -245,17 +245,17 @@ void shade(const ShadingFrame& frame) {
     const Corner a = corner(run.wedges[0]);
     const Corner b = corner(run.wedges[1]);
     for (int step = 1; step < refinement.depth; ++step) {
-      const glm::vec3 normal = edgePoint(frame.kind, a, b, static_cast<float>(step) / n).normal;
-      at(frame.outNormals, run.first + step - 1) = normal;
+      const glm::vec3 normal = edgePoint(inputs.kind, a, b, static_cast<float>(step) / n).normal;
+      at(inputs.outNormals, run.first + step - 1) = normal;
     }
   }
 
   for (std::size_t t = 0; t < refinement.drawInterior.size(); ++t) {
     const auto& wedges = mesh.triangles[t].wedges;
     if (std::ranges::none_of(wedges, isCreased)) continue;
-    const Inside inside(frame.kind, {{corner(wedges[0]), corner(wedges[1]), corner(wedges[2])}, 3}, refinement);
+    const Inside inside(inputs.kind, {{corner(wedges[0]), corner(wedges[1]), corner(wedges[2])}, 3}, refinement);
     for (int i = 0; i < refinement.interiorVertices; ++i) {
-      at(frame.outNormals, refinement.drawInterior[t] + i) = inside.point(i).normal;
+      at(inputs.outNormals, refinement.drawInterior[t] + i) = inside.point(i).normal;
     }
   }
 }

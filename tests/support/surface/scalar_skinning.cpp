@@ -19,20 +19,20 @@ glm::vec3 carry(const glm::vec3& direction, const glm::mat4& matrix) {
   return normalizeOr(normalMatrix(glm::mat3(matrix)) * direction, direction);
 }
 
-void skinVertices(const SkinFrame& frame) {
-  for (std::size_t v = 0; v < frame.directions.size(); ++v) {
-    const glm::mat4 matrix = blend(*frame.mesh, frame.matrices, static_cast<int>(v));
-    if (!frame.outPositions.empty()) {
-      frame.outPositions[v] = glm::vec3(matrix * glm::vec4(frame.mesh->positions[v], 1.0f));
+void skinVertices(const SkinInputs& inputs) {
+  for (std::size_t v = 0; v < inputs.directions.size(); ++v) {
+    const glm::mat4 matrix = blend(*inputs.mesh, inputs.matrices, static_cast<int>(v));
+    if (!inputs.outPositions.empty()) {
+      inputs.outPositions[v] = glm::vec3(matrix * glm::vec4(inputs.mesh->positions[v], 1.0f));
     }
-    frame.outDirections[v] = carry(frame.directions[v], matrix);
+    inputs.outDirections[v] = carry(inputs.directions[v], matrix);
   }
 }
 
-void skinWedges(const WedgeFrame& frame) {
-  for (std::size_t w = 0; w < frame.wedges.size(); ++w) {
-    const Wedge& wedge = frame.wedges[w];
-    if (wedge.creased) frame.out[w] = carry(wedge.normal, blend(*frame.mesh, frame.matrices, wedge.vertex));
+void skinWedges(const WedgeInputs& inputs) {
+  for (std::size_t w = 0; w < inputs.wedges.size(); ++w) {
+    const Wedge& wedge = inputs.wedges[w];
+    if (wedge.creased) inputs.out[w] = carry(wedge.normal, blend(*inputs.mesh, inputs.matrices, wedge.vertex));
   }
 }
 

@@ -9,10 +9,10 @@ namespace sinew::test {
 /// the field's own normals.
 struct SkinMetrics {
   long long vertices = 0;  ///< Moved by the muscles.
-  long long off = 0;  ///< Of those: the shading normal is 10 degrees further from the faces' than the patch's own is.
+  long long off = 0;       ///< Shading normal 10 degrees further from the faces' than the patch's own is.
   long long exactOff = 0;
   long long edges = 0;     ///< At moved vertices.
-  long long swinging = 0;  ///< Of those: the shading normals turn 10 degrees more than the faces' and the patch's do.
+  long long swinging = 0;  ///< Edges whose shading normals turn 10 degrees more than the faces' and the patch's do.
   long long exactSwinging = 0;
   long long swingingAtAll = 0;  ///< ... than the faces' alone: a coarse patch does so without muscles.
   long long triangles = 0;      ///< All.

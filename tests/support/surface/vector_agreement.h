@@ -10,7 +10,7 @@
 
 namespace sinew::test {
 
-inline constexpr double kAgreement = 1e-4;  ///< Of H: what docs/design.md promises.
+inline constexpr double kAgreement = 1e-4;  ///< Fraction of H that docs/design.md promises.
 inline constexpr double kAim = 1e-6;
 
 struct Agreement {
@@ -18,7 +18,7 @@ struct Agreement {
   int uncertified = 0;
   int far = 0;         ///< Beyond kAgreement.
   int beyondAim = 0;   ///< Beyond kAim.
-  double worst = 0.0;  ///< Of H.
+  double worst = 0.0;  ///< Fraction of H.
   double worstNormal = 0.0;
 
   [[nodiscard]] double uncertifiedShare() const {

@@ -17,7 +17,7 @@ class ThreadLimit {
   int before_ = 0;
 };
 
-/// Of calls from this thread: the cores that the process may use, its limit at most.
+/// Threads of calls from this thread: the cores that the process may use, at most this thread's limit.
 [[nodiscard]] int threadCount();
 
 }  // namespace sinew

@@ -28,7 +28,7 @@ struct Texture {
 
 enum class AlphaMode { kOpaque, kMask, kBlend };
 
-/// The part of glTF's metallic-roughness model that Sinew draws. Colours linear. The base colour is baseColor * texture
+/// The part of glTF's metallic-roughness model that Sinew draws. Colors linear. The base color is baseColor * texture
 /// * Wedge::color.
 struct Material {
   std::string name;

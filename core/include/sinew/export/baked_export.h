@@ -45,7 +45,7 @@ struct BakedExportReport {
 /// inputs give the same bytes.
 /// @param character  as importGltf(characterFile) gave it; for baked points it may have clips of its own at the end
 /// Error: unknown clip, an invalid rig, a bound that floats or singular poses do not allow, too many frames or more
-/// than a file holds, a file cannot be written, or cancelled. Muscles whose bone is missing are left out. Never throws.
+/// than a file holds, a file cannot be written, or canceled. Muscles whose bone is missing are left out. Never throws.
 [[nodiscard]] Result<BakedExportReport> exportBaked(const std::filesystem::path& characterFile,
                                                     const std::shared_ptr<const Character>& character, const Rig& rig,
                                                     const BakedExportSettings& settings,

@@ -7,9 +7,9 @@
 namespace sinew {
 
 /// Called on the exporting thread with the share that is done, 0..1, never falling. False cancels: nothing is written,
-/// and the export returns an error whose reason is kCancelled. Empty: nobody wants to know.
+/// and the export returns an error whose reason is kCanceled. Empty: nobody wants to know.
 using ExportProgress = std::function<bool(double share)>;
 
-inline constexpr std::string_view kCancelled = "cancelled";
+inline constexpr std::string_view kCanceled = "cancelled";
 
 }  // namespace sinew

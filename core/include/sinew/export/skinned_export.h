@@ -90,7 +90,7 @@ struct SkinnedExportReport {
 /// @param moving     the same character, with the clips that weights are also fitted to (the range of motion) at the
 ///                   end of its own.
 /// Error: the file is no longer what `character` was imported from, unknown clip, clips of more than an hour together,
-/// an invalid rig, more than a .glb holds, a file cannot be written, or cancelled. Muscles whose bone is missing are
+/// an invalid rig, more than a .glb holds, a file cannot be written, or canceled. Muscles whose bone is missing are
 /// left out (core/rig/attachment.h, missingBones). Never throws.
 [[nodiscard]] Result<SkinnedExportReport> exportSkinned(const std::filesystem::path& characterFile,
                                                         const std::shared_ptr<const Character>& character,

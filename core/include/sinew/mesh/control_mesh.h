@@ -15,12 +15,12 @@ struct Influence {
   float weight = 0.0f;
 };
 
-/// A corner as drawn: one geometric vertex with its own texture coordinate and colour and, at creases, its own normal.
-/// Seams, colours and creases split wedges, never vertices.
+/// A corner as drawn: one geometric vertex with its own texture coordinate and color and, at creases, its own normal.
+/// Seams, colors and creases split wedges, never vertices.
 struct Wedge {
   int vertex = 0;
   glm::vec2 uv{0.0f};
-  glm::vec4 color{1.0f};  ///< Vertex colour, linear RGBA, 0..1: a factor on the material's base colour.
+  glm::vec4 color{1.0f};  ///< Vertex color, linear RGBA, 0..1: a factor on the material's base color.
   bool creased = false;   ///< Shaded with `normal`, not with the vertex's. Made by creased (mesh/creases.h).
   glm::vec3 normal{0.0f, 1.0f, 0.0f};  ///< Bind pose, unit; read only where creased.
 };
@@ -58,7 +58,7 @@ struct ControlMesh {
   }
 };
 
-/// Whether any wedge has a colour other than white.
+/// Whether any wedge has a color other than white.
 [[nodiscard]] bool hasColors(const ControlMesh& mesh);
 
 }  // namespace sinew

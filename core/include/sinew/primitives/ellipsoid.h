@@ -34,7 +34,7 @@ struct RayQuadratic {
 enum class UnitForm : std::uint8_t { kEllipsoid, kSphere, kShape };
 
 /// An influence in the world as the affine map that takes an ellipsoid's to the unit ball, |toUnit (x - center)| < 1
-/// inside, and any other's to its unit space. Centre and map are kept apart: x^T Q x about a far origin would cancel.
+/// inside, and any other's to its unit space. Center and map are kept apart: x^T Q x about a far origin would cancel.
 struct UnitBallMap {
   glm::mat3 toUnit{1.0f};
   glm::vec3 center{0.0f};       ///< World.
@@ -44,7 +44,7 @@ struct UnitBallMap {
   float inverseRadius = 0.0f;
   float meanRadius = 0.0f;  ///< World: of the ball with the visible body's volume, times the reach.
   UnitForm form = UnitForm::kEllipsoid;
-  UnitShape shape{};  ///< Of kShape.
+  UnitShape shape{};  ///< Where form is kShape.
 
   /// An ellipsoid or a sphere.
   [[nodiscard]] bool isPlain() const { return form != UnitForm::kShape; }

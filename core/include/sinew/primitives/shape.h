@@ -58,7 +58,7 @@ struct UnitShape {
   float inverseEnd = 1.0f;  ///< 1 / e
   glm::vec3 low{-1.0f};     ///< A box around the influence.
   glm::vec3 high{1.0f};
-  float meanRadius = 1.0f;  ///< Of the ball with the visible body's volume, over that of the ellipsoid's.
+  float meanRadius = 1.0f;  ///< Radius of the ball with the visible body's volume, over that of the ellipsoid's.
 
   /// r^2 at a point: < 1 inside the influence.
   template <class Vec>

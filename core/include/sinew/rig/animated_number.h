@@ -27,7 +27,7 @@ struct Curve {
 };
 
 inline constexpr std::size_t kMostDriverPoints = 16;
-inline constexpr std::size_t kMostKeys = 10000;  ///< Of one track.
+inline constexpr std::size_t kMostKeys = 10000;  ///< In one track.
 
 /// Values over the time of a clip.
 struct KeyTrack {
@@ -90,7 +90,7 @@ struct Driver {
 /// What changes one number of its owner. The value is the keyed one where the clip has keys, else the owner's number;
 /// drivers join it in order; the result is brought into the parameter's range.
 struct AnimatedNumber {
-  Parameter parameter = Parameter::kAmount;  ///< Of the owner's kind; one entry a parameter.
+  Parameter parameter = Parameter::kAmount;  ///< A parameter of the owner's kind; one entry each.
   std::vector<KeyTrack> keys;                ///< One a clip.
   std::vector<Driver> drivers;
   std::string unknownKeys;

@@ -13,7 +13,7 @@ struct LineSettings;
 struct SurfaceSettings;
 
 enum class Parameter {
-  // Of a primitive.
+  // A primitive's.
   kAmount,
   kCenterX,
   kCenterY,
@@ -23,13 +23,13 @@ enum class Parameter {
   kRadiusZ,
   kReach,
   kShape,  ///< The first number of its shape; the others follow in the order of Shape's members (shapeParameter).
-  // Of a muscle line.
+  // A muscle line's.
   kActivation = kShape + kShapeNumbers,  ///< LineSettings::base
   kVolume,
   kRest,
   kFlexHeight,
   kFlexWidth,
-  // Of the surface.
+  // The surface's.
   kSkinBlend,
 };
 
@@ -46,7 +46,7 @@ enum class ParameterOwner { kPrimitive, kLine, kSurface };
 [[nodiscard]] constexpr Parameter shapeParameter(int number) {
   return static_cast<Parameter>(static_cast<int>(Parameter::kShape) + number);
 }
-/// In character units, bone space: a coordinate of the centre, or a radius.
+/// In character units, bone space: a coordinate of the center, or a radius.
 [[nodiscard]] constexpr bool isLength(Parameter parameter) {
   return parameter >= Parameter::kCenterX && parameter <= Parameter::kRadiusZ;
 }

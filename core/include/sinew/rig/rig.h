@@ -21,7 +21,7 @@ enum class ProjectionKind { kNewton, kBisection, kAnalytic };
 
 inline constexpr float kDefaultIso = 0.25f;
 inline constexpr float kDefaultReach = 1.4142135f;  ///< Where the file says nothing.
-inline constexpr float kNewReach = 2.0f;            ///< Of new muscles: the shell is as wide as the muscle itself.
+inline constexpr float kNewReach = 2.0f;  ///< Reach of new muscles: the shell is as wide as the muscle itself.
 inline constexpr float kMostAmount = 2.0f;
 inline constexpr float kDefaultSkinBlend = 0.04f;
 inline constexpr float kDefaultCreaseAngle = 180.0f;  ///< Smooth everywhere.
@@ -87,7 +87,7 @@ struct Primitive {
   std::string bone;     ///< Name or path (Skeleton::findBone). May be absent from the character at hand: unattached.
   std::string group;    ///< Name of a group of the rig.
   std::string line;     ///< Name of the muscle line that carries it, or empty: it rides its bone.
-  Placement placement;  ///< Of the bind pose on a line too.
+  Placement placement;  ///< In the bind pose, on a line too.
   float reach = kDefaultReach;                        ///< k > 1.
   float amount = 1.0f;                                ///< Factor on the strength, 0..kMostAmount.
   int sign = 1;                                       ///< +1 adds, -1 carves.

@@ -16,7 +16,7 @@ struct Pose {
   float flex = 0.0f;                   ///< Added to the activation of muscle lines, 0..1.
   std::vector<int> flexedLines;        ///< Which: indices into Rig::lines, ascending; empty: all.
   std::string clip;                    ///< Name of the clip that it was sampled from; empty: none. Keys go by it.
-  float time = 0.0f;                   ///< Of that clip, seconds.
+  float time = 0.0f;                   ///< Time in that clip, seconds.
 
   /// What is added to a line's activation. @param line  index into Rig::lines
   [[nodiscard]] float flexOf(int line) const {

@@ -34,7 +34,7 @@ struct Refinement {
   // As drawn and exported: refined vertices split per wedge.
   std::vector<int> drawVertex;       ///< [D] refined vertex of each drawn vertex; the W wedges first.
   std::vector<glm::vec2> drawUv;     ///< [D] barycentric in the parent's wedges (paper 5).
-  std::vector<glm::vec4> drawColor;  ///< [D] likewise, linear RGBA; empty where the mesh has no colours.
+  std::vector<glm::vec4> drawColor;  ///< [D] likewise, linear RGBA; empty where the mesh has no colors.
   std::vector<std::array<std::uint32_t, 3>>
       drawTriangles;               ///< [T n^2] into the drawn vertices, same order as triangles.
   std::vector<DrawnRun> drawRuns;  ///< In order of `first`; none for n = 1.
