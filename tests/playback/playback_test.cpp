@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/document/document.h"
+#include "core/rig/animated_edit.h"
 #include "core/rig/rig_edit.h"
 #include "tests/support/rigs/rig_copies.h"
 
@@ -133,6 +134,34 @@ TEST_F(LiveSurfaceTest, AnEditIsNotCopiedOnItsWayToTheSurface) {
   const test::RigCopies copies(document.rig());
   ASSERT_TRUE(live.value().update(document).value());
   EXPECT_EQ(copies.count(), 0);
+}
+
+TEST_F(LiveSurfaceTest, AFrameOfADragOfKeyedMusclesCopiesNoRigButTheEdit) {
+  Primitive muscle;
+  muscle.bone = document.character->skeleton.bones.front().name;
+  Rig rig = document.rig();
+  const std::string clip = document.character->clips.front().name;
+  for (int i = 0; i < 41; ++i) {
+    rig = addPrimitive(std::move(rig), muscle).value();
+    rig = setKey(std::move(rig), {Parameter::kAmount, i}, clip, 0.2f, 0.5f).value();
+  }
+  document.commands.apply("Muscles", std::move(rig));
+  Transport transport{0, 0.0, false, true, 1.0f};
+  auto live = LiveSurface::create(document, transport);
+  ASSERT_TRUE(live.ok()) << live.error().text();
+  document.commands.beginGesture("Move");
+  Placement placement = document.rig().primitives[3].placement;
+  for (int frame = 1; frame <= 5; ++frame) {
+    placement.center.y += 0.01f;
+    transport.time = 0.1 * frame;
+    live.value().movePose(transport);
+    const test::RigCopies copies(document.rig());
+    document.commands.updateGesture(setPlacement(document.rig(), 3, placement).value());
+    ASSERT_TRUE(live.value().update(document).value());
+    EXPECT_EQ(document.posedRig(live.value().pose()).muscles.size(), document.rig().primitives.size());
+    EXPECT_EQ(copies.count(), 1) << "the edit makes the history's new value";
+  }
+  document.commands.endGesture();
 }
 
 TEST_F(LiveSurfaceTest, ARefusedRigLeavesTheSurfaceAndIsToldOnce) {
