@@ -9,6 +9,10 @@
 #include "core/skeleton/bone_segments.h"
 
 namespace sinew {
+
+/// Finds for each point the closest point of the skeleton (paper 4.2), by trying all bone segments: there are few, and
+/// only the preparation does it. Anchors are found in the bind pose and then ride on their bones, so that a vertex
+/// keeps its anchor in every pose; the closest point of each pose would jump from bone to bone.
 std::vector<Anchor> findAnchors(const Skeleton& skeleton, std::span<const glm::vec3> points) {
   const std::vector<BoneSegment> segments = boneSegments(skeleton, bindPose(skeleton));
   std::vector<Anchor> anchors;

@@ -46,8 +46,8 @@ struct TileScratch {
 /// that calls.
 struct ProjectionScratch : VertexScratch {
   std::vector<float> omega;           ///< [V'] in `replace`.
-  std::vector<VertexScratch> shares;  ///< Of the parts that a frame's vertices are divided into.
-  std::vector<TileScratch> tiles;     ///< Of the ranges that a frame's tiles are divided into.
+  std::vector<VertexScratch> shares;  ///< Scratch of the parts that a frame's vertices are divided into.
+  std::vector<TileScratch> tiles;     ///< Scratch of the ranges that a frame's tiles are divided into.
 };
 
 inline void add(const Evaluations& part, Evaluations& sum) {

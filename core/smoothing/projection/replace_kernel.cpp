@@ -298,10 +298,10 @@ class TileReplacer : TileField {
   ReplaceInputs& inputs_;
   bool toAnchors_;  ///< Lines go to the anchors, otherwise along the normals.
   RootSettings roots_;
-  std::size_t lineCount_ = 0;  ///< Of scratch_.lines.
+  std::size_t lineCount_ = 0;  ///< Used part of scratch_.lines.
   LaneSkin skin_;
   M asked_;
-  M open_;  ///< Of the asked, those that can still be vouched for.
+  M open_;  ///< Asked lanes that can still be vouched for.
   M fallback_;
   LanePoints normals_;
 };

@@ -14,7 +14,7 @@ namespace sinew {
 namespace {
 
 constexpr float kFarthest = 1.5f;  ///< Times `most`: limits from here on are none.
-constexpr double kSpacing = 0.15;  ///< Of points, times `most`.
+constexpr double kSpacing = 0.15;  ///< Spacing of points, times `most`.
 constexpr int kMostSteps = 8;      ///< Along an edge of a large triangle.
 
 struct Point {
@@ -110,6 +110,10 @@ class PointGrid {
 
 }  // namespace
 
+/// Finds for each vertex the lowest height at which its skin meets skin that rises from another point of the mesh. All
+/// pairs would be quadratic. But unit directions differ by 2 at most, so points that meet below 3/2 `most` lie within 3
+/// `most` of each other, and a grid finds them; thinning the points keeps dense meshes cheap. Limits depend on the bind
+/// pose alone, so the preparation finds them. docs/design.md, Rise limits.
 std::vector<float> inverseRiseLimits(const ControlMesh& mesh, std::span<const glm::vec3> directions, float most) {
   const float radius = 2.0f * kFarthest * most;  // Unit vectors differ by 2 at most.
   const PointGrid grid(mesh, directions, kSpacing * static_cast<double>(most), 0.5 * static_cast<double>(radius));

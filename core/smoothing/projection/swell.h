@@ -24,7 +24,7 @@ struct SwellSettings {
   float iso = kDefaultIso;
   float blendWidth = 0.04f;  ///< h, world units: the most; a smaller muscle blends over its mean radius.
   ProjectionKind projection = ProjectionKind::kNewton;
-  double tolerance = 1e-6;  ///< Of roots, world units.
+  double tolerance = 1e-6;  ///< Tolerance of roots, world units.
 };
 
 /// Moves the surface's positions, which hold the patch, along the directions d to the first root of

@@ -183,7 +183,7 @@ class TileField {
   const FieldView& field_;
   TileScratch& scratch_;
   const VertexTile* tile_ = nullptr;
-  std::size_t nearCount_ = 0;  ///< Of scratch_.near: indices of the tile's candidates.
+  std::size_t nearCount_ = 0;  ///< Used part of scratch_.near: indices of the tile's candidates.
   std::size_t first_ = 0;      ///< Lanes from here on have their turn.
   LaneCliques cliques_;
   LanePoints points_;

@@ -16,7 +16,7 @@ std::uint32_t spread(std::uint32_t x) {
   return (x | (x << 2)) & 0x09249249;
 }
 
-/// Control triangles along a Morton curve through the bind pose: neighbours in the list are neighbours in space.
+/// Control triangles along a Morton curve through the bind pose: neighbors in the list are neighbors in space.
 std::vector<int> alongCurve(const ControlMesh& mesh) {
   const Bounds box = boundsOf(mesh.positions);
   const float longest = std::max({box.extent().x, box.extent().y, box.extent().z, 1e-30f});
@@ -35,6 +35,10 @@ std::vector<int> alongCurve(const ControlMesh& mesh) {
   return order;
 }
 
+/// Packs refined vertices, carrier by carrier along the curve, into tiles of as many as there are lanes. The vertices
+/// of a tile lie near each other, so they see nearly the same muscles: one list of candidates serves all of them, with
+/// a weight of 0 for a lane that does not see a muscle. Clique sets number their groups differently, so each has a tile
+/// of its own open. The order is that of the bind pose and serves every pose.
 class Packer {
  public:
   Packer(const ControlMesh& mesh, const Refinement& refinement, const CandidateLists& lists, VertexTiles& out)

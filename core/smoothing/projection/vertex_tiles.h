@@ -1,4 +1,4 @@
-// core/smoothing/projection/vertex_tiles.h: refined vertices in packs of 16 neighbours that share one list of muscles.
+// core/smoothing/projection/vertex_tiles.h: refined vertices in packs of 16 neighbors that share one list of muscles.
 // Made once per edit.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace sinew {
 
-/// Up to 16 refined vertices of neighbouring carriers with the same cliques.
+/// Up to 16 refined vertices of neighboring carriers with the same cliques.
 struct VertexTile {
   std::array<int, kLanes> vertices{};  ///< Lanes beyond `used` repeat the first and see nothing.
   std::array<int, kLanes> carriers{};
@@ -30,9 +30,9 @@ struct TileCandidate {
 
 struct VertexTiles {
   std::vector<VertexTile> tiles;
-  std::vector<TileCandidate> candidates;  ///< Of tile after tile, ascending by primitive.
+  std::vector<TileCandidate> candidates;  ///< Candidates of tile after tile, ascending by primitive.
   std::vector<LaneFloats> weights;        ///< m_i of each candidate at each lane; 0 where the carrier does not see it.
-  std::vector<std::vector<int>> cliqueBegins;  ///< Of each clique set; see LaneCliques.
+  std::vector<std::vector<int>> cliqueBegins;  ///< Begins of each clique set; see LaneCliques.
   std::vector<std::vector<int>> cliqueSlots;
   std::vector<std::size_t> slotCounts;
   std::size_t mostCandidates = 0;

@@ -24,7 +24,7 @@ struct Bernstein {
   [[nodiscard]] static Bernstein linear(double atStart, double atEnd);
 
   void addConstant(double value);
-  /// Of the lower degree one is raised first.
+  /// Raises the degree of the lower one first.
   void addScaled(const Bernstein& other, double factor);
   [[nodiscard]] double at(double u) const;
   [[nodiscard]] std::span<const double> coefficients() const { return std::span(b).first(degree + 1); }

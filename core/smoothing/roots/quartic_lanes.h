@@ -136,7 +136,7 @@ class RayQuartics {
     M hasShape;
   };
 
-  /// Of powers of t - low, of the terms that are above 0 at `inside`.
+  /// Coefficients in powers of t - low, summed over the terms that are above 0 at `inside`.
   Coefficients about(V low, V inside) const {
     Coefficients sum{ofSkin(low, inside), none()};
     rays_.clearSums();
@@ -181,7 +181,7 @@ class RayQuartics {
             skin.sign * all(4.0f) * r * kk * k, skin.sign * kk * kk};
   }
 
-  /// Of the clique that wins at `low`.
+  /// Coefficients of the clique that is the maximum at `low`.
   void addWinner(Coefficients& sum) const {
     const V sign = rays_.skin().sign;
     std::array<V, 5> best{zero(), zero(), zero(), zero(), zero()};

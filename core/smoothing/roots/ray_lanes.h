@@ -26,7 +26,7 @@ struct LaneSkin {
   V inverseWidth;  ///< 1 / W
   V isoRadius;     ///< r_T
   V isoRoot;       ///< sqrt T
-  V maxFall;       ///< Of the fall below sqrt T: outwards the field ends.
+  V maxFall;       ///< Upper bound of fall(): outwards the skin's own field ends.
   V offset;        ///< Added everywhere.
 
   // w^2 - T = (w - sqrt T)(w + sqrt T): exact in the last place where t, and so the rise, is tiny.
@@ -72,7 +72,7 @@ struct LaneSearch {
 struct LaneRise {
   V from;  ///< Before this psi falls ...
   V to;    ///< ... and after this again.
-  V end;   ///< Of the search.
+  V end;   ///< End of the search.
 };
 
 /// Whether a term is above 0 anywhere at t >= 0: at its middle, or at 0 by sample()'s own operations.
@@ -333,7 +333,7 @@ class RayLanes {
     search.high = high;
   }
 
-  /// Of the cliques' sums the one whose F is largest; psi's sign turns it into the least.
+  /// Sum of the clique whose F is the maximum; psi's sign turns it into the minimum.
   HWY_INLINE LaneSample withWinner(const LaneSample& sum) const {
     V best = zero();
     V bestSlope = zero();

@@ -94,7 +94,7 @@ class ShapeOnRays {
 
   struct Sample {
     V w;
-    V halfSlope;  ///< Of r^2.
+    V halfSlope;  ///< Half the slope of r^2.
   };
 
   Sample sample(V t) const {

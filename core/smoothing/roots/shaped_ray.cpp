@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-constexpr double kRootTolerance = 1e-12;  ///< Of a part's length: f is flat where an influence ends.
+constexpr double kRootTolerance = 1e-12;  ///< Fraction of a part's length: f is flat where an influence ends.
 
 /// An interval of t.
 struct Interval {
