@@ -12,7 +12,7 @@ void expectFigures(const Json& figures) {
   const std::string what = figures.dump();
   EXPECT_EQ(figures.at("scene").text(""), "humanoid");
   for (const char* speedups : {"reference_over_optimised", "reference_over_optimised_projection"}) {
-    EXPECT_TRUE(figures.at(speedups).find("plain")) << what;
+    EXPECT_TRUE(figures.at(speedups).find("sse4")) << what;
     EXPECT_FALSE(figures.at(speedups).find("scalar")) << what;
     for (const Json& set : figures.at(speedups).children) {
       EXPECT_EQ(set.keys(), (std::vector<std::string>{"cold", "warm_60hz", "warm_20hz", "cut"}));
