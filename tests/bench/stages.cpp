@@ -23,16 +23,15 @@ constexpr std::array kDepths{3, 5};
 constexpr std::array kStages{&StageSeconds::skin, &StageSeconds::patch, &StageSeconds::project, &StageSeconds::folds,
                              &StageSeconds::normals};
 
-Rig swelling(Rig rig, int depth) {
-  rig.surface.mode = SurfaceMode::kSwell;
-  rig.smoothing.projection = ProjectionKind::kNewton;
+/// The rig's own mode and search: what a user gets.
+Rig atDepth(Rig rig, int depth) {
   rig.smoothing.depth = depth;
   return rig;
 }
 
 Result<StageRow> measureAt(int depth, const BenchScene& scene, int rounds, const std::vector<Pose>& poses) {
   Smoother smoother(scene.character);
-  if (const auto prepared = smoother.prepare(swelling(scene.rig, depth)); !prepared) return prepared.error();
+  if (const auto prepared = smoother.prepare(atDepth(scene.rig, depth)); !prepared) return prepared.error();
   StageRow row{scene.name, depth, 0.0, 0.0, {}};
   Surface surface;
   std::vector<StageSeconds> least(poses.size());
@@ -70,8 +69,7 @@ Result<std::vector<StageRow>> measureStages(const BenchScene& scene, const Effor
 
 std::string tableOf(const std::vector<StageRow>& rows) {
   std::string table =
-      "Smoothing in swell by newton. Of each frame's stages the least times of all rounds count: what the machine "
-      "does\n"
+      "Smoothing as each rig asks. Of each frame's stages the least times of all rounds count: what the machine does\n"
       "when nothing else runs. Milliseconds of a frame, mean; per cent that each stage takes of all frames together.\n"
       "\n"
       "scene             depth  vertices  frame ms   skin  patch  project  folds  normals\n";
