@@ -81,9 +81,4 @@ void DrivenNumbers::apply(const Pose& pose, const Skeleton& skeleton, DriverScra
   }
 }
 
-bool isAnimated(const Rig& rig) {
-  const auto any = [](const auto& of) { return !of.animated.empty(); };
-  return any(rig.surface) || std::ranges::any_of(rig.lines, any) || std::ranges::any_of(rig.primitives, any);
-}
-
 }  // namespace sinew

@@ -49,7 +49,4 @@ class DrivenNumbers {
   std::vector<std::optional<LineRest>> rests_;  ///< [Rig::lines] those that inputs read; empty: none are.
 };
 
-/// Keys, drivers or both change some number of the rig.
-[[nodiscard]] bool isAnimated(const Rig& rig);
-
 }  // namespace sinew

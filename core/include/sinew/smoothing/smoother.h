@@ -48,7 +48,7 @@ class Smoother {
   void smooth(const Pose& pose, Surface& out, const std::optional<glm::vec3>& eye = std::nullopt);
 
   [[nodiscard]] const Character& character() const;
-  /// Indices into the prepared rig's primitives whose bone this character lacks.
+  /// Indices into the prepared rig's primitives whose bone this character lacks; valid until the next prepare().
   [[nodiscard]] const std::vector<int>& unattached() const;
   [[nodiscard]] PreparationCounts preparationCounts() const;
 
