@@ -129,19 +129,29 @@ Result<LiveSurface> LiveSurface::create(const Document& document, const Transpor
   return live;
 }
 
-int LiveSurface::depthFor(const SmoothingSettings& settings, float heightPixels) const {
-  if (!settings.autoDepth) return settings.depth;
-  if (heightPixels > 0.0f) return autoDepth(meanEdge_, heightPixels, depth_);
-  return followed_ ? depth_ : settings.depth;
+LiveSurface::Detail LiveSurface::detailFor(const SmoothingSettings& settings, float heightPixels) const {
+  if (!settings.autoDepth) return {settings.depth, settings.tolerance};
+  if (heightPixels > 0.0f) {
+    return {autoDepth(meanEdge_, heightPixels, detail_.depth),
+            autoTolerance(heightPixels, followed_ ? detail_.tolerance : 0.0f)};
+  }
+  return followed_ ? detail_ : Detail{settings.depth, settings.tolerance};
 }
 
-Result<bool> LiveSurface::prepareIfChanged(const Document& document, int depth, const std::vector<int>& hidden) {
-  if (triedRig_ == document.commands.revision() && depth_ == depth && hidden_ == hidden) return false;
+/// A drag shows the new surface at once, on the levels that the mesh has; they are found anew when it ends.
+Result<bool> LiveSurface::prepareIfChanged(const Document& document, const Detail& detail,
+                                           const std::vector<int>& hidden) {
+  const bool drags = document.commands.inGesture();
+  const bool same = triedRig_ == document.commands.revision() && detail_ == detail && hidden_ == hidden;
+  if (same && (drags || !keptLevels_)) return false;
   triedRig_ = document.commands.revision();
-  depth_ = depth;
+  detail_ = detail;
   hidden_ = hidden;
+  keptLevels_ = drags;
+  PreparationOptions options{hidden, {}, detail.tolerance, drags, document.commands.sharedRig(), document.poser()};
+  if (document.rig().smoothing.detail == DetailKind::kUniform) options.depth = detail.depth;
   Stopwatch watch;
-  auto prepared = prepare(tables_, document.rig(), {hidden, depth, document.poser()}, preparation_.get(), graphs_);
+  auto prepared = prepare(tables_, document.rig(), options, preparation_.get(), graphs_);
   prepareSeconds_ = watch.lap();
   if (!prepared) return prepared.error();
   preparation_ = std::move(prepared).value();
@@ -166,9 +176,9 @@ void LiveSurface::movePose(const Transport& transport) {
 
 Result<bool> LiveSurface::update(const Document& document, const SurfaceView& view) {
   const SmoothingSettings& settings = document.rig().smoothing;
-  const int depth = depthFor(settings, view.heightPixels);
+  const Detail detail = detailFor(settings, view.heightPixels);
   followed_ = settings.autoDepth && (followed_ || view.heightPixels > 0.0f);
-  const Result<bool> prepared = prepareIfChanged(document, depth, view.hidden);
+  const Result<bool> prepared = prepareIfChanged(document, detail, view.hidden);
   if (!prepared && revision_ == 0) return prepared;
   const bool stale = moved_ || eye_ != view.eye || (prepared.ok() && prepared.value());
   if (stale) {

@@ -62,7 +62,7 @@ void togglePlaying(Transport& transport, const Character& character);
 /// What the surface's picture asks of it. View state: none of it touches the rig.
 struct SurfaceView {
   std::optional<glm::vec3> eye;  ///< World: skip what cannot be seen from here (Smoother::smooth); none: all is made.
-  float heightPixels = 0.0f;     ///< The character's H as seen: depth follows it where the rig says so; 0: unknown.
+  float heightPixels = 0.0f;     ///< The character's H as seen: detail follows it where the rig says so; 0: unknown.
   std::vector<int> hidden{};     ///< Rig indices of muscles that are left out of the surface, ascending.
 };
 
@@ -84,7 +84,8 @@ class LiveSurface {
   [[nodiscard]] const Pose& pose() const { return pose_; }
   [[nodiscard]] const Surface& surface() const { return surface_; }
   /// In use: the rig's, or what its size on screen asks for. Differs from the surface's while a rig is refused.
-  [[nodiscard]] int depth() const { return depth_; }
+  [[nodiscard]] int depth() const { return detail_.depth; }
+  [[nodiscard]] float tolerance() const { return detail_.tolerance; }
   /// Counts smoothings: what a picture of the surface compares.
   [[nodiscard]] std::size_t revision() const { return revision_; }
   [[nodiscard]] double prepareSeconds() const { return prepareSeconds_; }
@@ -92,9 +93,16 @@ class LiveSurface {
  private:
   explicit LiveSurface(std::shared_ptr<const Character> character);
   void smooth(const Document& document, const std::optional<glm::vec3>& eye);
+  /// What is given to prepare() in place of the rig's own.
+  struct Detail {
+    int depth = 0;  ///< 0: nothing was given yet.
+    float tolerance = 0.0f;
+    friend bool operator==(const Detail&, const Detail&) = default;
+  };
   /// Follows the size on screen where the rig asks for it and the size is known; else keeps still, or is the rig's.
-  [[nodiscard]] int depthFor(const SmoothingSettings& settings, float heightPixels) const;
-  [[nodiscard]] Result<bool> prepareIfChanged(const Document& document, int depth, const std::vector<int>& hidden);
+  [[nodiscard]] Detail detailFor(const SmoothingSettings& settings, float heightPixels) const;
+  [[nodiscard]] Result<bool> prepareIfChanged(const Document& document, const Detail& detail,
+                                              const std::vector<int>& hidden);
 
   std::shared_ptr<const CharacterTables> tables_;
   std::shared_ptr<const Preparation> preparation_;  ///< Preparation of the last rig that was accepted.
@@ -105,8 +113,9 @@ class LiveSurface {
   Surface surface_;
   std::size_t revision_ = 0;
   float meanEdge_ = 0.0f;                ///< Mean edge of the control mesh, fraction of H.
-  int depth_ = 0;                        ///< Last given to prepare(); 0: nothing was.
-  bool followed_ = false;                ///< depth_ came from the size on screen.
+  Detail detail_;                        ///< Last given to prepare().
+  bool followed_ = false;                ///< detail_ came from the size on screen.
+  bool keptLevels_ = false;              ///< Levels of adaptive detail are those from before the drag.
   std::optional<std::size_t> triedRig_;  ///< CommandStack::revision() last given to prepare().
   std::vector<int> hidden_;              ///< Last left out of what was given to prepare().
   std::optional<glm::vec3> eye_;         ///< What surface_ was made for.

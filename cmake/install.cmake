@@ -23,7 +23,7 @@ if(SINEW_BUILD_APP)
   install(TARGETS sinew RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders DESTINATION ${CMAKE_INSTALL_DATADIR}/sinew)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets DESTINATION ${CMAKE_INSTALL_DATADIR}/sinew
-    FILES_MATCHING PATTERN "*.glb" PATTERN "*.rig.json" PATTERN "maker" EXCLUDE)
+    FILES_MATCHING PATTERN "*.glb" PATTERN "*.rig.json" PATTERN "presets/*.json" PATTERN "maker" EXCLUDE)
 
   # What a desktop knows the program by: menu entry, icon, file type, software centre.
   install(FILES ${packaging}/sinew.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)

@@ -43,7 +43,7 @@ class Option:
             return CHARACTER
         text = self.value + " " + self.description
         if re.match(r"(FILE|OUT)\b", self.value):
-            return tuple(dict.fromkeys(re.findall(r"\.(glb|gltf|usda|obj|ply|png|json|pc2|mdd)\b", text)))
+            return tuple(dict.fromkeys(re.findall(r"\.(glb|gltf|usda|obj|ply|png|webp|gif|mp4|json|pc2|mdd)\b", text)))
         return None
 
 

@@ -60,6 +60,9 @@ Open a character in the editor.
 .B sinew inspect fox.glb \-\-json
 Describe it, as JSON.
 .TP
+.B sinew muscle fox.glb \-o fox.rig.json
+Give it a set of muscles that fits its body.
+.TP
 .B sinew smooth fox.rig.json \-\-clip Walk \-\-time 0.4 \-\-depth 6 \-o fox.obj
 Write the surface of one moment of a clip.
 .TP

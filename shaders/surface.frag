@@ -31,8 +31,9 @@ uniform float lineScale;
 uniform vec4 heatStops[9];     // Linear.
 uniform float heatRange;       // Character units.
 uniform vec4 classColors[3];   // Linear; by class.
-uniform ivec2 classLookup;     // First triangle of this draw, refined triangles per control triangle.
-layout(std430, binding = 0) readonly buffer Classes { uint classOf[]; };
+uniform int firstTriangle;     // Of this draw.
+layout(std430, binding = 0) readonly buffer Classes { uint classOf[]; };       // By control triangle: class + 4 level.
+layout(std430, binding = 1) readonly buffer Controls { int controlOf[]; };     // By drawn triangle.
 
 #ifdef SHADING_HEAT
 vec3 heatColor(float x) {
@@ -46,7 +47,10 @@ vec3 pigment() {
 #if defined(SHADING_HEAT)
   return heatColor(fragment.displacement / heatRange);
 #elif defined(SHADING_CLASSES)
-  return classColors[classOf[(classLookup.x + gl_PrimitiveID) / classLookup.y]].rgb;
+  uint found = classOf[controlOf[firstTriangle + gl_PrimitiveID]];
+  vec3 color = classColors[found & 3u].rgb;
+  uint level = found >> 2;  // 0: the same everywhere.
+  return level == 0u ? color : color * mix(1.3, 0.22, log2(float(level)) / 4.0);
 #else
   return vec3(0.360, 0.356, 0.350);  // Neutral: the red of the muscles stands out.
 #endif

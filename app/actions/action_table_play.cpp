@@ -1,6 +1,7 @@
 // app/actions/action_table_play.cpp: the Play menu: the clip.
 
 #include "app/actions/action_table.h"
+#include "app/actions/check_commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/pose_commands.h"
 
@@ -46,6 +47,12 @@ void wholeClip(State& s) {
 bool isLooping(const State& s) { return s.open.transport.loop; }
 void toggleLoop(State& s) { s.open.transport.loop = !s.open.transport.loop; }
 
+Possible checkable(const State& s) {
+  const Possible possible = idle(s);
+  if (!possible) return possible;
+  return possible.also(!s.document.rig().primitives.empty(), "There is no muscle to check");
+}
+
 const Action kActions[] = {
     {"play/toggle", "Play or pause", "Start or stop the clip", key(GLFW_KEY_SPACE), kNone, playable, nullptr,
      togglePlay},
@@ -66,6 +73,9 @@ const Action kActions[] = {
     {"play/range-of-motion", "Range of motion",
      "Move every joint through its range, one after another: a clip made from the skeleton", kNone, kNone, idle,
      nullptr, playRangeOfMotion, true},
+    {"play/check", "Check muscles",
+     "Look through all clips for muscles that leave the flesh, swell to a ball or reach another limb", kNone, kNone,
+     checkable, nullptr, checkMuscles},
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/actions/action_table.h"
+#include "app/actions/export_error.h"
 #include "app/editor/visibility_commands.h"
 #include "core/rig/rig_edit.h"
 
@@ -87,6 +88,9 @@ Possible isolatable(const State& s) { return isIsolated(s) ? idle(s) : selected(
 Possible lockedAny(const State& s) { return open(s).also(!s.document.visibility.locked.empty(), "Nothing is locked"); }
 bool isBare(const State& s) { return s.document.visibility.bare; }
 
+Possible exportedHere(const State& s) { return open(s).also(hasExportError(s), "Export the character first"); }
+bool isExportErrorShown(const State& s) { return showsExportError(s); }
+
 using D = DisplaySettings;
 
 const Action kActions[] = {
@@ -99,6 +103,9 @@ const Action kActions[] = {
      key(GLFW_KEY_3), kNone, open, isShaded<Shading::kClasses>, shade<Shading::kClasses>},
     {"view/heat", "Displacement", "How far the skin was lifted or pushed in", key(GLFW_KEY_4), kNone, open,
      isShaded<Shading::kHeat>, shade<Shading::kHeat>},
+    {"view/export-error", "Export error",
+     "How far the last export is off in this moment: the live surface or the exported mesh, colored by distance", kNone,
+     kNone, exportedHere, isExportErrorShown, toggleExportError},
     {"view/wire", "Wire", "Edges of the smoothed mesh (refined mesh)", key(GLFW_KEY_5), kNone, open, isShown<&D::wire>,
      toggleShown<&D::wire>, true},
     {"view/control-mesh", "Control mesh", "Edges of the mesh in the file", key(GLFW_KEY_6), kNone, open,

@@ -139,6 +139,8 @@ void run(const Action& action, EditorState& state) {
 bool runShortcut(EditorState& state, const RawInput& input) {
   const int key = input.pressedKey >= 0 ? input.pressedKey : input.repeatedKey;
   if (key <= 0 || input.super) return false;
+  const bool arrow = key == GLFW_KEY_UP || key == GLFW_KEY_DOWN;
+  if (arrow && state.frame.arrowsTaken && !input.control && !input.alt) return false;
   const Action* meant = ownerOf({key, input.control, input.shift, input.alt}, state.session.preferences);
   if (meant == nullptr) return false;
   const bool asked = input.pressedKey >= 0;

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/actions/export_error.h"
 #include "app/document/folder_listing.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
@@ -68,7 +69,7 @@ void startWith(EditorState& state) {
   dialog.pattern = {folder, muscledName("{name}", kind)};
   dialog.job = {folder, stem + "_export" + targetOf(dialog).ending};
   dialog.settings.clips.clear();
-  dialog.settings.depth.reset();
+  dialog.settings.detail = {};
   dialog.chosenClips = dialog.wholeFolder = false;
   dialog.tasks = 0;
 }
@@ -98,7 +99,18 @@ struct FarmFiles {
   fs::path file;
   fs::path list;  ///< "": there is one rig only.
   std::string listText;
+  std::vector<fs::path> replaced;  ///< Exports that are there already.
 };
+
+/// Where the export of one rig of a folder goes.
+fs::path ofRig(const fs::path& pattern, const fs::path& rig) {
+  constexpr std::string_view kField = "{name}";
+  std::string name = pattern.filename().string();
+  if (const std::size_t at = name.find(kField); at != std::string::npos) {
+    name.replace(at, kField.size(), nameWithoutEnding(rig));
+  }
+  return pattern.parent_path() / name;
+}
 
 FarmFiles farmFiles(const EditorState& state) {
   const ExportDialogState& dialog = state.dialogs.exporting;
@@ -120,18 +132,45 @@ FarmFiles farmFiles(const EditorState& state) {
   const fs::path out = withExportEnding(resolved(dialog.wholeFolder ? dialog.pattern : dialog.place), kind);
   farm.job.arguments.insert(farm.job.arguments.end(), {"-o", pathWord(farm.job.folder, out)});
   farm.job.tasks = farmTasks(state);
+  for (const fs::path& rig : rigs) {
+    for (fs::path& there : replacedByExport(ofRig(out, rig))) farm.replaced.push_back(std::move(there));
+  }
+  // To resume would keep them.
+  farm.job.resume = farm.replaced.empty();
   return farm;
 }
 
+/// What a task takes, of all rigs of the job. Error: one of them cannot be exported.
+Result<TaskNeeds> needsOf(const EditorState& state) {
+  const ExportKind& kind = chosenKind(state.dialogs);
+  const ExportSettings settings = chosenSettings(state);
+  TaskNeeds needs;
+  for (const fs::path& rig : farmRigs(state)) {
+    const auto document = openDocument(rig);
+    if (!document) return document.error();
+    ExportSource source{document->characterFile, document->character, document->rig(), rig};
+    if (const auto able = checkExportSource(kind, source, settings); !able) return able.error();
+    settings.detail.apply(source.rig.smoothing);
+    const auto own = taskNeeds("export", source.character, source.rig, 0, heldFrames(kind, source.character, settings));
+    if (!own) return own.error();
+    needs = larger(needs, own.value());
+  }
+  return needs;
+}
+
 std::string writeFarmJob(EditorState& state) {
-  const FarmFiles farm = farmFiles(state);
+  FarmFiles farm = farmFiles(state);
   const FarmTarget& target = targetOf(state.dialogs.exporting);
+  const Result<TaskNeeds> needs = needsOf(state);
+  if (!needs) return needs.error().plainText();
+  farm.job.needs = needs.value();
   const Result<std::string> text = target.write(farm.job);
   if (!text) return text.error().plainText();
   std::vector<NamedBytes> files{{farm.file, text.value()}};
   if (!farm.list.empty()) files.push_back({farm.list, farm.listText});
   if (const auto written = writeFilesAtomically(files); !written) return written.error().plainText();
-  say(state, "Farm job written: " + farm.file.string() + "; run it with " + target.runWith);
+  const char* replaces = farm.replaced.empty() ? "" : "; it replaces the files that are there";
+  say(state, "Farm job written: " + farm.file.string() + replaces + "; run it with " + target.runWith);
   return "";
 }
 
@@ -175,6 +214,7 @@ std::pair<std::size_t, std::size_t> editedSoFar(const EditorState& state) {
 void tell(EditorState& state, const ExportOutcome& outcome) {
   const std::string name = outcome.file.filename().string();
   if (outcome.result.ok()) {
+    keepExport(state, outcome);
     const std::string figures = exportFigures(outcome.result.value());
     say(state, "Exported " + name + ": " + figures);
     std::string text = "Exported " + outcome.file.string() + ": " + figures;
@@ -297,6 +337,7 @@ std::vector<fs::path> replacedFiles(EditorState& state) {
   if (!farm.list.empty()) files.push_back(farm.list);
   std::error_code failed;
   std::erase_if(files, [&](const fs::path& file) { return !fs::exists(file, failed); });
+  files.insert(files.end(), farm.replaced.begin(), farm.replaced.end());
   return files;
 }
 

@@ -25,6 +25,7 @@ Result<BenchScene> openScene(const std::filesystem::path& file) {
 
 Rig rigAt(const BenchScene& scene, int depth, ProjectionKind projection) {
   Rig rig = scene.rig;
+  rig.smoothing.detail = DetailKind::kUniform;
   rig.smoothing.depth = depth;
   rig.smoothing.autoDepth = false;
   rig.smoothing.projection = projection;

@@ -2,8 +2,10 @@
 #include "app/cli/batch.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -11,9 +13,9 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/batch_names.h"
-#include "app/cli/console.h"
 #include "app/cli/shard.h"
 #include "core/io/files/atomic_file.h"
+#include "sinew/base/threads.h"
 #include "sinew/io/rig_json.h"
 
 namespace sinew::app {
@@ -22,6 +24,8 @@ namespace {
 constexpr int kMostFrames = 100000;
 constexpr std::size_t kMostItems = 10000000;
 constexpr std::uintmax_t kLongestList = 1 << 26;  // Bytes.
+constexpr const char* kStandardInput = "standard input";
+constexpr int kMostThreads = 1024;
 
 std::optional<std::vector<int>> numbersIn(std::string_view text, char between) {
   std::vector<int> numbers;
@@ -36,29 +40,21 @@ std::optional<std::vector<int>> numbersIn(std::string_view text, char between) {
   }
 }
 
-Result<std::vector<int>> framesOf(const BatchOptions& options) {
-  if (options.frames.empty()) return std::vector<int>{};
-  const auto range = numbersIn(options.frames, ':');
-  const bool formed = range && (range->size() == 2 || range->size() == 3);
-  const int step = formed && range->size() == 3 ? (*range)[2] : 1;
-  if (!formed || step < 1 || (*range)[0] < 0 || (*range)[1] < (*range)[0] ||
-      ((*range)[1] - (*range)[0]) / step >= kMostFrames) {
-    return errorAt("--frames",
-                   "expected FIRST:LAST or FIRST:LAST:STEP with 0 <= FIRST <= LAST, STEP > 0 and at most 100000 "
-                   "frames, got \"" +
-                       options.frames + '"');
+Result<std::string> standardInput() {
+  std::string text;
+  std::array<char, 1 << 16> part{};
+  while (const std::size_t size = std::fread(part.data(), 1, part.size(), stdin)) {
+    text.append(part.data(), size);
+    if (text.size() > kLongestList) return errorAt(kStandardInput, "expected a list of at most 64 MB");
   }
-  if (!(options.framesPerSecond > 0.0) || !std::isfinite(options.framesPerSecond)) {
-    return errorAt("--fps", "expected a number > 0");
-  }
-  std::vector<int> frames;
-  for (int i = 0; i <= ((*range)[1] - (*range)[0]) / step; ++i) frames.push_back((*range)[0] + i * step);
-  return frames;
+  if (std::ferror(stdin) != 0) return errorAt(kStandardInput, "cannot be read");
+  return text;
 }
 
 /// Lines without what is blank around them; empty ones and those that begin with '#' are left out.
 Result<std::vector<std::filesystem::path>> linesOf(const std::filesystem::path& file) {
-  const Result<std::string> text = readWholeFile(file, kLongestList);
+  const bool isStandard = file == "-";
+  const Result<std::string> text = isStandard ? standardInput() : readWholeFile(file, kLongestList);
   if (!text) return text.error();
   std::vector<std::filesystem::path> lines;
   constexpr const char* kBlank = " \t\r";
@@ -71,7 +67,8 @@ Result<std::vector<std::filesystem::path>> linesOf(const std::filesystem::path& 
     if (first == std::string::npos || line[first] == '#') continue;
     lines.emplace_back(line.substr(first, line.find_last_not_of(kBlank) + 1 - first));
   }
-  if (lines.empty()) return Error{file.string(), "", "names no input: expected a file name a line"};
+  if (lines.empty())
+    return Error{isStandard ? kStandardInput : file.string(), "", "names no input: expected a file name a line"};
   return lines;
 }
 
@@ -110,6 +107,26 @@ class InputFiles {
 
 }  // namespace
 
+Result<std::vector<int>> frameNumbers(const BatchOptions& options) {
+  if (options.frames.empty()) return std::vector<int>{};
+  const auto range = numbersIn(options.frames, ':');
+  const bool formed = range && (range->size() == 2 || range->size() == 3);
+  const int step = formed && range->size() == 3 ? (*range)[2] : 1;
+  if (!formed || step < 1 || (*range)[0] < 0 || (*range)[1] < (*range)[0] ||
+      ((*range)[1] - (*range)[0]) / step >= kMostFrames) {
+    return errorAt("--frames",
+                   "expected FIRST:LAST or FIRST:LAST:STEP with 0 <= FIRST <= LAST, STEP > 0 and at most 100000 "
+                   "frames, got \"" +
+                       options.frames + '"');
+  }
+  if (!(options.framesPerSecond > 0.0) || !std::isfinite(options.framesPerSecond)) {
+    return errorAt("--fps", "expected a number > 0");
+  }
+  std::vector<int> frames;
+  for (int i = 0; i <= ((*range)[1] - (*range)[0]) / step; ++i) frames.push_back((*range)[0] + i * step);
+  return frames;
+}
+
 void addFrameOptions(CLI::App& verb, BatchOptions& options) {
   verb.add_option("--frames", options.frames, "One file per clip frame from A to B, both included, or every STEPth")
       ->type_name("A:B[:STEP]");
@@ -118,20 +135,26 @@ void addFrameOptions(CLI::App& verb, BatchOptions& options) {
 
 void addBatchOptions(CLI::App& verb, BatchOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
-  verb.add_option_function<std::string>("--list", to(options.list),
-                                        "Instead of FILE: a text file, one input per line; {name} in OUT is its name")
+  verb.add_option_function<std::string>(
+          "--list", to(options.list),
+          "Instead of FILE: a text file, one input per line, or - for stdin; {name} in OUT is its name")
       ->type_name("FILE.txt");
   verb.add_option("--shard", options.shard,
                   "Make share I of N, 0 to N-1; auto: as the Slurm or Grid Engine array job says")
       ->type_name("I/N");
   verb.add_flag("--resume", options.resume, "Leave out what is there already: files appear whole or not at all");
   verb.add_flag("--dry-run", options.dryRun, "Print the names of the files, and make none");
+  verb.add_option("--threads", options.threads, "Work on N cores at most; without it, on all; the files are the same")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+  verb.add_flag("--progress", options.progress,
+                "Say how far it is on stderr, every 5 percent; a terminal shows it anyway");
 }
 
 Result<Batch> planBatch(const BatchOptions& options, const std::filesystem::path& input,
                         const std::filesystem::path& output) {
   Batch batch;
-  const auto frames = framesOf(options);
+  const auto frames = frameNumbers(options);
   if (!frames) return frames.error();
   const auto shard = shardOf(options.shard);
   if (!shard) return shard.error();
@@ -177,20 +200,40 @@ Result<std::vector<std::filesystem::path>> filesBeside(const Batch& batch, const
   return files;
 }
 
-int runBatch(const Batch& batch, bool dryRun, const std::function<int(const BatchInput&)>& make) {
+BatchProgress::BatchProgress(const std::string& what, const Batch& batch, const BatchOptions& options)
+    : line_(what, options.progress) {
+  for (const BatchInput& input : batch.inputs) all_ += input.wanted.size();
+  if (!options.dryRun) show(0);
+}
+
+void BatchProgress::show(std::size_t made) {
+  if (all_ > 0) line_.show(static_cast<double>(before_ + made) / static_cast<double>(all_));
+}
+
+void BatchProgress::showPart(double part) {
+  if (all_ > 0) line_.show((static_cast<double>(before_) + part) / static_cast<double>(all_));
+}
+
+void BatchProgress::leave(const BatchInput& input) {
+  before_ += input.wanted.size();
+  show(0);
+}
+
+int putNames(const BatchInput& input, const std::vector<std::size_t>& wanted) {
+  std::string names;
+  for (const std::size_t moment : wanted) names += input.outputs[moment].string() + '\n';
+  return putResult(names);
+}
+
+int runBatch(const Batch& batch, const BatchOptions& options, const std::function<int(const BatchInput&)>& make) {
+  const ThreadLimit limit(options.threads);
+  const bool namesAlone = options.dryRun && batch.frames.empty();
   std::size_t begun = 0;
   std::size_t failed = 0;
   for (const BatchInput& input : batch.inputs) {
     if (input.wanted.empty()) continue;
     ++begun;
-    int status = kDone;
-    if (dryRun) {
-      for (const std::size_t moment : input.wanted) {
-        if (status == kDone) status = putResult(input.outputs[moment].string() + '\n');
-      }
-    } else {
-      status = make(input);
-    }
+    const int status = namesAlone ? putNames(input, input.wanted) : make(input);
     if (!batch.listed || status == kBadCommandLine) {
       if (status != kDone) return status;
     } else if (status != kDone) {

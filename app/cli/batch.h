@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/cli/console.h"
 #include "sinew/base/result.h"
 
 namespace CLI {
@@ -21,15 +22,17 @@ namespace sinew::app {
 struct BatchOptions {
   std::string frames;  ///< "A:B" or "A:B:STEP", both ends included; empty: one moment.
   double framesPerSecond = 30.0;
-  std::filesystem::path list;  ///< A file, one input per line; empty: the verb's one input.
+  std::filesystem::path list;  ///< A file, one input per line, "-" for stdin; empty: the verb's one input.
   std::string shard;           ///< "I/N" or "auto"; empty: the whole job.
   bool resume = false;
   bool dryRun = false;
+  int threads = 0;        ///< At most; 0: one a core.
+  bool progress = false;  ///< Also where stderr is no terminal.
 };
 
 /// --frames and --fps.
 void addFrameOptions(CLI::App& verb, BatchOptions& options);
-/// --list, --shard, --resume and --dry-run.
+/// --list, --shard, --resume, --dry-run, --threads and --progress.
 void addBatchOptions(CLI::App& verb, BatchOptions& options);
 
 /// One input of a job.
@@ -45,6 +48,9 @@ struct Batch {
   bool listed = false;             ///< The inputs are from a list.
 };
 
+/// The frames that --frames names, ascending; empty without it. Error: place is the option.
+[[nodiscard]] Result<std::vector<int>> frameNumbers(const BatchOptions& options);
+
 /// Reads the list, numbers the job's items (input by input, frame by frame) and keeps this shard's: those whose number
 /// modulo N is I; to resume, those of them that are not there yet.
 /// @param output  with frames a printf integer field such as %04d in its name; with a list "{name}", which stands for
@@ -59,10 +65,33 @@ struct Batch {
                                                                      const std::filesystem::path& pattern,
                                                                      const std::string& option);
 
-/// Calls make(input) for every input that has work to do; a dry run prints its files instead. `make` returns an exit
-/// status and has named its failures. Returns kDone, what `make` returned where there is no list, kSomeFailed where
-/// some inputs of a list failed, kBadInput where all did.
-[[nodiscard]] int runBatch(const Batch& batch, bool dryRun, const std::function<int(const BatchInput&)>& make);
+/// How much of a job is made, on stderr.
+class BatchProgress {
+ public:
+  /// @param what  the work: "rendering fox_%04d.png"
+  BatchProgress(const std::string& what, const Batch& batch, const BatchOptions& options);
+  /// @param made  files of the input at hand
+  void show(std::size_t made);
+  /// @param part  of the one file of the input at hand, 0..1
+  void showPart(double part);
+  /// All that will come of this input is made.
+  void leave(const BatchInput& input);
+
+ private:
+  ProgressLine line_;
+  std::size_t all_ = 0;
+  std::size_t before_ = 0;  ///< Files of the inputs that are done.
+};
+
+/// Calls make(input) for every input that has work to do, on as many threads as the options say. A dry run prints the
+/// files instead, unless the job has frames: which of them the clip holds, `make` finds out and prints. `make` returns
+/// an exit status and has named its failures. Returns kDone, what `make` returned where there is no list, kSomeFailed
+/// where some inputs of a list failed, kBadInput where all did.
+[[nodiscard]] int runBatch(const Batch& batch, const BatchOptions& options,
+                           const std::function<int(const BatchInput&)>& make);
+
+/// What a dry run says of an input. @param wanted  moments
+[[nodiscard]] int putNames(const BatchInput& input, const std::vector<std::size_t>& wanted);
 
 /// The time of a moment. @param index  of Batch::frames
 [[nodiscard]] inline double secondsAt(const Batch& batch, const BatchOptions& options, std::size_t index) {

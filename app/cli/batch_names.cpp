@@ -53,6 +53,9 @@ Result<std::filesystem::path> nameOfItem(const std::filesystem::path& pattern, c
     }
     name = withFrame(name, *field, *frame);
   }
+  if (const auto field = frameField(name); !frame && field && field->width > 0) {
+    return errorAt("--frames", "expected, for the frame number in \"" + name + '"');
+  }
   if (!listed) return std::filesystem::path(name);
   std::size_t at = name.find(kNameField);
   if (at == std::string::npos) {

@@ -22,6 +22,7 @@ struct BenchOptions {
   std::vector<std::filesystem::path> files;   ///< Rigs or characters; none: those that ship with the program.
   std::optional<std::filesystem::path> json;  ///< Empty path: on stdout in place of the table. nullopt: none.
   int rounds = 7;
+  bool progress = false;  ///< Also where stderr is no terminal.
 };
 
 /// The files of one mode, where none were given: rigs made for it.
@@ -45,7 +46,6 @@ Result<ModeScenes> scenesOf(const Bundled& bundled, std::vector<std::filesystem:
   }
   ModeScenes scenes;
   for (const std::filesystem::path& file : files) {
-    progress("reading " + file.string());
     Result<BenchScene> scene = openScene(file);
     if (!scene) return scene.error();
     scenes.push_back(std::move(scene.value()));
@@ -58,12 +58,6 @@ Result<ModeScenes> scenesOf(const Bundled& bundled, std::vector<std::filesystem:
 bool hasFolder(const std::filesystem::path& file) {
   std::error_code failed;
   return file.parent_path().empty() || std::filesystem::is_directory(file.parent_path(), failed);
-}
-
-void tellProgress(int done, int all, const std::string& now) {
-  constexpr int kWidth = 24;
-  const auto filled = static_cast<std::size_t>(kWidth * done / all);
-  progress('[' + std::string(filled, '#') + std::string(kWidth - filled, '.') + "] " + now);
 }
 
 /// `--json` may stand alone: the numbers go to stdout, as other verbs' do.
@@ -80,6 +74,8 @@ void addBenchOptions(CLI::App& verb, BenchOptions& options) {
   verb.add_option("--rounds", options.rounds, "Times everything is timed (7)")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
+  verb.add_flag("--progress", options.progress,
+                "Say how far it is on stderr, every 5 percent; a terminal shows it anyway");
 }
 
 int runBench(BenchOptions options) {
@@ -93,7 +89,12 @@ int runBench(BenchOptions options) {
     if (!scenes) return badInput(scenes.error());
     modes.push_back(std::move(scenes.value()));
   }
-  const Result<Whole> whole = measureWhole(modes, options.rounds, tellProgress);
+  ProgressLine line("measuring", options.progress);
+  const Result<Whole> whole = measureWhole(modes, options.rounds, [&](int done, int all, const std::string& /*now*/) {
+    line.show(static_cast<double>(done) / all);
+  });
+  if (whole) line.show(1.0);
+  line.end();
   if (!whole) return badInput(whole.error());
   if (!options.json) return putResult(textOf(whole.value()));
   const std::string json = jsonOf(whole.value()).dump(true) + '\n';

@@ -8,23 +8,23 @@
 
 #include "app/cli/batch.h"
 #include "app/cli/console.h"
+#include "app/cli/error_map.h"
+#include "app/cli/surface_options.h"
 #include "app/cli/verb.h"
 #include "app/document/document.h"
 #include "app/export/export_report.h"
-#include "sinew/base/threads.h"
+#include "core/base/lower_case.h"
 
 namespace sinew::app {
 namespace {
-
-constexpr int kMostThreads = 1024;
 
 struct ExportOptions {
   std::filesystem::path file;  ///< Rig or character.
   std::filesystem::path output;
   std::string word = exportKinds().front().word;  ///< Said after --as.
   ExportSettings settings;
-  CLI::App* parser = nullptr;  ///< Knows which options are given.
-  int threads = 0;             ///< At most; 0: one a core.
+  CLI::App* parser = nullptr;      ///< Knows which options are given.
+  std::filesystem::path errorMap;  ///< .ply; empty: none.
   bool json = false;
   BatchOptions batch;
 };
@@ -60,9 +60,7 @@ void addNamed(CLI::App& verb, const char* option, const char* type, Value& setti
 void addSettings(CLI::App& verb, ExportSettings& settings) {
   addNamed(verb, "--mesh", "M", settings.mesh, {ExportMesh::kRefined, ExportMesh::kOriginal},
            "refined, or original: the file's own vertices, in its order");
-  verb.add_option("--depth", settings.depth, "Every triangle becomes N x N, in place of the rig's depth")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMaxDepth));
+  addDetailOptions(verb, settings.detail);
   addNamed(verb, "--weights", "W", settings.weights, {ExportWeights::kRefitted, ExportWeights::kTransferred},
            "refitted to the muscles' surface over the clips and the range of motion, or transferred from the file");
   verb.add_option("--clip", settings.clips, "Keep this clip; may be given several times; without it, all are kept")
@@ -79,6 +77,10 @@ void addSettings(CLI::App& verb, ExportSettings& settings) {
   verb.add_option("--fps", settings.framesPerSecond, "baked: frames a second (30); the clip's end is one, too")
       ->type_name("N")
       ->check(isFrameRate);
+  verb.add_option("--substeps", settings.substeps,
+                  "baked: moments baked a frame (1); more of them hold the bound between frames, too")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostSubsteps));
   verb.add_option("--bound", settings.bound,
                   "baked: how far any vertex may be off in any frame, percent of the height (0.1)")
       ->type_name("PERCENT")
@@ -107,45 +109,92 @@ void addOptions(CLI::App& verb, ExportOptions& options) {
       ->type_name("KIND")
       ->check(CLI::IsMember(exportWords()));
   addSettings(verb, options.settings);
-  verb.add_option("--threads", options.threads, "Work on N cores at most; without it, on all; the file is the same")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMostThreads));
   verb.add_flag("--json", options.json, "Report as JSON");
+  verb.add_option_function<std::string>(
+          "--error-map", to(options.errorMap),
+          "The exported mesh at rest, each vertex with its largest distance to the live surface as color and number")
+      ->type_name("OUT.ply");
   verb.add_option_function<std::string>("-o,--output", to(options.output), "File to write: " + endingsText())
       ->type_name("OUT")
       ->required();
   addBatchOptions(verb, options.batch);
 }
 
-int exportInput(const ExportOptions& options, const ExportKind& kind, const BatchInput& input) {
+struct ExportJob {
+  const ExportKind* kind = nullptr;
+  Batch batch;
+};
+
+int exportInput(const ExportOptions& options, const ExportJob& job, const BatchInput& input) {
+  const ExportKind& kind = *job.kind;
   const std::filesystem::path& output = input.outputs.front();
-  progress("reading " + input.file.string());
   const auto document = openDocument(input.file);
   if (!document) return badInput(document.error());
-  progress("exporting " + output.string());
+  ProgressLine line("exporting " + output.string(), options.batch.progress);
+  const auto show = [&line](double share) {
+    line.show(share);
+    return true;
+  };
+  line.show(0.0);
   const ExportSource source{document->characterFile, document->character, document->rig(), input.file};
-  const auto report = runExport(kind, source, options.settings, output, {});
+  const auto report =
+      runExport(kind, source, options.settings, output, line.isShown() ? ExportProgress(show) : ExportProgress());
+  if (report) line.show(1.0);
+  line.end();
   if (!report) return badInput(report.error());
+  if (!options.errorMap.empty()) {
+    const auto maps = filesBeside(job.batch, input, options.errorMap, "--error-map");
+    if (!maps) return badCommandLine(maps.error().text());
+    if (const auto written = writeErrorMap(*playedBy(report.value()), maps->front()); !written) {
+      return badInput(written.error());
+    }
+  }
   const ExportResult result{kind, options.settings, output, report.value()};
   return putResult(options.json ? exportJson(result) : exportText(result));
 }
 
-int runVerb(const ExportOptions& options) {
+Result<ExportJob> planExport(const ExportOptions& options) {
   const auto kind = findExportKind(options.word, options.output);
-  if (!kind) return refused(kind.error());
+  if (!kind) return kind.error();
   const auto isGiven = [&](const char* option) { return options.parser->count(option) > 0; };
-  if (const auto fits = checkExportSettings(*kind.value(), options.settings, isGiven); !fits) {
-    return refused(fits.error());
+  if (const auto fits = checkExportSettings(*kind.value(), options.settings, isGiven); !fits) return fits.error();
+  if (!options.errorMap.empty()) {
+    if (lowerEnding(options.errorMap) != ".ply") {
+      return errorAt("--error-map", "expected a name that ends in .ply, got \"" + options.errorMap.string() + '"');
+    }
+    if (kind.value()->form == ExportForm::kCache || kind.value()->form == ExportForm::kStage) {
+      return errorAt("--error-map", "baked points are the live surface: there is no distance to show");
+    }
   }
-  const auto batch = planBatch(options.batch, options.file, options.output);
-  if (!batch) return refused(batch.error());
-  const ThreadLimit limit(options.threads);
-  return runBatch(batch.value(), options.batch.dryRun,
-                  [&](const BatchInput& input) { return exportInput(options, *kind.value(), input); });
+  auto batch = planBatch(options.batch, options.file, options.output);
+  if (!batch) return batch.error();
+  return ExportJob{kind.value(), std::move(batch.value())};
+}
+
+int runVerb(const ExportOptions& options) {
+  const auto job = planExport(options);
+  if (!job) return refused(job.error());
+  return runBatch(job->batch, options.batch,
+                  [&](const BatchInput& input) { return exportInput(options, job.value(), input); });
+}
+
+Result<FarmCheck> checkVerb(const ExportOptions& options) {
+  const auto job = planExport(options);
+  if (!job) return job.error();
+  return checkForFarm("export", job->batch, options.batch, [&](const BatchInput& input) -> Result<InputCheck> {
+    const auto document = openDocument(input.file);
+    if (!document) return document.error();
+    ExportSource source{document->characterFile, document->character, document->rig(), input.file};
+    if (const auto able = checkExportSource(*job->kind, source, options.settings); !able) return able.error();
+    options.settings.detail.apply(source.rig.smoothing);
+    return InputCheck{source.character, source.rig, {}, heldFrames(*job->kind, source.character, options.settings)};
+  });
 }
 
 }  // namespace
 
-Verb exportVerb() { return makeVerb<ExportOptions>("export", "Write the character for games", addOptions, runVerb); }
+Verb exportVerb() {
+  return makeVerb<ExportOptions>("export", "Write the character for games", addOptions, runVerb, checkVerb);
+}
 
 }  // namespace sinew::app

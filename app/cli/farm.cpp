@@ -8,8 +8,11 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/console.h"
+#include "app/cli/parse_refusal.h"
 #include "app/cli/verb.h"
 #include "app/export/farm_job.h"
+#include "core/base/listed.h"
+#include "core/base/nearest_name.h"
 #include "core/io/files/atomic_file.h"
 
 namespace sinew::app {
@@ -23,17 +26,27 @@ struct FarmOptions {
   CLI::App* parser = nullptr;  ///< Keeps what it did not understand: the verb and its arguments.
 };
 
-/// Why the verb would refuse its arguments, or nullopt.
-std::optional<std::string> refusalOf(const Verb& verb, std::span<const std::string> arguments) {
+/// Whether the verb can run with these arguments. Error: of the command line, or what the job cannot be run for.
+Result<FarmCheck> checkJob(const Verb& verb, std::span<const std::string> arguments) {
   CLI::App parser{verb.summary, verb.name};
-  const auto run = verb.add(parser);
+  const VerbCalls calls = verb.add(parser);
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
   try {
     parser.parse(std::move(reversed));
   } catch (const CLI::ParseError& error) {
-    return error.what();
+    return errorAt("", verb.name + ": " + parseRefusal(parser, error) + " (see: sinew " + verb.name + " --help)");
   }
-  return std::nullopt;
+  return calls.check();
+}
+
+/// No more tasks than there are files to make.
+int tasksFor(const FarmOptions& options, std::size_t files) {
+  const auto most = static_cast<int>(std::min<std::size_t>(std::max<std::size_t>(files, 1), kMostTasks));
+  if (options.tasks <= most) return options.tasks;
+  if (options.parser->count("--tasks") == 0) return most;
+  message("farm: " + std::to_string(files) + (files == 1 ? " file" : " files") + ": " + std::to_string(most) +
+          (most == 1 ? " task" : " tasks"));
+  return most;
 }
 
 int putJob(const std::string& text, const std::filesystem::path& file) {
@@ -45,25 +58,32 @@ int putJob(const std::string& text, const std::filesystem::path& file) {
 int runFarm(const FarmOptions& options, std::span<const Verb> verbs) {
   FarmJob job;
   job.arguments = options.parser->remaining();
-  std::string names;
-  for (const Verb& verb : verbs) names += (names.empty() ? "" : ", ") + verb.name;
+  std::vector<std::string> names;
+  for (const Verb& verb : verbs) names.push_back(verb.name);
   const std::string named = job.arguments.empty() ? "" : job.arguments.front();
   const auto verb = std::ranges::find(verbs, named, &Verb::name);
-  if (verb == verbs.end()) return badCommandLine("farm: expected one of the verbs " + names + ", got \"" + named + '"');
+  if (verb == verbs.end()) {
+    return badCommandLine("farm: expected one of the verbs " + listed(names, "or") + ", got \"" + named + '"' +
+                          didYouMean(named, names));
+  }
   for (const char* own : {"--shard", "--resume", "--dry-run"}) {
     const auto isOwn = [&](const std::string& argument) {
       return argument == own || argument.starts_with(std::string(own) + '=');
     };
     if (std::ranges::any_of(job.arguments, isOwn)) return badCommandLine(std::string(own) + ": farm sets it");
   }
-  if (const auto refusal = refusalOf(*verb, std::span(job.arguments).subspan(1))) {
-    return badCommandLine(verb->name + ": " + *refusal + " (see: sinew " + verb->name + " --help)");
+  for (std::size_t i = 1; i < job.arguments.size(); ++i) {
+    const bool isPipe = job.arguments[i] == "--list=-" || (job.arguments[i] == "-" && job.arguments[i - 1] == "--list");
+    if (isPipe) return badCommandLine("--list: expected a file: the machines of a farm have no standard input");
   }
+  const auto check = checkJob(*verb, std::span(job.arguments).subspan(1));
+  if (!check) return refused(check.error());
   std::error_code failed;
   job.folder = std::filesystem::current_path(failed);
   if (failed) return badInput(errorAt("current folder", failed.message()));
   job.program = options.program.empty() ? thisProgram() : options.program;
-  job.tasks = options.tasks;
+  job.tasks = tasksFor(options, check->files);
+  job.needs = check->needs;
   const auto text = findFarmTarget(options.to)->write(job);
   if (!text) return badCommandLine(text.error().text());
   return putJob(text.value(), options.file);
@@ -79,7 +99,7 @@ void addFarmOptions(CLI::App& verb, FarmOptions& options) {
       ->type_name("FARM")
       ->required()
       ->check(CLI::IsMember(words));
-  verb.add_option("--tasks", options.tasks, "How many tasks share the work (16)")
+  verb.add_option("--tasks", options.tasks, "How many tasks share the work (16), no more than there are files")
       ->type_name("N")
       ->check(CLI::Range(1, kMostTasks));
   verb.add_option("--program", options.program, "What the machines call this program; without it, its path here")

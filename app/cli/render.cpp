@@ -1,153 +1,86 @@
 // app/cli/render.cpp: open, frame all moments at once, then pose, smooth, draw and write each.
 #include <cstdio>
-#include <future>
 #include <optional>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
 #include "app/cli/anchor_segments.h"
+#include "app/cli/clip_frames.h"
 #include "app/cli/console.h"
+#include "app/cli/contact_sheet.h"
+#include "app/cli/movie.h"
+#include "app/cli/picture_writer.h"
+#include "app/cli/render_input.h"
 #include "app/cli/render_plan.h"
 #include "app/cli/surface_options.h"
 #include "app/cli/verb.h"
-#include "app/document/document.h"
 #include "app/platform/offscreen.h"
-#include "app/render/framing.h"
-#include "app/render/picking.h"
-#include "app/render/png.h"
 #include "app/render/viewport.h"
 #include "core/base/stopwatch.h"
 #include "core/character/skinning.h"
-#include "core/io/files/atomic_file.h"
-#include "core/rig/attachment.h"
-#include "core/smoothing/auto_depth.h"
-#include "core/symmetry/motion_clip.h"
 #include "sinew/smoothing/smoother.h"
 
 namespace sinew::app {
 namespace {
 
-/// A rig's muscles as they are drawn, moment after moment.
-struct PosedShapes {
-  const Rig& rig;
-  RigPoser poser;
-
-  [[nodiscard]] std::vector<PrimitiveShape> at(const Pose& pose) const { return shapesOf(rig, poser.pose(pose)); }
-};
-
-/// Points that hold all that one moment shows: skin, ellipsoids, and bones where they are drawn.
-void addFramedPoints(const Character& character, const PosedShapes& muscles, const Pose& pose,
-                     const DisplaySettings& display, std::vector<glm::vec3>& points) {
-  SkinnedMesh skinned;
-  skin(character, pose, skinned);
-  const std::vector<glm::vec3> extremes = extremePoints(skinned.positions);
-  points.insert(points.end(), extremes.begin(), extremes.end());
-  for (const PrimitiveShape& shape : muscles.at(pose)) {
-    if (shape.sign < 0 && !display.primitives && !display.influence && !display.anatomy) continue;
-    const std::array<glm::vec3, 6> ends = extremesOf(shape, display.influence ? shape.reach : 1.0f);
-    points.insert(points.end(), ends.begin(), ends.end());
-  }
-  if (!display.skeleton) return;
-  for (const BoneSegment& segment : boneSegments(character.skeleton, pose)) {
-    points.push_back(segment.head);
-    points.push_back(segment.tail);
-  }
-}
-
-/// One view for all moments, so that a clip's pictures stand still.
-View steadyView(const Document& document, const PosedShapes& muscles, const AnimationClip* clip,
-                const RenderOptions& options, const RenderPlan& plan) {
-  std::vector<glm::vec3> points;
-  for (const double time : plan.times) {
-    addFramedPoints(*document.character, muscles, poseAt(*document.character, clip, time), plan.display, points);
-  }
-  return framedView(points, plan.yaw, plan.pitch, plan.size, options.orthographic);
-}
-
-/// A depth that follows the size on screen, settled for all pictures.
-Rig settled(Rig rig, const Document& document, const AnimationClip* clip, const RenderPlan& plan, const View& view) {
-  if (!rig.smoothing.autoDepth) return rig;
-  const Character& character = *document.character;
-  SkinnedMesh skinned;
-  skin(character, poseAt(character, clip, plan.times.front()), skinned);
-  const float pixels = character.height / view.unitsPerPixelAt(boundsOf(skinned.positions).center());
-  rig.smoothing.depth = autoDepth(meanEdgeFraction(character.mesh, character.height), pixels, 0);
-  message("depth " + std::to_string(rig.smoothing.depth) + " for the character's size in the picture");
-  return rig;
-}
-
 struct RenderSeconds {
   double smooth = 0.0, upload = 0.0, draw = 0.0, write = 0.0;
 };
 
-Image drawPicture(double time, const AnimationClip* clip, const View& view, const PosedShapes& muscles,
-                  const RenderPlan& plan, Smoother& smoother, Viewport& viewport, RenderSeconds& seconds) {
-  const Character& character = smoother.character();
-  const Pose pose = poseAt(character, clip, time);
+/// Draws the pictures of one input.
+class Drawing {
+ public:
+  Drawing(const OpenedInput& input, const RenderPlan& plan, SteadyView view, Smoother& smoother, Viewport& viewport)
+      : input_(input),
+        plan_(plan),
+        view_(std::move(view)),
+        poser_(input.rig, *input.character),
+        smoother_(smoother),
+        viewport_(viewport) {}
+
+  Image draw(const Moment& moment);
+
+  RenderSeconds seconds;
+
+ private:
+  const OpenedInput& input_;
+  const RenderPlan& plan_;
+  SteadyView view_;
+  RigPoser poser_;
+  Smoother& smoother_;
+  Viewport& viewport_;
+};
+
+Image Drawing::draw(const Moment& moment) {
+  const View view = view_.at(moment);
+  const Character& character = smoother_.character();
+  const Pose pose = poseAt(character, input_.clip, moment.time);
   Stopwatch watch;
   Surface surface;
-  smoother.smooth(pose, surface, plan.display.cullBackFaces ? std::optional(view.facingPoint()) : std::nullopt);
+  smoother_.smooth(pose, surface, plan_.display.cullBackFaces ? std::optional(view.facingPoint()) : std::nullopt);
   seconds.smooth += watch.lap();
   Scene scene;
   scene.character = &character;
   scene.surface = &surface;
   scene.pose = &pose;
-  scene.primitives = muscles.at(pose);
-  if (plan.display.controlMesh) {
+  scene.primitives = shapesOf(input_.rig, poser_.pose(pose));
+  if (plan_.display.controlMesh) {
     SkinnedMesh skinned;
     skin(character, pose, skinned);
     scene.skinnedControlPositions = std::move(skinned.positions);
   }
-  if (plan.anchors) scene.segments = anchorSegments(character, pose, surface);
-  viewport.draw(scene, view, plan.display);
+  if (plan_.anchors) scene.segments = anchorSegments(character, pose, surface);
+  viewport_.draw(scene, view, plan_.display);
   watch.lap();
   // Without noise it takes the mean of many pictures.
-  const bool occluded = plan.display.look.occlusion || plan.display.anatomy;
-  while (occluded && !viewport.isRefined()) viewport.refine(scene, view, plan.display);
+  const bool occluded = plan_.display.look.occlusion || plan_.display.anatomy;
+  while (occluded && !viewport_.isRefined()) viewport_.refine(scene, view, plan_.display);
   seconds.draw += watch.lap();
-  seconds.upload += viewport.seconds().upload;
-  seconds.draw += viewport.seconds().draw;
-  return viewport.readPixels();
+  seconds.upload += viewport_.seconds().upload;
+  seconds.draw += viewport_.seconds().draw;
+  return viewport_.readPixels();
 }
-
-/// Pictures are written beside the drawing of the next one; one at a time, in order.
-class PictureWriter {
- public:
-  /// First finishes the picture before. @return its failure, if it failed.
-  Result<void> write(const std::filesystem::path& file, Image image) {
-    if (const Result<void> before = finish(); !before) return before;
-    file_ = file;
-    writing_ = std::async(std::launch::async, [file, image = std::move(image)]() -> Written {
-      Stopwatch watch;
-      const Result<std::string> bytes = pngBytes(image);
-      if (!bytes) return {Error{file.string(), bytes.error().place, bytes.error().reason}, 0.0};
-      Result<void> done = writeFileAtomically(file, bytes.value());
-      return {std::move(done), watch.lap()};
-    });
-    return {};
-  }
-  /// Waits for the last picture, and names its file among the verb's results.
-  Result<void> finish() {
-    if (!writing_.valid()) return {};
-    Written written = writing_.get();
-    seconds_ += written.seconds;
-    if (written.result) status_ = putResult(file_.string() + '\n');
-    return std::move(written.result);
-  }
-  [[nodiscard]] double seconds() const { return seconds_; }
-  /// kDone, or what became of the standard output.
-  [[nodiscard]] int status() const { return status_; }
-
- private:
-  struct Written {
-    Result<void> result;
-    double seconds = 0.0;
-  };
-  std::filesystem::path file_;
-  std::future<Written> writing_;
-  double seconds_ = 0.0;
-  int status_ = kDone;
-};
 
 void tellTimes(const RenderSeconds& seconds, std::size_t pictures) {
   char line[160];
@@ -197,35 +130,84 @@ void addRenderOptions(CLI::App& verb, RenderOptions& options) {
       ->type_name("NAME");
   verb.add_option("--time", options.time, "Seconds into the clip (of the first, if none is named)")->type_name("S");
   addFrameOptions(verb, options.batch);
+  verb.add_option("--turntable", options.turntable,
+                  "Go around the character in N pictures, of one moment or with --frames as the clip plays")
+      ->type_name("N")
+      ->check(CLI::Range(2, kMostTurns));
+  verb.add_option(
+          "--sheet", options.sheet,
+          "One picture of C columns and R rows, each as large as --size: of the frames, the turntable, the whole "
+          "clip, or from all sides")
+      ->type_name("CxR");
   addLook(verb, options);
   addSurfaceOptions(verb, options.surfaceOptions);
-  verb.add_option_function<std::string>("-o,--output", to(options.output),
-                                        "Picture to write: OUT.png, or OUT_%04d.png with --frames")
+  verb.add_option_function<std::string>(
+          "-o,--output", to(options.output),
+          "Picture to write: OUT.png, OUT_%04d.png with --frames or --turntable, or all of them as one moving "
+          "picture, OUT.webp, or OUT.gif or OUT.mp4 where ffmpeg is installed")
       ->type_name("OUT")
       ->required();
   addBatchOptions(verb, options.batch);
 }
 
+/// Every picture in a file of its own.
+int writePictures(const OpenedInput& opened, const BatchInput& input, Drawing& drawing, BatchProgress& progress) {
+  PictureWriter writer;
+  std::size_t made = 0;
+  for (const std::size_t moment : opened.wanted) {
+    Image image = drawing.draw(opened.moments[moment]);
+    if (const auto written = writer.write(input.outputs[moment], std::move(image)); !written) {
+      return badInput(written.error());
+    }
+    if (writer.status() != kDone) return writer.status();
+    progress.show(++made);
+  }
+  if (const auto written = writer.finish(); !written) return badInput(written.error());
+  drawing.seconds.write = writer.seconds();
+  return writer.status();
+}
+
+int writeMovie(const OpenedInput& opened, const RenderPlan& plan, const std::filesystem::path& file, Drawing& drawing,
+               BatchProgress& progress) {
+  const auto movie = makeMovie(file, plan.picturesPerSecond);
+  Stopwatch watch;
+  for (std::size_t i = 0; i < opened.moments.size(); ++i) {
+    const Image image = drawing.draw(opened.moments[i]);
+    watch.lap();
+    if (const auto added = movie->add(image); !added) return badInput(added.error());
+    drawing.seconds.write += watch.lap();
+    progress.showPart(static_cast<double>(i + 1) / static_cast<double>(opened.moments.size()));
+  }
+  watch.lap();
+  if (const auto written = movie->finish(); !written) return badInput(written.error());
+  drawing.seconds.write += watch.lap();
+  return putResult(file.string() + '\n');
+}
+
+int writeSheet(const OpenedInput& opened, const RenderPlan& plan, const std::filesystem::path& file, Drawing& drawing,
+               BatchProgress& progress) {
+  std::vector<Image> pictures;
+  for (const Moment& moment : opened.moments) {
+    pictures.push_back(drawing.draw(moment));
+    progress.showPart(static_cast<double>(pictures.size()) / static_cast<double>(opened.moments.size()));
+  }
+  PictureWriter writer;
+  if (const auto begun = writer.write(file, contactSheet(pictures, plan.sheet)); !begun) return badInput(begun.error());
+  if (const auto written = writer.finish(); !written) return badInput(written.error());
+  drawing.seconds.write = writer.seconds();
+  return writer.status();
+}
+
 /// What is wanted of one input.
-int renderInput(const RenderOptions& options, const RenderPlan& plan, const BatchInput& input) {
-  progress("reading " + input.file.string());
-  auto document = openDocument(input.file);
-  if (!document) return badInput(document.error());
-  document.value().character = withClipNamed(document->character, options.clip);
-  Rig rig = overridden(document->rig(), options.surfaceOptions);
-  if (const auto missing = missingBones(rig, document->character->skeleton); !missing.empty()) {
-    return badInput({input.file.string(), missing.front().place, missing.front().reason});
-  }
-  Result<const AnimationClip*> clip(nullptr);
-  if (plan.animated) {
-    const auto named = options.clip.empty() ? std::nullopt : std::optional(options.clip);
-    clip = clipOf(document.value(), named, plan.times.back());
-  }
-  if (!clip) return badInput(clip.error());
-  const PosedShapes muscles{rig, RigPoser(rig, *document->character)};
-  const View view = steadyView(document.value(), muscles, clip.value(), options, plan);
-  rig = settled(std::move(rig), document.value(), clip.value(), plan, view);
-  Smoother smoother(document->character);
+int renderInput(const RenderOptions& options, const RenderPlan& plan, const BatchInput& input,
+                BatchProgress& progress) {
+  const auto opened = openToRender(options, plan, input);
+  if (!opened) return badInput(opened.error());
+  if (!opened->left.empty()) message(opened->left);
+  if (options.batch.dryRun) return putNames(input, opened->wanted);
+  SteadyView view = steadyView(opened.value(), options, plan);
+  const Rig rig = settled(opened.value(), view.view);
+  Smoother smoother(opened->character);
   if (const auto prepared = smoother.prepare(rig); !prepared) {
     return badInput({input.file.string(), prepared.error().place, prepared.error().reason});
   }
@@ -234,36 +216,46 @@ int renderInput(const RenderOptions& options, const RenderPlan& plan, const Batc
   if (!context) return badInput(context.error());
   const auto viewport = Viewport::create(options.samples);
   if (!viewport) return badInput(viewport.error());
-  viewport.value()->setCharacter(*document->character);
+  viewport.value()->setCharacter(*opened->character);
   viewport.value()->setFinishFrames(true);
-  RenderSeconds seconds;
-  PictureWriter writer;
-  for (const std::size_t moment : input.wanted) {
-    const std::filesystem::path& file = input.outputs[moment];
-    progress("drawing " + file.string());
-    Image image =
-        drawPicture(plan.times[moment], clip.value(), view, muscles, plan, smoother, *viewport.value(), seconds);
-    if (const auto written = writer.write(file, std::move(image)); !written) return badInput(written.error());
-    if (writer.status() != kDone) return writer.status();
-  }
-  if (const auto written = writer.finish(); !written) return badInput(written.error());
-  if (writer.status() != kDone) return writer.status();
-  seconds.write = writer.seconds();
-  tellTimes(seconds, input.wanted.size());
-  return kDone;
+  Drawing drawing(opened.value(), plan, std::move(view), smoother, *viewport.value());
+  int status = kDone;
+  if (plan.sheet.x > 0) status = writeSheet(opened.value(), plan, input.outputs.front(), drawing, progress);
+  else if (plan.isMovie) status = writeMovie(opened.value(), plan, input.outputs.front(), drawing, progress);
+  else status = writePictures(opened.value(), input, drawing, progress);
+  const std::size_t drawn = plan.isOneFile() ? opened->moments.size() : opened->wanted.size();
+  if (status == kDone && drawn > 0) tellTimes(drawing.seconds, drawn);
+  return status;
 }
 
 int runRender(const RenderOptions& options) {
   const auto plan = planRender(options);
   if (!plan) return refused(plan.error());
-  return runBatch(plan->batch, options.batch.dryRun,
-                  [&](const BatchInput& input) { return renderInput(options, plan.value(), input); });
+  BatchProgress progress("rendering " + options.output.string(), plan->batch, options.batch);
+  return runBatch(plan->batch, options.batch, [&](const BatchInput& input) {
+    const int status = renderInput(options, plan.value(), input, progress);
+    if (status == kDone) progress.leave(input);
+    return status;
+  });
+}
+
+Result<FarmCheck> checkRender(const RenderOptions& options) {
+  const auto plan = planRender(options);
+  if (!plan) return plan.error();
+  return checkForFarm("render", plan->batch, options.batch, [&](const BatchInput& input) -> Result<InputCheck> {
+    const auto opened = openToRender(options, plan.value(), input);
+    if (!opened) return opened.error();
+    ClipFrames frames;
+    frames.count = plan->isOneFile() ? 1 : opened->moments.size();
+    frames.left = opened->left;
+    return InputCheck{opened->character, opened->rig, std::move(frames)};
+  });
 }
 
 }  // namespace
 
 Verb renderVerb() {
-  return makeVerb<RenderOptions>("render", "Make pictures, off screen", addRenderOptions, runRender);
+  return makeVerb<RenderOptions>("render", "Make pictures, off screen", addRenderOptions, runRender, checkRender);
 }
 
 }  // namespace sinew::app

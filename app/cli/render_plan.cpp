@@ -9,6 +9,7 @@
 #include <optional>
 #include <string_view>
 
+#include "app/cli/movie.h"
 #include "core/base/lower_case.h"
 
 namespace sinew::app {
@@ -16,6 +17,7 @@ namespace {
 
 constexpr int kSmallestPicture = 16;
 constexpr int kLargestPicture = 8192;
+constexpr long long kLargestSheet = 16384;
 
 struct NamedView {
   std::string_view name;
@@ -120,22 +122,64 @@ Result<void> readDisplay(const RenderOptions& options, RenderPlan& plan) {
   return {};
 }
 
-Result<void> readMoments(const RenderOptions& options, RenderPlan& plan) {
-  if (lowerEnding(options.output) != ".png")
-    return errorAt("--output", "expected a name that ends in .png, got \"" + options.output.string() + '"');
-  plan.animated = !options.clip.empty() || options.time || !options.batch.frames.empty();
-  if (options.time && !options.batch.frames.empty())
+Result<void> readSheet(const std::string& text, RenderPlan& plan) {
+  if (text.empty()) return {};
+  const auto cells = pairIn<int>(text, 'x');
+  const auto fits = [&](int axis) {
+    const int count = (*cells)[static_cast<std::size_t>(axis)];
+    return count >= 1 && static_cast<long long>(count) * plan.size[axis] <= kLargestSheet;
+  };
+  if (!cells || !fits(0) || !fits(1)) {
+    return errorAt("--sheet",
+                   "expected COLUMNSxROWS of pictures as large as --size, at most 16384 pixels wide and high, "
+                   "got \"" +
+                       text + '"');
+  }
+  plan.sheet = {(*cells)[0], (*cells)[1]};
+  return {};
+}
+
+/// What the ending of the output, --sheet, --turntable and --frames make together.
+Result<void> readForm(const RenderOptions& options, RenderPlan& plan) {
+  plan.isMovie = isMovieName(options.output);
+  if (!plan.isMovie && lowerEnding(options.output) != ".png") {
+    return errorAt("--output",
+                   "expected a name that ends in .png, .webp, .gif or .mp4, got \"" + options.output.string() + '"');
+  }
+  const bool hasFrames = !options.batch.frames.empty();
+  if (options.time && hasFrames) {
     return errorAt("--time", "cannot be combined with --frames: a frame's number is its time");
-  auto batch = planBatch(options.batch, options.input, options.output);
+  }
+  if (plan.isMovie && plan.sheet.x > 0)
+    return errorAt("--sheet", "expected a name that ends in .png: it is one picture");
+  if (plan.isMovie && !hasFrames && options.turntable == 0) {
+    return errorAt("--output", "a moving picture needs --frames or --turntable");
+  }
+  plan.turntable = options.turntable;
+  plan.animated = !options.clip.empty() || options.time || hasFrames;
+  const bool isBare = plan.sheet.x > 0 && !hasFrames && options.turntable == 0;
+  plan.spreads = isBare && !options.clip.empty() && !options.time;
+  if (isBare && !plan.spreads) plan.turntable = plan.sheet.x * plan.sheet.y;
+  return plan.isMovie ? checkMovieName(options.output) : Result<void>();
+}
+
+Result<void> readMoments(const RenderOptions& options, RenderPlan& plan) {
+  const auto frames = frameNumbers(options.batch);
+  if (!frames) return frames.error();
+  plan.frames = frames.value();
+  BatchOptions naming = options.batch;
+  if (plan.isOneFile()) naming.frames.clear();
+  else if (plan.turntable > 0 && plan.frames.empty()) naming.frames = "0:" + std::to_string(plan.turntable - 1);
+  auto batch = planBatch(naming, options.input, options.output);
   if (!batch) return batch.error();
   plan.batch = std::move(batch.value());
-  for (std::size_t i = 0; i < plan.batch.frames.size(); ++i) {
-    plan.times.push_back(secondsAt(plan.batch, options.batch, i));
-  }
-  if (!plan.batch.frames.empty()) return {};
+  plan.picturesPerSecond = options.batch.framesPerSecond;
+  if (plan.frames.size() > 1) plan.picturesPerSecond /= plan.frames[1] - plan.frames[0];
+  for (const int frame : plan.frames) plan.times.push_back(frame / options.batch.framesPerSecond);
+  if (!plan.frames.empty()) return {};
   const double time = options.time.value_or(0.0);
   if (!(time >= 0.0) || !std::isfinite(time)) return errorAt("--time", "expected seconds >= 0");
-  plan.times = {time};
+  plan.times.assign(static_cast<std::size_t>(std::max(plan.turntable, 1)), time);
   return {};
 }
 
@@ -146,6 +190,8 @@ Result<RenderPlan> planRender(const RenderOptions& options) {
   if (const auto read = readView(options.view, plan); !read) return read.error();
   if (const auto read = readSize(options.size, plan); !read) return read.error();
   if (const auto read = readDisplay(options, plan); !read) return read.error();
+  if (const auto read = readSheet(options.sheet, plan); !read) return read.error();
+  if (const auto read = readForm(options, plan); !read) return read.error();
   if (const auto read = readMoments(options, plan); !read) return read.error();
   return plan;
 }

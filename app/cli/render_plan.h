@@ -13,13 +13,17 @@
 
 namespace sinew::app {
 
+inline constexpr int kMostTurns = 10000;
+
 /// As the command line says it.
 struct RenderOptions {
   std::filesystem::path input;
-  std::filesystem::path output;  ///< .png; its fields as planBatch.
+  std::filesystem::path output;  ///< .png, or isMovieName(); its fields as planBatch.
   std::string clip;              ///< Name; empty: the first if a time or frames are given, else the bind pose.
   std::optional<double> time;    ///< Seconds.
   BatchOptions batch;
+  int turntable = 0;                   ///< Pictures once around; 0: none.
+  std::string sheet;                   ///< "CxR"; empty: none.
   std::string view = "three-quarter";  ///< A named view, or "yaw,pitch" in degrees.
   bool orthographic = false;
   std::string shading = "textured";
@@ -39,13 +43,22 @@ struct RenderOptions {
 
 struct RenderPlan {
   Batch batch;
+  std::vector<int> frames;    ///< [moments] of the clip; empty: the moments are no frames.
   std::vector<double> times;  ///< [moments] seconds into the clip, of every input.
-  bool animated = false;      ///< A clip is wanted; else the bind pose.
-  float yaw = 0.0f;           ///< Radians, as framing.h counts them.
+  int turntable = 0;          ///< Pictures once around; 0: the eye stays.
+  glm::ivec2 sheet{0};        ///< Columns and rows of a contact sheet; 0: none.
+  bool spreads = false;       ///< The sheet's moments are spread over the clip.
+  bool isMovie = false;
+  double picturesPerSecond = 30.0;  ///< Of a movie.
+  bool animated = false;            ///< A clip is wanted; else the bind pose.
+  float yaw = 0.0f;                 ///< Radians, as framing.h counts them.
   float pitch = 0.0f;
   glm::ivec2 size{1280, 800};
   DisplaySettings display;
   bool anchors = false;  ///< The segments from the control vertices to the skeleton.
+
+  /// All pictures of an input are in one file.
+  [[nodiscard]] bool isOneFile() const { return isMovie || sheet.x > 0; }
 };
 
 /// Error: place is the option, reason what was expected of it.

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/batch.h"
+#include "app/cli/clip_frames.h"
 #include "app/cli/console.h"
 #include "app/cli/surface_options.h"
 #include "app/cli/verb.h"
@@ -116,41 +117,61 @@ Result<SmoothJob> planSmooth(const SmoothOptions& options) {
   return job;
 }
 
+/// An input as it is to be smoothed.
+struct OpenedInput {
+  std::shared_ptr<const Character> character;
+  Rig rig;
+  const AnimationClip* clip = nullptr;  ///< Null: the bind pose.
+  ClipFrames frames;
+};
+
+Result<OpenedInput> open(const SmoothOptions& options, const SmoothJob& job, const BatchInput& input) {
+  auto document = openDocument(input.file);
+  if (!document) return document.error();
+  if (options.clip) document.value().character = withClipNamed(document->character, options.clip.value());
+  OpenedInput opened{document->character, overridden(document->rig(), options.surface), nullptr, {}};
+  const Skeleton& skeleton = opened.character->skeleton;
+  if (const auto missing = missingBones(opened.rig, skeleton); !missing.empty()) {
+    const Error refusal = refusalOf(missing.front(), skeleton);
+    return Error{input.file.string(), refusal.place, refusal.reason};
+  }
+  if (options.clip) {
+    const auto clip = clipOf(document.value(), options.clip, options.time.value_or(0.0));
+    if (!clip) return clip.error();
+    opened.clip = clip.value();
+  }
+  auto frames = framesInClip(job.batch.frames, options.batch, input.wanted, opened.clip, document->characterFile);
+  if (!frames) return frames.error();
+  opened.frames = std::move(frames.value());
+  return opened;
+}
+
 /// What is wanted of one input.
-int smoothInput(const SmoothOptions& options, const SmoothJob& job, const BatchInput& input) {
+int smoothInput(const SmoothOptions& options, const SmoothJob& job, const BatchInput& input, BatchProgress& progress) {
   std::vector<std::filesystem::path> reports(input.outputs.size());
   if (!options.report.empty()) {
     auto named = filesBeside(job.batch, input, options.report, "--report");
     if (!named) return badCommandLine(named.error().text());
     reports = std::move(named.value());
   }
-  progress("reading " + input.file.string());
-  auto document = openDocument(input.file);
-  if (!document) return badInput(document.error());
-  if (options.clip) document.value().character = withClipNamed(document->character, options.clip.value());
-  const Character& character = *document->character;
-  const Rig rig = overridden(document->rig(), options.surface);
-  if (const auto missing = missingBones(rig, character.skeleton); !missing.empty()) {
-    return badInput({input.file.string(), missing.front().place, missing.front().reason});
-  }
-  Result<const AnimationClip*> clip(nullptr);
-  if (options.clip) clip = clipOf(document.value(), options.clip, job.times[input.wanted.back()]);
-  if (!clip) return badInput(clip.error());
-
-  progress("smoothing");
-  Smoother smoother(document->character);
-  if (const auto prepared = smoother.prepare(rig); !prepared) {
+  const auto opened = open(options, job, input);
+  if (!opened) return badInput(opened.error());
+  if (!opened->frames.left.empty()) message(opened->frames.left);
+  if (options.batch.dryRun) return putNames(input, opened->frames.wanted);
+  Smoother smoother(opened->character);
+  if (const auto prepared = smoother.prepare(opened->rig); !prepared) {
     return badInput({input.file.string(), prepared.error().place, prepared.error().reason});
   }
-  for (const std::size_t moment : input.wanted) {
+  std::size_t made = 0;
+  for (const std::size_t moment : opened->frames.wanted) {
     const std::filesystem::path& output = input.outputs[moment];
     Surface surface;
-    smoother.smooth(poseAt(character, clip.value(), job.times[moment]), surface);
-    progress("writing " + output.string());
-    if (const auto written = writeSurface(surface, character, output, reports[moment]); !written) {
+    smoother.smooth(poseAt(*opened->character, opened->clip, job.times[moment]), surface);
+    if (const auto written = writeSurface(surface, *opened->character, output, reports[moment]); !written) {
       return badInput(written.error());
     }
     if (const int status = putResult(output.string() + '\n'); status != kDone) return status;
+    progress.show(++made);
   }
   return kDone;
 }
@@ -158,15 +179,29 @@ int smoothInput(const SmoothOptions& options, const SmoothJob& job, const BatchI
 int runSmooth(const SmoothOptions& options) {
   const auto job = planSmooth(options);
   if (!job) return refused(job.error());
-  return runBatch(job->batch, options.batch.dryRun,
-                  [&](const BatchInput& input) { return smoothInput(options, job.value(), input); });
+  BatchProgress progress("smoothing " + options.output.string(), job->batch, options.batch);
+  return runBatch(job->batch, options.batch, [&](const BatchInput& input) {
+    const int status = smoothInput(options, job.value(), input, progress);
+    if (status == kDone) progress.leave(input);
+    return status;
+  });
+}
+
+Result<FarmCheck> checkSmooth(const SmoothOptions& options) {
+  const auto job = planSmooth(options);
+  if (!job) return job.error();
+  return checkForFarm("smooth", job->batch, options.batch, [&](const BatchInput& input) -> Result<InputCheck> {
+    const auto opened = open(options, job.value(), input);
+    if (!opened) return opened.error();
+    return InputCheck{opened->character, opened->rig, opened->frames};
+  });
 }
 
 }  // namespace
 
 Verb smoothVerb() {
   return makeVerb<SmoothOptions>("smooth", "Write the smoothed surface of one moment, or of each frame",
-                                 addSmoothOptions, runSmooth);
+                                 addSmoothOptions, runSmooth, checkSmooth);
 }
 
 }  // namespace sinew::app

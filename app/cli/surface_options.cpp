@@ -7,35 +7,50 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/console.h"
+#include "core/skeleton/clip_names.h"
+#include "core/skeleton/range_of_motion.h"
 
 namespace sinew::app {
 namespace {
 
 constexpr double kPastEnd = 1e-4;  ///< Seconds: less is rounding.
 
-std::string isAngle(const std::string& text) {
-  float degrees = -1.0f;
+/// @param expected  the range in words
+std::string isWithin(const std::string& text, float least, float most, const char* expected) {
+  float number = least - 1.0f;
   const char* const end = text.data() + text.size();
-  const auto [stop, failed] = std::from_chars(text.data(), end, degrees);
-  if (failed == std::errc{} && stop == end && degrees >= 0.0f && degrees <= 180.0f) return {};
-  return "expected degrees from 0 to 180, got \"" + text + '"';
+  const auto [stop, failed] = std::from_chars(text.data(), end, number);
+  if (failed == std::errc{} && stop == end && number >= least && number <= most) return {};
+  return std::string("expected ") + expected + ", got \"" + text + '"';
 }
 
-std::string clipNames(const Character& character) {
-  if (character.clips.empty()) return "none: it has no clips";
-  std::string names;
-  for (const AnimationClip& clip : character.clips) names += (names.empty() ? "\"" : ", \"") + clip.name + '"';
-  return character.clips.size() == 1 ? names : "one of " + names;
+std::string isAngle(const std::string& text) { return isWithin(text, 0.0f, 180.0f, "degrees from 0 to 180"); }
+
+std::string isTolerance(const std::string& text) {
+  return isWithin(text, kLeastTolerance, kMostTolerance, "a number from 0.0001 to 0.01");
 }
 
 }  // namespace
 
-void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options) {
+void addDetailOptions(CLI::App& verb, DetailOverride& detail) {
   verb.add_option(
-          "--depth", options.depth,
-          "Every triangle becomes N x N, in place of the rig's depth, also of one that follows the size on screen")
+          "--depth", detail.depth,
+          "Every triangle becomes N x N, in place of the rig's detail, also of one that follows the size on screen")
       ->type_name("N")
       ->check(CLI::Range(1, kMaxDepth));
+  verb.add_option_function<std::string>(
+          "--detail", [&detail](const std::string& word) { detail.kind = detailKindNamed(word); },
+          "adaptive (as fine as the tolerance asks for) or uniform (the depth everywhere)")
+      ->type_name("D")
+      ->check(CLI::IsMember({"adaptive", "uniform"}));
+  verb.add_option("--tolerance", detail.tolerance,
+                  "Adaptive: how far triangles may lie off the surface, fraction of the height (0.001)")
+      ->type_name("T")
+      ->check(isTolerance);
+}
+
+void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options) {
+  addDetailOptions(verb, options.detail);
   verb.add_option("--mode", options.mode, "swell (the skin rises over the muscles) or replace (the paper's method)")
       ->type_name("M")
       ->check(CLI::IsMember({"swell", "replace"}));
@@ -52,10 +67,7 @@ void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options) {
 }
 
 Rig overridden(Rig rig, const SurfaceOptions& options) {
-  if (options.depth) {
-    rig.smoothing.depth = *options.depth;
-    rig.smoothing.autoDepth = false;
-  }
+  options.detail.apply(rig.smoothing);
   if (options.crease) rig.smoothing.creaseAngle = *options.crease;
   rig.surface.mode = surfaceModeNamed(options.mode).value_or(rig.surface.mode);
   rig.smoothing.patch = patchKindNamed(options.patch).value_or(rig.smoothing.patch);
@@ -69,7 +81,8 @@ Result<const AnimationClip*> clipOf(const Document& document, const std::optiona
   auto clip = character.clips.begin();
   if (name) clip = std::ranges::find(character.clips, *name, &AnimationClip::name);
   if (clip == character.clips.end()) {
-    return Error{file, name ? "clip \"" + *name + '"' : "clip", "expected " + clipNames(character)};
+    if (!name) return Error{file, "clip", kNoClips};
+    return Error{file, "clip \"" + *name + '"', noSuchClip(*name, character.clips, {std::string(kRangeOfMotionName)})};
   }
   if (lastTime > static_cast<double>(clip->duration) + kPastEnd) {
     message(file + ": clip \"" + clip->name + "\": the time is past its end; its end is used");

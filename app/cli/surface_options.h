@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "app/document/detail_override.h"
 #include "app/document/document.h"
 #include "sinew/base/result.h"
 #include "sinew/skeleton/pose.h"
@@ -17,15 +18,18 @@ namespace sinew::app {
 
 /// In place of the rig's own, where given.
 struct SurfaceOptions {
-  std::optional<int> depth;
+  DetailOverride detail;
   std::optional<float> crease;  ///< Degrees.
   std::string mode;             ///< Empty: the rig's, as for the next two.
   std::string patch;
   std::string projection;
 };
 
-/// --depth, --mode, --patch, --projection and --crease. `options` must outlive the parse.
+/// --depth, --detail, --tolerance, --mode, --patch, --projection and --crease. `options` must outlive the parse.
 void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options);
+
+/// --depth, --detail and --tolerance alone.
+void addDetailOptions(CLI::App& verb, DetailOverride& detail);
 
 /// The rig with what the command line says instead. The words have passed the parser.
 [[nodiscard]] Rig overridden(Rig rig, const SurfaceOptions& options);

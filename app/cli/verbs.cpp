@@ -11,7 +11,9 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/console.h"
+#include "app/cli/parse_refusal.h"
 #include "app/cli/verb.h"
+#include "core/base/nearest_name.h"
 
 namespace sinew::app {
 namespace {
@@ -23,6 +25,7 @@ constexpr const char* kExamples =
     "Without a verb the editor opens: sinew fox.glb, sinew fox.rig.json, or sinew alone for a bundled character.\n"
     "\n"
     "  sinew inspect fox.glb --json\n"
+    "  sinew muscle fox.glb -o fox.rig.json\n"
     "  sinew smooth fox.rig.json --clip Walk --time 0.4 --depth 6 -o fox.obj --report fox.json\n"
     "  sinew export fox.rig.json -o fox_muscled.glb\n"
     "  sinew render fox.rig.json --clip Walk --frames 0:23 -o fox_%04d.png\n"
@@ -46,6 +49,8 @@ std::vector<Verb> allVerbs(const RunEditor& edit) {
   return {
       makeVerb<EditRequest>("edit", "Open the editor", addEditOptions, edit),
       inspectVerb(),
+      checkRigVerb(),
+      muscleVerb(),
       smoothVerb(),
       exportVerb(),
       renderVerb(),
@@ -57,7 +62,7 @@ std::vector<Verb> allVerbs(const RunEditor& edit) {
 /// The parser of the whole command line, and what runs each verb.
 struct CommandLine {
   CLI::App app{kSummary, "sinew"};
-  std::vector<std::pair<CLI::App*, std::function<int()>>> runs;
+  std::vector<std::pair<CLI::App*, VerbCalls>> runs;
 
   explicit CommandLine(std::span<const Verb> verbs) {
     app.set_version_flag("--version", std::string("sinew ") + programVersion(), "Print the version and exit");
@@ -100,8 +105,9 @@ int answer(const CommandLine& line, const CLI::ParseError& error) {
   }
   if (dynamic_cast<const CLI::CallForVersion*>(&error)) return putResult(std::string(error.what()) + '\n');
   const auto chosen = line.app.get_subcommands();
-  return badCommandLine(std::string(error.what()) + " (see: sinew " +
-                        (chosen.empty() ? "" : chosen.front()->get_name() + ' ') + "--help)");
+  const std::string refusal = parseRefusal(chosen.empty() ? line.app : *chosen.front(), error);
+  return badCommandLine(refusal + " (see: sinew " + (chosen.empty() ? "" : chosen.front()->get_name() + ' ') +
+                        "--help)");
 }
 
 }  // namespace
@@ -109,7 +115,10 @@ int answer(const CommandLine& line, const CLI::ParseError& error) {
 int runCommandLine(int argc, const char* const* argv, const RunEditor& edit) {
   const std::vector<Verb> verbs = allVerbs(edit);
   if (argc > 1 && isUnknownWord(verbs, argv[1])) {
-    return badCommandLine('"' + std::string(argv[1]) + "\" is neither a verb nor a file (see: sinew --help)");
+    std::vector<std::string> names;
+    for (const Verb& verb : verbs) names.push_back(verb.name);
+    return badCommandLine('"' + std::string(argv[1]) + "\" is neither a verb nor a file" + didYouMean(argv[1], names) +
+                          " (see: sinew --help)");
   }
   CommandLine line(verbs);
   std::vector<std::string> arguments = withVerb(verbs, argc, argv);
@@ -120,7 +129,7 @@ int runCommandLine(int argc, const char* const* argv, const RunEditor& edit) {
     return answer(line, error);
   }
   const auto chosen = std::ranges::find_if(line.runs, [](const auto& run) { return run.first->parsed(); });
-  return chosen->second();
+  return chosen->second.run();
 }
 
 }  // namespace sinew::app

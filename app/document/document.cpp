@@ -23,6 +23,7 @@ Result<Document> openCharacter(const std::filesystem::path& file) {
   document.characterFile = file;
   Rig rig;
   rig.character = file.filename().generic_string();
+  rig.smoothing.detail = DetailKind::kAdaptive;
   document.commands = CommandStack(std::move(rig));
   prepareMirror(document);
   return document;

@@ -117,6 +117,8 @@ std::string completePath(const fs::path& folder, const std::string& text, const 
 }
 
 fs::path withRigEnding(fs::path file) {
+  const std::string ending = lowerCase(file.extension().string());
+  if (ending == ".glb" || ending == ".gltf") file.replace_extension();
   if (!lowerCase(file.filename().string()).ends_with(".json")) file += ".rig.json";
   return file;
 }

@@ -50,7 +50,8 @@ void refresh(FolderListing& listing, const std::filesystem::path& folder, const 
 [[nodiscard]] std::string completePath(const std::filesystem::path& folder, const std::string& text,
                                        const ListingOptions& options);
 
-/// The name a rig is saved under: ".rig.json" is appended unless it ends so or in ".json".
+/// The name a rig is saved under: ".rig.json" is appended unless it ends so or in ".json", and takes the place of a
+/// character's ending.
 [[nodiscard]] std::filesystem::path withRigEnding(std::filesystem::path file);
 
 /// $HOME, else the working folder.

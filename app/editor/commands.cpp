@@ -7,6 +7,7 @@
 
 #include "app/document/damaged_file.h"
 #include "app/document/muscle_names.h"
+#include "app/document/shown_names.h"
 #include "app/editor/disk_conflict.h"
 #include "app/editor/edit.h"
 #include "app/editor/pose_commands.h"
@@ -72,6 +73,24 @@ bool travel(EditorState& state, Move move) {
   return state.document.commands.position() != before;
 }
 
+/// Where no skin bends it is said: a mesh that was exported without its skin looks like one with it.
+void tellRigid(EditorState& state) {
+  const ControlMesh& mesh = state.character().mesh;
+  const std::size_t vertices = mesh.positions.size();
+  const auto isWhole = [](const Influence& influence) { return !(influence.weight < 1.0f); };
+  if (mesh.influences.size() > vertices || !std::ranges::all_of(mesh.influences, isWhole)) return;
+  const std::vector<bool> carrying = bonesWithSkin(state.character());
+  const auto carries = std::ranges::find(carrying, true);
+  const bool one = std::ranges::count(carrying, true) == 1;
+  const std::string name = state.document.characterFile.filename().string();
+  const std::string what =
+      one ? " has no skin weights: all of it follows the bone " +
+                shownBoneName(state.character().skeleton, static_cast<int>(carries - carrying.begin())) +
+                " and nothing bends"
+          : " has no blended skin weights: its parts follow their bones rigidly and nothing bends";
+  addMessage(state.session, MessageKind::kNote, name + what);
+}
+
 void tellIgnored(EditorState& state) {
   const std::string name = state.document.characterFile.filename().string();
   for (const std::string& ignored : state.character().ignored) {
@@ -130,6 +149,7 @@ bool showDocument(EditorState& state, Document document) {
   }
   show(state, std::move(document), std::move(live).value(), transport);
   if (view) restoreView(state, *view);
+  tellRigid(state);
   tellIgnored(state);
   return true;
 }

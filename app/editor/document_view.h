@@ -15,6 +15,7 @@
 #include "app/document/animate_state.h"
 #include "app/playback.h"
 #include "app/tools/select.h"
+#include "core/check/check.h"
 #include "core/lines/line_lengths.h"
 #include "sinew/rig/rig.h"
 
@@ -94,10 +95,20 @@ struct LineRangeState {
   LineLengths lengths;
 };
 
+/// What Play > Check muscles has found.
+struct CheckState {
+  bool shown = false;
+  std::size_t revision = 0;  ///< CommandStack::revision() of the rig that was checked.
+  std::vector<Finding> findings;
+  std::vector<PrimitiveId> muscles;  ///< [findings]
+  int chosen = -1;                   ///< The finding that was gone to; -1: none.
+};
+
 struct DocumentView {
   Transport transport;
   FlexState flex;
   LineRangeState lineRange;
+  CheckState check;
   std::vector<bool> helperBones;  ///< [bones] core/character/skin_bones.h
   TimelineState timeline;
   RenameState rename;

@@ -26,6 +26,7 @@ struct FrameState {
   int pictureSamples = 0;     ///< That the shown picture is the mean of; 1 while something moves.
   float pictureScale = 1.0f;  ///< Pixels of the shown picture per pixel of the viewport, along an edge.
   float uiScale = 1.0f;       ///< Window coordinates per design pixel.
+  bool arrowsTaken = false;   ///< A list with the focus uses Up and Down; of the last frame.
   float systemScale = 1.0f;   ///< What it would be if the system alone were asked.
 };
 

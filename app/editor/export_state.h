@@ -1,12 +1,16 @@
-// app/editor/export_state.h: what is chosen in the export dialogs. Remembered while the editor runs.
+// app/editor/export_state.h: what is chosen in the export dialogs, and what the last export came to. Remembered while
+// the editor runs.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/export/export_kinds.h"
+#include "sinew/smoothing/smoother.h"
 
 namespace sinew::app {
 
@@ -39,6 +43,30 @@ struct ExportDialogState {
 
   bool overwriteAsked = false;  ///< "Replace it?" is on the screen.
   std::string error;            ///< Why the last try failed.
+};
+
+/// An export that is done, as far as it can be compared with the live surface.
+struct LastExport {
+  std::filesystem::path file;
+  std::shared_ptr<const Character> character;
+  Rig rig;  ///< With the detail that it was exported with.
+  std::shared_ptr<const ExportedSurface> played;
+  ErrorFigures largest;  ///< Of all clips, at keys and between.
+};
+
+/// What View > Export error draws: the live surface as it was exported, or what the file shows, each vertex displaced
+/// by their distance.
+struct ExportErrorState {
+  std::optional<LastExport> last;
+  bool shown = false;
+  bool exported = false;  ///< The exported mesh, else the live one.
+
+  Surface surface;
+  float largestNow = 0.0f;   ///< In this moment, percent of the height.
+  std::size_t revision = 0;  ///< Counts what has been drawn.
+  std::optional<Smoother> smoother;
+  std::size_t madeOf = 0;  ///< Live revision that `surface` was made in; 0: none.
+  bool madeExported = false;
 };
 
 }  // namespace sinew::app

@@ -97,8 +97,12 @@ void moveCursor(EditorState& state, const std::vector<OutlinerRow>& rows, int by
   const int count = static_cast<int>(rows.size());
   const int from = cursorRow(state.document, rows);
   int to = from < 0 ? (by > 0 ? 0 : count - 1) : from + by;
-  // The unattached node's own row cannot be selected.
-  if (to >= 0 && to < count && at(rows, to).kind == RowKind::kUnattached) to += by > 0 ? 1 : -1;
+  // Titles cannot be selected.
+  const auto isTitle = [&](int row) {
+    return row >= 0 && row < count &&
+           (at(rows, row).kind == RowKind::kUnattached || at(rows, row).kind == RowKind::kPart);
+  };
+  while (isTitle(to)) to += by > 0 ? 1 : -1;
   if (to < 0 || to >= count) return;
   const OutlinerRow& row = at(rows, to);
   if (row.kind == RowKind::kMuscle) {
@@ -133,6 +137,21 @@ void unfoldTo(EditorState& state, int bone) {
   for (int b = bone; b >= 0; b = at(skeleton.bones, b).parent) {
     state.view.outliner.folded.erase(at(skeleton.bones, b).path);
   }
+}
+
+void unfoldParts(EditorState& state, int muscle) {
+  const Primitive& primitive = at(state.document.rig().primitives, muscle);
+  const Skeleton& skeleton = state.character().skeleton;
+  state.view.outliner.folded.erase(foldedKey(primitive.group));
+  const std::optional<int> bone = skeleton.findBone(primitive.bone);
+  if (!bone) return;
+  const std::vector<std::string> parts = bodyParts(skeleton);
+  state.view.outliner.folded.erase(foldedKey(at(parts, *bone)));
+}
+
+void setPartFolded(EditorState& state, const std::string& part, bool folded) {
+  if (folded) state.view.outliner.folded.insert(foldedKey(part));
+  else state.view.outliner.folded.erase(foldedKey(part));
 }
 
 }  // namespace sinew::app

@@ -27,5 +27,9 @@ void selectMuscles(Document& document, const std::vector<int>& indices);
 void setFolded(EditorState& state, int bone, bool folded, bool all);
 /// Opens what hides a muscle's row.
 void unfoldTo(EditorState& state, int bone);
+/// The same in the flat lists. @param muscle  rig index
+void unfoldParts(EditorState& state, int muscle);
+/// Closes or opens a part of a flat list.
+void setPartFolded(EditorState& state, const std::string& part, bool folded);
 
 }  // namespace sinew::app

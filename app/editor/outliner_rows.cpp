@@ -7,6 +7,8 @@
 #include "core/base/lower_case.h"
 
 #include "core/base/at.h"
+#include "core/skeleton/joint_roles.h"
+#include "core/skeleton/side_names.h"
 
 namespace sinew::app {
 namespace {
@@ -82,7 +84,97 @@ void addUnattached(Walk& walk) {
   for (const int muscle : shown) walk.rows.push_back({RowKind::kMuscle, muscle, 1});
 }
 
+/// The parts in the order in which they are listed.
+std::vector<std::string> partsInOrder(const Walk& walk, const std::vector<std::string>& partOf) {
+  std::vector<std::string> parts;
+  if (walk.view.order == OutlinerOrder::kGroups) {
+    for (const Group& group : walk.rig.groups) parts.push_back(group.name);
+    return parts;
+  }
+  for (const std::string& part : partOf) {
+    if (!part.empty() && std::ranges::find(parts, part) == parts.end()) parts.push_back(part);
+  }
+  std::ranges::sort(parts);
+  return parts;
+}
+
+/// A flat list: the muscles of each part under its title, by name.
+void addParts(Walk& walk, const std::vector<int>& boneOf) {
+  const bool byGroup = walk.view.order == OutlinerOrder::kGroups;
+  const std::vector<std::string> ofBones = byGroup ? std::vector<std::string>() : bodyParts(walk.skeleton);
+  std::vector<std::string> partOf(boneOf.size());
+  for (std::size_t i = 0; i < boneOf.size(); ++i) {
+    if (byGroup) partOf[i] = walk.rig.primitives[i].group;
+    else if (boneOf[i] >= 0) partOf[i] = at(ofBones, boneOf[i]);
+  }
+  for (const std::string& part : partsInOrder(walk, partOf)) {
+    std::vector<int> muscles;
+    for (std::size_t i = 0; i < partOf.size(); ++i) {
+      const bool asked = walk.muscleShown(static_cast<int>(i), walk.filtered() && containsText(part, walk.view.filter));
+      if (partOf[i] == part && asked) muscles.push_back(static_cast<int>(i));
+    }
+    if (muscles.empty()) continue;
+    std::ranges::stable_sort(muscles, {}, [&](int i) { return at(walk.rig.primitives, i).name; });
+    const bool open = !walk.foldedAway(foldedKey(part));
+    walk.rows.push_back({RowKind::kPart, -1, 0, true, open, part});
+    if (!open) continue;
+    for (const int muscle : muscles) walk.rows.push_back({RowKind::kMuscle, muscle, 1});
+  }
+}
+
+const char* partWord(JointRole role) {
+  switch (role) {
+    case JointRole::kNeck:
+      return "head and neck";
+    case JointRole::kTail:
+      return "tail";
+    case JointRole::kCollar:
+    case JointRole::kShoulder:
+    case JointRole::kElbow:
+    case JointRole::kWrist:
+      return "arm";
+    case JointRole::kHip:
+    case JointRole::kKnee:
+    case JointRole::kAnkle:
+      return "leg";
+    case JointRole::kTrunk:
+    case JointRole::kStill:
+      return "torso";
+    case JointRole::kDigit:
+    case JointRole::kFree:
+      break;
+  }
+  return "";
+}
+
 }  // namespace
+
+std::vector<std::string> bodyParts(const Skeleton& skeleton) {
+  const std::vector<JointRole> roles = jointRoles(skeleton);
+  std::vector<std::string> words(skeleton.bones.size());
+  std::vector<std::string> parts;
+  for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
+    words[b] = partWord(roles[b]);
+    // Fingers, and bones of which nothing is known, belong to what they hang on.
+    const int parent = skeleton.bones[b].parent;
+    if (words[b].empty()) words[b] = parent >= 0 ? at(words, parent) : "body";
+    const std::optional<Side> side = sideNamed(skeleton.bones[b].name);
+    std::string part = words[b];
+    if (words[b] == "arm" || words[b] == "leg") {
+      if (side == Side::kLeft) part = "left " + part;
+      if (side == Side::kRight) part = "right " + part;
+      const std::string& above = parent >= 0 ? at(parts, parent) : part;
+      if (!side && parent >= 0 && at(words, parent) == words[b]) part = above;
+    }
+    parts.push_back(std::move(part));
+  }
+  for (std::string& part : parts) {
+    if (part.front() >= 'a' && part.front() <= 'z') part.front() = static_cast<char>(part.front() - 'a' + 'A');
+  }
+  return parts;
+}
+
+std::string foldedKey(const std::string& part) { return "part:" + part; }
 
 bool containsText(const std::string& text, const std::string& part) {
   if (part.empty()) return true;
@@ -94,7 +186,11 @@ std::vector<OutlinerRow> outlinerRows(const Rig& rig, const Skeleton& skeleton, 
   Walk walk{rig, skeleton, view, {}, {}, {}, {}, {}};
   sortMuscles(walk, boneOf);
   markShown(walk);
-  addUnattached(walk);
+  if (view.order != OutlinerOrder::kGroups) addUnattached(walk);
+  if (view.order != OutlinerOrder::kBones) {
+    addParts(walk, boneOf);
+    return std::move(walk.rows);
+  }
   for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
     if (skeleton.bones[b].parent < 0) addBone(walk, static_cast<int>(b), 0);
   }
@@ -103,6 +199,7 @@ std::vector<OutlinerRow> outlinerRows(const Rig& rig, const Skeleton& skeleton, 
 
 std::string keyOf(const OutlinerRow& row, const Rig& rig, const Skeleton& skeleton) {
   if (row.kind == RowKind::kUnattached) return "u:";
+  if (row.kind == RowKind::kPart) return "p:" + row.part;
   const auto index = static_cast<std::size_t>(row.index);
   return row.kind == RowKind::kMuscle ? "m:" + std::to_string(rig.primitives[index].id().value)
                                       : "b:" + skeleton.bones[index].path;

@@ -5,12 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/view_state.h"
 #include "sinew/rig/rig.h"
 #include "sinew/skeleton/skeleton.h"
 
 namespace sinew::app {
 
-enum class RowKind { kBone, kMuscle, kUnattached };
+enum class RowKind { kBone, kMuscle, kUnattached, kPart };
 
 struct OutlinerRow {
   RowKind kind = RowKind::kBone;
@@ -18,6 +19,7 @@ struct OutlinerRow {
   int level = 0;   ///< Depth in the tree.
   bool foldable = false;
   bool open = false;
+  std::string part = {};  ///< Of kPart: its title, "Left arm" or a group's name.
 };
 
 /// What the tree shows.
@@ -26,6 +28,7 @@ struct OutlinerView {
   bool onlyWithMuscles = false;  ///< Leaves out bones with no muscle on or below them.
   const std::set<std::string>* folded = nullptr;  ///< Bone paths.
   bool unattachedFolded = false;
+  OutlinerOrder order = OutlinerOrder::kBones;
   std::vector<bool> hiddenBones{};  ///< [bones] left out, unless a muscle is on or below them; empty: none.
 };
 
@@ -33,6 +36,12 @@ struct OutlinerView {
 [[nodiscard]] std::vector<OutlinerRow> outlinerRows(const Rig& rig, const Skeleton& skeleton,
                                                     const std::vector<int>& boneOf, const OutlinerView& view);
 
+/// [bones] "Left arm", "Torso", "Head and neck" ...: the part of the body that each bone moves, by its name and its
+/// place in the tree (core/skeleton/joint_roles.h); "Body" where nothing is known.
+[[nodiscard]] std::vector<std::string> bodyParts(const Skeleton& skeleton);
+
+/// What OutlinerState::folded has of a part; no bone's path begins so.
+[[nodiscard]] std::string foldedKey(const std::string& part);
 /// The row's key (OutlinerState).
 [[nodiscard]] std::string keyOf(const OutlinerRow& row, const Rig& rig, const Skeleton& skeleton);
 /// Position of a key, or -1.

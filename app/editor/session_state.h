@@ -10,9 +10,11 @@
 
 #include "app/document/preferences.h"
 #include "app/document/recovery.h"
+#include "app/editor/export_state.h"
 #include "app/editor/toast.h"
 #include "app/export/export_queue.h"
 #include "app/platform/frame_stats.h"
+#include "sinew/rig/muscle_line.h"
 
 namespace sinew::app {
 
@@ -29,6 +31,7 @@ struct Message {
   std::string text;
   int count = 1;  ///< Times it was said.
   MessageAbout about = MessageAbout::kDocument;
+  std::optional<MuscleLine> line = std::nullopt;  ///< What it warns of, as it was: the message goes when that changes.
 };
 
 struct SessionState {
@@ -45,6 +48,7 @@ struct SessionState {
   Thumbnails* thumbnails = nullptr;                    ///< The window's; null without one.
   FrameStats stats;
   ExportQueue exports;  ///< In the background.
+  ExportErrorState exportError;
   /// As soon as they are done; asked for at these documentsOpened and CommandStack::revision(): what is edited after
   /// that is asked about.
   std::optional<std::pair<std::size_t, std::size_t>> quitAfterExports;

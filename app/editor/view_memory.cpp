@@ -117,11 +117,15 @@ std::set<std::string> textsFromJson(const Json& json) {
   return texts;
 }
 
+/// By OutlinerOrder.
+constexpr std::array kOrders{"bones", "regions", "groups"};
+
 Json outlinerToJson(const ViewState& view) {
   return Json::object()
       .set("search", view.outlinerFilter)
       .set("only_with_muscles", view.outliner.onlyWithMuscles)
       .set("helper_bones", view.outliner.helperBones)
+      .set("order", kOrders[static_cast<std::size_t>(view.outliner.order)])
       .set("folded", textsToJson(view.outliner.folded));
 }
 
@@ -129,6 +133,8 @@ void restoreOutliner(ViewState& view, const Json& json) {
   view.outlinerFilter = json.at("search").text("");
   view.outliner.onlyWithMuscles = json.at("only_with_muscles").boolean(view.outliner.onlyWithMuscles);
   view.outliner.helperBones = json.at("helper_bones").boolean(view.outliner.helperBones);
+  const auto order = std::ranges::find(kOrders, json.at("order").text("bones"));
+  if (order != kOrders.end()) view.outliner.order = static_cast<OutlinerOrder>(order - kOrders.begin());
   view.outliner.folded = textsFromJson(json.at("folded"));
 }
 

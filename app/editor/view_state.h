@@ -16,11 +16,15 @@ namespace sinew::app {
 
 enum class LeftTab { kMuscles, kGroups };
 
+/// What the rows of the muscles stand under: the tree of bones, or a flat list.
+enum class OutlinerOrder { kBones, kRegions, kGroups };
+
 /// Rows have keys: "m:" and a muscle's identity, or "b:" and a bone's path.
 struct OutlinerState {
   LeftTab tab = LeftTab::kMuscles;
+  OutlinerOrder order = OutlinerOrder::kBones;
   bool onlyWithMuscles = false;  ///< Bones without a muscle on them or below are left out.
-  std::set<std::string> folded;  ///< Paths of the bones whose rows are closed.
+  std::set<std::string> folded;  ///< Paths of the bones, and names of the parts of a flat list, that are closed.
   bool unattachedFolded = false;
   bool helperBones = false;  ///< Bones that move no skin are shown, in the picture as well.
 };
@@ -29,7 +33,7 @@ struct InspectorState {
   bool percent = false;        ///< Lengths in per cent of the height, else in character units.
   bool shapeOpen = false;      ///< The rows that change a muscle's shape are unfolded.
   bool territoryOpen = false;  ///< The list of a default territory's bones is unfolded.
-  std::string territoryFilter;
+  std::string boneFilter;      ///< Typed into the list of bones that is open.
   bool animationOpen = false;  ///< Drivers and keys are unfolded.
 };
 

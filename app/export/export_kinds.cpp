@@ -7,8 +7,10 @@
 #include <new>
 #include <system_error>
 
+#include "core/base/at.h"
 #include "core/base/listed.h"
 #include "core/rig/attachment.h"
+#include "core/skeleton/clip_names.h"
 #include "core/symmetry/motion_clip.h"
 
 namespace sinew::app {
@@ -50,6 +52,7 @@ Result<ExportReport> runBaked(const ExportSource& source, const ExportSettings& 
                               const std::filesystem::path& file, const ExportProgress& progress) {
   const BakedExportSettings baked{.clip = settings.clips.front(),
                                   .framesPerSecond = settings.framesPerSecond,
+                                  .substeps = settings.substeps,
                                   .bound = settings.bound,
                                   .weights = settings.weights};
   auto report = exportBaked(source.characterFile, source.character, source.rig, baked, file, progress);
@@ -108,12 +111,19 @@ struct SettingWord {
 constexpr SettingWord kSettings[] = {
     {"--mesh", &ExportFields::mesh, [](const ExportSettings& s) -> std::string { return nameOf(s.mesh); }},
     {"--depth", &ExportFields::depth,
-     [](const ExportSettings& s) { return s.depth ? std::to_string(*s.depth) : std::string(); }},
+     [](const ExportSettings& s) { return s.detail.depth ? std::to_string(*s.detail.depth) : std::string(); }},
+    {"--detail", &ExportFields::depth,
+     [](const ExportSettings& s) { return s.detail.kind ? std::string(nameOf(*s.detail.kind)) : std::string(); }},
+    {"--tolerance", &ExportFields::depth,
+     [](const ExportSettings& s) {
+       return s.detail.tolerance ? numberWord(static_cast<double>(*s.detail.tolerance)) : std::string();
+     }},
     {"--joints", &ExportFields::helpers, [](const ExportSettings& s) { return std::to_string(s.helpers); }},
     {"--joint-scale", &ExportFields::helpers,
      [](const ExportSettings& s) -> std::string { return nameOf(s.jointScale); }},
     {"--weights", &ExportFields::weights, [](const ExportSettings& s) -> std::string { return nameOf(s.weights); }},
     {"--fps", &ExportFields::oneClip, [](const ExportSettings& s) { return numberWord(s.framesPerSecond); }},
+    {"--substeps", &ExportFields::bound, [](const ExportSettings& s) { return std::to_string(s.substeps); }},
     {"--bound", &ExportFields::bound, [](const ExportSettings& s) { return numberWord(s.bound); }},
 };
 
@@ -140,6 +150,15 @@ std::shared_ptr<const Character> asInFile(const std::shared_ptr<const Character>
   auto own = std::make_shared<Character>(*character);
   std::erase_if(own->clips, [](const AnimationClip& clip) { return clip.turnsBindPose; });
   return own;
+}
+
+Result<void> checkBones(const ExportSource& source) {
+  const Skeleton& skeleton = source.character->skeleton;
+  const auto missing = missingBones(source.rig, skeleton);
+  if (missing.empty()) return {};
+  Error refusal = refusalOf(missing.front(), skeleton);
+  refusal.file = source.rigFile.string();
+  return refusal;
 }
 
 }  // namespace
@@ -217,16 +236,33 @@ std::vector<std::string> exportableClips(const ExportKind& kind, const Character
   return names;
 }
 
+Result<void> checkExportSource(const ExportKind& kind, const ExportSource& source, const ExportSettings& settings) {
+  const auto moving = kind.fields.motion ? withRangeOfMotion(source.character) : asInFile(source.character);
+  const std::vector<std::string> known = exportableClips(kind, *moving);
+  for (const std::string& name : settings.clips) {
+    if (std::ranges::count(known, name) > 0) continue;
+    return Error{source.characterFile.string(), "clip \"" + name + '"', noSuchClip(name, source.character->clips)};
+  }
+  return checkBones(source);
+}
+
+double heldFrames(const ExportKind& kind, const std::shared_ptr<const Character>& character,
+                  const ExportSettings& settings) {
+  if (!kind.fields.oneClip || settings.clips.empty()) return 0.0;
+  const auto moving = withRangeOfMotion(character);
+  const int clip = findClip(*moving, settings.clips.front());
+  return clip < 0
+             ? 0.0
+             : static_cast<double>(at(moving->clips, clip).duration) * settings.framesPerSecond * settings.substeps;
+}
+
 Result<ExportReport> runExport(const ExportKind& kind, const ExportSource& source, const ExportSettings& settings,
                                const std::filesystem::path& file, const ExportProgress& progress) {
   try {
-    ExportSource own{source.characterFile, asInFile(source.character), source.rig};
+    ExportSource own{source.characterFile, asInFile(source.character), source.rig, source.rigFile};
     if (kind.fields.motion) own.character = withClipNamed(own.character, settings.clips.front());
-    if (settings.depth) own.rig.smoothing.depth = *settings.depth;
-    if (auto missing = missingBones(own.rig, own.character->skeleton); !missing.empty()) {
-      missing.front().file = source.rigFile.string();
-      return missing.front();
-    }
+    settings.detail.apply(own.rig.smoothing);
+    if (const auto able = checkBones(own); !able) return able.error();
     return kind.run(own, settings, file, progress);
   } catch (const std::bad_alloc&) {
     return Error{file.string(), {}, "there is not enough memory to export it"};

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/document/detail_override.h"
 #include "sinew/base/result.h"
 #include "sinew/character/character.h"
 #include "sinew/export/baked_export.h"
@@ -32,11 +33,12 @@ struct ExportSource {
 struct ExportSettings {
   ExportMesh mesh = ExportMesh::kRefined;
   ExportWeights weights = ExportWeights::kRefitted;
-  std::optional<int> depth{};        ///< 1..kMaxDepth; none: the rig's.
+  DetailOverride detail{};
   std::vector<std::string> clips{};  ///< Empty: all.
   int helpers = kDefaultHelpers;     ///< 0..kMostHelpers
   JointScale jointScale = JointScale::kFull;
   double framesPerSecond = BakedExportSettings().framesPerSecond;  ///< For one clip.
+  int substeps = BakedExportSettings().substeps;                   ///< Baked moments a frame, 1..kMostSubsteps
   double bound = BakedExportSettings().bound;                      ///< Percent of the height, kLeastBound..kMostBound
 };
 
@@ -91,6 +93,14 @@ struct ExportKind {
 
 /// Names of the clips that the kind can export.
 [[nodiscard]] std::vector<std::string> exportableClips(const ExportKind& kind, const Character& character);
+
+/// Error: what the rig or the clips that are chosen lack, which runExport() would refuse.
+[[nodiscard]] Result<void> checkExportSource(const ExportKind& kind, const ExportSource& source,
+                                             const ExportSettings& settings);
+
+/// Frames of the one clip that the kind holds in memory; 0 for kinds that take all clips.
+[[nodiscard]] double heldFrames(const ExportKind& kind, const std::shared_ptr<const Character>& character,
+                                const ExportSettings& settings);
 
 /// The kind's run(), on what all kinds agree: clips it can export, the depth asked for, no muscle without its bone.
 /// Never throws.

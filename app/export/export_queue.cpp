@@ -78,7 +78,7 @@ std::vector<ExportOutcome> ExportQueue::takeDone() {
   if (run_ && run_->done) {
     run_->thread.join();
     const bool canceled = !run_->result->ok() && run_->result->error().reason == kCanceled;
-    done_.push_back({run_->order.file, std::move(*run_->result), canceled});
+    done_.push_back({run_->order.file, std::move(*run_->result), canceled, run_->order});
     startNext();
   }
   return std::exchange(done_, {});

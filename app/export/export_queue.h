@@ -29,6 +29,7 @@ struct ExportOutcome {
   std::filesystem::path file;
   Result<ExportReport> result;
   bool canceled = false;  ///< The result says so too.
+  ExportOrder order{};    ///< What was asked for.
 };
 
 /// All calls from one thread, which never waits but in the destructor. One export runs at a time on a thread of its

@@ -1,5 +1,5 @@
-// app/export/farm_job.cpp: one job, four ways to write it down. All tasks resume, so that one that is run again makes
-// only what is missing.
+// app/export/farm_job.cpp: one job, four ways to write it down. Tasks resume, so that one that is run again makes
+// only what is missing; but for jobs that are to replace what is there.
 #include "app/export/farm_job.h"
 
 #include <algorithm>
@@ -20,8 +20,8 @@ std::string inFolder(const FarmJob& job) { return "cd " + shellWord(job.folder.s
 
 /// The program with its arguments and a shard, which is a word of the shell already.
 std::string commandOf(const FarmJob& job, const std::string& shard) {
-  std::string line =
-      shellWord(job.program) + ' ' + shellWord(job.arguments.front()) + " --shard " + shard + " --resume";
+  std::string line = shellWord(job.program) + ' ' + shellWord(job.arguments.front()) + " --shard " + shard +
+                     (job.resume ? " --resume" : "");
   for (const std::string& argument : std::span(job.arguments).subspan(1)) line += ' ' + shellWord(argument);
   return line;
 }
@@ -85,7 +85,9 @@ Result<std::string> slurmScript(const FarmJob& job) {
   const std::string name = nameOf(job);
   return "#!/bin/sh\n"
          "#SBATCH --job-name=" +
-         name + "\n#SBATCH --array=0-" + std::to_string(job.tasks - 1) + "\n#SBATCH --output=" + name +
+         name + "\n#SBATCH --array=0-" + std::to_string(job.tasks - 1) +
+         "\n#SBATCH --cpus-per-task=" + std::to_string(job.needs.cores) +
+         "\n#SBATCH --mem=" + std::to_string(job.needs.megabytes) + "M\n#SBATCH --output=" + name +
          "-%A_%a.log\n"
          "# Submit with: sbatch JOB. Options of sbatch can be added, as --array=0-" +
          std::to_string(job.tasks - 1) + "%8 for eight tasks at once.\n" + inFolder(job) + "exec " +

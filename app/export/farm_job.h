@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/export/task_needs.h"
 #include "sinew/base/result.h"
 
 namespace sinew::app {
@@ -18,6 +19,8 @@ struct FarmJob {
   std::filesystem::path folder;        ///< Absolute; names in the arguments are relative to it.
   std::vector<std::string> arguments;  ///< The verb and what follows it, without a shard.
   int tasks = 1;                       ///< Each makes one shard.
+  bool resume = true;                  ///< Leaves out what is there already when it is run.
+  TaskNeeds needs{};                   ///< Of one task.
 };
 
 /// What a job is written for.

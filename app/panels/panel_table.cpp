@@ -23,6 +23,7 @@ constexpr Panel kPanels[] = {
     {"legend", "", Region::kInViewport, drawLegend},
     {"flex", "", Region::kInViewport, drawFlex},
     {"driven-key", "", Region::kInViewport, drawDrivenKey},
+    {"check", "", Region::kInViewport, drawCheckList},
     {"viewport-menu", "", Region::kInViewport, drawViewportMenu},
     {"messages", "", Region::kInViewport, drawMessages, true},
     {"toast", "", Region::kInViewport, drawToast, true},

@@ -73,6 +73,13 @@ const std::array<ClassColor, 3>& classColors() {
   return colors;
 }
 
+int levelShown(const Refinement& refinement, int triangle) {
+  const auto pieces = static_cast<float>(refinement.refinedTriangles(triangle));
+  return std::clamp(static_cast<int>(std::lround(std::sqrt(pieces))), 1, kMaxDepth);
+}
+
+float levelShade(int level) { return glm::mix(1.3f, 0.22f, std::log2(static_cast<float>(level)) / 4.0f); }
+
 glm::vec3 fleshColor(float activation) {
   constexpr glm::vec3 kLoose{0.585f, 0.340f, 0.308f}, kFlexed{0.632f, 0.105f, 0.115f};
   return srgbFromLinear(glm::mix(linearFromSrgb(kLoose), linearFromSrgb(kFlexed), std::clamp(activation, 0.0f, 1.0f)));

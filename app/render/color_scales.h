@@ -35,4 +35,10 @@ struct ClassColor {
 /// Color of muscles from loose (0) to fully flexed (1), sRGB.
 [[nodiscard]] glm::vec3 fleshColor(float activation);
 
+/// Of adaptive detail, in the picture of classes: a control triangle is drawn darker the more pieces it is split into.
+/// 1..16: about as many along each side.
+[[nodiscard]] int levelShown(const Refinement& refinement, int triangle);
+/// What a level multiplies the color of a class by, linear (shaders/surface.frag).
+[[nodiscard]] float levelShade(int level);
+
 }  // namespace sinew::app

@@ -9,6 +9,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/smoothing/patches/patch.h"
+
 namespace sinew::app {
 namespace {
 
@@ -144,24 +146,8 @@ std::vector<float> bakeOpenness(const ControlMesh& mesh) {
 std::vector<float> spreadOverRefinement(std::span<const float> values, const ControlMesh& mesh,
                                         const Refinement& refinement) {
   assert(values.size() == mesh.positions.size());
-  const auto value = [&](int vertex) { return values[static_cast<std::size_t>(vertex)]; };
-  const auto n = static_cast<float>(refinement.depth);
-  std::vector<float> spread(values.begin(), values.end());
-  spread.reserve(static_cast<std::size_t>(refinement.vertexCount));
-  for (const Edge& edge : mesh.edges) {
-    for (int step = 1; step <= refinement.edgeVertices; ++step) {
-      const float share = static_cast<float>(step) / n;
-      spread.push_back((1.0f - share) * value(edge.vertices[0]) + share * value(edge.vertices[1]));
-    }
-  }
-  for (const ControlTriangle& triangle : mesh.triangles) {
-    for (const auto& [j, k] : refinement.interior) {
-      const float u = static_cast<float>(j) / n, v = static_cast<float>(k) / n;
-      spread.push_back((1.0f - u - v) * value(triangle.vertices[0]) + u * value(triangle.vertices[1]) +
-                       v * value(triangle.vertices[2]));
-    }
-  }
-  assert(spread.size() == static_cast<std::size_t>(refinement.vertexCount));
+  std::vector<float> spread(static_cast<std::size_t>(refinement.vertexCount));
+  interpolateValues(mesh, refinement, values, spread);
   return spread;
 }
 

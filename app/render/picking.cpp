@@ -76,44 +76,17 @@ void forEachCrossing(const Ray& ray, const Surface& surface, const Take& take) {
   }
 }
 
-/// Barycentric coordinates of a refined vertex in its control triangle.
-glm::vec3 controlCoordinates(int refined, int triangle, const Refinement& refinement, const ControlMesh& mesh) {
-  const ControlTriangle& parent = mesh.triangles[static_cast<std::size_t>(triangle)];
-  const auto n = static_cast<float>(refinement.depth);
-  glm::vec3 at(0.0f);
-  if (refined < refinement.controlVertices) {
-    for (int corner = 0; corner < 3; ++corner) {
-      if (parent.vertices[static_cast<std::size_t>(corner)] == refined) at[corner] = 1.0f;
-    }
-    return at;
-  }
-  const int edgesEnd = refinement.controlVertices + refinement.controlEdges * refinement.edgeVertices;
-  if (refined < edgesEnd) {
-    const int edge = (refined - refinement.controlVertices) / refinement.edgeVertices;
-    const int step = (refined - refinement.controlVertices) % refinement.edgeVertices + 1;
-    const Edge& ends = mesh.edges[static_cast<std::size_t>(edge)];
-    for (int corner = 0; corner < 3; ++corner) {
-      const int vertex = parent.vertices[static_cast<std::size_t>(corner)];
-      if (vertex == ends.vertices[1]) at[corner] = static_cast<float>(step) / n;
-      if (vertex == ends.vertices[0]) at[corner] = 1.0f - static_cast<float>(step) / n;
-    }
-    return at;
-  }
-  const int index = (refined - edgesEnd) % refinement.interiorVertices;
-  const auto [j, k] = refinement.interior[static_cast<std::size_t>(index)];
-  return glm::vec3(static_cast<float>(refinement.depth - j - k), static_cast<float>(j), static_cast<float>(k)) / n;
-}
-
 void complete(SurfaceHit& hit, const Ray& ray, const Surface& surface, const ControlMesh& mesh) {
   const Refinement& refinement = *surface.refinement;
-  hit.controlTriangle = hit.refinedTriangle / (refinement.depth * refinement.depth);
+  hit.controlTriangle = refinement.controlOf[static_cast<std::size_t>(hit.refinedTriangle)];
   hit.position = ray.origin + hit.distance * ray.direction;
   const auto& corners = refinement.triangles[static_cast<std::size_t>(hit.refinedTriangle)];
   glm::vec3 normal(0.0f);
   for (int i = 0; i < 3; ++i) {
     const int vertex = corners[static_cast<std::size_t>(i)];
     normal += hit.barycentric[i] * surface.normals[static_cast<std::size_t>(vertex)];
-    hit.controlBarycentric += hit.barycentric[i] * controlCoordinates(vertex, hit.controlTriangle, refinement, mesh);
+    hit.controlBarycentric +=
+        hit.barycentric[i] * glm::vec3(controlCoordinates(mesh, refinement, hit.controlTriangle, vertex));
   }
   hit.normal = normalizeOr(normal, -ray.direction);
 }
@@ -144,11 +117,11 @@ std::optional<ShellSpan> crossShape(const Ray& ray, const glm::mat3& toShape, co
 std::optional<SurfaceHit> pickSurface(const Ray& ray, const Surface& surface, const ControlMesh& mesh,
                                       std::span<const Material> materials) {
   if (surface.refinement == nullptr) return std::nullopt;
-  const auto perControl = static_cast<std::size_t>(surface.refinement->depth * surface.refinement->depth);
   std::optional<SurfaceHit> nearest;
   forEachCrossing(ray, surface, [&](std::size_t t, const FlatHit& held, float distance) {
     if (nearest && distance >= nearest->distance) return;
-    const auto material = static_cast<std::size_t>(mesh.triangles[t / perControl].material);
+    const auto material =
+        static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(surface.refinement->controlOf[t])].material);
     if (!held.front && !(material < materials.size() && materials[material].doubleSided)) return;
     nearest = SurfaceHit{};
     nearest->distance = distance;

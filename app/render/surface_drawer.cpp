@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 
 #include <glm/gtc/matrix_access.hpp>
 
@@ -65,21 +64,6 @@ void attribute(GLuint array, GLuint location, GLuint binding, GLint count, std::
   glEnableVertexArrayAttrib(array, location);
   glVertexArrayAttribFormat(array, location, count, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
   glVertexArrayAttribBinding(array, location, binding);
-}
-
-/// Drawn vertices at the corners of the control triangles: they alone are refined vertices below controlVertices.
-std::vector<std::uint32_t> controlCorners(const Refinement& refinement, std::span<const int> order) {
-  const std::ptrdiff_t perControl = std::ptrdiff_t{refinement.depth} * refinement.depth;
-  std::vector<std::uint32_t> corners;
-  for (const int control : order) {
-    const auto first = refinement.drawTriangles.begin() + control * perControl;
-    for (const auto& triangle : std::span(first, static_cast<std::size_t>(perControl))) {
-      for (const std::uint32_t vertex : triangle) {
-        if (refinement.drawVertex[vertex] < refinement.controlVertices) corners.push_back(vertex);
-      }
-    }
-  }
-  return corners;  // With n > 1 each corner is in exactly one of the n^2 triangles: three a control triangle.
 }
 
 std::uint8_t byteOf(float share) {
@@ -146,6 +130,7 @@ SurfaceDrawer::SurfaceDrawer()
       indices_(makeBuffer()),
       keptIndices_(makeBuffer()),
       coarseIndices_(makeBuffer()),
+      controlOf_(makeBuffer()),
       classes_(makeBuffer()) {
   const GLuint array = array_.id();
   glVertexArrayVertexBuffer(array, 0, vertices_.id(), 0, sizeof(Vertex));
@@ -197,44 +182,6 @@ void SurfaceDrawer::setCharacter(const Character& character) {
   }
 }
 
-void SurfaceDrawer::rebuildOrder(const ControlMesh& mesh, const GlBuffer& indices, GLenum usage) {
-  const std::ptrdiff_t perControl = std::ptrdiff_t{refinement_->depth} * refinement_->depth;
-  const auto materialIndex = [&](int t) { return mesh.triangles[static_cast<std::size_t>(t)].material; };
-  controlOrder_.resize(mesh.triangles.size());
-  std::iota(controlOrder_.begin(), controlOrder_.end(), 0);
-  if (!culled_.empty()) std::erase_if(controlOrder_, [&](int t) { return culled_[static_cast<std::size_t>(t)] != 0; });
-  std::ranges::stable_sort(controlOrder_, {}, materialIndex);
-  std::vector<std::array<std::uint32_t, 3>> ordered;
-  ordered.reserve(controlOrder_.size() * static_cast<std::size_t>(perControl));
-  ranges_.clear();
-  for (const int t : controlOrder_) {
-    if (ranges_.empty() || ranges_.back().material != materialIndex(t)) {
-      ranges_.push_back({materialIndex(t), static_cast<int>(ordered.size()), 0});
-    }
-    const auto first = refinement_->drawTriangles.begin() + t * perControl;
-    ordered.insert(ordered.end(), first, first + perControl);
-    ranges_.back().triangles += static_cast<int>(perControl);
-  }
-  uploadBuffer(indices, std::span<const std::array<std::uint32_t, 3>>(ordered), usage);
-  glVertexArrayElementBuffer(array_.id(), indices.id());
-}
-
-void SurfaceDrawer::rebuildTopology(const ControlMesh& mesh) {
-  const Refinement& refinement = *refinement_;
-  culled_.clear();
-  rebuildOrder(mesh, indices_, GL_STATIC_DRAW);
-  shadowRanges_ = ranges_;
-  uploadBuffer(uvs_, std::span<const glm::vec2>(refinement.drawUv), GL_STATIC_DRAW);
-  uploadBuffer(colors_, std::span<const glm::vec4>(refinement.drawColor), GL_STATIC_DRAW);
-  if (refinement.drawColor.empty()) glDisableVertexArrayAttrib(array_.id(), 5);
-  else glEnableVertexArrayAttrib(array_.id(), 5);
-  coarseIndexCount_ = 0;
-  if (refinement.depth < 2 || !isSoftwareRenderer()) return;
-  const std::vector<std::uint32_t> corners = controlCorners(refinement, controlOrder_);
-  uploadBuffer(coarseIndices_, std::span<const std::uint32_t>(corners), GL_STATIC_DRAW);
-  coarseIndexCount_ = static_cast<GLsizei>(corners.size());
-}
-
 void SurfaceDrawer::rebuildSkinValues(const ControlMesh& mesh) {
   const std::vector<float> open = spreadOverRefinement(open_, mesh, *refinement_);
   const std::vector<float> own =
@@ -258,11 +205,10 @@ void SurfaceDrawer::fillVertices(const Surface& surface) {
   }
   uploadBuffer(vertices_, std::span<const Vertex>(staging_));
   bounds_ = boundsOf(surface.positions);
-  std::vector<std::uint32_t> classes(controlOrder_.size(), 0);
-  if (surface.classes.size() == classes.size()) {
-    std::ranges::transform(controlOrder_, classes.begin(), [&](int t) {
-      return static_cast<std::uint32_t>(surface.classes[static_cast<std::size_t>(t)]);
-    });
+  std::vector<std::uint32_t> classes(refinement_->triangleBegin.size(), 0);
+  for (std::size_t t = 0; t < surface.classes.size(); ++t) {
+    const int level = refinement_->isUniform ? 0 : levelShown(*refinement_, static_cast<int>(t));
+    classes[t] = static_cast<std::uint32_t>(surface.classes[t]) + 4 * static_cast<std::uint32_t>(level);
   }
   uploadBuffer(classes_, std::span<const std::uint32_t>(classes));
 }
@@ -321,6 +267,7 @@ const GlProgram& SurfaceDrawer::prepareProgram(const Frame& frame) const {
   program.set("classColors", std::span<const glm::vec4>(classes));
   if (marked) setMarks(program, frame, marks);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, classes_.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, controlOf_.id());
   glBindVertexArray(array_.id());
   return program;
 }
@@ -350,7 +297,7 @@ void SurfaceDrawer::drawRange(const GlProgram& program, const Frame& frame, cons
               glm::vec4(material.metallic, material.roughness, alpha == AlphaMode::kMask ? material.alphaCutoff : -1.0f,
                         alpha == AlphaMode::kBlend ? 1.0f : 0.0f));
   program.set("emissive", material.emissive);
-  program.set("classLookup", glm::ivec2(range.firstTriangle, refinement_->depth * refinement_->depth));
+  program.set("firstTriangle", range.firstTriangle);
   bindTexture(material);
   const auto offset = static_cast<std::uintptr_t>(range.firstTriangle) * 3 * sizeof(std::uint32_t);
   glDrawElements(GL_TRIANGLES, range.triangles * 3, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));

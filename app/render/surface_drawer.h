@@ -44,6 +44,7 @@ class SurfaceDrawer {
     int material = 0;
     int firstTriangle = 0;
     int triangles = 0;
+    int controlTriangles = 0;
   };
   /// What changes with the character, the depth and the territory alone, as 0..255.
   struct SkinValues {
@@ -70,7 +71,7 @@ class SurfaceDrawer {
   /// occlusion: these are made when first used.
   mutable std::array<Programs, 16> programs_;
   GlVertexArray array_;
-  GlBuffer vertices_, uvs_, skinValues_, colors_, indices_, keptIndices_, coarseIndices_, classes_;
+  GlBuffer vertices_, uvs_, skinValues_, colors_, indices_, keptIndices_, coarseIndices_, controlOf_, classes_;
   GlTexture white_;
   std::vector<GlTexture> textures_;
   std::vector<Material> materials_;

@@ -6,10 +6,10 @@ namespace sinew::app {
 void SurfaceDrawer::drawForShadow(const Frame& frame, const GlProgram& solid, const GlProgram& withAlpha) const {
   if (refinement_ == nullptr) return;
   const bool coarse = coarseIndexCount_ > 0;
-  const int perCoarse = coarse ? refinement_->depth * refinement_->depth : 1;
   glBindVertexArray(array_.id());
   glVertexArrayElementBuffer(array_.id(), coarse ? coarseIndices_.id() : indices_.id());
   glVertexAttrib4f(5, 1.0f, 1.0f, 1.0f, 1.0f);  // For surfaces without colors.
+  int coarseFirst = 0;
   for (const Range& range : shadowRanges_) {
     const Material& material = materialOf(range);
     const AlphaMode alpha = alphaIn(frame, material);
@@ -20,9 +20,11 @@ void SurfaceDrawer::drawForShadow(const Frame& frame, const GlProgram& solid, co
       program.set("alpha", glm::vec2(material.baseColor.a, alpha == AlphaMode::kMask ? material.alphaCutoff : -1.0f));
       bindTexture(material);
     }
-    const auto offset = static_cast<std::uintptr_t>(range.firstTriangle / perCoarse) * 3 * sizeof(std::uint32_t);
-    glDrawElements(GL_TRIANGLES, range.triangles / perCoarse * 3, GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(offset));
+    const int first = coarse ? coarseFirst : range.firstTriangle;
+    const int triangles = coarse ? range.controlTriangles : range.triangles;
+    coarseFirst += range.controlTriangles;
+    const auto offset = static_cast<std::uintptr_t>(first) * 3 * sizeof(std::uint32_t);
+    glDrawElements(GL_TRIANGLES, triangles * 3, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
   }
   glVertexArrayElementBuffer(array_.id(), culled_.empty() ? indices_.id() : keptIndices_.id());
 }

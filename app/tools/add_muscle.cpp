@@ -33,8 +33,11 @@ constexpr float kLongestStroke = 1.5f;
 constexpr float kLeastHalf = 0.015f;  ///< Half length, of H.
 constexpr float kMostHalf = 0.75f;
 constexpr float kMostHalfOnBone = 0.3f;
-constexpr float kSlenderness = 1.25f;  ///< Length over thickness of a muscle added on a bone, at least.
-constexpr float kSunk = 0.3f;          ///< Fraction of the thickness: how deep the center lies under the skin.
+constexpr float kSlenderness = 1.25f;   ///< Length over thickness of a muscle added on a bone, at least.
+constexpr float kPerWheelStep = 1.12f;  ///< Factor on the thickness.
+constexpr float kThinnest = 0.3f;       ///< Of the thickness that the tool begins with.
+constexpr float kThickest = 3.0f;
+constexpr float kSunk = 0.3f;  ///< Fraction of the thickness: how deep the center lies under the skin.
 
 bool isUsable(const glm::mat4& boneInWorld) {
   return isFinite(boneInWorld) && !isFlat(glm::dmat3(glm::mat3(boneInWorld)));
@@ -148,6 +151,15 @@ EllipsoidInWorld ellipsoidOnSkin(const SkinStroke& stroke, const glm::vec3& bone
   return ellipsoid;
 }
 
+/// Grows out of the skin: the center sinks by the same share of the thickness as before.
+void thicken(EllipsoidInWorld& ellipsoid, float factor, float height) {
+  const glm::vec3 before = ellipsoid.semiAxes;
+  for (const int axis : {1, 2}) {
+    ellipsoid.semiAxes[axis] = std::clamp(factor * before[axis], 0.01f * height, kMostHalf * height);
+  }
+  ellipsoid.center -= kSunk * (ellipsoid.semiAxes.z - before.z) * ellipsoid.normal;
+}
+
 /// The bone-space ellipsoid whose world image has this long axis, tangent plane and extents. Directions go through
 /// inverse(B), planes through transpose(B): the two stay at right angles to each other, so they are axes as they are.
 Placement placementOf(const EllipsoidInWorld& ellipsoid, const glm::mat4& boneInWorld) {
@@ -189,7 +201,7 @@ Result<Rig> withMuscle(const Document& document, const Rig& rig, Primitive muscl
 
 Placement placementOf(const AddMuscleDrag& drag, const SkinStroke& stroke, const Character& character) {
   const glm::vec3 tip = at(character.skeleton.bones, drag.bone).tip;
-  return placementOnSkin(stroke, drag.boneInWorld, glm::mat3(drag.boneInWorld) * tip, character.height);
+  return placementOnSkin(stroke, drag.boneInWorld, glm::mat3(drag.boneInWorld) * tip, character.height, drag.thicker);
 }
 
 /// Shows the muscle as one state of the gesture.
@@ -238,9 +250,11 @@ glm::vec3 semiAxesAround(const Character& character, int bone, const glm::vec3& 
 }  // namespace
 
 Placement placementOnSkin(const SkinStroke& stroke, const glm::mat4& boneInWorld, const glm::vec3& boneAxisInWorld,
-                          float characterHeight) {
+                          float characterHeight, float thicker) {
   assert(isUsable(boneInWorld));
-  return placementOf(ellipsoidOnSkin(stroke, boneAxisInWorld, characterHeight), boneInWorld);
+  EllipsoidInWorld ellipsoid = ellipsoidOnSkin(stroke, boneAxisInWorld, characterHeight);
+  if (thicker != 1.0f) thicken(ellipsoid, thicker, characterHeight);
+  return placementOf(ellipsoid, boneInWorld);
 }
 
 Result<void> beginAddMuscle(AddMuscleState& state, const ViewportContext& context, const ViewportHover& hover,
@@ -276,6 +290,7 @@ void updateAddMuscle(AddMuscleState& state, const ViewportInput& input, const Vi
     return;
   }
   drag.dragged = drag.dragged || glm::length(input.mouse - drag.pressPixel) > kDragThreshold * context.uiScale;
+  drag.thicker = std::clamp(drag.thicker * std::pow(kPerWheelStep, input.wheel), kThinnest, kThickest);
   SkinStroke stroke{{drag.start}};
   if (drag.dragged) {
     stroke = strokeOnSkin(drag.skin, drag.start, view, input.mouse, context.document.character->height);

@@ -19,6 +19,7 @@ struct AddMuscleDrag {
   int bone = -1;
   glm::mat4 boneInWorld{1.0f};
   glm::vec2 pressPixel{0.0f};
+  float thicker = 1.0f;  ///< Factor on thickness and width: what the wheel has made of it.
   bool dragged = false;  ///< Has once left the press pixel by more than kDragThreshold.
   Selection selectionBefore;
   std::shared_ptr<const Rig> rigBefore;
@@ -38,16 +39,18 @@ struct AddMuscleState {
 /// world lie within 1 % and 75 % of H.
 /// @param stroke       not empty (asserted); world.
 /// @param boneInWorld  of the same moment as the stroke; not flattened (asserted).
+/// @param thicker      factor on thickness and width; the length stays, the center stays as deep for its thickness.
 /// @return in bone space.
 [[nodiscard]] Placement placementOnSkin(const SkinStroke& stroke, const glm::mat4& boneInWorld,
-                                        const glm::vec3& boneAxisInWorld, float characterHeight);
+                                        const glm::vec3& boneAxisInWorld, float characterHeight, float thicker = 1.0f);
 
 /// Starts at hover.skin: the muscle is there at once, selected. Error: no skin there, the bone is flattened in this
 /// pose or the rig refuses; then nothing has begun.
 [[nodiscard]] Result<void> beginAddMuscle(AddMuscleState& state, const ViewportContext& context,
                                           const ViewportHover& hover, const glm::vec2& pixel);
 
-/// Follows the pointer; ends on release (one undo step), cancels on Esc and the right button. state.drag ends with it.
+/// Follows the pointer, the wheel makes the muscle thicker or thinner; ends on release (one undo step), cancels on Esc
+/// and the right button. state.drag ends with it.
 void updateAddMuscle(AddMuscleState& state, const ViewportInput& input, const ViewportContext& context,
                      const View& view);
 

@@ -30,7 +30,8 @@ void cancelDrawing(ViewportTools& tools, Document& document) { cancelAddMuscle(t
 std::string describeDrawing(const ToolFrame& frame) {
   const ViewportTools& tools = frame.tools;
   if (tools.addMuscle.drag) {
-    return statusLine("New muscle, the pose is held while you draw", {"Release keeps", "Esc cancels"});
+    return statusLine("New muscle, the pose is held while you draw",
+                      {"Release keeps", "Wheel thickens or thins", "Esc cancels"});
   }
   if (!tools.hover.skin || tools.hover.bone < 0) {
     return statusLine("Background",

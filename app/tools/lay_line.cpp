@@ -11,6 +11,7 @@
 #include "app/render/picking.h"
 #include "core/base/at.h"
 #include "core/base/flatness.h"
+#include "core/check/mend.h"
 #include "core/lines/line_rest.h"
 #include "core/primitives/affine_image.h"
 #include "core/rig/line_edit.h"
@@ -39,7 +40,7 @@ Result<LineAnchor> anchorUnder(const Character& character, const SkinAnchor& pla
   }
   const glm::vec3 skin = skinPointAt(character, bindPose(character.skeleton), place).point;
   const glm::vec3 under = halfWayToAxis(own, skin);
-  return LineAnchor{character.skeleton.fileName(bone), glm::vec3(own.inverseBindInWorld * glm::vec4(under, 1.0f)), {}};
+  return anchorOn(character.skeleton, bone, under);
 }
 
 /// From a point inside the body outwards to the skin; 0 if there is none.
@@ -113,7 +114,33 @@ Result<LaidLine> layLine(const Character& character, const Surface& skin, const 
   return laid;
 }
 
+Result<MendedLaidLine> mended(const LaidLine& laid, const Motions& motions) {
+  Result<Rig> alone = addLine(Rig{}, laid.line);
+  if (!alone) return alone.error();
+  Primitive belly = laid.belly;
+  belly.line = alone->lines.back().name;
+  alone = addPrimitive(std::move(alone).value(), std::move(belly));
+  if (!alone) return alone.error();
+  Result<Mended> done = withMendedLine(std::move(alone).value(), 0, motions, true);
+  if (!done) return done.error();
+  MendedLaidLine out{laid, {}};
+  if (!done->said.empty()) out.said = laid.line.name + ": " + done->said;
+  if (done->isRigid) {
+    out.laid.belly.line.clear();
+    out.laid.belly.bone = done->rig.primitives[0].bone;
+    out.laid.belly.placement = done->rig.primitives[0].placement;
+  } else {
+    out.laid.line.via = done->rig.lines[0].via;
+    out.laid.line.settings = done->rig.lines[0].settings;
+  }
+  return out;
+}
+
 Result<Rig> withLaidLine(const Rig& rig, const LaidLine& laid, const MirrorPlan* plan) {
+  if (laid.belly.line.empty()) {
+    if (plan && !snappedToPlane(*plan, laid.belly, kNearPlane)) return addPair(rig, laid.belly, *plan);
+    return addPrimitive(rig, laid.belly);
+  }
   MuscleLine line = laid.line;
   const bool mirrored = plan && mirroredLine(*plan, line).ok();
   if (mirrored) snapToPlane(*plan, line);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/tools/select.h"
+#include "core/check/motions.h"
 #include "sinew/base/result.h"
 #include "sinew/rig/rig.h"
 #include "sinew/smoothing/surface.h"
@@ -24,6 +25,15 @@ struct LaidLine {
 /// @param skin  bindSkin
 [[nodiscard]] Result<LaidLine> layLine(const Character& character, const Surface& skin, const SkinAnchor& from,
                                        const SkinAnchor& to);
+
+/// A laid line that stays in the flesh in all clips.
+struct MendedLaidLine {
+  LaidLine laid;     ///< Its belly names no line where none would do.
+  std::string said;  ///< What was changed; empty: nothing.
+};
+
+/// Learns full contraction, and mends what leaves the flesh (core/check/mend.h).
+[[nodiscard]] Result<MendedLaidLine> mended(const LaidLine& laid, const Motions& motions);
 
 /// The rig with the line and its belly, at the end of Rig::primitives; under symmetry with those of the other side. A
 /// line that begins and ends near the mirror plane is laid into it.

@@ -29,7 +29,7 @@ std::optional<SkinAnchor> skinUnder(const LineDrag& drag, const Character& chara
 void show(LineDrag& drag, const std::optional<SkinAnchor>& end, Document& document) {
   const Character& character = *document.character;
   drag.endBone = end ? boneAt(character, *end) : -1;
-  drag.laid = false;
+  drag.laid.reset();
   if (end) {
     const Result<LaidLine> laid = layLine(character, drag.bindSkin, drag.start, *end);
     const MirrorPlan* const plan = document.symmetry ? document.mirror.get() : nullptr;
@@ -37,12 +37,24 @@ void show(LineDrag& drag, const std::optional<SkinAnchor>& end, Document& docume
     if (rig) {
       document.commands.updateGesture(std::move(rig).value());
       document.selection.set(document.idAt(static_cast<int>(drag.rigBefore->primitives.size())));
-      drag.laid = true;
+      drag.laid = laid.value();
     }
   }
   if (drag.laid) return;
   document.commands.updateGesture(*drag.rigBefore);
   document.selection = drag.selectionBefore;
+}
+
+/// The muscle that is kept: what the last state showed, mended where it would leave the flesh in a clip.
+std::string finish(const LineDrag& drag, Document& document) {
+  const Result<MendedLaidLine> kept = mended(*drag.laid, Motions(document.character));
+  if (!kept) return {};
+  const MirrorPlan* const plan = document.symmetry ? document.mirror.get() : nullptr;
+  Result<Rig> rig = withLaidLine(*drag.rigBefore, kept->laid, plan);
+  if (!rig) return {};
+  document.commands.updateGesture(std::move(rig).value());
+  document.selection.set(document.idAt(static_cast<int>(drag.rigBefore->primitives.size())));
+  return kept->said;
 }
 
 bool press(ToolFrame& frame) {
@@ -56,7 +68,7 @@ bool draw(ToolFrame& frame, const ViewportInput& input) {
   LineToolState& state = frame.tools.line;
   // An undo from elsewhere has ended the gesture.
   if (!frame.document().commands.inGesture()) state.drag.reset();
-  else updateLine(state, input, frame.context, frame.view);
+  else frame.result.said = updateLine(state, input, frame.context, frame.view);
   return state.drag.has_value();
 }
 
@@ -102,24 +114,27 @@ Result<void> beginLine(LineToolState& state, const ViewportContext& context, con
   return {};
 }
 
-void updateLine(LineToolState& state, const ViewportInput& input, const ViewportContext& context, const View& view) {
+std::string updateLine(LineToolState& state, const ViewportInput& input, const ViewportContext& context,
+                       const View& view) {
   assert(state.drag);
   LineDrag& drag = *state.drag;
   if (input.keyPressed(Key::kEscape) || input.button(MouseButton::kRight).pressed) {
     cancelLine(state, context.document);
-    return;
+    return {};
   }
   const bool dragged = glm::length(input.mouse - drag.pressPixel) > kDragThreshold * context.uiScale;
   if (dragged || drag.laid) {
     show(drag, skinUnder(drag, *context.document.character, view, input.mouse), context.document);
   }
-  if (!input.button(MouseButton::kLeft).released) return;
+  if (!input.button(MouseButton::kLeft).released) return {};
   if (!drag.laid) {
     cancelLine(state, context.document);
-    return;
+    return {};
   }
+  const std::string said = finish(drag, context.document);
   context.document.commands.endGesture();
   state.drag.reset();
+  return said;
 }
 
 void cancelLine(LineToolState& state, Document& document) {

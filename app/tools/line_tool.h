@@ -18,7 +18,7 @@ struct LineDrag {
   int startBone = -1;
   int endBone = -1;  ///< Under the pointer; -1: none.
   glm::vec2 pressPixel{0.0f};
-  bool laid = false;  ///< A muscle is shown.
+  std::optional<LaidLine> laid;  ///< What is shown.
   Selection selectionBefore;
   std::shared_ptr<const Rig> rigBefore;
 };
@@ -31,8 +31,10 @@ struct LineToolState {
 [[nodiscard]] Result<void> beginLine(LineToolState& state, const ViewportContext& context, const ViewportHover& hover,
                                      const glm::vec2& pixel);
 /// Follows the pointer; ends on release (one undo step, none if no muscle was laid), cancels on Esc and the right
-/// button.
-void updateLine(LineToolState& state, const ViewportInput& input, const ViewportContext& context, const View& view);
+/// button. What is kept stays in the flesh in all clips.
+/// @return  what was mended for that; empty: nothing
+std::string updateLine(LineToolState& state, const ViewportInput& input, const ViewportContext& context,
+                       const View& view);
 /// Ends a gesture without a trace.
 void cancelLine(LineToolState& state, Document& document);
 

@@ -15,15 +15,6 @@ namespace {
 
 constexpr float kBoneReach = 6.0f;  ///< Design pixels.
 
-glm::mat4 skinMatrix(const Character& character, const Pose& pose, int vertex) {
-  glm::mat4 sum(0.0f);
-  for (const WeightedBinding& follows : bindingsOf(character, vertex)) {
-    const glm::mat4& bone = pose.boneInWorld[static_cast<std::size_t>(follows.bone())];
-    sum += follows.weight * (bone * follows.binding.inverseBind);
-  }
-  return sum;
-}
-
 std::optional<SurfaceHit> hitSkin(const ViewportContext& context, const Ray& ray) {
   if (!context.surface || !context.surface->refinement || context.surface->positions.empty()) return std::nullopt;
   const Character& character = *context.document.character;

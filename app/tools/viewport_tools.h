@@ -60,6 +60,7 @@ struct RouteResult {
   GizmoContext gizmoContext;          ///< For drawGizmo, if visible.
   std::string status;                 ///< What the tool does next: the status line.
   std::optional<Error> refusal;       ///< Why an edit was refused.
+  std::string said;                   ///< What a tool did beyond what was drawn: a toast. Empty: nothing.
   std::optional<ViewportHover> menu;  ///< The right button was clicked on this: its menu is asked for.
   bool needsFrame = false;            ///< Something moves or is being dragged: draw again soon.
 };

@@ -9,12 +9,14 @@
 
 #include "app/actions/actions.h"
 #include "app/actions/export_commands.h"
+#include "app/actions/export_error.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/hidden_bones.h"
-#include "app/editor/viewport_input.h"
+#include "app/editor/line_commands.h"
 #include "app/editor/visibility_commands.h"
 #include "app/panels/panels.h"
+#include "app/tools/view/viewport_input.h"
 #include "core/base/stopwatch.h"
 
 namespace sinew::app {
@@ -24,27 +26,13 @@ namespace {
 /// comes in that frame would be lost.
 bool isTyping() { return ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive(); }
 
-/// The lines of selected muscles, ascending.
-std::vector<int> selectedLines(const Document& document) {
-  const Rig& rig = document.rig();
-  std::vector<int> lines;
-  for (const PrimitiveId id : document.selection.primitives) {
-    const int index = findPrimitive(rig, id);
-    const int line = index < 0 ? -1 : findLine(rig, rig.primitives[static_cast<std::size_t>(index)].line);
-    if (line >= 0) lines.push_back(line);
-  }
-  std::ranges::sort(lines);
-  lines.erase(std::ranges::unique(lines).begin(), lines.end());
-  return lines;
-}
-
 void movePose(EditorState& state, const RawInput& input, double seconds) {
   if (!state.hasCharacter()) return;
   const bool leftPressed = input.pressedButton == static_cast<int>(MouseButton::kLeft);
   if (!holdsPose(state.view.tools, leftPressed)) advance(state.open.transport, seconds, state.character());
   const FlexState& flex = state.open.flex;
   state.open.transport.flex = flex.shown();
-  state.open.transport.flexedLines = flex.selectedAlone ? selectedLines(state.document) : std::vector<int>();
+  state.open.transport.flexedLines = flex.selectedAlone ? selectedLines(state.document).indices : std::vector<int>();
   state.live->movePose(state.open.transport);
 }
 
@@ -69,6 +57,7 @@ void EditorStep::run(EditorState& state, const RawInput& input, const Fonts& fon
 bool EditorStep::runInterface(EditorState& state, const RawInput& input, const Fonts& fonts) {
   const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   if (!popup && !isTyping() && !ownsKeyboard(state.view.tools)) runShortcut(state, input);
+  state.frame.arrowsTaken = false;
   state.open.animate.pointed.clear();
   state.open.animate.pointedPoint = {};
   widgets_.beginFrame();
@@ -103,6 +92,7 @@ void EditorStep::runTools(EditorState& state, const RawInput& input, bool viewpo
   if (state.document.commands.position() != before) state.open.refusal.clear();
   cameraMoves_ = isMoving(state.view.tools.camera);
   if (state.frame.route.refusal) refuse(state, *state.frame.route.refusal);
+  if (!state.frame.route.said.empty()) say(state, state.frame.route.said);
   if (state.frame.route.menu) state.open.viewportMenu = {*state.frame.route.menu, true};
 }
 
@@ -110,8 +100,10 @@ void EditorStep::updateSurface(EditorState& state) {
   if (!state.hasCharacter()) return;
   state.live->movePose(state.open.transport);  // The pose tool may have turned a joint.
   followEdits(state.document);
+  forgetSettledWarnings(state);
   const Result<bool> updated = state.live->update(state.document, surfaceView(state));
   if (!updated) addMessage(state.session, MessageKind::kError, updated.error().plainText());
+  updateExportError(state);
   state.session.stats.stages = state.live->surface().report.seconds;
   const std::pair prepared(state.session.documentsOpened, state.document.commands.revision());
   state.session.stats.prepare = std::exchange(prepared_, prepared) == prepared ? 0.0 : state.live->prepareSeconds();

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/actions/export_error.h"
 #include "app/editor/commands.h"
 #include "app/editor/hidden_bones.h"
 #include "app/editor/territory.h"
@@ -29,10 +30,16 @@ constexpr double kRestSeconds = 0.2;  ///< A picture that has stood so long is r
 PictureKey keyOf(const EditorState& state, const View& view) {
   PictureKey key;
   key.document = state.session.documentsOpened;
-  key.surface = state.live->revision();
+  key.surface = shownRevision(state);
   key.view = view;
   key.display = state.view.display;
   key.display.look = state.session.preferences.look;
+  if (showsExportError(state)) {
+    key.display.shading = Shading::kHeat;
+    key.display.surface = true;
+    key.display.anatomy = false;
+    key.display.heatRange = exportErrorRange(state) / 100.0f;
+  }
   key.display.lineScale =
       state.frame.uiScale * static_cast<float>(state.frame.viewportPixels.x) / std::max(state.frame.viewport.z, 1.0f);
   key.display.skeleton = key.display.skeleton || state.view.tools.tool == ToolKind::kPose;
@@ -63,7 +70,7 @@ PictureKey keyToSave(const EditorState& state) {
 Scene sceneOf(const EditorState& state, const PictureKey& key) {
   Scene scene;
   scene.character = state.document.character.get();
-  scene.surface = &state.live->surface();
+  scene.surface = &shownSurface(state);
   scene.surfaceRevision = key.surface + 1;
   scene.pose = &state.live->pose();
   scene.primitives = key.shapes;
@@ -105,7 +112,7 @@ void Picture::noteChange(const glm::vec4& shown, bool whole) {
 /// The texture holds what the state is now: nothing has moved since it was drawn.
 bool Picture::showsNow(const EditorState& state) const {
   return state.hasCharacter() && drawn_.document == state.session.documentsOpened && drawnAt_ > 0.0 &&
-         drawn_.surface == state.live->revision();
+         drawn_.surface == shownRevision(state);
 }
 
 std::optional<double> Picture::secondsUntilRefining(const EditorState& state, double now) const {

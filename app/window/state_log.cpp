@@ -346,6 +346,7 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("links", linkState(state.document.rig()))
       .set("territory", state.view.tools.territoryMode ? state.document.activeName() : std::string())
       .set("depth", state.hasCharacter() ? state.live->depth() : smoothing.depth)
+      .set("tolerance", state.hasCharacter() ? state.live->tolerance() : smoothing.tolerance)
       .set("mode", nameOf(state.document.rig().surface.mode))
       .set("triangles", report.refinedTriangles)
       .set("culled", report.culledTriangles)

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "sinew/character/character.h"
+#include "sinew/skeleton/pose.h"
 
 namespace sinew {
 
@@ -50,6 +51,16 @@ struct BindingRange {
   const auto influences = character.mesh.influencesOf(vertex);
   const auto strongest = std::ranges::max_element(influences, {}, &Influence::weight);
   return character.skeleton.bindings[static_cast<std::size_t>(strongest->binding)].bone;
+}
+
+/// What carries a vertex from the bind pose to a pose: the weighted sum of its bindings' matrices.
+[[nodiscard]] inline glm::mat4 skinMatrix(const Character& character, const Pose& pose, int vertex) {
+  glm::mat4 sum(0.0f);
+  for (const WeightedBinding& follows : bindingsOf(character, vertex)) {
+    const glm::mat4& bone = pose.boneInWorld[static_cast<std::size_t>(follows.bone())];
+    sum += follows.weight * (bone * follows.binding.inverseBind);
+  }
+  return sum;
 }
 
 }  // namespace sinew

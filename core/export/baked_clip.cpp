@@ -17,11 +17,13 @@ const AnimationClip& clipOf(const Character& character, const BakedExportSetting
 }  // namespace
 
 BakedClip::BakedClip(const Character& character, const BakedExportSettings& settings)
-    : clip(clipOf(character, settings)), times(clipTimes(clip, settings.framesPerSecond)) {
+    : clip(clipOf(character, settings)), times(clipTimes(clip, momentsPerSecond(settings))) {
   for (std::size_t frame = 0; frame < times.size(); ++frame) frames.push_back(static_cast<double>(frame));
-  const double end = static_cast<double>(clip.duration) * settings.framesPerSecond;
+  const double end = static_cast<double>(clip.duration) * momentsPerSecond(settings);
   if (std::abs(end - frames.back()) > kSameTime) frames.back() = end;
 }
+
+double momentsPerSecond(const BakedExportSettings& settings) { return settings.framesPerSecond * settings.substeps; }
 
 void refuseClip(const BakedExportSettings& settings, const std::string& what) {
   throw gltf::Refusal{
@@ -30,7 +32,7 @@ void refuseClip(const BakedExportSettings& settings, const std::string& what) {
 
 void requireFrames(const Character& character, const BakedExportSettings& settings, int most) {
   const AnimationClip& clip = clipOf(character, settings);
-  if (static_cast<double>(clip.duration) * settings.framesPerSecond >= most) {
+  if (static_cast<double>(clip.duration) * momentsPerSecond(settings) >= most) {
     refuseClip(settings, "has more than " + std::to_string(most) + " frames");
   }
 }

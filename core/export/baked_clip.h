@@ -18,6 +18,8 @@ struct BakedClip {
   std::vector<double> frames;  ///< [frames] 0, 1 ...; the last is no whole number where the clip ends between two.
 };
 
+[[nodiscard]] double momentsPerSecond(const BakedExportSettings& settings);
+
 /// Before the times are made. Throws gltf::Refusal where the clip has more frames than that.
 void requireFrames(const Character& character, const BakedExportSettings& settings, int most);
 

@@ -27,6 +27,12 @@ Result<BakedExportReport> exportBaked(const std::filesystem::path& characterFile
   if (!(settings.framesPerSecond > 0.0) || !std::isfinite(settings.framesPerSecond)) {
     return errorAt("frames per second", "expected a number above 0");
   }
+  if (settings.substeps < 1 || settings.substeps > kMostSubsteps) {
+    return errorAt("substeps", "expected 1 to " + std::to_string(kMostSubsteps));
+  }
+  if (settings.substeps > 1 && !hasExportEnding(file, {ExportForm::kTargets})) {
+    return errorAt("substeps", "are for morph targets alone");
+  }
   if (!(settings.bound >= kLeastBound && settings.bound <= kMostBound)) {
     return errorAt("bound", "expected percent of the height from 0.001 to 100");
   }

@@ -1,10 +1,13 @@
 // core/export/baked_targets.cpp: weights for the clip, then targets for what they leave.
+#include <algorithm>
 #include <map>
 #include <sstream>
 #include <utility>
 
 #include "core/base/at.h"
+#include "core/base/parallel.h"
 #include "core/export/baked_clip.h"
+#include "core/export/fit/error_meter.h"
 #include "core/export/fit/joint_fit.h"
 #include "core/export/fit/live_surfaces.h"
 #include "core/export/fit/morph_fit.h"
@@ -23,11 +26,13 @@ constexpr int kMostFrames = 4000;
 constexpr std::size_t kMostPoints = 100'000'000;
 /// Normals that turn less, about a quarter of a degree, have no entry in a target.
 constexpr float kNormalStep = 1.0f / 256.0f;
+constexpr std::size_t kLeastRange = 1024;  ///< Vertices that are worth a thread.
 // Shares of the work.
 constexpr double kFitting = 0.3;
 constexpr double kGathering = 0.2;
 constexpr double kSearching = 0.3;
-constexpr double kShading = 0.2;
+constexpr double kShading = 0.1;
+constexpr double kMeasuring = 0.1;
 
 std::string percentText(double percent) {
   std::ostringstream text;
@@ -54,7 +59,7 @@ class TargetMaker {
     if (primitives.empty() || !prepared_) return;
     MorphFit morphs = gatherVertices(skins, primitives);
     report.frames = static_cast<int>(moments_.times.size());
-    report.skinned = morphs.skinnedFigures();
+    report.skinned = placed(morphs.skinnedFigures());
     progress_.begin(kSearching);
     const double height = static_cast<double>(character_->height);
     const auto targets = morphs.solve(settings_.bound / 100.0 * height, progress_);
@@ -65,7 +70,9 @@ class TargetMaker {
                                       "too coarse; expected a larger bound")};
     }
     report.targets = targets->count;
-    report.baked = targets->figures;
+    report.baked = placed(targets->figures);
+    progress_.begin(kMeasuring);
+    measureBetween(playedTargets(*targets), report);
     progress_.begin(kShading);
     const std::vector<PrimitiveDeltas> deltas = deltasOf(*targets, skins, primitives);
     addMorphTargets(primitives, deltas, settings_.clip, rewrite);
@@ -87,6 +94,61 @@ class TargetMaker {
     });
   }
 
+  /// Of figures whose times are frames.
+  [[nodiscard]] ErrorFigures placed(ErrorFigures figures) const {
+    if (figures.farthest.vertex < 0) return figures;
+    figures.farthest.clip = settings_.clip;
+    figures.farthest.time = moments_.times[static_cast<std::size_t>(figures.farthest.time)];
+    figures.farthest.bone = fit_.played()->boneOf(figures.farthest.vertex);
+    return figures;
+  }
+
+  /// Targets of the refined vertices, where the file has them by node and split.
+  [[nodiscard]] PlayedTargets playedTargets(const MorphTargets& targets) const {
+    PlayedTargets played{settings_.clip, moments_.times, targets.weights, {}};
+    for (const std::vector<glm::vec3>& all : targets.deltas) {
+      std::vector<glm::vec3>& own =
+          played.deltas.emplace_back(std::vector<glm::vec3>(fit_.weights().size(), glm::vec3(0.0f)));
+      for (std::size_t v = 0; v < all.size(); ++v) {
+        own[toIndex(refined_[v])] = glm::vec3(spaces_[toIndex(spaceOf_[v])] * glm::dvec3(all[v]));
+      }
+    }
+    return played;
+  }
+
+  /// The clip between its baked moments, as a program blends the targets.
+  void measureBetween(PlayedTargets targets, BakedExportReport& report) {
+    const auto played = std::make_shared<PlayedSurface>(*fit_.played());
+    played->targets = std::move(targets);
+    const std::vector<float> times = timesBetween(moments_.clip, momentsPerSecond(settings_));
+    // Those of the file alone: what no primitive shows is not compared.
+    std::vector<bool> isShown(fit_.weights().size(), false);
+    for (const int refined : refined_) isShown[toIndex(refined)] = true;
+    const auto height = static_cast<double>(character_->height);
+    ErrorMeter meter(height);
+    std::vector<float> largest(isShown.size(), 0.0f);
+    std::vector<glm::vec3> positions;
+    const auto poseOf = [&](std::size_t i) { return samplePose(character_->skeleton, moments_.clip, times[i]); };
+    surfaces_.forEach(times.size(), poseOf, [&](std::size_t i, const Pose& pose, const Surface& live) {
+      progress_.tell(static_cast<double>(i) / static_cast<double>(times.size()));
+      played->place(pose, settings_.clip, times[i], positions);
+      meter.addPose(0, times[i]);
+      for (std::size_t v = 0; v < positions.size(); ++v) {
+        if (!isShown[v]) continue;
+        const double distance = glm::distance(glm::dvec3(positions[v]), glm::dvec3(live.positions[v]));
+        meter.add(distance, static_cast<int>(v));
+        largest[v] = std::max(largest[v], static_cast<float>(100.0 / height * distance));
+      }
+    });
+    report.between = meter.figures();
+    if (report.between.farthest.vertex >= 0) {
+      report.between.farthest.clip = settings_.clip;
+      report.between.farthest.bone = played->boneOf(report.between.farthest.vertex);
+    }
+    played->largest = std::move(largest);
+    report.played = played;
+  }
+
   /// Each refined vertex once for every node that shows it.
   MorphFit gatherVertices(const OutSkins& skins, std::span<const OutPrimitive> primitives) {
     std::vector<MorphVertex> vertices;
@@ -104,6 +166,8 @@ class TargetMaker {
             vertexOf.emplace(std::pair(space->second, refined), static_cast<int>(vertices.size()));
         numbers.push_back(place->second);
         if (!isFirst) continue;
+        refined_.push_back(refined);
+        spaceOf_.push_back(space->second);
         const glm::dvec3 written(into.point(at(fit_.bind().positions, refined)));
         vertices.push_back(
             {refined, space->second, glm::dvec3(meshToBind * glm::dvec4(written, 1.0)), at(fit_.weights(), refined)});
@@ -112,6 +176,7 @@ class TargetMaker {
     if (vertices.size() * moments_.times.size() > kMostPoints) {
       refuseClip(settings_, "needs more than " + std::to_string(kMostPoints) + " vertices in all frames");
     }
+    spaces_ = spaces;
     MorphFit morphs(std::move(vertices), std::move(spaces), static_cast<double>(character_->height));
     progress_.begin(kGathering);
     forEachFrame([&](std::size_t, const Surface& live) { morphs.add(matrices_, live.positions); });
@@ -140,16 +205,16 @@ class TargetMaker {
     if (targets.count == 0) return result;
     forEachFrame([&](std::size_t frame, const Surface& surface) {
       for (std::size_t p = 0; p < primitives.size(); ++p) {
-        for (std::size_t v = 0; v < numbers_[p].size(); ++v) {
+        forEachIndex(numbers_[p].size(), kLeastRange, [&](std::size_t v) {
           const glm::dmat3 blend = blendedMatrix(matrices_, at(fit_.weights(), primitives[p].refined[v]));
           const glm::vec3 live = shadingNormal(surface, toIndex(primitives[p].drawn[v]));
           const glm::vec3 inBind = normalizeOr(glm::vec3(glm::transpose(blend) * glm::dvec3(live)), live);
           const glm::vec3 change = into[p].normal(inBind) - rest[p][v];
-          if (glm::length(change) < kNormalStep) continue;
+          if (glm::length(change) < kNormalStep) return;
           for (std::size_t k = 0; k < result[p].normals.size(); ++k) {
             result[p].normals[k][v] += static_cast<float>(targets.shares[k * moments_.times.size() + frame]) * change;
           }
-        }
+        });
       }
     });
     for (PrimitiveDeltas& own : result) {
@@ -170,6 +235,9 @@ class TargetMaker {
   LiveSurfaces surfaces_;
   bool prepared_;
   std::vector<std::vector<int>> numbers_;  ///< [primitives][vertices] of MorphFit's.
+  std::vector<int> refined_;               ///< [MorphFit's vertices]
+  std::vector<int> spaceOf_;               ///< [MorphFit's vertices] index in spaces_.
+  std::vector<glm::dmat3> spaces_;
   // The frame at hand.
   std::vector<glm::dmat4> matrices_;
 };

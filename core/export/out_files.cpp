@@ -5,17 +5,15 @@
 #include <system_error>
 
 #include "core/export/formats.h"
+#include "core/skeleton/clip_names.h"
+
 namespace sinew::exporting {
 
 Result<void> checkClips(const std::filesystem::path& file, const Character& character,
                         const std::vector<std::string>& asked) {
   for (const std::string& name : asked) {
     if (std::ranges::find(character.clips, name, &AnimationClip::name) != character.clips.end()) continue;
-    std::string known;
-    for (const AnimationClip& clip : character.clips) known += (known.empty() ? "\"" : ", \"") + clip.name + '"';
-    return Error{
-        file.string(), "clip \"" + name + '"',
-        known.empty() ? "it has no clips" : "expected " + (character.clips.size() > 1 ? "one of " + known : known)};
+    return Error{file.string(), "clip \"" + name + '"', noSuchClip(name, character.clips)};
   }
   return {};
 }

@@ -82,7 +82,7 @@ void OutPrimitives::setWeights(int node, const std::vector<FourWeights>& weights
 
 WrittenPrimitive OutPrimitives::writeRefined(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive,
                                              std::set<std::string>& left) {
-  RefinedPrimitive refined = refinedPrimitive(source_, part, bind_);
+  RefinedPrimitive refined = refinedPrimitive(source_, part, mesh_, bind_);
   if (refined.triangles.empty()) return {};
   const IntoMesh into(skins_.meshToBind(part.node));
   std::vector<glm::vec3> positions;

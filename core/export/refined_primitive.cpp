@@ -10,21 +10,6 @@
 namespace sinew::exporting {
 namespace {
 
-/// Position in a control triangle's lattice: barycentric (n-j-k, j, k) / n.
-using LatticePoint = std::array<int, 2>;
-
-/// Corners of the n^2 triangles in the refinement's order.
-std::vector<std::array<LatticePoint, 3>> latticeTriangles(int n) {
-  std::vector<std::array<LatticePoint, 3>> result;
-  for (int j = 0; j < n; ++j) {
-    for (int k = 0; k < n - j; ++k) {
-      result.push_back({{{j, k}, {j + 1, k}, {j, k + 1}}});
-      if (k < n - j - 1) result.push_back({{{j + 1, k}, {j + 1, k + 1}, {j, k + 1}}});
-    }
-  }
-  return result;
-}
-
 /// Attributes that mean something between the corners.
 bool isInterpolated(const std::string& name) {
   return name.starts_with("TEXCOORD_") || name.starts_with("COLOR_") || name == "TANGENT";
@@ -74,20 +59,20 @@ class AttributeReader {
 
 class PrimitiveRefiner {
  public:
-  PrimitiveRefiner(Source& source, const gltf::SoupPart& part, const Surface& surface)
+  PrimitiveRefiner(Source& source, const gltf::SoupPart& part, const ControlMesh& mesh, const Surface& surface)
       : source_(source),
         part_(part),
         refinement_(*surface.refinement),
+        mesh_(mesh),
         from_(AttributeReader(source, part).read()),
-        keys_(3 * toIndex(refinement_.depth * refinement_.depth) * (part.endTriangle - part.firstTriangle)) {}
+        keys_(3 * refinement_.triangles.size()) {}
 
   RefinedPrimitive run() {
     for (const VertexAttribute& attribute : from_)
       out_.attributes.push_back({attribute.name, attribute.components, {}});
     findTwins();
-    const auto lattice = latticeTriangles(refinement_.depth);
     for (std::size_t t = part_.firstTriangle; t < part_.endTriangle; ++t) {
-      if (source_.controlTriangle[t] >= 0) split(t, toIndex(source_.controlTriangle[t]) * lattice.size(), lattice);
+      if (source_.controlTriangle[t] >= 0) split(t, source_.controlTriangle[t]);
     }
     return std::move(out_);
   }
@@ -123,26 +108,26 @@ class PrimitiveRefiner {
     return std::span(attribute.values).subspan(vertex * size, size);
   }
 
-  void split(std::size_t soupTriangle, std::size_t first, const std::vector<std::array<LatticePoint, 3>>& lattice) {
+  void split(std::size_t soupTriangle, int control) {
     std::array<std::size_t, 3> corners{};
     for (std::size_t i = 0; i < 3; ++i) corners[i] = source_.soup.triangles[soupTriangle][i] - part_.firstVertex;
-    for (std::size_t t = 0; t < lattice.size(); ++t) {
+    for (int t = at(refinement_.triangleBegin, control); t < at(refinement_.triangleBegin, control + 1); ++t) {
       std::array<std::uint32_t, 3> triangle{};
       for (std::size_t i = 0; i < 3; ++i) {
-        const int drawn = static_cast<int>(refinement_.drawTriangles[first + t][i]);
-        triangle[i] = vertex(corners, lattice[t][i], refinement_.triangles[first + t][i], drawn);
+        const int refined = at(refinement_.triangles, t)[i];
+        const int drawn = static_cast<int>(at(refinement_.drawTriangles, t)[i]);
+        triangle[i] = vertex(corners, controlCoordinates(mesh_, refinement_, control, refined), refined, drawn);
       }
       out_.triangles.push_back(triangle);
     }
   }
 
-  std::uint32_t vertex(const std::array<std::size_t, 3>& corners, const LatticePoint& point, int refined, int drawn) {
-    const std::array<int, 3> parts{refinement_.depth - point[0] - point[1], point[0], point[1]};
+  std::uint32_t vertex(const std::array<std::size_t, 3>& corners, const glm::dvec3& place, int refined, int drawn) {
     Key key{drawn, -1, -1};
-    if (std::ranges::count(parts, 0) > 0) {
+    if (refined < refinement_.insideBegin.front()) {
       std::vector<int> ends;
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (parts[i] > 0) ends.push_back(twin_[corners[i]]);
+      for (int i = 0; i < 3; ++i) {
+        if (place[i] > 0.0) ends.push_back(twin_[at(corners, i)]);
       }
       key.low = std::ranges::min(ends);
       key.high = std::ranges::max(ends);
@@ -155,25 +140,26 @@ class PrimitiveRefiner {
       keyOf_.push_back(key);
       out_.refined.push_back(refined);
       out_.drawn.push_back(drawn);
-      interpolate(corners, parts);
+      interpolate(corners, place);
     }
     return static_cast<std::uint32_t>(found);
   }
 
-  void interpolate(const std::array<std::size_t, 3>& corners, const std::array<int, 3>& parts) {
-    const auto corner = std::ranges::find(parts, refinement_.depth) - parts.begin();
+  void interpolate(const std::array<std::size_t, 3>& corners, const glm::dvec3& place) {
+    int corner = 0;
+    while (corner < 3 && place[corner] != 1.0) ++corner;
     for (std::size_t a = 0; a < from_.size(); ++a) {
       std::vector<float>& to = out_.attributes[a].values;
       if (corner < 3) {  // The file's value to the last bit.
-        const auto values = valuesOf(from_[a], corners[static_cast<std::size_t>(corner)]);
+        const auto values = valuesOf(from_[a], at(corners, corner));
         to.insert(to.end(), values.begin(), values.end());
         continue;
       }
       const std::size_t start = to.size();
       for (std::size_t c = 0; c < toIndex(from_[a].components); ++c) {
         double sum = 0.0;
-        for (std::size_t i = 0; i < 3; ++i) sum += parts[i] * static_cast<double>(valuesOf(from_[a], corners[i])[c]);
-        to.push_back(static_cast<float>(sum / refinement_.depth));
+        for (int i = 0; i < 3; ++i) sum += place[i] * static_cast<double>(valuesOf(from_[a], at(corners, i))[c]);
+        to.push_back(static_cast<float>(sum));
       }
       if (from_[a].name == "TANGENT") to[start + 3] = to[start + 3] < 0.0f ? -1.0f : 1.0f;
     }
@@ -182,6 +168,7 @@ class PrimitiveRefiner {
   Source& source_;
   const gltf::SoupPart& part_;
   const Refinement& refinement_;
+  const ControlMesh& mesh_;
   std::vector<VertexAttribute> from_;  // [part's vertices of the soup]
   std::vector<int> twin_;              // [part's vertices of the soup]
   IndexTable keys_;
@@ -191,8 +178,9 @@ class PrimitiveRefiner {
 
 }  // namespace
 
-RefinedPrimitive refinedPrimitive(Source& source, const gltf::SoupPart& part, const Surface& surface) {
-  return PrimitiveRefiner(source, part, surface).run();
+RefinedPrimitive refinedPrimitive(Source& source, const gltf::SoupPart& part, const ControlMesh& mesh,
+                                  const Surface& surface) {
+  return PrimitiveRefiner(source, part, mesh, surface).run();
 }
 
 }  // namespace sinew::exporting

@@ -28,6 +28,7 @@ struct RefinedPrimitive {
 /// The part's triangles, split as the surface's refinement says. Two vertices are one where they show the same drawn
 /// vertex and the file's texture coordinates, colors and tangents agree at the corners they lie between. Throws
 /// gltf::Refusal where an attribute cannot be read.
-[[nodiscard]] RefinedPrimitive refinedPrimitive(Source& source, const gltf::SoupPart& part, const Surface& surface);
+[[nodiscard]] RefinedPrimitive refinedPrimitive(Source& source, const gltf::SoupPart& part, const ControlMesh& mesh,
+                                                const Surface& surface);
 
 }  // namespace sinew::exporting

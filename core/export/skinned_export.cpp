@@ -36,6 +36,7 @@ Result<SkinnedExportReport> fitAndWrite(Source& source, const Character& charact
   if (auto found = fit.findWeights(); !found) return found.error();
   SkinnedExportReport report;
   fit.measure(report);
+  fit.measureBetween(report);
   SkinnedFile made = skinnedFile(source, character.mesh, fit, settings);
   report.joints = made.joints;
   report.vertices = made.vertices;

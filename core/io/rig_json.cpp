@@ -44,6 +44,8 @@ Json smoothingNode(const SmoothingSettings& smoothing) {
       .set("patch", nameOf(smoothing.patch))
       .set("projection", nameOf(smoothing.projection));
   if (smoothing.creaseAngle != kDefaultCreaseAngle) writer.set("crease_angle", smoothing.creaseAngle);
+  if (smoothing.detail != DetailKind::kUniform) writer.set("detail", nameOf(smoothing.detail));
+  if (smoothing.tolerance != kDefaultTolerance) writer.set("tolerance", smoothing.tolerance);
   if (smoothing.autoDepth) writer.set("auto_depth", true);
   return writer.finish(smoothing.unknownKeys);
 }
@@ -79,6 +81,12 @@ Json primitiveNode(const Primitive& primitive) {
   return writer.finish(primitive.unknownKeys);
 }
 
+Json slotsNode(const std::vector<SlotCorrection>& slots) {
+  Json node = Json::object();
+  for (const SlotCorrection& slot : slots) node.set(slot.slot, slot.bone.empty() ? Json() : Json(slot.bone));
+  return node;
+}
+
 /// The oldest version that can say what is in the rig: older programs read what they can.
 int versionOf(const Rig& rig) {
   const bool newer = std::ranges::any_of(rig.primitives, [](const Primitive& p) {
@@ -103,6 +111,7 @@ std::string rigToJson(const Rig& rig) {
       .set("smoothing", smoothingNode(rig.smoothing))
       .set("groups", listOf(rig.groups, groupNode))
       .set("links", listOf(rig.links, [](const auto& link) { return strings(link); }));
+  if (!rig.slots.empty()) root.set("slots", slotsNode(rig.slots));
   if (!rig.channels.empty()) root.set("channels", listOf(rig.channels, channelNode));
   if (!rig.lines.empty()) root.set("lines", listOf(rig.lines, lineNode));
   root.set("primitives", listOf(rig.primitives, primitiveNode));

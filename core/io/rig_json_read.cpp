@@ -44,8 +44,11 @@ SmoothingSettings readSmoothing(Reader& reader, const Json& node) {
   readWord(reader, node, "smoothing", "projection", "\"newton\", \"bisection\" or \"analytic\"", projectionKindNamed,
            smoothing.projection);
   readFloat(reader, node, "smoothing", "crease_angle", smoothing.creaseAngle);
+  readWord(reader, node, "smoothing", "detail", "\"uniform\" or \"adaptive\"", detailKindNamed, smoothing.detail);
+  readFloat(reader, node, "smoothing", "tolerance", smoothing.tolerance);
   readSwitch(reader, node, "smoothing", "auto_depth", smoothing.autoDepth);
-  smoothing.unknownKeys = unknownKeys(node, {"depth", "patch", "projection", "crease_angle", "auto_depth"});
+  smoothing.unknownKeys =
+      unknownKeys(node, {"depth", "patch", "projection", "crease_angle", "detail", "tolerance", "auto_depth"});
   return smoothing;
 }
 
@@ -135,6 +138,17 @@ Primitive readPrimitive(Reader& reader, const Json& node, const Place& listed) {
   return primitive;
 }
 
+std::vector<SlotCorrection> readSlots(Reader& reader, const Json& node) {
+  std::vector<SlotCorrection> slots;
+  if (!reader.object(node, "slots")) return slots;
+  for (const Json& slot : node.children) {
+    const Place place{"slots." + slot.key, "slot \"" + slot.key + '"'};
+    slots.push_back({slot.key, slot.isNull() ? std::string() : reader.text(slot, place)});
+    if (!slot.isNull() && slots.back().bone.empty()) reader.expect(place, "the name of a bone, or null", slot);
+  }
+  return slots;
+}
+
 /// Is it a rig at all, and one this program can read?
 void readHeader(Reader& reader, const Json& root) {
   if (!reader.object(root, {"", "not a rig"})) return;
@@ -168,6 +182,7 @@ Rig readRig(Reader& reader, const Json& root) {
     reader.each(*links, {"links", "link"},
                 [&](const Json& node, const Place& place) { rig.links.push_back(readLink(reader, node, place)); });
   }
+  if (const Json* slots = root.find("slots")) rig.slots = readSlots(reader, *slots);
   if (const Json* channels = root.find("channels")) {
     reader.each(*channels, {"channels", "channel"}, [&](const Json& node, const Place& place) {
       rig.channels.push_back(readChannel(reader, node, place));
@@ -183,7 +198,7 @@ Rig readRig(Reader& reader, const Json& root) {
     });
   }
   rig.unknownKeys = unknownKeys(root, {"format", "version", "character", "surface", "smoothing", "groups", "links",
-                                       "channels", "lines", "primitives"});
+                                       "slots", "channels", "lines", "primitives"});
   return rig;
 }
 

@@ -55,12 +55,12 @@ const SurfaceFormat* findFormat(const std::filesystem::path& file) {
 }  // namespace
 
 std::vector<MaterialRun> materialRuns(const Surface& surface, const Character& character) {
-  const std::size_t split = toIndex(surface.refinement->depth) * toIndex(surface.refinement->depth);
+  const std::vector<int>& begin = surface.refinement->triangleBegin;
   std::vector<MaterialRun> runs;
   for (std::size_t t = 0; t < character.mesh.triangles.size(); ++t) {
     const int material = character.mesh.triangles[t].material;
-    if (runs.empty() || runs.back().material != material) runs.push_back({material, t * split, t * split});
-    runs.back().end += split;
+    if (runs.empty() || runs.back().material != material) runs.push_back({material, toIndex(begin[t]), 0});
+    runs.back().end = toIndex(begin[t + 1]);
   }
   return runs;
 }

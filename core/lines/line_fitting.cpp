@@ -13,6 +13,7 @@
 #include "core/rig/line_edit.h"
 #include "core/rig/rig_edit_several.h"
 #include "core/skeleton/bone_segments.h"
+#include "core/skeleton/clip_names.h"
 
 namespace sinew {
 namespace {
@@ -34,12 +35,6 @@ glm::vec3 jointBetween(const LineRest& rest, const Character& character) {
   };
   const bool insertionIsLower = isAbove(rest.origin.bone, rest.insertion.bone);
   return glm::vec3(boneAt(character, insertionIsLower ? rest.insertion.bone : rest.origin.bone).bindInWorld[3]);
-}
-
-LineAnchor anchorOn(const Character& character, int bone, const glm::vec3& inBind) {
-  return {character.skeleton.fileName(bone),
-          glm::vec3(boneAt(character, bone).inverseBindInWorld * glm::vec4(inBind, 1.0f)),
-          {}};
 }
 
 /// Both ends of the muscle's long axis, in the bind pose.
@@ -70,7 +65,7 @@ Result<Rig> withFullNow(Rig rig, int line, float stretch) {
 
 Result<Learned> withLearned(Rig rig, int line, const LineLengths& lengths) {
   const std::string name = '"' + at(rig.lines, line).name + '"';
-  if (lengths.poses == 0) return errorAt("", "there is no clip to learn from");
+  if (lengths.poses == 0) return errorAt("", kNoClips);
   if (!(lengths.secondPercentile < kMostFull)) {
     return errorAt("", name + " never gets shorter than at rest in any clip: it is at least " + percent(lengths.least));
   }
@@ -102,7 +97,7 @@ Result<Rig> withViaPoint(Rig rig, int line, const Character& character) {
   const glm::vec3 side = away > 0.1f * least ? (passing - joint) / away : height;
   const glm::vec3 via = joint + std::max(away, least) * side;
   return editLine(std::move(rig), line,
-                  [&](MuscleLine& edited) { edited.via = anchorOn(character, rest->origin.bone, via); });
+                  [&](MuscleLine& edited) { edited.via = anchorOn(character.skeleton, rest->origin.bone, via); });
 }
 
 Result<Rig> withoutViaPoint(Rig rig, int line) {
@@ -124,8 +119,8 @@ Result<Rig> withOtherEnd(Rig rig, int primitive, int bone, const Character& char
   const glm::vec3 offset = middle - halfWayToAxis(boneAt(character, *own), middle);
   MuscleLine line;
   line.name = muscle.name;
-  line.origin = anchorOn(character, *own, origin);
-  line.insertion = anchorOn(character, bone, onAxis + offset);
+  line.origin = anchorOn(character.skeleton, *own, origin);
+  line.insertion = anchorOn(character.skeleton, bone, onAxis + offset);
   if (const Result<LineRest> rest = lineRest(line, character); !rest) return rest.error();
   if (const auto added = append(rig, std::move(line)); !added) return added.error();
   const auto last = static_cast<int>(rig.lines.size()) - 1;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "core/lines/line_pose.h"
@@ -12,34 +13,54 @@ namespace {
 
 constexpr float kHertz = 15.0f;
 
+/// The lengths of one line, pose after pose.
+struct Track {
+  std::vector<float> stretches;
+  LineLengths lengths;
+
+  void add(float stretch, const std::string& clip) {
+    if (stretches.empty() || stretch < lengths.least) {
+      lengths.least = stretch;
+      lengths.shortestIn = clip;
+    }
+    if (stretches.empty() || stretch > lengths.most) {
+      lengths.most = stretch;
+      lengths.longestIn = clip;
+    }
+    stretches.push_back(stretch);
+  }
+  LineLengths finish() {
+    lengths.poses = static_cast<int>(stretches.size());
+    if (stretches.empty()) return lengths;
+    const auto rank = static_cast<std::ptrdiff_t>(0.02 * static_cast<double>(stretches.size() - 1));
+    std::ranges::nth_element(stretches, stretches.begin() + rank);
+    lengths.secondPercentile = stretches[static_cast<std::size_t>(rank)];
+    return lengths;
+  }
+};
+
 }  // namespace
 
 LineLengths lengthsOver(const LineRest& rest, const Character& character, std::span<const AnimationClip> clips) {
-  std::vector<float> stretches;
-  LineLengths lengths;
+  return lengthsOver(std::span(&rest, 1), character, clips).front();
+}
+
+std::vector<LineLengths> lengthsOver(std::span<const LineRest> rests, const Character& character,
+                                     std::span<const AnimationClip> clips) {
+  std::vector<Track> tracks(rests.size());
   for (const AnimationClip& clip : clips) {
     const int steps = std::max(1, static_cast<int>(std::ceil(clip.duration * kHertz)));
     for (int step = 0; step <= steps; ++step) {
       const float time = clip.duration * static_cast<float>(step) / static_cast<float>(steps);
-      const PosedLine line = posedLine(rest, character.skeleton, samplePose(character.skeleton, clip, time));
-      if (!line.usable) continue;
-      const float stretch = line.stretch;
-      if (stretches.empty() || stretch < lengths.least) {
-        lengths.least = stretch;
-        lengths.shortestIn = clip.name;
+      const Pose pose = samplePose(character.skeleton, clip, time);
+      for (std::size_t i = 0; i < rests.size(); ++i) {
+        const PosedLine line = posedLine(rests[i], character.skeleton, pose);
+        if (line.usable) tracks[i].add(line.stretch, clip.name);
       }
-      if (stretches.empty() || stretch > lengths.most) {
-        lengths.most = stretch;
-        lengths.longestIn = clip.name;
-      }
-      stretches.push_back(stretch);
     }
   }
-  lengths.poses = static_cast<int>(stretches.size());
-  if (stretches.empty()) return lengths;
-  const auto rank = static_cast<std::ptrdiff_t>(0.02 * static_cast<double>(stretches.size() - 1));
-  std::ranges::nth_element(stretches, stretches.begin() + rank);
-  lengths.secondPercentile = stretches[static_cast<std::size_t>(rank)];
+  std::vector<LineLengths> lengths;
+  for (Track& track : tracks) lengths.push_back(track.finish());
   return lengths;
 }
 

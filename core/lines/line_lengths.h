@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/lines/line_rest.h"
 #include "sinew/character/character.h"
@@ -22,6 +23,10 @@ struct LineLengths {
 /// Samples 15 times a second.
 [[nodiscard]] LineLengths lengthsOver(const LineRest& rest, const Character& character,
                                       std::span<const AnimationClip> clips);
+
+/// The same of several lines, for the price of one: each pose is sampled once.  @return [rests]
+[[nodiscard]] std::vector<LineLengths> lengthsOver(std::span<const LineRest> rests, const Character& character,
+                                                   std::span<const AnimationClip> clips);
 
 // Outside of these a straight line probably passes through a joint.
 inline constexpr float kPlausibleLeast = 0.6f;

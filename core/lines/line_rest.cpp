@@ -62,6 +62,11 @@ double viaFactor(double y) {
 
 }  // namespace
 
+LineAnchor anchorOn(const Skeleton& skeleton, int bone, const glm::vec3& inBind) {
+  return {
+      skeleton.fileName(bone), glm::vec3(at(skeleton.bones, bone).inverseBindInWorld * glm::vec4(inBind, 1.0f)), {}};
+}
+
 std::optional<BonePoint> findPoint(const LineAnchor& anchor, const Skeleton& skeleton) {
   const std::optional<int> bone = skeleton.findBone(anchor.bone);
   if (!bone) return std::nullopt;

@@ -24,6 +24,8 @@ struct BonePoint {
 
 /// nullopt: the skeleton lacks the bone.
 [[nodiscard]] std::optional<BonePoint> findPoint(const LineAnchor& anchor, const Skeleton& skeleton);
+/// A point of the bind pose, world, that rides a bone from now on.
+[[nodiscard]] LineAnchor anchorOn(const Skeleton& skeleton, int bone, const glm::vec3& inBind);
 /// World.
 [[nodiscard]] glm::dvec3 posedPoint(const BonePoint& point, const Pose& pose);
 

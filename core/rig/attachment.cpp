@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/at.h"
+#include "core/base/nearest_name.h"
 #include "core/base/smoothstep.h"
 #include "core/character/bindings.h"
 #include "core/primitives/potential.h"
@@ -92,11 +93,11 @@ void addCandidates(const Character& character, const std::vector<int>& territory
 
 }  // namespace
 
-std::vector<Error> missingBones(const Rig& rig, const Skeleton& skeleton) {
-  std::vector<Error> missing;
+std::vector<MissingBone> missingBones(const Rig& rig, const Skeleton& skeleton) {
+  std::vector<MissingBone> missing;
   const auto check = [&](const std::string& bone, const std::string& place, const std::string& subject) {
     if (skeleton.findBone(bone)) return;
-    missing.push_back(errorAt(place, "this character has no bone \"" + bone + '"', subject));
+    missing.push_back({errorAt(place, "this character has no bone \"" + bone + '"', subject), bone});
   };
   checkDriverBones(rig.surface.animated, "surface", "surface", check);
   for (std::size_t i = 0; i < rig.lines.size(); ++i) {
@@ -117,6 +118,16 @@ std::vector<Error> missingBones(const Rig& rig, const Skeleton& skeleton) {
     }
   }
   return missing;
+}
+
+Error refusalOf(const MissingBone& missing, const Skeleton& skeleton) {
+  std::vector<std::string> names;
+  for (std::size_t bone = 0; bone < skeleton.bones.size(); ++bone) {
+    names.push_back(skeleton.fileName(static_cast<int>(bone)));
+  }
+  Error error = missing;
+  error.reason += didYouMean(missing.bone, names);
+  return error;
 }
 
 bool hasBones(const MuscleLine& line, const Skeleton& skeleton) {

@@ -22,11 +22,19 @@ struct Attachment {
   std::vector<std::vector<Candidate>> candidatesOfVertex;  ///< [V] primitives with m_i(v) > 0, ascending.
 };
 
+/// A bone that the rig names and the character lacks.
+struct MissingBone : Error {
+  std::string bone;
+};
+
 /// Every bone the rig names and the character lacks, with its JSON path: "primitives[2].bone",
 /// "primitives[2].territory[0]", "lines[0].origin.bone", "lines[0].animated[1].drivers[0].input.bone". An editor keeps
 /// such primitives, unattached, and such drivers, which drive nothing; what makes a result from the rig refuses, rather
 /// than leave something out.
-[[nodiscard]] std::vector<Error> missingBones(const Rig& rig, const Skeleton& skeleton);
+[[nodiscard]] std::vector<MissingBone> missingBones(const Rig& rig, const Skeleton& skeleton);
+
+/// The refusal of what cannot be made without the bone: with the bone that was probably meant.
+[[nodiscard]] Error refusalOf(const MissingBone& missing, const Skeleton& skeleton);
 
 /// The character has every bone that the line names.
 [[nodiscard]] bool hasBones(const MuscleLine& line, const Skeleton& skeleton);

@@ -127,6 +127,8 @@ const char* nameOf(ProjectionKind projection) {
   return "analytic";
 }
 
+const char* nameOf(DetailKind detail) { return detail == DetailKind::kAdaptive ? "adaptive" : "uniform"; }
+
 std::optional<SurfaceMode> surfaceModeNamed(const std::string& name) {
   return named(std::array{SurfaceMode::kSwell, SurfaceMode::kReplace}, name);
 }
@@ -137,6 +139,10 @@ std::optional<PatchKind> patchKindNamed(const std::string& name) {
 
 std::optional<ProjectionKind> projectionKindNamed(const std::string& name) {
   return named(std::array{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic}, name);
+}
+
+std::optional<DetailKind> detailKindNamed(const std::string& name) {
+  return named(std::array{DetailKind::kUniform, DetailKind::kAdaptive}, name);
 }
 
 }  // namespace sinew

@@ -14,6 +14,7 @@
 #include "core/primitives/shape_numbers.h"
 #include "core/rig/animated_validation.h"
 #include "core/rig/refusals.h"
+#include "core/skeleton/body_slot.h"
 
 namespace sinew {
 namespace {
@@ -234,6 +235,9 @@ Result<void> validateSmoothing(const SmoothingSettings& smoothing) {
   if (!(smoothing.creaseAngle >= 0.0f && smoothing.creaseAngle <= 180.0f)) {
     return outOfRange("smoothing.crease_angle", "degrees from 0 to 180", smoothing.creaseAngle, "crease angle");
   }
+  if (!(smoothing.tolerance >= kLeastTolerance && smoothing.tolerance <= kMostTolerance)) {
+    return outOfRange("smoothing.tolerance", "a number from 0.0001 to 0.01", smoothing.tolerance, "tolerance");
+  }
   return {};
 }
 
@@ -258,6 +262,26 @@ Result<NameIndex> validateLines(const Rig& rig) {
 
 }  // namespace
 
+namespace {
+
+/// Of the character's bones nothing is known here.
+Result<void> validateSlots(const Rig& rig) {
+  for (std::size_t i = 0; i < rig.slots.size(); ++i) {
+    const auto& [slot, bone] = rig.slots[i];
+    const std::string place = "slots." + slot;
+    if (!bodySlotNamed(slot)) {
+      return errorAt(place, "expected a part of the body, such as \"upperArm.L\", got \"" + slot + '"', "body parts");
+    }
+    if (const auto text = validateText(bone, place); !text) return about(quoted("slot", slot), text.error());
+    for (std::size_t j = 0; j < i; ++j) {
+      if (rig.slots[j].slot == slot) return errorAt(place, "this part is named twice", "body parts");
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
 Result<void> validateLinks(const Rig& rig) {
   const auto groups = indexNames(rig.groups, "groups", "group");
   if (!groups) return groups.error();
@@ -278,6 +302,7 @@ Result<void> validate(const Rig& rig, BlendingGraphMemo& graphs) {
   const auto groups = indexNames(rig.groups, "groups", "group");
   if (!groups) return groups.error();
   if (auto links = validateLinksAmong(rig, groups.value(), graphs); !links) return links;
+  if (auto slots = validateSlots(rig); !slots) return slots;
 
   if (auto channels = validateChannels(rig); !channels) return channels;
   const auto lines = validateLines(rig);

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/at.h"
+#include "sinew/rig/rig.h"
 
 namespace sinew {
 namespace {
@@ -32,6 +33,14 @@ int autoDepth(float meanEdgeFraction, float heightPixels, int current) {
   const bool settled =
       current >= 1 && current <= kMaxAutoDepth && std::abs(ideal - static_cast<float>(current)) <= kDeadBand;
   return settled ? current : static_cast<int>(std::lround(ideal));
+}
+
+float autoTolerance(float heightPixels, float current) {
+  const float ideal = std::clamp(kAutoErrorPixels / heightPixels, kLeastTolerance, kMostTolerance);
+  if (!std::isfinite(ideal)) return current > 0.0f ? current : kDefaultTolerance;
+  const float step = 2.0f * std::log2(ideal);
+  if (current > 0.0f && std::abs(step - 2.0f * std::log2(current)) <= kDeadBand) return current;
+  return std::clamp(std::exp2(0.5f * std::round(step)), kLeastTolerance, kMostTolerance);
 }
 
 }  // namespace sinew

@@ -1,4 +1,5 @@
-// core/smoothing/auto_depth.h: the refinement depth that a character's size on screen asks for (paper 5).
+// core/smoothing/auto_depth.h: the refinement depth, or the tolerance, that a character's size on screen asks for
+// (paper 5).
 #pragma once
 
 #include "sinew/mesh/control_mesh.h"
@@ -19,5 +20,13 @@ inline constexpr float kAutoEdgePixels = 8.0f;
 /// flicker.
 /// @param heightPixels the character's height H as seen, pixels.  @param current depth now in use, or 0 for none.
 [[nodiscard]] int autoDepth(float meanEdgeFraction, float heightPixels, int current);
+
+/// Pixels by which a flat triangle of adaptive detail may lie off the surface.
+inline constexpr float kAutoErrorPixels = 0.5f;
+
+/// The tolerance of adaptive detail at which that holds: a power of the square root of 2 within kLeastTolerance ..
+/// kMostTolerance, so that few different meshes are made while a camera moves; `current` stands as above.
+/// @param current  tolerance now in use, or 0 for none.
+[[nodiscard]] float autoTolerance(float heightPixels, float current);
 
 }  // namespace sinew

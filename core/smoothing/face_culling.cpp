@@ -24,8 +24,8 @@ class Culler {
 
  private:
   [[nodiscard]] std::span<const std::array<int, 3>> smallTriangles(int t) const {
-    const auto count = static_cast<std::size_t>(scene_.refinement.depth * scene_.refinement.depth);
-    return std::span(scene_.refinement.triangles).subspan(static_cast<std::size_t>(t) * count, count);
+    return std::span(scene_.refinement.triangles)
+        .subspan(toIndex(at(scene_.refinement.triangleBegin, t)), toIndex(scene_.refinement.refinedTriangles(t)));
   }
 
   [[nodiscard]] bool patchFacesAway(int t) const {

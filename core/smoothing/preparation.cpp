@@ -8,6 +8,7 @@
 #include "core/lanes/instruction_set.h"
 #include "core/mesh/creases.h"
 #include "core/rig/validation.h"
+#include "core/smoothing/adaptive_levels.h"
 #include "core/smoothing/finish/fold_relaxation.h"
 #include "core/smoothing/patches/patch.h"
 #include "core/smoothing/projection/rise_directions.h"
@@ -28,6 +29,17 @@ Result<void> checkSize(const ControlMesh& mesh, int depth) {
                  "depth " + std::to_string(depth) + " makes " + std::to_string(vertices) +
                      " vertices of this character; at most " + std::to_string(kMaxRefinedVertices) + " are possible",
                  "depth");
+}
+
+Result<void> checkSize(const ControlMesh& mesh, const AdaptiveLevels& detail) {
+  auto vertices = static_cast<std::int64_t>(mesh.positions.size());
+  for (const int level : detail.levels.edges) vertices += level - 1;
+  for (const int level : detail.levels.triangles) vertices += (level - 1) * (level - 2) / 2;
+  if (vertices <= kMaxRefinedVertices) return {};
+  return errorAt("smoothing.tolerance",
+                 "this tolerance makes " + std::to_string(vertices) + " vertices of this character; at most " +
+                     std::to_string(kMaxRefinedVertices) + " are possible",
+                 "tolerance");
 }
 
 Result<std::shared_ptr<const AttachedRig>> attachRig(const Rig& rig, const Character& character,
@@ -62,15 +74,19 @@ std::shared_ptr<const ControlMesh> creasedMesh(const ControlMesh& mesh, float de
   return hasCreases(*result) ? result : nullptr;
 }
 
-std::shared_ptr<const RefinedMesh> refineMesh(const CharacterTables& tables, const SmoothingSettings& smoothing,
-                                              const Preparation* former) {
+std::shared_ptr<const RefinedMesh> refineMesh(const Preparation& next, const Preparation* former) {
+  const CharacterTables& tables = *next.tables;
   const ControlMesh& mesh = tables.character->mesh;
-  const std::shared_ptr<const ControlMesh> creased = creasedMesh(mesh, smoothing.creaseAngle, former);
-  const RefinedMesh* known = former ? former->refined.get() : nullptr;
-  if (known && known->refinement->depth == smoothing.depth && known->creased == creased) return former->refined;
+  const std::shared_ptr<const ControlMesh> creased = creasedMesh(mesh, next.smoothing.creaseAngle, former);
+  const bool sameLevels =
+      former && (next.detail ? former->detail && former->detail->levels == next.detail->levels
+                             : !former->detail && former->refinement().depth == next.smoothing.depth);
+  if (sameLevels && former->refined->creased == creased) return former->refined;
   auto refined = std::make_shared<RefinedMesh>();
   refined->creased = creased;
-  refined->refinement = std::make_shared<const Refinement>(refine(creased ? *creased : mesh, smoothing.depth));
+  const ControlMesh& drawn = creased ? *creased : mesh;
+  refined->refinement = std::make_shared<const Refinement>(next.detail ? refine(drawn, next.detail->levels)
+                                                                       : refine(drawn, next.smoothing.depth));
   const Refinement& refinement = *refined->refinement;
   refined->inverseLimits.resize(toIndex(refinement.vertexCount));
   interpolateValues(mesh, refinement, tables.inverseLimitsInBind, refined->inverseLimits);
@@ -130,8 +146,9 @@ Result<std::shared_ptr<const Preparation>> prepare(const std::shared_ptr<const C
   const Character& character = *tables->character;
   if (Result<void> able = checkProcessor(); !able) return able.error();
   if (Result<void> valid = validate(rig, graphs); !valid) return valid.error();
+  const bool adaptive = rig.smoothing.detail == DetailKind::kAdaptive && !options.depth;
   const int depth = options.depth.value_or(rig.smoothing.depth);
-  if (Result<void> fits = checkSize(character.mesh, depth); !fits) return fits.error();
+  if (Result<void> fits = checkSize(character.mesh, depth); !adaptive && !fits) return fits.error();
   Result<std::shared_ptr<const AttachedRig>> attached = attachRig(rig, character, former, graphs);
   if (!attached) return attached.error();
 
@@ -145,13 +162,36 @@ Result<std::shared_ptr<const Preparation>> prepare(const std::shared_ptr<const C
   next->attached = std::move(attached).value();
   next->primitives = fieldPrimitives(rig, next->attached->attachment);
   hide(options.hidden, former, *next);
-  next->refined = refineMesh(*tables, next->smoothing, former);
+  if (adaptive) {
+    const AdaptiveLevels* known = former ? former->detail.get() : nullptr;
+    const float tolerance = options.tolerance.value_or(rig.smoothing.tolerance);
+    if (options.keepLevels && known && known->tolerance == tolerance) next->detail = former->detail;
+    else
+      next->detail =
+          findLevels(*next, options.shared ? options.shared : std::make_shared<const Rig>(rig), tolerance, known);
+    if (Result<void> fits = checkSize(character.mesh, *next->detail); !fits) return fits.error();
+  }
+  next->refined = refineMesh(*next, former);
   next->tiles = tilesOf(*next, former);
   next->bindFronts = bindFrontsOf(*next, former);
   next->anchors = anchorsOf(*next, former);
   BindScratch scratch;
   readBindPose(*next, next->primitives, scratch, next->bind);
   return std::shared_ptr<const Preparation>(std::move(next));
+}
+
+std::shared_ptr<const Preparation> prepareSamples(const Preparation& next, Refinement points) {
+  auto own = std::make_shared<Preparation>(next);
+  auto refined = std::make_shared<RefinedMesh>();
+  refined->inverseLimits.resize(toIndex(points.vertexCount));
+  interpolateValues(next.mesh(), points, next.tables->inverseLimitsInBind, refined->inverseLimits);
+  refined->refinement = std::make_shared<const Refinement>(std::move(points));
+  own->refined = std::move(refined);
+  own->tiles = tilesOf(*own, nullptr);
+  own->anchors = anchorsOf(*own, nullptr);
+  BindScratch scratch;
+  readBindPose(*own, own->primitives, scratch, own->bind);
+  return own;
 }
 
 void readBindPose(const Preparation& preparation, std::span<const FieldPrimitive> primitives, BindScratch& scratch,

@@ -38,6 +38,8 @@ struct AttachedRig {
   CandidateLists candidates;  ///< Candidates among all attached primitives, hidden or not.
 };
 
+struct AdaptiveLevels;  // adaptive_levels.h
+
 /// The refined mesh and what follows from its connectivity.
 struct RefinedMesh {
   std::shared_ptr<const ControlMesh> creased;  ///< The character's mesh with creased wedges; null if none are.
@@ -61,10 +63,11 @@ struct Preparation {
   SmoothingSettings smoothing;
   std::shared_ptr<const RigPoser> poser;
   std::shared_ptr<const AttachedRig> attached;
-  std::vector<FieldPrimitive> primitives;      ///< [A] as drawn.
-  std::vector<int> hidden;                     ///< Indices into the rig's primitives, ascending.
-  int shownPrimitives = 0;                     ///< Attached and not hidden.
-  std::shared_ptr<const CandidateLists> seen;  ///< Candidates that are not hidden.
+  std::vector<FieldPrimitive> primitives;        ///< [A] as drawn.
+  std::vector<int> hidden;                       ///< Indices into the rig's primitives, ascending.
+  int shownPrimitives = 0;                       ///< Attached and not hidden.
+  std::shared_ptr<const CandidateLists> seen;    ///< Candidates that are not hidden.
+  std::shared_ptr<const AdaptiveLevels> detail;  ///< Null: the same depth everywhere.
   std::shared_ptr<const RefinedMesh> refined;
   std::shared_ptr<const VertexTiles> tiles;              ///< Made from `seen`.
   std::shared_ptr<const std::vector<float>> bindFronts;  ///< [T n^2] of the patch.
@@ -79,8 +82,11 @@ struct Preparation {
 
 /// What a preparation may be asked beyond its rig.
 struct PreparationOptions {
-  std::span<const int> hidden{};            ///< Indices into the rig's primitives, ascending, that contribute nothing.
-  std::optional<int> depth{};               ///< 1..kMaxDepth, in place of the rig's.
+  std::span<const int> hidden{};     ///< Indices into the rig's primitives, ascending, that contribute nothing.
+  std::optional<int> depth{};        ///< 1..kMaxDepth, in place of the rig's.
+  std::optional<float> tolerance{};  ///< Of adaptive detail, in place of the rig's.
+  bool keepLevels = false;           ///< Adaptive detail keeps the former preparation's levels, while an edit goes on.
+  std::shared_ptr<const Rig> shared{};      ///< The rig itself, if it is shared: kept in place of a copy.
   std::shared_ptr<const RigPoser> poser{};  ///< A poser of this rig and character, if there is one.
 };
 
@@ -90,6 +96,10 @@ struct PreparationOptions {
 [[nodiscard]] Result<std::shared_ptr<const Preparation>> prepare(const std::shared_ptr<const CharacterTables>& tables,
                                                                  const Rig& rig, const PreparationOptions& options,
                                                                  const Preparation* former, BlendingGraphMemo& graphs);
+
+/// For sampling the surface of a preparation at other points than its refinement's: nothing that needs triangles is
+/// made. @param next  attached; its refinement is not read
+[[nodiscard]] std::shared_ptr<const Preparation> prepareSamples(const Preparation& next, Refinement points);
 
 /// Memory for reading the bind pose again and again.
 struct BindScratch {

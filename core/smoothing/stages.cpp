@@ -8,6 +8,7 @@
 #include "core/base/at.h"
 #include "core/smoothing/patches/patch.h"
 #include "core/smoothing/projector.h"
+#include "sinew/base/geometry.h"
 
 namespace sinew {
 namespace {
@@ -55,6 +56,32 @@ void cull(const Preparation& p, const PosedField& posed, const FieldView& field,
   out.report.culledTriangles = culling.culled;
 }
 
+/// Positions and normals of vertices whose heights have been lowered: skin that stands lower is flatter.
+/// @param raw [V'] heights before.
+void placeLowered(std::span<const LiftedVertex> lifted, std::span<const float> raw, const Workspace& w, Surface& out) {
+  for (const LiftedVertex& one : lifted) {
+    const std::size_t v = toIndex(one.vertex);
+    if (out.displacement[v] == raw[v]) continue;
+    const float share = out.displacement[v] / raw[v];
+    out.positions[v] = w.patchPositions[v] + share * (out.positions[v] - w.patchPositions[v]);
+    const glm::vec3& n = w.patchNormals[v];
+    out.normals[v] = normalizeOr(n + share * (out.normals[v] - n), n);
+  }
+}
+
+/// Heights as the posed skin can carry them: less in its own creases, nowhere steeper than the bound.
+void boundHeights(const Preparation& preparation, const PatchView& patch, Workspace& w, Surface& out) {
+  const std::span<float> heights = out.displacement;
+  w.rawHeights.assign(heights.begin(), heights.end());
+  w.creaseLift.lower(preparation.refinement(), w.movedTriangles, patch, heights);
+  w.liftEdges.measure(preparation.refined->rings, w.movedTriangles, patch.positions, out.positions, heights,
+                      SlopeBound::kSlope);
+  const std::span<const int> lowered = w.slopeBound.lower(w.liftEdges);
+  w.liftEdges.sumAround(lowered);
+  for (const int vertex : lowered) at(heights, vertex) = w.liftEdges.height(vertex);
+  placeLowered(w.liftEdges.lifted(), w.rawHeights, w, out);
+}
+
 }  // namespace
 
 void layPatch(const Preparation& preparation, const PosedField& posed, Workspace& workspace, Surface& out) {
@@ -89,15 +116,16 @@ bool findMoved(const Preparation& preparation, const PosedField& posed, Workspac
 
 void unfold(const Preparation& preparation, Workspace& w, Surface& out) {
   const RefinedMesh& refined = *preparation.refined;
+  const PatchView patch{w.patchPositions, w.patchNormals, *preparation.bindFronts};
+  boundHeights(preparation, patch, w, out);
   w.filtered = {};
-  if (preparation.swells()) {  // `replace` lies on the muscle as it is.
-    w.filtered = w.liftFilter.apply(refined.rings, w.movedTriangles, w.patchPositions, out.positions, out.displacement);
+  if (preparation.swells()) {  // `replace` lies on the muscle.
+    w.filtered = w.liftFilter.apply(w.liftEdges, w.patchPositions, out.positions, out.displacement);
   }
   w.pairs.fill(w.movedTriangles.corners, w.patchPositions, out.positions);
   w.foldMoves.start(out.positions.size());
-  w.foldRegion.find(preparation.mesh(), preparation.refinement(), refined.rings, w.movedTriangles,
-                    {w.patchPositions, w.patchNormals, *preparation.bindFronts}, w.pairs, out.positions,
-                    FoldRelaxation::kWholeArea);
+  w.foldRegion.find(preparation.mesh(), preparation.refinement(), refined.rings, w.movedTriangles, patch, w.pairs,
+                    out.positions, FoldRelaxation::kWholeArea);
   w.foldRelaxation.apply(refined.rings, refined.isBorder, w.patchPositions, w.foldRegion, w.foldMoves, out.positions);
   w.foldSpread.apply(refined.isBorder, w.patchPositions, w.foldRegion, w.foldMoves, out.positions);
   for (const auto& [vertex, from] : w.foldMoves.list()) {

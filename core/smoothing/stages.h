@@ -19,7 +19,7 @@ void project(const Preparation& preparation, const PosedField& posed, const Pose
 [[nodiscard]] bool findMoved(const Preparation& preparation, const PosedField& posed, Workspace& workspace,
                              const Surface& out);
 
-/// Filters heights that the mesh cannot follow, then takes folds out.
+/// Lowers heights that the posed skin cannot carry, filters those that the mesh cannot follow, then takes folds out.
 void unfold(const Preparation& preparation, Workspace& workspace, Surface& out);
 
 /// Normals for shading. @param moved  as findMoved() says

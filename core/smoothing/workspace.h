@@ -5,12 +5,15 @@
 #include <vector>
 
 #include "core/smoothing/face_culling.h"
+#include "core/smoothing/finish/crease_lift.h"
 #include "core/smoothing/finish/fold_region.h"
 #include "core/smoothing/finish/fold_relaxation.h"
 #include "core/smoothing/finish/fold_spread.h"
+#include "core/smoothing/finish/lift_edges.h"
 #include "core/smoothing/finish/lift_filter.h"
 #include "core/smoothing/finish/moved_triangles.h"
 #include "core/smoothing/finish/shading_normals.h"
+#include "core/smoothing/finish/slope_bound.h"
 #include "core/smoothing/projection/projection_scratch.h"
 
 namespace sinew {
@@ -32,6 +35,10 @@ struct Workspace {
 
   // Folds and normals.
   MovedTriangles movedTriangles;
+  std::vector<float> rawHeights;  ///< [V'] as projected.
+  CreaseLift creaseLift;
+  LiftEdges liftEdges;
+  SlopeBound slopeBound;
   LiftFilter liftFilter;
   std::span<const float> filtered;  ///< [V'] weights of liftFilter.
   VertexPairs pairs;                ///< Corners of movedTriangles, as the last stage left them.

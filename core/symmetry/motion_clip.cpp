@@ -5,8 +5,6 @@
 #include <utility>
 
 #include "core/character/skin_bones.h"
-#include "core/skeleton/range_of_motion.h"
-#include "core/symmetry/mirror.h"
 
 namespace sinew {
 
@@ -15,14 +13,29 @@ int findClip(const Character& character, std::string_view name) {
   return found == character.clips.end() ? -1 : static_cast<int>(found - character.clips.begin());
 }
 
-std::shared_ptr<const Character> withRangeOfMotion(std::shared_ptr<const Character> character) {
-  if (findClip(*character, kRangeOfMotionName) >= 0) return character;
-  const MirrorPlan mirror = makeMirrorPlan(*character);
+namespace {
+
+RangeOfMotionHints hintsOf(const Character& character, const MirrorPlan& mirror) {
   RangeOfMotionHints hints;
   hints.twinOf = mirror.twinOf;
   hints.planeNormal = glm::vec3(mirror.plane.normal);
-  hints.carriesSkin = bonesWithSkin(*character);
-  AnimationClip clip = rangeOfMotion(character->skeleton, hints);
+  hints.carriesSkin = bonesWithSkin(character);
+  return hints;
+}
+
+}  // namespace
+
+RangeOfMotionHints motionHints(const Character& character) { return hintsOf(character, makeMirrorPlan(character)); }
+
+std::shared_ptr<const Character> withRangeOfMotion(std::shared_ptr<const Character> character) {
+  if (findClip(*character, kRangeOfMotionName) >= 0) return character;
+  const MirrorPlan plan = makeMirrorPlan(*character);
+  return withRangeOfMotion(std::move(character), plan);
+}
+
+std::shared_ptr<const Character> withRangeOfMotion(std::shared_ptr<const Character> character, const MirrorPlan& plan) {
+  if (findClip(*character, kRangeOfMotionName) >= 0) return character;
+  AnimationClip clip = rangeOfMotion(character->skeleton, hintsOf(*character, plan));
   if (clip.channels.empty()) return character;
   auto extended = std::make_shared<Character>(*character);
   extended->clips.push_back(std::move(clip));

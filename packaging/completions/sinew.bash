@@ -32,6 +32,8 @@ _sinew() {
         case "$verb:$word" in
             :edit) verb=edit ;;
             :inspect) verb=inspect ;;
+            :check) verb=check ;;
+            :muscle) verb=muscle ;;
             :smooth) verb=smooth ;;
             :export) verb=export ;;
             :render) verb=render ;;
@@ -44,11 +46,19 @@ _sinew() {
     case "$verb:$prev" in
         edit:--log-state) _sinew_files -; return ;;
         edit:--scale) :; return ;;
+        check:--mend) _sinew_files json; return ;;
+        muscle:-o|muscle:--output) _sinew_files json; return ;;
+        muscle:--set) :; return ;;
+        muscle:--mass) :; return ;;
+        muscle:--definition) :; return ;;
+        muscle:--report) _sinew_files json; return ;;
         smooth:--clip) :; return ;;
         smooth:--time) :; return ;;
         smooth:--frames) :; return ;;
         smooth:--fps) :; return ;;
         smooth:--depth) :; return ;;
+        smooth:--detail) _sinew_words adaptive uniform; return ;;
+        smooth:--tolerance) :; return ;;
         smooth:--mode) _sinew_words swell replace; return ;;
         smooth:--patch) _sinew_words pn phong spherigon flat; return ;;
         smooth:--projection) _sinew_words newton bisection analytic; return ;;
@@ -57,23 +67,30 @@ _sinew() {
         smooth:--report) _sinew_files json; return ;;
         smooth:--list) _sinew_files -; return ;;
         smooth:--shard) :; return ;;
+        smooth:--threads) :; return ;;
         export:--as) _sinew_words helpers skinned baked; return ;;
         export:--mesh) _sinew_words refined original; return ;;
         export:--depth) :; return ;;
+        export:--detail) _sinew_words adaptive uniform; return ;;
+        export:--tolerance) :; return ;;
         export:--weights) _sinew_words refitted transferred; return ;;
         export:--clip) :; return ;;
         export:--joints) :; return ;;
         export:--joint-scale) _sinew_words full uniform none; return ;;
         export:--fps) :; return ;;
+        export:--substeps) :; return ;;
         export:--bound) :; return ;;
-        export:--threads) :; return ;;
+        export:--error-map) _sinew_files ply; return ;;
         export:-o|export:--output) _sinew_files glb gltf usda pc2 mdd; return ;;
         export:--list) _sinew_files -; return ;;
         export:--shard) :; return ;;
+        export:--threads) :; return ;;
         render:--clip) :; return ;;
         render:--time) :; return ;;
         render:--frames) :; return ;;
         render:--fps) :; return ;;
+        render:--turntable) :; return ;;
+        render:--sheet) :; return ;;
         render:--view) _sinew_words front back left right top bottom three-quarter; return ;;
         render:--shading) _sinew_words textured clay classes heat; return ;;
         render:--show) _sinew_words muscles skeleton primitives influence wire control anchors classes; return ;;
@@ -83,13 +100,16 @@ _sinew() {
         render:--size) :; return ;;
         render:--samples) :; return ;;
         render:--depth) :; return ;;
+        render:--detail) _sinew_words adaptive uniform; return ;;
+        render:--tolerance) :; return ;;
         render:--mode) _sinew_words swell replace; return ;;
         render:--patch) _sinew_words pn phong spherigon flat; return ;;
         render:--projection) _sinew_words newton bisection analytic; return ;;
         render:--crease) :; return ;;
-        render:-o|render:--output) _sinew_files png; return ;;
+        render:-o|render:--output) _sinew_files png webp gif mp4; return ;;
         render:--list) _sinew_files -; return ;;
         render:--shard) :; return ;;
+        render:--threads) :; return ;;
         farm:--to) _sinew_words slurm parallel openjd commands; return ;;
         farm:--tasks) :; return ;;
         farm:--program) :; return ;;
@@ -99,19 +119,23 @@ _sinew() {
     esac
     case "$verb:$cur" in
         :-*) _sinew_words --version -h --help ;;
-        :*) _sinew_words edit inspect smooth export render farm bench; _sinew_files glb gltf rig.json ;;
+        :*) _sinew_words edit inspect check muscle smooth export render farm bench; _sinew_files glb gltf rig.json ;;
         edit:-*) _sinew_words -h --help --log-state --scale ;;
         edit:*) _sinew_files glb gltf rig.json ;;
-        inspect:-*) _sinew_words -h --help --json ;;
+        inspect:-*) _sinew_words -h --help --json --strict ;;
         inspect:*) _sinew_files glb gltf rig.json ;;
-        smooth:-*) _sinew_words -h --help --clip --time --frames --fps --depth --mode --patch --projection --crease -o --output --report --list --shard --resume --dry-run ;;
+        check:-*) _sinew_words -h --help --json --strict --mend ;;
+        check:*) _sinew_files glb gltf rig.json ;;
+        muscle:-*) _sinew_words -h --help -o --output --set --mass --definition --report ;;
+        muscle:*) _sinew_files glb gltf rig.json ;;
+        smooth:-*) _sinew_words -h --help --clip --time --frames --fps --depth --detail --tolerance --mode --patch --projection --crease -o --output --report --list --shard --resume --dry-run --threads --progress ;;
         smooth:*) _sinew_files glb gltf rig.json ;;
-        export:-*) _sinew_words -h --help --as --mesh --depth --weights --clip --joints --joint-scale --fps --bound --threads --json -o --output --list --shard --resume --dry-run ;;
+        export:-*) _sinew_words -h --help --as --mesh --depth --detail --tolerance --weights --clip --joints --joint-scale --fps --substeps --bound --json --error-map -o --output --list --shard --resume --dry-run --threads --progress ;;
         export:*) _sinew_files glb gltf rig.json ;;
-        render:-*) _sinew_words -h --help --clip --time --frames --fps --view --orthographic --shading --show --glass --surface --no-surface --ground --no-ground --cull --transparent --light --background --ao --size --samples --depth --mode --patch --projection --crease -o --output --list --shard --resume --dry-run ;;
+        render:-*) _sinew_words -h --help --clip --time --frames --fps --turntable --sheet --view --orthographic --shading --show --glass --surface --no-surface --ground --no-ground --cull --transparent --light --background --ao --size --samples --depth --detail --tolerance --mode --patch --projection --crease -o --output --list --shard --resume --dry-run --threads --progress ;;
         render:*) _sinew_files glb gltf rig.json ;;
         farm:-*) _sinew_words -h --help --to --tasks --program --job ;;
-        bench:-*) _sinew_words -h --help --json --rounds ;;
+        bench:-*) _sinew_words -h --help --json --rounds --progress ;;
         bench:*) _sinew_files glb gltf rig.json ;;
     esac
 }

@@ -90,6 +90,7 @@ class Drag {
   Drag(std::shared_ptr<const Character> character, const Situation& situation) {
     document_.character = std::move(character);
     Rig rig = trialRig(*document_.character, situation.untouched + 1, kSeed);
+    rig.smoothing.detail = DetailKind::kUniform;
     rig.smoothing.depth = kDepth;
     document_.commands = CommandStack(rig);
     prepareMirror(document_);

@@ -59,6 +59,7 @@ bool addSubjects(const char* scene, std::vector<std::unique_ptr<Subject>>& subje
   const TrialScene trial = bundledTrialScene(scene);
   for (const int depth : {3, 5}) {
     Rig rig = withMode(trial.rig, trial.rig.surface.mode);  // By newton: the others have no vectors.
+    rig.smoothing.detail = DetailKind::kUniform;
     rig.smoothing.depth = depth;
     auto subject =
         std::make_unique<Subject>(Subject{std::string(scene) + '/' + std::to_string(depth), Smoother(trial.character),

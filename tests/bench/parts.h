@@ -36,8 +36,18 @@ struct Report {
 [[nodiscard]] Result<Report> reportProjections(Files files, const Effort& effort);
 /// Frames of a drag with short and long history, few and many muscles.
 [[nodiscard]] Result<Report> reportDrag(Files files, const Effort& effort);
+/// How often the skin steps far, and pops, over all clips. A round is a random rig, frames are at most so many a clip.
+[[nodiscard]] Result<Report> reportPops(Files files, const Effort& effort);
 /// What each stage takes of a frame in `swell`.
 [[nodiscard]] Result<Report> reportStages(Files files, const Effort& effort);
+/// Every kind of export beside smoothing. Frames: the depth at which the character is split before.
+[[nodiscard]] Result<Report> reportExports(Files files, const Effort& effort);
+
+/// How far flat triangles lie off the surface with uniform and with adaptive detail, and what both cost.
+[[nodiscard]] Result<Report> reportDetail(Files files, const Effort& effort);
+
+/// One line on stderr if that is a terminal: what takes a while now.
+void progress(const std::string& text);
 
 /// The rows of all files. @param measure  (const BenchScene&) -> Result<std::vector<Row>>
 template <class Row, class Measure>

@@ -1,6 +1,9 @@
 // tests/bench/sinew_bench.cpp: measurements for those who change the code: sinew_bench PART [FILE...] [OPTIONS].
 //
 // `sinew bench` measures what the project aims at; here are the parts that tell where time goes.
+#include <unistd.h>
+
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -66,6 +69,23 @@ const std::vector<Part> kParts = {
      {60, 5},
      reportDrag,
      {"humanoid.glb"}},
+    {"detail",
+     "Compare depth 3 with adaptive detail: vertices, error, time",
+     kRigs,
+     "Moments of each clip (4)",
+     kTimings,
+     {4, 5},
+     reportDetail,
+     {"humanoid.rig.json", "humanoid-flex.rig.json", "horse.rig.json", "demo.rig.json"}},
+    {"pops",
+     "Count what moves far within a frame, and at once",
+     "Rigs (.rig.json), with their muscles, or characters, which get muscles by the tool and at random; none: those "
+     "that ship with the program",
+     "Frames of each clip at most (1000)",
+     "Random rigs (10)",
+     {1000, 10},
+     reportPops,
+     {"humanoid.glb", "horse.glb", "humanoid.rig.json", "horse.rig.json", "humanoid-flex.rig.json"}},
     {"stages",
      "Divide a frame's time among skin, patch, project, folds, normals",
      kRigs,
@@ -74,6 +94,14 @@ const std::vector<Part> kParts = {
      {8, 15},
      reportStages,
      {"humanoid.rig.json", "horse.rig.json", "demo.rig.json"}},
+    {"exports",
+     "Time every kind of export of a character with many vertices",
+     "Rigs (.rig.json), or characters, which get 12 muscles by rule; none: the flexing humanoid",
+     "Depth at which the character is split before it gets its muscles (10: 266,000 vertices are exported)",
+     "Times each export is timed (1)",
+     {10, 1},
+     reportExports,
+     {"humanoid-flex.rig.json"}},
 };
 
 struct Options {
@@ -141,6 +169,10 @@ int runCommandLine(int argc, const char* const* argv) {
 }
 
 }  // namespace
+
+void progress(const std::string& text) {
+  if (::isatty(STDERR_FILENO) == 1) std::fprintf(stderr, "sinew_bench: %s\n", text.c_str());
+}
 }  // namespace sinew::app
 
 int main(int argc, char** argv) { return sinew::app::runCommandLine(argc, argv); }

@@ -102,6 +102,47 @@ TEST_F(Parts, StagesShareTheFrame) {
   }
 }
 
+TEST_F(Parts, ExportsOfEveryKind) {
+  const auto file = folder_ / "exports.json";
+  const Outcome outcome =
+      run({"exports", demo("tangle.rig.json"), "--frames", "2", "--rounds", "1", "--json", file.string()});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  EXPECT_NE(outcome.out.find("\ntangle "), std::string::npos) << outcome.out;
+  const auto json = Json::parse(readWholeFile(file, 1 << 20).value());
+  ASSERT_TRUE(json.ok());
+  const std::vector<Json> rows = json.value().at("rows").items();
+  ASSERT_EQ(rows.size(), 6u);
+  for (const Json& row : rows) {
+    EXPECT_GT(row.at("vertices").number(0), 8000.0) << row.dump() << ": some stand for all";
+    EXPECT_GT(row.at("seconds").number(0), 0.0) << row.dump();
+    EXPECT_GT(row.at("smoothings").number(0), 0.0) << row.dump();
+  }
+  const auto error = [&](std::size_t row) { return rows[row].at("error_rms").number(-1.0); };
+  EXPECT_LT(error(1), error(0)) << "refitted comes nearer than transferred";
+  EXPECT_LT(error(2), error(1)) << "and helpers nearer still";
+}
+
+TEST_F(Parts, PopsOfOwnLaidAndRandomMuscles) {
+  const auto file = folder_ / "pops.json";
+  const Outcome outcome = run(
+      {"pops", demo("demo.rig.json"), demo("demo.glb"), "--frames", "12", "--rounds", "2", "--json", file.string()});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  EXPECT_NE(outcome.out.find("definition"), std::string::npos) << outcome.out;
+  const auto json = Json::parse(readWholeFile(file, 1 << 20).value());
+  ASSERT_TRUE(json.ok());
+  const std::vector<Json> rows = json.value().at("rows").items();
+  ASSERT_EQ(rows.size(), 3u);
+  const char* laid[] = {"own", "tool", "random"};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(rows[i].at("laid").text(""), laid[i]);
+    EXPECT_EQ(rows[i].at("rigs").number(0), i == 2 ? 2.0 : 1.0);
+    EXPECT_GE(rows[i].at("frames").number(0), 12.0);
+    EXPECT_GE(rows[i].at("steps").number(-1.0), rows[i].at("pops").number(-1.0));
+    EXPECT_GT(rows[i].at("largest_step").number(0), 0.0);
+    EXPECT_GT(rows[i].at("definition").number(0), 0.1);
+  }
+}
+
 TEST_F(Parts, AnimationBesideSkinning) {
   const Outcome outcome = run({"animation", demo("demo.glb"), "--rounds", "2"});
   ASSERT_EQ(outcome.status, 0) << outcome.error;
@@ -111,7 +152,7 @@ TEST_F(Parts, AnimationBesideSkinning) {
 }
 
 TEST_F(Parts, BadInputAndBadCommandLine) {
-  for (const char* part : {"animation", "projections", "drag", "stages"}) {
+  for (const char* part : {"animation", "detail", "projections", "drag", "pops", "stages"}) {
     const Outcome absent = run({part, "no such file.glb"});
     EXPECT_EQ(absent.status, 1);
     EXPECT_TRUE(absent.oneErrorLine()) << absent.error;

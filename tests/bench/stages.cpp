@@ -25,6 +25,7 @@ constexpr std::array kStages{&StageSeconds::skin, &StageSeconds::patch, &StageSe
 
 /// The rig's own mode and search: what a user gets.
 Rig atDepth(Rig rig, int depth) {
+  rig.smoothing.detail = DetailKind::kUniform;
   rig.smoothing.depth = depth;
   return rig;
 }

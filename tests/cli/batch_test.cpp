@@ -136,6 +136,108 @@ TEST_F(Jobs, TheProgramRefusesInOneLine) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
+TEST_F(Jobs, AListMayComeThroughAPipe) {
+  const std::vector<std::string> job{"smooth", "--list", "-", "--depth", "1", "-o", "{name}.ply"};
+  const Outcome done =
+      run(job, SINEW_PROGRAM, "printf '%s\\n' '" + demo("demo.glb") + "' '# no' '" + demo("tangle.glb") + "' |");
+  EXPECT_EQ(done.status, 0) << done.error;
+  EXPECT_EQ(done.out, "demo.ply\ntangle.ply\n");
+  const Outcome nothing = run(job);
+  EXPECT_EQ(nothing.status, 1);
+  EXPECT_EQ(nothing.error, "sinew: standard input: names no input: expected a file name a line\n");
+}
+
+TEST_F(Jobs, FramesPastTheEndAreLeftOutAndThatIsSaid) {
+  std::vector<std::string> job{
+      "smooth", demo("demo.rig.json"), "--clip", "Walk", "--frames", "34:9999", "--depth", "1", "-o", "f_%d.ply"};
+  for (const bool dry : {true, false}) {
+    if (dry) job.emplace_back("--dry-run");
+    const Outcome done = run(job);
+    if (dry) job.pop_back();
+    EXPECT_EQ(done.status, 0) << done.error;
+    EXPECT_EQ(done.out, "f_34.ply\nf_35.ply\nf_36.ply\n");
+    EXPECT_TRUE(done.oneErrorLine()) << done.error;
+    EXPECT_NE(
+        done.error.find("clip \"Walk\": ends at frame 36 (1.2 s at 30 a second); 9963 frames past it are left out"),
+        std::string::npos)
+        << done.error;
+    EXPECT_EQ(std::filesystem::exists(folder_ / "f_34.ply"), !dry);
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "f_37.ply"));
+  job[5] = "37:40";
+  const Outcome none = run(job);
+  EXPECT_EQ(none.status, 1);
+  EXPECT_TRUE(none.oneErrorLine()) << none.error;
+  EXPECT_NE(none.error.find("before the first of --frames 37:40"), std::string::npos) << none.error;
+  job[5] = "36:36";
+  EXPECT_EQ(run(job).error, "") << "the end itself is a frame";
+}
+
+class FarmChecks : public Jobs {
+ protected:
+  void expectRefused(std::vector<std::string> arguments, int status, const std::string& words) const {
+    arguments.insert(arguments.begin(), "farm");
+    arguments.insert(arguments.end(), {"--to", "slurm"});
+    const Outcome refused = run(arguments);
+    EXPECT_EQ(refused.status, status) << refused.error;
+    EXPECT_TRUE(refused.oneErrorLine()) << refused.error;
+    EXPECT_NE(refused.error.find(words), std::string::npos) << refused.error;
+    EXPECT_EQ(refused.out, "");
+  }
+};
+
+TEST_F(FarmChecks, JobsThatCannotRunAreRefused) {
+  const std::string rig = demo("demo.rig.json");
+  const std::vector<std::string> frames{"--clip", "Walk", "--frames", "0:9", "-o", "f_%d.ply"};
+  const auto with = [&](std::vector<std::string> words, const std::vector<std::string>& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  expectRefused(with({"smooth"}, frames), 2, "expected a file, or --list");
+  expectRefused(with({"smooth", "absent.rig.json"}, frames), 1, "absent.rig.json");
+  expectRefused({"smooth", rig, "--clip", "Walk", "-o", "f_%04d.ply"}, 2, "--frames: expected");
+  expectRefused({"smooth", rig, "--clip", "Walk", "--frames", "90:99", "-o", "f_%d.ply"}, 1, "ends at frame 36");
+  expectRefused({"smooth", rig, "--clip", "Wlk", "--frames", "0:9", "-o", "f_%d.ply"}, 1, "did you mean \"Walk\"?");
+  expectRefused({"smooth", rig, "--clip", "Walk", "--frames", "0:9", "-o", "gone/f_%d.ply"}, 1, "no such folder");
+  expectRefused({"render", "--list", "absent.txt", "-o", "{name}.png"}, 1, "absent.txt");
+  expectRefused({"render", "--list", listOf(rig + "\nabsent.glb\n").string(), "-o", "{name}.png"}, 1, "absent.glb");
+  expectRefused({"export", "--list", "-", "-o", "{name}.glb"}, 2, "standard input");
+  expectRefused({"export", rig, "--clip", "Wlk", "-o", "x.glb"}, 1, "did you mean \"Walk\"?");
+  expectRefused({"export", rig, "--as", "baked", "-o", "x.glb"}, 2, "one clip to bake");
+}
+
+TEST_F(FarmChecks, SlurmIsAskedForWhatOneTaskTakes) {
+  const auto job = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"farm",   "smooth", demo("demo.rig.json"),
+                                   "--clip", "Walk",   "--frames",
+                                   "0:9",    "-o",     "f_%d.ply",
+                                   "--to",   "slurm",  "--tasks",
+                                   "4"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome done = run(words);
+    EXPECT_EQ(done.status, 0) << done.error;
+    return done.out;
+  };
+  const auto megabytes = [](const std::string& text) {
+    const std::size_t at = text.find("\n#SBATCH --mem=");
+    return at == std::string::npos ? 0 : std::atoi(text.c_str() + at + 15);
+  };
+  const std::string plain = job({});
+  EXPECT_NE(plain.find("\n#SBATCH --cpus-per-task=1\n"), std::string::npos) << plain;
+  EXPECT_NE(plain.find("\n#SBATCH --array=0-3\n"), std::string::npos) << plain;
+  EXPECT_GE(megabytes(plain), 100);
+  EXPECT_GT(megabytes(job({"--depth", "16"})), megabytes(plain)) << "more vertices, more memory";
+  EXPECT_NE(job({"--threads", "3"}).find("\n#SBATCH --cpus-per-task=3\n"), std::string::npos);
+}
+
+TEST_F(FarmChecks, ThereAreNoMoreTasksThanFiles) {
+  const Outcome done = run({"farm", "smooth", demo("demo.rig.json"), "--clip", "Walk", "--frames", "34:99", "-o",
+                            "f_%d.ply", "--to", "slurm", "--tasks", "9"});
+  EXPECT_EQ(done.status, 0) << done.error;
+  EXPECT_NE(done.out.find("\n#SBATCH --array=0-2\n"), std::string::npos) << done.out;
+  EXPECT_NE(done.error.find("farm: 3 files: 3 tasks\n"), std::string::npos) << done.error;
+}
+
 TEST_F(Jobs, ASeriesOfSurfacesHasAReportEach) {
   const Outcome done = run({"smooth", demo("demo.rig.json"), "--clip", "Walk", "--frames", "0:1", "--depth", "1", "-o",
                             "a_%d.ply", "--report", "r_%02d.json"});

@@ -38,6 +38,38 @@ class Export : public Program {
   }
 };
 
+TEST_F(Export, SaysHowFarItIsOnlyWhereThatIsAskedFor) {
+  const std::vector<std::string> all{"--depth", "1", "--clip", "Idle"};
+  const Outcome quiet = skinned(demo("demo.rig.json"), "quiet.glb", all);
+  ASSERT_EQ(quiet.status, 0) << quiet.error;
+  EXPECT_EQ(quiet.error, "");
+  std::vector<std::string> asked = all;
+  asked.emplace_back("--progress");
+  const Outcome told = skinned(demo("demo.rig.json"), "told.glb", asked);
+  ASSERT_EQ(told.status, 0) << told.error;
+  EXPECT_TRUE(told.error.starts_with("sinew: exporting told.glb: 0 %\n")) << told.error;
+  EXPECT_TRUE(told.error.ends_with("\nsinew: exporting told.glb: 100 %\n")) << told.error;
+  EXPECT_EQ(told.error.find('\r'), std::string::npos) << "lines stay where there is no terminal";
+  EXPECT_GE(std::ranges::count(told.error, '\n'), 5);
+  EXPECT_LE(std::ranges::count(told.error, '\n'), 21);
+  EXPECT_EQ(readWholeFile(folder_ / "told.glb", 1 << 28).value(),
+            readWholeFile(folder_ / "quiet.glb", 1 << 28).value());
+  const Outcome points = run({"export", demo("demo.rig.json"), "--as", "baked", "--clip", "Idle", "--depth", "1", "-o",
+                              "points.pc2", "--progress"});
+  EXPECT_TRUE(points.error.ends_with("\nsinew: exporting points.pc2: 100 %\n")) << points.error;
+}
+
+/// `script` gives the program a terminal.
+TEST_F(Export, WritesOverOneLineOfATerminal) {
+  if (std::system("script --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "there is no script (bsdutils)";
+  const std::string command = quoted(SINEW_PROGRAM) + " export " + quoted(demo("demo.rig.json")) +
+                              " --as skinned --depth 1 --clip Idle -o out.glb >report";
+  const Outcome outcome = run({"-qefc", command, "/dev/null"}, "script");
+  ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.error;
+  EXPECT_NE(outcome.out.find("\rsinew: exporting out.glb: 0 %\rsinew: "), std::string::npos) << outcome.out;
+  EXPECT_TRUE(outcome.out.ends_with("\rsinew: exporting out.glb: 100 %\r\n")) << outcome.out;
+}
+
 TEST_F(Export, ReportsWhatItWroteInBothForms) {
   const Outcome plain = skinned(demo("demo.rig.json"), "out.glb");
   ASSERT_EQ(plain.status, 0) << plain.error;
@@ -53,7 +85,8 @@ TEST_F(Export, ReportsWhatItWroteInBothForms) {
             (std::vector<std::string>{"file", "as", "mesh", "weights", "joints", "line_joints", "rigid_helpers",
                                       "vertices", "triangles", "bytes", "error_percent_of_height", "left_out"}));
   const Json& error = json->at("error_percent_of_height");
-  EXPECT_EQ(error.keys(), (std::vector<std::string>{"fitted", "held_out", "all_clips", "clips", "further"}));
+  EXPECT_EQ(error.keys(),
+            (std::vector<std::string>{"fitted", "held_out", "all_clips", "between_keys", "clips", "further"}));
   EXPECT_EQ(error.at("clips").items().size(), 2U);
   const double ofFiles = static_cast<double>(std::filesystem::file_size(folder_ / "out.gltf") +
                                              std::filesystem::file_size(folder_ / "out.bin"));
@@ -122,9 +155,9 @@ TEST_F(Export, BakesAClipAndReportsInBothForms) {
   }
   const auto json = Json::parse(baked("out.gltf", {"--json", "--bound", "0.5", "--fps", "12"}).out);
   ASSERT_TRUE(json.ok());
-  EXPECT_EQ(json->keys(),
-            (std::vector<std::string>{"file", "as", "clip", "fps", "frames", "weights", "bound", "targets", "joints",
-                                      "vertices", "triangles", "bytes", "error_percent_of_height", "left_out"}));
+  EXPECT_EQ(json->keys(), (std::vector<std::string>{"file", "as", "clip", "fps", "frames", "substeps", "weights",
+                                                    "bound", "targets", "joints", "vertices", "triangles", "bytes",
+                                                    "error_percent_of_height", "left_out"}));
   EXPECT_EQ(json->at("bound").number(0.0), 0.5);
   EXPECT_EQ(json->at("fps").number(0.0), 12.0);
   EXPECT_LE(json->at("error_percent_of_height").at("baked").at("max").number(9.0), 0.5);

@@ -28,12 +28,15 @@ struct Outcome {
 /// A folder of its own for each test; the program runs with no display.
 class Program : public ::testing::Test {
  protected:
-  [[nodiscard]] Outcome run(const std::vector<std::string>& arguments, const char* program = SINEW_PROGRAM) const {
+  /// @param before  of the command line: "echo a.glb |"
+  [[nodiscard]] Outcome run(const std::vector<std::string>& arguments, const char* program = SINEW_PROGRAM,
+                            const std::string& before = "") const {
     const std::string out = (folder_ / "stdout").string();
     const std::string error = (folder_ / "stderr").string();
-    std::string command = "cd " + quoted(folder_.string()) + " && env -u DISPLAY -u WAYLAND_DISPLAY " + quoted(program);
+    std::string command =
+        "cd " + quoted(folder_.string()) + " && " + before + " env -u DISPLAY -u WAYLAND_DISPLAY " + quoted(program);
     for (const std::string& argument : arguments) command += ' ' + quoted(argument);
-    command += " >" + quoted(out) + " 2>" + quoted(error) + " </dev/null";
+    command += " >" + quoted(out) + " 2>" + quoted(error) + (before.empty() ? " </dev/null" : "");
     const int status = std::system(command.c_str());
     Outcome result{WIFEXITED(status) ? WEXITSTATUS(status) : -1, readWholeFile(out, 1 << 26).value(),
                    readWholeFile(error, 1 << 26).value()};

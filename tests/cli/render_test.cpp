@@ -175,6 +175,12 @@ TEST_F(RenderVerb, AWrongCommandLineIsStatus2) {
     EXPECT_TRUE(refused.oneErrorLine()) << refused.error;
   }
   EXPECT_EQ(run({"render", demo("demo.glb"), "-o", "a.jpg"}).status, 2);
+  EXPECT_EQ(run({"render", demo("demo.glb"), "-o", "a.webp"}).status, 2) << "nothing moves";
+  for (const char* wrong : {"0x2", "3", "3x", "-1x2", "200x200"}) {
+    EXPECT_EQ(run({"render", demo("demo.glb"), "-o", "a.png", "--sheet", wrong}).status, 2) << wrong;
+  }
+  EXPECT_EQ(run({"render", demo("demo.glb"), "-o", "a.webp", "--turntable", "8", "--sheet", "2x2"}).status, 2);
+  EXPECT_EQ(run({"render", demo("demo.glb"), "-o", "a_%d.png", "--turntable", "1"}).status, 2);
   EXPECT_EQ(run({"render", demo("demo.glb")}).status, 2);
 }
 

@@ -89,6 +89,8 @@ TEST_F(FolderListingTest, TypedTextIsReadAgainstTheFolder) {
   EXPECT_EQ(resolveTyped("/a/b", "/x/c.glb"), "/x/c.glb");
   EXPECT_EQ(withRigEnding("a/b"), "a/b.rig.json");
   EXPECT_EQ(withRigEnding("a/b.JSON"), "a/b.JSON");
+  EXPECT_EQ(withRigEnding("a/horse.glb"), "a/horse.rig.json");
+  EXPECT_EQ(withRigEnding("a/horse.v2.GLTF"), "a/horse.v2.rig.json");
 }
 
 TEST_F(FolderListingTest, PlacesExistAndAreThereOnce) {

@@ -148,7 +148,7 @@ TEST_F(Driven, ADriverWhoseBoneIsMissingIsLeftOutAndListed) {
   driver.input.bone = "tail";
   drive(Parameter::kRadiusX, driver);
   EXPECT_EQ(at(Parameter::kRadiusX, bentBy(40.0f)), 0.2f);
-  const std::vector<Error> missing = missingBones(rig, skeleton);
+  const std::vector<MissingBone> missing = missingBones(rig, skeleton);
   ASSERT_EQ(missing.size(), 1u);
   EXPECT_EQ(missing[0].place, "primitives[0].animated[0].drivers[0].input.bone");
 }

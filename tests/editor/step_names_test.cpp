@@ -55,9 +55,9 @@ TEST_F(StepNames, ANumberThatChangedIsNamedWithBothValues) {
   typed("surface/iso", "0.3");
   typed("surface/iso", "0.4");
   EXPECT_EQ(last(), "Tightness 0.300 to 0.400");
-  typed("smoothing/depth", "2");
-  typed("smoothing/depth", "3");
-  EXPECT_EQ(last(), "Depth 2 to 3");
+  typed("smoothing/tolerance", "0.2");
+  typed("smoothing/tolerance", "0.3");
+  EXPECT_EQ(last(), "Tolerance 0.20 % to 0.30 %");
   selectAll(state.document);
   settle();
   typed("inspector/reach", "1.75");

@@ -18,11 +18,11 @@ TEST(ErrorMeter, AgreesWithASortedList) {
   std::vector<double> percent;
   for (int i = 0; i < 54321; ++i) {
     const double distance = i % 10 == 0 ? 0.0 : spread(random);
-    meter.add(distance);
+    meter.add(distance, i);
     percent.push_back(100.0 * distance / kHeight);
   }
-  meter.addPose();
-  meter.addPose();
+  meter.addPose(0, 0.0f);
+  meter.addPose(0, 0.0f);
   std::ranges::sort(percent);
   double squares = 0.0;
   for (const double p : percent) squares += p * p;
@@ -41,13 +41,21 @@ TEST(ErrorMeter, WithoutDistancesAllIsZero) {
   EXPECT_EQ(figures.rms, 0.0);
   EXPECT_EQ(figures.percentile999, 0.0);
   EXPECT_EQ(figures.largest, 0.0);
+  EXPECT_EQ(figures.farthest.vertex, -1);
 }
 
-TEST(ErrorMeter, TwoDistancesHaveTheLargerAsPercentile) {
+TEST(ErrorMeter, OfSeveralDistancesTheLargestIsThePercentileAndHasAPlace) {
   ErrorMeter meter(100.0);
-  meter.add(0.25);
-  meter.add(3.0);
+  meter.addPose(2, 0.5f);
+  meter.add(0.25, 7);
+  meter.addPose(3, 1.5f);
+  meter.add(3.0, 9);
+  meter.addPose(4, 2.5f);
+  meter.add(1.0, 11);
   EXPECT_NEAR(meter.figures().percentile999, 3.0, 1e-9);
+  EXPECT_EQ(meter.farthestClip(), 3);
+  EXPECT_EQ(meter.figures().farthest.vertex, 9);
+  EXPECT_EQ(meter.figures().farthest.time, 1.5f);
 }
 
 }  // namespace

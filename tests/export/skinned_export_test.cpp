@@ -67,12 +67,11 @@ TEST_P(SkinnedExport, HasTheBindPoseOfTheLiveSurface) {
   const Surface bind = scene_.live(nullptr, 0.0f);
   const Refinement& refinement = *bind.refinement;
   const ControlMesh& mesh = again.value()->mesh;
-  const std::size_t split = refinement.triangles.size() / scene_.character->mesh.triangles.size();
   const float tolerance = 4e-6f * scene_.character->height;  // The import welds what lies within 1e-6.
   ASSERT_EQ(mesh.triangles.size() + static_cast<std::size_t>(mesh.trianglesDropped), refinement.triangles.size());
   if (mesh.trianglesDropped > 0) GTEST_SKIP() << "triangles without size: the order is another one";
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& parent = scene_.character->mesh.triangles[t / split];
+    const auto& parent = scene_.character->mesh.triangles[static_cast<std::size_t>(refinement.controlOf[t])];
     EXPECT_EQ(mesh.triangles[t].material, parent.material);
     for (std::size_t i = 0; i < 3; ++i) {
       const auto& point = mesh.positions[static_cast<std::size_t>(mesh.triangles[t].vertices[i])];
@@ -260,11 +259,11 @@ TEST(SkinnedExportGuard, RefusesAFileThatHasChangedSinceItWasImported) {
 TEST(SkinnedExportFigures, BundledCharactersComeNear) {
   struct Ceiling {
     const char* rig;
-    double rms;  // all clips, percent of the height
+    double rms;  // all clips, percent of the height; of vertices that gather where muscles move
   };
   const TemporaryFolder folder;
-  for (const Ceiling& ceiling : {Ceiling{"humanoid", 0.152}, Ceiling{"humanoid-flex", 0.168}, Ceiling{"horse", 0.19},
-                                 Ceiling{"horse-flex", 0.24}}) {
+  for (const Ceiling& ceiling : {Ceiling{"humanoid", 0.215}, Ceiling{"humanoid-flex", 0.237}, Ceiling{"horse", 0.250},
+                                 Ceiling{"horse-flex", 0.340}}) {
     const auto report = bundledScene(ceiling.rig).write(folder.path() / "out.glb");
     ASSERT_TRUE(report.ok());
     EXPECT_LT(report->allClips.rms, ceiling.rms) << ceiling.rig;

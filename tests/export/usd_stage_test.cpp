@@ -63,7 +63,7 @@ class UsdStage : public ::testing::Test {
     ASSERT_TRUE(smoother_.emplace(scene_.character).prepare(scene_.rig).ok());
     smoother_->smooth(bindPose(scene_.character->skeleton), surface_);
     for (const gltf::SoupPart& part : source.origin.parts) {
-      primitives_.push_back(exporting::refinedPrimitive(source, part, surface_));
+      primitives_.push_back(exporting::refinedPrimitive(source, part, scene_.character->mesh, surface_));
     }
   }
 

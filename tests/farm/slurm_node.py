@@ -32,7 +32,7 @@ AccountingStorageType=accounting_storage/none
 SelectType=select/cons_tres
 SelectTypeParameters=CR_Core
 ReturnToService=2
-NodeName={host} NodeAddr=127.0.0.1 CPUs={cores} State=UNKNOWN
+NodeName={host} NodeAddr=127.0.0.1 CPUs={cores} RealMemory={memory} State=UNKNOWN
 PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 """
 
@@ -46,6 +46,11 @@ def why_not():
     if os.geteuid() != 0:
         return "Slurm's daemons start as root alone"
     return None
+
+
+def memory_of_machine():
+    """Megabytes."""
+    return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") // (1 << 20)
 
 
 def free_port():
@@ -72,7 +77,8 @@ class Node:
             (self.folder / name).mkdir()
         self.configuration = self.folder / "slurm.conf"
         self.configuration.write_text(CONFIGURATION.format(host=host, folder=self.folder, controller=free_port(),
-                                                           node=free_port(), cores=os.cpu_count()))
+                                                           node=free_port(), cores=os.cpu_count(),
+                                                           memory=memory_of_machine()))
         key = self.folder / "munge.key"
         key.write_bytes(os.urandom(1024))
         key.chmod(0o400)

@@ -11,7 +11,9 @@ def open_dialog(editor):
 
 
 def start(editor, name, depth):
-    open_dialog(editor)
+    state = open_dialog(editor)
+    if "export/depth" not in state["widgets"]:
+        editor.click("export/detail/uniform")
     editor.type_number("export/depth", str(depth))
     editor.click("export/place")
     editor.key("ctrl+a")

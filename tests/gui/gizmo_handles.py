@@ -44,8 +44,8 @@ class Bench:
         self.editor.wait_until("a character", lambda s: BONE in s["bones"])
         self.editor.choose_clip(-1, "")
         self.editor.click("display/numbers")
-        self.editor.type_number("smoothing/depth", "1")
-        self.editor.wait_until("depth 1", lambda s: s["depth"] == 1)
+        self.editor.type_number("smoothing/tolerance", "1")
+        self.editor.wait_until("a coarse mesh", lambda s: s["tolerance"] > 0.0099)
         # Two sides that are no twins.
         self.editor.tap("shift+s", "symmetry to be off", lambda s: not s["symmetry"]["on"])
         self.names = [self.add(BONE, (25, -35, 15)), self.add(OTHER, (-20, 10, 40))]

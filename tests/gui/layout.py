@@ -86,11 +86,11 @@ def double_click(editor, field):
 
 def numbers(t, editor):
     undo = editor.state()["document"]["undo"]
-    double_click(editor, "smoothing/depth")
+    double_click(editor, "smoothing/tolerance")
     editor.key("ctrl+a")
-    editor.type("5")
-    editor.tap("Return", "the typed depth to be one step",
-               lambda s: s["depth"] == 5 and s["document"]["undo"] == undo + 1)
+    editor.type("0.5")
+    editor.tap("Return", "the typed tolerance to be one step",
+               lambda s: abs(s["tolerance"] - 0.005) < 1e-6 and s["document"]["undo"] == undo + 1)
     editor.save_as(t.folder / "numbers.rig.json")
     tightness = lambda: editor.saved_rig().get("surface", {}).get("iso", 0.5)
 

@@ -84,11 +84,10 @@ def change_with_handles(t, editor):
 
 def refine(t, editor):
     before = editor.state()
-    control = before["triangles"] // before["depth"] ** 2
-    editor.type_number("smoothing/depth", "5")
-    state = editor.wait_until("depth 5", lambda s: s["depth"] == 5)
-    t.check_equal("depth 5 makes 25 triangles of each", state["triangles"], 25 * control)
-    state = editor.wait_until("the depth to be a step", lambda s: s["document"]["undo"] == before["document"]["undo"] + 1)
+    editor.type_number("smoothing/tolerance", "0.03")
+    state = editor.wait_until("a small tolerance", lambda s: s["tolerance"] < 0.00031)
+    t.check("it makes more triangles", state["triangles"] > 1.2 * before["triangles"], state["triangles"])
+    editor.wait_until("it to be a step", lambda s: s["document"]["undo"] == before["document"]["undo"] + 1)
 
 
 def play_and_edit(t, editor, role):
@@ -109,11 +108,11 @@ def play_and_edit(t, editor, role):
 def undo_and_redo(t, editor):
     saved = editor.saved_rig()
     steps = editor.state()["document"]["undo"]
-    t.check_equal("steps: muscle, turn, stretch, growth, depth, move", steps, 6)
+    t.check_equal("steps: muscle, turn, stretch, growth, tolerance, move", steps, 6)
     for left in reversed(range(steps)):
         editor.tap("ctrl+z", "undo to %d" % left, lambda s: s["document"]["undo"] == left)
     state = editor.state()
-    t.check_equal("all undone", (state["document"]["primitives"], state["depth"]), (0, 3))
+    t.check_equal("all undone", (state["document"]["primitives"], round(state["tolerance"], 6)), (0, 0.001))
     t.check("undone, the document differs from the file", state["document"]["modified"])
     for done in range(1, steps + 1):
         editor.tap("ctrl+shift+z", "redo to %d" % done, lambda s: s["document"]["undo"] == done)
@@ -133,7 +132,7 @@ def save_and_reopen(t, editor, picture):
     t.check("inspect tells of its character", json.loads(told.stdout)["triangles"] > 0)
     again = t.edit(second)
     state = again.wait_until("the saved rig", lambda s: s["document"]["primitives"] == 1 and s["triangles"] > 0)
-    t.check_equal("its depth came with it", state["depth"], 5)
+    t.check_equal("its tolerance came with it", round(state["tolerance"], 6), 0.0003)
     t.check("freshly opened it has no changes", not state["document"]["modified"])
     third = t.folder / "third.rig.json"
     again.save_as(third)

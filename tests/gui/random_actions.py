@@ -175,6 +175,8 @@ class Hands:
         self.editor.pick("surface/mode", self.random.choice(["swell", "replace"]))
 
     def depth(self):
+        self.scroll_to("smoothing/detail")
+        self.editor.pick("smoothing/detail", "uniform")
         self.scroll_to("smoothing/depth")
         self.editor.type_number("smoothing/depth", str(self.random.choice([1, 2, 3])))
 

@@ -10,7 +10,7 @@ SCREEN = (2560, 1600)
 BONE, NEXT = "thigh.L", "shin.L"
 # Controls whose size the scale alone decides, width or height; others share what room there is.
 FIXED = {"toolstrip/select": 2, "toolstrip/symmetry": 2, "timeline/play": 2, "display/wire": 2, "menu/file": 2,
-         "outliner/bone/" + BONE: 3, "smoothing/depth": 3, "timeline/clip": 2}
+         "outliner/bone/" + BONE: 3, "smoothing/tolerance": 3, "timeline/clip": 2}
 
 
 def inside(box, place):
@@ -20,12 +20,12 @@ def inside(box, place):
 
 def everything_is_twice_as_large(t, file):
     plain = t.edit(file, "--scale", 1)
-    one = plain.wait_until("a character", lambda s: BONE in s["bones"] and "smoothing/depth" in s["widgets"])
+    one = plain.wait_until("a character", lambda s: BONE in s["bones"] and "smoothing/tolerance" in s["widgets"])
     t.check_equal("scale 1", one["scale"], 1)
     plain.choose_clip(-1, "")
     t.check_equal("it quits", plain.quit(), 0)
     editor = t.edit(file, "--scale", 2)
-    two = editor.wait_until("a character", lambda s: BONE in s["bones"] and "smoothing/depth" in s["widgets"])
+    two = editor.wait_until("a character", lambda s: BONE in s["bones"] and "smoothing/tolerance" in s["widgets"])
     t.check_equal("scale 2", two["scale"], 2)
     for name, side in FIXED.items():
         small, large = one["widgets"][name][side], two["widgets"][name][side]
@@ -51,8 +51,8 @@ def between(state, part):
 
 def add_and_name(t, editor):
     editor.choose_clip(-1, "")
-    editor.type_number("smoothing/depth", "2")
-    editor.wait_until("depth 2", lambda s: s["depth"] == 2)
+    editor.type_number("smoothing/tolerance", "0.2")
+    editor.wait_until("the tolerance", lambda s: abs(s["tolerance"] - 0.002) < 1e-6)
     undo = editor.state()["document"]["undo"]
     editor.tap("m", "the muscle tool", lambda s: s["tool"] == "add muscle")
     editor.move(between(editor.state(), 0.25))

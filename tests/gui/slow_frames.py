@@ -25,7 +25,7 @@ class Stopped:
 
 
 def heavy(t):
-    """A document whose frames are long: one muscle, depth 8, wire, playing."""
+    """A document whose frames are long: one muscle, the least tolerance, wire, playing."""
     editor = t.edit(t.copy(t.assets / "demo.glb"))
     editor.wait_until("a character", lambda s: BONE in s["bones"])
     editor.one_sided()
@@ -33,8 +33,8 @@ def heavy(t):
     editor.click("outliner/bone/" + BONE)
     editor.click("outliner/add")
     editor.wait_until("a muscle", lambda s: s["document"]["primitives"] == 1)
-    editor.type_number("smoothing/depth", "8")
-    state = editor.wait_until("depth 8 to be a step", lambda s: s["depth"] == 8 and s["document"]["undo"] == 2)
+    editor.type_number("smoothing/tolerance", "0.01")
+    state = editor.wait_until("the tolerance to be a step", lambda s: s["tolerance"] < 0.00011 and s["document"]["undo"] == 2)
     t.check("there is much to draw", state["triangles"] > 50000, state["triangles"])
     return editor
 

@@ -30,15 +30,15 @@ def turn_until(editor, place, what, predicate):
 
 
 def depth_follows(t, editor):
-    own = editor.state()["depth"]
+    own = editor.state()["tolerance"]
     editor.click("smoothing/auto")
-    editor.wait_until("auto depth to be a step", lambda s: s["document"]["undo"] == 1)
-    far = zoom(editor, WHEEL_DOWN, "a lower depth from afar", lambda s: s["depth"] == 1)
-    near = zoom(editor, WHEEL_UP, "a higher depth from near", lambda s: s["depth"] > own)
-    t.check("the mesh follows", near["triangles"] == near["depth"] ** 2 * far["triangles"], (far["triangles"], near["triangles"]))
+    editor.wait_until("auto detail to be a step", lambda s: s["document"]["undo"] == 1)
+    far = zoom(editor, WHEEL_DOWN, "a larger tolerance from afar", lambda s: s["tolerance"] > 2 * own)
+    near = zoom(editor, WHEEL_UP, "a smaller one from near", lambda s: s["tolerance"] < own)
+    t.check("the mesh follows", near["triangles"] > 1.5 * far["triangles"], (far["triangles"], near["triangles"]))
     t.check_equal("zooming is no step", (far["document"]["undo"], near["document"]["undo"]), (1, 1))
     state = editor.tap("ctrl+z", "undo", lambda s: s["document"]["undo"] == 0)
-    state = editor.wait_until("the rig's own depth", lambda s: s["depth"] == own)
+    state = editor.wait_until("the rig's own tolerance", lambda s: s["tolerance"] == own)
     t.check("undone, nothing is modified", not state["document"]["modified"])
 
 

@@ -19,7 +19,7 @@ EXPECTED = """usr/bin/sinew usr/share/applications/sinew.desktop usr/share/mime/
     usr/share/bash-completion/completions/sinew usr/share/zsh/vendor-completions/_sinew
     usr/share/fish/vendor_completions.d/sinew.fish usr/share/doc/sinew/copyright usr/share/doc/sinew/changelog.gz
     usr/share/doc/sinew/changelog.Debian.gz usr/share/doc/sinew/examples/three.js/sinew_muscles.js usr/share/sinew/shaders/surface.frag
-    usr/share/sinew/assets/humanoid.rig.json""".split()
+    usr/share/sinew/assets/humanoid.rig.json usr/share/sinew/assets/presets/athlete.json""".split()
 
 
 def run(*command, **more):

@@ -102,6 +102,18 @@ TEST(RigJson, ShapesAreWrittenAsVersion2AndOnlyWhatIsNot0) {
   EXPECT_TRUE(read.value() == all);
 }
 
+TEST(RigJson, CorrectedPartsOfTheBodyAreWrittenInTheirOrder) {
+  Rig rig;
+  rig.character = "a.glb";
+  rig.slots = {{"upperArm.L", "b_LeftUpperArm_09"}, {"tail", ""}};
+  const std::string text = rigToJson(rig);
+  EXPECT_NE(text.find("\"slots\": { \"upperArm.L\": \"b_LeftUpperArm_09\", \"tail\": null }"), std::string::npos)
+      << text;
+  const auto again = rigFromJson(text);
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(again->slots, rig.slots);
+}
+
 TEST(RigJson, OpensTheMinimalFileOfVersion1WithDefaults) {
   const auto rig = loadRig(dataFile("v1-minimal.rig.json"));
   ASSERT_TRUE(rig.ok()) << rig.error().text();
@@ -206,6 +218,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadRig{"\"sinew-rig\"", "\"other\"", "format", "expected \"sinew-rig\", got \"other\""},
         BadRig{"\"format\": \"sinew-rig\",", "", "format", "the key is missing"},
         BadRig{"\"version\": 1,", "", "version", "the key is missing"},
+        BadRig{"\"version\": 1,", "\"version\": 1, \"slots\": {\"wing.L\": \"a\"},", "slots.wing.L",
+               "part of the body"},
+        BadRig{"\"version\": 1,", "\"version\": 1, \"slots\": {\"tail\": 3},", "slots.tail", "expected"},
+        BadRig{"\"version\": 1,", "\"version\": 1, \"slots\": {\"tail\": \"\"},", "slots.tail", "or null"},
+        BadRig{"\"version\": 1,", "\"version\": 1, \"slots\": [],", "slots", "an object"},
         BadRig{"\"version\": 1", "\"version\": 3", "version", "newer"},
         BadRig{"\"version\": 1", "\"version\": 0", "version", "expected 1 or 2, got 0"},
         BadRig{"\"version\": 1", "\"version\": \"1\"", "version", "expected 1 or 2, got \"1\""},

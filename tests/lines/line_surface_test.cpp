@@ -126,7 +126,7 @@ TEST_P(LineSurface, AMissingBoneLeavesTheMuscleOutAndTheRigAlone) {
   Smoother smoother(character);
   ASSERT_TRUE(smoother.prepare(foreign).ok());
   EXPECT_EQ(smoother.unattached(), std::vector<int>{0});
-  const std::vector<Error> missing = missingBones(foreign, character->skeleton);
+  const std::vector<MissingBone> missing = missingBones(foreign, character->skeleton);
   ASSERT_EQ(missing.size(), 1u);
   EXPECT_EQ(missing[0].place, "lines[0].insertion.bone");
 }

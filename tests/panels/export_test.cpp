@@ -45,13 +45,13 @@ class ExportDialogs : public HeadlessEditor {
   }
   /// One that is done in a moment.
   void chooseQuick() {
-    state.dialogs.exporting.settings.depth = 1;
+    state.dialogs.exporting.settings.detail.depth = 1;
     state.dialogs.exporting.settings.weights = ExportWeights::kTransferred;
     settle();
   }
   /// One that goes on for seconds.
   void chooseLong() {
-    state.dialogs.exporting.settings.depth = 12;
+    state.dialogs.exporting.settings.detail.depth = 12;
     settle();
   }
   void chooseName(const std::string& name) {
@@ -107,7 +107,7 @@ class ExportDialogs : public HeadlessEditor {
 
 TEST_F(ExportDialogs, BeginsWithMuscleJointsAndWritesWhatTheCommandLineWrites) {
   run(action("file/export-character"), state);
-  state.dialogs.exporting.settings.depth = 1;
+  state.dialogs.exporting.settings.detail.depth = 1;
   state.dialogs.exporting.settings.helpers = 3;
   settle();
   EXPECT_STREQ(chosenKind(state.dialogs).word, "helpers");
@@ -128,7 +128,7 @@ TEST_F(ExportDialogs, BakesOneClipAsTheCommandLineDoes) {
     if (!kinds[kind].fields.oneClip) continue;
     run(action("file/export-character"), state);
     chooseKind(state.dialogs, kind);
-    state.dialogs.exporting.settings.depth = 1;
+    state.dialogs.exporting.settings.detail.depth = 1;
     settle();
     EXPECT_FALSE(shown("export/clips/chosen"));
     click("export/one-clip");
@@ -176,7 +176,7 @@ TEST_F(ExportDialogs, TheRangeOfMotionThatIsShownCanBeBakedToPointsAsOnTheComman
     if (!kinds[kind].fields.oneClip) continue;
     run(action("file/export-character"), state);
     chooseKind(state.dialogs, kind);
-    state.dialogs.exporting.settings.depth = 1;
+    state.dialogs.exporting.settings.detail.depth = 1;
     state.dialogs.exporting.settings.framesPerSecond = 5.0;
     settle();
     const bool arePoints = kinds[kind].form != ExportForm::kTargets;
@@ -210,7 +210,7 @@ TEST_F(ExportDialogs, BeginsBesideTheRigAndRemembersWhatWasChosen) {
   EXPECT_EQ(state.dialogs.exporting.place.name, "demo_muscled.glb");
   EXPECT_EQ(state.dialogs.exporting.place.folder, folder);
   click("export/mesh/original");
-  EXPECT_FALSE(shown("export/depth")) << "nothing is divided";
+  EXPECT_FALSE(shown("export/depth") || shown("export/tolerance")) << "nothing is divided";
   click("export/advanced");
   click("export/weights/transferred");
   chooseName("mine.glb");
@@ -298,11 +298,11 @@ TEST_F(ExportDialogs, NumbersThatAreTypedDoNotStartIt) {
   openDialog();
   typeInto("export/depth", "7");
   EXPECT_TRUE(shown("export/ok"));
-  EXPECT_EQ(state.dialogs.exporting.settings.depth, 7);
+  EXPECT_EQ(state.dialogs.exporting.settings.detail.depth, 7);
   EXPECT_TRUE(state.session.exports.empty());
   for (int i = 0; i < 30; ++i) frame();  // The next click is none of the double click before.
   typeInto("export/depth", std::to_string(state.document.rig().smoothing.depth));
-  EXPECT_EQ(state.dialogs.exporting.settings.depth, std::nullopt) << "as in the rig";
+  EXPECT_EQ(state.dialogs.exporting.settings.detail.depth, std::nullopt) << "as in the rig";
 }
 
 TEST_F(ExportDialogs, PlacesThatDoNotExistAreSaidInTheDialog) {

@@ -85,13 +85,24 @@ TEST_F(FarmJobs, WhatIsChosenIsInTheJob) {
                     " -o demo_muscled.glb --tasks 1 --to slurm"));
 }
 
+TEST_F(FarmJobs, AJobThatReplacesFilesDoesNotResume) {
+  fs::copy_file(folder / "demo.glb", folder / "demo_muscled.glb");
+  openDialog();
+  click("export/ok");
+  ASSERT_TRUE(shown("farm/job")) << "asked first";
+  click("export/ok");
+  ASSERT_FALSE(shown("farm/job")) << state.dialogs.exporting.error;
+  EXPECT_EQ(textOf("demo_export.sh").find("--resume"), std::string::npos);
+  EXPECT_NE(state.session.toast->text.find("replaces"), std::string::npos);
+}
+
 TEST_F(FarmJobs, AWholeFolderIsAListThatTheProgramReads) {
   openDialog();
   chooseKind(state.dialogs, kSkinned);
   settle();
   click("farm/rigs/all 5 in its folder");
   EXPECT_FALSE(shown("export/clips/chosen")) << "other rigs, other clips";
-  state.dialogs.exporting.settings.depth = 1;
+  state.dialogs.exporting.settings.detail.depth = 1;
   state.dialogs.exporting.settings.weights = ExportWeights::kTransferred;
   typeInto("farm/tasks", "2");
   chooseTarget(state.dialogs, *findFarmTarget("commands"));
@@ -109,6 +120,17 @@ TEST_F(FarmJobs, AWholeFolderIsAListThatTheProgramReads) {
   for (const char* name : {"#c", "-d", "a b", "demo", "it's"}) {
     EXPECT_TRUE(fs::exists(folder / (std::string(name) + "_muscled.glb"))) << name;
   }
+}
+
+TEST_F(FarmJobs, ARigThatCannotBeExportedIsRefused) {
+  own.write("broken.rig.json", "{}");
+  openDialog();
+  chooseKind(state.dialogs, kSkinned);
+  settle();
+  click("farm/rigs/all 6 in its folder");
+  click("export/ok");
+  EXPECT_NE(state.dialogs.exporting.error.find("broken.rig.json"), std::string::npos) << state.dialogs.exporting.error;
+  EXPECT_FALSE(fs::exists(folder / "demo_export.sh"));
 }
 
 TEST_F(FarmJobs, PatternsWithoutTheNameAndFilesThatAreThereAreAskedAbout) {

@@ -33,7 +33,7 @@ class NumberFields : public HeadlessEditor {
 };
 
 TEST_F(NumberFields, ADoubleClickTypesInSlidersToo) {
-  for (const auto& [id, text] : {std::pair{"smoothing/depth", "5"}, std::pair{"surface/iso", "0.31"},
+  for (const auto& [id, text] : {std::pair{"smoothing/tolerance", "0.25"}, std::pair{"surface/iso", "0.31"},
                                  std::pair{"surface/skin-blend", "4.5"}, std::pair{"smoothing/crease", "77"}}) {
     const std::size_t before = steps();
     doubleClick(id);
@@ -42,7 +42,7 @@ TEST_F(NumberFields, ADoubleClickTypesInSlidersToo) {
     press(kEnter);
     EXPECT_EQ(steps(), before + 1) << id;
   }
-  EXPECT_EQ(state.document.rig().smoothing.depth, 5);
+  EXPECT_FLOAT_EQ(state.document.rig().smoothing.tolerance, 0.0025f);
   EXPECT_FLOAT_EQ(iso(), 0.31f);
   EXPECT_FLOAT_EQ(state.document.rig().surface.skinBlend, 0.045f);
   EXPECT_FLOAT_EQ(state.document.rig().smoothing.creaseAngle, 77.0f);
@@ -161,8 +161,8 @@ TEST_F(Arithmetic, FieldsAndSlidersCalculate) {
   EXPECT_NEAR(state.open.euler.degrees.y, 45.0f, 1e-4f);
   enter("surface/iso", "0.2*1.5");
   EXPECT_FLOAT_EQ(iso(), 0.3f);
-  enter("smoothing/depth", "2+2");
-  EXPECT_EQ(state.document.rig().smoothing.depth, 4);
+  enter("smoothing/tolerance", "0.1*2");
+  EXPECT_FLOAT_EQ(state.document.rig().smoothing.tolerance, 0.002f);
   enter("timeline/speed", "1/2");
   EXPECT_FLOAT_EQ(state.open.transport.speed, 0.5f);
 }

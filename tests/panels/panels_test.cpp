@@ -131,24 +131,54 @@ TEST_F(Panels, ARadiusOfZeroIsRefused) {
   EXPECT_GT(muscle().placement.radii.x, 0.0f);
 }
 
-TEST_F(Panels, DepthSliderIsLiveAndOneStep) {
+TEST_F(Panels, ToleranceSliderIsLiveAndOneStep) {
   const std::size_t triangles = state.live->surface().refinement->triangles.size();
-  drag("smoothing/depth", {80.0f, 0.0f});
+  drag("smoothing/tolerance", {-60.0f, 0.0f});
   EXPECT_GT(state.live->surface().refinement->triangles.size(), triangles);
   EXPECT_EQ(steps(), 1u);
 }
 
+TEST_F(Panels, DetailIsChosen) {
+  EXPECT_EQ(state.document.rig().smoothing.detail, DetailKind::kAdaptive) << "a new rig";
+  EXPECT_FALSE(shown("smoothing/depth"));
+  click("smoothing/detail");
+  click("smoothing/detail/uniform");
+  EXPECT_EQ(state.document.rig().smoothing.detail, DetailKind::kUniform);
+  EXPECT_TRUE(state.live->surface().refinement->isUniform);
+  EXPECT_TRUE(shown("smoothing/depth"));
+  EXPECT_FALSE(shown("smoothing/tolerance"));
+  EXPECT_EQ(steps(), 1u);
+}
+
+/// One step.
+void makeUniform(EditorState& state) {
+  SmoothingSettings settings = state.document.rig().smoothing;
+  settings.detail = DetailKind::kUniform;
+  state.document.commands.apply("Detail", setSmoothing(state.document.rig(), settings).value());
+}
+
+TEST_F(Panels, DepthSliderIsLiveAndOneStep) {
+  makeUniform(state);
+  settle();
+  const std::size_t triangles = state.live->surface().refinement->triangles.size();
+  drag("smoothing/depth", {80.0f, 0.0f});
+  EXPECT_GT(state.live->surface().refinement->triangles.size(), triangles);
+  EXPECT_EQ(steps(), 2u);
+}
+
 TEST_F(Panels, AutoDepthHoldsTheSliderAndIsOneStep) {
+  makeUniform(state);
+  settle();
   const int own = state.document.rig().smoothing.depth;
   click("smoothing/auto");
   EXPECT_TRUE(state.document.rig().smoothing.autoDepth);
-  EXPECT_EQ(steps(), 1u);
+  EXPECT_EQ(steps(), 2u);
   drag("smoothing/depth", {80.0f, 0.0f});
-  EXPECT_EQ(steps(), 1u);
+  EXPECT_EQ(steps(), 2u);
   EXPECT_EQ(state.document.rig().smoothing.depth, own);
   click("smoothing/auto");
   EXPECT_FALSE(state.document.rig().smoothing.autoDepth);
-  EXPECT_EQ(steps(), 2u);
+  EXPECT_EQ(steps(), 3u);
 }
 
 TEST_F(Panels, CreaseSliderIsLiveAndOneStep) {

@@ -112,8 +112,8 @@ TEST_F(LiveSurfaceTest, SmoothsOnlyWhenRigOrTimeMoves) {
   EXPECT_TRUE(update());
   EXPECT_FALSE(update());
   SmoothingSettings settings = document.rig().smoothing;
-  ++settings.depth;
-  document.commands.apply("Depth", setSmoothing(document.rig(), settings).value());
+  settings.tolerance *= 0.3f;
+  document.commands.apply("Tolerance", setSmoothing(document.rig(), settings).value());
   const std::size_t before = live.value().surface().positions.size();
   EXPECT_TRUE(update());
   EXPECT_GT(live.value().surface().positions.size(), before);
@@ -196,6 +196,9 @@ TEST_F(LiveSurfaceTest, ASurfaceForAnEyeFollowsIt) {
 
 TEST_F(LiveSurfaceTest, AutoDepthFollowsTheSizeAndLeavesTheDocumentAlone) {
   const Transport transport{0, 0.0, false, true, 1.0f};
+  SmoothingSettings uniform = document.rig().smoothing;
+  uniform.detail = DetailKind::kUniform;
+  document.commands.apply("Detail", setSmoothing(document.rig(), uniform).value());
   auto live = LiveSurface::create(document, transport);
   ASSERT_TRUE(live.ok());
   const auto depthAt = [&](float pixels) {
@@ -219,6 +222,46 @@ TEST_F(LiveSurfaceTest, AutoDepthFollowsTheSizeAndLeavesTheDocumentAlone) {
   EXPECT_EQ(document.rig().smoothing.depth, own);
   document.commands.undo();
   EXPECT_EQ(depthAt(50000.0f), own);
+}
+
+TEST_F(LiveSurfaceTest, AutoToleranceFollowsTheSize) {
+  SmoothingSettings settings = document.rig().smoothing;
+  ASSERT_EQ(settings.detail, DetailKind::kAdaptive);
+  settings.autoDepth = true;
+  document.commands.apply("Auto detail", setSmoothing(document.rig(), settings).value());
+  auto live = LiveSurface::create(document, {});
+  ASSERT_TRUE(live.ok());
+  const auto verticesAt = [&](float pixels) {
+    EXPECT_TRUE(live.value().update(document, {std::nullopt, pixels}).ok());
+    return live.value().surface().positions.size();
+  };
+  const std::size_t small = verticesAt(100.0f);
+  EXPECT_NEAR(live.value().tolerance(), 0.005f, 0.001f);
+  const std::size_t large = verticesAt(2000.0f);
+  EXPECT_NEAR(live.value().tolerance(), 0.00025f, 0.00005f);
+  EXPECT_GT(large, small);
+  EXPECT_EQ(verticesAt(2020.0f), large) << "a camera that breathes";
+}
+
+TEST_F(LiveSurfaceTest, ADragKeepsTheMeshAndItsEndFindsItAnew) {
+  Primitive muscle;
+  muscle.bone = document.character->skeleton.bones.back().name;
+  muscle.placement.radii = glm::vec3(0.05f * document.character->height);
+  document.commands.apply("Muscle", addPrimitive(document.rig(), muscle).value());
+  auto live = LiveSurface::create(document, {});
+  ASSERT_TRUE(live.ok());
+  const auto before = live.value().surface().refinement;
+  document.commands.beginGesture("Grow");
+  Rig grown = document.rig();
+  grown.primitives[0].placement.radii *= 2.0f;
+  document.commands.updateGesture(grown);
+  ASSERT_TRUE(live.value().update(document).value()) << "the surface answers in the same frame";
+  EXPECT_EQ(live.value().surface().refinement, before);
+  document.commands.endGesture();
+  ASSERT_TRUE(live.value().update(document).value());
+  const auto after = LiveSurface::create(document, {});
+  EXPECT_EQ(live.value().surface().refinement->triangles, after.value().surface().refinement->triangles);
+  EXPECT_FALSE(live.value().update(document).value()) << "it has settled";
 }
 
 }  // namespace

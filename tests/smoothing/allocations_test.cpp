@@ -26,6 +26,7 @@ class FrameAllocations : public testing::TestWithParam<SurfaceMode> {};
 TEST_P(FrameAllocations, ThereAreNoneInAFrameThatHasBeenSeenBefore) {
   for (const TrialScene& scene : trialScenes()) {
     Rig rig = withMode(scene.rig, GetParam());
+    rig.smoothing.detail = DetailKind::kUniform;
     rig.smoothing.depth = 4;
     rig.smoothing.autoDepth = false;
     const std::vector<Pose> poses = spreadPoses(*scene.character, 6);

@@ -46,9 +46,8 @@ class Outside {
 /// In `replace` normal triangles alone are promised to stay: on straddling ones a vertex outside may be projected too.
 std::vector<bool> ofNormalTriangles(const Surface& surface) {
   std::vector<bool> out(surface.positions.size(), true);
-  const auto perControl = static_cast<std::size_t>(surface.refinement->depth * surface.refinement->depth);
   for (std::size_t i = 0; i < surface.refinement->triangles.size(); ++i) {
-    if (surface.classes[i / perControl] == TriangleClass::kNormal) continue;
+    if (surface.classes[static_cast<std::size_t>(surface.refinement->controlOf[i])] == TriangleClass::kNormal) continue;
     for (const int v : surface.refinement->triangles[i]) out[static_cast<std::size_t>(v)] = false;
   }
   return out;
@@ -64,6 +63,7 @@ void expectIdentity(const TrialScene& scene, SurfaceMode mode) {
       rig.primitives.resize(std::min<std::size_t>(rig.primitives.size(), 6));  // Leave some of the body out of reach.
       for (Primitive& primitive : rig.primitives) primitive.mirror.clear();
       rig.smoothing.patch = patch;
+      rig.smoothing.detail = DetailKind::kUniform;
       rig.smoothing.depth = depth;
       Rig empty = rig;
       empty.primitives.clear();
@@ -105,6 +105,7 @@ TEST(BindIdentity, ControlVerticesStandWhereTheMeshPutsThem) {
       for (int depth = 1; depth <= kMaxDepth; ++depth) {
         Rig rig;
         rig.smoothing.patch = patch;
+        rig.smoothing.detail = DetailKind::kUniform;
         rig.smoothing.depth = depth;
         const Surface surface = inBindPose(scene, rig);
         for (std::size_t v = 0; v < scene.character->mesh.positions.size(); ++v) {

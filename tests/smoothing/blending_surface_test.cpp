@@ -29,6 +29,7 @@ Rig threeBalls(const Character& strip) {
     rig.primitives.push_back(ellipsoidAt(strip, names[i], "end", names[i], center, glm::vec3(0.24f)));
     rig.primitives.back().territory = std::vector<std::string>{"root", "end"};
   }
+  rig.smoothing.detail = DetailKind::kUniform;
   rig.smoothing.depth = 8;
   return rig;
 }

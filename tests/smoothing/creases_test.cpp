@@ -173,7 +173,7 @@ TEST(ShadingCreases, SmoothEdgesShowNoSeamBetweenCreasedWedges) {
         return p.creased == q.creased && (!p.creased || p.normal == q.normal);
       };
       if (!sameEnd(0) || !sameEnd(1)) continue;
-      for (int step = 0; step < surface.refinement->edgeVertices; ++step) {
+      for (int step = 0; step < surface.refinement->edgeVertices(a.edge); ++step) {
         ASSERT_TRUE(sameBits(shadingNormal(surface, static_cast<std::size_t>(a.first + step)),
                              shadingNormal(surface, static_cast<std::size_t>(b.first + step))));
         ++compared;

@@ -21,6 +21,7 @@ TEST_P(Crowd, SurfacesAreThoseOfOneSmoother) {
   Surface wanted;
   for (const int depth : {2, 3}) {
     Rig rig = scene.rig;
+    rig.smoothing.detail = DetailKind::kUniform;
     rig.smoothing.depth = depth;
     const std::vector<int> hidden(1, depth);  // Prepared anew, and otherwise, the second time.
     ASSERT_TRUE(crowd.prepare(rig, hidden).ok() && single.prepare(rig, hidden).ok());
@@ -56,6 +57,7 @@ TEST(CrowdOfNone, ARigThatIsRefusedLeavesTheFormerOne) {
   CrowdSmoother crowd(scene.character);
   ASSERT_TRUE(crowd.prepare(scene.rig).ok());
   Rig bad = scene.rig;
+  bad.smoothing.detail = DetailKind::kUniform;
   bad.smoothing.depth = -1;
   EXPECT_FALSE(crowd.prepare(bad).ok());
   const std::vector<Pose> poses = spreadPoses(*scene.character, 3);

@@ -32,10 +32,9 @@ bool facesEye(const Surface& surface, const std::array<int, 3>& triangle, const 
 
 void compare(const Surface& whole, const Surface& culled, const glm::vec3& eye, Tally& tally) {
   const Refinement& refinement = *whole.refinement;
-  const auto perControl = static_cast<std::size_t>(refinement.depth * refinement.depth);
   for (std::size_t i = 0; i < refinement.triangles.size(); ++i) {
     const std::array<int, 3>& triangle = refinement.triangles[i];
-    if (culled.culled[i / perControl] != 0) {
+    if (culled.culled[static_cast<std::size_t>(refinement.controlOf[i])] != 0) {
       ++tally.small;
       if (facesEye(whole, triangle, eye)) ++tally.towards;
       continue;

@@ -69,9 +69,9 @@ TEST(Straddling, ImplicitTrianglesOfTheWrappedBodyFindTheSurface) {
     const Surface patch = smoothed(scene, empty, pose);
     std::set<int> left;
     int vertices = 0;
-    const auto perControl = static_cast<std::size_t>(surface.refinement->depth * surface.refinement->depth);
     for (std::size_t i = 0; i < surface.refinement->triangles.size(); ++i) {
-      if (surface.classes[i / perControl] != TriangleClass::kImplicit) continue;
+      if (surface.classes[static_cast<std::size_t>(surface.refinement->controlOf[i])] != TriangleClass::kImplicit)
+        continue;
       for (const int v : surface.refinement->triangles[i]) {
         ++vertices;
         if (surface.positions[static_cast<std::size_t>(v)] == patch.positions[static_cast<std::size_t>(v)])

@@ -49,6 +49,7 @@ class Threads : public ::testing::TestWithParam<const char*> {
 
 TEST_P(Threads, MakeTheSameSurfaceInBothModes) {
   Rig rig = scene_.rig;
+  rig.smoothing.detail = DetailKind::kUniform;
   rig.smoothing.depth = kDepth;
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
     rig.surface.mode = mode;
@@ -58,6 +59,7 @@ TEST_P(Threads, MakeTheSameSurfaceInBothModes) {
 
 TEST_P(Threads, MakeTheSameCreases) {
   Rig rig = scene_.rig;
+  rig.smoothing.detail = DetailKind::kUniform;
   rig.smoothing.depth = kDepth;
   rig.smoothing.creaseAngle = 30.0f;
   rig.smoothing.patch = PatchKind::kPhong;

@@ -165,6 +165,33 @@ TEST(AddMuscle, OneDragIsOneStepAndSelected) {
   EXPECT_TRUE(scene.document.rig().primitives.empty());
 }
 
+TEST(AddMuscle, TheWheelMakesItThickerOrThinnerWhileTheButtonIsDown) {
+  LimbScene scene;
+  setTool(scene.tools, ToolKind::kAddMuscle);
+  const glm::vec2 pixel = scene.skinPixel();
+  const glm::vec2 end = pixel + glm::vec2(8, -60);
+  scene.move(pixel);
+  scene.press(pixel);
+  scene.drag(end);
+  const CameraStand stand = scene.tools.camera.stand;
+  const glm::vec3 plain = scene.document.rig().primitives.at(0).placement.radii;
+  ViewportInput turned;
+  turned.wheel = 2.0f;
+  scene.drag(end, MouseButton::kLeft, turned);
+  const glm::vec3 thick = scene.document.rig().primitives.at(0).placement.radii;
+  EXPECT_EQ(thick.x, plain.x) << "as long as drawn";
+  EXPECT_GT(thick.y, 1.1f * plain.y);
+  EXPECT_GT(thick.z, 1.1f * plain.z);
+  scene.drag(end + glm::vec2(0, -10));
+  EXPECT_GT(scene.document.rig().primitives.at(0).placement.radii.z, thick.z) << "kept while the stroke goes on";
+  turned.wheel = -4.0f;
+  scene.drag(end, MouseButton::kLeft, turned);
+  EXPECT_LT(scene.document.rig().primitives.at(0).placement.radii.z, plain.z);
+  EXPECT_TRUE(test::sameStand(scene.tools.camera.stand, stand)) << "it does not zoom meanwhile";
+  scene.release(end);
+  EXPECT_EQ(scene.document.commands.stepCount(), 1u);
+}
+
 TEST(AddMuscle, ASecondOneHasAFreeName) {
   LimbScene scene;
   setTool(scene.tools, ToolKind::kAddMuscle);

@@ -28,6 +28,7 @@ CharacterPtr bundled(const std::string& name) {
 
 /// Over all clips of the character.
 SkinMetrics metricsOf(const CharacterPtr& character, Rig rig, int depth) {
+  rig.smoothing.detail = DetailKind::kUniform;
   rig.smoothing.depth = depth;
   Rig empty = rig;
   empty.primitives.clear();
@@ -72,7 +73,7 @@ void expectGoodSkin(const CharacterPtr& character, const Rig& rig, double mostTe
     EXPECT_LE(off, 1.0) << character->name << ", depth " << depth;
     EXPECT_LE(swinging, mostTeeth) << character->name << ", depth " << depth;
     EXPECT_GE(definition, depth == 3 ? 80.0 : 88.0) << character->name << ", depth " << depth;
-    EXPECT_LE(turned, 0.02) << character->name << ", depth " << depth;
+    EXPECT_LE(turned, 0.06) << character->name << ", depth " << depth;
     // The measures see what they are for.
     EXPECT_GT(percent(m.exactOff, m.vertices), 2.0 * off) << character->name;
     if (depth == 3) {

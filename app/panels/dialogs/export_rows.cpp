@@ -55,23 +55,44 @@ std::string countText(long long number) {
   return text;
 }
 
-/// Only where triangles are divided.
-void depthRow(PanelUi& ui) {
+/// How finely the exported mesh is divided: as the rig says, or otherwise for this export.
+void detailRows(PanelUi& ui) {
   ExportSettings& settings = ui.state.dialogs.exporting.settings;
-  const int ofRig = ui.state.document.rig().smoothing.depth;
-  label(ui, "Depth");
-  auto depth = static_cast<float>(settings.depth.value_or(ofRig));
+  const SmoothingSettings& ofRig = ui.state.document.rig().smoothing;
+  SmoothingSettings now = ofRig;
+  settings.detail.apply(now);
+  label(ui, "Detail");
+  const bool wasAdaptive = now.detail == DetailKind::kAdaptive;
+  const int clicked = chooseWord(ui, "export/detail", {"Adaptive", "Uniform"}, wasAdaptive ? 0 : 1);
+  if (clicked >= 0) now.detail = clicked == 0 ? DetailKind::kAdaptive : DetailKind::kUniform;
+  const bool adaptive = now.detail == DetailKind::kAdaptive;
+  label(ui, adaptive ? "Tolerance" : "Depth");
   ImGui::SetNextItemWidth(-1.0f);
-  const bool changed = numberSlider(ui, "##depth", depth, {"%.0f", 0.0f, 1.0f, kMaxDepth, 1.0f, true});
-  ui.widgets.note("export/depth");
-  if (changed) {
-    settings.depth = static_cast<int>(depth);
-    if (*settings.depth == ofRig) settings.depth.reset();
+  if (adaptive) {
+    float percent = 100.0f * now.tolerance;
+    if (numberSlider(ui, "##tolerance", percent,
+                     {"%.2f %%", 0.0f, 100.0f * kLeastTolerance, 100.0f * kMostTolerance, 0.01f, false, true})) {
+      now.tolerance = percent / 100.0f;
+    }
+  } else {
+    auto depth = static_cast<float>(now.depth);
+    if (numberSlider(ui, "##depth", depth, {"%.0f", 0.0f, 1.0f, kMaxDepth, 1.0f, true}))
+      now.depth = static_cast<int>(depth);
   }
-  const long long n = settings.depth.value_or(ofRig);
+  ui.widgets.note(adaptive ? "export/tolerance" : "export/depth");
+  settings.detail = {};
+  if (now.detail != ofRig.detail) settings.detail.kind = now.detail;
+  if (adaptive && now.tolerance != ofRig.tolerance) settings.detail.tolerance = now.tolerance;
+  if (!adaptive && now.depth != ofRig.depth) settings.detail.depth = now.depth;
+  const std::string asInRig = settings.detail == DetailOverride{} ? ", as in the rig." : ".";
+  if (adaptive) {
+    return explain(ui, "Fine where muscles shape the skin: triangles lie within " +
+                           numberText("%.2g %%", 100.0f * now.tolerance) + " of the height" + asInRig);
+  }
+  const long long n = now.depth;
   const auto triangles = static_cast<long long>(ui.state.character().mesh.triangles.size()) * n * n;
   explain(ui, "Every triangle becomes " + std::to_string(n) + " x " + std::to_string(n) + ": " + countText(triangles) +
-                  (settings.depth ? " triangles." : " triangles, as in the rig."));
+                  " triangles" + asInRig);
 }
 
 void drawClip(PanelUi& ui, const std::string& name, std::size_t index) {
@@ -139,6 +160,14 @@ void boundRow(PanelUi& ui) {
   }
   ui.widgets.note("export/bound");
   explain(ui, "How far a vertex may be off in any frame, of the height: the nearer, the more morph targets.");
+  label(ui, "Substeps");
+  auto substeps = static_cast<float>(settings.substeps);
+  ImGui::SetNextItemWidth(-1.0f);
+  if (numberSlider(ui, "##substeps", substeps, {"%.0f a frame", 0.0f, 1.0f, kMostSubsteps, 1.0f, true})) {
+    settings.substeps = static_cast<int>(substeps);
+  }
+  ui.widgets.note("export/substeps");
+  explain(ui, "Moments baked in each frame. Several keep the distance between frames, too.");
 }
 
 void clipRows(PanelUi& ui) {
@@ -215,7 +244,7 @@ void drawExportSettings(PanelUi& ui, bool clips) {
   kindRow(ui);
   const ExportFields& fields = chosenKind(ui.state.dialogs).fields;
   if (fields.mesh) meshRow(ui);
-  if (fields.depth && (!fields.mesh || dialog.settings.mesh == ExportMesh::kRefined)) depthRow(ui);
+  if (fields.depth && (!fields.mesh || dialog.settings.mesh == ExportMesh::kRefined)) detailRows(ui);
   if (fields.clips && clips) clipRows(ui);
   if (fields.oneClip && clips) oneClipRows(ui);
   if (fields.bound) boundRow(ui);

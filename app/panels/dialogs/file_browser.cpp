@@ -203,7 +203,9 @@ void drawEntry(PanelUi& ui, const FolderEntry& entry) {
     enterFolder(dialog, dialog.folder / entry.name);
     return;
   }
-  dialog.text = entry.name;
+  // A rig beside its character: never over it.
+  const bool saves = dialog.kind == DialogKind::kSaveAs;
+  dialog.text = saves ? withRigEnding(entry.name).string() : entry.name;
   if (ImGui::IsMouseDoubleClicked(0) && dialog.kind == DialogKind::kOpen) confirmPath(ui.state);
 }
 

@@ -252,7 +252,7 @@ void takeKeys(EditorState& state) {
 
 ListingOptions listingOptions(const EditorState& state) {
   FileFilter filter = state.dialogs.file.filter;
-  if (state.dialogs.file.kind == DialogKind::kSaveAs) filter = FileFilter::kRigs;
+  if (state.dialogs.file.kind == DialogKind::kSaveAs) filter = FileFilter::kAll;
   if (state.dialogs.file.kind == DialogKind::kSavePicture) filter = FileFilter::kPictures;
   if (state.dialogs.file.kind == DialogKind::kExportPlace) filter = FileFilter::kCharacters;
   if (state.dialogs.file.kind == DialogKind::kJobPlace) filter = FileFilter::kJobs;

@@ -7,14 +7,17 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "app/document/shown_names.h"
 #include "app/editor/commands.h"
+#include "app/editor/hidden_bones.h"
 #include "app/editor/session.h"
 #include "app/panels/dialogs/dialogs.h"
 #include "app/panels/dialogs/palette_search.h"
+#include "app/panels/dialogs/palette_words.h"
 #include "core/base/at.h"
 
 namespace sinew::app {
@@ -25,16 +28,20 @@ constexpr float kWidth = 580.0f;  // Design pixels.
 constexpr int kRows = 11;
 constexpr std::size_t kMostFound = 200;
 
-enum class EntryKind { kAction, kMuscle, kBone, kFile };
+constexpr int kDocument = 3;  // What stands behind actions that fit as well.
+constexpr int kFiles = 10;
+
+enum class EntryKind { kAction, kPanel, kMuscle, kBone, kClip, kFile };
 
 /// What choosing a row does.
 struct Entry {
   EntryKind kind = EntryKind::kAction;
-  std::string id;  ///< "file/save", "muscle/NAME", "bone/NAME", "sample/0", "recent/0"
+  std::string id;  ///< "file/save", "muscle/NAME", "bone/NAME", "clip/NAME", "panel/learn", "sample/0", "recent/0"
   const Action* action = nullptr;
   PrimitiveId muscle;
   int bone = -1;
   std::filesystem::path file;
+  int place = -1;        ///< Of kPanel: into panelCommands(); of kClip: the clip, -1: the bind pose.
   std::string why = {};  ///< Why it cannot be done now; "" if it can.
 };
 
@@ -49,9 +56,20 @@ int recentRank(const EditorState& state, const std::string& id) {
   return found == recent.end() ? -1 : static_cast<int>(found - recent.begin());
 }
 
+std::string otherWords(const Entry& entry) {
+  if (entry.kind == EntryKind::kPanel) return panelCommands()[static_cast<std::size_t>(entry.place)].synonyms;
+  return entry.kind == EntryKind::kClip ? "play animation" : std::string(synonymsOf(entry.id));
+}
+
+int laterOf(EntryKind kind) {
+  if (kind == EntryKind::kFile) return kFiles;
+  return kind == EntryKind::kAction || kind == EntryKind::kPanel ? 0 : kDocument;
+}
+
 void add(Entries& all, const EditorState& state, Entry entry, std::string label, std::string context) {
   const int recent = recentRank(state, entry.id);
-  all.candidates.push_back({std::move(label), std::move(context), recent, entry.why.empty()});
+  all.candidates.push_back(
+      {std::move(label), std::move(context), recent, entry.why.empty(), otherWords(entry), laterOf(entry.kind)});
   all.entries.push_back(std::move(entry));
 }
 
@@ -59,9 +77,28 @@ void addActions(Entries& all, const EditorState& state) {
   for (const Menu& menu : menus()) {
     for (const Action& item : actions()) {
       if (item.menu() != menu.id || std::string_view(item.id) == "help/palette") continue;
-      add(all, state, {EntryKind::kAction, item.id, &item, {}, -1, {}, item.enabled(state).reason()}, item.label,
+      add(all, state, {EntryKind::kAction, item.id, &item, {}, -1, {}, -1, item.enabled(state).reason()}, item.label,
           menu.title);
     }
+  }
+}
+
+void addPanels(Entries& all, const EditorState& state) {
+  const std::span<const PanelCommand> commands = panelCommands();
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    const PanelCommand& command = commands[i];
+    add(all, state,
+        {EntryKind::kPanel, command.id, nullptr, {}, -1, {}, static_cast<int>(i), command.enabled(state).reason()},
+        command.label, command.context);
+  }
+}
+
+void addClips(Entries& all, const EditorState& state) {
+  if (!state.hasCharacter()) return;
+  const std::vector<std::string> names = shownClipNames(state.character());
+  for (int clip = -1; clip < static_cast<int>(names.size()); ++clip) {
+    const std::string name = clip < 0 ? "Bind pose" : at(names, clip);
+    add(all, state, {EntryKind::kClip, "clip/" + name, nullptr, {}, -1, {}, clip}, name, "Clip");
   }
 }
 
@@ -73,7 +110,9 @@ void addPlacesInDocument(Entries& all, const EditorState& state) {
   }
   const Skeleton& skeleton = state.character().skeleton;
   const std::vector<std::string> names = shownBoneNames(skeleton);
+  const std::vector<bool> hidden = hiddenBones(state);
   for (int bone = 0; bone < static_cast<int>(skeleton.bones.size()); ++bone) {
+    if (isHidden(hidden, bone)) continue;
     const auto index = static_cast<std::size_t>(bone);
     const std::string& fileName = skeleton.bones[index].name;
     add(all, state, {EntryKind::kBone, "bone/" + skeleton.fileName(bone), nullptr, {}, bone, {}}, names[index],
@@ -92,7 +131,14 @@ void addFiles(Entries& all, const EditorState& state) {
     std::error_code failed;
     const bool there = std::filesystem::is_regular_file(recent[i], failed);
     add(all, state,
-        {EntryKind::kFile, "recent/" + std::to_string(i), nullptr, {}, -1, recent[i], there ? "" : "No longer there"},
+        {EntryKind::kFile,
+         "recent/" + std::to_string(i),
+         nullptr,
+         {},
+         -1,
+         recent[i],
+         -1,
+         there ? "" : "No longer there"},
         recent[i].filename().string(), "Recent file in " + recent[i].parent_path().string());
   }
 }
@@ -100,6 +146,8 @@ void addFiles(Entries& all, const EditorState& state) {
 Entries gather(const EditorState& state) {
   Entries all;
   addActions(all, state);
+  addPanels(all, state);
+  addClips(all, state);
   addPlacesInDocument(all, state);
   addFiles(all, state);
   return all;
@@ -110,6 +158,12 @@ void choose(EditorState& state, const Entry& entry) {
   switch (entry.kind) {
     case EntryKind::kAction:
       run(*entry.action, state);
+      break;
+    case EntryKind::kPanel:
+      panelCommands()[static_cast<std::size_t>(entry.place)].run(state);
+      break;
+    case EntryKind::kClip:
+      chooseClip(state.open.transport, entry.place, state.character());
       break;
     case EntryKind::kMuscle:
       jumpToMuscle(state, entry.muscle);
@@ -131,7 +185,10 @@ Icon iconOf(const Entry& entry) {
       return Icon::kBone;
     case EntryKind::kFile:
       return Icon::kFile;
+    case EntryKind::kClip:
+      return Icon::kPlay;
     case EntryKind::kAction:
+    case EntryKind::kPanel:
       break;
   }
   return Icon::kNone;
@@ -217,8 +274,9 @@ void drawContents(PanelUi& ui) {
   if (palette.appearing) ImGui::SetKeyboardFocusHere();
   palette.appearing = false;
   ImGui::SetNextItemWidth(-1.0f);
-  const bool entered = ImGui::InputTextWithHint("##query", "Actions, muscles, bones, samples, recent files",
-                                                &palette.query, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered =
+      ImGui::InputTextWithHint("##query", "Actions, buttons, muscles, bones, clips, samples, recent files",
+                               &palette.query, ImGuiInputTextFlags_EnterReturnsTrue);
   ui.widgets.note("palette/query");
   if (ImGui::IsItemEdited()) palette.chosen = -1;
   const Entries all = gather(ui.state);

@@ -88,7 +88,7 @@ bool sameText(std::string_view a, std::string_view b) { return std::ranges::equa
 /// The label alone if it fits; else label and context as one text.
 std::optional<Fit> fitCandidate(std::string_view query, const Candidate& candidate) {
   if (std::optional<Fit> fit = fitOf(query, candidate.label)) return fit;
-  std::optional<Fit> fit = fitOf(query, candidate.label + " " + candidate.context);
+  std::optional<Fit> fit = fitOf(query, candidate.label + " " + candidate.context + " " + candidate.synonyms);
   if (!fit) return fit;
   fit->score -= kOnlyInContext;
   std::erase_if(fit->marks, [&](std::size_t mark) { return mark >= candidate.label.size(); });
@@ -129,6 +129,7 @@ std::vector<Found> search(std::string_view query, const std::vector<Candidate>& 
     const bool recent = candidate.recent >= 0;
     if (asked && recent) fit->score += std::max(kRecentBonus - candidate.recent / 5, 0);
     if (asked && !candidate.usable) fit->score -= kUnusable;
+    if (asked) fit->score -= candidate.later;
     // Among equals the shorter label, which the query covers better.
     const std::size_t rank =
         asked ? candidate.label.size() : (recent ? static_cast<std::size_t>(candidate.recent) : candidates.size() + i);

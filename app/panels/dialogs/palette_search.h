@@ -25,6 +25,8 @@ struct Candidate {
   std::string context;  ///< "View", "Muscle on thigh.L": searched as well, weighs less.
   int recent = -1;      ///< 0: used last, 1: the one before ...; -1: not lately.
   bool usable = true;
+  std::string synonyms = {};  ///< Searched like the context, not shown.
+  int later = 0;              ///< Score less than an equally good fit: files stand behind actions.
 };
 
 struct Found {

@@ -9,8 +9,8 @@
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
-#include "app/editor/hidden_bones.h"
 #include "app/editor/outliner_edit.h"
+#include "app/panels/inspector/inspector_lines.h"
 #include "app/ui/number_field.h"
 #include "core/base/at.h"
 #include "core/primitives/shape_numbers.h"
@@ -59,17 +59,8 @@ void boneRow(PanelUi& ui, const Subjects& subjects) {
     tooltip(ui, inFile + "\nThe bone that carries the muscle. On another one it keeps its place in the world.");
     return;
   }
-  const std::vector<bool> hidden = hiddenBones(ui.state);
-  for (int bone = 0; bone < static_cast<int>(skeleton.bones.size()); ++bone) {
-    if (isHidden(hidden, bone)) continue;
-    const std::string& name = skeleton.fileName(bone);
-    const std::string& label = at(names, bone);
-    const bool chosen = ImGui::Selectable(label.c_str(), !differ && bone == subjects.bone);
-    ui.widgets.note("inspector/bone/" + name);
-    if (label != name) tooltip(ui, name);
-    if (bone == subjects.bone && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
-    if (chosen) reparentMuscles(ui.state, subjects.indices, bone);
-  }
+  const int bone = boneList(ui, "inspector/bone", subjects.bone, differ ? -1 : subjects.bone, [](int) { return true; });
+  if (bone >= 0) reparentMuscles(ui.state, subjects.indices, bone);
   ImGui::EndCombo();
 }
 
@@ -214,11 +205,12 @@ void drawInspector(PanelUi& ui) {
   drawLineRows(ui, subjects);
   drawPlacementRows(ui, subjects);
   drawShapeRows(ui, subjects);
-  section(ui, "Effect");
-  reachRow(ui, subjects);
-  amountRow(ui, subjects);
-  signRow(ui, subjects);
-  drawLineNumbers(ui, subjects);
+  if (section(ui, "inspector/section/effect", "Effect")) {
+    reachRow(ui, subjects);
+    amountRow(ui, subjects);
+    signRow(ui, subjects);
+  }
+  drawLineNumbers(ui);
   drawAnimationRows(ui, subjects);
   drawTerritoryRows(ui, subjects);
   ImGui::PopID();

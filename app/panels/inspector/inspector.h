@@ -64,22 +64,31 @@ struct NumberField {
 /// width is the caller's. Notes itself as its id.
 void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& field);
 
+/// Rows of a menu that is open: reset, copy, paste. @param shown, initial  shown units
+/// @return the number that was chosen
+[[nodiscard]] std::optional<float> numberMenu(PanelUi& ui, const char* format, float shown,
+                                              std::optional<float> initial);
+
 /// Changes all subjects, in the gesture of the field that is being edited or as a step of its own.
 /// @param label  what is done; the muscles follow
 void editSubjects(PanelUi& ui, const Subjects& subjects, const char* label,
                   const std::function<void(Primitive&)>& change);
 
-/// A quiet title between groups of rows. @param room  kept free at its right end, design pixels
-void section(PanelUi& ui, const char* title, float room = 0.0f);
+/// A quiet title between groups of rows; a click folds what is under it, which is remembered with the layout. Notes
+/// itself as `id`. @param room  kept free at its right end, design pixels
+/// @return whether it is unfolded
+[[nodiscard]] bool section(PanelUi& ui, const char* id, const char* title, float room = 0.0f);
+
+/// Inside a list that has just been opened: bones to choose from, the nearest in the tree first; typing leaves those
+/// that have the text in their names, Enter takes the first. Rows note themselves as ID/NAME. @param near  -1: in the
+/// tree's order; @param chosen  marked, or -1 @return the bone that was taken, or -1
+[[nodiscard]] int boneList(PanelUi& ui, const std::string& id, int near, int chosen,
+                           const std::function<bool(int)>& isOffered);
 
 // The parts, each in a file of its own.
 void drawTwinRow(PanelUi& ui, const Subjects& subjects);
 void drawShapeRows(PanelUi& ui, const Subjects& subjects);
 void drawPlacementRows(PanelUi& ui, const Subjects& subjects);
-/// For a muscle that rides one bone.
-void drawOtherEndRow(PanelUi& ui, const Subjects& subjects);
-void drawLineRows(PanelUi& ui, const Subjects& subjects);     ///< What one does to it.
-void drawLineNumbers(PanelUi& ui, const Subjects& subjects);  ///< The rest.
 void drawTerritoryRows(PanelUi& ui, const Subjects& subjects);
 /// Only where something is keyed or driven.
 void drawAnimationRows(PanelUi& ui, const Subjects& subjects);

@@ -114,10 +114,20 @@ AnimatedField animatedOf(const Subjects& subjects, const NumberField& field) {
 void fieldMenu(PanelUi& ui, const Subjects& subjects, const NumberField& field, const AnimatedField& animated,
                float shown) {
   if (!ImGui::BeginPopupContextItem(field.id.c_str())) return;
-  const std::string reset = field.initial ? "Reset to " + textOf(field, *field.initial) : "Reset";
-  const bool wanted = ImGui::MenuItem(reset.c_str(), nullptr, false, field.initial.has_value());
+  const std::optional<float> chosen = numberMenu(ui, field.format, shown, field.initial);
+  if (chosen) assign(ui, subjects, field, *chosen);
+  if (!animated.refs.empty()) ImGui::Separator();
+  animationMenu(ui, animated);
+  ImGui::EndPopup();
+}
+
+}  // namespace
+
+std::optional<float> numberMenu(PanelUi& ui, const char* format, float shown, std::optional<float> initial) {
+  std::optional<float> chosen;
+  const std::string reset = initial ? "Reset to " + numberText(format, *initial) : "Reset";
+  if (ImGui::MenuItem(reset.c_str(), nullptr, false, initial.has_value())) chosen = initial;
   ui.widgets.note("context/reset");
-  if (wanted) assign(ui, subjects, field, *field.initial);
   ImGui::Separator();
   char exact[32];
   const auto written = std::to_chars(exact, exact + sizeof exact - 1, shown);
@@ -125,14 +135,10 @@ void fieldMenu(PanelUi& ui, const Subjects& subjects, const NumberField& field, 
   if (ImGui::MenuItem("Copy", nullptr)) ImGui::SetClipboardText(exact);
   ui.widgets.note("context/copy");
   const std::optional<float> pasted = numberIn(ImGui::GetClipboardText());
-  const bool pasting = ImGui::MenuItem("Paste", nullptr, false, pasted.has_value());
+  if (ImGui::MenuItem("Paste", nullptr, false, pasted.has_value())) chosen = pasted;
   ui.widgets.note("context/paste");
-  if (pasting) assign(ui, subjects, field, *pasted);
-  animationMenu(ui, animated);
-  ImGui::EndPopup();
+  return chosen;
 }
-
-}  // namespace
 
 void editSubjects(PanelUi& ui, const Subjects& subjects, const char* label,
                   const std::function<void(Primitive&)>& change) {
@@ -186,15 +192,27 @@ void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& f
   fieldMenu(ui, subjects, field, animated, before);
 }
 
-void section(PanelUi& ui, const char* title, float room) {
+bool section(PanelUi& ui, const char* id, const char* title, float room) {
   ImGui::Dummy({0.0f, ui.px(1)});
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float right = at.x + ImGui::GetContentRegionAvail().x - ui.px(room);
+  const float mark = ui.px(14);
   const ImVec2 text = ImGui::CalcTextSize(title);
-  const float y = at.y + 0.5f * text.y + (room > 0.0f ? ImGui::GetStyle().FramePadding.y : 0.0f);
-  ImGui::GetWindowDrawList()->AddLine({at.x + text.x + ui.px(8), y}, {right, y}, palette::kLine.packed(), 1.0f);
-  if (room > 0.0f) ImGui::AlignTextToFramePadding();
-  mutedText(title);
+  const float height = room > 0.0f ? ImGui::GetFrameHeight() : text.y;
+  const float y = at.y + 0.5f * height;
+  std::vector<std::string>& folded = ui.state.view.layout.folded;
+  const auto found = std::ranges::find(folded, id);
+  const bool open = found == folded.end();
+  const bool pressed = ImGui::InvisibleButton(id, {std::max(right - at.x, 1.0f), height});
+  ui.widgets.note(id);
+  const Tint tint = ImGui::IsItemHovered() ? palette::kText : palette::kMuted;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  drawIcon(list, open ? Icon::kFoldOpen : Icon::kFoldClosed, {at.x - ui.px(3), y - 0.5f * mark}, mark, tint.packed());
+  list.AddText({at.x + mark, y - 0.5f * text.y}, tint.packed(), title);
+  list.AddLine({at.x + mark + text.x + ui.px(8), y}, {right, y}, palette::kLine.packed(), 1.0f);
+  if (pressed && open) folded.emplace_back(id);
+  if (pressed && !open) folded.erase(found);
+  return open;
 }
 
 }  // namespace sinew::app

@@ -172,7 +172,7 @@ void drawPlacementRows(PanelUi& ui, const Subjects& subjects) {
   const float room = ImGui::GetContentRegionAvail().x;
   const bool beside = room >= ui.px(200);
   const float width = beside ? ui.px(128) : room;
-  section(ui, "Placement", beside ? 136.0f : 0.0f);
+  if (!section(ui, "inspector/section/placement", "Placement", beside ? 136.0f : 0.0f)) return;
   if (beside) ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
   constexpr const char* kUnits[] = {"Units", "% of H"};
   const int chosen = segmented(ui, "inspector/lengths", kUnits, 2, ui.state.view.inspector.percent ? 1 : 0, width);

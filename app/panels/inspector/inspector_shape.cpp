@@ -2,10 +2,12 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <span>
 #include <string>
 
-#include "app/panels/inspector/inspector.h"
+#include "app/panels/inspector/inspector_lines.h"
+#include "core/base/at.h"
 #include "core/primitives/affine_image.h"
 #include "core/primitives/shape_numbers.h"
 
@@ -59,18 +61,27 @@ void shapeRow(PanelUi& ui, const Subjects& subjects, std::span<const ShapeNumber
   }
 }
 
-/// "ellipsoid" or what it is made into; a click unfolds the rows that change it.
+/// What the muscles are: "ellipsoid", or what it is made into; "mixed" where they differ. The bones are named where all
+/// ride one.
+std::string shapeText(const Subjects& subjects, bool anyRigid) {
+  const bool mixed = subjects.differ([](const Primitive& p) { return p.placement.shape; });
+  const char* shape = mixed ? "mixed" : (subjects.shown().placement.shape.isPlain() ? "ellipsoid" : "shaped");
+  const bool onLines = subjects.differ([](const Primitive& p) { return p.line.empty(); });
+  if (!anyRigid || onLines) return shape;
+  return std::string(shape) + (subjects.several() ? ", each on one bone" : ", on one bone");
+}
+
+/// A click unfolds the rows that change the shape.
 bool foldRow(PanelUi& ui, const Subjects& subjects) {
   bool& open = ui.state.view.inspector.shapeOpen;
-  const bool shaped = subjects.differ([](const Primitive& p) { return p.placement.shape; }) ||
-                      !subjects.shown().placement.shape.isPlain();
-  const bool onLine = !subjects.shown().line.empty();
+  const bool anyRigid = std::ranges::any_of(
+      subjects.indices, [&](int index) { return at(subjects.rig->primitives, index).line.empty(); });
   beginRow(ui, "Shape");
-  const std::string text = std::string(shaped ? "shaped" : "ellipsoid") + (onLine ? "" : ", on one bone");
+  const std::string text = shapeText(subjects, anyRigid);
   if (ImGui::Button(fitted(text, ImGui::GetContentRegionAvail().x - ui.px(12)).c_str(), {-1.0f, 0.0f})) open = !open;
   ui.widgets.note("inspector/shape");
   tooltip(ui, text + "\nShow or hide the numbers that make it differ from an ellipsoid" +
-                  (onLine ? "." : ", and the bone that the other end is attached to."));
+                  (!anyRigid ? "." : ", and the bone that the other end is attached to."));
   return open;
 }
 

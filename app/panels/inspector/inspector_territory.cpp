@@ -92,38 +92,21 @@ void boneRow(PanelUi& ui, const std::string& name, const std::string& shown, int
 }
 
 void addRow(PanelUi& ui, const std::vector<int>& within) {
-  const Skeleton& skeleton = ui.state.character().skeleton;
   ImGui::SetNextItemWidth(-1.0f);
   const bool open = ImGui::BeginCombo("##territory-add", "Add a bone...", ImGuiComboFlags_HeightLarge);
   ui.widgets.note("inspector/territory-add");
   if (!open) return;
-  std::string& filter = ui.state.view.inspector.territoryFilter;
-  if (ImGui::IsWindowAppearing()) {
-    filter.clear();
-    ImGui::SetKeyboardFocusHere();
-  }
-  ImGui::SetNextItemWidth(-1.0f);
-  ImGui::InputTextWithHint("##filter", "Search", &filter);
-  const std::vector<std::string> names = shownFileNames(skeleton);
-  const std::vector<bool> hidden = hiddenBones(ui.state);
-  for (int bone = 0; bone < static_cast<int>(skeleton.bones.size()); ++bone) {
-    if (isHidden(hidden, bone)) continue;
-    if (std::ranges::binary_search(within, bone)) continue;
-    if (!containsText(at(skeleton.bones, bone).name, filter)) continue;
-    const std::string& name = skeleton.fileName(bone);
-    const std::string& label = at(names, bone);
-    const bool chosen = ImGui::Selectable(label.c_str());
-    ui.widgets.note("inspector/territory-add/" + name);
-    if (label != name) tooltip(ui, name);
-    if (chosen) toggleTerritoryBone(ui.state, bone);
-  }
+  const int near = within.empty() ? -1 : within.front();
+  const int bone = boneList(ui, "inspector/territory-add", near, -1,
+                            [&](int candidate) { return !std::ranges::binary_search(within, candidate); });
+  if (bone >= 0) toggleTerritoryBone(ui.state, bone);
   ImGui::EndCombo();
 }
 
 }  // namespace
 
 void drawTerritoryRows(PanelUi& ui, const Subjects& subjects) {
-  section(ui, "Territory");
+  if (!section(ui, "inspector/section/territory", "Territory")) return;
   const Skeleton& skeleton = ui.state.character().skeleton;
   const std::vector<int> within = subjects.bone < 0 ? std::vector<int>{}
                                                     : territoryBones(subjects.shown(), subjects.bone,

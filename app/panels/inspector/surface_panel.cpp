@@ -18,6 +18,7 @@ namespace sinew::app {
 namespace {
 
 constexpr int kDepthOfSlider = 8;
+constexpr const char* kAutoLabel = "Auto";
 constexpr float kIsoRange[] = {0.05f, 0.9f};
 constexpr float kBlendRange[] = {0.5f, 15.0f};  // Per cent of the height.
 
@@ -58,6 +59,12 @@ Word wordFor(ProjectionKind kind) {
   return {"Exact", "Solves for the surface piece by piece (analytic)"};
 }
 
+Word wordFor(DetailKind detail) {
+  if (detail == DetailKind::kAdaptive)
+    return {"Adaptive", "Fine where muscles shape the skin, coarse where it is flat"};
+  return {"Uniform", "Every triangle of the file becomes depth x depth triangles (N-adic)"};
+}
+
 /// A choice among named values. @param apply  (value) -> Result<Rig>
 template <class Kind, std::size_t kCount, class Apply>
 void choiceRow(PanelUi& ui, const char* label, const std::string& id, Kind current,
@@ -78,13 +85,27 @@ void choiceRow(PanelUi& ui, const char* label, const std::string& id, Kind curre
   ImGui::EndCombo();
 }
 
+/// Whether depth or tolerance follow the size on screen.
+template <class Changed>
+void autoBox(PanelUi& ui, const SmoothingSettings& before, const char* hint, Changed changed) {
+  ImGui::SameLine();
+  bool automatic = before.autoDepth;
+  const bool switched = ImGui::Checkbox(kAutoLabel, &automatic);
+  ui.widgets.note("smoothing/auto");
+  tooltip(ui, hint);
+  if (switched) edit(ui.state, "Auto detail", changed([&](SmoothingSettings& s) { s.autoDepth = automatic; }));
+}
+
+float besideAutoBox() {
+  const float box = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(kAutoLabel).x;
+  return ImGui::GetContentRegionAvail().x - box - ImGui::GetStyle().ItemSpacing.x;
+}
+
 /// The slider is shown but not moved while the depth follows the size on screen.
 template <class Changed>
 void depthRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
   beginRow(ui, "Depth");
-  const char* boxLabel = "Auto";
-  const float box = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(boxLabel).x;
-  const float width = ImGui::GetContentRegionAvail().x - box - ImGui::GetStyle().ItemSpacing.x;
+  const float width = besideAutoBox();
   const char* format = before.autoDepth && width > ui.px(64) ? "auto: %.0f" : "%.0f";
   ImGui::SetNextItemWidth(width);
   const int shown = before.autoDepth ? ui.state.live->depth() : before.depth;
@@ -100,12 +121,34 @@ void depthRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
       [](const Rig& rig) { return std::to_string(rig.smoothing.depth); });
   ImGui::EndDisabled();
   tooltip(ui, "How fine the skin is: every triangle of the file becomes depth x depth triangles.");
-  ImGui::SameLine();
-  bool automatic = before.autoDepth;
-  const bool switched = ImGui::Checkbox(boxLabel, &automatic);
-  ui.widgets.note("smoothing/auto");
-  tooltip(ui, "Chooses the depth from the character's size on screen. Exported files use the depth set here.");
-  if (switched) edit(ui.state, "Auto depth", changed([&](SmoothingSettings& s) { s.autoDepth = automatic; }));
+  autoBox(ui, before, "Chooses the depth from the character's size on screen. Exported files use the depth set here.",
+          changed);
+}
+
+/// Of adaptive detail, in per cent of the height.
+template <class Changed>
+void toleranceRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
+  constexpr float kPercent = 100.0f;
+  beginRow(ui, "Tolerance");
+  const float width = besideAutoBox();
+  const char* format = before.autoDepth && width > ui.px(84) ? "auto: %.2f %%" : "%.2f %%";
+  ImGui::SetNextItemWidth(width);
+  float percent = kPercent * (before.autoDepth ? ui.state.live->tolerance() : before.tolerance);
+  NumberLook look{format, 0.0f, kPercent * kLeastTolerance, kPercent * kMostTolerance, 0.01f, false, true};
+  Typing typing;
+  look.typing = &typing;
+  ImGui::BeginDisabled(before.autoDepth);
+  const bool edited = numberSlider(ui, "##tolerance", percent, look);
+  editNumber(
+      ui, "smoothing/tolerance", "Tolerance", edited && !before.autoDepth, typing,
+      [&] { return changed([&](SmoothingSettings& s) { s.tolerance = percent / kPercent; }); },
+      [](const Rig& rig) { return numberText("%.2f %%", kPercent * rig.smoothing.tolerance); });
+  ImGui::EndDisabled();
+  tooltip(ui, "How far triangles may lie off the smooth surface, per cent of the character's height.");
+  autoBox(
+      ui, before,
+      "Chooses the tolerance from the character's size on screen: half a pixel. Exported files use the one set here.",
+      changed);
 }
 
 template <class Changed>
@@ -217,7 +260,11 @@ void drawSmoothingPanel(PanelUi& ui) {
     change(settings);
     return setSmoothing(ui.state.document.rig(), settings);
   };
-  depthRow(ui, before, changed);
+  if (before.detail == DetailKind::kAdaptive) toleranceRow(ui, before, changed);
+  else depthRow(ui, before, changed);
+  choiceRow(ui, "Detail", "smoothing/detail", before.detail, std::array{DetailKind::kAdaptive, DetailKind::kUniform},
+            "How finely the file's triangles are divided.",
+            [&](DetailKind detail) { return changed([&](SmoothingSettings& s) { s.detail = detail; }); });
   choiceRow(ui, "Rounding", "smoothing/patch", before.patch,
             std::array{PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon, PatchKind::kFlat},
             "How the skin curves between the file's vertices (patch).",

@@ -50,7 +50,7 @@ OutlinerContent gather(const EditorState& state) {
   frame.hiddenBones = hiddenBones(state);
   frame.rows = outlinerRows(*frame.rig, skeleton, frame.boneOf,
                             {state.view.outlinerFilter, outliner.onlyWithMuscles, &outliner.folded,
-                             outliner.unattachedFolded, frame.hiddenBones});
+                             outliner.unattachedFolded, outliner.order, frame.hiddenBones});
   return frame;
 }
 
@@ -83,6 +83,15 @@ void drawSearch(PanelUi& ui) {
   ImGui::EndDisabled();
 }
 
+/// What the muscles stand under.
+void drawOrder(PanelUi& ui) {
+  constexpr const char* kWords[] = {"Bones", "Regions", "Groups"};
+  OutlinerOrder& order = ui.state.view.outliner.order;
+  const int chosen =
+      segmented(ui, "outliner/order", kWords, 3, static_cast<int>(order), ImGui::GetContentRegionAvail().x);
+  if (chosen >= 0) order = static_cast<OutlinerOrder>(chosen);
+}
+
 /// Scrolls once to a muscle that has just become the active one.
 void reveal(PanelUi& ui, const OutlinerContent& frame) {
   EditorState& state = ui.state;
@@ -96,6 +105,7 @@ void reveal(PanelUi& ui, const OutlinerContent& frame) {
     const int bone = at(frame.boneOf, index);
     if (bone < 0) state.view.outliner.unattachedFolded = false;
     unfoldTo(state, bone);
+    unfoldParts(state, index);
     // Found with the next frame, unless the search leaves it out.
     if (!state.view.outlinerFilter.empty()) state.open.revealed = active;
     return;
@@ -111,6 +121,7 @@ void reveal(PanelUi& ui, const OutlinerContent& frame) {
 void keyboard(PanelUi& ui, const OutlinerContent& frame) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!ImGui::IsWindowFocused() || io.WantTextInput || io.KeyCtrl || io.KeyAlt || frame.rows.empty()) return;
+  ui.state.frame.arrowsTaken = true;
   if (ImGui::IsKeyPressed(GLFW_KEY_DOWN)) moveCursor(ui.state, frame.rows, 1, io.KeyShift);
   if (ImGui::IsKeyPressed(GLFW_KEY_UP)) moveCursor(ui.state, frame.rows, -1, io.KeyShift);
 }
@@ -156,6 +167,7 @@ void drawFooter(PanelUi& ui, const std::string& text) {
 
 void drawOutliner(PanelUi& ui) {
   drawSearch(ui);
+  drawOrder(ui);
   const std::string away = anythingHidden(ui.state.document) ? hiddenText(ui.state.document) : "";
   const bool footer = anythingHidden(ui.state.document);
   const float below = footer ? ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y : 0.0f;

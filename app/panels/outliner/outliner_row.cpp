@@ -106,12 +106,16 @@ void drawFold(Row& row) {
   ImGui::SetCursorScreenPos({row.indent() - ui.px(2), row.low.y});
   const bool pressed = ImGui::InvisibleButton("fold", {size, row.high.y - row.low.y});
   const bool all = ImGui::GetIO().KeyShift;
-  ui.widgets.note("outliner/fold/" + (row.row.index < 0 ? std::string("unattached") : row.name()));
+  const bool part = row.row.kind == RowKind::kPart;
+  const std::string title = part ? "part/" + row.row.part : std::string("unattached");
+  ui.widgets.note("outliner/fold/" + (row.row.index < 0 ? title : row.name()));
   drawIcon(*ImGui::GetWindowDrawList(), row.row.open ? Icon::kFoldOpen : Icon::kFoldClosed,
            {row.indent() - ui.px(2), row.middle(size)}, size,
            (ImGui::IsItemHovered() ? palette::kText : palette::kMuted).packed());
   if (!pressed) return;
-  if (row.row.index < 0) {
+  if (part) {
+    setPartFolded(ui.state, row.row.part, row.row.open);
+  } else if (row.row.index < 0) {
     ui.state.view.outliner.unattachedFolded = row.row.open;
   } else {
     setFolded(ui.state, row.row.index, row.row.open, all);
@@ -194,6 +198,9 @@ void drawBar(Row& row, bool selected) {
     boneMenu(ui, row.frame, row.row.index);
     if (clicked && !twice) clickBone(ui.state, row.row.index);
     if (twice && row.row.foldable) setFolded(ui.state, row.row.index, row.row.open, false);
+  } else if (row.row.kind == RowKind::kPart) {
+    ui.widgets.note("outliner/part/" + row.row.part);
+    if (clicked) setPartFolded(ui.state, row.row.part, row.row.open);
   } else {
     ui.widgets.note("outliner/unattached");
     tooltip(ui, "Their bones are not in this character. They are kept and saved; drag one onto a bone to attach it.");
@@ -256,9 +263,18 @@ void drawAddCell(Row& row) {
   }
 }
 
+const char* titleOf(const OutlinerRow& row) { return row.kind == RowKind::kPart ? row.part.c_str() : "unattached"; }
+
 void drawUnattachedHead(const Row& row) {
   ImGui::GetWindowDrawList()->AddText({row.indent() + row.ui.px(18), row.middle(ImGui::GetTextLineHeight())},
                                       palette::kWarning.packed(), "Unattached");
+}
+
+void drawPartTitle(const Row& row) {
+  const float from = row.indent() + row.ui.px(18);
+  const bool cut = clippedText(*ImGui::GetWindowDrawList(), {from, row.middle(ImGui::GetTextLineHeight())},
+                               row.high.x - from, palette::kText.faded(0.82f).packed(), row.row.part);
+  tooltipWhile(row.ui, cut && row.hovered, row.row.part);
 }
 
 }  // namespace
@@ -270,7 +286,7 @@ void drawOutlinerRow(PanelUi& ui, const OutlinerContent& frame, int position) {
   Row row{ui, frame, entry, position, low, {low.x + width, low.y + frame.rowHeight}};
   ImGui::PushID(static_cast<int>(entry.kind));
   ImGui::PushID(entry.kind == RowKind::kBone ? row.bone().path.c_str()
-                                             : (row.isMuscle() ? row.primitive().name.c_str() : "unattached"));
+                                             : (row.isMuscle() ? row.primitive().name.c_str() : titleOf(entry)));
   const Selection& selection = ui.state.document.selection;
   const bool selected = row.isMuscle() ? selection.contains(row.primitive().id())
                                        : entry.kind == RowKind::kBone && selection.bone == entry.index;
@@ -281,13 +297,15 @@ void drawOutlinerRow(PanelUi& ui, const OutlinerContent& frame, int position) {
   } else if (entry.kind == RowKind::kBone) {
     drawBone(row);
     drawAddCell(row);
+  } else if (entry.kind == RowKind::kPart) {
+    drawPartTitle(row);
   } else {
     drawUnattachedHead(row);
   }
   drawFold(row);
   if (renamed) {
     drawRename(row);
-  } else if (entry.kind != RowKind::kUnattached) {
+  } else if (entry.kind == RowKind::kMuscle || entry.kind == RowKind::kBone) {
     drawSwitches(row);
   }
   ImGui::PopID();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/actions/export_error.h"
 #include "app/panels/overlay/overlay.h"
 
 namespace sinew::app {
@@ -58,11 +59,36 @@ void drawBar(PanelUi& ui, const ExportStand& stand) {
   ImGui::Dummy({ui.px(kBar), ImGui::GetTextLineHeight()});
 }
 
+/// "fox.glb: largest 6.9 %"
+std::string shortText(const EditorState& state) {
+  const LastExport& last = *state.session.exportError.last;
+  const std::string text = largestErrorText(state);
+  return last.file.filename().string() + ": " + text.substr(0, text.find(" in \""));
+}
+
+/// How far the last export is off; a click shows where.
+void drawLastExport(PanelUi& ui) {
+  if (!hasExportError(ui.state)) return;
+  const std::string text = shortText(ui.state);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool clicked = ImGui::InvisibleButton("##last-export", {widthOf(text), ImGui::GetTextLineHeight()});
+  const bool over = ImGui::IsItemHovered();
+  ui.widgets.note("status/export-error");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const auto color = (over ? palette::kText : palette::kAccent).packed();
+  list.AddText(at, color, text.c_str());
+  const float line = at.y + ImGui::GetTextLineHeight();
+  if (over) list.AddLine({at.x, line}, {at.x + widthOf(text), line}, color);
+  const std::string whole = largestErrorText(ui.state);
+  tooltip(ui, ui.state.session.exportError.last->file.string() + "\n" + whole + "\nClick to see it in the picture.");
+  if (clicked) showLargestError(ui.state);
+}
+
 }  // namespace
 
 float exportStatusWidth(PanelUi& ui) {
   const std::vector<ExportStand> stands = ui.state.session.exports.stands();
-  if (stands.empty()) return 0.0f;
+  if (stands.empty()) return hasExportError(ui.state) ? widthOf(shortText(ui.state)) : 0.0f;
   const Words words = wordsFor(ui, stands);
   const float more = words.more.empty() ? 0.0f : widthOf(words.more) + ui.px(kGap);
   return widthOf(words.name) + ui.px(kBar + kButton + 3.0f * kGap) + shareWidth() + more;
@@ -70,7 +96,7 @@ float exportStatusWidth(PanelUi& ui) {
 
 void drawExportStatus(PanelUi& ui) {
   const std::vector<ExportStand> stands = ui.state.session.exports.stands();
-  if (stands.empty()) return;
+  if (stands.empty()) return drawLastExport(ui);
   ui.wakeIn(kLookSeconds);
   const Words words = wordsFor(ui, stands);
   const std::string hint = hintFor(ui.state, stands);

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <string>
 
 #include "app/panels/overlay/overlay.h"
@@ -10,8 +11,10 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kWidth = 250.0f;  // Design pixels, as all here.
-constexpr float kLeft = 62.0f;    // Beside the tools.
+constexpr float kWidth = 250.0f;   // Design pixels, as all here.
+constexpr float kNarrow = 200.0f;  // Below, the word goes into the slider and the button away.
+constexpr float kNarrowest = 100.0f;
+constexpr float kLeft = 62.0f;  // Beside the tools.
 
 /// While the key is down, and from the menu until it is chosen again.
 void holdFlex(PanelUi& ui, FlexState& flex) {
@@ -22,38 +25,58 @@ void holdFlex(PanelUi& ui, FlexState& flex) {
   flex.latched = false;
 }
 
+std::string flexHint(const PanelUi& ui) {
+  const std::string keys = keyText(action("view/flex"), ui.state);
+  const std::string held = keys.empty() ? "" : "\nHold " + keys + ": fully flexed";
+  return "Flexes muscles that have a line, to see them work. Not saved." + held;
+}
+
+void whoseButton(PanelUi& ui, FlexState& flex, float width) {
+  ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
+  if (ImGui::Button(flex.selectedAlone ? "Selected##flexed" : "All##flexed", {width, 0.0f}))
+    flex.selectedAlone = !flex.selectedAlone;
+  ui.widgets.note("view/flex-whose");
+  tooltip(ui, flex.selectedAlone ? "Flexes the selected muscles alone; all where none of them has a line. Click: all."
+                                 : "Flexes all muscles that have a line. Click: the selected ones alone.");
+}
+
 }  // namespace
 
 void drawFlex(PanelUi& ui) {
   FlexState& flex = ui.state.open.flex;
   const glm::vec4& v = ui.state.frame.viewport;
   if (ui.state.document.rig().lines.empty()) flex = {};
-  if (ui.state.document.rig().lines.empty() || v.z < ui.px(kLeft + kWidth + 12.0f)) return;
+  if (ui.state.document.rig().lines.empty()) return;
   holdFlex(ui, flex);
+  // Beside the numbers if there is room, else under them.
+  const float room = v.z - ui.px(kLeft + 12.0f);
+  const float beside = room - numbersWidth(ui);
+  const bool under = beside < ui.px(kNarrowest);
+  const float width = std::min(ui.px(kWidth), under ? room : beside);
+  if (width < ui.px(kNarrowest)) return;
+  const bool narrow = width < ui.px(kNarrow);
   const float height = ImGui::GetFrameHeight() + ui.px(8);
-  ImGui::SetCursorPos({ui.px(kLeft), ui.px(54)});
+  ImGui::SetCursorPos({ui.px(kLeft), ui.px(under ? 90.0f : 54.0f)});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.88f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(4)});
   ImGui::BeginChild(
-      "flex", {ui.px(kWidth), height}, true,
+      "flex", {width, height}, true,
       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_AlwaysUseWindowPadding);
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Flex");
-  ImGui::SameLine();
+  if (!narrow) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Flex");
+    ImGui::SameLine();
+  }
   float percent = 100.0f * flex.shown();
-  const char* whose = flex.selectedAlone ? "Selected" : "All";
   const float button = ImGui::CalcTextSize("Selected").x + 2.0f * ImGui::GetStyle().FramePadding.x;
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemInnerSpacing.x);
-  const bool edited = numberSlider(ui, "##flex", percent, {"%.0f %%", 0.0f, 0.0f, 100.0f, 10.0f, true});
+  const float whose = narrow ? 0.0f : button + ImGui::GetStyle().ItemInnerSpacing.x;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - whose);
+  const bool edited =
+      numberSlider(ui, "##flex", percent, {narrow ? "Flex %.0f %%" : "%.0f %%", 0.0f, 0.0f, 100.0f, 10.0f, true});
   ui.widgets.note("view/flex-slider");
   if (edited) flex = {percent / 100.0f, flex.selectedAlone};
-  tooltip(ui, "Flexes muscles that have a line, to see them work. Not saved. " + hintOf(ui, action("view/flex")));
-  ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
-  if (ImGui::Button((std::string(whose) + "##flexed").c_str(), {button, 0.0f}))
-    flex.selectedAlone = !flex.selectedAlone;
-  ui.widgets.note("view/flex-whose");
-  tooltip(ui, flex.selectedAlone ? "Flexes the selected muscles alone; all where none of them has a line. Click: all."
-                                 : "Flexes all muscles that have a line. Click: the selected ones alone.");
+  tooltip(ui, flexHint(ui));
+  if (!narrow) whoseButton(ui, flex, button);
   ImGui::EndChild();
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <string>
 
+#include "app/actions/export_error.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/territory.h"
 #include "app/editor/visibility_commands.h"
@@ -41,7 +42,15 @@ float underPlate(PanelUi& ui) { return modeShown(ui.state) ? ImGui::GetFrameHeig
 
 float heatHeight(PanelUi& ui) { return 3.0f * ImGui::GetTextLineHeight() + ui.px(46); }
 float anatomyHeight(PanelUi& ui) { return ImGui::GetFrameHeight() + ImGui::GetTextLineHeight() + ui.px(41); }
-float classesHeight(PanelUi& ui) { return 4.0f * (ImGui::GetTextLineHeight() + ui.px(4)) + ui.px(16); }
+bool showsLevels(PanelUi& ui) {
+  const Refinement* refinement = ui.state.live->surface().refinement.get();
+  return refinement && !refinement->isUniform;
+}
+
+float classesHeight(PanelUi& ui) {
+  const float lines = showsLevels(ui) ? 5.0f : 4.0f;
+  return lines * (ImGui::GetTextLineHeight() + ui.px(4)) + ui.px(16);
+}
 
 /// A panel at the picture's lower left corner, above the line of the mode, drawn by hand.
 Box plate(PanelUi& ui, float width, float height) {
@@ -120,6 +129,28 @@ int countOf(const SmoothingReport& report, TriangleClass kind) {
   return kind == TriangleClass::kStraddling ? report.straddlingTriangles : report.normalTriangles;
 }
 
+/// "Pieces along a side", and a swatch for each level: darker is finer.
+void drawLevels(PanelUi& ui, const Box& box, float y, bool over) {
+  constexpr std::array kLevels{1, 2, 3, 4, 6, 12};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float line = ImGui::GetTextLineHeight() + ui.px(4);
+  const float swatch = ui.px(20);
+  float x = box.high.x - ui.px(12) - swatch * static_cast<float>(kLevels.size());
+  clippedText(list, {box.low.x + ui.px(12), y}, x - box.low.x - ui.px(16), palette::kMuted.packed(), "Split");
+  for (const int level : kLevels) {
+    const glm::vec3 color = srgbFromLinear(levelShade(level) * linearFromSrgb(classColors()[2].srgb));
+    list.AddRectFilled({x, y}, {x + swatch - ui.px(1), y + ImGui::GetTextLineHeight()},
+                       Tint{color.r, color.g, color.b}.packed());
+    const std::string text = std::to_string(level);
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    list.AddText({x + 0.5f * (swatch - width), y}, (level < 4 ? palette::kPanel : palette::kText).packed(),
+                 text.c_str());
+    x += swatch;
+  }
+  tooltipWhile(ui, over && ImGui::IsMouseHoveringRect({box.low.x, y}, {box.high.x, y + line}),
+               "Adaptive detail: about how many pieces a triangle of the file has along a side. Darker is finer.");
+}
+
 void drawClasses(PanelUi& ui) {
   const SmoothingReport& report = ui.state.live->surface().report;
   const float line = ImGui::GetTextLineHeight() + ui.px(4);
@@ -144,6 +175,7 @@ void drawClasses(PanelUi& ui) {
     tooltipWhile(ui, over && ImGui::IsMouseHoveringRect({box.low.x, y}, {box.high.x, y + line}), row.hint);
     y += line;
   }
+  if (showsLevels(ui)) drawLevels(ui, box, y, over);
   ui.widgets.note("legend/classes", {box.low.x, box.low.y, box.high.x - box.low.x, box.high.y - box.low.y});
 }
 
@@ -215,6 +247,7 @@ void drawMode(PanelUi& ui, const std::string& text, const char* button, const ch
 }
 
 float plateHeight(PanelUi& ui) {
+  if (showsExportError(ui.state)) return exportErrorSize(ui).y;
   if (ui.state.view.display.anatomy) return anatomyHeight(ui);
   const Shading shading = ui.state.view.display.shading;
   return shading == Shading::kHeat ? heatHeight(ui) : (shading == Shading::kClasses ? classesHeight(ui) : 0.0f);
@@ -233,7 +266,8 @@ float legendHeight(PanelUi& ui) {
 void drawLegend(PanelUi& ui) {
   EditorState& state = ui.state;
   if (legendHeight(ui) > underPlate(ui)) {
-    if (state.view.display.anatomy) drawAnatomy(ui);
+    if (showsExportError(state)) drawExportError(ui, plate(ui, exportErrorSize(ui).x, exportErrorSize(ui).y).low);
+    else if (state.view.display.anatomy) drawAnatomy(ui);
     else if (state.view.display.shading == Shading::kHeat) drawHeat(ui);
     else if (state.view.display.shading == Shading::kClasses) drawClasses(ui);
   }

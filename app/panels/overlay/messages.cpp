@@ -145,8 +145,12 @@ void drawMessages(PanelUi& ui) {
   } else if (dismissed < messages.size()) {
     messages.erase(messages.begin() + static_cast<std::ptrdiff_t>(dismissed));
   }
+  const bool over = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
   ImGui::EndChild();
   ImGui::PopStyleColor();
+  // They have been seen once work in the picture goes on; the status line still counts them.
+  const bool work = ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2);
+  if (work && !over && ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) ui.state.session.messagesShown = false;
 }
 
 float drawMessageBadge(PanelUi& ui) {

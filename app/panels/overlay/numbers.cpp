@@ -212,6 +212,12 @@ ImVec2 unfoldedRows(PanelUi& ui, const std::vector<Count>& lines) {
 
 }  // namespace
 
+float numbersWidth(const PanelUi& ui) {
+  if (!ui.state.view.layout.overlay) return 0.0f;
+  if (ui.state.view.layout.stages) return ui.px(kWidth + 10.0f);
+  return ui.px((isSmall(ui, ui.state.frame.viewport) ? kHeadWidth : kFoldedWidth) + 10.0f);
+}
+
 void drawNumbers(PanelUi& ui) {
   if (!ui.state.view.layout.overlay) return;
   const auto lines = counts(ui.state.live->surface().report, ui.state.view.display.cullBackFaces);

@@ -1,6 +1,8 @@
 // app/panels/overlay/overlay.h: what is drawn over the picture.
 #pragma once
 
+#include <imgui.h>
+
 #include "app/panels/shared/panel_ui.h"
 
 namespace sinew::app {
@@ -8,11 +10,15 @@ namespace sinew::app {
 void drawToolStrip(PanelUi& ui);
 void drawDisplayBar(PanelUi& ui);
 void drawNumbers(PanelUi& ui);
+/// What they take of the picture's upper right; 0 while they are not shown.
+[[nodiscard]] float numbersWidth(const PanelUi& ui);
 void drawLegend(PanelUi& ui);
 /// Only where muscles have lines.
 void drawFlex(PanelUi& ui);
 /// What is being set, and where its input is now.
 void drawDrivenKey(PanelUi& ui);
+/// What Play > Check muscles found.
+void drawCheckList(PanelUi& ui);
 /// The context menu that a right click asks for.
 void drawViewportMenu(PanelUi& ui);
 void drawMessages(PanelUi& ui);
@@ -23,7 +29,13 @@ void drawToast(PanelUi& ui);
 /// 0 without messages.
 float drawMessageBadge(PanelUi& ui);
 
-/// What is exported in the background, in the status line: file, progress, cancel. 0 wide while there is nothing.
+/// View > Export error: its scale, which mesh is shown, and the way to the largest. @param low  of the plate
+void drawExportError(PanelUi& ui, const ImVec2& low);
+/// Of the plate.
+[[nodiscard]] ImVec2 exportErrorSize(PanelUi& ui);
+
+/// What is exported in the background, in the status line: file, progress, cancel; afterwards the largest distance of
+/// the last export, which a click shows. 0 wide while there is nothing.
 [[nodiscard]] float exportStatusWidth(PanelUi& ui);
 /// At the cursor.
 void drawExportStatus(PanelUi& ui);

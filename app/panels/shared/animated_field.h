@@ -37,7 +37,7 @@ void popAnimatedColors(PanelUi& ui, const AnimatedLook& look);
 /// Right after the item: remembers the number under the pointer, for the key that keys it.
 void notePointed(PanelUi& ui, const AnimatedField& field);
 
-/// Rows of a menu that is open: key, drive, set driven key. Begins with a separator.
+/// Rows of a menu that is open: key, drive, set driven key.
 void animationMenu(PanelUi& ui, const AnimatedField& field);
 
 /// In the place of the field while driven keys are set: edits are points at where the input is now. The width is the

@@ -222,7 +222,6 @@ void keyRows(PanelUi& ui, const AnimatedField& field) {
 void animationMenu(PanelUi& ui, const AnimatedField& field) {
   if (field.refs.empty()) return;
   EditorState& state = ui.state;
-  ImGui::Separator();
   keyRows(ui, field);
   ImGui::Separator();
   if (beginSubmenu(ui, "Drive by", "drive")) {

@@ -26,6 +26,7 @@ namespace {
 constexpr float kClipWidth = 180.0f;  // Design pixels.
 constexpr float kClipNarrowest = 96.0f;
 constexpr float kSpeedWidth = 84.0f;
+constexpr float kLowest = 60.0f;  // Controls and track.
 
 /// As the list shows it.
 std::string clipName(const std::vector<std::string>& shown, int clip) {
@@ -192,9 +193,7 @@ void drawParts(PanelUi& ui, std::vector<Part> parts) {
   }
 }
 
-}  // namespace
-
-void drawTimeline(PanelUi& ui) {
+void drawControls(PanelUi& ui) {
   const double duration = clipDuration(ui.state.open.transport, ui.state.character());
   const std::vector<Part> parts = partsOf(ui);
   std::vector<float> widths;
@@ -218,10 +217,22 @@ void drawTimeline(PanelUi& ui) {
   } else {
     timeReadout(ui, duration, room - used);
   }
-  const float rows = ui.px(keyRowsHeight(ui.state));
+}
+
+}  // namespace
+
+void drawTimeline(PanelUi& ui) {
+  // Rows of keys come and go above the rest, so that nothing moves away under the pointer.
+  const float wished = ui.px(keyRowsHeight(ui.state));
+  const float rows = std::max(0.0f, std::min(wished, ImGui::GetContentRegionAvail().y - ui.px(kLowest)));
+  const ImVec2 top = ImGui::GetCursorScreenPos();
   const float gutter = keyRowsGutter(ui);
-  const TrackSpan span = drawTimelineTrack(ui, gutter, rows);
-  if (rows > 0.0f) drawKeyRows(ui, span, gutter);
+  ImGui::SetCursorScreenPos({top.x, top.y + rows});
+  drawControls(ui);
+  const TrackSpan span = drawTimelineTrack(ui, gutter);
+  if (rows <= 0.0f) return;
+  ImGui::SetCursorScreenPos(top);
+  drawKeyRows(ui, span, gutter, rows);
 }
 
 }  // namespace sinew::app

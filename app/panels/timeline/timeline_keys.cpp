@@ -1,4 +1,4 @@
-// app/panels/timeline/timeline_keys.cpp: rows of keys below the track, for keyed numbers and channels.
+// app/panels/timeline/timeline_keys.cpp: rows of keys above the track, for keyed numbers and channels.
 
 #include "app/panels/timeline/timeline_keys.h"
 
@@ -226,12 +226,13 @@ float keyRowsGutter(const PanelUi& ui) {
   return room && !keyRows(ui.state).empty() ? ui.px(kGutter) : 0.0f;
 }
 
-void drawKeyRows(PanelUi& ui, const TrackSpan& span, float gutter) {
-  const std::vector<KeyRow> rows = keyRows(ui.state);
+void drawKeyRows(PanelUi& ui, const TrackSpan& span, float gutter, float height) {
+  std::vector<KeyRow> rows = keyRows(ui.state);
   if (rows.empty()) return;
-  const ImVec2 room = ImGui::GetContentRegionAvail();
+  std::ranges::reverse(rows);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
-  ImGui::BeginChild("keys", {room.x, std::max(room.y, ui.px(kRow))}, false, ImGuiWindowFlags_NoBackground);
+  ImGui::BeginChild("keys", {ImGui::GetContentRegionAvail().x, height - ui.px(kGap)}, false,
+                    ImGuiWindowFlags_NoBackground);
   ImGui::PopStyleVar();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -1,4 +1,4 @@
-// app/panels/timeline/timeline_keys.h: rows of keys below the track, for keyed numbers and channels.
+// app/panels/timeline/timeline_keys.h: rows of keys above the track, for keyed numbers and channels.
 #pragma once
 
 #include "app/panels/timeline/timeline_track.h"
@@ -9,7 +9,7 @@ namespace sinew::app {
 [[nodiscard]] float keyRowsHeight(const EditorState& state);
 /// Window coordinates: the names at the left; 0 without rows, or where there is no room for them.
 [[nodiscard]] float keyRowsGutter(const PanelUi& ui);
-/// Below the track, to the end of the region.
-void drawKeyRows(PanelUi& ui, const TrackSpan& span, float gutter);
+/// Above clip and track, from the lowest row up: a new row leaves those below it where they are.
+void drawKeyRows(PanelUi& ui, const TrackSpan& span, float gutter, float height);
 
 }  // namespace sinew::app

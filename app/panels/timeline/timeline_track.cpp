@@ -251,11 +251,11 @@ double TrackSpan::timeAt(float x) const {
   return std::clamp(shown.from + static_cast<double>(x - left) / perSecond(), 0.0, duration);
 }
 
-TrackSpan drawTimelineTrack(PanelUi& ui, float gutter, float below) {
+TrackSpan drawTimelineTrack(PanelUi& ui, float gutter) {
   const double duration = clipDuration(ui.state.open.transport, ui.state.character());
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const float height = std::max(room.y - below, ui.px(26));
+  const float height = std::max(room.y, ui.px(26));
   refresh(ui.state, duration);
   const Track track(ui, {corner.x + gutter, corner.y}, {corner.x + room.x, corner.y + height}, duration,
                     ui.state.open.timeline.shown);
@@ -274,7 +274,6 @@ TrackSpan drawTimelineTrack(PanelUi& ui, float gutter, float below) {
   scrubArea(track);
   drawPlayhead(track);
   track.list.PopClipRect();
-  if (below > 0.0f) ImGui::SetCursorScreenPos({corner.x, corner.y + height});
   return track;
 }
 

@@ -21,8 +21,8 @@ struct TrackSpan {
 };
 
 /// Fills the rest of the region. Nothing to drag without a clip that lasts.
-/// @param gutter, below  window coordinates that are left free at its left and under it
-TrackSpan drawTimelineTrack(PanelUi& ui, float gutter = 0.0f, float below = 0.0f);
+/// @param gutter  window coordinates that are left free at its left
+TrackSpan drawTimelineTrack(PanelUi& ui, float gutter = 0.0f);
 
 /// Frames between labels, so that labels are at least `leastPixels` apart: 1, 2, 5, 10, 15, 30, 60 ...
 [[nodiscard]] int tickStep(double pixelsPerFrame, double leastPixels);

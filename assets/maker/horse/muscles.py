@@ -72,4 +72,4 @@ def under_the_skin():
 
 
 def rig():
-    return rig_text("horse.glb", "swell", 3, GROUPS, LINKS, under_the_skin())
+    return rig_text("horse.glb", "swell", 3, GROUPS, LINKS, under_the_skin(), adaptive=True)

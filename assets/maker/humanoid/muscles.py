@@ -59,6 +59,7 @@ _OWN_SKIN = {"biceps": ["upper_arm.L"], "forearm": ["forearm.L"], "hamstrings": 
 REACH = 1.42
 SURFACE = {"mode": "swell", "iso": 0.25, "skin_blend": 0.026}
 SMOOTHING = {"depth": 3, "patch": "pn", "projection": "newton"}
+ADAPTIVE = {**SMOOTHING, "detail": "adaptive"}
 
 
 def _off(place, x, y, z):
@@ -93,12 +94,12 @@ def flex_rig(mesh):
     lines = [side for row in _LINES for side in laid.line_pair(*row, ORIGIN)]
     spanning = {line["name"] for line in lines}
     rows = [{**row, "line": row["name"]} if row["name"] in spanning else row for row in _swell_rows(mesh, _ON_LINE)]
-    return laid.rig_text("humanoid.glb", SURFACE, SMOOTHING, GROUPS, LINKS, rows, lines)
+    return laid.rig_text("humanoid.glb", SURFACE, ADAPTIVE, GROUPS, LINKS, rows, lines)
 
 
 def swell_rig(mesh):
     """humanoid.rig.json: muscles under the skin."""
-    return laid.rig_text("humanoid.glb", SURFACE, SMOOTHING, GROUPS, LINKS, _swell_rows(mesh, {}))
+    return laid.rig_text("humanoid.glb", SURFACE, ADAPTIVE, GROUPS, LINKS, _swell_rows(mesh, {}))
 
 
 def _swell_rows(mesh, instead):

@@ -12,10 +12,15 @@ constexpr unsigned kDroppedBits = 13;
 
 }  // namespace
 
-void ErrorMeter::add(double distance) {
+void ErrorMeter::add(double distance, int vertex) {
   const double percent = distance * scale_;
   squares_ += percent * percent;
-  largest_ = std::max(largest_, percent);
+  if (percent > largest_ || farthest_.vertex < 0) {
+    largest_ = percent;
+    farthestClip_ = clip_;
+    farthest_.time = time_;
+    farthest_.vertex = vertex;
+  }
   ++count_;
   ++counts_[std::bit_cast<std::uint32_t>(static_cast<float>(percent)) >> kDroppedBits];
 }
@@ -26,6 +31,7 @@ ErrorFigures ErrorMeter::figures() const {
   if (count_ == 0) return figures;
   figures.rms = std::sqrt(squares_ / static_cast<double>(count_));
   figures.largest = largest_;
+  figures.farthest = farthest_;
   std::uint64_t above = count_ / 1000;
   std::size_t slot = counts_.size() - 1;
   while (counts_[slot] <= above) above -= counts_[slot--];

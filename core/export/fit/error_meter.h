@@ -15,9 +15,17 @@ class ErrorMeter {
   /// @param height  H: distances are given in percent of it
   explicit ErrorMeter(double height) : scale_(100.0 / height), counts_(kClasses, 0) {}
 
-  void add(double distance);
-  /// The poses that the distances are of; only counted.
-  void addPose() { ++poses_; }
+  /// @param vertex  whose distance it is
+  void add(double distance, int vertex);
+  /// The distances that follow are of this pose.
+  void addPose(int clip, float time) {
+    ++poses_;
+    clip_ = clip;
+    time_ = time;
+  }
+  /// Index of the clip of the largest distance; -1: none.
+  [[nodiscard]] int farthestClip() const { return farthestClip_; }
+  /// `farthest` without the names of clip and bone.
   [[nodiscard]] ErrorFigures figures() const;
 
  private:
@@ -28,6 +36,10 @@ class ErrorMeter {
   double largest_ = 0.0;
   std::uint64_t count_ = 0;
   int poses_ = 0;
+  int clip_ = -1;  ///< Of the pose at hand.
+  float time_ = 0.0f;
+  int farthestClip_ = -1;
+  ErrorPlace farthest_;
   std::vector<std::uint64_t> counts_;
 };
 

@@ -47,11 +47,11 @@ FourWeights fourLargest(std::vector<Share> shares) {
 
 std::vector<std::vector<Share>> interpolatedWeights(const ControlMesh& mesh, const Refinement& refinement) {
   std::vector<std::vector<Share>> shares(toIndex(refinement.vertexCount));
-  const double n = refinement.depth;
   for (int v = 0; v < refinement.controlVertices; ++v) addVertex(mesh, v, 1.0, at(shares, v));
   for (int e = 0; e < refinement.controlEdges; ++e) {
     const auto& ends = at(mesh.edges, e).vertices;
-    for (int step = 1; step <= refinement.edgeVertices; ++step) {
+    const double n = refinement.edgeLevel(e);
+    for (int step = 1; step <= refinement.edgeVertices(e); ++step) {
       std::vector<Share>& own = at(shares, refinement.edgeVertex(e, step));
       addVertex(mesh, ends[0], 1.0 - step / n, own);
       addVertex(mesh, ends[1], step / n, own);
@@ -59,12 +59,12 @@ std::vector<std::vector<Share>> interpolatedWeights(const ControlMesh& mesh, con
   }
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
     const auto& corners = at(mesh.triangles, t).vertices;
-    for (int i = 0; i < refinement.interiorVertices; ++i) {
-      const auto& [j, k] = at(refinement.interior, i);
-      std::vector<Share>& own = at(shares, refinement.interiorVertex(t, i));
-      addVertex(mesh, corners[0], (refinement.depth - j - k) / n, own);
-      addVertex(mesh, corners[1], j / n, own);
-      addVertex(mesh, corners[2], k / n, own);
+    for (int v = at(refinement.insideBegin, t); v < at(refinement.insideBegin, t + 1); ++v) {
+      const glm::dvec2& place = refinement.insideAt(v);
+      std::vector<Share>& own = at(shares, v);
+      addVertex(mesh, corners[0], 1.0 - place.x - place.y, own);
+      addVertex(mesh, corners[1], place.x, own);
+      addVertex(mesh, corners[2], place.y, own);
     }
   }
   return shares;

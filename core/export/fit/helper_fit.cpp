@@ -280,6 +280,7 @@ class HelperFit {
       const glm::dvec3 now = skinPoint(matrices_[f], weights_[v], glm::dvec3(point));
       const glm::dvec3 off = glm::dvec3(task_.poses[f].live[v]) - now;
       for (std::size_t h = 0; h < helpers; ++h) {
+        if (dropped_[h]) continue;
         const glm::dvec3 way = glm::dvec3(matrices_[f][toIndex(first_) + h] * point) - now;
         toward[v * helpers + h] += glm::dot(off, way);
         length[v * helpers + h] += glm::dot(way, way);

@@ -2,14 +2,14 @@
 #include "core/export/fit/joint_fit.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "core/base/at.h"
+#include "core/base/parallel.h"
 #include "core/export/fit/candidates.h"
-#include "core/export/fit/error_meter.h"
-#include "core/export/fit/helper_fit.h"
 #include "core/export/fit/weight_fit.h"
 
 namespace sinew::exporting {
@@ -21,24 +21,32 @@ constexpr double kShareOfFurther = 0.25;
 constexpr double kNearEnough = 1e-5;
 /// Rounds of moving one helper after the other in a pose.
 constexpr int kRoundsInPose = 6;
+/// Vertices that joints are fitted to; of more, so many stand for all.
+constexpr std::size_t kMostFitted = 8'000;
 /// Points of live surfaces that are held at once: 240 MB.
 constexpr std::size_t kMostFitPoints = 20'000'000;
 /// Poses of the range of motion that helpers are fitted beside.
 constexpr std::size_t kMostFurtherPoses = 100;
+/// Poses of clips that all vertices are weighed in where joints were fitted to some.
+constexpr std::size_t kMostWeighed = 150;
+/// Vertices that are worth a thread.
+constexpr std::size_t kLeastRange = 1024;
 
 /// What share of the work each stage is, about.
 struct StageShares {
   double gathering = 0.2;
   double solving = 0.5;
   double helping = 0.0;
+  double weighing = 0.0;  ///< Poses, and once more so much: weights.
   double measuring = 0.3;
 };
 
-StageShares sharesOf(ExportJoints joints) {
-  return joints == ExportJoints::kOwn ? StageShares{} : StageShares{0.04, 0.1, 0.76, 0.1};
+StageShares sharesOf(ExportJoints joints, bool isWhole) {
+  if (joints == ExportJoints::kOwn) return isWhole ? StageShares{} : StageShares{0.2, 0.05, 0.0, 0.2, 0.35};
+  return isWhole ? StageShares{0.08, 0.1, 0.72, 0.0, 0.1} : StageShares{0.15, 0.02, 0.28, 0.15, 0.25};
 }
 
-bool isFitted(PoseUse use) { return use == PoseUse::kFitted; }
+bool isFitted(const ExportPose& pose) { return pose.use == PoseUse::kFitted; }
 
 }  // namespace
 
@@ -64,8 +72,11 @@ Result<void> JointFit::findWeights() {
   if (settings_.weights == ExportWeights::kTransferred && settings_.joints == ExportJoints::kOwn) return {};
   auto candidates = weightCandidates(*character_, rig_, refinement, shares);
   if (!candidates) return candidates.error();
-  refit(std::move(candidates).value());
-  if (settings_.joints == ExportJoints::kHelpers) addHelpers(fitPoses());
+  fitSample(candidates.value());
+  if (sample_.isWhole()) weights_ = sampleWeights_;
+  // Helpers are found on the sample alone; without them all that a vertex may follow is known.
+  else if (settings_.joints == ExportJoints::kOwn) weighAll(std::move(candidates).value());
+  else weighAll(candidatesNear(sample_, sampleWeights_, weights_));
   return {};
 }
 
@@ -87,78 +98,83 @@ void JointFit::layLines() {
   lines_ = LineJoints(rig_, *character_, settings_.jointScale, moments);
 }
 
-/// Smooths the poses that are meant and calls use(pose, moment) after each, the live surface and the matrices of
-/// bindings and lines' joints at hand.
-template <class Means, class Use>
-void JointFit::forEachPose(Means means, Use use) {
-  std::vector<const ExportPose*> meant;
+/// Whether a pose is among those that are fitted, of too many every second, third ...: asked of each in order.
+/// @param mostOwn  of clips; of the range of motion no more than kMostFurtherPoses
+std::function<bool(const ExportPose&)> JointFit::someFitted(std::size_t mostOwn) const {
+  std::array<std::size_t, 2> count{};
   for (const ExportPose& pose : poses_) {
-    if (means(pose.use)) meant.push_back(&pose);
+    if (isFitted(pose)) ++count[isOwn(pose) ? 0 : 1];
   }
-  const auto momentOf = [&](std::size_t i) {
-    return samplePose(character_->skeleton, at(moving_.clips, meant[i]->clip), meant[i]->time);
+  const std::array most{mostOwn, std::min(kMostFurtherPoses, mostOwn)};
+  std::array<std::size_t, 2> step{};
+  for (const std::size_t kind : {0U, 1U}) step[kind] = (count[kind] + most[kind] - 1) / most[kind];
+  return [this, step, seen = std::array<std::size_t, 2>{}](const ExportPose& pose) mutable {
+    const std::size_t kind = isOwn(pose) ? 0 : 1;
+    return isFitted(pose) && seen[kind]++ % step[kind] == 0;
   };
-  surfaces_.forEach(meant.size(), momentOf, [&](std::size_t i, const Pose& moment, const Surface& live) {
-    progress_.tell(static_cast<double>(i) / static_cast<double>(meant.size()));
-    live_ = &live;
-    bindingMatrices(character_->skeleton, moment, matrices_);
-    lines_.pose(moment, lineLocals_);
-    for (std::size_t j = 0; j < lineLocals_.size(); ++j) {
-      matrices_.push_back(helperMatrix(lines_.joints()[j], moment, lineLocals_[j]));
-    }
-    use(*meant[i], moment);
-  });
 }
 
-void JointFit::refit(std::vector<std::vector<int>> candidates) {
-  candidates.resize(count_);
-  WeightFit fit(restOfFit(), std::move(candidates), weights_);
-  progress_.begin(sharesOf(settings_.joints).gathering);
-  forEachPose(isFitted,
-              [&](const ExportPose& pose, const Pose&) { fit.add(matrices_, live_->positions, !isOwn(pose)); });
-  progress_.begin(sharesOf(settings_.joints).solving);
-  weights_ =
-      fit.solve(trianglesOfFit(), furtherShare(), kNearEnough * static_cast<double>(character_->height), progress_);
-}
-
-/// Fitted poses, of too many as many as may be held.
-std::vector<FitPose> JointFit::fitPoses() {
-  std::size_t own = 0;
-  std::size_t further = 0;
-  for (const ExportPose& pose : poses_) {
-    if (isFitted(pose.use)) ++(isOwn(pose) ? own : further);
+/// Joints, and weights of the sample.
+void JointFit::fitSample(const std::vector<std::vector<int>>& candidates) {
+  sample_ = sampleVertices(restOfAll(), trianglesOfFit(), kMostFitted);
+  std::vector<std::vector<int>> own;
+  for (const int v : sample_.vertices) {
+    own.push_back(at(candidates, v));
+    sampleRest_.push_back(at(bind_.positions, v));
+    sampleWeights_.push_back(at(weights_, v));
   }
-  const std::size_t mostOwn = std::max<std::size_t>(kMostFitPoints / count_, 1);
-  const std::size_t mostFurther = std::min(kMostFurtherPoses, mostOwn);
-  const std::size_t ownStep = (own + mostOwn - 1) / mostOwn;
-  const std::size_t furtherStep = (further + mostFurther - 1) / mostFurther;
-  std::size_t ownSeen = 0;
-  std::size_t furtherSeen = 0;
+  const bool helps = settings_.joints == ExportJoints::kHelpers;
+  const StageShares shares = sharesOf(settings_.joints, sample_.isWhole());
+  const std::size_t most = std::max<std::size_t>(kMostFitPoints / std::max<std::size_t>(count_, 1), 1);
+  auto isHeld = someFitted(sample_.isWhole() ? most : kMostFitPoints / sample_.vertices.size());
   std::vector<FitPose> poses;
-  forEachPose(isFitted, [&](const ExportPose& pose, const Pose& moment) {
-    const bool taken = isOwn(pose) ? ownSeen++ % ownStep == 0 : furtherSeen++ % furtherStep == 0;
-    if (!taken) return;
-    const auto end = live_->positions.begin() + static_cast<std::ptrdiff_t>(count_);
-    poses.push_back({moment, matrices_, {live_->positions.begin(), end}, !isOwn(pose)});
-  });
-  return poses;
+  WeightFit fit(sampleRest_, std::move(own), sampleWeights_);
+  progress_.begin(shares.gathering);
+  const auto add = [&](const ExportPose& pose, const Pose& moment) {
+    fit.add(matrices_, sampleLive_, !isOwn(pose));
+    if (helps && (!sample_.isWhole() || isHeld(pose))) poses.push_back({moment, matrices_, sampleLive_, !isOwn(pose)});
+  };
+  if (sample_.isWhole()) forEachPose(isFitted, add);
+  else forEachPose(isHeld, add);
+  progress_.begin(shares.solving);
+  const double near = kNearEnough * static_cast<double>(character_->height);
+  sampleWeights_ = fit.solve(sample_.triangles, furtherShare(), near, progress_);
+  if (helps) addHelpers(poses);
 }
 
 void JointFit::addHelpers(const std::vector<FitPose>& poses) {
-  const std::vector<glm::vec3> rest = restOfFit();
-  const std::vector<std::array<int, 3>> triangles = trianglesOfFit();
   const HelperTask task{character_->skeleton,
-                        rest,
-                        triangles,
+                        sampleRest_,
+                        sample_.triangles,
                         poses,
                         lines_.joints(),
                         furtherShare(),
                         static_cast<double>(character_->height)};
-  progress_.begin(sharesOf(settings_.joints).helping);
-  HelperResult result = fitHelpers(task, std::move(weights_), settings_.helpers, progress_);
-  weights_ = std::move(result.weights);
+  progress_.begin(sharesOf(settings_.joints, sample_.isWhole()).helping);
+  HelperResult result = fitHelpers(task, std::move(sampleWeights_), settings_.helpers, progress_);
+  sampleWeights_ = std::move(result.weights);
   rigid_ = std::move(result.helpers);
   lines_.keep(result.keptLines);
+}
+
+/// Every vertex follows the best of its candidates, in the poses that the keys will have.
+void JointFit::weighAll(std::vector<std::vector<int>> candidates) {
+  const StageShares shares = sharesOf(settings_.joints, false);
+  WeightFit fit(restOfAll(), std::move(candidates), weights_);
+  const HelperMotion motion(character_->skeleton, sampleRest_, sampleWeights_, rigid_, firstRigid());
+  progress_.begin(shares.weighing);
+  // Without helpers weights must not be worse than those of the file, in any of the poses.
+  const auto isMeant = settings_.joints == ExportJoints::kOwn ? std::function<bool(const ExportPose&)>(isFitted)
+                                                              : someFitted(kMostWeighed);
+  forEachPose(isMeant, [&](const ExportPose& pose, const Pose& moment) {
+    moveHelpers(moment, isOwn(pose), motion);
+    fit.add(matrices_, live_->positions, !isOwn(pose));
+  });
+  progress_.begin(shares.weighing);
+  const double near = kNearEnough * static_cast<double>(character_->height);
+  weights_ = fit.solve(trianglesOfFit(), furtherShare(), near, progress_);
+  for (std::size_t i = 0; i < sample_.vertices.size(); ++i) sampleWeights_[i] = at(weights_, sample_.vertices[i]);
+  rigidLocals_.clear();
 }
 
 /// Moves the rigid helpers as the live surface asks for, where the pose has keys, and leaves them at rest elsewhere.
@@ -167,58 +183,10 @@ void JointFit::moveHelpers(const Pose& moment, bool isKeyed, const HelperMotion&
     rigidLocals_.clear();
     for (const HelperJoint& joint : rigid_) rigidLocals_.push_back(joint.rest);
   }
-  if (isKeyed) motion.solve(moment, matrices_, live_->positions, kRoundsInPose, rigidLocals_);
+  if (isKeyed) motion.solve(moment, matrices_, sampleLive_, kRoundsInPose, rigidLocals_);
   for (std::size_t j = 0; j < rigid_.size(); ++j) {
     matrices_.push_back(helperMatrix(rigid_[j], moment, rigidLocals_[j]));
   }
-}
-
-void JointFit::keep(const ExportPose& pose) {
-  const std::string& name = at(moving_.clips, pose.clip).name;
-  if (pose.time == 0.0f) {
-    helperClips_.push_back({name, {}, {}});
-    helperClips_.back().locals.resize(lines_.joints().size() + rigid_.size());
-  }
-  HelperClip& clip = helperClips_.back();
-  clip.times.push_back(pose.time);
-  std::size_t joint = 0;
-  for (const Trs& local : lineLocals_) clip.locals[joint++].push_back(local);
-  for (const Trs& local : rigidLocals_) clip.locals[joint++].push_back(local);
-}
-
-void JointFit::measure(SkinnedExportReport& report) {
-  const auto height = static_cast<double>(character_->height);
-  std::vector<ErrorMeter> meters(moving_.clips.size(), ErrorMeter(height));
-  ErrorMeter fitted(height);
-  ErrorMeter heldOut(height);
-  ErrorMeter all(height);
-  const std::vector<glm::vec3> rest = restOfFit();
-  const HelperMotion motion(character_->skeleton, rest, weights_, rigid_, firstRigid());
-  progress_.begin(sharesOf(settings_.joints).measuring);
-  forEachPose([](PoseUse) { return true; },
-              [&](const ExportPose& pose, const Pose& moment) {
-                moveHelpers(moment, isOwn(pose), motion);
-                if (isOwn(pose)) keep(pose);
-                std::vector<ErrorMeter*> meant{&at(meters, pose.clip)};
-                if (isOwn(pose)) meant.push_back(&all);
-                if (pose.use == PoseUse::kFitted) meant.push_back(&fitted);
-                if (pose.use == PoseUse::kHeldOut) meant.push_back(&heldOut);
-                for (ErrorMeter* meter : meant) meter->addPose();
-                for (std::size_t v = 0; v < count_; ++v) {
-                  const glm::dvec3 exported = skinPoint(matrices_, weights_[v], glm::dvec3(bind_.positions[v]));
-                  const double distance = glm::length(exported - glm::dvec3(live_->positions[v]));
-                  for (ErrorMeter* meter : meant) meter->add(distance);
-                }
-              });
-  for (const int clip : clips_) report.clips.push_back({at(moving_.clips, clip).name, at(meters, clip).figures()});
-  for (std::size_t clip = character_->clips.size(); clip < moving_.clips.size(); ++clip) {
-    report.further.push_back({moving_.clips[clip].name, meters[clip].figures()});
-  }
-  report.allClips = all.figures();
-  report.fitted = fitted.figures();
-  report.heldOut = heldOut.figures();
-  report.lineJoints = static_cast<int>(lines_.joints().size());
-  report.rigidHelpers = static_cast<int>(rigid_.size());
 }
 
 std::vector<HelperJoint> JointFit::helpers() const {
@@ -229,13 +197,15 @@ std::vector<HelperJoint> JointFit::helpers() const {
 
 bool JointFit::isOwn(const ExportPose& pose) const { return toIndex(pose.clip) < character_->clips.size(); }
 
+double JointFit::measuringShare() const { return sharesOf(settings_.joints, sample_.isWhole()).measuring; }
+
 int JointFit::firstRigid() const {
   return static_cast<int>(character_->skeleton.bindings.size() + lines_.joints().size());
 }
 
 /// What a further pose counts, where a pose of a clip that is exported counts 1.
 double JointFit::furtherShare() const {
-  const auto fitted = [](const ExportPose& pose) { return isFitted(pose.use); };
+  const auto fitted = [](const ExportPose& pose) { return isFitted(pose); };
   const auto all = std::ranges::count_if(poses_, fitted);
   const auto own = std::ranges::count_if(poses_, [&](const ExportPose& pose) { return fitted(pose) && isOwn(pose); });
   if (own == 0 || own == all) return 1.0;
@@ -249,7 +219,7 @@ std::vector<std::array<int, 3>> JointFit::trianglesOfFit() const {
   return triangles;
 }
 
-std::vector<glm::vec3> JointFit::restOfFit() const {
+std::vector<glm::vec3> JointFit::restOfAll() const {
   return {bind_.positions.begin(), bind_.positions.begin() + static_cast<std::ptrdiff_t>(count_)};
 }
 

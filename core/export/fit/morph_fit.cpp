@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "core/base/at.h"
+#include "core/base/parallel.h"
 #include "core/export/fit/error_meter.h"
 
 namespace sinew::exporting {
@@ -17,6 +18,7 @@ namespace {
 constexpr double kSingular = 0.01;
 /// ... by this, of the mean square of its singular values.
 constexpr double kDamping = 1e-4;
+constexpr std::size_t kLeastRange = 1024;  ///< Vertices that are worth a thread.
 
 /// What displacement a blend B makes `way` of: B^-1 way, damped where B is nearly singular.
 glm::dvec3 beforeSkinning(const glm::dmat3& blend, const glm::dvec3& way) {
@@ -45,25 +47,28 @@ MorphFit::MorphFit(std::vector<MorphVertex> vertices, std::vector<glm::dmat3> me
 
 void MorphFit::add(std::vector<glm::dmat4> matrices, std::span<const glm::vec3> live) {
   Frame frame{std::move(matrices), {}, {}};
-  frame.live.reserve(vertices_.size());
-  frame.wanted.reserve(3 * vertices_.size());
-  for (const MorphVertex& vertex : vertices_) {
+  frame.live.resize(vertices_.size());
+  frame.wanted.resize(3 * vertices_.size());
+  forEachIndex(vertices_.size(), kLeastRange, [&](std::size_t v) {
+    const MorphVertex& vertex = vertices_[v];
     const glm::vec3& place = live[toIndex(vertex.refined)];
     const glm::dvec3 way = glm::dvec3(place) - skinPoint(frame.matrices, vertex.weights, vertex.rest);
     const glm::dvec3 wanted = beforeSkinning(blendedMatrix(frame.matrices, vertex.weights), way);
-    frame.live.push_back(place);
-    for (int axis = 0; axis < 3; ++axis) frame.wanted.push_back(static_cast<float>(wanted[axis]));
-  }
+    frame.live[v] = place;
+    for (int axis = 0; axis < 3; ++axis) frame.wanted[3 * v + toIndex(axis)] = static_cast<float>(wanted[axis]);
+  });
   frames_.push_back(std::move(frame));
 }
 
 ErrorFigures MorphFit::skinnedFigures() const {
   ErrorMeter meter(height_);
-  for (const Frame& frame : frames_) {
-    meter.addPose();
+  for (std::size_t f = 0; f < frames_.size(); ++f) {
+    const Frame& frame = frames_[f];
+    meter.addPose(0, static_cast<float>(f));
     for (std::size_t v = 0; v < vertices_.size(); ++v) {
       const MorphVertex& vertex = vertices_[v];
-      meter.add(glm::distance(skinPoint(frame.matrices, vertex.weights, vertex.rest), glm::dvec3(frame.live[v])));
+      meter.add(glm::distance(skinPoint(frame.matrices, vertex.weights, vertex.rest), glm::dvec3(frame.live[v])),
+                vertex.refined);
     }
   }
   return meter.figures();

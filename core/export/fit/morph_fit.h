@@ -27,7 +27,7 @@ struct MorphTargets {
   std::vector<float> weights;                  ///< [frames * count] 0..1.
   std::vector<double> shares;                  ///< [count * frames] what each frame adds to a target: least squares.
   std::vector<std::vector<glm::vec3>> deltas;  ///< [count][vertices] in their mesh spaces; many are 0.
-  ErrorFigures figures;                        ///< All vertices in all frames, by these numbers.
+  ErrorFigures figures;                        ///< All vertices in all frames, by these numbers; a time is a frame.
 };
 
 /// Blended 3 x 3 matrix of a vertex: bind pose -> pose.

@@ -1,5 +1,6 @@
 // core/export/fit/morph_search.cpp: principal components over time, and how few of them are enough.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -10,6 +11,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/base/at.h"
+#include "core/base/parallel.h"
 #include "core/export/fit/error_meter.h"
 #include "core/export/fit/morph_fit.h"
 
@@ -29,6 +31,8 @@ constexpr double kLeastShare = 0.05;
 /// Shares of the bound: entries below it are dropped; the largest that the bound allows.
 constexpr double kSparsest = 0.25;
 constexpr double kDensest = 1.0 / 256.0;
+/// Vertices that a thread takes at a time.
+constexpr std::size_t kBlock = 2048;
 /// Rows that the Gram matrix takes at a time.
 constexpr Eigen::Index kRows = 768;
 
@@ -168,9 +172,14 @@ class MorphSearch {
     const double low = over.minCoeff();
     const double range = std::max(over.maxCoeff() - low, std::numeric_limits<double>::min());
     weights = ((over.array() - low) / range).matrix().cast<float>();
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(rows());
-    for (Eigen::Index f = 0; f < frameCount(); ++f) sum += range * over[f] * wanted(f).cast<double>();
-    deltas = sum.cast<float>();
+    forEachBlock([&](std::size_t begin, std::size_t end) {
+      const auto row = static_cast<Eigen::Index>(3 * begin);
+      Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(3 * (end - begin)));
+      for (Eigen::Index f = 0; f < frameCount(); ++f) {
+        sum += range * over[f] * wanted(f).segment(row, sum.size()).cast<double>();
+      }
+      deltas.segment(row, sum.size()) = sum.cast<float>();
+    });
     return static_cast<float>(low / range);
   }
 
@@ -181,56 +190,82 @@ class MorphSearch {
 
   /// To what a reader makes of the target in its mesh spaces.
   void round(Eigen::Ref<Eigen::VectorXf> target, double drop) const {
-    for (std::size_t v = 0; v < fit_.vertices_.size(); ++v) {
+    forEachIndex(fit_.vertices_.size(), kBlock, [&](std::size_t v) {
       float* delta = target.data() + 3 * v;
       const glm::vec3 written = inMesh(v, delta);
       const glm::dvec3 read = at(fit_.meshToBind_, fit_.vertices_[v].space) * glm::dvec3(written);
       const bool isDropped = glm::length(read) < drop;
       for (int axis = 0; axis < 3; ++axis) delta[axis] = isDropped ? 0.0f : static_cast<float>(read[axis]);
-    }
+    });
   }
 
-  /// Calls use(vertex, distance) for all vertices of a frame until it returns false; whether it never did.
+  /// Calls use(vertex, distance) for vertices of a frame until it returns false; whether it never did.
   template <class Use>
-  bool forEachDistance(const ShapesView& shapes, std::size_t frame, Use use) const {
+  bool forEachDistance(const ShapesView& shapes, std::size_t frame, std::size_t begin, std::size_t end, Use use) const {
     const MorphFit::Frame& at = fit_.frames_[frame];
-    Eigen::VectorXf moved = Eigen::VectorXf::Zero(rows());
+    const auto firstRow = static_cast<Eigen::Index>(3 * begin);
+    Eigen::VectorXf moved = Eigen::VectorXf::Zero(static_cast<Eigen::Index>(3 * (end - begin)));
     if (shapes.weights.cols() > 0) {
-      moved.noalias() = shapes.deltas * shapes.weights.row(static_cast<Eigen::Index>(frame)).transpose();
+      moved.noalias() = shapes.deltas.middleRows(firstRow, moved.size()) *
+                        shapes.weights.row(static_cast<Eigen::Index>(frame)).transpose();
     }
-    for (std::size_t v = 0; v < fit_.vertices_.size(); ++v) {
+    for (std::size_t v = begin; v < end; ++v) {
       const MorphVertex& vertex = fit_.vertices_[v];
-      const float* delta = moved.data() + 3 * v;
+      const float* delta = moved.data() + 3 * (v - begin);
       const glm::dvec3 point = vertex.rest + glm::dvec3(glm::vec3(delta[0], delta[1], delta[2]));
       if (!use(v, glm::distance(skinPoint(at.matrices, vertex.weights, point), glm::dvec3(at.live[v])))) return false;
     }
     return true;
   }
 
+  /// Calls use(begin, end) for blocks of vertices, whose shapes stay in the cache from frame to frame.
+  template <class Use>
+  void forEachBlock(Use use) const {
+    const std::size_t count = fit_.vertices_.size();
+    forEachIndex((count + kBlock - 1) / kBlock, 1,
+                 [&](std::size_t block) { use(block * kBlock, std::min(count, (block + 1) * kBlock)); });
+  }
+
+  /// How many of the frames after `worst_`, which is the first, are near enough in a row, of so many.
+  [[nodiscard]] std::size_t framesWithin(const ShapesView& shapes, std::size_t frames) const {
+    std::atomic<std::size_t> within = frames;
+    forEachBlock([&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = 0; i < within; ++i) {
+        const std::size_t frame = (worst_ + i) % fit_.frames_.size();
+        const auto isNear = [&](std::size_t, double distance) { return distance <= bound_; };
+        if (forEachDistance(shapes, frame, begin, end, isNear)) continue;
+        std::size_t now = within;
+        while (i < now && !within.compare_exchange_weak(now, i)) {
+        }
+        return;
+      }
+    });
+    return within;
+  }
+
   /// The frame that was too far off last is looked at first: most of what does not do is refused by one frame.
   [[nodiscard]] bool isWithin(const ShapesView& shapes) {
     progress_.tell(part_);
     const std::size_t frames = fit_.frames_.size();
-    for (std::size_t i = 0; i < frames; ++i) {
-      const std::size_t frame = (worst_ + i) % frames;
-      if (!forEachDistance(shapes, frame, [&](std::size_t, double distance) { return distance <= bound_; })) {
-        worst_ = frame;
-        return false;
-      }
-    }
-    return true;
+    if (framesWithin(shapes, std::min<std::size_t>(frames, 1)) == 0) return frames == 0;
+    const std::size_t within = framesWithin(shapes, frames);
+    if (within == frames) return true;
+    worst_ = (worst_ + within) % frames;
+    return false;
   }
 
   /// Lawson's way from least squares to the least maximum.
   void countFarOnesMore(const ShapesView& shapes) {
     Eigen::VectorXd farthest = Eigen::VectorXd::Zero(vertexCount());
-    for (std::size_t frame = 0; frame < fit_.frames_.size(); ++frame) {
-      forEachDistance(shapes, frame, [&](std::size_t v, double distance) {
-        double& own = farthest[static_cast<Eigen::Index>(v)];
-        own = std::max(own, distance);
-        return true;
-      });
-    }
+    forEachBlock([&](std::size_t begin, std::size_t end) {
+      for (std::size_t frame = 0; frame < fit_.frames_.size(); ++frame) {
+        forEachDistance(shapes, frame, begin, end, [&](std::size_t v, double distance) {
+          double& own = farthest[static_cast<Eigen::Index>(v)];
+          own = std::max(own, distance);
+          return true;
+        });
+      }
+    });
     squares_ = squares_.cwiseProduct((farthest / bound_).cwiseMax(kLeastShare));
     squares_ *= static_cast<double>(vertexCount()) / squares_.sum();
   }
@@ -255,12 +290,16 @@ class MorphSearch {
     MorphTargets result;
     result.count = static_cast<int>(shapes.targets());
     ErrorMeter meter(fit_.height_);
+    std::vector<double> distances(fit_.vertices_.size());
     for (std::size_t frame = 0; frame < fit_.frames_.size(); ++frame) {
-      meter.addPose();
-      forEachDistance(shapes, frame, [&](std::size_t, double distance) {
-        meter.add(distance);
-        return true;
+      meter.addPose(0, static_cast<float>(frame));
+      forEachBlock([&](std::size_t begin, std::size_t end) {
+        forEachDistance(shapes, frame, begin, end, [&](std::size_t v, double distance) {
+          distances[v] = distance;
+          return true;
+        });
       });
+      for (std::size_t v = 0; v < distances.size(); ++v) meter.add(distances[v], fit_.vertices_[v].refined);
     }
     result.figures = meter.figures();
     if (result.count == 0) return result;

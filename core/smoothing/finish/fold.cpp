@@ -9,17 +9,6 @@ namespace {
 /// Ratio of a patch triangle's front to its front in the bind pose, from which on its area is trusted fully.
 constexpr float kWholeFront = 0.05f;
 
-float frontOf(const std::array<int, 3>& t, const glm::vec3& face, std::span<const glm::vec3> positions,
-              std::span<const glm::vec3> normals) {
-  const auto a = static_cast<std::size_t>(t[0]);
-  const auto b = static_cast<std::size_t>(t[1]);
-  const auto c = static_cast<std::size_t>(t[2]);
-  const glm::vec3 u = positions[b] - positions[a];
-  const glm::vec3 v = positions[c] - positions[a];
-  const float edges = glm::dot(u, u) + glm::dot(v, v) + glm::dot(v - u, v - u);
-  return edges > 0.0f ? glm::dot(face, normals[a] + normals[b] + normals[c]) / (3.0f * edges) : 0.0f;
-}
-
 }  // namespace
 
 std::vector<float> triangleFronts(const Refinement& refinement, std::span<const glm::vec3> positions,
@@ -27,7 +16,7 @@ std::vector<float> triangleFronts(const Refinement& refinement, std::span<const 
   std::vector<float> fronts;
   fronts.reserve(refinement.triangles.size());
   for (const std::array<int, 3>& t : refinement.triangles) {
-    fronts.push_back(frontOf(t, faceOf(t, positions), positions, normals));
+    fronts.push_back(frontOf(t, faceOf(t, positions), {positions, normals, {}}).ratio());
   }
   return fronts;
 }
@@ -35,7 +24,7 @@ std::vector<float> triangleFronts(const Refinement& refinement, std::span<const 
 float trustIn(const Refinement& refinement, std::size_t triangle, const PatchView& patch, const glm::vec3& face) {
   const float bindFront = patch.bindFronts[triangle];
   if (!(bindFront > 0.0f)) return 0.0f;
-  const float front = frontOf(refinement.triangles[triangle], face, patch.positions, patch.normals);
+  const float front = frontOf(refinement.triangles[triangle], face, patch).ratio();
   return smoothstep(0.0f, kWholeFront, front / bindFront);
 }
 

@@ -39,6 +39,23 @@ struct Fold {
   return glm::cross(at(positions, t[1]) - a, at(positions, t[2]) - a);
 }
 
+/// How much a triangle of the patch faces along its normals, as triangleFronts() has it.
+struct Front {
+  float along = 0.0f;  ///< Twice the area, along the sum of the three normals.
+  float edges = 0.0f;  ///< Three times the sum of the squared edges.
+
+  [[nodiscard]] float ratio() const { return edges > 0.0f ? along / edges : 0.0f; }
+};
+
+/// @param face  of the triangle in the patch.
+[[nodiscard]] inline Front frontOf(const std::array<int, 3>& t, const glm::vec3& face, const PatchView& patch) {
+  const glm::vec3& a = at(patch.positions, t[0]);
+  const glm::vec3 u = at(patch.positions, t[1]) - a;
+  const glm::vec3 v = at(patch.positions, t[2]) - a;
+  const glm::vec3 normals = at(patch.normals, t[0]) + at(patch.normals, t[1]) + at(patch.normals, t[2]);
+  return {glm::dot(face, normals), 3.0f * (glm::dot(u, u) + glm::dot(v, v) + glm::dot(v - u, v - u))};
+}
+
 /// How far q can be trusted. @param face  of the triangle in the patch.
 [[nodiscard]] float trustIn(const Refinement& refinement, std::size_t triangle, const PatchView& patch,
                             const glm::vec3& face);

@@ -24,7 +24,7 @@ void FoldRegion::find(const ControlMesh& mesh, const Refinement& refinement, con
   const std::size_t count =
       foldKernel(chosenVectorSet())({moved.refined, refinement.triangles.data(), pairs.data(), least, shrunk_.data()});
   for (const int i : std::span(shrunk_).first(count)) {
-    if (at(isFolding_, i / perTriangle()) != 0) continue;
+    if (at(isFolding_, at(refinement.controlOf, i)) != 0) continue;
     FoldTriangle triangle = triangleOf(i);
     if (foldOf(triangle, positions, least).weight != 0.0f) add(triangle);
   }
@@ -38,7 +38,7 @@ FoldTriangle FoldRegion::triangleOf(int index) const {
 }
 
 void FoldRegion::add(const FoldTriangle& folding) {
-  const int control = folding.index / perTriangle();
+  const int control = at(refinement_->controlOf, folding.index);
   std::uint8_t& isFolding = at(isFolding_, control);
   if (isFolding != 0) return;
   isFolding = 1;
@@ -53,7 +53,9 @@ void FoldRegion::grow() {
   for (const int t : control_) {
     if (at(first_, t) >= 0 || std::ranges::none_of(at(mesh_->triangles, t).vertices, isNear)) continue;
     at(first_, t) = static_cast<int>(triangles_.size());
-    for (int i = t * perTriangle(); i < (t + 1) * perTriangle(); ++i) triangles_.push_back(triangleOf(i));
+    for (int i = at(refinement_->triangleBegin, t); i < at(refinement_->triangleBegin, t + 1); ++i) {
+      triangles_.push_back(triangleOf(i));
+    }
   }
 }
 

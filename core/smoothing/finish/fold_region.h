@@ -44,7 +44,8 @@ class FoldRegion {
     for (const int v : vertices) {
       for (const int corner : rings_->cornersOf(v)) {
         const int i = corner / 3;
-        FoldTriangle& triangle = at(triangles_, at(first_, i / perTriangle()) + i % perTriangle());
+        const int control = at(refinement_->controlOf, i);
+        FoldTriangle& triangle = at(triangles_, at(first_, control) + i - at(refinement_->triangleBegin, control));
         const bool comesBefore = std::ranges::any_of(triangle.corners, [&](int c) { return c < v && isOne(c); });
         if (!comesBefore) visit(triangle);
       }
@@ -66,7 +67,6 @@ class FoldRegion {
   void grow();
 
  private:
-  [[nodiscard]] int perTriangle() const { return refinement_->depth * refinement_->depth; }
   [[nodiscard]] FoldTriangle triangleOf(int index) const;
 
   const ControlMesh* mesh_ = nullptr;

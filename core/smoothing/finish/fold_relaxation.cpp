@@ -8,7 +8,8 @@
 namespace sinew {
 namespace {
 
-constexpr int kRounds = 16;
+constexpr int kRounds = 6;
+constexpr float kStep = 0.2f;   ///< Of the way to the mean, per round. Whole steps swing, and amplify what is small.
 constexpr float kFade = 0.25f;  ///< Change of a weight per round: weights that came and went would swing.
 
 /// How much a lifted triangle asks for, 0..1: all of it from q = 0 on.
@@ -76,7 +77,7 @@ void FoldRelaxation::apply(const VertexRings& rings, std::span<const std::uint8_
     findMeans(rings, positions);
     for (std::size_t i = 0; i < folding_.size(); ++i) {
       const auto v = toIndex(folding_[i]);
-      moves.move(folding_[i], positions[v] + weights_[v] * (means_[i] - positions[v]), patch, positions);
+      moves.move(folding_[i], positions[v] + kStep * weights_[v] * (means_[i] - positions[v]), patch, positions);
     }
     // Elsewhere nothing has changed, and only corners that cannot move could be asked again.
     region.forEachAt(folding_, hasMoved, ask);
@@ -93,7 +94,7 @@ std::vector<std::uint8_t> borderVertices(const ControlMesh& mesh, const Refineme
     const Edge& edge = at(mesh.edges, e);
     if (edge.triangleCount > 1) continue;
     for (const int end : edge.vertices) at(out, end) = 1;
-    for (int step = 1; step < refinement.depth; ++step) {
+    for (int step = 1; step <= refinement.edgeVertices(e); ++step) {
       at(out, refinement.edgeVertex(e, step)) = 1;
     }
   }

@@ -12,9 +12,9 @@ namespace sinew {
 
 /// Smooths lifted skin where refined triangles fold over.
 ///
-/// The corners of a triangle with q below 0.4 (fold.h) are moved towards the mean of their neighbors, by all of the
-/// way from q = 0 on, weighted by how far q can be trusted: neighbors come back into their order, and the skin stays
-/// on the muscle. A weight that is no longer asked for falls by 1/4 a round. Up to 16 rounds, each of which reads the
+/// The corners of a triangle with q below 0.4 (fold.h) are moved towards the mean of their neighbors, by a fifth of the
+/// way from q = 0 on, weighted by how far q can be trusted: neighbors come back towards their order, and the skin stays
+/// on the muscle. A weight that is no longer asked for falls by 1/4 a round. Up to 6 rounds, each of which reads the
 /// one before alone: the order of triangles does not matter. Vertices that have not moved stay, as do borders, and the
 /// result is continuous in time.
 class FoldRelaxation {

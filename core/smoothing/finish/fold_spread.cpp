@@ -7,7 +7,7 @@
 namespace sinew {
 namespace {
 
-constexpr int kRounds = 24;
+constexpr int kRounds = 32;
 constexpr float kLeastArea = 0.3f;   ///< q below which a triangle asks.
 constexpr float kWholeLack = 0.1f;   ///< Lack of q from which on it asks with its whole weight.
 constexpr float kRelaxation = 1.5f;  ///< Factor on the mean move; above 1: converges faster.

@@ -12,40 +12,11 @@ namespace {
 
 constexpr float kBentFrom = 0.15f;  ///< c up to which the mesh follows the heights.
 constexpr float kBentWhole = 0.5f;  ///< c from which the filter works whole.
+constexpr float kRisen = 0.1f;      ///< Height, in edges, from which a vertex passes its weight on whole.
 constexpr float kStep = 0.5f;       ///< Fraction of the way to the mean, per round.
 constexpr int kRounds = 4;
 
-std::size_t sixes(std::span<const int> ring) { return ring.size() / VertexRings::kMultiple; }
-
-float differenceOf(std::span<const int> ring, const SixEdges* edges, std::span<const float> values, float own) {
-  float difference = 0.0f;
-  for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple, ++edges) {
-    for (std::size_t k = 0; k < VertexRings::kMultiple; ++k) {
-      difference += edges->perLength[SixEdges::kAt[k]] * (at(values, ring[i + k]) - own);
-    }
-  }
-  return difference;
-}
-
 }  // namespace
-
-void LiftFilter::sumEdges(const VertexRings& rings, const MovedTriangles& moved, std::span<const glm::vec3> patch,
-                          std::span<const glm::vec3> positions, std::span<const float> heights) {
-  moved_.clear();
-  places_.resize(patch.size());
-  std::size_t count = 0;
-  for (const int vertex : moved.near) {
-    const glm::vec3& p = at(patch, vertex);
-    const float height = at(heights, vertex);
-    at(places_, vertex).of = {p.x, p.y, p.z, height};
-    if (height == 0.0f || at(positions, vertex) == p) continue;
-    moved_.push_back(vertex);
-    count += sixes(rings.at(vertex));
-  }
-  if (edges_.size() < count) edges_.resize(count);
-  sums_.resize(moved_.size());
-  liftKernel(chosenVectorSet())({&rings, moved_, places_.data(), edges_.data(), sums_.data()});
-}
 
 void LiftFilter::raise(int vertex, float weight) {
   float& now = at(weights_, vertex);
@@ -53,38 +24,45 @@ void LiftFilter::raise(int vertex, float weight) {
   now = std::max(now, weight);
 }
 
-bool LiftFilter::weigh(const VertexRings& rings) {
+bool LiftFilter::weigh(const LiftEdges& edges, std::size_t vertices) {
   for (const int vertex : weighted_) {
     if (toIndex(vertex) < weights_.size()) at(weights_, vertex) = 0.0f;
   }
   weighted_.clear();
-  weights_.resize(places_.size());
-  for (std::size_t i = 0; i < moved_.size(); ++i) {
+  weights_.resize(vertices);
+  for (std::size_t i = 0; i < edges.lifted().size(); ++i) {
+    const int vertex = edges.lifted()[i].vertex;
     // (M - 1) s = difference / perLength; the mean length is the number of neighbors over that.
-    const float bent = std::abs(sums_[i].difference) * at(rings.share, moved_[i]);
+    const float bent = std::abs(edges.sums()[i].difference) * at(edges.rings().share, vertex);
     if (bent <= kBentFrom) continue;
     const float weight = smoothstep(kBentFrom, kBentWhole, bent);
-    raise(moved_[i], weight);
-    for (const int neighbor : rings.at(moved_[i])) raise(neighbor, weight);
+    raise(vertex, weight);
+    // Else a vertex that begins to move beside high ones would lower them at once.
+    const float rise = std::abs(edges.height(vertex)) * edges.sums()[i].perLength * at(edges.rings().share, vertex);
+    const float passed = weight * smoothstep(0.0f, kRisen, rise);
+    if (passed == 0.0f) continue;
+    for (const int neighbor : edges.around(vertex)) raise(neighbor, passed);
   }
   return !weighted_.empty();
 }
 
-void LiftFilter::findActive(const VertexRings& rings) {
+void LiftFilter::findActive(const LiftEdges& edges) {
   active_.clear();
-  const SixEdges* edges = edges_.data();
-  for (std::size_t i = 0; i < moved_.size(); ++i) {
-    if (at(weights_, moved_[i]) > 0.0f && sums_[i].perLength > 0.0f) active_.push_back({moved_[i], edges, sums_[i]});
-    edges += sixes(rings.at(moved_[i]));
+  for (std::size_t i = 0; i < edges.lifted().size(); ++i) {
+    const auto [vertex, firstEdges] = edges.lifted()[i];
+    const LiftSums& sums = edges.sums()[i];
+    if (!(at(weights_, vertex) > 0.0f && sums.perLength > 0.0f) || edges.height(vertex) == 0.0f) continue;
+    active_.push_back({vertex, edges.edges() + firstEdges, sums});
   }
 }
 
-void LiftFilter::evenOut(const VertexRings& rings, std::span<const float> heights) {
+void LiftFilter::evenOut(const LiftEdges& edges, std::span<const float> heights) {
   filtered_.assign(heights.begin(), heights.end());
   for (int round = 0; round < kRounds; ++round) {
     if (round > 0) {
       for (Active& a : active_) {
-        a.sums.difference = differenceOf(rings.at(a.vertex), a.edges, filtered_, at(filtered_, a.vertex));
+        a.sums.difference = differenceOf(edges.around(a.vertex), a.edges, at(filtered_, a.vertex),
+                                         [&](int v) { return at(filtered_, v); });
       }
     }
     for (const Active& a : active_) {
@@ -100,13 +78,11 @@ void LiftFilter::evenOut(const VertexRings& rings, std::span<const float> height
 /// 1/length: that mean leaves heights alone that grow evenly. The sums over the edges decide where the filter works and
 /// serve its first round; the other rounds visit only vertices with a weight, usually few. A round reads only the
 /// heights of the one before, so that the order of vertices does not matter. docs/design.md, Sampling.
-std::span<const float> LiftFilter::apply(const VertexRings& rings, const MovedTriangles& moved,
-                                         std::span<const glm::vec3> patch, std::span<glm::vec3> positions,
-                                         std::span<float> heights) {
-  sumEdges(rings, moved, patch, positions, heights);
-  if (!weigh(rings)) return {};
-  findActive(rings);
-  evenOut(rings, heights);
+std::span<const float> LiftFilter::apply(const LiftEdges& edges, std::span<const glm::vec3> patch,
+                                         std::span<glm::vec3> positions, std::span<float> heights) {
+  if (!weigh(edges, heights.size())) return {};
+  findActive(edges);
+  evenOut(edges, heights);
   for (const Active& a : active_) {
     const auto v = toIndex(a.vertex);
     positions[v] = patch[v] + (filtered_[v] / heights[v]) * (positions[v] - patch[v]);

@@ -4,9 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/smoothing/finish/lift_kernel.h"
-#include "core/smoothing/finish/moved_triangles.h"
-#include "core/smoothing/finish/vertex_rings.h"
+#include "core/smoothing/finish/lift_edges.h"
 
 namespace sinew {
 
@@ -15,17 +13,18 @@ namespace sinew {
 /// A rim that is narrower than an edge is sampled high at one vertex and low at the next one, as the triangulation has
 /// it: saw teeth. With M the mean over a vertex's neighbors, weighted by 1/length (0 for heights that grow evenly,
 /// whatever the lengths), c = |(M - 1) s| over the edges' length says how far the mesh is from following s. The filter
-/// is s += w (M - 1) s / 2, four times, w from 0 at c = 0.15 to 1 at 0.5, and at least that of each neighbor.
+/// is s += w (M - 1) s / 2, four times, w from 0 at c = 0.15 to 1 at 0.5, and at least that of each neighbor that has
+/// itself risen.
 ///
 /// Heights keep their sign and never grow, so that a vertex that has not moved stays, and grooves between muscles stay
 /// deep. Continuous in time and independent of the order of triangles.
 class LiftFilter {
  public:
-  /// @param moved  of these positions.  @param patch [V'] world.  @param positions [V'] world, in and out.
+  /// @param edges  of these heights.  @param patch [V'] world.  @param positions [V'] world, in and out.
   /// @param heights [V'] signed, world units, in and out: how far each vertex has moved.
   /// @return [V'] w; empty if it is 0 everywhere. Valid until the next call.
-  std::span<const float> apply(const VertexRings& rings, const MovedTriangles& moved, std::span<const glm::vec3> patch,
-                               std::span<glm::vec3> positions, std::span<float> heights);
+  std::span<const float> apply(const LiftEdges& edges, std::span<const glm::vec3> patch, std::span<glm::vec3> positions,
+                               std::span<float> heights);
 
  private:
   /// A vertex with a height and w > 0.
@@ -34,17 +33,11 @@ class LiftFilter {
     const SixEdges* edges = nullptr;
     LiftSums sums{};
   };
-  void sumEdges(const VertexRings& rings, const MovedTriangles& moved, std::span<const glm::vec3> patch,
-                std::span<const glm::vec3> positions, std::span<const float> heights);
-  [[nodiscard]] bool weigh(const VertexRings& rings);
+  [[nodiscard]] bool weigh(const LiftEdges& edges, std::size_t vertices);
   void raise(int vertex, float weight);
-  void findActive(const VertexRings& rings);
-  void evenOut(const VertexRings& rings, std::span<const float> heights);
+  void findActive(const LiftEdges& edges);
+  void evenOut(const LiftEdges& edges, std::span<const float> heights);
 
-  std::vector<int> moved_;         ///< Vertices with a height.
-  std::vector<LiftPlace> places_;  ///< [V'] of moved vertices and their neighbors.
-  std::vector<SixEdges> edges_;
-  std::vector<LiftSums> sums_;  ///< [moved_]
   std::vector<float> weights_;  ///< [V'] w.
   std::vector<int> weighted_;   ///< Vertices with w > 0.
   std::vector<Active> active_;

@@ -18,6 +18,7 @@ using Pair = Blocks<2>;
 void sumEdges(const LiftInputs& inputs) {
   const Pair zero = Pair::all(0.0f);
   const Pair one = Pair::all(1.0f);
+  const Pair slope = Pair::all(inputs.slope);
   SixEdges* edges = inputs.edges;
   LiftSums* out = inputs.sums;
   for (const int vertex : inputs.moved) {
@@ -25,6 +26,7 @@ void sumEdges(const LiftInputs& inputs) {
     const Pair own = Pair::join(place(vertex), place(vertex));
     Pair lengths = zero;
     Pair differences = zero;
+    Pair steep = zero;
     const std::span<const int> ring = inputs.rings->at(vertex);
     for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
       const auto two = [&](std::size_t k)
@@ -34,14 +36,18 @@ void sumEdges(const LiftInputs& inputs) {
       const Pair c = two(4);
       const Pair squared = sums(xyzAndW(a * a, zero), xyzAndW(b * b, zero), xyzAndW(c * c, zero), zero);
       const Pair heights = sums(xyzAndW(zero, a), xyzAndW(zero, b), xyzAndW(zero, c), zero);
-      const Pair perLength = wherePositive(squared, one / root(squared));
+      const Pair length = root(squared);
+      const Pair perLength = wherePositive(squared, one / length);
+      steep = max(steep, magnitude(heights) - slope * length);
       perLength.store(edges++->perLength.data());
       lengths = lengths + perLength;
       differences = differences + perLength * heights;
     }
     const Blocks<1> both =
         sums(lower(differences) + upper(differences), lower(lengths) + upper(lengths), lower(zero), lower(zero));
-    *out++ = {first(both), first(spread<1>(both))};
+    const Blocks<1> steepest = max(lower(steep), upper(steep));
+    const Blocks<1> most = max(steepest, max(yzxw(steepest), zxyw(steepest)));  // The fourth is 0.
+    *out++ = {first(both), first(spread<1>(both)), first(most)};
   }
 }
 

@@ -25,11 +25,14 @@ struct alignas(32) SixEdges {
 struct LiftSums {
   float difference = 0.0f;  ///< Sum of height differences per length.
   float perLength = 0.0f;
+  float steep =
+      0.0f;  ///< Most by which a height differs from a neighbor's beyond the slope times the edge; at least 0.
 };
 
 struct LiftInputs {
   const VertexRings* rings = nullptr;
   std::span<const int> moved;
+  float slope = 0.0f;
   const LiftPlace* places = nullptr;  ///< [V'] read at moved vertices and their neighbors.
   SixEdges* edges = nullptr;          ///< Out: of the rings of all moved vertices, in order.
   LiftSums* sums = nullptr;           ///< Out: [moved]

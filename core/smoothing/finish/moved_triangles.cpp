@@ -53,8 +53,8 @@ void MovedTriangles::findControl(const ControlMesh& mesh, const Refinement& refi
     return std::ranges::find(run, 1) != run.end();
   };
   isMovedEdge_.assign(mesh.edges.size(), 0);
-  for (int e = 0; e < static_cast<int>(mesh.edges.size()) && refinement.edgeVertices > 0; ++e) {
-    at(isMovedEdge_, e) = anyMoved(refinement.edgeVertex(e, 1), refinement.edgeVertices) ? 1 : 0;
+  for (int e = 0; e < refinement.controlEdges; ++e) {
+    at(isMovedEdge_, e) = anyMoved(refinement.edgeVertex(e, 1), refinement.edgeVertices(e)) ? 1 : 0;
   }
   control.clear();
   isEnd_.assign(mesh.positions.size(), 0);
@@ -62,7 +62,7 @@ void MovedTriangles::findControl(const ControlMesh& mesh, const Refinement& refi
     const ControlTriangle& triangle = at(mesh.triangles, t);
     const bool holdsMoved = std::ranges::any_of(triangle.vertices, [&](int v) { return at(isMoved_, v) != 0; }) ||
                             std::ranges::any_of(triangle.edges, [&](int e) { return at(isMovedEdge_, e) != 0; }) ||
-                            anyMoved(refinement.interiorVertex(t, 0), refinement.interiorVertices);
+                            anyMoved(at(refinement.insideBegin, t), refinement.insideVertices(t));
     if (!holdsMoved) continue;
     control.push_back(t);
     for (const int v : triangle.vertices) at(isEnd_, v) = 1;
@@ -70,13 +70,12 @@ void MovedTriangles::findControl(const ControlMesh& mesh, const Refinement& refi
 }
 
 void MovedTriangles::findRefined(const ControlMesh& mesh, const Refinement& refinement) {
-  const int perTriangle = refinement.depth * refinement.depth;
   refined.resize(refinement.triangles.size());
   std::size_t count = 0;
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
     const auto& ends = at(mesh.triangles, t).vertices;
     if (std::ranges::none_of(ends, [&](int v) { return at(isEnd_, v) != 0; })) continue;
-    for (int i = t * perTriangle; i < (t + 1) * perTriangle; ++i) {
+    for (int i = at(refinement.triangleBegin, t); i < at(refinement.triangleBegin, t + 1); ++i) {
       const std::array<int, 3>& small = at(refinement.triangles, i);
       refined[count] = i;
       count += at(isNear, small[0]) | at(isNear, small[1]) | at(isNear, small[2]);

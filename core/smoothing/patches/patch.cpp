@@ -24,23 +24,22 @@ void interpolateDirections(const ControlMesh& mesh, const Refinement& refinement
 
 void interpolateValues(const ControlMesh& mesh, const Refinement& refinement, std::span<const float> control,
                        std::span<float> out) {
-  const float n = static_cast<float>(refinement.depth);
   std::ranges::copy(control, out.begin());
-  for (int e = 0; e < refinement.controlEdges && refinement.edgeVertices > 0; ++e) {
+  for (const int e : refinement.edgeOrder) {
     const auto& ends = at(mesh.edges, e).vertices;
-    for (int step = 1; step < refinement.depth; ++step) {
-      const float w = static_cast<float>(step) / n;
+    const auto level = static_cast<float>(refinement.edgeLevel(e));
+    for (int step = 1; step <= refinement.edgeVertices(e); ++step) {
+      const float w = static_cast<float>(step) / level;
       at(out, refinement.edgeVertex(e, step)) = (1.0f - w) * at(control, ends[0]) + w * at(control, ends[1]);
     }
   }
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& corners = mesh.triangles[t].vertices;
-    for (int i = 0; i < refinement.interiorVertices; ++i) {
-      const auto& [j, k] = at(refinement.interior, i);
-      const float w = static_cast<float>(j) / n;
-      const float u = static_cast<float>(k) / n;
-      at(out, refinement.interiorVertex(static_cast<int>(t), i)) =
-          (1.0f - w - u) * at(control, corners[0]) + w * at(control, corners[1]) + u * at(control, corners[2]);
+  for (const int t : refinement.insideOrder) {
+    const auto& corners = at(mesh.triangles, t).vertices;
+    for (int v = at(refinement.insideBegin, t); v < at(refinement.insideBegin, t + 1); ++v) {
+      const glm::dvec2& place = refinement.insideAt(v);
+      const auto w = static_cast<float>(place.x);
+      const auto u = static_cast<float>(place.y);
+      at(out, v) = (1.0f - w - u) * at(control, corners[0]) + w * at(control, corners[1]) + u * at(control, corners[2]);
     }
   }
 }

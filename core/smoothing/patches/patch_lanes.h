@@ -18,17 +18,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Barycentric, the same in every lane; an edge's third is 0.
+/// Barycentric; an edge's third is 0.
 struct Weights {
-  float u;
-  float v;
-  float s;
-
-  /// The corner with the largest; the first of equal ones.
-  [[nodiscard]] std::size_t heaviest() const {
-    if (u >= v && u >= s) return 0;
-    return v >= s ? 1 : 2;
-  }
+  V u;
+  V v;
+  V s;
 };
 
 /// Numbers of one corner after the other.
@@ -52,14 +46,23 @@ struct Point {
 
 template <std::size_t kCorners>
 HWY_INLINE V3 weightedSum(const Corners<kCorners>& corners, const Weights& w) {
-  V3 sum = V3{zero(), zero(), zero()} + all(w.u) * corners.of[0] + all(w.v) * corners.of[1];
-  if constexpr (kCorners == 3) sum = sum + all(w.s) * corners.of[2];
+  V3 sum = V3{zero(), zero(), zero()} + w.u * corners.of[0] + w.v * corners.of[1];
+  if constexpr (kCorners == 3) sum = sum + w.s * corners.of[2];
   return sum;
+}
+
+/// Of the corner with the largest weight; of the first of equal ones.
+template <std::size_t kCorners>
+HWY_INLINE V3 heaviest(const Corners<kCorners>& corners, const Weights& w) {
+  const M first = both(hn::Ge(w.u, w.v), hn::Ge(w.u, w.s));
+  V3 others = corners.of[1];
+  if constexpr (kCorners == 3) others = select(hn::Ge(w.v, w.s), corners.of[1], corners.of[2]);
+  return select(first, corners.of[0], others);
 }
 
 template <std::size_t kCorners>
 HWY_INLINE V3 phongNormal(const Corners<kCorners>& normals, const Weights& w) {
-  return normalizeOr(weightedSum(normals, w), normals.of[w.heaviest()]);
+  return normalizeOr(weightedSum(normals, w), heaviest(normals, w));
 }
 
 template <std::size_t kCorners>
@@ -98,19 +101,19 @@ struct SpherigonPatch {
   HWY_INLINE Point at(const Weights& w) const {
     const V3 flat = weightedSum(ends.positions, w);
     const V3 normal = phongNormal(ends.normals, w);
-    const float weights[3] = {w.u, w.v, w.s};
+    const V weights[3] = {w.u, w.v, w.s};
     V height = zero();
-    float sum = 0.0f;
+    V sum = zero();
     for (std::size_t i = 0; i < kCorners; ++i) {
       const V3& own = ends.normals.of[i];
       // 1 + N.Ni goes to 0 for opposite normals, where no such sphere exists.
       const V between = all(1.0f) + dot(normal, own);
       const V along = select(hn::Lt(between, all(0.1f)), all(0.1f), between);
-      const float squared = weights[i] * weights[i];
-      height = height + all(squared) * dot(ends.positions.of[i] - flat, normal + own) / along;
-      sum += squared;
+      const V squared = weights[i] * weights[i];
+      height = height + squared * dot(ends.positions.of[i] - flat, normal + own) / along;
+      sum = sum + squared;
     }
-    return {flat + normal * (height / all(sum)), normal};
+    return {flat + normal * (height / sum), normal};
   }
 
   const Ends<kCorners>& ends;
@@ -140,12 +143,12 @@ struct PnEdge {
       : ends(of), b21(pnTangentPoint(of, 0, 1)), b12(pnTangentPoint(of, 1, 0)), n11(pnEdgeNormal(of, 0, 1)) {}
 
   HWY_INLINE Point at(const Weights& w) const {
-    const float u = w.u;
-    const float v = w.v;
-    const V3 position = ends.positions.of[0] * all(u * u * u) + b21 * all(3.0f * u * u * v) +
-                        b12 * all(3.0f * u * v * v) + ends.positions.of[1] * all(v * v * v);
-    const V3 normal = ends.normals.of[0] * all(u * u) + n11 * all(u * v) + ends.normals.of[1] * all(v * v);
-    return {position, normalizeOr(normal, ends.normals.of[w.heaviest()])};
+    const V u = w.u;
+    const V v = w.v;
+    const V3 position = ends.positions.of[0] * (u * u * u) + b21 * (all(3.0f) * u * u * v) +
+                        b12 * (all(3.0f) * u * v * v) + ends.positions.of[1] * (v * v * v);
+    const V3 normal = ends.normals.of[0] * (u * u) + n11 * (u * v) + ends.normals.of[1] * (v * v);
+    return {position, normalizeOr(normal, heaviest(ends.normals, w))};
   }
 
   const Ends<2>& ends;
@@ -173,44 +176,24 @@ struct PnTriangle {
   }
 
   HWY_INLINE Point at(const Weights& w) const {
-    const auto& [u, v, s] = w;
+    const V u = w.u;
+    const V v = w.v;
+    const V s = w.s;
     const V3(&p)[3] = ends.positions.of;
     const V3(&n)[3] = ends.normals.of;
-    const V3 position = p[0] * all(u * u * u) + p[1] * all(v * v * v) + p[2] * all(s * s * s) +
-                        (b210 * all(u * u * v) + b120 * all(u * v * v) + b021 * all(v * v * s) + b012 * all(v * s * s) +
-                         b102 * all(u * s * s) + b201 * all(u * u * s)) *
+    const V3 position = p[0] * (u * u * u) + p[1] * (v * v * v) + p[2] * (s * s * s) +
+                        (b210 * (u * u * v) + b120 * (u * v * v) + b021 * (v * v * s) + b012 * (v * s * s) +
+                         b102 * (u * s * s) + b201 * (u * u * s)) *
                             all(3.0f) +
-                        b111 * all(6.0f * u * v * s);
-    const V3 normal = n[0] * all(u * u) + n[1] * all(v * v) + n[2] * all(s * s) + n110 * all(u * v) +
-                      n011 * all(v * s) + n101 * all(u * s);
-    return {position, normalizeOr(normal, n[w.heaviest()])};
+                        b111 * (all(6.0f) * u * v * s);
+    const V3 normal =
+        n[0] * (u * u) + n[1] * (v * v) + n[2] * (s * s) + n110 * (u * v) + n011 * (v * s) + n101 * (u * s);
+    return {position, normalizeOr(normal, heaviest(ends.normals, w))};
   }
 
   const Ends<3>& ends;
   V3 b210, b120, b021, b012, b102, b201, b111;
   V3 n110, n011, n101;
-};
-
-/// Weights of the refined vertices on an edge, or inside a triangle.
-template <std::size_t kCorners>
-struct Lattice {
-  explicit Lattice(const Refinement& refinement) {
-    const float n = static_cast<float>(refinement.depth);
-    if constexpr (kCorners == 2) {
-      for (int step = 1; step < refinement.depth; ++step) {
-        const float w = static_cast<float>(step) / n;
-        at[count++] = {1.0f - w, w, 0.0f};
-      }
-    } else {
-      for (const auto& [j, k] : refinement.interior) {
-        at[count++] = {static_cast<float>(refinement.depth - j - k) / n, static_cast<float>(j) / n,
-                       static_cast<float>(k) / n};
-      }
-    }
-  }
-
-  std::size_t count = 0;
-  std::array<Weights, (kMaxDepth - 1) * (kMaxDepth - 2) / 2> at;
 };
 
 }  // namespace sinew::HWY_NAMESPACE

@@ -1,63 +1,75 @@
-// core/smoothing/patches/refinement.cpp: the n^2 split with shared vertices.
+// core/smoothing/patches/refinement.cpp: control triangles split with shared vertices.
 #include "sinew/smoothing/refinement.h"
 
+#include <algorithm>
 #include <cassert>
+#include <functional>
+#include <span>
 
 #include "core/base/at.h"
 #include "core/mesh/index_table.h"
+#include "core/smoothing/patches/sample_points.h"
+#include "core/smoothing/patches/split_triangle.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew {
 namespace {
 
-/// Position in a control triangle's lattice: barycentric (n-j-k, j, k) / n.
-struct LatticePoint {
-  int j = 0;
-  int k = 0;
-};
-
-/// Index of (j, k) among the inner lattice points, row by row (j = 1 first).
-int interiorIndex(int depth, int j, int k) {
-  int index = k - 1;
-  for (int row = 1; row < j; ++row) index += depth - 1 - row;
-  return index;
+RefinementLevels uniformLevels(const ControlMesh& mesh, int depth) {
+  const auto level = static_cast<std::uint8_t>(depth);
+  return {std::vector<std::uint8_t>(mesh.edges.size(), level), std::vector<std::uint8_t>(mesh.triangles.size(), level)};
 }
 
-/// Splits each control triangle into a lattice of n^2 triangles. Vertices on an edge belong to the edge and are
-/// numbered in its own direction, so that the triangles at it share them and cracks cannot open. Vertices as drawn have
-/// texture coordinates and colors besides: they are shared along an edge only where both triangles have the same two
-/// wedges. docs/design.md, Refinement.
+/// Those with vertices. @param begin  of each one's vertices.
+std::vector<int> mostFirst(std::span<const int> begin) {
+  const auto count = [&](int i) { return at(begin, i + 1) - at(begin, i); };
+  std::vector<int> order;
+  for (int i = 0; i + 1 < static_cast<int>(begin.size()); ++i) {
+    if (count(i) > 0) order.push_back(i);
+  }
+  std::ranges::stable_sort(order, std::ranges::greater(), count);
+  return order;
+}
+
+/// Vertices on an edge belong to the edge and are numbered in its own direction, so that the triangles at it share them
+/// and cracks cannot open. Vertices as drawn have texture coordinates and colors besides: they are shared along an edge
+/// only where both triangles have the same two wedges. docs/design.md, Refinement.
 class Builder {
  public:
-  Builder(const ControlMesh& mesh, int depth)
-      : mesh_(mesh), colored_(hasColors(mesh)), runs_(depth > 1 ? 3 * mesh.triangles.size() : 0) {
-    out_.depth = depth;
-    out_.controlVertices = static_cast<int>(mesh.positions.size());
-    out_.controlEdges = static_cast<int>(mesh.edges.size());
-    out_.edgeVertices = depth - 1;
-    out_.interiorVertices = (depth - 1) * (depth - 2) / 2;
-    out_.vertexCount = static_cast<int>(refinedVertexCount(mesh, depth));
+  Builder(const ControlMesh& mesh, const RefinementLevels& levels)
+      : mesh_(mesh), levels_(levels), colored_(hasColors(mesh)), runs_(3 * mesh.triangles.size()) {
+    assert(levels.edges.size() == mesh.edges.size() && levels.triangles.size() == mesh.triangles.size());
   }
 
   Refinement build() {
-    fillInterior();
-    fillCornerWedges();
-    lattice_.resize(static_cast<std::size_t>((out_.depth + 1) * (out_.depth + 1)));
-    drawLattice_.resize(lattice_.size());
+    out_.controlVertices = static_cast<int>(mesh_.positions.size());
+    out_.controlEdges = static_cast<int>(mesh_.edges.size());
+    numberEdges();
+    out_.insideBegin.push_back(out_.edgeBegin.back());
+    out_.triangleBegin.push_back(0);
+    for (const Wedge& wedge : mesh_.wedges) addDrawn(wedge.vertex, wedge.uv, wedge.color);
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) splitTriangle(static_cast<int>(t));
+    out_.vertexCount = out_.insideBegin.back();
     countTriangles();
+    out_.edgeOrder = mostFirst(out_.edgeBegin);
+    out_.insideOrder = mostFirst(out_.insideBegin);
     return std::move(out_);
   }
 
  private:
-  void fillInterior() {
-    for (int j = 1; j <= out_.depth - 2; ++j) {
-      for (int k = 1; k <= out_.depth - 1 - j; ++k) out_.interior.push_back({j, k});
+  void numberEdges() {
+    out_.depth = 1;
+    int first = out_.controlVertices;
+    for (const std::uint8_t level : levels_.edges) {
+      assert(level >= 1 && level <= kMaxDepth);
+      out_.depth = std::max<int>(out_.depth, level);
+      out_.edgeBegin.push_back(first);
+      first += level - 1;
     }
-  }
-
-  void fillCornerWedges() {
-    for (const Wedge& wedge : mesh_.wedges) addDrawn(wedge.vertex, wedge.uv, wedge.color);
+    out_.edgeBegin.push_back(first);
+    for (const std::uint8_t level : levels_.triangles) out_.depth = std::max<int>(out_.depth, level);
+    const auto isDeepest = [&](std::uint8_t level) { return level == out_.depth; };
+    out_.isUniform = std::ranges::all_of(levels_.edges, isDeepest) && std::ranges::all_of(levels_.triangles, isDeepest);
   }
 
   int addDrawn(int refinedVertex, const glm::vec2& uv, const glm::vec4& color) {
@@ -68,43 +80,45 @@ class Builder {
     return static_cast<int>(out_.drawVertex.size()) - 1;
   }
 
-  std::size_t indexOf(LatticePoint p) const { return static_cast<std::size_t>(p.j * (out_.depth + 1) + p.k); }
-
+  /// Fills points_ and drawPoints_, numbered as SplitTriangle numbers them.
   void splitTriangle(int t) {
     const ControlTriangle& triangle = at(mesh_.triangles, t);
-    placeCorners(triangle);
-    for (int side = 0; side < 3; ++side) placeEdge(triangle, side);
-    placeInterior(t, triangle);
-    emitTriangles();
-  }
-
-  void placeCorners(const ControlTriangle& triangle) {
-    const std::array<LatticePoint, 3> corners{{{0, 0}, {out_.depth, 0}, {0, out_.depth}}};
-    for (std::size_t c = 0; c < 3; ++c) {
-      lattice_[indexOf(corners[c])] = triangle.vertices[c];
-      drawLattice_[indexOf(corners[c])] = triangle.wedges[c];
+    points_.assign(triangle.vertices.begin(), triangle.vertices.end());
+    drawPoints_.assign(triangle.wedges.begin(), triangle.wedges.end());
+    SplitLevels levels;
+    levels.inside = at(levels_.triangles, t);
+    for (std::size_t side = 0; side < 3; ++side) {
+      levels.sides[side] = at(levels_.edges, triangle.edges[side]);
+      placeSide(triangle, side);
     }
+    const auto corner = [&](std::size_t c) { return at(mesh_.positions, triangle.vertices[c]); };
+    // Whole meshes have one level: nothing changes from triangle to triangle.
+    if (!levels.isUniform() || splitUniformly_ != levels.inside) {
+      split_.split(levels, {corner(0), corner(1), corner(2)});
+      splitUniformly_ = levels.isUniform() ? levels.inside : 0;
+    }
+    placeInside(triangle);
+    for (const std::array<int, 3>& small : split_.triangles()) {
+      const auto drawn = [&](int point) { return static_cast<std::uint32_t>(at(drawPoints_, point)); };
+      out_.triangles.push_back({at(points_, small[0]), at(points_, small[1]), at(points_, small[2])});
+      out_.drawTriangles.push_back({drawn(small[0]), drawn(small[1]), drawn(small[2])});
+      out_.controlOf.push_back(t);
+    }
+    out_.triangleBegin.push_back(static_cast<int>(out_.triangles.size()));
   }
 
-  /// Lattice point `step` from corner `side` towards corner side + 1.
-  LatticePoint onSide(int side, int step) const {
-    if (side == 0) return {step, 0};
-    if (side == 1) return {out_.depth - step, step};
-    return {0, out_.depth - step};
-  }
-
-  void placeEdge(const ControlTriangle& triangle, int side) {
-    if (out_.edgeVertices == 0) return;
-    const auto from = static_cast<std::size_t>(side);
-    const auto to = static_cast<std::size_t>((side + 1) % 3);
-    const int edge = triangle.edges[from];
-    const bool forward = at(mesh_.edges, edge).vertices[0] == triangle.vertices[from];
-    const int base = forward ? edgeRun(edge, {triangle.wedges[from], triangle.wedges[to]})
-                             : edgeRun(edge, {triangle.wedges[to], triangle.wedges[from]});
-    for (int step = 1; step < out_.depth; ++step) {
-      const int stepOnEdge = forward ? step : out_.depth - step;
-      lattice_[indexOf(onSide(side, step))] = out_.edgeVertex(edge, stepOnEdge);
-      drawLattice_[indexOf(onSide(side, step))] = base + stepOnEdge - 1;
+  void placeSide(const ControlTriangle& triangle, std::size_t side) {
+    const int edge = triangle.edges[side];
+    const int level = out_.edgeLevel(edge);
+    if (level == 1) return;
+    const std::size_t to = (side + 1) % 3;
+    const bool forward = at(mesh_.edges, edge).vertices[0] == triangle.vertices[side];
+    const int base = forward ? edgeRun(edge, {triangle.wedges[side], triangle.wedges[to]})
+                             : edgeRun(edge, {triangle.wedges[to], triangle.wedges[side]});
+    for (int step = 1; step < level; ++step) {
+      const int stepOnEdge = forward ? step : level - step;
+      points_.push_back(out_.edgeVertex(edge, stepOnEdge));
+      drawPoints_.push_back(base + stepOnEdge - 1);
     }
   }
 
@@ -119,8 +133,9 @@ class Builder {
     const int first = static_cast<int>(out_.drawVertex.size());
     const Wedge& wedge0 = at(mesh_.wedges, wedges[0]);
     const Wedge& wedge1 = at(mesh_.wedges, wedges[1]);
-    for (int step = 1; step < out_.depth; ++step) {
-      const float w = static_cast<float>(step) / static_cast<float>(out_.depth);
+    const int level = out_.edgeLevel(edge);
+    for (int step = 1; step < level; ++step) {
+      const float w = static_cast<float>(step) / static_cast<float>(level);
       addDrawn(out_.edgeVertex(edge, step), wedge0.uv * (1.0f - w) + wedge1.uv * w,
                wedge0.color * (1.0f - w) + wedge1.color * w);
     }
@@ -128,65 +143,100 @@ class Builder {
     return first;
   }
 
-  void placeInterior(int t, const ControlTriangle& triangle) {
+  void placeInside(const ControlTriangle& triangle) {
     const Wedge& wedge0 = at(mesh_.wedges, triangle.wedges[0]);
     const Wedge& wedge1 = at(mesh_.wedges, triangle.wedges[1]);
     const Wedge& wedge2 = at(mesh_.wedges, triangle.wedges[2]);
-    const float n = static_cast<float>(out_.depth);
-    if (!out_.interior.empty()) out_.drawInterior.push_back(static_cast<int>(out_.drawVertex.size()));
-    for (const auto& [j, k] : out_.interior) {
-      const int vertex = out_.interiorVertex(t, interiorIndex(out_.depth, j, k));
-      const float v = static_cast<float>(j) / n;
-      const float w = static_cast<float>(k) / n;
-      lattice_[indexOf({j, k})] = vertex;
-      drawLattice_[indexOf({j, k})] = addDrawn(vertex, wedge0.uv * (1.0f - v - w) + wedge1.uv * v + wedge2.uv * w,
-                                               wedge0.color * (1.0f - v - w) + wedge1.color * v + wedge2.color * w);
+    out_.drawInside.push_back(static_cast<int>(out_.drawVertex.size()));
+    int vertex = out_.insideBegin.back();
+    for (const glm::dvec2& place : split_.inside()) {
+      const auto v = static_cast<float>(place.x);
+      const auto w = static_cast<float>(place.y);
+      out_.inside.push_back(place);
+      points_.push_back(vertex);
+      drawPoints_.push_back(addDrawn(vertex++, wedge0.uv * (1.0f - v - w) + wedge1.uv * v + wedge2.uv * w,
+                                     wedge0.color * (1.0f - v - w) + wedge1.color * v + wedge2.color * w));
     }
+    out_.insideBegin.push_back(vertex);
   }
 
   void countTriangles() {
-    out_.trianglesAt.assign(static_cast<std::size_t>(out_.vertexCount), 0);
+    out_.trianglesAt.assign(toIndex(out_.vertexCount), 0);
     for (const std::array<int, 3>& triangle : out_.triangles) {
       for (const int vertex : triangle) ++at(out_.trianglesAt, vertex);
     }
   }
 
-  void emitTriangles() {
-    const int n = out_.depth;
-    for (int j = 0; j < n; ++j) {
-      for (int k = 0; k < n - j; ++k) {
-        emit({j, k}, {j + 1, k}, {j, k + 1});
-        if (k < n - j - 1) emit({j + 1, k}, {j + 1, k + 1}, {j, k + 1});
-      }
-    }
-  }
-
-  void emit(LatticePoint a, LatticePoint b, LatticePoint c) {
-    out_.triangles.push_back({lattice_[indexOf(a)], lattice_[indexOf(b)], lattice_[indexOf(c)]});
-    out_.drawTriangles.push_back({static_cast<std::uint32_t>(drawLattice_[indexOf(a)]),
-                                  static_cast<std::uint32_t>(drawLattice_[indexOf(b)]),
-                                  static_cast<std::uint32_t>(drawLattice_[indexOf(c)])});
-  }
-
   const ControlMesh& mesh_;
+  const RefinementLevels& levels_;
   bool colored_ = false;
   Refinement out_;
-  IndexTable runs_;               ///< Finds drawRuns by their wedges, which name the edge too.
-  std::vector<int> lattice_;      ///< Refined vertices of the triangle at hand.
-  std::vector<int> drawLattice_;  ///< Drawn vertices of the triangle at hand.
+  IndexTable runs_;  ///< Finds drawRuns by their wedges, which name the edge too.
+  SplitTriangle split_;
+  int splitUniformly_ = 0;       ///< What split_ holds is the n^2 split of this n; 0: it is another.
+  std::vector<int> points_;      ///< Refined vertices of the triangle at hand.
+  std::vector<int> drawPoints_;  ///< Its drawn vertices.
 };
 
 }  // namespace
 
 Refinement refine(const ControlMesh& mesh, int depth) {
   assert(depth >= 1 && depth <= kMaxDepth);
-  return Builder(mesh, depth).build();
+  Refinement refinement = Builder(mesh, uniformLevels(mesh, depth)).build();
+  refinement.depth = depth;  // Of an empty mesh too.
+  return refinement;
 }
+
+Refinement samplePoints(const ControlMesh& mesh, const RefinementLevels& samples) {
+  Refinement out;
+  out.isUniform = false;
+  out.controlVertices = static_cast<int>(mesh.positions.size());
+  out.controlEdges = static_cast<int>(mesh.edges.size());
+  out.edgeBegin.push_back(out.controlVertices);
+  for (const int level : samples.edges) out.edgeBegin.push_back(out.edgeBegin.back() + std::max(level, 1) - 1);
+  out.insideBegin.push_back(out.edgeBegin.back());
+  std::array<SplitTriangle, kMaxDepth + 1> splits;
+  for (const int level : samples.triangles) {
+    SplitTriangle& split = at(splits, level);
+    if (split.triangles().empty()) split.split({{level, level, level}, level}, {});
+    out.inside.insert(out.inside.end(), split.inside().begin(), split.inside().end());
+    out.insideBegin.push_back(out.insideBegin.back() + static_cast<int>(split.inside().size()));
+  }
+  out.vertexCount = out.insideBegin.back();
+  out.edgeOrder = mostFirst(out.edgeBegin);
+  out.insideOrder = mostFirst(out.insideBegin);
+  return out;
+}
+
+Refinement refine(const ControlMesh& mesh, const RefinementLevels& levels) { return Builder(mesh, levels).build(); }
 
 std::int64_t refinedVertexCount(const ControlMesh& mesh, int depth) {
   const std::int64_t n = depth;
   return static_cast<std::int64_t>(mesh.positions.size()) + static_cast<std::int64_t>(mesh.edges.size()) * (n - 1) +
          static_cast<std::int64_t>(mesh.triangles.size()) * ((n - 1) * (n - 2) / 2);
+}
+
+glm::dvec3 controlCoordinates(const ControlMesh& mesh, const Refinement& refinement, int triangle, int vertex) {
+  const std::array<int, 3>& corners = at(mesh.triangles, triangle).vertices;
+  glm::dvec3 out(0.0);
+  const auto add = [&](int controlVertex, double share) {
+    for (int c = 0; c < 3; ++c) {
+      if (at(corners, c) == controlVertex) out[c] += share;
+    }
+  };
+  if (vertex < refinement.controlVertices) {
+    add(vertex, 1.0);
+  } else if (vertex < refinement.insideBegin.front()) {
+    const auto next = std::ranges::upper_bound(refinement.edgeBegin, vertex);
+    const int edge = static_cast<int>(next - refinement.edgeBegin.begin()) - 1;
+    const double share = static_cast<double>(vertex - at(refinement.edgeBegin, edge) + 1) / refinement.edgeLevel(edge);
+    add(at(mesh.edges, edge).vertices[0], 1.0 - share);
+    add(at(mesh.edges, edge).vertices[1], share);
+  } else {
+    const glm::dvec2& place = refinement.insideAt(vertex);
+    out = {1.0 - place.x - place.y, place.x, place.y};
+  }
+  return out;
 }
 
 }  // namespace sinew

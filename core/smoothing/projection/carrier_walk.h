@@ -24,6 +24,13 @@ struct CarriedVertex {
   std::array<float, 3> barycentric{};  ///< Weights of the corners; unused ones are 0.
 };
 
+/// What an edge lends a refined vertex between its ends, a control triangle one inside it, and any piece any vertex
+/// (which has to be found first).
+[[nodiscard]] CarriedVertex edgeCarried(const ControlMesh& mesh, const Refinement& refinement, int edge, int vertex);
+[[nodiscard]] CarriedVertex insideCarried(const ControlMesh& mesh, const Refinement& refinement, int triangle,
+                                          int vertex);
+[[nodiscard]] CarriedVertex carriedVertex(const ControlMesh& mesh, const Refinement& refinement, int vertex);
+
 /// Posed primitives and the lists that say who may see them.
 struct FieldView {
   std::span<const PosedPrimitive> primitives;
@@ -111,7 +118,6 @@ void forEachReachable(const ControlMesh& mesh, const Refinement& refinement, con
     }
     return !near.empty();
   };
-  const float n = static_cast<float>(refinement.depth);
 
   for (int v = share.begin(refinement.controlVertices); v < share.end(refinement.controlVertices); ++v) {
     if (gather(v, v, 1))
@@ -119,27 +125,21 @@ void forEachReachable(const ControlMesh& mesh, const Refinement& refinement, con
   }
   for (int e = share.begin(refinement.controlEdges); e < share.end(refinement.controlEdges); ++e) {
     const int carrier = refinement.controlVertices + e;
-    if (refinement.edgeVertices == 0 || !gather(carrier, refinement.edgeVertex(e, 1), refinement.edgeVertices))
-      continue;
-    const auto& ends = at(mesh.edges, e).vertices;
-    for (int step = 1; step < refinement.depth; ++step) {
-      const float w = static_cast<float>(step) / n;
-      visit(CarriedVertex{refinement.edgeVertex(e, step), carrier, {ends[0], ends[1], ends[1]}, {1.0f - w, w, 0.0f}},
-            std::span<const CarrierCandidate>(near));
+    const int first = refinement.edgeVertex(e, 1);
+    const int count = refinement.edgeVertices(e);
+    if (!gather(carrier, first, count)) continue;
+    for (int v = first; v < first + count; ++v) {
+      visit(edgeCarried(mesh, refinement, e, v), std::span<const CarrierCandidate>(near));
     }
   }
   const int triangles = static_cast<int>(mesh.triangles.size());
   for (int t = share.begin(triangles); t < share.end(triangles); ++t) {
     const int carrier = refinement.controlVertices + refinement.controlEdges + t;
-    if (!gather(carrier, refinement.interiorVertex(t, 0), refinement.interiorVertices)) continue;
-    for (int i = 0; i < refinement.interiorVertices; ++i) {
-      const auto& [j, k] = at(refinement.interior, i);
-      visit(CarriedVertex{refinement.interiorVertex(t, i),
-                          carrier,
-                          at(mesh.triangles, t).vertices,
-                          {static_cast<float>(refinement.depth - j - k) / n, static_cast<float>(j) / n,
-                           static_cast<float>(k) / n}},
-            std::span<const CarrierCandidate>(near));
+    const int first = at(refinement.insideBegin, t);
+    const int count = refinement.insideVertices(t);
+    if (!gather(carrier, first, count)) continue;
+    for (int v = first; v < first + count; ++v) {
+      visit(insideCarried(mesh, refinement, t, v), std::span<const CarrierCandidate>(near));
     }
   }
 }

@@ -2,9 +2,13 @@
 // docs/design.md, Rise limits.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <vector>
 
+#include "core/base/smoothstep.h"
+#include "core/primitives/potential.h"
 #include "sinew/mesh/control_mesh.h"
 
 namespace sinew {
@@ -24,6 +28,18 @@ namespace sinew {
   if (!(s * inverseLimit > 0.5f)) return s;
   const float limit = 1.0f / inverseLimit;
   return limit - 0.25f * limit * limit / s;
+}
+
+/// 1/L over muscles and carves that the skin only touches: twice the height, or depth, at which the root would lie if F
+/// stayed as it is on the skin. Over muscles it fades from F = T/2 to 0, no limit, at T, where the skin is inside. What
+/// a shell has just reached so moves from 0, whatever stands further out or in.
+/// @param onSkin  F there, not 0.  @param width  W of the skin's field.
+[[nodiscard]] inline float inverseTouchLimit(float onSkin, float iso, float width) {
+  if (!(onSkin < iso)) return 0.0f;
+  const float left = std::sqrt(std::min(1.0f, iso - onSkin));
+  // |r - r_T| at g(r) = T - F, without cancelling.
+  const float further = std::abs(onSkin) / ((isoRoot(iso) + left) * (std::sqrt(1.0f - left) + isoRadius(iso)));
+  return (1.0f - smoothstep(0.5f * iso, iso, onSkin)) / (2.0f * width * further);
 }
 
 }  // namespace sinew

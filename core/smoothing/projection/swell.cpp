@@ -65,7 +65,7 @@ class Sweller {
     const SkinField skin(isoRadius_, blendWidthAt(p));
     const double s = findRoot(skin, p, rise_.directions[index], onSkin > 0.0f, cliques);
     if (s == 0.0) return;
-    place(skin, index, static_cast<float>(s), cliques);
+    place(skin, onSkin, index, static_cast<float>(s), cliques);
   }
 
  private:
@@ -118,7 +118,13 @@ class Sweller {
     return outward ? t : -t;
   }
 
-  void place(const SkinField& skin, std::size_t index, float s, const CliqueLists& cliques) {
+  /// The height as other skin and what is only touched let it stand.
+  float limitedHeight(const SkinField& skin, float onSkin, std::size_t index, float s) const {
+    const float touch = inverseTouchLimit(onSkin, settings_.iso, static_cast<float>(skin.width));
+    return s > 0.0f ? limitedRise(s, std::max(rise_.inverseLimits[index], touch)) : -limitedRise(-s, touch);
+  }
+
+  void place(const SkinField& skin, float onSkin, std::size_t index, float s, const CliqueLists& cliques) {
     const glm::vec3 n = surface_.normals[index];
     const glm::vec3 d = rise_.directions[index];
     const glm::vec3 p = surface_.positions[index];
@@ -126,7 +132,7 @@ class Sweller {
         sampleField(field_.primitives, scratch_.candidates, cliques, p + s * d, scratch_.field).gradient;
     // s grows by 1 along d and not at all along the skin: its gradient is n / (n.d).
     const float slope = static_cast<float>(skin.slope(static_cast<double>(s))) / std::max(glm::dot(n, d), kLeastAlong);
-    const float height = limitedRise(s, rise_.inverseLimits[index]);
+    const float height = limitedHeight(skin, onSkin, index, s);
     surface_.positions[index] = p + height * d;
     const glm::vec3 ofField = normalizeOr(-(slope * n + gradient), n);
     // A limit flattens what stands below it.

@@ -29,7 +29,8 @@ struct SwellSettings {
 
 /// Moves the surface's positions, which hold the patch, along the directions d to the first root of
 /// f_skin(s) + F(p + s d) - T going outwards from s = 0; inwards where F(p) < 0, down to s = -r_T W at most.
-/// A root beyond half the rise limit is drawn in below the limit (limitedRise).
+/// A root beyond half the rise limit, or half of how far what the skin only touches may move it (inverseTouchLimit), is
+/// drawn in below the limit (limitedRise).
 /// Normals of moved vertices become the field's at the root: exact, and finer than the mesh can show
 /// (shading_normals.h).
 /// A vertex where F(p) = 0 is not touched. Fills displacement (s) and counts in the report.

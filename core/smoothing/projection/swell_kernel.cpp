@@ -83,7 +83,10 @@ class TileSweller : TileField {
     const M known = both(active, hn::Or(roots.solved, search.rootless));
     scratch_.counts.projected += static_cast<int>(hn::CountTrue(kTag, known));
     giveUp(andNot(active, known));
-    if (any(known)) place(p, d, rays, {select(search.rootless, rise.end, roots.t), search.rootless, known});
+    const V inverseLimit = touchLimit(onSkin, skin);
+    if (any(known)) {
+      place(p, d, rays, inverseLimit, {select(search.rootless, rise.end, roots.t), search.rootless, known});
+    }
   }
 
   OnSkin sampleSkin(const V3& p) const {
@@ -175,7 +178,18 @@ class TileSweller : TileField {
     return rise;
   }
 
-  void place(const V3& p, const V3& d, const RayLanes& rays, const Found& found) {
+  /// inverseTouchLimit() of rise_limits.h.
+  V touchLimit(const OnSkin& onSkin, const LaneSkin& skin) const {
+    const float iso = inputs_.settings.iso;
+    const V left = hn::Sqrt(hn::Min(hn::Max(zero(), all(iso) - onSkin.field), all(1.0f)));
+    const V roots = (all(isoRoot_) + left) * (hn::Sqrt(all(1.0f) - left) + all(isoRadius_));
+    const V t = hn::Min(hn::Max(zero(), onSkin.field - all(0.5f * iso)) * all(2.0f / iso), all(1.0f));
+    const V share = all(1.0f) - t * t * (all(3.0f) - all(2.0f) * t);
+    return share * roots * skin.inverseWidth / (all(2.0f) * hn::Abs(onSkin.field));
+  }
+
+  /// @param inverseLimit  1/L beside that of other skin.
+  void place(const V3& p, const V3& d, const RayLanes& rays, V inverseLimit, const Found& found) {
     const LaneSkin& skin = rays.skin();
     const V t = found.t;
     const M moved = both(found.known, hn::Ne(t, zero()));
@@ -192,10 +206,11 @@ class TileSweller : TileField {
     for (std::size_t lane = first_; lane < first_ + width(); ++lane) {
       limits.lane[lane] = inputs_.rise.inverseLimits[static_cast<std::size_t>(tile_->vertices[lane])];
     }
-    const V inverse = hn::Load(kTag, limits.at(first_));
+    const V ofSkin = select(hn::Gt(s, zero()), hn::Load(kTag, limits.at(first_)), zero());
+    const V inverse = hn::Max(inverseLimit, ofSkin);
     const V limit = all(1.0f) / inverse;
-    const M limited = hn::Gt(s * inverse, all(0.5f));
-    const V height = select(limited, limit - all(0.25f) * limit * limit / s, s);
+    const M limited = hn::Gt(t * inverse, all(0.5f));
+    const V height = skin.sign * select(limited, limit - all(0.25f) * limit * limit / t, t);
     const V3 ofField = unitOr(V3{zero(), zero(), zero()} - (slope * n + gradient), n);
     const V3 normal = select(limited, unitOr(n + (height / s) * (ofField - n), n), ofField);
     write(p + height * d, normal, height, moved);

@@ -129,23 +129,30 @@ void flattenCliques(const CandidateLists& lists, VertexTiles& out) {
 
 }  // namespace
 
-CarriedVertex carriedVertex(const ControlMesh& mesh, const Refinement& refinement, int vertex) {
-  if (vertex < refinement.controlVertices) return {vertex, vertex, {vertex, vertex, vertex}, {1.0f, 0.0f, 0.0f}};
-  const float n = static_cast<float>(refinement.depth);
-  const int onEdges = vertex - refinement.controlVertices;
-  if (onEdges < refinement.controlEdges * refinement.edgeVertices) {
-    const int edge = onEdges / refinement.edgeVertices;
-    const auto& ends = at(mesh.edges, edge).vertices;
-    const float w = static_cast<float>(onEdges % refinement.edgeVertices + 1) / n;
-    return {vertex, refinement.controlVertices + edge, {ends[0], ends[1], ends[1]}, {1.0f - w, w, 0.0f}};
-  }
-  const int inside = onEdges - refinement.controlEdges * refinement.edgeVertices;
-  const int triangle = inside / refinement.interiorVertices;
-  const auto& [j, k] = at(refinement.interior, inside % refinement.interiorVertices);
+CarriedVertex edgeCarried(const ControlMesh& mesh, const Refinement& refinement, int edge, int vertex) {
+  const auto& ends = at(mesh.edges, edge).vertices;
+  const int step = vertex - refinement.edgeVertex(edge, 1) + 1;
+  const float w = static_cast<float>(step) / static_cast<float>(refinement.edgeLevel(edge));
+  return {vertex, refinement.controlVertices + edge, {ends[0], ends[1], ends[1]}, {1.0f - w, w, 0.0f}};
+}
+
+CarriedVertex insideCarried(const ControlMesh& mesh, const Refinement& refinement, int triangle, int vertex) {
+  const glm::dvec2& place = refinement.insideAt(vertex);
   return {vertex,
           refinement.controlVertices + refinement.controlEdges + triangle,
           at(mesh.triangles, triangle).vertices,
-          {static_cast<float>(refinement.depth - j - k) / n, static_cast<float>(j) / n, static_cast<float>(k) / n}};
+          {static_cast<float>(1.0 - place.x - place.y), static_cast<float>(place.x), static_cast<float>(place.y)}};
+}
+
+CarriedVertex carriedVertex(const ControlMesh& mesh, const Refinement& refinement, int vertex) {
+  const auto pieceOf = [&](std::span<const int> begin) {
+    return static_cast<int>(std::ranges::upper_bound(begin, vertex) - begin.begin()) - 1;
+  };
+  if (vertex < refinement.controlVertices) return {vertex, vertex, {vertex, vertex, vertex}, {1.0f, 0.0f, 0.0f}};
+  if (vertex < refinement.insideBegin.front()) {
+    return edgeCarried(mesh, refinement, pieceOf(refinement.edgeBegin), vertex);
+  }
+  return insideCarried(mesh, refinement, pieceOf(refinement.insideBegin), vertex);
 }
 
 VertexTiles makeVertexTiles(const ControlMesh& mesh, const Refinement& refinement, const CandidateLists& lists) {
@@ -165,10 +172,10 @@ VertexTiles makeVertexTiles(const ControlMesh& mesh, const Refinement& refinemen
     }
     for (const int e : triangle.edges) {
       const int carrier = refinement.controlVertices + e;
-      if (once(carrier)) packer.addCarrier(carrier, refinement.edgeVertex(e, 1), refinement.edgeVertices);
+      if (once(carrier)) packer.addCarrier(carrier, refinement.edgeVertex(e, 1), refinement.edgeVertices(e));
     }
-    packer.addCarrier(refinement.controlVertices + refinement.controlEdges + t, refinement.interiorVertex(t, 0),
-                      refinement.interiorVertices);
+    packer.addCarrier(refinement.controlVertices + refinement.controlEdges + t, at(refinement.insideBegin, t),
+                      refinement.insideVertices(t));
   }
   // A vertex of no triangle is projected all the same.
   for (int v = 0; v < refinement.controlVertices; ++v) {

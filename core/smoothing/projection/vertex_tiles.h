@@ -42,7 +42,4 @@ struct VertexTiles {
 [[nodiscard]] VertexTiles makeVertexTiles(const ControlMesh& mesh, const Refinement& refinement,
                                           const CandidateLists& lists);
 
-/// What its carrier lends a refined vertex.
-[[nodiscard]] CarriedVertex carriedVertex(const ControlMesh& mesh, const Refinement& refinement, int vertex);
-
 }  // namespace sinew

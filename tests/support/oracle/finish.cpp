@@ -113,7 +113,7 @@ Vec held(const Vec& start, const Vec& patch, const Vec& to) {
 void relaxFolds(const Folds& folds, const Neighbors& neighbors, const std::vector<Vec>& start, std::vector<Vec>& at) {
   const std::vector<bool> borders = bordersOf(neighbors);
   std::vector<double> weights(at.size(), 0.0);
-  for (int round = 0; round < 16; ++round) {
+  for (int round = 0; round < 6; ++round) {
     for (double& weight : weights) weight = std::max(0.0, weight - 0.25);
     for (std::size_t i = 0; i < folds.triangles.size(); ++i) {
       const std::optional<double> q = folds.areaOf(i, at);
@@ -124,7 +124,7 @@ void relaxFolds(const Folds& folds, const Neighbors& neighbors, const std::vecto
     const std::vector<Vec> towardsMean = laplacian(neighbors, at);
     for (std::size_t v = 0; v < at.size(); ++v) {
       if (borders[v] || weights[v] == 0.0) continue;
-      at[v] = held(start[v], folds.patch[v], at[v] + weights[v] * towardsMean[v]);
+      at[v] = held(start[v], folds.patch[v], at[v] + 0.2 * weights[v] * towardsMean[v]);
     }
   }
 }
@@ -146,7 +146,7 @@ std::array<Vec, 3> spreadOf(const Folds& folds, std::size_t i, double q, const s
 
 void spreadFolds(const Folds& folds, const Neighbors& neighbors, const std::vector<Vec>& start, std::vector<Vec>& at) {
   const std::vector<bool> borders = bordersOf(neighbors);
-  for (int round = 0; round < 24; ++round) {
+  for (int round = 0; round < 32; ++round) {
     std::vector<double> weights(at.size(), 0.0);
     std::vector<Vec> ways(at.size());
     for (std::size_t i = 0; i < folds.triangles.size(); ++i) {
@@ -197,20 +197,50 @@ Vec turnOf(const Vec& v, const Vec& from, const Vec& to) {
   return share * (turned - v) + (1.0 - share) * difference;
 }
 
+/// Heights after what a pose's creases take away, and no steeper than 1.5 along any path of edges: the longest way
+/// round, every edge until nothing changes.
+std::vector<double> boundHeights(const Folds& folds, const std::vector<float>& raw) {
+  std::vector<double> fronts(raw.size(), 1.0);
+  for (std::size_t i = 0; i < folds.triangles.size(); ++i) {
+    if (folds.bindFronts[i] <= 0.05) continue;
+    const double ratio = frontOf(folds.triangles[i], folds.patch, folds.normals) / folds.bindFronts[i];
+    for (const int v : folds.triangles[i]) fronts[index(v)] = std::min(fronts[index(v)], ratio);
+  }
+  std::vector<double> heights;
+  for (std::size_t v = 0; v < raw.size(); ++v) {
+    heights.push_back(static_cast<double>(raw[v]) * (0.4 + 0.6 * smoothstep(-0.3, 0.4, fronts[v])));
+  }
+  bool changed = true;
+  while (changed) {
+    changed = false;
+    for (const auto& t : folds.triangles) {
+      for (std::size_t i = 0; i < 6; ++i) {
+        const std::size_t p = index(t[i % 3]);
+        const std::size_t q = index(t[(i + 1 + i / 3) % 3]);
+        const double sign = heights[p] < 0.0 ? -1.0 : 1.0;
+        const double most = std::max(0.0, sign * heights[q]) + 1.5 * length(folds.patch[q] - folds.patch[p]);
+        if (sign * heights[p] <= most * (1.0 + 1e-12)) continue;
+        heights[p] = sign * most;
+        changed = true;
+      }
+    }
+  }
+  return heights;
+}
+
 /// How far each vertex's height is from what edges can follow, 0..1, and at least that of each neighbor.
 struct Sampling {
   std::vector<double> weights;
   std::vector<double> heights;  ///< Filtered.
 };
 
-Sampling filterHeights(const Triangles& triangles, const std::vector<Vec>& patch, const std::vector<float>& raw) {
+Sampling filterHeights(const Triangles& triangles, const std::vector<Vec>& patch, const std::vector<double>& start) {
   const Neighbors neighbors = neighborsOf(triangles, patch.size());
   const auto perLength = [&](std::size_t v, std::size_t u) {
     const double apart = length(patch[u] - patch[v]);
     return apart > 0.0 ? 1.0 / apart : 0.0;
   };
-  const std::vector<double> start(raw.begin(), raw.end());
-  Sampling out{std::vector<double>(raw.size(), 0.0), start};
+  Sampling out{std::vector<double>(start.size(), 0.0), start};
   const auto towardsMean = [&](std::size_t v, double& sum) {
     double difference = 0.0;
     sum = 0.0;
@@ -220,17 +250,19 @@ Sampling filterHeights(const Triangles& triangles, const std::vector<Vec>& patch
     }
     return sum > 0.0 ? difference / sum : 0.0;
   };
-  for (std::size_t v = 0; v < raw.size(); ++v) {
+  for (std::size_t v = 0; v < start.size(); ++v) {
     double sum = 0.0;
     const double bend = std::abs(towardsMean(v, sum));
     if (start[v] == 0.0 || neighbors[v].empty()) continue;
     const double weight = smoothstep(0.15, 0.5, bend * sum / static_cast<double>(neighbors[v].size()));
     out.weights[v] = std::max(out.weights[v], weight);
-    for (const std::size_t u : neighbors[v]) out.weights[u] = std::max(out.weights[u], weight);
+    const double edges = std::abs(start[v]) * sum / static_cast<double>(neighbors[v].size());
+    const double passed = weight * smoothstep(0.0, 0.1, edges);
+    for (const std::size_t u : neighbors[v]) out.weights[u] = std::max(out.weights[u], passed);
   }
   for (int round = 0; round < 4; ++round) {
     std::vector<double> next = out.heights;
-    for (std::size_t v = 0; v < raw.size(); ++v) {
+    for (std::size_t v = 0; v < start.size(); ++v) {
       double sum = 0.0;
       next[v] += 0.5 * out.weights[v] * towardsMean(v, sum);
       next[v] = std::clamp(next[v], std::min(0.0, start[v]), std::max(0.0, start[v]));
@@ -268,7 +300,7 @@ Finished finish(const Surface& bindPatch, const Surface& patch, const Surface& r
   const Triangles& triangles = raw.refinement->triangles;
   const std::vector<Vec> patchPositions = vecs(patch.positions);
   const std::vector<Vec> patchNormals = vecs(patch.normals);
-  const std::vector<Vec> fieldNormals = vecs(raw.normals);
+  std::vector<Vec> fieldNormals = vecs(raw.normals);
   Finished out;
   out.positions = vecs(raw.positions);
   const std::vector<Vec> bindPositions = vecs(bindPatch.positions);
@@ -276,12 +308,21 @@ Finished finish(const Surface& bindPatch, const Surface& patch, const Surface& r
   Folds folds{triangles, patchPositions, patchNormals, {}};
   for (const auto& t : triangles) folds.bindFronts.push_back(frontOf(t, bindPositions, bindNormals));
   const std::vector<Vec> projected = out.positions;
-  const std::vector<float> heights = swells ? raw.displacement : std::vector<float>(projected.size(), 0.0f);
-  const Sampling sampling = filterHeights(triangles, patchPositions, heights);
+  const auto scale = [&](std::size_t v, double share) {
+    out.positions[v] = patchPositions[v] + share * (out.positions[v] - patchPositions[v]);
+  };
+  const std::vector<double> bounded = boundHeights(folds, raw.displacement);
   for (std::size_t v = 0; v < projected.size(); ++v) {
-    const double height = static_cast<double>(heights[v]);
-    if (height == 0.0 || sampling.heights[v] == height) continue;
-    out.positions[v] = patchPositions[v] + (sampling.heights[v] / height) * (projected[v] - patchPositions[v]);
+    const double height = static_cast<double>(raw.displacement[v]);
+    if (height == 0.0 || bounded[v] == height) continue;
+    scale(v, bounded[v] / height);
+    fieldNormals[v] =
+        unitOr(patchNormals[v] + (bounded[v] / height) * (fieldNormals[v] - patchNormals[v]), patchNormals[v]);
+  }
+  const Sampling sampling =
+      filterHeights(triangles, patchPositions, swells ? bounded : std::vector<double>(projected.size(), 0.0));
+  for (std::size_t v = 0; v < projected.size() && swells; ++v) {
+    if (bounded[v] != 0.0 && sampling.heights[v] != bounded[v]) scale(v, sampling.heights[v] / bounded[v]);
   }
   const Neighbors neighbors = neighborsOf(triangles, projected.size());
   const std::vector<Vec> start = out.positions;

@@ -26,24 +26,26 @@ Pose bindPoseOf(const Skeleton& skeleton) {
 }  // namespace
 
 Site siteOf(const ControlMesh& mesh, const Refinement& refinement, int vertex) {
-  const int n = refinement.depth;
-  const int edgeStart = refinement.controlVertices;
-  const int interiorStart = edgeStart + refinement.controlEdges * (n - 1);
+  const auto pieceOf = [&](const std::vector<int>& begin) {
+    std::size_t piece = 0;
+    while (begin[piece + 1] <= vertex) ++piece;
+    return piece;
+  };
   Site site;
-  if (vertex < edgeStart) {
+  if (vertex < refinement.controlVertices) {
     site.vertices = {vertex, vertex, vertex};
     site.barycentric = {1.0, 0.0, 0.0};
-  } else if (vertex < interiorStart) {
-    const Edge& edge = mesh.edges[index((vertex - edgeStart) / (n - 1))];
-    const int step = (vertex - edgeStart) % (n - 1) + 1;
+  } else if (vertex < refinement.edgeBegin.back()) {
+    const std::size_t e = pieceOf(refinement.edgeBegin);
+    const Edge& edge = mesh.edges[e];
+    const int n = refinement.edgeBegin[e + 1] - refinement.edgeBegin[e] + 1;
+    const int step = vertex - refinement.edgeBegin[e] + 1;
     site.vertices = {edge.vertices[0], edge.vertices[1], edge.vertices[0]};
     site.barycentric = {static_cast<double>(n - step) / n, static_cast<double>(step) / n, 0.0};
   } else {
-    const int perTriangle = (n - 1) * (n - 2) / 2;
-    const ControlTriangle& triangle = mesh.triangles[index((vertex - interiorStart) / perTriangle)];
-    const auto [j, k] = refinement.interior[index((vertex - interiorStart) % perTriangle)];
-    site.vertices = triangle.vertices;
-    site.barycentric = {static_cast<double>(n - j - k) / n, static_cast<double>(j) / n, static_cast<double>(k) / n};
+    const glm::dvec2 place = refinement.inside[index(vertex - refinement.edgeBegin.back())];
+    site.vertices = mesh.triangles[pieceOf(refinement.insideBegin)].vertices;
+    site.barycentric = {1.0 - place.x - place.y, place.x, place.y};
   }
   return site;
 }
@@ -163,7 +165,18 @@ Answer Oracle::swell(const Site& site) const {
   out.offset = out.roots.front();
   out.resolved = true;
   const Vec onField = out.rayOrigin + out.offset * out.rayDirection;
-  const double height = heightWithin(out.offset, inverseLimitAt(site));
+  // What the skin only touches moves it twice as far as an unchanging field would, at most.
+  double inverseLimit = out.offset > 0.0 ? inverseLimitAt(site) : 0.0;
+  if (out.field < field_.iso()) {
+    const double iso = field_.iso();
+    const double left = std::sqrt(std::min(1.0, iso - out.field));
+    const double natural = width * std::abs(std::sqrt(1.0 - left) - isoRadius());
+    const double inside = std::clamp((out.field - iso / 2.0) / (iso / 2.0), 0.0, 1.0);
+    const double fades = 1.0 - inside * inside * (3.0 - 2.0 * inside);
+    inverseLimit = std::max(inverseLimit, fades / (2.0 * std::max(natural, 1e-300)));
+  }
+  const double size = heightWithin(std::abs(out.offset), inverseLimit);
+  const double height = out.offset < 0.0 ? -size : size;
   out.position = out.rayOrigin + height * out.rayDirection;
   out.lead = field_.lead(onField, weights);
   // Heights grow by 1 along d and not at all along the skin.
@@ -171,7 +184,7 @@ Answer Oracle::swell(const Site& site) const {
   const double cosine = std::max(kLeastCosine, dot(out.patch.normal, out.rayDirection));
   const Vec gradient = (skinSlope / cosine) * out.patch.normal + field_.gradient(onField, weights);
   const Vec ofField = unitOr(-1.0 * gradient, out.patch.normal);
-  const double share = out.offset > 0.0 ? height / out.offset : 1.0;
+  const double share = out.offset != 0.0 ? height / out.offset : 1.0;
   out.normal = unitOr(out.patch.normal + share * (ofField - out.patch.normal), out.patch.normal);
   return out;
 }

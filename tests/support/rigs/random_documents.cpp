@@ -176,6 +176,8 @@ Rig randomDocument(std::uint64_t seed) {
                    static_cast<PatchKind>(random.below(4)),
                    static_cast<ProjectionKind>(random.below(3)),
                    random.chance(0.5f) ? kDefaultCreaseAngle : random.uniform(0.0f, 180.0f),
+                   random.chance(0.5f) ? DetailKind::kUniform : DetailKind::kAdaptive,
+                   random.chance(0.5f) ? kDefaultTolerance : random.uniform(kLeastTolerance, kMostTolerance),
                    random.chance(0.3f),
                    anyUnknownKeys(random)};
   const int groups = 1 + random.below(5);
@@ -191,6 +193,10 @@ Rig randomDocument(std::uint64_t seed) {
   addLines(random, rig);
   pairTwins(random, rig.lines);
   if (random.chance(0.5f)) addAnimation(random, {anyName(random, 1), anyName(random, 2)}, {"Walk", "跑"}, rig);
+  if (random.chance(0.3f)) {
+    rig.slots.push_back({"upperArm.L", anyName(random, 1)});
+    if (random.chance(0.5f)) rig.slots.push_back({"tail", random.chance(0.5f) ? std::string() : anyName(random, 2)});
+  }
   rig.unknownKeys = anyUnknownKeys(random);
   return rig;
 }

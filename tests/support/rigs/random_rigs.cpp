@@ -93,7 +93,7 @@ Rig randomRig(const Character& character, const RigRecipe& recipe, std::uint64_t
     Primitive primitive =
         ellipsoidAt(character, "muscle " + std::to_string(i), character.skeleton.fileName(bone), group, center, radii);
     primitive.placement.rotation = random.rotation();
-    primitive.reach = random.uniform(1.2f, 2.0f);
+    primitive.reach = random.uniform(1.2f, recipe.reachHigh);
     primitive.sign = random.chance(recipe.carveChance) ? -1 : 1;
     if (random.chance(0.15f)) {
       const int other = random.below(static_cast<int>(character.skeleton.bones.size()));

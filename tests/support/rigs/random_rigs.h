@@ -31,13 +31,17 @@ struct RigRecipe {
   float radiusLow = 0.03f;  ///< Fractions of H.
   float radiusHigh = 0.10f;
   float shapedChance = 0.0f;  ///< Chance of a primitive to be no ellipsoid.
+  float reachHigh = 2.0f;     ///< At least 1.2.
 };
+
+/// Many muscles whose rims are steep.
+inline constexpr RigRecipe kShortReach{.primitives = 24, .reachHigh = 1.5f};
 
 /// Any shape that is legal for a reach; plain ones, straight ones and untapered ones among them.
 [[nodiscard]] Shape randomShape(Random& random, float reach);
 
 /// Ellipsoids as a designer might set them: centers a little under or over the skin of random bones, any orientation,
-/// reach 1.2 to 2; default territories but for a few.
+/// reach from 1.2; default territories but for a few.
 [[nodiscard]] Rig randomRig(const Character& character, const RigRecipe& recipe, std::uint64_t seed);
 
 /// Every bone turned against its parent by up to `angle` radians and stretched unevenly by up to `stretch`, from the

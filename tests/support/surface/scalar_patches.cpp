@@ -157,10 +157,9 @@ Point edgePoint(PatchKind kind, const Corner& a, const Corner& b, float w) {
 }
 
 /// Weights of a vertex inside a triangle.
-Barycentric insideWeights(const Refinement& refinement, int index) {
-  const float n = static_cast<float>(refinement.depth);
-  const auto& [j, k] = at(refinement.interior, index);
-  return {static_cast<float>(refinement.depth - j - k) / n, static_cast<float>(j) / n, static_cast<float>(k) / n};
+Barycentric insideWeights(const Refinement& refinement, int vertex) {
+  const glm::dvec2& at = refinement.insideAt(vertex);
+  return {static_cast<float>(1.0 - at.x - at.y), static_cast<float>(at.x), static_cast<float>(at.y)};
 }
 
 /// Points inside a triangle, at the refinement's lattice.
@@ -169,8 +168,8 @@ class Inside {
   Inside(PatchKind kind, const Corners& corners, const Refinement& refinement)
       : kind_(kind), corners_(corners), pn_(corners), refinement_(refinement) {}
 
-  Point point(int index) const {
-    const Barycentric w = insideWeights(refinement_, index);
+  Point point(int vertex) const {
+    const Barycentric w = insideWeights(refinement_, vertex);
     return kind_ == PatchKind::kPn ? pn_.at(w) : patchPoint(kind_, corners_, w);
   }
 
@@ -188,44 +187,41 @@ void evaluate(const PatchInputs& inputs) {
     at(inputs.outPositions, vertex) = result.position;
     at(inputs.outNormals, vertex) = result.normal;
   };
-  const float n = static_cast<float>(refinement.depth);
 
-  for (int e = 0; e < refinement.controlEdges && refinement.edgeVertices > 0; ++e) {
+  for (int e = 0; e < refinement.controlEdges; ++e) {
     const auto& ends = at(inputs.mesh->edges, e).vertices;
     const Corner a = corner(ends[0]);
     const Corner b = corner(ends[1]);
-    for (int step = 1; step < refinement.depth; ++step) {
+    const auto n = static_cast<float>(refinement.edgeLevel(e));
+    for (int step = 1; step <= refinement.edgeVertices(e); ++step) {
       store(refinement.edgeVertex(e, step), edgePoint(inputs.kind, a, b, static_cast<float>(step) / n));
     }
   }
 
-  for (std::size_t t = 0; t < inputs.mesh->triangles.size() && refinement.interiorVertices > 0; ++t) {
+  for (std::size_t t = 0; t < inputs.mesh->triangles.size(); ++t) {
     const auto& vertices = inputs.mesh->triangles[t].vertices;
     const Inside inside(inputs.kind, {{corner(vertices[0]), corner(vertices[1]), corner(vertices[2])}, 3}, refinement);
-    for (int i = 0; i < refinement.interiorVertices; ++i) {
-      store(refinement.interiorVertex(static_cast<int>(t), i), inside.point(i));
-    }
+    for (int v = refinement.insideBegin[t]; v < refinement.insideBegin[t + 1]; ++v) store(v, inside.point(v));
   }
 }
 
 void interpolate(const DirectionInputs& inputs) {
   const Refinement& refinement = *inputs.refinement;
   const auto corner = [&](int vertex) { return Corner{glm::vec3(0.0f), at(inputs.control, vertex)}; };
-  const float n = static_cast<float>(refinement.depth);
-  for (int e = 0; e < refinement.controlEdges && refinement.edgeVertices > 0; ++e) {
+  for (int e = 0; e < refinement.controlEdges; ++e) {
     const auto& ends = at(inputs.mesh->edges, e).vertices;
     const Corners corners{{corner(ends[0]), corner(ends[1]), Corner{}}, 2};
-    for (int step = 1; step < refinement.depth; ++step) {
+    const auto n = static_cast<float>(refinement.edgeLevel(e));
+    for (int step = 1; step <= refinement.edgeVertices(e); ++step) {
       const float w = static_cast<float>(step) / n;
       at(inputs.out, refinement.edgeVertex(e, step)) = phongNormal(corners, {1.0f - w, w, 0.0f});
     }
   }
-  for (std::size_t t = 0; t < inputs.mesh->triangles.size() && refinement.interiorVertices > 0; ++t) {
+  for (std::size_t t = 0; t < inputs.mesh->triangles.size(); ++t) {
     const auto& vertices = inputs.mesh->triangles[t].vertices;
     const Corners corners{{corner(vertices[0]), corner(vertices[1]), corner(vertices[2])}, 3};
-    for (int i = 0; i < refinement.interiorVertices; ++i) {
-      at(inputs.out, refinement.interiorVertex(static_cast<int>(t), i)) =
-          phongNormal(corners, insideWeights(refinement, i));
+    for (int v = refinement.insideBegin[t]; v < refinement.insideBegin[t + 1]; ++v) {
+      at(inputs.out, v) = phongNormal(corners, insideWeights(refinement, v));
     }
   }
 }
@@ -238,24 +234,24 @@ void shade(const ShadingInputs& inputs) {
     const auto w = static_cast<std::size_t>(wedge);
     return Corner{at(inputs.positions, mesh.wedges[w].vertex), inputs.wedgeNormals[w]};
   };
-  const float n = static_cast<float>(refinement.depth);
 
   for (const DrawnRun& run : refinement.drawRuns) {
     if (std::ranges::none_of(run.wedges, isCreased)) continue;
     const Corner a = corner(run.wedges[0]);
     const Corner b = corner(run.wedges[1]);
-    for (int step = 1; step < refinement.depth; ++step) {
+    const auto n = static_cast<float>(refinement.edgeLevel(run.edge));
+    for (int step = 1; step <= refinement.edgeVertices(run.edge); ++step) {
       const glm::vec3 normal = edgePoint(inputs.kind, a, b, static_cast<float>(step) / n).normal;
       at(inputs.outNormals, run.first + step - 1) = normal;
     }
   }
 
-  for (std::size_t t = 0; t < refinement.drawInterior.size(); ++t) {
+  for (std::size_t t = 0; t < refinement.drawInside.size(); ++t) {
     const auto& wedges = mesh.triangles[t].wedges;
     if (std::ranges::none_of(wedges, isCreased)) continue;
     const Inside inside(inputs.kind, {{corner(wedges[0]), corner(wedges[1]), corner(wedges[2])}, 3}, refinement);
-    for (int i = 0; i < refinement.interiorVertices; ++i) {
-      at(inputs.outNormals, refinement.drawInterior[t] + i) = inside.point(i).normal;
+    for (int i = 0; i < refinement.insideVertices(static_cast<int>(t)); ++i) {
+      at(inputs.outNormals, refinement.drawInside[t] + i) = inside.point(refinement.insideBegin[t] + i).normal;
     }
   }
 }

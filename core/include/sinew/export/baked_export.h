@@ -17,10 +17,12 @@ namespace sinew {
 
 inline constexpr double kLeastBound = 0.001;  ///< Percent of the height: what floats in a file can hold.
 inline constexpr double kMostBound = 100.0;
+inline constexpr int kMostSubsteps = 16;
 
 struct BakedExportSettings {
   std::string clip;                                  ///< Its name.
   double framesPerSecond = 30.0;                     ///< Above 0, finite; the clip's end is baked too.
+  int substeps = 1;                                  ///< Moments baked a frame, 1..kMostSubsteps; .glb, .gltf.
   double bound = 0.1;                                ///< Percent of the height, kLeastBound..kMostBound; .glb, .gltf.
   ExportWeights weights = ExportWeights::kRefitted;  ///< For .glb and .gltf.
 };
@@ -33,8 +35,10 @@ struct BakedExportReport {
   int targets = 0;
   int joints = 0;  ///< Those of all skins in the file, each node once.
   std::int64_t triangles = 0;
-  ErrorFigures skinned;           ///< Joints and weights alone, in the baked frames.
-  ErrorFigures baked;             ///< With the targets.
+  ErrorFigures skinned;  ///< Joints and weights alone, in the baked frames.
+  ErrorFigures baked;    ///< With the targets.
+  ErrorFigures between;  ///< With the targets between baked moments, where a program blends two of them.
+  std::shared_ptr<const ExportedSurface> played;  ///< What the file shows.
   std::vector<std::string> left;  ///< What of the source file is not in the export, each with the reason.
 };
 

@@ -9,6 +9,7 @@
 
 #include "sinew/base/result.h"
 #include "sinew/character/character.h"
+#include "sinew/export/exported_surface.h"
 #include "sinew/export/progress.h"
 #include "sinew/rig/rig.h"
 
@@ -53,17 +54,27 @@ struct SkinnedExportSettings {
   JointScale jointScale = JointScale::kFull;
 };
 
+/// The vertex and the moment of a largest distance.
+struct ErrorPlace {
+  std::string clip;    ///< Empty: nothing was measured.
+  float time = 0.0f;   ///< Seconds into it.
+  int vertex = -1;     ///< Of the refined vertices of the live surface.
+  std::string bone{};  ///< That the vertex follows most.
+};
+
 /// Distances between exported and live vertices, percent of the character's height.
 struct ErrorFigures {
   double rms = 0.0;
   double percentile999 = 0.0;  ///< At most this in 99.9 of 100 vertices and poses; read from classes 0.1 % wide.
   double largest = 0.0;
   int poses = 0;  ///< 0: nothing was measured, the others are 0.
+  ErrorPlace farthest{};
 };
 
 struct ClipError {
   std::string clip;
-  ErrorFigures error;
+  ErrorFigures error;      ///< At the keys.
+  ErrorFigures between{};  ///< Between keys, where a program interpolates them; not measured of further clips.
 };
 
 struct SkinnedExportReport {
@@ -75,10 +86,12 @@ struct SkinnedExportReport {
   std::uint64_t bytes = 0;         ///< All files that were written.
   std::vector<ClipError> clips;    ///< Those exported, at 30 poses a second.
   ErrorFigures allClips;           ///< The same poses together.
+  ErrorFigures allBetween;         ///< All clips between their keys, at 47 poses a second.
   std::vector<ClipError> further;  ///< Clips that are not exported (`moving`), at 10 poses a second.
   ErrorFigures fitted;            ///< The poses that refitted weights are fitted to; measured for transferred ones too.
   ErrorFigures heldOut;           ///< Poses of the same kind, but kept from the fit.
   std::vector<std::string> left;  ///< What of the source file is not in the export, each with the reason.
+  std::shared_ptr<const ExportedSurface> played;  ///< What the file shows.
 };
 
 /// Writes `characterFile` again with the surface of the bind pose in place of its meshes; nodes, clips, materials,

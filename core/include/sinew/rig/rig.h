@@ -18,6 +18,7 @@ namespace sinew {
 enum class SurfaceMode { kSwell, kReplace };
 enum class PatchKind { kPn, kPhong, kSpherigon, kFlat };
 enum class ProjectionKind { kNewton, kBisection, kAnalytic };
+enum class DetailKind { kUniform, kAdaptive };
 
 inline constexpr float kDefaultIso = 0.25f;
 inline constexpr float kDefaultReach = 1.4142135f;  ///< Where the file says nothing.
@@ -26,6 +27,9 @@ inline constexpr float kMostAmount = 2.0f;
 inline constexpr float kDefaultSkinBlend = 0.04f;
 inline constexpr float kDefaultCreaseAngle = 180.0f;  ///< Smooth everywhere.
 inline constexpr int kMaxDepth = 16;
+inline constexpr float kDefaultTolerance = 0.001f;  ///< Of adaptive detail, fraction of H.
+inline constexpr float kLeastTolerance = 0.0001f;
+inline constexpr float kMostTolerance = 0.01f;
 
 // Beyond these the skin's own field W = h / (1 - sqrt(1 - sqrt T)) leaves what numbers can hold.
 inline constexpr float kLeastIso = 0.001f;
@@ -60,12 +64,15 @@ struct SurfaceSettings {
 
 /// "smoothing" in the file.
 struct SmoothingSettings {
-  int depth = 3;  ///< n, 1..kMaxDepth: every control triangle becomes n^2.
+  int depth = 3;  ///< n, 1..kMaxDepth: with uniform detail every control triangle becomes n^2.
   PatchKind patch = PatchKind::kPn;
   ProjectionKind projection = ProjectionKind::kNewton;
   float creaseAngle =
       kDefaultCreaseAngle;  ///< Degrees, 0..180: faces that meet at more are shaded apart (mesh/creases.h).
-  bool autoDepth = false;   ///< In a picture, `depth` follows the character's size on screen (smoothing/auto_depth.h).
+  DetailKind detail = DetailKind::kUniform;
+  float tolerance = kDefaultTolerance;  ///< Of adaptive detail: how far flat triangles may lie off, fraction of H.
+  bool autoDepth =
+      false;  ///< In a picture, `depth` or `tolerance` follows the character's size on screen (smoothing/auto_depth.h).
   std::string unknownKeys;
 
   friend bool operator==(const SmoothingSettings&, const SmoothingSettings&) = default;
@@ -101,6 +108,14 @@ struct Primitive {
   friend bool operator==(const Primitive&, const Primitive&) = default;
 };
 
+/// What the designer says of a part of the body, where its bone was not found or is another (docs/presets.md).
+struct SlotCorrection {
+  std::string slot;  ///< Name of a body slot: "upperArm.L"; each at most once.
+  std::string bone;  ///< Name or path (Skeleton::findBone). Empty: the character has no such part.
+
+  friend bool operator==(const SlotCorrection&, const SlotCorrection&) = default;
+};
+
 /// Primitives + lines + groups + links + settings. Two rigs with equal members are the same document.
 struct Rig {
   std::string character;  ///< Path relative to the rig file, "/" between; or absolute as the designer typed it.
@@ -111,6 +126,7 @@ struct Rig {
   std::vector<RigChannel> channels;
   std::vector<MuscleLine> lines;
   std::vector<Primitive> primitives;
+  std::vector<SlotCorrection> slots;
   std::string unknownKeys;
 
   friend bool operator==(const Rig&, const Rig&) = default;
@@ -138,8 +154,10 @@ struct Rig {
 [[nodiscard]] const char* nameOf(SurfaceMode mode);
 [[nodiscard]] const char* nameOf(PatchKind patch);
 [[nodiscard]] const char* nameOf(ProjectionKind projection);
+[[nodiscard]] const char* nameOf(DetailKind detail);
 [[nodiscard]] std::optional<SurfaceMode> surfaceModeNamed(const std::string& name);
 [[nodiscard]] std::optional<PatchKind> patchKindNamed(const std::string& name);
 [[nodiscard]] std::optional<ProjectionKind> projectionKindNamed(const std::string& name);
+[[nodiscard]] std::optional<DetailKind> detailKindNamed(const std::string& name);
 
 }  // namespace sinew

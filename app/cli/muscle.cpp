@@ -1,0 +1,141 @@
+// app/cli/muscle.cpp: a rig with a set of muscles for a character, in one command.
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/console.h"
+#include "app/cli/verb.h"
+#include "app/document/document.h"
+#include "app/platform/data_files.h"
+#include "core/base/listed.h"
+#include "core/base/stopwatch.h"
+#include "core/body/character_slots.h"
+#include "core/body/fit_preset.h"
+#include "core/check/mend.h"
+#include "core/io/files/atomic_file.h"
+#include "core/io/json/json.h"
+#include "core/io/preset_json.h"
+#include "core/symmetry/motion_clip.h"
+#include "sinew/io/rig_json.h"
+
+namespace sinew::app {
+namespace {
+
+struct MuscleOptions {
+  std::filesystem::path file;
+  std::filesystem::path output;
+  std::filesystem::path report;  ///< Empty: none.
+  std::string set;               ///< Empty: the one for the body's kind.
+  float mass = 1.0f;
+  std::optional<float> definition;
+};
+
+constexpr const char* kForHumanoids = "athlete";
+constexpr const char* kForQuadrupeds = "animal";
+
+void addMuscleOptions(CLI::App& verb, MuscleOptions& options) {
+  const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
+  verb.add_option_function<std::string>("FILE", to(options.file), "Character (.glb, .gltf) or rig (.rig.json)")
+      ->required();
+  verb.add_option_function<std::string>("-o,--output", to(options.output), "Rig to write (.rig.json)")
+      ->type_name("OUT.rig.json")
+      ->required();
+  verb.add_option("--set", options.set,
+                  "Set of muscles: athlete, animal, or a file (.json); without it, the one for this kind of body")
+      ->type_name("NAME");
+  verb.add_option("--mass", options.mass, "Girth of all muscles, 0.5 to 2 (1)")
+      ->type_name("M")
+      ->check(CLI::Range(kLeastMass, kMostMass));
+  verb.add_option("--definition", options.definition, "How far muscles stand out, 0 to 1 (the set's)")
+      ->type_name("D")
+      ->check(CLI::Range(0.0f, 1.0f));
+  verb.add_option_function<std::string>("--report", to(options.report),
+                                        "Muscles, and what was left out and why, as JSON")
+      ->type_name("FILE.json");
+}
+
+Result<Preset> presetOf(const MuscleOptions& options, BodyKind kind) {
+  std::string set = options.set;
+  if (set.empty()) set = kind == BodyKind::kQuadruped ? kForQuadrupeds : kForHumanoids;
+  if (set.ends_with(".json")) return loadPreset(set);
+  const std::filesystem::path file = dataFile(std::filesystem::path("assets") / "presets" / (set + ".json"));
+  std::error_code failed;
+  if (set.find('/') != std::string::npos || !std::filesystem::exists(file, failed)) {
+    return errorAt("--set",
+                   "there is no set \"" + set + "\"; there are " + listed({kForHumanoids, kForQuadrupeds}, "and"));
+  }
+  return loadPreset(file);
+}
+
+/// What was found of the set's own muscles is mended; muscles that were there before are their designer's.
+Result<MendedRig> mendedSet(Rig rig, int first, const Motions& motions, const MirrorPlan& plan) {
+  std::vector<Finding> findings = check(rig, motions);
+  std::erase_if(findings, [&](const Finding& finding) { return finding.primitive < first; });
+  return withMendedFindings(std::move(rig), findings, motions, &plan);
+}
+
+std::string reportText(const FittedPreset& fitted, const std::vector<std::string>& changed, const Preset& preset,
+                       const BodySlots& slots, double seconds) {
+  Json muscles = Json::array();
+  for (const std::string& name : fitted.muscles) muscles.push(name);
+  Json leftOut = Json::array();
+  for (const auto& [name, why] : fitted.leftOut) leftOut.push(Json::object().set("muscle", name).set("why", why));
+  Json missing = Json::array();
+  for (const BodySlot slot : allBodySlots()) {
+    if (slots[slot].bone < 0) missing.push(nameOf(slot));
+  }
+  Json mended = Json::array();
+  for (const std::string& line : changed) mended.push(line);
+  Json json = Json::object();
+  json.set("set", preset.name).set("body", nameOf(slots.kind)).set("muscles", std::move(muscles));
+  json.set("primitives", static_cast<int>(fitted.rig.primitives.size())).set("left_out", std::move(leftOut));
+  json.set("mended", std::move(mended)).set("missing_parts", std::move(missing)).set("seconds", seconds);
+  return json.dump(true) + '\n';
+}
+
+int runMuscle(const MuscleOptions& options) {
+  if (!options.output.string().ends_with(".rig.json")) {
+    return badCommandLine("--output: expected a name that ends in .rig.json, got \"" + options.output.string() + '"');
+  }
+  auto document = openDocument(options.file);
+  if (!document) return badInput(document.error());
+  Stopwatch watch;
+  const MirrorPlan plan = makeMirrorPlan(*document->character);
+  const auto character = withRangeOfMotion(document->character, plan);
+  const BodySlots slots = bodySlots(*character, plan, document->rig().slots);
+  const auto preset = presetOf(options, slots.kind);
+  if (!preset) return refused(preset.error());
+  Rig rig = document->rig();
+  if (rig.primitives.empty()) rig.surface.skinBlend = preset->skinBlend;
+  auto fitted = fitPreset(std::move(rig), preset.value(), {options.mass, options.definition}, *character, plan);
+  if (!fitted) return badInput({options.file.string(), {}, fitted.error().reason});
+  const int first = static_cast<int>(document->rig().primitives.size());
+  Result<MendedRig> mended = mendedSet(std::move(fitted.value().rig), first, Motions(character), plan);
+  if (!mended) return badInput({options.file.string(), {}, mended.error().reason});
+  fitted.value().rig = std::move(mended.value().rig);
+  const double seconds = watch.lap();
+  for (const auto& [name, why] : fitted->leftOut) message(name + " is left out: " + why);
+  for (const std::string& line : mended->said) message("mended " + line);
+  fitted.value().rig.character = relativeCharacterPath(document->characterFile, options.output);
+  if (!options.report.empty()) {
+    const auto written =
+        writeFileAtomically(options.report, reportText(fitted.value(), mended->said, preset.value(), slots, seconds));
+    if (!written) return badInput(written.error());
+  }
+  if (const auto saved = saveRig(fitted->rig, options.output); !saved) return badInput(saved.error());
+  return kDone;
+}
+
+}  // namespace
+
+Verb muscleVerb() {
+  return makeVerb<MuscleOptions>("muscle", "Give a character a set of muscles that fits its body", addMuscleOptions,
+                                 runMuscle);
+}
+
+}  // namespace sinew::app

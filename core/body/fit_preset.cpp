@@ -1,0 +1,113 @@
+// core/body/fit_preset.cpp: each muscle with its twin, then what its line does over all clips.
+#include "core/body/fit_preset.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/at.h"
+#include "core/body/character_slots.h"
+#include "core/body/place_muscle.h"
+#include "core/lines/line_fitting.h"
+#include "core/rig/line_edit.h"
+#include "core/rig/rig_edit.h"
+#include "core/symmetry/twins.h"
+
+namespace sinew {
+namespace {
+
+/// Each side has its own: left and right never blend where they touch.
+std::string groupOf(const std::string& group, BodySide side) { return group + (side == BodySide::kLeft ? " L" : " R"); }
+
+void needGroup(Rig& rig, const std::string& name) {
+  if (findGroup(rig, name) < 0) rig.groups.push_back({name, {}});
+}
+
+/// The muscle with its line and, where the body has the other side, its twin.
+Result<Rig> withMuscle(Rig rig, const PresetMuscle& muscle, PlacedMuscle placed, const MirrorPlan& plan) {
+  placed.belly.name = muscle.name + " L";
+  placed.belly.group = groupOf(muscle.group, BodySide::kLeft);
+  needGroup(rig, placed.belly.group);
+  needGroup(rig, groupOf(muscle.group, BodySide::kRight));
+  if (placed.line) {
+    placed.line->name = placed.belly.name;
+    auto lined = addLine(std::move(rig), *placed.line);
+    if (!lined) return lined;
+    rig = std::move(lined).value();
+    placed.belly.line = rig.lines.back().name;
+  }
+  const bool paired = twinBone(plan, placed.belly.bone).ok();
+  auto added = paired ? addPair(std::move(rig), std::move(placed.belly), plan)
+                      : addPrimitive(std::move(rig), std::move(placed.belly));
+  if (!added || !paired) return added;
+  rig = std::move(added).value();
+  rig.primitives.back().group = groupOf(muscle.group, BodySide::kRight);
+  return rig;
+}
+
+/// Twins learn alike: from whichever side gets shorter.
+Rig withLearnedLengths(Rig rig, std::size_t first, const Character& character) {
+  std::vector<LineRest> rests;
+  std::vector<int> lines;
+  for (std::size_t i = first; i < rig.lines.size(); ++i) {
+    auto rest = lineRest(rig.lines[i], character);
+    if (!rest) continue;
+    rests.push_back(std::move(rest).value());
+    lines.push_back(static_cast<int>(i));
+  }
+  std::vector<LineLengths> lengths = lengthsOver(rests, character, character.clips);
+  const std::vector<LineLengths> own = lengths;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const int twin = findLine(rig, at(rig.lines, lines[i]).mirror);
+    const auto other = std::ranges::find(lines, twin);
+    if (twin < 0 || other == lines.end()) continue;
+    const LineLengths& theirs = own[static_cast<std::size_t>(other - lines.begin())];
+    lengths[i].least = std::min(lengths[i].least, theirs.least);
+    lengths[i].secondPercentile = std::min(lengths[i].secondPercentile, theirs.secondPercentile);
+    lengths[i].most = std::max(lengths[i].most, theirs.most);
+  }
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    // One that never shortens keeps what the set says.
+    if (auto learned = withLearned(rig, lines[i], lengths[i])) rig = std::move(learned).value().rig;
+  }
+  return rig;
+}
+
+std::string wanted(BodyKind kind) { return kind == BodyKind::kQuadruped ? "an animal on four legs" : "a humanoid"; }
+
+}  // namespace
+
+Result<FittedPreset> fitPreset(Rig rig, const Preset& preset, const PresetTuning& tuning, const Character& character,
+                               const MirrorPlan& plan) {
+  const BodySlots slots = bodySlots(character, plan, rig.slots);
+  if (slots.kind != preset.body) {
+    const char* found = slots.kind == BodyKind::kUnknown ? "neither arms nor legs were found" : nameOf(slots.kind);
+    return errorAt("",
+                   "the set \"" + preset.name + "\" is for " + wanted(preset.body) + ", and of this body " +
+                       (slots.kind == BodyKind::kUnknown ? found : "the bones are those of a " + std::string(found)));
+  }
+  BodyFrame frame = makeBodyFrame(character, slots);
+  const Flesh flesh(character, frame);
+  const PresetPlace place{character, frame, flesh, plan, preset, tuning};
+  FittedPreset fitted{std::move(rig), {}, {}};
+  const std::size_t firstLine = fitted.rig.lines.size();
+  for (const PresetMuscle& muscle : preset.muscles) {
+    auto placed = placeMuscle(place, muscle);
+    if (!placed) {
+      fitted.leftOut.push_back({muscle.name, placed.error().reason});
+      continue;
+    }
+    auto with = withMuscle(fitted.rig, muscle, std::move(placed).value(), plan);
+    if (!with) {
+      fitted.leftOut.push_back({muscle.name, with.error().reason});
+      continue;
+    }
+    fitted.rig = std::move(with).value();
+    fitted.muscles.push_back(muscle.name);
+  }
+  if (fitted.muscles.empty())
+    return errorAt("", "no muscle of the set \"" + preset.name + "\" finds its place on this body");
+  fitted.rig = withLearnedLengths(std::move(fitted.rig), firstLine, character);
+  return fitted;
+}
+
+}  // namespace sinew

@@ -1,0 +1,130 @@
+// core/check/skin_track.cpp: the nearest triangle by its distance in space.
+#include "core/check/skin_track.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include "core/base/at.h"
+#include "core/character/bindings.h"
+
+namespace sinew {
+namespace {
+
+constexpr float kFaces = 0.2f;        ///< Cosine from which a triangle faces outwards.
+constexpr float kLeastWeight = 0.1f;  ///< Less carries no skin to speak of.
+constexpr std::size_t kMostBones = 4;
+
+using Corners = std::array<glm::vec3, 3>;
+
+Corners cornersOf(const ControlMesh& mesh, int triangle) {
+  const auto& vertices = at(mesh.triangles, triangle).vertices;
+  const auto corner = [&](std::size_t i) { return at(mesh.positions, vertices[i]); };
+  return {corner(0), corner(1), corner(2)};
+}
+
+/// Barycentric coordinates of the triangle's point nearest to p (Ericson, Real-Time Collision Detection, 5.1.5).
+glm::vec3 nearestShares(const glm::vec3& p, const Corners& c) {
+  const glm::vec3 ab = c[1] - c[0];
+  const glm::vec3 ac = c[2] - c[0];
+  const auto against = [&](const glm::vec3& from) { return glm::vec2(glm::dot(ab, p - from), glm::dot(ac, p - from)); };
+  const glm::vec2 a = against(c[0]);
+  if (a.x <= 0.0f && a.y <= 0.0f) return {1.0f, 0.0f, 0.0f};
+  const glm::vec2 b = against(c[1]);
+  if (b.x >= 0.0f && b.y <= b.x) return {0.0f, 1.0f, 0.0f};
+  const float vc = a.x * b.y - b.x * a.y;
+  if (vc <= 0.0f && a.x >= 0.0f && b.x <= 0.0f) {
+    const float t = a.x / (a.x - b.x);
+    return {1.0f - t, t, 0.0f};
+  }
+  const glm::vec2 d = against(c[2]);
+  if (d.y >= 0.0f && d.x <= d.y) return {0.0f, 0.0f, 1.0f};
+  const float vb = d.x * a.y - a.x * d.y;
+  if (vb <= 0.0f && a.y >= 0.0f && d.y <= 0.0f) {
+    const float t = a.y / (a.y - d.y);
+    return {1.0f - t, 0.0f, t};
+  }
+  const float va = b.x * d.y - d.x * b.y;
+  if (va <= 0.0f && b.y - b.x >= 0.0f && d.x - d.y >= 0.0f) {
+    const float t = (b.y - b.x) / ((b.y - b.x) + (d.x - d.y));
+    return {0.0f, 1.0f - t, t};
+  }
+  const float all = va + vb + vc;
+  return {va / all, vb / all, vc / all};
+}
+
+glm::vec3 mixed(const Corners& c, const glm::vec3& shares) {
+  return shares.x * c[0] + shares.y * c[1] + shares.z * c[2];
+}
+
+}  // namespace
+
+std::optional<SkinSpot> spotOver(const ControlMesh& mesh, const glm::vec3& point, const glm::vec3& outwards) {
+  std::optional<SkinSpot> best;
+  std::optional<SkinSpot> facing;
+  float least = std::numeric_limits<float>::max();
+  float leastFacing = least;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    const Corners corners = cornersOf(mesh, t);
+    const glm::vec3 face = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const float area = glm::length(face);
+    if (!(area > 0.0f)) continue;
+    const glm::vec3 shares = nearestShares(point, corners);
+    const glm::vec3 off = point - mixed(corners, shares);
+    const float squared = glm::dot(off, off);
+    if (squared < least) {
+      least = squared;
+      best = SkinSpot{t, shares};
+    }
+    if (squared < leastFacing && glm::dot(face, outwards) > kFaces * area) {
+      leastFacing = squared;
+      facing = SkinSpot{t, shares};
+    }
+  }
+  return facing ? facing : best;
+}
+
+glm::vec3 skinnedVertex(const Character& character, int vertex, const Pose& pose) {
+  return glm::vec3(skinMatrix(character, pose, vertex) * glm::vec4(at(character.mesh.positions, vertex), 1.0f));
+}
+
+std::optional<SkinFrame> frameAt(const Character& character, const SkinSpot& spot, const Pose& pose) {
+  Corners corners;
+  for (std::size_t c = 0; c < 3; ++c) {
+    corners[c] = skinnedVertex(character, at(character.mesh.triangles, spot.triangle).vertices[c], pose);
+  }
+  const glm::vec3 along = corners[1] - corners[0];
+  const glm::vec3 face = glm::cross(along, corners[2] - corners[0]);
+  const float length = glm::length(along);
+  const float area = glm::length(face);
+  if (!(length > 0.0f) || !(area > 0.0f)) return std::nullopt;
+  const glm::vec3 x = along / length;
+  const glm::vec3 normal = face / area;
+  return SkinFrame{mixed(corners, spot.shares), glm::mat3(x, glm::cross(normal, x), normal)};
+}
+
+std::vector<int> bonesAt(const Character& character, const SkinSpot& spot) {
+  std::map<int, float> weights;
+  const auto& vertices = at(character.mesh.triangles, spot.triangle).vertices;
+  for (int c = 0; c < 3; ++c) {
+    for (const WeightedBinding& follows : bindingsOf(character, at(vertices, c))) {
+      weights[follows.bone()] += spot.shares[c] * follows.weight;
+    }
+  }
+  std::vector<std::pair<int, float>> sorted(weights.begin(), weights.end());
+  std::ranges::stable_sort(sorted, std::ranges::greater(), &std::pair<int, float>::second);
+  std::vector<int> bones;
+  for (const auto& [bone, weight] : sorted) {
+    if (weight >= kLeastWeight && bones.size() < kMostBones) bones.push_back(bone);
+  }
+  return bones;
+}
+
+}  // namespace sinew

@@ -1,0 +1,17 @@
+// core/io/preset_json.h: preset files: sets of muscles as marks. docs/presets.md.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/body/preset.h"
+#include "sinew/base/result.h"
+
+namespace sinew {
+
+/// Error: place is the JSON path, reason what was expected.
+[[nodiscard]] Result<Preset> presetFromJson(const std::string& text);
+/// Refuses files over 4 MiB.
+[[nodiscard]] Result<Preset> loadPreset(const std::filesystem::path& file);
+
+}  // namespace sinew

@@ -1,0 +1,139 @@
+// core/smoothing/patches/level_fit.cpp: distances from chords and planes, angles between normals.
+#include "core/smoothing/patches/level_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include <glm/geometric.hpp>
+
+namespace sinew {
+namespace {
+
+/// Neighboring samples whose normals differ by more lie across a crease, which no level makes smooth.
+constexpr float kCreaseCosine = 0.94f;  ///< 20 degrees.
+
+std::size_t indexOf(int i) { return static_cast<std::size_t>(i); }
+
+bool turnsTooFar(const glm::vec3& interpolated, const glm::vec3& normal, const LevelTolerance& tolerance) {
+  const float length = glm::length(interpolated);
+  return !(glm::dot(interpolated, normal) >= tolerance.normalCosine * length);
+}
+
+float distanceToChord(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b) {
+  const glm::vec3 along = b - a;
+  const float squared = glm::dot(along, along);
+  const float t = squared > 0.0f ? std::clamp(glm::dot(p - a, along) / squared, 0.0f, 1.0f) : 0.0f;
+  return glm::distance(p, a + t * along);
+}
+
+bool edgeFits(const FineSamples& s, int fine, int level, const LevelTolerance& tolerance) {
+  const int step = fine / level;
+  for (int i = 0; i < fine; ++i) {
+    const int from = i / step * step;
+    if (i == from) continue;
+    const std::size_t a = indexOf(from);
+    const std::size_t b = indexOf(from + step);
+    const std::size_t at = indexOf(i);
+    if (distanceToChord(s.positions[at], s.positions[a], s.positions[b]) > tolerance.distance) return false;
+    const bool smooth = glm::dot(s.normals[at - 1], s.normals[at]) > kCreaseCosine &&
+                        glm::dot(s.normals[at], s.normals[at + 1]) > kCreaseCosine;
+    if (!smooth) continue;
+    const float share = static_cast<float>(i - from) / static_cast<float>(step);
+    const glm::vec3 between = (1.0f - share) * s.normals[a] + share * s.normals[b];
+    if (turnsTooFar(between, s.normals[at], tolerance)) return false;
+  }
+  return true;
+}
+
+/// A triangle's samples by their row and place in it.
+class Lattice {
+ public:
+  Lattice(const FineSamples& samples, int fine) : samples_(samples), fine_(fine) {}
+
+  [[nodiscard]] std::size_t index(int j, int k) const { return indexOf(j * (fine_ + 1) - j * (j - 1) / 2 + k); }
+
+  [[nodiscard]] bool isSmoothAt(int j, int k) const {
+    const glm::vec3& own = samples_.normals[index(j, k)];
+    constexpr std::array<std::array<int, 2>, 6> kAround{{{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}}};
+    return std::ranges::all_of(kAround, [&](const std::array<int, 2>& way) {
+      const int row = j + way[0];
+      const int place = k + way[1];
+      if (row < 0 || place < 0 || row + place > fine_) return true;
+      return glm::dot(own, samples_.normals[index(row, place)]) > kCreaseCosine;
+    });
+  }
+
+  /// Whether a sample lies within the tolerance of the small triangle of the level's split that it belongs to.
+  [[nodiscard]] bool fits(int j, int k, int step, const LevelTolerance& tolerance) const {
+    const int row = std::min(j / step, (fine_ / step) - 1) * step;
+    const int place = std::min(k / step, (fine_ - row) / step - 1) * step;
+    const int fj = j - row;
+    const int fk = k - place;
+    const float s = static_cast<float>(step);
+    const bool up = fj + fk <= step;
+    const std::array<std::size_t, 3> corners =
+        up ? std::array{index(row, place), index(row + step, place), index(row, place + step)}
+           : std::array{index(row + step, place + step), index(row, place + step), index(row + step, place)};
+    const float x = static_cast<float>(up ? fj : step - fj) / s;
+    const float y = static_cast<float>(up ? fk : step - fk) / s;
+    const std::array<float, 3> share{1.0f - x - y, x, y};
+    const std::size_t at = index(j, k);
+    const auto corner = [&](std::size_t i) { return samples_.positions[corners[i]]; };
+    if (distanceFromPiece(samples_.positions[at], {corner(0), corner(1), corner(2)}, share) > tolerance.distance) {
+      return false;
+    }
+    if (!isSmoothAt(j, k)) return true;
+    glm::vec3 between(0.0f);
+    for (std::size_t i = 0; i < 3; ++i) between += share[i] * samples_.normals[corners[i]];
+    return !turnsTooFar(between, samples_.normals[at], tolerance);
+  }
+
+ private:
+  FineSamples samples_;
+  int fine_;
+};
+
+bool triangleFits(const Lattice& lattice, int fine, int level, const LevelTolerance& tolerance) {
+  const int step = fine / level;
+  for (int j = 0; j <= fine; ++j) {
+    for (int k = 0; k <= fine - j; ++k) {
+      if (j % step == 0 && k % step == 0) continue;
+      if (!lattice.fits(j, k, step, tolerance)) return false;
+    }
+  }
+  return true;
+}
+
+/// The least divisor of `fine` from `from` on that fits; `fine` itself always does.
+template <class Fits>
+int leastDivisor(int fine, int from, Fits fits) {
+  for (int level = from; level < fine; ++level) {
+    if (fine % level == 0 && fits(level)) return level;
+  }
+  return fine;
+}
+
+}  // namespace
+
+float distanceFromPiece(const glm::vec3& sample, const std::array<glm::vec3, 3>& corners,
+                        const std::array<float, 3>& shares) {
+  const auto& [a, b, c] = corners;
+  const float apart = glm::distance(sample, shares[0] * a + shares[1] * b + shares[2] * c);
+  const glm::vec3 face = glm::cross(b - a, c - a);
+  const float area = glm::length(face);
+  return area > 0.0f ? std::min(apart, std::abs(glm::dot(sample - a, face)) / area) : apart;
+}
+
+int edgeLevel(const FineSamples& samples, int from, const LevelTolerance& tolerance) {
+  const int fine = static_cast<int>(samples.positions.size()) - 1;
+  return leastDivisor(fine, from, [&](int level) { return edgeFits(samples, fine, level, tolerance); });
+}
+
+int triangleLevel(const FineSamples& samples, int fine, int from, const LevelTolerance& tolerance) {
+  const Lattice lattice(samples, fine);
+  return leastDivisor(fine, from, [&](int level) { return triangleFits(lattice, fine, level, tolerance); });
+}
+
+}  // namespace sinew

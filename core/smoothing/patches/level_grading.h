@@ -1,0 +1,20 @@
+// core/smoothing/patches/level_grading.h: levels raised until neighbors are alike.
+#pragma once
+
+#include <array>
+
+#include "sinew/mesh/control_mesh.h"
+#include "sinew/smoothing/refinement.h"
+
+namespace sinew {
+
+/// Levels that are raised to: most divide each other.
+inline constexpr std::array kGradedLevels{1, 2, 3, 4, 6, 12, 16};
+
+/// Raises levels to the least ones of kGradedLevels at which no side of a triangle, and not its inside, is
+/// split into pieces more than three times as long as another's, unless it has as high a level: jumps in size make
+/// slivers, and equal levels keep the triangle's own shape. Lengths are the bind pose's.
+/// Nothing is lowered; the result is the same in whatever order triangles are looked at.
+[[nodiscard]] RefinementLevels gradedLevels(const ControlMesh& mesh, RefinementLevels levels);
+
+}  // namespace sinew

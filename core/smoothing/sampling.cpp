@@ -1,0 +1,25 @@
+// core/smoothing/sampling.cpp: a preparation of its own, and the first stages.
+#include "core/smoothing/sampling.h"
+
+#include <utility>
+
+#include "core/smoothing/projector.h"
+#include "core/smoothing/stages.h"
+
+namespace sinew {
+
+SurfaceSampler::SurfaceSampler(const Preparation& next, Refinement points, std::vector<std::uint8_t> skipped)
+    : preparation_(prepareSamples(next, std::move(points))), skipped_(std::move(skipped)) {}
+
+const Surface& SurfaceSampler::sample(const Pose& pose) {
+  preparation_->poser->pose(pose, rig_);
+  poseFieldAndSkin(preparation_, rig_, pose, posed_);
+  layPatch(*preparation_, posed_, workspace_, surface_);
+  if (preparation_->shownPrimitives > 0) {
+    const FieldView field{posed_.primitives, preparation_->seen.get(), skipped_};
+    chosenProjector().project({*preparation_, posed_, field}, pose, workspace_, surface_);
+  }
+  return surface_;
+}
+
+}  // namespace sinew

@@ -1,0 +1,247 @@
+// tests/smoothing/finish/shading_normals_test.cpp: normals stay the field's where faces can show them, else follow the
+// faces.
+
+#include "core/smoothing/finish/shading_normals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <numbers>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "tests/support/surface/mesh_checks.h"
+#include "tests/support/surface/sheets.h"
+
+namespace sinew::test {
+namespace {
+
+constexpr int kCells = 40;
+constexpr float kEdge = 2.0f / kCells;
+
+/// A flat patch, raised by a height with the normals of a field.
+class Raised {
+ public:
+  Raised()
+      : mesh_(flat()), refinement_(refine(mesh_, 1)), rings_(vertexRings(refinement_)), patchNormals_(mesh_.normals) {}
+
+  /// @param height  of a place; 0: not moved.  @param normal  the field's, asked where it moved.
+  std::vector<glm::vec3> shaded(const std::function<float(const glm::vec3&)>& height,
+                                const std::function<glm::vec3(const glm::vec3&)>& normal) {
+    positions = mesh_.positions;
+    fieldNormals = patchNormals_;
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+      const float rise = height(mesh_.positions[v]);
+      if (rise == 0.0f) continue;
+      positions[v].z += rise;
+      fieldNormals[v] = glm::normalize(normal(mesh_.positions[v]));
+    }
+    moved_.find(mesh_, refinement_, rings_, mesh_.positions, positions);
+    pairs_.fill(moved_.corners, mesh_.positions, positions);
+    std::vector<glm::vec3> out = fieldNormals;
+    shading_.apply(refinement_, rings_, moved_, pairs_, patchNormals_, {}, out);
+    return out;
+  }
+
+  [[nodiscard]] const Refinement& refinement() const { return refinement_; }
+  [[nodiscard]] const std::vector<glm::vec3>& patch() const { return mesh_.positions; }
+  [[nodiscard]] const std::vector<glm::vec3>& patchNormals() const { return patchNormals_; }
+
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> fieldNormals;
+
+ private:
+  static ControlMesh flat() {
+    const Sheet sheet = sheetOf(kCells, [](float, float) { return 0.0f; });
+    return meshOf(sheet.positions, sheet.triangles);
+  }
+
+  ControlMesh mesh_;
+  Refinement refinement_;
+  VertexRings rings_;
+  std::vector<glm::vec3> patchNormals_;
+  MovedTriangles moved_;
+  VertexPairs pairs_;
+  ShadingNormals shading_;
+};
+
+/// A bump about the origin that ends smoothly at a radius, and its normals.
+struct Bump {
+  float height = 0.1f;
+  float radius = 0.5f;
+
+  float at(const glm::vec3& p) const {
+    const float inside = std::max(0.0f, 1.0f - (p.x * p.x + p.y * p.y) / (radius * radius));
+    return height * inside * inside;
+  }
+  glm::vec3 normal(const glm::vec3& p) const {
+    const float inside = std::max(0.0f, 1.0f - (p.x * p.x + p.y * p.y) / (radius * radius));
+    const float slope = 4.0f * height * inside / (radius * radius);
+    return {slope * p.x, slope * p.y, 1.0f};
+  }
+};
+
+float degreesBetween(const glm::vec3& a, const glm::vec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0f / std::numbers::pi_v<float>;
+}
+
+/// Unit normals of the faces around each vertex, weighted by their angles there.
+std::vector<glm::vec3> faceNormals(const Refinement& refinement, const std::vector<glm::vec3>& positions) {
+  std::vector<glm::vec3> sums(positions.size(), glm::vec3(0.0f));
+  for (const auto& t : refinement.triangles) {
+    const auto at = [&](std::size_t i) { return positions[static_cast<std::size_t>(t[i % 3])]; };
+    const glm::vec3 face = glm::normalize(glm::cross(at(1) - at(0), at(2) - at(0)));
+    for (std::size_t i = 0; i < 3; ++i) {
+      sums[static_cast<std::size_t>(t[i])] += degreesBetween(at(i + 1) - at(i), at(i + 2) - at(i)) * face;
+    }
+  }
+  for (glm::vec3& sum : sums) sum = glm::normalize(sum);
+  return sums;
+}
+
+TEST(ShadingNormals, KeepTheirBitsWhereNothingMoved) {
+  Raised sheet;
+  const auto nowhere = [](const glm::vec3&) { return 0.0f; };
+  EXPECT_TRUE(sameBytes(sheet.shaded(nowhere, [](const glm::vec3& p) { return p; }), sheet.patchNormals()));
+
+  // A steep bump: one edge around it may change, and no vertex beyond.
+  const Bump bump{0.3f, 0.2f};
+  const auto shaded =
+      sheet.shaded([&](const glm::vec3& p) { return bump.at(p); }, [&](const glm::vec3& p) { return bump.normal(p); });
+  const std::vector<bool> moved = movedBetween(sheet.patch(), sheet.positions);
+  const std::vector<bool> near = grown(sheet.refinement().triangles, moved, 1);
+  int beyond = 0;
+  int changed = 0;
+  for (std::size_t v = 0; v < shaded.size(); ++v) {
+    const bool same = sameBits(shaded[v], sheet.patchNormals()[v]);
+    changed += !same && !moved[v] ? 1 : 0;
+    if (near[v]) continue;
+    ++beyond;
+    EXPECT_TRUE(same) << v;
+  }
+  EXPECT_GT(beyond, 100);
+  EXPECT_GT(changed, 0) << "the faces beside the bump were not looked at";
+}
+
+TEST(ShadingNormals, OfABumpMuchWiderThanTheTrianglesAreTheFieldsBitForBit) {
+  Raised sheet;
+  const Bump bump{0.1f, 0.8f};
+  const auto shaded =
+      sheet.shaded([&](const glm::vec3& p) { return bump.at(p); }, [&](const glm::vec3& p) { return bump.normal(p); });
+  const std::vector<bool> moved = movedBetween(sheet.patch(), sheet.positions);
+  ASSERT_GT(std::ranges::count(moved, true), 500);
+  float most = 0.0f;
+  for (std::size_t v = 0; v < shaded.size(); ++v) {
+    if (!moved[v]) continue;
+    EXPECT_TRUE(sameBits(shaded[v], sheet.fieldNormals[v])) << v;
+    most = std::max(most, degreesBetween(shaded[v], sheet.patchNormals()[v]));
+  }
+  EXPECT_GT(most, 8.0f) << "too flat to tell";
+}
+
+bool inSquare(const glm::vec3& p) { return std::abs(p.x) < 0.5f && std::abs(p.y) < 0.5f; }
+
+/// 60 degrees to both sides.
+glm::vec3 steepNormal(const glm::vec3& p) { return {p.x > 0.0f ? 1.7f : -1.7f, 0.0f, 1.0f}; }
+
+// The field says 60 degrees where the faces hardly lean.
+TEST(ShadingNormals, OfABumpNarrowerThanAnEdgeAreHeldToTheFaces) {
+  Raised sheet;
+  const auto uneven = [](const glm::vec3& p) {
+    return inSquare(p) ? 0.001f * (1.0f + 0.3f * std::sin(13.0f * p.x + 7.0f * p.y)) : 0.0f;
+  };
+  const std::vector<glm::vec3> shaded = sheet.shaded(uneven, steepNormal);
+  const std::vector<glm::vec3> faces = faceNormals(sheet.refinement(), sheet.positions);
+  int steepBefore = 0;
+  float most = 0.0f;
+  for (std::size_t v = 0; v < shaded.size(); ++v) {
+    steepBefore += degreesBetween(sheet.fieldNormals[v], faces[v]) > 50.0f ? 1 : 0;
+    most = std::max(most, degreesBetween(shaded[v], faces[v]));
+  }
+  EXPECT_GT(steepBefore, 100);
+  EXPECT_LT(most, 9.0f);  // A difference of 0.145.
+}
+
+// Lifted by the same height everywhere, faces lie as the patch's do, to the last bit.
+TEST(ShadingNormals, AreHeldToFacesThatWereOnlyShifted) {
+  Raised sheet;
+  const auto even = [](const glm::vec3& p) { return inSquare(p) ? 0.001f : 0.0f; };
+  const std::vector<glm::vec3> shaded = sheet.shaded(even, steepNormal);
+  const std::vector<glm::vec3> faces = faceNormals(sheet.refinement(), sheet.positions);
+  float most = 0.0f;
+  for (std::size_t v = 0; v < shaded.size(); ++v) most = std::max(most, degreesBetween(shaded[v], faces[v]));
+  EXPECT_LT(most, 9.0f);
+}
+
+// A step that runs askew over the mesh, narrower than an edge: its faces alternate.
+TEST(ShadingNormals, OfARimAcrossTheMeshLoseTheirTeeth) {
+  Raised sheet;
+  const auto step = [](const glm::vec3& p) {
+    return 0.6f * kEdge * std::clamp((p.x + 0.4f * p.y + 0.2f) / (0.5f * kEdge), 0.0f, 1.0f);
+  };
+  sheet.shaded(step, [](const glm::vec3&) { return glm::vec3(0.0f, 0.0f, 1.0f); });
+  const std::vector<glm::vec3> faces = faceNormals(sheet.refinement(), sheet.positions);
+  std::size_t next = 0;
+  const auto asTheFaces = [&](const glm::vec3&) {
+    while (sheet.positions[next].z == 0.0f) ++next;  // Asked in order, of what moved.
+    return faces[next++];
+  };
+  const std::vector<glm::vec3> shaded = sheet.shaded(step, asTheFaces);
+  const auto roughness = [&](const std::vector<glm::vec3>& normals) {
+    double sum = 0.0;
+    for (const auto& t : sheet.refinement().triangles) {
+      const glm::vec3 apart = normals[static_cast<std::size_t>(t[0])] - normals[static_cast<std::size_t>(t[1])];
+      sum += static_cast<double>(glm::dot(apart, apart));
+    }
+    return sum;
+  };
+  std::printf("  squared differences along edges: %.1f before, %.1f after\n", roughness(faces), roughness(shaded));
+  EXPECT_LT(roughness(shaded), 0.85 * roughness(faces));
+}
+
+TEST(ShadingNormals, AreContinuousInTheHeight) {
+  Raised sheet;
+  constexpr float kMost = 0.4f;
+  std::vector<float> slopes;
+  for (const int steps : {200, 800}) {
+    std::vector<glm::vec3> before = sheet.patchNormals();
+    float worst = 0.0f;
+    for (int i = 1; i <= steps; ++i) {
+      const Bump bump{kMost * static_cast<float>(i) / static_cast<float>(steps), 4.3f * kEdge};
+      const auto now = sheet.shaded([&](const glm::vec3& p) { return bump.at(p); },
+                                    [&](const glm::vec3& p) { return bump.normal(p); });
+      for (std::size_t v = 0; v < now.size(); ++v) worst = std::max(worst, glm::distance(now[v], before[v]));
+      before = now;
+    }
+    slopes.push_back(worst * static_cast<float>(steps) / kMost);
+    std::printf("  %d steps: the largest is %.1f a unit of height\n", steps, double{slopes.back()});
+  }
+  EXPECT_LT(slopes[1], 1.5f * slopes[0]) << "a jump stays as steps shrink";
+}
+
+// A second bump begins to rise beside a steep one: at its first stirring nothing may jump.
+TEST(ShadingNormals, AreContinuousWhereAVertexBeginsToMove) {
+  Raised sheet;
+  const Bump steep{0.3f, 0.2f};
+  float worst = 0.0f;
+  for (int column = -10; column <= 10; ++column) {
+    const auto heightWith = [&](float more) {
+      return [&, more](const glm::vec3& p) {
+        const bool here =
+            std::abs(p.x - kEdge * static_cast<float>(column)) < 0.1f * kEdge && std::abs(p.y) < 0.1f * kEdge;
+        return steep.at(p) + (here ? more : 0.0f);
+      };
+    };
+    const auto normal = [&](const glm::vec3& p) { return steep.normal(p); };
+    const auto still = sheet.shaded(heightWith(0.0f), normal);
+    const auto stirred = sheet.shaded(heightWith(1e-6f), normal);
+    for (std::size_t v = 0; v < still.size(); ++v) worst = std::max(worst, degreesBetween(still[v], stirred[v]));
+  }
+  std::printf("  a vertex that begins to move turns normals by up to %.4f degrees\n", double{worst});
+  EXPECT_LT(worst, 0.05f);
+}
+
+}  // namespace
+}  // namespace sinew::test

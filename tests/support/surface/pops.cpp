@@ -1,0 +1,161 @@
+// tests/support/surface/pops.cpp: surfaces at ever closer moments around what steps far.
+#include "tests/support/surface/pops.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "core/base/at.h"
+#include "sinew/base/geometry.h"
+#include "sinew/smoothing/smoother.h"
+#include "tests/support/characters/motion.h"
+#include "tests/support/surface/visible_backs.h"
+
+namespace sinew::test {
+namespace {
+
+constexpr int kTenths = 10;
+constexpr int kFrame = 640;  ///< Ticks of 26 microseconds.
+constexpr int kLookedAt = 15;
+constexpr int kPixels = 700;
+constexpr double kTick = 1.0 / (60.0 * kFrame);
+
+using Offsets = std::vector<glm::vec3>;
+
+/// A moment and where it finds the skin.
+struct Moment {
+  int tick = 0;
+  Offsets offsets;
+};
+
+/// A vertex on the move.
+struct Stepping {
+  int vertex = 0;
+  float size = 0.0f;  ///< Of its step, fraction of H.
+};
+
+class PopSearch {
+ public:
+  PopSearch(const std::shared_ptr<const Character>& character, const Rig& rig)
+      : character_(*character), smoother_(character), bare_(character) {
+    Rig empty = rig;
+    empty.primitives.clear();
+    empty.lines.clear();
+    EXPECT_TRUE(smoother_.prepare(rig).ok() && bare_.prepare(empty).ok());
+  }
+
+  void walk(const AnimationClip& clip, int mostFrames, Pops& out) {
+    clip_ = &clip;
+    const int frames = std::min(mostFrames, static_cast<int>(static_cast<double>(clip.duration) * 60.0));
+    Moment before = at(0);
+    for (int i = 1; i <= frames; ++i) {
+      Moment now = at(i * kFrame);
+      look(i, out);
+      compare(before, now, out);
+      before = std::move(now);
+    }
+    out.frames += frames;
+  }
+
+ private:
+  Moment at(int tick) {
+    const Pose pose = samplePose(character_.skeleton, *clip_, static_cast<float>(tick * kTick));
+    smoother_.smooth(pose, surface_);
+    bare_.smooth(pose, patch_);
+    return {tick, CarriedOffsets(*surface_.refinement).of(surface_, patch_)};
+  }
+
+  /// At the surface that was made last.
+  void look(int frame, Pops& out) {
+    for (std::size_t v = 0; v < surface_.normals.size(); ++v) {
+      if (surface_.displacement[v] == 0.0f) continue;
+      const float cosine = std::clamp(glm::dot(surface_.normals[v], patch_.normals[v]), -1.0f, 1.0f);
+      out.turned += static_cast<double>(glm::degrees(std::acos(cosine)));
+      ++out.moved;
+    }
+    if (frame % kLookedAt != 0) return;
+    const Bounds box = boundsOf(patch_.positions);
+    const float extent = 1.05f * glm::length(box.high - box.low);
+    const auto backs = [&](const Surface& surface) {
+      return visibleBacks(*surface.refinement, surface.positions, box.center(), extent, kPixels);
+    };
+    out.backs += std::max(0LL, backs(surface_) - backs(patch_));
+  }
+
+  [[nodiscard]] float way(const Moment& a, const Moment& b, int vertex) const {
+    const float way = glm::distance(sinew::at(a.offsets, vertex), sinew::at(b.offsets, vertex)) / character_.height;
+    return std::isfinite(way) ? way : std::numeric_limits<float>::infinity();
+  }
+
+  void compare(const Moment& before, const Moment& now, Pops& out) {
+    std::vector<Stepping> stepping;
+    for (int v = 0; v < static_cast<int>(now.offsets.size()); ++v) {
+      const float size = way(before, now, v);
+      out.largestStep = std::max(out.largestStep, size);
+      if (size > kStep) stepping.push_back({v, size});
+    }
+    out.steps += static_cast<long long>(stepping.size());
+    if (!stepping.empty()) follow(before, now, kTenths, std::move(stepping), out);
+  }
+
+  /// Into that part of the time in which each moves furthest.
+  void follow(const Moment& from, const Moment& to, int parts, std::vector<Stepping> stepping, Pops& out) {
+    std::erase_if(stepping, [&](const Stepping& one) { return !(way(from, to, one.vertex) > kKept) && parts == 2; });
+    if (stepping.empty()) return;
+    const int ticks = (to.tick - from.tick) / parts;
+    if (to.tick - from.tick == 1) {
+      out.pops += static_cast<long long>(stepping.size());
+      for (const Stepping& one : stepping) out.largestPop = std::max(out.largestPop, one.size);
+      return;
+    }
+    std::vector<Moment> moments{from};
+    for (int i = 1; i < parts; ++i) moments.push_back(at(from.tick + i * ticks));
+    moments.push_back(to);
+    std::vector<std::vector<Stepping>> of(static_cast<std::size_t>(parts));
+    for (const Stepping& one : stepping) {
+      std::size_t fastest = 0;
+      float most = -1.0f;
+      for (std::size_t i = 0; i < of.size(); ++i) {
+        const float moved = way(moments[i], moments[i + 1], one.vertex);
+        if (moved > most) fastest = i;
+        most = std::max(most, moved);
+      }
+      of[fastest].push_back(one);
+    }
+    for (std::size_t i = 0; i < of.size(); ++i) follow(moments[i], moments[i + 1], 2, std::move(of[i]), out);
+  }
+
+  const Character& character_;
+  const AnimationClip* clip_ = nullptr;
+  Smoother smoother_;
+  Smoother bare_;
+  Surface surface_;
+  Surface patch_;
+};
+
+}  // namespace
+
+void Pops::add(const Pops& other) {
+  frames += other.frames;
+  steps += other.steps;
+  pops += other.pops;
+  largestStep = std::max(largestStep, other.largestStep);
+  largestPop = std::max(largestPop, other.largestPop);
+  turned += other.turned;
+  moved += other.moved;
+  backs += other.backs;
+}
+
+Pops countPops(const std::shared_ptr<const Character>& character, const Rig& rig, int mostFrames) {
+  Pops out;
+  PopSearch search(character, rig);
+  for (const AnimationClip& clip : character->clips) search.walk(clip, mostFrames, out);
+  return out;
+}
+
+}  // namespace sinew::test
