@@ -7,14 +7,14 @@
 namespace sinew::app {
 namespace {
 
-constexpr Menu kMenus[] = {{"file", "File"}, {"edit", "Edit"},     {"view", "View"}, {"tool", "Tool"},
-                           {"play", "Play"}, {"window", "Window"}, {"help", "Help"}};
+constexpr Menu kMenus[] = {{"file", "File"}, {"edit", "Edit"}, {"muscles", "Muscles"}, {"view", "View"},
+                           {"tool", "Tool"}, {"play", "Play"}, {"window", "Window"},   {"help", "Help"}};
 
 std::vector<Action> allActions() {
   std::vector<Action> all;
   for (const std::span<const Action> menu :
-       {table::fileActions(), table::editActions(), table::viewActions(), table::toolActions(), table::playActions(),
-        table::windowActions(), table::helpActions()}) {
+       {table::fileActions(), table::editActions(), table::muscleActions(), table::viewActions(), table::toolActions(),
+        table::playActions(), table::windowActions(), table::helpActions()}) {
     all.insert(all.end(), menu.begin(), menu.end());
   }
   return all;

@@ -19,6 +19,7 @@ using State = EditorState;
 // The menus, each in its own file: action_table_NAME.cpp.
 [[nodiscard]] std::span<const Action> fileActions();
 [[nodiscard]] std::span<const Action> editActions();
+[[nodiscard]] std::span<const Action> muscleActions();
 [[nodiscard]] std::span<const Action> viewActions();
 [[nodiscard]] std::span<const Action> toolActions();
 [[nodiscard]] std::span<const Action> playActions();

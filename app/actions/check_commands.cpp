@@ -15,6 +15,7 @@ void checkMuscles(EditorState& state) {
   CheckState& check = state.open.check;
   const Rig& rig = state.document.rig();
   check = {};
+  state.open.muscleSet.shown = false;  // They share a place.
   check.shown = true;
   check.revision = state.document.commands.revision();
   check.findings = sinew::check(rig, Motions(state.document.character));

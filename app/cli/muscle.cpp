@@ -2,8 +2,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <system_error>
-#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -11,12 +9,12 @@
 #include "app/cli/console.h"
 #include "app/cli/verb.h"
 #include "app/document/document.h"
-#include "app/platform/data_files.h"
+#include "app/document/muscle_sets.h"
+#include "core/base/at.h"
 #include "core/base/listed.h"
 #include "core/base/stopwatch.h"
 #include "core/body/character_slots.h"
-#include "core/body/fit_preset.h"
-#include "core/check/mend.h"
+#include "core/body/muscle_set.h"
 #include "core/io/files/atomic_file.h"
 #include "core/io/json/json.h"
 #include "core/io/preset_json.h"
@@ -35,9 +33,6 @@ struct MuscleOptions {
   std::optional<float> definition;
 };
 
-constexpr const char* kForHumanoids = "athlete";
-constexpr const char* kForQuadrupeds = "animal";
-
 void addMuscleOptions(CLI::App& verb, MuscleOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
   verb.add_option_function<std::string>("FILE", to(options.file), "Character (.glb, .gltf) or rig (.rig.json)")
@@ -46,7 +41,8 @@ void addMuscleOptions(CLI::App& verb, MuscleOptions& options) {
       ->type_name("OUT.rig.json")
       ->required();
   verb.add_option("--set", options.set,
-                  "Set of muscles: athlete, animal, or a file (.json); without it, the one for this kind of body")
+                  "Set of muscles: athlete, animal, one of your own, or a file (.json); without it, the one for this "
+                  "kind of body")
       ->type_name("NAME");
   verb.add_option("--mass", options.mass, "Girth of all muscles, 0.5 to 2 (1)")
       ->type_name("M")
@@ -60,27 +56,18 @@ void addMuscleOptions(CLI::App& verb, MuscleOptions& options) {
 }
 
 Result<Preset> presetOf(const MuscleOptions& options, BodyKind kind) {
-  std::string set = options.set;
-  if (set.empty()) set = kind == BodyKind::kQuadruped ? kForQuadrupeds : kForHumanoids;
-  if (set.ends_with(".json")) return loadPreset(set);
-  const std::filesystem::path file = dataFile(std::filesystem::path("assets") / "presets" / (set + ".json"));
-  std::error_code failed;
-  if (set.find('/') != std::string::npos || !std::filesystem::exists(file, failed)) {
-    return errorAt("--set",
-                   "there is no set \"" + set + "\"; there are " + listed({kForHumanoids, kForQuadrupeds}, "and"));
-  }
-  return loadPreset(file);
+  if (options.set.ends_with(".json")) return loadPreset(options.set);
+  const MuscleSets all = muscleSets();
+  const int chosen = options.set.empty() ? all.firstFor(kind == BodyKind::kUnknown ? BodyKind::kHumanoid : kind)
+                                         : all.named(options.set);
+  if (chosen >= 0) return at(all.sets, chosen);
+  std::vector<std::string> names;
+  for (const Preset& set : all.sets) names.push_back(set.name);
+  return errorAt("--set", "there is no set \"" + options.set + "\"; there are " + listed(names, "and"));
 }
 
-/// What was found of the set's own muscles is mended; muscles that were there before are their designer's.
-Result<MendedRig> mendedSet(Rig rig, int first, const Motions& motions, const MirrorPlan& plan) {
-  std::vector<Finding> findings = check(rig, motions);
-  std::erase_if(findings, [&](const Finding& finding) { return finding.primitive < first; });
-  return withMendedFindings(std::move(rig), findings, motions, &plan);
-}
-
-std::string reportText(const FittedPreset& fitted, const std::vector<std::string>& changed, const Preset& preset,
-                       const BodySlots& slots, double seconds) {
+std::string reportText(const AddedSet& added, const Preset& preset, const BodySlots& slots, double seconds) {
+  const FittedPreset& fitted = added.fitted;
   Json muscles = Json::array();
   for (const std::string& name : fitted.muscles) muscles.push(name);
   Json leftOut = Json::array();
@@ -90,7 +77,7 @@ std::string reportText(const FittedPreset& fitted, const std::vector<std::string
     if (slots[slot].bone < 0) missing.push(nameOf(slot));
   }
   Json mended = Json::array();
-  for (const std::string& line : changed) mended.push(line);
+  for (const std::string& line : added.mended) mended.push(line);
   Json json = Json::object();
   json.set("set", preset.name).set("body", nameOf(slots.kind)).set("muscles", std::move(muscles));
   json.set("primitives", static_cast<int>(fitted.rig.primitives.size())).set("left_out", std::move(leftOut));
@@ -110,24 +97,19 @@ int runMuscle(const MuscleOptions& options) {
   const BodySlots slots = bodySlots(*character, plan, document->rig().slots);
   const auto preset = presetOf(options, slots.kind);
   if (!preset) return refused(preset.error());
-  Rig rig = document->rig();
-  if (rig.primitives.empty()) rig.surface.skinBlend = preset->skinBlend;
-  auto fitted = fitPreset(std::move(rig), preset.value(), {options.mass, options.definition}, *character, plan);
-  if (!fitted) return badInput({options.file.string(), {}, fitted.error().reason});
-  const int first = static_cast<int>(document->rig().primitives.size());
-  Result<MendedRig> mended = mendedSet(std::move(fitted.value().rig), first, Motions(character), plan);
-  if (!mended) return badInput({options.file.string(), {}, mended.error().reason});
-  fitted.value().rig = std::move(mended.value().rig);
+  const auto added =
+      addMuscleSet(document->rig(), preset.value(), {options.mass, options.definition}, Motions(character), plan);
+  if (!added) return badInput({options.file.string(), {}, added.error().reason});
   const double seconds = watch.lap();
-  for (const auto& [name, why] : fitted->leftOut) message(name + " is left out: " + why);
-  for (const std::string& line : mended->said) message("mended " + line);
-  fitted.value().rig.character = relativeCharacterPath(document->characterFile, options.output);
+  for (const auto& [name, why] : added->fitted.leftOut) message(name + " is left out: " + why);
+  for (const std::string& line : added->mended) message("mended " + line);
+  Rig rig = added->fitted.rig;
+  rig.character = relativeCharacterPath(document->characterFile, options.output);
   if (!options.report.empty()) {
-    const auto written =
-        writeFileAtomically(options.report, reportText(fitted.value(), mended->said, preset.value(), slots, seconds));
+    const auto written = writeFileAtomically(options.report, reportText(added.value(), preset.value(), slots, seconds));
     if (!written) return badInput(written.error());
   }
-  if (const auto saved = saveRig(fitted->rig, options.output); !saved) return badInput(saved.error());
+  if (const auto saved = saveRig(rig, options.output); !saved) return badInput(saved.error());
   return kDone;
 }
 

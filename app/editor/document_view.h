@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,7 +16,9 @@
 #include "app/document/animate_state.h"
 #include "app/playback.h"
 #include "app/tools/select.h"
+#include "core/body/fit_preset.h"
 #include "core/check/check.h"
+#include "core/check/motions.h"
 #include "core/lines/line_lengths.h"
 #include "sinew/rig/rig.h"
 
@@ -104,11 +107,37 @@ struct CheckState {
   int chosen = -1;                   ///< The finding that was gone to; -1: none.
 };
 
+/// The set of muscles that was added last, while its sliders can still change it.
+struct MuscleSetState {
+  bool shown = false;
+  std::size_t revision = 0;  ///< CommandStack::revision() of the rig as the set left it.
+  std::vector<Preset> sets;  ///< For this kind of body.
+  int chosen = 0;            ///< Index into sets.
+  PresetTuning tuning;
+  PresetTuning kept;                 ///< As the step has it; `tuning` differs while a slider is dragged.
+  bool previews = false;             ///< A slider is being dragged.
+  std::vector<std::string> muscles;  ///< Without sides.
+  std::vector<FittedPreset::LeftOut> leftOut;
+  std::vector<std::string> mended;
+  std::shared_ptr<const Motions> motions;  ///< Of the character; made once.
+};
+
+/// Muscles > Parts of the body.
+struct BodyPartsState {
+  bool shown = false;
+  bool asAnimal = false;                ///< Which parts are listed while the kind of body is unknown.
+  int hovered = -1;                     ///< Index into allBodySlots(), of the row or dot under the pointer.
+  std::optional<std::size_t> revision;  ///< CommandStack::revision() that `slots` were found for.
+  BodySlots slots;
+};
+
 struct DocumentView {
   Transport transport;
   FlexState flex;
   LineRangeState lineRange;
   CheckState check;
+  MuscleSetState muscleSet;
+  BodyPartsState bodyParts;
   std::vector<bool> helperBones;  ///< [bones] core/character/skin_bones.h
   TimelineState timeline;
   RenameState rename;

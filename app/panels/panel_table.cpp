@@ -24,6 +24,8 @@ constexpr Panel kPanels[] = {
     {"flex", "", Region::kInViewport, drawFlex},
     {"driven-key", "", Region::kInViewport, drawDrivenKey},
     {"check", "", Region::kInViewport, drawCheckList},
+    {"muscle-set", "", Region::kInViewport, drawMuscleSet},
+    {"body-parts", "", Region::kInViewport, drawBodyParts},
     {"viewport-menu", "", Region::kInViewport, drawViewportMenu},
     {"messages", "", Region::kInViewport, drawMessages, true},
     {"toast", "", Region::kInViewport, drawToast, true},

@@ -4,6 +4,15 @@
 #include "core/character/skin_bones.h"
 
 namespace sinew {
+namespace {
+
+/// A limb that the designer names says what body it is of.
+BodyKind kindOf(Slot slot) {
+  if (slot >= Slot::kFrontUpper) return BodyKind::kQuadruped;
+  return slot >= Slot::kUpperArm ? BodyKind::kHumanoid : BodyKind::kUnknown;
+}
+
+}  // namespace
 
 BodySlots bodySlots(const Character& character, const MirrorPlan& plan, std::span<const SlotCorrection> corrections) {
   SlotHints hints;
@@ -19,6 +28,7 @@ BodySlots bodySlots(const Character& character, const MirrorPlan& plan, std::spa
       slots[*slot] = {-1, SlotConfidence::kGiven};
     } else if (const std::optional<int> bone = character.skeleton.findBone(boneName)) {
       slots[*slot] = {*bone, SlotConfidence::kGiven};
+      if (kindOf(slot->slot) != BodyKind::kUnknown) slots.kind = kindOf(slot->slot);
     }
   }
   return slots;

@@ -29,8 +29,8 @@ TEST_F(Program, MuscleWritesARigThatOpensAndSaysWhatItDid) {
   EXPECT_EQ(run({"inspect", rig}).status, 0);
   const auto json = Json::parse(readText(report));
   ASSERT_TRUE(json.ok());
-  EXPECT_EQ(json->keys(),
-            (std::vector<std::string>{"set", "body", "muscles", "primitives", "left_out", "missing_parts", "seconds"}));
+  EXPECT_EQ(json->keys(), (std::vector<std::string>{"set", "body", "muscles", "primitives", "left_out", "mended",
+                                                    "missing_parts", "seconds"}));
   EXPECT_EQ(json->at("set").text(""), "athlete");
 }
 

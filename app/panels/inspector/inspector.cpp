@@ -1,6 +1,7 @@
 // app/panels/inspector/inspector.cpp: the selected muscles: name, bone, group, placement, effect, territory.
 
 #include "app/panels/inspector/inspector.h"
+#include "app/panels/shared/bone_list.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>

@@ -79,12 +79,6 @@ void editSubjects(PanelUi& ui, const Subjects& subjects, const char* label,
 /// @return whether it is unfolded
 [[nodiscard]] bool section(PanelUi& ui, const char* id, const char* title, float room = 0.0f);
 
-/// Inside a list that has just been opened: bones to choose from, the nearest in the tree first; typing leaves those
-/// that have the text in their names, Enter takes the first. Rows note themselves as ID/NAME. @param near  -1: in the
-/// tree's order; @param chosen  marked, or -1 @return the bone that was taken, or -1
-[[nodiscard]] int boneList(PanelUi& ui, const std::string& id, int near, int chosen,
-                           const std::function<bool(int)>& isOffered);
-
 // The parts, each in a file of its own.
 void drawTwinRow(PanelUi& ui, const Subjects& subjects);
 void drawShapeRows(PanelUi& ui, const Subjects& subjects);

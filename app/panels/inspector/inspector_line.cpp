@@ -10,6 +10,7 @@
 
 #include "app/document/shown_names.h"
 #include "app/panels/inspector/inspector_lines.h"
+#include "app/panels/shared/bone_list.h"
 #include "app/tools/line_handles.h"
 #include "core/base/at.h"
 #include "core/lines/line_pose.h"

@@ -15,6 +15,7 @@
 #include "app/editor/outliner_rows.h"
 #include "app/editor/territory.h"
 #include "app/panels/inspector/inspector.h"
+#include "app/panels/shared/bone_list.h"
 #include "app/panels/shared/field_edit.h"
 #include "core/base/at.h"
 #include "core/rig/attachment.h"

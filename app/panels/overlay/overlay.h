@@ -19,6 +19,10 @@ void drawFlex(PanelUi& ui);
 void drawDrivenKey(PanelUi& ui);
 /// What Play > Check muscles found.
 void drawCheckList(PanelUi& ui);
+/// Which bone is which part of the body, with a figure.
+void drawBodyParts(PanelUi& ui);
+/// The sliders of the set of muscles that was added last.
+void drawMuscleSet(PanelUi& ui);
 /// The context menu that a right click asks for.
 void drawViewportMenu(PanelUi& ui);
 void drawMessages(PanelUi& ui);

@@ -1,4 +1,5 @@
-// app/panels/inspector/inspector_bones.cpp: a list of bones to choose from: near ones first, the rest by typing.
+// app/panels/shared/bone_list.cpp: bones in the order of their distance in the tree, without those that are hidden.
+#include "app/panels/shared/bone_list.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -9,7 +10,6 @@
 #include "app/document/shown_names.h"
 #include "app/editor/hidden_bones.h"
 #include "app/editor/outliner_rows.h"
-#include "app/panels/inspector/inspector.h"
 #include "core/base/at.h"
 
 namespace sinew::app {
