@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "app/actions/check_commands.h"
+#include "app/actions/muscle_set_commands.h"
 #include "app/editor/edit.h"
 #include "core/body/character_slots.h"
 
@@ -17,7 +19,12 @@ Rig withoutCorrection(Rig rig, BodySlot slot) {
 
 }  // namespace
 
-void toggleBodyParts(EditorState& state) { state.open.bodyParts.shown = !state.open.bodyParts.shown; }
+void toggleBodyParts(EditorState& state) {
+  state.open.bodyParts.shown = !state.open.bodyParts.shown;
+  if (!state.open.bodyParts.shown) return;
+  closeSet(state);  // They would lie under it.
+  closeCheck(state);
+}
 
 BodySlots bodyPartsOf(const EditorState& state) {
   const Document& document = state.document;

@@ -53,6 +53,7 @@ void addMuscleSet(EditorState& state) {
   auto sets = setsFor(state);
   if (!sets) return refuse(state, sets.error());
   closeCheck(state);
+  state.open.bodyParts.shown = false;
   MuscleSetState& set = state.open.muscleSet;
   if (!set.motions) set.motions = std::make_shared<const Motions>(state.document.character);
   set.sets = std::move(sets).value();

@@ -103,8 +103,8 @@ void drawPart(PanelUi& ui, BodySlot slot, float width, int& hovered) {
     tooltip(ui, (found.bone < 0 ? std::string() : name + ": ") + confidence.words);
   } else {
     hovered = static_cast<int>(indexOf(slot));
-    offerOthers(ui, slot, id);
-    const int bone = boneList(ui, id, found.bone, found.bone, [](int) { return true; });
+    const int bone = boneList(
+        ui, id, found.bone, found.bone, [](int) { return true; }, [&] { offerOthers(ui, slot, id); });
     if (bone >= 0) setBodyPart(ui.state, slot, bone);
     ImGui::EndCombo();
   }
@@ -251,7 +251,7 @@ void drawBodyParts(PanelUi& ui) {
   if (!state.open.bodyParts.shown) return;
   const glm::vec4& v = state.frame.viewport;
   const float width = std::min(ui.px(kWidth + kFigure), v.z - ui.px(2.0f * kMargin));
-  const auto rows = static_cast<float>(listedSlots(isAnimal(state.open.bodyParts)).size() + 4);
+  const auto rows = static_cast<float>(listedSlots(isAnimal(state.open.bodyParts)).size() + 3);
   const float wanted = rows * ImGui::GetFrameHeightWithSpacing() + ui.px(20);
   const float top = ui.px(kTop);
   const float height = std::min(wanted, v.w - top - ui.px(kMargin));

@@ -17,11 +17,12 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kWidth = 330.0f;  // Design pixels, as all here.
+constexpr float kWidth = 300.0f;  // Design pixels, as all here.
 constexpr float kMargin = 12.0f;
+constexpr float kLeft = 62.0f;    // Beside the tools.
 constexpr float kRight = 110.0f;  // Room for the axes.
 constexpr float kLabel = 84.0f;
-constexpr float kRows = 5.0f;
+constexpr float kRows = 4.0f;  // Besides one of text.
 
 std::string counted(std::size_t count, const char* one, const char* several) {
   return std::to_string(count) + ' ' + (count == 1 ? one : several);
@@ -112,10 +113,10 @@ void drawMuscleSet(PanelUi& ui) {
   if (state.open.muscleSet.shown && !setIsTunable(state)) closeSet(state);
   if (!state.open.muscleSet.shown) return;
   const glm::vec4& v = state.frame.viewport;
-  const float width = std::min(ui.px(kWidth), v.z - ui.px(kMargin + kRight));
-  const float height = kRows * ImGui::GetFrameHeightWithSpacing() + ui.px(12);
+  const float width = std::min(ui.px(kWidth), v.z - ui.px(kLeft + kRight));
+  const float height = kRows * ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing() + ui.px(12);
   const float below = messagesHeight(ui) > 0.0f ? messagesHeight(ui) + ui.px(kMargin) : 0.0f;
-  ImGui::SetCursorPos({ui.px(kMargin), std::max(v.w - height - below - ui.px(kMargin), 0.0f)});
+  ImGui::SetCursorPos({ui.px(kLeft), std::max(v.w - height - below - ui.px(kMargin), 0.0f)});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.94f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
   ImGui::BeginChild("muscle-set", {width, height}, true,

@@ -40,7 +40,8 @@ std::vector<int> bonesByNearness(const Skeleton& skeleton, int from) {
 
 }  // namespace
 
-int boneList(PanelUi& ui, const std::string& id, int near, int chosen, const std::function<bool(int)>& isOffered) {
+int boneList(PanelUi& ui, const std::string& id, int near, int chosen, const std::function<bool(int)>& isOffered,
+             const std::function<void()>& drawOthers) {
   std::string& filter = ui.state.view.inspector.boneFilter;
   if (ImGui::IsWindowAppearing()) {
     filter.clear();
@@ -50,6 +51,7 @@ int boneList(PanelUi& ui, const std::string& id, int near, int chosen, const std
   const bool entered =
       ImGui::InputTextWithHint("##bone-filter", "Search", &filter, ImGuiInputTextFlags_EnterReturnsTrue);
   ui.widgets.note(id + "-search");
+  if (drawOthers) drawOthers();
   const Skeleton& skeleton = ui.state.character().skeleton;
   const std::vector<std::string> names = shownFileNames(skeleton);
   const std::vector<bool> hidden = hiddenBones(ui.state);
