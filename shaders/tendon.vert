@@ -44,11 +44,8 @@ Ring ringAt(float t) {
 }
 
 void main() {
-  int corner = gl_VertexID % 6, face = gl_VertexID / 6;
-  int ring = face / kCorners + (corner == 1 || corner == 4 || corner == 5 ? 1 : 0);
-  int place = face % kCorners + (corner == 2 || corner == 3 || corner == 5 ? 1 : 0);
-  float t = float(ring) / float(kRings);
-  float turn = 6.2831853 * float(place % kCorners) / float(kCorners);
+  float t = float(gl_VertexID / kCorners) / float(kRings);
+  float turn = 6.2831853 * float(gl_VertexID % kCorners) / float(kCorners);
   vec2 at = vec2(sin(turn), cos(turn));
   Ring here = ringAt(t);
   float step_ = t < 0.5 ? 0.01 : -0.01;

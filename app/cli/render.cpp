@@ -16,6 +16,7 @@
 #include "app/cli/surface_options.h"
 #include "app/cli/verb.h"
 #include "app/platform/offscreen.h"
+#include "app/render/render_target.h"
 #include "app/render/viewport.h"
 #include "core/base/stopwatch.h"
 #include "core/character/skinning.h"
@@ -71,12 +72,8 @@ Image Drawing::draw(const Moment& moment) {
     scene.skinnedControlPositions = std::move(skinned.positions);
   }
   if (plan_.anchors) scene.segments = anchorSegments(character, pose, surface);
-  viewport_.draw(scene, view, plan_.display);
-  watch.lap();
-  // Without noise it takes the mean of many pictures.
-  const bool occluded = plan_.display.look.occlusion || plan_.display.anatomy;
-  while (occluded && !viewport_.isRefined()) viewport_.refine(scene, view, plan_.display);
-  seconds.draw += watch.lap();
+  if (plan_.isMean()) viewport_.drawMean(scene, view, plan_.display, meanSamples(plan_.samples));
+  else viewport_.draw(scene, view, plan_.display);
   seconds.upload += viewport_.seconds().upload;
   seconds.draw += viewport_.seconds().draw;
   return viewport_.readPixels();
@@ -116,7 +113,8 @@ void addLook(CLI::App& verb, RenderOptions& options) {
       ->type_name("B");
   verb.add_flag("--ao", options.occlusion, "Ambient occlusion: crevices and folds are darker");
   verb.add_option("--size", options.size, "Pixels, each 16 to 8192 (1280x800)")->type_name("WxH");
-  verb.add_option("--samples", options.samples, "Samples per pixel, at most what the driver offers (4)")
+  verb.add_option("--samples", options.samples,
+                  "Samples per pixel, at most what the driver offers; 4 or 16 with --ao and --show muscles (4)")
       ->type_name("N")
       ->check(CLI::Range(1, 64));
 }
@@ -214,7 +212,7 @@ int renderInput(const RenderOptions& options, const RenderPlan& plan, const Batc
 
   const auto context = OffscreenContext::create();
   if (!context) return badInput(context.error());
-  const auto viewport = Viewport::create(options.samples);
+  const auto viewport = Viewport::create(plan.isMean() ? 1 : plan.samples);
   if (!viewport) return badInput(viewport.error());
   viewport.value()->setCharacter(*opened->character);
   viewport.value()->setFinishFrames(true);

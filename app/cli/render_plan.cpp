@@ -83,6 +83,7 @@ Result<void> readSize(const std::string& text, RenderPlan& plan) {
 }
 
 Result<void> readDisplay(const RenderOptions& options, RenderPlan& plan) {
+  plan.samples = options.samples;
   DisplaySettings& display = plan.display;
   if (options.shading == "textured") display.shading = Shading::kTextured;
   else if (options.shading == "clay") display.shading = Shading::kClay;

@@ -54,9 +54,12 @@ struct RenderPlan {
   float yaw = 0.0f;                 ///< Radians, as framing.h counts them.
   float pitch = 0.0f;
   glm::ivec2 size{1280, 800};
+  int samples = 4;
   DisplaySettings display;
   bool anchors = false;  ///< The segments from the control vertices to the skeleton.
 
+  /// Ambient occlusion without noise is the mean of many drawings, which smooth the edges as well.
+  [[nodiscard]] bool isMean() const { return display.look.occlusion || display.anatomy; }
   /// All pictures of an input are in one file.
   [[nodiscard]] bool isOneFile() const { return isMovie || sheet.x > 0; }
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "app/render/color_scales.h"
@@ -15,16 +16,29 @@
 namespace sinew::app {
 namespace {
 
-constexpr int kTendonVertices = 24 * 14 * 6;  ///< As shaders/tendon.vert numbers them.
-constexpr float kUnmoved = 0.45f;             ///< The tone of muscles that no line flexes: between loose and flexed.
-constexpr float kStrandWidth = 0.12f;         ///< Fraction of the mean of half length and mean radius across.
-constexpr float kCord = 0.20f;                ///< A tendon's radius, of the belly's mean radius across,
+constexpr std::uint32_t kTendonRings = 24, kTendonCorners = 14;  ///< As shaders/tendon.vert numbers them.
+constexpr float kUnmoved = 0.45f;      ///< The tone of muscles that no line flexes: between loose and flexed.
+constexpr float kStrandWidth = 0.12f;  ///< Fraction of the mean of half length and mean radius across.
+constexpr float kCord = 0.20f;         ///< A tendon's radius, of the belly's mean radius across,
 constexpr glm::vec2 kCordOfHeight{0.0016f, 0.0085f};       ///< within these, of the character's height.
 constexpr glm::vec2 kBoneWidth{0.12f, 0.012f};             ///< A bone's, of its length and of the character's height.
 constexpr float kShortestBone = 0.004f;                    ///< Drawn, of the character's height.
 constexpr glm::vec3 kDarkContour{0.050f, 0.048f, 0.050f};  ///< The glass's outline: light on dark backgrounds.
 constexpr glm::vec3 kLightContour{0.330f, 0.345f, 0.370f};
 constexpr float kInside = 0.97f;  ///< The tendon's first section, of the belly's: hidden in it.
+
+/// Two triangles between each two corners of a ring and of the next.
+std::vector<std::uint32_t> tendonTriangles() {
+  std::vector<std::uint32_t> indices;
+  for (std::uint32_t ring = 0; ring < kTendonRings; ++ring) {
+    for (std::uint32_t place = 0; place < kTendonCorners; ++place) {
+      const std::uint32_t next = (place + 1) % kTendonCorners, row = ring * kTendonCorners;
+      const std::uint32_t a = row + place, b = row + next, above = a + kTendonCorners, beside = b + kTendonCorners;
+      indices.insert(indices.end(), {a, above, b, b, above, beside});
+    }
+  }
+  return indices;
+}
 
 /// Which of a muscle's axes is x, y and z where its fibres run along y.
 std::array<glm::length_t, 3> axesOf(const PrimitiveShape& shape) {
@@ -73,10 +87,14 @@ MuscleDrawer::MuscleDrawer()
       hollows_(ShapeMesh::ball(20)),
       bones_(ShapeMesh::ball(18)),
       tendonArray_(makeVertexArray()),
-      tendonBuffer_(makeBuffer()) {
+      tendonBuffer_(makeBuffer()),
+      tendonIndices_(makeBuffer()) {
   const GLuint array = tendonArray_.id();
   glVertexArrayVertexBuffer(array, 0, tendonBuffer_.id(), 0, sizeof(TendonInstance));
   glVertexArrayBindingDivisor(array, 0, 1);
+  const std::vector<std::uint32_t> indices = tendonTriangles();
+  uploadBuffer(tendonIndices_, std::span<const std::uint32_t>(indices));
+  glVertexArrayElementBuffer(array, tendonIndices_.id());
   for (GLuint i = 0; i < sizeof(TendonInstance) / sizeof(glm::vec4); ++i) {
     glEnableVertexArrayAttrib(array, i);
     glVertexArrayAttribFormat(array, i, 4, GL_FLOAT, GL_FALSE, static_cast<GLuint>(i * sizeof(glm::vec4)));
@@ -181,7 +199,8 @@ void MuscleDrawer::drawBodies(const Programs& programs) const {
   if (tendons_.empty()) return;
   programs.tendon.use();
   glBindVertexArray(tendonArray_.id());
-  glDrawArraysInstanced(GL_TRIANGLES, 0, kTendonVertices, static_cast<GLsizei>(tendons_.size()));
+  glDrawElementsInstanced(GL_TRIANGLES, kTendonRings * kTendonCorners * 6, GL_UNSIGNED_INT, nullptr,
+                          static_cast<GLsizei>(tendons_.size()));
 }
 
 void MuscleDrawer::drawFlesh(const Frame& frame) const {

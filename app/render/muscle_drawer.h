@@ -52,6 +52,7 @@ class MuscleDrawer {
   std::size_t hollowCount_ = 0;
   GlVertexArray tendonArray_;
   GlBuffer tendonBuffer_;
+  GlBuffer tendonIndices_;
   std::vector<TendonInstance> tendons_;
 };
 

@@ -60,6 +60,9 @@ class PictureMean {
 /// Where sample `index` of `kMeanSamples` lies: pixels from the middle, -0.5..0.5. Any 4 or 16 in a row that begin with
 /// a multiple of 4 spread evenly over the pixel.
 inline constexpr int kMeanSamples = 16;
+inline constexpr int kFewSamples = 4;  ///< After which the mean is first shown.
+/// How many make a mean of at least so many, kFewSamples or kMeanSamples.
+[[nodiscard]] constexpr int meanSamples(int samples) { return samples <= kFewSamples ? kFewSamples : kMeanSamples; }
 [[nodiscard]] glm::vec2 sampleOffset(int index);
 
 }  // namespace sinew::app

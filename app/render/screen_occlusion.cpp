@@ -12,7 +12,7 @@ constexpr float kRadius = 0.075f;        ///< How far a surface darkens its neig
 constexpr float kMuscleRadius = 0.040f;  ///< The same for muscles, which lie close together.
 constexpr GLuint kUnit = 5;              ///< Texture unit of shaders/surface.frag.
 constexpr int kTaps = 16;
-constexpr int kTapsOnProcessor = 9;
+constexpr int kTapsOnProcessor = 12;
 
 GlTexture target(GlFramebuffer& framebuffer, GLenum format, const glm::ivec2& size) {
   GlTexture texture = makeTexture(GL_TEXTURE_2D);
@@ -117,7 +117,7 @@ void ScreenOcclusion::prepare(const Frame& frame, const SurfaceDrawer& surface, 
   blurProgram_.use();
   blurProgram_.set("surface", 0);
   blurProgram_.set("source", 1);
-  blurProgram_.set("width", sample < 0 ? 3 : 1);
+  blurProgram_.set("width", sample < 0 ? 3 : 2);
   blurProgram_.set("range", 0.3f * radius);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glBindTextureUnit(kUnit, blurred_.id());

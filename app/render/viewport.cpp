@@ -50,7 +50,6 @@ struct Viewport::State {
 namespace {
 
 constexpr float kHeldWithin = 0.015f;  ///< Fraction of the height: at most one step in 255 of the floor's light.
-constexpr int kFirstShown = 4;         ///< Samples after which a mean is first shown.
 
 FrameBlock blockOf(const Frame& frame, bool occluded) {
   FrameBlock block;
@@ -250,6 +249,22 @@ void Viewport::leave() {
   if (state_->finish) glFinish();
 }
 
+/// Uploads the surface and makes room for a picture.
+Frame Viewport::beginPicture(const Scene& scene, const View& view, const DisplaySettings& settings, bool moving) {
+  State& s = *state_;
+  Stopwatch watch;
+  resetState();
+  const bool surfaced = scene.surface != nullptr && scene.surface->refinement != nullptr;
+  if (surfaced) s.surface.upload(scene);
+  Frame frame{scene, view, settings, scene.character->height, s.floor, surfaced ? s.surface.bounds() : Bounds{}};
+  frame.groundCenter = groundCenter(frame, moving);
+  s.target.resize(view.size, s.samples);
+  s.transparent = !settings.background;
+  if (s.finish) glFinish();
+  s.seconds.upload = watch.lap();
+  return frame;
+}
+
 void Viewport::draw(const Scene& scene, const View& whole, const DisplaySettings& chosen, std::optional<float> moving) {
   const float scale = moving.value_or(1.0f);
   assert(scene.character != nullptr && whole.size.x > 0 && whole.size.y > 0 && scale > 0.0f && scale <= 1.0f);
@@ -260,21 +275,24 @@ void Viewport::draw(const Scene& scene, const View& whole, const DisplaySettings
     settings.lineScale *= scale;
   }
   State& s = *state_;
+  const Frame frame = beginPicture(scene, view, settings, moving.has_value());
   Stopwatch watch;
-  resetState();
-  const bool surfaced = scene.surface != nullptr && scene.surface->refinement != nullptr;
-  if (surfaced) s.surface.upload(scene);
-  Frame frame{scene, view, settings, scene.character->height, s.floor, surfaced ? s.surface.bounds() : Bounds{}};
-  frame.groundCenter = groundCenter(frame, moving.has_value());
-  s.target.resize(view.size, s.samples);
   s.mean.begin(whole.size);
-  s.transparent = !settings.background;
-  if (s.finish) glFinish();
-  s.seconds.upload = watch.lap();
   shareFrame(frame, -1);
   if (settings.ground) s.ground.prepareShadow(frame, s.surface);
   drawInto(s.target, frame, moving.has_value() && s.samples == 1);
   leave();
+  s.seconds.draw = watch.lap();
+}
+
+void Viewport::drawMean(const Scene& scene, const View& view, const DisplaySettings& settings, int samples) {
+  State& s = *state_;
+  const Frame frame = beginPicture(scene, view, settings, false);
+  Stopwatch watch;
+  s.mean.begin(view.size);
+  shareFrame(frame, 0);
+  if (settings.ground) s.ground.prepareShadow(frame, s.surface);
+  while (s.mean.count() < samples) refine(scene, view, settings);
   s.seconds.draw = watch.lap();
 }
 
@@ -291,11 +309,11 @@ bool Viewport::refine(const Scene& scene, const View& view, const DisplaySetting
   aside.clipFromView = glm::translate(glm::mat4(1.0f), glm::vec3(shift, 0.0f)) * view.clipFromView;
   Frame frame{scene, aside, settings, scene.character->height, s.floor, surfaced ? s.surface.bounds() : Bounds{}};
   frame.groundCenter = groundCenter(frame, false);
-  s.sample.resize(view.size, s.samples);
+  s.sample.resize(view.size, 1);  // The mean smooths edges.
   shareFrame(frame, sample);
   drawInto(s.sample, frame, false);
   s.mean.add(s.sample);
-  const bool shown = s.mean.count() == kFirstShown || s.mean.count() == kMeanSamples;
+  const bool shown = s.mean.count() == kFewSamples || s.mean.count() == kMeanSamples;
   if (shown) s.mean.writeTo(s.target);
   leave();
   return shown;

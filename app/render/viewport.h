@@ -53,6 +53,10 @@ class Viewport {
   void draw(const Scene& scene, const View& view, const DisplaySettings& settings,
             std::optional<float> moving = std::nullopt);
 
+  /// Draws a picture of which the edges are smooth and the ambient occlusion without noise: the mean of so many.
+  /// @param samples  kFewSamples or kMeanSamples
+  void drawMean(const Scene& scene, const View& view, const DisplaySettings& settings, int samples);
+
   /// Draws a resting picture once more, a fraction of a pixel aside, for a mean of kMeanSamples: smooth edges, and
   /// ambient occlusion without noise. To be called after draw(), with the same arguments, until isRefined().
   /// @return whether the picture has changed: it does so twice.
@@ -74,6 +78,7 @@ class Viewport {
 
  private:
   Viewport();
+  [[nodiscard]] Frame beginPicture(const Scene& scene, const View& view, const DisplaySettings& settings, bool moving);
   void drawInto(const RenderTarget& target, const Frame& frame, bool keepsBackdrop);
   void shareFrame(const Frame& frame, int sample);
   void noteChange(const Frame& frame, bool kept);

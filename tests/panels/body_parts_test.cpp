@@ -23,8 +23,6 @@ class BodyPartsPanel : public HeadlessEditor {
   [[nodiscard]] int boneCalled(const char* name) const {
     return state.character().skeleton.findBone(name).value_or(-1);
   }
-  return state.character().skeleton.findBone(name).value_or(-1);
-}
 };
 
 TEST_F(BodyPartsPanel, ListsWhatThisKindOfBodyHas) {
