@@ -29,8 +29,6 @@ constexpr std::size_t kMostFitPoints = 20'000'000;
 constexpr std::size_t kMostFurtherPoses = 100;
 /// Poses of clips that all vertices are weighed in where joints were fitted to some.
 constexpr std::size_t kMostWeighed = 150;
-/// Vertices that are worth a thread.
-constexpr std::size_t kLeastRange = 1024;
 
 /// What share of the work each stage is, about.
 struct StageShares {
