@@ -112,8 +112,8 @@ def zsh_option(option):
 
 def zsh_case(verb):
     lines = [zsh_option(option) for option in verb.options]
-    for one in verb.positionals:
-        lines.append("'%s:file:%s'" % ("*" if one.repeated else "1", zsh_files(one.endings())))
+    for place, one in enumerate(verb.positionals, 1):
+        lines.append("'%s:file:%s'" % ("*" if one.repeated else place, zsh_files(one.endings())))
     return "_arguments -S " + " \\\n        ".join(lines)
 
 

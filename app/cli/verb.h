@@ -56,6 +56,7 @@ template <class Options, class Add, class Run, class Check>
 [[nodiscard]] Verb inspectVerb();
 [[nodiscard]] Verb checkRigVerb();
 [[nodiscard]] Verb muscleVerb();
+[[nodiscard]] Verb retargetVerb();
 [[nodiscard]] Verb smoothVerb();
 [[nodiscard]] Verb exportVerb();
 [[nodiscard]] Verb renderVerb();

@@ -51,6 +51,7 @@ std::vector<Verb> allVerbs(const RunEditor& edit) {
       inspectVerb(),
       checkRigVerb(),
       muscleVerb(),
+      retargetVerb(),
       smoothVerb(),
       exportVerb(),
       renderVerb(),

@@ -6,8 +6,8 @@
 
 #include "core/base/at.h"
 #include "core/body/character_slots.h"
+#include "core/body/learned_lengths.h"
 #include "core/body/place_muscle.h"
-#include "core/lines/line_fitting.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/rig_edit.h"
 #include "core/symmetry/twins.h"
@@ -41,34 +41,6 @@ Result<Rig> withMuscle(Rig rig, const PresetMuscle& muscle, PlacedMuscle placed,
   if (!added || !paired) return added;
   rig = std::move(added).value();
   rig.primitives.back().group = groupOf(muscle.group, BodySide::kRight);
-  return rig;
-}
-
-/// Twins learn alike: from whichever side gets shorter.
-Rig withLearnedLengths(Rig rig, std::size_t first, const Character& character) {
-  std::vector<LineRest> rests;
-  std::vector<int> lines;
-  for (std::size_t i = first; i < rig.lines.size(); ++i) {
-    auto rest = lineRest(rig.lines[i], character);
-    if (!rest) continue;
-    rests.push_back(std::move(rest).value());
-    lines.push_back(static_cast<int>(i));
-  }
-  std::vector<LineLengths> lengths = lengthsOver(rests, character, character.clips);
-  const std::vector<LineLengths> own = lengths;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const int twin = findLine(rig, at(rig.lines, lines[i]).mirror);
-    const auto other = std::ranges::find(lines, twin);
-    if (twin < 0 || other == lines.end()) continue;
-    const LineLengths& theirs = own[static_cast<std::size_t>(other - lines.begin())];
-    lengths[i].least = std::min(lengths[i].least, theirs.least);
-    lengths[i].secondPercentile = std::min(lengths[i].secondPercentile, theirs.secondPercentile);
-    lengths[i].most = std::max(lengths[i].most, theirs.most);
-  }
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    // One that never shortens keeps what the set says.
-    if (auto learned = withLearned(rig, lines[i], lengths[i])) rig = std::move(learned).value().rig;
-  }
   return rig;
 }
 

@@ -34,6 +34,7 @@ _sinew() {
             :inspect) verb=inspect ;;
             :check) verb=check ;;
             :muscle) verb=muscle ;;
+            :retarget) verb=retarget ;;
             :smooth) verb=smooth ;;
             :export) verb=export ;;
             :render) verb=render ;;
@@ -52,6 +53,8 @@ _sinew() {
         muscle:--mass) :; return ;;
         muscle:--definition) :; return ;;
         muscle:--report) _sinew_files json; return ;;
+        retarget:-o|retarget:--output) _sinew_files json; return ;;
+        retarget:--report) _sinew_files json; return ;;
         smooth:--clip) :; return ;;
         smooth:--time) :; return ;;
         smooth:--frames) :; return ;;
@@ -119,7 +122,7 @@ _sinew() {
     esac
     case "$verb:$cur" in
         :-*) _sinew_words --version -h --help ;;
-        :*) _sinew_words edit inspect check muscle smooth export render farm bench; _sinew_files glb gltf rig.json ;;
+        :*) _sinew_words edit inspect check muscle retarget smooth export render farm bench; _sinew_files glb gltf rig.json ;;
         edit:-*) _sinew_words -h --help --log-state --scale ;;
         edit:*) _sinew_files glb gltf rig.json ;;
         inspect:-*) _sinew_words -h --help --json --strict ;;
@@ -128,6 +131,8 @@ _sinew() {
         check:*) _sinew_files glb gltf rig.json ;;
         muscle:-*) _sinew_words -h --help -o --output --set --mass --definition --report ;;
         muscle:*) _sinew_files glb gltf rig.json ;;
+        retarget:-*) _sinew_words -h --help -o --output --report ;;
+        retarget:*) _sinew_files glb gltf rig.json ;;
         smooth:-*) _sinew_words -h --help --clip --time --frames --fps --depth --detail --tolerance --mode --patch --projection --crease -o --output --report --list --shard --resume --dry-run --threads --progress ;;
         smooth:*) _sinew_files glb gltf rig.json ;;
         export:-*) _sinew_words -h --help --as --mesh --depth --detail --tolerance --weights --clip --joints --joint-scale --fps --substeps --bound --json --error-map -o --output --list --shard --resume --dry-run --threads --progress ;;

@@ -13,6 +13,8 @@ function __sinew_verb
                 set verb check
             case :muscle
                 set verb muscle
+            case :retarget
+                set verb retarget
             case :smooth
                 set verb smooth
             case :export
@@ -53,6 +55,7 @@ complete -c sinew -n '__sinew_in ""' -a edit -d 'Open the editor'
 complete -c sinew -n '__sinew_in ""' -a inspect -d 'Describe characters and rigs, and what is wrong with them'
 complete -c sinew -n '__sinew_in ""' -a check -d 'Find muscles that leave the flesh, and mend them'
 complete -c sinew -n '__sinew_in ""' -a muscle -d 'Give a character a set of muscles that fits its body'
+complete -c sinew -n '__sinew_in ""' -a retarget -d 'Put the muscles of a rig on another character'
 complete -c sinew -n '__sinew_in ""' -a smooth -d 'Write the smoothed surface of one moment, or of each frame'
 complete -c sinew -n '__sinew_in ""' -a export -d 'Write the character for games'
 complete -c sinew -n '__sinew_in ""' -a render -d 'Make pictures, off screen'
@@ -81,6 +84,10 @@ complete -c sinew -n '__sinew_in "muscle"' -l set -x -d 'Set of muscles: athlete
 complete -c sinew -n '__sinew_in "muscle"' -l mass -x -d 'Girth of all muscles, 0.5 to 2 (1)'
 complete -c sinew -n '__sinew_in "muscle"' -l definition -x -d 'How far muscles stand out, 0 to 1 (the set\'s)'
 complete -c sinew -n '__sinew_in "muscle"' -l report -x -a '(__sinew_files json)' -d 'Muscles, and what was left out and why, as JSON'
+complete -c sinew -n '__sinew_in "retarget"' -a '(__sinew_files glb gltf rig.json)'
+complete -c sinew -n '__sinew_in "retarget"' -s h -l help -d 'Print this and exit'
+complete -c sinew -n '__sinew_in "retarget"' -s o -l output -x -a '(__sinew_files json)' -d 'Rig to write (.rig.json)'
+complete -c sinew -n '__sinew_in "retarget"' -l report -x -a '(__sinew_files json)' -d 'What was left out and why, as JSON'
 complete -c sinew -n '__sinew_in "smooth"' -a '(__sinew_files glb gltf rig.json)'
 complete -c sinew -n '__sinew_in "smooth"' -s h -l help -d 'Print this and exit'
 complete -c sinew -n '__sinew_in "smooth"' -l clip -x -d 'Pose from this clip, or "Range of motion", made from the joints; without it, the bind pose'

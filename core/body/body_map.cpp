@@ -1,0 +1,222 @@
+// core/body/body_map.cpp: cylinder coordinates round the axis of a part, measured by the flesh of either body.
+#include "core/body/body_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "core/base/at.h"
+#include "core/body/character_slots.h"
+
+namespace sinew {
+namespace {
+
+constexpr float kDegrees = 180.0f / std::numbers::pi_v<float>;
+constexpr float kAround = 0.3f;   ///< Way along the axis on both sides of the nearest point, in its length.
+constexpr int kHalvings = 40;     ///< To the last bit.
+constexpr float kBeyond = 0.1f;   ///< Flesh is measured so far beyond the ends of a part.
+constexpr float kRounder = 2.0f;  ///< On a part so much shorter muscles get no rounder: they would be balls.
+constexpr float kOnAxis = 1e-5f;  ///< Of H: so near the axis there is no angle.
+
+BodySlots slotsOf(const Character& character, const MirrorPlan& plan, const std::vector<SlotCorrection>& corrections) {
+  return bodySlots(character, plan, corrections);
+}
+
+BodySlot slotOf(Zone zone) { return at(allBodySlots(), zone); }
+
+glm::vec3 joint(const Character& character, int bone) {
+  return glm::vec3(at(character.skeleton.bones, bone).bindInWorld[3]);
+}
+
+/// The way along an axis whose level a point lies at: the root of dot(point - axis(u), direction(u)) next to the
+/// nearest point of the axis.
+float wayAlong(const PartAxis& axis, const glm::vec3& point) {
+  const auto level = [&](float u) { return glm::dot(point - axis.point(u), axis.direction(u)); };
+  float nearest = 0.0f;
+  float least = std::numeric_limits<float>::max();
+  float done = 0.0f;
+  for (std::size_t i = 0; i + 1 < axis.points.size(); ++i) {
+    const glm::vec3 way = axis.points[i + 1] - axis.points[i];
+    const float square = glm::dot(way, way);
+    float share = square > 0.0f ? glm::dot(point - axis.points[i], way) / square : 0.0f;
+    share = std::clamp(share, i == 0 ? -1.0f : 0.0f, i + 2 == axis.points.size() ? 2.0f : 1.0f);
+    const float distance = glm::distance(point, axis.points[i] + share * way);
+    if (distance < least) {
+      least = distance;
+      nearest = (done + share * std::sqrt(square)) / axis.length;
+    }
+    done += std::sqrt(square);
+  }
+  float low = nearest - kAround;
+  float high = nearest + kAround;
+  if (level(low) < 0.0f || level(high) > 0.0f) return nearest;
+  for (int i = 0; i < kHalvings; ++i) {
+    const float middle = 0.5f * (low + high);
+    (level(middle) > 0.0f ? low : high) = middle;
+  }
+  return 0.5f * (low + high);
+}
+
+glm::mat3 basisAt(const PartAxis& axis, float u, float angle) {
+  return {axis.radial(u, angle), axis.radial(u, angle + 90.0f), axis.direction(u)};
+}
+
+/// Across the mirror plane.
+glm::vec3 mirrored(const MirrorPlan& plan, const glm::vec3& point) {
+  return glm::vec3(reflected(plan.plane, glm::dvec3(point)));
+}
+glm::mat3 mirrored(const MirrorPlan& plan, const glm::mat3& axes) {
+  const glm::vec3 normal(plan.plane.normal);
+  glm::mat3 image;
+  for (glm::length_t i = 0; i < 3; ++i) image[i] = axes[i] - 2.0f * glm::dot(axes[i], normal) * normal;
+  return image;
+}
+
+}  // namespace
+
+MeasuredBody::MeasuredBody(const Character& body, const MirrorPlan& mirror,
+                           const std::vector<SlotCorrection>& corrections)
+    : character(body),
+      plan(mirror),
+      frame(makeBodyFrame(body, slotsOf(body, mirror, corrections))),
+      flesh(body, frame) {}
+
+float BodyMove::stretchAlong(const glm::vec3& way) const {
+  // The geometric mean, weighted: there and back it cancels, whichever way the axis points.
+  float sum = 0.0f;
+  for (glm::length_t i = 0; i < 3; ++i) {
+    const float share = glm::dot(way, from[i]);
+    sum += share * share * std::log(stretch[i]);
+  }
+  return std::exp(sum);
+}
+
+bool BodyMap::hasPart(BodySlot slot) const {
+  // A collar bone is no shoulder blade: between kinds only what lies in the middle is the same.
+  const bool sameKind = from_.frame.slots.kind == to_.frame.slots.kind;
+  if (slot.isSided() && !sameKind) return false;
+  return to_.frame.slots[slot].bone >= 0;
+}
+
+int BodyMap::byName(int bone, std::optional<Zone> zone) const {
+  const Bone& own = at(from_.character.skeleton.bones, bone);
+  for (const std::string* name : {&own.path, &own.name}) {
+    const std::optional<int> found = to_.character.skeleton.findBone(*name);
+    if (found && (!zone || at(to_.frame.zoneOfBone, *found) == *zone)) return *found;
+  }
+  return -1;
+}
+
+/// Of two chains with as many bones the same in order, else the one that lies at the same level of the part.
+int BodyMap::inChain(int bone, const std::vector<int>& ours, const std::vector<int>& theirs, Slot slot) const {
+  const auto found = std::ranges::find(ours, bone);
+  if (found == ours.end() || theirs.empty()) return -1;
+  if (ours.size() == theirs.size()) return theirs[static_cast<std::size_t>(found - ours.begin())];
+  const auto& axis = at(from_.frame.axes, static_cast<int>(slot));
+  const auto& other = at(to_.frame.axes, static_cast<int>(slot));
+  if (!axis || !other) return theirs.front();
+  const Bone& own = at(from_.character.skeleton.bones, bone);
+  const glm::vec3 middle(own.bindInWorld * glm::vec4(0.5f * own.tip, 1.0f));
+  const float u = wayAlong(*axis, middle);
+  const auto level = [&](int each) { return wayAlong(*other, joint(to_.character, each)); };
+  int best = theirs.front();
+  for (const int each : theirs) {
+    if (level(each) <= u) best = each;
+  }
+  return best;
+}
+
+int BodyMap::bone(int bone) const {
+  const Zone zone = at(from_.frame.zoneOfBone, bone);
+  if (zone < 0) return byName(bone, std::nullopt);
+  const BodySlots& ours = from_.frame.slots;
+  const BodySlots& theirs = to_.frame.slots;
+  const BodySlot slot = slotOf(zone);
+  if (slot.slot == Slot::kSpine) {
+    if (theirs.boneOf(Slot::kHips) < 0) return byName(bone, std::nullopt);
+    if (bone == ours.boneOf(Slot::kHips)) return theirs.boneOf(Slot::kHips);
+    if (const int same = inChain(bone, ours.trunk, theirs.trunk, Slot::kSpine); same >= 0) return same;
+    if (const int same = byName(bone, zone); same >= 0) return same;
+    const int parent = at(from_.character.skeleton.bones, bone).parent;
+    return parent >= 0 && at(from_.frame.zoneOfBone, parent) == zone ? this->bone(parent) : theirs.boneOf(Slot::kHips);
+  }
+  if (!hasPart(slot)) return -1;
+  if (bone == ours[slot].bone) return theirs[slot].bone;
+  if (slot.slot == Slot::kNeck) {
+    if (const int same = inChain(bone, ours.neck, theirs.neck, Slot::kNeck); same >= 0) return same;
+  }
+  const int same = byName(bone, zone);
+  return same >= 0 ? same : theirs[slot].bone;
+}
+
+/// Of the left side.
+BodyMove BodyMap::alongPart(Slot slot, const glm::vec3& point) const {
+  const PartAxis& ours = *at(from_.frame.axes, static_cast<int>(slot));
+  const PartAxis& theirs = *at(to_.frame.axes, static_cast<int>(slot));
+  const float u = wayAlong(ours, point);
+  const glm::mat3 level = basisAt(ours, u, 0.0f);
+  const glm::vec3 off = glm::transpose(level) * (point - ours.point(u));
+  const float away = glm::length(glm::vec2(off));
+  const float angle = away > kOnAxis * from_.frame.height ? kDegrees * std::atan2(off.y, off.x) : 0.0f;
+  const Mark mark{slot, std::clamp(u, -kBeyond, 1.0f + kBeyond), angle, 0.0f};
+  const auto flesh = from_.flesh.measure(mark, false);
+  const auto other = to_.flesh.measure(mark, false);
+  const float along = theirs.length / ours.length;
+  float deep = to_.frame.height / from_.frame.height;
+  float across = deep;
+  if (flesh && other) {
+    deep = other->thickness / flesh->thickness;
+    across = std::min(other->size / flesh->size, kRounder * along);
+  }
+  BodyMove move;
+  move.from = basisAt(ours, u, angle);
+  move.to = basisAt(theirs, u, angle);
+  move.stretch = {across, across, along};
+  move.point = theirs.point(u) + deep * away * move.to[0] + along * off.z * move.to[2];
+  return move;
+}
+
+/// Where a part has no axis: as the bone points, and by the bodies' sizes.
+BodyMove BodyMap::besideBone(int bone, const glm::vec3& point) const {
+  const int counterpart = this->bone(bone);
+  const auto basisOf = [](const MeasuredBody& body, int which) {
+    const Bone& own = at(body.character.skeleton.bones, which);
+    const glm::vec3 along = normalizeOr(glm::mat3(own.bindInWorld) * own.tip, {0.0f, 1.0f, 0.0f});
+    const glm::vec3& front = body.frame.slots.forward;
+    glm::vec3 ahead = front - glm::dot(front, along) * along;
+    if (glm::length(ahead) < 0.3f) ahead = glm::vec3(0, 1, 0) - along.y * along;
+    ahead = glm::normalize(ahead);
+    return glm::mat3(ahead, glm::cross(along, ahead), along);
+  };
+  BodyMove move;
+  move.from = basisOf(from_, bone);
+  move.to = basisOf(to_, counterpart);
+  const float size = to_.frame.height / from_.frame.height;
+  move.stretch = glm::vec3(size);
+  move.point = joint(to_.character, counterpart) + size * (move.turn() * (point - joint(from_.character, bone)));
+  return move;
+}
+
+BodyMove BodyMap::move(int bone, const glm::vec3& inBind) const {
+  const Zone zone = at(from_.frame.zoneOfBone, bone);
+  if (zone < 0) return besideBone(bone, inBind);
+  const BodySlot slot = slotOf(zone);
+  const auto index = static_cast<int>(slot.slot);
+  if (!at(from_.frame.axes, index) || !at(to_.frame.axes, index)) return besideBone(bone, inBind);
+  // Twins stay twins where the flesh is not the same on both sides: all is measured on the left.
+  const glm::vec3 image = mirrored(from_.plan, inBind);
+  const bool isLeft =
+      slot.isSided() ? slot.side == BodySide::kLeft : glm::dot(inBind - image, from_.frame.slots.left) >= 0.0f;
+  if (isLeft) return alongPart(slot.slot, inBind);
+  BodyMove move = alongPart(slot.slot, image);
+  move.point = mirrored(to_.plan, move.point);
+  move.from = mirrored(from_.plan, move.from);
+  move.to = mirrored(to_.plan, move.to);
+  return move;
+}
+
+}  // namespace sinew
