@@ -3,10 +3,14 @@
 #include "app/actions/action_table.h"
 #include "app/actions/body_parts_commands.h"
 #include "app/actions/muscle_set_commands.h"
+#include "app/editor/keep_muscles.h"
 
 namespace sinew::app::table {
 namespace {
 
+Possible hasMuscles(const State& s) {
+  return idle(s).also(!s.document.rig().primitives.empty(), "There is no muscle yet");
+}
 bool showsParts(const State& s) { return s.open.bodyParts.shown; }
 
 const Action kActions[] = {
@@ -16,6 +20,9 @@ const Action kActions[] = {
     {"muscles/body-parts", "Parts of the body",
      "Which bone is the thigh, the forearm and so on: what sets of muscles are laid by, to be corrected", kNone, kNone,
      open, showsParts, toggleBodyParts, true},
+    {"muscles/retarget", "Put on another character...",
+     "Open another character with these muscles, each where it belongs on its body", kNone, kNone, hasMuscles, nullptr,
+     showRetargetDialog, true},
 };
 
 }  // namespace

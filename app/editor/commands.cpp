@@ -5,46 +5,22 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/document/damaged_file.h"
 #include "app/document/muscle_names.h"
-#include "app/document/shown_names.h"
 #include "app/editor/disk_conflict.h"
 #include "app/editor/edit.h"
-#include "app/editor/pose_commands.h"
+#include "app/editor/keep_muscles.h"
+#include "app/editor/open_file.h"
 #include "app/editor/session.h"
 #include "app/editor/symmetry_commands.h"
 #include "app/editor/territory.h"
-#include "app/editor/view_memory.h"
 #include "core/base/at.h"
-#include "core/character/skin_bones.h"
-#include "core/rig/attachment.h"
 #include "core/rig/rig_edit.h"
-#include "core/skeleton/first_clip.h"
-#include "core/symmetry/motion_clip.h"
 #include "core/symmetry/twins.h"
 
 namespace sinew::app {
 namespace {
 
 bool isBusy(const EditorState& state) { return ownsKeyboard(state.view.tools) || state.open.gestureItem != 0; }
-
-void show(EditorState& state, Document document, LiveSurface live, const Transport& transport) {
-  cancelDrags(state.view.tools, state.document);
-  rememberView(state);
-  state.document = std::move(document);
-  state.live = std::move(live);
-  state.open = {};
-  state.open.transport = transport;
-  state.document.commands.startFrom(transport.overrides, transport.ranges);
-  state.open.frameWanted = true;
-  state.open.helperBones = helperBones(state.character());
-  state.frame.route = {};
-  state.view.tools.hover = {};
-  state.view.tools.territoryMode = false;
-  ++state.session.documentsOpened;
-  forgetDocumentMessages(state.session);
-  setScene(state.view.tools.camera, boundsOf(state.live->surface().positions), state.character().height);
-}
 
 /// What plays is what the history says. Another clip is chosen only where its range alone has changed, so that what was
 /// undone is seen.
@@ -73,86 +49,7 @@ bool travel(EditorState& state, Move move) {
   return state.document.commands.position() != before;
 }
 
-/// Where no skin bends it is said: a mesh that was exported without its skin looks like one with it.
-void tellRigid(EditorState& state) {
-  const ControlMesh& mesh = state.character().mesh;
-  const std::size_t vertices = mesh.positions.size();
-  const auto isWhole = [](const Influence& influence) { return !(influence.weight < 1.0f); };
-  if (mesh.influences.size() > vertices || !std::ranges::all_of(mesh.influences, isWhole)) return;
-  const std::vector<bool> carrying = bonesWithSkin(state.character());
-  const auto carries = std::ranges::find(carrying, true);
-  const bool one = std::ranges::count(carrying, true) == 1;
-  const std::string name = state.document.characterFile.filename().string();
-  const std::string what =
-      one ? " has no skin weights: all of it follows the bone " +
-                shownBoneName(state.character().skeleton, static_cast<int>(carries - carrying.begin())) +
-                " and nothing bends"
-          : " has no blended skin weights: its parts follow their bones rigidly and nothing bends";
-  addMessage(state.session, MessageKind::kNote, name + what);
-}
-
-void tellIgnored(EditorState& state) {
-  const std::string name = state.document.characterFile.filename().string();
-  for (const std::string& ignored : state.character().ignored) {
-    addMessage(state.session, MessageKind::kNote, name + ": " + ignored);
-  }
-  for (const Error& missing : missingBones(state.document.rig(), state.character().skeleton)) {
-    addMessage(state.session, MessageKind::kNote, missing.plainText() + "; it is kept, but has no effect");
-  }
-}
-
-void reopen(EditorState& state) {
-  const std::filesystem::path file =
-      state.document.rigFile.empty() ? state.document.characterFile : state.document.rigFile;
-  const Transport transport = state.open.transport;
-  const Camera camera = state.view.tools.camera;
-  const std::vector<NamedTurn> turns = namedTurns(transport.overrides, state.character().skeleton);
-  if (!openFile(state, file)) return;
-  state.view.tools.camera = camera;
-  state.open.frameWanted = false;
-  if (transport.clip < static_cast<int>(state.character().clips.size())) {
-    state.open.transport = transport;
-    state.open.transport.time = std::min(transport.time, clipDuration(transport, state.character()));
-  }
-  // By name: the character may have changed on disk.
-  state.open.transport.overrides = turnsOf(turns, transport.overrides.from, state.character().skeleton).overrides;
-  state.document.commands.startFrom(state.open.transport.overrides, state.open.transport.ranges);
-}
-
 }  // namespace
-
-bool openFile(EditorState& state, const std::filesystem::path& file) {
-  Result<Document> opened = openDocument(file);
-  if (!opened) {
-    if (const auto missing = missingCharacter(file)) state.dialogs.locate = {file, *missing};
-    else addMessage(state.session, MessageKind::kError, openErrorText(opened.error()));
-    return false;
-  }
-  return showDocument(state, std::move(opened).value());
-}
-
-bool showDocument(EditorState& state, Document document) {
-  Transport transport;
-  transport.clip = firstClip(document.character->clips);
-  transport.playing = clipDuration(transport, *document.character) > 0.0;
-  const std::optional<Json> view = rememberedView(state.session, document);
-  if (view) {
-    document.character = withClipNamed(document.character, view->at("clip").at("name").text(""));
-    transport = transportOf(*view, *document.character, transport);
-  }
-  Result<LiveSurface> live = LiveSurface::create(document, transport);
-  if (!live) {
-    Error error = live.error();
-    error.file = (document.rigFile.empty() ? document.characterFile : document.rigFile).string();
-    addMessage(state.session, MessageKind::kError, error.plainText());
-    return false;
-  }
-  show(state, std::move(document), std::move(live).value(), transport);
-  if (view) restoreView(state, *view);
-  tellRigid(state);
-  tellIgnored(state);
-  return true;
-}
 
 void request(EditorState& state, const Intent& intent) {
   if (state.hasCharacter() && state.document.commands.modified()) {
@@ -168,6 +65,9 @@ void perform(EditorState& state, const Intent& intent) {
       break;
     case IntentKind::kOpenFile:
       openFile(state, intent.file);
+      break;
+    case IntentKind::kOpenWithMuscles:
+      openWithMuscles(state, intent.file);
       break;
     case IntentKind::kReopen:
       reopen(state);

@@ -12,7 +12,7 @@
 namespace sinew::app {
 
 /// What waits for "save your changes?" or for a path.
-enum class IntentKind { kNone, kOpenFile, kReopen, kRecover, kQuit };
+enum class IntentKind { kNone, kOpenFile, kOpenWithMuscles, kReopen, kRecover, kQuit };
 struct Intent {
   IntentKind kind = IntentKind::kNone;
   std::filesystem::path file;  ///< To open; kRecover: of LeftBehind.
@@ -28,7 +28,7 @@ struct FileDialogState {
   std::string text;                 ///< The path field.
   std::string error;                ///< Why the last try failed.
   bool appearing = false;           ///< The path field takes the keyboard with the next frame.
-  Intent then;                      ///< After a successful Save As.
+  Intent then;                      ///< After a successful Save As; Open: what is done with the file, if not opened.
   std::filesystem::path locateFor;  ///< Open: not any file but the character of this rig.
   FileFilter filter = FileFilter::kAll;
   std::vector<std::filesystem::path> back;     ///< Folders before this one, oldest first.
@@ -77,7 +77,8 @@ struct Dialogs {
   FileDialogState file;
   LocateState locate;
   ConflictQuestion conflict;
-  Intent question;  ///< Asking about unsaved changes before this; kNone: not asking.
+  Intent question;                    ///< Asking about unsaved changes before this; kNone: not asking.
+  std::filesystem::path keepMuscles;  ///< A character that was dropped: asking whether it gets the muscles. "": not.
   ExportDialogState exporting;
   bool exportQuestion = false;  ///< Asking whether to quit though exports are not done.
   PaletteState palette;

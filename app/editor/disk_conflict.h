@@ -1,5 +1,5 @@
-// app/editor/disk_conflict.h: the rig's file is no longer what this window read or wrote last: another program, another
-// window or version control has changed it. Nothing is written over it unasked.
+// app/editor/disk_conflict.h: the rig's file is no longer what this window read or wrote last: another program,
+// another window or version control has changed it. Nothing is written over it unasked.
 #pragma once
 
 #include <string>

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/editor/commands.h"
+#include "app/editor/open_file.h"
 
 namespace sinew::app {
 

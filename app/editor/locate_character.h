@@ -1,4 +1,5 @@
-// app/editor/locate_character.h: a rig whose character is not where the rig says opens with one that the user names.
+// app/editor/locate_character.h: a rig whose character is not where the rig says opens with one that the user
+// names.
 #pragma once
 
 #include <filesystem>

@@ -10,6 +10,7 @@
 
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
+#include "app/editor/open_file.h"
 #include "app/platform/data_files.h"
 #include "core/base/at.h"
 

@@ -33,6 +33,7 @@ constexpr Panel kPanels[] = {
     {"farm", "", Region::kDialog, drawFarmDialog},
     {"dialog", "", Region::kDialog, drawFileDialog, true},
     {"locate", "", Region::kDialog, drawLocateQuestion, true},
+    {"keep-muscles", "", Region::kDialog, drawKeepMusclesQuestion, true},
     {"recovery", "", Region::kDialog, drawRecoveryQuestion, true},
     {"conflict", "", Region::kDialog, drawConflictQuestion, true},
     {"unsaved", "", Region::kDialog, drawUnsavedQuestion, true},

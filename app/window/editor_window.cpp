@@ -18,8 +18,9 @@
 #include "app/document/view_files.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
+#include "app/editor/keep_muscles.h"
+#include "app/editor/open_file.h"
 #include "app/editor/session.h"
-#include "app/editor/session_keeper.h"
 #include "app/platform/window.h"
 #include "app/render/gl_objects.h"
 #include "app/render/thumbnails.h"
@@ -29,6 +30,7 @@
 #include "app/window/moving_resolution.h"
 #include "app/window/picture.h"
 #include "app/window/screen.h"
+#include "app/window/session_keeper.h"
 #include "app/window/state_log.h"
 
 namespace sinew::app {
@@ -121,7 +123,7 @@ class Editor {
     }
     state_.frame.now = secondsNow();  // What is dropped here is said at this time.
     for (const std::filesystem::path& file : window_.takeDrops()) {
-      request(state_, {IntentKind::kOpenFile, file});
+      dropFile(state_, file);
       settle_ = kSettleFrames;
     }
     if (window_.closeRequested()) {

@@ -258,13 +258,13 @@ std::string dialogName(const EditorState& state) {
   if (state.dialogs.file.kind == DialogKind::kSavePicture) return "picture";
   if (state.dialogs.file.kind == DialogKind::kExportPlace || state.dialogs.file.kind == DialogKind::kJobPlace)
     return "export-place";
+  if (!state.dialogs.file.locateFor.empty()) return "locate-file";
   if (state.dialogs.file.kind != DialogKind::kNone)
-    return !state.dialogs.file.locateFor.empty()          ? "locate-file"
-           : state.dialogs.file.kind == DialogKind::kOpen ? "open"
-                                                          : "save";
+    return state.dialogs.file.kind == DialogKind::kOpen ? "open" : "save";
   if (state.dialogs.exporting.shown == ExportDialog::kCharacter) return "export";
   if (state.dialogs.exporting.shown == ExportDialog::kFarmJob) return "farm";
   if (!state.dialogs.locate.rigFile.empty()) return "locate";
+  if (!state.dialogs.keepMuscles.empty()) return "keep-muscles";
   if (state.dialogs.recovery) return "recovery";
   if (state.dialogs.preferences) return "preferences";
   if (state.dialogs.palette.shown) return "palette";

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "app/editor/commands.h"
+#include "app/editor/open_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew::app {

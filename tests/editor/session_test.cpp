@@ -9,7 +9,8 @@
 #include <optional>
 
 #include "app/editor/commands.h"
-#include "app/editor/session_keeper.h"
+#include "app/editor/open_file.h"
+#include "app/window/session_keeper.h"
 #include "core/rig/rig_edit.h"
 #include "tests/support/editor/muscles_named.h"
 #include "tests/support/temporary_folder.h"

@@ -9,8 +9,9 @@
 
 #include "app/document/view_files.h"
 #include "app/editor/commands.h"
+#include "app/editor/open_file.h"
 #include "app/editor/pose_commands.h"
-#include "app/editor/session_keeper.h"
+#include "app/window/session_keeper.h"
 #include "core/skeleton/range_of_motion.h"
 #include "core/symmetry/motion_clip.h"
 #include "tests/support/temporary_folder.h"

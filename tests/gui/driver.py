@@ -13,6 +13,7 @@ import tempfile
 import time
 
 from acts import Acts
+from drop_file import drop_file
 from waiting import PATIENCE, Failure, Skip, wait_for
 
 SCREEN = (1280, 800)
@@ -181,9 +182,18 @@ class Editor(Acts):
             self.move([a + (b - a) * i / steps for a, b in zip(start, end)])
         self.release(button)
 
+    def window(self):
+        """Its number on the display."""
+        return self.xdotool("search", "--onlyvisible", "--name", ".").split()[0]
+
     def title(self):
-        window = self.xdotool("search", "--onlyvisible", "--name", ".").split()[0]
-        return self.xdotool("getwindowname", window).strip()
+        return self.xdotool("getwindowname", self.window()).strip()
+
+    def drop(self, file):
+        """A file is let go in the middle of the picture."""
+        left, top, width, height = self.state()["viewport"]
+        place = (left + 0.5 * width + self.origin[0], top + 0.5 * height + self.origin[1])
+        drop_file(self.scenario.display.name, int(self.window()), place, file)
 
     def screenshot(self, path):
         subprocess.run(["import", "-window", "root", str(path)], env=self.scenario.environment, check=True, timeout=PATIENCE)

@@ -12,6 +12,7 @@ void drawFarmDialog(PanelUi& ui);
 /// Quitting while something is exported.
 void drawExportQuestion(PanelUi& ui);
 void drawLocateQuestion(PanelUi& ui);
+void drawKeepMusclesQuestion(PanelUi& ui);
 void drawConflictQuestion(PanelUi& ui);
 void drawRecoveryQuestion(PanelUi& ui);
 void drawKeySheet(PanelUi& ui);

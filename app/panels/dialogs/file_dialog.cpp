@@ -80,8 +80,9 @@ void confirmOpen(EditorState& state, const std::filesystem::path& file) {
     }
     return;
   }
+  const IntentKind then = state.dialogs.file.then.kind;
   close(state);
-  request(state, {IntentKind::kOpenFile, file});
+  request(state, {then == IntentKind::kNone ? IntentKind::kOpenFile : then, file});
 }
 
 void confirmPicture(EditorState& state) {
@@ -151,6 +152,8 @@ int editPath(ImGuiInputTextCallbackData* data) {
 
 const char* titleOf(const FileDialogState& dialog) {
   if (!dialog.locateFor.empty()) return "Locate the character";
+  if (dialog.kind == DialogKind::kOpen && dialog.then.kind == IntentKind::kOpenWithMuscles)
+    return "Character that gets the muscles";
   if (dialog.kind == DialogKind::kSavePicture) return "Save the picture as";
   if (dialog.kind == DialogKind::kExportPlace) return "Where to export to";
   if (dialog.kind == DialogKind::kJobPlace) return "Where to write the job";

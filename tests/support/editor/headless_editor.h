@@ -10,6 +10,7 @@
 
 #include "app/actions/actions.h"
 #include "app/editor/commands.h"
+#include "app/editor/open_file.h"
 #include "app/editor/territory.h"
 #include "app/editor/visibility_commands.h"
 #include "app/tools/territory_tool.h"

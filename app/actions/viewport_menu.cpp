@@ -1,6 +1,6 @@
-// app/editor/viewport_menu.cpp: what the picture's context menu does that no other menu does.
+// app/actions/viewport_menu.cpp: what the picture's context menu does that no other menu does.
 
-#include "app/editor/viewport_menu.h"
+#include "app/actions/viewport_menu.h"
 
 #include <array>
 

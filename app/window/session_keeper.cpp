@@ -1,6 +1,6 @@
-// app/editor/session_keeper.cpp: preferences and unsaved work on the disk.
+// app/window/session_keeper.cpp: preferences and unsaved work on the disk.
 
-#include "app/editor/session_keeper.h"
+#include "app/window/session_keeper.h"
 
 #include <system_error>
 

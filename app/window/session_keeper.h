@@ -1,4 +1,4 @@
-// app/editor/session_keeper.h: writes preferences and unsaved work to the disk while the editor runs.
+// app/window/session_keeper.h: writes preferences and unsaved work to the disk while the editor runs.
 #pragma once
 
 #include <filesystem>

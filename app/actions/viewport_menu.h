@@ -1,4 +1,4 @@
-// app/editor/viewport_menu.h: what the picture's context menu does that no other menu does.
+// app/actions/viewport_menu.h: what the picture's context menu does that no other menu does.
 #pragma once
 
 #include <string>

@@ -1,0 +1,21 @@
+// app/editor/open_file.h: a file becomes the open document.
+#pragma once
+
+#include <filesystem>
+
+#include "app/document/document.h"
+#include "app/editor/editor_state.h"
+
+namespace sinew::app {
+
+/// Opens at once, without asking about changes. On an error the open document stays, and a message says why; where
+/// only the character is missing, Dialogs::locate asks for it.
+/// A walk plays if there is one (core/skeleton/first_clip.h); a file that was open before looks as it was left
+/// (view_memory.h). @return whether it was opened.
+bool openFile(EditorState& state, const std::filesystem::path& file);
+/// The same with what has been read already.
+bool showDocument(EditorState& state, Document document);
+/// The document's own file again, as it is on disk; what plays, the camera and turned bones stay.
+void reopen(EditorState& state);
+
+}  // namespace sinew::app
