@@ -3,21 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include "core/base/at.h"
 #include "core/body/character_slots.h"
+#include "core/body/part_place.h"
 
 namespace sinew {
 namespace {
 
-constexpr float kDegrees = 180.0f / std::numbers::pi_v<float>;
-constexpr float kAround = 0.3f;   ///< Way along the axis on both sides of the nearest point, in its length.
-constexpr int kHalvings = 40;     ///< To the last bit.
 constexpr float kBeyond = 0.1f;   ///< Flesh is measured so far beyond the ends of a part.
 constexpr float kRounder = 2.0f;  ///< On a part so much shorter muscles get no rounder: they would be balls.
 constexpr float kOnAxis = 1e-5f;  ///< Of H: so near the axis there is no angle.
@@ -30,39 +26,6 @@ BodySlot slotOf(Zone zone) { return at(allBodySlots(), zone); }
 
 glm::vec3 joint(const Character& character, int bone) {
   return glm::vec3(at(character.skeleton.bones, bone).bindInWorld[3]);
-}
-
-/// The way along an axis whose level a point lies at: the root of dot(point - axis(u), direction(u)) next to the
-/// nearest point of the axis.
-float wayAlong(const PartAxis& axis, const glm::vec3& point) {
-  const auto level = [&](float u) { return glm::dot(point - axis.point(u), axis.direction(u)); };
-  float nearest = 0.0f;
-  float least = std::numeric_limits<float>::max();
-  float done = 0.0f;
-  for (std::size_t i = 0; i + 1 < axis.points.size(); ++i) {
-    const glm::vec3 way = axis.points[i + 1] - axis.points[i];
-    const float square = glm::dot(way, way);
-    float share = square > 0.0f ? glm::dot(point - axis.points[i], way) / square : 0.0f;
-    share = std::clamp(share, i == 0 ? -1.0f : 0.0f, i + 2 == axis.points.size() ? 2.0f : 1.0f);
-    const float distance = glm::distance(point, axis.points[i] + share * way);
-    if (distance < least) {
-      least = distance;
-      nearest = (done + share * std::sqrt(square)) / axis.length;
-    }
-    done += std::sqrt(square);
-  }
-  float low = nearest - kAround;
-  float high = nearest + kAround;
-  if (level(low) < 0.0f || level(high) > 0.0f) return nearest;
-  for (int i = 0; i < kHalvings; ++i) {
-    const float middle = 0.5f * (low + high);
-    (level(middle) > 0.0f ? low : high) = middle;
-  }
-  return 0.5f * (low + high);
-}
-
-glm::mat3 basisAt(const PartAxis& axis, float u, float angle) {
-  return {axis.radial(u, angle), axis.radial(u, angle + 90.0f), axis.direction(u)};
 }
 
 /// Across the mirror plane.
@@ -121,8 +84,8 @@ int BodyMap::inChain(int bone, const std::vector<int>& ours, const std::vector<i
   if (!axis || !other) return theirs.front();
   const Bone& own = at(from_.character.skeleton.bones, bone);
   const glm::vec3 middle(own.bindInWorld * glm::vec4(0.5f * own.tip, 1.0f));
-  const float u = wayAlong(*axis, middle);
-  const auto level = [&](int each) { return wayAlong(*other, joint(to_.character, each)); };
+  const float u = placeAt(*axis, middle, 0.0f).u;
+  const auto level = [&](int each) { return placeAt(*other, joint(to_.character, each), 0.0f).u; };
   int best = theirs.front();
   for (const int each : theirs) {
     if (level(each) <= u) best = each;
@@ -157,11 +120,7 @@ int BodyMap::bone(int bone) const {
 BodyMove BodyMap::alongPart(Slot slot, const glm::vec3& point) const {
   const PartAxis& ours = *at(from_.frame.axes, static_cast<int>(slot));
   const PartAxis& theirs = *at(to_.frame.axes, static_cast<int>(slot));
-  const float u = wayAlong(ours, point);
-  const glm::mat3 level = basisAt(ours, u, 0.0f);
-  const glm::vec3 off = glm::transpose(level) * (point - ours.point(u));
-  const float away = glm::length(glm::vec2(off));
-  const float angle = away > kOnAxis * from_.frame.height ? kDegrees * std::atan2(off.y, off.x) : 0.0f;
+  const auto [u, angle, away, beside] = placeAt(ours, point, kOnAxis * from_.frame.height);
   const Mark mark{slot, std::clamp(u, -kBeyond, 1.0f + kBeyond), angle, 0.0f};
   const auto flesh = from_.flesh.measure(mark, false);
   const auto other = to_.flesh.measure(mark, false);
@@ -173,10 +132,10 @@ BodyMove BodyMap::alongPart(Slot slot, const glm::vec3& point) const {
     across = std::min(other->size / flesh->size, kRounder * along);
   }
   BodyMove move;
-  move.from = basisAt(ours, u, angle);
-  move.to = basisAt(theirs, u, angle);
+  move.from = axesAt(ours, u, angle);
+  move.to = axesAt(theirs, u, angle);
   move.stretch = {across, across, along};
-  move.point = theirs.point(u) + deep * away * move.to[0] + along * off.z * move.to[2];
+  move.point = theirs.point(u) + deep * away * move.to[0] + along * beside * move.to[2];
   return move;
 }
 

@@ -22,20 +22,25 @@ void needGroup(Rig& rig, const std::string& name) {
   if (findGroup(rig, name) < 0) rig.groups.push_back({name, {}});
 }
 
+Result<Rig> withLine(Rig rig, MuscleLine line, Primitive& belly) {
+  line.name = belly.name;
+  auto lined = addLine(std::move(rig), line);
+  if (lined) belly.line = lined->lines.back().name;
+  return lined;
+}
+
 /// The muscle with its line and, where the body has the other side, its twin.
 Result<Rig> withMuscle(Rig rig, const PresetMuscle& muscle, PlacedMuscle placed, const MirrorPlan& plan) {
-  placed.belly.name = muscle.name + " L";
-  placed.belly.group = groupOf(muscle.group, BodySide::kLeft);
+  placed.belly.name = muscle.single ? muscle.name : muscle.name + " L";
+  placed.belly.group = muscle.single ? muscle.group : groupOf(muscle.group, BodySide::kLeft);
   needGroup(rig, placed.belly.group);
-  needGroup(rig, groupOf(muscle.group, BodySide::kRight));
+  if (!muscle.single) needGroup(rig, groupOf(muscle.group, BodySide::kRight));
   if (placed.line) {
-    placed.line->name = placed.belly.name;
-    auto lined = addLine(std::move(rig), *placed.line);
+    auto lined = withLine(std::move(rig), *placed.line, placed.belly);
     if (!lined) return lined;
     rig = std::move(lined).value();
-    placed.belly.line = rig.lines.back().name;
   }
-  const bool paired = twinBone(plan, placed.belly.bone).ok();
+  const bool paired = !muscle.single && twinBone(plan, placed.belly.bone).ok();
   auto added = paired ? addPair(std::move(rig), std::move(placed.belly), plan)
                       : addPrimitive(std::move(rig), std::move(placed.belly));
   if (!added || !paired) return added;

@@ -45,6 +45,13 @@ struct Belly {
   [[nodiscard]] glm::vec3 center() const { return skin - (1.0f - definition) * height * normal; }
 };
 
+/// A unit vector, turned towards another at right angles to it.
+glm::vec3 turned(const glm::vec3& from, const glm::vec3& towards, float degrees) {
+  if (degrees == 0.0f) return from;
+  const float angle = degrees * std::numbers::pi_v<float> / 180.0f;
+  return glm::normalize(std::cos(angle) * from + std::sin(angle) * towards);
+}
+
 bool isTrunk(Slot slot) { return slot <= Slot::kUpperChest; }
 
 class MusclePlacer {
@@ -63,6 +70,10 @@ class MusclePlacer {
     }
     shapeBelly();
     keepEndsInside();
+    if (muscle_.single) {
+      const auto off = static_cast<float>(distanceTo(place_.plan.plane, glm::dvec3(belly_.center())));
+      belly_.skin -= off * glm::vec3(place_.plan.plane.normal);
+    }
     if (!place_.flesh.isInside(belly_.center())) return errorAt("", "there is no closed body under the skin there");
     const int bone = placed.line ? lineBone_ : boneUnder();
     if (bone < 0) return errorAt("", "no bone carries it");
@@ -75,6 +86,8 @@ class MusclePlacer {
     placed.belly.group = muscle_.group;
     placed.belly.reach = muscle_.reach > 0.0f ? muscle_.reach : place_.preset.reach;
     placed.belly.placement = inBone(own);
+    placed.belly.amount = muscle_.amount;
+    placed.belly.sign = muscle_.carves ? -1 : 1;
     placed.belly.territory = territory(bone);
     if (placed.line) placed.belly.line = placed.line->name;
     return placed;
@@ -130,35 +143,38 @@ Result<MuscleLine> MusclePlacer::makeLine() {
 void MusclePlacer::shapeBelly() {
   float u = 0.0f;
   const PartAxis& axis = *place_.frame.axisOf(muscle_.belly, u);
-  belly_.skin = flesh_.at(0.0f);
+  belly_.skin = flesh_.at(muscle_.belly.depth);
   belly_.normal = flesh_.normal;
   glm::vec3 along = axis.direction(u);
   if (path_.size() == 3) {
+    along = path_[2] - path_[0];
     const float length = glm::distance(path_[0], path_[1]) + glm::distance(path_[1], path_[2]);
     belly_.half = 0.5f * (1.0f - muscle_.line.tendons.x - muscle_.line.tendons.y) * length;
-    along = path_[2] - path_[0];
-  } else {
-    belly_.half = muscle_.halfLength * axis.length;
   }
+  if (muscle_.halfLength > 0.0f) belly_.half = muscle_.halfLength * axis.length;
   along -= glm::dot(along, belly_.normal) * belly_.normal;
   belly_.along = normalizeOr(along, normalizeOr(glm::cross(belly_.normal, flesh_.radial), {0, 1, 0}));
   if (muscle_.turn != 0.0f) {
     // Towards the outer side, whichever way the axis goes.
     const glm::vec3 side = glm::cross(belly_.along, belly_.normal);
     const float outer = glm::dot(side, axis.radial(u, muscle_.belly.angle + 90.0f)) < 0.0f ? -1.0f : 1.0f;
-    const float angle = muscle_.turn * std::numbers::pi_v<float> / 180.0f;
-    belly_.along = glm::normalize(std::cos(angle) * belly_.along + outer * std::sin(angle) * side);
+    belly_.along = turned(belly_.along, outer * side, muscle_.turn);
   }
+  const glm::vec3 flat = belly_.along;
+  belly_.along = turned(flat, belly_.normal, muscle_.tilt);
+  belly_.normal = turned(belly_.normal, -flat, muscle_.tilt);
+  belly_.normal = turned(belly_.normal, glm::cross(belly_.along, belly_.normal), muscle_.roll);
   const bool middle = isTrunk(muscle_.belly.slot) || muscle_.belly.slot == Slot::kNeck;
   const float bare = muscle_.height * flesh_.size;
   const float mass = place_.tuning.mass;
-  belly_.height = std::min(bare * std::pow(mass, middle ? kTrunkMass : 1.0f), kMostHeight * belly_.half);
+  belly_.height = bare * std::pow(mass, middle ? kTrunkMass : 1.0f);
+  if (!muscle_.asLaid) belly_.height = std::min(belly_.height, kMostHeight * belly_.half);
   belly_.width = muscle_.width * bare * std::pow(mass, kWidthMass);
   belly_.definition =
       std::clamp(place_.tuning.definition.value_or(place_.preset.definition) * muscle_.definition, 0.0f, 1.0f);
   if (muscle_.midline) return keepOffMidline();
   const float wanted = kFewTriangles * flesh_.edge;
-  if (belly_.width >= wanted) return;
+  if (muscle_.asLaid || belly_.width >= wanted) return;
   belly_.definition *= std::max(kLeastDefinition, belly_.width / wanted);
   belly_.width = std::min(wanted, kMostWidening * belly_.width);
   if (belly_.half < belly_.width) belly_.half = belly_.width;
@@ -175,7 +191,7 @@ void MusclePlacer::keepOffMidline() {
 /// Where the body curves away from a straight belly its ends would come out as bumps: it is shortened, and turned so
 /// that both ends lie equally deep. On a line the tendons say how long it is.
 void MusclePlacer::keepEndsInside() {
-  if (!path_.empty()) return;
+  if (!path_.empty() || muscle_.asLaid) return;
   for (int step = 0; step < kMostShortenings; ++step) {
     const glm::vec3 way = kNearEnd * belly_.half * belly_.along;
     const bool head = place_.flesh.isInside(belly_.center() + way);

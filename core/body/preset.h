@@ -11,6 +11,19 @@
 
 namespace sinew {
 
+// Ranges of what a preset says.
+inline constexpr float kMostU = 3.0f;  ///< Either way.
+inline constexpr float kLeastHalfLength = 0.005f;
+inline constexpr float kMostHalfLength = 4.0f;
+inline constexpr float kLeastPresetHeight = 0.01f;
+inline constexpr float kMostPresetHeight = 4.0f;
+inline constexpr float kLeastPresetWidth = 0.1f;
+inline constexpr float kMostPresetWidth = 10.0f;
+inline constexpr float kMostDefinition = 4.0f;  ///< Of a muscle, as a factor.
+inline constexpr float kLeastPresetReach = 1.01f;
+inline constexpr float kMostPresetReach = 10.0f;
+inline constexpr float kMostThickest = 0.9f;  ///< Either way.
+
 /// A place in a body. `slot` is of the left side; kSpine stands for the whole trunk.
 struct Mark {
   Slot slot = Slot::kSpine;
@@ -23,14 +36,20 @@ struct Mark {
 struct PresetMuscle {
   std::string name;         ///< Without a side.
   std::string group;        ///< Likewise: each side has its own.
-  Mark belly;               ///< On the skin over the middle of the belly.
-  float halfLength = 0.0f;  ///< Of the part's length; only without a line.
+  Mark belly;               ///< On the skin over the middle of the belly, or under that by its depth.
+  float halfLength = 0.0f;  ///< Of the part's length. 0 with a line: what its tendons leave.
   float height = 0.5f;      ///< Of the local flesh.
   float width = 1.0f;       ///< Of the height.
   float turn = 0.0f;  ///< Degrees that the fibres are turned in the skin, towards the outer side at the upper end.
+  float tilt = 0.0f;  ///< Degrees that the end which `turn` turns rises out of the skin.
+  float roll = 0.0f;  ///< Degrees that it is turned about its fibres, right-handed along them.
   float definition = 1.0f;  ///< Factor on the set's.
   float reach = 0.0f;       ///< 0: the set's.
-  bool midline = false;     ///< Beside its twin: it is never widened.
+  float amount = 1.0f;      ///< As Primitive::amount.
+  bool carves = false;
+  bool midline = false;  ///< Beside its twin: it does not cross the mirror plane.
+  bool single = false;   ///< Without a twin: its center lies in the mirror plane.
+  bool asLaid = false;   ///< A designer's: neither flattened nor widened nor shortened.
   Shape shape;
   std::optional<Mark> origin;  ///< Both or none: then it is on a muscle line.
   std::optional<Mark> insertion;

@@ -31,7 +31,7 @@ Mark readMark(Reader& reader, const Json& node, const Place& place) {
   mark.u = reader.number(node.children[1], Reader::at(place, 1));
   mark.angle = reader.number(node.children[2], Reader::at(place, 2));
   if (node.children.size() > 3) mark.depth = reader.number(node.children[3], Reader::at(place, 3));
-  if (std::abs(mark.u) > 3.0f) reader.refuse(Reader::at(place, 1), "expected a number from -3 to 3");
+  if (std::abs(mark.u) > kMostU) reader.refuse(Reader::at(place, 1), "expected a number from -3 to 3");
   if (!(mark.depth >= 0.0f && mark.depth <= 1.0f)) reader.refuse(Reader::at(place, 3), "expected a number from 0 to 1");
   return mark;
 }
@@ -63,6 +63,8 @@ LineSettings readLineSettings(Reader& reader, const Json& node, const Place& pla
   readIn(reader, node, place, "volume", 0.0f, kMostVolume, line.volume);
   readPair(reader, node, place, "limits", line.limits);
   readIn(reader, node, place, "pivot", 0.0f, 1.0f, line.pivot);
+  readIn(reader, node, place, "twist", 0.0f, 1.0f, line.twist);
+  readIn(reader, node, place, "gain", 0.0f, kMostGain, line.gain);
   readPair(reader, node, place, "flex", line.flex);
   readIn(reader, node, place, "full", kLeastFull, kMostFull, line.full);
   if (!(line.tendons.x >= 0.0f && line.tendons.y >= 0.0f && line.tendons.x + line.tendons.y <= kMostTendons)) {
@@ -97,21 +99,29 @@ PresetMuscle readMuscle(Reader& reader, const Json& node, const Place& place) {
   if (muscle.origin.has_value() != muscle.insertion.has_value()) {
     reader.refuse(place, "expected origin and insertion, or neither");
   }
-  if (!muscle.origin) {
-    if (reader.need(node, place, "half_length", "a number") != nullptr)
-      readIn(reader, node, place, "half_length", 0.005f, 2.0f, muscle.halfLength);
-  }
-  readIn(reader, node, place, "height", 0.01f, 4.0f, muscle.height);
-  readIn(reader, node, place, "width", 0.1f, 10.0f, muscle.width);
+  if (muscle.origin && node.find("half_length") == nullptr) muscle.halfLength = 0.0f;
+  else if (reader.need(node, place, "half_length", "a number") != nullptr)
+    readIn(reader, node, place, "half_length", kLeastHalfLength, kMostHalfLength, muscle.halfLength);
+  readIn(reader, node, place, "height", kLeastPresetHeight, kMostPresetHeight, muscle.height);
+  readIn(reader, node, place, "width", kLeastPresetWidth, kMostPresetWidth, muscle.width);
   readIn(reader, node, place, "turn", -180.0f, 180.0f, muscle.turn);
-  readIn(reader, node, place, "definition", 0.0f, 4.0f, muscle.definition);
+  readIn(reader, node, place, "tilt", -90.0f, 90.0f, muscle.tilt);
+  readIn(reader, node, place, "roll", -180.0f, 180.0f, muscle.roll);
+  readIn(reader, node, place, "definition", 0.0f, kMostDefinition, muscle.definition);
   if (node.find("reach") != nullptr) {
     muscle.reach = 2.0f;
-    readIn(reader, node, place, "reach", 1.01f, 10.0f, muscle.reach);
+    readIn(reader, node, place, "reach", kLeastPresetReach, kMostPresetReach, muscle.reach);
   }
+  readIn(reader, node, place, "amount", 0.0f, kMostAmount, muscle.amount);
+  readSwitch(reader, node, place, "carves", muscle.carves);
   readSwitch(reader, node, place, "midline", muscle.midline);
+  readSwitch(reader, node, place, "single", muscle.single);
+  readSwitch(reader, node, place, "as_laid", muscle.asLaid);
   readIn(reader, node, place, "core", 0.0f, kMostCore, muscle.shape.core);
-  readIn(reader, node, place, "thickest", -0.9f, 0.9f, muscle.shape.belly);
+  readIn(reader, node, place, "thickest", -kMostThickest, kMostThickest, muscle.shape.belly);
+  readPair(reader, node, place, "bend", muscle.shape.bend);
+  if (!(std::abs(muscle.shape.bend.x) <= kMostBend && std::abs(muscle.shape.bend.y) <= kMostBend))
+    reader.refuse(Reader::join(place, "bend"), "expected two numbers from -1 to 1");
   muscle.line = readLineSettings(reader, node, place);
   return muscle;
 }
@@ -130,7 +140,7 @@ Preset readPreset(Reader& reader, const Json& root) {
   else if (body != "humanoid" && !reader.error())
     reader.refuse("body", "expected \"humanoid\" or \"quadruped\", got \"" + body + '"');
   readIn(reader, root, "", "definition", 0.0f, 1.0f, preset.definition);
-  readIn(reader, root, "", "reach", 1.01f, 10.0f, preset.reach);
+  readIn(reader, root, "", "reach", kLeastPresetReach, kMostPresetReach, preset.reach);
   readIn(reader, root, "", "skin_blend", 0.0001f, kMostSkinBlend, preset.skinBlend);
   if (const Json* muscles = reader.need(root, "", "muscles", "an array")) {
     if (muscles->children.size() > kMostMuscles) reader.refuse("muscles", "expected at most 1000");
@@ -141,7 +151,64 @@ Preset readPreset(Reader& reader, const Json& root) {
   return preset;
 }
 
+Json markJson(const Mark& mark) {
+  Json json = Json::array();
+  json.push(mark.slot == Slot::kSpine ? "trunk" : nameOf(mark.slot)).push(mark.u).push(mark.angle);
+  if (mark.depth > 0.0f) json.push(mark.depth);
+  return json;
+}
+
+Json pairJson(const glm::vec2& pair) { return Json::array({pair.x, pair.y}); }
+
+void writeLine(Json& json, const LineSettings& line) {
+  json.set("tendons", pairJson(line.tendons)).set("volume", line.volume).set("limits", pairJson(line.limits));
+  json.set("pivot", line.pivot).set("twist", line.twist).set("gain", line.gain);
+  json.set("flex", pairJson(line.flex)).set("full", line.full);
+}
+
+/// What a reader would assume is left out.
+Json muscleJson(const PresetMuscle& muscle) {
+  const PresetMuscle usual;
+  Json json = Json::object();
+  json.set("name", muscle.name).set("group", muscle.group).set("belly", markJson(muscle.belly));
+  if (muscle.origin) json.set("origin", markJson(*muscle.origin)).set("insertion", markJson(*muscle.insertion));
+  if (muscle.halfLength > 0.0f) json.set("half_length", muscle.halfLength);
+  json.set("height", muscle.height).set("width", muscle.width);
+  const auto unless = [&](const char* key, auto value, auto same) {
+    if (value != same) json.set(key, value);
+  };
+  unless("turn", muscle.turn, usual.turn);
+  unless("tilt", muscle.tilt, usual.tilt);
+  unless("roll", muscle.roll, usual.roll);
+  unless("definition", muscle.definition, usual.definition);
+  unless("reach", muscle.reach, usual.reach);
+  unless("amount", muscle.amount, usual.amount);
+  unless("carves", muscle.carves, usual.carves);
+  unless("midline", muscle.midline, usual.midline);
+  unless("single", muscle.single, usual.single);
+  unless("as_laid", muscle.asLaid, usual.asLaid);
+  unless("core", muscle.shape.core, usual.shape.core);
+  unless("thickest", muscle.shape.belly, usual.shape.belly);
+  if (muscle.shape.bend != usual.shape.bend) json.set("bend", pairJson(muscle.shape.bend));
+  if (muscle.origin) writeLine(json, muscle.line);
+  return json;
+}
+
 }  // namespace
+
+std::string presetToJson(const Preset& preset) {
+  Json muscles = Json::array();
+  for (const PresetMuscle& muscle : preset.muscles) muscles.push(muscleJson(muscle));
+  Json json = Json::object();
+  json.set("format", "sinew-preset").set("version", 1).set("title", preset.title).set("body", nameOf(preset.body));
+  json.set("definition", preset.definition).set("reach", preset.reach).set("skin_blend", preset.skinBlend);
+  json.set("muscles", std::move(muscles));
+  return json.dump(true) + '\n';
+}
+
+Result<void> savePreset(const Preset& preset, const std::filesystem::path& file) {
+  return writeFileAtomically(file, presetToJson(preset));
+}
 
 Result<Preset> presetFromJson(const std::string& text) {
   const auto root = Json::parse(text);

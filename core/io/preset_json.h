@@ -14,4 +14,8 @@ namespace sinew {
 /// Refuses files over 4 MiB.
 [[nodiscard]] Result<Preset> loadPreset(const std::filesystem::path& file);
 
+/// Numbers are the shortest that read back bit-equal.
+[[nodiscard]] std::string presetToJson(const Preset& preset);
+[[nodiscard]] Result<void> savePreset(const Preset& preset, const std::filesystem::path& file);
+
 }  // namespace sinew
