@@ -2,6 +2,7 @@
 
 #include "app/actions/action_table.h"
 #include "app/actions/body_parts_commands.h"
+#include "app/actions/library_commands.h"
 #include "app/actions/muscle_set_commands.h"
 #include "app/editor/keep_muscles.h"
 
@@ -10,6 +11,11 @@ namespace {
 
 Possible hasMuscles(const State& s) {
   return idle(s).also(!s.document.rig().primitives.empty(), "There is no muscle yet");
+}
+bool showsLibrary(const State& s) { return s.view.layout.leftShown && s.view.outliner.tab == LeftTab::kLibrary; }
+void showLibrary(State& s) {
+  s.view.outliner.tab = showsLibrary(s) ? LeftTab::kMuscles : LeftTab::kLibrary;
+  s.view.layout.leftShown = true;
 }
 bool showsParts(const State& s) { return s.open.bodyParts.shown; }
 
@@ -20,6 +26,11 @@ const Action kActions[] = {
     {"muscles/body-parts", "Parts of the body",
      "Which bone is the thigh, the forearm and so on: what sets of muscles are laid by, to be corrected", kNone, kNone,
      open, showsParts, toggleBodyParts, true},
+    {"muscles/library", "Library", "Muscles of all sets with pictures, to lay them one at a time", kNone, kNone, open,
+     showsLibrary, showLibrary},
+    {"muscles/save-set", "Save as set...",
+     "Keep the selected muscles as a set of your own, to fit them to any character", kNone, kNone, selected, nullptr,
+     nameNewSet},
     {"muscles/retarget", "Put on another character...",
      "Open another character with these muscles, each where it belongs on its body", kNone, kNone, hasMuscles, nullptr,
      showRetargetDialog, true},

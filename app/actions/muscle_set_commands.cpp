@@ -2,6 +2,7 @@
 // makes it anew, so that there is never more than one.
 #include "app/actions/muscle_set_commands.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/actions/check_commands.h"
@@ -17,20 +18,6 @@ namespace {
 constexpr const char* kLabel = "Add muscle set";
 
 const Preset& chosenSet(const MuscleSetState& set) { return at(set.sets, set.chosen); }
-
-/// The sets for the body of this character.
-Result<std::vector<Preset>> setsFor(EditorState& state) {
-  const Document& document = state.document;
-  if (!document.mirror) return errorAt("", "This character has no left and right bones");
-  const BodyKind kind = bodySlots(*document.character, *document.mirror, document.rig().slots).kind;
-  if (kind == BodyKind::kUnknown)
-    return errorAt("", "Neither arms nor legs were found: say which bones they are in Muscles > Parts of the body");
-  MuscleSets all = muscleSets();
-  for (const Error& error : all.refused) addQuietly(state.session, MessageKind::kError, error.text());
-  std::erase_if(all.sets, [&](const Preset& set) { return set.body != kind; });
-  if (all.sets.empty()) return errorAt("", "There is no set of muscles for this kind of body");
-  return std::move(all.sets);
-}
 
 Result<AddedSet> fitted(const EditorState& state, const Rig& onto) {
   const MuscleSetState& set = state.open.muscleSet;
@@ -49,15 +36,37 @@ void remember(EditorState& state, AddedSet added) {
 
 }  // namespace
 
-void addMuscleSet(EditorState& state) {
-  auto sets = setsFor(state);
+Result<std::vector<Preset>> setsForBody(EditorState& state) {
+  const Document& document = state.document;
+  if (!document.mirror) return errorAt("", "This character has no left and right bones");
+  const BodyKind kind = bodySlots(*document.character, *document.mirror, document.rig().slots).kind;
+  if (kind == BodyKind::kUnknown)
+    return errorAt("", "Neither arms nor legs were found: say which bones they are in Muscles > Parts of the body");
+  MuscleSets all = muscleSets();
+  for (const Error& error : all.refused) addQuietly(state.session, MessageKind::kError, error.text());
+  std::erase_if(all.sets, [&](const Preset& set) { return set.body != kind; });
+  if (all.sets.empty()) return errorAt("", "There is no set of muscles for this kind of body");
+  return std::move(all.sets);
+}
+
+const Motions& motionsOf(EditorState& state) {
+  auto& motions = state.open.muscleSet.motions;
+  if (!motions) motions = std::make_shared<const Motions>(state.document.character);
+  return *motions;
+}
+
+void addMuscleSet(EditorState& state) { addMuscleSetNamed(state, ""); }
+
+void addMuscleSetNamed(EditorState& state, const std::string& name) {
+  auto sets = setsForBody(state);
   if (!sets) return refuse(state, sets.error());
   closeCheck(state);
   state.open.bodyParts.shown = false;
+  motionsOf(state);
   MuscleSetState& set = state.open.muscleSet;
-  if (!set.motions) set.motions = std::make_shared<const Motions>(state.document.character);
   set.sets = std::move(sets).value();
-  set.chosen = 0;
+  const auto named = std::ranges::find(set.sets, name, &Preset::name);
+  set.chosen = named == set.sets.end() ? 0 : static_cast<int>(named - set.sets.begin());
   set.tuning = {1.0f, chosenSet(set).definition};
   Result<AddedSet> added = fitted(state, state.document.rig());
   if (!added) return refuse(state, added.error());

@@ -5,8 +5,14 @@
 
 namespace sinew::app {
 
+/// The sets for the body of this character. Error: why there are none. Files that are no sets are named in messages.
+[[nodiscard]] Result<std::vector<Preset>> setsForBody(EditorState& state);
+/// What the character does; made once.
+const Motions& motionsOf(EditorState& state);
 /// Adds the set for this kind of body and shows its sliders.
 void addMuscleSet(EditorState& state);
+/// @param name  of the set
+void addMuscleSetNamed(EditorState& state, const std::string& name);
 /// The last step is still the set's: its sliders change that step. Any other edit, undo included, ends this.
 [[nodiscard]] bool setIsTunable(const EditorState& state);
 /// Another set in the same step. @param chosen  index into MuscleSetState::sets

@@ -19,6 +19,16 @@ struct MuscleSets {
   [[nodiscard]] int firstFor(BodyKind body) const;
 };
 
+/// Comes with the program, and cannot be replaced.
+[[nodiscard]] bool isShippedSet(std::string_view name);
+/// Name of the file for a set that is called so: what no file system takes is a "-".
+[[nodiscard]] std::string setNameFor(std::string_view title);
+[[nodiscard]] bool isOwnSet(std::string_view name);
+/// Among the user's own, by its name; one of that name is replaced. Makes the folder.
+[[nodiscard]] Result<void> saveOwnSet(const Preset& set);
+/// The file is kept as name.json~.
+[[nodiscard]] Result<void> removeOwnSet(std::string_view name);
+
 /// sets/ beside the preferences. Need not exist.
 [[nodiscard]] std::filesystem::path ownSetsFolder();
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "app/document/animate_state.h"
 #include "app/playback.h"
 #include "app/tools/select.h"
+#include "core/body/body_map.h"
 #include "core/body/fit_preset.h"
 #include "core/check/check.h"
 #include "core/check/motions.h"
@@ -131,6 +133,31 @@ struct BodyPartsState {
   BodySlots slots;
 };
 
+/// The tab Library: the sets for this kind of body, to lay muscles of one at a time.
+struct LibraryState {
+  std::optional<std::vector<SlotCorrection>> readFor;  ///< Rig::slots that all below is for; nullopt: nothing is read.
+  std::size_t reads = 0;                               ///< How often.
+  std::vector<Preset> sets;
+  std::string why;                           ///< There are no sets.
+  std::shared_ptr<const MeasuredBody> body;  ///< Of the character.
+  std::vector<FittedPreset> laid;            ///< [sets] as they would lie on this body: for pictures of them.
+  std::set<std::string> folded;              ///< Names of sets.
+  std::string search;
+
+  /// A muscle that is being dragged out of it; set -1: none is.
+  struct Drag {
+    int set = -1;
+    int muscle = -1;
+    std::string says;  ///< What letting go would do.
+  } drag;
+
+  bool naming = false;  ///< A name for a new set is being typed.
+  bool appearing = false;
+  std::string name;
+  std::string notice;      ///< Why it is not saved yet.
+  bool replacing = false;  ///< The notice was that a set of that name would be replaced.
+};
+
 struct DocumentView {
   Transport transport;
   FlexState flex;
@@ -138,6 +165,7 @@ struct DocumentView {
   CheckState check;
   MuscleSetState muscleSet;
   BodyPartsState bodyParts;
+  LibraryState library;
   std::vector<bool> helperBones;  ///< [bones] core/character/skin_bones.h
   TimelineState timeline;
   RenameState rename;

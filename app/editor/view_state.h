@@ -14,7 +14,7 @@
 
 namespace sinew::app {
 
-enum class LeftTab { kMuscles, kGroups };
+enum class LeftTab { kMuscles, kGroups, kLibrary };
 
 /// What the rows of the muscles stand under: the tree of bones, or a flat list.
 enum class OutlinerOrder { kBones, kRegions, kGroups };

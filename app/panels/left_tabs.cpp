@@ -1,8 +1,9 @@
-// app/panels/left_tabs.cpp: the two tabs at the left.
+// app/panels/left_tabs.cpp: the three tabs at the left.
 
 #include <imgui.h>
 
 #include "app/panels/blending/blending.h"
+#include "app/panels/library/library.h"
 #include "app/panels/outliner/outliner.h"
 #include "app/panels/panels.h"
 
@@ -45,12 +46,12 @@ void drawLeftTabs(PanelUi& ui) {
   drawTab(ui, "Muscles", "outliner/tab", LeftTab::kMuscles);
   ImGui::SameLine(0.0f, ui.px(16));
   drawTab(ui, "Groups", "blending/tab", LeftTab::kGroups);
-  if (ui.state.view.outliner.tab == LeftTab::kMuscles) {
-    drawOutliner(ui);
-  } else {
-    drawBlending(ui);
-    keepDraggedShown(ui);
-  }
+  ImGui::SameLine(0.0f, ui.px(16));
+  drawTab(ui, "Library", "library/tab", LeftTab::kLibrary);
+  if (ui.state.view.outliner.tab == LeftTab::kMuscles) return drawOutliner(ui);
+  if (ui.state.view.outliner.tab == LeftTab::kGroups) drawBlending(ui);
+  else drawLibrary(ui);
+  keepDraggedShown(ui);
 }
 
 }  // namespace sinew::app

@@ -95,4 +95,10 @@ unsigned Thumbnails::texture(const std::filesystem::path& document, std::filesys
   return shown.texture.id();
 }
 
+unsigned Thumbnails::texture(const std::string& key, const std::function<Image()>& draw) {
+  if (const auto found = drawn_.find(key); found != drawn_.end()) return found->second.id();
+  if (drawn_.size() >= kMostTextures) drawn_.clear();
+  return drawn_.emplace(key, textureOf(draw())).first->second.id();
+}
+
 }  // namespace sinew::app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -32,6 +33,9 @@ class Thumbnails {
   /// it is (`changed`: its own time).
   [[nodiscard]] unsigned texture(const std::filesystem::path& document, std::filesystem::file_time_type changed);
 
+  /// Texture of a picture that is drawn when it is first asked for.
+  [[nodiscard]] unsigned texture(const std::string& key, const std::function<Image()>& draw);
+
  private:
   struct Shown {
     std::filesystem::file_time_type changed;
@@ -39,6 +43,7 @@ class Thumbnails {
   };
   std::filesystem::path folder_;
   std::map<std::string, Shown> shown_;
+  std::map<std::string, GlTexture> drawn_;
 };
 
 }  // namespace sinew::app

@@ -82,7 +82,8 @@ Result<FittedPreset> fitPreset(Rig rig, const Preset& preset, const PresetTuning
     fitted.muscles.push_back(muscle.name);
   }
   if (fitted.muscles.empty())
-    return errorAt("", "no muscle of the set \"" + preset.name + "\" finds its place on this body");
+    return errorAt("", "no muscle of the set \"" + preset.name + "\" finds its place on this body" +
+                           (fitted.leftOut.empty() ? "" : ": " + fitted.leftOut.front().why));
   fitted.rig = withLearnedLengths(std::move(fitted.rig), firstLine, character);
   return fitted;
 }
