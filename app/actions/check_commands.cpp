@@ -6,7 +6,7 @@
 #include "app/editor/edit.h"
 #include "app/editor/pose_commands.h"
 #include "core/base/at.h"
-#include "core/check/mend.h"
+#include "core/check/mend_rig.h"
 #include "core/symmetry/motion_clip.h"
 
 namespace sinew::app {
@@ -43,11 +43,9 @@ void goToFinding(EditorState& state, int finding) {
 }
 
 void mendFindings(EditorState& state) {
-  const CheckState& check = state.open.check;
   if (!checkIsCurrent(state)) return checkMuscles(state);
   const Motions motions(state.document.character);
-  Result<MendedRig> mended =
-      withMendedFindings(state.document.rig(), check.findings, motions, state.document.mirror.get());
+  Result<MendedRig> mended = withMendedRig(state.document.rig(), 0, motions, state.document.mirror.get());
   if (!mended) return refuse(state, mended.error());
   if (mended->said.empty()) return sayRefusal(state, "Nothing of this can be mended: change these muscles by hand");
   const std::vector<std::string> said = std::move(mended.value().said);

@@ -12,7 +12,7 @@
 #include "app/document/document.h"
 #include "core/base/at.h"
 #include "core/check/check.h"
-#include "core/check/mend.h"
+#include "core/check/mend_rig.h"
 #include "core/io/json/json.h"
 
 namespace sinew::app {
@@ -81,7 +81,7 @@ int check(const CheckOptions& options) {
   Json json = Json::object();
   json.set("poses", static_cast<int>(motions.poses().size())).set("findings", jsonOf(document.rig(), findings));
   if (!options.output.empty()) {
-    Result<MendedRig> mended = withMendedFindings(document.rig(), findings, motions, document.mirror.get());
+    Result<MendedRig> mended = withMendedRig(document.rig(), 0, motions, document.mirror.get());
     if (!mended) return badInput(mended.error());
     findings = check(mended->rig, motions);
     json.set("left", jsonOf(mended->rig, findings));

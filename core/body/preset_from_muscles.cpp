@@ -32,18 +32,6 @@ constexpr float kNear = 1e-3f;        ///< Of H: a belly so near its place is th
 constexpr float kLeastRadial = 0.3f;  ///< Of a radial line along a normal.
 constexpr int kSteps = 8;
 
-/// "biceps L" -> "biceps", "L_biceps" -> "biceps".
-std::string withoutSide(const std::string& name) {
-  const std::vector<SideMarker> markers = sideMarkers(name);
-  if (markers.size() != 1) return name;
-  std::string text = name;
-  text.erase(markers[0].begin, markers[0].length);
-  const auto parts = [](char c) { return c == ' ' || c == '.' || c == '_' || c == '-'; };
-  while (!text.empty() && parts(text.back())) text.pop_back();
-  while (!text.empty() && parts(text.front())) text.erase(0, 1);
-  return text.empty() ? name : text;
-}
-
 /// A belly in the world of the bind pose, on the left side, with the axes that a preset calls it by.
 struct Belly {
   Placement world;

@@ -12,7 +12,7 @@
 #include "core/base/at.h"
 #include "core/body/body_map.h"
 #include "core/body/learned_lengths.h"
-#include "core/body/muscle_set.h"
+#include "core/check/mend.h"
 #include "core/lines/line_rest.h"
 #include "core/primitives/affine_image.h"
 #include "core/rig/rig_edit.h"
@@ -272,7 +272,9 @@ Result<Retargeted> retarget(const Rig& rig, const Character& from, const MirrorP
     return errorAt("", "no muscle of the rig finds its place on this body");
   if (!isSameBody(from, to)) {
     done.rig = withLearnedLengths(std::move(done.rig), 0, to);
-    Result<MendedRig> mended = withMendedFrom(std::move(done.rig), 0, motions, toPlan);
+    // Where a muscle lies stays as its designer had it.
+    const std::vector<Finding> found = check(done.rig, motions);
+    Result<MendedRig> mended = withMendedFindings(std::move(done.rig), found, motions, &toPlan);
     if (!mended) return mended.error();
     done.rig = std::move(mended.value().rig);
     done.mended = std::move(mended.value().said);

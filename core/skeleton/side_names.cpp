@@ -105,6 +105,17 @@ std::optional<Side> sideNamed(std::string_view name) {
   return left > right ? Side::kLeft : Side::kRight;
 }
 
+std::string withoutSide(const std::string& name) {
+  const std::vector<SideMarker> markers = sideMarkers(name);
+  if (markers.size() != 1) return name;
+  std::string text = name;
+  text.erase(markers[0].begin, markers[0].length);
+  const auto parts = [](char c) { return c == ' ' || c == '.' || c == '_' || c == '-'; };
+  while (!text.empty() && parts(text.back())) text.pop_back();
+  while (!text.empty() && parts(text.front())) text.erase(0, 1);
+  return text.empty() ? name : text;
+}
+
 std::optional<std::string> mirroredName(std::string_view name) {
   const std::vector<SideMarker> markers = sideMarkers(name);
   if (markers.size() != 1) return std::nullopt;

@@ -30,4 +30,8 @@ struct SideMarker {
 /// has no marker or several: then the pattern is not clear. Its own inverse.
 [[nodiscard]] std::optional<std::string> mirroredName(std::string_view name);
 
+/// The name without its one marker and what parts it from the rest: "biceps L" -> "biceps", "L_biceps" -> "biceps". The
+/// name itself where it has none or several, or nothing would be left.
+[[nodiscard]] std::string withoutSide(const std::string& name);
+
 }  // namespace sinew

@@ -108,7 +108,8 @@ class Horse(unittest.TestCase):
                          [{k: v for k, v in p.items() if k not in rest} for p in flexing])
         lines = {line["name"]: line for line in self.rigs["horse-flex.rig.json"]["lines"]}
         self.assertEqual(set(lines), {p["line"] for p in flexing if "line" in p}, "one muscle a line, of its name")
-        self.assertEqual({"masseter L", "masseter R", "serratus L", "serratus R", "pectorals"},
+        self.assertEqual({"masseter L", "masseter R", "serratus L", "serratus R", "pectorals", "quadriceps L", "quadriceps R", "gaskin L",
+                          "gaskin R"},
                          {p["name"] for p in flexing if "line" not in p})
         for p in flexing:
             self.assertEqual(p.get("line", p["name"]), p["name"])

@@ -11,7 +11,7 @@ namespace {
 using test::Program;
 
 TEST_F(Program, CheckTellsWhatWhereAndWhen) {
-  const auto result = run({"check", demo("horse-flex.rig.json"), "--json"});
+  const auto result = run({"check", demo("horse.rig.json"), "--json"});
   ASSERT_EQ(result.status, 0) << result.error;
   const auto json = Json::parse(result.out);
   ASSERT_TRUE(json.ok()) << json.error().text();
@@ -22,7 +22,7 @@ TEST_F(Program, CheckTellsWhatWhereAndWhen) {
     EXPECT_NE(finding.at("muscle").text(""), "");
     EXPECT_GT(finding.at("measure").number(0), 0);
   }
-  EXPECT_EQ(run({"check", demo("horse-flex.rig.json"), "--strict"}).status, 1);
+  EXPECT_EQ(run({"check", demo("horse.rig.json"), "--strict"}).status, 1);
 }
 
 TEST_F(Program, CheckFindsNothingInAGoodRig) {
@@ -32,7 +32,7 @@ TEST_F(Program, CheckFindsNothingInAGoodRig) {
 }
 
 TEST_F(Program, CheckMendsAndWritesARigThatIsRead) {
-  const auto result = run({"check", demo("horse-flex.rig.json"), "--json", "--mend", "mended.rig.json"});
+  const auto result = run({"check", demo("horse.rig.json"), "--json", "--mend", "mended.rig.json"});
   ASSERT_EQ(result.status, 0) << result.error;
   const auto json = Json::parse(result.out);
   ASSERT_TRUE(json.ok());

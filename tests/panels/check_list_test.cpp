@@ -33,7 +33,7 @@ TEST_F(CheckList, OfAGoodRigIsEmpty) {
 }
 
 TEST_F(CheckList, AClickGoesToTheMoment) {
-  open("horse-flex.rig.json");
+  open("horse.rig.json");
   state.document.selection.set(state.document.idAt(4));
   check();
   ASSERT_FALSE(state.open.check.findings.empty());
@@ -47,7 +47,7 @@ TEST_F(CheckList, AClickGoesToTheMoment) {
 }
 
 TEST_F(CheckList, MendIsOneStepAndFindsLess) {
-  open("horse-flex.rig.json");
+  open("horse.rig.json");
   check();
   const std::size_t found = state.open.check.findings.size();
   const std::size_t steps = state.document.commands.stepCount();

@@ -1,0 +1,259 @@
+// core/check/mend_belly.cpp: candidates in order of how little they ask for; each is measured over all poses.
+#include "core/check/mend_belly.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "core/base/at.h"
+#include "core/check/belly_motion.h"
+#include "core/lines/line_rest.h"
+#include "core/rig/line_edit.h"
+#include "core/rig/reparent.h"
+#include "core/skeleton/bones_between.h"
+#include "core/symmetry/line_twins.h"
+#include "core/symmetry/twins.h"
+
+namespace sinew {
+namespace {
+
+constexpr float kMargin = 0.9f;  ///< Of what is found: a mended muscle has some room.
+constexpr float kDeeper[] = {1.2f, 1.5f};
+constexpr float kEnds = 0.9f;  ///< Of the half length: where a line that only carries begins and ends.
+
+struct Choice {
+  Primitive primitive;
+  std::optional<MuscleLine> line;
+  std::string said;
+};
+
+/// One muscle in a rig of its own, as check() would see it.
+class BellyTrial {
+ public:
+  BellyTrial(const Choice& choice, const SurfaceSettings& surface, const Motions& motions)
+      : motions_(motions), poser_(rigOf(choice, surface), motions.character()) {
+    const Character& character = motions.character();
+    const auto bone = character.skeleton.findBone(choice.primitive.bone);
+    if (!bone) return;
+    const PosedRig bind = poser_.pose(bindPose(character.skeleton));
+    belly_ = FollowedBelly::create(character, bind.muscles[0], *bone);
+    body_ = bellyBody(bind.muscles[0]);
+  }
+
+  [[nodiscard]] bool canTell() const { return belly_.has_value(); }
+  [[nodiscard]] std::vector<int> carriers() const { return bonesAt(motions_.character(), belly_->spots()[0]); }
+  /// In the bind pose.
+  [[nodiscard]] const BellyBody& body() const { return body_; }
+  /// Of the skin over it, in the bind pose.
+  [[nodiscard]] glm::vec3 outwards() const {
+    const Character& character = motions_.character();
+    const auto frame = frameAt(character, belly_->spots()[0], bindPose(character.skeleton));
+    return frame ? frame->normal() : glm::vec3(0.0f);
+  }
+
+  /// At most 1: nothing is found.
+  [[nodiscard]] float trouble() const {
+    const std::vector<std::optional<SkinFrame>> frames = motions_.framesOf(belly_->spots());
+    PosedRig posed;
+    float worst = 0.0f;
+    constexpr std::size_t kPoints = FollowedBelly::kPoints;
+    for (std::size_t i = 0; i < motions_.poses().size(); ++i) {
+      poser_.pose(motions_.poses()[i], posed);
+      const BellyMotion motion = belly_->motion(posed.muscles[0], std::span(frames).subspan(i * kPoints, kPoints));
+      const float share = motions_.shareOf(i);
+      worst = std::max(worst, share * motion.out / kMostOut);
+      if (posed.lines.empty() || !posed.lines[0].usable) continue;
+      const float stretch = posed.lines[0].stretch;
+      worst = std::max({worst, share * motion.beside / kMostBeside, share * motion.ball / belly_->mostBall(),
+                        stretch / kMostStretch, kLeastStretch / std::max(stretch, 1e-6f)});
+    }
+    return worst;
+  }
+
+ private:
+  static Rig rigOf(const Choice& choice, const SurfaceSettings& surface) {
+    Rig alone;
+    alone.surface = surface;
+    alone.primitives = {choice.primitive};
+    alone.primitives[0].animated.clear();
+    if (choice.line) alone.lines = {*choice.line};
+    for (MuscleLine& line : alone.lines) line.animated.clear();
+    return alone;
+  }
+
+  const Motions& motions_;
+  RigPoser poser_;
+  std::optional<FollowedBelly> belly_;
+  BellyBody body_;
+};
+
+/// Deeper in the flesh by its lower side alone: the skin over it hardly changes.
+Choice deeper(Choice choice, const BellyTrial& trial, float factor) {
+  const glm::vec3 outwards = trial.outwards();
+  const glm::mat3& axes = trial.body().axes;
+  const auto along = [&](glm::length_t axis) { return glm::dot(glm::normalize(axes[axis]), outwards); };
+  const glm::length_t height = std::abs(along(2)) >= std::abs(along(0)) ? 2 : 0;
+  Placement& placement = choice.primitive.placement;
+  const glm::vec3 up = glm::mat3_cast(placement.rotation)[height] * (along(height) < 0.0f ? -1.0f : 1.0f);
+  placement.center -= (factor - 1.0f) * placement.radii[height] * up;
+  placement.radii[height] *= factor;
+  choice.said += std::string(choice.said.empty() ? "" : ", ") + "deeper";
+  return choice;
+}
+
+Primitive riding(const Primitive& own, int bone, const Skeleton& skeleton) {
+  Primitive out = own;
+  const int from = *skeleton.findBone(own.bone);
+  out.line.clear();
+  if (from == bone) return out;
+  out.placement =
+      carryToBone(own.placement, at(skeleton.bones, from).bindInWorld, at(skeleton.bones, bone).bindInWorld);
+  out.bone = skeleton.fileName(bone);
+  return out;
+}
+
+/// It goes half way between two bones, and keeps its girth.
+LineSettings carryingOnly() {
+  LineSettings settings;
+  settings.tendons = {0.0f, 0.0f};
+  settings.volume = 0.0f;
+  settings.pivot = 0.0f;
+  settings.flex = {0.0f, 0.0f};
+  settings.gain = 0.0f;
+  return settings;
+}
+
+/// Bones that carry the skin and are next to those that the muscle is on, the heaviest first: a muscle of the neck does
+/// not ride the head.
+std::vector<int> nearCarriers(const Choice& now, const BellyTrial& trial, const Skeleton& skeleton) {
+  std::vector<int> own{*skeleton.findBone(now.primitive.bone)};
+  if (now.line) {
+    for (const LineAnchor* anchor : {&now.line->origin, &now.line->insertion}) {
+      if (const auto bone = skeleton.findBone(anchor->bone)) own.push_back(*bone);
+    }
+  }
+  std::vector<int> out = trial.carriers();
+  std::erase_if(out, [&](int bone) {
+    return std::ranges::none_of(own, [&](int from) { return bonesBetween(skeleton, from, bone).size() <= 2; });
+  });
+  return out;
+}
+
+LineAnchor moved(const LineAnchor& anchor, int bone, const Skeleton& skeleton) {
+  const auto from = skeleton.findBone(anchor.bone);
+  if (!from) return anchor;
+  return anchorOn(skeleton, bone, glm::vec3(at(skeleton.bones, *from).bindInWorld * glm::vec4(anchor.point, 1.0f)));
+}
+
+/// One end and the middle on the bone under the belly: only the other end crosses a joint.
+Choice endingOn(const Choice& now, bool origin, int bone, const BellyTrial& trial, const Skeleton& skeleton) {
+  Choice choice = now;
+  LineAnchor& end = origin ? choice.line->origin : choice.line->insertion;
+  end = moved(end, bone, skeleton);
+  choice.line->via = anchorOn(skeleton, bone, trial.body().center);
+  choice.line->settings.pivot = 0.0f;
+  choice.said = std::string(origin ? "begins" : "ends") + " on " + skeleton.fileName(bone);
+  return choice;
+}
+
+std::vector<Choice> choicesFor(const Choice& now, const BellyTrial& trial, const Skeleton& skeleton) {
+  std::vector<Choice> out;
+  for (const float factor : kDeeper) out.push_back(deeper(now, trial, factor));
+  const std::vector<int> carriers = nearCarriers(now, trial, skeleton);
+  for (const int bone : carriers) {
+    if (!now.line) break;
+    for (const bool origin : {true, false}) {
+      const std::string& other = (origin ? now.line->insertion : now.line->origin).bone;
+      if (skeleton.findBone(other) == bone) continue;
+      out.push_back(endingOn(now, origin, bone, trial, skeleton));
+      out.push_back(deeper(out.back(), trial, kDeeper[1]));
+    }
+  }
+  const std::size_t onLine = out.size();
+  for (const int bone : carriers) {
+    if (now.line || skeleton.fileName(bone) != now.primitive.bone)
+      out.push_back({riding(now.primitive, bone, skeleton), std::nullopt, "rides " + skeleton.fileName(bone)});
+  }
+  // Along y, as lines carry bellies.
+  const glm::vec3 half = kEnds * trial.body().axes[1];
+  for (const int from : carriers) {
+    for (const int to : carriers) {
+      if (from == to) continue;
+      Choice choice{riding(now.primitive, from, skeleton), MuscleLine{}, {}};
+      choice.line->name = choice.primitive.line = now.primitive.name;
+      choice.line->settings = carryingOnly();
+      choice.line->origin = anchorOn(skeleton, from, trial.body().center - half);
+      choice.line->insertion = anchorOn(skeleton, to, trial.body().center + half);
+      choice.said = "rides between " + skeleton.fileName(from) + " and " + skeleton.fileName(to);
+      out.push_back(std::move(choice));
+    }
+  }
+  const std::size_t count = out.size();
+  for (std::size_t i = onLine; i < count; ++i) out.push_back(deeper(out[i], trial, kDeeper[1]));
+  return out;
+}
+
+Rig withTwinsKept(const Rig& before, Rig rig, const MirrorPlan* plan) {
+  return plan == nullptr ? std::move(rig) : keepTwins(before, before, std::move(rig), *plan);
+}
+
+/// What the others on the line do is not asked.
+Result<Rig> withChoice(Rig rig, int primitive, Choice choice, const MirrorPlan* plan) {
+  const Rig before = rig;
+  if (!choice.primitive.line.empty() && choice.primitive.line == at(rig.primitives, primitive).line) {
+    at(rig.primitives, primitive).placement = choice.primitive.placement;
+    MuscleLine& line = at(rig.lines, findLine(rig, choice.primitive.line));
+    line.origin = choice.line->origin;
+    line.insertion = choice.line->insertion;
+    line.via = choice.line->via;
+    line.settings = choice.line->settings;
+    return withTwinsKept(before, std::move(rig), plan);
+  }
+  const int twin = plan == nullptr ? -1 : twinOf(rig, primitive);
+  std::vector<int> off{primitive};
+  if (twin >= 0) off.push_back(twin);
+  rig = setLineOfSeveral(std::move(rig), off, -1);
+  Primitive& own = at(rig.primitives, primitive);
+  own.bone = choice.primitive.bone;
+  own.placement = choice.primitive.placement;
+  rig = withTwinsKept(before, std::move(rig), plan);
+  if (!choice.line) return rig;
+  Result<Rig> lined = addLine(std::move(rig), std::move(*choice.line));
+  if (!lined) return lined;
+  Rig done = std::move(lined).value();
+  at(done.primitives, primitive).line = done.lines.back().name;
+  return twin < 0 ? done : withTwinOnLine(std::move(done), primitive, *plan);
+}
+
+}  // namespace
+
+Result<MendedBelly> withMendedBelly(Rig rig, int primitive, const Motions& motions, const MirrorPlan* plan) {
+  const Primitive& own = at(rig.primitives, primitive);
+  const MuscleLine* line = lineOf(rig, own);
+  const Choice now{own, line != nullptr ? std::optional(*line) : std::nullopt, {}};
+  const BellyTrial trial(now, rig.surface, motions);
+  if (!trial.canTell()) return MendedBelly{std::move(rig), {}};
+  for (Choice& choice : choicesFor(now, trial, motions.character().skeleton)) {
+    if (choice.line && !lineRest(*choice.line, motions.character())) continue;
+    const BellyTrial other(choice, rig.surface, motions);
+    if (!other.canTell() || other.trouble() > kMargin) continue;
+    std::string said = choice.said;
+    Result<Rig> done = withChoice(std::move(rig), primitive, std::move(choice), plan);
+    if (!done) return done.error();
+    return MendedBelly{std::move(done).value(), std::move(said)};
+  }
+  return MendedBelly{std::move(rig), {}};
+}
+
+Rig withoutFarSkin(Rig rig, const Finding& finding, const MirrorPlan* plan) {
+  const Rig before = rig;
+  Primitive& own = at(rig.primitives, finding.primitive);
+  if (own.territory) std::erase(*own.territory, finding.bone);
+  return withTwinsKept(before, std::move(rig), plan);
+}
+
+}  // namespace sinew
