@@ -125,13 +125,14 @@ Result<MendedLaidLine> mended(const LaidLine& laid, const Motions& motions) {
   if (!done) return done.error();
   MendedLaidLine out{laid, {}};
   if (!done->said.empty()) out.said = laid.line.name + ": " + done->said;
+  out.laid.belly.bone = done->rig.primitives[0].bone;
+  out.laid.belly.placement = done->rig.primitives[0].placement;
   if (done->isRigid) {
     out.laid.belly.line.clear();
-    out.laid.belly.bone = done->rig.primitives[0].bone;
-    out.laid.belly.placement = done->rig.primitives[0].placement;
   } else {
-    out.laid.line.via = done->rig.lines[0].via;
-    out.laid.line.settings = done->rig.lines[0].settings;
+    const std::string name = out.laid.line.name;
+    out.laid.line = done->rig.lines[0];
+    out.laid.line.name = name;
   }
   return out;
 }

@@ -13,6 +13,7 @@
 #include "core/base/at.h"
 #include "core/check/belly_motion.h"
 #include "core/check/check.h"
+#include "core/check/mend_belly.h"
 #include "core/lines/line_fitting.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/reparent.h"
@@ -181,6 +182,21 @@ Result<Mended> withoutLine(Rig rig, std::span<const int> bellies, int bone, cons
                 "no line between its bones stays in the flesh, so it rides " + skeleton.fileName(bone), true, true};
 }
 
+/// What a tool has just made may lie deeper, end elsewhere or ride a bone, as long as it is one muscle.
+Result<Mended> withNewBelly(Mended mended, std::span<const int> bellies, const Motions& motions) {
+  const auto say = [&](const std::string& more) { mended.said += (mended.said.empty() ? "" : ", ") + more; };
+  if (bellies.size() == 1) {
+    Result<MendedBelly> belly = withMendedBelly(std::move(mended.rig), bellies.front(), motions, nullptr);
+    if (!belly) return belly.error();
+    mended.rig = std::move(belly.value().rig);
+    mended.isClean = !belly->said.empty();
+    mended.isRigid = at(mended.rig.primitives, bellies.front()).line.empty();
+    if (mended.isClean) say(belly->said);
+  }
+  if (!mended.isClean) say("and it still leaves the flesh somewhere");
+  return mended;
+}
+
 }  // namespace
 
 Result<Mended> withMendedLine(Rig rig, int line, const Motions& motions, bool isNew) {
@@ -233,15 +249,13 @@ Result<Mended> withMendedLine(Rig rig, int line, const Motions& motions, bool is
     const std::vector<int> carriers = bonesAt(character, trial.spot());
     return withoutLine(std::move(rig), bellies, carriers.front(), character);
   }
-  if (isNew && !out.isClean)
-    out.said += (out.said.empty() ? "" : ", ") + std::string("and it still leaves the flesh somewhere");
   Result<Rig> edited = editLine(std::move(rig), line, [&](MuscleLine& of) {
     of.via = best->line.via;
     of.settings = best->line.settings;
   });
   if (!edited) return edited.error();
   out.rig = std::move(edited).value();
-  return out;
+  return isNew && !out.isClean ? withNewBelly(std::move(out), bellies, motions) : std::move(out);
 }
 
 Result<MendedRig> withMendedFindings(Rig rig, std::span<const Finding> findings, const Motions& motions,
