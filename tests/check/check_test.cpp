@@ -52,7 +52,7 @@ TEST_P(BundledRigs, HaveNoFindings) {
   const std::vector<Finding> findings = findingsOf(scene);
   EXPECT_TRUE(findings.empty()) << listOf(scene, findings);
 }
-INSTANTIATE_TEST_SUITE_P(Check, BundledRigs, testing::Values("humanoid", "humanoid-flex", "horse-flex"),
+INSTANTIATE_TEST_SUITE_P(Check, BundledRigs, testing::Values("humanoid", "humanoid-flex"),
                          [](const auto& tested) {
                            std::string name = tested.param;
                            std::ranges::replace(name, '-', '_');
