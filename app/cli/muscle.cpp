@@ -92,7 +92,7 @@ int runMuscle(const MuscleOptions& options) {
   auto document = openDocument(options.file);
   if (!document) return badInput(document.error());
   Stopwatch watch;
-  const MirrorPlan plan = makeMirrorPlan(*document->character);
+  const MirrorPlan& plan = *document->mirror;
   const auto character = withRangeOfMotion(document->character, plan);
   const BodySlots slots = bodySlots(*character, plan, document->rig().slots);
   const auto preset = presetOf(options, slots.kind);

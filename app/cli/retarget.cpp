@@ -55,8 +55,7 @@ int runRetarget(const RetargetOptions& options) {
   const auto to = openDocument(options.character);
   if (!to) return badInput(to.error());
   Stopwatch watch;
-  const auto done = retarget(from->rig(), *from->character, makeMirrorPlan(*from->character), Motions(to->character),
-                             makeMirrorPlan(*to->character));
+  const auto done = retarget(from->rig(), *from->character, *from->mirror, Motions(to->character), *to->mirror);
   if (!done) return badInput({options.character.string(), {}, done.error().reason});
   const double seconds = watch.lap();
   for (const auto& [name, why] : done->leftOut) message(name + " is left out: " + why);

@@ -53,9 +53,8 @@ void openWithMuscles(EditorState& state, const std::filesystem::path& file) {
   Result<Document> opened = openDocument(file);
   if (!opened) return addMessage(state.session, MessageKind::kError, openErrorText(opened.error()));
   const Document& from = state.document;
-  const MirrorPlan fromPlan = makeMirrorPlan(*from.character);
   Result<Retargeted> done =
-      retarget(from.rig(), *from.character, fromPlan, Motions(opened->character), *opened->mirror);
+      retarget(from.rig(), *from.character, *from.mirror, Motions(opened->character), *opened->mirror);
   if (!done) {
     const Error error{file.string(), "", done.error().reason, "cannot take the muscles"};
     return addMessage(state.session, MessageKind::kError, error.plainText());

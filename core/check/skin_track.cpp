@@ -60,6 +60,14 @@ glm::vec3 nearestShares(const glm::vec3& p, const Corners& c) {
   return {va / all, vb / all, vc / all};
 }
 
+/// The triangle is no nearer, squared: the distance from its box, less what rounding may add.
+float leastFrom(const glm::vec3& p, const Corners& c) {
+  const glm::vec3 low = glm::min(c[0], glm::min(c[1], c[2]));
+  const glm::vec3 high = glm::max(c[0], glm::max(c[1], c[2]));
+  const glm::vec3 off = glm::max(glm::max(low - p, p - high), glm::vec3(0.0f));
+  return 0.999f * glm::dot(off, off);
+}
+
 glm::vec3 mixed(const Corners& c, const glm::vec3& shares) {
   return shares.x * c[0] + shares.y * c[1] + shares.z * c[2];
 }
@@ -73,6 +81,7 @@ std::optional<SkinSpot> spotOver(const ControlMesh& mesh, const glm::vec3& point
   float leastFacing = least;
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
     const Corners corners = cornersOf(mesh, t);
+    if (leastFrom(point, corners) > leastFacing) continue;
     const glm::vec3 face = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const float area = glm::length(face);
     if (!(area > 0.0f)) continue;
