@@ -43,6 +43,8 @@ struct Belly {
   float definition = 0.0f;
 
   [[nodiscard]] glm::vec3 center() const { return skin - (1.0f - definition) * height * normal; }
+  /// What must lie in the body: of a belly that stands far out the middle of its lower half.
+  [[nodiscard]] glm::vec3 inner() const { return skin - std::max(1.0f - definition, 0.5f) * height * normal; }
 };
 
 /// A unit vector, turned towards another at right angles to it.
@@ -74,7 +76,7 @@ class MusclePlacer {
       const auto off = static_cast<float>(distanceTo(place_.plan.plane, glm::dvec3(belly_.center())));
       belly_.skin -= off * glm::vec3(place_.plan.plane.normal);
     }
-    if (!place_.flesh.isInside(belly_.center())) return errorAt("", "there is no closed body under the skin there");
+    if (!place_.flesh.isInside(belly_.inner())) return errorAt("", "there is no closed body under the skin there");
     const int bone = placed.line ? lineBone_ : boneUnder();
     if (bone < 0) return errorAt("", "no bone carries it");
     const Bone& own = at(place_.character.skeleton.bones, bone);
@@ -194,8 +196,8 @@ void MusclePlacer::keepEndsInside() {
   if (!path_.empty() || muscle_.asLaid) return;
   for (int step = 0; step < kMostShortenings; ++step) {
     const glm::vec3 way = kNearEnd * belly_.half * belly_.along;
-    const bool head = place_.flesh.isInside(belly_.center() + way);
-    const bool foot = place_.flesh.isInside(belly_.center() - way);
+    const bool head = place_.flesh.isInside(belly_.inner() + way);
+    const bool foot = place_.flesh.isInside(belly_.inner() - way);
     if (head && foot) return;
     if (head != foot) {
       const float dip = (head ? 1.0f : -1.0f) * kDip;

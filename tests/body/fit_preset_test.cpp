@@ -192,6 +192,14 @@ TEST_P(FitPreset, MusclesShowAndDoNotSwell) {
 
 TEST_P(FitPreset, GivesTheSameRigAgain) { EXPECT_EQ(fitted(), fitted()); }
 
+TEST_P(FitPreset, DefinitionLeavesNoneOut) {
+  const auto count = [&](float definition) { return fitted({1.0f, definition}).primitives.size(); };
+  const std::size_t usual = fitted().primitives.size();
+  EXPECT_GE(count(0.0f), usual);
+  EXPECT_GE(count(0.7f), usual);
+  EXPECT_GE(count(1.0f), usual);
+}
+
 INSTANTIATE_TEST_SUITE_P(Bodies, FitPreset,
                          ::testing::Values(Body{"humanoid.glb", "athlete", 36}, Body{"demo.glb", "athlete", 36},
                                            Body{"horse.glb", "animal", 16}, Body{"man.glb", "athlete", 37},
