@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-# docs/screenshots.py: makes docs/images/*.png, the README's pictures of the editor, in a real window.
-# Usage: docs/screenshots.py [SINEW]     SINEW: the program; without it, the newest one under build/. Needs Xvfb, xdotool
+# docs/screenshots.py: makes docs/images/*, the pictures of the README and of docs/tutorial.md, in a real window.
+# Usage: docs/screenshots.py [--tutorial] [SINEW]     SINEW: the program; without it, the newest one under build/.
+# --tutorial: only the tutorial's. Needs Xvfb, xdotool
 # and imagemagick, as the GUI tests do.
 import pathlib
 import subprocess
@@ -76,6 +77,66 @@ def flexing(t):
     editor.quit()
 
 
+def save_step(editor, name, height=800):
+    """For the tutorial: many pictures, each small; of the upper part, where the lower one shows a folder's name."""
+    editor.settle()
+    editor.wait_until("all samples", lambda s: s["samples"] == 16)
+    picture = ROOT / "docs" / "images" / name
+    with tempfile.NamedTemporaryFile(suffix=".png") as whole:
+        editor.screenshot(pathlib.Path(whole.name))
+        subprocess.run(["convert", whole.name, "-crop", "1280x%d+0+0" % height, "-strip", "-quality", "82",
+                        str(picture)], check=True)
+    print(picture)
+
+
+def tutorial(t):
+    """docs/tutorial.md: the horse without a rig becomes one that flexes."""
+    editor = t.edit(t.copy(t.assets / "horse.glb", "downloaded.glb"))
+    editor.wait_until("the walk", lambda s: s["playing"])
+    editor.tap("space", "the pause", lambda s: not s["playing"])
+    editor.move((650, 640))
+    save_step(editor, "tutorial-1-opened.jpg")
+
+    editor.palette("add muscle set", "muscles/add-set")
+    editor.wait_until("a step", lambda s: s["document"]["undo"] == 1)
+    left, right = editor.widget("muscle-set/mass", 0.5), editor.widget("muscle-set/mass", 0.68)
+    editor.drag(left, right)
+    editor.move((760, 560))
+    editor.key("2")
+    save_step(editor, "tutorial-2-set.jpg")
+    editor.click("muscle-set/done")
+
+    editor.click("library/tab")
+    editor.fill("library/search", "triceps")
+    ends = (editor.state()["bones"][bone] for bone in ("upper_arm.L", "forearm.L"))
+    arm = [0.4 * a + 0.6 * b for a, b in zip(*ends)][:2]
+    editor.point_at(lambda: editor.widget("library/animal/triceps"))
+    editor.press()
+    start = editor.widget("library/animal/triceps")
+    for share in (0.3, 0.6, 0.9, 1.0):
+        editor.move([a + share * (b - a) for a, b in zip(start, arm)])
+    save_step(editor, "tutorial-3-library.jpg")
+    editor.key("Escape")
+    editor.release()
+
+    editor.click("outliner/tab")
+    editor.select_muscle("gluteal L")
+    editor.tap("r", "the scaling handles", lambda s: s["gizmo"]["visible"] and s["gizmo"]["mode"] == "scale")
+    editor.move((760, 640))
+    save_step(editor, "tutorial-4-gluteal.jpg")
+
+    editor.tap("v", "the anatomy", lambda s: s["display"]["anatomy"])
+    editor.palette("check muscles", "play/check")
+    editor.move((760, 640))
+    save_step(editor, "tutorial-5-check.jpg")
+    editor.click("check/close")
+
+    editor.tap("v", "the skin", lambda s: not s["display"]["anatomy"])
+    editor.tap("ctrl+shift+e", "the dialog", lambda s: s["dialog"] == "export")
+    save_step(editor, "tutorial-6-export.jpg", 585)
+    editor.kill()
+
+
 def story(t):
     def copy_of(name):
         t.copy(t.assets / (name + ".glb"))
@@ -85,10 +146,13 @@ def story(t):
     walking(t)
     shoulder(t)
     flexing(t)
+    tutorial(t)
 
 
 if __name__ == "__main__":
-    program = sys.argv[1] if len(sys.argv) > 1 else newest_program()
+    only_tutorial = "--tutorial" in sys.argv
+    arguments = [a for a in sys.argv[1:] if a != "--tutorial"]
+    program = arguments[0] if arguments else newest_program()
     with tempfile.TemporaryDirectory() as out:
         sys.argv[1:] = [str(program), str(ROOT), out, str(ROOT / "assets")]
-        sys.exit(driver.run("screenshots", story))
+        sys.exit(driver.run("screenshots", tutorial if only_tutorial else story))

@@ -55,6 +55,7 @@ void lay(EditorState& state, Preset set, PresetMuscle muscle, BodySide side) {
   for (const std::string& line : added->mended) say(state, "Mended " + line);
 }
 
+/// "upperLeg" -> "upper leg", "frontUpper" -> "front upper leg"
 std::string readable(const char* part) {
   std::string words;
   for (const char* c = part; *c != '\0'; ++c) {
@@ -62,7 +63,8 @@ std::string readable(const char* part) {
     if (capital) words += ' ';
     words += capital ? static_cast<char>(*c - 'A' + 'a') : *c;
   }
-  return words;
+  const bool ofAnimals = words.starts_with("front ") || words.starts_with("hind ");
+  return ofAnimals && !words.ends_with("foot") ? words + " leg" : words;
 }
 
 std::string whatDropDoes(const PresetMuscle& muscle, const sinew::Mark& mark, const MeasuredBody& body) {

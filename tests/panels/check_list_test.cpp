@@ -46,6 +46,17 @@ TEST_F(CheckList, AClickGoesToTheMoment) {
   EXPECT_FALSE(state.open.transport.playing);
 }
 
+TEST_F(CheckList, NothingLiesUnderIt) {
+  open("horse.rig.json");
+  run(action("view/anatomy"), state);
+  settle();
+  ASSERT_TRUE(shown("legend/anatomy"));
+  check();
+  EXPECT_FALSE(shown("legend/anatomy"));
+  click("check/close");
+  EXPECT_TRUE(shown("legend/anatomy"));
+}
+
 TEST_F(CheckList, MendIsOneStepAndFindsLess) {
   open("horse.rig.json");
   check();
