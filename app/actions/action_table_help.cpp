@@ -1,6 +1,7 @@
 // app/actions/action_table_help.cpp: the Help menu.
 
 #include "app/actions/action_table.h"
+#include "app/actions/first_steps.h"
 #include "app/editor/session.h"
 
 namespace sinew::app::table {
@@ -9,7 +10,11 @@ namespace {
 bool hasSheet(const State& s) { return s.dialogs.keySheet; }
 void toggleSheet(State& s) { s.dialogs.keySheet = !s.dialogs.keySheet; }
 
+bool hasFirstSteps(const State& s) { return s.view.firstSteps.shown; }
+
 const Action kActions[] = {
+    {"help/first-steps", "First steps", "Five things to try on the walking man, each ticked off when it is done", kNone,
+     kNone, always, hasFirstSteps, toggleFirstSteps},
     {"help/palette", "Find anything...", "Search actions, muscles, bones, samples and recent files", ctrl(GLFW_KEY_P),
      kNone, always, nullptr, onDialogs<showPalette>},
     {"help/keys", "Keys and mouse", "What every key and every drag does", key(GLFW_KEY_F1), kNone, always, hasSheet,

@@ -1,6 +1,8 @@
 // app/editor/view_state.h: what stays as it is when another document is opened: how the designer looks and works.
 #pragma once
 
+#include <array>
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
@@ -43,6 +45,17 @@ struct BareState {
   bool byKey = false;
 };
 
+inline constexpr std::size_t kFirstSteps = 5;
+
+/// Help > First steps.
+struct FirstStepsState {
+  bool shown = false;
+  std::array<bool, kFirstSteps> done{};
+  std::size_t document = 0;        ///< SessionState::documentsOpened that what follows is of.
+  CameraStand stand;               ///< As the document was opened.
+  std::shared_ptr<const Rig> rig;  ///< Likewise.
+};
+
 struct ViewState {
   DisplaySettings display;
   ViewportTools tools;
@@ -52,6 +65,7 @@ struct ViewState {
   bool groupsAsGraph = false;  ///< Nodes and edges instead of the matrix.
   InspectorState inspector;
   BareState bare;
+  FirstStepsState firstSteps;
   std::vector<std::pair<std::string, glm::quat>> copiedPose;  ///< Joints by file name, and their turns.
 };
 
