@@ -182,15 +182,14 @@ Result<Mended> withoutLine(Rig rig, std::span<const int> bellies, int bone, cons
                 "no line between its bones stays in the flesh, so it rides " + skeleton.fileName(bone), true, true};
 }
 
-/// What a tool has just made may lie deeper, end elsewhere or ride a bone, as long as it is one muscle.
+/// What a tool has just made may lie deeper, as long as it is one muscle: its ends are where they were put.
 Result<Mended> withNewBelly(Mended mended, std::span<const int> bellies, const Motions& motions) {
   const auto say = [&](const std::string& more) { mended.said += (mended.said.empty() ? "" : ", ") + more; };
   if (bellies.size() == 1) {
-    Result<MendedBelly> belly = withMendedBelly(std::move(mended.rig), bellies.front(), motions, nullptr);
+    Result<MendedBelly> belly = withMendedBelly(std::move(mended.rig), bellies.front(), motions, nullptr, true);
     if (!belly) return belly.error();
     mended.rig = std::move(belly.value().rig);
     mended.isClean = !belly->said.empty();
-    mended.isRigid = at(mended.rig.primitives, bellies.front()).line.empty();
     if (mended.isClean) say(belly->said);
   }
   if (!mended.isClean) say("and it still leaves the flesh somewhere");

@@ -160,9 +160,10 @@ Choice endingOn(const Choice& now, bool origin, int bone, const BellyTrial& tria
   return choice;
 }
 
-std::vector<Choice> choicesFor(const Choice& now, const BellyTrial& trial, const Skeleton& skeleton) {
+std::vector<Choice> choicesFor(const Choice& now, const BellyTrial& trial, const Skeleton& skeleton, bool asDrawn) {
   std::vector<Choice> out;
   for (const float factor : kDeeper) out.push_back(deeper(now, trial, factor));
+  if (asDrawn) return out;
   const std::vector<int> carriers = nearCarriers(now, trial, skeleton);
   for (const int bone : carriers) {
     if (!now.line) break;
@@ -231,13 +232,14 @@ Result<Rig> withChoice(Rig rig, int primitive, Choice choice, const MirrorPlan* 
 
 }  // namespace
 
-Result<MendedBelly> withMendedBelly(Rig rig, int primitive, const Motions& motions, const MirrorPlan* plan) {
+Result<MendedBelly> withMendedBelly(Rig rig, int primitive, const Motions& motions, const MirrorPlan* plan,
+                                    bool asDrawn) {
   const Primitive& own = at(rig.primitives, primitive);
   const MuscleLine* line = lineOf(rig, own);
   const Choice now{own, line != nullptr ? std::optional(*line) : std::nullopt, {}};
   const BellyTrial trial(now, rig.surface, motions);
   if (!trial.canTell()) return MendedBelly{std::move(rig), {}};
-  for (Choice& choice : choicesFor(now, trial, motions.character().skeleton)) {
+  for (Choice& choice : choicesFor(now, trial, motions.character().skeleton, asDrawn)) {
     if (choice.line && !lineRest(*choice.line, motions.character())) continue;
     const BellyTrial other(choice, rig.surface, motions);
     if (!other.canTell() || other.trouble() > kMargin) continue;

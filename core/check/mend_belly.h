@@ -18,8 +18,9 @@ struct MendedBelly {
 
 /// Tries what keeps a belly under its skin over all poses, off its line if it is on one: each bone that carries the
 /// skin over it; then between two of these, on a line that carries it and does nothing else. Its twin likewise.
+/// @param asDrawn  only deeper: its line stays, and ends where it does
 [[nodiscard]] Result<MendedBelly> withMendedBelly(Rig rig, int primitive, const Motions& motions,
-                                                  const MirrorPlan* plan);
+                                                  const MirrorPlan* plan, bool asDrawn = false);
 
 /// A kReachesAcross's bone goes from the territory; of the twin's likewise.
 [[nodiscard]] Rig withoutFarSkin(Rig rig, const Finding& finding, const MirrorPlan* plan);

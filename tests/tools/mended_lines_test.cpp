@@ -87,8 +87,8 @@ TEST(MendedLines, FewerLeaveTheFleshAndThoseAreNamed) {
   EXPECT_GE(lines, 70);
   EXPECT_GT(before, lines / 20) << "else there is nothing to mend here";
   // Many of these places lie on opposite sides of a limb.
-  EXPECT_LT(after, before / 8);
-  EXPECT_LT(rigid, 2 * lines / 5);
+  EXPECT_LT(after, 2 * before / 3);
+  EXPECT_LT(rigid, lines / 5);
 }
 
 }  // namespace
