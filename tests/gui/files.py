@@ -141,6 +141,24 @@ def discard_on_quit(t, file):
     t.check("the file is as it was", file.read_bytes() == before)
 
 
+def dropped(t):
+    """Another program's file over the window: a rig opens at once, what cannot be read is said."""
+    editor = t.edit(t.copy(t.assets / "demo.glb", "bare.glb"))
+    editor.wait_until("a character", lambda s: s["document"]["primitives"] == 0 and BONE in s["bones"])
+    rig = t.copy(t.assets / "demo.rig.json", "dropped.rig.json")
+    editor.drop(rig)
+    editor.wait_until("the rig", lambda s: s["document"]["primitives"] > 0)
+    t.check("it is the open one", editor.title().startswith("dropped.rig.json"), editor.title())
+    bad = t.folder / "dropped.glb"
+    bad.write_bytes(b"no character")
+    # It has muscles now: whether they stay is asked before the file is read.
+    editor.drop(bad)
+    editor.click("keep-muscles/without")
+    editor.wait_until("a message", lambda s: any("dropped.glb" in message for message in s["messages"]))
+    t.check("the open one stays", editor.title().startswith("dropped.rig.json"), editor.title())
+    editor.quit()
+
+
 def story(t):
     names = bad_files(t)
     editor = t.edit(t.copy(t.assets / "demo.glb"))
@@ -154,7 +172,7 @@ def story(t):
     save_on_quit(t, editor)
     discard_on_quit(t, t.folder / "good.rig.json")
     refused_on_the_command_line(t, names)
-    print("left out: dropping a file on the window, xdotool cannot drag from another program")
+    dropped(t)
 
 
 if __name__ == "__main__":
