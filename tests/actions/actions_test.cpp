@@ -12,8 +12,8 @@ namespace sinew::app {
 namespace {
 
 const std::set<std::string> kWithoutCharacter{
-    "file/open",     "file/preferences", "file/quit",           "window/left",  "window/right",
-    "window/bottom", "window/picture",   "window/reset-layout", "help/palette", "help/keys"};
+    "file/open",      "file/preferences",    "file/quit",    "window/left",      "window/right", "window/bottom",
+    "window/picture", "window/reset-layout", "help/palette", "help/first-steps", "help/keys"};
 constexpr int kKeyZ = 90;
 constexpr int kKeyS = 83;
 constexpr int kSpace = 32;
