@@ -8,6 +8,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/smoothing/auto_depth.h"
+#include "sinew/character/character_pose.h"
 
 namespace sinew::app {
 namespace {
@@ -110,7 +111,7 @@ Pose poseAt(const Transport& transport, const Character& character) {
   const auto sampled = [&] {
     if (transport.clip < 0) return bindPose(skeleton);
     const AnimationClip& clip = character.clips[static_cast<std::size_t>(transport.clip)];
-    return samplePose(skeleton, clip, static_cast<float>(transport.time));
+    return samplePose(character, clip, static_cast<float>(transport.time));
   };
   Pose pose = posed(skeleton, sampled(), transport.overrides);
   pose.flex = transport.flex;

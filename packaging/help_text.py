@@ -4,7 +4,7 @@ import re
 import subprocess
 
 COLUMN = 30  # Where descriptions begin.
-CHARACTER = ("glb", "gltf", "rig.json")
+CHARACTER = ("glb", "gltf", "vrm", "rig.json")
 # Words that the description names in a sentence: the parser cannot tell them from prose, so they stand here and are
 # looked for there.
 NAMED_WORDS = {

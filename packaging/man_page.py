@@ -22,7 +22,7 @@ TAIL = r'''.SH FILES
 .I *.rig.json
 A rig: muscles, groups and links, and the name of the character they belong to. JSON text.
 .TP
-.IR *.glb ", " *.gltf
+.IR *.glb ", " *.gltf ", " *.vrm
 A character: a skinned mesh with its animations, as glTF 2.0.
 .TP
 .I $XDG_CONFIG_HOME/sinew/preferences.json

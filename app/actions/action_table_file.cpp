@@ -16,8 +16,8 @@ void quitEditor(State& s) { request(s, {IntentKind::kQuit, {}}); }
 Possible farmable(const State& s) { return idle(s).also(rigIsSaved(s), "Save the rig first"); }
 
 const Action kActions[] = {
-    {"file/open", "Open...", "Open a character (.glb, .gltf) or a rig (.rig.json)", ctrl(GLFW_KEY_O), kNone, always,
-     nullptr, showOpenDialog},
+    {"file/open", "Open...", "Open a character (.glb, .gltf, .vrm) or a rig (.rig.json)", ctrl(GLFW_KEY_O), kNone,
+     always, nullptr, showOpenDialog},
     {"file/save", "Save", "Write the rig to its file", ctrl(GLFW_KEY_S), kNone, idle, nullptr, saveNow, true},
     {"file/save-as", "Save as...", "Write the rig to another file", ctrlShift(GLFW_KEY_S), kNone, idle, nullptr,
      saveAs},

@@ -40,6 +40,8 @@ float strongStep(const Rig& rig, const NumberRef& ref) {
       const glm::vec3& radii = rig.primitives[static_cast<std::size_t>(ref.owner)].placement.radii;
       return kShare * std::max({radii.x, radii.y, radii.z});
     }
+    case Parameter::kMorphWeight:
+      return 1.0f;
     default:
       return kShare * (drawn == 0.0f ? 1.0f : std::abs(drawn));
   }
@@ -67,8 +69,12 @@ Result<Rig> driven(const Rig& rig, std::span<const NumberRef> refs, const Driver
   });
 }
 
-/// Their curves are in the inspector, which stays where it is scrolled to.
-void showDrivers(EditorState& state, const std::string& done) {
+/// Their curves are in the inspector, which stays where it is scrolled to; a shape's is under its name.
+void showDrivers(EditorState& state, const NumberRef& ref, const std::string& done) {
+  if (ownerOf(ref.parameter) == ParameterOwner::kMorph) {
+    state.open.shapes.chosen = state.document.rig().morphs[static_cast<std::size_t>(ref.owner)].name;
+    return say(state, done + ". Its curve is under its name");
+  }
   state.view.inspector.animationOpen = true;
   say(state, done + ". Its curve is under Animation");
 }
@@ -82,6 +88,8 @@ HeldNumber held(const Rig& rig, const NumberRef& ref) {
       return {ref.parameter, rig.primitives[index].id(), {}};
     case ParameterOwner::kLine:
       return {ref.parameter, {}, rig.lines[index].id()};
+    case ParameterOwner::kMorph:
+      return {ref.parameter, {}, {}, rig.morphs[index].name};
     case ParameterOwner::kSurface:
       break;
   }
@@ -93,6 +101,7 @@ std::optional<NumberRef> refOf(const Rig& rig, const HeldNumber& number) {
   const ParameterOwner kind = ownerOf(number.parameter);
   if (kind == ParameterOwner::kPrimitive) owner = findPrimitive(rig, number.primitive);
   if (kind == ParameterOwner::kLine) owner = findLine(rig, number.line);
+  if (kind == ParameterOwner::kMorph) owner = findMorph(rig, number.morph);
   if (owner < 0) return std::nullopt;
   return NumberRef{number.parameter, owner};
 }
@@ -213,7 +222,7 @@ void removeClipKeys(EditorState& state, std::span<const NumberRef> refs) {
 void driveNumbers(EditorState& state, std::span<const NumberRef> refs, const DriverInput& input) {
   const Rig& rig = state.document.rig();
   const std::string label = "Drive " + wordsFor(rig, refs) + " by " + wordsFor(input, state.character().skeleton);
-  if (edit(state, label, driven(rig, refs, input))) showDrivers(state, label);
+  if (edit(state, label, driven(rig, refs, input))) showDrivers(state, refs.front(), label);
 }
 
 void driveByNewChannel(EditorState& state, std::span<const NumberRef> refs) {
@@ -226,7 +235,7 @@ void driveByNewChannel(EditorState& state, std::span<const NumberRef> refs) {
   input.kind = DriverInputKind::kChannel;
   input.channel = name;
   const std::string label = "Drive " + wordsFor(rig, refs) + " by channel " + name;
-  if (edit(state, label, driven(made.value(), refs, input))) showDrivers(state, label);
+  if (edit(state, label, driven(made.value(), refs, input))) showDrivers(state, refs.front(), label);
 }
 
 void stopAnimating(EditorState& state, std::span<const NumberRef> refs) {

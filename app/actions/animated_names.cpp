@@ -13,7 +13,9 @@ namespace {
 
 std::string ownerName(const Rig& rig, const NumberRef& ref) {
   const auto index = static_cast<std::size_t>(ref.owner);
-  return ownerOf(ref.parameter) == ParameterOwner::kLine ? rig.lines[index].name : rig.primitives[index].name;
+  const ParameterOwner owner = ownerOf(ref.parameter);
+  if (owner == ParameterOwner::kMorph) return rig.morphs[index].name;
+  return owner == ParameterOwner::kLine ? rig.lines[index].name : rig.primitives[index].name;
 }
 
 /// "turn about X of ", where it is one of the frame's axes.
@@ -34,7 +36,8 @@ std::string wordsFor(const Rig& rig, std::span<const NumberRef> refs) {
   std::string words = sinew::wordsFor(parameter);
   words[0] = toLower(words[0]);
   if (ownerOf(parameter) == ParameterOwner::kSurface) return words;
-  return words + " of " + (refs.size() == 1 ? ownerName(rig, refs.front()) : std::to_string(refs.size()) + " muscles");
+  const char* several = ownerOf(parameter) == ParameterOwner::kMorph ? " shapes" : " muscles";
+  return words + " of " + (refs.size() == 1 ? ownerName(rig, refs.front()) : std::to_string(refs.size()) + several);
 }
 
 std::string wordsFor(const DriverInput& input, const Skeleton& skeleton) {

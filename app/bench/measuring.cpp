@@ -1,5 +1,6 @@
 // app/bench/measuring.cpp: medians and the frames to measure, for the benchmarks.
 #include "app/bench/measuring.h"
+#include "sinew/character/character_pose.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,7 @@ Pose poseAt(const Character& character, double seconds) {
   if (character.clips.empty()) return bindPose(character.skeleton);
   const AnimationClip& clip = character.clips.front();
   const float time = clip.duration > 0.0f ? std::fmod(static_cast<float>(seconds), clip.duration) : 0.0f;
-  return samplePose(character.skeleton, clip, time);
+  return samplePose(character, clip, time);
 }
 
 }  // namespace
@@ -78,7 +79,7 @@ std::vector<Pose> spreadFrames(const Character& character, int frames) {
   std::vector<Pose> poses;
   for (int i = 0; i < frames; ++i) {
     const float share = static_cast<float>(i) / static_cast<float>(frames);
-    poses.push_back(samplePose(character.skeleton, clip, clip.duration * share));
+    poses.push_back(samplePose(character, clip, clip.duration * share));
   }
   return poses;
 }

@@ -18,9 +18,10 @@ std::vector<bool> cornersOfImplicitTriangles(const ControlMesh& mesh, const Surf
 
 }  // namespace
 
-std::vector<SceneSegment> anchorSegments(const Character& character, const Pose& pose, const Surface& surface) {
+std::vector<SceneSegment> anchorSegments(const Character& character, const Pose& pose,
+                                         std::span<const float> morphWeights, const Surface& surface) {
   SkinnedMesh skinned;
-  skin(character, pose, skinned);
+  skin(character, pose, morphWeights, skinned);
   std::vector<glm::vec3> anchors;
   poseAnchors(findAnchors(character.skeleton, character.mesh.positions), pose, anchors);
   const std::vector<bool> held = cornersOfImplicitTriangles(character.mesh, surface);

@@ -12,6 +12,7 @@
 #include "app/bench/whole.h"
 #include "app/cli/console.h"
 #include "app/cli/verb.h"
+#include "app/document/character_files.h"
 #include "app/platform/data_files.h"
 #include "core/io/files/atomic_file.h"
 
@@ -37,7 +38,7 @@ constexpr std::array kBundled{
 /// `--json humanoid.rig.json` measures that rig: it is never written over.
 bool isInput(const std::filesystem::path& file) {
   const std::string name = file.string();
-  return name.ends_with(".rig.json") || name.ends_with(".glb") || name.ends_with(".gltf");
+  return name.ends_with(".rig.json") || isCharacterName(name);
 }
 
 Result<ModeScenes> scenesOf(const Bundled& bundled, std::vector<std::filesystem::path> files) {

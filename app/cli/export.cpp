@@ -100,7 +100,7 @@ std::string endingsText() {
 void addOptions(CLI::App& verb, ExportOptions& options) {
   options.parser = &verb;
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
-  verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf)");
+  verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf, .vrm)");
   verb.add_option(
           "--as", options.word,
           "helpers: with joints that move as the muscles do, keyed in every clip (default); skinned: the file's "

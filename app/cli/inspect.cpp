@@ -90,7 +90,7 @@ int runInspect(const InspectOptions& options) {
 }
 
 void addInspectOptions(CLI::App& verb, InspectOptions& options) {
-  verb.add_option("FILE", options.files, "Characters (.glb, .gltf) or rigs (.rig.json); of several, a table")
+  verb.add_option("FILE", options.files, "Characters (.glb, .gltf, .vrm) or rigs (.rig.json); of several, a table")
       ->required();
   verb.add_flag("--json", options.json,
                 "Print JSON, for programs: an object, or an array where there are several files");

@@ -35,7 +35,7 @@ struct MuscleOptions {
 
 void addMuscleOptions(CLI::App& verb, MuscleOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
-  verb.add_option_function<std::string>("FILE", to(options.file), "Character (.glb, .gltf) or rig (.rig.json)")
+  verb.add_option_function<std::string>("FILE", to(options.file), "Character (.glb, .gltf, .vrm) or rig (.rig.json)")
       ->required();
   verb.add_option_function<std::string>("-o,--output", to(options.output), "Rig to write (.rig.json)")
       ->type_name("OUT.rig.json")

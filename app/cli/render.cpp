@@ -65,13 +65,14 @@ Image Drawing::draw(const Moment& moment) {
   scene.character = &character;
   scene.surface = &surface;
   scene.pose = &pose;
-  scene.primitives = shapesOf(input_.rig, poser_.pose(pose));
+  const PosedRig posed = poser_.pose(pose);
+  scene.primitives = shapesOf(input_.rig, posed);
   if (plan_.display.controlMesh) {
     SkinnedMesh skinned;
-    skin(character, pose, skinned);
+    skin(character, pose, posed.morphWeights, skinned);
     scene.skinnedControlPositions = std::move(skinned.positions);
   }
-  if (plan_.anchors) scene.segments = anchorSegments(character, pose, surface);
+  if (plan_.anchors) scene.segments = anchorSegments(character, pose, posed.morphWeights, surface);
   if (plan_.isMean()) viewport_.drawMean(scene, view, plan_.display, meanSamples(plan_.samples));
   else viewport_.draw(scene, view, plan_.display);
   seconds.upload += viewport_.seconds().upload;
@@ -121,7 +122,7 @@ void addLook(CLI::App& verb, RenderOptions& options) {
 
 void addRenderOptions(CLI::App& verb, RenderOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
-  verb.add_option_function<std::string>("FILE", to(options.input), "Rig (.rig.json) or character (.glb, .gltf)");
+  verb.add_option_function<std::string>("FILE", to(options.input), "Rig (.rig.json) or character (.glb, .gltf, .vrm)");
   verb.add_option("--clip", options.clip,
                   "Pose from this clip, or \"Range of motion\", made from the joints; "
                   "without any of these, the bind pose")

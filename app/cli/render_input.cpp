@@ -28,19 +28,19 @@ namespace {
 constexpr int kFramedTurns = 24;  ///< A turntable is framed from so many sides.
 
 /// Points that hold all that one moment shows: skin, ellipsoids, and bones where they are drawn.
-void addFramedPoints(const Character& character, const std::vector<PrimitiveShape>& muscles, const Pose& pose,
-                     const DisplaySettings& display, std::vector<glm::vec3>& points) {
+void addFramedPoints(const OpenedInput& input, const PosedRig& posed, const Pose& pose, const DisplaySettings& display,
+                     std::vector<glm::vec3>& points) {
   SkinnedMesh skinned;
-  skin(character, pose, skinned);
+  skin(*input.character, pose, posed.morphWeights, skinned);
   const std::vector<glm::vec3> extremes = extremePoints(skinned.positions);
   points.insert(points.end(), extremes.begin(), extremes.end());
-  for (const PrimitiveShape& shape : muscles) {
+  for (const PrimitiveShape& shape : shapesOf(input.rig, posed)) {
     if (shape.sign < 0 && !display.primitives && !display.influence && !display.anatomy) continue;
     const std::array<glm::vec3, 6> ends = extremesOf(shape, display.influence ? shape.reach : 1.0f);
     points.insert(points.end(), ends.begin(), ends.end());
   }
   if (!display.skeleton) return;
-  for (const BoneSegment& segment : boneSegments(character.skeleton, pose)) {
+  for (const BoneSegment& segment : boneSegments(input.character->skeleton, pose)) {
     points.push_back(segment.head);
     points.push_back(segment.tail);
   }
@@ -70,7 +70,9 @@ Result<OpenedInput> openToRender(const RenderOptions& options, const RenderPlan&
   auto document = openDocument(input.file);
   if (!document) return document.error();
   document.value().character = withClipNamed(document->character, options.clip);
-  OpenedInput opened{document->character, overridden(document->rig(), options.surfaceOptions), nullptr, {}, {}, {}};
+  auto rig = overridden(document.value(), options.surfaceOptions);
+  if (!rig) return rig.error();
+  OpenedInput opened{document->character, std::move(rig).value(), nullptr, {}, {}, {}};
   const Skeleton& skeleton = opened.character->skeleton;
   if (const auto missing = missingBones(opened.rig, skeleton); !missing.empty()) {
     const Error refusal = refusalOf(missing.front(), skeleton);
@@ -118,7 +120,7 @@ SteadyView steadyView(const OpenedInput& input, const RenderOptions& options, co
     if (last == moment.time) continue;
     last = moment.time;
     const Pose pose = poseAt(*input.character, input.clip, moment.time);
-    addFramedPoints(*input.character, shapesOf(input.rig, poser.pose(pose)), pose, plan.display, points);
+    addFramedPoints(input, poser.pose(pose), pose, plan.display, points);
   }
   SteadyView steady;
   steady.center = boundsOf(points).center();
@@ -142,7 +144,8 @@ Rig settled(const OpenedInput& input, const View& view) {
   if (!rig.smoothing.autoDepth) return rig;
   const Character& character = *input.character;
   SkinnedMesh skinned;
-  skin(character, poseAt(character, input.clip, input.moments.front().time), skinned);
+  const Pose pose = poseAt(character, input.clip, input.moments.front().time);
+  skin(character, pose, RigPoser(rig, character).pose(pose).morphWeights, skinned);
   const float pixels = character.height / view.unitsPerPixelAt(boundsOf(skinned.positions).center());
   if (rig.smoothing.detail == DetailKind::kAdaptive) {
     rig.smoothing.tolerance = autoTolerance(pixels, 0.0f);

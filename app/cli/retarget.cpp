@@ -26,7 +26,8 @@ struct RetargetOptions {
 void addRetargetOptions(CLI::App& verb, RetargetOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
   verb.add_option_function<std::string>("RIG", to(options.rig), "Rig whose muscles are wanted (.rig.json)")->required();
-  verb.add_option_function<std::string>("CHARACTER", to(options.character), "Character that gets them (.glb, .gltf)")
+  verb.add_option_function<std::string>("CHARACTER", to(options.character),
+                                        "Character that gets them (.glb, .gltf, .vrm)")
       ->required();
   verb.add_option_function<std::string>("-o,--output", to(options.output), "Rig to write (.rig.json)")
       ->type_name("OUT.rig.json")

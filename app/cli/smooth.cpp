@@ -70,7 +70,7 @@ std::string isOutput(const std::string& text) {
 
 void addSmoothOptions(CLI::App& verb, SmoothOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
-  verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf)");
+  verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf, .vrm)");
   CLI::Option* clip =
       verb.add_option("--clip", options.clip,
                       "Pose from this clip, or \"Range of motion\", made from the joints; without it, the bind pose");
@@ -129,7 +129,9 @@ Result<OpenedInput> open(const SmoothOptions& options, const SmoothJob& job, con
   auto document = openDocument(input.file);
   if (!document) return document.error();
   if (options.clip) document.value().character = withClipNamed(document->character, options.clip.value());
-  OpenedInput opened{document->character, overridden(document->rig(), options.surface), nullptr, {}};
+  auto rig = overridden(document.value(), options.surface);
+  if (!rig) return rig.error();
+  OpenedInput opened{document->character, std::move(rig).value(), nullptr, {}};
   const Skeleton& skeleton = opened.character->skeleton;
   if (const auto missing = missingBones(opened.rig, skeleton); !missing.empty()) {
     const Error refusal = refusalOf(missing.front(), skeleton);

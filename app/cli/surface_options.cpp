@@ -7,12 +7,16 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/console.h"
+#include "core/base/nearest_name.h"
+#include "core/rig/morphs.h"
 #include "core/skeleton/clip_names.h"
 #include "core/skeleton/range_of_motion.h"
+#include "sinew/character/character_pose.h"
 
 namespace sinew::app {
 namespace {
 
+constexpr std::size_t kNamesListed = 12;
 constexpr double kPastEnd = 1e-4;  ///< Seconds: less is rounding.
 
 /// @param expected  the range in words
@@ -28,6 +32,36 @@ std::string isAngle(const std::string& text) { return isWithin(text, 0.0f, 180.0
 
 std::string isTolerance(const std::string& text) {
   return isWithin(text, kLeastTolerance, kMostTolerance, "a number from 0.0001 to 0.01");
+}
+
+/// Names may have "=" in them: the last one counts.
+std::string isShape(const std::string& text) {
+  const std::size_t equals = text.rfind('=');
+  if (equals == std::string::npos || equals == 0) return "expected NAME=WEIGHT, got \"" + text + '"';
+  return isWithin(text.substr(equals + 1), kLeastMorphWeight, kMostMorphWeight, "a weight from -10 to 10");
+}
+
+std::string noSuchShape(const std::string& name, const std::vector<std::string>& names) {
+  if (names.empty()) return "the character has no shapes";
+  std::string known;
+  for (std::size_t i = 0; i < std::min(names.size(), kNamesListed); ++i) {
+    known += (known.empty() ? "\"" : ", \"") + names[i] + '"';
+  }
+  if (names.size() > kNamesListed) known += " and " + std::to_string(names.size() - kNamesListed) + " more";
+  return "expected " + (names.size() > 1 ? "one of " + known : known) + didYouMean(name, names);
+}
+
+/// @param shape  as isShape lets it pass
+Result<Rig> withShape(Rig rig, const std::string& shape, const Document& document) {
+  const std::size_t equals = shape.rfind('=');
+  const std::string name = shape.substr(0, equals);
+  const std::vector<std::string> names = morphNames(*document.character);
+  if (std::ranges::find(names, name) == names.end()) {
+    return Error{document.characterFile.string(), "shape \"" + name + '"', noSuchShape(name, names)};
+  }
+  float weight = 0.0f;
+  std::from_chars(shape.data() + equals + 1, shape.data() + shape.size(), weight);
+  return setMorphWeight(std::move(rig), name, weight);
 }
 
 }  // namespace
@@ -64,14 +98,25 @@ void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options) {
                   "Shade faces that meet at more than this angle apart; 180: smooth everywhere")
       ->type_name("DEGREES")
       ->check(isAngle);
+  verb.add_option("--shape", options.shapes,
+                  "What the rig adds to a shape (morph target) in place of its own, -10 to 10; once for each")
+      ->type_name("NAME=W")
+      ->allow_extra_args(false)
+      ->check(isShape);
 }
 
-Rig overridden(Rig rig, const SurfaceOptions& options) {
+Result<Rig> overridden(const Document& document, const SurfaceOptions& options) {
+  Rig rig = document.rig();
   options.detail.apply(rig.smoothing);
   if (options.crease) rig.smoothing.creaseAngle = *options.crease;
   rig.surface.mode = surfaceModeNamed(options.mode).value_or(rig.surface.mode);
   rig.smoothing.patch = patchKindNamed(options.patch).value_or(rig.smoothing.patch);
   rig.smoothing.projection = projectionKindNamed(options.projection).value_or(rig.smoothing.projection);
+  for (const std::string& shape : options.shapes) {
+    Result<Rig> with = withShape(std::move(rig), shape, document);
+    if (!with) return with;
+    rig = std::move(with).value();
+  }
   return rig;
 }
 
@@ -91,8 +136,7 @@ Result<const AnimationClip*> clipOf(const Document& document, const std::optiona
 }
 
 Pose poseAt(const Character& character, const AnimationClip* clip, double seconds) {
-  return clip == nullptr ? bindPose(character.skeleton)
-                         : samplePose(character.skeleton, *clip, static_cast<float>(seconds));
+  return clip == nullptr ? bindPose(character.skeleton) : samplePose(character, *clip, static_cast<float>(seconds));
 }
 
 }  // namespace sinew::app

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/document/detail_override.h"
 #include "app/document/document.h"
@@ -23,16 +24,19 @@ struct SurfaceOptions {
   std::string mode;             ///< Empty: the rig's, as for the next two.
   std::string patch;
   std::string projection;
+  std::vector<std::string> shapes;  ///< "NAME=W"
 };
 
-/// --depth, --detail, --tolerance, --mode, --patch, --projection and --crease. `options` must outlive the parse.
+/// --depth, --detail, --tolerance, --mode, --patch, --projection, --crease and --shape. `options` must outlive the
+/// parse.
 void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options);
 
 /// --depth, --detail and --tolerance alone.
 void addDetailOptions(CLI::App& verb, DetailOverride& detail);
 
-/// The rig with what the command line says instead. The words have passed the parser.
-[[nodiscard]] Rig overridden(Rig rig, const SurfaceOptions& options);
+/// The document's rig with what the command line says instead. The words have passed the parser.
+/// Error: no such shape, and those that there are.
+[[nodiscard]] Result<Rig> overridden(const Document& document, const SurfaceOptions& options);
 
 /// The clip of that name; nullopt: the first. Says so if the last time lies past its end.
 /// Error: no such clip, and those that there are.

@@ -36,7 +36,7 @@ constexpr const char* kExamples =
 
 void addEditOptions(CLI::App& parser, EditRequest& request) {
   parser.add_option("FILE", request.file,
-                    "Character (.glb, .gltf) or rig (.rig.json); without it, a bundled character");
+                    "Character (.glb, .gltf, .vrm) or rig (.rig.json); without it, a bundled character");
   parser.add_option("--log-state", request.logState, "Append a JSON line per drawn frame that changed")
       ->type_name("FILE");
   parser.add_option("--scale", request.scale, "Size of the interface: 1, 1.5, 2; without it, the system's")

@@ -15,6 +15,7 @@ struct HeldNumber {
   Parameter parameter = Parameter::kAmount;
   PrimitiveId primitive;  ///< 0 if it is not a muscle's.
   LineId line;            ///< 0 if it is not a line's.
+  std::string morph{};    ///< Name of the shape; empty if it is not one's.
 
   friend bool operator==(const HeldNumber&, const HeldNumber&) = default;
 };

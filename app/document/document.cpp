@@ -1,6 +1,7 @@
 // app/document/document.cpp: opening and saving.
 
 #include "app/document/document.h"
+#include "app/document/character_files.h"
 
 #include <fstream>
 #include <system_error>
@@ -8,6 +9,7 @@
 
 #include "core/base/at.h"
 #include "core/base/lower_case.h"
+#include "core/rig/morphs.h"
 #include "core/symmetry/twins.h"
 #include "sinew/io/gltf_import.h"
 #include "sinew/io/rig_json.h"
@@ -24,7 +26,7 @@ Result<Document> openCharacter(const std::filesystem::path& file) {
   Rig rig;
   rig.character = file.filename().generic_string();
   rig.smoothing.detail = DetailKind::kAdaptive;
-  document.commands = CommandStack(std::move(rig));
+  document.commands = CommandStack(withMorphsOf(std::move(rig), *document.character));
   prepareMirror(document);
   return document;
 }
@@ -46,7 +48,7 @@ Result<Document> openParts(Rig rig, const std::optional<FileStamp>& onDisk, cons
   document.characterFile = characterFile;
   document.rigFile = file;
   document.rigOnDisk = onDisk;
-  document.commands = CommandStack(std::move(rig));
+  document.commands = CommandStack(withMorphsOf(std::move(rig), *document.character));
   prepareMirror(document);
   return document;
 }
@@ -84,8 +86,8 @@ std::string Document::name() const {
 Result<Document> openDocument(const std::filesystem::path& file) {
   const std::string name = lowerCase(file.filename().string());
   if (name.ends_with(".json")) return openRig(file);
-  if (name.ends_with(".glb") || name.ends_with(".gltf")) return openCharacter(file);
-  return Error{file.string(), "", "expected a character (.glb, .gltf) or a rig (.rig.json)", "cannot be opened"};
+  if (isCharacterName(name)) return openCharacter(file);
+  return Error{file.string(), "", "expected a character (.glb, .gltf, .vrm) or a rig (.rig.json)", "cannot be opened"};
 }
 
 std::optional<std::filesystem::path> missingCharacter(const std::filesystem::path& rigFile) {
@@ -114,9 +116,10 @@ Result<Document> openRigWith(const std::filesystem::path& rigFile, const std::fi
 void prepareMirror(Document& document) {
   document.mirror = std::make_shared<const MirrorPlan>(makeMirrorPlan(*document.character));
   document.symmetry = document.mirror->pairCount() > 0;
-  document.commands.setKeeper([plan = document.mirror](const Rig& atStart, const Rig& shown, Rig wanted) {
-    return keepTwins(atStart, shown, std::move(wanted), *plan);
-  });
+  document.commands.setKeeper(
+      [plan = document.mirror, character = document.character](const Rig& atStart, const Rig& shown, Rig wanted) {
+        return keepTwins(atStart, shown, withMorphsOf(std::move(wanted), *character, KeepIdle::kYes), *plan);
+      });
 }
 
 Result<void> saveDocument(Document& document, const std::filesystem::path& rigFile) {

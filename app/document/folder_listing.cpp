@@ -11,6 +11,7 @@
 #include <system_error>
 #include <tuple>
 
+#include "app/document/character_files.h"
 #include "core/base/lower_case.h"
 
 namespace sinew::app {
@@ -28,7 +29,7 @@ bool passes(const std::string& lowerName, FileFilter filter) {
   if (filter == FileFilter::kJobs) {
     return !rig && std::ranges::any_of(kJobEndings, [&](const char* end) { return lowerName.ends_with(end); });
   }
-  const bool character = lowerName.ends_with(".glb") || lowerName.ends_with(".gltf");
+  const bool character = isCharacterName(lowerName);
   return (rig && filter != FileFilter::kCharacters) || (character && filter != FileFilter::kRigs);
 }
 
@@ -118,7 +119,7 @@ std::string completePath(const fs::path& folder, const std::string& text, const 
 
 fs::path withRigEnding(fs::path file) {
   const std::string ending = lowerCase(file.extension().string());
-  if (ending == ".glb" || ending == ".gltf") file.replace_extension();
+  if (isCharacterName(ending)) file.replace_extension();
   if (!lowerCase(file.filename().string()).ends_with(".json")) file += ".rig.json";
   return file;
 }

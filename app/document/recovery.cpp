@@ -17,6 +17,7 @@
 #include "app/document/preferences.h"
 #include "core/io/files/atomic_file.h"
 #include "core/io/json/json.h"
+#include "core/rig/morphs.h"
 #include "sinew/io/gltf_import.h"
 #include "sinew/io/rig_json.h"
 
@@ -176,8 +177,8 @@ Result<Document> recoverDocument(const LeftBehind& left) {
   document.characterFile = left.characterFile;
   document.rigFile = left.rigFile;
   document.rigOnDisk = stampFromText(json->at("rig_on_disk").text(""));
-  document.commands = CommandStack(rigBefore(left, rig.value()));
-  document.commands.apply("Recover", std::move(rig).value());
+  document.commands = CommandStack(withMorphsOf(rigBefore(left, rig.value()), *document.character));
+  document.commands.apply("Recover", withMorphsOf(std::move(rig).value(), *document.character));
   prepareMirror(document);  // After it: what is recovered is taken as it is.
   return document;
 }

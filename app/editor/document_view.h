@@ -133,6 +133,13 @@ struct BodyPartsState {
   BodySlots slots;
 };
 
+/// The tab Shapes.
+struct ShapesState {
+  std::string search;
+  std::set<std::string> folded;  ///< First parts of names.
+  std::string chosen;            ///< The shape whose keys and drivers are unfolded; empty: none.
+};
+
 /// The tab Library: the sets for this kind of body, to lay muscles of one at a time.
 struct LibraryState {
   std::optional<std::vector<SlotCorrection>> readFor;  ///< Rig::slots that all below is for; nullopt: nothing is read.
@@ -165,6 +172,7 @@ struct DocumentView {
   CheckState check;
   MuscleSetState muscleSet;
   BodyPartsState bodyParts;
+  ShapesState shapes;
   LibraryState library;
   std::vector<bool> helperBones;  ///< [bones] core/character/skin_bones.h
   TimelineState timeline;

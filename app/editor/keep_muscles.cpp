@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "app/document/character_files.h"
 #include "app/document/damaged_file.h"
 #include "app/document/document.h"
 #include "app/editor/commands.h"
@@ -15,10 +16,7 @@
 namespace sinew::app {
 namespace {
 
-bool isCharacter(const std::filesystem::path& file) {
-  const std::string name = lowerCase(file.filename().string());
-  return name.ends_with(".glb") || name.ends_with(".gltf");
-}
+bool isCharacter(const std::filesystem::path& file) { return isCharacterName(lowerCase(file.filename().string())); }
 
 std::string counted(std::size_t count, const char* one) {
   return std::to_string(count) + ' ' + one + (count == 1 ? "" : "s");

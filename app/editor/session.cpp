@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/document/character_files.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/open_file.h"
@@ -37,13 +38,7 @@ constexpr std::array kKnownSamples{
     KnownSample{"tangle", "Tangle"},
 };
 
-std::string stemOf(const fs::path& file) {
-  std::string name = file.filename().string();
-  for (const char* ending : {".rig.json", ".glb", ".gltf"}) {
-    if (name.ends_with(ending)) return name.substr(0, name.size() - std::string(ending).size());
-  }
-  return {};
-}
+std::string stemOf(const fs::path& file) { return withoutEnding(file.filename().string()).value_or(std::string()); }
 
 std::string titleOfStem(std::string stem) {
   std::ranges::replace(stem, '_', ' ');

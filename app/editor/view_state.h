@@ -16,7 +16,7 @@
 
 namespace sinew::app {
 
-enum class LeftTab { kMuscles, kGroups, kLibrary };
+enum class LeftTab { kMuscles, kGroups, kLibrary, kShapes };
 
 /// What the rows of the muscles stand under: the tree of bones, or a flat list.
 enum class OutlinerOrder { kBones, kRegions, kGroups };

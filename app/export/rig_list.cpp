@@ -4,16 +4,14 @@
 #include <algorithm>
 #include <system_error>
 
+#include "app/document/character_files.h"
+
 namespace sinew::app {
 
 namespace fs = std::filesystem;
 
 std::string nameWithoutEnding(const fs::path& file) {
-  const std::string name = file.filename().string();
-  for (const std::string ending : {".rig.json", ".glb", ".gltf"}) {
-    if (name.size() > ending.size() && name.ends_with(ending)) return name.substr(0, name.size() - ending.size());
-  }
-  return file.stem().string();
+  return withoutEnding(file.filename().string()).value_or(file.stem().string());
 }
 
 std::vector<fs::path> rigsIn(const fs::path& folder) {

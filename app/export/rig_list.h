@@ -7,7 +7,7 @@
 
 namespace sinew::app {
 
-/// "fox" for a/fox.rig.json, a/fox.glb and a/fox.gltf; of other names the stem.
+/// "fox" for a/fox.rig.json, a/fox.glb and the like; of other names the stem.
 [[nodiscard]] std::string nameWithoutEnding(const std::filesystem::path& file);
 
 /// Every *.rig.json of a folder, by name; none with a line break in its name, which no list can hold.

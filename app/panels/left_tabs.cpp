@@ -1,4 +1,4 @@
-// app/panels/left_tabs.cpp: the three tabs at the left.
+// app/panels/left_tabs.cpp: the tabs at the left.
 
 #include <imgui.h>
 
@@ -6,10 +6,12 @@
 #include "app/panels/library/library.h"
 #include "app/panels/outliner/outliner.h"
 #include "app/panels/panels.h"
+#include "app/panels/shapes/shapes.h"
 
 namespace sinew::app {
 namespace {
 
+constexpr float kTabGap = 13.0f;          ///< Design pixels.
 constexpr double kTabHoldSeconds = 0.35;  ///< A muscle dragged onto a tab for so long opens it.
 
 /// A word as a tab; a muscle that is dragged over it opens it.
@@ -44,13 +46,25 @@ void drawLeftTabs(PanelUi& ui) {
   ui.state.frame.highlighted.clear();
   if (ui.state.open.rename.appearing) ui.state.view.outliner.tab = LeftTab::kMuscles;
   drawTab(ui, "Muscles", "outliner/tab", LeftTab::kMuscles);
-  ImGui::SameLine(0.0f, ui.px(16));
+  ImGui::SameLine(0.0f, ui.px(kTabGap));
   drawTab(ui, "Groups", "blending/tab", LeftTab::kGroups);
-  ImGui::SameLine(0.0f, ui.px(16));
+  ImGui::SameLine(0.0f, ui.px(kTabGap));
   drawTab(ui, "Library", "library/tab", LeftTab::kLibrary);
-  if (ui.state.view.outliner.tab == LeftTab::kMuscles) return drawOutliner(ui);
-  if (ui.state.view.outliner.tab == LeftTab::kGroups) drawBlending(ui);
-  else drawLibrary(ui);
+  ImGui::SameLine(0.0f, ui.px(kTabGap));
+  drawTab(ui, "Shapes", "shapes/tab", LeftTab::kShapes);
+  switch (ui.state.view.outliner.tab) {
+    case LeftTab::kMuscles:
+      return drawOutliner(ui);
+    case LeftTab::kGroups:
+      drawBlending(ui);
+      break;
+    case LeftTab::kLibrary:
+      drawLibrary(ui);
+      break;
+    case LeftTab::kShapes:
+      drawShapes(ui);
+      break;
+  }
   keepDraggedShown(ui);
 }
 

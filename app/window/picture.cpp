@@ -81,7 +81,8 @@ Scene sceneOf(const EditorState& state, const PictureKey& key) {
   scene.hiddenBones = key.hiddenBones;
   if (key.display.controlMesh) {
     SkinnedMesh skinned;
-    skin(state.character(), state.live->pose(), skinned);
+    const Pose& pose = state.live->pose();
+    skin(state.character(), pose, state.document.posedRig(pose).morphWeights, skinned);
     scene.skinnedControlPositions = std::move(skinned.positions);
   }
   return scene;

@@ -1,5 +1,7 @@
-// core/body/character_slots.cpp: the search, then what the designer knows better.
+// core/body/character_slots.cpp: the search, then what the file says, then what the designer knows better.
 #include "core/body/character_slots.h"
+
+#include <algorithm>
 
 #include "core/character/skin_bones.h"
 
@@ -21,6 +23,18 @@ BodySlots bodySlots(const Character& character, const MirrorPlan& plan, std::spa
   hints.carriesSkin = bonesWithSkin(character);
   hints.height = character.height;
   BodySlots slots = findBodySlots(character.skeleton, hints);
+  // The file knows its own bones: what the search made of them, and an animal's limbs, go.
+  for (SlotBone& found : slots.bones) {
+    const bool named = std::ranges::count(character.bodyParts, found.bone, &BodyPart::bone) > 0;
+    if (found.bone >= 0 && named) found = {};
+  }
+  for (const BodySlot slot : allBodySlots()) {
+    if (!character.bodyParts.empty() && slot.slot >= Slot::kFrontUpper) slots[slot] = {};
+  }
+  for (const BodyPart& part : character.bodyParts) {
+    slots[bodySlotNamed(part.slot).value()] = {part.bone, SlotConfidence::kSure};
+    slots.kind = BodyKind::kHumanoid;
+  }
   for (const auto& [name, boneName] : corrections) {
     const std::optional<BodySlot> slot = bodySlotNamed(name);
     if (!slot) continue;

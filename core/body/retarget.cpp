@@ -15,6 +15,7 @@
 #include "core/check/mend.h"
 #include "core/lines/line_rest.h"
 #include "core/primitives/affine_image.h"
+#include "core/rig/morphs.h"
 #include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
 #include "core/symmetry/line_twins.h"
@@ -253,7 +254,9 @@ Retargeted Retargeter::make() {
                                                                           : line->origin.bone;
     done_.leftOut.push_back({primitive.name, missing(bone)});
   }
-  rig = removePrimitives(std::move(rig), gone);
+  moveAnimated(rig.surface.animated, "surface");
+  for (MorphWeight& morph : rig.morphs) moveAnimated(morph.animated, morph.name);
+  rig = withMorphsOf(removePrimitives(std::move(rig), gone), to_);
   // Corrections are of the first body; of the same bones they hold on.
   std::erase_if(rig.slots, [&](const SlotCorrection& each) {
     return each.bone.empty() ? !isSameBody(from_, to_) : !to_.skeleton.findBone(each.bone);

@@ -1,6 +1,8 @@
 // core/character/skinning.cpp: matrices of a pose, then the kernels.
 #include "core/character/skinning.h"
 
+#include <cassert>
+
 #include "core/base/at.h"
 #include "core/character/skinning_kernel.h"
 
@@ -16,25 +18,41 @@ void poseMatrices(const Skeleton& skeleton, const Pose& pose, std::vector<glm::m
 
 }  // namespace
 
-void skin(const Character& character, const Pose& pose, SkinnedMesh& out) {
+void skin(const Character& character, const Pose& pose, std::span<const float> morphWeights, SkinnedMesh& out) {
   const ControlMesh& mesh = character.mesh;
+  if (character.morphTargets.empty()) out.morphed.isMorphed = false;
+  else if (morphWeights.empty()) morph(character, morphWeightsOr(character, {}), out.morphed);
+  else morph(character, morphWeights, out.morphed);
+  const bool morphed = out.morphed.isMorphed;
   poseMatrices(character.skeleton, pose, out.matrices);
   out.positions.resize(mesh.positions.size());
   out.normals.resize(mesh.positions.size());
-  skinKernels(chosenVectorSet()).vertices({&mesh, out.matrices, mesh.normals, out.positions, out.normals});
+  skinKernels(chosenVectorSet())
+      .vertices({&mesh, out.matrices, morphed ? out.morphed.positions : mesh.positions,
+                 morphed ? out.morphed.normals : mesh.normals, out.positions, out.normals});
+}
+
+void skin(const Character& character, const Pose& pose, SkinnedMesh& out) {
+  skin(character, pose, pose.morphWeights, out);
 }
 
 void skinDirections(const Character& character, std::span<const glm::vec3> bind, const SkinnedMesh& skinned,
                     std::vector<glm::vec3>& out) {
   out.resize(bind.size());
-  skinKernels(chosenVectorSet()).vertices({&character.mesh, skinned.matrices, bind, {}, out});
+  skinKernels(chosenVectorSet()).vertices({&character.mesh, skinned.matrices, {}, bind, {}, out});
 }
 
 void skinWedgeNormals(const Character& character, std::span<const Wedge> wedges, const SkinnedMesh& skinned,
                       std::vector<glm::vec3>& out) {
   out.resize(wedges.size());
   for (std::size_t w = 0; w < wedges.size(); ++w) out[w] = at(skinned.normals, wedges[w].vertex);
-  skinKernels(chosenVectorSet()).wedges({&character.mesh, skinned.matrices, wedges, out});
+  WedgeInputs inputs{&character.mesh, skinned.matrices, wedges, {}, nullptr, out};
+  if (skinned.morphed.isMorphed) {
+    assert(skinned.morphed.fansMade);
+    inputs.fanNormals = skinned.morphed.fanNormals;
+    inputs.fanChanged = &skinned.morphed.fanChanged;
+  }
+  skinKernels(chosenVectorSet()).wedges(inputs);
 }
 
 }  // namespace sinew

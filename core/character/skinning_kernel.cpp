@@ -68,14 +68,14 @@ HWY_INLINE LaneMatrix blendLanes(const ControlMesh& mesh, std::span<const glm::m
 
 /// Lanes beyond the last vertex repeat it.
 void skinVertices(const SkinInputs& inputs) {
-  const Rows positions(inputs.mesh->positions);
+  const Rows positions(inputs.positions);
   const Rows directions(inputs.directions);
   const int count = static_cast<int>(inputs.directions.size());
   for (int first = 0; first < count; first += static_cast<int>(width())) {
     const auto used = std::min(width(), toIndex(count - first));
     const auto vertex = [&](std::size_t lane) { return std::min(first + static_cast<int>(lane), count - 1); };
     const LaneMatrix matrix = blendLanes(*inputs.mesh, inputs.matrices, vertex);
-    if (!inputs.outPositions.empty()) {
+    if (!inputs.positions.empty()) {
       const V3 point = gatherBy([&](std::size_t lane) { return positions.at(vertex(lane)); });
       scatter(move(point, matrix), &at(inputs.outPositions, first), 1, used);
     }
@@ -90,7 +90,7 @@ void skinListed(const WedgeInputs& inputs, const std::array<std::size_t, kLanes>
   const LaneMatrix matrix =
       blendLanes(*inputs.mesh, inputs.matrices, [&](std::size_t lane) { return wedge(lane).vertex; });
   LanePoints normals;
-  for (std::size_t lane = 0; lane < width(); ++lane) normals.set(lane, wedge(lane).normal);
+  for (std::size_t lane = 0; lane < width(); ++lane) normals.set(lane, inputs.normalOf(wedge(lane)));
   scatterTo(
       carry(normals.load(0), matrix), [&](std::size_t lane) { return &inputs.out[listed[lane]]; }, used);
 }

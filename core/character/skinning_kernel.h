@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "core/lanes/instruction_set.h"
 #include "sinew/mesh/control_mesh.h"
@@ -12,8 +13,9 @@ namespace sinew {
 struct SkinInputs {
   const ControlMesh* mesh = nullptr;
   std::span<const glm::mat4> matrices;    ///< [bindings] from the bind pose to the pose.
+  std::span<const glm::vec3> positions;   ///< Bind pose; empty: not asked for.
   std::span<const glm::vec3> directions;  ///< Bind pose, unit; carried as normals are.
-  std::span<glm::vec3> outPositions;      ///< Those of the mesh's positions; or empty: not asked for.
+  std::span<glm::vec3> outPositions;      ///< [positions]
   std::span<glm::vec3> outDirections;     ///< Unit.
 };
 
@@ -21,8 +23,15 @@ struct SkinInputs {
 struct WedgeInputs {
   const ControlMesh* mesh = nullptr;
   std::span<const glm::mat4> matrices;
-  std::span<const Wedge> wedges;  ///< [W] theirs are the mesh's vertices.
-  std::span<glm::vec3> out;       ///< [W] unit.
+  std::span<const Wedge> wedges;                  ///< [W] theirs are the mesh's vertices.
+  std::span<const glm::vec3> fanNormals;          ///< [fans] instead of a wedge's normal,
+  const std::vector<bool>* fanChanged = nullptr;  ///< [fans] where true; null: nowhere.
+  std::span<glm::vec3> out;                       ///< [W] unit.
+
+  [[nodiscard]] const glm::vec3& normalOf(const Wedge& wedge) const {
+    const auto fan = static_cast<std::size_t>(wedge.fan);
+    return fanChanged != nullptr && (*fanChanged)[fan] ? fanNormals[fan] : wedge.normal;
+  }
 };
 
 struct SkinKernels {

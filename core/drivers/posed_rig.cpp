@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "core/base/at.h"
+#include "core/character/morphing.h"
 
 namespace sinew {
 
@@ -14,7 +15,20 @@ RigPoser::RigPoser(const Rig& rig, const Character& character)
       driven_(rig, character),
       drivesMuscles_(driven_.changes(ParameterOwner::kPrimitive)),
       drivesLines_(driven_.changes(ParameterOwner::kLine)),
-      rests_(lineRests(rig, character)) {
+      rests_(lineRests(rig, character)),
+      morphWeights_(morphWeightsOr(character, {})) {
+  const auto& targets = character.morphTargets;
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    if (const int morph = findMorph(rig, targets[k].name); morph >= 0) {
+      morphShares_.push_back({static_cast<int>(k), morph, 1.0f});
+    }
+  }
+  for (const MorphSet& set : character.morphSets) {
+    const int morph = findMorph(rig, set.name);
+    for (const MorphSet::Share& each : set.shares) {
+      if (morph >= 0) morphShares_.push_back({each.target, morph, each.share});
+    }
+  }
   std::unordered_map<std::string_view, int> lineOf;
   for (std::size_t i = 0; i < rig.lines.size(); ++i) lineOf.emplace(rig.lines[i].name, static_cast<int>(i));
   rides_.reserve(rig.primitives.size());
@@ -50,6 +64,10 @@ PosedMuscle RigPoser::posedMuscle(const Ride& ride, const Placement& placement, 
 void RigPoser::pose(const Pose& pose, PosedRig& out) const {
   out.numbers = drawn_;
   if (!driven_.isEmpty()) driven_.apply(pose, *skeleton_, out.drivers, out.numbers);
+  out.morphWeights = pose.morphWeights.empty() ? morphWeights_ : pose.morphWeights;
+  for (const auto& [target, morph, share] : morphShares_) {
+    at(out.morphWeights, target) += share * at(out.numbers.morphs, morph);
+  }
   poseLines(pose, out);
   out.muscles.resize(rides_.size());
   for (std::size_t i = 0; i < rides_.size(); ++i) {

@@ -27,6 +27,7 @@ struct PosedRig {
   RigNumbers numbers;
   std::vector<PosedLine> lines;      ///< [Rig::lines]
   std::vector<PosedMuscle> muscles;  ///< [Rig::primitives]
+  std::vector<float> morphWeights;   ///< [Character::morphTargets] the pose's with what the rig adds.
 
   // Memory kept from pose to pose; not to be read.
   DriverScratch drivers;
@@ -56,6 +57,11 @@ class RigPoser {
     int bone = -1;
     int line = -1;
   };
+  struct MorphShare {
+    int target = 0;
+    int morph = 0;  ///< Index into Rig::morphs.
+    float share = 1.0f;
+  };
   void poseLines(const Pose& pose, PosedRig& out) const;
   [[nodiscard]] PosedMuscle posedMuscle(const Ride& ride, const Placement& placement, const Pose& pose,
                                         const PosedRig& in) const;
@@ -67,6 +73,8 @@ class RigPoser {
   bool drivesLines_;
   std::vector<std::optional<LineRest>> rests_;  ///< [Rig::lines]
   std::vector<Ride> rides_;                     ///< [Rig::primitives]
+  std::vector<float> morphWeights_;             ///< [Character::morphTargets] as in the file.
+  std::vector<MorphShare> morphShares_;         ///< What numbers of the rig add to which targets.
 };
 
 }  // namespace sinew

@@ -10,6 +10,7 @@
 #include "core/export/skinned_file.h"
 #include "core/export/usd_files.h"
 #include "core/io/surface_formats.h"
+#include "sinew/character/character_pose.h"
 #include "sinew/smoothing/smoother.h"
 
 namespace sinew::exporting {
@@ -32,9 +33,7 @@ Result<BakedExportReport> bakeCache(Source& source, const SharedCharacter& chara
   LiveSurfaces surfaces(character);
   if (const auto prepared = surfaces.prepare(rig); !prepared) return prepared.error();
   const BakedClip moments(*character, settings);
-  const auto poseOf = [&](std::size_t frame) {
-    return samplePose(character->skeleton, moments.clip, moments.times[frame]);
-  };
+  const auto poseOf = [&](std::size_t frame) { return samplePose(*character, moments.clip, moments.times[frame]); };
   Surface surface;
   surfaces.smooth(poseOf(0), surface);
   const auto format = lowerEnding(file) == ".pc2" ? PointCache::Format::kPc2 : PointCache::Format::kMdd;
@@ -73,7 +72,7 @@ Result<BakedExportReport> bakeStage(Source& source, const SharedCharacter& chara
                                     const BakedExportSettings& settings, const std::filesystem::path& file,
                                     const ExportProgress& progress) {
   requireFrames(*character, settings, kMostFrames);
-  const SkinnedExportSettings skinning{.weights = ExportWeights::kTransferred};
+  const SkinnedExportSettings skinning{.weights = ExportWeights::kTransferred, .morphs = false};
   JointFit fit(character, *character, rig, skinning, {});
   if (auto found = fit.findWeights(); !found) return found.error();
   std::vector<OutPrimitive> primitives;
@@ -96,7 +95,7 @@ Result<BakedExportReport> bakeStage(Source& source, const SharedCharacter& chara
   points.frames = moments.frames;
   points.at = [&](std::size_t frame, std::vector<usd::MeshPoints>& meshes) {
     stage.tell(static_cast<double>(frame) / frames);
-    smoother.smooth(samplePose(character->skeleton, moments.clip, moments.times[frame]), surface);
+    smoother.smooth(samplePose(*character, moments.clip, moments.times[frame]), surface);
     meshes.resize(primitives.size());
     for (std::size_t p = 0; p < primitives.size(); ++p) {
       meshes[p] = {};

@@ -16,6 +16,7 @@
 #include "core/export/morph_targets.h"
 #include "core/export/out_files.h"
 #include "core/export/skinned_file.h"
+#include "sinew/character/character_pose.h"
 
 namespace sinew::exporting {
 namespace {
@@ -39,6 +40,11 @@ std::string percentText(double percent) {
   text << percent;
   return text.str();
 }
+
+struct PrimitiveDeltas {
+  std::vector<std::vector<glm::vec3>> positions;  ///< [targets][vertices]
+  std::vector<std::vector<glm::vec3>> normals;    ///< [targets][vertices]
+};
 
 /// Morph targets on the written primitives.
 class TargetMaker {
@@ -75,8 +81,14 @@ class TargetMaker {
     measureBetween(playedTargets(*targets), report);
     progress_.begin(kShading);
     const std::vector<PrimitiveDeltas> deltas = deltasOf(*targets, skins, primitives);
-    addMorphTargets(primitives, deltas, settings_.clip, rewrite);
-    addMorphWeights(primitives, moments_.times, targets->weights, settings_.clip, rewrite);
+    MeshTargets mesh;
+    for (int k = 1; k <= targets->count; ++k) mesh.names.push_back(settings_.clip + ' ' + std::to_string(k));
+    mesh.weights.assign(mesh.names.size(), 0.0f);
+    mesh.deltas = [&](std::size_t p, std::size_t k) {
+      return TargetDeltas{deltas[p].positions[k], deltas[p].normals[k]};
+    };
+    for (const int node : nodesOf(primitives)) addMorphTargets(node, primitives, mesh, rewrite);
+    addMorphWeights(nodesOf(primitives), moments_.times, targets->weights, settings_.clip, rewrite);
   }
 
  private:
@@ -85,7 +97,7 @@ class TargetMaker {
   void forEachFrame(Use use) {
     const std::size_t count = moments_.times.size();
     const auto poseOf = [&](std::size_t frame) {
-      return samplePose(character_->skeleton, moments_.clip, moments_.times[frame]);
+      return samplePose(*character_, moments_.clip, moments_.times[frame]);
     };
     surfaces_.forEach(count, poseOf, [&](std::size_t frame, const Pose& pose, const Surface& live) {
       progress_.tell(static_cast<double>(frame) / static_cast<double>(count));
@@ -128,7 +140,7 @@ class TargetMaker {
     ErrorMeter meter(height);
     std::vector<float> largest(isShown.size(), 0.0f);
     std::vector<glm::vec3> positions;
-    const auto poseOf = [&](std::size_t i) { return samplePose(character_->skeleton, moments_.clip, times[i]); };
+    const auto poseOf = [&](std::size_t i) { return samplePose(*character_, moments_.clip, times[i]); };
     surfaces_.forEach(times.size(), poseOf, [&](std::size_t i, const Pose& pose, const Surface& live) {
       progress_.tell(static_cast<double>(i) / static_cast<double>(times.size()));
       played->place(pose, settings_.clip, times[i], positions);
@@ -251,6 +263,7 @@ Result<BakedExportReport> bakeTargets(Source& source, const std::shared_ptr<cons
   SkinnedExportSettings skinning;
   skinning.weights = settings.weights;
   skinning.clips = {settings.clip};
+  skinning.morphs = false;  // What they do is in the live surface, and so in the targets that are made of it.
   ExportProgress ofFit;
   ExportProgress ofTargets;
   if (progress) {

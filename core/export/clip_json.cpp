@@ -26,6 +26,13 @@ int addSampler(int clip, int input, int output, GltfRewrite& rewrite) {
   return static_cast<int>(samplers.children.size()) - 1;
 }
 
+int addWeightSampler(int clip, const std::vector<float>& times, const std::vector<float>& weights,
+                     GltfRewrite& rewrite) {
+  const int input = addTimes(times, rewrite);
+  const int output = rewrite.addAccessor({bytesOf(weights), TINYGLTF_COMPONENT_TYPE_FLOAT, "SCALAR", weights.size()});
+  return addSampler(clip, input, output, rewrite);
+}
+
 void addChannel(int clip, int sampler, int node, const char* path, GltfRewrite& rewrite) {
   Json channel = Json::object();
   channel.set("sampler", sampler).set("target", Json::object().set("node", node).set("path", path));

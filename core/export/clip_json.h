@@ -16,6 +16,9 @@ namespace sinew::exporting {
 
 /// Linear between keys. Returns the sampler's number in the clip. @param input, output  accessors
 int addSampler(int clip, int input, int output, GltfRewrite& rewrite);
+/// Of weights of morph targets. @param weights  [times * targets]
+int addWeightSampler(int clip, const std::vector<float>& times, const std::vector<float>& weights,
+                     GltfRewrite& rewrite);
 /// @param sampler  of the clip  @param path  "translation", "weights" ...
 void addChannel(int clip, int sampler, int node, const char* path, GltfRewrite& rewrite);
 

@@ -156,6 +156,8 @@ Json& ensureMember(Json& object, std::string_view name, const Json& empty) {
 
 Json numbersOf(const glm::dvec3& values) { return Json::array({values.x, values.y, values.z}); }
 
+Json numbersOf(const std::vector<float>& values) { return Json::array({values.begin(), values.end()}); }
+
 void removeMember(Json& object, std::string_view name) {
   std::erase_if(object.children, [&](const Json& child) { return child.key == name; });
 }

@@ -21,6 +21,7 @@ void removeMember(Json& object, std::string_view name);
 
 /// Every digit of the floats, which is what a reader compares with.
 [[nodiscard]] Json numbersOf(const glm::dvec3& values);
+[[nodiscard]] Json numbersOf(const std::vector<float>& values);
 
 /// Values as they will lie in the file.
 template <class Value>

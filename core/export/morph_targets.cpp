@@ -65,12 +65,13 @@ int addDeltas(GltfRewrite& rewrite, const std::vector<glm::vec3>& deltas) {
   return rewrite.addAttribute(deltas, "VEC3", bounds);
 }
 
-Json targetsOf(const PrimitiveDeltas& deltas, GltfRewrite& rewrite) {
+Json targetsOf(std::size_t primitive, const MeshTargets& mesh, GltfRewrite& rewrite) {
   Json targets = Json::array();
-  for (std::size_t k = 0; k < deltas.positions.size(); ++k) {
+  for (std::size_t k = 0; k < mesh.names.size(); ++k) {
+    const TargetDeltas deltas = mesh.deltas(primitive, k);
     Json target = Json::object();
-    target.set("POSITION", addDeltas(rewrite, deltas.positions[k]));
-    target.set("NORMAL", addDeltas(rewrite, deltas.normals[k]));
+    target.set("POSITION", addDeltas(rewrite, deltas.positions));
+    target.set("NORMAL", addDeltas(rewrite, deltas.normals));
     targets.push(std::move(target));
   }
   return targets;
@@ -94,52 +95,47 @@ int meshOf(int node, GltfRewrite& rewrite) {
   return static_cast<int>(rewrite.element("nodes", node).at("mesh").number(0.0));
 }
 
+}  // namespace
+
 std::set<int> nodesOf(std::span<const OutPrimitive> primitives) {
   std::set<int> nodes;
   for (const OutPrimitive& primitive : primitives) nodes.insert(primitive.node);
   return nodes;
 }
 
-}  // namespace
-
-void addMorphTargets(std::span<const OutPrimitive> primitives, std::span<const PrimitiveDeltas> deltas,
-                     const std::string& clip, GltfRewrite& rewrite) {
-  const std::size_t count = deltas.empty() ? 0 : deltas.front().positions.size();
-  if (count == 0) return;
-  Json names = Json::array();
-  for (std::size_t k = 0; k < count; ++k) names.push(clip + ' ' + std::to_string(k + 1));
-  for (const int node : nodesOf(primitives)) {
-    const int number = meshOf(node, rewrite);
-    const std::size_t parts = rewrite.element("meshes", number).at("primitives").items().size();
-    for (std::size_t place = 0; place < parts; ++place) {
-      const auto own = std::ranges::find_if(primitives, [&](const OutPrimitive& primitive) {
-        return primitive.node == node && toIndex(primitive.place) == place;
-      });
-      const Json& primitive = rewrite.element("meshes", number).at("primitives").items()[place];
-      Json targets = own == primitives.end()
-                         ? idleTargets(primitive, count, rewrite)
-                         : targetsOf(deltas[static_cast<std::size_t>(own - primitives.begin())], rewrite);
-      memberOf(rewrite.element("meshes", number), "primitives")->children[place].set("targets", std::move(targets));
-    }
-    Json& mesh = rewrite.element("meshes", number);
-    mesh.set("weights", Json::array(std::vector<Json>(count, Json(0))));
-    if (mesh.at("extras").kind != Json::Kind::kObject) mesh.set("extras", Json::object());
-    memberOf(mesh, "extras")->set("targetNames", names);
+void addMorphTargets(int node, std::span<const OutPrimitive> primitives, const MeshTargets& mesh,
+                     GltfRewrite& rewrite) {
+  if (mesh.names.empty()) return;
+  const int number = meshOf(node, rewrite);
+  const std::size_t parts = rewrite.element("meshes", number).at("primitives").items().size();
+  for (std::size_t place = 0; place < parts; ++place) {
+    const auto own = std::ranges::find_if(primitives, [&](const OutPrimitive& primitive) {
+      return primitive.node == node && toIndex(primitive.place) == place;
+    });
+    const Json& primitive = rewrite.element("meshes", number).at("primitives").items()[place];
+    Json targets = own == primitives.end()
+                       ? idleTargets(primitive, mesh.names.size(), rewrite)
+                       : targetsOf(static_cast<std::size_t>(own - primitives.begin()), mesh, rewrite);
+    memberOf(rewrite.element("meshes", number), "primitives")->children[place].set("targets", std::move(targets));
   }
+  Json names = Json::array();
+  for (const std::string& name : mesh.names) names.push(name);
+  Json& to = rewrite.element("meshes", number);
+  to.set("weights", numbersOf(mesh.weights));
+  if (to.at("extras").kind != Json::Kind::kObject) to.set("extras", Json::object());
+  memberOf(to, "extras")->set("targetNames", std::move(names));
 }
 
-void addMorphWeights(std::span<const OutPrimitive> primitives, const std::vector<float>& times,
-                     const std::vector<float>& weights, const std::string& clip, GltfRewrite& rewrite) {
+void addMorphWeights(const std::set<int>& nodes, const std::vector<float>& times, const std::vector<float>& weights,
+                     const std::string& clip, GltfRewrite& rewrite) {
   if (weights.empty()) return;
   if (rewrite.root().at("animations").items().empty()) {
     Json made = Json::object();
     made.set("name", clip).set("channels", Json::array()).set("samplers", Json::array());
     rewrite.append("animations", std::move(made));
   }
-  const int input = addTimes(times, rewrite);
-  const int output = rewrite.addAccessor({bytesOf(weights), TINYGLTF_COMPONENT_TYPE_FLOAT, "SCALAR", weights.size()});
-  const int sampler = addSampler(0, input, output, rewrite);
-  for (const int node : nodesOf(primitives)) addChannel(0, sampler, node, "weights", rewrite);
+  const int sampler = addWeightSampler(0, times, weights, rewrite);
+  for (const int node : nodes) addChannel(0, sampler, node, "weights", rewrite);
 }
 
 }  // namespace sinew::exporting

@@ -1,6 +1,8 @@
-// core/export/morph_targets.h: morph targets of the written primitives, and their weights in the clip.
+// core/export/morph_targets.h: morph targets of the written primitives, and their weights in clips.
 #pragma once
 
+#include <functional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,21 +14,32 @@
 
 namespace sinew::exporting {
 
-struct PrimitiveDeltas {
-  std::vector<std::vector<glm::vec3>> positions;  ///< [targets][vertices]
-  std::vector<std::vector<glm::vec3>> normals;    ///< [targets][vertices]
+/// What one target adds to the vertices of one primitive, in its mesh's space.
+struct TargetDeltas {
+  std::vector<glm::vec3> positions;  ///< [vertices]
+  std::vector<glm::vec3> normals;    ///< [vertices]
 };
 
-/// Gives every mesh of the primitives the targets; other primitives of these meshes get as many that move nothing, as
-/// glTF asks. Sparse accessors where they are smaller.
-/// @param deltas  one for each primitive
-void addMorphTargets(std::span<const OutPrimitive> primitives, std::span<const PrimitiveDeltas> deltas,
-                     const std::string& clip, GltfRewrite& rewrite);
+/// The targets of one mesh.
+struct MeshTargets {
+  std::vector<std::string> names;
+  std::vector<float> weights;  ///< [names] where no clip plays.
+  /// @param primitive  index into the written ones  @param target  index into names
+  std::function<TargetDeltas(std::size_t primitive, std::size_t target)> deltas;
+};
 
-/// A channel for each node that shows one of the primitives, linear between keys; in the file's first clip, which is
-/// made where it is gone because all it had were targets that are gone.
+/// The nodes that show one of the primitives.
+[[nodiscard]] std::set<int> nodesOf(std::span<const OutPrimitive> primitives);
+
+/// Gives the mesh of a node the targets; its other primitives get as many that move nothing, as glTF asks. Sparse
+/// accessors where they are smaller.
+void addMorphTargets(int node, std::span<const OutPrimitive> primitives, const MeshTargets& targets,
+                     GltfRewrite& rewrite);
+
+/// A channel for each node, linear between keys, in the file's first clip, which is made where it is gone because all
+/// it had were targets that are gone.
 /// @param times  [keys] seconds, rising  @param weights  [keys * targets]
-void addMorphWeights(std::span<const OutPrimitive> primitives, const std::vector<float>& times,
-                     const std::vector<float>& weights, const std::string& clip, GltfRewrite& rewrite);
+void addMorphWeights(const std::set<int>& nodes, const std::vector<float>& times, const std::vector<float>& weights,
+                     const std::string& clip, GltfRewrite& rewrite);
 
 }  // namespace sinew::exporting

@@ -100,7 +100,6 @@ WrittenPrimitive OutPrimitives::writeRefined(const gltf::SoupPart& part, GltfRew
     if (attribute.key.starts_with('_'))
       left.insert("vertex attribute " + attribute.key + ": it has no meaning between vertices");
   }
-  if (primitive.find("targets")) left.insert("morph targets: they move the file's own vertices");
   Json attributes = Json::object();
   attributes.set("POSITION", rewrite.addAttribute(positions, "VEC3", boundsOf(positions)));
   attributes.set("NORMAL", rewrite.addAttribute(normals, "VEC3"));

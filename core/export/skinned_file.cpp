@@ -7,6 +7,7 @@
 
 #include "core/base/at.h"
 #include "core/export/clip_json.h"
+#include "core/export/file_morphs.h"
 #include "core/export/helper_nodes.h"
 #include "core/export/line_data.h"
 #include "core/export/out_primitive.h"
@@ -34,6 +35,7 @@ class FileMaker {
     addHelpers();
     for (const gltf::SoupPart& part : source_.origin.parts) partsOf_[part.node].push_back(part);
     for (const auto& [node, parts] : partsOf_) makeMesh(node, parts);
+    addFileMorphs({source_, fit_.morphs(), fit_.bind(), isRefined()}, written_, skins_, rewrite_);
     skins_.write(rewrite_);
     if (!addLineData(source_, fit_.lines(), helperNodes_, rewrite_)) {
       left_.insert("line data: extras of the skin are no object");
@@ -135,6 +137,10 @@ class FileMaker {
     return false;
   }
 
+  [[nodiscard]] bool hasTargets(int node) const {
+    return !fit_.morphs().targets.empty() && std::ranges::count(source_.morphTargets, node, &MorphTarget::node) > 0;
+  }
+
   /// Channels of morph weights whose targets are gone, and clips that have no other.
   void dropEmptyClips() {
     Json* clips = memberOf(rewrite_.root(), "animations");
@@ -145,8 +151,8 @@ class FileMaker {
         if (!channels) continue;
         std::erase_if(channels->children, [&](const Json& channel) {
           const Json& target = channel.at("target");
-          return target.at("path").text("") == "weights" &&
-                 partsOf_.contains(static_cast<int>(target.at("node").number(-1.0)));
+          const auto node = static_cast<int>(target.at("node").number(-1.0));
+          return target.at("path").text("") == "weights" && partsOf_.contains(node) && !hasTargets(node);
         });
       }
       std::erase_if(clips->children, [](const Json& clip) { return clip.at("channels").items().empty(); });

@@ -29,8 +29,19 @@ bool sameChannel(const Channel& a, const Channel& b) {
          a.values == b.values;
 }
 
+bool sameMorphChannel(const MorphChannel& a, const MorphChannel& b) {
+  return a.firstTarget == b.firstTarget && a.targets == b.targets && a.interpolation == b.interpolation &&
+         a.times == b.times && a.values == b.values;
+}
+
 bool sameClip(const AnimationClip& a, const AnimationClip& b) {
-  return a.name == b.name && std::ranges::equal(a.channels, b.channels, sameChannel);
+  return a.name == b.name && std::ranges::equal(a.channels, b.channels, sameChannel) &&
+         std::ranges::equal(a.morphChannels, b.morphChannels, sameMorphChannel);
+}
+
+bool sameMorph(const MorphTarget& a, const MorphTarget& b) {
+  return a.name == b.name && a.node == b.node && a.weight == b.weight && a.vertices == b.vertices &&
+         a.deltas == b.deltas;
 }
 
 }  // namespace
@@ -48,6 +59,9 @@ Source::Source(const std::filesystem::path& from, std::vector<std::uint8_t> cont
   gltf::Materials materials = gltf::readMaterials(file, notes);
   soup = gltf::readTriangles(file, tree, bound, materials, accessors, notes, &origin);
   controlTriangle = weldedTriangles(soup, gltf::weldTolerance(soup));
+  std::vector<int> standsFor;
+  mesh = weld(soup, gltf::weldTolerance(soup), &standsFor);
+  morphTargets = gltf::readMorphs(file, tree, bound, origin, standsFor, accessors, notes);
   fileNode.assign(bound.skeleton.nodes.size(), -1);
   for (std::size_t node = 0; node < bound.skeletonNode.size(); ++node) {
     if (bound.skeletonNode[node] >= 0) at(fileNode, bound.skeletonNode[node]) = static_cast<int>(node);
@@ -75,11 +89,14 @@ int Source::nodeOf(int binding) const { return nodeOfBone(at(bound.skeleton.bind
 void requireSame(const Source& source, const Character& character) {
   gltf::Notes notes;  // The import has told them.
   gltf::Accessors accessors(source.file);
-  const auto clips = gltf::readClips(source.file, source.bound.skeleton, source.bound.skeletonNode, accessors, notes);
+  const auto morphsOf = gltf::targetsOfNodes(source.bound.skeletonNode.size(), source.morphTargets);
+  const gltf::ClipTargets targets{source.bound.skeleton, source.bound.skeletonNode, morphsOf};
+  const auto clips = gltf::readClips(source.file, targets, accessors, notes);
   std::vector<AnimationClip> imported = character.clips;
   std::erase_if(imported, &AnimationClip::turnsBindPose);
-  if (sameMesh(weld(source.soup, gltf::weldTolerance(source.soup)), character.mesh) &&
-      sameSkeleton(source.bound.skeleton, character.skeleton) && std::ranges::equal(clips, imported, sameClip)) {
+  if (sameMesh(source.mesh, character.mesh) && sameSkeleton(source.bound.skeleton, character.skeleton) &&
+      std::ranges::equal(source.morphTargets, character.morphTargets, sameMorph) &&
+      std::ranges::equal(clips, imported, sameClip)) {
     return;
   }
   gltf::refuse({}, "has changed since it was opened: its mesh, joints or clips are others; open it again");

@@ -26,8 +26,10 @@ struct Source {
   gltf::BoundSkeleton bound;
   TriangleSoup soup;
   gltf::SoupOrigin origin;
-  std::vector<int> controlTriangle;  ///< [soup triangles] of the character's mesh, corner for corner; -1: dropped.
-  std::vector<int> fileNode;         ///< [skeleton nodes] node of the file.
+  ControlMesh mesh;                       ///< The soup, welded.
+  std::vector<MorphTarget> morphTargets;  ///< Of that mesh.
+  std::vector<int> controlTriangle;       ///< [soup triangles] of the character's mesh, corner for corner; -1: dropped.
+  std::vector<int> fileNode;              ///< [skeleton nodes] node of the file.
 
   /// Whether a path is the file itself or one that it reads its buffers or images from.
   [[nodiscard]] bool reads(const std::filesystem::path& other) const;
@@ -40,8 +42,8 @@ struct Source {
   Source(const std::filesystem::path& from, std::vector<std::uint8_t> contents);
 };
 
-/// Throws gltf::Refusal unless mesh, joints and clips of the character are those that the file gives now: it may have
-/// been replaced since it was imported. Clips that were made in memory do not count.
+/// Throws gltf::Refusal unless mesh, morph targets, joints and clips of the character are those that the file gives
+/// now: it may have been replaced since it was imported. Clips that were made in memory do not count.
 void requireSame(const Source& source, const Character& character);
 
 }  // namespace sinew::exporting

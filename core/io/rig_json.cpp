@@ -10,6 +10,7 @@
 #include "core/io/rig_json_animated.h"
 #include "core/io/rig_json_lines.h"
 #include "core/primitives/shape_numbers.h"
+#include "core/rig/morphs.h"
 #include "core/rig/validation.h"
 
 namespace sinew {
@@ -87,12 +88,26 @@ Json slotsNode(const std::vector<SlotCorrection>& slots) {
   return node;
 }
 
+/// Those that do something.
+Json shapesNode(const std::vector<MorphWeight>& morphs) {
+  std::vector<Json> nodes;
+  for (const MorphWeight& morph : morphs) {
+    if (isIdle(morph)) continue;
+    ObjectWriter writer;
+    writer.set("name", morph.name).set("weight", morph.weight);
+    setAnimated(writer, morph.animated);
+    nodes.push_back(writer.finish(morph.unknownKeys));
+  }
+  return Json::array(std::move(nodes));
+}
+
 /// The oldest version that can say what is in the rig: older programs read what they can.
 int versionOf(const Rig& rig) {
   const bool newer = std::ranges::any_of(rig.primitives, [](const Primitive& p) {
     return !p.placement.shape.isPlain() || p.amount != 1.0f || !p.animated.empty();
   });
-  return rig.lines.empty() && rig.channels.empty() && rig.surface.animated.empty() && !newer ? 1 : 2;
+  const bool plain = rig.lines.empty() && rig.channels.empty() && rig.surface.animated.empty();
+  return plain && !newer && std::ranges::all_of(rig.morphs, isIdle) ? 1 : 2;
 }
 
 Error inFile(Error error, const std::filesystem::path& file) {
@@ -115,6 +130,7 @@ std::string rigToJson(const Rig& rig) {
   if (!rig.channels.empty()) root.set("channels", listOf(rig.channels, channelNode));
   if (!rig.lines.empty()) root.set("lines", listOf(rig.lines, lineNode));
   root.set("primitives", listOf(rig.primitives, primitiveNode));
+  if (!std::ranges::all_of(rig.morphs, isIdle)) root.set("shapes", shapesNode(rig.morphs));
   return root.finish(rig.unknownKeys).dump(true) + '\n';
 }
 

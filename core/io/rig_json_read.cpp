@@ -149,6 +149,17 @@ std::vector<SlotCorrection> readSlots(Reader& reader, const Json& node) {
   return slots;
 }
 
+MorphWeight readShapeWeight(Reader& reader, const Json& node, const Place& listed) {
+  MorphWeight morph;
+  if (!reader.object(node, listed)) return morph;
+  morph.name = readNeededText(reader, node, listed, "name");
+  const Place place{listed.path, morph.name.empty() ? listed.words : "shape \"" + morph.name + '"'};
+  readFloat(reader, node, place, "weight", morph.weight);
+  morph.animated = readAnimated(reader, node, place);
+  morph.unknownKeys = unknownKeys(node, {"name", "weight", "animated"});
+  return morph;
+}
+
 /// Is it a rig at all, and one this program can read?
 void readHeader(Reader& reader, const Json& root) {
   if (!reader.object(root, {"", "not a rig"})) return;
@@ -197,8 +208,13 @@ Rig readRig(Reader& reader, const Json& root) {
       rig.primitives.push_back(readPrimitive(reader, node, place));
     });
   }
+  if (const Json* shapes = root.find("shapes")) {
+    reader.each(*shapes, {"shapes", "shape"}, [&](const Json& node, const Place& place) {
+      rig.morphs.push_back(readShapeWeight(reader, node, place));
+    });
+  }
   rig.unknownKeys = unknownKeys(root, {"format", "version", "character", "surface", "smoothing", "groups", "links",
-                                       "slots", "channels", "lines", "primitives"});
+                                       "slots", "channels", "lines", "primitives", "shapes"});
   return rig;
 }
 

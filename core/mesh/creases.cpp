@@ -199,11 +199,18 @@ ControlMesh creased(const ControlMesh& mesh, float degrees) {
   result.wedges.clear();
   std::vector<std::array<int, 2>> sources;  // [W] the wedge each new one was and its fan; -1 where there is but one.
   IndexTable table(fans.size());
+  std::vector<int> numberOf(fans.size(), -1);
+  int numbered = 0;
   for (std::size_t c = 0; c < fans.size(); ++c) {
     int& corner = result.triangles[c / 3].wedges[c % 3];
     Wedge wedge = at(mesh.wedges, corner);
     wedge.creased = at(split, wedge.vertex);
-    if (wedge.creased) wedge.normal = at(normals, fans[c]);
+    if (wedge.creased) {
+      int& number = at(numberOf, fans[c]);
+      if (number < 0) number = numbered++;
+      wedge.fan = number;
+      wedge.normal = at(normals, fans[c]);
+    }
     const std::array<int, 2> source{corner, wedge.creased ? fans[c] : -1};
     const int next = static_cast<int>(sources.size());
     corner = table.findOrInsert(

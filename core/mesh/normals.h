@@ -14,4 +14,9 @@ namespace sinew {
 [[nodiscard]] std::vector<glm::vec3> vertexNormals(std::span<const glm::vec3> positions,
                                                    std::span<const ControlTriangle> triangles);
 
+/// The same for some vertices only.
+/// @param asked [V] which.  @param normals [V] only those asked for are written.
+void updateVertexNormals(std::span<const glm::vec3> positions, std::span<const ControlTriangle> triangles,
+                         const std::vector<bool>& asked, std::span<glm::vec3> normals);
+
 }  // namespace sinew

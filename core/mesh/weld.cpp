@@ -201,6 +201,7 @@ class MeshBuilder {
     mesh_.triangles.push_back(triangle);
   }
 
+  [[nodiscard]] const std::vector<int>& standsFor() const { return standsFor_; }
   ControlMesh take() && { return std::move(mesh_); }
 
  private:
@@ -208,6 +209,7 @@ class MeshBuilder {
     int& number = at(vertexOf_, representative);
     if (number >= 0) return number;
     number = static_cast<int>(mesh_.positions.size());
+    standsFor_.push_back(representative);
     mesh_.positions.push_back(at(soup_.positions, representative));
     for (int i = at(soup_.influenceBegin, representative); i < soup_.influenceBegin[toIndex(representative) + 1]; ++i) {
       mesh_.influences.push_back(at(soup_.influences, i));
@@ -244,20 +246,22 @@ class MeshBuilder {
 
   const TriangleSoup& soup_;
   ControlMesh mesh_;
-  std::vector<int> vertexOf_;  // [N] representative -> geometric vertex
+  std::vector<int> vertexOf_;   // [N] representative -> geometric vertex
+  std::vector<int> standsFor_;  // [V] and back
   IndexTable wedgeTable_;
   IndexTable edgeTable_;
 };
 
 }  // namespace
 
-ControlMesh weld(const TriangleSoup& soup, float tolerance) {
+ControlMesh weld(const TriangleSoup& soup, float tolerance, std::vector<int>* standsFor) {
   assert(tolerance >= 0.0f && soup.uvs.size() == soup.positions.size());
   assert(soup.colors.empty() || soup.colors.size() == soup.positions.size());
   assert(soup.influenceBegin.size() == soup.positions.size() + 1 && soup.materials.size() == soup.triangles.size());
   const std::vector<KeptTriangle> kept = keepTriangles(soup, tolerance);
   MeshBuilder builder(soup, kept.size());
   for (const KeptTriangle& triangle : kept) builder.add(triangle);
+  if (standsFor) *standsFor = builder.standsFor();
   ControlMesh mesh = std::move(builder).take();
   mesh.trianglesDropped = static_cast<int>(soup.triangles.size() - kept.size());
   mesh.normals = vertexNormals(mesh.positions, mesh.triangles);

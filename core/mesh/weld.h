@@ -26,7 +26,8 @@ struct TriangleSoup {
 /// triangle that loses a corner is dropped and counted; a sliver with three corners stays, for without it a closed mesh
 /// would open. Vertices no triangle uses vanish. Fills edges and normals too. Same input, same order of everything.
 /// docs/design.md.
-[[nodiscard]] ControlMesh weld(const TriangleSoup& soup, float tolerance);
+/// @param standsFor  filled if not null: [V] the soup vertex that each geometric vertex is.
+[[nodiscard]] ControlMesh weld(const TriangleSoup& soup, float tolerance, std::vector<int>* standsFor = nullptr);
 
 /// [soup triangles] The triangle of the welded mesh that each becomes, corner for corner; -1 for those that are
 /// dropped.

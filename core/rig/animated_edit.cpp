@@ -21,6 +21,8 @@ std::vector<AnimatedNumber>& listOf(Rig& rig, const NumberRef& ref) {
       return at(rig.primitives, ref.owner).animated;
     case ParameterOwner::kLine:
       return at(rig.lines, ref.owner).animated;
+    case ParameterOwner::kMorph:
+      return at(rig.morphs, ref.owner).animated;
     case ParameterOwner::kSurface:
       break;
   }
@@ -34,6 +36,8 @@ std::string placeOf(const NumberRef& ref) {
       return indexed("primitives", index);
     case ParameterOwner::kLine:
       return indexed("lines", index);
+    case ParameterOwner::kMorph:
+      return indexed("shapes", index);
     case ParameterOwner::kSurface:
       break;
   }
@@ -101,6 +105,7 @@ void eachList(Rig& rig, Visit visit) {
   visit(rig.surface.animated);
   for (MuscleLine& line : rig.lines) visit(line.animated);
   for (Primitive& primitive : rig.primitives) visit(primitive.animated);
+  for (MorphWeight& morph : rig.morphs) visit(morph.animated);
 }
 
 }  // namespace
@@ -113,6 +118,9 @@ float& numberIn(Rig& rig, const NumberRef& ref) {
       break;
     case ParameterOwner::kLine:
       number = numberIn(at(rig.lines, ref.owner).settings, ref.parameter);
+      break;
+    case ParameterOwner::kMorph:
+      number = numberIn(at(rig.morphs, ref.owner), ref.parameter);
       break;
     case ParameterOwner::kSurface:
       number = numberIn(rig.surface, ref.parameter);

@@ -24,6 +24,8 @@ const char* wordsFor(ParameterOwner owner) {
       return "a muscle";
     case ParameterOwner::kLine:
       return "a muscle line";
+    case ParameterOwner::kMorph:
+      return "a shape";
     case ParameterOwner::kSurface:
       break;
   }
@@ -201,6 +203,10 @@ Result<void> validateInputs(const Rig& rig) {
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
     auto primitive = checkInputs(rig.primitives[i].animated, known, indexed("primitives", i));
     if (!primitive) return about(quoted("muscle", rig.primitives[i].name), primitive.error());
+  }
+  for (std::size_t i = 0; i < rig.morphs.size(); ++i) {
+    auto morph = checkInputs(rig.morphs[i].animated, known, indexed("shapes", i));
+    if (!morph) return about(quoted("shape", rig.morphs[i].name), morph.error());
   }
   return {};
 }

@@ -117,6 +117,10 @@ std::vector<MissingBone> missingBones(const Rig& rig, const Skeleton& skeleton) 
       check((*primitive.territory)[t], place + ".territory[" + std::to_string(t) + "]", subject + ", territory");
     }
   }
+  for (std::size_t i = 0; i < rig.morphs.size(); ++i) {
+    const MorphWeight& morph = rig.morphs[i];
+    checkDriverBones(morph.animated, "shapes[" + std::to_string(i) + "]", "shape \"" + morph.name + '"', check);
+  }
   return missing;
 }
 

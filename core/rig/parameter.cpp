@@ -46,7 +46,8 @@ constexpr std::array kRows{
     Row{Parameter::kRest, kLine, "rest", "Rest length", kLeastRest, kMostRest},
     Row{Parameter::kFlexHeight, kLine, "flex.height", "Flex height", kLeastFlex, kMostFlex},
     Row{Parameter::kFlexWidth, kLine, "flex.width", "Flex width", kLeastFlex, kMostFlex},
-    Row{Parameter::kSkinBlend, ParameterOwner::kSurface, "skin_blend", "Skin blend", kLeastSkinBlend, kMostSkinBlend}};
+    Row{Parameter::kSkinBlend, ParameterOwner::kSurface, "skin_blend", "Skin blend", kLeastSkinBlend, kMostSkinBlend},
+    Row{Parameter::kMorphWeight, ParameterOwner::kMorph, "weight", "Weight", kLeastMorphWeight, kMostMorphWeight}};
 
 const ShapeNumber& shapeNumberOf(Parameter parameter) {
   return shapeNumbers()[static_cast<std::size_t>(parameter) - static_cast<std::size_t>(Parameter::kShape)];
@@ -103,7 +104,7 @@ const char* nameOf(Parameter parameter) { return rowOf(parameter).name; }
 const char* wordsFor(Parameter parameter) { return rowOf(parameter).words; }
 
 std::optional<Parameter> parameterNamed(const std::string& name) {
-  for (int i = 0; i <= static_cast<int>(Parameter::kSkinBlend); ++i) {
+  for (int i = 0; i <= static_cast<int>(Parameter::kMorphWeight); ++i) {
     const Row row = rowOf(static_cast<Parameter>(i));
     if (row.name == name) return row.parameter;
   }
@@ -133,6 +134,10 @@ float* numberIn(LineSettings& line, Parameter parameter) {
 
 float* numberIn(SurfaceSettings& surface, Parameter parameter) {
   return parameter == Parameter::kSkinBlend ? &surface.skinBlend : nullptr;
+}
+
+float* numberIn(MorphWeight& morph, Parameter parameter) {
+  return parameter == Parameter::kMorphWeight ? &morph.weight : nullptr;
 }
 
 float numberOf(const Primitive& primitive, Parameter parameter) { return read(primitive, parameter); }

@@ -48,6 +48,7 @@ void eachReference(Rig& rig, Visit visit) {
   eachReference(rig.surface.animated, visit);
   for (MuscleLine& line : rig.lines) eachReference(line, visit);
   for (Primitive& primitive : rig.primitives) eachReference(primitive, visit);
+  for (MorphWeight& morph : rig.morphs) eachReference(morph.animated, visit);
 }
 
 /// References to `from` become references to `to`.

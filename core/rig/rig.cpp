@@ -63,6 +63,10 @@ int findLine(const Rig& rig, const std::string& name) {
   return findNamed(std::span<const MuscleLine>(rig.lines), name);
 }
 
+int findMorph(const Rig& rig, const std::string& name) {
+  return findNamed(std::span<const MorphWeight>(rig.morphs), name);
+}
+
 const MuscleLine* lineOf(const Rig& rig, const Primitive& primitive) {
   const int line = primitive.line.empty() ? -1 : findLine(rig, primitive.line);
   return line < 0 ? nullptr : &rig.lines[static_cast<std::size_t>(line)];

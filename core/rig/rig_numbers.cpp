@@ -14,6 +14,7 @@ RigNumbers drawnNumbers(const Rig& rig) {
   for (const Primitive& primitive : rig.primitives) {
     numbers.primitives.push_back({primitive.placement, primitive.reach, primitive.amount});
   }
+  for (const MorphWeight& morph : rig.morphs) numbers.morphs.push_back(morph.weight);
   return numbers;
 }
 
@@ -23,6 +24,8 @@ float& numberIn(RigNumbers& numbers, const NumberRef& ref) {
       return *numberIn(at(numbers.primitives, ref.owner), ref.parameter);
     case ParameterOwner::kLine:
       return *numberIn(at(numbers.lines, ref.owner), ref.parameter);
+    case ParameterOwner::kMorph:
+      return at(numbers.morphs, ref.owner);
     case ParameterOwner::kSurface:
       break;
   }

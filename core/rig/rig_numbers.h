@@ -11,7 +11,7 @@ namespace sinew {
 /// Which number of a rig.
 struct NumberRef {
   Parameter parameter = Parameter::kAmount;
-  int owner = 0;  ///< Index into Rig::primitives or Rig::lines; not read for the surface.
+  int owner = 0;  ///< Index into Rig::primitives, Rig::lines or Rig::morphs; not read for the surface.
 
   friend bool operator==(const NumberRef&, const NumberRef&) = default;
 };
@@ -30,6 +30,7 @@ struct RigNumbers {
   float skinBlend = kDefaultSkinBlend;    ///< SurfaceSettings::skinBlend
   std::vector<LineSettings> lines;        ///< [Rig::lines]
   std::vector<MuscleNumbers> primitives;  ///< [Rig::primitives]
+  std::vector<float> morphs;              ///< [Rig::morphs] MorphWeight::weight
 
   friend bool operator==(const RigNumbers&, const RigNumbers&) = default;
 };

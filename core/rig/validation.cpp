@@ -13,6 +13,7 @@
 
 #include "core/primitives/shape_numbers.h"
 #include "core/rig/animated_validation.h"
+#include "core/rig/morphs.h"
 #include "core/rig/refusals.h"
 #include "core/skeleton/body_slot.h"
 
@@ -305,6 +306,7 @@ Result<void> validate(const Rig& rig, BlendingGraphMemo& graphs) {
   if (auto slots = validateSlots(rig); !slots) return slots;
 
   if (auto channels = validateChannels(rig); !channels) return channels;
+  if (auto morphs = validateMorphs(rig); !morphs) return morphs;
   const auto lines = validateLines(rig);
   if (!lines) return lines.error();
   if (rig.primitives.size() > static_cast<std::size_t>(kMaxPrimitives)) {

@@ -10,6 +10,8 @@
 namespace sinew {
 namespace {
 
+constexpr float kMostMorphWeight = 1000.0f;  // What is played: splines may go far beyond their keys.
+
 glm::quat toQuat(const glm::vec4& v) { return glm::quat(v.w, v.x, v.y, v.z); }
 glm::vec4 toVec(const glm::quat& q) { return glm::vec4(q.x, q.y, q.z, q.w); }
 
@@ -23,13 +25,30 @@ glm::vec4 keyValue(const Channel& channel, std::size_t k) {
   return channel.interpolation == Interpolation::kCubicSpline ? channel.values[3 * k + 1] : channel.values[k];
 }
 
-glm::vec4 hermite(const Channel& channel, std::size_t k, float u, float span) {
-  const glm::vec4 outTangent = channel.values[3 * k + 2] * span;
-  const glm::vec4 inTangent = channel.values[3 * (k + 1)] * span;
+/// @param outTangent of the key at u = 0, @param inTangent of that at u = 1; both for the whole span.
+template <class Value>
+Value hermite(const Value& a, const Value& outTangent, const Value& b, const Value& inTangent, float u) {
   const float u2 = u * u;
   const float u3 = u2 * u;
-  return (2 * u3 - 3 * u2 + 1) * keyValue(channel, k) + (u3 - 2 * u2 + u) * outTangent +
-         (-2 * u3 + 3 * u2) * keyValue(channel, k + 1) + (u3 - u2) * inTangent;
+  return (2 * u3 - 3 * u2 + 1) * a + (u3 - 2 * u2 + u) * outTangent + (-2 * u3 + 3 * u2) * b + (u3 - u2) * inTangent;
+}
+
+/// Where a time lies among keys: at key `k`, or `u` of the way from it to the next, `span` seconds later.
+struct Moment {
+  std::size_t k = 0;
+  float u = 0.0f;
+  float span = 0.0f;
+  bool atKey = true;
+};
+
+Moment momentIn(const std::vector<float>& times, float time) {
+  assert(!times.empty());
+  const auto next = std::ranges::upper_bound(times, time);
+  if (next == times.begin()) return {};
+  const auto k = static_cast<std::size_t>(next - times.begin()) - 1;
+  if (next == times.end()) return {.k = k};
+  const float span = times[k + 1] - times[k];
+  return {.k = k, .u = (time - times[k]) / span, .span = span, .atKey = false};
 }
 
 glm::vec4 between(const Channel& channel, std::size_t k, float u, float span) {
@@ -37,7 +56,8 @@ glm::vec4 between(const Channel& channel, std::size_t k, float u, float span) {
     case Interpolation::kStep:
       return keyValue(channel, k);
     case Interpolation::kCubicSpline:
-      return hermite(channel, k, u, span);
+      return hermite(keyValue(channel, k), channel.values[3 * k + 2] * span, keyValue(channel, k + 1),
+                     channel.values[3 * (k + 1)] * span, u);
     case Interpolation::kLinear:
       break;
   }
@@ -50,19 +70,25 @@ glm::vec4 between(const Channel& channel, std::size_t k, float u, float span) {
 }  // namespace
 
 glm::vec4 sampleChannel(const Channel& channel, float time) {
-  assert(!channel.times.empty());
-  const auto next = std::ranges::upper_bound(channel.times, time);
-  glm::vec4 value;
-  if (next == channel.times.begin()) {
-    value = keyValue(channel, 0);
-  } else if (next == channel.times.end()) {
-    value = keyValue(channel, channel.times.size() - 1);
-  } else {
-    const auto k = static_cast<std::size_t>(next - channel.times.begin()) - 1;
-    const float span = channel.times[k + 1] - channel.times[k];
-    value = between(channel, k, (time - channel.times[k]) / span, span);
-  }
+  const auto [k, u, span, atKey] = momentIn(channel.times, time);
+  const glm::vec4 value = atKey ? keyValue(channel, k) : between(channel, k, u, span);
   return channel.path == ChannelPath::kRotation ? unitRotation(value) : value;
+}
+
+void sampleMorphs(const MorphChannel& channel, float time, std::span<float> out) {
+  const auto [k, u, span, atKey] = momentIn(channel.times, time);
+  const auto targets = static_cast<std::size_t>(channel.targets);
+  const bool cubic = channel.interpolation == Interpolation::kCubicSpline;
+  const std::size_t perKey = cubic ? 3 * targets : targets;
+  const float* key = &channel.values[k * perKey];
+  const float* value = cubic ? key + targets : key;
+  for (std::size_t i = 0; i < targets; ++i) {
+    const float a = value[i];
+    float weight = a;
+    if (!atKey && cubic) weight = hermite(a, value[targets + i] * span, value[perKey + i], key[perKey + i] * span, u);
+    else if (!atKey && channel.interpolation == Interpolation::kLinear) weight = a + (value[perKey + i] - a) * u;
+    out[i] = std::clamp(weight, -kMostMorphWeight, kMostMorphWeight);
+  }
 }
 
 }  // namespace sinew

@@ -37,12 +37,16 @@ void placePrimitives(const Preparation& preparation, std::span<const FieldPrimit
 void poseFieldAndSkin(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, const Pose& pose,
                       PosedField& out) {
   out.rig = &rig;
+  if (out.skinnedFrom != preparation) out.control.morphed = {};
+  out.skinnedFrom = preparation;
   if (out.readFrom != preparation) out.readFrom.reset();  // Nothing keeps a former preparation alive.
   out.bind = &preparation->bind;
   const bool driven = preparation->poser->drivesMuscles();
   if (driven) readDriven(preparation, rig, out);
   placePrimitives(*preparation, driven ? out.driven : preparation->primitives, rig, out.primitives);
-  skin(preparation->character(), pose, out.control);
+  skin(preparation->character(), pose, rig.morphWeights, out.control);
+  const ControlMesh* creased = preparation->refined->creased.get();
+  if (creased && out.control.morphed.isMorphed) morphFans(*creased, out.control.morphed);
 }
 
 }  // namespace sinew

@@ -9,12 +9,14 @@
 
 namespace sinew {
 
-/// Made once per pose; everything after it reads it. Keeps its memory, and carries nothing else from pose to pose.
+/// Made once per pose; everything after it reads it. Keeps its memory, and what stays the same while numbers and
+/// weights of morph targets do; nothing else goes from pose to pose.
 struct PosedField {
   const PosedRig* rig = nullptr;
-  SkinnedMesh control;                     ///< World.
-  std::vector<PosedPrimitive> primitives;  ///< [A] world.
-  const BindReading* bind = nullptr;       ///< With the numbers of this pose.
+  SkinnedMesh control;                               ///< World.
+  std::shared_ptr<const Preparation> skinnedFrom{};  ///< Whose morph targets the mesh remembers.
+  std::vector<PosedPrimitive> primitives;            ///< [A] world.
+  const BindReading* bind = nullptr;                 ///< With the numbers of this pose.
 
   // Where keys or drivers change primitives.
   std::vector<FieldPrimitive> driven;  ///< [A]

@@ -1,6 +1,7 @@
 // core/smoothing/sampling.cpp: a preparation of its own, and the first stages.
 #include "core/smoothing/sampling.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/smoothing/projector.h"
@@ -13,6 +14,7 @@ SurfaceSampler::SurfaceSampler(const Preparation& next, Refinement points, std::
 
 const Surface& SurfaceSampler::sample(const Pose& pose) {
   preparation_->poser->pose(pose, rig_);
+  std::ranges::fill(rig_.morphWeights, 0.0f);  // What is read off the bind pose is that of the base.
   poseFieldAndSkin(preparation_, rig_, pose, posed_);
   layPatch(*preparation_, posed_, workspace_, surface_);
   if (preparation_->shownPrimitives > 0) {

@@ -66,6 +66,7 @@ _sinew() {
         smooth:--patch) _sinew_words pn phong spherigon flat; return ;;
         smooth:--projection) _sinew_words newton bisection analytic; return ;;
         smooth:--crease) :; return ;;
+        smooth:--shape) :; return ;;
         smooth:-o|smooth:--output) _sinew_files obj ply glb; return ;;
         smooth:--report) _sinew_files json; return ;;
         smooth:--list) _sinew_files -; return ;;
@@ -109,6 +110,7 @@ _sinew() {
         render:--patch) _sinew_words pn phong spherigon flat; return ;;
         render:--projection) _sinew_words newton bisection analytic; return ;;
         render:--crease) :; return ;;
+        render:--shape) :; return ;;
         render:-o|render:--output) _sinew_files png webp gif mp4; return ;;
         render:--list) _sinew_files -; return ;;
         render:--shard) :; return ;;
@@ -122,26 +124,26 @@ _sinew() {
     esac
     case "$verb:$cur" in
         :-*) _sinew_words --version -h --help ;;
-        :*) _sinew_words edit inspect check muscle retarget smooth export render farm bench; _sinew_files glb gltf rig.json ;;
+        :*) _sinew_words edit inspect check muscle retarget smooth export render farm bench; _sinew_files glb gltf vrm rig.json ;;
         edit:-*) _sinew_words -h --help --log-state --scale ;;
-        edit:*) _sinew_files glb gltf rig.json ;;
+        edit:*) _sinew_files glb gltf vrm rig.json ;;
         inspect:-*) _sinew_words -h --help --json --strict ;;
-        inspect:*) _sinew_files glb gltf rig.json ;;
+        inspect:*) _sinew_files glb gltf vrm rig.json ;;
         check:-*) _sinew_words -h --help --json --strict --mend ;;
-        check:*) _sinew_files glb gltf rig.json ;;
+        check:*) _sinew_files glb gltf vrm rig.json ;;
         muscle:-*) _sinew_words -h --help -o --output --set --mass --definition --report ;;
-        muscle:*) _sinew_files glb gltf rig.json ;;
+        muscle:*) _sinew_files glb gltf vrm rig.json ;;
         retarget:-*) _sinew_words -h --help -o --output --report ;;
-        retarget:*) _sinew_files glb gltf rig.json ;;
-        smooth:-*) _sinew_words -h --help --clip --time --frames --fps --depth --detail --tolerance --mode --patch --projection --crease -o --output --report --list --shard --resume --dry-run --threads --progress ;;
-        smooth:*) _sinew_files glb gltf rig.json ;;
+        retarget:*) _sinew_files glb gltf vrm rig.json ;;
+        smooth:-*) _sinew_words -h --help --clip --time --frames --fps --depth --detail --tolerance --mode --patch --projection --crease --shape -o --output --report --list --shard --resume --dry-run --threads --progress ;;
+        smooth:*) _sinew_files glb gltf vrm rig.json ;;
         export:-*) _sinew_words -h --help --as --mesh --depth --detail --tolerance --weights --clip --joints --joint-scale --fps --substeps --bound --json --error-map -o --output --list --shard --resume --dry-run --threads --progress ;;
-        export:*) _sinew_files glb gltf rig.json ;;
-        render:-*) _sinew_words -h --help --clip --time --frames --fps --turntable --sheet --view --orthographic --shading --show --glass --surface --no-surface --ground --no-ground --cull --transparent --light --background --ao --size --samples --depth --detail --tolerance --mode --patch --projection --crease -o --output --list --shard --resume --dry-run --threads --progress ;;
-        render:*) _sinew_files glb gltf rig.json ;;
+        export:*) _sinew_files glb gltf vrm rig.json ;;
+        render:-*) _sinew_words -h --help --clip --time --frames --fps --turntable --sheet --view --orthographic --shading --show --glass --surface --no-surface --ground --no-ground --cull --transparent --light --background --ao --size --samples --depth --detail --tolerance --mode --patch --projection --crease --shape -o --output --list --shard --resume --dry-run --threads --progress ;;
+        render:*) _sinew_files glb gltf vrm rig.json ;;
         farm:-*) _sinew_words -h --help --to --tasks --program --job ;;
         bench:-*) _sinew_words -h --help --json --rounds --progress ;;
-        bench:*) _sinew_files glb gltf rig.json ;;
+        bench:*) _sinew_files glb gltf vrm rig.json ;;
     esac
 }
 complete -F _sinew sinew

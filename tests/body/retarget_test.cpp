@@ -14,7 +14,9 @@
 #include "core/body/character_slots.h"
 #include "core/body/fit_preset.h"
 #include "core/io/preset_json.h"
+#include "core/rig/animated_edit.h"
 #include "core/rig/attachment.h"
+#include "core/rig/morphs.h"
 #include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
 #include "core/symmetry/motion_clip.h"
@@ -253,6 +255,28 @@ TEST(RetargetKinds, ABodyWithoutPartsIsRefusedUnlessNamesAgree) {
       retarget(rigOf("humanoid.rig.json"), *man.character, man.plan, Motions(tangle.character), tangle.plan);
   ASSERT_FALSE(done.ok());
   EXPECT_NE(done.error().reason.find("no muscle"), std::string::npos);
+}
+
+TEST(RetargetedShapes, DriversOfShapesAndOfTheSurfaceGoToTheOtherBones) {
+  const Body from = bundled("humanoid.glb");
+  auto renamed = std::make_shared<Character>(*from.character);
+  for (Bone& bone : renamed->skeleton.bones) bone.name = "mixamorig:" + bone.name;
+  finishBones(renamed->skeleton);
+  const Body to = bodyOf(renamed);
+  DriverInput input;
+  input.bone = "forearm.L";
+  const Driver driver{input, {{{0.0f, 0.0f}, {90.0f, 1.0f}}, CurveKind::kLinear}, DriverMode::kAdd, {}};
+  Rig rig = setMorphWeight(rigOf("humanoid-flex.rig.json"), "smile", 0.5f).value();
+  rig = setDriver(std::move(rig), {Parameter::kMorphWeight, 0}, driver, -1).value();
+  rig = setDriver(std::move(rig), {Parameter::kSkinBlend, 0}, driver, -1).value();
+  const Retargeted done = onto(rig, from, to);
+  EXPECT_TRUE(missingBones(done.rig, to.character->skeleton).empty());
+  ASSERT_EQ(done.rig.morphs.size(), 1U);
+  for (const auto& animated : {done.rig.morphs[0].animated, done.rig.surface.animated}) {
+    ASSERT_EQ(animated.size(), 1U);
+    EXPECT_TRUE(to.character->skeleton.findBone(animated[0].drivers.at(0).input.bone));
+    EXPECT_FALSE(from.character->skeleton.findBone(animated[0].drivers[0].input.bone));
+  }
 }
 
 }  // namespace

@@ -34,8 +34,8 @@ Skinned skinBy(const SkinKernels& kernels, const Character& character, const Pos
   std::ranges::fill(skinned.positions, glm::vec3(0.0f));
   std::ranges::fill(skinned.normals, glm::vec3(0.0f));
   out.rise.resize(mesh.positions.size());
-  kernels.vertices({&mesh, skinned.matrices, mesh.normals, skinned.positions, skinned.normals});
-  kernels.vertices({&mesh, skinned.matrices, riseDirections(mesh, kRise * character.height), {}, out.rise});
+  kernels.vertices({&mesh, skinned.matrices, mesh.positions, mesh.normals, skinned.positions, skinned.normals});
+  kernels.vertices({&mesh, skinned.matrices, {}, riseDirections(mesh, kRise * character.height), {}, out.rise});
   return out;
 }
 
@@ -92,7 +92,7 @@ TEST(SkinningKernel, GivesTheScalarBitsOfCreasedWedges) {
       for (const Wedge& wedge : mesh.wedges) ofVertices.push_back(skinned.normals[toIndex(wedge.vertex)]);
       const auto by = [&](const SkinKernels& kernels) {
         std::vector<glm::vec3> normals = ofVertices;
-        kernels.wedges({&character->mesh, skinned.matrices, mesh.wedges, normals});
+        kernels.wedges({&character->mesh, skinned.matrices, mesh.wedges, {}, nullptr, normals});
         return normals;
       };
       const std::vector<glm::vec3> scalar = by(scalarSkinKernels());
@@ -123,8 +123,8 @@ TEST(SkinningKernel, FillsAsManyAsAreAskedFor) {
       std::vector<glm::vec3> positions(count + 40, untouched);
       std::vector<glm::vec3> normals(count + 40, untouched);
       const auto asked = [&](auto& all) { return std::span(all).first(count); };
-      skinKernels(set).vertices(
-          {&character->mesh, whole.matrices, asked(character->mesh.normals), asked(positions), asked(normals)});
+      skinKernels(set).vertices({&character->mesh, whole.matrices, character->mesh.positions,
+                                 asked(character->mesh.normals), asked(positions), asked(normals)});
       for (std::size_t v = 0; v < positions.size(); ++v) {
         ASSERT_TRUE(sameBits(positions[v], v < count ? whole.positions[v] : untouched)) << count << ", " << nameOf(set);
         ASSERT_TRUE(sameBits(normals[v], v < count ? whole.normals[v] : untouched)) << count << ", " << nameOf(set);

@@ -46,7 +46,7 @@ TEST_P(RealCharacter, BindPoseLeavesTheMeshAlone) {
 
 INSTANTIATE_TEST_SUITE_P(Files, RealCharacter,
                          testing::Values("Fox.glb", "greenman.glb", "robot.glb", "cesium_man.gltf",
-                                         "rigged_simple.gltf", "SimpleSkin.gltf"));
+                                         "rigged_simple.gltf", "SimpleSkin.gltf", "RobotExpressive.glb"));
 
 TEST(Skinning, BentPostSkinsLikeTheFile) {
   const test::TemporaryFolder folder;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/files/atomic_file.h"
+#include "sinew/character/character_pose.h"
 #include "sinew/export/baked_export.h"
 #include "sinew/smoothing/smoother.h"
 #include "tests/export/export_scenes.h"
@@ -42,7 +43,7 @@ class BakedParts : public ::testing::Test {
     for (int frame = 0; frame <= 7; ++frame) {
       const float time = static_cast<float>(frame) / 7.0f;
       Surface surface;
-      smoother.smooth(samplePose(character_->skeleton, character_->clips.front(), time), surface);
+      smoother.smooth(samplePose(*character_, character_->clips.front(), time), surface);
       const auto shown = oracle.triangles(0, static_cast<double>(time));
       const auto& triangles = surface.refinement->triangles;
       EXPECT_EQ(shown.size(), triangles.size());
@@ -106,7 +107,7 @@ TEST_F(BakedParts, PointsAndLinesOfAMorphedMeshHaveAsManyTargets) {
   }
 }
 
-TEST_F(BakedParts, TargetsOfTheFileGoAndItsOtherExtrasStay) {
+TEST_F(BakedParts, TargetsOfTheFileAreBakedAndItsOtherExtrasStay) {
   const int target = post_.file.accessor(std::vector<float>(post_.positions.size(), 0.25f), "VEC3");
   post_.file.json["accessors"][static_cast<std::size_t>(target)]["min"] = {0.25, 0.25, 0.25};
   post_.file.json["accessors"][static_cast<std::size_t>(target)]["max"] = {0.25, 0.25, 0.25};
@@ -119,7 +120,7 @@ TEST_F(BakedParts, TargetsOfTheFileGoAndItsOtherExtrasStay) {
   clip["channels"].push_back({{"sampler", 1}, {"target", {{"node", 0}, {"path", "weights"}}}});
   const auto report = bake();
   ASSERT_TRUE(report.ok()) << report.error().text();
-  ASSERT_EQ(report->left.size(), 1u);
+  EXPECT_TRUE(report->left.empty());
   EXPECT_LE(worst(), 0.02 + 1e-4);
   const tinygltf::Model model = rawModel(folder_.path() / "out.glb");
   EXPECT_EQ(model.meshes[0].extras.Get("lod").GetNumberAsInt(), 3);

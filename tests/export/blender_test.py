@@ -14,17 +14,14 @@ sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "support"))
 sys.path.insert(0, str(HERE))
+from face_gltf import face_rig, write_face
 from glb_reader import Glb
+from live_surface import MOMENTS, compare, corners_of, height_of, longest_times, output, spread, surface
 from simple_rig import simple_rig
 
-MOMENTS = 5
 MOST_CLIPS = 3
 BAKED = {"humanoid.rig.json": "Dance", "horse.rig.json": "Gallop", "horse-flex.rig.json": "Walk"}
 SLACK = 0.05  # % of the height: Blender keeps bones as head, tail and roll, in floats; joints on joints add up.
-
-
-def output(*command):
-    return subprocess.run([str(word) for word in command], check=True, capture_output=True, text=True).stdout
 
 
 def blender(*arguments):
@@ -42,73 +39,12 @@ def missing():
     return "Blender has no numpy or no glTF importer" if blender("--python-expr", importer).returncode else None
 
 
-def longest_times(glb, animation, nodes):
-    """Key times of the clip's busiest sampler. Of the first `nodes` nodes alone: those that the export added have keys
-    enough."""
-    used = {channel["sampler"] for channel in animation["channels"] if channel["target"]["node"] < nodes}
-    inputs = {animation["samplers"][sampler]["input"] for sampler in used}
-    return max(([t for (t,) in glb.rows(index)] for index in inputs), key=len)
-
-
-def spread(times):
-    """Some of them; between keys Blender turns by another formula."""
-    return [times[i * (len(times) - 1) // (MOMENTS - 1)] for i in range(MOMENTS)]
-
-
-def corners_of(glb):
-    """{object name: [(triangle, corner) of the whole file for each of its vertices]}"""
-    result, triangle = {}, 0
-    for node in glb.json["nodes"]:
-        if "mesh" not in node:
-            continue
-        mesh = glb.json["meshes"][node["mesh"]]
-        corners = []
-        for primitive in mesh["primitives"]:
-            count = glb.json["accessors"][primitive["attributes"]["POSITION"]]["count"]
-            own = [None] * count
-            indices = [i for (i,) in glb.rows(primitive["indices"])]
-            for place, index in enumerate(indices):
-                own[index] = own[index] or (triangle + place // 3, place % 3)
-            triangle += len(indices) // 3
-            corners += own
-        result[node.get("name") or mesh.get("name")] = corners
-    return result
-
-
-def surface(program, source, clip, seconds, folder):
-    """Corners of all triangles of the live surface."""
-    output(program, "smooth", source, "--clip", clip, "--time", repr(seconds), "-o", folder / "live.obj")
-    points, triangles = [], []
-    for line in (folder / "live.obj").read_text().splitlines():
-        words = line.split()
-        if words[:1] == ["v"]:
-            points.append(tuple(map(float, words[1:4])))
-        elif words[:1] == ["f"]:
-            triangles.append([points[int(word.split("/")[0]) - 1] for word in words[1:]])
-    return triangles
-
-
-def compare(triangles, corners, objects, height):
-    """Largest distance of a vertex that Blender shows from where the live surface has it, percent of the height."""
-    worst = 0.0
-    for name, own in corners.items():
-        shown = objects[name] if name in objects else objects[name + ".001"]  # Blender names shape keys, too.
-        assert len(shown) == len(own), "%s: %d vertices in Blender, %d in the file" % (name, len(shown), len(own))
-        for place, (triangle, corner) in zip(shown, own):
-            worst = max(worst, math.dist(place, triangles[triangle][corner]))
-    return 100.0 * worst / height
-
-
 def seen(file, asked, folder):
     """[clip, seconds, {object: places}] of the moments that are asked for."""
     (folder / "asked.json").write_text(json.dumps(asked))
     run = blender("--python", HERE / "in_blender.py", "--", file, folder / "asked.json", folder / "seen.json")
     assert run.returncode == 0, run.stdout + run.stderr
     return json.loads((folder / "seen.json").read_text())
-
-
-def height_of(program, source):
-    return json.loads(output(program, "inspect", source, "--json"))["height"]
 
 
 def check_baked(program, source, clip, folder):
@@ -173,7 +109,10 @@ def main():
         return 77
     sources = [root / "assets" / (name + ".rig.json") for name in ("humanoid", "horse", "humanoid-flex", "horse-flex")]
     sources += [characters / name for name in ("Fox.glb", "greenman.glb", "robot.glb")]
-    for source in sources:
+    made = tempfile.TemporaryDirectory()
+    face = pathlib.Path(made.name) / "face.rig.json"
+    face.write_text(face_rig(pathlib.Path(write_face(face.with_name("face.glb"))).name))
+    for source in [face, *sources]:
         if not source.exists():
             print("left out: no " + source.name)
             continue

@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/symmetry/motion_clip.h"
+#include "sinew/character/character_pose.h"
 #include "sinew/export/skinned_export.h"
 #include "sinew/io/gltf_import.h"
 #include "sinew/io/rig_json.h"
@@ -44,8 +45,7 @@ struct ExportScene {
     Smoother smoother(character);
     EXPECT_TRUE(smoother.prepare(rig).ok());
     Surface surface;
-    const Skeleton& skeleton = character->skeleton;
-    smoother.smooth(clip ? samplePose(skeleton, *clip, time) : bindPose(skeleton), surface);
+    smoother.smooth(clip ? samplePose(*character, *clip, time) : bindPose(character->skeleton), surface);
     return surface;
   }
 };

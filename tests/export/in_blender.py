@@ -13,8 +13,17 @@ numpy.bool = bool  # Blender 3.4's importer asks for it by its old name.
 import bpy
 
 
-def play(clip):
-    """Every object moves by its action of that clip, and by nothing else."""
+def resting():
+    """Where the importer has put objects, bones and shapes."""
+    placed = [bone for item in bpy.data.objects if item.pose for bone in item.pose.bones] + list(bpy.data.objects)
+    keys = [key for each in bpy.data.shape_keys for key in each.key_blocks]
+    return [(item, "matrix_basis", item.matrix_basis.copy()) for item in placed] + [(key, "value", key.value) for key in keys]
+
+
+def play(clip, rest):
+    """Every object moves by its action of that clip, and by nothing else: what it does not move rests."""
+    for item, name, value in rest:
+        setattr(item, name, value)
     shapes = [item.data.shape_keys for item in bpy.data.objects if item.type == "MESH" and item.data.shape_keys]
     for item in [*bpy.data.objects, *shapes]:
         if not item.animation_data:
@@ -60,9 +69,9 @@ def main():
         bpy.data.objects.remove(item)
     show(file)
     scene = bpy.context.scene
-    seen = []
+    seen, rest = [], resting()
     for clip, times in json.load(open(asked)):
-        play(clip)
+        play(clip, rest)
         for seconds in times:
             frame = seconds * scene.render.fps / scene.render.fps_base
             scene.frame_set(int(frame), subframe=frame - int(frame))

@@ -64,7 +64,7 @@ class Bench:
         self.characters = root / "../shared/characters"
         subprocess.run([oracle, "post", folder / "post.glb"], check=True)
         for file in ("examples/three.js/sinew_muscles.js", "examples/three.js/index.html", "tests/export/runtime_check.js",
-                     "tests/export/runtime_in_node.js"):
+                     "tests/export/runtime_in_node.js", "tests/export/without_images.mjs"):
             shutil.copy(root / file, folder)
         (folder / "package.json").write_text('{"type": "module"}')
 

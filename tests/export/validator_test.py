@@ -10,7 +10,9 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from face_gltf import face_rig, write_face
 from simple_rig import simple_rig
 
 CHECK = r"""
@@ -64,6 +66,9 @@ def main():
             return 77
         sources = [root / "assets" / (each + ".rig.json") for each in ("humanoid", "horse", "humanoid-flex", "horse-flex")]
         sources += [characters / each for each in ("Fox.glb", "greenman.glb", "cesium_man.gltf", "robot.glb")]
+        write_face(folder / "face.glb")
+        (folder / "face.rig.json").write_text(face_rig("face.glb"))
+        sources.append(folder / "face.rig.json")
         bad = 0
         for source in [each for each in sources if each.exists()]:
             if source.suffix == ".json":

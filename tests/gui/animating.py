@@ -8,17 +8,6 @@ MUSCLE, LOWER = "biceps L", "forearm.L"
 RADIUS, FIELD = "radii.x", "inspector/radius.x"
 
 
-def menu(editor, *entries):
-    """Right click on the radius, then from submenu to submenu."""
-    editor.point_at(lambda: editor.widget(FIELD))
-    editor.xdotool("click", driver.RIGHT)
-    for entry in entries[:-1]:
-        editor.wait_until("context/" + entry, lambda s: "context/" + entry in s["widgets"])
-        editor.move(editor.widget("context/" + entry))  # Opens it.
-    editor.wait_until("context/" + entries[-1], lambda s: "context/" + entries[-1] in s["widgets"])
-    editor.click("context/" + entries[-1])
-
-
 def value(state):
     return state["animation"]["now"].get(RADIUS)
 
@@ -50,7 +39,7 @@ def poses(t, editor):
 
 def drives(t, editor, drawn):
     """Two driven keys: as the clip has the arm, and bent by hand."""
-    menu(editor, "set-driven", "set-driven/bend", "set-driven/bend/near/" + LOWER)
+    editor.choose(FIELD, "set-driven", "set-driven/bend", "set-driven/bend/near/" + LOWER)
     state = editor.wait_until("the mode", lambda s: s["animation"].get("setting") == "bend of " + LOWER)
     t.check_equal("nothing is driven yet", (state["animation"]["drivers"], state["document"]["undo"]), (0, 0))
     state = editor.tap("k", "a point as the arm is", lambda s: s["animation"]["drivers"] == 1)
@@ -74,7 +63,7 @@ def drives(t, editor, drawn):
 
 def keys(t, editor):
     """The number is keyed at two moments; between them surface and state change."""
-    menu(editor, "animation-remove")
+    editor.choose(FIELD, "animation-remove")
     editor.wait_until("nothing drives", lambda s: s["animation"]["drivers"] == 0)
     for share, number in ((0.2, "0.05"), (0.8, "0.1")):
         scrub(editor, share)

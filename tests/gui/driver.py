@@ -174,6 +174,14 @@ class Editor(Acts):
         if held:
             self.let_go(held)
 
+    def choose(self, field, *entries):
+        """Right click on a field, then from submenu to submenu."""
+        self.point_at(lambda: self.widget(field))
+        self.xdotool("click", RIGHT)
+        for entry in entries[:-1]:
+            self.move(self.widget("context/" + entry))  # Opens it.
+        self.click("context/" + entries[-1])
+
     def drag(self, start, end, steps=4, button=LEFT):
         """Press, steps, release; a frame is seen after every step."""
         self.move(start)

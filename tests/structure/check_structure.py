@@ -13,7 +13,7 @@ LAYERS = {
              "export/fit": 11, "export/usd": 12, "export": 13, "sinew": 14},
     "app": {"platform": 0, "document": 1, "ui": 2, "render": 2, "playback": 2, "export": 2, "bench": 3, "tools/view": 3, "cli/inspect": 3, "cli": 4, "tools/gizmo": 4, "tools": 5,
             "editor": 6, "actions": 7, "panels/shared": 8, "panels/outliner": 9, "panels/blending": 9, "panels/inspector": 9, "panels/library": 9,
-            "panels/timeline": 9, "panels/overlay": 9, "panels/dialogs": 9, "panels": 10, "window": 11, "main": 12},
+            "panels/timeline": 9, "panels/overlay": 9, "panels/dialogs": 9, "panels/shapes": 10, "panels": 11, "window": 12, "main": 13},
 }
 # Under tests, what runs without the editor: the tests of core's directories, and what they share.
 CORE_TESTS = {name.split("/")[0] for name in LAYERS["core"]} | {"support"}

@@ -31,6 +31,8 @@ class Prim:
 def value_of(text):
     if text[0] in "<@":
         return text[1:-1]
+    if text.startswith("[<"):
+        return [each[1:-1] for each in text[1:-1].split(", ")]
     return ast.literal_eval(text.replace("( (", "((").replace(") )", "))"))
 
 
@@ -125,6 +127,23 @@ def pointed(root, code):
     return corners
 
 
+def blended(mesh, animation, code):
+    """Points of a mesh with its blend shapes, before joints move them."""
+    names, paths = mesh.values.get("skel:blendShapes", []), mesh.values.get("skel:blendShapeTargets", [])
+    prims = {child.path: child for child in mesh.children}
+    assert len(names) == len(paths) and all(prims[path].kind == "BlendShape" for path in paths)
+    points = [list(point) for point in mesh.values["points"]]
+    if not names or animation is None:
+        return points
+    weights = dict(zip(animation.values["blendShapes"], animation.at("blendShapeWeights", code)))
+    for name, path in zip(names, paths):
+        shape = prims[path].values
+        assert len(shape["pointIndices"]) == len(shape["offsets"]) == len(shape.get("normalOffsets", shape["offsets"]))
+        for index, offset in zip(shape["pointIndices"], shape["offsets"]):
+            points[index] = [a + weights[name] * b for a, b in zip(points[index], offset)]
+    return points
+
+
 def skinned(root, animation=None, code=0.0):
     """Corners of all triangles, mesh by mesh, in the world; at rest without an animation."""
     (skeleton,) = root.all("Skeleton")
@@ -150,7 +169,7 @@ def skinned(root, animation=None, code=0.0):
         wide = mesh.metadata["primvars:skel:jointIndices"]["elementSize"]
         assert len(numbers) == len(weights) == wide * len(mesh.values["points"])
         points = []
-        for v, (x, y, z) in enumerate(mesh.values["points"]):
+        for v, (x, y, z) in enumerate(blended(mesh, animation, code)):
             place = [0.0, 0.0, 0.0]
             for i in range(wide * v, wide * v + wide):
                 if weights[i]:

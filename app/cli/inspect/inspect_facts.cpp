@@ -6,6 +6,7 @@
 #include "core/character/skin_bones.h"
 #include "core/mesh/creases.h"
 #include "core/mesh/weld.h"
+#include "core/rig/morphs.h"
 #include "core/symmetry/motion_clip.h"
 
 namespace sinew::app {
@@ -42,6 +43,7 @@ void count(const std::vector<AnimatedNumber>& animated, RigFacts& facts) {
 RigFacts rigFacts(const Document& document) {
   const Rig& rig = document.rig();
   const Character& character = *document.character;
+  const std::vector<std::string> shapes = morphNames(character);
   RigFacts facts;
   count(rig.surface.animated, facts);
   for (const MuscleLine& line : rig.lines) {
@@ -56,6 +58,10 @@ RigFacts rigFacts(const Document& document) {
   for (const RigChannel& channel : rig.channels) {
     if (std::ranges::find(facts.channels, channel.name) == facts.channels.end()) facts.channels.push_back(channel.name);
   }
+  for (const MorphWeight& morph : rig.morphs) {
+    count(morph.animated, facts);
+    if (!isIdle(morph) && std::ranges::count(shapes, morph.name) == 0) facts.missingShapes.push_back(morph.name);
+  }
   facts.missing = missingBones(rig, character.skeleton);
   facts.shadedWedges = creased(character.mesh, rig.smoothing.creaseAngle).wedges;
   return facts;
@@ -65,7 +71,7 @@ RigFacts rigFacts(const Document& document) {
 
 InspectFacts factsOf(const Document& document) {
   const Character& character = *document.character;
-  InspectFacts facts{document, meshFacts(character), helperNames(character), 0.0f, {}};
+  InspectFacts facts{document, meshFacts(character), helperNames(character), morphNames(character), 0.0f, {}};
   facts.body = bodySlots(character, makeMirrorPlan(character), document.rig().slots);
   const AnimationClip motion = rangeOfMotion(character.skeleton, motionHints(character));
   if (!motion.channels.empty()) facts.rangeOfMotion = motion.duration;

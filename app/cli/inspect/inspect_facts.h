@@ -28,9 +28,10 @@ struct RigFacts {
   std::vector<std::string> channels;  ///< Each name once.
   std::vector<std::string> unattached;
   std::vector<MissingBone> missing;
-  std::size_t shaped = 0;  ///< Muscles that are no plain ellipsoids.
-  std::size_t keys = 0;    ///< Of all numbers, in all clips.
-  std::size_t keyed = 0;   ///< Numbers that have them.
+  std::vector<std::string> missingShapes;  ///< That the rig changes and the character lacks.
+  std::size_t shaped = 0;                  ///< Muscles that are no plain ellipsoids.
+  std::size_t keys = 0;                    ///< Of all numbers, in all clips.
+  std::size_t keyed = 0;                   ///< Numbers that have them.
   std::size_t drivers = 0;
   std::vector<Wedge> shadedWedges;  ///< As the rig's crease angle splits them.
 };
@@ -39,6 +40,7 @@ struct InspectFacts {
   const Document& document;
   MeshFacts mesh;
   std::vector<std::string> helpers;  ///< Joints that move no skin.
+  std::vector<std::string> shapes;   ///< Morph targets, each name once.
   float rangeOfMotion = 0.0f;        ///< Seconds; 0: nothing can turn.
   BodySlots body{};
   RigFacts rig{};  ///< Empty for a character without a rig.

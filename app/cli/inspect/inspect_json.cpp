@@ -47,6 +47,7 @@ void addRig(Json& json, const InspectFacts& facts) {
   const Skeleton& skeleton = facts.document.character->skeleton;
   json.set("missing",
            listOf(facts.rig.missing, [&](const MissingBone& bone) { return refusalOf(bone, skeleton).text(); }));
+  json.set("missing_shapes", listOf(facts.rig.missingShapes, asIs));
   json.set("crease_angle", rig.smoothing.creaseAngle);
   json.set("shaded_wedges", count(wedges.size()));
   json.set("creased_wedges", static_cast<int>(std::ranges::count(wedges, true, &Wedge::creased)));
@@ -74,6 +75,7 @@ Json inspectJson(const InspectFacts& facts, const std::string& file) {
   json.set("clips", listOf(character.clips, [](const AnimationClip& clip) {
              return Json::object().set("name", clip.name).set("duration", clip.duration);
            }));
+  json.set("morph_targets", listOf(facts.shapes, asIs));
   json.set("range_of_motion", facts.rangeOfMotion);
   json.set("materials", count(character.materials.size()));
   json.set("textures", count(character.textures.size()));

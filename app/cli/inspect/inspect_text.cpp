@@ -122,6 +122,7 @@ void putRig(std::ostream& out, const InspectFacts& facts) {
   for (const MissingBone& one : facts.rig.missing) {
     out << "              " << refusalOf(one, facts.document.character->skeleton).text() << '\n';
   }
+  if (!facts.rig.missingShapes.empty()) putNames(out, "no shapes   ", facts.rig.missingShapes);
   if (rig.smoothing.creaseAngle >= kNoCreases) return;
   const std::vector<Wedge>& wedges = facts.rig.shadedWedges;
   out << "  creases     over " << shortNumber(rig.smoothing.creaseAngle) << " degrees: " << wedges.size() << " wedges, "
@@ -170,6 +171,7 @@ std::string inspectText(const InspectFacts& facts) {
   putNames(out, "helpers     ", facts.helpers);
   putBody(out, facts);
   putNames(out, "clips       ", clips);
+  putNames(out, "shapes      ", facts.shapes);
   out << "  motion      ";
   if (facts.rangeOfMotion > 0.0f) out << kRangeOfMotionName << ' ' << shortNumber(facts.rangeOfMotion) << " s\n";
   else out << "no joint can turn\n";

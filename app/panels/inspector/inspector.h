@@ -87,5 +87,7 @@ void drawTerritoryRows(PanelUi& ui, const Subjects& subjects);
 /// Only where something is keyed or driven.
 void drawAnimationRows(PanelUi& ui, const Subjects& subjects);
 void drawSurfaceAnimation(PanelUi& ui);
+/// @param morph  index into Rig::morphs
+void drawMorphAnimation(PanelUi& ui, int morph);
 
 }  // namespace sinew::app

@@ -316,12 +316,18 @@ std::string countText(const std::vector<Animated>& all) {
   return text;
 }
 
+/// Whether the section of these owners is wanted.
+bool isAsked(const AnimateState& animate, bool ofSurface) {
+  const ParameterOwner owner = ownerOf(animate.chosen.number.parameter);
+  if (!animate.sectionWanted || owner == ParameterOwner::kMorph) return false;
+  return ofSurface == (owner == ParameterOwner::kSurface);
+}
+
 /// @param of  whose keys and drivers
 void drawSection(PanelUi& ui, const std::string& id, const std::vector<Animated>& all, bool ofSurface,
                  const std::string& of) {
   AnimateState& animate = ui.state.open.animate;
-  const bool asked =
-      animate.sectionWanted && ofSurface == (ownerOf(animate.chosen.number.parameter) == ParameterOwner::kSurface);
+  const bool asked = isAsked(animate, ofSurface);
   if (all.empty()) {
     if (asked) animate.sectionWanted = false;
     return;
@@ -358,6 +364,21 @@ void drawSurfaceAnimation(PanelUi& ui) {
   std::vector<Animated> all;
   addAll(all, ui.state.document.rig().surface.animated, 0);
   drawSection(ui, "surface/animation", all, true, "of the surface");
+}
+
+void drawMorphAnimation(PanelUi& ui, int morph) {
+  std::vector<Animated> all;
+  addAll(all, at(ui.state.document.rig().morphs, morph).animated, morph);
+  AnimateState& animate = ui.state.open.animate;
+  if (animate.sectionWanted && animate.chosen.number.morph == at(ui.state.document.rig().morphs, morph).name) {
+    ImGui::SetScrollHereY(0.0f);
+    animate.sectionWanted = false;
+  }
+  ImGui::PushID(morph);
+  for (const Animated& one : all) {
+    if (!numberRows(ui, one)) break;
+  }
+  ImGui::PopID();
 }
 
 }  // namespace sinew::app

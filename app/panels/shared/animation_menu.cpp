@@ -236,7 +236,7 @@ void animationMenu(PanelUi& ui, const AnimatedField& field) {
   }
   const bool animated = animationOf(state.document.rig(), field.refs.front()) != nullptr;
   const Possible any(animated, "The number has neither keys nor drivers");
-  if (row(ui, "Drivers...", "drivers", any, "Shows its drivers and keys in the section Animation")) {
+  if (row(ui, "Drivers...", "drivers", any, "Shows its drivers and keys")) {
     state.open.animate.sectionWanted = true;
     state.open.animate.chosen = {held(state.document.rig(), field.refs.front()), -1, -1};
   }

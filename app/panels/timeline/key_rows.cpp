@@ -52,6 +52,9 @@ std::vector<KeyRow> keyRows(const EditorState& state) {
     if (line >= 0) addNumbers(rows, state, at(rig.lines, line).animated, line);
   }
   addNumbers(rows, state, rig.surface.animated, 0);
+  for (std::size_t i = 0; i < rig.morphs.size(); ++i) {
+    addNumbers(rows, state, rig.morphs[i].animated, static_cast<int>(i));
+  }
   addChannels(rows, state);
   return rows;
 }

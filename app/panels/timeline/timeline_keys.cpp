@@ -187,11 +187,11 @@ void channelValue(const Row& row, float right) {
   tooltip(ui, "The channel's value at this moment. An edit sets a key here");
 }
 
-/// The muscle itself, or the first on the line; -1: it is the surface's.
+/// The muscle itself, or the first on the line; -1: it is the surface's or a shape's.
 int muscleOf(const Rig& rig, const NumberRef& ref) {
   const ParameterOwner owner = ownerOf(ref.parameter);
   if (owner == ParameterOwner::kPrimitive) return ref.owner;
-  if (owner == ParameterOwner::kSurface) return -1;
+  if (owner == ParameterOwner::kSurface || owner == ParameterOwner::kMorph) return -1;
   const std::string& line = rig.lines[static_cast<std::size_t>(ref.owner)].name;
   const auto found = std::ranges::find(rig.primitives, line, &Primitive::line);
   return found == rig.primitives.end() ? -1 : static_cast<int>(found - rig.primitives.begin());

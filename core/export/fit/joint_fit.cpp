@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -11,6 +12,7 @@
 #include "core/base/parallel.h"
 #include "core/export/fit/candidates.h"
 #include "core/export/fit/weight_fit.h"
+#include "sinew/character/character_pose.h"
 
 namespace sinew::exporting {
 namespace {
@@ -54,16 +56,20 @@ JointFit::JointFit(std::shared_ptr<const Character> character, const Character& 
       moving_(moving),
       rig_(rig),
       settings_(settings),
+      still_(rig),
       progress_(progress),
-      surfaces_(character_) {}
+      surfaces_(character_) {
+  still_.morphs.clear();
+}
 
 Result<void> JointFit::findWeights() {
-  if (const auto prepared = surfaces_.prepare(rig_); !prepared) return prepared;
-  surfaces_.smooth(bindPose(character_->skeleton), bind_);
+  if (const auto prepared = surfaces_.prepare(still_); !prepared) return prepared;
+  surfaces_.smooth(withoutMorphs(*character_, bindPose(character_->skeleton)), bind_);
   const Refinement& refinement = *bind_.refinement;
   const bool refined = settings_.mesh == ExportMesh::kRefined;
   count_ = toIndex(refined ? refinement.vertexCount : refinement.controlVertices);
   choosePoses();
+  if (settings_.morphs && !character_->morphTargets.empty()) findMorphs();
   if (settings_.joints == ExportJoints::kHelpers) layLines();
   std::vector<std::vector<Share>> shares = interpolatedWeights(character_->mesh, refinement);
   for (std::size_t v = 0; v < count_; ++v) weights_.push_back(fourLargest(shares[v]));
@@ -89,10 +95,18 @@ void JointFit::choosePoses() {
   poses_ = exportPoses(moving_, clips_, further);
 }
 
+void JointFit::findMorphs() {
+  morphs_.targets = settings_.mesh == ExportMesh::kRefined ? refinedTargets(*character_, surfaces_, bind_)
+                                                           : originalTargets(*character_);
+  std::vector<ExportPose> own;
+  std::ranges::copy_if(poses_, std::back_inserter(own), [this](const ExportPose& pose) { return isOwn(pose); });
+  setMorphKeys(*character_, rig_, own, morphs_);
+}
+
 void JointFit::layLines() {
   std::vector<Pose> moments;
   for (const ExportPose& pose : poses_)
-    moments.push_back(samplePose(character_->skeleton, at(moving_.clips, pose.clip), pose.time));
+    moments.push_back(samplePose(*character_, at(moving_.clips, pose.clip), pose.time));
   lines_ = LineJoints(rig_, *character_, settings_.jointScale, moments);
 }
 

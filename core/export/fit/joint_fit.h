@@ -18,6 +18,7 @@
 #include "core/export/fit/played_surface.h"
 #include "core/export/fit/poses.h"
 #include "core/export/fit/stage_progress.h"
+#include "sinew/character/character_pose.h"
 #include "sinew/export/skinned_export.h"
 
 namespace sinew::exporting {
@@ -30,8 +31,9 @@ class ErrorMeter;
 /// least squares (weight_fit.h): what muscles do near a joint is nearly linear in the bones' matrices, so most of it
 /// needs no new joint. What is left goes to joints of muscle lines, which move exactly as lines deform (line_joints.h),
 /// and to rigid ones (helper_fit.h). Of many vertices some stand for all until the joints are found (fit_sample.h);
-/// then every vertex is weighed. Every fifth pose is kept from the fit: its error tells whether the fit holds beyond
-/// the poses it has seen. docs/export.md.
+/// then every vertex is weighed. Morph targets are left out of all that: a program adds them before joints move a
+/// vertex, as the live surface does before muscles. Every fifth pose is kept from the fit: its error tells whether the
+/// fit holds beyond the poses it has seen. docs/export.md.
 class JointFit {
  public:
   /// As exportSkinned(); all but `progress` must outlive this.
@@ -55,9 +57,15 @@ class JointFit {
   [[nodiscard]] const std::vector<HelperClip>& helperClips() const { return helperClips_; }
   /// After measure(): what the file will show, without the distances.
   [[nodiscard]] const std::shared_ptr<PlayedSurface>& played() const { return played_; }
+  /// After findWeights(); empty if none are exported.
+  [[nodiscard]] const PlayedMorphs& morphs() const { return morphs_; }
 
  private:
   void choosePoses();
+  void findMorphs();
+  /// Smooths the poses as the file shows them, shapes too, and calls use(i, distances to what is played).
+  template <class Use>
+  void forEachPlayed(std::span<const ExportPose> poses, Use use);
   void layLines();
   void fitSample(const std::vector<std::vector<int>>& candidates);
   [[nodiscard]] std::function<bool(const ExportPose&)> someFitted(std::size_t mostOwn) const;
@@ -81,6 +89,7 @@ class JointFit {
   const Character& moving_;
   const Rig& rig_;
   const SkinnedExportSettings& settings_;
+  Rig still_;  ///< Adds no weights to morph targets.
   StageProgress progress_;
   LiveSurfaces surfaces_;
   Surface bind_;
@@ -92,6 +101,7 @@ class JointFit {
   std::vector<glm::vec3> sampleRest_;
   std::vector<FourWeights> sampleWeights_;
   LineJoints lines_;
+  PlayedMorphs morphs_;
   std::vector<HelperJoint> rigid_;
   std::vector<HelperClip> helperClips_;
   std::shared_ptr<PlayedSurface> played_;
@@ -104,8 +114,8 @@ class JointFit {
   std::vector<Trs> rigidLocals_;
 };
 
-/// Smooths the poses that are meant and calls use(pose, moment) after each, the live surface and the matrices of
-/// bindings and lines' joints at hand.
+/// Smooths the poses that are meant, without morph targets, and calls use(pose, moment) after each, the live surface
+/// and the matrices of bindings and lines' joints at hand.
 template <class Means, class Use>
 void JointFit::forEachPose(Means means, Use use) {
   std::vector<const ExportPose*> meant;
@@ -113,7 +123,7 @@ void JointFit::forEachPose(Means means, Use use) {
     if (means(pose)) meant.push_back(&pose);
   }
   const auto momentOf = [&](std::size_t i) {
-    return samplePose(character_->skeleton, at(moving_.clips, meant[i]->clip), meant[i]->time);
+    return withoutMorphs(*character_, samplePose(*character_, at(moving_.clips, meant[i]->clip), meant[i]->time));
   };
   surfaces_.forEach(meant.size(), momentOf, [&](std::size_t i, const Pose& moment, const Surface& live) {
     progress_.tell(static_cast<double>(i) / static_cast<double>(meant.size()));

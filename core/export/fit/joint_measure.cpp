@@ -9,6 +9,7 @@
 #include "core/export/fit/error_meter.h"
 #include "core/export/fit/joint_fit.h"
 #include "core/export/fit/played_surface.h"
+#include "sinew/character/character_pose.h"
 
 namespace sinew::exporting {
 namespace {
@@ -40,36 +41,64 @@ ErrorFigures JointFit::figuresOf(const ErrorMeter& meter) const {
   return figures;
 }
 
+template <class Use>
+void JointFit::forEachPlayed(std::span<const ExportPose> poses, Use use) {
+  std::vector<glm::vec3> placed;
+  std::vector<double> distances(count_);
+  const auto momentOf = [&](std::size_t i) {
+    return samplePose(*character_, at(moving_.clips, poses[i].clip), poses[i].time);
+  };
+  surfaces_.forEach(poses.size(), momentOf, [&](std::size_t i, const Pose& moment, const Surface& live) {
+    progress_.tell(static_cast<double>(i) / static_cast<double>(poses.size()));
+    played_->place(moment, at(moving_.clips, poses[i].clip).name, poses[i].time, placed);
+    for (std::size_t v = 0; v < count_; ++v) {
+      distances[v] = glm::distance(glm::dvec3(placed[v]), glm::dvec3(live.positions[v]));
+    }
+    use(poses[i], distances);
+  });
+}
+
 void JointFit::measure(SkinnedExportReport& report) {
   const auto height = static_cast<double>(character_->height);
   std::vector<ErrorMeter> meters(moving_.clips.size(), ErrorMeter(height));
   ErrorMeter fitted(height);
   ErrorMeter heldOut(height);
   ErrorMeter all(height);
+  const auto count = [&](const ExportPose& pose, std::span<const double> distances) {
+    std::vector<ErrorMeter*> meant{&at(meters, pose.clip)};
+    if (isOwn(pose)) meant.push_back(&all);
+    if (pose.use == PoseUse::kFitted) meant.push_back(&fitted);
+    if (pose.use == PoseUse::kHeldOut) meant.push_back(&heldOut);
+    if (isOwn(pose)) noteLargest(distances);
+    for (ErrorMeter* meter : meant) {
+      meter->addPose(pose.clip, pose.time);
+      for (std::size_t v = 0; v < count_; ++v) meter->add(distances[v], static_cast<int>(v));
+    }
+  };
+  const bool morphs = !morphs_.targets.empty();
+  const double share = kShareOfKeys * measuringShare();
   const HelperMotion motion(character_->skeleton, sampleRest_, sampleWeights_, rigid_, firstRigid());
   std::vector<double> distances(count_);
   largest_.assign(count_, 0.0f);
-  progress_.begin(kShareOfKeys * measuringShare());
+  progress_.begin(morphs ? 0.5 * share : share);
   forEachPose([](const ExportPose&) { return true; },
               [&](const ExportPose& pose, const Pose& moment) {
                 moveHelpers(moment, isOwn(pose), motion);
                 if (isOwn(pose)) keep(pose);
-                std::vector<ErrorMeter*> meant{&at(meters, pose.clip)};
-                if (isOwn(pose)) meant.push_back(&all);
-                if (pose.use == PoseUse::kFitted) meant.push_back(&fitted);
-                if (pose.use == PoseUse::kHeldOut) meant.push_back(&heldOut);
+                if (morphs) return;
                 forEachIndex(count_, kLeastRange, [&](std::size_t v) {
                   const glm::dvec3 exported = skinPoint(matrices_, weights_[v], glm::dvec3(bind_.positions[v]));
                   distances[v] = glm::length(exported - glm::dvec3(live_->positions[v]));
                 });
-                if (isOwn(pose)) noteLargest(distances);
-                for (ErrorMeter* meter : meant) {
-                  meter->addPose(pose.clip, pose.time);
-                  for (std::size_t v = 0; v < count_; ++v) meter->add(distances[v], static_cast<int>(v));
-                }
+                count(pose, distances);
               });
   played_ = std::make_shared<PlayedSurface>(character_, restOfAll(), weights_, helpers(), helperClips_);
   played_->triangles = trianglesOfFit();
+  if (morphs && surfaces_.prepare(rig_).ok()) {
+    played_->morphs = morphs_;
+    progress_.begin(0.5 * share);
+    forEachPlayed(poses_, count);
+  }
   for (const int clip : clips_) report.clips.push_back({at(moving_.clips, clip).name, figuresOf(at(meters, clip))});
   for (std::size_t clip = character_->clips.size(); clip < moving_.clips.size(); ++clip) {
     report.further.push_back({moving_.clips[clip].name, figuresOf(meters[clip])});
@@ -89,21 +118,11 @@ void JointFit::measureBetween(SkinnedExportReport& report) {
   const auto height = static_cast<double>(character_->height);
   std::vector<ErrorMeter> meters(moving_.clips.size(), ErrorMeter(height));
   ErrorMeter all(height);
-  std::vector<glm::vec3> placed;
-  std::vector<double> distances(count_);
   progress_.begin((1.0 - kShareOfKeys) * measuringShare());
-  const auto momentOf = [&](std::size_t i) {
-    return samplePose(character_->skeleton, at(moving_.clips, poses[i].clip), poses[i].time);
-  };
-  surfaces_.forEach(poses.size(), momentOf, [&](std::size_t i, const Pose& moment, const Surface& live) {
-    progress_.tell(static_cast<double>(i) / static_cast<double>(poses.size()));
-    played_->place(moment, at(moving_.clips, poses[i].clip).name, poses[i].time, placed);
-    for (std::size_t v = 0; v < count_; ++v) {
-      distances[v] = glm::distance(glm::dvec3(placed[v]), glm::dvec3(live.positions[v]));
-    }
+  forEachPlayed(poses, [&](const ExportPose& pose, std::span<const double> distances) {
     noteLargest(distances);
-    for (ErrorMeter* meter : {&at(meters, poses[i].clip), &all}) {
-      meter->addPose(poses[i].clip, poses[i].time);
+    for (ErrorMeter* meter : {&at(meters, pose.clip), &all}) {
+      meter->addPose(pose.clip, pose.time);
       for (std::size_t v = 0; v < count_; ++v) meter->add(distances[v], static_cast<int>(v));
     }
   });

@@ -8,6 +8,7 @@
 
 #include "core/base/at.h"
 #include "core/base/parallel.h"
+#include "core/character/morphing.h"
 #include "core/export/fit/poses.h"
 
 namespace sinew::exporting {
@@ -64,6 +65,32 @@ std::vector<glm::dmat4> PlayedSurface::matricesAt(const Pose& pose, const std::s
   return matrices;
 }
 
+std::vector<float> PlayedSurface::morphWeightsAt(const Pose& pose, const std::string& clip, float time) const {
+  std::vector<float> weights = morphWeightsOr(*character_, pose.morphWeights);
+  const auto keys = std::ranges::find(morphs.clips, clip, &MorphKeys::clip);
+  const bool plays = keys != morphs.clips.end();
+  const Span span = plays ? spanAt(keys->times, time) : Span{};
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    if (!morphs.keyed[k]) continue;
+    const auto keyAt = [&](std::size_t key) { return static_cast<double>(keys->weights[key * weights.size() + k]); };
+    weights[k] = plays ? static_cast<float>(glm::mix(keyAt(span.from), keyAt(span.to), span.part)) : morphs.rest[k];
+  }
+  return weights;
+}
+
+std::vector<glm::vec3> PlayedSurface::morphedRest(const Pose& pose, const std::string& clip, float time) const {
+  std::vector<glm::vec3> moved = rest;
+  if (morphs.targets.empty()) return moved;
+  const std::vector<float> weights = morphWeightsAt(pose, clip, time);
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    const RefinedTarget& target = morphs.targets[k];
+    for (std::size_t i = 0; i < target.vertices.size() && weights[k] != 0.0f; ++i) {
+      at(moved, target.vertices[i]) += weights[k] * target.deltas[i];
+    }
+  }
+  return moved;
+}
+
 void PlayedSurface::place(const Pose& pose, const std::string& clip, float time, std::vector<glm::vec3>& out) const {
   const std::vector<glm::dmat4> matrices = matricesAt(pose, clip, time);
   const std::size_t count = targets.clip == clip && !targets.times.empty() ? targets.deltas.size() : 0;
@@ -75,9 +102,10 @@ void PlayedSurface::place(const Pose& pose, const std::string& clip, float time,
                            static_cast<double>(targets.weights[span.to * count + k]), span.part);
     }
   }
+  const std::vector<glm::vec3> moved = morphedRest(pose, clip, time);
   out.resize(rest.size());
   forEachIndex(rest.size(), kLeastRange, [&](std::size_t v) {
-    glm::dvec3 point(rest[v]);
+    glm::dvec3 point(moved[v]);
     for (std::size_t k = 0; k < count; ++k) point += shares[k] * glm::dvec3(targets.deltas[k][v]);
     out[v] = glm::vec3(skinPoint(matrices, weights_[v], point));
   });

@@ -7,6 +7,7 @@
 
 #include "core/export/fit/four_weights.h"
 #include "core/export/fit/helper_joint.h"
+#include "core/export/fit/refined_targets.h"
 #include "sinew/character/character.h"
 #include "sinew/export/exported_surface.h"
 
@@ -31,8 +32,11 @@ class PlayedSurface : public ExportedSurface {
   [[nodiscard]] const std::string& boneOf(int vertex) const;
 
   PlayedTargets targets;
+  PlayedMorphs morphs;
 
  private:
+  [[nodiscard]] std::vector<float> morphWeightsAt(const Pose& pose, const std::string& clip, float time) const;
+  [[nodiscard]] std::vector<glm::vec3> morphedRest(const Pose& pose, const std::string& clip, float time) const;
   [[nodiscard]] std::vector<glm::dmat4> matricesAt(const Pose& pose, const std::string& clip, float time) const;
 
   std::shared_ptr<const Character> character_;

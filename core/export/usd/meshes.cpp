@@ -47,6 +47,29 @@ class MeshReader {
     return mesh;
   }
 
+  BlendShape readShape(const Json& target, const std::string& place, const Mesh& mesh) {
+    attributes_ = &target;
+    place_ = place + '.';
+    const auto deltasOf = [&](const char* name) {
+      std::vector<glm::vec3> deltas;
+      if (has(name)) deltas = gltf::vectorsOf<glm::vec3>(open(name, TINYGLTF_TYPE_VEC3));
+      expectAll(deltas.empty(), deltas.size(), mesh);
+      return deltas;
+    };
+    const std::vector<glm::vec3> positions = deltasOf("POSITION");
+    const std::vector<glm::vec3> normals = mesh.normals.empty() ? std::vector<glm::vec3>() : deltasOf("NORMAL");
+    BlendShape shape;
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+      const glm::vec3 offset = positions.empty() ? glm::vec3(0.0f) : positions[v];
+      const glm::vec3 turn = normals.empty() ? glm::vec3(0.0f) : normals[v];
+      if (offset == glm::vec3(0.0f) && turn == glm::vec3(0.0f)) continue;
+      shape.points.push_back(static_cast<int>(v));
+      shape.offsets.push_back(offset);
+      if (!normals.empty()) shape.normalOffsets.push_back(turn);
+    }
+    return shape;
+  }
+
  private:
   [[nodiscard]] bool has(const std::string& name) const { return attributes_->find(name) != nullptr; }
 
@@ -158,10 +181,14 @@ std::vector<Mesh> meshesOf(const gltf::File& file, const Json& root, const gltf:
         left.insert("points and lines: .usda holds triangles alone");
         continue;
       }
-      if (!primitives[p].targets.empty()) left.insert("morph targets: .usda holds joints and weights alone");
       Mesh mesh = reader.read(primitives[p], list[p].at("attributes"), own, *bound.meshes[node]);
       if (mesh.triangles.empty()) continue;
       mesh.name = tree.nodes[node].name;
+      mesh.node = static_cast<int>(node);
+      const std::vector<Json>& targets = list[p].at("targets").items();
+      for (std::size_t k = 0; k < targets.size(); ++k) {
+        mesh.shapes.push_back(reader.readShape(targets[k], gltf::placeOf(own + ".targets", k), mesh));
+      }
       meshes.push_back(std::move(mesh));
     }
   }

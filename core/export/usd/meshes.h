@@ -13,6 +13,13 @@
 
 namespace sinew::usd {
 
+/// A morph target of one primitive. Only the points that it moves or turns.
+struct BlendShape {
+  std::vector<int> points;               ///< Ascending.
+  std::vector<glm::vec3> offsets;        ///< [points]
+  std::vector<glm::vec3> normalOffsets;  ///< [points], or none.
+};
+
 /// One primitive of a mesh, for one node that shows it. Vertices in the file's order.
 struct Mesh {
   std::string name;
@@ -26,6 +33,8 @@ struct Mesh {
   int influences = 0;                       ///< Per vertex, those of weight 0 too.
   std::vector<int> bindings;                ///< [vertices * influences] of the skeleton.
   std::vector<float> weights;               ///< Likewise; the sum is 1.
+  int node = 0;                             ///< The file's node that shows it.
+  std::vector<BlendShape> shapes;           ///< Morph targets, in the file's order.
 };
 
 /// All triangles of the scene, node by node. Throws gltf::Refusal where attributes cannot be read.

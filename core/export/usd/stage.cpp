@@ -7,6 +7,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include "core/base/at.h"
+#include "core/export/usd/blend_shapes.h"
 #include "core/export/usd/joints.h"
 #include "core/export/usd/materials.h"
 #include "core/export/usd/meshes.h"
@@ -48,6 +49,7 @@ class StageMaker {
         tree_(gltf::readNodes(file, notes_)),
         bound_(gltf::bindSkeleton(file, tree_, accessors_, notes_)),
         meshes_(meshesOf(file, root, tree_, bound_, accessors_, stage_.left)),
+        shapes_(file, tree_, meshes_),
         materials_(file, root, meshes_, stem, stage_.left) {
     for (const char* taken : {"Skeleton", "Materials", "Animations"}) names_.fresh(taken);
     if (!root.at("cameras").items().empty()) stage_.left.insert("cameras: .usda holds the character alone");
@@ -55,7 +57,9 @@ class StageMaker {
   }
 
   Stage skinned() && {
-    const auto clips = gltf::readClips(file_, bound_.skeleton, bound_.skeletonNode, accessors_, notes_);
+    const auto clips =
+        gltf::readClips(file_, {bound_.skeleton, bound_.skeletonNode, shapes_.ofNodes()}, accessors_, notes_);
+    if (!shapes_.restsAtZero()) stage_.left.insert("weights of morph targets where no clip plays: USD knows none");
     joints_ = jointsOf(bound_, clips);
     double end = 0.0;
     for (const SampledClip& clip : joints_.clips) end = std::max(end, clip.frames.back());
@@ -69,7 +73,7 @@ class StageMaker {
     for (std::size_t m = 0; m < meshes_.size(); ++m) writeSkinned(meshes_[m]);
     materials_.write(path(), text_);
     if (!animations.empty()) text_.open("def Scope \"Animations\"");
-    for (std::size_t c = 0; c < animations.size(); ++c) writeClip(joints_.clips[c], animations[c]);
+    for (std::size_t c = 0; c < animations.size(); ++c) writeClip(joints_.clips[c], clips[c], animations[c]);
     if (!animations.empty()) text_.close();
     return finishStage();
   }
@@ -161,7 +165,8 @@ class StageMaker {
     text_.close();
   }
 
-  void openMesh(const Mesh& mesh, std::vector<std::string> schemas) {
+  /// Returns its path.
+  std::string openMesh(const Mesh& mesh, std::vector<std::string> schemas) {
     const std::string own = names_.fresh(identifierOf(mesh.name, "Mesh"));
     if (mesh.material >= 0) schemas.emplace_back("MaterialBindingAPI");
     std::vector<std::string> metadata;
@@ -170,10 +175,11 @@ class StageMaker {
     text_.open("def Mesh \"" + own + '"', metadata);
     writeTopology(mesh, materials_.factorOf(mesh), materials_.isDoubleSided(mesh), text_);
     materials_.bind(mesh, path(), text_);
+    return path() + '/' + own;
   }
 
   void writeSkinned(const Mesh& mesh) {
-    openMesh(mesh, {"SkelBindingAPI"});
+    const std::string own = openMesh(mesh, {"SkelBindingAPI"});
     text_.attribute("float3[] extent", extentText(mesh.points));
     if (!mesh.normals.empty()) text_.attribute("normal3f[] normals", arrayText(mesh.normals), perVertex());
     text_.attribute("point3f[] points", arrayText(mesh.points));
@@ -186,11 +192,13 @@ class StageMaker {
     text_.attribute("int[] primvars:skel:jointIndices", arrayText(joints), metadata);
     text_.attribute("float[] primvars:skel:jointWeights", arrayText(mesh.weights), metadata);
     text_.attribute("rel skel:skeleton", '<' + path() + "/Skeleton>");
+    shapes_.writeMesh(mesh, own, text_);
     text_.close();
   }
 
-  void writeClip(const SampledClip& clip, const std::string& own) {
+  void writeClip(const SampledClip& clip, const AnimationClip& from, const std::string& own) {
     text_.open("def SkelAnimation \"" + own + '"', displayName(clip.name, own));
+    shapes_.writeClip(from, clip.frames, text_);
     text_.attribute("uniform token[] joints", quotedList(paths_));
     writeSamples("quatf[] rotations", clip, rotationOf);
     writeSamples("half3[] scales", clip, scaleOf);
@@ -231,6 +239,7 @@ class StageMaker {
   gltf::NodeTree tree_;
   gltf::BoundSkeleton bound_;
   std::vector<Mesh> meshes_;
+  BlendShapes shapes_;
   Materials materials_;
   Siblings names_;  // of what stands below the root prim
   std::vector<std::string> paths_;

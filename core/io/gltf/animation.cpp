@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "core/base/at.h"
@@ -16,12 +18,12 @@ namespace {
 /// Key values of all clips together: 256 MiB. Accessors may be shared, so a small file could ask for much more.
 constexpr std::size_t kMaxKeyValues = 16U << 20;
 constexpr double kMaxValue = 1e15;
+constexpr std::string_view kWeights = "weights";
 
 class ClipReader {
  public:
-  ClipReader(const File& file, const Skeleton& skeleton, std::span<const int> skeletonNode, Accessors& accessors,
-             Notes& notes)
-      : file_(file), skeleton_(skeleton), skeletonNode_(skeletonNode), accessors_(accessors), notes_(notes) {}
+  ClipReader(const File& file, const ClipTargets& targets, Accessors& accessors, Notes& notes)
+      : file_(file), targets_(targets), accessors_(accessors), notes_(notes) {}
 
   AnimationClip read(std::size_t index) {
     const std::string place = placeOf("animations", index);
@@ -29,49 +31,72 @@ class ClipReader {
     const tinygltf::Animation& animation = file_.model().animations[index];
     AnimationClip clip;
     clip.name = animation.name.empty() ? "clip " + std::to_string(index) : animation.name;
-    std::set<std::pair<int, ChannelPath>> driven;
+    std::set<std::pair<int, std::string>> driven;
     for (std::size_t i = 0; i < animation.channels.size(); ++i) {
       const std::string channelPlace = placeOf(place + ".channels", i);
-      std::optional<Channel> channel = target(animation.channels[i], channelPlace);
-      if (!channel) continue;
-      if (!driven.emplace(channel->node, channel->path).second) {
+      const std::optional<int> node = nodeOf(animation.channels[i], channelPlace);
+      if (!node) continue;
+      const std::string& path = animation.channels[i].target_path;
+      if (!driven.emplace(*node, path).second) {
         notes_.add("clip \"" + clip.name +
                    "\": further channels for the same property are ignored: the first one plays");
         continue;
       }
       const std::size_t sampler = samplerOf(animation, i, channelPlace + ".sampler");
-      const std::string samplerPlace = placeOf(place + ".samplers", sampler);
-      if (!fillKeys(animation.samplers[sampler], samplerPlace, clip.name, *channel)) continue;
-      clip.duration = std::max(clip.duration, channel->times.back());
-      clip.channels.push_back(std::move(*channel));
+      const Keys keys{animation.samplers[sampler], placeOf(place + ".samplers", sampler)};
+      if (path == kWeights) readMorphs(keys, at(targets_.morphsOf, *node), clip);
+      else readChannel(keys, at(targets_.skeletonNode, *node), *pathNamed(path), clip);
     }
     return clip;
   }
 
  private:
-  /// Which node and property; nullopt for what moves nothing of the skeleton.
-  std::optional<Channel> target(const tinygltf::AnimationChannel& from, const std::string& place) {
+  /// A sampler and where it stands.
+  struct Keys {
+    const tinygltf::AnimationSampler& sampler;
+    std::string place;
+  };
+  /// Its accessors, opened.
+  struct OpenKeys {
+    const Accessor& input;
+    const Accessor& output;
+    std::size_t perKey = 1;          ///< Values of one key: 3 with tangents.
+    std::vector<std::size_t> order;  ///< Keys in increasing time, each time once.
+  };
+
+  static std::optional<ChannelPath> pathNamed(const std::string& path) {
+    if (path == "translation") return ChannelPath::kTranslation;
+    if (path == "rotation") return ChannelPath::kRotation;
+    if (path == "scale") return ChannelPath::kScale;
+    return std::nullopt;
+  }
+
+  /// The file's number of the node that a channel moves; nullopt for what moves nothing.
+  std::optional<int> nodeOf(const tinygltf::AnimationChannel& from, const std::string& place) {
     file_.expectSound(place);
-    Channel channel;
-    if (from.target_path == "translation") channel.path = ChannelPath::kTranslation;
-    else if (from.target_path == "rotation") channel.path = ChannelPath::kRotation;
-    else if (from.target_path == "scale") channel.path = ChannelPath::kScale;
-    else {
+    const bool morphs = from.target_path == kWeights;
+    if (!morphs && !pathNamed(from.target_path)) {
       notes_.add("animation channels for \"" + from.target_path.substr(0, 40) +
                  "\" are ignored: bones play their position, rotation and scale only");
       return std::nullopt;
     }
     file_.expectSound(place + ".target.node");
-    channel.node = from.target_node < 0 ? -1 : at(skeletonNode_, from.target_node);
-    if (channel.node < 0) {
+    if (morphs) {
+      const bool known = from.target_node >= 0 && !targets_.morphsOf.empty();
+      if (known && at(targets_.morphsOf, from.target_node).count > 0) return from.target_node;
+      notes_.add("animation channels for the weights of nodes without morph targets are ignored: they move nothing");
+      return std::nullopt;
+    }
+    const int node = from.target_node < 0 ? -1 : at(targets_.skeletonNode, from.target_node);
+    if (node < 0) {
       notes_.add("animation channels for nodes that move no bone are ignored: nothing follows them");
       return std::nullopt;
     }
-    if (at(skeleton_.nodes, channel.node).rest.matrix) {
+    if (at(targets_.skeleton.nodes, node).rest.matrix) {
       notes_.add("animation channels for nodes placed by a matrix are ignored: such nodes stay still");
       return std::nullopt;
     }
-    return channel;
+    return from.target_node;
   }
 
   std::size_t samplerOf(const tinygltf::Animation& animation, std::size_t channel, const std::string& place) const {
@@ -85,31 +110,70 @@ class ClipReader {
     return toIndex(sampler);
   }
 
-  /// False for a sampler without keys.
-  bool fillKeys(const tinygltf::AnimationSampler& sampler, const std::string& place, const std::string& clip,
-                Channel& channel) {
-    file_.expectSound(place);
-    const std::string& mode = sampler.interpolation;
-    if (mode == "STEP") channel.interpolation = Interpolation::kStep;
-    else if (mode == "CUBICSPLINE") channel.interpolation = Interpolation::kCubicSpline;
-    else if (mode != "LINEAR") refuse(place + ".interpolation", "expected LINEAR, STEP or CUBICSPLINE");
+  static Interpolation interpolationOf(const Keys& keys) {
+    const std::string& mode = keys.sampler.interpolation;
+    if (mode == "STEP") return Interpolation::kStep;
+    if (mode == "CUBICSPLINE") return Interpolation::kCubicSpline;
+    if (mode != "LINEAR") refuse(keys.place + ".interpolation", "expected LINEAR, STEP or CUBICSPLINE");
+    return Interpolation::kLinear;
+  }
 
-    const Accessor& input = accessors_.open(sampler.input, place + ".input", TINYGLTF_TYPE_SCALAR);
-    const bool rotation = channel.path == ChannelPath::kRotation;
-    const Accessor& output =
-        accessors_.open(sampler.output, place + ".output", rotation ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3);
-    const std::size_t perKey = channel.interpolation == Interpolation::kCubicSpline ? 3 : 1;
-    if (output.count() / perKey < input.count()) {
+  /// nullopt for a sampler without keys.  @param type of the output.  @param width elements that make one value.
+  std::optional<OpenKeys> open(const Keys& keys, int type, std::size_t width, const std::string& clip) {
+    const std::string& place = keys.place;
+    file_.expectSound(place);
+    const std::size_t perKey = interpolationOf(keys) == Interpolation::kCubicSpline ? 3 : 1;
+    const Accessor& input = accessors_.open(keys.sampler.input, place + ".input", TINYGLTF_TYPE_SCALAR);
+    const Accessor& output = accessors_.open(keys.sampler.output, place + ".output", type);
+    if (output.count() / perKey / width < input.count()) {
       refuse(place, std::to_string(output.count()) + " values for " + std::to_string(input.count()) + " keys");
     }
     if (input.count() == 0) {
       notes_.add("clip \"" + clip + "\": channels without keys are ignored: these bones stay still");
-      return false;
+      return std::nullopt;
     }
-    if (input.count() > (kMaxKeyValues - keyValues_) / perKey) refuse(place, "the file has too many keys");
-    keyValues_ += perKey * input.count();
-    readKeys(input, output, perKey, orderedKeys(input, clip), channel);
-    return true;
+    if (input.count() > (kMaxKeyValues - keyValues_) / perKey / width) refuse(place, "the file has too many keys");
+    keyValues_ += perKey * width * input.count();
+    return OpenKeys{input, output, perKey, orderedKeys(input, clip)};
+  }
+
+  void readChannel(const Keys& keys, int node, ChannelPath path, AnimationClip& clip) {
+    const int type = path == ChannelPath::kRotation ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3;
+    const std::optional<OpenKeys> from = open(keys, type, 1, clip.name);
+    if (!from) return;
+    Channel channel;
+    channel.node = node;
+    channel.path = path;
+    channel.interpolation = interpolationOf(keys);
+    channel.values.reserve(from->perKey * from->order.size());
+    for (const std::size_t key : from->order) {
+      channel.times.push_back(timeOf(from->input, key));
+      for (std::size_t part = 0; part < from->perKey; ++part) {
+        const bool isValue = from->perKey == 1 || part == 1;
+        channel.values.push_back(valueOf(from->output, from->perKey * key + part, channel.path, isValue));
+      }
+    }
+    clip.duration = std::max(clip.duration, channel.times.back());
+    clip.channels.push_back(std::move(channel));
+  }
+
+  void readMorphs(const Keys& keys, const NodeTargets& of, AnimationClip& clip) {
+    const std::size_t width = toIndex(of.count);
+    const std::optional<OpenKeys> from = open(keys, TINYGLTF_TYPE_SCALAR, width, clip.name);
+    if (!from) return;
+    MorphChannel channel;
+    channel.firstTarget = of.first;
+    channel.targets = of.count;
+    channel.interpolation = interpolationOf(keys);
+    channel.values.reserve(from->perKey * width * from->order.size());
+    for (const std::size_t key : from->order) {
+      channel.times.push_back(timeOf(from->input, key));
+      for (std::size_t i = 0; i < from->perKey * width; ++i) {
+        channel.values.push_back(static_cast<float>(numberAt(from->output, key * from->perKey * width + i, 0)));
+      }
+    }
+    clip.duration = std::max(clip.duration, channel.times.back());
+    clip.morphChannels.push_back(std::move(channel));
   }
 
   /// Keys in increasing time, each time once.
@@ -137,36 +201,25 @@ class ClipReader {
 
   static float timeOf(const Accessor& input, std::size_t key) { return static_cast<float>(input.number(key, 0)); }
 
-  static void readKeys(const Accessor& input, const Accessor& output, std::size_t perKey,
-                       const std::vector<std::size_t>& keys, Channel& channel) {
-    channel.times.reserve(keys.size());
-    channel.values.reserve(perKey * keys.size());
-    for (const std::size_t key : keys) {
-      channel.times.push_back(timeOf(input, key));
-      for (std::size_t part = 0; part < perKey; ++part) {
-        channel.values.push_back(valueOf(output, perKey * key + part, channel.path, perKey == 1 || part == 1));
-      }
+  static double numberAt(const Accessor& output, std::size_t element, int component) {
+    const double number = output.number(element, component);
+    if (!(std::abs(number) <= kMaxValue)) {
+      refuse(output.place(), "value " + std::to_string(element) + " is not finite or too large");
     }
+    return number;
   }
 
   /// @param isValue not a tangent.
   static glm::vec4 valueOf(const Accessor& output, std::size_t element, ChannelPath path, bool isValue) {
     glm::vec4 value(0.0f);
-    for (int c = 0; c < output.components(); ++c) {
-      const double number = output.number(element, c);
-      if (!(std::abs(number) <= kMaxValue)) {
-        refuse(output.place(), "value " + std::to_string(element) + " is not finite or too large");
-      }
-      value[c] = static_cast<float>(number);
-    }
+    for (int c = 0; c < output.components(); ++c) value[c] = static_cast<float>(numberAt(output, element, c));
     // A rotation of no length has no direction; it stands for none.
     if (path == ChannelPath::kRotation && isValue && value == glm::vec4(0.0f)) value.w = 1.0f;
     return value;
   }
 
   const File& file_;
-  const Skeleton& skeleton_;
-  std::span<const int> skeletonNode_;
+  const ClipTargets& targets_;
   Accessors& accessors_;
   Notes& notes_;
   std::size_t keyValues_ = 0;
@@ -174,14 +227,13 @@ class ClipReader {
 
 }  // namespace
 
-std::vector<AnimationClip> readClips(const File& file, const Skeleton& skeleton, std::span<const int> skeletonNode,
-                                     Accessors& accessors, Notes& notes) {
-  ClipReader reader(file, skeleton, skeletonNode, accessors, notes);
+std::vector<AnimationClip> readClips(const File& file, const ClipTargets& targets, Accessors& accessors, Notes& notes) {
+  ClipReader reader(file, targets, accessors, notes);
   std::vector<AnimationClip> clips;
   for (std::size_t i = 0; i < file.model().animations.size(); ++i) {
     AnimationClip clip = reader.read(i);
-    if (clip.channels.empty()) notes.add("clip \"" + clip.name + "\" is ignored: it moves no bone");
-    else clips.push_back(std::move(clip));
+    if (!clip.channels.empty() || !clip.morphChannels.empty()) clips.push_back(std::move(clip));
+    else notes.add("clip \"" + clip.name + "\" is ignored: it moves no bone and no shape");
   }
   return clips;
 }

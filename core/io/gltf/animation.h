@@ -5,18 +5,24 @@
 #include <vector>
 
 #include "core/io/gltf/accessor.h"
+#include "core/io/gltf/morph.h"
 #include "core/io/gltf/notes.h"
 #include "sinew/skeleton/animation_clip.h"
 #include "sinew/skeleton/skeleton.h"
 
 namespace sinew::gltf {
 
-/// Channels that move a node of the skeleton; others are noted. Key times that are out of order are sorted, of equal
-/// ones the last counts (both noted). Refuses times and values that are not finite, and accessors that do not fit each
-/// other.
-/// @param skeletonNode [file nodes] index into skeleton.nodes, or -1.
-[[nodiscard]] std::vector<AnimationClip> readClips(const File& file, const Skeleton& skeleton,
-                                                   std::span<const int> skeletonNode, Accessors& accessors,
+/// What clips may move.
+struct ClipTargets {
+  const Skeleton& skeleton;
+  std::span<const int> skeletonNode;        ///< [file nodes] index into skeleton.nodes, or -1.
+  std::span<const NodeTargets> morphsOf{};  ///< [file nodes]; empty: no weights.
+};
+
+/// Channels that move a node of the skeleton or the weights of morph targets; others are noted. Key times that are out
+/// of order are sorted, of equal ones the last counts (both noted). Refuses times and values that are not finite, and
+/// accessors that do not fit each other.
+[[nodiscard]] std::vector<AnimationClip> readClips(const File& file, const ClipTargets& targets, Accessors& accessors,
                                                    Notes& notes);
 
 }  // namespace sinew::gltf

@@ -49,8 +49,8 @@ std::vector<std::uint8_t> contentsOf(const fs::path& path) {
 
 fs::path folderOf(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
-Json parseJson(std::string_view text, std::string_view leftOut) {
-  Result<Json> root = Json::parse(text, {.depth = kMaxDepth, .leftOut = leftOut});
+Json parseJson(std::string_view text, std::string_view leftOut, std::string_view keptIn) {
+  Result<Json> root = Json::parse(text, {.depth = kMaxDepth, .leftOut = leftOut, .keptIn = keptIn});
   if (!root) throw Refusal{root.error()};
   if (root->kind != Json::Kind::kObject) refuse("JSON", "a glTF file must be a JSON object");
   return std::move(root).value();
@@ -60,7 +60,7 @@ File::File(const fs::path& path) : File(contentsOf(path), folderOf(path)) {}
 
 File::File(std::vector<std::uint8_t> contents, fs::path folder) : folder_(std::move(folder)) {
   const Container container = openContainer(contents);
-  const Json root = parseJson(container.json, "extras");
+  const Json root = parseJson(container.json, "extras", "meshes");
   guarded_ = guard(root);
   checkUris(root);
   parse(guarded_.text);
@@ -94,6 +94,8 @@ void File::adopt(const Json& root) {
   }
   const std::vector<Json>& meshes = root.at("meshes").items();
   for (std::size_t m = 0; m < model_.meshes.size(); ++m) {
+    std::vector<std::string>& names = targetNames_.emplace_back();
+    for (const Json& name : meshes[m].at("extras").at("targetNames").items()) names.push_back(name.text(""));
     const std::vector<Json>& primitives = meshes[m].at("primitives").items();
     for (std::size_t p = 0; p < model_.meshes[m].primitives.size(); ++p) {
       model_.meshes[m].primitives[p].indices = soundIndex(primitives[p].at("indices"), model_.accessors.size());
@@ -105,6 +107,7 @@ void File::adopt(const Json& root) {
     kept.uri = image.at("uri").text("");
     kept.bufferView = soundIndex(image.at("bufferView"), model_.bufferViews.size());
   }
+  vrm_ = readVrm(root);
   cameras_ = root.at("cameras").items().size();
   lights_ = root.at("extensions").at("KHR_lights_punctual").at("lights").items().size();
 }

@@ -11,6 +11,7 @@
 
 #include "core/io/gltf/glb.h"
 #include "core/io/gltf/guard.h"
+#include "core/io/gltf/vrm.h"
 
 namespace sinew::gltf {
 
@@ -24,8 +25,8 @@ struct EncodedImage {
 [[nodiscard]] std::vector<std::uint8_t> contentsOf(const std::filesystem::path& path);
 /// Where the uris of buffers and images begin.
 [[nodiscard]] std::filesystem::path folderOf(const std::filesystem::path& path);
-/// The JSON of a container, but for members called `leftOut`. Throws Refusal.
-[[nodiscard]] Json parseJson(std::string_view text, std::string_view leftOut);
+/// The JSON of a container, but for members called `leftOut` outside the elements of the list `keptIn`. Throws Refusal.
+[[nodiscard]] Json parseJson(std::string_view text, std::string_view leftOut, std::string_view keptIn = {});
 
 /// A .glb or .gltf. Every uri of buffers and images is checked when it is opened: data: uris and files inside the
 /// file's own folder, nothing else. Refuses with the JSON path or byte.
@@ -39,6 +40,11 @@ class File {
   [[nodiscard]] const tinygltf::Model& model() const { return model_; }
   /// To be asked for every element of a list, and every value that rules.h calls checkedWhenUsed, before it is used.
   void expectSound(const std::string& place) const { guarded_.expectSound(place); }
+  /// meshes[mesh].extras.targetNames; "" for what is no string.
+  [[nodiscard]] const std::vector<std::string>& targetNames(int mesh) const {
+    return targetNames_[static_cast<std::size_t>(mesh)];
+  }
+  [[nodiscard]] const Vrm& vrm() const { return vrm_; }
   [[nodiscard]] std::size_t cameras() const { return cameras_; }
   [[nodiscard]] std::size_t lights() const { return lights_; }
 
@@ -58,7 +64,9 @@ class File {
   std::filesystem::path folder_;
   Guarded guarded_;
   tinygltf::Model model_;
-  std::vector<bool> hasBytes_;  // [buffers]
+  std::vector<bool> hasBytes_;                         // [buffers]
+  std::vector<std::vector<std::string>> targetNames_;  // [meshes]
+  Vrm vrm_;
   std::size_t cameras_ = 0;
   std::size_t lights_ = 0;
   std::uintmax_t siblingBytes_ = 0;

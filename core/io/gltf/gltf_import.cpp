@@ -11,6 +11,7 @@
 #include "core/io/gltf/animation.h"
 #include "core/io/gltf/hidden.h"
 #include "core/io/gltf/mesh.h"
+#include "core/io/gltf/vrm_character.h"
 
 namespace sinew {
 namespace {
@@ -18,8 +19,12 @@ namespace {
 using namespace gltf;
 
 /// Used fully, or by what they fall back to.
-constexpr std::array<std::string_view, 4> kUnderstood{"KHR_texture_transform", "KHR_mesh_quantization",
-                                                      "KHR_materials_unlit", "KHR_materials_pbrSpecularGlossiness"};
+constexpr std::array<std::string_view, 6> kUnderstood{"KHR_texture_transform",
+                                                      "KHR_mesh_quantization",
+                                                      "KHR_materials_unlit",
+                                                      "KHR_materials_pbrSpecularGlossiness",
+                                                      "VRMC_vrm",
+                                                      "VRM"};
 
 bool understood(std::string_view extension) { return std::ranges::find(kUnderstood, extension) != kUnderstood.end(); }
 
@@ -43,12 +48,15 @@ void noteUnused(const File& file, Notes& notes) {
     notes.add("lights (" + std::to_string(file.lights()) + ") are ignored: the editor lights the character");
 }
 
-void weldMesh(const TriangleSoup& soup, Character& character) {
+/// @return [V] the soup vertex that each welded one is
+std::vector<int> weldMesh(const TriangleSoup& soup, Character& character) {
   if (soup.triangles.empty()) refuse("meshes", "the scene has no triangles to show", "cannot be opened");
-  character.mesh = weld(soup, weldTolerance(soup));
+  std::vector<int> standsFor;
+  character.mesh = weld(soup, weldTolerance(soup), &standsFor);
   if (character.mesh.triangles.empty())
     refuse("meshes", "all triangles have collapsed to lines or points", "cannot be opened");
   character.height = heightOf(character.mesh.positions);
+  return standsFor;
 }
 
 std::shared_ptr<const Character> readCharacter(const std::filesystem::path& path) {
@@ -61,8 +69,14 @@ std::shared_ptr<const Character> readCharacter(const std::filesystem::path& path
   const NodeTree tree = readNodes(file, notes);
   BoundSkeleton bound = bindSkeleton(file, tree, accessors, notes);
   Materials materials = readMaterials(file, notes);
-  weldMesh(readTriangles(file, tree, bound, materials, accessors, notes), *character);
-  character->clips = readClips(file, bound.skeleton, bound.skeletonNode, accessors, notes);
+  SoupOrigin origin;
+  const std::vector<int> standsFor =
+      weldMesh(readTriangles(file, tree, bound, materials, accessors, notes, &origin), *character);
+  character->morphTargets = readMorphs(file, tree, bound, origin, standsFor, accessors, notes);
+  character->morphSets = morphSetsOf(file.vrm(), tree, character->morphTargets);
+  character->bodyParts = bodyPartsOf(file.vrm(), bound, notes);
+  const std::vector<NodeTargets> morphsOf = targetsOfNodes(tree.nodes.size(), character->morphTargets);
+  character->clips = readClips(file, {bound.skeleton, bound.skeletonNode, morphsOf}, accessors, notes);
   character->name = path.stem().string();
   character->skeleton = std::move(bound.skeleton);
   character->materials = std::move(materials.materials);

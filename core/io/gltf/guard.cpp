@@ -101,8 +101,6 @@ class Guard {
         return void(out() += "null");
       case Type::kMarker:
         return void(out() += R"({"index":0})");  // what tinygltf takes for a texture; other markers may hold it too
-      case Type::kMarkers:
-        return void(out() += itemsOf(value, place).empty() ? "[]" : "[{}]");
       case Type::kBoolean:
         if (value.kind != Kind::kTrue && value.kind != Kind::kFalse) refuse(place.text(), "expected true or false");
         return void(out() += value.dump());

@@ -100,7 +100,6 @@ class SoupReader {
   }
 
   void noteUnused(const tinygltf::Primitive& primitive) {
-    if (!primitive.targets.empty()) notes_.add("morph targets are ignored: the mesh keeps its base shape");
     if (primitive.extensions.contains("KHR_draco_mesh_compression")) {
       notes_.add("Draco data is ignored: the uncompressed copy is used");
     }

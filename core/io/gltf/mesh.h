@@ -27,7 +27,7 @@ struct SoupOrigin {
 
 /// All triangles of the scene's meshes, node by node in file order. Primitives without a material get one more,
 /// appended to `materials`. Vertices no triangle uses are left out. Refuses more than kMaxControlTriangles, indices and
-/// joints out of range, positions and weights that are not finite; points, lines and morph targets are noted.
+/// joints out of range, positions and weights that are not finite; points and lines are noted.
 /// @param origin  filled if not null
 [[nodiscard]] TriangleSoup readTriangles(const File& file, const NodeTree& tree, const BoundSkeleton& bound,
                                          Materials& materials, Accessors& accessors, Notes& notes,

@@ -36,6 +36,7 @@ constexpr Rule list(std::string_view key, const Rule& element) {
 constexpr Rule kAnything{};
 constexpr Rule kAnyText = text("");
 constexpr Rule kNodeIndex = index("", "nodes");
+constexpr Rule kWeight = number("");  // Of a morph target.
 
 constexpr std::array kAssetMembers{text("version")};
 constexpr Rule kAsset = object("asset", kAssetMembers);
@@ -63,9 +64,9 @@ constexpr Rule kAccessor =
     object("", kAccessorMembers).checkedWhenUsed(R"({"type":"SCALAR","componentType":5126,"count":0})");
 
 // The scene.
-constexpr std::array kNodeMembers{text("name"),          index("mesh", "meshes"),     index("skin", "skins"),
-                                  numbers("matrix", 16), numbers("translation", 3),   numbers("rotation", 4),
-                                  numbers("scale", 3),   list("children", kNodeIndex)};
+constexpr std::array kNodeMembers{text("name"),          index("mesh", "meshes"),      index("skin", "skins"),
+                                  numbers("matrix", 16), numbers("translation", 3),    numbers("rotation", 4),
+                                  numbers("scale", 3),   list("children", kNodeIndex), list("weights", kWeight)};
 constexpr Rule kNode = object("", kNodeMembers).checkedWhenUsed("{}");
 constexpr std::array kSceneMembers{list("nodes", kNodeIndex)};
 constexpr Rule kScene = object("", kSceneMembers).checkedWhenUsed("{}");
@@ -74,15 +75,17 @@ constexpr std::array kSkinMembers{list("joints", kNodeIndex).orElse("[]"),
 constexpr Rule kSkin = object("", kSkinMembers).checkedWhenUsed(R"({"joints":[],"inverseBindMatrices":-1})");
 
 // Meshes. tinygltf refuses a whole file for indices without a bufferView, so it does not see them.
+constexpr std::array kMorphMembers{index("POSITION", "accessors").checkedWhenUsed("-1")};
+constexpr Rule kTarget = object("", kMorphMembers).checkedWhenUsed(R"({"POSITION":-1})");
 constexpr std::array kPrimitiveExtensions{marker("KHR_draco_mesh_compression")};
 constexpr std::array kPrimitiveMembers{wholeInt("mode"),
-                                       Rule{.key = "targets", .type = Type::kMarkers},
+                                       list("targets", kTarget),
                                        object("extensions", kPrimitiveExtensions),
                                        Rule{.key = "attributes", .type = Type::kAttributes}.orElse("{}"),
                                        index("material", "materials"),
                                        index("indices", "accessors").keptAside()};
 constexpr Rule kPrimitive = object("", kPrimitiveMembers).checkedWhenUsed(R"({"attributes":{}})");
-constexpr std::array kMeshMembers{list("primitives", kPrimitive)};
+constexpr std::array kMeshMembers{list("primitives", kPrimitive), list("weights", kWeight)};
 constexpr Rule kMesh = object("", kMeshMembers).checkedWhenUsed("{}");
 
 // Materials. tinygltf would read every image, used or not, so it does not see them.

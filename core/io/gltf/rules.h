@@ -22,7 +22,6 @@ enum class Type {
   kShape,       ///< SCALAR, VEC3, ...
   kAttributes,  ///< A mesh primitive's: names with the indices of accessors.
   kMarker,      ///< Anything: only its presence counts.
-  kMarkers,     ///< An array: only whether it has elements counts.
   kObject,
   kList,
 };

@@ -19,7 +19,8 @@ inline constexpr int kMaxJsonValues = 4'000'000;
 struct JsonLimits {
   int depth = kMaxJsonDepth;
   int values = kMaxJsonValues;
-  std::string_view leftOut;  ///< Members of this name are checked and counted but not kept; "" for none.
+  std::string_view leftOut;   ///< Members of this name are checked and counted but not kept; "" for none.
+  std::string_view keptIn{};  ///< But kept in the elements of the root's list of this name.
 };
 
 /// One JSON value, with value semantics. Objects keep the order of their keys. Numbers stay text, so that what is not

@@ -58,7 +58,7 @@ class Builder {
 
   bool key(string_t& name) {
     pendingKey_ = name;
-    if (leftOutAt_ == 0 && !limits_.leftOut.empty() && name == limits_.leftOut) leftOutAt_ = stack_.size();
+    if (leftOutAt_ == 0 && !limits_.leftOut.empty() && name == limits_.leftOut && !kept()) leftOutAt_ = stack_.size();
     if (stack_.back().keys.insert(name).second) return true;
     return fail(shortPath(), "this key stands twice in its object");
   }
@@ -111,6 +111,11 @@ class Builder {
     if (stack_.empty()) root_ = std::move(node);
     else stack_.back().node.children.push_back(std::move(node));
     return true;
+  }
+
+  /// Whether the object at hand is an element of the list that keeps the member.
+  [[nodiscard]] bool kept() const {
+    return stack_.size() == 3 && !limits_.keptIn.empty() && stack_[1].node.key == limits_.keptIn;
   }
 
   bool count() {

@@ -100,27 +100,41 @@ glm::dvec4 slerp(glm::dvec4 a, glm::dvec4 b, double t) {
   return (std::sin((1.0 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle);
 }
 
-/// Morph weights of a node at a time of a clip, linear or stepped between keys; of the mesh where nothing moves them.
+/// Morph weights of a node at a time of a clip; of the node or its mesh where nothing moves them.
 std::vector<double> morphWeights(const tinygltf::Model& model, int node, std::optional<std::size_t> clip, double time) {
   const tinygltf::Node& shown = model.nodes.at(at(node));
-  std::vector<double> weights = model.meshes.at(at(shown.mesh)).weights;
+  const tinygltf::Mesh& mesh = model.meshes.at(at(shown.mesh));
+  std::vector<double> weights = mesh.weights;
   if (!shown.weights.empty()) weights = shown.weights;
-  if (!clip) return weights;
+  weights.resize(mesh.primitives.front().targets.size(), 0.0);
+  if (!clip || weights.empty()) return weights;
   const tinygltf::Animation& animation = model.animations.at(*clip);
   for (const tinygltf::AnimationChannel& channel : animation.channels) {
     if (channel.target_path != "weights" || channel.target_node != node) continue;
     const tinygltf::AnimationSampler& sampler = animation.samplers.at(at(channel.sampler));
     const std::vector<double> times = numbers(model, sampler.input);
     const std::vector<double> values = numbers(model, sampler.output);
-    const std::size_t count = values.size() / times.size();
+    const std::size_t count = weights.size();
+    const bool cubic = sampler.interpolation == "CUBICSPLINE";
+    EXPECT_EQ(values.size(), times.size() * count * (cubic ? 3 : 1));
+    // glTF 2.0, 3.11: of each key all in-tangents, then all values, then all out-tangents.
+    const auto part = [&](std::size_t key, std::size_t k, std::size_t which) {
+      return cubic ? values.at((3 * key + which) * count + k) : values.at(key * count + k);
+    };
     const auto after = static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), time) - times.begin());
     const std::size_t next = std::min(after, times.size() - 1);
     const std::size_t key = after == 0 ? 0 : after - 1;
     const double span = times[next] - times[key];
     const double t = span > 0.0 && sampler.interpolation != "STEP" ? (time - times[key]) / span : 0.0;
-    weights.assign(count, 0.0);
     for (std::size_t k = 0; k < count; ++k) {
-      weights[k] = (1.0 - t) * values[key * count + k] + t * values[next * count + k];
+      const double a = part(key, k, 1);
+      const double b = part(next, k, 1);
+      weights[k] = a + (b - a) * t;
+      if (!cubic) continue;
+      const double u = 1.0 - t;  // The same polynomial as appendix C's, by Bernstein.
+      const double first = a + span * part(key, k, 2) / 3.0;
+      const double second = b - span * part(next, k, 0) / 3.0;
+      weights[k] = u * u * u * a + 3 * u * u * t * first + 3 * u * t * t * second + t * t * t * b;
     }
   }
   return weights;
@@ -330,6 +344,15 @@ std::vector<RawTriangle> GltfOracle::Impl::collected(std::optional<std::size_t> 
       add(primitive, world[n], joints, weights, result);
     }
   }
+  return result;
+}
+
+std::vector<glm::dvec3> GltfOracle::morphedPositions(int mesh, int primitive,
+                                                     const std::vector<double>& weights) const {
+  const auto& primitives = impl_->model.meshes.at(at(mesh)).primitives;
+  const std::vector<double> all = impl_->morphed(primitives.at(at(primitive)), weights);
+  std::vector<glm::dvec3> result;
+  for (std::size_t i = 0; i + 2 < all.size(); i += 3) result.emplace_back(all[i], all[i + 1], all[i + 2]);
   return result;
 }
 

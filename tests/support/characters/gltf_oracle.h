@@ -1,8 +1,8 @@
 // tests/support/characters/gltf_oracle.h: what a raw glTF file looks like at a time, in double.
 //
 // Reads with tinygltf alone, without the import's guard, and shares no code with core: own node tree, own
-// sampling (glTF 2.0, appendix C), own skinning, own morph targets. Knows what the test files hold: triangle lists and
-// triangles' skins.
+// sampling (glTF 2.0, appendix C), own skinning, own morph targets and their weights. Knows what the test files hold:
+// triangle lists and triangles' skins.
 #pragma once
 
 #include <array>
@@ -27,6 +27,9 @@ class GltfOracle {
   /// Triangles in file order at a time of a clip; without a clip the nodes rest.
   [[nodiscard]] std::vector<RawTriangle> triangles(std::optional<std::size_t> clip, double time) const;
 
+  /// POSITION of a primitive with its targets, in mesh space. @param weights  [targets]
+  [[nodiscard]] std::vector<glm::dvec3> morphedPositions(int mesh, int primitive,
+                                                         const std::vector<double>& weights) const;
   /// Unit normals of their corners, skinned by the inverse transpose. @param morphed  false: without morph targets
   [[nodiscard]] std::vector<RawTriangle> normals(std::optional<std::size_t> clip, double time, bool morphed) const;
 

@@ -7,6 +7,7 @@
 
 #include "core/base/at.h"
 #include "core/character/skinning.h"
+#include "sinew/character/character_pose.h"
 #include "sinew/io/gltf_import.h"
 #include "sinew/skeleton/pose.h"
 #include "tests/support/characters/gltf_oracle.h"
@@ -71,8 +72,7 @@ void expectSkinsLikeTheFile(const std::filesystem::path& file, double tolerance)
     EXPECT_NEAR(duration, static_cast<double>(character.clips[clip].duration), 1e-6 * std::max(1.0, duration));
     for (const double share : {0.0, 0.1, 0.37, 0.5, 0.81, 1.0}) {
       const auto time = static_cast<float>(share * duration);
-      compare(samplePose(character.skeleton, character.clips[clip], time),
-              oracle.triangles(clip, static_cast<double>(time)),
+      compare(samplePose(character, character.clips[clip], time), oracle.triangles(clip, static_cast<double>(time)),
               character.clips[clip].name + " at " + std::to_string(time));
     }
   }

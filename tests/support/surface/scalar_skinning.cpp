@@ -23,7 +23,7 @@ void skinVertices(const SkinInputs& inputs) {
   for (std::size_t v = 0; v < inputs.directions.size(); ++v) {
     const glm::mat4 matrix = blend(*inputs.mesh, inputs.matrices, static_cast<int>(v));
     if (!inputs.outPositions.empty()) {
-      inputs.outPositions[v] = glm::vec3(matrix * glm::vec4(inputs.mesh->positions[v], 1.0f));
+      inputs.outPositions[v] = glm::vec3(matrix * glm::vec4(inputs.positions[v], 1.0f));
     }
     inputs.outDirections[v] = carry(inputs.directions[v], matrix);
   }
@@ -32,7 +32,8 @@ void skinVertices(const SkinInputs& inputs) {
 void skinWedges(const WedgeInputs& inputs) {
   for (std::size_t w = 0; w < inputs.wedges.size(); ++w) {
     const Wedge& wedge = inputs.wedges[w];
-    if (wedge.creased) inputs.out[w] = carry(wedge.normal, blend(*inputs.mesh, inputs.matrices, wedge.vertex));
+    if (wedge.creased)
+      inputs.out[w] = carry(inputs.normalOf(wedge), blend(*inputs.mesh, inputs.matrices, wedge.vertex));
   }
 }
 

@@ -52,6 +52,7 @@ struct SkinnedExportSettings {
   std::vector<std::string> clips{};  ///< Names of those to keep; empty: all.
   int helpers = kDefaultHelpers;     ///< Joints that kHelpers may add, 0..kMostHelpers.
   JointScale jointScale = JointScale::kFull;
+  bool morphs = true;  ///< Morph targets come along, with their weights in the clips.
 };
 
 /// The vertex and the moment of a largest distance.
@@ -94,6 +95,9 @@ struct SkinnedExportReport {
   std::shared_ptr<const ExportedSurface> played;  ///< What the file shows.
 };
 
+/// Morph targets: the refined mesh has each as the surface with it at 1 less that with none, in the bind pose; the
+/// file's own vertices keep theirs. Where the rig changes weights of a node, keys replace the file's. What is printed
+/// of errors includes them.
 /// Writes `characterFile` again with the surface of the bind pose in place of its meshes; nodes, clips, materials,
 /// images, extensions and extras stay as they are there. A .gltf has NAME.bin beside it; a .usda, which holds what USD
 /// can say of it (docs/export.md), its textures NAME_N.png or .jpg. All are whole or not written.

@@ -10,6 +10,7 @@ namespace sinew {
 
 struct Primitive;
 struct LineSettings;
+struct MorphWeight;
 struct SurfaceSettings;
 
 enum class Parameter {
@@ -31,9 +32,11 @@ enum class Parameter {
   kFlexWidth,
   // The surface's.
   kSkinBlend,
+  // A morph target's.
+  kMorphWeight,
 };
 
-enum class ParameterOwner { kPrimitive, kLine, kSurface };
+enum class ParameterOwner { kPrimitive, kLine, kSurface, kMorph };
 
 [[nodiscard]] ParameterOwner ownerOf(Parameter parameter);
 [[nodiscard]] constexpr bool isRadius(Parameter parameter) {
@@ -60,6 +63,7 @@ enum class ParameterOwner { kPrimitive, kLine, kSurface };
 [[nodiscard]] float* numberIn(Primitive& primitive, Parameter parameter);
 [[nodiscard]] float* numberIn(LineSettings& line, Parameter parameter);
 [[nodiscard]] float* numberIn(SurfaceSettings& surface, Parameter parameter);
+[[nodiscard]] float* numberIn(MorphWeight& morph, Parameter parameter);
 [[nodiscard]] float numberOf(const Primitive& primitive, Parameter parameter);
 [[nodiscard]] float numberOf(const LineSettings& line, Parameter parameter);
 [[nodiscard]] float numberOf(const SurfaceSettings& surface, Parameter parameter);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "sinew/mesh/mesh_part.h"
 #include "sinew/primitives/ellipsoid.h"
 #include "sinew/rig/animated_number.h"
 #include "sinew/rig/muscle_line.h"
@@ -30,6 +31,8 @@ inline constexpr int kMaxDepth = 16;
 inline constexpr float kDefaultTolerance = 0.001f;  ///< Of adaptive detail, fraction of H.
 inline constexpr float kLeastTolerance = 0.0001f;
 inline constexpr float kMostTolerance = 0.01f;
+inline constexpr float kLeastMorphWeight = -10.0f;
+inline constexpr float kMostMorphWeight = 10.0f;
 
 // Beyond these the skin's own field W = h / (1 - sqrt(1 - sqrt T)) leaves what numbers can hold.
 inline constexpr float kLeastIso = 0.001f;
@@ -108,12 +111,31 @@ struct Primitive {
   friend bool operator==(const Primitive&, const Primitive&) = default;
 };
 
+/// What is added to the weight of each morph target of a name, on top of what the file and the clip give it. "shapes"
+/// in the file.
+struct MorphWeight {
+  std::string name;     ///< Unique, not empty. The character may have no such target.
+  float weight = 0.0f;  ///< kLeastMorphWeight..kMostMorphWeight; 0 adds nothing.
+  std::vector<AnimatedNumber> animated;
+  std::string unknownKeys;
+
+  friend bool operator==(const MorphWeight&, const MorphWeight&) = default;
+};
+
 /// What the designer says of a part of the body, where its bone was not found or is another (docs/presets.md).
 struct SlotCorrection {
   std::string slot;  ///< Name of a body slot: "upperArm.L"; each at most once.
   std::string bone;  ///< Name or path (Skeleton::findBone). Empty: the character has no such part.
 
   friend bool operator==(const SlotCorrection&, const SlotCorrection&) = default;
+};
+
+/// What the designer says of a part of the mesh, where the guess is wrong. "layers" in the file.
+struct LayerCorrection {
+  std::string part;  ///< Name of a MeshPart; each at most once. The character may have no such part.
+  Layer layer = Layer::kSkin;
+
+  friend bool operator==(const LayerCorrection&, const LayerCorrection&) = default;
 };
 
 /// Primitives + lines + groups + links + settings. Two rigs with equal members are the same document.
@@ -127,6 +149,9 @@ struct Rig {
   std::vector<MuscleLine> lines;
   std::vector<Primitive> primitives;
   std::vector<SlotCorrection> slots;
+  std::vector<MorphWeight> morphs;
+  std::vector<std::string> clipFiles;  ///< Files whose clips are added, relative to the rig file. "clips" in the file.
+  std::vector<LayerCorrection> layers;
   std::string unknownKeys;
 
   friend bool operator==(const Rig&, const Rig&) = default;
@@ -136,6 +161,7 @@ struct Rig {
 [[nodiscard]] int findPrimitive(const Rig& rig, const std::string& name);
 [[nodiscard]] int findGroup(const Rig& rig, const std::string& name);
 [[nodiscard]] int findLine(const Rig& rig, const std::string& name);
+[[nodiscard]] int findMorph(const Rig& rig, const std::string& name);
 /// The line that carries a primitive, or null.
 [[nodiscard]] const MuscleLine* lineOf(const Rig& rig, const Primitive& primitive);
 /// Index by identity, or -1.

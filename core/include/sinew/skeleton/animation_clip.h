@@ -1,6 +1,7 @@
 // core/include/sinew/skeleton/animation_clip.h: keyframes for nodes, sampled as glTF 2.0 defines (3.11, appendix C).
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,16 @@ struct Channel {
       values;  ///< [K], or [3K] for cubic splines: in-tangent, value, out-tangent. Rotations x,y,z,w.
 };
 
+/// The animated weights of all morph targets of one node. Times as for Channel.
+struct MorphChannel {
+  int firstTarget = 0;  ///< Index into Character::morphTargets.
+  int targets = 0;      ///< How many; > 0.
+  Interpolation interpolation = Interpolation::kLinear;
+  std::vector<float> times;  ///< [K]
+  std::vector<float>
+      values;  ///< [K][targets], or [K][3][targets] for cubic splines: in-tangents, values, out-tangents.
+};
+
 struct AnimationClip {
   std::string name;
   float duration = 0.0f;  ///< Largest key time of any channel, seconds.
@@ -28,7 +39,13 @@ struct AnimationClip {
   /// The rotations turn joints of the bind pose (pose_override.h), where a file's clip places nodes. Made in memory
   /// alone (range_of_motion.h); no file holds such a clip.
   bool turnsBindPose = false;
+  std::vector<MorphChannel> morphChannels{};
+  std::string source{};  ///< The entry of Rig::clipFiles that it was added from; empty: the character's own file.
 };
+
+/// The weights of a channel's targets at a time, seconds; before the first key the first, after the last the last.
+/// @param out [targets]
+void sampleMorphs(const MorphChannel& channel, float time, std::span<float> out);
 
 /// Value at a time, seconds; before the first key the first value, after the last the last. Rotations come back unit.
 [[nodiscard]] glm::vec4 sampleChannel(const Channel& channel, float time);
