@@ -5,6 +5,7 @@ ASKED.json: [[clip, [seconds, ...]], ...]. OUT.json: [[clip, seconds, {object: [
 FILE: a .glb, or an .obj with a .pc2 or .mdd of 30 frames a second beside it."""
 import json
 import os
+import struct
 import sys
 
 import numpy
@@ -13,17 +14,39 @@ numpy.bool = bool  # Blender 3.4's importer asks for it by its old name.
 import bpy
 
 
-def resting():
-    """Where the importer has put objects, bones and shapes."""
-    placed = [bone for item in bpy.data.objects if item.pose for bone in item.pose.bones] + list(bpy.data.objects)
-    keys = [key for each in bpy.data.shape_keys for key in each.key_blocks]
-    return [(item, "matrix_basis", item.matrix_basis.copy()) for item in placed] + [(key, "value", key.value) for key in keys]
+def placed():
+    """{name: (what, its property)} of objects, bones and shapes."""
+    items = {item.name: (item, "matrix_basis") for item in bpy.data.objects}
+    items |= {(item.name, bone.name): (bone, "matrix_basis")
+              for item in bpy.data.objects if item.pose for bone in item.pose.bones}
+    return items | {(keys.name, key.name): (key, "value") for keys in bpy.data.shape_keys for key in keys.key_blocks}
+
+
+def resting(file):
+    """Where all stands while no clip plays. With clips the importer leaves the pose of one of them, so that the file is
+    opened without."""
+    data = open(file, "rb").read()
+    size = struct.unpack_from("<I", data, 12)[0]
+    root = json.loads(data[20:20 + size])
+    root.pop("animations", None)
+    text = json.dumps(root).encode()
+    text += b" " * (-len(text) % 4)
+    bare = file.removesuffix(".glb") + ".rest.glb"
+    with open(bare, "wb") as out:
+        total = 20 + len(text) + len(data) - 20 - size
+        out.write(struct.pack("<4sIIII", b"glTF", 2, total, len(text), 0x4E4F534A) + text + data[20 + size:])
+    show(bare)
+    rest = {name: getattr(item, value) if value == "value" else getattr(item, value).copy()
+            for name, (item, value) in placed().items()}
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    return rest
 
 
 def play(clip, rest):
     """Every object moves by its action of that clip, and by nothing else: what it does not move rests."""
-    for item, name, value in rest:
-        setattr(item, name, value)
+    for name, (item, value) in placed().items():
+        if name in rest:
+            setattr(item, value, rest[name])
     shapes = [item.data.shape_keys for item in bpy.data.objects if item.type == "MESH" and item.data.shape_keys]
     for item in [*bpy.data.objects, *shapes]:
         if not item.animation_data:
@@ -65,11 +88,11 @@ def show(file):
 
 def main():
     file, asked, out = sys.argv[sys.argv.index("--") + 1:]
-    for item in list(bpy.data.objects):
-        bpy.data.objects.remove(item)
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    rest = resting(file) if file.endswith(".glb") else {}
     show(file)
     scene = bpy.context.scene
-    seen, rest = [], resting()
+    seen = []
     for clip, times in json.load(open(asked)):
         play(clip, rest)
         for seconds in times:
