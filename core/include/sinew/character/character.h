@@ -7,7 +7,6 @@
 
 #include "sinew/character/body_part.h"
 #include "sinew/mesh/control_mesh.h"
-#include "sinew/mesh/mesh_part.h"
 #include "sinew/mesh/morph_target.h"
 #include "sinew/skeleton/animation_clip.h"
 #include "sinew/skeleton/skeleton.h"
@@ -16,45 +15,30 @@ namespace sinew {
 
 enum class TextureWrap { kRepeat, kClampToEdge, kMirroredRepeat };
 
-/// Image, 8 bits, RGBA, top row first; width * height * 4 bytes. Colors are in sRGB.
+/// Image in sRGB, 8 bits, RGBA, top row first; width * height * 4 bytes.
 struct Texture {
   std::string name;
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgba;
-  std::vector<std::uint8_t> encoded;  ///< The PNG, JPEG or WebP it came from, for export.
-  std::string mimeType;               ///< "image/png", "image/jpeg" or "image/webp".
+  std::vector<std::uint8_t> encoded;  ///< The PNG or JPEG it came from, for export.
+  std::string mimeType;               ///< "image/png" or "image/jpeg".
   TextureWrap wrapU = TextureWrap::kRepeat;
   TextureWrap wrapV = TextureWrap::kRepeat;
   bool nearest = false;  ///< Magnify without smoothing.
-  bool linear = false;   ///< Numbers, not colors: directions, roughness, occlusion. Not in sRGB.
-};
-
-/// How a material reads a map other than the base color's (KHR_texture_transform included).
-struct TextureUse {
-  int texture = -1;           ///< Index into Character::textures, or -1: none.
-  int uvSet = 0;              ///< 0: Wedge::uv, 1: Wedge::otherUv.
-  glm::mat3 transform{1.0f};  ///< (u, v, 1) of that set -> the map's own.
 };
 
 enum class AlphaMode { kOpaque, kMask, kBlend };
 
-/// glTF's metallic-roughness model (glTF 2.0, 3.9 and appendix B). Colors linear. The base color is baseColor * texture
+/// The part of glTF's metallic-roughness model that Sinew draws. Colors linear. The base color is baseColor * texture
 /// * Wedge::color.
 struct Material {
   std::string name;
   glm::vec4 baseColor{1.0f};
   int baseColorTexture = -1;  ///< Index into Character::textures, or -1.
-  float metallic = 0.0f;      ///< 0..1, times blue of metallicRoughnessMap.
-  float roughness = 1.0f;     ///< 0..1, times green of metallicRoughnessMap.
-  glm::vec3 emissive{0.0f};   ///< Times emissiveMap; above 1 where the file gives a strength.
-  TextureUse metallicRoughnessMap{};
-  TextureUse normalMap{};  ///< Directions in the tangent frame.
-  float normalScale = 1.0f;
-  TextureUse occlusionMap{};       ///< Red.
-  float occlusionStrength = 1.0f;  ///< 0..1
-  TextureUse emissiveMap{};
-  bool unlit = false;  ///< KHR_materials_unlit: the base color as it is.
+  float metallic = 0.0f;      ///< 0..1
+  float roughness = 1.0f;     ///< 0..1
+  glm::vec3 emissive{0.0f};
   AlphaMode alphaMode = AlphaMode::kOpaque;
   float alphaCutoff = 0.5f;
   bool doubleSided = false;
@@ -65,7 +49,6 @@ struct Material {
 struct Character {
   std::string name;                       ///< File name without folder and ending.
   ControlMesh mesh;                       ///< With every morph target at 0.
-  std::vector<MeshPart> parts;            ///< ControlTriangle::part counts into them.
   std::vector<MorphTarget> morphTargets;  ///< Those of one node in the order of its mesh.
   std::vector<MorphSet> morphSets;        ///< Expressions; their names are unlike those of targets.
   Skeleton skeleton;

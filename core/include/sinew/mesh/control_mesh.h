@@ -23,9 +23,7 @@ struct Wedge {
   glm::vec4 color{1.0f};  ///< Vertex color, linear RGBA, 0..1: a factor on the material's base color.
   bool creased = false;   ///< Shaded with `normal`, not with the vertex's. Made by creased (mesh/creases.h).
   glm::vec3 normal{0.0f, 1.0f, 0.0f};  ///< Bind pose, unit; read only where creased.
-  int fan = -1;             ///< Where creased: which normal, numbered from 0. Wedges with the same fan share it.
-  glm::vec2 otherUv{0.0f};  ///< A second set, for maps that do not use `uv`.
-  glm::vec4 tangent{0.0f};  ///< Bind pose, unit, as in the file; w: +1 or -1, the side of the bitangent, 0: none given.
+  int fan = -1;  ///< Where creased: which normal, numbered from 0. Wedges with the same fan share it.
 };
 
 /// Edge between two geometric vertices; vertices[0] < vertices[1].
@@ -40,7 +38,6 @@ struct ControlTriangle {
   std::array<int, 3> wedges{};
   std::array<int, 3> edges{};
   int material = 0;
-  int part = 0;  ///< Index into Character::parts.
 };
 
 /// The control mesh in the bind pose, welded (mesh/weld.h). Positions in world space, character units.

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "sinew/mesh/mesh_part.h"
 #include "sinew/primitives/ellipsoid.h"
 #include "sinew/rig/animated_number.h"
 #include "sinew/rig/muscle_line.h"
@@ -130,14 +129,6 @@ struct SlotCorrection {
   friend bool operator==(const SlotCorrection&, const SlotCorrection&) = default;
 };
 
-/// What the designer says of a part of the mesh, where the guess is wrong. "layers" in the file.
-struct LayerCorrection {
-  std::string part;  ///< Name of a MeshPart; each at most once. The character may have no such part.
-  Layer layer = Layer::kSkin;
-
-  friend bool operator==(const LayerCorrection&, const LayerCorrection&) = default;
-};
-
 /// Primitives + lines + groups + links + settings. Two rigs with equal members are the same document.
 struct Rig {
   std::string character;  ///< Path relative to the rig file, "/" between; or absolute as the designer typed it.
@@ -150,8 +141,6 @@ struct Rig {
   std::vector<Primitive> primitives;
   std::vector<SlotCorrection> slots;
   std::vector<MorphWeight> morphs;
-  std::vector<std::string> clipFiles;  ///< Files whose clips are added, relative to the rig file. "clips" in the file.
-  std::vector<LayerCorrection> layers;
   std::string unknownKeys;
 
   friend bool operator==(const Rig&, const Rig&) = default;

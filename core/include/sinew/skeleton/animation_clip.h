@@ -40,7 +40,6 @@ struct AnimationClip {
   /// alone (range_of_motion.h); no file holds such a clip.
   bool turnsBindPose = false;
   std::vector<MorphChannel> morphChannels{};
-  std::string source{};  ///< The entry of Rig::clipFiles that it was added from; empty: the character's own file.
 };
 
 /// The weights of a channel's targets at a time, seconds; before the first key the first, after the last the last.
