@@ -6,8 +6,6 @@ source "$root/cmake/packages.sh"
 
 sinewInstallPackages "${sinewTestPackages[@]}"
 began=$SECONDS
-SINEW_TESTS_BEGAN=$(date +%s)
-export SINEW_TESTS_BEGAN  # tests/ci/part.sh leaves out what would come too late.
 sinewBuild "$root" ci
 sinewSay "the build took $((SECONDS - began)) s"
 

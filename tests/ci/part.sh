@@ -12,10 +12,6 @@ step() {
   echo "ci/$part: $1: $((SECONDS - began)) s"
 }
 
-# What is left out where a first build of everything has taken so long that the run as a whole would not finish.
-kLatestStart=1500  # Seconds after the beginning of test.sh.
-startsTooLate() { [[ -n ${SINEW_TESTS_BEGAN:-} ]] && (($(date +%s) - SINEW_TESTS_BEGAN > kLatestStart)); }
-
 # Warnings are errors here, too.
 clang() {
   command -v clang++-14 >/dev/null || { echo "left out: ci/clang, clang++-14 is not installed"; exit 77; }
@@ -32,10 +28,6 @@ testUnderSanitizers() {
 
 # All tests of core but those that would say nothing new: they run no code of core themselves, or take minutes here.
 sanitizers() {
-  if startsTooLate; then
-    echo "left out: ci/sanitizers, as the build before it took over $((kLatestStart / 60)) minutes; .ci/run again, or .ci/run -R ci/sanitizers"
-    exit 77
-  fi
   step configure cmake -S "$source" --preset asan -B "$build/asan" "${options[@]}"
   step build cmake --build "$build/asan"
   step test testUnderSanitizers
