@@ -12,8 +12,8 @@
 namespace sinew {
 namespace {
 
-constexpr float kOwnPlace = 0.05f;  ///< Of H: nearer than this to its own place is there.
-constexpr float kOnAxis = 1e-5f;    ///< Of H.
+constexpr float kOwnPlace = 0.05f;     ///< Of H: nearer than this to its own place is there.
+constexpr float kPointOnAxis = 1e-5f;  ///< Of H.
 
 bool isTrunk(Slot slot) { return slot <= Slot::kUpperChest; }
 
@@ -48,7 +48,8 @@ std::optional<MarkOnSkin> markOnSkin(const MeasuredBody& body, int bone, const g
   MarkOnSkin found;
   if (slot.isSided()) found.side = slot.side;
   else if (glm::dot(inBind - image, body.frame.slots.left) < 0.0f) found.side = BodySide::kRight;
-  const PartPlace place = placeAt(*axis, found.side == BodySide::kLeft ? inBind : image, kOnAxis * body.frame.height);
+  const PartPlace place =
+      placeAt(*axis, found.side == BodySide::kLeft ? inBind : image, kPointOnAxis * body.frame.height);
   found.mark = {partOf(slot.slot), std::clamp(place.u, -kMostU, kMostU), place.angle, 0.0f};
   return found;
 }

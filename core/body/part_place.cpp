@@ -12,8 +12,8 @@ namespace sinew {
 namespace {
 
 constexpr float kDegrees = 180.0f / std::numbers::pi_v<float>;
-constexpr float kAround = 0.3f;  ///< Way along the axis on both sides of the nearest point, in its length.
-constexpr int kHalvings = 40;    ///< To the last bit.
+constexpr float kSearchedAround = 0.3f;  ///< Way along the axis on both sides of the nearest point, in its length.
+constexpr int kHalvings = 40;            ///< To the last bit.
 
 /// The way along an axis whose level a point lies at: the root of dot(point - axis(u), direction(u)) next to the
 /// nearest point of the axis.
@@ -34,8 +34,8 @@ float wayAlong(const PartAxis& axis, const glm::vec3& point) {
     }
     done += std::sqrt(square);
   }
-  float low = nearest - kAround;
-  float high = nearest + kAround;
+  float low = nearest - kSearchedAround;
+  float high = nearest + kSearchedAround;
   if (level(low) < 0.0f || level(high) > 0.0f) return nearest;
   for (int i = 0; i < kHalvings; ++i) {
     const float middle = 0.5f * (low + high);

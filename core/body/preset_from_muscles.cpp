@@ -24,16 +24,16 @@ namespace sinew {
 namespace {
 
 constexpr float kDegrees = 180.0f / std::numbers::pi_v<float>;
-constexpr float kOnAxis = 1e-5f;      ///< Of H: so near the axis there is no angle.
+constexpr float kMarkOnAxis = 1e-5f;  ///< Of H: so near the axis there is no angle.
 constexpr float kLeastDepth = 0.01f;  ///< 0 stands for what anchors have without a depth.
 constexpr float kAcross = 0.15f;      ///< Of its width: so near the mirror plane a single muscle lies across it.
-constexpr float kLeastDefinition = 0.05f;
+constexpr float kLeastMarkedDefinition = 0.05f;
 constexpr float kNear = 1e-3f;        ///< Of H: a belly so near its place is there.
 constexpr float kLeastRadial = 0.3f;  ///< Of a radial line along a normal.
 constexpr int kSteps = 8;
 
 /// A belly in the world of the bind pose, on the left side, with the axes that a preset calls it by.
-struct Belly {
+struct WorldBelly {
   Placement world;
   glm::vec3 center{0.0f};
   glm::vec3 across{0.0f};
@@ -45,9 +45,9 @@ struct Belly {
 };
 
 /// @param height  which axis is the height: z, or x
-Belly bellyOf(const Placement& world, glm::length_t height, const glm::vec3& outwards) {
+WorldBelly bellyOf(const Placement& world, glm::length_t height, const glm::vec3& outwards) {
   const glm::mat3 axes = glm::mat3_cast(world.rotation);
-  Belly belly;
+  WorldBelly belly;
   belly.world = world;
   belly.center = world.center;
   belly.along = axes[1];
@@ -59,7 +59,7 @@ Belly bellyOf(const Placement& world, glm::length_t height, const glm::vec3& out
   return belly;
 }
 
-glm::vec2 bendOf(const Belly& belly) {
+glm::vec2 bendOf(const WorldBelly& belly) {
   const glm::mat3 axes = glm::mat3_cast(belly.world.rotation);
   const glm::vec2& own = belly.world.shape.bend;
   const glm::vec3 way = own.x * belly.world.radii.x * axes[0] + own.y * belly.world.radii.z * axes[2];
@@ -88,8 +88,8 @@ class PresetMaker {
   [[nodiscard]] Result<BodySlot> partOf(const std::string& bone) const;
   [[nodiscard]] Result<OnLeft> onLeft(int index) const;
   [[nodiscard]] Result<Mark> anchor(const LineAnchor& anchor) const;
-  [[nodiscard]] std::optional<Marked> markBelly(const Belly& belly, PresetMuscle& muscle) const;
-  void markTurns(const Belly& belly, const FleshPoint& flesh, const std::optional<glm::vec3>& way,
+  [[nodiscard]] std::optional<Marked> markBelly(const WorldBelly& belly, PresetMuscle& muscle) const;
+  void markTurns(const WorldBelly& belly, const FleshPoint& flesh, const std::optional<glm::vec3>& way,
                  PresetMuscle& muscle) const;
   [[nodiscard]] const PartAxis* axisOf(Slot slot) const {
     const auto& axis = at(body_.frame.axes, static_cast<int>(slot));
@@ -149,7 +149,7 @@ Result<Mark> PresetMaker::anchor(const LineAnchor& anchor) const {
   const PartAxis* axis = body_.frame.axisOf({slot, 0.0f, 0.0f, 0.0f}, start);
   if (axis == nullptr) return errorAt("", std::string("sets have no place for its line on the ") + nameOf(slot));
   const glm::vec3 point(bindOf(anchor.bone) * glm::vec4(anchor.point, 1.0f));
-  const PartPlace place = placeAt(*axis, point, kOnAxis * body_.frame.height);
+  const PartPlace place = placeAt(*axis, point, kMarkOnAxis * body_.frame.height);
   Mark mark{slot, axisOf(slot) == axis ? std::clamp(place.u, -kMostU, kMostU) : 0.0f, place.angle, 0.0f};
   const auto flesh = body_.flesh.measure(mark, false);
   if (!flesh) return errorAt("", "an end of its line has no flesh round it");
@@ -158,13 +158,13 @@ Result<Mark> PresetMaker::anchor(const LineAnchor& anchor) const {
 }
 
 /// The mark over which place_muscle.cpp would put this center, and how far it stands out. nullopt: no skin there.
-std::optional<PresetMaker::Marked> PresetMaker::markBelly(const Belly& belly, PresetMuscle& muscle) const {
+std::optional<PresetMaker::Marked> PresetMaker::markBelly(const WorldBelly& belly, PresetMuscle& muscle) const {
   const PartAxis& axis = *axisOf(muscle.belly.slot);
   const auto exit = body_.flesh.leave(belly.center, belly.normal, zonesAround(muscle.belly.slot));
   glm::vec3 wanted = belly.center + (exit ? exit->distance : belly.height) * belly.normal;
   std::optional<Marked> best;
   for (int step = 0; step < kSteps; ++step) {
-    const PartPlace place = placeAt(axis, wanted, kOnAxis * body_.frame.height);
+    const PartPlace place = placeAt(axis, wanted, kMarkOnAxis * body_.frame.height);
     Mark mark{muscle.belly.slot, std::clamp(place.u, -kMostU, kMostU), place.angle, 0.0f};
     const auto flesh = body_.flesh.measure(mark);
     if (!flesh) break;
@@ -186,7 +186,7 @@ std::optional<PresetMaker::Marked> PresetMaker::markBelly(const Belly& belly, Pr
 }
 
 /// From where the fibres would lie to where they do: turned in the skin, tilted out of it, rolled about themselves.
-void PresetMaker::markTurns(const Belly& belly, const FleshPoint& flesh, const std::optional<glm::vec3>& way,
+void PresetMaker::markTurns(const WorldBelly& belly, const FleshPoint& flesh, const std::optional<glm::vec3>& way,
                             PresetMuscle& muscle) const {
   const PartAxis& axis = *axisOf(muscle.belly.slot);
   const auto inSkin = [&](const glm::vec3& direction) {
@@ -219,14 +219,14 @@ Result<PresetMuscle> PresetMaker::muscle(int index) const {
   const glm::dmat4 bind(bindOf(primitive.bone));
   Placement world = imageOf(primitive.placement, {glm::dmat3(bind), glm::dvec3(bind[3])});
   if (!own->line) world = withLongAxisY(world);
-  const PartPlace place = placeAt(*axis, world.center, kOnAxis * body_.frame.height);
+  const PartPlace place = placeAt(*axis, world.center, kMarkOnAxis * body_.frame.height);
   // As the program lays them z is the height; of others what the skin lies over best.
   const auto under = body_.flesh.measure({muscle.belly.slot, place.u, place.angle, 0.0f});
   const glm::vec3 outwards = under ? under->normal : axis->radial(place.u, place.angle);
-  Belly belly = bellyOf(world, 2, outwards);
+  WorldBelly belly = bellyOf(world, 2, outwards);
   auto marked = markBelly(belly, muscle);
   if (!marked || marked->off > kNear * body_.frame.height) {
-    const Belly other = bellyOf(world, 0, outwards);
+    const WorldBelly other = bellyOf(world, 0, outwards);
     PresetMuscle turned = muscle;
     auto better = markBelly(other, turned);
     if (better && (!marked || better->off < marked->off)) {
@@ -281,7 +281,7 @@ void shareNumbers(Preset& preset) {
     definitions.push_back(muscle.definition);
     reaches.push_back(muscle.reach);
   }
-  preset.definition = std::max(median(std::move(definitions)), kLeastDefinition);
+  preset.definition = std::max(median(std::move(definitions)), kLeastMarkedDefinition);
   preset.reach = median(std::move(reaches));
   for (PresetMuscle& muscle : preset.muscles) {
     muscle.definition = std::min(muscle.definition / preset.definition, kMostDefinition);

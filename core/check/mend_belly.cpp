@@ -21,7 +21,7 @@
 namespace sinew {
 namespace {
 
-constexpr float kMargin = 0.9f;  ///< Of what is found: a mended muscle has some room.
+constexpr float kBellyMargin = 0.9f;  ///< Of what is found: a mended muscle has some room.
 constexpr float kDeeper[] = {1.2f, 1.5f};
 constexpr float kEnds = 0.9f;  ///< Of the half length: where a line that only carries begins and ends.
 
@@ -242,7 +242,7 @@ Result<MendedBelly> withMendedBelly(Rig rig, int primitive, const Motions& motio
   for (Choice& choice : choicesFor(now, trial, motions.character().skeleton, asDrawn)) {
     if (choice.line && !lineRest(*choice.line, motions.character())) continue;
     const BellyTrial other(choice, rig.surface, motions);
-    if (!other.canTell() || other.trouble() > kMargin) continue;
+    if (!other.canTell() || other.trouble() > kBellyMargin) continue;
     std::string said = choice.said;
     Result<Rig> done = withChoice(std::move(rig), primitive, std::move(choice), plan);
     if (!done) return done.error();

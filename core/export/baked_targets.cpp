@@ -22,12 +22,12 @@ namespace sinew::exporting {
 namespace {
 
 /// Frames of a clip. The search for targets is cubic in them.
-constexpr int kMostFrames = 4000;
+constexpr int kMostTargetFrames = 4000;
 /// Vertices times frames that are held at once: 3 GB.
 constexpr std::size_t kMostPoints = 100'000'000;
 /// Normals that turn less, about a quarter of a degree, have no entry in a target.
 constexpr float kNormalStep = 1.0f / 256.0f;
-constexpr std::size_t kLeastRange = 1024;  ///< Vertices that are worth a thread.
+constexpr std::size_t kLeastTargetRange = 1024;  ///< Vertices that are worth a thread.
 // Shares of the work.
 constexpr double kFitting = 0.3;
 constexpr double kGathering = 0.2;
@@ -217,7 +217,7 @@ class TargetMaker {
     if (targets.count == 0) return result;
     forEachFrame([&](std::size_t frame, const Surface& surface) {
       for (std::size_t p = 0; p < primitives.size(); ++p) {
-        forEachIndex(numbers_[p].size(), kLeastRange, [&](std::size_t v) {
+        forEachIndex(numbers_[p].size(), kLeastTargetRange, [&](std::size_t v) {
           const glm::dmat3 blend = blendedMatrix(matrices_, at(fit_.weights(), primitives[p].refined[v]));
           const glm::vec3 live = shadingNormal(surface, toIndex(primitives[p].drawn[v]));
           const glm::vec3 inBind = normalizeOr(glm::vec3(glm::transpose(blend) * glm::dvec3(live)), live);
@@ -259,7 +259,7 @@ class TargetMaker {
 Result<BakedExportReport> bakeTargets(Source& source, const std::shared_ptr<const Character>& character, const Rig& rig,
                                       const BakedExportSettings& settings, const std::filesystem::path& file,
                                       const ExportProgress& progress) {
-  requireFrames(*character, settings, kMostFrames);
+  requireFrames(*character, settings, kMostTargetFrames);
   SkinnedExportSettings skinning;
   skinning.weights = settings.weights;
   skinning.clips = {settings.clip};

@@ -126,12 +126,13 @@ Result<void> validateDriver(const Driver& driver, const std::string& place) {
 }
 
 /// Lines and channels by name.
-struct Named {
+struct KnownNames {
   std::unordered_set<std::string_view> lines;
   std::unordered_set<std::string_view> channels;
 };
 
-Result<void> checkInputs(const std::vector<AnimatedNumber>& animated, const Named& known, const std::string& owner) {
+Result<void> checkInputs(const std::vector<AnimatedNumber>& animated, const KnownNames& known,
+                         const std::string& owner) {
   for (std::size_t i = 0; i < animated.size(); ++i) {
     for (std::size_t d = 0; d < animated[i].drivers.size(); ++d) {
       const DriverInput& input = animated[i].drivers[d].input;
@@ -192,7 +193,7 @@ Result<void> validateChannels(const Rig& rig) {
 }
 
 Result<void> validateInputs(const Rig& rig) {
-  Named known;
+  KnownNames known;
   for (const MuscleLine& line : rig.lines) known.lines.insert(line.name);
   for (const RigChannel& channel : rig.channels) known.channels.insert(channel.name);
   if (auto surface = checkInputs(rig.surface.animated, known, "surface"); !surface) return surface;

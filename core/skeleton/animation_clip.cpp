@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-constexpr float kMostMorphWeight = 1000.0f;  // What is played: splines may go far beyond their keys.
+constexpr float kMostPlayedWeight = 1000.0f;  // What is played: splines may go far beyond their keys.
 
 glm::quat toQuat(const glm::vec4& v) { return glm::quat(v.w, v.x, v.y, v.z); }
 glm::vec4 toVec(const glm::quat& q) { return glm::vec4(q.x, q.y, q.z, q.w); }
@@ -87,7 +87,7 @@ void sampleMorphs(const MorphChannel& channel, float time, std::span<float> out)
     float weight = a;
     if (!atKey && cubic) weight = hermite(a, value[targets + i] * span, value[perKey + i], key[perKey + i] * span, u);
     else if (!atKey && channel.interpolation == Interpolation::kLinear) weight = a + (value[perKey + i] - a) * u;
-    out[i] = std::clamp(weight, -kMostMorphWeight, kMostMorphWeight);
+    out[i] = std::clamp(weight, -kMostPlayedWeight, kMostPlayedWeight);
   }
 }
 

@@ -26,8 +26,8 @@ constexpr int kLastTurns = 8;            ///< The same once all is chosen.
 constexpr std::size_t kMostSeeds = 400;  ///< Vertices that are looked at as places.
 constexpr std::size_t kMostGains = 4;    ///< Helpers that a vertex may newly follow in a turn.
 constexpr double kTolerance = 1e-5;      ///< Times H: what is as near is not fitted.
-constexpr std::size_t kLeastRange = 64;  ///< Vertices that are worth a thread.
-constexpr float kAlmostAlone = 0.99f;    ///< A weight beside which the others say nothing.
+constexpr std::size_t kLeastHelperRange = 64;  ///< Vertices that are worth a thread.
+constexpr float kAlmostAlone = 0.99f;          ///< A weight beside which the others say nothing.
 
 /// Smooth skinning decomposition (Le and Deng, "Smooth Skinning Decomposition with Rigid Bones", 2012) with the
 /// character's own joints given: weights and rigid motions are solved by turns, each by least squares with the other
@@ -80,7 +80,7 @@ class HelperFit {
   /// Calls use(pose, vertex) for all, each vertex's poses in order.
   template <class Use>
   void forEachInEachPose(const Use& use) const {
-    forRanges(task_.rest.size(), kLeastRange, [&](std::size_t begin, std::size_t end) {
+    forRanges(task_.rest.size(), kLeastHelperRange, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = 0; f < task_.poses.size(); ++f) {
         for (std::size_t v = begin; v < end; ++v) use(f, v);
       }

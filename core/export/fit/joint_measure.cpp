@@ -14,8 +14,8 @@
 namespace sinew::exporting {
 namespace {
 
-constexpr std::size_t kLeastRange = 1024;  ///< Vertices that are worth a thread.
-constexpr double kShareOfKeys = 0.4;       ///< Of the measuring.
+constexpr std::size_t kLeastMeasuredRange = 1024;  ///< Vertices that are worth a thread.
+constexpr double kShareOfKeys = 0.4;               ///< Of the measuring.
 
 }  // namespace
 
@@ -86,7 +86,7 @@ void JointFit::measure(SkinnedExportReport& report) {
                 moveHelpers(moment, isOwn(pose), motion);
                 if (isOwn(pose)) keep(pose);
                 if (morphs) return;
-                forEachIndex(count_, kLeastRange, [&](std::size_t v) {
+                forEachIndex(count_, kLeastMeasuredRange, [&](std::size_t v) {
                   const glm::dvec3 exported = skinPoint(matrices_, weights_[v], glm::dvec3(bind_.positions[v]));
                   distances[v] = glm::length(exported - glm::dvec3(live_->positions[v]));
                 });

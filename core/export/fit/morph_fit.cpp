@@ -18,7 +18,7 @@ namespace {
 constexpr double kSingular = 0.01;
 /// ... by this, of the mean square of its singular values.
 constexpr double kDamping = 1e-4;
-constexpr std::size_t kLeastRange = 1024;  ///< Vertices that are worth a thread.
+constexpr std::size_t kLeastMorphRange = 1024;  ///< Vertices that are worth a thread.
 
 /// What displacement a blend B makes `way` of: B^-1 way, damped where B is nearly singular.
 glm::dvec3 beforeSkinning(const glm::dmat3& blend, const glm::dvec3& way) {
@@ -49,7 +49,7 @@ void MorphFit::add(std::vector<glm::dmat4> matrices, std::span<const glm::vec3> 
   Frame frame{std::move(matrices), {}, {}};
   frame.live.resize(vertices_.size());
   frame.wanted.resize(3 * vertices_.size());
-  forEachIndex(vertices_.size(), kLeastRange, [&](std::size_t v) {
+  forEachIndex(vertices_.size(), kLeastMorphRange, [&](std::size_t v) {
     const MorphVertex& vertex = vertices_[v];
     const glm::vec3& place = live[toIndex(vertex.refined)];
     const glm::dvec3 way = glm::dvec3(place) - skinPoint(frame.matrices, vertex.weights, vertex.rest);

@@ -14,7 +14,7 @@
 namespace sinew::exporting {
 namespace {
 
-constexpr std::size_t kLeastRange = 1024;  ///< Vertices that are worth a thread.
+constexpr std::size_t kLeastPlayedRange = 1024;  ///< Vertices that are worth a thread.
 constexpr double kBetweenPerKey = 47.0 / 30.0;
 
 /// Two keys and how far from the first.
@@ -104,7 +104,7 @@ void PlayedSurface::place(const Pose& pose, const std::string& clip, float time,
   }
   const std::vector<glm::vec3> moved = morphedRest(pose, clip, time);
   out.resize(rest.size());
-  forEachIndex(rest.size(), kLeastRange, [&](std::size_t v) {
+  forEachIndex(rest.size(), kLeastPlayedRange, [&](std::size_t v) {
     glm::dvec3 point(moved[v]);
     for (std::size_t k = 0; k < count; ++k) point += shares[k] * glm::dvec3(targets.deltas[k][v]);
     out[v] = glm::vec3(skinPoint(matrices, weights_[v], point));

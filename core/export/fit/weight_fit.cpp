@@ -16,8 +16,8 @@ constexpr int kSweeps = 2;            ///< Rounds of pulling towards the neighbo
 constexpr double kSmoothness = 1e-4;  ///< mu as a share of the Gram matrix's mean diagonal.
 constexpr double kShareStep = 3.0;    ///< By which further poses are let count more.
 constexpr double kLeastSmoothness = 1e-12;
-constexpr std::size_t kToldEvery = 1024;  ///< Vertices.
-constexpr std::size_t kLeastRange = 64;   ///< Vertices that are worth a thread.
+constexpr std::size_t kToldEvery = 1024;       ///< Vertices.
+constexpr std::size_t kLeastWeightRange = 64;  ///< Vertices that are worth a thread.
 
 /// Neighbors of every vertex along edges, ascending.
 std::vector<std::vector<int>> neighborsOf(std::size_t count, std::span<const std::array<int, 3>> triangles) {
@@ -64,7 +64,7 @@ WeightFit::WeightFit(std::vector<glm::vec3> rest, std::vector<std::vector<int>> 
 void WeightFit::add(std::span<const glm::dmat4> matrices, std::span<const glm::vec3> live, bool further) {
   poses_ += 1.0;
   std::vector<double>& sums = further ? further_ : own_;
-  forEachIndex(rest_.size(), kLeastRange, [&](std::size_t v) {
+  forEachIndex(rest_.size(), kLeastWeightRange, [&](std::size_t v) {
     std::array<glm::dvec3, kMostCandidates> way{};
     const std::vector<int>& list = candidates_[v];
     const glm::dvec4 point(glm::dvec3(rest_[v]), 1.0);
@@ -168,7 +168,7 @@ std::vector<FourWeights> WeightFit::solve(std::span<const std::array<int, 3>> tr
       // The sweeps after the first choose among fewer and are soon done.
       if (sweep == 0) progress.tell(static_cast<double>(first) / static_cast<double>(rest_.size()));
       const std::size_t count = std::min(kToldEvery, rest_.size() - first);
-      forEachIndex(count, kLeastRange, [&](std::size_t i) { solveOne(first + i); });
+      forEachIndex(count, kLeastWeightRange, [&](std::size_t i) { solveOne(first + i); });
     }
     std::swap(current, next);
   }

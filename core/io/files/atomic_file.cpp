@@ -161,7 +161,7 @@ struct Place {
   mode_t mode = 0;
 };
 
-Result<Place> placeOf(const fs::path& file, const struct stat* present) {
+Result<Place> placeForFile(const fs::path& file, const struct stat* present) {
   if (!present) return Place{file, 0};
   if (S_ISDIR(present->st_mode)) return Error{file.string(), {}, "cannot be written: it is a folder"};
   // A rename would walk past a write protection; the designer set it on purpose.
@@ -217,7 +217,7 @@ Result<void> writeFilesAtomically(const std::vector<NamedBytes>& files) {
     if (exists && !S_ISREG(present.st_mode) && !S_ISDIR(present.st_mode)) {
       return Error{each.file.string(), {}, "cannot be written: it is not a regular file"};
     }
-    const Result<Place> place = placeOf(each.file, exists ? &present : nullptr);
+    const Result<Place> place = placeForFile(each.file, exists ? &present : nullptr);
     if (!place) return place.error();
     neighbors.push_back(std::make_unique<Neighbor>(each.file, place->target));
     if (auto filled = neighbors.back()->fill(each.bytes, place->mode); !filled) return filled;

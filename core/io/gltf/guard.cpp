@@ -14,7 +14,7 @@ namespace {
 using Kind = Json::Kind;
 
 /// Elements of all lists together: on its way each takes up to about 2 KiB.
-constexpr std::size_t kMaxElements = 500'000;
+constexpr std::size_t kMaxJsonElements = 500'000;
 /// A file with more faults than this is refused for the next one, used or not.
 constexpr std::size_t kMaxFaults = 1000;
 constexpr Rule kAttribute = {.type = Type::kIndex, .list = "accessors", .otherwise = "-1", .whenUsed = true};
@@ -223,7 +223,7 @@ class Guard {
     if (rule.limit != 0 && items.size() > rule.limit) refuse(place.text(), std::string(rule.beyond));
     if (rule.element->type == Type::kObject) {
       elements_ += items.size();
-      if (elements_ > kMaxElements) refuse(place.text(), "more than 500,000 elements in one file");
+      if (elements_ > kMaxJsonElements) refuse(place.text(), "more than 500,000 elements in one file");
     }
     out() += '[';
     for (std::size_t i = 0; i < items.size(); ++i) {

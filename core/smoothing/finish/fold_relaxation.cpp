@@ -8,8 +8,9 @@
 namespace sinew {
 namespace {
 
-constexpr int kRounds = 6;
-constexpr float kStep = 0.2f;   ///< Of the way to the mean, per round. Whole steps swing, and amplify what is small.
+constexpr int kRelaxRounds = 6;
+constexpr float kRelaxStep =
+    0.2f;                       ///< Of the way to the mean, per round. Whole steps swing, and amplify what is small.
 constexpr float kFade = 0.25f;  ///< Change of a weight per round: weights that came and went would swing.
 
 /// How much a lifted triangle asks for, 0..1: all of it from q = 0 on.
@@ -72,12 +73,12 @@ void FoldRelaxation::apply(const VertexRings& rings, std::span<const std::uint8_
   const auto hasMoved = [&](int v) { return at(weights_, v) > 0.0f; };
   for (FoldTriangle& triangle : region.triangles()) ask(triangle);
   mergeWeights();
-  for (int round = 0; round < kRounds && !folding_.empty(); ++round) {
+  for (int round = 0; round < kRelaxRounds && !folding_.empty(); ++round) {
     region.grow();  // All triangles at a folding vertex, and all that its move can fold.
     findMeans(rings, positions);
     for (std::size_t i = 0; i < folding_.size(); ++i) {
       const auto v = toIndex(folding_[i]);
-      moves.move(folding_[i], positions[v] + kStep * weights_[v] * (means_[i] - positions[v]), patch, positions);
+      moves.move(folding_[i], positions[v] + kRelaxStep * weights_[v] * (means_[i] - positions[v]), patch, positions);
     }
     // Elsewhere nothing has changed, and only corners that cannot move could be asked again.
     region.forEachAt(folding_, hasMoved, ask);
