@@ -4,8 +4,8 @@
 # To configure, build and start the program.
 sinewRunPackages=(
   g++ cmake ninja-build pkg-config
-  libglm-dev nlohmann-json3-dev libtinygltf-dev libstb-dev libhwy-dev libtbb-dev libeigen3-dev  # core
-  libglfw3-dev libimgui-dev libepoxy-dev libegl-dev libopengl-dev libgl-dev libfreetype-dev libspng-dev libwebp-dev libcli11-dev  # app
+  libglm-dev nlohmann-json3-dev libtinygltf-dev libstb-dev libhwy-dev libtbb-dev libeigen3-dev libdraco-dev libmeshoptimizer-dev libwebp-dev  # core
+  libglfw3-dev libimgui-dev libepoxy-dev libegl-dev libopengl-dev libgl-dev libfreetype-dev libspng-dev libcli11-dev  # app
   libgl1-mesa-dri  # OpenGL 4.5 in software where there is no graphics card
   fonts-inter fonts-dejavu-core  # the editor's letters
 )

@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::uint64_t kMostBytes = std::numeric_limits<std::uint32_t>::max();
 
-/// Extensions that name no accessor and no bufferView, by how their names begin; Draco and image views are known too.
-constexpr std::array<std::string_view, 11> kWithoutData{
-    "KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_",           "KHR_mesh_quantization",     "VRM",
-    "KHR_xmp",        "KHR_node_",    "MSFT_lod",     "KHR_animation_pointer", "KHR_draco_mesh_compression"};
+/// Extensions that name no accessor and no bufferView, by how their names begin.
+constexpr std::array<std::string_view, 10> kWithoutData{
+    "KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_",          "KHR_mesh_quantization", "VRM",
+    "KHR_xmp",        "KHR_node_",    "MSFT_lod",     "KHR_animation_pointer"};
 
 bool isWithoutData(const std::string& extension) {
   return std::ranges::any_of(kWithoutData, [&](std::string_view known) { return extension.starts_with(known); });
@@ -70,16 +70,6 @@ void visitViews(Json& root, const std::function<void(Json&)>& visit) {
   if (Json* images = memberOf(root, "images")) {
     for (Json& image : images->children) visitIn(&image);
   }
-  if (Json* meshes = memberOf(root, "meshes")) {
-    for (Json& mesh : meshes->children) {
-      Json* primitives = memberOf(mesh, "primitives");
-      if (!primitives) continue;
-      for (Json& primitive : primitives->children) {
-        Json* extensions = memberOf(primitive, "extensions");
-        if (extensions) visitIn(memberOf(*extensions, "KHR_draco_mesh_compression"));
-      }
-    }
-  }
 }
 
 using Visit = void (*)(Json&, const std::function<void(Json&)>&);
@@ -117,7 +107,7 @@ void keepReferenced(Json& root, std::string_view list, Visit visitAll, const std
 std::string mimeTypeOf(gltf::Bytes bytes) {
   if (startsWith(bytes, "\x89PNG")) return "image/png";
   if (startsWith(bytes, "\xff\xd8\xff")) return "image/jpeg";
-  if (bytes.size() > 8 && startsWith(bytes, "RIFF") && startsWith(bytes.subspan(8), "WEBP")) return "image/webp";
+  if (isWebp(bytes)) return "image/webp";
   if (startsWith(bytes, "\xabKTX 20")) return "image/ktx2";
   return {};
 }
@@ -221,13 +211,14 @@ void GltfRewrite::dropUnused() {
     Json& view = list->children[i];
     align(binary_, '\0');
     view.set("buffer", 0).set("byteOffset", static_cast<long long>(binary_.size()));
-    if (Json* compressed = memberOf(view, "extensions")) removeMember(*compressed, "EXT_meshopt_compression");
     if (views[i] >= own) {
       binary_ += added_[views[i] - own];
       added_[views[i] - own] = {};
     } else {
       const gltf::Bytes bytes = file_.bufferView(views[i]);
-      binary_.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+      const double length = view.at("byteLength").number(0.0);  // Of what nothing refers to, less.
+      binary_.append(reinterpret_cast<const char*>(bytes.data()),
+                     std::min(bytes.size(), static_cast<std::size_t>(length)));
     }
   }
   align(binary_, '\0');

@@ -113,10 +113,6 @@ WrittenPrimitive OutPrimitives::writeRefined(const gltf::SoupPart& part, GltfRew
   primitive.set("attributes", std::move(attributes));
   primitive.set("indices", addIndices(rewrite, refined.triangles, positions.size()));
   for (const char* gone : {"mode", "targets"}) removeMember(primitive, gone);
-  if (Json* extensions = memberOf(primitive, "extensions")) {
-    removeMember(*extensions, "KHR_draco_mesh_compression");
-    if (extensions->children.empty()) removeMember(primitive, "extensions");
-  }
   return {positions.size(), refined.triangles.size(), std::move(refined.refined), std::move(refined.drawn)};
 }
 

@@ -42,7 +42,7 @@ class FileMaker {
     }
     dropEmptyClips();
     ensureMember(rewrite_.root(), "asset", Json::object()).set("generator", "Sinew");
-    dropUnusedExtensions();
+    result_.left.assign(left_.begin(), left_.end());
     if (finish_) finish_(rewrite_, skins_, written_);
     result_.joints = skins_.jointNodes();
     result_.packed = std::move(rewrite_).pack();
@@ -158,27 +158,6 @@ class FileMaker {
       std::erase_if(clips->children, [](const Json& clip) { return clip.at("channels").items().empty(); });
     }
     if (clips->children.empty()) removeMember(rewrite_.root(), "animations");
-  }
-
-  static bool names(const Json& value, const std::string& extension) {
-    const Json* extensions = value.kind == Json::Kind::kObject ? value.find("extensions") : nullptr;
-    if (extensions && extensions->find(extension)) return true;
-    return std::ranges::any_of(value.children, [&](const Json& child) { return names(child, extension); });
-  }
-
-  /// Compression that the new meshes do not have any more.
-  void dropUnusedExtensions() {
-    Json& root = rewrite_.root();
-    for (const char* extension : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"}) {
-      if (std::string(extension).starts_with("KHR") && names(root, extension)) continue;
-      for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
-        Json* used = memberOf(root, list);
-        if (!used) continue;
-        std::erase_if(used->children, [&](const Json& name) { return name.content == extension; });
-        if (used->children.empty()) removeMember(root, list);
-      }
-    }
-    for (const std::string& line : left_) result_.left.push_back(line);
   }
 
   Source& source_;

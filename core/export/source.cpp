@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/at.h"
+#include "core/export/plain_source.h"
 #include "core/io/gltf/animation.h"
 #include "core/io/gltf/uri.h"
 
@@ -53,6 +54,7 @@ Source::Source(const std::filesystem::path& from, std::vector<std::uint8_t> cont
       root(gltf::parseJson(gltf::openContainer(contents).json, {})),
       file(std::move(contents), gltf::folderOf(from)),
       accessors(file) {
+  makePlain(root, file);
   gltf::Notes notes;  // The import has told them.
   const gltf::NodeTree tree = gltf::readNodes(file, notes);
   bound = gltf::bindSkeleton(file, tree, accessors, notes);

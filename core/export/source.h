@@ -20,7 +20,7 @@ struct Source {
   explicit Source(const std::filesystem::path& from);
 
   std::filesystem::path path;
-  Json root;  ///< All of the file's JSON, extras too.
+  Json root;  ///< All of the file's JSON, extras too, plain where it was compressed.
   gltf::File file;
   gltf::Accessors accessors;
   gltf::BoundSkeleton bound;

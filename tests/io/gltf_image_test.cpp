@@ -90,7 +90,7 @@ TEST(GltfImage, PixelsSamplerAndFileArrive) {
 }
 
 TEST(GltfImage, UnreadableOnesAreLeftOut) {
-  expectLeftOut("GIF89a", "not a PNG or JPEG");
+  expectLeftOut("GIF89a", "not a PNG, JPEG or WebP");
   expectLeftOut("\xff\xd8\xff\xe0 broken", "damaged");
   expectLeftOut(png(2, 1, "\x07"), "damaged");
 }

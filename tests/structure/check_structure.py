@@ -9,7 +9,7 @@ import sys
 LAYERS = {
     "core": {"base": 1, "lanes": 2, "mesh": 2, "skeleton": 2, "primitives": 2, "character": 3, "blending": 3, "rig": 4, "symmetry": 5,
              "lines": 5, "drivers": 6, "smoothing/patches": 5, "smoothing/roots": 5, "smoothing/projection": 6, "smoothing/finish": 6,
-             "smoothing": 7, "check": 7, "body": 8, "io/files": 8, "io/json": 8, "io/gltf": 9, "io": 10,
+             "smoothing": 7, "check": 7, "body": 8, "io/files": 8, "io/json": 8, "io/gltf/bytes": 8, "io/gltf": 9, "io": 10,
              "export/fit": 11, "export/usd": 12, "export": 13, "sinew": 14},
     "app": {"platform": 0, "document": 1, "ui": 2, "render": 2, "playback": 2, "export": 2, "bench": 3, "tools/view": 3, "cli/inspect": 3, "cli": 4, "tools/gizmo": 4, "tools": 5,
             "editor": 6, "actions": 7, "panels/shared": 8, "panels/outliner": 9, "panels/blending": 9, "panels/inspector": 9, "panels/library": 9,
@@ -27,7 +27,7 @@ MAX_LINES = 400
 MAX_COLUMNS = 120
 LONGER = {}  # path: why it is one idea and longer all the same
 WINDOW_AND_GPU = re.compile(r"^(epoxy/|GLFW/|GL/|EGL/|GLES|KHR/|imgui|backends/imgui|misc/)")
-FILE_LIBRARIES = re.compile(r"^(tiny_gltf|tinygltf|nlohmann/|stb)")
+FILE_LIBRARIES = re.compile(r"^(tiny_gltf|tinygltf|nlohmann/|stb|draco/|meshoptimizer)")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 PAGES = {"README.md", "CONTRIBUTING.md"}  # and docs/*.md: every path they name in backticks must exist
 TREES = ("app", "core", "tests", "shaders", "assets", "docs", "cmake", "packaging", "examples")
@@ -87,7 +87,7 @@ def check_include(path, target):
         return "core knows no window, no OpenGL and no ImGui"
     if FILE_LIBRARIES.match(target) and not (tree == "core" and name.split("/")[0] == "io") and not (
             tree == "app" and target.startswith("stb")):
-        return "only core/io knows tinygltf, nlohmann-json and stb"
+        return "only core/io knows tinygltf, nlohmann-json, stb, Draco and meshoptimizer"
     public, own_public = target.startswith("sinew/"), path.as_posix().startswith(PUBLIC)
     if own_public and other is not None and other[0] == "core" and not public:
         return "a public header includes only public headers"

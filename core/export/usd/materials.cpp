@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/base/at.h"
+#include "core/io/gltf/image.h"
 #include "core/io/gltf/image_bytes.h"
 
 namespace sinew::usd {
@@ -14,6 +15,7 @@ namespace {
 
 constexpr int kClamp = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
 constexpr int kMirror = TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT;
+constexpr std::size_t kMostPixels = static_cast<std::size_t>(gltf::kMaxImageSide) * gltf::kMaxImageSide;  // of an image
 
 const Json* memberIn(const Json& object, std::string_view name) {
   return object.kind == Json::Kind::kObject ? object.find(name) : nullptr;
@@ -258,23 +260,39 @@ std::string Materials::writeTransform(const Input& input, const std::string& pat
 }
 
 std::string Materials::fileOf(const Json& textureInfo) {
-  const Json& source = elementOf(root_, "textures", textureInfo.at("index")).at("source");
+  const Json& texture = elementOf(root_, "textures", textureInfo.at("index"));
+  const Json& webp = texture.at("extensions").at("EXT_texture_webp").at("source");
+  const Json& source = webp.isNull() ? texture.at("source") : webp;
   if (elementOf(root_, "images", source).isNull()) {
-    left_.insert("textures without a PNG or JPEG image");
+    left_.insert("textures without an image that can be read");
     return {};
   }
   const auto image = static_cast<int>(source.number(0.0));
   if (const auto known = files_.find(image); known != files_.end()) return known->second;
   std::string& name = files_[image];
-  const Result<gltf::EncodedImage> encoded = file_.encodedImage(toIndex(image));
-  const std::string ending(encoded ? imageEnding(encoded->bytes) : "");  // What UsdUVTexture need not know has none.
-  if (ending.empty()) {
-    left_.insert("textures without a PNG or JPEG image");
+  ImageFile made = imageOf(image);
+  if (made.bytes.empty()) {
+    left_.insert("textures without an image that can be read");
     return {};
   }
-  name = stem_ + '_' + std::to_string(textures_.size()) + ending;
-  textures_.push_back({name, std::string(reinterpret_cast<const char*>(encoded->bytes.data()), encoded->bytes.size())});
+  name = stem_ + '_' + std::to_string(textures_.size()) + made.ending;
+  textures_.push_back({name, std::move(made.bytes)});
   return name;
+}
+
+/// What UsdUVTexture need not know becomes a PNG. Empty where there is no image.
+ImageFile Materials::imageOf(int image) {
+  const Result<gltf::EncodedImage> encoded = file_.encodedImage(toIndex(image));
+  if (!encoded) return {};
+  const std::string_view bytes(reinterpret_cast<const char*>(encoded->bytes.data()), encoded->bytes.size());
+  if (const std::string ending(imageEnding(encoded->bytes)); !ending.empty()) return {std::string(bytes), {}, ending};
+  Result<gltf::Image> decoded = gltf::decodeImage(encoded->bytes, kMostPixels);
+  if (!decoded) return {};
+  Texture texture;
+  texture.width = decoded->width;
+  texture.height = decoded->height;
+  texture.rgba = std::move(decoded.value().rgba);
+  return imageFile(texture);
 }
 
 }  // namespace sinew::usd

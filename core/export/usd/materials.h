@@ -15,7 +15,7 @@
 
 namespace sinew::usd {
 
-/// Those that meshes have. Images are taken over byte for byte where they are PNG or JPEG.
+/// Those that meshes have. Images are taken over byte for byte where they are PNG or JPEG; of WebP a PNG is made.
 class Materials {
  public:
   /// @param root  the file's JSON, of which images are read by `file`  @param stem  images are called STEM_N.png
@@ -51,6 +51,7 @@ class Materials {
   std::string writeTransform(const Input& input, const std::string& path, Text& text);
   /// Name of the file beside, "" for none that can be shown.
   std::string fileOf(const Json& textureInfo);
+  ImageFile imageOf(int image);
 
   gltf::File& file_;
   const Json& root_;

@@ -1,4 +1,4 @@
-// core/io/gltf/file.cpp: container -> guard -> tinygltf -> buffers and images.
+// core/io/gltf/file.cpp: container -> guard -> tinygltf -> buffers, compressed parts and images.
 
 #include "core/io/gltf/file.h"
 
@@ -68,6 +68,15 @@ File::File(std::vector<std::uint8_t> contents, fs::path folder) : folder_(std::m
   adopt(root);
   openBuffers(root.at("buffers"), std::move(contents), container);
   checkViews();
+  const auto range = [this](std::size_t buffer, std::uint64_t offset, std::uint64_t size, const std::string& place) {
+    const Bytes bytes = bytesOf(buffer);
+    if (offset > bytes.size() || size > bytes.size() - offset) {
+      refuse(place, "bytes " + std::to_string(offset) + " to " + std::to_string(offset + size) +
+                        " reach beyond the buffer's " + std::to_string(bytes.size()));
+    }
+    return bytes.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
+  };
+  unpacked_ = unpack(root, guarded_, range, model_);
 }
 
 void File::parse(const std::string& text) {
@@ -120,7 +129,7 @@ void File::openBuffers(const Json& list, std::vector<std::uint8_t> file, const C
   if (!container.binary) file = {};
   for (std::size_t i = 0; i < list.items().size(); ++i) {
     const Json& buffer = list.items()[i];
-    const Json* uri = buffer.find("uri");
+    const Json* uri = isFallback(buffer) ? nullptr : buffer.find("uri");
     std::vector<std::uint8_t> bytes;
     if (uri) {
       Result<std::vector<std::uint8_t>> found = read(uri->content, placeOf("buffers", i) + ".uri");
@@ -157,11 +166,15 @@ void File::checkViews() const {
   }
 }
 
-Bytes File::bufferView(std::size_t index) const {
-  const tinygltf::BufferView& view = model_.bufferViews[index];
-  const auto buffer = toIndex(view.buffer);
+Bytes File::bytesOf(std::size_t buffer) const {
   if (!hasBytes_[buffer]) refuse(placeOf("buffers", buffer), "has no uri and the file holds no bytes for it");
-  return Bytes(model_.buffers[buffer].data).subspan(view.byteOffset, view.byteLength);
+  return model_.buffers[buffer].data;
+}
+
+Bytes File::bufferView(std::size_t index) const {
+  if (const auto own = unpacked_.views.find(index); own != unpacked_.views.end()) return own->second;
+  const tinygltf::BufferView& view = model_.bufferViews[index];
+  return bytesOf(toIndex(view.buffer)).subspan(view.byteOffset, view.byteLength);
 }
 
 Result<EncodedImage> File::encodedImage(std::size_t index) {

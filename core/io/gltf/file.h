@@ -11,6 +11,7 @@
 
 #include "core/io/gltf/glb.h"
 #include "core/io/gltf/guard.h"
+#include "core/io/gltf/unpack.h"
 #include "core/io/gltf/vrm.h"
 
 namespace sinew::gltf {
@@ -29,7 +30,8 @@ struct EncodedImage {
 [[nodiscard]] Json parseJson(std::string_view text, std::string_view leftOut, std::string_view keptIn = {});
 
 /// A .glb or .gltf. Every uri of buffers and images is checked when it is opened: data: uris and files inside the
-/// file's own folder, nothing else. Refuses with the JSON path or byte.
+/// file's own folder, nothing else. Compressed views and meshes are decoded; model() has plain ones in their place.
+/// Refuses with the JSON path or byte.
 class File {
  public:
   explicit File(const std::filesystem::path& path);
@@ -48,8 +50,9 @@ class File {
   [[nodiscard]] std::size_t cameras() const { return cameras_; }
   [[nodiscard]] std::size_t lights() const { return lights_; }
 
-  /// Bytes of bufferViews[index], checked against its buffer. Refuses where the buffer has no bytes.
+  /// Bytes of the model's bufferViews[index], decoded, checked against its buffer. Refuses where the buffer has none.
   [[nodiscard]] Bytes bufferView(std::size_t index) const;
+  [[nodiscard]] const Unpacked& unpacked() const { return unpacked_; }
   /// Error: reason only, if it cannot be read.
   [[nodiscard]] Result<EncodedImage> encodedImage(std::size_t index);
 
@@ -58,6 +61,7 @@ class File {
   void adopt(const Json& root);
   void openBuffers(const Json& list, std::vector<std::uint8_t> file, const Container& container);
   void checkViews() const;
+  [[nodiscard]] Bytes bytesOf(std::size_t buffer) const;
   [[nodiscard]] Result<std::vector<std::uint8_t>> read(const std::string& uri, const std::string& place);
   [[nodiscard]] Result<std::vector<std::uint8_t>> readSibling(const std::string& uri, const std::string& place);
 
@@ -66,6 +70,7 @@ class File {
   tinygltf::Model model_;
   std::vector<bool> hasBytes_;                         // [buffers]
   std::vector<std::vector<std::string>> targetNames_;  // [meshes]
+  Unpacked unpacked_;
   Vrm vrm_;
   std::size_t cameras_ = 0;
   std::size_t lights_ = 0;

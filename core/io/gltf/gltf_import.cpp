@@ -19,8 +19,11 @@ namespace {
 using namespace gltf;
 
 /// Used fully, or by what they fall back to.
-constexpr std::array<std::string_view, 6> kUnderstood{"KHR_texture_transform",
+constexpr std::array<std::string_view, 9> kUnderstood{"KHR_texture_transform",
                                                       "KHR_mesh_quantization",
+                                                      kMeshopt,
+                                                      kDraco,
+                                                      "EXT_texture_webp",
                                                       "KHR_materials_unlit",
                                                       "KHR_materials_pbrSpecularGlossiness",
                                                       "VRMC_vrm",

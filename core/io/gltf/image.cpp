@@ -1,4 +1,4 @@
-// core/io/gltf/image.cpp: decoding images with stb_image, guarded against images made to exhaust memory or time.
+// core/io/gltf/image.cpp: stb_image and libwebp, guarded against images made to exhaust memory or time.
 
 #include "core/io/gltf/image.h"
 
@@ -9,6 +9,7 @@
 #include <stb_image.h>
 
 #include "core/base/at.h"
+#include "core/io/gltf/bytes/webp_image.h"
 #include "core/io/gltf/image_bytes.h"
 
 namespace sinew::gltf {
@@ -57,13 +58,34 @@ int countScans(Bytes jpeg) {
   return scans;
 }
 
+/// Error: reason only.
+Result<void> checkSize(const Image& image, std::size_t maxPixels) {
+  if (image.width <= 0 || image.height <= 0 || image.width > kMaxImageSide || image.height > kMaxImageSide) {
+    return errorAt("", "the image is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+                           " pixels; at most 8192 x 8192 are read");
+  }
+  if (toIndex(image.width) * toIndex(image.height) <= maxPixels) return {};
+  return errorAt("", "the file's images have too many pixels together");
+}
+
+Result<Image> decodeWebp(Bytes encoded, std::size_t maxPixels) {
+  const auto size = webpSize(encoded);
+  if (!size) return errorAt("", "damaged image: no WebP, or one that moves");
+  Image image{.width = size->first, .height = size->second, .rgba = {}, .mimeType = "image/webp"};
+  if (auto bearable = checkSize(image, maxPixels); !bearable) return bearable.error();
+  image.rgba = webpPixels(encoded);
+  if (image.rgba.empty()) return errorAt("", "damaged image: its WebP data cannot be decoded");
+  return image;
+}
+
 }  // namespace
 
 Result<Image> decodeImage(Bytes encoded, std::size_t maxPixels) {
   const bool png = startsWith(encoded, "\x89PNG\r\n\x1a\n");
   const bool jpeg = startsWith(encoded, "\xff\xd8\xff");
-  if (!png && !jpeg) return errorAt("", "not a PNG or JPEG image");
   if (encoded.size() > 0x40000000) return errorAt("", "the image file is larger than 1 GiB");
+  if (isWebp(encoded)) return decodeWebp(encoded, maxPixels);
+  if (!png && !jpeg) return errorAt("", "not a PNG, JPEG or WebP image");
   const auto length = static_cast<int>(encoded.size());
 
   Image image;
@@ -71,12 +93,8 @@ Result<Image> decodeImage(Bytes encoded, std::size_t maxPixels) {
   if (stbi_info_from_memory(encoded.data(), length, &image.width, &image.height, &channels) == 0) {
     return errorAt("", std::string("damaged image: ") + stbi_failure_reason());
   }
-  if (image.width <= 0 || image.height <= 0 || image.width > kMaxImageSide || image.height > kMaxImageSide) {
-    return errorAt("", "the image is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                           " pixels; at most 8192 x 8192 are read");
-  }
+  if (auto bearable = checkSize(image, maxPixels); !bearable) return bearable.error();
   const std::size_t pixels = toIndex(image.width) * toIndex(image.height);
-  if (pixels > maxPixels) return errorAt("", "the file's images have too many pixels together");
   if (png && !unpacksWithin(encoded, image.width, image.height)) {
     return errorAt("", "damaged image: it unpacks to more than its dimensions");
   }

@@ -1,4 +1,4 @@
-// core/io/gltf/image.h: PNG and JPEG -> RGBA.
+// core/io/gltf/image.h: PNG, JPEG and WebP -> RGBA.
 #pragma once
 
 #include <cstdint>

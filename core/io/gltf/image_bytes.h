@@ -13,6 +13,10 @@ namespace sinew {
                                                     [](char a, auto b) { return static_cast<std::uint8_t>(a) == b; });
 }
 
+[[nodiscard]] inline bool isWebp(std::span<const std::uint8_t> bytes) {
+  return bytes.size() > 8 && startsWith(bytes, "RIFF") && startsWith(bytes.subspan(8), "WEBP");
+}
+
 /// ".png" or ".jpg"; "" for others.
 [[nodiscard]] inline std::string_view imageEnding(std::span<const std::uint8_t> bytes) {
   return startsWith(bytes, "\x89PNG") ? ".png" : startsWith(bytes, "\xff\xd8\xff") ? ".jpg" : "";

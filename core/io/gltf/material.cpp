@@ -146,14 +146,21 @@ class MaterialReader {
     const std::string place = placeOf("textures", toIndex(index));
     file_.expectSound(place);
     const tinygltf::Texture& texture = file_.model().textures[toIndex(index)];
-    if (texture.source < 0) {
-      notes_.add(place + " has no PNG or JPEG source and is ignored: the material is drawn without");
+    const int source = sourceOf(texture);
+    if (source < 0) {
+      notes_.add(place + " has no PNG, JPEG or WebP source and is ignored: the material is drawn without");
       return -1;
     }
     const Texture settings = readSampler(texture.sampler);
-    const auto key = std::tuple(texture.source, settings.wrapU, settings.wrapV, settings.nearest);
+    const auto key = std::tuple(source, settings.wrapU, settings.wrapV, settings.nearest);
     const auto known = known_.find(key);
-    return known != known_.end() ? known->second : known_[key] = makeTexture(toIndex(texture.source), settings);
+    return known != known_.end() ? known->second : known_[key] = makeTexture(toIndex(source), settings);
+  }
+
+  /// The WebP image where there is one: the other is for programs that cannot read it.
+  static int sourceOf(const tinygltf::Texture& texture) {
+    const auto* webp = find(texture.extensions, "EXT_texture_webp");
+    return webp && webp->Has("source") ? webp->Get("source").GetNumberAsInt() : texture.source;
   }
 
   Texture readSampler(int index) const {

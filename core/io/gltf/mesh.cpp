@@ -100,9 +100,6 @@ class SoupReader {
   }
 
   void noteUnused(const tinygltf::Primitive& primitive) {
-    if (primitive.extensions.contains("KHR_draco_mesh_compression")) {
-      notes_.add("Draco data is ignored: the uncompressed copy is used");
-    }
     // NORMAL is computed from the welded faces (docs/design.md).
     for (const auto& [name, accessor] : primitive.attributes) {
       if (name.starts_with("COLOR_") && name != "COLOR_0")

@@ -77,13 +77,9 @@ constexpr Rule kSkin = object("", kSkinMembers).checkedWhenUsed(R"({"joints":[],
 // Meshes. tinygltf refuses a whole file for indices without a bufferView, so it does not see them.
 constexpr std::array kMorphMembers{index("POSITION", "accessors").checkedWhenUsed("-1")};
 constexpr Rule kTarget = object("", kMorphMembers).checkedWhenUsed(R"({"POSITION":-1})");
-constexpr std::array kPrimitiveExtensions{marker("KHR_draco_mesh_compression")};
-constexpr std::array kPrimitiveMembers{wholeInt("mode"),
-                                       list("targets", kTarget),
-                                       object("extensions", kPrimitiveExtensions),
+constexpr std::array kPrimitiveMembers{wholeInt("mode"), list("targets", kTarget),
                                        Rule{.key = "attributes", .type = Type::kAttributes}.orElse("{}"),
-                                       index("material", "materials"),
-                                       index("indices", "accessors").keptAside()};
+                                       index("material", "materials"), index("indices", "accessors").keptAside()};
 constexpr Rule kPrimitive = object("", kPrimitiveMembers).checkedWhenUsed(R"({"attributes":{}})");
 constexpr std::array kMeshMembers{list("primitives", kPrimitive), list("weights", kWeight)};
 constexpr Rule kMesh = object("", kMeshMembers).checkedWhenUsed("{}");
@@ -93,7 +89,10 @@ constexpr std::array kImageMembers{index("bufferView", "bufferViews"), text("uri
 constexpr Rule kImage = object("", kImageMembers).checkedWhenUsed("{}");
 constexpr std::array kSamplerMembers{wholeInt("wrapS"), wholeInt("wrapT"), wholeInt("magFilter")};
 constexpr Rule kSampler = object("", kSamplerMembers).checkedWhenUsed("{}");
-constexpr std::array kTextureMembers{index("source", "images"), index("sampler", "samplers")};
+constexpr std::array kWebp{index("source", "images")};
+constexpr std::array kTextureExtensions{object("EXT_texture_webp", kWebp)};
+constexpr std::array kTextureMembers{index("source", "images"), index("sampler", "samplers"),
+                                     object("extensions", kTextureExtensions)};
 constexpr Rule kTexture = object("", kTextureMembers).checkedWhenUsed("{}");
 constexpr std::array kUvTransform{numbers("offset", 2), numbers("scale", 2), number("rotation"), wholeInt("texCoord")};
 constexpr std::array kTextureInfoExtensions{object("KHR_texture_transform", kUvTransform)};

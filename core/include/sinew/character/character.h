@@ -21,8 +21,8 @@ struct Texture {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgba;
-  std::vector<std::uint8_t> encoded;  ///< The PNG or JPEG it came from, for export.
-  std::string mimeType;               ///< "image/png" or "image/jpeg".
+  std::vector<std::uint8_t> encoded;  ///< The PNG, JPEG or WebP it came from, for export.
+  std::string mimeType;               ///< "image/png", "image/jpeg" or "image/webp".
   TextureWrap wrapU = TextureWrap::kRepeat;
   TextureWrap wrapV = TextureWrap::kRepeat;
   bool nearest = false;  ///< Magnify without smoothing.
