@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <gtest/gtest.h>
+#include <webp/encode.h>
 
 #include "sinew/io/gltf_import.h"
 #include "tests/support/characters/gltf_builder.h"
@@ -47,12 +48,27 @@ std::string png(std::uint32_t width, std::uint32_t height, const std::string& pi
 
 const std::string kTwoPixels("\x00\xff\x00\x00\x00\x00\xff", 7);  // red, blue
 
-/// A post whose material shows the image.
-std::shared_ptr<const Character> importWith(const std::string& image) {
+/// Without loss.
+std::string webp(int width, int height, const std::vector<std::uint8_t>& rgba) {
+  std::uint8_t* encoded = nullptr;
+  const std::size_t size = WebPEncodeLosslessRGBA(rgba.data(), width, height, 4 * width, &encoded);
+  std::string image(reinterpret_cast<const char*>(encoded), size);
+  WebPFree(encoded);
+  return image;
+}
+
+/// A post whose material shows the image. @param webp  also an image, for those that can read it
+std::shared_ptr<const Character> importWith(const std::string& image, const std::string& webp = {}) {
   test::Post post = test::makePost();
   post.file.json["images"].push_back({{"bufferView", post.file.view(image)}, {"mimeType", "image/png"}});
+  ordered_json extensions = ordered_json::object();
+  if (!webp.empty()) {
+    post.file.json["images"].push_back({{"bufferView", post.file.view(webp)}, {"mimeType", "image/webp"}});
+    extensions["EXT_texture_webp"]["source"] = 1;
+    post.file.json["extensionsUsed"].push_back("EXT_texture_webp");
+  }
   post.file.json["samplers"].push_back({{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}});
-  post.file.json["textures"].push_back({{"source", 0}, {"sampler", 0}});
+  post.file.json["textures"].push_back({{"source", 0}, {"sampler", 0}, {"extensions", extensions}});
   ordered_json color{{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0.5}};
   post.file.json["materials"].push_back({{"pbrMetallicRoughness", color}});
   post.primitive()["material"] = 0;
@@ -102,6 +118,36 @@ TEST(GltfImage, HugeDimensionsAreRefusedBeforeDecoding) {
 
 TEST(GltfImage, ThatUnpacksToMoreThanItsPixelsIsRefused) {
   expectLeftOut(png(2, 1, std::string(400'000, '\0')), "unpacks to more");
+}
+
+const std::vector<std::uint8_t> kFourPixels{255, 0, 0, 255, 0, 255, 0, 128, 0, 0, 255, 7, 9, 8, 7, 255};
+
+TEST(GltfImage, WebpIsTakenBeforeThePngForOthers) {
+  const std::string image = webp(2, 2, kFourPixels);
+  const auto character = importWith(png(2, 1, kTwoPixels), image);
+  ASSERT_EQ(character->textures.size(), 1u);
+  const Texture& texture = character->textures[0];
+  EXPECT_EQ(texture.width, 2);
+  EXPECT_EQ(texture.height, 2);
+  EXPECT_EQ(texture.mimeType, "image/webp");
+  EXPECT_EQ(texture.rgba, kFourPixels);
+  EXPECT_EQ(std::string(texture.encoded.begin(), texture.encoded.end()), image);
+  EXPECT_TRUE(character->ignored.empty());
+}
+
+TEST(GltfImage, WebpThatIsCutOffIsLeftOut) {
+  const std::string whole = webp(2, 2, kFourPixels);
+  for (std::size_t length = 13; length + 2 < whole.size(); length += 3) {
+    expectLeftOut(whole.substr(0, length), "damaged image");
+  }
+}
+
+TEST(GltfImage, WebpOfTooManyPixelsIsLeftOutUnseen) {
+  std::string image = webp(2, 2, kFourPixels);
+  const std::size_t sizes = image.find("VP8L") + 9;  // Behind the length and a signature: 14 bits less one each.
+  image[sizes] = static_cast<char>(0xff);
+  image[sizes + 1] = static_cast<char>(0x3f | (image[sizes + 1] & 0xc0));
+  expectLeftOut(image, "16384 x 2");
 }
 
 }  // namespace

@@ -76,9 +76,15 @@ class Unpacker {
       : root_(root), guarded_(guarded), bytes_(bytes), model_(model), fileViews_(model.bufferViews.size()) {}
 
   Unpacked run() && {
+    std::vector<std::pair<std::size_t, PackedView>> packed;
     for (std::size_t view = 0; view < fileViews_; ++view) {
       const Json* const compressed = extensionOf(root_.at("bufferViews").items()[view], kMeshopt);
-      if (compressed) unpackView(view, *compressed);
+      if (compressed) packed.emplace_back(view, checkView(view, *compressed));
+    }
+    for (const auto& [view, from] : packed) {
+      Result<std::vector<std::uint8_t>> decoded = decodeMeshopt(from.bytes, from.as);
+      if (!decoded) refuse(placeOfView(view), decoded.error().reason, "damaged");
+      result_.views[view] = std::move(decoded).value();
     }
     const std::vector<Json>& meshes = root_.at("meshes").items();
     for (std::size_t mesh = 0; mesh < model_.meshes.size(); ++mesh) {
@@ -93,23 +99,30 @@ class Unpacker {
   }
 
  private:
-  void unpackView(std::size_t view, const Json& compressed) {
-    const std::string place = placeOf("bufferViews", view) + ".extensions." + std::string(kMeshopt);
+  struct PackedView {
+    MeshoptView as;
+    Bytes bytes;
+  };
+
+  static std::string placeOfView(std::size_t view) {
+    return placeOf("bufferViews", view) + ".extensions." + std::string(kMeshopt);
+  }
+
+  /// Views may share their bytes, so that sizes are added up before any is decoded.
+  PackedView checkView(std::size_t view, const Json& compressed) {
+    const std::string place = placeOfView(view);
     const std::size_t buffer = indexIn(compressed, "buffer", place, model_.buffers.size());
-    MeshoptView asked{wholeIn(compressed, "count", place), wholeIn(compressed, "byteStride", place),
-                      wordIn(compressed, "mode", place, kModes), MeshoptFilter::kNone};
-    if (compressed.find("filter")) asked.filter = wordIn(compressed, "filter", place, kFilters);
+    MeshoptView as{wholeIn(compressed, "count", place), wholeIn(compressed, "byteStride", place),
+                   wordIn(compressed, "mode", place, kModes), MeshoptFilter::kNone};
+    if (compressed.find("filter")) as.filter = wordIn(compressed, "filter", place, kFilters);
     const std::uint64_t declared = model_.bufferViews[view].byteLength;
-    if (asked.stride == 0 || asked.count != declared / asked.stride || declared % asked.stride != 0) {
-      refuse(place, std::to_string(asked.count) + " elements of " + std::to_string(asked.stride) +
-                        " bytes; the view has " + std::to_string(declared) + " bytes");
+    if (as.stride == 0 || as.count != declared / as.stride || declared % as.stride != 0) {
+      refuse(place, std::to_string(as.count) + " elements of " + std::to_string(as.stride) + " bytes; the view has " +
+                        std::to_string(declared) + " bytes");
     }
     reserve(declared, place);
-    const Bytes from =
-        bytes_(buffer, wholeIn(compressed, "byteOffset", place, 0), wholeIn(compressed, "byteLength", place), place);
-    Result<std::vector<std::uint8_t>> decoded = decodeMeshopt(from, asked);
-    if (!decoded) refuse(place, decoded.error().reason, "damaged");
-    result_.views[view] = std::move(decoded).value();
+    return {as, bytes_(buffer, wholeIn(compressed, "byteOffset", place, 0), wholeIn(compressed, "byteLength", place),
+                       place)};
   }
 
   void reserve(std::uint64_t bytes, const std::string& place) {

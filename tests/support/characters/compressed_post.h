@@ -1,0 +1,42 @@
+// tests/support/characters/compressed_post.h: the post of gltf_builder.h, compressed by Draco's and meshoptimizer's
+// encoders.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/support/characters/gltf_builder.h"
+
+namespace sinew::test {
+
+enum class DracoMethod { kSequential, kEdgebreaker };
+
+/// A mesh as Draco has compressed it, without loss.
+struct DracoPost {
+  std::string bytes;
+  int vertices = 0;
+  int triangles = 0;
+};
+[[nodiscard]] DracoPost dracoPost(const Post& post, DracoMethod method);
+
+/// The post's mesh is this one, and stands nowhere else. Draco's numbers: POSITION 0, JOINTS_0 1, WEIGHTS_0 2.
+void useDraco(Post& post, const DracoPost& mesh);
+/// What the file says of the compressed mesh.
+[[nodiscard]] nlohmann::ordered_json& dracoOf(Post& post);
+
+/// Bytes of the three modes of EXT_meshopt_compression.
+[[nodiscard]] std::string meshoptAttributes(const void* values, std::size_t count, std::size_t stride);
+[[nodiscard]] std::string meshoptTriangles(const std::vector<std::uint32_t>& indices);
+[[nodiscard]] std::string meshoptIndices(const std::vector<std::uint32_t>& indices);
+
+/// A view holds these bytes, compressed, and no others. @param settings  mode, count, byteStride, filter
+void useMeshopt(Post& post, int view, const std::string& bytes, const nlohmann::ordered_json& settings);
+/// What the file says of a compressed view.
+[[nodiscard]] nlohmann::ordered_json& meshoptOf(Post& post, int view);
+/// All views of the post are compressed, without loss.
+[[nodiscard]] Post meshoptPost(bool trianglesAsIndices = false);
+
+/// View of the accessor of an attribute, or of "indices".
+[[nodiscard]] int viewOfPart(Post& post, const std::string& part);
+
+}  // namespace sinew::test
