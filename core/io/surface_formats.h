@@ -31,7 +31,7 @@ struct ImageFile {
   std::string ending;    ///< ".png" or ".jpg".
 };
 
-/// The PNG or JPEG the texture came from; a PNG made from its pixels if there is none.
+/// The PNG or JPEG the texture came from; a PNG made from its pixels if it was another kind of file or none.
 [[nodiscard]] ImageFile imageFile(const Texture& texture);
 
 /// A file beside the one that was asked for.
