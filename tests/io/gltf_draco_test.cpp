@@ -134,7 +134,7 @@ Post postOfBytes(const std::string& bytes) {
   return post;
 }
 
-const std::string kEdgebreakerHead("DRACO\x02\x02\x01\x01\x00\x00", 11);
+const std::string kEdgebreakerHead("DRACO\x02\x02\x01\x01\x00\x00\x00", 12);  // The last: how it goes around.
 const std::string kSequentialHead("DRACO\x02\x02\x01\x00\x00\x00", 11);
 
 struct DracoTrap {
