@@ -19,9 +19,10 @@ namespace {
 using namespace gltf;
 
 /// Used fully, or by what they fall back to.
-constexpr std::array<std::string_view, 6> kUnderstood{"KHR_texture_transform",
+constexpr std::array<std::string_view, 7> kUnderstood{"KHR_texture_transform",
                                                       "KHR_mesh_quantization",
                                                       "KHR_materials_unlit",
+                                                      "KHR_materials_emissive_strength",
                                                       "KHR_materials_pbrSpecularGlossiness",
                                                       "VRMC_vrm",
                                                       "VRM"};
