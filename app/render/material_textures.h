@@ -1,5 +1,5 @@
-// app/render/material_textures.h: the character's textures on the graphics processor, and which of them a picture
-// needs.
+// app/render/material_textures.h: the character's textures on the graphics processor, and which of them a
+// picture needs.
 #pragma once
 
 #include <map>

@@ -8,10 +8,10 @@
 
 #include <glm/gtc/matrix_access.hpp>
 
-#include "app/render/color_scales.h"
-#include "app/render/occlusion.h"
 #include "app/render/shape_colors.h"
 #include "app/render/shape_mesh.h"
+#include "app/render/skin/color_scales.h"
+#include "app/render/skin/occlusion.h"
 
 namespace sinew::app {
 namespace {

@@ -282,7 +282,6 @@ Json display(const DisplaySettings& shown, const PictureLook& look) {
       .set("anatomy", shown.anatomy)
       .set("glass", shown.glass)
       .set("ground", shown.ground)
-      .set("relief", shown.relief)
       .set("cull", shown.cullBackFaces)
       .set("light", nameOf(look.light))
       .set("background", nameOf(look.backdrop))
