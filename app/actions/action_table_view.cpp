@@ -92,9 +92,10 @@ Possible exportedHere(const State& s) { return open(s).also(hasExportError(s), "
 bool isExportErrorShown(const State& s) { return showsExportError(s); }
 
 Possible reliefOf(const State& s) {
-  if (s.view.display.shading != Shading::kClay) return open(s).also(false, "Show clay first");
+  const Possible clay = open(s).also(s.view.display.shading == Shading::kClay, "Show clay first");
+  if (!clay) return clay;
   const auto embossed = [](const Material& material) { return material.normalMap.texture >= 0; };
-  return open(s).also(std::ranges::any_of(s.character().materials, embossed), "The character has no normal maps");
+  return clay.also(std::ranges::any_of(s.character().materials, embossed), "The character has no normal maps");
 }
 
 using D = DisplaySettings;
