@@ -77,7 +77,7 @@ LightBlock white() {
   light.keyAim = glm::vec4(kWhiteLamp, 1.0f);
   light.clayKey = {-0.52f, 0.60f, 0.608f, 0.0f};
   light.clayKeyColor = {1.6f, 1.6f, 1.6f, 0.0f};
-  light.lamp = {0.0f, 0.0f, 0.0525f, 1.0f};  // Of a lamp without size a mirror would show nothing.
+  light.lamp = {0.0f, 0.0f, 0.045f, 1.0f};  // Of a lamp without size a mirror would show nothing.
   return light;
 }
 

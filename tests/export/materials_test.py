@@ -1,7 +1,9 @@
 # tests/export/materials_test.py: materials beside three.js. Usage: materials_test.py PROGRAM ROOT CHARACTERS
 """Spheres of one material each, and six of other people's characters, under the light `white` and from the same eye:
 `sinew render` and three.js in Chromium, which draws the surface that `sinew smooth` wrote with the materials of the source
-file. The mean difference over the pixels that both have covered is small. Left out (77) where Chromium, node, npm's three
+file. The mean difference over the pixels that both have covered is small. three.js also lights metals with what goes from
+facet to facet, which the specification's model leaves out: it is compared without that, and as it is where that counts
+for little. Left out (77) where Chromium, node, npm's three
 or ImageMagick is not at hand."""
 import json
 import math
@@ -24,6 +26,7 @@ from three_test import modules
 MOST = 3.0  # Of 255, mean over the pixels of the object and the channels.
 SIZE = (480, 480)
 FIELD, MARGIN = 0.55, 0.08  # As app/render/framing.h has them.
+ROUGH_METALS = ("iron", "striped")
 CHARACTERS = {"Fox.glb": 2, "greenman.glb": 2, "cesium_man.gltf": 1, "robot.glb": 1, "fighter.glb": 1, "woman.glb": 1}
 
 
@@ -74,38 +77,49 @@ const send = (name, body) => fetch(name, { method: 'POST', body });
 try {
   const THREE = await import('three');
   const { GLTFLoader } = await import('three/addons/loaders/GLTFLoader.js');
-  const renderer = new THREE.WebGLRenderer({ alpha: true, antialias: false, preserveDrawingBuffer: true });
-  renderer.setPixelRatio(1);
-  renderer.setClearColor(0x000000, 0);
-  for (const { name, source, size, eye, axes, middle, near, far, field } of await (await fetch('asked.json')).json()) {
-    renderer.setSize(size[0], size[1]);
-    const shown = await new GLTFLoader().loadAsync(name + '.surface.glb');
-    const from = await new GLTFLoader().loadAsync(source);
-    const materials = await Promise.all((from.parser.json.materials || []).map((_, i) =>
-      from.parser.getDependency('material', i)));
-    const named = new Map(materials.map((m, i) => [m.name || 'material ' + i, m]));
-    shown.scene.traverse(mesh => {
-      if (!mesh.isMesh) return;
-      const material = named.get(mesh.material.name).clone();
-      material.vertexColors = mesh.geometry.attributes.color !== undefined;
-      if (material.normalMap) {  // Against v, as glTF has it; three's own tangents are along it.
-        mesh.geometry.computeTangents();
-        material.normalScale.y *= -1;
-      }
-      mesh.material = material;
-    });
-    const scene = new THREE.Scene();
-    scene.add(shown.scene);
-    const light = new THREE.DirectionalLight(0xffffff, Math.PI);
-    light.position.set(-0.5, 0.6, 0.8);
-    scene.add(light);
-    const camera = new THREE.PerspectiveCamera(field * 180 / Math.PI, size[0] / size[1], near, far);
-    const basis = new THREE.Matrix4().makeBasis(...axes.map(a => new THREE.Vector3(...a)));
-    camera.quaternion.setFromRotationMatrix(basis);
-    camera.position.set(...eye);
-    renderer.render(scene, camera);
-    await send(name, await new Promise(done => renderer.domElement.toBlob(done)));
-  }
+  const asked = await (await fetch('asked.json')).json();
+  const { ShaderChunk } = THREE;
+  const draw = async as => {
+    if (as === 'single') {
+      const factor = ' * material.multiScatteringCompensation';
+      if (!ShaderChunk.lights_physical_pars_fragment.includes(factor)) throw new Error('three.js is another one');
+      ShaderChunk.lights_physical_pars_fragment = ShaderChunk.lights_physical_pars_fragment.replace(factor, '');
+    }
+    const renderer = new THREE.WebGLRenderer({ alpha: true, antialias: false, preserveDrawingBuffer: true });
+    renderer.setPixelRatio(1);
+    renderer.setClearColor(0x000000, 0);
+    for (const { name, source, size, eye, axes, middle, near, far, field } of asked) {
+      renderer.setSize(size[0], size[1]);
+      const shown = await new GLTFLoader().loadAsync(name + '.surface.glb');
+      const from = await new GLTFLoader().loadAsync(source);
+      const materials = await Promise.all((from.parser.json.materials || []).map((_, i) =>
+        from.parser.getDependency('material', i)));
+      const named = new Map(materials.map((m, i) => [m.name || 'material ' + i, m]));
+      shown.scene.traverse(mesh => {
+        if (!mesh.isMesh) return;
+        const material = named.get(mesh.material.name).clone();
+        material.vertexColors = mesh.geometry.attributes.color !== undefined;
+        if (material.normalMap) {  // Against v, as glTF has it; three's own tangents are along it.
+          mesh.geometry.computeTangents();
+          material.normalScale.y *= -1;
+        }
+        mesh.material = material;
+      });
+      const scene = new THREE.Scene();
+      scene.add(shown.scene);
+      const light = new THREE.DirectionalLight(0xffffff, Math.PI);
+      light.position.set(-0.5, 0.6, 0.8);
+      scene.add(light);
+      const camera = new THREE.PerspectiveCamera(field * 180 / Math.PI, size[0] / size[1], near, far);
+      const basis = new THREE.Matrix4().makeBasis(...axes.map(a => new THREE.Vector3(...a)));
+      camera.quaternion.setFromRotationMatrix(basis);
+      camera.position.set(...eye);
+      renderer.render(scene, camera);
+      await send(name + '.' + as, await new Promise(done => renderer.domElement.toBlob(done)));
+    }
+  };
+  await draw('whole');
+  await draw('single');
 } catch (error) { await send('error', String(error.stack)); }
 await send('end', '');
 </script>"""
@@ -202,12 +216,14 @@ def main():
         good = True
         for each in asked:
             ours = (folder / (each["name"] + ".png")).read_bytes()
-            off, shared = compare(ours, sent[each["name"]])
-            good &= off < MOST and shared > 0.97
-            print("  %-14s %.2f of 255 off, %.1f %% of the pixels in both" % (each["name"], off, 100 * shared))
+            single, shared = compare(ours, sent[each["name"] + ".single"])
+            whole, _ = compare(ours, sent[each["name"] + ".whole"])
+            good &= single < MOST and shared > 0.97 and (whole < MOST or each["name"] in ROUGH_METALS)
+            print("  %-14s %.2f of 255 off, %.2f of three.js as it is; %.1f %% of the pixels in both" %
+                  (each["name"], single, whole, 100 * shared))
             if kept := os.environ.get("SINEW_KEEP_PICTURES"):
-                (pathlib.Path(kept) / (each["name"] + ".sinew.png")).write_bytes(ours)
-                (pathlib.Path(kept) / (each["name"] + ".three.png")).write_bytes(sent[each["name"]])
+                for kind, picture in (("sinew", ours), ("three", sent[each["name"] + ".whole"])):
+                    (pathlib.Path(kept) / ("%s.%s.png" % (each["name"], kind))).write_bytes(picture)
         return 0 if good else 1
 
 
