@@ -71,7 +71,7 @@ LightBlock rim() {
 
 /// One lamp, far off, that makes a white, dull surface which faces it exactly white, and nothing else: as other
 /// programs light a material, to compare.
-LightBlock white() {
+LightBlock whiteLamp() {
   LightBlock light;
   light.keyColor = glm::vec4(1.0f, 1.0f, 1.0f, 0.0f);
   light.keyAim = glm::vec4(kWhiteLamp, 1.0f);
@@ -84,7 +84,7 @@ LightBlock white() {
 }  // namespace
 
 const LightBlock& lightBlock(LightPreset light) {
-  static const std::array kBlocks{studio(), outdoor(), rim(), white()};
+  static const std::array kBlocks{studio(), outdoor(), rim(), whiteLamp()};
   return kBlocks[static_cast<std::size_t>(light)];
 }
 

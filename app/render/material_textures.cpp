@@ -7,7 +7,7 @@
 namespace sinew::app {
 namespace {
 
-GLint wrapOf(TextureWrap wrap) {
+GLint glWrapOf(TextureWrap wrap) {
   switch (wrap) {
     case TextureWrap::kClampToEdge:
       return GL_CLAMP_TO_EDGE;
@@ -30,8 +30,8 @@ GlTexture uploadTexture(const Texture& image, GLenum format) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTextureSubImage2D(id, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
   glGenerateTextureMipmap(id);
-  glTextureParameteri(id, GL_TEXTURE_WRAP_S, wrapOf(image.wrapU));
-  glTextureParameteri(id, GL_TEXTURE_WRAP_T, wrapOf(image.wrapV));
+  glTextureParameteri(id, GL_TEXTURE_WRAP_S, glWrapOf(image.wrapU));
+  glTextureParameteri(id, GL_TEXTURE_WRAP_T, glWrapOf(image.wrapV));
   glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, image.nearest ? GL_NEAREST : GL_LINEAR);
   // On the processor, anisotropic reading costs more than all the rest of the shading.
