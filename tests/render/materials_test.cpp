@@ -158,11 +158,11 @@ TEST_F(Drawing, AFlatNormalMapChangesNothing) {
 }
 
 TEST_F(Drawing, NormalMapsTurnAlongUAndAgainstV) {
-  const glm::dvec3 texel(220.0 / 127.5 - 1.0, 90.0 / 127.5 - 1.0, 210.0 / 127.5 - 1.0);
+  const glm::dvec3 texel(170.0 / 127.5 - 1.0, 160.0 / 127.5 - 1.0, 220.0 / 127.5 - 1.0);
   const OracleMaterial material{{0.6, 0.6, 0.6}, 0.0, 0.6};
   const auto expectTurned = [&](const std::shared_ptr<Character>& quad, const glm::dvec3& n, const std::string& what,
                                 const View& view = viewOfQuad()) {
-    quad->textures = {evenTexture(220, 90, 210)};
+    quad->textures = {evenTexture(170, 160, 220)};
     quad->materials[0].baseColor = {0.6f, 0.6f, 0.6f, 1.0f};
     quad->materials[0].roughness = 0.6f;
     quad->materials[0].normalMap.texture = 0;
@@ -206,7 +206,7 @@ TEST_F(Drawing, ClayHasReliefOnlyIfAsked) {
   DisplaySettings clay = lit(LightPreset::kStudio);
   clay.shading = Shading::kClay;
   const Image plain = drawQuad(quad, clay);
-  quad->textures = {evenTexture(220, 90, 210)};
+  quad->textures = {evenTexture(170, 160, 220)};
   quad->materials[0].normalMap.texture = 0;
   quad->materials[0].metallicRoughnessMap.texture = 0;
   quad->materials[0].emissiveMap.texture = 0;
