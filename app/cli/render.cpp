@@ -109,8 +109,7 @@ void addLook(CLI::App& verb, RenderOptions& options) {
   verb.add_flag("--ground,!--no-ground", options.ground, "Grid and shadow (on)");
   verb.add_flag("--cull", options.cull, "Neither compute nor draw faces that point away from the camera: faster");
   verb.add_flag("--transparent", options.transparent, "No background: an alpha channel instead");
-  verb.add_option("--light", options.light, "studio, outdoor, rim, or white: one lamp and no tone curve (studio)")
-      ->type_name("L");
+  verb.add_option("--light", options.light, "studio, outdoor, rim or white (studio)")->type_name("L");
   verb.add_option("--background", options.background, "studio, dark, mid, light, gradient or checker (studio)")
       ->type_name("B");
   verb.add_flag("--ao", options.occlusion, "Ambient occlusion: crevices and folds are darker");
