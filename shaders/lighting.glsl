@@ -109,7 +109,7 @@ vec3 studio(vec3 albedo, float metallic, float roughness, vec3 n, vec3 v, vec3 r
   vec3 reached = kBare ? vec3(1.0) : 0.45 + 0.55 * open;
   Reflection key = reflection(f0, n, v, l, max(roughness, kLeastRoughness));
   vec3 arriving = kKeyColor * (lit * (1.0 - kSoftness + kSoftness * lit)) * reached;
-  vec3 color = plain * (1.0 - key.fresnel) * arriving * (kBare ? 1.0 : 0.90);
+  vec3 color = plain * key.entering * arriving * (kBare ? 1.0 : 0.90);
   color += key.specular * kKeyColor * (max(nl, 0.0) * (kBare ? vec3(1.0) : open));
   if (kBare) return color;
 
