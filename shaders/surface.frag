@@ -109,6 +109,11 @@ vec3 marked(vec3 color) {
 void main() {
   vec3 v = toEye(fragment.world);
   vec3 smooth_ = normalize(fragment.normal);
+#ifdef SHADING_TEXTURED
+  // A highlight smaller than a pixel would flicker: what the normal turns within one widens it instead.
+  vec3 turn = max(abs(dFdx(smooth_)), abs(dFdy(smooth_)));
+  float turned = max(turn.x, max(turn.y, turn.z));
+#endif
   vec3 n = smooth_;
 #ifdef NORMAL_MAP
   vec3 texel = texture(normalMap, mapAt(0)).xyz * 2.0 - 1.0;
@@ -140,6 +145,7 @@ void main() {
   cavity = 1.0 + mapStrengths.y * (measured.r - 1.0);
 #endif
 #endif
+  metal.y = min(metal.y + turned, 1.0);
 #ifdef OCCLUSION_MAP
   cavity = 1.0 + mapStrengths.y * (texture(occlusionMap, mapAt(2)).r - 1.0);
 #endif
