@@ -10,7 +10,8 @@ CHARACTER = ("glb", "gltf", "vrm", "rig.json")
 NAMED_WORDS = {
     "--view": ("front", "back", "left", "right", "top", "bottom", "three-quarter"),
     "--shading": ("textured", "clay", "classes", "heat"),
-    "--show": ("muscles", "skeleton", "primitives", "influence", "wire", "control", "anchors", "classes"),
+    "--show": ("muscles", "skeleton", "primitives", "influence", "wire", "control", "anchors", "classes",
+               "relief"),
 }
 
 

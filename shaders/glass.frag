@@ -3,6 +3,7 @@
 // towards its rim. With WIRE edges or without. Premultiplied.
 #include "frame.glsl"
 #include "color.glsl"
+#include "brdf.glsl"
 #include "lighting.glsl"
 
 in Surface {
@@ -44,7 +45,7 @@ void main() {
   vec3 right = normalize(cross(cameraUp, v));
   vec3 up = cross(v, right);
   vec3 open = openness(fragment.skin.x, fragment.world, n.y);
-  vec3 lit = studio(surface.rgb, surface.a, plain != 0 ? 0.6 : finish.y, n, v, right, up, open);
+  vec3 lit = studio(surface.rgb, surface.a, plain != 0 ? 0.6 : finish.y, n, v, right, up, open, 1.0);
   float facing = abs(dot(n, v)), away = 1.0 - facing;
   float body = (1.0 - clear) * (1.0 - clear);
   float rim = mix(1.0, 0.72, clear) * pow(away, mix(1.2, 2.8, clear));

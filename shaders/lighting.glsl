@@ -17,6 +17,7 @@ layout(std140, binding = 1) uniform Light {
   vec4 clayFill;
   vec4 clayRimRight;
   vec4 clayRimLeft;
+  vec4 lamp;  // How far the key light reaches round, how softly it ends, least roughness; w 1: shown as it is.
 };
 #define kSky sky.rgb
 #define kFloorBounce floorBounce.rgb
@@ -30,6 +31,10 @@ layout(std140, binding = 1) uniform Light {
 #define kClayFill clayFill.rgb
 #define kClayRimRight clayRimRight.rgb
 #define kClayRimLeft clayRimLeft.rgb
+#define kWrap lamp.x
+#define kSoftness lamp.y
+#define kLeastRoughness lamp.z
+#define kBare (lamp.w > 0.5)
 #define kClayWarmth (vec3(0.083, 0.031, 0.011) * clayKeyColor.r)
 #else
 // The studio's, known to the compiler: what is drawn most is drawn fastest.
@@ -46,6 +51,10 @@ const vec3 kClayFill = vec3(0.115, 0.132, 0.172);
 const vec3 kClayRimRight = vec3(0.58, 0.66, 0.78);
 const vec3 kClayRimLeft = vec3(0.30, 0.25, 0.22);
 const vec3 kClayWarmth = vec3(0.135, 0.050, 0.018);
+const float kWrap = 0.24;
+const float kSoftness = 0.70;
+const float kLeastRoughness = 0.25;  // The lamp has a size, which polished things show.
+const bool kBare = false;
 #endif
 
 vec3 hemisphere(float up) { return mix(kFloorBounce, kSky, 0.5 + up * (0.75 - 0.25 * up * up)); }
@@ -83,26 +92,37 @@ vec3 studioKey() {
 #endif
 }
 
-// Physically inclined shading of a metallic-roughness material.
-vec3 studio(vec3 albedo, float metallic, float roughness, vec3 n, vec3 v, vec3 right, vec3 up, vec3 open) {
+// A metallic-roughness material. The key light is glTF's BRDF (brdf.glsl), of a lamp that reaches a little round the
+// body; what comes from all around is an estimate of the same. cavity: what the material's occlusion leaves of the
+// latter.
+vec3 studio(vec3 albedo, float metallic, float roughness, vec3 n, vec3 v, vec3 right, vec3 up, vec3 open,
+            float cavity) {
   vec3 l = studioKey();
   vec3 fill = 0.75 * right + 0.15 * up + 0.65 * v;
   vec3 back = 0.60 * right + 0.52 * up - 0.62 * v;
   vec3 backLeft = -0.80 * right + 0.20 * up - 0.56 * v;
-  float lit = max((dot(n, l) + 0.24) / 1.24, 0.0);
+  vec3 plain = albedo * (1.0 - metallic);
+  vec3 f0 = mix(vec3(0.04), albedo, metallic);
   // Key light is kept out less than the sky's: it comes from one side, and its own shadow is on the floor.
-  vec3 diffuse = kKeyColor * (lit * (0.30 + 0.70 * lit)) * (0.45 + 0.55 * open);
-  diffuse += (hemisphere(n.y) + kFillColor * max(dot(n, fill), 0.0)) * open;
+  float nl = dot(n, l);
+  float lit = max((nl + kWrap) / (1.0 + kWrap), 0.0);
+  vec3 reached = kBare ? vec3(1.0) : 0.45 + 0.55 * open;
+  Reflection key = reflection(f0, n, v, l, max(roughness, kLeastRoughness));
+  vec3 arriving = kKeyColor * (lit * (1.0 - kSoftness + kSoftness * lit)) * reached;
+  vec3 color = plain * key.entering * arriving * (kBare ? 1.0 : 0.90);
+  color += key.specular * kKeyColor * (max(nl, 0.0) * (kBare ? vec3(1.0) : open));
+  if (kBare) return color;
+
+  vec3 left_ = open * cavity;
   float grazing = 1.0 - max(dot(n, v), 0.0);
   float grazing2 = grazing * grazing;
-  vec3 f0 = mix(vec3(0.04), albedo, metallic);
   vec3 fresnel = f0 + (max(vec3(1.0 - roughness), f0) - f0) * grazing2 * grazing2 * grazing;
   vec3 mirrored = hemisphere(clamp(reflect(-v, n).y * (1.6 - roughness), -1.0, 1.0));
-  vec3 glint = kKeyColor * (2.6 * highlight(n, v, l, max(roughness, 0.25)));
-  vec3 specular = fresnel * open * (mirrored * (1.0 - 0.6 * roughness) + glint);
   float behind = max(dot(n, back) + 0.30, 0.0) + 0.55 * max(dot(n, backLeft) + 0.10, 0.0);
   vec3 rim = kRimColor * (grazing2 * grazing * behind) * open;
-  return albedo * (1.0 - metallic) * (diffuse + rim) * 0.86 + specular + rim * 0.09;
+  vec3 around = hemisphere(n.y) * left_ + kFillColor * max(dot(n, fill), 0.0) * open;
+  color += plain * (around + rim) * 0.86;
+  return color + fresnel * left_ * mirrored * (1.0 - 0.6 * roughness) + rim * mix(vec3(0.09), albedo, metallic);
 }
 
 // Light on a sculptor's clay, by where the normal points as seen: x right, y up, z to the eye. 1 = clay as it is.

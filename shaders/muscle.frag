@@ -3,6 +3,7 @@
 // they move and stretch with it; finer ones than a pixel shows fade into their mean.
 #include "frame.glsl"
 #include "color.glsl"
+#include "brdf.glsl"
 #include "lighting.glsl"
 in vec3 world;
 in vec3 shapeNormal;
@@ -80,7 +81,7 @@ void main() {
   vec3 up = cross(v, right);
   float near = occluded.x > 0.5 ? texelFetch(occlusion, ivec2(gl_FragCoord.xy), 0).r : 1.0;
   vec3 open = openness(near, world, n.y);
-  vec3 lit = studio(albedo, 0.0, roughness, n, v, right, up, open);
+  vec3 lit = studio(albedo, 0.0, roughness, n, v, right, up, open, 1.0);
   lit *= mix(0.35, 1.0, near);  // The key light is kept out as well: muscles lie close together.
   lit += glow * (0.10 * albedo + 0.02);
   float far = smoothstep(-0.30, 0.75, (dot(world - eye.xyz, forward.xyz) - middle.x) / middle.y);

@@ -1,8 +1,11 @@
 #version 450 core
 // shaders/surface.frag: one of four shadings, SHADING_TEXTURED / _CLAY / _CLASSES / _HEAT, with WIRE edges or without,
-// with MARKED territory and bulges of the selected muscles or without, COLORED by the vertices or not.
+// with MARKED territory and bulges of the selected muscles or without, COLORED by the vertices or not, with each of the
+// material's maps or without: NORMAL_MAP, ROUGHNESS_MAP, OCCLUSION_MAP (SHARED_MAP: it is the roughness map),
+// EMISSIVE_MAP.
 #include "frame.glsl"
 #include "color.glsl"
+#include "brdf.glsl"
 #include "lighting.glsl"
 
 in Surface {
@@ -22,10 +25,16 @@ flat in vec3 altitudes;
 layout(location = 0) out vec4 outColor;  // Linear; the framebuffer encodes.
 
 uniform sampler2D baseMap;
+layout(binding = 1) uniform sampler2D normalMap;
+layout(binding = 2) uniform sampler2D roughnessMap;  // Green: roughness, blue: metallic.
+layout(binding = 3) uniform sampler2D occlusionMap;  // Red.
+layout(binding = 4) uniform sampler2D emissiveMap;
 layout(binding = 5) uniform sampler2D occlusion;  // How much light near surfaces leave, per pixel.
 uniform vec4 baseColor;
 uniform vec4 finish;     // Metallic, roughness, alpha cutoff (below 0: none), 1 where the alpha blends.
 uniform vec3 emissive;
+uniform vec4 mapPlaces[8];  // Two rows for each map in the order above: uv and 1 -> where it is read.
+uniform vec2 mapStrengths;  // Scale of the normal map; strength of the occlusion.
 uniform int unlit;
 uniform float lineScale;
 uniform vec4 heatStops[9];     // Linear.
@@ -41,6 +50,15 @@ vec3 heatColor(float x) {
   int low = min(int(at), 7);
   return mix(heatStops[low].rgb, heatStops[low + 1].rgb, at - float(low));
 }
+#endif
+
+vec2 mapAt(int map) {
+  vec3 uv = vec3(fragment.uv, 1.0);
+  return vec2(dot(mapPlaces[2 * map].xyz, uv), dot(mapPlaces[2 * map + 1].xyz, uv));
+}
+
+#ifdef NORMAL_MAP
+#include "relief.glsl"
 #endif
 
 vec3 pigment() {
@@ -90,19 +108,50 @@ vec3 marked(vec3 color) {
 
 void main() {
   vec3 v = toEye(fragment.world);
-  vec3 n = normalize(fragment.normal) * (gl_FrontFacing ? 1.0 : -1.0);
+  vec3 smooth_ = normalize(fragment.normal);
+#ifdef SHADING_TEXTURED
+  // A highlight smaller than a pixel would flicker: what the normal turns within one widens it instead.
+  vec3 turn = max(abs(dFdx(smooth_)), abs(dFdy(smooth_)));
+  float turned = max(turn.x, max(turn.y, turn.z));
+#endif
+  vec3 n = smooth_;
+#ifdef NORMAL_MAP
+  vec3 texel = texture(normalMap, mapAt(0)).xyz * 2.0 - 1.0;
+  n = embossed(n, fragment.world, mapAt(0), texel * vec3(mapStrengths.xx, 1.0));
+#endif
+  if (!gl_FrontFacing) {
+    smooth_ = -smooth_;
+    n = -n;
+  }
   vec3 cameraUp = vec3(viewFromWorld[0][1], viewFromWorld[1][1], viewFromWorld[2][1]);
   vec3 right = normalize(cross(cameraUp, v));
   vec3 up = cross(v, right);
 #ifdef CHOSEN_LOOK
   float near = occluded.x > 0.5 ? texelFetch(occlusion, ivec2(gl_FragCoord.xy), 0).r : 1.0;
-  vec3 open = openness(fragment.skin.x * near, fragment.world, n.y);
+  vec3 open = openness(fragment.skin.x * near, fragment.world, smooth_.y);
 #else
-  vec3 open = openness(fragment.skin.x, fragment.world, n.y);
+  vec3 open = openness(fragment.skin.x, fragment.world, smooth_.y);
 #endif
   float alpha = 1.0;
 #ifdef SHADING_TEXTURED
   vec4 base = baseColor * texture(baseMap, fragment.uv);
+  vec2 metal = finish.xy;
+  float cavity = 1.0;
+  vec3 glow = emissive;
+#ifdef ROUGHNESS_MAP
+  vec3 measured = texture(roughnessMap, mapAt(1)).rgb;
+  metal *= measured.bg;
+#ifdef SHARED_MAP
+  cavity = 1.0 + mapStrengths.y * (measured.r - 1.0);
+#endif
+#endif
+  metal.y = min(metal.y + turned, 1.0);
+#ifdef OCCLUSION_MAP
+  cavity = 1.0 + mapStrengths.y * (texture(occlusionMap, mapAt(2)).r - 1.0);
+#endif
+#ifdef EMISSIVE_MAP
+  glow *= texture(emissiveMap, mapAt(3)).rgb;
+#endif
   float cutoff = finish.z;
 #ifdef COLORED
   base *= clamp(fragment.color, 0.0, 1.0);
@@ -110,8 +159,8 @@ void main() {
 #endif
   if (base.a < cutoff) discard;
   if (finish.w > 0.5) alpha = base.a;
-  vec3 lit = studio(base.rgb, finish.x, finish.y, n, v, right, up, open) + emissive;
-  vec3 color = unlit != 0 ? base.rgb : dithered(toneMapped(lit));
+  vec3 lit = studio(base.rgb, metal.x, metal.y, n, v, right, up, open, cavity) + glow;
+  vec3 color = unlit != 0 ? base.rgb : kBare ? lit : dithered(toneMapped(lit));
 #else
   vec3 m = vec3(dot(n, right), dot(n, up), dot(n, v));
   vec3 l = kClayKey;

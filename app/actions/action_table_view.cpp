@@ -91,6 +91,13 @@ bool isBare(const State& s) { return s.document.visibility.bare; }
 Possible exportedHere(const State& s) { return open(s).also(hasExportError(s), "Export the character first"); }
 bool isExportErrorShown(const State& s) { return showsExportError(s); }
 
+Possible reliefOf(const State& s) {
+  const Possible clay = open(s).also(s.view.display.shading == Shading::kClay, "Show clay first");
+  if (!clay) return clay;
+  const auto embossed = [](const Material& material) { return material.normalMap.texture >= 0; };
+  return clay.also(std::ranges::any_of(s.character().materials, embossed), "The character has no normal maps");
+}
+
 using D = DisplaySettings;
 
 const Action kActions[] = {
@@ -98,6 +105,8 @@ const Action kActions[] = {
      isShaded<Shading::kTextured>, shade<Shading::kTextured>},
     {"view/clay", "Clay", "One plain material that shows the shape", key(GLFW_KEY_2), kNone, open,
      isShaded<Shading::kClay>, shade<Shading::kClay>},
+    {"view/relief", "Relief on clay", "Show the materials' normal maps on clay", kNone, kNone, reliefOf,
+     isShown<&D::relief>, toggleShown<&D::relief>},
     {"view/classes", "Zones",
      "Where muscles shape the skin, where they end, and plain skin (triangle classes: implicit, straddling, normal)",
      key(GLFW_KEY_3), kNone, open, isShaded<Shading::kClasses>, shade<Shading::kClasses>},
@@ -131,6 +140,8 @@ const Action kActions[] = {
      isLit<LightPreset::kOutdoor>, light<LightPreset::kOutdoor>},
     {"view/light-rim", "Rim light", "Strong light from behind that shows the outline", kNone, kNone, open,
      isLit<LightPreset::kRim>, light<LightPreset::kRim>},
+    {"view/light-white", "White light", "One white lamp and no tone curve: to compare with other programs", kNone,
+     kNone, open, isLit<LightPreset::kWhite>, light<LightPreset::kWhite>},
     {"view/background-studio", "Studio background", "A dark wall, lighter behind the character", kNone, kNone, open,
      isBehind<Backdrop::kStudio>, putBehind<Backdrop::kStudio>},
     {"view/background-dark", "Dark background", "One dark grey", kNone, kNone, open, isBehind<Backdrop::kDark>,

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/export/export_report.h"
-#include "app/render/occlusion.h"
+#include "app/render/skin/occlusion.h"
 #include "core/base/at.h"
 #include "core/symmetry/motion_clip.h"
 

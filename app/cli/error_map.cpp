@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include "app/render/color_scales.h"
+#include "app/render/skin/color_scales.h"
 #include "core/io/files/atomic_file.h"
 
 namespace sinew::app {

@@ -99,7 +99,7 @@ void addLook(CLI::App& verb, RenderOptions& options) {
       ->type_name("S");
   verb.add_option("--show", options.show,
                   "Any of muscles (flesh under glass), skeleton, primitives, influence, wire, control, "
-                  "anchors, classes")
+                  "anchors, classes, relief (normal maps on clay)")
       ->type_name("WHAT,...")
       ->delimiter(',')
       ->expected(1)
@@ -109,7 +109,7 @@ void addLook(CLI::App& verb, RenderOptions& options) {
   verb.add_flag("--ground,!--no-ground", options.ground, "Grid and shadow (on)");
   verb.add_flag("--cull", options.cull, "Neither compute nor draw faces that point away from the camera: faster");
   verb.add_flag("--transparent", options.transparent, "No background: an alpha channel instead");
-  verb.add_option("--light", options.light, "studio, outdoor or rim (studio)")->type_name("L");
+  verb.add_option("--light", options.light, "studio, outdoor, rim or white (studio)")->type_name("L");
   verb.add_option("--background", options.background, "studio, dark, mid, light, gradient or checker (studio)")
       ->type_name("B");
   verb.add_flag("--ao", options.occlusion, "Ambient occlusion: crevices and folds are darker");

@@ -96,18 +96,19 @@ Result<void> readDisplay(const RenderOptions& options, RenderPlan& plan) {
     else if (shown == "muscles") display.anatomy = true;
     else if (shown == "influence") display.influence = true;
     else if (shown == "wire") display.wire = true;
+    else if (shown == "relief") display.relief = true;
     else if (shown == "control") display.controlMesh = true;
     else if (shown == "anchors") plan.anchors = true;
     else if (shown == "classes") display.shading = Shading::kClasses;
     else {
       return errorAt("--show",
-                     "expected muscles, skeleton, primitives, influence, wire, control, anchors or classes, "
+                     "expected muscles, skeleton, primitives, influence, wire, relief, control, anchors or classes, "
                      "got \"" +
                          shown + '"');
     }
   }
   const auto light = lightNamed(options.light);
-  if (!light) return errorAt("--light", "expected studio, outdoor or rim, got \"" + options.light + '"');
+  if (!light) return errorAt("--light", "expected studio, outdoor, rim or white, got \"" + options.light + '"');
   const auto backdrop = backdropNamed(options.background);
   if (!backdrop) {
     return errorAt("--background",

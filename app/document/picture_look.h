@@ -8,10 +8,10 @@
 
 namespace sinew::app {
 
-enum class LightPreset { kStudio, kOutdoor, kRim };
+enum class LightPreset { kStudio, kOutdoor, kRim, kWhite };
 enum class Backdrop { kStudio, kDark, kMid, kLight, kGradient, kChecker };
 
-inline constexpr std::array kLightNames{"studio", "outdoor", "rim"};
+inline constexpr std::array kLightNames{"studio", "outdoor", "rim", "white"};
 inline constexpr std::array kBackdropNames{"studio", "dark", "mid", "light", "gradient", "checker"};
 
 struct PictureLook {

@@ -27,7 +27,8 @@ constexpr std::array kFlags{
     Flag{"wire", &DisplaySettings::wire},           Flag{"control_mesh", &DisplaySettings::controlMesh},
     Flag{"skeleton", &DisplaySettings::skeleton},   Flag{"primitives", &DisplaySettings::primitives},
     Flag{"influence", &DisplaySettings::influence}, Flag{"cull", &DisplaySettings::cullBackFaces},
-    Flag{"ground", &DisplaySettings::ground},       Flag{"anatomy", &DisplaySettings::anatomy}};
+    Flag{"ground", &DisplaySettings::ground},       Flag{"anatomy", &DisplaySettings::anatomy},
+    Flag{"relief", &DisplaySettings::relief}};
 
 const std::filesystem::path& fileOf(const Document& document) {
   return document.rigFile.empty() ? document.characterFile : document.rigFile;

@@ -9,6 +9,7 @@
 namespace sinew::app {
 namespace {
 
+const glm::vec3 kWhiteLamp = glm::normalize(glm::vec3(-0.5f, 0.6f, 0.8f));
 const glm::vec3 kSun = glm::normalize(glm::vec3(-0.62f, 0.86f, 0.58f));
 
 /// Key, fill and rim go around with the camera: every side is shown equally well.
@@ -68,14 +69,27 @@ LightBlock rim() {
   return light;
 }
 
+/// One lamp, far off, that makes a white, dull surface which faces it exactly white, and nothing else: as other
+/// programs light a material, to compare.
+LightBlock whiteLamp() {
+  LightBlock light;
+  light.keyColor = glm::vec4(1.0f, 1.0f, 1.0f, 0.0f);
+  light.keyAim = glm::vec4(kWhiteLamp, 1.0f);
+  light.clayKey = {-0.52f, 0.60f, 0.608f, 0.0f};
+  light.clayKeyColor = {1.6f, 1.6f, 1.6f, 0.0f};
+  light.lamp = {0.0f, 0.0f, 0.045f, 1.0f};  // Of a lamp without size a mirror would show nothing.
+  return light;
+}
+
 }  // namespace
 
 const LightBlock& lightBlock(LightPreset light) {
-  static const std::array kBlocks{studio(), outdoor(), rim()};
+  static const std::array kBlocks{studio(), outdoor(), rim(), whiteLamp()};
   return kBlocks[static_cast<std::size_t>(light)];
 }
 
 glm::vec3 keyDirection(LightPreset light) {
+  if (light == LightPreset::kWhite) return kWhiteLamp;
   // In a studio high above a character that looks along +Z, a little in front.
   return light == LightPreset::kOutdoor ? kSun : glm::normalize(glm::vec3(-0.20f, 1.0f, 0.26f));
 }

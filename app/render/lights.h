@@ -21,6 +21,9 @@ struct LightBlock {
   glm::vec4 clayFill{0.0f};
   glm::vec4 clayRimRight{0.0f};
   glm::vec4 clayRimLeft{0.0f};
+  /// How far the key light reaches round, how softly it ends, the least roughness it sees; w 1: it is all the light,
+  /// and the picture shows it without tone curve.
+  glm::vec4 lamp{0.24f, 0.70f, 0.25f, 0.0f};
 };
 [[nodiscard]] const LightBlock& lightBlock(LightPreset light);
 

@@ -9,8 +9,8 @@
 
 #include <glm/matrix.hpp>
 
-#include "app/render/color_scales.h"
 #include "app/render/muscle_drawer.h"
+#include "app/render/skin/color_scales.h"
 
 namespace sinew::app {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <numbers>
 
-#include "app/render/color_scales.h"
 #include "app/render/skeleton_drawer.h"
+#include "app/render/skin/color_scales.h"
 #include "core/lines/tendons.h"
 #include "core/skeleton/bone_segments.h"
 #include "sinew/primitives/shape.h"

@@ -31,6 +31,7 @@ struct DisplaySettings {
   bool cullBackFaces = false;  ///< Asks the surface's maker, not the drawer, to leave out what cannot be seen.
   bool ground = true;          ///< Grid and shadow.
   bool background = true;      ///< Off: transparent where nothing is drawn.
+  bool relief = false;         ///< Shading::kClay has the normal maps of the materials.
   bool lighting = true;        ///< Off: Shading::kTextured shows the bare base color.
   bool territory = true;       ///< Scene::territory as a tint on the skin.
   bool segments = true;        ///< Scene::segments.

@@ -8,57 +8,16 @@
 
 #include <glm/gtc/matrix_access.hpp>
 
-#include "app/render/color_scales.h"
-#include "app/render/occlusion.h"
 #include "app/render/shape_colors.h"
 #include "app/render/shape_mesh.h"
+#include "app/render/skin/color_scales.h"
+#include "app/render/skin/occlusion.h"
 
 namespace sinew::app {
 namespace {
 
-constexpr std::size_t kWired = 1, kMarked = 2, kColored = 4, kChosen = 8;  ///< Kinds of programs.
-constexpr std::size_t kMostMarks = 4;                                      ///< As in shaders/surface.frag.
+constexpr std::size_t kMostMarks = 4;  ///< As in shaders/surface.frag.
 constexpr float kTerritoryStrength = 0.62f;
-
-constexpr std::array<const char*, 4> kShadingDefines{"SHADING_TEXTURED", "SHADING_CLAY", "SHADING_CLASSES",
-                                                     "SHADING_HEAT"};
-
-GLint wrapOf(TextureWrap wrap) {
-  switch (wrap) {
-    case TextureWrap::kClampToEdge:
-      return GL_CLAMP_TO_EDGE;
-    case TextureWrap::kMirroredRepeat:
-      return GL_MIRRORED_REPEAT;
-    case TextureWrap::kRepeat:
-      break;
-  }
-  return GL_REPEAT;
-}
-
-GLsizei levelsFor(int width, int height) {
-  return 1 + static_cast<GLsizei>(std::floor(std::log2(static_cast<float>(std::max(width, height)))));
-}
-
-GlTexture uploadTexture(const Texture& image) {
-  GlTexture texture = makeTexture(GL_TEXTURE_2D);
-  const GLuint id = texture.id();
-  glTextureStorage2D(id, levelsFor(image.width, image.height), GL_SRGB8_ALPHA8, image.width, image.height);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTextureSubImage2D(id, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-  glGenerateTextureMipmap(id);
-  glTextureParameteri(id, GL_TEXTURE_WRAP_S, wrapOf(image.wrapU));
-  glTextureParameteri(id, GL_TEXTURE_WRAP_T, wrapOf(image.wrapV));
-  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, image.nearest ? GL_NEAREST : GL_LINEAR);
-  // On the processor, anisotropic reading costs more than all the rest of the shading.
-  if (!isSoftwareRenderer() && (epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") ||
-                                epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic"))) {
-    GLfloat most = 1.0f;
-    glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
-    glTextureParameterf(id, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::min(most, 8.0f));
-  }
-  return texture;
-}
 
 void attribute(GLuint array, GLuint location, GLuint binding, GLint count, std::size_t offset) {
   glEnableVertexArrayAttrib(array, location);
@@ -107,18 +66,6 @@ void setMarks(const GlProgram& program, const Frame& frame, std::span<const Prim
   program.set("territoryTint", glm::vec4(toLinear(kTerritoryColor), tint));
 }
 
-Result<GlProgram> loadProgram(std::size_t kind, std::size_t shading) {
-  const char* const marks = (kind & kMarked) != 0 ? "MARKED" : "UNMARKED";
-  const char* const colors = (kind & kColored) != 0 ? "COLORED" : "UNCOLORED";
-  const char* const look = (kind & kChosen) != 0 ? "CHOSEN_LOOK" : "USUAL_LOOK";
-  if ((kind & kWired) == 0) {
-    return GlProgram::load({"shaders/surface.vert", "shaders/surface.frag"},
-                           {kShadingDefines[shading], marks, colors, look});
-  }
-  return GlProgram::load({"shaders/surface.vert", "shaders/surface_wire.geom", "shaders/surface.frag"},
-                         {kShadingDefines[shading], "WIRE", marks, colors, look});
-}
-
 }  // namespace
 
 SurfaceDrawer::SurfaceDrawer()
@@ -146,22 +93,13 @@ SurfaceDrawer::SurfaceDrawer()
   glVertexArrayAttribBinding(array, 4, 2);
   glVertexArrayVertexBuffer(array, 3, colors_.id(), 0, sizeof(glm::vec4));
   attribute(array, 5, 3, 4, 0);
-  Texture white;
-  white.width = white.height = 1;
-  white.rgba = {255, 255, 255, 255};
-  white_ = uploadTexture(white);
 }
 
 Result<SurfaceDrawer> SurfaceDrawer::create() {
+  Result<SurfacePrograms> programs = SurfacePrograms::create();
+  if (!programs) return programs.error();
   SurfaceDrawer drawer;
-  for (std::size_t i = 0; i < kShadingDefines.size(); ++i) {
-    for (std::size_t kind = 0; kind < kChosen; ++kind) {
-      if ((kind & kColored) != 0 && i != static_cast<std::size_t>(Shading::kTextured)) continue;
-      Result<GlProgram> made = loadProgram(kind, i);
-      if (!made) return made.error();
-      drawer.programs_[kind][i] = std::move(made).value();
-    }
-  }
+  drawer.programs_ = std::move(programs).value();
   return drawer;
 }
 
@@ -173,13 +111,7 @@ void SurfaceDrawer::setCharacter(const Character& character) {
   open_ = bakeOpenness(character.mesh);
   territory_.clear();
   revision_ = 0;
-  textures_.clear();
-  for (const Texture& image : character.textures) {
-    const bool whole =
-        image.width > 0 && image.height > 0 &&
-        image.rgba.size() >= 4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-    textures_.push_back(whole ? uploadTexture(image) : GlTexture{});
-  }
+  textures_.set(character);
 }
 
 void SurfaceDrawer::rebuildSkinValues(const ControlMesh& mesh) {
@@ -238,24 +170,17 @@ void SurfaceDrawer::upload(const Scene& scene) {
   fillVertices(surface);
 }
 
-const GlProgram& SurfaceDrawer::prepareProgram(const Frame& frame) const {
+const GlProgram& SurfaceDrawer::prepareProgram(const Frame& frame, MapSet maps) const {
   const std::vector<const PrimitiveShape*> marks = markedShapes(frame);
-  const bool marked = !marks.empty() || (frame.settings.territory && !territory_.empty());
-  const bool colored = frame.settings.shading == Shading::kTextured && !refinement_->drawColor.empty();
   const PictureLook& look = frame.settings.look;
-  const bool chosen = look.light != LightPreset::kStudio || look.occlusion;
-  const std::size_t kind = (frame.settings.wire ? kWired : 0) + (marked ? kMarked : 0) + (colored ? kColored : 0);
-  const auto shading = static_cast<std::size_t>(frame.settings.shading);
-  GlProgram& own = programs_[kind + kChosen][shading];
-  if (chosen && own.id() == 0) {
-    // The files were good a moment ago; without them the usual light is better than none.
-    if (Result<GlProgram> made = loadProgram(kind + kChosen, shading)) own = std::move(made).value();
-  }
-  const GlProgram& program = chosen && own.id() != 0 ? own : programs_[kind][shading];
+  SurfaceKind kind{.shading = frame.settings.shading, .wired = frame.settings.wire, .maps = maps};
+  kind.marked = !marks.empty() || (frame.settings.territory && !territory_.empty());
+  kind.colored = kind.shading == Shading::kTextured && !refinement_->drawColor.empty();
+  kind.chosen = look.light != LightPreset::kStudio || look.occlusion;
+  const GlProgram& program = programs_.of(kind);
   program.use();
   program.set("baseMap", 0);
   program.set("lineScale", frame.settings.lineScale);
-  program.set("unlit", frame.settings.lighting ? 0 : 1);
   program.set("heatRange", std::max(frame.settings.heatRange, 1e-6f) * frame.height);
   std::array<glm::vec4, 9> stops{};
   std::ranges::transform(heatStops(), stops.begin(),
@@ -265,7 +190,7 @@ const GlProgram& SurfaceDrawer::prepareProgram(const Frame& frame) const {
   std::ranges::transform(classColors(), classes.begin(),
                          [](const ClassColor& each) { return glm::vec4(linearFromSrgb(each.srgb), 1.0f); });
   program.set("classColors", std::span<const glm::vec4>(classes));
-  if (marked) setMarks(program, frame, marks);
+  if (kind.marked) setMarks(program, frame, marks);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, classes_.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, controlOf_.id());
   glBindVertexArray(array_.id());
@@ -283,41 +208,66 @@ AlphaMode SurfaceDrawer::alphaIn(const Frame& frame, const Material& material) {
   return solid ? AlphaMode::kOpaque : material.alphaMode;
 }
 
-void SurfaceDrawer::bindTexture(const Material& material) const {
-  const auto map = static_cast<std::size_t>(material.baseColorTexture);
-  const bool mapped = material.baseColorTexture >= 0 && map < textures_.size() && textures_[map];
-  glBindTextureUnit(0, mapped ? textures_[map].id() : white_.id());
-}
-
-void SurfaceDrawer::drawRange(const GlProgram& program, const Frame& frame, const Range& range) const {
+void SurfaceDrawer::drawRange(const GlProgram& program, const Frame& frame, const Range& range, MapSet maps) const {
   const Material& material = materialOf(range);
   const AlphaMode alpha = alphaIn(frame, material);
+  // Factors of maps that this program does not read would turn skin into chrome or into a lamp.
+  const bool metal = material.metallicRoughnessMap.texture < 0 || (maps & kRoughnessBit) != 0;
+  const bool glows = material.emissiveMap.texture < 0 || (maps & kEmissiveBit) != 0;
   program.set("baseColor", material.baseColor);
-  program.set("finish",
-              glm::vec4(material.metallic, material.roughness, alpha == AlphaMode::kMask ? material.alphaCutoff : -1.0f,
-                        alpha == AlphaMode::kBlend ? 1.0f : 0.0f));
-  program.set("emissive", material.emissive);
+  program.set("finish", glm::vec4(metal ? material.metallic : 0.0f, material.roughness,
+                                  alpha == AlphaMode::kMask ? material.alphaCutoff : -1.0f,
+                                  alpha == AlphaMode::kBlend ? 1.0f : 0.0f));
+  program.set("emissive", glows ? material.emissive : glm::vec3(0.0f));
+  program.set("unlit", frame.settings.lighting && !material.unlit ? 0 : 1);
   program.set("firstTriangle", range.firstTriangle);
-  bindTexture(material);
+  textures_.bindBase(material);
+  textures_.bindMaps(program, material, maps);
   const auto offset = static_cast<std::uintptr_t>(range.firstTriangle) * 3 * sizeof(std::uint32_t);
   glDrawElements(GL_TRIANGLES, range.triangles * 3, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
 }
 
+/// Draws ranges with the programs that their materials' maps need, each prepared when it follows another.
+class SurfaceDrawer::OwnProgram {
+ public:
+  OwnProgram(const SurfaceDrawer& drawer, const Frame& frame) : drawer_(drawer), frame_(frame) {}
+
+  void draw(const Range& range) {
+    const MapSet maps = drawer_.textures_.mapsOf(drawer_.materialOf(range), frame_.settings);
+    if (program_ == nullptr || maps != maps_) program_ = &drawer_.prepareProgram(frame_, maps);
+    maps_ = maps;
+    drawer_.drawRange(*program_, frame_, range, maps);
+  }
+
+ private:
+  const SurfaceDrawer& drawer_;
+  const Frame& frame_;
+  const GlProgram* program_ = nullptr;
+  MapSet maps_ = 0;
+};
+
 void SurfaceDrawer::drawOpaque(const Frame& frame) const {
   glDisable(GL_BLEND);
-  if (refinement_ != nullptr) drawOpaque(prepareProgram(frame), frame);
+  if (refinement_ == nullptr) return;
+  OwnProgram own(*this, frame);
+  drawOpaqueRanges(frame, [&](const Range& range) { own.draw(range); });
 }
 
 void SurfaceDrawer::drawOpaque(const GlProgram& program, const Frame& frame) const {
   if (refinement_ == nullptr) return;
   glBindVertexArray(array_.id());
+  drawOpaqueRanges(frame, [&](const Range& range) { drawRange(program, frame, range, 0); });
+}
+
+template <class Draw>
+void SurfaceDrawer::drawOpaqueRanges(const Frame& frame, const Draw& draw) const {
   glCullFace(GL_BACK);
   for (const Range& range : ranges_) {
     const Material& material = materialOf(range);
     if (alphaIn(frame, material) == AlphaMode::kBlend) continue;
     if (material.doubleSided) glDisable(GL_CULL_FACE);
     else glEnable(GL_CULL_FACE);
-    drawRange(program, frame, range);
+    draw(range);
   }
   glDisable(GL_CULL_FACE);
 }
@@ -326,7 +276,7 @@ void SurfaceDrawer::drawBlended(const Frame& frame) const {
   if (refinement_ == nullptr) return;
   const auto blends = [&](const Range& range) { return alphaIn(frame, materialOf(range)) == AlphaMode::kBlend; };
   if (std::ranges::none_of(ranges_, blends)) return;
-  const GlProgram& program = prepareProgram(frame);
+  OwnProgram own(*this, frame);
   blendPremultiplied();
   glDepthMask(GL_FALSE);
   glEnable(GL_CULL_FACE);
@@ -335,7 +285,7 @@ void SurfaceDrawer::drawBlended(const Frame& frame) const {
     for (const GLenum hidden : {GL_FRONT, GL_BACK}) {
       if (hidden == GL_FRONT && !materialOf(range).doubleSided) continue;
       glCullFace(hidden);
-      drawRange(program, frame, range);
+      own.draw(range);
     }
   }
   glDisable(GL_CULL_FACE);

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "app/render/frame.h"
+#include "app/render/material_textures.h"
+#include "app/render/surface_programs.h"
 
 namespace sinew::app {
 
@@ -58,22 +60,19 @@ class SurfaceDrawer {
   void rebuildTopology(const ControlMesh& mesh);
   /// Control triangles by material, the culled left out: controlOrder_, ranges_ and the indices to draw.
   void rebuildOrder(const ControlMesh& mesh, const GlBuffer& indices, GLenum usage);
-  const GlProgram& prepareProgram(const Frame& frame) const;
+  class OwnProgram;
+  const GlProgram& prepareProgram(const Frame& frame, MapSet maps) const;
   const Material& materialOf(const Range& range) const;
   /// What the material's alpha does in this picture.
   static AlphaMode alphaIn(const Frame& frame, const Material& material);
-  void bindTexture(const Material& material) const;
-  void drawRange(const GlProgram& program, const Frame& frame, const Range& range) const;
+  template <class Draw>
+  void drawOpaqueRanges(const Frame& frame, const Draw& draw) const;
+  void drawRange(const GlProgram& program, const Frame& frame, const Range& range, MapSet maps) const;
 
-  /// Programs for each Shading.
-  using Programs = std::array<GlProgram, 4>;
-  /// +1 with wire, +2 with marks, +4 with vertex colors (kTextured alone), +8 with a light that was chosen or with
-  /// occlusion: these are made when first used.
-  mutable std::array<Programs, 16> programs_;
+  SurfacePrograms programs_;
   GlVertexArray array_;
   GlBuffer vertices_, uvs_, skinValues_, colors_, indices_, keptIndices_, coarseIndices_, controlOf_, classes_;
-  GlTexture white_;
-  std::vector<GlTexture> textures_;
+  MaterialTextures textures_;
   std::vector<Material> materials_;
   std::shared_ptr<const Refinement> refinement_;
   std::vector<std::uint8_t> culled_;  ///< Surface::culled as in keptIndices_; empty: all is drawn, from indices_.

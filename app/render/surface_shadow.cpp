@@ -18,7 +18,7 @@ void SurfaceDrawer::drawForShadow(const Frame& frame, const GlProgram& solid, co
     if (alpha != AlphaMode::kOpaque) {
       program.set("baseMap", 0);
       program.set("alpha", glm::vec2(material.baseColor.a, alpha == AlphaMode::kMask ? material.alphaCutoff : -1.0f));
-      bindTexture(material);
+      textures_.bindBase(material);
     }
     const int first = coarse ? coarseFirst : range.firstTriangle;
     const int triangles = coarse ? range.controlTriangles : range.triangles;

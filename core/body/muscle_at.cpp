@@ -15,9 +15,9 @@ namespace {
 constexpr float kOwnPlace = 0.05f;     ///< Of H: nearer than this to its own place is there.
 constexpr float kPointOnAxis = 1e-5f;  ///< Of H.
 
-bool isTrunk(Slot slot) { return slot <= Slot::kUpperChest; }
+bool isTrunkSlot(Slot slot) { return slot <= Slot::kUpperChest; }
 
-Slot partOf(Slot slot) { return isTrunk(slot) ? Slot::kSpine : slot; }
+Slot partOf(Slot slot) { return isTrunkSlot(slot) ? Slot::kSpine : slot; }
 
 /// Half the length between the ends of a line less its tendons, of its part: a belly needs its own without the line.
 float halfLengthOf(const PresetMuscle& muscle) {

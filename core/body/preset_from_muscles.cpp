@@ -23,7 +23,7 @@
 namespace sinew {
 namespace {
 
-constexpr float kDegrees = 180.0f / std::numbers::pi_v<float>;
+constexpr float kDegreesPerRadian = 180.0f / std::numbers::pi_v<float>;
 constexpr float kMarkOnAxis = 1e-5f;  ///< Of H: so near the axis there is no angle.
 constexpr float kLeastDepth = 0.01f;  ///< 0 stands for what anchors have without a depth.
 constexpr float kAcross = 0.15f;      ///< Of its width: so near the mirror plane a single muscle lies across it.
@@ -200,12 +200,12 @@ void PresetMaker::markTurns(const WorldBelly& belly, const FleshPoint& flesh, co
   // An ellipsoid has no upper end.
   if (belly.world.shape.belly == 0.0f && glm::dot(along, usual) < 0.0f) along = -along;
   const glm::vec3 flat = normalizeOr(inSkin(along), usual);
-  muscle.turn = kDegrees * std::atan2(outer * glm::dot(flat, side), glm::dot(flat, usual));
+  muscle.turn = kDegreesPerRadian * std::atan2(outer * glm::dot(flat, side), glm::dot(flat, usual));
   const float rise = glm::dot(along, flesh.normal);
-  muscle.tilt = kDegrees * std::atan2(rise, glm::dot(along, flat));
+  muscle.tilt = kDegreesPerRadian * std::atan2(rise, glm::dot(along, flat));
   const glm::vec3 normal = glm::normalize(flesh.normal - rise * along);
   muscle.roll =
-      kDegrees * std::atan2(glm::dot(belly.normal, glm::cross(along, normal)), glm::dot(belly.normal, normal));
+      kDegreesPerRadian * std::atan2(glm::dot(belly.normal, glm::cross(along, normal)), glm::dot(belly.normal, normal));
 }
 
 Result<PresetMuscle> PresetMaker::muscle(int index) const {

@@ -11,7 +11,7 @@ namespace sinew::exporting {
 namespace {
 
 constexpr std::string_view kMagic("POINTCACHE2\0", 12);
-constexpr std::int32_t kVersion = 1;
+constexpr std::int32_t kCacheVersion = 1;
 constexpr double kPc2Header = 32;
 constexpr double kMddHeader = 8;
 
@@ -24,7 +24,7 @@ PointCache::PointCache(Format format, std::span<const float> times, std::size_t 
   const auto samples = static_cast<std::int32_t>(times.size());
   if (format == Format::kPc2) {
     bytes_ = kMagic;
-    append(kVersion);
+    append(kCacheVersion);
     append(count);
     append(0.0f);  // The first sample is at frame 0 ...
     append(1.0f);  // ... and there is one a frame.

@@ -58,7 +58,7 @@ Source::Source(const std::filesystem::path& from, std::vector<std::uint8_t> cont
   gltf::Notes notes;  // The import has told them.
   const gltf::NodeTree tree = gltf::readNodes(file, notes);
   bound = gltf::bindSkeleton(file, tree, accessors, notes);
-  gltf::Materials materials = gltf::readMaterials(file, notes);
+  gltf::Materials materials = gltf::readMaterials(file, notes, gltf::Images::kLeftOut);
   soup = gltf::readTriangles(file, tree, bound, materials, accessors, notes, &origin);
   controlTriangle = weldedTriangles(soup, gltf::weldTolerance(soup));
   std::vector<int> standsFor;

@@ -15,7 +15,7 @@ void setNumber(ObjectWriter& writer, const char* key, float value, float usual) 
   if (value != usual) writer.set(key, value);
 }
 
-void readPair(Reader& reader, const Json& object, const Place& place, const char* key, glm::vec2& pair) {
+void readLinePair(Reader& reader, const Json& object, const Place& place, const char* key, glm::vec2& pair) {
   const Json* node = object.find(key);
   if (!node) return;
   const auto [x, y] = reader.vector<2>(*node, Reader::join(place, key));
@@ -35,12 +35,12 @@ void readActivation(Reader& reader, const Json& object, const Place& place, Musc
 LineSettings readSettings(Reader& reader, const Json& node, const Place& place) {
   LineSettings settings;
   readFloat(reader, node, place, "rest", settings.rest);
-  readPair(reader, node, place, "tendons", settings.tendons);
+  readLinePair(reader, node, place, "tendons", settings.tendons);
   readFloat(reader, node, place, "volume", settings.volume);
-  readPair(reader, node, place, "limits", settings.limits);
+  readLinePair(reader, node, place, "limits", settings.limits);
   readFloat(reader, node, place, "pivot", settings.pivot);
   readFloat(reader, node, place, "twist", settings.twist);
-  readPair(reader, node, place, "flex", settings.flex);
+  readLinePair(reader, node, place, "flex", settings.flex);
   return settings;
 }
 

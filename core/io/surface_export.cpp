@@ -71,12 +71,18 @@ std::vector<int> usedMaterials(const Surface& surface, const Character& characte
   return {used.begin(), used.end()};
 }
 
-std::vector<int> usedTextures(const std::vector<int>& materials, const Character& character) {
+std::vector<int> usedTextures(const std::vector<int>& materials, const Character& character, Maps maps) {
   std::set<int> used;
-  for (const int material : materials) {
-    const int texture = at(character.materials, material).baseColorTexture;
-    if (texture >= 0) used.insert(texture);
+  for (const int index : materials) {
+    const Material& material = at(character.materials, index);
+    used.insert(material.baseColorTexture);
+    if (maps == Maps::kBaseColor) continue;
+    for (const TextureMap* map :
+         {&material.metallicRoughnessMap, &material.normalMap, &material.occlusionMap, &material.emissiveMap}) {
+      used.insert(map->texture);
+    }
   }
+  used.erase(-1);
   return {used.begin(), used.end()};
 }
 

@@ -22,7 +22,8 @@ struct MaterialRun {
 
 /// Indices of the materials that some triangle has, ascending; and of the textures these materials have, likewise.
 [[nodiscard]] std::vector<int> usedMaterials(const Surface& surface, const Character& character);
-[[nodiscard]] std::vector<int> usedTextures(const std::vector<int>& materials, const Character& character);
+enum class Maps { kBaseColor, kAll };
+[[nodiscard]] std::vector<int> usedTextures(const std::vector<int>& materials, const Character& character, Maps maps);
 
 /// An image as other programs read it.
 struct ImageFile {

@@ -5,12 +5,14 @@
 #include <limits>
 #include <map>
 #include <ostream>
+#include <set>
 #include <span>
 #include <streambuf>
 
 #include <tiny_gltf.h>
 
 #include "core/base/at.h"
+#include "core/io/glb_material.h"
 #include "core/io/json/json.h"
 #include "core/io/surface_formats.h"
 
@@ -125,31 +127,16 @@ class GlbWriter {
     joined.source = number;
   }
 
-  void writeMaterial(const Material& from) {
-    tinygltf::Material& material = model_.materials.emplace_back();
-    tinygltf::PbrMetallicRoughness& shading = material.pbrMetallicRoughness;
-    material.name = validUtf8(from.name);
-    const glm::vec4 color = glm::clamp(from.baseColor, 0.0f, 1.0f);
-    shading.baseColorFactor = numbers(std::array{color.r, color.g, color.b, color.a});
-    if (from.baseColorTexture >= 0) shading.baseColorTexture.index = textureNumber_.at(from.baseColorTexture);
-    shading.metallicFactor = static_cast<double>(std::clamp(from.metallic, 0.0f, 1.0f));
-    shading.roughnessFactor = static_cast<double>(std::clamp(from.roughness, 0.0f, 1.0f));
-    const glm::vec3 emissive = glm::clamp(from.emissive, 0.0f, 1.0f);
-    material.emissiveFactor = numbers(std::array{emissive.r, emissive.g, emissive.b});
-    if (from.alphaMode == AlphaMode::kBlend) material.alphaMode = "BLEND";
-    if (from.alphaMode == AlphaMode::kMask) {
-      material.alphaMode = "MASK";
-      material.alphaCutoff = static_cast<double>(std::max(from.alphaCutoff, 0.0f));
-    }
-    material.doubleSided = from.doubleSided;
-  }
-
   void writeMaterials() {
-    for (const int texture : usedTextures(materials_, character_)) {
+    for (const int texture : usedTextures(materials_, character_, Maps::kAll)) {
       textureNumber_[texture] = static_cast<int>(model_.textures.size());
       writeTexture(at(character_.textures, texture));
     }
-    for (const int material : materials_) writeMaterial(at(character_.materials, material));
+    std::set<std::string> extensions;
+    for (const int material : materials_) {
+      model_.materials.push_back(gltfMaterial(at(character_.materials, material), textureNumber_, extensions));
+    }
+    model_.extensionsUsed.assign(extensions.begin(), extensions.end());
   }
 
   std::map<std::string, int> writeAttributes() {

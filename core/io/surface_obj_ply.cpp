@@ -60,7 +60,9 @@ std::string mtlText(const std::vector<int>& used, const Character& character, co
     // Shininess that looks about as rough (Blinn's exponent for a GGX lobe of roughness^2).
     const float roughness = std::clamp(material.roughness, 0.05f, 1.0f);
     appendRounded(out, "Ns", {std::min(2.0f / (roughness * roughness * roughness * roughness) - 2.0f, 1000.0f)});
-    appendRounded(out, "Ke", {material.emissive.r, material.emissive.g, material.emissive.b});
+    const bool glows = material.emissiveMap.texture < 0;  // All of it, not what a map says.
+    const glm::vec3 glow = glows ? glm::clamp(material.emissive, 0.0f, 1.0f) : glm::vec3(0.0f);
+    appendRounded(out, "Ke", {glow.r, glow.g, glow.b});
     const bool opaque = material.alphaMode == AlphaMode::kOpaque;
     appendRounded(out, "d", {opaque ? 1.0f : material.baseColor.a});
     out += "illum 2\n";
@@ -131,7 +133,7 @@ ObjFiles objFiles(const Surface& surface, const Character& character, const std:
   const std::vector<int> materials = usedMaterials(surface, character);
   std::vector<std::string> textureNames(character.textures.size());
   int number = 0;
-  for (const int texture : usedTextures(materials, character)) {
+  for (const int texture : usedTextures(materials, character, Maps::kBaseColor)) {
     ImageFile image = imageFile(at(character.textures, texture));
     std::string& name = at(textureNames, texture);
     name = base + '_' + std::to_string(number++) + image.ending;

@@ -22,7 +22,7 @@ constexpr double kDegreesOfRounding = 0.01;
 /// Height over longest edge under which a triangle is all rounding and has no direction.
 constexpr double kFlatness = 1e-6;
 /// Each triangle of one edge is compared with so many others: a bound on the work for files that put very many there.
-constexpr std::size_t kMostCompared = 16;
+constexpr std::size_t kMostCreasesCompared = 16;
 
 /// One triangle at one of its three edges.
 struct Side {
@@ -146,7 +146,7 @@ std::vector<int> fansOf(const ControlMesh& mesh, float degrees) {
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
     const std::span<const Side> around = sides.of(e);
     for (std::size_t i = 0; i < around.size(); ++i) {
-      for (std::size_t j = i + 1; j < std::min(around.size(), i + 1 + kMostCompared); ++j) {
+      for (std::size_t j = i + 1; j < std::min(around.size(), i + 1 + kMostCreasesCompared); ++j) {
         if (!smooth(around[i].triangle, around[j].triangle)) continue;
         for (const int vertex : mesh.edges[e].vertices) {
           fans.join(cornerAt(mesh, around[i], vertex), cornerAt(mesh, around[j], vertex));

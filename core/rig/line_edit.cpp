@@ -14,7 +14,7 @@
 namespace sinew {
 namespace {
 
-std::string placeOf(int line) { return indexed("lines", static_cast<std::size_t>(line)); }
+std::string placeOfLine(int line) { return indexed("lines", static_cast<std::size_t>(line)); }
 
 /// Whoever names `gone` as its twin has none any more.
 void dropTwin(Rig& rig, const std::string& gone) {
@@ -23,7 +23,7 @@ void dropTwin(Rig& rig, const std::string& gone) {
   }
 }
 
-void pairUp(Rig& rig, int line, int twin) {
+void pairUpLines(Rig& rig, int line, int twin) {
   MuscleLine& a = at(rig.lines, line);
   MuscleLine& b = at(rig.lines, twin);
   dropTwin(rig, a.name);
@@ -39,9 +39,9 @@ Result<void> append(Rig& rig, MuscleLine line) {
   line.name = freeLineName(rig, line.name.empty() ? "line" : line.name);
   const int twin = line.mirror.empty() ? -1 : findLine(rig, line.mirror);
   line.mirror.clear();
-  if (const auto valid = validateLine(line, placeOf(index)); !valid) return valid.error();
+  if (const auto valid = validateLine(line, placeOfLine(index)); !valid) return valid.error();
   rig.lines.push_back(std::move(line));
-  if (twin >= 0) pairUp(rig, index, twin);
+  if (twin >= 0) pairUpLines(rig, index, twin);
   return {};
 }
 
@@ -55,14 +55,14 @@ Result<Rig> editLine(Rig rig, int line, const std::function<void(MuscleLine&)>& 
   [[maybe_unused]] const std::pair names(edited.name, edited.mirror);
   change(edited);
   assert(names == std::pair(edited.name, edited.mirror));
-  if (const auto valid = validateLine(edited, placeOf(line)); !valid) return valid.error();
+  if (const auto valid = validateLine(edited, placeOfLine(line)); !valid) return valid.error();
   return rig;
 }
 
 Result<Rig> renameLine(Rig rig, int line, const std::string& name) {
-  if (const auto valid = validateName(name, placeOf(line) + ".name"); !valid) return valid.error();
+  if (const auto valid = validateName(name, placeOfLine(line) + ".name"); !valid) return valid.error();
   if (const int owner = findLine(rig, name); owner >= 0 && owner != line) {
-    return errorAt(placeOf(line) + ".name", "the name \"" + name + "\" is taken", "name");
+    return errorAt(placeOfLine(line) + ".name", "the name \"" + name + "\" is taken", "name");
   }
   const std::string former = std::exchange(at(rig.lines, line).name, name);
   renameReferences(rig, Named::kLine, former, name);
@@ -90,7 +90,7 @@ Rig setLineOfSeveral(Rig rig, std::span<const int> primitives, int line) {
 
 Rig setLineMirror(Rig rig, int line, int twin) {
   assert(line != twin);
-  pairUp(rig, line, twin);
+  pairUpLines(rig, line, twin);
   return rig;
 }
 

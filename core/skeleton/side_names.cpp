@@ -19,15 +19,15 @@ constexpr MarkerPair kWords{"left", "right"};
 constexpr std::array<MarkerPair, 4> kShort{MarkerPair{"l", "r"}, MarkerPair{"lf", "rt"}, MarkerPair{"fl", "fr"},
                                            MarkerPair{"bl", "br"}};
 
-bool isUpper(char c) { return c >= 'A' && c <= 'Z'; }
+bool isUpperLetter(char c) { return c >= 'A' && c <= 'Z'; }
 bool isLower(char c) { return c >= 'a' && c <= 'z'; }
-bool isLetter(char c) { return isUpper(c) || isLower(c); }
+bool isAnyLetter(char c) { return isUpperLetter(c) || isLower(c); }
 
 /// A new word begins at `at`: after anything but a letter, at a capital after a small letter, and at the last capital
 /// of a run that a small letter follows ("LArm": L, Arm).
 bool beginsWord(std::string_view name, std::size_t at) {
-  if (at == 0 || !isLetter(name[at - 1])) return true;
-  if (!isUpper(name[at])) return false;
+  if (at == 0 || !isAnyLetter(name[at - 1])) return true;
+  if (!isUpperLetter(name[at])) return false;
   return isLower(name[at - 1]) || (at + 1 < name.size() && isLower(name[at + 1]));
 }
 
@@ -54,9 +54,9 @@ void addWholeWords(std::string_view name, const std::string& lower, std::vector<
 
 void addShort(std::string_view name, const std::string& lower, std::vector<SideMarker>& markers) {
   for (std::size_t begin = 0; begin < name.size(); ++begin) {
-    if (!isLetter(name[begin]) || !beginsWord(name, begin) || (begin > 0 && isForeign(name, begin - 1))) continue;
+    if (!isAnyLetter(name[begin]) || !beginsWord(name, begin) || (begin > 0 && isForeign(name, begin - 1))) continue;
     std::size_t end = begin + 1;
-    while (end < name.size() && isLetter(name[end]) && !beginsWord(name, end)) ++end;
+    while (end < name.size() && isAnyLetter(name[end]) && !beginsWord(name, end)) ++end;
     if (isForeign(name, end)) continue;
     const std::string_view word = std::string_view(lower).substr(begin, end - begin);
     for (const MarkerPair& pair : kShort) {
@@ -70,7 +70,7 @@ void addShort(std::string_view name, const std::string& lower, std::vector<SideM
 std::string inCaseOf(std::string_view text, std::string_view like) {
   std::string result(text);
   for (std::size_t i = 0; i < result.size(); ++i) {
-    const bool upper = i == 0 ? isUpper(like[0]) : isUpper(like[std::min(i, like.size() - 1)]);
+    const bool upper = i == 0 ? isUpperLetter(like[0]) : isUpperLetter(like[std::min(i, like.size() - 1)]);
     if (upper) result[i] = static_cast<char>(result[i] - 'a' + 'A');
   }
   return result;

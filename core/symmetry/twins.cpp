@@ -21,7 +21,7 @@
 namespace sinew {
 namespace {
 
-constexpr float kOwnImage = 1e-4f;  // Fraction of H.
+constexpr float kOwnTwin = 1e-4f;  // Fraction of H.
 
 using Index = std::unordered_map<std::string_view, const Primitive*>;
 
@@ -227,14 +227,14 @@ std::vector<int> withTwins(const Rig& rig, std::span<const int> indices) {
 Result<Rig> addPair(Rig rig, Primitive primitive, const MirrorPlan& plan) {
   const auto index = static_cast<int>(rig.primitives.size());
   if (const auto added = append(rig, std::move(primitive)); !added) return added.error();
-  if (liesInPlane(plan, at(rig.primitives, index), kOwnImage)) return rig;
+  if (liesInPlane(plan, at(rig.primitives, index), kOwnTwin)) return rig;
   return mirrorToOtherSide(std::move(rig), index, plan);
 }
 
 Result<Rig> mirrorToOtherSide(Rig rig, int index, const MirrorPlan& plan) {
   if (const int twin = twinOf(rig, index); twin >= 0) return linkTwins(std::move(rig), index, twin, plan);
   const Primitive& original = at(rig.primitives, index);
-  if (liesInPlane(plan, original, kOwnImage)) {
+  if (liesInPlane(plan, original, kOwnTwin)) {
     return errorAt("", '"' + original.name + "\" lies in the middle: it is its own mirror image");
   }
   Result<Primitive> image = mirroredPrimitive(plan, original);

@@ -97,7 +97,7 @@ _sinew() {
         render:--sheet) :; return ;;
         render:--view) _sinew_words front back left right top bottom three-quarter; return ;;
         render:--shading) _sinew_words textured clay classes heat; return ;;
-        render:--show) _sinew_words muscles skeleton primitives influence wire control anchors classes; return ;;
+        render:--show) _sinew_words muscles skeleton primitives influence wire control anchors classes relief; return ;;
         render:--glass) :; return ;;
         render:--light) :; return ;;
         render:--background) :; return ;;

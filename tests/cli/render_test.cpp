@@ -95,8 +95,10 @@ TEST_F(RenderVerb, LightBackgroundAndOcclusionAreChosen) {
   };
   const std::string plain = bytes({"--samples", "4"});
   EXPECT_EQ(bytes({"--light", "studio", "--background", "studio"}), plain) << "which is what is drawn without a choice";
+  EXPECT_EQ(bytes({"--show", "relief"}), plain) << "which is for clay";
   for (const std::vector<std::string>& more : {std::vector<std::string>{"--light", "outdoor"},
                                                {"--light", "rim"},
+                                               {"--light", "white"},
                                                {"--background", "dark"},
                                                {"--background", "checker"},
                                                {"--ao"}}) {

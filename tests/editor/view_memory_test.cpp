@@ -47,6 +47,7 @@ class ViewMemory : public testing::Test {
     state.view.display.shading = Shading::kClay;
     state.view.display.skeleton = true;
     state.view.display.anatomy = true;
+    state.view.display.relief = true;
     state.view.display.glass = 0.25f;
     state.view.tools.camera.stand = {{0.1f, 0.9f, -0.2f}, 3.5f, -1.25f, 0.5f};
     state.view.tools.camera.orthographic = true;
@@ -68,6 +69,7 @@ class ViewMemory : public testing::Test {
     EXPECT_EQ(state.view.display.shading, Shading::kClay);
     EXPECT_TRUE(state.view.display.skeleton);
     EXPECT_TRUE(state.view.display.anatomy);
+    EXPECT_TRUE(state.view.display.relief);
     EXPECT_EQ(state.view.display.glass, 0.25f);
     const CameraStand& stand = state.view.tools.camera.stand;
     EXPECT_EQ(stand.target, glm::vec3(0.1f, 0.9f, -0.2f));

@@ -9,7 +9,7 @@
 
 #include "app/actions/export_error.h"
 #include "app/panels/overlay/overlay.h"
-#include "app/render/color_scales.h"
+#include "app/render/skin/color_scales.h"
 
 namespace sinew::app {
 namespace {

@@ -15,7 +15,7 @@
 #include "app/editor/territory.h"
 #include "app/editor/visibility_commands.h"
 #include "app/panels/overlay/overlay.h"
-#include "app/render/color_scales.h"
+#include "app/render/skin/color_scales.h"
 #include "app/ui/number_field.h"
 
 namespace sinew::app {

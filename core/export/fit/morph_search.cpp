@@ -21,7 +21,7 @@ namespace {
 /// Share of the height that other readers' arithmetic may differ by.
 constexpr double kReaders = 1e-6;
 /// Rounds of counting those vertices more that are far off.
-constexpr int kRounds = 24;
+constexpr int kSearchRounds = 24;
 /// Products that all Gram matrices may take, about: of many vertices and frames there are fewer rounds, one at least.
 constexpr double kMostProducts = 3e10;
 /// Rounds without a gain after which the search ends.
@@ -55,7 +55,7 @@ class MorphSearch {
     squares_ = Eigen::VectorXd::Ones(vertexCount());
     const auto frames = static_cast<double>(frameCount());
     const double affordable = kMostProducts / (static_cast<double>(rows()) * frames * frames);
-    const int rounds = static_cast<int>(std::clamp(affordable, 1.0, static_cast<double>(kRounds)));
+    const int rounds = static_cast<int>(std::clamp(affordable, 1.0, static_cast<double>(kSearchRounds)));
     for (int round = 0, futile = 0; round < rounds && futile < kFutile && best_ != 1; ++round, ++futile) {
       part_ = round / (rounds + 1.0);
       Basis basis = principal();

@@ -19,15 +19,16 @@ namespace {
 using namespace gltf;
 
 /// Used fully, or by what they fall back to.
-constexpr std::array<std::string_view, 9> kUnderstood{"KHR_texture_transform",
-                                                      "KHR_mesh_quantization",
-                                                      kMeshopt,
-                                                      kDraco,
-                                                      "EXT_texture_webp",
-                                                      "KHR_materials_unlit",
-                                                      "KHR_materials_pbrSpecularGlossiness",
-                                                      "VRMC_vrm",
-                                                      "VRM"};
+constexpr std::array<std::string_view, 10> kUnderstood{"KHR_texture_transform",
+                                                       "KHR_mesh_quantization",
+                                                       kMeshopt,
+                                                       kDraco,
+                                                       "EXT_texture_webp",
+                                                       "KHR_materials_unlit",
+                                                       "KHR_materials_emissive_strength",
+                                                       "KHR_materials_pbrSpecularGlossiness",
+                                                       "VRMC_vrm",
+                                                       "VRM"};
 
 bool understood(std::string_view extension) { return std::ranges::find(kUnderstood, extension) != kUnderstood.end(); }
 

@@ -1,72 +1,42 @@
-// core/io/gltf/material.cpp: the part of glTF's materials that Sinew draws.
+// core/io/gltf/material.cpp: glTF's metallic-roughness materials (glTF 2.0, 3.9).
 
 #include "core/io/gltf/material.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <tuple>
 
 #include "core/base/at.h"
-#include "core/io/gltf/image.h"
+#include "core/io/gltf/loose_values.h"
+#include "core/io/gltf/texture_reader.h"
 
 namespace sinew::gltf {
 namespace {
 
-constexpr std::size_t kMaxPixels = 96U << 20;         // of all textures: 384 MiB as RGBA
-constexpr std::size_t kMaxEncodedBytes = 256U << 20;  // kept for export
+constexpr double kMaxGlow = 1e4;  // KHR_materials_emissive_strength: beyond, nothing is seen but white
 
 float unit(double number) { return static_cast<float>(std::clamp(number, 0.0, 1.0)); }
 
-TextureWrap wrapOf(int mode) {
-  switch (mode) {
-    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
-      return TextureWrap::kClampToEdge;
-    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
-      return TextureWrap::kMirroredRepeat;
-    default:
-      return TextureWrap::kRepeat;
-  }
-}
-
-// tinygltf keeps extensions as loose values; the guard has seen to their types.
-
-const tinygltf::Value* find(const tinygltf::ExtensionMap& extensions, const char* name) {
-  const auto found = extensions.find(name);
-  return found == extensions.end() ? nullptr : &found->second;
-}
-
-double number(const tinygltf::Value& object, const char* key, double fallback) {
-  return object.Has(key) ? object.Get(key).GetNumberAsDouble() : fallback;
-}
-
-template <std::size_t N>
-void numbers(const tinygltf::Value& object, const char* key, std::array<double, N>& out) {
-  for (std::size_t i = 0; object.Has(key) && i < N; ++i) {
-    out[i] = object.Get(key).Get(static_cast<int>(i)).GetNumberAsDouble();
-  }
-}
-
-/// Rotation about the origin, counter-clockwise in uv, then offset (KHR_texture_transform).
-void readTransform(const tinygltf::Value& from, UvSource& uv) {
-  std::array<double, 2> offset{0.0, 0.0};
-  std::array<double, 2> scale{1.0, 1.0};
-  numbers(from, "offset", offset);
-  numbers(from, "scale", scale);
-  const double angle = number(from, "rotation", 0.0);
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  uv.transform = {c * scale[0], s * scale[1], offset[0], -s * scale[0], c * scale[1], offset[1]};
-  if (from.Has("texCoord")) uv.set = from.Get("texCoord").GetNumberAsInt();
-}
+/// A map that a material names, before its image is read.
+struct NamedMap {
+  TextureMap Material::*map = nullptr;
+  int texture = -1;
+  UvSource uv;
+};
 
 class MaterialReader {
  public:
-  MaterialReader(File& file, Notes& notes) : file_(file), notes_(notes) {}
+  MaterialReader(File& file, Notes& notes, Images images)
+      : file_(file), notes_(notes), images_(images), textures_(file, notes) {}
 
+  /// Base colors first: where the images are too many, these are what is seen most.
   Materials run() && {
     for (std::size_t i = 0; i < file_.model().materials.size(); ++i) read(i);
+    if (images_ == Images::kRead) {
+      for (std::size_t i = 0; i < result_.materials.size(); ++i) {
+        for (const NamedMap& named : maps_[i]) readMap(named, result_.uvSources[i], result_.materials[i]);
+        settle(maps_[i], result_.materials[i]);
+      }
+    }
+    result_.textures = std::move(textures_).take();
     return std::move(result_);
   }
 
@@ -76,62 +46,79 @@ class MaterialReader {
     file_.expectSound(place);
     const tinygltf::Material& from = file_.model().materials[index];
     Material material;
-    UvSource uv;
+    std::optional<UvSource> uv;
+    std::vector<NamedMap> maps;
     material.name = from.name.empty() ? "material " + std::to_string(index) : from.name;
-    if (const auto* glossiness = find(from.extensions, "KHR_materials_pbrSpecularGlossiness")) {
+    if (const auto* glossiness = findExtension(from.extensions, "KHR_materials_pbrSpecularGlossiness")) {
       readGlossiness(*glossiness, material, uv);
     } else {
       file_.expectSound(place + ".pbrMetallicRoughness");
-      readMetallic(from.pbrMetallicRoughness, material, uv);
+      readMetallic(from.pbrMetallicRoughness, material, uv, maps);
     }
-    if (find(from.extensions, "KHR_materials_unlit")) {
+    readEmissive(from, material, maps);
+    readRelief(from, material, maps);
+    if (findExtension(from.extensions, "KHR_materials_unlit")) {
+      material.unlit = true;
       material.metallic = 0.0f;
       material.roughness = 1.0f;
+      maps.clear();
     }
-    if (from.emissiveTexture.index >= 0) notes_.add("emissive textures are ignored: these materials do not glow");
-    else
-      for (int i = 0; i < 3; ++i) material.emissive[i] = unit(at(from.emissiveFactor, i));
     readAlpha(from, place, material);
     material.doubleSided = from.doubleSided;
-    if (from.normalTexture.index >= 0) notes_.add("normal textures are ignored: fine relief is not shown");
-    if (from.occlusionTexture.index >= 0) notes_.add("occlusion textures are ignored: crevices are not darkened");
+    if (!uv && !maps.empty()) uv = maps.front().uv;
     result_.materials.push_back(std::move(material));
-    result_.uvSources.push_back(uv);
+    result_.uvSources.push_back(uv.value_or(UvSource{}));
+    maps_.push_back(std::move(maps));
   }
 
-  void readMetallic(const tinygltf::PbrMetallicRoughness& pbr, Material& material, UvSource& uv) {
+  void readMetallic(const tinygltf::PbrMetallicRoughness& pbr, Material& material, std::optional<UvSource>& uv,
+                    std::vector<NamedMap>& maps) {
     for (int i = 0; i < 4; ++i) material.baseColor[i] = unit(at(pbr.baseColorFactor, i));
     material.metallic = unit(pbr.metallicFactor);
     material.roughness = unit(pbr.roughnessFactor);
-    const tinygltf::TextureInfo& texture = pbr.baseColorTexture;
-    if (texture.index >= 0) {
-      uv.set = texture.texCoord;
-      if (const auto* transform = find(texture.extensions, "KHR_texture_transform")) readTransform(*transform, uv);
-      material.baseColorTexture = readTexture(texture.index);
+    if (pbr.baseColorTexture.index >= 0) {
+      uv = uvOf(pbr.baseColorTexture);
+      material.baseColorTexture = readTexture(pbr.baseColorTexture.index);
     }
-    if (pbr.metallicRoughnessTexture.index >= 0) {
-      // The factors only scale the texture; alone they would turn skin into chrome.
-      material.metallic = 0.0f;
-      notes_.add("metallic-roughness textures are ignored: these materials look non-metallic");
-    }
+    addMap(&Material::metallicRoughnessMap, pbr.metallicRoughnessTexture, maps);
   }
 
-  void readGlossiness(const tinygltf::Value& glossiness, Material& material, UvSource& uv) {
+  void readGlossiness(const tinygltf::Value& glossiness, Material& material, std::optional<UvSource>& uv) {
     std::array<double, 4> color{1.0, 1.0, 1.0, 1.0};
-    numbers(glossiness, "diffuseFactor", color);
+    looseNumbers(glossiness, "diffuseFactor", color);
     for (int i = 0; i < 4; ++i) material.baseColor[i] = unit(at(color, i));
     material.metallic = 0.0f;
-    material.roughness = 1.0f - unit(number(glossiness, "glossinessFactor", 1.0));
+    material.roughness = 1.0f - unit(looseNumber(glossiness, "glossinessFactor", 1.0));
     if (const tinygltf::Value& texture = glossiness.Get("diffuseTexture"); texture.IsObject()) {
-      uv.set = static_cast<int>(number(texture, "texCoord", 0.0));
       const tinygltf::Value& extensions = texture.Get("extensions");
-      if (extensions.Has("KHR_texture_transform")) readTransform(extensions.Get("KHR_texture_transform"), uv);
+      const bool placed = extensions.Has("KHR_texture_transform");
+      uv = uvSourceOf(static_cast<int>(looseNumber(texture, "texCoord", 0.0)),
+                      placed ? &extensions.Get("KHR_texture_transform") : nullptr);
       material.baseColorTexture = readTexture(texture.Get("index").GetNumberAsInt());
     }
     if (glossiness.Has("specularGlossinessTexture")) {
       material.roughness = 1.0f;
       notes_.add("specular-glossiness textures are ignored: gloss is the same all over");
     }
+  }
+
+  static void readEmissive(const tinygltf::Material& from, Material& material, std::vector<NamedMap>& maps) {
+    double strength = 1.0;
+    if (const auto* glow = findExtension(from.extensions, "KHR_materials_emissive_strength")) {
+      strength = std::clamp(looseNumber(*glow, "emissiveStrength", 1.0), 0.0, kMaxGlow);
+    }
+    for (int i = 0; i < 3; ++i) {
+      material.emissive[i] = unit(at(from.emissiveFactor, i)) * static_cast<float>(strength);
+    }
+    addMap(&Material::emissiveMap, from.emissiveTexture, maps);
+  }
+
+  static void readRelief(const tinygltf::Material& from, Material& material, std::vector<NamedMap>& maps) {
+    constexpr double kMaxScale = 1e4;
+    material.normalScale = static_cast<float>(std::clamp(from.normalTexture.scale, -kMaxScale, kMaxScale));
+    material.occlusionStrength = unit(from.occlusionTexture.strength);
+    addMap(&Material::normalMap, from.normalTexture, maps);
+    addMap(&Material::occlusionMap, from.occlusionTexture, maps);
   }
 
   static void readAlpha(const tinygltf::Material& from, const std::string& place, Material& material) {
@@ -141,78 +128,49 @@ class MaterialReader {
     material.alphaCutoff = unit(from.alphaCutoff);
   }
 
-  /// Index into the result's textures, or -1.
-  int readTexture(int index) {
-    const std::string place = placeOf("textures", toIndex(index));
-    file_.expectSound(place);
-    const tinygltf::Texture& texture = file_.model().textures[toIndex(index)];
-    const int source = sourceOf(texture);
-    if (source < 0) {
-      notes_.add(place + " has no PNG, JPEG or WebP source and is ignored: the material is drawn without");
-      return -1;
+  /// @param info  one of tinygltf's three kinds
+  template <class Info>
+  static UvSource uvOf(const Info& info) {
+    return uvSourceOf(info.texCoord, findExtension(info.extensions, "KHR_texture_transform"));
+  }
+
+  template <class Info>
+  static void addMap(TextureMap Material::*map, const Info& info, std::vector<NamedMap>& maps) {
+    if (info.index >= 0) maps.push_back({map, info.index, uvOf(info)});
+  }
+
+  int readTexture(int index) { return images_ == Images::kRead ? textures_.read(index) : -1; }
+
+  void readMap(const NamedMap& named, const UvSource& surface, Material& material) {
+    const auto place = placeFrom(surface, named.uv);
+    if (!place) {
+      notes_.add(
+          "maps with other texture coordinates than their material's first are ignored: the material is drawn without");
+      return;
     }
-    const Texture settings = readSampler(texture.sampler);
-    const auto key = std::tuple(source, settings.wrapU, settings.wrapV, settings.nearest);
-    const auto known = known_.find(key);
-    return known != known_.end() ? known->second : known_[key] = makeTexture(toIndex(source), settings);
+    material.*named.map = {readTexture(named.texture), *place};
   }
 
-  /// The WebP image where there is one: the other is for programs that cannot read it.
-  static int sourceOf(const tinygltf::Texture& texture) {
-    const auto* webp = find(texture.extensions, "EXT_texture_webp");
-    return webp && webp->Has("source") ? webp->Get("source").GetNumberAsInt() : texture.source;
-  }
-
-  Texture readSampler(int index) const {
-    Texture settings;
-    if (index < 0) return settings;
-    file_.expectSound(placeOf("samplers", toIndex(index)));
-    const tinygltf::Sampler& sampler = file_.model().samplers[toIndex(index)];
-    settings.wrapU = wrapOf(sampler.wrapS);
-    settings.wrapV = wrapOf(sampler.wrapT);
-    settings.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
-    return settings;
-  }
-
-  int makeTexture(std::size_t index, Texture texture) {
-    const auto leaveOut = [&](const std::string& why) {
-      notes_.add(placeOf("images", index) + ": " + why + "; it is ignored: the material is drawn without");
-      return -1;
-    };
-    Result<EncodedImage> encoded = file_.encodedImage(index);
-    if (!encoded) return leaveOut(encoded.error().reason);
-    const Bytes bytes = encoded->bytes;
-    if (bytes.size() > kMaxEncodedBytes - encodedBytes_) return leaveOut("the images are too large together");
-    Result<Image> image = decodeImage(bytes, kMaxPixels - pixels_);
-    if (!image) return leaveOut(image.error().reason);
-    texture.name = file_.model().images[index].name;
-    if (texture.name.empty()) texture.name = "image " + std::to_string(index);
-    texture.width = image->width;
-    texture.height = image->height;
-    texture.rgba = std::move(image.value().rgba);
-    texture.mimeType = image->mimeType;
-    texture.encoded.assign(bytes.begin(), bytes.end());
-    pixels_ += texture.rgba.size() / 4;
-    encodedBytes_ += texture.encoded.size();
-    result_.textures.push_back(std::move(texture));
-    return static_cast<int>(result_.textures.size()) - 1;
+  /// What the factors alone are, where a map that they scale is not to be had: they would turn skin into chrome, and
+  /// all of it into a lamp.
+  static void settle(const std::vector<NamedMap>& named, Material& material) {
+    for (const NamedMap& each : named) {
+      if ((material.*each.map).texture >= 0) continue;
+      if (each.map == &Material::metallicRoughnessMap) material.metallic = 0.0f;
+      if (each.map == &Material::emissiveMap) material.emissive = glm::vec3(0.0f);
+    }
   }
 
   File& file_;
   Notes& notes_;
-  std::map<std::tuple<int, TextureWrap, TextureWrap, bool>, int> known_;
-  std::size_t pixels_ = 0;
-  std::size_t encodedBytes_ = 0;
+  Images images_;
+  TextureReader textures_;
+  std::vector<std::vector<NamedMap>> maps_;  // [materials]
   Materials result_;
 };
 
 }  // namespace
 
-glm::vec2 UvSource::apply(double u, double v) const {
-  return {static_cast<float>(transform[0] * u + transform[1] * v + transform[2]),
-          static_cast<float>(transform[3] * u + transform[4] * v + transform[5])};
-}
-
-Materials readMaterials(File& file, Notes& notes) { return MaterialReader(file, notes).run(); }
+Materials readMaterials(File& file, Notes& notes, Images images) { return MaterialReader(file, notes, images).run(); }
 
 }  // namespace sinew::gltf

@@ -104,7 +104,7 @@ class SoupReader {
     for (const auto& [name, accessor] : primitive.attributes) {
       if (name.starts_with("COLOR_") && name != "COLOR_0")
         notes_.add("vertex colours beyond the first set are ignored");
-      else if (name == "TANGENT") notes_.add("vertex tangents are ignored: the surface is shaded without them");
+      else if (name == "TANGENT") notes_.add("vertex tangents are ignored: normal maps do without");
     }
   }
 

@@ -98,23 +98,30 @@ constexpr std::array kUvTransform{numbers("offset", 2), numbers("scale", 2), num
 constexpr std::array kTextureInfoExtensions{object("KHR_texture_transform", kUvTransform)};
 constexpr std::array kTextureInfo{wholeInt("texCoord"), object("extensions", kTextureInfoExtensions),
                                   index("index", "textures").required()};
+constexpr std::array kNormalInfo{number("scale"), wholeInt("texCoord"), object("extensions", kTextureInfoExtensions),
+                                 index("index", "textures").required()};
+constexpr std::array kOcclusionInfo{number("strength"), wholeInt("texCoord"),
+                                    object("extensions", kTextureInfoExtensions),
+                                    index("index", "textures").required()};
 constexpr std::array kGlossiness{numbers("diffuseFactor", 4), number("glossinessFactor"),
                                  object("diffuseTexture", kTextureInfo), marker("specularGlossinessTexture")};
+constexpr std::array kEmissiveStrength{number("emissiveStrength")};
 constexpr std::array kMaterialExtensions{object("KHR_materials_pbrSpecularGlossiness", kGlossiness),
+                                         object("KHR_materials_emissive_strength", kEmissiveStrength),
                                          marker("KHR_materials_unlit")};
 constexpr std::array kMetallicRoughness{numbers("baseColorFactor", 4), number("metallicFactor"),
                                         number("roughnessFactor"), object("baseColorTexture", kTextureInfo),
-                                        marker("metallicRoughnessTexture")};
+                                        object("metallicRoughnessTexture", kTextureInfo)};
 constexpr std::array kMaterialMembers{text("name"),
                                       object("extensions", kMaterialExtensions),
                                       object("pbrMetallicRoughness", kMetallicRoughness).checkedWhenUsed("{}"),
-                                      marker("emissiveTexture"),
+                                      object("emissiveTexture", kTextureInfo),
                                       numbers("emissiveFactor", 3),
                                       text("alphaMode"),
                                       number("alphaCutoff"),
                                       boolean("doubleSided"),
-                                      marker("normalTexture"),
-                                      marker("occlusionTexture")};
+                                      object("normalTexture", kNormalInfo),
+                                      object("occlusionTexture", kOcclusionInfo)};
 constexpr Rule kMaterial = object("", kMaterialMembers).checkedWhenUsed("{}");
 
 // Animations. tinygltf drops channels and refuses files where one of these is absent, so -1 stands for absence.

@@ -1,4 +1,4 @@
-// app/render/occlusion.h: how much of the surroundings each place of the body sees, as values over a refined mesh.
+// app/render/skin/occlusion.h: how much of the surroundings each place of the body sees, as values over a refined mesh.
 #pragma once
 
 #include <span>

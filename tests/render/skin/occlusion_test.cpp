@@ -1,5 +1,5 @@
-// tests/render/occlusion_test.cpp: convex bodies are open, gaps are not; spread values follow the barycentrics.
-#include "app/render/occlusion.h"
+// tests/render/skin/occlusion_test.cpp: convex bodies are open, gaps are not; spread values follow the barycentrics.
+#include "app/render/skin/occlusion.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-// app/render/color_scales.h: colors that carry meaning; the picture and its legends share them.
+// app/render/skin/color_scales.h: colors that carry meaning; the picture and its legends share them.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// app/render/color_scales.cpp: the heat map's scale and the colors of triangle classes.
-#include "app/render/color_scales.h"
+// app/render/skin/color_scales.cpp: the heat map's scale and the colors of triangle classes.
+#include "app/render/skin/color_scales.h"
 
 #include <algorithm>
 #include <cmath>

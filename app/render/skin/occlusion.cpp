@@ -1,5 +1,5 @@
-// app/render/occlusion.cpp: the body as voxels, and rays that leave it.
-#include "app/render/occlusion.h"
+// app/render/skin/occlusion.cpp: the body as voxels, and rays that leave it.
+#include "app/render/skin/occlusion.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
-// tests/render/color_scales_test.cpp: equal displacements look equally far apart; classes are told apart.
-#include "app/render/color_scales.h"
+// tests/render/skin/color_scales_test.cpp: equal displacements look equally far apart; classes are told apart.
+#include "app/render/skin/color_scales.h"
 
 #include <algorithm>
 #include <cmath>
