@@ -193,7 +193,8 @@ class Editor {
 
   void present() {
     ImDrawData& data = imgui_.endFrame();
-    const std::array textures{TextureRevision{reinterpret_cast<std::uintptr_t>(ImGui::GetIO().Fonts->TexID), 0},
+    if (imgui_.lettersMissing()) settle_ = std::max(settle_, 1);
+    const std::array textures{TextureRevision{reinterpret_cast<std::uintptr_t>(ImGui::GetIO().Fonts->TexID), imgui_.lettersRevision()},
                               picture_.revision()};
     const bool still = exposed_ == 0 && !state_.open.transport.playing && !state_.frame.route.needsFrame;
     if (exposed_ > 0) --exposed_;
