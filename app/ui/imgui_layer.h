@@ -40,6 +40,7 @@ class ImGuiLayer {
 
   /// What a document's names say about Chinese letters.
   void setRegion(HanRegion region) { letters_.setRegion(region); }
+  [[nodiscard]] bool hasLetter(char32_t c) { return letters_.has(c); }
   /// The frame that has ended was the first with some letters: the next one has their widths.
   [[nodiscard]] bool lettersMissing() const { return lettersMissing_; }
   /// Of the texture with the letters: equal revisions, equal pixels wherever a letter is.

@@ -11,9 +11,9 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kOutside = 4.0f;  ///< Texture coordinates from here on are a code point and the number of a font.
-constexpr int kNarrow = 1024;  ///< Width of the texture at scale 1, beyond that twice as much.
-constexpr int kMargin = 64;    ///< Less than that is kept free.
+constexpr float kOutside = 4.0f;   ///< Texture coordinates from here on are a code point and the number of a font.
+constexpr int kNarrow = 1024;      ///< Width of the texture at scale 1, beyond that twice as much.
+constexpr int kMargin = 64;        ///< Less than that is kept free.
 constexpr float kHeight = 256.0f;  ///< At scale 1: some 900 Chinese letters.
 constexpr float kMostHeight = 2048.0f;
 constexpr long long kPatience = 60;  ///< Frames between two times that all is forgotten.

@@ -48,11 +48,11 @@ void addOthers(std::vector<FontFile>& files, bool strong) {
   if (strong) files.push_back({"/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf", 0});
   files.push_back({"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", 0});
   // fonts-noto-core, by script.
-  for (const char* other :
-       {"/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf", "/usr/share/fonts/truetype/noto/NotoSansThai-Regular.ttf",
-        "/usr/share/fonts/truetype/noto/NotoSansDevanagari-Regular.ttf",
-        "/usr/share/fonts/truetype/noto/NotoSansSymbols-Regular.ttf",
-        "/usr/share/fonts/truetype/noto/NotoSansSymbols2-Regular.ttf"}) {
+  for (const char* other : {"/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
+                            "/usr/share/fonts/truetype/noto/NotoSansThai-Regular.ttf",
+                            "/usr/share/fonts/truetype/noto/NotoSansDevanagari-Regular.ttf",
+                            "/usr/share/fonts/truetype/noto/NotoSansSymbols-Regular.ttf",
+                            "/usr/share/fonts/truetype/noto/NotoSansSymbols2-Regular.ttf"}) {
     files.push_back({other, 0});
   }
 }

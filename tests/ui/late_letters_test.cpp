@@ -93,7 +93,8 @@ TEST_F(LateLettersTest, PlacesLieInTheTextureApartFromTheFirstLetters) {
     EXPECT_LE(place.x + place.z, atlas.TexWidth);
     EXPECT_LE(place.y + place.w, atlas.TexHeight);
     for (int y = 0; y < place.w; ++y) {
-      for (int x = 0; x < place.z; ++x) ASSERT_EQ(atlas.TexPixelsAlpha8[(place.y + y) * atlas.TexWidth + place.x + x], 0);
+      for (int x = 0; x < place.z; ++x)
+        ASSERT_EQ(atlas.TexPixelsAlpha8[(place.y + y) * atlas.TexWidth + place.x + x], 0);
     }
   }
 }

@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <string>
 
+#include "app/document/readable_names.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
 #include "app/editor/outliner_edit.h"
+#include "app/ui/reading_order.h"
 #include "core/base/at.h"
 
 namespace sinew::app {
@@ -140,9 +142,8 @@ void drawRename(Row& row) {
 }
 
 void drawDragged(PanelUi& ui, int index) {
-  const auto& primitives = ui.state.document.rig().primitives;
   const std::size_t count = draggedMuscles(ui.state.document, index).size();
-  const std::string& name = at(primitives, index).name;
+  const std::string name = inReadingOrder(shownMuscleName(ui.state.document.rig(), index));
   ImGui::TextUnformatted((count == 1 ? name : std::to_string(count) + " muscles").c_str());
   mutedText("Drop on a bone or a group");
 }
@@ -228,7 +229,8 @@ void drawMuscle(Row& row) {
   const Tint color = visible ? palette::kText : palette::kMuted.faded(0.6f);
   const float from = row.indent() + ui.px(kNameFrom);
   const float room = row.nameEnd() - from;
-  const std::string shown = attached ? primitive.name : primitive.name + "  (no bone " + primitive.bone + ")";
+  const std::string name = shownMuscleName(*row.frame.rig, row.row.index);
+  const std::string shown = attached ? name : name + "  (no bone " + primitive.bone + ")";
   const bool cut = clippedText(list, {from, row.middle(ImGui::GetTextLineHeight())}, room, color.packed(), shown,
                                row.frame.muscleEnds);
   nameTooltip(row, cut, shown);

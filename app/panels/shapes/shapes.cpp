@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/document/readable_names.h"
 #include "app/editor/edit.h"
 #include "app/editor/outliner_rows.h"
 #include "app/panels/inspector/inspector.h"
@@ -165,7 +166,8 @@ void drawRow(PanelUi& ui, int shape, float indent) {
              {low.x + ui.px(indent), low.y + 0.5f * (ImGui::GetFrameHeight() - fold)}, fold, palette::kMuted.packed());
   }
   const Tint color = missing ? palette::kMuted.faded(0.6f) : hovered && animated ? palette::kText : palette::kMuted;
-  clippedText(list, {low.x + ui.px(indent) + fold, y}, width - ui.px(indent + 4) - fold, color.packed(), morph.name);
+  clippedText(list, {low.x + ui.px(indent) + fold, y}, width - ui.px(indent + 4) - fold, color.packed(),
+              shownMorphName(ui.state.document.rig(), shape));
   ImGui::SameLine(0.0f, 0.0f);
   drawSlider(ui, shape);
   if (pressed && animated) shapes.chosen = open ? std::string() : morph.name;
