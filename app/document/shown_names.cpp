@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "app/document/readable_names.h"
+#include "app/names/readable_names.h"
 #include "core/base/lower_case.h"
 
 namespace sinew::app {

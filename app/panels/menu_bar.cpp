@@ -8,9 +8,9 @@
 #include <string_view>
 #include <system_error>
 
-#include "app/document/readable_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/session.h"
+#include "app/names/readable_names.h"
 #include "app/panels/panels.h"
 #include "app/render/thumbnails.h"
 #include "app/ui/reading_order.h"

@@ -6,8 +6,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/document/readable_names.h"
 #include "app/document/shown_names.h"
+#include "app/names/readable_names.h"
 #include "core/base/at.h"
 
 namespace sinew::app {

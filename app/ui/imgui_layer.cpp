@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "app/document/readable_names.h"
+#include "app/names/readable_names.h"
 #include "app/ui/style.h"
 
 namespace sinew::app {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/document/code_points.h"
+#include "app/names/code_points.h"
 
 namespace sinew::app {
 namespace {

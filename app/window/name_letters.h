@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "app/document/readable_names.h"
 #include "app/editor/editor_state.h"
+#include "app/names/readable_names.h"
 
 namespace sinew::app {
 

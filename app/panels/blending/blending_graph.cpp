@@ -10,8 +10,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/document/readable_names.h"
 #include "app/editor/blending_edit.h"
+#include "app/names/readable_names.h"
 #include "app/panels/blending/blending.h"
 #include "app/panels/blending/blending_layout.h"
 #include "core/rig/rig_edit_several.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/document/readable_names.h"
 #include "app/editor/blending_edit.h"
+#include "app/names/readable_names.h"
 #include "app/panels/blending/blending.h"
 #include "app/ui/reading_order.h"
 #include "core/base/at.h"

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "app/document/readable_names.h"
+#include "app/names/readable_names.h"
 #include "app/panels/dialogs/file_dialog.h"
 #include "app/platform/data_files.h"
 #include "app/render/thumbnails.h"

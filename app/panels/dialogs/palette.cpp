@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "app/document/readable_names.h"
 #include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/hidden_bones.h"
 #include "app/editor/session.h"
+#include "app/names/readable_names.h"
 #include "app/panels/dialogs/dialogs.h"
 #include "app/panels/dialogs/palette_search.h"
 #include "app/panels/dialogs/palette_words.h"

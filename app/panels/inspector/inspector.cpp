@@ -6,12 +6,12 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include "app/document/readable_names.h"
 #include "app/document/shown_names.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/outliner_edit.h"
+#include "app/names/readable_names.h"
 #include "app/panels/inspector/inspector_lines.h"
 #include "app/ui/number_field.h"
 #include "app/ui/reading_order.h"

@@ -4,12 +4,12 @@
 
 #include <string>
 
-#include "app/document/readable_names.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
 #include "app/editor/hidden_bones.h"
 #include "app/editor/outliner_edit.h"
 #include "app/editor/visibility_commands.h"
+#include "app/names/readable_names.h"
 #include "app/panels/outliner/outliner_row.h"
 #include "app/ui/reading_order.h"
 #include "core/base/at.h"

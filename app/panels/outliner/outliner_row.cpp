@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <string>
 
-#include "app/document/readable_names.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
 #include "app/editor/outliner_edit.h"
+#include "app/names/readable_names.h"
 #include "app/ui/reading_order.h"
 #include "core/base/at.h"
 

@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "app/actions/check_commands.h"
-#include "app/document/readable_names.h"
+#include "app/names/readable_names.h"
 #include "app/panels/overlay/overlay.h"
 #include "core/base/at.h"
 

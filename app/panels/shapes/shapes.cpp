@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "app/document/readable_names.h"
 #include "app/editor/edit.h"
 #include "app/editor/outliner_rows.h"
+#include "app/names/readable_names.h"
 #include "app/panels/inspector/inspector.h"
 #include "app/panels/shared/animated_field.h"
 #include "app/panels/shared/field_edit.h"

@@ -1,4 +1,4 @@
-// app/document/readable_names.h: what stands for a name, or for the part of it, that no installed font can show.
+// app/names/readable_names.h: what stands for a name, or for the part of it, that no installed font can show.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,6 @@
-// tests/document/code_points_test.cpp: UTF-8 there and back; kinds of letters.
+// tests/names/code_points_test.cpp: UTF-8 there and back; kinds of letters.
 
-#include "app/document/code_points.h"
+#include "app/names/code_points.h"
 
 #include <gtest/gtest.h>
 

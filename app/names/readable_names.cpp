@@ -1,12 +1,12 @@
-// app/document/readable_names.cpp: names by number where their letters are missing.
+// app/names/readable_names.cpp: names by number where their letters are missing.
 
-#include "app/document/readable_names.h"
+#include "app/names/readable_names.h"
 
 #include <algorithm>
 #include <string_view>
 #include <utility>
 
-#include "app/document/code_points.h"
+#include "app/names/code_points.h"
 #include "core/base/at.h"
 
 namespace sinew::app {

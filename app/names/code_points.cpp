@@ -1,6 +1,6 @@
-// app/document/code_points.cpp: the blocks of Unicode that matter here.
+// app/names/code_points.cpp: the blocks of Unicode that matter here.
 
-#include "app/document/code_points.h"
+#include "app/names/code_points.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,11 +1,11 @@
-// tests/document/readable_names_test.cpp: names that no font can show are numbers, in lists and nowhere else.
+// tests/names/readable_names_test.cpp: names that no font can show are numbers, in lists and nowhere else.
 
-#include "app/document/readable_names.h"
+#include "app/names/readable_names.h"
 
 #include <gtest/gtest.h>
 
-#include "app/document/code_points.h"
 #include "app/document/shown_names.h"
+#include "app/names/code_points.h"
 
 namespace sinew::app {
 namespace {

@@ -1,4 +1,4 @@
-// app/document/code_points.h: text as code points, and what the interface has to know about one.
+// app/names/code_points.h: text as code points, and what the interface has to know about one.
 #pragma once
 
 #include <string>
