@@ -19,8 +19,8 @@ constexpr float kMostHeight = 2048.0f;
 constexpr long long kPatience = 60;  ///< Frames between two times that all is forgotten.
 constexpr char32_t kLast = 0xFFFD;
 
-/// ImGui asks for 16 bits. Surrogates and private letters mean nothing.
-bool mayBeDrawn(char32_t c) { return c >= 0xA0 && !(c >= 0xD800 && c <= 0xF8FF); }
+/// ImGui has 16 bits. Surrogates and private letters mean nothing.
+bool mayBeDrawn(char32_t c) { return c >= 0xA0 && c <= kLast && !(c >= 0xD800 && c <= 0xF8FF); }
 
 ImFontGlyph& glyphOf(ImFont& font, char32_t c) { return font.Glyphs[font.IndexLookup[static_cast<int>(c)]]; }
 
@@ -97,6 +97,8 @@ void LateLetters::attach(const Fonts& fonts) {
     font.BuildLookupTable();
   }
 }
+
+bool LateLetters::has(char32_t c) { return (c < 0xA0 || mayBeDrawn(c)) && faces_.has(c); }
 
 void LateLetters::setRegion(HanRegion region) {
   if (region == faces_.region()) return;

@@ -39,7 +39,7 @@ class LateLetters {
   /// than was thought, or are still to come
   [[nodiscard]] bool fill(ImDrawData& data, const Upload& upload);
 
-  [[nodiscard]] bool has(char32_t c) { return faces_.has(c); }
+  [[nodiscard]] bool has(char32_t c);
   /// Grows when places in the texture get another content.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 

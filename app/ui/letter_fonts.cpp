@@ -11,7 +11,7 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kWideEm = 0.9f;  ///< Of the height of the line.
+constexpr float kWideEm = 0.87f; ///< Of the height of the line.
 
 /// Of fonts-noto-cjk, which has one face a region, in this order.
 int faceOf(HanRegion region) {
