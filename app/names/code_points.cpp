@@ -11,19 +11,19 @@ namespace {
 
 constexpr char32_t kReplacement = 0xFFFD;
 
-struct Block {
+struct LetterBlock {
   char32_t first;
   char32_t last;
 };
 
-bool isIn(char32_t c, std::span<const Block> blocks) {
-  return std::ranges::any_of(blocks, [&](const Block& block) { return c >= block.first && c <= block.last; });
+bool isInBlocks(char32_t c, std::span<const LetterBlock> blocks) {
+  return std::ranges::any_of(blocks, [&](const LetterBlock& block) { return c >= block.first && c <= block.last; });
 }
 
 unsigned byteAt(std::string_view text, std::size_t at) { return static_cast<unsigned char>(text[at]); }
 
 /// The bytes of the sequence that begins there, by its first; 0: none begins there.
-std::size_t lengthOf(unsigned first) {
+std::size_t sequenceLength(unsigned first) {
   if (first < 0x80u) return 1;
   if (first >= 0xC2u && first < 0xE0u) return 2;
   if (first >= 0xE0u && first < 0xF0u) return 3;
@@ -41,7 +41,7 @@ std::u32string codePoints(std::string_view text) {
   std::u32string out;
   out.reserve(text.size());
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = lengthOf(byteAt(text, i));
+    const std::size_t length = sequenceLength(byteAt(text, i));
     bool whole = length > 0 && i + length <= text.size();
     char32_t c = whole ? byteAt(text, i) & (length == 1 ? 0x7Fu : 0xFFu >> (length + 1)) : 0u;
     for (std::size_t k = 1; whole && k < length; ++k) {
@@ -72,36 +72,36 @@ std::string utf8(std::u32string_view text) {
 }
 
 bool isInvisible(char32_t c) {
-  constexpr Block kBlocks[] = {{0xAD, 0xAD},     {0x61C, 0x61C},   {0x200B, 0x200F}, {0x202A, 0x202E},
-                               {0x2060, 0x206F}, {0xFE00, 0xFE0F}, {0xFEFF, 0xFEFF}};
-  return isIn(c, kBlocks);
+  constexpr LetterBlock kBlocks[] = {{0xAD, 0xAD},     {0x61C, 0x61C},   {0x200B, 0x200F}, {0x202A, 0x202E},
+                                     {0x2060, 0x206F}, {0xFE00, 0xFE0F}, {0xFEFF, 0xFEFF}};
+  return isInBlocks(c, kBlocks);
 }
 
 bool isWide(char32_t c) {
-  constexpr Block kBlocks[] = {{0x1100, 0x11FF}, {0x2E80, 0x303E}, {0x3041, 0x33FF}, {0x3400, 0x4DBF},
-                               {0x4E00, 0x9FFF}, {0xA960, 0xA97F}, {0xAC00, 0xD7FF}, {0xF900, 0xFAFF},
-                               {0xFE30, 0xFE4F}, {0xFF01, 0xFF60}, {0xFFE0, 0xFFE6}};
-  return isIn(c, kBlocks);
+  constexpr LetterBlock kBlocks[] = {{0x1100, 0x11FF}, {0x2E80, 0x303E}, {0x3041, 0x33FF}, {0x3400, 0x4DBF},
+                                     {0x4E00, 0x9FFF}, {0xA960, 0xA97F}, {0xAC00, 0xD7FF}, {0xF900, 0xFAFF},
+                                     {0xFE30, 0xFE4F}, {0xFF01, 0xFF60}, {0xFFE0, 0xFFE6}};
+  return isInBlocks(c, kBlocks);
 }
 
 bool isKana(char32_t c) {
-  constexpr Block kBlocks[] = {{0x3041, 0x30FF}, {0x31F0, 0x31FF}, {0xFF66, 0xFF9F}};
-  return isIn(c, kBlocks);
+  constexpr LetterBlock kBlocks[] = {{0x3041, 0x30FF}, {0x31F0, 0x31FF}, {0xFF66, 0xFF9F}};
+  return isInBlocks(c, kBlocks);
 }
 
 bool isHangul(char32_t c) {
-  constexpr Block kBlocks[] = {{0x1100, 0x11FF}, {0x3130, 0x318F}, {0xA960, 0xA97F}, {0xAC00, 0xD7FF}};
-  return isIn(c, kBlocks);
+  constexpr LetterBlock kBlocks[] = {{0x1100, 0x11FF}, {0x3130, 0x318F}, {0xA960, 0xA97F}, {0xAC00, 0xD7FF}};
+  return isInBlocks(c, kBlocks);
 }
 
 bool isRightToLeft(char32_t c) {
-  constexpr Block kBlocks[] = {{0x590, 0x8FF}, {0xFB1D, 0xFDFF}, {0xFE70, 0xFEFE}, {0x10800, 0x10FFF}};
-  return isIn(c, kBlocks);
+  constexpr LetterBlock kBlocks[] = {{0x590, 0x8FF}, {0xFB1D, 0xFDFF}, {0xFE70, 0xFEFE}, {0x10800, 0x10FFF}};
+  return isInBlocks(c, kBlocks);
 }
 
 bool isJoinedForm(char32_t c) {
-  constexpr Block kBlocks[] = {{0xFB50, 0xFDFF}, {0xFE70, 0xFEFE}};
-  return isIn(c, kBlocks);
+  constexpr LetterBlock kBlocks[] = {{0xFB50, 0xFDFF}, {0xFE70, 0xFEFE}};
+  return isInBlocks(c, kBlocks);
 }
 
 }  // namespace sinew::app

@@ -11,16 +11,18 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kOutside = 4.0f;   ///< Texture coordinates from here on are a code point and the number of a font.
-constexpr int kNarrow = 1024;      ///< Width of the texture at scale 1, beyond that twice as much.
-constexpr int kMargin = 64;        ///< Less than that is kept free.
-constexpr float kHeight = 256.0f;  ///< At scale 1: some 900 Chinese letters.
-constexpr float kMostHeight = 2048.0f;
-constexpr long long kPatience = 60;  ///< Frames between two times that all is forgotten.
-constexpr char32_t kLast = 0xFFFD;
+/// Texture coordinates from here on are a code point and the number of a font.
+constexpr float kOutsideTexture = 4.0f;
+
+constexpr int kAtlasWidth = 1024;      ///< Width of the texture at scale 1, beyond that twice as much.
+constexpr int kAreaMargin = 64;        ///< Less than that is kept free.
+constexpr float kAreaHeight = 256.0f;  ///< At scale 1: some 900 Chinese letters.
+constexpr float kMostAreaHeight = 2048.0f;
+constexpr long long kFramesBetween = 60;  ///< Frames between two times that all is forgotten.
+constexpr char32_t kLastLetter = 0xFFFD;
 
 /// ImGui has 16 bits. Surrogates and private letters mean nothing.
-bool mayBeDrawn(char32_t c) { return c >= 0xA0 && c <= kLast && !(c >= 0xD800 && c <= 0xF8FF); }
+bool mayBeDrawn(char32_t c) { return c >= 0xA0 && c <= kLastLetter && !(c >= 0xD800 && c <= 0xF8FF); }
 
 ImFontGlyph& glyphOf(ImFont& font, char32_t c) { return font.Glyphs[font.IndexLookup[static_cast<int>(c)]]; }
 
@@ -35,14 +37,14 @@ ImFontGlyph placeholder(const ImFont& font, std::size_t number, char32_t c) {
   glyph.Codepoint = c & 0x3FFFFFFFu;
   glyph.Visible = isInvisible(c) ? 0u : 1u;
   glyph.X1 = glyph.Y1 = 1.0f;
-  glyph.U0 = glyph.U1 = kOutside + static_cast<float>(c);
-  glyph.V0 = glyph.V1 = kOutside + static_cast<float>(number);
+  glyph.U0 = glyph.U1 = kOutsideTexture + static_cast<float>(c);
+  glyph.V0 = glyph.V1 = kOutsideTexture + static_cast<float>(number);
   const bool wide = isWide(c) || (isKana(c) && c < 0xFF00);
   glyph.AdvanceX = isInvisible(c) ? 0.0f : wide ? static_cast<float>(wideEm(font.FontSize)) : font.FallbackAdvanceX;
   return glyph;
 }
 
-void place(std::span<ImDrawVert, 4> quad, const ImFontGlyph& glyph) {
+void placeLetter(std::span<ImDrawVert, 4> quad, const ImFontGlyph& glyph) {
   const ImVec2 pen = quad[0].pos;
   const float height = quad[2].pos.y - pen.y;
   const float scale = height > 0.0f ? height : 1.0f;
@@ -58,7 +60,7 @@ void place(std::span<ImDrawVert, 4> quad, const ImFontGlyph& glyph) {
   quad[3].uv = {glyph.U0, glyph.V1};
 }
 
-void hide(std::span<ImDrawVert, 4> quad) {
+void hideLetter(std::span<ImDrawVert, 4> quad) {
   const ImVec2 white = ImGui::GetIO().Fonts->TexUvWhitePixel;
   for (ImDrawVert& corner : quad) {
     corner.pos = quad[0].pos;
@@ -71,9 +73,9 @@ void hide(std::span<ImDrawVert, 4> quad) {
 void LateLetters::reserve(float scale) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   const int times = scale > 1.0f ? 2 : 1;
-  const float height = kHeight * std::max(scale * scale, 1.0f) / static_cast<float>(times);
-  const glm::ivec2 size(times * kNarrow - kMargin, static_cast<int>(std::min(height, kMostHeight)));
-  atlas.TexDesiredWidth = times * kNarrow;
+  const float height = kAreaHeight * std::max(scale * scale, 1.0f) / static_cast<float>(times);
+  const glm::ivec2 size(times * kAtlasWidth - kAreaMargin, static_cast<int>(std::min(height, kMostAreaHeight)));
+  atlas.TexDesiredWidth = times * kAtlasWidth;
   area_ = atlas.AddCustomRectRegular(size.x, size.y);
   sheet_ = GlyphSheet(size);
   loaded_.clear();
@@ -89,7 +91,7 @@ void LateLetters::attach(const Fonts& fonts) {
   }
   for (std::size_t number = 0; number < each_.size(); ++number) {
     ImFont& font = *each_[number];
-    for (char32_t c = 0xA0; c <= kLast; ++c) {
+    for (char32_t c = 0xA0; c <= kLastLetter; ++c) {
       const bool known = font.FindGlyphNoFallback(static_cast<ImWchar>(c)) != nullptr;
       if (mayBeDrawn(c) && !known) font.Glyphs.push_back(placeholder(font, number, c));
       else if (known && isInvisible(c)) glyphOf(font, c) = placeholder(font, number, c);
@@ -156,20 +158,20 @@ bool LateLetters::load(const Slot& slot, const Upload& upload) {
 }
 
 bool LateLetters::fillQuad(std::span<ImDrawVert, 4> quad, const Upload& upload) {
-  const auto letter = static_cast<char32_t>(quad[0].uv.x - kOutside);
-  ImFont& font = *each_[std::min(static_cast<std::size_t>(quad[0].uv.y - kOutside), each_.size() - 1)];
+  const auto letter = static_cast<char32_t>(quad[0].uv.x - kOutsideTexture);
+  ImFont& font = *each_[std::min(static_cast<std::size_t>(quad[0].uv.y - kOutsideTexture), each_.size() - 1)];
   const bool forgetting = forgotAt_ == frame_;  // The other letters of this frame still need their places.
-  const bool isNew = glyphOf(font, letter).U0 >= kOutside;
+  const bool isNew = glyphOf(font, letter).U0 >= kOutsideTexture;
   if (isNew && !forgetting && !load({&font, letter}, upload)) {
-    if (frame_ - forgotAt_ < kPatience) {  // More letters at once than there are places.
-      place(quad, *font.FallbackGlyph);
+    if (frame_ - forgotAt_ < kFramesBetween) {  // More letters at once than there are places.
+      placeLetter(quad, *font.FallbackGlyph);
       return false;
     }
     forget();
   }
   const ImFontGlyph& glyph = glyphOf(font, letter);
-  if (glyph.U0 >= kOutside || glyph.Visible == 0) hide(quad);
-  else place(quad, glyph);
+  if (glyph.U0 >= kOutsideTexture || glyph.Visible == 0) hideLetter(quad);
+  else placeLetter(quad, glyph);
   return true;
 }
 
@@ -179,7 +181,7 @@ bool LateLetters::fill(ImDrawData& data, const Upload& upload) {
   for (int l = 0; l < data.CmdListsCount; ++l) {
     ImVector<ImDrawVert>& vertices = data.CmdLists[l]->VtxBuffer;
     for (int i = 0; i + 3 < vertices.Size;) {
-      const bool late = vertices[i].uv.x >= kOutside;
+      const bool late = vertices[i].uv.x >= kOutsideTexture;
       if (late) again = fillQuad(std::span<ImDrawVert, 4>(&vertices[i], 4), upload) || again;
       i += late ? 4 : 1;
     }

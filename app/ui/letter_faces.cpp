@@ -32,7 +32,7 @@ std::vector<std::uint8_t> coverageOf(const FT_Bitmap& bitmap) {
 constexpr float kFromRight = 1.1f;  ///< Hebrew and Arabic have small letters, and no large ones among them.
 
 /// Latin and its like as tall as ImGui makes them; wide letters by their em square.
-void setSize(FT_Face face, char32_t c, float height) {
+void setPixelSize(FT_Face face, char32_t c, float height) {
   const bool wide = isWide(c) || isKana(c);
   const float tall = isRightToLeft(c) ? kFromRight * height : height;
   FT_Size_RequestRec request{};
@@ -93,7 +93,7 @@ bool LetterFaces::has(char32_t c) {
 std::optional<LetterImage> LetterFaces::draw(char32_t c, bool strong, float height) {
   const std::optional<Found> found = find(c, strong);
   if (!found) return std::nullopt;
-  setSize(found->face, c, height);
+  setPixelSize(found->face, c, height);
   if (FT_Load_Glyph(found->face, found->glyph, FT_LOAD_TARGET_LIGHT) != 0) return std::nullopt;
   const FT_GlyphSlot slot = found->face->glyph;
   if (FT_Render_Glyph(slot, FT_RENDER_MODE_NORMAL) != 0) return std::nullopt;

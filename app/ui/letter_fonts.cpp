@@ -11,10 +11,10 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kWideEm = 0.87f; ///< Of the height of the line.
+constexpr float kWideEm = 0.87f;  ///< Of the height of the line.
 
 /// Of fonts-noto-cjk, which has one face a region, in this order.
-int faceOf(HanRegion region) {
+int faceOfRegion(HanRegion region) {
   switch (region) {
     case HanRegion::kJapan:
       return 0;
@@ -30,9 +30,9 @@ int faceOf(HanRegion region) {
   return 0;
 }
 
-void addWide(std::vector<FontFile>& files, bool strong, HanRegion region) {
-  if (strong) files.push_back({"/usr/share/fonts/opentype/noto/NotoSansCJK-Bold.ttc", faceOf(region)});
-  files.push_back({"/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc", faceOf(region)});
+void addWideFonts(std::vector<FontFile>& files, bool strong, HanRegion region) {
+  if (strong) files.push_back({"/usr/share/fonts/opentype/noto/NotoSansCJK-Bold.ttc", faceOfRegion(region)});
+  files.push_back({"/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc", faceOfRegion(region)});
   // Smaller packages that a machine may have instead.
   for (const char* other :
        {"/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf", "/usr/share/fonts/truetype/wqy/wqy-microhei.ttc",
@@ -42,7 +42,7 @@ void addWide(std::vector<FontFile>& files, bool strong, HanRegion region) {
   }
 }
 
-void addOthers(std::vector<FontFile>& files, bool strong) {
+void addOtherFonts(std::vector<FontFile>& files, bool strong) {
   if (strong) files.push_back({"/usr/share/fonts/opentype/inter/Inter-SemiBold.otf", 0});
   files.push_back({"/usr/share/fonts/opentype/inter/Inter-Regular.otf", 0});
   if (strong) files.push_back({"/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf", 0});
@@ -80,9 +80,9 @@ std::string_view localeOfEnvironment() {
 std::vector<FontFile> fontFilesFor(char32_t c, bool strong, HanRegion region) {
   std::vector<FontFile> files;
   const bool wide = isWide(c) || isKana(c);
-  if (wide) addWide(files, strong, region);
-  addOthers(files, strong);
-  if (!wide) addWide(files, strong, region);
+  if (wide) addWideFonts(files, strong, region);
+  addOtherFonts(files, strong);
+  if (!wide) addWideFonts(files, strong, region);
   return files;
 }
 

@@ -13,8 +13,8 @@
 namespace sinew::app {
 namespace {
 
-constexpr char32_t kFromLeft = 0x202D;  ///< What follows is in the order of the screen ...
-constexpr char32_t kEnd = 0x202C;       ///< ... up to here.
+constexpr char32_t kFromLeft = 0x202D;    ///< What follows is in the order of the screen ...
+constexpr char32_t kEndOfOrder = 0x202C;  ///< ... up to here.
 
 std::u32string lineInOrder(std::u32string_view line) {
   const auto length = static_cast<FriBidiStrIndex>(line.size());
@@ -39,7 +39,7 @@ std::u32string lineInOrder(std::u32string_view line) {
   for (const FriBidiChar letter : letters) {
     if (!isInvisible(letter)) out.push_back(letter);  // Marks, and what ligatures leave behind.
   }
-  out.push_back(kEnd);
+  out.push_back(kEndOfOrder);
   return out;
 }
 

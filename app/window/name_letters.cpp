@@ -10,7 +10,7 @@ namespace sinew::app {
 namespace {
 
 template <class Named>
-void addNames(std::u32string& letters, const std::vector<Named>& all) {
+void addNameLetters(std::u32string& letters, const std::vector<Named>& all) {
   for (const Named& each : all) letters += codePoints(each.name);
 }
 
@@ -20,11 +20,11 @@ std::u32string lettersOfNames(const EditorState& state) {
   std::u32string letters = codePoints(state.document.name());
   if (state.hasCharacter()) {
     const Character& character = state.character();
-    addNames(letters, character.skeleton.bones);
-    addNames(letters, character.clips);
-    addNames(letters, character.morphTargets);
-    addNames(letters, state.document.rig().primitives);
-    addNames(letters, state.document.rig().groups);
+    addNameLetters(letters, character.skeleton.bones);
+    addNameLetters(letters, character.clips);
+    addNameLetters(letters, character.morphTargets);
+    addNameLetters(letters, state.document.rig().primitives);
+    addNameLetters(letters, state.document.rig().groups);
   }
   std::erase_if(letters, [](char32_t c) { return c < 0x80; });
   return letters;
