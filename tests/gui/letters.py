@@ -43,41 +43,100 @@ def character(t):
     return rig
 
 
-def ink(t, picture, box):
-    """(left, right, top, bottom) of what is bright in a rectangle of a screenshot, from its corner; None: nothing is."""
+def brightness(picture, box):
+    """Rows of grey levels of a rectangle of a screenshot."""
     x, y, width, height = (round(v) for v in box)
     done = subprocess.run(["convert", str(picture), "-crop", "%dx%d+%d+%d" % (width, height, x, y), "+repage", "-colorspace",
                            "gray", "-depth", "8", "gray:-"], capture_output=True, check=True, timeout=60)
-    lit = [(i % width, i // width) for i, level in enumerate(done.stdout) if level > 110]
-    if not lit:
-        return None
-    xs, ys = [p[0] for p in lit], [p[1] for p in lit]
-    return min(xs), max(xs), min(ys), max(ys)
+    return [done.stdout[i:i + width] for i in range(0, width * height, width)]
 
 
-def name_box(state, bone):
-    """Where the name is in the row: behind the icon."""
-    x, y, width, height = state["widgets"]["outliner/bone/" + bone]
-    return x + NAME_FROM, y, width - NAME_FROM - 60, height
+def words(rows, apart=5):
+    """(left, right, top, bottom) of what is bright, parted where so many columns are dark."""
+    found = []
+    for x in range(len(rows[0])):
+        lit = [y for y, row in enumerate(rows) if row[x] > 100]
+        if not lit:
+            continue
+        if not found or x - found[-1][1] > apart:
+            found.append([x, x, lit[0], lit[-1]])
+        left, _, top, bottom = found[-1]
+        found[-1] = [left, x, min(top, lit[0]), max(bottom, lit[-1])]
+    return found
 
 
-NAME_FROM = 34
+def name_on_screen(state, picture, bone):
+    """Width and height of the name in the row of a bone that has no fold mark open: the widest of what is bright there."""
+    rows = brightness(picture, state["widgets"]["outliner/bone/" + bone])
+    left, right, top, bottom = max(words(rows), key=lambda word: word[1] - word[0])
+    return right - left + 1, bottom - top + 1
+
+
+def in_the_tree(t, editor):
+    state = editor.settle()
+    picture = t.out / "letters.png"
+    editor.screenshot(picture)
+    if not NOTO.exists():
+        return
+    for bone, letters in (("左手首", 3), ("上半身", 3), ("左ひじ", 3)):
+        width, height = name_on_screen(state, picture, bone)
+        # A question mark or a square is 8 wide; Chinese letters are 13 and nothing of them is cut off.
+        t.check("%s is as wide as its letters" % bone, 13 * letters - 5 <= width <= 13 * letters + 3, (width, height))
+        t.check("... and as high", 11 <= height <= 15, (width, height))
+
+
+def typed(t, editor):
+    """Found by letters that are typed, shown by letters that nobody has seen before."""
+    editor.palette("左腕", "bone/左腕")
+    editor.wait_until("the bone", lambda s: s["document"]["bone"] == "左腕" and not s["camera_moving"])
+    editor.palette("bone 20", "bone/" + UNKNOWN)
+    editor.wait_until("the bone by its number", lambda s: s["document"]["bone"] == UNKNOWN and not s["camera_moving"])
+    editor.palette("muscle 3", "muscle/ጡንቻ")
+    editor.wait_until("the muscle by its number", lambda s: s["document"]["selection"] == ["ጡንቻ"] and not s["camera_moving"])
+    editor.select_muscle("上腕二頭筋")
+    editor.fill("inspector/name", "三角筋")
+    editor.wait_until("another name", lambda s: s["document"]["selection"] == ["三角筋"])
+    editor.settle()
+    editor.screenshot(t.out / "letters_typed.png")
+
+
+def in_lists(t, editor):
+    editor.click("timeline/clip")
+    editor.wait_until("the clips", lambda s: "timeline/clip/2" in s["widgets"])
+    editor.settle()
+    editor.screenshot(t.out / "letters_clips.png")
+    editor.key("Escape")
+    editor.wait_until("no list", lambda s: "timeline/clip/2" not in s["widgets"])
+    editor.tap("ctrl+o", "the open dialog", lambda s: s["dialog"] == "open" and "dialog/entry/شخصية.glb" in s["widgets"])
+    editor.settle()
+    editor.screenshot(t.out / "letters_files.png")
+    editor.tap("Escape", "no dialog", lambda s: s["dialog"] == "")
 
 
 def letters(t):
     if not NOTO.exists():
         print("left out: Chinese, Japanese and Korean, as fonts-noto-cjk is not installed")
     rig = character(t)
+    before = json.loads(rig.read_text())
     editor = t.edit(rig)
-    state = editor.wait_until("its bones", lambda s: "センター" in s["bones"])
+    state = editor.wait_until("its bones", lambda s: "センター" in s["bones"] and "outliner/bone/センター" in s["widgets"])
     editor.tap("space", "a pause", lambda s: not s["playing"])
     told = [m for m in state["messages"] if "shown by number" in m]
     t.check("what no font has is told once", len(told) == 1, state["messages"])
     if NOTO.exists():
         t.check("no package is named that is there", "fonts-noto-cjk" not in told[0], told)
-    editor.wait_until("all frames to be drawn", lambda s: "outliner/bone/センター" in s["widgets"])
-    editor.settle()
-    editor.screenshot(t.out / "letters.png")
+    if "messages/hide" in state["widgets"]:
+        editor.click("messages/hide")
+    in_the_tree(t, editor)
+    typed(t, editor)
+    in_lists(t, editor)
+    rig = editor.saved_rig()
+    before["primitives"][0]["name"] = "三角筋"
+    for what in ("name", "bone", "group"):
+        t.check_equal("every %s is written as it is" % what, [p[what] for p in rig["primitives"]],
+                      [p[what] for p in before["primitives"]])
+    t.check_equal("and so are the groups", rig["groups"], before["groups"])
+    t.check_equal("quits", editor.quit(), 0)
 
 
 if __name__ == "__main__":

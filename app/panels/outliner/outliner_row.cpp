@@ -272,10 +272,16 @@ void drawUnattachedHead(const Row& row) {
                                       palette::kWarning.packed(), "Unattached");
 }
 
+/// A group's name, where no font has its letters its number; or a part of the body.
+std::string partTitle(const Row& row) {
+  const int group = findGroup(*row.frame.rig, row.row.part);
+  return group < 0 ? row.row.part : shownGroupName(*row.frame.rig, group);
+}
+
 void drawPartTitle(const Row& row) {
   const float from = row.indent() + row.ui.px(18);
   const bool cut = clippedText(*ImGui::GetWindowDrawList(), {from, row.middle(ImGui::GetTextLineHeight())},
-                               row.high.x - from, palette::kText.faded(0.82f).packed(), row.row.part);
+                               row.high.x - from, palette::kText.faded(0.82f).packed(), partTitle(row));
   tooltipWhile(row.ui, cut && row.hovered, row.row.part);
 }
 
