@@ -16,7 +16,7 @@ constexpr float kOutsideTexture = 4.0f;
 
 constexpr int kAtlasWidth = 1024;      ///< Width of the texture at scale 1, beyond that twice as much.
 constexpr int kAreaMargin = 64;        ///< Less than that is kept free.
-constexpr float kAreaHeight = 256.0f;  ///< At scale 1: some 900 Chinese letters.
+constexpr float kAreaHeight = 256.0f;  ///< At scale 1: about a thousand Chinese letters.
 constexpr float kMostAreaHeight = 2048.0f;
 constexpr long long kFramesBetween = 60;  ///< Frames between two times that all is forgotten.
 constexpr char32_t kLastLetter = 0xFFFD;
