@@ -30,7 +30,7 @@ def character(t):
     folder.mkdir()
     (folder / "人体.glb").write_bytes(glb_of(document, binary))
     (folder / "شخصية.glb").write_bytes(glb_of(document, binary))
-    muscle = {"center": [0, 0.1, 0], "radii": [0.05, 0.12, 0.05], "reach": 0.05}
+    muscle = {"center": [0, 0.1, 0], "radii": [0.05, 0.12, 0.05], "reach": 1.5}
     rig = folder / "人体.rig.json"
     rig.write_text(json.dumps({
         "format": "sinew-rig", "version": 1, "character": "人体.glb",
@@ -87,13 +87,14 @@ def in_the_tree(t, editor):
 
 def typed(t, editor):
     """Found by letters that are typed, shown by letters that nobody has seen before."""
-    editor.palette("左腕", "bone/左腕")
-    editor.wait_until("the bone", lambda s: s["document"]["bone"] == "左腕" and not s["camera_moving"])
+    editor.palette("頭", "bone/頭")
+    editor.wait_until("the bone", lambda s: s["document"]["bone"] == "頭" and not s["camera_moving"])
     editor.palette("bone 20", "bone/" + UNKNOWN)
     editor.wait_until("the bone by its number", lambda s: s["document"]["bone"] == UNKNOWN and not s["camera_moving"])
     editor.palette("muscle 3", "muscle/ጡንቻ")
     editor.wait_until("the muscle by its number", lambda s: s["document"]["selection"] == ["ጡንቻ"] and not s["camera_moving"])
-    editor.select_muscle("上腕二頭筋")
+    editor.click("outliner/muscle/上腕二頭筋")
+    editor.wait_until("a muscle", lambda s: s["document"]["selection"] == ["上腕二頭筋"])
     editor.fill("inspector/name", "三角筋")
     editor.wait_until("another name", lambda s: s["document"]["selection"] == ["三角筋"])
     editor.settle()
