@@ -5,7 +5,7 @@
 sinewRunPackages=(
   g++ cmake ninja-build pkg-config
   libglm-dev nlohmann-json3-dev libtinygltf-dev libstb-dev libhwy-dev libtbb-dev libeigen3-dev libdraco-dev libmeshoptimizer-dev libwebp-dev  # core
-  libglfw3-dev libimgui-dev libepoxy-dev libegl-dev libopengl-dev libgl-dev libfreetype-dev libspng-dev libcli11-dev  # app
+  libglfw3-dev libimgui-dev libepoxy-dev libegl-dev libopengl-dev libgl-dev libfreetype-dev libfribidi-dev libspng-dev libcli11-dev  # app
   libgl1-mesa-dri  # OpenGL 4.5 in software where there is no graphics card
   fonts-inter fonts-dejavu-core  # the editor's letters
 )
@@ -15,6 +15,7 @@ sinewRunPackages=(
 # shellcheck disable=SC2034  # test.sh reads it
 sinewTestPackages=("${sinewRunPackages[@]}" libgtest-dev libbenchmark-dev python3 xvfb xauth xdotool imagemagick
   clang-format-14
+  fonts-noto-cjk  # Chinese, Japanese and Korean names in the window
   parallel slurm-wlm  # jobs shared out
   git dpkg-dev binutils lintian desktop-file-utils appstream shared-mime-info man-db util-linux fish zsh)
 

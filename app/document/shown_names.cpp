@@ -6,7 +6,9 @@
 #include <optional>
 #include <set>
 #include <string_view>
+#include <utility>
 
+#include "app/names/readable_names.h"
 #include "core/base/lower_case.h"
 
 namespace sinew::app {
@@ -96,6 +98,13 @@ std::string afterLastSeparator(std::string name) {
   return last == name.npos || last + 1 == name.size() ? name : name.substr(last + 1);
 }
 
+/// By number where they cannot be shown.
+std::vector<std::string> eachReadable(std::vector<std::string> names, const char* word) {
+  int number = 0;
+  for (std::string& name : names) name = readableName(name, word, ++number);
+  return names;
+}
+
 std::size_t distinct(const std::vector<std::string>& names) {
   return std::set<std::string_view>(names.begin(), names.end()).size();
 }
@@ -115,10 +124,14 @@ std::vector<std::string> withoutSharedParts(const std::vector<std::string>& name
   return distinct(shown) == distinct(names) ? shown : names;
 }
 
-std::vector<std::string> shownBoneNames(const Skeleton& skeleton) {
+std::vector<std::string> shortBoneNames(const Skeleton& skeleton) {
   std::vector<std::string> names;
   for (const Bone& bone : skeleton.bones) names.push_back(bone.name);
   return withoutSharedParts(names);
+}
+
+std::vector<std::string> shownBoneNames(const Skeleton& skeleton) {
+  return eachReadable(shortBoneNames(skeleton), "bone");
 }
 
 std::vector<std::string> shownFileNames(const Skeleton& skeleton) {
@@ -127,7 +140,7 @@ std::vector<std::string> shownFileNames(const Skeleton& skeleton) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (all.count(names[i]) > 1) names[i] = skeleton.bones[i].path;
   }
-  return names;
+  return eachReadable(std::move(names), "bone");
 }
 
 std::vector<std::string> shownClipNames(const Character& character) {
@@ -142,7 +155,7 @@ std::vector<std::string> shownClipNames(const Character& character) {
     if (clip.turnsBindPose) shown.push_back(clip.name);
     else shown.push_back(clip.name.empty() ? "clip " + std::to_string(shown.size() + 1) : without[next++]);
   }
-  return shown;
+  return eachReadable(std::move(shown), "clip");
 }
 
 std::string shownBoneName(const Skeleton& skeleton, int bone) {

@@ -18,9 +18,12 @@ namespace sinew::app {
 inline constexpr std::size_t kManyNames = 8;
 
 /// [bones] and [clips] of a character. A clip without a name is "clip N"; one that the editor has made keeps its name.
-/// Files and the command line use the names of the file.
+/// Files and the command line use the names of the file. What no font can show is "bone N" or "clip N"
+/// (app/names/readable_names.h).
 [[nodiscard]] std::vector<std::string> shownBoneNames(const Skeleton& skeleton);
 [[nodiscard]] std::vector<std::string> shownClipNames(const Character& character);
+/// [bones] The same, whatever fonts there are: what new muscles are named after.
+[[nodiscard]] std::vector<std::string> shortBoneNames(const Skeleton& skeleton);
 /// [bones] The same where it names one bone alone, else its path: for lists to choose from.
 [[nodiscard]] std::vector<std::string> shownFileNames(const Skeleton& skeleton);
 /// One of the bones. Index -1: "".

@@ -10,8 +10,10 @@
 
 #include "app/editor/commands.h"
 #include "app/editor/session.h"
+#include "app/names/readable_names.h"
 #include "app/panels/panels.h"
 #include "app/render/thumbnails.h"
+#include "app/ui/reading_order.h"
 
 namespace sinew::app {
 namespace {
@@ -49,8 +51,9 @@ void drawRecent(PanelUi& ui) {
     const std::string id = "file/recent/" + std::to_string(i);
     drawThumbnail(ui, recent[i]);
     const std::string place = "   " + (there ? recent[i].parent_path().string() : std::string("no longer there"));
+    const std::string name = readableName(recent[i].filename().string(), "file", static_cast<int>(i) + 1);
     const bool chosen =
-        ImGui::MenuItem((recent[i].filename().string() + "##" + id).c_str(), place.c_str(), false, there);
+        ImGui::MenuItem((inReadingOrder(name) + "##" + id).c_str(), inReadingOrder(place).c_str(), false, there);
     ui.widgets.note(id);
     if (chosen) request(ui.state, {IntentKind::kOpenFile, recent[i]});
   }

@@ -179,7 +179,7 @@ Placement placementOf(const EllipsoidInWorld& ellipsoid, const glm::mat4& boneIn
 
 Primitive newMuscle(const Skeleton& skeleton, int bone, const Placement& placement) {
   Primitive primitive;
-  primitive.name = shownBoneName(skeleton, bone) + " muscle";
+  primitive.name = shortBoneNames(skeleton)[toIndex(bone)] + " muscle";
   primitive.bone = skeleton.fileName(bone);
   primitive.placement = placement;
   primitive.reach = kNewReach;

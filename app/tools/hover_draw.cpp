@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/document/shown_names.h"
+#include "app/ui/reading_order.h"
 
 namespace sinew::app {
 namespace {
@@ -35,14 +36,15 @@ void drawRing(ImDrawList& list, const Canvas& canvas, const SkinPoint& skin, flo
 }
 
 void drawName(ImDrawList& list, const ImVec2& beside, float scale, const std::string& name) {
-  const ImVec2 size = ImGui::CalcTextSize(name.c_str());
+  const std::string shown = inReadingOrder(name);
+  const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
   const ImVec2 pad{6.0f * scale, 3.0f * scale};
   const ImVec2 room = list.GetClipRectMax();
   const ImVec2 low{std::min(beside.x + 18.0f * scale, room.x - size.x - 2.0f * pad.x),
                    std::min(beside.y + 14.0f * scale, room.y - size.y - 2.0f * pad.y)};
   list.AddRectFilled({low.x - pad.x, low.y - pad.y}, {low.x + size.x + pad.x, low.y + size.y + pad.y}, kShadow,
                      4.0f * scale);
-  list.AddText(low, IM_COL32(235, 238, 242, 255), name.c_str());
+  list.AddText(low, IM_COL32(235, 238, 242, 255), shown.c_str());
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/document/shown_names.h"
+#include "app/names/readable_names.h"
 #include "core/base/at.h"
 
 namespace sinew::app {
@@ -46,7 +47,7 @@ std::string nameOf(const PickEntry& entry, const Document& document) {
     return "bone " + shownBoneName(document.character->skeleton, entry.bone);
   }
   const int index = findPrimitive(document.rig(), entry.muscle);
-  return index < 0 ? "" : at(document.rig().primitives, index).name;
+  return index < 0 ? "" : shownMuscleName(document.rig(), index);
 }
 
 bool goesOn(const PickCycle& cycle, const ViewportContext& context, const View& view, const glm::vec2& pixel) {

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/document/shown_names.h"
+#include "app/names/readable_names.h"
 #include "app/render/picking.h"
 #include "core/character/bindings.h"
 
@@ -123,7 +124,8 @@ void pick(Document& document, const ViewportHover& hover, bool add) {
 std::string describe(const ViewportHover& hover, const Document& document) {
   if (hover.primitive >= 0) {
     const Primitive& primitive = document.rig().primitives[static_cast<std::size_t>(hover.primitive)];
-    return primitive.name + " on " + shownBoneName(document.character->skeleton, primitive.bone);
+    return shownMuscleName(document.rig(), hover.primitive) + " on " +
+           shownBoneName(document.character->skeleton, primitive.bone);
   }
   if (hover.bone >= 0) return "Bone " + shownBoneName(document.character->skeleton, hover.bone);
   return "";

@@ -4,6 +4,7 @@
 
 #include "app/ui/imgui_layer.h"
 
+#include <epoxy/gl.h>
 #include <imgui.h>
 
 #include <backends/imgui_impl_opengl3.h>
@@ -12,7 +13,9 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <cstdint>
 
+#include "app/names/readable_names.h"
 #include "app/ui/style.h"
 
 namespace sinew::app {
@@ -36,6 +39,15 @@ int glfwShapeOf(int cursor) {
     default:
       return GLFW_ARROW_CURSOR;
   }
+}
+
+/// Into the font texture, which the backend has made by then.
+void uploadLetter(const glm::ivec4& rectangle, std::span<const std::uint32_t> pixels) {
+  const auto texture = reinterpret_cast<std::uintptr_t>(ImGui::GetIO().Fonts->TexID);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+  glTextureSubImage2D(static_cast<GLuint>(texture), 0, rectangle.x, rectangle.y, rectangle.z, rectangle.w, GL_RGBA,
+                      GL_UNSIGNED_BYTE, pixels.data());
 }
 
 }  // namespace
@@ -95,7 +107,8 @@ ImGuiLayer::ImGuiLayer(GLFWwindow* window, float scale) : window_(window), scale
   io.ClipboardUserData = window;
   mapKeys();
   applyStyle(scale);
-  fonts_ = loadFonts(scale);
+  makeFonts();
+  setGlyphs([this](char32_t c) { return letters_.has(c); });
   ImGui_ImplOpenGL3_Init("#version 450 core");
   for (int cursor = 0; cursor < ImGuiMouseCursor_COUNT; ++cursor) {
     cursors_[static_cast<std::size_t>(cursor)] = glfwCreateStandardCursor(glfwShapeOf(cursor));
@@ -103,11 +116,19 @@ ImGuiLayer::ImGuiLayer(GLFWwindow* window, float scale) : window_(window), scale
 }
 
 ImGuiLayer::~ImGuiLayer() {
+  setGlyphs({});
   for (GLFWcursor* cursor : cursors_) {
     if (cursor != nullptr) glfwDestroyCursor(cursor);
   }
   ImGui_ImplOpenGL3_Shutdown();
   ImGui::DestroyContext();
+}
+
+void ImGuiLayer::makeFonts() {
+  fonts_ = loadFonts(scale_);
+  letters_.reserve(scale_);
+  ImGui::GetIO().Fonts->Build();
+  letters_.attach(fonts_);
 }
 
 bool ImGuiLayer::setScale(float scale) {
@@ -116,7 +137,7 @@ bool ImGuiLayer::setScale(float scale) {
   applyStyle(scale);
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui::GetIO().Fonts->Clear();
-  fonts_ = loadFonts(scale);
+  makeFonts();
   ImGui_ImplOpenGL3_CreateFontsTexture();
   return true;
 }
@@ -145,7 +166,9 @@ void ImGuiLayer::beginFrame(const RawInput& input, double seconds, double drawin
 ImDrawData& ImGuiLayer::endFrame() {
   showCursor();
   ImGui::Render();
-  return *ImGui::GetDrawData();
+  ImDrawData& data = *ImGui::GetDrawData();
+  lettersMissing_ = letters_.fill(data, uploadLetter);
+  return data;
 }
 
 void ImGuiLayer::showCursor() {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "app/platform/input_queue.h"
 #include "app/ui/fonts.h"
+#include "app/ui/late_letters.h"
 
 struct GLFWcursor;
 struct GLFWwindow;
@@ -36,15 +38,26 @@ class ImGuiLayer {
   /// @return whether it was another.
   bool setScale(float scale);
 
+  /// What a document's names say about Chinese letters.
+  void setRegion(HanRegion region) { letters_.setRegion(region); }
+  [[nodiscard]] bool hasLetter(char32_t c) { return letters_.has(c); }
+  /// The frame that has ended was the first with some letters: the next one has their widths.
+  [[nodiscard]] bool lettersMissing() const { return lettersMissing_; }
+  /// Of the texture with the letters: equal revisions, equal pixels wherever a letter is.
+  [[nodiscard]] std::uint64_t lettersRevision() const { return letters_.revision(); }
+
   [[nodiscard]] const Fonts& fonts() const { return fonts_; }
   [[nodiscard]] float scale() const { return scale_; }
 
  private:
   void showCursor();
+  void makeFonts();
 
   GLFWwindow* window_;
   float scale_;
   Fonts fonts_;
+  LateLetters letters_;
+  bool lettersMissing_ = false;
   int shownCursor_ = -2;
   std::array<GLFWcursor*, 9> cursors_{};  ///< By ImGuiMouseCursor.
 };

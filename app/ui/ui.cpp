@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "app/ui/reading_order.h"
 #include "core/base/lower_case.h"
 
 namespace sinew::app {
@@ -26,13 +27,22 @@ ImU32 iconColor(bool active, bool hovered) {
   return (hovered ? palette::kText : palette::kMuted).packed();
 }
 
+/// In the order in which it is read; its letters are joined only for the screen.
+std::string cutToFit(const std::string& text, float width, const SharedEnds& shared = {}) {
+  const auto measure = [](std::string_view part) {
+    if (part.empty()) return 0.0f;
+    return ImGui::CalcTextSize(inReadingOrder(std::string(part)).c_str()).x;
+  };
+  return elided(text, width, measure, shared);
+}
+
 void showTooltip(Ui& ui, const std::string& text) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(7)});
   ImGui::BeginTooltip();
   // Its first frame only measures it: where no other frame is due, it would never be seen.
   if (ImGui::IsWindowAppearing()) ui.wakeIn(kNextFrame);
   ImGui::PushTextWrapPos(ui.px(320));
-  ImGui::TextUnformatted(text.c_str());
+  ImGui::TextUnformatted(inReadingOrder(text).c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
   ImGui::PopStyleVar();
@@ -42,13 +52,13 @@ void showTooltip(Ui& ui, const std::string& text) {
 
 void heading(Ui& ui, const char* text) {
   ImGui::PushFont(ui.fonts.strong);
-  ImGui::TextUnformatted(text);
+  ImGui::TextUnformatted(inReadingOrder(text).c_str());
   ImGui::PopFont();
 }
 
 void mutedText(const char* text) {
   ImGui::PushStyleColor(ImGuiCol_Text, palette::kMuted);
-  ImGui::TextUnformatted(text);
+  ImGui::TextUnformatted(inReadingOrder(text).c_str());
   ImGui::PopStyleColor();
 }
 
@@ -175,22 +185,20 @@ int segmented(Ui& ui, const std::string& id, const char* const* words, int count
 }
 
 std::string fitted(const std::string& text, float width, const SharedEnds& shared) {
-  const auto measure = [](std::string_view part) {
-    return part.empty() ? 0.0f : ImGui::CalcTextSize(part.data(), part.data() + part.size()).x;
-  };
-  return elided(text, width, measure, shared);
+  return inReadingOrder(cutToFit(text, width, shared));
 }
 
 bool clippedText(ImDrawList& list, const ImVec2& at, float width, ImU32 color, const std::string& text,
                  const SharedEnds& shared) {
   if (width <= 0.0f) return !text.empty();
-  const std::string shown = fitted(text, width, shared);
+  const std::string cut = cutToFit(text, width, shared);
+  const std::string shown = inReadingOrder(cut);
   if (ImGui::CalcTextSize(shown.c_str()).x <= width) list.AddText(at, color, shown.c_str());
-  return shown != text;
+  return cut != text;
 }
 
 void mutedLine(Ui& ui, const std::string& text) {
-  const std::string shown = fitted(text, ImGui::GetContentRegionAvail().x);
+  const std::string shown = cutToFit(text, ImGui::GetContentRegionAvail().x);
   mutedText(shown.c_str());
   if (shown != text) tooltip(ui, text);
 }

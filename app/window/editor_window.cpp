@@ -28,6 +28,7 @@
 #include "app/ui/imgui_layer.h"
 #include "app/window/editor_step.h"
 #include "app/window/moving_resolution.h"
+#include "app/window/name_letters.h"
 #include "app/window/picture.h"
 #include "app/window/screen.h"
 #include "app/window/session_keeper.h"
@@ -165,6 +166,7 @@ class Editor {
     state_.frame.systemScale = window_.contentScale();
     state_.frame.uiScale = scaleOf(window_, state_, options_);
     if (imgui_.setScale(state_.frame.uiScale)) screen_.forget();
+    readNames();
     imgui_.beginFrame(input, since, state_.session.stats.now() * 1e-3);
     step_.run(state_, input, imgui_.fonts(), delta);
     if (step_.cameraMoves()) settle_ = std::max(settle_, 2);  // What is hovered is seen a frame later.
@@ -177,6 +179,16 @@ class Editor {
     state_.session.stats.add(end, (continuous_ && delta > 0.0 ? delta : end - start) * 1e3);
     if (log_) log_->write(state_, step_.widgets(), view, frameNumber_, end - startTime_);
     ++frameNumber_;
+  }
+
+  /// Of a document that has been opened: whose Chinese letters, and which no font has.
+  void readNames() {
+    if (namesOf_ == state_.session.documentsOpened) return;
+    namesOf_ = state_.session.documentsOpened;
+    const std::u32string letters = lettersOfNames(state_);
+    imgui_.setRegion(hanRegion(letters, localeOfEnvironment()));
+    const std::string missing = missingLetters(letters, [this](char32_t c) { return imgui_.hasLetter(c); });
+    if (!missing.empty()) addMessage(state_.session, MessageKind::kNote, missing);
   }
 
   /// A graphics processor draws all pixels; what it takes cannot be told from a wait for the monitor.
@@ -193,8 +205,9 @@ class Editor {
 
   void present() {
     ImDrawData& data = imgui_.endFrame();
-    const std::array textures{TextureRevision{reinterpret_cast<std::uintptr_t>(ImGui::GetIO().Fonts->TexID), 0},
-                              picture_.revision()};
+    if (imgui_.lettersMissing()) settle_ = std::max(settle_, 1);
+    const auto fonts = reinterpret_cast<std::uintptr_t>(ImGui::GetIO().Fonts->TexID);
+    const std::array textures{TextureRevision{fonts, imgui_.lettersRevision()}, picture_.revision()};
     const bool still = exposed_ == 0 && !state_.open.transport.playing && !state_.frame.route.needsFrame;
     if (exposed_ > 0) --exposed_;
     const bool shows = screen_.draw(data, window_.framebufferSize(), textures, picture_.changed(), still);
@@ -220,6 +233,7 @@ class Editor {
   double lastLook_ = -kLookSeconds;
   WindowPlace place_;
   long long frameNumber_ = 0;
+  std::size_t namesOf_ = static_cast<std::size_t>(-1);  ///< The documentsOpened whose names were read.
   int settle_ = kSettleFrames;
   int exposed_ = kSettleFrames;  ///< Frames that are shown though they are equal to those before.
   bool continuous_ = false;

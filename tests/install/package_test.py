@@ -51,6 +51,8 @@ def names_its_dependencies(deb, root):
         owners = set(re.findall(r"^([\w.+-]+)(?::\w+)?: ", run("dpkg-query", "--search", "*/" + library), re.MULTILINE))
         check("the package of %s is named" % library, owners & named, "%s, not in: %s" % (owners, field))
     check("the letters' packages are named", {"fonts-inter", "fonts-dejavu-core"} <= named, field)
+    wished = run("dpkg-deb", "--field", deb, "Recommends")
+    check("that of Chinese, Japanese and Korean is recommended", "fonts-noto-cjk" in wished, wished)
 
 
 def holds_what_it_should(root):

@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/blending_edit.h"
+#include "app/names/readable_names.h"
 #include "app/panels/blending/blending.h"
 #include "app/panels/blending/blending_layout.h"
 #include "core/rig/rig_edit_several.h"
@@ -326,7 +327,8 @@ void drawNode(const Graph& graph, ImDrawList& list, int group) {
   if (graph.state().rename.group == graph.id(group)) return;
   if (graph.state().zoom < 0.55f && !hovered && !chosen) return;
   const float margin = graph.ui.px(5);
-  const std::string shown = fitted(graph.name(group), std::min(graph.ui.px(160), graph.size.x - 2.0f * margin));
+  const float room = std::min(graph.ui.px(160), graph.size.x - 2.0f * margin);
+  const std::string shown = fitted(shownGroupName(*graph.rig, group), room);
   const ImVec2 text = ImGui::CalcTextSize(shown.c_str());
   const float left = graph.low.x + margin;
   const float x = std::clamp(at.x - 0.5f * text.x, left, std::max(left, left + graph.size.x - 2.0f * margin - text.x));

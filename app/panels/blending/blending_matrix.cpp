@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "app/editor/blending_edit.h"
+#include "app/names/readable_names.h"
 #include "app/panels/blending/blending.h"
+#include "app/ui/reading_order.h"
 #include "core/base/at.h"
 #include "core/rig/rig_edit_several.h"
 
@@ -52,7 +54,10 @@ Matrix lay(PanelUi& ui) {
   }
   const float room = ImGui::GetContentRegionAvail().x;
   float widest = 0.0f;
-  for (const Group& group : matrix.rig->groups) widest = std::max(widest, ImGui::CalcTextSize(group.name.c_str()).x);
+  for (int group = 0; group < matrix.count(); ++group) {
+    const std::string shown = inReadingOrder(shownGroupName(*matrix.rig, group));
+    widest = std::max(widest, ImGui::CalcTextSize(shown.c_str()).x);
+  }
   matrix.nameWidth = std::clamp(widest + ui.px(14), ui.px(60), 0.45f * room);
   const auto count = static_cast<float>(matrix.count());
   const float fitting = std::floor((room - matrix.nameWidth) / count);
@@ -194,7 +199,7 @@ void drawNames(Matrix& matrix) {
     const float y = low.y + 0.5f * (matrix.cell - ImGui::GetTextLineHeight());
     const Tint color = matrix.concerns(group) || matrix.row < 0 ? palette::kText : palette::kMuted;
     clippedText(list, {low.x + matrix.ui.px(4), y}, matrix.nameWidth - matrix.ui.px(10), color.packed(),
-                matrix.name(group));
+                shownGroupName(*matrix.rig, group));
   }
 }
 

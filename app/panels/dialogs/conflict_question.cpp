@@ -11,6 +11,7 @@
 #include "app/document/file_stamp.h"
 #include "app/editor/disk_conflict.h"
 #include "app/panels/dialogs/dialogs.h"
+#include "app/ui/reading_order.h"
 
 namespace sinew::app {
 namespace {
@@ -31,10 +32,11 @@ struct Answer {
 
 void explain(PanelUi& ui, const std::string& name, OnDisk found) {
   if (found == OnDisk::kGone) {
-    ImGui::TextWrapped("\"%s\" was moved or deleted after this window opened or saved it.", name.c_str());
+    ImGui::TextWrapped("\"%s\" was moved or deleted after this window opened or saved it.",
+                       inReadingOrder(name).c_str());
   } else {
     ImGui::TextWrapped("\"%s\" was changed by another window or program after this window opened or saved it.",
-                       name.c_str());
+                       inReadingOrder(name).c_str());
   }
   ImGui::Dummy({0.0f, ui.px(6)});
 }

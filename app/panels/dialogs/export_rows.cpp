@@ -12,6 +12,7 @@
 #include "app/actions/export_commands.h"
 #include "app/panels/dialogs/dialog_parts.h"
 #include "app/ui/number_field.h"
+#include "app/ui/reading_order.h"
 #include "core/base/at.h"
 
 namespace sinew::app {
@@ -125,7 +126,7 @@ void oneClipRows(PanelUi& ui) {
   const std::string chosen = chosenOneClip(ui.state);
   label(ui, "Clip");
   ImGui::SetNextItemWidth(-1.0f);
-  const bool open = ImGui::BeginCombo("##one-clip", chosen.c_str(), ImGuiComboFlags_HeightLarge);
+  const bool open = ImGui::BeginCombo("##one-clip", inReadingOrder(chosen).c_str(), ImGuiComboFlags_HeightLarge);
   ui.widgets.note("export/one-clip");
   if (open) {
     for (std::size_t i = 0; i < names.size(); ++i) {

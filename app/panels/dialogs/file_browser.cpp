@@ -5,9 +5,11 @@
 
 #include <string>
 
+#include "app/names/readable_names.h"
 #include "app/panels/dialogs/file_dialog.h"
 #include "app/platform/data_files.h"
 #include "app/render/thumbnails.h"
+#include "app/ui/reading_order.h"
 
 namespace sinew::app {
 namespace {
@@ -63,7 +65,7 @@ void drawCrumbs(PanelUi& ui) {
     const std::string name = way[i].has_relative_path() ? way[i].filename().string() : "/";
     ImGui::PushStyleColor(ImGuiCol_Text, i == 0 ? palette::kText : palette::kMuted);
     // One alone may be longer than the room.
-    const std::string text = shown == 1 ? fitted(name, room - ui.px(18)) : name;
+    const std::string text = shown == 1 ? fitted(name, room - ui.px(18)) : inReadingOrder(name);
     const bool chosen = ImGui::Button((text + "##crumb" + std::to_string(i)).c_str());
     ImGui::PopStyleColor();
     ui.widgets.note("dialog/crumb/" + std::to_string(i));
@@ -155,7 +157,8 @@ void drawTitles(PanelUi& ui) {
   sortTitle(ui, "dialog/sort-date", "Changed", true);
 }
 
-void drawEntry(PanelUi& ui, const FolderEntry& entry) {
+/// @param number  in the list, from 1: what it is called where no font has its letters
+void drawEntry(PanelUi& ui, const FolderEntry& entry, int number) {
   FileDialogState& dialog = ui.state.dialogs.file;
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -184,8 +187,9 @@ void drawEntry(PanelUi& ui, const FolderEntry& entry) {
              (entry.folder ? palette::kAccent : palette::kMuted).packed());
   }
   const float textLeft = tall ? width + ui.px(8) : ui.px(25);
-  const bool cut = clippedText(list, {corner.x + textLeft, corner.y + top}, ImGui::GetContentRegionAvail().x - textLeft,
-                               palette::kText.packed(), entry.name);
+  const bool cut =
+      clippedText(list, {corner.x + textLeft, corner.y + top}, ImGui::GetContentRegionAvail().x - textLeft,
+                  palette::kText.packed(), readableName(entry.name, entry.folder ? "folder" : "file", number));
   if (cut) tooltip(ui, entry.name);
   const auto column = [&] {
     ImGui::TableNextColumn();
@@ -221,8 +225,9 @@ void drawEntries(PanelUi& ui, float height) {
     ImGui::TableSetupColumn("size", ImGuiTableColumnFlags_WidthFixed, ui.px(kSizeWidth));
     ImGui::TableSetupColumn("changed", ImGuiTableColumnFlags_WidthFixed, ui.px(kDateWidth));
     drawTitles(ui);
+    int number = 0;
     for (const FolderEntry& entry : entries) {
-      drawEntry(ui, entry);
+      drawEntry(ui, entry, ++number);
       if (dialog.kind == DialogKind::kNone) break;
     }
     if (entries.empty()) {

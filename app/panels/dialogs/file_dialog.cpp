@@ -19,6 +19,7 @@
 #include "app/editor/picture_commands.h"
 #include "app/panels/dialogs/dialog_parts.h"
 #include "app/panels/dialogs/dialogs.h"
+#include "app/ui/reading_order.h"
 
 namespace sinew::app {
 namespace {
@@ -211,7 +212,7 @@ void drawComplaint(PanelUi& ui) {
   if (dialog.error.empty() && !dialog.overwriteAsked) return;
   const std::string asked = saveTarget(dialog).filename().string() + " already exists. Replace it?";
   ImGui::PushStyleColor(ImGuiCol_Text, dialog.error.empty() ? palette::kWarning : palette::kError);
-  ImGui::TextWrapped("%s", dialog.error.empty() ? asked.c_str() : dialog.error.c_str());
+  ImGui::TextWrapped("%s", inReadingOrder(dialog.error.empty() ? asked : dialog.error).c_str());
   ImGui::PopStyleColor();
 }
 

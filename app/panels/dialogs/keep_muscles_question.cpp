@@ -8,6 +8,7 @@
 #include "app/editor/commands.h"
 #include "app/panels/dialogs/dialog_parts.h"
 #include "app/panels/dialogs/dialogs.h"
+#include "app/ui/reading_order.h"
 
 namespace sinew::app {
 namespace {
@@ -25,7 +26,7 @@ Answer ask(PanelUi& ui) {
   Answer answer = Answer::kNone;
   const std::string text = "Open \"" + ui.state.dialogs.keepMuscles.filename().string() + "\" with " +
                            musclesOf(ui.state.document) + ", each where it belongs on the other body?";
-  ImGui::TextWrapped("%s", text.c_str());
+  ImGui::TextWrapped("%s", inReadingOrder(text).c_str());
   ImGui::Dummy({0.0f, ui.px(6)});
   const ImVec2 narrow{ui.px(92), 0.0f};
   const ImVec2 wide{ui.px(148), 0.0f};

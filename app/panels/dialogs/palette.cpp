@@ -15,9 +15,11 @@
 #include "app/editor/commands.h"
 #include "app/editor/hidden_bones.h"
 #include "app/editor/session.h"
+#include "app/names/readable_names.h"
 #include "app/panels/dialogs/dialogs.h"
 #include "app/panels/dialogs/palette_search.h"
 #include "app/panels/dialogs/palette_words.h"
+#include "app/ui/reading_order.h"
 #include "core/base/at.h"
 
 namespace sinew::app {
@@ -104,9 +106,11 @@ void addClips(Entries& all, const EditorState& state) {
 
 void addPlacesInDocument(Entries& all, const EditorState& state) {
   if (!state.hasCharacter()) return;
-  for (const Primitive& primitive : state.document.rig().primitives) {
-    add(all, state, {EntryKind::kMuscle, "muscle/" + primitive.name, nullptr, primitive.id(), -1, {}}, primitive.name,
-        "Muscle on " + primitive.bone);
+  const Rig& rig = state.document.rig();
+  for (int i = 0; i < static_cast<int>(rig.primitives.size()); ++i) {
+    const Primitive& primitive = at(rig.primitives, i);
+    add(all, state, {EntryKind::kMuscle, "muscle/" + primitive.name, nullptr, primitive.id(), -1, {}},
+        shownMuscleName(rig, i), "Muscle on " + primitive.bone);
   }
   const Skeleton& skeleton = state.character().skeleton;
   const std::vector<std::string> names = shownBoneNames(skeleton);
@@ -197,6 +201,11 @@ Icon iconOf(const Entry& entry) {
 /// The label, letters that were asked for in the accent's color.
 void drawMarked(ImDrawList& list, ImVec2 at, const std::string& text, const std::vector<std::size_t>& marks,
                 Tint tint) {
+  const std::string whole = inReadingOrder(text);
+  if (whole != text) {  // Its letters stand in another order than its bytes.
+    list.AddText(at, tint.packed(), whole.c_str());
+    return;
+  }
   std::size_t begin = 0;
   while (begin < text.size()) {
     const bool marked = std::ranges::binary_search(marks, begin);
@@ -230,9 +239,10 @@ bool drawRow(PanelUi& ui, const Entry& entry, const Candidate& candidate, const 
   const std::string keys = usable && entry.action != nullptr ? keyText(*entry.action, ui.state) : entry.why;
   const float keysWidth = keys.empty() ? 0.0f : ImGui::CalcTextSize(keys.c_str()).x;
   list.AddText({right - keysWidth, middle}, (usable ? palette::kText : palette::kMuted).packed(), keys.c_str());
-  const float contextLeft = corner.x + ui.px(30) + ImGui::CalcTextSize(candidate.label.c_str()).x + ui.px(12);
+  const float contextLeft =
+      corner.x + ui.px(30) + ImGui::CalcTextSize(inReadingOrder(candidate.label).c_str()).x + ui.px(12);
   list.PushClipRect({contextLeft, corner.y}, {right - keysWidth - ui.px(12), corner.y + height}, true);
-  list.AddText({contextLeft, middle}, palette::kMuted.faded(0.8f).packed(), candidate.context.c_str());
+  list.AddText({contextLeft, middle}, palette::kMuted.faded(0.8f).packed(), inReadingOrder(candidate.context).c_str());
   list.PopClipRect();
   return clicked;
 }

@@ -9,6 +9,7 @@
 #include "app/editor/session.h"
 #include "app/panels/dialogs/dialog_parts.h"
 #include "app/panels/dialogs/dialogs.h"
+#include "app/ui/reading_order.h"
 
 namespace sinew::app {
 namespace {
@@ -21,7 +22,7 @@ enum class Answer { kNone, kSave, kDiscard, kCancel };
 
 Answer askUnsaved(PanelUi& ui) {
   Answer answer = Answer::kNone;
-  ImGui::TextWrapped("\"%s\" has changes that are not saved.", ui.state.document.name().c_str());
+  ImGui::TextWrapped("\"%s\" has changes that are not saved.", inReadingOrder(ui.state.document.name()).c_str());
   ImGui::Dummy({0.0f, ui.px(6)});
   const ImVec2 size{ui.px(104), 0.0f};
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 3.0f * size.x - 2.0f * ui.px(8));
@@ -46,7 +47,7 @@ bool askExport(PanelUi& ui) {
   }
   std::string names;
   for (const ExportStand& stand : stands) names += (names.empty() ? "" : ", ") + stand.file.filename().string();
-  ImGui::TextWrapped("%s %s not written yet.", names.c_str(), stands.size() == 1 ? "is" : "are");
+  ImGui::TextWrapped("%s %s not written yet.", inReadingOrder(names).c_str(), stands.size() == 1 ? "is" : "are");
   ImGui::Dummy({0.0f, ui.px(6)});
   const ImVec2 size{ui.px(128), 0.0f};
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 3.0f * size.x - 2.0f * ui.px(8));
@@ -74,7 +75,7 @@ Choice askRecovery(PanelUi& ui, const LeftBehind& left, std::size_t index) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::PushFont(ui.fonts.strong);
-  ImGui::TextUnformatted(left.name().c_str());
+  ImGui::TextUnformatted(inReadingOrder(left.name()).c_str());
   ImGui::PopFont();
   ui.widgets.note("recovery/name/" + place);
   tooltip(ui, (left.rigFile.empty() ? left.characterFile : left.rigFile).string());

@@ -11,8 +11,10 @@
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/outliner_edit.h"
+#include "app/names/readable_names.h"
 #include "app/panels/inspector/inspector_lines.h"
 #include "app/ui/number_field.h"
+#include "app/ui/reading_order.h"
 #include "core/base/at.h"
 #include "core/primitives/shape_numbers.h"
 
@@ -33,7 +35,7 @@ void nameRow(PanelUi& ui, const Subjects& subjects) {
     ui.widgets.note("inspector/names");
     std::string names;
     for (const int index : subjects.indices) {
-      names += (names.empty() ? "" : ", ") + at(subjects.rig->primitives, index).name;
+      names += (names.empty() ? "" : ", ") + shownMuscleName(*subjects.rig, index);
     }
     tooltip(ui, names + "\nEdits apply to all of them.");
     return;
@@ -76,18 +78,20 @@ void groupRow(PanelUi& ui, const Subjects& subjects) {
   const bool differ = subjects.differ([](const Primitive& p) { return p.group; });
   const std::string& own = subjects.shown().group;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const std::string shown = differ ? "mixed" : "    " + own;
+  const int ownGroup = findGroup(rig, own);
+  const std::string shown = differ ? "mixed" : "    " + (ownGroup < 0 ? own : shownGroupName(rig, ownGroup));
   const bool open = ImGui::BeginCombo("##group", comboText(shown).c_str());
   ui.widgets.note("inspector/group");
   if (!open) {
     tooltip(ui, "Muscles of one group add up; the Groups tab says which groups blend with each other.");
-    if (!differ) groupDot(ui, corner, ImGui::GetFrameHeight(), findGroup(rig, own));
+    if (!differ) groupDot(ui, corner, ImGui::GetFrameHeight(), ownGroup);
     return;
   }
   for (int group = 0; group < static_cast<int>(rig.groups.size()); ++group) {
     const std::string& name = at(rig.groups, group).name;
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const bool chosen = ImGui::Selectable(("     " + name).c_str(), !differ && name == own);
+    const bool chosen =
+        ImGui::Selectable(("     " + inReadingOrder(shownGroupName(rig, group))).c_str(), !differ && name == own);
     ui.widgets.note("inspector/group/" + name);
     groupDot(ui, {at.x - ui.px(2), at.y}, ImGui::GetTextLineHeight(), group);
     if (chosen) moveToGroup(ui.state, subjects.indices, name);

@@ -20,6 +20,7 @@
 #include "app/editor/outliner_rows.h"
 #include "app/panels/library/muscle_picture.h"
 #include "app/render/thumbnails.h"
+#include "app/ui/reading_order.h"
 #include "core/base/at.h"
 
 namespace sinew::app {
@@ -217,15 +218,15 @@ void drawCarried(PanelUi& ui) {
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   const float width = ui.px(kCarried);
   const float pad = ui.px(kGap);
-  const ImVec2 text = ImGui::CalcTextSize(library.drag.says.c_str());
+  const std::string says = inReadingOrder(library.drag.says);
+  const ImVec2 text = ImGui::CalcTextSize(says.c_str());
   const ImVec2 low{mouse.x + ui.px(14), mouse.y + ui.px(14)};
   const ImVec2 size{std::max(width, text.x) + 2.0f * pad, pictureHeight(width) + text.y + 3.0f * pad};
   list.AddRectFilled(low, {low.x + size.x, low.y + size.y}, palette::kPanel.faded(0.94f).packed(), ui.px(kRound));
   const ImVec2 picture{low.x + pad, low.y + pad};
   drawPicture(list, pictureOf(ui, library.drag.set, library.drag.muscle), picture,
               {picture.x + width, picture.y + pictureHeight(width)}, ui.px(kRound));
-  list.AddText({low.x + pad, low.y + 2.0f * pad + pictureHeight(width)}, palette::kText.packed(),
-               library.drag.says.c_str());
+  list.AddText({low.x + pad, low.y + 2.0f * pad + pictureHeight(width)}, palette::kText.packed(), says.c_str());
 }
 
 }  // namespace

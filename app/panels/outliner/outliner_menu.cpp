@@ -9,7 +9,9 @@
 #include "app/editor/hidden_bones.h"
 #include "app/editor/outliner_edit.h"
 #include "app/editor/visibility_commands.h"
+#include "app/names/readable_names.h"
 #include "app/panels/outliner/outliner_row.h"
+#include "app/ui/reading_order.h"
 #include "core/base/at.h"
 
 namespace sinew::app {
@@ -47,7 +49,7 @@ bool item(PanelUi& ui, const char* label, const char* id, bool enabled = true) {
 bool groupItem(PanelUi& ui, const Rig& rig, int group, bool chosen) {
   const std::string& name = at(rig.groups, group).name;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const bool clicked = ImGui::MenuItem(("     " + name).c_str(), nullptr, chosen);
+  const bool clicked = ImGui::MenuItem(("     " + inReadingOrder(shownGroupName(rig, group))).c_str(), nullptr, chosen);
   ui.widgets.note("context/group/" + name);
   ImGui::GetWindowDrawList()->AddCircleFilled({corner.x + ui.px(7), corner.y + 0.5f * ImGui::GetTextLineHeight()},
                                               ui.px(4), groupTint(rig, group).packed(), 16);
@@ -75,7 +77,7 @@ void boneSubmenu(PanelUi& ui, const OutlinerContent& frame) {
   for (int bone = 0; bone < static_cast<int>(frame.skeleton.bones.size()); ++bone) {
     if (isHidden(frame.hiddenBones, bone)) continue;
     ImGui::PushID(bone);
-    const bool chosen = ImGui::MenuItem(at(frame.boneNames, bone).c_str());
+    const bool chosen = ImGui::MenuItem(inReadingOrder(at(frame.boneNames, bone)).c_str());
     ImGui::PopID();
     ui.widgets.note("context/bone/" + std::to_string(bone));
     if (chosen) reparentMuscles(ui.state, selectedIndices(ui.state.document), bone);

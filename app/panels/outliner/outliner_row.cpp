@@ -11,6 +11,8 @@
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
 #include "app/editor/outliner_edit.h"
+#include "app/names/readable_names.h"
+#include "app/ui/reading_order.h"
 #include "core/base/at.h"
 
 namespace sinew::app {
@@ -140,9 +142,8 @@ void drawRename(Row& row) {
 }
 
 void drawDragged(PanelUi& ui, int index) {
-  const auto& primitives = ui.state.document.rig().primitives;
   const std::size_t count = draggedMuscles(ui.state.document, index).size();
-  const std::string& name = at(primitives, index).name;
+  const std::string name = inReadingOrder(shownMuscleName(ui.state.document.rig(), index));
   ImGui::TextUnformatted((count == 1 ? name : std::to_string(count) + " muscles").c_str());
   mutedText("Drop on a bone or a group");
 }
@@ -228,7 +229,8 @@ void drawMuscle(Row& row) {
   const Tint color = visible ? palette::kText : palette::kMuted.faded(0.6f);
   const float from = row.indent() + ui.px(kNameFrom);
   const float room = row.nameEnd() - from;
-  const std::string shown = attached ? primitive.name : primitive.name + "  (no bone " + primitive.bone + ")";
+  const std::string name = shownMuscleName(*row.frame.rig, row.row.index);
+  const std::string shown = attached ? name : name + "  (no bone " + primitive.bone + ")";
   const bool cut = clippedText(list, {from, row.middle(ImGui::GetTextLineHeight())}, room, color.packed(), shown,
                                row.frame.muscleEnds);
   nameTooltip(row, cut, shown);
@@ -270,10 +272,16 @@ void drawUnattachedHead(const Row& row) {
                                       palette::kWarning.packed(), "Unattached");
 }
 
+/// A group's name, where no font has its letters its number; or a part of the body.
+std::string partTitle(const Row& row) {
+  const int group = findGroup(*row.frame.rig, row.row.part);
+  return group < 0 ? row.row.part : shownGroupName(*row.frame.rig, group);
+}
+
 void drawPartTitle(const Row& row) {
   const float from = row.indent() + row.ui.px(18);
   const bool cut = clippedText(*ImGui::GetWindowDrawList(), {from, row.middle(ImGui::GetTextLineHeight())},
-                               row.high.x - from, palette::kText.faded(0.82f).packed(), row.row.part);
+                               row.high.x - from, palette::kText.faded(0.82f).packed(), partTitle(row));
   tooltipWhile(row.ui, cut && row.hovered, row.row.part);
 }
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "app/actions/check_commands.h"
+#include "app/names/readable_names.h"
 #include "app/panels/overlay/overlay.h"
 #include "core/base/at.h"
 
@@ -37,7 +38,7 @@ void drawRow(PanelUi& ui, int index) {
   const CheckState& check = state.open.check;
   const Finding& finding = at(check.findings, index);
   const int muscle = findPrimitive(state.document.rig(), at(check.muscles, index));
-  const std::string name = muscle < 0 ? "(deleted)" : at(state.document.rig().primitives, muscle).name;
+  const std::string name = muscle < 0 ? "(deleted)" : shownMuscleName(state.document.rig(), muscle);
   const std::string text = name + ": " + textOf(finding);
   const std::string when = momentText(finding);
   const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(when.c_str()).x - ui.px(16);

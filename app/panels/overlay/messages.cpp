@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/panels/overlay/overlay.h"
+#include "app/ui/reading_order.h"
 
 namespace sinew::app {
 namespace {
@@ -77,7 +78,7 @@ bool drawMessage(PanelUi& ui, const Message& message, std::size_t index) {
            tintOf(message.kind).packed());
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.px(kTextLeft));
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wrap);
-  ImGui::TextUnformatted(text.c_str());
+  ImGui::TextUnformatted(inReadingOrder(text).c_str());
   ImGui::PopTextWrapPos();
   ImGui::SameLine();
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0f * button);

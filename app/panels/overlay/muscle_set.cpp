@@ -12,6 +12,7 @@
 #include "app/actions/muscle_set_commands.h"
 #include "app/panels/overlay/overlay.h"
 #include "app/ui/number_field.h"
+#include "app/ui/reading_order.h"
 #include "core/base/at.h"
 
 namespace sinew::app {
@@ -54,10 +55,10 @@ void drawSets(PanelUi& ui) {
   const MuscleSetState& set = ui.state.open.muscleSet;
   label(ui, "Set");
   int chosen = set.chosen;
-  if (ImGui::BeginCombo("##set", at(set.sets, set.chosen).title.c_str())) {
+  if (ImGui::BeginCombo("##set", inReadingOrder(at(set.sets, set.chosen).title).c_str())) {
     for (int i = 0; i < static_cast<int>(set.sets.size()); ++i) {
       ImGui::PushID(i);
-      if (ImGui::Selectable(at(set.sets, i).title.c_str(), i == set.chosen)) chosen = i;
+      if (ImGui::Selectable(inReadingOrder(at(set.sets, i).title).c_str(), i == set.chosen)) chosen = i;
       ImGui::PopID();
       ui.widgets.note("muscle-set/sets/" + std::to_string(i));
     }

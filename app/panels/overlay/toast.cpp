@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/panels/overlay/overlay.h"
+#include "app/ui/reading_order.h"
 
 namespace sinew::app {
 namespace {
@@ -66,7 +67,8 @@ void drawToast(PanelUi& ui) {
   ui.wakeIn(*change);
   const float shown = opacity(*toast, ui.state.frame.now);
   const float widest = std::min(ui.px(kWidest), ui.state.frame.viewport.z - ui.px(2 * kPadX + kIcon + kIconGap + 20));
-  const ImVec2 text = ImGui::CalcTextSize(toast->text.c_str(), nullptr, false, widest);
+  const std::string words = inReadingOrder(toast->text);
+  const ImVec2 text = ImGui::CalcTextSize(words.c_str(), nullptr, false, widest);
   const ImVec2 size{text.x + ui.px(2 * kPadX + kIcon + kIconGap), text.y + ui.px(2 * kPadY)};
   const ImVec2 low = placeOf(ui, size);
   const ImVec2 high{low.x + size.x, low.y + size.y};
@@ -77,7 +79,7 @@ void drawToast(PanelUi& ui) {
   drawIcon(list, toast->refusal ? Icon::kWarning : Icon::kNote, {low.x + ui.px(kPadX), low.y + ui.px(kPadY)},
            ui.px(kIcon), tint.faded(shown).packed());
   list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + ui.px(kPadX + kIcon + kIconGap), low.y + ui.px(kPadY)},
-               palette::kText.faded(shown).packed(), toast->text.c_str(), nullptr, widest);
+               palette::kText.faded(shown).packed(), words.c_str(), nullptr, widest);
   ui.widgets.note("toast", {low.x, low.y, size.x, size.y});
 }
 

@@ -12,6 +12,7 @@
 #include "app/editor/visibility_commands.h"
 #include "app/panels/overlay/overlay.h"
 #include "app/tools/select.h"
+#include "app/ui/reading_order.h"
 #include "core/base/at.h"
 
 namespace sinew::app {
@@ -79,7 +80,8 @@ void selectSubmenu(PanelUi& ui, const ViewportHover& target) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const bool selected = entry.muscle ? document.selection.contains(entry.muscle) : false;
     ImGui::PushID(static_cast<int>(i));
-    const bool chosen = ImGui::MenuItem(("     " + name).c_str(), entry.concealed ? "   behind" : nullptr, selected);
+    const bool chosen =
+        ImGui::MenuItem(("     " + inReadingOrder(name)).c_str(), entry.concealed ? "   behind" : nullptr, selected);
     ImGui::PopID();
     ui.widgets.note("context/select/" + name);
     swatch(ui, corner, entry);

@@ -11,6 +11,7 @@
 
 #include "app/editor/edit.h"
 #include "app/editor/outliner_rows.h"
+#include "app/names/readable_names.h"
 #include "app/panels/inspector/inspector.h"
 #include "app/panels/shared/animated_field.h"
 #include "app/panels/shared/field_edit.h"
@@ -165,7 +166,8 @@ void drawRow(PanelUi& ui, int shape, float indent) {
              {low.x + ui.px(indent), low.y + 0.5f * (ImGui::GetFrameHeight() - fold)}, fold, palette::kMuted.packed());
   }
   const Tint color = missing ? palette::kMuted.faded(0.6f) : hovered && animated ? palette::kText : palette::kMuted;
-  clippedText(list, {low.x + ui.px(indent) + fold, y}, width - ui.px(indent + 4) - fold, color.packed(), morph.name);
+  clippedText(list, {low.x + ui.px(indent) + fold, y}, width - ui.px(indent + 4) - fold, color.packed(),
+              shownMorphName(ui.state.document.rig(), shape));
   ImGui::SameLine(0.0f, 0.0f);
   drawSlider(ui, shape);
   if (pressed && animated) shapes.chosen = open ? std::string() : morph.name;

@@ -10,6 +10,7 @@
 #include "app/document/shown_names.h"
 #include "app/editor/hidden_bones.h"
 #include "app/panels/shared/animated_field.h"
+#include "app/ui/reading_order.h"
 #include "core/base/at.h"
 
 namespace sinew::app {
@@ -19,7 +20,7 @@ using Chosen = std::function<void(const DriverInput&)>;
 
 bool row(PanelUi& ui, const std::string& label, const std::string& id, const Possible& possible = {},
          const std::string& hint = {}, const char* keys = nullptr) {
-  const bool chosen = ImGui::MenuItem(label.c_str(), keys, false, possible);
+  const bool chosen = ImGui::MenuItem(inReadingOrder(label).c_str(), keys, false, possible);
   ui.widgets.note("context/" + id);
   const std::string why = possible ? hint : "Not available: " + std::string(possible.reason());
   if (!why.empty()) tooltip(ui, why);
@@ -27,7 +28,7 @@ bool row(PanelUi& ui, const std::string& label, const std::string& id, const Pos
 }
 
 bool beginSubmenu(PanelUi& ui, const char* label, const std::string& id) {
-  const bool open = ImGui::BeginMenu(label);
+  const bool open = ImGui::BeginMenu(inReadingOrder(label).c_str());
   // Once it is open the last item is one of the submenu's window.
   if (!open) ui.widgets.note("context/" + id);
   return open;

@@ -10,6 +10,7 @@
 #include "app/document/shown_names.h"
 #include "app/editor/hidden_bones.h"
 #include "app/editor/outliner_rows.h"
+#include "app/ui/reading_order.h"
 #include "core/base/at.h"
 
 namespace sinew::app {
@@ -63,7 +64,7 @@ int boneList(PanelUi& ui, const std::string& id, int near, int chosen, const std
     if (isHidden(hidden, bone) || !isOffered(bone)) continue;
     if (!containsText(label, filter) && !containsText(name, filter)) continue;
     if (first < 0) first = bone;
-    const bool pressed = ImGui::Selectable(label.c_str(), bone == chosen);
+    const bool pressed = ImGui::Selectable(inReadingOrder(label).c_str(), bone == chosen);
     ui.widgets.note(id + "/" + name);
     if (label != name) tooltip(ui, name);
     if (pressed) taken = bone;
