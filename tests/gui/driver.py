@@ -150,7 +150,8 @@ class Editor(Acts):
         self.xdotool("keyup", name)
 
     def type(self, text):
-        self.xdotool("type", "--delay", 0, "--", text)
+        # A letter that no key has is lent one until the delay is over: a window that looks later finds the key empty.
+        self.xdotool("type", "--delay", 0 if text.isascii() else 1000, "--", text)
 
     def widget(self, name, along=0.5):
         """Where a control is: its middle, or that part of its width."""
