@@ -6,7 +6,7 @@ set(sinew_common_headers
   <deque> <filesystem> <fstream> <functional> <limits> <map> <memory> <numbers> <numeric> <optional> <random> <ranges>
   <set> <span> <string> <string_view> <system_error> <tuple> <unordered_map> <utility> <variant> <vector>
   <glm/geometric.hpp> <glm/gtc/matrix_transform.hpp> <glm/gtc/quaternion.hpp> <glm/mat4x4.hpp> <glm/matrix.hpp>
-  # Three quarters of all files include these two, and with them every type of a rig.
+  # Two thirds of all files include these two, and with them every type of a rig.
   <sinew/character/character.h> <sinew/rig/rig.h>)
 
 # Targets with the same flags share one: REUSE_FROM in place of the list.

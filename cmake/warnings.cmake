@@ -7,7 +7,7 @@ target_compile_options(sinew_flags INTERFACE
   -Wall -Wextra -Wshadow -Wconversion -Wnon-virtual-dtor -Wold-style-cast
   # g++ 12 warns of overlapping copies inside its own std::string at -O3 (GCC bug 105329).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
-  # g++ would walk its heap, the precompiled headers' 150 MB among it, several times per file; a file needs 0.3 to 0.9 GB.
+  # g++ would walk its heap, the precompiled headers among it, several times per file.
   $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=1000>
   $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=1000000>
   # Same bytes everywhere: no fused multiply-add behind our back.

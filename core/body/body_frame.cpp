@@ -21,8 +21,6 @@ bool isEnd(Slot slot) {
   return slot == Slot::kHand || slot == Slot::kFoot || slot == Slot::kFrontFoot || slot == Slot::kHindFoot;
 }
 
-bool isTrunk(Slot slot) { return slot <= Slot::kUpperChest; }
-
 /// The part after it, away from the trunk.
 std::optional<Slot> partAfter(Slot slot) {
   switch (slot) {

@@ -33,6 +33,9 @@ struct PartAxis {
   [[nodiscard]] Piece pieceAt(float u) const;
 };
 
+/// Hips, spine and chest: their axis is one.
+[[nodiscard]] constexpr bool isTrunk(Slot slot) { return slot <= Slot::kUpperChest; }
+
 /// What belongs together in a body: the trunk as one, each part of a limb with all that hangs on it and is no part.
 /// Numbers are those of allBodySlots(), kSpine for the trunk; -1: nothing.
 using Zone = int;

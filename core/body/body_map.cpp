@@ -16,7 +16,6 @@ namespace {
 
 constexpr float kBeyond = 0.1f;   ///< Flesh is measured so far beyond the ends of a part.
 constexpr float kRounder = 2.0f;  ///< On a part so much shorter muscles get no rounder: they would be balls.
-constexpr float kOnAxis = 1e-5f;  ///< Of H: so near the axis there is no angle.
 
 BodySlots slotsOf(const Character& character, const MirrorPlan& plan, const std::vector<SlotCorrection>& corrections) {
   return bodySlots(character, plan, corrections);

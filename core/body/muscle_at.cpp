@@ -12,12 +12,9 @@
 namespace sinew {
 namespace {
 
-constexpr float kOwnPlace = 0.05f;     ///< Of H: nearer than this to its own place is there.
-constexpr float kPointOnAxis = 1e-5f;  ///< Of H.
+constexpr float kOwnPlace = 0.05f;  ///< Of H: nearer than this to its own place is there.
 
-bool isTrunkSlot(Slot slot) { return slot <= Slot::kUpperChest; }
-
-Slot partOf(Slot slot) { return isTrunkSlot(slot) ? Slot::kSpine : slot; }
+Slot partOf(Slot slot) { return isTrunk(slot) ? Slot::kSpine : slot; }
 
 /// Half the length between the ends of a line less its tendons, of its part: a belly needs its own without the line.
 float halfLengthOf(const PresetMuscle& muscle) {
@@ -48,8 +45,7 @@ std::optional<MarkOnSkin> markOnSkin(const MeasuredBody& body, int bone, const g
   MarkOnSkin found;
   if (slot.isSided()) found.side = slot.side;
   else if (glm::dot(inBind - image, body.frame.slots.left) < 0.0f) found.side = BodySide::kRight;
-  const PartPlace place =
-      placeAt(*axis, found.side == BodySide::kLeft ? inBind : image, kPointOnAxis * body.frame.height);
+  const PartPlace place = placeAt(*axis, found.side == BodySide::kLeft ? inBind : image, kOnAxis * body.frame.height);
   found.mark = {partOf(slot.slot), std::clamp(place.u, -kMostU, kMostU), place.angle, 0.0f};
   return found;
 }

@@ -13,6 +13,9 @@ struct PartPlace {
   float beside = 0.0f;  ///< Along the part from the level of u: not 0 where a bend of the axis leaves no level.
 };
 
+/// Of H: so near the axis there is no angle.
+inline constexpr float kOnAxis = 1e-5f;
+
 /// @param leastAway  nearer than this there is no angle
 [[nodiscard]] PartPlace placeAt(const PartAxis& axis, const glm::vec3& point, float leastAway);
 

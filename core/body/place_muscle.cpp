@@ -54,8 +54,6 @@ glm::vec3 turned(const glm::vec3& from, const glm::vec3& towards, float degrees)
   return glm::normalize(std::cos(angle) * from + std::sin(angle) * towards);
 }
 
-bool isOfTrunk(Slot slot) { return slot <= Slot::kUpperChest; }
-
 class MusclePlacer {
  public:
   MusclePlacer(const PresetPlace& place, const PresetMuscle& muscle) : place_(place), muscle_(muscle) {}
@@ -166,7 +164,7 @@ void MusclePlacer::shapeBelly() {
   belly_.along = turned(flat, belly_.normal, muscle_.tilt);
   belly_.normal = turned(belly_.normal, -flat, muscle_.tilt);
   belly_.normal = turned(belly_.normal, glm::cross(belly_.along, belly_.normal), muscle_.roll);
-  const bool middle = isOfTrunk(muscle_.belly.slot) || muscle_.belly.slot == Slot::kNeck;
+  const bool middle = isTrunk(muscle_.belly.slot) || muscle_.belly.slot == Slot::kNeck;
   const float bare = muscle_.height * flesh_.size;
   const float mass = place_.tuning.mass;
   belly_.height = bare * std::pow(mass, middle ? kTrunkMass : 1.0f);
@@ -213,7 +211,7 @@ void MusclePlacer::keepEndsInside() {
 /// Skin weights under the belly, by bone.
 std::map<int, float> MusclePlacer::weightsUnder() const {
   std::map<int, float> weights;
-  const Slot part = isOfTrunk(muscle_.belly.slot) ? Slot::kSpine : muscle_.belly.slot;
+  const Slot part = isTrunk(muscle_.belly.slot) ? Slot::kSpine : muscle_.belly.slot;
   const std::vector<Zone> zones = zonesAround(part);
   const glm::vec3 across = glm::cross(belly_.along, belly_.normal);
   const Character& character = place_.character;
@@ -237,14 +235,14 @@ std::map<int, float> MusclePlacer::weightsUnder() const {
 bool MusclePlacer::mayCarry(int bone) const {
   const Zone zone = at(place_.frame.zoneOfBone, bone);
   const Slot own = muscle_.belly.slot;
-  if (isOfTrunk(own)) return zone == zoneOf(Slot::kSpine);
+  if (isTrunk(own)) return zone == zoneOf(Slot::kSpine);
   if (zone == zoneOf(Slot::kSpine)) return own == Slot::kShoulder || own == Slot::kNeck;
   const std::vector<Zone> zones = zonesAround(own);
   return std::ranges::find(zones, zone) != zones.end();
 }
 
 int MusclePlacer::boneUnder() const {
-  if (!isOfTrunk(muscle_.belly.slot)) return place_.frame.boneOf(muscle_.belly);
+  if (!isTrunk(muscle_.belly.slot)) return place_.frame.boneOf(muscle_.belly);
   int best = -1;
   float most = 0.0f;
   for (const auto& [bone, weight] : weightsUnder()) {
@@ -273,8 +271,7 @@ std::vector<std::string> MusclePlacer::territory(int bone) const {
   std::vector<std::string> names{place_.character.skeleton.fileName(bone)};
   for (const auto& [other, weight] : weights) {
     // The skin over a shoulder blade is that of the trunk's muscles too.
-    const bool shoulder =
-        isOfTrunk(muscle_.belly.slot) && at(place_.frame.zoneOfBone, other) == zoneOf(Slot::kShoulder);
+    const bool shoulder = isTrunk(muscle_.belly.slot) && at(place_.frame.zoneOfBone, other) == zoneOf(Slot::kShoulder);
     if (other == bone || !(weight >= kTerritoryShare * sum) || !(mayCarry(other) || shoulder)) continue;
     names.push_back(place_.character.skeleton.fileName(other));
   }

@@ -24,7 +24,6 @@ namespace sinew {
 namespace {
 
 constexpr float kDegreesPerRadian = 180.0f / std::numbers::pi_v<float>;
-constexpr float kMarkOnAxis = 1e-5f;  ///< Of H: so near the axis there is no angle.
 constexpr float kLeastDepth = 0.01f;  ///< 0 stands for what anchors have without a depth.
 constexpr float kAcross = 0.15f;      ///< Of its width: so near the mirror plane a single muscle lies across it.
 constexpr float kLeastMarkedDefinition = 0.05f;
@@ -149,7 +148,7 @@ Result<Mark> PresetMaker::anchor(const LineAnchor& anchor) const {
   const PartAxis* axis = body_.frame.axisOf({slot, 0.0f, 0.0f, 0.0f}, start);
   if (axis == nullptr) return errorAt("", std::string("sets have no place for its line on the ") + nameOf(slot));
   const glm::vec3 point(bindOf(anchor.bone) * glm::vec4(anchor.point, 1.0f));
-  const PartPlace place = placeAt(*axis, point, kMarkOnAxis * body_.frame.height);
+  const PartPlace place = placeAt(*axis, point, kOnAxis * body_.frame.height);
   Mark mark{slot, axisOf(slot) == axis ? std::clamp(place.u, -kMostU, kMostU) : 0.0f, place.angle, 0.0f};
   const auto flesh = body_.flesh.measure(mark, false);
   if (!flesh) return errorAt("", "an end of its line has no flesh round it");
@@ -164,7 +163,7 @@ std::optional<PresetMaker::Marked> PresetMaker::markBelly(const WorldBelly& bell
   glm::vec3 wanted = belly.center + (exit ? exit->distance : belly.height) * belly.normal;
   std::optional<Marked> best;
   for (int step = 0; step < kSteps; ++step) {
-    const PartPlace place = placeAt(axis, wanted, kMarkOnAxis * body_.frame.height);
+    const PartPlace place = placeAt(axis, wanted, kOnAxis * body_.frame.height);
     Mark mark{muscle.belly.slot, std::clamp(place.u, -kMostU, kMostU), place.angle, 0.0f};
     const auto flesh = body_.flesh.measure(mark);
     if (!flesh) break;
@@ -219,7 +218,7 @@ Result<PresetMuscle> PresetMaker::muscle(int index) const {
   const glm::dmat4 bind(bindOf(primitive.bone));
   Placement world = imageOf(primitive.placement, {glm::dmat3(bind), glm::dvec3(bind[3])});
   if (!own->line) world = withLongAxisY(world);
-  const PartPlace place = placeAt(*axis, world.center, kMarkOnAxis * body_.frame.height);
+  const PartPlace place = placeAt(*axis, world.center, kOnAxis * body_.frame.height);
   // As the program lays them z is the height; of others what the skin lies over best.
   const auto under = body_.flesh.measure({muscle.belly.slot, place.u, place.angle, 0.0f});
   const glm::vec3 outwards = under ? under->normal : axis->radial(place.u, place.angle);
