@@ -79,7 +79,7 @@ TEST_F(KeptParts, MeshesWithoutASkinGetOneAndMoveAsBefore) {
   for (const ExportMesh mesh : {ExportMesh::kRefined, ExportMesh::kOriginal}) {
     exported({.mesh = mesh});
     const ordered_json after = json();
-    for (const int node : {0, 3, 4}) EXPECT_TRUE(after["nodes"][node].contains("skin")) << node;
+    for (const std::size_t node : {0u, 3u, 4u}) EXPECT_TRUE(after["nodes"][node].contains("skin")) << node;
     EXPECT_EQ(after["nodes"][0]["skin"], 0);
     EXPECT_NE(after["nodes"][3]["mesh"], after["nodes"][4]["mesh"]) << "one mesh with two different skins";
     EXPECT_EQ(after["meshes"][after["nodes"][4]["mesh"].get<std::size_t>()]["name"], "board");

@@ -20,7 +20,7 @@ void addDracoAttribute(draco::Mesh& mesh, draco::GeometryAttribute::Type type, d
                        const std::vector<Number>& values) {
   draco::GeometryAttribute attribute;
   const auto stride = static_cast<std::int64_t>(static_cast<std::size_t>(components) * sizeof(Number));
-  attribute.Init(type, nullptr, static_cast<std::int8_t>(components), dataType, false, stride, 0);
+  attribute.Init(type, nullptr, static_cast<std::uint8_t>(components), dataType, false, stride, 0);
   const int id = mesh.AddAttribute(attribute, true, kPostVertices);
   for (std::uint32_t v = 0; v < kPostVertices; ++v) {
     mesh.attribute(id)->SetAttributeValue(draco::AttributeValueIndex(v),

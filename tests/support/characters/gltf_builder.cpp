@@ -118,7 +118,7 @@ Post makePost() {
   addPostMesh(post);
   GltfBuilder& file = post.file;
   std::vector<float> inverseBinds(32, 0.0f);
-  for (const std::size_t i : {0, 5, 10, 15, 16, 21, 26, 31}) inverseBinds[i] = 1.0f;
+  for (const std::size_t i : {0u, 5u, 10u, 15u, 16u, 21u, 26u, 31u}) inverseBinds[i] = 1.0f;
   inverseBinds[16 + 13] = -1.0f;  // the knee stands at y = 1
   const float half = std::sqrt(0.5f);
 

@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# tests/ci/sanitizers.sh: core and its tests by a second compiler, under sanitizers. Usage: sanitizers.sh SOURCE BUILD
+set -euo pipefail
+source=$1 build=$2
+command -v clang++-14 >/dev/null || { echo "left out: ci/sanitizers, clang++-14 is not installed"; exit 77; }
+options=(-D SINEW_BUILD_APP=OFF -D CMAKE_CXX_COMPILER=clang++-14 -D SINEW_WARNINGS_FATAL=ON -D CMAKE_UNITY_BUILD=OFF)
+command -v ccache >/dev/null && options+=(-D CMAKE_CXX_COMPILER_LAUNCHER=ccache)
+
+# Runs a step and says how long it took.
+step() {
+  local began=$SECONDS
+  "${@:2}"
+  echo "ci/sanitizers: $1: $((SECONDS - began)) s"
+}
+
+# All tests of core but those that would say nothing new: they run no code of core themselves, or take minutes here.
+# Indented, so that nobody takes these closing lines for those of the whole.
+runTests() {
+  ctest --test-dir "$build" --output-on-failure -j "$(nproc)" \
+    -E "$(grep -v '^#' "$source/tests/ci/sanitizers_without.txt" | paste -sd '|')" 2>&1 | sed 's/^/    /'
+}
+
+step configure cmake -S "$source" --preset asan -B "$build" "${options[@]}"
+step build cmake --build "$build"
+step test runTests
