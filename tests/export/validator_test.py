@@ -15,6 +15,11 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from face_gltf import face_rig, write_face
 from simple_rig import simple_rig
 
+# Of every source; the first with all clips, the others with the shortest.
+KINDS = {"refined": ["skinned"], "original": ["skinned", "--mesh", "original"], "helpers": ["helpers"],
+         "helpers-original": ["helpers", "--mesh", "original", "--joint-scale", "none"], "baked": ["baked", "--bound", "0.05"]}
+ENDINGS = (".glb", ".gltf")  # By turns: each kind is seen in both.
+
 CHECK = r"""
 const fs = require('fs'), path = require('path'), validator = require('gltf-validator');
 (async () => {
@@ -70,23 +75,18 @@ def main():
         (folder / "face.rig.json").write_text(face_rig("face.glb"))
         sources.append(folder / "face.rig.json")
         bad = 0
-        for source in [each for each in sources if each.exists()]:
+        for number, source in enumerate(each for each in sources if each.exists()):
             if source.suffix == ".json":
                 character = source.parent / json.loads(source.read_text())["character"]
             else:
                 character, source = source, simple_rig(program, source, folder)
-            out = [folder / "refined.glb", folder / "refined.gltf", folder / "original.glb", folder / "helpers.glb",
-                   folder / "helpers-original.gltf"]
-            kinds = [["skinned", "--mesh", file.stem] for file in out[:3]]
-            kinds += [["helpers"], ["helpers", "--mesh", "original", "--joint-scale", "none"]]
-            for file, kind in zip(out, kinds):
-                subprocess.run([program, "export", source, "--as", *kind, "-o", file], check=True, capture_output=True)
             clips = json.loads(subprocess.run([program, "inspect", source, "--json"], check=True, capture_output=True).stdout)
             clip = min(clips["clips"], key=lambda each: each["duration"])["name"]
-            for file in (folder / "baked.glb", folder / "baked.gltf"):
-                subprocess.run([program, "export", source, "--as", "baked", "--clip", clip, "--bound", "0.05", "-o", file],
-                               check=True, capture_output=True)
-                out.append(file)
+            out = []
+            for kind, (name, words) in enumerate(KINDS.items()):
+                out.append(folder / (name + ENDINGS[(number + kind) % 2]))
+                one = ["--clip", clip] if kind > 0 else []
+                subprocess.run([program, "export", source, "--as", *words, *one, "-o", out[-1]], check=True, capture_output=True)
             found = issues([character, *out], modules)
             had = {code for _, code, _ in found[str(character)]}
             for file in out:

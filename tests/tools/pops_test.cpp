@@ -33,16 +33,15 @@ TEST(Pops, ThereAreNoneOverMusclesLaidWithTheToolsDefaults) {
   }
 }
 
-// At most a twentieth of what there was before, of two rigs each: 253 and 1,207.
+// At most a twentieth of what there was before slopes were bounded; `sinew_bench pops` looks at more rigs.
 TEST(Pops, AreRareOverRandomMusclesOfShortReach) {
   const struct {
     const char* name;
     int most;
-  } kWere[] = {{"horse", 12}, {"humanoid", 60}};
+  } kWere[] = {{"horse", 6}, {"humanoid", 30}};
   for (const auto& [name, most] : kWere) {
     const auto character = bundled(name);
-    Pops seen;
-    for (const std::uint64_t seed : {1u, 2u}) seen.add(countPops(character, randomRig(*character, kShortReach, seed)));
+    const Pops seen = countPops(character, randomRig(*character, kShortReach, 1));
     print(name, "random", seen);
     EXPECT_GT(seen.moved, 10'000) << name;
     EXPECT_LE(seen.pops, most) << name;

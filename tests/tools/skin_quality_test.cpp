@@ -16,7 +16,7 @@
 namespace sinew::test {
 namespace {
 
-constexpr float kPosesPerSecond = 15.0f;
+constexpr float kPosesPerSecond = 8.0f;
 
 using CharacterPtr = std::shared_ptr<const Character>;
 
