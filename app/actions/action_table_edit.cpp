@@ -52,7 +52,7 @@ void deletePointed(State& s) {
 void paste(State& s) { pasteMuscles(s, false); }
 void pasteMirrored(State& s) { pasteMuscles(s, true); }
 
-const Action kActions[] = {
+const Action kEditActions[] = {
     {"edit/undo", "Undo", "Undo the last change", ctrl(GLFW_KEY_Z), kNone, undoable, nullptr, undo},
     {"edit/redo", "Redo", "Redo the change that was undone last", ctrlShift(GLFW_KEY_Z), ctrl(GLFW_KEY_Y), redoable,
      nullptr, redo},
@@ -111,6 +111,6 @@ const Action kActions[] = {
 
 }  // namespace
 
-std::span<const Action> editActions() { return kActions; }
+std::span<const Action> editActions() { return kEditActions; }
 
 }  // namespace sinew::app::table

@@ -15,7 +15,7 @@ void quitEditor(State& s) { request(s, {IntentKind::kQuit, {}}); }
 
 Possible farmable(const State& s) { return idle(s).also(rigIsSaved(s), "Save the rig first"); }
 
-const Action kActions[] = {
+const Action kFileActions[] = {
     {"file/open", "Open...", "Open a character (.glb, .gltf, .vrm) or a rig (.rig.json)", ctrl(GLFW_KEY_O), kNone,
      always, nullptr, showOpenDialog},
     {"file/save", "Save", "Write the rig to its file", ctrl(GLFW_KEY_S), kNone, idle, nullptr, saveNow, true},
@@ -39,6 +39,6 @@ const Action kActions[] = {
 
 }  // namespace
 
-std::span<const Action> fileActions() { return kActions; }
+std::span<const Action> fileActions() { return kFileActions; }
 
 }  // namespace sinew::app::table

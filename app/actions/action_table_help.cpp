@@ -12,7 +12,7 @@ void toggleSheet(State& s) { s.dialogs.keySheet = !s.dialogs.keySheet; }
 
 bool hasFirstSteps(const State& s) { return s.view.firstSteps.shown; }
 
-const Action kActions[] = {
+const Action kHelpActions[] = {
     {"help/first-steps", "First steps", "Five things to try on the walking man, each ticked off when it is done", kNone,
      kNone, always, hasFirstSteps, toggleFirstSteps},
     {"help/palette", "Find anything...", "Search actions, muscles, bones, samples and recent files", ctrl(GLFW_KEY_P),
@@ -23,6 +23,6 @@ const Action kActions[] = {
 
 }  // namespace
 
-std::span<const Action> helpActions() { return kActions; }
+std::span<const Action> helpActions() { return kHelpActions; }
 
 }  // namespace sinew::app::table

@@ -19,7 +19,7 @@ void showLibrary(State& s) {
 }
 bool showsParts(const State& s) { return s.open.bodyParts.shown; }
 
-const Action kActions[] = {
+const Action kMuscleActions[] = {
     {"muscles/add-set", "Add muscle set",
      "Give the character the muscles of an athlete, or of an animal, laid by the parts of its body", kNone, kNone, idle,
      nullptr, addMuscleSet},
@@ -38,6 +38,6 @@ const Action kActions[] = {
 
 }  // namespace
 
-std::span<const Action> muscleActions() { return kActions; }
+std::span<const Action> muscleActions() { return kMuscleActions; }
 
 }  // namespace sinew::app::table

@@ -53,7 +53,7 @@ Possible checkable(const State& s) {
   return possible.also(!s.document.rig().primitives.empty(), "There is no muscle to check");
 }
 
-const Action kActions[] = {
+const Action kPlayActions[] = {
     {"play/toggle", "Play or pause", "Start or stop the clip", key(GLFW_KEY_SPACE), kNone, playable, nullptr,
      togglePlay},
     {"play/previous", "Previous frame", "One frame back", key(GLFW_KEY_COMMA), key(GLFW_KEY_LEFT), playable, nullptr,
@@ -80,6 +80,6 @@ const Action kActions[] = {
 
 }  // namespace
 
-std::span<const Action> playActions() { return kActions; }
+std::span<const Action> playActions() { return kPlayActions; }
 
 }  // namespace sinew::app::table

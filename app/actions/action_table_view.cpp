@@ -100,7 +100,7 @@ Possible reliefOf(const State& s) {
 
 using D = DisplaySettings;
 
-const Action kActions[] = {
+const Action kViewActions[] = {
     {"view/textured", "Textured", "The character's own materials", key(GLFW_KEY_1), kNone, open,
      isShaded<Shading::kTextured>, shade<Shading::kTextured>},
     {"view/clay", "Clay", "One plain material that shows the shape", key(GLFW_KEY_2), kNone, open,
@@ -194,6 +194,6 @@ const Action kActions[] = {
 
 }  // namespace
 
-std::span<const Action> viewActions() { return kActions; }
+std::span<const Action> viewActions() { return kViewActions; }
 
 }  // namespace sinew::app::table

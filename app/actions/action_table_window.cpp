@@ -28,7 +28,7 @@ void resetLayout(State& s) { s.view.layout = {}; }
 
 using L = LayoutState;
 
-const Action kActions[] = {
+const Action kWindowActions[] = {
     {"window/left", "Left panels", "Bones, muscles and history", key(GLFW_KEY_T), kNone, always, isShown<&L::leftShown>,
      toggleShown<&L::leftShown>},
     {"window/right", "Right panels", "The selected muscle, surface and smoothing", key(GLFW_KEY_N), kNone, always,
@@ -45,6 +45,6 @@ const Action kActions[] = {
 
 }  // namespace
 
-std::span<const Action> windowActions() { return kActions; }
+std::span<const Action> windowActions() { return kWindowActions; }
 
 }  // namespace sinew::app::table

@@ -12,7 +12,7 @@
 namespace sinew::app {
 namespace {
 
-constexpr int kFrames = 2;
+constexpr int kTableFrames = 2;
 constexpr std::array kProjections{ProjectionKind::kAnalytic, ProjectionKind::kBisection, ProjectionKind::kNewton};
 
 /// A moment, and the eye that culls: a picture's that shows the character from the front and a little to the side.
@@ -23,7 +23,7 @@ struct Moment {
 
 std::vector<Moment> momentsOf(const Character& character) {
   std::vector<Moment> moments;
-  for (Pose& pose : spreadFrames(character, kFrames)) {
+  for (Pose& pose : spreadFrames(character, kTableFrames)) {
     SkinnedMesh skinned;
     skin(character, pose, skinned);
     const View view = framedView(skinned.positions, std::numbers::pi_v<float> / 6.0f, 0.2f, {1280, 800}, false);
@@ -33,16 +33,16 @@ std::vector<Moment> momentsOf(const Character& character) {
 }
 
 /// One row at work.
-struct Contender {
+struct TableContender {
   Smoother* smoother = nullptr;
   bool culling = false;
   Surface surface;
   std::vector<double> seconds;
 };
 
-void run(std::vector<Contender>& contenders, const std::vector<Moment>& moments, int rounds) {
+void run(std::vector<TableContender>& contenders, const std::vector<Moment>& moments, int rounds) {
   inTurn(contenders.size(), rounds, [&](std::size_t variant, int round) {
-    Contender& contender = contenders[variant];
+    TableContender& contender = contenders[variant];
     for (const Moment& moment : moments) {
       const auto eye = contender.culling ? std::optional(moment.eye) : std::nullopt;
       contender.smoother->smooth(moment.pose, contender.surface, eye);
@@ -80,7 +80,7 @@ Result<std::vector<Table1Row>> measureTable1(const BenchScene& scene, int rounds
       if (!smoother) return smoother.error();
       smoothers.push_back(std::move(smoother.value()));
     }
-    std::vector<Contender> contenders;
+    std::vector<TableContender> contenders;
     for (Smoother& smoother : smoothers) {
       for (const bool culling : {false, true}) contenders.push_back({&smoother, culling, {}, {}});
     }
@@ -111,7 +111,7 @@ Result<std::vector<Table2Row>> measureTable2(const BenchScene& scene, int rounds
     }
     rows.push_back(std::move(row));
   }
-  std::vector<Contender> contenders;
+  std::vector<TableContender> contenders;
   for (Smoother& smoother : smoothers) contenders.push_back({&smoother, true, {}, {}});
   run(contenders, momentsOf(*scene.character), rounds);
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kLargestFile = 1u << 30;
+constexpr std::uintmax_t kLargestStampedFile = 1u << 30;
 
 /// "arm 2" -> "arm": the copy of a copy counts on.
 std::string withoutNumber(const std::string& stem) {
@@ -34,7 +34,7 @@ FileStamp stampOf(std::string_view content) {
 }
 
 std::optional<FileStamp> stampOfFile(const fs::path& file) {
-  const Result<std::string> content = readWholeFile(file, kLargestFile);
+  const Result<std::string> content = readWholeFile(file, kLargestStampedFile);
   if (!content) return std::nullopt;
   return stampOf(content.value());
 }

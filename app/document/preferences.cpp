@@ -14,7 +14,7 @@
 namespace sinew::app {
 namespace {
 
-constexpr std::uintmax_t kLargestFile = 1u << 20;
+constexpr std::uintmax_t kLargestPreferences = 1u << 20;
 constexpr float kWidestPanel = 4000.0f;
 constexpr int kFarthestPixel = 100000;
 
@@ -235,7 +235,7 @@ Result<Preferences> preferencesFromJson(std::string_view text) {
 LoadedPreferences loadPreferences(const std::filesystem::path& file) {
   std::error_code failed;
   if (!std::filesystem::exists(file, failed)) return {};
-  const Result<std::string> text = readWholeFile(file, kLargestFile);
+  const Result<std::string> text = readWholeFile(file, kLargestPreferences);
   if (!text) return {{}, text.error().text() + "; the default preferences are used" + keptAside(file)};
   Result<Preferences> preferences = preferencesFromJson(text.value());
   if (preferences) return {std::move(preferences).value(), ""};

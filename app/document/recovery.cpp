@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kLargestFile = 128u << 20;
+constexpr std::uintmax_t kLargestRecovery = 128u << 20;
 constexpr int kTries = 1000;
 
 fs::path lockOf(const fs::path& recovery) { return fs::path(recovery).replace_extension(".lock"); }
@@ -67,7 +67,7 @@ std::string recoveryText(const Document& document) {
 }
 
 Result<Json> readRecovery(const fs::path& file) {
-  const Result<std::string> text = readWholeFile(file, kLargestFile);
+  const Result<std::string> text = readWholeFile(file, kLargestRecovery);
   if (!text) return text.error();
   Result<Json> json = Json::parse(text.value());
   if (json && json->at("format").text("") != "sinew-recovery") return errorAt("format", "expected \"sinew-recovery\"");

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kLargestFile = 1u << 20;
+constexpr std::uintmax_t kLargestViewFile = 1u << 20;
 constexpr std::string_view kFormat = "sinew-view";
 constexpr std::size_t kNameLength = 16;  ///< Hexadecimal digits.
 
@@ -64,7 +64,7 @@ fs::path viewsFolder() { return recoveryFolder().parent_path() / "views"; }
 
 std::optional<Json> loadView(const fs::path& folder, const fs::path& file) {
   const std::string path = canonicalPath(file);
-  const Result<std::string> text = readWholeFile(folder / (hashOf(path) + ".json"), kLargestFile);
+  const Result<std::string> text = readWholeFile(folder / (hashOf(path) + ".json"), kLargestViewFile);
   if (path.empty() || !text) return std::nullopt;
   Result<Json> parsed = Json::parse(text.value());
   if (!parsed || parsed->at("format").text("") != kFormat || parsed->at("file").text("") != path) return std::nullopt;

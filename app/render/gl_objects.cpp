@@ -110,6 +110,12 @@ GlFramebuffer makeFramebuffer() {
   return GlFramebuffer(id);
 }
 
+void setAttribute(GLuint array, GLuint location, GLuint binding, GLint count, std::size_t offset) {
+  glEnableVertexArrayAttrib(array, location);
+  glVertexArrayAttribFormat(array, location, count, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
+  glVertexArrayAttribBinding(array, location, binding);
+}
+
 Result<GlProgram> GlProgram::load(std::initializer_list<const char*> files, std::initializer_list<const char*> define) {
   GlProgram program;
   program.program_ = GlObject<GlProgramTraits>(glCreateProgram());

@@ -77,6 +77,9 @@ using GlShader = GlObject<GlShaderTraits>;
 [[nodiscard]] GlRenderbuffer makeRenderbuffer();
 [[nodiscard]] GlFramebuffer makeFramebuffer();
 
+/// An attribute of `count` floats at an offset in what is bound, made part of the array.
+void setAttribute(GLuint array, GLuint location, GLuint binding, GLint count, std::size_t offset);
+
 /// Replaces a buffer's bytes; the old storage is left to the driver, so a frame in flight is never waited for.
 template <class T>
 void uploadBuffer(const GlBuffer& buffer, std::span<const T> values, GLenum usage = GL_STREAM_DRAW) {

@@ -12,16 +12,6 @@
 #include "core/primitives/shape_numbers.h"
 
 namespace sinew::app {
-namespace {
-
-void attribute(GLuint array, GLuint location, GLuint binding, GLint count, std::size_t offset) {
-  glEnableVertexArrayAttrib(array, location);
-  glVertexArrayAttribFormat(array, location, count, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
-  glVertexArrayAttribBinding(array, location, binding);
-}
-
-}  // namespace
-
 ShapeInstance shellOf(const PrimitiveShape& shape, float scale) {
   ShapeInstance shell;
   shell.shapeInWorld = shape.unitBallInWorld;
@@ -45,13 +35,13 @@ ShapeMesh::ShapeMesh(std::span<const Vertex> vertices, std::span<const std::uint
   const GLuint array = array_.id();
   glVertexArrayVertexBuffer(array, 0, vertices_.id(), 0, sizeof(Vertex));
   glVertexArrayElementBuffer(array, indices_.id());
-  attribute(array, 0, 0, 3, offsetof(Vertex, position));
-  attribute(array, 1, 0, 3, offsetof(Vertex, normal));
+  setAttribute(array, 0, 0, 3, offsetof(Vertex, position));
+  setAttribute(array, 1, 0, 3, offsetof(Vertex, normal));
   for (const GLuint each : {array_.id(), instanceArray_.id()}) {
     glVertexArrayVertexBuffer(each, 1, instances_.id(), 0, sizeof(ShapeInstance));
     glVertexArrayBindingDivisor(each, 1, 1);
     constexpr GLuint kVectors = sizeof(ShapeInstance) / sizeof(glm::vec4);
-    for (GLuint i = 0; i < kVectors; ++i) attribute(each, 2 + i, 1, 4, i * sizeof(glm::vec4));
+    for (GLuint i = 0; i < kVectors; ++i) setAttribute(each, 2 + i, 1, 4, i * sizeof(glm::vec4));
   }
 }
 

@@ -19,12 +19,6 @@ namespace {
 constexpr std::size_t kMostMarks = 4;  ///< As in shaders/surface.frag.
 constexpr float kTerritoryStrength = 0.62f;
 
-void attribute(GLuint array, GLuint location, GLuint binding, GLint count, std::size_t offset) {
-  glEnableVertexArrayAttrib(array, location);
-  glVertexArrayAttribFormat(array, location, count, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
-  glVertexArrayAttribBinding(array, location, binding);
-}
-
 std::uint8_t byteOf(float share) {
   return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(share, 0.0f, 1.0f)));
 }
@@ -83,16 +77,16 @@ SurfaceDrawer::SurfaceDrawer()
   glVertexArrayVertexBuffer(array, 0, vertices_.id(), 0, sizeof(Vertex));
   glVertexArrayVertexBuffer(array, 1, uvs_.id(), 0, sizeof(glm::vec2));
   glVertexArrayElementBuffer(array, indices_.id());
-  attribute(array, 0, 0, 3, offsetof(Vertex, position));
-  attribute(array, 1, 0, 3, offsetof(Vertex, normal));
-  attribute(array, 2, 0, 1, offsetof(Vertex, displacement));
-  attribute(array, 3, 1, 2, 0);
+  setAttribute(array, 0, 0, 3, offsetof(Vertex, position));
+  setAttribute(array, 1, 0, 3, offsetof(Vertex, normal));
+  setAttribute(array, 2, 0, 1, offsetof(Vertex, displacement));
+  setAttribute(array, 3, 1, 2, 0);
   glVertexArrayVertexBuffer(array, 2, skinValues_.id(), 0, sizeof(SkinValues));
   glEnableVertexArrayAttrib(array, 4);
   glVertexArrayAttribFormat(array, 4, 2, GL_UNSIGNED_BYTE, GL_TRUE, 0);
   glVertexArrayAttribBinding(array, 4, 2);
   glVertexArrayVertexBuffer(array, 3, colors_.id(), 0, sizeof(glm::vec4));
-  attribute(array, 5, 3, 4, 0);
+  setAttribute(array, 5, 3, 4, 0);
 }
 
 Result<SurfaceDrawer> SurfaceDrawer::create() {

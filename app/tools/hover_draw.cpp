@@ -18,15 +18,15 @@ constexpr ImU32 kMark = IM_COL32(255, 214, 64, 255);
 constexpr ImU32 kMarkFaint = IM_COL32(255, 214, 64, 120);
 constexpr ImU32 kShadow = IM_COL32(12, 14, 18, 190);
 constexpr float kRingRadius = 0.022f;  ///< Fraction of H.
-constexpr std::size_t kRingPoints = 40;
+constexpr std::size_t kHoverRingPoints = 40;
 
 void drawRing(ImDrawList& list, const Canvas& canvas, const SkinPoint& skin, float radius) {
   const glm::vec3 helper = std::abs(skin.normal.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
   const glm::vec3 u = normalizeOr(glm::cross(skin.normal, helper), glm::vec3(1, 0, 0));
   const glm::vec3 v = glm::cross(skin.normal, u);
-  std::array<ImVec2, kRingPoints> ring;
-  for (std::size_t i = 0; i < kRingPoints; ++i) {
-    const float angle = 2.0f * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(kRingPoints);
+  std::array<ImVec2, kHoverRingPoints> ring;
+  for (std::size_t i = 0; i < kHoverRingPoints; ++i) {
+    const float angle = 2.0f * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(kHoverRingPoints);
     const glm::vec3 point = skin.point + radius * (std::cos(angle) * u + std::sin(angle) * v);
     if (canvas.isBehind(point)) return;
     ring[i] = canvas.at(point);

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr WindowPlace kPlace{10, 20, 1280, 800, false};
+constexpr WindowPlace kWindowPlace{10, 20, 1280, 800, false};
 
 class ViewMemory : public testing::Test {
  protected:
@@ -100,7 +100,7 @@ TEST_F(ViewMemory, ComesBackAtTheNextStartAndTheRigFileKeepsItsBytes) {
     one.start(state);
     ASSERT_TRUE(openFile(state, folder / "demo.rig.json"));
     arrange(state);
-    one.finish(state, kPlace);
+    one.finish(state, kWindowPlace);
   }
   EditorState next;
   SessionKeeper two = keeper();
@@ -136,17 +136,17 @@ TEST_F(ViewMemory, IsKeptWhileTheEditorRunsOnceItRests) {
   one.start(state);
   ASSERT_TRUE(openFile(state, folder / "demo.rig.json"));
   arrange(state);
-  for (double now = 0.0; now < 4.0; now += 0.25) one.tick(state, now, kPlace);
+  for (double now = 0.0; now < 4.0; now += 0.25) one.tick(state, now, kWindowPlace);
   const auto kept = loadView(folder / "views", folder / "demo.rig.json");
   ASSERT_TRUE(kept.has_value()) << "a crash would lose it";
   EXPECT_EQ(kept->at("display").at("shading").text(""), "clay");
   // Playing alone writes nothing: time never rests.
   state.open.transport.playing = true;
-  for (double now = 4.0; now < 8.0; now += 0.25) one.tick(state, now, kPlace);
+  for (double now = 4.0; now < 8.0; now += 0.25) one.tick(state, now, kWindowPlace);
   fs::remove_all(folder / "views");
   for (double now = 8.0; now < 20.0; now += 0.25) {
     state.open.transport.time = 0.01 * now;
-    one.tick(state, now, kPlace);
+    one.tick(state, now, kWindowPlace);
   }
   EXPECT_FALSE(fs::exists(folder / "views"));
 }
@@ -160,8 +160,8 @@ TEST_F(ViewMemory, OfTwoEditorsEachKeepsItsOwnFile) {
   ASSERT_TRUE(openFile(second, folder / "other.glb"));
   arrange(first);
   second.view.display.shading = Shading::kHeat;
-  one.finish(first, kPlace);
-  two.finish(second, kPlace);
+  one.finish(first, kWindowPlace);
+  two.finish(second, kWindowPlace);
   EditorState third;
   SessionKeeper three = keeper();
   three.start(third);
@@ -179,7 +179,7 @@ TEST_F(ViewMemory, TheMadeRangeOfMotionIsMadeAgain) {
   playRangeOfMotion(state);
   state.open.transport.playing = false;
   state.open.transport.time = 3.0;
-  one.finish(state, kPlace);
+  one.finish(state, kWindowPlace);
   EditorState next;
   SessionKeeper two = keeper();
   two.start(next);
@@ -229,7 +229,7 @@ TEST_F(ViewMemory, SamplesOpenAlikeEveryTime) {
   one.start(state);
   ASSERT_TRUE(openFile(state, sample));
   arrange(state);
-  one.finish(state, kPlace);
+  one.finish(state, kWindowPlace);
   EXPECT_FALSE(fs::exists(folder / "views"));
 }
 

@@ -10,6 +10,7 @@
 #include "core/mesh/topology.h"
 #include "sinew/io/gltf_import.h"
 #include "sinew/skeleton/pose.h"
+#include "tests/io/mentions.h"
 #include "tests/support/characters/gltf_builder.h"
 #include "tests/support/characters/gltf_oracle.h"
 #include "tests/support/temporary_folder.h"
@@ -19,6 +20,7 @@ namespace {
 
 using nlohmann::ordered_json;
 using test::makePost;
+using test::mentions;
 using test::Post;
 
 class GltfSkeleton : public testing::Test {
@@ -40,11 +42,6 @@ class GltfSkeleton : public testing::Test {
 
   test::TemporaryFolder folder_;
 };
-
-bool mentions(const Character& character, const std::string& what) {
-  return std::ranges::any_of(character.ignored,
-                             [&](const std::string& line) { return line.find(what) != std::string::npos; });
-}
 
 glm::vec3 extentOf(const Character& character) { return boundsOf(character.mesh.positions).extent(); }
 

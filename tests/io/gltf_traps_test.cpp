@@ -11,6 +11,7 @@
 #include "core/character/skinning.h"
 #include "core/mesh/topology.h"
 #include "sinew/io/gltf_import.h"
+#include "tests/io/mentions.h"
 #include "tests/support/characters/gltf_builder.h"
 #include "tests/support/characters/gltf_oracle.h"
 #include "tests/support/temporary_folder.h"
@@ -20,6 +21,7 @@ namespace {
 
 using nlohmann::ordered_json;
 using test::makePost;
+using test::mentions;
 using test::Post;
 
 class GltfTrap : public testing::Test {
@@ -38,11 +40,6 @@ class GltfTrap : public testing::Test {
 
   test::TemporaryFolder folder_;
 };
-
-bool mentions(const Character& character, const std::string& what) {
-  return std::ranges::any_of(character.ignored,
-                             [&](const std::string& line) { return line.find(what) != std::string::npos; });
-}
 
 void expectPost(const Character& character) {
   EXPECT_EQ(character.mesh.positions.size(), 12u);

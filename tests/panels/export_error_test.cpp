@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kSkinned = 1;  // Index into exportKinds(): the quickest.
+constexpr std::size_t kSkinnedKind = 1;  // Index into exportKinds(): the quickest.
 
 class ExportErrorView : public HeadlessEditor {
  protected:
@@ -35,7 +35,7 @@ class ExportErrorView : public HeadlessEditor {
   }
   void exportNow(ExportMesh mesh = ExportMesh::kRefined) {
     run(action("file/export-character"), state);
-    chooseKind(state.dialogs, kSkinned);
+    chooseKind(state.dialogs, kSkinnedKind);
     state.dialogs.exporting.settings.mesh = mesh;
     state.dialogs.exporting.settings.detail.depth = 2;
     state.dialogs.exporting.settings.weights = ExportWeights::kTransferred;

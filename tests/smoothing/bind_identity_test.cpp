@@ -9,12 +9,12 @@
 #include "core/rig/attachment.h"
 #include "sinew/smoothing/smoother.h"
 #include "tests/support/rigs/trial_scenes.h"
+#include "tests/support/surface/every_kind.h"
 #include "tests/support/surface/mesh_checks.h"
 
 namespace sinew::test {
 namespace {
 
-constexpr std::array kPatches{PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon, PatchKind::kFlat};
 
 Surface inBindPose(const TrialScene& scene, const Rig& rig) {
   Smoother smoother(scene.character);
@@ -57,7 +57,7 @@ void expectIdentity(const TrialScene& scene, SurfaceMode mode) {
   int kept = 0;
   int moved = 0;
   int untouched = 0;
-  for (const PatchKind patch : kPatches) {
+  for (const PatchKind patch : kEveryPatch) {
     for (const int depth : {1, 2, 3, 5, kMaxDepth}) {
       Rig rig = withMode(scene.rig, mode);
       rig.primitives.resize(std::min<std::size_t>(rig.primitives.size(), 6));  // Leave some of the body out of reach.
@@ -101,7 +101,7 @@ TEST(BindIdentity, OutOfReachIsThePatchForEveryPatchAndDepth) {
 TEST(BindIdentity, ControlVerticesStandWhereTheMeshPutsThem) {
   for (const char* name : {"wrapped", "tangle"}) {
     const TrialScene& scene = trialScene(name);
-    for (const PatchKind patch : kPatches) {
+    for (const PatchKind patch : kEveryPatch) {
       for (int depth = 1; depth <= kMaxDepth; ++depth) {
         Rig rig;
         rig.smoothing.patch = patch;

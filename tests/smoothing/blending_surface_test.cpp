@@ -11,13 +11,13 @@
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/rigs/trial_scenes.h"
+#include "tests/support/surface/every_kind.h"
 #include "tests/support/surface/projected.h"
 
 namespace sinew::test {
 namespace {
 
 using CharacterPtr = std::shared_ptr<const Character>;
-constexpr std::array kProjections{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic};
 
 /// Three balls in a row on a flat skin, each overlapping the next but one; each in a group of its own name.
 Rig threeBalls(const Character& strip) {
@@ -46,7 +46,7 @@ Surface surfaceOf(const CharacterPtr& character, const Rig& rig) {
 
 TEST(BlendingSurface, UnlinkedGroupsNeverSum) {
   const CharacterPtr strip = makeStrip();
-  for (const ProjectionKind projection : kProjections) {
+  for (const ProjectionKind projection : kEveryProjection) {
     Rig rig = threeBalls(*strip);
     rig.smoothing.projection = projection;
     const float tolerance = 2e-5f * strip->height;
@@ -87,7 +87,7 @@ TEST(BlendingSurface, LinkedGroupsDoSum) {
 // A - B - C: both neighbors blend with B, never with each other.
 TEST(BlendingSurface, ChainIsTheHigherOfItsTwoPairs) {
   const CharacterPtr strip = makeStrip();
-  for (const ProjectionKind projection : kProjections) {
+  for (const ProjectionKind projection : kEveryProjection) {
     Rig rig = threeBalls(*strip);
     rig.smoothing.projection = projection;
     rig.links = {{"A", "B"}, {"B", "C"}};

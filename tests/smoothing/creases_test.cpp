@@ -11,6 +11,7 @@
 #include "sinew/smoothing/smoother.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_rigs.h"
+#include "tests/support/surface/every_kind.h"
 #include "tests/support/surface/mesh_checks.h"
 
 namespace sinew::test {
@@ -18,7 +19,6 @@ namespace {
 
 using CharacterPtr = std::shared_ptr<const Character>;
 
-constexpr std::array kPatches{PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon, PatchKind::kFlat};
 
 Surface smoothed(const CharacterPtr& character, const Rig& rig, const Pose& pose) {
   Smoother smoother(character);
@@ -57,7 +57,7 @@ glm::vec3 controlFaceNormal(const ControlMesh& mesh, std::size_t triangle) {
 
 TEST(ShadingCreases, ACubesFacesAreFlatAtEveryDepthAndItsShapeIsAsBefore) {
   const CharacterPtr cube = makeCube();
-  for (const PatchKind patch : kPatches) {
+  for (const PatchKind patch : kEveryPatch) {
     for (int depth = 1; depth <= kMaxDepth; ++depth) {
       Rig rig;
       rig.smoothing.depth = depth;
@@ -220,7 +220,7 @@ TEST(ShadingCreases, RandomRigsAndPosesGiveUnitNormalsAndUntouchedGeometry) {
       recipe.carveChance = 0.3f;
       Rig rig = randomRig(*character, recipe, seed);
       rig.surface.mode = seed % 2 == 0 ? SurfaceMode::kSwell : SurfaceMode::kReplace;
-      rig.smoothing.patch = kPatches[seed % 4];
+      rig.smoothing.patch = kEveryPatch[seed % 4];
       rig.smoothing.depth = 1 + static_cast<int>(seed);
       const Pose pose = randomPose(character->skeleton, 1.5f, 0.4f, seed);
       const std::string what = character->name + ", seed " + std::to_string(seed);

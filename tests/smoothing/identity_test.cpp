@@ -6,6 +6,7 @@
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/oracle/oracle.h"
 #include "tests/support/rigs/random_rigs.h"
+#include "tests/support/surface/every_kind.h"
 #include "tests/support/surface/mesh_checks.h"
 
 namespace sinew::test {
@@ -13,7 +14,6 @@ namespace {
 
 using CharacterPtr = std::shared_ptr<const Character>;
 
-constexpr std::array kPatches{PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon, PatchKind::kFlat};
 
 std::vector<CharacterPtr> characters() { return {makeLimb(), makeTwoLegged(), makeStrip(), makeTube()}; }
 
@@ -56,7 +56,7 @@ TEST(Identity, EmptyRigIsThePatchAtEveryDepth) {
 
 TEST(Identity, DepthOneIsTheSkinnedControlMesh) {
   for (const CharacterPtr& character : characters()) {
-    for (const PatchKind patch : kPatches) {
+    for (const PatchKind patch : kEveryPatch) {
       Rig rig;
       rig.smoothing.depth = 1;
       rig.smoothing.patch = patch;
@@ -138,7 +138,7 @@ TEST(Identity, EveryDepthKeepsTheControlMeshsTopology) {
 
 TEST(Identity, EveryPatchIsWholeFiniteAndUnit) {
   for (const CharacterPtr& character : characters()) {
-    for (const PatchKind patch : kPatches) {
+    for (const PatchKind patch : kEveryPatch) {
       for (int depth = 1; depth <= kMaxDepth; depth += depth < 4 ? 1 : 4) {
         Rig rig;
         rig.smoothing.depth = depth;
@@ -169,7 +169,7 @@ float longestSide(std::span<const glm::vec3> positions, std::span<const std::arr
 TEST(Identity, PatchesMeetTheirEdges) {
   constexpr int kDepth = 16;
   for (const CharacterPtr& character : characters()) {
-    for (const PatchKind patch : kPatches) {
+    for (const PatchKind patch : kEveryPatch) {
       Rig rig;
       rig.smoothing.depth = kDepth;
       rig.smoothing.patch = patch;
@@ -185,7 +185,7 @@ TEST(Identity, PatchesMeetTheirEdges) {
 // normals.
 TEST(Identity, SmallTrianglesFaceOutwards) {
   for (const CharacterPtr& character : characters()) {
-    for (const PatchKind patch : kPatches) {
+    for (const PatchKind patch : kEveryPatch) {
       Rig rig;
       rig.smoothing.depth = 5;
       rig.smoothing.patch = patch;

@@ -12,6 +12,7 @@
 #include "tests/support/oracle/compare.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/rigs/trial_scenes.h"
+#include "tests/support/surface/every_kind.h"
 #include "tests/support/surface/mesh_checks.h"
 #include "tests/support/surface/projected.h"
 #include "tests/support/surface/vector_agreement.h"
@@ -21,7 +22,6 @@ namespace {
 
 using CharacterPtr = std::shared_ptr<const Character>;
 
-constexpr std::array kProjections{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic};
 
 Rig shapedRig(const Character& character, SurfaceMode mode, std::uint64_t seed) {
   RigRecipe recipe;
@@ -63,7 +63,7 @@ oracle::Tally tallyOf(const CharacterPtr& character, const Rig& rig) {
 void expectAgreement(SurfaceMode mode) {
   int sought = 0;
   for (const CharacterPtr& character : {makeLimb(), makeTwoLegged()}) {
-    for (const ProjectionKind projection : kProjections) {
+    for (const ProjectionKind projection : kEveryProjection) {
       Rig rig = shapedRig(*character, mode, 5);
       rig.smoothing.projection = projection;
       const oracle::Tally tally = tallyOf(character, rig);
@@ -87,7 +87,7 @@ TEST(ShapedSurface, ReplaceIsWhatBruteForceFinds) { expectAgreement(SurfaceMode:
 
 TEST(ShapedSurface, LanesGiveTheScalarPathsSurface) {
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
-    for (const ProjectionKind projection : kProjections) {
+    for (const ProjectionKind projection : kEveryProjection) {
       Agreement seen;
       for (const CharacterPtr& character : {makeLimb(), makeTwoLegged()}) {
         for (std::uint64_t seed = 0; seed < 8; ++seed) {

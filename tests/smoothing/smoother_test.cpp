@@ -9,6 +9,7 @@
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/oracle/oracle.h"
 #include "tests/support/rigs/random_rigs.h"
+#include "tests/support/surface/every_kind.h"
 #include "tests/support/surface/mesh_checks.h"
 #include "tests/support/surface/projected.h"
 
@@ -47,12 +48,11 @@ void expectSame(const Surface& a, const Surface& b, const std::string& what) {
 }
 
 constexpr std::array kModes{SurfaceMode::kSwell, SurfaceMode::kReplace};
-constexpr std::array kProjections{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic};
 
 TEST(Smoother, SameInSameOut) {
   const CharacterPtr character = makeTwoLegged();
   for (const SurfaceMode mode : kModes) {
-    for (const ProjectionKind projection : kProjections) {
+    for (const ProjectionKind projection : kEveryProjection) {
       Rig rig = someRig(*character, mode);
       rig.smoothing.projection = projection;
       const std::string what = std::string(nameOf(mode)) + ", " + nameOf(projection);
@@ -294,7 +294,7 @@ TEST(Smoother, SwellOverASphereOnAFlatSkin) {
   const glm::vec3 center(-0.125f, 1.0f, 0.0f);
   rig.primitives.push_back(ellipsoidAt(*character, "ball", "end", "a", center, glm::vec3(0.3f)));
   rig.primitives[0].territory = std::vector<std::string>{"root", "end"};
-  for (const ProjectionKind projection : kProjections) {
+  for (const ProjectionKind projection : kEveryProjection) {
     rig.smoothing.projection = projection;
     const Surface surface = Projected(*character, rig).at(bindPose(character->skeleton));
     int risen = 0;

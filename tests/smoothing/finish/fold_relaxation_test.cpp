@@ -14,11 +14,11 @@
 namespace sinew::test {
 namespace {
 
-using Scene = FoldStage<FoldRelaxation>;
+using RelaxationStage = FoldStage<FoldRelaxation>;
 
 // Skin that went back to the patch where it folds would leave a pit in the middle of the bump.
 TEST(FoldRelaxation, KeepsTheSkinUp) {
-  Scene scene(flatSheet());
+  RelaxationStage scene(flatSheet());
   const std::vector<glm::vec3> lifted = converging(scene.patch, 0.3f);
   const std::vector<glm::vec3> relaxed = scene.applied(lifted);
   ASSERT_GT(largestStep(lifted, relaxed), 0.04f) << "nothing was relaxed";
@@ -34,7 +34,7 @@ TEST(FoldRelaxation, KeepsBorders) {
   std::erase_if(half.triangles, [&](const auto& t) {
     return std::ranges::any_of(t, [&](int v) { return half.positions[static_cast<std::size_t>(v)].y < -0.05f; });
   });
-  Scene scene(half);
+  RelaxationStage scene(half);
   const std::vector<glm::vec3> lifted = converging(scene.patch, 0.3f);
   const std::vector<glm::vec3> relaxed = scene.applied(lifted);
   ASSERT_GT(largestStep(lifted, relaxed), 0.01f);
@@ -49,7 +49,7 @@ TEST(FoldRelaxation, KeepsBorders) {
 
 // A vertex that has only just begun to move is not thrown about by the fold beside it.
 TEST(FoldRelaxation, IsContinuousWhereAVertexBeginsToMove) {
-  Scene scene(flatSheet());
+  RelaxationStage scene(flatSheet());
   std::vector<glm::vec3> lifted = converging(scene.patch, 0.3f);
   std::size_t nearest = 0;
   for (std::size_t v = 0; v < lifted.size(); ++v) {

@@ -15,11 +15,11 @@
 namespace sinew::test {
 namespace {
 
-using Scene = FoldStage<FoldSpread>;
+using SpreadStage = FoldStage<FoldSpread>;
 
 // Along the patch, which is flat here: no pit opens where triangles were turned.
 TEST(FoldSpread, KeepsHeights) {
-  Scene scene(flatSheet());
+  SpreadStage scene(flatSheet());
   const std::vector<glm::vec3> lifted = converging(scene.patch, 0.3f);
   const std::vector<glm::vec3> spread = scene.applied(lifted);
   ASSERT_GT(largestStep(lifted, spread), 0.01f) << "nothing was spread";
@@ -29,7 +29,7 @@ TEST(FoldSpread, KeepsHeights) {
 /// A vertex of the patch goes by `way` across the edges opposite to it, in that many steps; the lift stays as it is,
 /// and leans over its neighbors. @return how far the skin steps at most, over the patch's own step
 float steepestWhereThePatchTurns(float way, int steps) {
-  Scene scene(flatSheet());
+  SpreadStage scene(flatSheet());
   const auto middle = static_cast<std::size_t>(
       std::ranges::min_element(scene.mesh.positions, {}, [](const glm::vec3& p) { return glm::length(p); }) -
       scene.mesh.positions.begin());
@@ -66,7 +66,7 @@ TEST(FoldSpread, KeepsBorders) {
   std::erase_if(half.triangles, [&](const auto& t) {
     return std::ranges::any_of(t, [&](int v) { return half.positions[static_cast<std::size_t>(v)].y < -0.05f; });
   });
-  Scene scene(half);
+  SpreadStage scene(half);
   const std::vector<glm::vec3> lifted = converging(scene.patch, 0.3f);
   const std::vector<glm::vec3> spread = scene.applied(lifted);
   ASSERT_GT(largestStep(lifted, spread), 0.01f);

@@ -83,7 +83,7 @@ struct Bump {
   }
 };
 
-float degreesBetween(const glm::vec3& a, const glm::vec3& b) {
+float turnInDegrees(const glm::vec3& a, const glm::vec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0f / std::numbers::pi_v<float>;
 }
 
@@ -94,7 +94,7 @@ std::vector<glm::vec3> faceNormals(const Refinement& refinement, const std::vect
     const auto at = [&](std::size_t i) { return positions[static_cast<std::size_t>(t[i % 3])]; };
     const glm::vec3 face = glm::normalize(glm::cross(at(1) - at(0), at(2) - at(0)));
     for (std::size_t i = 0; i < 3; ++i) {
-      sums[static_cast<std::size_t>(t[i])] += degreesBetween(at(i + 1) - at(i), at(i + 2) - at(i)) * face;
+      sums[static_cast<std::size_t>(t[i])] += turnInDegrees(at(i + 1) - at(i), at(i + 2) - at(i)) * face;
     }
   }
   for (glm::vec3& sum : sums) sum = glm::normalize(sum);
@@ -136,7 +136,7 @@ TEST(ShadingNormals, OfABumpMuchWiderThanTheTrianglesAreTheFieldsBitForBit) {
   for (std::size_t v = 0; v < shaded.size(); ++v) {
     if (!moved[v]) continue;
     EXPECT_TRUE(sameBits(shaded[v], sheet.fieldNormals[v])) << v;
-    most = std::max(most, degreesBetween(shaded[v], sheet.patchNormals()[v]));
+    most = std::max(most, turnInDegrees(shaded[v], sheet.patchNormals()[v]));
   }
   EXPECT_GT(most, 8.0f) << "too flat to tell";
 }
@@ -157,8 +157,8 @@ TEST(ShadingNormals, OfABumpNarrowerThanAnEdgeAreHeldToTheFaces) {
   int steepBefore = 0;
   float most = 0.0f;
   for (std::size_t v = 0; v < shaded.size(); ++v) {
-    steepBefore += degreesBetween(sheet.fieldNormals[v], faces[v]) > 50.0f ? 1 : 0;
-    most = std::max(most, degreesBetween(shaded[v], faces[v]));
+    steepBefore += turnInDegrees(sheet.fieldNormals[v], faces[v]) > 50.0f ? 1 : 0;
+    most = std::max(most, turnInDegrees(shaded[v], faces[v]));
   }
   EXPECT_GT(steepBefore, 100);
   EXPECT_LT(most, 9.0f);  // A difference of 0.145.
@@ -171,7 +171,7 @@ TEST(ShadingNormals, AreHeldToFacesThatWereOnlyShifted) {
   const std::vector<glm::vec3> shaded = sheet.shaded(even, steepNormal);
   const std::vector<glm::vec3> faces = faceNormals(sheet.refinement(), sheet.positions);
   float most = 0.0f;
-  for (std::size_t v = 0; v < shaded.size(); ++v) most = std::max(most, degreesBetween(shaded[v], faces[v]));
+  for (std::size_t v = 0; v < shaded.size(); ++v) most = std::max(most, turnInDegrees(shaded[v], faces[v]));
   EXPECT_LT(most, 9.0f);
 }
 
@@ -237,7 +237,7 @@ TEST(ShadingNormals, AreContinuousWhereAVertexBeginsToMove) {
     const auto normal = [&](const glm::vec3& p) { return steep.normal(p); };
     const auto still = sheet.shaded(heightWith(0.0f), normal);
     const auto stirred = sheet.shaded(heightWith(1e-6f), normal);
-    for (std::size_t v = 0; v < still.size(); ++v) worst = std::max(worst, degreesBetween(still[v], stirred[v]));
+    for (std::size_t v = 0; v < still.size(); ++v) worst = std::max(worst, turnInDegrees(still[v], stirred[v]));
   }
   std::printf("  a vertex that begins to move turns normals by up to %.4f degrees\n", double{worst});
   EXPECT_LT(worst, 0.05f);

@@ -15,8 +15,8 @@
 namespace sinew::test {
 namespace {
 
-constexpr int kCells = 20;
-constexpr float kEdge = 2.0f / kCells;
+constexpr int kBoundCells = 20;
+constexpr float kBoundEdge = 2.0f / kBoundCells;
 
 /// An uneven sheet, with edges of any length, and heights over it.
 struct Slopes {
@@ -26,14 +26,14 @@ struct Slopes {
   VertexRings rings;
 
   explicit Slopes(std::uint32_t seed = 3) {
-    const Sheet sheet = sheetOf(kCells, [](float, float) { return 0.0f; });
+    const Sheet sheet = sheetOf(kBoundCells, [](float, float) { return 0.0f; });
     const ControlMesh mesh = meshOf(sheet.positions, sheet.triangles);
     refinement = refine(mesh, 1);
     patch = mesh.positions;
     triangles = refinement.triangles;
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> unit(-0.4f, 0.4f);
-    for (glm::vec3& p : patch) p += kEdge * glm::vec3(unit(random), unit(random), unit(random));
+    for (glm::vec3& p : patch) p += kBoundEdge * glm::vec3(unit(random), unit(random), unit(random));
     for (int i = 0; i < 3; ++i) {  // And some of none.
       const auto& t = triangles[static_cast<std::size_t>(101 * i + 50)];
       patch[static_cast<std::size_t>(t[1])] = patch[static_cast<std::size_t>(t[0])];
@@ -91,7 +91,7 @@ std::vector<float> cliffs(std::size_t count, std::uint32_t seed) {
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);
   std::vector<float> out;
   for (std::size_t v = 0; v < count; ++v) {
-    const float height = unit(random) < 0.3f ? 0.0f : 8.0f * kEdge * (unit(random) - 0.3f);
+    const float height = unit(random) < 0.3f ? 0.0f : 8.0f * kBoundEdge * (unit(random) - 0.3f);
     out.push_back(height);
   }
   return out;
@@ -102,7 +102,7 @@ TEST(SlopeBound, AgreesWithItsDefinition) {
   for (const std::uint32_t seed : {1u, 2u, 3u, 4u}) {
     std::vector<float> raw = cliffs(sheet.patch.size(), seed);
     if (seed > 2) {  // A wide plateau, which the bound eats into from its rim.
-      for (std::size_t v = 0; v < raw.size(); ++v) raw[v] = glm::length(sheet.patch[v]) < 0.7f ? 10.0f * kEdge : 0.0f;
+      for (std::size_t v = 0; v < raw.size(); ++v) raw[v] = glm::length(sheet.patch[v]) < 0.7f ? 10.0f * kBoundEdge : 0.0f;
       if (seed > 3) std::ranges::transform(raw, raw.begin(), std::negate<>());
     }
     const std::vector<float> bounded = sheet.bounded(raw);

@@ -10,13 +10,13 @@
 #include "sinew/smoothing/smoother.h"
 #include "tests/support/oracle/compare.h"
 #include "tests/support/rigs/trial_scenes.h"
+#include "tests/support/surface/every_kind.h"
 #include "tests/support/surface/mesh_checks.h"
 #include "tests/support/surface/projected.h"
 
 namespace sinew::test {
 namespace {
 
-constexpr std::array kProjections{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic};
 constexpr double kAgreement = 1e-4;  // Fraction of H.
 constexpr int kPoses = 3;
 constexpr int kAsked = 900;  ///< Vertices the oracle is asked about, a scene, mode and projection.
@@ -48,7 +48,7 @@ void expectAgreement(SurfaceMode mode) {
   std::printf("  %-11s %-8s %-10s %8s %8s %8s  %s\n", "scene", "mode", "projection", "asked", "sought", "within",
               "beyond 1e-4 H: another root, near-tangent, unexplained; normals off; guarded (off), shading off");
   for (const TrialScene& scene : trialScenes()) {
-    for (const ProjectionKind projection : kProjections) {
+    for (const ProjectionKind projection : kEveryProjection) {
       const oracle::Tally tally = tallyOf(scene, withMode(scene.rig, mode, projection));
       std::printf("  %-11s %-8s %-10s %8d %8d %7.2f%%  %d: %d, %d, %d; %d (%d on a crease); %d (%d), %d\n",
                   scene.name.c_str(), nameOf(mode), nameOf(projection), tally.compared, tally.sought,

@@ -9,6 +9,7 @@
 
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/rigs/trial_scenes.h"
+#include "tests/support/surface/every_kind.h"
 #include "tests/support/surface/projected.h"
 #include "tests/support/surface/vector_agreement.h"
 
@@ -23,11 +24,10 @@ std::vector<TrialScene> scenes() {
   return out;
 }
 
-constexpr std::array kProjections{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic};
 
 TEST(VectorReplace, IsTheScalarOnCharacters) {
   for (const TrialScene& scene : scenes()) {
-    for (const ProjectionKind projection : kProjections) {
+    for (const ProjectionKind projection : kEveryProjection) {
       Agreement seen;
       addAgreement(*scene.character, withMode(scene.rig, SurfaceMode::kReplace, projection),
                    spreadPoses(*scene.character, 4), seen);
@@ -43,7 +43,7 @@ TEST(VectorReplace, IsTheScalarOnCharacters) {
 TEST(VectorReplace, EverySetGivesTheSameBits) {
   std::size_t number = 0;
   for (const TrialScene& scene : scenes()) {
-    const ProjectionKind projection = kProjections[number++ % kProjections.size()];
+    const ProjectionKind projection = kEveryProjection[number++ % kEveryProjection.size()];
     Projected projected(*scene.character, withMode(scene.rig, SurfaceMode::kReplace, projection));
     for (const Pose& pose : spreadPoses(*scene.character, 2)) {
       const Surface widest = projected.at(pose);

@@ -19,6 +19,7 @@
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/rigs/trial_scenes.h"
+#include "tests/support/surface/every_kind.h"
 #include "tests/support/surface/mesh_checks.h"
 #include "tests/support/surface/projected.h"
 #include "tests/support/surface/vector_agreement.h"
@@ -26,7 +27,6 @@
 namespace sinew::test {
 namespace {
 
-constexpr std::array kProjections{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic};
 constexpr double kSecant = 5e-6;  ///< Fraction of H that halvings and one secant step leave.
 
 using CharacterPtr = std::shared_ptr<const Character>;
@@ -90,7 +90,7 @@ TEST(VectorSwell, EverySetGivesTheSameBitsOnRandomRigs) {
     Rig rig = randomRig(*character, recipe, seed);
     rig.smoothing.detail = DetailKind::kUniform;
     rig.smoothing.depth = 4;
-    rig.smoothing.projection = kProjections[seed % kProjections.size()];
+    rig.smoothing.projection = kEveryProjection[seed % kEveryProjection.size()];
     rig.surface.mode = seed % 2 == 0 ? SurfaceMode::kSwell : SurfaceMode::kReplace;
     Projected projected(*character, rig);
     const Pose pose = randomPose(character->skeleton, 0.6f, 0.3f, seed);

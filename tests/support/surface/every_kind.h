@@ -1,0 +1,14 @@
+// tests/support/surface/every_kind.h: every patch and every search, for tests that try them all.
+#pragma once
+
+#include <array>
+
+#include "sinew/rig/rig.h"
+
+namespace sinew::test {
+
+inline constexpr std::array kEveryPatch{PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon, PatchKind::kFlat};
+inline constexpr std::array kEveryProjection{ProjectionKind::kNewton, ProjectionKind::kBisection,
+                                             ProjectionKind::kAnalytic};
+
+}  // namespace sinew::test
