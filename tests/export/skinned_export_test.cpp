@@ -166,8 +166,8 @@ TEST_P(SkinnedExport, WeightsAreFourNotNegativeAndSumToOne) {
 
 TEST_P(SkinnedExport, OriginalVerticesAreNeverFartherOffThanWithTransferredWeights) {
   const auto refitted = scene_.writeQuickly(folder_.path() / "a.glb", {.mesh = ExportMesh::kOriginal});
-  const auto transferred = scene_.writeQuickly(
-      folder_.path() / "b.glb", {.mesh = ExportMesh::kOriginal, .weights = ExportWeights::kTransferred});
+  const auto transferred = scene_.writeQuickly(folder_.path() / "b.glb",
+                                               {.mesh = ExportMesh::kOriginal, .weights = ExportWeights::kTransferred});
   ASSERT_TRUE(refitted.ok() && transferred.ok());
   expectNeverFartherOff(refitted.value(), transferred.value());
 }

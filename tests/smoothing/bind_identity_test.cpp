@@ -15,7 +15,6 @@
 namespace sinew::test {
 namespace {
 
-
 Surface inBindPose(const TrialScene& scene, const Rig& rig) {
   Smoother smoother(scene.character);
   const auto prepared = smoother.prepare(rig);

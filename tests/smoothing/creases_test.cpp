@@ -19,7 +19,6 @@ namespace {
 
 using CharacterPtr = std::shared_ptr<const Character>;
 
-
 Surface smoothed(const CharacterPtr& character, const Rig& rig, const Pose& pose) {
   Smoother smoother(character);
   const auto prepared = smoother.prepare(rig);

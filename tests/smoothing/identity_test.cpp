@@ -14,7 +14,6 @@ namespace {
 
 using CharacterPtr = std::shared_ptr<const Character>;
 
-
 std::vector<CharacterPtr> characters() { return {makeLimb(), makeTwoLegged(), makeStrip(), makeTube()}; }
 
 Pose bentPose(const Character& character) { return samplePose(character.skeleton, character.clips.front(), 0.7f); }

@@ -22,7 +22,6 @@ namespace {
 
 using CharacterPtr = std::shared_ptr<const Character>;
 
-
 Rig shapedRig(const Character& character, SurfaceMode mode, std::uint64_t seed) {
   RigRecipe recipe;
   recipe.primitives = 16;

@@ -102,7 +102,8 @@ TEST(SlopeBound, AgreesWithItsDefinition) {
   for (const std::uint32_t seed : {1u, 2u, 3u, 4u}) {
     std::vector<float> raw = cliffs(sheet.patch.size(), seed);
     if (seed > 2) {  // A wide plateau, which the bound eats into from its rim.
-      for (std::size_t v = 0; v < raw.size(); ++v) raw[v] = glm::length(sheet.patch[v]) < 0.7f ? 10.0f * kBoundEdge : 0.0f;
+      for (std::size_t v = 0; v < raw.size(); ++v)
+        raw[v] = glm::length(sheet.patch[v]) < 0.7f ? 10.0f * kBoundEdge : 0.0f;
       if (seed > 3) std::ranges::transform(raw, raw.begin(), std::negate<>());
     }
     const std::vector<float> bounded = sheet.bounded(raw);

@@ -24,7 +24,6 @@ std::vector<TrialScene> scenes() {
   return out;
 }
 
-
 TEST(VectorReplace, IsTheScalarOnCharacters) {
   for (const TrialScene& scene : scenes()) {
     for (const ProjectionKind projection : kEveryProjection) {
