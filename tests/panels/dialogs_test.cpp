@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Dialogs : public HeadlessEditor {
+class DialogBoxes : public HeadlessEditor {
  protected:
   void palette(const std::string& query) {
     press(GLFW_KEY_P, true);
@@ -35,7 +35,7 @@ class Dialogs : public HeadlessEditor {
   const fs::path folder = own.path();
 };
 
-TEST_F(Dialogs, ThePaletteDoesWhatIsTypedWithTheKeyboardAlone) {
+TEST_F(DialogBoxes, ThePaletteDoesWhatIsTypedWithTheKeyboardAlone) {
   const bool wire = state.view.display.wire;
   palette("wire");
   EXPECT_TRUE(shown("palette/view/wire"));
@@ -48,7 +48,7 @@ TEST_F(Dialogs, ThePaletteDoesWhatIsTypedWithTheKeyboardAlone) {
   EXPECT_EQ(state.view.display.wire, wire) << "what was used last comes first";
 }
 
-TEST_F(Dialogs, ThePaletteWalksWithTheArrowsAndEscapeChangesNothing) {
+TEST_F(DialogBoxes, ThePaletteWalksWithTheArrowsAndEscapeChangesNothing) {
   palette("frame");
   EXPECT_EQ(state.dialogs.palette.chosen, -1) << "none by hand";
   press(GLFW_KEY_DOWN);
@@ -61,7 +61,7 @@ TEST_F(Dialogs, ThePaletteWalksWithTheArrowsAndEscapeChangesNothing) {
   EXPECT_TRUE(state.session.preferences.recentActions.empty());
 }
 
-TEST_F(Dialogs, ThePaletteGoesToMusclesBonesAndSamples) {
+TEST_F(DialogBoxes, ThePaletteGoesToMusclesBonesAndSamples) {
   addOne();
   const std::string name = muscle().name;
   state.document.selection.clear();
@@ -78,7 +78,7 @@ TEST_F(Dialogs, ThePaletteGoesToMusclesBonesAndSamples) {
   EXPECT_EQ(state.document.rigFile.filename(), "demo.rig.json");
 }
 
-TEST_F(Dialogs, WhatCannotBeDoneLeavesThePaletteOpen) {
+TEST_F(DialogBoxes, WhatCannotBeDoneLeavesThePaletteOpen) {
   palette("undo");
   press(kEnter);
   EXPECT_TRUE(state.dialogs.palette.shown);
@@ -88,7 +88,7 @@ TEST_F(Dialogs, WhatCannotBeDoneLeavesThePaletteOpen) {
   EXPECT_FALSE(state.dialogs.palette.shown);
 }
 
-TEST_F(Dialogs, TheKeySheetShowsAndChangesTheKeymap) {
+TEST_F(DialogBoxes, TheKeySheetShowsAndChangesTheKeymap) {
   press(GLFW_KEY_F1);
   ASSERT_TRUE(shown("keys/close"));
   click("keys/blender");
@@ -100,7 +100,7 @@ TEST_F(Dialogs, TheKeySheetShowsAndChangesTheKeymap) {
   EXPECT_TRUE(state.document.rig().primitives.empty());
 }
 
-TEST_F(Dialogs, PreferencesAreSetAndEscapeClosesTheListBeforeTheWindow) {
+TEST_F(DialogBoxes, PreferencesAreSetAndEscapeClosesTheListBeforeTheWindow) {
   press(GLFW_KEY_COMMA, true);
   ASSERT_TRUE(shown("preferences/close"));
   click("preferences/keymap/blender");
@@ -121,7 +121,7 @@ TEST_F(Dialogs, PreferencesAreSetAndEscapeClosesTheListBeforeTheWindow) {
   EXPECT_FALSE(state.dialogs.preferences);
 }
 
-TEST_F(Dialogs, PanelsAreResizedPutAwayAndBroughtBack) {
+TEST_F(DialogBoxes, PanelsAreResizedPutAwayAndBroughtBack) {
   const float before = state.view.layout.bottom;
   drag("layout/bottom", {0.0f, -50.0f});
   EXPECT_NEAR(state.view.layout.bottom, before + 50.0f, 1.0f);
@@ -144,7 +144,7 @@ TEST_F(Dialogs, PanelsAreResizedPutAwayAndBroughtBack) {
   EXPECT_TRUE(state.view.layout.folded.empty());
 }
 
-TEST_F(Dialogs, MessagesStayUntilReadAndTheirNumberIsInTheStatusLine) {
+TEST_F(DialogBoxes, MessagesStayUntilReadAndTheirNumberIsInTheStatusLine) {
   quiet();
   EXPECT_FALSE(shown("status/messages"));
   addMessage(state.session, MessageKind::kNote, "left out");
@@ -170,7 +170,7 @@ TEST_F(Dialogs, MessagesStayUntilReadAndTheirNumberIsInTheStatusLine) {
   EXPECT_TRUE(state.session.messages.empty());
 }
 
-TEST_F(Dialogs, RecoveryIsOfferedAndLaterKeepsIt) {
+TEST_F(DialogBoxes, RecoveryIsOfferedAndLaterKeepsIt) {
   Document lost = openDocument(fs::path(SINEW_SOURCE_DIR) / "assets" / "demo.rig.json").value();
   Rig rig = lost.rig();
   rig.primitives.pop_back();
@@ -195,7 +195,7 @@ TEST_F(Dialogs, RecoveryIsOfferedAndLaterKeepsIt) {
   EXPECT_EQ(state.document.rigFile.filename(), "demo.rig.json");
 }
 
-TEST_F(Dialogs, RecoveringOverUnsavedChangesAsksFirst) {
+TEST_F(DialogBoxes, RecoveringOverUnsavedChangesAsksFirst) {
   {
     Document lost = openDocument(fs::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb").value();
     Result<RecoveryFile> crashed = RecoveryFile::claim(folder);
@@ -212,7 +212,7 @@ TEST_F(Dialogs, RecoveringOverUnsavedChangesAsksFirst) {
   EXPECT_EQ(state.session.leftBehind.size(), 1u);
 }
 
-TEST_F(Dialogs, FilesAreFoundWithTheKeyboardAlone) {
+TEST_F(DialogBoxes, FilesAreFoundWithTheKeyboardAlone) {
   fs::create_directory(folder / "animals");
   fs::copy_file(fs::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb", folder / "animals" / "lizard.glb");
   showOpenDialog(state);
@@ -230,7 +230,7 @@ TEST_F(Dialogs, FilesAreFoundWithTheKeyboardAlone) {
   EXPECT_EQ(state.document.characterFile, folder / "animals" / "lizard.glb");
 }
 
-TEST_F(Dialogs, TheBrowserGoesBackForwardAndUp) {
+TEST_F(DialogBoxes, TheBrowserGoesBackForwardAndUp) {
   fs::create_directory(folder / "animals");
   showOpenDialog(state);
   state.dialogs.file.folder = folder;
@@ -253,7 +253,7 @@ TEST_F(Dialogs, TheBrowserGoesBackForwardAndUp) {
   EXPECT_EQ(state.dialogs.file.kind, DialogKind::kNone);
 }
 
-TEST_F(Dialogs, ANewFolderIsMadeAndEntered) {
+TEST_F(DialogBoxes, ANewFolderIsMadeAndEntered) {
   showOpenDialog(state);
   state.dialogs.file.folder = folder;
   settle();
@@ -264,7 +264,7 @@ TEST_F(Dialogs, ANewFolderIsMadeAndEntered) {
   EXPECT_EQ(state.dialogs.file.folder, folder / "rigs");
 }
 
-TEST_F(Dialogs, AFileThatIsThereIsReplacedOnlyWhenToldSo) {
+TEST_F(DialogBoxes, AFileThatIsThereIsReplacedOnlyWhenToldSo) {
   addOne();
   std::ofstream(folder / "old.rig.json") << "precious";
   showSaveDialog(state, {});
@@ -284,7 +284,7 @@ TEST_F(Dialogs, AFileThatIsThereIsReplacedOnlyWhenToldSo) {
   EXPECT_FALSE(state.document.commands.modified());
 }
 
-TEST_F(Dialogs, AFailedSaveKeepsTheDocumentModified) {
+TEST_F(DialogBoxes, AFailedSaveKeepsTheDocumentModified) {
   addOne();
   quiet();
   EXPECT_NE(saveTo(state, "/proc/sinew-test.rig.json"), "");
@@ -293,7 +293,7 @@ TEST_F(Dialogs, AFailedSaveKeepsTheDocumentModified) {
   EXPECT_EQ(state.session.messages[0].kind, MessageKind::kError);
 }
 
-TEST_F(Dialogs, RecentFilesAndSamplesAreInTheMenu) {
+TEST_F(DialogBoxes, RecentFilesAndSamplesAreInTheMenu) {
   fs::copy_file(fs::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb", folder / "lizard.glb");
   state.session.preferences.recentFiles = {folder / "lizard.glb", folder / "gone.glb"};
   click("menu/file");
@@ -310,7 +310,7 @@ TEST_F(Dialogs, RecentFilesAndSamplesAreInTheMenu) {
   EXPECT_TRUE(isSample(state.document.rigFile.empty() ? state.document.characterFile : state.document.rigFile));
 }
 
-TEST_F(Dialogs, AutoDepthIsSwitchedOverThePicture) {
+TEST_F(DialogBoxes, AutoDepthIsSwitchedOverThePicture) {
   const bool before = state.document.rig().smoothing.autoDepth;
   EXPECT_FALSE(shown("overlay/auto-depth")) << "the numbers begin with the few that say most";
   click("overlay/fold");

@@ -166,16 +166,16 @@ float longestSide(std::span<const glm::vec3> positions, std::span<const std::arr
 
 // Edge vertices are shared, so a patch that did not meet its edges would show as long thin triangles beside them.
 TEST(Identity, PatchesMeetTheirEdges) {
-  constexpr int kDepth = 16;
+  constexpr int kFinest = 16;
   for (const CharacterPtr& character : characters()) {
     for (const PatchKind patch : kEveryPatch) {
       Rig rig;
-      rig.smoothing.depth = kDepth;
+      rig.smoothing.depth = kFinest;
       rig.smoothing.patch = patch;
       const Surface surface = surfaceOf(character, rig, bindPose(character->skeleton));
       const float control = longestSide(character->mesh.positions, trianglesOf(character->mesh));
       const float refined = longestSide(surface.positions, surface.refinement->triangles);
-      EXPECT_LT(refined, 2.0f * control / kDepth) << character->name << ", " << nameOf(patch);
+      EXPECT_LT(refined, 2.0f * control / kFinest) << character->name << ", " << nameOf(patch);
     }
   }
 }

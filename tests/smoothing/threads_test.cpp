@@ -9,7 +9,7 @@
 namespace sinew::test {
 namespace {
 
-constexpr int kDepth = 7;  // Every bundled character is large enough to be shared out.
+constexpr int kSharedDepth = 7;  // Every bundled character is large enough to be shared out.
 constexpr int kLeastVertices = 10'000;
 
 class Threads : public ::testing::TestWithParam<const char*> {
@@ -50,7 +50,7 @@ class Threads : public ::testing::TestWithParam<const char*> {
 TEST_P(Threads, MakeTheSameSurfaceInBothModes) {
   Rig rig = scene_.rig;
   rig.smoothing.detail = DetailKind::kUniform;
-  rig.smoothing.depth = kDepth;
+  rig.smoothing.depth = kSharedDepth;
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
     rig.surface.mode = mode;
     expectSame(rig);
@@ -60,7 +60,7 @@ TEST_P(Threads, MakeTheSameSurfaceInBothModes) {
 TEST_P(Threads, MakeTheSameCreases) {
   Rig rig = scene_.rig;
   rig.smoothing.detail = DetailKind::kUniform;
-  rig.smoothing.depth = kDepth;
+  rig.smoothing.depth = kSharedDepth;
   rig.smoothing.creaseAngle = 30.0f;
   rig.smoothing.patch = PatchKind::kPhong;
   expectSame(rig);

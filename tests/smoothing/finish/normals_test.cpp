@@ -18,7 +18,7 @@
 namespace sinew::test {
 namespace {
 
-constexpr int kDepth = 8;
+constexpr int kNormalsDepth = 8;
 constexpr double kAllowedDegrees = 10.0;
 constexpr double kFade = 0.06;  ///< Change of a territory weight between neighbors.
 
@@ -115,7 +115,7 @@ void judge(const Surface& surface, const Surface& patch, const std::vector<bool>
 Count countOf(const TrialScene& scene, SurfaceMode mode) {
   Rig rig = withMode(scene.rig, mode);
   rig.smoothing.detail = DetailKind::kUniform;
-  rig.smoothing.depth = kDepth;
+  rig.smoothing.depth = kNormalsDepth;
   Rig empty = rig;
   empty.primitives.clear();
   Smoother smoother(scene.character);

@@ -203,19 +203,19 @@ TEST(ShadingNormals, OfARimAcrossTheMeshLoseTheirTeeth) {
 
 TEST(ShadingNormals, AreContinuousInTheHeight) {
   Raised sheet;
-  constexpr float kMost = 0.4f;
+  constexpr float kSteepest = 0.4f;
   std::vector<float> slopes;
   for (const int steps : {200, 800}) {
     std::vector<glm::vec3> before = sheet.patchNormals();
     float worst = 0.0f;
     for (int i = 1; i <= steps; ++i) {
-      const Bump bump{kMost * static_cast<float>(i) / static_cast<float>(steps), 4.3f * kEdge};
+      const Bump bump{kSteepest * static_cast<float>(i) / static_cast<float>(steps), 4.3f * kEdge};
       const auto now = sheet.shaded([&](const glm::vec3& p) { return bump.at(p); },
                                     [&](const glm::vec3& p) { return bump.normal(p); });
       for (std::size_t v = 0; v < now.size(); ++v) worst = std::max(worst, glm::distance(now[v], before[v]));
       before = now;
     }
-    slopes.push_back(worst * static_cast<float>(steps) / kMost);
+    slopes.push_back(worst * static_cast<float>(steps) / kSteepest);
     std::printf("  %d steps: the largest is %.1f a unit of height\n", steps, double{slopes.back()});
   }
   EXPECT_LT(slopes[1], 1.5f * slopes[0]) << "a jump stays as steps shrink";
