@@ -39,18 +39,18 @@ def exports_from_the_menu(t, editor, rig):
     editor.click("export/ok")
     state = editor.wait_until("the figures", lambda s: not s["exports"] and any("RMS" in m for m in s["messages"]))
     t.check("the message names file and figures",
-            "humanoid_muscled.glb: RMS " in state["messages"][-1] and " joints; " in state["messages"][-1], state["messages"])
-    file = t.folder / "humanoid_muscled.glb"
+            "demo_muscled.glb: RMS " in state["messages"][-1] and " joints; " in state["messages"][-1], state["messages"])
+    file = t.folder / "demo_muscled.glb"
     t.check_equal("the command line exports", t.run_program("export", rig, "--as", "helpers", "-o", "cli.glb").returncode, 0)
     t.check("the editor's file has the command line's bytes", file.read_bytes() == (t.folder / "cli.glb").read_bytes())
     t.check_equal("it opens", t.run_program("inspect", file).returncode, 0)
 
 
 def edits_meanwhile(t, editor):
-    state = start(editor, "meanwhile.glb", 4)
+    state = start(editor, "meanwhile.glb", 3)
     t.check("it runs in the background", running(state), state["exports"])
     undo = state["document"]["undo"]
-    editor.select_muscle("gluteus L")
+    editor.select_muscle("glute L")
     editor.key("Delete")
     state = editor.wait_until("the muscle to go", lambda s: s["document"]["undo"] > undo)
     t.check("edited while it runs", running(state), state["exports"])
@@ -59,10 +59,10 @@ def edits_meanwhile(t, editor):
         editor.tap("space", "the clip to play", lambda s: s["playing"])
     editor.next_frames(10)
     editor.wait_until("the export to end", lambda s: not s["exports"])
-    done = t.run_program("export", t.folder / "humanoid.rig.json", "--as", "helpers", "--depth", 4, "-o", "cli4.glb")
+    done = t.run_program("export", t.folder / "demo.rig.json", "--as", "helpers", "--depth", 3, "-o", "cli3.glb")
     t.check_equal("the command line exports at this depth", done.returncode, 0)
     t.check("what was edited meanwhile is not in it",
-            (t.folder / "meanwhile.glb").read_bytes() == (t.folder / "cli4.glb").read_bytes())
+            (t.folder / "meanwhile.glb").read_bytes() == (t.folder / "cli3.glb").read_bytes())
 
 
 def canceled(t, editor):
@@ -91,16 +91,16 @@ def quits_meanwhile(t, editor):
 def quits_when_done(t, rig):
     editor = t.edit(rig)
     editor.wait_until("the rig", lambda s: s["document"]["primitives"] > 0)
-    start(editor, "last.glb", 4)
+    start(editor, "last.glb", 3)
     editor.tap("ctrl+q", "the question", lambda s: s["dialog"] == "export-question" and "export-question/later" in s["widgets"])
     editor.click("export-question/later")
     t.check_equal("it quits when it is done", editor.wait_for_end(), 0)
-    t.check("the file is whole", (t.folder / "last.glb").read_bytes() == (t.folder / "cli4.glb").read_bytes())
+    t.check("the file is whole", (t.folder / "last.glb").read_bytes() == (t.folder / "cli3.glb").read_bytes())
 
 
 def story(t):
-    t.copy(t.assets / "humanoid.glb")
-    rig = t.copy(t.assets / "humanoid.rig.json")
+    t.copy(t.assets / "demo.glb")
+    rig = t.copy(t.assets / "demo.rig.json")
     editor = t.edit(rig)
     editor.wait_until("the rig", lambda s: s["document"]["primitives"] > 0)
     exports_from_the_menu(t, editor, rig)
