@@ -29,7 +29,8 @@ void drive(ExportScene& scene, const std::string& bone) {
   input.bone = bone;
   const Driver driver{input, {{{0.0f, 0.0f}, {90.0f, 1.0f}}, CurveKind::kLinear}, DriverMode::kAdd, {}};
   scene.rig = setDriver(std::move(scene.rig), {Parameter::kMorphWeight, 0}, driver, -1).value();
-  scene.rig = setMorphWeight(std::move(scene.rig), scene.rig.morphs.back().name, 0.5f).value();
+  const std::string last = scene.rig.morphs.back().name;
+  scene.rig = setMorphWeight(std::move(scene.rig), last, 0.5f).value();
 }
 
 class MorphExport : public ::testing::Test {
