@@ -275,7 +275,8 @@ Result<MendedRig> withMendedFindings(Rig rig, std::span<const Finding> findings,
     out.said.push_back(name + ": " + mended->said);
     Rig edited = std::move(mended.value().rig);
     if (mended->isRigid && !twin.empty()) {
-      Result<Rig> both = setLineOfSeveral(std::move(edited), primitivesOn(edited, twin), -1);
+      const std::vector<int> bellies = primitivesOn(edited, twin);
+      Result<Rig> both = setLineOfSeveral(std::move(edited), bellies, -1);
       if (!both) return both.error();
       edited = std::move(both).value();
     }
