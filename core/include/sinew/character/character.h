@@ -6,6 +6,7 @@
 
 #include "sinew/character/body_part.h"
 #include "sinew/character/material.h"
+#include "sinew/character/mesh_part.h"
 #include "sinew/mesh/control_mesh.h"
 #include "sinew/mesh/morph_target.h"
 #include "sinew/skeleton/animation_clip.h"
@@ -24,6 +25,7 @@ struct Character {
   std::vector<AnimationClip> clips;
   std::vector<Material> materials;  ///< At least one.
   std::vector<Texture> textures;
+  std::vector<MeshPart> parts;       ///< Of ControlTriangle::part, in file order.
   std::vector<std::string> ignored;  ///< What the file holds and Sinew does not use, each with the reason.
   float height = 1.0f;               ///< H: y extent of the welded mesh in the bind pose (largest extent if flat); > 0.
 };

@@ -38,6 +38,7 @@ struct ControlTriangle {
   std::array<int, 3> wedges{};
   std::array<int, 3> edges{};
   int material = 0;
+  int part = 0;  ///< Index into Character::parts.
 };
 
 /// The control mesh in the bind pose, welded (mesh/weld.h). Positions in world space, character units.

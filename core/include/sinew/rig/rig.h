@@ -129,6 +129,21 @@ struct SlotCorrection {
   friend bool operator==(const SlotCorrection&, const SlotCorrection&) = default;
 };
 
+/// What a part of the mesh is to the muscles. docs/layers.md.
+enum class SkinLayer {
+  kSkin,   ///< Muscles push it.
+  kCloth,  ///< It lies over the skin and moves with it.
+  kRigid,  ///< Muscles leave it as it is.
+};
+
+/// What the designer says of a part of the mesh, in place of what is guessed. "layers" in the file.
+struct LayerChoice {
+  std::string part;  ///< Name of a MeshPart (character/mesh_part.h); each at most once. The character may have none.
+  SkinLayer layer = SkinLayer::kSkin;
+
+  friend bool operator==(const LayerChoice&, const LayerChoice&) = default;
+};
+
 /// Primitives + lines + groups + links + settings. Two rigs with equal members are the same document.
 struct Rig {
   std::string character;  ///< Path relative to the rig file, "/" between; or absolute as the designer typed it.
@@ -141,6 +156,8 @@ struct Rig {
   std::vector<Primitive> primitives;
   std::vector<SlotCorrection> slots;
   std::vector<MorphWeight> morphs;
+  std::vector<std::string> clipFiles;  ///< Whose clips the character plays besides its own; paths as `character`.
+  std::vector<LayerChoice> layers;
   std::string unknownKeys;
 
   friend bool operator==(const Rig&, const Rig&) = default;

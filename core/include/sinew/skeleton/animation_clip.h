@@ -40,6 +40,7 @@ struct AnimationClip {
   /// alone (range_of_motion.h); no file holds such a clip.
   bool turnsBindPose = false;
   std::vector<MorphChannel> morphChannels{};
+  std::string addedFrom{};  ///< The file it was added from (Rig::clipFiles); empty: the character's own.
 };
 
 /// The weights of a channel's targets at a time, seconds; before the first key the first, after the last the last.

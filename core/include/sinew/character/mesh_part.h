@@ -1,0 +1,14 @@
+// core/include/sinew/character/mesh_part.h: a piece of the mesh that has a name: body, shirt, eyes.
+#pragma once
+
+#include <string>
+
+namespace sinew {
+
+/// The triangles of one mesh of the file with one material, each time a node shows it.
+struct MeshPart {
+  std::string name;  ///< The mesh's, or the material's where the mesh has several; made unique. Not empty.
+  int material = 0;  ///< Index into Character::materials.
+};
+
+}  // namespace sinew
