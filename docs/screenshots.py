@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # docs/screenshots.py: makes docs/images/*, the pictures of the README and of docs/tutorial.md, in a real window.
-# Usage: docs/screenshots.py [--tutorial] [SINEW]     SINEW: the program; without it, the newest one under build/.
-# --tutorial: only the tutorial's. Needs Xvfb, xdotool
-# and imagemagick, as the GUI tests do.
+# Usage: docs/screenshots.py [--tutorial | --head] [SINEW]   SINEW: the program; without it, the newest one under build/.
+# --tutorial: only the tutorial's; --head: only the README's first two. Needs Xvfb, xdotool and imagemagick, as the GUI
+# tests do.
 import pathlib
 import subprocess
 import sys
@@ -25,6 +25,71 @@ def save(editor, name):
     editor.screenshot(picture)
     subprocess.run(["convert", str(picture), "-strip", "-define", "png:compression-level=9", str(picture)], check=True)
     print(picture)
+
+
+def gallop(t):
+    """The README's loop, at half speed: the mesh of the file, the skin over the muscles, the muscles."""
+    columns = (("horse.glb", "--depth", "1", "--detail", "uniform", "--patch", "flat", "--crease", "1", "--shading", "clay",
+                "--show", "control"),
+               ("horse-flex.rig.json", "--light", "outdoor", "--ao"),
+               ("horse-flex.rig.json", "--show", "muscles"))
+    frames = 32  # The clip takes 0.54 s; the last of its 60 a second is the first again.
+    for number, (file, *look) in enumerate(columns):
+        subprocess.run([newest_program(), "render", ROOT / "assets" / file, *look, "--clip", "Gallop", "--fps", "60",
+                        "--frames", "0:%d" % (frames - 1), "--view", "right", "--size", "480x350",
+                        "-o", t.folder / ("%d_%%04d.png" % number)], check=True, stdout=subprocess.DEVNULL)
+    for frame in range(frames):
+        row = [t.folder / ("%d_%04d.png" % (column, frame)) for column in range(len(columns))]
+        subprocess.run(["convert", *row, "+append", "+repage", t.folder / ("row_%04d.png" % frame)], check=True)
+    loop = ROOT / "docs" / "images" / "gallop.webp"
+    subprocess.run(["convert", "-delay", "3", "-loop", "0", *sorted(t.folder.glob("row_*.png")), "-quality", "90",
+                    loop], check=True)
+    print(loop)
+
+
+def one_drag(t):
+    """A muscle drawn along the thigh of the bare horse: before, half way, released; without panels."""
+    editor = t.edit(t.copy(t.assets / "horse.glb", "bare.glb"))
+    editor.wait_until("the walk", lambda s: s["playing"])
+    editor.tap("space", "the pause", lambda s: not s["playing"])
+    editor.taps("ctrl+Left", "2", "m", "KP_3")
+    editor.settle()
+    for _ in range(6):
+        editor.move(editor.state()["bones"]["thigh.L"][:2])
+        editor.xdotool("click", "4")
+    stills = []
+
+    def still():
+        editor.settle()
+        stills.append(t.folder / ("still_%d.png" % len(stills)))
+        editor.screenshot(stills[-1])
+
+    bones = editor.state()["bones"]
+    hip, knee = bones["thigh.L"], bones["shin.L"]
+    on_thigh = lambda share: [a + share * (b - a) for a, b in zip(hip, knee)][:2]  # noqa: E731
+    editor.point_at(lambda: on_thigh(-0.35))
+    still()
+    editor.press()
+    for share in (-0.2, 0.0, 0.2):
+        editor.move(on_thigh(share))
+    still()
+    for share in (0.35, 0.5, 0.6):
+        editor.move(on_thigh(share))
+    editor.release()
+    editor.move(on_thigh(2.5))
+    editor.wait_until("all samples", lambda s: s["samples"] == 16)
+    still()
+    x, y = (round(c) for c in on_thigh(0.5))
+    picture = ROOT / "docs" / "images" / "one-drag.jpg"
+    subprocess.run(["convert", *stills, "-crop", "480x350%+d%+d" % (x - 240, y - 175), "+repage", "+append", "-strip",
+                    "-quality", "88", picture], check=True)
+    print(picture)
+    editor.kill()
+
+
+def head(t):
+    one_drag(t)
+    gallop(t)
 
 
 def walking(t):
@@ -143,6 +208,7 @@ def story(t):
         return t.copy(t.assets / (name + ".rig.json"))
 
     t.copy_of = copy_of
+    head(t)
     walking(t)
     shoulder(t)
     flexing(t)
@@ -150,9 +216,10 @@ def story(t):
 
 
 if __name__ == "__main__":
-    only_tutorial = "--tutorial" in sys.argv
-    arguments = [a for a in sys.argv[1:] if a != "--tutorial"]
+    parts = {"--tutorial": tutorial, "--head": head}
+    part = next((parts[a] for a in sys.argv[1:] if a in parts), story)
+    arguments = [a for a in sys.argv[1:] if a not in parts]
     program = arguments[0] if arguments else newest_program()
     with tempfile.TemporaryDirectory() as out:
         sys.argv[1:] = [str(program), str(ROOT), out, str(ROOT / "assets")]
-        sys.exit(driver.run("screenshots", tutorial if only_tutorial else story))
+        sys.exit(driver.run("screenshots", part))
