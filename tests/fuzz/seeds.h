@@ -1,0 +1,18 @@
+// tests/fuzz/seeds.h: small files to begin with, which between them hold what an import can meet.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sinew::fuzz {
+
+struct Seed {
+  std::string name;
+  std::string bytes;
+};
+
+/// Those of a target: rig files for "rig", else characters.
+[[nodiscard]] std::vector<Seed> seedsOf(std::string_view target);
+
+}  // namespace sinew::fuzz
