@@ -52,6 +52,19 @@ TEST_P(BadGltf, IsRefusedWithItsPlaceAndReason) {
   EXPECT_EQ(plain.find(": " + imported.error().place + ": "), std::string::npos) << plain;
 }
 
+/// No two vertices have the same weights, so that none are welded.
+void withoutExtent(Post& post, float size) {
+  std::vector<float> positions(36, 0.0f);
+  std::vector<float> weights;
+  for (int i = 0; i < 12; ++i) {
+    const auto share = static_cast<float>(i) / 12.0f;
+    positions[static_cast<std::size_t>(3 * i + i % 3)] = share * size;
+    weights.insert(weights.end(), {1.0f - share, share, 0.0f, 0.0f});
+  }
+  post.attributes()["POSITION"] = post.file.accessor(positions, "VEC3");
+  post.attributes()["WEIGHTS_0"] = post.file.accessor(weights, "VEC4");
+}
+
 void withPositions(Post& post, float first) {
   post.positions[0] = first;
   post.attributes()["POSITION"] = post.file.accessor(post.positions, "VEC3");
@@ -217,6 +230,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadPost{"one point",
                 [](Post& p) { p.attributes()["POSITION"] = p.file.accessor(std::vector<float>(36, 0.5f), "VEC3"); },
                 "meshes", "collapsed"},
+        BadPost{"one point that follows many bones", [](Post& p) { withoutExtent(p, 0.0f); }, "meshes", "no extent"},
+        BadPost{"smaller than numbers can tell", [](Post& p) { withoutExtent(p, 1e-30f); }, "meshes", "no extent"},
         BadPost{"required Basis", [](Post& p) { p.file.json["extensionsRequired"] = {"KHR_texture_basisu"}; },
                 "extensionsRequired[0]", "KHR_texture_basisu"},
         BadPost{"interpolation",

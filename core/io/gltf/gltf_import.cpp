@@ -52,6 +52,8 @@ void noteUnused(const File& file, Notes& notes) {
     notes.add("lights (" + std::to_string(file.lights()) + ") are ignored: the editor lights the character");
 }
 
+constexpr float kLeastHeight = 1e-9f;  ///< Smaller characters leave what sums of squares can tell.
+
 /// @return [V] the soup vertex that each welded one is
 std::vector<int> weldMesh(const TriangleSoup& soup, Character& character) {
   if (soup.triangles.empty()) refuse("meshes", "the scene has no triangles to show", "cannot be opened");
@@ -60,6 +62,9 @@ std::vector<int> weldMesh(const TriangleSoup& soup, Character& character) {
   if (character.mesh.triangles.empty())
     refuse("meshes", "all triangles have collapsed to lines or points", "cannot be opened");
   character.height = heightOf(character.mesh.positions);
+  // Vertices in one place stay apart if they follow different bones.
+  if (!(character.height > kLeastHeight))
+    refuse("meshes", "all vertices are in one place: the mesh has no extent", "cannot be opened");
   return standsFor;
 }
 
