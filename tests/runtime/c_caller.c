@@ -1,5 +1,4 @@
-/* tests/runtime/c_caller.c: a game in C11: loads a file, plays a clip into its buffer. Called by c_interface_test.cpp.
- */
+/* tests/runtime/c_caller.c: a game in C11: loads a file, plays a clip into its buffer. */
 #include <stdlib.h>
 #include <string.h>
 
