@@ -158,7 +158,7 @@ TEST(VertexBuffer, RefusesWhatDoesNotFit) {
 
 TEST(VertexBuffer, SixteenBitsHoldNoMoreThanTheyCan) {
   const TrialScene scene = bundledTrialScene("humanoid");
-  const Refinement refinement = refine(scene.character->mesh, 8);
+  const Refinement refinement = refine(scene.character->mesh, 15);
   ASSERT_GT(refinement.drawVertex.size(), 65535U);
   std::vector<std::uint16_t> shorts(indexCount(refinement));
   const auto written = writeIndices(refinement, scene.character->mesh, BufferVertices::kDrawn, shorts);

@@ -1,5 +1,4 @@
-// core/include/sinew/runtime/runtime.h: all that Sinew::runtime has: what sinew/sinew.h has but for files, and what only
-// games need.
+// core/include/sinew/runtime/runtime.h: all that Sinew::runtime has for C++.
 #pragma once
 
 #include "sinew/base/result.h"
