@@ -2,10 +2,13 @@
 include(CMakePackageConfigHelpers)
 set(sinew_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Sinew)
 
+install(TARGETS sinew_runtime EXPORT SinewRuntimeTargets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(TARGETS sinew_core EXPORT SinewTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/core/include/sinew DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   COMPONENT development)
+install(EXPORT SinewRuntimeTargets NAMESPACE Sinew:: DESTINATION ${sinew_package_dir} COMPONENT development)
 install(EXPORT SinewTargets NAMESPACE Sinew:: DESTINATION ${sinew_package_dir} COMPONENT development)
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/SinewConfig.cmake.in ${PROJECT_BINARY_DIR}/SinewConfig.cmake
@@ -13,6 +16,14 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/SinewConfig.cmake.in $
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/SinewConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/SinewConfig.cmake ${PROJECT_BINARY_DIR}/SinewConfigVersion.cmake
   DESTINATION ${sinew_package_dir} COMPONENT development)
+# The runtime for build systems other than CMake. Paths are relative to it.
+set(sinew_pc_requires "libhwy")
+if(SINEW_WITH_TBB)
+  string(APPEND sinew_pc_requires ", tbb")
+endif()
+file(RELATIVE_PATH sinew_pc_include /${CMAKE_INSTALL_LIBDIR}/pkgconfig /${CMAKE_INSTALL_INCLUDEDIR})
+configure_file(${PROJECT_SOURCE_DIR}/cmake/sinew-runtime.pc.in ${PROJECT_BINARY_DIR}/sinew-runtime.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/sinew-runtime.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/cpp DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/sinew/examples
   COMPONENT development)
 

@@ -11,7 +11,7 @@ bones and blend them, and turns the coarse mesh plus the ellipsoids into one
 smooth, textured, closed mesh while the character plays its animation.
 
 The package holds the editor, the command line (inspect, check, muscle,
-retarget, smooth, export, render, farm, bench) and sample characters.")
+retarget, smooth, export, pack, render, farm, bench) and sample characters.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS

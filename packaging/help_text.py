@@ -44,7 +44,7 @@ class Option:
             return CHARACTER
         text = self.value + " " + self.description
         if re.match(r"(FILE|OUT)\b", self.value):
-            return tuple(dict.fromkeys(re.findall(r"\.(glb|gltf|usda|obj|ply|png|webp|gif|mp4|json|pc2|mdd)\b", text)))
+            return tuple(dict.fromkeys(re.findall(r"\.(glb|gltf|usda|obj|ply|png|webp|gif|mp4|json|pc2|mdd|sinew)\b", text)))
         return None
 
 

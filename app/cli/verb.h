@@ -59,6 +59,7 @@ template <class Options, class Add, class Run, class Check>
 [[nodiscard]] Verb retargetVerb();
 [[nodiscard]] Verb smoothVerb();
 [[nodiscard]] Verb exportVerb();
+[[nodiscard]] Verb packVerb();
 [[nodiscard]] Verb renderVerb();
 [[nodiscard]] Verb benchVerb();
 /// @param verbs  those that a farm can share: they take --shard and --resume.

@@ -54,6 +54,7 @@ std::vector<Verb> allVerbs(const RunEditor& edit) {
       retargetVerb(),
       smoothVerb(),
       exportVerb(),
+      packVerb(),
       renderVerb(),
       farmVerb({smoothVerb(), exportVerb(), renderVerb()}),
       benchVerb(),

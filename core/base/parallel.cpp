@@ -1,41 +1,51 @@
-// core/base/parallel.cpp: loops by oneTBB.
+// core/base/parallel.cpp: who works on a loop: this thread alone, a game's task system, or Sinew's own threads.
 #include "core/base/parallel.h"
 
 #include <algorithm>
-#include <map>
+#include <atomic>
+#include <exception>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
-#ifdef __SANITIZE_THREAD__
-#include <sanitizer/tsan_interface.h>
-#endif
+#include "core/base/own_tasks.h"
+#include "sinew/base/task_system.h"
 
 namespace sinew {
 namespace {
 
 thread_local int mostThreads = 0;  // 0: no limit.
+TaskSystem gameTasks;              // Without run(): Sinew's own threads.
 
-/// oneTBB hands work over inside of its library, where ThreadSanitizer sees nothing: it is told here.
-class HandOver {
- public:
-  void give() {
-#ifdef __SANITIZE_THREAD__
-    __tsan_release(this);
-#endif
-  }
-  void take() {
-#ifdef __SANITIZE_THREAD__
-    __tsan_acquire(this);
-#endif
+/// More tasks than threads, so that one that comes late does not keep the others waiting.
+constexpr std::size_t kTasksPerThread = 4;
+
+/// A loop as tasks of a game. What a range throws waits here: it must not pass through the game's code.
+struct TaskLoop {
+  std::size_t count;
+  std::size_t tasks;
+  int limit;
+  void* use;
+  parallel::Call call;
+  std::atomic_flag failed{};
+  std::exception_ptr thrown{};
+
+  void range(std::size_t index) {
+    const ThreadLimit inside(limit);
+    try {
+      call(use, index * count / tasks, (index + 1) * count / tasks);
+    } catch (...) {
+      if (!failed.test_and_set()) thrown = std::current_exception();
+    }
   }
 };
 
-/// This thread's arena, kept for its next calls: one may run inside another.
-tbb::task_arena& limitedArena(int threads) {
-  thread_local std::map<int, tbb::task_arena> arenas;
-  return arenas.try_emplace(threads, threads).first->second;
+void runOnGameThreads(std::size_t count, std::size_t least, int threads, int limit, void* use, parallel::Call call) {
+  const std::size_t pieces = (count + least - 1) / std::max<std::size_t>(least, 1);
+  // With a limit there are no more tasks than may run at once.
+  const std::size_t most = static_cast<std::size_t>(threads) * (limit > 0 ? 1 : kTasksPerThread);
+  TaskLoop loop{count, std::min(pieces, most), limit, use, call};
+  gameTasks.run(
+      gameTasks.user, static_cast<int>(loop.tasks),
+      [](void* work, int index) { static_cast<TaskLoop*>(work)->range(static_cast<std::size_t>(index)); }, &loop);
+  if (loop.thrown) std::rethrow_exception(loop.thrown);
 }
 
 }  // namespace
@@ -43,9 +53,11 @@ tbb::task_arena& limitedArena(int threads) {
 ThreadLimit::ThreadLimit(int most) : before_(mostThreads) { mostThreads = most; }
 ThreadLimit::~ThreadLimit() { mostThreads = before_; }
 
+void setTaskSystem(const TaskSystem& tasks) { gameTasks = tasks; }
+
 int threadCount() {
-  const int cores = tbb::this_task_arena::max_concurrency();
-  return mostThreads > 0 ? std::min(mostThreads, cores) : cores;
+  const int threads = gameTasks.run ? std::max(1, gameTasks.threads) : parallel::ownThreads();
+  return mostThreads > 0 ? std::min(mostThreads, threads) : threads;
 }
 
 void parallel::run(std::size_t count, std::size_t least, void* use, Call call) {
@@ -55,20 +67,8 @@ void parallel::run(std::size_t count, std::size_t least, void* use, Call call) {
     if (count > 0) call(use, 0, count);
     return;
   }
-  HandOver start;
-  HandOver end;
-  const auto all = [&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, least), [&](const tbb::blocked_range<std::size_t>& r) {
-      start.take();
-      const ThreadLimit inside(limit);
-      call(use, r.begin(), r.end());
-      end.give();
-    });
-  };
-  start.give();
-  if (threads == tbb::this_task_arena::max_concurrency()) all();
-  else limitedArena(threads).execute(all);
-  end.take();
+  if (gameTasks.run) runOnGameThreads(count, least, threads, limit, use, call);
+  else runOnOwnThreads(count, least, threads, limit, use, call);
 }
 
 }  // namespace sinew

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/at.h"
+#include "core/mesh/edges.h"
 #include "core/mesh/index_table.h"
 #include "core/mesh/normals.h"
 
@@ -185,7 +186,7 @@ std::vector<KeptTriangle> keepTriangles(const TriangleSoup& soup, float toleranc
 class MeshBuilder {
  public:
   MeshBuilder(const TriangleSoup& soup, std::size_t triangles)
-      : soup_(soup), vertexOf_(soup.positions.size(), -1), wedgeTable_(3 * triangles), edgeTable_(3 * triangles) {
+      : soup_(soup), vertexOf_(soup.positions.size(), -1), wedgeTable_(3 * triangles) {
     mesh_.triangles.reserve(triangles);
     mesh_.influenceBegin.push_back(0);
   }
@@ -197,7 +198,6 @@ class MeshBuilder {
       triangle.vertices[i] = vertex(kept.representatives[i]);
       triangle.wedges[i] = wedge(triangle.vertices[i], soup_.triangles[kept.soupTriangle][i]);
     }
-    for (std::size_t i = 0; i < 3; ++i) triangle.edges[i] = edge(triangle.vertices[i], triangle.vertices[(i + 1) % 3]);
     mesh_.triangles.push_back(triangle);
   }
 
@@ -234,22 +234,11 @@ class MeshBuilder {
     return found;
   }
 
-  int edge(int a, int b) {
-    const std::array<int, 2> ends{std::min(a, b), std::max(a, b)};
-    const std::uint64_t hash = hashCombine(static_cast<std::uint64_t>(ends[0]), static_cast<std::uint64_t>(ends[1]));
-    const int next = static_cast<int>(mesh_.edges.size());
-    const int found = edgeTable_.findOrInsert(hash, next, [&](int e) { return at(mesh_.edges, e).vertices == ends; });
-    if (found == next) mesh_.edges.push_back({.vertices = ends});
-    ++at(mesh_.edges, found).triangleCount;
-    return found;
-  }
-
   const TriangleSoup& soup_;
   ControlMesh mesh_;
   std::vector<int> vertexOf_;   // [N] representative -> geometric vertex
   std::vector<int> standsFor_;  // [V] and back
   IndexTable wedgeTable_;
-  IndexTable edgeTable_;
 };
 
 }  // namespace
@@ -264,6 +253,7 @@ ControlMesh weld(const TriangleSoup& soup, float tolerance, std::vector<int>* st
   if (standsFor) *standsFor = builder.standsFor();
   ControlMesh mesh = std::move(builder).take();
   mesh.trianglesDropped = static_cast<int>(soup.triangles.size() - kept.size());
+  findEdges(mesh);
   mesh.normals = vertexNormals(mesh.positions, mesh.triangles);
   return mesh;
 }

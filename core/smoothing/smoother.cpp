@@ -7,6 +7,7 @@
 #include "core/base/stopwatch.h"
 #include "core/smoothing/preparation.h"
 #include "core/smoothing/smooth.h"
+#include "sinew/character/pose_check.h"
 
 namespace sinew {
 
@@ -51,11 +52,13 @@ Result<void> Smoother::prepare(const Rig& rig, std::span<const int> hidden) {
   return {};
 }
 
-void Smoother::smooth(const Pose& pose, Surface& out, const std::optional<glm::vec3>& eye) {
+bool Smoother::smooth(const Pose& pose, Surface& out, const std::optional<glm::vec3>& eye) {
   assert(state_->preparation && "prepare() first");
+  if (!isSoundPose(character(), pose)) return false;
   Stopwatch watch;
   state_->preparation->poser->pose(pose, state_->rig);
   sinew::smooth(state_->preparation, state_->rig, pose, eye, state_->memory, out, watch.lap());
+  return true;
 }
 
 const Character& Smoother::character() const { return *state_->tables->character; }

@@ -37,6 +37,7 @@ _sinew() {
             :retarget) verb=retarget ;;
             :smooth) verb=smooth ;;
             :export) verb=export ;;
+            :pack) verb=pack ;;
             :render) verb=render ;;
             :farm) verb=farm ;;
             :bench) verb=bench ;;
@@ -89,6 +90,10 @@ _sinew() {
         export:--list) _sinew_files -; return ;;
         export:--shard) :; return ;;
         export:--threads) :; return ;;
+        pack:-o|pack:--output) _sinew_files sinew; return ;;
+        pack:--depth) :; return ;;
+        pack:--detail) _sinew_words adaptive uniform; return ;;
+        pack:--tolerance) :; return ;;
         render:--clip) :; return ;;
         render:--time) :; return ;;
         render:--frames) :; return ;;
@@ -124,7 +129,7 @@ _sinew() {
     esac
     case "$verb:$cur" in
         :-*) _sinew_words --version -h --help ;;
-        :*) _sinew_words edit inspect check muscle retarget smooth export render farm bench; _sinew_files glb gltf vrm rig.json ;;
+        :*) _sinew_words edit inspect check muscle retarget smooth export pack render farm bench; _sinew_files glb gltf vrm rig.json ;;
         edit:-*) _sinew_words -h --help --log-state --scale ;;
         edit:*) _sinew_files glb gltf vrm rig.json ;;
         inspect:-*) _sinew_words -h --help --json --strict ;;
@@ -139,6 +144,8 @@ _sinew() {
         smooth:*) _sinew_files glb gltf vrm rig.json ;;
         export:-*) _sinew_words -h --help --as --mesh --depth --detail --tolerance --weights --clip --joints --joint-scale --fps --substeps --bound --json --error-map -o --output --list --shard --resume --dry-run --threads --progress ;;
         export:*) _sinew_files glb gltf vrm rig.json ;;
+        pack:-*) _sinew_words -h --help -o --output --depth --detail --tolerance ;;
+        pack:*) _sinew_files glb gltf vrm rig.json ;;
         render:-*) _sinew_words -h --help --clip --time --frames --fps --turntable --sheet --view --orthographic --shading --show --glass --surface --no-surface --ground --no-ground --cull --transparent --light --background --ao --size --samples --depth --detail --tolerance --mode --patch --projection --crease --shape -o --output --list --shard --resume --dry-run --threads --progress ;;
         render:*) _sinew_files glb gltf vrm rig.json ;;
         farm:-*) _sinew_words -h --help --to --tasks --program --job ;;

@@ -19,6 +19,8 @@ function __sinew_verb
                 set verb smooth
             case :export
                 set verb export
+            case :pack
+                set verb pack
             case :render
                 set verb render
             case :farm
@@ -58,6 +60,7 @@ complete -c sinew -n '__sinew_in ""' -a muscle -d 'Give a character a set of mus
 complete -c sinew -n '__sinew_in ""' -a retarget -d 'Put the muscles of a rig on another character'
 complete -c sinew -n '__sinew_in ""' -a smooth -d 'Write the smoothed surface of one moment, or of each frame'
 complete -c sinew -n '__sinew_in ""' -a export -d 'Write the character for games'
+complete -c sinew -n '__sinew_in ""' -a pack -d 'Write a character and its rig as one file that a game loads'
 complete -c sinew -n '__sinew_in ""' -a render -d 'Make pictures, off screen'
 complete -c sinew -n '__sinew_in ""' -a farm -d 'Write down a batch job for Slurm, GNU parallel or another farm'
 complete -c sinew -n '__sinew_in ""' -a bench -d 'Measure on this machine'
@@ -133,6 +136,12 @@ complete -c sinew -n '__sinew_in "export"' -l resume -d 'Leave out what is there
 complete -c sinew -n '__sinew_in "export"' -l dry-run -d 'Print the names of the files, and make none'
 complete -c sinew -n '__sinew_in "export"' -l threads -x -d 'Work on N cores at most; without it, on all; the files are the same'
 complete -c sinew -n '__sinew_in "export"' -l progress -d 'Say how far it is on stderr, every 5 percent; a terminal shows it anyway'
+complete -c sinew -n '__sinew_in "pack"' -a '(__sinew_files glb gltf vrm rig.json)'
+complete -c sinew -n '__sinew_in "pack"' -s h -l help -d 'Print this and exit'
+complete -c sinew -n '__sinew_in "pack"' -s o -l output -x -a '(__sinew_files sinew)' -d 'File to write (.sinew)'
+complete -c sinew -n '__sinew_in "pack"' -l depth -x -d 'Every triangle becomes N x N, in place of the rig\'s detail, also of one that follows the size on screen'
+complete -c sinew -n '__sinew_in "pack"' -l detail -x -a 'adaptive uniform' -d 'adaptive (as fine as the tolerance asks for) or uniform (the depth everywhere)'
+complete -c sinew -n '__sinew_in "pack"' -l tolerance -x -d 'Adaptive: how far triangles may lie off the surface, fraction of the height (0.001)'
 complete -c sinew -n '__sinew_in "render"' -a '(__sinew_files glb gltf vrm rig.json)'
 complete -c sinew -n '__sinew_in "render"' -s h -l help -d 'Print this and exit'
 complete -c sinew -n '__sinew_in "render"' -l clip -x -d 'Pose from this clip, or "Range of motion", made from the joints; without any of these, the bind pose'

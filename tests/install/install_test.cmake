@@ -26,6 +26,7 @@ build_against_prefix(${SAMPLES} ${WORK}/samples)
 include(${CMAKE_CURRENT_LIST_DIR}/samples.cmake)
 
 if(APP)
+  include(${CMAKE_CURRENT_LIST_DIR}/games.cmake)
   run(${WORK}/prefix/bin/sinew inspect ${WORK}/prefix/share/sinew/assets/demo.glb)
   expect_match("${output}" "842")
   # By the sets of muscles that are installed.

@@ -64,6 +64,11 @@ class Structure(unittest.TestCase):
         self.one("layer 2", core__mesh__a_DOT_h=self.header("core/mesh/a.h", '#include "sinew/skeleton/pose.h"\n'))
         self.one("layer 4", app__render__a_DOT_h=self.header("app/render/a.h", '#include "app/tools/gizmo/gizmo.h"\n'))
 
+    def test_the_runtime_including_what_a_game_does_not_link(self):
+        body = '#include "core/io/files/a.h"\n'
+        self.one("a part of Sinew::runtime includes nothing of io", core__c__a_DOT_h=self.header("core/c/a.h", body))
+        self.assertEqual([], self.problems(core__export__a_DOT_h=self.header("core/export/a.h", body)))
+
     def test_an_unknown_directory(self):
         self.one("has no layer", core__attic__a_DOT_h=self.header("core/attic/a.h", '#include "sinew/base/result.h"\n'))
 

@@ -42,10 +42,11 @@ class Smoother {
   [[nodiscard]] Result<void> prepare(const Rig& rig, std::span<const int> hidden = {});
 
   /// Fills `out` for a pose of this skeleton. prepare() must have succeeded once. Reuses the output's memory.
+  /// False: checkPose (sinew/character/pose_check.h) refuses the pose, and `out` stays as it is.
   /// @param eye  world; if given, control triangles it cannot see stay on their patches and are marked in
   /// Surface::culled
   ///             (face_culling.h): for a picture from there alone, never for shadows or export.
-  void smooth(const Pose& pose, Surface& out, const std::optional<glm::vec3>& eye = std::nullopt);
+  bool smooth(const Pose& pose, Surface& out, const std::optional<glm::vec3>& eye = std::nullopt);
 
   [[nodiscard]] const Character& character() const;
   /// Indices into the prepared rig's primitives whose bone this character lacks; valid until the next prepare().

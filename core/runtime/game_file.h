@@ -1,0 +1,31 @@
+// core/runtime/game_file.h: the head of a game file. docs/games.md.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace sinew::gamefile {
+
+inline constexpr std::array<char, 8> kMagic{'S', 'i', 'n', 'e', 'w', 'G', 'm', '\n'};
+inline constexpr std::uint32_t kVersion = 1;
+
+/// Little endian, then `bytes` bytes.
+struct Head {
+  std::array<char, 8> magic = kMagic;
+  std::uint32_t version = kVersion;
+  std::uint32_t reserved = 0;
+  std::uint64_t bytes = 0;
+  std::uint64_t sum = 0;  ///< sumOf() them.
+};
+static_assert(sizeof(Head) == 32);
+
+/// FNV-1a over 64 bits: tells damage, proves nothing.
+[[nodiscard]] inline std::uint64_t sumOf(std::span<const std::byte> bytes) {
+  std::uint64_t sum = 0xcbf29ce484222325U;
+  for (const std::byte byte : bytes) sum = (sum ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3U;
+  return sum;
+}
+
+}  // namespace sinew::gamefile

@@ -1,0 +1,40 @@
+# tests/install/games.cmake: what links Sinew::runtime alone: the game, the samples for games. Included by install_test.cmake.
+run(${WORK}/prefix/bin/sinew pack ${ASSETS}/humanoid.rig.json -o ${WORK}/humanoid.sinew)
+expect_match("${output}" "humanoid.sinew: [1-9][0-9]+ bytes, [1-9][0-9]* bones, [1-9][0-9]* clips, [1-9][0-9]* muscles\n$")
+build_against_prefix(${CMAKE_CURRENT_LIST_DIR}/game ${WORK}/game)
+run(${WORK}/game/game ${WORK}/humanoid.sinew)
+expect_match("${output}" "^[1-9][0-9]+ vertices, 0 allocations, the same bits, pose: expected matrices of [0-9]+ bones, got [0-9]+\n$")
+
+# It links none of the libraries that read files, nor what fits weights.
+set(others "tinygltf|nlohmann|Eigen|draco|meshopt|webp|stbi?_")
+run(ldd ${WORK}/game/game)
+if(output MATCHES "${others}")
+  message(FATAL_ERROR "a game links '${CMAKE_MATCH_0}':\n${output}")
+endif()
+file(GLOB_RECURSE runtime ${WORK}/prefix/libsinew_runtime.a)
+run(nm -C ${runtime})
+if(output MATCHES "${others}")
+  message(FATAL_ERROR "the runtime has symbols of '${CMAKE_MATCH_0}'")
+endif()
+
+# Other build systems ask pkg-config, wherever the files were put.
+file(GLOB_RECURSE pc ${WORK}/prefix/sinew-runtime.pc)
+cmake_path(GET pc PARENT_PATH pc)
+run(bash -c "c++ -std=c++20 ${FLAGS} '${CMAKE_CURRENT_LIST_DIR}/game/main.cpp' -o '${WORK}/by_pkg_config' \
+  $(PKG_CONFIG_PATH='${pc}' pkg-config --cflags --libs sinew-runtime)")
+run(${WORK}/by_pkg_config ${WORK}/humanoid.sinew)
+expect_match("${output}" "the same bits")
+
+run(${samples}/game ${WORK}/humanoid.sinew)
+expect_match("${output}" "0.1 s: [1-9][0-9]+ vertices, the first at .*\nrefused: pose: expected matrices of [0-9]+ bones, got 0\n$")
+run(${samples}/gl_buffer ${WORK}/humanoid.sinew)
+expect_match("${output}" "indices of 2 bytes\n.*[1-9][0-9]+ vertices of 24 bytes\n$")
+run(${samples}/driven_muscle ${WORK}/humanoid.sinew)
+string(REGEX MATCH "bent by   0 degrees: skin raised by ([0-9.]+)\n.*bent by 100 degrees: skin raised by ([0-9.]+)\n$" bends "${output}")
+if(NOT bends OR NOT CMAKE_MATCH_2 GREATER CMAKE_MATCH_1)
+  message(FATAL_ERROR "the muscle does not follow the elbow:\n${output}")
+endif()
+foreach(sample game gl_buffer driven_muscle)
+  run_failing(1 ${samples}/${sample} ${ASSETS}/humanoid.glb)
+  expect_match("${output}" "byte 0: this is no game file of Sinew\n$")
+endforeach()
