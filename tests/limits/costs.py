@@ -37,11 +37,12 @@ def many_triangles():
 
 
 def many_joints():
-    """4,096 joints, each the child of the one before."""
+    """4,096 joints, in chains of 64."""
     post = Post()
     nodes = post.json["nodes"]
     while len(nodes) < 4097:
-        nodes[-1]["children"] = [len(nodes)]
+        parent = nodes[1] if len(nodes) % 64 == 0 else nodes[-1]
+        parent.setdefault("children", []).append(len(nodes))
         nodes.append({"name": "j%d" % len(nodes), "translation": [0, 0.001, 0]})
     post.json["skins"][0]["joints"] = list(range(1, 4097))
     return post
