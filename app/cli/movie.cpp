@@ -112,11 +112,8 @@ class FfmpegFile : public Movie {
   }
   Result<void> finish() override {
     std::FILE* const pipe = std::exchange(pipe_, nullptr);
-    std::error_code failed;
     if (pipe == nullptr || ::pclose(pipe) != 0) return failure();
-    std::filesystem::rename(part_, file_, failed);
-    if (failed) return Error{file_.string(), "", "cannot be written: " + failed.message()};
-    return {};
+    return putFileAtomically(part_, file_);
   }
 
  private:

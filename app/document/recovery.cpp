@@ -121,7 +121,7 @@ Result<RecoveryFile> RecoveryFile::claim(const fs::path& folder) {
 }
 
 Result<void> RecoveryFile::write(const Document& document) {
-  Result<void> done = writeFileAtomically(file_, recoveryText(document));
+  Result<void> done = writeFileAtomically(file_, recoveryText(document), Previous::kReplaced);
   written_ = written_ || done.ok();
   return done;
 }

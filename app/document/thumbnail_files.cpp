@@ -68,7 +68,7 @@ Result<void> keepThumbnail(const fs::path& folder, const fs::path& document, std
   if (file.empty()) return Error{document.string(), "", "is not there"};
   std::error_code failed;
   fs::create_directories(folder, failed);
-  if (const Result<void> written = writeFileAtomically(file, png); !written) return written;
+  if (const Result<void> written = writeFileAtomically(file, png, Previous::kReplaced); !written) return written;
   removeOldest(folder);
   return {};
 }

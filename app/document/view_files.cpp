@@ -79,7 +79,8 @@ Result<void> storeView(const fs::path& folder, const fs::path& file, const Json&
   const fs::path target = folder / (hashOf(path) + ".json");
   const Json whole =
       Json::object().set("format", std::string(kFormat)).set("version", 1).set("file", path).set("view", view);
-  if (Result<void> written = writeFileAtomically(target, whole.dump(true) + "\n"); !written) return written;
+  if (Result<void> written = writeFileAtomically(target, whole.dump(true) + "\n", Previous::kReplaced); !written)
+    return written;
   removeOldest(folder, target);
   return {};
 }

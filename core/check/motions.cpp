@@ -15,16 +15,15 @@ namespace {
 constexpr float kHertz = 15.0f;
 constexpr int kMostPoses = 6'000;  ///< Of all clips together: longer ones are sampled more thinly.
 
-int stepsOf(const AnimationClip& clip, float hertz) {
-  return std::max(1, static_cast<int>(std::ceil(clip.duration * hertz)));
-}
+/// No integer: a file may say that a clip lasts for ages.
+float stepsOf(const AnimationClip& clip, float hertz) { return std::max(1.0f, std::ceil(clip.duration * hertz)); }
 
 }  // namespace
 
 Motions::Motions(std::shared_ptr<const Character> given) : character_(withRangeOfMotion(std::move(given))) {
   const Character& character = *character_;
   double all = 0.0;
-  for (const AnimationClip& clip : character.clips) all += stepsOf(clip, kHertz);
+  for (const AnimationClip& clip : character.clips) all += static_cast<double>(stepsOf(clip, kHertz));
   const float hertz = all > kMostPoses ? static_cast<float>(kHertz * kMostPoses / all) : kHertz;
   struct When {
     const AnimationClip* clip;
@@ -32,7 +31,7 @@ Motions::Motions(std::shared_ptr<const Character> given) : character_(withRangeO
   };
   std::vector<When> times;
   for (const AnimationClip& clip : character.clips) {
-    const int steps = stepsOf(clip, hertz);
+    const int steps = static_cast<int>(stepsOf(clip, hertz));
     for (int step = 0; step <= steps; ++step) {
       times.push_back({&clip, clip.duration * static_cast<float>(step) / static_cast<float>(steps)});
     }

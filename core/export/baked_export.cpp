@@ -41,6 +41,9 @@ Result<BakedExportReport> exportBaked(const std::filesystem::path& characterFile
     return Error{characterFile.string(), "clip \"" + settings.clip + '"',
                  "there are several of that name; expected one"};
   }
+  if (format->form != ExportForm::kCache) {
+    if (auto fits = checkSeconds(characterFile, *character, {settings.clip}); !fits) return fits.error();
+  }
   return catchErrors(characterFile, file, [&]() -> Result<BakedExportReport> {
     Source source(characterFile);
     requireSame(source, *character);

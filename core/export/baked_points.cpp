@@ -72,7 +72,8 @@ Result<BakedExportReport> bakeStage(Source& source, const SharedCharacter& chara
                                     const BakedExportSettings& settings, const std::filesystem::path& file,
                                     const ExportProgress& progress) {
   requireFrames(*character, settings, kMostFrames);
-  const SkinnedExportSettings skinning{.weights = ExportWeights::kTransferred, .morphs = false};
+  const SkinnedExportSettings skinning{
+      .weights = ExportWeights::kTransferred, .clips = {settings.clip}, .morphs = false};
   JointFit fit(character, *character, rig, skinning, {});
   if (auto found = fit.findWeights(); !found) return found.error();
   std::vector<OutPrimitive> primitives;
@@ -95,7 +96,9 @@ Result<BakedExportReport> bakeStage(Source& source, const SharedCharacter& chara
   points.frames = moments.frames;
   points.at = [&](std::size_t frame, std::vector<usd::MeshPoints>& meshes) {
     stage.tell(static_cast<double>(frame) / frames);
-    smoother.smooth(samplePose(*character, moments.clip, moments.times[frame]), surface);
+    const Pose pose = samplePose(*character, moments.clip, moments.times[frame]);
+    smoother.smooth(pose, surface);
+    requireFinite(pose, surface);
     meshes.resize(primitives.size());
     for (std::size_t p = 0; p < primitives.size(); ++p) {
       meshes[p] = {};

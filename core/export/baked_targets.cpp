@@ -68,6 +68,14 @@ class TargetMaker {
     report.skinned = placed(morphs.skinnedFigures());
     progress_.begin(kSearching);
     const double height = static_cast<double>(character_->height);
+    if (morphs.coarseness() >= settings_.bound / 100.0 * height) {
+      throw gltf::Refusal{errorAt("clip \"" + settings_.clip + '"',
+                                  "cannot be baked to " + percentText(settings_.bound) +
+                                      " % of the height: the character goes so far from the origin that floats hold "
+                                      "its places to " +
+                                      percentText(100.0 * morphs.coarseness() / height) +
+                                      " % only; expected a larger bound, or a character nearer to the origin")};
+    }
     const auto targets = morphs.solve(settings_.bound / 100.0 * height, progress_);
     if (!targets) {
       throw gltf::Refusal{errorAt("clip \"" + settings_.clip + '"',
@@ -181,8 +189,8 @@ class TargetMaker {
         refined_.push_back(refined);
         spaceOf_.push_back(space->second);
         const glm::dvec3 written(into.point(at(fit_.bind().positions, refined)));
-        vertices.push_back(
-            {refined, space->second, glm::dvec3(meshToBind * glm::dvec4(written, 1.0)), at(fit_.weights(), refined)});
+        vertices.push_back({refined, space->second, glm::dvec3(meshToBind * glm::dvec4(written, 1.0)),
+                            at(fit_.weights(), refined), glm::length(glm::dmat3(meshToBind) * written)});
       }
     }
     if (vertices.size() * moments_.times.size() > kMostPoints) {

@@ -15,6 +15,8 @@ namespace sinew::exporting {
 namespace {
 
 constexpr std::uint64_t kMostBytes = std::numeric_limits<std::uint32_t>::max();
+/// Bytes of a view that nothing refers to: fewer are padding and stay.
+constexpr std::uint64_t kLeastUnused = 16;
 
 /// Extensions that name no accessor and no bufferView, by how their names begin.
 constexpr std::array<std::string_view, 10> kWithoutData{
@@ -194,6 +196,36 @@ void GltfRewrite::takeImages() {
   }
 }
 
+/// [bufferViews] stretches that are used, where others are not: accessors refer to their new places. A view often holds
+/// the keys of all clips. Empty for views that stay whole.
+std::vector<UsedBytes> GltfRewrite::findUsedBytes() {
+  const std::vector<Json>& views = root_.at("bufferViews").items();
+  std::vector<UsedBytes> used(views.size());
+  std::vector<bool> isWhole(views.size(), false);
+  const auto viewOf = [](const Json& user) { return static_cast<std::size_t>(user.at("bufferView").number(0.0)); };
+  for (const Json& image : root_.at("images").items()) {
+    if (image.find("bufferView") && viewOf(image) < views.size()) isWhole[viewOf(image)] = true;
+  }
+  visitUses(root_, [&](Json& user, std::uint64_t bytes) {
+    const double begin = user.at("byteOffset").number(0.0);
+    const double length = views[viewOf(user)].at("byteLength").number(0.0);
+    if (bytes == 0 || begin + static_cast<double>(bytes) > length) isWhole[viewOf(user)] = true;
+    else used[viewOf(user)].add(static_cast<std::uint64_t>(begin), static_cast<std::uint64_t>(begin) + bytes);
+  });
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const auto length = static_cast<std::uint64_t>(views[i].at("byteLength").number(0.0));
+    used[i].close(length);
+    if (isWhole[i] || used[i].length() + kLeastUnused > length) used[i] = {};
+  }
+  visitUses(root_, [&](Json& user, std::uint64_t) {
+    const UsedBytes& own = used[viewOf(user)];
+    if (own.stretches().empty()) return;
+    const auto begin = static_cast<std::uint64_t>(user.at("byteOffset").number(0.0));
+    if (own.placeOf(begin) != begin) user.set("byteOffset", static_cast<long long>(own.placeOf(begin)));
+  });
+  return used;
+}
+
 void GltfRewrite::dropUnused() {
   const std::size_t own = file_.model().bufferViews.size();
   const Json& extensions = root_.at("extensionsUsed");
@@ -206,20 +238,24 @@ void GltfRewrite::dropUnused() {
   } else {
     for (std::size_t view = 0; view < root_.at("bufferViews").items().size(); ++view) views.push_back(view);
   }
+  const std::vector<UsedBytes> used = known ? findUsedBytes() : std::vector<UsedBytes>(views.size());
   Json* list = memberOf(root_, "bufferViews");
   for (std::size_t i = 0; i < views.size(); ++i) {
     Json& view = list->children[i];
     align(binary_, '\0');
     view.set("buffer", 0).set("byteOffset", static_cast<long long>(binary_.size()));
+    std::string_view bytes;
     if (views[i] >= own) {
-      binary_ += added_[views[i] - own];
-      added_[views[i] - own] = {};
+      bytes = added_[views[i] - own];
     } else {
-      const gltf::Bytes bytes = file_.bufferView(views[i]);
+      const gltf::Bytes all = file_.bufferView(views[i]);
       const double length = view.at("byteLength").number(0.0);  // Of what nothing refers to, less.
-      binary_.append(reinterpret_cast<const char*>(bytes.data()),
-                     std::min(bytes.size(), static_cast<std::size_t>(length)));
+      bytes = {reinterpret_cast<const char*>(all.data()), std::min(all.size(), static_cast<std::size_t>(length))};
     }
+    if (used[i].stretches().empty()) binary_ += bytes;
+    for (const auto& [begin, end] : used[i].stretches()) binary_ += bytes.substr(begin, end - begin);
+    if (!used[i].stretches().empty()) view.set("byteLength", static_cast<long long>(used[i].length()));
+    if (views[i] >= own) added_[views[i] - own] = {};
   }
   align(binary_, '\0');
 }

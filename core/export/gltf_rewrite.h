@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/export/bytes/used_bytes.h"
 #include "core/io/gltf/file.h"
 #include "core/io/json/json.h"
 #include "sinew/base/geometry.h"
@@ -45,7 +46,8 @@ struct PackedGltf {
   std::string binary;  ///< 4-byte aligned.
 };
 
-/// Accessors and bufferViews that nothing refers to any more are left out, and images come into the buffer as they are.
+/// Accessors, bufferViews and bytes of them that nothing refers to any more are left out, and images come into the
+/// buffer as they are.
 class GltfRewrite {
  public:
   GltfRewrite(Json root, gltf::File& file) : root_(std::move(root)), file_(file) {}
@@ -69,6 +71,7 @@ class GltfRewrite {
 
  private:
   void takeImages();
+  [[nodiscard]] std::vector<UsedBytes> findUsedBytes();
   void dropUnused();
 
   Json root_;

@@ -2,12 +2,18 @@
 #include "core/export/out_files.h"
 
 #include <algorithm>
+#include <cmath>
 #include <system_error>
 
 #include "core/export/formats.h"
 #include "core/skeleton/clip_names.h"
 
 namespace sinew::exporting {
+namespace {
+
+constexpr double kMostSeconds = 3600.0;
+
+}  // namespace
 
 Result<void> checkClips(const std::filesystem::path& file, const Character& character,
                         const std::vector<std::string>& asked) {
@@ -16,6 +22,18 @@ Result<void> checkClips(const std::filesystem::path& file, const Character& char
     return Error{file.string(), "clip \"" + name + '"', noSuchClip(name, character.clips)};
   }
   return {};
+}
+
+Result<void> checkSeconds(const std::filesystem::path& file, const Character& character,
+                          const std::vector<std::string>& asked) {
+  double seconds = 0.0;
+  for (const AnimationClip& clip : character.clips) {
+    if (asked.empty() || std::ranges::count(asked, clip.name) > 0) seconds += static_cast<double>(clip.duration);
+  }
+  if (seconds <= kMostSeconds) return {};
+  return Error{file.string(), "clips",
+               "last " + std::to_string(std::llround(seconds)) + " seconds together; expected at most " +
+                   std::to_string(std::llround(kMostSeconds)) + ": choose fewer of them"};
 }
 
 Result<void> checkPlaces(const Source& source, const std::vector<std::filesystem::path>& files) {

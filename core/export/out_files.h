@@ -17,6 +17,11 @@ namespace sinew::exporting {
 [[nodiscard]] Result<void> checkClips(const std::filesystem::path& file, const Character& character,
                                       const std::vector<std::string>& asked);
 
+/// Error: clips of more than an hour together. Each second is 30 poses that are smoothed, fitted and measured.
+/// @param asked  names; empty: all
+[[nodiscard]] Result<void> checkSeconds(const std::filesystem::path& file, const Character& character,
+                                        const std::vector<std::string>& asked);
+
 /// Before the work. Error: no such folder, a place that is a folder, or one that the character is read from.
 /// @param files  the one that was asked for last
 [[nodiscard]] Result<void> checkPlaces(const Source& source, const std::vector<std::filesystem::path>& files);

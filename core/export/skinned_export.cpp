@@ -1,8 +1,9 @@
 // core/export/skinned_export.cpp: pose by pose the live surface, then weights, then the file, then how close it comes.
 #include "sinew/export/skinned_export.h"
 
-#include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstdio>
+#include <string>
 
 #include "core/export/fit/joint_fit.h"
 #include "core/export/formats.h"
@@ -15,19 +16,21 @@ namespace {
 
 using namespace exporting;
 
-/// All exported clips together. Each second is 30 poses that are smoothed, fitted and measured.
-constexpr double kMostSeconds = 3600.0;
+/// Percent of the height: what is farther off is not the character any more.
+constexpr double kMostError = 100.0;
 
-Result<void> checkLength(const std::filesystem::path& file, const Character& character,
-                         const std::vector<std::string>& asked) {
-  double seconds = 0.0;
-  for (const AnimationClip& clip : character.clips) {
-    if (asked.empty() || std::ranges::count(asked, clip.name) > 0) seconds += static_cast<double>(clip.duration);
-  }
-  if (seconds <= kMostSeconds) return {};
-  return Error{file.string(), "clips",
-               "last " + std::to_string(std::llround(seconds)) + " seconds together; expected at most " +
-                   std::to_string(std::llround(kMostSeconds)) + ": choose fewer of them"};
+/// That the file would play what was measured.
+Result<void> checkError(const std::filesystem::path& file, const SkinnedExportReport& report) {
+  const bool isBetween = report.allBetween.largest > report.allClips.largest;
+  const ErrorFigures& worst = isBetween ? report.allBetween : report.allClips;
+  if (worst.largest <= kMostError) return {};
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "is %.0f %% of the height off at %.3f s; expected at most %.0f %%",
+                worst.largest, static_cast<double>(worst.farthest.time), kMostError);
+  return Error{file.string(), "clip \"" + worst.farthest.clip + '"',
+               text.data() + std::string(": joints and weights cannot follow; does its mesh lie far from bone \"") +
+                   worst.farthest.bone + "\"?",
+               "not written"};
 }
 
 Result<SkinnedExportReport> fitAndWrite(Source& source, const Character& character, JointFit& fit,
@@ -37,6 +40,7 @@ Result<SkinnedExportReport> fitAndWrite(Source& source, const Character& charact
   SkinnedExportReport report;
   fit.measure(report);
   fit.measureBetween(report);
+  if (auto near = checkError(file, report); !near) return near.error();
   SkinnedFile made = skinnedFile(source, character.mesh, fit, settings);
   report.joints = made.joints;
   report.vertices = made.vertices;
@@ -65,7 +69,7 @@ Result<SkinnedExportReport> exportSkinned(const std::filesystem::path& character
   const ExportFormat* const format = findFormat(file, {ExportForm::kSkin});
   if (!format) return unknownEnding(file, {ExportForm::kSkin});
   if (auto known = checkClips(characterFile, *character, settings.clips); !known) return known.error();
-  if (auto fits = checkLength(characterFile, *character, settings.clips); !fits) return fits.error();
+  if (auto fits = checkSeconds(characterFile, *character, settings.clips); !fits) return fits.error();
   return catchErrors(characterFile, file, [&]() -> Result<SkinnedExportReport> {
     Source source(characterFile);
     requireSame(source, *character);

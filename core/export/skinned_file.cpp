@@ -7,6 +7,7 @@
 
 #include "core/base/at.h"
 #include "core/export/clip_json.h"
+#include "core/export/clip_repair.h"
 #include "core/export/file_morphs.h"
 #include "core/export/helper_nodes.h"
 #include "core/export/line_data.h"
@@ -32,6 +33,7 @@ class FileMaker {
 
   SkinnedFile run() {
     keepClips();
+    repairClips(source_, rewrite_, left_);
     addHelpers();
     for (const gltf::SoupPart& part : source_.origin.parts) partsOf_[part.node].push_back(part);
     for (const auto& [node, parts] : partsOf_) makeMesh(node, parts);
@@ -155,8 +157,8 @@ class FileMaker {
           return target.at("path").text("") == "weights" && partsOf_.contains(node) && !hasTargets(node);
         });
       }
-      std::erase_if(clips->children, [](const Json& clip) { return clip.at("channels").items().empty(); });
     }
+    std::erase_if(clips->children, [](const Json& clip) { return clip.at("channels").items().empty(); });
     if (clips->children.empty()) removeMember(rewrite_.root(), "animations");
   }
 

@@ -24,10 +24,11 @@ void appendBytes(void* out, void* bytes, int count) {
 
 Result<void> writeObj(const Surface& surface, const Character& character, const std::filesystem::path& file) {
   const ObjFiles files = objFiles(surface, character, file.stem().string());
-  for (const SideFile& side : files.sides) {
-    if (auto written = writeFileAtomically(file.parent_path() / side.name, side.bytes); !written) return written;
-  }
-  return writeFileAtomically(file, files.obj);
+  if (files.sides.empty()) return writeFileAtomically(file, files.obj);
+  std::vector<NamedBytes> all;
+  for (const SideFile& side : files.sides) all.push_back({file.parent_path() / side.name, side.bytes});
+  all.push_back({file, files.obj});
+  return writeFilesAtomically(all);
 }
 
 Result<void> writePly(const Surface& surface, const Character& /*character*/, const std::filesystem::path& file) {
@@ -109,6 +110,11 @@ Result<void> exportSurface(const Surface& surface, const Character& character, c
   if (!format) return Error{file.string(), {}, "expected a name that ends in " + exportNameEndings()};
   if (!surface.refinement || surface.refinement->triangles.empty()) {
     return Error{file.string(), {}, "cannot be written: the surface has no triangles"};
+  }
+  if (!std::ranges::all_of(surface.positions, [](const glm::vec3& p) { return isFinite(p); })) {
+    return Error{file.string(),
+                 {},
+                 "cannot be written: bones are moved or scaled so far that places are no longer finite numbers"};
   }
   // Before files beside it are written: the message names what was asked for.
   std::error_code unknown;

@@ -1,4 +1,4 @@
-// core/lines/line_lengths.cpp: every clip, fifteen times a second.
+// core/lines/line_lengths.cpp: every clip, fifteen times a second if there are no hours of them.
 #include "core/lines/line_lengths.h"
 
 #include <algorithm>
@@ -12,6 +12,16 @@ namespace sinew {
 namespace {
 
 constexpr float kHertz = 15.0f;
+constexpr double kMostPoses = 60'000.0;  ///< Of all clips together, about an hour: longer ones are sampled more thinly.
+
+/// No integer: a file may say that a clip lasts for ages.
+float stepsOf(const AnimationClip& clip, float hertz) { return std::max(1.0f, std::ceil(clip.duration * hertz)); }
+
+float samplesPerSecond(std::span<const AnimationClip> clips) {
+  double all = 0.0;
+  for (const AnimationClip& clip : clips) all += static_cast<double>(stepsOf(clip, kHertz));
+  return all > kMostPoses ? static_cast<float>(static_cast<double>(kHertz) * kMostPoses / all) : kHertz;
+}
 
 /// The lengths of one line, pose after pose.
 struct Track {
@@ -48,8 +58,9 @@ LineLengths lengthsOver(const LineRest& rest, const Character& character, std::s
 std::vector<LineLengths> lengthsOver(std::span<const LineRest> rests, const Character& character,
                                      std::span<const AnimationClip> clips) {
   std::vector<Track> tracks(rests.size());
+  const float hertz = samplesPerSecond(clips);
   for (const AnimationClip& clip : clips) {
-    const int steps = std::max(1, static_cast<int>(std::ceil(clip.duration * kHertz)));
+    const int steps = static_cast<int>(stepsOf(clip, hertz));
     for (int step = 0; step <= steps; ++step) {
       const float time = clip.duration * static_cast<float>(step) / static_cast<float>(steps);
       const Pose pose = samplePose(character.skeleton, clip, time);

@@ -20,7 +20,7 @@ struct LineLengths {
   int poses = 0;  ///< Looked at; 0: the rest says nothing.
 };
 
-/// Samples 15 times a second.
+/// Samples 15 times a second; of more than an hour of clips, 60,000 times in all.
 [[nodiscard]] LineLengths lengthsOver(const LineRest& rest, const Character& character,
                                       std::span<const AnimationClip> clips);
 

@@ -162,6 +162,16 @@ TEST(FollowedBelly, MeasuresHowFarABellyIsLifted) {
   EXPECT_NEAR(belly->motion(posed.muscles[0], frames).out, 0.5f, 0.1f);
 }
 
+TEST(Check, ClipsOfAgesAreSampledThinly) {
+  auto slow = std::make_shared<Character>(*importGltf(std::string(SINEW_SOURCE_DIR) + "/assets/demo.glb").value());
+  for (const float seconds : {1e6f, 1e15f}) {
+    slow->clips.front().duration = seconds;
+    const std::size_t poses = Motions(slow).poses().size();
+    EXPECT_GT(poses, 5'000U);
+    EXPECT_LT(poses, 6'100U);
+  }
+}
+
 TEST(Check, IsTheSameWithAnyNumberOfThreads) {
   const Scene scene = bundled("horse");
   std::vector<std::vector<Finding>> all;

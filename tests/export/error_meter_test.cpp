@@ -58,5 +58,15 @@ TEST(ErrorMeter, OfSeveralDistancesTheLargestIsThePercentileAndHasAPlace) {
   EXPECT_EQ(meter.figures().farthest.time, 1.5f);
 }
 
+TEST(ErrorMeter, ADistanceThatIsNoNumberIsTheLargest) {
+  for (const double odd : {std::nan(""), -std::nan(""), HUGE_VAL}) {
+    ErrorMeter meter(2.0);
+    meter.add(1.0, 3);
+    meter.add(odd, 7);
+    EXPECT_TRUE(std::isinf(meter.figures().largest));
+    EXPECT_EQ(meter.figures().farthest.vertex, 7);
+  }
+}
+
 }  // namespace
 }  // namespace sinew::exporting

@@ -1,12 +1,18 @@
 // tests/io/atomic_file_test.cpp: a file is old or new, never in between.
 #include "core/io/files/atomic_file.h"
 
+#include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
+#include <iterator>
+#include <random>
+#include <thread>
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "tests/support/temporary_folder.h"
@@ -140,6 +146,148 @@ TEST_F(AtomicFile, FilesThatBelongTogetherAreAllNewOrAllOld) {
   EXPECT_EQ(contentOf(first), "old bytes");
   EXPECT_EQ(contentOf(second), "old text");
   EXPECT_EQ(filesInFolder(), 2U);
+}
+
+TEST_F(AtomicFile, ThePreviousVersionStaysOnceInARun) {
+  const fs::path file = folder_ / "work.rig.json";
+  const fs::path kept = folder_ / "work.rig.json~";
+  own_.write("work.rig.json", "before this run");
+  ASSERT_TRUE(writeFileAtomically(file, "before this run").ok());
+  EXPECT_FALSE(fs::exists(kept)) << "nothing has changed";
+  ASSERT_TRUE(writeFileAtomically(file, "first").ok());
+  EXPECT_EQ(contentOf(kept), "before this run");
+  ASSERT_TRUE(writeFileAtomically(file, "second").ok());
+  EXPECT_EQ(contentOf(file), "second");
+  EXPECT_EQ(contentOf(kept), "before this run");
+  EXPECT_EQ(filesInFolder(), 2U);
+}
+
+TEST_F(AtomicFile, WhatTheProgramKeepsForItselfHasNoPreviousVersion) {
+  own_.write("view.json", "old");
+  ASSERT_TRUE(writeFileAtomically(folder_ / "view.json", "new", Previous::kReplaced).ok());
+  EXPECT_EQ(contentOf(folder_ / "view.json"), "new");
+  EXPECT_EQ(filesInFolder(), 1U);
+}
+
+TEST_F(AtomicFile, AnOlderPreviousVersionGivesWayAndAFolderOfThatNameDoesNot) {
+  own_.write("a", "old");
+  own_.write("a~", "older");
+  ASSERT_TRUE(writeFileAtomically(folder_ / "a", "new").ok());
+  EXPECT_EQ(contentOf(folder_ / "a~"), "old");
+  own_.write("b", "old");
+  fs::create_directory(folder_ / "b~");
+  ASSERT_TRUE(writeFileAtomically(folder_ / "b", "new").ok());
+  EXPECT_EQ(contentOf(folder_ / "b"), "new");
+  EXPECT_TRUE(fs::is_directory(folder_ / "b~"));
+  EXPECT_EQ(filesInFolder(), 4U);
+}
+
+TEST_F(AtomicFile, APreviousVersionThatIsTheFileItselfIsNoHindrance) {
+  // What a process leaves that was killed after it had kept the version and before it put the new one.
+  own_.write("a", "old");
+  fs::create_hard_link(folder_ / "a", folder_ / "a~");
+  ASSERT_TRUE(writeFileAtomically(folder_ / "a", "new").ok());
+  EXPECT_EQ(contentOf(folder_ / "a"), "new");
+  EXPECT_EQ(contentOf(folder_ / "a~"), "old");
+  EXPECT_EQ(filesInFolder(), 2U);
+}
+
+TEST_F(AtomicFile, WhatAnotherProgramMadeIsPutInItsPlace) {
+  own_.write("film.gif", "old");
+  const fs::path made = own_.write(".film.part.gif", "new");
+  ASSERT_TRUE(putFileAtomically(made, folder_ / "film.gif").ok());
+  EXPECT_EQ(contentOf(folder_ / "film.gif"), "new");
+  EXPECT_EQ(contentOf(folder_ / "film.gif~"), "old");
+  EXPECT_EQ(filesInFolder(), 2U);
+  EXPECT_FALSE(putFileAtomically(folder_ / "absent", folder_ / "film.gif").ok());
+  EXPECT_EQ(contentOf(folder_ / "film.gif"), "new");
+}
+
+// Pipes -----------------------------------------------------------------------------------------------------------
+
+TEST_F(AtomicFile, APipeThatNobodyReadsIsToldOfAndNotWaitedForForEver) {
+  const fs::path pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const auto written = writeFileAtomically(pipe, "text");
+  ASSERT_FALSE(written.ok());
+  EXPECT_EQ(written.error().reason, "cannot be written: it is a pipe that no program reads");
+  EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+TEST_F(AtomicFile, ALateReaderOfAPipeGetsEveryByte) {
+  const fs::path pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const std::string text(300'000, 'x');  // More than a pipe holds.
+  std::string read;
+  std::thread reader([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(250));
+    std::ifstream in(pipe, std::ios::binary);
+    read.assign(std::istreambuf_iterator<char>(in), {});
+  });
+  const auto written = writeFileAtomically(pipe, text);
+  reader.join();
+  EXPECT_TRUE(written.ok());
+  EXPECT_EQ(read, text);
+}
+
+TEST_F(AtomicFile, AReaderThatLeavesIsAnErrorAndNotTheEnd) {
+  const fs::path pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::thread reader([&] {
+    std::ifstream in(pipe, std::ios::binary);
+    in.get();
+  });
+  const auto written = writeFileAtomically(pipe, std::string(300'000, 'x'));
+  reader.join();
+  ASSERT_FALSE(written.ok());
+  EXPECT_NE(written.error().reason.find("cannot be written"), std::string::npos);
+}
+
+// Killed at any moment --------------------------------------------------------------------------------------------
+
+/// Whether it is one version, from the first byte to the last.
+bool isOneVersion(const std::string& bytes, std::size_t size) {
+  return bytes.size() == size && bytes.find_first_not_of(bytes.front()) == std::string::npos;
+}
+
+/// Writes versions, as fast as it can, until it is killed.
+[[noreturn]] void writeForEver(const fs::path& folder, std::size_t size) {
+  for (char version = 'a';; version = version == 'z' ? 'a' : static_cast<char>(version + 1)) {
+    const std::string bytes(size, version);
+    static_cast<void>(writeFileAtomically(folder / "one", bytes));
+    static_cast<void>(writeFilesAtomically({{folder / "two.bin", bytes}, {folder / "two.gltf", bytes}}));
+  }
+}
+
+/// SINEW_KILLS in the environment: how many times, 40 without it.
+TEST_F(AtomicFile, AKilledProcessLeavesWholeFiles) {
+  constexpr std::size_t kSize = 200'000;
+  const char* const asked = std::getenv("SINEW_KILLS");
+  const int kills = asked == nullptr ? 40 : std::atoi(asked);
+  const std::vector<std::string> names{"one", "two.bin", "two.gltf"};
+  for (const std::string& name : names) own_.write(name, std::string(kSize, '0'));
+  std::mt19937 random(7);
+  int previous = 0;
+  for (int kill = 0; kill < kills; ++kill) {
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) writeForEver(folder_, kSize);
+    std::this_thread::sleep_for(std::chrono::microseconds(random() % 8000));
+    ASSERT_EQ(::kill(child, SIGKILL), 0);
+    ASSERT_EQ(::waitpid(child, nullptr, 0), child);
+    for (const std::string& name : names) {
+      ASSERT_TRUE(isOneVersion(contentOf(folder_ / name), kSize)) << name << " after kill " << kill;
+      const fs::path kept = folder_ / (name + "~");
+      if (!fs::exists(kept)) continue;
+      ++previous;
+      ASSERT_TRUE(isOneVersion(contentOf(kept), kSize)) << kept << " after kill " << kill;
+    }
+  }
+  EXPECT_GT(previous, 0) << "no process lived long enough";
+  // What was not put in its place yet has a name for an instant; it is whole too.
+  for (const auto& each : fs::directory_iterator(folder_)) {
+    EXPECT_TRUE(isOneVersion(contentOf(each.path()), kSize)) << each.path();
+  }
 }
 
 TEST_F(AtomicFile, ReadingRefusesWhatIsNoFileOrTooLarge) {

@@ -114,6 +114,21 @@ TEST_F(GltfTrap, WeightsThatDoNotSumToOneAreScaled) {
   EXPECT_NEAR(character->mesh.influencesOf(0)[0].weight, 1.0f, 1e-6f);
 }
 
+TEST_F(GltfTrap, WeightsBelowZeroCountAsZeroAndAreToldOf) {
+  Post post = makePost();
+  for (std::size_t v = 0; v < 12; ++v) {
+    post.weights[4 * v + 2] = -0.25f;
+    post.joints[4 * v + 2] = 1;
+  }
+  post.attributes()["JOINTS_0"] = post.file.accessor(post.joints, "VEC4");
+  post.attributes()["WEIGHTS_0"] = post.file.accessor(post.weights, "VEC4");
+  const auto character = import(post, false);
+  EXPECT_TRUE(mentions(*character, "skin weights below 0 are ignored: they count as 0"));
+  ASSERT_EQ(character->mesh.influencesOf(0).size(), 1U);
+  EXPECT_EQ(character->mesh.influencesOf(0)[0].weight, 1.0f);
+  EXPECT_FALSE(mentions(*import(makePost()), "below 0"));
+}
+
 TEST_F(GltfTrap, ZeroWeightsFollowTheFirstJoint) {
   Post post = makePost();
   std::fill(post.weights.begin(), post.weights.end(), 0.0f);

@@ -37,6 +37,27 @@ struct LineFitting : testing::Test {
   }
 };
 
+TEST_F(LineFitting, ClipsOfAgesAreSampledThinly) {
+  const LineLengths seen = lengths();
+  for (const float seconds : {3700.0f, 1e6f, 1e15f}) {
+    Character slow = *limb;
+    for (AnimationClip& clip : slow.clips) {
+      for (Channel& channel : clip.channels) {
+        for (float& time : channel.times) time *= seconds / clip.duration;
+      }
+      clip.duration = seconds;
+    }
+    const LineLengths all = lengthsOver(lineRest(rig.lines[0], slow).value(), slow, slow.clips);
+    EXPECT_GT(all.poses, 50'000);
+    EXPECT_LE(all.poses, 60'002);
+    // Of more moments the shortest is shorter, if not by much.
+    EXPECT_LE(all.least, seen.least + 1e-4f);
+    EXPECT_NEAR(all.least, seen.least, 0.03f);
+    EXPECT_GE(all.most, seen.most - 1e-4f);
+    EXPECT_NEAR(all.most, seen.most, 0.03f);
+  }
+}
+
 TEST_F(LineFitting, LengthsAreThoseOfTheClip) {
   const LineLengths seen = lengths();
   EXPECT_EQ(seen.poses, 31);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace sinew::exporting {
 namespace {
@@ -13,7 +14,8 @@ constexpr unsigned kDroppedBits = 13;
 }  // namespace
 
 void ErrorMeter::add(double distance, int vertex) {
-  const double percent = distance * scale_;
+  // A NaN, which may have a sign, has no class.
+  const double percent = std::isfinite(distance) ? distance * scale_ : std::numeric_limits<double>::infinity();
   squares_ += percent * percent;
   if (percent > largest_ || farthest_.vertex < 0) {
     largest_ = percent;

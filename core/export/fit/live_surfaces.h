@@ -11,6 +11,10 @@
 
 namespace sinew::exporting {
 
+/// Throws gltf::Refusal, naming clip and second, unless all positions are finite: joints that scale joints that scale
+/// others lead beyond what floats hold.
+void requireFinite(const Pose& pose, const Surface& surface);
+
 class LiveSurfaces {
  public:
   explicit LiveSurfaces(std::shared_ptr<const Character> character) : smoother_(std::move(character)) {}
@@ -18,7 +22,7 @@ class LiveSurfaces {
   [[nodiscard]] Result<void> prepare(const Rig& rig) { return smoother_.prepare(rig); }
   void smooth(const Pose& pose, Surface& out) { smoother_.smooth(std::span(&pose, 1), std::span(&out, 1)); }
 
-  /// Calls use(i, pose, surface) for i = 0..count-1, in order and from this thread.
+  /// Calls use(i, pose, surface) for i = 0..count-1, in order and from this thread. Throws as requireFinite().
   /// @param poseOf  pose of i
   template <class PoseOf, class Use>
   void forEach(std::size_t count, const PoseOf& poseOf, const Use& use) {
@@ -29,7 +33,10 @@ class LiveSurfaces {
       for (std::size_t i = 0; i < now; ++i) poses_.push_back(poseOf(first + i));
       if (surfaces_.size() < now) surfaces_.resize(now);
       smoother_.smooth(poses_, std::span(surfaces_).first(now));
-      for (std::size_t i = 0; i < now; ++i) use(first + i, poses_[i], surfaces_[i]);
+      for (std::size_t i = 0; i < now; ++i) {
+        requireFinite(poses_[i], surfaces_[i]);
+        use(first + i, poses_[i], surfaces_[i]);
+      }
     }
   }
 

@@ -1,7 +1,9 @@
 // core/export/fit/morph_fit.cpp: what skinning leaves over, as displacements in the bind pose.
 #include "core/export/fit/morph_fit.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -18,6 +20,10 @@ namespace {
 constexpr double kSingular = 0.01;
 /// ... by this, of the mean square of its singular values.
 constexpr double kDamping = 1e-4;
+/// Share of the height that other readers' arithmetic may differ by ...
+constexpr double kReaders = 1e-6;
+/// ... and of the distance from the origin: products of matrices, and a sum for each vertex.
+constexpr double kReadersFar = 4.0 * static_cast<double>(std::numeric_limits<float>::epsilon());
 constexpr std::size_t kLeastMorphRange = 1024;  ///< Vertices that are worth a thread.
 
 /// What displacement a blend B makes `way` of: B^-1 way, damped where B is nearly singular.
@@ -43,6 +49,9 @@ glm::dmat3 blendedMatrix(std::span<const glm::dmat4> matrices, const FourWeights
 MorphFit::MorphFit(std::vector<MorphVertex> vertices, std::vector<glm::dmat3> meshToBind, double height)
     : vertices_(std::move(vertices)), meshToBind_(std::move(meshToBind)), height_(height) {
   for (const glm::dmat3& matrix : meshToBind_) bindToMesh_.push_back(glm::inverse(matrix));
+  for (const MorphVertex& vertex : vertices_) {
+    reach_ = std::max({reach_, vertex.reach, glm::length(vertex.rest)});
+  }
 }
 
 void MorphFit::add(std::vector<glm::dmat4> matrices, std::span<const glm::vec3> live) {
@@ -57,8 +66,11 @@ void MorphFit::add(std::vector<glm::dmat4> matrices, std::span<const glm::vec3> 
     frame.live[v] = place;
     for (int axis = 0; axis < 3; ++axis) frame.wanted[3 * v + toIndex(axis)] = static_cast<float>(wanted[axis]);
   });
+  for (const glm::vec3& place : frame.live) reach_ = std::max(reach_, glm::length(glm::dvec3(place)));
   frames_.push_back(std::move(frame));
 }
+
+double MorphFit::coarseness() const { return std::max(kReaders * height_, kReadersFar * reach_); }
 
 ErrorFigures MorphFit::skinnedFigures() const {
   ErrorMeter meter(height_);

@@ -20,6 +20,7 @@ struct MorphVertex {
   int space = 0;         ///< Mesh space that its targets are written in.
   glm::dvec3 rest{0.0};  ///< Bind pose.
   FourWeights weights;
+  double reach = 0.0;  ///< How far it lies from the origin of the mesh space, in lengths of the bind pose.
 };
 
 struct MorphTargets {
@@ -40,6 +41,8 @@ class MorphFit {
 
   /// Adds a frame: where the live surface has the refined vertices. @param matrices  of all bindings
   void add(std::vector<glm::dmat4> matrices, std::span<const glm::vec3> live);
+  /// What other readers may differ by, a distance: they compute in floats. No bound below it can hold.
+  [[nodiscard]] double coarseness() const;
   /// How near skinning alone comes.
   [[nodiscard]] ErrorFigures skinnedFigures() const;
   /// As few targets as found with which no vertex in any frame is farther off than `bound`, a distance. Nothing: not
@@ -59,6 +62,7 @@ class MorphFit {
   std::vector<glm::dmat3> bindToMesh_;
   double height_ = 1.0;
   std::vector<Frame> frames_;
+  double reach_ = 0.0;  ///< Largest distance from an origin that a reader computes with.
 };
 
 }  // namespace sinew::exporting

@@ -18,8 +18,6 @@
 namespace sinew::exporting {
 namespace {
 
-/// Share of the height that other readers' arithmetic may differ by.
-constexpr double kReaders = 1e-6;
 /// Rounds of counting those vertices more that are far off.
 constexpr int kSearchRounds = 24;
 /// Products that all Gram matrices may take, about: of many vertices and frames there are fewer rounds, one at least.
@@ -48,7 +46,7 @@ constexpr Eigen::Index kRows = 768;
 class MorphSearch {
  public:
   MorphSearch(const MorphFit& fit, double bound, const StageProgress& progress)
-      : fit_(fit), progress_(progress), asked_(bound), bound_(bound - kReaders * fit.height_) {}
+      : fit_(fit), progress_(progress), asked_(bound), bound_(bound - fit.coarseness()) {}
 
   std::optional<MorphTargets> run() {
     if (isWithin(Shapes{})) return targetsOf({});

@@ -4,8 +4,14 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <ctime>
 #include <memory>
+#include <mutex>
+#include <set>
 #include <system_error>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -15,6 +21,12 @@ namespace sinew {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// A pipe waits for its reader so long ...
+constexpr int kReaderTries = 50;
+constexpr std::chrono::milliseconds kReaderPause{100};
+/// Where a file system has no hard links, previous versions up to this size are copied.
+constexpr std::uintmax_t kMostCopied = 1U << 30U;
 
 Error because(const fs::path& file, const std::string& what, int code) {
   return {file.string(), {}, what + ": " + std::generic_category().message(code)};
@@ -53,10 +65,45 @@ int writeAll(int descriptor, std::string_view bytes) {
   return 0;
 }
 
+/// While it lives, a pipe whose reader has gone gives this thread an error, not the signal that ends the program.
+class NoPipeSignal {
+ public:
+  NoPipeSignal() {
+    ::sigemptyset(&pipe_);
+    ::sigaddset(&pipe_, SIGPIPE);
+    ::pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+  }
+  NoPipeSignal(const NoPipeSignal&) = delete;
+  NoPipeSignal& operator=(const NoPipeSignal&) = delete;
+  ~NoPipeSignal() {
+    const timespec now{};
+    if (::sigismember(&before_, SIGPIPE) == 0) ::sigtimedwait(&pipe_, nullptr, &now);
+    ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+
+ private:
+  sigset_t pipe_{};
+  sigset_t before_{};
+};
+
+/// Opened without waiting, since a pipe that nobody reads would hold the program for ever. -1: errno says why not.
+int openStream(const fs::path& file) {
+  for (int tries = 0;; ++tries) {
+    const int stream = ::open(file.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+    if (stream >= 0 || errno != ENXIO || tries == kReaderTries) return stream;
+    std::this_thread::sleep_for(kReaderPause);
+  }
+}
+
 /// Pipes, terminals and devices: nothing to replace, the bytes just go there.
 Result<void> writeStream(const fs::path& file, std::string_view bytes) {
-  Descriptor stream(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
-  if (!stream.isOpen()) return because(file, "cannot be written", errno);
+  Descriptor stream(openStream(file));
+  if (!stream.isOpen() && errno == ENXIO) {
+    return Error{file.string(), {}, "cannot be written: it is a pipe that no program reads"};
+  }
+  // Once it is open a slow reader is waited for, as everywhere.
+  if (!stream.isOpen() || ::fcntl(stream.number(), F_SETFL, 0) != 0) return because(file, "cannot be written", errno);
+  const NoPipeSignal quiet;
   const int failed = writeAll(stream.number(), bytes);
   if (failed != 0) return because(file, "cannot be written", failed);
   return {};
@@ -118,6 +165,65 @@ int writeNamed(const fs::path& file, std::string_view bytes, mode_t mode, fs::pa
   return failed;
 }
 
+template <class Bytes>
+Result<Bytes> readWhole(const fs::path& file, std::uintmax_t limit);
+
+bool holds(const fs::path& file, std::string_view bytes) {
+  std::error_code failed;
+  if (fs::file_size(file, failed) != bytes.size() || failed) return false;
+  const Result<std::string> present = readWhole<std::string>(file, bytes.size());
+  return present && present.value() == bytes;
+}
+
+/// Another name for the file, or where the file system has none, a copy. 0, or the errno of the failure.
+int doubleFile(const fs::path& file, fs::path& made) {
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    made = freshNeighbor(file);
+    if (::link(file.c_str(), made.c_str()) == 0) return 0;
+    if (errno != EEXIST) break;
+  }
+  struct stat present {};
+  const Result<std::string> bytes = readWhole<std::string>(file, kMostCopied);
+  if (!bytes || ::stat(file.c_str(), &present) != 0) return EIO;
+  return writeNamed(file, bytes.value(), present.st_mode & 07777, made);
+}
+
+/// The version that is replaced stays as NAME~. Where it cannot, because a folder has that name or the disk is full,
+/// the new version is put in its place all the same: it is whole on the disk.
+void keepPrevious(const fs::path& file) {
+  fs::path made;
+  fs::path kept = file;
+  kept += '~';
+  if (doubleFile(file, made) != 0) return;
+  ::rename(made.c_str(), kept.c_str());
+  ::unlink(made.c_str());  // A rename onto another name of the same file leaves both.
+}
+
+/// The files that this run of the program has written.
+class WrittenFiles {
+ public:
+  /// Whether it is the first time.
+  bool add(const fs::path& file) {
+    const std::scoped_lock lock(mutex_);
+    return files_.insert(file.string()).second;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::set<std::string> files_;
+};
+
+WrittenFiles& writtenFiles() {
+  static WrittenFiles files;
+  return files;
+}
+
+fs::path fullPath(const fs::path& file) {
+  std::error_code failed;
+  fs::path full = fs::weakly_canonical(file, failed);
+  return failed ? file : full;
+}
+
 /// The rename itself must reach the disk too. Some file systems cannot; the file is whole either way.
 void flushFolder(const fs::path& folder) {
   const Descriptor descriptor(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -127,7 +233,9 @@ void flushFolder(const fs::path& folder) {
 /// A file on the disk beside the one that it is to replace; gone again unless it was put there.
 class Neighbor {
  public:
-  Neighbor(fs::path file, fs::path target) : file_(std::move(file)), target_(std::move(target)) {}
+  /// @param exists  there is a file that it replaces
+  Neighbor(fs::path file, fs::path target, bool exists, Previous previous)
+      : file_(std::move(file)), target_(std::move(target)), exists_(exists), previous_(previous) {}
   Neighbor(const Neighbor&) = delete;
   Neighbor& operator=(const Neighbor&) = delete;
   ~Neighbor() {
@@ -135,6 +243,7 @@ class Neighbor {
   }
 
   Result<void> fill(std::string_view bytes, mode_t mode) {
+    isSame_ = exists_ && previous_ == Previous::kKept && holds(target_, bytes);
     if (writeUnnamed(target_, bytes, mode, made_)) return {};
     const int failed = writeNamed(target_, bytes, mode, made_);
     if (failed == 0) return {};
@@ -142,17 +251,31 @@ class Neighbor {
     return because(file_, "cannot be written", failed);
   }
 
+  /// A file that another program has written into the same folder.
+  void take(const fs::path& made) { made_ = made; }
+
+  /// Before put().
+  void keep() {
+    if (previous_ == Previous::kKept && !isSame_ && writtenFiles().add(fullPath(target_)) && exists_) {
+      keepPrevious(target_);
+    }
+  }
+
   Result<void> put() {
     if (::rename(made_.c_str(), target_.c_str()) != 0) return because(file_, "cannot be written", errno);
     made_.clear();
-    flushFolder(target_.parent_path());
     return {};
   }
+
+  void flush() const { flushFolder(target_.parent_path()); }
 
  private:
   fs::path file_;    ///< As the user gave it.
   fs::path target_;  ///< Links followed.
   fs::path made_;
+  bool exists_ = false;
+  Previous previous_ = Previous::kKept;
+  bool isSame_ = false;  ///< What is replaced has these bytes.
 };
 
 /// A place for a regular file.
@@ -164,6 +287,7 @@ struct Place {
 Result<Place> placeForFile(const fs::path& file, const struct stat* present) {
   if (!present) return Place{file, 0};
   if (S_ISDIR(present->st_mode)) return Error{file.string(), {}, "cannot be written: it is a folder"};
+  if (!S_ISREG(present->st_mode)) return Error{file.string(), {}, "cannot be written: it is not a regular file"};
   // A rename would walk past a write protection; the designer set it on purpose.
   if (::access(file.c_str(), W_OK) != 0) return because(file, "cannot be written", errno);
   // Through a link to the file it names, so that the link stays one.
@@ -202,30 +326,48 @@ Result<Bytes> readWhole(const fs::path& file, std::uintmax_t limit) {
 
 }  // namespace
 
-Result<void> writeFileAtomically(const fs::path& file, std::string_view bytes) {
+Result<void> writeFileAtomically(const fs::path& file, std::string_view bytes, Previous previous) {
   struct stat present {};
   const bool exists = ::stat(file.c_str(), &present) == 0;
   if (exists && !S_ISREG(present.st_mode) && !S_ISDIR(present.st_mode)) return writeStream(file, bytes);
-  return writeFilesAtomically({{file, bytes}});
+  return writeFilesAtomically({{file, bytes}}, previous);
 }
 
-Result<void> writeFilesAtomically(const std::vector<NamedBytes>& files) {
+Result<void> writeFilesAtomically(const std::vector<NamedBytes>& files, Previous previous) {
   std::vector<std::unique_ptr<Neighbor>> neighbors;
   for (const NamedBytes& each : files) {
     struct stat present {};
     const bool exists = ::stat(each.file.c_str(), &present) == 0;
-    if (exists && !S_ISREG(present.st_mode) && !S_ISDIR(present.st_mode)) {
-      return Error{each.file.string(), {}, "cannot be written: it is not a regular file"};
-    }
     const Result<Place> place = placeForFile(each.file, exists ? &present : nullptr);
     if (!place) return place.error();
-    neighbors.push_back(std::make_unique<Neighbor>(each.file, place->target));
+    neighbors.push_back(std::make_unique<Neighbor>(each.file, place->target, exists, previous));
     if (auto filled = neighbors.back()->fill(each.bytes, place->mode); !filled) return filled;
   }
+  // The renames stand together: a process that is killed between two of them leaves files of two versions.
+  for (const auto& neighbor : neighbors) neighbor->keep();
   for (const auto& neighbor : neighbors) {
     if (auto put = neighbor->put(); !put) return put;
   }
+  for (const auto& neighbor : neighbors) neighbor->flush();
   return {};
+}
+
+Result<void> putFileAtomically(const fs::path& made, const fs::path& file) {
+  struct stat present {};
+  const bool exists = ::stat(file.c_str(), &present) == 0;
+  const Result<Place> place = placeForFile(file, exists ? &present : nullptr);
+  if (!place) return place.error();
+  Neighbor neighbor(file, place->target, exists, Previous::kKept);
+  neighbor.take(made);
+  const Descriptor descriptor(::open(made.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!descriptor.isOpen() || ::fsync(descriptor.number()) != 0) return because(file, "cannot be written", errno);
+  if (place->mode != 0 && ::fchmod(descriptor.number(), place->mode) != 0) {
+    return because(file, "cannot be written", errno);
+  }
+  neighbor.keep();
+  const Result<void> put = neighbor.put();
+  neighbor.flush();
+  return put;
 }
 
 Result<std::string> readWholeFile(const fs::path& file, std::uintmax_t limit) {

@@ -216,6 +216,7 @@ class SoupReader {
           refuse(open.weights[set]->place(),
                  "weight of vertex " + std::to_string(index) + " is not finite or too large");
         }
+        if (weight < 0.0) notes_.add("skin weights below 0 are ignored: they count as 0");
         if (weight <= 0.0) continue;
         scratch_.emplace_back(bindingOf(*open.joints[set], index, c, binding), weight);
         sum += weight;
