@@ -11,10 +11,11 @@ sinewRunPackages=(
 )
 
 # To build and run the tests as well: their libraries; Python for the scripts, a display without a screen, simulated input, screenshots, the source
-# format; what a farm runs; what makes and checks a Debian package, and the shells whose completion is tried.
+# format; what the Python module is built on; what a farm runs; what makes and checks a Debian package, and the shells whose completion is tried.
 # shellcheck disable=SC2034  # test.sh reads it
 sinewTestPackages=("${sinewRunPackages[@]}" libgtest-dev libbenchmark-dev python3 xvfb xauth xdotool imagemagick
   clang-format-14
+  python3-dev pybind11-dev python3-numpy  # the Python module
   fonts-noto-cjk  # Chinese, Japanese and Korean names in the window
   parallel slurm-wlm  # jobs shared out
   git dpkg-dev binutils lintian desktop-file-utils appstream shared-mime-info man-db util-linux fish zsh)
