@@ -15,7 +15,7 @@ sinewRunPackages=(
 # shellcheck disable=SC2034  # test.sh reads it
 sinewTestPackages=("${sinewRunPackages[@]}" libgtest-dev libbenchmark-dev python3 xvfb xauth xdotool imagemagick
   clang-format-14
-  python3-dev pybind11-dev python3-numpy  # the Python module
+  python3-dev pybind11-dev python3-numpy mypy  # the Python module
   fonts-noto-cjk  # Chinese, Japanese and Korean names in the window
   parallel slurm-wlm  # jobs shared out
   git dpkg-dev binutils lintian desktop-file-utils appstream shared-mime-info man-db util-linux fish zsh)

@@ -118,7 +118,9 @@ void setSetting(RigHandle& handle, const std::string& name, const py::object& va
   const SurfaceSettings surface = changed.surface;
   const SmoothingSettings smoothing = changed.smoothing;
   auto edited = setSurface(handle.rig(), surface);
-  handle.replace(edited ? setSmoothing(std::move(edited).value(), smoothing) : std::move(edited));
+  if (edited) edited = setSmoothing(std::move(edited).value(), smoothing);
+  if (!edited) refuse(name, edited.error().reason);
+  handle.replace(std::move(edited));
 }
 
 std::uint32_t mirror(RigHandle& handle, const py::object& name) {

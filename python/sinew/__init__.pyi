@@ -26,7 +26,7 @@ class Error(ValueError):
     def __init__(self, reason: str, place: str = "", file: str = "") -> None: ...
 
 class Bone(NamedTuple):
-    index: int
+    number: int
     name: str
     path: str
     parent: int

@@ -7,7 +7,7 @@ from . import _sinew
 class Bone(NamedTuple):
     """A joint of the skin."""
 
-    index: int  # Into every array of bones.
+    number: int  # In every array of bones.
     name: str  # As rigs call it: the file's name where that is unique, else the path.
     path: str  # Names from the root joint, "/" between.
     parent: int  # Index of the nearest joint above, or -1.

@@ -155,7 +155,7 @@ class Rig(_sinew.Rig):
     def __eq__(self, other):
         return isinstance(other, Rig) and self._equals(other)
 
-    __hash__ = None
+    __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self):
         return "<sinew.Rig of %r: %d muscles, %d lines, %d groups>" % (
