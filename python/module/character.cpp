@@ -128,7 +128,7 @@ void defineCharacter(py::module_& module) {
   py::class_<CharacterHandle, std::shared_ptr<CharacterHandle>>(module, "Character")
       .def(py::init([](const py::object& file) { return std::make_shared<CharacterHandle>(pathFrom(file, "path")); }))
       .def_property_readonly("name", [](const CharacterHandle& handle) { return handle.character()->name; })
-      .def_property_readonly("path", [](const CharacterHandle& handle) { return handle.file().string(); })
+      .def_property_readonly("path", [](const CharacterHandle& handle) { return pathText(handle.file()); })
       .def_property_readonly("height", [](const CharacterHandle& handle) { return handle.character()->height; })
       .def_property_readonly("ignored", [](const CharacterHandle& handle) { return handle.character()->ignored; })
       .def_property_readonly("shapes", shapeNamesOf)

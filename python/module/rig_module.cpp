@@ -1,7 +1,9 @@
 // python/module/rig_module.cpp: what Python may do with a rig.
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -203,7 +205,12 @@ std::shared_ptr<RigHandle> makeRig(std::shared_ptr<CharacterHandle> character, c
                                    const py::object& text) {
   if (!path.is_none()) {
     const std::filesystem::path file = pathFrom(path, "path");
-    return std::make_shared<RigHandle>(std::move(character), valueOrRefuse(loadRig(file)), file);
+    Rig rig = valueOrRefuse(loadRig(file));
+    std::error_code failed;
+    if (!std::filesystem::equivalent(characterPath(rig, file), character->file(), failed) || failed) {
+      rig.character = relativeCharacterPath(character->file(), file);
+    }
+    return std::make_shared<RigHandle>(std::move(character), std::move(rig), file);
   }
   if (text.is_none()) return std::make_shared<RigHandle>(std::move(character));
   Rig rig = valueOrRefuse(rigFromJson(textFrom(text, "text")));
@@ -211,9 +218,9 @@ std::shared_ptr<RigHandle> makeRig(std::shared_ptr<CharacterHandle> character, c
 }
 
 /// Where the character of a rig file lies.
-std::string characterFileOf(const py::object& path) {
+py::str characterFileOf(const py::object& path) {
   const std::filesystem::path file = pathFrom(path, "path");
-  return characterPath(valueOrRefuse(loadRig(file)), file).string();
+  return pathText(characterPath(valueOrRefuse(loadRig(file)), file));
 }
 
 }  // namespace
@@ -221,7 +228,7 @@ std::string characterFileOf(const py::object& path) {
 void defineRig(py::module_& module) {
   py::class_<RigHandle, std::shared_ptr<RigHandle>>(module, "Rig")
       .def(py::init(&makeRig))
-      .def_property_readonly("path", [](const RigHandle& handle) { return handle.file().string(); })
+      .def_property_readonly("path", [](const RigHandle& handle) { return pathText(handle.file()); })
       .def_property_readonly("groups", groupsOf)
       .def_property_readonly("links", linksOf)
       .def_property_readonly("unattached", unattachedOf)

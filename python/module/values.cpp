@@ -133,6 +133,13 @@ std::filesystem::path pathFrom(py::handle value, const std::string& place) {
   return std::string(PyBytes_AS_STRING(bytes), static_cast<std::size_t>(PyBytes_GET_SIZE(bytes)));
 }
 
+py::str pathText(const std::filesystem::path& path) {
+  const std::string& bytes = path.native();
+  PyObject* const text = PyUnicode_DecodeFSDefaultAndSize(bytes.data(), static_cast<Py_ssize_t>(bytes.size()));
+  if (text == nullptr) throw py::error_already_set();
+  return py::reinterpret_steal<py::str>(text);
+}
+
 std::vector<float> numbersFrom(py::handle value, std::size_t count, const std::string& place) {
   const std::string expected = "expected " + std::to_string(count) + " numbers, got ";
   if (isText(value) || PyDict_Check(value.ptr()) != 0) refuse(place, expected + kindOf(value));

@@ -24,6 +24,8 @@ namespace sinew::python {
 [[nodiscard]] std::string textFrom(pybind11::handle value, const std::string& place);
 /// str, bytes or os.PathLike.
 [[nodiscard]] std::filesystem::path pathFrom(pybind11::handle value, const std::string& place);
+/// As Python has paths, whatever bytes they are.
+[[nodiscard]] pybind11::str pathText(const std::filesystem::path& path);
 /// As many finite numbers.
 [[nodiscard]] std::vector<float> numbersFrom(pybind11::handle value, std::size_t count, const std::string& place);
 [[nodiscard]] glm::vec3 vectorFrom(pybind11::handle value, const std::string& place);

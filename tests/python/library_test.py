@@ -1,4 +1,6 @@
 # tests/python/library_test.py: what docs/python.md begins with runs, line by line.
+import contextlib
+import io
 import re
 import shutil
 import unittest
@@ -52,6 +54,29 @@ class Library(Case):
     @unittest.skipIf(FOX.is_file(), "")
     def test_on_the_bundled_horse(self):
         self.check(self.the_lines(ASSETS / "horse.glb", HORSE))
+
+    def test_the_lines_of_the_readme(self):
+        text = "\n".join(first_code(ROOT / "README.md")).replace("assets/", str(ASSETS) + "/")
+        told = io.StringIO()
+        with contextlib.redirect_stdout(told), contextlib.chdir(self.folder):
+            # The horse, and helpers, would take seconds.
+            exec(text.replace("horse.rig.json", "demo.rig.json").replace("helpers=24", 'weights="transferred"'), {})
+        self.assertGreater(len(told.getvalue().splitlines()), 10)
+        self.assertTrue((self.folder / "horse.obj").is_file() and (self.folder / "horse_muscled.glb").is_file())
+
+    @unittest.skipUnless(FOX.is_file(), "left out: the refusals of docs/python.md, shared/characters is not here")
+    def test_refusals_are_worded_as_the_page_says(self):
+        shutil.copy(FOX, self.folder / "fox.glb")
+        with contextlib.chdir(self.folder):
+            character = sinew.load("fox.glb")
+        smoother, bones = sinew.Smoother(character), character.sample()
+        muscle = sinew.Rig(character).add_muscle("thigh L", bone="b_LeftLeg01_015")
+        bones[2] = bones[2].T
+        told = [str(self.refusal(smoother, clip="Wlak")), str(self.refusal(smoother, bones=bones[:-1])),
+                str(self.refusal(smoother, bones=bones)), str(self.refusal(setattr, muscle, "radii", (1, -3, 1)))]
+        page = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
+        shown = [line.strip() for line in page.split("## Errors")[1].split("\n\n")[2].splitlines()]
+        self.assertEqual(told, shown)
 
     def test_facts_are_those_of_the_file(self):
         facts = self.character.facts()

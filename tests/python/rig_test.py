@@ -1,6 +1,8 @@
 # tests/python/rig_test.py: edits of a rig: muscles, twins, groups, lines, shapes, files.
 import json
+import os
 import pathlib
+import shutil
 
 from tools import ASSETS, Case, main, needs_program, numpy, run, sinew
 
@@ -149,6 +151,21 @@ class Rigs(Case):
         self.new.save(str(path / "a.rig.json").encode())
         self.assertEqual(sinew.load_rig(pathlib.Path(path / "a.rig.json")).muscles, ())
         self.assertEqual(sinew.load_rig(str(path / "a.rig.json"), self.character).character, self.character)
+        odd = bytes(self.folder) + b"/\xff.glb"  # No UTF-8.
+        shutil.copy(ASSETS / "demo.glb", odd)
+        character = sinew.load(odd)
+        self.assertEqual(os.fsencode(character.path), odd)
+        self.assertIn("expected one of", self.refusal(character.duration, "x").reason)
+
+    def test_a_rig_for_another_character_names_that(self):
+        """Saved elsewhere, too, it opens with the character that it was opened for."""
+        moved = self.folder / "moved" / "man.glb"
+        moved.parent.mkdir()
+        shutil.copy(ASSETS / "humanoid.glb", moved)
+        rig = sinew.load_rig(ASSETS / "humanoid.rig.json", sinew.load(moved))
+        rig.save(self.folder / "b.rig.json")
+        self.assertEqual(json.loads((self.folder / "b.rig.json").read_text())["character"], "moved/man.glb")
+        self.assertEqual(len(sinew.load_rig(self.folder / "b.rig.json")), len(rig))
 
 
 if __name__ == "__main__":
