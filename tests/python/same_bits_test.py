@@ -1,5 +1,7 @@
 # tests/python/same_bits_test.py: surfaces are those of the command line and of the pose, bit for bit.
+import sys
 import threading
+import time
 
 from tools import ASSETS, Case, main, needs_program, numpy, run, sinew
 from glb_reader import Glb  # noqa: E402: tools says where it is
@@ -65,9 +67,9 @@ class SameBits(Case):
         self.assertEqual(sum(len(glb.rows(part["indices"])) for part in parts), 3 * len(surface.triangles))
 
     def test_of_the_pose_of_a_clip(self):
-        for time in (0.0, 0.37, 1.0):
-            clip = self.smoother(clip="Walk", time=time)
-            bones = self.smoother(bones=self.character.sample("Walk", time))
+        for seconds in (0.0, 0.37, 1.0):
+            clip = self.smoother(clip="Walk", time=seconds)
+            bones = self.smoother(bones=self.character.sample("Walk", seconds))
             self.same_bits(clip.positions, bones.positions)
             self.same_bits(clip.normals, bones.normals)
         self.same_bits(self.smoother().positions, self.smoother(bones=self.character.sample()).positions)
@@ -82,7 +84,7 @@ class SameBits(Case):
     def test_of_other_threads(self):
         """Four threads on one character: each with a smoother of its own, then all with one."""
         times = [0.05 * number for number in range(12)]
-        expected = [self.smoother(clip="Dance", time=time).positions for time in times]
+        expected = [self.smoother(clip="Dance", time=each).positions for each in times]
         for own in (True, False):
             made, failed = {}, []
 
@@ -103,7 +105,7 @@ class SameBits(Case):
                 self.same_bits(made[number], positions)
 
     def test_the_lock_is_free_meanwhile(self):
-        """Another thread counts on while a large surface is made."""
+        """Another thread runs while a large surface is made, though the interpreter makes no thread wait for another."""
         rig = self.rig.copy()
         rig.depth = 12
         smoother = sinew.Smoother(self.character, rig)
@@ -112,16 +114,21 @@ class SameBits(Case):
         def count():
             while not stop.is_set():
                 counted[0] += 1
+                time.sleep(0)  # Lets go of the lock; nobody takes it away.
         thread = threading.Thread(target=count)
-        thread.start()
+        interval = sys.getswitchinterval()
         try:
-            smoother(clip="Walk", time=0.1, threads=1)
+            sys.setswitchinterval(1000)
+            thread.start()
             before = counted[0]
-            for _ in range(5):
-                smoother(clip="Walk", time=0.2, threads=1)
+            smoother(clip="Walk", time=0.1, threads=1)
             during = counted[0] - before
+            before = counted[0]
+            sum(range(200000))  # This one keeps the lock.
+            self.assertEqual(counted[0], before)
         finally:
             stop.set()
+            sys.setswitchinterval(interval)
             thread.join()
         self.assertGreater(during, 0)
 
