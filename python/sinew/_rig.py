@@ -67,6 +67,18 @@ class Rig(_sinew.Rig):
         return tuple(Muscle(self, identity) for identity in self._muscles())
 
     @property
+    def leaders(self):
+        """One muscle of each linked pair, and those without a twin: whoever makes every muscle larger by a tenth goes through
+        these. Through all of them, a pair would grow twice, since each follows the other.
+        """
+        names, chosen = set(), []
+        for muscle in self.muscles:
+            if muscle.mirror not in names:
+                names.add(muscle.name)
+                chosen.append(muscle)
+        return tuple(chosen)
+
+    @property
     def lines(self):
         """All muscle lines."""
         return tuple(Line(self, identity) for identity in self._lines())

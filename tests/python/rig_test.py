@@ -53,6 +53,15 @@ class Rigs(Case):
         self.refusal(getattr, muscle, "radii")
         self.assertEqual(repr(muscle), "<sinew.Muscle, removed>")
 
+    def test_leaders_are_one_of_each_pair(self):
+        rig = sinew.load_rig(ASSETS / "humanoid.rig.json", self.character)
+        before = {muscle.name: muscle.radii for muscle in rig}
+        for muscle in rig.leaders:
+            muscle.radii = [2 * radius for radius in muscle.radii]
+        self.assertLess(len(rig.leaders), len(rig))
+        for muscle in rig:
+            self.assertEqual(muscle.radii, tuple(2 * radius for radius in before[muscle.name]), muscle.name)
+
     def test_groups(self):
         self.new.add_muscle("a", bone="chest")
         self.assertEqual(self.new.groups, ("muscles",))
