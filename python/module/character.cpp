@@ -1,7 +1,9 @@
 // python/module/character.cpp: a character as Python holds it: its names, its poses.
 #include "python/module/character.h"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -19,6 +21,7 @@
 #include "python/module/values.h"
 #include "sinew/character/character_pose.h"
 #include "sinew/io/gltf_import.h"
+#include "sinew/skeleton/node_locals.h"
 
 namespace sinew::python {
 namespace {
@@ -47,22 +50,74 @@ py::array poseOf(CharacterHandle& handle, const py::object& clip, const py::obje
   return matricesOf(handle.poseAt(clip, doubleFrom(time, "time")).boneInWorld);
 }
 
-/// Joints turned on top of a moment. @param turns  bone -> x, y, z, w
-py::array turnedPose(CharacterHandle& handle, const py::object& turns, const py::object& clip, const py::object& time) {
-  if (PyDict_Check(turns.ptr()) == 0) refuse("turns", "expected a dict of rotations by bone, got " + kindOf(turns));
-  const Skeleton& skeleton = handle.character()->skeleton;
-  PoseOverrides overrides;
-  for (const auto& [name, turn] : py::reinterpret_borrow<py::dict>(turns)) {
-    const std::string bone = textFrom(name, "turns");
+/// Bone and what is given of it, refused where the character lacks the bone.
+template <class Set>
+void eachBone(const Skeleton& skeleton, const py::object& given, const std::string& what, Set set) {
+  if (given.is_none()) return;
+  if (PyDict_Check(given.ptr()) == 0) refuse(what, "expected a dict by bone, got " + kindOf(given));
+  for (const auto& [name, value] : py::reinterpret_borrow<py::dict>(given)) {
+    const std::string bone = textFrom(name, what);
+    const std::string place = what + "[\"" + bone + "\"]";
     const auto found = skeleton.findBone(bone);
     if (!found) {
       std::vector<std::string> names;
       for (std::size_t i = 0; i < skeleton.bones.size(); ++i) names.push_back(skeleton.fileName(static_cast<int>(i)));
-      refuse("turns[\"" + bone + "\"]", "the character has no bone of this name" + didYouMean(bone, names));
+      refuse(place, "the character has no bone of this name" + didYouMean(bone, names));
     }
-    overrides.set(*found, rotationFrom(turn, "turns[\"" + bone + "\"]"));
+    set(*found, value, place);
   }
+}
+
+/// Joints turned on top of a moment. @param turns  bone -> x, y, z, w
+py::array turnedPose(CharacterHandle& handle, const py::object& turns, const py::object& clip, const py::object& time) {
+  const Skeleton& skeleton = handle.character()->skeleton;
+  PoseOverrides overrides;
+  if (turns.is_none()) refuse("turns", "expected a dict by bone, got None");
+  eachBone(skeleton, turns, "turns", [&](int bone, py::handle turn, const std::string& place) {
+    overrides.set(bone, rotationFrom(turn, place));
+  });
   return matricesOf(posed(skeleton, handle.poseAt(clip, doubleFrom(time, "time")), overrides).boneInWorld);
+}
+
+/// What a node of the file says as a matrix is never taken apart: then all three are needed.
+void refuseHalves(const Skeleton& skeleton, const std::vector<LocalTransform>& locals, const std::vector<int>& given) {
+  for (std::size_t node = 0; node < locals.size(); ++node) {
+    if (given[node] == 0 || given[node] == 3 || !locals[node].matrix) continue;
+    refuse("\"" + skeleton.nodes[node].name + '"',
+           "expected a translation, a rotation and a scale: the file has a matrix here, which is not taken apart");
+  }
+}
+
+/// Joints set in their parents' space, the others as in a clip or at rest.
+py::array poseOfLocals(CharacterHandle& handle, const py::object& translations, const py::object& rotations,
+                       const py::object& scales, const py::object& clip, const py::object& time) {
+  const Skeleton& skeleton = handle.character()->skeleton;
+  const double seconds = doubleFrom(time, "time");
+  std::vector<LocalTransform> locals = restLocals(skeleton);
+  if (!clip.is_none()) {
+    const AnimationClip& played = handle.clipNamed(textFrom(clip, "clip"));
+    if (played.turnsBindPose) refuse("clip", "expected a clip of the file: this one is made, and turns the bind pose");
+    locals = sampleLocals(skeleton, played, std::clamp(static_cast<float>(seconds), 0.0f, played.duration));
+  }
+  std::vector<int> given(locals.size(), 0);
+  const auto local = [&](int bone) -> LocalTransform& {
+    const int node = at(skeleton.bones, bone).node;
+    ++at(given, node);
+    return at(locals, node);
+  };
+  eachBone(skeleton, translations, "translations", [&](int bone, py::handle value, const std::string& place) {
+    local(bone).translation = vectorFrom(value, place);
+  });
+  eachBone(skeleton, rotations, "rotations", [&](int bone, py::handle value, const std::string& place) {
+    local(bone).rotation = rotationFrom(value, place);
+  });
+  eachBone(skeleton, scales, "scales",
+           [&](int bone, py::handle value, const std::string& place) { local(bone).scale = vectorFrom(value, place); });
+  refuseHalves(skeleton, locals, given);
+  for (std::size_t node = 0; node < locals.size(); ++node) {
+    if (given[node] > 0) locals[node].matrix.reset();
+  }
+  return matricesOf(poseFromLocals(skeleton, locals).boneInWorld);
 }
 
 /// What `sinew inspect` tells besides names. The word is as there.
@@ -139,6 +194,7 @@ void defineCharacter(py::module_& module) {
       .def("_pose", poseOf)
       .def("_rest", [](const CharacterHandle& h) { return matricesOf(restPose(h.character()->skeleton).boneInWorld); })
       .def("_turned", turnedPose)
+      .def("_from_locals", poseOfLocals)
       .def("_duration", [](CharacterHandle& handle, const py::object& clip) {
         return static_cast<double>(handle.clipNamed(textFrom(clip, "clip")).duration);
       });

@@ -68,6 +68,14 @@ class Character(_sinew.Character):
         """
         return self._turned(turns, clip, time)
 
+    def from_locals(self, rotations=None, translations=None, scales=None, *, clip=None, time=0.0):
+        """Matrices of the bones [bones, 4, 4] with joints set in their parents' space, as a motion capture gives them.
+
+        Dicts by bone: rotations x, y, z, w, translations and scales x, y, z. What is not given is as in the clip then, or as
+        the file's nodes stand at rest.
+        """
+        return self._from_locals(translations, rotations, scales, clip, time)
+
     def facts(self):
         """What `sinew inspect` counts: a dict with its words."""
         return self._facts()

@@ -1,7 +1,10 @@
 # tests/python/refusals_test.py: whatever is passed wrong is refused with a sentence, and nothing is changed by it.
+import json
 import math
+import struct
 
 from tools import ASSETS, Case, main, numpy, sinew
+from glb_reader import Glb  # noqa: E402: tools says where it is
 
 WRONG = (None, True, "word", b"bytes", 1j, [], {}, (1, 2), object(), math.nan, math.inf, 1e300, [[1, 2, 3]],
          numpy.array(["a", "b", "c"]), numpy.array([1, 2, numpy.nan]), lambda: 0)
@@ -74,6 +77,32 @@ class Refusals(Case):
         self.says("expected a str", self.smoother, clip=3, place="clip")
         self.says("no shapes", self.smoother, shapes={"smile": 1})
         self.says("no line", self.smoother, flex=1, flexed=["biceps"])
+
+    def test_local_transforms(self):
+        self.says('did you mean "head"?', self.character.from_locals, {"haed": (0, 0, 0, 1)}, place='rotations["haed"]')
+        self.says("expected a dict", self.character.from_locals, translations=[1])
+        self.says("expected 3 numbers", self.character.from_locals, scales={"head": 2})
+        self.says("expected a clip of the file", self.character.from_locals, clip="Range of motion")
+
+    def test_a_node_with_a_matrix_is_not_taken_apart(self):
+        glb = Glb(ASSETS / "humanoid.glb")
+        head = next(node for node in glb.json["nodes"] if node.get("name") == "head")
+        x, y, z = head.pop("translation", (0, 0, 0))
+        head.pop("rotation", None), head.pop("scale", None)
+        head["matrix"] = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1]
+        del glb.json["animations"]
+        text = json.dumps(glb.json).encode()
+        text += b" " * (-len(text) % 4)
+        whole = struct.pack("<4sII", b"glTF", 2, 28 + len(text) + len(glb.data))
+        whole += struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(glb.data), b"BIN\0") + glb.data
+        (self.folder / "matrix.glb").write_bytes(whole)
+        character = sinew.load(self.folder / "matrix.glb")
+        self.same_bits(character.from_locals(), character.rest())
+        turn, place, scale = {"head": (0, 0, 1, 0)}, {"head": (x, y, z)}, {"head": (1, 1, 1)}
+        self.says("not taken apart", character.from_locals, turn, place='"head"')
+        self.says("not taken apart", character.from_locals, turn, place)
+        whole = character.from_locals(turn, place, scale)
+        numpy.testing.assert_allclose(whole[:, :3, 3], character.rest()[:, :3, 3], atol=1e-5)
 
     def test_rotations(self):
         for wrong in ((0, 0, 0, 0), (1, 1, 1, 1), (0, 0, 1), "xyzw", (0, 0, 0, math.nan)):

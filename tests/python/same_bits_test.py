@@ -147,6 +147,20 @@ class SameBits(Case):
         smoother.prepare(rig)
         self.same_bits(smoother(clip="Walk", time=0.2).positions, before)
 
+    def test_of_local_transforms(self):
+        """Nothing set is rest and clip, bit for bit; a joint's own transform, read from the file apart, changes nothing."""
+        self.same_bits(self.character.from_locals(), self.character.rest())
+        self.same_bits(self.character.from_locals(clip="Walk", time=0.3), self.character.sample("Walk", 0.3))
+        nodes = {node["name"]: node for node in Glb(ASSETS / "humanoid.glb").json["nodes"] if "name" in node}
+        locals_ = [{}, {}, {}]
+        for bone in self.character.bones:
+            for kind, key, usual in ((0, "rotation", (0, 0, 0, 1)), (1, "translation", (0, 0, 0)), (2, "scale", (1, 1, 1))):
+                locals_[kind][bone.name] = nodes[bone.name].get(key, usual)
+        self.same_bits(self.character.from_locals(*locals_), self.character.rest())
+        raised = self.character.from_locals(translations={"head": (0, 5, 0)})
+        moved = [bone.name for bone in self.character.bones if bits_differ(raised, self.character.rest(), bone.number)]
+        self.assertEqual(moved, ["head"])
+
     def test_turned_joints_carry_what_hangs_on_them(self):
         elbow = next(bone for bone in self.character.bones if bone.name == "forearm.L")
         half = numpy.sqrt(0.5)
