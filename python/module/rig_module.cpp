@@ -34,6 +34,13 @@ RigHandle::Bones bonesIn(const std::string& field) {
   return names ? RigHandle::Bones::kMayBeNew : RigHandle::Bones::kAsBefore;
 }
 
+template <class Owner>
+const Field<Owner>& fieldOf(const std::string& name) {
+  const Field<Owner>* const field = findField<Owner>(name);
+  if (field == nullptr) refuse(name, "there is no such field");
+  return *field;
+}
+
 /// Fields by keyword; None leaves the default.
 template <class Owner>
 void setFields(Owner& owner, const py::dict& fields, const std::string& what) {
@@ -94,7 +101,7 @@ void setMuscle(RigHandle& handle, std::uint32_t id, const std::string& field, co
     const int line = value.is_none() ? -1 : handle.lineNamed(textFrom(value, place));
     handle.replace(setLineOfSeveral(handle.rig(), one, line));
   } else {
-    const Field<Primitive>& entry = *findField<Primitive>(field);
+    const Field<Primitive>& entry = fieldOf<Primitive>(field);
     Primitive changed = at(handle.rig().primitives, index);
     entry.write(changed, value, place);
     handle.replace(editPrimitives(handle.rig(), one, [&](Primitive& muscle) { muscle = changed; }), bonesIn(field));
@@ -108,7 +115,7 @@ void setLine(RigHandle& handle, std::uint32_t id, const std::string& field, cons
     handle.replace(renameLine(handle.rig(), index, textFrom(value, place)));
     return;
   }
-  const Field<MuscleLine>& entry = *findField<MuscleLine>(field);
+  const Field<MuscleLine>& entry = fieldOf<MuscleLine>(field);
   MuscleLine changed = at(handle.rig().lines, index);
   entry.write(changed, value, place);
   handle.replace(editLine(handle.rig(), index, [&](MuscleLine& line) { line = changed; }), bonesIn(field));
@@ -116,7 +123,7 @@ void setLine(RigHandle& handle, std::uint32_t id, const std::string& field, cons
 
 void setSetting(RigHandle& handle, const std::string& name, const py::object& value) {
   Rig changed = handle.rig();
-  findField<Rig>(name)->write(changed, value, name);
+  fieldOf<Rig>(name).write(changed, value, name);
   const SurfaceSettings surface = changed.surface;
   const SmoothingSettings smoothing = changed.smoothing;
   auto edited = setSurface(handle.rig(), surface);
@@ -250,16 +257,16 @@ void defineRig(py::module_& module) {
            })
       .def("_muscle_field",
            [](const RigHandle& handle, std::uint32_t id, const std::string& field) {
-             return findField<Primitive>(field)->read(at(handle.rig().primitives, handle.muscleOf(id)));
+             return fieldOf<Primitive>(field).read(at(handle.rig().primitives, handle.muscleOf(id)));
            })
       .def("_set_muscle_field", setMuscle)
       .def("_line_field",
            [](const RigHandle& handle, std::uint32_t id, const std::string& field) {
-             return findField<MuscleLine>(field)->read(at(handle.rig().lines, handle.lineOf(id)));
+             return fieldOf<MuscleLine>(field).read(at(handle.rig().lines, handle.lineOf(id)));
            })
       .def("_set_line_field", setLine)
       .def("_setting",
-           [](const RigHandle& handle, const std::string& name) { return findField<Rig>(name)->read(handle.rig()); })
+           [](const RigHandle& handle, const std::string& name) { return fieldOf<Rig>(name).read(handle.rig()); })
       .def("_set_setting", setSetting)
       .def("_mirror", mirror)
       .def("_remove", removeMuscle)
