@@ -1,6 +1,6 @@
 # examples/python/error_heat_map.py: how far the plain skin is from the one with muscles, over a clip.
 """error_heat_map.py RIG CLIP OUT.ply: each vertex has the largest distance, in percent of the height, as its color and as a
-number of its own. With matplotlib, OUT.png beside it has the distances of each frame."""
+number of its own. With matplotlib, OUT.png beside it shows them."""
 import sys
 
 import numpy
@@ -42,7 +42,8 @@ def write_ply(path, surface, values):
         file.write("\n".join(head).encode() + vertices.tobytes() + faces.tobytes())
 
 
-def draw(path, errors, clip):
+def draw(path, surface, errors):
+    """The character from the front and from the back, and how the largest distance goes from frame to frame."""
     try:
         import matplotlib
     except ImportError:
@@ -50,10 +51,17 @@ def draw(path, errors, clip):
         return
     matplotlib.use("Agg")
     from matplotlib import pyplot
-    figure, axes = pyplot.subplots(figsize=(8, 5), layout="constrained")
-    shown = axes.imshow(numpy.sort(errors, axis=1).T, aspect="auto", origin="lower", cmap="inferno")
-    axes.set(xlabel="frame of " + clip, ylabel="vertices, the nearest first")
-    figure.colorbar(shown, label="percent of the height")
+    figure, axes = pyplot.subplots(1, 3, figsize=(12, 5), layout="constrained")
+    x, y, z = surface.positions.T
+    for view, side, title in ((axes[0], 1, "front"), (axes[1], -1, "back")):
+        order = numpy.argsort(side * z[surface.triangles].mean(axis=1))  # The nearest is drawn last.
+        shown = view.tripcolor(side * x, y, surface.triangles[order], cmap="turbo",
+                               facecolors=errors.max(axis=0)[surface.triangles[order]].mean(axis=1))
+        view.set(title=title, aspect="equal")
+        view.set_axis_off()
+    figure.colorbar(shown, ax=axes[:2], label="largest distance, percent of the height")
+    axes[2].plot(errors.max(axis=1))
+    axes[2].set(xlabel="frame", ylabel="percent of the height", ylim=(0, None))
     figure.savefig(path)
 
 
@@ -61,7 +69,7 @@ def main(rig_file, clip, out):
     errors, surface = distances(sinew.load_rig(rig_file), clip)
     write_ply(out, surface, errors.max(axis=0))
     print("%s: at most %.2f %% of the height, in frame %d" % (out, errors.max(), errors.max(axis=1).argmax()))
-    draw(out.rsplit(".", 1)[0] + ".png", errors, clip)
+    draw(out.rsplit(".", 1)[0] + ".png", surface, errors)
 
 
 if __name__ == "__main__":
