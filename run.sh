@@ -1,8 +1,21 @@
 #!/usr/bin/env bash
 # run.sh: from a bare Debian 12 to a running Sinew. Arguments go to the program: ./run.sh inspect FILE --json
+# ./run.sh python [SCRIPT...] is Debian's Python with the module sinew.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")" && pwd)
 source "$root/cmake/packages.sh"
+
+if [[ ${1:-} == python ]]; then
+  sinewInstallPackages "${sinewRunPackages[@]}" "${sinewPythonPackages[@]}"
+  build=$root/build/release
+  # A build that was made before the packages were there is without the module.
+  if grep -qsxF -- "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt" &&
+    ! grep -qxF "SINEW_BUILD_PYTHON:BOOL=ON" "$build/CMakeCache.txt"; then
+    cmake -S "$root" -B "$build" -D SINEW_BUILD_PYTHON=ON >&2 || sinewFail "cmake could not configure $build"
+  fi
+  sinewBuild "$root" release sinew_python -D SINEW_BUILD_TESTS=OFF -D SINEW_BUILD_PYTHON=ON
+  PYTHONPATH=$build/python${PYTHONPATH:+:$PYTHONPATH} exec /usr/bin/python3 "${@:2}"
+fi
 
 sinewInstallPackages "${sinewRunPackages[@]}"
 # Whoever only runs the program needs no test library; `cmake --preset release` adds the tests to the same build.

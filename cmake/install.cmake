@@ -67,8 +67,37 @@ if(SINEW_BUILD_APP)
   sinew_install_gzipped(${PROJECT_SOURCE_DIR}/CHANGELOG.md changelog ${CMAKE_INSTALL_DATADIR}/doc/sinew)
   sinew_install_gzipped(${packaging}/debian/changelog changelog.Debian ${CMAKE_INSTALL_DATADIR}/doc/sinew)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/sinew
-    PATTERN cpp EXCLUDE)
+    PATTERN cpp EXCLUDE PATTERN python EXCLUDE)
   install(FILES ${packaging}/debian/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/sinew)
+  if(SINEW_BUILD_PYTHON)
+    foreach(name changelog changelog.Debian)
+      install(FILES ${PROJECT_BINARY_DIR}/packed/${name}.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-sinew
+        COMPONENT python)
+    endforeach()
+  endif()
   get_property(packed_files DIRECTORY PROPERTY sinew_packed)
   add_custom_target(sinew_packed ALL DEPENDS ${packed_files})
+endif()
+
+if(SINEW_BUILD_PYTHON)
+  # Where Python looks: of Debian's the packages' own folder in /usr and the local one in /usr/local; anywhere else, in a
+  # virtual environment for instance, the usual one. Decided when it is installed, since the prefix may be another then.
+  set(SINEW_PYTHON_DIR "" CACHE STRING "Where the Python module goes, relative to the prefix; empty: where Python looks")
+  install(CODE "
+    set(sinew_python_dir \"${SINEW_PYTHON_DIR}\")
+    if(sinew_python_dir)
+    elseif(CMAKE_INSTALL_PREFIX STREQUAL \"/usr\" AND EXISTS /usr/lib/python3/dist-packages)
+      set(sinew_python_dir lib/python3/dist-packages)
+    elseif(CMAKE_INSTALL_PREFIX STREQUAL \"/usr/local\" AND EXISTS /usr/lib/python3/dist-packages)
+      set(sinew_python_dir lib/python${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}/dist-packages)
+    else()
+      set(sinew_python_dir lib/python${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}/site-packages)
+    endif()" COMPONENT python)
+  install(TARGETS sinew_python LIBRARY DESTINATION "\${sinew_python_dir}/sinew" COMPONENT python)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/sinew DESTINATION "\${sinew_python_dir}" COMPONENT python
+    FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/python/ COMPONENT python
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-sinew/examples FILES_MATCHING PATTERN "*.py")
+  install(FILES ${PROJECT_SOURCE_DIR}/packaging/debian/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-sinew
+    COMPONENT python)
 endif()

@@ -10,11 +10,16 @@ sinewRunPackages=(
   fonts-inter fonts-dejavu-core  # the editor's letters
 )
 
+# To build and use the Python module as well.
+# shellcheck disable=SC2034  # run.sh python reads it
+sinewPythonPackages=(python3-dev pybind11-dev python3-numpy)
+
 # To build and run the tests as well: their libraries; Python for the scripts, a display without a screen, simulated input, screenshots, the source
 # format; what a farm runs; what makes and checks a Debian package, and the shells whose completion is tried.
 # shellcheck disable=SC2034  # test.sh reads it
 sinewTestPackages=("${sinewRunPackages[@]}" libgtest-dev libbenchmark-dev python3 xvfb xauth xdotool imagemagick
   clang-format-14
+  "${sinewPythonPackages[@]}" mypy  # the Python module, and its types
   fonts-noto-cjk  # Chinese, Japanese and Korean names in the window
   parallel slurm-wlm  # jobs shared out
   git dpkg-dev binutils lintian desktop-file-utils appstream shared-mime-info man-db util-linux fish zsh)

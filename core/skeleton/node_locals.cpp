@@ -1,5 +1,5 @@
 // core/skeleton/node_locals.cpp: channels over the rest pose.
-#include "core/skeleton/node_locals.h"
+#include "sinew/skeleton/node_locals.h"
 
 #include "core/base/at.h"
 

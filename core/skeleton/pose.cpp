@@ -2,29 +2,16 @@
 #include "sinew/skeleton/pose.h"
 
 #include <algorithm>
+#include <cassert>
+#include <span>
+#include <vector>
 
 #include "core/base/at.h"
-#include "core/skeleton/node_locals.h"
 #include "core/skeleton/pose_override.h"
+#include "sinew/skeleton/node_locals.h"
 
 namespace sinew {
 namespace {
-
-/// Walks the tree once, parents first. In double: a meter-sized bone may hang under a node scaled by 0.01.
-Pose poseFromLocals(const Skeleton& skeleton, const std::vector<LocalTransform>& locals) {
-  std::vector<glm::dmat4> inWorld(locals.size());
-  for (std::size_t i = 0; i < locals.size(); ++i) {
-    const glm::dmat4 local(locals[i].toMatrix());
-    const int parent = skeleton.nodes[i].parent;
-    inWorld[i] = parent >= 0 ? at(inWorld, parent) * local : local;
-  }
-  Pose pose;
-  pose.boneInWorld.reserve(skeleton.bones.size());
-  for (const Bone& bone : skeleton.bones) {
-    pose.boneInWorld.emplace_back(at(inWorld, bone.node));
-  }
-  return pose;
-}
 
 /// The turns of a clip that turns the bind pose; every channel is the rotation of a bone's node.
 PoseOverrides turnsAt(const Skeleton& skeleton, const AnimationClip& clip, float time) {
@@ -47,6 +34,23 @@ Pose bindPose(const Skeleton& skeleton) {
   Pose pose;
   pose.boneInWorld.reserve(skeleton.bones.size());
   for (const Bone& bone : skeleton.bones) pose.boneInWorld.push_back(bone.bindInWorld);
+  return pose;
+}
+
+Pose poseFromLocals(const Skeleton& skeleton, std::span<const LocalTransform> locals) {
+  assert(locals.size() == skeleton.nodes.size());
+  // In double: a meter-sized bone may hang under a node scaled by 0.01.
+  std::vector<glm::dmat4> inWorld(locals.size());
+  for (std::size_t i = 0; i < locals.size(); ++i) {
+    const glm::dmat4 local(locals[i].toMatrix());
+    const int parent = skeleton.nodes[i].parent;
+    inWorld[i] = parent >= 0 ? at(inWorld, parent) * local : local;
+  }
+  Pose pose;
+  pose.boneInWorld.reserve(skeleton.bones.size());
+  for (const Bone& bone : skeleton.bones) {
+    pose.boneInWorld.emplace_back(at(inWorld, bone.node));
+  }
   return pose;
 }
 

@@ -3,12 +3,12 @@ import subprocess
 
 
 def make(build, work):
-    """(the .deb, the folder it is unpacked in), both under `work`."""
+    """(the .deb of the program, the folder it is unpacked in), both under `work`; other packages lie beside the first."""
     done = subprocess.run(["cpack", "--config", build / "CPackConfig.cmake", "-B", work / "cpack"], cwd=build,
                           capture_output=True, text=True)
     if done.returncode != 0:
         raise SystemExit("cpack: exit %d\n%s%s" % (done.returncode, done.stdout, done.stderr))
-    deb, = (work / "cpack").glob("*.deb")
+    deb, = (work / "cpack").glob("sinew_*.deb")
     root = work / "root"
     subprocess.run(["dpkg-deb", "--extract", deb, root], check=True)
     return deb, root

@@ -10,6 +10,7 @@ import tempfile
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import package_python
 import package_root
 
 EXPECTED = """usr/bin/sinew usr/share/applications/sinew.desktop usr/share/mime/packages/sinew.xml
@@ -171,6 +172,8 @@ def main():
         rigs_have_their_type(root, work)
         runs_without_its_source(deb, root, source, work)
         installs_and_goes_again(deb, work)
+        for module in deb.parent.glob("python3-sinew_*.deb"):
+            package_python.check_package(module, work, source)
     finally:
         shutil.rmtree(work, ignore_errors=True)
     return 0

@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "sinew/skeleton/node_locals.h"
+
 namespace sinew {
 namespace {
 
@@ -99,6 +101,20 @@ TEST(Pose, ComposesParentsAndClampsTime) {
     const Pose pose = samplePose(skeleton, clip, time);
     EXPECT_NEAR(glm::distance(glm::vec3(pose.boneInWorld[1][3]), glm::vec3(-1, 0, 0)), 0.0f, 1e-5f);
   }
+}
+
+TEST(Pose, FollowsFromWhatEachNodeIsToItsParent) {
+  const Skeleton skeleton = arm();
+  std::vector<LocalTransform> locals = restLocals(skeleton);
+  EXPECT_EQ(poseFromLocals(skeleton, locals), restPose(skeleton));
+  locals[1].rotation = glm::angleAxis(glm::radians(90.0f), glm::vec3(0, 0, 1));
+  const Pose turned = poseFromLocals(skeleton, locals);
+  EXPECT_NEAR(glm::distance(glm::vec3(turned.boneInWorld[0][3]), glm::vec3(1, 0, 0)), 0.0f, 1e-5f);
+  EXPECT_NEAR(glm::distance(glm::vec3(turned.boneInWorld[1][3]), glm::vec3(-1, 0, 0)), 0.0f, 1e-5f);
+  locals[2].scale = glm::vec3(3.0f);  // The end alone.
+  const Pose grown = poseFromLocals(skeleton, locals);
+  EXPECT_EQ(grown.boneInWorld[0], turned.boneInWorld[0]);
+  EXPECT_NEAR(glm::length(glm::vec3(grown.boneInWorld[1][0])), 0.03f, 1e-6f);
 }
 
 TEST(Bones, TipsPointAtChildrenAndGoOnAtTheEnd) {

@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
+#include <thread>
+#include <vector>
+
 #include "sinew/base/threads.h"
 #include "tests/support/rigs/trial_scenes.h"
 
@@ -35,6 +39,31 @@ TEST_P(Crowd, SurfacesAreThoseOfOneSmoother) {
         ASSERT_EQ(surfaces[i].refinement, surfaces[0].refinement) << "one topology";
       }
     }
+  }
+}
+
+TEST(CrowdOfCallers, SeveralThreadsCallItAtOnce) {
+  const TrialScene scene = bundledTrialScene("demo");
+  CrowdSmoother crowd(scene.character);
+  ASSERT_TRUE(crowd.prepare(scene.rig).ok());
+  const std::vector<Pose> poses = spreadPoses(*scene.character, 8);
+  std::vector<Surface> wanted(poses.size());
+  crowd.smooth(poses, wanted);
+  std::vector<Surface> made(poses.size());
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t first = 0; first < 4; ++first) {
+      threads.emplace_back([&, first] {
+        const ThreadLimit one(1);
+        for (std::size_t i = first; i < poses.size(); i += 4) {
+          crowd.smooth(std::span(poses).subspan(i, 1), std::span(made).subspan(i, 1));
+        }
+      });
+    }
+  }
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    EXPECT_EQ(made[i].positions, wanted[i].positions) << i;
+    EXPECT_EQ(made[i].normals, wanted[i].normals) << i;
   }
 }
 

@@ -21,7 +21,7 @@ EDITOR_SUPPORT = ("tests", "support", "editor")
 NOT_IN_RUNTIME = {"body", "check", "export", "io", "sinew"}  # as in core/CMakeLists.txt: what a game does not link
 PUBLIC = "core/include/"  # sinew/mesh/x.h there is the public face of core/mesh
 MAX_FILES = 44  # .h and .cpp in one directory
-SOURCES = {".h", ".c", ".cpp", ".vert", ".frag", ".geom", ".comp", ".glsl", ".py", ".sh", ".cmake", ".js", ".gd", ".cs"}
+SOURCES = {".h", ".c", ".cpp", ".vert", ".frag", ".geom", ".comp", ".glsl", ".py", ".sh", ".cmake", ".js", ".gd", ".cs", ".pyi"}
 SCRIPTS_WITHOUT_ENDING = {".ci/run"}
 LEFT_OUT = {".git", "build", "out", ".cache"}
 MAX_LINES = 400
@@ -31,7 +31,7 @@ WINDOW_AND_GPU = re.compile(r"^(epoxy/|GLFW/|GL/|EGL/|GLES|KHR/|imgui|backends/i
 FILE_LIBRARIES = re.compile(r"^(tiny_gltf|tinygltf|nlohmann/|stb|draco/|meshoptimizer)")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 PAGES = {"README.md", "CONTRIBUTING.md"}  # and docs/*.md: every path they name in backticks must exist
-TREES = ("app", "core", "tests", "shaders", "assets", "docs", "cmake", "packaging", "examples")
+TREES = ("app", "core", "tests", "shaders", "assets", "docs", "cmake", "packaging", "examples", "python")
 NAMED_PATH = re.compile(r"(?:%s)/[\w./*{},-]*" % "|".join(TREES))
 MAP = "docs/architecture.md"
 SAMPLE = "tests/install/consumer/main.cpp"
@@ -79,6 +79,10 @@ def check_include(path, target):
     own, other = directory(path.as_posix()), directory(target)
     if path.parts[0] == "tests" and not needs_editor(path) and needs_editor(target):
         return "tests of core include nothing of app"
+    if path.parts[0] == "python":
+        if (other is not None and other[0] == "app") or WINDOW_AND_GPU.match(target) or FILE_LIBRARIES.match(target):
+            return "the Python module includes core alone"
+        return None
     if own is None:
         return None
     tree, name = own

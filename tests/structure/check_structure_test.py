@@ -40,6 +40,13 @@ class Structure(unittest.TestCase):
         body = '#include "app/document/document.h"\n'
         self.one("core never includes app", core__rig__a_DOT_h=self.header("core/rig/a.h", body))
 
+    def test_the_python_module_including_more_than_core(self):
+        for header in ('"app/document/document.h"', "<tiny_gltf.h>", "<GLFW/glfw3.h>"):
+            body = "// python/module/a.cpp: x\n#include %s\n" % header
+            self.one("the Python module includes core alone", python__module__a_DOT_cpp=body)
+        body = '// python/module/a.cpp: x\n#include "core/rig/rig_edit.h"\n#include <pybind11/pybind11.h>\n'
+        self.assertEqual([], self.problems(python__module__a_DOT_cpp=body))
+
     def test_a_test_of_core_including_app(self):
         for here in ("mesh", "support/rigs"):
             path = "tests/%s/a.h" % here

@@ -10,7 +10,7 @@
 
 #include "core/base/at.h"
 #include "core/export/usd/text.h"
-#include "core/skeleton/node_locals.h"
+#include "sinew/skeleton/node_locals.h"
 
 namespace sinew::usd {
 namespace {

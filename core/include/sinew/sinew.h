@@ -9,6 +9,7 @@
 #include "sinew/io/rig_json.h"
 #include "sinew/io/surface_export.h"
 #include "sinew/rig/rig.h"
+#include "sinew/skeleton/node_locals.h"
 #include "sinew/skeleton/pose.h"
 #include "sinew/smoothing/crowd_smoother.h"
 #include "sinew/smoothing/smoother.h"

@@ -23,7 +23,8 @@ class CrowdSmoother {
   /// As Smoother::prepare.
   [[nodiscard]] Result<void> prepare(const Rig& rig, std::span<const int> hidden = {});
 
-  /// Fills out[i] for poses[i]. prepare() must have succeeded once. Reuses the output's memory.
+  /// Fills out[i] for poses[i]. prepare() must have succeeded once. Reuses the output's memory. Several threads may
+  /// call it at once, each with its own output; none while prepare() runs.
   /// @param out  as many as poses
   void smooth(std::span<const Pose> poses, std::span<Surface> out);
 

@@ -1,0 +1,203 @@
+// python/module/character.cpp: a character as Python holds it: its names, its poses.
+#include "python/module/character.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include "core/base/at.h"
+#include "core/base/nearest_name.h"
+#include "core/mesh/topology.h"
+#include "core/rig/morphs.h"
+#include "core/skeleton/clip_names.h"
+#include "core/skeleton/pose_override.h"
+#include "core/symmetry/motion_clip.h"
+#include "python/module/arrays.h"
+#include "python/module/errors.h"
+#include "python/module/mesh.h"
+#include "python/module/values.h"
+#include "sinew/character/character_pose.h"
+#include "sinew/io/gltf_import.h"
+#include "sinew/skeleton/node_locals.h"
+
+namespace sinew::python {
+namespace {
+
+namespace py = pybind11;
+
+py::tuple bonesOf(const CharacterHandle& handle) {
+  const Skeleton& skeleton = handle.character()->skeleton;
+  py::tuple bones(skeleton.bones.size());
+  for (std::size_t i = 0; i < skeleton.bones.size(); ++i) {
+    const Bone& bone = skeleton.bones[i];
+    bones[i] = py::make_tuple(i, skeleton.fileName(static_cast<int>(i)), bone.path, bone.parent);
+  }
+  return bones;
+}
+
+py::list clipListOf(const CharacterHandle& handle) {
+  py::list clips;
+  for (const AnimationClip& clip : handle.character()->clips) clips.append(py::make_tuple(clip.name, clip.duration));
+  return clips;
+}
+
+py::tuple shapeNamesOf(const CharacterHandle& handle) { return py::tuple(py::cast(morphNames(*handle.character()))); }
+
+py::array poseOf(CharacterHandle& handle, const py::object& clip, const py::object& time) {
+  return matricesOf(handle.poseAt(clip, doubleFrom(time, "time")).boneInWorld);
+}
+
+/// Bone and what is given of it, refused where the character lacks the bone.
+template <class Set>
+void eachBone(const Skeleton& skeleton, const py::object& given, const std::string& what, Set set) {
+  if (given.is_none()) return;
+  if (PyDict_Check(given.ptr()) == 0) refuse(what, "expected a dict by bone, got " + kindOf(given));
+  for (const auto& [name, value] : py::reinterpret_borrow<py::dict>(given)) {
+    const std::string bone = textFrom(name, what);
+    const std::string place = what + "[\"" + bone + "\"]";
+    const auto found = skeleton.findBone(bone);
+    if (!found) {
+      std::vector<std::string> names;
+      for (std::size_t i = 0; i < skeleton.bones.size(); ++i) names.push_back(skeleton.fileName(static_cast<int>(i)));
+      refuse(place, "the character has no bone of this name" + didYouMean(bone, names));
+    }
+    set(*found, value, place);
+  }
+}
+
+/// Joints turned on top of a moment. @param turns  bone -> x, y, z, w
+py::array turnedPose(CharacterHandle& handle, const py::object& turns, const py::object& clip, const py::object& time) {
+  const Skeleton& skeleton = handle.character()->skeleton;
+  PoseOverrides overrides;
+  if (turns.is_none()) refuse("turns", "expected a dict by bone, got None");
+  eachBone(skeleton, turns, "turns", [&](int bone, py::handle turn, const std::string& place) {
+    overrides.set(bone, rotationFrom(turn, place));
+  });
+  return matricesOf(posed(skeleton, handle.poseAt(clip, doubleFrom(time, "time")), overrides).boneInWorld);
+}
+
+/// What a node of the file says as a matrix is never taken apart: then all three are needed.
+void refuseHalves(const Skeleton& skeleton, const std::vector<LocalTransform>& locals, const std::vector<int>& given) {
+  for (std::size_t node = 0; node < locals.size(); ++node) {
+    if (given[node] == 0 || given[node] == 3 || !locals[node].matrix) continue;
+    refuse("\"" + skeleton.nodes[node].name + '"',
+           "expected a translation, a rotation and a scale: the file has a matrix here, which is not taken apart");
+  }
+}
+
+/// Joints set in their parents' space, the others as in a clip or at rest.
+py::array poseOfLocals(CharacterHandle& handle, const py::object& translations, const py::object& rotations,
+                       const py::object& scales, const py::object& clip, const py::object& time) {
+  const Skeleton& skeleton = handle.character()->skeleton;
+  const double seconds = doubleFrom(time, "time");
+  std::vector<LocalTransform> locals = restLocals(skeleton);
+  if (!clip.is_none()) {
+    const AnimationClip& played = handle.clipNamed(textFrom(clip, "clip"));
+    if (played.turnsBindPose) refuse("clip", "expected a clip of the file: this one is made, and turns the bind pose");
+    locals = sampleLocals(skeleton, played, std::clamp(static_cast<float>(seconds), 0.0f, played.duration));
+  }
+  std::vector<int> given(locals.size(), 0);
+  const auto local = [&](int bone) -> LocalTransform& {
+    const int node = at(skeleton.bones, bone).node;
+    ++at(given, node);
+    return at(locals, node);
+  };
+  eachBone(skeleton, translations, "translations", [&](int bone, py::handle value, const std::string& place) {
+    local(bone).translation = vectorFrom(value, place);
+  });
+  eachBone(skeleton, rotations, "rotations", [&](int bone, py::handle value, const std::string& place) {
+    local(bone).rotation = rotationFrom(value, place);
+  });
+  eachBone(skeleton, scales, "scales",
+           [&](int bone, py::handle value, const std::string& place) { local(bone).scale = vectorFrom(value, place); });
+  refuseHalves(skeleton, locals, given);
+  for (std::size_t node = 0; node < locals.size(); ++node) {
+    if (given[node] > 0) locals[node].matrix.reset();
+  }
+  return matricesOf(poseFromLocals(skeleton, locals).boneInWorld);
+}
+
+/// What `sinew inspect` tells besides names. The word is as there.
+py::dict factsOf(CharacterHandle& handle) {
+  const Character& character = *handle.character();
+  const Topology topology = topologyOf(character.mesh);
+  py::dict facts;
+  facts["triangles"] = character.mesh.triangles.size();
+  facts["triangles_dropped"] = character.mesh.trianglesDropped;
+  facts["vertices"] = character.mesh.positions.size();
+  facts["wedges"] = character.mesh.wedges.size();
+  facts["closed"] = topology.closed();
+  facts["border_edges"] = topology.borderEdges.size();
+  facts["non_manifold_edges"] = topology.nonManifoldEdges.size();
+  facts["height"] = character.height;
+  facts["joints"] = character.skeleton.bones.size();
+  const AnimationClip* const motion = handle.moving() == handle.character() ? nullptr : &handle.moving()->clips.back();
+  facts["range_of_motion"] = motion == nullptr ? 0.0f : motion->duration;
+  facts["textures"] = character.textures.size();
+  py::list materials;
+  for (const Material& material : character.materials) materials.append(material.name);
+  facts["materials"] = materials;
+  facts["ignored"] = character.ignored;
+  return facts;
+}
+
+}  // namespace
+
+CharacterHandle::CharacterHandle(const std::filesystem::path& file) : file_(file) {
+  auto read = [&] {
+    const py::gil_scoped_release released;
+    return importGltf(file);
+  }();
+  character_ = valueOrRefuse(std::move(read));
+}
+
+const std::shared_ptr<const MirrorPlan>& CharacterHandle::plan() {
+  if (!plan_) plan_ = std::make_shared<const MirrorPlan>(makeMirrorPlan(*character_));
+  return plan_;
+}
+
+const std::shared_ptr<const Character>& CharacterHandle::moving() {
+  if (!moving_) moving_ = withRangeOfMotion(character_, *plan());
+  return moving_;
+}
+
+const AnimationClip& CharacterHandle::clipNamed(const std::string& name) {
+  const Character& from = name == kRangeOfMotionName ? *moving() : *character_;
+  const int clip = findClip(from, name);
+  if (clip < 0) {
+    refuse({file_.string(), "clip \"" + name + '"',
+            noSuchClip(name, character_->clips, {std::string(kRangeOfMotionName)})});
+  }
+  return at(from.clips, clip);
+}
+
+Pose CharacterHandle::poseAt(py::handle clip, double seconds) {
+  if (clip.is_none()) return bindPose(character_->skeleton);
+  return samplePose(*character_, clipNamed(textFrom(clip, "clip")), static_cast<float>(seconds));
+}
+
+void defineCharacter(py::module_& module) {
+  py::class_<CharacterHandle, std::shared_ptr<CharacterHandle>>(module, "Character")
+      .def(py::init([](const py::object& file) { return std::make_shared<CharacterHandle>(pathFrom(file, "path")); }))
+      .def_property_readonly("name", [](const CharacterHandle& handle) { return handle.character()->name; })
+      .def_property_readonly("path", [](const CharacterHandle& handle) { return pathText(handle.file()); })
+      .def_property_readonly("height", [](const CharacterHandle& handle) { return handle.character()->height; })
+      .def_property_readonly("ignored", [](const CharacterHandle& handle) { return handle.character()->ignored; })
+      .def_property_readonly("shapes", shapeNamesOf)
+      .def_property_readonly("mesh", [](const CharacterHandle& handle) { return MeshHandle{handle.character()}; })
+      .def("_bones", bonesOf)
+      .def("_clips", clipListOf)
+      .def("_facts", factsOf)
+      .def("_pose", poseOf)
+      .def("_rest", [](const CharacterHandle& h) { return matricesOf(restPose(h.character()->skeleton).boneInWorld); })
+      .def("_turned", turnedPose)
+      .def("_from_locals", poseOfLocals)
+      .def("_duration", [](CharacterHandle& handle, const py::object& clip) {
+        return static_cast<double>(handle.clipNamed(textFrom(clip, "clip")).duration);
+      });
+}
+
+}  // namespace sinew::python

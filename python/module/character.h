@@ -1,0 +1,41 @@
+// python/module/character.h: a character as Python holds it.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <pybind11/pybind11.h>
+
+#include "core/symmetry/mirror.h"
+#include "sinew/character/character.h"
+#include "sinew/skeleton/pose.h"
+
+namespace sinew::python {
+
+/// Read only. What is found only when it is asked for is found under the interpreter's lock.
+class CharacterHandle {
+ public:
+  explicit CharacterHandle(const std::filesystem::path& file);
+
+  [[nodiscard]] const std::shared_ptr<const Character>& character() const { return character_; }
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+  [[nodiscard]] const std::shared_ptr<const MirrorPlan>& plan();
+  /// With the range of motion as its last clip.
+  [[nodiscard]] const std::shared_ptr<const Character>& moving();
+
+  /// A moment of a clip, the range of motion too; without a name the bind pose. Refuses a name that it lacks.
+  [[nodiscard]] Pose poseAt(pybind11::handle clip, double seconds);
+  /// Refuses a name that it lacks. Valid as long as the character.
+  [[nodiscard]] const AnimationClip& clipNamed(const std::string& name);
+
+ private:
+  std::filesystem::path file_;
+  std::shared_ptr<const Character> character_;
+  std::shared_ptr<const MirrorPlan> plan_;
+  std::shared_ptr<const Character> moving_;
+};
+
+void defineCharacter(pybind11::module_& module);
+
+}  // namespace sinew::python
