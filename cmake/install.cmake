@@ -57,6 +57,9 @@ if(SINEW_BUILD_APP)
   sinew_install_gzipped(${packaging}/debian/changelog changelog.Debian ${CMAKE_INSTALL_DATADIR}/doc/sinew)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/sinew
     PATTERN cpp EXCLUDE)
+  # What Help > Pages opens.
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/sinew
+    FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.jpg")
   install(FILES ${packaging}/debian/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/sinew)
   get_property(packed_files DIRECTORY PROPERTY sinew_packed)
   add_custom_target(sinew_packed ALL DEPENDS ${packed_files})

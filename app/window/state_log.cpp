@@ -11,6 +11,7 @@
 
 #include "app/actions/animate.h"
 #include "app/actions/animated_names.h"
+#include "app/ui/keyboard_focus.h"
 #include "core/io/json/json.h"
 
 namespace sinew::app {
@@ -356,6 +357,7 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("camera", cameraState(state.view.tools.camera))
       .set("outliner", outlinerState(state.view))
       .set("dialog", dialogName(state))
+      .set("focus", focusedControl(widgets))
       .set("keymap", nameOf(state.session.preferences.keymap))
       .set("scale", state.frame.uiScale)
       .set("symmetry", symmetryState(state.document))

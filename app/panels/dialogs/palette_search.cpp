@@ -41,10 +41,12 @@ std::optional<Fit> fitWord(std::string_view word, std::string_view text) {
   std::vector<std::vector<int>> best(word.size(), std::vector<int>(text.size(), kWorst));
   std::vector<std::vector<std::size_t>> from(word.size(), std::vector<std::size_t>(text.size(), 0));
   for (std::size_t i = 0; i < word.size(); ++i) {
+    // The further bytes of a letter belong to its first.
+    const bool continues = (static_cast<unsigned char>(word[i]) & 0xC0U) == 0x80U;
     int before = kWorst;  // The best of the letter before, anywhere left of j - 1.
     std::size_t beforeAt = 0;
     for (std::size_t j = i; j < text.size(); ++j) {
-      if (i > 0 && j >= 2 && best[i - 1][j - 2] > before) {
+      if (i > 0 && !continues && j >= 2 && best[i - 1][j - 2] > before) {
         before = best[i - 1][j - 2];
         beforeAt = j - 2;
       }

@@ -27,7 +27,7 @@ ImU32 faded(ImU32 color, float alpha) {
 }
 
 /// Draw list and the way from viewport pixels to its units.
-struct Canvas {
+struct HandleCanvas {
   ImDrawList& list;
   glm::vec2 topLeft;
   float unitsPerPixel;
@@ -58,7 +58,7 @@ ImU32 colorOf(GizmoHandle handle, const GizmoState& state) {
   return kAxisColors[static_cast<std::size_t>(axis)];
 }
 
-void drawArrow(const Canvas& canvas, const HandleShape& shape, ImU32 color) {
+void drawArrow(const HandleCanvas& canvas, const HandleShape& shape, ImU32 color) {
   const glm::vec2 base = shape.outline[0];
   const glm::vec2 tip = shape.outline[1];
   const float length = glm::length(tip - base);
@@ -74,7 +74,7 @@ void drawArrow(const Canvas& canvas, const HandleShape& shape, ImU32 color) {
                                 canvas.at(neck - 5.5f * pixel * side), color);
 }
 
-void drawBox(const Canvas& canvas, const HandleShape& shape, ImU32 color) {
+void drawBox(const HandleCanvas& canvas, const HandleShape& shape, ImU32 color) {
   canvas.line(shape.outline[0], shape.outline[1], kShadowColor, 4.5f);
   canvas.line(shape.outline[0], shape.outline[1], color, 2.5f);
   const ImVec2 tip = canvas.at(shape.outline[1]);
@@ -82,14 +82,14 @@ void drawBox(const Canvas& canvas, const HandleShape& shape, ImU32 color) {
   canvas.list.AddRectFilled({tip.x - half, tip.y - half}, {tip.x + half, tip.y + half}, color, 1.5f * canvas.scale);
 }
 
-void drawPlane(const Canvas& canvas, const HandleShape& shape, ImU32 color, bool hot) {
+void drawPlane(const HandleCanvas& canvas, const HandleShape& shape, ImU32 color, bool hot) {
   std::array<ImVec2, 4> corners;
   for (std::size_t i = 0; i < 4; ++i) corners[i] = canvas.at(shape.outline[i]);
   canvas.list.AddQuadFilled(corners[0], corners[1], corners[2], corners[3], faded(color, hot ? 0.6f : 0.32f));
   canvas.list.AddQuad(corners[0], corners[1], corners[2], corners[3], color, 1.3f * canvas.scale);
 }
 
-void drawRing(const Canvas& canvas, const HandleShape& shape, ImU32 color, bool hot) {
+void drawRing(const HandleCanvas& canvas, const HandleShape& shape, ImU32 color, bool hot) {
   const std::size_t count = shape.outline.size();
   for (const bool front : {false, true}) {
     // Runs of points on one side become one polyline each, so that the joints are smooth.
@@ -102,7 +102,7 @@ void drawRing(const Canvas& canvas, const HandleShape& shape, ImU32 color, bool 
   }
 }
 
-void drawPole(const Canvas& canvas, const HandleShape& shape, ImU32 color, bool hot) {
+void drawPole(const HandleCanvas& canvas, const HandleShape& shape, ImU32 color, bool hot) {
   const float strength = shape.facesEye || hot ? 1.0f : 0.5f;
   const float radius = hot ? 6.0f : 4.5f;
   canvas.dot(shape.outline[0], radius + 1.5f, faded(kShadowColor, strength));
@@ -110,7 +110,7 @@ void drawPole(const Canvas& canvas, const HandleShape& shape, ImU32 color, bool 
   canvas.circle(shape.outline[0], radius, faded(kNeutralColor, 0.85f * strength), 1.2f);
 }
 
-void drawDiamond(const Canvas& canvas, const glm::vec2& center, ImU32 color, bool hot) {
+void drawDiamond(const HandleCanvas& canvas, const glm::vec2& center, ImU32 color, bool hot) {
   const ImVec2 c = canvas.at(center);
   const auto quad = [&](float radius, ImU32 fill) {
     const float r = radius * canvas.scale;
@@ -122,7 +122,7 @@ void drawDiamond(const Canvas& canvas, const glm::vec2& center, ImU32 color, boo
   quad(radius, color);
 }
 
-void drawHandle(const Canvas& canvas, const HandleShape& shape, const GizmoState& state) {
+void drawHandle(const HandleCanvas& canvas, const HandleShape& shape, const GizmoState& state) {
   const ImU32 color = colorOf(shape.handle, state);
   const bool hot = color == kHoverColor;
   const HandleParts parts = partsOf(shape.handle);
@@ -157,8 +157,8 @@ void drawHandle(const Canvas& canvas, const HandleShape& shape, const GizmoState
 
 // What a drag shows -------------------------------------------------------------------------------------------------
 
-void drawAxisLine(const Canvas& canvas, const glm::vec3& origin, const glm::vec3& direction, float arm, ImU32 color,
-                  const View& view) {
+void drawAxisLine(const HandleCanvas& canvas, const glm::vec3& origin, const glm::vec3& direction, float arm,
+                  ImU32 color, const View& view) {
   // Long enough for any picture; drawn in pieces, so that what is behind the eye is simply left out.
   constexpr int kPieces = 48;
   for (int i = -kPieces; i < kPieces; ++i) {
@@ -170,7 +170,7 @@ void drawAxisLine(const Canvas& canvas, const glm::vec3& origin, const glm::vec3
   }
 }
 
-void drawWedge(const Canvas& canvas, const GizmoBasis& frame, const GizmoDrag& drag, const glm::vec3& normal,
+void drawWedge(const HandleCanvas& canvas, const GizmoBasis& frame, const GizmoDrag& drag, const glm::vec3& normal,
                const View& view) {
   const Ray press = view.rayThrough(drag.pressPixel);
   const glm::vec3 grabbed = onPlane(frame.origin, normal, press).value_or(frame.origin + across(normal)) - frame.origin;
@@ -192,7 +192,7 @@ void drawWedge(const Canvas& canvas, const GizmoBasis& frame, const GizmoDrag& d
   canvas.list.AddLine(fan[0], fan.back(), kHoverColor, 1.6f * canvas.scale);
 }
 
-void drawLabel(const Canvas& canvas, const glm::vec2& pixel, const std::string& text) {
+void drawLabel(const HandleCanvas& canvas, const glm::vec2& pixel, const std::string& text) {
   if (text.empty()) return;
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 at = canvas.at(pixel);
@@ -206,7 +206,7 @@ void drawLabel(const Canvas& canvas, const glm::vec2& pixel, const std::string& 
   canvas.list.AddText(low, kNeutralColor, text.c_str());
 }
 
-void drawDrag(const Canvas& canvas, const GizmoState& state, const GizmoContext& context) {
+void drawDrag(const HandleCanvas& canvas, const GizmoState& state, const GizmoContext& context) {
   const GizmoDrag& drag = *state.drag;
   const HandleParts parts = partsOf(drag.handle);
   const auto frame = basisOfDrag(state, drag.handle, drag.start, context);
@@ -246,7 +246,7 @@ int drawOrder(const HandleShape& shape) {
 void drawGizmo(ImDrawList& list, const GizmoState& state, const GizmoLayout& layout, const GizmoContext& context,
                const glm::vec2& topLeft, float unitsPerPixel) {
   if (!layout.visible) return;
-  const Canvas canvas{list, topLeft, unitsPerPixel, context.uiScale * unitsPerPixel};
+  const HandleCanvas canvas{list, topLeft, unitsPerPixel, context.uiScale * unitsPerPixel};
   const glm::vec2 size(context.view.size);
   list.PushClipRect(canvas.at(glm::vec2(0.0f)), canvas.at(size), true);
   if (state.drag) drawDrag(canvas, state, context);
