@@ -92,7 +92,9 @@ void splitter(PanelUi& ui, const std::string& id, const Box& box, bool upright, 
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0f, 1.0f});
   beginRegion(id.c_str(), box, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar);
+  ImGui::PushItemFlag(ImGuiItemFlags_NoNav, true);
   ImGui::InvisibleButton("bar", {box.width, box.height});
+  ImGui::PopItemFlag();
   ui.widgets.note(id);
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
     ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
@@ -254,12 +256,19 @@ void seekRevealed(PanelUi& ui) {
   if (!reveal.id.empty()) ui.widgets.seek(reveal.id, reveal.until < 0.0);
 }
 
+/// Windows that come up with it take the keyboard from it, until they have all come.
+bool lacksKeyboard(const PanelUi& ui, const std::string& id) {
+  const auto& all = ui.widgets.laidOut();
+  const auto found = std::ranges::find(all, id, &LaidOut::id);
+  return found != all.end() && found->item != 0 && focusedControl(ui.widgets) != id;
+}
+
 /// After them: it is marked for a moment.
 void markRevealed(PanelUi& ui) {
   RevealState& reveal = ui.state.dialogs.reveal;
   if (reveal.id.empty()) return;
   const double now = ui.state.frame.now;
-  if (!ui.widgets.sought()) {
+  if (!ui.widgets.sought() || (reveal.until < 0.0 && reveal.tries < kMostTries && lacksKeyboard(ui, reveal.id))) {
     if (++reveal.tries > kMostTries || reveal.until >= 0.0) reveal = {};
     else ui.wakeIn(kMarkStep);
     return;

@@ -94,6 +94,8 @@ void feedFocusKeys(const RawInput& input) {
 }
 
 bool moveFocus(WidgetLog& controls, const RawInput& input) {
+  // ImGui's own Ctrl+Tab is on without its navigation, and goes to windows, not to controls.
+  ImGui::GetCurrentContext()->NavWindowingTarget = nullptr;
   const int key = keyOf(input);
   if (key < 0 || input.alt || input.super || typesText()) return false;
   if (key != GLFW_KEY_TAB) {

@@ -23,6 +23,9 @@ void noteScrolling(LaidOut& item) {
 void takeFocus(ImGuiWindow* window) {
   ImGuiContext& context = *ImGui::GetCurrentContext();
   ImGui::FocusWindow(window);
+  // A dialog that has just come up would give it to its first control with the next frame.
+  context.NavInitRequest = false;
+  context.NavInitResultId = 0;
   ImGui::SetFocusID(context.LastItemData.ID, window);
   context.NavDisableHighlight = false;
   context.NavDisableMouseHover = true;
@@ -62,7 +65,7 @@ void WidgetLog::note(const std::string& id) {
   ImGuiWindow* const window = ImGui::GetCurrentWindow();
   // A window that has just begun counts as the last item.
   item.item = context.LastItemData.ID == window->MoveId ? 0 : context.LastItemData.ID;
-  item.usable = (context.LastItemData.InFlags & ImGuiItemFlags_Disabled) == 0;
+  item.usable = (context.LastItemData.InFlags & (ImGuiItemFlags_Disabled | ImGuiItemFlags_NoNav)) == 0;
   const bool sought = !sought_.empty() && id == sought_;
   const bool focused = item.item != 0 && item.item == focusWanted_;
   if (focused) focusWanted_ = 0;

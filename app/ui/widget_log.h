@@ -18,7 +18,7 @@ struct LaidOut {
   bool scrollsX = false;    ///< What is cut off can be scrolled to, in its window or one around it.
   bool scrollsY = false;
   unsigned item = 0;   ///< ImGui's id; 0: a text.
-  bool usable = true;  ///< Not grayed.
+  bool usable = true;  ///< Neither grayed nor for the mouse alone.
 };
 
 /// Rectangles x, y, width, height in window coordinates of the controls drawn in this frame, visible part only.

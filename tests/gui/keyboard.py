@@ -23,7 +23,7 @@ def focus(editor, control, key="Tab"):
 
 
 def keyboard(t):
-    editor = t.edit(t.copy(t.assets / "humanoid.rig.json"), *(["--scale", t.scale] if t.scale != 1 else []))
+    editor = t.edit(t.assets / "humanoid.rig.json", *(["--scale", t.scale] if t.scale != 1 else []))
     editor.wait_until("a character", lambda s: s["document"]["primitives"] > 10)
     editor.tap("space", "a pause", lambda s: not s["playing"])
     state = editor.tap("Tab", "the ring", lambda s: s["focus"])
@@ -32,7 +32,7 @@ def keyboard(t):
     for _ in range(7):
         editor.tap("ctrl+Tab", "the next panel", lambda s: s["focus"] not in ("", seen[-1]))
         seen.append(editor.state()["focus"])
-    print("panels: " + ", ".join(seen), flush=True)
+    t.check("all panels have their turn", {"outliner/tab", "inspector/header", "timeline/clip"} <= set(seen), seen)
     editor.screenshot(t.out / "keyboard_panels.png")
     focus(editor, "toolstrip/rotate")
     editor.screenshot(t.out / "keyboard_tool.png")

@@ -92,8 +92,12 @@ TEST_F(KeyboardFocus, ShiftTabGoesBackAndCtrlTabToTheNextPanel) {
   EXPECT_EQ(focused(), second);
   std::set<std::string> panels;
   for (int i = 0; i < 12; ++i) {
-    panels.insert(ImGui::GetCurrentContext()->NavWindow->RootWindow->Name);
+    ASSERT_NE(focusedId(), "") << "after " << i;
+    const std::string panel = ImGui::GetCurrentContext()->NavWindow->RootWindow->Name;
+    EXPECT_EQ(panel.find("layout"), std::string::npos) << panel;
+    panels.insert(panel);
     press(GLFW_KEY_TAB, true);
+    EXPECT_NE(ImGui::GetCurrentContext()->NavWindow->RootWindow->Name, panel) << "the same panel again";
   }
   for (const char* panel : {"region-outliner", "region-history", "region-right", "region-viewport", "region-bottom"}) {
     EXPECT_TRUE(panels.contains(panel)) << panel;
@@ -215,6 +219,7 @@ TEST_F(KeyboardFocus, TheCellsOfTheMatrixLinkGroupsByTheKeyboard) {
   settle();
   run(action("edit/group"), state);
   settle();
+  press(kEnter);  // Its name.
   ASSERT_EQ(state.document.rig().groups.size(), 2u);
   const auto& groups = state.document.rig().groups;
   const std::string cell = "blending/cell/" + groups[1].name + "/" + groups[0].name;
