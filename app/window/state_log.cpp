@@ -174,9 +174,8 @@ Json animationState(const EditorState& state) {
   std::size_t keys = 0;
   std::size_t drivers = 0;
   addAnimated(state, primitive.animated, active, values, keys, drivers);
-  if (line >= 0) {
+  if (line >= 0)
     addAnimated(state, rig.lines[static_cast<std::size_t>(line)].animated, line, values, keys, drivers);
-  }
   return animation.set("keys", static_cast<int>(keys)).set("drivers", static_cast<int>(drivers)).set("now", values);
 }
 
@@ -256,12 +255,11 @@ std::string dialogName(const EditorState& state) {
   if (state.dialogs.conflict.found != OnDisk::kSame) return "conflict";
   if (state.dialogs.question.kind != IntentKind::kNone) return "unsaved";
   if (state.dialogs.exportQuestion) return "export-question";
-  if (state.dialogs.file.kind == DialogKind::kSavePicture) return "picture";
-  if (state.dialogs.file.kind == DialogKind::kExportPlace || state.dialogs.file.kind == DialogKind::kJobPlace)
-    return "export-place";
+  const DialogKind file = state.dialogs.file.kind;
+  if (file == DialogKind::kSavePicture) return "picture";
+  if (file == DialogKind::kExportPlace || file == DialogKind::kJobPlace) return "export-place";
   if (!state.dialogs.file.locateFor.empty()) return "locate-file";
-  if (state.dialogs.file.kind != DialogKind::kNone)
-    return state.dialogs.file.kind == DialogKind::kOpen ? "open" : "save";
+  if (file != DialogKind::kNone) return file == DialogKind::kOpen ? "open" : "save";
   if (state.dialogs.exporting.shown == ExportDialog::kCharacter) return "export";
   if (state.dialogs.exporting.shown == ExportDialog::kFarmJob) return "farm";
   if (!state.dialogs.locate.rigFile.empty()) return "locate";
