@@ -156,8 +156,7 @@ void addAnimated(const EditorState& state, const std::vector<AnimatedNumber>& an
   }
 }
 
-/// The driven keys that are being set; of the active muscle and its line: what is keyed in this clip or driven, and
-/// what that makes of it now.
+/// The driven keys being set; what of the active muscle and its line is keyed here or driven, and its numbers now.
 Json animationState(const EditorState& state) {
   Json animation = Json::object();
   if (!state.hasCharacter()) return animation;
@@ -174,8 +173,9 @@ Json animationState(const EditorState& state) {
   std::size_t keys = 0;
   std::size_t drivers = 0;
   addAnimated(state, primitive.animated, active, values, keys, drivers);
-  if (line >= 0)
+  if (line >= 0) {
     addAnimated(state, rig.lines[static_cast<std::size_t>(line)].animated, line, values, keys, drivers);
+  }
   return animation.set("keys", static_cast<int>(keys)).set("drivers", static_cast<int>(drivers)).set("now", values);
 }
 
