@@ -133,7 +133,6 @@ constexpr PaletteControl kControls[] = {
     {"export/place", "Export: file", "path folder name", Shelf::kExport, "", exportable},
     {"export/ok", "Export: write the file", "start run", Shelf::kExport, "", exportable},
     {"farm/job", "Farm job: folder", "path place", Shelf::kFarm, "", farmable},
-    {"farm/tasks", "Farm job: tasks", "machines slurm parallel", Shelf::kFarm, "", farmable},
 };
 
 void unfold(EditorState& state, const char* id) { std::erase(state.view.layout.folded, id); }

@@ -25,7 +25,7 @@ namespace {
 constexpr int kControls = 1;
 constexpr int kDocument = 3;
 constexpr int kElsewhere = 6;
-constexpr int kFiles = 10;
+constexpr int kFiles = 30;  // Behind actions that another word for them finds, too.
 
 int recentRank(const EditorState& state, const std::string& id) {
   const auto& recent = state.session.preferences.recentActions;
