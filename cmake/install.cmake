@@ -68,6 +68,9 @@ if(SINEW_BUILD_APP)
   sinew_install_gzipped(${packaging}/debian/changelog changelog.Debian ${CMAKE_INSTALL_DATADIR}/doc/sinew)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/sinew
     PATTERN cpp EXCLUDE PATTERN python EXCLUDE)
+  # What Help > Pages opens.
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/sinew
+    FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.jpg" PATTERN "*.webp")
   install(FILES ${packaging}/debian/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/sinew)
   if(SINEW_BUILD_PYTHON)
     foreach(name changelog changelog.Debian)

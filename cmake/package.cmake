@@ -47,7 +47,7 @@ set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 # Linked libraries are found by dpkg-shlibdeps; libepoxy opens these two by name, and the letters are files.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libgl1, libegl1, fonts-inter, fonts-dejavu-core")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libgl1-mesa-dri, fonts-noto-cjk")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libgl1-mesa-dri, fonts-noto-cjk, xdg-utils")
 # The extension is for one minor version of Python; modules are compiled to bytecode where they are installed.
 if(SINEW_BUILD_PYTHON)
   math(EXPR next_python "${Python_VERSION_MINOR} + 1")

@@ -2,6 +2,7 @@
 
 #include "app/actions/action_table.h"
 #include "app/actions/first_steps.h"
+#include "app/actions/muscle_set_commands.h"
 #include "app/editor/session.h"
 
 namespace sinew::app::table {
@@ -12,11 +13,16 @@ void toggleSheet(State& s) { s.dialogs.keySheet = !s.dialogs.keySheet; }
 
 bool hasFirstSteps(const State& s) { return s.view.firstSteps.shown; }
 
+void openPalette(State& s) {
+  showPalette(s.dialogs);
+  s.dialogs.palette.sets = setEntries(s);
+}
+
 const Action kHelpActions[] = {
     {"help/first-steps", "First steps", "Five things to try on the walking man, each ticked off when it is done", kNone,
      kNone, always, hasFirstSteps, toggleFirstSteps},
-    {"help/palette", "Find anything...", "Search actions, muscles, bones, samples and recent files", ctrl(GLFW_KEY_P),
-     kNone, always, nullptr, onDialogs<showPalette>},
+    {"help/palette", "Find anything...", "Search actions, controls, muscles, bones, sets, samples and pages",
+     ctrl(GLFW_KEY_P), kNone, always, nullptr, openPalette},
     {"help/keys", "Keys and mouse", "What every key and every drag does", key(GLFW_KEY_F1), kNone, always, hasSheet,
      toggleSheet},
 };

@@ -49,6 +49,18 @@ Result<std::vector<Preset>> setsForBody(EditorState& state) {
   return std::move(all.sets);
 }
 
+std::vector<SetEntry> setEntries(EditorState& state) {
+  if (!state.hasCharacter()) return {};
+  const auto sets = setsForBody(state);
+  if (!sets) return {};
+  std::vector<SetEntry> entries;
+  for (const Preset& set : sets.value()) {
+    entries.push_back({set.name, ""});
+    for (const PresetMuscle& muscle : set.muscles) entries.push_back({set.name, muscle.name});
+  }
+  return entries;
+}
+
 const Motions& motionsOf(EditorState& state) {
   auto& motions = state.open.muscleSet.motions;
   if (!motions) motions = std::make_shared<const Motions>(state.document.character);

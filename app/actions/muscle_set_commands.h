@@ -7,6 +7,8 @@ namespace sinew::app {
 
 /// The sets for the body of this character. Error: why there are none. Files that are no sets are named in messages.
 [[nodiscard]] Result<std::vector<Preset>> setsForBody(EditorState& state);
+/// Names of those sets and of their muscles; nothing is laid for them. None where there are no sets.
+[[nodiscard]] std::vector<SetEntry> setEntries(EditorState& state);
 /// What the character does; made once.
 const Motions& motionsOf(EditorState& state);
 /// Adds the set for this kind of body and shows its sliders.

@@ -46,12 +46,26 @@ struct LocateState {
   std::filesystem::path characterFile;
 };
 
+/// A muscle of a set that fits this kind of body; without a muscle the whole set.
+struct SetEntry {
+  std::string set;
+  std::string muscle;
+};
+
 /// The command palette.
 struct PaletteState {
   bool shown = false;
   bool appearing = false;  ///< The search field takes the keyboard with the next frame.
   std::string query;
-  int chosen = -1;  ///< Row that was chosen with the arrows; -1: none, Enter takes the best one.
+  int chosen = -1;             ///< Row that was chosen with the arrows; -1: none, Enter takes the best one.
+  std::vector<SetEntry> sets;  ///< Read when the palette opens.
+};
+
+/// A control that is brought into sight, gets the keyboard and is marked for a moment.
+struct RevealState {
+  std::string id;       ///< As WidgetLog knows it; "": none.
+  int tries = 0;        ///< Frames in which it was not there yet.
+  double until = -1.0;  ///< The mark goes then, on FrameState::now; less than 0: it has not been seen yet.
 };
 
 /// "Your file has changed on disk": waits for which version is to stay.
@@ -82,6 +96,7 @@ struct Dialogs {
   ExportDialogState exporting;
   bool exportQuestion = false;  ///< Asking whether to quit though exports are not done.
   PaletteState palette;
+  RevealState reveal;
   bool keySheet = false;
   bool preferences = false;
   PreferencesPage preferencesPage = PreferencesPage::kGeneral;

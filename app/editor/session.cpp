@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -50,6 +51,33 @@ std::string titleOfStem(std::string stem) {
 std::size_t rankOf(const std::string& stem) {
   const auto known = std::ranges::find(kKnownSamples, stem, &KnownSample::stem);
   return static_cast<std::size_t>(known - kKnownSamples.begin());
+}
+
+/// Its first heading.
+std::string headingOf(const fs::path& file) {
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("# ")) return line.substr(2);
+  }
+  return file.stem().string();
+}
+
+std::vector<HelpPage> readPages() {
+  std::vector<HelpPage> pages;
+  const fs::path folder = pagesFolder();
+  std::error_code failed;
+  if (folder.empty()) return pages;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, failed)) {
+    const fs::path& file = entry.path();
+    if (file.extension() == ".md") pages.push_back({file.stem().string(), headingOf(file), file});
+  }
+  std::ranges::sort(pages, {}, &HelpPage::title);
+  return pages;
+}
+
+void sayWhereItLies(EditorState& state, const fs::path& file) {
+  addMessage(state.session, MessageKind::kWarning, "Nothing here opens pages. The page is " + file.string(),
+             MessageAbout::kProgram);
 }
 
 /// Removes it from the list; what it was.
@@ -123,7 +151,23 @@ void discardRecovery(EditorState& state, const fs::path& recoveryFile) {
   if (!left.file.empty()) discardLeftBehind(left);
 }
 
-void showPalette(Dialogs& dialogs) { dialogs.palette = {true, true, "", -1}; }
+const std::vector<HelpPage>& helpPages() {
+  static const std::vector<HelpPage> pages = readPages();
+  return pages;
+}
+
+void openHelpPage(EditorState& state, const HelpPage& page) {
+  if (!state.session.opener.open(page.file)) sayWhereItLies(state, page.file);
+}
+
+void followOpenedPages(EditorState& state) {
+  for (const fs::path& file : state.session.opener.failed()) sayWhereItLies(state, file);
+}
+
+void showPalette(Dialogs& dialogs) {
+  dialogs.palette = {};
+  dialogs.palette.shown = dialogs.palette.appearing = true;
+}
 
 void jumpToMuscle(EditorState& state, PrimitiveId primitive) {
   if (!state.hasCharacter() || findPrimitive(state.document.rig(), primitive) < 0) return;

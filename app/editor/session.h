@@ -30,6 +30,20 @@ void recover(EditorState& state, const std::filesystem::path& recoveryFile);
 /// Throws the left work away.
 void discardRecovery(EditorState& state, const std::filesystem::path& recoveryFile);
 
+/// A page of the documentation.
+struct HelpPage {
+  std::string name;   ///< Of its file: "opening"
+  std::string title;  ///< Its first heading: "Opening a character"
+  std::filesystem::path file;
+};
+
+/// By title; read once. Empty where they are not installed.
+[[nodiscard]] const std::vector<HelpPage>& helpPages();
+/// In the program that the desktop has for it; a message with its path says if there is none.
+void openHelpPage(EditorState& state, const HelpPage& page);
+/// Once a frame: the same for what the desktop could not open after all.
+void followOpenedPages(EditorState& state);
+
 void showPalette(Dialogs& dialogs);
 /// Selects it and brings it into the picture.
 void jumpToMuscle(EditorState& state, PrimitiveId primitive);

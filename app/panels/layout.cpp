@@ -12,11 +12,17 @@
 #include "app/panels/panels.h"
 #include "app/panels/shared/field_edit.h"
 #include "app/panels/timeline/timeline_keys.h"
+#include "app/ui/keyboard_focus.h"
 
 namespace sinew::app {
 namespace {
 
 constexpr float kBadgeRoom = 90.0f;  // Design pixels: what the count of messages takes of the status line.
+
+constexpr double kMarkSeconds = 1.6;  // What the palette has brought into sight is marked.
+constexpr double kMarkStep = 0.04;
+constexpr int kMostTries = 30;        // Frames that a dialog may take to come up.
+constexpr double kOpeningStep = 0.5;  // Looks whether the desktop has opened a page.
 
 constexpr float kExportGap = 16.0f;  // Left of what is exported in the background.
 
@@ -86,7 +92,9 @@ void splitter(PanelUi& ui, const std::string& id, const Box& box, bool upright, 
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0f, 1.0f});
   beginRegion(id.c_str(), box, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar);
+  ImGui::PushItemFlag(ImGuiItemFlags_NoNav, true);
   ImGui::InvisibleButton("bar", {box.width, box.height});
+  ImGui::PopItemFlag();
   ui.widgets.note(id);
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
     ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
@@ -242,10 +250,51 @@ void drawSplitters(PanelUi& ui, const LayoutState& shown, const LayoutSizes& siz
   }
 }
 
+/// Before the panels: a control that is to be brought into sight gets the keyboard when it is first seen.
+void seekRevealed(PanelUi& ui) {
+  const RevealState& reveal = ui.state.dialogs.reveal;
+  if (!reveal.id.empty()) ui.widgets.seek(reveal.id, reveal.until < 0.0);
+}
+
+/// Windows that come up with it take the keyboard from it, until they have all come.
+bool lacksKeyboard(const PanelUi& ui, const std::string& id) {
+  const auto& all = ui.widgets.laidOut();
+  const auto found = std::ranges::find(all, id, &LaidOut::id);
+  return found != all.end() && found->item != 0 && focusedControl(ui.widgets) != id;
+}
+
+/// After them: it is marked for a moment.
+void markRevealed(PanelUi& ui) {
+  RevealState& reveal = ui.state.dialogs.reveal;
+  if (reveal.id.empty()) return;
+  const double now = ui.state.frame.now;
+  if (!ui.widgets.sought() || (reveal.until < 0.0 && reveal.tries < kMostTries && lacksKeyboard(ui, reveal.id))) {
+    if (++reveal.tries > kMostTries || reveal.until >= 0.0) reveal = {};
+    else ui.wakeIn(kMarkStep);
+    return;
+  }
+  if (reveal.until < 0.0) reveal.until = now + kMarkSeconds;
+  const double left = reveal.until - now;
+  if (left <= 0.0) {
+    reveal = {};
+    return;
+  }
+  ui.wakeIn(kMarkStep);
+  const glm::vec4& box = ui.widgets.rectangles().at(reveal.id);
+  const float strength = std::min(1.0f, static_cast<float>(2.0 * left / kMarkSeconds));
+  const float room = ui.px(3);
+  ImDrawList& list = *ImGui::GetForegroundDrawList();
+  const ImVec2 low{box.x - room, box.y - room};
+  const ImVec2 high{box.x + box.z + room, box.y + box.w + room};
+  list.AddRectFilled(low, high, palette::kAccent.faded(0.22f * strength).packed(), ui.px(6));
+  list.AddRect(low, high, palette::kAccent.faded(strength).packed(), ui.px(6), 0, ui.px(2));
+}
+
 }  // namespace
 
 bool drawLayout(PanelUi& ui) {
   ui.escapeTaken = closeMenuOnEscape();
+  seekRevealed(ui);
   const float menuHeight = drawMenuBar(ui);
   const LayoutSizes sizes = sizesOf(ui, menuHeight);
   const Regions regions = divide(ui, sizes, menuHeight);
@@ -270,6 +319,9 @@ bool drawLayout(PanelUi& ui) {
     if (panel.region == Region::kDialog) panel.draw(ui);
   }
   endAbandonedEdit(ui.state);
+  drawFocus(ui);
+  markRevealed(ui);
+  if (ui.state.session.opener.busy()) ui.wakeIn(kOpeningStep);
   return free;
 }
 

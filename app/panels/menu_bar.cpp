@@ -74,6 +74,18 @@ void drawSamples(PanelUi& ui) {
   ImGui::EndMenu();
 }
 
+void drawPages(PanelUi& ui) {
+  const std::vector<HelpPage>& all = helpPages();
+  if (!beginFiles(ui, "help/pages", "Pages", !all.empty())) return;
+  for (const HelpPage& page : all) {
+    const bool chosen = ImGui::MenuItem(page.title.c_str());
+    ui.widgets.note("help/pages/" + page.name);
+    tooltip(ui, page.file.string());
+    if (chosen) openHelpPage(ui.state, page);
+  }
+  ImGui::EndMenu();
+}
+
 /// Rows of the table that share the beginning of their id and stand in a menu of their own.
 struct Submenu {
   std::string_view begin;  ///< How their ids begin; without the last letter, the submenu's.
@@ -127,6 +139,7 @@ void drawItems(PanelUi& ui, const Menu& menu) {
       drawRecent(ui);
       drawSamples(ui);
     }
+    if (std::string_view(item.id) == "help/keys") drawPages(ui);
   }
 }
 

@@ -29,6 +29,16 @@ std::filesystem::path executableFolder() {
   return failed ? std::filesystem::path{} : program.parent_path();
 }
 
+std::filesystem::path pagesFolder() {
+  for (const std::filesystem::path& folder : dataFolders()) {
+    std::error_code failed;
+    for (const auto& pages : {folder.parent_path() / "doc" / "sinew" / "docs", folder / "docs"}) {
+      if (std::filesystem::is_directory(pages, failed)) return pages;
+    }
+  }
+  return {};
+}
+
 std::filesystem::path dataFile(const std::filesystem::path& relative) {
   const std::vector<std::filesystem::path> folders = dataFolders();
   for (const std::filesystem::path& folder : folders) {

@@ -11,6 +11,11 @@ namespace sinew::app {
 /// path in the first place looked at, for the message.
 [[nodiscard]] std::filesystem::path dataFile(const std::filesystem::path& relative);
 
+/// Where the pages of the documentation lie: share/doc/sinew/docs of an installed program, else docs of the source
+/// tree;
+/// "" if they are nowhere.
+[[nodiscard]] std::filesystem::path pagesFolder();
+
 /// Folder of the running program; empty if the system does not tell.
 [[nodiscard]] std::filesystem::path executableFolder();
 

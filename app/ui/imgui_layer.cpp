@@ -16,6 +16,7 @@
 #include <cstdint>
 
 #include "app/names/readable_names.h"
+#include "app/ui/keyboard_focus.h"
 #include "app/ui/style.h"
 
 namespace sinew::app {
@@ -92,6 +93,7 @@ void feedImGui(const RawInput& input) {
   io.KeyAlt = input.alt;
   io.KeySuper = input.super;
   for (const char32_t c : input.characters) io.AddInputCharacter(c);
+  feedFocusKeys(input);
 }
 
 ImGuiLayer::ImGuiLayer(GLFWwindow* window, float scale) : window_(window), scale_(scale) {

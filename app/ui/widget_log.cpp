@@ -19,9 +19,27 @@ void noteScrolling(LaidOut& item) {
   }
 }
 
+/// The item that was submitted last gets the keyboard, visibly.
+void takeFocus(ImGuiWindow* window) {
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  ImGui::FocusWindow(window);
+  // A dialog that has just come up would give it to its first control with the next frame.
+  context.NavInitRequest = false;
+  context.NavInitResultId = 0;
+  ImGui::SetFocusID(context.LastItemData.ID, window);
+  context.NavDisableHighlight = false;
+  context.NavDisableMouseHover = true;
+}
+
 }  // namespace
 
+void WidgetLog::seek(const std::string& id, bool focus) {
+  sought_ = id;
+  focusSought_ = focus;
+}
+
 void WidgetLog::beginFrame() {
+  sought_.clear();
   rectangles_.clear();
   laidOut_.clear();
   repeated_.clear();
@@ -43,6 +61,17 @@ void WidgetLog::note(const std::string& id) {
                {low.x, low.y, high.x - low.x, high.y - low.y},
                {x, y, std::max(right - x, 0.0f), std::max(bottom - y, 0.0f)}};
   noteScrolling(item);
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  ImGuiWindow* const window = ImGui::GetCurrentWindow();
+  // A window that has just begun counts as the last item.
+  item.item = context.LastItemData.ID == window->MoveId ? 0 : context.LastItemData.ID;
+  item.usable = (context.LastItemData.InFlags & (ImGuiItemFlags_Disabled | ImGuiItemFlags_NoNav)) == 0;
+  const bool sought = !sought_.empty() && id == sought_;
+  const bool focused = item.item != 0 && item.item == focusWanted_;
+  if (focused) focusWanted_ = 0;
+  if (item.item != 0 && (focused || (sought && focusSought_))) takeFocus(window);
+  const bool cut = item.visible.z < item.whole.z - 1.0f || item.visible.w < item.whole.w - 1.0f;
+  if ((sought || focused) && cut) ImGui::ScrollToBringRectIntoView(window, ImRect(low, high));
   laidOut_.push_back(std::move(item));
   // A sliver cannot be clicked: its center would lie on the edge of what covers the rest.
   if (right - x < 3.0f || bottom - y < 3.0f) return;

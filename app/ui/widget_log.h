@@ -17,6 +17,8 @@ struct LaidOut {
   glm::vec4 visible{0.0f};  ///< The visible part of that; width or height 0: nothing.
   bool scrollsX = false;    ///< What is cut off can be scrolled to, in its window or one around it.
   bool scrollsY = false;
+  unsigned item = 0;   ///< ImGui's id; 0: a text.
+  bool usable = true;  ///< Neither grayed nor for the mouse alone.
 };
 
 /// Rectangles x, y, width, height in window coordinates of the controls drawn in this frame, visible part only.
@@ -31,6 +33,14 @@ class WidgetLog {
   [[nodiscard]] const std::map<std::string, glm::vec4>& rectangles() const { return rectangles_; }
   /// Every ImGui item that was noted, cut off or not.
   [[nodiscard]] const std::vector<LaidOut>& laidOut() const { return laidOut_; }
+  /// The control of this name is scrolled into sight when it is noted next in this frame, and gets the keyboard if that
+  /// is wanted. Right after beginFrame().
+  void seek(const std::string& id, bool focus);
+  /// Whether that has happened and it can be seen.
+  [[nodiscard]] bool sought() const { return !sought_.empty() && rectangles_.contains(sought_); }
+  /// The item gets the keyboard when it is noted next.
+  void focusOn(unsigned item) { focusWanted_ = item; }
+
   /// Names used twice in this frame: a mistake that tests look for.
   [[nodiscard]] const std::vector<std::string>& repeated() const { return repeated_; }
 
@@ -38,6 +48,9 @@ class WidgetLog {
   std::map<std::string, glm::vec4> rectangles_;
   std::vector<LaidOut> laidOut_;
   std::vector<std::string> repeated_;
+  std::string sought_;
+  bool focusSought_ = false;
+  unsigned focusWanted_ = 0;
 };
 
 }  // namespace sinew::app

@@ -3,20 +3,31 @@
 #include "app/window/editor_step.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>  // ClearActiveID, which 1.86 keeps to itself.
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 
 #include <algorithm>
 #include <vector>
 
 #include "app/actions/actions.h"
+#include "app/actions/bindings.h"
+#include "app/actions/body_parts_commands.h"
+#include "app/actions/check_commands.h"
 #include "app/actions/export_commands.h"
 #include "app/actions/export_error.h"
+#include "app/actions/muscle_set_commands.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/hidden_bones.h"
 #include "app/editor/line_commands.h"
+#include "app/editor/session.h"
+#include "app/editor/territory.h"
 #include "app/editor/visibility_commands.h"
 #include "app/panels/panels.h"
 #include "app/tools/view/viewport_input.h"
+#include "app/ui/keyboard_focus.h"
 #include "core/base/stopwatch.h"
 
 namespace sinew::app {
@@ -25,6 +36,37 @@ namespace {
 /// A text field has the keyboard. ImGui goes on wanting text for a frame after the field is left, and a key that
 /// comes in that frame would be lost.
 bool isTyping() { return ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive(); }
+
+/// The user has given Tab to an action.
+bool tabIsAnAction(const EditorState& state, const RawInput& input) {
+  if (input.pressedKey != GLFW_KEY_TAB) return false;
+  return ownerOf({GLFW_KEY_TAB, input.control, input.shift, input.alt}, state.session.preferences) != nullptr;
+}
+
+/// Esc where nothing is selected and no tool draws: what stands over the picture, the last first.
+bool closesWhatIsOpen(EditorState& state, const RawInput& input) {
+  if (input.pressedKey != GLFW_KEY_ESCAPE || input.control || input.shift || input.alt) return false;
+  const Selection& selection = state.document.selection;
+  const ToolKind tool = state.view.tools.tool;
+  const bool draws = tool == ToolKind::kAddMuscle || tool == ToolKind::kMuscleLine;
+  const bool busy = !selection.primitives.empty() || selection.bone >= 0 || draws || editsTerritory(state) ||
+                    state.open.animate.drivenKey.isOn() || state.open.gestureItem != 0;
+  if (busy) return false;
+  if (state.view.bare.latched) state.view.bare.latched = false;
+  else if (state.open.muscleSet.shown) closeSet(state);
+  else if (state.open.check.shown) closeCheck(state);
+  else if (state.open.bodyParts.shown) toggleBodyParts(state);
+  else return false;
+  return true;
+}
+
+/// Esc first leaves the number that the arrows change, then takes the ring away.
+bool leavesRing(const RawInput& input) {
+  if (input.pressedKey != GLFW_KEY_ESCAPE || !focusShown()) return false;
+  if (ImGui::IsAnyItemActive()) ImGui::ClearActiveID();
+  else dropFocus();
+  return true;
+}
 
 void movePose(EditorState& state, const RawInput& input, double seconds) {
   if (!state.hasCharacter()) return;
@@ -41,6 +83,7 @@ void movePose(EditorState& state, const RawInput& input, double seconds) {
 void EditorStep::run(EditorState& state, const RawInput& input, const Fonts& fonts, double seconds) {
   Stopwatch watch;
   followExports(state);
+  followOpenedPages(state);
   // A press on a panel keeps a drag that goes on without a button, before the panel begins a gesture of its own.
   if (!viewportFree_ && input.pressedButton >= 0) keepDrag(state.view.tools, state.document);
   const bool viewportFree = viewportFree_ = runInterface(state, input, fonts);
@@ -56,7 +99,11 @@ void EditorStep::run(EditorState& state, const RawInput& input, const Fonts& fon
 /// Keys and panels. @return whether the mouse is over the picture and nothing lies in front of it.
 bool EditorStep::runInterface(EditorState& state, const RawInput& input, const Fonts& fonts) {
   const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  if (!popup && !isTyping() && !ownsKeyboard(state.view.tools)) runShortcut(state, input);
+  const bool dragging = ownsKeyboard(state.view.tools);
+  const bool ringTakes = !dragging && !tabIsAnAction(state, input) && moveFocus(widgets_, input);
+  if (!popup && !isTyping() && !dragging && !ringTakes && !leavesRing(input) && !closesWhatIsOpen(state, input)) {
+    runShortcut(state, input);
+  }
   state.frame.arrowsTaken = false;
   state.open.animate.pointed.clear();
   state.open.animate.pointedPoint = {};

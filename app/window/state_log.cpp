@@ -11,6 +11,7 @@
 
 #include "app/actions/animate.h"
 #include "app/actions/animated_names.h"
+#include "app/ui/keyboard_focus.h"
 #include "core/io/json/json.h"
 
 namespace sinew::app {
@@ -155,8 +156,7 @@ void addAnimated(const EditorState& state, const std::vector<AnimatedNumber>& an
   }
 }
 
-/// The driven keys that are being set; of the active muscle and its line: what is keyed in this clip or driven, and
-/// what that makes of it now.
+/// The driven keys being set; what of the active muscle and its line is keyed here or driven, and its numbers now.
 Json animationState(const EditorState& state) {
   Json animation = Json::object();
   if (!state.hasCharacter()) return animation;
@@ -255,12 +255,11 @@ std::string dialogName(const EditorState& state) {
   if (state.dialogs.conflict.found != OnDisk::kSame) return "conflict";
   if (state.dialogs.question.kind != IntentKind::kNone) return "unsaved";
   if (state.dialogs.exportQuestion) return "export-question";
-  if (state.dialogs.file.kind == DialogKind::kSavePicture) return "picture";
-  if (state.dialogs.file.kind == DialogKind::kExportPlace || state.dialogs.file.kind == DialogKind::kJobPlace)
-    return "export-place";
+  const DialogKind file = state.dialogs.file.kind;
+  if (file == DialogKind::kSavePicture) return "picture";
+  if (file == DialogKind::kExportPlace || file == DialogKind::kJobPlace) return "export-place";
   if (!state.dialogs.file.locateFor.empty()) return "locate-file";
-  if (state.dialogs.file.kind != DialogKind::kNone)
-    return state.dialogs.file.kind == DialogKind::kOpen ? "open" : "save";
+  if (file != DialogKind::kNone) return file == DialogKind::kOpen ? "open" : "save";
   if (state.dialogs.exporting.shown == ExportDialog::kCharacter) return "export";
   if (state.dialogs.exporting.shown == ExportDialog::kFarmJob) return "farm";
   if (!state.dialogs.locate.rigFile.empty()) return "locate";
@@ -356,6 +355,7 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("camera", cameraState(state.view.tools.camera))
       .set("outliner", outlinerState(state.view))
       .set("dialog", dialogName(state))
+      .set("focus", focusedControl(widgets))
       .set("keymap", nameOf(state.session.preferences.keymap))
       .set("scale", state.frame.uiScale)
       .set("symmetry", symmetryState(state.document))

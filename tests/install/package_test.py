@@ -19,7 +19,7 @@ EXPECTED = """usr/bin/sinew usr/share/applications/sinew.desktop usr/share/mime/
     usr/share/icons/hicolor/256x256/apps/sinew.png usr/share/man/man1/sinew.1.gz
     usr/share/bash-completion/completions/sinew usr/share/zsh/vendor-completions/_sinew
     usr/share/fish/vendor_completions.d/sinew.fish usr/share/doc/sinew/copyright usr/share/doc/sinew/changelog.gz
-    usr/share/doc/sinew/changelog.Debian.gz usr/share/doc/sinew/examples/three.js/sinew_muscles.js usr/share/sinew/shaders/surface.frag
+    usr/share/doc/sinew/changelog.Debian.gz usr/share/doc/sinew/examples/three.js/sinew_muscles.js usr/share/doc/sinew/docs/keyboard.md usr/share/sinew/shaders/surface.frag
     usr/share/sinew/assets/humanoid.rig.json usr/share/sinew/assets/presets/athlete.json""".split()
 
 
@@ -54,6 +54,7 @@ def names_its_dependencies(deb, root):
     check("the letters' packages are named", {"fonts-inter", "fonts-dejavu-core"} <= named, field)
     wished = run("dpkg-deb", "--field", deb, "Recommends")
     check("that of Chinese, Japanese and Korean is recommended", "fonts-noto-cjk" in wished, wished)
+    check("what opens the pages is recommended", "xdg-utils" in wished, wished)
 
 
 def holds_what_it_should(root):
@@ -61,6 +62,10 @@ def holds_what_it_should(root):
     check("all parts are there", not set(EXPECTED) - files, set(EXPECTED) - files)
     strange = [f for f in files if re.search(r"(\.py|\.h|\.cpp|\.a|\.cmake|CMakeLists\.txt)$|/maker/", f)]
     check("no part of the library or of the build", not strange, strange)
+    pages = root / "usr/share/doc/sinew/docs"
+    for page in pages.glob("*.md"):
+        for picture in re.findall(r"!\[[^\]]*\]\(([^)]+)\)", page.read_text()):
+            check("%s has its picture %s" % (page.name, picture), (pages / picture).is_file())
     for size in (16, 24, 32, 48, 64, 128, 256):
         head = (root / ("usr/share/icons/hicolor/%dx%d/apps/sinew.png" % (size, size))).read_bytes()[16:24]
         check("the icon of %d pixels" % size, head == size.to_bytes(4, "big") * 2)

@@ -54,6 +54,11 @@ TEST(PaletteSearch, TheBeginningOfWordsBeatsTheirMiddle) {
   EXPECT_EQ(found("ll", named({"ball", "LeftLeg"})).front(), "LeftLeg");
 }
 
+TEST(PaletteSearch, LettersInOnePieceBeatScatteredOnes) {
+  EXPECT_EQ(found("tend", named({"To the end", "semitendinosus", "Tendon at the origin"})),
+            (std::vector<std::string>{"Tendon at the origin", "To the end", "semitendinosus"}));
+}
+
 TEST(PaletteSearch, AWholeNameBeatsALongerOne) {
   EXPECT_EQ(found("spine", named({"spine upper", "Spine"})).front(), "Spine");
 }

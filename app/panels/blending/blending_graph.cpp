@@ -1,6 +1,7 @@
 // app/panels/blending/blending_graph.cpp: the blending graph as nodes that are dragged and edges that are clicked.
 
 #include <imgui.h>
+#include <imgui_internal.h>  // NoNav: for the mouse alone.
 
 #include <algorithm>
 #include <array>
@@ -233,7 +234,9 @@ void zoom(Graph& graph, const glm::vec2& mouse) {
 
 void takeInput(Graph& graph) {
   ImGui::SetCursorScreenPos(point(graph.low));
+  ImGui::PushItemFlag(ImGuiItemFlags_NoNav, true);
   ImGui::InvisibleButton("canvas", {graph.size.x, graph.size.y});
+  ImGui::PopItemFlag();
   ImGui::SetItemAllowOverlap();
   graph.ui.widgets.note("blending/canvas");
   const glm::vec2 mouse{ImGui::GetMousePos().x, ImGui::GetMousePos().y};

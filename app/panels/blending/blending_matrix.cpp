@@ -114,33 +114,32 @@ std::string cellHint(const Matrix& matrix, int i, int j) {
          (linked ? " blend. Click to unlink." : " do not blend: the stronger wins. Click to link.");
 }
 
-/// One item for all cells: which one is known from the pointer.
-void cellItem(Matrix& matrix) {
-  const float side = matrix.cell * static_cast<float>(matrix.count());
-  ImGui::SetCursorScreenPos(matrix.cells);
-  const bool pressed = ImGui::InvisibleButton("cells", {side, side});
-  const ImVec2 mouse = ImGui::GetMousePos();
-  if (ImGui::IsItemHovered() && mouse.x >= matrix.clip.x) {
-    const int i = static_cast<int>((mouse.y - matrix.cells.y) / matrix.cell);
-    const int j = static_cast<int>((mouse.x - matrix.cells.x) / matrix.cell);
-    if (i >= 0 && j >= 0 && j <= i && i < matrix.count()) {
-      matrix.row = i;
-      matrix.column = j;
-      tooltip(matrix.ui, cellHint(matrix, i, j));
-      if (pressed && i == j) takeClick(matrix, i);
-      if (i == j && ImGui::IsMouseDoubleClicked(0)) startGroupRename(matrix.ui.state, matrix.id(i));
-      if (pressed && i != j) toggleLink(matrix.ui.state, i, j);
-    }
+void cellItem(Matrix& matrix, int i, int j) {
+  ImGui::SetCursorScreenPos(matrix.corner(i, j));
+  ImGui::PushID(i);
+  ImGui::PushID(j);
+  const bool pressed = ImGui::InvisibleButton("cell", {matrix.cell, matrix.cell});
+  ImGui::PopID();
+  ImGui::PopID();
+  matrix.ui.widgets.note("blending/cell/" + matrix.name(i) + "/" + matrix.name(j));
+  if (ImGui::IsItemHovered()) {
+    matrix.row = i;
+    matrix.column = j;
+    tooltip(matrix.ui, cellHint(matrix, i, j));
+    if (i == j && ImGui::IsMouseDoubleClicked(0)) startGroupRename(matrix.ui.state, matrix.id(i));
   }
+  if (!pressed) return;
+  if (i == j) takeClick(matrix, i);
+  else toggleLink(matrix.ui.state, i, j);
 }
 
-void noteCell(Matrix& matrix, int i, int j, const ImVec2& low) {
-  const float x = std::max(low.x, matrix.clip.x);
-  const float y = std::max(low.y, matrix.clip.y);
-  const float width = std::min(low.x + matrix.cell, matrix.clip.z) - x;
-  const float height = std::min(low.y + matrix.cell, matrix.clip.w) - y;
-  if (width < 3.0f || height < 3.0f) return;
-  matrix.ui.widgets.note("blending/cell/" + matrix.name(i) + "/" + matrix.name(j), {x, y, width, height});
+/// Under the names, where they scroll.
+void cellItems(Matrix& matrix) {
+  ImGui::PushClipRect({matrix.clip.x, matrix.clip.y}, {matrix.clip.z, matrix.clip.w}, true);
+  for (int i = 0; i < matrix.count(); ++i) {
+    for (int j = 0; j <= i; ++j) cellItem(matrix, i, j);
+  }
+  ImGui::PopClipRect();
 }
 
 void drawDiagonal(const Matrix& matrix, ImDrawList& list, int group, const ImVec2& low, const ImVec2& high) {
@@ -156,7 +155,6 @@ void drawDiagonal(const Matrix& matrix, ImDrawList& list, int group, const ImVec
 void drawCell(Matrix& matrix, ImDrawList& list, int i, int j) {
   const ImVec2 corner = matrix.corner(i, j);
   if (corner.x + matrix.cell < matrix.clip.x || corner.x > matrix.clip.z) return;
-  noteCell(matrix, i, j, corner);
   const float inset = std::max(0.05f * matrix.cell, 1.0f);
   const ImVec2 low{corner.x + inset, corner.y + inset};
   const ImVec2 high{corner.x + matrix.cell - inset, corner.y + matrix.cell - inset};
@@ -209,7 +207,7 @@ void drawBlendingMatrix(PanelUi& ui, float height) {
   ImGui::BeginChild("blending-matrix", {0.0f, height}, false, ImGuiWindowFlags_HorizontalScrollbar);
   Matrix matrix = lay(ui);
   nameItems(matrix);
-  cellItem(matrix);
+  cellItems(matrix);
   drawCells(matrix);
   drawNames(matrix);
   if (matrix.row >= 0) highlightGroup(ui.state, matrix.name(matrix.row));

@@ -16,6 +16,8 @@ constexpr int kSideBySide = 6;
 constexpr int kWordBegins = 8;
 constexpr int kTextBegins = 6;
 constexpr int kWholeText = 20;
+constexpr int kPrefixOfWord = 20;   ///< More for a word of the query that a word begins with ...
+constexpr int kPartOfWord = 8;      ///< ... or holds in one piece.
 constexpr int kOnlyInContext = 24;  ///< Less for a query that the label alone does not fit.
 constexpr int kRecentBonus = 4;     ///< For the one used last; a step less for every five before.
 constexpr int kUnusable = 6;        ///< Less for what cannot be done now.
@@ -41,10 +43,12 @@ std::optional<Fit> fitWord(std::string_view word, std::string_view text) {
   std::vector<std::vector<int>> best(word.size(), std::vector<int>(text.size(), kWorst));
   std::vector<std::vector<std::size_t>> from(word.size(), std::vector<std::size_t>(text.size(), 0));
   for (std::size_t i = 0; i < word.size(); ++i) {
+    // The further bytes of a letter belong to its first.
+    const bool continues = (static_cast<unsigned char>(word[i]) & 0xC0U) == 0x80U;
     int before = kWorst;  // The best of the letter before, anywhere left of j - 1.
     std::size_t beforeAt = 0;
     for (std::size_t j = i; j < text.size(); ++j) {
-      if (i > 0 && j >= 2 && best[i - 1][j - 2] > before) {
+      if (i > 0 && !continues && j >= 2 && best[i - 1][j - 2] > before) {
         before = best[i - 1][j - 2];
         beforeAt = j - 2;
       }
@@ -70,6 +74,22 @@ std::optional<Fit> fitWord(std::string_view word, std::string_view text) {
   }
   std::ranges::reverse(fit.marks);
   return fit;
+}
+
+/// The word in one piece, where that fits best.
+std::optional<Fit> fitInOnePiece(std::string_view word, std::string_view text) {
+  std::optional<Fit> best;
+  if (word.size() < 2) return best;
+  for (std::size_t at = 0; at + word.size() <= text.size(); ++at) {
+    if (!std::ranges::equal(word, text.substr(at, word.size()), {}, toLower, toLower)) continue;
+    Fit fit{beginsWord(text, at) ? kPrefixOfWord : kPartOfWord, {}};
+    for (std::size_t i = 0; i < word.size(); ++i) {
+      fit.score += weightAt(text, at + i) + (i > 0 ? kSideBySide : 0);
+      fit.marks.push_back(at + i);
+    }
+    if (!best || fit.score > best->score) best = std::move(fit);
+  }
+  return best;
 }
 
 std::vector<std::string_view> wordsOf(std::string_view query) {
@@ -100,8 +120,10 @@ std::optional<Fit> fitCandidate(std::string_view query, const Candidate& candida
 std::optional<Fit> fitOf(std::string_view query, std::string_view text) {
   Fit all;
   for (const std::string_view word : wordsOf(query)) {
-    const std::optional<Fit> fit = fitWord(word, text);
+    std::optional<Fit> fit = fitWord(word, text);
     if (!fit) return std::nullopt;
+    if (std::optional<Fit> piece = fitInOnePiece(word, text); piece && piece->score > fit->score)
+      fit = std::move(piece);
     all.score += fit->score;
     all.marks.insert(all.marks.end(), fit->marks.begin(), fit->marks.end());
   }

@@ -19,6 +19,7 @@
 #include "app/panels/outliner/outliner.h"
 #include "app/panels/outliner/outliner_row.h"
 #include "app/ui/elide.h"
+#include "app/ui/keyboard_focus.h"
 #include "core/base/at.h"
 
 namespace sinew::app {
@@ -121,6 +122,7 @@ void reveal(PanelUi& ui, const OutlinerContent& frame) {
 void keyboard(PanelUi& ui, const OutlinerContent& frame) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!ImGui::IsWindowFocused() || io.WantTextInput || io.KeyCtrl || io.KeyAlt || frame.rows.empty()) return;
+  if (focusShown()) return;  // The arrows move the ring.
   ui.state.frame.arrowsTaken = true;
   if (ImGui::IsKeyPressed(GLFW_KEY_DOWN)) moveCursor(ui.state, frame.rows, 1, io.KeyShift);
   if (ImGui::IsKeyPressed(GLFW_KEY_UP)) moveCursor(ui.state, frame.rows, -1, io.KeyShift);

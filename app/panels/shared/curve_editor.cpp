@@ -3,6 +3,7 @@
 #include "app/panels/shared/curve_editor.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>  // NoNav: for the mouse alone.
 
 #include <algorithm>
 #include <cmath>
@@ -170,7 +171,9 @@ void drawCurveEditor(PanelUi& ui, const Curve& curve, const Curve& atStart, cons
                   {corner.x + size.x - inset, corner.y + size.y - inset - kLabel * ImGui::GetFontSize()},
                   dragging ? drag.axes : axesOf(curve, view.now)};
   drawLabels(ui, plot, rangeOf(curve), view);
+  ImGui::PushItemFlag(ImGuiItemFlags_NoNav, true);
   ImGui::InvisibleButton(("##" + view.id).c_str(), size);
+  ImGui::PopItemFlag();
   const bool hovered = ImGui::IsItemHovered();
   const glm::vec2 mouse(ImGui::GetMousePos().x, ImGui::GetMousePos().y);
   const int under = hovered && !dragging ? pointUnder(plot, curve, mouse, ui.px(kReach)) : -1;

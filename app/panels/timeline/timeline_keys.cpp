@@ -3,6 +3,7 @@
 #include "app/panels/timeline/timeline_keys.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>  // NoNav: for the mouse alone.
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -123,7 +124,9 @@ void keysArea(const Row& row) {
   PanelUi& ui = row.ui;
   PointDrag& drag = ui.state.open.animate.drag;
   ImGui::SetCursorScreenPos({row.low.x, row.low.y});
+  ImGui::PushItemFlag(ImGuiItemFlags_NoNav, true);
   ImGui::InvisibleButton(("##" + row.keys.id).c_str(), {row.high.x - row.low.x, row.high.y - row.low.y});
+  ImGui::PopItemFlag();
   const float mouse = ImGui::GetMousePos().x;
   const bool dragging = drag.item == row.keys.id;
   const int under = ImGui::IsItemHovered() && !dragging ? row.keyUnder(mouse) : -1;

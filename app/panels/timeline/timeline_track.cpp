@@ -3,6 +3,7 @@
 #include "app/panels/timeline/timeline_track.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>  // NoNav: for the mouse alone.
 
 #include <algorithm>
 #include <array>
@@ -60,7 +61,9 @@ void refresh(EditorState& state, double duration) {
 
 bool button(const Track& track, const char* id, float x0, float y0, float x1, float y1) {
   ImGui::SetCursorScreenPos({x0, y0});
+  ImGui::PushItemFlag(ImGuiItemFlags_NoNav, true);
   ImGui::InvisibleButton(id, {std::max(1.0f, x1 - x0), std::max(1.0f, y1 - y0)});
+  ImGui::PopItemFlag();
   track.ui.widgets.note(id);
   return ImGui::IsItemActive();
 }
