@@ -37,7 +37,7 @@ Result<SkinnedExportReport> fitAndWrite(Source& source, const Character& charact
   SkinnedExportReport report;
   fit.measure(report);
   fit.measureBetween(report);
-  SkinnedFile made = skinnedFile(source, character.mesh, fit, settings);
+  SkinnedFile made = skinnedFile(source, character, fit, settings);
   report.joints = made.joints;
   report.vertices = made.vertices;
   report.triangles = made.triangles;

@@ -152,7 +152,8 @@ std::string inspectText(const InspectFacts& facts) {
   for (const Bone& bone : character.skeleton.bones) joints.push_back(bone.name);
   std::vector<std::string> clips;
   for (const AnimationClip& clip : character.clips)
-    clips.push_back(clip.name + ' ' + shortNumber(clip.duration) + " s");
+    clips.push_back(clip.name + ' ' + shortNumber(clip.duration) + " s" +
+                    (clip.addedFrom.empty() ? "" : " of " + clip.addedFrom));
 
   std::ostringstream out;
   out << facts.document.name() << '\n';
@@ -177,6 +178,9 @@ std::string inspectText(const InspectFacts& facts) {
   else out << "no joint can turn\n";
   out << "  materials   " << character.materials.size() << '\n';
   out << "  textures    " << character.textures.size() << '\n';
+  const Document::ClipFiles& files = facts.document.clipFiles;
+  for (const Error& missing : files.missing) out << "  clips left  " << missing.text() << '\n';
+  for (const std::string& note : files.notes) out << "  clips added " << note << '\n';
   out << "  ignored     " << (character.ignored.empty() ? "nothing" : "") << '\n';
   for (const std::string& what : character.ignored) out << "              " << what << '\n';
   return out.str();
