@@ -83,7 +83,7 @@ class StanceFinder {
     if (standsOnGround(slot->slot)) return none;
     const auto laid = std::ranges::find(kLaidOver, slot->slot, &std::pair<Slot, Slot>::first);
     if (laid == kLaidOver.end()) return above;
-    const int end = bodies_.toSlots[{laid->second, slot->side}].bone;
+    const int end = partOf(bodies_, {laid->second, slot->side});
     if (end == bone || partnerOf(bone) < 0 || partnerOf(end) < 0) return above;
     const auto ours = directionOf(jointOf(bodies_.to, bone), jointOf(bodies_.to, end));
     const auto theirs = directionOf(jointOf(bodies_.from, partnerOf(bone)), jointOf(bodies_.from, partnerOf(end)));
@@ -121,7 +121,7 @@ class StanceFinder {
     int count = 0;
     for (const Slot slot : {Slot::kFoot, Slot::kFrontFoot, Slot::kHindFoot}) {
       for (const BodySide side : {BodySide::kLeft, BodySide::kRight}) {
-        const int foot = bodies_.toSlots[{slot, side}].bone;
+        const int foot = partOf(bodies_, {slot, side});
         if (partnerOf(foot) < 0) continue;
         feet.ours += jointOf(bodies_.to, foot).y;
         feet.theirs += jointOf(bodies_.from, partnerOf(foot)).y;
@@ -175,6 +175,13 @@ glm::dquat rotationIn(const glm::mat4& matrix) {
   axes[1] /= second;
   axes[2] = glm::cross(axes[0], axes[1]);
   return glm::normalize(glm::quat_cast(axes));
+}
+
+int partOf(const ClipBodies& bodies, BodySlot slot) {
+  if (const int own = bodies.toSlots[slot].bone; own >= 0) return own;
+  const int theirs = bodies.fromSlots[slot].bone;
+  const auto found = theirs < 0 ? bodies.partner.end() : std::ranges::find(bodies.partner, theirs);
+  return found == bodies.partner.end() ? -1 : static_cast<int>(found - bodies.partner.begin());
 }
 
 CommonStance findCommonStance(const ClipBodies& bodies) { return StanceFinder(bodies).run(); }

@@ -19,6 +19,10 @@ struct ClipBodies {
   const std::vector<int>& partner;  ///< [bones of to] bone of from, or -1
 };
 
+/// The character's bone that is this part, or whose partner is: feet that are targets of their legs, not below them,
+/// are found by their names alone. -1: none.
+[[nodiscard]] int partOf(const ClipBodies& bodies, BodySlot slot);
+
 struct CommonStance {
   /// World of the clips -> world of the character: about y, by whole quarters, so that both face the same way.
   glm::dquat facing{1.0, 0.0, 0.0, 0.0};

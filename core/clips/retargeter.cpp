@@ -253,20 +253,27 @@ Channel Retargeter::follow(int bone, int carrier, const MadeChannels& made, doub
   return channel;
 }
 
-/// Feet that are targets, not below their legs, would stay behind.
-void Retargeter::addFeetApart(MadeChannels& made, double& budget) const {
-  constexpr std::array<std::pair<Slot, Slot>, 3> kFeet{
-      {{Slot::kLowerLeg, Slot::kFoot}, {Slot::kFrontLower, Slot::kFrontFoot}, {Slot::kHindLower, Slot::kHindFoot}}};
-  for (const auto& [leg, foot] : kFeet) {
+/// Thighs beside the hips and feet beside their legs, as where feet are targets, would stay behind.
+void Retargeter::addPartsApart(MadeChannels& made, double& budget) const {
+  constexpr std::array<std::pair<Slot, Slot>, 6> kCarried{{{Slot::kHips, Slot::kSpine},
+                                                           {Slot::kHips, Slot::kUpperLeg},
+                                                           {Slot::kHips, Slot::kHindUpper},
+                                                           {Slot::kLowerLeg, Slot::kFoot},
+                                                           {Slot::kFrontLower, Slot::kFrontFoot},
+                                                           {Slot::kHindLower, Slot::kHindFoot}}};
+  for (const auto& [by, part] : kCarried) {
     for (const BodySide side : {BodySide::kLeft, BodySide::kRight}) {
-      const int footBone = bodies_.toSlots[{foot, side}].bone;
-      const int legBone = bodies_.toSlots[{leg, side}].bone;
-      if (footBone < 0 || legBone < 0 || !canTurn(legBone)) continue;
-      int above = footBone;
-      while (above >= 0 && above != legBone) above = at(bodies_.to.bones, above).parent;
-      const LocalTransform& rest = at(bodies_.to.nodes, at(bodies_.to.bones, footBone).node).rest;
-      if (above == legBone || rest.matrix) continue;
-      Channel channel = follow(footBone, legBone, made, budget);
+      if (side == BodySide::kRight && part < kFirstSidedSlot) continue;
+      const int bone = partOf(bodies_, {part, side});
+      const int carrier = partOf(bodies_, {by, by < kFirstSidedSlot ? BodySide::kLeft : side});
+      if (bone < 0 || carrier < 0 || !canTurn(carrier)) continue;
+      const auto isAbove = [&](int above, int below) {
+        while (below >= 0 && below != above) below = at(bodies_.to.bones, below).parent;
+        return below == above;
+      };
+      const LocalTransform& rest = at(bodies_.to.nodes, at(bodies_.to.bones, bone).node).rest;
+      if (isAbove(carrier, bone) || isAbove(bone, carrier) || rest.matrix) continue;
+      Channel channel = follow(bone, carrier, made, budget);
       if (!channel.times.empty() && isTame(channel)) made.add(std::move(channel));
     }
   }
@@ -288,7 +295,7 @@ std::vector<Channel> Retargeter::channelsOf(const AnimationClip& clip, double& b
     shorten(path);
     if (!isAtRest(path)) made.add(std::move(path));
   }
-  addFeetApart(made, budget);
+  addPartsApart(made, budget);
   return std::move(made).take();
 }
 

@@ -41,7 +41,7 @@ class Retargeter {
   [[nodiscard]] Channel turnOf(int bone, const ClipTurns& turns, double& budget) const;
   [[nodiscard]] Channel hipPath(const ClipTurns& turns, const MadeChannels& made, double& budget) const;
   [[nodiscard]] Channel follow(int bone, int carrier, const MadeChannels& made, double& budget) const;
-  void addFeetApart(MadeChannels& made, double& budget) const;
+  void addPartsApart(MadeChannels& made, double& budget) const;
   [[nodiscard]] glm::dmat4 placed(int node, const MadeChannels& made, float time) const;
   [[nodiscard]] std::vector<float> timesAbove(int node, const MadeChannels& made) const;
   [[nodiscard]] double depthOf(int node) const;
