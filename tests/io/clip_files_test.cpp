@@ -15,7 +15,7 @@
 namespace sinew {
 namespace {
 
-class ClipFiles : public test::TemporaryFolder {
+class ClipFiles : public ::testing::Test {
  protected:
   std::filesystem::path write(const std::string& name, const std::string& bytes) {
     std::ofstream(folder_ / name, std::ios::binary) << bytes;
@@ -36,6 +36,9 @@ class ClipFiles : public test::TemporaryFolder {
     post.file.json.erase("animations");
     return post.file.glb();
   }
+
+  const test::TemporaryFolder own_;
+  const std::filesystem::path folder_ = own_.path();
 };
 
 TEST_F(ClipFiles, AClipMovedToAFileWithoutMeshPlaysBitForBit) {
