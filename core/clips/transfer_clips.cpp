@@ -39,7 +39,7 @@ bool isNear(const glm::mat4& a, const glm::mat4& b, float size) {
 bool isSameRest(const LocalTransform& a, const LocalTransform& b) {
   if (a.matrix.has_value() != b.matrix.has_value()) return false;
   if (a.matrix) return isNear(*a.matrix, *b.matrix, glm::length((*a.matrix)[3]));
-  const bool sameTurn = 1.0f - std::abs(glm::dot(a.rotation, b.rotation)) <= kSame * kSame;
+  const bool sameTurn = std::min(glm::length(a.rotation - b.rotation), glm::length(a.rotation + b.rotation)) <= kSame;
   const bool bothHere = glm::length(a.translation) + glm::length(b.translation) == 0.0f;
   return sameTurn && (bothHere || isNear(a.translation, b.translation)) && isNear(a.scale, b.scale);
 }

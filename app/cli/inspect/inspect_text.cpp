@@ -1,8 +1,9 @@
 // app/cli/inspect/inspect_text.cpp: a character or rig in lines for people, and a row of a table.
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
+#include <filesystem>
 #include <iomanip>
 #include <sstream>
 
@@ -153,7 +154,7 @@ std::string inspectText(const InspectFacts& facts) {
   std::vector<std::string> clips;
   for (const AnimationClip& clip : character.clips)
     clips.push_back(clip.name + ' ' + shortNumber(clip.duration) + " s" +
-                    (clip.addedFrom.empty() ? "" : " of " + clip.addedFrom));
+                    (clip.addedFrom.empty() ? "" : " of " + std::filesystem::path(clip.addedFrom).filename().string()));
 
   std::ostringstream out;
   out << facts.document.name() << '\n';
