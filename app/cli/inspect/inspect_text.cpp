@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 #include <filesystem>
-#include <iomanip>
 #include <sstream>
 
 #include <glm/geometric.hpp>
