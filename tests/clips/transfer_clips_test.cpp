@@ -80,9 +80,10 @@ TEST(TransferClips, TheSameSkeletonKeepsEveryBit) {
   // Turned as files have it: the floats of a rotation are never quite of length 1.
   std::mt19937 random(3);
   std::uniform_real_distribution<float> any(-1.0f, 1.0f);
-  for (Node& node : from.skeleton.nodes) {
-    node.rest.rotation = 0.999999f * glm::normalize(glm::quat(any(random), any(random), any(random), any(random)));
-  }
+  const auto anyTurn = [&] { return glm::normalize(glm::quat(any(random), any(random), any(random), any(random))); };
+  for (Node& node : from.skeleton.nodes) node.rest.rotation = 0.999999f * anyTurn();
+  for (Bone& bone : from.skeleton.bones) bone.bindInWorld = bone.bindInWorld * glm::mat4_cast(anyTurn());
+  finishBones(from.skeleton);
   const Character to = from;
   from.clips = {swaying(from.skeleton, 0, 1.0f)};
   from.clips.front().channels.front().interpolation = Interpolation::kStep;
