@@ -87,6 +87,10 @@ TEST(TransferClips, TheSameSkeletonKeepsEveryBit) {
   const Character to = from;
   from.clips = {swaying(from.skeleton, 0, 1.0f)};
   from.clips.front().channels.front().interpolation = Interpolation::kStep;
+  // What no other skeleton would be given: a bone that stretches.
+  const int last = from.skeleton.bones.back().node;
+  from.clips.front().channels.push_back(
+      {last, ChannelPath::kTranslation, Interpolation::kLinear, {0.0f, 1.0f}, {glm::vec4(0.0f), glm::vec4(0.1f)}});
   const TransferredClips made = transferClips(from, to, {}, "walk.glb");
   ASSERT_EQ(made.clips.size(), 1u);
   EXPECT_TRUE(made.notes.empty());
