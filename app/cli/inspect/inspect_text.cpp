@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <filesystem>
+#include <iomanip>
 #include <sstream>
 
 #include <glm/geometric.hpp>
