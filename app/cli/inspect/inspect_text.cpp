@@ -1,5 +1,6 @@
 // app/cli/inspect/inspect_text.cpp: a character or rig in lines for people, and a row of a table.
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
