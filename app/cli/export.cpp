@@ -24,6 +24,7 @@ struct ExportOptions {
   std::string word = exportKinds().front().word;  ///< Said after --as.
   ExportSettings settings;
   CLI::App* parser = nullptr;      ///< Knows which options are given.
+  std::vector<std::string> clips;  ///< Files whose clips are added.
   std::filesystem::path errorMap;  ///< .ply; empty: none.
   bool json = false;
   BatchOptions batch;
@@ -108,6 +109,7 @@ void addOptions(CLI::App& verb, ExportOptions& options) {
           "(.usda; .pc2 or .mdd, a cache beside an .obj)")
       ->type_name("KIND")
       ->check(CLI::IsMember(exportWords()));
+  addClipsOption(verb, options.clips);
   addSettings(verb, options.settings);
   verb.add_flag("--json", options.json, "Report as JSON");
   verb.add_option_function<std::string>(
@@ -128,7 +130,7 @@ struct ExportJob {
 int exportInput(const ExportOptions& options, const ExportJob& job, const BatchInput& input) {
   const ExportKind& kind = *job.kind;
   const std::filesystem::path& output = input.outputs.front();
-  const auto document = openDocument(input.file);
+  const auto document = openWithClips(input.file, options.clips);
   if (!document) return badInput(document.error());
   ProgressLine line("exporting " + output.string(), options.batch.progress);
   const auto show = [&line](double share) {
@@ -182,7 +184,7 @@ Result<FarmCheck> checkVerb(const ExportOptions& options) {
   const auto job = planExport(options);
   if (!job) return job.error();
   return checkForFarm("export", job->batch, options.batch, [&](const BatchInput& input) -> Result<InputCheck> {
-    const auto document = openDocument(input.file);
+    const auto document = openWithClips(input.file, options.clips);
     if (!document) return document.error();
     ExportSource source{document->characterFile, document->character, document->rig(), input.file};
     if (const auto able = checkExportSource(*job->kind, source, options.settings); !able) return able.error();

@@ -9,6 +9,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/inspect/inspect_facts.h"
+#include "app/cli/surface_options.h"
 #include "app/cli/verb.h"
 #include "app/document/document.h"
 
@@ -17,6 +18,7 @@ namespace {
 
 struct InspectOptions {
   std::vector<std::string> files;
+  std::vector<std::string> clips;  ///< Files whose clips are added.
   bool json = false;
   bool strict = false;  ///< A rig whose bones are missing is a bad input.
 };
@@ -24,7 +26,7 @@ struct InspectOptions {
 /// What one file gives; `put` is called unless it cannot be read.
 template <class Put>
 bool inspectFile(const InspectOptions& options, const std::string& file, Put put) {
-  const auto document = openDocument(file);
+  const auto document = openDocument(file, {options.clips.begin(), options.clips.end()});
   if (!document) {
     put(nullptr, document.error());
     return badInput(document.error()) == kDone;
@@ -32,6 +34,10 @@ bool inspectFile(const InspectOptions& options, const std::string& file, Put put
   const InspectFacts facts = factsOf(document.value());
   put(&facts, Error{});
   const std::size_t missing = facts.rig.missing.size();
+  const std::vector<Error>& clipFiles = document->clipFiles.missing;
+  if (options.strict && missing == 0 && !clipFiles.empty()) {
+    return badInput({file, "", "clips of the rig are left out: " + clipFiles.front().text()}) == kDone;
+  }
   if (!options.strict || missing == 0) return true;
   const std::string bones = std::to_string(missing) + (missing == 1 ? " bone" : " bones");
   return badInput({file, "", bones + " of the rig missing in " + facts.document.characterFile.string()}) == kDone;
@@ -92,9 +98,11 @@ int runInspect(const InspectOptions& options) {
 void addInspectOptions(CLI::App& verb, InspectOptions& options) {
   verb.add_option("FILE", options.files, "Characters (.glb, .gltf, .vrm) or rigs (.rig.json); of several, a table")
       ->required();
+  addClipsOption(verb, options.clips);
   verb.add_flag("--json", options.json,
                 "Print JSON, for programs: an object, or an array where there are several files");
-  verb.add_flag("--strict", options.strict, "Exit with status 1 if a rig names bones that its character lacks");
+  verb.add_flag("--strict", options.strict,
+                "Exit with status 1 if a rig names bones that its character lacks, or clip files that cannot be read");
 }
 
 }  // namespace

@@ -123,6 +123,7 @@ void addLook(CLI::App& verb, RenderOptions& options) {
 void addRenderOptions(CLI::App& verb, RenderOptions& options) {
   const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
   verb.add_option_function<std::string>("FILE", to(options.input), "Rig (.rig.json) or character (.glb, .gltf, .vrm)");
+  addClipsOption(verb, options.clips);
   verb.add_option("--clip", options.clip,
                   "Pose from this clip, or \"Range of motion\", made from the joints; "
                   "without any of these, the bind pose")

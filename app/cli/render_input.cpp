@@ -67,7 +67,7 @@ std::vector<Moment> momentsOf(const RenderPlan& plan, const AnimationClip* clip)
 }  // namespace
 
 Result<OpenedInput> openToRender(const RenderOptions& options, const RenderPlan& plan, const BatchInput& input) {
-  auto document = openDocument(input.file);
+  auto document = openWithClips(input.file, options.clips);
   if (!document) return document.error();
   document.value().character = withClipNamed(document->character, options.clip);
   auto rig = overridden(document.value(), options.surfaceOptions);

@@ -18,9 +18,10 @@ inline constexpr int kMostTurns = 10000;
 /// As the command line says it.
 struct RenderOptions {
   std::filesystem::path input;
-  std::filesystem::path output;  ///< .png, or isMovieName(); its fields as planBatch.
-  std::string clip;              ///< Name; empty: the first if a time or frames are given, else the bind pose.
-  std::optional<double> time;    ///< Seconds.
+  std::filesystem::path output;    ///< .png, or isMovieName(); its fields as planBatch.
+  std::vector<std::string> clips;  ///< Files whose clips are added.
+  std::string clip;                ///< Name; empty: the first if a time or frames are given, else the bind pose.
+  std::optional<double> time;      ///< Seconds.
   BatchOptions batch;
   int turntable = 0;                   ///< Pictures once around; 0: none.
   std::string sheet;                   ///< "CxR"; empty: none.

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -31,6 +32,7 @@ struct SmoothOptions {
   std::optional<double> time;       ///< Seconds into the clip.
   BatchOptions batch;
   SurfaceOptions surface;
+  std::vector<std::string> clips;  ///< Files whose clips are added.
 };
 
 std::string reportText(const SmoothingReport& report) {
@@ -75,6 +77,7 @@ void addSmoothOptions(CLI::App& verb, SmoothOptions& options) {
       verb.add_option("--clip", options.clip,
                       "Pose from this clip, or \"Range of motion\", made from the joints; without it, the bind pose");
   clip->type_name("NAME");
+  addClipsOption(verb, options.clips);
   verb.add_option("--time", options.time, "Seconds into the clip (0)")->type_name("S")->check(isTime)->needs(clip);
   addFrameOptions(verb, options.batch);
   addSurfaceOptions(verb, options.surface);
@@ -126,7 +129,7 @@ struct OpenedInput {
 };
 
 Result<OpenedInput> open(const SmoothOptions& options, const SmoothJob& job, const BatchInput& input) {
-  auto document = openDocument(input.file);
+  auto document = openWithClips(input.file, options.clips);
   if (!document) return document.error();
   if (options.clip) document.value().character = withClipNamed(document->character, options.clip.value());
   auto rig = overridden(document.value(), options.surface);

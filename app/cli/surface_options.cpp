@@ -83,6 +83,23 @@ void addDetailOptions(CLI::App& verb, DetailOverride& detail) {
       ->check(isTolerance);
 }
 
+void addClipsOption(CLI::App& verb, std::vector<std::string>& files) {
+  verb.add_option("--clips", files,
+                  "Add the clips of this file (.glb, .gltf, .vrm), with a mesh or without; once for each")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+}
+
+Result<Document> openWithClips(const std::filesystem::path& file, const std::vector<std::string>& clips) {
+  Result<Document> opened = openDocument(file, {clips.begin(), clips.end()});
+  if (!opened) return opened;
+  for (const Error& missing : opened->clipFiles.missing) {
+    message(file.string() + ": its clips are left out: " + missing.text());
+  }
+  for (const std::string& note : opened->clipFiles.notes) message(note);
+  return opened;
+}
+
 void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options) {
   addDetailOptions(verb, options.detail);
   verb.add_option("--mode", options.mode, "swell (the skin rises over the muscles) or replace (the paper's method)")

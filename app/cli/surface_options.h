@@ -31,6 +31,12 @@ struct SurfaceOptions {
 /// parse.
 void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options);
 
+/// --clips, once for each file.
+void addClipsOption(CLI::App& verb, std::vector<std::string>& files);
+
+/// openDocument; says what of the clips is left out. Error: also one of these files that cannot be read.
+[[nodiscard]] Result<Document> openWithClips(const std::filesystem::path& file, const std::vector<std::string>& clips);
+
 /// --depth, --detail and --tolerance alone.
 void addDetailOptions(CLI::App& verb, DetailOverride& detail);
 

@@ -3,12 +3,14 @@
 #include "app/document/document.h"
 #include "app/document/character_files.h"
 
+#include <algorithm>
 #include <fstream>
 #include <system_error>
 #include <utility>
 
 #include "core/base/at.h"
 #include "core/base/lower_case.h"
+#include "core/io/clip_files.h"
 #include "core/rig/morphs.h"
 #include "core/symmetry/twins.h"
 #include "sinew/io/gltf_import.h"
@@ -26,6 +28,7 @@ Result<Document> openCharacter(const std::filesystem::path& file) {
   Rig rig;
   rig.character = file.filename().generic_string();
   rig.smoothing.detail = DetailKind::kAdaptive;
+  document.clipFiles.folder = file.parent_path();
   document.commands = CommandStack(withMorphsOf(std::move(rig), *document.character));
   prepareMirror(document);
   return document;
@@ -48,7 +51,9 @@ Result<Document> openParts(Rig rig, const std::optional<FileStamp>& onDisk, cons
   document.characterFile = characterFile;
   document.rigFile = file;
   document.rigOnDisk = onDisk;
+  document.clipFiles.folder = file.parent_path();
   document.commands = CommandStack(withMorphsOf(std::move(rig), *document.character));
+  loadClipFiles(document);
   prepareMirror(document);
   return document;
 }
@@ -60,6 +65,13 @@ Result<Document> openRig(const std::filesystem::path& file) {
   if (!rig) return rig.error();
   const std::filesystem::path characterFile = characterPath(rig.value(), file);
   return openParts(std::move(rig).value(), onDisk, file, characterFile);
+}
+
+Result<Document> openEither(const std::filesystem::path& file) {
+  const std::string name = lowerCase(file.filename().string());
+  if (name.ends_with(".json")) return openRig(file);
+  if (isCharacterName(name)) return openCharacter(file);
+  return Error{file.string(), "", "expected a character (.glb, .gltf, .vrm) or a rig (.rig.json)", "cannot be opened"};
 }
 
 }  // namespace
@@ -83,11 +95,28 @@ std::string Document::name() const {
   return "untitled";
 }
 
-Result<Document> openDocument(const std::filesystem::path& file) {
-  const std::string name = lowerCase(file.filename().string());
-  if (name.ends_with(".json")) return openRig(file);
-  if (isCharacterName(name)) return openCharacter(file);
-  return Error{file.string(), "", "expected a character (.glb, .gltf, .vrm) or a rig (.rig.json)", "cannot be opened"};
+void loadClipFiles(Document& document) {
+  WithClipFiles with = withClipFiles(document.character, document.rig(), document.clipFiles.folder);
+  document.character = std::move(with.character);
+  document.clipFiles.missing = std::move(with.missing);
+  document.clipFiles.notes = std::move(with.notes);
+}
+
+Result<Document> openDocument(const std::filesystem::path& file, const std::vector<std::filesystem::path>& clips) {
+  Result<Document> opened = openEither(file);
+  if (!opened || clips.empty()) return opened;
+  Document& document = opened.value();
+  Rig rig = document.rig();
+  const std::size_t missing = document.clipFiles.missing.size();
+  for (const std::filesystem::path& path : clips) {
+    const std::string name =
+        path.is_absolute() ? path.generic_string() : relativeCharacterPath(path, document.clipFiles.folder / "rig");
+    if (std::ranges::find(rig.clipFiles, name) == rig.clipFiles.end()) rig.clipFiles.push_back(name);
+  }
+  document.commands.apply("Add clips", std::move(rig));
+  loadClipFiles(document);
+  if (document.clipFiles.missing.size() > missing) return document.clipFiles.missing.back();
+  return opened;
 }
 
 std::optional<std::filesystem::path> missingCharacter(const std::filesystem::path& rigFile) {
@@ -128,6 +157,7 @@ Result<void> saveDocument(Document& document, const std::filesystem::path& rigFi
   if (!std::filesystem::path(written.character).is_absolute()) {
     written.character = relativeCharacterPath(document.characterFile, rigFile);
   }
+  written.clipFiles = clipFilesFor(rigFile, written.clipFiles, document.clipFiles.folder);
   if (Result<void> saved = saveRig(written, rigFile); !saved) return saved;
   document.rigFile = rigFile;
   document.rigOnDisk = stampOf(rigToJson(written));

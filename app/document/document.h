@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/document/command_stack.h"
 #include "app/document/file_stamp.h"
@@ -30,6 +31,14 @@ struct Document {
   std::shared_ptr<const MirrorPlan> mirror;  ///< Null or unusable: nothing can be mirrored. See prepareMirror.
   bool symmetry = false;  ///< View state: what is added, deleted, duplicated or pasted is so on both sides.
   Visibility visibility;
+  /// Rig::clipFiles while the document is open: where relative paths begin, which could not be read, what of the others
+  /// did not match.
+  struct ClipFiles {
+    std::filesystem::path folder;
+    std::vector<Error> missing;
+    std::vector<std::string> notes;
+  };
+  ClipFiles clipFiles;
   mutable PosedRigMemo poses;  ///< For posedRig().
 
   [[nodiscard]] const Rig& rig() const { return commands.rig(); }
@@ -51,8 +60,13 @@ struct Document {
 };
 
 /// Opens a .glb / .gltf (with an empty rig) or a .rig.json (with the character it names). Error: the open document is
-/// untouched.
-[[nodiscard]] Result<Document> openDocument(const std::filesystem::path& file);
+/// untouched. Clip files of the rig that cannot be read are Document::clipFiles.missing.
+/// @param clips  further files, whose clips are added; the rig names them too. Error: one that cannot be read
+[[nodiscard]] Result<Document> openDocument(const std::filesystem::path& file,
+                                            const std::vector<std::filesystem::path>& clips = {});
+
+/// The character with the clips that the rig's files have now.
+void loadClipFiles(Document& document);
 
 /// Where a rig expects its character, if no file can be read there. nullopt: one can, or this is no rig.
 [[nodiscard]] std::optional<std::filesystem::path> missingCharacter(const std::filesystem::path& rigFile);

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "app/document/preferences.h"
+#include "core/io/clip_files.h"
 #include "core/io/files/atomic_file.h"
 #include "core/io/json/json.h"
 #include "core/rig/morphs.h"
@@ -54,7 +55,10 @@ FileLock tryLock(const fs::path& file, int flags) {
 }
 
 std::string recoveryText(const Document& document) {
-  const Result<Json> rig = Json::parse(rigToJson(document.rig()));
+  Rig written = document.rig();
+  const fs::path base = absolutePath(document.rigFile.empty() ? document.characterFile : document.rigFile);
+  written.clipFiles = clipFilesFor(base, written.clipFiles, absolutePath(document.clipFiles.folder));
+  const Result<Json> rig = Json::parse(rigToJson(written));
   return Json::object()
              .set("format", "sinew-recovery")
              .set("version", 1)
@@ -179,6 +183,8 @@ Result<Document> recoverDocument(const LeftBehind& left) {
   document.rigOnDisk = stampFromText(json->at("rig_on_disk").text(""));
   document.commands = CommandStack(withMorphsOf(rigBefore(left, rig.value()), *document.character));
   document.commands.apply("Recover", withMorphsOf(std::move(rig).value(), *document.character));
+  document.clipFiles.folder = (left.rigFile.empty() ? left.characterFile : left.rigFile).parent_path();
+  loadClipFiles(document);
   prepareMirror(document);  // After it: what is recovered is taken as it is.
   return document;
 }

@@ -60,6 +60,12 @@ void tellIgnored(EditorState& state) {
   for (const std::string& ignored : state.character().ignored) {
     addMessage(state.session, MessageKind::kNote, name + ": " + ignored);
   }
+  for (const Error& missing : state.document.clipFiles.missing) {
+    addMessage(state.session, MessageKind::kWarning, "Its clips are left out: " + missing.plainText());
+  }
+  for (const std::string& note : state.document.clipFiles.notes) {
+    addMessage(state.session, MessageKind::kNote, note);
+  }
   for (const Error& missing : missingBones(state.document.rig(), state.character().skeleton)) {
     addMessage(state.session, MessageKind::kNote, missing.plainText() + "; it is kept, but has no effect");
   }

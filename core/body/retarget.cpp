@@ -258,6 +258,7 @@ Retargeted Retargeter::make() {
   for (MorphWeight& morph : rig.morphs) moveAnimated(morph.animated, morph.name);
   rig = withMorphsOf(removePrimitives(std::move(rig), gone), to_);
   // Corrections are of the first body; of the same bones they hold on.
+  rig.clipFiles.clear();  // Their paths begin at the other rig, and the other character has clips of its own.
   std::erase_if(rig.slots, [&](const SlotCorrection& each) {
     return each.bone.empty() ? !isSameBody(from_, to_) : !to_.skeleton.findBone(each.bone);
   });

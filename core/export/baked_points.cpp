@@ -77,7 +77,7 @@ Result<BakedExportReport> bakeStage(Source& source, const SharedCharacter& chara
   JointFit fit(character, *character, rig, skinning, {});
   if (auto found = fit.findWeights(); !found) return found.error();
   std::vector<OutPrimitive> primitives;
-  SkinnedFile made = skinnedFile(source, character->mesh, fit, skinning,
+  SkinnedFile made = skinnedFile(source, *character, fit, skinning,
                                  [&](GltfRewrite&, const OutSkins&, std::span<const OutPrimitive> written) {
                                    primitives.assign(written.begin(), written.end());
                                  });

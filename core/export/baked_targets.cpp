@@ -285,7 +285,7 @@ Result<BakedExportReport> bakeTargets(Source& source, const std::shared_ptr<cons
   BakedExportReport report;
   TargetMaker targets(character, rig, fit, settings, ofTargets);
   SkinnedFile made =
-      skinnedFile(source, character->mesh, fit, skinning,
+      skinnedFile(source, *character, fit, skinning,
                   [&](GltfRewrite& rewrite, const OutSkins& skins, std::span<const OutPrimitive> primitives) {
                     targets.addTo(rewrite, skins, primitives, report);
                   });

@@ -1,13 +1,81 @@
 // core/export/clip_json.cpp: members of glTF's animations.
 #include "core/export/clip_json.h"
 
+#include <cmath>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
+#include "core/base/at.h"
+
 namespace sinew::exporting {
+
+namespace {
+
+constexpr float kUnitWithin = 1e-5f;
+
+}  // namespace
 
 std::string clipName(const Json& clip, int index) {
   const std::string name = clip.at("name").text("");
   return name.empty() ? "clip " + std::to_string(index) : name;
+}
+
+namespace {
+
+const char* wordFor(Interpolation interpolation) {
+  if (interpolation == Interpolation::kStep) return "STEP";
+  return interpolation == Interpolation::kCubicSpline ? "CUBICSPLINE" : "LINEAR";
+}
+
+const char* wordFor(ChannelPath path) {
+  if (path == ChannelPath::kRotation) return "rotation";
+  return path == ChannelPath::kScale ? "scale" : "translation";
+}
+
+int addKeys(int clip, const std::vector<float>& times, Interpolation interpolation, const AccessorData& values,
+            GltfRewrite& rewrite) {
+  const int input = addTimes(times, rewrite);
+  const int sampler = addSampler(clip, input, rewrite.addAccessor(values), rewrite);
+  Json& samplers = *memberOf(rewrite.element("animations", clip), "samplers");
+  at(samplers.children, sampler).set("interpolation", wordFor(interpolation));
+  return sampler;
+}
+
+/// glTF wants unit rotations; tangents are none.
+std::vector<float> fileValues(const Channel& channel) {
+  const bool turns = channel.path == ChannelPath::kRotation;
+  const bool cubic = channel.interpolation == Interpolation::kCubicSpline;
+  std::vector<float> values;
+  for (std::size_t i = 0; i < channel.values.size(); ++i) {
+    glm::vec4 value = channel.values[i];
+    const float length = glm::length(value);
+    const bool isValue = !cubic || i % 3 == 1;
+    if (turns && isValue && length > 0.0f && std::abs(length - 1.0f) > kUnitWithin) value /= length;
+    for (int c = 0; c < (turns ? 4 : 3); ++c) values.push_back(value[c]);
+  }
+  return values;
+}
+
+}  // namespace
+
+void addClip(const AnimationClip& clip, std::span<const int> fileNode, std::span<const MorphTarget> targets,
+             GltfRewrite& rewrite) {
+  Json made = Json::object();
+  made.set("name", clip.name).set("samplers", Json::array()).set("channels", Json::array());
+  const int index = rewrite.append("animations", std::move(made));
+  for (const Channel& channel : clip.channels) {
+    const std::vector<float> values = fileValues(channel);
+    const char* const type = channel.path == ChannelPath::kRotation ? "VEC4" : "VEC3";
+    const AccessorData data{bytesOf(values), TINYGLTF_COMPONENT_TYPE_FLOAT, type, channel.values.size()};
+    const int sampler = addKeys(index, channel.times, channel.interpolation, data, rewrite);
+    addChannel(index, sampler, at(fileNode, channel.node), wordFor(channel.path), rewrite);
+  }
+  for (const MorphChannel& channel : clip.morphChannels) {
+    const AccessorData data{bytesOf(channel.values), TINYGLTF_COMPONENT_TYPE_FLOAT, "SCALAR", channel.values.size()};
+    const int sampler = addKeys(index, channel.times, channel.interpolation, data, rewrite);
+    addChannel(index, sampler, at(targets, channel.firstTarget).node, "weights", rewrite);
+  }
 }
 
 int addTimes(const std::vector<float>& times, GltfRewrite& rewrite) {

@@ -1,15 +1,23 @@
 // core/export/clip_json.h: clips of the file as JSON: what they are called, and channels that are added to them.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/export/gltf_rewrite.h"
+#include "sinew/mesh/morph_target.h"
+#include "sinew/skeleton/animation_clip.h"
 
 namespace sinew::exporting {
 
 /// As the import names it.
 [[nodiscard]] std::string clipName(const Json& clip, int index);
+
+/// A clip of its own at the end of the file's.
+/// @param fileNode  [skeleton nodes]  @param targets  of the character
+void addClip(const AnimationClip& clip, std::span<const int> fileNode, std::span<const MorphTarget> targets,
+             GltfRewrite& rewrite);
 
 /// An accessor of key times. @param times  seconds, rising, not empty
 [[nodiscard]] int addTimes(const std::vector<float>& times, GltfRewrite& rewrite);

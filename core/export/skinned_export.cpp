@@ -41,7 +41,7 @@ Result<SkinnedExportReport> fitAndWrite(Source& source, const Character& charact
   fit.measure(report);
   fit.measureBetween(report);
   if (auto near = checkError(file, report); !near) return near.error();
-  SkinnedFile made = skinnedFile(source, character.mesh, fit, settings);
+  SkinnedFile made = skinnedFile(source, character, fit, settings);
   report.joints = made.joints;
   report.vertices = made.vertices;
   report.triangles = made.triangles;

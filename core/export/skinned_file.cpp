@@ -21,7 +21,7 @@ constexpr double kFirstTriangleMode = TINYGLTF_MODE_TRIANGLES;
 
 class FileMaker {
  public:
-  FileMaker(Source& source, const ControlMesh& mesh, const JointFit& fit, const SkinnedExportSettings& settings,
+  FileMaker(Source& source, const Character& character, const JointFit& fit, const SkinnedExportSettings& settings,
             const FinishFile& finish)
       : source_(source),
         fit_(fit),
@@ -29,9 +29,13 @@ class FileMaker {
         finish_(finish),
         rewrite_(source.root, source.file),
         skins_(source),
-        primitives_(source, mesh, fit.bind(), fit.weights(), skins_) {}
+        primitives_(source, character.mesh, fit.bind(), fit.weights(), skins_),
+        character_(character) {}
 
   SkinnedFile run() {
+    for (const AnimationClip& clip : character_.clips) {
+      if (!clip.addedFrom.empty()) addClip(clip, source_.fileNode, character_.morphTargets, rewrite_);
+    }
     keepClips();
     repairClips(source_, rewrite_, left_);
     addHelpers();
@@ -170,6 +174,7 @@ class FileMaker {
   GltfRewrite rewrite_;
   OutSkins skins_;
   OutPrimitives primitives_;
+  const Character& character_;
   std::map<int, std::vector<gltf::SoupPart>> partsOf_;  // by node
   std::vector<int> helperNodes_;
   std::set<int> replaced_;  // meshes
@@ -179,9 +184,9 @@ class FileMaker {
 
 }  // namespace
 
-SkinnedFile skinnedFile(Source& source, const ControlMesh& mesh, const JointFit& fit,
+SkinnedFile skinnedFile(Source& source, const Character& character, const JointFit& fit,
                         const SkinnedExportSettings& settings, const FinishFile& finish) {
-  return FileMaker(source, mesh, fit, settings, finish).run();
+  return FileMaker(source, character, fit, settings, finish).run();
 }
 
 }  // namespace sinew::exporting

@@ -33,9 +33,9 @@ struct OutPrimitive {
 /// What else is to be done to the file before it is packed.
 using FinishFile = std::function<void(GltfRewrite& rewrite, const OutSkins& skins, std::span<const OutPrimitive>)>;
 
-/// @param fit   after measure()  @param mesh  the character's
-/// Throws gltf::Refusal.
-[[nodiscard]] SkinnedFile skinnedFile(Source& source, const ControlMesh& mesh, const JointFit& fit,
+/// @param fit   after measure()  @param character  as requireSame() has found it; clips added from other files come
+/// after the file's Throws gltf::Refusal.
+[[nodiscard]] SkinnedFile skinnedFile(Source& source, const Character& character, const JointFit& fit,
                                       const SkinnedExportSettings& settings, const FinishFile& finish = {});
 
 }  // namespace sinew::exporting

@@ -95,7 +95,7 @@ void requireSame(const Source& source, const Character& character) {
   const gltf::ClipTargets targets{source.bound.skeleton, source.bound.skeletonNode, morphsOf};
   const auto clips = gltf::readClips(source.file, targets, accessors, notes);
   std::vector<AnimationClip> imported = character.clips;
-  std::erase_if(imported, &AnimationClip::turnsBindPose);
+  std::erase_if(imported, [](const AnimationClip& clip) { return clip.turnsBindPose || !clip.addedFrom.empty(); });
   if (sameMesh(source.mesh, character.mesh) && sameSkeleton(source.bound.skeleton, character.skeleton) &&
       std::ranges::equal(source.morphTargets, character.morphTargets, sameMorph) &&
       std::ranges::equal(clips, imported, sameClip)) {

@@ -43,7 +43,8 @@ struct Source {
 };
 
 /// Throws gltf::Refusal unless mesh, morph targets, joints and clips of the character are those that the file gives
-/// now: it may have been replaced since it was imported. Clips that were made in memory do not count.
+/// now: it may have been replaced since it was imported. Clips that were made in memory, or added from other
+/// files, do not count.
 void requireSame(const Source& source, const Character& character);
 
 }  // namespace sinew::exporting

@@ -126,6 +126,7 @@ std::string rigToJson(const Rig& rig) {
       .set("smoothing", smoothingNode(rig.smoothing))
       .set("groups", listOf(rig.groups, groupNode))
       .set("links", listOf(rig.links, [](const auto& link) { return strings(link); }));
+  if (!rig.clipFiles.empty()) root.set("clips", strings(rig.clipFiles));
   if (!rig.slots.empty()) root.set("slots", slotsNode(rig.slots));
   if (!rig.channels.empty()) root.set("channels", listOf(rig.channels, channelNode));
   if (!rig.lines.empty()) root.set("lines", listOf(rig.lines, lineNode));

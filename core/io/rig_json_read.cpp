@@ -193,6 +193,10 @@ Rig readRig(Reader& reader, const Json& root) {
     reader.each(*links, {"links", "link"},
                 [&](const Json& node, const Place& place) { rig.links.push_back(readLink(reader, node, place)); });
   }
+  if (const Json* clips = root.find("clips")) {
+    reader.each(*clips, {"clips", "clip file"},
+                [&](const Json& node, const Place& place) { rig.clipFiles.push_back(reader.text(node, place)); });
+  }
   if (const Json* slots = root.find("slots")) rig.slots = readSlots(reader, *slots);
   if (const Json* channels = root.find("channels")) {
     reader.each(*channels, {"channels", "channel"}, [&](const Json& node, const Place& place) {
@@ -214,7 +218,7 @@ Rig readRig(Reader& reader, const Json& root) {
     });
   }
   rig.unknownKeys = unknownKeys(root, {"format", "version", "character", "surface", "smoothing", "groups", "links",
-                                       "slots", "channels", "lines", "primitives", "shapes"});
+                                       "clips", "slots", "channels", "lines", "primitives", "shapes"});
   return rig;
 }
 

@@ -281,6 +281,21 @@ Result<void> validateSlots(const Rig& rig) {
   return {};
 }
 
+/// Of the files nothing is known here.
+Result<void> validateClipFiles(const Rig& rig) {
+  for (std::size_t i = 0; i < rig.clipFiles.size(); ++i) {
+    const std::string& file = rig.clipFiles[i];
+    const std::string place = "clips[" + std::to_string(i) + ']';
+    if (file.empty()) return errorAt(place, "expected the path of a file, got nothing", "clip files");
+    if (auto text = validateText(file, place); !text) return about("clip files", text.error());
+    if (std::find(rig.clipFiles.begin(), rig.clipFiles.begin() + static_cast<std::ptrdiff_t>(i), file) !=
+        rig.clipFiles.begin() + static_cast<std::ptrdiff_t>(i)) {
+      return errorAt(place, "the file \"" + file + "\" is named twice", "clip files");
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void> validateLinks(const Rig& rig) {
@@ -303,6 +318,7 @@ Result<void> validate(const Rig& rig, BlendingGraphMemo& graphs) {
   const auto groups = indexNames(rig.groups, "groups", "group");
   if (!groups) return groups.error();
   if (auto links = validateLinksAmong(rig, groups.value(), graphs); !links) return links;
+  if (auto clips = validateClipFiles(rig); !clips) return clips;
   if (auto slots = validateSlots(rig); !slots) return slots;
 
   if (auto channels = validateChannels(rig); !channels) return channels;

@@ -48,6 +48,7 @@ _sinew() {
     case "$verb:$prev" in
         edit:--log-state) _sinew_files -; return ;;
         edit:--scale) :; return ;;
+        inspect:--clips) _sinew_files glb gltf; return ;;
         check:--mend) _sinew_files json; return ;;
         muscle:-o|muscle:--output) _sinew_files json; return ;;
         muscle:--set) :; return ;;
@@ -57,6 +58,7 @@ _sinew() {
         retarget:-o|retarget:--output) _sinew_files json; return ;;
         retarget:--report) _sinew_files json; return ;;
         smooth:--clip) :; return ;;
+        smooth:--clips) _sinew_files glb gltf; return ;;
         smooth:--time) :; return ;;
         smooth:--frames) :; return ;;
         smooth:--fps) :; return ;;
@@ -74,6 +76,7 @@ _sinew() {
         smooth:--shard) :; return ;;
         smooth:--threads) :; return ;;
         export:--as) _sinew_words helpers skinned baked; return ;;
+        export:--clips) _sinew_files glb gltf; return ;;
         export:--mesh) _sinew_words refined original; return ;;
         export:--depth) :; return ;;
         export:--detail) _sinew_words adaptive uniform; return ;;
@@ -94,6 +97,7 @@ _sinew() {
         pack:--depth) :; return ;;
         pack:--detail) _sinew_words adaptive uniform; return ;;
         pack:--tolerance) :; return ;;
+        render:--clips) _sinew_files glb gltf; return ;;
         render:--clip) :; return ;;
         render:--time) :; return ;;
         render:--frames) :; return ;;
@@ -132,7 +136,7 @@ _sinew() {
         :*) _sinew_words edit inspect check muscle retarget smooth export pack render farm bench; _sinew_files glb gltf vrm rig.json ;;
         edit:-*) _sinew_words -h --help --log-state --scale ;;
         edit:*) _sinew_files glb gltf vrm rig.json ;;
-        inspect:-*) _sinew_words -h --help --json --strict ;;
+        inspect:-*) _sinew_words -h --help --clips --json --strict ;;
         inspect:*) _sinew_files glb gltf vrm rig.json ;;
         check:-*) _sinew_words -h --help --json --strict --mend ;;
         check:*) _sinew_files glb gltf vrm rig.json ;;
@@ -140,13 +144,13 @@ _sinew() {
         muscle:*) _sinew_files glb gltf vrm rig.json ;;
         retarget:-*) _sinew_words -h --help -o --output --report ;;
         retarget:*) _sinew_files glb gltf vrm rig.json ;;
-        smooth:-*) _sinew_words -h --help --clip --time --frames --fps --depth --detail --tolerance --mode --patch --projection --crease --shape -o --output --report --list --shard --resume --dry-run --threads --progress ;;
+        smooth:-*) _sinew_words -h --help --clip --clips --time --frames --fps --depth --detail --tolerance --mode --patch --projection --crease --shape -o --output --report --list --shard --resume --dry-run --threads --progress ;;
         smooth:*) _sinew_files glb gltf vrm rig.json ;;
-        export:-*) _sinew_words -h --help --as --mesh --depth --detail --tolerance --weights --clip --joints --joint-scale --fps --substeps --bound --json --error-map -o --output --list --shard --resume --dry-run --threads --progress ;;
+        export:-*) _sinew_words -h --help --as --clips --mesh --depth --detail --tolerance --weights --clip --joints --joint-scale --fps --substeps --bound --json --error-map -o --output --list --shard --resume --dry-run --threads --progress ;;
         export:*) _sinew_files glb gltf vrm rig.json ;;
         pack:-*) _sinew_words -h --help -o --output --depth --detail --tolerance ;;
         pack:*) _sinew_files glb gltf vrm rig.json ;;
-        render:-*) _sinew_words -h --help --clip --time --frames --fps --turntable --sheet --view --orthographic --shading --show --glass --surface --no-surface --ground --no-ground --cull --transparent --light --background --ao --size --samples --depth --detail --tolerance --mode --patch --projection --crease --shape -o --output --list --shard --resume --dry-run --threads --progress ;;
+        render:-*) _sinew_words -h --help --clips --clip --time --frames --fps --turntable --sheet --view --orthographic --shading --show --glass --surface --no-surface --ground --no-ground --cull --transparent --light --background --ao --size --samples --depth --detail --tolerance --mode --patch --projection --crease --shape -o --output --list --shard --resume --dry-run --threads --progress ;;
         render:*) _sinew_files glb gltf vrm rig.json ;;
         farm:-*) _sinew_words -h --help --to --tasks --program --job ;;
         bench:-*) _sinew_words -h --help --json --rounds --progress ;;

@@ -9,7 +9,7 @@ import sys
 LAYERS = {
     "core": {"base": 1, "lanes": 2, "mesh": 2, "skeleton": 2, "primitives": 2, "character": 3, "blending": 3, "rig": 4, "symmetry": 5,
              "lines": 5, "drivers": 6, "smoothing/patches": 5, "smoothing/roots": 5, "smoothing/projection": 6, "smoothing/finish": 6,
-             "smoothing": 7, "check": 7, "runtime": 8, "c": 9, "body": 8, "io/files": 8, "io/json": 8, "io/gltf/bytes": 8, "io/gltf": 9, "io": 10,
+             "smoothing": 7, "check": 7, "runtime": 8, "c": 9, "body": 8, "clips": 9, "io/files": 8, "io/json": 8, "io/gltf/bytes": 8, "io/gltf": 9, "io": 10,
              "export/fit": 11, "export/usd": 12, "export/bytes": 12, "export": 13, "sinew": 14},
     "app": {"platform": 0, "names": 0, "document": 1, "ui": 2, "render/skin": 1, "render": 2, "playback": 2, "export": 2, "bench": 3, "tools/view": 3, "cli/inspect": 3, "cli": 4,
             "tools/gizmo": 4, "tools": 5, "editor": 6, "actions": 7, "panels/shared": 8, "panels/outliner": 9, "panels/blending": 9, "panels/inspector": 9, "panels/library": 9,
@@ -18,7 +18,7 @@ LAYERS = {
 # Under tests, what runs without the editor: the tests of core's directories, and what they share.
 CORE_TESTS = {name.split("/")[0] for name in LAYERS["core"]} | {"support"}
 EDITOR_SUPPORT = ("tests", "support", "editor")
-NOT_IN_RUNTIME = {"body", "check", "export", "io", "sinew"}  # as in core/CMakeLists.txt: what a game does not link
+NOT_IN_RUNTIME = {"body", "check", "clips", "export", "io", "sinew"}  # as in core/CMakeLists.txt: what a game does not link
 PUBLIC = "core/include/"  # sinew/mesh/x.h there is the public face of core/mesh
 MAX_FILES = 44  # .h and .cpp in one directory
 SOURCES = {".h", ".c", ".cpp", ".vert", ".frag", ".geom", ".comp", ".glsl", ".py", ".sh", ".cmake", ".js", ".gd", ".cs", ".pyi"}

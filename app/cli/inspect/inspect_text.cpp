@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <iomanip>
 #include <sstream>
 
@@ -152,7 +153,8 @@ std::string inspectText(const InspectFacts& facts) {
   for (const Bone& bone : character.skeleton.bones) joints.push_back(bone.name);
   std::vector<std::string> clips;
   for (const AnimationClip& clip : character.clips)
-    clips.push_back(clip.name + ' ' + shortNumber(clip.duration) + " s");
+    clips.push_back(clip.name + ' ' + shortNumber(clip.duration) + " s" +
+                    (clip.addedFrom.empty() ? "" : " of " + std::filesystem::path(clip.addedFrom).filename().string()));
 
   std::ostringstream out;
   out << facts.document.name() << '\n';
@@ -177,6 +179,9 @@ std::string inspectText(const InspectFacts& facts) {
   else out << "no joint can turn\n";
   out << "  materials   " << character.materials.size() << '\n';
   out << "  textures    " << character.textures.size() << '\n';
+  const Document::ClipFiles& files = facts.document.clipFiles;
+  for (const Error& missing : files.missing) out << "  clips left  " << missing.text() << '\n';
+  for (const std::string& note : files.notes) out << "  clips added " << note << '\n';
   out << "  ignored     " << (character.ignored.empty() ? "nothing" : "") << '\n';
   for (const std::string& what : character.ignored) out << "              " << what << '\n';
   return out.str();

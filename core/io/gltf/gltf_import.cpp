@@ -54,8 +54,11 @@ void noteUnused(const File& file, Notes& notes) {
 
 constexpr float kLeastHeight = 1e-9f;  ///< Smaller characters leave what sums of squares can tell.
 
+enum class ReadFor { kCharacter, kClips };
+
 /// @return [V] the soup vertex that each welded one is
-std::vector<int> weldMesh(const TriangleSoup& soup, Character& character) {
+std::vector<int> weldMesh(const TriangleSoup& soup, Character& character, ReadFor use) {
+  if (use == ReadFor::kClips && soup.triangles.empty()) return {};
   if (soup.triangles.empty()) refuse("meshes", "the scene has no triangles to show", "cannot be opened");
   std::vector<int> standsFor;
   character.mesh = weld(soup, weldTolerance(soup), &standsFor);
@@ -68,19 +71,22 @@ std::vector<int> weldMesh(const TriangleSoup& soup, Character& character) {
   return standsFor;
 }
 
-std::shared_ptr<const Character> readCharacter(const std::filesystem::path& path) {
+std::shared_ptr<const Character> readCharacter(const std::filesystem::path& path, ReadFor use) {
   File file(path);
   Notes notes;
   checkExtensions(file.model(), notes);
+  if (use == ReadFor::kClips && file.model().animations.empty())
+    refuse("animations", "the file has no clips", "cannot be added");
   noteUnused(file, notes);
   Accessors accessors(file);
   auto character = std::make_shared<Character>();
   const NodeTree tree = readNodes(file, notes);
-  BoundSkeleton bound = bindSkeleton(file, tree, accessors, notes);
-  Materials materials = readMaterials(file, notes);
+  BoundSkeleton bound =
+      bindSkeleton(file, tree, accessors, notes, use == ReadFor::kClips ? BonesFrom::kNodes : BonesFrom::kMeshes);
+  Materials materials = readMaterials(file, notes, use == ReadFor::kClips ? Images::kLeftOut : Images::kRead);
   SoupOrigin origin;
   const std::vector<int> standsFor =
-      weldMesh(readTriangles(file, tree, bound, materials, accessors, notes, &origin), *character);
+      weldMesh(readTriangles(file, tree, bound, materials, accessors, notes, &origin), *character, use);
   character->morphTargets = readMorphs(file, tree, bound, origin, standsFor, accessors, notes);
   character->morphSets = morphSetsOf(file.vrm(), tree, character->morphTargets);
   character->bodyParts = bodyPartsOf(file.vrm(), bound, notes);
@@ -90,19 +96,19 @@ std::shared_ptr<const Character> readCharacter(const std::filesystem::path& path
   character->skeleton = std::move(bound.skeleton);
   character->materials = std::move(materials.materials);
   character->textures = std::move(materials.textures);
-  showHiddenCharacter(*character, notes);
+  if (use == ReadFor::kCharacter) showHiddenCharacter(*character, notes);
+  if (use == ReadFor::kClips && character->clips.empty())
+    refuse("animations", "no clip of the file moves a bone", "cannot be added");
   character->ignored = notes.lines();
   return character;
 }
 
-}  // namespace
-
-Result<std::shared_ptr<const Character>> importGltf(const std::filesystem::path& file) {
+Result<std::shared_ptr<const Character>> read(const std::filesystem::path& file, ReadFor use) {
   const auto failed = [&](std::string place, std::string reason) {
     return Error{.file = file.string(), .place = std::move(place), .reason = std::move(reason)};
   };
   try {
-    return readCharacter(file);
+    return readCharacter(file, use);
   } catch (Refusal& refusal) {
     Error error = std::move(refusal.error);
     error.file = file.string();
@@ -113,6 +119,16 @@ Result<std::shared_ptr<const Character>> importGltf(const std::filesystem::path&
   } catch (const std::exception& error) {
     return failed("", std::string("cannot be read: ") + error.what());
   }
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const Character>> importGltf(const std::filesystem::path& file) {
+  return read(file, ReadFor::kCharacter);
+}
+
+Result<std::shared_ptr<const Character>> importClips(const std::filesystem::path& file) {
+  return read(file, ReadFor::kClips);
 }
 
 }  // namespace sinew

@@ -29,8 +29,9 @@ struct Skin {
 
 class Binder {
  public:
-  Binder(const File& file, const NodeTree& tree, Accessors& accessors, Notes& notes)
-      : file_(file),
+  Binder(const File& file, const NodeTree& tree, Accessors& accessors, Notes& notes, BonesFrom from)
+      : allNodes_(from == BonesFrom::kNodes && std::ranges::none_of(tree.nodes, hasSkin)),
+        file_(file),
         tree_(tree),
         accessors_(accessors),
         notes_(notes),
@@ -54,6 +55,8 @@ class Binder {
   }
 
  private:
+  static bool hasSkin(const TreeNode& node) { return node.inScene && node.mesh >= 0 && node.skin >= 0; }
+
   std::vector<Bone>& bones() { return result_.skeleton.bones; }
 
   void readSkins() {
@@ -62,6 +65,7 @@ class Binder {
       if (!node.inScene || node.mesh < 0 || node.skin < 0 || at(skins_, node.skin)) continue;
       at(skins_, node.skin) = readSkin(toIndex(node.skin));
     }
+    for (std::size_t skin = 0; allNodes_ && skin < skins_.size(); ++skin) skins_[skin] = readSkin(skin);
     const auto unused = std::ranges::count_if(skins_, [](const auto& skin) { return !skin; });
     if (unused > 0) notes_.add("skins (" + std::to_string(unused) + ") that no mesh of the scene uses are ignored");
   }
@@ -119,6 +123,9 @@ class Binder {
     };
     for (const auto& skin : skins_) {
       if (skin) std::ranges::for_each(skin->joints, want);
+    }
+    for (const int node : tree_.order) {
+      if (allNodes_ && tree_[node].inScene) want(node);
     }
     wantUncarriedMeshes(std::vector<bool>(isBone), want);
     makeSkeletonNodes(isBone);
@@ -318,6 +325,7 @@ class Binder {
     for (auto& skin : skins_) result_.jointBindings.push_back(skin ? std::move(skin->bindings) : std::vector<int>{});
   }
 
+  bool allNodes_;
   const File& file_;
   const NodeTree& tree_;
   Accessors& accessors_;
@@ -334,8 +342,8 @@ class Binder {
 
 }  // namespace
 
-BoundSkeleton bindSkeleton(const File& file, const NodeTree& tree, Accessors& accessors, Notes& notes) {
-  return Binder(file, tree, accessors, notes).run();
+BoundSkeleton bindSkeleton(const File& file, const NodeTree& tree, Accessors& accessors, Notes& notes, BonesFrom from) {
+  return Binder(file, tree, accessors, notes, from).run();
 }
 
 }  // namespace sinew::gltf

@@ -24,9 +24,16 @@ struct BoundSkeleton {
   std::vector<std::vector<int>> jointBindings;     ///< [skins][JOINTS_n value] index into Skeleton::bindings.
 };
 
+/// What becomes a bone.
+enum class BonesFrom {
+  kMeshes,  ///< What moves a mesh.
+  kNodes,   ///< Every node of the scene, where no mesh of it has a skin; else as kMeshes.
+};
+
 /// Joints of the skins in use are bones, and every mesh node that is neither skinned nor below a joint is one of its
 /// own; an unskinned mesh below a joint rides it. Refuses more than kMaxJoints, bad joint indices, too few or not
 /// finite inverse bind matrices. Singular ones fall back to the rest pose, with a note.
-[[nodiscard]] BoundSkeleton bindSkeleton(const File& file, const NodeTree& tree, Accessors& accessors, Notes& notes);
+[[nodiscard]] BoundSkeleton bindSkeleton(const File& file, const NodeTree& tree, Accessors& accessors, Notes& notes,
+                                         BonesFrom from = BonesFrom::kMeshes);
 
 }  // namespace sinew::gltf

@@ -198,6 +198,7 @@ Rig randomDocument(std::uint64_t seed) {
     if (random.chance(0.5f)) rig.slots.push_back({"tail", random.chance(0.5f) ? std::string() : anyName(random, 2)});
   }
   rig.unknownKeys = anyUnknownKeys(random);
+  if (random.chance(0.3f)) rig.clipFiles = {anyName(random, 1) + ".glb", "../" + anyName(random, 2) + ".gltf"};
   return rig;
 }
 

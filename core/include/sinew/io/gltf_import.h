@@ -19,4 +19,9 @@ inline constexpr int kMaxClips = 1000;
 /// file, place (JSON path, accessor, byte), reason. Never throws.
 [[nodiscard]] Result<std::shared_ptr<const Character>> importGltf(const std::filesystem::path& file);
 
+/// Reads a file for its clips, by the same rules: no mesh is needed, and no pictures are read. Where no mesh of the
+/// scene has a skin, all nodes are the skeleton, bound as they stand, or as a skin that no mesh uses binds them. Error:
+/// also a file without clips.
+[[nodiscard]] Result<std::shared_ptr<const Character>> importClips(const std::filesystem::path& file);
+
 }  // namespace sinew

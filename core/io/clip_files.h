@@ -1,0 +1,33 @@
+// core/io/clip_files.h: a character with the clips of the files that its rig names.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sinew/base/result.h"
+#include "sinew/character/character.h"
+#include "sinew/rig/rig.h"
+
+namespace sinew {
+
+struct WithClipFiles {
+  std::shared_ptr<const Character> character;
+  std::vector<Error> missing;      ///< Files whose clips are left out, with the reason.
+  std::vector<std::string> notes;  ///< What did not match, each line with its file's name.
+};
+
+/// The character with the clips of Rig::clipFiles after its own (core/clips/transfer_clips.h). Those that it had from
+/// such files before are left out first. A file that cannot be read is told, and the others are added.
+/// @param folder  that relative paths begin in
+[[nodiscard]] WithClipFiles withClipFiles(std::shared_ptr<const Character> character, const Rig& rig,
+                                          const std::filesystem::path& folder);
+
+/// Rig::clipFiles as a rig file elsewhere names them; absolute ones stay.
+/// @param folder  that they begin in now
+[[nodiscard]] std::vector<std::string> clipFilesFor(const std::filesystem::path& rigFile,
+                                                    const std::vector<std::string>& files,
+                                                    const std::filesystem::path& folder);
+
+}  // namespace sinew
