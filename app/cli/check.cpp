@@ -12,6 +12,7 @@
 #include "app/document/document.h"
 #include "core/base/at.h"
 #include "core/check/check.h"
+#include "core/check/cloth_check.h"
 #include "core/check/mend_rig.h"
 #include "core/io/json/json.h"
 
@@ -23,6 +24,7 @@ struct CheckOptions {
   std::filesystem::path output;  ///< Where the mended rig goes; empty: it is only checked.
   bool json = false;
   bool strict = false;
+  bool cloth = false;
 };
 
 void addCheckOptions(CLI::App& verb, CheckOptions& options) {
@@ -30,6 +32,8 @@ void addCheckOptions(CLI::App& verb, CheckOptions& options) {
   verb.add_option_function<std::string>("RIG", to(options.file), "Rig (.rig.json)")->required();
   verb.add_flag("--json", options.json, "JSON instead of text");
   verb.add_flag("--strict", options.strict, "Exit status 1 if anything is found, after mending if that is asked for");
+  verb.add_flag("--cloth", options.cloth,
+                "Count the vertices of cloth that are below the skin, with and without muscles; takes a while");
   verb.add_option_function<std::string>("--mend", to(options.output),
                                         "Change the lines that something was found of, and write the rig there")
       ->type_name("OUT.rig.json");
@@ -66,6 +70,28 @@ std::string countText(const std::vector<Finding>& findings) {
   return std::to_string(findings.size()) + (findings.size() == 1 ? " finding" : " findings");
 }
 
+/// "cloth: 0 of 3120 vertices below the skin beyond those the file has ..."
+std::string textOf(const ClothCount& count, std::size_t poses) {
+  if (count.vertices == 0) return "cloth: none\n";
+  char deepest[48] = "";
+  if (count.more > 0) {
+    std::snprintf(deepest, sizeof deepest, ", %.2f %% of the height at most",
+                  100.0 * static_cast<double>(count.deepest));
+  }
+  return "cloth: " + std::to_string(count.more) + " vertices are below the skin that are not without muscles" +
+         deepest + "; " + std::to_string(count.below) + " with muscles, " + std::to_string(count.bare) + " without (" +
+         std::to_string(count.vertices) + " vertices, " + std::to_string(poses) + " poses)\n";
+}
+
+Json jsonOf(const ClothCount& count) {
+  return Json::object()
+      .set("vertices", count.vertices)
+      .set("below", static_cast<double>(count.below))
+      .set("below_without_muscles", static_cast<double>(count.bare))
+      .set("more", static_cast<double>(count.more))
+      .set("deepest", count.deepest);
+}
+
 int check(const CheckOptions& options) {
   Result<Document> opened = openDocument(options.file);
   if (!opened) return badInput(opened.error());
@@ -79,6 +105,14 @@ int check(const CheckOptions& options) {
        << clips << (clips == 1 ? " clip\n" : " clips\n");
   put(text, document.rig(), findings);
   Json json = Json::object();
+  std::int64_t sunk = 0;
+  if (options.cloth) {
+    const Result<ClothCount> count = countClothBelow(document.character, document.rig(), motions.poses());
+    if (!count) return badInput(count.error());
+    text << "  " << textOf(count.value(), motions.poses().size());
+    json.set("cloth", jsonOf(count.value()));
+    sunk = count->more;
+  }
   json.set("poses", static_cast<int>(motions.poses().size())).set("findings", jsonOf(document.rig(), findings));
   if (!options.output.empty()) {
     Result<MendedRig> mended = withMendedRig(document.rig(), 0, motions, document.mirror.get());
@@ -98,7 +132,7 @@ int check(const CheckOptions& options) {
   }
   const int put = putResult(options.json ? json.dump(true) + '\n' : text.str());
   if (put != kDone) return put;
-  return options.strict && !findings.empty() ? kBadInput : kDone;
+  return options.strict && (!findings.empty() || sunk > 0) ? kBadInput : kDone;
 }
 
 }  // namespace

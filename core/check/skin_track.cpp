@@ -10,10 +10,10 @@
 #include <vector>
 
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
 
 #include "core/base/at.h"
 #include "core/character/bindings.h"
+#include "core/mesh/nearest_on_triangle.h"
 
 namespace sinew {
 namespace {
@@ -22,42 +22,12 @@ constexpr float kFaces = 0.2f;        ///< Cosine from which a triangle faces ou
 constexpr float kLeastWeight = 0.1f;  ///< Less carries no skin to speak of.
 constexpr std::size_t kMostBones = 4;
 
-using Corners = std::array<glm::vec3, 3>;
+using Corners = TriangleCorners;
 
 Corners cornersOf(const ControlMesh& mesh, int triangle) {
   const auto& vertices = at(mesh.triangles, triangle).vertices;
   const auto corner = [&](std::size_t i) { return at(mesh.positions, vertices[i]); };
   return {corner(0), corner(1), corner(2)};
-}
-
-/// Barycentric coordinates of the triangle's point nearest to p (Ericson, Real-Time Collision Detection, 5.1.5).
-glm::vec3 nearestShares(const glm::vec3& p, const Corners& c) {
-  const glm::vec3 ab = c[1] - c[0];
-  const glm::vec3 ac = c[2] - c[0];
-  const auto against = [&](const glm::vec3& from) { return glm::vec2(glm::dot(ab, p - from), glm::dot(ac, p - from)); };
-  const glm::vec2 a = against(c[0]);
-  if (a.x <= 0.0f && a.y <= 0.0f) return {1.0f, 0.0f, 0.0f};
-  const glm::vec2 b = against(c[1]);
-  if (b.x >= 0.0f && b.y <= b.x) return {0.0f, 1.0f, 0.0f};
-  const float vc = a.x * b.y - b.x * a.y;
-  if (vc <= 0.0f && a.x >= 0.0f && b.x <= 0.0f) {
-    const float t = a.x / (a.x - b.x);
-    return {1.0f - t, t, 0.0f};
-  }
-  const glm::vec2 d = against(c[2]);
-  if (d.y >= 0.0f && d.x <= d.y) return {0.0f, 0.0f, 1.0f};
-  const float vb = d.x * a.y - a.x * d.y;
-  if (vb <= 0.0f && a.y >= 0.0f && d.y <= 0.0f) {
-    const float t = a.y / (a.y - d.y);
-    return {1.0f - t, 0.0f, t};
-  }
-  const float va = b.x * d.y - d.x * b.y;
-  if (va <= 0.0f && b.y - b.x >= 0.0f && d.x - d.y >= 0.0f) {
-    const float t = (b.y - b.x) / ((b.y - b.x) + (d.x - d.y));
-    return {0.0f, 1.0f - t, t};
-  }
-  const float all = va + vb + vc;
-  return {va / all, vb / all, vc / all};
 }
 
 /// The triangle is no nearer, squared: the distance from its box, less what rounding may add.
@@ -66,10 +36,6 @@ float leastFrom(const glm::vec3& p, const Corners& c) {
   const glm::vec3 high = glm::max(c[0], glm::max(c[1], c[2]));
   const glm::vec3 off = glm::max(glm::max(low - p, p - high), glm::vec3(0.0f));
   return 0.999f * glm::dot(off, off);
-}
-
-glm::vec3 mixed(const Corners& c, const glm::vec3& shares) {
-  return shares.x * c[0] + shares.y * c[1] + shares.z * c[2];
 }
 
 }  // namespace
@@ -85,7 +51,7 @@ std::optional<SkinSpot> spotOver(const ControlMesh& mesh, const glm::vec3& point
     const glm::vec3 face = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const float area = glm::length(face);
     if (!(area > 0.0f)) continue;
-    const glm::vec3 shares = nearestShares(point, corners);
+    const glm::vec3 shares = nearestOnTriangle(point, corners);
     const glm::vec3 off = point - mixed(corners, shares);
     const float squared = glm::dot(off, off);
     if (squared < least) {

@@ -10,6 +10,7 @@
 #include "core/io/rig_json_animated.h"
 #include "core/io/rig_json_lines.h"
 #include "core/primitives/shape_numbers.h"
+#include "core/rig/layers.h"
 #include "core/rig/morphs.h"
 #include "core/rig/validation.h"
 
@@ -88,6 +89,12 @@ Json slotsNode(const std::vector<SlotCorrection>& slots) {
   return node;
 }
 
+Json layersNode(const std::vector<LayerChoice>& layers) {
+  Json node = Json::object();
+  for (const LayerChoice& choice : layers) node.set(choice.part, nameOf(choice.layer));
+  return node;
+}
+
 /// Those that do something.
 Json shapesNode(const std::vector<MorphWeight>& morphs) {
   std::vector<Json> nodes;
@@ -106,7 +113,7 @@ int versionOf(const Rig& rig) {
   const bool newer = std::ranges::any_of(rig.primitives, [](const Primitive& p) {
     return !p.placement.shape.isPlain() || p.amount != 1.0f || !p.animated.empty();
   });
-  const bool plain = rig.lines.empty() && rig.channels.empty() && rig.surface.animated.empty();
+  const bool plain = rig.lines.empty() && rig.channels.empty() && rig.surface.animated.empty() && rig.layers.empty();
   return plain && !newer && std::ranges::all_of(rig.morphs, isIdle) ? 1 : 2;
 }
 
@@ -128,6 +135,7 @@ std::string rigToJson(const Rig& rig) {
       .set("links", listOf(rig.links, [](const auto& link) { return strings(link); }));
   if (!rig.clipFiles.empty()) root.set("clips", strings(rig.clipFiles));
   if (!rig.slots.empty()) root.set("slots", slotsNode(rig.slots));
+  if (!rig.layers.empty()) root.set("layers", layersNode(rig.layers));
   if (!rig.channels.empty()) root.set("channels", listOf(rig.channels, channelNode));
   if (!rig.lines.empty()) root.set("lines", listOf(rig.lines, lineNode));
   root.set("primitives", listOf(rig.primitives, primitiveNode));

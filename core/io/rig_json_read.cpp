@@ -12,6 +12,7 @@
 #include "core/io/rig_json_animated.h"
 #include "core/io/rig_json_lines.h"
 #include "core/primitives/shape_numbers.h"
+#include "core/rig/layers.h"
 #include "core/rig/validation.h"
 
 namespace sinew {
@@ -149,6 +150,18 @@ std::vector<SlotCorrection> readSlots(Reader& reader, const Json& node) {
   return slots;
 }
 
+std::vector<LayerChoice> readLayers(Reader& reader, const Json& node) {
+  std::vector<LayerChoice> layers;
+  if (!reader.object(node, "layers")) return layers;
+  for (const Json& one : node.children) {
+    const Place place{"layers." + one.key, "part \"" + one.key + '"'};
+    const auto layer = one.kind == Kind::kString ? skinLayerNamed(one.content) : std::nullopt;
+    if (layer) layers.push_back({one.key, *layer});
+    else reader.expect(place, "\"skin\", \"cloth\" or \"rigid\"", one);
+  }
+  return layers;
+}
+
 MorphWeight readShapeWeight(Reader& reader, const Json& node, const Place& listed) {
   MorphWeight morph;
   if (!reader.object(node, listed)) return morph;
@@ -198,6 +211,7 @@ Rig readRig(Reader& reader, const Json& root) {
                 [&](const Json& node, const Place& place) { rig.clipFiles.push_back(reader.text(node, place)); });
   }
   if (const Json* slots = root.find("slots")) rig.slots = readSlots(reader, *slots);
+  if (const Json* layers = root.find("layers")) rig.layers = readLayers(reader, *layers);
   if (const Json* channels = root.find("channels")) {
     reader.each(*channels, {"channels", "channel"}, [&](const Json& node, const Place& place) {
       rig.channels.push_back(readChannel(reader, node, place));
@@ -218,7 +232,7 @@ Rig readRig(Reader& reader, const Json& root) {
     });
   }
   rig.unknownKeys = unknownKeys(root, {"format", "version", "character", "surface", "smoothing", "groups", "links",
-                                       "clips", "slots", "channels", "lines", "primitives", "shapes"});
+                                       "clips", "slots", "layers", "channels", "lines", "primitives", "shapes"});
   return rig;
 }
 

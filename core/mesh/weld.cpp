@@ -194,6 +194,7 @@ class MeshBuilder {
   void add(const KeptTriangle& kept) {
     ControlTriangle triangle;
     triangle.material = soup_.materials[kept.soupTriangle];
+    if (!soup_.parts.empty()) triangle.part = soup_.parts[kept.soupTriangle];
     for (std::size_t i = 0; i < 3; ++i) {
       triangle.vertices[i] = vertex(kept.representatives[i]);
       triangle.wedges[i] = wedge(triangle.vertices[i], soup_.triangles[kept.soupTriangle][i]);
@@ -247,6 +248,7 @@ ControlMesh weld(const TriangleSoup& soup, float tolerance, std::vector<int>* st
   assert(tolerance >= 0.0f && soup.uvs.size() == soup.positions.size());
   assert(soup.colors.empty() || soup.colors.size() == soup.positions.size());
   assert(soup.influenceBegin.size() == soup.positions.size() + 1 && soup.materials.size() == soup.triangles.size());
+  assert(soup.parts.empty() || soup.parts.size() == soup.triangles.size());
   const std::vector<KeptTriangle> kept = keepTriangles(soup, tolerance);
   MeshBuilder builder(soup, kept.size());
   for (const KeptTriangle& triangle : kept) builder.add(triangle);

@@ -19,6 +19,7 @@ struct TriangleSoup {
   std::vector<Influence> influences;  ///< Sorted by binding within a vertex, each binding once, weights > 0, sum 1.
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Indices < N, counter-clockwise from outside.
   std::vector<int> materials;                           ///< [triangles]
+  std::vector<int> parts;                               ///< [triangles] or empty: all 0.
 };
 
 /// Merges vertices that lie within `tolerance` (1e-6 of the height) of each other and follow the same bindings with

@@ -13,6 +13,7 @@
 
 #include "core/primitives/shape_numbers.h"
 #include "core/rig/animated_validation.h"
+#include "core/rig/layers.h"
 #include "core/rig/morphs.h"
 #include "core/rig/refusals.h"
 #include "core/skeleton/body_slot.h"
@@ -320,6 +321,7 @@ Result<void> validate(const Rig& rig, BlendingGraphMemo& graphs) {
   if (auto links = validateLinksAmong(rig, groups.value(), graphs); !links) return links;
   if (auto clips = validateClipFiles(rig); !clips) return clips;
   if (auto slots = validateSlots(rig); !slots) return slots;
+  if (auto layers = validateLayers(rig); !layers) return layers;
 
   if (auto channels = validateChannels(rig); !channels) return channels;
   if (auto morphs = validateMorphs(rig); !morphs) return morphs;

@@ -10,6 +10,7 @@
 
 #include "core/base/at.h"
 #include "core/base/parallel.h"
+#include "core/smoothing/cloth_levels.h"
 #include "core/smoothing/detail_moments.h"
 #include "core/smoothing/patches/lattice.h"
 #include "core/smoothing/patches/level_fit.h"
@@ -267,7 +268,8 @@ std::shared_ptr<const AdaptiveLevels> findLevels(const Preparation& next, std::s
     if (looksAnew(mesh, asked, t)) out->checked[t].clear();
   }
   const float within = kCheckMargin * tolerance * next.character().height;
-  out->levels = levelsThatFit(next, out->poses, within, withSides(mesh, out->needed), out->checked);
+  out->levels =
+      levelsThatFit(next, out->poses, within, withClothLevels(next, withSides(mesh, out->needed)), out->checked);
   return out;
 }
 

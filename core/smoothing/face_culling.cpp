@@ -41,6 +41,7 @@ class Culler {
   }
 
   [[nodiscard]] bool moves(int t) const {
+    if (!scene_.layers.empty() && at(scene_.layers, t) == SkinLayer::kCloth) return true;
     if (!scene_.classes.empty()) return at(scene_.classes, t) != TriangleClass::kNormal;
     const int carrier = scene_.refinement.controlVertices + scene_.refinement.controlEdges + t;
     return std::ranges::any_of(scene_.field.lists->of(carrier), [&](const CarrierCandidate& candidate) {

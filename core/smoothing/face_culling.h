@@ -19,6 +19,7 @@ struct CullingScene {
   const FieldView& field;
   std::span<const TriangleClass> classes;     ///< [T] in `replace`: all but normal ones move. Empty: `swell`.
   std::span<const glm::vec3> patchPositions;  ///< [V'] world.
+  std::span<const SkinLayer> layers{};        ///< [T] cloth may follow skin that moves. Empty: all is skin.
 };
 
 /// What the eye may skip in one pose. A mark of 1 means skipped.

@@ -7,6 +7,8 @@
 #include "core/base/at.h"
 #include "core/lanes/instruction_set.h"
 #include "core/mesh/creases.h"
+#include "core/rig/layer_guess.h"
+#include "core/rig/layers.h"
 #include "core/rig/validation.h"
 #include "core/smoothing/adaptive_levels.h"
 #include "core/smoothing/finish/fold_relaxation.h"
@@ -42,15 +44,33 @@ Result<void> checkSize(const ControlMesh& mesh, const AdaptiveLevels& detail) {
                  "tolerance");
 }
 
+std::shared_ptr<const LayeredSkin> layeredSkin(const CharacterTables& tables, const Rig& rig,
+                                               const Preparation* former) {
+  const Character& character = *tables.character;
+  const std::vector<SkinLayer> parts = layersOf(rig, character, tables.guessedLayers);
+  if (std::ranges::all_of(parts, [](SkinLayer layer) { return layer == SkinLayer::kSkin; })) return nullptr;
+  if (former && former->layered && former->layered->layers.parts == parts) return former->layered;
+  auto out = std::make_shared<LayeredSkin>();
+  out->layers = meshLayers(character, parts);
+  const SkinMesh skin = skinOf(character.mesh, out->layers);
+  std::vector<glm::vec3> directions;
+  for (const int v : skin.vertices) directions.push_back(at(tables.riseInBind, v));
+  const std::vector<float> limits = inverseRiseLimits(skin.mesh, directions, kRise * character.height);
+  out->inverseLimitsInBind.assign(character.mesh.positions.size(), 0.0f);
+  for (std::size_t i = 0; i < limits.size(); ++i) at(out->inverseLimitsInBind, skin.vertices[i]) = limits[i];
+  return out;
+}
+
 Result<std::shared_ptr<const AttachedRig>> attachRig(const Rig& rig, const Character& character,
-                                                     const Preparation* former, BlendingGraphMemo& graphs) {
-  if (former && sameCandidates(former->attached->rig, rig)) return former->attached;
+                                                     const LayeredSkin* layered, const Preparation* former,
+                                                     BlendingGraphMemo& graphs) {
+  if (former && former->layered.get() == layered && sameCandidates(former->attached->rig, rig)) return former->attached;
   Result<Attachment> attachment = attach(rig, character, graphs);
   if (!attachment) return attachment.error();
   auto attached = std::make_shared<AttachedRig>();
   attached->rig = rig;
   attached->attachment = std::move(attachment).value();
-  attached->candidates = makeCandidateLists(character.mesh, attached->attachment);
+  attached->candidates = makeCandidateLists(character.mesh, attached->attachment, layered ? &layered->layers : nullptr);
   return std::shared_ptr<const AttachedRig>(std::move(attached));
 }
 
@@ -81,7 +101,7 @@ std::shared_ptr<const RefinedMesh> refineMesh(const Preparation& next, const Pre
   const bool sameLevels =
       former && (next.detail ? former->detail && former->detail->levels == next.detail->levels
                              : !former->detail && former->refinement().depth == next.smoothing.depth);
-  if (sameLevels && former->refined->creased == creased) return former->refined;
+  if (sameLevels && former->refined->creased == creased && former->layered == next.layered) return former->refined;
   auto refined = std::make_shared<RefinedMesh>();
   refined->creased = creased;
   const ControlMesh& drawn = creased ? *creased : mesh;
@@ -89,7 +109,7 @@ std::shared_ptr<const RefinedMesh> refineMesh(const Preparation& next, const Pre
                                                                        : refine(drawn, next.smoothing.depth));
   const Refinement& refinement = *refined->refinement;
   refined->inverseLimits.resize(toIndex(refinement.vertexCount));
-  interpolateValues(mesh, refinement, tables.inverseLimitsInBind, refined->inverseLimits);
+  interpolateValues(mesh, refinement, next.inverseLimitsInBind(), refined->inverseLimits);
   refined->isBorder = borderVertices(mesh, refinement);
   refined->rings = vertexRings(refinement);
   return refined;
@@ -102,14 +122,22 @@ std::shared_ptr<const VertexTiles> tilesOf(const Preparation& next, const Prepar
   return std::make_shared<const VertexTiles>(makeVertexTiles(next.mesh(), next.refinement(), *next.seen));
 }
 
-std::shared_ptr<const std::vector<float>> bindFrontsOf(const Preparation& next, const Preparation* former) {
-  const bool known = former && former->refined->refinement == next.refined->refinement &&
-                     former->smoothing.patch == next.smoothing.patch;
-  if (known) return former->bindFronts;
+/// What is read off the patch in the bind pose.
+void readBindPatch(const Preparation* former, Preparation& next) {
+  const bool known = former && former->refined == next.refined && former->smoothing.patch == next.smoothing.patch;
+  if (known) {
+    next.bindFronts = former->bindFronts;
+    next.cloth = former->cloth;
+    return;
+  }
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
   evaluatePatch(next, next.smoothing.patch, next.mesh().positions, next.mesh().normals, positions, normals);
-  return std::make_shared<const std::vector<float>>(triangleFronts(next.refinement(), positions, normals));
+  next.bindFronts = std::make_shared<const std::vector<float>>(triangleFronts(next.refinement(), positions, normals));
+  if (!next.layered || !next.layered->layers.hasCloth()) return;
+  next.cloth = std::make_shared<const ClothBinding>(bindCloth(next.mesh(), next.refinement(), next.refined->rings,
+                                                              next.layered->layers, positions, normals,
+                                                              next.character().height));
 }
 
 std::shared_ptr<const std::vector<Anchor>> anchorsOf(const Preparation& next, const Preparation* former) {
@@ -136,8 +164,9 @@ std::shared_ptr<const CharacterTables> characterTables(std::shared_ptr<const Cha
   const float rise = kRise * character->height;
   std::vector<glm::vec3> directions = riseDirections(character->mesh, rise);
   std::vector<float> limits = inverseRiseLimits(character->mesh, directions, rise);
+  std::vector<SkinLayer> layers = guessLayers(*character);
   return std::make_shared<const CharacterTables>(
-      CharacterTables{std::move(character), std::move(directions), std::move(limits)});
+      CharacterTables{std::move(character), std::move(directions), std::move(limits), std::move(layers)});
 }
 
 Result<std::shared_ptr<const Preparation>> prepare(const std::shared_ptr<const CharacterTables>& tables, const Rig& rig,
@@ -149,7 +178,8 @@ Result<std::shared_ptr<const Preparation>> prepare(const std::shared_ptr<const C
   const bool adaptive = rig.smoothing.detail == DetailKind::kAdaptive && !options.depth;
   const int depth = options.depth.value_or(rig.smoothing.depth);
   if (Result<void> fits = checkSize(character.mesh, depth); !adaptive && !fits) return fits.error();
-  Result<std::shared_ptr<const AttachedRig>> attached = attachRig(rig, character, former, graphs);
+  std::shared_ptr<const LayeredSkin> layered = layeredSkin(*tables, rig, former);
+  Result<std::shared_ptr<const AttachedRig>> attached = attachRig(rig, character, layered.get(), former, graphs);
   if (!attached) return attached.error();
 
   auto next = std::make_shared<Preparation>();
@@ -159,11 +189,12 @@ Result<std::shared_ptr<const Preparation>> prepare(const std::shared_ptr<const C
   next->smoothing = rig.smoothing;
   next->smoothing.depth = depth;
   next->poser = options.poser ? options.poser : std::make_shared<const RigPoser>(rig, character);
+  next->layered = std::move(layered);
   next->attached = std::move(attached).value();
   next->primitives = fieldPrimitives(rig, next->attached->attachment);
   hide(options.hidden, former, *next);
   if (adaptive) {
-    const AdaptiveLevels* known = former ? former->detail.get() : nullptr;
+    const AdaptiveLevels* known = former && former->layered == next->layered ? former->detail.get() : nullptr;
     const float tolerance = options.tolerance.value_or(rig.smoothing.tolerance);
     if (options.keepLevels && known && known->tolerance == tolerance) next->detail = former->detail;
     else
@@ -173,7 +204,7 @@ Result<std::shared_ptr<const Preparation>> prepare(const std::shared_ptr<const C
   }
   next->refined = refineMesh(*next, former);
   next->tiles = tilesOf(*next, former);
-  next->bindFronts = bindFrontsOf(*next, former);
+  readBindPatch(former, *next);
   next->anchors = anchorsOf(*next, former);
   BindScratch scratch;
   readBindPose(*next, next->primitives, scratch, next->bind);
@@ -184,7 +215,7 @@ std::shared_ptr<const Preparation> prepareSamples(const Preparation& next, Refin
   auto own = std::make_shared<Preparation>(next);
   auto refined = std::make_shared<RefinedMesh>();
   refined->inverseLimits.resize(toIndex(points.vertexCount));
-  interpolateValues(next.mesh(), points, next.tables->inverseLimitsInBind, refined->inverseLimits);
+  interpolateValues(next.mesh(), points, next.inverseLimitsInBind(), refined->inverseLimits);
   refined->refinement = std::make_shared<const Refinement>(std::move(points));
   own->refined = std::move(refined);
   own->tiles = tilesOf(*own, nullptr);

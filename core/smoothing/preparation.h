@@ -8,6 +8,8 @@
 
 #include "core/drivers/posed_rig.h"
 #include "core/rig/attachment.h"
+#include "core/rig/mesh_layers.h"
+#include "core/smoothing/finish/cloth_binding.h"
 #include "core/smoothing/finish/vertex_rings.h"
 #include "core/smoothing/projection/anchors.h"
 #include "core/smoothing/projection/candidates.h"
@@ -27,6 +29,7 @@ struct CharacterTables {
   std::shared_ptr<const Character> character;
   std::vector<glm::vec3> riseInBind;       ///< [V] rise_directions.h
   std::vector<float> inverseLimitsInBind;  ///< [V] rise_limits.h
+  std::vector<SkinLayer> guessedLayers;    ///< [parts]
 };
 [[nodiscard]] std::shared_ptr<const CharacterTables> characterTables(std::shared_ptr<const Character> character);
 
@@ -39,6 +42,12 @@ struct AttachedRig {
 };
 
 struct AdaptiveLevels;  // adaptive_levels.h
+
+/// A mesh of which not all is skin.
+struct LayeredSkin {
+  MeshLayers layers;
+  std::vector<float> inverseLimitsInBind;  ///< [V] of skin against skin alone: cloth over it is no limit.
+};
 
 /// The refined mesh and what follows from its connectivity.
 struct RefinedMesh {
@@ -62,6 +71,7 @@ struct Preparation {
   float iso = kDefaultIso;
   SmoothingSettings smoothing;
   std::shared_ptr<const RigPoser> poser;
+  std::shared_ptr<const LayeredSkin> layered;  ///< Null: all is skin.
   std::shared_ptr<const AttachedRig> attached;
   std::vector<FieldPrimitive> primitives;        ///< [A] as drawn.
   std::vector<int> hidden;                       ///< Indices into the rig's primitives, ascending.
@@ -71,6 +81,7 @@ struct Preparation {
   std::shared_ptr<const RefinedMesh> refined;
   std::shared_ptr<const VertexTiles> tiles;              ///< Made from `seen`.
   std::shared_ptr<const std::vector<float>> bindFronts;  ///< [T n^2] of the patch.
+  std::shared_ptr<const ClothBinding> cloth;             ///< Null: there is none.
   std::shared_ptr<const std::vector<Anchor>> anchors;    ///< [V'] in `replace`, else null.
   BindReading bind;
 
@@ -78,6 +89,10 @@ struct Preparation {
   [[nodiscard]] const ControlMesh& mesh() const { return tables->character->mesh; }
   [[nodiscard]] const Refinement& refinement() const { return *refined->refinement; }
   [[nodiscard]] bool swells() const { return mode == SurfaceMode::kSwell; }
+  [[nodiscard]] const MeshLayers* layers() const { return layered ? &layered->layers : nullptr; }
+  [[nodiscard]] const std::vector<float>& inverseLimitsInBind() const {
+    return layered ? layered->inverseLimitsInBind : tables->inverseLimitsInBind;
+  }
 };
 
 /// What a preparation may be asked beyond its rig.

@@ -1,4 +1,4 @@
-// core/smoothing/smooth.cpp: the stages in order: skin -> patch -> project -> folds -> normals.
+// core/smoothing/smooth.cpp: the stages in order: skin -> patch -> project -> folds -> cloth -> normals.
 #include "core/smoothing/smooth.h"
 
 #include "core/base/stopwatch.h"
@@ -29,6 +29,7 @@ void smooth(const std::shared_ptr<const Preparation>& preparation, const PosedRi
   seconds.project = watch.lap();
   const bool moved = findMoved(p, memory.posed, memory.workspace, out);
   if (moved) unfold(p, memory.workspace, out);
+  drape(p, moved, memory.workspace, out);
   seconds.folds = watch.lap();
   shade(p, moved, memory.workspace, out);
   seconds.normals = watch.lap();

@@ -14,7 +14,8 @@ struct SmoothingMemory {
   Workspace workspace;
 };
 
-/// Skin, patch, project, remove folds, shading normals. Threads may share the preparation, each with memory of its own.
+/// Skin, patch, project, remove folds, lay cloth over, shading normals. Threads may share the preparation, each with
+/// memory of its own.
 /// @param rig  posed by preparation->poser in this pose.  @param eye  as in Smoother::smooth
 /// @param posingSeconds  what posing the rig took: counted with the skin
 void smooth(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, const Pose& pose,

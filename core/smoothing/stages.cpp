@@ -1,4 +1,5 @@
-// core/smoothing/stages.cpp: patch -> project -> folds -> normals, each on the surface that the one before has left.
+// core/smoothing/stages.cpp: patch -> project -> folds -> cloth -> normals, each on the surface that the one before has
+// left.
 #include "core/smoothing/stages.h"
 
 #include <algorithm>
@@ -50,7 +51,8 @@ void cull(const Preparation& p, const PosedField& posed, const FieldView& field,
     const bool replaces = !p.swells() && p.shownPrimitives > 0;
     const auto classes =
         replaces ? std::span<const TriangleClass>(posed.bind->classes) : std::span<const TriangleClass>();
-    cullFaces({p.character(), p.refinement(), field, classes, out.positions}, *eye, culling);
+    const auto layers = p.layers() ? triangleLayers(p.refinement(), *p.layers()) : std::span<const SkinLayer>();
+    cullFaces({p.character(), p.refinement(), field, classes, out.positions, layers}, *eye, culling);
   }
   out.culled = culling.triangles;
   out.report.culledTriangles = culling.culled;
@@ -135,6 +137,18 @@ void unfold(const Preparation& preparation, Workspace& w, Surface& out) {
     out.displacement[v] *= glm::dot(out.positions[v] - w.patchPositions[v], lift) / glm::dot(lift, lift);
   }
   out.report.guarded = static_cast<int>(w.foldMoves.list().size());
+}
+
+void drape(const Preparation& preparation, bool moved, Workspace& w, Surface& out) {
+  if (!preparation.cloth) return;
+  const ClothView view{
+      preparation.refined->rings,    preparation.layered->layers, *preparation.cloth, w.patchPositions, w.patchNormals,
+      preparation.character().height};
+  if (!w.clothLift.apply(view, out) || !moved) return;
+  // Normals are made anew around cloth as around skin.
+  w.movedTriangles.find(preparation.mesh(), preparation.refinement(), preparation.refined->rings, w.patchPositions,
+                        out.positions);
+  w.pairs.fill(w.movedTriangles.corners, w.patchPositions, out.positions);
 }
 
 void shade(const Preparation& preparation, bool moved, Workspace& workspace, Surface& out) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/smoothing/face_culling.h"
+#include "core/smoothing/finish/cloth_lift.h"
 #include "core/smoothing/finish/crease_lift.h"
 #include "core/smoothing/finish/fold_region.h"
 #include "core/smoothing/finish/fold_relaxation.h"
@@ -46,6 +47,7 @@ struct Workspace {
   FoldMoves foldMoves;
   FoldRelaxation foldRelaxation;
   FoldSpread foldSpread;
+  ClothLift clothLift;
   ShadingNormals shadingNormals;
 };
 

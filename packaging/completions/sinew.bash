@@ -138,7 +138,7 @@ _sinew() {
         edit:*) _sinew_files glb gltf vrm rig.json ;;
         inspect:-*) _sinew_words -h --help --clips --json --strict ;;
         inspect:*) _sinew_files glb gltf vrm rig.json ;;
-        check:-*) _sinew_words -h --help --json --strict --mend ;;
+        check:-*) _sinew_words -h --help --json --strict --cloth --mend ;;
         check:*) _sinew_files glb gltf vrm rig.json ;;
         muscle:-*) _sinew_words -h --help -o --output --set --mass --definition --report ;;
         muscle:*) _sinew_files glb gltf vrm rig.json ;;

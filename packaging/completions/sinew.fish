@@ -80,6 +80,7 @@ complete -c sinew -n '__sinew_in "check"' -a '(__sinew_files glb gltf vrm rig.js
 complete -c sinew -n '__sinew_in "check"' -s h -l help -d 'Print this and exit'
 complete -c sinew -n '__sinew_in "check"' -l json -d 'JSON instead of text'
 complete -c sinew -n '__sinew_in "check"' -l strict -d 'Exit status 1 if anything is found, after mending if that is asked for'
+complete -c sinew -n '__sinew_in "check"' -l cloth -d 'Count the vertices of cloth that are below the skin, with and without muscles; takes a while'
 complete -c sinew -n '__sinew_in "check"' -l mend -x -a '(__sinew_files json)' -d 'Change the lines that something was found of, and write the rig there'
 complete -c sinew -n '__sinew_in "muscle"' -a '(__sinew_files glb gltf vrm rig.json)'
 complete -c sinew -n '__sinew_in "muscle"' -s h -l help -d 'Print this and exit'

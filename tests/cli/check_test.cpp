@@ -1,9 +1,11 @@
 // tests/cli/check_test.cpp: `sinew check` as a program sees it.
 #include <filesystem>
+#include <fstream>
 
 #include "core/io/json/json.h"
 #include "tests/cli/program.h"
 #include "tests/support/characters/characters.h"
+#include "tests/support/characters/dressed_humanoid.h"
 
 namespace sinew {
 namespace {
@@ -41,6 +43,19 @@ TEST_F(Program, CheckMendsAndWritesARigThatIsRead) {
   const auto again = run({"check", "mended.rig.json", "--json"});
   ASSERT_EQ(again.status, 0) << again.error;
   EXPECT_EQ(Json::parse(again.out)->at("findings").items().size(), json->at("left").items().size());
+}
+
+TEST_F(Program, CheckCountsClothBelowTheSkin) {
+  test::writeDressedHumanoid(folder_);
+  std::ofstream(folder_ / "dressed.rig.json") << R"({"format": "sinew-rig", "version": 1, "character": "dressed.glb"})";
+  const auto none = run({"check", demo("horse.rig.json"), "--cloth"});
+  EXPECT_NE(none.out.find("cloth: none"), std::string::npos) << none.out;
+  const auto result = run({"check", "dressed.rig.json", "--cloth", "--json", "--strict"});
+  ASSERT_EQ(result.status, 0) << result.error;
+  const auto json = Json::parse(result.out);
+  ASSERT_TRUE(json.ok());
+  EXPECT_GT(json->at("cloth").at("vertices").number(0), 1000);
+  EXPECT_EQ(json->at("cloth").at("more").number(-1), 0);
 }
 
 TEST_F(Program, CheckRefusesWhatIsNoRig) {

@@ -1,10 +1,12 @@
 // tests/cli/inspect_test.cpp: `sinew inspect` as a program sees it.
 #include <algorithm>
+#include <fstream>
 #include <sstream>
 
 #include "core/io/json/json.h"
 #include "tests/cli/program.h"
 #include "tests/support/characters/characters.h"
+#include "tests/support/characters/dressed_humanoid.h"
 #include "tests/support/characters/gltf_builder.h"
 
 namespace sinew {
@@ -36,6 +38,7 @@ TEST_F(Program, InspectJsonHasEveryKeyAndNothingElseOnStdout) {
                                                     "morph_targets",
                                                     "range_of_motion",
                                                     "materials",
+                                                    "parts",
                                                     "textures",
                                                     "ignored"}));
   EXPECT_TRUE(json->at("closed").boolean(false));
@@ -50,6 +53,23 @@ TEST_F(Program, InspectJsonHasEveryKeyAndNothingElseOnStdout) {
   EXPECT_EQ(json->at("clips").items()[0].at("name").text(""), "Walk");
   EXPECT_GT(json->at("clips").items()[0].at("duration").number(0), 0);
   EXPECT_GE(json->at("range_of_motion").number(0), 1.0);
+}
+
+TEST_F(Program, InspectTellsWhatPartsAreToTheMuscles) {
+  test::writeDressedHumanoid(folder_);
+  auto json = Json::parse(run({"inspect", "dressed.glb", "--json"}).out);
+  ASSERT_TRUE(json.ok()) << json.error().text();
+  std::string told;
+  for (const Json& part : json->at("parts").items()) {
+    told +=
+        part.at("name").text("") + ' ' + part.at("layer").text("") + (part.at("guessed").boolean(false) ? "? " : " ");
+  }
+  EXPECT_EQ(told, "humanoid skin? Shirt cloth? Trousers cloth? Eyes rigid? Hair cloth? ");
+  std::ofstream(folder_ / "dressed.rig.json") << R"({"format": "sinew-rig", "version": 1, "character": "dressed.glb",
+                                "layers": {"Hair": "rigid", "Cape": "cloth"}})";
+  const std::string text = run({"inspect", "dressed.rig.json"}).out;
+  EXPECT_NE(text.find("Eyes rigid (guessed), Hair rigid\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("no parts    1: Cape"), std::string::npos) << text;
 }
 
 TEST_F(Program, InspectOfSeveralFilesIsATableOrAnArray) {

@@ -114,6 +114,20 @@ TEST(RigJson, CorrectedPartsOfTheBodyAreWrittenInTheirOrder) {
   EXPECT_EQ(again->slots, rig.slots);
 }
 
+TEST(RigJson, LayersOfPartsAreWrittenInTheirOrderAndOnlyWhereThereAreAny) {
+  Rig rig;
+  rig.character = "a.glb";
+  EXPECT_EQ(rigToJson(rig).find("layers"), std::string::npos);
+  rig.layers = {{"Shirt", SkinLayer::kCloth}, {"Eye \"L\"", SkinLayer::kRigid}, {"Body", SkinLayer::kSkin}};
+  const std::string text = rigToJson(rig);
+  EXPECT_NE(text.find(R"("layers": { "Shirt": "cloth", "Eye \"L\"": "rigid", "Body": "skin" })"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("\"version\": 2"), std::string::npos) << "older programs know no layers";
+  const auto again = rigFromJson(text);
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(again->layers, rig.layers);
+}
+
 TEST(RigJson, OpensTheMinimalFileOfVersion1WithDefaults) {
   const auto rig = loadRig(dataFile("v1-minimal.rig.json"));
   ASSERT_TRUE(rig.ok()) << rig.error().text();
@@ -223,6 +237,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadRig{"\"version\": 1,", "\"version\": 1, \"slots\": {\"tail\": 3},", "slots.tail", "expected"},
         BadRig{"\"version\": 1,", "\"version\": 1, \"slots\": {\"tail\": \"\"},", "slots.tail", "or null"},
         BadRig{"\"version\": 1,", "\"version\": 1, \"slots\": [],", "slots", "an object"},
+        BadRig{"\"version\": 1,", "\"version\": 1, \"layers\": [],", "layers", "an object"},
+        BadRig{"\"version\": 1,", "\"version\": 1, \"layers\": {\"Shirt\": \"silk\"},", "layers.Shirt", "\"rigid\""},
+        BadRig{"\"version\": 1,", "\"version\": 1, \"layers\": {\"Shirt\": 1},", "layers.Shirt", "expected"},
+        BadRig{"\"version\": 1,", "\"version\": 1, \"layers\": {\"\": \"skin\"},", "layers.", "expected"},
         BadRig{"\"version\": 1", "\"version\": 3", "version", "newer"},
         BadRig{"\"version\": 1", "\"version\": 0", "version", "expected 1 or 2, got 0"},
         BadRig{"\"version\": 1", "\"version\": \"1\"", "version", "expected 1 or 2, got \"1\""},

@@ -6,6 +6,8 @@
 #include "core/character/skin_bones.h"
 #include "core/mesh/creases.h"
 #include "core/mesh/weld.h"
+#include "core/rig/layer_guess.h"
+#include "core/rig/layers.h"
 #include "core/rig/morphs.h"
 #include "core/symmetry/motion_clip.h"
 
@@ -62,6 +64,7 @@ RigFacts rigFacts(const Document& document) {
     count(morph.animated, facts);
     if (!isIdle(morph) && std::ranges::count(shapes, morph.name) == 0) facts.missingShapes.push_back(morph.name);
   }
+  facts.missingParts = missingParts(rig, character);
   facts.missing = missingBones(rig, character.skeleton);
   facts.shadedWedges = creased(character.mesh, rig.smoothing.creaseAngle).wedges;
   return facts;
@@ -73,6 +76,8 @@ InspectFacts factsOf(const Document& document) {
   const Character& character = *document.character;
   InspectFacts facts{document, meshFacts(character), helperNames(character), morphNames(character), 0.0f, {}};
   facts.body = bodySlots(character, makeMirrorPlan(character), document.rig().slots);
+  facts.layers = layersOf(document.rig(), character, guessLayers(character));
+  for (const MeshPart& part : character.parts) facts.isGuessed.push_back(findLayer(document.rig(), part.name) < 0);
   const AnimationClip motion = rangeOfMotion(character.skeleton, motionHints(character));
   if (!motion.channels.empty()) facts.rangeOfMotion = motion.duration;
   if (facts.hasRig()) facts.rig = rigFacts(document);

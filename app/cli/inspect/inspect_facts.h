@@ -29,6 +29,7 @@ struct RigFacts {
   std::vector<std::string> unattached;
   std::vector<MissingBone> missing;
   std::vector<std::string> missingShapes;  ///< That the rig changes and the character lacks.
+  std::vector<std::string> missingParts;   ///< Whose layer the rig names and the character lacks.
   std::size_t shaped = 0;                  ///< Muscles that are no plain ellipsoids.
   std::size_t keys = 0;                    ///< Of all numbers, in all clips.
   std::size_t keyed = 0;                   ///< Numbers that have them.
@@ -43,7 +44,9 @@ struct InspectFacts {
   std::vector<std::string> shapes;   ///< Morph targets, each name once.
   float rangeOfMotion = 0.0f;        ///< Seconds; 0: nothing can turn.
   BodySlots body{};
-  RigFacts rig{};  ///< Empty for a character without a rig.
+  std::vector<SkinLayer> layers{};  ///< [parts]
+  std::vector<bool> isGuessed{};    ///< [parts] the rig does not say so.
+  RigFacts rig{};                   ///< Empty for a character without a rig.
 
   [[nodiscard]] bool hasRig() const { return !document.rigFile.empty(); }
 };

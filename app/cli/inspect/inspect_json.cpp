@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "app/cli/inspect/inspect_facts.h"
+#include "core/rig/layers.h"
 
 namespace sinew::app {
 namespace {
@@ -31,6 +32,18 @@ Json bodyJson(const InspectFacts& facts) {
   return Json::object().set("kind", nameOf(facts.body.kind)).set("slots", std::move(found));
 }
 
+/// The parts of the mesh, with what they are to the muscles.
+Json partsJson(const InspectFacts& facts) {
+  const std::vector<MeshPart>& parts = facts.document.character->parts;
+  Json list = Json::array();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Json one = Json::object();
+    one.set("name", parts[i].name).set("layer", nameOf(facts.layers[i])).set("guessed", bool{facts.isGuessed[i]});
+    list.push(std::move(one));
+  }
+  return list;
+}
+
 void addRig(Json& json, const InspectFacts& facts) {
   const Rig& rig = facts.document.rig();
   const std::vector<Wedge>& wedges = facts.rig.shadedWedges;
@@ -48,6 +61,7 @@ void addRig(Json& json, const InspectFacts& facts) {
   json.set("missing",
            listOf(facts.rig.missing, [&](const MissingBone& bone) { return refusalOf(bone, skeleton).text(); }));
   json.set("missing_shapes", listOf(facts.rig.missingShapes, asIs));
+  json.set("missing_parts", listOf(facts.rig.missingParts, asIs));
   json.set("crease_angle", rig.smoothing.creaseAngle);
   json.set("shaded_wedges", count(wedges.size()));
   json.set("creased_wedges", static_cast<int>(std::ranges::count(wedges, true, &Wedge::creased)));
@@ -78,6 +92,7 @@ Json inspectJson(const InspectFacts& facts, const std::string& file) {
   json.set("morph_targets", listOf(facts.shapes, asIs));
   json.set("range_of_motion", facts.rangeOfMotion);
   json.set("materials", count(character.materials.size()));
+  json.set("parts", partsJson(facts));
   json.set("textures", count(character.textures.size()));
   json.set("ignored", listOf(character.ignored, asIs));
   if (facts.hasRig()) addRig(json, facts);

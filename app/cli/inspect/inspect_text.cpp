@@ -12,6 +12,7 @@
 #include "app/cli/inspect/inspect_facts.h"
 #include "core/character/bindings.h"
 #include "core/mesh/creases.h"
+#include "core/rig/layers.h"
 #include "core/skeleton/range_of_motion.h"
 
 namespace sinew::app {
@@ -100,6 +101,17 @@ void putNames(std::ostream& out, const char* title, const std::vector<std::strin
   out << '\n';
 }
 
+/// "Body skin, Shirt cloth (guessed)".
+void putParts(std::ostream& out, const InspectFacts& facts) {
+  const std::vector<MeshPart>& parts = facts.document.character->parts;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    names.push_back(parts[i].name + ' ' + nameOf(facts.layers[i]) + (facts.isGuessed[i] ? " (guessed)" : ""));
+  }
+  putNames(out, "parts       ", names);
+  if (!facts.rig.missingParts.empty()) putNames(out, "no parts    ", facts.rig.missingParts);
+}
+
 void putRig(std::ostream& out, const InspectFacts& facts) {
   const Rig& rig = facts.document.rig();
   std::vector<std::string> groups;
@@ -178,6 +190,7 @@ std::string inspectText(const InspectFacts& facts) {
   if (facts.rangeOfMotion > 0.0f) out << kRangeOfMotionName << ' ' << shortNumber(facts.rangeOfMotion) << " s\n";
   else out << "no joint can turn\n";
   out << "  materials   " << character.materials.size() << '\n';
+  putParts(out, facts);
   out << "  textures    " << character.textures.size() << '\n';
   const Document::ClipFiles& files = facts.document.clipFiles;
   for (const Error& missing : files.missing) out << "  clips left  " << missing.text() << '\n';

@@ -85,8 +85,11 @@ std::shared_ptr<const Character> readCharacter(const std::filesystem::path& path
       bindSkeleton(file, tree, accessors, notes, use == ReadFor::kClips ? BonesFrom::kNodes : BonesFrom::kMeshes);
   Materials materials = readMaterials(file, notes, use == ReadFor::kClips ? Images::kLeftOut : Images::kRead);
   SoupOrigin origin;
+  std::vector<MeshMaterial> parts;
   const std::vector<int> standsFor =
-      weldMesh(readTriangles(file, tree, bound, materials, accessors, notes, &origin), *character, use);
+      weldMesh(readTriangles(file, tree, bound, materials, accessors, notes, &origin, &parts), *character, use);
+  keepUsedParts(character->mesh, parts);
+  character->parts = partsOf(file, parts, materials.materials);
   character->morphTargets = readMorphs(file, tree, bound, origin, standsFor, accessors, notes);
   character->morphSets = morphSetsOf(file.vrm(), tree, character->morphTargets);
   character->bodyParts = bodyPartsOf(file.vrm(), bound, notes);

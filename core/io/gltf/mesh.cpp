@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <unordered_set>
+#include <utility>
 
 #include <glm/matrix.hpp>
 
@@ -46,7 +49,7 @@ class SoupReader {
       SoupPart part{.node = node, .mesh = mesh, .primitive = static_cast<int>(p)};
       part.firstTriangle = soup_.triangles.size();
       part.firstVertex = soup_.positions.size();
-      readPrimitive(primitives[p], placeOf(place + ".primitives", p), binding);
+      readPrimitive(mesh, primitives[p], placeOf(place + ".primitives", p), binding);
       part.endTriangle = soup_.triangles.size();
       part.endVertex = soup_.positions.size();
       if (origin_ && part.endTriangle > part.firstTriangle) origin_->parts.push_back(part);
@@ -54,9 +57,11 @@ class SoupReader {
   }
 
   TriangleSoup take() && { return std::move(soup_); }
+  [[nodiscard]] const std::vector<MeshMaterial>& parts() const { return parts_; }
 
  private:
-  void readPrimitive(const tinygltf::Primitive& primitive, const std::string& place, const MeshBinding& binding) {
+  void readPrimitive(int mesh, const tinygltf::Primitive& primitive, const std::string& place,
+                     const MeshBinding& binding) {
     file_.expectSound(place);
     if (primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
       refuse(place + ".mode", "unknown mode " + std::to_string(primitive.mode));
@@ -83,6 +88,7 @@ class SoupReader {
     const std::size_t corners = indices ? indices->count() : open.position->count();
     const std::size_t triangles = triangleCount(primitive.mode, corners);
     if (triangles > kMaxTriangles - soup_.triangles.size()) refuse(place, "more than 2 million triangles", "too large");
+    const int part = partOf(mesh, material);
     for (std::size_t t = 0; t < triangles; ++t) {
       std::array<std::uint32_t, 3> triangle = triangleCorners(primitive.mode, t);
       for (std::uint32_t& corner : triangle) {
@@ -96,7 +102,14 @@ class SoupReader {
       if (mirrored) std::swap(triangle[1], triangle[2]);
       soup_.triangles.push_back(triangle);
       soup_.materials.push_back(material);
+      soup_.parts.push_back(part);
     }
+  }
+
+  int partOf(int mesh, int material) {
+    const auto [found, isNew] = partNumbers_.try_emplace({mesh, material}, static_cast<int>(parts_.size()));
+    if (isNew) parts_.push_back({mesh, material});
+    return found->second;
   }
 
   void noteUnused(const tinygltf::Primitive& primitive) {
@@ -268,18 +281,56 @@ class SoupReader {
   std::vector<Taken> taken_;  // [vertices of the largest primitive so far]
   std::uint32_t stamp_ = 0;
   std::vector<std::pair<int, double>> scratch_;
+  std::vector<MeshMaterial> parts_;
+  std::map<std::pair<int, int>, int> partNumbers_;
   TriangleSoup soup_;
 };
 
 }  // namespace
 
 TriangleSoup readTriangles(const File& file, const NodeTree& tree, const BoundSkeleton& bound, Materials& materials,
-                           Accessors& accessors, Notes& notes, SoupOrigin* origin) {
+                           Accessors& accessors, Notes& notes, SoupOrigin* origin, std::vector<MeshMaterial>* parts) {
   SoupReader reader(file, bound, materials, accessors, notes, origin);
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
     if (bound.meshes[i]) reader.readMesh(static_cast<int>(i), tree.nodes[i].mesh, *bound.meshes[i]);
   }
+  if (parts) *parts = reader.parts();
   return std::move(reader).take();
+}
+
+std::vector<MeshPart> partsOf(const File& file, std::span<const MeshMaterial> parts,
+                              std::span<const Material> materials) {
+  std::vector<MeshPart> out;
+  std::map<int, int> materialsOf;  // Of each mesh.
+  for (const MeshMaterial& part : parts) ++materialsOf[part.mesh];
+  std::unordered_set<std::string> taken;
+  std::map<std::string, int> next;
+  for (const MeshMaterial& part : parts) {
+    const std::string& mesh = at(file.model().meshes, part.mesh).name;
+    const std::string& material = at(materials, part.material).name;
+    const bool several = materialsOf[part.mesh] > 1;
+    std::string wanted = several && !material.empty() ? material : mesh.empty() ? material : mesh;
+    if (wanted.empty()) wanted = "part";
+    std::string name = wanted;
+    for (int& number = next.try_emplace(wanted, 2).first->second; !taken.insert(name).second; ++number) {
+      name = wanted + ' ' + std::to_string(number);
+    }
+    out.push_back({std::move(name), part.material});
+  }
+  return out;
+}
+
+void keepUsedParts(ControlMesh& mesh, std::vector<MeshMaterial>& parts) {
+  std::vector<int> number(parts.size(), -1);
+  for (const ControlTriangle& triangle : mesh.triangles) at(number, triangle.part) = 0;
+  std::vector<MeshMaterial> used;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (number[i] < 0) continue;
+    number[i] = static_cast<int>(used.size());
+    used.push_back(parts[i]);
+  }
+  for (ControlTriangle& triangle : mesh.triangles) triangle.part = at(number, triangle.part);
+  parts = std::move(used);
 }
 
 float heightOf(const std::vector<glm::vec3>& positions) {

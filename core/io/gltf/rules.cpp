@@ -81,7 +81,7 @@ constexpr std::array kPrimitiveMembers{wholeInt("mode"), list("targets", kTarget
                                        Rule{.key = "attributes", .type = Type::kAttributes}.orElse("{}"),
                                        index("material", "materials"), index("indices", "accessors").keptAside()};
 constexpr Rule kPrimitive = object("", kPrimitiveMembers).checkedWhenUsed(R"({"attributes":{}})");
-constexpr std::array kMeshMembers{list("primitives", kPrimitive), list("weights", kWeight)};
+constexpr std::array kMeshMembers{text("name"), list("primitives", kPrimitive), list("weights", kWeight)};
 constexpr Rule kMesh = object("", kMeshMembers).checkedWhenUsed("{}");
 
 // Materials. tinygltf would read every image, used or not, so it does not see them.

@@ -92,12 +92,18 @@ class Gatherer {
 
 }  // namespace
 
-CandidateLists makeCandidateLists(const ControlMesh& mesh, const Attachment& attachment) {
+CandidateLists makeCandidateLists(const ControlMesh& mesh, const Attachment& attachment, const MeshLayers* layers) {
   CandidateLists lists;
   Gatherer gatherer(attachment, lists);
-  for (int v = 0; v < static_cast<int>(mesh.positions.size()); ++v) gatherer.addCarrier(std::span(&v, 1));
-  for (const Edge& edge : mesh.edges) gatherer.addCarrier(edge.vertices);
-  for (const ControlTriangle& triangle : mesh.triangles) gatherer.addCarrier(triangle.vertices);
+  std::size_t carrier = 0;
+  const auto add = [&](std::span<const int> corners) {
+    const bool isSkin = !layers || layers->carriers[carrier] == SkinLayer::kSkin;
+    gatherer.addCarrier(isSkin ? corners : std::span<const int>());
+    ++carrier;
+  };
+  for (int v = 0; v < static_cast<int>(mesh.positions.size()); ++v) add(std::span(&v, 1));
+  for (const Edge& edge : mesh.edges) add(edge.vertices);
+  for (const ControlTriangle& triangle : mesh.triangles) add(triangle.vertices);
   return lists;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/base/at.h"
 #include "core/rig/attachment.h"
+#include "core/rig/mesh_layers.h"
 #include "sinew/mesh/control_mesh.h"
 
 namespace sinew {
@@ -40,7 +41,9 @@ struct CandidateLists {
   [[nodiscard]] const CliqueLists& cliquesOf(int carrier) const { return at(cliqueSets, at(cliqueSet, carrier)); }
 };
 
-[[nodiscard]] CandidateLists makeCandidateLists(const ControlMesh& mesh, const Attachment& attachment);
+/// @param layers  pieces that are not skin see nothing; null: all is skin
+[[nodiscard]] CandidateLists makeCandidateLists(const ControlMesh& mesh, const Attachment& attachment,
+                                                const MeshLayers* layers = nullptr);
 
 /// The lists as they would be without some primitives, which keep their indices: slots and cliques are those of the
 /// groups that are left. Reads no territory anew.

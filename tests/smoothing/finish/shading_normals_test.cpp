@@ -18,8 +18,8 @@
 namespace sinew::test {
 namespace {
 
-constexpr int kCells = 40;
-constexpr float kEdge = 2.0f / kCells;
+constexpr int kNormalsCells = 40;
+constexpr float kNormalsEdge = 2.0f / kNormalsCells;
 
 /// A flat patch, raised by a height with the normals of a field.
 class Raised {
@@ -54,7 +54,7 @@ class Raised {
 
  private:
   static ControlMesh flat() {
-    const Sheet sheet = sheetOf(kCells, [](float, float) { return 0.0f; });
+    const Sheet sheet = sheetOf(kNormalsCells, [](float, float) { return 0.0f; });
     return meshOf(sheet.positions, sheet.triangles);
   }
 
@@ -179,7 +179,7 @@ TEST(ShadingNormals, AreHeldToFacesThatWereOnlyShifted) {
 TEST(ShadingNormals, OfARimAcrossTheMeshLoseTheirTeeth) {
   Raised sheet;
   const auto step = [](const glm::vec3& p) {
-    return 0.6f * kEdge * std::clamp((p.x + 0.4f * p.y + 0.2f) / (0.5f * kEdge), 0.0f, 1.0f);
+    return 0.6f * kNormalsEdge * std::clamp((p.x + 0.4f * p.y + 0.2f) / (0.5f * kNormalsEdge), 0.0f, 1.0f);
   };
   sheet.shaded(step, [](const glm::vec3&) { return glm::vec3(0.0f, 0.0f, 1.0f); });
   const std::vector<glm::vec3> faces = faceNormals(sheet.refinement(), sheet.positions);
@@ -209,7 +209,7 @@ TEST(ShadingNormals, AreContinuousInTheHeight) {
     std::vector<glm::vec3> before = sheet.patchNormals();
     float worst = 0.0f;
     for (int i = 1; i <= steps; ++i) {
-      const Bump bump{kSteepest * static_cast<float>(i) / static_cast<float>(steps), 4.3f * kEdge};
+      const Bump bump{kSteepest * static_cast<float>(i) / static_cast<float>(steps), 4.3f * kNormalsEdge};
       const auto now = sheet.shaded([&](const glm::vec3& p) { return bump.at(p); },
                                     [&](const glm::vec3& p) { return bump.normal(p); });
       for (std::size_t v = 0; v < now.size(); ++v) worst = std::max(worst, glm::distance(now[v], before[v]));
@@ -229,8 +229,8 @@ TEST(ShadingNormals, AreContinuousWhereAVertexBeginsToMove) {
   for (int column = -10; column <= 10; ++column) {
     const auto heightWith = [&](float more) {
       return [&, more](const glm::vec3& p) {
-        const bool here =
-            std::abs(p.x - kEdge * static_cast<float>(column)) < 0.1f * kEdge && std::abs(p.y) < 0.1f * kEdge;
+        const bool here = std::abs(p.x - kNormalsEdge * static_cast<float>(column)) < 0.1f * kNormalsEdge &&
+                          std::abs(p.y) < 0.1f * kNormalsEdge;
         return steep.at(p) + (here ? more : 0.0f);
       };
     };

@@ -197,6 +197,12 @@ Rig randomDocument(std::uint64_t seed) {
     rig.slots.push_back({"upperArm.L", anyName(random, 1)});
     if (random.chance(0.5f)) rig.slots.push_back({"tail", random.chance(0.5f) ? std::string() : anyName(random, 2)});
   }
+  if (random.chance(0.3f)) {
+    constexpr std::array kLayers{SkinLayer::kSkin, SkinLayer::kCloth, SkinLayer::kRigid};
+    for (int i = random.below(3); i >= 0; --i) {
+      rig.layers.push_back({anyName(random, i), kLayers[static_cast<std::size_t>(random.below(3))]});
+    }
+  }
   rig.unknownKeys = anyUnknownKeys(random);
   if (random.chance(0.3f)) rig.clipFiles = {anyName(random, 1) + ".glb", "../" + anyName(random, 2) + ".gltf"};
   return rig;

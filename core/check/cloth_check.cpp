@@ -1,0 +1,156 @@
+// core/check/cloth_check.cpp: each vertex of cloth against a tree of the skin's triangles, pose after pose.
+#include "core/check/cloth_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "core/base/at.h"
+#include "core/base/parallel.h"
+#include "core/mesh/triangle_tree.h"
+#include "core/rig/layer_guess.h"
+#include "core/rig/layers.h"
+#include "sinew/smoothing/smoother.h"
+
+namespace sinew {
+namespace {
+
+std::vector<int> clothVertices(const ControlMesh& mesh, const MeshLayers& layers, const Refinement& refinement) {
+  std::vector<int> out;
+  const auto take = [&](int carrier, int first, int end) {
+    for (int v = first; v < end && at(layers.carriers, carrier) == SkinLayer::kCloth; ++v) out.push_back(v);
+  };
+  const int vertices = refinement.controlVertices;
+  for (int v = 0; v < vertices; ++v) take(v, v, v + 1);
+  for (int e = 0; e < refinement.controlEdges; ++e) {
+    take(vertices + e, at(refinement.edgeBegin, e), at(refinement.edgeBegin, e + 1));
+  }
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    take(vertices + refinement.controlEdges + t, at(refinement.insideBegin, t), at(refinement.insideBegin, t + 1));
+  }
+  return out;
+}
+
+TriangleCorners cornersIn(const Surface& surface, int triangle) {
+  const std::array<int, 3>& t = at(surface.refinement->triangles, triangle);
+  return {at(surface.positions, t[0]), at(surface.positions, t[1]), at(surface.positions, t[2])};
+}
+
+glm::vec3 faceNormal(const TriangleCorners& c) {
+  return normalizeOr(glm::cross(c[1] - c[0], c[2] - c[0]), glm::vec3(0.0f));
+}
+
+TriangleTree treeOf(const Surface& surface, std::span<const int> triangles) {
+  std::vector<TriangleCorners> corners;
+  for (const int t : triangles) corners.push_back(cornersIn(surface, t));
+  return {corners, triangles};
+}
+
+/// [V'] normals that tell inside from outside at vertices and edges: those of faces, by the angles there (Baerentzen
+/// and Aanaes 2005).
+std::vector<glm::vec3> vertexNormals(const Surface& surface, std::span<const int> triangles) {
+  std::vector<glm::vec3> normals(surface.positions.size(), glm::vec3(0.0f));
+  for (const int t : triangles) {
+    const TriangleCorners c = cornersIn(surface, t);
+    const glm::vec3 face = faceNormal(c);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::vec3 a = normalizeOr(c[(k + 1) % 3] - c[k], face);
+      const glm::vec3 b = normalizeOr(c[(k + 2) % 3] - c[k], face);
+      at(normals, at(surface.refinement->triangles, t)[k]) += std::acos(std::clamp(glm::dot(a, b), -1.0f, 1.0f)) * face;
+    }
+  }
+  return normals;
+}
+
+/// So that bare and lifted cloth are compared vertex by vertex: the same mesh, every muscle hidden.
+std::vector<int> allPrimitives(const Rig& rig) {
+  std::vector<int> all(rig.primitives.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
+  return all;
+}
+
+}  // namespace
+
+ClothMeter::ClothMeter(const ControlMesh& mesh, const MeshLayers& layers, const Surface& bind, float height)
+    : height_(height), cloth_(clothVertices(mesh, layers, *bind.refinement)), bind_(bind.positions) {
+  const std::size_t first = mesh.positions.size() + mesh.edges.size();
+  const int triangles = static_cast<int>(bind.refinement->triangles.size());
+  for (int i = 0; i < triangles; ++i) {
+    bindFaces_.push_back(faceNormal(cornersIn(bind, i)));
+    if (layers.carriers[first + toIndex(at(bind.refinement->controlOf, i))] == SkinLayer::kSkin) skin_.push_back(i);
+  }
+  const TriangleTree tree = treeOf(bind, skin_);
+  for (const int v : cloth_) {
+    const NearestPoint found = tree.nearest(at(bind_, v), kClothReach * height_);
+    under_.push_back(found.triangle < 0 ? glm::vec3(0.0f) : at(bindFaces_, found.triangle));
+  }
+}
+
+std::vector<float> ClothMeter::below(const Surface& surface) const {
+  std::vector<float> out(cloth_.size(), 0.0f);
+  const TriangleTree tree = treeOf(surface, skin_);
+  const std::vector<glm::vec3> normals = vertexNormals(surface, skin_);
+  const float within = kClothSunk * height_;
+  forEachIndex(out.size(), 256, [&](std::size_t i) {
+    const glm::vec3& p = at(surface.positions, cloth_[i]);
+    const auto ofOthers = [&](int triangle) {
+      const glm::vec3& corner = at(bind_, at(surface.refinement->triangles, triangle)[0]);
+      const bool isUnder = glm::distance(corner, at(bind_, cloth_[i])) <= kClothReach * height_ &&
+                           glm::dot(at(bindFaces_, triangle), under_[i]) > 0.0f;
+      return isUnder ? 0.0f : 2.0f * within;
+    };
+    const NearestPoint found = tree.nearest(p, within, ofOthers);
+    if (found.triangle < 0) return;
+    const TriangleCorners c = cornersIn(surface, found.triangle);
+    const glm::vec3& s = found.shares;
+    glm::vec3 normal = faceNormal(c);
+    if (s.x == 0.0f || s.y == 0.0f || s.z == 0.0f) {
+      normal = glm::vec3(0.0f);
+      for (int k = 0; k < 3; ++k) {
+        normal += s[k] * at(normals, at(at(surface.refinement->triangles, found.triangle), k));
+      }
+    }
+    if (glm::dot(p - mixed(c, s), normal) < 0.0f) out[i] = found.distance;
+  });
+  return out;
+}
+
+Result<ClothCount> countClothBelow(const std::shared_ptr<const Character>& character, const Rig& rig,
+                                   std::span<const Pose> poses) {
+  ClothCount count;
+  const MeshLayers layers = meshLayers(*character, layersOf(rig, *character, guessLayers(*character)));
+  if (!layers.hasCloth()) return count;
+  Smoother lifted(character);
+  Rig whole = rig;
+  whole.smoothing.detail = DetailKind::kUniform;
+  if (auto prepared = lifted.prepare(whole); !prepared) return prepared.error();
+  Smoother bare(character);
+  if (auto prepared = bare.prepare(whole, allPrimitives(whole)); !prepared) return prepared.error();
+  Surface surface;
+  bare.smooth(bindPose(character->skeleton), surface);
+  const ClothMeter meter(character->mesh, layers, surface, character->height);
+  count.vertices = static_cast<int>(meter.cloth().size());
+  const float least = kClothBelow * character->height;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    bare.smooth(poses[i], surface);
+    const std::vector<float> before = meter.below(surface);
+    lifted.smooth(poses[i], surface);
+    const std::vector<float> after = meter.below(surface);
+    for (std::size_t v = 0; v < after.size(); ++v) {
+      if (before[v] > least) ++count.bare;
+      if (!(after[v] > least)) continue;
+      ++count.below;
+      if (before[v] > least) continue;
+      ++count.more;
+      if (after[v] / character->height <= count.deepest) continue;
+      count.deepest = after[v] / character->height;
+      count.worst = static_cast<int>(i);
+    }
+  }
+  return count;
+}
+
+}  // namespace sinew
