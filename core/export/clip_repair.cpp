@@ -18,7 +18,7 @@ namespace sinew::exporting {
 namespace {
 
 /// A rotation whose length differs from 1 by more than that is no unit quaternion for others.
-constexpr float kUnitWithin = 1e-4f;
+constexpr float kToldWithin = 1e-4f;
 
 enum class Keys { kStep, kLinear, kCubic };
 
@@ -112,7 +112,7 @@ bool makeUnit(KeyTrack& track) {
   for (std::size_t k = 0; track.turns && track.kind != Keys::kCubic && k < track.times.size(); ++k) {
     float* const value = track.value(k);
     const float length = std::sqrt(std::inner_product(value, value + 4, value, 0.0f));
-    if (std::abs(length - 1.0f) <= kUnitWithin) continue;
+    if (std::abs(length - 1.0f) <= kToldWithin) continue;
     changed = true;
     for (std::size_t i = 0; i < 4; ++i) value[i] = length > 0.0f ? value[i] / length : i == 3 ? 1.0f : 0.0f;
   }

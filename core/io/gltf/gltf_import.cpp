@@ -12,6 +12,7 @@
 #include "core/io/gltf/hidden.h"
 #include "core/io/gltf/mesh.h"
 #include "core/io/gltf/vrm_character.h"
+#include "core/io/json/json.h"
 
 namespace sinew {
 namespace {
@@ -36,12 +37,12 @@ void checkExtensions(const tinygltf::Model& model, Notes& notes) {
   for (std::size_t i = 0; i < model.extensionsRequired.size(); ++i) {
     const std::string& name = model.extensionsRequired[i];
     if (!understood(name)) {
-      refuse(placeOf("extensionsRequired", i), "the file needs the extension " + name + ", which Sinew cannot read",
-             "cannot be opened");
+      refuse(placeOf("extensionsRequired", i),
+             "the file needs the extension " + shortened(name) + ", which Sinew cannot read", "cannot be opened");
     }
   }
   for (const std::string& name : model.extensionsUsed) {
-    if (!understood(name)) notes.add("extension " + name + " is ignored: what it adds is not shown");
+    if (!understood(name)) notes.add("extension " + shortened(name) + " is ignored: what it adds is not shown");
   }
 }
 

@@ -62,8 +62,8 @@ class Guard {
 
   static void checkVersion(const std::string& version) {
     if (version.starts_with("2.")) return;
-    refuse("asset.version",
-           version.empty() ? "missing; this is no glTF 2.0 file" : "glTF version " + version + "; 2.0 expected");
+    refuse("asset.version", version.empty() ? "missing; this is no glTF 2.0 file"
+                                            : "glTF version " + shortened(version) + "; 2.0 expected");
   }
 
   void separate() {
