@@ -20,6 +20,7 @@
 #include "app/render/viewport.h"
 #include "core/base/stopwatch.h"
 #include "core/character/skinning.h"
+#include "sinew/character/pose_check.h"
 #include "sinew/smoothing/smoother.h"
 
 namespace sinew::app {
@@ -56,7 +57,12 @@ class Drawing {
 Image Drawing::draw(const Moment& moment) {
   const View view = view_.at(moment);
   const Character& character = smoother_.character();
-  const Pose pose = poseAt(character, input_.clip, moment.time);
+  Pose pose = poseAt(character, input_.clip, moment.time);
+  if (!isSoundPose(character, pose)) {
+    message("bones are moved or scaled beyond finite numbers at " + std::to_string(moment.time) +
+            " s: the bind pose is shown");
+    pose = bindPose(character.skeleton);
+  }
   Stopwatch watch;
   Surface surface;
   smoother_.smooth(pose, surface, plan_.display.cullBackFaces ? std::optional(view.facingPoint()) : std::nullopt);

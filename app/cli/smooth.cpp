@@ -171,7 +171,9 @@ int smoothInput(const SmoothOptions& options, const SmoothJob& job, const BatchI
   for (const std::size_t moment : opened->frames.wanted) {
     const std::filesystem::path& output = input.outputs[moment];
     Surface surface;
-    smoother.smooth(poseAt(*opened->character, opened->clip, job.times[moment]), surface);
+    if (!smoother.smooth(poseAt(*opened->character, opened->clip, job.times[moment]), surface)) {
+      return badInput({output.string(), {}, "cannot be written: bones are moved or scaled beyond finite numbers"});
+    }
     if (const auto written = writeSurface(surface, *opened->character, output, reports[moment]); !written) {
       return badInput(written.error());
     }

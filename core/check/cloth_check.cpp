@@ -135,7 +135,7 @@ Result<ClothCount> countClothBelow(const std::shared_ptr<const Character>& chara
   count.vertices = static_cast<int>(meter.cloth().size());
   const float least = kClothBelow * character->height;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    bare.smooth(poses[i], surface);
+    if (!bare.smooth(poses[i], surface)) continue;
     const std::vector<float> before = meter.below(surface);
     lifted.smooth(poses[i], surface);
     const std::vector<float> after = meter.below(surface);

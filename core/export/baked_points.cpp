@@ -98,7 +98,7 @@ Result<BakedExportReport> bakeStage(Source& source, const SharedCharacter& chara
     stage.tell(static_cast<double>(frame) / frames);
     const Pose pose = samplePose(*character, moments.clip, moments.times[frame]);
     smoother.smooth(pose, surface);
-    requireFinite(pose, surface);
+    requireFinite(*character, pose, surface);
     meshes.resize(primitives.size());
     for (std::size_t p = 0; p < primitives.size(); ++p) {
       meshes[p] = {};

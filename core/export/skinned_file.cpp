@@ -33,11 +33,9 @@ class FileMaker {
         character_(character) {}
 
   SkinnedFile run() {
-    for (const AnimationClip& clip : character_.clips) {
-      if (!clip.addedFrom.empty()) addClip(clip, source_.fileNode, character_.morphTargets, rewrite_);
-    }
     keepClips();
     repairClips(source_, rewrite_, left_);
+    addClips();
     addHelpers();
     for (const gltf::SoupPart& part : source_.origin.parts) partsOf_[part.node].push_back(part);
     for (const auto& [node, parts] : partsOf_) makeMesh(node, parts);
@@ -57,6 +55,14 @@ class FileMaker {
 
  private:
   [[nodiscard]] bool isRefined() const { return settings_.mesh == ExportMesh::kRefined; }
+
+  /// Those from other files come behind the file's own, which are repaired by their places in it.
+  void addClips() {
+    for (const AnimationClip& clip : character_.clips) {
+      const bool isWanted = settings_.clips.empty() || std::ranges::count(settings_.clips, clip.name) > 0;
+      if (!clip.addedFrom.empty() && isWanted) addClip(clip, source_.fileNode, character_.morphTargets, rewrite_);
+    }
+  }
 
   void keepClips() {
     Json* clips = memberOf(rewrite_.root(), "animations");

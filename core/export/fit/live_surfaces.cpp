@@ -6,12 +6,14 @@
 #include <cstdio>
 
 #include "core/io/gltf/refusal.h"
+#include "sinew/character/pose_check.h"
 
 namespace sinew::exporting {
 
-void requireFinite(const Pose& pose, const Surface& surface) {
+void requireFinite(const Character& character, const Pose& pose, const Surface& surface) {
   const auto isSound = [](const glm::vec3& position) { return isFinite(position); };
-  if (std::ranges::all_of(surface.positions, isSound)) return;
+  // Of a pose that is refused the surface is that of another.
+  if (isSoundPose(character, pose) && std::ranges::all_of(surface.positions, isSound)) return;
   std::array<char, 32> second{};
   std::snprintf(second.data(), second.size(), "%.3f s", static_cast<double>(pose.time));
   const std::string place = pose.clip.empty() ? "bind pose" : "clip \"" + pose.clip + "\" at " + second.data();

@@ -11,16 +11,20 @@
 
 namespace sinew::exporting {
 
-/// Throws gltf::Refusal, naming clip and second, unless all positions are finite: joints that scale joints that scale
-/// others lead beyond what floats hold.
-void requireFinite(const Pose& pose, const Surface& surface);
+/// Throws gltf::Refusal, naming clip and second, unless all bones and positions are finite: joints that scale joints
+/// that scale others lead beyond what floats hold.
+void requireFinite(const Character& character, const Pose& pose, const Surface& surface);
 
 class LiveSurfaces {
  public:
-  explicit LiveSurfaces(std::shared_ptr<const Character> character) : smoother_(std::move(character)) {}
+  explicit LiveSurfaces(std::shared_ptr<const Character> character) : character_(character), smoother_(character) {}
 
   [[nodiscard]] Result<void> prepare(const Rig& rig) { return smoother_.prepare(rig); }
-  void smooth(const Pose& pose, Surface& out) { smoother_.smooth(std::span(&pose, 1), std::span(&out, 1)); }
+  /// Throws as requireFinite().
+  void smooth(const Pose& pose, Surface& out) {
+    smoother_.smooth(std::span(&pose, 1), std::span(&out, 1));
+    requireFinite(*character_, pose, out);
+  }
 
   /// Calls use(i, pose, surface) for i = 0..count-1, in order and from this thread. Throws as requireFinite().
   /// @param poseOf  pose of i
@@ -34,7 +38,7 @@ class LiveSurfaces {
       if (surfaces_.size() < now) surfaces_.resize(now);
       smoother_.smooth(poses_, std::span(surfaces_).first(now));
       for (std::size_t i = 0; i < now; ++i) {
-        requireFinite(poses_[i], surfaces_[i]);
+        requireFinite(*character_, poses_[i], surfaces_[i]);
         use(first + i, poses_[i], surfaces_[i]);
       }
     }
@@ -43,6 +47,7 @@ class LiveSurfaces {
  private:
   static constexpr std::size_t kPosesOfThread = 4;  ///< Held at once.
 
+  std::shared_ptr<const Character> character_;
   CrowdSmoother smoother_;
   std::vector<Pose> poses_;
   std::vector<Surface> surfaces_;
