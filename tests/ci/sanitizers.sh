@@ -27,4 +27,4 @@ runTests() {
 step configure cmake -S "$source" --preset asan -B "$build" "${options[@]}"
 step build cmake --build "$build"
 step test runTests
-step fuzz "$source/tests/fuzz/run.sh" "$build" "${SINEW_FUZZ_SECONDS:-20}"
+step fuzz "$source/tests/fuzz/run.sh" "$build" "${SINEW_FUZZ:-2000runs}"
