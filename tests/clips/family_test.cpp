@@ -85,20 +85,20 @@ FamilyFigures measure(const Character& from, const Character& to, const std::vec
         const double scaled = legRatio * (theirEnd.y - jointIn(own, theirHips).y);
         figures.height = std::max(figures.height, std::abs(jointIn(played, foot).y - jointIn(played, hips).y - scaled) /
                                                       static_cast<double>(to.height));
-        for (const auto& [limb, end] :
+        for (const std::pair<Slot, Slot>& joints :
              {std::pair{Slot::kUpperArm, Slot::kLowerArm}, std::pair{Slot::kLowerArm, Slot::kHand},
               std::pair{Slot::kUpperLeg, Slot::kLowerLeg}}) {
           // A mark on the skin beside the limb, laid over the other body's limb by the least rotation.
           const auto wayOf = [&](const Character& character, const BodySlots& slots) {
-            return glm::normalize(glm::dvec3(bind(character, slots.boneOf(end, side))[3]) -
-                                  glm::dvec3(bind(character, slots.boneOf(limb, side))[3]));
+            return glm::normalize(glm::dvec3(bind(character, slots.boneOf(joints.second, side))[3]) -
+                                  glm::dvec3(bind(character, slots.boneOf(joints.first, side))[3]));
           };
           const glm::dvec3 way = wayOf(to, ours);
           const glm::dvec3 mark = glm::normalize(glm::cross(way, glm::dvec3(0.1, 0.2, 1.0)));
           const glm::dvec3 theirMark = glm::rotation(way, wayOf(from, theirs)) * mark;
           const auto moved = [&](const Character& character, const BodySlots& slots, const Pose& pose,
                                  const glm::dvec3& what) {
-            const int bone = slots.boneOf(limb, side);
+            const int bone = slots.boneOf(joints.first, side);
             return turnIn(at(pose.boneInWorld, bone)) * glm::inverse(turnIn(bind(character, bone))) * what;
           };
           const double cosine = glm::dot(moved(to, ours, played, mark), moved(from, theirs, own, theirMark));

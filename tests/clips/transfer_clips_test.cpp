@@ -152,16 +152,17 @@ TEST(TransferClips, ArmsOfAnotherStanceGoWhereTheClipHasThem) {
       const float time = static_cast<float>(i) / 10.0f;
       const Pose own = samplePose(from.skeleton, from.clips.front(), time);
       const Pose played = samplePose(to.skeleton, made.clips.front(), time);
-      for (const auto& [upper, lower] : {std::pair{"upperArm", "lowerArm"}, std::pair{"lowerArm", "hand"},
-                                         std::pair{"upperLeg", "lowerLeg"}, std::pair{"lowerLeg", "foot"}}) {
+      for (const std::pair<const char*, const char*>& ends :
+           {std::pair{"upperArm", "lowerArm"}, std::pair{"lowerArm", "hand"}, std::pair{"upperLeg", "lowerLeg"},
+            std::pair{"lowerLeg", "foot"}}) {
         for (const char* side : {".L", ".R"}) {
           const auto way = [&](const Character& character, const Pose& pose, const Expected& slots) {
-            const int head = character.skeleton.findBone(slots.at(std::string(upper) + side)).value();
-            const int tail = character.skeleton.findBone(slots.at(std::string(lower) + side)).value();
+            const int head = character.skeleton.findBone(slots.at(std::string(ends.first) + side)).value();
+            const int tail = character.skeleton.findBone(slots.at(std::string(ends.second) + side)).value();
             return glm::normalize(jointIn(pose, tail) - jointIn(pose, head));
           };
           const double apart = glm::distance(way(from, own, fromSlots), way(to, played, toSlots));
-          EXPECT_LT(apart, 5e-3) << upper << side << " at " << time << ", styles " << theirs << " and " << ours;
+          EXPECT_LT(apart, 5e-3) << ends.first << side << " at " << time << ", styles " << theirs << " and " << ours;
         }
       }
     }

@@ -102,7 +102,7 @@ Rig muscled(const Character& character, std::string_view bytes) {
   rig.surface.mode = seed % 2 ? SurfaceMode::kReplace : SurfaceMode::kSwell;
   rig.smoothing.detail = seed % 4 < 2 ? DetailKind::kUniform : DetailKind::kAdaptive;
   for (std::size_t i = 0; i < std::min<std::size_t>(3, character.skeleton.bones.size()); ++i) {
-    const auto share = [&](int digit) { return static_cast<float>((seed >> (4 * digit + i)) & 15u) / 15.0f; };
+    const auto share = [&](std::size_t digit) { return static_cast<float>((seed >> (4 * digit + i)) & 15u) / 15.0f; };
     Primitive muscle;
     muscle.name = "muscle " + std::to_string(i);
     muscle.bone = character.skeleton.fileName(static_cast<int>(i));
