@@ -20,7 +20,6 @@ void compare(const Surface& scalar, const Surface& vector, double height, Agreem
     out.beyondAim += apart > kAim ? 1 : 0;
     const double turned = static_cast<double>(glm::distance(scalar.normals[v], vector.normals[v]));
     out.worstNormal = std::max(out.worstNormal, turned);
-    if (turned > kNormalAim) ++out.turned;
   }
 }
 

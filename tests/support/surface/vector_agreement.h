@@ -12,7 +12,6 @@ namespace sinew::test {
 
 inline constexpr double kAgreement = 1e-4;  ///< Fraction of H that docs/design.md promises.
 inline constexpr double kAim = 1e-6;
-inline constexpr double kNormalAim = 1e-3;  ///< Distance of unit vectors.
 
 struct Agreement {
   int projected = 0;
@@ -21,7 +20,6 @@ struct Agreement {
   int beyondAim = 0;   ///< Beyond kAim.
   double worst = 0.0;  ///< Fraction of H.
   double worstNormal = 0.0;
-  int turned = 0;  ///< Normals beyond kNormalAim.
 
   [[nodiscard]] double uncertifiedShare() const {
     return static_cast<double>(uncertified) / static_cast<double>(std::max(projected, 1));
