@@ -8,7 +8,7 @@ namespace {
 void drawLock(const Pen& pen, bool closed) {
   pen.list.AddRectFilled(pen.at(3.4f, 7.4f), pen.at(12.6f, 14.0f), pen.color, 1.4f * pen.unit);
   const float x = closed ? 8.0f : 10.6f;
-  pen.list.PathArcTo(pen.at(x, 5.6f), 2.9f * pen.unit, kPi, 2.0f * kPi, 14);
+  pen.list.PathArcTo(pen.at(x, 5.6f), 2.9f * pen.unit, kHalfCircle, 2.0f * kHalfCircle, 14);
   if (closed) pen.list.PathLineTo(pen.at(x + 2.9f, 7.6f));
   pen.list.PathStroke(pen.color, ImDrawFlags_None, pen.width());
   pen.line(x - 2.9f, 5.4f, x - 2.9f, 7.6f);
@@ -35,7 +35,7 @@ void drawGraph(const Pen& pen) {
 /// A body, half of it filled: before and after.
 void drawBefore(const Pen& pen) {
   pen.ring(8.0f, 8.0f, 5.8f);
-  pen.list.PathArcTo(pen.at(8.0f, 8.0f), 5.8f * pen.unit, -0.5f * kPi, 0.5f * kPi, 16);
+  pen.list.PathArcTo(pen.at(8.0f, 8.0f), 5.8f * pen.unit, -0.5f * kHalfCircle, 0.5f * kHalfCircle, 16);
   pen.list.PathFillConvex(pen.color);
 }
 
@@ -45,7 +45,7 @@ void drawTerritory(const Pen& pen) {
 }
 
 void drawReset(const Pen& pen) {
-  pen.list.PathArcTo(pen.at(8.2f, 8.6f), 4.9f * pen.unit, -0.75f * kPi, 0.95f * kPi, 20);
+  pen.list.PathArcTo(pen.at(8.2f, 8.6f), 4.9f * pen.unit, -0.75f * kHalfCircle, 0.95f * kHalfCircle, 20);
   pen.list.PathStroke(pen.color, ImDrawFlags_None, pen.width());
   pen.fill({{1.8f, 5.6f}, {6.8f, 2.2f}, {7.2f, 7.4f}});
 }
@@ -79,7 +79,7 @@ void addMarkDrawings(IconDrawings& drawings) {
     pen.disc(8.0f, 3.2f, 2.0f);
     pen.disc(3.2f, 12.4f, 2.0f);
     pen.disc(12.8f, 12.4f, 2.0f);
-    pen.list.PathArcTo(pen.at(8.0f, 9.2f), 6.4f * pen.unit, 0.0f, 2.0f * kPi, 28);
+    pen.list.PathArcTo(pen.at(8.0f, 9.2f), 6.4f * pen.unit, 0.0f, 2.0f * kHalfCircle, 28);
     pen.list.PathStroke(pen.color, ImDrawFlags_Closed, 0.7f * pen.width());
   };
   drawings[at(Icon::kBefore)] = drawBefore;

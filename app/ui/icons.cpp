@@ -20,7 +20,7 @@ void drawMove(const Pen& pen) {
 }
 
 void drawRotate(const Pen& pen) {
-  pen.arc(8, 8, 5.6f, -0.35f * kPi, 1.3f * kPi);
+  pen.arc(8, 8, 5.6f, -0.35f * kHalfCircle, 1.3f * kHalfCircle);
   pen.fill({{8.0f, 0.6f}, {13.0f, 2.6f}, {9.0f, 6.0f}});
 }
 

@@ -9,7 +9,7 @@
 
 namespace sinew::app {
 
-inline constexpr float kPi = 3.14159265f;
+inline constexpr float kHalfCircle = 3.14159265f;  ///< Radians.
 
 /// Draws on a grid of 16 units.
 struct Pen {
@@ -38,7 +38,7 @@ struct Pen {
   void ellipse(float x, float y, float a, float b, float turn, bool filled) const {
     constexpr int kSteps = 24;
     for (int i = 0; i < kSteps; ++i) {
-      const float angle = 2.0f * kPi * static_cast<float>(i) / kSteps;
+      const float angle = 2.0f * kHalfCircle * static_cast<float>(i) / kSteps;
       const float u = a * std::cos(angle);
       const float v = b * std::sin(angle);
       list.PathLineTo(at(x + u * std::cos(turn) - v * std::sin(turn), y + u * std::sin(turn) + v * std::cos(turn)));

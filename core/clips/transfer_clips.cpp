@@ -18,9 +18,9 @@
 namespace sinew {
 namespace {
 
-constexpr float kSame = 1e-5f;          ///< Fraction of what is compared: of nodes and bind poses.
-constexpr double kMostSamples = 5e7;    ///< Nodes times moments, of all clips of a file.
-constexpr std::size_t kMostNamed = 12;  ///< Bones in a note.
+constexpr float kSame = 1e-5f;              ///< Fraction of what is compared: of nodes and bind poses.
+constexpr double kMostSamplesOfFile = 5e7;  ///< Nodes times moments, of all clips of a file.
+constexpr std::size_t kMostNamed = 12;      ///< Bones in a note.
 
 // The same skeleton ---------------------------------------------------------------------------------------------------
 
@@ -256,7 +256,7 @@ TransferredClips transferClips(const Character& from, const Character& to, std::
   const std::vector<int> same = sameNodes(from.skeleton, to.skeleton);
   const bool alike = isBoundAlike(from, to, same);
   std::optional<Transfer> transfer;
-  double budget = kMostSamples;
+  double budget = kMostSamplesOfFile;
   for (const AnimationClip& clip : from.clips) {
     AnimationClip made;
     made.addedFrom = file;

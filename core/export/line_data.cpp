@@ -12,7 +12,7 @@
 namespace sinew::exporting {
 namespace {
 
-constexpr int kVersion = 1;
+constexpr int kLineDataVersion = 1;
 
 /// Shortest texts that give the float back.
 Json numbers(std::initializer_list<double> values) {
@@ -111,7 +111,7 @@ bool addLineData(const Source& source, const LineJoints& lines, std::span<const 
     isHeld = extras.kind == Json::Kind::kObject;
     if (!isHeld) continue;
     Json data = Json::object();
-    data.set("version", kVersion).set("joint_scale", nameOf(lines.scale()));
+    data.set("version", kLineDataVersion).set("joint_scale", nameOf(lines.scale()));
     extras.set("sinew", data.set("lines", LineWriter(source, lines, nodes).all()));
     break;
   }

@@ -22,7 +22,7 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kRadians = kPi / 180.0f;
-constexpr int kFramesPerSecond = 30;
+constexpr int kMotionFramesPerSecond = 30;
 constexpr int kOneWayFrames = 30;
 constexpr int kBothWaysFrames = 45;
 constexpr float kPlaceTolerance = 0.02f;  ///< How nearly twins lie opposite, fraction of the skeleton's size.
@@ -289,7 +289,7 @@ int framesOf(const MovementStep& step) {
 
 void addKeys(Channel& channel, const JointMovement& movement, int begin, int frames) {
   for (int i = 0; i <= frames; ++i) {
-    const float time = static_cast<float>(begin + i) / kFramesPerSecond;
+    const float time = static_cast<float>(begin + i) / kMotionFramesPerSecond;
     if (!channel.times.empty() && channel.times.back() >= time) continue;
     const bool ends = i == 0 || i == frames;
     const float angle = ends ? 0.0f : angleAt(movement, static_cast<float>(i) / static_cast<float>(frames));
@@ -336,7 +336,7 @@ AnimationClip rangeOfMotion(const Skeleton& skeleton, const RangeOfMotionHints& 
     frame += frames;
   }
   for (auto& [bone, channel] : channels) clip.channels.push_back(std::move(channel));
-  clip.duration = static_cast<float>(frame) / kFramesPerSecond;
+  clip.duration = static_cast<float>(frame) / kMotionFramesPerSecond;
   return clip;
 }
 

@@ -34,6 +34,9 @@ PAGES = {"README.md", "CONTRIBUTING.md"}  # and docs/*.md: every path they name 
 TREES = ("app", "core", "tests", "shaders", "assets", "docs", "cmake", "packaging", "examples", "python")
 NAMED_PATH = re.compile(r"(?:%s)/[\w./*{},-]*" % "|".join(TREES))
 MAP = "docs/architecture.md"
+# In a batch of files compiled as one, a constant of one file hides a header's of the same name from the files behind it.
+HEADER_CONSTANT = re.compile(r"\binline constexpr [^=;({]*?\b(k[A-Z]\w*)\s*[={]")
+OWN_CONSTANT = re.compile(r"^(?:static )?constexpr [^=;({]*?\b(k[A-Z]\w*)\s*[={]", re.MULTILINE)
 SAMPLE = "tests/install/consumer/main.cpp"
 PLACEHOLDER = re.compile(r"[A-Z]{3,}")  # app/cli/NAME.cpp: not a path but a pattern
 
@@ -144,6 +147,19 @@ def check_sizes(paths):
             yield "%s: %d .h and .cpp files, more than %d" % (path.as_posix(), count, MAX_FILES)
 
 
+def check_constants(root, paths):
+    """Within core and within app."""
+    for tree in LAYERS:
+        own = [path for path in paths if path.parts[0] == tree]
+        header_of = {name: path for path in own if path.suffix == ".h" for name in HEADER_CONSTANT.findall(text_of(root / path))}
+        for path in own:
+            if path.suffix == ".cpp":
+                for name in OWN_CONSTANT.findall(text_of(root / path)):
+                    if name in header_of:
+                        yield "%s: %s would hide that of %s from files compiled with it" % (
+                            path.as_posix(), name, header_of[name].as_posix())
+
+
 def named_paths(line):
     """The paths in the backticks of a line, "a.{h,cpp}" as two."""
     for quoted in re.findall(r"`([^`]+)`", line):
@@ -200,6 +216,7 @@ def problems(root):
             for number, reason in check_source(path, lines):
                 yield "%s:%d: %s" % (path.as_posix(), number, reason)
     yield from check_tests(root, paths)
+    yield from check_constants(root, paths)
     yield from check_pages(root, paths)
     yield from check_map(text_of(root / MAP))
     yield from check_sample(text_of(root / "README.md"), text_of(root / SAMPLE))

@@ -90,6 +90,15 @@ class Structure(unittest.TestCase):
         self.one("more than 120", core__rig__a_DOT_h=self.header("core/rig/a.h", "// " + "x" * 118 + "\n"))
         self.assertEqual([], self.problems(core__rig__a_DOT_h=self.header("core/rig/a.h", "// " + "x" * 117 + "\n")))
 
+    def test_a_constant_that_hides_a_headers(self):
+        def tree(place, name):
+            return {"core__mesh__a_DOT_h": self.header("core/mesh/a.h", "inline constexpr float kLeast = 0.2f;\n"),
+                    place: "// %s: x\nconstexpr float %s = 0.5f;\n" % (place.replace("__", "/").replace("_DOT_", "."), name)}
+
+        self.one("kLeast would hide that of core/mesh/a.h", **tree("core__rig__b_DOT_cpp", "kLeast"))
+        self.assertEqual([], self.problems(**tree("core__rig__b_DOT_cpp", "kLeastOfRig")))
+        self.assertEqual([], self.problems(**tree("app__ui__b_DOT_cpp", "kLeast")))
+
     def test_a_test_no_one_runs(self):
         self.one("names 'attic'", tests__attic__a_test_DOT_cpp="// tests/attic/a_test.cpp: x\n")
         self.one("names 'a_test.py'", tests__mesh__a_test_DOT_py="# tests/mesh/a_test.py: x\n")

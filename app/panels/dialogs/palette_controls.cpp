@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kPlacement = "inspector/section/placement";
 constexpr const char* kEffect = "inspector/section/effect";
-constexpr const char* kLine = "inspector/section/line";
+constexpr const char* kOfLine = "inspector/section/line";
 constexpr const char* kTerritory = "inspector/section/territory";
 
 Possible withCharacter(const EditorState& state) { return {state.hasCharacter(), "Open a character first"}; }
@@ -92,15 +92,15 @@ constexpr PaletteControl kControls[] = {
     {"inspector/line/length", "Length of the muscle line", "stretch now range", Shelf::kMuscle, "", withLine},
     {"inspector/line/flex-height", "Flex height", "bulge higher contraction", Shelf::kMuscle, "", withLine},
     {"inspector/line/flex-width", "Flex width", "bulge wider contraction", Shelf::kMuscle, "", withLine},
-    {"inspector/line/rest", "Rest length", "relaxed neutral", Shelf::kMuscle, kLine, withLine},
-    {"inspector/line/full", "Full contraction", "flexed shortest", Shelf::kMuscle, kLine, withLine},
-    {"inspector/line/volume", "Volume", "preserve girth squash stretch", Shelf::kMuscle, kLine, withLine},
-    {"inspector/line/tendon-origin", "Tendon at the origin", "sinew start", Shelf::kMuscle, kLine, withLine},
-    {"inspector/line/tendon-insertion", "Tendon at the insertion", "sinew end", Shelf::kMuscle, kLine, withLine},
-    {"inspector/line/pivot", "Pivot", "girth side bone", Shelf::kMuscle, kLine, withLine},
-    {"inspector/line/twist", "Twist", "roll turn belly", Shelf::kMuscle, kLine, withLine},
-    {"inspector/line/base", "Activation by hand", "active tone", Shelf::kMuscle, kLine, withLine},
-    {"inspector/line/gain", "Activation from shortening", "active automatic", Shelf::kMuscle, kLine, withLine},
+    {"inspector/line/rest", "Rest length", "relaxed neutral", Shelf::kMuscle, kOfLine, withLine},
+    {"inspector/line/full", "Full contraction", "flexed shortest", Shelf::kMuscle, kOfLine, withLine},
+    {"inspector/line/volume", "Volume", "preserve girth squash stretch", Shelf::kMuscle, kOfLine, withLine},
+    {"inspector/line/tendon-origin", "Tendon at the origin", "sinew start", Shelf::kMuscle, kOfLine, withLine},
+    {"inspector/line/tendon-insertion", "Tendon at the insertion", "sinew end", Shelf::kMuscle, kOfLine, withLine},
+    {"inspector/line/pivot", "Pivot", "girth side bone", Shelf::kMuscle, kOfLine, withLine},
+    {"inspector/line/twist", "Twist", "roll turn belly", Shelf::kMuscle, kOfLine, withLine},
+    {"inspector/line/base", "Activation by hand", "active tone", Shelf::kMuscle, kOfLine, withLine},
+    {"inspector/line/gain", "Activation from shortening", "active automatic", Shelf::kMuscle, kOfLine, withLine},
     {"inspector/territory", "Territory", "bones skin region mask limit", Shelf::kMuscle, kTerritory, withMuscle},
     {"inspector/territory-add", "Add a bone to the territory", "skin region mask", Shelf::kMuscle, kTerritory,
      withMuscle},

@@ -22,7 +22,7 @@ constexpr float kAroundMuscle = 4.0f;  ///< Or so many of its longest radii.
 constexpr float kNearSkin = 1.45f;     ///< Radii from the center: skin so near is the muscle's.
 constexpr glm::vec3 kClay{0.62f, 0.60f, 0.58f};
 constexpr glm::vec3 kFlesh{0.86f, 0.33f, 0.27f};
-constexpr glm::vec3 kBackground{0.150f, 0.163f, 0.188f};
+constexpr glm::vec3 kPictureBackground{0.150f, 0.163f, 0.188f};
 constexpr glm::vec3 kLight{-0.35f, 0.55f, 0.75f};  ///< In the picture's axes: from the left, above, in front.
 constexpr float kAmbient = 0.28f;
 
@@ -112,7 +112,7 @@ class Painter {
         muscles_(std::move(muscles)),
         size_(size),
         near_(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), -std::numeric_limits<float>::max()),
-        colors_(near_.size(), kBackground) {}
+        colors_(near_.size(), kPictureBackground) {}
 
   std::vector<glm::vec3> paint() {
     for (const ControlTriangle& triangle : mesh_.triangles) draw(triangle.vertices);

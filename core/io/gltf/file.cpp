@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t kMaxFileBytes = 1ULL << 30;
 constexpr std::uint64_t kMaxStride = 65536;
 /// Real files need about ten levels; extras may have more.
-constexpr int kMaxDepth = 200;
+constexpr int kMaxNesting = 200;
 
 /// Also those nothing uses: a file that names something outside its folder is not to be trusted.
 void checkUris(const Json& root) {
@@ -50,7 +50,7 @@ std::vector<std::uint8_t> contentsOf(const fs::path& path) {
 fs::path folderOf(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
 Json parseJson(std::string_view text, std::string_view leftOut, std::string_view keptIn) {
-  Result<Json> root = Json::parse(text, {.depth = kMaxDepth, .leftOut = leftOut, .keptIn = keptIn});
+  Result<Json> root = Json::parse(text, {.depth = kMaxNesting, .leftOut = leftOut, .keptIn = keptIn});
   if (!root) throw Refusal{root.error()};
   if (root->kind != Json::Kind::kObject) refuse("JSON", "a glTF file must be a JSON object");
   return std::move(root).value();

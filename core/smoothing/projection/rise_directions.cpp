@@ -10,7 +10,7 @@ namespace sinew {
 namespace {
 
 constexpr int kRounds = 12;
-constexpr float kLeastAlongNormal = 0.5f;  ///< Cosine of the widest angle between a direction and its normal.
+constexpr float kNearestWide = 0.5f;  ///< Cosine of the widest angle between a direction and its normal.
 
 /// How strongly an edge asks for its ends to agree: rise over the height at which lifted ends would meet. 0 where the
 /// directions diverge.
@@ -23,9 +23,9 @@ float convergence(const glm::vec3& edge, const glm::vec3& a, const glm::vec3& b,
 /// The direction nearest to `wanted` that is within the widest angle of the normal.
 glm::vec3 nearNormal(const glm::vec3& wanted, const glm::vec3& normal) {
   const float along = glm::dot(wanted, normal);
-  if (along >= kLeastAlongNormal) return wanted;
+  if (along >= kNearestWide) return wanted;
   const glm::vec3 sideways = normalizeOr(wanted - along * normal, glm::vec3(0.0f));
-  return normalizeOr(kLeastAlongNormal * normal + std::sqrt(1.0f - kLeastAlongNormal * kLeastAlongNormal) * sideways, normal);
+  return normalizeOr(kNearestWide * normal + std::sqrt(1.0f - kNearestWide * kNearestWide) * sideways, normal);
 }
 
 }  // namespace

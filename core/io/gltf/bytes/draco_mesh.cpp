@@ -13,7 +13,7 @@
 namespace sinew::gltf {
 namespace {
 
-constexpr std::uint16_t kVersion = 0x0202;
+constexpr std::uint16_t kDracoVersion = 0x0202;
 constexpr int kMostComponents = 16;
 constexpr int kMostAttributes = 64;
 /// Triangles times tables of connectivity, which Draco keeps for each attribute with seams: about 1 GiB.
@@ -180,7 +180,7 @@ Result<DracoMesh> decodeDraco(std::span<const std::uint8_t> bytes, const DracoRe
   draco::DecoderBuffer ahead = buffer;
   draco::DracoHeader header;
   if (!draco::PointCloudDecoder::DecodeHeader(&ahead, &header).ok()) return errorAt("", "not a Draco mesh");
-  if ((header.version_major << 8 | header.version_minor) != kVersion) {
+  if ((header.version_major << 8 | header.version_minor) != kDracoVersion) {
     return errorAt("", "Draco version " + std::to_string(header.version_major) + '.' +
                            std::to_string(header.version_minor) + "; 2.2 expected");
   }
