@@ -58,9 +58,8 @@ Image Drawing::draw(const Moment& moment) {
   const View view = view_.at(moment);
   const Character& character = smoother_.character();
   Pose pose = poseAt(character, input_.clip, moment.time);
-  if (!isSoundPose(character, pose)) {
-    message("bones are moved or scaled beyond finite numbers at " + std::to_string(moment.time) +
-            " s: the bind pose is shown");
+  if (const auto sound = checkPose(character, pose); !sound) {
+    message(sound.error().text() + " at " + std::to_string(moment.time) + " s: the bind pose is shown");
     pose = bindPose(character.skeleton);
   }
   Stopwatch watch;

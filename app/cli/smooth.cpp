@@ -18,6 +18,7 @@
 #include "core/io/json/json.h"
 #include "core/rig/attachment.h"
 #include "core/symmetry/motion_clip.h"
+#include "sinew/character/pose_check.h"
 #include "sinew/io/surface_export.h"
 #include "sinew/smoothing/smoother.h"
 
@@ -171,9 +172,11 @@ int smoothInput(const SmoothOptions& options, const SmoothJob& job, const BatchI
   for (const std::size_t moment : opened->frames.wanted) {
     const std::filesystem::path& output = input.outputs[moment];
     Surface surface;
-    if (!smoother.smooth(poseAt(*opened->character, opened->clip, job.times[moment]), surface)) {
-      return badInput({output.string(), {}, "cannot be written: bones are moved or scaled beyond finite numbers"});
+    const Pose pose = poseAt(*opened->character, opened->clip, job.times[moment]);
+    if (const auto sound = checkPose(*opened->character, pose); !sound) {
+      return badInput({output.string(), sound.error().place, "cannot be written: " + sound.error().reason});
     }
+    smoother.smooth(pose, surface);
     if (const auto written = writeSurface(surface, *opened->character, output, reports[moment]); !written) {
       return badInput(written.error());
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/at.h"
+#include "core/skeleton/node_world.h"
 
 namespace sinew {
 namespace {
@@ -48,7 +49,6 @@ Result<void> checkLocals(const Skeleton& skeleton, const BoneLocals& locals) {
 Result<void> poseFromLocals(const Skeleton& skeleton, const BoneLocals& locals, std::vector<glm::dmat4>& scratch,
                             Pose& out) {
   if (Result<void> sound = checkLocals(skeleton, locals); !sound) return sound;
-  // In double, as a clip's: a meter-sized bone may hang under a node scaled by 0.01.
   scratch.resize(skeleton.nodes.size());
   for (std::size_t n = 0; n < skeleton.nodes.size(); ++n) scratch[n] = glm::dmat4(skeleton.nodes[n].rest.toMatrix());
   for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
@@ -60,14 +60,7 @@ Result<void> poseFromLocals(const Skeleton& skeleton, const BoneLocals& locals, 
     if (!locals.rotations.empty()) local.matrix.reset();  // All three are there, where it had one.
     at(scratch, node) = glm::dmat4(local.toMatrix());
   }
-  for (std::size_t n = 0; n < skeleton.nodes.size(); ++n) {
-    const int parent = skeleton.nodes[n].parent;
-    if (parent >= 0) scratch[n] = at(scratch, parent) * scratch[n];
-  }
-  out.boneInWorld.resize(skeleton.bones.size());
-  for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
-    out.boneInWorld[b] = glm::mat4(at(scratch, skeleton.bones[b].node));
-  }
+  followParents(skeleton, scratch, out.boneInWorld);
   return {};
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/at.h"
+#include "core/skeleton/node_world.h"
 #include "core/skeleton/pose_override.h"
 #include "sinew/skeleton/node_locals.h"
 
@@ -39,18 +40,11 @@ Pose bindPose(const Skeleton& skeleton) {
 
 Pose poseFromLocals(const Skeleton& skeleton, std::span<const LocalTransform> locals) {
   assert(locals.size() == skeleton.nodes.size());
-  // In double: a meter-sized bone may hang under a node scaled by 0.01.
-  std::vector<glm::dmat4> inWorld(locals.size());
-  for (std::size_t i = 0; i < locals.size(); ++i) {
-    const glm::dmat4 local(locals[i].toMatrix());
-    const int parent = skeleton.nodes[i].parent;
-    inWorld[i] = parent >= 0 ? at(inWorld, parent) * local : local;
-  }
+  std::vector<glm::dmat4> nodes;
+  nodes.reserve(locals.size());
+  for (const LocalTransform& local : locals) nodes.emplace_back(local.toMatrix());
   Pose pose;
-  pose.boneInWorld.reserve(skeleton.bones.size());
-  for (const Bone& bone : skeleton.bones) {
-    pose.boneInWorld.emplace_back(at(inWorld, bone.node));
-  }
+  followParents(skeleton, nodes, pose.boneInWorld);
   return pose;
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/io/json/json.h"
 #include "tests/cli/program.h"
+#include "tests/support/characters/gltf_builder.h"
 #include "tests/support/surface/mesh_checks.h"
 
 namespace sinew {
@@ -26,6 +27,36 @@ std::vector<std::array<int, 3>> facesOf(const std::string& obj) {
     faces.push_back(face);
   }
   return faces;
+}
+
+/// A clip in which joints that scale joints that scale others lead beyond what floats hold after its beginning.
+std::string farPost() {
+  test::Post post = test::makePost();
+  post.file.json["nodes"].push_back({{"name", "top"}, {"children", {1}}});
+  post.file.json["scenes"][0]["nodes"] = {0, 3};
+  auto& clip = post.file.json["animations"][0];
+  for (const int node : {1, 2, 3}) {
+    clip["channels"].push_back({{"sampler", clip["samplers"].size()}, {"target", {{"node", node}, {"path", "scale"}}}});
+    clip["samplers"].push_back(
+        {{"input", post.file.accessor(std::vector<float>{0, 1}, "SCALAR")},
+         {"output", post.file.accessor(std::vector<float>{1, 1, 1, 1e15f, 1e15f, 1e15f}, "VEC3")}});
+  }
+  return post.file.glb();
+}
+
+TEST_F(Program, APoseBeyondWhatNumbersHoldIsTold) {
+  ASSERT_TRUE(writeFileAtomically(folder_ / "far.glb", farPost()).ok());
+  const auto smoothed = run({"smooth", "far.glb", "--clip", "bend", "--time", "0.5", "-o", "out.obj"});
+  EXPECT_EQ(smoothed.status, 1);
+  EXPECT_TRUE(smoothed.oneErrorLine()) << smoothed.error;
+  EXPECT_NE(smoothed.error.find("\"knee\": cannot be written: its matrix has a number that is not finite"),
+            std::string::npos)
+      << smoothed.error;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out.obj"));
+  EXPECT_EQ(run({"smooth", "far.glb", "--clip", "bend", "--time", "0", "-o", "out.obj"}).status, 0);
+  const auto drawn = run({"render", "far.glb", "--clip", "bend", "--time", "0.5", "--size", "64x64", "-o", "out.png"});
+  EXPECT_EQ(drawn.status, 0) << drawn.error;
+  EXPECT_NE(drawn.error.find("the bind pose is shown"), std::string::npos) << drawn.error;
 }
 
 TEST_F(Program, SmoothRefusesARigThatNamesBonesTheCharacterLacks) {

@@ -5,6 +5,7 @@ import shutil
 import subprocess
 
 import package_root
+from checks import check, run
 
 PACKAGES = "usr/lib/python3/dist-packages"
 USE = """
@@ -13,19 +14,6 @@ rig = sinew.load_rig(%r)
 surface = sinew.Smoother(rig.character, rig)(clip="Walk", time=0.2)
 print(sinew.__file__, len(surface.positions))
 """
-
-
-def run(*command, **more):
-    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, **more)
-    if done.returncode != 0:
-        raise SystemExit("%s\nexit %d\n%s%s" % (" ".join(map(str, command)), done.returncode, done.stdout, done.stderr))
-    return done.stdout
-
-
-def check(what, holds, seen=""):
-    if not holds:
-        raise SystemExit("FAILED: %s; seen: %s" % (what, seen))
-    print("ok: " + what, flush=True)
 
 
 def check_package(deb, work, source):

@@ -12,6 +12,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import package_python
 import package_root
+from checks import check, run
 
 EXPECTED = """usr/bin/sinew usr/share/applications/sinew.desktop usr/share/mime/packages/sinew.xml
     usr/share/metainfo/org.example.Sinew.metainfo.xml usr/share/icons/hicolor/scalable/apps/sinew.svg
@@ -21,19 +22,6 @@ EXPECTED = """usr/bin/sinew usr/share/applications/sinew.desktop usr/share/mime/
     usr/share/fish/vendor_completions.d/sinew.fish usr/share/doc/sinew/copyright usr/share/doc/sinew/changelog.gz
     usr/share/doc/sinew/changelog.Debian.gz usr/share/doc/sinew/examples/three.js/sinew_muscles.js usr/share/doc/sinew/docs/keyboard.md usr/share/sinew/shaders/surface.frag
     usr/share/sinew/assets/humanoid.rig.json usr/share/sinew/assets/presets/athlete.json""".split()
-
-
-def run(*command, **more):
-    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, **more)
-    if done.returncode != 0:
-        raise SystemExit("%s\nexit %d\n%s%s" % (" ".join(map(str, command)), done.returncode, done.stdout, done.stderr))
-    return done.stdout
-
-
-def check(what, holds, seen=""):
-    if not holds:
-        raise SystemExit("FAILED: %s; seen: %s" % (what, seen))
-    print("ok: " + what, flush=True)
 
 
 def has(tool):

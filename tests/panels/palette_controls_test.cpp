@@ -16,26 +16,15 @@
 #include "app/panels/dialogs/palette_entries.h"
 #include "app/panels/dialogs/palette_words.h"
 #include "core/rig/rig_edit.h"
-#include "tests/support/editor/headless_editor.h"
+#include "tests/panels/palette_editor.h"
 #include "tests/support/editor/muscles_named.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew::app {
 namespace {
 
-class PaletteControls : public HeadlessEditor {
+class PaletteControls : public PaletteEditor {
  protected:
-  void openFlexing() {
-    ASSERT_TRUE(openFile(state, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "humanoid-flex.rig.json"));
-    state.open.transport.playing = false;
-    settle();
-  }
-  void ask(const std::string& words) {
-    run(action("help/palette"), state);
-    settle();
-    type(words);
-  }
-  [[nodiscard]] float rank(const std::string& id) const { return shown(id) ? center(id).y : 1e6f; }
   [[nodiscard]] unsigned itemOf(const std::string& id) const {
     const auto& all = widgets().laidOut();
     const auto found = std::ranges::find(all, id, &LaidOut::id);

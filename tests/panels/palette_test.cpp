@@ -3,27 +3,18 @@
 #include <algorithm>
 
 #include "app/panels/dialogs/palette_words.h"
-#include "tests/support/editor/headless_editor.h"
+#include "tests/panels/palette_editor.h"
 #include "tests/support/editor/muscles_named.h"
 
 namespace sinew::app {
 namespace {
 
-class Palette : public HeadlessEditor {
+class Palette : public PaletteEditor {
  protected:
   void SetUp() override {
-    HeadlessEditor::SetUp();
-    ASSERT_TRUE(openFile(state, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "humanoid-flex.rig.json"));
-    state.open.transport.playing = false;
-    settle();
+    PaletteEditor::SetUp();
+    openFlexing();
   }
-  void ask(const std::string& words) {
-    run(action("help/palette"), state);
-    settle();
-    type(words);
-  }
-  /// The height on the screen; a row that is not there is below all others.
-  [[nodiscard]] float rank(const std::string& id) const { return shown(id) ? center(id).y : 1e6f; }
 };
 
 TEST_F(Palette, ButtonsOfPanelsAreFoundAndRun) {
