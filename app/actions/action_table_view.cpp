@@ -6,7 +6,7 @@
 #include "app/actions/action_table.h"
 #include "app/actions/export_error.h"
 #include "app/editor/visibility_commands.h"
-#include "core/rig/rig_edit.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew::app::table {
 namespace {

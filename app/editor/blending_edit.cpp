@@ -11,8 +11,8 @@
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "core/base/at.h"
-#include "core/rig/rig_edit.h"
 #include "core/rig/rig_edit_several.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew::app {
 namespace {

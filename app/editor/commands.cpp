@@ -14,8 +14,8 @@
 #include "app/editor/symmetry_commands.h"
 #include "app/editor/territory.h"
 #include "core/base/at.h"
-#include "core/rig/rig_edit.h"
 #include "core/symmetry/twins.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew::app {
 namespace {

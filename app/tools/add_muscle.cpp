@@ -17,8 +17,8 @@
 #include "core/base/at.h"
 #include "core/base/flatness.h"
 #include "core/character/bindings.h"
-#include "core/rig/rig_edit.h"
 #include "core/symmetry/twins.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew::app {
 namespace {

@@ -9,8 +9,8 @@
 #include "core/body/learned_lengths.h"
 #include "core/body/place_muscle.h"
 #include "core/rig/line_edit.h"
-#include "core/rig/rig_edit.h"
 #include "core/symmetry/twins.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "core/base/at.h"
 #include "core/check/mend_rig.h"
-#include "core/rig/rig_edit.h"
 #include "core/skeleton/side_names.h"
 #include "core/symmetry/twins.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew {
 

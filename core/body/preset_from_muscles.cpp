@@ -15,10 +15,10 @@
 #include "core/body/body_map.h"
 #include "core/body/part_place.h"
 #include "core/primitives/affine_image.h"
-#include "core/rig/rig_edit.h"
 #include "core/skeleton/side_names.h"
 #include "core/symmetry/line_twins.h"
 #include "core/symmetry/twins.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew {
 namespace {

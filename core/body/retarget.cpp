@@ -16,10 +16,10 @@
 #include "core/lines/line_rest.h"
 #include "core/primitives/affine_image.h"
 #include "core/rig/morphs.h"
-#include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
 #include "core/symmetry/line_twins.h"
 #include "core/symmetry/twins.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew {
 namespace {

@@ -1,5 +1,5 @@
 // core/rig/rig_edit.cpp: each edit changes the rig that it was given and checks what it changed.
-#include "core/rig/rig_edit.h"
+#include "sinew/rig/rig_edit.h"
 
 #include <algorithm>
 #include <cassert>

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "core/base/at.h"
-#include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew {
 

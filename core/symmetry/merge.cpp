@@ -9,11 +9,11 @@
 #include "core/rig/line_edit.h"
 #include "core/rig/references.h"
 #include "core/rig/reparent.h"
-#include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
 #include "core/skeleton/side_names.h"
 #include "core/symmetry/line_twins.h"
 #include "core/symmetry/twins.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew {
 namespace {

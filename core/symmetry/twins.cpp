@@ -12,11 +12,11 @@
 #include "core/primitives/shape_numbers.h"
 #include "core/rig/identity.h"
 #include "core/rig/line_edit.h"
-#include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
 #include "core/skeleton/side_names.h"
 #include "core/symmetry/animated_twins.h"
 #include "core/symmetry/line_twins.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew {
 namespace {

@@ -9,10 +9,10 @@
 #include "core/base/nearest_name.h"
 #include "core/rig/attachment.h"
 #include "core/rig/morphs.h"
-#include "core/rig/rig_edit.h"
 #include "core/symmetry/twins.h"
 #include "python/module/errors.h"
 #include "sinew/io/rig_json.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew::python {
 namespace {

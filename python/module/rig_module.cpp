@@ -13,7 +13,6 @@
 #include "core/base/nearest_name.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/morphs.h"
-#include "core/rig/rig_edit.h"
 #include "core/rig/rig_edit_several.h"
 #include "core/symmetry/twins.h"
 #include "python/module/errors.h"
@@ -21,6 +20,7 @@
 #include "python/module/rig_fields.h"
 #include "python/module/values.h"
 #include "sinew/io/rig_json.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew::python {
 namespace {

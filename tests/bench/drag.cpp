@@ -11,8 +11,8 @@
 #include "app/document/document.h"
 #include "app/playback.h"
 #include "core/base/stopwatch.h"
-#include "core/rig/rig_edit.h"
 #include "core/rig/trial_rig.h"
+#include "sinew/rig/rig_edit.h"
 #include "tests/bench/parts.h"
 
 namespace sinew::app {

@@ -12,11 +12,11 @@
 #include "core/base/at.h"
 #include "core/io/preset_json.h"
 #include "core/primitives/affine_image.h"
-#include "core/rig/rig_edit.h"
 #include "core/symmetry/motion_clip.h"
 #include "core/symmetry/twins.h"
 #include "sinew/io/gltf_import.h"
 #include "sinew/io/rig_json.h"
+#include "sinew/rig/rig_edit.h"
 #include "tests/support/characters/characters.h"
 #include "tests/support/characters/real_characters.h"
 

@@ -17,12 +17,12 @@
 #include "core/rig/animated_edit.h"
 #include "core/rig/attachment.h"
 #include "core/rig/morphs.h"
-#include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
 #include "core/symmetry/motion_clip.h"
 #include "core/symmetry/twins.h"
 #include "sinew/io/gltf_import.h"
 #include "sinew/io/rig_json.h"
+#include "sinew/rig/rig_edit.h"
 #include "tests/support/characters/characters.h"
 #include "tests/support/characters/real_characters.h"
 

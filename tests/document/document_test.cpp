@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-#include "core/rig/rig_edit.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew::app {
 namespace {

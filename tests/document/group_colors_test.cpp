@@ -11,7 +11,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "app/document/command_stack.h"
-#include "core/rig/rig_edit.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew::app {
 namespace {

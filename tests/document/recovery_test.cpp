@@ -13,8 +13,8 @@
 #include <fstream>
 #include <utility>
 
-#include "core/rig/rig_edit.h"
 #include "sinew/io/rig_json.h"
+#include "sinew/rig/rig_edit.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew::app {

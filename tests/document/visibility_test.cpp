@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/document/command_stack.h"
-#include "core/rig/rig_edit.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew::app {
 namespace {

@@ -11,7 +11,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/open_file.h"
 #include "app/window/session_keeper.h"
-#include "core/rig/rig_edit.h"
+#include "sinew/rig/rig_edit.h"
 #include "tests/support/editor/muscles_named.h"
 #include "tests/support/temporary_folder.h"
 

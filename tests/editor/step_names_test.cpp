@@ -4,7 +4,7 @@
 
 #include "app/editor/blending_edit.h"
 #include "app/editor/symmetry_commands.h"
-#include "core/rig/rig_edit.h"
+#include "sinew/rig/rig_edit.h"
 #include "tests/support/editor/headless_editor.h"
 #include "tests/support/editor/muscles_named.h"
 

@@ -9,7 +9,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/open_file.h"
-#include "core/rig/rig_edit.h"
+#include "sinew/rig/rig_edit.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew::app {

@@ -7,10 +7,10 @@
 
 #include "core/drivers/posed_rig.h"
 #include "core/rig/line_edit.h"
-#include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
 #include "core/symmetry/line_twins.h"
 #include "core/symmetry/twins.h"
+#include "sinew/rig/rig_edit.h"
 #include "tests/support/characters/synthetic_characters.h"
 
 namespace sinew {

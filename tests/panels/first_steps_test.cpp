@@ -3,7 +3,7 @@
 
 #include "app/actions/actions.h"
 #include "app/editor/session.h"
-#include "core/rig/rig_edit.h"
+#include "sinew/rig/rig_edit.h"
 #include "tests/support/editor/headless_editor.h"
 
 namespace sinew::app {

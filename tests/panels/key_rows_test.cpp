@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/rig/rig_edit.h"
 #include "core/symmetry/twins.h"
+#include "sinew/rig/rig_edit.h"
 #include "tests/support/characters/synthetic_characters.h"
 
 namespace sinew::app {

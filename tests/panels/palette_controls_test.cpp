@@ -15,7 +15,7 @@
 #include "app/editor/session.h"
 #include "app/panels/dialogs/palette_entries.h"
 #include "app/panels/dialogs/palette_words.h"
-#include "core/rig/rig_edit.h"
+#include "sinew/rig/rig_edit.h"
 #include "tests/panels/palette_editor.h"
 #include "tests/support/editor/muscles_named.h"
 #include "tests/support/temporary_folder.h"

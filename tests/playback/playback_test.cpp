@@ -8,7 +8,7 @@
 
 #include "app/document/document.h"
 #include "core/rig/animated_edit.h"
-#include "core/rig/rig_edit.h"
+#include "sinew/rig/rig_edit.h"
 #include "tests/support/rigs/rig_copies.h"
 
 namespace sinew::app {

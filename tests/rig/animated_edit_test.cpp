@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "core/rig/line_edit.h"
-#include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew {
 namespace {

@@ -7,8 +7,8 @@
 #include <random>
 #include <set>
 
-#include "core/rig/rig_edit.h"
 #include "core/rig/rig_edit_several.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
+#include "sinew/rig/rig_edit.h"
 #include "tests/support/rigs/rig_edits.h"
 
 namespace sinew {

@@ -1,5 +1,5 @@
 // tests/rig/rig_edit_test.cpp: edits leave their input alone and give valid rigs.
-#include "core/rig/rig_edit.h"
+#include "sinew/rig/rig_edit.h"
 
 #include <limits>
 #include <numeric>

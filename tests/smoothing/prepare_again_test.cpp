@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "core/rig/attachment.h"
-#include "core/rig/rig_edit.h"
 #include "core/symmetry/twins.h"
+#include "sinew/rig/rig_edit.h"
 #include "sinew/smoothing/smoother.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_rigs.h"

@@ -12,11 +12,11 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "core/rig/line_edit.h"
-#include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
 #include "core/skeleton/pose_override.h"
 #include "core/symmetry/line_twins.h"
 #include "core/symmetry/twins.h"
+#include "sinew/rig/rig_edit.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/driven_rig.h"
 #include "tests/support/rigs/random_animation.h"

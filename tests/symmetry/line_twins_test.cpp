@@ -6,9 +6,9 @@
 
 #include "core/drivers/posed_rig.h"
 #include "core/rig/line_edit.h"
-#include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
 #include "core/symmetry/twins.h"
+#include "sinew/rig/rig_edit.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/symmetry/hamstrings.h"
 

@@ -8,9 +8,9 @@
 #include "core/rig/excerpt.h"
 #include "core/rig/identity.h"
 #include "core/rig/line_edit.h"
-#include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
 #include "core/symmetry/twins.h"
+#include "sinew/rig/rig_edit.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/rig_copies.h"
 

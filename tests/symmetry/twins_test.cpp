@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-#include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
 #include "sinew/io/rig_json.h"
+#include "sinew/rig/rig_edit.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/rigs/rig_edits.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/tools/input_router.h"
-#include "core/rig/rig_edit.h"
+#include "sinew/rig/rig_edit.h"
 #include "sinew/smoothing/smoother.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_rigs.h"

@@ -12,7 +12,7 @@
 
 #include "app/ui/number_field.h"
 #include "core/mesh/creases.h"
-#include "core/rig/rig_edit.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew::app {
 namespace {

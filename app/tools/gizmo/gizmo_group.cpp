@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/at.h"
-#include "core/rig/rig_edit.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew::app {
 const char* nameOf(GizmoPivot pivot) { return pivot == GizmoPivot::kActive ? "active" : "centroid"; }

@@ -17,7 +17,7 @@
 #include "app/ui/imgui_layer.h"
 #include "app/ui/style.h"
 #include "app/window/editor_step.h"
-#include "core/rig/rig_edit.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew::app {
 
