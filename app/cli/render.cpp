@@ -119,8 +119,9 @@ void addLook(CLI::App& verb, RenderOptions& options) {
       ->type_name("B");
   verb.add_flag("--ao", options.occlusion, "Ambient occlusion: crevices and folds are darker");
   verb.add_option("--size", options.size, "Pixels, each 16 to 8192 (1280x800)")->type_name("WxH");
-  verb.add_option("--samples", options.samples,
-                  "Samples per pixel, at most what the driver offers; 4 or 16 with --ao and --show muscles (4)")
+  verb.add_option(
+          "--samples", options.samples,
+          "Samples per pixel, at most what the driver offers; 4 or 16 with --ao; above 4, 16 with --show muscles (4)")
       ->type_name("N")
       ->check(CLI::Range(1, 64));
 }
@@ -223,6 +224,7 @@ int renderInput(const RenderOptions& options, const RenderPlan& plan, const Batc
   if (!viewport) return badInput(viewport.error());
   viewport.value()->setCharacter(*opened->character);
   viewport.value()->setFinishFrames(true);
+  viewport.value()->setOccludesOnce(true);
   Drawing drawing(opened.value(), plan, std::move(view), smoother, *viewport.value());
   int status = kDone;
   if (plan.sheet.x > 0) status = writeSheet(opened.value(), plan, input.outputs.front(), drawing, progress);

@@ -38,6 +38,7 @@ struct Viewport::State {
   RenderTarget sample{};  ///< One of those that the mean is made of.
   int samples = 1;
   bool finish = false;
+  bool occludesOnce = !isSoftwareRenderer();
   bool transparent = false;
   float floor = 0.0f;
   bool kept = false;               ///< All but `boxes` of the last picture is the kept background.
@@ -229,9 +230,8 @@ void Viewport::drawInto(const RenderTarget& target, const Frame& frame, bool kee
 /// What the shaders share, and the occlusion's texture. @param sample  of a mean; below 0: a picture alone.
 void Viewport::shareFrame(const Frame& frame, int sample) {
   State& s = *state_;
-  // On the processor a picture alone is one of a motion, which is not to wait for it.
   const bool surface = frame.settings.look.occlusion && frame.settings.surface && !frame.surfaceBounds.isEmpty();
-  const bool occluded = (surface || frame.settings.anatomy) && (sample >= 0 || !isSoftwareRenderer());
+  const bool occluded = (surface || frame.settings.anatomy) && (sample >= 0 || s.occludesOnce);
   const std::array<FrameBlock, 1> block{blockOf(frame, occluded)};
   uploadBuffer(s.frameBlock, std::span<const FrameBlock>(block));
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, s.frameBlock.id());
@@ -323,6 +323,7 @@ int Viewport::samplesTaken() const { return state_->mean.count(); }
 bool Viewport::isRefined() const { return state_->mean.count() >= kMeanSamples; }
 
 void Viewport::setFinishFrames(bool finish) { state_->finish = finish; }
+void Viewport::setOccludesOnce(bool occludes) { state_->occludesOnce = occludes; }
 const DrawSeconds& Viewport::seconds() const { return state_->seconds; }
 const std::vector<glm::vec4>& Viewport::changed() const { return state_->changed; }
 unsigned Viewport::colorTexture() const { return state_->target.texture(); }
