@@ -18,8 +18,8 @@ struct Intent {
   std::filesystem::path file;  ///< To open; kRecover: of LeftBehind.
 };
 
-/// The last two only choose a place, for the export dialog.
-enum class DialogKind { kNone, kOpen, kSaveAs, kSavePicture, kExportPlace, kJobPlace };
+/// The dialogs of exports only choose a place, kReference a picture to work after.
+enum class DialogKind { kNone, kOpen, kSaveAs, kSavePicture, kExportPlace, kJobPlace, kPicturesPlace, kReference };
 
 /// The path dialog.
 struct FileDialogState {
@@ -96,6 +96,7 @@ struct Dialogs {
   std::filesystem::path keepMuscles;  ///< A character that was dropped: asking whether it gets the muscles. "": not.
   bool droppedHasClips = false;       ///< ... or whether its clips are added here.
   ExportDialogState exporting;
+  PicturesDialogState pictures;
   bool exportQuestion = false;  ///< Asking whether to quit though exports are not done.
   PaletteState palette;
   RevealState reveal;

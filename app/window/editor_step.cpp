@@ -19,6 +19,7 @@
 #include "app/actions/export_error.h"
 #include "app/actions/muscle_set_commands.h"
 #include "app/editor/clip_commands.h"
+#include "app/actions/reference_commands.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/hidden_bones.h"
@@ -58,6 +59,7 @@ bool closesWhatIsOpen(EditorState& state, const RawInput& input) {
   else if (state.open.check.shown) closeCheck(state);
   else if (state.open.bodyParts.shown) toggleBodyParts(state);
   else if (state.open.clipList.shown) toggleClipList(state);
+  else if (state.open.reference.shown) toggleReferencePanel(state);
   else return false;
   return true;
 }
@@ -120,7 +122,7 @@ void EditorStep::runTools(EditorState& state, const RawInput& input, bool viewpo
   cameraMoves_ = false;
   if (!state.hasCharacter()) return;
   if (state.open.frameWanted) {
-    frameBounds(state.view.tools.camera, boundsOf(state.live->surface().positions), state.frame.viewportPixels, false);
+    frameInPicture(state, boundsOf(state.live->surface().positions), false);
     state.open.frameWanted = false;
   }
   const ImGuiIO& io = ImGui::GetIO();
