@@ -6,8 +6,9 @@
 
 namespace sinew {
 
-/// Control triangles around a region that are refined with it: what is done about folds and steep skin looks around.
-inline constexpr int kRegionMargin = 2;
+/// Control triangles around a region that are refined with it: what is done about folds and steep skin looks around,
+/// seldom further than this.
+inline constexpr int kRegionMargin = 3;
 
 /// Levels of the region and of its margin as they are, all others 1. Edges at refined triangles keep theirs, so that
 /// nothing opens between the two.

@@ -1,7 +1,12 @@
 // tests/smoothing/region_test.cpp: a part of the body in detail is that of the whole, and fits to the rest.
 #include "sinew/smoothing/region.h"
 
+#include <algorithm>
+#include <memory>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -23,25 +28,35 @@ Region regionOf(const Character& character, const std::vector<std::string>& name
 
 int count(const Region& region) { return static_cast<int>(std::ranges::count(region, 1)); }
 
-/// Triangles of the region whose refined triangles, corner by corner, are not those of the other surface to the bit.
-int different(const Surface& part, const Surface& whole, const Region& region) {
-  int found = 0;
+/// How a part differs from the whole surface.
+struct Difference {
+  int triangles = 0;      ///< Of the region, of which not all corners are the same to the bit.
+  float position = 0.0f;  ///< The most, character units.
+  float normal = 0.0f;    ///< The most.
+};
+
+Difference differenceOf(const Surface& part, const Surface& whole, const Region& region) {
+  Difference found;
   for (std::size_t t = 0; t < region.size(); ++t) {
     if (region[t] == 0) continue;
     const auto triangle = static_cast<int>(t);
-    bool same = part.refinement->refinedTriangles(triangle) == whole.refinement->refinedTriangles(triangle);
-    for (int i = 0; same && i < part.refinement->refinedTriangles(triangle); ++i) {
+    const bool alike = part.refinement->refinedTriangles(triangle) == whole.refinement->refinedTriangles(triangle);
+    bool allSame = alike;
+    for (int i = 0; alike && i < part.refinement->refinedTriangles(triangle); ++i) {
       const auto a = static_cast<std::size_t>(part.refinement->triangleBegin[t] + i);
       const auto b = static_cast<std::size_t>(whole.refinement->triangleBegin[t] + i);
       for (std::size_t c = 0; c < 3; ++c) {
         const auto v = static_cast<std::size_t>(part.refinement->triangles[a][c]);
         const auto w = static_cast<std::size_t>(whole.refinement->triangles[b][c]);
-        same = same && sameBits(part.positions[v], whole.positions[w]) && sameBits(part.normals[v], whole.normals[w]) &&
-               sameBits(shadingNormal(part, part.refinement->drawTriangles[a][c]),
-                        shadingNormal(whole, whole.refinement->drawTriangles[b][c]));
+        const glm::vec3 n = shadingNormal(part, part.refinement->drawTriangles[a][c]);
+        const glm::vec3 m = shadingNormal(whole, whole.refinement->drawTriangles[b][c]);
+        allSame = allSame && sameBits(part.positions[v], whole.positions[w]) && sameBits(n, m) &&
+                  sameBits(part.normals[v], whole.normals[w]);
+        found.position = std::max(found.position, glm::distance(part.positions[v], whole.positions[w]));
+        found.normal = std::max(found.normal, glm::distance(part.normals[v], whole.normals[w]));
       }
     }
-    found += same ? 0 : 1;
+    found.triangles += allSame ? 0 : 1;
   }
   return found;
 }
@@ -66,7 +81,7 @@ TEST_P(RegionOfScene, IsThatOfTheWholeSurfaceToTheBit) {
     for (const Pose& pose : spreadPoses(*scene.character, 12)) {
       whole.smooth(pose, expected);
       part.smooth(pose, surface);
-      EXPECT_EQ(different(surface, expected, region), 0) << "of " << count(region);
+      EXPECT_EQ(differenceOf(surface, expected, region).triangles, 0) << "of " << count(region);
     }
     EXPECT_LT(surface.positions.size(), expected.positions.size());
   }
@@ -75,6 +90,36 @@ TEST_P(RegionOfScene, IsThatOfTheWholeSurfaceToTheBit) {
 INSTANTIATE_TEST_SUITE_P(Bundled, RegionOfScene,
                          testing::Values(Case{"humanoid", {"hand.L", "hand.R", "head"}}, Case{"humanoid", {"chest"}},
                                          Case{"humanoid-wrapped", {"shin.L"}}, Case{"demo", {"head"}}));
+
+/// Muscles as steep and folded as they come: what is done about it may reach further than the margin, and fades there.
+TEST(Region, DiffersLittleWhereFoldsReachThroughTheMargin) {
+  std::vector<std::pair<std::shared_ptr<const Character>, Rig>> scenes;
+  const auto body = makeTwoLegged();
+  for (std::uint64_t seed = 0; seed < 6; ++seed) scenes.emplace_back(body, randomRig(*body, kShortReach, seed));
+  for (const TrialScene& scene : trialScenes()) scenes.emplace_back(scene.character, scene.rig);
+  int all = 0, different = 0;
+  for (auto& [character, rig] : scenes) {
+    rig.smoothing.depth = 3;
+    Smoother whole(character), part(character);
+    ASSERT_TRUE(whole.prepare(rig).ok());
+    const std::vector<Pose> poses = spreadPoses(*character, 3);
+    for (int bone = 0; bone < static_cast<int>(character->skeleton.bones.size()); bone += 3) {
+      const Region region = regionOfBones(*character, {&bone, 1});
+      ASSERT_TRUE(part.prepare(rig, {}, region).ok());
+      Surface expected, surface;
+      for (const Pose& pose : poses) {
+        whole.smooth(pose, expected);
+        part.smooth(pose, surface);
+        const Difference found = differenceOf(surface, expected, region);
+        all += count(region);
+        different += found.triangles;
+        EXPECT_LE(found.position, 1e-5f * character->height);
+        EXPECT_LE(found.normal, 0.01f);
+      }
+    }
+  }
+  EXPECT_LT(different, all / 200) << "of " << all;
+}
 
 TEST(Region, OfAllIsTheWholeBody) {
   const auto limb = makeLimb();
@@ -103,10 +148,10 @@ TEST(Region, RestKeepsTheTrianglesOfTheControlMeshAndNothingOpens) {
   EXPECT_TRUE(isClosed(surface.refinement->triangles));
   EXPECT_TRUE(allFinite(surface.positions));
   EXPECT_TRUE(allUnit(surface.normals));
-  // Found here by vertices that are shared: 16 in the region and two rings around it, 1 where no edge of those is.
+  // Found here by vertices that are shared: 16 in the region and three rings around it, 1 where no edge of those is.
   std::set<int> corners;
   std::vector<bool> refined(region.begin(), region.end());
-  for (int ring = 0; ring < 2; ++ring) {
+  for (int ring = 0; ring < 3; ++ring) {
     for (std::size_t t = 0; t < refined.size(); ++t) {
       if (refined[t]) corners.insert(body->mesh.triangles[t].vertices.begin(), body->mesh.triangles[t].vertices.end());
     }

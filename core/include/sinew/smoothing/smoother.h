@@ -40,7 +40,7 @@ class Smoother {
   /// lacks SSE4; then the former preparation stays in force.
   /// @param hidden  indices into the rig's primitives, ascending, of those that contribute nothing: the surface is, bit
   ///                for bit, that of the rig without them. Showing and hiding re-attach nothing.
-  /// @param region  [T] what is refined as the rig says, with a margin of two triangles; the rest keeps the triangles
+  /// @param region  [T] what is refined as the rig says, with a margin of three triangles; the rest keeps the triangles
   ///                of the control mesh, which muscles move as well. Empty: the whole body.
   [[nodiscard]] Result<void> prepare(const Rig& rig, std::span<const int> hidden = {}, const Region& region = {});
 
