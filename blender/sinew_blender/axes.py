@@ -22,3 +22,10 @@ def matrices_in_gltf(matrices, unit):
     turned = numpy.array(TO_GLTF) @ matrices @ numpy.array(TO_BLENDER)
     turned[:, :3, 3] /= unit
     return turned
+
+
+def matrices_in_blender(matrices, unit):
+    """The way back."""
+    turned = numpy.array(TO_BLENDER) @ matrices.astype(float) @ numpy.array(TO_GLTF)
+    turned[:, :3, 3] *= unit
+    return turned

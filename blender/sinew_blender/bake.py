@@ -1,4 +1,6 @@
 # blender/sinew_blender/bake.py: what a surface does from frame to frame, as shape keys or as a point cache.
+import contextlib
+import os
 import struct
 
 import bpy
@@ -109,10 +111,17 @@ class SinewBakePointCache(_Bake, bpy.types.Operator, ExportHelper):
     def bake(self, context, surface):
         scene = context.scene
         count, samples = len(surface.data.vertices), scene.frame_end - scene.frame_start + 1
-        with open(self.filepath, "wb") as file:
-            file.write(struct.pack("<12siiffi", b"POINTCACHE2", 1, count, float(scene.frame_start), 1.0, samples))
-            for _, places in frames_of(context, surface):
-                file.write(places.astype("<f4").tobytes())
+        unfinished = self.filepath + ".part"  # What was there stays until all is written.
+        try:
+            with open(unfinished, "wb") as file:
+                file.write(struct.pack("<12siiffi", b"POINTCACHE2", 1, count, float(scene.frame_start), 1.0, samples))
+                for _, places in frames_of(context, surface):
+                    file.write(places.astype("<f4").tobytes())
+            os.replace(unfinished, self.filepath)
+        except BaseException:
+            with contextlib.suppress(OSError):
+                os.remove(unfinished)
+            raise
         item = _baked_object(context, surface, " point cache")
         modifier = item.modifiers.new("Point cache", "MESH_CACHE")
         modifier.cache_format, modifier.filepath = "PC2", self.filepath

@@ -13,6 +13,7 @@ class Joint(NamedTuple):
     object: str  # Name of the object that it is, or of the armature that has its bone.
     bone: str  # "" for an object.
     bind: Matrix  # Node -> armature as Blender bound it, in Blender's axes; of an object the identity.
+    at_rest: Matrix  # Bone -> armature as the importer poses it from the file, before any clip; of an object the identity.
 
 
 class Imported:
@@ -34,14 +35,16 @@ class NodeRecorder:
     def gather_import_scene_after_nodes_hook(self, _gltf_scene, _scene, gltf):
         if _made is None:
             return
+        bpy.context.view_layer.update()
         for number, node in gltf.vnodes.items():
             if node.type == 2:  # The root that the importer adds.
                 continue
             if node.type == 1:
-                arma = gltf.vnodes[node.bone_arma]
-                joint = Joint(arma.blender_object.name, node.blender_bone_name, node.bind_arma_mat.copy())
+                arma = gltf.vnodes[node.bone_arma].blender_object
+                at_rest = arma.pose.bones[node.blender_bone_name].matrix.copy()
+                joint = Joint(arma.name, node.blender_bone_name, node.bind_arma_mat.copy(), at_rest)
             else:
-                joint = Joint(node.blender_object.name, "", Matrix())
+                joint = Joint(node.blender_object.name, "", Matrix(), Matrix())
                 _made.world[node.blender_object.name] = _at_rest(gltf, node)
             if isinstance(number, int):
                 _made.joints[number] = joint

@@ -15,12 +15,12 @@ class Joints:
         self.world = Matrix(told["world"])  # Of the armature as imported: the surface's mesh is in this world.
         self.names = [row["bone"] for row in told["bones"]]  # "" for an object.
         self.owners = [row["owner"] for row in told["bones"]]  # Index of the state's others, or -1 for the armature.
-        self.binds = numpy.array([row["bind"] for row in told["bones"]])  # Joint -> armature as Blender bound it.
+        self.binds = numpy.array([row["bind"] for row in told["bones"]])  # Joint -> armature as bound.
 
 
 def text_of(unit, world, rows):
     """rows: (bone, owner, bind) of each bone."""
-    bones = [{"bone": bone, "owner": owner, "bind": [list(row) for row in bind]} for bone, owner, bind in rows]
+    bones = [{"bone": bone, "owner": owner, "bind": [list(map(float, row)) for row in bind]} for bone, owner, bind in rows]
     return json.dumps({"unit": unit, "world": [list(row) for row in world], "bones": bones})
 
 

@@ -5,8 +5,9 @@ from mathutils import Matrix, Quaternion, Vector
 from . import axes
 
 
-def show(collection, rig, joints, owners, numbers):
-    """joints: joints.Joints; owners: the objects of its bones; numbers: of bones by their name in the rig."""
+def add(collection, rig, joints, owners):
+    """joints: joints.Joints; owners: the objects of its bones."""
+    numbers = {bone.name: bone.number for bone in rig.character.bones}
     for muscle in rig.muscles:
         number = numbers.get(muscle.bone)
         if number is None:

@@ -49,7 +49,7 @@ class SINEW_PT_surface(bpy.types.Panel):
         if own.detail == "UNIFORM":
             layout.prop(own, "depth")
         if own.muscles:
-            layout.prop(own.muscles, "hide_viewport", text="Hide muscles")
+            layout.prop(own.muscles, "hide_viewport", text="Muscles", invert_checkbox=True)
         layout.operator("sinew.reload", icon="FILE_REFRESH")
         _draw_shapes(layout, surface)
         column = layout.column(heading="Bake")

@@ -3,9 +3,10 @@ import json
 import pathlib
 
 import bpy
+import numpy
 from bpy_extras.io_utils import ImportHelper
 
-from . import follow, gltf_import, muscles, preferences, shape_keys, smoothers, surface_mesh
+from . import axes, follow, gltf_import, muscles, preferences, shape_keys, smoothers, surface_mesh
 from .joints import joints_of, text_of
 
 FILE_SUFFIX = " (file)"  # Of the collection with the character's own meshes.
@@ -24,7 +25,8 @@ class SinewImportRig(bpy.types.Operator, ImportHelper):
         name="Detail", default="RIG",
         items=(("RIG", "As in the rig", "What the rig file says"), ("UNIFORM", "Uniform", "Every triangle split alike")))
     depth: bpy.props.IntProperty(name="Depth", default=3, min=1, max=16, description="Every triangle becomes depth x depth")
-    show_muscles: bpy.props.BoolProperty(name="Muscles", default=True, description="As empties on the bones, to look at")
+    show_muscles: bpy.props.BoolProperty(
+        name="Show muscles", description="As empties on the bones; the tab Sinew shows and hides them later, too")
 
     def execute(self, context):
         sinew, why = preferences.find()
@@ -53,7 +55,8 @@ def character_of(rig_path):
 
 def _build(context, options, rig, made):
     """Everything that the operator adds to what Blender's importer made."""
-    rows, owners = _rows(rig.character, made)
+    joints = [made.joints[node] for node in rig.character.nodes()]
+    owners = _owners(rig.character, joints)
     armature = owners[-1]
     unit = 1.0 / context.scene.unit_settings.scale_length
     name = pathlib.Path(options.filepath).name.removesuffix(".json").removesuffix(".rig")
@@ -65,7 +68,7 @@ def _build(context, options, rig, made):
     for owner in owners[:-1]:
         state.others.add().object = owner
     world = made.world[armature.name]
-    text = text_of(unit, world, rows)
+    text = text_of(unit, world, _rows(rig.character, joints, owners, made, unit))
     state.rig = str(pathlib.Path(options.filepath).resolve())
     first = smoothers.smoother_of(state)()
     surface_mesh.fill(surface.data, first, unit)
@@ -78,12 +81,10 @@ def _build(context, options, rig, made):
     surface.matrix_parent_inverse = world.inverted_safe()
     _depend(surface, armature)
     _put_away(context, name, made.objects, {owner for owner in owners if owner.type == "MESH"})
-    if options.show_muscles:
-        state.muscles = bpy.data.collections.new(name + " muscles")
-        home.children.link(state.muscles) if home.name in bpy.data.collections else context.scene.collection.children.link(
-            state.muscles)
-        numbers = {bone.name: bone.number for bone in rig.character.bones}
-        muscles.show(state.muscles, rig, joints_of(text), owners, numbers)
+    state.muscles = bpy.data.collections.new(name + " muscles")
+    context.scene.collection.children.link(state.muscles)
+    muscles.add(state.muscles, rig, joints_of(text), owners)
+    state.muscles.hide_viewport = not options.show_muscles
     context.scene.render.use_lock_interface = True  # A render moves meshes: nothing else may draw them meanwhile.
     state.joints = text  # From here on it is live.
     context.view_layer.update()
@@ -95,15 +96,31 @@ def _build(context, options, rig, made):
     context.view_layer.objects.active = armature
 
 
-def _rows(character, made):
-    """((bone, owner, bind) of each bone, the objects that own them, the armature last)."""
-    joints = [made.joints[node] for node in character.nodes()]
+def _owners(character, joints):
+    """The objects that have the bones, the armature last."""
     armature = next((joint.object for joint in joints if joint.bone), None)
     if armature is None:
         raise LookupError("%s: Blender made no armature of it" % character.path)
-    others = list(dict.fromkeys(joint.object for joint in joints if joint.object != armature))
-    rows = [(joint.bone, others.index(joint.object) if joint.object in others else -1, joint.bind) for joint in joints]
-    return rows, [bpy.data.objects[name] for name in [*others, armature]]
+    others = dict.fromkeys(joint.object for joint in joints if joint.object != armature)
+    return [bpy.data.objects[name] for name in [*others, armature]]
+
+
+def _rows(character, joints, owners, made, unit):
+    """(bone, owner, bind) of each bone.
+
+    The bind is what takes the pose that the importer left to where the file has its joints at rest, to the last digit. Blender's own,
+    which is in heads, tails and rolls, may be off by 1e-4 of a character with short bones.
+    """
+    names = [owner.name for owner in owners[:-1]]
+    at_rest = axes.matrices_in_blender(character.rest(), unit)
+    for joint, world in zip(joints, at_rest):
+        owner = names.index(joint.object) if joint.object in names else -1
+        if not joint.bone:
+            yield "", owner, numpy.eye(4)
+            continue
+        rest = numpy.array(bpy.data.objects[joint.object].data.bones[joint.bone].matrix_local)
+        in_armature = numpy.linalg.inv(numpy.array(made.world[joint.object])) @ world
+        yield joint.bone, owner, rest @ numpy.linalg.inv(numpy.array(joint.at_rest)) @ in_armature
 
 
 def _depend(surface, armature):

@@ -101,7 +101,7 @@ def still(surface):
     return armature
 
 
-def pose(armature, bases, random, most=0.9):
+def pose(armature, bases, random, most=0.7):
     """Every bone turned by up to so many radians from the file's rest, some moved, some grown unevenly."""
     heads = numpy.array([bone.head_local for bone in armature.data.bones])
     reach = 0.02 * numpy.ptp(heads, axis=0).max()

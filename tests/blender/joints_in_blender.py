@@ -17,7 +17,7 @@ def make_poses(folder, seed):
     armature = inside.plain_import(folder + "/rest.glb")
     random = numpy.random.default_rng(seed)
     for _ in range(count):
-        inside.pose(armature, moments.bases, random)
+        inside.pose(armature, moments.bases, random, 1.2)
         bpy.context.view_layer.update()
         moments.poses.append(moments.bones(armature))
     moments.save(folder + "/told.npz")

@@ -2,7 +2,7 @@
 import json
 
 import numpy
-from tools import ASSETS, blender, check, height_of, main, run  # First: it says where the others are.
+from tools import ASSETS, blender, check, height_of, main, run  # First: it finds the others.
 from pose_clip import CLIP, root_of, write_at_rest, write_clip
 
 RIGS = (("humanoid-flex", "full"), ("humanoid-flex", "none"), ("horse-flex", "uniform"))
@@ -24,7 +24,7 @@ def test(folder):
     for (name, scale), own in zip(RIGS, map(folder.__class__, asked)):
         told = numpy.load(own / "told.npz")
         write_clip(ASSETS / (name.split("-")[0] + ".glb"), told, own / "poses.gltf")
-        run("export", ASSETS / (name + ".rig.json"), "--clips", own / "poses.gltf", "--clip", CLIP, "--joint-scale", scale,
+        run("export", ASSETS / (name + ".rig.json"), "--clips", own / "poses.gltf", "--clip", CLIP, "--joint-scale", scale, "--joints", 48,
             "--depth", 1, "-o", own / "hero.glb")
     printed = blender(folder, "joints_in_blender.py", "joints", folder / "asked.json", POSES)
     for line in printed.splitlines():

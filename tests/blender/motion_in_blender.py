@@ -158,6 +158,27 @@ def detail(surface):
     moments.add(surface, "uniform detail again")
 
 
+def muscles_fit(surface):
+    """In the pose that is shown: the middle of each, and the end of each of its axes."""
+    import sinew
+    read = sinew.load_rig(rig)
+    action = surface.sinew.armature.animation_data.action
+    clip, _ = max(read.character.clips.items(), key=lambda each: action.name.startswith(each[0]))
+    scene.frame_set(5)
+    bones = read.character.sample(clip, 5 / scene.render.fps)
+    names = {bone.name: bone.number for bone in read.character.bones}
+    for muscle in read.muscles:
+        empty = surface.sinew.muscles.objects[muscle.name]
+        x, y, z, w = muscle.rotation
+        turn = numpy.array(Quaternion((w, x, y, z)).to_matrix())
+        for axis in numpy.vstack([numpy.eye(3), numpy.zeros(3)]):
+            point = bones[names[muscle.bone]] @ [*(muscle.center + turn @ (axis * muscle.radii)), 1.0]
+            shown = empty.matrix_world @ Vector((axis[0], -axis[2], axis[1]))
+            if numpy.abs(numpy.array(shown) - (point[0], -point[2], point[1])).max() > 1e-3:
+                return False
+    return len(read.muscles) == len(surface.sinew.muscles.objects) > 30
+
+
 def saved(surface):
     name = surface.name
     bpy.ops.wm.save_as_mainfile(filepath=folder + "/saved.blend")
@@ -171,11 +192,11 @@ def saved(surface):
 inside.install()
 moments = inside.Moments(rest)
 inside.clear()
-body = inside.open_rig(rig, detail="UNIFORM", depth=2)
+body = inside.open_rig(rig, detail="UNIFORM", depth=2, show_muscles=True)
 random = numpy.random.default_rng(3)
-seen("the file's own mesh is out of sight", not bpy.data.objects["humanoid"].visible_get()
-     if bpy.data.objects["humanoid"] != body else True, [each.name for each in bpy.data.objects])
-seen("muscles are shown", body.sinew.muscles and len(body.sinew.muscles.objects) > 30)
+others = [item for item in bpy.data.objects if item.type == "MESH" and item != body]
+seen("the file's own mesh is out of sight", len(others) == 1 and not others[0].visible_get(), others)
+seen("every muscle is an empty where the module has it", muscles_fit(body), len(body.sinew.muscles.objects))
 keyed(body, random)
 ik(body)
 second_action(body)

@@ -2,7 +2,7 @@
 import json
 
 import numpy
-from tools import ASSETS, TOLERANCE, blender, check, height_of, main  # First: it says where the others are.
+from tools import ASSETS, TOLERANCE, blender, check, height_of, main  # First: it finds the others.
 from pose_clip import farthest, surfaces, write_at_rest
 
 RIG = ASSETS / "humanoid.rig.json"

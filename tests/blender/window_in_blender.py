@@ -1,6 +1,7 @@
 # tests/blender/window_in_blender.py: run by Blender with a window: opens a rig there, poses it, undoes, saves a picture of it all.
 import json
 import os
+import subprocess
 import sys
 import traceback
 
@@ -10,6 +11,7 @@ import inside  # noqa: E402
 import numpy  # noqa: E402
 
 rig, picture = inside.ARGUMENTS
+TAB = (1043, 322)  # Of the window of 1280 x 800: the tab "Sinew" of the sidebar.
 AT = {}
 
 
@@ -63,7 +65,23 @@ def step_look():
     seen("a turned bone takes the surface along", numpy.abs(AT["turned"] - AT["before"]).max() > 0.1)
     from sinew_blender import panel
     seen("the tab is there for the armature", panel.state.surface_of(bpy.context) == surface and not inside.problems())
+    shown = panel.SINEW_PT_surface.draw
+
+    def draw(self, context):
+        AT["drawn"] = True
+        shown(self, context)
+    panel.SINEW_PT_surface.draw = draw
+    x, y = TAB
+    subprocess.run(["xdotool", "mousemove", str(x - 5), str(y), "sleep", "0.2", "mousemove", str(x), str(y)], check=True)
+
+
+def step_click():
+    subprocess.run(["xdotool", "mousedown", "1", "sleep", "0.1", "mouseup", "1"], check=True)
+
+
+def step_picture():
     bpy.ops.screen.screenshot(filepath=picture)
+    seen("a click on the tab draws it", AT.get("drawn"))
     seen("the picture is one of a window", os.path.getsize(picture) > 20000, os.path.getsize(picture))
 
 
@@ -73,7 +91,7 @@ def step_undo():
     seen("undo takes it back", numpy.abs(back - AT["turned"]).max() > 0.1, numpy.abs(back - AT["turned"]).max())
 
 
-STEPS = [step_open, step_frame, step_pose, step_look, step_undo]
+STEPS = [step_open, step_frame, step_pose, step_look, step_click, step_picture, step_undo]
 
 
 def go_on():
