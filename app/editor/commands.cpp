@@ -139,6 +139,7 @@ bool save(EditorState& state, const Intent& then) {
 std::string saveTo(EditorState& state, const std::filesystem::path& file) {
   if (const Result<void> saved = saveDocument(state.document, file); !saved) {
     addMessage(state.session, MessageKind::kError, "Not saved: " + saved.error().plainText());
+    state.session.saveFailed = true;
     return saved.error().plainText();
   }
   say(state, "Saved " + file.filename().string());
