@@ -2,6 +2,7 @@
 
 #include "app/actions/action_table.h"
 #include "app/actions/export_commands.h"
+#include "app/editor/clip_commands.h"
 #include "app/editor/picture_commands.h"
 
 namespace sinew::app::table {
@@ -22,6 +23,8 @@ const Action kFileActions[] = {
     {"file/save-as", "Save as...", "Write the rig to another file", ctrlShift(GLFW_KEY_S), kNone, idle, nullptr,
      saveAs},
     {"file/reopen", "Reopen", "Read the file again as it is on disk", kNone, kNone, idle, nullptr, reopenFile},
+    {"file/add-clips", "Add clips...", "Let the character play the clips of another file too (.glb, .gltf, .vrm)",
+     kNone, kNone, idle, nullptr, showClipsDialog, true},
     {"file/export-character", "Character for games...",
      "Write the character with its muscles for game engines and other programs: one mesh, joints, clips",
      ctrlShift(GLFW_KEY_E), kNone, idle, nullptr, showExportDialog, true},

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "app/document/muscle_names.h"
+#include "app/document/play_range.h"
+#include "app/editor/clip_commands.h"
 #include "app/editor/disk_conflict.h"
 #include "app/editor/edit.h"
 #include "app/editor/keep_muscles.h"
@@ -19,8 +21,6 @@
 
 namespace sinew::app {
 namespace {
-
-bool isBusy(const EditorState& state) { return ownsKeyboard(state.view.tools) || state.open.gestureItem != 0; }
 
 /// What plays is what the history says. Another clip is chosen only where its range alone has changed, so that what was
 /// undone is seen.
@@ -43,13 +43,16 @@ bool travel(EditorState& state, Move move) {
   if (isBusy(state)) return false;
   const std::size_t before = state.document.commands.position();
   move(state.document.commands);
+  followClipFiles(state);
   state.open.transport.overrides = state.document.commands.pose();
-  takeRanges(state.open.transport, state.document.commands.ranges(), state.character());
+  takeRanges(state.open.transport, rangesOf(state.document.commands.ranges(), state.character()), state.character());
   state.open.refusal.clear();
   return state.document.commands.position() != before;
 }
 
 }  // namespace
+
+bool isBusy(const EditorState& state) { return ownsKeyboard(state.view.tools) || state.open.gestureItem != 0; }
 
 void request(EditorState& state, const Intent& intent) {
   if (state.hasCharacter() && state.document.commands.modified()) {
@@ -68,6 +71,9 @@ void perform(EditorState& state, const Intent& intent) {
       break;
     case IntentKind::kOpenWithMuscles:
       openWithMuscles(state, intent.file);
+      break;
+    case IntentKind::kAddClips:
+      addClips(state, intent.file);
       break;
     case IntentKind::kReopen:
       reopen(state);

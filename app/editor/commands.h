@@ -8,6 +8,9 @@
 
 namespace sinew::app {
 
+/// Something is being dragged or typed: no other edit begins.
+[[nodiscard]] bool isBusy(const EditorState& state);
+
 /// Does it, or first asks what becomes of unsaved changes.
 void request(EditorState& state, const Intent& intent);
 void perform(EditorState& state, const Intent& intent);

@@ -133,6 +133,11 @@ struct BodyPartsState {
   BodySlots slots;
 };
 
+/// Play > Clip files.
+struct ClipListState {
+  bool shown = false;
+};
+
 /// The tab Shapes.
 struct ShapesState {
   std::string search;
@@ -172,6 +177,7 @@ struct DocumentView {
   CheckState check;
   MuscleSetState muscleSet;
   BodyPartsState bodyParts;
+  ClipListState clipList;
   ShapesState shapes;
   LibraryState library;
   std::vector<bool> helperBones;  ///< [bones] core/character/skin_bones.h

@@ -26,6 +26,7 @@ constexpr Panel kPanels[] = {
     {"check", "", Region::kInViewport, drawCheckList},
     {"muscle-set", "", Region::kInViewport, drawMuscleSet},
     {"body-parts", "", Region::kInViewport, drawBodyParts},
+    {"clip-files", "", Region::kInViewport, drawClipList},
     {"first-steps", "", Region::kInViewport, drawFirstSteps},
     {"viewport-menu", "", Region::kInViewport, drawViewportMenu},
     {"messages", "", Region::kInViewport, drawMessages, true},

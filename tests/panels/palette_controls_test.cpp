@@ -99,6 +99,7 @@ constexpr WithoutEntry kWithoutEntry[] = {
     {"shapes/", "shapes of this character, under the search that is an entry"},
     {"check/", "what a check has found, opened by an action"},
     {"body-parts/", "opened by an action"},
+    {"clip-files/", "opened by an action"},
     {"muscle-set/", "follows the set that was added, which is an entry"},
     {"driven-key/", "while driven keys are set"},
     {"first-steps/", "opened by an action"},

@@ -14,8 +14,9 @@
 #include <system_error>
 
 #include "app/actions/export_commands.h"
+#include "app/editor/clip_commands.h"
 #include "app/editor/commands.h"
-#include "app/editor/locate_character.h"
+#include "app/editor/open_file.h"
 #include "app/editor/picture_commands.h"
 #include "app/panels/dialogs/dialog_parts.h"
 #include "app/panels/dialogs/dialogs.h"
@@ -66,6 +67,13 @@ void complain(FileDialogState& dialog, const std::string& error) {
   dialog.appearing = true;
 }
 
+void confirmClips(EditorState& state, const std::filesystem::path& file) {
+  const std::string gone = state.dialogs.file.clipsFor;
+  const std::string error = gone.empty() ? addClips(state, file) : locateClipFile(state, gone, file);
+  if (error.empty()) close(state);
+  else complain(state.dialogs.file, error);
+}
+
 void confirmOpen(EditorState& state, const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) {
@@ -82,6 +90,7 @@ void confirmOpen(EditorState& state, const std::filesystem::path& file) {
     return;
   }
   const IntentKind then = state.dialogs.file.then.kind;
+  if (then == IntentKind::kAddClips) return confirmClips(state, file);
   close(state);
   request(state, {then == IntentKind::kNone ? IntentKind::kOpenFile : then, file});
 }
@@ -155,6 +164,8 @@ const char* titleOf(const FileDialogState& dialog) {
   if (!dialog.locateFor.empty()) return "Locate the character";
   if (dialog.kind == DialogKind::kOpen && dialog.then.kind == IntentKind::kOpenWithMuscles)
     return "Character that gets the muscles";
+  if (dialog.kind == DialogKind::kOpen && dialog.then.kind == IntentKind::kAddClips)
+    return dialog.clipsFor.empty() ? "Add the clips of a file" : "Locate the file with the clips";
   if (dialog.kind == DialogKind::kSavePicture) return "Save the picture as";
   if (dialog.kind == DialogKind::kExportPlace) return "Where to export to";
   if (dialog.kind == DialogKind::kJobPlace) return "Where to write the job";
@@ -229,7 +240,9 @@ void drawButtons(PanelUi& ui) {
   EditorState& state = ui.state;
   const FileDialogState& dialog = state.dialogs.file;
   const char* saving = choosesPlace(dialog) ? "Choose" : (dialog.overwriteAsked ? "Replace" : "Save");
-  const char* verb = dialog.kind == DialogKind::kOpen ? "Open" : saving;
+  const char* adding = dialog.clipsFor.empty() ? "Add" : "Locate";
+  const char* opening = dialog.then.kind == IntentKind::kAddClips ? adding : "Open";
+  const char* verb = dialog.kind == DialogKind::kOpen ? opening : saving;
   const float width = ui.px(96);
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0f * width - ui.px(8));
   const bool canceled = ImGui::Button(dialog.overwriteAsked ? "Keep" : "Cancel", {width, 0.0f});

@@ -59,6 +59,8 @@ constexpr std::array kSynonyms{
     std::pair<std::string_view, std::string_view>{"view/clay", "matcap gray solid"},
     std::pair<std::string_view, std::string_view>{"view/before", "bare original compare"},
     std::pair<std::string_view, std::string_view>{"view/numbers", "fps statistics"},
+    std::pair<std::string_view, std::string_view>{"file/add-clips", "import animation motion file retarget"},
+    std::pair<std::string_view, std::string_view>{"play/clip-files", "added animation files remove locate missing"},
     std::pair<std::string_view, std::string_view>{"file/export-character", "save as glb usd game"},
     std::pair<std::string_view, std::string_view>{"file/export-farm", "slurm batch render"},
 };

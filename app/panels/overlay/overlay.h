@@ -21,6 +21,8 @@ void drawDrivenKey(PanelUi& ui);
 void drawCheckList(PanelUi& ui);
 /// Which bone is which part of the body, with a figure.
 void drawBodyParts(PanelUi& ui);
+/// The files whose clips were added.
+void drawClipList(PanelUi& ui);
 /// The sliders of the set of muscles that was added last.
 void drawMuscleSet(PanelUi& ui);
 /// Help > First steps.
