@@ -20,6 +20,7 @@ namespace sinew::app {
 struct FrameState {
   RouteResult route;             ///< What the viewport's tools did.
   std::vector<int> highlighted;  ///< Rig indices of muscles that a panel's hover lights up.
+  int hoveredPart = -1;          ///< Index into Character::parts, of the part that a panel's hover lights up.
   glm::vec4 viewport{0.0f};      ///< x, y, width, height in window coordinates; of the last layout.
   glm::ivec2 viewportPixels{1, 1};
   double now = 0.0;           ///< Seconds on a clock that only grows.
