@@ -2,8 +2,8 @@
 
 #include "app/actions/action_table.h"
 #include "app/actions/export_commands.h"
-#include "app/editor/clip_commands.h"
 #include "app/actions/pictures_commands.h"
+#include "app/editor/clip_commands.h"
 #include "app/editor/picture_commands.h"
 
 namespace sinew::app::table {

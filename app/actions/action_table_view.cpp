@@ -109,7 +109,8 @@ const Action kViewActions[] = {
     {"view/relief", "Relief on clay", "Show the materials' normal maps on clay", kNone, kNone, reliefOf,
      isShown<&D::relief>, toggleShown<&D::relief>},
     {"view/classes", "Zones",
-     "Where muscles shape the skin, where they end, and plain skin (triangle classes: implicit, straddling, normal)",
+     "Where muscles shape the skin, where they end, plain skin, cloth and rigid parts (triangle classes: implicit, "
+     "straddling, normal)",
      key(GLFW_KEY_3), kNone, open, isShaded<Shading::kClasses>, shade<Shading::kClasses>},
     {"view/heat", "Displacement", "How far the skin was lifted or pushed in", key(GLFW_KEY_4), kNone, open,
      isShaded<Shading::kHeat>, shade<Shading::kHeat>},

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -20,6 +21,8 @@
 #include "app/render/viewport.h"
 #include "core/base/stopwatch.h"
 #include "core/character/skinning.h"
+#include "core/rig/layer_guess.h"
+#include "core/rig/layers.h"
 #include "sinew/character/pose_check.h"
 #include "sinew/smoothing/smoother.h"
 
@@ -39,7 +42,10 @@ class Drawing {
         view_(std::move(view)),
         poser_(input.rig, *input.character),
         smoother_(smoother),
-        viewport_(viewport) {}
+        viewport_(viewport) {
+    if (plan.display.shading != Shading::kClasses) return;
+    layers_ = layersOf(input.rig, *input.character, guessLayers(*input.character));
+  }
 
   Image draw(const Moment& moment);
 
@@ -52,6 +58,7 @@ class Drawing {
   RigPoser poser_;
   Smoother& smoother_;
   Viewport& viewport_;
+  std::vector<SkinLayer> layers_;  ///< Scene::layers.
 };
 
 Image Drawing::draw(const Moment& moment) {
@@ -77,6 +84,7 @@ Image Drawing::draw(const Moment& moment) {
     skin(character, pose, posed.morphWeights, skinned);
     scene.skinnedControlPositions = std::move(skinned.positions);
   }
+  scene.layers = layers_;
   if (plan_.anchors) scene.segments = anchorSegments(character, pose, posed.morphWeights, surface);
   if (plan_.isMean()) viewport_.drawMean(scene, view, plan_.display, meanSamples(plan_.samples));
   else viewport_.draw(scene, view, plan_.display);

@@ -218,11 +218,12 @@ void selectNothing(EditorState& state) {
     state.open.animate.drivenKey = {};
   } else if (editsTerritory(state)) {
     endTerritoryMode(state.view.tools);
-  } else if (selection.primitives.empty() && selection.bone < 0 &&
+  } else if (selection.primitives.empty() && selection.bone < 0 && state.open.layers.chosen < 0 &&
              (state.view.tools.tool == ToolKind::kAddMuscle || state.view.tools.tool == ToolKind::kMuscleLine)) {
     setTool(state.view.tools, ToolKind::kMove);
   } else {
     selection.clear();
+    state.open.layers.chosen = -1;
   }
 }
 

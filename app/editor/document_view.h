@@ -155,6 +155,12 @@ struct ShapesState {
   std::string chosen;            ///< The shape whose keys and drivers are unfolded; empty: none.
 };
 
+/// The panel Layers.
+struct LayersState {
+  int chosen = -1;             ///< Index into Character::parts, of the part that is marked in the picture; -1: none.
+  std::vector<int> triangles;  ///< [parts] of the file; counted when they are first shown.
+};
+
 /// The tab Library: the sets for this kind of body, to lay muscles of one at a time.
 struct LibraryState {
   std::optional<std::vector<SlotCorrection>> readFor;  ///< Rig::slots that all below is for; nullopt: nothing is read.
@@ -190,6 +196,7 @@ struct DocumentView {
   ClipListState clipList;
   ReferenceState reference;
   ShapesState shapes;
+  LayersState layers;
   LibraryState library;
   std::vector<bool> helperBones;  ///< [bones] core/character/skin_bones.h
   TimelineState timeline;

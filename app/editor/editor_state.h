@@ -20,6 +20,7 @@ namespace sinew::app {
 struct FrameState {
   RouteResult route;             ///< What the viewport's tools did.
   std::vector<int> highlighted;  ///< Rig indices of muscles that a panel's hover lights up.
+  int hoveredPart = -1;          ///< Index into Character::parts, of the part that a panel's hover lights up.
   glm::vec4 viewport{0.0f};      ///< x, y, width, height in window coordinates; of the last layout.
   glm::ivec2 viewportPixels{1, 1};
   std::vector<glm::vec4> covered;  ///< Parts of the picture under panels: low x and y, high x and y, 0..1 of it.

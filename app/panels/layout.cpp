@@ -160,7 +160,7 @@ bool foldingTitle(PanelUi& ui, const Panel& panel) {
 void drawRight(PanelUi& ui, const Box& box) {
   beginRegion("region-right", box, 0);
   for (const Panel& panel : panels()) {
-    if (panel.region != Region::kRight) continue;
+    if (panel.region != Region::kRight || (panel.isWanted && !panel.isWanted(ui.state))) continue;
     if (!foldingTitle(ui, panel) || !isDrawn(ui, panel)) continue;
     ImGui::PushID(panel.id);
     panel.draw(ui);
@@ -313,6 +313,7 @@ void markRevealed(PanelUi& ui) {
 bool drawLayout(PanelUi& ui) {
   ui.escapeTaken = closeMenuOnEscape();
   seekRevealed(ui);
+  ui.state.frame.hoveredPart = -1;
   const float menuHeight = drawMenuBar(ui);
   const LayoutSizes sizes = sizesOf(ui, menuHeight);
   const Regions regions = divide(ui, sizes, menuHeight);

@@ -2,6 +2,7 @@
 
 #include "app/panels/panels.h"
 
+#include "app/actions/layer_commands.h"
 #include "app/panels/dialogs/dialogs.h"
 #include "app/panels/inspector/inspector.h"
 #include "app/panels/overlay/overlay.h"
@@ -16,6 +17,7 @@ constexpr Panel kPanels[] = {
     {"inspector", "Muscle", Region::kRight, drawInspector},
     {"surface", "Surface", Region::kRight, drawSurfacePanel},
     {"smoothing", "Smoothing", Region::kRight, drawSmoothingPanel},
+    {"layers", "Layers", Region::kRight, drawLayersPanel, false, hasParts},
     {"timeline", "", Region::kBottom, drawTimeline},
     {"display", "", Region::kInViewport, drawDisplayBar},
     {"toolstrip", "", Region::kInViewport, drawToolStrip},

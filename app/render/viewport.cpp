@@ -222,6 +222,7 @@ void Viewport::drawInto(const RenderTarget& target, const Frame& frame, bool kee
   if (settings.anatomy) s.muscles.drawHollows();
   if (showSurface && settings.anatomy) s.muscles.drawGlass(frame, s.surface);
   else if (showSurface) s.surface.drawBlended(frame);
+  if (showSurface) s.surface.drawLitParts(frame);
   if (settings.controlMesh) s.lines.drawControlMesh(frame);
   if (settings.segments) s.lines.drawSegments(frame);
   if (settings.primitives || settings.influence) s.primitives.drawShells(frame);

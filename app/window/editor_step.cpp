@@ -18,8 +18,8 @@
 #include "app/actions/export_commands.h"
 #include "app/actions/export_error.h"
 #include "app/actions/muscle_set_commands.h"
-#include "app/editor/clip_commands.h"
 #include "app/actions/reference_commands.h"
+#include "app/editor/clip_commands.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/hidden_bones.h"
@@ -51,8 +51,8 @@ bool closesWhatIsOpen(EditorState& state, const RawInput& input) {
   const Selection& selection = state.document.selection;
   const ToolKind tool = state.view.tools.tool;
   const bool draws = tool == ToolKind::kAddMuscle || tool == ToolKind::kMuscleLine;
-  const bool busy = !selection.primitives.empty() || selection.bone >= 0 || draws || editsTerritory(state) ||
-                    state.open.animate.drivenKey.isOn() || state.open.gestureItem != 0;
+  const bool busy = !selection.primitives.empty() || selection.bone >= 0 || state.open.layers.chosen >= 0 || draws ||
+                    editsTerritory(state) || state.open.animate.drivenKey.isOn() || state.open.gestureItem != 0;
   if (busy) return false;
   if (state.view.bare.latched) state.view.bare.latched = false;
   else if (state.open.muscleSet.shown) closeSet(state);

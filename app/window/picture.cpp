@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/actions/export_error.h"
+#include "app/actions/layer_commands.h"
 #include "app/editor/commands.h"
 #include "app/editor/hidden_bones.h"
 #include "app/editor/territory.h"
@@ -48,6 +49,7 @@ PictureKey keyOf(const EditorState& state, const View& view) {
   key.territory = shownTerritoryWeights(state);
   key.territoryBones = shownTerritory(state);
   key.display.skeleton = key.display.skeleton || !key.territoryBones.empty();
+  key.litParts = litParts(state);
   key.selectedBone = state.document.selection.bone;
   key.hoveredBone = state.view.tools.hover.bone;
   key.hiddenBones = hiddenBones(state);
@@ -65,6 +67,7 @@ PictureKey keyToSave(const EditorState& state) {
   key.territory.clear();
   key.territoryBones.clear();
   key.references.clear();
+  key.litParts.clear();
   key.selectedBone = key.hoveredBone = -1;
   return key;
 }
@@ -78,6 +81,8 @@ Scene sceneOf(const EditorState& state, const PictureKey& key) {
   scene.primitives = key.shapes;
   scene.territory = key.territory;
   scene.territoryBones = key.territoryBones;
+  scene.litParts = key.litParts;
+  if (key.display.shading == Shading::kClasses) scene.layers = partLayers(state);
   scene.selectedBone = key.selectedBone;
   scene.hoveredBone = key.hoveredBone;
   scene.hiddenBones = key.hiddenBones;

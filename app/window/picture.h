@@ -26,6 +26,7 @@ struct PictureKey {
   std::vector<PrimitiveShape> shapes;
   std::vector<float> territory;  ///< Scene::territory.
   std::vector<int> territoryBones;
+  std::vector<LitPart> litParts;  ///< Scene::litParts.
   int selectedBone = -1;
   int hoveredBone = -1;
   std::vector<bool> hiddenBones;  ///< Scene::hiddenBones.

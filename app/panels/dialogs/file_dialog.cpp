@@ -14,9 +14,9 @@
 #include <system_error>
 
 #include "app/actions/export_commands.h"
-#include "app/editor/clip_commands.h"
 #include "app/actions/pictures_commands.h"
 #include "app/actions/reference_commands.h"
+#include "app/editor/clip_commands.h"
 #include "app/editor/commands.h"
 #include "app/editor/open_file.h"
 #include "app/editor/picture_commands.h"
