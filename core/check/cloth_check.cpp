@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -49,8 +50,8 @@ TriangleTree treeOf(const Surface& surface, std::span<const int> triangles) {
   return {corners, triangles};
 }
 
-/// [V'] normals that tell inside from outside at vertices and edges: those of faces, by the angles there (Baerentzen
-/// and Aanaes 2005).
+/// [V'] normals that tell inside from outside at vertices: those of faces, by the angles there (Baerentzen and Aanaes
+/// 2005). At edges it is the sum of both faces.
 std::vector<glm::vec3> vertexNormals(const Surface& surface, std::span<const int> triangles) {
   std::vector<glm::vec3> normals(surface.positions.size(), glm::vec3(0.0f));
   for (const int t : triangles) {
@@ -63,6 +64,24 @@ std::vector<glm::vec3> vertexNormals(const Surface& surface, std::span<const int
     }
   }
   return normals;
+}
+
+/// [T'] triangle across each edge.
+std::vector<std::array<int, 3>> acrossEdges(const Refinement& refinement, std::span<const int> triangles) {
+  std::vector<std::array<int, 3>> across(refinement.triangles.size(), {-1, -1, -1});
+  std::map<std::array<int, 2>, std::array<int, 2>> open;  // Edge to triangle and corner.
+  for (const int t : triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const std::array<int, 3>& v = at(refinement.triangles, t);
+      const int a = at(v, k);
+      const int b = at(v, (k + 1) % 3);
+      const auto [found, isNew] = open.try_emplace({std::min(a, b), std::max(a, b)}, std::array{t, k});
+      if (isNew) continue;
+      at(at(across, t), k) = found->second[0];
+      at(at(across, found->second[0]), found->second[1]) = t;
+    }
+  }
+  return across;
 }
 
 /// So that bare and lifted cloth are compared vertex by vertex: the same mesh, every muscle hidden.
@@ -82,6 +101,7 @@ ClothMeter::ClothMeter(const ControlMesh& mesh, const MeshLayers& layers, const 
     bindFaces_.push_back(faceNormal(cornersIn(bind, i)));
     if (layers.carriers[first + toIndex(at(bind.refinement->controlOf, i))] == SkinLayer::kSkin) skin_.push_back(i);
   }
+  across_ = acrossEdges(*bind.refinement, skin_);
   const TriangleTree tree = treeOf(bind, skin_);
   for (const int v : cloth_) {
     const NearestPoint found = tree.nearest(at(bind_, v), kClothReach * height_);
@@ -107,11 +127,11 @@ std::vector<float> ClothMeter::below(const Surface& surface) const {
     const TriangleCorners c = cornersIn(surface, found.triangle);
     const glm::vec3& s = found.shares;
     glm::vec3 normal = faceNormal(c);
-    if (s.x == 0.0f || s.y == 0.0f || s.z == 0.0f) {
-      normal = glm::vec3(0.0f);
-      for (int k = 0; k < 3; ++k) {
-        normal += s[k] * at(normals, at(at(surface.refinement->triangles, found.triangle), k));
-      }
+    for (int k = 0; k < 3; ++k) {
+      if (s[k] == 1.0f) normal = at(normals, at(at(surface.refinement->triangles, found.triangle), k));
+      const int other = at(at(across_, found.triangle), k);
+      const bool isOnEdge = s[(k + 2) % 3] == 0.0f && s[k] > 0.0f && s[(k + 1) % 3] > 0.0f;
+      if (isOnEdge && other >= 0) normal += faceNormal(cornersIn(surface, other));
     }
     if (glm::dot(p - mixed(c, s), normal) < 0.0f) out[i] = found.distance;
   });

@@ -1,6 +1,7 @@
 // core/check/cloth_check.h: how much cloth is below the skin while a character moves. docs/layers.md.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -40,6 +41,8 @@ class ClothMeter {
   std::vector<int> skin_;             ///< Refined triangles of skin.
   std::vector<glm::vec3> bind_;       ///< [V']
   std::vector<glm::vec3> bindFaces_;  ///< [T'] unit normals in the bind pose.
+  std::vector<std::array<int, 3>>
+      across_;  ///< [T'] the triangle of skin across the edge that begins at a corner, or -1.
 };
 
 /// Over all poses.

@@ -81,8 +81,8 @@ TEST_P(ClothIn, NothingSinksThatTheFileHasAboveTheSkin) {
   const ClothCount count = countClothBelow(dressed.character, rig, poses).value();
   EXPECT_GT(count.vertices, 3000);
   EXPECT_LE(count.below, count.bare) << "deepest " << count.deepest << " H in pose " << count.worst;
-  // Under lowered arms the skin folds, and cloth between its walls can follow one of them only.
-  EXPECT_LT(static_cast<double>(count.more), 0.002 * count.vertices * static_cast<double>(poses.size()));
+  // Where two walls of a fold lie in each other there may be no way out.
+  EXPECT_LT(static_cast<double>(count.more), 2e-4 * count.vertices * static_cast<double>(poses.size()));
   // The measure sees what sinks: clothes that follow no skin.
   for (const char* part : {"Shirt", "Trousers", "Hair"}) rig = setLayer(rig, part, SkinLayer::kRigid).value();
   const ClothMeter meter = dressed.meter(rig);

@@ -1,7 +1,10 @@
 // core/smoothing/finish/cloth_binding.cpp: from the control triangle that a corner is bound to, along the surface.
 #include "core/smoothing/finish/cloth_binding.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -19,6 +22,12 @@ constexpr float kSkinUnderWithin = 0.05f;   ///< Fraction of H within which clot
 constexpr float kSkinUnderAlong = 0.2f;     ///< Cosine to its normal at which skin looks for cloth.
 
 float squaredLength(const glm::vec3& v) { return glm::dot(v, v); }
+
+glm::vec3 refinedFace(const Refinement& refinement, int triangle, std::span<const glm::vec3> positions) {
+  const std::array<int, 3>& t = at(refinement.triangles, triangle);
+  const glm::vec3& a = at(positions, t[0]);
+  return normalizeOr(glm::cross(at(positions, t[1]) - a, at(positions, t[2]) - a), glm::vec3(0.0f));
+}
 
 /// Corners of a refined vertex's carrier, the one with the largest share first.
 struct CarrierCorners {
@@ -72,6 +81,54 @@ class ClothBinder {
   const Refinement& refinement_;
   const MeshLayers& layers_;
 };
+
+/// Refined triangles of skin with cloth near them.
+std::vector<int> skinNearCloth(const ControlMesh& mesh, const Refinement& refinement, const MeshLayers& layers) {
+  std::vector<bool> isUnder(mesh.triangles.size());
+  for (const int t : layers.skinUnder) {
+    if (t >= 0) isUnder[toIndex(t)] = true;
+  }
+  const std::span<const SkinLayer> ofTriangles = triangleLayers(refinement, layers);
+  std::vector<int> out;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    if (at(ofTriangles, t) != SkinLayer::kSkin) continue;
+    const auto isNear = [&](int v) { return at(layers.clothOver, v) >= 0; };
+    if (!isUnder[toIndex(t)] && std::ranges::none_of(at(mesh.triangles, t).vertices, isNear)) continue;
+    for (int r = at(refinement.triangleBegin, t); r < at(refinement.triangleBegin, t + 1); ++r) out.push_back(r);
+  }
+  return out;
+}
+
+/// Halves, along the longest side, down to groups.
+void sortInSpace(std::span<int> order, std::span<const WallsUnder> places) {
+  if (order.size() <= kClothGroup) return;
+  Bounds box;
+  for (const int i : order) box.add(at(places, i).bindPlace);
+  const glm::vec3 size = box.extent();
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const std::size_t half = (order.size() / 2 + kClothGroup - 1) / kClothGroup * kClothGroup;
+  std::ranges::nth_element(order, order.begin() + static_cast<std::ptrdiff_t>(half), {},
+                           [&](int i) { return std::pair(at(places, i).bindPlace[axis], i); });
+  sortInSpace(order.first(half), places);
+  sortInSpace(order.subspan(half), places);
+}
+
+void findWalls(const ControlMesh& mesh, const Refinement& refinement, const VertexRings& rings,
+               const MeshLayers& layers, std::span<const glm::vec3> positions, float height, ClothBinding& out) {
+  out.walls = wallTree(refinement, skinNearCloth(mesh, refinement, layers), positions);
+  const float reach = kClothReach * height;
+  std::vector<WallNode> nodes;
+  const SkinWalls walls(out.walls, refinement, rings, triangleLayers(refinement, layers), positions, reach, nodes);
+  out.wallsUnder.resize(out.cloth.size());
+  forEachIndex(out.cloth.size(), 256, [&](std::size_t i) {
+    const glm::vec3& p = at(positions, out.cloth[i].vertex);
+    const int nearest = walls.nearest(p, reach);
+    out.wallsUnder[i] = {p, nearest < 0 ? glm::vec3(0.0f) : refinedFace(refinement, nearest, positions)};
+  });
+  out.inSpace.resize(out.cloth.size());
+  for (std::size_t i = 0; i < out.inSpace.size(); ++i) out.inSpace[i] = static_cast<int>(i);
+  sortInSpace(out.inSpace, out.wallsUnder);
+}
 
 }  // namespace
 
@@ -141,6 +198,7 @@ ClothBinding bindCloth(const ControlMesh& mesh, const Refinement& refinement, co
         length <= kSkinUnderWithin * height && glm::dot(way, at(normals, v)) >= kSkinUnderAlong * length;
     return isOver ? 1.0f : 0.0f;
   });
+  findWalls(mesh, refinement, rings, layers, positions, height, out);
   out.slot.assign(toIndex(refinement.vertexCount), -1);
   for (std::size_t i = 0; i < out.cloth.size(); ++i) at(out.slot, out.cloth[i].vertex) = static_cast<int>(i);
   return out;

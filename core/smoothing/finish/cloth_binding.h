@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/rig/mesh_layers.h"
+#include "core/smoothing/finish/skin_walls.h"
 #include "core/smoothing/finish/vertex_rings.h"
 #include "sinew/smoothing/refinement.h"
 
@@ -44,10 +45,15 @@ struct BoundVertex {
   float share = 1.0f;  ///< Of cloth: how much of the skin's height it takes; less where it hangs far off the skin.
 };
 
+inline constexpr std::size_t kClothGroup = 16;
+
 struct ClothBinding {
-  std::vector<BoundVertex> cloth;  ///< Those with skin near them. Ascending.
-  std::vector<BoundVertex> under;  ///< Vertices of skin with cloth over them. Ascending.
-  std::vector<int> slot;           ///< [V'] index into `cloth`, or -1.
+  std::vector<BoundVertex> cloth;      ///< Those with skin near them. Ascending.
+  std::vector<BoundVertex> under;      ///< Vertices of skin with cloth over them. Ascending.
+  std::vector<int> slot;               ///< [V'] index into `cloth`, or -1.
+  WallTree walls;                      ///< Skin that cloth is near.
+  std::vector<WallsUnder> wallsUnder;  ///< [cloth]
+  std::vector<int> inSpace;            ///< Indices into `cloth`: kClothGroup after kClothGroup lie close together.
 };
 
 /// @param positions, normals [V'] of the patch in the bind pose.  @param height  H

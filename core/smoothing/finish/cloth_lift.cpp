@@ -18,6 +18,9 @@ constexpr float kLeastGap = 0.001f;       ///< Fraction of H, where the skin has
 constexpr std::size_t kClothBlock = 256;  ///< Vertices that one thread looks at.
 constexpr float kClothOverFrom = 0.2f;   ///< Cosine between the skin's normal and the way to the cloth: less is beside,
 constexpr float kClothOverWhole = 0.5f;  ///< more is over it.
+constexpr float kClothDeepest = 0.05f;   ///< Fraction of H: deeper than this cloth is not looked for.
+constexpr float kClear = -1.0f;          ///< In place of a gap: below no skin.
+constexpr int kClearRounds = 12;         ///< The way out of one wall may lead into the next.
 constexpr float kLeastRaiseCosine = 0.5f;  ///< A raise along another direction grows by no more than this says.
 
 TriangleCorners refinedCorners(const Refinement& refinement, int triangle, std::span<const glm::vec3> of) {
@@ -36,6 +39,12 @@ struct ClothMove {
   float more = 0.0f;   ///< Along the normal.
 };
 
+/// How deep a place is below a wall, as far as that wall is the nearest or nearly so.
+float depthBelow(const Walls& walls, float wholeUpTo, float noneFrom) {
+  if (walls.triangle < 0) return 0.0f;
+  return walls.below * (1.0f - smoothstep(wholeUpTo, noneFrom, walls.below / walls.above));
+}
+
 ClothMove clothMove(float share, float gap, float height, float way, float least) {
   ClothMove move{share, 0.0f};
   // As much as leaves the gap. What the file has below the skin is left there.
@@ -50,11 +59,13 @@ ClothMove clothMove(float share, float gap, float height, float way, float least
 bool ClothLift::apply(const ClothView& view, Surface& surface) {
   if (std::ranges::equal(surface.positions, view.patchPositions)) return false;
   up_.resize(view.binding.cloth.size());
+  gap_.resize(view.binding.cloth.size());
   raise_.assign(view.binding.cloth.size(), 0.0f);
   lack_.resize(view.binding.under.size());
   over_.resize(view.binding.under.size());
   follow(view, surface);
   makeRoom(view, surface);
+  clearWalls(view, surface);
   return true;
 }
 
@@ -70,12 +81,14 @@ void ClothLift::follow(const ClothView& view, Surface& surface) {
     const SurfacePlace foot = walk.nearest(p, one.start);
     const glm::vec3 n0 = mixed(refinedCorners(refinement, foot.triangle, view.patchNormals), foot.shares);
     up_[i] = normalizeOr(n0, view.patchNormals[v]);
-    if (!footHasMoved(refinement, foot.triangle, view, surface)) return;
     const glm::vec3 from = mixed(refinedCorners(refinement, foot.triangle, view.patchPositions), foot.shares);
+    gap_[i] = glm::dot(p - from, up_[i]) > 0.0f ? glm::distance(p, from) : 0.0f;
+    if (!footHasMoved(refinement, foot.triangle, view, surface)) return;
     const glm::vec3 way = mixed(refinedCorners(refinement, foot.triangle, surface.positions), foot.shares) - from;
     const float height = glm::dot(way, up_[i]);
     const ClothMove move = clothMove(one.share, glm::dot(p - from, up_[i]), height, glm::length(way), least);
     surface.positions[v] = p + move.share * way + move.more * up_[i];
+    if (gap_[i] > 0.0f) gap_[i] = glm::distance(surface.positions[v], from + way);
     surface.displacement[v] = move.share * height + move.more;
     const glm::vec3 turn = mixed(refinedCorners(refinement, foot.triangle, surface.normals), foot.shares) - n0;
     surface.normals[v] = normalizeOr(view.patchNormals[v] + move.share * turn, view.patchNormals[v]);
@@ -121,6 +134,62 @@ void ClothLift::makeRoom(const ClothView& view, Surface& surface) {
     surface.positions[v] += raise_[i] * up_[i];
     surface.displacement[v] += raise_[i];
   }
+}
+
+/// Which vertices are below any skin near them; of all others the gap becomes kClear. @return whether there are any
+bool ClothLift::findBelow(const ClothView& view, const SkinWalls& walls, const Surface& surface) {
+  const ClothBinding& binding = view.binding;
+  const float deepest = kClothDeepest * view.height;
+  forEachIndex((binding.cloth.size() + kClothGroup - 1) / kClothGroup, 8, [&](std::size_t g) {
+    const std::size_t first = g * kClothGroup;
+    const auto group = std::span(binding.inSpace).subspan(first, std::min(kClothGroup, binding.inSpace.size() - first));
+    Bounds box;
+    float most = 0.0f;
+    for (const int i : group) {
+      float& gap = at(gap_, i);
+      gap = gap > 0.0f ? std::min(SkinWalls::kWallsApart * (gap + at(raise_, i)), deepest) : deepest;
+      most = std::max(most, gap);
+      box.add(at(surface.positions, at(binding.cloth, i).vertex));
+    }
+    SkinWalls::NearNodes memory;
+    const std::span<const int> among = walls.nearTo(box, most, memory);
+    for (const int i : group) {
+      const glm::vec3& p = at(surface.positions, at(binding.cloth, i).vertex);
+      if (!walls.isBelowAny(p, at(binding.wallsUnder, i), at(gap_, i), among)) at(gap_, i) = kClear;
+    }
+  });
+  return std::ranges::any_of(gap_, [](float gap) { return gap != kClear; });
+}
+
+/// Out of walls on which the file has the vertex above, or out as far as it has it there.
+void ClothLift::clearWalls(const ClothView& view, Surface& surface) {
+  const ClothBinding& binding = view.binding;
+  const Refinement& refinement = *surface.refinement;
+  const std::span<const SkinLayer> layers = triangleLayers(refinement, view.layers);
+  const float reach = kClothReach * view.height;
+  const float deepest = kClothDeepest * view.height;
+  const float least = kLeastGap * view.height;
+  const SkinWalls walls(binding.walls, refinement, view.rings, layers, surface.positions, reach, walls_);
+  if (!findBelow(view, walls, surface)) return;
+  const SkinWalls before(binding.walls, refinement, view.rings, layers, view.patchPositions, reach, patchWalls_);
+  forEachIndex(binding.cloth.size(), kClothBlock, [&](std::size_t i) {
+    if (gap_[i] == kClear) return;
+    const auto v = toIndex(binding.cloth[i].vertex);
+    const glm::vec3 followed = surface.positions[v];
+    const float allowed = depthBelow(before.around(view.patchPositions[v], binding.wallsUnder[i], deepest),
+                                     1.0f / SkinWalls::kWallsApart, 1.0f);
+    for (int round = 0; round < kClearRounds; ++round) {
+      const Walls now = walls.around(surface.positions[v], binding.wallsUnder[i], deepest);
+      const float excess = depthBelow(now, 1.0f, SkinWalls::kWallsApart) - allowed;
+      if (!(excess > 0.0f)) break;
+      const glm::vec3 place = mixed(refinedCorners(refinement, now.triangle, surface.positions), now.shares);
+      const glm::vec3 still = mixed(refinedCorners(refinement, now.triangle, view.patchPositions), now.shares);
+      const float motion = std::max(glm::distance(place, still), glm::distance(followed, view.patchPositions[v]));
+      const glm::vec3 out = normalizeOr(place - surface.positions[v], now.normal);
+      surface.positions[v] += smoothstep(0.0f, least, motion) * (excess + std::min(excess, least)) * out;
+    }
+    surface.displacement[v] += glm::dot(surface.positions[v] - followed, up_[i]);
+  });
 }
 
 }  // namespace sinew

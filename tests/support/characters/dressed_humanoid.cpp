@@ -121,6 +121,39 @@ class Tailor {
     }
   }
 
+  /// A tube around hips and thighs that widens downwards and follows both thighs where it hangs between them.
+  [[nodiscard]] Piece skirt(float top, float hem, float offset) const {
+    constexpr int kColumns = 24;
+    constexpr int kRings = 8;
+    Piece piece;
+    const Bounds hips = boundsOfBone("hips");
+    const glm::vec3 half = 0.5f * hips.extent() + glm::vec3(offset, 0.0f, offset);
+    for (int ring = 0; ring <= kRings; ++ring) {
+      const float down = static_cast<float>(ring) / kRings;
+      for (int column = 0; column < kColumns; ++column) {
+        const float turn = 6.2831853f * static_cast<float>(column) / kColumns;
+        const glm::vec3 across(half.x * (1.0f + 0.25f * down) * std::sin(turn), 0.0f,
+                               half.z * (1.0f + 0.25f * down) * std::cos(turn));
+        piece.positions.push_back(glm::vec3(hips.center().x, top + (hem - top) * down, hips.center().z) + across);
+        piece.normals.push_back(glm::normalize(glm::vec3(across.x, 0.1f * half.x, across.z)));
+        const float left = 0.5f + 0.5f * std::sin(turn);
+        const float thighs = std::min(1.5f * down, 1.0f);
+        piece.weights.push_back({{jointOf("hips"), 1.0f - thighs},
+                                 {jointOf("thigh.L"), thighs * left},
+                                 {jointOf("thigh.R"), thighs * (1.0f - left)}});
+      }
+    }
+    for (int ring = 0; ring < kRings; ++ring) {
+      for (int column = 0; column < kColumns; ++column) {
+        const int a = ring * kColumns + column;
+        const int b = ring * kColumns + (column + 1) % kColumns;
+        piece.triangles.push_back({a, a + kColumns, b + kColumns});
+        piece.triangles.push_back({a, b + kColumns, b});
+      }
+    }
+    return piece;
+  }
+
   /// Joints of the file's skin are its bones in the order of its nodes.
   [[nodiscard]] int jointOf(const std::string& bone) const { return character_->skeleton.findBone(bone).value(); }
 
@@ -237,7 +270,12 @@ class GlbFile {
 
 }  // namespace
 
-std::string dressedHumanoidGlb() {
+const char* nameOf(Outfit outfit) {
+  constexpr std::array kNames{"usual", "tight", "loose", "long sleeves", "skirt"};
+  return kNames[static_cast<std::size_t>(outfit)];
+}
+
+std::string dressedHumanoidGlb(Outfit outfit) {
   const std::filesystem::path file = std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "humanoid.glb";
   const Tailor tailor(importGltf(file).value());
   const Bounds head = tailor.boundsOfBone("head");
@@ -247,25 +285,42 @@ std::string dressedHumanoidGlb() {
     const glm::vec3 place(side * 0.22f * size.x, 0.0f, 0.2f * size.z);
     tailor.addBall(head.center() + place, 0.09f * size.x, tailor.jointOf("head"), eyes);
   }
+  std::set<std::string> shirt{"spine", "chest", "clavicle", "upper_arm"};
+  if (outfit == Outfit::kLongSleeves) shirt.insert("forearm");
+  const std::map<Outfit, float> shirts{
+      {Outfit::kTight, 0.003f}, {Outfit::kLoose, 0.04f}, {Outfit::kLongSleeves, 0.01f}};
+  const std::map<Outfit, float> trousers{{Outfit::kTight, 0.002f}, {Outfit::kLoose, 0.03f}};
+  const auto offsetOf = [&](const std::map<Outfit, float>& offsets, float usual) {
+    const auto found = offsets.find(outfit);
+    return found == offsets.end() ? usual : found->second;
+  };
   GlbFile glb(file);
-  glb.addMesh("Shirt", tailor.over({"spine", "chest", "clavicle", "upper_arm"}, 0.0f, 0.016f), {0.2, 0.35, 0.6, 1.0});
-  glb.addMesh("Trousers", tailor.over({"hips", "thigh", "shin"}, 0.0f, 0.012f), {0.25, 0.22, 0.2, 1.0});
+  glb.addMesh("Shirt", tailor.over(shirt, 0.0f, offsetOf(shirts, 0.016f)), {0.2, 0.35, 0.6, 1.0});
+  if (outfit == Outfit::kSkirt) {
+    const Bounds shin = tailor.boundsOfBone("shin.L");
+    glb.addMesh("Skirt", tailor.skirt(tailor.boundsOfBone("hips").high.y, shin.high.y, 0.02f), {0.25, 0.22, 0.2, 1.0});
+  } else {
+    glb.addMesh("Trousers", tailor.over({"hips", "thigh", "shin"}, 0.0f, offsetOf(trousers, 0.012f)),
+                {0.25, 0.22, 0.2, 1.0});
+  }
   glb.addMesh("Eyes", eyes, {0.9, 0.9, 0.95, 1.0});
   glb.addMesh("Hair", tailor.over({"head"}, head.center().y, 0.014f), {0.2, 0.1, 0.05, 1.0});
   return glb.bytes();
 }
 
-std::filesystem::path writeDressedHumanoid(const std::filesystem::path& folder) {
+std::filesystem::path writeDressedHumanoid(const std::filesystem::path& folder, Outfit outfit) {
   const std::filesystem::path path = folder / "dressed.glb";
-  std::ofstream(path, std::ios::binary) << dressedHumanoidGlb();
+  std::ofstream(path, std::ios::binary) << dressedHumanoidGlb(outfit);
   return path;
 }
 
-std::shared_ptr<const Character> dressedHumanoid() {
-  static const std::shared_ptr<const Character> character = [] {
+std::shared_ptr<const Character> dressedHumanoid(Outfit outfit) {
+  static std::map<Outfit, std::shared_ptr<const Character>> made;
+  std::shared_ptr<const Character>& character = made[outfit];
+  if (!character) {
     const TemporaryFolder folder;
-    return importGltf(writeDressedHumanoid(folder.path())).value();
-  }();
+    character = importGltf(writeDressedHumanoid(folder.path(), outfit)).value();
+  }
   return character;
 }
 

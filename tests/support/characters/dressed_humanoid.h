@@ -9,13 +9,25 @@
 
 namespace sinew::test {
 
+enum class Outfit {
+  kUsual,        ///< A shirt with sleeves to the elbow, 1.6 cm off the skin, and trousers, 1.2 cm.
+  kTight,        ///< The same 3 and 2 mm off the skin.
+  kLoose,        ///< 4 and 3 cm.
+  kLongSleeves,  ///< The shirt's reach to the wrists and are 1 cm off the skin.
+  kSkirt,        ///< In place of trousers, from the waist to the knees.
+};
+inline constexpr Outfit kOutfits[] = {Outfit::kUsual, Outfit::kTight, Outfit::kLoose, Outfit::kLongSleeves,
+                                      Outfit::kSkirt};
+/// "usual", "long sleeves"
+[[nodiscard]] const char* nameOf(Outfit outfit);
+
 /// assets/humanoid.glb, untouched, with four more meshes on its skin: "Shirt" and "Trousers" over it, of other
 /// triangles than the body's (its edges are turned about the middles of its triangles), "Hair" over the head, and
 /// "Eyes", two balls inside of it. As a .glb.
-[[nodiscard]] std::string dressedHumanoidGlb();
+[[nodiscard]] std::string dressedHumanoidGlb(Outfit outfit = Outfit::kUsual);
 /// Writes it to a folder and gives its path.
-std::filesystem::path writeDressedHumanoid(const std::filesystem::path& folder);
-/// Imported; made once.
-[[nodiscard]] std::shared_ptr<const Character> dressedHumanoid();
+std::filesystem::path writeDressedHumanoid(const std::filesystem::path& folder, Outfit outfit = Outfit::kUsual);
+/// Imported; each made once.
+[[nodiscard]] std::shared_ptr<const Character> dressedHumanoid(Outfit outfit = Outfit::kUsual);
 
 }  // namespace sinew::test
