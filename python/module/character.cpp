@@ -16,6 +16,7 @@
 #include "core/skeleton/pose_override.h"
 #include "core/symmetry/motion_clip.h"
 #include "python/module/arrays.h"
+#include "python/module/bone_nodes.h"
 #include "python/module/errors.h"
 #include "python/module/mesh.h"
 #include "python/module/values.h"
@@ -36,6 +37,14 @@ py::tuple bonesOf(const CharacterHandle& handle) {
     bones[i] = py::make_tuple(i, skeleton.fileName(static_cast<int>(i)), bone.path, bone.parent);
   }
   return bones;
+}
+
+py::tuple nodesOf(const CharacterHandle& handle) {
+  auto nodes = [&] {
+    const py::gil_scoped_release released;
+    return nodesOfBones(handle.file(), handle.character()->skeleton);
+  }();
+  return py::tuple(py::cast(valueOrRefuse(std::move(nodes))));
 }
 
 py::list clipListOf(const CharacterHandle& handle) {
@@ -189,6 +198,7 @@ void defineCharacter(py::module_& module) {
       .def_property_readonly("shapes", shapeNamesOf)
       .def_property_readonly("mesh", [](const CharacterHandle& handle) { return MeshHandle{handle.character()}; })
       .def("_bones", bonesOf)
+      .def("_nodes", nodesOf)
       .def("_clips", clipListOf)
       .def("_facts", factsOf)
       .def("_pose", poseOf)

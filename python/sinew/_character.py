@@ -46,6 +46,10 @@ class Character(_sinew.Character):
             clips.setdefault(name, seconds)
         return clips
 
+    def nodes(self):
+        """Number of the file's node that each bone is, in the order of bones, for what reads the glTF itself as well."""
+        return self._once("nodes", self._nodes)
+
     def duration(self, clip):
         """Seconds that a clip lasts, the made clip "Range of motion" too."""
         return self._duration(clip)
