@@ -31,7 +31,7 @@ WINDOW_AND_GPU = re.compile(r"^(epoxy/|GLFW/|GL/|EGL/|GLES|KHR/|imgui|backends/i
 FILE_LIBRARIES = re.compile(r"^(tiny_gltf|tinygltf|nlohmann/|stb|draco/|meshoptimizer)")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 PAGES = {"README.md", "CONTRIBUTING.md"}  # and docs/*.md: every path they name in backticks must exist
-TREES = ("app", "core", "tests", "shaders", "assets", "docs", "cmake", "packaging", "examples", "python")
+TREES = ("app", "core", "tests", "shaders", "assets", "docs", "cmake", "packaging", "examples", "python", "blender")
 NAMED_PATH = re.compile(r"(?:%s)/[\w./*{},-]*" % "|".join(TREES))
 MAP = "docs/architecture.md"
 # In a batch of files compiled as one, a constant of one file hides a header's of the same name from the files behind it.
