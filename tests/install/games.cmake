@@ -1,9 +1,11 @@
 # tests/install/games.cmake: what links Sinew::runtime alone: the game, the samples for games. Included by install_test.cmake.
-run(${WORK}/prefix/bin/sinew pack ${ASSETS}/humanoid.rig.json -o ${WORK}/humanoid.sinew)
-expect_match("${output}" "humanoid.sinew: [1-9][0-9]+ bytes, [1-9][0-9]* bones, [1-9][0-9]* clips, [1-9][0-9]* muscles\n$")
 build_against_prefix(${CMAKE_CURRENT_LIST_DIR}/game ${WORK}/game)
-run(${WORK}/game/game ${WORK}/humanoid.sinew)
-expect_match("${output}" "^[1-9][0-9]+ vertices, 0 allocations, the same bits, pose: expected matrices of [0-9]+ bones, got [0-9]+\n$")
+foreach(name humanoid horse)
+  run(${WORK}/prefix/bin/sinew pack ${ASSETS}/${name}.rig.json -o ${WORK}/${name}.sinew)
+  expect_match("${output}" "${name}.sinew: [1-9][0-9]+ bytes, [1-9][0-9]* bones, [1-9][0-9]* clips, [1-9][0-9]* muscles\n$")
+  run(${WORK}/game/game ${WORK}/${name}.sinew)
+  expect_match("${output}" "^[1-9][0-9]+ vertices, 0 allocations, the same bits, pose: expected matrices of [0-9]+ bones, got [0-9]+\n$")
+endforeach()
 
 # It links none of the libraries that read files, nor what fits weights.
 set(others "tinygltf|nlohmann|Eigen|draco|meshopt|webp|stbi?_")
@@ -24,6 +26,7 @@ run(bash -c "c++ -std=c++20 ${FLAGS} '${CMAKE_CURRENT_LIST_DIR}/game/main.cpp' -
   $(PKG_CONFIG_PATH='${pc}' pkg-config --cflags --libs sinew-runtime)")
 run(${WORK}/by_pkg_config ${WORK}/humanoid.sinew)
 expect_match("${output}" "the same bits")
+include(${CMAKE_CURRENT_LIST_DIR}/link.cmake)
 
 run(${samples}/game ${WORK}/humanoid.sinew)
 expect_match("${output}" "0.1 s: [1-9][0-9]+ vertices, the first at .*\nrefused: pose: expected matrices of [0-9]+ bones, got 0\n$")

@@ -5,8 +5,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "sinew/base/version.h"
+#include "sinew/base/same_version.h"
 
+/* Seen from outside where a shared library is made of the runtime; of the C++ classes nothing is. */
+#pragma GCC visibility push(default)
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -132,5 +134,6 @@ sinew_code sinew_material_indices(const sinew_smoother* smoother, int material, 
 #ifdef __cplusplus
 }
 #endif
+#pragma GCC visibility pop
 
 #endif
