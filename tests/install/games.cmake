@@ -37,6 +37,13 @@ string(REGEX MATCH "bent by   0 degrees: skin raised by ([0-9.]+)\n.*bent by 100
 if(NOT bends OR NOT CMAKE_MATCH_2 GREATER CMAKE_MATCH_1)
   message(FATAL_ERROR "the muscle does not follow the elbow:\n${output}")
 endif()
+run(${samples}/detail ${WORK}/humanoid.sinew hand.L head)
+if(NOT output MATCHES "near: ([0-9]+) vertices.*far: ([0-9]+) vertices.*part: ([0-9]+) vertices" OR
+   NOT CMAKE_MATCH_1 GREATER CMAKE_MATCH_3 OR NOT CMAKE_MATCH_3 GREATER CMAKE_MATCH_2)
+  message(FATAL_ERROR "a part of the body is not between near and far:\n${output}")
+endif()
+run_failing(1 ${samples}/detail ${WORK}/humanoid.sinew tail)
+expect_match("${output}" "tail: the character has no such bone")
 foreach(sample game gl_buffer driven_muscle)
   run_failing(1 ${samples}/${sample} ${ASSETS}/humanoid.glb)
   expect_match("${output}" "byte 0: this is no game file of Sinew\n$")
