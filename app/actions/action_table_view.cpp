@@ -5,6 +5,7 @@
 
 #include "app/actions/action_table.h"
 #include "app/actions/export_error.h"
+#include "app/editor/commands.h"
 #include "app/editor/visibility_commands.h"
 #include "sinew/rig/rig_edit.h"
 
@@ -18,9 +19,7 @@ bool isFlexed(const State& s) { return s.open.flex.latched; }
 void latchFlex(State& s) { s.open.flex.latched = !s.open.flex.latched; }
 
 void frame(State& s) { frameSelection(s, true); }
-void frameAll(State& s) {
-  frameBounds(s.view.tools.camera, boundsOf(s.live->surface().positions), s.frame.viewportPixels, true);
-}
+void frameAll(State& s) { frameInPicture(s, boundsOf(s.live->surface().positions), true); }
 
 template <Shading kShading>
 bool isShaded(const State& s) {

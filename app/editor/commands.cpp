@@ -225,6 +225,10 @@ void cycleAxes(EditorState& state) {
                                    : (axes == GizmoAxes::kBone ? GizmoAxes::kPrimitive : GizmoAxes::kWorld);
 }
 
+void frameInPicture(EditorState& state, const Bounds& boundsInWorld, bool animated) {
+  frameBounds(state.view.tools.camera, boundsInWorld, state.frame.viewportPixels, animated, state.frame.covered);
+}
+
 void frameSelection(EditorState& state, bool animated) {
   if (!state.hasCharacter()) return;
   Bounds bounds;
@@ -235,7 +239,7 @@ void frameSelection(EditorState& state, bool animated) {
     for (const glm::vec3& point : extremesOf(shape, 1.0f)) bounds.add(center + 2.0f * (point - center));
   }
   if (bounds.isEmpty()) bounds = boundsOf(state.live->surface().positions);
-  frameBounds(state.view.tools.camera, bounds, state.frame.viewportPixels, animated);
+  frameInPicture(state, bounds, animated);
 }
 
 SurfaceView surfaceView(const EditorState& state) {

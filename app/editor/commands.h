@@ -33,6 +33,8 @@ void startRename(EditorState& state, PrimitiveId primitive);
 bool rename(EditorState& state, PrimitiveId primitive, const std::string& name);
 void selectNothing(EditorState& state);
 
+/// Shows all of a box in the part of the picture that no panel lies over.
+void frameInPicture(EditorState& state, const Bounds& boundsInWorld, bool animated);
 /// Selected muscles if there are, else the whole character. @param animated false: at once.
 void frameSelection(EditorState& state, bool animated);
 void cycleAxes(EditorState& state);

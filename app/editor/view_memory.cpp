@@ -68,6 +68,7 @@ Json cameraToJson(const EditorState& state) {
       .set("distance", stand.distance)
       .set("yaw", stand.yaw)
       .set("pitch", stand.pitch)
+      .set("aim", Json::array().push(stand.aim.x).push(stand.aim.y))
       .set("orthographic", camera.orthographic)
       .set("height", state.character().height);
 }
@@ -84,6 +85,10 @@ void restoreCamera(EditorState& state, const Json& json) {
   read(json.at("distance"), kNearestView * height, far, stand.distance);
   read(json.at("yaw"), -std::numbers::pi, std::numbers::pi, stand.yaw);
   read(json.at("pitch"), -0.5 * std::numbers::pi, 0.5 * std::numbers::pi, stand.pitch);
+  stand.aim = {};
+  if (const std::vector<Json>& aim = json.at("aim").items(); aim.size() == 2) {
+    for (int axis = 0; axis < 2; ++axis) read(aim[static_cast<std::size_t>(axis)], -1.0, 1.0, stand.aim[axis]);
+  }
   camera.transition.reset();
   camera.stand = stand;
   camera.orthographic = json.at("orthographic").boolean(camera.orthographic);

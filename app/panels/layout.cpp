@@ -215,6 +215,23 @@ void drawWelcome(PanelUi& ui, const Box& box) {
   ui.widgets.note("viewport/open");
 }
 
+/// What lies over the picture now, until the next frame: the panels in it, which are windows in its window, and what
+/// was drawn by hand.
+void noteCovered(PanelUi& ui, const Box& box) {
+  std::vector<glm::vec4>& covered = ui.state.frame.covered;
+  covered.clear();
+  const auto cover = [&](const glm::vec4& over) {
+    const glm::vec2 corner(box.x, box.y);
+    const glm::vec2 size = glm::max(glm::vec2(box.width, box.height), glm::vec2(1.0f));
+    covered.emplace_back((glm::vec2(over) - corner) / size, (glm::vec2(over.z, over.w) - corner) / size);
+  };
+  for (const ImGuiWindow* const child : ImGui::GetCurrentWindow()->DC.ChildWindows) {
+    const ImRect at = child->Rect();
+    cover({at.Min.x, at.Min.y, at.Max.x, at.Max.y});
+  }
+  for (const glm::vec4& over : ui.covered) cover(over);
+}
+
 /// The picture itself is drawn behind all windows once this frame's edits are known; here is what lies over it.
 bool drawViewport(PanelUi& ui, const Box& box) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
@@ -226,6 +243,7 @@ bool drawViewport(PanelUi& ui, const Box& box) {
   for (const Panel& panel : panels()) {
     if (panel.region == Region::kInViewport && isDrawn(ui, panel)) panel.draw(ui);
   }
+  noteCovered(ui, box);
   ImGui::End();
   return free;
 }

@@ -118,7 +118,7 @@ void EditorStep::runTools(EditorState& state, const RawInput& input, bool viewpo
   cameraMoves_ = false;
   if (!state.hasCharacter()) return;
   if (state.open.frameWanted) {
-    frameBounds(state.view.tools.camera, boundsOf(state.live->surface().positions), state.frame.viewportPixels, false);
+    frameInPicture(state, boundsOf(state.live->surface().positions), false);
     state.open.frameWanted = false;
   }
   const ImGuiIO& io = ImGui::GetIO();

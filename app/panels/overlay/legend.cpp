@@ -58,6 +58,7 @@ Box plate(PanelUi& ui, float width, float height) {
   const ImVec2 low{v.x + ui.px(kMargin), v.y + v.w - underPlate(ui) - height};
   const ImVec2 high{low.x + width, low.y + height};
   ImGui::GetWindowDrawList()->AddRectFilled(low, high, palette::kPanel.faded(0.85f).packed(), ui.px(6));
+  ui.covered.emplace_back(low.x, low.y, high.x, high.y);
   return {low, high};
 }
 
@@ -239,6 +240,7 @@ void drawMode(PanelUi& ui, const std::string& text, const char* button, const ch
   }
   clippedText(list, {low.x + ui.px(12) + swatch, low.y + 0.5f * (height - ImGui::GetTextLineHeight())},
               width - swatch - buttonWidth - ui.px(16), palette::kText.packed(), text);
+  ui.covered.emplace_back(low.x, low.y, low.x + width, low.y + height);
   ui.widgets.note(std::string(id) + "/banner", {low.x, low.y, width - buttonWidth, height});
   if (button == nullptr) return;
   ImGui::SetCursorScreenPos({low.x + width - buttonWidth, low.y + ui.px(4)});
