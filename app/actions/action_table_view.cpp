@@ -5,6 +5,7 @@
 
 #include "app/actions/action_table.h"
 #include "app/actions/export_error.h"
+#include "app/actions/reference_commands.h"
 #include "app/editor/commands.h"
 #include "app/editor/visibility_commands.h"
 #include "sinew/rig/rig_edit.h"
@@ -44,6 +45,7 @@ void look(State& s) {
   showStandardView(s.view.tools.camera, kView);
 }
 
+bool isReferenceShown(const State& s) { return s.open.reference.shown; }
 bool isOrthographic(const State& s) { return s.view.tools.camera.orthographic; }
 void toggleOrthographic(State& s) { s.view.tools.camera.orthographic = !s.view.tools.camera.orthographic; }
 bool hasAutoDepth(const State& s) { return s.document.rig().smoothing.autoDepth; }
@@ -189,6 +191,9 @@ const Action kViewActions[] = {
      look<StandardView::kBottom>},
     {"view/orthographic", "Orthographic", "No perspective", key(GLFW_KEY_KP_5), kNone, open, isOrthographic,
      toggleOrthographic},
+    {"view/reference", "Reference picture...",
+     "Pictures to work after, behind the character or through it: from the front, the back, the sides, the top", kNone,
+     kNone, open, isReferenceShown, toggleReferencePanel, true},
 };
 
 }  // namespace

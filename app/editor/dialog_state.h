@@ -18,8 +18,8 @@ struct Intent {
   std::filesystem::path file;  ///< To open; kRecover: of LeftBehind.
 };
 
-/// The last two only choose a place, for the export dialog.
-enum class DialogKind { kNone, kOpen, kSaveAs, kSavePicture, kExportPlace, kJobPlace };
+/// The dialogs of exports only choose a place, kReference a picture to work after.
+enum class DialogKind { kNone, kOpen, kSaveAs, kSavePicture, kExportPlace, kJobPlace, kReference };
 
 /// The path dialog.
 struct FileDialogState {

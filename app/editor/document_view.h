@@ -16,6 +16,7 @@
 
 #include "app/document/animate_state.h"
 #include "app/playback.h"
+#include "app/render/pictures/reference_picture.h"
 #include "app/tools/select.h"
 #include "core/body/body_map.h"
 #include "core/body/fit_preset.h"
@@ -133,6 +134,15 @@ struct BodyPartsState {
   BodySlots slots;
 };
 
+/// View > Reference picture.
+struct ReferenceState {
+  bool shown = false;                          ///< The panel.
+  ReferenceSide side = ReferenceSide::kFront;  ///< That it is about.
+  ReferencePictures pictures;
+
+  [[nodiscard]] ReferencePicture& chosen() { return pictures[static_cast<std::size_t>(side)]; }
+};
+
 /// The tab Shapes.
 struct ShapesState {
   std::string search;
@@ -172,6 +182,7 @@ struct DocumentView {
   CheckState check;
   MuscleSetState muscleSet;
   BodyPartsState bodyParts;
+  ReferenceState reference;
   ShapesState shapes;
   LibraryState library;
   std::vector<bool> helperBones;  ///< [bones] core/character/skin_bones.h

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/document/view_files.h"
+#include "app/editor/edit.h"
 #include "app/editor/session.h"
 #include "core/symmetry/motion_clip.h"
 
@@ -164,6 +165,14 @@ void restoreMarks(Visibility::Marks& marks, const Json& json, const Document& do
   }
 }
 
+void restoreReferences(EditorState& state, const Json& json) {
+  std::vector<Error> missing;
+  state.open.reference.pictures = referencesFromJson(json, missing);
+  for (const Error& error : missing) {
+    addMessage(state.session, MessageKind::kWarning, "A reference picture is not shown: " + error.plainText());
+  }
+}
+
 }  // namespace
 
 Json viewToJson(const EditorState& state, bool withPlayingTime) {
@@ -173,6 +182,7 @@ Json viewToJson(const EditorState& state, bool withPlayingTime) {
       .set("camera", cameraToJson(state))
       .set("display", displayToJson(state.view.display))
       .set("outliner", outlinerToJson(state.view))
+      .set("references", referencesToJson(state.open.reference.pictures))
       .set("hidden", marksToJson(visibility.hidden, state.document.rig()))
       .set("locked", marksToJson(visibility.locked, state.document.rig()));
 }
@@ -215,6 +225,7 @@ void restoreView(EditorState& state, const Json& view) {
   restoreCamera(state, view.at("camera"));
   restoreDisplay(state.view.display, view.at("display"));
   if (view.find("outliner") != nullptr) restoreOutliner(state.view, view.at("outliner"));
+  restoreReferences(state, view.at("references"));
   restoreMarks(state.document.visibility.hidden, view.at("hidden"), state.document);
   restoreMarks(state.document.visibility.locked, view.at("locked"), state.document);
 }

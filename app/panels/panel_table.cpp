@@ -26,6 +26,7 @@ constexpr Panel kPanels[] = {
     {"check", "", Region::kInViewport, drawCheckList},
     {"muscle-set", "", Region::kInViewport, drawMuscleSet},
     {"body-parts", "", Region::kInViewport, drawBodyParts},
+    {"reference", "", Region::kInViewport, drawReference},
     {"first-steps", "", Region::kInViewport, drawFirstSteps},
     {"viewport-menu", "", Region::kInViewport, drawViewportMenu},
     {"messages", "", Region::kInViewport, drawMessages, true},

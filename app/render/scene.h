@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -87,6 +88,19 @@ struct SceneSegment {
   SegmentClass kind = SegmentClass::kPlain;
 };
 
+struct Image;
+
+/// A picture to work after. It is seen from its front alone.
+struct ReferencePlane {
+  std::shared_ptr<const Image> pixels;
+  /// Square of side 1 about the origin, x right and y up in the picture -> world; z is the unit normal towards the eye.
+  glm::mat4 squareInWorld{1.0f};
+  float opacity = 1.0f;
+  bool inside = false;  ///< Hidden by what stands before it, and hides what lies behind; else behind everything.
+
+  friend bool operator==(const ReferencePlane&, const ReferencePlane&) = default;
+};
+
 /// One moment of a character. Pointers are valid for the call; surface may be null before the first smoothing.
 struct Scene {
   const Character* character = nullptr;
@@ -101,6 +115,7 @@ struct Scene {
   std::vector<float> territory;        ///< [V] 0..1, how much of a muscle each control vertex takes; empty: no tint.
   std::vector<int> territoryBones;     ///< Highlighted among the bones, and drawn though the skeleton is hidden.
   std::vector<SceneSegment> segments;  ///< Seen through the skin, fainter.
+  std::vector<ReferencePlane> references;
 };
 
 }  // namespace sinew::app

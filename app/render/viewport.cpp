@@ -15,6 +15,7 @@
 #include "app/render/line_drawer.h"
 #include "app/render/muscle_drawer.h"
 #include "app/render/primitive_drawer.h"
+#include "app/render/reference_drawer.h"
 #include "app/render/render_target.h"
 #include "app/render/screen_occlusion.h"
 #include "app/render/skeleton_drawer.h"
@@ -30,6 +31,7 @@ struct Viewport::State {
   MuscleDrawer muscles;
   SkeletonDrawer skeleton;
   LineDrawer lines;
+  ReferenceDrawer references;
   ScreenOcclusion occlusion;
   PictureMean mean;
   GlBuffer frameBlock;
@@ -98,7 +100,7 @@ std::optional<glm::vec4> boxAround(const View& view, std::span<const glm::vec3> 
 std::vector<glm::vec4> boxesOf(const Frame& frame, const glm::vec4& shadow) {
   const DisplaySettings& shown = frame.settings;
   if (shown.controlMesh || !frame.scene.segments.empty() || shown.primitives || shown.influence || shown.skeleton ||
-      !frame.scene.territoryBones.empty() || !frame.scene.primitives.empty()) {
+      !frame.scene.territoryBones.empty() || !frame.scene.primitives.empty() || !frame.scene.references.empty()) {
     return {};
   }
   const Bounds& box = frame.surfaceBounds;
@@ -154,15 +156,17 @@ Result<std::unique_ptr<Viewport>> Viewport::create(int samples) {
   if (!skeleton) return skeleton.error();
   Result<LineDrawer> lines = LineDrawer::create();
   if (!lines) return lines.error();
+  Result<ReferenceDrawer> references = ReferenceDrawer::create();
+  if (!references) return references.error();
   Result<ScreenOcclusion> occlusion = ScreenOcclusion::create();
   if (!occlusion) return occlusion.error();
   Result<PictureMean> mean = PictureMean::create();
   if (!mean) return mean.error();
   std::unique_ptr<Viewport> viewport(new Viewport);
-  viewport->state_ = std::make_unique<State>(
-      State{std::move(surface).value(), std::move(ground).value(), std::move(primitives).value(),
-            std::move(muscles).value(), std::move(skeleton).value(), std::move(lines).value(),
-            std::move(occlusion).value(), std::move(mean).value(), makeBuffer(), makeBuffer()});
+  viewport->state_ = std::make_unique<State>(State{
+      std::move(surface).value(), std::move(ground).value(), std::move(primitives).value(), std::move(muscles).value(),
+      std::move(skeleton).value(), std::move(lines).value(), std::move(references).value(),
+      std::move(occlusion).value(), std::move(mean).value(), makeBuffer(), makeBuffer()});
   viewport->state_->samples = samples;
   return viewport;
 }
@@ -204,12 +208,14 @@ void Viewport::drawInto(const RenderTarget& target, const Frame& frame, bool kee
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClearDepth(1.0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  const bool kept = keepsBackdrop && s.ground.drawKept(target, frame);
+  const bool kept = keepsBackdrop && frame.scene.references.empty() && s.ground.drawKept(target, frame);
   noteChange(frame, kept);
   if (settings.background && !kept) s.ground.drawBackground(frame);
   glEnable(GL_DEPTH_TEST);
+  s.references.draw(frame, false);
   if (settings.anatomy) s.muscles.drawFlesh(frame);
   else if (showSurface) s.surface.drawOpaque(frame);
+  s.references.draw(frame, true);
   if (settings.ground && kept) s.ground.drawGroundOverKept(frame);
   else if (settings.ground) s.ground.drawGround(frame);
   if (settings.anatomy) s.muscles.drawHollows();
@@ -258,6 +264,7 @@ Frame Viewport::beginPicture(const Scene& scene, const View& view, const Display
   if (surfaced) s.surface.upload(scene);
   Frame frame{scene, view, settings, scene.character->height, s.floor, surfaced ? s.surface.bounds() : Bounds{}};
   frame.groundCenter = groundCenter(frame, moving);
+  s.references.prepare(frame);
   s.target.resize(view.size, s.samples);
   s.transparent = !settings.background;
   if (s.finish) glFinish();

@@ -18,6 +18,7 @@
 #include "app/actions/export_commands.h"
 #include "app/actions/export_error.h"
 #include "app/actions/muscle_set_commands.h"
+#include "app/actions/reference_commands.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/hidden_bones.h"
@@ -56,6 +57,7 @@ bool closesWhatIsOpen(EditorState& state, const RawInput& input) {
   else if (state.open.muscleSet.shown) closeSet(state);
   else if (state.open.check.shown) closeCheck(state);
   else if (state.open.bodyParts.shown) toggleBodyParts(state);
+  else if (state.open.reference.shown) toggleReferencePanel(state);
   else return false;
   return true;
 }

@@ -13,7 +13,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/hidden_bones.h"
 #include "app/editor/territory.h"
-#include "app/render/png.h"
+#include "app/render/pictures/png.h"
 #include "app/tools/gizmo/gizmo_draw.h"
 #include "app/tools/hover_draw.h"
 #include "app/tools/line_draw.h"
@@ -51,10 +51,11 @@ PictureKey keyOf(const EditorState& state, const View& view) {
   key.selectedBone = state.document.selection.bone;
   key.hoveredBone = state.view.tools.hover.bone;
   key.hiddenBones = hiddenBones(state);
+  key.references = referencePlanes(state.open.reference.pictures, state.character());
   return key;
 }
 
-/// What a saved picture shows: all but what answers the pointer and marks the selection.
+/// What a saved picture shows: all but what answers the pointer, marks the selection and is there to work after.
 PictureKey keyToSave(const EditorState& state) {
   PictureKey key = keyOf(state, state.frame.route.view);
   key.display.skeleton = state.view.display.skeleton;
@@ -63,6 +64,7 @@ PictureKey keyToSave(const EditorState& state) {
   for (PrimitiveShape& shape : key.shapes) shape.selected = shape.hovered = false;
   key.territory.clear();
   key.territoryBones.clear();
+  key.references.clear();
   key.selectedBone = key.hoveredBone = -1;
   return key;
 }
@@ -79,6 +81,7 @@ Scene sceneOf(const EditorState& state, const PictureKey& key) {
   scene.selectedBone = key.selectedBone;
   scene.hoveredBone = key.hoveredBone;
   scene.hiddenBones = key.hiddenBones;
+  scene.references = key.references;
   if (key.display.controlMesh) {
     SkinnedMesh skinned;
     const Pose& pose = state.live->pose();

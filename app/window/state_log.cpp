@@ -259,7 +259,7 @@ std::string dialogName(const EditorState& state) {
   if (file == DialogKind::kSavePicture) return "picture";
   if (file == DialogKind::kExportPlace || file == DialogKind::kJobPlace) return "export-place";
   if (!state.dialogs.file.locateFor.empty()) return "locate-file";
-  if (file != DialogKind::kNone) return file == DialogKind::kOpen ? "open" : "save";
+  if (file != DialogKind::kNone) return file == DialogKind::kOpen || file == DialogKind::kReference ? "open" : "save";
   if (state.dialogs.exporting.shown == ExportDialog::kCharacter) return "export";
   if (state.dialogs.exporting.shown == ExportDialog::kFarmJob) return "farm";
   if (!state.dialogs.locate.rigFile.empty()) return "locate";

@@ -100,6 +100,7 @@ constexpr WithoutEntry kWithoutEntry[] = {
     {"check/", "what a check has found, opened by an action"},
     {"body-parts/", "opened by an action"},
     {"muscle-set/", "follows the set that was added, which is an entry"},
+    {"reference/", "opened by an action"},
     {"driven-key/", "while driven keys are set"},
     {"first-steps/", "opened by an action"},
     {"export-error/", "opened by an action"},

@@ -250,7 +250,8 @@ void drawMode(PanelUi& ui, const std::string& text, const char* button, const ch
 
 /// 0: there is none. The panels of a set and of what was found lie where it would.
 float plateHeight(PanelUi& ui) {
-  if (ui.state.open.check.shown || ui.state.open.muscleSet.shown) return 0.0f;
+  const DocumentView& open = ui.state.open;
+  if (open.check.shown || open.muscleSet.shown || open.reference.shown) return 0.0f;
   if (showsExportError(ui.state)) return exportErrorSize(ui).y;
   if (ui.state.view.display.anatomy) return anatomyHeight(ui);
   const Shading shading = ui.state.view.display.shading;

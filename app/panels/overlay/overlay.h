@@ -23,6 +23,8 @@ void drawCheckList(PanelUi& ui);
 void drawBodyParts(PanelUi& ui);
 /// The sliders of the set of muscles that was added last.
 void drawMuscleSet(PanelUi& ui);
+/// View > Reference picture.
+void drawReference(PanelUi& ui);
 /// Help > First steps.
 void drawFirstSteps(PanelUi& ui);
 /// The context menu that a right click asks for.
