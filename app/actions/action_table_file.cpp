@@ -2,6 +2,7 @@
 
 #include "app/actions/action_table.h"
 #include "app/actions/export_commands.h"
+#include "app/actions/pictures_commands.h"
 #include "app/editor/picture_commands.h"
 
 namespace sinew::app::table {
@@ -28,6 +29,9 @@ const Action kFileActions[] = {
     {"file/export-farm", "As a farm job...",
      "Write a job that exports this rig, or all rigs of its folder, on the machines of a farm", kNone, kNone, farmable,
      nullptr, showFarmDialog},
+    {"file/export-pictures", "Turntable or contact sheet...",
+     "Write the character from all sides, or a clip, as a moving picture or as one sheet", kNone, kNone, open, nullptr,
+     showPicturesDialog},
     {"file/save-picture", "Save picture...", "Write the picture, without the interface, to a PNG file", kNone, kNone,
      open, nullptr, showPictureDialog, true},
     {"file/save-picture-now", "Save picture now", "Write the picture to the folder of the last one, else to Pictures",

@@ -151,13 +151,18 @@ void prepareMirror(Document& document) {
       });
 }
 
-Result<void> saveDocument(Document& document, const std::filesystem::path& rigFile) {
+Rig rigAsIn(const Document& document, const std::filesystem::path& rigFile) {
   Rig written = document.rig();
   // A path the designer typed as absolute stays; any other follows the rig file to its new folder.
   if (!std::filesystem::path(written.character).is_absolute()) {
     written.character = relativeCharacterPath(document.characterFile, rigFile);
   }
   written.clipFiles = clipFilesFor(rigFile, written.clipFiles, document.clipFiles.folder);
+  return written;
+}
+
+Result<void> saveDocument(Document& document, const std::filesystem::path& rigFile) {
+  const Rig written = rigAsIn(document, rigFile);
   if (Result<void> saved = saveRig(written, rigFile); !saved) return saved;
   document.rigFile = rigFile;
   document.rigOnDisk = stampOf(rigToJson(written));

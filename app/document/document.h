@@ -79,6 +79,9 @@ void loadClipFiles(Document& document);
 /// symmetry is switched on where bones come in pairs. openDocument does this; documents made by hand may.
 void prepareMirror(Document& document);
 
+/// The rig as a file of that name holds it: with the way from there to the character and to the files of clips.
+[[nodiscard]] Rig rigAsIn(const Document& document, const std::filesystem::path& rigFile);
+
 /// Writes the rig; on success rigFile is set and the document counts as saved.
 [[nodiscard]] Result<void> saveDocument(Document& document, const std::filesystem::path& rigFile);
 

@@ -18,7 +18,7 @@ struct FolderEntry {
 };
 
 /// Which files; folders are always there.
-enum class FileFilter { kAll, kRigs, kCharacters, kPictures, kJobs, kReferences };
+enum class FileFilter { kAll, kRigs, kCharacters, kPictures, kJobs, kReferences, kMovies };
 
 /// Whether the name is that of a picture to work after: .png, .jpg, .jpeg, .webp; capitals too.
 [[nodiscard]] bool isReferenceName(const std::string& name);
@@ -32,7 +32,7 @@ struct ListingOptions {
 };
 
 /// Folders first, then files that can be opened (.glb, .gltf, .rig.json) pictures (.png; to work after .jpg and .webp
-/// too) or farm jobs (.sh, .json, .txt), as the filter says, each in the order
+/// too; of exports .webp, .gif and .mp4 too) or farm jobs (.sh, .json, .txt), as the filter says, each in the order
 /// asked for. At most 5,000. An unreadable folder is empty.
 [[nodiscard]] std::vector<FolderEntry> listFolder(const std::filesystem::path& folder, const ListingOptions& options);
 

@@ -19,7 +19,7 @@ struct Intent {
 };
 
 /// The dialogs of exports only choose a place, kReference a picture to work after.
-enum class DialogKind { kNone, kOpen, kSaveAs, kSavePicture, kExportPlace, kJobPlace, kReference };
+enum class DialogKind { kNone, kOpen, kSaveAs, kSavePicture, kExportPlace, kJobPlace, kPicturesPlace, kReference };
 
 /// The path dialog.
 struct FileDialogState {
@@ -94,6 +94,7 @@ struct Dialogs {
   Intent question;                    ///< Asking about unsaved changes before this; kNone: not asking.
   std::filesystem::path keepMuscles;  ///< A character that was dropped: asking whether it gets the muscles. "": not.
   ExportDialogState exporting;
+  PicturesDialogState pictures;
   bool exportQuestion = false;  ///< Asking whether to quit though exports are not done.
   PaletteState palette;
   RevealState reveal;

@@ -13,6 +13,7 @@
 #include "app/editor/export_state.h"
 #include "app/editor/toast.h"
 #include "app/export/export_queue.h"
+#include "app/export/farm_job.h"
 #include "app/platform/desktop_opener.h"
 #include "app/platform/frame_stats.h"
 #include "sinew/rig/muscle_line.h"
@@ -48,8 +49,9 @@ struct SessionState {
   std::optional<std::filesystem::path> pictureWanted;  ///< The window writes its picture there after this frame.
   Thumbnails* thumbnails = nullptr;                    ///< The window's; null without one.
   FrameStats stats;
-  ExportQueue exports;   ///< In the background.
-  DesktopOpener opener;  ///< Of pages.
+  ExportQueue exports;                  ///< In the background.
+  std::string program = thisProgram();  ///< Draws pictures in the background.
+  DesktopOpener opener;                 ///< Of pages.
   ExportErrorState exportError;
   /// As soon as they are done; asked for at these documentsOpened and CommandStack::revision(): what is edited after
   /// that is asked about.

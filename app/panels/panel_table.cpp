@@ -33,6 +33,7 @@ constexpr Panel kPanels[] = {
     {"toast", "", Region::kInViewport, drawToast, true},
     {"export", "", Region::kDialog, drawExportDialog},
     {"farm", "", Region::kDialog, drawFarmDialog},
+    {"pictures", "", Region::kDialog, drawPicturesDialog},
     {"dialog", "", Region::kDialog, drawFileDialog, true},
     {"locate", "", Region::kDialog, drawLocateQuestion, true},
     {"keep-muscles", "", Region::kDialog, drawKeepMusclesQuestion, true},

@@ -117,6 +117,7 @@ constexpr WithoutEntry kWithoutEntry[] = {
     {"unsaved/", "a question's answer"},
     {"export-question/", "a question's answer"},
     {"keys/", "the sheet of keys, opened by an action"},
+    {"pictures/", "rows of a dialog, opened by an action"},
     {"export/", "rows of the kind that is chosen: the kind is an entry"},
     {"farm/", "rows of the job: its folder is an entry"},
     {"preferences/", "lists and buttons beside what is an entry"},

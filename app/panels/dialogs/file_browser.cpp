@@ -234,7 +234,8 @@ void drawEntries(PanelUi& ui, float height) {
     if (entries.empty()) {
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
-      if (dialog.kind == DialogKind::kSavePicture || dialog.kind == DialogKind::kReference)
+      if (dialog.kind == DialogKind::kSavePicture || dialog.kind == DialogKind::kReference ||
+          dialog.kind == DialogKind::kPicturesPlace)
         mutedText("No pictures here.");
       else if (dialog.kind == DialogKind::kExportPlace) mutedText("No characters here.");
       else if (dialog.kind == DialogKind::kJobPlace) mutedText("No jobs here.");

@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "app/actions/export_commands.h"
+#include "app/actions/pictures_commands.h"
 #include "app/actions/reference_commands.h"
 #include "app/editor/commands.h"
 #include "app/editor/locate_character.h"
@@ -56,7 +57,8 @@ std::filesystem::path saveTarget(const FileDialogState& dialog) {
 
 /// The export dialog asked for a place; it asks itself before it replaces anything.
 bool choosesPlace(const FileDialogState& dialog) {
-  return dialog.kind == DialogKind::kExportPlace || dialog.kind == DialogKind::kJobPlace;
+  return dialog.kind == DialogKind::kExportPlace || dialog.kind == DialogKind::kJobPlace ||
+         dialog.kind == DialogKind::kPicturesPlace;
 }
 
 /// Save As would overwrite a file that is not this document's own.
@@ -116,7 +118,8 @@ void confirmPlace(EditorState& state) {
     complain(state.dialogs.file, "There is no folder " + chosen.parent_path().string());
     return;
   }
-  takePlace(state.dialogs, dialog.kind, chosen);
+  if (dialog.kind == DialogKind::kPicturesPlace) takePicturesPlace(state.dialogs.pictures, chosen);
+  else takePlace(state.dialogs, dialog.kind, chosen);
   close(state);
 }
 
@@ -169,11 +172,13 @@ const char* titleOf(const FileDialogState& dialog) {
   if (dialog.kind == DialogKind::kSavePicture) return "Save the picture as";
   if (dialog.kind == DialogKind::kExportPlace) return "Where to export to";
   if (dialog.kind == DialogKind::kJobPlace) return "Where to write the job";
+  if (dialog.kind == DialogKind::kPicturesPlace) return "Where to write the pictures";
   if (dialog.kind == DialogKind::kReference) return "Picture to work after";
   return dialog.kind == DialogKind::kOpen ? "Open a character or a rig" : "Save the rig as";
 }
 
 const char* hintOf(DialogKind kind) {
+  if (kind == DialogKind::kPicturesPlace) return "Name of the pictures' file";
   if (kind == DialogKind::kReference) return "A .png, .jpg or .webp  (Tab completes)";
   if (kind == DialogKind::kSavePicture) return "Name of the picture";
   if (kind == DialogKind::kExportPlace) return "Name of the exported character";
@@ -273,6 +278,7 @@ ListingOptions listingOptions(const EditorState& state) {
   if (state.dialogs.file.kind == DialogKind::kSavePicture) filter = FileFilter::kPictures;
   if (state.dialogs.file.kind == DialogKind::kExportPlace) filter = FileFilter::kCharacters;
   if (state.dialogs.file.kind == DialogKind::kJobPlace) filter = FileFilter::kJobs;
+  if (state.dialogs.file.kind == DialogKind::kPicturesPlace) filter = FileFilter::kMovies;
   if (state.dialogs.file.kind == DialogKind::kReference) filter = FileFilter::kReferences;
   return {filter, state.session.preferences.hiddenFiles, state.session.preferences.newestFirst};
 }
