@@ -1,4 +1,4 @@
-# blender/try.py: run by Blender for `./run.sh blender [RIG]`: the add-on from the source tree, and a character that walks.
+# blender/try.py: run by Blender for `./run.sh blender [RIG]`: the add-on from here, and a character that walks.
 import pathlib
 import sys
 
@@ -12,9 +12,8 @@ RIG = HERE.parent / "assets" / "humanoid.rig.json"
 def main():
     sys.path.append(str(HERE))
     addon_utils.enable("sinew_blender", default_set=True)
-    for name in ("Cube",):
-        if name in bpy.data.objects:
-            bpy.data.objects.remove(bpy.data.objects[name])
+    if "Cube" in bpy.data.objects:
+        bpy.data.objects.remove(bpy.data.objects["Cube"])
     rigs = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else []
     bpy.ops.import_scene.sinew_rig(filepath=str(pathlib.Path(rigs[0] if rigs else RIG).resolve()))
     action = bpy.context.object.animation_data and bpy.context.object.animation_data.action

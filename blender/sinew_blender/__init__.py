@@ -6,7 +6,7 @@ bl_info = {
     "version": (0, 1, 0),
     "blender": (3, 4, 0),
     "location": "File > Import; 3D View > Sidebar > Sinew",
-    "description": "Rigs of Sinew: a surface with muscles that follows the armature, baking, muscle joints with drivers",
+    "description": "A surface with muscles that follows the armature; bakes; muscle joints with drivers",
     "category": "Import-Export",
 }
 

@@ -100,7 +100,7 @@ def _key_frames(keys, frames):
 
 
 class SinewBakePointCache(_Bake, bpy.types.Operator, ExportHelper):
-    """Write the scene's frames as a point cache, and make a plain mesh that plays it; Alembic and FBX are written from that"""
+    """Write the scene's frames as a point cache, and make a plain mesh that plays it"""
 
     bl_idname = "sinew.bake_point_cache"
     bl_label = "To a point cache"

@@ -11,7 +11,7 @@ _shown = {}  # What pose a mesh shows, by its name.
 
 
 def is_surface(item):
-    return item.type == "MESH" and bool(item.sinew.rig)
+    return item.type == "MESH" and bool(item.sinew.rig and item.sinew.joints)
 
 
 def surfaces_in(scene):
@@ -45,6 +45,8 @@ def _tell(surface, error):
 
 def _follow(surface, depsgraph, again):
     mesh = surface.data
+    if mesh.library:
+        raise LookupError("its mesh is linked from another file, and cannot be moved: make it local")
     rival = _rival(surface, depsgraph)
     if rival:
         raise LookupError('shares its mesh with "%s": make it single-user' % rival.name)

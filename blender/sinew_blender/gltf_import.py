@@ -1,4 +1,4 @@
-# blender/sinew_blender/gltf_import.py: Blender's own glTF import, and which bone or object each node of the file became.
+# blender/sinew_blender/gltf_import.py: Blender's glTF importer, and what each node of the file became.
 import contextlib
 from typing import NamedTuple
 
@@ -13,7 +13,7 @@ class Joint(NamedTuple):
     object: str  # Name of the object that it is, or of the armature that has its bone.
     bone: str  # "" for an object.
     bind: Matrix  # Node -> armature as Blender bound it, in Blender's axes; of an object the identity.
-    at_rest: Matrix  # Bone -> armature as the importer poses it from the file, before any clip; of an object the identity.
+    at_rest: Matrix  # Bone -> armature as the file has it at rest, before any clip; of an object the identity.
 
 
 class Imported:

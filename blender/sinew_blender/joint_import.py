@@ -6,7 +6,7 @@ from . import gltf_import, line_data, line_drivers
 
 
 class SinewImportJoints(bpy.types.Operator, ImportHelper):
-    """Open a character that Sinew exported with helper joints; those of muscle lines are driven, and move in any pose"""
+    """Open a character that Sinew exported with helper joints; those of muscle lines move in any pose"""
 
     bl_idname = "import_scene.sinew_muscle_joints"
     bl_label = "Import muscle joints"

@@ -20,7 +20,8 @@ class Joints:
 
 def text_of(unit, world, rows):
     """rows: (bone, owner, bind) of each bone."""
-    bones = [{"bone": bone, "owner": owner, "bind": [list(map(float, row)) for row in bind]} for bone, owner, bind in rows]
+    bones = [{"bone": bone, "owner": owner, "bind": [list(map(float, row)) for row in bind]}
+             for bone, owner, bind in rows]
     return json.dumps({"unit": unit, "world": [list(row) for row in world], "bones": bones})
 
 

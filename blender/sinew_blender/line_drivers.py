@@ -1,6 +1,6 @@
 # blender/sinew_blender/line_drivers.py: drivers on the joints of muscle lines, and the text that they need.
-"""A driver cannot say the formulas of a line, which are longer than an expression may be, so it calls a function. That lies in a
-text of the .blend file which Blender runs when the file is opened: neither the add-on nor the Python module is needed then."""
+"""The formulas of a line are longer than a driver's expression may be, so it calls a function. That is in a text of the
+.blend file which Blender runs when the file is opened: neither the add-on nor the Python module is needed then."""
 import json
 import pathlib
 

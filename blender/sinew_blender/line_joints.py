@@ -1,9 +1,9 @@
 # blender/sinew_blender/line_joints.py: where the joints of a muscle line are in a pose. docs/lines.md, docs/export.md.
 """Kept in the .blend file as a text that registers itself, so that a file with such drivers needs no add-on.
 
-A record says one joint, all in the spaces of Blender's bones: what is the line's as in the export's line data, and "parent"
-[4, 4], parent's node -> its bone; "turn" [3, 3], a local rotation of the file -> the bone's own; "axes" [3, 3], the bone's axes
-in the joint's; "rest" [4, 4], of the bone in its parent's rest. Vectors are lists of three, matrices rows of columns' numbers.
+A record describes one joint. "line" is as in the export's line data, but in the spaces of Blender's bones; "parent"
+takes the parent's node to its bone, "turn" a local rotation of the file to the bone's own, "axes" are the bone's axes in the
+joint's, "rest" is the bone in its parent's rest. Matrices are 4 x 4, by rows; inside, 3 x 3 are lists of columns.
 """
 import json
 import math
@@ -116,7 +116,7 @@ def via_shift(origin, direction, via, tendon, belly):
 
 
 def joint_at(line, bones, flex):
-    """[x, y, z, origin] of the joint's node. bones: columns of the matrices of origin, insertion and via, if there is one."""
+    """[x, y, z, origin] of the joint's node. bones: columns of those of origin, insertion and via."""
     start, end = placed(bones[0], line["origin"]["point"]), placed(bones[1], line["insertion"]["point"])
     via = placed(bones[2], line["via"]["point"]) if line["via"] else None
     one, grown = carried(bones[0], line["origin"]["frame"])
@@ -142,14 +142,15 @@ def joint_at(line, bones, flex):
 
 
 def local_of(record, parent, joint):
-    """Location, rotation w x y z and scale of the bone. parent: columns of its matrix. The second axis keeps its direction."""
+    """Location, rotation w x y z, scale of the bone. parent: columns of its matrix. The second axis keeps its way."""
     above = [times(parent, axis) for axis in columns_of(record["parent"])[:3]]
     m = [undone(above, axis) for axis in joint[:3]]
     up = cross(m[0], m[1])
     y, z = scaled(m[1], 1.0 / length(m[1])), scaled(up, 1.0 / length(up))
     width, belly, height = map(length, m)
     even = math.sqrt(width * height)
-    sizes = {"full": (width, belly, height), "uniform": (even, even, even), "none": (1.0, 1.0, 1.0)}[record["joint_scale"]]
+    sizes = {"full": (width, belly, height), "uniform": (even, even, even), "none": (1.0, 1.0, 1.0)}
+    sizes = sizes[record["joint_scale"]]
     own = [times(columns_of(record["turn"])[:3], axis) for axis in (cross(y, z), y, z)]
     axes = columns_of(record["axes"])[:3]  # Each the direction of an axis of the bone.
     scales = [sum(abs(part) * size for part, size in zip(axis, sizes)) for axis in axes]

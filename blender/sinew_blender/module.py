@@ -15,8 +15,8 @@ def find(folder=""):
         sinew = importlib.import_module("sinew")
         found = sinew.__version__
     except ImportError as error:
-        return None, ("The Python module sinew cannot be loaded (%s): install python3-sinew, or name the module's folder in "
-                      "the preferences of the add-on." % _line(error))
+        return None, ("The Python module sinew cannot be loaded (%s): install python3-sinew, or name the module's "
+                      "folder in the preferences of the add-on." % _line(error))
     except AttributeError:
         return None, "Another Python package is called sinew: %s." % getattr(sinew, "__path__", ["?"])[0]
     if tuple(map(int, found.split(".")[:2])) != VERSION:

@@ -52,9 +52,9 @@ class SINEW_PT_surface(bpy.types.Panel):
             layout.prop(own.muscles, "hide_viewport", text="Muscles", invert_checkbox=True)
         layout.operator("sinew.reload", icon="FILE_REFRESH")
         _draw_shapes(layout, surface)
-        column = layout.column(heading="Bake")
-        column.operator("sinew.bake_shape_keys", icon="SHAPEKEY_DATA")
-        column.operator("sinew.bake_point_cache", icon="FILE_CACHE")
+        column = layout.column(align=True)
+        column.operator("sinew.bake_shape_keys", text="Bake to shape keys", icon="SHAPEKEY_DATA")
+        column.operator("sinew.bake_point_cache", text="Bake to a point cache", icon="FILE_CACHE")
 
 
 def _draw_shapes(layout, surface):

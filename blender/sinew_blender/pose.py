@@ -6,10 +6,10 @@ from .joints import joints_of
 
 
 def bone_matrices(surface, depsgraph):
-    """[bones, 4, 4] float32, bone -> world in glTF's axes, as the module takes them. Raises LookupError with a sentence.
+    """[bones, 4, 4] float32, bone -> world in glTF's axes, as the module takes them. May raise LookupError, a sentence.
 
-    What moves the skin is the pose matrix times the inverse of the rest matrix. How a bone lies in Blender, its roll and
-    its tail, is in both, and does not matter. The armature's own place is left out: the surface is its child.
+    What moves the skin is the pose matrix times the inverse of the rest matrix. How a bone lies in Blender, its roll
+    and its tail, is in both, and does not matter. The armature's own place is left out: the surface is its child.
     """
     state = surface.sinew
     if state.armature is None:

@@ -6,7 +6,7 @@ import bpy
 import numpy
 from bpy_extras.io_utils import ImportHelper
 
-from . import axes, follow, gltf_import, muscles, preferences, shape_keys, smoothers, surface_mesh
+from . import axes, follow, gltf_import, muscles, preferences, shape_keys, smoothers, state, surface_mesh
 from .joints import joints_of, text_of
 
 FILE_SUFFIX = " (file)"  # Of the collection with the character's own meshes.
@@ -21,10 +21,8 @@ class SinewImportRig(bpy.types.Operator, ImportHelper):
 
     filename_ext = ".json"
     filter_glob: bpy.props.StringProperty(default="*.rig.json", options={"HIDDEN"})
-    detail: bpy.props.EnumProperty(
-        name="Detail", default="RIG",
-        items=(("RIG", "As in the rig", "What the rig file says"), ("UNIFORM", "Uniform", "Every triangle split alike")))
-    depth: bpy.props.IntProperty(name="Depth", default=3, min=1, max=16, description="Every triangle becomes depth x depth")
+    detail: bpy.props.EnumProperty(**state.DETAIL)
+    depth: bpy.props.IntProperty(**state.DEPTH)
     show_muscles: bpy.props.BoolProperty(
         name="Show muscles", description="As empties on the bones; the tab Sinew shows and hides them later, too")
 
@@ -57,38 +55,58 @@ def _build(context, options, rig, made):
     """Everything that the operator adds to what Blender's importer made."""
     joints = [made.joints[node] for node in rig.character.nodes()]
     owners = _owners(rig.character, joints)
-    armature = owners[-1]
     unit = 1.0 / context.scene.unit_settings.scale_length
-    name = pathlib.Path(options.filepath).name.removesuffix(".json").removesuffix(".rig")
-    surface = bpy.data.objects.new(name, bpy.data.meshes.new(name))
-    home = armature.users_collection[0]
-    home.objects.link(surface)
-    state = surface.sinew
-    state.detail, state.depth, state.armature = options.detail, options.depth, armature
-    for owner in owners[:-1]:
-        state.others.add().object = owner
-    world = made.world[armature.name]
+    world = made.world[owners[-1].name]
     text = text_of(unit, world, _rows(rig.character, joints, owners, made, unit))
-    state.rig = str(pathlib.Path(options.filepath).resolve())
-    first = smoothers.smoother_of(state)()
+    name = pathlib.Path(options.filepath).name.removesuffix(".json").removesuffix(".rig")
+    surface = _surface(name, options, owners, world)
+    _fill(surface, rig.character, made, unit)
+    _put_away(context, name, made.objects, {owner for owner in owners if owner.type == "MESH"})
+    _add_muscles(context, surface, rig, joints_of(text), owners, options.show_muscles)
+    context.scene.render.use_lock_interface = True  # A render moves meshes: nothing else may draw them meanwhile.
+    surface.sinew.joints = text  # From here on it is live.
+    context.view_layer.update()
+    follow.update(surface, context.evaluated_depsgraph_get(), again=True)
+    _select(context, surface, owners[-1])
+
+
+def _surface(name, options, owners, world):
+    """The object, as a child of the armature, which stood at `world` when its mesh was where the file has it."""
+    armature = owners[-1]
+    surface = bpy.data.objects.new(name, bpy.data.meshes.new(name))
+    armature.users_collection[0].objects.link(surface)
+    surface.parent = armature
+    surface.matrix_parent_inverse = world.inverted_safe()
+    # Without groups of vertices the modifier moves nothing. Because of it Blender poses an armature that is hidden.
+    surface.modifiers.new("Armature", "ARMATURE").object = armature
+    own = surface.sinew
+    own.detail, own.depth, own.armature = options.detail, options.depth, armature
+    for owner in owners[:-1]:
+        own.others.add().object = owner
+    own.rig = str(pathlib.Path(options.filepath).resolve())
+    return surface
+
+
+def _fill(surface, character, made, unit):
+    """Its mesh, with the looks and the shapes of the file's own meshes."""
+    first = smoothers.smoother_of(surface.sinew)()
     surface_mesh.fill(surface.data, first, unit)
     surface_mesh.add_slots(surface.data, first, made.materials)
     surface_mesh.assign_slots(surface.data, first)
     keys = [each.data.shape_keys for each in made.objects if each.type == "MESH" and each.data.shape_keys]
     animation = next((found for found in map(shape_keys.animation_of, keys) if found), None)
-    shape_keys.put_on(surface, (shape_keys.sliders_of(rig.character.shapes, keys), animation))
-    surface.parent = armature
-    surface.matrix_parent_inverse = world.inverted_safe()
-    _depend(surface, armature)
-    _put_away(context, name, made.objects, {owner for owner in owners if owner.type == "MESH"})
-    state.muscles = bpy.data.collections.new(name + " muscles")
-    context.scene.collection.children.link(state.muscles)
-    muscles.add(state.muscles, rig, joints_of(text), owners)
-    state.muscles.hide_viewport = not options.show_muscles
-    context.scene.render.use_lock_interface = True  # A render moves meshes: nothing else may draw them meanwhile.
-    state.joints = text  # From here on it is live.
-    context.view_layer.update()
-    follow.update(surface, context.evaluated_depsgraph_get(), again=True)
+    shape_keys.put_on(surface, (shape_keys.sliders_of(character.shapes, keys), animation))
+
+
+def _add_muscles(context, surface, rig, joints, owners, shown):
+    collection = bpy.data.collections.new(surface.name + " muscles")
+    context.scene.collection.children.link(collection)
+    muscles.add(collection, rig, joints, owners)
+    collection.hide_viewport = not shown
+    surface.sinew.muscles = collection
+
+
+def _select(context, surface, armature):
     for each in context.selected_objects:
         each.select_set(False)
     surface.select_set(True)
@@ -108,8 +126,8 @@ def _owners(character, joints):
 def _rows(character, joints, owners, made, unit):
     """(bone, owner, bind) of each bone.
 
-    The bind is what takes the pose that the importer left to where the file has its joints at rest, to the last digit. Blender's own,
-    which is in heads, tails and rolls, may be off by 1e-4 of a character with short bones.
+    The bind takes bones as the importer leaves them to where the file has its joints at rest, to the last digit.
+    Blender's own, which is in heads, tails and rolls, may be off by 1e-4 of the height where bones are short.
     """
     names = [owner.name for owner in owners[:-1]]
     at_rest = axes.matrices_in_blender(character.rest(), unit)
@@ -121,12 +139,6 @@ def _rows(character, joints, owners, made, unit):
         rest = numpy.array(bpy.data.objects[joint.object].data.bones[joint.bone].matrix_local)
         in_armature = numpy.linalg.inv(numpy.array(made.world[joint.object])) @ world
         yield joint.bone, owner, rest @ numpy.linalg.inv(numpy.array(joint.at_rest)) @ in_armature
-
-
-def _depend(surface, armature):
-    """A modifier that moves nothing, as no vertex is in a group: because of it Blender poses an armature that is hidden."""
-    modifier = surface.modifiers.new("Armature", "ARMATURE")
-    modifier.object = armature
 
 
 def _put_away(context, name, objects, needed):

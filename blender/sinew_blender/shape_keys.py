@@ -1,6 +1,6 @@
 # blender/sinew_blender/shape_keys.py: the character's shapes as shape keys whose sliders Sinew reads.
-"""The surface has the shapes in it already. So a key has no places of its own, it is relative to itself: its slider, drivers and
-animation count, and Blender adds nothing."""
+"""The surface has the shapes in it already. So a key has no places of its own, it is relative to itself: its slider,
+drivers and animation count, and Blender adds nothing."""
 from typing import NamedTuple
 
 

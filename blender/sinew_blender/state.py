@@ -3,6 +3,10 @@ import bpy
 
 from . import follow
 
+DETAIL = {"name": "Detail", "default": "RIG", "items": (
+    ("RIG", "As in the rig", "What the rig file says"), ("UNIFORM", "Uniform", "Every triangle split alike"))}
+DEPTH = {"name": "Depth", "default": 3, "min": 1, "max": 16, "description": "Every triangle becomes depth x depth"}
+
 
 def _changed(self, _context):
     follow.rebuild(self.id_data)
@@ -20,11 +24,8 @@ class SinewState(bpy.types.PropertyGroup):
     rig: bpy.props.StringProperty(name="Rig", subtype="FILE_PATH", description="The rig file", update=_changed)
     live: bpy.props.BoolProperty(
         name="Live", default=True, description="The surface follows the armature", update=_changed)
-    detail: bpy.props.EnumProperty(
-        name="Detail", default="RIG", update=_changed,
-        items=(("RIG", "As in the rig", "What the rig file says"), ("UNIFORM", "Uniform", "Every triangle split alike")))
-    depth: bpy.props.IntProperty(
-        name="Depth", default=3, min=1, max=16, description="Every triangle becomes depth x depth", update=_changed)
+    detail: bpy.props.EnumProperty(update=_changed, **DETAIL)
+    depth: bpy.props.IntProperty(update=_changed, **DEPTH)
     armature: bpy.props.PointerProperty(type=bpy.types.Object, name="Armature")
     others: bpy.props.CollectionProperty(type=SinewOther)
     muscles: bpy.props.PointerProperty(type=bpy.types.Collection, name="Muscles")

@@ -9,7 +9,7 @@ namespace sinew {
 namespace {
 
 /// Adds triangles that share a vertex with the region.
-void grow(const ControlMesh& mesh, Region& region) {
+void growRegion(const ControlMesh& mesh, Region& region) {
   std::vector<bool> isCorner(mesh.positions.size(), false);
   for (std::size_t t = 0; t < region.size(); ++t) {
     if (region[t] == 0) continue;
@@ -59,7 +59,7 @@ Region regionOfParts(const Character& character, std::span<const int> parts) {
 
 RefinementLevels inRegion(const ControlMesh& mesh, RefinementLevels levels, const Region& region) {
   Region refined = region;
-  for (int ring = 0; ring < kRegionMargin; ++ring) grow(mesh, refined);
+  for (int ring = 0; ring < kRegionMargin; ++ring) growRegion(mesh, refined);
   std::vector<bool> keeps(mesh.edges.size(), false);
   for (std::size_t t = 0; t < refined.size(); ++t) {
     if (refined[t] == 0) levels.triangles[t] = 1;

@@ -1,4 +1,4 @@
-# tests/blender/bake_in_blender.py: run by Blender: renders a surface and bakes it, and looks whether the bakes do as it did.
+# tests/blender/bake_in_blender.py: run by Blender: renders and bakes a surface, and compares.
 import json
 import os
 import struct
@@ -11,7 +11,7 @@ import inside  # noqa: E402
 import numpy  # noqa: E402
 from mathutils import Quaternion, Vector  # noqa: E402
 
-rig, face, folder = inside.ARGUMENTS
+rig, face, colored, folder = inside.ARGUMENTS
 FRAMES = range(1, 25)
 NEAR = 1e-5
 scene = bpy.context.scene
@@ -91,7 +91,8 @@ def check_alembic(live, cache):
     before = set(bpy.data.objects)
     bpy.ops.wm.alembic_import(filepath=folder + "/cache.abc", as_background_job=False)
     (read,) = [item for item in bpy.data.objects if item not in before and item.type == "MESH"]
-    seen("Alembic that Blender writes of it is read back alike", off(places(read), live) < NEAR, off(places(read), live))
+    away = off(places(read), live)
+    seen("Alembic that Blender writes of it is read back alike", away < NEAR, away)
     bpy.data.objects.remove(read)
 
 
@@ -132,6 +133,29 @@ def check_render(surface, keys, cache):
          (max(apart), min(between)))
 
 
+def check_looks():
+    """Colors were written as uvs, and materials are those of the file's own mesh, place by place."""
+    inside.clear()
+    surface = inside.open_rig(colored, detail="UNIFORM", depth=1)
+    mesh = surface.data
+    uvs, colors = numpy.empty(2 * len(mesh.loops), numpy.float32), numpy.empty(4 * len(mesh.loops), numpy.float32)
+    mesh.uv_layers[0].data.foreach_get("uv", uvs)
+    mesh.color_attributes[0].data.foreach_get("color", colors)
+    uvs, colors = uvs.reshape(-1, 2), colors.reshape(-1, 4)
+    seen("colors lie where uvs do", numpy.abs(colors[:, :2] - (uvs * (1, -1) + (0, 1))).max() < 1e-5
+         and numpy.abs(colors[:, 2:] - (0.25, 1)).max() < 1e-5 and numpy.ptp(uvs, axis=0).min() > 0.3)
+    (own,) = [item for item in bpy.data.objects if item.type == "MESH" and item != surface]
+    theirs = {_key(own.data, polygon): own.material_slots[polygon.material_index].name for polygon in own.data.polygons}
+    ours = {_key(mesh, polygon): surface.material_slots[polygon.material_index].name for polygon in mesh.polygons}
+    seen("materials and uvs are those of the file's own mesh, triangle by triangle", theirs == ours, len(ours))
+
+
+def _key(mesh, polygon):
+    """A triangle by its corners on the texture."""
+    corners = [mesh.uv_layers[0].data[loop].uv for loop in polygon.loop_indices]
+    return frozenset((round(u, 4), round(v, 4)) for u, v in corners)
+
+
 def check_face():
     """The shapes of the file: sliders, clips, and what the module makes of the same weights."""
     import sinew
@@ -139,7 +163,8 @@ def check_face():
     surface = inside.open_rig(face)
     keys = surface.data.shape_keys.key_blocks
     rig_ = sinew.load_rig(face)
-    seen("a slider for each shape", [key.name for key in keys[1:]] == list(dict.fromkeys(rig_.character.shapes)), keys.keys())
+    names = list(dict.fromkeys(rig_.character.shapes))
+    seen("a slider for each shape", [key.name for key in keys[1:]] == names, keys.keys())
     scene.frame_set(13)
     weights = {key.name: key.value for key in surface.data.shape_keys.evaluated_get(
         bpy.context.evaluated_depsgraph_get()).key_blocks[1:]}
@@ -155,17 +180,18 @@ def check_face():
     seen("a slider moves the surface", numpy.abs(inside.vertices(surface) - before).max() > 0.05)
 
 
-def measure():
+def measure(detail, words):
+    """One bone turns; each change goes through Blender, Sinew and Blender again."""
     inside.clear()
-    surface = inside.open_rig(rig, detail="UNIFORM", depth=3)
+    surface = inside.open_rig(rig, detail=detail, depth=3)
     bone = inside.still(surface).pose.bones["upper_arm.L"]
     begin, count = time.perf_counter(), 90
     for number in range(count):
         bone.rotation_quaternion = Quaternion((1, 0, 0), 0.01 * number)
         bpy.context.view_layer.update()
     rate = count / (time.perf_counter() - begin)
-    print("seen: " + json.dumps({"what": "%.0f changes a second at depth 3, %d vertices" % (rate, len(surface.data.vertices)),
-                                 "holds": len(surface.data.vertices) > 1000, "seen": ""}))
+    vertices = len(surface.data.vertices)
+    seen("%.0f changes a second %s, %d vertices" % (rate, words, vertices), vertices > 1000)
 
 
 inside.install()
@@ -176,5 +202,7 @@ live_places, keys_object, cache_object = check_bakes(body)
 check_fbx(live_places, keys_object)
 check_alembic(live_places, cache_object)
 check_render(body, keys_object, cache_object)
+check_looks()
 check_face()
-measure()
+measure("UNIFORM", "at depth 3")
+measure("RIG", "with the detail of the rig")

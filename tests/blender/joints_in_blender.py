@@ -1,4 +1,4 @@
-# tests/blender/joints_in_blender.py: run by Blender: makes poses; then plays them on exports with keys and with drivers.
+# tests/blender/joints_in_blender.py: run by Blender: makes poses; plays them by keys and by drivers.
 import json
 import os
 import sys

@@ -1,4 +1,4 @@
-# tests/blender/joints_test.py: muscle joints that drivers move are where the core's own keys put them, in poses of any kind.
+# tests/blender/joints_test.py: muscle joints with drivers are where the core's own keys put them.
 import json
 
 import numpy
@@ -24,8 +24,8 @@ def test(folder):
     for (name, scale), own in zip(RIGS, map(folder.__class__, asked)):
         told = numpy.load(own / "told.npz")
         write_clip(ASSETS / (name.split("-")[0] + ".glb"), told, own / "poses.gltf")
-        run("export", ASSETS / (name + ".rig.json"), "--clips", own / "poses.gltf", "--clip", CLIP, "--joint-scale", scale, "--joints", 48,
-            "--depth", 1, "-o", own / "hero.glb")
+        run("export", ASSETS / (name + ".rig.json"), "--clips", own / "poses.gltf", "--clip", CLIP,
+            "--joint-scale", scale, "--joints", 48, "--depth", 1, "-o", own / "hero.glb")
     printed = blender(folder, "joints_in_blender.py", "joints", folder / "asked.json", POSES)
     for line in printed.splitlines():
         if not line.startswith("seen: "):
@@ -34,9 +34,9 @@ def test(folder):
         height = heights[found["folder"]]
         skin, = [skin for skin in root_of(found["folder"] + "/hero.glb")[0]["skins"] if "extras" in skin]
         joints = sum(len(each["joints"]) for each in skin["extras"]["sinew"]["lines"])
+        name, how = found["folder"].rsplit("/", 1)[1], found["how"]
         check("%s: %d joints in %d poses within %.1e H of their keys, moved by %.2f H; %s" % (
-            found["folder"].rsplit("/", 1)[1], found["joints"], found["poses"], found["off"] / height, found["moved"] / height,
-            found["how"]),
+            name, found["joints"], found["poses"], found["off"] / height, found["moved"] / height, how),
               found["joints"] == joints > 1 and found["off"] < NEAR * height < 0.01 * height < found["moved"], found)
     check("all was tried", printed.count("seen: ") == 2 * len(RIGS), printed[-3000:])
 

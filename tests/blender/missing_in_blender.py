@@ -1,4 +1,4 @@
-# tests/blender/missing_in_blender.py: run by Blender: opens a rig, whatever the module is, and one whose character is missing.
+# tests/blender/missing_in_blender.py: run by Blender: opens a rig, and one whose character is missing.
 import json
 import os
 import sys

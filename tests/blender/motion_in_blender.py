@@ -109,8 +109,8 @@ def two(surface, random):
     shared.sinew.rig, shared.sinew.joints, shared.sinew.armature = rig, other.sinew.joints, other.sinew.armature
     turned(other.sinew.armature, "upper_arm.R", 0.4)
     bpy.context.view_layer.update()
-    seen("a mesh that two armatures would pose is left to the first", "shares its mesh" in inside.problems().get("shares", ""),
-         inside.problems())
+    said = inside.problems().get("shares", "")
+    seen("a mesh that two armatures would pose is left to the first", "shares its mesh" in said, said)
     bpy.data.objects.remove(shared)
     inside.problems().clear()
     return other
@@ -187,6 +187,28 @@ def saved(surface):
     surface = bpy.data.objects[name]
     turned(surface.sinew.armature, "head", 0.4)
     moments.add(surface, "saved and opened")
+    return surface
+
+
+def linked(surface):
+    """From another file: the armature stays there, the surface is made local."""
+    names = [surface.name, surface.sinew.armature.name]
+    key(surface.sinew.armature, 1, random)
+    key(surface.sinew.armature, 10, random)
+    bpy.ops.wm.save_as_mainfile(filepath=folder + "/linked.blend")
+    bpy.ops.wm.read_homefile(use_empty=True)
+    with bpy.data.libraries.load(folder + "/linked.blend", link=True) as (_, wanted):
+        wanted.objects = list(names)
+    for item in wanted.objects:
+        bpy.context.scene.collection.objects.link(item)
+    bpy.context.scene.frame_set(3)
+    seen("a linked mesh is left as it is", "make it local" in inside.problems().get(names[0], ""), inside.problems())
+    surface = wanted.objects[0].make_local()
+    surface.data.make_local()
+    for frame in (5, 9):
+        bpy.context.scene.frame_set(frame)
+        moments.add(surface, "linked armature")
+    seen("its armature is in the other file", surface.sinew.armature.library is not None)
 
 
 inside.install()
@@ -207,5 +229,5 @@ moved(body)
 another_scene(body)
 renamed(body)
 detail(body)
-saved(body)
+linked(saved(body))
 moments.save(folder + "/told.npz")

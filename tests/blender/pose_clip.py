@@ -1,7 +1,7 @@
 # tests/blender/pose_clip.py: poses that Blender showed, as a clip that `sinew smooth` plays: the second opinion.
-"""It shares nothing with the add-on. Blender tells where its bones are in the world, in the poses and in the file's own rest, in which
-its importer leaves them; how a bone lies in Blender is the same in both and cancels. From these come where the file's nodes are, from these a
-glTF with one key a pose, and `sinew smooth --clips` makes the surfaces."""
+"""It shares nothing with the add-on. Blender tells where its bones are in the world, in the poses and in the file's own
+rest, in which its importer leaves them; how a bone lies in Blender is the same in both and cancels. That says where the
+file's nodes are, which become a glTF with one key a pose, and `sinew smooth --clips` makes the surfaces."""
 import base64
 import json
 import pathlib
@@ -77,19 +77,20 @@ def worlds_at_rest(nodes):
 
 
 def local_poses(path, told):
-    """{node: [poses, 4, 4] to its parent} of told["numbers"] [bones], ["rest"] [bones, 4, 4], ["poses"] [poses, bones, 4, 4]."""
+    """{node: [poses, 4, 4] to its parent}. told: numbers [bones], rest [bones, 4, 4], poses [poses, bones, 4, 4]."""
     nodes = root_of(path)[0]["nodes"]
     at_rest, parents = worlds_at_rest(nodes)
     moved = {}
     for place, number in enumerate(told["numbers"]):
         turned = told["poses"][:, place].astype(float) @ numpy.linalg.inv(told["rest"][place].astype(float))
         moved[int(number)] = TO_GLTF @ turned @ TO_GLTF.T @ at_rest[int(number)]
-    return {number: numpy.linalg.inv(moved.get(parents.get(number), at_rest.get(parents.get(number), numpy.eye(4)))) @ world
+    at_rest[None] = numpy.eye(4)  # The parent of roots.
+    above = {number: parents.get(number) for number in moved}
+    return {number: numpy.linalg.inv(moved.get(above[number], at_rest[above[number]])) @ world
             for number, world in moved.items()}
 
 
-def write_clip(path, told, out, weights=None):
-    """weights: [poses, targets] of the node `mesh` that has them: (node, weights)."""
+def write_clip(path, told, out):
     nodes = root_of(path)[0]["nodes"]
     count = len(told["poses"])
     binary, accessors, views, samplers, channels = b"", [], [], [], []
@@ -113,8 +114,8 @@ def write_clip(path, told, out, weights=None):
                                 (scales, "VEC3", "scale")):
             samplers.append({"input": accessors_of_times, "output": add(rows, kind)})
             channels.append({"sampler": len(samplers) - 1, "target": {"node": number, "path": key}})
-    plain = [{key: node[key] for key in ("name", "children", "matrix", "translation", "rotation", "scale") if key in node}
-             for node in nodes]
+    kept = ("name", "children", "matrix", "translation", "rotation", "scale")
+    plain = [{key: node[key] for key in kept if key in node} for node in nodes]
     uri = "data:application/octet-stream;base64," + base64.b64encode(binary).decode()
     root = {"asset": {"version": "2.0"}, "scene": 0, "scenes": root_of(path)[0]["scenes"][:1], "nodes": plain,
             "buffers": [{"byteLength": len(binary), "uri": uri}], "bufferViews": views, "accessors": accessors,

@@ -22,7 +22,7 @@ def rigs(folder):
         if (CHARACTERS / name).exists():
             made.append(folder / (name + ".rig.json"))
             rule = ROOT / "examples" / "python" / "muscles_by_rule.py"
-            subprocess.run([sys.executable, "-B", rule, CHARACTERS / name, made[-1]], check=True, stdout=subprocess.DEVNULL)
+            subprocess.run([sys.executable, "-B", rule, CHARACTERS / name, made[-1]], check=True, capture_output=True)
         else:
             print("left out: no " + name)
     return made
@@ -40,7 +40,8 @@ def test(folder):
     blender(folder, "poses_in_blender.py", folder / "asked.json", POSES)
     for (rig, character), (_, _, out) in zip(characters, asked):
         told = numpy.load(out)
-        off = farthest(told["shown"], surfaces(rig, character, told, folder, "--detail", "uniform", "--depth", 2)) / height_of(rig)
+        made = surfaces(rig, character, told, folder, "--detail", "uniform", "--depth", 2)
+        off = farthest(told["shown"], made) / height_of(rig)
         moved = numpy.linalg.norm(told["shown"] - told["shown"][0], axis=2).max() / height_of(rig)
         check("%s: %d poses, %d vertices within %.1e H, moved by %.2f H" % (
             rig.name, len(told["shown"]), told["shown"].shape[1], off, moved),

@@ -1,5 +1,5 @@
 # tests/blender/tools.py: what the tests of the Blender add-on share, outside Blender.
-"""The environment names the module's build (PYTHONPATH), the add-on (SINEW_ADDON) and the command line (SINEW_PROGRAM)."""
+"""The environment names the module's build (PYTHONPATH), the add-on (SINEW_ADDON), the command line (SINEW_PROGRAM)."""
 import json
 import os
 import pathlib
@@ -26,14 +26,14 @@ def environment(home, **more):
 
 
 def blender(home, script, *arguments, window=False, **more):
-    """What a script prints that Blender runs; arguments are what it finds behind --. A failing script fails the test."""
+    """What a script prints that Blender runs; arguments are what it finds behind --. If it fails, the test does."""
     command = ["blender", *([] if window else ["-b"]), "--factory-startup", "--python-exit-code", "3", "--python",
                str(HERE / script), "--", *map(str, arguments)]
     if window:
         command = ["xvfb-run", "-a", "-s", "-screen 0 1280x800x24", *command]
     done = subprocess.run(command, env=environment(home, **more), capture_output=True, text=True)
     if done.returncode != 0:
-        raise SystemExit("FAILED: %s exits %d\n%s%s" % (script, done.returncode, done.stdout[-6000:], done.stderr[-6000:]))
+        raise SystemExit("FAILED: %s exits %d\n%s" % (script, done.returncode, (done.stdout + done.stderr)[-9000:]))
     return done.stdout
 
 
@@ -52,7 +52,9 @@ def missing():
         probe = subprocess.run(["blender", "-b", "--factory-startup", "--python-exit-code", "3", "--python-expr",
                                 "import numpy; numpy.bool = bool; import io_scene_gltf2, sinew"],
                                env=environment(pathlib.Path(home)), capture_output=True)
-    return "Blender has no numpy, no glTF importer, or another Python than the module is for" if probe.returncode else None
+    if probe.returncode:
+        return "Blender has no numpy, no glTF importer, or another Python than the module is for"
+    return None
 
 
 def check(what, holds, seen=""):

@@ -29,14 +29,14 @@ Region regionOf(const Character& character, const std::vector<std::string>& name
 int count(const Region& region) { return static_cast<int>(std::ranges::count(region, 1)); }
 
 /// How a part differs from the whole surface.
-struct Difference {
+struct PartDifference {
   int triangles = 0;      ///< Of the region, of which not all corners are the same to the bit.
   float position = 0.0f;  ///< The most, character units.
   float normal = 0.0f;    ///< The most.
 };
 
-Difference differenceOf(const Surface& part, const Surface& whole, const Region& region) {
-  Difference found;
+PartDifference differenceOfPart(const Surface& part, const Surface& whole, const Region& region) {
+  PartDifference found;
   for (std::size_t t = 0; t < region.size(); ++t) {
     if (region[t] == 0) continue;
     const auto triangle = static_cast<int>(t);
@@ -61,12 +61,12 @@ Difference differenceOf(const Surface& part, const Surface& whole, const Region&
   return found;
 }
 
-struct Case {
+struct RegionCase {
   const char* scene;
   std::vector<std::string> bones;
 };
 
-class RegionOfScene : public testing::TestWithParam<Case> {};
+class RegionOfScene : public testing::TestWithParam<RegionCase> {};
 
 TEST_P(RegionOfScene, IsThatOfTheWholeSurfaceToTheBit) {
   const TrialScene scene = bundledTrialScene(GetParam().scene);
@@ -81,15 +81,16 @@ TEST_P(RegionOfScene, IsThatOfTheWholeSurfaceToTheBit) {
     for (const Pose& pose : spreadPoses(*scene.character, 12)) {
       whole.smooth(pose, expected);
       part.smooth(pose, surface);
-      EXPECT_EQ(differenceOf(surface, expected, region).triangles, 0) << "of " << count(region);
+      EXPECT_EQ(differenceOfPart(surface, expected, region).triangles, 0) << "of " << count(region);
     }
     EXPECT_LT(surface.positions.size(), expected.positions.size());
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Bundled, RegionOfScene,
-                         testing::Values(Case{"humanoid", {"hand.L", "hand.R", "head"}}, Case{"humanoid", {"chest"}},
-                                         Case{"humanoid-wrapped", {"shin.L"}}, Case{"demo", {"head"}}));
+                         testing::Values(RegionCase{"humanoid", {"hand.L", "hand.R", "head"}},
+                                         RegionCase{"humanoid", {"chest"}}, RegionCase{"humanoid-wrapped", {"shin.L"}},
+                                         RegionCase{"demo", {"head"}}));
 
 /// Muscles as steep and folded as they come: what is done about it may reach further than the margin, and fades there.
 TEST(Region, DiffersLittleWhereFoldsReachThroughTheMargin) {
@@ -110,7 +111,7 @@ TEST(Region, DiffersLittleWhereFoldsReachThroughTheMargin) {
       for (const Pose& pose : poses) {
         whole.smooth(pose, expected);
         part.smooth(pose, surface);
-        const Difference found = differenceOf(surface, expected, region);
+        const PartDifference found = differenceOfPart(surface, expected, region);
         all += count(region);
         different += found.triangles;
         EXPECT_LE(found.position, 1e-5f * character->height);
