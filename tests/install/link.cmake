@@ -70,7 +70,8 @@ run(bash -c "${linker} -shared other_two.o libother.a -o libtwo.so && ${linker} 
 # A shared library of the whole runtime shows the C interface alone.
 set(whole "-Wl,--whole-archive -lsinew_runtime -Wl,--no-whole-archive")
 run(bash -c "${linker} -shared \$(PKG_CONFIG_PATH='${pc}' pkg-config --libs-only-L sinew-runtime) ${whole} ${sinew} -o libwhole.so")
-run(bash -c "nm -C -D --defined-only '${link}/libwhole.so'")
+# Containers of the standard library with an enum in their name stay: g++ hides no enums.
+run(bash -c "nm -C -D --defined-only '${link}/libwhole.so' | grep -v ' W std::'")
 expect_match("${output}" " T sinew_smooth\n")
 if(NOT FLAGS AND output MATCHES "[^\n]*(sinew::|sinew_eigen|sinew_library_of|sinew_only)[^\n]*")
   message(FATAL_ERROR "a shared library of the runtime shows '${CMAKE_MATCH_0}'")
