@@ -54,7 +54,7 @@ namespace {
 
 constexpr float kHeldWithin = 0.015f;  ///< Fraction of the height: at most one step in 255 of the floor's light.
 
-FrameBlock blockOf(const Frame& frame, bool occluded) {
+FrameBlock blockOf(const Frame& frame, bool occluded, bool ofMean) {
   FrameBlock block;
   block.clipFromWorld = frame.view.clipFromWorld();
   block.viewFromWorld = frame.view.viewFromWorld;
@@ -63,6 +63,7 @@ FrameBlock blockOf(const Frame& frame, bool occluded) {
   block.picture = glm::vec4(glm::vec2(frame.view.size), frame.height, frame.floor);
   block.key = glm::vec4(keyDirection(frame.settings.look.light), 0.0f);
   block.occluded.x = occluded ? 1.0f : 0.0f;
+  block.occluded.y = ofMean ? 1.0f : 0.0f;
   return block;
 }
 
@@ -239,7 +240,7 @@ void Viewport::shareFrame(const Frame& frame, int sample) {
   State& s = *state_;
   const bool surface = frame.settings.look.occlusion && frame.settings.surface && !frame.surfaceBounds.isEmpty();
   const bool occluded = (surface || frame.settings.anatomy) && (sample >= 0 || s.occludesOnce);
-  const std::array<FrameBlock, 1> block{blockOf(frame, occluded)};
+  const std::array<FrameBlock, 1> block{blockOf(frame, occluded, sample >= 0)};
   uploadBuffer(s.frameBlock, std::span<const FrameBlock>(block));
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, s.frameBlock.id());
   uploadBuffer(s.lightBlock, std::span<const LightBlock>(&lightBlock(frame.settings.look.light), 1));
