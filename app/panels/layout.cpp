@@ -12,6 +12,7 @@
 #include "app/panels/panels.h"
 #include "app/panels/shared/field_edit.h"
 #include "app/panels/timeline/timeline_keys.h"
+#include "app/tools/view/axis_triad.h"
 #include "app/ui/keyboard_focus.h"
 
 namespace sinew::app {
@@ -215,8 +216,8 @@ void drawWelcome(PanelUi& ui, const Box& box) {
   ui.widgets.note("viewport/open");
 }
 
-/// What lies over the picture now, until the next frame: the panels in it, which are windows in its window, and what
-/// was drawn by hand.
+/// What lies over the picture now, until the next frame: the panels in it, which are windows in its window, what was
+/// drawn by hand, and the axes in its corner.
 void noteCovered(PanelUi& ui, const Box& box) {
   std::vector<glm::vec4>& covered = ui.state.frame.covered;
   covered.clear();
@@ -230,6 +231,9 @@ void noteCovered(PanelUi& ui, const Box& box) {
     cover({at.Min.x, at.Min.y, at.Max.x, at.Max.y});
   }
   for (const glm::vec4& over : ui.covered) cover(over);
+  const float ball = ui.px(2.0f * kTriadRadius + kTriadMargin);
+  if (ui.state.hasCharacter())
+    cover({box.x + box.width - ball, box.y + box.height - ball, box.x + box.width, box.y + box.height});
 }
 
 /// The picture itself is drawn behind all windows once this frame's edits are known; here is what lies over it.

@@ -113,7 +113,8 @@ void drawReference(PanelUi& ui) {
   ReferenceState& reference = ui.state.open.reference;
   // One panel at a time.
   const DocumentView& open = ui.state.open;
-  if (!reference.shown || open.check.shown || open.muscleSet.shown || open.bodyParts.shown) return;
+  const bool hidden = open.check.shown || open.muscleSet.shown || open.bodyParts.shown || open.clipList.shown;
+  if (!reference.shown || hidden) return;
   const glm::vec4& v = ui.state.frame.viewport;
   const float width = std::min(ui.px(kWidth), v.z - ui.px(kLeft + kMargin));
   const float rows = reference.chosen().file.empty() ? 3.0f : 8.0f;

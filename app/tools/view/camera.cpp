@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -20,7 +20,6 @@ namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kZoomPerStep = 0.88f;
 constexpr float kFrameMargin = 1.12f;
-constexpr float kSameDistance = 1e-4f;
 
 float limitedDistance(const Camera& camera, float distance) {
   return std::clamp(distance, kNearestView * camera.characterHeight, kFarthestView * camera.characterHeight);
@@ -104,20 +103,18 @@ void frameBounds(Camera& camera, const Bounds& boundsInWorld, const glm::ivec2& 
   const glm::vec3 half = glm::max(0.5f * boundsInWorld.extent(), glm::vec3(0.03f * camera.characterHeight));
   Camera towards = camera;
   towards.stand = goal;
-  float nearest = std::numeric_limits<float>::infinity();
-  float largest = 0.0f;
-  for (const glm::vec4& part : freeParts(covered)) {
-    const glm::vec2 extent(part.z - part.x, part.w - part.y);
-    const float distance = distanceToShow(towards, half, size, extent);
-    const float area = extent.x * extent.y;
-    // Of those that show it as large, the one with the most room around it.
-    const bool asNear = distance <= nearest * (1.0f + kSameDistance);
-    if (!(distance < nearest * (1.0f - kSameDistance) || (asNear && area > largest))) continue;
-    nearest = distance;
-    largest = area;
-    goal.aim = {part.x + part.z - 1.0f, 1.0f - part.y - part.w};
-  }
-  goal.distance = limitedDistance(camera, nearest);
+  const std::vector<glm::vec4> parts = freeParts(covered);
+  const auto extentOf = [](const glm::vec4& part) { return glm::vec2(part.z - part.x, part.w - part.y); };
+  const auto distanceIn = [&](const glm::vec4& part) { return distanceToShow(towards, half, size, extentOf(part)); };
+  const float nearest = distanceIn(std::ranges::min(parts, {}, distanceIn));
+  // Of those that show it nearly as large, the one with the most room around it.
+  const auto roomIn = [&](const glm::vec4& part) {
+    const glm::vec2 extent = extentOf(part);
+    return distanceIn(part) <= nearest * kAlmostAsLarge ? extent.x * extent.y : 0.0f;
+  };
+  const glm::vec4 part = std::ranges::max(parts, {}, roomIn);
+  goal.aim = {part.x + part.z - 1.0f, 1.0f - part.y - part.w};
+  goal.distance = limitedDistance(camera, distanceIn(part));
   moveTo(camera, goal, animated);
 }
 

@@ -28,8 +28,9 @@ struct CameraTransition {
 };
 
 inline constexpr float kCameraTransitionSeconds = 0.24f;
-inline constexpr float kNearestView = 0.02f;   ///< Smallest distance, of H.
-inline constexpr float kFarthestView = 60.0f;  ///< Largest distance, of H.
+inline constexpr float kNearestView = 0.02f;    ///< Smallest distance, of H.
+inline constexpr float kFarthestView = 60.0f;   ///< Largest distance, of H.
+inline constexpr float kAlmostAsLarge = 1.08f;  ///< A box that is framed from so many times as far looks as large.
 
 struct Camera {
   CameraStand stand;
@@ -55,7 +56,7 @@ void zoomToward(Camera& camera, float steps, const glm::vec2& pixel, const glm::
 /// Shows all of a box with a margin, from the present direction. An empty box changes nothing.
 /// @param animated false: at once (a character was just opened).
 /// @param covered  parts of the picture to stay clear of: low x and y, high x and y, 0..1 from its top left. The box is
-///                 framed in the free part that shows it largest; in the whole picture where none is large enough.
+///                 framed in the free part that shows it largest, or nearly so with more room around it.
 void frameBounds(Camera& camera, const Bounds& boundsInWorld, const glm::ivec2& size, bool animated,
                  std::span<const glm::vec4> covered = {});
 /// Looks along an axis at the present target. kLeft is the character's left: the eye on +X.

@@ -19,6 +19,8 @@ std::vector<float> sidesOf(std::span<const glm::vec4> covered, int axis) {
   return sides;
 }
 
+float areaOf(const glm::vec4& part) { return (part.z - part.x) * (part.w - part.y); }
+
 bool overlap(const glm::vec4& a, const glm::vec4& b) { return a.x < b.z && b.x < a.z && a.y < b.w && b.y < a.w; }
 
 }  // namespace
@@ -41,8 +43,11 @@ std::vector<glm::vec4> freeParts(std::span<const glm::vec4> covered) {
       }
     }
   }
-  if (parts.empty()) parts.emplace_back(0.0f, 0.0f, 1.0f, 1.0f);
-  return parts;
+  if (!parts.empty()) return parts;
+  // A panel as large as this is there for a while; bars stay.
+  std::vector<glm::vec4> fewer(covered.begin(), covered.end());
+  fewer.erase(std::ranges::max_element(fewer, {}, areaOf));
+  return freeParts(fewer);
 }
 
 }  // namespace sinew::app
