@@ -34,7 +34,7 @@ std::size_t numberFrom(const char* variable, std::size_t otherwise) {
 struct Moment {
   std::string rig;
   PoseOverrides pose;
-  PlayRanges ranges;
+  KeptPlayRanges ranges;
 
   friend bool operator==(const Moment&, const Moment&) = default;
 };
