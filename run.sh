@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # run.sh: from a bare Debian 12 to a running Sinew. Arguments go to the program: ./run.sh inspect FILE --json
-# ./run.sh python [SCRIPT...] is Debian's Python with the module sinew.
+# ./run.sh python [SCRIPT...] is Debian's Python with the module sinew, ./run.sh blender [RIG] Blender with the add-on.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")" && pwd)
 source "$root/cmake/packages.sh"
 
-if [[ ${1:-} == python ]]; then
-  sinewInstallPackages "${sinewRunPackages[@]}" "${sinewPythonPackages[@]}"
+if [[ ${1:-} == python || ${1:-} == blender ]]; then
+  wanted=()
+  [[ $1 == blender ]] && ! command -v blender >/dev/null && wanted=(blender)
+  sinewInstallPackages "${sinewRunPackages[@]}" "${sinewPythonPackages[@]}" "${wanted[@]}"
   build=$root/build/release
   # A build that was made before the packages were there is without the module.
   if grep -qsxF -- "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt" &&
@@ -14,7 +16,10 @@ if [[ ${1:-} == python ]]; then
     cmake -S "$root" -B "$build" -D SINEW_BUILD_PYTHON=ON >&2 || sinewFail "cmake could not configure $build"
   fi
   sinewBuild "$root" release sinew_python -D SINEW_BUILD_TESTS=OFF -D SINEW_BUILD_PYTHON=ON
-  PYTHONPATH=$build/python${PYTHONPATH:+:$PYTHONPATH} exec /usr/bin/python3 "${@:2}"
+  export PYTHONPATH=$build/python${PYTHONPATH:+:$PYTHONPATH}
+  [[ $1 == python ]] && exec /usr/bin/python3 "${@:2}"
+  # Debian's Blender takes the first Python in PATH for its own, and the module is for Debian's.
+  PATH=/usr/bin:$PATH exec blender --factory-startup --python "$root/blender/try.py" -- "${@:2}"
 fi
 
 sinewInstallPackages "${sinewRunPackages[@]}"

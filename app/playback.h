@@ -83,6 +83,8 @@ class LiveSurface {
 
   [[nodiscard]] const Pose& pose() const { return pose_; }
   [[nodiscard]] const Surface& surface() const { return surface_; }
+  /// [parts] What the character's parts are where the rig does not say.
+  [[nodiscard]] const std::vector<SkinLayer>& guessedLayers() const { return tables_->guessedLayers; }
   /// In use: the rig's, or what its size on screen asks for. Differs from the surface's while a rig is refused.
   [[nodiscard]] int depth() const { return detail_.depth; }
   [[nodiscard]] float tolerance() const { return detail_.tolerance; }

@@ -21,7 +21,8 @@ smooth, textured, closed mesh while the character plays its animation.
 
 The package holds the Python module sinew: rigs are made and edited,
 surfaces of any pose are NumPy arrays without a copy, and characters are
-exported for games.")
+exported for games. With it comes an add-on for Blender, as a zip that
+Blender's preferences install.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
@@ -53,7 +54,7 @@ if(SINEW_BUILD_PYTHON)
   math(EXPR next_python "${Python_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
     "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_python}), python3-numpy")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "sinew, python3-matplotlib")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "sinew, blender, python3-matplotlib")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
     ${PROJECT_SOURCE_DIR}/packaging/debian/python/postinst ${PROJECT_SOURCE_DIR}/packaging/debian/python/prerm)
 endif()

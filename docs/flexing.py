@@ -25,7 +25,7 @@ SHEETS = {
 }
 GREY = "#34363b"
 IN_DOCS = ("arm", "gallop")
-ROWS = (("", ()), ("-flex", ()), ("-flex", ("--show", "muscles")))
+ROWS = (("", ()), ("-flex", ()), ("-flex", ("--show", "muscles", "--samples", "16")))
 
 
 def hinged(source, bone, axis):

@@ -1,6 +1,6 @@
 #version 450 core
 // shaders/glass.frag: the skin as glass over the muscles: clear where it faces the eye, lit and in its own color
-// towards its rim. With WIRE edges or without. Premultiplied.
+// towards its rim. With WIRE edges or without. Premultiplied. With DEPTH_ALONE it only says where glass is.
 #include "frame.glsl"
 #include "color.glsl"
 #include "brdf.glsl"
@@ -27,17 +27,12 @@ uniform int plain;    // 1: clay instead of the material.
 uniform float clear;  // 0: the skin as it is; 1: all but its rim is clear.
 uniform float lineScale;
 uniform vec3 contourColor;
-uniform vec2 depthScale;  // Elements (2, 2) and (3, 2) of the projection.
-
-const float kOverMuscles = 0.015;  // Of the height: muscles that stand out of the skin by less are under glass too.
 
 void main() {
   if (!gl_FrontFacing) discard;
-  float far = (viewFromWorld * vec4(fragment.world, 1.0)).z + kOverMuscles * picture.z;
-  float depth = depthScale.x * far + depthScale.y;
-  gl_FragDepth = 0.5 + 0.5 * (eye.w > 0.5 ? depth : depth / max(-far, 1e-6));
   vec4 base = baseColor * texture(baseMap, fragment.uv) * clamp(fragment.color, 0.0, 1.0);
   if (base.a < finish.z - 1e-5) discard;
+#ifndef DEPTH_ALONE
   vec4 surface = plain != 0 ? vec4(0.360, 0.356, 0.350, 0.0) : vec4(base.rgb, finish.x);
   vec3 v = toEye(fragment.world);
   vec3 n = normalize(fragment.normal);
@@ -69,4 +64,5 @@ void main() {
 #endif
   glint = min(glint, 1.0);
   outColor = vec4(dithered(shown * alpha + glint), min(alpha + 0.5 * glint, 1.0));
+#endif
 }

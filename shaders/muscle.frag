@@ -43,7 +43,8 @@ vec3 pigment(vec3 smooth_, out vec3 n, out float roughness) {
   float turn = atan(direction.x, direction.y), y = inMuscle.y, count = fibres.y, oval = fibres.z;
   // About the length of the arc: as many strands on a narrow side as on a broad one, for its length.
   float arc = (turn + 0.5 * oval * sin(2.0 * turn)) / 6.2831853;
-  float width = count / 6.2831853 * length(fwidth(direction)) * (1.0 + oval * cos(2.0 * turn));
+  float sharp = occluded.y > 0.5 ? 1.0 : 1.5;  // A picture alone has one color a pixel, which thin strands make ragged.
+  float width = sharp * count / 6.2831853 * length(fwidth(direction)) * (1.0 + oval * cos(2.0 * turn));
   float own = 6.2831853 * fibres.w;  // Each muscle's own.
   // Strands wind a little, and are not all as wide.
   float winding = 0.42 * sin(3.0 * turn + 2.3 * y + own) + 0.34 * sin(7.0 * turn - 2.6 * y + 2.0 * own) +

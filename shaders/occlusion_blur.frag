@@ -9,6 +9,8 @@ layout(location = 0) out float open;
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy), last = textureSize(source, 0) - 1;
   vec4 here = texelFetch(surface, at, 0);
+  open = 1.0;
+  if (here.w == 0.0) return;
   float sum = 0.0, total = 0.0;
   for (int y = -width; y <= width; ++y) {
     for (int x = -width; x <= width; ++x) {
@@ -19,5 +21,5 @@ void main() {
       total += weight;
     }
   }
-  open = total > 0.0 ? sum / total : 1.0;
+  if (total > 0.0) open = sum / total;
 }

@@ -39,9 +39,9 @@ uniform int unlit;
 uniform float lineScale;
 uniform vec4 heatStops[9];     // Linear.
 uniform float heatRange;       // Character units.
-uniform vec4 classColors[3];   // Linear; by class.
+uniform vec4 zoneColors[5];    // Linear; by class, then cloth and rigid.
 uniform int firstTriangle;     // Of this draw.
-layout(std430, binding = 0) readonly buffer Classes { uint classOf[]; };       // By control triangle: class + 4 level.
+layout(std430, binding = 0) readonly buffer Classes { uint classOf[]; };       // By control triangle: zone + 8 level.
 layout(std430, binding = 1) readonly buffer Controls { int controlOf[]; };     // By drawn triangle.
 
 #ifdef SHADING_HEAT
@@ -66,8 +66,8 @@ vec3 pigment() {
   return heatColor(fragment.displacement / heatRange);
 #elif defined(SHADING_CLASSES)
   uint found = classOf[controlOf[firstTriangle + gl_PrimitiveID]];
-  vec3 color = classColors[found & 3u].rgb;
-  uint level = found >> 2;  // 0: the same everywhere.
+  vec3 color = zoneColors[found & 7u].rgb;
+  uint level = found >> 3;  // 0: the same everywhere.
   return level == 0u ? color : color * mix(1.3, 0.22, log2(float(level)) / 4.0);
 #else
   return vec3(0.360, 0.356, 0.350);  // Neutral: the red of the muscles stands out.

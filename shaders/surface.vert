@@ -1,5 +1,5 @@
 #version 450 core
-// shaders/surface.vert: the smoothed surface, streamed in world space.
+// shaders/surface.vert: the smoothed surface, streamed in world space. As GLASS it lies nearer by what is under glass too.
 #include "frame.glsl"
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -21,6 +21,21 @@ out Surface {
 #endif
 } vertex;
 
+#ifdef GLASS
+// Drawn twice, by two programs, the second time only where the depth is the same.
+invariant gl_Position;
+uniform vec2 depthScale;  // Elements (2, 2) and (3, 2) of the projection.
+const float kOverMuscles = 0.015;  // Of the height: muscles that stand out of the skin by less are under glass too.
+
+// Depth, -1..1, of what is that much nearer. Per vertex: a depth of each fragment's own would keep hidden glass from
+// being left out before it is shaded.
+float nearerDepth() {
+  float far = (viewFromWorld * vec4(position, 1.0)).z + kOverMuscles * picture.z;
+  float depth = depthScale.x * far + depthScale.y;
+  return eye.w > 0.5 ? depth : depth / max(-far, 1e-6);
+}
+#endif
+
 void main() {
   vertex.world = position;
   vertex.normal = normal;
@@ -31,4 +46,8 @@ void main() {
   vertex.color = color;
 #endif
   gl_Position = clipFromWorld * vec4(position, 1.0);
+#ifdef GLASS
+  float nearest = -gl_Position.w;  // What the near plane cuts off stays cut off; nothing else is.
+  if (gl_Position.z > nearest) gl_Position.z = max(nearerDepth() * gl_Position.w, nearest);
+#endif
 }

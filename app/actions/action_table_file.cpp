@@ -2,6 +2,8 @@
 
 #include "app/actions/action_table.h"
 #include "app/actions/export_commands.h"
+#include "app/actions/pictures_commands.h"
+#include "app/editor/clip_commands.h"
 #include "app/editor/picture_commands.h"
 
 namespace sinew::app::table {
@@ -22,12 +24,17 @@ const Action kFileActions[] = {
     {"file/save-as", "Save as...", "Write the rig to another file", ctrlShift(GLFW_KEY_S), kNone, idle, nullptr,
      saveAs},
     {"file/reopen", "Reopen", "Read the file again as it is on disk", kNone, kNone, idle, nullptr, reopenFile},
+    {"file/add-clips", "Add clips...", "Let the character play the clips of another file too (.glb, .gltf, .vrm)",
+     kNone, kNone, idle, nullptr, showClipsDialog, true},
     {"file/export-character", "Character for games...",
      "Write the character with its muscles for game engines and other programs: one mesh, joints, clips",
      ctrlShift(GLFW_KEY_E), kNone, idle, nullptr, showExportDialog, true},
     {"file/export-farm", "As a farm job...",
      "Write a job that exports this rig, or all rigs of its folder, on the machines of a farm", kNone, kNone, farmable,
      nullptr, showFarmDialog},
+    {"file/export-pictures", "Turntable or contact sheet...",
+     "Write the character from all sides, or a clip, as a moving picture or as one sheet", kNone, kNone, open, nullptr,
+     showPicturesDialog},
     {"file/save-picture", "Save picture...", "Write the picture, without the interface, to a PNG file", kNone, kNone,
      open, nullptr, showPictureDialog, true},
     {"file/save-picture-now", "Save picture now", "Write the picture to the folder of the last one, else to Pictures",

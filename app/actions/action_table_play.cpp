@@ -2,6 +2,7 @@
 
 #include "app/actions/action_table.h"
 #include "app/actions/check_commands.h"
+#include "app/editor/clip_commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/pose_commands.h"
 
@@ -53,6 +54,8 @@ Possible checkable(const State& s) {
   return possible.also(!s.document.rig().primitives.empty(), "There is no muscle to check");
 }
 
+bool showsClipList(const State& s) { return s.open.clipList.shown; }
+
 const Action kPlayActions[] = {
     {"play/toggle", "Play or pause", "Start or stop the clip", key(GLFW_KEY_SPACE), kNone, playable, nullptr,
      togglePlay},
@@ -73,6 +76,9 @@ const Action kPlayActions[] = {
     {"play/range-of-motion", "Range of motion",
      "Move every joint through its range, one after another: a clip made from the skeleton", kNone, kNone, idle,
      nullptr, playRangeOfMotion, true},
+    {"play/clip-files", "Clip files",
+     "The files whose clips were added: what did not match, to remove or to locate them", kNone, kNone, open,
+     showsClipList, toggleClipList},
     {"play/check", "Check muscles",
      "Look through all clips for muscles that leave the flesh, swell to a ball or reach another limb", kNone, kNone,
      checkable, nullptr, checkMuscles},

@@ -5,6 +5,8 @@
 
 #include "app/actions/action_table.h"
 #include "app/actions/export_error.h"
+#include "app/actions/reference_commands.h"
+#include "app/editor/commands.h"
 #include "app/editor/visibility_commands.h"
 #include "sinew/rig/rig_edit.h"
 
@@ -18,9 +20,7 @@ bool isFlexed(const State& s) { return s.open.flex.latched; }
 void latchFlex(State& s) { s.open.flex.latched = !s.open.flex.latched; }
 
 void frame(State& s) { frameSelection(s, true); }
-void frameAll(State& s) {
-  frameBounds(s.view.tools.camera, boundsOf(s.live->surface().positions), s.frame.viewportPixels, true);
-}
+void frameAll(State& s) { frameInPicture(s, boundsOf(s.live->surface().positions), true); }
 
 template <Shading kShading>
 bool isShaded(const State& s) {
@@ -45,6 +45,7 @@ void look(State& s) {
   showStandardView(s.view.tools.camera, kView);
 }
 
+bool isReferenceShown(const State& s) { return s.open.reference.shown; }
 bool isOrthographic(const State& s) { return s.view.tools.camera.orthographic; }
 void toggleOrthographic(State& s) { s.view.tools.camera.orthographic = !s.view.tools.camera.orthographic; }
 bool hasAutoDepth(const State& s) { return s.document.rig().smoothing.autoDepth; }
@@ -108,7 +109,8 @@ const Action kViewActions[] = {
     {"view/relief", "Relief on clay", "Show the materials' normal maps on clay", kNone, kNone, reliefOf,
      isShown<&D::relief>, toggleShown<&D::relief>},
     {"view/classes", "Zones",
-     "Where muscles shape the skin, where they end, and plain skin (triangle classes: implicit, straddling, normal)",
+     "Where muscles shape the skin, where they end, plain skin, cloth and rigid parts (triangle classes: implicit, "
+     "straddling, normal)",
      key(GLFW_KEY_3), kNone, open, isShaded<Shading::kClasses>, shade<Shading::kClasses>},
     {"view/heat", "Displacement", "How far the skin was lifted or pushed in", key(GLFW_KEY_4), kNone, open,
      isShaded<Shading::kHeat>, shade<Shading::kHeat>},
@@ -190,6 +192,9 @@ const Action kViewActions[] = {
      look<StandardView::kBottom>},
     {"view/orthographic", "Orthographic", "No perspective", key(GLFW_KEY_KP_5), kNone, open, isOrthographic,
      toggleOrthographic},
+    {"view/reference", "Reference picture...",
+     "Pictures to work after, behind the character or through it: from the front, the back, the sides, the top", kNone,
+     kNone, open, isReferenceShown, toggleReferencePanel, true},
 };
 
 }  // namespace

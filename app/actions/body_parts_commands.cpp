@@ -24,6 +24,7 @@ void toggleBodyParts(EditorState& state) {
   if (!state.open.bodyParts.shown) return;
   closeSet(state);  // They would lie under it.
   closeCheck(state);
+  state.open.clipList.shown = false;
 }
 
 BodySlots bodyPartsOf(const EditorState& state) {

@@ -16,7 +16,7 @@ void checkMuscles(EditorState& state) {
   const Rig& rig = state.document.rig();
   check = {};
   state.open.muscleSet.shown = false;  // They share a place.
-  state.open.bodyParts.shown = false;
+  state.open.bodyParts.shown = state.open.clipList.shown = false;
   check.shown = true;
   check.revision = state.document.commands.revision();
   check.findings = sinew::check(rig, Motions(state.document.character));

@@ -213,7 +213,10 @@ std::pair<std::size_t, std::size_t> editedSoFar(const EditorState& state) {
 
 void tell(EditorState& state, const ExportOutcome& outcome) {
   const std::string name = outcome.file.filename().string();
-  if (outcome.result.ok()) {
+  if (outcome.result.ok() && outcome.order.pictures) {
+    say(state, "Saved " + outcome.file.string());
+    addQuietly(state.session, MessageKind::kNote, "Saved " + outcome.file.string(), MessageAbout::kProgram);
+  } else if (outcome.result.ok()) {
     keepExport(state, outcome);
     const std::string figures = exportFigures(outcome.result.value());
     say(state, "Exported " + name + ": " + figures);
@@ -223,8 +226,8 @@ void tell(EditorState& state, const ExportOutcome& outcome) {
   } else if (outcome.canceled) {
     say(state, "Cancelled: " + name + " was not written");
   } else {
-    addMessage(state.session, MessageKind::kError, "Not exported: " + outcome.result.error().plainText(),
-               MessageAbout::kProgram);
+    const char* what = outcome.order.pictures ? "Not drawn: " : "Not exported: ";
+    addMessage(state.session, MessageKind::kError, what + outcome.result.error().plainText(), MessageAbout::kProgram);
     state.session.quitAfterExports.reset();  // It is to be read.
   }
 }

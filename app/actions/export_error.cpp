@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/editor/commands.h"
 #include "app/export/export_report.h"
 #include "app/render/skin/occlusion.h"
 #include "core/base/at.h"
@@ -88,7 +89,7 @@ void showLargestError(EditorState& state) {
   error.last->played->place(state.live->pose(), place.clip, place.time, placed);
   const glm::vec3 around(kSeenAround * state.character().height);
   const glm::vec3& middle = at(placed, place.vertex);
-  frameBounds(state.view.tools.camera, Bounds{middle - around, middle + around}, state.frame.viewportPixels, true);
+  frameInPicture(state, Bounds{middle - around, middle + around}, true);
 }
 
 void updateExportError(EditorState& state) {

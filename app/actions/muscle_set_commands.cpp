@@ -73,7 +73,7 @@ void addMuscleSetNamed(EditorState& state, const std::string& name) {
   auto sets = setsForBody(state);
   if (!sets) return refuse(state, sets.error());
   closeCheck(state);
-  state.open.bodyParts.shown = false;
+  state.open.bodyParts.shown = state.open.clipList.shown = false;
   motionsOf(state);
   MuscleSetState& set = state.open.muscleSet;
   set.sets = std::move(sets).value();

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/symmetry_commands.h"
 #include "app/editor/visibility_commands.h"
@@ -11,8 +12,6 @@
 
 namespace sinew::app {
 namespace {
-
-bool isBusy(const EditorState& state) { return ownsKeyboard(state.view.tools) || state.open.gestureItem != 0; }
 
 bool hasMuscle(const EditorState& state) { return state.document.activePrimitive() >= 0; }
 bool onBone(const EditorState& state) { return territorySubject(state.document) >= 0; }

@@ -17,8 +17,8 @@
 namespace sinew::app {
 namespace {
 
-constexpr int kFrames = 8;
-constexpr double kStep = 1.0 / 60.0;
+constexpr int kTimedFrames = 8;
+constexpr double kFrameStep = 1.0 / 60.0;
 constexpr int kCrowd = 100;
 constexpr int kCrowdDepth = 3;
 constexpr float kAgreement = 1e-4f;  // Fraction of H.
@@ -31,7 +31,7 @@ struct Situation {
 };
 
 /// One set at work, in one situation.
-struct Contender {
+struct TimedThreads {
   InstructionSet set;
   Smoother smoother;
   Surface surface;
@@ -64,10 +64,10 @@ struct Comparison {
 };
 
 /// All sets through one situation. The first contender is the reference, the last the widest set.
-Result<std::vector<Contender>> run(const BenchScene& scene, const Situation& situation, int rounds,
-                                   Comparison& comparison) {
+Result<std::vector<TimedThreads>> run(const BenchScene& scene, const Situation& situation, int rounds,
+                                      Comparison& comparison) {
   const Rig rig = rigAt(scene, kBenchDepth);
-  std::vector<Contender> contenders;
+  std::vector<TimedThreads> contenders;
   for (const InstructionSet set : availableInstructionSets()) {
     Result<Smoother> smoother = preparedSmoother(scene, rig);
     if (!smoother) return smoother.error();
@@ -75,7 +75,7 @@ Result<std::vector<Contender>> run(const BenchScene& scene, const Situation& sit
   }
   std::vector<Surface> references(situation.poses.size());
   inTurn(contenders.size(), rounds, [&](std::size_t variant, int round) {
-    Contender& contender = contenders[variant];
+    TimedThreads& contender = contenders[variant];
     const InstructionSetScope scope(contender.set);
     for (std::size_t p = 0; p < situation.poses.size(); ++p) {
       if (situation.fresh) {
@@ -99,7 +99,7 @@ Result<std::vector<Contender>> run(const BenchScene& scene, const Situation& sit
 Result<double> gainOf(const BenchScene& scene, int depth, int count, int rounds) {
   CrowdSmoother smoother(scene.character);
   if (const auto prepared = smoother.prepare(rigAt(scene, depth)); !prepared) return prepared.error();
-  const std::vector<Pose> poses = steadyFrames(*scene.character, count, kStep);
+  const std::vector<Pose> poses = steadyFrames(*scene.character, count, kFrameStep);
   std::vector<Surface> surfaces(poses.size());
   std::array<std::vector<double>, 2> seconds;  // [threads - 1]
   inTurn(seconds.size(), rounds, [&](std::size_t variant, int round) {
@@ -117,9 +117,9 @@ Result<Speedups> measureSpeedups(const BenchScene& scene, int rounds) {
   const Character& character = *scene.character;
   const std::array situations{
       Situation{&SetSpeedup::cold, true, steadyFrames(character, 1, 0.0)},
-      Situation{&SetSpeedup::warm60Hz, false, steadyFrames(character, kFrames, kStep)},
-      Situation{&SetSpeedup::warm20Hz, false, steadyFrames(character, kFrames, 1.0 / 20.0)},
-      Situation{&SetSpeedup::cut, false, cutFrames(character, kFrames)},
+      Situation{&SetSpeedup::warm60Hz, false, steadyFrames(character, kTimedFrames, kFrameStep)},
+      Situation{&SetSpeedup::warm20Hz, false, steadyFrames(character, kTimedFrames, 1.0 / 20.0)},
+      Situation{&SetSpeedup::cut, false, cutFrames(character, kTimedFrames)},
   };
   Speedups speedups;
   for (const InstructionSet set : availableInstructionSets().subspan(1)) speedups.rows.push_back({nameOf(set), {}, {}});
@@ -127,9 +127,9 @@ Result<Speedups> measureSpeedups(const BenchScene& scene, int rounds) {
   for (const Situation& situation : situations) {
     const auto contenders = run(scene, situation, rounds, comparison);
     if (!contenders) return contenders.error();
-    const Contender& reference = contenders->front();
+    const TimedThreads& reference = contenders->front();
     for (std::size_t i = 0; i < speedups.rows.size(); ++i) {
-      const Contender& contender = contenders.value()[i + 1];
+      const TimedThreads& contender = contenders.value()[i + 1];
       speedups.rows[i].frame.*situation.ratio = medianRatio(reference.frameSeconds, contender.frameSeconds);
       speedups.rows[i].projection.*situation.ratio = medianRatio(reference.projectSeconds, contender.projectSeconds);
     }

@@ -34,7 +34,7 @@ bool inspectFile(const InspectOptions& options, const std::string& file, Put put
   const InspectFacts facts = factsOf(document.value());
   put(&facts, Error{});
   const std::size_t missing = facts.rig.missing.size();
-  const std::vector<Error>& clipFiles = document->clipFiles.missing;
+  const std::vector<Error> clipFiles = missingOf(document->clipFiles.files);
   if (options.strict && missing == 0 && !clipFiles.empty()) {
     return badInput({file, "", "clips of the rig are left out: " + clipFiles.front().text()}) == kDone;
   }

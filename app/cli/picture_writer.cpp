@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "app/render/png.h"
+#include "app/render/pictures/png.h"
 #include "core/base/stopwatch.h"
 #include "core/io/files/atomic_file.h"
 

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -20,6 +21,8 @@
 #include "app/render/viewport.h"
 #include "core/base/stopwatch.h"
 #include "core/character/skinning.h"
+#include "core/rig/layer_guess.h"
+#include "core/rig/layers.h"
 #include "sinew/character/pose_check.h"
 #include "sinew/smoothing/smoother.h"
 
@@ -39,7 +42,10 @@ class Drawing {
         view_(std::move(view)),
         poser_(input.rig, *input.character),
         smoother_(smoother),
-        viewport_(viewport) {}
+        viewport_(viewport) {
+    if (plan.display.shading != Shading::kClasses) return;
+    layers_ = layersOf(input.rig, *input.character, guessLayers(*input.character));
+  }
 
   Image draw(const Moment& moment);
 
@@ -52,6 +58,7 @@ class Drawing {
   RigPoser poser_;
   Smoother& smoother_;
   Viewport& viewport_;
+  std::vector<SkinLayer> layers_;  ///< Scene::layers.
 };
 
 Image Drawing::draw(const Moment& moment) {
@@ -77,6 +84,7 @@ Image Drawing::draw(const Moment& moment) {
     skin(character, pose, posed.morphWeights, skinned);
     scene.skinnedControlPositions = std::move(skinned.positions);
   }
+  scene.layers = layers_;
   if (plan_.anchors) scene.segments = anchorSegments(character, pose, posed.morphWeights, surface);
   if (plan_.isMean()) viewport_.drawMean(scene, view, plan_.display, meanSamples(plan_.samples));
   else viewport_.draw(scene, view, plan_.display);
@@ -119,8 +127,9 @@ void addLook(CLI::App& verb, RenderOptions& options) {
       ->type_name("B");
   verb.add_flag("--ao", options.occlusion, "Ambient occlusion: crevices and folds are darker");
   verb.add_option("--size", options.size, "Pixels, each 16 to 8192 (1280x800)")->type_name("WxH");
-  verb.add_option("--samples", options.samples,
-                  "Samples per pixel, at most what the driver offers; 4 or 16 with --ao and --show muscles (4)")
+  verb.add_option(
+          "--samples", options.samples,
+          "Samples per pixel, at most what the driver offers; 4 or 16 with --ao; above 4, 16 with --show muscles (4)")
       ->type_name("N")
       ->check(CLI::Range(1, 64));
 }
@@ -223,6 +232,7 @@ int renderInput(const RenderOptions& options, const RenderPlan& plan, const Batc
   if (!viewport) return badInput(viewport.error());
   viewport.value()->setCharacter(*opened->character);
   viewport.value()->setFinishFrames(true);
+  viewport.value()->setOccludesOnce(true);
   Drawing drawing(opened.value(), plan, std::move(view), smoother, *viewport.value());
   int status = kDone;
   if (plan.sheet.x > 0) status = writeSheet(opened.value(), plan, input.outputs.front(), drawing, progress);

@@ -59,8 +59,9 @@ struct RenderPlan {
   DisplaySettings display;
   bool anchors = false;  ///< The segments from the control vertices to the skeleton.
 
-  /// Ambient occlusion without noise is the mean of many drawings, which smooth the edges as well.
-  [[nodiscard]] bool isMean() const { return display.look.occlusion || display.anatomy; }
+  /// Ambient occlusion without noise is the mean of many drawings, which smooth the edges as well. Of muscles one
+  /// drawing does unless more is asked for.
+  [[nodiscard]] bool isMean() const { return display.look.occlusion || (display.anatomy && samples > 4); }
   /// All pictures of an input are in one file.
   [[nodiscard]] bool isOneFile() const { return isMovie || sheet.x > 0; }
 };

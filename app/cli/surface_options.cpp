@@ -93,10 +93,10 @@ void addClipsOption(CLI::App& verb, std::vector<std::string>& files) {
 Result<Document> openWithClips(const std::filesystem::path& file, const std::vector<std::string>& clips) {
   Result<Document> opened = openDocument(file, {clips.begin(), clips.end()});
   if (!opened) return opened;
-  for (const Error& missing : opened->clipFiles.missing) {
+  for (const Error& missing : missingOf(opened->clipFiles.files)) {
     message(file.string() + ": its clips are left out: " + missing.text());
   }
-  for (const std::string& note : opened->clipFiles.notes) message(note);
+  for (const std::string& note : notesOf(opened->clipFiles.files)) message(note);
   return opened;
 }
 

@@ -70,7 +70,7 @@ void CommandStack::applyPose(const std::string& label, const PoseOverrides& pose
   if (!(this->pose() == pose)) push({label, current_, pose, ranges()});
 }
 
-void CommandStack::applyRanges(const std::string& label, const PlayRanges& ranges) {
+void CommandStack::applyRanges(const std::string& label, const KeptPlayRanges& ranges) {
   if (this->ranges() == ranges) return;
   endGesture();
   push({label, current_, pose(), ranges});
@@ -82,7 +82,7 @@ void CommandStack::cancelGesture() {
   show(steps_[position_].rig);
 }
 
-void CommandStack::startFrom(const PoseOverrides& pose, const PlayRanges& ranges) {
+void CommandStack::startFrom(const PoseOverrides& pose, const KeptPlayRanges& ranges) {
   for (Step& step : steps_) {
     step.pose = pose;
     step.ranges = ranges;

@@ -43,13 +43,13 @@ class CommandStack {
   /// gesture first (kept).
   void applyPose(const std::string& label, const PoseOverrides& pose);
   /// The same for the parts of clips that play; a gesture stays open if nothing changes.
-  void applyRanges(const std::string& label, const PlayRanges& ranges);
+  void applyRanges(const std::string& label, const KeptPlayRanges& ranges);
   /// Before the user's first step: pose and ranges of all steps so far.
-  void startFrom(const PoseOverrides& pose, const PlayRanges& ranges);
+  void startFrom(const PoseOverrides& pose, const KeptPlayRanges& ranges);
   /// The pose made by hand, as the last step left it. View state: it does not count as a modification.
   [[nodiscard]] const PoseOverrides& pose() const { return steps_[position_].pose; }
   /// View state like the pose.
-  [[nodiscard]] const PlayRanges& ranges() const { return steps_[position_].ranges; }
+  [[nodiscard]] const KeptPlayRanges& ranges() const { return steps_[position_].ranges; }
 
   void beginGesture(const std::string& label);
   void updateGesture(Rig rig);  ///< Only inside a gesture.
@@ -76,7 +76,7 @@ class CommandStack {
     std::string label;
     std::shared_ptr<const Rig> rig;
     PoseOverrides pose;
-    PlayRanges ranges;
+    KeptPlayRanges ranges;
   };
   void show(std::shared_ptr<const Rig> rig);
   void push(Step step);

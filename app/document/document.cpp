@@ -10,7 +10,6 @@
 
 #include "core/base/at.h"
 #include "core/base/lower_case.h"
-#include "core/io/clip_files.h"
 #include "core/rig/morphs.h"
 #include "core/symmetry/twins.h"
 #include "sinew/io/gltf_import.h"
@@ -98,8 +97,18 @@ std::string Document::name() const {
 void loadClipFiles(Document& document) {
   WithClipFiles with = withClipFiles(document.character, document.rig(), document.clipFiles.folder);
   document.character = std::move(with.character);
-  document.clipFiles.missing = std::move(with.missing);
-  document.clipFiles.notes = std::move(with.notes);
+  document.clipFiles.files = std::move(with.files);
+  document.clipFiles.readFor = document.rig().slots;
+}
+
+bool clipFilesAreCurrent(const Document& document) {
+  const std::vector<ClipFileReport>& files = document.clipFiles.files;
+  if (!std::ranges::equal(files, document.rig().clipFiles, {}, &ClipFileReport::file)) return false;
+  return files.empty() || document.clipFiles.readFor == document.rig().slots;
+}
+
+std::string clipFileName(const Document& document, const std::filesystem::path& file) {
+  return relativeCharacterPath(file, document.clipFiles.folder / "rig");
 }
 
 Result<Document> openDocument(const std::filesystem::path& file, const std::vector<std::filesystem::path>& clips) {
@@ -107,15 +116,14 @@ Result<Document> openDocument(const std::filesystem::path& file, const std::vect
   if (!opened || clips.empty()) return opened;
   Document& document = opened.value();
   Rig rig = document.rig();
-  const std::size_t missing = document.clipFiles.missing.size();
+  const std::size_t missing = missingOf(document.clipFiles.files).size();
   for (const std::filesystem::path& path : clips) {
-    const std::string name =
-        path.is_absolute() ? path.generic_string() : relativeCharacterPath(path, document.clipFiles.folder / "rig");
+    const std::string name = path.is_absolute() ? path.generic_string() : clipFileName(document, path);
     if (std::ranges::find(rig.clipFiles, name) == rig.clipFiles.end()) rig.clipFiles.push_back(name);
   }
   document.commands.apply("Add clips", std::move(rig));
   loadClipFiles(document);
-  if (document.clipFiles.missing.size() > missing) return document.clipFiles.missing.back();
+  if (const auto gone = missingOf(document.clipFiles.files); gone.size() > missing) return gone.back();
   return opened;
 }
 
@@ -151,13 +159,18 @@ void prepareMirror(Document& document) {
       });
 }
 
-Result<void> saveDocument(Document& document, const std::filesystem::path& rigFile) {
+Rig rigAsIn(const Document& document, const std::filesystem::path& rigFile) {
   Rig written = document.rig();
   // A path the designer typed as absolute stays; any other follows the rig file to its new folder.
   if (!std::filesystem::path(written.character).is_absolute()) {
     written.character = relativeCharacterPath(document.characterFile, rigFile);
   }
   written.clipFiles = clipFilesFor(rigFile, written.clipFiles, document.clipFiles.folder);
+  return written;
+}
+
+Result<void> saveDocument(Document& document, const std::filesystem::path& rigFile) {
+  const Rig written = rigAsIn(document, rigFile);
   if (Result<void> saved = saveRig(written, rigFile); !saved) return saved;
   document.rigFile = rigFile;
   document.rigOnDisk = stampOf(rigToJson(written));

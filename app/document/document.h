@@ -13,6 +13,7 @@
 #include "app/document/selection.h"
 #include "app/document/visibility.h"
 #include "core/base/at.h"
+#include "core/io/clip_files.h"
 #include "core/symmetry/mirror.h"
 #include "sinew/base/result.h"
 #include "sinew/character/character.h"
@@ -31,12 +32,11 @@ struct Document {
   std::shared_ptr<const MirrorPlan> mirror;  ///< Null or unusable: nothing can be mirrored. See prepareMirror.
   bool symmetry = false;  ///< View state: what is added, deleted, duplicated or pasted is so on both sides.
   Visibility visibility;
-  /// Rig::clipFiles while the document is open: where relative paths begin, which could not be read, what of the others
-  /// did not match.
+  /// Rig::clipFiles while the document is open: where relative paths begin, what became of each file.
   struct ClipFiles {
     std::filesystem::path folder;
-    std::vector<Error> missing;
-    std::vector<std::string> notes;
+    std::vector<ClipFileReport> files;      ///< [Rig::clipFiles] as they were read last.
+    std::vector<SlotCorrection> readFor{};  ///< Rig::slots then.
   };
   ClipFiles clipFiles;
   mutable PosedRigMemo poses;  ///< For posedRig().
@@ -60,13 +60,17 @@ struct Document {
 };
 
 /// Opens a .glb / .gltf (with an empty rig) or a .rig.json (with the character it names). Error: the open document is
-/// untouched. Clip files of the rig that cannot be read are Document::clipFiles.missing.
+/// untouched. Clip files of the rig that cannot be read are told in Document::clipFiles.
 /// @param clips  further files, whose clips are added; the rig names them too. Error: one that cannot be read
 [[nodiscard]] Result<Document> openDocument(const std::filesystem::path& file,
                                             const std::vector<std::filesystem::path>& clips = {});
 
 /// The character with the clips that the rig's files have now.
 void loadClipFiles(Document& document);
+/// Whether that would read other files than it did last, or for other parts of the body.
+[[nodiscard]] bool clipFilesAreCurrent(const Document& document);
+/// What the rig would call a file: relative to where its paths begin.
+[[nodiscard]] std::string clipFileName(const Document& document, const std::filesystem::path& file);
 
 /// Where a rig expects its character, if no file can be read there. nullopt: one can, or this is no rig.
 [[nodiscard]] std::optional<std::filesystem::path> missingCharacter(const std::filesystem::path& rigFile);
@@ -78,6 +82,9 @@ void loadClipFiles(Document& document);
 /// Finds the character's mirror plane and has the command stack keep linked twins each other's image, from now on;
 /// symmetry is switched on where bones come in pairs. openDocument does this; documents made by hand may.
 void prepareMirror(Document& document);
+
+/// The rig as a file of that name holds it: with the way from there to the character and to the files of clips.
+[[nodiscard]] Rig rigAsIn(const Document& document, const std::filesystem::path& rigFile);
 
 /// Writes the rig; on success rigFile is set and the document counts as saved.
 [[nodiscard]] Result<void> saveDocument(Document& document, const std::filesystem::path& rigFile);

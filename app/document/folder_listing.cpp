@@ -22,9 +22,15 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostEntries = 5000;
 constexpr std::array kJobEndings{".sh", ".json", ".txt"};
 constexpr std::size_t kMostRecentPlaces = 5;
+constexpr std::array kMovieEndings{".png", ".webp", ".gif", ".mp4"};
+constexpr std::array kReferenceEndings{".png", ".jpg", ".jpeg", ".webp"};
 
 bool passes(const std::string& lowerName, FileFilter filter) {
   if (filter == FileFilter::kPictures) return lowerName.ends_with(".png");
+  if (filter == FileFilter::kReferences) return isReferenceName(lowerName);
+  if (filter == FileFilter::kMovies) {
+    return std::ranges::any_of(kMovieEndings, [&](const char* end) { return lowerName.ends_with(end); });
+  }
   const bool rig = lowerName.ends_with(".rig.json");
   if (filter == FileFilter::kJobs) {
     return !rig && std::ranges::any_of(kJobEndings, [&](const char* end) { return lowerName.ends_with(end); });
@@ -67,6 +73,11 @@ void addPlace(std::vector<Place>& all, std::string id, std::string name, const f
 }
 
 }  // namespace
+
+bool isReferenceName(const std::string& name) {
+  const std::string lower = lowerCase(name);
+  return std::ranges::any_of(kReferenceEndings, [&](const char* end) { return lower.ends_with(end); });
+}
 
 std::vector<FolderEntry> listFolder(const fs::path& folder, const ListingOptions& options) {
   std::vector<FolderEntry> entries;

@@ -18,7 +18,10 @@ struct FolderEntry {
 };
 
 /// Which files; folders are always there.
-enum class FileFilter { kAll, kRigs, kCharacters, kPictures, kJobs };
+enum class FileFilter { kAll, kRigs, kCharacters, kPictures, kJobs, kReferences, kMovies };
+
+/// Whether the name is that of a picture to work after: .png, .jpg, .jpeg, .webp; capitals too.
+[[nodiscard]] bool isReferenceName(const std::string& name);
 
 struct ListingOptions {
   FileFilter filter = FileFilter::kAll;
@@ -28,8 +31,9 @@ struct ListingOptions {
   friend bool operator==(const ListingOptions&, const ListingOptions&) = default;
 };
 
-/// Folders first, then files that can be opened (.glb, .gltf, .rig.json) pictures (.png) or farm jobs (.sh, .json,
-/// .txt), as the filter says, each in the order asked for. At most 5,000. An unreadable folder is empty.
+/// Folders first, then files that can be opened (.glb, .gltf, .rig.json) pictures (.png; to work after .jpg and .webp
+/// too; of exports .webp, .gif and .mp4 too) or farm jobs (.sh, .json, .txt), as the filter says, each in the order
+/// asked for. At most 5,000. An unreadable folder is empty.
 [[nodiscard]] std::vector<FolderEntry> listFolder(const std::filesystem::path& folder, const ListingOptions& options);
 
 /// A folder's entries kept until something changes.

@@ -214,6 +214,7 @@ AutosaveClock::Deed AutosaveClock::look(double now, double interval, const Comma
     clip_ = clip;
   }
   const bool clipChanged = std::exchange(clip_, clip) != clip;
+  const bool atOnce = std::exchange(hurried_, false) || clipChanged;
   if (!commands.modified()) {
     since_.reset();
     written_.reset();
@@ -221,7 +222,7 @@ AutosaveClock::Deed AutosaveClock::look(double now, double interval, const Comma
   }
   if (written_ == commands.revision()) return Deed::kNothing;
   if (!since_) since_ = now;
-  if (now - *since_ < interval && !clipChanged) return Deed::kNothing;
+  if (now - *since_ < interval && !atOnce) return Deed::kNothing;
   since_.reset();
   return Deed::kWrite;
 }

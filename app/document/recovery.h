@@ -75,6 +75,8 @@ class AutosaveClock {
   /// Called often. @param now seconds on a clock that only grows; @param document a number that changes with every
   /// opened document; @param clip the one that is chosen: changing it writes at once.
   [[nodiscard]] Deed look(double now, double interval, const CommandStack& commands, std::size_t document, int clip);
+  /// The next look() wants what is unwritten to be written, whatever the interval.
+  void hurry() { hurried_ = true; }
   /// After a write that succeeded; one that did not is due again an interval later.
   void wrote(std::size_t revision);
   /// Seconds until look() may want to write; none: nothing is unwritten.
@@ -86,6 +88,7 @@ class AutosaveClock {
   std::optional<double> since_;         ///< When the first unwritten change was seen.
   bool hasFile_ = false;                ///< The recovery file is there, of this document or the one before.
   int clip_ = -1;
+  bool hurried_ = false;
 };
 
 }  // namespace sinew::app

@@ -158,6 +158,12 @@ std::vector<std::string> shownClipNames(const Character& character) {
   return eachReadable(std::move(shown), "clip");
 }
 
+std::vector<std::string> shownPartNames(const Character& character) {
+  std::vector<std::string> names;
+  for (const MeshPart& part : character.parts) names.push_back(part.name);
+  return eachReadable(withoutSharedParts(names), "part");
+}
+
 std::string shownBoneName(const Skeleton& skeleton, int bone) {
   return bone < 0 ? "" : shownBoneNames(skeleton)[static_cast<std::size_t>(bone)];
 }

@@ -22,6 +22,8 @@ inline constexpr std::size_t kManyNames = 8;
 /// (app/names/readable_names.h).
 [[nodiscard]] std::vector<std::string> shownBoneNames(const Skeleton& skeleton);
 [[nodiscard]] std::vector<std::string> shownClipNames(const Character& character);
+/// [parts] The same of the parts of the mesh: "part N".
+[[nodiscard]] std::vector<std::string> shownPartNames(const Character& character);
 /// [bones] The same, whatever fonts there are: what new muscles are named after.
 [[nodiscard]] std::vector<std::string> shortBoneNames(const Skeleton& skeleton);
 /// [bones] The same where it names one bone alone, else its path: for lists to choose from.

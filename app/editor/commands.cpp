@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "app/document/muscle_names.h"
+#include "app/document/play_range.h"
+#include "app/editor/clip_commands.h"
 #include "app/editor/disk_conflict.h"
 #include "app/editor/edit.h"
 #include "app/editor/keep_muscles.h"
@@ -19,8 +21,6 @@
 
 namespace sinew::app {
 namespace {
-
-bool isBusy(const EditorState& state) { return ownsKeyboard(state.view.tools) || state.open.gestureItem != 0; }
 
 /// What plays is what the history says. Another clip is chosen only where its range alone has changed, so that what was
 /// undone is seen.
@@ -43,13 +43,16 @@ bool travel(EditorState& state, Move move) {
   if (isBusy(state)) return false;
   const std::size_t before = state.document.commands.position();
   move(state.document.commands);
+  followClipFiles(state);
   state.open.transport.overrides = state.document.commands.pose();
-  takeRanges(state.open.transport, state.document.commands.ranges(), state.character());
+  takeRanges(state.open.transport, rangesOf(state.document.commands.ranges(), state.character()), state.character());
   state.open.refusal.clear();
   return state.document.commands.position() != before;
 }
 
 }  // namespace
+
+bool isBusy(const EditorState& state) { return ownsKeyboard(state.view.tools) || state.open.gestureItem != 0; }
 
 void request(EditorState& state, const Intent& intent) {
   if (state.hasCharacter() && state.document.commands.modified()) {
@@ -68,6 +71,9 @@ void perform(EditorState& state, const Intent& intent) {
       break;
     case IntentKind::kOpenWithMuscles:
       openWithMuscles(state, intent.file);
+      break;
+    case IntentKind::kAddClips:
+      addClips(state, intent.file);
       break;
     case IntentKind::kReopen:
       reopen(state);
@@ -133,6 +139,7 @@ bool save(EditorState& state, const Intent& then) {
 std::string saveTo(EditorState& state, const std::filesystem::path& file) {
   if (const Result<void> saved = saveDocument(state.document, file); !saved) {
     addMessage(state.session, MessageKind::kError, "Not saved: " + saved.error().plainText());
+    state.session.saveFailed = true;
     return saved.error().plainText();
   }
   say(state, "Saved " + file.filename().string());
@@ -211,11 +218,12 @@ void selectNothing(EditorState& state) {
     state.open.animate.drivenKey = {};
   } else if (editsTerritory(state)) {
     endTerritoryMode(state.view.tools);
-  } else if (selection.primitives.empty() && selection.bone < 0 &&
+  } else if (selection.primitives.empty() && selection.bone < 0 && state.open.layers.chosen < 0 &&
              (state.view.tools.tool == ToolKind::kAddMuscle || state.view.tools.tool == ToolKind::kMuscleLine)) {
     setTool(state.view.tools, ToolKind::kMove);
   } else {
     selection.clear();
+    state.open.layers.chosen = -1;
   }
 }
 
@@ -223,6 +231,10 @@ void cycleAxes(EditorState& state) {
   GizmoAxes& axes = state.view.tools.gizmo.axes;
   axes = axes == GizmoAxes::kWorld ? GizmoAxes::kBone
                                    : (axes == GizmoAxes::kBone ? GizmoAxes::kPrimitive : GizmoAxes::kWorld);
+}
+
+void frameInPicture(EditorState& state, const Bounds& boundsInWorld, bool animated) {
+  frameBounds(state.view.tools.camera, boundsInWorld, state.frame.viewportPixels, animated, state.frame.covered);
 }
 
 void frameSelection(EditorState& state, bool animated) {
@@ -235,7 +247,7 @@ void frameSelection(EditorState& state, bool animated) {
     for (const glm::vec3& point : extremesOf(shape, 1.0f)) bounds.add(center + 2.0f * (point - center));
   }
   if (bounds.isEmpty()) bounds = boundsOf(state.live->surface().positions);
-  frameBounds(state.view.tools.camera, bounds, state.frame.viewportPixels, animated);
+  frameInPicture(state, bounds, animated);
 }
 
 SurfaceView surfaceView(const EditorState& state) {

@@ -8,6 +8,9 @@
 
 namespace sinew::app {
 
+/// Something is being dragged or typed: no other edit begins.
+[[nodiscard]] bool isBusy(const EditorState& state);
+
 /// Does it, or first asks what becomes of unsaved changes.
 void request(EditorState& state, const Intent& intent);
 void perform(EditorState& state, const Intent& intent);
@@ -33,6 +36,8 @@ void startRename(EditorState& state, PrimitiveId primitive);
 bool rename(EditorState& state, PrimitiveId primitive, const std::string& name);
 void selectNothing(EditorState& state);
 
+/// Shows all of a box in the part of the picture that no panel lies over.
+void frameInPicture(EditorState& state, const Bounds& boundsInWorld, bool animated);
 /// Selected muscles if there are, else the whole character. @param animated false: at once.
 void frameSelection(EditorState& state, bool animated);
 void cycleAxes(EditorState& state);

@@ -12,14 +12,14 @@
 namespace sinew::app {
 
 /// What waits for "save your changes?" or for a path.
-enum class IntentKind { kNone, kOpenFile, kOpenWithMuscles, kReopen, kRecover, kQuit };
+enum class IntentKind { kNone, kOpenFile, kOpenWithMuscles, kAddClips, kReopen, kRecover, kQuit };
 struct Intent {
   IntentKind kind = IntentKind::kNone;
   std::filesystem::path file;  ///< To open; kRecover: of LeftBehind.
 };
 
-/// The last two only choose a place, for the export dialog.
-enum class DialogKind { kNone, kOpen, kSaveAs, kSavePicture, kExportPlace, kJobPlace };
+/// The dialogs of exports only choose a place, kReference a picture to work after.
+enum class DialogKind { kNone, kOpen, kSaveAs, kSavePicture, kExportPlace, kJobPlace, kPicturesPlace, kReference };
 
 /// The path dialog.
 struct FileDialogState {
@@ -30,6 +30,7 @@ struct FileDialogState {
   bool appearing = false;           ///< The path field takes the keyboard with the next frame.
   Intent then;                      ///< After a successful Save As; Open: what is done with the file, if not opened.
   std::filesystem::path locateFor;  ///< Open: not any file but the character of this rig.
+  std::string clipsFor;             ///< kAddClips: the entry of Rig::clipFiles that is gone; "": one more.
   FileFilter filter = FileFilter::kAll;
   std::vector<std::filesystem::path> back;     ///< Folders before this one, oldest first.
   std::vector<std::filesystem::path> forward;  ///< Folders that were left by going back, nearest last.
@@ -93,7 +94,9 @@ struct Dialogs {
   ConflictQuestion conflict;
   Intent question;                    ///< Asking about unsaved changes before this; kNone: not asking.
   std::filesystem::path keepMuscles;  ///< A character that was dropped: asking whether it gets the muscles. "": not.
+  bool droppedHasClips = false;       ///< ... or whether its clips are added here.
   ExportDialogState exporting;
+  PicturesDialogState pictures;
   bool exportQuestion = false;  ///< Asking whether to quit though exports are not done.
   PaletteState palette;
   RevealState reveal;

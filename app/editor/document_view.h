@@ -16,6 +16,7 @@
 
 #include "app/document/animate_state.h"
 #include "app/playback.h"
+#include "app/render/pictures/reference_picture.h"
 #include "app/tools/select.h"
 #include "core/body/body_map.h"
 #include "core/body/fit_preset.h"
@@ -133,11 +134,31 @@ struct BodyPartsState {
   BodySlots slots;
 };
 
+/// Play > Clip files.
+struct ClipListState {
+  bool shown = false;
+};
+
+/// View > Reference picture.
+struct ReferenceState {
+  bool shown = false;                          ///< The panel.
+  ReferenceSide side = ReferenceSide::kFront;  ///< That it is about.
+  ReferencePictures pictures;
+
+  [[nodiscard]] ReferencePicture& chosen() { return pictures[static_cast<std::size_t>(side)]; }
+};
+
 /// The tab Shapes.
 struct ShapesState {
   std::string search;
   std::set<std::string> folded;  ///< First parts of names.
   std::string chosen;            ///< The shape whose keys and drivers are unfolded; empty: none.
+};
+
+/// The panel Layers.
+struct LayersState {
+  int chosen = -1;             ///< Index into Character::parts, of the part that is marked in the picture; -1: none.
+  std::vector<int> triangles;  ///< [parts] of the file; counted when they are first shown.
 };
 
 /// The tab Library: the sets for this kind of body, to lay muscles of one at a time.
@@ -172,7 +193,10 @@ struct DocumentView {
   CheckState check;
   MuscleSetState muscleSet;
   BodyPartsState bodyParts;
+  ClipListState clipList;
+  ReferenceState reference;
   ShapesState shapes;
+  LayersState layers;
   LibraryState library;
   std::vector<bool> helperBones;  ///< [bones] core/character/skin_bones.h
   TimelineState timeline;

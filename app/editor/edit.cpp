@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/document/play_range.h"
+
 namespace sinew::app {
 
 bool edit(EditorState& state, const std::string& label, Result<Rig> rig) {
@@ -62,7 +64,7 @@ void keepPlayRange(EditorState& state) {
     const auto frame = [](double time) { return std::to_string(std::lround(time / kFrameSeconds)); };
     label = "Play frames " + frame(range.from) + " to " + frame(range.to);
   }
-  state.document.commands.applyRanges(label, transport.ranges);
+  state.document.commands.applyRanges(label, keptRanges(transport.ranges, state.character()));
   state.open.refusal.clear();
 }
 

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "app/export/export_kinds.h"
 #include "sinew/smoothing/smoother.h"
 
@@ -43,6 +45,33 @@ struct ExportDialogState {
 
   bool overwriteAsked = false;  ///< "Replace it?" is on the screen.
   std::string error;            ///< Why the last try failed.
+};
+
+inline constexpr int kMostTurntable = 720;  ///< Pictures once around.
+inline constexpr int kMostCells = 32;       ///< Of a contact sheet, each way.
+inline constexpr int kLeastPictureSide = 16;
+inline constexpr int kMostPictureSide = 8192;
+
+/// File > Export > Turntable or contact sheet.
+struct PicturesDialogState {
+  bool shown = false;
+  bool sheet = false;  ///< One picture of many, else a moving one.
+
+  int turns = 72;      ///< Turntable: pictures once around.
+  double rate = 24.0;  ///< Pictures a second.
+  bool plays = false;  ///< The clip plays while the eye goes around once, else the moment that is shown stays.
+  std::string ending = ".webp";
+  glm::ivec2 cells{4, 2};      ///< Sheet: columns and rows.
+  bool ofClip = false;         ///< Sheet: moments of the clip, else all sides of the moment that is shown.
+  glm::ivec2 size{1280, 720};  ///< Of each picture.
+
+  // One document's; another begins with its own.
+  std::filesystem::path of;
+  ExportPlace turntable;
+  ExportPlace sheetPlace;
+
+  bool overwriteAsked = false;
+  std::string error;
 };
 
 /// An export that is done, as far as it can be compared with the live surface.

@@ -7,6 +7,7 @@
 #include "app/document/character_files.h"
 #include "app/document/damaged_file.h"
 #include "app/document/document.h"
+#include "app/editor/clip_commands.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/open_file.h"
@@ -36,9 +37,16 @@ void tell(EditorState& state, const Retargeted& done) {
 }  // namespace
 
 void dropFile(EditorState& state, const std::filesystem::path& file) {
-  const bool asks = isCharacter(file) && state.hasCharacter() && !state.document.rig().primitives.empty();
-  if (asks) state.dialogs.keepMuscles = file;
-  else request(state, {IntentKind::kOpenFile, file});
+  if (!isCharacter(file) || !state.hasCharacter()) return request(state, {IntentKind::kOpenFile, file});
+  const DroppedClips clips = lookForClips(state.document, file);
+  if (clips.nothingElse) {
+    addClips(state, file);
+  } else if (!state.document.rig().primitives.empty()) {
+    state.dialogs.keepMuscles = file;
+    state.dialogs.droppedHasClips = clips.any;
+  } else {
+    request(state, {IntentKind::kOpenFile, file});
+  }
 }
 
 void showRetargetDialog(EditorState& state) {

@@ -7,8 +7,9 @@
 
 namespace sinew::app {
 
-/// A file let go over the window. If it is a character and there are muscles, Dialogs::keepMuscles asks what becomes of
-/// them; else it is opened (request()).
+/// A file let go over the window. One that holds clips for the open character and nothing else adds them (addClips()).
+/// If it is another character and there are muscles, Dialogs::keepMuscles asks what becomes of them; else it is opened
+/// (request()).
 void dropFile(EditorState& state, const std::filesystem::path& file);
 /// The file dialog for the character that gets the muscles.
 void showRetargetDialog(EditorState& state);

@@ -2,10 +2,13 @@
 #include "app/editor/open_file.h"
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 #include "app/document/damaged_file.h"
+#include "app/document/play_range.h"
 #include "app/document/shown_names.h"
+#include "app/editor/clip_commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/pose_commands.h"
 #include "app/editor/session.h"
@@ -26,7 +29,7 @@ void show(EditorState& state, Document document, LiveSurface live, const Transpo
   state.live = std::move(live);
   state.open = {};
   state.open.transport = transport;
-  state.document.commands.startFrom(transport.overrides, transport.ranges);
+  state.document.commands.startFrom(transport.overrides, keptRanges(transport.ranges, state.character()));
   state.open.frameWanted = true;
   state.open.helperBones = helperBones(state.character());
   state.frame.route = {};
@@ -60,10 +63,13 @@ void tellIgnored(EditorState& state) {
   for (const std::string& ignored : state.character().ignored) {
     addMessage(state.session, MessageKind::kNote, name + ": " + ignored);
   }
-  for (const Error& missing : state.document.clipFiles.missing) {
+  const std::vector<ClipFileReport>& files = state.document.clipFiles.files;
+  const std::vector<Error> gone = missingOf(files);
+  for (const Error& missing : gone) {
     addMessage(state.session, MessageKind::kWarning, "Its clips are left out: " + missing.plainText());
   }
-  for (const std::string& note : state.document.clipFiles.notes) {
+  if (!gone.empty()) showClipList(state);
+  for (const std::string& note : notesOf(files)) {
     addMessage(state.session, MessageKind::kNote, note);
   }
   for (const Error& missing : missingBones(state.document.rig(), state.character().skeleton)) {
@@ -109,19 +115,39 @@ bool showDocument(EditorState& state, Document document) {
 void reopen(EditorState& state) {
   const std::filesystem::path file =
       state.document.rigFile.empty() ? state.document.characterFile : state.document.rigFile;
+  const std::shared_ptr<const Character> before = state.document.character;
   const Transport transport = state.open.transport;
   const Camera camera = state.view.tools.camera;
   const std::vector<NamedTurn> turns = namedTurns(transport.overrides, state.character().skeleton);
   if (!openFile(state, file)) return;
   state.view.tools.camera = camera;
   state.open.frameWanted = false;
-  if (transport.clip < static_cast<int>(state.character().clips.size())) {
-    state.open.transport = transport;
-    state.open.transport.time = std::min(transport.time, clipDuration(transport, state.character()));
-  }
+  if (const auto same = carriedOver(transport, *before, state.character())) state.open.transport = *same;
   // By name: the character may have changed on disk.
   state.open.transport.overrides = turnsOf(turns, transport.overrides.from, state.character().skeleton).overrides;
-  state.document.commands.startFrom(state.open.transport.overrides, state.open.transport.ranges);
+  state.document.commands.startFrom(state.open.transport.overrides,
+                                    keptRanges(state.open.transport.ranges, state.character()));
+}
+
+void showLocateDialog(EditorState& state) {
+  const LocateState asked = std::exchange(state.dialogs.locate, {});
+  FileDialogState dialog;
+  std::error_code ignored;
+  dialog.kind = DialogKind::kOpen;
+  dialog.locateFor = std::filesystem::absolute(asked.rigFile, ignored);
+  dialog.folder = dialog.locateFor.parent_path();
+  dialog.filter = FileFilter::kCharacters;
+  dialog.appearing = true;
+  const std::filesystem::path name = asked.characterFile.filename();
+  if (std::filesystem::is_regular_file(dialog.folder / name, ignored)) dialog.text = name.string();
+  state.dialogs.file = std::move(dialog);
+}
+
+std::string openWithCharacter(EditorState& state, const std::filesystem::path& rigFile,
+                              const std::filesystem::path& characterFile) {
+  Result<Document> opened = openRigWith(rigFile, characterFile);
+  if (!opened) return opened.error().text();
+  return showDocument(state, std::move(opened).value()) ? "" : state.session.messages.back().text;
 }
 
 }  // namespace sinew::app

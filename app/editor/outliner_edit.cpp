@@ -60,6 +60,7 @@ void reparentMuscles(EditorState& state, const std::vector<int>& indices, int bo
     }
     primitive.bone = target;
   });
+  if (moved) moved = withDefaultNames(*rig, std::move(moved).value(), skeleton);
   edit(state, "Move " + namedMuscles(*rig, indices) + " to " + shownBoneName(skeleton, bone), std::move(moved));
 }
 

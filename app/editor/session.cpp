@@ -187,7 +187,7 @@ void jumpToBone(EditorState& state, int bone) {
   Bounds bounds;
   bounds.add(center - glm::vec3(0.1f * state.character().height));
   bounds.add(center + glm::vec3(0.1f * state.character().height));
-  frameBounds(state.view.tools.camera, bounds, state.frame.viewportPixels, true);
+  frameInPicture(state, bounds, true);
 }
 
 Preferences currentPreferences(const EditorState& state) {

@@ -13,6 +13,7 @@
 #include "app/editor/export_state.h"
 #include "app/editor/toast.h"
 #include "app/export/export_queue.h"
+#include "app/export/farm_job.h"
 #include "app/platform/desktop_opener.h"
 #include "app/platform/frame_stats.h"
 #include "sinew/rig/muscle_line.h"
@@ -41,15 +42,17 @@ struct SessionState {
   std::vector<Message> messages;      ///< The last one is the newest.
   std::size_t messagesSaid = 0;       ///< Grows with every message.
   std::optional<Toast> toast;
-  bool messagesShown = false;                          ///< Unfolded: by a new message, until they are folded.
-  std::vector<LeftBehind> leftBehind;                  ///< By a crash: offered until answered.
-  std::optional<LeftBehind> recovered;                 ///< Open now: thrown away once this process has its own copy.
-  std::size_t documentsOpened = 0;                     ///< Grows whenever document or character is replaced.
+  bool messagesShown = false;           ///< Unfolded: by a new message, until they are folded.
+  std::vector<LeftBehind> leftBehind;   ///< By a crash: offered until answered.
+  bool saveFailed = false;              ///< Until the keeper has seen it: what is unsaved is kept at once.
+  std::optional<LeftBehind> recovered;  ///< Open now: thrown away once this process has its own copy.
+  std::size_t documentsOpened = 0;      ///< Grows whenever document or character is replaced.
   std::optional<std::filesystem::path> pictureWanted;  ///< The window writes its picture there after this frame.
   Thumbnails* thumbnails = nullptr;                    ///< The window's; null without one.
   FrameStats stats;
-  ExportQueue exports;   ///< In the background.
-  DesktopOpener opener;  ///< Of pages.
+  ExportQueue exports;                  ///< In the background.
+  std::string program = thisProgram();  ///< Draws pictures in the background.
+  DesktopOpener opener;                 ///< Of pages.
   ExportErrorState exportError;
   /// As soon as they are done; asked for at these documentsOpened and CommandStack::revision(): what is edited after
   /// that is asked about.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/document/view_files.h"
+#include "app/editor/edit.h"
 #include "app/editor/session.h"
 #include "core/symmetry/motion_clip.h"
 
@@ -68,6 +69,7 @@ Json cameraToJson(const EditorState& state) {
       .set("distance", stand.distance)
       .set("yaw", stand.yaw)
       .set("pitch", stand.pitch)
+      .set("aim", Json::array().push(stand.aim.x).push(stand.aim.y))
       .set("orthographic", camera.orthographic)
       .set("height", state.character().height);
 }
@@ -84,6 +86,10 @@ void restoreCamera(EditorState& state, const Json& json) {
   read(json.at("distance"), kNearestView * height, far, stand.distance);
   read(json.at("yaw"), -std::numbers::pi, std::numbers::pi, stand.yaw);
   read(json.at("pitch"), -0.5 * std::numbers::pi, 0.5 * std::numbers::pi, stand.pitch);
+  stand.aim = {};
+  if (const std::vector<Json>& aim = json.at("aim").items(); aim.size() == 2) {
+    for (int axis = 0; axis < 2; ++axis) read(aim[static_cast<std::size_t>(axis)], -1.0, 1.0, stand.aim[axis]);
+  }
   camera.transition.reset();
   camera.stand = stand;
   camera.orthographic = json.at("orthographic").boolean(camera.orthographic);
@@ -159,6 +165,14 @@ void restoreMarks(Visibility::Marks& marks, const Json& json, const Document& do
   }
 }
 
+void restoreReferences(EditorState& state, const Json& json) {
+  std::vector<Error> missing;
+  state.open.reference.pictures = referencesFromJson(json, missing);
+  for (const Error& error : missing) {
+    addMessage(state.session, MessageKind::kWarning, "A reference picture is not shown: " + error.plainText());
+  }
+}
+
 }  // namespace
 
 Json viewToJson(const EditorState& state, bool withPlayingTime) {
@@ -168,6 +182,7 @@ Json viewToJson(const EditorState& state, bool withPlayingTime) {
       .set("camera", cameraToJson(state))
       .set("display", displayToJson(state.view.display))
       .set("outliner", outlinerToJson(state.view))
+      .set("references", referencesToJson(state.open.reference.pictures))
       .set("hidden", marksToJson(visibility.hidden, state.document.rig()))
       .set("locked", marksToJson(visibility.locked, state.document.rig()));
 }
@@ -210,6 +225,7 @@ void restoreView(EditorState& state, const Json& view) {
   restoreCamera(state, view.at("camera"));
   restoreDisplay(state.view.display, view.at("display"));
   if (view.find("outliner") != nullptr) restoreOutliner(state.view, view.at("outliner"));
+  restoreReferences(state, view.at("references"));
   restoreMarks(state.document.visibility.hidden, view.at("hidden"), state.document);
   restoreMarks(state.document.visibility.locked, view.at("locked"), state.document);
 }

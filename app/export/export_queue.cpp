@@ -18,11 +18,19 @@ struct ExportQueue::Run {
   ~Run() { canceled = true; }
 
   void work() {
-    result = runExport(*order.kind, order.source, order.settings, order.file, [this](double part) {
+    const ExportProgress progress = [this](double part) {
       share = part;
       return !canceled;
-    });
+    };
+    if (order.pictures) result = pictures(progress);
+    else result = runExport(*order.kind, order.source, order.settings, order.file, progress);
     done = true;
+  }
+
+  Result<ExportReport> pictures(const ExportProgress& progress) const {
+    const Result<void> made = runPictureJob(*order.pictures, order.file, progress);
+    if (!made) return made.error();
+    return ExportReport{};
   }
 
   const ExportOrder order;

@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/export/export_kinds.h"
+#include "app/export/picture_job.h"
 
 namespace sinew::app {
 
@@ -15,6 +17,7 @@ struct ExportOrder {
   ExportSource source;
   ExportSettings settings;
   std::filesystem::path file;
+  std::optional<PictureJob> pictures{};  ///< Not the character but pictures of it: neither kind nor source.
 };
 
 /// One that is not done yet.
@@ -27,9 +30,9 @@ struct ExportStand {
 
 struct ExportOutcome {
   std::filesystem::path file;
-  Result<ExportReport> result;
-  bool canceled = false;  ///< The result says so too.
-  ExportOrder order{};    ///< What was asked for.
+  Result<ExportReport> result;  ///< Of pictures only whether there is an error.
+  bool canceled = false;        ///< The result says so too.
+  ExportOrder order{};          ///< What was asked for.
 };
 
 /// All calls from one thread, which never waits but in the destructor. One export runs at a time on a thread of its

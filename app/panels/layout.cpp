@@ -12,6 +12,7 @@
 #include "app/panels/panels.h"
 #include "app/panels/shared/field_edit.h"
 #include "app/panels/timeline/timeline_keys.h"
+#include "app/tools/view/axis_triad.h"
 #include "app/ui/keyboard_focus.h"
 
 namespace sinew::app {
@@ -160,7 +161,7 @@ bool foldingTitle(PanelUi& ui, const Panel& panel) {
 void drawRight(PanelUi& ui, const Box& box) {
   beginRegion("region-right", box, 0);
   for (const Panel& panel : panels()) {
-    if (panel.region != Region::kRight) continue;
+    if (panel.region != Region::kRight || (panel.isWanted && !panel.isWanted(ui.state))) continue;
     if (!foldingTitle(ui, panel) || !isDrawn(ui, panel)) continue;
     ImGui::PushID(panel.id);
     panel.draw(ui);
@@ -215,6 +216,26 @@ void drawWelcome(PanelUi& ui, const Box& box) {
   ui.widgets.note("viewport/open");
 }
 
+/// What lies over the picture now, until the next frame: the panels in it, which are windows in its window, what was
+/// drawn by hand, and the axes in its corner.
+void noteCovered(PanelUi& ui, const Box& box) {
+  std::vector<glm::vec4>& covered = ui.state.frame.covered;
+  covered.clear();
+  const auto cover = [&](const glm::vec4& over) {
+    const glm::vec2 corner(box.x, box.y);
+    const glm::vec2 size = glm::max(glm::vec2(box.width, box.height), glm::vec2(1.0f));
+    covered.emplace_back((glm::vec2(over) - corner) / size, (glm::vec2(over.z, over.w) - corner) / size);
+  };
+  for (const ImGuiWindow* const child : ImGui::GetCurrentWindow()->DC.ChildWindows) {
+    const ImRect at = child->Rect();
+    cover({at.Min.x, at.Min.y, at.Max.x, at.Max.y});
+  }
+  for (const glm::vec4& over : ui.covered) cover(over);
+  const float ball = ui.px(2.0f * kTriadRadius + kTriadMargin);
+  if (ui.state.hasCharacter())
+    cover({box.x + box.width - ball, box.y + box.height - ball, box.x + box.width, box.y + box.height});
+}
+
 /// The picture itself is drawn behind all windows once this frame's edits are known; here is what lies over it.
 bool drawViewport(PanelUi& ui, const Box& box) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
@@ -226,6 +247,7 @@ bool drawViewport(PanelUi& ui, const Box& box) {
   for (const Panel& panel : panels()) {
     if (panel.region == Region::kInViewport && isDrawn(ui, panel)) panel.draw(ui);
   }
+  noteCovered(ui, box);
   ImGui::End();
   return free;
 }
@@ -295,6 +317,7 @@ void markRevealed(PanelUi& ui) {
 bool drawLayout(PanelUi& ui) {
   ui.escapeTaken = closeMenuOnEscape();
   seekRevealed(ui);
+  ui.state.frame.hoveredPart = -1;
   const float menuHeight = drawMenuBar(ui);
   const LayoutSizes sizes = sizesOf(ui, menuHeight);
   const Regions regions = divide(ui, sizes, menuHeight);

@@ -12,7 +12,7 @@
 #include "app/editor/session.h"
 #include "app/names/readable_names.h"
 #include "app/panels/panels.h"
-#include "app/render/thumbnails.h"
+#include "app/render/pictures/thumbnails.h"
 #include "app/ui/reading_order.h"
 
 namespace sinew::app {

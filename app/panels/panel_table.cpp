@@ -2,6 +2,7 @@
 
 #include "app/panels/panels.h"
 
+#include "app/actions/layer_commands.h"
 #include "app/panels/dialogs/dialogs.h"
 #include "app/panels/inspector/inspector.h"
 #include "app/panels/overlay/overlay.h"
@@ -16,6 +17,7 @@ constexpr Panel kPanels[] = {
     {"inspector", "Muscle", Region::kRight, drawInspector},
     {"surface", "Surface", Region::kRight, drawSurfacePanel},
     {"smoothing", "Smoothing", Region::kRight, drawSmoothingPanel},
+    {"layers", "Layers", Region::kRight, drawLayersPanel, false, hasParts},
     {"timeline", "", Region::kBottom, drawTimeline},
     {"display", "", Region::kInViewport, drawDisplayBar},
     {"toolstrip", "", Region::kInViewport, drawToolStrip},
@@ -26,12 +28,15 @@ constexpr Panel kPanels[] = {
     {"check", "", Region::kInViewport, drawCheckList},
     {"muscle-set", "", Region::kInViewport, drawMuscleSet},
     {"body-parts", "", Region::kInViewport, drawBodyParts},
+    {"clip-files", "", Region::kInViewport, drawClipList},
+    {"reference", "", Region::kInViewport, drawReference},
     {"first-steps", "", Region::kInViewport, drawFirstSteps},
     {"viewport-menu", "", Region::kInViewport, drawViewportMenu},
     {"messages", "", Region::kInViewport, drawMessages, true},
     {"toast", "", Region::kInViewport, drawToast, true},
     {"export", "", Region::kDialog, drawExportDialog},
     {"farm", "", Region::kDialog, drawFarmDialog},
+    {"pictures", "", Region::kDialog, drawPicturesDialog},
     {"dialog", "", Region::kDialog, drawFileDialog, true},
     {"locate", "", Region::kDialog, drawLocateQuestion, true},
     {"keep-muscles", "", Region::kDialog, drawKeepMusclesQuestion, true},

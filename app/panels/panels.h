@@ -15,6 +15,8 @@ struct Panel {
   Region region;
   void (*draw)(PanelUi&);
   bool always = false;  ///< Also without a character.
+  bool (*isWanted)(const EditorState& state) =
+      nullptr;  ///< Kept out, title and all, where it says no. Null: it never is.
 };
 
 /// In drawing order.

@@ -16,7 +16,7 @@ struct FrameBlock {
   glm::vec4 forward{0.0f};   ///< World, unit.
   glm::vec4 picture{1.0f};   ///< Width and height in pixels, height of the character, height of the floor.
   glm::vec4 key{0.0f};       ///< World, unit, towards the light that casts the shadow.
-  glm::vec4 occluded{0.0f};  ///< x: 1 where the picture has an occlusion texture (ScreenOcclusion).
+  glm::vec4 occluded{0.0f};  ///< x: 1: there is an occlusion texture (ScreenOcclusion). y: 1: one of a mean.
 };
 
 /// One picture in the making.

@@ -110,6 +110,12 @@ GlFramebuffer makeFramebuffer() {
   return GlFramebuffer(id);
 }
 
+GlQuery makeQuery(GLenum target) {
+  GLuint id = 0;
+  glCreateQueries(target, 1, &id);
+  return GlQuery(id);
+}
+
 void setAttribute(GLuint array, GLuint location, GLuint binding, GLint count, std::size_t offset) {
   glEnableVertexArrayAttrib(array, location);
   glVertexArrayAttribFormat(array, location, count, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));

@@ -60,6 +60,9 @@ struct GlFramebufferTraits {
 struct GlShaderTraits {
   static void destroy(GLuint id) { glDeleteShader(id); }
 };
+struct GlQueryTraits {
+  static void destroy(GLuint id) { glDeleteQueries(1, &id); }
+};
 struct GlProgramTraits {
   static void destroy(GLuint id) { glDeleteProgram(id); }
 };
@@ -69,6 +72,7 @@ using GlVertexArray = GlObject<GlVertexArrayTraits>;
 using GlTexture = GlObject<GlTextureTraits>;
 using GlRenderbuffer = GlObject<GlRenderbufferTraits>;
 using GlFramebuffer = GlObject<GlFramebufferTraits>;
+using GlQuery = GlObject<GlQueryTraits>;
 using GlShader = GlObject<GlShaderTraits>;
 
 [[nodiscard]] GlBuffer makeBuffer();
@@ -76,6 +80,7 @@ using GlShader = GlObject<GlShaderTraits>;
 [[nodiscard]] GlTexture makeTexture(GLenum target);
 [[nodiscard]] GlRenderbuffer makeRenderbuffer();
 [[nodiscard]] GlFramebuffer makeFramebuffer();
+[[nodiscard]] GlQuery makeQuery(GLenum target);
 
 /// An attribute of `count` floats at an offset in what is bound, made part of the array.
 void setAttribute(GLuint array, GLuint location, GLuint binding, GLint count, std::size_t offset);

@@ -25,6 +25,8 @@ constexpr glm::vec2 kBoneWidth{0.12f, 0.012f};             ///< A bone's, of its
 constexpr float kShortestBone = 0.004f;                    ///< Drawn, of the character's height.
 constexpr glm::vec3 kDarkContour{0.050f, 0.048f, 0.050f};  ///< The glass's outline: light on dark backgrounds.
 constexpr glm::vec3 kLightContour{0.330f, 0.345f, 0.370f};
+constexpr float kSmall =
+    80.0f;  ///< Pixels: of a belly with shorter half axes, 16 rows are off by less than half a pixel.
 constexpr float kInside = 0.97f;  ///< The tendon's first section, of the belly's: hidden in it.
 
 /// Two triangles between each two corners of a ring and of the next.
@@ -74,6 +76,12 @@ ShapeInstance instanceOf(const PrimitiveShape& shape) {
   return belly;
 }
 
+bool isSmall(const ShapeInstance& body, const View& view) {
+  float halfAxis = 0.0f;
+  for (glm::length_t i = 0; i < 3; ++i) halfAxis = std::max(halfAxis, glm::length(glm::vec3(body.shapeInWorld[i])));
+  return halfAxis < kSmall * view.unitsPerPixelAt(glm::vec3(body.shapeInWorld[3]));
+}
+
 }  // namespace
 
 glm::mat4 alongFibres(const PrimitiveShape& shape) {
@@ -84,6 +92,7 @@ glm::mat4 alongFibres(const PrimitiveShape& shape) {
 
 MuscleDrawer::MuscleDrawer()
     : bellies_(ShapeMesh::ball(32)),
+      smallBellies_(ShapeMesh::ball(16)),
       hollows_(ShapeMesh::ball(20)),
       bones_(ShapeMesh::ball(18)),
       tendonArray_(makeVertexArray()),
@@ -109,24 +118,27 @@ Result<MuscleDrawer> MuscleDrawer::create() {
     const char* vertex;
     const char* fragment;
     const char* what = "MUSCLE";
+    const char* part = "LIT";
   };
   constexpr const char* kLit = "shaders/muscle.frag";
   constexpr const char* kDepth = "shaders/depth.frag";
-  for (const Wanted& wanted : {Wanted{&drawer.lit_.belly, "shaders/muscle.vert", kLit},
-                               Wanted{&drawer.lit_.tendon, "shaders/tendon.vert", kLit},
-                               Wanted{&drawer.lit_.bone, "shaders/ivory.vert", kLit, "BONE"},
-                               Wanted{&drawer.depth_.belly, "shaders/muscle.vert", kDepth},
-                               Wanted{&drawer.depth_.tendon, "shaders/tendon.vert", kDepth},
-                               Wanted{&drawer.depth_.bone, "shaders/ivory.vert", kDepth},
-                               Wanted{&drawer.hollow_, "shaders/muscle.vert", "shaders/hollow.frag"},
-                               Wanted{&drawer.glass_, "shaders/surface.vert", "shaders/glass.frag"}}) {
-    Result<GlProgram> program =
-        GlProgram::load({wanted.vertex, wanted.fragment}, {"CHOSEN_LOOK", "COLORED", "SOLID", wanted.what});
+  for (const Wanted& wanted :
+       {Wanted{&drawer.lit_.belly, "shaders/muscle.vert", kLit},
+        Wanted{&drawer.lit_.tendon, "shaders/tendon.vert", kLit},
+        Wanted{&drawer.lit_.bone, "shaders/ivory.vert", kLit, "BONE"},
+        Wanted{&drawer.depth_.belly, "shaders/muscle.vert", kDepth},
+        Wanted{&drawer.depth_.tendon, "shaders/tendon.vert", kDepth},
+        Wanted{&drawer.depth_.bone, "shaders/ivory.vert", kDepth},
+        Wanted{&drawer.hollow_, "shaders/muscle.vert", "shaders/hollow.frag"},
+        Wanted{&drawer.glass_, "shaders/surface.vert", "shaders/glass.frag", "GLASS"},
+        Wanted{&drawer.glassDepth_, "shaders/surface.vert", "shaders/glass.frag", "GLASS", "DEPTH_ALONE"}}) {
+    Result<GlProgram> program = GlProgram::load({wanted.vertex, wanted.fragment},
+                                                {"CHOSEN_LOOK", "COLORED", "SOLID", wanted.what, wanted.part});
     if (!program) return program.error();
     *wanted.program = std::move(program).value();
   }
   Result<GlProgram> wired = GlProgram::load({"shaders/surface.vert", "shaders/surface_wire.geom", "shaders/glass.frag"},
-                                            {"CHOSEN_LOOK", "COLORED", "WIRE"});
+                                            {"CHOSEN_LOOK", "COLORED", "GLASS", "WIRE"});
   if (!wired) return wired.error();
   drawer.wiredGlass_ = std::move(wired).value();
   return drawer;
@@ -171,18 +183,22 @@ void MuscleDrawer::place(const Frame& frame) {
     program->set("pixel", 2.0f / (frame.view.clipFromView[1][1] * static_cast<float>(frame.view.size.y)));
   }
   addBones(frame);
-  std::vector<ShapeInstance> bellies, hollows;
+  std::vector<ShapeInstance> large, small, hollows;
   tendons_.clear();
   for (const PrimitiveShape& shape : frame.scene.primitives) {
-    (shape.sign < 0 ? hollows : bellies).push_back(instanceOf(shape));
-    if (shape.sign > 0 && shape.line) addTendons(shape, bellies.back(), frame.height);
+    const ShapeInstance body = instanceOf(shape);
+    (shape.sign < 0 ? hollows : isSmall(body, frame.view) ? small : large).push_back(body);
+    if (shape.sign > 0 && shape.line) addTendons(shape, body, frame.height);
   }
   const glm::vec3 forward = frame.view.forwardInWorld();
-  std::ranges::stable_sort(hollows, std::greater<>{}, [&](const ShapeInstance& hollow) {
-    return glm::dot(glm::vec3(hollow.shapeInWorld[3]), forward);
-  });
+  const auto distance = [&](const ShapeInstance& body) { return glm::dot(glm::vec3(body.shapeInWorld[3]), forward); };
+  // What is hidden is not shaded where what hides it was drawn first.
+  std::ranges::stable_sort(large, std::less<>{}, distance);
+  std::ranges::stable_sort(small, std::less<>{}, distance);
+  std::ranges::stable_sort(hollows, std::greater<>{}, distance);
   hollowCount_ = hollows.size();
-  bellies_.setInstances(bellies);
+  bellies_.setInstances(large);
+  smallBellies_.setInstances(small);
   hollows_.setInstances(hollows);
   uploadBuffer(tendonBuffer_, std::span<const TendonInstance>(tendons_));
 }
@@ -193,6 +209,7 @@ void MuscleDrawer::drawBodies(const Programs& programs) const {
   glCullFace(GL_BACK);
   programs.belly.use();
   bellies_.draw();
+  smallBellies_.draw();
   glDisable(GL_CULL_FACE);
   programs.bone.use();
   bones_.draw();
@@ -237,26 +254,32 @@ void MuscleDrawer::drawHollows() const {
 }
 
 void MuscleDrawer::drawGlass(const Frame& frame, const SurfaceDrawer& surface) const {
-  const GlProgram& program = frame.settings.wire ? wiredGlass_ : glass_;
-  program.use();
-  program.set("baseMap", 0);
-  program.set("plain", frame.settings.shading == Shading::kTextured ? 0 : 1);
-  program.set("clear", std::clamp(frame.settings.glass, 0.0f, 1.0f));
-  program.set("lineScale", frame.settings.lineScale);
+  const bool wired = frame.settings.wire;
+  const GlProgram& shown = wired ? wiredGlass_ : glass_;
+  const GlProgram& depth = wired ? wiredGlass_ : glassDepth_;
   const glm::mat4& clip = frame.view.clipFromView;
+  for (const GlProgram* program : {&depth, &shown}) {
+    program->use();
+    program->set("baseMap", 0);
+    program->set("depthScale", glm::vec2(clip[2][2], clip[3][2]));
+  }
+  shown.set("plain", frame.settings.shading == Shading::kTextured ? 0 : 1);
+  shown.set("clear", std::clamp(frame.settings.glass, 0.0f, 1.0f));
+  shown.set("lineScale", frame.settings.lineScale);
   const BackdropStyle& backdrop = backdropStyle(frame.settings.look.backdrop);
   const bool onDark = frame.settings.background && backdrop.low.g + backdrop.high.g < 0.5f;
-  program.set("contourColor", onDark ? kLightContour : kDarkContour);
-  program.set("depthScale", glm::vec2(clip[2][2], clip[3][2]));
+  shown.set("contourColor", onDark ? kLightContour : kDarkContour);
   glVertexAttrib4f(5, 1.0f, 1.0f, 1.0f, 1.0f);  // For surfaces without colors.
   // Depth first: one layer of glass, never two.
   glDisable(GL_BLEND);
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  surface.drawOpaque(program, frame);
+  depth.use();
+  surface.drawOpaque(depth, frame);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDepthFunc(GL_EQUAL);
   blendPremultiplied();
-  surface.drawOpaque(program, frame);
+  shown.use();
+  surface.drawOpaque(shown, frame);
   glDisable(GL_BLEND);
   glDepthFunc(GL_LESS);
 }

@@ -45,8 +45,9 @@ class MuscleDrawer {
   void drawBodies(const Programs& programs) const;
 
   Programs lit_, depth_;
-  GlProgram hollow_, glass_, wiredGlass_;
-  ShapeMesh bellies_;
+  GlProgram hollow_, glass_, glassDepth_, wiredGlass_;
+  ShapeMesh bellies_;       ///< Those that are large in the picture,
+  ShapeMesh smallBellies_;  ///< and the others.
   ShapeMesh hollows_;
   ShapeMesh bones_;
   std::size_t hollowCount_ = 0;

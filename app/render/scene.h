@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -87,6 +88,28 @@ struct SceneSegment {
   SegmentClass kind = SegmentClass::kPlain;
 };
 
+struct Image;
+
+/// A picture to work after. It is seen from its front alone.
+struct ReferencePlane {
+  std::shared_ptr<const Image> pixels;
+  /// Square of side 1 about the origin, x right and y up in the picture -> world; z is the unit normal towards the eye.
+  glm::mat4 squareInWorld{1.0f};
+  float opacity = 1.0f;
+  bool inside = false;  ///< Hidden by what stands before it, and hides what lies behind; else behind everything.
+
+  friend bool operator==(const ReferencePlane&, const ReferencePlane&) = default;
+};
+
+/// A part of the mesh that is tinted, in the color of its layer.
+struct LitPart {
+  int part = 0;  ///< Index into Character::parts.
+  SkinLayer layer = SkinLayer::kSkin;
+  bool hovered = false;
+
+  friend bool operator==(const LitPart&, const LitPart&) = default;
+};
+
 /// One moment of a character. Pointers are valid for the call; surface may be null before the first smoothing.
 struct Scene {
   const Character* character = nullptr;
@@ -98,9 +121,12 @@ struct Scene {
   int hoveredBone = -1;
   std::vector<bool> hiddenBones;                   ///< [bones] not drawn; empty: none is left out.
   std::vector<glm::vec3> skinnedControlPositions;  ///< [V] for DisplaySettings::controlMesh; may be empty.
-  std::vector<float> territory;        ///< [V] 0..1, how much of a muscle each control vertex takes; empty: no tint.
-  std::vector<int> territoryBones;     ///< Highlighted among the bones, and drawn though the skeleton is hidden.
+  std::vector<float> territory;     ///< [V] 0..1, how much of a muscle each control vertex takes; empty: no tint.
+  std::vector<int> territoryBones;  ///< Highlighted among the bones, and drawn though the skeleton is hidden.
+  std::vector<LitPart> litParts;
+  std::vector<SkinLayer> layers;       ///< [parts] for Shading::kClasses; empty: all is skin.
   std::vector<SceneSegment> segments;  ///< Seen through the skin, fainter.
+  std::vector<ReferencePlane> references;
 };
 
 }  // namespace sinew::app

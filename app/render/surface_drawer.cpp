@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include <glm/gtc/matrix_access.hpp>
 
@@ -63,7 +64,8 @@ void setMarks(const GlProgram& program, const Frame& frame, std::span<const Prim
 }  // namespace
 
 SurfaceDrawer::SurfaceDrawer()
-    : array_(makeVertexArray()),
+    : partSeen_(makeQuery(GL_ANY_SAMPLES_PASSED)),
+      array_(makeVertexArray()),
       vertices_(makeBuffer()),
       uvs_(makeBuffer()),
       skinValues_(makeBuffer()),
@@ -72,7 +74,8 @@ SurfaceDrawer::SurfaceDrawer()
       keptIndices_(makeBuffer()),
       coarseIndices_(makeBuffer()),
       controlOf_(makeBuffer()),
-      classes_(makeBuffer()) {
+      classes_(makeBuffer()),
+      parts_(makeBuffer()) {
   const GLuint array = array_.id();
   glVertexArrayVertexBuffer(array, 0, vertices_.id(), 0, sizeof(Vertex));
   glVertexArrayVertexBuffer(array, 1, uvs_.id(), 0, sizeof(glm::vec2));
@@ -92,7 +95,10 @@ SurfaceDrawer::SurfaceDrawer()
 Result<SurfaceDrawer> SurfaceDrawer::create() {
   Result<SurfacePrograms> programs = SurfacePrograms::create();
   if (!programs) return programs.error();
+  Result<GlProgram> part = GlProgram::load({"shaders/depth.vert", "shaders/part.frag"});
+  if (!part) return part.error();
   SurfaceDrawer drawer;
+  drawer.partProgram_ = std::move(part).value();
   drawer.programs_ = std::move(programs).value();
   return drawer;
 }
@@ -102,6 +108,11 @@ void SurfaceDrawer::setCharacter(const Character& character) {
   ranges_.clear();
   bounds_ = {};
   materials_ = character.materials;
+  materialOfPart_.clear();
+  for (const MeshPart& part : character.parts) materialOfPart_.push_back(part.material);
+  std::vector<int> parts;
+  for (const ControlTriangle& triangle : character.mesh.triangles) parts.push_back(triangle.part);
+  uploadBuffer(parts_, std::span<const int>(parts), GL_STATIC_DRAW);
   open_ = bakeOpenness(character.mesh);
   territory_.clear();
   revision_ = 0;
@@ -120,7 +131,8 @@ void SurfaceDrawer::rebuildSkinValues(const ControlMesh& mesh) {
   uploadBuffer(skinValues_, std::span<const SkinValues>(values), GL_STATIC_DRAW);
 }
 
-void SurfaceDrawer::fillVertices(const Surface& surface) {
+void SurfaceDrawer::fillVertices(const Scene& scene) {
+  const Surface& surface = *scene.surface;
   const std::vector<int>& drawVertex = refinement_->drawVertex;
   staging_.resize(drawVertex.size());
   const bool displaced = surface.displacement.size() == surface.positions.size();
@@ -131,10 +143,18 @@ void SurfaceDrawer::fillVertices(const Surface& surface) {
   }
   uploadBuffer(vertices_, std::span<const Vertex>(staging_));
   bounds_ = boundsOf(surface.positions);
+  fillClasses(scene);
+}
+
+void SurfaceDrawer::fillClasses(const Scene& scene) {
+  const std::vector<TriangleClass>& found = scene.surface->classes;
+  const std::vector<ControlTriangle>& triangles = scene.character->mesh.triangles;
   std::vector<std::uint32_t> classes(refinement_->triangleBegin.size(), 0);
-  for (std::size_t t = 0; t < surface.classes.size(); ++t) {
+  for (std::size_t t = 0; t < found.size(); ++t) {
+    const SkinLayer layer =
+        scene.layers.empty() ? SkinLayer::kSkin : scene.layers[static_cast<std::size_t>(triangles[t].part)];
     const int level = refinement_->isUniform ? 0 : levelShown(*refinement_, static_cast<int>(t));
-    classes[t] = static_cast<std::uint32_t>(surface.classes[t]) + 4 * static_cast<std::uint32_t>(level);
+    classes[t] = static_cast<std::uint32_t>(zoneOf(found[t], layer)) + 8 * static_cast<std::uint32_t>(level);
   }
   uploadBuffer(classes_, std::span<const std::uint32_t>(classes));
 }
@@ -158,10 +178,14 @@ void SurfaceDrawer::upload(const Scene& scene) {
     culled_ = surface.culled;
     rebuildOrder(mesh, culled_.empty() ? indices_ : keptIndices_, culled_.empty() ? GL_STATIC_DRAW : GL_STREAM_DRAW);
   }
+  const bool relayered = std::exchange(layers_, scene.layers) != scene.layers;
   const bool known = scene.surfaceRevision != 0 && scene.surfaceRevision == revision_;
-  if (!refined && !reordered && known) return;
+  if (!refined && !reordered && known) {
+    if (relayered) fillClasses(scene);
+    return;
+  }
   revision_ = scene.surfaceRevision;
-  fillVertices(surface);
+  fillVertices(scene);
 }
 
 const GlProgram& SurfaceDrawer::prepareProgram(const Frame& frame, MapSet maps) const {
@@ -180,10 +204,9 @@ const GlProgram& SurfaceDrawer::prepareProgram(const Frame& frame, MapSet maps) 
   std::ranges::transform(heatStops(), stops.begin(),
                          [](const glm::vec3& stop) { return glm::vec4(linearFromSrgb(stop), 1.0f); });
   program.set("heatStops", std::span<const glm::vec4>(stops));
-  std::array<glm::vec4, 3> classes{};
-  std::ranges::transform(classColors(), classes.begin(),
-                         [](const ClassColor& each) { return glm::vec4(linearFromSrgb(each.srgb), 1.0f); });
-  program.set("classColors", std::span<const glm::vec4>(classes));
+  std::array<glm::vec4, kZones> zones{};
+  for (std::size_t i = 0; i < zones.size(); ++i) zones[i] = glm::vec4(linearFromSrgb(zoneColor(i)), 1.0f);
+  program.set("zoneColors", std::span<const glm::vec4>(zones));
   if (kind.marked) setMarks(program, frame, marks);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, classes_.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, controlOf_.id());

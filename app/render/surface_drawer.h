@@ -29,9 +29,12 @@ class SurfaceDrawer {
   void drawOpaque(const GlProgram& program, const Frame& frame) const;
   /// Materials whose alpha blends: back sides first, then front sides.
   void drawBlended(const Frame& frame) const;
+  /// Scene::litParts as a tint over the surface, which has been drawn. A part of which nothing is seen, such as teeth,
+  /// shows through what is before it, fainter.
+  void drawLitParts(const Frame& frame) const;
   /// All triangles, for shadows: with `solid`, or with `withAlpha` where the picture shows a material's alpha. Where
   /// the processor draws: one for each control triangle, between its corners as they are on the surface, since a
-  /// blurred shadow does not show the difference. Culled triangles cast theirs too. In app/render/surface_shadow.cpp.
+  /// blurred shadow does not show the difference. Culled triangles cast theirs too.
   void drawForShadow(const Frame& frame, const GlProgram& solid, const GlProgram& withAlpha) const;
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
 
@@ -56,7 +59,8 @@ class SurfaceDrawer {
   };
   SurfaceDrawer();
   void rebuildSkinValues(const ControlMesh& mesh);
-  void fillVertices(const Surface& surface);
+  void fillVertices(const Scene& scene);
+  void fillClasses(const Scene& scene);
   void rebuildTopology(const ControlMesh& mesh);
   /// Control triangles by material, the culled left out: controlOrder_, ranges_ and the indices to draw.
   void rebuildOrder(const ControlMesh& mesh, const GlBuffer& indices, GLenum usage);
@@ -68,12 +72,16 @@ class SurfaceDrawer {
   template <class Draw>
   void drawOpaqueRanges(const Frame& frame, const Draw& draw) const;
   void drawRange(const GlProgram& program, const Frame& frame, const Range& range, MapSet maps) const;
+  void drawPart(const Frame& frame, const LitPart& lit, float strength) const;
 
   SurfacePrograms programs_;
+  GlProgram partProgram_;
+  GlQuery partSeen_;  ///< Whether anything of a part was seen.
   GlVertexArray array_;
-  GlBuffer vertices_, uvs_, skinValues_, colors_, indices_, keptIndices_, coarseIndices_, controlOf_, classes_;
+  GlBuffer vertices_, uvs_, skinValues_, colors_, indices_, keptIndices_, coarseIndices_, controlOf_, classes_, parts_;
   MaterialTextures textures_;
   std::vector<Material> materials_;
+  std::vector<int> materialOfPart_;  ///< [parts]
   std::shared_ptr<const Refinement> refinement_;
   std::vector<std::uint8_t> culled_;  ///< Surface::culled as in keptIndices_; empty: all is drawn, from indices_.
   std::vector<int> controlOrder_;     ///< Control triangles in the order drawn: by material.
@@ -81,9 +89,10 @@ class SurfaceDrawer {
   std::vector<Range> shadowRanges_;  ///< ranges_ as without culling.
   GLsizei coarseIndexCount_ = 0;     ///< 0: the shadow is cast by all triangles.
   std::vector<Vertex> staging_;
-  std::vector<float> open_;       ///< [V] how open each control vertex is (occlusion.h).
-  std::vector<float> territory_;  ///< [V] or empty, as in skinValues_.
-  std::uint64_t revision_ = 0;    ///< Scene::surfaceRevision of what is uploaded; 0: unknown.
+  std::vector<float> open_;        ///< [V] how open each control vertex is (occlusion.h).
+  std::vector<float> territory_;   ///< [V] or empty, as in skinValues_.
+  std::vector<SkinLayer> layers_;  ///< Scene::layers, as in classes_.
+  std::uint64_t revision_ = 0;     ///< Scene::surfaceRevision of what is uploaded; 0: unknown.
   Bounds bounds_;
 };
 

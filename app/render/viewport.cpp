@@ -15,6 +15,7 @@
 #include "app/render/line_drawer.h"
 #include "app/render/muscle_drawer.h"
 #include "app/render/primitive_drawer.h"
+#include "app/render/reference_drawer.h"
 #include "app/render/render_target.h"
 #include "app/render/screen_occlusion.h"
 #include "app/render/skeleton_drawer.h"
@@ -30,6 +31,7 @@ struct Viewport::State {
   MuscleDrawer muscles;
   SkeletonDrawer skeleton;
   LineDrawer lines;
+  ReferenceDrawer references;
   ScreenOcclusion occlusion;
   PictureMean mean;
   GlBuffer frameBlock;
@@ -38,6 +40,7 @@ struct Viewport::State {
   RenderTarget sample{};  ///< One of those that the mean is made of.
   int samples = 1;
   bool finish = false;
+  bool occludesOnce = !isSoftwareRenderer();
   bool transparent = false;
   float floor = 0.0f;
   bool kept = false;               ///< All but `boxes` of the last picture is the kept background.
@@ -51,7 +54,7 @@ namespace {
 
 constexpr float kHeldWithin = 0.015f;  ///< Fraction of the height: at most one step in 255 of the floor's light.
 
-FrameBlock blockOf(const Frame& frame, bool occluded) {
+FrameBlock blockOf(const Frame& frame, bool occluded, bool ofMean) {
   FrameBlock block;
   block.clipFromWorld = frame.view.clipFromWorld();
   block.viewFromWorld = frame.view.viewFromWorld;
@@ -60,6 +63,7 @@ FrameBlock blockOf(const Frame& frame, bool occluded) {
   block.picture = glm::vec4(glm::vec2(frame.view.size), frame.height, frame.floor);
   block.key = glm::vec4(keyDirection(frame.settings.look.light), 0.0f);
   block.occluded.x = occluded ? 1.0f : 0.0f;
+  block.occluded.y = ofMean ? 1.0f : 0.0f;
   return block;
 }
 
@@ -98,7 +102,7 @@ std::optional<glm::vec4> boxAround(const View& view, std::span<const glm::vec3> 
 std::vector<glm::vec4> boxesOf(const Frame& frame, const glm::vec4& shadow) {
   const DisplaySettings& shown = frame.settings;
   if (shown.controlMesh || !frame.scene.segments.empty() || shown.primitives || shown.influence || shown.skeleton ||
-      !frame.scene.territoryBones.empty() || !frame.scene.primitives.empty()) {
+      !frame.scene.territoryBones.empty() || !frame.scene.primitives.empty() || !frame.scene.references.empty()) {
     return {};
   }
   const Bounds& box = frame.surfaceBounds;
@@ -154,15 +158,17 @@ Result<std::unique_ptr<Viewport>> Viewport::create(int samples) {
   if (!skeleton) return skeleton.error();
   Result<LineDrawer> lines = LineDrawer::create();
   if (!lines) return lines.error();
+  Result<ReferenceDrawer> references = ReferenceDrawer::create();
+  if (!references) return references.error();
   Result<ScreenOcclusion> occlusion = ScreenOcclusion::create();
   if (!occlusion) return occlusion.error();
   Result<PictureMean> mean = PictureMean::create();
   if (!mean) return mean.error();
   std::unique_ptr<Viewport> viewport(new Viewport);
-  viewport->state_ = std::make_unique<State>(
-      State{std::move(surface).value(), std::move(ground).value(), std::move(primitives).value(),
-            std::move(muscles).value(), std::move(skeleton).value(), std::move(lines).value(),
-            std::move(occlusion).value(), std::move(mean).value(), makeBuffer(), makeBuffer()});
+  viewport->state_ = std::make_unique<State>(State{
+      std::move(surface).value(), std::move(ground).value(), std::move(primitives).value(), std::move(muscles).value(),
+      std::move(skeleton).value(), std::move(lines).value(), std::move(references).value(),
+      std::move(occlusion).value(), std::move(mean).value(), makeBuffer(), makeBuffer()});
   viewport->state_->samples = samples;
   return viewport;
 }
@@ -204,17 +210,20 @@ void Viewport::drawInto(const RenderTarget& target, const Frame& frame, bool kee
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClearDepth(1.0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  const bool kept = keepsBackdrop && s.ground.drawKept(target, frame);
+  const bool kept = keepsBackdrop && frame.scene.references.empty() && s.ground.drawKept(target, frame);
   noteChange(frame, kept);
   if (settings.background && !kept) s.ground.drawBackground(frame);
   glEnable(GL_DEPTH_TEST);
+  s.references.draw(frame, false);
   if (settings.anatomy) s.muscles.drawFlesh(frame);
   else if (showSurface) s.surface.drawOpaque(frame);
+  s.references.draw(frame, true);
   if (settings.ground && kept) s.ground.drawGroundOverKept(frame);
   else if (settings.ground) s.ground.drawGround(frame);
   if (settings.anatomy) s.muscles.drawHollows();
   if (showSurface && settings.anatomy) s.muscles.drawGlass(frame, s.surface);
   else if (showSurface) s.surface.drawBlended(frame);
+  if (showSurface) s.surface.drawLitParts(frame);
   if (settings.controlMesh) s.lines.drawControlMesh(frame);
   if (settings.segments) s.lines.drawSegments(frame);
   if (settings.primitives || settings.influence) s.primitives.drawShells(frame);
@@ -229,10 +238,9 @@ void Viewport::drawInto(const RenderTarget& target, const Frame& frame, bool kee
 /// What the shaders share, and the occlusion's texture. @param sample  of a mean; below 0: a picture alone.
 void Viewport::shareFrame(const Frame& frame, int sample) {
   State& s = *state_;
-  // On the processor a picture alone is one of a motion, which is not to wait for it.
   const bool surface = frame.settings.look.occlusion && frame.settings.surface && !frame.surfaceBounds.isEmpty();
-  const bool occluded = (surface || frame.settings.anatomy) && (sample >= 0 || !isSoftwareRenderer());
-  const std::array<FrameBlock, 1> block{blockOf(frame, occluded)};
+  const bool occluded = (surface || frame.settings.anatomy) && (sample >= 0 || s.occludesOnce);
+  const std::array<FrameBlock, 1> block{blockOf(frame, occluded, sample >= 0)};
   uploadBuffer(s.frameBlock, std::span<const FrameBlock>(block));
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, s.frameBlock.id());
   uploadBuffer(s.lightBlock, std::span<const LightBlock>(&lightBlock(frame.settings.look.light), 1));
@@ -258,6 +266,7 @@ Frame Viewport::beginPicture(const Scene& scene, const View& view, const Display
   if (surfaced) s.surface.upload(scene);
   Frame frame{scene, view, settings, scene.character->height, s.floor, surfaced ? s.surface.bounds() : Bounds{}};
   frame.groundCenter = groundCenter(frame, moving);
+  s.references.prepare(frame);
   s.target.resize(view.size, s.samples);
   s.transparent = !settings.background;
   if (s.finish) glFinish();
@@ -323,6 +332,7 @@ int Viewport::samplesTaken() const { return state_->mean.count(); }
 bool Viewport::isRefined() const { return state_->mean.count() >= kMeanSamples; }
 
 void Viewport::setFinishFrames(bool finish) { state_->finish = finish; }
+void Viewport::setOccludesOnce(bool occludes) { state_->occludesOnce = occludes; }
 const DrawSeconds& Viewport::seconds() const { return state_->seconds; }
 const std::vector<glm::vec4>& Viewport::changed() const { return state_->changed; }
 unsigned Viewport::colorTexture() const { return state_->target.texture(); }

@@ -66,6 +66,9 @@ class Viewport {
 
   /// Wait for the picture at the end of draw(), so that seconds() holds all of it. Off by default.
   void setFinishFrames(bool finish);
+  /// Whether draw() works out ambient occlusion. By default only on a graphics card: on the processor such a picture is
+  /// one of a movement, which is not to wait for it.
+  void setOccludesOnce(bool occludes);
   [[nodiscard]] const DrawSeconds& seconds() const;
 
   /// OpenGL texture of the last picture for ImGui::Image: values are display-ready (not decoded on reading), bottom row

@@ -12,7 +12,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/document/shown_names.h"
+#include "app/document/muscle_names.h"
 #include "app/tools/gizmo/gizmo_basis.h"
 #include "core/base/at.h"
 #include "core/base/flatness.h"
@@ -179,7 +179,7 @@ Placement placementOf(const EllipsoidInWorld& ellipsoid, const glm::mat4& boneIn
 
 Primitive newMuscle(const Skeleton& skeleton, int bone, const Placement& placement) {
   Primitive primitive;
-  primitive.name = shortBoneNames(skeleton)[toIndex(bone)] + " muscle";
+  primitive.name = defaultMuscleName(skeleton, bone);
   primitive.bone = skeleton.fileName(bone);
   primitive.placement = placement;
   primitive.reach = kNewReach;

@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/document/shown_names.h"
+#include "app/document/muscle_names.h"
 #include "app/render/picking.h"
 #include "core/base/at.h"
 #include "core/base/flatness.h"
@@ -99,7 +99,7 @@ Result<LaidLine> layLine(const Character& character, const Surface& skin, const 
   Result<LineAnchor> insertion = anchorUnder(character, to);
   if (!insertion) return insertion.error();
   LaidLine laid;
-  laid.line.name = shortBoneNames(character.skeleton)[toIndex(boneAt(character, from))] + " muscle";
+  laid.line.name = defaultMuscleName(character.skeleton, boneAt(character, from));
   laid.line.origin = std::move(origin).value();
   laid.line.insertion = std::move(insertion).value();
   const Result<LineRest> rest = lineRest(laid.line, character);

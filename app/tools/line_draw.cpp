@@ -11,7 +11,7 @@ namespace sinew::app {
 namespace {
 
 constexpr ImU32 kTendon = IM_COL32(244, 238, 226, 255);
-constexpr ImU32 kShadow = IM_COL32(12, 14, 18, 190);
+constexpr ImU32 kLineShadow = IM_COL32(12, 14, 18, 190);
 constexpr ImU32 kHot = IM_COL32(255, 196, 64, 255);
 
 void drawCurve(ImDrawList& list, const Canvas& canvas, const ShownLine& line) {
@@ -22,12 +22,12 @@ void drawCurve(ImDrawList& list, const Canvas& canvas, const ShownLine& line) {
   const auto stroke = [&](ImU32 color, float width) {
     list.AddPolyline(pixels.data(), static_cast<int>(pixels.size()), color, ImDrawFlags_None, width);
   };
-  stroke(kShadow, 2.0f * canvas.scale + 2.0f);
+  stroke(kLineShadow, 2.0f * canvas.scale + 2.0f);
   stroke(kTendon, 2.0f * canvas.scale);
 }
 
 void ball(ImDrawList& list, const ImVec2& center, float radius, ImU32 color) {
-  list.AddCircleFilled(center, radius + 1.5f, kShadow, 20);
+  list.AddCircleFilled(center, radius + 1.5f, kLineShadow, 20);
   list.AddCircleFilled(center, radius, color, 20);
 }
 
@@ -35,7 +35,7 @@ void diamond(ImDrawList& list, const ImVec2& c, float radius, ImU32 color) {
   const auto quad = [&](float r, ImU32 fill) {
     list.AddQuadFilled({c.x, c.y - r}, {c.x + r, c.y}, {c.x, c.y + r}, {c.x - r, c.y}, fill);
   };
-  quad(radius + 2.0f, kShadow);
+  quad(radius + 2.0f, kLineShadow);
   quad(radius, color);
 }
 

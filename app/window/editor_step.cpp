@@ -18,6 +18,8 @@
 #include "app/actions/export_commands.h"
 #include "app/actions/export_error.h"
 #include "app/actions/muscle_set_commands.h"
+#include "app/actions/reference_commands.h"
+#include "app/editor/clip_commands.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/hidden_bones.h"
@@ -49,13 +51,15 @@ bool closesWhatIsOpen(EditorState& state, const RawInput& input) {
   const Selection& selection = state.document.selection;
   const ToolKind tool = state.view.tools.tool;
   const bool draws = tool == ToolKind::kAddMuscle || tool == ToolKind::kMuscleLine;
-  const bool busy = !selection.primitives.empty() || selection.bone >= 0 || draws || editsTerritory(state) ||
-                    state.open.animate.drivenKey.isOn() || state.open.gestureItem != 0;
+  const bool busy = !selection.primitives.empty() || selection.bone >= 0 || state.open.layers.chosen >= 0 || draws ||
+                    editsTerritory(state) || state.open.animate.drivenKey.isOn() || state.open.gestureItem != 0;
   if (busy) return false;
   if (state.view.bare.latched) state.view.bare.latched = false;
   else if (state.open.muscleSet.shown) closeSet(state);
   else if (state.open.check.shown) closeCheck(state);
   else if (state.open.bodyParts.shown) toggleBodyParts(state);
+  else if (state.open.clipList.shown) toggleClipList(state);
+  else if (state.open.reference.shown) toggleReferencePanel(state);
   else return false;
   return true;
 }
@@ -118,7 +122,7 @@ void EditorStep::runTools(EditorState& state, const RawInput& input, bool viewpo
   cameraMoves_ = false;
   if (!state.hasCharacter()) return;
   if (state.open.frameWanted) {
-    frameBounds(state.view.tools.camera, boundsOf(state.live->surface().positions), state.frame.viewportPixels, false);
+    frameInPicture(state, boundsOf(state.live->surface().positions), false);
     state.open.frameWanted = false;
   }
   const ImGuiIO& io = ImGui::GetIO();
@@ -145,6 +149,7 @@ void EditorStep::runTools(EditorState& state, const RawInput& input, bool viewpo
 
 void EditorStep::updateSurface(EditorState& state) {
   if (!state.hasCharacter()) return;
+  followClipFiles(state);
   state.live->movePose(state.open.transport);  // The pose tool may have turned a joint.
   followEdits(state.document);
   forgetSettledWarnings(state);

@@ -14,6 +14,8 @@
 #include <utility>
 
 #include "app/actions/bindings.h"
+#include "app/actions/reference_commands.h"
+#include "app/document/folder_listing.h"
 #include "app/document/thumbnail_files.h"
 #include "app/document/view_files.h"
 #include "app/editor/commands.h"
@@ -23,7 +25,7 @@
 #include "app/editor/session.h"
 #include "app/platform/window.h"
 #include "app/render/gl_objects.h"
-#include "app/render/thumbnails.h"
+#include "app/render/pictures/thumbnails.h"
 #include "app/render/viewport.h"
 #include "app/ui/imgui_layer.h"
 #include "app/window/editor_step.h"
@@ -124,7 +126,8 @@ class Editor {
     }
     state_.frame.now = secondsNow();  // What is dropped here is said at this time.
     for (const std::filesystem::path& file : window_.takeDrops()) {
-      dropFile(state_, file);
+      if (state_.hasCharacter() && isReferenceName(file.filename().string())) dropReference(state_, file);
+      else dropFile(state_, file);
       settle_ = kSettleFrames;
     }
     if (window_.closeRequested()) {

@@ -23,8 +23,10 @@ std::u32string lettersOfNames(const EditorState& state) {
     addNameLetters(letters, character.skeleton.bones);
     addNameLetters(letters, character.clips);
     addNameLetters(letters, character.morphTargets);
+    addNameLetters(letters, character.parts);
     addNameLetters(letters, state.document.rig().primitives);
     addNameLetters(letters, state.document.rig().groups);
+    for (const LayerChoice& choice : state.document.rig().layers) letters += codePoints(choice.part);
   }
   std::erase_if(letters, [](char32_t c) { return c < 0x80; });
   return letters;

@@ -10,10 +10,11 @@
 #include <utility>
 
 #include "app/actions/export_error.h"
+#include "app/actions/layer_commands.h"
 #include "app/editor/commands.h"
 #include "app/editor/hidden_bones.h"
 #include "app/editor/territory.h"
-#include "app/render/png.h"
+#include "app/render/pictures/png.h"
 #include "app/tools/gizmo/gizmo_draw.h"
 #include "app/tools/hover_draw.h"
 #include "app/tools/line_draw.h"
@@ -48,13 +49,15 @@ PictureKey keyOf(const EditorState& state, const View& view) {
   key.territory = shownTerritoryWeights(state);
   key.territoryBones = shownTerritory(state);
   key.display.skeleton = key.display.skeleton || !key.territoryBones.empty();
+  key.litParts = litParts(state);
   key.selectedBone = state.document.selection.bone;
   key.hoveredBone = state.view.tools.hover.bone;
   key.hiddenBones = hiddenBones(state);
+  key.references = referencePlanes(state.open.reference.pictures, state.character());
   return key;
 }
 
-/// What a saved picture shows: all but what answers the pointer and marks the selection.
+/// What a saved picture shows: all but what answers the pointer, marks the selection and is there to work after.
 PictureKey keyToSave(const EditorState& state) {
   PictureKey key = keyOf(state, state.frame.route.view);
   key.display.skeleton = state.view.display.skeleton;
@@ -63,6 +66,8 @@ PictureKey keyToSave(const EditorState& state) {
   for (PrimitiveShape& shape : key.shapes) shape.selected = shape.hovered = false;
   key.territory.clear();
   key.territoryBones.clear();
+  key.references.clear();
+  key.litParts.clear();
   key.selectedBone = key.hoveredBone = -1;
   return key;
 }
@@ -76,9 +81,12 @@ Scene sceneOf(const EditorState& state, const PictureKey& key) {
   scene.primitives = key.shapes;
   scene.territory = key.territory;
   scene.territoryBones = key.territoryBones;
+  scene.litParts = key.litParts;
+  if (key.display.shading == Shading::kClasses) scene.layers = partLayers(state);
   scene.selectedBone = key.selectedBone;
   scene.hoveredBone = key.hoveredBone;
   scene.hiddenBones = key.hiddenBones;
+  scene.references = key.references;
   if (key.display.controlMesh) {
     SkinnedMesh skinned;
     const Pose& pose = state.live->pose();

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/editor/editor_state.h"
-#include "app/render/thumbnails.h"
+#include "app/render/pictures/thumbnails.h"
 #include "app/render/viewport.h"
 #include "app/ui/changed_tiles.h"
 
@@ -26,9 +26,11 @@ struct PictureKey {
   std::vector<PrimitiveShape> shapes;
   std::vector<float> territory;  ///< Scene::territory.
   std::vector<int> territoryBones;
+  std::vector<LitPart> litParts;  ///< Scene::litParts.
   int selectedBone = -1;
   int hoveredBone = -1;
   std::vector<bool> hiddenBones;  ///< Scene::hiddenBones.
+  std::vector<ReferencePlane> references;
 
   friend bool operator==(const PictureKey&, const PictureKey&) = default;
 };

@@ -3,6 +3,7 @@
 #include "app/window/session_keeper.h"
 
 #include <system_error>
+#include <utility>
 
 #include "app/editor/commands.h"
 #include "app/editor/disk_conflict.h"
@@ -91,6 +92,7 @@ void SessionKeeper::keepWork(EditorState& state, double now) {
     discardLeftBehind(*state.session.recovered);
     state.session.recovered.reset();
   }
+  if (std::exchange(state.session.saveFailed, false)) clock_.hurry();
   switch (clock_.look(now, state.session.preferences.autosaveSeconds, state.document.commands,
                       state.session.documentsOpened, state.open.transport.clip)) {
     case AutosaveClock::Deed::kNothing:

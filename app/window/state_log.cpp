@@ -257,17 +257,17 @@ std::string dialogName(const EditorState& state) {
   if (state.dialogs.exportQuestion) return "export-question";
   const DialogKind file = state.dialogs.file.kind;
   if (file == DialogKind::kSavePicture) return "picture";
-  if (file == DialogKind::kExportPlace || file == DialogKind::kJobPlace) return "export-place";
+  if (file >= DialogKind::kExportPlace && file <= DialogKind::kPicturesPlace) return "export-place";
   if (!state.dialogs.file.locateFor.empty()) return "locate-file";
-  if (file != DialogKind::kNone) return file == DialogKind::kOpen ? "open" : "save";
+  if (file != DialogKind::kNone) return file == DialogKind::kOpen || file == DialogKind::kReference ? "open" : "save";
   if (state.dialogs.exporting.shown == ExportDialog::kCharacter) return "export";
   if (state.dialogs.exporting.shown == ExportDialog::kFarmJob) return "farm";
   if (!state.dialogs.locate.rigFile.empty()) return "locate";
   if (!state.dialogs.keepMuscles.empty()) return "keep-muscles";
   if (state.dialogs.recovery) return "recovery";
   if (state.dialogs.preferences) return "preferences";
-  if (state.dialogs.palette.shown) return "palette";
-  return state.dialogs.keySheet ? "keys" : "";
+  if (state.dialogs.pictures.shown) return "pictures";
+  return state.dialogs.palette.shown ? "palette" : (state.dialogs.keySheet ? "keys" : "");
 }
 
 Json display(const DisplaySettings& shown, const PictureLook& look) {

@@ -14,8 +14,10 @@
 namespace sinew {
 namespace {
 
-constexpr float kBeyond = 0.1f;   ///< Flesh is measured so far beyond the ends of a part.
-constexpr float kRounder = 2.0f;  ///< On a part so much shorter muscles get no rounder: they would be balls.
+constexpr float kBeyond = 0.1f;      ///< Flesh is measured so far beyond the ends of a part.
+constexpr int kPulls = 16;           ///< Steps to the axis.
+constexpr float kUnderSkin = 0.85f;  ///< Of the way from the axis to where the flesh ends.
+constexpr float kRounder = 2.0f;     ///< On a part so much shorter muscles get no rounder: they would be balls.
 
 BodySlots slotsOf(const Character& character, const MirrorPlan& plan, const std::vector<SlotCorrection>& corrections) {
   return bodySlots(character, plan, corrections);
@@ -134,6 +136,7 @@ BodyMove BodyMap::alongPart(Slot slot, const glm::vec3& point) const {
   move.from = axesAt(ours, u, angle);
   move.to = axesAt(theirs, u, angle);
   move.stretch = {across, across, along};
+  move.axis = theirs.point(u);
   move.point = theirs.point(u) + deep * away * move.to[0] + along * beside * move.to[2];
   return move;
 }
@@ -155,26 +158,56 @@ BodyMove BodyMap::besideBone(int bone, const glm::vec3& point) const {
   move.to = basisOf(to_, counterpart);
   const float size = to_.frame.height / from_.frame.height;
   move.stretch = glm::vec3(size);
-  move.point = joint(to_.character, counterpart) + size * (move.turn() * (point - joint(from_.character, bone)));
+  move.axis = joint(to_.character, counterpart);
+  move.point = move.axis + size * (move.turn() * (point - joint(from_.character, bone)));
   return move;
 }
 
-BodyMove BodyMap::move(int bone, const glm::vec3& inBind) const {
-  const Zone zone = at(from_.frame.zoneOfBone, bone);
-  if (zone < 0) return besideBone(bone, inBind);
+bool BodyMap::isMeasured(Zone zone) const {
+  if (zone < 0) return false;
+  const auto index = static_cast<int>(slotOf(zone).slot);
+  return at(from_.frame.axes, index) && at(to_.frame.axes, index);
+}
+
+bool BodyMap::isOnRight(Zone zone, const glm::vec3& inBind) const {
   const BodySlot slot = slotOf(zone);
-  const auto index = static_cast<int>(slot.slot);
-  if (!at(from_.frame.axes, index) || !at(to_.frame.axes, index)) return besideBone(bone, inBind);
+  if (slot.isSided()) return slot.side == BodySide::kRight;
+  return glm::dot(inBind - mirrored(from_.plan, inBind), from_.frame.slots.left) < 0.0f;
+}
+
+/// Towards the axis until the skin goes round it.
+bool BodyMap::pullIn(BodyMove& move, const glm::vec3& point) const {
+  if (to_.flesh.isInside(move.point) || !from_.flesh.isInside(point)) return true;
+  const auto towardsAxis = [&](float share) { return glm::mix(move.axis, move.point, share); };
+  for (int step = kPulls - 1; step >= 0; --step) {
+    const float share = static_cast<float>(step) / kPulls;
+    if (!to_.flesh.isInside(towardsAxis(share))) continue;
+    const bool deeper = to_.flesh.isInside(towardsAxis(kUnderSkin * share));
+    move.point = towardsAxis(deeper ? kUnderSkin * share : share);
+    move.isPulled = true;
+    return true;
+  }
+  return false;
+}
+
+std::optional<BodyMove> BodyMap::moved(int bone, const glm::vec3& inBind, bool into) const {
+  const Zone zone = at(from_.frame.zoneOfBone, bone);
+  const bool measured = isMeasured(zone);
   // Twins stay twins where the flesh is not the same on both sides: all is measured on the left.
-  const glm::vec3 image = mirrored(from_.plan, inBind);
-  const bool isLeft =
-      slot.isSided() ? slot.side == BodySide::kLeft : glm::dot(inBind - image, from_.frame.slots.left) >= 0.0f;
-  if (isLeft) return alongPart(slot.slot, inBind);
-  BodyMove move = alongPart(slot.slot, image);
+  const bool onRight = measured && isOnRight(zone, inBind);
+  const glm::vec3 point = onRight ? mirrored(from_.plan, inBind) : inBind;
+  BodyMove move = measured ? alongPart(slotOf(zone).slot, point) : besideBone(bone, point);
+  if (into && !pullIn(move, point)) return std::nullopt;
+  if (!onRight) return move;
   move.point = mirrored(to_.plan, move.point);
+  move.axis = mirrored(to_.plan, move.axis);
   move.from = mirrored(from_.plan, move.from);
   move.to = mirrored(to_.plan, move.to);
   return move;
 }
+
+BodyMove BodyMap::move(int bone, const glm::vec3& inBind) const { return *moved(bone, inBind, false); }
+
+std::optional<BodyMove> BodyMap::moveInto(int bone, const glm::vec3& inBind) const { return moved(bone, inBind, true); }
 
 }  // namespace sinew

@@ -29,9 +29,11 @@ struct MeasuredBody {
 /// Where something comes to lie, and how it is turned and stretched there. World of the bind poses.
 struct BodyMove {
   glm::vec3 point{0.0f};
+  glm::vec3 axis{0.0f};     ///< Where the part's axis is nearest to it.
   glm::mat3 from{1.0f};     ///< Unit axes round the place it comes from: out of the flesh, round it, along the part.
   glm::mat3 to{1.0f};       ///< The same where it comes to.
   glm::vec3 stretch{1.0f};  ///< Along these.
+  bool isPulled = false;    ///< By moveInto(): it lies nearer to the axis than it would.
 
   [[nodiscard]] glm::mat3 turn() const { return to * glm::transpose(from); }
   /// How much longer something is that points this way. @param way  unit, where it comes from
@@ -50,6 +52,10 @@ class BodyMap {
   [[nodiscard]] int bone(int bone) const;
   /// Of something on a bone that has a counterpart.
   [[nodiscard]] BodyMove move(int bone, const glm::vec3& inBind) const;
+  /// The same for what must lie in the flesh: where that is thinner there, or ends, it lies nearer to the part's axis.
+  /// What lies outside of its own body
+  /// goes where move() has it. nullopt: this body has no flesh there.
+  [[nodiscard]] std::optional<BodyMove> moveInto(int bone, const glm::vec3& inBind) const;
 
  private:
   [[nodiscard]] bool hasPart(BodySlot slot) const;
@@ -57,6 +63,11 @@ class BodyMap {
   [[nodiscard]] int inChain(int bone, const std::vector<int>& ours, const std::vector<int>& theirs, Slot slot) const;
   [[nodiscard]] BodyMove alongPart(Slot slot, const glm::vec3& point) const;
   [[nodiscard]] BodyMove besideBone(int bone, const glm::vec3& point) const;
+  /// Both bodies have the part as an axis.
+  [[nodiscard]] bool isMeasured(Zone zone) const;
+  [[nodiscard]] bool isOnRight(Zone zone, const glm::vec3& inBind) const;
+  [[nodiscard]] std::optional<BodyMove> moved(int bone, const glm::vec3& inBind, bool into) const;
+  [[nodiscard]] bool pullIn(BodyMove& move, const glm::vec3& point) const;
 
   const MeasuredBody& from_;
   const MeasuredBody& to_;

@@ -13,8 +13,8 @@
 namespace sinew {
 namespace {
 
-constexpr float kMostFlesh = 0.4f;    ///< Of H: thicker is no flesh but a ray that went astray.
-constexpr float kMostAtTrunk = 1.8f;  ///< Of the median.
+constexpr float kMostFlesh = 0.4f;   ///< Of H: thicker is no flesh but a ray that went astray.
+constexpr float kUsualFlesh = 1.8f;  ///< Of the median: skin farther away belongs to another limb.
 constexpr float kAround[] = {-150, -120, -90, -60, -30, 0, 30, 60, 90, 120, 150, 180};
 
 /// Moeller & Trumbore 1997; nullopt: it misses, or enters.
@@ -58,25 +58,30 @@ Flesh::Flesh(const Character& character, BodyFrame& frame) : character_(characte
   measureMedians();
 }
 
-std::optional<SkinExit> Flesh::leave(const glm::vec3& from, const glm::vec3& direction,
-                                     const std::vector<Zone>& zones) const {
+std::optional<SkinExit> Flesh::leave(const glm::vec3& from, const glm::vec3& direction, const std::vector<Zone>& zones,
+                                     float usual) const {
   std::optional<SkinExit> last;
+  std::optional<SkinExit> beyond;
   for (const Zone zone : zones) {
     for (const Piece& piece : at(skinOfZone_, zone)) {
       const auto found = exitThrough(from, direction, piece.corners[0], piece.corners[1], piece.corners[2]);
       if (!found || found->distance > kMostFlesh * frame_.height) continue;
-      if (last && last->distance >= found->distance) continue;
-      last = found;
-      last->triangle = piece.triangle;
+      const bool isUsual = found->distance <= usual;
+      std::optional<SkinExit>& best = isUsual ? last : beyond;
+      if (best && (best->distance < found->distance) != isUsual) continue;
+      if (best && best->distance == found->distance) continue;
+      best = found;
+      best->triangle = piece.triangle;
     }
   }
+  if (!last) last = beyond;
   if (last) last->normal = normalizeOr(last->normal, direction);
   return last;
 }
 
-std::optional<float> Flesh::thicknessAt(const PartAxis& axis, float u, float angle,
-                                        const std::vector<Zone>& zones) const {
-  const auto found = leave(axis.point(u), axis.radial(u, angle), zones);
+std::optional<float> Flesh::thicknessAt(const PartAxis& axis, float u, float angle, const std::vector<Zone>& zones,
+                                        float usual) const {
+  const auto found = leave(axis.point(u), axis.radial(u, angle), zones, usual);
   return found ? std::optional(found->distance) : std::nullopt;
 }
 
@@ -102,7 +107,7 @@ void Flesh::measureMedians() {
     std::vector<float> found;
     for (const float u : {0.25f, 0.5f, 0.75f}) {
       for (const float angle : kAround) {
-        if (const auto t = thicknessAt(*axis, u, angle, zones)) found.push_back(*t);
+        if (const auto t = thicknessAt(*axis, u, angle, zones, std::numeric_limits<float>::max())) found.push_back(*t);
       }
     }
     if (found.size() < 6) continue;
@@ -129,6 +134,11 @@ bool Flesh::isInside(const glm::vec3& point) const {
   return turns > 0.5 * 2.0 * std::numbers::pi;
 }
 
+std::optional<SkinExit> Flesh::usualExit(const FleshPoint& place, const std::vector<Zone>& zones, float usual) const {
+  auto found = leave(place.axis, place.radial, zones, usual);
+  return found && found->distance <= usual ? found : std::nullopt;
+}
+
 std::optional<FleshPoint> Flesh::measure(const Mark& mark, bool onSkin) const {
   float u = 0.0f;
   const PartAxis* axis = frame_.axisOf(mark, u);
@@ -144,18 +154,21 @@ std::optional<FleshPoint> Flesh::measure(const Mark& mark, bool onSkin) const {
   FleshPoint place;
   place.axis = axis->point(u);
   place.radial = axis->radial(u, mark.angle);
-  auto own = leave(place.axis, place.radial, zones);
+  const float usual = kUsualFlesh * median;
+  auto own = leave(place.axis, place.radial, zones, usual);
+  // Where few triangles cover a shoulder, the skin of the trunk is that of the arm.
+  if (!own && part == Slot::kSpine) own = usualExit(place, {zoneOf(Slot::kUpperArm), zoneOf(Slot::kFrontUpper)}, usual);
   float thickness = own ? own->distance : 0.0f;
   // A gap between parts is bridged by the skin on both sides of it.
   for (float aside = 15.0f; thickness <= 0.0f && aside <= 60.0f; aside += 15.0f) {
-    const auto one = thicknessAt(*axis, u, mark.angle - aside, zones);
-    const auto other = thicknessAt(*axis, u, mark.angle + aside, zones);
+    const auto one = thicknessAt(*axis, u, mark.angle - aside, zones, usual);
+    const auto other = thicknessAt(*axis, u, mark.angle + aside, zones, usual);
     if (one && other) thickness = 0.5f * (*one + *other);
   }
+  // Next to a shoulder or a hip the skin is the trunk's.
   if (thickness <= 0.0f && part != Slot::kSpine) {
-    // Next to a shoulder or a hip the skin is the trunk's.
-    own = leave(place.axis, place.radial, {zoneOf(Slot::kSpine)});
-    if (own && own->distance < kMostAtTrunk * median) thickness = own->distance;
+    own = usualExit(place, {zoneOf(Slot::kSpine)}, usual);
+    if (own) thickness = own->distance;
   }
   if (thickness <= 0.0f && !onSkin) thickness = median;
   if (thickness <= 0.0f) return std::nullopt;
@@ -176,9 +189,11 @@ std::optional<FleshPoint> Flesh::measure(const Mark& mark, bool onSkin) const {
     ++count;
   };
   add(own);
-  for (const float aside : {-14.0f, 14.0f}) add(leave(axis->point(u), axis->radial(u, mark.angle + aside), zones));
-  for (const float beside : {-0.06f, 0.06f})
-    add(leave(axis->point(u + beside), axis->radial(u + beside, mark.angle), zones));
+  const auto addBeside = [&](float along, float angle) {
+    add(leave(axis->point(along), axis->radial(along, angle), zones, usual));
+  };
+  for (const float aside : {-14.0f, 14.0f}) addBeside(u, mark.angle + aside);
+  for (const float beside : {-0.06f, 0.06f}) addBeside(u + beside, mark.angle);
   place.normal = normalizeOr(normal, place.radial);
   if (glm::dot(place.normal, place.radial) < 0.3f) place.normal = place.radial;
   place.edge = count > 0 ? edges / static_cast<float>(count) : 0.0f;

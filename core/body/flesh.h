@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -40,14 +41,19 @@ class Flesh {
   /// @param onSkin  false: for a place inside, where the part's median does as well
   [[nodiscard]] std::optional<FleshPoint> measure(const Mark& mark, bool onSkin = true) const;
   /// The last exit of a ray from the skin of these zones: cloth is over skin.
+  /// @param usual  what comes out farther away than this belongs to another limb, unless it is the first exit
   [[nodiscard]] std::optional<SkinExit> leave(const glm::vec3& from, const glm::vec3& direction,
-                                              const std::vector<Zone>& zones) const;
+                                              const std::vector<Zone>& zones,
+                                              float usual = std::numeric_limits<float>::max()) const;
   /// The skin goes round the point: between the parts of a body that is made of parts it does not.
   [[nodiscard]] bool isInside(const glm::vec3& point) const;
 
  private:
   [[nodiscard]] std::optional<float> thicknessAt(const PartAxis& axis, float u, float angle,
-                                                 const std::vector<Zone>& zones) const;
+                                                 const std::vector<Zone>& zones, float usual) const;
+  /// Of the neighbours' skin: nothing beyond what is usual.
+  [[nodiscard]] std::optional<SkinExit> usualExit(const FleshPoint& place, const std::vector<Zone>& zones,
+                                                  float usual) const;
   void centerTrunk(PartAxis& trunk) const;
   void measureMedians();
 

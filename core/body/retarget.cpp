@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -24,6 +25,8 @@
 namespace sinew {
 namespace {
 
+/// What is said of it.
+constexpr const char* kLiesDeeper = ": deeper, since it would come to lie outside of this body";
 constexpr float kSame = 1e-5f;  ///< Of H: images of each other so near stay exact ones.
 
 /// Nothing that a muscle knows of it differs.
@@ -53,7 +56,8 @@ class Retargeter {
   [[nodiscard]] std::string missing(const std::string& bone) const;
   bool moveAnchor(LineAnchor& anchor) const;
   bool moveLine(MuscleLine& line);
-  bool movePrimitive(Primitive& primitive);
+  [[nodiscard]] std::optional<std::string> movePrimitive(Primitive& primitive);
+  void sayDeeper(const Primitive& primitive);
   void moveAnimated(std::vector<AnimatedNumber>& animated, const std::string& owner);
   bool moveInput(DriverInput& input) const;
   [[nodiscard]] std::vector<std::string> territory(const std::vector<std::string>& bones) const;
@@ -165,10 +169,11 @@ std::vector<std::string> Retargeter::territory(const std::vector<std::string>& b
   return names;
 }
 
-bool Retargeter::movePrimitive(Primitive& primitive) {
+/// Why it cannot be; nullopt: it is done.
+std::optional<std::string> Retargeter::movePrimitive(Primitive& primitive) {
   const std::optional<int> own = from_.skeleton.findBone(primitive.bone);
   const std::optional<int> other = counterpart(primitive.bone);
-  if (!other) return false;
+  if (!other) return missing(primitive.bone);
   const Primitive before = primitive;
   primitive.bone = to_.skeleton.fileName(*other);
   if (primitive.territory) {
@@ -179,7 +184,10 @@ bool Retargeter::movePrimitive(Primitive& primitive) {
   if (own) {
     const glm::dmat4 inFrom(at(from_.skeleton.bones, *own).bindInWorld);
     const Placement world = imageOf(before.placement, {glm::dmat3(inFrom), glm::dvec3(inFrom[3])});
-    const BodyMove move = map_.move(*own, world.center);
+    const std::optional<BodyMove> found = map_.moveInto(*own, world.center);
+    if (!found) return "there is no closed body under the skin there";
+    const BodyMove& move = *found;
+    if (move.isPulled) sayDeeper(primitive);
     const glm::dmat4 toBone(at(to_.skeleton.bones, *other).inverseBindInWorld);
     // Turned and moved as a whole, which keeps its axes; then stretched along them.
     const glm::dmat3 turn(move.turn());
@@ -199,7 +207,13 @@ bool Retargeter::movePrimitive(Primitive& primitive) {
   }
   moveAnimated(primitive.animated, primitive.name);
   scaleAbout(primitive.animated, before, primitive, size);
-  return true;
+  return std::nullopt;
+}
+
+/// Of twins the first is named.
+void Retargeter::sayDeeper(const Primitive& primitive) {
+  const std::string line = primitive.mirror + kLiesDeeper;
+  if (std::ranges::find(done_.mended, line) == done_.mended.end()) done_.mended.push_back(primitive.name + kLiesDeeper);
 }
 
 /// Twins that are images of each other but for rounding are so exactly.
@@ -247,12 +261,12 @@ Retargeted Retargeter::make() {
     Primitive& primitive = at(rig.primitives, i);
     const MuscleLine* line = lineOf(before, primitive);
     const bool lineless = line != nullptr && std::ranges::find(lost, line->name) != lost.end();
-    if (!lineless && movePrimitive(primitive)) continue;
+    std::optional<std::string> why =
+        lineless ? missing(counterpart(line->origin.bone) ? line->insertion.bone : line->origin.bone)
+                 : movePrimitive(primitive);
+    if (!why) continue;
     gone.push_back(i);
-    const std::string& bone = !counterpart(at(before.primitives, i).bone) ? at(before.primitives, i).bone
-                              : counterpart(line->origin.bone)            ? line->insertion.bone
-                                                                          : line->origin.bone;
-    done_.leftOut.push_back({primitive.name, missing(bone)});
+    done_.leftOut.push_back({primitive.name, std::move(*why)});
   }
   moveAnimated(rig.surface.animated, "surface");
   for (MorphWeight& morph : rig.morphs) moveAnimated(morph.animated, morph.name);
@@ -281,7 +295,7 @@ Result<Retargeted> retarget(const Rig& rig, const Character& from, const MirrorP
     Result<MendedRig> mended = withMendedFindings(std::move(done.rig), found, motions, &toPlan);
     if (!mended) return mended.error();
     done.rig = std::move(mended.value().rig);
-    done.mended = std::move(mended.value().said);
+    std::ranges::move(mended->said, std::back_inserter(done.mended));
   }
   if (const auto valid = validate(done.rig); !valid) return valid.error();
   return done;

@@ -6,6 +6,7 @@
 #include "core/base/at.h"
 #include "core/c/handles.h"
 #include "sinew/character/pose_check.h"
+#include "sinew/smoothing/region.h"
 
 namespace sinew::capi {
 namespace {
@@ -30,14 +31,28 @@ Result<Rig> detailed(Rig rig, const sinew_detail* detail) {
   return rig;
 }
 
+Result<Region> regionOf(const Character& character, const sinew_detail* detail) {
+  if (detail == nullptr || detail->bone_count == 0) return Region();
+  if (detail->bones == nullptr) return errorAt("detail", "bones: null");
+  const std::span bones(detail->bones, detail->bone_count);
+  for (const int bone : bones) {
+    if (bone < 0 || toIndex(bone) >= character.skeleton.bones.size()) {
+      return errorAt("detail", "bones: there is no bone " + std::to_string(bone));
+    }
+  }
+  return regionOfBones(character, bones);
+}
+
 /// Prepares it; its first surface is the bind pose's, so that there always is one.
 sinew_code finish(std::unique_ptr<sinew_smoother> made, const sinew_detail* detail, sinew_smoother** out) {
   const auto rig = detailed(made->of.rig, detail);
   if (!rig) return fail(SINEW_BAD_ARGUMENT, rig.error());
-  if (const auto prepared = made->smoother.prepare(rig.value()); !prepared) {
+  const Character& character = *made->of.character;
+  const auto region = regionOf(character, detail);
+  if (!region) return fail(SINEW_BAD_ARGUMENT, region.error());
+  if (const auto prepared = made->smoother.prepare(rig.value(), {}, region.value()); !prepared) {
     return fail(SINEW_BAD_RIG, prepared.error());
   }
-  const Character& character = *made->of.character;
   made->smoother.smooth(bindPose(character.skeleton), made->surface);
   made->ranges = indexRanges(*made->surface.refinement, character.mesh);
   *out = made.release();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -23,7 +24,11 @@ namespace {
 
 constexpr float kBellyMargin = 0.9f;  ///< Of what is found: a mended muscle has some room.
 constexpr float kDeeper[] = {1.2f, 1.5f};
-constexpr float kEnds = 0.9f;  ///< Of the half length: where a line that only carries begins and ends.
+constexpr float kFarTendons[] = {0.35f, 0.5f};  ///< Of the line: of a belly that lies along one of its bones.
+constexpr float kLeastBelly = 0.25f;            ///< Of the line.
+constexpr float kShorter = 0.95f;               ///< Longer ones are hardly any shorter.
+constexpr float kMostThick = 0.5f;              ///< Height of a shorter belly, of its length.
+constexpr float kEnds = 0.9f;                   ///< Of the half length: where a line that only carries begins and ends.
 
 struct Choice {
   Primitive primitive;
@@ -45,6 +50,8 @@ class BellyTrial {
   }
 
   [[nodiscard]] bool canTell() const { return belly_.has_value(); }
+  /// Null: there is none.
+  [[nodiscard]] const SkinSpot* spot() const { return belly_ ? &belly_->spots()[0] : nullptr; }
   [[nodiscard]] std::vector<int> carriers() const { return bonesAt(motions_.character(), belly_->spots()[0]); }
   /// In the bind pose.
   [[nodiscard]] const BellyBody& body() const { return body_; }
@@ -160,10 +167,67 @@ Choice endingOn(const Choice& now, bool origin, int bone, const BellyTrial& tria
   return choice;
 }
 
-std::vector<Choice> choicesFor(const Choice& now, const BellyTrial& trial, const Skeleton& skeleton, bool asDrawn) {
+/// Along one of its bones alone: the tendon at the other end crosses the joint. As far out of the skin as it was.
+std::optional<Choice> shorter(const Choice& now, bool atOrigin, float farTendon, const BellyTrial& trial,
+                              const Character& character) {
+  const Result<LineRest> rest = lineRest(*now.line, character);
+  const SkinSpot* spot = trial.spot();
+  if (!rest || spot == nullptr) return std::nullopt;
+  Choice choice = now;
+  glm::vec2& tendons = choice.line->settings.tendons;
+  const float before = 1.0f - tendons.x - tendons.y;
+  (atOrigin ? tendons.y : tendons.x) = farTendon;
+  const float after = 1.0f - tendons.x - tendons.y;
+  if (after > kShorter * before || after < kLeastBelly) return std::nullopt;
+  const float size = after / before;
+  Placement& placement = choice.primitive.placement;
+  const float half = glm::length(trial.body().axes[1]);
+  const glm::vec3 towardsEnd = glm::vec3(rest->direction) * (atOrigin ? -1.0f : 1.0f);
+  glm::vec3 center = trial.body().center + (1.0f - size) * half * towardsEnd;
+  const float height = glm::length(trial.body().axes[2]);
+  const float thinner = std::min(1.0f, kMostThick * size * half / height);
+  placement.radii *= glm::vec3(thinner, size, thinner);
+  const Pose bind = bindPose(character.skeleton);
+  const auto was = frameAt(character, *spot, bind);
+  const auto over = spotOver(character.mesh, center + height * trial.outwards(), trial.outwards());
+  const auto is = over ? frameAt(character, *over, bind) : std::nullopt;
+  if (!was || !is) return std::nullopt;
+  const float depth = glm::dot(trial.body().center - was->origin, was->normal()) + (1.0f - thinner) * height;
+  center += (depth - glm::dot(center - is->origin, is->normal())) * is->normal();
+  const Bone& bone = at(character.skeleton.bones, *character.skeleton.findBone(choice.primitive.bone));
+  placement.center = glm::vec3(bone.inverseBindInWorld * glm::vec4(center, 1.0f));
+  choice.line->via.reset();
+  choice.line->settings.pivot = 0.0f;
+  const LineAnchor& end = atOrigin ? choice.line->origin : choice.line->insertion;
+  choice.said = "shorter, along " + end.bone;
+  return choice;
+}
+
+/// Bellies along one bone, each also led by that bone.
+void addShorter(std::vector<Choice>& out, const Choice& now, const BellyTrial& trial, const Character& character) {
+  const Skeleton& skeleton = character.skeleton;
+  for (const float farTendon : kFarTendons) {
+    for (const bool atOrigin : {true, false}) {
+      const std::optional<Choice> choice = shorter(now, atOrigin, farTendon, trial, character);
+      if (!choice) continue;
+      out.push_back(*choice);
+      const auto from = skeleton.findBone(choice->primitive.bone);
+      const auto end = skeleton.findBone((atOrigin ? choice->line->origin : choice->line->insertion).bone);
+      Choice led = *choice;
+      const glm::vec4 center(led.primitive.placement.center, 1.0f);
+      led.line->via = anchorOn(skeleton, *end, glm::vec3(at(skeleton.bones, *from).bindInWorld * center));
+      out.push_back(led);
+      out.push_back(deeper(*choice, trial, kDeeper[1]));
+      out.push_back(deeper(led, trial, kDeeper[1]));
+    }
+  }
+}
+
+std::vector<Choice> choicesFor(const Choice& now, const BellyTrial& trial, const Character& character, bool asDrawn) {
+  const Skeleton& skeleton = character.skeleton;
   std::vector<Choice> out;
   for (const float factor : kDeeper) out.push_back(deeper(now, trial, factor));
-  if (asDrawn) return out;
+  if (asDrawn && now.line) addShorter(out, now, trial, character);
   const std::vector<int> carriers = nearCarriers(now, trial, skeleton);
   for (const int bone : carriers) {
     if (!now.line) break;
@@ -175,7 +239,14 @@ std::vector<Choice> choicesFor(const Choice& now, const BellyTrial& trial, const
     }
   }
   const std::size_t onLine = out.size();
-  for (const int bone : carriers) {
+  std::vector<int> riders = carriers;
+  if (asDrawn) {
+    // Its origin's bone is where it was begun.
+    const int own = *skeleton.findBone(now.primitive.bone);
+    std::erase(riders, own);
+    riders.insert(riders.begin(), own);
+  }
+  for (const int bone : riders) {
     if (now.line || skeleton.fileName(bone) != now.primitive.bone)
       out.push_back({riding(now.primitive, bone, skeleton), std::nullopt, "rides " + skeleton.fileName(bone)});
   }
@@ -239,16 +310,24 @@ Result<MendedBelly> withMendedBelly(Rig rig, int primitive, const Motions& motio
   const Choice now{own, line != nullptr ? std::optional(*line) : std::nullopt, {}};
   const BellyTrial trial(now, rig.surface, motions);
   if (!trial.canTell()) return MendedBelly{std::move(rig), {}};
-  for (Choice& choice : choicesFor(now, trial, motions.character().skeleton, asDrawn)) {
+  std::optional<Choice> best;
+  float least = std::numeric_limits<float>::max();
+  for (Choice& choice : choicesFor(now, trial, motions.character(), asDrawn)) {
     if (choice.line && !lineRest(*choice.line, motions.character())) continue;
     const BellyTrial other(choice, rig.surface, motions);
-    if (!other.canTell() || other.trouble() > kBellyMargin) continue;
-    std::string said = choice.said;
-    Result<Rig> done = withChoice(std::move(rig), primitive, std::move(choice), plan);
-    if (!done) return done.error();
-    return MendedBelly{std::move(done).value(), std::move(said)};
+    if (!other.canTell()) continue;
+    const float trouble = other.trouble();
+    // What is drawn rides the best bone if nothing is clean.
+    if (trouble > kBellyMargin && (!asDrawn || choice.line || trouble >= least)) continue;
+    best = std::move(choice);
+    least = trouble;
+    if (least <= kBellyMargin) break;
   }
-  return MendedBelly{std::move(rig), {}};
+  if (!best) return MendedBelly{std::move(rig), {}};
+  std::string said = best->said;
+  Result<Rig> done = withChoice(std::move(rig), primitive, std::move(*best), plan);
+  if (!done) return done.error();
+  return MendedBelly{std::move(done).value(), std::move(said), least <= 1.0f};
 }
 
 Rig withoutFarSkin(Rig rig, const Finding& finding, const MirrorPlan* plan) {

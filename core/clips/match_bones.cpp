@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include <glm/geometric.hpp>
+
 #include "core/base/at.h"
 #include "core/base/lower_case.h"
 
@@ -17,6 +19,7 @@ namespace {
 constexpr std::string_view kOuterSeparators = "|:";
 constexpr std::string_view kAnySeparator = "|:_-. ";
 constexpr std::size_t kFewestWithPrefix = 5;
+constexpr float kBoundAlike = 1e-3f;  // Of the size: files of several programs differ in the last digits.
 
 using Keys = std::vector<std::string>;
 
@@ -135,6 +138,22 @@ std::vector<int> matchBones(const Skeleton& from, const BodySlots& fromSlots, co
   }
   matcher.match(fromSlots, toSlots);
   return std::move(matcher).take();
+}
+
+bool haveSameBones(const Skeleton& a, const Skeleton& b, float size) {
+  if (a.bones.size() != b.bones.size()) return false;
+  std::map<std::string_view, const Bone*> places;
+  for (const Bone& bone : b.bones) places.emplace(bone.path, &bone);
+  return std::ranges::all_of(a.bones, [&](const Bone& bone) {
+    const auto found = places.find(bone.path);
+    if (found == places.end()) return false;
+    const glm::mat4& other = found->second->bindInWorld;
+    for (int column = 0; column < 4; ++column) {
+      const float scale = column < 3 ? glm::length(other[column]) : size;
+      if (!(glm::length(bone.bindInWorld[column] - other[column]) <= kBoundAlike * scale)) return false;
+    }
+    return true;
+  });
 }
 
 }  // namespace sinew

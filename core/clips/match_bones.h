@@ -16,4 +16,8 @@ namespace sinew {
 [[nodiscard]] std::vector<int> matchBones(const Skeleton& from, const BodySlots& fromSlots, const Skeleton& to,
                                           const BodySlots& toSlots);
 
+/// The same bones, as two files of one character have: the same paths, bound alike.
+/// @param size  of the character: what places are compared by
+[[nodiscard]] bool haveSameBones(const Skeleton& a, const Skeleton& b, float size);
+
 }  // namespace sinew

@@ -169,7 +169,7 @@ std::string named(const std::vector<std::string>& names) {
 }
 
 /// Bones that a clip moves and nothing here follows, neither they nor any below them.
-void noteLost(const Character& from, const std::vector<int>& partner, std::vector<std::string>& notes) {
+void noteLost(const Character& from, const std::vector<int>& partner, TransferredClips& result) {
   const std::vector<Bone>& bones = from.skeleton.bones;
   std::vector<bool> carries(bones.size(), false);
   for (const int bone : partner) {
@@ -180,29 +180,28 @@ void noteLost(const Character& from, const std::vector<int>& partner, std::vecto
   for (const AnimationClip& clip : from.clips) {
     for (const Channel& channel : clip.channels) moved.insert(channel.node);
   }
-  std::vector<std::string> lost;
+  std::vector<std::string>& lost = result.unmatched;
   for (std::size_t i = 0; i < bones.size(); ++i) {
     if (!carries[i] && moved.contains(bones[i].node)) lost.push_back(bones[i].name);
   }
   if (lost.empty()) return;
-  notes.push_back(counted(lost.size(), "bone of the clips has", "bones of the clips have") +
-                  " no partner in the character and " + (lost.size() == 1 ? "is" : "are") +
-                  " left out: " + named(lost));
+  result.notes.push_back(counted(lost.size(), "bone of the clips has", "bones of the clips have") +
+                         " no partner in the character and " + (lost.size() == 1 ? "is" : "are") +
+                         " left out: " + named(lost));
 }
 
 /// Parts of the body that no bone of the clips moves.
-void noteStill(const Character& to, const BodySlots& slots, const std::vector<int>& partner,
-               std::vector<std::string>& notes) {
-  std::vector<std::string> still;
+void noteStill(const Character& to, const BodySlots& slots, const std::vector<int>& partner, TransferredClips& result) {
+  std::vector<std::string>& still = result.unmoved;
   std::set<int> told;
   for (const SlotBone& slot : slots.bones) {
     if (slot.bone < 0 || at(partner, slot.bone) >= 0 || !told.insert(slot.bone).second) continue;
     still.push_back(at(to.skeleton.bones, slot.bone).name);
   }
   if (still.empty()) return;
-  notes.push_back(counted(still.size(), "bone of the character has", "bones of the character have") +
-                  " no partner in the clips and " + (still.size() == 1 ? "stays" : "stay") +
-                  " with the bone above: " + named(still));
+  result.notes.push_back(counted(still.size(), "bone of the character has", "bones of the character have") +
+                         " no partner in the clips and " + (still.size() == 1 ? "stays" : "stay") +
+                         " with the bone above: " + named(still));
 }
 
 // All together --------------------------------------------------------------------------------------------------------
@@ -287,8 +286,8 @@ TransferredClips transferClips(const Character& from, const Character& to, std::
     result.notes.emplace_back("no bone of the clips is a bone of the character, by name or by its part of the body");
     return result;
   }
-  noteLost(from, transfer->partner_, result.notes);
-  noteStill(to, transfer->toSlots_, transfer->partner_, result.notes);
+  noteLost(from, transfer->partner_, result);
+  noteStill(to, transfer->toSlots_, transfer->partner_, result);
   return result;
 }
 

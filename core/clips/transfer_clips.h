@@ -13,6 +13,8 @@ namespace sinew {
 struct TransferredClips {
   std::vector<AnimationClip> clips;  ///< `addedFrom` is set; no two are called the same, nor as one of the character's.
   std::vector<std::string> notes;    ///< What did not match, one line each, in plain words.
+  std::vector<std::string> unmatched{};  ///< Bones that a clip moves and nothing of the character follows.
+  std::vector<std::string> unmoved{};  ///< Bones of the character, parts of its body, that no bone of the clips moves.
 };
 
 /// Where the nodes that a clip moves, and all above them, stand in both files alike, its channels are the same. Else

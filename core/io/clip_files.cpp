@@ -2,6 +2,7 @@
 #include "core/io/clip_files.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "core/clips/transfer_clips.h"
@@ -13,7 +14,46 @@ namespace {
 
 bool isAdded(const AnimationClip& clip) { return !clip.addedFrom.empty(); }
 
+/// Adds the clips of the file to the character, or says why not.
+ClipFileReport addFile(const std::string& file, const std::filesystem::path& path,
+                       std::span<const SlotCorrection> corrections, Character& character) {
+  ClipFileReport report{file, path};
+  const auto from = importClips(path);
+  if (!from) {
+    report.missing = from.error();
+    return report;
+  }
+  if (character.clips.size() + from.value()->clips.size() > static_cast<std::size_t>(kMaxClips)) {
+    report.missing =
+        Error{path.string(), "animations", "the character would have more than " + std::to_string(kMaxClips) + " clips",
+              "cannot be added"};
+    return report;
+  }
+  TransferredClips clips = transferClips(*from.value(), character, corrections, file);
+  for (AnimationClip& clip : clips.clips) character.clips.push_back(std::move(clip));
+  report.notes = std::move(clips.notes);
+  report.unmatched = std::move(clips.unmatched);
+  report.unmoved = std::move(clips.unmoved);
+  return report;
+}
+
 }  // namespace
+
+std::vector<Error> missingOf(const std::vector<ClipFileReport>& files) {
+  std::vector<Error> missing;
+  for (const ClipFileReport& file : files) {
+    if (file.missing) missing.push_back(*file.missing);
+  }
+  return missing;
+}
+
+std::vector<std::string> notesOf(const std::vector<ClipFileReport>& files) {
+  std::vector<std::string> notes;
+  for (const ClipFileReport& file : files) {
+    for (const std::string& note : file.notes) notes.push_back(file.path.filename().string() + ": " + note);
+  }
+  return notes;
+}
 
 WithClipFiles withClipFiles(std::shared_ptr<const Character> character, const Rig& rig,
                             const std::filesystem::path& folder) {
@@ -25,23 +65,7 @@ WithClipFiles withClipFiles(std::shared_ptr<const Character> character, const Ri
   auto extended = std::make_shared<Character>(*character);
   std::erase_if(extended->clips, isAdded);
   for (const std::string& file : rig.clipFiles) {
-    const std::filesystem::path path = folder / std::filesystem::path(file);
-    const auto from = importClips(path);
-    if (!from) {
-      result.missing.push_back(from.error());
-      continue;
-    }
-    const std::size_t room =
-        static_cast<std::size_t>(kMaxClips) - std::min<std::size_t>(extended->clips.size(), kMaxClips);
-    if (from.value()->clips.size() > room) {
-      result.missing.push_back(Error{path.string(), "animations",
-                                     "the character would have more than " + std::to_string(kMaxClips) + " clips",
-                                     "cannot be added"});
-      continue;
-    }
-    TransferredClips clips = transferClips(*from.value(), *extended, rig.slots, file);
-    for (AnimationClip& clip : clips.clips) extended->clips.push_back(std::move(clip));
-    for (const std::string& note : clips.notes) result.notes.push_back(path.filename().string() + ": " + note);
+    result.files.push_back(addFile(file, folder / std::filesystem::path(file), rig.slots, *extended));
   }
   result.character = std::move(extended);
   return result;

@@ -36,8 +36,8 @@ CrowdSmoother::~CrowdSmoother() = default;
 CrowdSmoother::CrowdSmoother(CrowdSmoother&&) noexcept = default;
 CrowdSmoother& CrowdSmoother::operator=(CrowdSmoother&&) noexcept = default;
 
-Result<void> CrowdSmoother::prepare(const Rig& rig, std::span<const int> hidden) {
-  if (auto prepared = state_->first.prepare(rig, hidden); !prepared) return prepared;
+Result<void> CrowdSmoother::prepare(const Rig& rig, std::span<const int> hidden, const Region& region) {
+  if (auto prepared = state_->first.prepare(rig, hidden, region); !prepared) return prepared;
   state_->idle.clear();
   return {};
 }

@@ -15,6 +15,7 @@
 #include "core/smoothing/patches/patch.h"
 #include "core/smoothing/projection/rise_directions.h"
 #include "core/smoothing/projection/rise_limits.h"
+#include "core/smoothing/region_levels.h"
 #include "core/smoothing/triangle_classes.h"
 
 namespace sinew {
@@ -33,15 +34,21 @@ Result<void> checkSize(const ControlMesh& mesh, int depth) {
                  "depth");
 }
 
-Result<void> checkSize(const ControlMesh& mesh, const AdaptiveLevels& detail) {
+Result<void> checkSize(const ControlMesh& mesh, const RefinementLevels& levels) {
   auto vertices = static_cast<std::int64_t>(mesh.positions.size());
-  for (const int level : detail.levels.edges) vertices += level - 1;
-  for (const int level : detail.levels.triangles) vertices += (level - 1) * (level - 2) / 2;
+  for (const int level : levels.edges) vertices += level - 1;
+  for (const int level : levels.triangles) vertices += (level - 1) * (level - 2) / 2;
   if (vertices <= kMaxRefinedVertices) return {};
   return errorAt("smoothing.tolerance",
                  "this tolerance makes " + std::to_string(vertices) + " vertices of this character; at most " +
                      std::to_string(kMaxRefinedVertices) + " are possible",
                  "tolerance");
+}
+
+Result<void> checkRegion(const ControlMesh& mesh, std::span<const std::uint8_t> region) {
+  if (region.empty() || region.size() == mesh.triangles.size()) return {};
+  return errorAt("region", "expected a mark for each of " + std::to_string(mesh.triangles.size()) + " triangles, got " +
+                               std::to_string(region.size()));
 }
 
 std::shared_ptr<const LayeredSkin> layeredSkin(const CharacterTables& tables, const Rig& rig,
@@ -94,19 +101,26 @@ std::shared_ptr<const ControlMesh> creasedMesh(const ControlMesh& mesh, float de
   return hasCreases(*result) ? result : nullptr;
 }
 
+Refinement refineBody(const Preparation& next, const ControlMesh& drawn) {
+  if (next.region.empty()) {
+    return next.detail ? refine(drawn, next.detail->levels) : refine(drawn, next.smoothing.depth);
+  }
+  RefinementLevels whole = next.detail ? next.detail->levels : uniformLevels(drawn, next.smoothing.depth);
+  return refine(drawn, inRegion(drawn, std::move(whole), next.region));
+}
+
 std::shared_ptr<const RefinedMesh> refineMesh(const Preparation& next, const Preparation* former) {
   const CharacterTables& tables = *next.tables;
   const ControlMesh& mesh = tables.character->mesh;
   const std::shared_ptr<const ControlMesh> creased = creasedMesh(mesh, next.smoothing.creaseAngle, former);
-  const bool sameLevels =
-      former && (next.detail ? former->detail && former->detail->levels == next.detail->levels
-                             : !former->detail && former->refinement().depth == next.smoothing.depth);
+  const bool sameLevels = former && former->region == next.region &&
+                          (next.detail ? former->detail && former->detail->levels == next.detail->levels
+                                       : !former->detail && former->smoothing.depth == next.smoothing.depth);
   if (sameLevels && former->refined->creased == creased && former->layered == next.layered) return former->refined;
   auto refined = std::make_shared<RefinedMesh>();
   refined->creased = creased;
   const ControlMesh& drawn = creased ? *creased : mesh;
-  refined->refinement = std::make_shared<const Refinement>(next.detail ? refine(drawn, next.detail->levels)
-                                                                       : refine(drawn, next.smoothing.depth));
+  refined->refinement = std::make_shared<const Refinement>(refineBody(next, drawn));
   const Refinement& refinement = *refined->refinement;
   refined->inverseLimits.resize(toIndex(refinement.vertexCount));
   interpolateValues(mesh, refinement, next.inverseLimitsInBind(), refined->inverseLimits);
@@ -175,6 +189,7 @@ Result<std::shared_ptr<const Preparation>> prepare(const std::shared_ptr<const C
   const Character& character = *tables->character;
   if (Result<void> able = checkProcessor(); !able) return able.error();
   if (Result<void> valid = validate(rig, graphs); !valid) return valid.error();
+  if (Result<void> fits = checkRegion(character.mesh, options.region); !fits) return fits.error();
   const bool adaptive = rig.smoothing.detail == DetailKind::kAdaptive && !options.depth;
   const int depth = options.depth.value_or(rig.smoothing.depth);
   if (Result<void> fits = checkSize(character.mesh, depth); !adaptive && !fits) return fits.error();
@@ -192,6 +207,7 @@ Result<std::shared_ptr<const Preparation>> prepare(const std::shared_ptr<const C
   next->layered = std::move(layered);
   next->attached = std::move(attached).value();
   next->primitives = fieldPrimitives(rig, next->attached->attachment);
+  next->region.assign(options.region.begin(), options.region.end());
   hide(options.hidden, former, *next);
   if (adaptive) {
     const AdaptiveLevels* known = former && former->layered == next->layered ? former->detail.get() : nullptr;
@@ -200,7 +216,7 @@ Result<std::shared_ptr<const Preparation>> prepare(const std::shared_ptr<const C
     else
       next->detail =
           findLevels(*next, options.shared ? options.shared : std::make_shared<const Rig>(rig), tolerance, known);
-    if (Result<void> fits = checkSize(character.mesh, *next->detail); !fits) return fits.error();
+    if (Result<void> fits = checkSize(character.mesh, next->detail->levels); !fits) return fits.error();
   }
   next->refined = refineMesh(*next, former);
   next->tiles = tilesOf(*next, former);

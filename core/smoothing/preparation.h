@@ -20,6 +20,7 @@
 #include "sinew/base/result.h"
 #include "sinew/character/character.h"
 #include "sinew/rig/rig.h"
+#include "sinew/smoothing/region.h"
 #include "sinew/smoothing/surface.h"
 
 namespace sinew {
@@ -78,6 +79,7 @@ struct Preparation {
   int shownPrimitives = 0;                       ///< Attached and not hidden.
   std::shared_ptr<const CandidateLists> seen;    ///< Candidates that are not hidden.
   std::shared_ptr<const AdaptiveLevels> detail;  ///< Null: the same depth everywhere.
+  Region region;                                 ///< Outside it nothing is refined. Empty: the whole body.
   std::shared_ptr<const RefinedMesh> refined;
   std::shared_ptr<const VertexTiles> tiles;              ///< Made from `seen`.
   std::shared_ptr<const std::vector<float>> bindFronts;  ///< [T n^2] of the patch.
@@ -103,6 +105,7 @@ struct PreparationOptions {
   bool keepLevels = false;           ///< Adaptive detail keeps the former preparation's levels, while an edit goes on.
   std::shared_ptr<const Rig> shared{};      ///< The rig itself, if it is shared: kept in place of a copy.
   std::shared_ptr<const RigPoser> poser{};  ///< A poser of this rig and character, if there is one.
+  std::span<const std::uint8_t> region{};   ///< [T] a Region. Empty: the whole body.
 };
 
 /// Error: the rig is invalid, the blending graph too large, or the refined mesh would not fit memory.

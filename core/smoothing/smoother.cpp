@@ -41,10 +41,13 @@ Smoother Smoother::twin() const {
   return Smoother(std::move(state));
 }
 
-Result<void> Smoother::prepare(const Rig& rig, std::span<const int> hidden) {
+Result<void> Smoother::prepare(const Rig& rig, std::span<const int> hidden, const Region& region) {
   assert(std::ranges::is_sorted(hidden));
   const Preparation* former = state_->preparation.get();
-  auto prepared = sinew::prepare(state_->tables, rig, {hidden, {}, {}}, former, state_->graphs);
+  PreparationOptions options;
+  options.hidden = hidden;
+  options.region = region;
+  auto prepared = sinew::prepare(state_->tables, rig, options, former, state_->graphs);
   if (!prepared) return prepared.error();
   if (!former || former->attached != prepared.value()->attached) ++state_->attachments;
   state_->preparation = std::move(prepared).value();

@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
   const auto frames = static_cast<int>(std::ceil(static_cast<double>(clip->duration) * framesPerSecond));
   for (int frame = 0; frame < frames; ++frame) {
     const auto seconds = static_cast<float>(frame / framesPerSecond);
-    smoother.smooth(sinew::samplePose(character.skeleton, *clip, seconds), surface);
+    smoother.smooth(sinew::samplePose(character, *clip, seconds), surface);
     show(frame, seconds, surface);
   }
   return 0;

@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
   if (const auto prepared = smoother.prepare(rig.value()); !prepared) return fail(prepared.error());
   const auto seconds = static_cast<float>(std::atof(argv[3]));
   sinew::Surface surface;
-  smoother.smooth(sinew::samplePose(character.skeleton, *clip, seconds), surface);
+  smoother.smooth(sinew::samplePose(character, *clip, seconds), surface);
 
   if (const auto written = sinew::exportSurface(surface, character, argv[4]); !written) return fail(written.error());
   std::printf("%s: %zu vertices, %zu triangles\n", argv[4], surface.positions.size(),

@@ -16,6 +16,7 @@
 #include "core/skeleton/pose_override.h"
 #include "core/symmetry/motion_clip.h"
 #include "python/module/arrays.h"
+#include "python/module/bone_nodes.h"
 #include "python/module/errors.h"
 #include "python/module/mesh.h"
 #include "python/module/values.h"
@@ -36,6 +37,14 @@ py::tuple bonesOf(const CharacterHandle& handle) {
     bones[i] = py::make_tuple(i, skeleton.fileName(static_cast<int>(i)), bone.path, bone.parent);
   }
   return bones;
+}
+
+py::tuple nodesOf(const CharacterHandle& handle) {
+  auto nodes = [&] {
+    const py::gil_scoped_release released;
+    return nodesOfBones(handle.file(), handle.character()->skeleton);
+  }();
+  return py::tuple(py::cast(valueOrRefuse(std::move(nodes))));
 }
 
 py::list clipListOf(const CharacterHandle& handle) {
@@ -164,6 +173,54 @@ const std::shared_ptr<const Character>& CharacterHandle::moving() {
   return moving_;
 }
 
+/// With those that it has, so that all keep their names.
+WithClipFiles CharacterHandle::readClips(const std::vector<std::filesystem::path>& files,
+                                         const std::vector<SlotCorrection>& corrections) const {
+  Rig rig;
+  rig.slots = corrections;
+  rig.clipFiles = clipFiles_;
+  for (const std::filesystem::path& file : files) {
+    const std::string name = std::filesystem::absolute(file).lexically_normal().string();
+    if (std::ranges::find(rig.clipFiles, name) == rig.clipFiles.end()) rig.clipFiles.push_back(name);
+  }
+  const std::shared_ptr<const Character> character = character_;
+  const py::gil_scoped_release released;
+  return withClipFiles(character, rig, {});
+}
+
+void CharacterHandle::take(WithClipFiles with) {
+  character_ = std::move(with.character);
+  moving_.reset();
+  clipFiles_.clear();
+  for (const ClipFileReport& file : with.files) {
+    if (!file.missing) clipFiles_.push_back(file.file);
+  }
+}
+
+std::vector<std::string> CharacterHandle::addClips(const std::filesystem::path& file,
+                                                   const std::vector<SlotCorrection>& corrections) {
+  WithClipFiles with = readClips({file}, corrections);
+  const std::string name = std::filesystem::absolute(file).lexically_normal().string();
+  const ClipFileReport report = *std::ranges::find(with.files, name, &ClipFileReport::file);
+  if (report.missing) refuse({file.string(), report.missing->place, report.missing->reason});
+  const auto& clips = with.character->clips;
+  if (std::ranges::find(clips, name, &AnimationClip::addedFrom) == clips.end()) {
+    refuse({file.string(), "", "no clips are added: " + (report.notes.empty() ? "it has none" : report.notes.back())});
+  }
+  take(std::move(with));
+  return report.notes;
+}
+
+std::vector<std::string> CharacterHandle::openClips(const std::vector<std::filesystem::path>& files,
+                                                    const std::vector<SlotCorrection>& corrections) {
+  if (files.empty()) return {};
+  WithClipFiles with = readClips(files, corrections);
+  std::vector<std::string> missing;
+  for (const Error& error : missingOf(with.files)) missing.push_back(error.text());
+  take(std::move(with));
+  return missing;
+}
+
 const AnimationClip& CharacterHandle::clipNamed(const std::string& name) {
   const Character& from = name == kRangeOfMotionName ? *moving() : *character_;
   const int clip = findClip(from, name);
@@ -189,7 +246,10 @@ void defineCharacter(py::module_& module) {
       .def_property_readonly("shapes", shapeNamesOf)
       .def_property_readonly("mesh", [](const CharacterHandle& handle) { return MeshHandle{handle.character()}; })
       .def("_bones", bonesOf)
+      .def("_nodes", nodesOf)
       .def("_clips", clipListOf)
+      .def("_add_clips",
+           [](CharacterHandle& handle, const py::object& path) { return handle.addClips(pathFrom(path, "path"), {}); })
       .def("_facts", factsOf)
       .def("_pose", poseOf)
       .def("_rest", [](const CharacterHandle& h) { return matricesOf(restPose(h.character()->skeleton).boneInWorld); })

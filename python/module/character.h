@@ -4,16 +4,19 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <pybind11/pybind11.h>
 
+#include "core/io/clip_files.h"
 #include "core/symmetry/mirror.h"
 #include "sinew/character/character.h"
 #include "sinew/skeleton/pose.h"
 
 namespace sinew::python {
 
-/// Read only. What is found only when it is asked for is found under the interpreter's lock.
+/// Read only, but for the clips that are added. What is found only when it is asked for is found under the
+/// interpreter's lock.
 class CharacterHandle {
  public:
   explicit CharacterHandle(const std::filesystem::path& file);
@@ -23,6 +26,13 @@ class CharacterHandle {
   [[nodiscard]] const std::shared_ptr<const MirrorPlan>& plan();
   /// With the range of motion as its last clip.
   [[nodiscard]] const std::shared_ptr<const Character>& moving();
+
+  /// Plays the clips of the file too, after those that it has; a file that it has is read again. Refuses one that adds
+  /// none. @return what did not match, a line each
+  std::vector<std::string> addClips(const std::filesystem::path& file, const std::vector<SlotCorrection>& corrections);
+  /// The same of a rig's files. @return why clips are left out, a line each
+  std::vector<std::string> openClips(const std::vector<std::filesystem::path>& files,
+                                     const std::vector<SlotCorrection>& corrections);
 
   /// A moment of a clip, the range of motion too; without a name the bind pose. Refuses a name that it lacks.
   [[nodiscard]] Pose poseAt(pybind11::handle clip, double seconds);
@@ -34,6 +44,11 @@ class CharacterHandle {
   std::shared_ptr<const Character> character_;
   std::shared_ptr<const MirrorPlan> plan_;
   std::shared_ptr<const Character> moving_;
+  std::vector<std::string> clipFiles_;  ///< Whose clips it has; absolute.
+
+  [[nodiscard]] WithClipFiles readClips(const std::vector<std::filesystem::path>& files,
+                                        const std::vector<SlotCorrection>& corrections) const;
+  void take(WithClipFiles with);
 };
 
 void defineCharacter(pybind11::module_& module);

@@ -7,6 +7,7 @@
 
 #include "core/base/at.h"
 #include "core/base/nearest_name.h"
+#include "core/io/clip_files.h"
 #include "core/rig/attachment.h"
 #include "core/rig/morphs.h"
 #include "core/symmetry/twins.h"
@@ -50,7 +51,8 @@ void refuseNewlyMissing(const Rig& before, const Rig& edited, const Skeleton& sk
 
 }  // namespace
 
-RigHandle::RigHandle(std::shared_ptr<CharacterHandle> character) : character_(std::move(character)) {
+RigHandle::RigHandle(std::shared_ptr<CharacterHandle> character)
+    : character_(std::move(character)), clipsFolder_(character_->file().parent_path()) {
   Rig rig;
   rig.character = character_->file().filename().generic_string();
   rig.smoothing.detail = DetailKind::kAdaptive;
@@ -58,7 +60,9 @@ RigHandle::RigHandle(std::shared_ptr<CharacterHandle> character) : character_(st
 }
 
 RigHandle::RigHandle(std::shared_ptr<CharacterHandle> character, Rig rig, std::filesystem::path file)
-    : character_(std::move(character)), file_(std::move(file)) {
+    : character_(std::move(character)),
+      file_(std::move(file)),
+      clipsFolder_((file_.empty() ? character_->file() : file_).parent_path()) {
   rig_ = withMorphsOf(std::move(rig), *character_->character());
   identities_.identify(rig_, {});
 }
@@ -85,9 +89,29 @@ void RigHandle::save(const std::filesystem::path& file) {
   if (!std::filesystem::path(written.character).is_absolute()) {
     written.character = relativeCharacterPath(character_->file(), file);
   }
+  written.clipFiles = clipFilesFor(file, written.clipFiles, clipsFolder_);
   valueOrRefuse(saveRig(written, file));
   rig_.character = written.character;
+  rig_.clipFiles = std::move(written.clipFiles);
   file_ = file;
+  clipsFolder_ = file.parent_path();
+}
+
+std::vector<std::string> RigHandle::addClips(const std::filesystem::path& file) {
+  std::vector<std::string> notes = character_->addClips(file, rig_.slots);
+  const std::string name = relativeCharacterPath(file, clipsFolder_ / "rig");
+  if (std::ranges::find(rig_.clipFiles, name) == rig_.clipFiles.end()) {
+    Rig edited = rig_;
+    edited.clipFiles.push_back(name);
+    replace(std::move(edited));
+  }
+  return notes;
+}
+
+void RigHandle::openClips() {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& name : rig_.clipFiles) files.push_back(clipsFolder_ / std::filesystem::path(name));
+  missingClips_ = character_->openClips(files, rig_.slots);
 }
 
 int RigHandle::muscleNamed(const std::string& name) const {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <pybind11/pybind11.h>
 
@@ -35,6 +36,13 @@ class RigHandle {
   void replace(Result<Rig> edited, Bones bones = Bones::kAsBefore);
   void save(const std::filesystem::path& file);
 
+  /// The rig names the file, and its character plays its clips (CharacterHandle::addClips).
+  std::vector<std::string> addClips(const std::filesystem::path& file);
+  /// Those of the files that the rig names.
+  void openClips();
+  /// Why clips of such files are left out, a line each.
+  [[nodiscard]] const std::vector<std::string>& missingClips() const { return missingClips_; }
+
   /// Index, or sinew.Error with the name that was probably meant.
   [[nodiscard]] int muscleNamed(const std::string& name) const;
   [[nodiscard]] int groupNamed(const std::string& name) const;
@@ -47,6 +55,8 @@ class RigHandle {
   std::shared_ptr<CharacterHandle> character_;
   Rig rig_;
   std::filesystem::path file_;
+  std::filesystem::path clipsFolder_;  ///< Where relative paths of Rig::clipFiles begin.
+  std::vector<std::string> missingClips_;
   IdentitySource identities_;
 };
 

@@ -207,6 +207,12 @@ std::vector<std::string> unattachedOf(const RigHandle& handle) {
   return names;
 }
 
+/// With the clips that the rig names.
+std::shared_ptr<RigHandle> opened(std::shared_ptr<RigHandle> handle) {
+  handle->openClips();
+  return handle;
+}
+
 /// A new rig, that of a file, or that of a text as files hold it.
 std::shared_ptr<RigHandle> makeRig(std::shared_ptr<CharacterHandle> character, const py::object& path,
                                    const py::object& text) {
@@ -217,11 +223,11 @@ std::shared_ptr<RigHandle> makeRig(std::shared_ptr<CharacterHandle> character, c
     if (!std::filesystem::equivalent(characterPath(rig, file), character->file(), failed) || failed) {
       rig.character = relativeCharacterPath(character->file(), file);
     }
-    return std::make_shared<RigHandle>(std::move(character), std::move(rig), file);
+    return opened(std::make_shared<RigHandle>(std::move(character), std::move(rig), file));
   }
   if (text.is_none()) return std::make_shared<RigHandle>(std::move(character));
   Rig rig = valueOrRefuse(rigFromJson(textFrom(text, "text")));
-  return std::make_shared<RigHandle>(std::move(character), std::move(rig), std::filesystem::path());
+  return opened(std::make_shared<RigHandle>(std::move(character), std::move(rig), std::filesystem::path()));
 }
 
 /// Where the character of a rig file lies.
@@ -239,6 +245,11 @@ void defineRig(py::module_& module) {
       .def_property_readonly("groups", groupsOf)
       .def_property_readonly("links", linksOf)
       .def_property_readonly("unattached", unattachedOf)
+      .def_property_readonly("clip_files",
+                             [](const RigHandle& handle) { return py::tuple(py::cast(handle.rig().clipFiles)); })
+      .def_property_readonly("missing_clips", [](const RigHandle& handle) { return handle.missingClips(); })
+      .def("_add_clips",
+           [](RigHandle& handle, const py::object& path) { return handle.addClips(pathFrom(path, "path")); })
       .def("_add_muscle", addMuscle)
       .def("_add_line", addLineOf)
       .def("_muscles", [](const RigHandle& handle) { return idsOf(handle.rig().primitives); })

@@ -142,6 +142,8 @@ void defineSurface(py::module_& module) {
                              }))
       .def_property_readonly("uv_vertices",
                              array([](const py::object& s) { return listOf(refinementOf(s).drawVertex, s); }))
+      .def_property_readonly("colors",
+                             array([](const py::object& s) { return shared<float>(refinementOf(s).drawColor, s); }))
       .def_property_readonly("control_triangles",
                              array([](const py::object& s) { return listOf(refinementOf(s).controlOf, s); }))
       .def_property_readonly("materials", array(materialsOf))

@@ -14,7 +14,7 @@ class Bone(NamedTuple):
 
 
 class Character(_sinew.Character):
-    """Control mesh, bones, clips and materials of a .glb, .gltf or .vrm file. Read only.
+    """Control mesh, bones, clips and materials of a .glb, .gltf or .vrm file. Read only, but that clips can be added.
 
     Every matrix of a bone goes from its space to the world and multiplies columns: world = matrix @ [x, y, z, 1].
     """
@@ -40,11 +40,22 @@ class Character(_sinew.Character):
 
     @property
     def clips(self):
-        """Seconds that each clip lasts, by name, in the order of the file."""
+        """Seconds that each clip lasts, by name, in the order of the file; then those that were added."""
         clips = {}
         for name, seconds in self._clips():
             clips.setdefault(name, seconds)
         return clips
+
+    def add_clips(self, path):
+        """Adds the clips of another file, .glb, .gltf or .vrm, with a mesh or without, with these bones or others.
+
+        Returns what did not match, a line each. A rig remembers such files: Rig.add_clips.
+        """
+        return self._add_clips(path)
+
+    def nodes(self):
+        """Number of the file's node that each bone is, in the order of bones, for what reads the glTF itself as well."""
+        return self._once("nodes", self._nodes)
 
     def duration(self, clip):
         """Seconds that a clip lasts, the made clip "Range of motion" too."""

@@ -88,6 +88,13 @@ class Rig(_sinew.Rig):
         """What is added to the weights of shapes, by name; shapes[name] = weight sets one."""
         return Shapes(self)
 
+    def add_clips(self, path):
+        """Names a file whose clips the character plays too; they are there at once, and wherever the rig is opened.
+
+        Returns what did not match, a line each. clip_files are those that are named, missing_clips why some are left out.
+        """
+        return self._add_clips(path)
+
     def muscle(self, name):
         """The muscle of that name."""
         return Muscle(self, self._muscle(name))
@@ -179,7 +186,7 @@ def _name(muscle):
 
 
 def load_rig(path, character=None):
-    """Opens a rig file and its character, or for a character that is open already."""
+    """Opens a rig file and its character, or for a character that is open already, with the clips that the rig names."""
     if character is None:
         character = Character(_sinew.character_file_of(path))
     return Rig(character, path=path)

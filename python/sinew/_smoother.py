@@ -10,7 +10,8 @@ class Surface(_sinew.Surface):
 
     positions, normals: [V, 3] of the vertices, world; yours to write into. triangles: [T, 3] of them, counter-clockwise.
     uv: [D, 2], which has several rows for a vertex on a seam; uv_triangles: [T, 3] of uv rows, corner by corner as
-    triangles; uv_vertices: [D] the vertex of each. v counts downwards, as in glTF. split_positions, split_normals: one row
+    triangles; uv_vertices: [D] the vertex of each. v counts downwards, as in glTF. colors: [D, 4] linear
+    RGBA, without rows where the mesh has none. split_positions, split_normals: one row
     for each row of uv, for vertex buffers. All but positions and normals are read only, and shared between frames.
     """
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -22,6 +21,7 @@
 #include "sinew/smoothing/smoother.h"
 #include "tests/support/characters/characters.h"
 #include "tests/support/characters/real_characters.h"
+#include "tests/support/surface/winding_number.h"
 
 namespace sinew {
 namespace {
@@ -32,22 +32,6 @@ Preset preset(const char* name) {
   auto loaded = loadPreset(fs::path(SINEW_SOURCE_DIR) / "assets" / "presets" / (std::string(name) + ".json"));
   EXPECT_TRUE(loaded.ok()) << loaded.error().text();
   return loaded.ok() ? loaded.value() : Preset{};
-}
-
-/// How often a mesh goes round a point: van Oosterom & Strackee 1983.
-double windingNumber(const ControlMesh& mesh, const glm::dvec3& point) {
-  double sum = 0.0;
-  for (const ControlTriangle& triangle : mesh.triangles) {
-    std::array<glm::dvec3, 3> r;
-    for (std::size_t k = 0; k < 3; ++k) r[k] = glm::dvec3(at(mesh.positions, triangle.vertices[k])) - point;
-    const double a = glm::length(r[0]);
-    const double b = glm::length(r[1]);
-    const double c = glm::length(r[2]);
-    const double over = glm::dot(r[0], glm::cross(r[1], r[2]));
-    const double under = a * b * c + glm::dot(r[0], r[1]) * c + glm::dot(r[1], r[2]) * a + glm::dot(r[2], r[0]) * b;
-    sum += 2.0 * std::atan2(over, under);
-  }
-  return sum / (4.0 * std::numbers::pi);
 }
 
 struct Body {
@@ -100,7 +84,7 @@ TEST_P(FitPreset, EveryBellyLiesInTheBody) {
   ASSERT_TRUE(validate(rig).ok());
   EXPECT_TRUE(missingBones(rig, character_->skeleton).empty());
   for (const Primitive& primitive : rig.primitives) {
-    EXPECT_GT(windingNumber(character_->mesh, glm::dvec3(centerOf(primitive))), 0.5) << primitive.name;
+    EXPECT_GT(test::windingNumber(character_->mesh, glm::dvec3(centerOf(primitive))), 0.5) << primitive.name;
   }
 }
 
@@ -131,6 +115,9 @@ TEST_P(FitPreset, NothingIsOnAWrongLimb) {
   for (const Primitive& primitive : rig.primitives) {
     const int bone = *character_->skeleton.findBone(primitive.bone);
     const bool left = primitive.name.ends_with(" L");
+    const glm::vec3 center = centerOf(primitive);
+    const glm::vec3 image(reflected(plan_.plane, glm::dvec3(center)));
+    EXPECT_EQ(glm::dot(center - image, frame.slots.left) > 0.0f, left) << primitive.name << " is on the other side";
     ASSERT_TRUE(primitive.territory.has_value());
     for (const std::string& name : *primitive.territory) {
       const int other = *character_->skeleton.findBone(name);

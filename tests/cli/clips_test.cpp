@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/io/json/json.h"
 #include "sinew/io/gltf_import.h"
 #include "sinew/io/rig_json.h"
 #include "sinew/skeleton/pose.h"
@@ -75,6 +76,27 @@ TEST_F(Clips, AFileThatIsGoneIsOneLine) {
   EXPECT_NE(made.error.find("its clips are left out"), std::string::npos) << made.error;
   EXPECT_EQ(run({"inspect", at("a.rig.json")}).status, 0);
   EXPECT_EQ(run({"inspect", at("a.rig.json"), "--strict"}).status, 1);
+}
+
+TEST_F(Clips, InspectJsonSaysWhatBecameOfEachFile) {
+  Rig rig;
+  rig.character = "still.glb";
+  rig.clipFiles = {"gone.glb", "motion.glb"};
+  ASSERT_TRUE(saveRig(rig, at("a.rig.json")).ok());
+  const auto told = run({"inspect", at("a.rig.json"), "--json"});
+  EXPECT_EQ(told.status, 0) << told.error;
+  const auto json = Json::parse(told.out);
+  ASSERT_TRUE(json.ok()) << told.out;
+  const std::vector<Json>& files = json->at("clip_files").items();
+  ASSERT_EQ(files.size(), 2u);
+  EXPECT_EQ(files[0].at("file").text(""), "gone.glb");
+  EXPECT_NE(files[0].at("missing").text("").find("gone.glb"), std::string::npos);
+  EXPECT_TRUE(files[0].at("clips").items().empty());
+  EXPECT_EQ(files[1].at("file").text(""), "motion.glb");
+  EXPECT_TRUE(files[1].at("missing").isNull());
+  ASSERT_EQ(files[1].at("clips").items().size(), 1u);
+  EXPECT_EQ(files[1].at("clips").items()[0].text(""), "bend");
+  for (const char* list : {"unmatched_bones", "unmoved_bones"}) EXPECT_TRUE(files[1].at(list).items().empty()) << list;
 }
 
 }  // namespace

@@ -20,26 +20,13 @@ TEST_F(Program, InspectJsonHasEveryKeyAndNothingElseOnStdout) {
   EXPECT_EQ(result.error, "");
   const auto json = Json::parse(result.out);
   ASSERT_TRUE(json.ok()) << json.error().text();
-  EXPECT_EQ(json->keys(), (std::vector<std::string>{"file",
-                                                    "triangles",
-                                                    "triangles_dropped",
-                                                    "vertices",
-                                                    "wedges",
-                                                    "colored_wedges",
-                                                    "closed",
-                                                    "border_edges",
-                                                    "non_manifold_edges",
-                                                    "height",
-                                                    "joints",
-                                                    "joint_names",
-                                                    "helper_joints",
-                                                    "body",
-                                                    "clips",
-                                                    "morph_targets",
-                                                    "range_of_motion",
-                                                    "materials",
-                                                    "parts",
-                                                    "textures",
+  EXPECT_EQ(json->keys(), (std::vector<std::string>{"file",          "triangles",     "triangles_dropped",
+                                                    "vertices",      "wedges",        "colored_wedges",
+                                                    "closed",        "border_edges",  "non_manifold_edges",
+                                                    "height",        "joints",        "joint_names",
+                                                    "helper_joints", "body",          "clips",
+                                                    "clip_files",    "morph_targets", "range_of_motion",
+                                                    "materials",     "parts",         "textures",
                                                     "ignored"}));
   EXPECT_TRUE(json->at("closed").boolean(false));
   EXPECT_EQ(json->at("border_edges").number(-1), 0);

@@ -45,7 +45,7 @@ TEST_F(ClipDocument, KeepsItsClipsWhereverItIsSaved) {
     ASSERT_TRUE(saveDocument(opened.value(), file).ok());
     const Result<Document> again = openDocument(file);
     ASSERT_TRUE(again.ok()) << again.error().text();
-    EXPECT_TRUE(again->clipFiles.missing.empty());
+    EXPECT_TRUE(missingOf(again->clipFiles.files).empty());
     ASSERT_EQ(again->character->clips.size(), 1u) << file;
     EXPECT_FALSE(again->commands.modified());
   }
@@ -62,7 +62,7 @@ TEST_F(ClipDocument, OpensWithoutAFileThatIsGoneAndKeepsTheEntry) {
   Result<Document> opened = openDocument(folder_ / "a.rig.json");
   ASSERT_TRUE(opened.ok()) << opened.error().text();
   EXPECT_TRUE(opened->character->clips.empty());
-  ASSERT_EQ(opened->clipFiles.missing.size(), 1u);
+  ASSERT_EQ(missingOf(opened->clipFiles.files).size(), 1u);
   ASSERT_TRUE(saveDocument(opened.value(), folder_ / "a.rig.json").ok());
   EXPECT_EQ(loadRig(folder_ / "a.rig.json")->clipFiles, rig.clipFiles);
   EXPECT_FALSE(openDocument(folder_ / "still.glb", {folder_ / "clips" / "motion.glb"}).ok());

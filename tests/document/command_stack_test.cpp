@@ -183,18 +183,18 @@ TEST(CommandStack, UndoingBackToTheSavedStateIsNotModified) {
 
 TEST(CommandStack, RangesAndPosesAreStepsBesideTheRig) {
   CommandStack stack(rigNumbered(0));
-  stack.startFrom({}, {{0, {1.0, 2.0}}});
-  const PlayRanges first = stack.ranges();
-  stack.applyRanges("Play frames 30 to 45", {{0, {1.0, 1.5}}});
+  stack.startFrom({}, {{{"", 0}, {1.0, 2.0}}});
+  const KeptPlayRanges first = stack.ranges();
+  stack.applyRanges("Play frames 30 to 45", {{{"", 0}, {1.0, 1.5}}});
   stack.apply("Depth", rigNumbered(1));
-  EXPECT_EQ(stack.ranges().at(0).to, 1.5) << "an edit keeps them";
+  EXPECT_EQ(stack.ranges().at({"", 0}).to, 1.5) << "an edit keeps them";
   const std::size_t revision = stack.revision();
   stack.applyRanges("Play the whole clip", {});
   stack.applyRanges("nothing changes", {});
   EXPECT_EQ(stack.stepCount(), 3u);
   EXPECT_EQ(stack.revision(), revision) << "the rig is as it was";
   stack.undo();
-  EXPECT_EQ(stack.ranges().at(0).to, 1.5);
+  EXPECT_EQ(stack.ranges().at({"", 0}).to, 1.5);
   stack.undo();
   stack.undo();
   EXPECT_EQ(stack.ranges(), first);

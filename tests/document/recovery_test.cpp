@@ -255,6 +255,31 @@ TEST_F(Autosave, AnotherClipWritesAtOnce) {
   EXPECT_EQ(look(1.2, 2), Deed::kNothing) << "nothing new since";
 }
 
+TEST_F(Autosave, InAHurryWhatIsUnwrittenIsWrittenAtTheNextLookAndOnce) {
+  look(0.0);
+  clock.hurry();
+  EXPECT_EQ(look(0.1), Deed::kNothing) << "nothing has changed";
+  change("a");
+  EXPECT_EQ(look(1.0), Deed::kNothing) << "the hurry before the change is over";
+  clock.hurry();
+  EXPECT_EQ(look(1.1), Deed::kWrite);
+  clock.hurry();
+  EXPECT_EQ(look(1.2), Deed::kNothing) << "it is written";
+  change("b");
+  EXPECT_EQ(look(1.3), Deed::kNothing);
+  EXPECT_EQ(look(31.3), Deed::kWrite) << "the interval is as before";
+}
+
+TEST_F(Autosave, AHurriedWriteThatFailsIsDueAnIntervalLater) {
+  change("a");
+  EXPECT_EQ(look(0.0), Deed::kNothing);
+  clock.hurry();
+  EXPECT_EQ(clock.look(1.0, 30.0, commands, document, 0), Deed::kWrite);  // wrote() is not called.
+  EXPECT_EQ(look(2.0), Deed::kNothing);
+  EXPECT_EQ(look(31.9), Deed::kNothing);
+  EXPECT_EQ(look(32.0), Deed::kWrite);
+}
+
 TEST_F(Autosave, SavedOrUndoneTheFileGoes) {
   look(0.0);
   change("a");

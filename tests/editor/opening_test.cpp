@@ -7,7 +7,6 @@
 
 #include "app/editor/commands.h"
 #include "app/editor/hidden_bones.h"
-#include "app/editor/locate_character.h"
 #include "app/editor/open_file.h"
 #include "app/editor/outliner_rows.h"
 #include "app/editor/pose_commands.h"

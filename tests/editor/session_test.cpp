@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <optional>
@@ -33,6 +34,11 @@ class Session : public testing::Test {
   [[nodiscard]] Preferences onDisk() const { return loadPreferences(folder / "preferences.json").preferences; }
   void open(EditorState& state, const char* name) const { ASSERT_TRUE(openFile(state, folder / name)); }
   static void change(EditorState& state) { addMuscle(state, 0); }
+  [[nodiscard]] std::size_t filesOfRecovery() const {
+    const fs::directory_iterator files(folder / "recovery");
+    return static_cast<std::size_t>(
+        std::count_if(begin(files), end(files), [](const auto& each) { return each.path().extension() == ".json"; }));
+  }
 
   const test::TemporaryFolder own;
   const fs::path folder = own.path();
@@ -224,6 +230,47 @@ TEST_F(Session, SavedWorkIsNotOffered) {
   EditorState next;
   keeper().start(next);
   EXPECT_FALSE(next.dialogs.recovery);
+}
+
+TEST_F(Session, ASaveThatFailsPutsTheWorkIntoTheRecoveryFileAtOnce) {
+  fs::create_directory(folder / "taken.rig.json");
+  Rig unsaved;
+  {
+    EditorState lost;
+    SessionKeeper one = keeper();
+    one.start(lost);
+    open(lost, "lizard.glb");
+    ASSERT_EQ(saveTo(lost, folder / "arm.rig.json"), "");
+    change(lost);
+    one.tick(lost, 100.0, kPlace);
+    EXPECT_EQ(filesOfRecovery(), 0U) << "the interval is not over";
+    EXPECT_NE(saveTo(lost, folder / "taken.rig.json"), "") << "a folder has that name";
+    one.tick(lost, 100.0, kPlace);
+    EXPECT_EQ(filesOfRecovery(), 1U);
+    unsaved = lost.document.rig();
+    change(lost);
+    one.tick(lost, 101.0, kPlace);  // From here on every interval again: this change is not in the file yet.
+  }
+  const std::vector<LeftBehind> left = findLeftBehind(folder / "recovery");
+  ASSERT_EQ(left.size(), 1U);
+  EXPECT_EQ(left[0].rigFile, folder / "arm.rig.json");
+  const Result<Document> recovered = recoverDocument(left[0]);
+  ASSERT_TRUE(recovered.ok());
+  EXPECT_EQ(recovered->rig(), unsaved);
+}
+
+TEST_F(Session, WhereNothingIsUnsavedAFailedSaveLeavesNothing) {
+  EditorState state;
+  SessionKeeper one = keeper();
+  one.start(state);
+  open(state, "lizard.glb");
+  ASSERT_EQ(saveTo(state, folder / "arm.rig.json"), "");
+  EXPECT_NE(saveTo(state, folder / "absent" / "arm.rig.json"), "");
+  one.tick(state, 0.0, kPlace);
+  EXPECT_EQ(filesOfRecovery(), 0U);
+  change(state);
+  one.tick(state, 1.0, kPlace);
+  EXPECT_EQ(filesOfRecovery(), 0U) << "what is changed later waits for its interval";
 }
 
 TEST_F(Session, DiscardedWorkIsGone) {

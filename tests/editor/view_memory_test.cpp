@@ -49,7 +49,7 @@ class ViewMemory : public testing::Test {
     state.view.display.anatomy = true;
     state.view.display.relief = true;
     state.view.display.glass = 0.25f;
-    state.view.tools.camera.stand = {{0.1f, 0.9f, -0.2f}, 3.5f, -1.25f, 0.5f};
+    state.view.tools.camera.stand = {{0.1f, 0.9f, -0.2f}, 3.5f, -1.25f, 0.5f, {0.25f, -0.125f}};
     state.view.tools.camera.orthographic = true;
     state.view.outlinerFilter = "thigh";
     state.view.outliner.onlyWithMuscles = true;
@@ -76,6 +76,7 @@ class ViewMemory : public testing::Test {
     EXPECT_EQ(stand.distance, 3.5f);
     EXPECT_EQ(stand.yaw, -1.25f);
     EXPECT_EQ(stand.pitch, 0.5f);
+    EXPECT_EQ(stand.aim, glm::vec2(0.25f, -0.125f));
     EXPECT_TRUE(state.view.tools.camera.orthographic);
     EXPECT_FALSE(state.open.frameWanted) << "the camera would be framed again";
     EXPECT_EQ(state.view.outlinerFilter, "thigh");

@@ -1,5 +1,6 @@
 # tests/gui/failed_save.py: a full disk and a read-only one: it is said, nothing is lost, and the next try saves.
 import ctypes
+import json
 import os
 import pathlib
 import subprocess
@@ -8,6 +9,7 @@ import sys
 import driver
 
 SIZE = 256 * 1024
+INTERVAL = 300  # Seconds between autosaves: what is kept before is kept because a save failed.
 NEW_MOUNTS, NEW_USERS = 0x00020000, 0x10000000
 
 
@@ -68,10 +70,28 @@ def dismiss(editor):
     editor.wait_until("the messages to go", lambda s: not s["messages"] and "messages/dismiss-all" not in s["widgets"])
 
 
+def autosave_seldom(t):
+    place = pathlib.Path(t.environment["XDG_CONFIG_HOME"]) / "sinew" / "preferences.json"
+    place.parent.mkdir(parents=True, exist_ok=True)
+    place.write_text(json.dumps({"format": "sinew-preferences", "version": 1, "autosave_seconds": INTERVAL}))
+
+
+def kept_muscles(t):
+    """How many muscles the recovery file has; None where there is none."""
+    files = list((pathlib.Path(t.environment["XDG_STATE_HOME"]) / "sinew" / "recovery").glob("*.json"))
+    return len(json.loads(files[0].read_text())["rig"]["primitives"]) if files else None
+
+
+def kept_at_once(t, editor):
+    count = editor.state()["document"]["primitives"]
+    driver.wait_for("the recovery file to have all of the work", lambda: kept_muscles(t) == count)
+
+
 def refused(t, editor, path, reason, picture=None):
     """Ctrl+S where it cannot be: a message with name and reason; document, undo steps and file are as they were."""
     before, written, names = editor.state()["document"], path.read_bytes(), sorted(path.parent.iterdir())
     t.check("there is something to save", before["modified"])
+    t.check("and the recovery file has not all of it yet", kept_muscles(t) != before["primitives"], kept_muscles(t))
     editor.key("ctrl+s")
     state = editor.wait_until("a message that it was not saved", lambda s: s["messages"])
     text = state["messages"][-1]
@@ -85,6 +105,7 @@ def refused(t, editor, path, reason, picture=None):
     t.check("the title still marks changes", "*" in editor.title(), editor.title())
     t.check("what was saved before is whole", path.read_bytes() == written)
     t.check_equal("nothing half written lies beside it", sorted(path.parent.iterdir()), names)
+    kept_at_once(t, editor)
     dismiss(editor)
 
 
@@ -130,6 +151,7 @@ def save_as_refused(t, editor, path):
 
 
 def on_disk(t, disk):
+    autosave_seldom(t)
     editor = t.edit(t.copy(t.assets / "demo.glb"))
     editor.wait_until("a character", lambda s: "thigh.L" in s["bones"])
     editor.choose_clip(-1, "")

@@ -1,9 +1,11 @@
 # tests/install/games.cmake: what links Sinew::runtime alone: the game, the samples for games. Included by install_test.cmake.
-run(${WORK}/prefix/bin/sinew pack ${ASSETS}/humanoid.rig.json -o ${WORK}/humanoid.sinew)
-expect_match("${output}" "humanoid.sinew: [1-9][0-9]+ bytes, [1-9][0-9]* bones, [1-9][0-9]* clips, [1-9][0-9]* muscles\n$")
 build_against_prefix(${CMAKE_CURRENT_LIST_DIR}/game ${WORK}/game)
-run(${WORK}/game/game ${WORK}/humanoid.sinew)
-expect_match("${output}" "^[1-9][0-9]+ vertices, 0 allocations, the same bits, pose: expected matrices of [0-9]+ bones, got [0-9]+\n$")
+foreach(name humanoid horse)
+  run(${WORK}/prefix/bin/sinew pack ${ASSETS}/${name}.rig.json -o ${WORK}/${name}.sinew)
+  expect_match("${output}" "${name}.sinew: [1-9][0-9]+ bytes, [1-9][0-9]* bones, [1-9][0-9]* clips, [1-9][0-9]* muscles\n$")
+  run(${WORK}/game/game ${WORK}/${name}.sinew)
+  expect_match("${output}" "^[1-9][0-9]+ vertices, 0 allocations, the same bits, pose: expected matrices of [0-9]+ bones, got [0-9]+\n$")
+endforeach()
 
 # It links none of the libraries that read files, nor what fits weights.
 set(others "tinygltf|nlohmann|Eigen|draco|meshopt|webp|stbi?_")
@@ -24,6 +26,7 @@ run(bash -c "c++ -std=c++20 ${FLAGS} '${CMAKE_CURRENT_LIST_DIR}/game/main.cpp' -
   $(PKG_CONFIG_PATH='${pc}' pkg-config --cflags --libs sinew-runtime)")
 run(${WORK}/by_pkg_config ${WORK}/humanoid.sinew)
 expect_match("${output}" "the same bits")
+include(${CMAKE_CURRENT_LIST_DIR}/link.cmake)
 
 run(${samples}/game ${WORK}/humanoid.sinew)
 expect_match("${output}" "0.1 s: [1-9][0-9]+ vertices, the first at .*\nrefused: pose: expected matrices of [0-9]+ bones, got 0\n$")
@@ -34,6 +37,13 @@ string(REGEX MATCH "bent by   0 degrees: skin raised by ([0-9.]+)\n.*bent by 100
 if(NOT bends OR NOT CMAKE_MATCH_2 GREATER CMAKE_MATCH_1)
   message(FATAL_ERROR "the muscle does not follow the elbow:\n${output}")
 endif()
+run(${samples}/detail ${WORK}/humanoid.sinew hand.L head)
+if(NOT output MATCHES "near: ([0-9]+) vertices.*far: ([0-9]+) vertices.*part: ([0-9]+) vertices" OR
+   NOT CMAKE_MATCH_1 GREATER CMAKE_MATCH_3 OR NOT CMAKE_MATCH_3 GREATER CMAKE_MATCH_2)
+  message(FATAL_ERROR "a part of the body is not between near and far:\n${output}")
+endif()
+run_failing(1 ${samples}/detail ${WORK}/humanoid.sinew tail)
+expect_match("${output}" "tail: the character has no such bone")
 foreach(sample game gl_buffer driven_muscle)
   run_failing(1 ${samples}/${sample} ${ASSETS}/humanoid.glb)
   expect_match("${output}" "byte 0: this is no game file of Sinew\n$")

@@ -3,15 +3,21 @@
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 file(REMOVE_RECURSE ${WORK})
-run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+# What is installed can be moved.
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/staged)
+file(RENAME ${WORK}/staged ${WORK}/prefix)
 
 # A consumer sees the installed files alone: headers, archive and package, none of the project's own flags.
-file(GLOB_RECURSE exported ${WORK}/prefix/*Sinew*.cmake)
+# No place of the machine that it was built on: a path begins at that of the file itself.
+file(GLOB_RECURSE exported ${WORK}/prefix/*Sinew*.cmake ${WORK}/prefix/*.pc)
 foreach(file ${exported})
-  file(READ ${file} text)
-  if(text MATCHES "sinew_flags|-Werror|${BUILD}")
-    message(FATAL_ERROR "${file} leaks '${CMAKE_MATCH_0}'")
-  endif()
+  file(STRINGS ${file} lines)
+  list(FILTER lines EXCLUDE REGEX "^ *#")
+  foreach(line ${lines})
+    if(line MATCHES "sinew_flags|-Werror|${BUILD}|${WORK}|(^|[^]}A-Za-z0-9_.)>-])/[A-Za-z][^ ]*")
+      message(FATAL_ERROR "${file} leaks '${CMAKE_MATCH_0}'")
+    endif()
+  endforeach()
 endforeach()
 function(build_against_prefix source build)
   run(${CMAKE_COMMAND} -S ${source} -B ${build} -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix "-DCMAKE_CXX_FLAGS=${FLAGS}")

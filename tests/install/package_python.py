@@ -23,6 +23,7 @@ def check_package(deb, work, source):
     files = {path.relative_to(root).as_posix() for path in root.rglob("*") if path.is_file()}
     wanted = {PACKAGES + "/sinew/" + path.name for path in (source / "python/sinew").iterdir() if path.is_file()}
     wanted |= {"usr/share/doc/python3-sinew/examples/" + path.name for path in (source / "examples/python").glob("*.py")}
+    wanted.add("usr/share/python3-sinew/sinew-blender.zip")
     wanted |= {"usr/share/doc/python3-sinew/" + name for name in ("copyright", "changelog.gz", "changelog.Debian.gz")}
     check("python3-sinew: all parts are there", not wanted - files, wanted - files)
     more = [name for name in files - wanted if not re.fullmatch(PACKAGES + r"/sinew/_sinew\.cpython-\S+\.so", name)]

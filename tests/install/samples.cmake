@@ -15,7 +15,18 @@ if(NOT count EQUAL 6)  # 1.1 s of clip at 5 frames a second.
 endif()
 
 run(${samples}/crowd ${ASSETS}/demo.rig.json Walk 20)
-expect_match("${output}" "^20 surfaces of [1-9][0-9]+ vertices, on [1-9][0-9]* threads\non one thread: the same bits\n$")
+expect_match("${output}" "^20 surfaces of [1-9][0-9]+ vertices, on [1-9][0-9]* threads: [0-9.]+ ms each\non one thread: the same bits\n$")
+
+# A folder: what is wrong with one file is said, and the others are made.
+file(MAKE_DIRECTORY ${WORK}/rigs)
+file(COPY ${ASSETS}/demo.glb ${ASSETS}/demo.rig.json ${ASSETS}/horse.glb ${ASSETS}/horse.rig.json DESTINATION ${WORK}/rigs)
+run(${samples}/batch ${WORK}/rigs ${WORK}/meshes)
+expect_match("${output}" "^demo.ply: [A-Za-z]+, [1-9][0-9]* muscles, [1-9][0-9]+ vertices\nhorse.ply: [^\n]* vertices\n2 of 2 rigs\n$")
+file(WRITE ${WORK}/rigs/broken.rig.json "{}")
+run_failing(1 ${samples}/batch ${WORK}/rigs ${WORK}/meshes)
+expect_match("${output}" "broken.rig.json: .*2 of 3 rigs")
+run_failing(1 ${samples}/batch ${WORK}/nowhere ${WORK}/meshes)
+expect_match("${output}" "nowhere: No such file")
 
 # What one writes another one reads; a broken copy is refused with its place.
 run(${samples}/make_rig ${ASSETS}/humanoid.glb ${WORK}/arms.rig.json)

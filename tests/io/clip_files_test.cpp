@@ -50,8 +50,8 @@ TEST_F(ClipFiles, AClipMovedToAFileWithoutMeshPlaysBitForBit) {
   Rig rig;
   rig.clipFiles = {"motion.glb"};
   const WithClipFiles with = withClipFiles(character.value(), rig, folder_);
-  EXPECT_TRUE(with.missing.empty()) << with.missing.front().text();
-  EXPECT_TRUE(with.notes.empty()) << with.notes.front();
+  EXPECT_TRUE(missingOf(with.files).empty()) << missingOf(with.files).front().text();
+  EXPECT_TRUE(notesOf(with.files).empty()) << notesOf(with.files).front();
   ASSERT_EQ(with.character->clips.size(), 1u);
   const AnimationClip& clip = with.character->clips.front();
   EXPECT_EQ(clip.name, whole.value()->clips.front().name);
@@ -72,9 +72,10 @@ TEST_F(ClipFiles, AFileThatIsGoneLeavesTheOthers) {
   rig.clipFiles = {"gone.glb", "motion.glb", "still.glb"};
   const WithClipFiles with = withClipFiles(character.value(), rig, folder_);
   EXPECT_EQ(with.character->clips.size(), 1u);
-  ASSERT_EQ(with.missing.size(), 2u);
-  EXPECT_NE(with.missing[0].file.find("gone.glb"), std::string::npos);
-  EXPECT_NE(with.missing[1].text().find("no clips"), std::string::npos) << with.missing[1].text();
+  const std::vector<Error> missing = missingOf(with.files);
+  ASSERT_EQ(missing.size(), 2u);
+  EXPECT_NE(missing[0].file.find("gone.glb"), std::string::npos);
+  EXPECT_NE(missing[1].text().find("no clips"), std::string::npos) << missing[1].text();
 }
 
 TEST_F(ClipFiles, BadFilesAreRefusedOnOneLine) {

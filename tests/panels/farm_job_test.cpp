@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kSkinned = 1;  // Index into exportKinds(): the quickest.
+constexpr std::size_t kQuickest = 1;  // Index into exportKinds(): the quickest.
 
 class FarmJobs : public HeadlessEditor {
  protected:
@@ -73,7 +73,7 @@ TEST_F(FarmJobs, OneRigAsTheCommandLineWritesItForEveryFarm) {
 
 TEST_F(FarmJobs, WhatIsChosenIsInTheJob) {
   openDialog();
-  chooseKind(state.dialogs, kSkinned);
+  chooseKind(state.dialogs, kQuickest);
   settle();
   click("export/mesh/original");
   click("export/clips/chosen");
@@ -98,7 +98,7 @@ TEST_F(FarmJobs, AJobThatReplacesFilesDoesNotResume) {
 
 TEST_F(FarmJobs, AWholeFolderIsAListThatTheProgramReads) {
   openDialog();
-  chooseKind(state.dialogs, kSkinned);
+  chooseKind(state.dialogs, kQuickest);
   settle();
   click("farm/rigs/all 5 in its folder");
   EXPECT_FALSE(shown("export/clips/chosen")) << "other rigs, other clips";
@@ -125,7 +125,7 @@ TEST_F(FarmJobs, AWholeFolderIsAListThatTheProgramReads) {
 TEST_F(FarmJobs, ARigThatCannotBeExportedIsRefused) {
   own.write("broken.rig.json", "{}");
   openDialog();
-  chooseKind(state.dialogs, kSkinned);
+  chooseKind(state.dialogs, kQuickest);
   settle();
   click("farm/rigs/all 6 in its folder");
   click("export/ok");
@@ -136,7 +136,7 @@ TEST_F(FarmJobs, ARigThatCannotBeExportedIsRefused) {
 TEST_F(FarmJobs, PatternsWithoutTheNameAndFilesThatAreThereAreAskedAbout) {
   own.write("demo_export.list.txt", "mine");
   openDialog();
-  chooseKind(state.dialogs, kSkinned);
+  chooseKind(state.dialogs, kQuickest);
   settle();
   click("farm/rigs/all 5 in its folder");
   state.dialogs.exporting.pattern.name = "all.glb";

@@ -180,6 +180,10 @@ TEST_F(Layout, NothingIsCutOffInEveryState) {
   run(action("tool/territory"), state);
   selectNothing(state);
   everywhere("nothing selected");
+  run(action("view/reference"), state);
+  state.open.reference.chosen().file = "/home/somebody/pictures/A long name of a picture from the front.jpeg";
+  everywhere("a reference picture");
+  ASSERT_TRUE(shown("reference/close"));
   state.view.layout.leftShown = false;
   everywhere("without the left panels");
   state.document.character = nullptr;
@@ -207,6 +211,13 @@ TEST_F(Layout, DialogsFitAndScroll) {
   state.dialogs.file.folder = std::filesystem::path(SINEW_SOURCE_DIR) / "assets";
   everywhere("open", "Open a character");
   state.dialogs.file = {};
+  settle();
+  run(action("file/export-pictures"), state);
+  everywhere("turntable", "Turntable");
+  state.dialogs.pictures.sheet = true;
+  everywhere("contact sheet", "Turntable");
+  ASSERT_TRUE(shown("pictures/columns"));
+  state.dialogs.pictures.shown = false;
   settle();
   state.dialogs.question = {IntentKind::kQuit, {}};
   everywhere("unsaved", "Unsaved changes");

@@ -77,5 +77,25 @@ TEST_F(OutlinerParts, ByGroupEveryMuscleStandsOnceUnderItsGroup) {
   EXPECT_FALSE(shown("outliner/muscle/" + rig.primitives[0].name)) << "all groups are folded";
 }
 
+TEST_F(OutlinerParts, AMuscleCalledAfterItsBoneIsCalledAfterTheNextInTheSameStep) {
+  const auto indexOf = [&](const char* name) { return findPrimitive(state.document.rig(), name); };
+  const Skeleton& skeleton = state.character().skeleton;
+  const int thigh = skeleton.findBone("thigh.L").value_or(-1);
+  const int calf = skeleton.findBone("shin.L").value_or(-1);
+  ASSERT_TRUE(thigh >= 0 && calf >= 0);
+  addMuscle(state, thigh);
+  const std::size_t before = steps();
+  ASSERT_GE(indexOf("thigh.L muscle"), 0);
+  const bool twins = indexOf("thigh.R muscle") >= 0;
+  reparentMuscles(state, {indexOf("thigh.L muscle")}, calf);
+  EXPECT_GE(indexOf("shin.L muscle"), 0);
+  EXPECT_EQ(indexOf("shin.R muscle") >= 0, twins);
+  EXPECT_EQ(steps(), before + 1);
+  const int moved = indexOf("shin.L muscle");
+  EXPECT_EQ(state.document.rig().primitives[static_cast<std::size_t>(moved)].bone, "shin.L");
+  undo(state);
+  EXPECT_GE(indexOf("thigh.L muscle"), 0);
+}
+
 }  // namespace
 }  // namespace sinew::app

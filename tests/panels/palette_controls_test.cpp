@@ -97,9 +97,12 @@ constexpr WithoutEntry kWithoutEntry[] = {
     {"blending/", "groups are entries of their own; what else is there belongs to the group that is chosen"},
     {"library/", "sets and their muscles are entries of their own; muscles/save-set is an action"},
     {"shapes/", "shapes of this character, under the search that is an entry"},
+    {"layers/", "parts are entries of their own, and so are the layers of the one that is chosen"},
     {"check/", "what a check has found, opened by an action"},
     {"body-parts/", "opened by an action"},
+    {"clip-files/", "opened by an action"},
     {"muscle-set/", "follows the set that was added, which is an entry"},
+    {"reference/", "opened by an action"},
     {"driven-key/", "while driven keys are set"},
     {"first-steps/", "opened by an action"},
     {"export-error/", "opened by an action"},
@@ -116,6 +119,7 @@ constexpr WithoutEntry kWithoutEntry[] = {
     {"unsaved/", "a question's answer"},
     {"export-question/", "a question's answer"},
     {"keys/", "the sheet of keys, opened by an action"},
+    {"pictures/", "rows of a dialog, opened by an action"},
     {"export/", "rows of the kind that is chosen: the kind is an entry"},
     {"farm/", "rows of the job: its folder is an entry"},
     {"preferences/", "lists and buttons beside what is an entry"},
@@ -157,7 +161,8 @@ TEST_F(PaletteControls, NoControlIsForgotten) {
 
 TEST_F(PaletteControls, EachIsBroughtIntoSightAndGetsTheKeyboard) {
   openFlexing();
-  const std::set<std::string> notHere{"outliner/helper-bones", "shapes/search", "shapes/reset"};
+  const std::set<std::string> notHere{"outliner/helper-bones", "shapes/search", "shapes/reset", "layers/header",
+                                      "layers/guess-all"};
   for (const PaletteControl& control : paletteControls()) {
     SCOPED_TRACE(control.id);
     state.view.layout = {};

@@ -1,5 +1,5 @@
 // tests/render/png_test.cpp: what is written reads back.
-#include "app/render/png.h"
+#include "app/render/pictures/png.h"
 
 #include <cstring>
 

@@ -1,11 +1,11 @@
 // tests/render/thumbnails_test.cpp: thumbnails belong to a document as it is on the disk; what is damaged is none.
-#include "app/render/thumbnails.h"
+#include "app/render/pictures/thumbnails.h"
 
 #include <chrono>
 #include <cstdlib>
 
 #include "app/document/thumbnail_files.h"
-#include "app/render/png.h"
+#include "app/render/pictures/png.h"
 #include "tests/render/pictures.h"
 #include "tests/support/temporary_folder.h"
 

@@ -128,11 +128,16 @@ TEST_F(CInterface, BadArgumentsHaveCodesAndReasons) {
   sinew_smoother* other = smoother_;
   EXPECT_EQ(sinew_smoother_create(nullptr, nullptr, &other), SINEW_BAD_ARGUMENT);
   EXPECT_EQ(other, nullptr);
-  const sinew_detail deep{99, 0.0f};
+  const sinew_detail deep{99, 0.0f, nullptr, 0};
   EXPECT_EQ(sinew_smoother_create(character_, &deep, &other), SINEW_BAD_RIG);
   EXPECT_NE(std::strstr(sinew_error(), "depth"), nullptr) << sinew_error();
-  const sinew_detail both{2, 0.001f};
+  const sinew_detail both{2, 0.001f, nullptr, 0};
   EXPECT_EQ(sinew_smoother_share(smoother_, &both, &other), SINEW_BAD_ARGUMENT);
+  const int bones[] = {0, sinew_bone_count(character_)};
+  const sinew_detail beyond{0, 0.0f, bones, 2}, unknown{0, 0.0f, nullptr, 2};
+  EXPECT_EQ(sinew_smoother_share(smoother_, &beyond, &other), SINEW_BAD_ARGUMENT);
+  EXPECT_NE(std::strstr(sinew_error(), "there is no bone"), nullptr) << sinew_error();
+  EXPECT_EQ(sinew_smoother_share(smoother_, &unknown, &other), SINEW_BAD_ARGUMENT);
   EXPECT_EQ(sinew_smooth(smoother_, nullptr), SINEW_BAD_ARGUMENT);
   EXPECT_EQ(sinew_smooth(nullptr, &pose_), SINEW_BAD_ARGUMENT);
   EXPECT_EQ(sinew_write_vertices(smoother_, &layout_, vertices_.data(), vertices_.size() - 1), SINEW_BAD_ARGUMENT);
@@ -178,8 +183,29 @@ TEST_F(CInterface, TellsBonesClipsAndMaterials) {
   EXPECT_EQ(std::memcmp(bones_.data(), restPose(character.skeleton).boneInWorld.data(), 4 * bones_.size()), 0);
 }
 
+TEST_F(CInterface, APartOfTheBodyIsThatOfCpp) {
+  const int bone = sinew_bone_count(character_) - 1;
+  const sinew_detail part{3, 0.0f, &bone, 1};
+  sinew_smoother* other = nullptr;
+  ASSERT_EQ(sinew_smoother_share(smoother_, &part, &other), SINEW_OK) << sinew_error();
+  Rig rig = scene_.rig;
+  rig.smoothing.detail = DetailKind::kUniform;
+  rig.smoothing.depth = 3;
+  Smoother smoother(scene_.character);
+  ASSERT_TRUE(smoother.prepare(rig, {}, regionOfBones(*scene_.character, {&bone, 1})).ok());
+  Surface surface;
+  ASSERT_TRUE(smoother.smooth(bindPose(scene_.character->skeleton), surface));
+  ASSERT_EQ(sinew_vertex_count(other, SINEW_REFINED), surface.positions.size());
+  const sinew_layout layout{12, 0, -1, SINEW_FLOAT3, SINEW_FLOAT3, SINEW_REFINED, {}};
+  std::vector<glm::vec3> positions(surface.positions.size());
+  const std::size_t bytes = positions.size() * sizeof(glm::vec3);
+  ASSERT_EQ(sinew_write_vertices(other, &layout, positions.data(), bytes), SINEW_OK) << sinew_error();
+  EXPECT_EQ(positions, surface.positions);
+  sinew_smoother_destroy(other);
+}
+
 TEST_F(CInterface, AnotherDetailSharesTheCharacterAndOutlivesWhatItCameFrom) {
-  const sinew_detail coarse{1, 0.0f};
+  const sinew_detail coarse{1, 0.0f, nullptr, 0};
   sinew_smoother* other = nullptr;
   ASSERT_EQ(sinew_smoother_share(smoother_, &coarse, &other), SINEW_OK) << sinew_error();
   sinew_smoother_destroy(smoother_);

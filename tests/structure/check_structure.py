@@ -11,7 +11,7 @@ LAYERS = {
              "lines": 5, "drivers": 6, "smoothing/patches": 5, "smoothing/roots": 5, "smoothing/projection": 6, "smoothing/finish": 6,
              "smoothing": 7, "check": 7, "runtime": 8, "c": 9, "body": 8, "clips": 9, "io/files": 8, "io/json": 8, "io/gltf/bytes": 8, "io/gltf": 9, "io": 10,
              "export/fit": 11, "export/usd": 12, "export/bytes": 12, "export": 13, "sinew": 14},
-    "app": {"platform": 0, "names": 0, "document": 1, "ui": 2, "render/skin": 1, "render": 2, "playback": 2, "export": 2, "bench": 3, "tools/view": 3, "cli/inspect": 3, "cli": 4,
+    "app": {"platform": 0, "names": 0, "document": 1, "ui": 2, "render/skin": 1, "render": 2, "render/pictures": 3, "playback": 2, "export": 2, "bench": 3, "tools/view": 3, "cli/inspect": 3, "cli": 4,
             "tools/gizmo": 4, "tools": 5, "editor": 6, "actions": 7, "panels/shared": 8, "panels/outliner": 9, "panels/blending": 9, "panels/inspector": 9, "panels/library": 9,
             "panels/timeline": 9, "panels/overlay": 9, "panels/dialogs": 9, "panels/shapes": 10, "panels": 11, "window": 12, "main": 13},
 }
@@ -20,6 +20,8 @@ CORE_TESTS = {name.split("/")[0] for name in LAYERS["core"]} | {"support"}
 EDITOR_SUPPORT = ("tests", "support", "editor")
 NOT_IN_RUNTIME = {"body", "check", "clips", "export", "io", "sinew"}  # as in core/CMakeLists.txt: what a game does not link
 PUBLIC = "core/include/"  # sinew/mesh/x.h there is the public face of core/mesh
+ASKS_FOR_ITS_LIBRARY = "sinew/base/same_version.h"
+ONLY_MACROS = "sinew/base/version.h"
 MAX_FILES = 44  # .h and .cpp in one directory
 SOURCES = {".h", ".c", ".cpp", ".vert", ".frag", ".geom", ".comp", ".glsl", ".py", ".sh", ".cmake", ".js", ".gd", ".cs", ".pyi"}
 SCRIPTS_WITHOUT_ENDING = {".ci/run"}
@@ -28,10 +30,12 @@ MAX_LINES = 400
 MAX_COLUMNS = 120
 LONGER = {}  # path: why it is one idea and longer all the same
 WINDOW_AND_GPU = re.compile(r"^(epoxy/|GLFW/|GL/|EGL/|GLES|KHR/|imgui|backends/imgui|misc/)")
+# Their templates must not come into the archives under their own names: one file of core includes them, and sees to that.
+IN_ONE_FILE = {"Eigen/": "core/export/fit/own_eigen.h", "tbb/": "core/base/own_tasks.cpp", "oneapi/": "core/base/own_tasks.cpp"}
 FILE_LIBRARIES = re.compile(r"^(tiny_gltf|tinygltf|nlohmann/|stb|draco/|meshoptimizer)")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 PAGES = {"README.md", "CONTRIBUTING.md"}  # and docs/*.md: every path they name in backticks must exist
-TREES = ("app", "core", "tests", "shaders", "assets", "docs", "cmake", "packaging", "examples", "python")
+TREES = ("app", "core", "tests", "shaders", "assets", "docs", "cmake", "packaging", "examples", "python", "blender")
 NAMED_PATH = re.compile(r"(?:%s)/[\w./*{},-]*" % "|".join(TREES))
 MAP = "docs/architecture.md"
 # In a batch of files compiled as one, a constant of one file hides a header's of the same name from the files behind it.
@@ -93,6 +97,9 @@ def check_include(path, target):
         return "core never includes app"
     if tree == "core" and WINDOW_AND_GPU.match(target):
         return "core knows no window, no OpenGL and no ImGui"
+    for start, one in IN_ONE_FILE.items():
+        if tree == "core" and target.startswith(start) and path.as_posix() != one:
+            return "only %s knows it" % one
     if FILE_LIBRARIES.match(target) and not (tree == "core" and name.split("/")[0] == "io") and not (
             tree == "app" and target.startswith("stb")):
         return "only core/io knows tinygltf, nlohmann-json, stb, Draco and meshoptimizer"
@@ -145,6 +152,16 @@ def check_sizes(paths):
     for path, count in sorted(counts.items()):
         if count > MAX_FILES:
             yield "%s: %d .h and .cpp files, more than %d" % (path.as_posix(), count, MAX_FILES)
+
+
+def check_public(root, paths):
+    """Each public header includes another one, so that all of them lead to the one that asks for the library of its version."""
+    for path in paths:
+        name = path.as_posix().removeprefix(PUBLIC)
+        if name != path.as_posix() and name not in (ASKS_FOR_ITS_LIBRARY, ONLY_MACROS):
+            found = (INCLUDE.match(line) for line in text_of(root / path).splitlines())
+            if not any(f and f[1].startswith("sinew/") and f[1] != ONLY_MACROS for f in found):
+                yield "%s: includes no other public header; include %s" % (path.as_posix(), ASKS_FOR_ITS_LIBRARY)
 
 
 def check_constants(root, paths):
@@ -216,6 +233,7 @@ def problems(root):
             for number, reason in check_source(path, lines):
                 yield "%s:%d: %s" % (path.as_posix(), number, reason)
     yield from check_tests(root, paths)
+    yield from check_public(root, paths)
     yield from check_constants(root, paths)
     yield from check_pages(root, paths)
     yield from check_map(text_of(root / MAP))

@@ -57,6 +57,19 @@ class Structure(unittest.TestCase):
         body = self.header("tests/support/editor/a.h", '#include "app/bench/scene.h"\n')
         self.assertEqual([], self.problems(tests__CMakeLists_DOT_txt="support", tests__support__editor__a_DOT_h=body))
 
+    def test_core_including_templates_that_programs_have_too(self):
+        for header in ("<Eigen/Core>", "<tbb/parallel_for.h>", "<oneapi/tbb.h>"):
+            self.one("knows it", core__rig__a_DOT_cpp="// core/rig/a.cpp: x\n#include %s\n" % header)
+        self.assertEqual([], self.problems(core__base__own_tasks_DOT_cpp="// core/base/own_tasks.cpp: x\n#include <tbb/tbb.h>\n"))
+
+    def test_a_public_header_that_asks_for_no_library(self):
+        for body in ("", "#include <array>\n", '#include "sinew/base/version.h"\n'):
+            self.one("include sinew/base/same_version.h",
+                     core__include__sinew__rig__a_DOT_h=self.header("core/include/sinew/rig/a.h", body))
+        for body in ('#include "sinew/base/same_version.h"\n', '#include "sinew/base/result.h"\n'):
+            self.assertEqual([], self.problems(
+                core__include__sinew__rig__a_DOT_h=self.header("core/include/sinew/rig/a.h", body)))
+
     def test_core_including_a_window(self):
         for header in ("epoxy/gl.h", "GLFW/glfw3.h", "imgui.h"):
             self.one("core knows no window", core__io__a_DOT_h=self.header("core/io/a.h", "#include <%s>\n" % header))

@@ -2,12 +2,15 @@
 
 #include "app/tools/view/camera.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "app/tools/view/free_parts.h"
 #include "tests/support/rigs/random_rigs.h"
 
 namespace sinew::app {
@@ -26,11 +29,29 @@ Camera randomCamera(Random& random) {
   camera.orthographic = random.chance(0.5f);
   camera.stand = {h * glm::vec3(random.uniform(-1, 1), random.uniform(0, 1), random.uniform(-1, 1)),
                   h * random.uniform(0.5f, 5.0f), random.uniform(-3.0f, 3.0f), random.uniform(-1.5f, 1.5f)};
+  camera.stand.aim = 0.5f * glm::vec2(std::sin(9.0f * camera.stand.yaw), std::cos(7.0f * camera.stand.pitch));
   return camera;
 }
 
 glm::vec2 pixelOf(const Camera& camera, const glm::vec3& point) {
   return glm::vec2(viewOf(camera, kSize).toPixel(point));
+}
+
+glm::vec2 pixelOfAim(const Camera& camera) {
+  return 0.5f * glm::vec2(kSize) * (1.0f + glm::vec2(1.0f, -1.0f) * camera.stand.aim);
+}
+
+/// Low x and y, high x and y, 0..1 of the picture: what holds all corners of the box in it.
+glm::vec4 placeOf(const Camera& camera, const Bounds& box) {
+  glm::vec2 low(2.0f), high(-1.0f);
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::vec3 point((corner & 1) ? box.low.x : box.high.x, (corner & 2) ? box.low.y : box.high.y,
+                          (corner & 4) ? box.low.z : box.high.z);
+    const glm::vec2 pixel = pixelOf(camera, point) / glm::vec2(kSize);
+    low = glm::min(low, pixel);
+    high = glm::max(high, pixel);
+  }
+  return {low, high};
 }
 
 TEST(Camera, ZoomKeepsThePointUnderThePointer) {
@@ -90,7 +111,7 @@ TEST(Camera, OrbitKeepsTheTargetAndNeverFlips) {
     orbit(camera, {random.uniform(-300, 300), random.uniform(-600, 600)}, kSize);
     const View view = viewOf(camera, kSize);
     EXPECT_EQ(camera.stand.target, target);
-    EXPECT_LT(glm::length(glm::vec2(view.toPixel(target)) - 0.5f * glm::vec2(kSize)), 0.05f);
+    EXPECT_LT(glm::length(glm::vec2(view.toPixel(target)) - pixelOfAim(camera)), 0.05f);
     // World up never points down in the picture.
     EXPECT_GE(view.viewFromWorld[1][1], -1e-6f);
     EXPECT_LE(std::abs(camera.stand.pitch), 0.5f * kPi);
@@ -133,6 +154,62 @@ TEST(Camera, FramingHoldsTheBoxTightly) {
   }
 }
 
+// What is covered lies at the edges, as bars and lists do, so that a part is free.
+TEST(Camera, FramingStaysClearOfWhatIsCovered) {
+  Random random(18);
+  for (int i = 0; i < 200; ++i) {
+    Camera camera = randomCamera(random);
+    const float h = camera.characterHeight;
+    const Bounds box{h * glm::vec3(-random.uniform(0.1f, 1.0f), 0.0f, -random.uniform(0.1f, 1.0f)),
+                     h * glm::vec3(random.uniform(0.1f, 1.0f), random.uniform(0.2f, 1.0f), 0.3f)};
+    const std::vector<glm::vec4> covered{{0.0f, 0.0f, random.uniform(0.2f, 1.0f), random.uniform(0.05f, 0.3f)},
+                                         {0.0f, 0.2f, random.uniform(0.05f, 0.3f), random.uniform(0.3f, 1.2f)},
+                                         {random.uniform(0.7f, 0.95f), 0.1f, 1.0f, random.uniform(0.2f, 0.9f)}};
+    frameBounds(camera, box, kSize, false, covered);
+    const glm::vec4 place = placeOf(camera, box);
+    for (const glm::vec4& over : covered) {
+      EXPECT_FALSE(place.x < over.z && over.x < place.z && place.y < over.w && over.y < place.w) << i;
+    }
+    EXPECT_TRUE(place.x >= 0.0f && place.y >= 0.0f && place.z <= 1.0f && place.w <= 1.0f) << i;
+    EXPECT_EQ(camera.stand.target, box.center());
+    // No free part shows it larger: compared with each that a coarse grid has.
+    Camera other = camera;
+    for (int cell = 0; cell < 10 * 10 * 10 * 10; ++cell) {
+      const glm::vec4 part = 0.1f * glm::vec4(cell % 10, cell / 10 % 10, 1 + cell / 100 % 10, 1 + cell / 1000);
+      if (part.z - part.x < kLeastPart || part.w - part.y < kLeastPart) continue;
+      const auto lies = [&](const glm::vec4& over) {
+        return part.x < over.z && over.x < part.z && part.y < over.w && over.y < part.w;
+      };
+      if (std::ranges::any_of(covered, lies)) continue;
+      const std::vector<glm::vec4> rest{{0.0f, 0.0f, part.x, 1.0f},
+                                        {part.z, 0.0f, 1.0f, 1.0f},
+                                        {0.0f, 0.0f, 1.0f, part.y},
+                                        {0.0f, part.w, 1.0f, 1.0f}};
+      frameBounds(other, box, kSize, false, rest);
+      ASSERT_GE(other.stand.distance, camera.stand.distance * 0.999f / kAlmostAsLarge) << i << ", part " << cell;
+    }
+  }
+}
+
+TEST(Camera, APanelThatLeavesNoRoomIsPassedOverAndTheBarsAreNot) {
+  Camera camera;
+  const glm::vec4 bar(0.0f, 0.0f, 1.0f, 0.2f);
+  const std::vector<glm::vec4> covered{bar, {0.1f, 0.3f, 0.95f, 0.9f}};
+  frameBounds(camera, camera.scene, kSize, false, covered);
+  EXPECT_GT(placeOf(camera, camera.scene).y, bar.w);
+  Camera beside = camera;
+  frameBounds(beside, camera.scene, kSize, false, {&bar, 1});
+  EXPECT_EQ(camera.stand.distance, beside.stand.distance);
+}
+
+TEST(Camera, AWhollyCoveredPictureIsFramedAsAWhole) {
+  Camera camera;
+  camera.stand.aim = {0.3f, 0.2f};
+  const std::vector<glm::vec4> covered{{0.1f, 0.1f, 0.95f, 0.9f}};
+  frameBounds(camera, camera.scene, kSize, false, covered);
+  EXPECT_EQ(camera.stand.aim, glm::vec2(0.0f));
+}
+
 TEST(Camera, FramingAPointStaysAwayFromIt) {
   Camera camera;
   frameBounds(camera, {glm::vec3(1.0f), glm::vec3(1.0f)}, kSize, false);
@@ -163,6 +240,7 @@ TEST(Camera, TransitionsEndWhereTheyShouldAndMoveEvenly) {
     EXPECT_GE(frames, 5);
     EXPECT_EQ(camera.stand.target, direct.stand.target);
     EXPECT_EQ(camera.stand.distance, direct.stand.distance);
+    EXPECT_EQ(camera.stand.aim, direct.stand.aim);
   }
 }
 

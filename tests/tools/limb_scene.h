@@ -74,7 +74,7 @@ struct LimbScene {
 };
 
 inline bool sameStand(const app::CameraStand& a, const app::CameraStand& b) {
-  return a.target == b.target && a.distance == b.distance && a.yaw == b.yaw && a.pitch == b.pitch;
+  return a.target == b.target && a.distance == b.distance && a.yaw == b.yaw && a.pitch == b.pitch && a.aim == b.aim;
 }
 
 }  // namespace sinew::test

@@ -67,6 +67,22 @@ void addRig(Json& json, const InspectFacts& facts) {
   json.set("creased_wedges", static_cast<int>(std::ranges::count(wedges, true, &Wedge::creased)));
 }
 
+/// The files whose clips are added.
+Json clipFilesJson(const Document& document) {
+  return listOf(document.clipFiles.files, [&](const ClipFileReport& file) {
+    Json clips = Json::array();
+    for (const AnimationClip& clip : document.character->clips) {
+      if (clip.addedFrom == file.file) clips.push(clip.name);
+    }
+    return Json::object()
+        .set("file", file.file)
+        .set("missing", file.missing ? Json(file.missing->text()) : Json())
+        .set("clips", std::move(clips))
+        .set("unmatched_bones", listOf(file.unmatched, asIs))
+        .set("unmoved_bones", listOf(file.unmoved, asIs));
+  });
+}
+
 }  // namespace
 
 Json inspectJson(const InspectFacts& facts, const std::string& file) {
@@ -89,6 +105,7 @@ Json inspectJson(const InspectFacts& facts, const std::string& file) {
   json.set("clips", listOf(character.clips, [](const AnimationClip& clip) {
              return Json::object().set("name", clip.name).set("duration", clip.duration);
            }));
+  json.set("clip_files", clipFilesJson(facts.document));
   json.set("morph_targets", listOf(facts.shapes, asIs));
   json.set("range_of_motion", facts.rangeOfMotion);
   json.set("materials", count(character.materials.size()));

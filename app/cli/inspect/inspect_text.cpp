@@ -192,9 +192,9 @@ std::string inspectText(const InspectFacts& facts) {
   out << "  materials   " << character.materials.size() << '\n';
   putParts(out, facts);
   out << "  textures    " << character.textures.size() << '\n';
-  const Document::ClipFiles& files = facts.document.clipFiles;
-  for (const Error& missing : files.missing) out << "  clips left  " << missing.text() << '\n';
-  for (const std::string& note : files.notes) out << "  clips added " << note << '\n';
+  const std::vector<ClipFileReport>& files = facts.document.clipFiles.files;
+  for (const Error& missing : missingOf(files)) out << "  clips left  " << missing.text() << '\n';
+  for (const std::string& note : notesOf(files)) out << "  clips added " << note << '\n';
   out << "  ignored     " << (character.ignored.empty() ? "nothing" : "") << '\n';
   for (const std::string& what : character.ignored) out << "              " << what << '\n';
   return out.str();

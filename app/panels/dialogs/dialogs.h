@@ -9,6 +9,7 @@ void drawFileDialog(PanelUi& ui);
 void drawUnsavedQuestion(PanelUi& ui);
 void drawExportDialog(PanelUi& ui);
 void drawFarmDialog(PanelUi& ui);
+void drawPicturesDialog(PanelUi& ui);
 /// Quitting while something is exported.
 void drawExportQuestion(PanelUi& ui);
 void drawLocateQuestion(PanelUi& ui);

@@ -8,7 +8,7 @@
 #include "app/names/readable_names.h"
 #include "app/panels/dialogs/file_dialog.h"
 #include "app/platform/data_files.h"
-#include "app/render/thumbnails.h"
+#include "app/render/pictures/thumbnails.h"
 #include "app/ui/reading_order.h"
 
 namespace sinew::app {
@@ -210,7 +210,8 @@ void drawEntry(PanelUi& ui, const FolderEntry& entry, int number) {
   // A rig beside its character: never over it.
   const bool saves = dialog.kind == DialogKind::kSaveAs;
   dialog.text = saves ? withRigEnding(entry.name).string() : entry.name;
-  if (ImGui::IsMouseDoubleClicked(0) && dialog.kind == DialogKind::kOpen) confirmPath(ui.state);
+  const bool opens = dialog.kind == DialogKind::kOpen || dialog.kind == DialogKind::kReference;
+  if (ImGui::IsMouseDoubleClicked(0) && opens) confirmPath(ui.state);
 }
 
 void drawEntries(PanelUi& ui, float height) {
@@ -233,7 +234,9 @@ void drawEntries(PanelUi& ui, float height) {
     if (entries.empty()) {
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
-      if (dialog.kind == DialogKind::kSavePicture) mutedText("No pictures here.");
+      if (dialog.kind == DialogKind::kSavePicture || dialog.kind == DialogKind::kReference ||
+          dialog.kind == DialogKind::kPicturesPlace)
+        mutedText("No pictures here.");
       else if (dialog.kind == DialogKind::kExportPlace) mutedText("No characters here.");
       else if (dialog.kind == DialogKind::kJobPlace) mutedText("No jobs here.");
       else mutedText(dialog.filter == FileFilter::kRigs ? "No rigs here." : "No characters or rigs here.");

@@ -14,8 +14,11 @@
 #include <system_error>
 
 #include "app/actions/export_commands.h"
+#include "app/actions/pictures_commands.h"
+#include "app/actions/reference_commands.h"
+#include "app/editor/clip_commands.h"
 #include "app/editor/commands.h"
-#include "app/editor/locate_character.h"
+#include "app/editor/open_file.h"
 #include "app/editor/picture_commands.h"
 #include "app/panels/dialogs/dialog_parts.h"
 #include "app/panels/dialogs/dialogs.h"
@@ -32,11 +35,16 @@ void close(EditorState& state) {
   ImGui::CloseCurrentPopup();
 }
 
+/// It names a file that is there.
+bool opens(const FileDialogState& dialog) {
+  return dialog.kind == DialogKind::kOpen || dialog.kind == DialogKind::kReference;
+}
+
 void showFolder(FileDialogState& dialog, const std::filesystem::path& folder) {
   std::filesystem::path clean = folder.lexically_normal();
   if (!clean.has_filename() && clean.has_relative_path()) clean = clean.parent_path();  // Without the last slash.
   dialog.folder = std::move(clean);
-  if (dialog.kind == DialogKind::kOpen) dialog.text.clear();
+  if (opens(dialog)) dialog.text.clear();
   dialog.error.clear();
   dialog.overwriteAsked = false;
   dialog.appearing = true;
@@ -50,7 +58,8 @@ std::filesystem::path saveTarget(const FileDialogState& dialog) {
 
 /// The export dialog asked for a place; it asks itself before it replaces anything.
 bool choosesPlace(const FileDialogState& dialog) {
-  return dialog.kind == DialogKind::kExportPlace || dialog.kind == DialogKind::kJobPlace;
+  return dialog.kind == DialogKind::kExportPlace || dialog.kind == DialogKind::kJobPlace ||
+         dialog.kind == DialogKind::kPicturesPlace;
 }
 
 /// Save As would overwrite a file that is not this document's own.
@@ -66,10 +75,22 @@ void complain(FileDialogState& dialog, const std::string& error) {
   dialog.appearing = true;
 }
 
+void confirmClips(EditorState& state, const std::filesystem::path& file) {
+  const std::string gone = state.dialogs.file.clipsFor;
+  const std::string error = gone.empty() ? addClips(state, file) : locateClipFile(state, gone, file);
+  if (error.empty()) close(state);
+  else complain(state.dialogs.file, error);
+}
+
 void confirmOpen(EditorState& state, const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) {
     complain(state.dialogs.file, "There is no file " + file.string());
+    return;
+  }
+  if (state.dialogs.file.kind == DialogKind::kReference) {
+    if (const std::string error = takeReference(state, file); !error.empty()) complain(state.dialogs.file, error);
+    else close(state);
     return;
   }
   if (!state.dialogs.file.locateFor.empty()) {
@@ -82,6 +103,7 @@ void confirmOpen(EditorState& state, const std::filesystem::path& file) {
     return;
   }
   const IntentKind then = state.dialogs.file.then.kind;
+  if (then == IntentKind::kAddClips) return confirmClips(state, file);
   close(state);
   request(state, {then == IntentKind::kNone ? IntentKind::kOpenFile : then, file});
 }
@@ -105,7 +127,8 @@ void confirmPlace(EditorState& state) {
     complain(state.dialogs.file, "There is no folder " + chosen.parent_path().string());
     return;
   }
-  takePlace(state.dialogs, dialog.kind, chosen);
+  if (dialog.kind == DialogKind::kPicturesPlace) takePicturesPlace(state.dialogs.pictures, chosen);
+  else takePlace(state.dialogs, dialog.kind, chosen);
   close(state);
 }
 
@@ -155,13 +178,19 @@ const char* titleOf(const FileDialogState& dialog) {
   if (!dialog.locateFor.empty()) return "Locate the character";
   if (dialog.kind == DialogKind::kOpen && dialog.then.kind == IntentKind::kOpenWithMuscles)
     return "Character that gets the muscles";
+  if (dialog.kind == DialogKind::kOpen && dialog.then.kind == IntentKind::kAddClips)
+    return dialog.clipsFor.empty() ? "Add the clips of a file" : "Locate the file with the clips";
   if (dialog.kind == DialogKind::kSavePicture) return "Save the picture as";
   if (dialog.kind == DialogKind::kExportPlace) return "Where to export to";
   if (dialog.kind == DialogKind::kJobPlace) return "Where to write the job";
+  if (dialog.kind == DialogKind::kPicturesPlace) return "Where to write the pictures";
+  if (dialog.kind == DialogKind::kReference) return "Picture to work after";
   return dialog.kind == DialogKind::kOpen ? "Open a character or a rig" : "Save the rig as";
 }
 
 const char* hintOf(DialogKind kind) {
+  if (kind == DialogKind::kPicturesPlace) return "Name of the pictures' file";
+  if (kind == DialogKind::kReference) return "A .png, .jpg or .webp  (Tab completes)";
   if (kind == DialogKind::kSavePicture) return "Name of the picture";
   if (kind == DialogKind::kExportPlace) return "Name of the exported character";
   if (kind == DialogKind::kJobPlace) return "Name of the job's file";
@@ -229,7 +258,9 @@ void drawButtons(PanelUi& ui) {
   EditorState& state = ui.state;
   const FileDialogState& dialog = state.dialogs.file;
   const char* saving = choosesPlace(dialog) ? "Choose" : (dialog.overwriteAsked ? "Replace" : "Save");
-  const char* verb = dialog.kind == DialogKind::kOpen ? "Open" : saving;
+  const char* adding = dialog.clipsFor.empty() ? "Add" : "Locate";
+  const char* opening = dialog.then.kind == IntentKind::kAddClips ? adding : "Open";
+  const char* verb = opens(dialog) ? opening : saving;
   const float width = ui.px(96);
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0f * width - ui.px(8));
   const bool canceled = ImGui::Button(dialog.overwriteAsked ? "Keep" : "Cancel", {width, 0.0f});
@@ -260,6 +291,8 @@ ListingOptions listingOptions(const EditorState& state) {
   if (state.dialogs.file.kind == DialogKind::kSavePicture) filter = FileFilter::kPictures;
   if (state.dialogs.file.kind == DialogKind::kExportPlace) filter = FileFilter::kCharacters;
   if (state.dialogs.file.kind == DialogKind::kJobPlace) filter = FileFilter::kJobs;
+  if (state.dialogs.file.kind == DialogKind::kPicturesPlace) filter = FileFilter::kMovies;
+  if (state.dialogs.file.kind == DialogKind::kReference) filter = FileFilter::kReferences;
   return {filter, state.session.preferences.hiddenFiles, state.session.preferences.newestFirst};
 }
 
@@ -295,9 +328,9 @@ void confirmPath(EditorState& state) {
   const std::filesystem::path typed = resolveTyped(dialog.folder, dialog.text);
   std::error_code ignored;
   if (std::filesystem::is_directory(typed, ignored)) {
-    if (dialog.kind != DialogKind::kOpen) dialog.text.clear();
+    if (!opens(dialog)) dialog.text.clear();
     enterFolder(dialog, typed);
-  } else if (dialog.kind == DialogKind::kOpen) {
+  } else if (opens(dialog)) {
     confirmOpen(state, typed);
   } else {
     confirmSave(state);

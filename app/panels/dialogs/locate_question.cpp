@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "app/editor/locate_character.h"
+#include "app/editor/open_file.h"
 #include "app/panels/dialogs/dialogs.h"
 
 namespace sinew::app {

@@ -110,7 +110,7 @@ void drawContents(PanelUi& ui) {
   palette.appearing = false;
   ImGui::SetNextItemWidth(-1.0f);
   const bool entered =
-      ImGui::InputTextWithHint("##query", "Actions, controls, muscles, bones, clips, sets, samples, pages",
+      ImGui::InputTextWithHint("##query", "Actions, controls, muscles, bones, parts, clips, sets, samples, pages",
                                &palette.query, ImGuiInputTextFlags_EnterReturnsTrue);
   ui.widgets.note("palette/query");
   if (ImGui::IsItemEdited()) palette.chosen = -1;

@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "app/actions/actions.h"
+#include "app/actions/layer_commands.h"
 #include "app/editor/line_commands.h"
+#include "core/base/at.h"
 
 namespace sinew::app {
 namespace {
@@ -38,6 +40,12 @@ Possible withMorphs(const EditorState& state) {
   const bool any = state.hasCharacter() && !state.character().morphTargets.empty();
   return withCharacter(state).also(any, "This character has no shapes");
 }
+Possible withParts(const EditorState& state) {
+  return withCharacter(state).also(hasParts(state), "This character is a single part");
+}
+Possible withSetLayers(const EditorState& state) {
+  return withParts(state).also(!state.document.rig().layers.empty(), "All layers are as guessed");
+}
 Possible withHelpers(const EditorState& state) {
   const std::vector<bool>& helpers = state.open.helperBones;
   return withCharacter(state).also(std::ranges::find(helpers, true) != helpers.end(),
@@ -58,6 +66,8 @@ constexpr PaletteControl kControls[] = {
     {"inspector/header", "Panel Muscle", "inspector properties", Shelf::kMuscle, "", always},
     {"surface/header", "Panel Surface", "properties settings", Shelf::kSurface, "", always},
     {"smoothing/header", "Panel Smoothing", "properties settings", Shelf::kSmoothing, "", always},
+    {"layers/header", "Panel Layers", "parts of the mesh skin cloth rigid clothes hair eyes", Shelf::kLayers, "",
+     withParts},
     {"inspector/section/placement", "Section Placement", "centre rotation radii", Shelf::kMuscle, "", withMuscle},
     {"inspector/section/effect", "Section Effect", "reach amount", Shelf::kMuscle, "", withMuscle},
     {"inspector/section/line", "Section Muscle line", "lengths tendons volume", Shelf::kMuscle, "", withLine},
@@ -115,6 +125,8 @@ constexpr PaletteControl kControls[] = {
     {"smoothing/projection", "Search for the surface", "projection newton bisection analytic exact fast",
      Shelf::kSmoothing, "", withCharacter},
     {"smoothing/crease", "Crease angle", "hard edge sharp normals", Shelf::kSmoothing, "", withCharacter},
+    {"layers/guess-all", "Guess all layers", "parts of the mesh skin cloth rigid reset automatic", Shelf::kLayers, "",
+     withSetLayers},
     {"timeline/clip", "Clip", "animation choose", Shelf::kTimeline, "", withCharacter},
     {"timeline/speed", "Speed", "playback slow fast", Shelf::kTimeline, "", withCharacter},
     {"view/flex-slider", "How hard muscles flex in the picture", "contract preview tension", Shelf::kPicture, "",
@@ -168,6 +180,8 @@ void open(EditorState& state, Shelf shelf) {
       return openRight(state, "surface");
     case Shelf::kSmoothing:
       return openRight(state, "smoothing");
+    case Shelf::kLayers:
+      return openRight(state, "layers");
     case Shelf::kTimeline:
       state.view.layout.bottomShown = true;
       return;
@@ -208,6 +222,8 @@ const char* titleOf(Shelf shelf) {
       return "Inspector: Surface";
     case Shelf::kSmoothing:
       return "Inspector: Smoothing";
+    case Shelf::kLayers:
+      return "Inspector: Layers";
     case Shelf::kTimeline:
       return "Timeline";
     case Shelf::kPicture:
@@ -232,6 +248,12 @@ void revealControl(EditorState& state, const PaletteControl& control) {
   open(state, control.shelf);
   unfold(state, control.section);
   state.dialogs.reveal = {control.id};
+}
+
+void revealPart(EditorState& state, int part) {
+  open(state, Shelf::kLayers);
+  state.open.layers.chosen = part;
+  state.dialogs.reveal = {"layers/part/" + at(state.character().parts, part).name};
 }
 
 void revealInLibrary(EditorState& state, const SetEntry& entry) {

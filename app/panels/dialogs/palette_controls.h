@@ -21,6 +21,7 @@ enum class Shelf {
   kMuscleShape,
   kSurface,
   kSmoothing,
+  kLayers,
   kTimeline,
   kPicture,
   kPreferences,
@@ -45,6 +46,9 @@ struct PaletteControl {
 
 /// Opens what the control stands in, brings it into sight, gives it the keyboard and marks it for a moment.
 void revealControl(EditorState& state, const PaletteControl& control);
+/// A part of the mesh: its row in the panel Layers, and its mark in the picture. @param part  index into
+/// Character::parts
+void revealPart(EditorState& state, int part);
 /// A muscle of a set in the tab Library; without a muscle the set.
 void revealInLibrary(EditorState& state, const SetEntry& entry);
 

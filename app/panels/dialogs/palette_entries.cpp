@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/actions/layer_commands.h"
 #include "app/actions/muscle_set_commands.h"
 #include "app/document/shown_names.h"
 #include "app/editor/blending_edit.h"
@@ -16,6 +17,7 @@
 #include "app/names/readable_names.h"
 #include "app/panels/dialogs/palette_words.h"
 #include "core/base/at.h"
+#include "core/rig/layers.h"
 
 namespace sinew::app {
 namespace {
@@ -41,6 +43,8 @@ std::string otherWords(const PaletteEntry& entry) {
       return panelCommands()[static_cast<std::size_t>(entry.place)].synonyms;
     case EntryKind::kControl:
       return std::string(entry.control->words) + " setting";
+    case EntryKind::kPart:
+      return "layer mesh material";
     case EntryKind::kClip:
       return "play animation";
     case EntryKind::kSet:
@@ -62,6 +66,7 @@ int laterOf(EntryKind kind) {
     case EntryKind::kMuscle:
     case EntryKind::kGroup:
     case EntryKind::kBone:
+    case EntryKind::kPart:
     case EntryKind::kClip:
       return kDocument;
     case EntryKind::kSet:
@@ -148,6 +153,17 @@ void addBones(PaletteEntries& all, const EditorState& state) {
   }
 }
 
+void addParts(PaletteEntries& all, const EditorState& state) {
+  if (!hasParts(state)) return;
+  const std::vector<std::string> names = shownPartNames(state.character());
+  const std::vector<SkinLayer> layers = partLayers(state);
+  for (int part = 0; part < static_cast<int>(names.size()); ++part) {
+    PaletteEntry entry{EntryKind::kPart, "part/" + at(state.character().parts, part).name};
+    entry.place = part;
+    add(all, state, std::move(entry), at(names, part), std::string("Part of the mesh, ") + nameOf(at(layers, part)));
+  }
+}
+
 void addSets(PaletteEntries& all, const EditorState& state) {
   const std::vector<SetEntry>& sets = state.dialogs.palette.sets;
   for (const SetEntry& each : sets) {
@@ -211,6 +227,7 @@ PaletteEntries gatherEntries(const EditorState& state) {
     addClips(all, state);
     addMuscles(all, state);
     addBones(all, state);
+    addParts(all, state);
     addSets(all, state);
   }
   addPages(all, state);
@@ -238,6 +255,8 @@ void chooseEntry(EditorState& state, const PaletteEntry& entry) {
       return chooseGroup(state, entry.place);
     case EntryKind::kBone:
       return jumpToBone(state, entry.place);
+    case EntryKind::kPart:
+      return revealPart(state, entry.place);
     case EntryKind::kSet:
       return chooseSetEntry(state, entry.set);
     case EntryKind::kPage:

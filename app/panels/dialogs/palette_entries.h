@@ -12,19 +12,19 @@
 
 namespace sinew::app {
 
-enum class EntryKind { kAction, kPanel, kControl, kMuscle, kGroup, kBone, kClip, kSet, kPage, kFile };
+enum class EntryKind { kAction, kPanel, kControl, kMuscle, kGroup, kBone, kPart, kClip, kSet, kPage, kFile };
 
 struct PaletteEntry {
   EntryKind kind = EntryKind::kAction;
-  /// "file/save", "panel/learn", "control/surface/iso", "muscle/NAME", "group/NAME", "bone/NAME", "clip/NAME",
-  /// "set/NAME", "set/NAME/MUSCLE", "page/opening", "sample/0", "recent/0"
+  /// "file/save", "panel/learn", "control/surface/iso", "muscle/NAME", "group/NAME", "bone/NAME", "part/NAME",
+  /// "clip/NAME", "set/NAME", "set/NAME/MUSCLE", "page/opening", "sample/0", "recent/0"
   std::string id;
   const Action* action = nullptr;
   const PaletteControl* control = nullptr;
   PrimitiveId muscle = {};
   std::filesystem::path file = {};
   SetEntry set = {};
-  /// Of kPanel: into panelCommands(); kClip: the clip, -1: the bind pose; kBone; kGroup;
+  /// Of kPanel: into panelCommands(); kClip: the clip, -1: the bind pose; kBone; kPart; kGroup;
   /// kPage: into helpPages().
   int place = -1;
   std::string why = {};  ///< Why it cannot be done now; "" if it can.

@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "app/actions/layer_commands.h"
 #include "app/editor/line_commands.h"
 #include "core/base/at.h"
 
@@ -34,6 +35,26 @@ Possible withVia(const EditorState& state) {
   return lines ? Possible(anyLine(state, true), "The line has no via point") : lines;
 }
 
+Possible onPart(const EditorState& state) {
+  const bool idle = state.open.gestureItem == 0 && !ownsKeyboard(state.view.tools);
+  return Possible(state.hasCharacter(), "Open a character first")
+      .also(hasParts(state), "This character is a single part")
+      .also(state.open.layers.chosen >= 0, "Choose a part in the panel Layers first")
+      .also(idle, "Finish the current edit first");
+}
+
+Possible onSetPart(const EditorState& state) {
+  const Possible part = onPart(state);
+  return part ? Possible(isLayerSet(state, state.open.layers.chosen), "The part is as guessed") : part;
+}
+
+template <SkinLayer kLayer>
+void setChosenPart(EditorState& state) {
+  setPartLayer(state, state.open.layers.chosen, kLayer);
+}
+
+void guessChosenPart(EditorState& state) { setPartLayer(state, state.open.layers.chosen, std::nullopt); }
+
 constexpr PanelCommand kCommands[] = {
     {"panel/learn", "Learn contraction from clips", "Inspector: Set > Learn", "flex full analyze", onLines,
      learnContraction},
@@ -42,6 +63,14 @@ constexpr PanelCommand kCommands[] = {
     {"panel/via-add", "Add via point", "Inspector: Via point > Add", "bend waypoint", withoutVia, addViaPoints},
     {"panel/via-remove", "Remove via point", "Inspector: Via point > Remove", "straighten", withVia, removeViaPoints},
     {"panel/rigid", "Make rigid", "Inspector: Ends > Rigid", "off the line detach", onLines, takeOffLines},
+    {"panel/layer-skin", "Make the part skin", "Inspector: Layers", "layer mesh body muscles", onPart,
+     setChosenPart<SkinLayer::kSkin>},
+    {"panel/layer-cloth", "Make the part cloth", "Inspector: Layers", "layer mesh clothes hair garment", onPart,
+     setChosenPart<SkinLayer::kCloth>},
+    {"panel/layer-rigid", "Make the part rigid", "Inspector: Layers", "layer mesh eyes teeth", onPart,
+     setChosenPart<SkinLayer::kRigid>},
+    {"panel/layer-guess", "Guess the part's layer", "Inspector: Layers > Guess", "mesh automatic reset", onSetPart,
+     guessChosenPart},
 };
 
 constexpr std::array kSynonyms{
@@ -59,6 +88,8 @@ constexpr std::array kSynonyms{
     std::pair<std::string_view, std::string_view>{"view/clay", "matcap gray solid"},
     std::pair<std::string_view, std::string_view>{"view/before", "bare original compare"},
     std::pair<std::string_view, std::string_view>{"view/numbers", "fps statistics"},
+    std::pair<std::string_view, std::string_view>{"file/add-clips", "import animation motion file retarget"},
+    std::pair<std::string_view, std::string_view>{"play/clip-files", "added animation files remove locate missing"},
     std::pair<std::string_view, std::string_view>{"file/export-character", "save as glb usd game"},
     std::pair<std::string_view, std::string_view>{"file/export-farm", "slurm batch render"},
 };

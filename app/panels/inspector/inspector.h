@@ -18,6 +18,7 @@ namespace sinew::app {
 void drawInspector(PanelUi& ui);
 void drawSurfacePanel(PanelUi& ui);
 void drawSmoothingPanel(PanelUi& ui);
+void drawLayersPanel(PanelUi& ui);
 
 /// The muscles that the inspector shows, while it is drawn: the rig stays as it was when drawing began.
 struct Subjects {

@@ -19,7 +19,7 @@
 #include "app/document/muscle_sets.h"
 #include "app/editor/outliner_rows.h"
 #include "app/panels/library/muscle_picture.h"
-#include "app/render/thumbnails.h"
+#include "app/render/pictures/thumbnails.h"
 #include "app/ui/reading_order.h"
 #include "core/base/at.h"
 

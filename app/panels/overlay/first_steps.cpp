@@ -78,7 +78,8 @@ void drawFirstSteps(PanelUi& ui) {
   EditorState& state = ui.state;
   followFirstSteps(state);
   // One panel at a time.
-  const bool hidden = state.open.check.shown || state.open.muscleSet.shown || state.open.bodyParts.shown;
+  const bool hidden = state.open.check.shown || state.open.muscleSet.shown || state.open.bodyParts.shown ||
+                      state.open.clipList.shown || state.open.reference.shown;
   if (!state.view.firstSteps.shown || hidden || !state.hasCharacter()) return;
   const glm::vec4& v = state.frame.viewport;
   const bool done = firstStepsDone(state.view.firstSteps);

@@ -9,8 +9,10 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "app/actions/export_error.h"
+#include "app/actions/layer_commands.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/territory.h"
 #include "app/editor/visibility_commands.h"
@@ -47,8 +49,43 @@ bool showsLevels(PanelUi& ui) {
   return refinement && !refinement->isUniform;
 }
 
+/// Triangles of the file in each zone.
+std::array<int, kZones> zoneCounts(const EditorState& state) {
+  std::array<int, kZones> counts{};
+  const std::vector<SkinLayer> layers = partLayers(state);
+  const std::vector<ControlTriangle>& triangles = state.character().mesh.triangles;
+  const std::vector<TriangleClass>& found = state.live->surface().classes;
+  for (std::size_t t = 0; t < found.size(); ++t) {
+    ++counts[zoneOf(found[t], layers[static_cast<std::size_t>(triangles[t].part)])];
+  }
+  return counts;
+}
+
+/// A row of the legend of zones.
+struct ZoneRow {
+  const char* name;
+  const char* hint;
+  glm::vec3 srgb;
+  int triangles;
+};
+
+/// The classes of skin, and the layers of other parts where there are any.
+std::vector<ZoneRow> zoneRows(const EditorState& state) {
+  const std::array<int, kZones> counts = zoneCounts(state);
+  std::vector<ZoneRow> rows;
+  for (const ClassColor& each : classColors()) {
+    rows.push_back({each.name, each.hint, each.srgb, counts[zoneOf(each.kind, SkinLayer::kSkin)]});
+  }
+  for (const LayerColor& each : layerColors()) {
+    const std::size_t zone = zoneOf(TriangleClass::kNormal, each.layer);
+    if (each.layer != SkinLayer::kSkin && counts[zone] > 0)
+      rows.push_back({each.name, each.hint, each.srgb, counts[zone]});
+  }
+  return rows;
+}
+
 float classesHeight(PanelUi& ui) {
-  const float lines = showsLevels(ui) ? 5.0f : 4.0f;
+  const float lines = static_cast<float>(zoneRows(ui.state).size()) + (showsLevels(ui) ? 2.0f : 1.0f);
   return lines * (ImGui::GetTextLineHeight() + ui.px(4)) + ui.px(16);
 }
 
@@ -58,6 +95,7 @@ Box plate(PanelUi& ui, float width, float height) {
   const ImVec2 low{v.x + ui.px(kMargin), v.y + v.w - underPlate(ui) - height};
   const ImVec2 high{low.x + width, low.y + height};
   ImGui::GetWindowDrawList()->AddRectFilled(low, high, palette::kPanel.faded(0.85f).packed(), ui.px(6));
+  ui.covered.emplace_back(low.x, low.y, high.x, high.y);
   return {low, high};
 }
 
@@ -124,11 +162,6 @@ void drawHeat(PanelUi& ui) {
   ui.widgets.note("legend/heat", {box.low.x, box.low.y, box.high.x - box.low.x, box.high.y - box.low.y});
 }
 
-int countOf(const SmoothingReport& report, TriangleClass kind) {
-  if (kind == TriangleClass::kImplicit) return report.implicitTriangles;
-  return kind == TriangleClass::kStraddling ? report.straddlingTriangles : report.normalTriangles;
-}
-
 /// "Pieces along a side", and a swatch for each level: darker is finer.
 void drawLevels(PanelUi& ui, const Box& box, float y, bool over) {
   constexpr std::array kLevels{1, 2, 3, 4, 6, 12};
@@ -152,7 +185,6 @@ void drawLevels(PanelUi& ui, const Box& box, float y, bool over) {
 }
 
 void drawClasses(PanelUi& ui) {
-  const SmoothingReport& report = ui.state.live->surface().report;
   const float line = ImGui::GetTextLineHeight() + ui.px(4);
   const float width = std::min(ui.px(210), ui.state.frame.viewport.z - ui.px(2 * kMargin));
   const Box box = plate(ui, width, classesHeight(ui));
@@ -161,13 +193,12 @@ void drawClasses(PanelUi& ui) {
   clippedText(list, {box.low.x + ui.px(12), box.low.y + ui.px(8)}, width - ui.px(24), palette::kMuted.packed(),
               "Triangles of the file");
   float y = box.low.y + ui.px(8) + line;
-  const int all = std::max(report.implicitTriangles + report.straddlingTriangles + report.normalTriangles, 1);
-  for (const ClassColor& row : classColors()) {
-    const int triangles = countOf(report, row.kind);
+  const int all = std::max(static_cast<int>(ui.state.character().mesh.triangles.size()), 1);
+  for (const ZoneRow& row : zoneRows(ui.state)) {
     list.AddRectFilled({box.low.x + ui.px(12), y + ui.px(2)}, {box.low.x + ui.px(24), y + ui.px(14)},
                        Tint{row.srgb.r, row.srgb.g, row.srgb.b}.packed(), ui.px(3));
     const std::string count =
-        std::to_string(triangles) + "  " + std::to_string((100 * triangles + all / 2) / all) + "%";
+        std::to_string(row.triangles) + "  " + std::to_string((100 * row.triangles + all / 2) / all) + "%";
     const float right = box.high.x - ui.px(12) - ImGui::CalcTextSize(count.c_str()).x;
     const float left = box.low.x + ui.px(32);
     clippedText(list, {left, y}, right - ui.px(6) - left, palette::kText.packed(), row.name);
@@ -239,6 +270,7 @@ void drawMode(PanelUi& ui, const std::string& text, const char* button, const ch
   }
   clippedText(list, {low.x + ui.px(12) + swatch, low.y + 0.5f * (height - ImGui::GetTextLineHeight())},
               width - swatch - buttonWidth - ui.px(16), palette::kText.packed(), text);
+  ui.covered.emplace_back(low.x, low.y, low.x + width, low.y + height);
   ui.widgets.note(std::string(id) + "/banner", {low.x, low.y, width - buttonWidth, height});
   if (button == nullptr) return;
   ImGui::SetCursorScreenPos({low.x + width - buttonWidth, low.y + ui.px(4)});
@@ -248,7 +280,8 @@ void drawMode(PanelUi& ui, const std::string& text, const char* button, const ch
 
 /// 0: there is none. The panels of a set and of what was found lie where it would.
 float plateHeight(PanelUi& ui) {
-  if (ui.state.open.check.shown || ui.state.open.muscleSet.shown) return 0.0f;
+  const DocumentView& open = ui.state.open;
+  if (open.check.shown || open.muscleSet.shown || open.reference.shown) return 0.0f;
   if (showsExportError(ui.state)) return exportErrorSize(ui).y;
   if (ui.state.view.display.anatomy) return anatomyHeight(ui);
   const Shading shading = ui.state.view.display.shading;

@@ -21,8 +21,12 @@ void drawDrivenKey(PanelUi& ui);
 void drawCheckList(PanelUi& ui);
 /// Which bone is which part of the body, with a figure.
 void drawBodyParts(PanelUi& ui);
+/// The files whose clips were added.
+void drawClipList(PanelUi& ui);
 /// The sliders of the set of muscles that was added last.
 void drawMuscleSet(PanelUi& ui);
+/// View > Reference picture.
+void drawReference(PanelUi& ui);
 /// Help > First steps.
 void drawFirstSteps(PanelUi& ui);
 /// The context menu that a right click asks for.

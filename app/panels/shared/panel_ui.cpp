@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include <imgui.h>
-#include "app/render/thumbnails.h"
+#include "app/render/pictures/thumbnails.h"
 
 #include <algorithm>
 

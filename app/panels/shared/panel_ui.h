@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/actions/actions.h"
 #include "app/editor/editor_state.h"
@@ -15,6 +16,8 @@ namespace sinew::app {
 /// The interface and the editor behind it, for the length of a frame.
 struct PanelUi : Ui {
   EditorState& state;
+  std::vector<glm::vec4>
+      covered;  ///< What is drawn over the picture by hand: low x and y, high x and y, on the screen.
 
   PanelUi(EditorState& editor, WidgetLog& log, const Fonts& letters)
       : Ui{log, letters, editor.frame.uiScale}, state(editor) {}

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -33,11 +34,29 @@ std::string clipName(const std::vector<std::string>& shown, int clip) {
   return clip < 0 ? "Bind pose" : at(shown, clip);
 }
 
-/// The name in the file, where another is drawn.
+/// "From walk.glb"; "" for the character's own.
+std::string originOf(const AnimationClip& clip) {
+  return clip.addedFrom.empty() ? "" : "From " + std::filesystem::path(clip.addedFrom).filename().string();
+}
+
+/// The name in the file, where another is drawn, and which file that is, where it is not the character's.
 void fileNameTooltip(PanelUi& ui, const std::string& drawn, int clip) {
   if (clip < 0) return;
-  const std::string& name = at(ui.state.character().clips, clip).name;
-  if (!name.empty() && name != drawn) tooltip(ui, name);
+  const AnimationClip& shown = at(ui.state.character().clips, clip);
+  std::string text = shown.name != drawn ? shown.name : "";
+  const std::string origin = originOf(shown);
+  if (!origin.empty()) text += (text.empty() ? "" : "\n") + origin;
+  if (!text.empty()) tooltip(ui, text);
+}
+
+/// Above the clips of each file.
+void originHeading(PanelUi& ui, int clip) {
+  const std::vector<AnimationClip>& clips = ui.state.character().clips;
+  const std::string before = clip > 0 ? at(clips, clip - 1).addedFrom : "";
+  if (clip < 0 || at(clips, clip).addedFrom == before) return;
+  ImGui::Separator();
+  const std::string origin = originOf(at(clips, clip));
+  if (!origin.empty()) mutedText(fitted(origin, ImGui::GetContentRegionAvail().x).c_str());
 }
 
 /// One row of the list: the name, and at its right how long it lasts.
@@ -74,10 +93,15 @@ void clipChoice(PanelUi& ui, float width) {
     return;
   }
   for (int clip = -1; clip < static_cast<int>(character.clips.size()); ++clip) {
+    originHeading(ui, clip);
     if (clipRow(ui, names, clip)) chooseClip(transport, clip, character);
   }
+  ImGui::Separator();
+  const bool adds = ImGui::Selectable(action("file/add-clips").label);
+  ui.widgets.note("timeline/clip/add");
+  tooltip(ui, hintOf(ui, action("file/add-clips")));
+  if (adds) run(action("file/add-clips"), ui.state);
   if (findClip(character, kRangeOfMotionName) < 0) {
-    ImGui::Separator();
     const bool wanted = ImGui::Selectable("Make range of motion");
     ui.widgets.note("timeline/clip/range-of-motion");
     if (wanted) run(action("play/range-of-motion"), ui.state);

@@ -73,6 +73,26 @@ const std::array<ClassColor, 3>& classColors() {
   return colors;
 }
 
+const std::array<LayerColor, 3>& layerColors() {
+  static const std::array<LayerColor, 3> colors{
+      {{SkinLayer::kSkin, "Skin", "Muscles push it", fromOklch(0.74f, 0.13f, 0.60f)},
+       {SkinLayer::kCloth, "Cloth", "It follows the skin under it", fromOklch(0.74f, 0.12f, 5.10f)},
+       {SkinLayer::kRigid, "Rigid", "Muscles leave it as it is", fromOklch(0.74f, 0.12f, 2.55f)}}};
+  return colors;
+}
+
+std::size_t zoneOf(TriangleClass kind, SkinLayer layer) {
+  if (layer == SkinLayer::kSkin) return static_cast<std::size_t>(kind);
+  return classColors().size() + static_cast<std::size_t>(layer) - 1;
+}
+
+glm::vec3 zoneColor(std::size_t zone) {
+  const std::size_t classes = classColors().size();
+  return zone < classes ? classColors()[zone].srgb : layerColors()[zone - classes + 1].srgb;
+}
+
+const LayerColor& layerColor(SkinLayer layer) { return layerColors()[static_cast<std::size_t>(layer)]; }
+
 int levelShown(const Refinement& refinement, int triangle) {
   const auto pieces = static_cast<float>(refinement.refinedTriangles(triangle));
   return std::clamp(static_cast<int>(std::lround(std::sqrt(pieces))), 1, kMaxDepth);

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "sinew/base/geometry.h"
+#include "sinew/rig/rig.h"
 #include "sinew/smoothing/surface.h"
 
 namespace sinew::app {
@@ -31,6 +32,23 @@ struct ClassColor {
 
 /// By TriangleClass.
 [[nodiscard]] const std::array<ClassColor, 3>& classColors();
+
+/// What a part of the mesh is to the muscles, as the interface calls it and as it is tinted.
+struct LayerColor {
+  SkinLayer layer = SkinLayer::kSkin;
+  const char* name = "";
+  const char* hint = "";
+  glm::vec3 srgb{0.0f};
+};
+
+/// By SkinLayer. Alike in lightness.
+[[nodiscard]] const std::array<LayerColor, 3>& layerColors();
+[[nodiscard]] const LayerColor& layerColor(SkinLayer layer);
+
+/// What the picture of classes tells apart: the classes of skin, then cloth and rigid parts.
+inline constexpr std::size_t kZones = 5;
+[[nodiscard]] std::size_t zoneOf(TriangleClass kind, SkinLayer layer);
+[[nodiscard]] glm::vec3 zoneColor(std::size_t zone);
 
 /// Color of muscles from loose (0) to fully flexed (1), sRGB.
 [[nodiscard]] glm::vec3 fleshColor(float activation);

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "app/render/framing.h"
+#include "app/tools/view/free_parts.h"
 #include "core/base/smoothstep.h"
 
 namespace sinew::app {
@@ -37,11 +40,13 @@ void moveTo(Camera& camera, const CameraStand& goal, bool animated) {
   else camera.stand = goal;
 }
 
-/// Least distance from which the box's corners lie in the picture when its center is the target.
-float distanceToShow(const Camera& camera, const glm::vec3& halfExtent, const glm::ivec2& size) {
+/// Least distance from which the box's corners lie in a part of the picture when its center is seen in the middle of
+/// that. @param part  its share of the picture's width and height
+float distanceToShow(const Camera& camera, const glm::vec3& halfExtent, const glm::ivec2& size, const glm::vec2& part) {
   const glm::mat3 axes = cameraAxes(camera.stand.yaw, camera.stand.pitch);
-  const float tanY = kHalfHeightRatio;
-  const float tanX = tanY * static_cast<float>(std::max(size.x, 1)) / static_cast<float>(std::max(size.y, 1));
+  const float aspect = static_cast<float>(std::max(size.x, 1)) / static_cast<float>(std::max(size.y, 1));
+  const float tanY = kHalfHeightRatio * part.y;
+  const float tanX = kHalfHeightRatio * aspect * part.x;
   float distance = 0.0f;
   for (int corner = 0; corner < 8; ++corner) {
     const glm::vec3 sign((corner & 1) ? 1.0f : -1.0f, (corner & 2) ? 1.0f : -1.0f, (corner & 4) ? 1.0f : -1.0f);
@@ -78,8 +83,9 @@ void zoomToward(Camera& camera, float steps, const glm::vec2& pixel, const glm::
                 const std::optional<glm::vec3>& pointInWorld) {
   camera.transition.reset();
   const glm::mat3 axes = cameraAxes(camera.stand.yaw, camera.stand.pitch);  // Right, up, backward.
-  const glm::vec2 fromMiddle = (pixel - 0.5f * glm::vec2(size)) * unitsPerPixel(camera, size);
-  const glm::vec3 inTargetPlane = camera.stand.target + axes[0] * fromMiddle.x - axes[1] * fromMiddle.y;
+  const glm::vec2 middle = 0.5f * glm::vec2(size) * (1.0f + glm::vec2(1.0f, -1.0f) * camera.stand.aim);
+  const glm::vec2 fromTarget = (pixel - middle) * unitsPerPixel(camera, size);
+  const glm::vec3 inTargetPlane = camera.stand.target + axes[0] * fromTarget.x - axes[1] * fromTarget.y;
   const glm::vec3 fixed = pointInWorld.value_or(inTargetPlane);
   const float distance = limitedDistance(camera, camera.stand.distance * std::pow(kZoomPerStep, steps));
   // Scaling eye and target about one point keeps the direction from the eye to it, hence its pixel.
@@ -88,7 +94,8 @@ void zoomToward(Camera& camera, float steps, const glm::vec2& pixel, const glm::
   camera.stand.distance = distance;
 }
 
-void frameBounds(Camera& camera, const Bounds& boundsInWorld, const glm::ivec2& size, bool animated) {
+void frameBounds(Camera& camera, const Bounds& boundsInWorld, const glm::ivec2& size, bool animated,
+                 std::span<const glm::vec4> covered) {
   if (boundsInWorld.isEmpty() || !isFinite(boundsInWorld.low) || !isFinite(boundsInWorld.high)) return;
   CameraStand goal = camera.transition ? camera.transition->to : camera.stand;
   goal.target = boundsInWorld.center();
@@ -96,7 +103,18 @@ void frameBounds(Camera& camera, const Bounds& boundsInWorld, const glm::ivec2& 
   const glm::vec3 half = glm::max(0.5f * boundsInWorld.extent(), glm::vec3(0.03f * camera.characterHeight));
   Camera towards = camera;
   towards.stand = goal;
-  goal.distance = limitedDistance(camera, distanceToShow(towards, half, size));
+  const std::vector<glm::vec4> parts = freeParts(covered);
+  const auto extentOf = [](const glm::vec4& part) { return glm::vec2(part.z - part.x, part.w - part.y); };
+  const auto distanceIn = [&](const glm::vec4& part) { return distanceToShow(towards, half, size, extentOf(part)); };
+  const float nearest = distanceIn(std::ranges::min(parts, {}, distanceIn));
+  // Of those that show it nearly as large, the one with the most room around it.
+  const auto roomIn = [&](const glm::vec4& part) {
+    const glm::vec2 extent = extentOf(part);
+    return distanceIn(part) <= nearest * kAlmostAsLarge ? extent.x * extent.y : 0.0f;
+  };
+  const glm::vec4 part = std::ranges::max(parts, {}, roomIn);
+  goal.aim = {part.x + part.z - 1.0f, 1.0f - part.y - part.w};
+  goal.distance = limitedDistance(camera, distanceIn(part));
   moveTo(camera, goal, animated);
 }
 
@@ -142,6 +160,7 @@ bool advance(Camera& camera, float deltaSeconds) {
   camera.stand.distance = move.from.distance * std::pow(move.to.distance / move.from.distance, t);
   camera.stand.yaw = wrapped(move.from.yaw + t * wrapped(move.to.yaw - move.from.yaw));
   camera.stand.pitch = move.from.pitch + t * (move.to.pitch - move.from.pitch);
+  camera.stand.aim = glm::mix(move.from.aim, move.to.aim, t);
   return true;
 }
 
@@ -150,8 +169,11 @@ View viewOf(const Camera& camera, const glm::ivec2& size) {
   const Bounds box = camera.scene.isEmpty() ? Bounds{stand.target, stand.target} : camera.scene;
   const float sceneRadius = 0.5f * glm::length(box.extent()) + camera.characterHeight;
   const float reach = glm::length(box.center() - stand.target) + sceneRadius;
-  return orbitView(stand.target, stand.yaw, stand.pitch, stand.distance, glm::max(size, glm::ivec2(1)),
-                   camera.orthographic, reach);
+  View view = orbitView(stand.target, stand.yaw, stand.pitch, stand.distance, glm::max(size, glm::ivec2(1)),
+                        camera.orthographic, reach);
+  // The picture is moved as it is: the eye keeps its direction, and turning goes on about the target.
+  view.clipFromView = glm::translate(glm::mat4(1.0f), glm::vec3(stand.aim, 0.0f)) * view.clipFromView;
+  return view;
 }
 
 }  // namespace sinew::app

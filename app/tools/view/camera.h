@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "app/render/view.h"
 
@@ -15,6 +16,8 @@ struct CameraStand {
   float distance = 4.0f;               ///< Character units, > 0. Orthographic: sets the size of the picture alike.
   float yaw = 0.5f;                    ///< Radians; grows as the eye goes from +Z to +X.
   float pitch = 0.2f;                  ///< Radians, -pi/2..pi/2; positive: the eye is above.
+  /// Where the target is seen: -1..1 of the picture, right and up; 0: in its middle. The eye does not turn for it.
+  glm::vec2 aim{0.0f};
 };
 
 /// A move between two stands.
@@ -25,8 +28,9 @@ struct CameraTransition {
 };
 
 inline constexpr float kCameraTransitionSeconds = 0.24f;
-inline constexpr float kNearestView = 0.02f;   ///< Smallest distance, of H.
-inline constexpr float kFarthestView = 60.0f;  ///< Largest distance, of H.
+inline constexpr float kNearestView = 0.02f;    ///< Smallest distance, of H.
+inline constexpr float kFarthestView = 60.0f;   ///< Largest distance, of H.
+inline constexpr float kAlmostAsLarge = 1.08f;  ///< A box that is framed from so many times as far looks as large.
 
 struct Camera {
   CameraStand stand;
@@ -51,7 +55,10 @@ void zoomToward(Camera& camera, float steps, const glm::vec2& pixel, const glm::
 
 /// Shows all of a box with a margin, from the present direction. An empty box changes nothing.
 /// @param animated false: at once (a character was just opened).
-void frameBounds(Camera& camera, const Bounds& boundsInWorld, const glm::ivec2& size, bool animated);
+/// @param covered  parts of the picture to stay clear of: low x and y, high x and y, 0..1 from its top left. The box is
+///                 framed in the free part that shows it largest, or nearly so with more room around it.
+void frameBounds(Camera& camera, const Bounds& boundsInWorld, const glm::ivec2& size, bool animated,
+                 std::span<const glm::vec4> covered = {});
 /// Looks along an axis at the present target. kLeft is the character's left: the eye on +X.
 void showStandardView(Camera& camera, StandardView view);
 /// Moves a transition on. @return whether the camera still moves.

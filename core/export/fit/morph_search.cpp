@@ -7,13 +7,11 @@
 
 #include <glm/geometric.hpp>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-
 #include "core/base/at.h"
 #include "core/base/parallel.h"
 #include "core/export/fit/error_meter.h"
 #include "core/export/fit/morph_fit.h"
+#include "core/export/fit/own_eigen.h"
 
 namespace sinew::exporting {
 namespace {

@@ -1,7 +1,7 @@
 // core/export/fit/rigid_motion.cpp: the largest eigenvector of a 4 x 4 matrix is the rotation.
 #include "core/export/fit/rigid_motion.h"
 
-#include <Eigen/Eigenvalues>
+#include "core/export/fit/own_eigen.h"
 
 namespace sinew::exporting {
 

@@ -4,7 +4,10 @@
 
 #include "sinew/base/result.h"
 #include "sinew/base/threads.h"
+#include "sinew/base/version.h"
 #include "sinew/character/character.h"
+#include "sinew/character/character_pose.h"
+#include "sinew/character/pose_check.h"
 #include "sinew/io/gltf_import.h"
 #include "sinew/io/rig_json.h"
 #include "sinew/io/surface_export.h"

@@ -2,7 +2,6 @@
 #include "core/io/files/atomic_file.h"
 
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -16,6 +15,9 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "core/io/files/descriptor.h"
+#include "core/io/files/part_files.h"
 
 namespace sinew {
 namespace {
@@ -31,28 +33,6 @@ constexpr std::uintmax_t kMostCopied = 1U << 30U;
 Error because(const fs::path& file, const std::string& what, int code) {
   return {file.string(), {}, what + ": " + std::generic_category().message(code)};
 }
-
-/// An open file; closed at the end of its scope.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() { close(); }
-
-  [[nodiscard]] int number() const { return number_; }
-  [[nodiscard]] bool isOpen() const { return number_ >= 0; }
-  /// False if the system reports a late failure; errno says which.
-  bool close() {
-    if (number_ < 0) return true;
-    const int number = number_;
-    number_ = -1;
-    return ::close(number) == 0;
-  }
-
- private:
-  int number_;
-};
 
 /// 0, or the errno of the failure.
 int writeAll(int descriptor, std::string_view bytes) {
@@ -109,20 +89,20 @@ Result<void> writeStream(const fs::path& file, std::string_view bytes) {
   return {};
 }
 
-fs::path freshNeighbor(const fs::path& file) {
-  static std::atomic<unsigned> counter{0};
-  const std::string name = ".sinew-" + std::to_string(::getpid()) + '-' + std::to_string(counter++) + ".part";
-  return file.parent_path() / name;
-}
-
-/// Creates a file nobody has, beside `file`; its name goes to `made`.
-int createNeighbor(const fs::path& file, fs::path& made) {
+/// Creates a file nobody has, beside `file`, and locks it; its name goes to `made`. Not open: errno says why.
+Descriptor createNeighbor(const fs::path& file, fs::path& made) {
   for (int attempt = 0; attempt < 1000; ++attempt) {
-    made = freshNeighbor(file);
-    const int descriptor = ::open(made.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor >= 0 || errno != EEXIST) return descriptor;
+    made = freshPart(file.parent_path());
+    Descriptor neighbor(::open(made.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (!neighbor.isOpen() && errno != EEXIST) return neighbor;
+    if (!neighbor.isOpen()) continue;
+    lockPart(neighbor);
+    struct stat created {};
+    // Without a name: before it was locked, another program has taken it for a stray one.
+    if (::fstat(neighbor.number(), &created) != 0 || created.st_nlink > 0) return neighbor;
   }
-  return -1;
+  errno = EEXIST;
+  return {};
 }
 
 /// 0, or the errno of the failure. `mode` 0: what the system gives new files.
@@ -136,32 +116,41 @@ int fill(const Descriptor& neighbor, std::string_view bytes, mode_t mode) {
 int nameNeighbor(const Descriptor& neighbor, const fs::path& file, fs::path& made) {
   const std::string open = "/proc/self/fd/" + std::to_string(neighbor.number());
   for (int attempt = 0; attempt < 1000; ++attempt) {
-    made = freshNeighbor(file);
+    made = freshPart(file.parent_path());
     if (::linkat(AT_FDCWD, open.c_str(), AT_FDCWD, made.c_str(), AT_SYMLINK_FOLLOW) == 0) return 0;
     if (errno != EEXIST) return errno;
   }
   return EEXIST;
 }
 
+/// A file that is written, beside its place.
+struct Written {
+  fs::path name;
+  Descriptor lock;  ///< Held until the name is gone again.
+};
+
 /// Writes without a name and names what is whole, so that a process that is killed leaves nothing behind. False where
 /// that failed, also because the file system has no such files.
-bool writeUnnamed(const fs::path& file, std::string_view bytes, mode_t mode, fs::path& made) {
+bool writeUnnamed(const fs::path& file, std::string_view bytes, mode_t mode, Written& made) {
   const fs::path folder = file.parent_path();
   Descriptor neighbor(::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666));
   if (!neighbor.isOpen() || fill(neighbor, bytes, mode) != 0) return false;
-  if (nameNeighbor(neighbor, file, made) != 0) return false;
+  lockPart(neighbor);
+  made.lock = neighbor.copy();
+  if (nameNeighbor(neighbor, file, made.name) != 0) return false;
   if (neighbor.close()) return true;
-  ::unlink(made.c_str());
+  ::unlink(made.name.c_str());
   return false;
 }
 
 /// 0, or the errno of the failure; nothing is left then.
-int writeNamed(const fs::path& file, std::string_view bytes, mode_t mode, fs::path& made) {
-  Descriptor neighbor(createNeighbor(file, made));
+int writeNamed(const fs::path& file, std::string_view bytes, mode_t mode, Written& made) {
+  Descriptor neighbor = createNeighbor(file, made.name);
   if (!neighbor.isOpen()) return errno;
+  made.lock = neighbor.copy();
   int failed = fill(neighbor, bytes, mode);
   if (!neighbor.close() && failed == 0) failed = errno;
-  if (failed != 0) ::unlink(made.c_str());
+  if (failed != 0) ::unlink(made.name.c_str());
   return failed;
 }
 
@@ -176,10 +165,11 @@ bool holds(const fs::path& file, std::string_view bytes) {
 }
 
 /// Another name for the file, or where the file system has none, a copy. 0, or the errno of the failure.
-int doubleFile(const fs::path& file, fs::path& made) {
+int doubleFile(const fs::path& file, Written& made) {
+  made.lock = lockShared(file);
   for (int attempt = 0; attempt < 1000; ++attempt) {
-    made = freshNeighbor(file);
-    if (::link(file.c_str(), made.c_str()) == 0) return 0;
+    made.name = freshPart(file.parent_path());
+    if (::link(file.c_str(), made.name.c_str()) == 0) return 0;
     if (errno != EEXIST) break;
   }
   struct stat present {};
@@ -191,16 +181,16 @@ int doubleFile(const fs::path& file, fs::path& made) {
 /// The version that is replaced stays as NAME~. Where it cannot, because a folder has that name or the disk is full,
 /// the new version is put in its place all the same: it is whole on the disk.
 void keepPrevious(const fs::path& file) {
-  fs::path made;
+  Written made;
   fs::path kept = file;
   kept += '~';
   if (doubleFile(file, made) != 0) return;
-  ::rename(made.c_str(), kept.c_str());
-  ::unlink(made.c_str());  // A rename onto another name of the same file leaves both.
+  ::rename(made.name.c_str(), kept.c_str());
+  ::unlink(made.name.c_str());  // A rename onto another name of the same file leaves both.
 }
 
-/// The files that this run of the program has written.
-class WrittenFiles {
+/// Files or folders that this run of the program has come to.
+class SeenPaths {
  public:
   /// Whether it is the first time.
   bool add(const fs::path& file) {
@@ -213,8 +203,9 @@ class WrittenFiles {
   std::set<std::string> files_;
 };
 
-WrittenFiles& writtenFiles() {
-  static WrittenFiles files;
+/// The files that it has written.
+SeenPaths& writtenFiles() {
+  static SeenPaths files;
   return files;
 }
 
@@ -222,6 +213,12 @@ fs::path fullPath(const fs::path& file) {
   std::error_code failed;
   fs::path full = fs::weakly_canonical(file, failed);
   return failed ? file : full;
+}
+
+/// What killed programs left goes before this one writes into their folder for the first time.
+void clearOnce(const fs::path& folder) {
+  static SeenPaths cleared;
+  if (cleared.add(fullPath(folder.empty() ? "." : folder))) clearStrayParts(folder, std::time(nullptr));
 }
 
 /// The rename itself must reach the disk too. Some file systems cannot; the file is whole either way.
@@ -239,20 +236,21 @@ class Neighbor {
   Neighbor(const Neighbor&) = delete;
   Neighbor& operator=(const Neighbor&) = delete;
   ~Neighbor() {
-    if (!made_.empty()) ::unlink(made_.c_str());
+    if (!made_.name.empty()) ::unlink(made_.name.c_str());
   }
 
   Result<void> fill(std::string_view bytes, mode_t mode) {
+    clearOnce(target_.parent_path());
     isSame_ = exists_ && previous_ == Previous::kKept && holds(target_, bytes);
     if (writeUnnamed(target_, bytes, mode, made_)) return {};
     const int failed = writeNamed(target_, bytes, mode, made_);
     if (failed == 0) return {};
-    made_.clear();
+    made_.name.clear();
     return because(file_, "cannot be written", failed);
   }
 
   /// A file that another program has written into the same folder.
-  void take(const fs::path& made) { made_ = made; }
+  void take(const fs::path& made) { made_.name = made; }
 
   /// Before put().
   void keep() {
@@ -262,8 +260,8 @@ class Neighbor {
   }
 
   Result<void> put() {
-    if (::rename(made_.c_str(), target_.c_str()) != 0) return because(file_, "cannot be written", errno);
-    made_.clear();
+    if (::rename(made_.name.c_str(), target_.c_str()) != 0) return because(file_, "cannot be written", errno);
+    made_.name.clear();
     return {};
   }
 
@@ -272,7 +270,7 @@ class Neighbor {
  private:
   fs::path file_;    ///< As the user gave it.
   fs::path target_;  ///< Links followed.
-  fs::path made_;
+  Written made_;
   bool exists_ = false;
   Previous previous_ = Previous::kKept;
   bool isSame_ = false;  ///< What is replaced has these bytes.

@@ -15,11 +15,6 @@
 namespace sinew {
 namespace {
 
-RefinementLevels uniformLevels(const ControlMesh& mesh, int depth) {
-  const auto level = static_cast<std::uint8_t>(depth);
-  return {std::vector<std::uint8_t>(mesh.edges.size(), level), std::vector<std::uint8_t>(mesh.triangles.size(), level)};
-}
-
 /// Those with vertices. @param begin  of each one's vertices.
 std::vector<int> mostFirst(std::span<const int> begin) {
   const auto count = [&](int i) { return at(begin, i + 1) - at(begin, i); };
@@ -179,6 +174,11 @@ class Builder {
 };
 
 }  // namespace
+
+RefinementLevels uniformLevels(const ControlMesh& mesh, int depth) {
+  const auto level = static_cast<std::uint8_t>(depth);
+  return {std::vector<std::uint8_t>(mesh.edges.size(), level), std::vector<std::uint8_t>(mesh.triangles.size(), level)};
+}
 
 Refinement refine(const ControlMesh& mesh, int depth) {
   assert(depth >= 1 && depth <= kMaxDepth);

@@ -66,5 +66,18 @@ TEST(ClassColors, StandInTheOrderOfTheClassesAndAreToldApart) {
   }
 }
 
+TEST(ZoneColors, TellClassesAndLayersApart) {
+  for (std::size_t i = 0; i < app::kZones; ++i) {
+    for (std::size_t j = 0; j < i; ++j) EXPECT_GT(glm::distance(app::zoneColor(i), app::zoneColor(j)), 0.2f) << i << j;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto kind = static_cast<TriangleClass>(i);
+    EXPECT_EQ(app::zoneOf(kind, SkinLayer::kSkin), i);
+    EXPECT_EQ(app::zoneColor(app::zoneOf(kind, SkinLayer::kCloth)), app::layerColor(SkinLayer::kCloth).srgb);
+    EXPECT_EQ(app::zoneColor(app::zoneOf(kind, SkinLayer::kRigid)), app::layerColor(SkinLayer::kRigid).srgb);
+    EXPECT_EQ(app::layerColors()[i].layer, static_cast<SkinLayer>(i));
+  }
+}
+
 }  // namespace
 }  // namespace sinew::test

@@ -19,7 +19,7 @@ namespace {
 
 using CharacterPtr = std::shared_ptr<const Character>;
 
-std::vector<CharacterPtr> characters() { return {makeLimb(), makeTwoLegged(), makeStrip(), makeTube()}; }
+std::vector<CharacterPtr> refinedCharacters() { return {makeLimb(), makeTwoLegged(), makeStrip(), makeTube()}; }
 
 /// Barycentric coordinates of a refined vertex in a control triangle, times the depth, rounded; {-1,..} if it is not in
 /// it.
@@ -46,7 +46,7 @@ TEST(Refinement, ClosedMeshesStayClosed) {
 }
 
 TEST(Refinement, CountsAndNumbering) {
-  for (const CharacterPtr& character : characters()) {
+  for (const CharacterPtr& character : refinedCharacters()) {
     const ControlMesh& mesh = character->mesh;
     const int v = static_cast<int>(mesh.positions.size());
     const int e = static_cast<int>(mesh.edges.size());
@@ -73,7 +73,7 @@ TEST(Refinement, CountsAndNumbering) {
 
 // n^2 small triangles, each with 1/n^2 of the parent's area and its orientation, no two the same: they tile it.
 TEST(Refinement, SmallTrianglesTileTheirParent) {
-  for (const CharacterPtr& character : characters()) {
+  for (const CharacterPtr& character : refinedCharacters()) {
     const ControlMesh& mesh = character->mesh;
     for (const int n : {1, 2, 3, 4, 7, 16}) {
       const Refinement refinement = refine(mesh, n);
@@ -98,7 +98,7 @@ TEST(Refinement, SmallTrianglesTileTheirParent) {
 }
 
 TEST(Refinement, DrawnVerticesCarryBarycentricTextureCoordinates) {
-  for (const CharacterPtr& character : characters()) {
+  for (const CharacterPtr& character : refinedCharacters()) {
     const ControlMesh& mesh = character->mesh;
     for (const int n : {1, 2, 3, 5}) {
       const Refinement refinement = refine(mesh, n);
@@ -124,7 +124,7 @@ TEST(Refinement, DrawnVerticesCarryBarycentricTextureCoordinates) {
 
 // Drawn vertices split at seams and nowhere else: never more than one per refined vertex and texture coordinate.
 TEST(Refinement, DrawnVerticesAreNotRepeated) {
-  for (const CharacterPtr& character : characters()) {
+  for (const CharacterPtr& character : refinedCharacters()) {
     for (const int n : {1, 3, 6}) {
       const Refinement refinement = refine(character->mesh, n);
       std::map<int, std::vector<glm::vec2>> seen;
@@ -151,7 +151,7 @@ ControlMesh painted(ControlMesh mesh) {
 }
 
 TEST(Refinement, DrawnVerticesCarryBarycentricColors) {
-  for (const CharacterPtr& character : characters()) {
+  for (const CharacterPtr& character : refinedCharacters()) {
     EXPECT_TRUE(refine(character->mesh, 3).drawColor.empty()) << "no memory for meshes without colors";
     const ControlMesh mesh = painted(character->mesh);
     for (const int n : {1, 2, 3, 5}) {
@@ -180,7 +180,7 @@ TEST(Refinement, DrawnVerticesCarryBarycentricColors) {
 
 // Colors change nothing but the colors: the mesh, its drawn vertices and texture coordinates stay, bit for bit.
 TEST(Refinement, ColorsLeaveTheRestAsItIs) {
-  for (const CharacterPtr& character : characters()) {
+  for (const CharacterPtr& character : refinedCharacters()) {
     const Refinement plain = refine(character->mesh, 4);
     const Refinement colored = refine(painted(character->mesh), 4);
     EXPECT_EQ(colored.triangles, plain.triangles);

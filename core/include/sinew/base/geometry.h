@@ -11,6 +11,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "sinew/base/same_version.h"
+
 namespace sinew {
 
 /// Axis-aligned box. Empty (isEmpty) until the first point is added.

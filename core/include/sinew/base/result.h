@@ -6,6 +6,8 @@
 #include <utility>
 #include <variant>
 
+#include "sinew/base/same_version.h"
+
 namespace sinew {
 
 /// Why untrusted data was refused: which file, where in it, what was expected. Each part may be empty.

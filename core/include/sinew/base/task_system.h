@@ -1,6 +1,8 @@
 // core/include/sinew/base/task_system.h: whose threads do the work.
 #pragma once
 
+#include "sinew/base/same_version.h"
+
 namespace sinew {
 
 /// Does tasks on a game's own threads in place of oneTBB's.

@@ -1,6 +1,8 @@
 // core/include/sinew/base/threads.h: how many threads work on one call.
 #pragma once
 
+#include "sinew/base/same_version.h"
+
 namespace sinew {
 
 /// As long as it lives, calls from this thread work on so many threads at most, itself among them. Without one, on as

@@ -5,8 +5,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "sinew/base/version.h"
+#include "sinew/base/same_version.h"
 
+/* Seen from outside where a shared library is made of the runtime; of the C++ classes nothing is. */
+#pragma GCC visibility push(default)
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -78,10 +80,12 @@ sinew_code sinew_clip_sample(const sinew_character* character, int clip, float s
 sinew_code sinew_pose_from_locals(const sinew_character* character, const float* rotations, const float* translations,
                                   const float* scales, float* bones, size_t floats);
 
-/* How fine a surface is. Start from {0}: as the rig says. At most one of the two. */
+/* How fine a surface is. Start from {0}: as the rig says, the whole body. At most one of depth and tolerance. */
 typedef struct sinew_detail {
-  int depth;       /* 1..16: each triangle of the character becomes depth * depth. 0: not asked. */
-  float tolerance; /* 0.0001..0.01 of the height: adaptive. 0: not asked. */
+  int depth;         /* 1..16: each triangle of the character becomes depth * depth. 0: not asked. */
+  float tolerance;   /* 0.0001..0.01 of the height: adaptive. 0: not asked. */
+  const int* bones;  /* Refined is the skin of these and of all that hang on them. Read by the call alone. */
+  size_t bone_count; /* 0: the whole body. */
 } sinew_detail;
 
 /* A character prepared at one detail, and its last surface. */
@@ -132,5 +136,6 @@ sinew_code sinew_material_indices(const sinew_smoother* smoother, int material, 
 #ifdef __cplusplus
 }
 #endif
+#pragma GCC visibility pop
 
 #endif

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "sinew/base/same_version.h"
+
 namespace sinew {
 
 /// The file says which bone is this part of the body.

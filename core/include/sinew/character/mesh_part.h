@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "sinew/base/same_version.h"
+
 namespace sinew {
 
 /// The triangles of one mesh of the file with one material, each time a node shows it.

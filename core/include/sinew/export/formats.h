@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "sinew/base/same_version.h"
+
 namespace sinew {
 
 /// The forms in which a character's surface can be exported.

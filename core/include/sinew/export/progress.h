@@ -4,6 +4,8 @@
 #include <functional>
 #include <string_view>
 
+#include "sinew/base/same_version.h"
+
 namespace sinew {
 
 /// Called on the exporting thread with the share that is done, 0..1, never falling. False cancels: nothing is written,

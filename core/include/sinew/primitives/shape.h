@@ -8,6 +8,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "sinew/base/same_version.h"
+
 namespace sinew {
 
 inline constexpr float kMostCore = 0.95f;

@@ -1,6 +1,8 @@
 // core/include/sinew/rig/not_compared.h: members that do not count when two documents are compared.
 #pragma once
 
+#include "sinew/base/same_version.h"
+
 namespace sinew {
 
 /// A member that does not count when two documents are compared.

@@ -15,5 +15,6 @@
 #include "sinew/skeleton/local_pose.h"
 #include "sinew/skeleton/pose.h"
 #include "sinew/smoothing/crowd_smoother.h"
+#include "sinew/smoothing/region.h"
 #include "sinew/smoothing/smoother.h"
 #include "sinew/symmetry/mirror_edit.h"

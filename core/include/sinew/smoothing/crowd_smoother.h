@@ -21,7 +21,7 @@ class CrowdSmoother {
   CrowdSmoother& operator=(CrowdSmoother&&) noexcept;
 
   /// As Smoother::prepare.
-  [[nodiscard]] Result<void> prepare(const Rig& rig, std::span<const int> hidden = {});
+  [[nodiscard]] Result<void> prepare(const Rig& rig, std::span<const int> hidden = {}, const Region& region = {});
 
   /// Fills out[i] for poses[i]. prepare() must have succeeded once. Reuses the output's memory. Several threads may
   /// call it at once, each with its own output; none while prepare() runs.

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "sinew/base/same_version.h"
+
 namespace sinew {
 
 /// Counted along projection rays alone; what every projection does the same (F on the skin, normals) is left out.

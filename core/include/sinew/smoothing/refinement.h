@@ -82,6 +82,9 @@ void forEachDrawVertex(const Refinement& refinement, Visit visit) {
   }
 }
 
+/// Every edge and triangle the same.  @param depth 1..kMaxDepth.
+[[nodiscard]] RefinementLevels uniformLevels(const ControlMesh& mesh, int depth);
+
 /// Every edge and triangle n.  @param depth 1..kMaxDepth.
 [[nodiscard]] Refinement refine(const ControlMesh& mesh, int depth);
 

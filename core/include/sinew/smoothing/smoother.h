@@ -9,6 +9,7 @@
 #include "sinew/character/character.h"
 #include "sinew/rig/rig.h"
 #include "sinew/skeleton/pose.h"
+#include "sinew/smoothing/region.h"
 #include "sinew/smoothing/surface.h"
 
 namespace sinew {
@@ -39,7 +40,9 @@ class Smoother {
   /// lacks SSE4; then the former preparation stays in force.
   /// @param hidden  indices into the rig's primitives, ascending, of those that contribute nothing: the surface is, bit
   ///                for bit, that of the rig without them. Showing and hiding re-attach nothing.
-  [[nodiscard]] Result<void> prepare(const Rig& rig, std::span<const int> hidden = {});
+  /// @param region  [T] what is refined as the rig says, with a margin of three triangles; the rest keeps the triangles
+  ///                of the control mesh, which muscles move as well. Empty: the whole body.
+  [[nodiscard]] Result<void> prepare(const Rig& rig, std::span<const int> hidden = {}, const Region& region = {});
 
   /// Fills `out` for a pose of this skeleton. prepare() must have succeeded once. Reuses the output's memory.
   /// False: checkPose (sinew/character/pose_check.h) refuses the pose, and `out` stays as it is.

@@ -1,4 +1,5 @@
-// app/render/thumbnails.h: small pictures of documents as textures, read from the cache when they are first shown.
+// app/render/pictures/thumbnails.h: small pictures of documents as textures, read from the cache when they are first
+// shown.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// app/render/png.cpp: encoding through libspng.
-#include "app/render/png.h"
+// app/render/pictures/png.cpp: encoding through libspng.
+#include "app/render/pictures/png.h"
 
 #include <cassert>
 #include <cstdint>

@@ -1,5 +1,5 @@
-// app/render/thumbnails.cpp: pictures made small, kept, and shown again.
-#include "app/render/thumbnails.h"
+// app/render/pictures/thumbnails.cpp: pictures made small, kept, and shown again.
+#include "app/render/pictures/thumbnails.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include <stb_image.h>
 
 #include "app/document/thumbnail_files.h"
-#include "app/render/png.h"
+#include "app/render/pictures/png.h"
 #include "core/io/files/atomic_file.h"
 
 namespace sinew::app {

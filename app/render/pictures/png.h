@@ -1,4 +1,4 @@
-// app/render/png.h: a picture as the bytes of a .png file.
+// app/render/pictures/png.h: a picture as the bytes of a .png file.
 #pragma once
 
 #include <string>

@@ -1,0 +1,43 @@
+# tests/blender/missing_test.py: without the module the plain glTF opens, and one sentence says why.
+import json
+import pathlib
+import subprocess
+import sys
+
+from tools import ADDON, ASSETS, ROOT, blender, check, main
+
+
+def is_line(text):
+    return bool(text) and "\n" not in text.strip()
+
+
+def test(folder):
+    again = folder / "again.zip"
+    subprocess.run([sys.executable, "-B", ROOT / "blender" / "make_zip.py", again], check=True)
+    check("the same sources give the same zip", again.read_bytes() == pathlib.Path(ADDON).read_bytes())
+    other = folder / "other"
+    (other / "sinew").mkdir(parents=True)
+    (other / "sinew" / "__init__.py").write_text('__version__ = "9.4.1"\n')
+    empty = folder / "empty"
+    empty.mkdir()
+    broken = folder / "broken.rig.json"
+    broken.write_text((ASSETS / "horse.rig.json").read_text().replace('"horse.glb"', '"nowhere.glb"'))
+    for what, path, words in (("no module", empty, "cannot be loaded"), ("another version", other, "is 9.4.1")):
+        printed = blender(folder, "missing_in_blender.py", ASSETS / "horse.rig.json", broken, PYTHONPATH=str(path))
+        found = [json.loads(line[6:]) for line in printed.splitlines() if line.startswith("seen: ")]
+        there = len(found) == 2 and {"Armature", "horse"} <= set(found[0]["objects"])
+        check("%s: the plain character is there" % what, there, found)
+        said = [line for line in printed.splitlines() if line.startswith("Warning: ") and words in line]
+        check("and one sentence says why: " + "".join(said), len(said) == 1 and "The plain glTF was opened" in said[0],
+              printed[-2000:])
+        check("a rig without its character is refused in one line", is_line(found[1]["refused"]), found[1])
+    tried = blender(folder, ROOT / "blender" / "try.py", ASSETS / "horse.rig.json")
+    check("what ./run.sh blender runs opens a rig", "glTF import finished" in tried and "Error" not in tried,
+          tried[-2000:])
+    printed = blender(folder, "missing_in_blender.py", ASSETS / "horse.rig.json", broken)
+    found = [json.loads(line[6:]) for line in printed.splitlines() if line.startswith("seen: ")]
+    check("with the module a rig without its character is refused in one line",
+          "nowhere.glb" in found[1]["refused"] and is_line(found[1]["refused"]), found[1])
+
+
+main(test)
