@@ -145,7 +145,8 @@ bool ClothLift::findBelow(const ClothView& view, const SkinWalls& walls, const S
     float most = 0.0f;
     for (const int i : group) {
       float& gap = at(gap_, i);
-      gap = gap > 0.0f ? std::min(SkinWalls::kWallsApart * (gap + at(raise_, i)), deepest) : deepest;
+      if (!(gap > 0.0f)) continue;  // Below its own wall at least.
+      gap = std::min(SkinWalls::kWallsApart * (gap + at(raise_, i)), deepest);
       most = std::max(most, gap);
       box.add(at(surface.positions, at(binding.cloth, i).vertex));
     }
@@ -153,7 +154,8 @@ bool ClothLift::findBelow(const ClothView& view, const SkinWalls& walls, const S
     const std::span<const int> among = walls.nearTo(box, most, memory);
     for (const int i : group) {
       const glm::vec3& p = at(surface.positions, at(binding.cloth, i).vertex);
-      if (!walls.isBelowAny(p, at(binding.wallsUnder, i), at(gap_, i), among)) at(gap_, i) = kClear;
+      if (at(gap_, i) > 0.0f && !walls.isBelowAny(p, at(binding.wallsUnder, i), at(gap_, i), among))
+        at(gap_, i) = kClear;
     }
   });
   return std::ranges::any_of(gap_, [](float gap) { return gap != kClear; });

@@ -306,7 +306,8 @@ bool SkinWalls::isBelowAny(const glm::vec3& p, const WallsUnder& under, float wi
     for (int i = 0; i < leaf.count; ++i) {
       const glm::vec4& plane = at(own.planes, i);
       // A place is below a wall only if it is behind one of the faces that meet at the wall's nearest point.
-      if (glm::dot(glm::vec3(plane), p) < plane.w && isBelow(leaf.first + i)) return true;
+      const float behind = plane.w - glm::dot(glm::vec3(plane), p);
+      if (behind > 0.0f && behind < within && isBelow(leaf.first + i)) return true;
     }
     return false;
   });
