@@ -45,9 +45,10 @@ def make_rig(t, name, names=None):
 
 
 def only_layers(editor):
-    """The other panels at the right are folded."""
-    for panel in ("inspector", "surface", "smoothing"):
-        editor.click(panel + "/header")
+    """The other panels at the right are folded, as they stay for the next window."""
+    for panel, control in (("surface", "surface/mode"), ("smoothing", "smoothing/detail")):
+        if control in editor.settle()["widgets"]:
+            editor.click(panel + "/header")
     return editor.wait_until("the list of parts", lambda s: any(id.startswith("layers/part/") for id in s["widgets"]))
 
 

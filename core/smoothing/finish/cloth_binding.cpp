@@ -82,6 +82,59 @@ class ClothBinder {
   const MeshLayers& layers_;
 };
 
+/// Finds nearest places on the refined triangles of one layer by going from one triangle to the next.
+class SurfaceWalk {
+ public:
+  /// All must outlive the walk. @param layers [T] of the control triangles.  @param positions [V']
+  SurfaceWalk(const Refinement& refinement, const VertexRings& rings, std::span<const SkinLayer> layers, SkinLayer on,
+              std::span<const glm::vec3> positions)
+      : refinement_(refinement), rings_(rings), layers_(layers), on_(on), positions_(positions) {}
+
+  /// The nearest place that can be reached from a triangle by steps that each come nearer.
+  [[nodiscard]] SurfacePlace nearest(const glm::vec3& p, int start) const;
+
+ private:
+  [[nodiscard]] bool isOn(int triangle) const;
+
+  const Refinement& refinement_;
+  const VertexRings& rings_;
+  std::span<const SkinLayer> layers_;
+  SkinLayer on_;
+  std::span<const glm::vec3> positions_;
+};
+
+bool SurfaceWalk::isOn(int triangle) const { return at(layers_, at(refinement_.controlOf, triangle)) == on_; }
+
+SurfacePlace SurfaceWalk::nearest(const glm::vec3& p, int start) const {
+  const auto cornersOf = [&](int triangle) {
+    const std::array<int, 3>& t = at(refinement_.triangles, triangle);
+    return TriangleCorners{at(positions_, t[0]), at(positions_, t[1]), at(positions_, t[2])};
+  };
+  SurfacePlace best{start, {}};
+  const TriangleCorners first = cornersOf(start);
+  best.shares = nearestOnTriangle(p, first);
+  float least = squaredLength(p - mixed(first, best.shares));
+  for (int step = 0; step < kMostWalkSteps; ++step) {
+    const SurfacePlace here = best;
+    if (here.shares.x > 0.0f && here.shares.y > 0.0f && here.shares.z > 0.0f) break;
+    for (int c = 0; c < 3; ++c) {
+      if (!(here.shares[c] > 0.0f)) continue;
+      for (const int corner : rings_.cornersOf(at(at(refinement_.triangles, here.triangle), c))) {
+        const int triangle = corner / 3;
+        if (triangle == here.triangle || !isOn(triangle)) continue;
+        const TriangleCorners corners = cornersOf(triangle);
+        const glm::vec3 shares = nearestOnTriangle(p, corners);
+        const float distance = squaredLength(p - mixed(corners, shares));
+        if (!(distance < least)) continue;
+        least = distance;
+        best = {triangle, shares};
+      }
+    }
+    if (best.triangle == here.triangle) break;
+  }
+  return best;
+}
+
 /// Refined triangles of skin with cloth near them.
 std::vector<int> skinNearCloth(const ControlMesh& mesh, const Refinement& refinement, const MeshLayers& layers) {
   std::vector<bool> isUnder(mesh.triangles.size());
@@ -132,38 +185,6 @@ void findWalls(const ControlMesh& mesh, const Refinement& refinement, const Vert
 
 }  // namespace
 
-bool SurfaceWalk::isOn(int triangle) const { return at(layers_, at(refinement_.controlOf, triangle)) == on_; }
-
-SurfacePlace SurfaceWalk::nearest(const glm::vec3& p, int start) const {
-  const auto cornersOf = [&](int triangle) {
-    const std::array<int, 3>& t = at(refinement_.triangles, triangle);
-    return TriangleCorners{at(positions_, t[0]), at(positions_, t[1]), at(positions_, t[2])};
-  };
-  SurfacePlace best{start, {}};
-  const TriangleCorners first = cornersOf(start);
-  best.shares = nearestOnTriangle(p, first);
-  float least = squaredLength(p - mixed(first, best.shares));
-  for (int step = 0; step < kMostWalkSteps; ++step) {
-    const SurfacePlace here = best;
-    if (here.shares.x > 0.0f && here.shares.y > 0.0f && here.shares.z > 0.0f) break;
-    for (int c = 0; c < 3; ++c) {
-      if (!(here.shares[c] > 0.0f)) continue;
-      for (const int corner : rings_.cornersOf(at(at(refinement_.triangles, here.triangle), c))) {
-        const int triangle = corner / 3;
-        if (triangle == here.triangle || !isOn(triangle)) continue;
-        const TriangleCorners corners = cornersOf(triangle);
-        const glm::vec3 shares = nearestOnTriangle(p, corners);
-        const float distance = squaredLength(p - mixed(corners, shares));
-        if (!(distance < least)) continue;
-        least = distance;
-        best = {triangle, shares};
-      }
-    }
-    if (best.triangle == here.triangle) break;
-  }
-  return best;
-}
-
 ClothBinding bindCloth(const ControlMesh& mesh, const Refinement& refinement, const VertexRings& rings,
                        const MeshLayers& layers, std::span<const glm::vec3> positions,
                        std::span<const glm::vec3> normals, float height) {
@@ -177,20 +198,19 @@ ClothBinding bindCloth(const ControlMesh& mesh, const Refinement& refinement, co
     const SurfaceWalk walk(refinement, rings, triangleLayers(refinement, layers), to, positions);
     forEachIndex(bound.size(), 256, [&](std::size_t i) {
       BoundVertex& one = bound[i];
-      const SurfacePlace place = walk.nearest(at(positions, one.vertex), one.start);
-      one.start = place.triangle;
-      one.share = shareOf(one.vertex, placeOf(place) - at(positions, one.vertex));
+      one.place = walk.nearest(at(positions, one.vertex), one.place.triangle);
+      one.share = shareOf(one.vertex, placeOf(one.place) - at(positions, one.vertex));
     });
     std::erase_if(bound, [](const BoundVertex& one) { return one.share == 0.0f; });
   };
   binder.forEach(SkinLayer::kCloth, [&](int v, const CarrierCorners& of) {
-    if (const int start = binder.startOf(of, layers.skinUnder); start >= 0) out.cloth.push_back({v, start, 1.0f});
+    if (const int start = binder.startOf(of, layers.skinUnder); start >= 0) out.cloth.push_back({v, {start, {}}, 1.0f});
   });
   walkAll(out.cloth, SkinLayer::kSkin, [&](int, const glm::vec3& way) {
     return 1.0f - smoothstep(kClothWholeWithin, kClothReach, glm::length(way) / height);
   });
   binder.forEach(SkinLayer::kSkin, [&](int v, const CarrierCorners& of) {
-    if (const int start = binder.startOf(of, layers.clothOver); start >= 0) out.under.push_back({v, start, 1.0f});
+    if (const int start = binder.startOf(of, layers.clothOver); start >= 0) out.under.push_back({v, {start, {}}, 1.0f});
   });
   walkAll(out.under, SkinLayer::kCloth, [&](int v, const glm::vec3& way) {
     const float length = glm::length(way);

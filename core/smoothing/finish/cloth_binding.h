@@ -18,30 +18,10 @@ struct SurfacePlace {
   glm::vec3 shares{0.0f};  ///< Barycentric.
 };
 
-/// Finds nearest places on the refined triangles of one layer by going from one triangle to the next.
-class SurfaceWalk {
- public:
-  /// All must outlive the walk. @param layers [T] of the control triangles.  @param positions [V']
-  SurfaceWalk(const Refinement& refinement, const VertexRings& rings, std::span<const SkinLayer> layers, SkinLayer on,
-              std::span<const glm::vec3> positions)
-      : refinement_(refinement), rings_(rings), layers_(layers), on_(on), positions_(positions) {}
-
-  /// The nearest place that can be reached from a triangle by steps that each come nearer.
-  [[nodiscard]] SurfacePlace nearest(const glm::vec3& p, int start) const;
-
- private:
-  [[nodiscard]] bool isOn(int triangle) const;
-
-  const Refinement& refinement_;
-  const VertexRings& rings_;
-  std::span<const SkinLayer> layers_;
-  SkinLayer on_;
-  std::span<const glm::vec3> positions_;
-};
-
 struct BoundVertex {
   int vertex = 0;      ///< Refined.
-  int start = 0;       ///< Refined triangle of the other layer, nearest in the bind pose: where walks begin.
+  SurfacePlace place;  ///< Of the other layer, nearest in the bind pose. It stays the same in all poses: the nearest of
+                       ///< a pose leaps from one wall of a fold to the other.
   float share = 1.0f;  ///< Of cloth: how much of the skin's height it takes; less where it hangs far off the skin.
 };
 

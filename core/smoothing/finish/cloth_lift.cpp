@@ -1,4 +1,5 @@
-// core/smoothing/finish/cloth_lift.cpp: feet found by walks, then room for what lies between the vertices.
+// core/smoothing/finish/cloth_lift.cpp: cloth follows its feet, makes room for skin between its vertices, and comes
+// out of the other walls of folds.
 #include "core/smoothing/finish/cloth_lift.h"
 
 #include <algorithm>
@@ -20,6 +21,8 @@ constexpr float kClothOverFrom = 0.2f;   ///< Cosine between the skin's normal a
 constexpr float kClothOverWhole = 0.5f;  ///< more is over it.
 constexpr float kClothDeepest = 0.05f;   ///< Fraction of H: deeper than this cloth is not looked for.
 constexpr float kClear = -1.0f;          ///< In place of a gap: below no skin.
+constexpr float kClearMotion = 2e-4f;    ///< Fraction of H that a wall or the cloth has moved, from which walls count.
+constexpr float kClearBeyond = 0.25f;    ///< Of its depth, how far above a wall a vertex comes to be.
 constexpr int kClearRounds = 12;         ///< The way out of one wall may lead into the next.
 constexpr float kLeastRaiseCosine = 0.5f;  ///< A raise along another direction grows by no more than this says.
 
@@ -39,10 +42,9 @@ struct ClothMove {
   float more = 0.0f;   ///< Along the normal.
 };
 
-/// How deep a place is below a wall, as far as that wall is the nearest or nearly so.
-float depthBelow(const Walls& walls, float wholeUpTo, float noneFrom) {
-  if (walls.triangle < 0) return 0.0f;
-  return walls.below * (1.0f - smoothstep(wholeUpTo, noneFrom, walls.below / walls.above));
+/// How much the skin that a place is below counts: wholly where it is the nearest by far.
+float weightOf(const Walls& walls, float wholeUpTo, float noneFrom) {
+  return walls.triangle < 0 ? 0.0f : 1.0f - smoothstep(wholeUpTo, noneFrom, walls.below / walls.above);
 }
 
 ClothMove clothMove(float share, float gap, float height, float way, float least) {
@@ -71,14 +73,12 @@ bool ClothLift::apply(const ClothView& view, Surface& surface) {
 
 void ClothLift::follow(const ClothView& view, Surface& surface) {
   const Refinement& refinement = *surface.refinement;
-  const SurfaceWalk walk(refinement, view.rings, triangleLayers(refinement, view.layers), SkinLayer::kSkin,
-                         view.patchPositions);
   const float least = kLeastGap * view.height;
   forEachIndex(view.binding.cloth.size(), kClothBlock, [&](std::size_t i) {
     const BoundVertex& one = view.binding.cloth[i];
     const auto v = toIndex(one.vertex);
     const glm::vec3 p = view.patchPositions[v];
-    const SurfacePlace foot = walk.nearest(p, one.start);
+    const SurfacePlace& foot = one.place;
     const glm::vec3 n0 = mixed(refinedCorners(refinement, foot.triangle, view.patchNormals), foot.shares);
     up_[i] = normalizeOr(n0, view.patchNormals[v]);
     const glm::vec3 from = mixed(refinedCorners(refinement, foot.triangle, view.patchPositions), foot.shares);
@@ -97,8 +97,6 @@ void ClothLift::follow(const ClothView& view, Surface& surface) {
 
 void ClothLift::makeRoom(const ClothView& view, Surface& surface) {
   const Refinement& refinement = *surface.refinement;
-  const SurfaceWalk walk(refinement, view.rings, triangleLayers(refinement, view.layers), SkinLayer::kCloth,
-                         view.patchPositions);
   const float least = kLeastGap * view.height;
   forEachIndex(view.binding.under.size(), kClothBlock, [&](std::size_t i) {
     const BoundVertex& one = view.binding.under[i];
@@ -106,7 +104,7 @@ void ClothLift::makeRoom(const ClothView& view, Surface& surface) {
     const glm::vec3& now = at(surface.positions, one.vertex);
     lack_[i] = 0.0f;
     if (now == p) return;
-    const SurfacePlace over = walk.nearest(p, one.start);
+    const SurfacePlace& over = one.place;
     const glm::vec3& n = at(view.patchNormals, one.vertex);
     const glm::vec3 way = mixed(refinedCorners(refinement, over.triangle, view.patchPositions), over.shares) - p;
     const float before = glm::dot(way, n);
@@ -176,17 +174,25 @@ void ClothLift::clearWalls(const ClothView& view, Surface& surface) {
     if (gap_[i] == kClear) return;
     const auto v = toIndex(binding.cloth[i].vertex);
     const glm::vec3 followed = surface.positions[v];
-    const float allowed = depthBelow(before.around(view.patchPositions[v], binding.wallsUnder[i], deepest),
-                                     1.0f / SkinWalls::kWallsApart, 1.0f);
+    const Walls onPatch = before.around(view.patchPositions[v], binding.wallsUnder[i], deepest);
+    const float allowed = onPatch.depth * weightOf(onPatch, 1.0f / SkinWalls::kWallsApart, 1.0f);
+    // The way is found as if each wall counted wholly; then each step counts as much as its wall and all before it.
+    glm::vec3 way(0.0f);
+    float weight = 1.0f;
     for (int round = 0; round < kClearRounds; ++round) {
-      const Walls now = walls.around(surface.positions[v], binding.wallsUnder[i], deepest);
-      const float excess = depthBelow(now, 1.0f, SkinWalls::kWallsApart) - allowed;
-      if (!(excess > 0.0f)) break;
+      const glm::vec3 p = followed + way;
+      const Walls now = walls.around(p, binding.wallsUnder[i], deepest);
+      const float excess = now.depth - allowed;
+      const float counts = weightOf(now, 1.0f, SkinWalls::kWallsApart);
+      if (!(excess > 0.0f) || !(counts > 0.0f)) break;
       const glm::vec3 place = mixed(refinedCorners(refinement, now.triangle, surface.positions), now.shares);
       const glm::vec3 still = mixed(refinedCorners(refinement, now.triangle, view.patchPositions), now.shares);
       const float motion = std::max(glm::distance(place, still), glm::distance(followed, view.patchPositions[v]));
-      const glm::vec3 out = normalizeOr(place - surface.positions[v], now.normal);
-      surface.positions[v] += smoothstep(0.0f, least, motion) * (excess + std::min(excess, least)) * out;
+      weight *= counts * smoothstep(0.0f, kClearMotion * view.height, motion);
+      const float length = excess + std::min(kClearBeyond * excess, least);
+      const glm::vec3 step = length * normalizeOr(place - p, now.normal);
+      way += step;
+      surface.positions[v] += weight * step;
     }
     surface.displacement[v] += glm::dot(surface.positions[v] - followed, up_[i]);
   });

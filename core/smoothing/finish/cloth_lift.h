@@ -19,11 +19,11 @@ struct ClothView {
   float height = 1.0f;                        ///< H
 };
 
-/// Moves cloth, on a surface whose skin is done: a vertex goes as its foot does, the nearest point of the skin's patch
-/// in this pose, so that it keeps its gap along the skin's normal; where the skin has moved, the gap is at least 0.1 %
-/// of H, unless the file has the cloth below the skin. Then corners of cloth make room for vertices of skin that would
-/// come through between them. What is far off the skin moves less, as far as that leaves the gap. At last, vertices
-/// that are below another wall of a fold than their own are moved out of it.
+/// Moves cloth, on a surface whose skin is done: a vertex goes as its foot does, the point of the skin's patch that is
+/// nearest in the bind pose, so that it keeps its gap along the skin's normal; where the skin has moved, the gap is at
+/// least 0.1 % of H, unless the file has the cloth below the skin. Then corners of cloth make room for vertices of skin
+/// that would come through between them. What is far off the skin moves less, as far as that leaves the gap. At last,
+/// vertices that are below another wall of a fold than their own are moved out of it.
 class ClothLift {
  public:
   /// Positions, normals and displacement of cloth. @return false: nothing has moved

@@ -10,12 +10,13 @@
 
 #include "core/base/at.h"
 #include "core/base/parallel.h"
+#include "core/base/smoothstep.h"
 
 namespace sinew {
 namespace {
 
-constexpr std::size_t kFewInWallLeaf = 6;
 constexpr std::size_t kMostWallDepth = 64;
+constexpr float kWallSeenWhole = 0.05f;  ///< Cosine to a wall's normal from which it counts as it is.
 
 TriangleCorners wallCorners(const Refinement& refinement, int triangle, std::span<const glm::vec3> positions) {
   const std::array<int, 3>& t = at(refinement.triangles, triangle);
@@ -24,6 +25,13 @@ TriangleCorners wallCorners(const Refinement& refinement, int triangle, std::spa
 
 glm::vec3 faceOf(const TriangleCorners& c) {
   return normalizeOr(glm::cross(c[1] - c[0], c[2] - c[0]), glm::vec3(0.0f));
+}
+
+/// How far skin is that a place is below: it comes from infinity where it is seen from the side.
+/// @param along  the way to the place along the skin's normal, below 0
+float asSeen(float distance, float along) {
+  const float share = smoothstep(0.0f, kWallSeenWhole, -along / distance);
+  return share > 0.0f ? distance / share : std::numeric_limits<float>::infinity();
 }
 
 /// Squared.
@@ -49,7 +57,7 @@ class WallSplitter {
     // Nodes that are added come last, so that all are met.
     for (std::size_t n = 0; n < tree_.nodes.size(); ++n) {
       const WallTree::Node node = tree_.nodes[n];
-      if (toIndex(node.count) <= kFewInWallLeaf) continue;
+      if (node.count <= kMostInWallLeaf) continue;
       const int half = divide(node);
       tree_.nodes[n] = {static_cast<int>(tree_.nodes.size()), 0};
       tree_.nodes.push_back({node.first, half - node.first});
@@ -120,23 +128,34 @@ SkinWalls::SkinWalls(const WallTree& tree, const Refinement& refinement, const V
 }
 
 void SkinWalls::fitLeaf(const WallTree::Node& leaf, WallNode& out) const {
-  std::array<glm::vec3, kFewInWallLeaf> faces{};
   out = {};
   for (int i = 0; i < leaf.count; ++i) {
     const TriangleCorners c = cornersOf(at(tree_.triangles, leaf.first + i));
     for (const glm::vec3& corner : c) out.box.add(corner);
-    out.axis += at(faces, i) = faceOf(c);
+    const glm::vec3 face = faceOf(c);
+    out.axis += face;
+    at(out.planes, i) = glm::vec4(face, glm::dot(face, c[0]));
   }
   out.axis = normalizeOr(out.axis, glm::vec3(0.0f));
-  const glm::vec3 center = out.box.center();
+  out.center = out.box.center();
+  out.radius = 0.5f * glm::length(out.box.extent());
   out.cosine = 1.0f;
   out.most = -std::numeric_limits<float>::infinity();
   for (int i = 0; i < leaf.count; ++i) {
-    const glm::vec3& face = at(faces, i);
-    const int corner = at(refinement_.triangles, at(tree_.triangles, leaf.first + i))[0];
+    const glm::vec3 face(at(out.planes, i));
     out.cosine = std::min(out.cosine, glm::dot(face, out.axis));
-    out.most = std::max(out.most, glm::dot(face, at(positions_, corner) - center));
+    out.most = std::max(out.most, at(out.planes, i).w - glm::dot(face, out.center));
   }
+  out.sine = std::sqrt(std::max(1.0f - out.cosine * out.cosine, 0.0f));
+}
+
+bool WallNode::mayBeBehind(const glm::vec3& p, float within) const {
+  const glm::vec3 way = p - center;
+  const float squared = glm::dot(way, way);
+  if (squared > (within + radius) * (within + radius)) return false;
+  const float along = glm::dot(way, axis);
+  const float across = std::sqrt(std::max(squared - along * along, 0.0f));
+  return cosine <= 0.0f || cosine * along - sine * across <= most;
 }
 
 TriangleCorners SkinWalls::cornersOf(int triangle) const { return wallCorners(refinement_, triangle, positions_); }
@@ -194,7 +213,6 @@ void SkinWalls::look(int place, const glm::vec3& p, const WallsUnder& under, Wal
   if (!isUnder(place, under)) return;
   const int triangle = at(tree_.triangles, place);
   const TriangleCorners c = cornersOf(triangle);
-  // A place is below a wall only if it is behind one of the faces that meet at the wall's nearest point.
   const bool isBehind = glm::dot(glm::cross(c[1] - c[0], c[2] - c[0]), p - c[0]) < 0.0f;
   const glm::vec3 shares = nearestOnTriangle(p, c);
   const glm::vec3 way = p - mixed(c, shares);
@@ -203,18 +221,20 @@ void SkinWalls::look(int place, const glm::vec3& p, const WallsUnder& under, Wal
   if (!(squared < most * most)) return;
   const float distance = std::sqrt(squared);
   const glm::vec3 normal = normalAt(triangle, shares);
-  if (glm::dot(way, normal) >= 0.0f) out.above = std::min(out.above, distance);
-  else if (distance < out.below) {
-    out.below = distance;
-    out.triangle = triangle;
-    out.shares = shares;
-    out.normal = normal;
+  const float along = glm::dot(way, normal);
+  if (along >= 0.0f) {
+    out.above = std::min(out.above, distance);
+    within = std::min(within, kWallsApart * distance);
+    return;
   }
-  within = std::min(within, kWallsApart * distance);
+  const float seen = asSeen(distance, along);
+  if (!(seen < out.below)) return;
+  out = {out.above, seen, distance, triangle, shares, normal};
+  within = std::min(within, kWallsApart * seen);
 }
 
-template <class Pass, class Visit>
-void SkinWalls::forEachNear(int root, const glm::vec3& p, float& within, Pass pass, Visit visit) const {
+template <class Visit>
+void SkinWalls::forEachNear(int root, const glm::vec3& p, float& within, Visit visit) const {
   std::array<int, kMostWallDepth> open{};
   std::size_t count = 0;
   if (!tree_.nodes.empty()) open[count++] = root;
@@ -229,15 +249,13 @@ void SkinWalls::forEachNear(int root, const glm::vec3& p, float& within, Pass pa
       open[count++] = leftFirst ? node.first : node.first + 1;
       continue;
     }
-    if (!pass(at(nodes_, n))) continue;
     for (int i = node.first; i < node.first + node.count; ++i) visit(i);
   }
 }
 
 Walls SkinWalls::around(const glm::vec3& p, const WallsUnder& under, float within) const {
   Walls out;
-  forEachNear(
-      0, p, within, [](const WallNode&) { return true; }, [&](int place) { look(place, p, under, out, within); });
+  forEachNear(0, p, within, [&](int place) { look(place, p, under, out, within); });
   return out;
 }
 
@@ -264,43 +282,46 @@ std::span<const int> SkinWalls::nearTo(const Bounds& box, float within, NearNode
 
 bool SkinWalls::isBelowAny(const glm::vec3& p, const WallsUnder& under, float within,
                            std::span<const int> among) const {
-  bool found = false;
-  const auto mayBeBehind = [&](const WallNode& leaf) {
-    const glm::vec3 way = p - leaf.box.center();
-    const float along = glm::dot(way, leaf.axis);
-    const float sine = std::sqrt(std::max(1.0f - leaf.cosine * leaf.cosine, 0.0f));
-    const float across = std::sqrt(std::max(glm::dot(way, way) - along * along, 0.0f));
-    return leaf.cosine <= 0.0f || leaf.cosine * along - sine * across <= leaf.most;
-  };
-  const auto visit = [&](int place) {
+  const auto isBelow = [&](int place) {
     const int triangle = at(tree_.triangles, place);
+    if (!isUnder(place, under)) return false;
     const TriangleCorners c = cornersOf(triangle);
-    if (!(glm::dot(glm::cross(c[1] - c[0], c[2] - c[0]), p - c[0]) < 0.0f) || !isUnder(place, under)) return;
     const glm::vec3 shares = nearestOnTriangle(p, c);
     const glm::vec3 way = p - mixed(c, shares);
-    if (!(glm::dot(way, way) < within * within) || !(glm::dot(way, normalAt(triangle, shares)) < 0.0f)) return;
-    found = true;
-    within = 0.0f;
+    const float squared = glm::dot(way, way);
+    if (!(squared < within * within)) return false;
+    const float along = glm::dot(way, normalAt(triangle, shares));
+    return along < 0.0f && asSeen(std::sqrt(squared), along) < within;
   };
-  for (const int root : among) {
-    forEachNear(root, p, within, mayBeBehind, visit);
-    if (found) break;
-  }
-  return found;
+  return std::ranges::any_of(among, [&](int n) {
+    // Where the tree had to be cut short, leaves are looked for below.
+    if (at(tree_.nodes, n).count == 0) {
+      bool found = false;
+      forEachNear(n, p, within, [&](int place) { found = found || isBelow(place); });
+      return found;
+    }
+    const WallNode& own = at(nodes_, n);
+    if (!own.mayBeBehind(p, within)) return false;
+    const WallTree::Node& leaf = at(tree_.nodes, n);
+    for (int i = 0; i < leaf.count; ++i) {
+      const glm::vec4& plane = at(own.planes, i);
+      // A place is below a wall only if it is behind one of the faces that meet at the wall's nearest point.
+      if (glm::dot(glm::vec3(plane), p) < plane.w && isBelow(leaf.first + i)) return true;
+    }
+    return false;
+  });
 }
 
 int SkinWalls::nearest(const glm::vec3& p, float within) const {
   int triangle = -1;
-  forEachNear(
-      0, p, within, [](const WallNode&) { return true; },
-      [&](int place) {
-        const TriangleCorners c = cornersOf(at(tree_.triangles, place));
-        const float distance = glm::distance(p, mixed(c, nearestOnTriangle(p, c)));
-        const int here = at(tree_.triangles, place);
-        if (distance > within || (distance == within && triangle >= 0 && triangle < here)) return;
-        within = distance;
-        triangle = here;
-      });
+  forEachNear(0, p, within, [&](int place) {
+    const TriangleCorners c = cornersOf(at(tree_.triangles, place));
+    const float distance = glm::distance(p, mixed(c, nearestOnTriangle(p, c)));
+    const int here = at(tree_.triangles, place);
+    if (distance > within || (distance == within && triangle >= 0 && triangle < here)) return;
+    within = distance;
+    triangle = here;
+  });
   return triangle;
 }
 

@@ -40,18 +40,29 @@ struct WallsUnder {
 /// The skin around a place.
 struct Walls {
   float above = std::numeric_limits<float>::infinity();  ///< Distance of the nearest that it is above,
-  float below = std::numeric_limits<float>::infinity();  ///< and of the nearest that it is below.
-  int triangle = -1;                                     ///< Of the latter,
+  float below = std::numeric_limits<float>::infinity();  ///< and of the nearest that it is below: more where that is
+                                                         ///< seen aslant, so that none comes or goes at once.
+  float depth = 0.0f;                                    ///< Distance of the latter,
+  int triangle = -1;                                     ///< where it is,
   glm::vec3 shares{0.0f};                                ///< barycentric,
   glm::vec3 normal{0.0f};                                ///< and its unit normal there.
 };
 
-/// What holds for all triangles of a node: none has a place in front of its plane behind its own.
+inline constexpr int kMostInWallLeaf = 6;
+
+/// Where the triangles of a node are, and for a leaf which places are in front of them all.
 struct WallNode {
   Bounds box;
-  glm::vec3 axis{0.0f};  ///< Of a leaf: the mean of its faces' normals,
-  float cosine = -1.0f;  ///< and the least cosine to it.
-  float most = 0.0f;     ///< The farthest that a face lies out from the box's center, along its own normal.
+  glm::vec3 center{0.0f};  ///< Of a leaf: of its box,
+  float radius = 0.0f;     ///< around which its triangles are,
+  glm::vec3 axis{0.0f};    ///< the mean of its faces' normals,
+  float cosine = -1.0f;    ///< the least cosine to it,
+  float sine = 0.0f;       ///< the sine that belongs to that,
+  float most = 0.0f;       ///< the farthest that a face lies out from the center, along its own normal,
+  std::array<glm::vec4, kMostInWallLeaf> planes{};  ///< and their unit normals and how far along these they lie.
+
+  /// Whether a place may be behind the plane of any triangle of this leaf that is nearer than `within`.
+  [[nodiscard]] bool mayBeBehind(const glm::vec3& p, float within) const;
 };
 
 /// The skin of one pose. All must outlive it.
@@ -76,7 +87,7 @@ class SkinWalls {
   /// The triangle nearest to a place, whatever faces where; -1: none within the distance.
   [[nodiscard]] int nearest(const glm::vec3& p, float within) const;
 
-  static constexpr float kWallsApart = 1.25f;
+  static constexpr float kWallsApart = 1.03f;
 
  private:
   [[nodiscard]] TriangleCorners cornersOf(int triangle) const;
@@ -86,10 +97,10 @@ class SkinWalls {
   [[nodiscard]] glm::vec3 normalAt(int triangle, const glm::vec3& shares) const;
   [[nodiscard]] glm::vec3 normalAtVertex(int vertex) const;
   [[nodiscard]] glm::vec3 normalAtEdge(int from, int to) const;
-  /// Calls visit(place in the tree) for triangles of leaves that pass(leaf) and whose boxes are nearer than `within`,
-  /// which visit may lessen. @param root  node whose triangles are looked at
-  template <class Pass, class Visit>
-  void forEachNear(int root, const glm::vec3& p, float& within, Pass pass, Visit visit) const;
+  /// Calls visit(place in the tree) for triangles of leaves whose boxes are nearer than `within`, which visit may
+  /// lessen. @param root  node whose triangles are looked at
+  template <class Visit>
+  void forEachNear(int root, const glm::vec3& p, float& within, Visit visit) const;
   void look(int place, const glm::vec3& p, const WallsUnder& under, Walls& out, float& within) const;
 
   const WallTree& tree_;
