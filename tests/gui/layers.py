@@ -118,7 +118,7 @@ def any_window(t):
         state = editor.wait_until("a step", lambda s: s["document"]["undo"] == 1)
         editor.point_at(lambda: editor.widget("layers/part/" + NAMES["hair"], 0.3))
         state = editor.settle()
-        seen(t, editor, "layers_%dx%d_%g.png" % (width, height, scale))
+        editor.screenshot(t.out / ("layers_%dx%d_%g.png" % (width, height, scale)))
         outside = [id for id, box in state["widgets"].items() if id.startswith("layers/") and box[0] + box[2] > width + 1]
         t.check("nothing is cut off at %d x %d, scale %g" % (width, height, scale), not outside, outside)
         editor.kill()
