@@ -9,6 +9,7 @@ out vec3 world;
 out vec3 shapeNormal;
 out vec2 mapAt;
 out float vertexAlpha;
+invariant gl_Position;  // As in surface.vert: what is drawn over the surface lies at its depth.
 
 void main() {
   world = position;

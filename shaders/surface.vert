@@ -36,6 +36,8 @@ float nearerDepth() {
 }
 #endif
 
+invariant gl_Position;  // As in depth.vert.
+
 void main() {
   vertex.world = position;
   vertex.normal = normal;

@@ -69,8 +69,8 @@ void tellIgnored(EditorState& state) {
     addMessage(state.session, MessageKind::kWarning, "Its clips are left out: " + missing.plainText());
   }
   if (!gone.empty()) showClipList(state);
-  for (const std::string& note : notesOf(files)) {
-    addMessage(state.session, MessageKind::kNote, note);
+  for (const std::string& note : notesOf(files)) {  // The list of clip files has them too.
+    addQuietly(state.session, MessageKind::kNote, note);
   }
   for (const Error& missing : missingBones(state.document.rig(), state.character().skeleton)) {
     addMessage(state.session, MessageKind::kNote, missing.plainText() + "; it is kept, but has no effect");

@@ -90,15 +90,21 @@ void drawPages(PanelUi& ui) {
 struct Submenu {
   std::string_view begin;  ///< How their ids begin; without the last letter, the submenu's.
   const char* title;
+  std::string_view further = "";  ///< Other ids, each between spaces.
 };
-constexpr Submenu kSubmenus[] = {{"file/export-", "Export"},
-                                 {"edit/shape-", "Add shape on bone"},
-                                 {"view/light-", "Light"},
-                                 {"view/background-", "Background"}};
+constexpr Submenu kSubmenus[] = {
+    {"file/export-", "Export"},
+    {"edit/shape-", "Add shape on bone"},
+    {"view/light-", "Light"},
+    {"view/background-", "Background"},
+    {"view/look-", "Look from", " view/front view/back view/left view/right view/top view/bottom "}};
 
 const Submenu* submenuOf(const Action& item) {
-  const auto* const found = std::ranges::find_if(
-      kSubmenus, [&](const Submenu& each) { return std::string_view(item.id).starts_with(each.begin); });
+  const std::string_view id = item.id;
+  const std::string whole = ' ' + std::string(id) + ' ';
+  const auto* const found = std::ranges::find_if(kSubmenus, [&](const Submenu& each) {
+    return id.starts_with(each.begin) || each.further.find(whole) != std::string_view::npos;
+  });
   return found == std::end(kSubmenus) ? nullptr : found;
 }
 

@@ -8,7 +8,7 @@ namespace {
 // Opacity of the tint of a part.
 constexpr float kHoveredPart = 0.52f;
 constexpr float kChosenPart = 0.40f;
-constexpr float kHiddenPart = 0.70f;  ///< Share of these where nothing is seen of it.
+constexpr float kHiddenPart = 0.85f;  ///< Share of these where nothing is seen of it.
 
 }  // namespace
 
@@ -60,9 +60,6 @@ void SurfaceDrawer::drawLitParts(const Frame& frame) const {
   glDepthMask(GL_FALSE);
   glEnable(GL_CULL_FACE);
   glCullFace(GL_BACK);
-  // The surface lies at this depth already, as another program has computed it.
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(-1.0f, -1.0f);
   for (const LitPart& lit : frame.scene.litParts) {
     const float strength = lit.hovered ? kHoveredPart : kChosenPart;
     glDepthFunc(GL_LEQUAL);
@@ -74,7 +71,6 @@ void SurfaceDrawer::drawLitParts(const Frame& frame) const {
     drawPart(frame, lit, strength * kHiddenPart);
     glEndConditionalRender();
   }
-  glDisable(GL_POLYGON_OFFSET_FILL);
   glDepthFunc(GL_LESS);
   glDisable(GL_CULL_FACE);
   glDepthMask(GL_TRUE);

@@ -175,14 +175,17 @@ bool BodyMap::isOnRight(Zone zone, const glm::vec3& inBind) const {
   return glm::dot(inBind - mirrored(from_.plan, inBind), from_.frame.slots.left) < 0.0f;
 }
 
-/// Towards the axis until the skin goes round it.
-bool BodyMap::pullIn(BodyMove& move, const glm::vec3& point) const {
-  if (to_.flesh.isInside(move.point) || !from_.flesh.isInside(point)) return true;
+/// Towards the axis until the skin goes round it, and where twins lie round its image: no mesh is quite symmetric.
+bool BodyMap::pullIn(BodyMove& move, const glm::vec3& point, bool onBothSides) const {
+  const auto isInside = [&](const glm::vec3& place) {
+    return to_.flesh.isInside(place) && (!onBothSides || to_.flesh.isInside(mirrored(to_.plan, place)));
+  };
+  if (isInside(move.point) || !from_.flesh.isInside(point)) return true;
   const auto towardsAxis = [&](float share) { return glm::mix(move.axis, move.point, share); };
   for (int step = kPulls - 1; step >= 0; --step) {
     const float share = static_cast<float>(step) / kPulls;
-    if (!to_.flesh.isInside(towardsAxis(share))) continue;
-    const bool deeper = to_.flesh.isInside(towardsAxis(kUnderSkin * share));
+    if (!isInside(towardsAxis(share))) continue;
+    const bool deeper = isInside(towardsAxis(kUnderSkin * share));
     move.point = towardsAxis(deeper ? kUnderSkin * share : share);
     move.isPulled = true;
     return true;
@@ -197,7 +200,7 @@ std::optional<BodyMove> BodyMap::moved(int bone, const glm::vec3& inBind, bool i
   const bool onRight = measured && isOnRight(zone, inBind);
   const glm::vec3 point = onRight ? mirrored(from_.plan, inBind) : inBind;
   BodyMove move = measured ? alongPart(slotOf(zone).slot, point) : besideBone(bone, point);
-  if (into && !pullIn(move, point)) return std::nullopt;
+  if (into && !pullIn(move, point, measured)) return std::nullopt;
   if (!onRight) return move;
   move.point = mirrored(to_.plan, move.point);
   move.axis = mirrored(to_.plan, move.axis);

@@ -67,7 +67,7 @@ class BodyMap {
   [[nodiscard]] bool isMeasured(Zone zone) const;
   [[nodiscard]] bool isOnRight(Zone zone, const glm::vec3& inBind) const;
   [[nodiscard]] std::optional<BodyMove> moved(int bone, const glm::vec3& inBind, bool into) const;
-  [[nodiscard]] bool pullIn(BodyMove& move, const glm::vec3& point) const;
+  [[nodiscard]] bool pullIn(BodyMove& move, const glm::vec3& point, bool onBothSides) const;
 
   const MeasuredBody& from_;
   const MeasuredBody& to_;

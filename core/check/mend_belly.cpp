@@ -24,11 +24,11 @@ namespace {
 
 constexpr float kBellyMargin = 0.9f;  ///< Of what is found: a mended muscle has some room.
 constexpr float kDeeper[] = {1.2f, 1.5f};
-constexpr float kFarTendons[] = {0.35f, 0.5f};  ///< Of the line: of a belly that lies along one of its bones.
-constexpr float kLeastBelly = 0.25f;            ///< Of the line.
-constexpr float kShorter = 0.95f;               ///< Longer ones are hardly any shorter.
-constexpr float kMostThick = 0.5f;              ///< Height of a shorter belly, of its length.
-constexpr float kEnds = 0.9f;                   ///< Of the half length: where a line that only carries begins and ends.
+constexpr float kFarTendons[] = {0.35f, 0.5f, 0.6f};  ///< Of the line: of a belly that lies along one of its bones.
+constexpr float kLeastBelly = 0.25f;                  ///< Of the line.
+constexpr float kShorter = 0.95f;                     ///< Longer ones are hardly any shorter.
+constexpr float kMostThick = 0.5f;                    ///< Height of a shorter belly, of its length.
+constexpr float kEnds = 0.9f;  ///< Of the half length: where a line that only carries begins and ends.
 
 struct Choice {
   Primitive primitive;
@@ -198,36 +198,47 @@ std::optional<Choice> shorter(const Choice& now, bool atOrigin, float farTendon,
   placement.center = glm::vec3(bone.inverseBindInWorld * glm::vec4(center, 1.0f));
   choice.line->via.reset();
   choice.line->settings.pivot = 0.0f;
+  choice.line->settings.twist = atOrigin ? 0.0f : 1.0f;
   const LineAnchor& end = atOrigin ? choice.line->origin : choice.line->insertion;
   choice.said = "shorter, along " + end.bone;
   return choice;
 }
 
-/// Bellies along one bone, each also led by that bone.
-void addShorter(std::vector<Choice>& out, const Choice& now, const BellyTrial& trial, const Character& character) {
-  const Skeleton& skeleton = character.skeleton;
+struct AlongBone {
+  Choice choice;
+  int bone = -1;
+};
+
+std::vector<AlongBone> alongEither(const Choice& now, const BellyTrial& trial, const Character& character) {
+  std::vector<AlongBone> out;
   for (const float farTendon : kFarTendons) {
     for (const bool atOrigin : {true, false}) {
-      const std::optional<Choice> choice = shorter(now, atOrigin, farTendon, trial, character);
+      std::optional<Choice> choice = shorter(now, atOrigin, farTendon, trial, character);
       if (!choice) continue;
-      out.push_back(*choice);
-      const auto from = skeleton.findBone(choice->primitive.bone);
-      const auto end = skeleton.findBone((atOrigin ? choice->line->origin : choice->line->insertion).bone);
-      Choice led = *choice;
-      const glm::vec4 center(led.primitive.placement.center, 1.0f);
-      led.line->via = anchorOn(skeleton, *end, glm::vec3(at(skeleton.bones, *from).bindInWorld * center));
-      out.push_back(led);
-      out.push_back(deeper(*choice, trial, kDeeper[1]));
-      out.push_back(deeper(led, trial, kDeeper[1]));
+      const int bone = *character.skeleton.findBone((atOrigin ? now.line->origin : now.line->insertion).bone);
+      out.push_back({std::move(*choice), bone});
     }
   }
+  return out;
+}
+
+/// Each also led by its bone.
+void addOnLine(std::vector<Choice>& out, const AlongBone& along, const BellyTrial& trial, const Skeleton& skeleton) {
+  Choice led = along.choice;
+  const glm::vec4 center(led.primitive.placement.center, 1.0f);
+  const Bone& own = at(skeleton.bones, *skeleton.findBone(led.primitive.bone));
+  led.line->via = anchorOn(skeleton, along.bone, glm::vec3(own.bindInWorld * center));
+  for (const Choice& choice : {along.choice, led}) out.push_back(choice);
+  for (const Choice& choice : {along.choice, led}) out.push_back(deeper(choice, trial, kDeeper[1]));
 }
 
 std::vector<Choice> choicesFor(const Choice& now, const BellyTrial& trial, const Character& character, bool asDrawn) {
   const Skeleton& skeleton = character.skeleton;
   std::vector<Choice> out;
   for (const float factor : kDeeper) out.push_back(deeper(now, trial, factor));
-  if (asDrawn && now.line) addShorter(out, now, trial, character);
+  std::vector<AlongBone> shorter;
+  if (asDrawn && now.line) shorter = alongEither(now, trial, character);
+  for (const AlongBone& along : shorter) addOnLine(out, along, trial, skeleton);
   const std::vector<int> carriers = nearCarriers(now, trial, skeleton);
   for (const int bone : carriers) {
     if (!now.line) break;
@@ -249,6 +260,10 @@ std::vector<Choice> choicesFor(const Choice& now, const BellyTrial& trial, const
   for (const int bone : riders) {
     if (now.line || skeleton.fileName(bone) != now.primitive.bone)
       out.push_back({riding(now.primitive, bone, skeleton), std::nullopt, "rides " + skeleton.fileName(bone)});
+  }
+  for (const auto& [choice, bone] : shorter) {
+    out.push_back({riding(choice.primitive, bone, skeleton), std::nullopt, "rides " + skeleton.fileName(bone)});
+    out.back().said += ", shorter";
   }
   // Along y, as lines carry bellies.
   const glm::vec3 half = kEnds * trial.body().axes[1];
@@ -277,6 +292,7 @@ Rig withTwinsKept(const Rig& before, Rig rig, const MirrorPlan* plan) {
 Result<Rig> withChoice(Rig rig, int primitive, Choice choice, const MirrorPlan* plan) {
   const Rig before = rig;
   if (!choice.primitive.line.empty() && choice.primitive.line == at(rig.primitives, primitive).line) {
+    at(rig.primitives, primitive).bone = choice.primitive.bone;
     at(rig.primitives, primitive).placement = choice.primitive.placement;
     MuscleLine& line = at(rig.lines, findLine(rig, choice.primitive.line));
     line.origin = choice.line->origin;

@@ -168,7 +168,7 @@ complete -c sinew -n '__sinew_in "render"' -l light -x -d 'studio, outdoor, rim 
 complete -c sinew -n '__sinew_in "render"' -l background -x -d 'studio, dark, mid, light, gradient or checker (studio)'
 complete -c sinew -n '__sinew_in "render"' -l ao -d 'Ambient occlusion: crevices and folds are darker'
 complete -c sinew -n '__sinew_in "render"' -l size -x -d 'Pixels, each 16 to 8192 (1280x800)'
-complete -c sinew -n '__sinew_in "render"' -l samples -x -d 'Samples per pixel, at most what the driver offers; 4 or 16 with --ao and --show muscles (4)'
+complete -c sinew -n '__sinew_in "render"' -l samples -x -d 'Samples per pixel, at most what the driver offers; 4 or 16 with --ao; above 4, 16 with --show muscles (4)'
 complete -c sinew -n '__sinew_in "render"' -l depth -x -d 'Every triangle becomes N x N, in place of the rig\'s detail, also of one that follows the size on screen'
 complete -c sinew -n '__sinew_in "render"' -l detail -x -a 'adaptive uniform' -d 'adaptive (as fine as the tolerance asks for) or uniform (the depth everywhere)'
 complete -c sinew -n '__sinew_in "render"' -l tolerance -x -d 'Adaptive: how far triangles may lie off the surface, fraction of the height (0.001)'

@@ -100,6 +100,10 @@ const std::vector<SourceRig>& sources() {
   return all;
 }
 
+Zone zoneOfBone(const BodyFrame& frame, const Character& character, const std::string& bone) {
+  return at(frame.zoneOfBone, character.skeleton.findBone(bone).value());
+}
+
 class RetargetTo : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(RetargetTo, EveryBellyLiesInTheFleshOfItsPart) {
@@ -128,14 +132,23 @@ TEST_P(RetargetTo, EveryBellyLiesInTheFleshOfItsPart) {
       const Primitive& is = at(done->rig.primitives, index);
       EXPECT_GT(windingOf(is, *to.character), 0.5)
           << was.name << " on " << is.bone << " (there " << windingOf(was, *from.character) << ")";
-      const auto zone = [](const BodyFrame& frame, const Skeleton& skeleton, const std::string& bone) {
-        return at(frame.zoneOfBone, skeleton.findBone(bone).value());
-      };
-      EXPECT_EQ(zone(theirs, to.character->skeleton, is.bone), zone(ours, from.character->skeleton, was.bone))
-          << was.name;
-      const Zone own = zone(theirs, to.character->skeleton, is.bone);
+      const Zone before = zoneOfBone(ours, *from.character, was.bone);
+      const Zone own = zoneOfBone(theirs, *to.character, is.bone);
+      // One bone may be two parts of a limb. What no line keeps in the flesh rides the bone of the skin over it.
+      const int counterpart = before < 0 ? -1 : theirs.slots[at(allBodySlots(), before)].bone;
+      const bool rides = std::ranges::any_of(done->mended, [&](const std::string& line) {
+        return (line.starts_with(was.name + ':') || line.starts_with(was.mirror + ':')) &&
+               line.find("it rides") != std::string::npos;
+      });
+      if (counterpart < 0 || to.character->skeleton.findBone(is.bone) != counterpart) {
+        EXPECT_TRUE(rides || own == before) << was.name << " on " << is.bone;
+      }
       if (own < 0 || limbOf(at(allBodySlots(), own).slot) == Limb::kNone) continue;
       const BodySlot part = at(allBodySlots(), own);
+      if (before >= 0 && limbOf(at(allBodySlots(), before).slot) != Limb::kNone) {
+        EXPECT_EQ(part.side, at(allBodySlots(), before).side) << was.name << " on " << is.bone;
+        EXPECT_EQ(limbOf(part.slot), limbOf(at(allBodySlots(), before).slot)) << was.name << " on " << is.bone;
+      }
       const BodySlot around = partAround(centerInBind(is, to.character->skeleton), *to.character, theirs);
       if (limbOf(around.slot) == Limb::kNone) continue;
       EXPECT_EQ(limbOf(around.slot), limbOf(part.slot)) << was.name << " lies in another limb";

@@ -195,6 +195,7 @@ def check_any(b, space, handle, after):
 def look_from(b, view):
     """Another side, by the menu: a handle that points at the eye or lies behind the body is there from elsewhere."""
     b.editor.click("menu/view")
+    b.editor.click("view/look")
     b.editor.click("view/" + view)
     b.editor.wait_until("the view to rest", lambda s: not s["camera_moving"] and "view/front" not in s["widgets"])
 

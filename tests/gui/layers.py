@@ -44,18 +44,23 @@ def make_rig(t, name, names=None):
     return rig
 
 
+def stand_still(editor):
+    editor.wait_until("a character that moves", lambda s: "chest" in s["bones"] and s["playing"])
+    editor.tap("space", "it to stand still", lambda s: not s["playing"])
+
+
 def only_layers(editor):
-    """The other panels at the right are folded."""
-    for panel in ("inspector", "surface", "smoothing"):
-        editor.click(panel + "/header")
+    """The other panels at the right are folded, as they stay for the next window."""
+    for panel, control in (("surface", "surface/mode"), ("smoothing", "smoothing/detail")):
+        if control in editor.settle()["widgets"]:
+            editor.click(panel + "/header")
     return editor.wait_until("the list of parts", lambda s: any(id.startswith("layers/part/") for id in s["widgets"]))
 
 
 def set_and_guessed(t):
     editor = t.edit(make_rig(t, "dressed"))
     resize(editor, 1280, 800)
-    editor.wait_until("a character", lambda s: "chest" in s["bones"])
-    editor.key("space")
+    stand_still(editor)
     state = only_layers(editor)
     t.check_equal("all parts are listed", sorted(id[12:] for id in state["widgets"] if id.startswith("layers/part/")),
                   ["Eyes", "Hair", "Shirt", "Trousers", "humanoid"])
@@ -110,14 +115,13 @@ def any_window(t):
     for width, height, scale in ((900, 600, 1), (2560, 1440, 1), (1280, 800, 1.5)):
         editor = t.edit(make_rig(t, "letters", NAMES), "--scale", scale)
         resize(editor, width, height)
-        editor.wait_until("a character", lambda s: "chest" in s["bones"])
-        editor.key("space")
+        stand_still(editor)
         state = only_layers(editor)
         editor.click("layers/set/%s/skin" % NAMES["shirt"])
         state = editor.wait_until("a step", lambda s: s["document"]["undo"] == 1)
         editor.point_at(lambda: editor.widget("layers/part/" + NAMES["hair"], 0.3))
         state = editor.settle()
-        seen(t, editor, "layers_%dx%d_%g.png" % (width, height, scale))
+        editor.screenshot(t.out / ("layers_%dx%d_%g.png" % (width, height, scale)))
         outside = [id for id, box in state["widgets"].items() if id.startswith("layers/") and box[0] + box[2] > width + 1]
         t.check("nothing is cut off at %d x %d, scale %g" % (width, height, scale), not outside, outside)
         editor.kill()

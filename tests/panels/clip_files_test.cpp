@@ -176,7 +176,7 @@ TEST_F(ClipFilesInEditor, CorrectedPartsOfTheBodyMoveThemAnew) {
   add("relative.glb");
   const std::shared_ptr<const Character> before = state.document.character;
   Rig rig = state.document.rig();
-  rig.slots = {{"shin.L", "knee"}};
+  rig.slots = {{"lowerLeg.L", "knee"}};
   edit(state, "Part", rig);
   settle();
   EXPECT_NE(state.document.character, before);

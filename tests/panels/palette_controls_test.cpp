@@ -60,6 +60,7 @@ constexpr WithoutEntry kWithoutEntry[] = {
     {"edit/shape-", "a submenu of actions"},
     {"view/light-", "a submenu of actions"},
     {"view/background-", "a submenu of actions"},
+    {"view/look-", "a submenu of actions"},
     {"view/flex-whose", "beside the slider that is an entry"},
     {"bone/", "a path of the tree"},
     {"part/", "a path of the tree"},

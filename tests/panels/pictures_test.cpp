@@ -159,6 +159,7 @@ TEST_F(PicturesDialog, ADrawnFileHasTheCommandLinesBytesWhateverIsEditedMeanwhil
   if (!canDraw()) GTEST_SKIP() << "left out: no OpenGL";
   state.dialogs.pictures.sheet = true;
   state.dialogs.pictures.cells = {2, 2};
+  settle();
   const std::string expected = fromCommandLine("cli.png");
   ASSERT_FALSE(expected.empty());
   click("pictures/ok");

@@ -19,12 +19,13 @@ std::shared_ptr<Character> quadOfTwoParts() {
   return quad;
 }
 
-/// A large quad, and a small one before it (z > 0) or behind it as a part of its own.
-std::shared_ptr<Character> quadAndSmallOne(float z, const glm::vec2& middle) {
+/// A large quad, and a small one before it (z > 0) or behind it as a part of its own. @param tilt  its right edge is
+/// that much nearer
+std::shared_ptr<Character> quadAndSmallOne(float z, const glm::vec2& middle, float tilt = 0.0f) {
   TriangleSoup soup;
   soup.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
   for (const glm::vec2 corner : {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(-1, 1)}) {
-    soup.positions.emplace_back(middle + 0.4f * corner, z);
+    soup.positions.emplace_back(middle + 0.4f * corner, z + 0.5f * tilt * (corner.x - 1.0f));
   }
   soup.uvs.assign(8, glm::vec2(0.5f));
   for (int i = 0; i <= 8; ++i) soup.influenceBegin.push_back(i);
@@ -106,6 +107,11 @@ TEST_F(Drawing, APartOfWhichNothingIsSeenShowsThroughAndOneThatIsSeenDoesNot) {
   const Image lit = picture(behind, *viewport, {{1, SkinLayer::kRigid, true}});
   EXPECT_NE(pixelAt(lit, 32, 32), pixelAt(plain, 32, 32));
   EXPECT_EQ(pixelAt(lit, 18, 18), pixelAt(plain, 18, 18));
+  // So it is however steeply it stands, and however near.
+  const auto steep = quadAndSmallOne(-0.02f, {0.0f, 0.0f}, 1.6f);
+  viewport->setCharacter(*steep);
+  const Image through = picture(steep, *viewport, {{1, SkinLayer::kRigid, true}});
+  EXPECT_EQ(pixelAt(through, 36, 32), pixelAt(lit, 32, 32));
   // Half of it looks out beside the large one: that half alone is tinted.
   const auto beside = quadAndSmallOne(-0.5f, {1.05f, 0.0f});
   viewport->setCharacter(*beside);

@@ -27,7 +27,7 @@ constexpr float kLayers = 140.0f;   // Width in one line.
 constexpr float kOrigin = 62.0f;
 constexpr float kSmall = 220.0f;  // With less room an icon goes back to the guess.
 constexpr float kGap = 6.0f;
-constexpr float kDot = 14.0f;
+constexpr float kDot = 18.0f;
 constexpr float kBetween = 5.0f;  // Between parts that take two lines.
 
 /// What all rows share.
@@ -76,7 +76,7 @@ void drawPartName(PanelUi& ui, const LayerList& list, int part, float width, boo
                        (marked ? palette::kAccent.faded(0.20f) : palette::kText.faded(0.08f)).packed(), ui.px(4));
   }
   const glm::vec3& color = layerColor(at(list.layers, part)).srgb;
-  draw.AddCircleFilled({low.x + ui.px(7), low.y + 0.5f * height}, ui.px(4), Tint{color.r, color.g, color.b}.packed(),
+  draw.AddCircleFilled({low.x + ui.px(8), low.y + 0.5f * height}, ui.px(4), Tint{color.r, color.g, color.b}.packed(),
                        16);
   const float y = low.y + ImGui::GetStyle().FramePadding.y;
   const std::string count =

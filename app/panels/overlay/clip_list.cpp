@@ -15,10 +15,11 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kWidth = 520.0f;  // Design pixels, as all here.
+constexpr float kWidth = 440.0f;  // Design pixels, as all here.
 constexpr float kMargin = 12.0f;
-constexpr float kLeft = 62.0f;  // Beside the tools.
-constexpr float kTop = 96.0f;   // Under the display bar.
+constexpr float kLeft = 62.0f;     // Beside the tools.
+constexpr float kRight = 110.0f;   // Room for the axes.
+constexpr float kHighest = 0.45f;  // Of the picture.
 constexpr float kIndent = 22.0f;
 constexpr float kIconSize = 15.0f;
 constexpr float kLocateWidth = 84.0f;
@@ -94,7 +95,7 @@ void drawFile(PanelUi& ui, int index, float width, Wanted& wanted) {
   ImGui::TextUnformatted(fitted(name, ImGui::GetContentRegionAvail().x - buttons - ui.px(8)).c_str());
   ImGui::PopFont();
   ui.widgets.note("clip-files/file/" + place);
-  tooltip(ui, file.path.lexically_normal().string());
+  tooltip(ui, file.path.string());
   ImGui::SameLine(ImGui::GetContentRegionMax().x - buttons);
   if (file.missing) {
     ImGui::PushID(index);
@@ -137,10 +138,11 @@ void drawClipList(PanelUi& ui) {
   EditorState& state = ui.state;
   if (!state.open.clipList.shown) return;
   const glm::vec4& v = state.frame.viewport;
-  const float width = std::min(ui.px(kWidth), v.z - ui.px(kLeft + kMargin));
-  const float frame = 2.0f * ImGui::GetFrameHeightWithSpacing() + ui.px(24);
-  const float height = std::min(listHeight(ui, width - ui.px(20)) + frame, v.w - ui.px(kTop + kMargin));
-  ImGui::SetCursorPos({ui.px(kLeft), ui.px(kTop)});
+  const float width = std::min(ui.px(kWidth), v.z - ui.px(kLeft + kRight));
+  const float frame = ImGui::GetTextLineHeightWithSpacing() + ImGui::GetFrameHeightWithSpacing() + ui.px(18);
+  const float below = messagesHeight(ui) > 0.0f ? messagesHeight(ui) + ui.px(kMargin) : 0.0f;
+  const float height = std::min(listHeight(ui, width - ui.px(20)) + frame, kHighest * v.w);
+  ImGui::SetCursorPos({ui.px(kLeft), std::max(v.w - height - below - ui.px(kMargin), 0.0f)});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.97f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
   ImGui::BeginChild("clip-files", {width, height}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);

@@ -278,10 +278,10 @@ void drawMode(PanelUi& ui, const std::string& text, const char* button, const ch
   ui.widgets.note(std::string(id) + "/done");
 }
 
-/// 0: there is none. The panels of a set and of what was found lie where it would.
+/// 0: there is none. The panels of a set, of what was found and of clip files lie where it would.
 float plateHeight(PanelUi& ui) {
   const DocumentView& open = ui.state.open;
-  if (open.check.shown || open.muscleSet.shown || open.reference.shown) return 0.0f;
+  if (open.check.shown || open.muscleSet.shown || open.clipList.shown || open.reference.shown) return 0.0f;
   if (showsExportError(ui.state)) return exportErrorSize(ui).y;
   if (ui.state.view.display.anatomy) return anatomyHeight(ui);
   const Shading shading = ui.state.view.display.shading;
