@@ -9,7 +9,7 @@ import tempfile
 
 from hostile_post import Post, rig
 
-PROGRAM = sys.argv[1]
+PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())  # Runs have other working directories.
 NEW_MOUNTS, NEW_USERS = 0x00020000, 0x10000000
 VERBS = {"smooth": ["smooth", "a.rig.json", "-o", "disk/o.ply"],
          "obj": ["smooth", "a.rig.json", "-o", "disk/o.obj"],

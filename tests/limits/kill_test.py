@@ -11,7 +11,7 @@ import time
 
 from hostile_post import Post, rig
 
-PROGRAM = sys.argv[1]
+PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())  # Runs have other working directories.
 KILLS = int(sys.argv[2]) if len(sys.argv) > 2 else 40
 VERSIONS = ("1", "3")
 

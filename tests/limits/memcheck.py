@@ -11,7 +11,7 @@ import tempfile
 
 from hostile_post import Post, rig
 
-PROGRAM = sys.argv[1]
+PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())  # Runs have other working directories.
 VALGRIND = ["valgrind", "-q", "--error-exitcode=9", "--leak-check=full", "--show-leak-kinds=definite",
             "--errors-for-leak-kinds=definite", "--num-callers=30"]
 # Valgrind stops at RDTSCP where the processor does not list it; Highway asks for the time with it as the program begins.

@@ -12,7 +12,7 @@ import tempfile
 
 from hostile_post import Post
 
-PROGRAM = sys.argv[1]
+PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())  # Runs have other working directories.
 SYSTEM = ("/lib", "/lib64", "/usr", "/etc", "/proc", "/sys", "/dev")
 OPENED = re.compile(r'open(?:at|at2)?\((?:AT_FDCWD|\d+)?,? ?"((?:[^"\\]|\\.)*)".*= (\d+)')
 
