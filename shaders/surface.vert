@@ -22,8 +22,6 @@ out Surface {
 } vertex;
 
 #ifdef GLASS
-// Drawn twice, by two programs, the second time only where the depth is the same.
-invariant gl_Position;
 uniform vec2 depthScale;  // Elements (2, 2) and (3, 2) of the projection.
 const float kOverMuscles = 0.015;  // Of the height: muscles that stand out of the skin by less are under glass too.
 
@@ -36,7 +34,7 @@ float nearerDepth() {
 }
 #endif
 
-invariant gl_Position;  // As in depth.vert.
+invariant gl_Position;  // As in depth.vert; and glass is drawn twice, by two programs, at the same depth.
 
 void main() {
   vertex.world = position;
