@@ -182,19 +182,15 @@ Result<Mended> withoutLine(Rig rig, std::span<const int> bellies, int bone, cons
                 "no line between its bones stays in the flesh, so it rides " + skeleton.fileName(bone), true, true};
 }
 
-/// What a tool has just made, as long as it is one muscle: its ends are where they were put, the belly may change.
+/// What a tool has just made may lie deeper, as long as it is one muscle: its ends are where they were put.
 Result<Mended> withNewBelly(Mended mended, std::span<const int> bellies, const Motions& motions) {
   const auto say = [&](const std::string& more) { mended.said += (mended.said.empty() ? "" : ", ") + more; };
   if (bellies.size() == 1) {
     Result<MendedBelly> belly = withMendedBelly(std::move(mended.rig), bellies.front(), motions, nullptr, true);
     if (!belly) return belly.error();
     mended.rig = std::move(belly.value().rig);
-    mended.isClean = belly->isClean;
-    mended.isRigid = at(mended.rig.primitives, bellies.front()).line.empty();
-    // What was done to a line that is gone counts no more.
-    const bool rides = belly->said.starts_with("rides");
-    if (rides) mended.said = "no line between its bones stays in the flesh";
-    if (!belly->said.empty()) say((rides ? "so it " : "") + belly->said);
+    mended.isClean = !belly->said.empty();
+    if (mended.isClean) say(belly->said);
   }
   if (!mended.isClean) say("and it still leaves the flesh somewhere");
   return mended;
@@ -248,7 +244,7 @@ Result<Mended> withMendedLine(Rig rig, int line, const Motions& motions, bool is
     }
   }
   out.isClean = least.path <= 1.0f && least.ball <= 1.0f;
-  if (least.path > kRigidFrom && !isNew) {
+  if (least.path > kRigidFrom) {
     const std::vector<int> carriers = bonesAt(character, trial.spot());
     return withoutLine(std::move(rig), bellies, carriers.front(), character);
   }

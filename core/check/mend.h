@@ -25,8 +25,7 @@ struct Mended {
 /// beside the joint. If none does, the best of them; none if that is twice as bad as what is found. Then tendons,
 /// flex, volume and limits are taken back until the belly swells to a ball no more. Twins stay as they are
 /// (core/symmetry/line_twins.h).
-/// @param isNew  a tool has just made it: full contraction is learned from the motions; the belly may get deeper or
-/// shorter, or end on a nearer bone, and where no line is clean it rides its bone (mend_belly.h)
+/// @param isNew  a tool has just made it: full contraction is learned from the motions, and what is still found is said
 [[nodiscard]] Result<Mended> withMendedLine(Rig rig, int line, const Motions& motions, bool isNew);
 
 struct MendedRig {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -24,10 +23,6 @@ namespace {
 
 constexpr float kBellyMargin = 0.9f;  ///< Of what is found: a mended muscle has some room.
 constexpr float kDeeper[] = {1.2f, 1.5f};
-constexpr float kFarTendons[] = {0.35f, 0.5f, 0.6f};  ///< Of the line: of a belly that lies along one of its bones.
-constexpr float kLeastBelly = 0.25f;                  ///< Of the line.
-constexpr float kShorter = 0.95f;                     ///< Longer ones are hardly any shorter.
-constexpr float kMostThick = 0.5f;                    ///< Height of a shorter belly, of its length.
 constexpr float kEnds = 0.9f;  ///< Of the half length: where a line that only carries begins and ends.
 
 struct Choice {
@@ -50,8 +45,6 @@ class BellyTrial {
   }
 
   [[nodiscard]] bool canTell() const { return belly_.has_value(); }
-  /// Null: there is none.
-  [[nodiscard]] const SkinSpot* spot() const { return belly_ ? &belly_->spots()[0] : nullptr; }
   [[nodiscard]] std::vector<int> carriers() const { return bonesAt(motions_.character(), belly_->spots()[0]); }
   /// In the bind pose.
   [[nodiscard]] const BellyBody& body() const { return body_; }
@@ -167,78 +160,10 @@ Choice endingOn(const Choice& now, bool origin, int bone, const BellyTrial& tria
   return choice;
 }
 
-/// Along one of its bones alone: the tendon at the other end crosses the joint. As far out of the skin as it was.
-std::optional<Choice> shorter(const Choice& now, bool atOrigin, float farTendon, const BellyTrial& trial,
-                              const Character& character) {
-  const Result<LineRest> rest = lineRest(*now.line, character);
-  const SkinSpot* spot = trial.spot();
-  if (!rest || spot == nullptr) return std::nullopt;
-  Choice choice = now;
-  glm::vec2& tendons = choice.line->settings.tendons;
-  const float before = 1.0f - tendons.x - tendons.y;
-  (atOrigin ? tendons.y : tendons.x) = farTendon;
-  const float after = 1.0f - tendons.x - tendons.y;
-  if (after > kShorter * before || after < kLeastBelly) return std::nullopt;
-  const float size = after / before;
-  Placement& placement = choice.primitive.placement;
-  const float half = glm::length(trial.body().axes[1]);
-  const glm::vec3 towardsEnd = glm::vec3(rest->direction) * (atOrigin ? -1.0f : 1.0f);
-  glm::vec3 center = trial.body().center + (1.0f - size) * half * towardsEnd;
-  const float height = glm::length(trial.body().axes[2]);
-  const float thinner = std::min(1.0f, kMostThick * size * half / height);
-  placement.radii *= glm::vec3(thinner, size, thinner);
-  const Pose bind = bindPose(character.skeleton);
-  const auto was = frameAt(character, *spot, bind);
-  const auto over = spotOver(character.mesh, center + height * trial.outwards(), trial.outwards());
-  const auto is = over ? frameAt(character, *over, bind) : std::nullopt;
-  if (!was || !is) return std::nullopt;
-  const float depth = glm::dot(trial.body().center - was->origin, was->normal()) + (1.0f - thinner) * height;
-  center += (depth - glm::dot(center - is->origin, is->normal())) * is->normal();
-  const Bone& bone = at(character.skeleton.bones, *character.skeleton.findBone(choice.primitive.bone));
-  placement.center = glm::vec3(bone.inverseBindInWorld * glm::vec4(center, 1.0f));
-  choice.line->via.reset();
-  choice.line->settings.pivot = 0.0f;
-  choice.line->settings.twist = atOrigin ? 0.0f : 1.0f;
-  const LineAnchor& end = atOrigin ? choice.line->origin : choice.line->insertion;
-  choice.said = "shorter, along " + end.bone;
-  return choice;
-}
-
-struct AlongBone {
-  Choice choice;
-  int bone = -1;
-};
-
-std::vector<AlongBone> alongEither(const Choice& now, const BellyTrial& trial, const Character& character) {
-  std::vector<AlongBone> out;
-  for (const float farTendon : kFarTendons) {
-    for (const bool atOrigin : {true, false}) {
-      std::optional<Choice> choice = shorter(now, atOrigin, farTendon, trial, character);
-      if (!choice) continue;
-      const int bone = *character.skeleton.findBone((atOrigin ? now.line->origin : now.line->insertion).bone);
-      out.push_back({std::move(*choice), bone});
-    }
-  }
-  return out;
-}
-
-/// Each also led by its bone.
-void addOnLine(std::vector<Choice>& out, const AlongBone& along, const BellyTrial& trial, const Skeleton& skeleton) {
-  Choice led = along.choice;
-  const glm::vec4 center(led.primitive.placement.center, 1.0f);
-  const Bone& own = at(skeleton.bones, *skeleton.findBone(led.primitive.bone));
-  led.line->via = anchorOn(skeleton, along.bone, glm::vec3(own.bindInWorld * center));
-  for (const Choice& choice : {along.choice, led}) out.push_back(choice);
-  for (const Choice& choice : {along.choice, led}) out.push_back(deeper(choice, trial, kDeeper[1]));
-}
-
-std::vector<Choice> choicesFor(const Choice& now, const BellyTrial& trial, const Character& character, bool asDrawn) {
-  const Skeleton& skeleton = character.skeleton;
+std::vector<Choice> choicesFor(const Choice& now, const BellyTrial& trial, const Skeleton& skeleton, bool asDrawn) {
   std::vector<Choice> out;
   for (const float factor : kDeeper) out.push_back(deeper(now, trial, factor));
-  std::vector<AlongBone> shorter;
-  if (asDrawn && now.line) shorter = alongEither(now, trial, character);
-  for (const AlongBone& along : shorter) addOnLine(out, along, trial, skeleton);
+  if (asDrawn) return out;
   const std::vector<int> carriers = nearCarriers(now, trial, skeleton);
   for (const int bone : carriers) {
     if (!now.line) break;
@@ -250,20 +175,9 @@ std::vector<Choice> choicesFor(const Choice& now, const BellyTrial& trial, const
     }
   }
   const std::size_t onLine = out.size();
-  std::vector<int> riders = carriers;
-  if (asDrawn) {
-    // Its origin's bone is where it was begun.
-    const int own = *skeleton.findBone(now.primitive.bone);
-    std::erase(riders, own);
-    riders.insert(riders.begin(), own);
-  }
-  for (const int bone : riders) {
+  for (const int bone : carriers) {
     if (now.line || skeleton.fileName(bone) != now.primitive.bone)
       out.push_back({riding(now.primitive, bone, skeleton), std::nullopt, "rides " + skeleton.fileName(bone)});
-  }
-  for (const auto& [choice, bone] : shorter) {
-    out.push_back({riding(choice.primitive, bone, skeleton), std::nullopt, "rides " + skeleton.fileName(bone)});
-    out.back().said += ", shorter";
   }
   // Along y, as lines carry bellies.
   const glm::vec3 half = kEnds * trial.body().axes[1];
@@ -292,7 +206,6 @@ Rig withTwinsKept(const Rig& before, Rig rig, const MirrorPlan* plan) {
 Result<Rig> withChoice(Rig rig, int primitive, Choice choice, const MirrorPlan* plan) {
   const Rig before = rig;
   if (!choice.primitive.line.empty() && choice.primitive.line == at(rig.primitives, primitive).line) {
-    at(rig.primitives, primitive).bone = choice.primitive.bone;
     at(rig.primitives, primitive).placement = choice.primitive.placement;
     MuscleLine& line = at(rig.lines, findLine(rig, choice.primitive.line));
     line.origin = choice.line->origin;
@@ -326,24 +239,16 @@ Result<MendedBelly> withMendedBelly(Rig rig, int primitive, const Motions& motio
   const Choice now{own, line != nullptr ? std::optional(*line) : std::nullopt, {}};
   const BellyTrial trial(now, rig.surface, motions);
   if (!trial.canTell()) return MendedBelly{std::move(rig), {}};
-  std::optional<Choice> best;
-  float least = std::numeric_limits<float>::max();
-  for (Choice& choice : choicesFor(now, trial, motions.character(), asDrawn)) {
+  for (Choice& choice : choicesFor(now, trial, motions.character().skeleton, asDrawn)) {
     if (choice.line && !lineRest(*choice.line, motions.character())) continue;
     const BellyTrial other(choice, rig.surface, motions);
-    if (!other.canTell()) continue;
-    const float trouble = other.trouble();
-    // What is drawn rides the best bone if nothing is clean.
-    if (trouble > kBellyMargin && (!asDrawn || choice.line || trouble >= least)) continue;
-    best = std::move(choice);
-    least = trouble;
-    if (least <= kBellyMargin) break;
+    if (!other.canTell() || other.trouble() > kBellyMargin) continue;
+    std::string said = choice.said;
+    Result<Rig> done = withChoice(std::move(rig), primitive, std::move(choice), plan);
+    if (!done) return done.error();
+    return MendedBelly{std::move(done).value(), std::move(said)};
   }
-  if (!best) return MendedBelly{std::move(rig), {}};
-  std::string said = best->said;
-  Result<Rig> done = withChoice(std::move(rig), primitive, std::move(*best), plan);
-  if (!done) return done.error();
-  return MendedBelly{std::move(done).value(), std::move(said), least <= 1.0f};
+  return MendedBelly{std::move(rig), {}};
 }
 
 Rig withoutFarSkin(Rig rig, const Finding& finding, const MirrorPlan* plan) {

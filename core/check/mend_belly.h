@@ -13,14 +13,12 @@ namespace sinew {
 
 struct MendedBelly {
   Rig rig;
-  std::string said;      ///< "rides spine.2"; empty: nothing helps, and the rig is as it was.
-  bool isClean = false;  ///< Nothing is found any more.
+  std::string said;  ///< "rides spine.2"; empty: nothing helps, and the rig is as it was.
 };
 
 /// Tries what keeps a belly under its skin over all poses, off its line if it is on one: each bone that carries the
 /// skin over it; then between two of these, on a line that carries it and does nothing else. Its twin likewise.
-/// @param asDrawn  a tool has just made it: its line ends where it was put, and the belly gets shorter before it ends
-/// on another bone; if nothing is clean it rides the bone on which least is found
+/// @param asDrawn  only deeper: its line stays, and ends where it does
 [[nodiscard]] Result<MendedBelly> withMendedBelly(Rig rig, int primitive, const Motions& motions,
                                                   const MirrorPlan* plan, bool asDrawn = false);
 

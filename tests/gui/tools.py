@@ -71,7 +71,7 @@ def check_pole(t, handle, before, after):
 
 
 CHECKS = {"move": check_move, "rotate": check_rotate, "scale": check_scale, "pole": check_pole}
-MODES = {"move": ("w", 6), "rotate": ("e", 3), "scale": ("r", 3), "poles": ("q", 3)}  # Key; handles to be there at least.
+MODES = {"move": ("w", 6), "rotate": ("e", 3), "scale": ("r", 3), "poles": ("q", 2)}  # Key; handles to be there at least: those too near others hide.
 # Not along any one line, so that no handle is pulled only across its way.
 WAY = [(9, 4), (18, 8), (36, 22)]
 
