@@ -76,6 +76,8 @@ def still(editor):
     if "messages/hide" in editor.state()["widgets"]:
         editor.click("messages/hide")
         editor.wait_until("no messages", lambda s: "messages/hide" not in s["widgets"])
+    editor.taps("Home")  # Framed beside the message, it stood elsewhere.
+    editor.settle()
     editor.wait_until("all samples", lambda s: s["samples"] == SAMPLES)
     return Picture(editor)
 

@@ -31,7 +31,9 @@ TEST_F(Panels, NamesAreOnTheScreenInEveryState) {
       for (const char* submenu : {"file/export", "edit/shape", "view/light", "view/background"}) {
         if (id.starts_with(std::string(submenu) + '-')) return std::string(submenu);
       }
-      return std::string();
+      constexpr std::string_view kLooks = " view/front view/back view/left view/right view/top view/bottom ";
+      const bool looks = kLooks.find(' ' + std::string(id) + ' ') != std::string_view::npos;
+      return std::string(looks ? "view/look" : "");
     };
     for (const Action& action : actions()) {
       if (action.menu() != menu.id) continue;
