@@ -14,6 +14,7 @@
 #include "app/editor/edit.h"
 #include "app/editor/session.h"
 #include "app/export/rig_list.h"
+#include "app/render/shading_names.h"
 #include "core/base/at.h"
 #include "core/base/lower_case.h"
 #include "sinew/base/threads.h"
@@ -56,9 +57,8 @@ int clipFrames(const EditorState& state) {
 }
 
 void addLook(const EditorState& state, std::vector<std::string>& words) {
-  constexpr std::array kShadings{"textured", "clay", "classes", "heat"};  ///< Shading
   const DisplaySettings& shown = state.view.display;
-  words.insert(words.end(), {"--shading", kShadings[static_cast<std::size_t>(shown.shading)]});
+  words.insert(words.end(), {"--shading", nameOf(shown.shading)});
   std::string show;
   const auto add = [&](bool isShown, const char* word) {
     if (isShown) show += (show.empty() ? "" : ",") + std::string(word);

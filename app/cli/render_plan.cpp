@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "app/cli/movie.h"
+#include "app/render/shading_names.h"
 #include "core/base/lower_case.h"
 
 namespace sinew::app {
@@ -85,11 +86,11 @@ Result<void> readSize(const std::string& text, RenderPlan& plan) {
 Result<void> readDisplay(const RenderOptions& options, RenderPlan& plan) {
   plan.samples = options.samples;
   DisplaySettings& display = plan.display;
-  if (options.shading == "textured") display.shading = Shading::kTextured;
-  else if (options.shading == "clay") display.shading = Shading::kClay;
-  else if (options.shading == "classes") display.shading = Shading::kClasses;
-  else if (options.shading == "heat") display.shading = Shading::kHeat;
-  else return errorAt("--shading", "expected textured, clay, classes or heat, got \"" + options.shading + '"');
+  const auto shading = lookNamed<Shading>(kShadingNames, options.shading);
+  if (!shading) {
+    return errorAt("--shading", "expected textured, clay, classes or heat, got \"" + options.shading + '"');
+  }
+  display.shading = *shading;
   for (const std::string& shown : options.show) {
     if (shown == "skeleton") display.skeleton = true;
     else if (shown == "primitives") display.primitives = true;

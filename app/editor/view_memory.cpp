@@ -13,12 +13,11 @@
 #include "app/document/view_files.h"
 #include "app/editor/edit.h"
 #include "app/editor/session.h"
+#include "app/render/shading_names.h"
 #include "core/symmetry/motion_clip.h"
 
 namespace sinew::app {
 namespace {
-
-constexpr std::array kShadings{"textured", "clay", "classes", "heat"};  ///< Shading
 
 struct Flag {
   const char* key;
@@ -99,14 +98,14 @@ void restoreCamera(EditorState& state, const Json& json) {
 // What is shown --------------------------------------------------------------------------------------------------
 
 Json displayToJson(const DisplaySettings& display) {
-  Json json = Json::object().set("shading", kShadings[static_cast<std::size_t>(display.shading)]);
+  Json json = Json::object().set("shading", nameOf(display.shading));
   for (const Flag& flag : kFlags) json.set(flag.key, display.*flag.shown);
   return json.set("glass", display.glass);
 }
 
 void restoreDisplay(DisplaySettings& display, const Json& json) {
-  const auto shading = std::ranges::find(kShadings, json.at("shading").text(""));
-  if (shading != kShadings.end()) display.shading = static_cast<Shading>(shading - kShadings.begin());
+  const auto shading = std::ranges::find(kShadingNames, json.at("shading").text(""));
+  if (shading != kShadingNames.end()) display.shading = static_cast<Shading>(shading - kShadingNames.begin());
   for (const Flag& flag : kFlags) display.*flag.shown = json.at(flag.key).boolean(display.*flag.shown);
   read(json.at("glass"), 0.0, 1.0, display.glass);
 }

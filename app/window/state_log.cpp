@@ -11,6 +11,7 @@
 
 #include "app/actions/animate.h"
 #include "app/actions/animated_names.h"
+#include "app/render/shading_names.h"
 #include "app/ui/keyboard_focus.h"
 #include "core/io/json/json.h"
 
@@ -271,9 +272,8 @@ std::string dialogName(const EditorState& state) {
 }
 
 Json display(const DisplaySettings& shown, const PictureLook& look) {
-  constexpr const char* kShadings[] = {"textured", "clay", "classes", "heat"};
   return Json::object()
-      .set("shading", kShadings[static_cast<int>(shown.shading)])
+      .set("shading", nameOf(shown.shading))
       .set("wire", shown.wire)
       .set("skeleton", shown.skeleton)
       .set("primitives", shown.primitives)

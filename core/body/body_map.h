@@ -53,8 +53,7 @@ class BodyMap {
   /// Of something on a bone that has a counterpart.
   [[nodiscard]] BodyMove move(int bone, const glm::vec3& inBind) const;
   /// The same for what must lie in the flesh: where that is thinner there, or ends, it lies nearer to the part's axis.
-  /// What lies outside of its own body
-  /// goes where move() has it. nullopt: this body has no flesh there.
+  /// What lies outside of its own body goes where move() has it. nullopt: this body has no flesh there.
   [[nodiscard]] std::optional<BodyMove> moveInto(int bone, const glm::vec3& inBind) const;
 
  private:

@@ -58,7 +58,12 @@ struct BindingRange {
   glm::mat4 sum(0.0f);
   for (const WeightedBinding& follows : bindingsOf(character, vertex)) {
     const glm::mat4& bone = pose.boneInWorld[static_cast<std::size_t>(follows.bone())];
-    sum += follows.weight * (bone * follows.binding.inverseBind);
+    const glm::mat4& inverse = follows.binding.inverseBind;
+    // By columns: a product of whole matrices is not always inlined, and then is most of what this takes.
+    for (glm::length_t c = 0; c < 4; ++c) {
+      const glm::vec4& way = inverse[c];
+      sum[c] += follows.weight * (bone[0] * way.x + bone[1] * way.y + bone[2] * way.z + bone[3] * way.w);
+    }
   }
   return sum;
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/base/at.h"
+#include "core/base/longest_axis.h"
 
 namespace sinew {
 namespace {
@@ -82,8 +83,7 @@ void TriangleTree::split(int node, int first, int end, std::vector<int>& order, 
       at(nodes_, now.node).count = now.end - now.first;
       continue;
     }
-    const glm::vec3 size = inner.extent();
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const glm::length_t axis = longestAxis(inner.extent());
     const int half = now.first + (now.end - now.first) / 2;
     std::nth_element(order.begin() + now.first, order.begin() + half, order.begin() + now.end, [&](int a, int b) {
       const float x = at(middles, a)[axis];

@@ -34,22 +34,11 @@ Rig athleteOn(const Character& character) {
   return rig;
 }
 
-std::vector<Pose> posesOfClips(const Character& character, int each) {
-  std::vector<Pose> poses;
-  for (const AnimationClip& clip : character.clips) {
-    for (int i = 0; i < each; ++i) {
-      const float time = clip.duration * static_cast<float>(i) / static_cast<float>(each);
-      poses.push_back(samplePose(character.skeleton, clip, time));
-    }
-  }
-  return poses;
-}
-
 class ClothesOf : public ::testing::TestWithParam<test::Outfit> {};
 
 TEST_P(ClothesOf, StayAboveTheSkinInFoldsToo) {
   const auto character = test::dressedHumanoid(GetParam());
-  const std::vector<Pose> poses = posesOfClips(*character, 12);
+  const std::vector<Pose> poses = test::posesOfClips(*character, 12);
   const ClothCount count = countClothBelow(character, athleteOn(*character), poses).value();
   EXPECT_GT(count.vertices, 3000);
   EXPECT_LE(count.below, count.bare);
@@ -116,7 +105,7 @@ TEST(ClothesOfTheUsualCut, HaveNoTeethAlongTheirHems) {
   Smoother bare(character);
   ASSERT_TRUE(lifted.prepare(rig).ok() && bare.prepare(rig, all).ok());
   Surface surface;
-  for (const Pose& pose : posesOfClips(*character, 6)) {
+  for (const Pose& pose : test::posesOfClips(*character, 6)) {
     bare.smooth(pose, surface);
     const double before = meanTurnAlongHems(*character, "Shirt", surface);
     lifted.smooth(pose, surface);

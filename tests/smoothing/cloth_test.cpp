@@ -31,17 +31,6 @@ Rig flexRig() {
   return rig;
 }
 
-std::vector<Pose> posesOf(const Character& character, int each) {
-  std::vector<Pose> poses;
-  for (const AnimationClip& clip : character.clips) {
-    for (int i = 0; i < each; ++i) {
-      const float time = clip.duration * static_cast<float>(i) / static_cast<float>(each);
-      poses.push_back(samplePose(character.skeleton, clip, time));
-    }
-  }
-  return poses;
-}
-
 struct DressedSurface {
   std::shared_ptr<const Character> character = test::dressedHumanoid();
   MeshLayers layers = meshLayers(*character, guessLayers(*character));
@@ -77,7 +66,7 @@ TEST_P(ClothIn, NothingSinksThatTheFileHasAboveTheSkin) {
   const DressedSurface dressed;
   Rig rig = flexRig();
   rig.surface.mode = GetParam();
-  const std::vector<Pose> poses = posesOf(*dressed.character, 8);
+  const std::vector<Pose> poses = test::posesOfClips(*dressed.character, 8);
   const ClothCount count = countClothBelow(dressed.character, rig, poses).value();
   EXPECT_GT(count.vertices, 3000);
   EXPECT_LE(count.below, count.bare) << "deepest " << count.deepest << " H in pose " << count.worst;
@@ -99,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(Modes, ClothIn, ::testing::Values(SurfaceMode::kSwell, 
 TEST(Cloth, MovesWithTheSkinAndEyesStayToTheBit) {
   const DressedSurface dressed;
   const Rig rig = flexRig();
-  for (const Pose& pose : posesOf(*dressed.character, 2)) {
+  for (const Pose& pose : test::posesOfClips(*dressed.character, 2)) {
     const Surface bare = dressed.smooth(rig, pose, true);
     const Surface lifted = dressed.smooth(rig, pose);
     dressed.forEachOf("Eyes", *lifted.refinement, [&](std::size_t v) {
@@ -122,7 +111,7 @@ TEST(Cloth, TheSkinIsWhatItIsWithoutClothes) {
   const Rig rig = flexRig();
   Smoother smoother(naked);
   ASSERT_TRUE(smoother.prepare(rig).ok());
-  for (const Pose& pose : posesOf(*dressed.character, 2)) {
+  for (const Pose& pose : test::posesOfClips(*dressed.character, 2)) {
     Surface expected;
     smoother.smooth(pose, expected);
     const Surface lifted = dressed.smooth(rig, pose);
@@ -156,7 +145,7 @@ TEST(Cloth, AllSkinIsTheSurfaceWithoutParts) {
   ASSERT_TRUE(other.prepare(rig).ok());
   Surface a;
   Surface b;
-  const Pose pose = posesOf(*dressed, 3).back();
+  const Pose pose = test::posesOfClips(*dressed, 3).back();
   one.smooth(pose, a);
   other.smooth(pose, b);
   EXPECT_EQ(a.positions, b.positions);
@@ -179,7 +168,7 @@ TEST(Cloth, BundledRigsHaveNoLayersAndSoTheirFormerSurfaces) {
 
 TEST(Cloth, AnEditOfTheLayersIsThatOfAFreshStart) {
   const auto dressed = test::dressedHumanoid();
-  const Pose pose = posesOf(*dressed, 3).back();
+  const Pose pose = test::posesOfClips(*dressed, 3).back();
   for (const DetailKind detail : {DetailKind::kUniform, DetailKind::kAdaptive}) {
     Rig rig = flexRig();
     rig.smoothing.detail = detail;
@@ -201,7 +190,7 @@ TEST(Cloth, AnEditOfTheLayersIsThatOfAFreshStart) {
 
 TEST(Cloth, AnyNumberOfThreadsGivesTheSameBytesAndAFrameAllocatesNothing) {
   const auto dressed = test::dressedHumanoid();
-  const std::vector<Pose> poses = posesOf(*dressed, 2);
+  const std::vector<Pose> poses = test::posesOfClips(*dressed, 2);
   Smoother smoother(dressed);
   ASSERT_TRUE(smoother.prepare(flexRig()).ok());
   Surface many;
@@ -225,7 +214,7 @@ TEST(Cloth, AdaptiveDetailSplitsClothAsFinelyAsTheSkinUnderIt) {
   rig.smoothing.detail = DetailKind::kAdaptive;
   Rig stiff = rig;
   for (const char* part : {"Shirt", "Trousers", "Hair"}) stiff = setLayer(stiff, part, SkinLayer::kRigid).value();
-  const Pose pose = posesOf(*dressed.character, 3)[4];
+  const Pose pose = test::posesOfClips(*dressed.character, 3)[4];
   const auto triangles = [&](const Rig& of) {
     const Surface surface = dressed.smooth(of, pose);
     int count = 0;

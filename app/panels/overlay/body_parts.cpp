@@ -21,7 +21,6 @@ namespace {
 constexpr float kWidth = 470.0f;  // Design pixels, as all here.
 constexpr float kFigure = 150.0f;
 constexpr float kLeast = 360.0f;  // Narrower, the figure goes.
-constexpr float kMargin = 12.0f;
 constexpr float kName = 104.0f;
 constexpr float kTop = 96.0f;  // Under the display bar.
 
@@ -250,15 +249,15 @@ void drawBodyParts(PanelUi& ui) {
   EditorState& state = ui.state;
   if (!state.open.bodyParts.shown) return;
   const glm::vec4& v = state.frame.viewport;
-  const float width = std::min(ui.px(kWidth + kFigure), v.z - ui.px(2.0f * kMargin));
+  const float width = std::min(ui.px(kWidth + kFigure), v.z - ui.px(2.0f * kFromEdges));
   const auto rows = static_cast<float>(listedSlots(isAnimal(state.open.bodyParts)).size() + 3);
   const float wanted = rows * ImGui::GetFrameHeightWithSpacing() + ui.px(20);
   const float top = ui.px(kTop);
-  const float height = std::min(wanted, v.w - top - ui.px(kMargin));
-  ImGui::SetCursorPos({ui.px(62.0f), top});
+  const float height = std::min(wanted, v.w - top - ui.px(kFromEdges));
+  ImGui::SetCursorPos({ui.px(kBesideTools), top});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.97f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
-  ImGui::BeginChild("body-parts", {std::min(width, v.z - ui.px(62.0f + kMargin)), height}, true,
+  ImGui::BeginChild("body-parts", {std::min(width, v.z - ui.px(kBesideTools + kFromEdges)), height}, true,
                     ImGuiWindowFlags_AlwaysUseWindowPadding);
   drawInside(ui, width);
   ImGui::EndChild();

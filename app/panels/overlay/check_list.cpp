@@ -14,9 +14,6 @@ namespace sinew::app {
 namespace {
 
 constexpr float kWidth = 560.0f;  // Design pixels, as all here.
-constexpr float kMargin = 12.0f;
-constexpr float kLeft = 62.0f;    // Beside the tools.
-constexpr float kRight = 110.0f;  // Room for the axes.
 constexpr int kMostRows = 6;
 
 std::string momentText(const Finding& finding) {
@@ -59,13 +56,12 @@ void drawCheckList(PanelUi& ui) {
   EditorState& state = ui.state;
   if (!state.open.check.shown) return;
   const glm::vec4& v = state.frame.viewport;
-  const float width = std::min(ui.px(kWidth), v.z - ui.px(kLeft + kRight));
+  const float width = std::min(ui.px(kWidth), v.z - ui.px(kBesideTools + kBesideAxes));
   const auto rows = static_cast<float>(std::clamp(static_cast<int>(state.open.check.findings.size()), 0, kMostRows));
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const float height = rows * line + 2.0f * ImGui::GetFrameHeightWithSpacing() + ui.px(20);
-  const float below = messagesHeight(ui) > 0.0f ? messagesHeight(ui) + ui.px(kMargin) : 0.0f;
-  const float top = v.w - height - below - ui.px(kMargin);
-  ImGui::SetCursorPos({ui.px(kLeft), std::max(top, 0.0f)});
+  const float top = lowestInPicture(ui) - height;
+  ImGui::SetCursorPos({ui.px(kBesideTools), std::max(top, 0.0f)});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.94f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
   ImGui::BeginChild("check", {width, height}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);

@@ -15,10 +15,7 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kWidth = 440.0f;  // Design pixels, as all here.
-constexpr float kMargin = 12.0f;
-constexpr float kLeft = 62.0f;     // Beside the tools.
-constexpr float kRight = 110.0f;   // Room for the axes.
+constexpr float kWidth = 440.0f;   // Design pixels, as all here.
 constexpr float kHighest = 0.45f;  // Of the picture.
 constexpr float kIndent = 22.0f;
 constexpr float kIconSize = 15.0f;
@@ -138,11 +135,10 @@ void drawClipList(PanelUi& ui) {
   EditorState& state = ui.state;
   if (!state.open.clipList.shown) return;
   const glm::vec4& v = state.frame.viewport;
-  const float width = std::min(ui.px(kWidth), v.z - ui.px(kLeft + kRight));
+  const float width = std::min(ui.px(kWidth), v.z - ui.px(kBesideTools + kBesideAxes));
   const float frame = ImGui::GetTextLineHeightWithSpacing() + ImGui::GetFrameHeightWithSpacing() + ui.px(18);
-  const float below = messagesHeight(ui) > 0.0f ? messagesHeight(ui) + ui.px(kMargin) : 0.0f;
   const float height = std::min(listHeight(ui, width - ui.px(20)) + frame, kHighest * v.w);
-  ImGui::SetCursorPos({ui.px(kLeft), std::max(v.w - height - below - ui.px(kMargin), 0.0f)});
+  ImGui::SetCursorPos({ui.px(kBesideTools), std::max(lowestInPicture(ui) - height, 0.0f)});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.97f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
   ImGui::BeginChild("clip-files", {width, height}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);

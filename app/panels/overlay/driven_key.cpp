@@ -10,7 +10,6 @@ namespace sinew::app {
 namespace {
 
 constexpr float kTop = 54.0f;  // Design pixels, as all here: below the display bar.
-constexpr float kLeft = 62.0f;
 constexpr float kBelowFlex = 42.0f;
 constexpr float kNumbers = 186.0f;  // The numbers at the right, with their margin.
 
@@ -35,7 +34,7 @@ void drawDrivenKey(PanelUi& ui) {
   const float reading = ImGui::CalcTextSize("-180.0\xc2\xb0").x;
   const float fixed = reading + buttonWidth(set.c_str()) + buttonWidth("Done") + 3.0f * gap + ui.px(20);
   const glm::vec4& v = ui.state.frame.viewport;
-  const float left = ui.px(kLeft);
+  const float left = ui.px(kBesideTools);
   const float top = ui.px(kTop + (ui.state.document.rig().lines.empty() ? 0.0f : kBelowFlex));
   const float room = v.z - left - ui.px(kNumbers) - fixed;
   const std::string shown = fitted(text, std::max(room, ui.px(40)));

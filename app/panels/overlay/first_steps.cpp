@@ -13,9 +13,6 @@ namespace sinew::app {
 namespace {
 
 constexpr float kWidth = 256.0f;  // Design pixels, as all here.
-constexpr float kMargin = 12.0f;
-constexpr float kLeft = 62.0f;    // Beside the tools.
-constexpr float kRight = 110.0f;  // Room for the axes.
 constexpr float kMark = 22.0f;
 
 struct StepText {
@@ -85,9 +82,8 @@ void drawFirstSteps(PanelUi& ui) {
   const bool done = firstStepsDone(state.view.firstSteps);
   const float lines = 1.0f + (done ? 2.0f : static_cast<float>(kFirstSteps) + 1.0f);
   const float height = lines * ImGui::GetTextLineHeightWithSpacing() + ImGui::GetFrameHeightWithSpacing() + ui.px(20);
-  const float width = std::min(ui.px(kWidth), v.z - ui.px(kLeft + kRight));
-  const float below = messagesHeight(ui) > 0.0f ? messagesHeight(ui) + ui.px(kMargin) : 0.0f;
-  ImGui::SetCursorPos({ui.px(kLeft), std::max(v.w - height - below - ui.px(kMargin), 0.0f)});
+  const float width = std::min(ui.px(kWidth), v.z - ui.px(kBesideTools + kBesideAxes));
+  ImGui::SetCursorPos({ui.px(kBesideTools), std::max(lowestInPicture(ui) - height, 0.0f)});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.94f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(12), ui.px(10)});
   ImGui::BeginChild("first-steps", {width, height}, true,

@@ -14,7 +14,6 @@ namespace {
 constexpr float kWidth = 250.0f;   // Design pixels, as all here.
 constexpr float kNarrow = 200.0f;  // Below, the word goes into the slider and the button away.
 constexpr float kNarrowest = 100.0f;
-constexpr float kLeft = 62.0f;  // Beside the tools.
 
 /// While the key is down, and from the menu until it is chosen again.
 void holdFlex(PanelUi& ui, FlexState& flex) {
@@ -49,14 +48,14 @@ void drawFlex(PanelUi& ui) {
   if (ui.state.document.rig().lines.empty()) return;
   holdFlex(ui, flex);
   // Beside the numbers if there is room, else under them.
-  const float room = v.z - ui.px(kLeft + 12.0f);
+  const float room = v.z - ui.px(kBesideTools + kFromEdges);
   const float beside = room - numbersWidth(ui);
   const bool under = beside < ui.px(kNarrowest);
   const float width = std::min(ui.px(kWidth), under ? room : beside);
   if (width < ui.px(kNarrowest)) return;
   const bool narrow = width < ui.px(kNarrow);
   const float height = ImGui::GetFrameHeight() + ui.px(8);
-  ImGui::SetCursorPos({ui.px(kLeft), ui.px(under ? 90.0f : 54.0f)});
+  ImGui::SetCursorPos({ui.px(kBesideTools), ui.px(under ? 90.0f : 54.0f)});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.88f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(4)});
   ImGui::BeginChild(

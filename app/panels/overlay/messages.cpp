@@ -124,6 +124,12 @@ float messagesHeight(PanelUi& ui) {
   return std::min({wantedHeight(ui), ui.px(kHighest), ui.state.frame.viewport.w * 0.4f});
 }
 
+float lowestInPicture(PanelUi& ui) {
+  const float messages = messagesHeight(ui);
+  const float lowest = ui.state.frame.viewport.w - ui.px(kFromEdges);
+  return messages > 0.0f ? lowest - messages - ui.px(kFromEdges) : lowest;
+}
+
 void drawMessages(PanelUi& ui) {
   std::vector<Message>& messages = ui.state.session.messages;
   const float height = messagesHeight(ui);

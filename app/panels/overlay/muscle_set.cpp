@@ -19,9 +19,6 @@ namespace sinew::app {
 namespace {
 
 constexpr float kWidth = 300.0f;  // Design pixels, as all here.
-constexpr float kMargin = 12.0f;
-constexpr float kLeft = 62.0f;    // Beside the tools.
-constexpr float kRight = 110.0f;  // Room for the axes.
 constexpr float kLabel = 84.0f;
 constexpr float kRows = 4.0f;  // Besides one of text.
 
@@ -114,10 +111,9 @@ void drawMuscleSet(PanelUi& ui) {
   if (state.open.muscleSet.shown && !setIsTunable(state)) closeSet(state);
   if (!state.open.muscleSet.shown) return;
   const glm::vec4& v = state.frame.viewport;
-  const float width = std::min(ui.px(kWidth), v.z - ui.px(kLeft + kRight));
+  const float width = std::min(ui.px(kWidth), v.z - ui.px(kBesideTools + kBesideAxes));
   const float height = kRows * ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing() + ui.px(12);
-  const float below = messagesHeight(ui) > 0.0f ? messagesHeight(ui) + ui.px(kMargin) : 0.0f;
-  ImGui::SetCursorPos({ui.px(kLeft), std::max(v.w - height - below - ui.px(kMargin), 0.0f)});
+  ImGui::SetCursorPos({ui.px(kBesideTools), std::max(lowestInPicture(ui) - height, 0.0f)});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.94f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
   ImGui::BeginChild("muscle-set", {width, height}, true,

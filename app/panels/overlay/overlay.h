@@ -34,6 +34,14 @@ void drawViewportMenu(PanelUi& ui);
 void drawMessages(PanelUi& ui);
 /// Height of the list at the picture's lower left; 0 while it is not shown.
 [[nodiscard]] float messagesHeight(PanelUi& ui);
+
+/// Design pixels, of panels over the picture: beside the tools, room for the axes at the right, and from its edges.
+inline constexpr float kBesideTools = 62.0f;
+inline constexpr float kBesideAxes = 110.0f;
+inline constexpr float kFromEdges = 12.0f;
+/// How low such a panel may reach: above the messages.
+[[nodiscard]] float lowestInPicture(PanelUi& ui);
+
 void drawToast(PanelUi& ui);
 /// How many messages there are, at the right end of the current line; a click shows or hides them. @return its width,
 /// 0 without messages.

@@ -14,8 +14,6 @@ namespace sinew::app {
 namespace {
 
 constexpr float kWidth = 330.0f;  // Design pixels, as all here.
-constexpr float kMargin = 12.0f;
-constexpr float kLeft = 62.0f;    // Beside the tools.
 constexpr float kTop = 92.0f;     // Under the display bar and the numbers.
 constexpr float kLowest = 40.0f;  // It scrolls.
 constexpr float kPercent = 100.0f;
@@ -116,12 +114,11 @@ void drawReference(PanelUi& ui) {
   const bool hidden = open.check.shown || open.muscleSet.shown || open.bodyParts.shown || open.clipList.shown;
   if (!reference.shown || hidden) return;
   const glm::vec4& v = ui.state.frame.viewport;
-  const float width = std::min(ui.px(kWidth), v.z - ui.px(kLeft + kMargin));
+  const float width = std::min(ui.px(kWidth), v.z - ui.px(kBesideTools + kFromEdges));
   const float rows = reference.chosen().file.empty() ? 3.0f : 8.0f;
-  const float below = messagesHeight(ui) > 0.0f ? messagesHeight(ui) + ui.px(kMargin) : 0.0f;
   const float wanted = rows * ImGui::GetFrameHeightWithSpacing() + ui.px(14);
-  const float height = std::clamp(v.w - below - ui.px(kTop + kMargin), ui.px(kLowest), wanted);
-  ImGui::SetCursorPos({ui.px(kLeft), v.w - height - below - ui.px(kMargin)});
+  const float height = std::clamp(lowestInPicture(ui) - ui.px(kTop), ui.px(kLowest), wanted);
+  ImGui::SetCursorPos({ui.px(kBesideTools), lowestInPicture(ui) - height});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.94f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
   ImGui::BeginChild("reference", {width, height}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);

@@ -9,9 +9,11 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/at.h"
+#include "core/base/longest_axis.h"
 #include "core/base/parallel.h"
 #include "core/base/smoothstep.h"
 #include "core/mesh/nearest_on_triangle.h"
+#include "core/smoothing/finish/refined_corners.h"
 
 namespace sinew {
 namespace {
@@ -22,12 +24,6 @@ constexpr float kSkinUnderWithin = 0.05f;   ///< Fraction of H within which clot
 constexpr float kSkinUnderAlong = 0.2f;     ///< Cosine to its normal at which skin looks for cloth.
 
 float squaredLength(const glm::vec3& v) { return glm::dot(v, v); }
-
-glm::vec3 refinedFace(const Refinement& refinement, int triangle, std::span<const glm::vec3> positions) {
-  const std::array<int, 3>& t = at(refinement.triangles, triangle);
-  const glm::vec3& a = at(positions, t[0]);
-  return normalizeOr(glm::cross(at(positions, t[1]) - a, at(positions, t[2]) - a), glm::vec3(0.0f));
-}
 
 /// Corners of a refined vertex's carrier, the one with the largest share first.
 struct CarrierCorners {
@@ -157,8 +153,7 @@ void sortInSpace(std::span<int> order, std::span<const WallsUnder> places) {
   if (order.size() <= kClothGroup) return;
   Bounds box;
   for (const int i : order) box.add(at(places, i).bindPlace);
-  const glm::vec3 size = box.extent();
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const glm::length_t axis = longestAxis(box.extent());
   const std::size_t half = (order.size() / 2 + kClothGroup - 1) / kClothGroup * kClothGroup;
   std::ranges::nth_element(order, order.begin() + static_cast<std::ptrdiff_t>(half), {},
                            [&](int i) { return std::pair(at(places, i).bindPlace[axis], i); });
@@ -176,7 +171,7 @@ void findWalls(const ControlMesh& mesh, const Refinement& refinement, const Vert
   forEachIndex(out.cloth.size(), 256, [&](std::size_t i) {
     const glm::vec3& p = at(positions, out.cloth[i].vertex);
     const int nearest = walls.nearest(p, reach);
-    out.wallsUnder[i] = {p, nearest < 0 ? glm::vec3(0.0f) : refinedFace(refinement, nearest, positions)};
+    out.wallsUnder[i] = {p, nearest < 0 ? glm::vec3(0.0f) : faceOf(refinedCorners(refinement, nearest, positions))};
   });
   out.inSpace.resize(out.cloth.size());
   for (std::size_t i = 0; i < out.inSpace.size(); ++i) out.inSpace[i] = static_cast<int>(i);

@@ -10,7 +10,7 @@
 #include "core/base/at.h"
 #include "core/base/parallel.h"
 #include "core/base/smoothstep.h"
-#include "core/mesh/nearest_on_triangle.h"
+#include "core/smoothing/finish/refined_corners.h"
 
 namespace sinew {
 namespace {
@@ -25,11 +25,6 @@ constexpr float kClearMotion = 2e-4f;    ///< Fraction of H that a wall or the c
 constexpr float kClearBeyond = 0.25f;    ///< Of its depth, how far above a wall a vertex comes to be.
 constexpr int kClearRounds = 12;         ///< The way out of one wall may lead into the next.
 constexpr float kLeastRaiseCosine = 0.5f;  ///< A raise along another direction grows by no more than this says.
-
-TriangleCorners refinedCorners(const Refinement& refinement, int triangle, std::span<const glm::vec3> of) {
-  const std::array<int, 3>& t = at(refinement.triangles, triangle);
-  return {at(of, t[0]), at(of, t[1]), at(of, t[2])};
-}
 
 bool footHasMoved(const Refinement& refinement, int triangle, const ClothView& view, const Surface& surface) {
   return std::ranges::any_of(at(refinement.triangles, triangle),

@@ -9,23 +9,16 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/at.h"
+#include "core/base/longest_axis.h"
 #include "core/base/parallel.h"
 #include "core/base/smoothstep.h"
+#include "core/smoothing/finish/refined_corners.h"
 
 namespace sinew {
 namespace {
 
 constexpr std::size_t kMostWallDepth = 64;
 constexpr float kWallSeenWhole = 0.05f;  ///< Cosine to a wall's normal from which it counts as it is.
-
-TriangleCorners wallCorners(const Refinement& refinement, int triangle, std::span<const glm::vec3> positions) {
-  const std::array<int, 3>& t = at(refinement.triangles, triangle);
-  return {at(positions, t[0]), at(positions, t[1]), at(positions, t[2])};
-}
-
-glm::vec3 faceOf(const TriangleCorners& c) {
-  return normalizeOr(glm::cross(c[1] - c[0], c[2] - c[0]), glm::vec3(0.0f));
-}
 
 /// How far skin is that a place is below: it comes from infinity where it is seen from the side.
 /// @param along  the way to the place along the skin's normal, below 0
@@ -45,7 +38,7 @@ class WallSplitter {
  public:
   WallSplitter(const Refinement& refinement, std::span<const glm::vec3> positions, WallTree& tree) : tree_(tree) {
     for (const int t : tree.triangles) {
-      const TriangleCorners c = wallCorners(refinement, t, positions);
+      const TriangleCorners c = refinedCorners(refinement, t, positions);
       middles_.push_back((c[0] + c[1] + c[2]) / 3.0f);
     }
     order_.resize(middles_.size());
@@ -73,8 +66,7 @@ class WallSplitter {
     Bounds box;
     const auto first = order_.begin() + node.first;
     std::for_each_n(first, node.count, [&](int i) { box.add(at(middles_, i)); });
-    const glm::vec3 size = box.extent();
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const glm::length_t axis = longestAxis(box.extent());
     const int half = node.count / 2;
     std::nth_element(first, first + half, first + node.count, [&](int a, int b) {
       const float x = at(middles_, a)[axis];
@@ -97,7 +89,7 @@ WallTree wallTree(const Refinement& refinement, std::span<const int> triangles, 
   if (triangles.empty()) return tree;
   WallSplitter(refinement, positions, tree).run();
   for (const int t : tree.triangles) {
-    const TriangleCorners c = wallCorners(refinement, t, positions);
+    const TriangleCorners c = refinedCorners(refinement, t, positions);
     tree.bindPlaces.push_back(c[0]);
     tree.bindFaces.push_back(faceOf(c));
   }
@@ -158,7 +150,7 @@ bool WallNode::mayBeBehind(const glm::vec3& p, float within) const {
   return cosine <= 0.0f || cosine * along - sine * across <= most;
 }
 
-TriangleCorners SkinWalls::cornersOf(int triangle) const { return wallCorners(refinement_, triangle, positions_); }
+TriangleCorners SkinWalls::cornersOf(int triangle) const { return refinedCorners(refinement_, triangle, positions_); }
 
 bool SkinWalls::isSkin(int triangle) const {
   return at(layers_, at(refinement_.controlOf, triangle)) == SkinLayer::kSkin;

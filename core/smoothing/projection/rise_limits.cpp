@@ -1,5 +1,6 @@
 // core/smoothing/projection/rise_limits.cpp: the nearest meeting over all pairs of points, found cell by cell.
 #include "core/smoothing/projection/rise_limits.h"
+#include "core/base/longest_axis.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +27,7 @@ struct Point {
 };
 
 int sideOf(const glm::vec3& direction) {
-  const glm::vec3 size = glm::abs(direction);
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const glm::length_t axis = longestAxis(glm::abs(direction));
   return 2 * axis + (direction[axis] < 0.0f ? 1 : 0);
 }
 

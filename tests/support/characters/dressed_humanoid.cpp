@@ -324,4 +324,15 @@ std::shared_ptr<const Character> dressedHumanoid(Outfit outfit) {
   return character;
 }
 
+std::vector<Pose> posesOfClips(const Character& character, int each) {
+  std::vector<Pose> poses;
+  for (const AnimationClip& clip : character.clips) {
+    for (int i = 0; i < each; ++i) {
+      const float time = clip.duration * static_cast<float>(i) / static_cast<float>(each);
+      poses.push_back(samplePose(character.skeleton, clip, time));
+    }
+  }
+  return poses;
+}
+
 }  // namespace sinew::test

@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "sinew/character/character.h"
+#include "sinew/skeleton/pose.h"
 
 namespace sinew::test {
 
@@ -29,5 +31,7 @@ inline constexpr Outfit kOutfits[] = {Outfit::kUsual, Outfit::kTight, Outfit::kL
 std::filesystem::path writeDressedHumanoid(const std::filesystem::path& folder, Outfit outfit = Outfit::kUsual);
 /// Imported; each made once.
 [[nodiscard]] std::shared_ptr<const Character> dressedHumanoid(Outfit outfit = Outfit::kUsual);
+/// So many moments of each clip.
+[[nodiscard]] std::vector<Pose> posesOfClips(const Character& character, int each);
 
 }  // namespace sinew::test
