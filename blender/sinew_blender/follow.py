@@ -37,10 +37,16 @@ def update(surface, depsgraph, again=False):
 
 
 def _tell(surface, error):
-    line = " ".join(str(error.args[0] if isinstance(error, LookupError) else error).split())
+    line = " ".join(_reason(error).split())
     if problems.get(surface.name) != line:
         print("Sinew: %s: %s" % (surface.name, line))
     problems[surface.name] = line
+
+
+def _reason(error):
+    if isinstance(error, OSError) and error.filename:
+        return "%s: %s" % (error.filename, error.strerror)
+    return str(error.args[0] if isinstance(error, LookupError) else error)
 
 
 def _follow(surface, depsgraph, again):

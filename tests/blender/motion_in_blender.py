@@ -190,6 +190,23 @@ def saved(surface):
     return surface
 
 
+def file_gone(surface):
+    """Whoever moves the rig is told which file is missing; back in its place, it is followed again."""
+    own = folder + "/gone.rig.json"
+    with open(rig, encoding="utf-8") as read, open(own, "w", encoding="utf-8") as copied:
+        copied.write(read.read().replace('"humanoid.glb"', '"%s"' % (os.path.dirname(rig) + "/humanoid.glb")))
+    surface.sinew.rig = own
+    os.rename(own, own + "~")
+    turned(surface.sinew.armature, "head", 0.1)
+    bpy.context.view_layer.update()
+    said = inside.problems().get(surface.name, "")
+    seen("a rig file that is gone is named", said == own + ": No such file or directory", said)
+    os.rename(own + "~", own)
+    turned(surface.sinew.armature, "head", 0.1)
+    moments.add(surface, "its file is back")
+    surface.sinew.rig = rig
+
+
 def linked(surface):
     """From another file: both linked, both overrides, and the surface local."""
     names = [surface.name, surface.sinew.armature.name]
@@ -240,5 +257,6 @@ moved(body)
 another_scene(body)
 renamed(body)
 detail(body)
+file_gone(body)
 linked(saved(body))
 moments.save(folder + "/told.npz")

@@ -9,7 +9,7 @@ RIG = ASSETS / "humanoid.rig.json"
 EXPECTED = {"keyed", "IK target", "second action", "undo", "redo", "two characters: the first",
             "two characters: the second", "hidden armature", "object moved", "another scene", "saved and opened",
             "linked", "override", "local, the armature an override",
-            "uniform detail again", "renamed"}
+            "uniform detail again", "renamed", "its file is back"}
 
 
 def test(folder):
