@@ -135,7 +135,7 @@ void drawClipList(PanelUi& ui) {
   EditorState& state = ui.state;
   if (!state.open.clipList.shown) return;
   const glm::vec4& v = state.frame.viewport;
-  const float width = std::min(ui.px(kWidth), v.z - ui.px(kBesideTools + kBesideAxes));
+  const float width = widthInPicture(ui, kWidth);
   const float frame = ImGui::GetTextLineHeightWithSpacing() + ImGui::GetFrameHeightWithSpacing() + ui.px(18);
   const float height = std::min(listHeight(ui, width - ui.px(20)) + frame, kHighest * v.w);
   ImGui::SetCursorPos({ui.px(kBesideTools), std::max(lowestInPicture(ui) - height, 0.0f)});
