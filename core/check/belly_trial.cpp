@@ -30,7 +30,7 @@ BellyTrial::BellyTrial(const BellyChoice& choice, const SurfaceSettings& surface
   const auto bone = character.skeleton.findBone(choice.primitive.bone);
   if (!bone) return;
   const PosedRig bind = poser_.pose(bindPose(character.skeleton));
-  belly_ = FollowedBelly::create(character, bind.muscles[0], *bone);
+  belly_ = FollowedBelly::create(character, motions.skin(), bind.muscles[0], *bone);
   body_ = bellyBody(bind.muscles[0]);
 }
 

@@ -45,7 +45,8 @@ class LineTrial {
     const Character& character = motions.character();
     if (const auto bone = character.skeleton.findBone(trial_.primitives[0].bone)) {
       const RigPoser poser(trial_, character);
-      belly_ = FollowedBelly::create(character, poser.pose(bindPose(character.skeleton)).muscles[0], *bone);
+      belly_ =
+          FollowedBelly::create(character, motions.skin(), poser.pose(bindPose(character.skeleton)).muscles[0], *bone);
     }
     if (belly_) frames_ = motions.framesOf(belly_->spots());
   }
