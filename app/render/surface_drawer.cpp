@@ -142,7 +142,14 @@ void SurfaceDrawer::fillVertices(const Scene& scene) {
                    displaced ? surface.displacement[vertex] : 0.0f};
   }
   uploadBuffer(vertices_, std::span<const Vertex>(staging_));
+  glVertexArrayVertexBuffer(array_.id(), 0, vertices_.id(), 0, sizeof(Vertex));
   bounds_ = boundsOf(surface.positions);
+  fillClasses(scene);
+}
+
+void SurfaceDrawer::takeCardVertices(const Scene& scene) {
+  glVertexArrayVertexBuffer(array_.id(), 0, cardVertices_->buffer, 0, sizeof(Vertex));
+  bounds_ = cardVertices_->bounds;
   fillClasses(scene);
 }
 
@@ -185,7 +192,8 @@ void SurfaceDrawer::upload(const Scene& scene) {
     return;
   }
   revision_ = scene.surfaceRevision;
-  fillVertices(scene);
+  if (cardVertices_) takeCardVertices(scene);
+  else fillVertices(scene);
 }
 
 const GlProgram& SurfaceDrawer::prepareProgram(const Frame& frame, MapSet maps) const {
