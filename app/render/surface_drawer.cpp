@@ -146,6 +146,7 @@ void SurfaceDrawer::stage(const Surface& surface) {
 void SurfaceDrawer::fillVertices(const Scene& scene) {
   stage(*scene.surface);
   uploadBuffer(vertices_, std::span<const Vertex>(staging_));
+  glVertexArrayVertexBuffer(array_.id(), 0, vertices_.id(), 0, sizeof(Vertex));
   bounds_ = boundsOf(scene.surface->positions);
   hasBeside_ = scene.beside != nullptr;
   if (hasBeside_) {
@@ -154,6 +155,13 @@ void SurfaceDrawer::fillVertices(const Scene& scene) {
     uploadBuffer(besideVertices_, std::span<const Vertex>(staging_));
     for (const glm::vec3& point : scene.beside->positions) bounds_.add(point);
   }
+  fillClasses(scene);
+}
+
+void SurfaceDrawer::takeCardVertices(const Scene& scene) {
+  glVertexArrayVertexBuffer(array_.id(), 0, cardVertices_->buffer, 0, sizeof(Vertex));
+  hasBeside_ = false;
+  bounds_ = cardVertices_->bounds;
   fillClasses(scene);
 }
 
@@ -196,7 +204,8 @@ void SurfaceDrawer::upload(const Scene& scene) {
     return;
   }
   revision_ = scene.surfaceRevision;
-  fillVertices(scene);
+  if (cardVertices_) takeCardVertices(scene);
+  else fillVertices(scene);
 }
 
 const GlProgram& SurfaceDrawer::prepareProgram(const Frame& frame, MapSet maps) const {

@@ -4,9 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "app/render/card_vertices.h"
 #include "app/render/frame.h"
 #include "app/render/material_textures.h"
 #include "app/render/surface_programs.h"
@@ -19,6 +21,8 @@ class SurfaceDrawer {
 
   /// Textures with mipmaps, and materials.
   void setCharacter(const Character& character);
+  /// As Viewport::setCardVertices.
+  void setCardVertices(const std::optional<CardVertices>& vertices) { cardVertices_ = vertices; }
   /// Uploads what has changed: vertices unless the surface is the one of the last call, index buffers when the
   /// refinement or what is culled is another one, skin values with refinement or territory. The scene has a surface.
   void upload(const Scene& scene);
@@ -63,6 +67,7 @@ class SurfaceDrawer {
   void stage(const Surface& surface);
   /// Of the array that is bound: of the surface, and of that beside it.
   void drawTriangles(int firstTriangle, int triangles) const;
+  void takeCardVertices(const Scene& scene);
   void fillClasses(const Scene& scene);
   void rebuildTopology(const ControlMesh& mesh);
   /// Control triangles by material, the culled left out: controlOrder_, ranges_ and the indices to draw.
@@ -93,6 +98,7 @@ class SurfaceDrawer {
   std::vector<Range> shadowRanges_;  ///< ranges_ as without culling.
   GLsizei coarseIndexCount_ = 0;     ///< 0: the shadow is cast by all triangles.
   std::vector<Vertex> staging_;
+  std::optional<CardVertices> cardVertices_;
   std::vector<float> open_;        ///< [V] how open each control vertex is (occlusion.h).
   std::vector<float> territory_;   ///< [V] or empty, as in skinValues_.
   std::vector<SkinLayer> layers_;  ///< Scene::layers, as in classes_.

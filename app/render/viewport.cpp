@@ -185,6 +185,10 @@ void Viewport::setCharacter(const Character& character) {
   }
 }
 
+void Viewport::setCardVertices(const std::optional<CardVertices>& vertices) {
+  state_->surface.setCardVertices(vertices);
+}
+
 /// Below the character. In a movement it stays where it was until that is seen: what is drawn there can be kept.
 glm::vec3 Viewport::groundCenter(const Frame& frame, bool moving) {
   const glm::vec3 below = frame.surfaceBounds.isEmpty() ? glm::vec3(0.0f) : frame.surfaceBounds.center();
