@@ -99,7 +99,7 @@ Result<CardDifference> compareWithProcessor(const std::shared_ptr<const Preparat
   };
   CardDifference found;
   found.vertices = preparation->refinement().vertexCount;
-  card.make(Part::kProject);
+  card.make(SurfacePart::kProject);
   found.unsure = static_cast<int>(card.readUnsure());
   const std::vector<card::Vertex> projected = card.readSurface();
   card.make();
@@ -145,12 +145,12 @@ Result<CardFigures> measureCard(const StagePrograms& programs, const std::shared
       if ((b + 1) % figures.together != 0) continue;
       card.value().make();
       const PartSeconds seconds = card->seconds();
-      for (std::size_t part = 0; part < kParts; ++part) sum[part] += seconds[part];
+      for (std::size_t part = 0; part < kSurfaceParts; ++part) sum[part] += seconds[part];
     }
     whole.push_back(watch.lap());
     onCard.push_back(sum);
   }
-  for (std::size_t part = 0; part < kParts; ++part) {
+  for (std::size_t part = 0; part < kSurfaceParts; ++part) {
     figures.card[part] = medianOf(onCard, [&](const PartSeconds& one) { return one[part]; });
   }
   figures.cardWhole = medianOf(whole);
@@ -182,7 +182,7 @@ std::string textOf(const std::string& name, const CardFigures& figures) {
     std::snprintf(line, sizeof line, values...);
     text += line;
   };
-  const auto part = [&](Part of) { return 1e3 * figures.card[static_cast<std::size_t>(of)]; };
+  const auto part = [&](SurfacePart of) { return 1e3 * figures.card[static_cast<std::size_t>(of)]; };
   const StageSeconds& p = figures.processor;
   const double bodies = figures.bodies;
   const auto row = [&](const char* what, double card, double processor) {
@@ -192,12 +192,12 @@ std::string textOf(const std::string& name, const CardFigures& figures) {
       grouped(figures.triangles).c_str());
   if (figures.bodies > 1) add(", %d bodies, %d at once", figures.bodies, figures.together);
   add("\n  %-10s %12s %12s\n", "ms", "card", "processor");
-  row("skin", part(Part::kSkin), p.skin);
-  row("patch", part(Part::kPatch), p.patch);
-  row("project", part(Part::kProject), p.project);
-  row("folds", part(Part::kHeights) + part(Part::kFolds), p.folds);
-  row("normals", part(Part::kNormals), p.normals);
-  add("  %-10s %12.3f\n", "drawn", part(Part::kDrawn));
+  row("skin", part(SurfacePart::kSkin), p.skin);
+  row("patch", part(SurfacePart::kPatch), p.patch);
+  row("project", part(SurfacePart::kProject), p.project);
+  row("folds", part(SurfacePart::kHeights) + part(SurfacePart::kFolds), p.folds);
+  row("normals", part(SurfacePart::kNormals), p.normals);
+  add("  %-10s %12.3f\n", "drawn", part(SurfacePart::kDrawn));
   row("total", 1e3 * total(figures.card), p.total());
   add("  with posing, upload and waiting: %.3f ms\n", 1e3 * figures.cardWhole);
   const CardDifference& d = figures.difference;

@@ -229,42 +229,42 @@ void CardSurface::makeNormals() const {
   run(Stage::kEven, vertices, {kRings, kNeighbors, kPatches, kSurface, kTurns, kTeeth});
 }
 
-void CardSurface::runPart(Part part) const {
+void CardSurface::runPart(SurfacePart part) const {
   using enum Buffer;
   switch (part) {
-    case Part::kSkin:
+    case SurfacePart::kSkin:
       return run(Stage::kSkin, making_.controlVertices,
                  {kInfluenceBegin, kInfluences, kBindControls, kMatrices, kControls});
-    case Part::kPatch:
+    case SurfacePart::kPatch:
       if (preparation_->swells()) {
         return run(Stage::kPatch, making_.refinedVertices, {kControls, kRefined, kPatches, kLines, kSurface});
       }
       return run(Stage::kFlatPatch, making_.refinedVertices,
                  {kControls, kRefined, kPatches, kLines, kSurface, kBoundAnchors, kBones, kRoots});
-    case Part::kProject:
+    case SurfacePart::kProject:
       return findRoots();
-    case Part::kHeights:
+    case SurfacePart::kHeights:
       if (wrapsBody()) return;
       boundHeights();
       // `replace` lies on the muscle.
       return preparation_->swells() ? filterHeights() : void();
-    case Part::kFolds:
+    case SurfacePart::kFolds:
       return wrapsBody() ? void() : removeFolds();
-    case Part::kNormals:
+    case SurfacePart::kNormals:
       return wrapsBody() ? void() : makeNormals();
-    case Part::kDrawn:
+    case SurfacePart::kDrawn:
       return run(Stage::kDrawn, making_.drawnVertices, {kDrawVertices, kSurface, kDrawn});
   }
 }
 
-void CardSurface::make(Part last) {
+void CardSurface::make(SurfacePart last) {
   uploadPoses();
   constexpr std::uint32_t kZero = 0;
   glClearNamedBufferData(of(Buffer::kLive).id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &kZero);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   timers_.begin();
-  for (std::size_t i = 0; i < kParts; ++i) {
-    const auto part = static_cast<Part>(i);
+  for (std::size_t i = 0; i < kSurfaceParts; ++i) {
+    const auto part = static_cast<SurfacePart>(i);
     if (part <= last) runPart(part);
     timers_.end(part);
   }

@@ -41,7 +41,7 @@ class CardSurface {
   [[nodiscard]] std::optional<std::string> setPose(const Pose& pose, int body = 0);
   /// Uploads the poses and makes the surfaces of all bodies. Does not wait.
   /// @param last  tests look at what the parts up to this one have left in readSurface()
-  void make(Part last = Part::kDrawn);
+  void make(SurfacePart last = SurfacePart::kDrawn);
 
   /// card::Drawn, [bodies * D]; what is drawn.
   [[nodiscard]] GLuint drawnVertices() const { return of(Buffer::kDrawn).id(); }
@@ -126,7 +126,7 @@ class CardSurface {
   void runListed(Stage stage, std::initializer_list<Buffer> buffers) const;
   /// A surface that wraps the body may lie across its patch: nothing is bounded, and normals are the field's.
   [[nodiscard]] bool wrapsBody() const { return !preparation_->swells() && making_.wraps != 0; }
-  void runPart(Part part) const;
+  void runPart(SurfacePart part) const;
   void findRoots() const;
   void boundHeights() const;
   void filterHeights() const;

@@ -10,7 +10,7 @@
 namespace sinew::app {
 
 /// Seconds by part.
-using PartSeconds = std::array<double, kParts>;
+using PartSeconds = std::array<double, kSurfaceParts>;
 [[nodiscard]] double total(const PartSeconds& seconds);
 
 /// Time stamps between the parts of one surface.
@@ -18,12 +18,12 @@ class PartTimers {
  public:
   PartTimers();
   void begin();
-  void end(Part part);
+  void end(SurfacePart part);
   /// Waits for the card.
   [[nodiscard]] PartSeconds seconds() const;
 
  private:
-  std::vector<GlQuery> stamps_;  ///< [kParts + 1]
+  std::vector<GlQuery> stamps_;  ///< [kSurfaceParts + 1]
 };
 
 }  // namespace sinew::app

@@ -33,8 +33,9 @@ Result<StagePrograms> StagePrograms::create() {
   return programs;
 }
 
-const char* nameOf(Part part) {
-  constexpr std::array<const char*, kParts> kNames{"skin", "patch", "project", "heights", "folds", "normals", "drawn"};
+const char* nameOf(SurfacePart part) {
+  constexpr std::array<const char*, kSurfaceParts> kNames{"skin",  "patch",   "project", "heights",
+                                                          "folds", "normals", "drawn"};
   return kNames[static_cast<std::size_t>(part)];
 }
 

@@ -51,8 +51,8 @@ class StagePrograms {
 };
 
 /// What a surface's time is told by; as StageSeconds of the processor.
-enum class Part { kSkin, kPatch, kProject, kHeights, kFolds, kNormals, kDrawn };
-inline constexpr std::size_t kParts = static_cast<std::size_t>(Part::kDrawn) + 1;
-[[nodiscard]] const char* nameOf(Part part);
+enum class SurfacePart { kSkin, kPatch, kProject, kHeights, kFolds, kNormals, kDrawn };
+inline constexpr std::size_t kSurfaceParts = static_cast<std::size_t>(SurfacePart::kDrawn) + 1;
+[[nodiscard]] const char* nameOf(SurfacePart part);
 
 }  // namespace sinew::app
