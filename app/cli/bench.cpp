@@ -9,11 +9,14 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/bench/measuring.h"
 #include "app/bench/whole.h"
 #include "app/cli/console.h"
 #include "app/cli/verb.h"
 #include "app/document/character_files.h"
+#include "app/gpu/card_figures.h"
 #include "app/platform/data_files.h"
+#include "app/platform/offscreen.h"
 #include "core/io/files/atomic_file.h"
 
 namespace sinew::app {
@@ -23,6 +26,8 @@ struct BenchOptions {
   std::vector<std::filesystem::path> files;   ///< Rigs or characters; none: those that ship with the program.
   std::optional<std::filesystem::path> json;  ///< Empty path: on stdout in place of the table. nullopt: none.
   int rounds = 7;
+  int crowd = 1;          ///< Bodies, of `bench gpu`.
+  int frames = 10;        ///< Of `bench gpu`.
   bool progress = false;  ///< Also where stderr is no terminal.
 };
 
@@ -65,7 +70,8 @@ bool hasFolder(const std::filesystem::path& file) {
 void addBenchOptions(CLI::App& verb, BenchOptions& options) {
   verb.add_option_function<std::vector<std::string>>(
       "FILE", [&options](const std::vector<std::string>& files) { options.files.assign(files.begin(), files.end()); },
-      "Rigs (.rig.json), or characters, which get 12 muscles by rule; none: humanoid and horse, made for each mode");
+      "Rigs (.rig.json), or characters, which get 12 muscles by rule; none: humanoid and horse, made for each mode. "
+      "The word gpu before them: the graphics card beside the processor");
   verb.add_option_function<std::vector<std::string>>(
           "--json",
           [&options](const std::vector<std::string>& files) { options.json = files.empty() ? "" : files.front(); },
@@ -75,11 +81,48 @@ void addBenchOptions(CLI::App& verb, BenchOptions& options) {
   verb.add_option("--rounds", options.rounds, "Times everything is timed (7)")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
+  verb.add_option("--crowd", options.crowd, "With gpu: bodies, each in a moment of its own (1)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100'000));
+  verb.add_option("--frames", options.frames, "With gpu: moments of the first clip (10)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10'000));
   verb.add_flag("--progress", options.progress,
                 "Say how far it is on stderr, every 5 percent; a terminal shows it anyway");
 }
 
+constexpr double kFrameStep = 1.0 / 30.0;  ///< Seconds between the moments of `bench gpu`.
+
+/// The rigs as they are, on the graphics card and on the processor.
+int runGpuBench(const BenchOptions& options) {
+  if (options.json) return badCommandLine("--json: the figures of `bench gpu` are for people alone");
+  std::vector<std::filesystem::path> files = options.files;
+  if (files.empty()) files = {dataFile("assets/humanoid.rig.json"), dataFile("assets/horse.rig.json")};
+  const auto context = OffscreenContext::create();
+  if (!context) return badInput(context.error());
+  const Result<StagePrograms> programs = StagePrograms::create();
+  if (!programs) return badInput(programs.error());
+  std::string text = "card: " + rendererName() + "\n";
+  for (const std::filesystem::path& file : files) {
+    const Result<BenchScene> scene = openScene(file);
+    if (!scene) return badInput(scene.error());
+    BlendingGraphMemo graphs;
+    const auto preparation = prepare(characterTables(scene->character), scene->rig, {}, nullptr, graphs);
+    if (!preparation) return badInput({file.string(), preparation.error().place, preparation.error().reason});
+    const std::vector<Pose> frames = steadyFrames(*scene->character, options.frames, kFrameStep);
+    const auto figures = measureCard(programs.value(), preparation.value(), frames, options.crowd);
+    if (!figures) return badInput({file.string(), "", "not computed on the card: " + figures.error().reason});
+    text += textOf(scene->name, figures.value());
+  }
+  return putResult(text);
+}
+
 int runBench(BenchOptions options) {
+  if (!options.files.empty() && options.files.front() == "gpu") {
+    options.files.erase(options.files.begin());
+    return runGpuBench(options);
+  }
+  if (options.crowd != 1 || options.frames != 10) return badCommandLine("--crowd and --frames go with `bench gpu`");
   if (options.json && isInput(*options.json)) options.files.push_back(std::exchange(*options.json, {}));
   if (options.json && !hasFolder(*options.json)) {
     return badInput({options.json->string(), "", "cannot be written: its folder does not exist"});

@@ -16,6 +16,7 @@
 #include "app/cli/render_plan.h"
 #include "app/cli/surface_options.h"
 #include "app/cli/verb.h"
+#include "app/gpu/drawn_on_card.h"
 #include "app/platform/offscreen.h"
 #include "app/render/render_target.h"
 #include "app/render/viewport.h"
@@ -48,10 +49,14 @@ class Drawing {
   }
 
   Image draw(const Moment& moment);
+  /// The surface is to be computed on the graphics card, as long as that can.
+  void drawFromCard(std::unique_ptr<DrawnOnCard> card) { card_ = std::move(card); }
 
   RenderSeconds seconds;
 
  private:
+  const Surface& makeSurface(const Pose& pose, const View& view);
+
   const OpenedInput& input_;
   const RenderPlan& plan_;
   SteadyView view_;
@@ -59,7 +64,26 @@ class Drawing {
   Smoother& smoother_;
   Viewport& viewport_;
   std::vector<SkinLayer> layers_;  ///< Scene::layers.
+  std::unique_ptr<DrawnOnCard> card_;
+  Surface surface_;  ///< The processor's.
 };
+
+void tellLeft(const std::string& reason) { message("the surface is computed by the processor: " + reason); }
+
+const Surface& Drawing::makeSurface(const Pose& pose, const View& view) {
+  if (card_) {
+    if (const auto reason = card_->make(pose); !reason) {
+      viewport_.setCardVertices(card_->vertices());
+      return card_->surface();
+    } else {
+      tellLeft(*reason);
+      card_.reset();
+      viewport_.setCardVertices(std::nullopt);
+    }
+  }
+  smoother_.smooth(pose, surface_, plan_.display.cullBackFaces ? std::optional(view.facingPoint()) : std::nullopt);
+  return surface_;
+}
 
 Image Drawing::draw(const Moment& moment) {
   const View view = view_.at(moment);
@@ -70,8 +94,7 @@ Image Drawing::draw(const Moment& moment) {
     pose = bindPose(character.skeleton);
   }
   Stopwatch watch;
-  Surface surface;
-  smoother_.smooth(pose, surface, plan_.display.cullBackFaces ? std::optional(view.facingPoint()) : std::nullopt);
+  const Surface& surface = makeSurface(pose, view);
   seconds.smooth += watch.lap();
   Scene scene;
   scene.character = &character;
@@ -121,6 +144,10 @@ void addLook(CLI::App& verb, RenderOptions& options) {
   verb.add_flag("--surface,!--no-surface", options.surface, "The smoothed surface (on)");
   verb.add_flag("--ground,!--no-ground", options.ground, "Grid and shadow (on)");
   verb.add_flag("--cull", options.cull, "Neither compute nor draw faces that point away from the camera: faster");
+  verb.add_option("--on", options.on,
+                  "Compute the surface on the processor or, with gpu, on the graphics card (processor)")
+      ->type_name("WHERE")
+      ->check(CLI::IsMember({"processor", "gpu"}));
   verb.add_flag("--transparent", options.transparent, "No background: an alpha channel instead");
   verb.add_option("--light", options.light, "studio, outdoor, rim or white (studio)")->type_name("L");
   verb.add_option("--background", options.background, "studio, dark, mid, light, gradient or checker (studio)")
@@ -234,6 +261,11 @@ int renderInput(const RenderOptions& options, const RenderPlan& plan, const Batc
   viewport.value()->setFinishFrames(true);
   viewport.value()->setOccludesOnce(true);
   Drawing drawing(opened.value(), plan, std::move(view), smoother, *viewport.value());
+  if (plan.onCard) {
+    auto card = DrawnOnCard::create(opened->character, rig);
+    if (card) drawing.drawFromCard(std::move(card).value());
+    else tellLeft(card.error().text());
+  }
   int status = kDone;
   if (plan.sheet.x > 0) status = writeSheet(opened.value(), plan, input.outputs.front(), drawing, progress);
   else if (plan.isMovie) status = writeMovie(opened.value(), plan, input.outputs.front(), drawing, progress);

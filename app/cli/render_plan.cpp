@@ -125,6 +125,15 @@ Result<void> readDisplay(const RenderOptions& options, RenderPlan& plan) {
   return {};
 }
 
+/// Where the surface is computed.
+Result<void> readPlace(const RenderOptions& options, RenderPlan& plan) {
+  plan.onCard = options.on == "gpu";
+  if (!plan.onCard) return {};
+  if (options.cull) return errorAt("--on", "gpu cannot be combined with --cull: only the processor leaves faces out");
+  if (plan.anchors) return errorAt("--on", "gpu cannot be combined with --show anchors: they need the surface itself");
+  return {};
+}
+
 Result<void> readSheet(const std::string& text, RenderPlan& plan) {
   if (text.empty()) return {};
   const auto cells = pairIn<int>(text, 'x');
@@ -193,6 +202,7 @@ Result<RenderPlan> planRender(const RenderOptions& options) {
   if (const auto read = readView(options.view, plan); !read) return read.error();
   if (const auto read = readSize(options.size, plan); !read) return read.error();
   if (const auto read = readDisplay(options, plan); !read) return read.error();
+  if (const auto read = readPlace(options, plan); !read) return read.error();
   if (const auto read = readSheet(options.sheet, plan); !read) return read.error();
   if (const auto read = readForm(options, plan); !read) return read.error();
   if (const auto read = readMoments(options, plan); !read) return read.error();

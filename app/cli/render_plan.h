@@ -31,7 +31,8 @@ struct RenderOptions {
   std::vector<std::string> show;
   float glass = DisplaySettings{}.glass;
   bool cull = false;
-  bool surface = true;  ///< Off: what is shown of muscles, bones and control mesh alone.
+  std::string on = "processor";  ///< Where the surface is computed: "processor" or "gpu".
+  bool surface = true;           ///< Off: what is shown of muscles, bones and control mesh alone.
   bool ground = true;
   bool transparent = false;
   std::string light = "studio";
@@ -57,6 +58,7 @@ struct RenderPlan {
   glm::ivec2 size{1280, 800};
   int samples = 4;
   DisplaySettings display;
+  bool onCard = false;   ///< The surface is computed on the graphics card, where that can.
   bool anchors = false;  ///< The segments from the control vertices to the skeleton.
 
   /// Ambient occlusion without noise is the mean of many drawings, which smooth the edges as well. Of muscles one

@@ -52,6 +52,7 @@ GLenum stageOf(const std::filesystem::path& file) {
   const std::string ending = file.extension().string();
   if (ending == ".vert") return GL_VERTEX_SHADER;
   if (ending == ".geom") return GL_GEOMETRY_SHADER;
+  if (ending == ".comp") return GL_COMPUTE_SHADER;
   assert(ending == ".frag");
   return GL_FRAGMENT_SHADER;
 }

@@ -96,7 +96,8 @@ void uploadBuffer(const GlBuffer& buffer, std::span<const T> values, GLenum usag
 class GlProgram {
  public:
   GlProgram() = default;
-  /// @param files data files ("shaders/x.vert", ".geom", ".frag"); a line `#include "y.glsl"` takes in shaders/y.glsl.
+  /// @param files data files ("shaders/x.vert", ".geom", ".frag", or a ".comp" alone); a line `#include "y.glsl"`
+  /// takes in shaders/y.glsl.
   /// Error: the file, and the driver's first complaint with its line.
   /// @param define names defined as 1 in all of them.
   [[nodiscard]] static Result<GlProgram> load(std::initializer_list<const char*> files,

@@ -4,9 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "app/render/card_vertices.h"
 #include "app/render/frame.h"
 #include "app/render/material_textures.h"
 #include "app/render/surface_programs.h"
@@ -19,6 +21,8 @@ class SurfaceDrawer {
 
   /// Textures with mipmaps, and materials.
   void setCharacter(const Character& character);
+  /// As Viewport::setCardVertices.
+  void setCardVertices(const std::optional<CardVertices>& vertices) { cardVertices_ = vertices; }
   /// Uploads what has changed: vertices unless the surface is the one of the last call, index buffers when the
   /// refinement or what is culled is another one, skin values with refinement or territory. The scene has a surface.
   void upload(const Scene& scene);
@@ -60,6 +64,10 @@ class SurfaceDrawer {
   SurfaceDrawer();
   void rebuildSkinValues(const ControlMesh& mesh);
   void fillVertices(const Scene& scene);
+  void stage(const Surface& surface);
+  /// Of the array that is bound: of the surface, and of that beside it.
+  void drawTriangles(int firstTriangle, int triangles) const;
+  void takeCardVertices(const Scene& scene);
   void fillClasses(const Scene& scene);
   void rebuildTopology(const ControlMesh& mesh);
   /// Control triangles by material, the culled left out: controlOrder_, ranges_ and the indices to draw.
@@ -78,7 +86,8 @@ class SurfaceDrawer {
   GlProgram partProgram_;
   GlQuery partSeen_;  ///< Whether anything of a part was seen.
   GlVertexArray array_;
-  GlBuffer vertices_, uvs_, skinValues_, colors_, indices_, keptIndices_, coarseIndices_, controlOf_, classes_, parts_;
+  GlBuffer vertices_, besideVertices_, uvs_, skinValues_, colors_, indices_, keptIndices_, coarseIndices_, controlOf_,
+      classes_, parts_;
   MaterialTextures textures_;
   std::vector<Material> materials_;
   std::vector<int> materialOfPart_;  ///< [parts]
@@ -89,11 +98,13 @@ class SurfaceDrawer {
   std::vector<Range> shadowRanges_;  ///< ranges_ as without culling.
   GLsizei coarseIndexCount_ = 0;     ///< 0: the shadow is cast by all triangles.
   std::vector<Vertex> staging_;
+  std::optional<CardVertices> cardVertices_;
   std::vector<float> open_;        ///< [V] how open each control vertex is (occlusion.h).
   std::vector<float> territory_;   ///< [V] or empty, as in skinValues_.
   std::vector<SkinLayer> layers_;  ///< Scene::layers, as in classes_.
   std::uint64_t revision_ = 0;     ///< Scene::surfaceRevision of what is uploaded; 0: unknown.
-  Bounds bounds_;
+  bool hasBeside_ = false;         ///< besideVertices_ are drawn too.
+  Bounds bounds_;                  ///< Of all that is drawn.
 };
 
 }  // namespace sinew::app

@@ -9,6 +9,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "app/platform/freed_memory.h"
 #include "app/render/frame.h"
 #include "app/render/ground_drawer.h"
 #include "app/render/lights.h"
@@ -146,6 +147,7 @@ Viewport::~Viewport() = default;
 
 Result<std::unique_ptr<Viewport>> Viewport::create(int samples) {
   if (epoxy_gl_version() < 45) return Error{"", "", "the graphics driver does not offer OpenGL 4.5: " + rendererName()};
+  if (isSoftwareRenderer()) keepFreedMemory();
   Result<SurfaceDrawer> surface = SurfaceDrawer::create();
   if (!surface) return surface.error();
   Result<GroundDrawer> ground = GroundDrawer::create();
@@ -181,6 +183,10 @@ void Viewport::setCharacter(const Character& character) {
   if (!character.mesh.positions.empty()) {
     state_->floor = std::ranges::min(character.mesh.positions, {}, &glm::vec3::y).y;
   }
+}
+
+void Viewport::setCardVertices(const std::optional<CardVertices>& vertices) {
+  state_->surface.setCardVertices(vertices);
 }
 
 /// Below the character. In a movement it stays where it was until that is seen: what is drawn there can be kept.

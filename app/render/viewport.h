@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/render/card_vertices.h"
 #include "app/render/scene.h"
 #include "app/render/view.h"
 #include "sinew/base/result.h"
@@ -43,6 +44,10 @@ class Viewport {
 
   /// Takes textures and materials. Call when the character changes, before drawing it. Copies what it needs.
   void setCharacter(const Character& character);
+
+  /// Draws these vertices in place of the scene's surface's positions and normals, which may be empty; its refinement
+  /// and classes count. nullopt: the surface's own, as by default.
+  void setCardVertices(const std::optional<CardVertices>& vertices);
 
   /// Draws into the own framebuffer, resized to view.size. Leaves framebuffer 0 bound, and depth test, blending,
   /// culling off. scene.character must be the one of setCharacter; scene.surface may be null (then no surface is

@@ -2,6 +2,7 @@
 #include "core/smoothing/posed_field.h"
 
 #include "core/base/at.h"
+#include "core/smoothing/place_muscles.h"
 
 namespace sinew {
 namespace {
@@ -34,8 +35,7 @@ void placePrimitives(const Preparation& preparation, std::span<const FieldPrimit
 
 }  // namespace
 
-void poseFieldAndSkin(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, const Pose& pose,
-                      PosedField& out) {
+void placeMuscles(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, PosedField& out) {
   out.rig = &rig;
   if (out.skinnedFrom != preparation) out.control.morphed = {};
   out.skinnedFrom = preparation;
@@ -44,6 +44,11 @@ void poseFieldAndSkin(const std::shared_ptr<const Preparation>& preparation, con
   const bool driven = preparation->poser->drivesMuscles();
   if (driven) readDriven(preparation, rig, out);
   placePrimitives(*preparation, driven ? out.driven : preparation->primitives, rig, out.primitives);
+}
+
+void poseFieldAndSkin(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, const Pose& pose,
+                      PosedField& out) {
+  placeMuscles(preparation, rig, out);
   skin(preparation->character(), pose, rig.morphWeights, out.control);
   const ControlMesh* creased = preparation->refined->creased.get();
   if (creased && out.control.morphed.isMorphed) morphFans(*creased, out.control.morphed);

@@ -108,6 +108,7 @@ _sinew() {
         render:--shading) _sinew_words textured clay classes heat; return ;;
         render:--show) _sinew_words muscles skeleton primitives influence wire control anchors classes relief; return ;;
         render:--glass) :; return ;;
+        render:--on) _sinew_words processor gpu; return ;;
         render:--light) :; return ;;
         render:--background) :; return ;;
         render:--size) :; return ;;
@@ -130,6 +131,8 @@ _sinew() {
         farm:--job) _sinew_files -; return ;;
         bench:--json) _sinew_files json; return ;;
         bench:--rounds) :; return ;;
+        bench:--crowd) :; return ;;
+        bench:--frames) :; return ;;
     esac
     case "$verb:$cur" in
         :-*) _sinew_words --version -h --help ;;
@@ -150,10 +153,10 @@ _sinew() {
         export:*) _sinew_files glb gltf vrm rig.json ;;
         pack:-*) _sinew_words -h --help -o --output --depth --detail --tolerance ;;
         pack:*) _sinew_files glb gltf vrm rig.json ;;
-        render:-*) _sinew_words -h --help --clips --clip --time --frames --fps --turntable --sheet --view --orthographic --shading --show --glass --surface --no-surface --ground --no-ground --cull --transparent --light --background --ao --size --samples --depth --detail --tolerance --mode --patch --projection --crease --shape -o --output --list --shard --resume --dry-run --threads --progress ;;
+        render:-*) _sinew_words -h --help --clips --clip --time --frames --fps --turntable --sheet --view --orthographic --shading --show --glass --surface --no-surface --ground --no-ground --cull --on --transparent --light --background --ao --size --samples --depth --detail --tolerance --mode --patch --projection --crease --shape -o --output --list --shard --resume --dry-run --threads --progress ;;
         render:*) _sinew_files glb gltf vrm rig.json ;;
         farm:-*) _sinew_words -h --help --to --tasks --program --job ;;
-        bench:-*) _sinew_words -h --help --json --rounds --progress ;;
+        bench:-*) _sinew_words -h --help --json --rounds --crowd --frames --progress ;;
         bench:*) _sinew_files glb gltf vrm rig.json ;;
     esac
 }

@@ -11,7 +11,7 @@ LAYERS = {
              "lines": 5, "drivers": 6, "smoothing/patches": 5, "smoothing/roots": 5, "smoothing/projection": 6, "smoothing/finish": 6,
              "smoothing": 7, "check": 7, "runtime": 8, "c": 9, "body": 8, "clips": 9, "io/files": 8, "io/json": 8, "io/gltf/bytes": 8, "io/gltf": 9, "io": 10,
              "export/fit": 11, "export/usd": 12, "export/bytes": 12, "export": 13, "sinew": 14},
-    "app": {"platform": 0, "names": 0, "document": 1, "ui": 2, "render/skin": 1, "render": 2, "render/pictures": 3, "playback": 2, "export": 2, "bench": 3, "tools/view": 3, "cli/inspect": 3, "cli": 4,
+    "app": {"platform": 0, "names": 0, "document": 1, "ui": 2, "render/skin": 1, "render": 2, "render/pictures": 3, "playback": 2, "export": 2, "gpu": 3, "bench": 3, "tools/view": 3, "cli/inspect": 3, "cli": 4,
             "tools/gizmo": 4, "tools": 5, "editor": 6, "actions": 7, "panels/shared": 8, "panels/outliner": 9, "panels/blending": 9, "panels/inspector": 9, "panels/library": 9,
             "panels/timeline": 9, "panels/overlay": 9, "panels/dialogs": 9, "panels/shapes": 10, "panels": 11, "window": 12, "main": 13},
 }

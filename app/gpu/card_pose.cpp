@@ -1,0 +1,44 @@
+// app/gpu/card_pose.cpp: the rig is posed on the processor, which takes microseconds.
+#include "app/gpu/card_pose.h"
+
+#include <algorithm>
+
+#include "core/base/at.h"
+#include "core/character/morphing.h"
+#include "core/smoothing/place_muscles.h"
+
+namespace sinew::app {
+
+std::optional<std::string> poseMuscles(const std::shared_ptr<const Preparation>& preparation, const Pose& pose,
+                                       PosedMuscles& out) {
+  preparation->poser->pose(pose, out.rig);
+  placeMuscles(preparation, out.rig, out.field);
+  if (!preparation->character().morphTargets.empty()) {
+    morph(preparation->character(), out.rig.morphWeights, out.field.control.morphed);
+  }
+  const bool plain =
+      std::ranges::all_of(out.field.primitives, [](const PosedPrimitive& one) { return one.influence.isPlain(); });
+  if (!plain) return "a muscle's line bends it";
+  return std::nullopt;
+}
+
+void fillMatrices(const Preparation& preparation, const Pose& pose, std::span<glm::mat4> out) {
+  const std::vector<Binding>& bindings = preparation.character().skeleton.bindings;
+  for (std::size_t i = 0; i < bindings.size(); ++i) {
+    out[i] = at(pose.boneInWorld, bindings[i].bone) * bindings[i].inverseBind;
+  }
+}
+
+void fillPrimitives(const Preparation& preparation, const PosedField& field, std::span<card::Primitive> out) {
+  const float blendWidth = swellSettings(preparation, field.rig->numbers.skinBlend).blendWidth;
+  for (std::size_t i = 0; i < field.primitives.size(); ++i) {
+    const PosedPrimitive& muscle = field.primitives[i];
+    const UnitBallMap& ball = muscle.influence;
+    out[i] = {
+        {glm::vec4(ball.toUnit[0], muscle.strength), glm::vec4(ball.toUnit[1], std::min(blendWidth, muscle.meanRadius)),
+         glm::vec4(ball.toUnit[2], ball.inverseRadius)},
+        glm::vec4(ball.center, ball.boundingRadius)};
+  }
+}
+
+}  // namespace sinew::app

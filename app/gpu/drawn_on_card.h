@@ -1,0 +1,40 @@
+// app/gpu/drawn_on_card.h: a character's surface made on the graphics card and drawn from there.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/gpu/card_bounds.h"
+#include "app/gpu/card_surface.h"
+#include "app/render/card_vertices.h"
+#include "sinew/smoothing/surface.h"
+
+namespace sinew::app {
+
+/// Serves one rig. Needs the context it was made in to be current.
+class DrawnOnCard {
+ public:
+  /// Error: leftToProcessor, a shader that the driver refuses, or a rig that is refused.
+  [[nodiscard]] static Result<std::unique_ptr<DrawnOnCard>> create(std::shared_ptr<const Character> character,
+                                                                   const Rig& rig);
+  DrawnOnCard(const DrawnOnCard&) = delete;
+  DrawnOnCard& operator=(const DrawnOnCard&) = delete;
+
+  /// Makes the surface of a pose. @return why it is left to the processor, or nullopt
+  [[nodiscard]] std::optional<std::string> make(const Pose& pose);
+  /// For Scene::surface: refinement and classes, no vertices.
+  [[nodiscard]] const Surface& surface() const { return shell_; }
+  [[nodiscard]] const CardVertices& vertices() const { return vertices_; }
+
+ private:
+  DrawnOnCard(StagePrograms programs, const Preparation& preparation);
+
+  StagePrograms programs_;
+  std::optional<CardSurface> card_;
+  CarriedBounds bounds_;
+  Surface shell_;
+  CardVertices vertices_;
+};
+
+}  // namespace sinew::app

@@ -1,0 +1,58 @@
+// app/gpu/stages.h: the stages of a surface as compute shaders, in the order in which they run.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+
+#include "app/render/gl_objects.h"
+#include "sinew/base/result.h"
+
+namespace sinew::app {
+
+enum class Stage {
+  kSkin,
+  kPatch,
+  kFlatPatch,  ///< The same with the lines of `replace`.
+  kReplace,
+  kSwell,
+  kSwellExact,
+  kPlace,
+  kNear,
+  kCrease,
+  kSlope,
+  kLower,
+  kBend,
+  kWeigh,
+  kFilter,
+  kFoldStart,
+  kFoldAsk,
+  kFoldMean,
+  kFoldMove,
+  kSpreadAsk,
+  kSpreadMove,
+  kFoldHeight,
+  kHold,
+  kTeeth,
+  kEven,
+  kDrawn
+};
+inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::kDrawn) + 1;
+
+/// The shaders, compiled. Serve any number of surfaces of one context.
+class StagePrograms {
+ public:
+  /// Error: the driver lacks OpenGL 4.5, or refuses a shader.
+  [[nodiscard]] static Result<StagePrograms> create();
+  [[nodiscard]] const GlProgram& of(Stage stage) const { return programs_[static_cast<std::size_t>(stage)]; }
+
+ private:
+  std::array<GlProgram, kStages> programs_;
+};
+
+/// What a surface's time is told by; as StageSeconds of the processor.
+enum class SurfacePart { kSkin, kPatch, kProject, kHeights, kFolds, kNormals, kDrawn };
+inline constexpr std::size_t kSurfaceParts = static_cast<std::size_t>(SurfacePart::kDrawn) + 1;
+[[nodiscard]] const char* nameOf(SurfacePart part);
+
+}  // namespace sinew::app

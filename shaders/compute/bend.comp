@@ -1,0 +1,36 @@
+#version 450 core
+// shaders/compute/bend.comp: where heights bend more than edges can follow: weights of the filter, and what of them a
+// vertex passes on. As
+// core/smoothing/finish/lift_filter.cpp.
+#include "compute/items.glsl"
+#include "compute/mesh.glsl"
+
+layout(std430, binding = 0) readonly buffer Rings { Ring rings[]; };
+layout(std430, binding = 1) readonly buffer Neighbors { int neighbors[]; };
+layout(std430, binding = 2) readonly buffer Patches { Vertex patches[]; };
+layout(std430, binding = 3) readonly buffer Surface { Vertex surface[]; };
+layout(std430, binding = 4) readonly buffer Marks { Mark marks[]; };
+layout(std430, binding = 5) writeonly buffer Filtered { float filtered[]; };
+layout(std430, binding = 6) writeonly buffer Bends { vec2 bends[]; };  // Own weight, and what neighbors get.
+#include "compute/lift.glsl"
+float heightOf(int at) { return surface[at].position.w; }
+LIFT_SUMS(heightOf)
+
+const float kBentFrom = 0.15, kBentWhole = 0.5, kRisen = 0.1;
+
+void main() {
+  int v = item();
+  if (v >= refinedVertices) return;
+  int at = firstVertex() + v;
+  float height = surface[at].position.w;
+  vec2 bend = vec2(0.0);
+  if (marks[at].moved == kMoved && height != 0.0) {
+    vec2 sums = liftSums(v, height);
+    float bent = abs(sums.x) * rings[v].share;
+    float weight = bent > kBentFrom ? smoothstep(kBentFrom, kBentWhole, bent) : 0.0;
+    // Else a vertex that begins to move beside high ones would lower them at once.
+    bend = weight * vec2(1.0, smoothstep(0.0, kRisen, abs(height) * sums.y * rings[v].share));
+  }
+  filtered[at] = height;
+  bends[at] = bend;
+}

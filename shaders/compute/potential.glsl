@@ -1,0 +1,48 @@
+// shaders/compute/potential.glsl: potentials of muscles and their field F at a point. As core/blending/field.cpp. Includes
+// nothing: field.glsl and, with Real float, shape.glsl come before.
+vec3 inUnit(Primitive p, vec3 d) {
+  if (p.toUnit[2].w > 0.0) return d;
+  precise vec3 y = d.x * p.toUnit[0].xyz + d.y * p.toUnit[1].xyz + d.z * p.toUnit[2].xyz;
+  return y;
+}
+
+float rSquaredAt(Primitive p, vec3 fromCenter) {
+  vec3 y = inUnit(p, fromCenter);
+  return isShaped(p) ? rSquaredOf(shapeAt(p, y)) : scaleOf(p) * dotOf(y, y);
+}
+
+// Half of d(r^2)/dx.
+vec3 halfSlopeAt(Primitive p, vec3 fromCenter) {
+  if (p.toUnit[2].w > 0.0) return scaleOf(p) * fromCenter;
+  vec3 y = inUnit(p, fromCenter);
+  if (isShaped(p)) y = halfSlopeOf(p, shapeAt(p, y));
+  return vec3(dotOf(p.toUnit[0].xyz, y), dotOf(p.toUnit[1].xyz, y), dotOf(p.toUnit[2].xyz, y));
+}
+
+// F and its gradient.
+vec4 fieldAt(vec3 x) {
+  vec4 carved = vec4(0.0);
+  vec4 sums[kMostCliques];
+  for (int k = 0; k < cliqueCount; ++k) sums[k] = vec4(0.0);
+  for (int i = firstCandidate; i < endCandidate; ++i) {
+    Candidate c = candidates[i];
+    Primitive p = primitives[firstPrimitive + c.primitive];
+    float weight = weightOf(c);
+    float w = 1.0 - rSquaredAt(p, x - p.center.xyz);
+    if (!(weight > 0.0) || !(w > 0.0) || p.center.w == 0.0) continue;
+    float factor = strengthOf(p) * weight;
+    vec4 part = factor * vec4(w * w, -4.0 * w * halfSlopeAt(p, x - p.center.xyz));
+    if (factor < 0.0) {
+      carved += part;
+      continue;
+    }
+    for (int k = 0; k < cliqueCount; ++k) {
+      if ((cliqueAt(k) & c.bit) != 0u) sums[k] += part;
+    }
+  }
+  vec4 best = vec4(0.0);
+  for (int k = 0; k < cliqueCount; ++k) {
+    if (sums[k].x > best.x) best = sums[k];
+  }
+  return best + carved;
+}

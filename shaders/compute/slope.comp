@@ -1,0 +1,38 @@
+#version 450 core
+// shaders/compute/slope.comp: one round of the bound on slopes: a height is at most what each neighbor leaves it. Where the
+// rounds come to rest is one set of heights, in whatever order they ran. As core/smoothing/finish/slope_bound.h.
+#include "compute/items.glsl"
+#include "compute/mesh.glsl"
+
+layout(std430, binding = 0) readonly buffer Rings { Ring rings[]; };
+layout(std430, binding = 1) readonly buffer Neighbors { int neighbors[]; };
+layout(std430, binding = 2) readonly buffer Patches { Vertex patches[]; };
+layout(std430, binding = 3) readonly buffer Surface { Vertex surface[]; };
+layout(std430, binding = 4) readonly buffer Marks { Mark marks[]; };
+layout(std430, binding = 5) coherent buffer Heights { uint heights[]; };  // Bits of |height|.
+layout(std430, binding = 6) buffer Live { uint live[]; };                // By round: whether anything has changed.
+uniform int round;
+
+const float kSlope = 1.5;
+
+void main() {
+  int v = item();
+  if (v >= refinedVertices || (round > 0 && live[round - 1] == 0u)) return;
+  int at = firstVertex() + v;
+  float own = uintBitsToFloat(heights[at]);
+  if (marks[at].moved != kMoved || own == 0.0) return;
+  bool rises = surface[at].position.w > 0.0;
+  vec3 p = patches[at].position.xyz;
+  float least = own;
+  for (int i = rings[v].begin; i < rings[v].end; ++i) {
+    int other = firstVertex() + neighbors[i];
+    vec3 edge = patches[other].position.xyz - p;
+    bool along = (surface[other].position.w > 0.0) == rises;
+    float left = along ? uintBitsToFloat(heights[other]) : 0.0;
+    precise float offer = left + kSlope * sqrt(dotOf(edge, edge));
+    least = min(least, offer);
+  }
+  if (!(least < own)) return;
+  atomicMin(heights[at], floatBitsToUint(least));
+  live[round] = 1u;
+}

@@ -1,0 +1,36 @@
+#version 450 core
+// shaders/compute/swell_exact.comp: the listed vertices' roots in double precision. As core/smoothing/projection/swell.cpp.
+#include "compute/items.glsl"
+#include "compute/field.glsl"
+#include "compute/exact.glsl"
+
+struct Line {
+  vec4 from;
+  vec4 along;
+};
+layout(std430, binding = 4) readonly buffer Lines { Line lines[]; };
+#include "compute/unsure.glsl"
+layout(std430, binding = 6) buffer Roots { Root roots[]; };
+
+void find(int at) {
+  see(at % refinedVertices, at / refinedVertices);
+  Root root = roots[at];
+  bool outward = root.onSkin > 0.0;
+  // h / (1 - r_T) and r_T as the processor has them.
+  double radius = sqrt(1.0lf - sqrt(double(iso)));
+  double h = double(root.blendWidth), width = h / (1.0lf - radius);
+  exactCount = 0;
+  exact[exactCount++] = ExactTerm(1.0lf / (width * width), (outward ? radius : -radius) / width, radius * radius, 1.0lf,
+                                  outward ? -radius * width : -h, outward ? h : radius * width, kEverySum);
+  gatherTerms(lines[at].from.xyz, outward ? lines[at].along.xyz : -lines[at].along.xyz);
+  double end = outward ? 0.0lf : radius * width;
+  for (int i = 0; outward && i < exactCount; ++i) end = max(end, exact[i].leave);
+  double t = firstChange(0.0lf, end, outward);
+  if (t == kNone) t = end;
+  roots[at].way = float(outward ? t : -t);
+  roots[at].state = kFound;
+}
+
+void main() {
+  for (uint i = gl_GlobalInvocationID.x; i < groups.w; i += gl_NumWorkGroups.x * gl_WorkGroupSize.x) find(int(unsure[i]));
+}

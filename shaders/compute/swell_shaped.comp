@@ -1,0 +1,44 @@
+#version 450 core
+// shaders/compute/swell_shaped.comp: the listed vertices whose rays may meet a muscle that is no ellipsoid: the bounds of
+// swell.comp in double precision, halved until they tell.
+#include "compute/items.glsl"
+#include "compute/field.glsl"
+
+#define Real double
+#define Real2 dvec2
+#define Real3 dvec3
+#include "compute/shape.glsl"
+
+const int kMostTerms = 32, kMostShapes = 32;  // No place of the skin sees more, or the surface is the processor's.
+const double kValueRounding = 1e-13lf, kSlopeRounding = 1e-11lf;
+#define kLeastStretch (0.001lf * double(tolerance))
+const int kMostMarches = 400, kMostSteps = 60;
+#include "compute/ray.glsl"
+
+struct Line {
+  vec4 from;
+  vec4 along;
+};
+layout(std430, binding = 4) readonly buffer Lines { Line lines[]; };
+#include "compute/unsure.glsl"
+layout(std430, binding = 6) buffer Roots { Root roots[]; };
+
+void find(int at) {
+  Root root = roots[at];
+  if (root.state != kUnsureShaped) return;
+  see(at % refinedVertices, at / refinedVertices);
+  sense = root.onSkin > 0.0 ? 1.0lf : -1.0lf;
+  inverseWidth = (1.0lf - isoRadius) / double(root.blendWidth);
+  maxFall = sense > 0.0lf ? double(isoRoot) : double(kFar);
+  fillTerms(lines[at].from.xyz, float(sense) * lines[at].along.xyz);
+  dvec3 rise = riseOf(double(root.blendWidth));
+  Search search = bracketFromSkin(rise);
+  double way = search.rootless ? rise.z : search.low;
+  if (search.bracketed) newton(search, way);
+  roots[at].way = float(sense * way);
+  roots[at].state = kFound;
+}
+
+void main() {
+  for (uint i = gl_GlobalInvocationID.x; i < groups.w; i += gl_NumWorkGroups.x * gl_WorkGroupSize.x) find(int(unsure[i]));
+}
