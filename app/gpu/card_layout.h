@@ -12,6 +12,7 @@ namespace sinew::app::card {
 
 // Limits of the shaders; what has more is left to the processor.
 inline constexpr std::size_t kMostCandidates = 64;  ///< Muscles that one place of the skin sees (exact.glsl).
+inline constexpr std::size_t kMostShapes = 32;      ///< ... if some are no ellipsoids (swell_shaped.comp).
 inline constexpr std::size_t kMostCliques = 16;     ///< Cliques of their groups (field.glsl).
 inline constexpr int kMostSlots = 31;               ///< Groups: one bit each.
 
@@ -45,8 +46,13 @@ struct Primitive {
   std::array<glm::vec4, 3>
       toUnit{};            ///< Columns; w: strength, width over which it blends, 1 / radius of a sphere or 0.
   glm::vec4 center{0.0f};  ///< World; w: radius of a ball that holds the influence.
+  // UnitShape of one that is no ellipsoid.
+  glm::vec4 bendCurve{0.0f};
+  glm::vec4 section{0.0f};  ///< lateral, taper, core, inverseEnd
+  glm::vec4 low{0.0f};      ///< w: 1: it is no ellipsoid.
+  glm::vec4 high{0.0f};
 };
-static_assert(sizeof(Primitive) == 64);
+static_assert(sizeof(Primitive) == 128);
 
 struct Ring {
   std::int32_t begin = 0, end = 0;                ///< Of its neighbors.
@@ -81,7 +87,7 @@ struct Anchor {
 };
 static_assert(sizeof(Anchor) == 16);
 
-enum class RootState : std::int32_t { kUntouched, kFound, kUnsure };
+enum class RootState : std::int32_t { kUntouched, kFound, kUnsure, kUnsureShaped };
 
 struct Root {
   float way = 0.0f;  ///< Signed, before any limit.

@@ -8,6 +8,25 @@
 #include "core/smoothing/place_muscles.h"
 
 namespace sinew::app {
+namespace {
+
+void fillShape(const UnitShape& shape, card::Primitive& out) {
+  out.bendCurve = {shape.bend.x, shape.bend.y, shape.curve.x, shape.curve.y};
+  out.section = {shape.lateral, shape.taper, shape.core, shape.inverseEnd};
+  out.low = glm::vec4(shape.low, 1.0f);
+  out.high = glm::vec4(shape.high, 0.0f);
+}
+
+/// The most muscles that one place of the skin sees.
+std::size_t mostCandidates(const CandidateLists& lists) {
+  std::size_t most = 0;
+  for (std::size_t carrier = 0; carrier + 1 < lists.begin.size(); ++carrier) {
+    most = std::max(most, lists.of(static_cast<int>(carrier)).size());
+  }
+  return most;
+}
+
+}  // namespace
 
 std::optional<std::string> poseMuscles(const std::shared_ptr<const Preparation>& preparation, const Pose& pose,
                                        PosedMuscles& out) {
@@ -18,8 +37,11 @@ std::optional<std::string> poseMuscles(const std::shared_ptr<const Preparation>&
   }
   const bool plain =
       std::ranges::all_of(out.field.primitives, [](const PosedPrimitive& one) { return one.influence.isPlain(); });
-  if (!plain) return "a muscle's line bends it";
-  return std::nullopt;
+  if (plain) return std::nullopt;
+  if (!preparation->swells()) return "in replace, a muscle is not a plain ellipsoid";
+  if (mostCandidates(*preparation->seen) <= card::kMostShapes) return std::nullopt;
+  return "more than " + std::to_string(card::kMostShapes) +
+         " muscles, not all ellipsoids, may reach one place of the skin";
 }
 
 void fillMatrices(const Preparation& preparation, const Pose& pose, std::span<glm::mat4> out) {
@@ -37,7 +59,12 @@ void fillPrimitives(const Preparation& preparation, const PosedField& field, std
     out[i] = {
         {glm::vec4(ball.toUnit[0], muscle.strength), glm::vec4(ball.toUnit[1], std::min(blendWidth, muscle.meanRadius)),
          glm::vec4(ball.toUnit[2], ball.inverseRadius)},
-        glm::vec4(ball.center, ball.boundingRadius)};
+        glm::vec4(ball.center, ball.boundingRadius),
+        {},
+        {},
+        {},
+        {}};
+    if (!ball.isPlain()) fillShape(ball.shape, out[i]);
   }
 }
 

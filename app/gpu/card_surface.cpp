@@ -165,6 +165,7 @@ void CardSurface::findRoots() const {
                             &kEmpty);
   run(Stage::kSwell, vertices, {kRefined, kSeen, kCandidates, kPrimitives, kLines, kUnsure, kRoots});
   runListed(Stage::kSwellExact, {kRefined, kSeen, kCandidates, kPrimitives, kLines, kUnsure, kRoots});
+  runListed(Stage::kSwellShaped, {kRefined, kSeen, kCandidates, kPrimitives, kLines, kUnsure, kRoots});
   run(Stage::kPlace, vertices, {kRefined, kSeen, kCandidates, kPrimitives, kLines, kRoots, kSurface});
 }
 

@@ -48,6 +48,7 @@ class CardSurface {
   [[nodiscard]] const Preparation& preparation() const { return *preparation_; }
   /// Of the last body that was posed.
   [[nodiscard]] std::span<const PosedPrimitive> muscles() const { return posed_.field.primitives; }
+  [[nodiscard]] const std::vector<TriangleClass>& classes() const { return posed_.field.bind->classes; }
   [[nodiscard]] std::span<const glm::mat4> matrices() const { return matrices_; }  ///< [bodies * bindings]
   /// Bytes on the card: of the preparation and of the bodies; and uploaded for each frame.
   [[nodiscard]] std::size_t tableBytes() const { return tableBytes_; }

@@ -8,11 +8,6 @@
 namespace sinew::app {
 namespace {
 
-bool hasShapes(const Preparation& preparation) {
-  return std::ranges::any_of(preparation.primitives,
-                             [](const FieldPrimitive& primitive) { return !primitive.placement.shape.isPlain(); });
-}
-
 /// What the lists of muscles exceed.
 std::optional<std::string> tooMany(const CandidateLists& lists) {
   for (std::size_t carrier = 0; carrier + 1 < lists.begin.size(); ++carrier) {
@@ -38,9 +33,8 @@ std::optional<std::string> leftToProcessor(const Preparation& preparation, int b
   if (preparation.smoothing.projection == ProjectionKind::kBisection) {
     return "roots are to be found by bisection";
   }
-  if (hasShapes(preparation) || preparation.poser->drivesMuscles()) {
-    // Keys and drivers may bend a muscle at any moment.
-    return hasShapes(preparation) ? "a muscle is not a plain ellipsoid" : "keys or drivers change muscles";
+  if (!preparation.swells() && preparation.poser->drivesMuscles()) {
+    return "in replace, keys or drivers change muscles";
   }
   if (preparation.layered && preparation.layered->layers.hasCloth()) return "the character wears cloth";
   if (preparation.refined->creased) return "the surface has creases";

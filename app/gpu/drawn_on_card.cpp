@@ -8,7 +8,6 @@ namespace sinew::app {
 DrawnOnCard::DrawnOnCard(StagePrograms programs, const Preparation& preparation)
     : programs_(std::move(programs)), bounds_(preparation.character()) {
   shell_.refinement = preparation.refined->refinement;
-  shell_.classes = preparation.bind.classes;
 }
 
 Result<std::unique_ptr<DrawnOnCard>> DrawnOnCard::create(std::shared_ptr<const Character> character, const Rig& rig) {
@@ -27,6 +26,7 @@ Result<std::unique_ptr<DrawnOnCard>> DrawnOnCard::create(std::shared_ptr<const C
 std::optional<std::string> DrawnOnCard::make(const Pose& pose) {
   if (const auto reason = card_->setPose(pose)) return reason;
   card_->make();
+  shell_.classes = card_->classes();
   vertices_ = {card_->drawnVertices(), bounds_.at(card_->matrices(), card_->muscles())};
   return std::nullopt;
 }

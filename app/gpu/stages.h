@@ -17,6 +17,7 @@ enum class Stage {
   kReplace,
   kSwell,
   kSwellExact,
+  kSwellShaped,
   kPlace,
   kNear,
   kCrease,

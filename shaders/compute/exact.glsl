@@ -96,19 +96,22 @@ Quartic cliqueOn(int k, double begin, double end, double sign) {
 
 double valueAt(Quartic q, double u) {
   double v = 1.0lf - u;
-  return v * v * (v * v * q.b0 + 4.0lf * v * u * q.b1 + 6.0lf * u * u * q.b2) + u * u * u * (4.0lf * v * q.b3 + u * q.b4);
+  return v * v * (v * v * q.b0 + 4.0lf * v * u * q.b1 + 6.0lf * u * u * q.b2) +
+         u * u * u * (4.0lf * v * q.b3 + u * q.b4);
 }
 
 // De Casteljau: the part left or right of u, again on [0, 1].
 double between(double a, double b, double u) { return a + (b - a) * u; }
 Quartic leftOf(Quartic q, double u) {
-  double c0 = between(q.b0, q.b1, u), c1 = between(q.b1, q.b2, u), c2 = between(q.b2, q.b3, u), c3 = between(q.b3, q.b4, u);
+  double c0 = between(q.b0, q.b1, u), c1 = between(q.b1, q.b2, u), c2 = between(q.b2, q.b3, u);
+  double c3 = between(q.b3, q.b4, u);
   double d0 = between(c0, c1, u), d1 = between(c1, c2, u), d2 = between(c2, c3, u);
   double e0 = between(d0, d1, u), e1 = between(d1, d2, u);
   return Quartic(q.b0, c0, d0, e0, between(e0, e1, u));
 }
 Quartic rightOf(Quartic q, double u) {
-  double c0 = between(q.b0, q.b1, u), c1 = between(q.b1, q.b2, u), c2 = between(q.b2, q.b3, u), c3 = between(q.b3, q.b4, u);
+  double c0 = between(q.b0, q.b1, u), c1 = between(q.b1, q.b2, u), c2 = between(q.b2, q.b3, u);
+  double c3 = between(q.b3, q.b4, u);
   double d0 = between(c0, c1, u), d1 = between(c1, c2, u), d2 = between(c2, c3, u);
   double e0 = between(d0, d1, u), e1 = between(d1, d2, u);
   return Quartic(between(e0, e1, u), e1, d2, c3, q.b4);

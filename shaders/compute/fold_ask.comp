@@ -1,5 +1,6 @@
 #version 450 core
-// shaders/compute/fold_ask.comp: how much each triangle asks to be relaxed. As core/smoothing/finish/fold_relaxation.cpp.
+// shaders/compute/fold_ask.comp: how much each triangle asks to be relaxed. As
+// core/smoothing/finish/fold_relaxation.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
 
@@ -17,7 +18,7 @@ uniform int firstRound;
 const float kWholeArea = 0.4;
 
 bool hasMoved(Triangle t) {
-  return folded[firstVertex() + t.a].w > 0.0 || folded[firstVertex() + t.b].w > 0.0 || folded[firstVertex() + t.c].w > 0.0;
+  return max(max(folded[firstVertex() + t.a].w, folded[firstVertex() + t.b].w), folded[firstVertex() + t.c].w) > 0.0;
 }
 
 void main() {

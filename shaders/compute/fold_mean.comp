@@ -1,6 +1,6 @@
 #version 450 core
-// shaders/compute/fold_mean.comp: where the corners of folding triangles are to go: towards the mean of their neighbors. As
-// core/smoothing/finish/fold_relaxation.cpp.
+// shaders/compute/fold_mean.comp: where the corners of folding triangles are to go: towards the mean of their
+// neighbors. As core/smoothing/finish/fold_relaxation.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
 

@@ -10,7 +10,8 @@ layout(std430, binding = 2) readonly buffer Triangles { Triangle triangles[]; };
 layout(std430, binding = 3) readonly buffer Patches { Vertex patches[]; };
 layout(std430, binding = 4) buffer Surface { Vertex surface[]; };
 layout(std430, binding = 5) readonly buffer Marks { Mark marks[]; };
-layout(std430, binding = 6) writeonly buffer Turns { vec4 turns[]; };  // What muscles turn normals by; w: how far, squared.
+// What muscles turn normals by; w: how far, squared.
+layout(std430, binding = 6) writeonly buffer Turns { vec4 turns[]; };
 
 const float kFreedom = 0.145;
 const float kRotationFrom = -0.95, kRotationWhole = -0.7;

@@ -23,7 +23,10 @@ layout(std140, binding = 2) uniform Making {
 };
 
 // In two dimensions, since some cards allow no more than 65,535 groups along one.
-int item() { return int((gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x); }
+int item() {
+  uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+  return int(group * gl_WorkGroupSize.x + gl_LocalInvocationID.x);
+}
 int body() { return int(gl_WorkGroupID.z); }
 
 // Sums in the processor's order: `precise` keeps a compiler from fusing or reordering them.

@@ -1,4 +1,5 @@
-// shaders/compute/mesh.glsl: the refined mesh as the stages after projection read it, and which part of it has moved.
+// shaders/compute/mesh.glsl: the refined mesh as the stages after projection read it, and which part of it has
+// moved.
 struct Ring {
   int begin, end;                // Of its neighbors.
   int cornersBegin, cornersEnd;  // Of its triangles' corners.

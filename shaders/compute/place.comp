@@ -4,6 +4,12 @@
 #include "compute/items.glsl"
 #include "compute/field.glsl"
 
+#define Real float
+#define Real2 vec2
+#define Real3 vec3
+#include "compute/shape.glsl"
+#include "compute/potential.glsl"
+
 struct Vertex {
   vec4 position;  // World; w: the height.
   vec4 normal;

@@ -1,5 +1,5 @@
-// shaders/compute/potential.glsl: potentials of muscles and their field F at a point. As core/blending/field.cpp. Includes
-// nothing: field.glsl and, with Real float, shape.glsl come before.
+// shaders/compute/potential.glsl: potentials of muscles and their field F at a point. As core/blending/field.cpp.
+// Includes nothing: field.glsl and, with Real float, shape.glsl come before.
 vec3 inUnit(Primitive p, vec3 d) {
   if (p.toUnit[2].w > 0.0) return d;
   precise vec3 y = d.x * p.toUnit[0].xyz + d.y * p.toUnit[1].xyz + d.z * p.toUnit[2].xyz;

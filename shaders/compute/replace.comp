@@ -3,6 +3,12 @@
 // core/smoothing/projection/replace.cpp.
 #include "compute/items.glsl"
 #include "compute/field.glsl"
+
+#define Real float
+#define Real2 vec2
+#define Real3 vec3
+#include "compute/shape.glsl"
+#include "compute/potential.glsl"
 #include "compute/exact.glsl"
 
 struct Vertex {
@@ -83,7 +89,8 @@ void addLine(vec3 p, vec3 inwards, double end, bool inside, vec3 n) {
       double root = wanted == kOwnEnd ? outRoot : rise;
       double prominent = prominence(wanted == kOwnEnd ? 0.0lf : rise, last);
       if (wanted == kOwnEnd) prominent = max(prominent, max(outProminence, sampleExact(0.0lf)));
-      if (root != kNone) addRoot(wanted == kOwnEnd ? p - float(root) * inwards : p + float(root) * inwards, root, prominent, n);
+      float way = wanted == kOwnEnd ? -float(root) : float(root);
+      if (root != kNone) addRoot(p + way * inwards, root, prominent, n);
       t = wanted == kFall || last > 0.0lf ? last + nudge : 0.0lf;
       wanted = kRise;
     }
@@ -142,5 +149,6 @@ void main() {
   sumWeight = 0.0;
   anyFound = false;
   addLines(p, lines[at].along.xyz, anchors[at].xyz, inside);
-  if (anyFound && sumWeight > 0.0) surface[at] = placed(surface[at], omegas[v], wraps == 0 ? refined[v].weights.w : 0.0);
+  if (!anyFound || !(sumWeight > 0.0)) return;
+  surface[at] = placed(surface[at], omegas[v], wraps == 0 ? refined[v].weights.w : 0.0);
 }

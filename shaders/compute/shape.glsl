@@ -9,7 +9,8 @@ struct ShapePoint {
 
 ShapePoint shapeAt(Primitive p, Real3 q) {
   Real core = p.section.z;
-  return ShapePoint(q.y, q.x - p.bendCurve.x - p.bendCurve.z * q.y * q.y, q.z - p.bendCurve.y - p.bendCurve.w * q.y * q.y,
+  return ShapePoint(q.y, q.x - p.bendCurve.x - p.bendCurve.z * q.y * q.y,
+                    q.z - p.bendCurve.y - p.bendCurve.w * q.y * q.y,
                     p.section.x + p.section.y * q.y, (q.y - clamp(q.y, -core, core)) * p.section.w);
 }
 

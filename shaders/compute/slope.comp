@@ -1,6 +1,7 @@
 #version 450 core
-// shaders/compute/slope.comp: one round of the bound on slopes: a height is at most what each neighbor leaves it. Where the
-// rounds come to rest is one set of heights, in whatever order they ran. As core/smoothing/finish/slope_bound.h.
+// shaders/compute/slope.comp: one round of the bound on slopes: a height is at most what each neighbor leaves it.
+// Where the rounds come to rest is one set of heights, in whatever order they ran. As
+// core/smoothing/finish/slope_bound.h.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
 

@@ -19,7 +19,7 @@ uniform int firstRound;
 const float kLeastArea = 0.3, kWholeLack = 0.1;
 
 bool hasMoved(Triangle t) {
-  return folded[firstVertex() + t.a].w > 0.0 || folded[firstVertex() + t.b].w > 0.0 || folded[firstVertex() + t.c].w > 0.0;
+  return max(max(folded[firstVertex() + t.a].w, folded[firstVertex() + t.b].w), folded[firstVertex() + t.c].w) > 0.0;
 }
 
 void main() {

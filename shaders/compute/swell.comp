@@ -1,8 +1,19 @@
 #version 450 core
-// shaders/compute/swell.comp: the first root of f_skin + F - T along the rise direction, where single precision can vouch
-// for it; the other vertices are listed for swell_exact.comp. As core/smoothing/projection/swell_kernel.cpp.
+// shaders/compute/swell.comp: the first root of f_skin + F - T along the rise direction, where single precision can
+// vouch for it; the other vertices are listed for swell_exact.comp and swell_shaped.comp. As
+// core/smoothing/projection/swell_kernel.cpp.
 #include "compute/items.glsl"
 #include "compute/field.glsl"
+
+#define Real float
+#define Real2 vec2
+#define Real3 vec3
+#include "compute/shape.glsl"
+#include "compute/potential.glsl"
+
+const int kMostTerms = 24, kMostShapes = 8;  // More along one ray: it has no certificate.
+const float kValueRounding = 1e-5, kSlopeRounding = 1e-3, kLeastStretch = 0.0;
+const int kMostMarches = 20, kMostSteps = 24;
 #include "compute/ray.glsl"
 
 struct Line {
@@ -40,23 +51,6 @@ vec2 skinAt(vec3 p) {
   return vec2(together + carved, widths / shares);
 }
 
-// Where terms may rise, from and to, and the end of the search.
-vec3 riseOf(float width) {
-  bool outward = sense > 0.0;
-  vec3 rise = vec3(kFar, 0.0, outward ? width : isoRadius / inverseWidth);
-  for (int i = 0; i < termCount; ++i) {
-    float middle = terms[i].middle;
-    float extent = sqrt(max(0.0, terms[i].peak) / terms[i].a);
-    bool adds = terms[i].factor > 0.0;
-    vec2 rising = adds ? vec2(middle - extent, middle) : vec2(middle, middle + extent);
-    if (outward) rise.z = max(rise.z, middle + extent);
-    if (!(rising.y > 0.0)) continue;
-    rise.x = min(rise.x, max(0.0, rising.x));
-    rise.y = max(rise.y, rising.y);
-  }
-  return rise;
-}
-
 void main() {
   int v = item();
   if (v >= refinedVertices) return;
@@ -67,7 +61,6 @@ void main() {
   vec3 p = lines[at].from.xyz;
   vec2 skin = skinAt(p);
   if (skin.x == 0.0) return;
-  skinFalls = true;
   sense = skin.x > 0.0 ? 1.0 : -1.0;
   inverseWidth = (1.0 - isoRadius) / skin.y;
   maxFall = sense > 0.0 ? isoRoot : kFar;
@@ -79,6 +72,6 @@ void main() {
     if (search.rootless) way = rise.z;
     else known = search.bracketed && newton(search, way);
   }
-  roots[at] = Root(sense * way, skin.x, skin.y, known ? kFound : kUnsure);
+  roots[at] = Root(sense * way, skin.x, skin.y, known ? kFound : meetsShape ? kUnsureShaped : kUnsure);
   if (!known) leaveUnsure(uint(at));
 }

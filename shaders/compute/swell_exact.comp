@@ -1,5 +1,6 @@
 #version 450 core
-// shaders/compute/swell_exact.comp: the listed vertices' roots in double precision. As core/smoothing/projection/swell.cpp.
+// shaders/compute/swell_exact.comp: the listed vertices' roots in double precision. As
+// core/smoothing/projection/swell.cpp.
 #include "compute/items.glsl"
 #include "compute/field.glsl"
 #include "compute/exact.glsl"
@@ -15,6 +16,7 @@ layout(std430, binding = 6) buffer Roots { Root roots[]; };
 void find(int at) {
   see(at % refinedVertices, at / refinedVertices);
   Root root = roots[at];
+  if (root.state != kUnsure) return;
   bool outward = root.onSkin > 0.0;
   // h / (1 - r_T) and r_T as the processor has them.
   double radius = sqrt(1.0lf - sqrt(double(iso)));
@@ -32,5 +34,6 @@ void find(int at) {
 }
 
 void main() {
-  for (uint i = gl_GlobalInvocationID.x; i < groups.w; i += gl_NumWorkGroups.x * gl_WorkGroupSize.x) find(int(unsure[i]));
+  uint together = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
+  for (uint i = gl_GlobalInvocationID.x; i < groups.w; i += together) find(int(unsure[i]));
 }

@@ -1,6 +1,6 @@
 #version 450 core
-// shaders/compute/swell_shaped.comp: the listed vertices whose rays may meet a muscle that is no ellipsoid: the bounds of
-// swell.comp in double precision, halved until they tell.
+// shaders/compute/swell_shaped.comp: the listed vertices whose rays may meet a muscle that is no ellipsoid: the
+// bounds of swell.comp in double precision, halved until they tell.
 #include "compute/items.glsl"
 #include "compute/field.glsl"
 
@@ -40,5 +40,6 @@ void find(int at) {
 }
 
 void main() {
-  for (uint i = gl_GlobalInvocationID.x; i < groups.w; i += gl_NumWorkGroups.x * gl_WorkGroupSize.x) find(int(unsure[i]));
+  uint together = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
+  for (uint i = gl_GlobalInvocationID.x; i < groups.w; i += together) find(int(unsure[i]));
 }

@@ -1,6 +1,6 @@
 #version 450 core
-// shaders/compute/teeth.comp: where normals alternate from vertex to vertex: the first difference of their turns from the
-// ring's mean, and the weight with which it counts. As core/smoothing/finish/normals_kernel.cpp.
+// shaders/compute/teeth.comp: where normals alternate from vertex to vertex: the first difference of their turns
+// from the ring's mean, and the weight with which it counts. As core/smoothing/finish/normals_kernel.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
 
@@ -29,7 +29,8 @@ void main() {
   if (most > kTeethFrom * kTeethFrom) {
     float apart = sqrt(most);
     float cliff = (1.0 - marks[at].filtered) * smoothstep(kCliffFrom, kCliffWhole, apart);
-    weight = kTeeth * smoothstep(kTeethFrom, kTeethWhole, apart) * (1.0 - cliff) * smoothstep(0.0, kTurnedWhole, sqrt(own.w));
+    weight = kTeeth * smoothstep(kTeethFrom, kTeethWhole, apart) * (1.0 - cliff) *
+             smoothstep(0.0, kTurnedWhole, sqrt(own.w));
   }
   teeth[at] = vec4(rings[v].share * sum, weight);
 }

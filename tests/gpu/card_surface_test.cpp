@@ -6,9 +6,14 @@
 #include <stdexcept>
 #include <vector>
 
+#include "sinew/character/character_pose.h"
+#include "sinew/io/gltf_import.h"
 #include "tests/gpu/on_card.h"
+#include "tests/support/characters/morphing_post.h"
 #include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/rigs/random_animation.h"
 #include "tests/support/rigs/random_rigs.h"
+#include "tests/support/temporary_folder.h"
 
 namespace sinew::test {
 namespace {
@@ -41,7 +46,7 @@ bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
 }
 
 TEST_F(CardSurfaces, AreTheProcessorsOfTheBundledRigs) {
-  for (const char* name : {"humanoid", "horse", "demo", "tangle"}) {
+  for (const char* name : {"humanoid", "horse", "demo", "tangle", "humanoid-flex", "horse-flex"}) {
     const TrialScene scene = bundledTrialScene(name);
     const app::CardDifference seen = compare(scene, spreadPoses(*scene.character, 2));
     EXPECT_GT(seen.vertices, 5000) << name;
@@ -60,25 +65,44 @@ TEST_F(CardSurfaces, AreTheProcessorsOfTheBundledRigsThatReplace) {
   (void)compare(horse, spreadPoses(*horse.character, 1));
 }
 
-// Carves, groups that do not blend, steep rims, every patch, adaptive and uniform detail.
+// Carves, groups that do not blend, steep rims, every patch, adaptive and uniform detail; and muscles of any shape.
 TEST_F(CardSurfaces, AreTheProcessorsOfRandomRigs) {
   const auto character = makeTwoLegged();
-  int unsure = 0;
-  for (std::uint64_t seed = 0; seed < 8; ++seed) {
-    RigRecipe recipe = seed % 2 == 0 ? RigRecipe{} : kShortReach;
-    recipe.groups = 1 + static_cast<int>(seed % 4);
-    recipe.carveChance = 0.3f;
-    recipe.primitives = 16;
-    Rig rig = randomRig(*character, recipe, seed);
-    rig.smoothing.detail = seed % 3 == 0 ? DetailKind::kAdaptive : DetailKind::kUniform;
-    rig.smoothing.depth = 4;
-    rig.smoothing.patch = static_cast<PatchKind>(seed % 4);
-    rig.smoothing.projection = ProjectionKind::kNewton;
-    rig.surface.mode = SurfaceMode::kSwell;
-    const TrialScene scene{"seed " + std::to_string(seed), character, rig};
-    unsure += compare(scene, {randomPose(character->skeleton, 0.6f, 0.3f, seed)}).unsure;
+  for (const float shapedChance : {0.0f, 1.0f}) {
+    int unsure = 0;
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+      RigRecipe recipe = seed % 2 == 0 ? RigRecipe{} : kShortReach;
+      recipe.groups = 1 + static_cast<int>(seed % 4);
+      recipe.carveChance = 0.3f;
+      recipe.primitives = 16;
+      recipe.shapedChance = shapedChance;
+      Rig rig = randomRig(*character, recipe, seed);
+      rig.smoothing.detail = seed % 3 == 0 ? DetailKind::kAdaptive : DetailKind::kUniform;
+      rig.smoothing.depth = 4;
+      rig.smoothing.patch = static_cast<PatchKind>(seed % 4);
+      rig.smoothing.projection = ProjectionKind::kNewton;
+      rig.surface.mode = SurfaceMode::kSwell;
+      const std::string name = (shapedChance > 0.0f ? "shapes, seed " : "seed ") + std::to_string(seed);
+      unsure += compare({name, character, rig}, {randomPose(character->skeleton, 0.6f, 0.3f, seed)}).unsure;
+    }
+    EXPECT_GT(unsure, 0) << "the path in double precision is not tried";
   }
-  EXPECT_GT(unsure, 0) << "the path in double precision is not tried";
+}
+
+// Numbers of muscles that follow the pose, and morph targets.
+TEST_F(CardSurfaces, AreTheProcessorsWhereThePoseChangesMore) {
+  const auto limb = makeLimb();
+  const TrialScene driven{"keys and drivers", limb, withMode(animatedLimbRig(*limb, 3), SurfaceMode::kSwell)};
+  (void)compare(driven, spreadPoses(*limb, 3));
+
+  const TemporaryFolder folder;
+  const auto post = importGltf(folder.write("post.glb", makeMorphingPost(3, 6).file.glb())).value();
+  RigRecipe recipe;
+  recipe.radiusHigh = 0.3f;
+  TrialScene morphing{"morph targets", post, withMode(randomRig(*post, recipe, 2), SurfaceMode::kSwell)};
+  std::vector<Pose> poses;
+  for (const float time : {0.1f, 0.3f, 0.0f}) poses.push_back(samplePose(*post, post->clips.front(), time));
+  (void)compare(morphing, poses);
 }
 
 TEST_F(CardSurfaces, AreTheProcessorsOfRealCharacters) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -61,6 +63,11 @@ TEST_F(Drawing, FromTheCardIsAsFromTheProcessor) {
 
 class GpuVerbs : public Program {};
 
+std::string textOf(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 TEST_F(GpuVerbs, RenderOnTheCardOrSayWhyNot) {
   const std::string rig = app::dataFile("assets/demo.rig.json").string();
   const Outcome drawn = run({"render", rig, "--on", "gpu", "--size", "64x48", "-o", "a.png"});
@@ -87,9 +94,21 @@ TEST_F(GpuVerbs, BenchTellsBothAndTheDifference) {
                            "roots", "bytes a vertex"}) {
     EXPECT_NE(told.out.find(part), std::string::npos) << part << "\n" << told.out;
   }
-  const Outcome refused = run({"bench", "gpu", app::dataFile("assets/humanoid-flex.rig.json").string()});
+  // A rig of which the card has no code.
+  std::string text = textOf(rig);
+  const std::string newton = "\"projection\": \"newton\"";
+  ASSERT_NE(text.find(newton), std::string::npos);
+  text.replace(text.find(newton), newton.size(), "\"projection\": \"bisection\"");
+  const std::string character = "\"character\": \"demo.glb\"";
+  ASSERT_NE(text.find(character), std::string::npos);
+  text.replace(text.find(character), character.size(),
+               "\"character\": \"" + app::dataFile("assets/demo.glb").string() + '"');
+  const TemporaryFolder folder;
+  const Outcome refused = run({"bench", "gpu", folder.write("demo.rig.json", text).string()});
   EXPECT_EQ(refused.status, 1);
   EXPECT_TRUE(refused.oneErrorLine()) << refused.error;
+  EXPECT_NE(refused.error.find("not computed on the card: roots are to be found by bisection"), std::string::npos)
+      << refused.error;
   EXPECT_EQ(run({"bench", "--crowd", "3"}).status, 2);
 }
 
