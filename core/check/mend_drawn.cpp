@@ -8,6 +8,7 @@
 
 #include "core/check/learn_full.h"
 #include "core/check/relaid_belly.h"
+#include "core/skeleton/bones_between.h"
 
 namespace sinew {
 namespace {
@@ -96,6 +97,33 @@ std::optional<BellyChoice> underOf(const RelaidBelly& relaid, Search& search) {
   return std::nullopt;
 }
 
+/// Where the line spans several joints: one of its ends on a bone between, where it is. The skin there goes with that
+/// bone, too.
+std::vector<BellyChoice> overFewerJoints(const BellyChoice& drawn, const Character& character) {
+  const LineRest rest = lineRest(*drawn.line, character).value();
+  std::vector<BellyChoice> out;
+  for (const int bone : bonesBetween(character.skeleton, rest.origin.bone, rest.insertion.bone)) {
+    if (bone == rest.origin.bone || bone == rest.insertion.bone) continue;
+    for (const BellyBone end : kBones) {
+      const bool isOrigin = end == BellyBone::kOrigin;
+      BellyChoice choice = drawn;
+      const glm::vec3 place(isOrigin ? rest.origin.inBind : rest.insertion.inBind);
+      LineAnchor& anchor = isOrigin ? choice.line->origin : choice.line->insertion;
+      anchor = anchorOn(character.skeleton, bone, place);
+      choice.said = (isOrigin ? "origin on " : "insertion on ") + anchor.bone;
+      out.push_back(std::move(choice));
+    }
+  }
+  return out;
+}
+
+std::optional<BellyChoice> cleanOf(const RelaidBelly& relaid, Search& search) {
+  for (const auto of : {asDrawnOf, shorterOf, underOf}) {
+    if (auto clean = of(relaid, search)) return clean;
+  }
+  return std::nullopt;
+}
+
 /// The line's own bones first, then those that carry the skin over what was drawn.
 std::vector<BellyChoice> ridingOf(const RelaidBelly& relaid, const BellyTrial& trial, const Character& character) {
   std::vector<BellyChoice> out;
@@ -124,8 +152,13 @@ std::optional<DrawnMuscle> withDrawnMuscle(const BellyChoice& drawn, const Surfa
   if (!trial.canTell()) return std::nullopt;
   const RelaidBelly relaid(drawn, trial, motions.character());
   Search search(surface, motions);
-  for (const auto of : {asDrawnOf, shorterOf, underOf}) {
-    if (auto clean = of(relaid, search)) return DrawnMuscle{std::move(*clean), true};
+  if (auto clean = cleanOf(relaid, search)) return DrawnMuscle{std::move(*clean), true};
+  for (const BellyChoice& nearer : overFewerJoints(drawn, motions.character())) {
+    if (!lineRest(*nearer.line, motions.character())) continue;
+    auto clean = cleanOf(RelaidBelly(nearer, trial, motions.character()), search);
+    if (!clean) continue;
+    clean->said = nearer.said + ", " + clean->said;
+    return DrawnMuscle{std::move(*clean), true};
   }
   std::vector<BellyChoice> riding = ridingOf(relaid, trial, motions.character());
   for (BellyChoice& choice : riding) {
