@@ -146,6 +146,13 @@ TEST_P(Relaid, WhatIsCleanIsCleanForTheCheck) {
     EXPECT_EQ(muscle->isClean, check(rigOf(muscle->choice), motions).empty()) << muscle->choice.said;
     EXPECT_FALSE(muscle->choice.said.empty());
     lined += muscle->choice.line ? 1 : 0;
+    if (muscle->choice.line) {
+      const glm::mat4 before = shapeOf(choice.primitive, *character);
+      const float off =
+          glm::distance(glm::vec3(before[3]), glm::vec3(shapeOf(muscle->choice.primitive, *character)[3]));
+      // Larger ones lie somewhat deeper.
+      EXPECT_LT(off, 1.2f * std::max(3.0f * glm::length(glm::vec3(before[1])), 0.1f * character->height));
+    }
     EXPECT_EQ(muscle->choice.primitive.line.empty(), !muscle->choice.line);
     if (const auto nearer = withNearerEnd(choice, SurfaceSettings{}, motions)) {
       EXPECT_TRUE(check(rigOf(*nearer), motions).empty());
