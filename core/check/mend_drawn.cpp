@@ -8,6 +8,7 @@
 
 #include "core/check/learn_full.h"
 #include "core/check/relaid_belly.h"
+#include "core/skeleton/bones_between.h"
 
 namespace sinew {
 namespace {
@@ -17,7 +18,7 @@ constexpr float kTendon[] = {0.3f, 0.45f, 0.6f};
 constexpr float kShare[] = {0.45f, 0.3f};
 constexpr float kInwards[] = {0.0f, 0.5f, 1.0f};
 constexpr float kLarger = 1.4f;
-constexpr float kLargest = 2.0f;  ///< Of muscles that ride a bone, where nothing else is left.
+constexpr float kMuchLarger = 2.0f;  ///< Of muscles that ride a bone, where nothing else is left.
 constexpr BellyBone kBones[] = {BellyBone::kOrigin, BellyBone::kInsertion};
 
 /// Tries choices over all poses. What was too much for the last one is looked at first.
@@ -68,35 +69,57 @@ std::optional<BellyChoice> asDrawnOf(const RelaidBelly& relaid, Search& search) 
   return std::nullopt;
 }
 
-std::optional<BellyChoice> shorterOf(const RelaidBelly& relaid, Search& search) {
+/// The nearest to what was drawn first.
+void sortByDistance(std::vector<BellyChoice>& choices, const RelaidBelly& relaid) {
+  std::ranges::stable_sort(choices, {}, [&](const BellyChoice& choice) { return relaid.distanceOf(choice); });
+}
+
+std::optional<BellyChoice> relaidOf(const RelaidBelly& relaid, Search& search) {
+  std::vector<BellyChoice> choices;
+  const auto add = [&](std::optional<BellyChoice> choice) {
+    if (choice && relaid.isNear(*choice)) choices.push_back(std::move(*choice));
+  };
   for (const float reach : kReach) {
-    for (const float tendon : kTendon) {
-      for (const BellyBone bone : kBones) {
-        const auto choice = relaid.shorter(bone, reach, tendon);
-        if (!choice) continue;
-        if (auto clean = search.cleanOf(*choice, true)) return clean;
+    for (const BellyBone bone : kBones) {
+      for (const float tendon : kTendon) add(relaid.shorter(bone, reach, tendon));
+      for (const float inwards : kInwards) {
+        for (const float share : kShare) add(relaid.under(bone, reach, share, inwards));
       }
     }
+  }
+  sortByDistance(choices, relaid);
+  for (const BellyChoice& choice : choices) {
+    if (auto clean = search.cleanOf(choice, true)) return clean;
   }
   return std::nullopt;
 }
 
-std::optional<BellyChoice> underOf(const RelaidBelly& relaid, Search& search) {
-  for (const float inwards : kInwards) {
-    for (const float reach : kReach) {
-      for (const float share : kShare) {
-        for (const BellyBone bone : kBones) {
-          const auto choice = relaid.under(bone, reach, share, inwards);
-          if (!choice) continue;
-          if (auto clean = search.cleanOf(*choice, true)) return clean;
-        }
-      }
+/// Where the line spans several joints: one of its ends on a bone between, where it is. The skin there goes with that
+/// bone, too.
+std::vector<BellyChoice> overFewerJoints(const BellyChoice& drawn, const Character& character) {
+  const LineRest rest = lineRest(*drawn.line, character).value();
+  std::vector<BellyChoice> out;
+  for (const int bone : bonesBetween(character.skeleton, rest.origin.bone, rest.insertion.bone)) {
+    if (bone == rest.origin.bone || bone == rest.insertion.bone) continue;
+    for (const BellyBone end : kBones) {
+      const bool isOrigin = end == BellyBone::kOrigin;
+      BellyChoice choice = drawn;
+      const glm::vec3 place(isOrigin ? rest.origin.inBind : rest.insertion.inBind);
+      LineAnchor& anchor = isOrigin ? choice.line->origin : choice.line->insertion;
+      anchor = anchorOn(character.skeleton, bone, place);
+      choice.said = (isOrigin ? "origin on " : "insertion on ") + anchor.bone;
+      out.push_back(std::move(choice));
     }
   }
-  return std::nullopt;
+  return out;
 }
 
-/// The line's own bones first, then those that carry the skin over what was drawn.
+std::optional<BellyChoice> cleanOf(const RelaidBelly& relaid, Search& search) {
+  auto clean = asDrawnOf(relaid, search);
+  return clean ? std::move(clean) : relaidOf(relaid, search);
+}
+
+/// On the line's own bones and on those that carry the skin over what was drawn, the nearest to that first.
 std::vector<BellyChoice> ridingOf(const RelaidBelly& relaid, const BellyTrial& trial, const Character& character) {
   std::vector<BellyChoice> out;
   const auto add = [&](const OwnSkin& skin, const glm::vec3& near) {
@@ -104,13 +127,15 @@ std::vector<BellyChoice> ridingOf(const RelaidBelly& relaid, const BellyTrial& t
       if (auto choice = relaid.riding(skin, near, inwards)) out.push_back(std::move(*choice));
     }
   };
+  for (const BellyBone bone : kBones) out.push_back(offItsLine(relaid.asDrawn(bone, 1.0f)));
   for (const BellyBone bone : kBones) add(relaid.skin(bone), relaid.ownEnd(bone));
   for (const int bone : trial.carriers()) {
     if (std::ranges::any_of(kBones, [&](BellyBone own) { return relaid.skin(own).bone() == bone; })) continue;
     add(OwnSkin(character, bone), trial.body().center);
   }
+  sortByDistance(out, relaid);
   const std::size_t count = out.size();
-  for (const float factor : {kLarger, kLargest}) {
+  for (const float factor : {kLarger, kMuchLarger}) {
     for (std::size_t i = 0; i < count; ++i) out.push_back(larger(out[i], factor));
   }
   return out;
@@ -124,8 +149,13 @@ std::optional<DrawnMuscle> withDrawnMuscle(const BellyChoice& drawn, const Surfa
   if (!trial.canTell()) return std::nullopt;
   const RelaidBelly relaid(drawn, trial, motions.character());
   Search search(surface, motions);
-  for (const auto of : {asDrawnOf, shorterOf, underOf}) {
-    if (auto clean = of(relaid, search)) return DrawnMuscle{std::move(*clean), true};
+  if (auto clean = cleanOf(relaid, search)) return DrawnMuscle{std::move(*clean), true};
+  for (const BellyChoice& nearer : overFewerJoints(drawn, motions.character())) {
+    if (!lineRest(*nearer.line, motions.character())) continue;
+    auto clean = cleanOf(RelaidBelly(nearer, trial, motions.character()), search);
+    if (!clean) continue;
+    clean->said = nearer.said + ", " + clean->said;
+    return DrawnMuscle{std::move(*clean), true};
   }
   std::vector<BellyChoice> riding = ridingOf(relaid, trial, motions.character());
   for (BellyChoice& choice : riding) {

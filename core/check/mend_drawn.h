@@ -13,8 +13,9 @@ struct DrawnMuscle {
 };
 
 /// The first that stays in the flesh in all poses (docs/check.md): muscles that go with one bone of the line, while a
-/// tendon crosses the joint; if none does, one that rides a bone, the best of these if none is clean. Full contraction
-/// is learned from the motions. nullopt: there is no skin to follow.
+/// tendon crosses the joint; the same with an end of a line over several joints on a bone between; one that rides a
+/// bone, the best of these if none is clean. Full contraction is learned from the motions. nullopt: there is no skin to
+/// follow.
 /// @param drawn  on a line that has a rest
 [[nodiscard]] std::optional<DrawnMuscle> withDrawnMuscle(const BellyChoice& drawn, const SurfaceSettings& surface,
                                                          const Motions& motions);

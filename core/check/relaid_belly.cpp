@@ -19,12 +19,14 @@
 namespace sinew {
 namespace {
 
-constexpr float kOwnTendon = 0.1f;   ///< Of the line; of a belly under the skin, of its half length.
-constexpr float kLeastHalf = 0.35f;  ///< Of that drawn: shorter ones are hardly what was wanted.
-constexpr float kLeastSine = 0.5f;   ///< Between line and skin's normal: steeper lines run out of the skin.
-constexpr float kMostCosine = 0.7f;  ///< The same, of the way to the other end.
-constexpr float kMostAside = 0.5f;   ///< Along the line, of half the length: from its middle to the skin over it.
-constexpr float kNearest = 0.01f;    ///< Of H: other ends that are nearer give no direction.
+constexpr float kOwnTendon = 0.1f;    ///< Of the line; of a belly under the skin, of its half length.
+constexpr float kLeastHalf = 0.35f;   ///< Of that drawn: shorter ones are hardly what was wanted.
+constexpr float kFarHalves = 3.0f;    ///< Of half the length as drawn, or, where that is more,
+constexpr float kFarHeight = 0.1f;    ///< of H.
+constexpr float kLeastAcross = 0.5f;  ///< Between line and skin's normal: steeper lines run out of the skin.
+constexpr float kMostCosine = 0.7f;   ///< The same, of the way to the other end.
+constexpr float kMostAside = 0.5f;    ///< Along the line, of half the length: from its middle to the skin over it.
+constexpr float kNearest = 0.01f;     ///< Of H: other ends that are nearer give no direction.
 
 const LineRest& restOf(const Result<LineRest>& rest) { return rest.value(); }
 
@@ -51,6 +53,7 @@ RelaidBelly::RelaidBelly(const BellyChoice& drawn, const BellyTrial& trial, cons
       rest_(restOf(lineRest(*drawn.line, character))),
       skins_{OwnSkin(character, rest_.origin.bone), OwnSkin(character, rest_.insertion.bone)},
       joint_(jointBetween(rest_, character)),
+      middle_(trial.body().center),
       half_(glm::length(trial.body().axes[1])) {
   const glm::vec3 top = trial.body().center + glm::length(trial.body().axes[2]) * trial.outwards();
   const auto skin = frameAt(character, trial.spot(), bindPose(character.skeleton));
@@ -90,6 +93,16 @@ void RelaidBelly::place(BellyChoice& choice, int bone, const Placement& belly) c
   choice.primitive.bone = character_.skeleton.fileName(bone);
 }
 
+float RelaidBelly::distanceOf(const BellyChoice& choice) const {
+  const Bone& bone = at(character_.skeleton.bones, *character_.skeleton.findBone(choice.primitive.bone));
+  const glm::vec3 middle(bone.bindInWorld * glm::vec4(choice.primitive.placement.center, 1.0f));
+  return glm::distance(middle, middle_);
+}
+
+bool RelaidBelly::isNear(const BellyChoice& choice) const {
+  return distanceOf(choice) <= std::max(kFarHalves * half_, kFarHeight * character_.height);
+}
+
 BellyChoice RelaidBelly::asDrawn(BellyBone bone, float reach) const {
   BellyChoice choice = drawn_;
   choice.line = lineOf(bone, ownEnd(bone), otherEnd(bone, reach));
@@ -114,7 +127,7 @@ std::optional<BellyChoice> RelaidBelly::laid(BellyBone bone, const glm::vec3& ow
   const bool atOrigin = bone == BellyBone::kOrigin;
   const glm::vec3 away = (other - own) / length;
   const glm::vec3 along = atOrigin ? away : -away;
-  const auto out = acrossTo(skin.normal(), along, kLeastSine);
+  const auto out = acrossTo(skin.normal(), along, kLeastAcross);
   if (!out) return std::nullopt;
   // Under the skin's nearest place, even where the line itself runs through the air.
   const glm::vec3 off = skin.origin - (own + (tendons.x * length + half) * away);
@@ -175,12 +188,16 @@ std::optional<BellyChoice> RelaidBelly::riding(const OwnSkin& skin, const glm::v
       skin.firm(), {}, [&](const OwnTriangle& own) { return glm::distance(own.frame.origin, wanted); });
   if (over == skin.firm().end()) return std::nullopt;
   const glm::vec3& out = over->frame.normal();
-  const auto drawn = acrossTo(glm::vec3(rest_.direction), out, kLeastSine);
+  const auto drawn = acrossTo(glm::vec3(rest_.direction), out, kLeastAcross);
   const glm::vec3 along = drawn ? *drawn : over->frame.axes[0];
   BellyChoice choice = drawn_;
   const glm::vec3 middle = lineUnder(skin.bone(), over->frame);
   const float top = glm::distance(middle, over->frame.origin) + std::min(stands_, kBellyBulge * half_);
   place(choice, skin.bone(), bellyOnLine(middle, along, out, top, half_));
+  return offItsLine(std::move(choice));
+}
+
+BellyChoice offItsLine(BellyChoice choice) {
   choice.line.reset();
   choice.primitive.line.clear();
   choice.said = "no line between its bones stays in the flesh, so it rides " + choice.primitive.bone;

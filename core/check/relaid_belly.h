@@ -33,6 +33,11 @@ class RelaidBelly {
   /// The same without a line. nullopt: the bone carries no skin.
   [[nodiscard]] std::optional<BellyChoice> riding(const OwnSkin& skin, const glm::vec3& near, float inwards) const;
 
+  /// From the middle of the belly as drawn.
+  [[nodiscard]] float distanceOf(const BellyChoice& choice) const;
+  /// Farther off it is another muscle than the one that was drawn.
+  [[nodiscard]] bool isNear(const BellyChoice& choice) const;
+
   [[nodiscard]] const OwnSkin& skin(BellyBone bone) const { return skins_[bone == BellyBone::kOrigin ? 0 : 1]; }
   [[nodiscard]] glm::vec3 ownEnd(BellyBone bone) const;
 
@@ -49,10 +54,13 @@ class RelaidBelly {
   LineRest rest_;
   std::array<OwnSkin, 2> skins_;  ///< Of the origin's bone and of the insertion's.
   glm::vec3 joint_{0.0f};
-  float stands_ = 0.0f;  ///< How far it stands out of the skin as drawn.
-  float half_ = 0.0f;    ///< Half its length as drawn.
+  float stands_ = 0.0f;     ///< How far it stands out of the skin as drawn.
+  glm::vec3 middle_{0.0f};  ///< As drawn.
+  float half_ = 0.0f;       ///< Half its length as drawn.
 };
 
+/// It rides its bone.
+[[nodiscard]] BellyChoice offItsLine(BellyChoice choice);
 /// Higher by its lower side alone, and wider: the same motion of the skin is less of it.
 [[nodiscard]] BellyChoice larger(BellyChoice choice, float factor);
 /// The line bends round the belly's middle, on the belly's own bone.

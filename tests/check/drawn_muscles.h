@@ -35,13 +35,15 @@ inline std::optional<LineAnchor> randomAnchor(const Character& character, int bo
 }
 
 /// One from each bone's parent to the bone, `rounds` times; what has no direction is left out.
-inline std::vector<BellyChoice> drawnMuscles(const Character& character, int rounds, unsigned seed) {
+/// @param joints  that it spans: 2, from the parent's parent
+inline std::vector<BellyChoice> drawnMuscles(const Character& character, int rounds, unsigned seed, int joints = 1) {
   std::mt19937 random(seed);
   std::vector<BellyChoice> out;
   const auto& bones = character.skeleton.bones;
   for (int i = 0; i < rounds * static_cast<int>(bones.size()); ++i) {
     const int bone = i % static_cast<int>(bones.size());
-    const int parent = at(bones, bone).parent;
+    int parent = bone;
+    for (int joint = 0; joint < joints && parent >= 0; ++joint) parent = at(bones, parent).parent;
     const auto from = parent < 0 ? std::nullopt : randomAnchor(character, parent, random);
     const auto to = randomAnchor(character, bone, random);
     if (!from || !to) continue;

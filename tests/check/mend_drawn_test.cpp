@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "core/check/check.h"
 #include "core/check/relaid_belly.h"
 #include "core/lines/line_fitting.h"
@@ -144,6 +146,13 @@ TEST_P(Relaid, WhatIsCleanIsCleanForTheCheck) {
     EXPECT_EQ(muscle->isClean, check(rigOf(muscle->choice), motions).empty()) << muscle->choice.said;
     EXPECT_FALSE(muscle->choice.said.empty());
     lined += muscle->choice.line ? 1 : 0;
+    if (muscle->choice.line) {
+      const glm::mat4 before = shapeOf(choice.primitive, *character);
+      const float off =
+          glm::distance(glm::vec3(before[3]), glm::vec3(shapeOf(muscle->choice.primitive, *character)[3]));
+      // Larger ones lie somewhat deeper.
+      EXPECT_LT(off, 1.2f * std::max(3.0f * glm::length(glm::vec3(before[1])), 0.1f * character->height));
+    }
     EXPECT_EQ(muscle->choice.primitive.line.empty(), !muscle->choice.line);
     if (const auto nearer = withNearerEnd(choice, SurfaceSettings{}, motions)) {
       EXPECT_TRUE(check(rigOf(*nearer), motions).empty());
@@ -153,6 +162,34 @@ TEST_P(Relaid, WhatIsCleanIsCleanForTheCheck) {
   });
   EXPECT_GT(found, 0) << "else there is nothing to mend here";
   EXPECT_GE(3 * lined, 2 * count) << "most of them flex";
+}
+
+TEST_P(Relaid, OverTwoJointsAnEndMayGoToTheBoneBetween) {
+  int lined = 0;
+  int count = 0;
+  int moved = 0;
+  for (const BellyChoice& choice : drawnMuscles(*character, 1, 5, 2)) {
+    const auto muscle = withDrawnMuscle(choice, SurfaceSettings{}, motions);
+    ASSERT_TRUE(muscle.has_value());
+    ++count;
+    EXPECT_EQ(muscle->isClean, check(rigOf(muscle->choice), motions).empty()) << muscle->choice.said;
+    if (!muscle->choice.line) continue;
+    ++lined;
+    const Skeleton& skeleton = character->skeleton;
+    const int lower = *skeleton.findBone(choice.line->insertion.bone);
+    const std::string& between = skeleton.fileName(at(skeleton.bones, lower).parent);
+    const MuscleLine& line = *muscle->choice.line;
+    const bool originMoved = line.origin.bone != choice.line->origin.bone;
+    const bool insertionMoved = line.insertion.bone != choice.line->insertion.bone;
+    EXPECT_FALSE(originMoved && insertionMoved);
+    if (originMoved) EXPECT_EQ(line.origin.bone, between);
+    if (insertionMoved) EXPECT_EQ(line.insertion.bone, between);
+    moved += originMoved || insertionMoved ? 1 : 0;
+  }
+  std::printf("  %s: %d over two joints, %d on a line, %d with an end on the bone between\n", GetParam(), count, lined,
+              moved);
+  EXPECT_GT(count, 0);
+  EXPECT_GE(2 * lined, count);
 }
 
 INSTANTIATE_TEST_SUITE_P(Characters, Relaid, testing::Values("humanoid.glb", "horse.glb", "two legs"),
