@@ -84,8 +84,10 @@ JointRole roleByName(const Bone& bone, const Above& above) {
   if (limb && name.holds({"finger", "thumb", "index", "middle", "ring", "pinky", "pinkie", "little", "toe", "palm"})) {
     return JointRole::kDigit;
   }
+  // A piece of a limb, which turns with what it hangs on.
+  if (limb && (name.holds({"twist"}) || name.says({"roll", "share"}))) return JointRole::kStill;
   if (name.holds({"tail"})) return JointRole::kTail;
-  if (name.holds({"arm", "elbow", "hand", "wrist", "shoulder", "clavicle", "collar", "humerus", "scapula"}) &&
+  if (name.holds({"arm", "elbow", "hand", "wrist", "shoulder", "shldr", "clavicle", "collar", "humerus", "scapula"}) &&
       !name.holds({"armature"})) {
     return armRole(name, above);
   }
@@ -153,6 +155,21 @@ bool sayLittle(const std::vector<JointRole>& roles, std::span<const std::optiona
   return unknown > 0;
 }
 
+/// Bones between the part that they are called as and the next one: "thigh.L.001" above "shin.L" turns with "thigh.L".
+std::vector<bool> secondPieces(const Skeleton& skeleton, std::span<const std::optional<Slot>> parts) {
+  std::vector<bool> pieces(skeleton.bones.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i] != Slot::kLowerArm && parts[i] != Slot::kLowerLeg) continue;
+    for (int b = skeleton.bones[i].parent; b >= 0 && !at(parts, b); b = at(skeleton.bones, b).parent) {
+      const int parent = at(skeleton.bones, b).parent;
+      const bool sameName =
+          parent >= 0 && lettersOf(at(skeleton.bones, b).name) == lettersOf(at(skeleton.bones, parent).name);
+      pieces[toIndex(b)] = sameName;
+    }
+  }
+  return pieces;
+}
+
 /// Of bones whose names say nothing.
 class RolesByPart {
  public:
@@ -191,7 +208,9 @@ class RolesByPart {
 
 std::vector<JointRole> jointRoles(const Skeleton& skeleton, std::span<const std::optional<Slot>> parts) {
   std::vector<JointRole> roles(skeleton.bones.size(), JointRole::kStill);
+  const std::vector<bool> pieces = secondPieces(skeleton, parts);
   const auto byName = [&](std::size_t i) {
+    if (pieces[i]) return JointRole::kStill;
     return roleByName(skeleton.bones[i], {skeleton, roles, static_cast<int>(i)});
   };
   for (std::size_t i = 0; i < roles.size(); ++i) roles[i] = byName(i);
