@@ -182,8 +182,8 @@ TEST_P(Relaid, OverTwoJointsAnEndMayGoToTheBoneBetween) {
     const bool originMoved = line.origin.bone != choice.line->origin.bone;
     const bool insertionMoved = line.insertion.bone != choice.line->insertion.bone;
     EXPECT_FALSE(originMoved && insertionMoved);
-    if (originMoved) EXPECT_EQ(line.origin.bone, between);
-    if (insertionMoved) EXPECT_EQ(line.insertion.bone, between);
+    EXPECT_EQ(line.origin.bone, originMoved ? between : choice.line->origin.bone);
+    EXPECT_EQ(line.insertion.bone, insertionMoved ? between : choice.line->insertion.bone);
     moved += originMoved || insertionMoved ? 1 : 0;
   }
   std::printf("  %s: %d over two joints, %d on a line, %d with an end on the bone between\n", GetParam(), count, lined,
