@@ -54,6 +54,10 @@ Possible checkable(const State& s) {
   return possible.also(!s.document.rig().primitives.empty(), "There is no muscle to check");
 }
 
+Possible hasClipFiles(const State& s) {
+  const Possible possible = idle(s);
+  return possible ? possible.also(!s.document.rig().clipFiles.empty(), "No clip file was added") : possible;
+}
 bool showsClipList(const State& s) { return s.open.clipList.shown; }
 
 const Action kPlayActions[] = {
@@ -79,6 +83,8 @@ const Action kPlayActions[] = {
     {"play/clip-files", "Clip files",
      "The files whose clips were added: what did not match, to remove or to locate them", kNone, kNone, open,
      showsClipList, toggleClipList},
+    {"play/read-clip-files", "Read clip files again", "Load what other programs have written into them since", kNone,
+     kNone, hasClipFiles, nullptr, readClipFilesAgain},
     {"play/check", "Check muscles",
      "Look through all clips for muscles that leave the flesh, swell to a ball or reach another limb", kNone, kNone,
      checkable, nullptr, checkMuscles},

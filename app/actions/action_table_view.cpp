@@ -20,7 +20,9 @@ bool isFlexed(const State& s) { return s.open.flex.latched; }
 void latchFlex(State& s) { s.open.flex.latched = !s.open.flex.latched; }
 
 void frame(State& s) { frameSelection(s, true); }
-void frameAll(State& s) { frameInPicture(s, boundsOf(s.live->surface().positions), true); }
+void frameAll(State& s) {
+  if (!frameExportBeside(s)) frameInPicture(s, boundsOf(s.live->surface().positions), true);
+}
 
 template <Shading kShading>
 bool isShaded(const State& s) {
@@ -43,6 +45,7 @@ void toggleShown(State& s) {
 template <StandardView kView>
 void look(State& s) {
   showStandardView(s.view.tools.camera, kView);
+  frameExportBeside(s);
 }
 
 bool isReferenceShown(const State& s) { return s.open.reference.shown; }
@@ -91,6 +94,7 @@ bool isBare(const State& s) { return s.document.visibility.bare; }
 
 Possible exportedHere(const State& s) { return open(s).also(hasExportError(s), "Export the character first"); }
 bool isExportErrorShown(const State& s) { return showsExportError(s); }
+bool isExportBesideShown(const State& s) { return showsExportBeside(s); }
 
 Possible reliefOf(const State& s) {
   const Possible clay = open(s).also(s.view.display.shading == Shading::kClay, "Show clay first");
@@ -117,6 +121,9 @@ const Action kViewActions[] = {
     {"view/export-error", "Export error",
      "How far the last export is off in this moment: the live surface or the exported mesh, colored by distance", kNone,
      kNone, exportedHere, isExportErrorShown, toggleExportError},
+    {"view/export-beside", "Export beside it",
+     "The last export's mesh, as programs play it, beside the live surface; both colored by their distance", kNone,
+     kNone, exportedHere, isExportBesideShown, toggleExportBeside},
     {"view/wire", "Wire", "Edges of the smoothed mesh (refined mesh)", key(GLFW_KEY_5), kNone, open, isShown<&D::wire>,
      toggleShown<&D::wire>, true},
     {"view/control-mesh", "Control mesh", "Edges of the mesh in the file", key(GLFW_KEY_6), kNone, open,

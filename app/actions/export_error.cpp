@@ -2,11 +2,14 @@
 #include "app/actions/export_error.h"
 
 #include <algorithm>
+#include <limits>
+#include <span>
 
 #include <glm/geometric.hpp>
 
 #include "app/editor/commands.h"
 #include "app/export/export_report.h"
+#include "app/render/framing.h"
 #include "app/render/skin/occlusion.h"
 #include "core/base/at.h"
 #include "core/symmetry/motion_clip.h"
@@ -15,6 +18,7 @@ namespace sinew::app {
 namespace {
 
 constexpr float kSeenAround = 0.12f;  ///< Of the height: what is framed around the largest error.
+constexpr float kGapBeside = 0.15f;   ///< Of the height: between the two meshes, for limbs that move.
 /// Revisions of the live surface stay below it.
 constexpr std::uint64_t kOwnRevisions = std::uint64_t{1} << 40U;
 
@@ -30,6 +34,18 @@ void findNormals(Surface& surface) {
   surface.shadingNormals.clear();
 }
 
+/// The exported mesh, moved; colored as the live surface is.
+Surface standingAside(std::vector<glm::vec3> placed, const Surface& live, const glm::vec3& aside) {
+  Surface surface;
+  surface.refinement = live.refinement;
+  surface.displacement = live.displacement;
+  surface.positions = std::move(placed);
+  surface.normals.resize(surface.positions.size());
+  findNormals(surface);
+  for (glm::vec3& point : surface.positions) point += aside;
+  return surface;
+}
+
 /// Of the file's own vertices alone, spread over the refined ones between them.
 std::vector<glm::vec3> onAll(std::vector<glm::vec3> placed, const Surface& surface, const ControlMesh& mesh) {
   if (placed.size() == surface.positions.size()) return placed;
@@ -41,6 +57,29 @@ std::vector<glm::vec3> onAll(std::vector<glm::vec3> placed, const Surface& surfa
     for (std::size_t v = 0; v < all.size(); ++v) all[v][axis] = spread[v];
   }
   return all;
+}
+
+Bounds both(const Bounds& box, const glm::vec3& aside) {
+  return {glm::min(box.low, box.low + aside), glm::max(box.high, box.high + aside)};
+}
+
+/// On the floor, to the right as the camera sees it: far enough that neither hides the other in bind pose or now.
+glm::vec3 asideOf(const EditorState& state) {
+  const Camera& camera = state.view.tools.camera;
+  const CameraStand& stand = camera.transition ? camera.transition->to : camera.stand;
+  const glm::vec3 right = cameraAxes(stand.yaw, 0.0f)[0];
+  const auto widthOf = [&](std::span<const glm::vec3> points) {
+    float least = std::numeric_limits<float>::max(), most = std::numeric_limits<float>::lowest();
+    for (const glm::vec3& point : points) {
+      const float along = glm::dot(point, right);
+      least = std::min(least, along);
+      most = std::max(most, along);
+    }
+    return std::max(most - least, 0.0f);
+  };
+  const Character& character = state.character();
+  const float width = std::max(widthOf(character.mesh.positions), widthOf(state.live->surface().positions));
+  return (width + kGapBeside * character.height) * right;
 }
 
 std::string clipShown(const EditorState& state) {
@@ -73,6 +112,29 @@ bool showsExportError(const EditorState& state) {
 
 void toggleExportError(EditorState& state) { state.session.exportError.shown = !state.session.exportError.shown; }
 
+void showExported(EditorState& state, ExportedView view) {
+  state.session.exportError.shown = true;
+  state.session.exportError.view = view;
+  frameExportBeside(state);
+}
+
+bool showsExportBeside(const EditorState& state) {
+  const ExportErrorState& error = state.session.exportError;
+  return hasExportError(state) && error.shown && error.view == ExportedView::kBoth;
+}
+
+void toggleExportBeside(EditorState& state) {
+  showExported(state, showsExportBeside(state) ? ExportedView::kLive : ExportedView::kBoth);
+}
+
+bool frameExportBeside(EditorState& state) {
+  if (!showsExportBeside(state)) return false;
+  ExportErrorState& error = state.session.exportError;
+  error.aside = asideOf(state);
+  frameInPicture(state, both(boundsOf(state.live->surface().positions), error.aside), true);
+  return true;
+}
+
 void showLargestError(EditorState& state) {
   if (!hasExportError(state)) return;
   ExportErrorState& error = state.session.exportError;
@@ -89,14 +151,16 @@ void showLargestError(EditorState& state) {
   error.last->played->place(state.live->pose(), place.clip, place.time, placed);
   const glm::vec3 around(kSeenAround * state.character().height);
   const glm::vec3& middle = at(placed, place.vertex);
-  frameInPicture(state, Bounds{middle - around, middle + around}, true);
+  if (showsExportBeside(state)) error.aside = asideOf(state);
+  const Bounds seen{middle - around, middle + around};
+  frameInPicture(state, showsExportBeside(state) ? both(seen, error.aside) : seen, true);
 }
 
 void updateExportError(EditorState& state) {
   ExportErrorState& error = state.session.exportError;
   if (!error.shown || !hasExportError(state)) return;
   const std::size_t live = state.live->revision() + 1;
-  if (error.madeOf == live && error.madeExported == error.exported) return;
+  if (error.madeOf == live && error.madeView == error.view && error.madeAside == error.aside) return;
   if (!error.smoother) {
     error.smoother.emplace(error.last->character);
     if (!error.smoother->prepare(error.last->rig)) return error.last.reset();
@@ -114,12 +178,15 @@ void updateExportError(EditorState& state) {
     most = std::max(most, error.surface.displacement[v]);
   }
   error.largestNow = 100.0f * most / state.character().height;
-  if (error.exported) {
+  if (error.view == ExportedView::kBoth) {
+    error.beside = standingAside(std::move(placed), error.surface, error.aside);
+  } else if (error.view == ExportedView::kExported) {
     error.surface.positions = std::move(placed);
     findNormals(error.surface);
   }
   error.madeOf = live;
-  error.madeExported = error.exported;
+  error.madeView = error.view;
+  error.madeAside = error.aside;
   ++error.revision;
 }
 
@@ -133,6 +200,12 @@ std::string largestErrorText(const EditorState& state) {
 
 const Surface& shownSurface(const EditorState& state) {
   return showsExportError(state) ? state.session.exportError.surface : state.live->surface();
+}
+
+const Surface* besideSurface(const EditorState& state) {
+  const ExportErrorState& error = state.session.exportError;
+  const bool shown = showsExportError(state) && error.madeView == ExportedView::kBoth;
+  return shown ? &error.beside : nullptr;
 }
 
 std::uint64_t shownRevision(const EditorState& state) {

@@ -16,6 +16,14 @@ void keepExport(EditorState& state, const ExportOutcome& outcome);
 /// ... and it is shown.
 [[nodiscard]] bool showsExportError(const EditorState& state);
 void toggleExportError(EditorState& state);
+/// Shows the error on one mesh or on both, which are then brought into the picture side by side.
+void showExported(EditorState& state, ExportedView view);
+/// The exported mesh stands beside the live one.
+[[nodiscard]] bool showsExportBeside(const EditorState& state);
+void toggleExportBeside(EditorState& state);
+/// Where both are shown: puts them side by side as they are seen from where the camera stands or goes to, and frames
+/// them. @return false: they are not, and nothing was done.
+bool frameExportBeside(EditorState& state);
 /// The moment of the largest distance, the vertex in the middle of the picture.
 void showLargestError(EditorState& state);
 
@@ -28,7 +36,9 @@ void showLargestError(EditorState& state);
 void updateExportError(EditorState& state);
 /// What the picture shows: the live surface, or that with the error.
 [[nodiscard]] const Surface& shownSurface(const EditorState& state);
-/// Its number: another one for each surface.
+/// The exported mesh beside it, of the same refinement; null: it is not shown.
+[[nodiscard]] const Surface* besideSurface(const EditorState& state);
+/// Its number: another one for each surface, and for what stands beside it.
 [[nodiscard]] std::uint64_t shownRevision(const EditorState& state);
 
 }  // namespace sinew::app

@@ -19,9 +19,10 @@ namespace sinew::app {
 namespace {
 
 Result<Document> openCharacter(const std::filesystem::path& file) {
+  Document document;
+  document.characterOnDisk = stampOfFile(file);  // Before it is read, as in openRig().
   auto character = importGltf(file);
   if (!character) return character.error();
-  Document document;
   document.character = std::move(character).value();
   document.characterFile = file;
   Rig rig;
@@ -43,9 +44,10 @@ Error ofCharacter(const std::filesystem::path& rigFile, const Error& error) {
 /// @param onDisk  what the rig's file held before the rig was read
 Result<Document> openParts(Rig rig, const std::optional<FileStamp>& onDisk, const std::filesystem::path& file,
                            const std::filesystem::path& characterFile) {
+  Document document;
+  document.characterOnDisk = stampOfFile(characterFile);
   auto character = importGltf(characterFile);
   if (!character) return ofCharacter(file, character.error());
-  Document document;
   document.character = std::move(character).value();
   document.characterFile = characterFile;
   document.rigFile = file;
@@ -95,6 +97,11 @@ std::string Document::name() const {
 }
 
 void loadClipFiles(Document& document) {
+  // Before they are read, as in openRig().
+  document.clipFiles.onDisk.clear();
+  for (const std::string& file : document.rig().clipFiles) {
+    document.clipFiles.onDisk.push_back(stampOfFile(document.clipFiles.folder / std::filesystem::path(file)));
+  }
   WithClipFiles with = withClipFiles(document.character, document.rig(), document.clipFiles.folder);
   document.character = std::move(with.character);
   document.clipFiles.files = std::move(with.files);

@@ -25,8 +25,9 @@ namespace sinew::app {
 struct Document {
   std::shared_ptr<const Character> character;
   std::filesystem::path characterFile;
-  std::filesystem::path rigFile;       ///< Empty until saved or opened from one.
-  std::optional<FileStamp> rigOnDisk;  ///< What rigFile held when this document read or wrote it last.
+  std::optional<FileStamp> characterOnDisk;  ///< What it held when it was read; nullopt: not known.
+  std::filesystem::path rigFile;             ///< Empty until saved or opened from one.
+  std::optional<FileStamp> rigOnDisk;        ///< What rigFile held when this document read or wrote it last.
   CommandStack commands{Rig{}};
   Selection selection;
   std::shared_ptr<const MirrorPlan> mirror;  ///< Null or unusable: nothing can be mirrored. See prepareMirror.
@@ -35,8 +36,9 @@ struct Document {
   /// Rig::clipFiles while the document is open: where relative paths begin, what became of each file.
   struct ClipFiles {
     std::filesystem::path folder;
-    std::vector<ClipFileReport> files;      ///< [Rig::clipFiles] as they were read last.
-    std::vector<SlotCorrection> readFor{};  ///< Rig::slots then.
+    std::vector<ClipFileReport> files;               ///< [Rig::clipFiles] as they were read last.
+    std::vector<std::optional<FileStamp>> onDisk{};  ///< [files] what each held then; nullopt: it was not there.
+    std::vector<SlotCorrection> readFor{};           ///< Rig::slots then.
   };
   ClipFiles clipFiles;
   mutable PosedRigMemo poses;  ///< For posedRig().

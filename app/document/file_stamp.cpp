@@ -54,6 +54,14 @@ std::optional<FileStamp> stampFromText(const std::string& text) {
   return FileStamp{bytes, hash};
 }
 
+DiskLook lookAt(const fs::path& file) {
+  std::error_code failed;
+  DiskLook look{true, fs::last_write_time(file, failed), 0};
+  if (failed) return {true, {}, 0};
+  look.bytes = fs::file_size(file, failed);
+  return look;
+}
+
 OnDisk compareWithDisk(const fs::path& file, const std::optional<FileStamp>& known) {
   std::error_code failed;
   if (!fs::exists(file, failed)) return known ? OnDisk::kGone : OnDisk::kSame;

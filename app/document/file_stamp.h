@@ -26,6 +26,16 @@ struct FileStamp {
 [[nodiscard]] std::string textOfStamp(const std::optional<FileStamp>& stamp);
 [[nodiscard]] std::optional<FileStamp> stampFromText(const std::string& text);
 
+/// What the system says of a file without reading it.
+struct DiskLook {
+  bool looked = false;
+  std::filesystem::file_time_type written{};
+  std::uintmax_t bytes = 0;
+
+  friend bool operator==(const DiskLook&, const DiskLook&) = default;
+};
+[[nodiscard]] DiskLook lookAt(const std::filesystem::path& file);
+
 enum class OnDisk { kSame, kChanged, kGone };
 
 /// @param known  none: the file was not there, or its content is not known

@@ -174,9 +174,10 @@ Result<Document> recoverDocument(const LeftBehind& left) {
   if (!json) return json.error();
   Result<Rig> rig = rigFromJson(json->at("rig").dump());
   if (!rig) return Error{left.file.string(), "rig." + rig.error().place, rig.error().reason, rig.error().subject};
+  Document document;
+  document.characterOnDisk = stampOfFile(left.characterFile);
   auto character = importGltf(left.characterFile);
   if (!character) return character.error();
-  Document document;
   document.character = std::move(character).value();
   document.characterFile = left.characterFile;
   document.rigFile = left.rigFile;

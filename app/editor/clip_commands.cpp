@@ -62,6 +62,8 @@ void readClipFiles(EditorState& state) {
   const std::shared_ptr<const Character> before = document.character;
   const std::vector<ClipFileReport> files = document.clipFiles.files;
   loadClipFiles(document);
+  state.open.clipList.changed.clear();
+  state.open.clipList.looks.clear();
   tellGone(state, files);
   if (document.character == before) return;
   const Transport transport = carriedOrFirst(state.open.transport, *before, *document.character);
@@ -159,6 +161,11 @@ std::string addClips(EditorState& state, const fs::path& file) {
   Rig rig = state.document.rig();
   rig.clipFiles.push_back(name);
   return nameInRig(state, "Add clips of " + shortName(name), std::move(rig), name, "Added");
+}
+
+void readClipFilesAgain(EditorState& state) {
+  readClipFiles(state);
+  say(state, "Read again: " + countOf(state.document.clipFiles.files.size(), "clip file"));
 }
 
 void removeClipFile(EditorState& state, int file) {

@@ -14,6 +14,8 @@ namespace sinew::app {
 /// list opens where something did not match. @return an empty text, or why it failed (also a message): nothing has
 /// changed
 std::string addClips(EditorState& state, const std::filesystem::path& file);
+/// No step: what other programs have made of the files that the rig names.
+void readClipFilesAgain(EditorState& state);
 /// One undo step. Keys stay: those of clips that go wait for the file to be added again, the others' follow clips that
 /// are called otherwise from then on. @param file  index into Rig::clipFiles
 void removeClipFile(EditorState& state, int file);

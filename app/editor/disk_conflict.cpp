@@ -2,12 +2,15 @@
 
 #include "app/editor/disk_conflict.h"
 
+#include <optional>
+#include <string>
 #include <system_error>
 #include <utility>
 
 #include "app/document/file_stamp.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
+#include "core/base/lower_case.h"
 
 namespace sinew::app {
 namespace {
@@ -20,13 +23,45 @@ void saveThen(EditorState& state, const fs::path& file, const Intent& then) {
   if (saveTo(state, file).empty()) perform(state, then);
 }
 
-/// What the system can say without reading the file.
-DiskLook lookAt(const fs::path& file) {
-  std::error_code failed;
-  DiskLook look{true, fs::last_write_time(file, failed), 0};
-  if (failed) return {true, {}, 0};
-  look.bytes = fs::file_size(file, failed);
-  return look;
+/// @param seen  the last look, which becomes the present one
+/// @return nullopt: nothing has happened since that look
+std::optional<OnDisk> lookAgain(const fs::path& file, const std::optional<FileStamp>& known, DiskLook& seen) {
+  const DiskLook before = seen;
+  seen = lookAt(file);
+  if (seen == before) return std::nullopt;
+  const OnDisk found = compareWithDisk(file, known);
+  const bool datedAnew = before.looked && lowerCase(file.extension().string()) == ".gltf";
+  return found == OnDisk::kSame && datedAnew && known ? OnDisk::kChanged : found;
+}
+
+void warn(EditorState& state, const fs::path& file, const std::string& what) {
+  addMessage(state.session, MessageKind::kWarning, file.filename().string() + what);
+}
+
+void watchCharacter(EditorState& state) {
+  const Document& document = state.document;
+  if (!document.characterOnDisk) return;
+  const auto found = lookAgain(document.characterFile, document.characterOnDisk, state.open.characterLook);
+  if (found == OnDisk::kChanged) {
+    warn(state, document.characterFile,
+         " was changed on disk by another program. File > Reopen loads the new version.");
+  } else if (found == OnDisk::kGone) {
+    warn(state, document.characterFile, " is no longer on disk. It stays open, but cannot be exported.");
+  }
+}
+
+void watchClips(EditorState& state, const ClipFileReport& file, const std::optional<FileStamp>& known) {
+  ClipListState& list = state.open.clipList;
+  const auto found = lookAgain(file.path, known, list.looks[file.file]);
+  if (!found) return;
+  if (*found != OnDisk::kChanged) list.changed.erase(file.file);
+  if (*found == OnDisk::kGone) {
+    warn(state, file.path, " is no longer on disk. Its clips play until the rig is opened again.");
+  } else if (*found == OnDisk::kChanged && list.changed.insert(file.file).second) {
+    warn(state, file.path,
+         (known ? " was changed" : " was written") +
+             std::string(" on disk by another program. Play > Read clip files again loads its clips."));
+  }
 }
 
 }  // namespace
@@ -73,6 +108,13 @@ void watchDisk(EditorState& state) {
     addMessage(state.session, MessageKind::kWarning,
                name + " was changed on disk by another program. File > Reopen loads the new version.");
   }
+}
+
+void watchReadFiles(EditorState& state) {
+  if (!state.hasCharacter()) return;
+  watchCharacter(state);
+  const Document::ClipFiles& clips = state.document.clipFiles;
+  for (std::size_t i = 0; i < clips.files.size(); ++i) watchClips(state, clips.files[i], clips.onDisk[i]);
 }
 
 }  // namespace sinew::app

@@ -1,5 +1,6 @@
 // app/editor/disk_conflict.h: the rig's file is no longer what this window read or wrote last: another program,
-// another window or version control has changed it. Nothing is written over it unasked.
+// another window or version control has changed it. Nothing is written over it unasked. Files that are only read, the
+// character's and those of added clips, are watched too.
 #pragma once
 
 #include <string>
@@ -20,5 +21,10 @@ void leaveUnsaved(EditorState& state);    ///< Nothing happens.
 
 /// Called now and then: says once that the file has changed or gone under the open document.
 void watchDisk(EditorState& state);
+
+/// Called now and then: says once of each file that it holds something else than was read, or has gone. Files of clips
+/// are in ClipListState::changed until they are read again, or hold what was read once more. Of a .gltf the date
+/// counts too, as its keys are in other files.
+void watchReadFiles(EditorState& state);
 
 }  // namespace sinew::app

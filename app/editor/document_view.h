@@ -15,6 +15,7 @@
 #include <glm/vec2.hpp>
 
 #include "app/document/animate_state.h"
+#include "app/document/file_stamp.h"
 #include "app/playback.h"
 #include "app/render/pictures/reference_picture.h"
 #include "app/tools/select.h"
@@ -75,15 +76,6 @@ struct ViewportMenuState {
   bool wanted = false;   ///< Opens with the next frame.
 };
 
-/// What the system says of the rig's file without reading it.
-struct DiskLook {
-  bool looked = false;
-  std::filesystem::file_time_type written{};
-  std::uintmax_t bytes = 0;
-
-  friend bool operator==(const DiskLook&, const DiskLook&) = default;
-};
-
 /// How hard muscle lines are flexed in the picture; not in the file.
 struct FlexState {
   float amount = 0.0f;         ///< The slider's, 0..1.
@@ -137,6 +129,8 @@ struct BodyPartsState {
 /// Play > Clip files.
 struct ClipListState {
   bool shown = false;
+  std::set<std::string> changed;          ///< Files that hold something else than was read, as the rig names them.
+  std::map<std::string, DiskLook> looks;  ///< The last ones at files, since they were read.
 };
 
 /// View > Reference picture.
@@ -210,7 +204,8 @@ struct DocumentView {
   std::size_t historyShown = 0;  ///< The step the history has scrolled to last.
   unsigned gestureItem = 0;      ///< ImGui id of the field whose drag or typing is one undo step; 0: none.
   std::string refusal;           ///< Why the last edit was refused; "" after an accepted one.
-  DiskLook disk;                 ///< At the last look.
+  DiskLook disk;                 ///< The last look at the rig's file.
+  DiskLook characterLook;        ///< ... at the character's.
   std::size_t messagesSeen = 0;  ///< SessionState::messagesSaid when the list was drawn last.
   bool frameWanted = false;      ///< Frame the character as soon as the viewport's size is known.
 };

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "app/export/export_kinds.h"
 #include "sinew/smoothing/smoother.h"
@@ -83,19 +84,25 @@ struct LastExport {
   ErrorFigures largest;  ///< Of all clips, at keys and between.
 };
 
+/// Which of the two meshes View > Export error draws.
+enum class ExportedView { kLive, kExported, kBoth };
+
 /// What View > Export error draws: the live surface as it was exported, or what the file shows, each vertex displaced
 /// by their distance.
 struct ExportErrorState {
   std::optional<LastExport> last;
   bool shown = false;
-  bool exported = false;  ///< The exported mesh, else the live one.
+  ExportedView view = ExportedView::kLive;
+  glm::vec3 aside{0.0f};  ///< kBoth: from the live surface to the exported mesh, world.
 
   Surface surface;
+  Surface beside;            ///< kBoth: the exported mesh where it stands; positions, normals and displacement alone.
   float largestNow = 0.0f;   ///< In this moment, percent of the height.
   std::size_t revision = 0;  ///< Counts what has been drawn.
   std::optional<Smoother> smoother;
   std::size_t madeOf = 0;  ///< Live revision that `surface` was made in; 0: none.
-  bool madeExported = false;
+  ExportedView madeView = ExportedView::kLive;
+  glm::vec3 madeAside{0.0f};
 };
 
 }  // namespace sinew::app

@@ -177,7 +177,7 @@ void attachOtherEnd(EditorState& state, int bone) {
     Result<Rig> lined = withOtherEnd(std::move(rig), index, bone, state.character());
     if (!lined) return refuse(state, lined.error());
     const auto last = static_cast<int>(lined->lines.size()) - 1;
-    Result<Mended> mended = withMendedLine(std::move(lined).value(), last, motions, true);
+    Result<Mended> mended = withMendedLine(std::move(lined).value(), last, motions, MadeLine::kOtherEnd);
     if (!mended) return refuse(state, mended.error());
     rig = std::move(mended.value().rig);
     if (!mended->said.empty())

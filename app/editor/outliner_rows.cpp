@@ -7,8 +7,8 @@
 #include "core/base/lower_case.h"
 
 #include "core/base/at.h"
+#include "core/skeleton/bone_names.h"
 #include "core/skeleton/joint_roles.h"
-#include "core/skeleton/side_names.h"
 
 namespace sinew::app {
 namespace {
@@ -151,6 +151,7 @@ const char* partWord(JointRole role) {
 
 std::vector<std::string> bodyParts(const Skeleton& skeleton) {
   const std::vector<JointRole> roles = jointRoles(skeleton);
+  const std::vector<BoneName> names = boneNames(skeleton);
   std::vector<std::string> words(skeleton.bones.size());
   std::vector<std::string> parts;
   for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
@@ -158,7 +159,7 @@ std::vector<std::string> bodyParts(const Skeleton& skeleton) {
     // Fingers, and bones of which nothing is known, belong to what they hang on.
     const int parent = skeleton.bones[b].parent;
     if (words[b].empty()) words[b] = parent >= 0 ? at(words, parent) : "body";
-    const std::optional<Side> side = sideNamed(skeleton.bones[b].name);
+    const std::optional<Side> side = names[b].side;
     std::string part = words[b];
     if (words[b] == "arm" || words[b] == "leg") {
       if (side == Side::kLeft) part = "left " + part;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/gpu/card_surface.h"
+#include "core/base/grouped.h"
 #include "core/base/stopwatch.h"
 #include "core/smoothing/smooth.h"
 #include "core/smoothing/stages.h"
@@ -59,14 +60,6 @@ double degreesBetween(const glm::vec3& a, const glm::vec3& b) {
 }
 
 bool isNumber(const glm::vec4& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-std::string grouped(long long number) {
-  std::string digits = std::to_string(number);
-  for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3) {
-    digits.insert(static_cast<std::size_t>(at), ",");
-  }
-  return digits;
-}
 
 /// So many bodies that they fit.
 int bodiesTogether(const Preparation& preparation, int bodies) {

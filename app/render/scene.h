@@ -114,6 +114,9 @@ struct LitPart {
 struct Scene {
   const Character* character = nullptr;
   const Surface* surface = nullptr;
+  /// A second one of the same refinement, drawn as the first is; null: none. Positions, normals and displacement are
+  /// all that it needs.
+  const Surface* beside = nullptr;
   std::uint64_t surfaceRevision = 0;  ///< Equal for equal surfaces of a character, uploaded once. 0: unknown.
   const Pose* pose = nullptr;
   std::vector<PrimitiveShape> primitives;

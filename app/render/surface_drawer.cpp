@@ -67,6 +67,7 @@ SurfaceDrawer::SurfaceDrawer()
     : partSeen_(makeQuery(GL_ANY_SAMPLES_PASSED)),
       array_(makeVertexArray()),
       vertices_(makeBuffer()),
+      besideVertices_(makeBuffer()),
       uvs_(makeBuffer()),
       skinValues_(makeBuffer()),
       colors_(makeBuffer()),
@@ -131,8 +132,7 @@ void SurfaceDrawer::rebuildSkinValues(const ControlMesh& mesh) {
   uploadBuffer(skinValues_, std::span<const SkinValues>(values), GL_STATIC_DRAW);
 }
 
-void SurfaceDrawer::fillVertices(const Scene& scene) {
-  const Surface& surface = *scene.surface;
+void SurfaceDrawer::stage(const Surface& surface) {
   const std::vector<int>& drawVertex = refinement_->drawVertex;
   staging_.resize(drawVertex.size());
   const bool displaced = surface.displacement.size() == surface.positions.size();
@@ -141,14 +141,26 @@ void SurfaceDrawer::fillVertices(const Scene& scene) {
     staging_[i] = {surface.positions[vertex], shadingNormal(surface, i),
                    displaced ? surface.displacement[vertex] : 0.0f};
   }
+}
+
+void SurfaceDrawer::fillVertices(const Scene& scene) {
+  stage(*scene.surface);
   uploadBuffer(vertices_, std::span<const Vertex>(staging_));
   glVertexArrayVertexBuffer(array_.id(), 0, vertices_.id(), 0, sizeof(Vertex));
-  bounds_ = boundsOf(surface.positions);
+  bounds_ = boundsOf(scene.surface->positions);
+  hasBeside_ = scene.beside != nullptr;
+  if (hasBeside_) {
+    assert(scene.beside->refinement == refinement_);
+    stage(*scene.beside);
+    uploadBuffer(besideVertices_, std::span<const Vertex>(staging_));
+    for (const glm::vec3& point : scene.beside->positions) bounds_.add(point);
+  }
   fillClasses(scene);
 }
 
 void SurfaceDrawer::takeCardVertices(const Scene& scene) {
   glVertexArrayVertexBuffer(array_.id(), 0, cardVertices_->buffer, 0, sizeof(Vertex));
+  hasBeside_ = false;
   bounds_ = cardVertices_->bounds;
   fillClasses(scene);
 }
@@ -248,8 +260,17 @@ void SurfaceDrawer::drawRange(const GlProgram& program, const Frame& frame, cons
   program.set("firstTriangle", range.firstTriangle);
   textures_.bindBase(material);
   textures_.bindMaps(program, material, maps);
-  const auto offset = static_cast<std::uintptr_t>(range.firstTriangle) * 3 * sizeof(std::uint32_t);
-  glDrawElements(GL_TRIANGLES, range.triangles * 3, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
+  drawTriangles(range.firstTriangle, range.triangles);
+}
+
+void SurfaceDrawer::drawTriangles(int firstTriangle, int triangles) const {
+  const auto* const first =
+      reinterpret_cast<const void*>(static_cast<std::uintptr_t>(firstTriangle) * 3 * sizeof(std::uint32_t));
+  glDrawElements(GL_TRIANGLES, triangles * 3, GL_UNSIGNED_INT, first);
+  if (!hasBeside_) return;
+  glVertexArrayVertexBuffer(array_.id(), 0, besideVertices_.id(), 0, sizeof(Vertex));
+  glDrawElements(GL_TRIANGLES, triangles * 3, GL_UNSIGNED_INT, first);
+  glVertexArrayVertexBuffer(array_.id(), 0, vertices_.id(), 0, sizeof(Vertex));
 }
 
 /// Draws ranges with the programs that their materials' maps need, each prepared when it follows another.

@@ -64,6 +64,9 @@ class SurfaceDrawer {
   SurfaceDrawer();
   void rebuildSkinValues(const ControlMesh& mesh);
   void fillVertices(const Scene& scene);
+  void stage(const Surface& surface);
+  /// Of the array that is bound: of the surface, and of that beside it.
+  void drawTriangles(int firstTriangle, int triangles) const;
   void takeCardVertices(const Scene& scene);
   void fillClasses(const Scene& scene);
   void rebuildTopology(const ControlMesh& mesh);
@@ -83,7 +86,8 @@ class SurfaceDrawer {
   GlProgram partProgram_;
   GlQuery partSeen_;  ///< Whether anything of a part was seen.
   GlVertexArray array_;
-  GlBuffer vertices_, uvs_, skinValues_, colors_, indices_, keptIndices_, coarseIndices_, controlOf_, classes_, parts_;
+  GlBuffer vertices_, besideVertices_, uvs_, skinValues_, colors_, indices_, keptIndices_, coarseIndices_, controlOf_,
+      classes_, parts_;
   MaterialTextures textures_;
   std::vector<Material> materials_;
   std::vector<int> materialOfPart_;  ///< [parts]
@@ -99,7 +103,8 @@ class SurfaceDrawer {
   std::vector<float> territory_;   ///< [V] or empty, as in skinValues_.
   std::vector<SkinLayer> layers_;  ///< Scene::layers, as in classes_.
   std::uint64_t revision_ = 0;     ///< Scene::surfaceRevision of what is uploaded; 0: unknown.
-  Bounds bounds_;
+  bool hasBeside_ = false;         ///< besideVertices_ are drawn too.
+  Bounds bounds_;                  ///< Of all that is drawn.
 };
 
 }  // namespace sinew::app

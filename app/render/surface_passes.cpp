@@ -32,8 +32,7 @@ void SurfaceDrawer::drawForShadow(const Frame& frame, const GlProgram& solid, co
     const int first = coarse ? coarseFirst : range.firstTriangle;
     const int triangles = coarse ? range.controlTriangles : range.triangles;
     coarseFirst += range.controlTriangles;
-    const auto offset = static_cast<std::uintptr_t>(first) * 3 * sizeof(std::uint32_t);
-    glDrawElements(GL_TRIANGLES, triangles * 3, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
+    drawTriangles(first, triangles);
   }
   glVertexArrayElementBuffer(array_.id(), culled_.empty() ? indices_.id() : keptIndices_.id());
 }

@@ -9,6 +9,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "app/platform/freed_memory.h"
 #include "app/render/frame.h"
 #include "app/render/ground_drawer.h"
 #include "app/render/lights.h"
@@ -146,6 +147,7 @@ Viewport::~Viewport() = default;
 
 Result<std::unique_ptr<Viewport>> Viewport::create(int samples) {
   if (epoxy_gl_version() < 45) return Error{"", "", "the graphics driver does not offer OpenGL 4.5: " + rendererName()};
+  if (isSoftwareRenderer()) keepFreedMemory();
   Result<SurfaceDrawer> surface = SurfaceDrawer::create();
   if (!surface) return surface.error();
   Result<GroundDrawer> ground = GroundDrawer::create();

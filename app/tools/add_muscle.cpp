@@ -24,10 +24,13 @@ namespace sinew::app {
 namespace {
 
 constexpr float kClickLength = 0.05f;  ///< Semi-axes, of H.
-constexpr float kClickWidth = 0.032f;
-constexpr float kClickThickness = 0.026f;
-constexpr float kWidth = 0.6f;  ///< Fraction of half a stroke's length: full enough to show under the skin at once.
-constexpr float kThickness = 0.55f;
+constexpr float kClickWidth = 0.025f;
+constexpr float kClickThickness = 0.011f;
+constexpr float kWidth = 0.5f;  ///< Fraction of half a stroke's length.
+// Thin rather than deep: skin that only a shell's top lifts pops when it moves.
+constexpr float kThickness = 0.22f;
+constexpr float kLeastThickness = 0.01f;  ///< Of H: seen on the skin at once,
+constexpr float kMostThickness = 0.012f;  ///< and no lump.
 constexpr float kShortestStroke = 0.01f;  ///< Chord, of H.
 constexpr float kLongestStroke = 1.5f;
 constexpr float kLeastHalf = 0.015f;  ///< Half length, of H.
@@ -37,7 +40,8 @@ constexpr float kSlenderness = 1.25f;   ///< Length over thickness of a muscle a
 constexpr float kPerWheelStep = 1.12f;  ///< Factor on the thickness.
 constexpr float kThinnest = 0.3f;       ///< Of the thickness that the tool begins with.
 constexpr float kThickest = 3.0f;
-constexpr float kSunk = 0.3f;  ///< Fraction of the thickness: how deep the center lies under the skin.
+constexpr float kThinnestEver = 0.003f;  ///< Of H.
+constexpr float kSunk = 0.2f;            ///< Fraction of the thickness: how deep the center lies under the skin.
 
 bool isUsable(const glm::mat4& boneInWorld) {
   return isFinite(boneInWorld) && !isFlat(glm::dmat3(glm::mat3(boneInWorld)));
@@ -118,7 +122,9 @@ PathProfile profileOf(std::span<const SkinPoint> path, const glm::vec3& along, c
 }
 
 /// Thickness on a flat skin.
-float flatThickness(float half, float height) { return std::clamp(kThickness * half, 0.02f * height, 0.15f * height); }
+float flatThickness(float half, float height) {
+  return std::clamp(kThickness * half, kLeastThickness * height, kMostThickness * height);
+}
 
 /// Semi-axes and center; direction and normal are there.
 void fitToProfile(EllipsoidInWorld& ellipsoid, const glm::vec3& start, const PathProfile& profile, float height) {
@@ -155,7 +161,7 @@ EllipsoidInWorld ellipsoidOnSkin(const SkinStroke& stroke, const glm::vec3& bone
 void thicken(EllipsoidInWorld& ellipsoid, float factor, float height) {
   const glm::vec3 before = ellipsoid.semiAxes;
   for (const int axis : {1, 2}) {
-    ellipsoid.semiAxes[axis] = std::clamp(factor * before[axis], 0.01f * height, kMostHalf * height);
+    ellipsoid.semiAxes[axis] = std::clamp(factor * before[axis], kThinnestEver * height, kMostHalf * height);
   }
   ellipsoid.center -= kSunk * (ellipsoid.semiAxes.z - before.z) * ellipsoid.normal;
 }

@@ -29,14 +29,14 @@ struct AddMuscleState {
   std::optional<AddMuscleDrag> drag;
 };
 
-/// An ellipsoid half buried in the skin along a stroke. Its long axis (x) lies along the chord from the first point to
-/// the last, its thickness (z) along the mean skin normal made perpendicular to the chord, +z out of the skin. In the
-/// middle it stands out of the skin by as much on a curved path as on a straight one, and its ends are not above the
-/// path: where the path arches over the chord it is thicker and its center higher, where the path sags it lies deeper.
-/// A chord below 1 % of H is a click: 5 % of H at the start, along `boneAxisInWorld` laid into the tangent plane. A
-/// stroke ends where it is 150 % of H away from its start.
-/// Under uneven bone scale the long axis and the tangent plane are kept and their extents exact. Semi-axes in the
-/// world lie within 1 % and 75 % of H.
+/// A flat ellipsoid in the skin along a stroke, which lifts it by about 1 % of H. Its long axis (x) lies along the
+/// chord from the first point to the last, its thickness (z) along the mean skin normal made perpendicular to the
+/// chord, +z out of the skin. In the middle it stands out of the skin by as much on a curved path as on a straight one,
+/// and its ends are not above the path: where the path arches over the chord it is thicker and its center higher, where
+/// the path sags it lies deeper. A chord below 1 % of H is a click: 5 % of H at the start, along `boneAxisInWorld` laid
+/// into the tangent plane. A stroke ends where it is 150 % of H away from its start. Under uneven bone scale the long
+/// axis and the tangent plane are kept and their extents exact. Semi-axes in the world lie within 1 % and 75 % of H,
+/// those made thinner within 0.3 %.
 /// @param stroke       not empty (asserted); world.
 /// @param boneInWorld  of the same moment as the stroke; not flattened (asserted).
 /// @param thicker      factor on thickness and width; the length stays, the center stays as deep for its thickness.

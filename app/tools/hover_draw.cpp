@@ -35,19 +35,32 @@ void drawRing(ImDrawList& list, const Canvas& canvas, const SkinPoint& skin, flo
   list.AddPolyline(ring.data(), static_cast<int>(ring.size()), kMark, ImDrawFlags_Closed, 2.0f * canvas.scale);
 }
 
-void drawName(ImDrawList& list, const ImVec2& beside, float scale, const std::string& name) {
-  const std::string shown = inReadingOrder(name);
+/// Kept within the picture. @param corner  where the text begins
+void drawPlate(ImDrawList& list, const ImVec2& corner, float scale, const std::string& shown) {
   const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
   const ImVec2 pad{6.0f * scale, 3.0f * scale};
   const ImVec2 room = list.GetClipRectMax();
-  const ImVec2 low{std::min(beside.x + 18.0f * scale, room.x - size.x - 2.0f * pad.x),
-                   std::min(beside.y + 14.0f * scale, room.y - size.y - 2.0f * pad.y)};
+  const ImVec2 low{std::min(corner.x, room.x - size.x - 2.0f * pad.x),
+                   std::min(corner.y, room.y - size.y - 2.0f * pad.y)};
   list.AddRectFilled({low.x - pad.x, low.y - pad.y}, {low.x + size.x + pad.x, low.y + size.y + pad.y}, kShadow,
                      4.0f * scale);
   list.AddText(low, IM_COL32(235, 238, 242, 255), shown.c_str());
 }
 
+void drawName(ImDrawList& list, const ImVec2& beside, float scale, const std::string& name) {
+  drawPlate(list, {beside.x + 18.0f * scale, beside.y + 14.0f * scale}, scale, inReadingOrder(name));
+}
+
 }  // namespace
+
+void drawMeshName(ImDrawList& list, const Canvas& canvas, const Bounds& box, const std::string& name) {
+  const glm::vec3 foot(box.center().x, box.low.y, box.center().z);
+  if (canvas.isBehind(foot)) return;
+  const std::string shown = inReadingOrder(name);
+  const ImVec2 at = canvas.at(foot);
+  drawPlate(list, {at.x - 0.5f * ImGui::CalcTextSize(shown.c_str()).x, at.y + 14.0f * canvas.scale}, canvas.scale,
+            shown);
+}
 
 void drawBoneMark(ImDrawList& list, const Canvas& canvas, const Bone& bone, const glm::mat4& boneInWorld) {
   const glm::vec3 origin(boneInWorld[3]);

@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <string>
+
 #include "app/tools/select.h"
 
 namespace sinew::app {
@@ -20,6 +22,9 @@ struct Canvas {
     return {p.x, p.y};
   }
 };
+
+/// What a mesh is called, under its box. Needs a current ImGui frame, for its font.
+void drawMeshName(ImDrawList& list, const Canvas& canvas, const Bounds& box, const std::string& name);
 
 /// A bone's segment through everything. Nothing where an end is behind the eye.
 void drawBoneMark(ImDrawList& list, const Canvas& canvas, const Bone& bone, const glm::mat4& boneInWorld);

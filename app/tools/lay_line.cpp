@@ -12,6 +12,7 @@
 #include "core/base/at.h"
 #include "core/base/flatness.h"
 #include "core/check/mend.h"
+#include "core/lines/belly_on_line.h"
 #include "core/lines/line_rest.h"
 #include "core/primitives/affine_image.h"
 #include "core/rig/line_edit.h"
@@ -23,11 +24,7 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kBulge = 0.22f;      ///< How far the belly stands out of the skin, of its half length.
-constexpr float kMostBulge = 0.03f;  ///< Fraction of H.
-constexpr float kLeastThick = 0.2f;  ///< Half thickness, of the half length.
-constexpr float kMostThick = 0.5f;
-constexpr float kWide = 1.1f;        ///< Width over thickness.
+constexpr float kMostBulge = 0.03f;  ///< How far the belly stands out of the skin at most, fraction of H.
 constexpr float kNearPlane = 0.01f;  ///< Fraction of H, as for muscles on one bone.
 
 const Bone& boneOf(const Character& character, int bone) { return at(character.skeleton.bones, bone); }
@@ -60,14 +57,8 @@ Placement bellyInWorld(const LineRest& rest, const Surface& skin, float height) 
   const glm::vec2 tendons = rest.settings.tendons * restLength;
   const float half = std::max(0.5f * (straight - tendons.x - tendons.y), 0.1f * straight);
   const glm::vec3 middle = glm::vec3(rest.origin.inBind) + (tendons.x + half) * along;
-  const float top = depthUnder(skin, middle, out) + std::min(kBulge * half, kMostBulge * height);
-  // From just under the line to its top over the skin.
-  const float thick = std::clamp(0.55f * top, kLeastThick * half, kMostThick * half);
-  Placement belly;
-  belly.center = middle + (top - thick) * out;
-  belly.rotation = glm::normalize(glm::quat_cast(glm::mat3(glm::cross(along, out), along, out)));
-  belly.radii = {kWide * thick, half, thick};
-  return belly;
+  const float top = depthUnder(skin, middle, out) + std::min(kBellyBulge * half, kMostBulge * height);
+  return bellyOnLine(middle, along, out, top, half);
 }
 
 /// Every anchor in the mirror plane, if they are near it and on center bones.
@@ -121,7 +112,7 @@ Result<MendedLaidLine> mended(const LaidLine& laid, const Motions& motions) {
   belly.line = alone->lines.back().name;
   alone = addPrimitive(std::move(alone).value(), std::move(belly));
   if (!alone) return alone.error();
-  Result<Mended> done = withMendedLine(std::move(alone).value(), 0, motions, true);
+  Result<Mended> done = withMendedLine(std::move(alone).value(), 0, motions, MadeLine::kDrawn);
   if (!done) return done.error();
   MendedLaidLine out{laid, {}};
   if (!done->said.empty()) out.said = laid.line.name + ": " + done->said;

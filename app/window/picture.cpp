@@ -76,6 +76,7 @@ Scene sceneOf(const EditorState& state, const PictureKey& key) {
   Scene scene;
   scene.character = state.document.character.get();
   scene.surface = &shownSurface(state);
+  scene.beside = besideSurface(state);
   scene.surfaceRevision = key.surface + 1;
   scene.pose = &state.live->pose();
   scene.primitives = key.shapes;
@@ -210,6 +211,10 @@ void Picture::draw(EditorState& state, const View& view, ImDrawList& list, doubl
   const bool adds = state.view.tools.tool == ToolKind::kAddMuscle || state.view.tools.tool == ToolKind::kMuscleLine;
   if (adds && !state.view.tools.addMuscle.drag && !state.view.tools.line.drag) {
     drawLanding(list, canvas, state.view.tools.hover, state.character(), pose);
+  }
+  if (const Surface* const beside = besideSurface(state)) {
+    drawMeshName(list, canvas, boundsOf(shownSurface(state).positions), "live");
+    drawMeshName(list, canvas, boundsOf(beside->positions), state.session.exportError.last->file.filename().string());
   }
   drawTriad(list, state.view.tools.triad,
             layoutTriad(state.view.tools.camera, state.frame.viewportPixels, canvas.scale / canvas.unitsPerPixel),

@@ -15,7 +15,7 @@ namespace sinew::app {
 namespace {
 
 constexpr double kSettleSeconds = 1.0;  ///< What is being dragged is written once it rests.
-constexpr double kDiskSeconds = 1.0;    ///< Between looks at the rig's file.
+constexpr double kDiskSeconds = 1.0;    ///< Between looks at open files.
 
 Preferences preferencesOf(const EditorState& state, const WindowPlace& window) {
   Preferences preferences = currentPreferences(state);
@@ -57,6 +57,7 @@ void SessionKeeper::tick(EditorState& state, double now, const WindowPlace& wind
   if (now - diskSeenAt_ >= kDiskSeconds) {
     diskSeenAt_ = now;
     watchDisk(state);
+    watchReadFiles(state);
   }
   keepPreferences(state, now, window);
 }

@@ -1,7 +1,7 @@
 # blender/sinew_blender/follow.py: a surface takes the pose of its armature; its mesh is made anew with other detail.
 import bpy
 
-from . import smoothers, surface_mesh
+from . import clips, smoothers, surface_mesh
 from .joints import joints_of
 from .pose import bone_matrices, shape_weights
 
@@ -37,25 +37,31 @@ def update(surface, depsgraph, again=False):
 
 
 def _tell(surface, error):
-    line = " ".join(str(error.args[0] if isinstance(error, LookupError) else error).split())
+    line = " ".join(_reason(error).split())
     if problems.get(surface.name) != line:
         print("Sinew: %s: %s" % (surface.name, line))
     problems[surface.name] = line
 
 
+def _reason(error):
+    if isinstance(error, OSError) and error.filename:
+        return "%s: %s" % (error.filename, error.strerror)
+    return str(error.args[0] if isinstance(error, LookupError) else error)
+
+
 def _follow(surface, depsgraph, again):
     mesh = surface.data
-    if mesh.library:
-        raise LookupError("its mesh is linked from another file, and cannot be moved: make it local")
     rival = _rival(surface, depsgraph)
     if rival:
         raise LookupError('shares its mesh with "%s": make it single-user' % rival.name)
     smoother = smoothers.smoother_of(surface.sinew)
     bones, shapes = bone_matrices(surface, depsgraph), shape_weights(surface, depsgraph)
-    pose = (id(smoother), bones.tobytes(), tuple(shapes.items()))
+    frame = depsgraph.scene.frame_current_final
+    clip, time = clips.moment(surface.sinew.armature, frame, smoother.character.clips)
+    pose = (id(smoother), bones.tobytes(), tuple(shapes.items()), clip, time)
     if not again and _shown.get(mesh.name_full) == pose:
         return
-    made = smoother(bones=bones, shapes=shapes or None)
+    made = smoother(clip, time, bones=bones, shapes=shapes or None)
     if not _fits(mesh, made):
         raise LookupError("the rig has other triangles now: press Reload")
     surface_mesh.move(mesh, made, joints_of(surface.sinew.joints).unit)
@@ -86,5 +92,8 @@ def rebuild(surface):
         _tell(surface, error)
         return
     if not _fits(surface.data, made):
+        if surface.data.library:
+            _tell(surface, LookupError("its mesh is linked, and the rig has other triangles now: reload it in its own file"))
+            return
         surface_mesh.refill(surface, made, joints_of(state.joints).unit)
     update(surface, bpy.context.evaluated_depsgraph_get(), again=True)

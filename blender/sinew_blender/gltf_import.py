@@ -6,6 +6,8 @@ import bpy
 import numpy
 from mathutils import Matrix
 
+from . import clips
+
 
 class Joint(NamedTuple):
     """What a node of the file is in Blender."""
@@ -52,6 +54,13 @@ class NodeRecorder:
             names = list(material.blender_material.values())
             if names:
                 _made.materials[number] = names[0]
+
+    def gather_import_animation_after_hook(self, number, _track, gltf):
+        """The actions that one clip became."""
+        name = gltf.data.animations[number].name
+        if _made is not None and name:
+            for action in gltf.action_cache.values():
+                clips.mark(action, name, bpy.context.scene.render.fps)
 
 
 def _at_rest(gltf, node):

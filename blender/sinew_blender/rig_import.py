@@ -36,6 +36,8 @@ class SinewImportRig(bpy.types.Operator, ImportHelper):
             rig = sinew.load_rig(self.filepath)
             made = gltf_import.import_gltf(rig.character.path)
             _build(context, self, rig, made)
+            if rig.unattached:
+                self.report({"WARNING"}, "Left out, since the character lacks their bones: " + ", ".join(rig.unattached))
         except (*follow.REFUSALS, json.JSONDecodeError) as error:
             self.report({"ERROR"}, " ".join(str(error).split()))
             return {"CANCELLED"}

@@ -19,7 +19,7 @@ def smoother_of(state):
     sinew, why = preferences.find()
     if sinew is None:
         raise RuntimeError(why)
-    path = bpy.path.abspath(state.rig)
+    path = bpy.path.abspath(state.rig, library=state.id_data.library)
     wanted = (path, state.detail, state.depth if state.detail == "UNIFORM" else 0)
     found = _open.get(wanted)
     if found and found[0] == files_of([path, found[1].character.path]):

@@ -51,11 +51,20 @@ def assign_slots(mesh, surface):
 
 def move(mesh, surface, unit):
     """Only the places, of a mesh that was filled from a surface of the same rig."""
-    places = axes.points_in_blender(surface.positions, unit).ravel()
-    mesh.vertices.foreach_set("co", places)
+    places = axes.points_in_blender(surface.positions, unit)
+    _place(mesh, mesh.vertices, places)
     if mesh.shape_keys:
-        mesh.shape_keys.key_blocks[0].data.foreach_set("co", places)
+        _place(mesh, mesh.shape_keys.key_blocks[0].data, places)
     mesh.update()
+
+
+def _place(mesh, points, places):
+    """Of a linked mesh Blender sets points one by one only."""
+    if mesh.library is None:
+        points.foreach_set("co", places.ravel())
+        return
+    for point, place in zip(points, places.tolist()):
+        point.co = place
 
 
 def refill(item, surface, unit):

@@ -46,7 +46,8 @@ BellyBody bellyBody(const PosedMuscle& muscle) {
   return {glm::vec3(muscle.body.carrier * glm::vec4(placement.center, 1.0f)), axes};
 }
 
-std::optional<FollowedBelly> FollowedBelly::create(const Character& character, const PosedMuscle& bind, int bone) {
+std::optional<FollowedBelly> FollowedBelly::create(const Character& character, const SkinRuns& outer,
+                                                   const PosedMuscle& bind, int bone) {
   if (!bind.usable) return std::nullopt;
   const BellyBody body = bellyBody(bind);
   const Segment axis = bindSegment(at(character.skeleton.bones, bone));
@@ -60,7 +61,7 @@ std::optional<FollowedBelly> FollowedBelly::create(const Character& character, c
   const glm::vec3 along = glm::normalize(body.axes[out.long_]);
   for (std::size_t i = 0; i < kPoints; ++i) {
     const glm::vec3 point = body.center + kAlong[i] * body.axes[out.long_];
-    const auto spot = spotOver(character.mesh, point + extentOf(body, outwards, kAlong[i]) * outwards, outwards);
+    const auto spot = spotOver(outer, point + extentOf(body, outwards, kAlong[i]) * outwards, outwards);
     const auto skin = spot ? frameAt(character, *spot, pose) : std::nullopt;
     if (!skin) return std::nullopt;
     const glm::vec3 inSkin = glm::transpose(skin->axes) * (point - skin->origin);

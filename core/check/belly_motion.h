@@ -36,9 +36,10 @@ class FollowedBelly {
   static constexpr std::size_t kPoints = 3;
 
   /// nullopt: there is no skin to follow, or the muscle lies round its bone's axis.
-  /// @param bind  the muscle in the bind pose  @param bone  that it rides, or its line begins at
-  [[nodiscard]] static std::optional<FollowedBelly> create(const Character& character, const PosedMuscle& bind,
-                                                           int bone);
+  /// @param skin  of the character  @param bind  the muscle in the bind pose  @param bone  that it rides, or its line
+  /// begins at
+  [[nodiscard]] static std::optional<FollowedBelly> create(const Character& character, const SkinRuns& skin,
+                                                           const PosedMuscle& bind, int bone);
 
   /// The middle's first.
   [[nodiscard]] const std::array<SkinSpot, kPoints>& spots() const { return spots_; }

@@ -130,7 +130,7 @@ class Checker {
     const PosedMuscle& bind = at(bind_.muscles, primitive);
     const auto bone = motions_.character().skeleton.findBone(at(rig_.primitives, primitive).bone);
     if (!bone) return deeds;
-    const auto belly = FollowedBelly::create(motions_.character(), bind, *bone);
+    const auto belly = FollowedBelly::create(motions_.character(), motions_.skin(), bind, *bone);
     std::vector<std::optional<SkinFrame>> frames;
     if (belly) {
       frames = motions_.framesOf(belly->spots());

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -13,7 +14,9 @@
 #include "core/base/at.h"
 #include "core/check/belly_motion.h"
 #include "core/check/check.h"
+#include "core/check/learn_full.h"
 #include "core/check/mend_belly.h"
+#include "core/check/mend_drawn.h"
 #include "core/lines/line_fitting.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/reparent.h"
@@ -23,7 +26,6 @@ namespace sinew {
 namespace {
 
 constexpr float kRigidFrom = 2.0f;  ///< Times what is found: worse lines do more harm than none.
-constexpr float kMargin = 0.9f;     ///< Of what is found: a mended muscle has some room.
 
 /// How far a line is from being clean: at most 1 is.
 struct Trouble {
@@ -43,7 +45,8 @@ class LineTrial {
     const Character& character = motions.character();
     if (const auto bone = character.skeleton.findBone(trial_.primitives[0].bone)) {
       const RigPoser poser(trial_, character);
-      belly_ = FollowedBelly::create(character, poser.pose(bindPose(character.skeleton)).muscles[0], *bone);
+      belly_ =
+          FollowedBelly::create(character, motions.skin(), poser.pose(bindPose(character.skeleton)).muscles[0], *bone);
     }
     if (belly_) frames_ = motions.framesOf(belly_->spots());
   }
@@ -51,13 +54,16 @@ class LineTrial {
   [[nodiscard]] bool canTell() const { return belly_.has_value(); }
   [[nodiscard]] const SkinSpot& spot() const { return belly_->spots()[0]; }
 
-  Trouble trouble(const MuscleLine& line) {
+  /// @param enough  after a pose with a worse path no other is looked at
+  Trouble trouble(const MuscleLine& line, float enough = std::numeric_limits<float>::max()) {
     trial_.lines[0].via = line.via;
     trial_.lines[0].settings = line.settings;
     const RigPoser poser(trial_, motions_.character());
     Trouble out;
     constexpr std::size_t kPoints = FollowedBelly::kPoints;
-    for (std::size_t i = 0; i < motions_.poses().size(); ++i) {
+    const std::size_t count = motions_.poses().size();
+    for (std::size_t k = 0; k < count && out.path <= enough; ++k) {
+      const std::size_t i = (worst_ + k) % count;
       poser.pose(motions_.poses()[i], posed_);
       const PosedLine& shown = posed_.lines[0];
       if (!shown.usable) continue;
@@ -65,6 +71,7 @@ class LineTrial {
       const float stretch = std::max(shown.stretch / kMostStretch, kLeastStretch / std::max(shown.stretch, 1e-6f));
       const float share = motions_.shareOf(i);
       out.path = std::max({out.path, share * motion.out / kMostOut, share * motion.beside / kMostBeside, stretch});
+      if (out.path > enough) worst_ = i;
       out.ball = std::max(out.ball, share * motion.ball / belly_->mostBall());
     }
     return out;
@@ -76,6 +83,7 @@ class LineTrial {
   std::optional<FollowedBelly> belly_;
   std::vector<std::optional<SkinFrame>> frames_;
   PosedRig posed_;
+  std::size_t worst_ = 0;  ///< What was too much for the last line is looked at first.
 };
 
 struct LineChoice {
@@ -182,23 +190,60 @@ Result<Mended> withoutLine(Rig rig, std::span<const int> bellies, int bone, cons
                 "no line between its bones stays in the flesh, so it rides " + skeleton.fileName(bone), true, true};
 }
 
-/// What a tool has just made may lie deeper, as long as it is one muscle: its ends are where they were put.
-Result<Mended> withNewBelly(Mended mended, std::span<const int> bellies, const Motions& motions) {
-  const auto say = [&](const std::string& more) { mended.said += (mended.said.empty() ? "" : ", ") + more; };
-  if (bellies.size() == 1) {
-    Result<MendedBelly> belly = withMendedBelly(std::move(mended.rig), bellies.front(), motions, nullptr, true);
-    if (!belly) return belly.error();
-    mended.rig = std::move(belly.value().rig);
-    mended.isClean = !belly->said.empty();
-    if (mended.isClean) say(belly->said);
+void sayItLeaves(std::string& said) {
+  said += std::string(said.empty() ? "" : ", ") + "and it still leaves the flesh somewhere";
+}
+
+/// Only its line and where it lies are taken.
+Result<Mended> withChoice(Rig rig, int line, int belly, BellyChoice choice) {
+  Mended out;
+  out.said = std::move(choice.said);
+  Primitive& own = at(rig.primitives, belly);
+  own.bone = choice.primitive.bone;
+  own.placement = choice.primitive.placement;
+  if (!choice.line) {
+    out.isRigid = true;
+    out.rig = setLineOfSeveral(std::move(rig), std::array{belly}, -1);
+    return out;
   }
-  if (!mended.isClean) say("and it still leaves the flesh somewhere");
-  return mended;
+  Result<Rig> edited = editLine(std::move(rig), line, [&](MuscleLine& of) {
+    of.origin = choice.line->origin;
+    of.insertion = choice.line->insertion;
+    of.via = choice.line->via;
+    of.settings = choice.line->settings;
+  });
+  if (!edited) return edited.error();
+  out.rig = std::move(edited).value();
+  return out;
+}
+
+/// What no candidate mended, if it is one muscle: deeper, else with its end or itself in another place.
+/// @param best  the candidate that comes nearest  @return nullopt: none of this helps
+std::optional<Result<Mended>> withNewPlace(const Rig& rig, int line, int belly, const LineChoice& best,
+                                           const Motions& motions, MadeLine made) {
+  const BellyChoice drawn{at(rig.primitives, belly), at(rig.lines, line), {}};
+  BellyChoice deeper = drawn;
+  deeper.line = best.line;
+  deeper.said = best.said;
+  if (const auto clean = withDeeperBelly(deeper, rig.surface, motions)) return withChoice(rig, line, belly, *clean);
+  if (!lineRest(*drawn.line, motions.character())) return std::nullopt;
+  if (made == MadeLine::kOtherEnd) {
+    const auto clean = withNearerEnd(drawn, rig.surface, motions);
+    return clean ? std::optional(withChoice(rig, line, belly, *clean)) : std::nullopt;
+  }
+  auto muscle = withDrawnMuscle(drawn, rig.surface, motions);
+  if (!muscle) return std::nullopt;
+  Result<Mended> done = withChoice(rig, line, belly, std::move(muscle->choice));
+  if (done && !muscle->isClean) {
+    done.value().isClean = false;
+    sayItLeaves(done.value().said);
+  }
+  return done;
 }
 
 }  // namespace
 
-Result<Mended> withMendedLine(Rig rig, int line, const Motions& motions, bool isNew) {
+Result<Mended> withMendedLine(Rig rig, int line, const Motions& motions, MadeLine made) {
   Mended out;
   const Character& character = motions.character();
   const std::vector<int> bellies = primitivesOn(rig, at(rig.lines, line).name);
@@ -214,22 +259,18 @@ Result<Mended> withMendedLine(Rig rig, int line, const Motions& motions, bool is
   std::optional<LineChoice> best;
   Trouble least;
   for (LineChoice& candidate : candidatesFor(rig, line, trial.spot(), character)) {
-    const Trouble trouble = trial.trouble(candidate.line);
+    const Trouble trouble = best ? trial.trouble(candidate.line, least.path) : trial.trouble(candidate.line);
     if (best && !(trouble.path < least.path)) continue;
     least = trouble;
     best = std::move(candidate);
     // The designer's own line is left alone as long as nothing is found.
-    if (least.path <= (best->said.empty() ? 1.0f : kMargin)) break;
+    if (least.path <= (best->said.empty() ? 1.0f : kMendedMargin)) break;
   }
   out.said = best->said;
+  const bool isNew = made != MadeLine::kBefore;
   if (isNew) {
-    if (const Result<LineRest> rest = lineRest(best->line, character)) {
-      const LineLengths lengths = lengthsOver(rest.value(), character, character.clips);
-      if (lengths.poses > 0 && lengths.secondPercentile < kMostFull) {
-        best->line.settings.full = std::max(lengths.secondPercentile, kLeastFull);
-        least = trial.trouble(best->line);
-      }
-    }
+    learnFull(best->line, motions);
+    least = trial.trouble(best->line);
   }
   if (least.ball > 1.0f) {
     for (const auto& [settings, said] : thinner(best->line.settings)) {
@@ -244,6 +285,9 @@ Result<Mended> withMendedLine(Rig rig, int line, const Motions& motions, bool is
     }
   }
   out.isClean = least.path <= 1.0f && least.ball <= 1.0f;
+  if (isNew && !out.isClean && bellies.size() == 1) {
+    if (auto placed = withNewPlace(rig, line, bellies.front(), *best, motions, made)) return std::move(*placed);
+  }
   if (least.path > kRigidFrom) {
     const std::vector<int> carriers = bonesAt(character, trial.spot());
     return withoutLine(std::move(rig), bellies, carriers.front(), character);
@@ -254,7 +298,8 @@ Result<Mended> withMendedLine(Rig rig, int line, const Motions& motions, bool is
   });
   if (!edited) return edited.error();
   out.rig = std::move(edited).value();
-  return isNew && !out.isClean ? withNewBelly(std::move(out), bellies, motions) : std::move(out);
+  if (isNew && !out.isClean) sayItLeaves(out.said);
+  return out;
 }
 
 Result<MendedRig> withMendedFindings(Rig rig, std::span<const Finding> findings, const Motions& motions,
@@ -269,7 +314,7 @@ Result<MendedRig> withMendedFindings(Rig rig, std::span<const Finding> findings,
     done.push_back(name);
     const std::string twin = plan ? at(out.rig.lines, line).mirror : "";
     if (!twin.empty()) done.push_back(twin);
-    Result<Mended> mended = withMendedLine(out.rig, line, motions, false);
+    Result<Mended> mended = withMendedLine(out.rig, line, motions, MadeLine::kBefore);
     if (!mended) return mended.error();
     if (mended->said.empty()) continue;
     out.said.push_back(name + ": " + mended->said);

@@ -13,6 +13,13 @@
 
 namespace sinew {
 
+/// Where a line comes from, which says what may be changed of it.
+enum class MadeLine {
+  kBefore,    ///< It was there: its muscle stays.
+  kOtherEnd,  ///< Just made for a muscle that was there: its other end may move.
+  kDrawn,     ///< Just made with its muscle: both may be laid elsewhere.
+};
+
 struct Mended {
   Rig rig;
   std::string said;      ///< "pivot 0.3, via point on thigh.L"; empty: nothing had to be changed.
@@ -25,8 +32,10 @@ struct Mended {
 /// beside the joint. If none does, the best of them; none if that is twice as bad as what is found. Then tendons,
 /// flex, volume and limits are taken back until the belly swells to a ball no more. Twins stay as they are
 /// (core/symmetry/line_twins.h).
-/// @param isNew  a tool has just made it: full contraction is learned from the motions, and what is still found is said
-[[nodiscard]] Result<Mended> withMendedLine(Rig rig, int line, const Motions& motions, bool isNew);
+/// A line that has just been made learns its full contraction from the motions. Where no candidate is clean and it
+/// carries one muscle, that lies deeper or goes with one of the line's bones (mend_drawn.h), and what is still found is
+/// said.
+[[nodiscard]] Result<Mended> withMendedLine(Rig rig, int line, const Motions& motions, MadeLine made);
 
 struct MendedRig {
   Rig rig;

@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/at.h"
-#include "core/check/belly_motion.h"
+#include "core/check/belly_trial.h"
 #include "core/lines/line_rest.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/reparent.h"
@@ -21,78 +21,11 @@
 namespace sinew {
 namespace {
 
-constexpr float kBellyMargin = 0.9f;  ///< Of what is found: a mended muscle has some room.
 constexpr float kDeeper[] = {1.2f, 1.5f};
 constexpr float kEnds = 0.9f;  ///< Of the half length: where a line that only carries begins and ends.
 
-struct Choice {
-  Primitive primitive;
-  std::optional<MuscleLine> line;
-  std::string said;
-};
-
-/// One muscle in a rig of its own, as check() would see it.
-class BellyTrial {
- public:
-  BellyTrial(const Choice& choice, const SurfaceSettings& surface, const Motions& motions)
-      : motions_(motions), poser_(rigOf(choice, surface), motions.character()) {
-    const Character& character = motions.character();
-    const auto bone = character.skeleton.findBone(choice.primitive.bone);
-    if (!bone) return;
-    const PosedRig bind = poser_.pose(bindPose(character.skeleton));
-    belly_ = FollowedBelly::create(character, bind.muscles[0], *bone);
-    body_ = bellyBody(bind.muscles[0]);
-  }
-
-  [[nodiscard]] bool canTell() const { return belly_.has_value(); }
-  [[nodiscard]] std::vector<int> carriers() const { return bonesAt(motions_.character(), belly_->spots()[0]); }
-  /// In the bind pose.
-  [[nodiscard]] const BellyBody& body() const { return body_; }
-  /// Of the skin over it, in the bind pose.
-  [[nodiscard]] glm::vec3 outwards() const {
-    const Character& character = motions_.character();
-    const auto frame = frameAt(character, belly_->spots()[0], bindPose(character.skeleton));
-    return frame ? frame->normal() : glm::vec3(0.0f);
-  }
-
-  /// At most 1: nothing is found.
-  [[nodiscard]] float trouble() const {
-    const std::vector<std::optional<SkinFrame>> frames = motions_.framesOf(belly_->spots());
-    PosedRig posed;
-    float worst = 0.0f;
-    constexpr std::size_t kPoints = FollowedBelly::kPoints;
-    for (std::size_t i = 0; i < motions_.poses().size(); ++i) {
-      poser_.pose(motions_.poses()[i], posed);
-      const BellyMotion motion = belly_->motion(posed.muscles[0], std::span(frames).subspan(i * kPoints, kPoints));
-      const float share = motions_.shareOf(i);
-      worst = std::max(worst, share * motion.out / kMostOut);
-      if (posed.lines.empty() || !posed.lines[0].usable) continue;
-      const float stretch = posed.lines[0].stretch;
-      worst = std::max({worst, share * motion.beside / kMostBeside, share * motion.ball / belly_->mostBall(),
-                        stretch / kMostStretch, kLeastStretch / std::max(stretch, 1e-6f)});
-    }
-    return worst;
-  }
-
- private:
-  static Rig rigOf(const Choice& choice, const SurfaceSettings& surface) {
-    Rig alone;
-    alone.surface = surface;
-    alone.primitives = {choice.primitive};
-    alone.primitives[0].animated.clear();
-    if (choice.line) alone.lines = {*choice.line};
-    for (MuscleLine& line : alone.lines) line.animated.clear();
-    return alone;
-  }
-
-  const Motions& motions_;
-  RigPoser poser_;
-  std::optional<FollowedBelly> belly_;
-  BellyBody body_;
-};
-
 /// Deeper in the flesh by its lower side alone: the skin over it hardly changes.
-Choice deeper(Choice choice, const BellyTrial& trial, float factor) {
+BellyChoice deeper(BellyChoice choice, const BellyTrial& trial, float factor) {
   const glm::vec3 outwards = trial.outwards();
   const glm::mat3& axes = trial.body().axes;
   const auto along = [&](glm::length_t axis) { return glm::dot(glm::normalize(axes[axis]), outwards); };
@@ -129,7 +62,7 @@ LineSettings carryingOnly() {
 
 /// Bones that carry the skin and are next to those that the muscle is on, the heaviest first: a muscle of the neck does
 /// not ride the head.
-std::vector<int> nearCarriers(const Choice& now, const BellyTrial& trial, const Skeleton& skeleton) {
+std::vector<int> nearCarriers(const BellyChoice& now, const BellyTrial& trial, const Skeleton& skeleton) {
   std::vector<int> own{*skeleton.findBone(now.primitive.bone)};
   if (now.line) {
     for (const LineAnchor* anchor : {&now.line->origin, &now.line->insertion}) {
@@ -150,8 +83,8 @@ LineAnchor moved(const LineAnchor& anchor, int bone, const Skeleton& skeleton) {
 }
 
 /// One end and the middle on the bone under the belly: only the other end crosses a joint.
-Choice endingOn(const Choice& now, bool origin, int bone, const BellyTrial& trial, const Skeleton& skeleton) {
-  Choice choice = now;
+BellyChoice endingOn(const BellyChoice& now, bool origin, int bone, const BellyTrial& trial, const Skeleton& skeleton) {
+  BellyChoice choice = now;
   LineAnchor& end = origin ? choice.line->origin : choice.line->insertion;
   end = moved(end, bone, skeleton);
   choice.line->via = anchorOn(skeleton, bone, trial.body().center);
@@ -160,10 +93,9 @@ Choice endingOn(const Choice& now, bool origin, int bone, const BellyTrial& tria
   return choice;
 }
 
-std::vector<Choice> choicesFor(const Choice& now, const BellyTrial& trial, const Skeleton& skeleton, bool asDrawn) {
-  std::vector<Choice> out;
+std::vector<BellyChoice> choicesFor(const BellyChoice& now, const BellyTrial& trial, const Skeleton& skeleton) {
+  std::vector<BellyChoice> out;
   for (const float factor : kDeeper) out.push_back(deeper(now, trial, factor));
-  if (asDrawn) return out;
   const std::vector<int> carriers = nearCarriers(now, trial, skeleton);
   for (const int bone : carriers) {
     if (!now.line) break;
@@ -184,7 +116,7 @@ std::vector<Choice> choicesFor(const Choice& now, const BellyTrial& trial, const
   for (const int from : carriers) {
     for (const int to : carriers) {
       if (from == to) continue;
-      Choice choice{riding(now.primitive, from, skeleton), MuscleLine{}, {}};
+      BellyChoice choice{riding(now.primitive, from, skeleton), MuscleLine{}, {}};
       choice.line->name = choice.primitive.line = now.primitive.name;
       choice.line->settings = carryingOnly();
       choice.line->origin = anchorOn(skeleton, from, trial.body().center - half);
@@ -203,7 +135,7 @@ Rig withTwinsKept(const Rig& before, Rig rig, const MirrorPlan* plan) {
 }
 
 /// What the others on the line do is not asked.
-Result<Rig> withChoice(Rig rig, int primitive, Choice choice, const MirrorPlan* plan) {
+Result<Rig> withChoice(Rig rig, int primitive, BellyChoice choice, const MirrorPlan* plan) {
   const Rig before = rig;
   if (!choice.primitive.line.empty() && choice.primitive.line == at(rig.primitives, primitive).line) {
     at(rig.primitives, primitive).placement = choice.primitive.placement;
@@ -232,23 +164,34 @@ Result<Rig> withChoice(Rig rig, int primitive, Choice choice, const MirrorPlan* 
 
 }  // namespace
 
-Result<MendedBelly> withMendedBelly(Rig rig, int primitive, const Motions& motions, const MirrorPlan* plan,
-                                    bool asDrawn) {
+Result<MendedBelly> withMendedBelly(Rig rig, int primitive, const Motions& motions, const MirrorPlan* plan) {
   const Primitive& own = at(rig.primitives, primitive);
   const MuscleLine* line = lineOf(rig, own);
-  const Choice now{own, line != nullptr ? std::optional(*line) : std::nullopt, {}};
+  const BellyChoice now{own, line != nullptr ? std::optional(*line) : std::nullopt, {}};
   const BellyTrial trial(now, rig.surface, motions);
   if (!trial.canTell()) return MendedBelly{std::move(rig), {}};
-  for (Choice& choice : choicesFor(now, trial, motions.character().skeleton, asDrawn)) {
+  for (BellyChoice& choice : choicesFor(now, trial, motions.character().skeleton)) {
     if (choice.line && !lineRest(*choice.line, motions.character())) continue;
     const BellyTrial other(choice, rig.surface, motions);
-    if (!other.canTell() || other.trouble() > kBellyMargin) continue;
+    if (!other.canTell() || other.trouble(kMendedMargin) > kMendedMargin) continue;
     std::string said = choice.said;
     Result<Rig> done = withChoice(std::move(rig), primitive, std::move(choice), plan);
     if (!done) return done.error();
     return MendedBelly{std::move(done).value(), std::move(said)};
   }
   return MendedBelly{std::move(rig), {}};
+}
+
+std::optional<BellyChoice> withDeeperBelly(const BellyChoice& choice, const SurfaceSettings& surface,
+                                           const Motions& motions) {
+  const BellyTrial trial(choice, surface, motions);
+  if (!trial.canTell()) return std::nullopt;
+  for (const float factor : kDeeper) {
+    BellyChoice other = deeper(choice, trial, factor);
+    const BellyTrial tried(other, surface, motions);
+    if (tried.canTell() && tried.trouble(kMendedMargin) <= kMendedMargin) return other;
+  }
+  return std::nullopt;
 }
 
 Rig withoutFarSkin(Rig rig, const Finding& finding, const MirrorPlan* plan) {

@@ -1,8 +1,10 @@
 // core/check/mend_belly.h: muscles that ride the wrong bone, or skin that they should not reach. docs/check.md.
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "core/check/belly_trial.h"
 #include "core/check/check.h"
 #include "core/check/motions.h"
 #include "core/symmetry/mirror.h"
@@ -18,9 +20,12 @@ struct MendedBelly {
 
 /// Tries what keeps a belly under its skin over all poses, off its line if it is on one: each bone that carries the
 /// skin over it; then between two of these, on a line that carries it and does nothing else. Its twin likewise.
-/// @param asDrawn  only deeper: its line stays, and ends where it does
 [[nodiscard]] Result<MendedBelly> withMendedBelly(Rig rig, int primitive, const Motions& motions,
-                                                  const MirrorPlan* plan, bool asDrawn = false);
+                                                  const MirrorPlan* plan);
+
+/// Only deeper, by its lower side alone. nullopt: that does not help.
+[[nodiscard]] std::optional<BellyChoice> withDeeperBelly(const BellyChoice& choice, const SurfaceSettings& surface,
+                                                         const Motions& motions);
 
 /// A kReachesAcross's bone goes from the territory; of the twin's likewise.
 [[nodiscard]] Rig withoutFarSkin(Rig rig, const Finding& finding, const MirrorPlan* plan);

@@ -20,7 +20,8 @@ float stepsOf(const AnimationClip& clip, float hertz) { return std::max(1.0f, st
 
 }  // namespace
 
-Motions::Motions(std::shared_ptr<const Character> given) : character_(withRangeOfMotion(std::move(given))) {
+Motions::Motions(std::shared_ptr<const Character> given)
+    : character_(withRangeOfMotion(std::move(given))), skin_(character_->mesh) {
   const Character& character = *character_;
   double all = 0.0;
   for (const AnimationClip& clip : character.clips) all += static_cast<double>(stepsOf(clip, kHertz));

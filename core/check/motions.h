@@ -19,8 +19,9 @@ class Motions {
   explicit Motions(std::shared_ptr<const Character> character);
 
   /// With the range of motion among its clips, if its joints can turn.
-
   [[nodiscard]] const Character& character() const { return *character_; }
+  /// In the bind pose.
+  [[nodiscard]] const SkinRuns& skin() const { return skin_; }
   [[nodiscard]] std::span<const Pose> poses() const { return poses_; }
 
   /// How much of what is seen in a pose counts: half in the range of motion, which goes farther than any clip does.
@@ -33,6 +34,7 @@ class Motions {
 
  private:
   std::shared_ptr<const Character> character_;
+  SkinRuns skin_;
   std::vector<Pose> poses_;
 };
 

@@ -21,6 +21,7 @@ namespace {
 constexpr float kFaces = 0.2f;        ///< Cosine from which a triangle faces outwards.
 constexpr float kLeastWeight = 0.1f;  ///< Less carries no skin to speak of.
 constexpr std::size_t kMostBones = 4;
+constexpr int kRun = 32;  ///< Triangles.
 
 using Corners = TriangleCorners;
 
@@ -30,40 +31,67 @@ Corners cornersOf(const ControlMesh& mesh, int triangle) {
   return {corner(0), corner(1), corner(2)};
 }
 
-/// The triangle is no nearer, squared: the distance from its box, less what rounding may add.
-float leastFrom(const glm::vec3& p, const Corners& c) {
-  const glm::vec3 low = glm::min(c[0], glm::min(c[1], c[2]));
-  const glm::vec3 high = glm::max(c[0], glm::max(c[1], c[2]));
+/// What is in the box is no nearer, squared, less what rounding may add.
+float leastFrom(const glm::vec3& p, const glm::vec3& low, const glm::vec3& high) {
   const glm::vec3 off = glm::max(glm::max(low - p, p - high), glm::vec3(0.0f));
   return 0.999f * glm::dot(off, off);
 }
 
-}  // namespace
+glm::vec3 lowOf(const Corners& c) { return glm::min(c[0], glm::min(c[1], c[2])); }
+glm::vec3 highOf(const Corners& c) { return glm::max(c[0], glm::max(c[1], c[2])); }
 
-std::optional<SkinSpot> spotOver(const ControlMesh& mesh, const glm::vec3& point, const glm::vec3& outwards) {
-  std::optional<SkinSpot> best;
+/// The nearest place so far, of all the skin and of that which faces outwards.
+struct Nearest {
+  std::optional<SkinSpot> any;
   std::optional<SkinSpot> facing;
   float least = std::numeric_limits<float>::max();
-  float leastFacing = least;
-  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-    const Corners corners = cornersOf(mesh, t);
-    if (leastFrom(point, corners) > leastFacing) continue;
+  float leastFacing = std::numeric_limits<float>::max();
+
+  void look(const Corners& corners, int triangle, const glm::vec3& point, const glm::vec3& outwards) {
     const glm::vec3 face = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const float area = glm::length(face);
-    if (!(area > 0.0f)) continue;
+    if (!(area > 0.0f)) return;
     const glm::vec3 shares = nearestOnTriangle(point, corners);
     const glm::vec3 off = point - mixed(corners, shares);
     const float squared = glm::dot(off, off);
     if (squared < least) {
       least = squared;
-      best = SkinSpot{t, shares};
+      any = SkinSpot{triangle, shares};
     }
     if (squared < leastFacing && glm::dot(face, outwards) > kFaces * area) {
       leastFacing = squared;
-      facing = SkinSpot{t, shares};
+      facing = SkinSpot{triangle, shares};
     }
   }
-  return facing ? facing : best;
+};
+
+}  // namespace
+
+SkinRuns::SkinRuns(const ControlMesh& mesh) : mesh_(&mesh) {
+  const int count = static_cast<int>(mesh.triangles.size());
+  for (int begin = 0; begin < count; begin += kRun) {
+    const Corners first = cornersOf(mesh, begin);
+    Run run{begin, std::min(begin + kRun, count), lowOf(first), highOf(first)};
+    for (int t = begin + 1; t < run.end; ++t) {
+      const Corners corners = cornersOf(mesh, t);
+      run.low = glm::min(run.low, lowOf(corners));
+      run.high = glm::max(run.high, highOf(corners));
+    }
+    runs_.push_back(run);
+  }
+}
+
+std::optional<SkinSpot> spotOver(const SkinRuns& skin, const glm::vec3& point, const glm::vec3& outwards) {
+  Nearest nearest;
+  for (const SkinRuns::Run& run : skin.runs()) {
+    if (leastFrom(point, run.low, run.high) > nearest.leastFacing) continue;
+    for (int t = run.begin; t < run.end; ++t) {
+      const Corners corners = cornersOf(skin.mesh(), t);
+      if (leastFrom(point, lowOf(corners), highOf(corners)) > nearest.leastFacing) continue;
+      nearest.look(corners, t, point, outwards);
+    }
+  }
+  return nearest.facing ? nearest.facing : nearest.any;
 }
 
 glm::vec3 skinnedVertex(const Character& character, int vertex, const Pose& pose) {

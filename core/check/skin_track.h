@@ -26,10 +26,29 @@ struct SkinFrame {
   [[nodiscard]] const glm::vec3& normal() const { return axes[2]; }
 };
 
+/// Boxes round runs of triangles, so that what is far away is passed over at once. Neighbors in a file mostly lie
+/// beside each other. The mesh must outlive it.
+class SkinRuns {
+ public:
+  explicit SkinRuns(const ControlMesh& mesh);
+
+  struct Run {
+    int begin = 0;  ///< First triangle, and the one after the last.
+    int end = 0;
+    glm::vec3 low{0.0f};
+    glm::vec3 high{0.0f};
+  };
+  [[nodiscard]] const ControlMesh& mesh() const { return *mesh_; }
+  [[nodiscard]] const std::vector<Run>& runs() const { return runs_; }
+
+ private:
+  const ControlMesh* mesh_;
+  std::vector<Run> runs_;
+};
+
 /// The nearest place of the skin that faces away from the point's own side, bind pose; any place if none faces so.
 /// @param outwards  unit, from the body's inside  @return nullopt: the mesh has no triangle with an area
-[[nodiscard]] std::optional<SkinSpot> spotOver(const ControlMesh& mesh, const glm::vec3& point,
-                                               const glm::vec3& outwards);
+[[nodiscard]] std::optional<SkinSpot> spotOver(const SkinRuns& skin, const glm::vec3& point, const glm::vec3& outwards);
 
 /// A control vertex in a pose, world.
 [[nodiscard]] glm::vec3 skinnedVertex(const Character& character, int vertex, const Pose& pose);

@@ -25,18 +25,6 @@ std::string percent(float stretch) { return std::to_string(std::lround(100.0f * 
 
 const Bone& boneAt(const Character& character, int bone) { return at(character.skeleton.bones, bone); }
 
-/// The joint that the line crosses: the origin of the lower of its two bones, in the bind pose.
-glm::vec3 jointBetween(const LineRest& rest, const Character& character) {
-  const auto isAbove = [&](int above, int bone) {
-    for (; bone >= 0; bone = boneAt(character, bone).parent) {
-      if (bone == above) return true;
-    }
-    return false;
-  };
-  const bool insertionIsLower = isAbove(rest.origin.bone, rest.insertion.bone);
-  return glm::vec3(boneAt(character, insertionIsLower ? rest.insertion.bone : rest.origin.bone).bindInWorld[3]);
-}
-
 /// Both ends of the muscle's long axis, in the bind pose.
 std::array<glm::vec3, 2> polesOf(const Primitive& primitive, const Bone& bone) {
   const Placement& placement = primitive.placement;
@@ -50,6 +38,17 @@ std::array<glm::vec3, 2> polesOf(const Primitive& primitive, const Bone& bone) {
 }
 
 }  // namespace
+
+glm::vec3 jointBetween(const LineRest& rest, const Character& character) {
+  const auto isAbove = [&](int above, int bone) {
+    for (; bone >= 0; bone = boneAt(character, bone).parent) {
+      if (bone == above) return true;
+    }
+    return false;
+  };
+  const bool insertionIsLower = isAbove(rest.origin.bone, rest.insertion.bone);
+  return glm::vec3(boneAt(character, insertionIsLower ? rest.insertion.bone : rest.origin.bone).bindInWorld[3]);
+}
 
 Result<Rig> withRestNow(Rig rig, int line, float stretch) {
   return editLine(std::move(rig), line, [&](MuscleLine& edited) { edited.settings.rest *= stretch; });

@@ -16,6 +16,9 @@ namespace sinew {
 /// The pose's length becomes that of full contraction. Error: the line is not shorter than at rest.
 [[nodiscard]] Result<Rig> withFullNow(Rig rig, int line, float stretch);
 
+/// The joint that the line crosses: the origin of the lower of its two bones, in the bind pose.
+[[nodiscard]] glm::vec3 jointBetween(const LineRest& rest, const Character& character);
+
 struct Learned {
   Rig rig;
   std::string said;     ///< "Full contraction at 74 %: shortest in Range of motion"

@@ -2,7 +2,9 @@
 #include "core/lines/line_lengths.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -73,6 +75,18 @@ std::vector<LineLengths> lengthsOver(std::span<const LineRest> rests, const Char
   std::vector<LineLengths> lengths;
   for (Track& track : tracks) lengths.push_back(track.finish());
   return lengths;
+}
+
+LineLengths lengthsOver(const LineRest& rest, const Skeleton& skeleton, std::span<const Pose> poses) {
+  Track track;
+  LineScratch scratch;
+  std::vector<PosedLine> posed;
+  const std::array<std::optional<LineRest>, 1> rests{rest};
+  for (const Pose& pose : poses) {
+    poseLines(rests, skeleton, pose, scratch, posed);
+    if (posed[0].usable) track.add(posed[0].stretch, pose.clip);
+  }
+  return track.finish();
 }
 
 }  // namespace sinew

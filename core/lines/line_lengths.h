@@ -28,6 +28,9 @@ struct LineLengths {
 [[nodiscard]] std::vector<LineLengths> lengthsOver(std::span<const LineRest> rests, const Character& character,
                                                    std::span<const AnimationClip> clips);
 
+/// The same over poses.
+[[nodiscard]] LineLengths lengthsOver(const LineRest& rest, const Skeleton& skeleton, std::span<const Pose> poses);
+
 // Outside of these a straight line probably passes through a joint.
 inline constexpr float kPlausibleLeast = 0.6f;
 inline constexpr float kPlausibleMost = 1.4f;

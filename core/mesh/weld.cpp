@@ -43,9 +43,11 @@ class Welder {
     const Bounds bounds = boundsOf(soup.positions);
     if (bounds.isEmpty()) return;
     low_ = glm::dvec3(bounds.low);
+    for (const RoundedPiece& piece : soup.pieces) mostRounded_ = std::max(mostRounded_, piece.place);
     const glm::dvec3 extent = glm::dvec3(bounds.high) - low_;
     const double longest = std::max({extent.x, extent.y, extent.z, 1e-300});
-    cellSize_ = std::max(kCellInTolerances * static_cast<double>(tolerance), longest / kMostCells);
+    const double reach = static_cast<double>(tolerance) + 2.0 * static_cast<double>(mostRounded_);
+    cellSize_ = std::max(kCellInTolerances * reach, longest / kMostCells);
   }
 
   int representativeOf(int vertex) {
@@ -85,7 +87,7 @@ class Welder {
   /// First representative, in order of arrival within the cells, that lies within the tolerance and is bound alike.
   [[nodiscard]] int nearest(int vertex) const {
     const glm::dvec3 p = glm::dvec3(at(soup_.positions, vertex));
-    const double reach = static_cast<double>(tolerance_);
+    const double reach = static_cast<double>(tolerance_ + pieceOf(vertex).place + mostRounded_);
     const Cell first = cellOf(p - reach);
     const Cell last = cellOf(p + reach);
     int best = -1;
@@ -111,11 +113,43 @@ class Welder {
 
   [[nodiscard]] bool alike(int a, int b) const {
     const glm::dvec3 offset = glm::dvec3(at(soup_.positions, a)) - glm::dvec3(at(soup_.positions, b));
-    const double reach = static_cast<double>(tolerance_);
-    return glm::dot(offset, offset) <= reach * reach &&
-           std::ranges::equal(influencesOf(a), influencesOf(b), [](const Influence& x, const Influence& y) {
-             return x.binding == y.binding && std::abs(x.weight - y.weight) <= kWeightTolerance;
-           });
+    const RoundedPiece rounded = between(a, b);
+    const double reach = static_cast<double>(tolerance_ + rounded.place);
+    if (!(glm::dot(offset, offset) <= reach * reach)) return false;
+    return rounded.weight > 0.0f ? followAlike(a, b, kWeightTolerance + rounded.weight) : followSame(a, b);
+  }
+
+  [[nodiscard]] bool followSame(int a, int b) const {
+    return std::ranges::equal(influencesOf(a), influencesOf(b), [](const Influence& x, const Influence& y) {
+      return x.binding == y.binding && std::abs(x.weight - y.weight) <= kWeightTolerance;
+    });
+  }
+
+  /// The same where small weights may have been rounded to none.
+  [[nodiscard]] bool followAlike(int a, int b, float most) const {
+    const std::span<const Influence> left = influencesOf(a);
+    const std::span<const Influence> right = influencesOf(b);
+    for (std::size_t i = 0, j = 0; i < left.size() || j < right.size();) {
+      const bool takeLeft = i < left.size() && (j == right.size() || left[i].binding <= right[j].binding);
+      const bool takeRight = j < right.size() && (i == left.size() || right[j].binding <= left[i].binding);
+      const float difference = (takeLeft ? left[i].weight : 0.0f) - (takeRight ? right[j].weight : 0.0f);
+      if (std::abs(difference) > most) return false;
+      i += takeLeft ? 1 : 0;
+      j += takeRight ? 1 : 0;
+    }
+    return true;
+  }
+
+  [[nodiscard]] RoundedPiece pieceOf(int vertex) const {
+    return soup_.pieces.empty() ? RoundedPiece{} : at(soup_.pieces, at(soup_.pieceOf, vertex));
+  }
+
+  /// What rounding may have put between two vertices: nothing within a piece.
+  [[nodiscard]] RoundedPiece between(int a, int b) const {
+    if (soup_.pieces.empty() || at(soup_.pieceOf, a) == at(soup_.pieceOf, b)) return {};
+    const RoundedPiece left = pieceOf(a);
+    const RoundedPiece right = pieceOf(b);
+    return {left.place + right.place, left.weight + right.weight};
   }
 
   void addToCell(int vertex) {
@@ -150,6 +184,7 @@ class Welder {
 
   const TriangleSoup& soup_;
   float tolerance_;
+  float mostRounded_ = 0.0f;  // of all pieces, RoundedPiece::place
   glm::dvec3 low_{0.0};
   double cellSize_ = 1.0;
   IndexTable exact_;             // one entry for each distinct (position, influences)
@@ -248,6 +283,7 @@ ControlMesh weld(const TriangleSoup& soup, float tolerance, std::vector<int>* st
   assert(tolerance >= 0.0f && soup.uvs.size() == soup.positions.size());
   assert(soup.colors.empty() || soup.colors.size() == soup.positions.size());
   assert(soup.influenceBegin.size() == soup.positions.size() + 1 && soup.materials.size() == soup.triangles.size());
+  assert(soup.pieces.empty() || soup.pieceOf.size() == soup.positions.size());
   assert(soup.parts.empty() || soup.parts.size() == soup.triangles.size());
   const std::vector<KeptTriangle> kept = keepTriangles(soup, tolerance);
   MeshBuilder builder(soup, kept.size());

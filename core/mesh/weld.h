@@ -10,6 +10,13 @@
 
 namespace sinew {
 
+/// Vertices of a file that were rounded together, and apart from others: where pieces meet, their places and weights
+/// differ by that.
+struct RoundedPiece {
+  float place = 0.0f;   ///< How far a vertex may lie from where it was.
+  float weight = 0.0f;  ///< How far a weight may be from what it was.
+};
+
 /// Vertices and triangles as the file splits them (at uv, normal and material seams). Arrays of one length [N].
 struct TriangleSoup {
   std::vector<glm::vec3> positions;   ///< [N] bind pose, world space; finite.
@@ -20,13 +27,15 @@ struct TriangleSoup {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Indices < N, counter-clockwise from outside.
   std::vector<int> materials;                           ///< [triangles]
   std::vector<int> parts;                               ///< [triangles] or empty: all 0.
+  std::vector<RoundedPiece> pieces;                     ///< Or empty: nothing was rounded.
+  std::vector<int> pieceOf;                             ///< [N] where there are pieces.
 };
 
 /// Merges vertices that lie within `tolerance` (1e-6 of the height) of each other and follow the same bindings with
-/// the same weights (to 1e-4) into geometric vertices; vertices that agree in uv and color too become one wedge. A
-/// triangle that loses a corner is dropped and counted; a sliver with three corners stays, for without it a closed mesh
-/// would open. Vertices no triangle uses vanish. Fills edges and normals too. Same input, same order of everything.
-/// docs/design.md.
+/// the same weights (to 1e-4) into geometric vertices, or of two pieces as far as rounding has moved them; vertices
+/// that agree in uv and color too become one wedge. A triangle that loses a corner is dropped and counted; a sliver
+/// with three corners stays, for without it a closed mesh would open. Vertices no triangle uses vanish. Fills edges and
+/// normals too. Same input, same order of everything. docs/design.md.
 /// @param standsFor  filled if not null: [V] the soup vertex that each geometric vertex is.
 [[nodiscard]] ControlMesh weld(const TriangleSoup& soup, float tolerance, std::vector<int>* standsFor = nullptr);
 

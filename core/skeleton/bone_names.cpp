@@ -30,15 +30,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 29> kJapanes
     {"腰", " waist "},
 }};
 
-std::string inEnglish(std::string name) {
-  for (const auto& [japanese, english] : kJapanese) {
-    for (std::size_t at = name.find(japanese); at != std::string::npos; at = name.find(japanese, at + english.size())) {
-      name.replace(at, japanese.size(), english);
-    }
-  }
-  return name;
-}
-
 bool isOneOf(std::string_view word, Words words) { return std::ranges::find(words, word) != words.end(); }
 
 bool holds(std::string_view key, Words words) {
@@ -192,6 +183,15 @@ int wordFits(std::string_view key, const Vocabulary& words) {
 }
 
 }  // namespace
+
+std::string inEnglish(std::string name) {
+  for (const auto& [japanese, english] : kJapanese) {
+    for (std::size_t at = name.find(japanese); at != std::string::npos; at = name.find(japanese, at + english.size())) {
+      name.replace(at, japanese.size(), english);
+    }
+  }
+  return name;
+}
 
 std::vector<BoneName> boneNames(const Skeleton& skeleton) {
   std::vector<Split> splits;

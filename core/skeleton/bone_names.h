@@ -22,6 +22,9 @@ struct BoneName {
 /// [bones]. Names in English, and the usual Japanese ones in kanji, kana and Latin letters.
 [[nodiscard]] std::vector<BoneName> boneNames(const Skeleton& skeleton);
 
+/// The usual Japanese words for parts and sides in English: "左腕" -> "left  upperarm ". Other names stay.
+[[nodiscard]] std::string inEnglish(std::string name);
+
 /// How well a name fits a part: 3 the usual word for it, 2 a word for it in some conventions, 1 may mean it, 0 says
 /// nothing, -3 is the word for something else.
 [[nodiscard]] int nameFits(const BoneName& name, Slot slot);

@@ -1,8 +1,11 @@
 // core/skeleton/joint_roles.h: what a joint is in a body, as far as names and the tree tell.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "core/skeleton/body_slot.h"
 #include "sinew/skeleton/skeleton.h"
 
 namespace sinew {
@@ -23,8 +26,11 @@ enum class JointRole {
   kFree,   ///< Nothing is known of it.
 };
 
-/// [bones]. English words in names of any style ("mixamorig:LeftForeArm", "forearm.L", "b_LeftForeArm_010") and where
+/// [bones]. Words in names of any style ("mixamorig:LeftForeArm", "forearm.L", "b_LeftForeArm_010", "左ひじ") and where
 /// in a limb a bone stands: the first of an arm is its shoulder, whatever it is called, the next its elbow.
-[[nodiscard]] std::vector<JointRole> jointRoles(const Skeleton& skeleton);
+/// @param parts  [bones] the parts of the body. Where names say nothing of most of them, they count for bones whose
+/// names say nothing; empty: names alone
+[[nodiscard]] std::vector<JointRole> jointRoles(const Skeleton& skeleton,
+                                                std::span<const std::optional<Slot>> parts = {});
 
 }  // namespace sinew

@@ -127,16 +127,19 @@ std::vector<int> twinsByPlace(const Skeleton& skeleton) {
   return twins;
 }
 
-/// The normal, turned towards what names call left; as it is where they call nothing so.
-glm::vec3 towardsLeft(const Skeleton& skeleton, const glm::vec3& normal) {
+/// The normal, turned towards what names call left, else towards `known`.
+glm::vec3 towardsLeft(const Skeleton& skeleton, const glm::vec3& normal, const std::optional<glm::vec3>& known) {
   double sum = 0.0;
+  bool named = false;
   for (const Bone& bone : skeleton.bones) {
     const glm::dvec3 origin(glm::vec3(bone.bindInWorld[3]));
     const glm::dvec3 root(glm::vec3(skeleton.bones[0].bindInWorld[3]));
     const std::optional<Side> side = sideNamed(bone.name);
     if (!side) continue;
+    named = true;
     sum += (*side == Side::kLeft ? 1.0 : -1.0) * glm::dot(origin - root, glm::dvec3(normal));
   }
+  if (!named && known) sum = glm::dot(*known, normal);
   return sum < 0.0 ? -normal : normal;
 }
 
@@ -151,7 +154,7 @@ std::vector<bool> movingBones(const Skeleton& skeleton, const std::vector<JointR
 Body bodyOf(const Skeleton& skeleton, const RangeOfMotionHints& hints) {
   const bool paired = hints.twinOf.size() == skeleton.bones.size();
   Body body{skeleton,
-            jointRoles(skeleton),
+            jointRoles(skeleton, hints.parts),
             paired ? hints.twinOf : twinsByPlace(skeleton),
             paired ? normalizeOr(hints.planeNormal, {1, 0, 0}) : glm::vec3(1, 0, 0),
             {},
@@ -163,7 +166,7 @@ Body bodyOf(const Skeleton& skeleton, const RangeOfMotionHints& hints) {
     if (end && hints.carriesSkin[i] && skeleton.bones[i].parent >= 0) body.roles[i] = JointRole::kFree;
   }
   const bool level = std::abs(body.normal.y) < 0.5f;
-  body.left = level ? towardsLeft(skeleton, body.normal) : glm::vec3(1, 0, 0);
+  body.left = level ? towardsLeft(skeleton, body.normal, hints.left) : glm::vec3(1, 0, 0);
   body.forward = normalizeOr(glm::cross(body.left, kUp), {0, 0, 1});
   body.moves = movingBones(skeleton, body.roles, hints.carriesSkin);
   return body;

@@ -1,9 +1,11 @@
 // core/skeleton/range_of_motion.h: a clip that takes every joint through what it can do.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "core/skeleton/body_slot.h"
 #include "sinew/skeleton/animation_clip.h"
 #include "sinew/skeleton/skeleton.h"
 
@@ -16,6 +18,8 @@ struct RangeOfMotionHints {
   std::vector<int> twinOf;                  ///< [bones] as MirrorPlan::twinOf (core/symmetry/mirror.h).
   glm::vec3 planeNormal{1.0f, 0.0f, 0.0f};  ///< Normal of the mirror plane, unit, bind pose; read with twinOf.
   std::vector<bool> carriesSkin;            ///< [bones] skin follows it: joints that move no skin stay out of the clip.
+  std::vector<std::optional<Slot>> parts;   ///< [bones] of the body, for bones whose names say nothing.
+  std::optional<glm::vec3> left;            ///< Where names call nothing left; unit, bind pose.
 };
 
 /// One way a joint turns, from its bind pose and back.

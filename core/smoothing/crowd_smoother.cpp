@@ -1,6 +1,7 @@
 // core/smoothing/crowd_smoother.cpp: a smoother for every thread that comes by.
 #include "sinew/smoothing/crowd_smoother.h"
 
+#include <atomic>
 #include <cassert>
 #include <mutex>
 #include <optional>
@@ -42,16 +43,20 @@ Result<void> CrowdSmoother::prepare(const Rig& rig, std::span<const int> hidden,
   return {};
 }
 
-void CrowdSmoother::smooth(std::span<const Pose> poses, std::span<Surface> out) {
+bool CrowdSmoother::smooth(std::span<const Pose> poses, std::span<Surface> out) {
   assert(poses.size() == out.size());
   const bool enough = poses.size() >= static_cast<std::size_t>(threadCount());  // For all threads: a surface each.
+  std::atomic<bool> all{true};
   forRanges(poses.size(), 1, [&](std::size_t begin, std::size_t end) {
     std::optional<ThreadLimit> one;
     if (enough) one.emplace(1);
     std::unique_ptr<Smoother> smoother = state_->take();
-    for (std::size_t i = begin; i < end; ++i) smoother->smooth(poses[i], out[i]);
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!smoother->smooth(poses[i], out[i])) all = false;
+    }
     state_->giveBack(std::move(smoother));
   });
+  return all;
 }
 
 }  // namespace sinew

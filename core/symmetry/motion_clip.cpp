@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/at.h"
 #include "core/character/skin_bones.h"
+#include "core/skeleton/body_slots.h"
 
 namespace sinew {
 
@@ -15,11 +17,34 @@ int findClip(const Character& character, std::string_view name) {
 
 namespace {
 
+/// Which bones are which parts: by names and places, or as the file says, and where that has left.
+void addParts(const Character& character, RangeOfMotionHints& hints) {
+  const Skeleton& skeleton = character.skeleton;
+  const BodySlots found =
+      findBodySlots(skeleton, {hints.twinOf, hints.planeNormal, hints.carriesSkin, character.height});
+  hints.parts.resize(skeleton.bones.size());
+  if (found.kind != BodyKind::kUnknown) hints.left = found.left;
+  glm::vec3 toLeft(0.0f);
+  for (const BodyPart& part : character.bodyParts) {
+    const BodySlot slot = bodySlotNamed(part.slot).value();
+    at(hints.parts, part.bone) = slot.slot;
+    const glm::vec3 place(at(skeleton.bones, part.bone).bindInWorld[3]);
+    if (slot.isSided()) toLeft += slot.side == BodySide::kLeft ? place : -place;
+  }
+  if (toLeft != glm::vec3(0.0f)) hints.left = normalizeOr(toLeft, {1.0f, 0.0f, 0.0f});
+  if (!character.bodyParts.empty()) return;  // The file knows its own bones.
+  for (const BodySlot slot : allBodySlots()) {
+    const int bone = found[slot].bone;
+    if (bone >= 0 && !at(hints.parts, bone)) at(hints.parts, bone) = slot.slot;
+  }
+}
+
 RangeOfMotionHints hintsOf(const Character& character, const MirrorPlan& mirror) {
   RangeOfMotionHints hints;
   hints.twinOf = mirror.twinOf;
   hints.planeNormal = glm::vec3(mirror.plane.normal);
-  hints.carriesSkin = bonesWithSkin(character);
+  if (!character.mesh.triangles.empty()) hints.carriesSkin = bonesWithSkin(character);
+  addParts(character, hints);
   return hints;
 }
 

@@ -25,6 +25,8 @@ std::string shapeText(const py::array& array) {
   return text + (array.ndim() == 1 ? ",)" : ")");
 }
 
+std::string numberText(double number) { return py::repr(py::float_(number)).cast<std::string>(); }
+
 /// Text and truth values are no numbers, although Python converts the latter.
 bool isNumber(py::handle value) {
   return PyNumber_Check(value.ptr()) != 0 && PyBool_Check(value.ptr()) == 0 && PyComplex_Check(value.ptr()) == 0;
@@ -72,7 +74,7 @@ double doubleFrom(py::handle value, const std::string& place) {
     PyErr_Clear();
     refuse(place, "expected a number, got " + kindOf(value));
   }
-  if (!std::isfinite(number)) refuse(place, "expected a finite number, got " + std::to_string(number));
+  if (!std::isfinite(number)) refuse(place, "expected a finite number, got " + numberText(number));
   return number;
 }
 
@@ -207,8 +209,8 @@ std::vector<glm::mat4> bonesFrom(py::handle value, const Skeleton& skeleton) {
       for (py::ssize_t column = 0; column < 4; ++column) {
         const double number = numbers(static_cast<py::ssize_t>(bone), row, column);
         if (!(std::abs(number) <= static_cast<double>(std::numeric_limits<float>::max()))) {
-          refuse(placeOfBone(skeleton, bone), "expected finite numbers, got " + std::to_string(number) + " in row " +
-                                                  std::to_string(row) + ", column " + std::to_string(column));
+          const std::string where = " in row " + std::to_string(row) + ", column " + std::to_string(column);
+          refuse(placeOfBone(skeleton, bone), "expected finite numbers of 32 bits, got " + numberText(number) + where);
         }
         bones[bone][static_cast<int>(column)][static_cast<int>(row)] = static_cast<float>(number);
       }

@@ -19,6 +19,8 @@ class Character(_sinew.Character):
     Every matrix of a bone goes from its space to the world and multiplies columns: world = matrix @ [x, y, z, 1].
     """
 
+    __slots__ = ("_made",)
+
     def __init__(self, path):
         super().__init__(path)
         self._made = {}

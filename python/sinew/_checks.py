@@ -6,6 +6,6 @@ def expect(value, kind, place):
     """The value, if it is one of that class."""
     if isinstance(value, kind):
         return value
-    got = type(value)
-    raise Error("expected a sinew.%s, got %s %s" % (kind.__name__, "an" if got.__name__[:1] in "aeiouAEIOU" else "a",
-                                                    got.__name__), place)
+    name = type(value).__name__
+    got = "None" if value is None else "%s %s" % ("an" if name[:1] in "aeiouAEIOU" else "a", name)
+    raise Error("expected a sinew.%s, got %s" % (kind.__name__, got), place)

@@ -41,6 +41,8 @@ class Rig(_sinew.Rig):
     Iterating gives the muscles, rig[name] one of them, name in rig tells whether there is one.
     """
 
+    __slots__ = ("_character",)  # What is misspelled is refused.
+
     def __init__(self, character, *, path=None, text=None):
         """Without muscles, as a rig file, or as the text of one says. load_rig opens a file with its character."""
         super().__init__(expect(character, Character, "character"), path, text)

@@ -15,6 +15,8 @@ class Surface(_sinew.Surface):
     for each row of uv, for vertex buffers. All but positions and normals are read only, and shared between frames.
     """
 
+    __slots__ = ("_clip", "_time")
+
     def __init__(self, memory, clip, time):
         super().__init__(memory)
         self._clip = clip
@@ -44,6 +46,8 @@ class Smoother(_sinew.Smoother):
     The rig is taken as it is now; prepare() takes it again after edits. leave_out_missing: muscles whose bone the
     character lacks are left out; otherwise such a rig is refused.
     """
+
+    __slots__ = ("_character",)
 
     def __init__(self, character, rig=None, *, leave_out_missing=False):
         super().__init__(expect(character, Character, "character"))

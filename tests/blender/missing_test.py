@@ -22,6 +22,10 @@ def test(folder):
     empty.mkdir()
     broken = folder / "broken.rig.json"
     broken.write_text((ASSETS / "horse.rig.json").read_text().replace('"horse.glb"', '"nowhere.glb"'))
+    lame = folder / "lame.rig.json"
+    text = (ASSETS / "horse.rig.json").read_text().replace('"horse.glb"', '"%s"' % (ASSETS / "horse.glb"))
+    bone = json.loads(text)["primitives"][0]["bone"]
+    lame.write_text(text.replace('"bone": "%s"' % bone, '"bone": "of another horse"'))
     for what, path, words in (("no module", empty, "cannot be loaded"), ("another version", other, "is 9.4.1")):
         printed = blender(folder, "missing_in_blender.py", ASSETS / "horse.rig.json", broken, PYTHONPATH=str(path))
         found = [json.loads(line[6:]) for line in printed.splitlines() if line.startswith("seen: ")]
@@ -34,7 +38,10 @@ def test(folder):
     tried = blender(folder, ROOT / "blender" / "try.py", ASSETS / "horse.rig.json")
     check("what ./run.sh blender runs opens a rig", "glTF import finished" in tried and "Error" not in tried,
           tried[-2000:])
-    printed = blender(folder, "missing_in_blender.py", ASSETS / "horse.rig.json", broken)
+    printed = blender(folder, "missing_in_blender.py", lame, broken)
+    muscle = json.loads(text)["primitives"][0]["name"]
+    said = [line for line in printed.splitlines() if line.startswith("Warning: Left out") and muscle in line]
+    check("muscles whose bones the character lacks are named: " + "".join(said), len(said) == 1, printed[-2000:])
     found = [json.loads(line[6:]) for line in printed.splitlines() if line.startswith("seen: ")]
     check("with the module a rig without its character is refused in one line",
           "nowhere.glb" in found[1]["refused"] and is_line(found[1]["refused"]), found[1])

@@ -190,8 +190,25 @@ def saved(surface):
     return surface
 
 
+def file_gone(surface):
+    """Whoever moves the rig is told which file is missing; back in its place, it is followed again."""
+    own = folder + "/gone.rig.json"
+    with open(rig, encoding="utf-8") as read, open(own, "w", encoding="utf-8") as copied:
+        copied.write(read.read().replace('"humanoid.glb"', '"%s"' % (os.path.dirname(rig) + "/humanoid.glb")))
+    surface.sinew.rig = own
+    os.rename(own, own + "~")
+    turned(surface.sinew.armature, "head", 0.1)
+    bpy.context.view_layer.update()
+    said = inside.problems().get(surface.name, "")
+    seen("a rig file that is gone is named", said == own + ": No such file or directory", said)
+    os.rename(own + "~", own)
+    turned(surface.sinew.armature, "head", 0.1)
+    moments.add(surface, "its file is back")
+    surface.sinew.rig = rig
+
+
 def linked(surface):
-    """From another file: the armature stays there, the surface is made local."""
+    """From another file: both linked, both overrides, and the surface local."""
     names = [surface.name, surface.sinew.armature.name]
     key(surface.sinew.armature, 1, random)
     key(surface.sinew.armature, 10, random)
@@ -201,14 +218,25 @@ def linked(surface):
         wanted.objects = list(names)
     for item in wanted.objects:
         bpy.context.scene.collection.objects.link(item)
-    bpy.context.scene.frame_set(3)
-    seen("a linked mesh is left as it is", "make it local" in inside.problems().get(names[0], ""), inside.problems())
-    surface = wanted.objects[0].make_local()
-    surface.data.make_local()
+    surface = wanted.objects[0]
     for frame in (5, 9):
         bpy.context.scene.frame_set(frame)
-        moments.add(surface, "linked armature")
-    seen("its armature is in the other file", surface.sinew.armature.library is not None)
+        moments.add(surface, "linked")
+    seen("its mesh is in the other file", surface.data.library is not None)
+    surface = surface.override_create(remap_local_usages=True)
+    armature = wanted.objects[1].override_create(remap_local_usages=True)
+    seen("its override follows that of the armature", surface.sinew.armature == armature, surface.sinew.armature)
+    armature.animation_data.action = None
+    turned(armature, "upper_arm.R", 0.6)
+    moments.add(surface, "override")
+    surface.sinew.depth = 3
+    said = inside.problems().get(surface.name, "")
+    seen("other detail of a linked mesh is refused", "its own file" in said, said)
+    surface.sinew.depth = 2
+    surface.make_local()
+    surface.data.make_local()
+    turned(armature, "upper_arm.R", 0.3)
+    moments.add(surface, "local, the armature an override")
 
 
 inside.install()
@@ -229,5 +257,6 @@ moved(body)
 another_scene(body)
 renamed(body)
 detail(body)
+file_gone(body)
 linked(saved(body))
 moments.save(folder + "/told.npz")

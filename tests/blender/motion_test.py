@@ -8,7 +8,8 @@ from pose_clip import farthest, surfaces, write_at_rest
 RIG = ASSETS / "humanoid.rig.json"
 EXPECTED = {"keyed", "IK target", "second action", "undo", "redo", "two characters: the first",
             "two characters: the second", "hidden armature", "object moved", "another scene", "saved and opened",
-            "linked armature", "uniform detail again", "renamed"}
+            "linked", "override", "local, the armature an override",
+            "uniform detail again", "renamed", "its file is back"}
 
 
 def test(folder):

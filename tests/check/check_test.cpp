@@ -127,7 +127,7 @@ TEST(FollowedBelly, IsStillWhereAllBonesMoveAsOne) {
   int followed = 0;
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
     const auto bone = character->skeleton.findBone(rig.primitives[i].bone);
-    const auto belly = FollowedBelly::create(*character, atRest.muscles[i], *bone);
+    const auto belly = FollowedBelly::create(*character, SkinRuns(character->mesh), atRest.muscles[i], *bone);
     if (!belly) continue;
     ++followed;
     std::vector<std::optional<SkinFrame>> frames;
@@ -152,7 +152,8 @@ TEST(FollowedBelly, MeasuresHowFarABellyIsLifted) {
   const RigPoser poser(rig, *character);
   const Pose bind = bindPose(character->skeleton);
   PosedRig posed = poser.pose(bind);
-  const auto belly = FollowedBelly::create(*character, posed.muscles[0], *character->skeleton.findBone("middle"));
+  const auto belly = FollowedBelly::create(*character, SkinRuns(character->mesh), posed.muscles[0],
+                                           *character->skeleton.findBone("middle"));
   ASSERT_TRUE(belly);
   std::vector<std::optional<SkinFrame>> frames;
   for (const SkinSpot& spot : belly->spots()) frames.push_back(frameAt(*character, spot, bind));

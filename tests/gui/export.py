@@ -1,4 +1,5 @@
 # tests/gui/export.py: File > Export in the real window: the command line's bytes, edits and cancelling meanwhile, the end.
+import subprocess
 import sys
 
 import driver
@@ -44,6 +45,37 @@ def exports_from_the_menu(t, editor, rig):
     t.check_equal("the command line exports", t.run_program("export", rig, "--as", "helpers", "-o", "cli.glb").returncode, 0)
     t.check("the editor's file has the command line's bytes", file.read_bytes() == (t.folder / "cli.glb").read_bytes())
     t.check_equal("it opens", t.run_program("inspect", file).returncode, 0)
+
+
+def colored_runs(t, editor):
+    """How many things with color stand beside each other in the picture, right of the plate."""
+    state = editor.wait_until("all samples", lambda s: not s["camera_moving"] and s["samples"] == 16)
+    left = max(box[0] + box[2] for name, box in state["widgets"].items() if name.startswith(("legend/", "toolstrip/")))
+    x, y, width, height = state["viewport"]
+    shot = t.out / "export-beside.png"
+    editor.screenshot(shot)
+    size = round(x + width - left - 4), round(0.5 * height)
+    crop = "%dx%d+%d+%d" % (*size, round(left + 2), round(y + 0.25 * height))
+    # Of each column the largest saturation.
+    row = subprocess.run(["convert", str(shot), "-crop", crop, "+repage", "-colorspace", "HSL", "-channel", "G", "-separate",
+                          "-statistic", "median", "5x5", "-depth", "8", "gray:-"], capture_output=True, check=True).stdout
+    colored = [max(row[column::size[0]]) > 110 for column in range(size[0])]
+    return sum(here and not before for before, here in zip([False] + colored, colored))
+
+
+def error_side_by_side(t, editor):
+    """The figure in the status line leads to the moment, a switch puts the exported mesh beside the live one."""
+    editor.click("status/export-error")
+    editor.wait_until("the plate", lambda s: "export-error/largest" in s["widgets"] and not s["playing"])
+    t.check_equal("the live one alone", colored_runs(t, editor), 1)
+    editor.click("export-error/mesh/side by side")
+    t.check_equal("both, side by side", colored_runs(t, editor), 2)
+    editor.tap("KP_3", "the view from the left", lambda s: abs(s["camera"]["yaw"] - 1.5708) < 0.01 and not s["camera_moving"])
+    t.check_equal("from the left as well", colored_runs(t, editor), 2)
+    editor.palette("export beside", "view/export-beside")
+    t.check_equal("from the palette: the live one alone again", colored_runs(t, editor), 1)
+    editor.click("export-error/close")
+    editor.wait_until("the plate to go", lambda s: "export-error/close" not in s["widgets"])
 
 
 def edits_meanwhile(t, editor):
@@ -104,6 +136,7 @@ def story(t):
     editor = t.edit(rig)
     editor.wait_until("the rig", lambda s: s["document"]["primitives"] > 0)
     exports_from_the_menu(t, editor, rig)
+    error_side_by_side(t, editor)
     edits_meanwhile(t, editor)
     canceled(t, editor)
     quits_meanwhile(t, editor)

@@ -68,6 +68,53 @@ TEST_P(GltfDraco, PrimitivesMayShareTheirBytes) {
   expectShown(post);
 }
 
+/// The triangles of the post below or above its middle. What they do not use lies elsewhere, so that places are rounded
+/// to another grid.
+Post halfPost(bool above) {
+  Post post = makePost();
+  std::vector<std::uint16_t> kept;
+  std::vector<bool> isUsed(post.positions.size() / 3);
+  for (std::size_t i = 0; i < post.indices.size(); i += 3) {
+    float middle = 0.0f;
+    for (std::size_t k = 0; k < 3; ++k) middle += post.positions[3u * post.indices[i + k] + 1] / 3.0f;
+    if ((middle > 1.0f) != above) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      kept.push_back(post.indices[i + k]);
+      isUsed[post.indices[i + k]] = true;
+    }
+  }
+  post.indices = kept;
+  for (std::size_t v = 0; v < isUsed.size(); ++v) {
+    if (isUsed[v]) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis) post.positions[3 * v + axis] *= above ? 1.3f : 0.6f;
+  }
+  return post;
+}
+
+TEST_P(GltfDraco, PrimitivesThatWereRoundedApartStayOneSkin) {
+  constexpr int kBits = 12;
+  Post post = makePost();
+  useDraco(post, dracoPost(halfPost(false), GetParam(), kBits));
+  const DracoPost above = dracoPost(halfPost(true), GetParam(), kBits);
+  ordered_json primitive = post.primitive();
+  const auto another = [&](ordered_json& index, int count) {
+    ordered_json accessor = post.file.json["accessors"][index.get<std::size_t>()];
+    accessor["count"] = count;
+    index = post.file.json["accessors"].size();
+    post.file.json["accessors"].push_back(accessor);
+  };
+  for (auto& attribute : primitive["attributes"]) another(attribute, above.vertices);
+  another(primitive["indices"], 3 * above.triangles);
+  primitive["extensions"]["KHR_draco_mesh_compression"]["bufferView"] = post.file.view(above.bytes);
+  post.file.json["meshes"][0]["primitives"].push_back(primitive);
+  const auto imported = importGltf(folder_.write("post.glb", post.file.glb()));
+  ASSERT_TRUE(imported.ok()) << imported.error().text();
+  const ControlMesh& mesh = imported.value()->mesh;
+  EXPECT_EQ(mesh.positions.size(), 12u);
+  EXPECT_EQ(mesh.triangles.size(), 20u);
+  for (const Edge& edge : mesh.edges) EXPECT_EQ(edge.triangleCount, 2);
+}
+
 TEST_P(GltfDraco, PrimitivesMayNotShareAccessorsThatTheyGiveDifferentValues) {
   Post post = compressedPost(GetParam());
   Post moved = makePost();

@@ -10,6 +10,8 @@ LETTERS = {5126: "f", 5123: "H", 5121: "B"}
 class Post:
     """A square post of rings, bent by "knee". `json` is open for a test to bend."""
 
+    fallback = 0  # Bytes of a second buffer that no file has.
+
     def __init__(self, rings=8):
         self.json = {"asset": {"version": "2.0"}, "bufferViews": [], "accessors": []}
         self.bytes = b""
@@ -48,7 +50,10 @@ class Post:
         return len(self.json["accessors"]) - 1
 
     def glb(self):
-        text = json.dumps(dict(self.json, buffers=[{"byteLength": len(self.bytes)}])).encode()
+        buffers = [{"byteLength": len(self.bytes)}]
+        if self.fallback:
+            buffers.append({"byteLength": self.fallback, "extensions": {"EXT_meshopt_compression": {"fallback": True}}})
+        text = json.dumps(dict(self.json, buffers=buffers)).encode()
         text += b" " * (-len(text) % 4)
         data = self.bytes + b"\0" * (-len(self.bytes) % 4)
         return (b"glTF" + struct.pack("<II", 2, 28 + len(text) + len(data)) + struct.pack("<I", len(text)) + b"JSON" + text

@@ -1,6 +1,7 @@
-# tests/limits/memcheck.py: verbs of the command line under Valgrind, on a small character. Usage: memcheck.py PROGRAM
+# tests/limits/memcheck.py: verbs and tests under Valgrind. Usage: memcheck.py PROGRAM [TESTS...]
 """Not a test of ctest: it says nothing new beside AddressSanitizer but for reads of memory that was never written. Each file
-written must also have the bytes of a run without Valgrind. Exit status 1 for an error, a leak or other bytes."""
+written must also have the bytes of a run without Valgrind, on a small character. Of test programs those tests are run that need
+no real characters. Exit status 1 for an error, a leak, other bytes or a test that fails."""
 import os
 import pathlib
 import re
@@ -8,6 +9,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
 from hostile_post import Post, rig
 
@@ -51,6 +53,21 @@ def run(place, name, command, words, extra):
     return ended, written(folder)
 
 
+def tests_under_valgrind(program, extra):
+    """Whether all is well. The filter leaves out what is big: real characters and what counts allocations or seconds."""
+    began = time.monotonic()
+    command = VALGRIND + [program, "--gtest_brief=1", "--gtest_filter=-Real*:*Allocat*"]
+    ended = subprocess.run(command, env=dict(os.environ, **extra), capture_output=True, text=True)
+    said = ended.stdout + ended.stderr
+    passed = re.search(r"PASSED  \] (\d+)", said)
+    sound = ended.returncode == 0 and "==" not in ended.stderr
+    print("%-18s exit %d, %s tests passed, %s, %.0f s" % (pathlib.Path(program).name, ended.returncode, passed.group(1) if passed else "no",
+                                                        "0 errors" if sound else "ERRORS", time.monotonic() - began), flush=True)
+    if not sound:
+        print(said)
+    return sound
+
+
 def main():
     if not shutil.which("valgrind"):
         print("left out: valgrind is not installed")
@@ -69,6 +86,8 @@ def main():
                                             "same bytes" if same else "OTHER BYTES"), flush=True)
             if not sound:
                 print(plain.stderr + checked.stderr)
+        for program in sys.argv[2:]:
+            bad += not tests_under_valgrind(program, extra)
     return 1 if bad else 0
 
 

@@ -1,6 +1,11 @@
 // tests/panels/first_steps_test.cpp: Help > First steps, done as a beginner would, in another order, and left.
 #include "app/actions/first_steps.h"
 
+#include <imgui.h>
+#include <imgui_internal.h>  // The windows of a context, which 1.86 keeps to itself.
+
+#include <string>
+
 #include "app/actions/actions.h"
 #include "app/editor/session.h"
 #include "sinew/rig/rig_edit.h"
@@ -37,6 +42,18 @@ TEST_F(FirstStepsPanel, OpensTheWalkingManWithNothingDone) {
   for (const bool each : state.view.firstSteps.done) EXPECT_FALSE(each);
   frame();
   for (const bool each : state.view.firstSteps.done) EXPECT_FALSE(each) << "looking on does nothing";
+}
+
+TEST_F(FirstStepsPanel, InASmallWindowNoLineIsCut) {
+  ImGui::GetIO().DisplaySize = {900.0f, 600.0f};
+  start();
+  int panels = 0;
+  for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+    if (std::string(window->Name).find("/first-steps_") == std::string::npos) continue;
+    ++panels;
+    EXPECT_LE(window->ContentSize.x, window->InnerRect.GetWidth());
+  }
+  EXPECT_EQ(panels, 1);
 }
 
 TEST_F(FirstStepsPanel, EachIsDoneWhenItIsDoneInAnyOrder) {

@@ -36,6 +36,27 @@ TEST(BodyParts, OfThePersonAreWhatOneWouldSay) {
   EXPECT_EQ(of("head"), "Head and neck");
 }
 
+TEST(BodyParts, AreToldInJapaneseToo) {
+  Skeleton skeleton;
+  for (const auto& [name, parent] : std::initializer_list<std::pair<const char*, int>>{{"全ての親", -1},
+                                                                                       {"下半身", 0},
+                                                                                       {"上半身", 0},
+                                                                                       {"首", 2},
+                                                                                       {"左肩", 2},
+                                                                                       {"左腕", 4},
+                                                                                       {"右足", 1},
+                                                                                       {"右ひざ", 6}}) {
+    if (parent >= 0)
+      skeleton.bones[static_cast<std::size_t>(parent)].children.push_back(static_cast<int>(skeleton.bones.size()));
+    Bone bone;
+    bone.name = name;
+    bone.parent = parent;
+    skeleton.bones.push_back(bone);
+  }
+  EXPECT_EQ(bodyParts(skeleton), (std::vector<std::string>{"Torso", "Torso", "Torso", "Head and neck", "Left arm",
+                                                           "Left arm", "Right leg", "Right leg"}));
+}
+
 TEST_F(OutlinerParts, ByRegionIsAFlatListUnderTitlesThatFold) {
   ASSERT_TRUE(openFile(state, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "humanoid.rig.json"));
   settle();

@@ -2,6 +2,7 @@
 import json
 import math
 import struct
+import weakref
 
 from tools import ASSETS, Case, main, numpy, sinew
 from glb_reader import Glb  # noqa: E402: tools says where it is
@@ -43,8 +44,18 @@ class Refusals(Case):
         for number in (numpy.nan, numpy.inf, 1e39):
             broken = good.astype(float)
             broken[2, 1, 3] = number
-            error = self.says("row 1, column 3", self.smoother, bones=broken)
+            error = self.says("got %r in row 1, column 3" % float(number), self.smoother, bones=broken)
             self.assertEqual(error.place, "bones[2] (%s)" % self.character.names[2])
+
+    def test_attributes_that_are_not_there(self):
+        """A setting that is misspelled must not seem to be set."""
+        rig = self.rig.copy()
+        for each in (rig, rig.muscles[0], self.character, self.smoother, self.smoother()):
+            with self.assertRaisesRegex(AttributeError, "toleranc"):
+                each.toleranc = 0.001
+        copy = weakref.ref(rig)
+        del rig, each
+        self.assertIsNone(copy())
 
     def test_what_is_right_is_taken(self):
         good = self.character.sample("Walk", 0.2)

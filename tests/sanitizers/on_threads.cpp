@@ -1,9 +1,9 @@
 // tests/sanitizers/on_threads.cpp: the task system of every test in a build without oneTBB.
 //
 // Loops run on std::thread, all of whose steps ThreadSanitizer sees.
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
-#include <deque>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -18,10 +18,12 @@ namespace {
 
 constexpr int kThreads = 4;  ///< The calling one among them; more than cores do no harm.
 
-/// A game's task system: a queue of loops, which the caller and all threads take tasks from.
+/// A game's task system that lets races show. Threads that are free join a loop before it begins, and its tasks are
+/// dealt out among them: a caller that took whatever was left would often do all of a short loop alone. It allocates
+/// nothing for a loop, as some tests count allocations.
 class ThreadPool {
  public:
-  explicit ThreadPool(int threads) {
+  explicit ThreadPool(int threads) : free_(threads - 1) {
     for (int i = 1; i < threads; ++i) threads_.emplace_back([this] { serve(); });
   }
   ThreadPool(const ThreadPool&) = delete;
@@ -31,62 +33,82 @@ class ThreadPool {
       const std::scoped_lock lock(mutex_);
       stops_ = true;
     }
-    wake_.notify_all();
+    changed_.notify_all();
     for (std::thread& thread : threads_) thread.join();
   }
 
   static void run(void* user, int tasks, void (*task)(void*, int), void* work) {
-    static_cast<ThreadPool*>(user)->runLoop(std::make_shared<Loop>(tasks, task, work));
+    Loop loop{.tasks = tasks, .task = task, .work = work};
+    static_cast<ThreadPool*>(user)->runLoop(loop);
   }
 
  private:
+  /// What changes does so under the mutex, but for `begun`.
   struct Loop {
-    Loop(int count, void (*function)(void*, int), void* argument)
-        : tasks(count), task(function), work(argument), left(count) {}
-    const int tasks;
-    void (*const task)(void*, int);
-    void* const work;
-    std::atomic<int> next{0};
-    int left;  ///< Tasks that have not returned yet. Under the mutex.
+    int tasks;
+    void (*task)(void*, int);
+    void* work;
+    int joined = 1;  ///< Threads, the caller among them.
+    int working = 1;
+    std::atomic<bool> begun = false;  ///< The mutex would order what threads do, so that no race shows.
+    Loop* after = nullptr;
   };
 
-  void runLoop(const std::shared_ptr<Loop>& loop) {
-    {
-      const std::scoped_lock lock(mutex_);
-      loops_.push_back(loop);
-    }
-    wake_.notify_all();
-    workOn(*loop);
+  void runLoop(Loop& loop) {
+    const int wanted = std::min(loop.tasks, kThreads);
     std::unique_lock lock(mutex_);
-    std::erase(loops_, loop);
-    done_.wait(lock, [&] { return loop->left == 0; });
+    loop.after = first_;
+    first_ = &loop;
+    changed_.notify_all();
+    changed_.wait(lock, [&] { return loop.joined == wanted || free_ == 0; });
+    unlink(loop);
+    lock.unlock();
+    loop.begun = true;
+    loop.begun.notify_all();
+    workOn(loop, 0);
+    lock.lock();
+    --loop.working;
+    changed_.wait(lock, [&] { return loop.working == 0; });
   }
 
-  void workOn(Loop& loop) {
-    for (int i = loop.next++; i < loop.tasks; i = loop.next++) {
-      loop.task(loop.work, i);
-      const std::scoped_lock lock(mutex_);
-      if (--loop.left == 0) done_.notify_all();
+  static void workOn(const Loop& loop, int place) {
+    for (int i = place; i < loop.tasks; i += loop.joined) loop.task(loop.work, i);
+  }
+
+  /// No further thread joins it.
+  void unlink(const Loop& loop) {
+    for (Loop** link = &first_; *link != nullptr; link = &(*link)->after) {
+      if (*link != &loop) continue;
+      *link = loop.after;
+      return;
     }
   }
 
   void serve() {
     std::unique_lock lock(mutex_);
     for (;;) {
-      wake_.wait(lock, [this] { return stops_ || !loops_.empty(); });
+      changed_.wait(lock, [this] { return stops_ || first_ != nullptr; });
       if (stops_) return;
-      const std::shared_ptr<Loop> loop = loops_.front();
+      --free_;
+      Loop& loop = *first_;
+      const int place = loop.joined++;
+      ++loop.working;
+      if (loop.joined == std::min(loop.tasks, kThreads)) unlink(loop);
+      changed_.notify_all();
       lock.unlock();
-      workOn(*loop);
+      loop.begun.wait(false);
+      workOn(loop, place);
       lock.lock();
-      std::erase(loops_, loop);
+      ++free_;
+      --loop.working;
+      changed_.notify_all();
     }
   }
 
   std::mutex mutex_;
-  std::condition_variable wake_;
-  std::condition_variable done_;
-  std::deque<std::shared_ptr<Loop>> loops_;  ///< That may have tasks left to begin.
+  std::condition_variable changed_;
+  Loop* first_ = nullptr;  ///< A list of those that have not begun.
+  int free_;               ///< Threads that wait for a loop.
   bool stops_ = false;
   std::vector<std::thread> threads_;
 };

@@ -35,7 +35,7 @@ std::vector<bool> skinned(const Character& character) {
 
 RangeOfMotionHints hintsFor(const Character& character) {
   const MirrorPlan plan = makeMirrorPlan(character);
-  return {plan.twinOf, glm::vec3(plan.plane.normal), skinned(character)};
+  return {plan.twinOf, glm::vec3(plan.plane.normal), skinned(character), {}, {}};
 }
 
 /// Rotation of a bone to its parent, as turns see it, relative to the bind pose: radians.

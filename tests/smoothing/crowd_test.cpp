@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
 #include <span>
 #include <thread>
 #include <vector>
@@ -74,11 +76,29 @@ INSTANTIATE_TEST_SUITE_P(Rigs, Crowd, ::testing::Values("humanoid", "humanoid-fl
                            return name;
                          });
 
+TEST(CrowdOfCallers, APoseThatIsRefusedLeavesItsSurfaceAndNoOther) {
+  const TrialScene scene = bundledTrialScene("demo");
+  CrowdSmoother crowd(scene.character);
+  ASSERT_TRUE(crowd.prepare(scene.rig).ok());
+  std::vector<Pose> poses = spreadPoses(*scene.character, 6);
+  std::vector<Surface> surfaces(poses.size());
+  ASSERT_TRUE(crowd.smooth(poses, surfaces));
+  const std::vector<Surface> before = surfaces;
+  std::ranges::reverse(poses);
+  poses[1].boneInWorld.pop_back();
+  poses[4].boneInWorld[0][3][1] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(crowd.smooth(poses, surfaces));
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const bool refused = i == 1 || i == 4;
+    EXPECT_EQ(surfaces[i].positions, before[refused ? i : poses.size() - 1 - i].positions) << i;
+  }
+}
+
 TEST(CrowdOfNone, IsNoError) {
   const TrialScene scene = bundledTrialScene("demo");
   CrowdSmoother crowd(scene.character);
   ASSERT_TRUE(crowd.prepare(scene.rig).ok());
-  crowd.smooth({}, {});
+  EXPECT_TRUE(crowd.smooth({}, {}));
 }
 
 TEST(CrowdOfNone, ARigThatIsRefusedLeavesTheFormerOne) {

@@ -1,4 +1,4 @@
-// tests/tools/drawn_rise_test.cpp: a muscle that has just been drawn is seen on the skin.
+// tests/tools/drawn_rise_test.cpp: a muscle that has just been drawn is seen on the skin, and is no lump.
 
 #include <algorithm>
 #include <cstdio>
@@ -41,7 +41,7 @@ std::vector<float> risesOf(const std::shared_ptr<const Character>& character, co
   return rises;
 }
 
-TEST(DrawnRise, MusclesAreSeenAtOnce) {
+TEST(DrawnRise, MusclesAreSeenAtOnceAndAreNoLumps) {
   for (const char* name : {"humanoid", "horse", "demo"}) {
     const auto character =
         importGltf(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / (std::string(name) + ".glb"));
@@ -52,6 +52,9 @@ TEST(DrawnRise, MusclesAreSeenAtOnce) {
                 100.0 * static_cast<double>(rises.front()), 100.0 * static_cast<double>(rises.back()),
                 100.0 * static_cast<double>(rises[rises.size() / 2]));
     EXPECT_GE(rises[rises.size() / 2], 0.008f) << name;
+    EXPECT_LE(rises[rises.size() / 2], 0.015f) << name;
+    EXPECT_GE(rises.front(), 0.006f) << name;
+    EXPECT_LE(rises.back(), 0.019f) << name;
   }
 }
 

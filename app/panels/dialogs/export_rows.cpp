@@ -14,6 +14,7 @@
 #include "app/ui/number_field.h"
 #include "app/ui/reading_order.h"
 #include "core/base/at.h"
+#include "core/base/grouped.h"
 
 namespace sinew::app {
 namespace {
@@ -48,12 +49,6 @@ void meshRow(PanelUi& ui) {
                   ? "As smooth as in the picture: every triangle of the file is divided."
                   : "The file's own vertices in their own order, moved to where the muscles take them. Morph targets "
                     "stay.");
-}
-
-std::string countText(long long number) {
-  std::string text = std::to_string(number);
-  for (int at = static_cast<int>(text.size()) - 3; at > 0; at -= 3) text.insert(static_cast<std::size_t>(at), ",");
-  return text;
 }
 
 /// How finely the exported mesh is divided: as the rig says, or otherwise for this export.
@@ -92,7 +87,7 @@ void detailRows(PanelUi& ui) {
   }
   const long long n = now.depth;
   const auto triangles = static_cast<long long>(ui.state.character().mesh.triangles.size()) * n * n;
-  explain(ui, "Every triangle becomes " + std::to_string(n) + " x " + std::to_string(n) + ": " + countText(triangles) +
+  explain(ui, "Every triangle becomes " + std::to_string(n) + " x " + std::to_string(n) + ": " + grouped(triangles) +
                   " triangles" + asInRig);
 }
 

@@ -90,6 +90,7 @@ constexpr std::array kSynonyms{
     std::pair<std::string_view, std::string_view>{"view/numbers", "fps statistics"},
     std::pair<std::string_view, std::string_view>{"file/add-clips", "import animation motion file retarget"},
     std::pair<std::string_view, std::string_view>{"play/clip-files", "added animation files remove locate missing"},
+    std::pair<std::string_view, std::string_view>{"play/read-clip-files", "reload refresh update animation changed"},
     std::pair<std::string_view, std::string_view>{"file/export-character", "save as glb usd game"},
     std::pair<std::string_view, std::string_view>{"file/export-farm", "slurm batch render"},
 };

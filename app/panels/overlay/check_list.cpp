@@ -55,8 +55,7 @@ void drawRow(PanelUi& ui, int index) {
 void drawCheckList(PanelUi& ui) {
   EditorState& state = ui.state;
   if (!state.open.check.shown) return;
-  const glm::vec4& v = state.frame.viewport;
-  const float width = std::min(ui.px(kWidth), v.z - ui.px(kBesideTools + kBesideAxes));
+  const float width = widthInPicture(ui, kWidth);
   const auto rows = static_cast<float>(std::clamp(static_cast<int>(state.open.check.findings.size()), 0, kMostRows));
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const float height = rows * line + 2.0f * ImGui::GetFrameHeightWithSpacing() + ui.px(20);

@@ -19,7 +19,7 @@ constexpr float kWidth = 440.0f;   // Design pixels, as all here.
 constexpr float kHighest = 0.45f;  // Of the picture.
 constexpr float kIndent = 22.0f;
 constexpr float kIconSize = 15.0f;
-constexpr float kLocateWidth = 84.0f;
+constexpr float kAnswerWidth = 84.0f;
 
 /// What is under a file's name.
 struct Line {
@@ -45,6 +45,9 @@ std::vector<Line> linesOf(const EditorState& state, const ClipFileReport& file) 
     if (clip.addedFrom == file.file) clips += (clips.empty() ? "" : ", ") + clipText(clip);
   }
   lines.push_back({clips.empty() ? "No clips" : clips});
+  if (state.open.clipList.changed.contains(file.file)) {
+    lines.push_back({"Changed on disk since it was read", Icon::kWarning, palette::kWarning});
+  }
   for (const std::string& note : file.notes) lines.push_back({note, Icon::kNote, palette::kMuted});
   return lines;
 }
@@ -79,14 +82,25 @@ void drawLine(const PanelUi& ui, const Line& line, float room) {
 struct Wanted {
   int remove = -1;
   int locate = -1;
+  bool read = false;
 };
+
+/// The button for a file that is gone, or is another one now. @return whether it was clicked
+bool answerButton(PanelUi& ui, const std::string& id, const char* label, const char* hint) {
+  const bool clicked = ImGui::Button((std::string(label) + "##" + id).c_str(), {ui.px(kAnswerWidth), 0.0f});
+  ui.widgets.note("clip-files/" + id);
+  tooltip(ui, hint);
+  ImGui::SameLine(0.0f, ui.px(4));
+  return clicked;
+}
 
 void drawFile(PanelUi& ui, int index, float width, Wanted& wanted) {
   const ClipFileReport& file = at(ui.state.document.clipFiles.files, index);
   const std::string place = std::to_string(index);
   const std::string name = file.path.filename().string();
   const float button = ImGui::GetFrameHeight();
-  const float buttons = button + (file.missing ? ui.px(kLocateWidth + 4) : 0.0f);
+  const bool changed = ui.state.open.clipList.changed.contains(file.file);
+  const float buttons = button + (changed || file.missing ? ui.px(kAnswerWidth + 4) : 0.0f);
   ImGui::AlignTextToFramePadding();
   ImGui::PushFont(ui.fonts.strong);
   ImGui::TextUnformatted(fitted(name, ImGui::GetContentRegionAvail().x - buttons - ui.px(8)).c_str());
@@ -94,13 +108,10 @@ void drawFile(PanelUi& ui, int index, float width, Wanted& wanted) {
   ui.widgets.note("clip-files/file/" + place);
   tooltip(ui, file.path.string());
   ImGui::SameLine(ImGui::GetContentRegionMax().x - buttons);
-  if (file.missing) {
-    ImGui::PushID(index);
-    if (ImGui::Button("Locate...", {ui.px(kLocateWidth), 0.0f})) wanted.locate = index;
-    ImGui::PopID();
-    ui.widgets.note("clip-files/locate/" + place);
-    tooltip(ui, "Say where the file is now");
-    ImGui::SameLine(0.0f, ui.px(4));
+  if (changed) {
+    wanted.read |= answerButton(ui, "read/" + place, "Read again", "Load what other programs have written");
+  } else if (file.missing && answerButton(ui, "locate/" + place, "Locate...", "Say where the file is now")) {
+    wanted.locate = index;
   }
   if (iconButton(ui, "clip-files/remove/" + place, Icon::kClose, false, button)) wanted.remove = index;
   tooltip(ui, "Remove " + name + " and its clips; keys that were made in them are kept");
@@ -118,6 +129,7 @@ void drawFiles(PanelUi& ui, float width) {
     ImGui::PopTextWrapPos();
   }
   if (wanted.locate >= 0) showLocateClipsDialog(ui.state, wanted.locate);
+  if (wanted.read) run(action("play/read-clip-files"), ui.state);
   if (wanted.remove >= 0) removeClipFile(ui.state, wanted.remove);
 }
 
@@ -135,7 +147,7 @@ void drawClipList(PanelUi& ui) {
   EditorState& state = ui.state;
   if (!state.open.clipList.shown) return;
   const glm::vec4& v = state.frame.viewport;
-  const float width = std::min(ui.px(kWidth), v.z - ui.px(kBesideTools + kBesideAxes));
+  const float width = widthInPicture(ui, kWidth);
   const float frame = ImGui::GetTextLineHeightWithSpacing() + ImGui::GetFrameHeightWithSpacing() + ui.px(18);
   const float height = std::min(listHeight(ui, width - ui.px(20)) + frame, kHighest * v.w);
   ImGui::SetCursorPos({ui.px(kBesideTools), std::max(lowestInPicture(ui) - height, 0.0f)});

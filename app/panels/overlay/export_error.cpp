@@ -74,9 +74,9 @@ void drawExportError(PanelUi& ui, const ImVec2& low) {
 
   float y = below + line + ui.px(kGap);
   ImGui::SetCursorScreenPos({corner.x, y});
-  constexpr std::array<const char*, 2> kMeshes{"Live surface", "Exported mesh"};
-  const int chosen = segmented(ui, "export-error/mesh", kMeshes.data(), 2, error.exported ? 1 : 0, width);
-  if (chosen >= 0) error.exported = chosen == 1;
+  constexpr std::array<const char*, 3> kMeshes{"Live", "Exported", "Side by side"};  // As ExportedView.
+  const int chosen = segmented(ui, "export-error/mesh", kMeshes.data(), 3, static_cast<int>(error.view), width);
+  if (chosen >= 0) showExported(ui.state, static_cast<ExportedView>(chosen));
   y += ImGui::GetFrameHeight() + ui.px(kGap);
   ImGui::SetCursorScreenPos({corner.x, y});
   const float half = 0.5f * (width - ui.px(kGap));

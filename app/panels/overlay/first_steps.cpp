@@ -78,11 +78,10 @@ void drawFirstSteps(PanelUi& ui) {
   const bool hidden = state.open.check.shown || state.open.muscleSet.shown || state.open.bodyParts.shown ||
                       state.open.clipList.shown || state.open.reference.shown;
   if (!state.view.firstSteps.shown || hidden || !state.hasCharacter()) return;
-  const glm::vec4& v = state.frame.viewport;
   const bool done = firstStepsDone(state.view.firstSteps);
   const float lines = 1.0f + (done ? 2.0f : static_cast<float>(kFirstSteps) + 1.0f);
   const float height = lines * ImGui::GetTextLineHeightWithSpacing() + ImGui::GetFrameHeightWithSpacing() + ui.px(20);
-  const float width = std::min(ui.px(kWidth), v.z - ui.px(kBesideTools + kBesideAxes));
+  const float width = widthInPicture(ui, kWidth);
   ImGui::SetCursorPos({ui.px(kBesideTools), std::max(lowestInPicture(ui) - height, 0.0f)});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.94f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(12), ui.px(10)});

@@ -16,6 +16,7 @@ constexpr float kWidth = 450.0f;  // Design pixels.
 constexpr float kHighest = 230.0f;
 constexpr float kButton = 20.0f;
 constexpr float kTextLeft = 24.0f;
+constexpr float kNarrowest = 0.85f;  ///< Of its width: what a panel over the picture gives up for the axes.
 
 float textHeight(const std::string& text, float width) {
   return ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
@@ -128,6 +129,13 @@ float lowestInPicture(PanelUi& ui) {
   const float messages = messagesHeight(ui);
   const float lowest = ui.state.frame.viewport.w - ui.px(kFromEdges);
   return messages > 0.0f ? lowest - messages - ui.px(kFromEdges) : lowest;
+}
+
+float widthInPicture(const PanelUi& ui, float wanted) {
+  const float picture = ui.state.frame.viewport.z;
+  const float besideAxes = picture - ui.px(kBesideTools + kBesideAxes);
+  const bool fits = besideAxes >= kNarrowest * ui.px(wanted);
+  return std::min(ui.px(wanted), fits ? besideAxes : picture - ui.px(kBesideTools + kFromEdges));
 }
 
 void drawMessages(PanelUi& ui) {

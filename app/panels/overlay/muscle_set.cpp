@@ -110,8 +110,7 @@ void drawMuscleSet(PanelUi& ui) {
   EditorState& state = ui.state;
   if (state.open.muscleSet.shown && !setIsTunable(state)) closeSet(state);
   if (!state.open.muscleSet.shown) return;
-  const glm::vec4& v = state.frame.viewport;
-  const float width = std::min(ui.px(kWidth), v.z - ui.px(kBesideTools + kBesideAxes));
+  const float width = widthInPicture(ui, kWidth);
   const float height = kRows * ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing() + ui.px(12);
   ImGui::SetCursorPos({ui.px(kBesideTools), std::max(lowestInPicture(ui) - height, 0.0f)});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.94f));

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/panels/overlay/overlay.h"
+#include "core/base/grouped.h"
 
 namespace sinew::app {
 namespace {
@@ -24,15 +25,6 @@ constexpr float kSmallWidth = 420.0f;  // A picture smaller than this, either wa
 constexpr float kSmallHeight = 300.0f;
 constexpr std::size_t kStageRows = 9;
 constexpr std::size_t kFoldedRows = 3;
-
-/// 12345 -> "12,345".
-std::string grouped(long long value) {
-  std::string digits = std::to_string(value);
-  for (auto place = static_cast<std::ptrdiff_t>(digits.size()) - 3; place > 0; place -= 3) {
-    digits.insert(static_cast<std::size_t>(place), ",");
-  }
-  return digits;
-}
 
 std::string milliseconds(double value) {
   char text[32];

@@ -39,6 +39,9 @@ void drawMessages(PanelUi& ui);
 inline constexpr float kBesideTools = 62.0f;
 inline constexpr float kBesideAxes = 110.0f;
 inline constexpr float kFromEdges = 12.0f;
+/// How wide such a panel is beside the tools: beside the axes as well unless that leaves too little to read.
+/// @param wanted  design pixels
+[[nodiscard]] float widthInPicture(const PanelUi& ui, float wanted);
 /// How low such a panel may reach: above the messages.
 [[nodiscard]] float lowestInPicture(PanelUi& ui);
 

@@ -38,12 +38,25 @@ std::optional<float> besideDialog(const PanelUi& ui, const ImVec2& low, const Im
   return fits ? below : std::max(taken.Min.y - gap - size.y, 0.0f);
 }
 
+/// The toast's y above the plates that lie low in the picture, where it would cover them.
+float abovePlates(const PanelUi& ui, const ImVec2& low, const ImVec2& size) {
+  const glm::vec4& picture = ui.state.frame.viewport;
+  float y = low.y;
+  for (const glm::vec4& box : ui.covered) {
+    const bool isPlate = box.y > picture.y + 0.4f * picture.w;
+    const bool covers = low.x < box.z && low.x + size.x > box.x && low.y < box.w && low.y + size.y > box.y;
+    if (isPlate && covers) y = std::min(y, box.y - ui.px(kAboveBottom) - size.y);
+  }
+  return y;
+}
+
 /// Top left corner: bottom center of the picture, above the messages; beside the pointer if that is where it would lie.
 ImVec2 placeOf(PanelUi& ui, const ImVec2& size) {
   const glm::vec4& picture = ui.state.frame.viewport;
   const float below = messagesHeight(ui);
   ImVec2 low{picture.x + 0.5f * (picture.z - size.x), picture.y + picture.w - ui.px(kAboveBottom) - size.y -
                                                           (below > 0.0f ? below + ui.px(kAboveBottom) : 0.0f)};
+  low.y = abovePlates(ui, low, size);
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   if (const std::optional<float> y = besideDialog(ui, low, size)) return {low.x, *y};
   const float distance = ui.px(kFromPointer);

@@ -30,24 +30,24 @@ def _shin(t):
 FRONT, BACK = (0.0, 0.0, 1.0), (0.0, 0.0, -1.0)
 # name, bone, group, (inside, towards) of one end and of the other, length factor, half width, half thickness, depth of the middle
 _PAIRS = [
-    ("pectoralis", "chest", "torso", ((0.030, 1.315, 0.0), FRONT), ((0.125, 1.365, 0.0), (0.35, 0.0, 1.0)), 1.15, 0.056, 0.030, 0.60),
-    ("pectoralis, upper", "chest", "torso", ((0.032, 1.385, 0.0), FRONT), ((0.118, 1.400, 0.0), (0.25, 0.0, 1.0)), 1.15, 0.036, 0.026, 0.80),
+    ("pectoralis", "chest", "torso", ((0.028, 1.324, 0.0), FRONT), ((0.106, 1.350, 0.0), (0.28, 0.0, 1.0)), 1.24, 0.054, 0.028, 0.50),
+    ("pectoralis, upper", "chest", "torso", ((0.032, 1.385, 0.0), FRONT), ((0.118, 1.400, 0.0), (0.25, 0.0, 1.0)), 1.15, 0.036, 0.026, 0.74),
     ("trapezius", "clavicle.L", "torso", ((0.030, 1.500, -0.035), (1.0, 0.6, -0.3)), ((0.130, 1.430, -0.03), (0.10, 1.0, -0.3)), 1.25, 0.044, 0.030, 0.95),
     ("rhomboideus", "chest", "torso", ((0.044, 1.420, -0.02), BACK), ((0.050, 1.260, -0.02), BACK), 1.10, 0.040, 0.028, 0.80),
     ("infraspinatus", "chest", "torso", ((0.070, 1.370, -0.02), BACK), ((0.118, 1.385, -0.03), (0.4, 0.0, -1.0)), 1.15, 0.042, 0.030, 0.72),
     ("latissimus", "chest", "torso", ((0.060, 1.200, 0.0), (0.5, 0.0, -1.0)), ((0.105, 1.310, -0.02), (1.0, 0.0, -0.85)), 1.10, 0.048, 0.030, 0.62),
-    ("serratus", "chest", "torso", ((0.060, 1.215, 0.01), (1.0, 0.0, 0.50)), ((0.080, 1.285, 0.01), (1.0, 0.0, 0.42)), 1.10, 0.030, 0.018, 0.62),
-    ("rectus abdominis, upper", "spine", "torso", ((0.036, 1.230, 0.0), FRONT), ((0.034, 1.140, 0.0), FRONT), 1.05, 0.032, 0.024, 0.66),
-    ("rectus abdominis, lower", "spine", "torso", ((0.034, 1.115, 0.0), FRONT), ((0.030, 0.990, 0.0), FRONT), 1.05, 0.030, 0.022, 0.68),
-    ("obliquus", "spine", "torso", ((0.060, 1.030, 0.0), (1.0, 0.0, 0.25)), ((0.060, 1.165, 0.0), (1.0, 0.0, 0.32)), 1.10, 0.044, 0.034, 0.86),
+    ("serratus", "chest", "torso", ((0.060, 1.205, 0.01), (1.0, 0.0, 0.62)), ((0.080, 1.262, 0.01), (1.0, 0.0, 0.56)), 1.10, 0.026, 0.020, 0.52),
+    ("rectus abdominis, upper", "spine", "torso", ((0.033, 1.228, 0.0), FRONT), ((0.033, 1.172, 0.0), FRONT), 1.20, 0.031, 0.026, 0.52),
+    ("rectus abdominis, lower", "spine", "torso", ((0.031, 1.078, 0.0), FRONT), ((0.026, 0.985, 0.0), FRONT), 1.10, 0.029, 0.026, 0.58),
+    ("obliquus", "spine", "torso", ((0.060, 1.040, 0.0), (1.0, 0.0, 0.45)), ((0.060, 1.165, 0.0), (1.0, 0.0, 0.45)), 1.10, 0.044, 0.034, 0.74),
     ("erector spinae", "spine", "torso", ((0.034, 1.010, -0.01), BACK), ((0.038, 1.200, -0.01), BACK), 1.08, 0.030, 0.024, 0.72),
-    ("teres", "chest", "torso", ((0.090, 1.270, -0.02), (0.8, 0.0, -1.0)), ((0.120, 1.325, -0.02), (1.0, 0.0, -0.8)), 1.20, 0.032, 0.022, 0.68),
+    ("rectus abdominis, middle", "spine", "torso", ((0.033, 1.155, 0.0), FRONT), ((0.032, 1.100, 0.0), FRONT), 1.20, 0.030, 0.026, 0.52),
     ("deltoideus", "upper_arm.L", "shoulders", (_arm(0.02), (0.55, 1.0, 0.12)), (_arm(0.42), (0.8, 0.8, 0.10)), 1.15, 0.056, 0.038, 0.55),
     ("biceps", "upper_arm.L", "upper arms", (_arm(0.36), (-0.10, -0.10, 1.0)), (_arm(0.74), (-0.10, -0.10, 1.0)), 1.10, 0.035, 0.036, 0.58),
     ("triceps", "upper_arm.L", "upper arms", (_arm(0.30), (0.15, 0.10, -1.0)), (_arm(0.82), (0.15, 0.10, -1.0)), 1.10, 0.034, 0.030, 0.55),
     ("forearm", "forearm.L", "forearms", (_fore(0.16), (0.60, 0.60, 0.50)), (_fore(0.56), (0.60, 0.60, 0.35)), 1.15, 0.034, 0.027, 0.58),
     ("gluteus", "hips", "hips", ((0.080, 0.985, 0.0), (0.45, 0.0, -1.0)), ((0.085, 0.905, 0.0), (0.20, 0.0, -1.0)), 1.40, 0.070, 0.052, 0.76),
-    ("quadriceps", "thigh.L", "thighs", (_thigh(0.20), (0.25, 0.0, 1.0)), (_thigh(0.86), (0.05, 0.0, 1.0)), 1.05, 0.056, 0.036, 0.58),
+    ("quadriceps", "thigh.L", "thighs", (_thigh(0.22), (0.25, 0.0, 1.0)), (_thigh(0.84), (0.10, 0.0, 1.0)), 1.05, 0.050, 0.040, 0.50),
     ("hamstrings", "thigh.L", "thighs", (_thigh(0.22), (0.05, 0.0, -1.0)), (_thigh(0.78), (0.0, 0.0, -1.0)), 1.05, 0.048, 0.036, 0.64),
     ("calf", "shin.L", "calves", (_shin(0.18), (0.05, 0.0, -1.0)), (_shin(0.50), (0.05, 0.0, -1.0)), 1.12, 0.046, 0.032, 0.64),
 ]
@@ -57,6 +57,8 @@ _MIDDLE = [
 # A bent elbow or knee brings the skin of the other side close, which must not be lifted.
 _OWN_SKIN = {"biceps": ["upper_arm.L"], "forearm": ["forearm.L"], "hamstrings": ["thigh.L"], "calf": ["shin.L"]}
 REACH = 1.42
+# Broad and flat ones end softly.
+_SOFT = {"pectoralis": 1.6, "pectoralis, upper": 1.8}
 SURFACE = {"mode": "swell", "iso": 0.25, "skin_blend": 0.026}
 SMOOTHING = {"depth": 3, "patch": "pn", "projection": "newton"}
 ADAPTIVE = {**SMOOTHING, "detail": "adaptive"}
@@ -106,8 +108,8 @@ def _swell_rows(mesh, instead):
     skin = laid.Skin(mesh)
     rows = []
     for name, bone, group, a, b, longer, width, thick, sink in (instead.get(row[0], row) for row in _PAIRS):
-        rows += laid.pair(name, bone, group, *laid.ellipsoid(skin, a, b, longer, width, thick, sink), ORIGIN, REACH,
-                          _OWN_SKIN.get(name))
+        rows += laid.pair(name, bone, group, *laid.ellipsoid(skin, a, b, longer, width, thick, sink), ORIGIN,
+                          _SOFT.get(name, REACH), _OWN_SKIN.get(name))
     for name, bone, group, a, b, longer, width, thick, sink in _MIDDLE:
         centre, rotation, radii = laid.ellipsoid(skin, a, b, longer, width, thick, sink)
         rows.append(laid.primitive(name, bone, group, centre, rotation, radii, ORIGIN[bone], "", REACH))

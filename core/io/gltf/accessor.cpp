@@ -137,6 +137,8 @@ Accessor Accessors::read(std::size_t index) {
   accessor.componentType_ = from.componentType;
   accessor.components_ = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(from.type));
   accessor.normalized_ = from.normalized;
+  const std::map<std::size_t, float>& unpacked = file_.unpacked().accessors;
+  if (const auto found = unpacked.find(index); found != unpacked.end()) accessor.roundedTo_ = found->second;
   if (from.count > kMaxElements) refuse(accessor.place_ + ".count", std::to_string(from.count) + " elements; too many");
   accessor.count_ = from.count;
 

@@ -21,6 +21,8 @@ class Accessor {
   /// Floats, or normalized unsigned bytes or shorts: what glTF allows for colors.
   [[nodiscard]] bool holdsColors() const;
   [[nodiscard]] const std::string& place() const { return place_; }
+  /// What compression has rounded the values to; 0: they are as they were.
+  [[nodiscard]] double roundedTo() const { return roundedTo_; }
 
   /// As the accessor says: floats as they are, integers scaled to -1..1 or 0..1 where `normalized`. Element < count().
   [[nodiscard]] double number(std::size_t element, int component) const;
@@ -47,6 +49,7 @@ class Accessor {
   int sparseType_ = TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
   const std::uint8_t* sparseIndices_ = nullptr;
   const std::uint8_t* sparseValues_ = nullptr;
+  double roundedTo_ = 0.0;
 };
 
 /// All elements of an accessor with as many components as the vectors have.

@@ -23,6 +23,10 @@ constexpr std::size_t kMaxVertices = 6 * kMaxTriangles;
 constexpr std::size_t kMaxInfluences = 32U << 20;
 constexpr std::size_t kMaxJointSets = 16;
 constexpr double kMaxCoordinate = 1e15;
+constexpr double kRoundedPlace = 0.87;  ///< Steps: half of one along each axis.
+constexpr double kRoundedWeight = 2.5;  ///< Steps: half of one, and what four of them do to the sum.
+constexpr double kMostRoundedWeight = 0.02;
+constexpr float kMostRoundedPlace = 2.5e-4f;  ///< Of the height. Coarser pieces stay apart where rounding parted them.
 
 /// The accessors of one primitive.
 struct Attributes {
@@ -84,6 +88,7 @@ class SoupReader {
       if (indices->isFloat()) refuse(indices->place(), "indices must be unsigned integers");
     }
     startPrimitive(open.position->count());
+    startPiece(open, binding);
     const bool mirrored = glm::determinant(glm::dmat3(binding.meshToBind)) < 0.0;
     const std::size_t corners = indices ? indices->count() : open.position->count();
     const std::size_t triangles = triangleCount(primitive.mode, corners);
@@ -175,6 +180,22 @@ class SoupReader {
     if (taken_.size() < vertices) taken_.resize(vertices);
   }
 
+  /// Pieces start with the first primitive that was rounded.
+  void startPiece(const Attributes& open, const MeshBinding& binding) {
+    double weight = 0.0;
+    for (const Accessor* weights : open.weights) weight = std::max(weight, weights->roundedTo());
+    const glm::dmat3 toBind(binding.meshToBind);
+    const double scale = std::max({glm::length(toBind[0]), glm::length(toBind[1]), glm::length(toBind[2])});
+    const RoundedPiece piece{static_cast<float>(kRoundedPlace * scale * open.position->roundedTo()),
+                             static_cast<float>(std::min(kRoundedWeight * weight, kMostRoundedWeight))};
+    if (soup_.pieces.empty() && !(piece.place > 0.0f) && !(piece.weight > 0.0f)) return;
+    if (soup_.pieces.empty()) {
+      soup_.pieces.emplace_back();
+      soup_.pieceOf.assign(soup_.positions.size(), 0);
+    }
+    soup_.pieces.push_back(piece);
+  }
+
   /// Soup vertex for a vertex of the primitive.
   std::uint32_t vertex(std::uint32_t index, const Attributes& open, const MeshBinding& binding,
                        const UvSource& uvSource) {
@@ -198,6 +219,7 @@ class SoupReader {
       uv = glm::vec2(0.0f);
     }
     soup_.uvs.push_back(uv);
+    if (!soup_.pieces.empty()) soup_.pieceOf.push_back(static_cast<int>(soup_.pieces.size()) - 1);
     addColor(index, open);
     addInfluences(index, open, binding);
     return taken.soupVertex;
@@ -295,7 +317,11 @@ TriangleSoup readTriangles(const File& file, const NodeTree& tree, const BoundSk
     if (bound.meshes[i]) reader.readMesh(static_cast<int>(i), tree.nodes[i].mesh, *bound.meshes[i]);
   }
   if (parts) *parts = reader.parts();
-  return std::move(reader).take();
+  TriangleSoup soup = std::move(reader).take();
+  if (soup.pieces.empty()) return soup;
+  const float most = kMostRoundedPlace * heightOf(soup.positions);
+  for (RoundedPiece& piece : soup.pieces) piece.place = std::min(piece.place, most);
+  return soup;
 }
 
 std::vector<MeshPart> partsOf(const File& file, std::span<const MeshMaterial> parts,

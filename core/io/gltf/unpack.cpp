@@ -184,8 +184,8 @@ class Unpacker {
                         " triangles; the file declares " + std::to_string(declared) + " indices");
     }
     for (std::size_t i = 0; i < goals.size(); ++i)
-      give(goals[i], std::move(decoded.value().attributes[i]), request.vertices);
-    give(corners, asComponents(decoded->indices, corners), decoded->indices.size());
+      give(goals[i], std::move(decoded.value().attributes[i]), request.vertices, decoded->steps[i]);
+    give(corners, asComponents(decoded->indices, corners), decoded->indices.size(), 0.0f);
     plain.mode = TINYGLTF_MODE_TRIANGLES;
   }
 
@@ -228,9 +228,9 @@ class Unpacker {
   }
 
   /// An accessor may belong to several primitives if they give it the same.
-  void give(const Goal& goal, std::vector<std::uint8_t> bytes, std::size_t count) {
+  void give(const Goal& goal, std::vector<std::uint8_t> bytes, std::size_t count, float step) {
     tinygltf::Accessor& accessor = model_.accessors[goal.accessor];
-    if (!result_.accessors.insert(goal.accessor).second) {
+    if (!result_.accessors.try_emplace(goal.accessor, step).second) {
       if (result_.views.at(toIndex(accessor.bufferView)) == bytes && accessor.count == count) return;
       refuse(goal.place, "two compressed meshes give its accessor different values");
     }

@@ -22,7 +22,8 @@ inline constexpr std::string_view kDraco = "KHR_draco_mesh_compression";
 /// What stands in place of compressed parts. All that reads the file afterwards sees views and accessors alone.
 struct Unpacked {
   std::map<std::size_t, std::vector<std::uint8_t>> views;  ///< Bytes of bufferViews; those beyond the file's are new.
-  std::set<std::size_t> accessors;                         ///< Those that have new views.
+  std::map<std::size_t, float> accessors;                  ///< Those that have new views, and to what steps their
+                                                           ///< values were rounded; 0: they were not.
   std::set<std::size_t> spent;                             ///< bufferViews that hold compressed meshes.
 };
 

@@ -42,7 +42,7 @@ ordered_json& accessorOfPart(Post& post, const std::string& part) {
 
 }  // namespace
 
-DracoPost dracoPost(const Post& post, DracoMethod method) {
+DracoPost dracoPost(const Post& post, DracoMethod method, int bits) {
   draco::Mesh mesh;
   mesh.set_num_points(kPostVertices);
   for (std::size_t i = 0; i < post.indices.size(); i += 3) {
@@ -56,6 +56,9 @@ DracoPost dracoPost(const Post& post, DracoMethod method) {
   draco::ExpertEncoder encoder(mesh);
   encoder.SetEncodingMethod(method == DracoMethod::kSequential ? draco::MESH_SEQUENTIAL_ENCODING
                                                                : draco::MESH_EDGEBREAKER_ENCODING);
+  for (const int attribute : {0, 2}) {
+    if (bits > 0) encoder.SetAttributeQuantization(attribute, bits);
+  }
   encoder.SetTrackEncodedProperties(true);
   draco::EncoderBuffer buffer;
   EXPECT_TRUE(encoder.EncodeToBuffer(&buffer).ok());

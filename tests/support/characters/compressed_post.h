@@ -11,13 +11,14 @@ namespace sinew::test {
 
 enum class DracoMethod { kSequential, kEdgebreaker };
 
-/// A mesh as Draco has compressed it, without loss.
+/// A mesh as Draco has compressed it.
 struct DracoPost {
   std::string bytes;
   int vertices = 0;
   int triangles = 0;
 };
-[[nodiscard]] DracoPost dracoPost(const Post& post, DracoMethod method);
+/// @param bits  that positions and weights are rounded to; 0: without loss
+[[nodiscard]] DracoPost dracoPost(const Post& post, DracoMethod method, int bits = 0);
 
 /// The post's mesh is this one, and stands nowhere else. Draco's numbers: POSITION 0, JOINTS_0 1, WEIGHTS_0 2.
 void useDraco(Post& post, const DracoPost& mesh);

@@ -25,8 +25,9 @@ class CrowdSmoother {
 
   /// Fills out[i] for poses[i]. prepare() must have succeeded once. Reuses the output's memory. Several threads may
   /// call it at once, each with its own output; none while prepare() runs.
+  /// False: some poses are refused (sinew/character/pose_check.h says which and why); their surfaces stay as they are.
   /// @param out  as many as poses
-  void smooth(std::span<const Pose> poses, std::span<Surface> out);
+  bool smooth(std::span<const Pose> poses, std::span<Surface> out);
 
  private:
   struct State;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include <draco/attributes/attribute_quantization_transform.h>
 #include <draco/compression/mesh/mesh_edgebreaker_decoder.h>
 #include <draco/compression/mesh/mesh_sequential_decoder.h>
 #include <draco/core/varint_decoding.h>
@@ -129,15 +130,26 @@ bool copyValues(const draco::PointAttribute& from, std::size_t vertices, const D
   }
 }
 
-/// The attribute of that number, or null.
-const draco::PointAttribute* findAttribute(const draco::Mesh& mesh, std::uint64_t id) {
+/// Index of the attribute of that number, or -1.
+int findAttribute(const draco::Mesh& mesh, std::uint64_t id) {
   for (int i = 0; i < mesh.num_attributes(); ++i) {
-    if (mesh.attribute(i)->unique_id() == id) return mesh.attribute(i);
+    if (mesh.attribute(i)->unique_id() == id) return i;
   }
-  return nullptr;
+  return -1;
 }
 
-Result<DracoMesh> take(const draco::Mesh& mesh, const DracoRequest& request) {
+/// What values of an attribute were rounded to. @param rounded  the attribute as it was decoded, or null
+float stepOf(const draco::PointAttribute* rounded) {
+  const draco::AttributeTransformData* const data = rounded ? rounded->GetAttributeTransformData() : nullptr;
+  if (!data || data->transform_type() != draco::ATTRIBUTE_QUANTIZATION_TRANSFORM) return 0.0f;
+  draco::AttributeQuantizationTransform transform;
+  if (!transform.InitFromAttribute(*rounded)) return 0.0f;
+  const int bits = transform.quantization_bits();
+  if (bits < 1 || bits > 30 || !(transform.range() > 0.0f)) return 0.0f;
+  return transform.range() / static_cast<float>((1u << static_cast<unsigned>(bits)) - 1u);
+}
+
+Result<DracoMesh> take(draco::MeshDecoder& decoder, const draco::Mesh& mesh, const DracoRequest& request) {
   DracoMesh result;
   result.indices.reserve(std::size_t{3} * mesh.num_faces());
   for (std::uint32_t f = 0; f < mesh.num_faces(); ++f) {
@@ -148,8 +160,9 @@ Result<DracoMesh> take(const draco::Mesh& mesh, const DracoRequest& request) {
   }
   for (const DracoAttribute& wanted : request.attributes) {
     const std::string name = "attribute " + std::to_string(wanted.id);
-    const draco::PointAttribute* const from = findAttribute(mesh, wanted.id);
-    if (!from) return errorAt("", "there is no " + name + " in the compressed mesh");
+    const int index = findAttribute(mesh, wanted.id);
+    if (index < 0) return errorAt("", "there is no " + name + " in the compressed mesh");
+    const draco::PointAttribute* const from = mesh.attribute(index);
     if (from->num_components() != wanted.components) {
       return errorAt("", name + " has " + std::to_string(from->num_components()) +
                              " components; its accessor declares " + std::to_string(wanted.components));
@@ -157,6 +170,7 @@ Result<DracoMesh> take(const draco::Mesh& mesh, const DracoRequest& request) {
     if (!copyValues(*from, request.vertices, wanted, result.attributes.emplace_back())) {
       return errorAt("", name + " has values that do not fit its accessor's component type");
     }
+    result.steps.push_back(stepOf(decoder.GetPortableAttribute(index)));
   }
   return result;
 }
@@ -169,7 +183,7 @@ Result<DracoMesh> decodeWith(draco::DecoderBuffer& buffer, const DracoRequest& r
   const draco::Status status = decoder.Decode(options, &buffer, &mesh);
   if (!decoder.reason().empty()) return errorAt("", "the compressed mesh " + decoder.reason());
   if (!status.ok()) return errorAt("", "the compressed mesh is damaged");
-  return take(mesh, request);
+  return take(decoder, mesh, request);
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ struct DracoRequest {
 struct DracoMesh {
   std::vector<std::uint32_t> indices;                 ///< [triangles * 3], each below DracoRequest::vertices
   std::vector<std::vector<std::uint8_t>> attributes;  ///< [attributes] tightly packed values of all vertices
+  std::vector<float> steps;                           ///< [attributes] that values were rounded to; 0: not rounded
 };
 
 /// Triangle meshes of Draco's version 2.2, the one that glTF allows. Error: reason only.
