@@ -109,6 +109,13 @@ struct ListHead {
 };
 static_assert(sizeof(ListHead) == 16);
 
+/// What a round asks of the next one: shaders/compute/rounds.glsl.
+struct Round {
+  std::array<std::uint32_t, 4> vertexGroups{};
+  std::array<std::uint32_t, 4> triangleGroups{};
+};
+static_assert(sizeof(Round) == 32);
+
 /// A vertex as it is drawn: shaders/surface.vert.
 struct Drawn {
   std::array<float, 3> position{};
@@ -126,7 +133,8 @@ struct Making {
   float searchLength = 0.0f;
   std::int32_t bones = 0;
   std::array<std::int32_t, 2> unused{};
+  std::array<std::uint32_t, 4> vertexGroups{}, triangleGroups{};  ///< x, y, z of dispatches over all bodies.
 };
-static_assert(sizeof(Making) == 80 && sizeof(Making) % 16 == 0);
+static_assert(sizeof(Making) == 112 && sizeof(Making) % 16 == 0);
 
 }  // namespace sinew::app::card

@@ -30,7 +30,7 @@ std::vector<card::Drawn> CardSurface::readDrawn() const {
 std::uint32_t CardSurface::readUnsure() const { return read<card::ListHead>(Buffer::kUnsure, 1).front().count; }
 
 bool CardSurface::readSlopesRest() const {
-  return read<std::uint32_t>(Buffer::kLive, kRounds)[kFirstSlope + kSlopeRounds - 1] == 0;
+  return read<card::Round>(Buffer::kRoundsAsked, kRounds)[kFirstSlope + kSlopeRounds].vertexGroups[0] == 0;
 }
 
 }  // namespace sinew::app

@@ -2,6 +2,7 @@
 #include "app/gpu/card_surface.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include "app/gpu/coverage.h"
@@ -10,6 +11,11 @@ namespace sinew::app {
 namespace {
 
 constexpr GLuint kMakingBinding = 2;  ///< shaders/compute/items.glsl.
+
+/// Where a round's groups stand in the buffer of those asked for.
+constexpr std::size_t verticesOf(int round) { return static_cast<std::size_t>(round) * sizeof(card::Round); }
+constexpr std::size_t trianglesOf(int round) { return verticesOf(round) + offsetof(card::Round, triangleGroups); }
+
 }  // namespace
 
 CardSurface::CardSurface(const StagePrograms& programs, std::shared_ptr<const Preparation> preparation,
@@ -45,6 +51,8 @@ void CardSurface::reserve(Buffer buffer, std::size_t bytes) {
 void CardSurface::uploadTables() {
   const CardTables tables = cardTables(*preparation_);
   making_ = tables.making;
+  making_.vertexGroups = groupsOf(making_.refinedVertices);
+  making_.triangleGroups = groupsOf(making_.refinedTriangles);
   fill(Buffer::kInfluenceBegin, std::span(tables.influenceBegin));
   fill(Buffer::kInfluences, std::span(tables.influences));
   fill(Buffer::kBindControls, std::span(tables.controls));
@@ -84,7 +92,7 @@ void CardSurface::reserveBodies() {
   reserve(Buffer::kWanted, vertices * sizeof(glm::vec4));
   reserve(Buffer::kAsks, triangles * sizeof(float));
   reserve(Buffer::kWays, 3 * triangles * sizeof(glm::vec4));
-  reserve(Buffer::kLive, kRounds * sizeof(std::uint32_t));
+  reserve(Buffer::kRoundsAsked, kRounds * sizeof(card::Round));
   reserve(Buffer::kDrawn, bodies * static_cast<std::size_t>(making_.drawnVertices) * sizeof(card::Drawn));
   reserve(Buffer::kMaking, sizeof(card::Making));
 }
@@ -138,11 +146,23 @@ void CardSurface::bind(Stage stage, std::initializer_list<Buffer> buffers) const
   for (const Buffer buffer : buffers) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding++, of(buffer).id());
 }
 
+std::array<std::uint32_t, 4> CardSurface::groupsOf(int items) const {
+  const Groups groups = groupsFor(static_cast<std::uint32_t>(items), options_.mostGroups);
+  return {groups.x, groups.y, static_cast<std::uint32_t>(options_.bodies), 0};
+}
+
 void CardSurface::run(Stage stage, int items, std::initializer_list<Buffer> buffers) const {
   if (items == 0) return;
   bind(stage, buffers);
-  const Groups groups = groupsFor(static_cast<std::uint32_t>(items), options_.mostGroups);
-  glDispatchCompute(groups.x, groups.y, static_cast<GLuint>(options_.bodies));
+  const std::array<std::uint32_t, 4> groups = groupsOf(items);
+  glDispatchCompute(groups[0], groups[1], groups[2]);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+}
+
+void CardSurface::runAsked(Stage stage, std::size_t offset, std::initializer_list<Buffer> buffers) const {
+  bind(stage, buffers);
+  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, of(Buffer::kRoundsAsked).id());
+  glDispatchComputeIndirect(static_cast<GLintptr>(offset));
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 
@@ -174,9 +194,11 @@ void CardSurface::boundHeights() const {
   using enum Buffer;
   run(Stage::kNear, vertices, {kRings, kNeighbors, kPatches, kSurface, kMarks});
   run(Stage::kCrease, vertices, {kRings, kCorners, kTriangles, kPatches, kSurface, kMarks, kHeights});
-  for (int round = 0; round < kSlopeRounds; ++round) {
-    programs_->of(Stage::kSlope).set("round", kFirstSlope + round);
-    run(Stage::kSlope, vertices, {kRings, kNeighbors, kPatches, kSurface, kMarks, kHeights, kLive});
+  for (int round = kFirstSlope; round < kFirstSlope + kSlopeRounds; ++round) {
+    const auto buffers = {kRings, kNeighbors, kPatches, kSurface, kMarks, kHeights, kRoundsAsked};
+    programs_->of(Stage::kSlope).set("round", round);
+    if (round == kFirstSlope) run(Stage::kSlope, vertices, buffers);
+    else runAsked(Stage::kSlope, verticesOf(round), buffers);
   }
   run(Stage::kLower, vertices, {kPatches, kSurface, kMarks, kHeights});
 }
@@ -200,22 +222,33 @@ void CardSurface::removeFolds() const {
   const int triangles = making_.refinedTriangles;
   using enum Buffer;
   run(Stage::kFoldStart, vertices, {kSurface, kFolded});
+  const auto askers = {kTriangles, kPatches, kMarks, kFolded, kAsks, kWays};
   for (int round = kFirstRelax; round < kFirstRelax + kRelaxRounds; ++round) {
-    for (const Stage stage : {Stage::kFoldAsk, Stage::kFoldMean, Stage::kFoldMove}) {
-      programs_->of(stage).set("round", round);
-      programs_->of(stage).set("firstRound", kFirstRelax);
+    const bool first = round == kFirstRelax;
+    const auto movers = {kRings, kNeighbors, kCorners, kMarks, kFolded, kAsks, kWanted, kRoundsAsked};
+    programs_->of(Stage::kFoldAsk).set("isFirst", first ? 1 : 0);
+    programs_->of(Stage::kFoldMean).set("round", round);
+    if (first) {
+      run(Stage::kFoldAsk, triangles, askers);
+      run(Stage::kFoldMean, vertices, movers);
+    } else {
+      runAsked(Stage::kFoldAsk, trianglesOf(round), askers);
+      runAsked(Stage::kFoldMean, verticesOf(round), movers);
     }
-    run(Stage::kFoldAsk, triangles, {kTriangles, kPatches, kMarks, kFolded, kAsks, kLive});
-    run(Stage::kFoldMean, vertices, {kRings, kNeighbors, kCorners, kMarks, kFolded, kAsks, kWanted, kLive});
-    run(Stage::kFoldMove, vertices, {kPatches, kSurface, kMarks, kFolded, kWanted, kLive});
+    runAsked(Stage::kFoldMove, verticesOf(round + 1), {kPatches, kSurface, kMarks, kFolded, kWanted});
   }
   for (int round = kFirstSpread; round < kFirstSpread + kSpreadRounds; ++round) {
-    for (const Stage stage : {Stage::kSpreadAsk, Stage::kSpreadMove}) {
-      programs_->of(stage).set("round", round);
-      programs_->of(stage).set("firstRound", kFirstSpread);
+    const bool first = round == kFirstSpread;
+    const auto movers = {kRings, kCorners, kPatches, kSurface, kFolded, kAsks, kWays, kRoundsAsked};
+    programs_->of(Stage::kSpreadAsk).set("isFirst", first ? 1 : 0);
+    programs_->of(Stage::kSpreadMove).set("round", round);
+    if (first) {
+      run(Stage::kSpreadAsk, triangles, askers);
+      run(Stage::kSpreadMove, vertices, movers);
+    } else {
+      runAsked(Stage::kSpreadAsk, trianglesOf(round), askers);
+      runAsked(Stage::kSpreadMove, verticesOf(round), movers);
     }
-    run(Stage::kSpreadAsk, triangles, {kTriangles, kPatches, kMarks, kFolded, kAsks, kWays, kLive});
-    run(Stage::kSpreadMove, vertices, {kRings, kCorners, kPatches, kSurface, kFolded, kAsks, kWays, kLive});
   }
   run(Stage::kFoldHeight, vertices, {kPatches, kSurface, kFolded});
 }
@@ -261,8 +294,8 @@ void CardSurface::runPart(SurfacePart part) const {
 void CardSurface::make(SurfacePart last) {
   uploadPoses();
   constexpr std::uint32_t kZero = 0;
-  glClearNamedBufferData(of(Buffer::kLive).id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &kZero);
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glClearNamedBufferData(of(Buffer::kRoundsAsked).id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &kZero);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
   timers_.begin();
   for (std::size_t i = 0; i < kSurfaceParts; ++i) {
     const auto part = static_cast<SurfacePart>(i);

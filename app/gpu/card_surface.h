@@ -63,7 +63,7 @@ class CardSurface {
   [[nodiscard]] std::vector<card::Drawn> readDrawn() const;     ///< [bodies * D]
   /// Vertices of the last make() that were left to double precision.
   [[nodiscard]] std::uint32_t readUnsure() const;
-  /// Whether the last round of the bound on slopes changed anything.
+  /// Whether the bound on slopes has come to rest.
   [[nodiscard]] bool readSlopesRest() const;
 
  private:
@@ -97,17 +97,17 @@ class CardSurface {
     kWanted,  ///< Later their teeth.
     kAsks,
     kWays,
-    kLive,
+    kRoundsAsked,
     kDrawn,
     kMaking
   };
-  // Rounds, and their places in the buffer that says which have changed something.
+  // Rounds, and their places in the buffer in which each is asked for by the one before.
   static constexpr int kSlopeRounds = 48;
   static constexpr int kFilterRounds = 4;
   static constexpr int kRelaxRounds = 6;    ///< As core/smoothing/finish/fold_relaxation.cpp.
   static constexpr int kSpreadRounds = 32;  ///< As core/smoothing/finish/fold_spread.cpp.
   static constexpr int kFirstSlope = 0;
-  static constexpr int kFirstRelax = kFirstSlope + kSlopeRounds;
+  static constexpr int kFirstRelax = kFirstSlope + kSlopeRounds + 1;
   static constexpr int kFirstSpread = kFirstRelax + kRelaxRounds + 1;
   static constexpr int kRounds = kFirstSpread + kSpreadRounds + 1;
   static constexpr std::size_t kBuffers = static_cast<std::size_t>(Buffer::kMaking) + 1;
@@ -121,9 +121,12 @@ class CardSurface {
   void reserveBodies();
   [[nodiscard]] std::optional<std::string> tooLarge() const;
   void uploadPoses();
+  [[nodiscard]] std::array<std::uint32_t, 4> groupsOf(int items) const;  ///< x, y, bodies.
   /// @param buffers  bound in this order
   void bind(Stage stage, std::initializer_list<Buffer> buffers) const;
   void run(Stage stage, int items, std::initializer_list<Buffer> buffers) const;
+  /// As often as the rounds before asked for it.
+  void runAsked(Stage stage, std::size_t offset, std::initializer_list<Buffer> buffers) const;
   void runListed(Stage stage, std::initializer_list<Buffer> buffers) const;
   /// A surface that wraps the body may lie across its patch: nothing is bounded, and normals are the field's.
   [[nodiscard]] bool wrapsBody() const { return !preparation_->swells() && making_.wraps != 0; }

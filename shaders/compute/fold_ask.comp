@@ -9,11 +9,9 @@ layout(std430, binding = 1) readonly buffer Patches { Vertex patches[]; };
 layout(std430, binding = 2) readonly buffer Marks { Mark marks[]; };
 layout(std430, binding = 3) readonly buffer Folded { vec4 folded[]; };
 layout(std430, binding = 4) writeonly buffer Asks { float asks[]; };
-layout(std430, binding = 5) readonly buffer Live { uint live[]; };
 #include "compute/front.glsl"
 #include "compute/fold.glsl"
-uniform int round;
-uniform int firstRound;
+uniform int isFirst;
 
 const float kWholeArea = 0.4;
 
@@ -23,10 +21,10 @@ bool hasMoved(Triangle t) {
 
 void main() {
   int i = item();
-  if (i >= refinedTriangles || (round > firstRound && live[round] == 0u)) return;
+  if (i >= refinedTriangles) return;
   Triangle t = triangles[i];
   int at = body() * refinedTriangles + i;
-  if (round > firstRound && !hasMoved(t)) return;
+  if (isFirst == 0 && !hasMoved(t)) return;
   float ask = 0.0;
   if (isNear(t)) {
     Fold fold = foldOf(t, kWholeArea);

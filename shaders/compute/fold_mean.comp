@@ -11,15 +11,14 @@ layout(std430, binding = 3) readonly buffer Marks { Mark marks[]; };
 layout(std430, binding = 4) readonly buffer Folded { vec4 folded[]; };
 layout(std430, binding = 5) readonly buffer Asks { float asks[]; };
 layout(std430, binding = 6) writeonly buffer Wanted { vec4 wanted[]; };
-layout(std430, binding = 7) buffer Live { uint live[]; };
-uniform int round;
-uniform int firstRound;
+#define ROUNDS 7
+#include "compute/rounds.glsl"
 
 const float kRelaxStep = 0.2, kFade = 0.25;
 
 void main() {
   int v = item();
-  if (v >= refinedVertices || (round > firstRound && live[round] == 0u)) return;
+  if (v >= refinedVertices) return;
   int at = firstVertex() + v;
   if (marks[at].moved != kMoved) return;
   float asked = 0.0;
@@ -33,5 +32,5 @@ void main() {
   vec3 sum = vec3(0.0);
   for (int i = rings[v].begin; i < rings[v].end; ++i) sum += folded[firstVertex() + neighbors[i]].xyz - own;
   wanted[at] = vec4(own + kRelaxStep * weight * rings[v].share * sum, weight);
-  live[round + 1] = 1u;
+  askForNext();
 }

@@ -9,12 +9,10 @@ layout(std430, binding = 1) readonly buffer Surface { Vertex surface[]; };
 layout(std430, binding = 2) readonly buffer Marks { Mark marks[]; };
 layout(std430, binding = 3) writeonly buffer Folded { vec4 folded[]; };
 layout(std430, binding = 4) readonly buffer Wanted { vec4 wanted[]; };
-layout(std430, binding = 5) readonly buffer Live { uint live[]; };
-uniform int round;
 
 void main() {
   int v = item();
-  if (v >= refinedVertices || live[round + 1] == 0u) return;
+  if (v >= refinedVertices) return;
   int at = firstVertex() + v;
   if (marks[at].moved != kMoved) return;
   vec4 to = wanted[at];

@@ -20,6 +20,8 @@ layout(std140, binding = 2) uniform Making {
   float tolerance;     // Of roots, world.
   float searchLength;  // `replace`, world.
   int boneCount;
+  uvec4 vertexGroups;    // Of a dispatch over the refined vertices of all bodies,
+  uvec4 triangleGroups;  // and over their triangles.
 };
 
 // In two dimensions, since some cards allow no more than 65,535 groups along one.

@@ -11,14 +11,14 @@ layout(std430, binding = 2) readonly buffer Patches { Vertex patches[]; };
 layout(std430, binding = 3) readonly buffer Surface { Vertex surface[]; };
 layout(std430, binding = 4) readonly buffer Marks { Mark marks[]; };
 layout(std430, binding = 5) coherent buffer Heights { uint heights[]; };  // Bits of |height|.
-layout(std430, binding = 6) buffer Live { uint live[]; };                // By round: whether anything has changed.
-uniform int round;
+#define ROUNDS 6
+#include "compute/rounds.glsl"
 
 const float kSlope = 1.5;
 
 void main() {
   int v = item();
-  if (v >= refinedVertices || (round > 0 && live[round - 1] == 0u)) return;
+  if (v >= refinedVertices) return;
   int at = firstVertex() + v;
   float own = uintBitsToFloat(heights[at]);
   if (marks[at].moved != kMoved || own == 0.0) return;
@@ -35,5 +35,5 @@ void main() {
   }
   if (!(least < own)) return;
   atomicMin(heights[at], floatBitsToUint(least));
-  live[round] = 1u;
+  askForNext();
 }

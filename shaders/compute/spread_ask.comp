@@ -10,11 +10,9 @@ layout(std430, binding = 2) readonly buffer Marks { Mark marks[]; };
 layout(std430, binding = 3) readonly buffer Folded { vec4 folded[]; };
 layout(std430, binding = 4) buffer Asks { float asks[]; };
 layout(std430, binding = 5) writeonly buffer Ways { vec4 ways[]; };  // By corner; w: the weight.
-layout(std430, binding = 6) readonly buffer Live { uint live[]; };
 #include "compute/front.glsl"
 #include "compute/fold.glsl"
-uniform int round;
-uniform int firstRound;
+uniform int isFirst;
 
 const float kLeastArea = 0.3, kWholeLack = 0.1;
 
@@ -24,11 +22,10 @@ bool hasMoved(Triangle t) {
 
 void main() {
   int i = item();
-  bool first = round == firstRound;
-  if (i >= refinedTriangles || (!first && live[round] == 0u)) return;
+  if (i >= refinedTriangles) return;
   Triangle t = triangles[i];
   int at = body() * refinedTriangles + i;
-  if (first ? !isNear(t) : !hasMoved(t)) return;
+  if (isFirst != 0 ? !isNear(t) : !hasMoved(t)) return;
   Fold fold = foldOf(t, kLeastArea);
   asks[at] = fold.weight;
   if (fold.weight == 0.0) return;

@@ -12,15 +12,14 @@ layout(std430, binding = 3) readonly buffer Surface { Vertex surface[]; };
 layout(std430, binding = 4) buffer Folded { vec4 folded[]; };
 layout(std430, binding = 5) readonly buffer Asks { float asks[]; };
 layout(std430, binding = 6) readonly buffer Ways { vec4 ways[]; };
-layout(std430, binding = 7) buffer Live { uint live[]; };
-uniform int round;
-uniform int firstRound;
+#define ROUNDS 7
+#include "compute/rounds.glsl"
 
 const float kRelaxation = 1.5;
 
 void main() {
   int v = item();
-  if (v >= refinedVertices || (round != firstRound && live[round] == 0u)) return;
+  if (v >= refinedVertices) return;
   int at = firstVertex() + v;
   vec3 from = surface[at].position.xyz, patchPlace = patches[at].position.xyz;
   if (from == patchPlace) return;
@@ -35,5 +34,5 @@ void main() {
     return;
   }
   folded[at] = vec4(keptNear(own + kRelaxation / max(1.0, sum.w) * sum.xyz, from, patchPlace), 1.0);
-  live[round + 1] = 1u;
+  askForNext();
 }
