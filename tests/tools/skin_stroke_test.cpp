@@ -182,7 +182,8 @@ TEST(SkinStroke, AMuscleAroundABodyEndsAtTheSkin) {
         if (glm::length(bare.positions[v] - tip) < glm::length(bare.positions[nearest] - tip)) nearest = v;
       }
       const float above = glm::dot(tip - bare.positions[nearest], bare.normals[nearest]);
-      EXPECT_LT(above, 0.01f * height) << i << ": a tip stands out of the skin";
+      // As much as the muscle is thick: on a body that curves away, the straight chord's ends are level with its top.
+      EXPECT_LT(above, 0.012f * height) << i << ": a tip stands out of the skin";
       EXPECT_LT(glm::length(tip - bare.positions[nearest]), 0.3f * glm::length(glm::vec3(shape[0])) + 0.03f * height)
           << i << ": a tip is far from the skin";
     }

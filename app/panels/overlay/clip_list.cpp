@@ -88,7 +88,7 @@ struct Wanted {
 /// The button for a file that is gone, or is another one now. @return whether it was clicked
 bool answerButton(PanelUi& ui, const std::string& id, const char* label, const char* hint) {
   const bool clicked = ImGui::Button((std::string(label) + "##" + id).c_str(), {ui.px(kAnswerWidth), 0.0f});
-  ui.widgets.note("clip-files/" + id);
+  ui.widgets.note(id);
   tooltip(ui, hint);
   ImGui::SameLine(0.0f, ui.px(4));
   return clicked;
@@ -109,8 +109,8 @@ void drawFile(PanelUi& ui, int index, float width, Wanted& wanted) {
   tooltip(ui, file.path.string());
   ImGui::SameLine(ImGui::GetContentRegionMax().x - buttons);
   if (changed) {
-    wanted.read |= answerButton(ui, "read/" + place, "Read again", "Load what other programs have written");
-  } else if (file.missing && answerButton(ui, "locate/" + place, "Locate...", "Say where the file is now")) {
+    wanted.read |= answerButton(ui, "clip-files/read/" + place, "Read again", "Load what other programs have written");
+  } else if (file.missing && answerButton(ui, "clip-files/locate/" + place, "Locate...", "Say where the file is now")) {
     wanted.locate = index;
   }
   if (iconButton(ui, "clip-files/remove/" + place, Icon::kClose, false, button)) wanted.remove = index;
