@@ -37,7 +37,7 @@ TEST_F(ReadFilesWatch, AChangedClipFileIsToldOnceAndReadAgain) {
   motion("walk.glb", {"Stroll", "Run", "Jump"});  // Saved once more before anyone looks.
   touch("walk.glb");
   EXPECT_EQ(told("walk.glb"), 1);
-  act("play/clip-files");
+  if (!state.open.clipList.shown) act("play/clip-files");
   ASSERT_TRUE(shown("clip-files/read/0"));
   EXPECT_FALSE(shown("clip-files/read/1"));
   click("clip-files/read/0");
