@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/gpu/coverage.h"
+#include "core/smoothing/finish/lift_filter.h"
 
 namespace sinew::app {
 namespace {
@@ -166,6 +167,12 @@ void CardSurface::runAsked(Stage stage, std::size_t offset, std::initializer_lis
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 
+void CardSurface::runRound(Stage stage, bool isFirst, int items, std::size_t offset,
+                           std::initializer_list<Buffer> buffers) const {
+  if (isFirst) run(stage, items, buffers);
+  else runAsked(stage, offset, buffers);
+}
+
 void CardSurface::runListed(Stage stage, std::initializer_list<Buffer> buffers) const {
   bind(stage, buffers);
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, of(Buffer::kUnsure).id());
@@ -197,8 +204,7 @@ void CardSurface::boundHeights() const {
   for (int round = kFirstSlope; round < kFirstSlope + kSlopeRounds; ++round) {
     const auto buffers = {kRings, kNeighbors, kPatches, kSurface, kMarks, kHeights, kRoundsAsked};
     programs_->of(Stage::kSlope).set("round", round);
-    if (round == kFirstSlope) run(Stage::kSlope, vertices, buffers);
-    else runAsked(Stage::kSlope, verticesOf(round), buffers);
+    runRound(Stage::kSlope, round == kFirstSlope, vertices, verticesOf(round), buffers);
   }
   run(Stage::kLower, vertices, {kPatches, kSurface, kMarks, kHeights});
 }
@@ -209,10 +215,10 @@ void CardSurface::filterHeights() const {
   constexpr Buffer kBends = kWanted;
   run(Stage::kBend, vertices, {kRings, kNeighbors, kPatches, kSurface, kMarks, kFiltered, kBends});
   run(Stage::kWeigh, vertices, {kRings, kNeighbors, kMarks, kBends});
-  for (int round = 0; round < kFilterRounds; ++round) {
+  for (int round = 0; round < LiftFilter::kRounds; ++round) {
     const Buffer before = round % 2 == 0 ? kFiltered : kHeights;
     const Buffer after = round % 2 == 0 ? kHeights : kFiltered;
-    programs_->of(Stage::kFilter).set("isLast", round + 1 == kFilterRounds ? 1 : 0);
+    programs_->of(Stage::kFilter).set("isLast", round + 1 == LiftFilter::kRounds ? 1 : 0);
     run(Stage::kFilter, vertices, {kRings, kNeighbors, kPatches, kSurface, kMarks, before, after});
   }
 }
@@ -228,13 +234,8 @@ void CardSurface::removeFolds() const {
     const auto movers = {kRings, kNeighbors, kCorners, kMarks, kFolded, kAsks, kWanted, kRoundsAsked};
     programs_->of(Stage::kFoldAsk).set("isFirst", first ? 1 : 0);
     programs_->of(Stage::kFoldMean).set("round", round);
-    if (first) {
-      run(Stage::kFoldAsk, triangles, askers);
-      run(Stage::kFoldMean, vertices, movers);
-    } else {
-      runAsked(Stage::kFoldAsk, trianglesOf(round), askers);
-      runAsked(Stage::kFoldMean, verticesOf(round), movers);
-    }
+    runRound(Stage::kFoldAsk, first, triangles, trianglesOf(round), askers);
+    runRound(Stage::kFoldMean, first, vertices, verticesOf(round), movers);
     runAsked(Stage::kFoldMove, verticesOf(round + 1), {kPatches, kSurface, kMarks, kFolded, kWanted});
   }
   for (int round = kFirstSpread; round < kFirstSpread + kSpreadRounds; ++round) {
@@ -242,13 +243,8 @@ void CardSurface::removeFolds() const {
     const auto movers = {kRings, kCorners, kPatches, kSurface, kFolded, kAsks, kWays, kRoundsAsked};
     programs_->of(Stage::kSpreadAsk).set("isFirst", first ? 1 : 0);
     programs_->of(Stage::kSpreadMove).set("round", round);
-    if (first) {
-      run(Stage::kSpreadAsk, triangles, askers);
-      run(Stage::kSpreadMove, vertices, movers);
-    } else {
-      runAsked(Stage::kSpreadAsk, trianglesOf(round), askers);
-      runAsked(Stage::kSpreadMove, verticesOf(round), movers);
-    }
+    runRound(Stage::kSpreadAsk, first, triangles, trianglesOf(round), askers);
+    runRound(Stage::kSpreadMove, first, vertices, verticesOf(round), movers);
   }
   run(Stage::kFoldHeight, vertices, {kPatches, kSurface, kFolded});
 }

@@ -15,6 +15,8 @@
 #include "app/gpu/dispatch.h"
 #include "app/gpu/part_timers.h"
 #include "app/gpu/stages.h"
+#include "core/smoothing/finish/fold_relaxation.h"
+#include "core/smoothing/finish/fold_spread.h"
 
 namespace sinew::app {
 
@@ -103,9 +105,8 @@ class CardSurface {
   };
   // Rounds, and their places in the buffer in which each is asked for by the one before.
   static constexpr int kSlopeRounds = 48;
-  static constexpr int kFilterRounds = 4;
-  static constexpr int kRelaxRounds = 6;    ///< As core/smoothing/finish/fold_relaxation.cpp.
-  static constexpr int kSpreadRounds = 32;  ///< As core/smoothing/finish/fold_spread.cpp.
+  static constexpr int kRelaxRounds = FoldRelaxation::kMostRounds;
+  static constexpr int kSpreadRounds = FoldSpread::kMostRounds;
   static constexpr int kFirstSlope = 0;
   static constexpr int kFirstRelax = kFirstSlope + kSlopeRounds + 1;
   static constexpr int kFirstSpread = kFirstRelax + kRelaxRounds + 1;
@@ -127,6 +128,8 @@ class CardSurface {
   void run(Stage stage, int items, std::initializer_list<Buffer> buffers) const;
   /// As often as the rounds before asked for it.
   void runAsked(Stage stage, std::size_t offset, std::initializer_list<Buffer> buffers) const;
+  /// The first round over all items, the others as asked.
+  void runRound(Stage stage, bool isFirst, int items, std::size_t offset, std::initializer_list<Buffer> buffers) const;
   void runListed(Stage stage, std::initializer_list<Buffer> buffers) const;
   /// A surface that wraps the body may lie across its patch: nothing is bounded, and normals are the field's.
   [[nodiscard]] bool wrapsBody() const { return !preparation_->swells() && making_.wraps != 0; }

@@ -28,8 +28,6 @@ constexpr float kMostCosine = 0.7f;   ///< The same, of the way to the other end
 constexpr float kMostAside = 0.5f;    ///< Along the line, of half the length: from its middle to the skin over it.
 constexpr float kNearest = 0.01f;     ///< Of H: other ends that are nearer give no direction.
 
-const LineRest& restOf(const Result<LineRest>& rest) { return rest.value(); }
-
 /// What is left of it square to a unit vector; nullopt: less than a share.
 std::optional<glm::vec3> acrossTo(const glm::vec3& unit, const glm::vec3& along, float least) {
   const glm::vec3 across = unit - glm::dot(unit, along) * along;
@@ -50,7 +48,7 @@ std::string withReach(std::string said, BellyBone bone, float reach) {
 RelaidBelly::RelaidBelly(const BellyChoice& drawn, const BellyTrial& trial, const Character& character)
     : drawn_(drawn),
       character_(character),
-      rest_(restOf(lineRest(*drawn.line, character))),
+      rest_(lineRest(*drawn.line, character).value()),
       skins_{OwnSkin(character, rest_.origin.bone), OwnSkin(character, rest_.insertion.bone)},
       joint_(jointBetween(rest_, character)),
       middle_(trial.body().center),

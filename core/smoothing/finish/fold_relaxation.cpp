@@ -8,7 +8,6 @@
 namespace sinew {
 namespace {
 
-constexpr int kRelaxRounds = 6;
 constexpr float kRelaxStep =
     0.2f;                       ///< Of the way to the mean, per round. Whole steps swing, and amplify what is small.
 constexpr float kFade = 0.25f;  ///< Change of a weight per round: weights that came and went would swing.
@@ -73,7 +72,7 @@ void FoldRelaxation::apply(const VertexRings& rings, std::span<const std::uint8_
   const auto hasMoved = [&](int v) { return at(weights_, v) > 0.0f; };
   for (FoldTriangle& triangle : region.triangles()) ask(triangle);
   mergeWeights();
-  for (int round = 0; round < kRelaxRounds && !folding_.empty(); ++round) {
+  for (int round = 0; round < kMostRounds && !folding_.empty(); ++round) {
     region.grow();  // All triangles at a folding vertex, and all that its move can fold.
     findMeans(rings, positions);
     for (std::size_t i = 0; i < folding_.size(); ++i) {

@@ -21,6 +21,7 @@ class FoldRelaxation {
  public:
   /// q below which a triangle is relaxed.
   static constexpr float kWholeArea = 0.4f;
+  static constexpr int kMostRounds = 6;
 
   /// @param rings  of the refinement.  @param region  found with kWholeArea.
   /// @param isBorder [V'] borderVertices.  @param patch, positions [V'] world; positions in and out.

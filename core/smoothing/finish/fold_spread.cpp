@@ -7,7 +7,6 @@
 namespace sinew {
 namespace {
 
-constexpr int kSpreadRounds = 32;
 constexpr float kLeastArea = 0.3f;   ///< q below which a triangle asks.
 constexpr float kWholeLack = 0.1f;   ///< Lack of q from which on it asks with its whole weight.
 constexpr float kRelaxation = 1.5f;  ///< Factor on the mean move; above 1: converges faster.
@@ -63,7 +62,7 @@ void FoldSpread::apply(std::span<const std::uint8_t> isBorder, std::span<const g
   weights_.resize(positions.size());
   ways_.resize(positions.size());
   isMoved_.resize(positions.size());
-  for (int round = 0; round < kSpreadRounds; ++round) {
+  for (int round = 0; round < kMostRounds; ++round) {
     ask(round == 0, region, positions);
     for (const int v : moved_) at(isMoved_, v) = 0;
     moved_.clear();

@@ -20,6 +20,8 @@ namespace sinew {
 /// that have not moved stay, as do borders.
 class FoldSpread {
  public:
+  static constexpr int kMostRounds = 32;
+
   /// @param region  as FoldRelaxation left it.
   /// @param isBorder [V'] borderVertices.  @param patch, positions [V'] world; positions in and out.
   void apply(std::span<const std::uint8_t> isBorder, std::span<const glm::vec3> patch, FoldRegion& region,

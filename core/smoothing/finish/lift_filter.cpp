@@ -14,7 +14,6 @@ constexpr float kBentFrom = 0.15f;  ///< c up to which the mesh follows the heig
 constexpr float kBentWhole = 0.5f;  ///< c from which the filter works whole.
 constexpr float kRisen = 0.1f;      ///< Height, in edges, from which a vertex passes its weight on whole.
 constexpr float kStep = 0.5f;       ///< Fraction of the way to the mean, per round.
-constexpr int kRounds = 4;
 
 }  // namespace
 

@@ -20,6 +20,8 @@ namespace sinew {
 /// deep. Continuous in time and independent of the order of triangles.
 class LiftFilter {
  public:
+  static constexpr int kRounds = 4;
+
   /// @param edges  of these heights.  @param patch [V'] world.  @param positions [V'] world, in and out.
   /// @param heights [V'] signed, world units, in and out: how far each vertex has moved.
   /// @return [V'] w; empty if it is 0 everywhere. Valid until the next call.
