@@ -24,6 +24,12 @@ Rig rigOf(const BellyChoice& choice, const SurfaceSettings& surface) {
 
 }  // namespace
 
+Trouble troubleOf(const FollowedBelly& belly, const BellyMotion& motion, const PosedLine& line, float share) {
+  const float stretch = std::max(line.stretch / kMostStretch, kLeastStretch / std::max(line.stretch, 1e-6f));
+  return {std::max({share * motion.out / kMostOut, share * motion.beside / kMostBeside, stretch}),
+          share * motion.ball / belly.mostBall()};
+}
+
 BellyTrial::BellyTrial(const BellyChoice& choice, const SurfaceSettings& surface, const Motions& motions)
     : motions_(motions), poser_(rigOf(choice, surface), motions.character()) {
   const Character& character = motions.character();
@@ -59,9 +65,7 @@ float BellyTrial::trouble(float enough, std::size_t* first) const {
     const float share = motions_.shareOf(i);
     worst = std::max(worst, share * motion.out / kMostOut);
     if (posed.lines.empty() || !posed.lines[0].usable) continue;
-    const float stretch = posed.lines[0].stretch;
-    worst = std::max({worst, share * motion.beside / kMostBeside, share * motion.ball / belly_->mostBall(),
-                      stretch / kMostStretch, kLeastStretch / std::max(stretch, 1e-6f)});
+    worst = std::max(worst, troubleOf(*belly_, motion, posed.lines[0], share).worst());
   }
   return worst;
 }

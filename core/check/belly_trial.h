@@ -1,6 +1,7 @@
 // core/check/belly_trial.h: one muscle measured over all poses, as check() would see it.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
@@ -22,6 +23,19 @@ struct BellyChoice {
   std::optional<MuscleLine> line;
   std::string said;
 };
+
+/// How far a line and its belly are from being clean: at most 1 is.
+struct Trouble {
+  float path = 0.0f;  ///< Belly against skin, and the line's length.
+  float ball = 0.0f;
+
+  [[nodiscard]] float worst() const { return std::max(path, ball); }
+  void add(const Trouble& other) { path = std::max(path, other.path), ball = std::max(ball, other.ball); }
+};
+
+/// In one pose. @param line  usable  @param share  Motions::shareOf the pose
+[[nodiscard]] Trouble troubleOf(const FollowedBelly& belly, const BellyMotion& motion, const PosedLine& line,
+                                float share);
 
 /// In a rig of its own.
 class BellyTrial {

@@ -13,6 +13,7 @@
 
 #include "core/base/at.h"
 #include "core/check/belly_motion.h"
+#include "core/check/belly_trial.h"
 #include "core/check/check.h"
 #include "core/check/learn_full.h"
 #include "core/check/mend_belly.h"
@@ -26,12 +27,6 @@ namespace sinew {
 namespace {
 
 constexpr float kRigidFrom = 2.0f;  ///< Times what is found: worse lines do more harm than none.
-
-/// How far a line is from being clean: at most 1 is.
-struct Trouble {
-  float path = 0.0f;  ///< Belly against skin, and the line's length.
-  float ball = 0.0f;
-};
 
 /// One line and its first muscle, in a rig of their own.
 class LineTrial {
@@ -68,11 +63,8 @@ class LineTrial {
       const PosedLine& shown = posed_.lines[0];
       if (!shown.usable) continue;
       const BellyMotion motion = belly_->motion(posed_.muscles[0], std::span(frames_).subspan(i * kPoints, kPoints));
-      const float stretch = std::max(shown.stretch / kMostStretch, kLeastStretch / std::max(shown.stretch, 1e-6f));
-      const float share = motions_.shareOf(i);
-      out.path = std::max({out.path, share * motion.out / kMostOut, share * motion.beside / kMostBeside, stretch});
+      out.add(troubleOf(*belly_, motion, shown, motions_.shareOf(i)));
       if (out.path > enough) worst_ = i;
-      out.ball = std::max(out.ball, share * motion.ball / belly_->mostBall());
     }
     return out;
   }
