@@ -52,11 +52,12 @@ TEST_P(BundledRigs, HaveNoFindings) {
   const std::vector<Finding> findings = findingsOf(scene);
   EXPECT_TRUE(findings.empty()) << listOf(scene, findings);
 }
-INSTANTIATE_TEST_SUITE_P(Check, BundledRigs, testing::Values("humanoid", "humanoid-flex"), [](const auto& tested) {
-  std::string name = tested.param;
-  std::ranges::replace(name, '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Check, BundledRigs, testing::Values("humanoid", "humanoid-flex", "horse-flex"),
+                         [](const auto& tested) {
+                           std::string name = tested.param;
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });
 
 struct Faults : testing::Test {
   Scene scene = bundled("humanoid-flex");

@@ -18,7 +18,7 @@ _LINES = [
     ("trapezius", ("neck.2", (0.020, 1.800, 0.800)), ("chest", (0.020, 1.560, 0.420)), None,
      {"rest": 1.16, "tendons": [0.1, 0.1], "pivot": 0.3, "flex": [0.08, 0], "activation": {"full": 0.9}}),
     ("triceps", ("scapula.L", (0.140, 1.330, 0.380)), ("forearm.L", (0.155, 0.930, 0.360)),
-     ("upper_arm.L", (0.165, 1.000, 0.420)),  # What mends its sliding (`sinew check`) tears the folded shoulder's skin.
+     ("upper_arm.L", (0.165, 1.000, 0.400)),
      {"rest": 1.05, "tendons": [0.05, 0.15], "volume": 0.7, "pivot": 0, "flex": [0.1, 0], "activation": {"full": 0.7}}),
     ("forearm extensor", ("upper_arm.L", (0.165, 0.960, 0.470)), ("cannon_front.L", (0.140, 0.440, 0.475)),
      ("forearm.L", (0.155, 0.740, 0.480)),
