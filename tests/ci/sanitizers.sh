@@ -5,7 +5,7 @@ set -euo pipefail
 source=$1 build=$2
 command -v clang++-14 >/dev/null || { echo "left out: ci/sanitizers, clang++-14 is not installed"; exit 77; }
 # Below -O2 clang inlines nothing of the standard library and GLM, and the tests take several times as long.
-options=(-D SINEW_BUILD_APP=OFF -D CMAKE_CXX_COMPILER=clang++-14 -D CMAKE_C_COMPILER=clang-14 -D SINEW_WARNINGS_FATAL=ON -D CMAKE_UNITY_BUILD=OFF
+options=(-D SINEW_BUILD_APP=OFF -D CMAKE_CXX_COMPILER=clang++-14 -D CMAKE_C_COMPILER=clang-14 -D SINEW_WARNINGS_FATAL=ON
   -D SINEW_SANITIZE=address,undefined,fuzzer-no-link
   -D "CMAKE_CXX_FLAGS_RELWITHDEBINFO=-O2 -g1")
 command -v ccache >/dev/null && options+=(-D CMAKE_CXX_COMPILER_LAUNCHER=ccache)

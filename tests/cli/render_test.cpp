@@ -102,9 +102,7 @@ TEST_F(RenderVerb, LightBackgroundAndOcclusionAreChosen) {
                                                {"--background", "dark"},
                                                {"--background", "checker"},
                                                {"--ao"}}) {
-    const std::string chosen = bytes(more);
-    EXPECT_NE(chosen, plain) << more.front();
-    EXPECT_EQ(bytes(more), chosen) << more.front();
+    EXPECT_NE(bytes(more), plain) << more.back();
   }
 }
 
