@@ -8,6 +8,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/smoothing/auto_depth.h"
+#include "core/smoothing/stages.h"
 #include "sinew/character/character_pose.h"
 
 namespace sinew::app {
@@ -159,13 +160,17 @@ Result<bool> LiveSurface::prepareIfChanged(const Document& document, const Detai
   return true;
 }
 
-/// While a rig is refused, the surface is that of another rig than the one the document poses.
-void LiveSurface::smooth(const Document& document, const std::optional<glm::vec3>& eye) {
+void LiveSurface::smooth(const PosedRig& rig, double posingSeconds) const {
+  sinew::smooth(preparation_, rig, pose_, eye_, made_.memory, made_.surface, posingSeconds);
+  made_.waits = false;
+}
+
+const Surface& LiveSurface::surface() const {
+  if (!made_.waits) return made_.surface;
   Stopwatch watch;
-  const bool accepted = preparation_->poser == document.poser();
-  if (!accepted) preparation_->poser->pose(pose_, former_);
-  const PosedRig& rig = accepted ? document.posedRig(pose_) : former_;
-  sinew::smooth(preparation_, rig, pose_, eye, memory_, surface_, watch.lap());
+  preparation_->poser->pose(pose_, made_.rig);
+  smooth(made_.rig, watch.lap());
+  return made_.surface;
 }
 
 void LiveSurface::movePose(const Transport& transport) {
@@ -183,10 +188,25 @@ Result<bool> LiveSurface::update(const Document& document, const SurfaceView& vi
   if (!prepared && revision_ == 0) return prepared;
   const bool stale = moved_ || eye_ != view.eye || (prepared.ok() && prepared.value());
   if (stale) {
-    smooth(document, view.eye);
     moved_ = false;
     eye_ = view.eye;
     ++revision_;
+    made_.waits = true;
+  }
+  if (stale && view.onCard) {
+    // What does not wrap the body is counted in a pose, and hardly differs from one to the next.
+    const int unwrapped = made_.surface.report.unwrapped;
+    made_.surface.report = reportOf(*preparation_);
+    made_.surface.report.unwrapped = unwrapped;
+  } else if (made_.waits && !view.onCard) {
+    Stopwatch watch;
+    // While a rig is refused, the surface is that of another rig than the one the document poses.
+    if (preparation_->poser == document.poser()) {
+      const PosedRig& rig = document.posedRig(pose_);
+      smooth(rig, watch.lap());
+    } else {
+      (void)surface();
+    }
   }
   return prepared ? Result<bool>(stale) : prepared;
 }

@@ -64,6 +64,7 @@ struct SurfaceView {
   std::optional<glm::vec3> eye;  ///< World: skip what cannot be seen from here (Smoother::smooth); none: all is made.
   float heightPixels = 0.0f;     ///< The character's H as seen: detail follows it where the rig says so; 0: unknown.
   std::vector<int> hidden{};     ///< Rig indices of muscles that are left out of the surface, ascending.
+  bool onCard = false;           ///< The graphics card makes what is drawn: this surface waits until it is asked for.
 };
 
 /// The surface kept in step with rig and time: prepares after an edit, smooths after an edit, when time has moved, or
@@ -82,7 +83,12 @@ class LiveSurface {
   [[nodiscard]] Result<bool> update(const Document& document, const SurfaceView& view = {});
 
   [[nodiscard]] const Pose& pose() const { return pose_; }
-  [[nodiscard]] const Surface& surface() const { return surface_; }
+  /// Of the last update(); made now where it waited (SurfaceView::onCard). The bytes are the same either way.
+  [[nodiscard]] const Surface& surface() const;
+  /// On surface(). While that waits: what is known without it, and no times.
+  [[nodiscard]] const SmoothingReport& report() const { return made_.surface.report; }
+  /// Of the last rig that was accepted.
+  [[nodiscard]] const std::shared_ptr<const Preparation>& preparation() const { return preparation_; }
   /// [parts] What the character's parts are where the rig does not say.
   [[nodiscard]] const std::vector<SkinLayer>& guessedLayers() const { return tables_->guessedLayers; }
   /// In use: the rig's, or what its size on screen asks for. Differs from the surface's while a rig is refused.
@@ -94,7 +100,8 @@ class LiveSurface {
 
  private:
   explicit LiveSurface(std::shared_ptr<const Character> character);
-  void smooth(const Document& document, const std::optional<glm::vec3>& eye);
+  /// @param rig  posed by the preparation's poser
+  void smooth(const PosedRig& rig, double posingSeconds) const;
   /// What is given to prepare() in place of the rig's own.
   struct Detail {
     int depth = 0;  ///< 0: nothing was given yet.
@@ -109,10 +116,15 @@ class LiveSurface {
   std::shared_ptr<const CharacterTables> tables_;
   std::shared_ptr<const Preparation> preparation_;  ///< Preparation of the last rig that was accepted.
   BlendingGraphMemo graphs_;
-  SmoothingMemory memory_;
-  PosedRig former_;  ///< The accepted rig in pose_, while the document's is refused.
   Pose pose_;
-  Surface surface_;
+  /// The processor's surface, which may wait for someone to ask.
+  struct Made {
+    SmoothingMemory memory;
+    PosedRig rig;  ///< The accepted rig in pose_, where the document has not posed it.
+    Surface surface;
+    bool waits = false;  ///< For rig, pose and eye of the last update().
+  };
+  mutable Made made_;
   std::size_t revision_ = 0;
   float meanEdge_ = 0.0f;                ///< Mean edge of the control mesh, fraction of H.
   Detail detail_;                        ///< Last given to prepare().
@@ -120,9 +132,9 @@ class LiveSurface {
   bool keptLevels_ = false;              ///< Levels of adaptive detail are those from before the drag.
   std::optional<std::size_t> triedRig_;  ///< CommandStack::revision() last given to prepare().
   std::vector<int> hidden_;              ///< Last left out of what was given to prepare().
-  std::optional<glm::vec3> eye_;         ///< What surface_ was made for.
+  std::optional<glm::vec3> eye_;         ///< What the surface is made for.
   std::optional<Transport> posed_;       ///< What pose_ shows: clip, time, turned joints and flex count.
-  bool moved_ = false;                   ///< pose_ is newer than surface_.
+  bool moved_ = false;                   ///< pose_ is newer than the last update().
   double prepareSeconds_ = 0.0;
 };
 

@@ -27,7 +27,7 @@ std::optional<MarkOnSkin> markUnder(EditorState& state, const glm::vec2& pointer
   const glm::vec4& viewport = state.frame.viewport;
   const glm::vec2 inside = pointer - glm::vec2(viewport.x, viewport.y);
   if (inside.x < 0.0f || inside.y < 0.0f || inside.x >= viewport.z || inside.y >= viewport.w) return std::nullopt;
-  const ViewportContext context{state.document, state.live->pose(), &state.live->surface(), state.view.display,
+  const ViewportContext context{state.document, state.live->pose(), *state.live, state.view.display,
                                 state.frame.viewportPixels};
   const glm::vec2 pixel = inside * glm::vec2(state.frame.viewportPixels) / glm::vec2(viewport.z, viewport.w);
   const ViewportHover hover = hoverAt(context, state.frame.route.view, pixel);

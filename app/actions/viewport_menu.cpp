@@ -68,8 +68,7 @@ void addMuscleAt(EditorState& state, const ViewportHover& target) {
   const Pose& pose = state.live->pose();
   ViewportHover now = target;
   now.pointInWorld = skinPointAt(state.character(), pose, *target.skin).point;
-  const ViewportContext context{state.document, pose, &state.live->surface(), state.view.display,
-                                state.frame.viewportPixels};
+  const ViewportContext context{state.document, pose, *state.live, state.view.display, state.frame.viewportPixels};
   AddMuscleState adding;
   if (const Result<void> begun = beginAddMuscle(adding, context, now, glm::vec2(0.0f)); !begun) {
     refuse(state, begun.error());

@@ -85,6 +85,7 @@ Json pictureToJson(const Preferences& preferences) {
       .set("background", nameOf(look.backdrop))
       .set("ao", look.occlusion)
       .set("moving", preferences.fullWhileMoving ? "full" : "automatic")
+      .set("surface", nameOf(preferences.surfaceBy))
       .set("folder", preferences.pictureFolder.string());
 }
 
@@ -94,6 +95,9 @@ void readPicture(const Json& json, Preferences& preferences) {
   look.backdrop = backdropNamed(json.at("background").text("")).value_or(look.backdrop);
   read(json, "ao", look.occlusion);
   preferences.fullWhileMoving = json.at("moving").text("") == "full";
+  for (const SurfaceBy by : kSurfaceBys) {
+    if (json.at("surface").text("") == nameOf(by)) preferences.surfaceBy = by;
+  }
   if (const std::string folder = json.at("folder").text(""); folder.starts_with('/')) {
     preferences.pictureFolder = folder;
   }
@@ -166,6 +170,18 @@ std::string keptAside(const std::filesystem::path& file) {
 }  // namespace
 
 const char* nameOf(Keymap keymap) { return keymap == Keymap::kBlender ? "blender" : "maya"; }
+
+const char* nameOf(SurfaceBy by) {
+  switch (by) {
+    case SurfaceBy::kProcessor:
+      return "processor";
+    case SurfaceBy::kCard:
+      return "card";
+    case SurfaceBy::kAutomatic:
+      break;
+  }
+  return "automatic";
+}
 
 std::filesystem::path configFolder() {
   // A relative path there is to be ignored, says the XDG base directory specification.
@@ -257,6 +273,7 @@ Preferences mergedPreferences(const Preferences& base, const Preferences& mine, 
   merge(&Preferences::newestFirst);
   merge(&Preferences::look);
   merge(&Preferences::fullWhileMoving);
+  merge(&Preferences::surfaceBy);
   merge(&Preferences::pictureFolder);
   merge(&Preferences::window);
   merge(&Preferences::layout);

@@ -19,6 +19,12 @@ inline constexpr std::array kKeymaps{Keymap::kMaya, Keymap::kBlender};
 
 [[nodiscard]] const char* nameOf(Keymap keymap);  ///< "maya", "blender": what the file says.
 
+/// Who computes the surface in the picture. Automatic: the graphics card where it was measured to be faster.
+enum class SurfaceBy { kAutomatic, kProcessor, kCard };
+inline constexpr std::array kSurfaceBys{SurfaceBy::kAutomatic, SurfaceBy::kProcessor, SurfaceBy::kCard};
+
+[[nodiscard]] const char* nameOf(SurfaceBy by);  ///< "automatic", "processor", "card": what the file says.
+
 /// Keys in place of the keymap's, "Ctrl+D", by the action's id: at most two, an empty list for no key. What actions and
 /// keys there are is known to app/actions/bindings.h.
 using KeyChanges = std::map<std::string, std::vector<std::string>>;
@@ -54,7 +60,8 @@ struct Preferences {
   bool hiddenFiles = false;                        ///< The file browser shows names that begin with a dot.
   bool newestFirst = false;                        ///< ... and sorts by date.
   PictureLook look;
-  bool fullWhileMoving = false;         ///< Never a lower resolution for what moves.
+  bool fullWhileMoving = false;  ///< Never a lower resolution for what moves.
+  SurfaceBy surfaceBy = SurfaceBy::kAutomatic;
   std::filesystem::path pictureFolder;  ///< Where the last picture was saved; "": never.
   WindowPlace window;
   LayoutState layout;

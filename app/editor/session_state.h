@@ -14,6 +14,7 @@
 #include "app/editor/toast.h"
 #include "app/export/export_queue.h"
 #include "app/export/farm_job.h"
+#include "app/gpu/surface_parts.h"
 #include "app/platform/desktop_opener.h"
 #include "app/platform/frame_stats.h"
 #include "sinew/rig/muscle_line.h"
@@ -36,6 +37,13 @@ struct Message {
   std::optional<MuscleLine> line = std::nullopt;  ///< What it warns of, as it was: the message goes when that changes.
 };
 
+/// Who computes the surface in the picture. The window's; no window: the processor.
+struct SurfaceMakerState {
+  bool onCard = false;
+  std::string why;                           ///< What decided; "": the preferences.
+  std::optional<PartSeconds> onCardSeconds;  ///< Of a late frame, by the card's own clock; nullopt: not known.
+};
+
 struct SessionState {
   std::filesystem::path viewsFolder;  ///< Where views of files are kept (view_files.h); "": they are not.
   Preferences preferences;            ///< Without layout and window, which stand in ViewState and in the window.
@@ -50,6 +58,7 @@ struct SessionState {
   std::optional<std::filesystem::path> pictureWanted;  ///< The window writes its picture there after this frame.
   Thumbnails* thumbnails = nullptr;                    ///< The window's; null without one.
   FrameStats stats;
+  SurfaceMakerState surfaceMaker;
   ExportQueue exports;                  ///< In the background.
   std::string program = thisProgram();  ///< Draws pictures in the background.
   DesktopOpener opener;                 ///< Of pages.

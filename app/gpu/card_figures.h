@@ -5,7 +5,8 @@
 #include <span>
 #include <string>
 
-#include "app/gpu/part_timers.h"
+#include "app/gpu/stages.h"
+#include "app/gpu/surface_parts.h"
 #include "core/smoothing/preparation.h"
 #include "sinew/skeleton/pose.h"
 #include "sinew/smoothing/surface.h"

@@ -57,6 +57,9 @@ class CardSurface {
   [[nodiscard]] std::size_t bodyBytes() const { return bodyBytes_; }
   [[nodiscard]] std::size_t poseBytes() const;
 
+  /// Of a make() that the card has finished.
+  [[nodiscard]] std::optional<PartSeconds> secondsIfDone() const { return timers_.secondsIfDone(); }
+
   // For tests and measurements: these wait for the card.
   [[nodiscard]] PartSeconds seconds() const { return timers_.seconds(); }
   [[nodiscard]] std::vector<card::Root> readRoots() const;      ///< [bodies * V']

@@ -5,9 +5,16 @@
 
 namespace sinew::app {
 
-DrawnOnCard::DrawnOnCard(StagePrograms programs, const Preparation& preparation)
-    : programs_(std::move(programs)), bounds_(preparation.character()) {
-  shell_.refinement = preparation.refined->refinement;
+DrawnOnCard::DrawnOnCard(std::shared_ptr<const StagePrograms> programs, CardSurface card)
+    : programs_(std::move(programs)), card_(std::move(card)), bounds_(card_.preparation().character()) {
+  shell_.refinement = card_.preparation().refined->refinement;
+}
+
+Result<std::unique_ptr<DrawnOnCard>> DrawnOnCard::create(std::shared_ptr<const StagePrograms> programs,
+                                                         std::shared_ptr<const Preparation> preparation) {
+  Result<CardSurface> card = CardSurface::create(*programs, std::move(preparation));
+  if (!card) return card.error();
+  return std::unique_ptr<DrawnOnCard>(new DrawnOnCard(std::move(programs), std::move(card).value()));
 }
 
 Result<std::unique_ptr<DrawnOnCard>> DrawnOnCard::create(std::shared_ptr<const Character> character, const Rig& rig) {
@@ -16,18 +23,14 @@ Result<std::unique_ptr<DrawnOnCard>> DrawnOnCard::create(std::shared_ptr<const C
   if (!preparation) return preparation.error();
   Result<StagePrograms> programs = StagePrograms::create();
   if (!programs) return programs.error();
-  std::unique_ptr<DrawnOnCard> drawn(new DrawnOnCard(std::move(programs).value(), *preparation.value()));
-  Result<CardSurface> card = CardSurface::create(drawn->programs_, preparation.value());
-  if (!card) return card.error();
-  drawn->card_.emplace(std::move(card).value());
-  return drawn;
+  return create(std::make_shared<const StagePrograms>(std::move(programs).value()), std::move(preparation).value());
 }
 
 std::optional<std::string> DrawnOnCard::make(const Pose& pose) {
-  if (const auto reason = card_->setPose(pose)) return reason;
-  card_->make();
-  shell_.classes = card_->classes();
-  vertices_ = {card_->drawnVertices(), bounds_.at(card_->matrices(), card_->muscles())};
+  if (const auto reason = card_.setPose(pose)) return reason;
+  card_.make();
+  shell_.classes = card_.classes();
+  vertices_ = {card_.drawnVertices(), bounds_.at(card_.matrices(), card_.muscles())};
   return std::nullopt;
 }
 

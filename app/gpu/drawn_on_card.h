@@ -12,10 +12,13 @@
 
 namespace sinew::app {
 
-/// Serves one rig. Needs the context it was made in to be current.
+/// Serves one preparation. Needs the context it was made in to be current.
 class DrawnOnCard {
  public:
-  /// Error: leftToProcessor, a shader that the driver refuses, or a rig that is refused.
+  /// Error: leftToProcessor, or a buffer that the card does not hold.
+  [[nodiscard]] static Result<std::unique_ptr<DrawnOnCard>> create(std::shared_ptr<const StagePrograms> programs,
+                                                                   std::shared_ptr<const Preparation> preparation);
+  /// The same with programs and a preparation of its own. Error: also a shader or a rig that is refused.
   [[nodiscard]] static Result<std::unique_ptr<DrawnOnCard>> create(std::shared_ptr<const Character> character,
                                                                    const Rig& rig);
   DrawnOnCard(const DrawnOnCard&) = delete;
@@ -26,12 +29,16 @@ class DrawnOnCard {
   /// For Scene::surface: refinement and classes, no vertices.
   [[nodiscard]] const Surface& surface() const { return shell_; }
   [[nodiscard]] const CardVertices& vertices() const { return vertices_; }
+  [[nodiscard]] const Preparation& preparation() const { return card_.preparation(); }
+  /// Of the last make(), once the card has finished it.
+  [[nodiscard]] std::optional<PartSeconds> secondsIfDone() const { return card_.secondsIfDone(); }
+  [[nodiscard]] PartSeconds seconds() const { return card_.seconds(); }  ///< Waits for the card.
 
  private:
-  DrawnOnCard(StagePrograms programs, const Preparation& preparation);
+  DrawnOnCard(std::shared_ptr<const StagePrograms> programs, CardSurface card);
 
-  StagePrograms programs_;
-  std::optional<CardSurface> card_;
+  std::shared_ptr<const StagePrograms> programs_;
+  CardSurface card_;
   CarriedBounds bounds_;
   Surface shell_;
   CardVertices vertices_;

@@ -1,17 +1,16 @@
 // app/gpu/part_timers.cpp: OpenGL's time stamps.
 #include "app/gpu/part_timers.h"
 
-#include <numeric>
-
 namespace sinew::app {
-
-double total(const PartSeconds& seconds) { return std::accumulate(seconds.begin(), seconds.end(), 0.0); }
 
 PartTimers::PartTimers() {
   for (std::size_t i = 0; i <= kSurfaceParts; ++i) stamps_.push_back(makeQuery(GL_TIMESTAMP));
 }
 
-void PartTimers::begin() { glQueryCounter(stamps_.front().id(), GL_TIMESTAMP); }
+void PartTimers::begin() {
+  glQueryCounter(stamps_.front().id(), GL_TIMESTAMP);
+  begun_ = true;
+}
 
 void PartTimers::end(SurfacePart part) {
   glQueryCounter(stamps_[static_cast<std::size_t>(part) + 1].id(), GL_TIMESTAMP);
@@ -23,6 +22,14 @@ PartSeconds PartTimers::seconds() const {
   PartSeconds seconds{};
   for (std::size_t i = 0; i < kSurfaceParts; ++i) seconds[i] = static_cast<double>(at[i + 1] - at[i]) * 1e-9;
   return seconds;
+}
+
+std::optional<PartSeconds> PartTimers::secondsIfDone() const {
+  if (!begun_) return std::nullopt;
+  GLint done = GL_FALSE;
+  glGetQueryObjectiv(stamps_.back().id(), GL_QUERY_RESULT_AVAILABLE, &done);
+  if (done == GL_FALSE) return std::nullopt;
+  return seconds();
 }
 
 }  // namespace sinew::app

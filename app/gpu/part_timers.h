@@ -1,17 +1,13 @@
 // app/gpu/part_timers.h: how long the card takes for each part of a surface, by its own clock.
 #pragma once
 
-#include <array>
-#include <cstddef>
+#include <optional>
 #include <vector>
 
-#include "app/gpu/stages.h"
+#include "app/gpu/surface_parts.h"
+#include "app/render/gl_objects.h"
 
 namespace sinew::app {
-
-/// Seconds by part.
-using PartSeconds = std::array<double, kSurfaceParts>;
-[[nodiscard]] double total(const PartSeconds& seconds);
 
 /// Time stamps between the parts of one surface.
 class PartTimers {
@@ -21,9 +17,12 @@ class PartTimers {
   void end(SurfacePart part);
   /// Waits for the card.
   [[nodiscard]] PartSeconds seconds() const;
+  /// nullopt: the card is not done, or has not begun.
+  [[nodiscard]] std::optional<PartSeconds> secondsIfDone() const;
 
  private:
   std::vector<GlQuery> stamps_;  ///< [kSurfaceParts + 1]
+  bool begun_ = false;
 };
 
 }  // namespace sinew::app

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "app/gpu/surface_parts.h"
+
 namespace sinew::app {
 namespace {
 

@@ -51,9 +51,4 @@ class StagePrograms {
   std::array<GlProgram, kStages> programs_;
 };
 
-/// What a surface's time is told by; as StageSeconds of the processor.
-enum class SurfacePart { kSkin, kPatch, kProject, kHeights, kFolds, kNormals, kDrawn };
-inline constexpr std::size_t kSurfaceParts = static_cast<std::size_t>(SurfacePart::kDrawn) + 1;
-[[nodiscard]] const char* nameOf(SurfacePart part);
-
 }  // namespace sinew::app

@@ -131,7 +131,7 @@ void EditorStep::runTools(EditorState& state, const RawInput& input, bool viewpo
   const ViewportInput own = viewportInput(input, claims, state.frame.viewport, pixelsPerUnit, seconds);
   const ViewportContext context{state.document,
                                 state.live->pose(),
-                                &state.live->surface(),
+                                *state.live,
                                 state.view.display,
                                 state.frame.viewportPixels,
                                 state.frame.uiScale * pixelsPerUnit.x,
@@ -156,7 +156,7 @@ void EditorStep::updateSurface(EditorState& state) {
   const Result<bool> updated = state.live->update(state.document, surfaceView(state));
   if (!updated) addMessage(state.session, MessageKind::kError, updated.error().plainText());
   updateExportError(state);
-  state.session.stats.stages = state.live->surface().report.seconds;
+  state.session.stats.stages = state.live->report().seconds;
   const std::pair prepared(state.session.documentsOpened, state.document.commands.revision());
   state.session.stats.prepare = std::exchange(prepared_, prepared) == prepared ? 0.0 : state.live->prepareSeconds();
 }

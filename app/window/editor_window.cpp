@@ -35,6 +35,7 @@
 #include "app/window/screen.h"
 #include "app/window/session_keeper.h"
 #include "app/window/state_log.h"
+#include "app/window/surface_on_card.h"
 
 namespace sinew::app {
 namespace {
@@ -174,8 +175,9 @@ class Editor {
     step_.run(state_, input, imgui_.fonts(), delta);
     if (step_.cameraMoves()) settle_ = std::max(settle_, 2);  // What is hovered is seen a frame later.
     const View& view = state_.frame.route.view;
+    onCard_.follow(state_);
     const double drawing = secondsNow();
-    picture_.draw(state_, view, *ImGui::GetBackgroundDrawList(), drawing, resolution(input));
+    picture_.draw(state_, onCard_.drawn(), view, *ImGui::GetBackgroundDrawList(), drawing, resolution(input));
     present();
     const double end = secondsNow();
     if (moving_ > 1 && picture_.isNew() && adapts()) resolution_.add({end - drawing, drawing - start});
@@ -228,6 +230,7 @@ class Editor {
   EditorState state_;
   SessionKeeper keeper_;
   EditorStep step_;
+  SurfaceOnCard onCard_;
   Screen screen_;
   MovingResolution resolution_;
   int moving_ = 0;  ///< Frames in a row.

@@ -72,12 +72,14 @@ PictureKey keyToSave(const EditorState& state) {
   return key;
 }
 
-Scene sceneOf(const EditorState& state, const PictureKey& key) {
+}  // namespace
+
+Scene Picture::sceneOf(const EditorState& state, const PictureKey& key) const {
   Scene scene;
   scene.character = state.document.character.get();
-  scene.surface = &shownSurface(state);
+  scene.surface = key.onCard ? &card_->surface() : &shownSurface(state);
   scene.beside = besideSurface(state);
-  scene.surfaceRevision = key.surface + 1;
+  scene.surfaceRevision = 2 * key.surface + (key.onCard ? 2 : 1);
   scene.pose = &state.live->pose();
   scene.primitives = key.shapes;
   scene.territory = key.territory;
@@ -97,9 +99,8 @@ Scene sceneOf(const EditorState& state, const PictureKey& key) {
   return scene;
 }
 
-}  // namespace
-
 void Picture::render(EditorState& state, PictureKey key, double now, std::optional<float> moving) {
+  viewport_.setCardVertices(key.onCard ? std::optional(card_->vertices()) : std::nullopt);
   viewport_.draw(sceneOf(state, key), key.view, key.display, moving);
   passing_ = moving.has_value();
   state.frame.pictureScale = moving.value_or(1.0f);
@@ -146,6 +147,7 @@ bool Picture::refine(EditorState& state) {
 Result<void> Picture::save(EditorState& state, const std::filesystem::path& file) {
   const PictureKey key = keyToSave(state);
   const Scene scene = sceneOf(state, key);
+  viewport_.setCardVertices(std::nullopt);
   viewport_.draw(scene, key.view, key.display);
   while (!viewport_.isRefined()) viewport_.refine(scene, key.view, key.display);
   drawn_ = {};
@@ -163,7 +165,9 @@ void Picture::keepThumbnail() {
   thumbnails_.keep(file_, viewport_.readPixels());
 }
 
-void Picture::draw(EditorState& state, const View& view, ImDrawList& list, double now, std::optional<float> moving) {
+void Picture::draw(EditorState& state, const DrawnOnCard* card, const View& view, ImDrawList& list, double now,
+                   std::optional<float> moving) {
+  card_ = card;
   new_ = false;
   changed_.clear();
   if (!state.hasCharacter()) return;
@@ -172,7 +176,9 @@ void Picture::draw(EditorState& state, const View& view, ImDrawList& list, doubl
     viewport_.setCharacter(state.character());
     shownDocument_ = state.session.documentsOpened;
   }
-  if (PictureKey key = keyOf(state, view); !(key == drawn_)) {
+  PictureKey key = keyOf(state, view);
+  key.onCard = card_ != nullptr;
+  if (!(key == drawn_)) {
     const unsigned before = viewport_.colorTexture();
     render(state, std::move(key), now, moving);
     new_ = true;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/editor/editor_state.h"
+#include "app/gpu/drawn_on_card.h"
 #include "app/render/pictures/thumbnails.h"
 #include "app/render/viewport.h"
 #include "app/ui/changed_tiles.h"
@@ -31,6 +32,7 @@ struct PictureKey {
   int hoveredBone = -1;
   std::vector<bool> hiddenBones;  ///< Scene::hiddenBones.
   std::vector<ReferencePlane> references;
+  bool onCard = false;  ///< The surface is the graphics card's.
 
   friend bool operator==(const PictureKey&, const PictureKey&) = default;
 };
@@ -41,9 +43,11 @@ class Picture {
   Picture(Viewport& viewport, Thumbnails& thumbnails) : viewport_(viewport), thumbnails_(thumbnails) {}
 
   /// Without a character: nothing. Times go to state.session.stats. The OpenGL context must be current.
+  /// @param card  the surface, if the graphics card has made it; must live until the next call. Null: the processor's.
   /// @param now  seconds on the clock of secondsUntilRefining()
   /// @param moving  as Viewport::draw() has it, for a picture that is drawn anew
-  void draw(EditorState& state, const View& view, ImDrawList& list, double now, std::optional<float> moving);
+  void draw(EditorState& state, const DrawnOnCard* card, const View& view, ImDrawList& list, double now,
+            std::optional<float> moving);
   /// The last draw() has drawn a picture.
   [[nodiscard]] bool isNew() const { return new_; }
 
@@ -71,9 +75,12 @@ class Picture {
   void noteChange(const glm::vec4& shown, bool whole);
   bool showsNow(const EditorState& state) const;
 
+  [[nodiscard]] Scene sceneOf(const EditorState& state, const PictureKey& key) const;
+
   Viewport& viewport_;
   Thumbnails& thumbnails_;
-  std::filesystem::path file_;  ///< File of the document in the picture; "": it has unsaved changes.
+  const DrawnOnCard* card_ = nullptr;  ///< As given to draw().
+  std::filesystem::path file_;         ///< File of the document in the picture; "": it has unsaved changes.
   std::size_t shownDocument_ = 0;
   std::uint64_t revision_ = 0;
   std::vector<glm::vec4> changed_;

@@ -1,5 +1,4 @@
 // app/window/state_log.cpp: the editor's state as JSON.
-
 #include "app/window/state_log.h"
 
 #include <algorithm>
@@ -328,7 +327,7 @@ std::string headText(const EditorState& state, long long frame, double seconds) 
 }  // namespace
 
 std::string stateText(const EditorState& state, const WidgetLog& widgets, const View& view) {
-  const SmoothingReport report = state.hasCharacter() ? state.live->surface().report : SmoothingReport{};
+  const SmoothingReport report = state.hasCharacter() ? state.live->report() : SmoothingReport{};
   const SmoothingSettings& smoothing = state.document.rig().smoothing;
   const glm::vec4& v = state.frame.viewport;
   const glm::vec2 mouse = inWindow(state, state.view.tools.lastPixel);
@@ -347,6 +346,7 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("depth", state.hasCharacter() ? state.live->depth() : smoothing.depth)
       .set("tolerance", state.hasCharacter() ? state.live->tolerance() : smoothing.tolerance)
       .set("mode", nameOf(state.document.rig().surface.mode))
+      .set("surface_on", state.session.surfaceMaker.onCard ? "card" : "processor")
       .set("triangles", report.refinedTriangles)
       .set("culled", report.culledTriangles)
       .set("tool", nameOf(state.view.tools.tool))

@@ -27,20 +27,11 @@ void shadeCreases(const Preparation& preparation, const PosedField& posed, Works
 
 void startReport(const Preparation& p, const PosedField& posed, SmoothingReport& report) {
   const std::vector<TriangleClass>& classes = posed.bind->classes;
-  report = {};
-  report.mode = p.mode;
-  report.patch = p.smoothing.patch;
-  report.projection = p.smoothing.projection;
-  report.depth = p.refinement().depth;
-  report.controlTriangles = static_cast<int>(p.mesh().triangles.size());
-  report.refinedTriangles = static_cast<int>(p.refinement().triangles.size());
-  report.refinedVertices = p.refinement().vertexCount;
+  report = reportOf(p);
   report.implicitTriangles = static_cast<int>(std::ranges::count(classes, TriangleClass::kImplicit));
   report.straddlingTriangles = static_cast<int>(std::ranges::count(classes, TriangleClass::kStraddling));
   report.normalTriangles = static_cast<int>(std::ranges::count(classes, TriangleClass::kNormal));
   report.unwrapped = posed.bind->weights.unwrapped;
-  report.primitives = p.shownPrimitives;
-  report.cliques = static_cast<int>(p.attached->attachment.graph.cliques.size());
 }
 
 /// Marks what the eye cannot see; without an eye the marks are empty.
@@ -85,6 +76,20 @@ void boundHeights(const Preparation& preparation, const PatchView& patch, Worksp
 }
 
 }  // namespace
+
+SmoothingReport reportOf(const Preparation& p) {
+  SmoothingReport report;
+  report.mode = p.mode;
+  report.patch = p.smoothing.patch;
+  report.projection = p.smoothing.projection;
+  report.depth = p.refinement().depth;
+  report.controlTriangles = static_cast<int>(p.mesh().triangles.size());
+  report.refinedTriangles = static_cast<int>(p.refinement().triangles.size());
+  report.refinedVertices = p.refinement().vertexCount;
+  report.primitives = p.shownPrimitives;
+  report.cliques = static_cast<int>(p.attached->attachment.graph.cliques.size());
+  return report;
+}
 
 void layPatch(const Preparation& preparation, const PosedField& posed, Workspace& workspace, Surface& out) {
   out.refinement = preparation.refined->refinement;

@@ -8,6 +8,9 @@
 
 namespace sinew {
 
+/// What a report says before any pose: settings, sizes, counts of muscles.
+[[nodiscard]] SmoothingReport reportOf(const Preparation& preparation);
+
 /// The curved patches, shading normals of creased wedges, and a report with what the preparation knows.
 void layPatch(const Preparation& preparation, const PosedField& posed, Workspace& workspace, Surface& out);
 

@@ -47,6 +47,7 @@ Preferences unlikeTheDefaults() {
   p.hiddenFiles = p.newestFirst = true;
   p.look = {LightPreset::kRim, Backdrop::kLight, true};
   p.fullWhileMoving = true;
+  p.surfaceBy = SurfaceBy::kCard;
   p.pictureFolder = "/a/pictures";
   p.window = {-5, 17, 1900, 1000, true};
   p.layout.left = 311.25f;

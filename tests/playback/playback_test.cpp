@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "app/document/document.h"
 #include "core/rig/animated_edit.h"
@@ -120,6 +121,42 @@ TEST_F(LiveSurfaceTest, SmoothsOnlyWhenRigOrTimeMoves) {
   document.commands.undo();
   EXPECT_TRUE(update());
   EXPECT_EQ(live.value().surface().positions.size(), before);
+}
+
+TEST_F(LiveSurfaceTest, ASurfaceThatWaitsIsTheSameWhenItIsAskedFor) {
+  Document flexing = openDocument(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "horse-flex.rig.json").value();
+  Transport transport{0, 0.0, false, true, 1.0f};
+  auto eager = LiveSurface::create(flexing, transport);
+  auto waiting = LiveSurface::create(flexing, transport);
+  ASSERT_TRUE(eager.ok() && waiting.ok());
+  SurfaceView onCard;
+  onCard.onCard = true;
+  const auto same = [&] {
+    const Surface& a = eager.value().surface();
+    const Surface& b = waiting.value().surface();
+    return a.positions == b.positions && a.normals == b.normals && a.classes == b.classes;
+  };
+  for (const double time : {0.1, 0.2, 0.35}) {
+    transport.time = time;
+    for (LiveSurface* live : {&eager.value(), &waiting.value()}) live->movePose(transport);
+    const std::size_t before = waiting.value().revision();
+    EXPECT_TRUE(eager.value().update(flexing).value());
+    EXPECT_TRUE(waiting.value().update(flexing, onCard).value());
+    EXPECT_GT(waiting.value().revision(), before) << "another picture";
+    EXPECT_EQ(waiting.value().report().seconds.total(), 0.0) << "nothing is made";
+    EXPECT_EQ(waiting.value().report().refinedTriangles, eager.value().report().refinedTriangles);
+    EXPECT_TRUE(same()) << time;
+    EXPECT_GT(waiting.value().report().seconds.total(), 0.0);
+    EXPECT_EQ(waiting.value().report().projected, eager.value().report().projected);
+    EXPECT_FALSE(waiting.value().update(flexing, onCard).value()) << "nothing has changed";
+  }
+  // An edit that waits, then an eye that does not.
+  flexing.commands.apply("Delete", removePrimitives(flexing.rig(), std::vector<int>{0}));
+  EXPECT_TRUE(eager.value().update(flexing).value());
+  EXPECT_TRUE(waiting.value().update(flexing, onCard).value());
+  EXPECT_FALSE(waiting.value().update(flexing).value()) << "the same surface, made now";
+  EXPECT_GT(waiting.value().report().seconds.total(), 0.0);
+  EXPECT_TRUE(same());
 }
 
 TEST_F(LiveSurfaceTest, AnEditIsNotCopiedOnItsWayToTheSurface) {

@@ -41,7 +41,7 @@ void drawHead(PanelUi& ui) {
 
 void drawCounts(PanelUi& ui) {
   const int groups = static_cast<int>(ui.state.document.rig().groups.size());
-  const int cliques = ui.state.live->surface().report.cliques;
+  const int cliques = ui.state.live->report().cliques;
   std::string text = std::to_string(groups) + (groups == 1 ? " group, " : " groups, ") + std::to_string(cliques) +
                      (cliques == 1 ? " blend" : " blends");
   mutedLine(ui, text);

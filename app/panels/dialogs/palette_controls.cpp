@@ -135,6 +135,8 @@ constexpr PaletteControl kControls[] = {
     {"preferences/scale", "Size of the interface", "scale zoom font text dpi", Shelf::kPreferences, "", always},
     {"preferences/moving/automatic", "Resolution while moving", "pixels speed fast quality", Shelf::kPreferences, "",
      always},
+    {"preferences/surface/automatic", "Surface computed by", "graphics card gpu processor cpu speed fast",
+     Shelf::kPreferences, "", always},
     {"preferences/autosave", "Autosave", "recovery backup crash seconds", Shelf::kPreferences, "", always},
     {"preferences/reset-layout", "Button Reset layout", "panels sizes default", Shelf::kPreferences, "", always},
     {"preferences/forget", "Clear recent files", "history forget", Shelf::kPreferences, "", always},

@@ -78,6 +78,21 @@ void resolutionRow(PanelUi& ui) {
   explain(ui, "At rest the picture always has its full resolution, and saved pictures do.");
 }
 
+void surfaceRow(PanelUi& ui) {
+  label(ui, "Surface computed by");
+  SurfaceBy& by = ui.state.session.preferences.surfaceBy;
+  constexpr std::array<const char*, 3> kChoices{"Automatic", "Processor", "Graphics card"};
+  const int clicked = segmented(ui, "preferences/surface", kChoices.data(), static_cast<int>(kChoices.size()),
+                                static_cast<int>(by), ImGui::GetContentRegionAvail().x);
+  if (clicked >= 0) by = kSurfaceBys[static_cast<std::size_t>(clicked)];
+  tooltip(ui,
+          "Automatic: both are measured when a character is opened, and the faster computes what is seen.\nPicking, "
+          "saved pictures and exports are the processor's, whoever draws.");
+  const SurfaceMakerState& maker = ui.state.session.surfaceMaker;
+  const std::string now = maker.onCard ? "Now: the graphics card" : "Now: the processor";
+  explain(ui, (now + (maker.why.empty() ? "" : " (" + maker.why + ")") + ".").c_str());
+}
+
 void autosaveRow(PanelUi& ui) {
   label(ui, "Autosave");
   auto seconds = static_cast<float>(ui.state.session.preferences.autosaveSeconds);
@@ -130,6 +145,7 @@ void drawPreferences(PanelUi& ui) {
       keymapRow(ui);
       scaleRow(ui);
       resolutionRow(ui);
+      surfaceRow(ui);
       autosaveRow(ui);
     }
     ImGui::Separator();

@@ -206,7 +206,8 @@ void skinBlendRow(PanelUi& ui, const SurfaceSettings& before, Changed changed) {
 
 /// Why `replace` shows less than the designer placed: it needs muscles that wrap the body.
 void replaceNote(PanelUi& ui) {
-  const SmoothingReport& report = ui.state.live->surface().report;
+  const bool plays = ui.state.open.transport.playing;
+  const SmoothingReport& report = plays ? ui.state.live->report() : ui.state.live->surface().report;
   if (report.mode != SurfaceMode::kReplace || report.unwrapped == 0) return;
   std::string text = "Muscles do not wrap this body: only skin inside a muscle rises, the rest stays as it is.";
   const auto carves = [](const Primitive& p) { return p.sign < 0; };

@@ -44,10 +44,7 @@ float underPlate(PanelUi& ui) { return modeShown(ui.state) ? ImGui::GetFrameHeig
 
 float heatHeight(PanelUi& ui) { return 3.0f * ImGui::GetTextLineHeight() + ui.px(46); }
 float anatomyHeight(PanelUi& ui) { return ImGui::GetFrameHeight() + ImGui::GetTextLineHeight() + ui.px(41); }
-bool showsLevels(PanelUi& ui) {
-  const Refinement* refinement = ui.state.live->surface().refinement.get();
-  return refinement && !refinement->isUniform;
-}
+bool showsLevels(PanelUi& ui) { return !ui.state.live->preparation()->refinement().isUniform; }
 
 /// Triangles of the file in each zone.
 std::array<int, kZones> zoneCounts(const EditorState& state) {

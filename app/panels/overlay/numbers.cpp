@@ -23,7 +23,6 @@ constexpr float kGraphHeight = 34.0f;
 constexpr float kFold = 14.0f;
 constexpr float kSmallWidth = 420.0f;  // A picture smaller than this, either way, is kept free.
 constexpr float kSmallHeight = 300.0f;
-constexpr std::size_t kStageRows = 9;
 constexpr std::size_t kFoldedRows = 3;
 
 std::string milliseconds(double value) {
@@ -98,20 +97,51 @@ struct Stage {
   const char* hint;
 };
 
-void stageRows(PanelUi& ui) {
+/// Of the surface: the processor's stages, or the graphics card's parts by its own clock.
+std::vector<Stage> surfaceStages(const EditorState& state) {
+  const StageSeconds& made = state.session.stats.stages;
+  StageSeconds shown = made;
+  double heights = 0.0, drawn = 0.0;
+  const SurfaceMakerState& maker = state.session.surfaceMaker;
+  if (maker.onCard) {
+    const PartSeconds parts = maker.onCardSeconds.value_or(PartSeconds{});
+    const auto of = [&](SurfacePart part) { return parts[static_cast<std::size_t>(part)]; };
+    shown = {of(SurfacePart::kSkin), of(SurfacePart::kPatch), of(SurfacePart::kProject), of(SurfacePart::kFolds),
+             of(SurfacePart::kNormals)};
+    heights = of(SurfacePart::kHeights);
+    drawn = of(SurfacePart::kDrawn);
+  }
+  std::vector<Stage> stages{{"follow bones", shown.skin, "The file's mesh follows the bones (skin)"},
+                            {"round skin", shown.patch, "The skin is curved between the file's vertices (patch)"},
+                            {"raise skin", shown.project, "The skin rises over the muscles (project)"}};
+  if (maker.onCard) stages.push_back({"limit heights", heights, "What the bent skin cannot carry is lowered"});
+  stages.push_back({"open folds", shown.folds, "Skin that has folded over is moved back (folds)"});
+  stages.push_back({"normals", shown.normals, "Directions for the light"});
+  if (maker.onCard) stages.push_back({"write", drawn, "Vertices are written where they are drawn"});
+  return stages;
+}
+
+double surfaceSeconds(const EditorState& state) {
+  double seconds = 0.0;
+  for (const Stage& stage : surfaceStages(state)) seconds += stage.seconds;
+  return seconds;
+}
+
+std::vector<Stage> allStages(const EditorState& state) {
+  const FrameStats& stats = state.session.stats;
+  std::vector<Stage> stages{
+      {"edit", stats.prepare, "Once after an edit: refinement, which muscles reach which skin (prepare)"}};
+  for (const Stage& stage : surfaceStages(state)) stages.push_back(stage);
+  stages.push_back({"upload", stats.upload, "The surface goes to the graphics card"});
+  stages.push_back({"draw", stats.draw, "The picture is drawn"});
+  stages.push_back({"interface", stats.ui, "Panels and tools"});
+  return stages;
+}
+
+void stageRows(PanelUi& ui, const std::vector<Stage>& stages) {
   const FrameStats& stats = ui.state.session.stats;
   row(ui, "median, worst", milliseconds(stats.median()) + ", " + milliseconds(stats.worst()));
   graph(ui);
-  const std::array<Stage, kStageRows> stages{
-      {{"edit", stats.prepare, "Once after an edit: refinement, which muscles reach which skin (prepare)"},
-       {"follow bones", stats.stages.skin, "The file's mesh follows the bones (skin)"},
-       {"round skin", stats.stages.patch, "The skin is curved between the file's vertices (patch)"},
-       {"raise skin", stats.stages.project, "The skin rises over the muscles (project)"},
-       {"open folds", stats.stages.folds, "Skin that has folded over is moved back (folds)"},
-       {"normals", stats.stages.normals, "Directions for the light"},
-       {"upload", stats.upload, "The surface goes to the graphics card"},
-       {"draw", stats.draw, "The picture is drawn"},
-       {"interface", stats.ui, "Panels and tools"}}};
   for (const Stage& stage : stages) row(ui, stage.name, milliseconds(stage.seconds * 1e3), stage.hint);
 }
 
@@ -122,16 +152,19 @@ struct Count {
 };
 
 /// From top to bottom.
-std::vector<Count> counts(const SmoothingReport& report, bool culling) {
+/// @param onCard  what only the processor counts is left out
+std::vector<Count> counts(const SmoothingReport& report, bool culling, bool onCard) {
   std::vector<Count> rows{
       {"triangles", grouped(report.refinedTriangles)},
       {"vertices", grouped(report.refinedVertices)},
       {"depth", std::to_string(report.depth), "Every triangle of the file becomes depth x depth triangles"},
-      {"muscles", grouped(report.primitives)},
-      {"moved", grouped(report.projected), "Vertices that muscles move (projected)"},
-      {"on muscles", grouped(report.implicitTriangles), "The file's triangles that muscles shape (implicit)"},
-      {"at edges", grouped(report.straddlingTriangles), "... that muscles shape in part (straddling)"},
-      {"plain skin", grouped(report.normalTriangles), "... that no muscle reaches (normal)"}};
+      {"muscles", grouped(report.primitives)}};
+  if (onCard) return rows;
+  rows.push_back({"moved", grouped(report.projected), "Vertices that muscles move (projected)"});
+  rows.push_back(
+      {"on muscles", grouped(report.implicitTriangles), "The file's triangles that muscles shape (implicit)"});
+  rows.push_back({"at edges", grouped(report.straddlingTriangles), "... that muscles shape in part (straddling)"});
+  rows.push_back({"plain skin", grouped(report.normalTriangles), "... that no muscle reaches (normal)"});
   const int all = report.implicitTriangles + report.straddlingTriangles + report.normalTriangles;
   if (culling) {
     rows.push_back({"skipped", grouped(report.culledTriangles) + " of " + grouped(all),
@@ -185,14 +218,16 @@ bool isSmall(const PanelUi& ui, const glm::vec4& viewport) {
 }
 
 void foldedRows(PanelUi& ui) {
-  const SmoothingReport& report = ui.state.live->surface().report;
-  row(ui, "triangles", grouped(report.refinedTriangles));
-  row(ui, "smoothing", milliseconds(1e3 * report.seconds.total()) + " ms", "Time to compute the surface of a frame");
+  row(ui, "triangles", grouped(ui.state.live->report().refinedTriangles));
+  const bool onCard = ui.state.session.surfaceMaker.onCard;
+  row(ui, onCard ? "on card" : "smoothing", milliseconds(1e3 * surfaceSeconds(ui.state)) + " ms",
+      onCard ? "Time to compute the surface of a frame on the graphics card"
+             : "Time to compute the surface of a frame");
 }
 
 /// @return where the switch of the depth lies on the screen.
-ImVec2 unfoldedRows(PanelUi& ui, const std::vector<Count>& lines) {
-  stageRows(ui);
+ImVec2 unfoldedRows(PanelUi& ui, const std::vector<Stage>& stages, const std::vector<Count>& lines) {
+  stageRows(ui, stages);
   ImGui::Dummy({0.0f, ui.px(2)});
   ImVec2 depth{0.0f, 0.0f};
   for (const Count& line : lines) {
@@ -212,11 +247,13 @@ float numbersWidth(const PanelUi& ui) {
 
 void drawNumbers(PanelUi& ui) {
   if (!ui.state.view.layout.overlay) return;
-  const auto lines = counts(ui.state.live->surface().report, ui.state.view.display.cullBackFaces);
+  const bool onCard = ui.state.session.surfaceMaker.onCard;
+  const std::vector<Count> lines = counts(ui.state.live->report(), ui.state.view.display.cullBackFaces, onCard);
+  const std::vector<Stage> stages = allStages(ui.state);
   ImGui::PushFont(ui.fonts.mono);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(3)});
   const float line = ImGui::GetTextLineHeightWithSpacing();
-  const float all = static_cast<float>(kStageRows + 2 + lines.size()) * line + ui.px(kGraphHeight + 3 + 14 + 8);
+  const float all = static_cast<float>(stages.size() + 2 + lines.size()) * line + ui.px(kGraphHeight + 3 + 14 + 8);
   const glm::vec4& viewport = ui.state.frame.viewport;
   // In a small picture the frame rate alone, until more is asked for.
   const bool headOnly = isSmall(ui, viewport) && !ui.state.view.layout.stages;
@@ -235,7 +272,7 @@ void drawNumbers(PanelUi& ui) {
         ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_AlwaysUseWindowPadding);
     head(ui, headOnly);
     ImVec2 depth{0.0f, 0.0f};
-    if (unfolded) depth = unfoldedRows(ui, lines);
+    if (unfolded) depth = unfoldedRows(ui, stages, lines);
     else if (!headOnly) foldedRows(ui);
     ImGui::EndChild();
     ui.widgets.note("overlay/numbers");

@@ -1,0 +1,162 @@
+// app/window/surface_on_card.cpp: measured once, then followed; whatever goes wrong, the processor takes over.
+#include "app/window/surface_on_card.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "app/actions/export_error.h"
+#include "app/editor/edit.h"
+#include "app/render/gl_objects.h"
+#include "core/base/stopwatch.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr int kRounds = 3;  ///< Of each, the best of which counts.
+
+std::string millisecondsText(double seconds) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2f ms", 1e3 * seconds);
+  return text.data();
+}
+
+double bestOfProcessor(const std::shared_ptr<const Preparation>& preparation, const Pose& pose) {
+  SmoothingMemory memory;
+  PosedRig rig;
+  Surface surface;
+  double best = 1e9;
+  for (int i = 0; i < kRounds; ++i) {
+    Stopwatch watch;
+    preparation->poser->pose(pose, rig);
+    smooth(preparation, rig, pose, std::nullopt, memory, surface, watch.lap());
+    best = std::min(best, surface.report.seconds.total());
+  }
+  return best;
+}
+
+/// What the card does not draw, whatever it is asked for.
+bool needsProcessor(const EditorState& state) { return state.view.display.cullBackFaces || showsExportError(state); }
+
+}  // namespace
+
+std::optional<std::string> SurfaceOnCard::compilePrograms() {
+  if (programs_) return std::nullopt;
+  Result<StagePrograms> programs = StagePrograms::create();
+  if (!programs) return programs.error().text();
+  programs_ = std::make_shared<const StagePrograms>(std::move(programs).value());
+  return std::nullopt;
+}
+
+std::optional<std::string> SurfaceOnCard::prepare(const std::shared_ptr<const Preparation>& preparation) {
+  if (card_ && &card_->preparation() == preparation.get()) return std::nullopt;
+  if (refused_ == preparation) return refusedWhy_;
+  card_.reset();  // Its memory first: the next one may need it.
+  auto card = DrawnOnCard::create(programs_, preparation);
+  if (card) {
+    card_ = std::move(card).value();
+    made_ = 0;
+    return std::nullopt;
+  }
+  refused_ = preparation;
+  refusedWhy_ = card.error().text();
+  return refusedWhy_;
+}
+
+std::optional<std::string> SurfaceOnCard::make(const EditorState& state) {
+  if (const auto reason = prepare(state.live->preparation())) return reason;
+  const bool current = made_ == state.live->revision() && madeOf_ == state.session.documentsOpened;
+  if (current) return std::nullopt;
+  if (const auto reason = card_->make(state.live->pose())) return reason;
+  const GLenum error = glGetError();
+  if (error == GL_OUT_OF_MEMORY || error == GL_CONTEXT_LOST) {
+    broken_ = error == GL_CONTEXT_LOST ? "the graphics card was reset" : "the graphics card has no memory left";
+    return broken_;
+  }
+  made_ = state.live->revision();
+  madeOf_ = state.session.documentsOpened;
+  return std::nullopt;
+}
+
+/// Both make the surface that is shown; again once it has muscles.
+bool SurfaceOnCard::measuredFaster(EditorState& state) {
+  SurfaceMakerState& maker = state.session.surfaceMaker;
+  const std::pair of(state.session.documentsOpened, !state.document.rig().primitives.empty());
+  if (measuredOf_ != of) {
+    measuredOf_ = of;
+    measured_.reset();
+    if (const auto reason = prepare(state.live->preparation())) {
+      maker.why = *reason;
+      return false;
+    }
+    Measured measured{1e9, bestOfProcessor(state.live->preparation(), state.live->pose())};
+    for (int i = 0; i < kRounds; ++i) {
+      if (const auto reason = card_->make(state.live->pose())) {
+        maker.why = *reason;
+        return false;
+      }
+      measured.card = std::min(measured.card, total(card_->seconds()));
+    }
+    made_ = 0;
+    measured_ = measured;
+  }
+  if (!measured_) return false;
+  maker.why = "measured: " + millisecondsText(measured_->card) + " on the card, " +
+              millisecondsText(measured_->processor) + " on the processor";
+  return measured_->card < measured_->processor;
+}
+
+bool SurfaceOnCard::wanted(EditorState& state) {
+  SurfaceMakerState& maker = state.session.surfaceMaker;
+  const SurfaceBy by = state.session.preferences.surfaceBy;
+  if (!state.hasCharacter() || by == SurfaceBy::kProcessor) {
+    maker.why.clear();
+    return false;
+  }
+  if (!broken_.empty()) {
+    maker.why = broken_;
+    return false;
+  }
+  if (by == SurfaceBy::kAutomatic && isSoftwareRenderer()) {
+    maker.why = "there is no graphics card: it draws, too";
+    return false;
+  }
+  if (needsProcessor(state)) {
+    maker.why = "it alone makes what is shown now";
+    return false;
+  }
+  if (const auto reason = compilePrograms()) {
+    broken_ = *reason;
+    leave(state, broken_);
+    return false;
+  }
+  if (by == SurfaceBy::kAutomatic) return measuredFaster(state);
+  maker.why.clear();
+  return true;
+}
+
+/// Each reason is told once, until another takes its place.
+void SurfaceOnCard::leave(EditorState& state, const std::string& why) {
+  state.session.surfaceMaker.why = why;
+  const bool asked = state.session.preferences.surfaceBy == SurfaceBy::kCard || !broken_.empty();
+  if (!asked || said_ == why) return;
+  said_ = why;
+  addMessage(state.session, broken_.empty() ? MessageKind::kNote : MessageKind::kWarning,
+             "The surface is computed by the processor: " + why);
+}
+
+void SurfaceOnCard::follow(EditorState& state) {
+  SurfaceMakerState& maker = state.session.surfaceMaker;
+  shows_ = false;
+  if (wanted(state)) {
+    if (card_) maker.onCardSeconds = card_->secondsIfDone();  // Of a frame before: nothing waits.
+    if (const auto reason = make(state)) leave(state, *reason);
+    else shows_ = true;
+  } else if (!state.hasCharacter()) {
+    card_.reset();
+  }
+  maker.onCard = shows_;
+  if (!shows_) maker.onCardSeconds.reset();
+}
+
+}  // namespace sinew::app
