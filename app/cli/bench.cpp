@@ -17,6 +17,7 @@
 #include "app/gpu/card_figures.h"
 #include "app/platform/data_files.h"
 #include "app/platform/offscreen.h"
+#include "app/render/gl_objects.h"
 #include "core/io/files/atomic_file.h"
 
 namespace sinew::app {
@@ -26,9 +27,9 @@ struct BenchOptions {
   std::vector<std::filesystem::path> files;   ///< Rigs or characters; none: those that ship with the program.
   std::optional<std::filesystem::path> json;  ///< Empty path: on stdout in place of the table. nullopt: none.
   int rounds = 7;
-  int crowd = 1;          ///< Bodies, of `bench gpu`.
-  int frames = 10;        ///< Of `bench gpu`.
-  bool progress = false;  ///< Also where stderr is no terminal.
+  std::optional<int> crowd;  ///< Bodies, of `bench gpu`.
+  int frames = 10;           ///< Of `bench gpu`.
+  bool progress = false;     ///< Also where stderr is no terminal.
 };
 
 /// The files of one mode, where none were given: rigs made for it.
@@ -81,7 +82,8 @@ void addBenchOptions(CLI::App& verb, BenchOptions& options) {
   verb.add_option("--rounds", options.rounds, "Times everything is timed (7)")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
-  verb.add_option("--crowd", options.crowd, "With gpu: bodies, each in a moment of its own (1)")
+  verb.add_option("--crowd", options.crowd,
+                  "With gpu: bodies, each in a moment of its own (1000; none where there is no graphics card)")
       ->type_name("N")
       ->check(CLI::Range(1, 100'000));
   verb.add_option("--frames", options.frames, "With gpu: moments of the first clip (10)")
@@ -93,9 +95,26 @@ void addBenchOptions(CLI::App& verb, BenchOptions& options) {
 
 constexpr double kFrameStep = 1.0 / 30.0;  ///< Seconds between the moments of `bench gpu`.
 
-/// The rigs as they are, on the graphics card and on the processor.
+constexpr int kCrowd = 1000;
+
+/// Prints text or JSON, or writes JSON beside the text.
+int putFigures(const BenchOptions& options, const std::string& text, const Json& json) {
+  if (!options.json) return putResult(text);
+  const std::string bytes = json.dump(true) + '\n';
+  if (options.json->empty()) return putResult(bytes);
+  if (const auto written = writeFileAtomically(*options.json, bytes); !written) return badInput(written.error());
+  return putResult(text);
+}
+
+/// The word after --json may be an input, and a folder for what it names must be there.
+std::optional<Error> settleJson(BenchOptions& options) {
+  if (options.json && isInput(*options.json)) options.files.push_back(std::exchange(*options.json, {}));
+  if (!options.json || hasFolder(*options.json)) return std::nullopt;
+  return Error{options.json->string(), "", "cannot be written: its folder does not exist"};
+}
+
+/// The rigs as they are, on the graphics card and on the processor: one body, then a crowd.
 int runGpuBench(const BenchOptions& options) {
-  if (options.json) return badCommandLine("--json: the figures of `bench gpu` are for people alone");
   std::vector<std::filesystem::path> files = options.files;
   if (files.empty()) files = {dataFile("assets/humanoid.rig.json"), dataFile("assets/horse.rig.json")};
   const auto context = OffscreenContext::create();
@@ -103,6 +122,8 @@ int runGpuBench(const BenchOptions& options) {
   const Result<StagePrograms> programs = StagePrograms::create();
   if (!programs) return badInput(programs.error());
   std::string text = "card: " + rendererName() + "\n";
+  Json scenes = Json::array();
+  const int crowd = options.crowd.value_or(isSoftwareRenderer() ? 1 : kCrowd);
   for (const std::filesystem::path& file : files) {
     const Result<BenchScene> scene = openScene(file);
     if (!scene) return badInput(scene.error());
@@ -110,23 +131,24 @@ int runGpuBench(const BenchOptions& options) {
     const auto preparation = prepare(characterTables(scene->character), scene->rig, {}, nullptr, graphs);
     if (!preparation) return badInput({file.string(), preparation.error().place, preparation.error().reason});
     const std::vector<Pose> frames = steadyFrames(*scene->character, options.frames, kFrameStep);
-    const auto figures = measureCard(programs.value(), preparation.value(), frames, options.crowd);
-    if (!figures) return badInput({file.string(), "", "not computed on the card: " + figures.error().reason});
-    text += textOf(scene->name, figures.value());
+    for (const int bodies : crowd > 1 ? std::vector{1, crowd} : std::vector{1}) {
+      const auto figures = measureCard(programs.value(), preparation.value(), frames, bodies);
+      if (!figures) return badInput({file.string(), "", "not computed on the card: " + figures.error().reason});
+      text += textOf(scene->name, figures.value());
+      scenes.push(jsonOf(scene->name, figures.value()));
+    }
   }
-  return putResult(text);
+  return putFigures(options, text, Json::object().set("card", rendererName()).set("scenes", scenes));
 }
 
 int runBench(BenchOptions options) {
   if (!options.files.empty() && options.files.front() == "gpu") {
     options.files.erase(options.files.begin());
+    if (const auto bad = settleJson(options)) return badInput(*bad);
     return runGpuBench(options);
   }
-  if (options.crowd != 1 || options.frames != 10) return badCommandLine("--crowd and --frames go with `bench gpu`");
-  if (options.json && isInput(*options.json)) options.files.push_back(std::exchange(*options.json, {}));
-  if (options.json && !hasFolder(*options.json)) {
-    return badInput({options.json->string(), "", "cannot be written: its folder does not exist"});
-  }
+  if (options.crowd || options.frames != 10) return badCommandLine("--crowd and --frames go with `bench gpu`");
+  if (const auto bad = settleJson(options)) return badInput(*bad);
   std::vector<ModeScenes> modes;
   for (const Bundled& bundled : kBundled) {
     Result<ModeScenes> scenes = scenesOf(bundled, options.files);
@@ -140,11 +162,7 @@ int runBench(BenchOptions options) {
   if (whole) line.show(1.0);
   line.end();
   if (!whole) return badInput(whole.error());
-  if (!options.json) return putResult(textOf(whole.value()));
-  const std::string json = jsonOf(whole.value()).dump(true) + '\n';
-  if (options.json->empty()) return putResult(json);
-  if (const auto written = writeFileAtomically(*options.json, json); !written) return badInput(written.error());
-  return putResult(textOf(whole.value()));
+  return putFigures(options, textOf(whole.value()), jsonOf(whole.value()));
 }
 
 }  // namespace

@@ -59,6 +59,19 @@ double degreesBetween(const glm::vec3& a, const glm::vec3& b) {
   return 2.0 * std::asin(half) * 180.0 / std::numbers::pi;
 }
 
+/// Refined triangles that face against the mean normal of their corners, by more than rounding can turn them.
+/// @param position, normal  of a vertex
+int turnedTriangles(const Refinement& refinement, const auto& position, const auto& normal) {
+  int turned = 0;
+  for (const auto& corners : refinement.triangles) {
+    const auto at = [&](int corner) { return static_cast<std::size_t>(corners[static_cast<std::size_t>(corner)]); };
+    const glm::vec3 way = glm::cross(position(at(1)) - position(at(0)), position(at(2)) - position(at(0)));
+    const glm::vec3 mean = normal(at(0)) + normal(at(1)) + normal(at(2));
+    turned += glm::dot(way, mean) < -1e-2f * glm::length(way) * glm::length(mean) ? 1 : 0;
+  }
+  return turned;
+}
+
 bool isNumber(const glm::vec4& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// So many bodies that they fit.
@@ -80,6 +93,8 @@ void CardDifference::add(const CardDifference& other) {
   notNumbers += other.notNumbers;
   vertices += other.vertices;
   unsure += other.unsure;
+  turned += other.turned;
+  turnedOnProcessor += other.turnedOnProcessor;
 }
 
 Result<CardDifference> compareWithProcessor(const std::shared_ptr<const Preparation>& preparation, const Pose& pose,
@@ -108,6 +123,14 @@ Result<CardDifference> compareWithProcessor(const std::shared_ptr<const Preparat
     const bool numbers = isNumber(finished[v].position) && isNumber(finished[v].normal);
     found.notNumbers += numbers && isNumber(projected[v].position) ? 0 : 1;
   }
+  const Refinement& refinement = preparation->refinement();
+  const Surface& processors = expected.finished;
+  found.turned = turnedTriangles(
+      refinement, [&](std::size_t v) { return glm::vec3(finished[v].position); },
+      [&](std::size_t v) { return glm::vec3(finished[v].normal); });
+  found.turnedOnProcessor = turnedTriangles(
+      refinement, [&](std::size_t v) { return processors.positions[v]; },
+      [&](std::size_t v) { return processors.normals[v]; });
   return found;
 }
 
@@ -198,10 +221,46 @@ std::string textOf(const std::string& name, const CardFigures& figures) {
   add("  of %s vertices %d are more than 1e-4 H apart, %d more than 1 degree, %d no numbers; %d roots in double "
       "precision\n",
       grouped(d.vertices).c_str(), d.farVertices, d.farNormals, d.notNumbers, d.unsure);
+  add("  triangles turned over: %d on the card, %d on the processor\n", d.turned, d.turnedOnProcessor);
   add("  on the card: %.1f MiB once, %.1f MiB a body (%.0f bytes a vertex); %.1f KiB uploaded a frame\n",
       static_cast<double>(figures.tableBytes) / 1048576.0, static_cast<double>(figures.bodyBytes) / 1048576.0,
       static_cast<double>(figures.bodyBytes) / figures.vertices, static_cast<double>(figures.poseBytes) / 1024.0);
   return text;
+}
+
+Json jsonOf(const std::string& name, const CardFigures& figures) {
+  Json card = Json::object();
+  for (std::size_t i = 0; i < kSurfaceParts; ++i) card.set(nameOf(static_cast<SurfacePart>(i)), figures.card[i]);
+  const StageSeconds& p = figures.processor;
+  const CardDifference& d = figures.difference;
+  return Json::object()
+      .set("scene", name)
+      .set("vertices", figures.vertices)
+      .set("triangles", figures.triangles)
+      .set("bodies", figures.bodies)
+      .set("at_once", figures.together)
+      .set("card_seconds", card.set("total", total(figures.card)).set("whole", figures.cardWhole))
+      .set("processor_seconds_a_body", Json::object()
+                                           .set("skin", p.skin)
+                                           .set("patch", p.patch)
+                                           .set("project", p.project)
+                                           .set("folds", p.folds)
+                                           .set("normals", p.normals)
+                                           .set("total", p.total()))
+      .set("difference", Json::object()
+                             .set("vertices", d.vertices)
+                             .set("roots_of_height", d.roots)
+                             .set("surface_of_height", d.surface)
+                             .set("normals_degrees", d.normals)
+                             .set("beyond_1e-4_of_height", d.farVertices)
+                             .set("beyond_1_degree", d.farNormals)
+                             .set("not_numbers", d.notNumbers)
+                             .set("turned_triangles", d.turned)
+                             .set("turned_on_processor", d.turnedOnProcessor)
+                             .set("roots_in_double_precision", d.unsure))
+      .set("table_bytes", static_cast<double>(figures.tableBytes))
+      .set("body_bytes", static_cast<double>(figures.bodyBytes))
+      .set("upload_bytes", static_cast<double>(figures.poseBytes));
 }
 
 }  // namespace sinew::app

@@ -7,6 +7,7 @@
 
 #include "app/gpu/stages.h"
 #include "app/gpu/surface_parts.h"
+#include "core/io/json/json.h"
 #include "core/smoothing/preparation.h"
 #include "sinew/skeleton/pose.h"
 #include "sinew/smoothing/surface.h"
@@ -23,6 +24,9 @@ struct CardDifference {
   int notNumbers = 0;
   int vertices = 0;  ///< Compared, of all moments.
   int unsure = 0;    ///< Roots that the card left to double precision.
+  // Refined triangles that face against the normals at their corners.
+  int turned = 0;
+  int turnedOnProcessor = 0;
 
   void add(const CardDifference& other);
 };
@@ -58,5 +62,7 @@ class CardSurface;
 
 /// For people. @param name  of the scene
 [[nodiscard]] std::string textOf(const std::string& name, const CardFigures& figures);
+/// For programs (docs/formats.md).
+[[nodiscard]] Json jsonOf(const std::string& name, const CardFigures& figures);
 
 }  // namespace sinew::app

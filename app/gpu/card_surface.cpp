@@ -49,6 +49,12 @@ void CardSurface::reserve(Buffer buffer, std::size_t bytes) {
   bodyBytes_ += some;
 }
 
+template <class T>
+void CardSurface::refill(Buffer buffer, std::span<const T> values) {
+  if (values.empty()) return;
+  glNamedBufferSubData(of(buffer).id(), 0, static_cast<GLsizeiptr>(values.size_bytes()), values.data());
+}
+
 void CardSurface::uploadTables() {
   const CardTables tables = cardTables(*preparation_);
   making_ = tables.making;
@@ -125,10 +131,10 @@ std::size_t CardSurface::poseBytes() const {
 }
 
 void CardSurface::uploadPoses() {
-  uploadBuffer(of(Buffer::kMatrices), std::span<const glm::mat4>(matrices_));
-  uploadBuffer(of(Buffer::kPrimitives), std::span<const card::Primitive>(primitives_));
-  uploadBuffer(of(Buffer::kBones), std::span<const glm::mat4>(bones_));
-  uploadBuffer(of(Buffer::kMaking), std::span<const card::Making>(&making_, 1));
+  refill(Buffer::kMatrices, std::span<const glm::mat4>(matrices_));
+  refill(Buffer::kPrimitives, std::span<const card::Primitive>(primitives_));
+  refill(Buffer::kBones, std::span<const glm::mat4>(bones_));
+  refill(Buffer::kMaking, std::span<const card::Making>(&making_, 1));
   glBindBufferBase(GL_UNIFORM_BUFFER, kMakingBinding, of(Buffer::kMaking).id());
   const MorphedMesh& morphed = posed_.field.control.morphed;
   if (bindControls_.empty() || morphed.madeWith == morphedWith_) return;
@@ -137,7 +143,7 @@ void CardSurface::uploadPoses() {
     bindControls_[v].position = glm::vec4(morphed.isMorphed ? morphed.positions[v] : mesh.positions[v], 1.0f);
     bindControls_[v].normal = glm::vec4(morphed.isMorphed ? morphed.normals[v] : mesh.normals[v], 0.0f);
   }
-  uploadBuffer(of(Buffer::kBindControls), std::span<const card::Control>(bindControls_));
+  refill(Buffer::kBindControls, std::span<const card::Control>(bindControls_));
   morphedWith_ = morphed.madeWith;
 }
 

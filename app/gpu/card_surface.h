@@ -121,6 +121,9 @@ class CardSurface {
   template <class T>
   void fill(Buffer buffer, std::span<const T> values);
   void reserve(Buffer buffer, std::size_t bytes);
+  /// Into what is reserved.
+  template <class T>
+  void refill(Buffer buffer, std::span<const T> values);
   void uploadTables();
   void reserveBodies();
   [[nodiscard]] std::optional<std::string> tooLarge() const;

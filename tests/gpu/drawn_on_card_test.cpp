@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/platform/data_files.h"
+#include "core/io/json/json.h"
 #include "tests/cli/program.h"
 #include "tests/render/pictures.h"
 #include "tests/support/rigs/trial_scenes.h"
@@ -91,9 +92,18 @@ TEST_F(GpuVerbs, BenchTellsBothAndTheDifference) {
   const Outcome told = run({"bench", "gpu", rig, "--frames", "2", "--crowd", "3"});
   ASSERT_EQ(told.status, 0) << told.error;
   for (const char* part : {"card: ", "3 bodies", "processor", "skin", "patch", "project", "folds", "normals", "drawn",
-                           "roots", "bytes a vertex"}) {
+                           "roots", "bytes a vertex", "triangles turned over"}) {
     EXPECT_NE(told.out.find(part), std::string::npos) << part << "\n" << told.out;
   }
+  const Outcome json = run({"bench", "gpu", rig, "--frames", "2", "--json"});
+  ASSERT_EQ(json.status, 0) << json.error;
+  const auto parsed = Json::parse(json.out);
+  ASSERT_TRUE(parsed.ok()) << "JSON alone on stdout";
+  const std::vector<Json> scenes = parsed->at("scenes").items();
+  ASSERT_FALSE(scenes.empty());
+  EXPECT_EQ(scenes[0].at("bodies").number(0), 1.0);
+  EXPECT_GT(scenes[0].at("card_seconds").at("total").number(0), 0.0);
+  EXPECT_LE(scenes[0].at("difference").at("surface_of_height").number(1), 1e-4);
   // A rig of which the card has no code.
   std::string text = textOf(rig);
   const std::string newton = "\"projection\": \"newton\"";

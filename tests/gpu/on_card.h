@@ -58,6 +58,7 @@ class OnCard : public ::testing::Test {
     EXPECT_LE(difference.farVertices, difference.vertices / 1000) << what << ", worst " << difference.surface;
     EXPECT_LE(difference.farNormals, difference.vertices / 1000) << what << ", worst " << difference.normals;
     EXPECT_EQ(difference.notNumbers, 0) << what;
+    EXPECT_LE(difference.turned, difference.turnedOnProcessor) << what << ", triangles turned over";
   }
 
  private:
