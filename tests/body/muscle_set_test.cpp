@@ -64,11 +64,11 @@ TEST_P(MuscleSetOn, NothingIsFoundOfIt) {
 INSTANTIATE_TEST_SUITE_P(Bodies, MuscleSetOn,
                          ::testing::Values(Body{"humanoid.glb", "athlete", 0}, Body{"demo.glb", "athlete", 0},
                                            Body{"horse.glb", "animal", 3}, Body{"man.glb", "athlete", 0},
-                                           Body{"woman.glb", "athlete", 1}, Body{"fighter.glb", "athlete", 15},
+                                           Body{"woman.glb", "athlete", 1}, Body{"fighter.glb", "athlete", 16},
                                            Body{"cesium_man.gltf", "athlete", 5}, Body{"Husky.glb", "animal", 0},
                                            Body{"Bull.glb", "animal", 3}, Body{"Fox.glb", "animal", 1},
-                                           Body{"RobotExpressive.glb", "athlete", 16},
-                                           Body{"greenman.glb", "athlete", 35}),
+                                           Body{"RobotExpressive.glb", "athlete", 18},
+                                           Body{"greenman.glb", "athlete", 37}),
                          [](const auto& body) { return fs::path(body.param.file).stem().string(); });
 
 TEST(MuscleSet, LeavesTheDesignersMusclesAlone) {
