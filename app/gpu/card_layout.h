@@ -11,10 +11,10 @@
 namespace sinew::app::card {
 
 // Limits of the shaders; what has more is left to the processor.
-inline constexpr std::size_t kMostCandidates = 64;  ///< Muscles that one place of the skin sees (exact.glsl).
-inline constexpr std::size_t kMostShapes = 32;      ///< ... if some are no ellipsoids (swell_shaped.comp).
-inline constexpr std::size_t kMostCliques = 16;     ///< Cliques of their groups (field.glsl).
-inline constexpr int kMostSlots = 31;               ///< Groups: one bit each.
+/// Muscles that one place of the skin sees (exact.glsl, swell_shaped.comp).
+inline constexpr std::size_t kMostCandidates = 96;
+inline constexpr std::size_t kMostCliques = 64;  ///< Cliques of their groups (field.glsl).
+inline constexpr int kMostSlots = 64;            ///< Groups: one bit each.
 
 struct Influence {
   std::int32_t binding = 0;
@@ -37,7 +37,7 @@ static_assert(sizeof(Refined) == 32);
 
 struct Candidate {
   std::int32_t primitive = 0;
-  std::uint32_t bit = 0;  ///< Of its group's slot.
+  std::uint32_t slot = 0;  ///< Of its group.
   std::array<float, 3> weights{};
 };
 static_assert(sizeof(Candidate) == 20);

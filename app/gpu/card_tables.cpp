@@ -42,22 +42,25 @@ void fillRefined(const Preparation& preparation, CardTables& out) {
 
 void fillSeen(const CandidateLists& lists, CardTables& out) {
   for (const CarrierCandidate& one : lists.items) {
-    out.candidates.push_back({one.primitive, 1u << static_cast<unsigned>(one.slot), one.weights});
+    out.candidates.push_back({one.primitive, static_cast<std::uint32_t>(one.slot), one.weights});
   }
   out.seen.assign(lists.begin.begin(), lists.begin.end());
   out.seen.insert(out.seen.end(), lists.cliqueSet.begin(), lists.cliqueSet.end());
-  std::vector<std::int32_t> cliques;
+  std::vector<std::uint64_t> cliques;
   for (const CliqueLists& set : lists.cliqueSets) {
     out.seen.push_back(static_cast<std::int32_t>(cliques.size()));
-    if (set.empty()) cliques.push_back(-1);  // Everything sums.
+    if (set.empty()) cliques.push_back(~std::uint64_t{0});  // Everything sums.
     for (const std::vector<int>& clique : set) {
-      std::uint32_t bits = 0;
-      for (const int slot : clique) bits |= 1u << static_cast<unsigned>(slot);
-      cliques.push_back(static_cast<std::int32_t>(bits));
+      std::uint64_t bits = 0;
+      for (const int slot : clique) bits |= std::uint64_t{1} << static_cast<unsigned>(slot);
+      cliques.push_back(bits);
     }
   }
   out.seen.push_back(static_cast<std::int32_t>(cliques.size()));
-  out.seen.insert(out.seen.end(), cliques.begin(), cliques.end());
+  for (const std::uint64_t bits : cliques) {
+    out.seen.push_back(static_cast<std::int32_t>(bits));
+    out.seen.push_back(static_cast<std::int32_t>(bits >> 32u));
+  }
 }
 
 void fillMesh(const Preparation& preparation, CardTables& out) {

@@ -15,7 +15,7 @@ struct CardTables {
   std::vector<card::Control> controls;  ///< [V] bind pose.
   std::vector<card::Refined> refined;   ///< [V']
   /// By carrier [C]: where its candidates begin [C + 1], its set of cliques [C]; where the sets' cliques begin
-  /// [sets + 1]; cliques, a bit a slot.
+  /// [sets + 1]; cliques, a bit a slot, two words each.
   std::vector<std::int32_t> seen;
   std::vector<card::Candidate> candidates;
   std::vector<card::Ring> rings;  ///< [V']

@@ -10,20 +10,21 @@ namespace {
 
 /// What the lists of muscles exceed.
 std::optional<std::string> tooMany(const CandidateLists& lists) {
+  std::size_t muscles = 0, ways = 0;
+  int groups = 0;
   for (std::size_t carrier = 0; carrier + 1 < lists.begin.size(); ++carrier) {
     const auto own = lists.of(static_cast<int>(carrier));
-    if (own.size() > card::kMostCandidates) {
-      return "more than " + std::to_string(card::kMostCandidates) + " muscles may reach one place of the skin";
-    }
-    if (std::ranges::any_of(own, [](const CarrierCandidate& one) { return one.slot >= card::kMostSlots; })) {
-      return "muscles of more than " + std::to_string(card::kMostSlots) + " groups may reach one place of the skin";
-    }
+    muscles = std::max(muscles, own.size());
+    for (const CarrierCandidate& one : own) groups = std::max(groups, one.slot + 1);
   }
-  for (const CliqueLists& cliques : lists.cliqueSets) {
-    if (cliques.size() > card::kMostCliques) {
-      return "groups blend in more than " + std::to_string(card::kMostCliques) + " ways at one place of the skin";
-    }
+  for (const CliqueLists& cliques : lists.cliqueSets) ways = std::max(ways, cliques.size());
+  const auto most = [](const auto& number) { return " one place of the skin, at most " + std::to_string(number); };
+  if (muscles > card::kMostCandidates) {
+    return std::to_string(muscles) + " muscles reach" + most(card::kMostCandidates);
   }
+  if (groups > card::kMostSlots) return std::to_string(groups) + " groups reach" + most(card::kMostSlots);
+  if (ways > card::kMostCliques)
+    return "groups blend in " + std::to_string(ways) + " ways at" + most(card::kMostCliques);
   return std::nullopt;
 }
 

@@ -1,10 +1,10 @@
 // shaders/compute/exact.glsl: the first change of sign of the field along a ray, in double precision: roots isolated
 // between breakpoints, then Newton's steps in the bracket. As core/smoothing/roots/root_finding.cpp and isolation.h.
-const int kMostExactTerms = 64;  // No place of the skin sees more muscles, or the surface is the processor's.
+const int kMostExactTerms = 96;  // No place of the skin sees more muscles, or the surface is the processor's.
 
 struct ExactTerm {  // r^2 = a t^2 + 2 b t + c, f = factor (1 - r^2)^2 for enter < t < leave.
   double a, b, c, factor, enter, leave;
-  uint bit;
+  uint slot;
 };
 ExactTerm exact[kMostExactTerms + 1];
 int exactCount;
@@ -12,7 +12,7 @@ int exactCount;
 double rSquaredOf(ExactTerm term, double t) { return (term.a * t + 2.0lf * term.b) * t + term.c; }
 bool isActive(ExactTerm term, double t) { return t > term.enter && t < term.leave; }
 
-void addPrimitive(Primitive p, float weight, uint bit, vec3 from, vec3 direction) {
+void addPrimitive(Primitive p, float weight, uint slot, vec3 from, vec3 direction) {
   dvec3 y = dvec3(from - p.center.xyz), yd = dvec3(direction);
   double scale = 1.0lf;
   if (p.toUnit[2].w > 0.0) {
@@ -33,7 +33,7 @@ void addPrimitive(Primitive p, float weight, uint bit, vec3 from, vec3 direction
   term.leave = (-term.b + root) / term.a;
   if (term.leave <= 0.0lf) return;
   term.factor = double(strengthOf(p)) * double(weight);
-  term.bit = strengthOf(p) < 0.0 ? kEverySum : bit;
+  term.slot = strengthOf(p) < 0.0 ? kEverySum : slot;
   exact[exactCount++] = term;
 }
 
@@ -46,7 +46,7 @@ void gatherTerms(vec3 from, vec3 direction) {
     vec3 fromCenter = from - p.center.xyz;
     float squared = dot(fromCenter, fromCenter), along = dot(fromCenter, direction);
     bool mayMeet = squared - along * along < 1.01 * p.center.w * p.center.w + 1e-5 * squared;
-    if (weight > 0.0 && p.center.w > 0.0 && mayMeet) addPrimitive(p, weight, c.bit, from, direction);
+    if (weight > 0.0 && p.center.w > 0.0 && mayMeet) addPrimitive(p, weight, c.slot, from, direction);
   }
 }
 
@@ -56,8 +56,8 @@ double sampleExact(double t) {
   for (int k = 0; k < cliqueCount; ++k) {
     double sum = 0.0lf;
     for (int i = 0; i < exactCount; ++i) {
-      bool always = exact[i].bit == kEverySum;
-      if (always ? k > 0 : (exact[i].bit & cliqueAt(k)) == 0u) continue;
+      bool always = exact[i].slot == kEverySum;
+      if (always ? k > 0 : !holds(cliqueAt(k), exact[i].slot)) continue;
       double w = 1.0lf - rSquaredOf(exact[i], t);
       if (w <= 0.0lf || t < exact[i].enter || t > exact[i].leave) continue;
       if (always) everywhere += exact[i].factor * w * w;
@@ -79,7 +79,7 @@ Quartic cliqueOn(int k, double begin, double end, double sign) {
   Quartic q = Quartic(base, base, base, base, base);
   double middle = 0.5lf * (begin + end);
   for (int i = 0; i < exactCount; ++i) {
-    if (exact[i].bit != kEverySum && (exact[i].bit & cliqueAt(k)) == 0u) continue;
+    if (exact[i].slot != kEverySum && !holds(cliqueAt(k), exact[i].slot)) continue;
     if (!isActive(exact[i], middle)) continue;
     double f = exact[i].factor;
     double w0 = 1.0lf - rSquaredOf(exact[i], begin);

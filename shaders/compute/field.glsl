@@ -5,7 +5,7 @@ struct Refined {
 };
 struct Candidate {
   int primitive;
-  uint bit;  // Of its group's slot; cliques are sums of bits.
+  uint slot;  // Of its group.
   float w0, w1, w2;
 };
 struct Primitive {
@@ -32,8 +32,8 @@ layout(std430, binding = 1) readonly buffer Seen { int seen[]; };
 layout(std430, binding = 2) readonly buffer Candidates { Candidate candidates[]; };
 layout(std430, binding = 3) readonly buffer Primitives { Primitive primitives[]; };  // [bodies * primitives]
 
-const int kMostCliques = 16;
-const uint kEverySum = 0xffffffffu;
+const int kMostCliques = 64;
+const uint kEverySum = 0xffffffffu;  // In place of a slot: counts in every clique.
 
 int firstCandidate, endCandidate, firstClique, cliqueCount;
 vec3 corners;        // Weights of the carrier's corners.
@@ -46,12 +46,16 @@ void see(int vertex, int ofBody) {
   endCandidate = seen[carrier + 1];
   int sets = 2 * carriers + 1;
   int set = seen[carriers + 1 + carrier];
-  firstClique = sets + cliqueSets + 1 + seen[sets + set];
+  firstClique = sets + cliqueSets + 1 + 2 * seen[sets + set];
   cliqueCount = seen[sets + set + 1] - seen[sets + set];
   firstPrimitive = ofBody * primitiveCount;
 }
 
-uint cliqueAt(int k) { return uint(seen[firstClique + k]); }
+// A bit a slot.
+uvec2 cliqueAt(int k) { return uvec2(seen[firstClique + 2 * k], seen[firstClique + 2 * k + 1]); }
+bool holds(uvec2 clique, uint slot) {
+  return ((slot < 32u ? clique.x >> slot : clique.y >> (slot - 32u)) & 1u) != 0u;
+}
 
 float weightOf(Candidate c) {
   precise float weight = c.w0 * corners.x + c.w1 * corners.y + c.w2 * corners.z;

@@ -37,7 +37,7 @@ vec4 fieldAt(vec3 x) {
       continue;
     }
     for (int k = 0; k < cliqueCount; ++k) {
-      if ((cliqueAt(k) & c.bit) != 0u) sums[k] += part;
+      if (holds(cliqueAt(k), c.slot)) sums[k] += part;
     }
   }
   vec4 best = vec4(0.0);

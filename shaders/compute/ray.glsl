@@ -6,7 +6,7 @@ const float kFar = 1e30;
 
 struct Term {  // w(t) = peak - a (t - middle)^2, f(t) = factor max(0, w)^2.
   Real a, middle, peak, factor;
-  uint bit;
+  uint slot;
   int shape;  // Index of the line through the shape that is meant instead; -1: an ellipsoid.
 };
 Term terms[kMostTerms];
@@ -65,7 +65,7 @@ Real turnOf(Real along, Real curve, Real y, Real dy) {
 }
 
 // False: there are too many.
-bool addShape(int primitive, Primitive p, Real3 y, Real3 yd, Real factor, uint bit) {
+bool addShape(int primitive, Primitive p, Real3 y, Real3 yd, Real factor, uint slot) {
   ShapeLine line;
   line.primitive = primitive;
   Real middle = -dot(y, yd) / dot(yd, yd);
@@ -80,7 +80,7 @@ bool addShape(int primitive, Primitive p, Real3 y, Real3 yd, Real factor, uint b
   if (termCount == kMostTerms || shapeCount == kMostShapes) return false;
   line.turnX = turnOf(yd.x, p.bendCurve.z, line.point.y, yd.y);
   line.turnZ = turnOf(yd.z, p.bendCurve.w, line.point.y, yd.y);
-  terms[termCount++] = Term(Real(0.0), middle, Real(0.0), factor, bit, shapeCount);
+  terms[termCount++] = Term(Real(0.0), middle, Real(0.0), factor, slot, shapeCount);
   shapeLines[shapeCount++] = line;
   return true;
 }
@@ -98,11 +98,11 @@ bool fillTerms(vec3 from, vec3 d) {
     if (p.center.w == 0.0 || !mayMeet(fromCenter, d, p.center.w)) continue;
     float factor = strengthOf(p) * weightOf(c);
     if (factor == 0.0) continue;
-    uint bit = factor < 0.0 ? kEverySum : c.bit;
+    uint slot = factor < 0.0 ? kEverySum : c.slot;
     Real3 y = unitOf(p, Real3(fromCenter)), yd = unitOf(p, Real3(d));
     if (isShaped(p)) {
       meetsShape = true;
-      fits = addShape(firstPrimitive + c.primitive, p, y, yd, sense * factor, bit) && fits;
+      fits = addShape(firstPrimitive + c.primitive, p, y, yd, sense * factor, slot) && fits;
       continue;
     }
     Real squared = dot(yd, yd);
@@ -113,7 +113,7 @@ bool fillTerms(vec3 from, vec3 d) {
     Real a = scale * squared;
     if (!(peak > 0.0) || !(middle > 0.0 || peak - a * middle * middle > 0.0)) continue;
     fits = fits && termCount < kMostTerms;
-    if (fits) terms[termCount++] = Term(a, middle, peak, sense * factor, bit, -1);
+    if (fits) terms[termCount++] = Term(a, middle, peak, sense * factor, slot, -1);
   }
   return fits;
 }
@@ -136,11 +136,11 @@ Real2 potentialAt(Term term, Real t) {
 Real2 sampleRay(Real t) {
   Real2 everywhere = Real2(0.0), best = Real2(0.0);
   for (int k = 0; k < cliqueCount; ++k) {
-    uint clique = cliqueAt(k);
+    uvec2 clique = cliqueAt(k);
     Real2 sum = Real2(0.0);
     for (int i = 0; i < termCount; ++i) {
-      bool carves = terms[i].bit == kEverySum;
-      if (carves ? k > 0 : (terms[i].bit & clique) == 0u) continue;
+      bool carves = terms[i].slot == kEverySum;
+      if (carves ? k > 0 : !holds(clique, terms[i].slot)) continue;
       Real2 at = potentialAt(terms[i], t);
       Real2 part = terms[i].factor * at.x * at;
       if (carves) everywhere += part;
@@ -231,11 +231,11 @@ Bounds boundsOf(Real t0, Real t1) {
   all.value = all.maxSlope = all.minSlope = all.values = all.slopes = all.atEnd = Real(0.0);
   Real value = Real(-kFar), atEnd = Real(-kFar), maxSlope = Real(-kFar), minSlope = Real(kFar);
   for (int k = 0; k < cliqueCount; ++k) {
-    uint clique = cliqueAt(k);
+    uvec2 clique = cliqueAt(k);
     Real sumLow = Real(0.0), sumEnd = Real(0.0), sumMax = Real(0.0), sumMin = Real(0.0);
     for (int i = 0; i < termCount; ++i) {
-      bool carves = terms[i].bit == kEverySum;
-      if (k > 0 && (carves || (terms[i].bit & clique) == 0u)) continue;
+      bool carves = terms[i].slot == kEverySum;
+      if (k > 0 && (carves || !holds(clique, terms[i].slot))) continue;
       PotentialBounds w;
       if (terms[i].shape < 0) w = ellipsoidBounds(terms[i], t0, t1);
       else w = shapeBounds(terms[i], t0, t1);
@@ -257,7 +257,7 @@ Bounds boundsOf(Real t0, Real t1) {
         all.atEnd += end;
         all.maxSlope += most;
         all.minSlope += fewest;
-      } else if ((terms[i].bit & clique) != 0u) {
+      } else if (holds(clique, terms[i].slot)) {
         sumLow += least;
         sumEnd += end;
         sumMax += most;

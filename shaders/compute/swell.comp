@@ -43,7 +43,7 @@ vec2 skinAt(vec3 p) {
       continue;
     }
     for (int k = 0; k < cliqueCount; ++k) {
-      if ((cliqueAt(k) & c.bit) != 0u) sums[k] += value;
+      if (holds(cliqueAt(k), c.slot)) sums[k] += value;
     }
   }
   float together = 0.0;

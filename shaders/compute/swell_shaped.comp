@@ -9,7 +9,7 @@
 #define Real3 dvec3
 #include "compute/shape.glsl"
 
-const int kMostTerms = 32, kMostShapes = 32;  // No place of the skin sees more, or the surface is the processor's.
+const int kMostTerms = 96, kMostShapes = 96;  // No place of the skin sees more, or the surface is the processor's.
 const double kValueRounding = 1e-13lf, kSlopeRounding = 1e-11lf;
 #define kLeastStretch (0.001lf * double(tolerance))
 const int kMostMarches = 400, kMostSteps = 60;

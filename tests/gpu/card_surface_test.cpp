@@ -5,9 +5,15 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "core/body/fit_preset.h"
+#include "core/io/preset_json.h"
+#include "core/symmetry/twins.h"
 #include "sinew/character/character_pose.h"
 #include "sinew/io/gltf_import.h"
 #include "tests/gpu/on_card.h"
@@ -74,6 +80,19 @@ TEST_F(CardSurfaces, AreTheProcessorsOfTheBundledRigsThatReplace) {
   horse.rig = withMode(horse.rig, SurfaceMode::kReplace);
   horse.name = "demo, replace";
   (void)compare(horse, spreadPoses(*horse.character, 1));
+}
+
+// As the tool lays them: a group for each muscle, bellies that are no ellipsoids, lines.
+TEST_F(CardSurfaces, AreTheProcessorsOfSetsOfMuscles) {
+  for (const auto& [name, set] : {std::pair{"humanoid", "athlete"}, std::pair{"horse", "animal"}}) {
+    TrialScene scene = bundledTrialScene(name);
+    const auto file = std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "presets" / (std::string(set) + ".json");
+    const Preset preset = loadPreset(file).value();
+    scene.rig = fitPreset({}, preset, {}, *scene.character, makeMirrorPlan(*scene.character)).value().rig;
+    scene.rig.smoothing.detail = DetailKind::kAdaptive;
+    EXPECT_GT(scene.rig.groups.size(), 25u) << name;
+    (void)compare(scene, spreadPoses(*scene.character, moments(1)));
+  }
 }
 
 // Carves, groups that do not blend, steep rims, every patch, adaptive and uniform detail; and muscles of any shape.

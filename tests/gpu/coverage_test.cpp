@@ -50,8 +50,8 @@ TEST(Coverage, NamesWhatIsLeftToTheProcessor) {
   crowded.groups = 1;
   crowded.radiusHigh = 0.3f;
   const auto character = makeTwoLegged();
-  EXPECT_EQ(reasonOf({"", character, randomRig(*character, crowded, 1)}),
-            "more than 64 muscles may reach one place of the skin");
+  const std::string many = reasonOf({"", character, randomRig(*character, crowded, 1)});
+  EXPECT_NE(many.find(" muscles reach one place of the skin, at most 96"), std::string::npos) << many;
 }
 
 // A line bends its muscle in some poses only, which `replace` has no code for.
