@@ -20,8 +20,11 @@ step() {
 # All tests of core but those that would say nothing new: they run no code of core themselves, or take minutes here.
 # Indented, so that nobody takes these closing lines for those of the whole.
 runTests() {
-  ctest --test-dir "$build" --output-on-failure -j "$(nproc)" \
-    -E "$(grep -v '^#' "$source/tests/ci/sanitizers_without.txt" | paste -sd '|')" 2>&1 | sed 's/^/    /'
+  local without
+  without=$(grep -v '^#' "$source/tests/ci/sanitizers_without.txt" | paste -sd '|')
+  # Where ctest cannot read the expression it complains, and runs everything.
+  if ctest --test-dir "$build" -N -E "$without" 2>&1 | grep RegularExpression; then return 1; fi
+  ctest --test-dir "$build" --output-on-failure -j "$(nproc)" -E "$without" 2>&1 | sed 's/^/    /'
 }
 
 step configure cmake -S "$source" --preset asan -B "$build" "${options[@]}"

@@ -14,12 +14,12 @@
 namespace sinew {
 namespace {
 
-struct Scene {
+struct RenamedScene {
   std::shared_ptr<const Character> character = test::makeTwoLegged();
   MirrorPlan plan = makeMirrorPlan(*character);
   Rig rig;
 
-  Scene() {
+  RenamedScene() {
     rig.groups = {{"legs", {}}, {"torso", {}}};
     Primitive thigh;
     thigh.name = "thigh L";
@@ -37,7 +37,7 @@ struct Scene {
 };
 
 TEST(RenamedTwins, ANewNameIsNoChangeOfWhatItNames) {
-  Scene scene;
+  RenamedScene scene;
   scene.rig.primitives[1].group = "torso";  // They never were in one group.
   MuscleLine line;
   line.name = "calf";
@@ -60,7 +60,7 @@ TEST(RenamedTwins, ANewNameIsNoChangeOfWhatItNames) {
 }
 
 TEST(RenamedTwins, WhatIsRenamedAndMovedAtOnceIsFollowed) {
-  Scene scene;
+  RenamedScene scene;
   IdentitySource().identify(scene.rig, Rig{});
   Rig renamed = renamePrimitive(scene.rig, 0, "quad").value();
   renamed.primitives[1].name = "thigh L";  // The name that the other had.

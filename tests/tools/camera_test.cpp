@@ -19,7 +19,7 @@ namespace {
 using test::Random;
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr glm::ivec2 kSize{1000, 700};
+constexpr glm::ivec2 kPicture{1000, 700};
 
 Camera randomCamera(Random& random) {
   Camera camera;
@@ -34,11 +34,11 @@ Camera randomCamera(Random& random) {
 }
 
 glm::vec2 pixelOf(const Camera& camera, const glm::vec3& point) {
-  return glm::vec2(viewOf(camera, kSize).toPixel(point));
+  return glm::vec2(viewOf(camera, kPicture).toPixel(point));
 }
 
 glm::vec2 pixelOfAim(const Camera& camera) {
-  return 0.5f * glm::vec2(kSize) * (1.0f + glm::vec2(1.0f, -1.0f) * camera.stand.aim);
+  return 0.5f * glm::vec2(kPicture) * (1.0f + glm::vec2(1.0f, -1.0f) * camera.stand.aim);
 }
 
 /// Low x and y, high x and y, 0..1 of the picture: what holds all corners of the box in it.
@@ -47,7 +47,7 @@ glm::vec4 placeOf(const Camera& camera, const Bounds& box) {
   for (int corner = 0; corner < 8; ++corner) {
     const glm::vec3 point((corner & 1) ? box.low.x : box.high.x, (corner & 2) ? box.low.y : box.high.y,
                           (corner & 4) ? box.low.z : box.high.z);
-    const glm::vec2 pixel = pixelOf(camera, point) / glm::vec2(kSize);
+    const glm::vec2 pixel = pixelOf(camera, point) / glm::vec2(kPicture);
     low = glm::min(low, pixel);
     high = glm::max(high, pixel);
   }
@@ -59,10 +59,10 @@ TEST(Camera, ZoomKeepsThePointUnderThePointer) {
   for (int i = 0; i < 300; ++i) {
     Camera camera = randomCamera(random);
     const glm::vec2 pixel(random.uniform(50, 950), random.uniform(50, 650));
-    const Ray ray = viewOf(camera, kSize).rayThrough(pixel);
+    const Ray ray = viewOf(camera, kPicture).rayThrough(pixel);
     const float depth = glm::length(camera.stand.target - ray.origin) * random.uniform(0.8f, 1.2f);
     const glm::vec3 point = ray.origin + depth * ray.direction;
-    zoomToward(camera, random.uniform(-4, 4), pixel, kSize, point);
+    zoomToward(camera, random.uniform(-4, 4), pixel, kPicture, point);
     EXPECT_LT(glm::length(pixelOf(camera, point) - pixel), 0.1f) << i;
   }
 }
@@ -72,12 +72,12 @@ TEST(Camera, ZoomWithoutAPointKeepsTheTargetPlane) {
   for (int i = 0; i < 100; ++i) {
     Camera camera = randomCamera(random);
     const glm::vec2 pixel(random.uniform(50, 950), random.uniform(50, 650));
-    const View view = viewOf(camera, kSize);
+    const View view = viewOf(camera, kPicture);
     const Ray ray = view.rayThrough(pixel);
     const glm::vec3 forward = view.forwardInWorld();
     const float depth = glm::dot(camera.stand.target - ray.origin, forward) / glm::dot(ray.direction, forward);
     const glm::vec3 point = ray.origin + depth * ray.direction;
-    zoomToward(camera, 3.0f, pixel, kSize, std::nullopt);
+    zoomToward(camera, 3.0f, pixel, kPicture, std::nullopt);
     EXPECT_LT(glm::length(pixelOf(camera, point) - pixel), 0.1f) << i;
   }
 }
@@ -85,9 +85,9 @@ TEST(Camera, ZoomWithoutAPointKeepsTheTargetPlane) {
 TEST(Camera, ZoomStopsAtItsLimitsAndStillKeepsThePoint) {
   Random random(13);
   Camera camera = randomCamera(random);
-  for (int i = 0; i < 200; ++i) zoomToward(camera, 5.0f, {500, 350}, kSize, camera.stand.target);
+  for (int i = 0; i < 200; ++i) zoomToward(camera, 5.0f, {500, 350}, kPicture, camera.stand.target);
   EXPECT_FLOAT_EQ(camera.stand.distance, kNearestView * camera.characterHeight);
-  for (int i = 0; i < 200; ++i) zoomToward(camera, -5.0f, {500, 350}, kSize, camera.stand.target);
+  for (int i = 0; i < 200; ++i) zoomToward(camera, -5.0f, {500, 350}, kPicture, camera.stand.target);
   EXPECT_FLOAT_EQ(camera.stand.distance, kFarthestView * camera.characterHeight);
 }
 
@@ -98,7 +98,7 @@ TEST(Camera, PanKeepsTheTargetUnderThePointer) {
     const glm::vec3 grabbed = camera.stand.target;
     const glm::vec2 drag(random.uniform(-200, 200), random.uniform(-200, 200));
     const glm::vec2 before = pixelOf(camera, grabbed);
-    pan(camera, drag, kSize);
+    pan(camera, drag, kPicture);
     EXPECT_LT(glm::length(pixelOf(camera, grabbed) - (before + drag)), 0.1f) << i;
   }
 }
@@ -108,8 +108,8 @@ TEST(Camera, OrbitKeepsTheTargetAndNeverFlips) {
   Camera camera = randomCamera(random);
   for (int i = 0; i < 500; ++i) {
     const glm::vec3 target = camera.stand.target;
-    orbit(camera, {random.uniform(-300, 300), random.uniform(-600, 600)}, kSize);
-    const View view = viewOf(camera, kSize);
+    orbit(camera, {random.uniform(-300, 300), random.uniform(-600, 600)}, kPicture);
+    const View view = viewOf(camera, kPicture);
     EXPECT_EQ(camera.stand.target, target);
     EXPECT_LT(glm::length(glm::vec2(view.toPixel(target)) - pixelOfAim(camera)), 0.05f);
     // World up never points down in the picture.
@@ -123,7 +123,7 @@ TEST(Camera, OrbitTurnsTheSceneWithThePointer) {
   camera.stand = {glm::vec3(0.0f), 4.0f, 0.0f, 0.0f};
   const glm::vec3 nose(0.0f, 0.0f, 0.3f);  // Towards the eye.
   const glm::vec2 before = pixelOf(camera, nose);
-  orbit(camera, {40, 30}, kSize);
+  orbit(camera, {40, 30}, kPicture);
   EXPECT_GT(pixelOf(camera, nose).x, before.x + 1.0f);
   EXPECT_GT(pixelOf(camera, nose).y, before.y + 1.0f);
 }
@@ -137,8 +137,8 @@ TEST(Camera, FramingHoldsTheBoxTightly) {
     for (int k = 0; k < 2; ++k) {
       box.add(h * glm::vec3(random.uniform(-1, 1), random.uniform(0, 1), random.uniform(-1, 1)));
     }
-    frameBounds(camera, box, kSize, false);
-    const View view = viewOf(camera, kSize);
+    frameBounds(camera, box, kPicture, false);
+    const View view = viewOf(camera, kPicture);
     glm::vec2 largest(0.0f);
     for (int corner = 0; corner < 8; ++corner) {
       const glm::vec3 point((corner & 1) ? box.low.x : box.high.x, (corner & 2) ? box.low.y : box.high.y,
@@ -146,7 +146,7 @@ TEST(Camera, FramingHoldsTheBoxTightly) {
       const glm::vec3 pixel = view.toPixel(point);
       EXPECT_TRUE(pixel.x >= 0 && pixel.x <= 1000 && pixel.y >= 0 && pixel.y <= 700) << i;
       EXPECT_LE(std::abs(pixel.z), 1.0f);
-      largest = glm::max(largest, glm::abs(glm::vec2(pixel) / glm::vec2(kSize) - 0.5f));
+      largest = glm::max(largest, glm::abs(glm::vec2(pixel) / glm::vec2(kPicture) - 0.5f));
     }
     if (glm::length(box.extent()) > 0.3f * h) {
       EXPECT_GT(std::max(largest.x, largest.y), 0.3f) << "wastes the picture";
@@ -165,7 +165,7 @@ TEST(Camera, FramingStaysClearOfWhatIsCovered) {
     const std::vector<glm::vec4> covered{{0.0f, 0.0f, random.uniform(0.2f, 1.0f), random.uniform(0.05f, 0.3f)},
                                          {0.0f, 0.2f, random.uniform(0.05f, 0.3f), random.uniform(0.3f, 1.2f)},
                                          {random.uniform(0.7f, 0.95f), 0.1f, 1.0f, random.uniform(0.2f, 0.9f)}};
-    frameBounds(camera, box, kSize, false, covered);
+    frameBounds(camera, box, kPicture, false, covered);
     const glm::vec4 place = placeOf(camera, box);
     for (const glm::vec4& over : covered) {
       EXPECT_FALSE(place.x < over.z && over.x < place.z && place.y < over.w && over.y < place.w) << i;
@@ -185,7 +185,7 @@ TEST(Camera, FramingStaysClearOfWhatIsCovered) {
                                         {part.z, 0.0f, 1.0f, 1.0f},
                                         {0.0f, 0.0f, 1.0f, part.y},
                                         {0.0f, part.w, 1.0f, 1.0f}};
-      frameBounds(other, box, kSize, false, rest);
+      frameBounds(other, box, kPicture, false, rest);
       ASSERT_GE(other.stand.distance, camera.stand.distance * 0.999f / kAlmostAsLarge) << i << ", part " << cell;
     }
   }
@@ -195,10 +195,10 @@ TEST(Camera, APanelThatLeavesNoRoomIsPassedOverAndTheBarsAreNot) {
   Camera camera;
   const glm::vec4 bar(0.0f, 0.0f, 1.0f, 0.2f);
   const std::vector<glm::vec4> covered{bar, {0.1f, 0.3f, 0.95f, 0.9f}};
-  frameBounds(camera, camera.scene, kSize, false, covered);
+  frameBounds(camera, camera.scene, kPicture, false, covered);
   EXPECT_GT(placeOf(camera, camera.scene).y, bar.w);
   Camera beside = camera;
-  frameBounds(beside, camera.scene, kSize, false, {&bar, 1});
+  frameBounds(beside, camera.scene, kPicture, false, {&bar, 1});
   EXPECT_EQ(camera.stand.distance, beside.stand.distance);
 }
 
@@ -206,16 +206,16 @@ TEST(Camera, AWhollyCoveredPictureIsFramedAsAWhole) {
   Camera camera;
   camera.stand.aim = {0.3f, 0.2f};
   const std::vector<glm::vec4> covered{{0.1f, 0.1f, 0.95f, 0.9f}};
-  frameBounds(camera, camera.scene, kSize, false, covered);
+  frameBounds(camera, camera.scene, kPicture, false, covered);
   EXPECT_EQ(camera.stand.aim, glm::vec2(0.0f));
 }
 
 TEST(Camera, FramingAPointStaysAwayFromIt) {
   Camera camera;
-  frameBounds(camera, {glm::vec3(1.0f), glm::vec3(1.0f)}, kSize, false);
+  frameBounds(camera, {glm::vec3(1.0f), glm::vec3(1.0f)}, kPicture, false);
   EXPECT_GT(camera.stand.distance, 0.05f * camera.characterHeight);
   const CameraStand before = camera.stand;
-  frameBounds(camera, Bounds{}, kSize, false);
+  frameBounds(camera, Bounds{}, kPicture, false);
   EXPECT_EQ(camera.stand.distance, before.distance);
   EXPECT_EQ(camera.stand.target, before.target);
 }
@@ -226,9 +226,9 @@ TEST(Camera, TransitionsEndWhereTheyShouldAndMoveEvenly) {
     Camera camera = randomCamera(random);
     Camera direct = camera;
     const Bounds box{glm::vec3(-0.1f) * camera.characterHeight, glm::vec3(0.2f) * camera.characterHeight};
-    frameBounds(direct, box, kSize, false);
+    frameBounds(direct, box, kPicture, false);
     const float start = glm::length(camera.stand.target - direct.stand.target);
-    frameBounds(camera, box, kSize, true);
+    frameBounds(camera, box, kPicture, true);
     float before = start;
     int frames = 0;
     while (advance(camera, 0.016f)) {
@@ -248,7 +248,7 @@ TEST(Camera, InputEndsATransition) {
   Camera camera;
   showStandardView(camera, StandardView::kBack);
   EXPECT_TRUE(advance(camera, 0.05f));
-  orbit(camera, {5, 0}, kSize);
+  orbit(camera, {5, 0}, kPicture);
   EXPECT_FALSE(isMoving(camera));
 }
 
@@ -263,7 +263,7 @@ TEST(Camera, SixViewsLookAlongTheirAxes) {
     Camera camera;
     showStandardView(camera, which);
     advance(camera, 1.0f);
-    const View view = viewOf(camera, kSize);
+    const View view = viewOf(camera, kPicture);
     EXPECT_LT(glm::length(view.forwardInWorld() - forward), 1e-5f);
     EXPECT_TRUE(isFinite(view.clipFromWorld()));
   }
@@ -281,8 +281,8 @@ TEST(Camera, DepthResolvesSmallAndLargeCharacters) {
   for (const float height : {0.02f, 1.8f, 155.0f}) {
     Camera camera;
     setScene(camera, {height * glm::vec3(-0.4f, 0.0f, -0.4f), height * glm::vec3(0.4f, 1.0f, 0.4f)}, height);
-    frameBounds(camera, camera.scene, kSize, false);
-    const View view = viewOf(camera, kSize);
+    frameBounds(camera, camera.scene, kPicture, false);
+    const View view = viewOf(camera, kPicture);
     const glm::vec3 forward = view.forwardInWorld();
     const float near = view.toPixel(camera.stand.target).z;
     const float far = view.toPixel(camera.stand.target + 1e-3f * height * forward).z;

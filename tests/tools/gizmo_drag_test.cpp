@@ -19,7 +19,7 @@ using test::pointerAt;
 using test::Random;
 using test::releasedAt;
 
-constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kHalfTurn = std::numbers::pi_v<float>;
 
 GizmoHandle handle(GizmoHandle first, int by) { return static_cast<GizmoHandle>(static_cast<int>(first) + by); }
 
@@ -178,7 +178,7 @@ TEST(GizmoRotate, UnderEvenScaleItIsTheWorldRotation) {
     ViewportInput input = releasedAt({600, 300});
     input.typed = "72.5";
     const Placement after = updateDrag(state, input, scene.context).placement;
-    const glm::mat3 turn = glm::mat3_cast(glm::angleAxis(72.5f * kPi / 180.0f, glm::vec3(0, 1, 0)));
+    const glm::mat3 turn = glm::mat3_cast(glm::angleAxis(72.5f * kHalfTurn / 180.0f, glm::vec3(0, 1, 0)));
     const glm::mat3 expected = turn * glm::mat3(shapeInWorld(scene.placement, 1.0f, scene.context.boneInWorld));
     const glm::mat3 actual(shapeInWorld(after, 1.0f, scene.context.boneInWorld));
     for (int c = 0; c < 3; ++c) {
@@ -201,7 +201,7 @@ TEST(GizmoRotate, UnderUnevenScaleTheAxisStaysPut) {
     const glm::mat3 turn =
         bone * glm::mat3_cast(after.rotation * glm::conjugate(scene.placement.rotation)) * glm::inverse(bone);
     EXPECT_LT(glm::length(turn * glm::vec3(0, 0, 1) - glm::vec3(0, 0, 1)), 1e-4f);
-    EXPECT_NEAR(turn[0][0] + turn[1][1] + turn[2][2], 1.0f + 2.0f * std::cos(40.0f * kPi / 180.0f), 1e-4f);
+    EXPECT_NEAR(turn[0][0] + turn[1][1] + turn[2][2], 1.0f + 2.0f * std::cos(40.0f * kHalfTurn / 180.0f), 1e-4f);
   }
 }
 
@@ -223,13 +223,13 @@ TEST(GizmoRotate, TurnsAddUpPastAHalfTurn) {
   GizmoState state;
   const GizmoLayout layout = layoutGizmo(state, scene.placement, scene.context);
   const auto at = [&](float turns) {
-    return layout.origin + 80.0f * glm::vec2(std::cos(2.0f * kPi * turns), -std::sin(2.0f * kPi * turns));
+    return layout.origin + 80.0f * glm::vec2(std::cos(2.0f * kHalfTurn * turns), -std::sin(2.0f * kHalfTurn * turns));
   };
   beginDrag(state, GizmoHandle::kRotateScreen, scene.placement, at(0), scene.context);
   for (int i = 1; i <= 30; ++i) {
     static_cast<void>(updateDrag(state, pointerAt(at(0.05f * static_cast<float>(i))), scene.context));
   }
-  EXPECT_NEAR(state.drag->angle, 3.0f * kPi, 0.01f);
+  EXPECT_NEAR(state.drag->angle, 3.0f * kHalfTurn, 0.01f);
 }
 
 TEST_P(EveryBone, ScaleBoxesStretchOneRadius) {

@@ -15,7 +15,7 @@ using test::GizmoScene;
 using test::pointerAt;
 using test::releasedAt;
 
-constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kHalfCircle = std::numbers::pi_v<float>;
 constexpr glm::vec2 kPress{640, 400};
 
 struct Drag {
@@ -85,7 +85,7 @@ TEST(GizmoKeys, CtrlSnapsMoveRotateAndScale) {
     EXPECT_LT(glm::length(steps - glm::round(steps)), 1e-3f);
     Drag turn(GizmoHandle::kRotateScreen);
     turn.to(input);
-    const float angles = turn.state.drag->angle / (kPi / 12.0f);
+    const float angles = turn.state.drag->angle / (kHalfCircle / 12.0f);
     EXPECT_NEAR(angles, std::round(angles), 1e-4f);
     Drag scale(GizmoHandle::kScaleUniform);
     const float factor = scale.to(input).radii.x / scale.scene.placement.radii.x;

@@ -20,7 +20,7 @@ constexpr float kPosesPerSecond = 8.0f;
 
 using CharacterPtr = std::shared_ptr<const Character>;
 
-CharacterPtr bundled(const std::string& name) {
+CharacterPtr bundledNamed(const std::string& name) {
   auto character = importGltf(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / (name + ".glb"));
   EXPECT_TRUE(character.ok()) << name;
   return character ? character.value() : nullptr;
@@ -103,7 +103,8 @@ TEST(SkinQuality, OfABodyWithShouldersAnOpenNeckAndAFin) {
 // Drawn muscles lift the skin by 1 % of the height: less than a long triangle of the horse shows when all are split
 // alike.
 TEST(SkinQuality, OfBundledCharacters) {
-  for (const char* name : {"humanoid", "horse"}) expectGoodSkin(bundled(name), layMuscles(bundled(name)), 5.0, 80.0);
+  for (const char* name : {"humanoid", "horse"})
+    expectGoodSkin(bundledNamed(name), layMuscles(bundledNamed(name)), 5.0, 80.0);
 }
 
 // Many small muscles, finer than the mesh at depth 3: their definition is what must not get lost.
@@ -112,7 +113,7 @@ TEST(SkinQuality, OfBundledRigs) {
     SCOPED_TRACE(name);
     const auto rig = loadRig(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / (std::string(name) + ".rig.json"));
     ASSERT_TRUE(rig.ok());
-    expectGoodSkin(bundled(std::filesystem::path(rig.value().character).stem().string()), rig.value(), 5.0);
+    expectGoodSkin(bundledNamed(std::filesystem::path(rig.value().character).stem().string()), rig.value(), 5.0);
   }
 }
 
