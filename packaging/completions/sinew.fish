@@ -194,6 +194,6 @@ complete -c sinew -n '__sinew_in "bench"' -a '(__sinew_files glb gltf vrm rig.js
 complete -c sinew -n '__sinew_in "bench"' -s h -l help -d 'Print this and exit'
 complete -c sinew -n '__sinew_in "bench"' -l json -x -a '(__sinew_files json)' -d 'Print JSON, for programs; or write it to FILE.json beside the table'
 complete -c sinew -n '__sinew_in "bench"' -l rounds -x -d 'Times everything is timed (7)'
-complete -c sinew -n '__sinew_in "bench"' -l crowd -x -d 'With gpu: bodies, each in a moment of its own (1)'
+complete -c sinew -n '__sinew_in "bench"' -l crowd -x -d 'With gpu: bodies, each in a moment of its own (1000; none where there is no graphics card)'
 complete -c sinew -n '__sinew_in "bench"' -l frames -x -d 'With gpu: moments of the first clip (10)'
 complete -c sinew -n '__sinew_in "bench"' -l progress -d 'Say how far it is on stderr, every 5 percent; a terminal shows it anyway'
