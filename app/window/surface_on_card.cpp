@@ -1,38 +1,24 @@
 // app/window/surface_on_card.cpp: measured once, then followed; whatever goes wrong, the processor takes over.
 #include "app/window/surface_on_card.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <vector>
 
 #include "app/actions/export_error.h"
 #include "app/editor/edit.h"
+#include "app/gpu/card_figures.h"
 #include "app/render/gl_objects.h"
-#include "core/base/stopwatch.h"
 
 namespace sinew::app {
 namespace {
 
-constexpr int kRounds = 3;  ///< Of each, the best of which counts.
+constexpr std::size_t kRounds = 3;  ///< Of each, the median of which counts.
 
 std::string millisecondsText(double seconds) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.2f ms", 1e3 * seconds);
   return text.data();
-}
-
-double bestOfProcessor(const std::shared_ptr<const Preparation>& preparation, const Pose& pose) {
-  SmoothingMemory memory;
-  PosedRig rig;
-  Surface surface;
-  double best = 1e9;
-  for (int i = 0; i < kRounds; ++i) {
-    Stopwatch watch;
-    preparation->poser->pose(pose, rig);
-    smooth(preparation, rig, pose, std::nullopt, memory, surface, watch.lap());
-    best = std::min(best, surface.report.seconds.total());
-  }
-  return best;
 }
 
 /// What the card does not draw, whatever it is asked for.
@@ -78,32 +64,29 @@ std::optional<std::string> SurfaceOnCard::make(const EditorState& state) {
   return std::nullopt;
 }
 
-/// Both make the surface that is shown; again once it has muscles.
+/// Both make the surface that is shown; again once it has muscles. What could not be measured is tried again.
 bool SurfaceOnCard::measuredFaster(EditorState& state) {
-  SurfaceMakerState& maker = state.session.surfaceMaker;
+  std::string& why = state.session.surfaceMaker.why;
   const std::pair of(state.session.documentsOpened, !state.document.rig().primitives.empty());
   if (measuredOf_ != of) {
-    measuredOf_ = of;
-    measured_.reset();
     if (const auto reason = prepare(state.live->preparation())) {
-      maker.why = *reason;
+      why = *reason;
       return false;
     }
-    Measured measured{1e9, bestOfProcessor(state.live->preparation(), state.live->pose())};
-    for (int i = 0; i < kRounds; ++i) {
-      if (const auto reason = card_->make(state.live->pose())) {
-        maker.why = *reason;
-        return false;
-      }
-      measured.card = std::min(measured.card, total(card_->seconds()));
+    const std::vector<Pose> frames(kRounds, state.live->pose());
+    const auto figures = measureCard(*programs_, state.live->preparation(), frames, 1);
+    if (!figures) {
+      why = figures.error().text();
+      return false;
     }
-    made_ = 0;
-    measured_ = measured;
+    const double card = total(figures->card), processor = figures->processor.total();
+    measuredOf_ = of;
+    cardIsFaster_ = card < processor;
+    measurement_ =
+        "measured: " + millisecondsText(card) + " on the card, " + millisecondsText(processor) + " on the processor";
   }
-  if (!measured_) return false;
-  maker.why = "measured: " + millisecondsText(measured_->card) + " on the card, " +
-              millisecondsText(measured_->processor) + " on the processor";
-  return measured_->card < measured_->processor;
+  why = measurement_;
+  return cardIsFaster_;
 }
 
 bool SurfaceOnCard::wanted(EditorState& state) {

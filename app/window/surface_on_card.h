@@ -24,11 +24,6 @@ class SurfaceOnCard {
   [[nodiscard]] const DrawnOnCard* drawn() const { return shows_ ? card_.get() : nullptr; }
 
  private:
-  /// Seconds of a surface by each.
-  struct Measured {
-    double card = 0.0;
-    double processor = 0.0;
-  };
   bool wanted(EditorState& state);
   std::optional<std::string> make(const EditorState& state);
   std::optional<std::string> prepare(const std::shared_ptr<const Preparation>& preparation);
@@ -46,7 +41,8 @@ class SurfaceOnCard {
   bool shows_ = false;
   std::string said_;                                        ///< The last reason that was told.
   std::optional<std::pair<std::size_t, bool>> measuredOf_;  ///< Document, and whether it had muscles.
-  std::optional<Measured> measured_;                        ///< nullopt: it could not be.
+  std::string measurement_;                                 ///< In words.
+  bool cardIsFaster_ = false;
 };
 
 }  // namespace sinew::app

@@ -1,6 +1,7 @@
 // tests/gpu/surface_on_card_test.cpp: who computes the surface in the editor, and that it is the same one.
 #include "app/window/surface_on_card.h"
 
+#include <cstdio>
 #include <filesystem>
 
 #include "app/editor/commands.h"
@@ -125,9 +126,58 @@ TEST_F(SurfaceOnCardTest, ThePreferencesDecide) {
   state_.session.preferences.surfaceBy = SurfaceBy::kAutomatic;
   frame();
   EXPECT_NE(maker().why, "");
-  if (app::isSoftwareRenderer()) EXPECT_EQ(onCard_.drawn(), nullptr) << "the processor would do the card's work";
-  else EXPECT_EQ(maker().why.find("measured: "), 0u) << maker().why;
+  if (app::isSoftwareRenderer()) {
+    EXPECT_EQ(onCard_.drawn(), nullptr) << "the processor would do the card's work";
+  }
   EXPECT_TRUE(state_.session.messages.empty());
+}
+
+/// The driver under another name, so that it is measured as a card is.
+class NamedCard {
+ public:
+  NamedCard() {
+    (void)glGetString(GL_RENDERER);  // From now on the driver's own function stands there.
+    real_ = epoxy_glGetString;
+    epoxy_glGetString = [](GLenum name) {
+      return name == GL_RENDERER ? reinterpret_cast<const GLubyte*>("a card") : real_(name);
+    };
+  }
+  ~NamedCard() { epoxy_glGetString = real_; }
+  NamedCard(const NamedCard&) = delete;
+  NamedCard& operator=(const NamedCard&) = delete;
+
+ private:
+  static inline decltype(epoxy_glGetString) real_ = nullptr;
+};
+
+TEST_F(SurfaceOnCardTest, AutomaticKeepsTheFasterAsMeasured) {
+  const NamedCard named;
+  state_.session.preferences.surfaceBy = SurfaceBy::kAutomatic;
+  SmoothingSettings settings = state_.document.rig().smoothing;
+  settings.projection = ProjectionKind::kBisection;
+  apply(settings);
+  frame();
+  EXPECT_NE(maker().why.find("bisection"), std::string::npos) << maker().why << ": it cannot be measured";
+  EXPECT_EQ(onCard_.drawn(), nullptr);
+  state_.document.commands.undo();
+  frame();
+  const std::string first = maker().why;
+  double card = 0.0, processor = 0.0;
+  ASSERT_EQ(std::sscanf(first.c_str(), "measured: %lf ms on the card, %lf ms", &card, &processor), 2) << first;
+  EXPECT_GT(card, 0.0);
+  EXPECT_GT(processor, 0.0);
+  if (card != processor) {
+    EXPECT_EQ(onCard_.drawn() != nullptr, card < processor) << first;
+  }
+  // Once a document, whatever is shown meanwhile.
+  state_.view.display.cullBackFaces = true;
+  frame();
+  EXPECT_NE(maker().why, first);
+  state_.view.display.cullBackFaces = false;
+  state_.open.transport.time = 0.3;
+  frame();
+  EXPECT_EQ(maker().why, first);
+  EXPECT_TRUE(state_.session.messages.empty()) << "nobody asked for the card";
 }
 
 }  // namespace

@@ -99,8 +99,7 @@ struct Stage {
 
 /// Of the surface: the processor's stages, or the graphics card's parts by its own clock.
 std::vector<Stage> surfaceStages(const EditorState& state) {
-  const StageSeconds& made = state.session.stats.stages;
-  StageSeconds shown = made;
+  StageSeconds shown = state.session.stats.stages;
   double heights = 0.0, drawn = 0.0;
   const SurfaceMakerState& maker = state.session.surfaceMaker;
   if (maker.onCard) {
