@@ -1,4 +1,4 @@
-// tests/fuzz/fuzz_targets.cpp: import, rig, smooth and export of untrusted bytes.
+// tests/fuzz/fuzz_targets.cpp: import, rigs, sets of muscles, smoothing and export of untrusted bytes.
 
 #include "tests/fuzz/fuzz_targets.h"
 
@@ -13,10 +13,13 @@
 #include <string>
 
 #include "core/base/at.h"
+#include "core/io/clip_files.h"
+#include "core/io/preset_json.h"
 #include "sinew/character/character_pose.h"
 #include "sinew/export/skinned_export.h"
 #include "sinew/io/gltf_import.h"
 #include "sinew/io/rig_json.h"
+#include "sinew/io/surface_export.h"
 #include "sinew/smoothing/smoother.h"
 #include "tests/support/characters/gltf_builder.h"
 
@@ -132,6 +135,17 @@ void expectFiniteSurfaces(const std::shared_ptr<const Character>& character, con
   }
 }
 
+/// The patch of the bind pose, as a file of any kind.
+void expectSurfaceFile(const std::shared_ptr<const Character>& character, std::size_t seed) {
+  static constexpr std::array kNames{"surface.glb", "surface.obj", "surface.ply"};
+  Smoother smoother(character);
+  if (!smoother.prepare({})) return;
+  Surface surface;
+  smoother.smooth(bindPose(character->skeleton), surface);
+  const fs::path out = folder() / kNames[(seed >> 8) % kNames.size()];
+  if (const Result<void> written = exportSurface(surface, *character, out); !written) expectOneLine(written.error());
+}
+
 const std::shared_ptr<const Character>& post() {
   static const std::shared_ptr<const Character> character = [] {
     Result<std::shared_ptr<const Character>> read = importGltf(written(test::makePost().file.glb()));
@@ -143,7 +157,19 @@ const std::shared_ptr<const Character>& post() {
 
 }  // namespace
 
-void importAny(std::string_view bytes) { static_cast<void>(imported(written(bytes))); }
+void importAny(std::string_view bytes) {
+  const fs::path file = written(bytes);
+  const std::shared_ptr<const Character> character = imported(file);
+  if (!character || !isSmall(*character)) return;
+  Rig rig;
+  rig.clipFiles.push_back(file.filename().string());
+  const WithClipFiles with = withClipFiles(post(), rig, folder());
+  for (const AnimationClip& clip : with.character->clips) {
+    for (const glm::mat4& bone : samplePose(*with.character, clip, 0.5f * clip.duration).boneInWorld) {
+      promise(isFinite(bone), "added clips are finite");
+    }
+  }
+}
 
 void rigAny(std::string_view bytes) {
   const Result<Rig> rig = rigFromJson(std::string(bytes));
@@ -159,6 +185,18 @@ void rigAny(std::string_view bytes) {
   expectFiniteSurfaces(post(), rig.value());
 }
 
+void setAny(std::string_view bytes) {
+  const Result<Preset> preset = presetFromJson(std::string(bytes));
+  if (!preset) {
+    expectOneLine(preset.error());
+    return;
+  }
+  const std::string text = presetToJson(preset.value());
+  const Result<Preset> again = presetFromJson(text);
+  promise(again.ok(), "what is written is read: " + text);
+  promise(presetToJson(again.value()) == text, "what is read is what was written: " + text);
+}
+
 void smoothAny(std::string_view bytes) {
   const std::shared_ptr<const Character> character = imported(written(bytes));
   if (character && isSmall(*character)) expectFiniteSurfaces(character, muscled(*character, bytes));
@@ -169,6 +207,10 @@ void exportAny(std::string_view bytes) {
   const std::shared_ptr<const Character> character = imported(file);
   if (!character || !isSmall(*character)) return;
   const std::size_t seed = std::hash<std::string_view>()(bytes);
+  if (seed % 4 == 0) {
+    expectSurfaceFile(character, seed);
+    return;
+  }
   SkinnedExportSettings settings;
   settings.mesh = seed % 3 == 0 ? ExportMesh::kOriginal : ExportMesh::kRefined;
   // Fits take seconds under sanitizers.
@@ -187,8 +229,8 @@ void exportAny(std::string_view bytes) {
 }
 
 std::span<const Target> allTargets() {
-  static constexpr std::array<Target, 4> targets{
-      {{"import", importAny}, {"rig", rigAny}, {"smooth", smoothAny}, {"export", exportAny}}};
+  static constexpr std::array<Target, 5> targets{
+      {{"import", importAny}, {"rig", rigAny}, {"set", setAny}, {"smooth", smoothAny}, {"export", exportAny}}};
   return targets;
 }
 

@@ -9,7 +9,7 @@ case $2 in
   *) learned=$build/fuzz amount=(-max_total_time="$2") ;;
 esac
 targets=("${@:3}")
-((${#targets[@]})) || targets=(import rig smooth export)
+((${#targets[@]})) || targets=(import rig set smooth export)
 mkdir -p "$build/fuzz/found"
 "$build/tests/fuzz/fuzz_seeds" "$build/fuzz/seeds"
 status=0

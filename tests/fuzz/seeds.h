@@ -12,7 +12,7 @@ struct Seed {
   std::string bytes;
 };
 
-/// Those of a target: rig files for "rig", else characters.
+/// Those of a target: rig files for "rig", sets of muscles for "set", else characters.
 [[nodiscard]] std::vector<Seed> seedsOf(std::string_view target);
 
 }  // namespace sinew::fuzz

@@ -3,10 +3,9 @@
 #include <algorithm>
 
 #include <gtest/gtest.h>
-#include <webp/encode.h>
 
 #include "sinew/io/gltf_import.h"
-#include "tests/support/characters/gltf_builder.h"
+#include "tests/support/characters/material_post.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew {
@@ -14,48 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string bigEndian(std::uint32_t value) {
-  std::string bytes;
-  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xff);
-  return bytes;
-}
-
-/// Checksums are zero: the decoder does not look at them.
-std::string chunk(const std::string& type, const std::string& data) {
-  return bigEndian(static_cast<std::uint32_t>(data.size())) + type + data + bigEndian(0);
-}
-
-/// zlib stream of stored (not compressed) blocks.
-std::string stored(const std::string& data) {
-  std::string stream("\x78\x01", 2);
-  for (std::size_t at = 0; at < data.size(); at += 65535) {
-    const std::size_t length = std::min<std::size_t>(65535, data.size() - at);
-    stream += static_cast<char>(at + length == data.size() ? 1 : 0);
-    for (const std::size_t part : {length, ~length}) {
-      stream += static_cast<char>(part & 0xff);
-      stream += static_cast<char>(part >> 8 & 0xff);
-    }
-    stream += data.substr(at, length);
-  }
-  return stream + bigEndian(0);
-}
-
-/// RGB, 8 bits; `pixels` with a filter byte before each row.
-std::string png(std::uint32_t width, std::uint32_t height, const std::string& pixels) {
-  const std::string header = bigEndian(width) + bigEndian(height) + std::string("\x08\x02\x00\x00\x00", 5);
-  return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", stored(pixels)) + chunk("IEND", "");
-}
-
 const std::string kTwoPixels("\x00\xff\x00\x00\x00\x00\xff", 7);  // red, blue
-
-/// Without loss.
-std::string webp(int width, int height, const std::vector<std::uint8_t>& rgba) {
-  std::uint8_t* encoded = nullptr;
-  const std::size_t size = WebPEncodeLosslessRGBA(rgba.data(), width, height, 4 * width, &encoded);
-  std::string image(reinterpret_cast<const char*>(encoded), size);
-  WebPFree(encoded);
-  return image;
-}
 
 /// A post whose material shows the image. @param webp  also an image, for those that can read it
 std::shared_ptr<const Character> importWith(const std::string& image, const std::string& webp = {}) {
@@ -89,7 +47,7 @@ void expectLeftOut(const std::string& image, const std::string& why) {
 }
 
 TEST(GltfImage, PixelsSamplerAndFileArrive) {
-  const std::string image = png(2, 1, kTwoPixels);
+  const std::string image = test::storedPng(2, 1, kTwoPixels);
   const auto character = importWith(image);
   ASSERT_EQ(character->textures.size(), 1u);
   const Texture& texture = character->textures[0];
@@ -108,23 +66,23 @@ TEST(GltfImage, PixelsSamplerAndFileArrive) {
 TEST(GltfImage, UnreadableOnesAreLeftOut) {
   expectLeftOut("GIF89a", "not a PNG, JPEG or WebP");
   expectLeftOut("\xff\xd8\xff\xe0 broken", "damaged");
-  expectLeftOut(png(2, 1, "\x07"), "damaged");
+  expectLeftOut(test::storedPng(2, 1, "\x07"), "damaged");
 }
 
 TEST(GltfImage, HugeDimensionsAreRefusedBeforeDecoding) {
-  expectLeftOut(png(8193, 1, kTwoPixels), "8193 x 1");
-  expectLeftOut(png(12000, 9000, kTwoPixels), "12000 x 9000");
+  expectLeftOut(test::storedPng(8193, 1, kTwoPixels), "8193 x 1");
+  expectLeftOut(test::storedPng(12000, 9000, kTwoPixels), "12000 x 9000");
 }
 
 TEST(GltfImage, ThatUnpacksToMoreThanItsPixelsIsRefused) {
-  expectLeftOut(png(2, 1, std::string(400'000, '\0')), "unpacks to more");
+  expectLeftOut(test::storedPng(2, 1, std::string(400'000, '\0')), "unpacks to more");
 }
 
 const std::vector<std::uint8_t> kFourPixels{255, 0, 0, 255, 0, 255, 0, 128, 0, 0, 255, 7, 9, 8, 7, 255};
 
 TEST(GltfImage, WebpIsTakenBeforeThePngForOthers) {
-  const std::string image = webp(2, 2, kFourPixels);
-  const auto character = importWith(png(2, 1, kTwoPixels), image);
+  const std::string image = test::losslessWebp(2, 2, kFourPixels);
+  const auto character = importWith(test::storedPng(2, 1, kTwoPixels), image);
   ASSERT_EQ(character->textures.size(), 1u);
   const Texture& texture = character->textures[0];
   EXPECT_EQ(texture.width, 2);
@@ -136,14 +94,14 @@ TEST(GltfImage, WebpIsTakenBeforeThePngForOthers) {
 }
 
 TEST(GltfImage, WebpThatIsCutOffIsLeftOut) {
-  const std::string whole = webp(2, 2, kFourPixels);
+  const std::string whole = test::losslessWebp(2, 2, kFourPixels);
   for (std::size_t length = 13; length + 2 < whole.size(); length += 3) {
     expectLeftOut(whole.substr(0, length), "damaged image");
   }
 }
 
 TEST(GltfImage, WebpOfTooManyPixelsIsLeftOutUnseen) {
-  std::string image = webp(2, 2, kFourPixels);
+  std::string image = test::losslessWebp(2, 2, kFourPixels);
   const std::size_t sizes = image.find("VP8L") + 9;  // Behind the length and a signature: 14 bits less one each.
   image[sizes] = static_cast<char>(0xff);
   image[sizes + 1] = static_cast<char>(0x3f | (image[sizes + 1] & 0xc0));

@@ -10,7 +10,7 @@
 #include "sinew/io/surface_export.h"
 #include "sinew/skeleton/pose.h"
 #include "sinew/smoothing/smoother.h"
-#include "tests/support/characters/gltf_builder.h"
+#include "tests/support/characters/material_post.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew {
@@ -18,45 +18,14 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// One pixel: 10, 128, 255.
-const std::string kOnePixel =
-    "data:image/png;base64,"
-    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR4nGPgavj/HwAEqgKJTas7mgAAAABJRU5ErkJggg==";
+using test::kOnePixel;
+using test::mapAt;
+using test::wholeMaterial;
 
-/// A post of this material, all of whose corners lie at (0.25, 0.75); the file has `images` textures, each with an
-/// image of its own.
 Result<std::shared_ptr<const Character>> importMaterial(const ordered_json& material, int images,
                                                         const std::string& image = kOnePixel) {
-  test::Post post = test::makePost();
-  for (int i = 0; i < images; ++i) {
-    post.file.json["images"].push_back({{"uri", image}});
-    post.file.json["textures"].push_back({{"source", i}});
-  }
-  post.file.json["materials"].push_back(material);
-  post.primitive()["material"] = 0;
-  const int position = post.attributes()["POSITION"];
-  const std::size_t corners = post.file.json["accessors"][static_cast<std::size_t>(position)]["count"];
-  std::vector<float> uv;
-  for (std::size_t i = 0; i < corners; ++i) uv.insert(uv.end(), {0.25f, 0.75f});
-  post.attributes()["TEXCOORD_0"] = post.file.accessor(uv, "VEC2", true);
   const test::TemporaryFolder folder;
-  return importGltf(folder.write("post.glb", post.file.glb()));
-}
-
-ordered_json mapAt(int texture, const ordered_json& transform = {}) {
-  ordered_json map{{"index", texture}};
-  if (!transform.is_null()) map["extensions"]["KHR_texture_transform"] = transform;
-  return map;
-}
-
-ordered_json wholeMaterial() {
-  return {{"name", "all"},
-          {"pbrMetallicRoughness", {{"metallicRoughnessTexture", mapAt(0)}, {"roughnessFactor", 0.5}}},
-          {"normalTexture", {{"index", 1}, {"scale", -0.5}}},
-          {"occlusionTexture", {{"index", 0}, {"strength", 0.25}}},
-          {"emissiveTexture", mapAt(2, {{"scale", {2, 4}}, {"offset", {0.5, 0.25}}, {"rotation", 0.5}})},
-          {"emissiveFactor", {1.0, 0.5, 0.0}},
-          {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 3.0}}}}}};
+  return importGltf(folder.write("post.glb", test::materialPost(material, images, image).file.glb()));
 }
 
 void expectWhole(const Character& character) {

@@ -22,7 +22,9 @@
 namespace sinew::app {
 namespace {
 
-constexpr std::size_t kWarmUp = 4;  ///< Rounds until everything has been shown and done once.
+constexpr std::size_t kWarmUp =
+    4;  ///< Rounds until everything has been shown and done once, and the heap in use is settled.
+constexpr double kWarmUpShare = 0.1;  ///< Of all frames: until the holes between what is in use are settled too.
 constexpr double kMostGrowth = 0.02;
 constexpr std::array kBones{0, 5};  ///< For muscles, in turn.
 
@@ -74,19 +76,25 @@ double bytesInUse() {
   return static_cast<double>(heap.uordblks + heap.hblkhd);
 }
 
+/// Bytes: all, resident, of files.
+std::array<double, 3> bytesHeld() {
+  std::ifstream file("/proc/self/statm");
+  std::array<double, 3> numbers{};
+  for (double& each : numbers) {
+    file >> each;
+    each *= static_cast<double>(::sysconf(_SC_PAGESIZE));
+  }
+  return numbers;
+}
+
+double bytesResident() { return bytesHeld()[1]; }
+
 Memory memoryNow() {
-  const auto pages = [] {
-    std::ifstream file("/proc/self/statm");
-    std::array<double, 3> numbers{};  // All, resident, of files.
-    for (double& each : numbers) file >> each;
-    return numbers;
-  };
-  const auto bytes = static_cast<double>(::sysconf(_SC_PAGESIZE));
-  const auto before = pages();
+  const auto before = bytesHeld();
   const double inUse = bytesInUse();
   ::malloc_trim(0);
-  const auto after = pages();
-  return {inUse, bytes * before[1], bytes * before[2], bytes * (after[1] - after[2])};
+  const auto after = bytesHeld();
+  return {inUse, before[1], before[2], after[1] - after[2]};
 }
 
 /// Of this thread: what other programs take does not count.
@@ -202,7 +210,8 @@ class Soak : public HeadlessEditor {
     browse();
     takeBack();
     inUse.push_back(bytesInUse());
-    if (inUse.size() == kWarmUp) warm = memoryNow();
+    resident.push_back(bytesResident());
+    if (warm.inUse == 0.0 && inUse.size() >= kWarmUp && frames >= warmUpFrames) warm = memoryNow();
   }
 
   /// "soak: ..." a line each.
@@ -215,16 +224,20 @@ class Soak : public HeadlessEditor {
       std::printf("soak: %-26s %7zu frames, median %8.3f ms, longest %8.3f ms, %6zu over 10 medians of all\n",
                   what.c_str(), each.count(), 1e3 * each.median(), 1e3 * each.longest(), each.over(10.0 * median));
     }
-    std::printf("soak: heap in KiB, at tenths:");
-    for (std::size_t tenth = 1; tenth <= 10; ++tenth) {
-      std::printf(" %.1f", inUse[(inUse.size() - 1) * tenth / 10] / 1024.0);
-    }
-    std::printf("\n");
+    printTenths("heap in use", inUse);
+    printTenths("resident", resident);
     const Memory last = memoryNow();
     printGrowth("in use", warm.inUse, last.inUse);
     printGrowth("held", warm.withoutFree, last.withoutFree);
     printGrowth("resident", warm.resident, last.resident);
     printGrowth("of files", warm.ofFiles, last.ofFiles);
+  }
+  static void printTenths(const char* what, const std::vector<double>& rounds) {
+    std::printf("soak: %s in KiB, at tenths:", what);
+    for (std::size_t tenth = 1; tenth <= 10; ++tenth) {
+      std::printf(" %.1f", rounds[(rounds.size() - 1) * tenth / 10] / 1024.0);
+    }
+    std::printf("\n");
   }
   static void printGrowth(const char* what, double before, double after) {
     std::printf("soak: %-8s %9.1f KiB after warm-up, %9.1f KiB at the end, %.2f %% more\n", what, before / 1024.0,
@@ -233,7 +246,9 @@ class Soak : public HeadlessEditor {
 
   std::map<std::string, Times> times;  ///< By what was done.
   std::vector<double> inUse;           ///< Bytes on the heap, after each round.
+  std::vector<double> resident;        ///< Bytes, after each round.
   Memory warm;
+  std::size_t warmUpFrames = 0;
   std::size_t frames = 0;
 };
 
@@ -241,7 +256,9 @@ TEST_F(Soak, EveryRoundEndsWhereItBegan) {
   const char* const asked = std::getenv("SINEW_SOAK_FRAMES");
   const std::size_t wanted = asked == nullptr ? 2000 : static_cast<std::size_t>(std::atoll(asked));
   const std::string before = rigToJson(state.document.rig());
+  warmUpFrames = static_cast<std::size_t>(kWarmUpShare * static_cast<double>(wanted));
   inUse.reserve(wanted / 100 + kWarmUp + 2);
+  resident.reserve(wanted / 100 + kWarmUp + 2);
   while (frames < wanted || inUse.size() < kWarmUp + 2) {
     round();
     ASSERT_EQ(rigToJson(state.document.rig()), before) << "round " << inUse.size();

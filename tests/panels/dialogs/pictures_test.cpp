@@ -32,7 +32,6 @@ class PicturesDialog : public HeadlessEditor {
     ASSERT_TRUE(openFile(state, folder / "demo.rig.json"));
     state.open.transport.playing = false;
     state.open.transport.time = 0.25;
-    state.session.program = SINEW_PROGRAM;
     settle();
     run(action("file/export-pictures"), state);
     settle();

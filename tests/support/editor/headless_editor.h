@@ -37,6 +37,7 @@ class HeadlessEditor : public testing::Test {
     io.Fonts->Build();
     ASSERT_TRUE(openFile(state, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb"));
     state.open.transport.playing = false;
+    state.session.program = SINEW_PROGRAM;  // What draws pictures; the tests themselves would run as that.
     frame();
     frame();
   }
