@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/gpu/coverage.h"
+#include "core/smoothing/adaptive_levels.h"
 #include "core/smoothing/finish/lift_filter.h"
 
 namespace sinew::app {
@@ -219,6 +220,7 @@ void CardSurface::filterHeights() const {
   const int vertices = making_.refinedVertices;
   using enum Buffer;
   constexpr Buffer kBends = kWanted;
+  programs_->of(Stage::kBend).set("followed", followedBend(*preparation_));
   run(Stage::kBend, vertices, {kRings, kNeighbors, kPatches, kSurface, kMarks, kFiltered, kBends});
   run(Stage::kWeigh, vertices, {kRings, kNeighbors, kMarks, kBends});
   for (int round = 0; round < LiftFilter::kRounds; ++round) {

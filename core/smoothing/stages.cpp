@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/at.h"
+#include "core/smoothing/adaptive_levels.h"
 #include "core/smoothing/patches/patch.h"
 #include "core/smoothing/projector.h"
 #include "sinew/base/geometry.h"
@@ -127,7 +128,8 @@ void unfold(const Preparation& preparation, Workspace& w, Surface& out) {
   boundHeights(preparation, patch, w, out);
   w.filtered = {};
   if (preparation.swells()) {  // `replace` lies on the muscle.
-    w.filtered = w.liftFilter.apply(w.liftEdges, w.patchPositions, out.positions, out.displacement);
+    w.filtered =
+        w.liftFilter.apply(w.liftEdges, followedBend(preparation), w.patchPositions, out.positions, out.displacement);
   }
   w.pairs.fill(w.movedTriangles.corners, w.patchPositions, out.positions);
   w.foldMoves.start(out.positions.size());

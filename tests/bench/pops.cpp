@@ -13,24 +13,34 @@ namespace {
 struct PopsRow {
   std::string scene;
   const char* laid = "";
+  const char* detail = "";
   int rigs = 0;
   test::Pops pops;
 };
 
+constexpr DetailKind kDetails[] = {DetailKind::kUniform, DetailKind::kAdaptive};
+
+test::Pops popsOf(const BenchScene& scene, Rig rig, DetailKind detail, const Effort& effort) {
+  rig.smoothing.detail = detail;
+  return test::countPops(scene.character, rig, effort.frames);
+}
+
 Result<std::vector<PopsRow>> measurePops(const BenchScene& scene, bool isRig, const Effort& effort) {
   std::vector<PopsRow> rows;
-  if (isRig)
-    return std::vector{PopsRow{scene.name, "own", 1, test::countPops(scene.character, scene.rig, effort.frames)}};
-  progress("muscles by the tool's defaults");
-  const Rig laid = test::layMuscles(scene.character);
-  rows.push_back({scene.name, "tool", 1, test::countPops(scene.character, laid, effort.frames)});
-  PopsRow random{scene.name, "random", effort.rounds, {}};
-  for (int i = 1; i <= effort.rounds; ++i) {
-    progress("random muscles " + std::to_string(i) + " of " + std::to_string(effort.rounds));
-    const Rig rig = test::randomRig(*scene.character, test::kShortReach, static_cast<std::uint64_t>(i));
-    random.pops.add(test::countPops(scene.character, rig, effort.frames));
+  const Rig laid = isRig ? scene.rig : test::layMuscles(scene.character);
+  for (const DetailKind detail : kDetails) {
+    const char* name = detail == DetailKind::kUniform ? "uniform" : "adaptive";
+    progress("muscles by the tool's defaults, or the rig's own");
+    rows.push_back({scene.name, isRig ? "own" : "tool", name, 1, popsOf(scene, laid, detail, effort)});
+    if (isRig) continue;
+    PopsRow random{scene.name, "random", name, effort.rounds, {}};
+    for (int i = 1; i <= effort.rounds; ++i) {
+      progress("random muscles " + std::to_string(i) + " of " + std::to_string(effort.rounds));
+      const Rig rig = test::randomRig(*scene.character, test::kShortReach, static_cast<std::uint64_t>(i));
+      random.pops.add(popsOf(scene, rig, detail, effort));
+    }
+    rows.push_back(random);
   }
-  rows.push_back(random);
   return rows;
 }
 
@@ -44,11 +54,11 @@ std::string tableOf(const std::vector<PopsRow>& rows) {
       "bare\n"
       "skin's. Muscles: the file's own, 16 by the tool's defaults, 24 of short reach at random.\n"
       "\n"
-      "scene             muscles  rigs  frames     steps  largest      pops  largest  definition  backs\n";
+      "scene             muscles  detail    rigs  frames     steps  largest      pops  largest  definition  backs\n";
   char line[160];
   for (const PopsRow& row : rows) {
-    std::snprintf(line, sizeof line, "%-16.40s  %-7s  %4d  %6d  %8lld  %7.2f  %8lld  %7.2f  %10.2f  %5lld\n",
-                  row.scene.c_str(), row.laid, row.rigs, row.pops.frames, row.pops.steps,
+    std::snprintf(line, sizeof line, "%-16.40s  %-7s  %-8s  %4d  %6d  %8lld  %7.2f  %8lld  %7.2f  %10.2f  %5lld\n",
+                  row.scene.c_str(), row.laid, row.detail, row.rigs, row.pops.frames, row.pops.steps,
                   100.0 * static_cast<double>(row.pops.largestStep), row.pops.pops,
                   100.0 * static_cast<double>(row.pops.largestPop), row.pops.definition(), row.pops.backs);
     table += line;
@@ -60,7 +70,11 @@ Json jsonOf(const std::vector<PopsRow>& rows) {
   Json list = Json::array();
   for (const PopsRow& row : rows) {
     Json item = Json::object();
-    item.set("scene", row.scene).set("laid", row.laid).set("rigs", row.rigs).set("frames", row.pops.frames);
+    item.set("scene", row.scene)
+        .set("laid", row.laid)
+        .set("detail", row.detail)
+        .set("rigs", row.rigs)
+        .set("frames", row.pops.frames);
     item.set("steps", static_cast<double>(row.pops.steps))
         .set("largest_step", static_cast<double>(row.pops.largestStep));
     item.set("pops", static_cast<double>(row.pops.pops)).set("largest_pop", static_cast<double>(row.pops.largestPop));

@@ -131,16 +131,40 @@ TEST_F(Parts, PopsOfOwnLaidAndRandomMuscles) {
   const auto json = Json::parse(readWholeFile(file, 1 << 20).value());
   ASSERT_TRUE(json.ok());
   const std::vector<Json> rows = json.value().at("rows").items();
-  ASSERT_EQ(rows.size(), 3u);
-  const char* laid[] = {"own", "tool", "random"};
+  ASSERT_EQ(rows.size(), 6u);
+  const char* laid[] = {"own", "own", "tool", "random", "tool", "random"};
+  const char* detail[] = {"uniform", "adaptive", "uniform", "uniform", "adaptive", "adaptive"};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     EXPECT_EQ(rows[i].at("laid").text(""), laid[i]);
-    EXPECT_EQ(rows[i].at("rigs").number(0), i == 2 ? 2.0 : 1.0);
+    EXPECT_EQ(rows[i].at("detail").text(""), detail[i]);
+    EXPECT_EQ(rows[i].at("rigs").number(0), rows[i].at("laid").text("") == "random" ? 2.0 : 1.0);
     EXPECT_GE(rows[i].at("frames").number(0), 12.0);
     EXPECT_GE(rows[i].at("steps").number(-1.0), rows[i].at("pops").number(-1.0));
     EXPECT_GT(rows[i].at("largest_step").number(0), 0.0);
     EXPECT_GT(rows[i].at("definition").number(0), 0.1);
   }
+}
+
+TEST_F(Parts, DetailOfOneDepthAndOfLevels) {
+  const auto file = folder_ / "detail.json";
+  const Outcome outcome =
+      run({"detail", demo("demo.rig.json"), "--frames", "1", "--rounds", "1", "--json", file.string()});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  EXPECT_NE(outcome.out.find("rooted"), std::string::npos) << outcome.out;
+  const auto json = Json::parse(readWholeFile(file, 1 << 20).value());
+  ASSERT_TRUE(json.ok());
+  const std::vector<Json> rows = json.value().at("rows").items();
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].at("detail").text(""), "depth 3");
+  EXPECT_EQ(rows[1].at("detail").text(""), "adaptive");
+  for (const char* where : {"bind", "clips"}) {
+    const auto figure = [&](std::size_t row, const char* name) { return rows[row].at(where).at(name).number(-1.0); };
+    EXPECT_LT(figure(1, "most"), figure(0, "most"));
+    EXPECT_LE(figure(1, "of_thousand"), figure(1, "most"));
+    EXPECT_GT(figure(1, "within"), figure(0, "within"));
+    EXPECT_LE(figure(1, "within"), 1.0);
+  }
+  EXPECT_GT(rows[1].at("rooted").number(0), rows[0].at("rooted").number(1));
 }
 
 TEST_F(Parts, AnimationBesideSkinning) {

@@ -20,6 +20,8 @@ FRAMES = 240
 RIG = str(ROOT / "assets" / "demo.rig.json")
 SMOOTH = ["smooth", RIG, "--clip", "Walk", "--fps", "200", "--frames", "0:%d" % (FRAMES - 1), "--depth", "2",
           "-o", "out file's/f %03d.ply"]
+# Levels are found by every process anew.
+ADAPTIVE = ["smooth", RIG, "--clip", "Walk", "--frames", "0:8", "--detail", "adaptive", "-o", "out file's/f %03d.ply"]
 RENDER = ["render", RIG, "--frames", "0:13", "--size", "48x48", "--depth", "1", "--view", "-30,12",
           "-o", "out file's/f %03d.png"]
 
@@ -38,7 +40,7 @@ class Jobs(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.whole = {}
-        for name, job in (("smooth", SMOOTH), ("render", RENDER)):
+        for name, job in (("smooth", SMOOTH), ("adaptive", ADAPTIVE), ("render", RENDER)):
             with tempfile.TemporaryDirectory() as folder:
                 (pathlib.Path(folder) / "out file's").mkdir()
                 sinew(folder, *job)
@@ -68,6 +70,13 @@ class Jobs(unittest.TestCase):
                 self.expect_whole()
                 shutil.rmtree(self.folder / "out file's")
                 (self.folder / "out file's").mkdir()
+
+    def test_shards_of_adaptive_meshes_on_any_number_of_cores(self):
+        heads = {ply.split(b"end_header")[0] for ply in self.whole["adaptive"].values()}
+        self.assertEqual(len(heads), 1, "as many vertices and faces in all frames")
+        for index in range(3):
+            sinew(self.folder, *ADAPTIVE, "--shard", "%d/3" % index, "--threads", str(index + 1))
+        self.expect_whole("adaptive")
 
     def test_shards_of_pictures_too(self):
         for index in range(3):

@@ -72,6 +72,34 @@ TEST(AdaptiveSurface, LevelsFollowFromTheRigAlone) {
   }
 }
 
+TEST(AdaptiveSurface, UndoAndRedoGiveTheSameBytes) {
+  const CharacterPtr character = makeBodyWithArms();
+  const Pose pose = samplePose(character->skeleton, character->clips.front(), 0.6f);
+  const Rig before = adaptiveRig(*character, 7);
+  Rig after = before;
+  after.primitives[2].placement.radii *= 1.3f;
+  after.primitives.pop_back();
+  const auto smoothed = [&](Smoother& smoother, const Rig& rig) {
+    EXPECT_TRUE(smoother.prepare(rig).ok());
+    Surface surface;
+    smoother.smooth(pose, surface);
+    return surface;
+  };
+  const auto expectSame = [](const Surface& a, const Surface& b) {
+    EXPECT_EQ(a.refinement->triangles, b.refinement->triangles);
+    EXPECT_EQ(a.positions, b.positions);
+    EXPECT_EQ(a.normals, b.normals);
+  };
+  Smoother edited(character);
+  const Surface first = smoothed(edited, before);
+  const Surface done = smoothed(edited, after);
+  EXPECT_NE(first.positions, done.positions);
+  expectSame(smoothed(edited, before), first);
+  expectSame(smoothed(edited, after), done);
+  Smoother fresh(character);
+  expectSame(smoothed(fresh, after), done);
+}
+
 TEST(AdaptiveSurface, SkinThatAMuscleMayNoLongerMoveIsLookedAtAnew) {
   Prepared prepared{.character = makeTwoLegged()};
   const std::vector<Bone>& bones = prepared.character->skeleton.bones;

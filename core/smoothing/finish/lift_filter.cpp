@@ -23,7 +23,7 @@ void LiftFilter::raise(int vertex, float weight) {
   now = std::max(now, weight);
 }
 
-bool LiftFilter::weigh(const LiftEdges& edges, std::size_t vertices) {
+bool LiftFilter::weigh(const LiftEdges& edges, float followed, std::size_t vertices) {
   for (const int vertex : weighted_) {
     if (toIndex(vertex) < weights_.size()) at(weights_, vertex) = 0.0f;
   }
@@ -34,7 +34,11 @@ bool LiftFilter::weigh(const LiftEdges& edges, std::size_t vertices) {
     // (M - 1) s = difference / perLength; the mean length is the number of neighbors over that.
     const float bent = std::abs(edges.sums()[i].difference) * at(edges.rings().share, vertex);
     if (bent <= kBentFrom) continue;
-    const float weight = smoothstep(kBentFrom, kBentWhole, bent);
+    float weight = smoothstep(kBentFrom, kBentWhole, bent);
+    if (followed > 0.0f) {
+      weight *= smoothstep(followed, 2.0f * followed, std::abs(edges.sums()[i].difference) / edges.sums()[i].perLength);
+      if (weight == 0.0f) continue;
+    }
     raise(vertex, weight);
     // Else a vertex that begins to move beside high ones would lower them at once.
     const float rise = std::abs(edges.height(vertex)) * edges.sums()[i].perLength * at(edges.rings().share, vertex);
@@ -77,9 +81,9 @@ void LiftFilter::evenOut(const LiftEdges& edges, std::span<const float> heights)
 /// 1/length: that mean leaves heights alone that grow evenly. The sums over the edges decide where the filter works and
 /// serve its first round; the other rounds visit only vertices with a weight, usually few. A round reads only the
 /// heights of the one before, so that the order of vertices does not matter. docs/design.md, Sampling.
-std::span<const float> LiftFilter::apply(const LiftEdges& edges, std::span<const glm::vec3> patch,
+std::span<const float> LiftFilter::apply(const LiftEdges& edges, float followed, std::span<const glm::vec3> patch,
                                          std::span<glm::vec3> positions, std::span<float> heights) {
-  if (!weigh(edges, heights.size())) return {};
+  if (!weigh(edges, followed, heights.size())) return {};
   findActive(edges);
   evenOut(edges, heights);
   for (const Active& a : active_) {

@@ -14,6 +14,7 @@
 #include "sinew/base/geometry.h"
 #include "sinew/smoothing/smoother.h"
 #include "tests/support/characters/motion.h"
+#include "tests/support/surface/projected.h"
 #include "tests/support/surface/visible_backs.h"
 
 namespace sinew::test {
@@ -42,11 +43,8 @@ struct Stepping {
 class PopSearch {
  public:
   PopSearch(const std::shared_ptr<const Character>& character, const Rig& rig)
-      : character_(*character), smoother_(character), bare_(character) {
-    Rig empty = rig;
-    empty.primitives.clear();
-    empty.lines.clear();
-    EXPECT_TRUE(smoother_.prepare(rig).ok() && bare_.prepare(empty).ok());
+      : character_(*character), smoother_(character), bare_(*character, rig) {
+    EXPECT_TRUE(smoother_.prepare(rig).ok());
   }
 
   void walk(const AnimationClip& clip, int mostFrames, Pops& out) {
@@ -66,25 +64,25 @@ class PopSearch {
   Moment at(int tick) {
     const Pose pose = samplePose(character_.skeleton, *clip_, static_cast<float>(tick * kTick));
     smoother_.smooth(pose, surface_);
-    bare_.smooth(pose, patch_);
-    return {tick, CarriedOffsets(*surface_.refinement).of(surface_, patch_)};
+    patch_ = &bare_.patchAt(pose);
+    return {tick, CarriedOffsets(*surface_.refinement).of(surface_, *patch_)};
   }
 
   /// At the surface that was made last.
   void look(int frame, Pops& out) {
     for (std::size_t v = 0; v < surface_.normals.size(); ++v) {
       if (surface_.displacement[v] == 0.0f) continue;
-      const float cosine = std::clamp(glm::dot(surface_.normals[v], patch_.normals[v]), -1.0f, 1.0f);
+      const float cosine = std::clamp(glm::dot(surface_.normals[v], patch_->normals[v]), -1.0f, 1.0f);
       out.turned += static_cast<double>(glm::degrees(std::acos(cosine)));
       ++out.moved;
     }
     if (frame % kLookedAt != 0) return;
-    const Bounds box = boundsOf(patch_.positions);
+    const Bounds box = boundsOf(patch_->positions);
     const float extent = 1.05f * glm::length(box.high - box.low);
     const auto backs = [&](const Surface& surface) {
       return visibleBacks(*surface.refinement, surface.positions, box.center(), extent, kPixels);
     };
-    out.backs += std::max(0LL, backs(surface_) - backs(patch_));
+    out.backs += std::max(0LL, backs(surface_) - backs(*patch_));
   }
 
   [[nodiscard]] float way(const Moment& a, const Moment& b, int vertex) const {
@@ -133,9 +131,9 @@ class PopSearch {
   const Character& character_;
   const AnimationClip* clip_ = nullptr;
   Smoother smoother_;
-  Smoother bare_;
+  Projected bare_;  ///< The skin without muscles, on the same mesh.
   Surface surface_;
-  Surface patch_;
+  const Surface* patch_ = nullptr;
 };
 
 }  // namespace

@@ -44,12 +44,17 @@ const Surface& Projected::patch() const { return state_->patch; }
 
 const Surface& Projected::bindPatch() const { return state_->bindPatch; }
 
-const Surface& Projected::at(const Pose& pose) {
+const Surface& Projected::patchAt(const Pose& pose) {
   State& state = *state_;
   state.preparation->poser->pose(pose, state.rig);
   poseFieldAndSkin(state.preparation, state.rig, pose, state.posed);
-  layPatch(*state.preparation, state.posed, state.workspace, state.surface);
-  state.patch = state.surface;
+  layPatch(*state.preparation, state.posed, state.workspace, state.patch);
+  return state.patch;
+}
+
+const Surface& Projected::at(const Pose& pose) {
+  State& state = *state_;
+  state.surface = patchAt(pose);
   project(*state.preparation, state.posed, pose, std::nullopt, state.workspace, state.surface);
   return state.surface;
 }

@@ -19,6 +19,8 @@ class Projected {
   Projected& operator=(const Projected&) = delete;
   /// Positions, displacement and normals; the patch's where nothing has moved. Valid until the next call.
   const Surface& at(const Pose& pose);
+  /// The patch alone, which takes less. Valid until the next call.
+  const Surface& patchAt(const Pose& pose);
   /// Vertices of the last call that the vector path left to the scalar one.
   [[nodiscard]] std::size_t uncertified() const;
   /// What the last call gave.

@@ -105,6 +105,7 @@ void countTriangles(const Judge& judge, SkinMetrics& out) {
 }  // namespace
 
 void SkinMetrics::add(const SkinMetrics& other) {
+  refined = other.refined;
   vertices += other.vertices;
   off += other.off;
   exactOff += other.exactOff;
@@ -121,6 +122,7 @@ void SkinMetrics::add(const SkinMetrics& other) {
 
 SkinMetrics skinMetrics(const Surface& surface, const Surface& patch, const Surface& exact) {
   SkinMetrics out;
+  out.refined = static_cast<int>(surface.positions.size());
   const Judge judge{surface, patch};
   countVertices(judge, exact, out);
   countEdges(judge, exact, out);

@@ -8,6 +8,7 @@ namespace sinew::test {
 /// Counts over moved vertices, their edges and triangles, summed over poses. "exact" is the same surface shaded with
 /// the field's own normals.
 struct SkinMetrics {
+  int refined = 0;         ///< Vertices of a surface.
   long long vertices = 0;  ///< Moved by the muscles.
   long long off = 0;       ///< Shading normal 10 degrees further from the faces' than the patch's own is.
   long long exactOff = 0;
