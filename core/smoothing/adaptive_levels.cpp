@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -34,30 +33,12 @@ constexpr float kMargin = 0.7f;            ///< Of the tolerance: inner points d
 constexpr float kBend = 2.0f;              ///< Tolerances that a height may differ from the mean around it.
 constexpr float kCheckMargin = 0.9f;       ///< Of the tolerance: there is more between samples.
 
-/// Which of a rig's primitives an edit has changed; nullopt: all may have.
-std::optional<std::vector<bool>> changedPrimitives(const Rig& before, const Rig& after) {
-  // Other candidates: skin that a muscle may no longer move is to be looked at, too.
-  const bool same = sameCandidates(before, after) && before.surface == after.surface &&
-                    before.channels == after.channels && before.smoothing.patch == after.smoothing.patch &&
-                    before.smoothing.projection == after.smoothing.projection;
-  if (!same) return std::nullopt;
-  std::vector<bool> changed(after.primitives.size());
-  for (std::size_t i = 0; i < changed.size(); ++i) {
-    const Primitive& primitive = after.primitives[i];
-    changed[i] = before.primitives[i] != primitive;
-    for (std::size_t l = 0; l < after.lines.size(); ++l) {
-      if (after.lines[l].name == primitive.line && before.lines[l] != after.lines[l]) changed[i] = true;
-    }
-  }
-  return changed;
-}
-
 /// Which edges and triangles are looked at, and how finely. What a piece shows follows from itself alone, whatever is
 /// looked at beside it.
 struct Look {
-  bool first = true;            ///< With few samples, to see what is worth many.
-  std::vector<bool> edges;      ///< [E]
-  std::vector<bool> triangles;  ///< [T]
+  bool first = true;                    ///< With few samples, to see what is worth many.
+  std::vector<std::uint8_t> edges;      ///< [E]
+  std::vector<std::uint8_t> triangles;  ///< [T]
 };
 
 class LevelSearch {
@@ -65,7 +46,7 @@ class LevelSearch {
   LevelSearch(const Preparation& next, const AdaptiveLevels& asked, RefinementLevels& needed)
       : next_(next), asked_(asked), mesh_(next.mesh()), needed_(needed) {
     const float height = next.character().height;
-    tolerance_ = {kMargin * asked.tolerance * height, kNormalCosine};
+    tolerance_ = {kMargin * asked.from.tolerance * height, kNormalCosine};
     look_ = {kWorthALook * tolerance_.distance, kWorthCosine};
     isLongEdge_.resize(mesh_.edges.size(), false);
     for (const ControlTriangle& triangle : mesh_.triangles) {
@@ -78,14 +59,11 @@ class LevelSearch {
     }
   }
 
-  void run(std::vector<bool> edges, std::vector<bool> triangles) {
+  void run(std::vector<std::uint8_t> edges, std::vector<std::uint8_t> triangles) {
     flaggedEdges_.assign(edges.size(), 0);
     flaggedTriangles_.assign(triangles.size(), 0);
     take({true, std::move(edges), std::move(triangles)});
-    const auto list = [](const std::vector<std::uint8_t>& flags) {
-      return std::vector<bool>(flags.begin(), flags.end());
-    };
-    take({false, list(flaggedEdges_), list(flaggedTriangles_)});
+    take({false, flaggedEdges_, flaggedTriangles_});
   }
 
  private:
@@ -97,44 +75,44 @@ class LevelSearch {
 
   /// In all poses.
   void take(const Look& look) {
-    RefinementLevels sampling{std::vector<std::uint8_t>(mesh_.edges.size()),
-                              std::vector<std::uint8_t>(mesh_.triangles.size())};
-    std::vector<std::uint8_t> skipped(mesh_.positions.size() + mesh_.edges.size() + mesh_.triangles.size(), 1);
-    const std::size_t firstEdge = mesh_.positions.size();
-    const auto sampleEdge = [&](std::size_t e) {
-      skipped[firstEdge + e] = 0;
-      for (const int end : mesh_.edges[e].vertices) at(skipped, end) = 0;
-      sampling.edges[e] = static_cast<std::uint8_t>(samples(isLongEdge_[e], look.first));
-    };
-    bool any = false;
-    for (std::size_t e = 0; e < look.edges.size(); ++e) {
-      if (look.edges[e]) sampleEdge(e);
-      any |= look.edges[e];
-    }
-    for (std::size_t t = 0; t < look.triangles.size(); ++t) {
-      if (!look.triangles[t]) continue;
-      any = true;
-      skipped[firstEdge + mesh_.edges.size() + t] = 0;
-      sampling.triangles[t] = static_cast<std::uint8_t>(samples(isLongTriangle_[t], look.first));
-      for (const int e : mesh_.triangles[t].edges) sampleEdge(toIndex(e));
-    }
-    if (!any) return;
-    SurfaceSampler sampler(next_, samplePoints(mesh_, sampling), std::move(skipped));
-    for (const Pose& pose : asked_.poses) {
-      const Surface& surface = sampler.sample(pose);
-      forRanges(mesh_.edges.size(), 256, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t e = begin; e < end; ++e) {
-          if (look.edges[e]) fitEdge(static_cast<int>(e), look.first, surface);
-        }
-      });
-      forRanges(mesh_.triangles.size(), 64, [&](std::size_t begin, std::size_t end) {
-        Gathered samples;
-        for (std::size_t t = begin; t < end; ++t) {
-          if (look.triangles[t]) fitTriangle(static_cast<int>(t), look.first, surface, samples);
-        }
-      });
+    const std::vector<SampledPiece> pieces = sampledPieces(next_, look.edges, look.triangles);
+    forEachIndex(pieces.size(), 1, [&](std::size_t i) { takePiece(pieces[i], look.first); });
+  }
+
+  void takePiece(const SampledPiece& piece, bool first) {
+    const SampledPart part = sampledPart(next_, piece);
+    const std::vector<int> edges = placesIn(part.edges, piece.edges);
+    const std::vector<int> triangles = placesIn(part.triangles, piece.triangles);
+    SurfaceSampler sampler(part, samplePoints(part.mesh(), samplingOf(part, edges, triangles, first)));
+    Gathered samples;
+    for (const Pose& pose : asked_.from.poses) {
+      const View view{part, sampler.sample(pose), first};
+      for (const int e : edges) fitEdge(e, view, samples);
+      for (const int t : triangles) fitTriangle(t, view, samples);
     }
   }
+
+  [[nodiscard]] RefinementLevels samplingOf(const SampledPart& part, const std::vector<int>& edges,
+                                            const std::vector<int>& triangles, bool first) const {
+    RefinementLevels out{std::vector<std::uint8_t>(part.edges.size()),
+                         std::vector<std::uint8_t>(part.triangles.size())};
+    const auto sampleEdge = [&](int e) {
+      at(out.edges, e) = static_cast<std::uint8_t>(samples(isLongEdge_[toIndex(at(part.edges, e))], first));
+    };
+    for (const int e : edges) sampleEdge(e);
+    for (const int t : triangles) {
+      at(out.triangles, t) = static_cast<std::uint8_t>(samples(isLongTriangle_[toIndex(at(part.triangles, t))], first));
+      for (const int e : at(part.mesh().triangles, t).edges) sampleEdge(e);
+    }
+    return out;
+  }
+
+  /// What is looked at in one pose.
+  struct View {
+    const SampledPart& part;
+    const Surface& surface;
+    bool first = true;
+  };
 
   struct Gathered {
     std::vector<glm::vec3> positions;
@@ -149,20 +127,24 @@ class LevelSearch {
     }
   };
 
-  void fitEdge(int e, bool first, const Surface& surface) {
+  /// @param edge  of the part
+  void fitEdge(int edge, const View& view, Gathered& own) {
+    const int e = at(view.part.edges, edge);
     const bool isLong = isLongEdge_[toIndex(e)];
-    const int fine = samples(isLong, first);
-    Gathered own;
-    own.add(surface, at(mesh_.edges, e).vertices[0]);
-    for (int step = 1; step < fine; ++step) own.add(surface, surface.refinement->edgeVertex(e, step));
-    own.add(surface, at(mesh_.edges, e).vertices[1]);
-    const FineSamples view{own.positions, own.normals};
+    const int fine = samples(isLong, view.first);
+    const auto& ends = at(view.part.mesh().edges, edge).vertices;
+    own.clear();
+    own.add(view.surface, ends[0]);
+    for (int step = 1; step < fine; ++step) own.add(view.surface, view.surface.refinement->edgeVertex(edge, step));
+    own.add(view.surface, ends[1]);
+    const FineSamples fineSamples{own.positions, own.normals};
     if (fine != samples(isLong, false)) {
-      if (edgeLevel(view, 1, look_) > 1) at(flaggedEdges_, e) = 1;
+      if (edgeLevel(fineSamples, 1, look_) > 1) at(flaggedEdges_, e) = 1;
       return;
     }
     std::uint8_t& needed = at(needed_.edges, e);
-    if (needed < fine) needed = static_cast<std::uint8_t>(edgeLevel(view, divisorFrom(fine, needed), tolerance_));
+    if (needed < fine)
+      needed = static_cast<std::uint8_t>(edgeLevel(fineSamples, divisorFrom(fine, needed), tolerance_));
   }
 
   /// The least divisor of `fine` from `level` on.
@@ -171,25 +153,23 @@ class LevelSearch {
     return level;
   }
 
-  void fitTriangle(int t, bool first, const Surface& surface, Gathered& own) {
+  /// @param triangle  of the part
+  void fitTriangle(int triangle, const View& view, Gathered& own) {
+    const int t = at(view.part.triangles, triangle);
     const bool isLong = isLongTriangle_[toIndex(t)];
-    const int fine = samples(isLong, first);
-    gather(t, fine, surface, own);
-    const FineSamples view{own.positions, own.normals};
+    const int fine = samples(isLong, view.first);
+    own.clear();
+    forEachSample(view.part.mesh(), *view.surface.refinement, triangle, fine,
+                  [&](int, int, int vertex) { own.add(view.surface, vertex); });
+    const FineSamples fineSamples{own.positions, own.normals};
     if (fine != samples(isLong, false)) {
-      if (triangleLevel(view, fine, 1, look_) > 1) at(flaggedTriangles_, t) = 1;
+      if (triangleLevel(fineSamples, fine, 1, look_) > 1) at(flaggedTriangles_, t) = 1;
       return;
     }
     std::uint8_t& needed = at(needed_.triangles, t);
     if (needed < fine) {
-      needed = static_cast<std::uint8_t>(triangleLevel(view, fine, divisorFrom(fine, needed), tolerance_));
+      needed = static_cast<std::uint8_t>(triangleLevel(fineSamples, fine, divisorFrom(fine, needed), tolerance_));
     }
-  }
-
-  /// A triangle's samples, row after row.
-  void gather(int t, int fine, const Surface& surface, Gathered& samples) const {
-    samples.clear();
-    forEachSample(mesh_, *surface.refinement, t, fine, [&](int, int, int vertex) { samples.add(surface, vertex); });
   }
 
   const Preparation& next_;
@@ -213,23 +193,6 @@ RefinementLevels withSides(const ControlMesh& mesh, RefinementLevels levels) {
   return levels;
 }
 
-/// [V+E+T] carriers that see a changed muscle; all where `former` does not serve.
-std::vector<bool> carriersToLookAt(const Preparation& next, const AdaptiveLevels& asked, const AdaptiveLevels* former) {
-  const std::size_t carriers = next.mesh().positions.size() + next.mesh().edges.size() + next.mesh().triangles.size();
-  const bool same =
-      former && former->tolerance == asked.tolerance && former->hidden == asked.hidden && former->poses == asked.poses;
-  const auto changed = same ? changedPrimitives(*former->rig, *asked.rig) : std::nullopt;
-  std::vector<bool> out(carriers, !changed.has_value());
-  if (!changed) return out;
-  const std::vector<int>& rigIndex = next.attached->attachment.rigIndex;
-  for (std::size_t c = 0; c < carriers; ++c) {
-    out[c] = std::ranges::any_of(next.attached->candidates.of(static_cast<int>(c)), [&](const CarrierCandidate& seen) {
-      return at(*changed, at(rigIndex, seen.primitive));
-    });
-  }
-  return out;
-}
-
 /// Whether anything of a triangle is looked at. @param asked [V+E+T]
 bool looksAnew(const ControlMesh& mesh, const std::vector<bool>& asked, std::size_t t) {
   const ControlTriangle& triangle = mesh.triangles[t];
@@ -243,29 +206,27 @@ bool looksAnew(const ControlMesh& mesh, const std::vector<bool>& asked, std::siz
 
 float followedBend(const Preparation& preparation) {
   if (!preparation.detail) return 0.0f;
-  return kBend * preparation.detail->tolerance * preparation.character().height;
+  return kBend * preparation.detail->from.tolerance * preparation.character().height;
 }
 
 std::shared_ptr<const AdaptiveLevels> findLevels(const Preparation& next, std::shared_ptr<const Rig> rig,
                                                  float tolerance, const AdaptiveLevels* former) {
   const ControlMesh& mesh = next.mesh();
   auto out = std::make_shared<AdaptiveLevels>();
-  out->rig = std::move(rig);
-  out->hidden = next.hidden;
-  out->tolerance = tolerance;
   out->moments = former ? former->moments : std::make_shared<const std::vector<Pose>>(detailMoments(next.character()));
-  out->poses = detailPoses(next.character(), *out->rig, *next.poser, *out->moments);
-  const std::vector<bool> asked = carriersToLookAt(next, *out, former);
+  std::vector<Pose> poses = detailPoses(next.character(), *rig, *next.poser, *out->moments);
+  out->from = levelSources(next, std::move(rig), tolerance, std::move(poses));
+  const std::vector<bool> asked = carriersToLookAt(next, out->from, former ? &former->from : nullptr);
   const auto firstEdge = asked.begin() + static_cast<std::ptrdiff_t>(mesh.positions.size());
   const auto firstTriangle = firstEdge + static_cast<std::ptrdiff_t>(mesh.edges.size());
-  std::vector<bool> edges(firstEdge, firstTriangle);
-  std::vector<bool> triangles(firstTriangle, asked.end());
+  std::vector<std::uint8_t> edges(firstEdge, firstTriangle);
+  std::vector<std::uint8_t> triangles(firstTriangle, asked.end());
   if (former) out->needed = former->needed;
   out->needed.edges.resize(edges.size());
   out->needed.triangles.resize(triangles.size());
-  for (std::size_t e = 0; e < edges.size(); ++e) out->needed.edges[e] = edges[e] ? 1 : out->needed.edges[e];
+  for (std::size_t e = 0; e < edges.size(); ++e) out->needed.edges[e] = edges[e] != 0 ? 1 : out->needed.edges[e];
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    out->needed.triangles[t] = triangles[t] ? 1 : out->needed.triangles[t];
+    out->needed.triangles[t] = triangles[t] != 0 ? 1 : out->needed.triangles[t];
   }
   LevelSearch(next, *out, out->needed).run(std::move(edges), std::move(triangles));
   if (former) out->checked = former->checked;
@@ -275,7 +236,7 @@ std::shared_ptr<const AdaptiveLevels> findLevels(const Preparation& next, std::s
   }
   const float within = kCheckMargin * tolerance * next.character().height;
   out->levels =
-      levelsThatFit(next, out->poses, within, withClothLevels(next, withSides(mesh, out->needed)), out->checked);
+      levelsThatFit(next, out->from.poses, within, withClothLevels(next, withSides(mesh, out->needed)), out->checked);
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/smoothing/level_changes.h"
 #include "core/smoothing/preparation.h"
 #include "core/smoothing/split_check.h"
 #include "sinew/smoothing/refinement.h"
@@ -17,11 +18,8 @@ struct AdaptiveLevels {
   // To find them again after an edit only where it has changed something.
   RefinementLevels needed;  ///< Before grading.
   CheckedSplits checked;
-  std::shared_ptr<const Rig> rig;
-  std::vector<int> hidden;
-  float tolerance = 0.0f;
+  LevelSources from;
   std::shared_ptr<const std::vector<Pose>> moments;  ///< Of the character.
-  std::vector<Pose> poses;                           ///< Those in which the surface was looked at.
 };
 
 /// The least levels at which flat triangles stay within the tolerance of the finely sampled surface, and interpolated

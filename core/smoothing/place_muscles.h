@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "core/smoothing/posed_field.h"
 
@@ -10,5 +11,10 @@ namespace sinew {
 /// What poseFieldAndSkin does, but for the skinned mesh, which it leaves as it is.
 /// @param rig  as there
 void placeMuscles(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, PosedField& out);
+
+/// The primitives alone: reads nothing that follows from a mesh or a bind pose.
+/// @param numbers  scratch.  @param out [A] world
+void posePrimitives(const Preparation& preparation, const PosedRig& rig, std::vector<FieldPrimitive>& numbers,
+                    std::vector<PosedPrimitive>& out);
 
 }  // namespace sinew

@@ -7,10 +7,14 @@
 namespace sinew {
 namespace {
 
+void driveNumbers(const Preparation& preparation, const PosedRig& rig, std::vector<FieldPrimitive>& out) {
+  out = preparation.primitives;
+  setNumbers(rig.numbers, preparation.iso, preparation.attached->attachment, out);
+}
+
 /// Which triangles are implicit follows from the numbers; it is read again only when they have changed.
 void readDriven(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, PosedField& out) {
-  out.driven = preparation->primitives;
-  setNumbers(rig.numbers, preparation->iso, preparation->attached->attachment, out.driven);
+  driveNumbers(*preparation, rig, out.driven);
   out.bind = &preparation->bind;
   if (rig.numbers.primitives == preparation->poser->drawn().primitives) return;
   if (!out.readFrom || out.readWith != rig.numbers.primitives) {
@@ -44,6 +48,13 @@ void placeMuscles(const std::shared_ptr<const Preparation>& preparation, const P
   const bool driven = preparation->poser->drivesMuscles();
   if (driven) readDriven(preparation, rig, out);
   placePrimitives(*preparation, driven ? out.driven : preparation->primitives, rig, out.primitives);
+}
+
+void posePrimitives(const Preparation& preparation, const PosedRig& rig, std::vector<FieldPrimitive>& numbers,
+                    std::vector<PosedPrimitive>& out) {
+  const bool driven = preparation.poser->drivesMuscles();
+  if (driven) driveNumbers(preparation, rig, numbers);
+  placePrimitives(preparation, driven ? numbers : preparation.primitives, rig, out);
 }
 
 void poseFieldAndSkin(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, const Pose& pose,

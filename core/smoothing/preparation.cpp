@@ -212,7 +212,7 @@ Result<std::shared_ptr<const Preparation>> prepare(const std::shared_ptr<const C
   if (adaptive) {
     const AdaptiveLevels* known = former && former->layered == next->layered ? former->detail.get() : nullptr;
     const float tolerance = options.tolerance.value_or(rig.smoothing.tolerance);
-    if (options.keepLevels && known && known->tolerance == tolerance) next->detail = former->detail;
+    if (options.keepLevels && known && known->from.tolerance == tolerance) next->detail = former->detail;
     else
       next->detail =
           findLevels(*next, options.shared ? options.shared : std::make_shared<const Rig>(rig), tolerance, known);

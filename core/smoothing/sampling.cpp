@@ -9,8 +9,8 @@
 
 namespace sinew {
 
-SurfaceSampler::SurfaceSampler(const Preparation& next, Refinement points, std::vector<std::uint8_t> skipped)
-    : preparation_(prepareSamples(next, std::move(points))), skipped_(std::move(skipped)) {}
+SurfaceSampler::SurfaceSampler(const SampledPart& part, Refinement points)
+    : preparation_(prepareSamples(*part.preparation, std::move(points))), skipped_(part.skipped) {}
 
 const Surface& SurfaceSampler::sample(const Pose& pose) {
   preparation_->poser->pose(pose, rig_);

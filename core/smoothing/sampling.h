@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/smoothing/posed_field.h"
+#include "core/smoothing/sampled_part.h"
 #include "core/smoothing/workspace.h"
 
 namespace sinew {
@@ -13,9 +14,8 @@ namespace sinew {
 /// Skin, patch and projection at given points, pose after pose.
 class SurfaceSampler {
  public:
-  /// @param next  attached, with its candidates; the rest is made for the points
-  /// @param skipped [V+E+T] 1: the carrier's points are left on their patches
-  SurfaceSampler(const Preparation& next, Refinement points, std::vector<std::uint8_t> skipped);
+  /// @param points  of the part's mesh
+  SurfaceSampler(const SampledPart& part, Refinement points);
 
   /// Valid until the next call.
   [[nodiscard]] const Surface& sample(const Pose& pose);

@@ -40,69 +40,48 @@ struct Located {
 
 class SplitMeter {
  public:
-  SplitMeter(const Preparation& next, const RefinementLevels& levels, std::vector<int> triangles)
-      : mesh_(next.mesh()),
-        triangles_(std::move(triangles)),
-        fine_(mesh_.triangles.size() > kMany ? kFewSamples : kSamples),
-        samples_(next, samplesToTake(), skipped()),
-        split_(next, refine(mesh_, levelsOf(levels)), skipped()),
-        located_(triangles_.size()),
-        worst_(triangles_.size(), 0.0f) {}
+  SplitMeter(const Preparation& next, const RefinementLevels& levels, const SampledPiece& piece)
+      : part_(sampledPart(next, piece)),
+        mesh_(part_.mesh()),
+        asked_(placesIn(part_.triangles, piece.triangles)),
+        fine_(next.mesh().triangles.size() > kMany ? kFewSamples : kSamples),
+        samples_(part_, samplePoints(mesh_, only(
+                                                0, [&](int) { return fine_; }, [&](int) { return fine_; }))),
+        split_(part_, refine(mesh_, only(
+                                        1, [&](int e) { return at(levels.edges, at(part_.edges, e)); },
+                                        [&](int t) { return at(levels.triangles, at(part_.triangles, t)); }))),
+        located_(asked_.size()),
+        worst_(asked_.size(), 0.0f) {}
 
-  /// [triangles] the farthest sample from its piece, over all poses.
+  /// [triangles of the piece] the farthest sample from its flat triangle, over all poses.
   const std::vector<float>& measure(const std::vector<Pose>& poses) {
     for (const Pose& pose : poses) {
       const Surface& samples = samples_.sample(pose);
       const Surface& split = split_.sample(pose);
-      forRanges(triangles_.size(), 32, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          if (located_[i].empty()) locate(i, *samples.refinement, *split.refinement);
-          for (const Located& one : located_[i]) {
-            worst_[i] = std::max(worst_[i], distance(one, samples.positions, split.positions));
-          }
+      for (std::size_t i = 0; i < asked_.size(); ++i) {
+        if (located_[i].empty()) locate(i, *samples.refinement, *split.refinement);
+        for (const Located& one : located_[i]) {
+          worst_[i] = std::max(worst_[i], distance(one, samples.positions, split.positions));
         }
-      });
+      }
     }
     return worst_;
   }
 
  private:
-  /// 0 but for the triangles at hand and their sides.
+  /// Levels of the part: `other` but for the triangles at hand and their sides.
   RefinementLevels only(std::uint8_t other, const auto& edgeLevel, const auto& insideLevel) const {
     RefinementLevels out{std::vector<std::uint8_t>(mesh_.edges.size(), other),
                          std::vector<std::uint8_t>(mesh_.triangles.size(), other)};
-    for (const int t : triangles_) {
-      at(out.triangles, t) = insideLevel(t);
-      for (const int e : at(mesh_.triangles, t).edges) at(out.edges, e) = edgeLevel(e);
-    }
-    return out;
-  }
-
-  Refinement samplesToTake() const {
-    const auto fine = [&](int) { return static_cast<std::uint8_t>(fine_); };
-    return samplePoints(mesh_, only(0, fine, fine));
-  }
-
-  RefinementLevels levelsOf(const RefinementLevels& levels) const {
-    return only(
-        1, [&](int e) { return at(levels.edges, e); }, [&](int t) { return at(levels.triangles, t); });
-  }
-
-  /// [V+E+T] of the carriers: only what is measured is projected.
-  std::vector<std::uint8_t> skipped() const {
-    const std::size_t firstEdge = mesh_.positions.size();
-    const std::size_t firstTriangle = firstEdge + mesh_.edges.size();
-    std::vector<std::uint8_t> out(firstTriangle + mesh_.triangles.size(), 1);
-    for (const int t : triangles_) {
-      out[firstTriangle + toIndex(t)] = 0;
-      for (const int e : at(mesh_.triangles, t).edges) out[firstEdge + toIndex(e)] = 0;
-      for (const int v : at(mesh_.triangles, t).vertices) at(out, v) = 0;
+    for (const int t : asked_) {
+      at(out.triangles, t) = static_cast<std::uint8_t>(insideLevel(t));
+      for (const int e : at(mesh_.triangles, t).edges) at(out.edges, e) = static_cast<std::uint8_t>(edgeLevel(e));
     }
     return out;
   }
 
   void locate(std::size_t i, const Refinement& samples, const Refinement& split) {
-    const int t = triangles_[i];
+    const int t = asked_[i];
     struct Piece {
       std::array<int, 3> corners;
       std::array<glm::dvec2, 3> at;
@@ -144,8 +123,9 @@ class SplitMeter {
     return distanceFromPiece(at(samples, one.vertex), {corner(0), corner(1), corner(2)}, one.shares);
   }
 
+  SampledPart part_;
   const ControlMesh& mesh_;
-  std::vector<int> triangles_;
+  std::vector<int> asked_;  ///< Triangles of the part.
   int fine_;
   SurfaceSampler samples_;
   SurfaceSampler split_;
@@ -180,19 +160,22 @@ RefinementLevels levelsThatFit(const Preparation& next, const std::vector<Pose>&
   known.resize(mesh.triangles.size());
   RefinementLevels levels = gradedLevels(mesh, needed);
   for (int round = 0; round < kRounds; ++round) {
-    std::vector<int> unknown;
+    std::vector<std::uint8_t> unknown(mesh.triangles.size(), 0);
     for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
       const SplitLevels split = splitOf(mesh, levels, t);
       // The fit has seen the n^2 split.
-      if (!split.isUniform() && !find(at(known, t), split)) unknown.push_back(t);
+      if (!split.isUniform() && !find(at(known, t), split)) at(unknown, t) = 1;
     }
-    if (!unknown.empty()) {
-      SplitMeter meter(next, levels, unknown);
+    const std::vector<SampledPiece> pieces =
+        sampledPieces(next, std::vector<std::uint8_t>(mesh.edges.size(), 0), unknown);
+    forEachIndex(pieces.size(), 1, [&](std::size_t p) {
+      const std::vector<int>& triangles = pieces[p].triangles;
+      SplitMeter meter(next, levels, pieces[p]);
       const std::vector<float>& worst = meter.measure(poses);
-      for (std::size_t i = 0; i < unknown.size(); ++i) {
-        at(known, unknown[i]).push_back({splitOf(mesh, levels, unknown[i]), worst[i] <= tolerance});
+      for (std::size_t i = 0; i < triangles.size(); ++i) {
+        at(known, triangles[i]).push_back({splitOf(mesh, levels, triangles[i]), worst[i] <= tolerance});
       }
-    }
+    });
     bool raised = false;
     for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
       const SplitLevels split = splitOf(mesh, levels, t);

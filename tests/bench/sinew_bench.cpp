@@ -72,12 +72,19 @@ const std::vector<Part> kParts = {
     {"detail",
      "Compare depth 3 with adaptive detail: vertices, error, time",
      "Rigs (.rig.json), or characters, which get 12 muscles by rule; none: scenes that ship with the program, and "
-     "three "
-     "characters as games have",
+     "three characters as games have",
      "Moments of each clip at most (4); 1000: thirty a second",
      kTimings,
      {4, 5},
      reportDetail},
+    {"settle",
+     "Time adaptive detail: a frame of a drag, and the frame in which levels settle",
+     kRigs,
+     "Muscles that are dragged (8)",
+     "Drags of each (3)",
+     {8, 3},
+     reportSettling,
+     {"humanoid.rig.json", "humanoid-flex.rig.json", "horse.rig.json"}},
     {"pops",
      "Count what moves far within a frame, and at once",
      "Rigs (.rig.json), with their muscles, or characters, which get muscles by the tool and at random; none: those "

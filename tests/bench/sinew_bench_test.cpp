@@ -79,6 +79,26 @@ TEST_F(Parts, DragsWithShortAndLongHistoryFewAndManyMuscles) {
   EXPECT_GT(number(2, "vertices"), number(0, "vertices")) << "more muscles move more";
 }
 
+TEST_F(Parts, LevelsSettleAfterADrag) {
+  const auto file = folder_ / "settle.json";
+  const Outcome outcome =
+      run({"settle", demo("demo.rig.json"), "--frames", "2", "--rounds", "1", "--json", file.string()});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  EXPECT_NE(outcome.out.find("\ndemo "), std::string::npos) << outcome.out;
+  const auto json = Json::parse(readWholeFile(file, 1 << 20).value());
+  ASSERT_TRUE(json.ok());
+  const std::vector<Json> rows = json.value().at("rows").items();
+  ASSERT_EQ(rows.size(), 2u);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(rows[i].at("threads").number(0), static_cast<double>(i + 1));
+    EXPECT_EQ(rows[i].at("muscles").number(0), 2.0);
+    EXPECT_GT(rows[i].at("vertices").number(0), 100.0);
+    for (const char* key : {"drag_seconds", "drag_prepare_seconds", "settled_seconds", "settled_cpu_seconds"}) {
+      EXPECT_GT(rows[i].at(key).number(0), 0.0) << key;
+    }
+  }
+}
+
 TEST_F(Parts, StagesShareTheFrame) {
   const auto file = folder_ / "stages.json";
   const Outcome outcome =
@@ -88,9 +108,10 @@ TEST_F(Parts, StagesShareTheFrame) {
   const auto json = Json::parse(readWholeFile(file, 1 << 20).value());
   ASSERT_TRUE(json.ok());
   const std::vector<Json> rows = json.value().at("rows").items();
-  ASSERT_EQ(rows.size(), 2u);
+  ASSERT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows[0].at("depth").number(0), 3.0);
   EXPECT_EQ(rows[1].at("depth").number(0), 5.0);
+  EXPECT_EQ(rows[2].at("depth").number(-1.0), 0.0) << "adaptive";
   EXPECT_GT(rows[1].at("vertices").number(0), rows[0].at("vertices").number(0));
   for (const Json& row : rows) {
     EXPECT_GT(row.at("frame_seconds").number(0), 0.0);
@@ -176,7 +197,7 @@ TEST_F(Parts, AnimationBesideSkinning) {
 }
 
 TEST_F(Parts, BadInputAndBadCommandLine) {
-  for (const char* part : {"animation", "detail", "projections", "drag", "pops", "stages"}) {
+  for (const char* part : {"animation", "detail", "projections", "drag", "pops", "settle", "stages"}) {
     const Outcome absent = run({part, "no such file.glb"});
     EXPECT_EQ(absent.status, 1);
     EXPECT_TRUE(absent.oneErrorLine()) << absent.error;

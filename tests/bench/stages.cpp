@@ -13,20 +13,20 @@ namespace {
 /// One depth of one scene.
 struct StageRow {
   std::string scene;
-  int depth = 1;
+  int depth = 1;              ///< 0: adaptive detail.
   double projected = 0.0;     ///< Vertices a root was sought for, mean of the frames.
   double frameSeconds = 0.0;  ///< Sum of the stages' least times, mean of the frames.
   StageSeconds shares;        ///< Shares of the sum of all frames' least times.
 };
 
-constexpr std::array kDepths{3, 5};
+constexpr std::array kDepths{3, 5, 0};
 constexpr std::array kStages{&StageSeconds::skin, &StageSeconds::patch, &StageSeconds::project, &StageSeconds::folds,
                              &StageSeconds::normals};
 
 /// The rig's own mode and search: what a user gets.
 Rig atDepth(Rig rig, int depth) {
-  rig.smoothing.detail = DetailKind::kUniform;
-  rig.smoothing.depth = depth;
+  rig.smoothing.detail = depth > 0 ? DetailKind::kUniform : DetailKind::kAdaptive;
+  rig.smoothing.depth = std::max(depth, 1);
   return rig;
 }
 
@@ -72,13 +72,15 @@ std::string tableOf(const std::vector<StageRow>& rows) {
   std::string table =
       "Smoothing as each rig asks. Of each frame's stages the least times of all rounds count: what the machine does\n"
       "when nothing else runs. Milliseconds of a frame, mean; per cent that each stage takes of all frames together.\n"
+      "Depth adapt: adaptive detail.\n"
       "\n"
       "scene             depth  vertices  frame ms   skin  patch  project  folds  normals\n";
   char line[160];
   for (const StageRow& row : rows) {
     const StageSeconds& share = row.shares;
-    std::snprintf(line, sizeof line, "%-16.40s  %5d  %8.0f  %8.3f  %5.1f  %5.1f  %7.1f  %5.1f  %7.1f\n",
-                  row.scene.c_str(), row.depth, row.projected, 1e3 * row.frameSeconds, 100.0 * share.skin,
+    const std::string depth = row.depth > 0 ? std::to_string(row.depth) : "adapt";
+    std::snprintf(line, sizeof line, "%-16.40s  %5s  %8.0f  %8.3f  %5.1f  %5.1f  %7.1f  %5.1f  %7.1f\n",
+                  row.scene.c_str(), depth.c_str(), row.projected, 1e3 * row.frameSeconds, 100.0 * share.skin,
                   100.0 * share.patch, 100.0 * share.project, 100.0 * share.folds, 100.0 * share.normals);
     table += line;
   }

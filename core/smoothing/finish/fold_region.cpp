@@ -1,6 +1,9 @@
 // core/smoothing/finish/fold_region.cpp: one look at all moved triangles, then only around those that fold.
 #include "core/smoothing/finish/fold_region.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "core/smoothing/finish/fold_kernel.h"
 
 namespace sinew {
@@ -11,13 +14,13 @@ void FoldRegion::find(const ControlMesh& mesh, const Refinement& refinement, con
   mesh_ = &mesh;
   refinement_ = &refinement;
   rings_ = &rings;
-  control_ = moved.control;
+  isControl_ = moved.isControl;
   patch_ = patch;
   triangles_.clear();
   first_.assign(mesh.triangles.size(), -1);
   isFolding_.assign(mesh.triangles.size(), 0);
   isNear_.assign(mesh.positions.size(), 0);
-  grows_ = false;
+  folding_.clear();
 
   constexpr std::size_t kRoom = 4;
   shrunk_.resize(moved.refined.size() + kRoom);
@@ -42,16 +45,24 @@ void FoldRegion::add(const FoldTriangle& folding) {
   std::uint8_t& isFolding = at(isFolding_, control);
   if (isFolding != 0) return;
   isFolding = 1;
-  grows_ = true;
-  for (const int v : at(mesh_->triangles, control).vertices) at(isNear_, v) = 1;
+  folding_.push_back(control);
 }
 
 void FoldRegion::grow() {
-  if (!grows_) return;
-  grows_ = false;
-  const auto isNear = [&](int corner) { return at(isNear_, corner) != 0; };
-  for (const int t : control_) {
-    if (at(first_, t) >= 0 || std::ranges::none_of(at(mesh_->triangles, t).vertices, isNear)) continue;
+  near_.clear();
+  for (const int control : folding_) {
+    for (const int v : at(mesh_->triangles, control).vertices) {
+      if (std::exchange(at(isNear_, v), std::uint8_t{1}) != 0) continue;
+      for (const int corner : rings_->cornersOf(v)) {
+        const int t = at(refinement_->controlOf, corner / 3);
+        if (at(isControl_, t) != 0 && at(first_, t) < 0) near_.push_back(t);
+      }
+    }
+  }
+  folding_.clear();
+  std::ranges::sort(near_);
+  for (const int t : near_) {
+    if (at(first_, t) >= 0) continue;
     at(first_, t) = static_cast<int>(triangles_.size());
     for (int i = at(refinement_->triangleBegin, t); i < at(refinement_->triangleBegin, t + 1); ++i) {
       triangles_.push_back(triangleOf(i));

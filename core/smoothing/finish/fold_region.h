@@ -72,14 +72,15 @@ class FoldRegion {
   const ControlMesh* mesh_ = nullptr;
   const Refinement* refinement_ = nullptr;
   const VertexRings* rings_ = nullptr;
-  std::span<const int> control_;
+  std::span<const std::uint8_t> isControl_;
   PatchView patch_;
   std::vector<FoldTriangle> triangles_;
   std::vector<int> first_;               ///< [T] of a control triangle's in triangles_; -1: outside.
   std::vector<std::uint8_t> isFolding_;  ///< [T] one of a control triangle's has folded.
   std::vector<std::uint8_t> isNear_;     ///< [V] a corner of a control triangle in which one folds.
+  std::vector<int> folding_;             ///< Control triangles that fold since the last grow().
+  std::vector<int> near_;                ///< Scratch.
   std::vector<int> shrunk_;              ///< Scratch.
-  bool grows_ = false;                   ///< isNear_ has changed.
 };
 
 }  // namespace sinew

@@ -13,25 +13,21 @@ namespace sinew {
 
 /// What the stages after projection have to look at. Kept from pose to pose for its memory.
 struct MovedTriangles {
-  std::vector<int> control;          ///< Control triangles that hold a moved vertex. Ascending.
-  std::vector<int> refined;          ///< Refined triangles at moved vertices and at their neighbors. Ascending.
-  std::vector<std::uint8_t> isNear;  ///< [V'] 1: has moved, or a neighbor has.
-  std::vector<int> near;             ///< Those vertices. Ascending.
-  std::vector<int> corners;          ///< The vertices of `refined`, those among them. Ascending.
+  std::vector<std::uint8_t> isControl;  ///< [T] 1: the control triangle holds a moved vertex.
+  std::vector<int> refined;             ///< Refined triangles at moved vertices and at their neighbors. Ascending.
+  std::vector<std::uint8_t> isNear;     ///< [V'] 1: has moved, or a neighbor has.
+  std::vector<int> near;                ///< Those vertices. Ascending.
+  std::vector<int> corners;             ///< The vertices of `refined`, those among them. Ascending.
 
   /// @param rings  of the refinement.  @param patch, positions [V'] world; a vertex has moved where they differ.
   void find(const ControlMesh& mesh, const Refinement& refinement, const VertexRings& rings,
             std::span<const glm::vec3> patch, std::span<const glm::vec3> positions);
 
  private:
-  void findControl(const ControlMesh& mesh, const Refinement& refinement);
-  void findRefined(const ControlMesh& mesh, const Refinement& refinement);
-
-  std::vector<std::uint8_t> isMoved_;      ///< [V']
-  std::vector<int> moved_;                 ///< Those vertices. Ascending.
-  std::vector<std::uint8_t> isMovedEdge_;  ///< [E] moved between its ends.
-  std::vector<std::uint8_t> isEnd_;        ///< [V] of a triangle in `control`.
-  std::vector<std::uint8_t> isCorner_;     ///< [V'] of a triangle in `refined`.
+  std::vector<std::uint8_t> isMoved_;    ///< [V']
+  std::vector<int> moved_;               ///< Those vertices. Ascending.
+  std::vector<std::uint8_t> isRefined_;  ///< [T n^2] in `refined`.
+  std::vector<std::uint8_t> isCorner_;   ///< [V'] of a triangle in `refined`.
 };
 
 }  // namespace sinew

@@ -37,14 +37,21 @@ bool edgeFits(const FineSamples& s, int fine, int level, const LevelTolerance& t
     const std::size_t b = indexOf(from + step);
     const std::size_t at = indexOf(i);
     if (distanceToChord(s.positions[at], s.positions[a], s.positions[b]) > tolerance.distance) return false;
-    const bool smooth = glm::dot(s.normals[at - 1], s.normals[at]) > kCreaseCosine &&
-                        glm::dot(s.normals[at], s.normals[at + 1]) > kCreaseCosine;
-    if (!smooth) continue;
     const float share = static_cast<float>(i - from) / static_cast<float>(step);
     const glm::vec3 between = (1.0f - share) * s.normals[a] + share * s.normals[b];
-    if (turnsTooFar(between, s.normals[at], tolerance)) return false;
+    if (!turnsTooFar(between, s.normals[at], tolerance)) continue;
+    const bool smooth = glm::dot(s.normals[at - 1], s.normals[at]) > kCreaseCosine &&
+                        glm::dot(s.normals[at], s.normals[at + 1]) > kCreaseCosine;
+    if (smooth) return false;
   }
   return true;
+}
+
+/// Whether distanceFromPiece() is at most that. Mostly the first of the two measures says so.
+bool isWithin(float most, const glm::vec3& sample, const std::array<glm::vec3, 3>& corners,
+              const std::array<float, 3>& shares) {
+  const glm::vec3 own = shares[0] * corners[0] + shares[1] * corners[1] + shares[2] * corners[2];
+  return !(glm::distance(sample, own) > most) || !(distanceFromPiece(sample, corners, shares) > most);
 }
 
 /// A triangle's samples by their row and place in it.
@@ -81,13 +88,11 @@ class Lattice {
     const std::array<float, 3> share{1.0f - x - y, x, y};
     const std::size_t at = index(j, k);
     const auto corner = [&](std::size_t i) { return samples_.positions[corners[i]]; };
-    if (distanceFromPiece(samples_.positions[at], {corner(0), corner(1), corner(2)}, share) > tolerance.distance) {
-      return false;
-    }
-    if (!isSmoothAt(j, k)) return true;
+    const std::array<glm::vec3, 3> piece{corner(0), corner(1), corner(2)};
+    if (!isWithin(tolerance.distance, samples_.positions[at], piece, share)) return false;
     glm::vec3 between(0.0f);
     for (std::size_t i = 0; i < 3; ++i) between += share[i] * samples_.normals[corners[i]];
-    return !turnsTooFar(between, samples_.normals[at], tolerance);
+    return !turnsTooFar(between, samples_.normals[at], tolerance) || !isSmoothAt(j, k);
   }
 
  private:

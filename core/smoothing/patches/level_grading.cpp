@@ -23,12 +23,21 @@ int levelFor(float length, float most) {
 class Grader {
  public:
   Grader(const ControlMesh& mesh, RefinementLevels& levels)
-      : mesh_(mesh), levels_(levels), trianglesAt_(mesh.edges.size()), waits_(mesh.triangles.size(), true) {
+      : mesh_(mesh),
+        levels_(levels),
+        trianglesBegin_(mesh.edges.size() + 1, 0),
+        trianglesAt_(3 * mesh.triangles.size()),
+        waits_(mesh.triangles.size(), true) {
     for (const Edge& edge : mesh.edges) {
       lengths_.push_back(glm::distance(at(mesh.positions, edge.vertices[0]), at(mesh.positions, edge.vertices[1])));
     }
+    for (const ControlTriangle& triangle : mesh.triangles) {
+      for (const int edge : triangle.edges) ++at(trianglesBegin_, edge + 1);
+    }
+    for (std::size_t e = 0; e < mesh.edges.size(); ++e) trianglesBegin_[e + 1] += trianglesBegin_[e];
+    std::vector<int> next = trianglesBegin_;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      for (const int edge : mesh.triangles[t].edges) at(trianglesAt_, edge).push_back(static_cast<int>(t));
+      for (const int edge : mesh.triangles[t].edges) at(trianglesAt_, at(next, edge)++) = static_cast<int>(t);
       waiting_.push_back(static_cast<int>(t));
     }
   }
@@ -68,7 +77,8 @@ class Grader {
       const int level = needed(at(lengths_, edge));
       if (level <= at(levels_.edges, edge)) continue;
       at(levels_.edges, edge) = static_cast<std::uint8_t>(level);
-      for (const int other : at(trianglesAt_, edge)) {
+      for (int i = at(trianglesBegin_, edge); i < at(trianglesBegin_, edge + 1); ++i) {
+        const int other = at(trianglesAt_, i);
         if (!at(waits_, other)) waiting_.push_back(other);
         at(waits_, other) = true;
       }
@@ -77,9 +87,10 @@ class Grader {
 
   const ControlMesh& mesh_;
   RefinementLevels& levels_;
-  std::vector<float> lengths_;                 ///< [E]
-  std::vector<std::vector<int>> trianglesAt_;  ///< [E]
-  std::vector<bool> waits_;                    ///< [T]
+  std::vector<float> lengths_;       ///< [E]
+  std::vector<int> trianglesBegin_;  ///< [E + 1] into trianglesAt_.
+  std::vector<int> trianglesAt_;     ///< Edge by edge.
+  std::vector<bool> waits_;          ///< [T]
   std::vector<int> waiting_;
 };
 

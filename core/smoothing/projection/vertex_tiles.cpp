@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
+
+#include "core/base/parallel.h"
 
 namespace sinew {
 namespace {
@@ -41,11 +44,10 @@ std::vector<int> alongCurve(const ControlMesh& mesh) {
 /// of its own open. The order is that of the bind pose and serves every pose.
 class Packer {
  public:
-  Packer(const ControlMesh& mesh, const Refinement& refinement, const CandidateLists& lists, VertexTiles& out)
-      : mesh_(mesh), refinement_(refinement), lists_(lists), out_(out), open_(lists.cliqueSets.size()) {}
+  Packer(const CandidateLists& lists, VertexTiles& out) : lists_(lists), out_(out), open_(lists.cliqueSets.size()) {}
 
   void addCarrier(int carrier, int firstVertex, int count) {
-    if (lists_.of(carrier).empty()) return;
+    if (count == 0 || lists_.of(carrier).empty()) return;
     VertexTile& tile = at(open_, at(lists_.cliqueSet, carrier));
     for (int i = 0; i < count; ++i) {
       tile.cliqueSet = at(lists_.cliqueSet, carrier);
@@ -67,48 +69,69 @@ class Packer {
       tile.vertices[lane] = tile.vertices[0];
       tile.carriers[lane] = tile.carriers[0];
     }
-    tile.firstCandidate = static_cast<int>(out_.candidates.size());
     gatherCandidates(tile);
-    tile.candidateCount = static_cast<int>(out_.candidates.size()) - tile.firstCandidate;
-    fillWeights(tile);
-    out_.mostCandidates = std::max(out_.mostCandidates, toIndex(tile.candidateCount));
+    tile.firstCandidate = static_cast<int>(out_.candidates.size());
+    tile.candidateCount = static_cast<int>(gathered_.size());
+    out_.candidates.insert(out_.candidates.end(), gathered_.begin(), gathered_.end());
+    out_.mostCandidates = std::max(out_.mostCandidates, gathered_.size());
     out_.tiles.push_back(tile);
     tile = {};
   }
 
+  /// Those of all lanes, ascending. Neighbors see nearly the same ones.
   void gatherCandidates(const VertexTile& tile) {
-    const auto begin = static_cast<std::ptrdiff_t>(out_.candidates.size());
+    gathered_.clear();
     for (int lane = 0; lane < tile.used; ++lane) {
       if (lane > 0 && at(tile.carriers, lane) == at(tile.carriers, lane - 1)) continue;
+      std::size_t place = 0;
       for (const CarrierCandidate& candidate : lists_.of(at(tile.carriers, lane))) {
-        out_.candidates.push_back({candidate.primitive, candidate.slot});
+        while (place < gathered_.size() && gathered_[place].primitive < candidate.primitive) ++place;
+        if (place < gathered_.size() && gathered_[place].primitive == candidate.primitive) continue;
+        gathered_.insert(gathered_.begin() + static_cast<std::ptrdiff_t>(place), {candidate.primitive, candidate.slot});
       }
     }
-    const auto first = out_.candidates.begin() + begin;
-    std::ranges::sort(first, out_.candidates.end(), {}, &TileCandidate::primitive);
-    const auto same = [](const TileCandidate& a, const TileCandidate& b) { return a.primitive == b.primitive; };
-    out_.candidates.erase(std::unique(first, out_.candidates.end(), same), out_.candidates.end());
   }
 
-  void fillWeights(const VertexTile& tile) {
-    const std::size_t first = out_.weights.size();
-    out_.weights.resize(out_.candidates.size(), LaneFloats{});
-    const std::span own = std::span(out_.candidates).subspan(first);
+  const CandidateLists& lists_;
+  VertexTiles& out_;
+  std::vector<VertexTile> open_;         ///< One per clique set: equal sets number their groups equally.
+  std::vector<TileCandidate> gathered_;  ///< Of the tile that is being closed.
+};
+
+/// The weights of a tile's candidates at its lanes.
+class WeightFiller {
+ public:
+  WeightFiller(const ControlMesh& mesh, const Refinement& refinement, const CandidateLists& lists, VertexTiles& out)
+      : mesh_(mesh), refinement_(refinement), lists_(lists), out_(out) {}
+
+  void fill(const VertexTile& tile) {
+    const auto first = toIndex(tile.firstCandidate);
+    const auto count = toIndex(tile.candidateCount);
+    const std::span own = std::span(out_.candidates).subspan(first, count);
+    const std::span weights = std::span(out_.weights).subspan(first, count);
     for (int lane = 0; lane < tile.used; ++lane) {
-      const CarriedVertex vertex = carriedVertex(mesh_, refinement_, at(tile.vertices, lane));
+      const CarriedVertex vertex = carried(at(tile.carriers, lane), at(tile.vertices, lane));
+      std::size_t place = 0;
       for (const CarrierCandidate& candidate : lists_.of(vertex.carrier)) {
-        const auto place = std::ranges::lower_bound(own, candidate.primitive, {}, &TileCandidate::primitive);
-        const auto index = first + static_cast<std::size_t>(place - own.begin());
-        at(out_.weights[index].lane, lane) = candidate.weightAt(vertex.barycentric);
+        while (own[place].primitive < candidate.primitive) ++place;
+        at(weights[place].lane, lane) = candidate.weightAt(vertex.barycentric);
       }
     }
+  }
+
+ private:
+  [[nodiscard]] CarriedVertex carried(int carrier, int vertex) const {
+    const int edge = carrier - refinement_.controlVertices;
+    const int triangle = edge - refinement_.controlEdges;
+    if (edge < 0) return carriedVertex(mesh_, refinement_, vertex);
+    if (triangle < 0) return edgeCarried(mesh_, refinement_, edge, vertex);
+    return insideCarried(mesh_, refinement_, triangle, vertex);
   }
 
   const ControlMesh& mesh_;
   const Refinement& refinement_;
   const CandidateLists& lists_;
   VertexTiles& out_;
-  std::vector<VertexTile> open_;  ///< One per clique set: equal sets number their groups equally.
 };
 
 void flattenCliques(const CandidateLists& lists, VertexTiles& out) {
@@ -158,7 +181,7 @@ CarriedVertex carriedVertex(const ControlMesh& mesh, const Refinement& refinemen
 VertexTiles makeVertexTiles(const ControlMesh& mesh, const Refinement& refinement, const CandidateLists& lists) {
   VertexTiles out;
   flattenCliques(lists, out);
-  Packer packer(mesh, refinement, lists, out);
+  Packer packer(lists, out);
   std::vector<bool> known(toIndex(refinement.controlVertices + refinement.controlEdges), false);
   const auto once = [&](int carrier) {
     if (known[toIndex(carrier)]) return false;
@@ -177,11 +200,20 @@ VertexTiles makeVertexTiles(const ControlMesh& mesh, const Refinement& refinemen
     packer.addCarrier(refinement.controlVertices + refinement.controlEdges + t, at(refinement.insideBegin, t),
                       refinement.insideVertices(t));
   }
-  // A vertex of no triangle is projected all the same.
+  // What belongs to no triangle is projected all the same.
+  for (int e = 0; e < refinement.controlEdges; ++e) {
+    const int carrier = refinement.controlVertices + e;
+    if (once(carrier)) packer.addCarrier(carrier, refinement.edgeVertex(e, 1), refinement.edgeVertices(e));
+  }
   for (int v = 0; v < refinement.controlVertices; ++v) {
     if (once(v)) packer.addCarrier(v, v, 1);
   }
   packer.closeAll();
+  out.weights.resize(out.candidates.size());
+  WeightFiller filler(mesh, refinement, lists, out);
+  forRanges(out.tiles.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) filler.fill(out.tiles[i]);
+  });
   return out;
 }
 
