@@ -3,7 +3,7 @@
 
 namespace sinew::app {
 
-/// Version and commit: "0.1.0 (4bbcc04d41e0)"; the commit ends in "-dirty" if the tree was changed, and is "unknown"
+/// Version and commit: "0.2.0 (4bbcc04d41e0)"; the commit ends in "-dirty" if the tree was changed, and is "unknown"
 /// outside git.
 [[nodiscard]] const char* programVersion();
 

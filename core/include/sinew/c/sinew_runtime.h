@@ -26,7 +26,7 @@ typedef enum sinew_code {
 
 /* Why the last call on this thread that failed did so. Never null; until the next call that fails on this thread. */
 const char* sinew_error(void);
-/* "0.1.0", of the library; SINEW_VERSION_TEXT is that of this header. */
+/* "0.2.0", of the library; SINEW_VERSION_TEXT is that of this header. */
 const char* sinew_version(void);
 
 /* Does the work on the caller's threads in place of oneTBB's: sinew/base/task_system.h. */
