@@ -74,13 +74,15 @@ std::string countText(const std::vector<Finding>& findings) {
 std::string textOf(const ClothCount& count, std::size_t poses) {
   if (count.vertices == 0) return "cloth: none\n";
   char deepest[48] = "";
+  std::string seen;
   if (count.more > 0) {
     std::snprintf(deepest, sizeof deepest, ", %.2f %% of the height at most",
                   100.0 * static_cast<double>(count.deepest));
+    seen = "; " + (count.seen == 0 ? std::string("none") : std::to_string(count.seen)) + " of them in sight";
   }
   return "cloth: " + std::to_string(count.more) + " vertices are below the skin that are not without muscles" +
-         deepest + "; " + std::to_string(count.below) + " with muscles, " + std::to_string(count.bare) + " without (" +
-         std::to_string(count.vertices) + " vertices, " + std::to_string(poses) + " poses)\n";
+         deepest + seen + "; " + std::to_string(count.below) + " with muscles, " + std::to_string(count.bare) +
+         " without (" + std::to_string(count.vertices) + " vertices, " + std::to_string(poses) + " poses)\n";
 }
 
 Json jsonOf(const ClothCount& count) {
@@ -89,6 +91,7 @@ Json jsonOf(const ClothCount& count) {
       .set("below", static_cast<double>(count.below))
       .set("below_without_muscles", static_cast<double>(count.bare))
       .set("more", static_cast<double>(count.more))
+      .set("in_sight", static_cast<double>(count.seen))
       .set("deepest", count.deepest);
 }
 
@@ -105,13 +108,13 @@ int check(const CheckOptions& options) {
        << clips << (clips == 1 ? " clip\n" : " clips\n");
   put(text, document.rig(), findings);
   Json json = Json::object();
-  std::int64_t sunk = 0;
+  std::int64_t sunk = 0;  // In sight.
   if (options.cloth) {
     const Result<ClothCount> count = countClothBelow(document.character, document.rig(), motions.poses());
     if (!count) return badInput(count.error());
     text << "  " << textOf(count.value(), motions.poses().size());
     json.set("cloth", jsonOf(count.value()));
-    sunk = count->more;
+    sunk = count->seen;
   }
   json.set("poses", static_cast<int>(motions.poses().size())).set("findings", jsonOf(document.rig(), findings));
   if (!options.output.empty()) {

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <system_error>
 
+#include "core/io/buffer_files.h"
 #include "core/io/files/atomic_file.h"
 
 namespace sinew::app {
@@ -36,7 +37,13 @@ FileStamp stampOf(std::string_view content) {
 std::optional<FileStamp> stampOfFile(const fs::path& file) {
   const Result<std::string> content = readWholeFile(file, kLargestStampedFile);
   if (!content) return std::nullopt;
-  return stampOf(content.value());
+  FileStamp whole = stampOf(content.value());
+  for (const fs::path& buffer : bufferFilesOf(file)) {
+    const std::optional<FileStamp> part = stampOfFile(buffer);
+    whole.hash = stampOf(textOfStamp(whole) + ' ' + textOfStamp(part)).hash;
+    whole.bytes += part ? part->bytes : 0;
+  }
+  return whole;
 }
 
 std::string textOfStamp(const std::optional<FileStamp>& stamp) {

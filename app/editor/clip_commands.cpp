@@ -63,7 +63,8 @@ void readClipFiles(EditorState& state) {
   const std::vector<ClipFileReport> files = document.clipFiles.files;
   loadClipFiles(document);
   state.open.clipList.changed.clear();
-  state.open.clipList.looks.clear();
+  // Those at the character's buffers have no name in front.
+  std::erase_if(state.open.clipList.looks, [](const auto& look) { return !look.first.starts_with('\n'); });
   tellGone(state, files);
   if (document.character == before) return;
   const Transport transport = carriedOrFirst(state.open.transport, *before, *document.character);

@@ -2,6 +2,7 @@
 
 #include "app/editor/disk_conflict.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -10,7 +11,7 @@
 #include "app/document/file_stamp.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
-#include "core/base/lower_case.h"
+#include "core/io/buffer_files.h"
 
 namespace sinew::app {
 namespace {
@@ -23,15 +24,29 @@ void saveThen(EditorState& state, const fs::path& file, const Intent& then) {
   if (saveTo(state, file).empty()) perform(state, then);
 }
 
-/// @param seen  the last look, which becomes the present one
+/// Looks at a file that was read and at the buffers of a .gltf.
+/// @param name  that its buffers' looks have in ClipListState::looks, before a line break and their paths
+/// @param seen  the last look at the file, which becomes the present one
 /// @return nullopt: nothing has happened since that look
-std::optional<OnDisk> lookAgain(const fs::path& file, const std::optional<FileStamp>& known, DiskLook& seen) {
+std::optional<OnDisk> lookAgain(EditorState& state, const fs::path& file, const std::string& name,
+                                const std::optional<FileStamp>& known, DiskLook& seen) {
+  std::map<std::string, DiskLook>& looks = state.open.clipList.looks;
+  const std::string first = name + '\n';
   const DiskLook before = seen;
   seen = lookAt(file);
-  if (seen == before) return std::nullopt;
-  const OnDisk found = compareWithDisk(file, known);
-  const bool datedAnew = before.looked && lowerCase(file.extension().string()) == ".gltf";
-  return found == OnDisk::kSame && datedAnew && known ? OnDisk::kChanged : found;
+  bool isNew = seen != before;
+  if (isNew) {
+    // It may name other buffers now.
+    std::erase_if(looks, [&](const auto& look) { return look.first.starts_with(first); });
+    for (const fs::path& buffer : bufferFilesOf(file)) looks[first + buffer.string()] = lookAt(buffer);
+  }
+  for (auto look = looks.lower_bound(first); look != looks.end() && look->first.starts_with(first); ++look) {
+    const DiskLook now = lookAt(look->first.substr(first.size()));
+    isNew = isNew || now != look->second;
+    look->second = now;
+  }
+  if (!isNew) return std::nullopt;
+  return compareWithDisk(file, known);
 }
 
 void warn(EditorState& state, const fs::path& file, const std::string& what) {
@@ -41,7 +56,7 @@ void warn(EditorState& state, const fs::path& file, const std::string& what) {
 void watchCharacter(EditorState& state) {
   const Document& document = state.document;
   if (!document.characterOnDisk) return;
-  const auto found = lookAgain(document.characterFile, document.characterOnDisk, state.open.characterLook);
+  const auto found = lookAgain(state, document.characterFile, "", document.characterOnDisk, state.open.characterLook);
   if (found == OnDisk::kChanged) {
     warn(state, document.characterFile,
          " was changed on disk by another program. File > Reopen loads the new version.");
@@ -52,7 +67,7 @@ void watchCharacter(EditorState& state) {
 
 void watchClips(EditorState& state, const ClipFileReport& file, const std::optional<FileStamp>& known) {
   ClipListState& list = state.open.clipList;
-  const auto found = lookAgain(file.path, known, list.looks[file.file]);
+  const auto found = lookAgain(state, file.path, file.file, known, list.looks[file.file]);
   if (!found) return;
   if (*found != OnDisk::kChanged) list.changed.erase(file.file);
   if (*found == OnDisk::kGone) {

@@ -23,8 +23,8 @@ void leaveUnsaved(EditorState& state);    ///< Nothing happens.
 void watchDisk(EditorState& state);
 
 /// Called now and then: says once of each file that it holds something else than was read, or has gone. Files of clips
-/// are in ClipListState::changed until they are read again, or hold what was read once more. Of a .gltf the date
-/// counts too, as its keys are in other files.
+/// are in ClipListState::changed until they are read again, or hold what was read once more. Of a .gltf its buffers
+/// count too.
 void watchReadFiles(EditorState& state);
 
 }  // namespace sinew::app

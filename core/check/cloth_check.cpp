@@ -5,12 +5,14 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "core/base/at.h"
 #include "core/base/parallel.h"
+#include "core/check/skin_sight.h"
 #include "core/mesh/triangle_tree.h"
 #include "core/rig/layer_guess.h"
 #include "core/rig/layers.h"
@@ -18,6 +20,8 @@
 
 namespace sinew {
 namespace {
+
+constexpr float kInsideBody = 0.5f;  ///< Winding number.
 
 std::vector<int> clothVertices(const ControlMesh& mesh, const MeshLayers& layers, const Refinement& refinement) {
   std::vector<int> out;
@@ -91,6 +95,21 @@ std::vector<int> allPrimitives(const Rig& rig) {
   return all;
 }
 
+/// What an eye makes of cloth that is below a wall of the skin.
+class ClothSight {
+ public:
+  ClothSight(const Surface& surface, std::span<const int> skin) : all_(surface), skin_(treeOf(surface, skin)) {}
+
+  /// Whether the cloth is inside of the body and the skin over it is in sight.
+  [[nodiscard]] bool shows(const ClothSunk& sunk, const glm::vec3& cloth, float off) const {
+    return skin_.windingAt(cloth) > kInsideBody && all_.isSeen(sunk.place, sunk.normal, off);
+  }
+
+ private:
+  SkinSight all_;
+  TriangleTree skin_;
+};
+
 }  // namespace
 
 ClothMeter::ClothMeter(const ControlMesh& mesh, const MeshLayers& layers, const Surface& bind, float height)
@@ -109,8 +128,8 @@ ClothMeter::ClothMeter(const ControlMesh& mesh, const MeshLayers& layers, const 
   }
 }
 
-std::vector<float> ClothMeter::below(const Surface& surface) const {
-  std::vector<float> out(cloth_.size(), 0.0f);
+std::vector<ClothSunk> ClothMeter::below(const Surface& surface) const {
+  std::vector<ClothSunk> out(cloth_.size());
   const TriangleTree tree = treeOf(surface, skin_);
   const std::vector<glm::vec3> normals = vertexNormals(surface, skin_);
   const float within = kClothSunk * height_;
@@ -133,7 +152,7 @@ std::vector<float> ClothMeter::below(const Surface& surface) const {
       const bool isOnEdge = s[(k + 2) % 3] == 0.0f && s[k] > 0.0f && s[(k + 1) % 3] > 0.0f;
       if (isOnEdge && other >= 0) normal += faceNormal(cornersIn(surface, other));
     }
-    if (glm::dot(p - mixed(c, s), normal) < 0.0f) out[i] = found.distance;
+    if (glm::dot(p - mixed(c, s), normal) < 0.0f) out[i] = {found.distance, mixed(c, s), normal};
   });
   return out;
 }
@@ -156,17 +175,24 @@ Result<ClothCount> countClothBelow(const std::shared_ptr<const Character>& chara
   const float least = kClothBelow * character->height;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (!bare.smooth(poses[i], surface)) continue;
-    const std::vector<float> before = meter.below(surface);
+    const std::vector<ClothSunk> before = meter.below(surface);
     lifted.smooth(poses[i], surface);
-    const std::vector<float> after = meter.below(surface);
+    const std::vector<ClothSunk> after = meter.below(surface);
+    std::optional<ClothSight> sight;
     for (std::size_t v = 0; v < after.size(); ++v) {
-      if (before[v] > least) ++count.bare;
-      if (!(after[v] > least)) continue;
+      if (before[v].depth > least) ++count.bare;
+      if (!(after[v].depth > least)) continue;
       ++count.below;
-      if (before[v] > least) continue;
+      if (before[v].depth > least) continue;
       ++count.more;
-      if (after[v] / character->height <= count.deepest) continue;
-      count.deepest = after[v] / character->height;
+      if (!sight) sight.emplace(surface, meter.skin());
+      if (after[v].depth - before[v].depth > least &&
+          sight->shows(after[v], at(surface.positions, meter.cloth()[v]), least)) {
+        ++count.seen;
+        count.lastSeen = static_cast<int>(i);
+      }
+      if (after[v].depth / character->height <= count.deepest) continue;
+      count.deepest = after[v].depth / character->height;
       count.worst = static_cast<int>(i);
     }
   }

@@ -20,6 +20,13 @@ namespace sinew {
 inline constexpr float kClothBelow = 1e-4f;
 inline constexpr float kClothSunk = 0.05f;
 
+/// Where a vertex of cloth is below the skin.
+struct ClothSunk {
+  float depth = 0.0f;  ///< Along the normal at the nearest point, units of the character; 0: above it, or far from it.
+  glm::vec3 place{0.0f};   ///< That point of the skin,
+  glm::vec3 normal{0.0f};  ///< and its normal, of any length.
+};
+
 /// Measures how far vertices of cloth are below the skin under them: that which is within kClothReach of the vertex in
 /// the bind pose and faces as the nearest skin does there. Where two limbs press into each other no cloth can be above
 /// both.
@@ -30,15 +37,16 @@ class ClothMeter {
 
   /// Refined vertices of cloth.
   [[nodiscard]] std::span<const int> cloth() const { return cloth_; }
-  /// [cloth] along the normal at the nearest point, units of the character; 0: above it, or far from it.
-  /// @param surface  of the same refinement
-  [[nodiscard]] std::vector<float> below(const Surface& surface) const;
+  /// Refined triangles of skin.
+  [[nodiscard]] std::span<const int> skin() const { return skin_; }
+  /// [cloth]  @param surface  of the same refinement
+  [[nodiscard]] std::vector<ClothSunk> below(const Surface& surface) const;
 
  private:
   float height_;
   std::vector<int> cloth_;
-  std::vector<glm::vec3> under_;      ///< [cloth] normal of the nearest skin in the bind pose.
-  std::vector<int> skin_;             ///< Refined triangles of skin.
+  std::vector<glm::vec3> under_;  ///< [cloth] normal of the nearest skin in the bind pose.
+  std::vector<int> skin_;
   std::vector<glm::vec3> bind_;       ///< [V']
   std::vector<glm::vec3> bindFaces_;  ///< [T'] unit normals in the bind pose.
   std::vector<std::array<int, 3>>
@@ -53,6 +61,8 @@ struct ClothCount {
   std::int64_t more = 0;   ///< Of these, those that are not without.
   float deepest = 0.0f;    ///< Of these, fraction of H.
   int worst = -1;          ///< Pose where that is.
+  std::int64_t seen = 0;   ///< Of these, those inside of the body where the skin over them is in sight.
+  int lastSeen = -1;       ///< Pose where the last of them is.
 };
 
 /// Error: the rig is invalid or its surface too large.

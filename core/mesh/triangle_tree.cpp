@@ -28,6 +28,30 @@ float solidAngle(const TriangleCorners& corners, const glm::vec3& p) {
   return above == 0.0f && below == 0.0f ? 0.0f : 2.0f * std::atan2(above, below);
 }
 
+/// Both sides of a ray: where it is inside of the box.
+bool meetsBox(const Bounds& box, const glm::vec3& from, const glm::vec3& inverse) {
+  const glm::vec3 a = (box.low - from) * inverse;
+  const glm::vec3 b = (box.high - from) * inverse;
+  const glm::vec3 in = glm::min(a, b);
+  const glm::vec3 out = glm::max(a, b);
+  const float last = std::min({out.x, out.y, out.z});
+  return last >= 0.0f && std::max({in.x, in.y, in.z}) <= last;
+}
+
+/// Moeller and Trumbore 1997.
+bool meetsTriangle(const TriangleCorners& c, const glm::vec3& from, const glm::vec3& direction) {
+  const glm::vec3 side = c[1] - c[0];
+  const glm::vec3 other = c[2] - c[0];
+  const glm::vec3 across = glm::cross(direction, other);
+  const float volume = glm::dot(side, across);
+  if (volume == 0.0f) return false;
+  const glm::vec3 way = from - c[0];
+  const float u = glm::dot(way, across) / volume;
+  const glm::vec3 turned = glm::cross(way, side);
+  const float v = glm::dot(direction, turned) / volume;
+  return u >= 0.0f && v >= 0.0f && u + v <= 1.0f && glm::dot(other, turned) / volume > 0.0f;
+}
+
 }  // namespace
 
 TriangleTree::TriangleTree(std::span<const TriangleCorners> triangles, std::span<const int> numbers) {
@@ -129,6 +153,29 @@ float TriangleTree::windingAt(const glm::vec3& p) const {
     }
   }
   return static_cast<float>(angle / (4.0 * std::numbers::pi));
+}
+
+bool TriangleTree::isMetBy(const glm::vec3& from, const glm::vec3& direction) const {
+  // Along an axis: as far as numbers go, which leaves no 0 * infinity.
+  constexpr float kFar = 1e30f;
+  glm::vec3 inverse(0.0f);
+  for (int k = 0; k < 3; ++k) inverse[k] = std::clamp(1.0f / direction[k], -kFar, kFar);
+  std::array<int, kMostDepth> open{};
+  std::size_t count = 0;
+  if (!nodes_.empty()) open[count++] = 0;
+  while (count > 0) {
+    const Node& node = at(nodes_, open[--count]);
+    if (!meetsBox(node.box, from, inverse)) continue;
+    if (node.count == 0) {
+      open[count++] = node.first + 1;
+      open[count++] = node.first;
+      continue;
+    }
+    for (int i = node.first; i < node.first + node.count; ++i) {
+      if (meetsTriangle(at(corners_, i), from, direction)) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace sinew

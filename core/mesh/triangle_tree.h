@@ -1,4 +1,5 @@
-// core/mesh/triangle_tree.h: triangles in a tree of boxes: which is nearest, and how far they wind around a point.
+// core/mesh/triangle_tree.h: triangles in a tree of boxes: which is nearest, how far they wind around a point, and
+// whether a ray meets any.
 #pragma once
 
 #include <array>
@@ -62,6 +63,9 @@ class TriangleTree {
   /// Generalized winding number (Jacobson et al. 2013): 1 inside of a closed surface, 0 outside; near that where it has
   /// holes. Triangles far away count as one (Barill et al. 2018).
   [[nodiscard]] float windingAt(const glm::vec3& p) const;
+
+  /// Whether a ray meets any triangle, from either side.  @param direction  any length but 0
+  [[nodiscard]] bool isMetBy(const glm::vec3& from, const glm::vec3& direction) const;
 
  private:
   static constexpr std::size_t kMostDepth = 64;

@@ -56,6 +56,7 @@ TEST_F(Program, CheckCountsClothBelowTheSkin) {
   ASSERT_TRUE(json.ok());
   EXPECT_GT(json->at("cloth").at("vertices").number(0), 1000);
   EXPECT_EQ(json->at("cloth").at("more").number(-1), 0);
+  EXPECT_EQ(json->at("cloth").at("in_sight").number(-1), 0);
 }
 
 TEST_F(Program, CheckRefusesWhatIsNoRig) {

@@ -75,10 +75,10 @@ TEST_P(ClothIn, NothingSinksThatTheFileHasAboveTheSkin) {
   // The measure sees what sinks: clothes that follow no skin.
   for (const char* part : {"Shirt", "Trousers", "Hair"}) rig = setLayer(rig, part, SkinLayer::kRigid).value();
   const ClothMeter meter = dressed.meter(rig);
-  const std::vector<float> sunk = meter.below(dressed.smooth(rig, poses[2]));
-  const std::vector<float> bare = meter.below(dressed.smooth(rig, poses[2], true));
+  const std::vector<ClothSunk> sunk = meter.below(dressed.smooth(rig, poses[2]));
+  const std::vector<ClothSunk> bare = meter.below(dressed.smooth(rig, poses[2], true));
   int more = 0;
-  for (std::size_t v = 0; v < sunk.size(); ++v) more += sunk[v] > 0.0f && bare[v] == 0.0f ? 1 : 0;
+  for (std::size_t v = 0; v < sunk.size(); ++v) more += sunk[v].depth > 0.0f && bare[v].depth == 0.0f ? 1 : 0;
   EXPECT_GT(more, 5);
 }
 

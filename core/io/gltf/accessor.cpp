@@ -3,6 +3,7 @@
 #include "core/io/gltf/accessor.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "core/base/at.h"
@@ -14,6 +15,8 @@ namespace {
 constexpr std::uint64_t kMaxElements = 1ULL << 31;
 /// Sparse entries of all accessors of a file together: opening them walks over each once.
 constexpr std::size_t kMaxSparseEntries = 1U << 26;
+
+constexpr int kFewestBits = 8;  ///< That numbers are rounded to.
 
 const char* nameOf(int type) {
   switch (type) {
@@ -49,6 +52,36 @@ bool Accessor::holdsColors() const {
   const bool unsignedSmall = componentType_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
                              componentType_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
   return isFloat() || (normalized_ && unsignedSmall);
+}
+
+int Accessor::normalizedBits() const {
+  if (!normalized_ || isFloat()) return 0;
+  const bool isSigned =
+      componentType_ == TINYGLTF_COMPONENT_TYPE_BYTE || componentType_ == TINYGLTF_COMPONENT_TYPE_SHORT;
+  const int bits = 8 * static_cast<int>(sizeOf(componentType_));
+  return bits > 16 ? 0 : bits - (isSigned ? 1 : 0);  // Larger ones are not scaled.
+}
+
+bool Accessor::hasBits(int bits, int stored) const {
+  const int lower = stored - bits;
+  const double largest = std::exp2(stored) - 1.0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    for (int c = 0; c < components_; ++c) {
+      const auto value = static_cast<std::uint32_t>(std::lround(std::abs(number(i, c)) * largest));
+      const std::uint32_t high = value >> lower;
+      if (value != (high << lower | high >> (bits - lower))) return false;
+    }
+  }
+  return true;
+}
+
+double Accessor::step() const {
+  if (isFloat() || roundedTo_ > 0.0) return roundedTo_;
+  const int stored = normalizedBits();
+  if (stored == 0) return 1.0;
+  int bits = std::min(kFewestBits, stored);
+  while (bits < stored && !hasBits(bits, stored)) ++bits;
+  return std::exp2(stored - bits) / (std::exp2(stored) - 1.0);
 }
 
 double Accessor::number(std::size_t index, int component) const {

@@ -23,6 +23,10 @@ class Accessor {
   [[nodiscard]] const std::string& place() const { return place_; }
   /// What compression has rounded the values to; 0: they are as they were.
   [[nodiscard]] double roundedTo() const { return roundedTo_; }
+  /// The step between values that could have been written, as number() gives them: roundedTo(), or the grid of
+  /// integers; of normalized ones a coarser grid where all have only their highest bits, repeated in the lower ones, as
+  /// programs write numbers of fewer bits that are to reach 1. 0: floats as they were. Walks over all elements.
+  [[nodiscard]] double step() const;
 
   /// As the accessor says: floats as they are, integers scaled to -1..1 or 0..1 where `normalized`. Element < count().
   [[nodiscard]] double number(std::size_t element, int component) const;
@@ -32,6 +36,10 @@ class Accessor {
  private:
   friend class Accessors;
 
+  /// Bits beside the sign of integers that stand for numbers up to 1; 0 for others.
+  [[nodiscard]] int normalizedBits() const;
+  /// Whether every value is a number of so many bits, moved to the top, its highest bits repeated below.
+  [[nodiscard]] bool hasBits(int bits, int stored) const;
   [[nodiscard]] const std::uint8_t* element(std::size_t index) const;
   [[nodiscard]] std::uint32_t sparseIndex(std::size_t entry) const;
   template <class T>

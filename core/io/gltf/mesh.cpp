@@ -180,20 +180,33 @@ class SoupReader {
     if (taken_.size() < vertices) taken_.resize(vertices);
   }
 
-  /// Pieces start with the first primitive that was rounded.
+  /// Pieces start with the first primitive that was rounded. Primitives on one grid of integers are one piece.
   void startPiece(const Attributes& open, const MeshBinding& binding) {
+    const bool onGrid = !open.position->isFloat();
+    const double step = onGrid ? open.position->step() : open.position->roundedTo();
     double weight = 0.0;
-    for (const Accessor* weights : open.weights) weight = std::max(weight, weights->roundedTo());
+    for (const Accessor* weights : open.weights)
+      weight = std::max(weight, onGrid ? weights->step() : weights->roundedTo());
     const glm::dmat3 toBind(binding.meshToBind);
     const double scale = std::max({glm::length(toBind[0]), glm::length(toBind[1]), glm::length(toBind[2])});
-    const RoundedPiece piece{static_cast<float>(kRoundedPlace * scale * open.position->roundedTo()),
+    const RoundedPiece piece{static_cast<float>(kRoundedPlace * scale * step),
                              static_cast<float>(std::min(kRoundedWeight * weight, kMostRoundedWeight))};
+    piece_ = 0;
     if (soup_.pieces.empty() && !(piece.place > 0.0f) && !(piece.weight > 0.0f)) return;
     if (soup_.pieces.empty()) {
       soup_.pieces.emplace_back();
       soup_.pieceOf.assign(soup_.positions.size(), 0);
     }
+    const auto same = std::ranges::find_if(grids_, [&](const Grid& grid) {
+      return onGrid && grid.meshToBind == binding.meshToBind && grid.step == step && grid.weight == weight;
+    });
+    if (same != grids_.end()) {
+      piece_ = same->piece;
+      return;
+    }
+    piece_ = static_cast<int>(soup_.pieces.size());
     soup_.pieces.push_back(piece);
+    if (onGrid) grids_.push_back({binding.meshToBind, step, weight, piece_});
   }
 
   /// Soup vertex for a vertex of the primitive.
@@ -219,7 +232,7 @@ class SoupReader {
       uv = glm::vec2(0.0f);
     }
     soup_.uvs.push_back(uv);
-    if (!soup_.pieces.empty()) soup_.pieceOf.push_back(static_cast<int>(soup_.pieces.size()) - 1);
+    if (!soup_.pieces.empty()) soup_.pieceOf.push_back(piece_);
     addColor(index, open);
     addInfluences(index, open, binding);
     return taken.soupVertex;
@@ -294,6 +307,14 @@ class SoupReader {
     std::uint32_t soupVertex = 0;
   };
 
+  /// Of integer places, and what was rounded together on it.
+  struct Grid {
+    glm::dmat4 meshToBind{1.0};
+    double step = 0.0;
+    double weight = 0.0;
+    int piece = 0;
+  };
+
   const File& file_;
   const BoundSkeleton& bound_;
   Materials& materials_;
@@ -302,6 +323,8 @@ class SoupReader {
   SoupOrigin* origin_;        // or null
   std::vector<Taken> taken_;  // [vertices of the largest primitive so far]
   std::uint32_t stamp_ = 0;
+  int piece_ = 0;  // of the primitive that is read
+  std::vector<Grid> grids_;
   std::vector<std::pair<int, double>> scratch_;
   std::vector<MeshMaterial> parts_;
   std::map<std::pair<int, int>, int> partNumbers_;

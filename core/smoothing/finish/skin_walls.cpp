@@ -276,9 +276,10 @@ bool SkinWalls::isBelowAny(const glm::vec3& p, const WallsUnder& under, float wi
                            std::span<const int> among) const {
   const auto isBelow = [&](int place) {
     const int triangle = at(tree_.triangles, place);
-    if (!isUnder(place, under)) return false;
     const TriangleCorners c = cornersOf(triangle);
     const glm::vec3 shares = nearestOnTriangle(p, c);
+    // At its border other skin may end at a wall, which the place can then be below without being behind it.
+    if (glm::min(shares.x, glm::min(shares.y, shares.z)) > 0.0f && !isUnder(place, under)) return false;
     const glm::vec3 way = p - mixed(c, shares);
     const float squared = glm::dot(way, way);
     if (!(squared < within * within)) return false;

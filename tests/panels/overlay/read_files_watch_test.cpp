@@ -22,6 +22,13 @@ class ReadFilesWatch : public ClipFilesInEditor {
   void touch(const std::string& name) {
     fs::last_write_time(folder_ / name, fs::last_write_time(folder_ / name) + std::chrono::seconds(++touched_));
   }
+  /// The post as name.gltf and name.bin. @return what the latter holds
+  std::string gltfInTwoFiles(const std::string& name) {
+    const test::Post post = test::makePost();
+    write(name + ".gltf", post.file.gltfWithBufferAt(name + ".bin"));
+    write(name + ".bin", post.file.binary());
+    return post.file.binary();
+  }
   int touched_ = 0;
 };
 
@@ -69,17 +76,46 @@ TEST_F(ReadFilesWatch, TheContentDecidesNotTheDate) {
   EXPECT_TRUE(state.open.clipList.changed.empty()) << "it is as it was";
 }
 
-TEST_F(ReadFilesWatch, KeysOfAGltfAreInOtherFilesSoItsDateCounts) {
-  test::Post post = test::makePost();
-  write("walk.gltf", post.file.gltf());
+TEST_F(ReadFilesWatch, KeysOfAGltfAreInOtherFilesThatCountToo) {
+  const std::string keys = gltfInTwoFiles("walk");
   open("still.glb");
   add("walk.gltf");
   EXPECT_EQ(told("walk.gltf"), 0);
   touch("walk.gltf");
+  touch("walk.bin");
+  EXPECT_EQ(told("walk.gltf"), 0) << "they hold what was read";
+  std::string other = keys;
+  other.back() ^= 1;
+  write("walk.bin", other);
+  touch("walk.bin");
   EXPECT_EQ(told("walk.gltf"), 1);
+  EXPECT_TRUE(state.open.clipList.changed.contains("walk.gltf"));
   act("play/read-clip-files");
   told("walk.gltf");
   EXPECT_TRUE(state.open.clipList.changed.empty());
+  write("walk.bin", keys);
+  touch("walk.bin");
+  told("walk.gltf");
+  EXPECT_TRUE(state.open.clipList.changed.contains("walk.gltf")) << "watched on";
+  write("walk.bin", other);
+  touch("walk.bin");
+  told("walk.gltf");
+  EXPECT_TRUE(state.open.clipList.changed.empty()) << "it is as it was";
+  fs::remove(folder_ / "walk.bin");
+  told("walk.gltf");
+  EXPECT_TRUE(state.open.clipList.changed.contains("walk.gltf"));
+}
+
+TEST_F(ReadFilesWatch, BuffersOfTheCharacterCountToo) {
+  std::string keys = gltfInTwoFiles("hero");
+  open("hero.gltf");
+  add("walk.glb");
+  act("play/read-clip-files");
+  EXPECT_EQ(told("hero.gltf"), 0);
+  keys.back() ^= 1;
+  write("hero.bin", keys);
+  touch("hero.bin");
+  EXPECT_EQ(told("hero.gltf"), 1);
 }
 
 TEST_F(ReadFilesWatch, AClipFileThatGoesAndComesBackIsTold) {

@@ -130,5 +130,34 @@ TEST(SkinWalls, CountOnlySkinThatWasNearInTheBindPoseAndFacedAlike) {
   EXPECT_GE(walls.nearest(top + 0.5f * up, 0.9f), 0);
 }
 
+TEST(SkinWalls, TheFastQuestionMissesNoWallAtTheBorderOfWhatCounts) {
+  TwoBalls balls(4.0f);
+  for (glm::vec3& place : balls.positions) {  // Dented.
+    place *= 1.0f + 0.08f * std::sin(9.0f * place.x) * std::sin(11.0f * place.y + 2.0f) * std::sin(10.0f * place.z);
+  }
+  const WallTree tree = wallTree(balls.refinement, balls.triangles, balls.positions);
+  const VertexRings rings = vertexRings(balls.refinement);
+  std::vector<WallNode> nodes;
+  const SkinWalls walls(tree, balls.refinement, rings, balls.layers, balls.positions, 0.6f, nodes);
+  std::mt19937 random(11);
+  std::normal_distribution<float> spread;
+  constexpr float kWithin = 0.3f;
+  int below = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const auto any = [&] { return glm::normalize(glm::vec3(spread(random), spread(random), spread(random))); };
+    const glm::vec3 way = any();
+    const glm::vec3 p = glm::vec3(2.0f, 0.0f, 0.0f) + (1.0f + 0.08f * spread(random)) * way;
+    const WallsUnder under{p + 0.3f * any(), any()};
+    const Walls found = walls.around(p, under, kWithin);
+    if (found.triangle < 0 || !(found.below < kWithin)) continue;
+    ++below;
+    SkinWalls::NearNodes memory;
+    Bounds box;
+    box.add(p);
+    EXPECT_TRUE(walls.isBelowAny(p, under, kWithin, walls.nearTo(box, kWithin, memory))) << i;
+  }
+  EXPECT_GT(below, 2'000);
+}
+
 }  // namespace
 }  // namespace sinew

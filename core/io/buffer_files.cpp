@@ -1,0 +1,34 @@
+// core/io/buffer_files.cpp: by the JSON alone.
+#include "core/io/buffer_files.h"
+
+#include <cstdint>
+#include <exception>
+#include <string>
+
+#include "core/base/lower_case.h"
+#include "core/io/gltf/file.h"
+#include "core/io/gltf/uri.h"
+
+namespace sinew {
+
+std::vector<std::filesystem::path> bufferFilesOf(const std::filesystem::path& file) {
+  std::vector<std::filesystem::path> files;
+  if (lowerCase(file.extension().string()) != ".gltf") return files;
+  try {
+    const std::vector<std::uint8_t> contents = gltf::contentsOf(file);
+    const Json root = gltf::parseJson(gltf::openContainer(contents).json, "extras");
+    for (const Json& buffer : root.at("buffers").items()) {
+      const std::string uri = buffer.at("uri").text("");
+      if (uri.empty() || gltf::isDataUri(uri) || gltf::isFallback(buffer)) continue;
+      const Result<std::filesystem::path> relative = gltf::relativePathOf(uri);
+      if (relative) files.push_back(gltf::folderOf(file) / relative.value());
+    }
+  } catch (const gltf::Refusal&) {
+    files.clear();
+  } catch (const std::exception&) {
+    files.clear();
+  }
+  return files;
+}
+
+}  // namespace sinew
