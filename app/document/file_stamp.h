@@ -19,7 +19,7 @@ struct FileStamp {
 };
 
 [[nodiscard]] FileStamp stampOf(std::string_view content);
-/// None: there is no such file, or it cannot be read.
+/// Of a .gltf with the buffers that it names. None: there is no such file, or it cannot be read.
 [[nodiscard]] std::optional<FileStamp> stampOfFile(const std::filesystem::path& file);
 
 /// As text, for the recovery file; "" for none.

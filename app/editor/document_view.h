@@ -129,8 +129,10 @@ struct BodyPartsState {
 /// Play > Clip files.
 struct ClipListState {
   bool shown = false;
-  std::set<std::string> changed;          ///< Files that hold something else than was read, as the rig names them.
-  std::map<std::string, DiskLook> looks;  ///< The last ones at files, since they were read.
+  std::set<std::string> changed;  ///< Files that hold something else than was read, as the rig names them.
+  /// The last ones at files, since they were read; at buffers of a .gltf by its name, a line break and their path. The
+  /// character's own have no name.
+  std::map<std::string, DiskLook> looks;
 };
 
 /// View > Reference picture.
