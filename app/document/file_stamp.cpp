@@ -17,6 +17,13 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargestStampedFile = 1u << 30;
 
+/// Without its buffers: one may name the file itself.
+std::optional<FileStamp> stampOfItself(const fs::path& file) {
+  const Result<std::string> content = readWholeFile(file, kLargestStampedFile);
+  if (!content) return std::nullopt;
+  return stampOf(content.value());
+}
+
 /// "arm 2" -> "arm": the copy of a copy counts on.
 std::string withoutNumber(const std::string& stem) {
   std::size_t end = stem.size();
@@ -35,11 +42,11 @@ FileStamp stampOf(std::string_view content) {
 }
 
 std::optional<FileStamp> stampOfFile(const fs::path& file) {
-  const Result<std::string> content = readWholeFile(file, kLargestStampedFile);
-  if (!content) return std::nullopt;
-  FileStamp whole = stampOf(content.value());
+  const std::optional<FileStamp> own = stampOfItself(file);
+  if (!own) return std::nullopt;
+  FileStamp whole = *own;
   for (const fs::path& buffer : bufferFilesOf(file)) {
-    const std::optional<FileStamp> part = stampOfFile(buffer);
+    const std::optional<FileStamp> part = stampOfItself(buffer);
     whole.hash = stampOf(textOfStamp(whole) + ' ' + textOfStamp(part)).hash;
     whole.bytes += part ? part->bytes : 0;
   }

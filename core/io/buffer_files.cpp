@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <exception>
 #include <string>
+#include <system_error>
 
 #include "core/base/lower_case.h"
 #include "core/io/gltf/file.h"
@@ -21,7 +22,12 @@ std::vector<std::filesystem::path> bufferFilesOf(const std::filesystem::path& fi
       const std::string uri = buffer.at("uri").text("");
       if (uri.empty() || gltf::isDataUri(uri) || gltf::isFallback(buffer)) continue;
       const Result<std::filesystem::path> relative = gltf::relativePathOf(uri);
-      if (relative) files.push_back(gltf::folderOf(file) / relative.value());
+      if (!relative) continue;
+      const std::filesystem::path folder = gltf::folderOf(file);
+      const std::filesystem::path named = folder / relative.value();
+      std::error_code failed;
+      if (gltf::placeInside(folder, relative.value()) || !std::filesystem::exists(named, failed))
+        files.push_back(named);
     }
   } catch (const gltf::Refusal&) {
     files.clear();

@@ -51,6 +51,29 @@ TEST(FileStamp, ComparesWithWhatIsThere) {
   EXPECT_EQ(compareWithDisk(folder.path() / "none", std::nullopt), OnDisk::kSame);
 }
 
+TEST(FileStamp, BuffersOfItsFolderCountAndNoOthers) {
+  const test::TemporaryFolder folder;
+  const auto write = [&](const char* name, const std::string& text) { return folder.write(name, text); };
+  const auto uses = [&](const std::string& uri) {
+    return write("inside/a.gltf",
+                 R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 1, "uri": ")" + uri + R"("}]})");
+  };
+  std::filesystem::create_directories(folder.path() / "inside");
+  write("secret.bin", "1");
+  std::filesystem::create_symlink(folder.path() / "secret.bin", folder.path() / "inside/link.bin");
+  // Of what changes here only the first is of the folder.
+  for (const std::string uri : {"own.bin", "link.bin", "../secret.bin"}) {
+    const auto file = uses(uri);
+    write("inside/own.bin", "1");
+    write("secret.bin", "1");
+    const auto before = stampOfFile(file);
+    write("inside/own.bin", "2");
+    write("secret.bin", "2");
+    EXPECT_EQ(stampOfFile(file) == before, uri != "own.bin") << uri;
+  }
+  EXPECT_TRUE(stampOfFile(uses("a.gltf")).has_value()) << "a file that is its own buffer";
+}
+
 TEST(FileStamp, ANameBesideIsFreeAndCountsOn) {
   const test::TemporaryFolder folder;
   const auto file = folder.write("arm.rig.json", "");
