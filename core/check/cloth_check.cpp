@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -98,15 +99,22 @@ std::vector<int> allPrimitives(const Rig& rig) {
 /// What an eye makes of cloth that is below a wall of the skin.
 class ClothSight {
  public:
-  ClothSight(const Surface& surface, std::span<const int> skin) : all_(surface), skin_(treeOf(surface, skin)) {}
+  ClothSight(const Surface& surface, std::span<const int> skin)
+      : all_(treeOf(surface, allTriangles(surface))), skin_(treeOf(surface, skin)) {}
 
   /// Whether the cloth is inside of the body and the skin over it is in sight.
   [[nodiscard]] bool shows(const ClothSunk& sunk, const glm::vec3& cloth, float off) const {
-    return skin_.windingAt(cloth) > kInsideBody && all_.isSeen(sunk.place, sunk.normal, off);
+    return skin_.windingAt(cloth) > kInsideBody && isSeen(all_, sunk.place, sunk.normal, off);
   }
 
  private:
-  SkinSight all_;
+  static std::vector<int> allTriangles(const Surface& surface) {
+    std::vector<int> all(surface.refinement->triangles.size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  }
+
+  TriangleTree all_;  ///< All parts hide what is behind them.
   TriangleTree skin_;
 };
 

@@ -4,11 +4,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include <glm/geometric.hpp>
 
-#include "core/base/at.h"
+#include "sinew/base/geometry.h"
 
 namespace sinew {
 namespace {
@@ -28,26 +27,14 @@ std::array<glm::vec3, kDirections> spreadDirections() {
   return out;
 }
 
-TriangleTree treeOfAll(const Surface& surface) {
-  std::vector<TriangleCorners> corners;
-  std::vector<int> numbers;
-  for (const std::array<int, 3>& t : surface.refinement->triangles) {
-    corners.push_back({at(surface.positions, t[0]), at(surface.positions, t[1]), at(surface.positions, t[2])});
-    numbers.push_back(static_cast<int>(numbers.size()));
-  }
-  return {corners, numbers};
-}
-
 }  // namespace
 
-SkinSight::SkinSight(const Surface& surface) : tree_(treeOfAll(surface)) {}
-
-bool SkinSight::isSeen(const glm::vec3& place, const glm::vec3& normal, float off) const {
+bool isSeen(const TriangleTree& triangles, const glm::vec3& place, const glm::vec3& normal, float off) {
   static const std::array<glm::vec3, kDirections> kAround = spreadDirections();
   const glm::vec3 unit = normalizeOr(normal, glm::vec3(0.0f));
   const glm::vec3 from = place + off * unit;
   for (const glm::vec3& direction : kAround) {
-    if (glm::dot(direction, unit) > 0.0f && !tree_.isMetBy(from, direction)) return true;
+    if (glm::dot(direction, unit) > 0.0f && !triangles.isMetBy(from, direction)) return true;
   }
   return false;
 }
