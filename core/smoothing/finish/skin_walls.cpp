@@ -88,6 +88,8 @@ WallTree wallTree(const Refinement& refinement, std::span<const int> triangles, 
   tree.triangles.assign(triangles.begin(), triangles.end());
   if (triangles.empty()) return tree;
   WallSplitter(refinement, positions, tree).run();
+  tree.placeOf.assign(refinement.triangles.size(), -1);
+  for (std::size_t i = 0; i < tree.triangles.size(); ++i) at(tree.placeOf, tree.triangles[i]) = static_cast<int>(i);
   for (const int t : tree.triangles) {
     const TriangleCorners c = refinedCorners(refinement, t, positions);
     tree.bindPlaces.push_back(c[0]);
@@ -201,6 +203,15 @@ bool SkinWalls::isUnder(int place, const WallsUnder& under) const {
   return glm::dot(apart, apart) <= reach_ * reach_ && glm::dot(at(tree_.bindFaces, place), under.bindFace) > 0.0f;
 }
 
+bool SkinWalls::isAnyUnderAround(int triangle, const WallsUnder& under) const {
+  return std::ranges::any_of(at(refinement_.triangles, triangle), [&](int vertex) {
+    return std::ranges::any_of(rings_.cornersOf(vertex), [&](int corner) {
+      const int place = at(tree_.placeOf, corner / 3);
+      return place >= 0 && isUnder(place, under);
+    });
+  });
+}
+
 void SkinWalls::look(int place, const glm::vec3& p, const WallsUnder& under, Walls& out, float& within) const {
   if (!isUnder(place, under)) return;
   const int triangle = at(tree_.triangles, place);
@@ -278,11 +289,11 @@ bool SkinWalls::isBelowAny(const glm::vec3& p, const WallsUnder& under, float wi
     const int triangle = at(tree_.triangles, place);
     const TriangleCorners c = cornersOf(triangle);
     const glm::vec3 shares = nearestOnTriangle(p, c);
-    // At its border other skin may end at a wall, which the place can then be below without being behind it.
-    if (glm::min(shares.x, glm::min(shares.y, shares.z)) > 0.0f && !isUnder(place, under)) return false;
     const glm::vec3 way = p - mixed(c, shares);
     const float squared = glm::dot(way, way);
     if (!(squared < within * within)) return false;
+    // Other skin may end at a wall. A place can then be below the wall and behind that skin alone.
+    if (!isUnder(place, under)) return isAnyUnderAround(triangle, under);
     const float along = glm::dot(way, normalAt(triangle, shares));
     return along < 0.0f && asSeen(std::sqrt(squared), along) < within;
   };

@@ -23,6 +23,7 @@ struct WallTree {
   };
   std::vector<Node> nodes;            ///< Children after their parents.
   std::vector<int> triangles;         ///< Leaf by leaf.
+  std::vector<int> placeOf;           ///< [T'] of each refined triangle among these; -1: none.
   std::vector<glm::vec3> bindPlaces;  ///< [triangles] a corner of each in the bind pose.
   std::vector<glm::vec3> bindFaces;   ///< [triangles] unit normals there.
 };
@@ -80,7 +81,7 @@ class SkinWalls {
   using NearNodes = std::array<int, 128>;
   /// Those nearer to a box than `within`. @param out  memory for the answer
   [[nodiscard]] std::span<const int> nearTo(const Bounds& box, float within, NearNodes& out) const;
-  /// Whether a place is below any skin nearer than `within`. Much faster than around() where it is not.
+  /// Whether a place may be below any skin nearer than `within`. Much faster than around() where it is not.
   /// @param among  nearTo(a box around p, at least `within`)
   [[nodiscard]] bool isBelowAny(const glm::vec3& p, const WallsUnder& under, float within,
                                 std::span<const int> among) const;
@@ -93,6 +94,7 @@ class SkinWalls {
   [[nodiscard]] TriangleCorners cornersOf(int triangle) const;
   void fitLeaf(const WallTree::Node& leaf, WallNode& out) const;
   [[nodiscard]] bool isUnder(int place, const WallsUnder& under) const;
+  [[nodiscard]] bool isAnyUnderAround(int triangle, const WallsUnder& under) const;
   [[nodiscard]] bool isSkin(int triangle) const;
   [[nodiscard]] glm::vec3 normalAt(int triangle, const glm::vec3& shares) const;
   [[nodiscard]] glm::vec3 normalAtVertex(int vertex) const;

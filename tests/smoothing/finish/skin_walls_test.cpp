@@ -143,20 +143,22 @@ TEST(SkinWalls, TheFastQuestionMissesNoWallAtTheBorderOfWhatCounts) {
   std::normal_distribution<float> spread;
   constexpr float kWithin = 0.3f;
   int below = 0;
-  for (int i = 0; i < 20'000; ++i) {
-    const auto any = [&] { return glm::normalize(glm::vec3(spread(random), spread(random), spread(random))); };
+  for (int i = 0; i < 300'000; ++i) {
+    // Braces: compilers order the arguments of a call as they like.
+    const auto any = [&] { return glm::normalize(glm::vec3{spread(random), spread(random), spread(random)}); };
     const glm::vec3 way = any();
     const glm::vec3 p = glm::vec3(2.0f, 0.0f, 0.0f) + (1.0f + 0.08f * spread(random)) * way;
     const WallsUnder under{p + 0.3f * any(), any()};
     const Walls found = walls.around(p, under, kWithin);
-    if (found.triangle < 0 || !(found.below < kWithin)) continue;
+    // Whether it meets walls behind a much nearer one depends on which it meets first.
+    if (!(found.below < std::min(kWithin, SkinWalls::kWallsApart * found.above))) continue;
     ++below;
     SkinWalls::NearNodes memory;
     Bounds box;
     box.add(p);
     EXPECT_TRUE(walls.isBelowAny(p, under, kWithin, walls.nearTo(box, kWithin, memory))) << i;
   }
-  EXPECT_GT(below, 2'000);
+  EXPECT_GT(below, 30'000);
 }
 
 }  // namespace
