@@ -34,16 +34,30 @@ class FoldMoves {
 
   /// @param patch, positions [V'] world.
   void move(int vertex, const glm::vec3& to, std::span<const glm::vec3> patch, std::span<glm::vec3> positions) {
-    const auto v = static_cast<std::size_t>(vertex);
-    if (isMoved_[v] == 0) {
-      isMoved_[v] = 1;
-      from_[v] = positions[v];
-      list_.push_back({vertex, positions[v]});
-    }
-    const glm::vec3 way = to - from_[v];
-    const float most = glm::distance(from_[v], patch[v]);
+    const glm::vec3 from = fromOf(vertex, positions);
+    place(vertex, limited(from, glm::distance(from, at(patch, vertex)), to), positions);
+  }
+
+  /// Where the vertex was before it was moved.
+  [[nodiscard]] glm::vec3 fromOf(int vertex, std::span<const glm::vec3> positions) const {
+    return at(isMoved_, vertex) != 0 ? at(from_, vertex) : at(positions, vertex);
+  }
+
+  /// @param most  how far muscles have moved it
+  [[nodiscard]] static glm::vec3 limited(const glm::vec3& from, float most, const glm::vec3& to) {
+    const glm::vec3 way = to - from;
     const float length = std::sqrt(glm::dot(way, way));
-    positions[v] = from_[v] + (length > most ? most / length : 1.0f) * way;
+    return from + (length > most ? most / length : 1.0f) * way;
+  }
+
+  /// @param to  limited()
+  void place(int vertex, const glm::vec3& to, std::span<glm::vec3> positions) {
+    if (at(isMoved_, vertex) == 0) {
+      at(isMoved_, vertex) = 1;
+      at(from_, vertex) = at(positions, vertex);
+      list_.push_back({vertex, at(positions, vertex)});
+    }
+    at(positions, vertex) = to;
   }
 
   /// Each vertex once.

@@ -56,10 +56,15 @@ class FoldRegion {
   [[nodiscard]] Fold foldOf(FoldTriangle& triangle, std::span<const glm::vec3> positions, float least) const {
     const float left = glm::dot(faceOf(triangle.corners, positions), triangle.face);
     if (!(left < least * triangle.whole)) return {};
+    return {left / triangle.whole, trustOf(triangle)};
+  }
+
+  /// How far the area of one of triangles() can be trusted.
+  [[nodiscard]] float trustOf(FoldTriangle& triangle) const {
     if (triangle.trust < 0.0f) {
       triangle.trust = trustIn(*refinement_, static_cast<std::size_t>(triangle.index), patch_, triangle.face);
     }
-    return {left / triangle.whole, triangle.trust};
+    return triangle.trust;
   }
 
   /// A triangle folds: what is around its control triangle belongs to the region from the next grow() on.

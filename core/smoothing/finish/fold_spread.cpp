@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sinew {
 namespace {
@@ -13,43 +14,80 @@ constexpr float kRelaxation = 1.5f;  ///< Factor on the mean move; above 1: conv
 
 }  // namespace
 
-void FoldSpread::askOf(const FoldTriangle& triangle, const Fold& fold, std::span<const glm::vec3> positions) {
+int FoldSpread::localOf(int vertex, std::span<const std::uint8_t> isBorder, std::span<const glm::vec3> patch,
+                        const FoldMoves& moves, std::span<const glm::vec3> positions) {
+  int& local = at(localOf_, vertex);
+  if (local >= 0) return local;
+  local = static_cast<int>(vertices_.size());
+  Vertex& out = vertices_.emplace_back();
+  out.index = vertex;
+  out.position = at(positions, vertex);
+  out.from = moves.fromOf(vertex, positions);
+  const bool stays = at(isBorder, vertex) != 0 || out.position == at(patch, vertex);
+  out.most = stays ? 0.0f : glm::distance(out.from, at(patch, vertex));
+  return local;
+}
+
+void FoldSpread::gather(std::span<const std::uint8_t> isBorder, std::span<const glm::vec3> patch, FoldRegion& region,
+                        const FoldMoves& moves, std::span<const glm::vec3> positions) {
+  const std::span<const FoldTriangle> all = region.triangles();
+  next_.resize(3 * all.size());
+  for (std::size_t t = triangles_.size(); t < all.size(); ++t) {
+    Triangle& triangle = triangles_.emplace_back(Triangle{{}, -1, all[t].face, all[t].whole});
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int local = localOf(all[t].corners[k], isBorder, patch, moves, positions);
+      triangle.corners[k] = local;
+      next_[3 * t + k] = std::exchange(at(vertices_, local).firstCorner, static_cast<int>(3 * t + k));
+    }
+  }
+}
+
+void FoldSpread::ask(int index, FoldRegion& region) {
+  const Triangle& triangle = at(triangles_, index);
+  const std::array<Vertex*, 3> corners{&at(vertices_, triangle.corners[0]), &at(vertices_, triangle.corners[1]),
+                                       &at(vertices_, triangle.corners[2])};
+  const glm::vec3& a = corners[0]->position;
+  const glm::vec3 face = glm::cross(corners[1]->position - a, corners[2]->position - a);
+  const float left = glm::dot(face, triangle.face);
+  if (!(left < kLeastArea * triangle.whole)) return;
+  FoldTriangle& folding = at(region.triangles(), index);
+  const float trust = region.trustOf(folding);
+  if (trust == 0.0f) return;
+  region.add(folding);
+
   const float area = std::sqrt(triangle.whole);
+  const float lack = kLeastArea - left / triangle.whole;
   const glm::vec3 normal = triangle.face / area;
   std::array<glm::vec3, 3> gradients;
   float squared = 0.0f;
   for (std::size_t i = 0; i < 3; ++i) {
-    const glm::vec3 opposite =
-        at(positions, triangle.corners[(i + 2) % 3]) - at(positions, triangle.corners[(i + 1) % 3]);
-    gradients[i] = glm::cross(normal, opposite);
+    gradients[i] = glm::cross(normal, corners[(i + 2) % 3]->position - corners[(i + 1) % 3]->position);
     squared += glm::dot(gradients[i], gradients[i]);
   }
   // Where the triangle has shrunk to a line along the normal its gradients vanish: the moves stay small.
-  const float step = (kLeastArea - fold.area) * area / std::max(squared, area);
-  const float weight = fold.weight * std::min(1.0f, (kLeastArea - fold.area) / kWholeLack);
+  const float step = lack * area / std::max(squared, area);
+  const float weight = trust * std::min(1.0f, lack / kWholeLack);
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto v = static_cast<std::size_t>(triangle.corners[i]);
-    if (weights_[v] == 0.0f) asked_.push_back(triangle.corners[i]);
-    weights_[v] += weight;
-    ways_[v] += weight * step * gradients[i];
+    Vertex& corner = *corners[i];
+    if (corner.weight == 0.0f) asked_.push_back(triangle.corners[i]);
+    corner.weight += weight;
+    corner.way += weight * step * gradients[i];
   }
 }
 
-void FoldSpread::ask(bool first, FoldRegion& region, std::span<const glm::vec3> positions) {
-  const auto askAbout = [&](FoldTriangle& triangle) {
-    const Fold fold = region.foldOf(triangle, positions, kLeastArea);
-    if (fold.weight == 0.0f) return;
-    region.add(triangle);
-    askOf(triangle, fold, positions);
-  };
-  if (first) {
-    for (FoldTriangle& triangle : region.triangles()) askAbout(triangle);
-  } else {
-    // Where no corner was asked in the last round nothing has changed.
-    region.forEachAt(
-        moved_, [&](int v) { return at(isMoved_, v) != 0; }, askAbout);
+void FoldSpread::moveAsked() {
+  moved_.clear();
+  for (const int v : asked_) {
+    Vertex& vertex = at(vertices_, v);
+    const glm::vec3 way = kRelaxation / std::max(1.0f, vertex.weight) * vertex.way;
+    vertex.weight = 0.0f;
+    vertex.way = glm::vec3(0.0f);
+    if (vertex.most == 0.0f) continue;
+    vertex.position = FoldMoves::limited(vertex.from, vertex.most, vertex.position + way);
+    vertex.hasMoved = true;
+    moved_.push_back(v);
   }
-  region.grow();
+  asked_.clear();
 }
 
 /// Solves q >= 0.3 for every triangle as a constraint on its area, by the projection step of position based dynamics
@@ -59,27 +97,28 @@ void FoldSpread::ask(bool first, FoldRegion& region, std::span<const glm::vec3> 
 /// that the order of triangles does not matter. docs/design.md, Folds.
 void FoldSpread::apply(std::span<const std::uint8_t> isBorder, std::span<const glm::vec3> patch, FoldRegion& region,
                        FoldMoves& moves, std::span<glm::vec3> positions) {
-  weights_.resize(positions.size());
-  ways_.resize(positions.size());
-  isMoved_.resize(positions.size());
+  localOf_.resize(positions.size(), -1);
+  gather(isBorder, patch, region, moves, positions);
+  for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) ask(t, region);
   for (int round = 0; round < kMostRounds; ++round) {
-    ask(round == 0, region, positions);
-    for (const int v : moved_) at(isMoved_, v) = 0;
-    moved_.clear();
-    for (const int vertex : asked_) {
-      const auto v = static_cast<std::size_t>(vertex);
-      const glm::vec3 way = kRelaxation / std::max(1.0f, weights_[v]) * ways_[v];
-      weights_[v] = 0.0f;
-      ways_[v] = glm::vec3(0.0f);
-      if (isBorder[v] != 0 || positions[v] == patch[v]) continue;
-      moves.move(vertex, positions[v] + way, patch, positions);
-      isMoved_[v] = 1;
-      moved_.push_back(vertex);
+    // Where no corner has moved nothing has changed.
+    for (const int v : moved_) {
+      for (int corner = at(vertices_, v).firstCorner; corner >= 0; corner = at(next_, corner)) {
+        Triangle& triangle = at(triangles_, corner / 3);
+        if (std::exchange(triangle.round, round) != round) ask(corner / 3, region);
+      }
     }
-    asked_.clear();
+    region.grow();
+    gather(isBorder, patch, region, moves, positions);
+    moveAsked();
     if (moved_.empty()) break;
   }
-  for (const int v : moved_) at(isMoved_, v) = 0;
+  for (const Vertex& vertex : vertices_) {
+    if (vertex.hasMoved) moves.place(vertex.index, vertex.position, positions);
+    at(localOf_, vertex.index) = -1;
+  }
+  vertices_.clear();
+  triangles_.clear();
   moved_.clear();
 }
 
