@@ -83,9 +83,11 @@ TEST(RootNoise, IsNotAmplified) {
   for (const char* name : {"humanoid", "humanoid-flex", "horse", "horse-flex", "tangle"}) {
     TrialScene scene = bundledTrialScene(name);
     Rig random = randomRig(*scene.character, kShortReach, 4);
-    for (const int depth : {3, 5}) {
-      scene.rig.smoothing.detail = DetailKind::kUniform;
-      scene.rig.smoothing.depth = random.smoothing.depth = depth;
+    for (const int depth : {3, 5, 0}) {  // 0: adaptive.
+      for (Rig* rig : {&scene.rig, &random}) {
+        rig->smoothing.detail = depth > 0 ? DetailKind::kUniform : DetailKind::kAdaptive;
+        rig->smoothing.depth = std::max(depth, 1);
+      }
       const float own = worstOf(scene, withMode(scene.rig, SurfaceMode::kSwell));
       const float atRandom = worstOf(scene, random);
       std::printf("  %-14s depth %d: roots off by 1e-7 H move skin by up to %.2g H, with random muscles %.2g H\n", name,
