@@ -193,15 +193,6 @@ RefinementLevels withSides(const ControlMesh& mesh, RefinementLevels levels) {
   return levels;
 }
 
-/// Whether anything of a triangle is looked at. @param asked [V+E+T]
-bool looksAnew(const ControlMesh& mesh, const std::vector<bool>& asked, std::size_t t) {
-  const ControlTriangle& triangle = mesh.triangles[t];
-  const std::size_t firstEdge = mesh.positions.size();
-  if (asked[firstEdge + mesh.edges.size() + t]) return true;
-  return std::ranges::any_of(triangle.vertices, [&](int v) { return asked[toIndex(v)]; }) ||
-         std::ranges::any_of(triangle.edges, [&](int e) { return asked[firstEdge + toIndex(e)]; });
-}
-
 }  // namespace
 
 float followedBend(const Preparation& preparation) {
@@ -232,7 +223,7 @@ std::shared_ptr<const AdaptiveLevels> findLevels(const Preparation& next, std::s
   if (former) out->checked = former->checked;
   out->checked.resize(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (looksAnew(mesh, asked, t)) out->checked[t].clear();
+    if (*(firstTriangle + static_cast<std::ptrdiff_t>(t))) out->checked[t].clear();
   }
   const float within = kCheckMargin * tolerance * next.character().height;
   out->levels =

@@ -2,8 +2,8 @@
 #include "core/smoothing/level_changes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -16,7 +16,7 @@
 namespace sinew {
 namespace {
 
-/// How far a patch may bulge, of the most that an edge of its corners rises along a normal there: 1/2 of PN triangles
+/// How far a patch may bulge, of the most that one of its edges rises along an end's normal: 1/2 of PN triangles
 /// (a third at the sides' control points, half as much more at the middle one), 3/4 of Phong's.
 constexpr float kMostBulge = 0.75f;
 
@@ -53,35 +53,48 @@ float mostScale(const glm::mat3& map) {
   return std::sqrt(glm::dot(map[0], map[0]) + glm::dot(map[1], map[1]) + glm::dot(map[2], map[2]));
 }
 
-/// A ray that begins within `near` of a place, and goes within `turn` of a direction.
-struct AboutRay {
-  glm::vec3 from{0.0f};
-  glm::vec3 way{0.0f};  ///< Unit.
-  float near = 0.0f;
-  float turn = 0.0f;
+/// Rays from around a triangle: of any place of its patch, along any mean of its corners' directions.
+struct TriangleRays {
+  std::array<glm::vec3, 3> from{};  ///< Of the corners.
+  std::array<glm::vec3, 3> way{};   ///< Unit.
+  float bulge = 0.0f;               ///< How far the patch lies off the flat triangle, at most.
   bool bothWays = false;
+
+  [[nodiscard]] glm::vec3 middle() const { return (from[0] + from[1] + from[2]) / 3.0f; }
+  [[nodiscard]] glm::vec3 meanWay() const { return (way[0] + way[1] + way[2]) / 3.0f; }
 };
 
-/// Whether such a ray may meet a ball. The projection's own test is as generous: a hundredth more, and rounding.
+/// Whether such a ray may meet a ball: at s along the mean, all are within near + s turn of it, since a mean of unit
+/// directions is the mean's direction, shorter. The projection's own test is as generous: a hundredth more, and
+/// rounding.
 /// @param map  the ball's space; lengths there are at most `scale` times as long
-bool mayMeet(const AboutRay& ray, const glm::mat3& map, float scale, const glm::vec3& center, float radius) {
-  const glm::vec3 to = map * (center - ray.from);
-  const glm::vec3 way = map * ray.way;
+bool mayMeet(const TriangleRays& rays, const glm::mat3& map, float scale, const glm::vec3& center, float radius) {
+  const glm::vec3 middle = rays.middle();
+  const glm::vec3 mean = rays.meanWay();
+  float near = 0.0f;
+  float turn = 0.0f;
+  for (std::size_t i = 0; i < 3; ++i) {
+    near = std::max(near, glm::length(map * (rays.from[i] - middle)));
+    turn = std::max(turn, glm::length(map * (rays.way[i] - mean)));
+  }
+  const glm::vec3 to = map * (center - middle);
+  const glm::vec3 way = map * mean;
   const float apart = glm::length(to);
-  const float generous = 1.01f * radius + 0.005f * apart + scale * ray.near;
-  if (apart <= generous) return true;
+  const float within = 1.01f * radius + 0.005f * apart + near + scale * rays.bulge;
+  if (apart <= within) return true;
   const float rate = glm::length(way);
-  if (!(rate > 0.0f)) return true;
-  const float ahead = glm::dot(to, way) / rate;
-  const float along = ray.bothWays ? std::abs(ahead) : std::max(0.0f, ahead);
-  const float aside = std::sqrt(std::max(0.0f, apart * apart - along * along));
-  return aside <= generous + scale * ray.turn / rate * (apart + generous);
+  if (!(rate > turn)) return true;
+  const float ahead = glm::dot(to, way);
+  const float toward = (rays.bothWays ? std::abs(ahead) : ahead) + within * turn;
+  // The least of |to - s way|^2 - (within + s turn)^2 over s > 0.
+  return toward > 0.0f &&
+         1.001f * toward * toward >= (rate - turn) * (rate + turn) * (apart - within) * (apart + within);
 }
 
-bool mayMeet(const AboutRay& ray, const ChangedInfluence& changed) {
+bool mayMeet(const TriangleRays& rays, const ChangedInfluence& changed) {
   const UnitBallMap& influence = *changed.influence;
-  return mayMeet(ray, glm::mat3(1.0f), 1.0f, influence.center, influence.boundingRadius) &&
-         (!influence.isPlain() || mayMeet(ray, influence.toUnit, changed.scale, influence.center, 1.0f));
+  return mayMeet(rays, glm::mat3(1.0f), 1.0f, influence.center, influence.boundingRadius) &&
+         (!influence.isPlain() || mayMeet(rays, influence.toUnit, changed.scale, influence.center, 1.0f));
 }
 
 class Changes {
@@ -91,14 +104,9 @@ class Changes {
     for (std::size_t pose = 0; pose < after.poses.size(); ++pose) poses_.push_back(changesIn(pose));
   }
 
-  /// [V] 1: some ray from around the vertex may meet what has changed.
-  [[nodiscard]] std::vector<std::uint8_t> vertices() const {
-    const ControlMesh& mesh = next_.mesh();
-    std::vector<std::uint8_t> mayChange(mesh.positions.size(), 0);
-    for (std::size_t v = 0; v < mayChange.size(); ++v) {
-      mayChange[v] = std::ranges::any_of(next_.attached->candidates.of(static_cast<int>(v)),
-                                         [&](const CarrierCandidate& c) { return changed_[toIndex(c.primitive)]; });
-    }
+  /// [T] 1: some ray from the triangle may meet what has changed.
+  [[nodiscard]] std::vector<std::uint8_t> triangles() const {
+    std::vector<std::uint8_t> mayChange = seeingTriangles();
     // Where rays go is known of `swell` alone, and how far a spherigon bulges of no patch.
     if (!next_.swells() || next_.smoothing.patch == PatchKind::kSpherigon) return mayChange;
     std::vector<std::uint8_t> out(mayChange.size(), 0);
@@ -109,14 +117,14 @@ class Changes {
       if (poses_[pose].influences.empty()) continue;
       skin(next_.character(), after_.poses[pose], base, skinned);
       skinDirections(next_.character(), next_.tables->riseInBind, skinned, rise);
-      const std::vector<Surroundings> around = surroundingsOf(skinned, rise);
       forRanges(out.size(), 1024, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v) {
-          if (mayChange[v] == 0 || out[v] != 0) continue;
-          const Surroundings& near = around[v];
-          const AboutRay ray{skinned.positions[v], rise[v], near.longest + kMostBulge * near.bulge, 2.0f * near.turn,
-                             poses_[pose].carves};
-          out[v] = canMeet(static_cast<int>(v), ray, poses_[pose]) ? 1 : 0;
+        for (std::size_t t = begin; t < end; ++t) {
+          if (mayChange[t] == 0 || out[t] != 0) continue;
+          const TriangleRays rays = raysOf(next_.mesh().triangles[t], skinned, rise, poses_[pose].carves);
+          out[t] = std::ranges::any_of(poses_[pose].influences,
+                                       [&](const ChangedInfluence& changed) { return mayMeet(rays, changed); })
+                       ? 1
+                       : 0;
         }
       });
     }
@@ -124,13 +132,6 @@ class Changes {
   }
 
  private:
-  /// How a vertex's triangles differ from it.
-  struct Surroundings {
-    float longest = 0.0f;  ///< Of its edges.
-    float turn = 0.0f;     ///< Largest difference between its rise direction and a neighbor's.
-    float bulge = 0.0f;    ///< How far an edge there or at a neighbor rises along the normal of an end.
-  };
-
   struct ChangesInPose {
     std::vector<ChangedInfluence> influences;
     bool carves = false;  ///< Some muscle draws skin inwards.
@@ -156,38 +157,42 @@ class Changes {
     return out;
   }
 
-  [[nodiscard]] std::vector<Surroundings> surroundingsOf(const SkinnedMesh& skinned,
-                                                         std::span<const glm::vec3> rise) const {
-    std::vector<Surroundings> out(rise.size());
-    std::vector<float> bulges(rise.size(), 0.0f);
-    const auto forEachEdge = [&](const auto& visit) {
-      for (const Edge& edge : next_.mesh().edges) visit(edge.vertices[0], edge.vertices[1]);
-    };
-    forEachEdge([&](int a, int b) {
-      const glm::vec3 way = at(skinned.positions, b) - at(skinned.positions, a);
-      const float rises =
-          std::max(std::abs(glm::dot(way, at(skinned.normals, a))), std::abs(glm::dot(way, at(skinned.normals, b))));
-      const float length = glm::length(way);
-      const float turn = glm::distance(at(rise, a), at(rise, b));
-      for (const int end : {a, b}) {
-        at(bulges, end) = std::max(at(bulges, end), rises);
-        Surroundings& around = at(out, end);
-        around = {std::max(around.longest, length), std::max(around.turn, turn), 0.0f};
-      }
-    });
-    forEachEdge([&](int a, int b) {
-      const float bulge = std::max(at(bulges, a), at(bulges, b));
-      for (const int end : {a, b}) at(out, end).bulge = std::max(at(out, end).bulge, bulge);
-    });
+  /// [T] 1: the triangle, one of its edges or one of its corners sees a muscle that has changed.
+  [[nodiscard]] std::vector<std::uint8_t> seeingTriangles() const {
+    const ControlMesh& mesh = next_.mesh();
+    const std::size_t firstEdge = mesh.positions.size();
+    const std::size_t firstTriangle = firstEdge + mesh.edges.size();
+    std::vector<std::uint8_t> sees(firstTriangle + mesh.triangles.size());
+    for (std::size_t c = 0; c < sees.size(); ++c) {
+      sees[c] = std::ranges::any_of(next_.attached->candidates.of(static_cast<int>(c)),
+                                    [&](const CarrierCandidate& one) { return changed_[toIndex(one.primitive)]; });
+    }
+    std::vector<std::uint8_t> out(mesh.triangles.size());
+    for (std::size_t t = 0; t < out.size(); ++t) {
+      const ControlTriangle& triangle = mesh.triangles[t];
+      out[t] = sees[firstTriangle + t];
+      for (const int v : triangle.vertices) out[t] |= at(sees, v);
+      for (const int e : triangle.edges) out[t] |= sees[firstEdge + toIndex(e)];
+    }
     return out;
   }
 
-  [[nodiscard]] bool canMeet(int vertex, const AboutRay& ray, const ChangesInPose& changes) const {
-    const std::span<const CarrierCandidate> candidates = next_.attached->candidates.of(vertex);
-    return std::ranges::any_of(changes.influences, [&](const ChangedInfluence& changed) {
-      return std::ranges::find(candidates, changed.primitive, &CarrierCandidate::primitive) != candidates.end() &&
-             mayMeet(ray, changed);
-    });
+  static TriangleRays raysOf(const ControlTriangle& triangle, const SkinnedMesh& skinned,
+                             std::span<const glm::vec3> rise, bool bothWays) {
+    TriangleRays out;
+    out.bothWays = bothWays;
+    float rises = 0.0f;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int v = triangle.vertices[i];
+      out.from[i] = at(skinned.positions, v);
+      out.way[i] = at(rise, v);
+      for (const int other : triangle.vertices) {
+        const glm::vec3 edge = at(skinned.positions, other) - out.from[i];
+        rises = std::max(rises, std::abs(glm::dot(edge, at(skinned.normals, v))));
+      }
+    }
+    out.bulge = kMostBulge * rises;
+    return out;
   }
 
   const Preparation& next_;
@@ -215,17 +220,19 @@ LevelSources levelSources(const Preparation& next, std::shared_ptr<const Rig> ri
 
 std::vector<bool> carriersToLookAt(const Preparation& next, const LevelSources& asked, const LevelSources* former) {
   const ControlMesh& mesh = next.mesh();
-  const std::size_t carriers = mesh.positions.size() + mesh.edges.size() + mesh.triangles.size();
+  const std::size_t firstEdge = mesh.positions.size();
+  const std::size_t firstTriangle = firstEdge + mesh.edges.size();
+  const std::size_t carriers = firstTriangle + mesh.triangles.size();
   if (!former || !sameElsewhere(*former, asked)) return std::vector<bool>(carriers, true);
-  const std::vector<std::uint8_t> seen = Changes(next, *former, asked).vertices();
-  std::vector<bool> out;
-  out.reserve(carriers);
-  const auto addCarrier = [&](std::span<const int> corners) {
-    out.push_back(std::ranges::any_of(corners, [&](int v) { return at(seen, v) != 0; }));
-  };
-  for (const std::uint8_t vertex : seen) out.push_back(vertex != 0);
-  for (const Edge& edge : mesh.edges) addCarrier(edge.vertices);
-  for (const ControlTriangle& triangle : mesh.triangles) addCarrier(triangle.vertices);
+  const std::vector<std::uint8_t> seen = Changes(next, *former, asked).triangles();
+  std::vector<bool> out(carriers, false);
+  for (std::size_t t = 0; t < seen.size(); ++t) {
+    if (seen[t] == 0) continue;
+    const ControlTriangle& triangle = mesh.triangles[t];
+    out[firstTriangle + t] = true;
+    for (const int v : triangle.vertices) out[toIndex(v)] = true;
+    for (const int e : triangle.edges) out[firstEdge + toIndex(e)] = true;
+  }
   return out;
 }
 

@@ -28,7 +28,7 @@ struct LevelSources {
 [[nodiscard]] LevelSources levelSources(const Preparation& next, std::shared_ptr<const Rig> rig, float tolerance,
                                         std::vector<Pose> poses);
 
-/// [V+E+T] carriers at which some sample may differ from what it was: those in a neighborhood of which a ray can meet a
+/// [V+E+T] carriers at which some sample may differ from what it was: those of triangles from which a ray can meet a
 /// muscle that is not the same, before or after, in one of the poses. All where `former` does not serve.
 /// @param former  of the same character, or null
 [[nodiscard]] std::vector<bool> carriersToLookAt(const Preparation& next, const LevelSources& asked,

@@ -119,7 +119,7 @@ TEST(LevelChanges, EverySampleThatAnEditChangesIsLookedAt) {
     }
   }
   EXPECT_GT(changed, 1000u);
-  EXPECT_LT(looked, carriers * 3 / 4) << "and little besides";
+  EXPECT_LT(looked, carriers * 2 / 3) << "and little besides";
 }
 
 TEST(LevelChanges, LevelsAfterAnEditAreThoseFromScratch) {
