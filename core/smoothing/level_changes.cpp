@@ -53,49 +53,70 @@ float mostScale(const glm::mat3& map) {
   return std::sqrt(glm::dot(map[0], map[0]) + glm::dot(map[1], map[1]) + glm::dot(map[2], map[2]));
 }
 
-/// Rays from around a triangle: of any place of its patch, along any mean of its corners' directions.
+/// Rays from around a triangle: of any place of its patch, along any mean of its corners' directions. At s along the
+/// middle one all are within near + s turn of it, since a mean of unit directions is the mean's direction, shorter.
 struct TriangleRays {
-  std::array<glm::vec3, 3> from{};  ///< Of the corners.
-  std::array<glm::vec3, 3> way{};   ///< Unit.
-  float bulge = 0.0f;               ///< How far the patch lies off the flat triangle, at most.
-  bool bothWays = false;
-
-  [[nodiscard]] glm::vec3 middle() const { return (from[0] + from[1] + from[2]) / 3.0f; }
-  [[nodiscard]] glm::vec3 meanWay() const { return (way[0] + way[1] + way[2]) / 3.0f; }
+  glm::vec3 from{0.0f};  ///< Of the middle one.
+  glm::vec3 way{0.0f};   ///< Shorter than 1.
+  float near = 0.0f;
+  float turn = 0.0f;
 };
 
-/// Whether such a ray may meet a ball: at s along the mean, all are within near + s turn of it, since a mean of unit
-/// directions is the mean's direction, shorter. The projection's own test is as generous: a hundredth more, and
-/// rounding.
-/// @param map  the ball's space; lengths there are at most `scale` times as long
-bool mayMeet(const TriangleRays& rays, const glm::mat3& map, float scale, const glm::vec3& center, float radius) {
-  const glm::vec3 middle = rays.middle();
-  const glm::vec3 mean = rays.meanWay();
+/// @param from, way  of the corners' rays, ways unit  @param bulge  how far the patch lies off the flat triangle
+TriangleRays raysFrom(const std::array<glm::vec3, 3>& from, const std::array<glm::vec3, 3>& way, float bulge) {
+  TriangleRays out{(from[0] + from[1] + from[2]) / 3.0f, (way[0] + way[1] + way[2]) / 3.0f, 0.0f, 0.0f};
   float near = 0.0f;
   float turn = 0.0f;
   for (std::size_t i = 0; i < 3; ++i) {
-    near = std::max(near, glm::length(map * (rays.from[i] - middle)));
-    turn = std::max(turn, glm::length(map * (rays.way[i] - mean)));
+    const glm::vec3 apart = from[i] - out.from;
+    const glm::vec3 turned = way[i] - out.way;
+    near = std::max(near, glm::dot(apart, apart));
+    turn = std::max(turn, glm::dot(turned, turned));
   }
-  const glm::vec3 to = map * (center - middle);
-  const glm::vec3 way = map * mean;
-  const float apart = glm::length(to);
-  const float within = 1.01f * radius + 0.005f * apart + near + scale * rays.bulge;
-  if (apart <= within) return true;
-  const float rate = glm::length(way);
-  if (!(rate > turn)) return true;
-  const float ahead = glm::dot(to, way);
-  const float toward = (rays.bothWays ? std::abs(ahead) : ahead) + within * turn;
-  // The least of |to - s way|^2 - (within + s turn)^2 over s > 0.
-  return toward > 0.0f &&
-         1.001f * toward * toward >= (rate - turn) * (rate + turn) * (apart - within) * (apart + within);
+  out.near = std::sqrt(near) + bulge;
+  out.turn = std::sqrt(turn);
+  return out;
 }
 
-bool mayMeet(const TriangleRays& rays, const ChangedInfluence& changed) {
-  const UnitBallMap& influence = *changed.influence;
-  return mayMeet(rays, glm::mat3(1.0f), 1.0f, influence.center, influence.boundingRadius) &&
-         (!influence.isPlain() || mayMeet(rays, influence.toUnit, changed.scale, influence.center, 1.0f));
+/// Whether such a ray may meet a ball. The projection's own test is as generous: a hundredth more, and rounding.
+bool mayMeet(const TriangleRays& rays, bool bothWays, const glm::vec3& center, float radius) {
+  const glm::vec3 to = center - rays.from;
+  const float apart = std::sqrt(glm::dot(to, to));
+  const float within = 1.01f * radius + 0.005f * apart + rays.near;
+  if (apart <= within) return true;
+  const float narrow = glm::dot(rays.way, rays.way) - rays.turn * rays.turn;
+  if (!(narrow > 0.0f)) return true;
+  const float ahead = glm::dot(to, rays.way);
+  const float toward = (bothWays ? std::abs(ahead) : ahead) + within * rays.turn;
+  // The least of |to - s way|^2 - (within + s turn)^2 over s > 0.
+  return toward > 0.0f && 1.001f * toward * toward >= narrow * (apart - within) * (apart + within);
 }
+
+/// The rays of a triangle in one pose.
+struct PosedTriangle {
+  std::array<glm::vec3, 3> from{};
+  std::array<glm::vec3, 3> way{};
+  float bulge = 0.0f;
+  bool bothWays = false;
+  TriangleRays rays;  ///< In the world.
+
+  [[nodiscard]] bool mayMeetInUnitSpace(const ChangedInfluence& changed) const {
+    const UnitBallMap& influence = *changed.influence;
+    const auto mapped = [&](const glm::vec3& p) { return influence.toUnit * (p - influence.center); };
+    const auto turned = [&](const glm::vec3& d) { return influence.toUnit * d; };
+    const TriangleRays unit = raysFrom({mapped(from[0]), mapped(from[1]), mapped(from[2])},
+                                       {turned(way[0]), turned(way[1]), turned(way[2])}, changed.scale * bulge);
+    return mayMeet(unit, bothWays, glm::vec3(0.0f), 1.0f);
+  }
+
+  [[nodiscard]] bool mayMeetAny(std::span<const ChangedInfluence> all) const {
+    return std::ranges::any_of(all, [&](const ChangedInfluence& changed) {
+      const UnitBallMap& influence = *changed.influence;
+      return mayMeet(rays, bothWays, influence.center, influence.boundingRadius) &&
+             (!influence.isPlain() || mayMeetInUnitSpace(changed));
+    });
+  }
+};
 
 class Changes {
  public:
@@ -120,11 +141,8 @@ class Changes {
       forRanges(out.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
           if (mayChange[t] == 0 || out[t] != 0) continue;
-          const TriangleRays rays = raysOf(next_.mesh().triangles[t], skinned, rise, poses_[pose].carves);
-          out[t] = std::ranges::any_of(poses_[pose].influences,
-                                       [&](const ChangedInfluence& changed) { return mayMeet(rays, changed); })
-                       ? 1
-                       : 0;
+          const PosedTriangle posed = posedTriangle(next_.mesh().triangles[t], skinned, rise, poses_[pose].carves);
+          out[t] = posed.mayMeetAny(poses_[pose].influences) ? 1 : 0;
         }
       });
     }
@@ -177,9 +195,9 @@ class Changes {
     return out;
   }
 
-  static TriangleRays raysOf(const ControlTriangle& triangle, const SkinnedMesh& skinned,
-                             std::span<const glm::vec3> rise, bool bothWays) {
-    TriangleRays out;
+  static PosedTriangle posedTriangle(const ControlTriangle& triangle, const SkinnedMesh& skinned,
+                                     std::span<const glm::vec3> rise, bool bothWays) {
+    PosedTriangle out;
     out.bothWays = bothWays;
     float rises = 0.0f;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -192,6 +210,7 @@ class Changes {
       }
     }
     out.bulge = kMostBulge * rises;
+    out.rays = raysFrom(out.from, out.way, out.bulge);
     return out;
   }
 
