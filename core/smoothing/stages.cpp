@@ -132,18 +132,19 @@ void unfold(const Preparation& preparation, Workspace& w, Surface& out) {
         w.liftFilter.apply(w.liftEdges, followedBend(preparation), w.patchPositions, out.positions, out.displacement);
   }
   w.pairs.fill(w.movedTriangles.corners, w.patchPositions, out.positions);
-  w.foldMoves.start(out.positions.size());
   w.foldRegion.find(preparation.mesh(), preparation.refinement(), refined.rings, w.movedTriangles, patch, w.pairs,
                     out.positions, FoldRelaxation::kWholeArea);
-  w.foldRelaxation.apply(refined.rings, refined.isBorder, w.patchPositions, w.foldRegion, w.foldMoves, out.positions);
-  w.foldSpread.apply(refined.isBorder, w.patchPositions, w.foldRegion, w.foldMoves, out.positions);
-  for (const auto& [vertex, from] : w.foldMoves.list()) {
+  w.foldMesh.start(w.foldRegion, refined.isBorder, w.patchPositions, out.positions);
+  w.foldRelaxation.apply(refined.rings, w.foldMesh);
+  w.foldSpread.apply(w.foldMesh);
+  const std::span<const FoldMove> moves = w.foldMesh.finish(out.positions);
+  for (const auto& [vertex, from] : moves) {
     const std::size_t v = toIndex(vertex);
     w.pairs.moveTo(vertex, out.positions[v]);
     const glm::vec3 lift = from - w.patchPositions[v];
     out.displacement[v] *= glm::dot(out.positions[v] - w.patchPositions[v], lift) / glm::dot(lift, lift);
   }
-  out.report.guarded = static_cast<int>(w.foldMoves.list().size());
+  out.report.guarded = static_cast<int>(moves.size());
 }
 
 void drape(const Preparation& preparation, bool moved, Workspace& w, Surface& out) {

@@ -44,7 +44,7 @@ struct Workspace {
   std::span<const float> filtered;  ///< [V'] weights of liftFilter.
   VertexPairs pairs;                ///< Corners of movedTriangles, as the last stage left them.
   FoldRegion foldRegion;
-  FoldMoves foldMoves;
+  FoldMesh foldMesh;
   FoldRelaxation foldRelaxation;
   FoldSpread foldSpread;
   ClothLift clothLift;

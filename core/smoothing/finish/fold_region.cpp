@@ -29,7 +29,8 @@ void FoldRegion::find(const ControlMesh& mesh, const Refinement& refinement, con
   for (const int i : std::span(shrunk_).first(count)) {
     if (at(isFolding_, at(refinement.controlOf, i)) != 0) continue;
     FoldTriangle triangle = triangleOf(i);
-    if (foldOf(triangle, positions, least).weight != 0.0f) add(triangle);
+    const float left = glm::dot(faceOf(triangle.corners, positions), triangle.face);
+    if (left < least * triangle.whole && trustOf(triangle) != 0.0f) add(triangle);
   }
   grow();
 }

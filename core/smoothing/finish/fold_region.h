@@ -37,28 +37,6 @@ class FoldRegion {
 
   [[nodiscard]] std::span<FoldTriangle> triangles() { return triangles_; }
 
-  /// Calls visit(triangle) once for each triangle at one of the vertices, which have all been in triangles that fold.
-  /// @param isOne  whether a vertex is one of them.
-  template <class IsOne, class Visit>
-  void forEachAt(std::span<const int> vertices, IsOne isOne, Visit visit) {
-    for (const int v : vertices) {
-      for (const int corner : rings_->cornersOf(v)) {
-        const int i = corner / 3;
-        const int control = at(refinement_->controlOf, i);
-        FoldTriangle& triangle = at(triangles_, at(first_, control) + i - at(refinement_->triangleBegin, control));
-        const bool comesBefore = std::ranges::any_of(triangle.corners, [&](int c) { return c < v && isOne(c); });
-        if (!comesBefore) visit(triangle);
-      }
-    }
-  }
-
-  /// @param least  q from which on the caller does not look: its weight is 0.  @param positions [V'] world, lifted.
-  [[nodiscard]] Fold foldOf(FoldTriangle& triangle, std::span<const glm::vec3> positions, float least) const {
-    const float left = glm::dot(faceOf(triangle.corners, positions), triangle.face);
-    if (!(left < least * triangle.whole)) return {};
-    return {left / triangle.whole, trustOf(triangle)};
-  }
-
   /// How far the area of one of triangles() can be trusted.
   [[nodiscard]] float trustOf(FoldTriangle& triangle) const {
     if (triangle.trust < 0.0f) {

@@ -19,42 +19,46 @@ float weightOf(const Fold& fold) {
 
 }  // namespace
 
-void FoldRelaxation::askOf(FoldTriangle& triangle, std::span<const std::uint8_t> isBorder,
-                           std::span<const glm::vec3> patch, FoldRegion& region, std::span<const glm::vec3> positions) {
-  const float weight = weightOf(region.foldOf(triangle, positions, kWholeArea));
+void FoldRelaxation::askOf(int triangle, FoldMesh& mesh) {
+  const float weight = weightOf(mesh.foldOf(triangle, kWholeArea));
   if (weight == 0.0f) return;
-  region.add(triangle);
-  for (const int corner : triangle.corners) {
-    const auto v = static_cast<std::size_t>(corner);
-    if (isBorder[v] != 0 || positions[v] == patch[v]) continue;
-    if (asked_[v] == 0.0f) asking_.push_back(corner);
-    asked_[v] = std::max(asked_[v], weight);
+  mesh.add(triangle);
+  for (const int corner : mesh.cornersOf(triangle)) {
+    FoldVertex& vertex = mesh.vertex(corner);
+    if (vertex.most == 0.0f) continue;
+    if (vertex.asked == 0.0f) asking_.push_back(corner);
+    vertex.asked = std::max(vertex.asked, weight);
   }
 }
 
-void FoldRelaxation::mergeWeights() {
-  for (const int v : folding_) at(weights_, v) = std::max(at(weights_, v) - kFade, at(asked_, v));
+void FoldRelaxation::mergeWeights(FoldMesh& mesh) {
+  for (const int v : folding_) {
+    FoldVertex& vertex = mesh.vertex(v);
+    vertex.weight = std::max(vertex.weight - kFade, vertex.asked);
+  }
   for (const int v : asking_) {
-    if (at(weights_, v) < at(asked_, v)) {
-      at(weights_, v) = at(asked_, v);
+    FoldVertex& vertex = mesh.vertex(v);
+    if (vertex.weight < vertex.asked) {
+      vertex.weight = vertex.asked;
       folding_.push_back(v);
     }
-    at(asked_, v) = 0.0f;
+    vertex.asked = 0.0f;
   }
   asking_.clear();
   std::erase_if(folding_, [&](int v) {
-    at(weights_, v) = std::max(0.0f, at(weights_, v));
-    return at(weights_, v) == 0.0f;
+    float& weight = mesh.vertex(v).weight;
+    weight = std::max(0.0f, weight);
+    return weight == 0.0f;
   });
 }
 
-void FoldRelaxation::findMeans(const VertexRings& rings, std::span<const glm::vec3> positions) {
+void FoldRelaxation::findMeans(const VertexRings& rings, FoldMesh& mesh) {
   means_.clear();
   for (const int v : folding_) {
-    const glm::vec3& own = at(positions, v);
+    const FoldVertex& own = mesh.vertex(v);
     glm::vec3 sum(0.0f);
-    for (const int neighbor : rings.at(v)) sum += at(positions, neighbor) - own;
-    means_.push_back(own + at(rings.share, v) * sum);
+    for (const int neighbor : rings.at(own.index)) sum += mesh.vertexOf(neighbor).position - own.position;
+    means_.push_back(own.position + at(rings.share, own.index) * sum);
   }
 }
 
@@ -63,29 +67,23 @@ void FoldRelaxation::findMeans(const VertexRings& rings, std::span<const glm::ve
 /// pit into it. Each round reads only the positions that the round before has left (Jacobi), so that the order of
 /// triangles does not matter. After the first round only triangles at vertices with a weight are looked at again:
 /// nothing else has changed. docs/design.md, Folds.
-void FoldRelaxation::apply(const VertexRings& rings, std::span<const std::uint8_t> isBorder,
-                           std::span<const glm::vec3> patch, FoldRegion& region, FoldMoves& moves,
-                           std::span<glm::vec3> positions) {
-  asked_.resize(positions.size());
-  weights_.resize(positions.size());
-  const auto ask = [&](FoldTriangle& triangle) { askOf(triangle, isBorder, patch, region, positions); };
-  const auto hasMoved = [&](int v) { return at(weights_, v) > 0.0f; };
-  for (FoldTriangle& triangle : region.triangles()) ask(triangle);
-  mergeWeights();
+void FoldRelaxation::apply(const VertexRings& rings, FoldMesh& mesh) {
+  for (int t = 0; t < mesh.triangleCount(); ++t) askOf(t, mesh);
+  mergeWeights(mesh);
   for (int round = 0; round < kMostRounds && !folding_.empty(); ++round) {
-    region.grow();  // All triangles at a folding vertex, and all that its move can fold.
-    findMeans(rings, positions);
+    mesh.grow();  // All triangles at a folding vertex, and all that its move can fold.
+    findMeans(rings, mesh);
     for (std::size_t i = 0; i < folding_.size(); ++i) {
-      const auto v = toIndex(folding_[i]);
-      moves.move(folding_[i], positions[v] + kRelaxStep * weights_[v] * (means_[i] - positions[v]), patch, positions);
+      const FoldVertex& vertex = mesh.vertex(folding_[i]);
+      mesh.move(folding_[i], vertex.position + kRelaxStep * vertex.weight * (means_[i] - vertex.position));
     }
     // Elsewhere nothing has changed, and only corners that cannot move could be asked again.
-    region.forEachAt(folding_, hasMoved, ask);
-    mergeWeights();
+    mesh.forEachAt(folding_, [&](int triangle) { askOf(triangle, mesh); });
+    mergeWeights(mesh);
   }
-  for (const int v : folding_) at(weights_, v) = 0.0f;
+  for (const int v : folding_) mesh.vertex(v).weight = 0.0f;
   folding_.clear();
-  region.grow();
+  mesh.grow();
 }
 
 std::vector<std::uint8_t> borderVertices(const ControlMesh& mesh, const Refinement& refinement) {

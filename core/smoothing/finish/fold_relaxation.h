@@ -5,8 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "core/smoothing/finish/fold_moves.h"
-#include "core/smoothing/finish/fold_region.h"
+#include "core/smoothing/finish/fold_mesh.h"
+#include "core/smoothing/finish/vertex_rings.h"
+#include "sinew/mesh/control_mesh.h"
 
 namespace sinew {
 
@@ -15,29 +16,24 @@ namespace sinew {
 /// The corners of a triangle with q below 0.4 (fold.h) are moved towards the mean of their neighbors, by a fifth of the
 /// way from q = 0 on, weighted by how far q can be trusted: neighbors come back towards their order, and the skin stays
 /// on the muscle. A weight that is no longer asked for falls by 1/4 a round. Up to 6 rounds, each of which reads the
-/// one before alone: the order of triangles does not matter. Vertices that have not moved stay, as do borders, and the
-/// result is continuous in time.
+/// one before alone: the order of triangles does not matter. The result is
+/// continuous in time.
 class FoldRelaxation {
  public:
   /// q below which a triangle is relaxed.
   static constexpr float kWholeArea = 0.4f;
   static constexpr int kMostRounds = 6;
 
-  /// @param rings  of the refinement.  @param region  found with kWholeArea.
-  /// @param isBorder [V'] borderVertices.  @param patch, positions [V'] world; positions in and out.
-  void apply(const VertexRings& rings, std::span<const std::uint8_t> isBorder, std::span<const glm::vec3> patch,
-             FoldRegion& region, FoldMoves& moves, std::span<glm::vec3> positions);
+  /// @param rings  of the refinement.  @param mesh  its region found with kWholeArea.
+  void apply(const VertexRings& rings, FoldMesh& mesh);
 
  private:
-  void askOf(FoldTriangle& triangle, std::span<const std::uint8_t> isBorder, std::span<const glm::vec3> patch,
-             FoldRegion& region, std::span<const glm::vec3> positions);
-  void mergeWeights();
-  void findMeans(const VertexRings& rings, std::span<const glm::vec3> positions);
+  void askOf(int triangle, FoldMesh& mesh);
+  void mergeWeights(FoldMesh& mesh);
+  void findMeans(const VertexRings& rings, FoldMesh& mesh);
 
-  std::vector<float> asked_;  ///< [V'] weights of this round; 0 but for asking_.
-  std::vector<int> asking_;
-  std::vector<float> weights_;    ///< [V'] 0 but for folding_.
-  std::vector<int> folding_;      ///< Vertices with a weight in this round.
+  std::vector<int> asking_;       ///< Of the mesh's vertices: asked for in this round.
+  std::vector<int> folding_;      ///< Those with a weight.
   std::vector<glm::vec3> means_;  ///< [folding_] of the neighbors.
 };
 

@@ -19,26 +19,24 @@ struct FoldStage : LiftedSheet {
     rings = vertexRings(refinement);  // A test may have changed the triangles.
     moved.find(mesh, refinement, rings, patch, positions);
     pairs_.fill(moved.corners, patch, positions);
-    moves_.start(positions.size());
     region_.find(mesh, refinement, rings, moved, view(), pairs_, positions, FoldRelaxation::kWholeArea);
-    run(stage_, borderVertices(mesh, refinement), positions);
-    touched.assign(moves_.list().begin(), moves_.list().end());
+    const std::vector<std::uint8_t> isBorder = borderVertices(mesh, refinement);
+    mesh_.start(region_, isBorder, patch, positions);
+    run(stage_);
+    const std::span<const FoldMove> moves = mesh_.finish(positions);
+    touched.assign(moves.begin(), moves.end());
     return positions;
   }
 
   std::vector<FoldMove> touched;  ///< By the last call.
 
  private:
-  void run(FoldRelaxation& stage, const std::vector<std::uint8_t>& isBorder, std::vector<glm::vec3>& positions) {
-    stage.apply(rings, isBorder, patch, region_, moves_, positions);
-  }
-  void run(FoldSpread& stage, const std::vector<std::uint8_t>& isBorder, std::vector<glm::vec3>& positions) {
-    stage.apply(isBorder, patch, region_, moves_, positions);
-  }
+  void run(FoldRelaxation& stage) { stage.apply(rings, mesh_); }
+  void run(FoldSpread& stage) { stage.apply(mesh_); }
 
   VertexPairs pairs_;
   FoldRegion region_;
-  FoldMoves moves_;
+  FoldMesh mesh_;
   Stage stage_;
 };
 
