@@ -50,7 +50,7 @@ struct Primitive {
   glm::vec4 bendCurve{0.0f};
   glm::vec4 section{0.0f};  ///< lateral, taper, core, inverseEnd
   glm::vec4 low{0.0f};      ///< w: 1: it is no ellipsoid.
-  glm::vec4 high{0.0f};
+  glm::vec4 high{0.0f};     ///< w: mean radius, of an ellipsoid too.
 };
 static_assert(sizeof(Primitive) == 128);
 
@@ -94,8 +94,9 @@ struct Root {
   float onSkin = 0.0f;
   float blendWidth = 0.0f;
   RootState state = RootState::kUntouched;
+  float height = 0.0f;  ///< The way, or less below what hangs over the skin; of kUnsure the muscles' mean radius.
 };
-static_assert(sizeof(Root) == 16);
+static_assert(sizeof(Root) == 20);
 
 struct Mark {
   std::uint32_t moved = 0;

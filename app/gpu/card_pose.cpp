@@ -14,7 +14,7 @@ void fillShape(const UnitShape& shape, card::Primitive& out) {
   out.bendCurve = {shape.bend.x, shape.bend.y, shape.curve.x, shape.curve.y};
   out.section = {shape.lateral, shape.taper, shape.core, shape.inverseEnd};
   out.low = glm::vec4(shape.low, 1.0f);
-  out.high = glm::vec4(shape.high, 0.0f);
+  out.high = glm::vec4(shape.high, out.high.w);
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ void fillPrimitives(const Preparation& preparation, const PosedField& field, std
         {},
         {},
         {},
-        {}};
+        {0.0f, 0.0f, 0.0f, muscle.meanRadius}};
     if (!ball.isPlain()) fillShape(ball.shape, out[i]);
   }
 }

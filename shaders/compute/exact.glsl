@@ -50,20 +50,21 @@ void gatherTerms(vec3 from, vec3 direction) {
   }
 }
 
-// phi at t.
-double sampleExact(double t) {
-  double everywhere = double(-iso), best = 0.0lf;
+// phi at t, and its slope.
+dvec2 sampleExact(double t) {
+  dvec2 everywhere = dvec2(double(-iso), 0.0lf), best = dvec2(0.0lf);
   for (int k = 0; k < cliqueCount; ++k) {
-    double sum = 0.0lf;
+    dvec2 sum = dvec2(0.0lf);
     for (int i = 0; i < exactCount; ++i) {
       bool always = exact[i].slot == kEverySum;
       if (always ? k > 0 : !holds(cliqueAt(k), exact[i].slot)) continue;
       double w = 1.0lf - rSquaredOf(exact[i], t);
       if (w <= 0.0lf || t < exact[i].enter || t > exact[i].leave) continue;
-      if (always) everywhere += exact[i].factor * w * w;
-      else sum += exact[i].factor * w * w;
+      dvec2 part = exact[i].factor * w * dvec2(w, -4.0lf * (exact[i].a * t + exact[i].b));
+      if (always) everywhere += part;
+      else sum += part;
     }
-    best = max(best, sum);
+    if (sum.x > best.x) best = sum;
   }
   return everywhere + best;
 }

@@ -16,13 +16,14 @@ struct Primitive {
   vec4 bendCurve;  // The axis is at bend + curve y^2.
   vec4 section;    // nu S(y) = x + y y; z: half the core; w: 1 / the end's length.
   vec4 low;        // A box around the influence; w: 1: it is no ellipsoid.
-  vec4 high;
+  vec4 high;       // w: mean radius, of an ellipsoid too.
 };
 struct Root {
   float way;         // Signed, along the line, before any limit; `replace`: unused.
   float onSkin;      // F there.
   float blendWidth;  // h there.
   int state;         // As below.
+  float height;      // way, or less below what hangs over the skin; of kUnsure the muscles' mean radius.
 };
 const int kUntouched = 0, kFound = 1, kUnsure = 2, kUnsureShaped = 3;
 
@@ -66,3 +67,4 @@ float scaleOf(Primitive p) { return p.toUnit[2].w > 0.0 ? p.toUnit[2].w * p.toUn
 bool isShaped(Primitive p) { return p.low.w != 0.0; }
 float strengthOf(Primitive p) { return p.toUnit[0].w; }
 float blendWidthOf(Primitive p) { return p.toUnit[1].w; }
+float meanRadiusOf(Primitive p) { return p.high.w; }

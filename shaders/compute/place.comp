@@ -52,7 +52,8 @@ void main() {
   float r = max(0.0, s / width + isoRadius);
   float slope = 2.0 * r * -2.0 * max(0.0, 1.0 - r * r) / width / max(dotOf(n, d), kLeastAlong);
   float touch = inverseTouchLimit(root.onSkin, width);
-  float height = s > 0.0 ? limitedRise(s, max(refined[v].weights.w, touch)) : -limitedRise(-s, touch);
+  float below = abs(root.height);
+  float height = s > 0.0 ? limitedRise(below, max(refined[v].weights.w, touch)) : -limitedRise(below, touch);
   vec3 ofField = normalizeOr(-(slope * n + fieldAt(p + s * d).yzw), n);
   precise vec3 position = p + height * d;
   vec3 normal = height == s ? ofField : normalizeOr(n + (height / s) * (ofField - n), n);

@@ -37,7 +37,7 @@ bool anyFound;
 double prominence(double begin, double end) {
   double whole = double(kFullProminence * iso), largest = 0.0lf;
   for (int i = 0; i < 9 && largest < whole; ++i) {
-    largest = max(largest, sampleExact(begin + (end - begin) * double(kProminenceSamples[i]) / 10.0lf));
+    largest = max(largest, sampleExact(begin + (end - begin) * double(kProminenceSamples[i]) / 10.0lf).x);
   }
   return largest;
 }
@@ -88,7 +88,7 @@ void addLine(vec3 p, vec3 inwards, double end, bool inside, vec3 n) {
       double last = found == kNone ? end : found;
       double root = wanted == kOwnEnd ? outRoot : rise;
       double prominent = prominence(wanted == kOwnEnd ? 0.0lf : rise, last);
-      if (wanted == kOwnEnd) prominent = max(prominent, max(outProminence, sampleExact(0.0lf)));
+      if (wanted == kOwnEnd) prominent = max(prominent, max(outProminence, sampleExact(0.0lf).x));
       float way = wanted == kOwnEnd ? -float(root) : float(root);
       if (root != kNone) addRoot(p + way * inwards, root, prominent, n);
       t = wanted == kFall || last > 0.0lf ? last + nudge : 0.0lf;

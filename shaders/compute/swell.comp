@@ -16,6 +16,9 @@ const float kValueRounding = 1e-5, kSlopeRounding = 1e-3, kLeastStretch = 0.0;
 const int kMostMarches = 20, kMostSteps = 24;
 #include "compute/ray.glsl"
 
+vec2 psiAt(float t) { return sampleRay(t); }
+#include "compute/overhang.glsl"
+
 struct Line {
   vec4 from;
   vec4 along;
@@ -24,9 +27,9 @@ layout(std430, binding = 4) readonly buffer Lines { Line lines[]; };
 #include "compute/unsure.glsl"
 layout(std430, binding = 6) writeonly buffer Roots { Root roots[]; };
 
-// F on the skin and the blend width there.
-vec2 skinAt(vec3 p) {
-  float carved = 0.0, shares = 0.0, widths = 0.0;
+// F on the skin, the blend width and the muscles' mean radius there.
+vec3 skinAt(vec3 p) {
+  float carved = 0.0, shares = 0.0, widths = 0.0, radii = 0.0;
   float sums[kMostCliques];
   for (int k = 0; k < cliqueCount; ++k) sums[k] = 0.0;
   for (int i = firstCandidate; i < endCandidate; ++i) {
@@ -38,6 +41,7 @@ vec2 skinAt(vec3 p) {
     precise float value = strengthOf(muscle) * weightOf(c) * w * w;
     shares += abs(value);
     widths += abs(value) * blendWidthOf(muscle);
+    radii += abs(value) * meanRadiusOf(muscle);
     if (strengthOf(muscle) < 0.0) {
       carved += value;
       continue;
@@ -48,30 +52,34 @@ vec2 skinAt(vec3 p) {
   }
   float together = 0.0;
   for (int k = 0; k < cliqueCount; ++k) together = max(together, sums[k]);
-  return vec2(together + carved, widths / shares);
+  return vec3(together + carved, widths / shares, radii / shares);
 }
 
 void main() {
   int v = item();
   if (v >= refinedVertices) return;
   int at = body() * refinedVertices + v;
-  roots[at] = Root(0.0, 0.0, 0.0, kUntouched);
+  roots[at] = Root(0.0, 0.0, 0.0, kUntouched, 0.0);
   see(v, body());
   if (firstCandidate == endCandidate) return;
   vec3 p = lines[at].from.xyz;
-  vec2 skin = skinAt(p);
+  vec3 skin = skinAt(p);
   if (skin.x == 0.0) return;
   sense = skin.x > 0.0 ? 1.0 : -1.0;
   inverseWidth = (1.0 - isoRadius) / skin.y;
   maxFall = sense > 0.0 ? isoRoot : kFar;
   bool known = fillTerms(p, sense * lines[at].along.xyz);
-  float way = 0.0;
+  float way = 0.0, height = skin.z;
   if (known) {
     vec3 rise = riseOf(skin.y);
     Search search = bracketFromSkin(rise);
     if (search.rootless) way = rise.z;
     else known = search.bracketed && newton(search, way);
+    float sigma = overhangSlope(skin.z);
+    float steep = sense > 0.0 ? min(0.5 * skin.y, rise.x) : 0.0;
+    bool slowly = known && steep < way && boundsOf(steep, way).maxSlope > -sigma;
+    if (known) height = sense * (slowly ? belowOverhangs(way, sigma, skin.y) : way);
   }
-  roots[at] = Root(sense * way, skin.x, skin.y, known ? kFound : meetsShape ? kUnsureShaped : kUnsure);
+  roots[at] = Root(sense * way, skin.x, skin.y, known ? kFound : meetsShape ? kUnsureShaped : kUnsure, height);
   if (!known) leaveUnsure(uint(at));
 }

@@ -5,6 +5,12 @@
 #include "compute/field.glsl"
 #include "compute/exact.glsl"
 
+#define Real double
+#define Real2 dvec2
+double sense;  // 1: outwards.
+dvec2 psiAt(double t) { return sense * sampleExact(t); }
+#include "compute/overhang.glsl"
+
 struct Line {
   vec4 from;
   vec4 along;
@@ -29,7 +35,9 @@ void find(int at) {
   for (int i = 0; outward && i < exactCount; ++i) end = max(end, exact[i].leave);
   double t = firstChange(0.0lf, end, outward);
   if (t == kNone) t = end;
-  roots[at].way = float(outward ? t : -t);
+  sense = outward ? 1.0lf : -1.0lf;
+  roots[at].way = float(sense * t);
+  roots[at].height = float(sense * belowOverhangs(t, overhangSlope(double(root.height)), h));
   roots[at].state = kFound;
 }
 

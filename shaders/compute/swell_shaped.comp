@@ -15,6 +15,9 @@ const double kValueRounding = 1e-13lf, kSlopeRounding = 1e-11lf;
 const int kMostMarches = 400, kMostSteps = 60;
 #include "compute/ray.glsl"
 
+dvec2 psiAt(double t) { return sampleRay(t); }
+#include "compute/overhang.glsl"
+
 struct Line {
   vec4 from;
   vec4 along;
@@ -36,6 +39,7 @@ void find(int at) {
   double way = search.rootless ? rise.z : search.low;
   if (search.bracketed) newton(search, way);
   roots[at].way = float(sense * way);
+  roots[at].height = float(sense * belowOverhangs(way, overhangSlope(double(root.height)), double(root.blendWidth)));
   roots[at].state = kFound;
 }
 

@@ -66,6 +66,20 @@ std::string tableOf(const std::vector<PopsRow>& rows) {
   return table;
 }
 
+Json placesOf(const test::Pops& pops) {
+  Json list = Json::array();
+  for (const test::PopPlace& place : pops.places) {
+    Json item = Json::object();
+    item.set("clip", place.clip).set("time", place.time);
+    item.set("vertex", static_cast<double>(place.vertex));
+    item.set("control_triangle", static_cast<double>(place.controlTriangle));
+    item.set("step", static_cast<double>(place.step)).set("kept", static_cast<double>(place.kept));
+    item.set("of_root", static_cast<double>(place.ofRoot));
+    list.push(item);
+  }
+  return list;
+}
+
 Json jsonOf(const std::vector<PopsRow>& rows) {
   Json list = Json::array();
   for (const PopsRow& row : rows) {
@@ -79,6 +93,7 @@ Json jsonOf(const std::vector<PopsRow>& rows) {
         .set("largest_step", static_cast<double>(row.pops.largestStep));
     item.set("pops", static_cast<double>(row.pops.pops)).set("largest_pop", static_cast<double>(row.pops.largestPop));
     item.set("definition", row.pops.definition()).set("backs", static_cast<double>(row.pops.backs));
+    item.set("places", placesOf(row.pops));
     list.push(item);
   }
   return list;

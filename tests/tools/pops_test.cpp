@@ -34,8 +34,8 @@ Pops popsOf(const std::shared_ptr<const Character>& character, Rig rig, DetailKi
 
 constexpr DetailKind kDetails[] = {DetailKind::kUniform, DetailKind::kAdaptive};
 
-// Before slopes were bounded there were 5 and 184 pops (sinew_bench pops). With adaptive detail one vertex of the horse
-// keeps 0.151 % H: its root is fast there, and folds add to it.
+// Before slopes were bounded there were 5 and 184 pops (sinew_bench pops); before heights were held below overhangs,
+// one on the horse.
 TEST(Pops, ThereAreNoneOverMusclesLaidWithTheToolsDefaults) {
   for (const char* name : {"horse", "humanoid"}) {
     const auto character = bundled(name);
@@ -45,7 +45,7 @@ TEST(Pops, ThereAreNoneOverMusclesLaidWithTheToolsDefaults) {
       const Pops seen = popsOf(character, rig, detail, detail == DetailKind::kAdaptive ? 40 : 240);
       print(name, "by tool", detail, seen);
       EXPECT_GT(seen.moved, 10'000) << name;
-      EXPECT_LE(seen.pops, detail == DetailKind::kAdaptive ? 1 : 0) << name;
+      EXPECT_EQ(seen.pops, 0) << name;
       if (detail == DetailKind::kAdaptive) {
         EXPECT_EQ(seen.backs, 0) << name;
       }
@@ -53,12 +53,12 @@ TEST(Pops, ThereAreNoneOverMusclesLaidWithTheToolsDefaults) {
   }
 }
 
-// At most a twentieth of what there was before slopes were bounded; `sinew_bench pops` looks at more rigs.
+// Less than a fiftieth of what there was before slopes were bounded; `sinew_bench pops` looks at more rigs.
 TEST(Pops, AreRareOverRandomMusclesOfShortReach) {
   const struct {
     const char* name;
     int most;
-  } kWere[] = {{"horse", 6}, {"humanoid", 30}};
+  } kWere[] = {{"horse", 2}, {"humanoid", 8}};
   for (const auto& [name, most] : kWere) {
     const auto character = bundled(name);
     const Pops seen = popsOf(character, randomRig(*character, kShortReach, 1), DetailKind::kUniform);
@@ -69,7 +69,7 @@ TEST(Pops, AreRareOverRandomMusclesOfShortReach) {
 }
 
 // Of the moved vertices of all frames, muscles by the tool and at random.
-constexpr double kRarely = 1e-5;
+constexpr double kRarely = 3e-6;
 constexpr double kRarelyAtRandom = 2e-4;
 
 /// All clips of real characters take minutes.

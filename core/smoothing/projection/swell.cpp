@@ -6,6 +6,7 @@
 
 #include "core/base/at.h"
 #include "core/primitives/potential.h"
+#include "core/smoothing/projection/overhang.h"
 #include "core/smoothing/projection/rise_limits.h"
 #include "core/smoothing/roots/root_finding.h"
 
@@ -41,6 +42,18 @@ struct SkinField {
   }
 };
 
+/// Signed along the direction.
+struct Root {
+  float s;
+  float below;  ///< s, or less below what hangs over the skin.
+};
+
+/// Of the muscles at a point of the skin, by their shares of the field.
+struct MeanSizes {
+  double blendWidth;  ///< h
+  double radius;
+};
+
 /// Projects vertex after vertex.
 class Sweller {
  public:
@@ -62,10 +75,11 @@ class Sweller {
     const float onSkin = sampleField(field_.primitives, scratch_.candidates, cliques, p, scratch_.field).value;
     if (onSkin == 0.0f) return;
     ++scratch_.counts.projected;
-    const SkinField skin(isoRadius_, blendWidthAt(p));
+    const MeanSizes sizes = meanSizesAt(p);
+    const SkinField skin(isoRadius_, sizes.blendWidth);
     const double s = findRoot(skin, p, rise_.directions[index], onSkin > 0.0f, cliques);
     if (s == 0.0) return;
-    place(skin, onSkin, index, static_cast<float>(s), cliques);
+    place(skin, onSkin, index, {static_cast<float>(s), belowOverhangs(skin, s, sizes.radius)}, cliques);
   }
 
  private:
@@ -80,8 +94,9 @@ class Sweller {
   /// h at a point of the skin: the mean over the muscles there, each by its share of the field, of the lesser of the
   /// rig's blend width and the muscle's mean radius. Skin that fades over more than that rises as a whole and falls
   /// off a cliff where the muscle's influence ends.
-  double blendWidthAt(const glm::vec3& p) const {
+  MeanSizes meanSizesAt(const glm::vec3& p) const {
     double sum = 0.0;
+    double radii = 0.0;
     double whole = 0.0;
     for (const Candidate& candidate : scratch_.candidates) {
       const PosedPrimitive& primitive = at(field_.primitives, candidate.primitive);
@@ -89,9 +104,11 @@ class Sweller {
       if (!(primitive.influence.boundingRadius > 0.0f && rSquared < 1.0f)) continue;
       const float share = std::abs(primitive.strength) * candidate.weight * potential(rSquared);
       sum += static_cast<double>(share) * static_cast<double>(std::min(settings_.blendWidth, primitive.meanRadius));
+      radii += static_cast<double>(share) * static_cast<double>(primitive.meanRadius);
       whole += static_cast<double>(share);
     }
-    return whole > 0.0 ? sum / whole : static_cast<double>(settings_.blendWidth);
+    const double most = static_cast<double>(settings_.blendWidth);
+    return whole > 0.0 ? MeanSizes{sum / whole, radii / whole} : MeanSizes{most, most};
   }
 
   /// s*, signed along the direction.
@@ -118,13 +135,27 @@ class Sweller {
     return outward ? t : -t;
   }
 
-  /// The height as other skin and what is only touched let it stand.
+  /// The root, or less where psi falls slowly on the way to it.
+  float belowOverhangs(const SkinField& skin, double s, double radius) {
+    const double sign = s > 0.0 ? 1.0 : -1.0;
+    const auto psi = [&](double t) {
+      const RaySample sample = scratch_.ray.sample(t, scratch_.roots);
+      return RaySample{sign * sample.value, sign * sample.slope};
+    };
+    const double t = std::abs(s);
+    const double sigma = -static_cast<double>(Overhang::kSlope) * skin.slope(0.0) * skin.blendWidth / radius;
+    return static_cast<float>(
+        sign * heightBelowOverhangs(t, sigma, static_cast<double>(Overhang::kPart) * skin.blendWidth, psi));
+  }
+
+  /// A height as other skin and what is only touched let it stand.
   float limitedHeight(const SkinField& skin, float onSkin, std::size_t index, float s) const {
     const float touch = inverseTouchLimit(onSkin, settings_.iso, static_cast<float>(skin.width));
     return s > 0.0f ? limitedRise(s, std::max(rise_.inverseLimits[index], touch)) : -limitedRise(-s, touch);
   }
 
-  void place(const SkinField& skin, float onSkin, std::size_t index, float s, const CliqueLists& cliques) {
+  void place(const SkinField& skin, float onSkin, std::size_t index, const Root& root, const CliqueLists& cliques) {
+    const float s = root.s;
     const glm::vec3 n = surface_.normals[index];
     const glm::vec3 d = rise_.directions[index];
     const glm::vec3 p = surface_.positions[index];
@@ -132,7 +163,7 @@ class Sweller {
         sampleField(field_.primitives, scratch_.candidates, cliques, p + s * d, scratch_.field).gradient;
     // s grows by 1 along d and not at all along the skin: its gradient is n / (n.d).
     const float slope = static_cast<float>(skin.slope(static_cast<double>(s))) / std::max(glm::dot(n, d), kLeastAlong);
-    const float height = limitedHeight(skin, onSkin, index, s);
+    const float height = limitedHeight(skin, onSkin, index, root.below);
     surface_.positions[index] = p + height * d;
     const glm::vec3 ofField = normalizeOr(-(slope * n + gradient), n);
     // A limit flattens what stands below it.

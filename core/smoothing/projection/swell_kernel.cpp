@@ -10,6 +10,7 @@
 #define HWY_TARGET_INCLUDE "core/smoothing/projection/swell_kernel.cpp"
 #include "hwy/foreach_target.h"
 //
+#include "core/smoothing/projection/overhang_lanes.h"
 #include "core/smoothing/projection/tile_field.h"
 #include "core/smoothing/roots/root_lanes.h"
 #include "hwy/highway.h"
@@ -17,10 +18,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// F on the skin and the blend width there.
+/// F on the skin, the blend width and the muscles' mean radius there.
 struct OnSkin {
   V field;
   V blendWidth;
+  V radius;
 };
 
 /// Where the rays end.
@@ -28,6 +30,8 @@ struct Found {
   V t;
   M rootless;
   M known;
+  V risesFrom;  ///< Before this F only falls.
+  V radius;     ///< The muscles' mean.
 };
 
 class TileSweller : TileField {
@@ -85,7 +89,8 @@ class TileSweller : TileField {
     giveUp(andNot(active, known));
     const V inverseLimit = touchLimit(onSkin, skin);
     if (any(known)) {
-      place(p, d, rays, inverseLimit, {select(search.rootless, rise.end, roots.t), search.rootless, known});
+      place(p, d, rays, inverseLimit,
+            {select(search.rootless, rise.end, roots.t), search.rootless, known, rise.from, onSkin.radius});
     }
   }
 
@@ -95,6 +100,7 @@ class TileSweller : TileField {
     V together = zero();
     V shares = zero();
     V widths = zero();
+    V radii = zero();
     for (std::size_t slot = 0; slot < cliques_.slotCount; ++slot) {
       hn::Store(zero(), kTag, lanes.sums[slot].of[0].at(first_));
     }
@@ -108,6 +114,7 @@ class TileSweller : TileField {
       if (!any(hn::Gt(here, zero()))) continue;
       const V value = weightedStrength(i, muscle) * here * here;
       shares = shares + hn::Abs(value);
+      radii = radii + hn::Abs(value) * all(muscle.meanRadius);
       widths = widths + hn::Abs(value) * all(std::min(inputs_.settings.blendWidth, muscle.meanRadius));
       if (muscle.strength < 0.0f) {
         carved = carved + value;
@@ -121,8 +128,9 @@ class TileSweller : TileField {
     const LaneSkin none{false, zero(), zero(), zero(), zero(), zero(), zero()};
     const RayLanes sums(lanes, cliques_, none, first_);
     for (std::size_t k = 0; k < cliques_.count(); ++k) together = hn::Max(together, sums.sumOf(k, 0));
-    const V width = select(hn::Gt(shares, zero()), widths / shares, all(inputs_.settings.blendWidth));
-    return {together + carved, width};
+    const M seen = hn::Gt(shares, zero());
+    const V most = all(inputs_.settings.blendWidth);
+    return {together + carved, select(seen, widths / shares, most), select(seen, radii / shares, most)};
   }
 
   /// Terms in the search's direction and sign: those that some active lane's ray meets ahead. A term that a ray does
@@ -188,6 +196,21 @@ class TileSweller : TileField {
     return share * roots * skin.inverseWidth / (all(2.0f) * hn::Abs(onSkin.field));
   }
 
+  /// The root, or less where psi falls slowly on the way to it. Outwards the skin's own field is steep enough up to h/2
+  /// for as long as F does not rise; bounds of the slope prove the rest of most ways.
+  V belowOverhangs(const RayLanes& rays, const Found& found, M moved) const {
+    const LaneSkin& skin = rays.skin();
+    const V blendWidth = all(1.0f - isoRadius_) / skin.inverseWidth;
+    const V sigma = all(-Overhang::kSlope) * skin.slope(zero()) * blendWidth / found.radius;
+    const V steep = select(hn::Gt(skin.sign, zero()), hn::Min(all(0.5f) * blendWidth, found.risesFrom), zero());
+    M asked = both(moved, hn::Lt(steep, found.t));
+    if (!any(asked)) return found.t;
+    rays.count(asked);
+    asked = both(asked, hn::Gt(rays.bounds(steep, found.t).maxSlope, zero() - sigma));
+    if (!any(asked)) return found.t;
+    return heightBelowOverhangs(rays, found.t, sigma, all(Overhang::kPart) * blendWidth, asked);
+  }
+
   /// @param inverseLimit  1/L beside that of other skin.
   void place(const V3& p, const V3& d, const RayLanes& rays, V inverseLimit, const Found& found) {
     const LaneSkin& skin = rays.skin();
@@ -202,6 +225,7 @@ class TileSweller : TileField {
     countResidual(select(andNot(moved, found.rootless), hn::Abs(skin.value(t) + field), zero()));
     // s grows by 1 along d and not at all along the skin: its gradient is n / (n.d).
     const V slope = skin.slope(t) / hn::Max(dot(n, d), all(kLeastAlong));
+    const V below = belowOverhangs(rays, found, moved);
     LaneFloats limits;
     for (std::size_t lane = first_; lane < first_ + width(); ++lane) {
       limits.lane[lane] = inputs_.rise.inverseLimits[static_cast<std::size_t>(tile_->vertices[lane])];
@@ -209,10 +233,12 @@ class TileSweller : TileField {
     const V ofSkin = select(hn::Gt(s, zero()), hn::Load(kTag, limits.at(first_)), zero());
     const V inverse = hn::Max(inverseLimit, ofSkin);
     const V limit = all(1.0f) / inverse;
-    const M limited = hn::Gt(t * inverse, all(0.5f));
-    const V height = skin.sign * select(limited, limit - all(0.25f) * limit * limit / t, t);
+    const M limited = hn::Gt(below * inverse, all(0.5f));
+    const V size = select(limited, limit - all(0.25f) * limit * limit / below, below);
+    const M lowered = hn::Lt(size, t);
+    const V height = skin.sign * size;
     const V3 ofField = unitOr(V3{zero(), zero(), zero()} - (slope * n + gradient), n);
-    const V3 normal = select(limited, unitOr(n + (height / s) * (ofField - n), n), ofField);
+    const V3 normal = select(lowered, unitOr(n + (height / s) * (ofField - n), n), ofField);
     write(p + height * d, normal, height, moved);
   }
 

@@ -175,7 +175,17 @@ Answer Oracle::swell(const Site& site) const {
     const double fades = 1.0 - inside * inside * (3.0 - 2.0 * inside);
     inverseLimit = std::max(inverseLimit, fades / (2.0 * std::max(natural, 1e-300)));
   }
-  const double size = heightWithin(std::abs(out.offset), inverseLimit);
+  const double sense = out.offset < 0.0 ? -1.0 : 1.0;
+  const auto psi = [&](double t) { return sense * phi(sense * t); };
+  const auto psiSlope = [&](double t) {
+    const Vec at = out.rayOrigin + sense * t * out.rayDirection;
+    return gSlope(skinRadius(sense * t, out.blendWidth)) / width + dot(field_.gradient(at, weights), out.rayDirection);
+  };
+  // As if the skin's field were as wide as the muscles are thick.
+  const double radius = field_.blendWidth(out.rayOrigin, weights, 1e30);
+  const double sigma = -0.5 * gSlope(isoRadius()) * (1.0 - isoRadius()) / radius;
+  const double below = heightBelowOverhangs(std::abs(out.offset), sigma, out.blendWidth / 4.0, psi, psiSlope);
+  const double size = heightWithin(below, inverseLimit);
   const double height = out.offset < 0.0 ? -size : size;
   out.position = out.rayOrigin + height * out.rayDirection;
   out.lead = field_.lead(onField, weights);

@@ -109,6 +109,26 @@ std::vector<double> inverseLimits(const ControlMesh& mesh, const std::vector<Vec
   return out;
 }
 
+double heightBelowOverhangs(double root, double sigma, double part, const Function& psi, const Function& slope) {
+  const Function sum = [&](double s) { return s + psi(s) / sigma; };
+  const Function sumSlope = [&](double s) { return sigma + slope(s); };
+  double height = std::min(root, sum(0.0));
+  for (int i = 0; i < 32 && i * part < root; ++i) {
+    std::array<double, 2> ends{i * part, std::min((i + 1) * part, root)};
+    std::array<double, 2> slopes{sumSlope(ends[0]), sumSlope(ends[1])};
+    if (ends[1] < root) height = std::min(height, sum(ends[1]));
+    for (int step = 0; step < 3 && slopes[0] < 0.0 && slopes[1] > 0.0; ++step) {
+      const double lowest = (ends[0] * slopes[1] - ends[1] * slopes[0]) / (slopes[1] - slopes[0]);
+      const double there = sumSlope(lowest);
+      height = std::min(height, sum(lowest));
+      const std::size_t moved = there < 0.0 ? 0 : 1;
+      ends.at(moved) = lowest;
+      slopes.at(moved) = there;
+    }
+  }
+  return height;
+}
+
 double heightWithin(double height, double inverseLimit) {
   if (height * inverseLimit <= 0.5) return height;
   return (1.0 - 0.25 / (inverseLimit * height)) / inverseLimit;

@@ -16,6 +16,9 @@ std::vector<Vec> relaxedDirections(const ControlMesh& mesh, double rise);
 /// @param most  world units: limits fade out from here to one and a half times this.
 std::vector<double> inverseLimits(const ControlMesh& mesh, const std::vector<Vec>& directions, double most);
 
+/// The least of s + psi(s) / sigma up to a root, as far as parts of the way show it.
+double heightBelowOverhangs(double root, double sigma, double part, const Function& psi, const Function& slope);
+
 /// A height as the limit lets it stand.
 double heightWithin(double height, double inverseLimit);
 

@@ -31,8 +31,15 @@ using Offsets = std::vector<glm::vec3>;
 /// A moment and where it finds the skin.
 struct Moment {
   int tick = 0;
-  Offsets offsets;
+  Offsets offsets;  ///< From the patch, in the patch's own frame.
+  Offsets inWorld;  ///< The same in the world's.
 };
+
+Offsets between(const std::vector<glm::vec3>& from, const std::vector<glm::vec3>& to) {
+  Offsets out(to.size());
+  std::ranges::transform(to, from, out.begin(), [](const glm::vec3& a, const glm::vec3& b) { return a - b; });
+  return out;
+}
 
 /// A vertex on the move.
 struct Stepping {
@@ -61,11 +68,16 @@ class PopSearch {
   }
 
  private:
+  [[nodiscard]] Pose poseAt(int tick) const {
+    return samplePose(character_.skeleton, *clip_, static_cast<float>(tick * kTick));
+  }
+
   Moment at(int tick) {
-    const Pose pose = samplePose(character_.skeleton, *clip_, static_cast<float>(tick * kTick));
+    const Pose pose = poseAt(tick);
     smoother_.smooth(pose, surface_);
     patch_ = &bare_.patchAt(pose);
-    return {tick, CarriedOffsets(*surface_.refinement).of(surface_, *patch_)};
+    return {tick, CarriedOffsets(*surface_.refinement).of(surface_, *patch_),
+            between(patch_->positions, surface_.positions)};
   }
 
   /// At the surface that was made last.
@@ -85,8 +97,12 @@ class PopSearch {
     out.backs += std::max(0LL, backs(surface_) - backs(*patch_));
   }
 
+  /// Against the patch's frame, or the world's where that is less: a frame may turn over in a crease in which nothing
+  /// moves.
   [[nodiscard]] float way(const Moment& a, const Moment& b, int vertex) const {
-    const float way = glm::distance(sinew::at(a.offsets, vertex), sinew::at(b.offsets, vertex)) / character_.height;
+    const float carried = glm::distance(sinew::at(a.offsets, vertex), sinew::at(b.offsets, vertex));
+    const float inWorld = glm::distance(sinew::at(a.inWorld, vertex), sinew::at(b.inWorld, vertex));
+    const float way = std::min(carried, inWorld) / character_.height;
     return std::isfinite(way) ? way : std::numeric_limits<float>::infinity();
   }
 
@@ -109,6 +125,7 @@ class PopSearch {
     if (to.tick - from.tick == 1) {
       out.pops += static_cast<long long>(stepping.size());
       for (const Stepping& one : stepping) out.largestPop = std::max(out.largestPop, one.size);
+      list(from, to, stepping, out);
       return;
     }
     std::vector<Moment> moments{from};
@@ -126,6 +143,27 @@ class PopSearch {
       of[fastest].push_back(one);
     }
     for (std::size_t i = 0; i < of.size(); ++i) follow(moments[i], moments[i + 1], 2, std::move(of[i]), out);
+  }
+
+  void list(const Moment& from, const Moment& to, const std::vector<Stepping>& stepping, Pops& out) {
+    const auto rootsAt = [&](int tick) {
+      const Surface& projected = bare_.at(poseAt(tick));
+      return between(bare_.patch().positions, projected.positions);
+    };
+    const Offsets before = rootsAt(from.tick);
+    const Offsets after = rootsAt(to.tick);
+    for (const Stepping& one : stepping) {
+      const auto v = static_cast<std::size_t>(one.vertex);
+      out.places.push_back({clip_->name, from.tick * kTick, one.vertex, controlTriangleAt(one.vertex), one.size,
+                            way(from, to, one.vertex), glm::distance(before[v], after[v]) / character_.height});
+    }
+  }
+
+  [[nodiscard]] int controlTriangleAt(int vertex) const {
+    const Refinement& refinement = *surface_.refinement;
+    const auto triangle = std::ranges::find_if(
+        refinement.triangles, [&](const auto& corners) { return std::ranges::find(corners, vertex) != corners.end(); });
+    return refinement.controlOf[static_cast<std::size_t>(triangle - refinement.triangles.begin())];
   }
 
   const Character& character_;
@@ -147,6 +185,7 @@ void Pops::add(const Pops& other) {
   turned += other.turned;
   moved += other.moved;
   backs += other.backs;
+  places.insert(places.end(), other.places.begin(), other.places.end());
 }
 
 Pops countPops(const std::shared_ptr<const Character>& character, const Rig& rig, int mostFrames) {

@@ -2,15 +2,28 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "sinew/character/character.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew::test {
 
-// Fractions of H, against the patch's own frame at the vertex.
+// Fractions of H, against the patch at the vertex: in its own frame, or in the world's where that is less.
 constexpr float kStep = 0.005f;   ///< Move within 1/60 s that counts as a step.
 constexpr float kKept = 0.0015f;  ///< What a pop keeps of its step within its fastest 26 microseconds.
+
+/// A vertex that pops.
+struct PopPlace {
+  std::string clip;
+  double time = 0.0;        ///< Seconds, at which its fastest 26 microseconds begin.
+  int vertex = 0;           ///< Refined.
+  int controlTriangle = 0;  ///< One that it lies in.
+  float step = 0.0f;        ///< Within 1/60 s, fraction of H.
+  float kept = 0.0f;        ///< Within those 26 microseconds.
+  float ofRoot = 0.0f;      ///< The same of projection alone, before the mesh bounds, filters and unfolds heights.
+};
 
 /// Moves of refined vertices over time.
 struct Pops {
@@ -22,6 +35,7 @@ struct Pops {
   double turned = 0.0;       ///< Degrees between shading normal and patch normal, summed over moved vertices.
   long long moved = 0;       ///< Those vertices.
   long long backs = 0;       ///< Pixels (visible_backs.h) beyond those of the bare skin, every fifteenth frame.
+  std::vector<PopPlace> places = {};  ///< [pops]
 
   /// Definition: mean degrees that muscles turn the normals of skin that they move.
   [[nodiscard]] double definition() const { return moved > 0 ? turned / static_cast<double>(moved) : 0.0; }

@@ -1,0 +1,72 @@
+// tests/smoothing/projection/overhang_test.cpp: heights move no faster than psi changes, also where its root leaps.
+
+#include "core/smoothing/projection/overhang.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace sinew::test {
+namespace {
+
+struct Psi {
+  double value = 0.0;
+  double slope = 0.0;
+};
+
+constexpr double kPart = 0.1;
+
+/// (t - dip)^2 + least, times what falls to 0 at 1.
+struct Dipped {
+  double dip = 0.0;
+  double least = 0.0;
+
+  Psi operator()(double t) const {
+    const double squared = (t - dip) * (t - dip) + least;
+    return {squared * (1.0 - t), 2.0 * (t - dip) * (1.0 - t) - squared};
+  }
+  /// The first root.
+  [[nodiscard]] double root() const { return least < 0.0 ? dip - std::sqrt(-least) : 1.0; }
+  [[nodiscard]] double height(double sigma) const { return heightBelowOverhangs(root(), sigma, kPart, *this); }
+};
+
+TEST(Overhang, WherePsiFallsSteeplyTheRootStands) {
+  for (const double root : {1e-6, 0.05, 0.3, 2.0}) {
+    const auto falls = [&](double t) { return Psi{root * root - t * t + root - t, -2.0 * t - 1.0}; };
+    EXPECT_EQ(heightBelowOverhangs(root, 1.0, kPart, falls), root);
+  }
+}
+
+TEST(Overhang, WherePsiFallsSlowlyTheHeightIsTheLeastOfTheSum) {
+  for (const double sigma : {0.03, 0.1, 0.4}) {
+    for (const double dip : {0.11, 0.25, 0.4, 0.63}) {
+      for (const double least : {-1e-2, -1e-6, 1e-6, 0.02, 0.2}) {
+        const Dipped psi{dip, least};
+        double expected = psi.root();
+        for (double t = 0.0; t < psi.root(); t += 1e-5) expected = std::min(expected, t + psi(t).value / sigma);
+        EXPECT_NEAR(psi.height(sigma), expected, 1e-4) << sigma << ' ' << dip << ' ' << least;
+      }
+    }
+  }
+}
+
+// The root goes as a square root up to the dip and leaps from there to 1.
+TEST(Overhang, NoChangeOfPsiMovesTheHeightFurtherThanThroughSigma) {
+  constexpr double kChange = 1e-4;
+  for (const double sigma : {0.1, 0.4}) {
+    for (const double dip : {0.11, 0.25, 0.4, 0.63}) {
+      double before = Dipped{dip, -0.01}.height(sigma);
+      for (double least = -0.01 + kChange; least < 0.3; least += kChange) {
+        const double height = Dipped{dip, least}.height(sigma);
+        EXPECT_GE(height, before - 1e-6) << dip << ' ' << least;
+        EXPECT_LE(height, before + 1.05 * kChange / sigma) << dip << ' ' << least;
+        before = height;
+      }
+      EXPECT_EQ((Dipped{dip, 3.0}.height(sigma)), 1.0) << "and so it comes to the root";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sinew::test
