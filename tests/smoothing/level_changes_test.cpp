@@ -7,8 +7,11 @@
 #include "core/base/at.h"
 #include "core/smoothing/adaptive_levels.h"
 #include "core/smoothing/patches/sample_points.h"
+#include "core/smoothing/sampled_part.h"
 #include "core/smoothing/sampling.h"
+#include "sinew/base/threads.h"
 #include "tests/support/characters/body_with_arms.h"
+#include "tests/support/characters/stand_ins.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_animation.h"
 #include "tests/support/rigs/random_rigs.h"
@@ -141,6 +144,32 @@ TEST(LevelChanges, LevelsAfterAnEditAreThoseFromScratch) {
       ASSERT_EQ(former->refinement().triangles, fresh->refinement().triangles);
       ASSERT_EQ(former->refinement().inside, fresh->refinement().inside);
     }
+  }
+}
+
+// A piece is some thousand edges and triangles, and a range of vertices a thousand: a fine mesh alone has several.
+TEST(LevelChanges, SeveralThreadsFindTheLevelsOfOne) {
+  const CharacterPtr character = fineHumanoid();
+  Rig rig = randomRig(*character, {.primitives = 4}, 3);
+  rig.smoothing.detail = DetailKind::kAdaptive;
+  Rig after = rig;
+  after.primitives.front().placement.radii *= 1.4f;
+  std::vector<PreparationPtr> found;
+  for (const int threads : {1, 0}) {
+    const ThreadLimit limit(threads);
+    Preparer prepared(character);
+    found.push_back(prepared(rig));
+    found.push_back(prepared(after, found.back().get()));
+  }
+  const ControlMesh& mesh = found.front()->mesh();
+  const auto pieces = sampledPieces(*found.front(), std::vector<std::uint8_t>(mesh.edges.size(), 1),
+                                    std::vector<std::uint8_t>(mesh.triangles.size(), 1));
+  EXPECT_GT(pieces.size(), 8u);
+  EXPECT_NE(found[0]->detail->needed, found[1]->detail->needed);
+  for (const std::size_t i : {0u, 1u}) {
+    ASSERT_EQ(found[i]->detail->needed, found[i + 2]->detail->needed);
+    ASSERT_EQ(found[i]->detail->levels, found[i + 2]->detail->levels);
+    ASSERT_EQ(found[i]->refinement().triangles, found[i + 2]->refinement().triangles);
   }
 }
 

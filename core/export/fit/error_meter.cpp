@@ -24,7 +24,22 @@ void ErrorMeter::add(double distance, int vertex) {
     farthest_.vertex = vertex;
   }
   ++count_;
-  ++counts_[std::bit_cast<std::uint32_t>(static_cast<float>(percent)) >> kDroppedBits];
+  const std::uint32_t slot = std::bit_cast<std::uint32_t>(static_cast<float>(percent)) >> kDroppedBits;
+  std::vector<std::uint64_t>& octave = counts_[slot / kClassesOfOctave];
+  if (octave.empty()) octave.resize(kClassesOfOctave, 0);
+  ++octave[slot % kClassesOfOctave];
+}
+
+float ErrorMeter::upperBoundOfAllBut(std::uint64_t above) const {
+  for (std::size_t octave = kOctaves; octave-- > 0;) {
+    const std::vector<std::uint64_t>& counts = counts_[octave];
+    for (std::size_t place = counts.size(); place-- > 0; above -= counts[place]) {
+      if (counts[place] <= above) continue;
+      const std::size_t slot = octave * kClassesOfOctave + place;
+      return std::bit_cast<float>(static_cast<std::uint32_t>(slot + 1) << kDroppedBits);
+    }
+  }
+  return 0.0f;
 }
 
 ErrorFigures ErrorMeter::figures() const {
@@ -34,10 +49,7 @@ ErrorFigures ErrorMeter::figures() const {
   figures.rms = std::sqrt(squares_ / static_cast<double>(count_));
   figures.largest = largest_;
   figures.farthest = farthest_;
-  std::uint64_t above = count_ / 1000;
-  std::size_t slot = counts_.size() - 1;
-  while (counts_[slot] <= above) above -= counts_[slot--];
-  const auto upper = std::bit_cast<float>(static_cast<std::uint32_t>(slot + 1) << kDroppedBits);
+  const float upper = upperBoundOfAllBut(count_ / 1000);
   figures.percentile999 = std::min(static_cast<double>(upper), largest_);
   return figures;
 }

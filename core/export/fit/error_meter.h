@@ -1,6 +1,7 @@
-// core/export/fit/error_meter.h: root mean square, 99.9 percentile and maximum of many distances, in constant memory.
+// core/export/fit/error_meter.h: root mean square, 99.9 percentile and maximum of many distances, in little memory.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -8,12 +9,12 @@
 
 namespace sinew::exporting {
 
-/// Distances are counted in classes 1/1024 of an octave wide. The order in which they come does not matter but to the
-/// last bits of the sum.
+/// Distances are counted in classes 1/1024 of an octave wide, in memory for those octaves alone that have some: there
+/// is a meter for every clip. The order in which distances come does not matter but to the last bits of the sum.
 class ErrorMeter {
  public:
   /// @param height  H: distances are given in percent of it
-  explicit ErrorMeter(double height) : scale_(100.0 / height), counts_(kClasses, 0) {}
+  explicit ErrorMeter(double height) : scale_(100.0 / height) {}
 
   /// @param vertex  whose distance it is
   void add(double distance, int vertex);
@@ -29,7 +30,11 @@ class ErrorMeter {
   [[nodiscard]] ErrorFigures figures() const;
 
  private:
-  static constexpr std::size_t kClasses = std::size_t{1} << 18U;  ///< A float's exponent and ten bits more.
+  static constexpr std::size_t kOctaves = 256;  ///< A float's exponents.
+  static constexpr std::size_t kClassesOfOctave = 1024;
+
+  /// The float above all but `above` of the distances. There are more.
+  [[nodiscard]] float upperBoundOfAllBut(std::uint64_t above) const;
 
   double scale_ = 1.0;
   double squares_ = 0.0;
@@ -40,7 +45,7 @@ class ErrorMeter {
   float time_ = 0.0f;
   int farthestClip_ = -1;
   ErrorPlace farthest_;
-  std::vector<std::uint64_t> counts_;
+  std::array<std::vector<std::uint64_t>, kOctaves> counts_;  ///< Empty, or [kClassesOfOctave].
 };
 
 }  // namespace sinew::exporting

@@ -37,6 +37,12 @@ int soundIndex(const Json& index, std::size_t size) {
   return value >= 0.0 && value < static_cast<double>(size) ? static_cast<int>(value) : -1;
 }
 
+/// In an error: the whole path in its own letters, but for a name that hardly is one, such as a damaged data: uri.
+std::string readable(const fs::path& folder, const fs::path& relative) {
+  constexpr std::size_t kLongestName = 255;
+  return relative.native().size() <= kLongestName ? (folder / relative).string() : shortened(relative.string());
+}
+
 std::uint64_t wholeOf(const Json& value) { return static_cast<std::uint64_t>(value.number(0.0)); }
 
 }  // namespace
@@ -201,9 +207,10 @@ Result<std::vector<std::uint8_t>> File::readSibling(const std::string& uri, cons
   const fs::path asked = folder_ / relative.value();
   const std::optional<fs::path> found = placeInside(folder_, relative.value());
   if (!found && fs::exists(asked, error)) refuse(place, "leads out of this file's own folder");
-  if (!found || !fs::is_regular_file(*found, error)) return errorAt("", "there is no file " + asked.string());
+  if (!found || !fs::is_regular_file(*found, error))
+    return errorAt("", "there is no file " + readable(folder_, relative.value()));
   Result<std::vector<std::uint8_t>> bytes = readWholeBytes(*found, kMaxFileBytes - siblingBytes_);
-  if (!bytes) return errorAt("", bytes.error().reason + " (" + asked.string() + ")");
+  if (!bytes) return errorAt("", bytes.error().reason + " (" + readable(folder_, relative.value()) + ")");
   siblingBytes_ += bytes->size();
   return bytes;
 }
