@@ -33,7 +33,7 @@ class SkinnedExport : public ::testing::TestWithParam<const char*> {
 
 /// Over all clips, root mean square, percent of the height; of vertices that gather where muscles move.
 const std::map<std::string, double> kMostOff{
-    {"humanoid", 0.216}, {"humanoid-flex", 0.240}, {"horse", 0.250}, {"horse-flex", 0.340}};
+    {"humanoid", 0.224}, {"humanoid-flex", 0.240}, {"horse", 0.250}, {"horse-flex", 0.340}};
 
 TEST_P(SkinnedExport, PlaysAsThePrintedErrorSays) {
   const auto file = folder_.path() / "out.glb";
