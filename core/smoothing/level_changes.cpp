@@ -44,7 +44,6 @@ bool sameElsewhere(const LevelSources& a, const LevelSources& b) {
 
 /// An influence that an edit has changed, before or after.
 struct ChangedInfluence {
-  int primitive = 0;
   const UnitBallMap* influence = nullptr;
   float scale = 0.0f;  ///< By how much its map lengthens anything, at most.
 };
@@ -169,7 +168,7 @@ class Changes {
       for (const PosedPrimitive* muscle : {&before, &after}) {
         const UnitBallMap& influence = muscle->influence;
         if (influence.boundingRadius == 0.0f) continue;
-        out.influences.push_back({static_cast<int>(i), &influence, mostScale(influence.toUnit)});
+        out.influences.push_back({&influence, mostScale(influence.toUnit)});
       }
     }
     return out;
