@@ -23,7 +23,7 @@ struct Influence {
 static_assert(sizeof(Influence) == 8);
 
 struct Control {
-  glm::vec4 position{0.0f};
+  glm::vec4 position{0.0f};  ///< w: in a pose, rho of creases (core/smoothing/finish/crease_lift.h).
   glm::vec4 normal{0.0f};
   glm::vec4 rise{0.0f};
 };
@@ -57,14 +57,15 @@ static_assert(sizeof(Primitive) == 128);
 struct Ring {
   std::int32_t begin = 0, end = 0;                ///< Of its neighbors.
   std::int32_t cornersBegin = 0, cornersEnd = 0;  ///< Of its triangles' corners.
+  std::int32_t acrossBegin = 0, acrossEnd = 0;    ///< Of the vertices across, after all neighbors.
   float share = 0.0f;
   std::int32_t isBorder = 0;
 };
-static_assert(sizeof(Ring) == 24);
+static_assert(sizeof(Ring) == 32);
 
 struct Triangle {
   std::array<std::int32_t, 3> corners{};
-  float bindFront = 0.0f;
+  float bindFront = 0.0f;  ///< Of a control triangle 1 / it, or 0 (core/smoothing/finish/crease_lift.h).
 };
 static_assert(sizeof(Triangle) == 16);
 

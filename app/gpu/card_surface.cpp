@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "app/gpu/coverage.h"
-#include "core/smoothing/adaptive_levels.h"
 #include "core/smoothing/finish/lift_filter.h"
 
 namespace sinew::app {
@@ -64,6 +63,8 @@ void CardSurface::uploadTables() {
   fill(Buffer::kInfluenceBegin, std::span(tables.influenceBegin));
   fill(Buffer::kInfluences, std::span(tables.influences));
   fill(Buffer::kBindControls, std::span(tables.controls));
+  fill(Buffer::kFans, std::span(tables.fans));
+  fill(Buffer::kControlTriangles, std::span(tables.controlTriangles));
   fill(Buffer::kRefined, std::span(tables.refined));
   fill(Buffer::kSeen, std::span(tables.seen));
   fill(Buffer::kCandidates, std::span(tables.candidates));
@@ -207,7 +208,8 @@ void CardSurface::boundHeights() const {
   const int vertices = making_.refinedVertices;
   using enum Buffer;
   run(Stage::kNear, vertices, {kRings, kNeighbors, kPatches, kSurface, kMarks});
-  run(Stage::kCrease, vertices, {kRings, kCorners, kTriangles, kPatches, kSurface, kMarks, kHeights});
+  run(Stage::kCreaseFront, making_.controlVertices, {kFans, kControlTriangles, kControls});
+  run(Stage::kCrease, vertices, {kRefined, kControls, kSurface, kMarks, kHeights});
   for (int round = kFirstSlope; round < kFirstSlope + kSlopeRounds; ++round) {
     const auto buffers = {kRings, kNeighbors, kPatches, kSurface, kMarks, kHeights, kRoundsAsked};
     programs_->of(Stage::kSlope).set("round", round);
@@ -220,7 +222,6 @@ void CardSurface::filterHeights() const {
   const int vertices = making_.refinedVertices;
   using enum Buffer;
   constexpr Buffer kBends = kWanted;
-  programs_->of(Stage::kBend).set("followed", followedBend(*preparation_));
   run(Stage::kBend, vertices, {kRings, kNeighbors, kPatches, kSurface, kMarks, kFiltered, kBends});
   run(Stage::kWeigh, vertices, {kRings, kNeighbors, kMarks, kBends});
   for (int round = 0; round < LiftFilter::kRounds; ++round) {
@@ -284,8 +285,7 @@ void CardSurface::runPart(SurfacePart part) const {
     case SurfacePart::kHeights:
       if (wrapsBody()) return;
       boundHeights();
-      // `replace` lies on the muscle.
-      return preparation_->swells() ? filterHeights() : void();
+      return preparation_->filtersHeights() ? filterHeights() : void();
     case SurfacePart::kFolds:
       return wrapsBody() ? void() : removeFolds();
     case SurfacePart::kNormals:

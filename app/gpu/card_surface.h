@@ -76,6 +76,8 @@ class CardSurface {
     kInfluenceBegin,
     kInfluences,
     kBindControls,
+    kFans,
+    kControlTriangles,
     kRefined,
     kSeen,
     kCandidates,

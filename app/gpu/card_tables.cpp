@@ -19,6 +19,24 @@ void fillControls(const Preparation& preparation, CardTables& out) {
   }
 }
 
+/// What creases look at.
+void fillFans(const Preparation& preparation, CardTables& out) {
+  const ControlMesh& mesh = preparation.mesh();
+  std::vector<std::vector<std::int32_t>> at(mesh.positions.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::array<int, 3>& corners = mesh.triangles[t].vertices;
+    for (const int v : corners) sinew::at(at, v).push_back(static_cast<std::int32_t>(t));
+    out.controlTriangles.push_back({corners, preparation.tables->perBindFront[t]});
+  }
+  auto begin = static_cast<std::int32_t>(at.size() + 1);
+  for (const auto& fan : at) {
+    out.fans.push_back(begin);
+    begin += static_cast<std::int32_t>(fan.size());
+  }
+  out.fans.push_back(begin);
+  for (const auto& fan : at) out.fans.insert(out.fans.end(), fan.begin(), fan.end());
+}
+
 void fillRefined(const Preparation& preparation, CardTables& out) {
   const Refinement& refinement = preparation.refinement();
   const std::vector<float>& limits = preparation.refined->inverseLimits;
@@ -67,10 +85,13 @@ void fillMesh(const Preparation& preparation, CardTables& out) {
   const Refinement& refinement = preparation.refinement();
   const VertexRings& rings = preparation.refined->rings;
   out.neighbors = rings.neighbors;
+  const auto firstAcross = static_cast<std::int32_t>(out.neighbors.size());
+  out.neighbors.insert(out.neighbors.end(), rings.across.begin(), rings.across.end());
   out.corners = rings.corners;
   for (std::size_t v = 0; v < rings.share.size(); ++v) {
     out.rings.push_back({rings.begin[v], rings.begin[v + 1], rings.cornersBegin[v], rings.cornersBegin[v + 1],
-                         rings.share[v], preparation.refined->isBorder[v]});
+                         firstAcross + rings.acrossBegin[v], firstAcross + rings.acrossBegin[v + 1], rings.share[v],
+                         preparation.refined->isBorder[v]});
   }
   for (std::size_t t = 0; t < refinement.triangles.size(); ++t) {
     out.triangles.push_back({refinement.triangles[t], (*preparation.bindFronts)[t]});
@@ -120,6 +141,7 @@ card::Making makingOf(const Preparation& preparation) {
 CardTables cardTables(const Preparation& preparation) {
   CardTables tables;
   fillControls(preparation, tables);
+  fillFans(preparation, tables);
   fillRefined(preparation, tables);
   fillSeen(*preparation.seen, tables);
   fillMesh(preparation, tables);

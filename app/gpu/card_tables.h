@@ -13,13 +13,15 @@ struct CardTables {
   std::vector<std::int32_t> influenceBegin;  ///< [V + 1]
   std::vector<card::Influence> influences;
   std::vector<card::Control> controls;  ///< [V] bind pose.
-  std::vector<card::Refined> refined;   ///< [V']
+  std::vector<std::int32_t> fans;       ///< Where the triangles at each control vertex begin [V + 1], then those.
+  std::vector<card::Triangle> controlTriangles;  ///< [T]
+  std::vector<card::Refined> refined;            ///< [V']
   /// By carrier [C]: where its candidates begin [C + 1], its set of cliques [C]; where the sets' cliques begin
   /// [sets + 1]; cliques, a bit a slot, two words each.
   std::vector<std::int32_t> seen;
   std::vector<card::Candidate> candidates;
-  std::vector<card::Ring> rings;  ///< [V']
-  std::vector<std::int32_t> neighbors;
+  std::vector<card::Ring> rings;        ///< [V']
+  std::vector<std::int32_t> neighbors;  ///< Then the vertices across.
   std::vector<std::int32_t> corners;
   std::vector<card::Triangle> triangles;   ///< [T']
   std::vector<std::int32_t> drawVertices;  ///< [D]

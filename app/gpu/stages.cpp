@@ -10,15 +10,15 @@ namespace {
 
 /// In the order of Stage.
 constexpr std::array<const char*, kStages> kFiles{
-    "shaders/compute/skin.comp",         "shaders/compute/patch.comp",      "shaders/compute/patch.comp",
-    "shaders/compute/replace.comp",      "shaders/compute/swell.comp",      "shaders/compute/swell_exact.comp",
-    "shaders/compute/swell_shaped.comp", "shaders/compute/place.comp",      "shaders/compute/near.comp",
-    "shaders/compute/crease.comp",       "shaders/compute/slope.comp",      "shaders/compute/lower.comp",
-    "shaders/compute/bend.comp",         "shaders/compute/weigh.comp",      "shaders/compute/filter.comp",
-    "shaders/compute/fold_start.comp",   "shaders/compute/fold_ask.comp",   "shaders/compute/fold_mean.comp",
-    "shaders/compute/fold_move.comp",    "shaders/compute/spread_ask.comp", "shaders/compute/spread_move.comp",
-    "shaders/compute/fold_height.comp",  "shaders/compute/hold.comp",       "shaders/compute/teeth.comp",
-    "shaders/compute/even.comp",         "shaders/compute/drawn.comp"};
+    "shaders/compute/skin.comp",         "shaders/compute/patch.comp",       "shaders/compute/patch.comp",
+    "shaders/compute/replace.comp",      "shaders/compute/swell.comp",       "shaders/compute/swell_exact.comp",
+    "shaders/compute/swell_shaped.comp", "shaders/compute/place.comp",       "shaders/compute/near.comp",
+    "shaders/compute/crease_front.comp", "shaders/compute/crease.comp",      "shaders/compute/slope.comp",
+    "shaders/compute/lower.comp",        "shaders/compute/bend.comp",        "shaders/compute/weigh.comp",
+    "shaders/compute/filter.comp",       "shaders/compute/fold_start.comp",  "shaders/compute/fold_ask.comp",
+    "shaders/compute/fold_mean.comp",    "shaders/compute/fold_move.comp",   "shaders/compute/spread_ask.comp",
+    "shaders/compute/spread_move.comp",  "shaders/compute/fold_height.comp", "shaders/compute/hold.comp",
+    "shaders/compute/teeth.comp",        "shaders/compute/even.comp",        "shaders/compute/drawn.comp"};
 static_assert(kFiles.back() != nullptr, "a file for each stage");
 
 }  // namespace

@@ -20,6 +20,7 @@ enum class Stage {
   kSwellShaped,
   kPlace,
   kNear,
+  kCreaseFront,
   kCrease,
   kSlope,
   kLower,

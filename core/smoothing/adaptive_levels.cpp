@@ -30,7 +30,6 @@ constexpr float kNormalCosine = 0.99027f;  ///< 8 degrees.
 constexpr float kWorthALook = 0.3f;        ///< Of the tolerance: few samples that are off by more call for many.
 constexpr float kWorthCosine = 0.99863f;   ///< 3 degrees.
 constexpr float kMargin = 0.7f;            ///< Of the tolerance: inner points do not lie exactly where samples did.
-constexpr float kBend = 2.0f;              ///< Tolerances that a height may differ from the mean around it.
 constexpr float kCheckMargin = 0.9f;       ///< Of the tolerance: there is more between samples.
 
 /// Which edges and triangles are looked at, and how finely. What a piece shows follows from itself alone, whatever is
@@ -194,11 +193,6 @@ RefinementLevels withSides(const ControlMesh& mesh, RefinementLevels levels) {
 }
 
 }  // namespace
-
-float followedBend(const Preparation& preparation) {
-  if (!preparation.detail) return 0.0f;
-  return kBend * preparation.detail->from.tolerance * preparation.character().height;
-}
 
 std::shared_ptr<const AdaptiveLevels> findLevels(const Preparation& next, std::shared_ptr<const Rig> rig,
                                                  float tolerance, const AdaptiveLevels* former) {

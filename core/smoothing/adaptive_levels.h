@@ -30,8 +30,4 @@ struct AdaptiveLevels {
 [[nodiscard]] std::shared_ptr<const AdaptiveLevels> findLevels(const Preparation& next, std::shared_ptr<const Rig> rig,
                                                                float tolerance, const AdaptiveLevels* former);
 
-/// How far a height may differ from the mean around it where levels follow the surface (LiftFilter), world units. A
-/// chord over such a bend is off by a quarter of that. 0 where depth is the same everywhere.
-[[nodiscard]] float followedBend(const Preparation& preparation);
-
 }  // namespace sinew

@@ -11,6 +11,7 @@
 #include "core/rig/layers.h"
 #include "core/rig/validation.h"
 #include "core/smoothing/adaptive_levels.h"
+#include "core/smoothing/finish/crease_lift.h"
 #include "core/smoothing/finish/fold_relaxation.h"
 #include "core/smoothing/patches/patch.h"
 #include "core/smoothing/projection/rise_directions.h"
@@ -178,9 +179,10 @@ std::shared_ptr<const CharacterTables> characterTables(std::shared_ptr<const Cha
   const float rise = kRise * character->height;
   std::vector<glm::vec3> directions = riseDirections(character->mesh, rise);
   std::vector<float> limits = inverseRiseLimits(character->mesh, directions, rise);
+  std::vector<float> fronts = bindFrontInverses(character->mesh);
   std::vector<SkinLayer> layers = guessLayers(*character);
-  return std::make_shared<const CharacterTables>(
-      CharacterTables{std::move(character), std::move(directions), std::move(limits), std::move(layers)});
+  return std::make_shared<const CharacterTables>(CharacterTables{
+      std::move(character), std::move(directions), std::move(limits), std::move(fronts), std::move(layers)});
 }
 
 Result<std::shared_ptr<const Preparation>> prepare(const std::shared_ptr<const CharacterTables>& tables, const Rig& rig,

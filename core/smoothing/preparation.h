@@ -30,6 +30,7 @@ struct CharacterTables {
   std::shared_ptr<const Character> character;
   std::vector<glm::vec3> riseInBind;       ///< [V] rise_directions.h
   std::vector<float> inverseLimitsInBind;  ///< [V] rise_limits.h
+  std::vector<float> perBindFront;         ///< [T] crease_lift.h
   std::vector<SkinLayer> guessedLayers;    ///< [parts]
 };
 [[nodiscard]] std::shared_ptr<const CharacterTables> characterTables(std::shared_ptr<const Character> character);
@@ -91,6 +92,8 @@ struct Preparation {
   [[nodiscard]] const ControlMesh& mesh() const { return tables->character->mesh; }
   [[nodiscard]] const Refinement& refinement() const { return *refined->refinement; }
   [[nodiscard]] bool swells() const { return mode == SurfaceMode::kSwell; }
+  /// `replace` lies on the muscle itself; the edges of adaptive detail follow the heights.
+  [[nodiscard]] bool filtersHeights() const { return swells() && !detail; }
   [[nodiscard]] const MeshLayers* layers() const { return layered ? &layered->layers : nullptr; }
   [[nodiscard]] const std::vector<float>& inverseLimitsInBind() const {
     return layered ? layered->inverseLimitsInBind : tables->inverseLimitsInBind;

@@ -28,7 +28,7 @@ void smooth(const std::shared_ptr<const Preparation>& preparation, const PosedRi
   project(p, memory.posed, pose, eye, memory.workspace, out);
   seconds.project = watch.lap();
   const bool moved = findMoved(p, memory.posed, memory.workspace, out);
-  if (moved) unfold(p, memory.workspace, out);
+  if (moved) unfold(p, memory.posed, memory.workspace, out);
   drape(p, moved, memory.workspace, out);
   seconds.folds = watch.lap();
   shade(p, moved, memory.workspace, out);

@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/at.h"
-#include "core/smoothing/adaptive_levels.h"
 #include "core/smoothing/patches/patch.h"
 #include "core/smoothing/projector.h"
 #include "sinew/base/geometry.h"
@@ -51,10 +50,10 @@ void cull(const Preparation& p, const PosedField& posed, const FieldView& field,
 }
 
 /// Positions and normals of vertices whose heights have been lowered: skin that stands lower is flatter.
-/// @param raw [V'] heights before.
-void placeLowered(std::span<const LiftedVertex> lifted, std::span<const float> raw, const Workspace& w, Surface& out) {
-  for (const LiftedVertex& one : lifted) {
-    const std::size_t v = toIndex(one.vertex);
+/// @param lifted  vertices with a height.  @param raw [V'] heights before.
+void placeLowered(std::span<const int> lifted, std::span<const float> raw, const Workspace& w, Surface& out) {
+  for (const int vertex : lifted) {
+    const std::size_t v = toIndex(vertex);
     if (out.displacement[v] == raw[v]) continue;
     const float share = out.displacement[v] / raw[v];
     out.positions[v] = w.patchPositions[v] + share * (out.positions[v] - w.patchPositions[v]);
@@ -64,16 +63,16 @@ void placeLowered(std::span<const LiftedVertex> lifted, std::span<const float> r
 }
 
 /// Heights as the posed skin can carry them: less in its own creases, nowhere steeper than the bound.
-void boundHeights(const Preparation& preparation, const PatchView& patch, Workspace& w, Surface& out) {
+void boundHeights(const Preparation& preparation, const SkinnedMesh& control, Workspace& w, Surface& out) {
+  const RefinedMesh& refined = *preparation.refined;
   const std::span<float> heights = out.displacement;
   w.rawHeights.assign(heights.begin(), heights.end());
-  w.creaseLift.lower(preparation.refinement(), w.movedTriangles, patch, heights);
-  w.liftEdges.measure(preparation.refined->rings, w.movedTriangles, patch.positions, out.positions, heights,
-                      SlopeBound::kSlope);
-  const std::span<const int> lowered = w.slopeBound.lower(w.liftEdges);
-  w.liftEdges.sumAround(lowered);
-  for (const int vertex : lowered) at(heights, vertex) = w.liftEdges.height(vertex);
-  placeLowered(w.liftEdges.lifted(), w.rawHeights, w, out);
+  w.creaseLift.lower({preparation.mesh(), preparation.tables->perBindFront, control.positions, control.normals,
+                      *refined.refinement, refined.rings},
+                     w.movedTriangles, heights);
+  w.liftedHeights.start(refined.rings, w.movedTriangles, w.patchPositions, out.positions, heights);
+  for (const int vertex : w.slopeBound.lower(w.liftedHeights)) at(heights, vertex) = w.liftedHeights.height(vertex);
+  placeLowered(w.liftedHeights.lifted(), w.rawHeights, w, out);
 }
 
 }  // namespace
@@ -122,14 +121,13 @@ bool findMoved(const Preparation& preparation, const PosedField& posed, Workspac
   return !moved.refined.empty();
 }
 
-void unfold(const Preparation& preparation, Workspace& w, Surface& out) {
+void unfold(const Preparation& preparation, const PosedField& posed, Workspace& w, Surface& out) {
   const RefinedMesh& refined = *preparation.refined;
   const PatchView patch{w.patchPositions, w.patchNormals, *preparation.bindFronts};
-  boundHeights(preparation, patch, w, out);
+  boundHeights(preparation, posed.control, w, out);
   w.filtered = {};
-  if (preparation.swells()) {  // `replace` lies on the muscle.
-    w.filtered =
-        w.liftFilter.apply(w.liftEdges, followedBend(preparation), w.patchPositions, out.positions, out.displacement);
+  if (preparation.filtersHeights()) {
+    w.filtered = w.liftFilter.apply(w.liftedHeights, w.patchPositions, out.positions, out.displacement);
   }
   w.pairs.fill(w.movedTriangles.corners, w.patchPositions, out.positions);
   w.foldRegion.find(preparation.mesh(), preparation.refinement(), refined.rings, w.movedTriangles, patch, w.pairs,

@@ -23,7 +23,7 @@ void project(const Preparation& preparation, const PosedField& posed, const Pose
                              const Surface& out);
 
 /// Lowers heights that the posed skin cannot carry, filters those that the mesh cannot follow, then takes folds out.
-void unfold(const Preparation& preparation, Workspace& workspace, Surface& out);
+void unfold(const Preparation& preparation, const PosedField& posed, Workspace& workspace, Surface& out);
 
 /// Cloth follows the skin, which is done but for its normals. @param moved  as findMoved() says
 void drape(const Preparation& preparation, bool moved, Workspace& workspace, Surface& out);

@@ -10,8 +10,8 @@
 #include "core/smoothing/finish/fold_region.h"
 #include "core/smoothing/finish/fold_relaxation.h"
 #include "core/smoothing/finish/fold_spread.h"
-#include "core/smoothing/finish/lift_edges.h"
 #include "core/smoothing/finish/lift_filter.h"
+#include "core/smoothing/finish/lifted_heights.h"
 #include "core/smoothing/finish/moved_triangles.h"
 #include "core/smoothing/finish/shading_normals.h"
 #include "core/smoothing/finish/slope_bound.h"
@@ -38,7 +38,7 @@ struct Workspace {
   MovedTriangles movedTriangles;
   std::vector<float> rawHeights;  ///< [V'] as projected.
   CreaseLift creaseLift;
-  LiftEdges liftEdges;
+  LiftedHeights liftedHeights;
   SlopeBound slopeBound;
   LiftFilter liftFilter;
   std::span<const float> filtered;  ///< [V'] weights of liftFilter.

@@ -15,7 +15,6 @@ layout(std430, binding = 6) writeonly buffer Bends { vec2 bends[]; };  // Own we
 float heightOf(int at) { return surface[at].position.w; }
 LIFT_SUMS(heightOf)
 
-uniform float followed;  // World units; 0: only how sharp a bend is counts.
 const float kBentFrom = 0.15, kBentWhole = 0.5, kRisen = 0.1;
 
 void main() {
@@ -28,7 +27,6 @@ void main() {
     vec2 sums = liftSums(v, height);
     float bent = abs(sums.x) * rings[v].share;
     float weight = bent > kBentFrom ? smoothstep(kBentFrom, kBentWhole, bent) : 0.0;
-    if (followed > 0.0 && weight > 0.0) weight *= smoothstep(followed, 2.0 * followed, abs(sums.x) / sums.y);
     // Else a vertex that begins to move beside high ones would lower them at once.
     bend = weight * vec2(1.0, smoothstep(0.0, kRisen, abs(height) * sums.y * rings[v].share));
   }

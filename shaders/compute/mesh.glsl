@@ -3,6 +3,7 @@
 struct Ring {
   int begin, end;                // Of its neighbors.
   int cornersBegin, cornersEnd;  // Of its triangles' corners.
+  int acrossBegin, acrossEnd;    // Of the vertices across, after all neighbors.
   float share;                   // Of one neighbor in the mean.
   int isBorder;
 };

@@ -1,5 +1,6 @@
 #version 450 core
-// shaders/compute/slope.comp: one round of the bound on slopes: a height is at most what each neighbor leaves it.
+// shaders/compute/slope.comp: one round of the bound on slopes: a height is at most what each vertex a step away
+// leaves it.
 // Where the rounds come to rest is one set of heights, in whatever order they ran. As
 // core/smoothing/finish/slope_bound.h.
 #include "compute/items.glsl"
@@ -25,12 +26,16 @@ void main() {
   bool rises = surface[at].position.w > 0.0;
   vec3 p = patches[at].position.xyz;
   float least = own;
-  for (int i = rings[v].begin; i < rings[v].end; ++i) {
-    int other = firstVertex() + neighbors[i];
-    vec3 edge = patches[other].position.xyz - p;
+  int count = rings[v].end - rings[v].begin;
+  int steps = count + rings[v].acrossEnd - rings[v].acrossBegin;
+  for (int i = 0; i < steps; ++i) {
+    int place = i < count ? rings[v].begin + i : rings[v].acrossBegin + i - count;
+    int other = firstVertex() + neighbors[place];
+    if (other == at) continue;  // Lists are filled up with the vertex itself.
+    vec3 step = patches[other].position.xyz - p;
     bool along = (surface[other].position.w > 0.0) == rises;
     float left = along ? uintBitsToFloat(heights[other]) : 0.0;
-    precise float offer = left + kSlope * sqrt(dotOf(edge, edge));
+    precise float offer = left + kSlope * sqrt(dotOf(step, step));
     least = min(least, offer);
   }
   if (!(least < own)) return;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -14,6 +15,7 @@
 #include "sinew/base/threads.h"
 #include "tests/bench/parts.h"
 #include "tests/support/characters/stand_ins.h"
+#include "tests/support/surface/fine_reference.h"
 #include "tests/support/surface/projected.h"
 #include "tests/tools/laid_muscles.h"
 
@@ -132,11 +134,8 @@ Result<std::vector<DetailRow>> measureDetail(const BenchScene& scene, const Effo
   if (moments.empty()) moments.push_back(bind);
   Rig rig = scene.rig;
   const float tolerance = rig.smoothing.tolerance;
-  rig.smoothing.detail = DetailKind::kUniform;
-  rig.smoothing.depth = fineDepth(character.mesh);
-  Smoother fine(scene.character);
-  if (const auto prepared = fine.prepare(rig); !prepared) return prepared.error();
   std::vector<DetailRow> rows;
+  std::unique_ptr<test::FineReference> fine;
   for (const int depth : {3, 0}) {
     DetailRow row;
     row.scene = scene.name;
@@ -148,22 +147,20 @@ Result<std::vector<DetailRow>> measureDetail(const BenchScene& scene, const Effo
     Stopwatch watch;
     if (const auto prepared = smoother.prepare(rig); !prepared) return prepared.error();
     row.prepareSeconds = watch.lap();
+    if (!fine) fine = std::make_unique<test::FineReference>(scene.character, rig, fineDepth(character.mesh));
     test::Projected projected(character, rig);
     Surface own;
-    Surface reference;
     std::vector<double> distances;
-    fine.smooth(bind, reference);
     smoother.smooth(bind, own);
     row.vertices = own.report.refinedVertices;
-    addDistances(reference, own, character.height, distances);
+    addDistances(fine->at(bind), own, character.height, distances);
     row.bind = spreadOf(std::move(distances), tolerance);
     distances.clear();
     long long moved = 0;
     long long rooted = 0;
     for (const Pose& pose : moments) {
-      fine.smooth(pose, reference);
       smoother.smooth(pose, own);
-      addDistances(reference, own, character.height, distances);
+      addDistances(fine->at(pose), own, character.height, distances);
       const std::vector<float>& roots = projected.at(pose).displacement;
       for (std::size_t v = 0; v < roots.size(); ++v) {
         moved += roots[v] != 0.0f ? 1 : 0;

@@ -1,27 +1,55 @@
 // core/smoothing/finish/crease_lift.h: heights where the pose folds the skin itself. docs/design.md, Creases of a pose.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
-#include "core/smoothing/finish/fold.h"
+#include <glm/vec3.hpp>
+
 #include "core/smoothing/finish/moved_triangles.h"
+#include "core/smoothing/finish/vertex_rings.h"
 
 namespace sinew {
 
+/// A control mesh in its pose, and the refined mesh that it carries.
+struct CarryingMesh {
+  const ControlMesh& mesh;
+  std::span<const float> perBindFront;   ///< [T] bindFrontInverses.
+  std::span<const glm::vec3> positions;  ///< [V] world.
+  std::span<const glm::vec3> normals;    ///< [V] unit.
+  const Refinement& refinement;
+  const VertexRings& rings;  ///< Of the refinement.
+};
+
+/// [T] 1 / the front (fold.h) of each control triangle in the bind pose; 0 where that is below 0.05.
+[[nodiscard]] std::vector<float> bindFrontInverses(const ControlMesh& mesh);
+
 /// Lowers muscles in the crease of a bent joint. There the bare skin is folded and hidden, and muscles that lifted both
-/// banks would lift them through each other. With rho the least front of the patch's triangles at a vertex over that in
-/// the bind pose (fold.h), its height falls to 0.4 + 0.6 smoothstep(-0.3, 0.4, rho) of itself. Triangles that are all
-/// but edge-on in the bind pose, front below 0.05, have no say. Continuous in time.
+/// banks would lift them through each other. With rho the least front of the control triangles at a control vertex over
+/// that in the bind pose (fold.h), at most 1, at least -1 and linear in between, heights fall to
+/// 0.4 + 0.6 smoothstep(-0.3, 0.4, rho) of themselves. Triangles that are all but edge-on in the bind pose, front below
+/// 0.05, have no say. Continuous in time; the same at every detail, since refined triangles are not looked at.
 class CreaseLift {
  public:
-  /// @param heights [V'] in and out.
-  void lower(const Refinement& refinement, const MovedTriangles& moved, const PatchView& patch,
-             std::span<float> heights);
+  /// @param moved  of the refinement.  @param heights [V'] in and out.
+  void lower(const CarryingMesh& carrying, const MovedTriangles& moved, std::span<float> heights);
 
  private:
-  std::vector<float> fronts_;  ///< [V'] rho, but at most kLevel.
-  std::vector<int> folded_;    ///< Vertices below that.
+  void start(const CarryingMesh& carrying);
+  [[nodiscard]] float frontOfTriangle(const CarryingMesh& carrying, int triangle);
+  [[nodiscard]] float rhoAt(const CarryingMesh& carrying, int vertex);
+  void lowerEdge(const CarryingMesh& carrying, int edge, std::span<float> heights);
+
+  // Of this pose, or kUnknown.
+  std::vector<float> fronts_;  ///< [T] over those in the bind pose.
+  std::vector<float> rho_;     ///< [V]
+
+  // What is not to be found again.
+  std::vector<int> triangles_;
+  std::vector<int> vertices_;
+  std::vector<std::uint8_t> isLowered_;  ///< [E]
+  std::vector<int> lowered_;
 };
 
 }  // namespace sinew

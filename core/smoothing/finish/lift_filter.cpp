@@ -15,7 +15,26 @@ constexpr float kBentWhole = 0.5f;  ///< c from which the filter works whole.
 constexpr float kRisen = 0.1f;      ///< Height, in edges, from which a vertex passes its weight on whole.
 constexpr float kStep = 0.5f;       ///< Fraction of the way to the mean, per round.
 
+/// Sum over a ring of height differences per length.
+float differenceOf(std::span<const int> ring, const SixEdges* edges, float own, std::span<const float> heights) {
+  float difference = 0.0f;
+  for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple, ++edges) {
+    for (std::size_t k = 0; k < VertexRings::kMultiple; ++k) {
+      difference += edges->perLength[SixEdges::kAt[k]] * (at(heights, ring[i + k]) - own);
+    }
+  }
+  return difference;
+}
+
 }  // namespace
+
+void LiftFilter::measure(const LiftedHeights& lifted) {
+  std::size_t sixes = 0;
+  for (const int v : lifted.lifted()) sixes += lifted.rings().at(v).size() / VertexRings::kMultiple;
+  if (edges_.size() < sixes) edges_.resize(sixes);
+  sums_.resize(lifted.lifted().size());
+  liftKernel(chosenVectorSet())({&lifted.rings(), lifted.lifted(), lifted.places(), edges_.data(), sums_.data()});
+}
 
 void LiftFilter::raise(int vertex, float weight) {
   float& now = at(weights_, vertex);
@@ -23,49 +42,46 @@ void LiftFilter::raise(int vertex, float weight) {
   now = std::max(now, weight);
 }
 
-bool LiftFilter::weigh(const LiftEdges& edges, float followed, std::size_t vertices) {
+bool LiftFilter::weigh(const LiftedHeights& lifted, std::size_t vertices) {
   for (const int vertex : weighted_) {
     if (toIndex(vertex) < weights_.size()) at(weights_, vertex) = 0.0f;
   }
   weighted_.clear();
   weights_.resize(vertices);
-  for (std::size_t i = 0; i < edges.lifted().size(); ++i) {
-    const int vertex = edges.lifted()[i].vertex;
+  const VertexRings& rings = lifted.rings();
+  for (std::size_t i = 0; i < sums_.size(); ++i) {
+    const int vertex = lifted.lifted()[i];
     // (M - 1) s = difference / perLength; the mean length is the number of neighbors over that.
-    const float bent = std::abs(edges.sums()[i].difference) * at(edges.rings().share, vertex);
+    const float bent = std::abs(sums_[i].difference) * at(rings.share, vertex);
     if (bent <= kBentFrom) continue;
-    float weight = smoothstep(kBentFrom, kBentWhole, bent);
-    if (followed > 0.0f) {
-      weight *= smoothstep(followed, 2.0f * followed, std::abs(edges.sums()[i].difference) / edges.sums()[i].perLength);
-      if (weight == 0.0f) continue;
-    }
+    const float weight = smoothstep(kBentFrom, kBentWhole, bent);
     raise(vertex, weight);
     // Else a vertex that begins to move beside high ones would lower them at once.
-    const float rise = std::abs(edges.height(vertex)) * edges.sums()[i].perLength * at(edges.rings().share, vertex);
+    const float rise = std::abs(lifted.height(vertex)) * sums_[i].perLength * at(rings.share, vertex);
     const float passed = weight * smoothstep(0.0f, kRisen, rise);
     if (passed == 0.0f) continue;
-    for (const int neighbor : edges.around(vertex)) raise(neighbor, passed);
+    for (const int neighbor : rings.at(vertex)) raise(neighbor, passed);
   }
   return !weighted_.empty();
 }
 
-void LiftFilter::findActive(const LiftEdges& edges) {
+void LiftFilter::findActive(const LiftedHeights& lifted) {
   active_.clear();
-  for (std::size_t i = 0; i < edges.lifted().size(); ++i) {
-    const auto [vertex, firstEdges] = edges.lifted()[i];
-    const LiftSums& sums = edges.sums()[i];
-    if (!(at(weights_, vertex) > 0.0f && sums.perLength > 0.0f) || edges.height(vertex) == 0.0f) continue;
-    active_.push_back({vertex, edges.edges() + firstEdges, sums});
+  const SixEdges* edges = edges_.data();
+  for (std::size_t i = 0; i < sums_.size(); ++i) {
+    const int vertex = lifted.lifted()[i];
+    const bool isActive = at(weights_, vertex) > 0.0f && sums_[i].perLength > 0.0f && lifted.height(vertex) != 0.0f;
+    if (isActive) active_.push_back({vertex, edges, sums_[i]});
+    edges += lifted.rings().at(vertex).size() / VertexRings::kMultiple;
   }
 }
 
-void LiftFilter::evenOut(const LiftEdges& edges, std::span<const float> heights) {
+void LiftFilter::evenOut(const VertexRings& rings, std::span<const float> heights) {
   filtered_.assign(heights.begin(), heights.end());
   for (int round = 0; round < kRounds; ++round) {
     if (round > 0) {
       for (Active& a : active_) {
-        a.sums.difference = differenceOf(edges.around(a.vertex), a.edges, at(filtered_, a.vertex),
-                                         [&](int v) { return at(filtered_, v); });
+        a.sums.difference = differenceOf(rings.at(a.vertex), a.edges, at(filtered_, a.vertex), filtered_);
       }
     }
     for (const Active& a : active_) {
@@ -81,11 +97,12 @@ void LiftFilter::evenOut(const LiftEdges& edges, std::span<const float> heights)
 /// 1/length: that mean leaves heights alone that grow evenly. The sums over the edges decide where the filter works and
 /// serve its first round; the other rounds visit only vertices with a weight, usually few. A round reads only the
 /// heights of the one before, so that the order of vertices does not matter. docs/design.md, Sampling.
-std::span<const float> LiftFilter::apply(const LiftEdges& edges, float followed, std::span<const glm::vec3> patch,
+std::span<const float> LiftFilter::apply(const LiftedHeights& lifted, std::span<const glm::vec3> patch,
                                          std::span<glm::vec3> positions, std::span<float> heights) {
-  if (!weigh(edges, followed, heights.size())) return {};
-  findActive(edges);
-  evenOut(edges, heights);
+  measure(lifted);
+  if (!weigh(lifted, heights.size())) return {};
+  findActive(lifted);
+  evenOut(lifted.rings(), heights);
   for (const Active& a : active_) {
     const auto v = toIndex(a.vertex);
     positions[v] = patch[v] + (filtered_[v] / heights[v]) * (positions[v] - patch[v]);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 
 #include "core/lanes/instruction_set.h"
@@ -25,22 +26,34 @@ struct alignas(32) SixEdges {
 struct LiftSums {
   float difference = 0.0f;  ///< Sum of height differences per length.
   float perLength = 0.0f;
-  float steep =
-      0.0f;  ///< Most by which a height differs from a neighbor's beyond the slope times the edge; at least 0.
 };
 
 struct LiftInputs {
   const VertexRings* rings = nullptr;
-  std::span<const int> moved;
-  float slope = 0.0f;
-  const LiftPlace* places = nullptr;  ///< [V'] read at moved vertices and their neighbors.
-  SixEdges* edges = nullptr;          ///< Out: of the rings of all moved vertices, in order.
-  LiftSums* sums = nullptr;           ///< Out: [moved]
+  std::span<const int> lifted;
+  const LiftPlace* places = nullptr;  ///< [V'] read at lifted vertices and their neighbors.
+  SixEdges* edges = nullptr;          ///< Out: of the rings of all lifted vertices, in order.
+  LiftSums* sums = nullptr;           ///< Out: [lifted]
 };
 
 using LiftKernel = void (*)(const LiftInputs& inputs);
 
 /// All give the same bits.
 [[nodiscard]] LiftKernel liftKernel(InstructionSet set);
+
+struct SteepInputs {
+  const VertexRings* rings = nullptr;
+  std::span<const int> lifted;
+  float slope = 0.0f;
+  const LiftPlace* places = nullptr;  ///< [V'] read at lifted vertices, their neighbors and those across.
+  int* steep = nullptr;               ///< Out: [lifted], those whose height differs from one of these by more, or all
+                                      ///< but that.
+};
+
+/// @return how many are too steep
+using SteepKernel = std::size_t (*)(const SteepInputs& inputs);
+
+/// All give the same bits.
+[[nodiscard]] SteepKernel steepKernel(InstructionSet set);
 
 }  // namespace sinew

@@ -7,9 +7,17 @@
 namespace sinew {
 namespace {
 
-/// What a height leaves to a neighbor on the other end of an edge that itself has the height `other`.
-float leftBy(float height, float other) {
-  return height != 0.0f && (height > 0.0f) == (other > 0.0f) ? std::abs(height) : 0.0f;
+/// What a height leaves to a vertex of height `other` at the other end of a step of that length.
+float leftBy(float height, float other, float length) {
+  const float own = height != 0.0f && (height > 0.0f) == (other > 0.0f) ? std::abs(height) : 0.0f;
+  return own + SlopeBound::kSlope * length;
+}
+
+/// All that a path can go to from a vertex in one step; the vertex itself may be among them.
+template <class Visit>
+void forEachStep(const VertexRings& rings, int vertex, Visit visit) {
+  for (const int neighbor : rings.at(vertex)) visit(neighbor);
+  for (const int across : rings.acrossFrom(vertex)) visit(across);
 }
 
 }  // namespace
@@ -19,38 +27,38 @@ void SlopeBound::offer(float height, int vertex) {
   std::ranges::push_heap(offers_, std::ranges::greater{}, &Offer::height);
 }
 
-/// Dijkstra's algorithm with every height as a start. Only vertices that are too steep for a neighbor can be lowered
-/// first; so the search begins at those, and reaches others where a lowered one is too low for them. The lowest offer
-/// is final when it is taken, since each further edge adds to it. Sums of floats grow with both their terms: the least
-/// over all paths is the same bits in whatever order it is found.
-std::span<const int> SlopeBound::lower(LiftEdges& edges) {
+/// Dijkstra's algorithm with every height as a start. Only vertices that are too steep for another one a step away can
+/// be lowered first; so the search begins at those, and reaches others where a lowered one is too low for them. The
+/// lowest offer is final when it is taken, since each further step adds to it. Sums of floats grow with both their
+/// terms: the least over all paths is the same bits in whatever order it is found.
+std::span<const int> SlopeBound::lower(LiftedHeights& heights) {
+  const VertexRings& rings = heights.rings();
+  steep_.resize(heights.lifted().size() + 1);
+  steep_.resize(steepKernel(chosenVectorSet())({&rings, heights.lifted(), kSlope, heights.places(), steep_.data()}));
   offers_.clear();
   lowered_.clear();
-  const std::span<const LiftSums> sums = edges.sums();
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    if (!(sums[i].steep > 0.0f)) continue;
-    const int v = edges.lifted()[i].vertex;
-    const float own = edges.height(v);
+  for (const int v : steep_) {
+    const float own = heights.height(v);
     float least = std::abs(own);
-    for (const int neighbor : edges.around(v)) {
-      least = std::min(least, leftBy(edges.height(neighbor), own) + kSlope * edges.length(v, neighbor));
-    }
+    forEachStep(rings, v, [&](int other) {
+      if (other != v) least = std::min(least, leftBy(heights.height(other), own, heights.distance(v, other)));
+    });
     if (least < std::abs(own)) offer(least, v);
   }
   while (!offers_.empty()) {
     std::ranges::pop_heap(offers_, std::ranges::greater{}, &Offer::height);
     const auto [height, v] = offers_.back();
     offers_.pop_back();
-    const float before = edges.height(v);
+    const float before = heights.height(v);
     if (!(height < std::abs(before))) continue;
     lowered_.push_back(v);
-    edges.setHeight(v, std::copysign(height, before));
-    for (const int neighbor : edges.around(v)) {
-      const float other = edges.height(neighbor);
-      if (other == 0.0f || (other > 0.0f) != (before > 0.0f)) continue;
-      const float left = height + kSlope * edges.length(v, neighbor);
-      if (left < std::abs(other)) offer(left, neighbor);
-    }
+    heights.setHeight(v, std::copysign(height, before));
+    forEachStep(rings, v, [&, from = v, least = height, before](int other) {
+      const float own = heights.height(other);
+      if (own == 0.0f || (own > 0.0f) != (before > 0.0f)) return;
+      const float left = least + kSlope * heights.distance(from, other);
+      if (left < std::abs(own)) offer(left, other);
+    });
   }
   return lowered_;
 }

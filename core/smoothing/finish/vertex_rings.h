@@ -1,4 +1,4 @@
-// core/smoothing/finish/vertex_rings.h: the neighbors of each refined vertex, and the triangles at it.
+// core/smoothing/finish/vertex_rings.h: the neighbors of each refined vertex, those across, and the triangles at it.
 #pragma once
 
 #include <cstddef>
@@ -20,18 +20,23 @@ struct VertexRings {
   std::vector<int> cornersBegin;  ///< [V' + 1] into `corners`.
   std::vector<int> corners;       ///< Triangle corners: 3 triangle + which of its corners is the vertex. Ascending.
 
+  std::vector<int> acrossBegin;  ///< [V' + 1] into `across`; multiples of kMultiple.
+  std::vector<int> across;  ///< Vertices across an edge: an edge's two triangles hold one each. Filled up likewise.
+
   std::vector<int> placeOf;  ///< [3 T n^2] of each corner, its place in `corners`.
 
   /// As many as a multiple of kMultiple; the vertex itself may be among them.
-  [[nodiscard]] std::span<const int> at(int vertex) const {
+  [[nodiscard]] std::span<const int> at(int vertex) const { return of(neighbors, begin, vertex); }
+  /// Likewise.
+  [[nodiscard]] std::span<const int> acrossFrom(int vertex) const { return of(across, acrossBegin, vertex); }
+  [[nodiscard]] std::span<const int> cornersOf(int vertex) const { return of(corners, cornersBegin, vertex); }
+
+ private:
+  [[nodiscard]] static std::span<const int> of(const std::vector<int>& list, const std::vector<int>& begin,
+                                               int vertex) {
     const auto v = static_cast<std::size_t>(vertex);
-    return std::span(neighbors).subspan(static_cast<std::size_t>(begin[v]),
-                                        static_cast<std::size_t>(begin[v + 1] - begin[v]));
-  }
-  [[nodiscard]] std::span<const int> cornersOf(int vertex) const {
-    const auto v = static_cast<std::size_t>(vertex);
-    return std::span(corners).subspan(static_cast<std::size_t>(cornersBegin[v]),
-                                      static_cast<std::size_t>(cornersBegin[v + 1] - cornersBegin[v]));
+    return std::span(list).subspan(static_cast<std::size_t>(begin[v]),
+                                   static_cast<std::size_t>(begin[v + 1] - begin[v]));
   }
 };
 

@@ -24,10 +24,9 @@ struct Heights {
   std::vector<float> heights;
   std::vector<glm::vec3> positions;
   LiftFilter filter{};
-  LiftEdges edges{};
+  LiftedHeights lifted{};
   MovedTriangles moved{};
   VertexRings rings;
-  float followed = 0.0f;
 
   Heights() : mesh(flat()), refinement(refine(mesh, 1)), rings(vertexRings(refinement)) {}
 
@@ -37,8 +36,8 @@ struct Heights {
     positions = mesh.positions;
     for (std::size_t v = 0; v < raw.size(); ++v) positions[v].z += raw[v];
     moved.find(mesh, refinement, rings, mesh.positions, positions);
-    edges.measure(rings, moved, mesh.positions, positions, heights, 0.0f);
-    const auto weights = filter.apply(edges, followed, mesh.positions, positions, heights);
+    lifted.start(rings, moved, mesh.positions, positions, heights);
+    const auto weights = filter.apply(lifted, mesh.positions, positions, heights);
     return {weights.begin(), weights.end()};
   }
 
@@ -112,15 +111,6 @@ TEST(LiftFilter, EvensOutARimThatIsNarrowerThanAnEdge) {
   }
 }
 
-TEST(LiftFilter, LeavesBendsWithinWhatLevelsFollow) {
-  Heights sheet;
-  const std::vector<float> raw = sheet.disc(0.4f * kEdge, 0.25f);
-  ASSERT_FALSE(sheet.filtered(raw).empty());
-  sheet.followed = 0.4f * kEdge;
-  EXPECT_TRUE(sheet.filtered(raw).empty());
-  EXPECT_EQ(sheet.heights, raw);
-}
-
 // A vertex that begins to move, between neighbors that stand high already, rises from 0.
 TEST(LiftFilter, IsContinuousInTheHeights) {
   Heights sheet;
@@ -144,7 +134,7 @@ TEST(LiftFilter, IsContinuousInTheHeights) {
 
 /// The definition, edge by edge of every triangle and in double precision; fills `weights`.
 std::vector<double> asDefined(const Refinement& refinement, const std::vector<glm::vec3>& patch,
-                              const std::vector<float>& heights, double followed, std::vector<double>& weights) {
+                              const std::vector<float>& heights, std::vector<double>& weights) {
   const std::size_t n = heights.size();
   const auto sums = [&](const std::vector<double>& s, std::vector<double>& perLength, std::vector<double>& edges) {
     std::vector<double> difference(n, 0.0);
@@ -174,10 +164,6 @@ std::vector<double> asDefined(const Refinement& refinement, const std::vector<gl
     if (heights[v] == 0.0f) continue;
     const double t = std::clamp((std::abs(difference[v]) / edges[v] - 0.15) / 0.35, 0.0, 1.0);
     own[v] = t * t * (3.0 - 2.0 * t);
-    if (followed > 0.0 && perLength[v] > 0.0) {
-      const double beyond = std::clamp(std::abs(difference[v]) / perLength[v] / followed - 1.0, 0.0, 1.0);
-      own[v] *= beyond * beyond * (3.0 - 2.0 * beyond);
-    }
     const double risen = std::min(1.0, std::abs(static_cast<double>(heights[v])) * perLength[v] / edges[v] / 0.1);
     passed[v] = own[v] * risen * risen * (3.0 - 2.0 * risen);
   }
@@ -218,12 +204,10 @@ TEST(LiftFilter, AgreesWithItsDefinition) {
     for (std::size_t v = 0; v < bent.mesh.positions.size(); ++v) {
       raw.push_back(unit(random) < share ? kEdge * (unit(random) - 0.4f) : 0.0f);
     }
-    bent.followed = trial % 2 == 0 ? 0.0f : 0.2f * kEdge;
     const std::vector<float> weights = bent.filtered(raw);
     ASSERT_FALSE(weights.empty());
     std::vector<double> wanted;
-    const std::vector<double> heights =
-        asDefined(bent.refinement, bent.mesh.positions, raw, static_cast<double>(bent.followed), wanted);
+    const std::vector<double> heights = asDefined(bent.refinement, bent.mesh.positions, raw, wanted);
     for (std::size_t v = 0; v < raw.size(); ++v) {
       ASSERT_NEAR(static_cast<double>(bent.heights[v]), heights[v], 1e-6) << v;
       if (raw[v] == 0.0f) continue;

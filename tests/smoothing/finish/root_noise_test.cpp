@@ -58,7 +58,7 @@ class Noisy {
   }
 
   void finish(Surface& surface) {
-    if (findMoved(*preparation_, posed_, workspace_, surface)) unfold(*preparation_, workspace_, surface);
+    if (findMoved(*preparation_, posed_, workspace_, surface)) unfold(*preparation_, posed_, workspace_, surface);
   }
 
   const Character& character_;

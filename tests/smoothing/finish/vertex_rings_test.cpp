@@ -27,9 +27,32 @@ std::vector<Shares> sharesByTriangles(const Refinement& refinement) {
   return out;
 }
 
+/// Who lies across an edge from whom, once for each two triangles that share one.
+std::vector<std::vector<int>> acrossByTriangles(const Refinement& refinement) {
+  std::map<std::array<int, 2>, std::vector<int>> thirds;
+  for (const auto& t : refinement.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int a = t[(i + 1) % 3];
+      const int b = t[(i + 2) % 3];
+      thirds[{std::min(a, b), std::max(a, b)}].push_back(t[i]);
+    }
+  }
+  std::vector<std::vector<int>> out(static_cast<std::size_t>(refinement.vertexCount));
+  for (const auto& [edge, at] : thirds) {
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      for (std::size_t k = 0; k < at.size(); ++k) {
+        if (i != k && at[i] != at[k]) out[static_cast<std::size_t>(at[i])].push_back(at[k]);
+      }
+    }
+  }
+  for (std::vector<int>& list : out) std::ranges::sort(list);
+  return out;
+}
+
 void expectSame(const Refinement& refinement) {
   const VertexRings rings = vertexRings(refinement);
   const std::vector<Shares> expected = sharesByTriangles(refinement);
+  const std::vector<std::vector<int>> across = acrossByTriangles(refinement);
   for (int v = 0; v < refinement.vertexCount; ++v) {
     const auto place = static_cast<std::size_t>(v);
     ASSERT_EQ(rings.at(v).size() % VertexRings::kMultiple, 0u);
@@ -39,6 +62,11 @@ void expectSame(const Refinement& refinement) {
     }
     ASSERT_EQ(shares.size(), expected[place].size()) << v;
     for (const auto& [other, share] : expected[place]) EXPECT_NEAR(shares[other], share, 1e-6) << v;
+    ASSERT_EQ(rings.acrossFrom(v).size() % VertexRings::kMultiple, 0u);
+    std::vector<int> others(rings.acrossFrom(v).begin(), rings.acrossFrom(v).end());
+    std::erase(others, v);
+    std::ranges::sort(others);
+    EXPECT_EQ(others, across[place]) << v;
     const std::span<const int> at = rings.cornersOf(v);
     EXPECT_EQ(at.size(), static_cast<std::size_t>(refinement.trianglesAt[place])) << v;
     EXPECT_TRUE(std::ranges::is_sorted(at));

@@ -18,7 +18,8 @@ struct Stages {
   Stages(const Oracle& oracle, const Surface& bindPatch, const Surface& patchOf, const Surface& rawOf)
       : patch(patchOf),
         raw(rawOf),
-        finished(oracle.standsAsProjected() ? unfinished(rawOf) : finish(bindPatch, patchOf, rawOf, oracle.swells())) {}
+        finished(oracle.standsAsProjected() ? unfinished(rawOf)
+                                            : finish(oracle.mesh(), bindPatch, patchOf, rawOf, oracle.swells())) {}
 };
 
 /// What the comparison of some vertices came to. "Far": more than 1e-4 H from the oracle. What folds have moved

@@ -6,6 +6,8 @@
 #include <array>
 #include <optional>
 
+#include "tests/support/oracle/heights.h"
+
 namespace sinew::oracle {
 namespace {
 
@@ -14,37 +16,10 @@ constexpr double kSpreadArea = 0.3;
 constexpr double kWholeFront = 0.05;
 constexpr double kFreedom = 0.145;
 
-using Triangles = std::vector<std::array<int, 3>>;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-Vec cross(const Vec& a, const Vec& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-
-Vec faceOf(const std::vector<Vec>& at, const std::array<int, 3>& t) {
-  return cross(at[index(t[1])] - at[index(t[0])], at[index(t[2])] - at[index(t[0])]);
-}
-
 std::vector<Vec> vecs(const std::vector<glm::vec3>& from) {
   std::vector<Vec> out;
   for (const glm::vec3& v : from) out.push_back(vec(v));
   return out;
-}
-
-double smoothstep(double low, double high, double x) {
-  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
-/// How much a triangle of the patch faces along its vertices' normals; below 0 where it folds back.
-double frontOf(const std::array<int, 3>& t, const std::vector<Vec>& patch, const std::vector<Vec>& normals) {
-  double edges = 0.0;
-  Vec mean;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec edge = patch[index(t[(i + 1) % 3])] - patch[index(t[i])];
-    edges += dot(edge, edge);
-    mean = mean + (1.0 / 3.0) * normals[index(t[i])];
-  }
-  return edges > 0.0 ? dot(faceOf(patch, t), mean) / edges : 0.0;
 }
 
 /// The patch and its bind pose, as the search for folds sees them.
@@ -66,21 +41,6 @@ struct Folds {
     return smoothstep(0.0, kWholeFront, frontOf(triangles[i], patch, normals) / bindFronts[i]);
   }
 };
-
-using Neighbors = std::vector<std::vector<std::size_t>>;
-
-/// The other corners of the triangles around each vertex: a neighbor counts once for every triangle it shares, so that
-/// neighbors along a border count half.
-Neighbors neighborsOf(const Triangles& triangles, std::size_t count) {
-  Neighbors out(count);
-  for (const auto& t : triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      out[index(t[i])].push_back(index(t[(i + 1) % 3]));
-      out[index(t[i])].push_back(index(t[(i + 2) % 3]));
-    }
-  }
-  return out;
-}
 
 /// Inside, every neighbor is met twice, or more often where more than two triangles meet.
 std::vector<bool> bordersOf(const Neighbors& neighbors) {
@@ -197,81 +157,6 @@ Vec turnOf(const Vec& v, const Vec& from, const Vec& to) {
   return share * (turned - v) + (1.0 - share) * difference;
 }
 
-/// Heights after what a pose's creases take away, and no steeper than 1.5 along any path of edges: the longest way
-/// round, every edge until nothing changes.
-std::vector<double> boundHeights(const Folds& folds, const std::vector<float>& raw) {
-  std::vector<double> fronts(raw.size(), 1.0);
-  for (std::size_t i = 0; i < folds.triangles.size(); ++i) {
-    if (folds.bindFronts[i] <= 0.05) continue;
-    const double ratio = frontOf(folds.triangles[i], folds.patch, folds.normals) / folds.bindFronts[i];
-    for (const int v : folds.triangles[i]) fronts[index(v)] = std::min(fronts[index(v)], ratio);
-  }
-  std::vector<double> heights;
-  for (std::size_t v = 0; v < raw.size(); ++v) {
-    heights.push_back(static_cast<double>(raw[v]) * (0.4 + 0.6 * smoothstep(-0.3, 0.4, fronts[v])));
-  }
-  bool changed = true;
-  while (changed) {
-    changed = false;
-    for (const auto& t : folds.triangles) {
-      for (std::size_t i = 0; i < 6; ++i) {
-        const std::size_t p = index(t[i % 3]);
-        const std::size_t q = index(t[(i + 1 + i / 3) % 3]);
-        const double sign = heights[p] < 0.0 ? -1.0 : 1.0;
-        const double most = std::max(0.0, sign * heights[q]) + 1.5 * length(folds.patch[q] - folds.patch[p]);
-        if (sign * heights[p] <= most * (1.0 + 1e-12)) continue;
-        heights[p] = sign * most;
-        changed = true;
-      }
-    }
-  }
-  return heights;
-}
-
-/// How far each vertex's height is from what edges can follow, 0..1, and at least that of each neighbor.
-struct Sampling {
-  std::vector<double> weights;
-  std::vector<double> heights;  ///< Filtered.
-};
-
-Sampling filterHeights(const Triangles& triangles, const std::vector<Vec>& patch, const std::vector<double>& start) {
-  const Neighbors neighbors = neighborsOf(triangles, patch.size());
-  const auto perLength = [&](std::size_t v, std::size_t u) {
-    const double apart = length(patch[u] - patch[v]);
-    return apart > 0.0 ? 1.0 / apart : 0.0;
-  };
-  Sampling out{std::vector<double>(start.size(), 0.0), start};
-  const auto towardsMean = [&](std::size_t v, double& sum) {
-    double difference = 0.0;
-    sum = 0.0;
-    for (const std::size_t u : neighbors[v]) {
-      sum += perLength(v, u);
-      difference += perLength(v, u) * (out.heights[u] - out.heights[v]);
-    }
-    return sum > 0.0 ? difference / sum : 0.0;
-  };
-  for (std::size_t v = 0; v < start.size(); ++v) {
-    double sum = 0.0;
-    const double bend = std::abs(towardsMean(v, sum));
-    if (start[v] == 0.0 || neighbors[v].empty()) continue;
-    const double weight = smoothstep(0.15, 0.5, bend * sum / static_cast<double>(neighbors[v].size()));
-    out.weights[v] = std::max(out.weights[v], weight);
-    const double edges = std::abs(start[v]) * sum / static_cast<double>(neighbors[v].size());
-    const double passed = weight * smoothstep(0.0, 0.1, edges);
-    for (const std::size_t u : neighbors[v]) out.weights[u] = std::max(out.weights[u], passed);
-  }
-  for (int round = 0; round < 4; ++round) {
-    std::vector<double> next = out.heights;
-    for (std::size_t v = 0; v < start.size(); ++v) {
-      double sum = 0.0;
-      next[v] += 0.5 * out.weights[v] * towardsMean(v, sum);
-      next[v] = std::clamp(next[v], std::min(0.0, start[v]), std::max(0.0, start[v]));
-    }
-    out.heights = next;
-  }
-  return out;
-}
-
 /// w of the largest difference to a neighbor's delta, of the larger of the vertex's own delta and delta', and of how
 /// much its height was filtered.
 double toothWeight(double difference, double own, double filtered) {
@@ -296,7 +181,8 @@ void removeTeeth(const Triangles& triangles, const std::vector<double>& turns, c
 
 }  // namespace
 
-Finished finish(const Surface& bindPatch, const Surface& patch, const Surface& raw, bool swells) {
+Finished finish(const ControlMesh& mesh, const Surface& bindPatch, const Surface& patch, const Surface& raw,
+                bool swells) {
   const Triangles& triangles = raw.refinement->triangles;
   const std::vector<Vec> patchPositions = vecs(patch.positions);
   const std::vector<Vec> patchNormals = vecs(patch.normals);
@@ -311,7 +197,8 @@ Finished finish(const Surface& bindPatch, const Surface& patch, const Surface& r
   const auto scale = [&](std::size_t v, double share) {
     out.positions[v] = patchPositions[v] + share * (out.positions[v] - patchPositions[v]);
   };
-  const std::vector<double> bounded = boundHeights(folds, raw.displacement);
+  const std::vector<double> bounded = boundHeights(mesh, *raw.refinement, {bindPositions, bindNormals},
+                                                   {patchPositions, patchNormals}, raw.displacement);
   for (std::size_t v = 0; v < projected.size(); ++v) {
     const double height = static_cast<double>(raw.displacement[v]);
     if (height == 0.0 || bounded[v] == height) continue;

@@ -19,7 +19,8 @@ struct Finished {
 
 /// @param patch  positions and normals without muscles.  @param raw  the same after projection, before folds and
 /// shading.  @param swells  heights are filtered.
-Finished finish(const Surface& bindPatch, const Surface& patch, const Surface& raw, bool swells);
+Finished finish(const ControlMesh& mesh, const Surface& bindPatch, const Surface& patch, const Surface& raw,
+                bool swells);
 
 /// The surface of a body that muscles wrap, under `replace`: the projection's result as it is.
 Finished unfinished(const Surface& raw);

@@ -56,6 +56,7 @@ class Oracle {
   /// What the mode solves for zero, at a distance along the answer's ray.
   [[nodiscard]] double phiAt(const Answer& answer, double t) const;
   [[nodiscard]] const Field& field() const { return field_; }
+  [[nodiscard]] const ControlMesh& mesh() const { return character_.mesh; }
   /// m_i at a site.
   [[nodiscard]] std::vector<double> weightsAt(const Site& site) const;
   /// omega of a control vertex, `replace` only.
