@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include <glm/vec2.hpp>
+
 #include "app/gpu/coverage.h"
 #include "core/smoothing/finish/lift_filter.h"
 
@@ -99,7 +101,7 @@ void CardSurface::reserveBodies() {
   reserve(Buffer::kFiltered, vertices * sizeof(float));
   reserve(Buffer::kFolded, vertices * sizeof(glm::vec4));
   reserve(Buffer::kWanted, vertices * sizeof(glm::vec4));
-  reserve(Buffer::kAsks, triangles * sizeof(float));
+  reserve(Buffer::kAsks, triangles * sizeof(glm::vec2));
   reserve(Buffer::kWays, 3 * triangles * sizeof(glm::vec4));
   reserve(Buffer::kRoundsAsked, kRounds * sizeof(card::Round));
   reserve(Buffer::kDrawn, bodies * static_cast<std::size_t>(making_.drawnVertices) * sizeof(card::Drawn));

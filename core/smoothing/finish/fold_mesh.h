@@ -29,6 +29,7 @@ struct FoldVertex {
   bool hasMoved = false;
   float weight = 0.0f;  ///< The stage's own; 0 before and after it.
   float asked = 0.0f;   ///< Likewise.
+  float lack = 0.0f;    ///< FoldRelaxation's.
   glm::vec3 way{0.0f};  ///< Likewise.
 };
 

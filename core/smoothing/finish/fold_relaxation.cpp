@@ -2,32 +2,51 @@
 #include "core/smoothing/finish/fold_relaxation.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
 
 #include "core/base/smoothstep.h"
 
 namespace sinew {
 namespace {
 
-constexpr float kRelaxStep =
-    0.2f;                       ///< Of the way to the mean, per round. Whole steps swing, and amplify what is small.
-constexpr float kFade = 0.25f;  ///< Change of a weight per round: weights that came and went would swing.
+/// Of the way to the mean, per round. Whole steps swing, and amplify what is small.
+constexpr float kRelaxStep = 0.2f;
+constexpr float kMostOfLack = 2.0f;  ///< Whole step over what a triangle lacks.
+constexpr float kFade = 0.25f;       ///< Change of a weight per round: weights that came and went would swing.
 
 /// How much a lifted triangle asks for, 0..1: all of it from q = 0 on.
 float weightOf(const Fold& fold) {
   return fold.weight * (1.0f - smoothstep(0.0f, FoldRelaxation::kWholeArea, fold.area));
 }
 
+/// The length by which a lifted triangle is too narrow for q = 0.4: the area that is missing, over its edges.
+float lackOf(int triangle, const Fold& fold, FoldMesh& mesh) {
+  const std::array<int, 3>& corners = mesh.cornersOf(triangle);
+  const glm::vec3& a = mesh.vertex(corners[0]).position;
+  const glm::vec3 ab = mesh.vertex(corners[1]).position - a;
+  const glm::vec3 ac = mesh.vertex(corners[2]).position - a;
+  const float edges = glm::dot(ab, ab) + glm::dot(ac, ac) + glm::dot(ac - ab, ac - ab);
+  const float area = std::sqrt(mesh.faceOfPatch(triangle).second);
+  // Where it has shrunk to a line along the normal, those of its patch.
+  return fold.weight * (FoldRelaxation::kWholeArea - fold.area) * area / std::sqrt(std::max(edges, area));
+}
+
 }  // namespace
 
 void FoldRelaxation::askOf(int triangle, FoldMesh& mesh) {
-  const float weight = weightOf(mesh.foldOf(triangle, kWholeArea));
+  const Fold fold = mesh.foldOf(triangle, kWholeArea);
+  const float weight = weightOf(fold);
   if (weight == 0.0f) return;
   mesh.add(triangle);
+  const float lack = lackOf(triangle, fold, mesh);
   for (const int corner : mesh.cornersOf(triangle)) {
     FoldVertex& vertex = mesh.vertex(corner);
     if (vertex.most == 0.0f) continue;
     if (vertex.asked == 0.0f) asking_.push_back(corner);
     vertex.asked = std::max(vertex.asked, weight);
+    vertex.lack = std::max(vertex.lack, lack);
   }
 }
 
@@ -62,6 +81,16 @@ void FoldRelaxation::findMeans(const VertexRings& rings, FoldMesh& mesh) {
   }
 }
 
+void FoldRelaxation::moveToMeans(FoldMesh& mesh) {
+  for (std::size_t i = 0; i < folding_.size(); ++i) {
+    const FoldVertex& vertex = mesh.vertex(folding_[i]);
+    const glm::vec3 way = vertex.weight * (means_[i] - vertex.position);
+    const float length = std::sqrt(glm::dot(way, way));
+    const float most = kMostOfLack * vertex.lack;
+    mesh.move(folding_[i], vertex.position + (length > most ? kRelaxStep * most / length : kRelaxStep) * way);
+  }
+}
+
 /// Moves the corners of folded triangles towards the mean of their neighbors. Such triangles mostly lie on the muscle
 /// in the wrong order: the mean restores the order and stays on the muscle, while a move back to the patch would tear a
 /// pit into it. Each round reads only the positions that the round before has left (Jacobi), so that the order of
@@ -73,10 +102,7 @@ void FoldRelaxation::apply(const VertexRings& rings, FoldMesh& mesh) {
   for (int round = 0; round < kMostRounds && !folding_.empty(); ++round) {
     mesh.grow();  // All triangles at a folding vertex, and all that its move can fold.
     findMeans(rings, mesh);
-    for (std::size_t i = 0; i < folding_.size(); ++i) {
-      const FoldVertex& vertex = mesh.vertex(folding_[i]);
-      mesh.move(folding_[i], vertex.position + kRelaxStep * vertex.weight * (means_[i] - vertex.position));
-    }
+    moveToMeans(mesh);
     // Elsewhere nothing has changed, and only corners that cannot move could be asked again.
     mesh.forEachAt(folding_, [&](int triangle) { askOf(triangle, mesh); });
     mergeWeights(mesh);

@@ -9,7 +9,8 @@ namespace sinew {
 namespace {
 
 constexpr float kLeastArea = 0.3f;   ///< q below which a triangle asks.
-constexpr float kWholeLack = 0.1f;   ///< Lack of q from which on it asks with its whole weight.
+constexpr float kWholeLack = 0.1f;   ///< Lack of q from which on it asks with its whole weight ...
+constexpr float kWholeStep = 0.01f;  ///< ... and moves of its corners, over its edges.
 constexpr float kRelaxation = 1.5f;  ///< Factor on the mean move; above 1: converges faster.
 
 }  // namespace
@@ -31,7 +32,8 @@ void FoldSpread::ask(int triangle, FoldMesh& mesh) {
   }
   // Where the triangle has shrunk to a line along the normal its gradients vanish: the moves stay small.
   const float step = (kLeastArea - fold.area) * area / std::max(squared, area);
-  const float weight = fold.weight * std::min(1.0f, (kLeastArea - fold.area) / kWholeLack);
+  // Of a sliver q changes fast: what it asks for must not at once count as much as what its neighbors do.
+  const float weight = fold.weight * std::min({1.0f, (kLeastArea - fold.area) / kWholeLack, step / kWholeStep});
   for (std::size_t i = 0; i < 3; ++i) {
     FoldVertex& corner = mesh.vertex(corners[i]);
     if (corner.weight == 0.0f) asked_.push_back(corners[i]);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "tests/support/oracle/heights.h"
 
@@ -69,28 +70,49 @@ Vec held(const Vec& start, const Vec& patch, const Vec& to) {
   return start + std::min(1.0, length(start - patch) / std::max(1e-300, length(way))) * way;
 }
 
+/// How much of the area 0.4 of its patch's a triangle lacks, over its edges.
+double lackOf(const Folds& folds, std::size_t i, double q, const std::vector<Vec>& at) {
+  const auto& t = folds.triangles[i];
+  double edges = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec edge = at[index(t[(k + 1) % 3])] - at[index(t[k])];
+    edges += dot(edge, edge);
+  }
+  const double area = length(faceOf(folds.patch, t));
+  return folds.trustIn(i) * (kRelaxedArea - q) * area / std::sqrt(std::max(edges, area));
+}
+
 /// @param start  positions of the first round: no vertex goes further from there than muscles have moved it.
 void relaxFolds(const Folds& folds, const Neighbors& neighbors, const std::vector<Vec>& start, std::vector<Vec>& at) {
   const std::vector<bool> borders = bordersOf(neighbors);
   std::vector<double> weights(at.size(), 0.0);
+  std::vector<double> lacks(at.size(), 0.0);
   for (int round = 0; round < 6; ++round) {
     for (double& weight : weights) weight = std::max(0.0, weight - 0.25);
     for (std::size_t i = 0; i < folds.triangles.size(); ++i) {
       const std::optional<double> q = folds.areaOf(i, at);
       if (!q || *q >= kRelaxedArea) continue;
       const double weight = folds.trustIn(i) * (1.0 - smoothstep(0.0, kRelaxedArea, *q));
-      for (const int v : folds.triangles[i]) weights[index(v)] = std::max(weights[index(v)], weight);
+      const double lack = lackOf(folds, i, *q, at);
+      for (const int v : folds.triangles[i]) {
+        weights[index(v)] = std::max(weights[index(v)], weight);
+        lacks[index(v)] = std::max(lacks[index(v)], lack);
+      }
     }
     const std::vector<Vec> towardsMean = laplacian(neighbors, at);
     for (std::size_t v = 0; v < at.size(); ++v) {
       if (borders[v] || weights[v] == 0.0) continue;
-      at[v] = held(start[v], folds.patch[v], at[v] + 0.2 * weights[v] * towardsMean[v]);
+      const Vec way = weights[v] * towardsMean[v];
+      const double share = std::min(1.0, 2.0 * lacks[v] / std::max(1e-300, length(way)));
+      at[v] = held(start[v], folds.patch[v], at[v] + 0.2 * share * way);
     }
   }
 }
 
 /// A triangle's moves towards q = 0.3, for its three corners: along the gradients of its area, as little as will do.
-std::array<Vec, 3> spreadOf(const Folds& folds, std::size_t i, double q, const std::vector<Vec>& at) {
+/// @return  also the factor on the gradients: about the moves over the edges.
+std::pair<std::array<Vec, 3>, double> spreadOf(const Folds& folds, std::size_t i, double q,
+                                               const std::vector<Vec>& at) {
   const auto& t = folds.triangles[i];
   const Vec face = faceOf(folds.patch, t);
   std::array<Vec, 3> gradients;
@@ -101,7 +123,7 @@ std::array<Vec, 3> spreadOf(const Folds& folds, std::size_t i, double q, const s
   }
   const double step = (kSpreadArea - q) * length(face) / std::max(squared, length(face));
   for (Vec& gradient : gradients) gradient = step * gradient;
-  return gradients;
+  return {gradients, step};
 }
 
 void spreadFolds(const Folds& folds, const Neighbors& neighbors, const std::vector<Vec>& start, std::vector<Vec>& at) {
@@ -112,8 +134,8 @@ void spreadFolds(const Folds& folds, const Neighbors& neighbors, const std::vect
     for (std::size_t i = 0; i < folds.triangles.size(); ++i) {
       const std::optional<double> q = folds.areaOf(i, at);
       if (!q || *q >= kSpreadArea) continue;
-      const double weight = folds.trustIn(i) * std::min(1.0, (kSpreadArea - *q) / 0.1);
-      const std::array<Vec, 3> moves = spreadOf(folds, i, *q, at);
+      const auto [moves, step] = spreadOf(folds, i, *q, at);
+      const double weight = folds.trustIn(i) * std::min({1.0, (kSpreadArea - *q) / 0.1, step / 0.01});
       for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t v = index(folds.triangles[i][k]);
         weights[v] += weight;
