@@ -18,7 +18,7 @@ sinewPythonPackages=(python3-dev pybind11-dev python3-numpy)
 # format; what a farm runs; what makes and checks a Debian package, and the shells whose completion is tried.
 # shellcheck disable=SC2034  # test.sh reads it
 sinewTestPackages=("${sinewRunPackages[@]}" libgtest-dev libbenchmark-dev python3 xvfb xauth xdotool imagemagick
-  clang-format-14
+  clang-format-14 lld
   "${sinewPythonPackages[@]}" mypy  # the Python module, and its types
   fonts-noto-cjk  # Chinese, Japanese and Korean names in the window
   parallel slurm-wlm  # jobs shared out

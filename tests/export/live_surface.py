@@ -43,9 +43,9 @@ def corners_of(glb):
     return result
 
 
-def surface(program, source, clip, seconds, folder):
+def surface(program, source, clip, seconds, folder, *detail):
     """Corners of all triangles of the live surface."""
-    output(program, "smooth", source, "--clip", clip, "--time", repr(seconds), "-o", folder / "live.obj")
+    output(program, "smooth", source, "--clip", clip, "--time", repr(seconds), *detail, "-o", folder / "live.obj")
     points, triangles = [], []
     for line in (folder / "live.obj").read_text().splitlines():
         words = line.split()

@@ -22,6 +22,9 @@ from simple_rig import simple_rig
 
 THREE = "0.187.0"
 MOST_CLIPS = 3
+# Weights are fitted vertex by vertex in every clip, and three.js plays few vertices as it plays many. The skinned humanoid and the face
+# have the detail of their rigs.
+DEPTHS = {("humanoid-flex", "helpers"): 2, ("RobotExpressive", "skinned"): 1, ("RobotExpressive", "helpers"): 1}
 SLACK = 1e-3  # % of the height: floats.
 
 
@@ -41,7 +44,9 @@ def modules(folder):
 
 def check(program, source, kind, folder, three):
     file = folder / "out.glb"
-    report = json.loads(output(program, "export", source, "--as", kind, "--json", "-o", file))
+    depth = DEPTHS.get((source.name.split(".")[0], kind))
+    detail = ["--depth", depth] if depth else []
+    report = json.loads(output(program, "export", source, "--as", kind, *detail, "--json", "-o", file))
     printed = {clip["name"]: clip["max"] for clip in report["error_percent_of_height"]["clips"]}
     height, glb = height_of(program, source), Glb(file)
     corners = corners_of(glb)
@@ -50,7 +55,7 @@ def check(program, source, kind, folder, three):
     (folder / "asked.json").write_text(json.dumps([[a["name"], spread(longest_times(glb, a, own))] for a in clips]))
     subprocess.run(["node", three / "in_three.mjs", file, folder / "asked.json", folder / "seen.json"], check=True)
     for clip, seconds, objects in json.loads((folder / "seen.json").read_text()):
-        percent = compare(surface(program, source, clip, seconds, folder), corners, objects, height)
+        percent = compare(surface(program, source, clip, seconds, folder, *detail), corners, objects, height)
         print("  %-16s %7.3f s: %.3f %% of the height off, %.3f printed" % (clip, seconds, percent, printed[clip]))
         assert percent <= 1.05 * printed[clip] + SLACK, "%s at %g s" % (clip, seconds)
     assert clips, "nothing was compared"
