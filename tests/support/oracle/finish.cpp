@@ -128,7 +128,7 @@ std::pair<std::array<Vec, 3>, double> spreadOf(const Folds& folds, std::size_t i
 
 void spreadFolds(const Folds& folds, const Neighbors& neighbors, const std::vector<Vec>& start, std::vector<Vec>& at) {
   const std::vector<bool> borders = bordersOf(neighbors);
-  for (int round = 0; round < 32; ++round) {
+  for (int round = 0; round < 16; ++round) {
     std::vector<double> weights(at.size(), 0.0);
     std::vector<Vec> ways(at.size());
     for (std::size_t i = 0; i < folds.triangles.size(); ++i) {
