@@ -22,19 +22,19 @@ void fillControls(const Preparation& preparation, CardTables& out) {
 /// What creases look at.
 void fillFans(const Preparation& preparation, CardTables& out) {
   const ControlMesh& mesh = preparation.mesh();
-  std::vector<std::vector<std::int32_t>> at(mesh.positions.size());
+  std::vector<std::vector<std::int32_t>> around(mesh.positions.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const std::array<int, 3>& corners = mesh.triangles[t].vertices;
-    for (const int v : corners) sinew::at(at, v).push_back(static_cast<std::int32_t>(t));
+    for (const int v : corners) at(around, v).push_back(static_cast<std::int32_t>(t));
     out.controlTriangles.push_back({corners, preparation.tables->perBindFront[t]});
   }
-  auto begin = static_cast<std::int32_t>(at.size() + 1);
-  for (const auto& fan : at) {
+  auto begin = static_cast<std::int32_t>(around.size() + 1);
+  for (const auto& fan : around) {
     out.fans.push_back(begin);
     begin += static_cast<std::int32_t>(fan.size());
   }
   out.fans.push_back(begin);
-  for (const auto& fan : at) out.fans.insert(out.fans.end(), fan.begin(), fan.end());
+  for (const auto& fan : around) out.fans.insert(out.fans.end(), fan.begin(), fan.end());
 }
 
 void fillRefined(const Preparation& preparation, CardTables& out) {

@@ -31,7 +31,6 @@ void main() {
   for (int i = 0; i < steps; ++i) {
     int place = i < count ? rings[v].begin + i : rings[v].acrossBegin + i - count;
     int other = firstVertex() + neighbors[place];
-    if (other == at) continue;  // Lists are filled up with the vertex itself.
     vec3 step = patches[other].position.xyz - p;
     bool along = (surface[other].position.w > 0.0) == rises;
     float left = along ? uintBitsToFloat(heights[other]) : 0.0;

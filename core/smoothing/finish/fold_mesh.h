@@ -29,8 +29,8 @@ struct FoldVertex {
   bool hasMoved = false;
   float weight = 0.0f;  ///< The stage's own; 0 before and after it.
   float asked = 0.0f;   ///< Likewise.
-  float lack = 0.0f;    ///< FoldRelaxation's.
   glm::vec3 way{0.0f};  ///< Likewise.
+  float lack = 0.0f;    ///< World: the most that FoldRelaxation has seen one of its triangles lack.
 };
 
 /// The triangles of a FoldRegion with vertices of their own. Stages go over them many times: what they read lies

@@ -46,8 +46,8 @@ struct SteepInputs {
   std::span<const int> lifted;
   float slope = 0.0f;
   const LiftPlace* places = nullptr;  ///< [V'] read at lifted vertices, their neighbors and those across.
-  int* steep = nullptr;               ///< Out: [lifted], those whose height differs from one of these by more, or all
-                                      ///< but that.
+  int* steep = nullptr;  ///< Out: room for [lifted]; those whose height differs from one of these by more than the
+                         ///< slope times the way, or by nearly that.
 };
 
 /// @return how many are too steep

@@ -33,7 +33,7 @@ void SlopeBound::offer(float height, int vertex) {
 /// terms: the least over all paths is the same bits in whatever order it is found.
 std::span<const int> SlopeBound::lower(LiftedHeights& heights) {
   const VertexRings& rings = heights.rings();
-  steep_.resize(heights.lifted().size() + 1);
+  steep_.resize(heights.lifted().size());
   steep_.resize(steepKernel(chosenVectorSet())({&rings, heights.lifted(), kSlope, heights.places(), steep_.data()}));
   offers_.clear();
   lowered_.clear();
@@ -41,7 +41,7 @@ std::span<const int> SlopeBound::lower(LiftedHeights& heights) {
     const float own = heights.height(v);
     float least = std::abs(own);
     forEachStep(rings, v, [&](int other) {
-      if (other != v) least = std::min(least, leftBy(heights.height(other), own, heights.distance(v, other)));
+      least = std::min(least, leftBy(heights.height(other), own, heights.distance(v, other)));
     });
     if (least < std::abs(own)) offer(least, v);
   }
