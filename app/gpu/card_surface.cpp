@@ -101,7 +101,7 @@ void CardSurface::reserveBodies() {
   reserve(Buffer::kFiltered, vertices * sizeof(float));
   reserve(Buffer::kFolded, vertices * sizeof(glm::vec4));
   reserve(Buffer::kWanted, vertices * sizeof(glm::vec4));
-  reserve(Buffer::kAsks, triangles * sizeof(glm::vec2));
+  reserve(Buffer::kAsks, triangles * sizeof(float));
   reserve(Buffer::kWays, 3 * triangles * sizeof(glm::vec4));
   reserve(Buffer::kRoundsAsked, kRounds * sizeof(card::Round));
   reserve(Buffer::kDrawn, bodies * static_cast<std::size_t>(making_.drawnVertices) * sizeof(card::Drawn));
@@ -240,15 +240,6 @@ void CardSurface::removeFolds() const {
   using enum Buffer;
   run(Stage::kFoldStart, vertices, {kSurface, kFolded});
   const auto askers = {kTriangles, kPatches, kMarks, kFolded, kAsks, kWays};
-  for (int round = kFirstRelax; round < kFirstRelax + kRelaxRounds; ++round) {
-    const bool first = round == kFirstRelax;
-    const auto movers = {kRings, kNeighbors, kCorners, kMarks, kFolded, kAsks, kWanted, kRoundsAsked};
-    programs_->of(Stage::kFoldAsk).set("isFirst", first ? 1 : 0);
-    programs_->of(Stage::kFoldMean).set("round", round);
-    runRound(Stage::kFoldAsk, first, triangles, trianglesOf(round), askers);
-    runRound(Stage::kFoldMean, first, vertices, verticesOf(round), movers);
-    runAsked(Stage::kFoldMove, verticesOf(round + 1), {kPatches, kSurface, kMarks, kFolded, kWanted});
-  }
   for (int round = kFirstSpread; round < kFirstSpread + kSpreadRounds; ++round) {
     const bool first = round == kFirstSpread;
     const auto movers = {kRings, kCorners, kPatches, kSurface, kFolded, kAsks, kWays, kRoundsAsked};

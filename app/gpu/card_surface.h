@@ -15,7 +15,6 @@
 #include "app/gpu/dispatch.h"
 #include "app/gpu/part_timers.h"
 #include "app/gpu/stages.h"
-#include "core/smoothing/finish/fold_relaxation.h"
 #include "core/smoothing/finish/fold_spread.h"
 
 namespace sinew::app {
@@ -110,11 +109,9 @@ class CardSurface {
   };
   // Rounds, and their places in the buffer in which each is asked for by the one before.
   static constexpr int kSlopeRounds = 48;
-  static constexpr int kRelaxRounds = FoldRelaxation::kMostRounds;
   static constexpr int kSpreadRounds = FoldSpread::kMostRounds;
   static constexpr int kFirstSlope = 0;
-  static constexpr int kFirstRelax = kFirstSlope + kSlopeRounds + 1;
-  static constexpr int kFirstSpread = kFirstRelax + kRelaxRounds + 1;
+  static constexpr int kFirstSpread = kFirstSlope + kSlopeRounds + 1;
   static constexpr int kRounds = kFirstSpread + kSpreadRounds + 1;
   static constexpr std::size_t kBuffers = static_cast<std::size_t>(Buffer::kMaking) + 1;
 

@@ -131,9 +131,8 @@ void unfold(const Preparation& preparation, const PosedField& posed, Workspace& 
   }
   w.pairs.fill(w.movedTriangles.corners, w.patchPositions, out.positions);
   w.foldRegion.find(preparation.mesh(), preparation.refinement(), refined.rings, w.movedTriangles, patch, w.pairs,
-                    out.positions, FoldRelaxation::kWholeArea);
+                    out.positions, FoldSpread::kLeastArea);
   w.foldMesh.start(w.foldRegion, refined.isBorder, w.patchPositions, out.positions);
-  w.foldRelaxation.apply(refined.rings, w.foldMesh);
   w.foldSpread.apply(w.foldMesh);
   const std::span<const FoldMove> moves = w.foldMesh.finish(out.positions);
   for (const auto& [vertex, from] : moves) {

@@ -8,7 +8,6 @@
 #include "core/smoothing/finish/cloth_lift.h"
 #include "core/smoothing/finish/crease_lift.h"
 #include "core/smoothing/finish/fold_region.h"
-#include "core/smoothing/finish/fold_relaxation.h"
 #include "core/smoothing/finish/fold_spread.h"
 #include "core/smoothing/finish/lift_filter.h"
 #include "core/smoothing/finish/lifted_heights.h"
@@ -45,7 +44,6 @@ struct Workspace {
   VertexPairs pairs;                ///< Corners of movedTriangles, as the last stage left them.
   FoldRegion foldRegion;
   FoldMesh foldMesh;
-  FoldRelaxation foldRelaxation;
   FoldSpread foldSpread;
   ClothLift clothLift;
   ShadingNormals shadingNormals;

@@ -8,7 +8,7 @@ layout(std430, binding = 0) readonly buffer Triangles { Triangle triangles[]; };
 layout(std430, binding = 1) readonly buffer Patches { Vertex patches[]; };
 layout(std430, binding = 2) readonly buffer Marks { Mark marks[]; };
 layout(std430, binding = 3) readonly buffer Folded { vec4 folded[]; };
-layout(std430, binding = 4) buffer Asks { vec2 asks[]; };  // x: the weight.
+layout(std430, binding = 4) writeonly buffer Asks { float asks[]; };  // Weights.
 layout(std430, binding = 5) writeonly buffer Ways { vec4 ways[]; };  // By corner; w: the weight.
 #include "compute/front.glsl"
 #include "compute/fold.glsl"
@@ -27,7 +27,7 @@ void main() {
   int at = body() * refinedTriangles + i;
   if (isFirst != 0 ? !isNear(t) : !hasMoved(t)) return;
   Fold fold = foldOf(t, kLeastArea);
-  asks[at].x = fold.weight;
+  asks[at] = fold.weight;
   if (fold.weight == 0.0) return;
   float area = sqrt(fold.whole);
   vec3 normal = fold.face / area;

@@ -3,19 +3,25 @@
 // core/smoothing/finish/fold_spread.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
-#include "compute/fold_move.glsl"
 
 layout(std430, binding = 0) readonly buffer Rings { Ring rings[]; };
 layout(std430, binding = 1) readonly buffer Corners { int corners[]; };
 layout(std430, binding = 2) readonly buffer Patches { Vertex patches[]; };
 layout(std430, binding = 3) readonly buffer Surface { Vertex surface[]; };
 layout(std430, binding = 4) buffer Folded { vec4 folded[]; };
-layout(std430, binding = 5) readonly buffer Asks { vec2 asks[]; };  // x: the weight.
+layout(std430, binding = 5) readonly buffer Asks { float asks[]; };  // Weights.
 layout(std430, binding = 6) readonly buffer Ways { vec4 ways[]; };
 #define ROUNDS 7
 #include "compute/rounds.glsl"
 
 const float kRelaxation = 1.5;
+
+// As near to where muscles have put it as they have moved it (core/smoothing/finish/fold_mesh.h).
+vec3 keptNear(vec3 to, vec3 from, vec3 patchPlace) {
+  vec3 way = to - from;
+  float most = distance(from, patchPlace), far = length(way);
+  return from + (far > most ? most / far : 1.0) * way;
+}
 
 void main() {
   int v = item();
@@ -26,7 +32,7 @@ void main() {
   vec4 sum = vec4(0.0);
   for (int i = rings[v].cornersBegin; i < rings[v].cornersEnd && rings[v].isBorder == 0; ++i) {
     int corner = 3 * body() * refinedTriangles + corners[i];
-    if (asks[corner / 3].x > 0.0) sum += ways[corner];
+    if (asks[corner / 3] > 0.0) sum += ways[corner];
   }
   vec3 own = folded[at].xyz;
   if (sum.w == 0.0 || own == patchPlace) {

@@ -28,12 +28,10 @@ struct FoldVertex {
   int index = 0;             ///< In the surface.
   bool hasMoved = false;
   float weight = 0.0f;  ///< The stage's own; 0 before and after it.
-  float asked = 0.0f;   ///< Likewise.
   glm::vec3 way{0.0f};  ///< Likewise.
-  float lack = 0.0f;    ///< World: the most that FoldRelaxation has seen one of its triangles lack.
 };
 
-/// The triangles of a FoldRegion with vertices of their own. Stages go over them many times: what they read lies
+/// The triangles of a FoldRegion with vertices of their own. Rounds go over them many times: what they read lies
 /// together, and the tables of the whole refinement are not looked at. Kept from pose to pose for its memory.
 ///
 /// Every vertex stays as near to where muscles have put it as they have moved it. So one that has only begun to move is
@@ -47,8 +45,6 @@ class FoldMesh {
 
   [[nodiscard]] int triangleCount() const { return static_cast<int>(triangles_.size()); }
   [[nodiscard]] FoldVertex& vertex(int local) { return at(vertices_, local); }
-  /// Of a vertex of the surface that is in the region.
-  [[nodiscard]] FoldVertex& vertexOf(int vertex) { return at(vertices_, at(localOf_, vertex)); }
   [[nodiscard]] const std::array<int, 3>& cornersOf(int triangle) const { return at(triangles_, triangle).corners; }
   /// Face vector of the triangle's patch, and its squared length.
   [[nodiscard]] std::pair<const glm::vec3&, float> faceOfPatch(int triangle) const {

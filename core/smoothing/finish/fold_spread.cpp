@@ -8,7 +8,6 @@
 namespace sinew {
 namespace {
 
-constexpr float kLeastArea = 0.3f;   ///< q below which a triangle asks.
 constexpr float kWholeLack = 0.1f;   ///< Lack of q from which on it asks with its whole weight ...
 constexpr float kWholeStep = 0.01f;  ///< ... and moves of its corners, over its edges.
 constexpr float kRelaxation = 1.5f;  ///< Factor on the mean move; above 1: converges faster.
@@ -58,8 +57,7 @@ void FoldSpread::moveAsked(FoldMesh& mesh) {
 
 /// Solves q >= 0.3 for every triangle as a constraint on its area, by the projection step of position based dynamics
 /// (Mueller et al. 2007): each corner moves along the gradient of the area, by the constraint's lack over the sum of
-/// the squared gradients. Where two cushions of flesh press on each other the mean of the neighbors is folded too, and
-/// relaxation alone leaves the fold. A corner takes the weighted mean of what all its triangles ask for (Jacobi), so
+/// the squared gradients. A corner takes the weighted mean of what all its triangles ask for (Jacobi), so
 /// that the order of triangles does not matter. docs/design.md, Folds.
 void FoldSpread::apply(FoldMesh& mesh) {
   for (int t = 0; t < mesh.triangleCount(); ++t) ask(t, mesh);

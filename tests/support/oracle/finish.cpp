@@ -12,7 +12,6 @@
 namespace sinew::oracle {
 namespace {
 
-constexpr double kRelaxedArea = 0.4;
 constexpr double kSpreadArea = 0.3;
 constexpr double kWholeFront = 0.05;
 constexpr double kFreedom = 0.145;
@@ -70,45 +69,6 @@ Vec held(const Vec& start, const Vec& patch, const Vec& to) {
   return start + std::min(1.0, length(start - patch) / std::max(1e-300, length(way))) * way;
 }
 
-/// How much of the area 0.4 of its patch's a triangle lacks, over its edges.
-double lackOf(const Folds& folds, std::size_t i, double q, const std::vector<Vec>& at) {
-  const auto& t = folds.triangles[i];
-  double edges = 0.0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec edge = at[index(t[(k + 1) % 3])] - at[index(t[k])];
-    edges += dot(edge, edge);
-  }
-  const double area = length(faceOf(folds.patch, t));
-  return folds.trustIn(i) * (kRelaxedArea - q) * area / std::sqrt(std::max(edges, area));
-}
-
-/// @param start  positions of the first round: no vertex goes further from there than muscles have moved it.
-void relaxFolds(const Folds& folds, const Neighbors& neighbors, const std::vector<Vec>& start, std::vector<Vec>& at) {
-  const std::vector<bool> borders = bordersOf(neighbors);
-  std::vector<double> weights(at.size(), 0.0);
-  std::vector<double> lacks(at.size(), 0.0);
-  for (int round = 0; round < 6; ++round) {
-    for (double& weight : weights) weight = std::max(0.0, weight - 0.25);
-    for (std::size_t i = 0; i < folds.triangles.size(); ++i) {
-      const std::optional<double> q = folds.areaOf(i, at);
-      if (!q || *q >= kRelaxedArea) continue;
-      const double weight = folds.trustIn(i) * (1.0 - smoothstep(0.0, kRelaxedArea, *q));
-      const double lack = lackOf(folds, i, *q, at);
-      for (const int v : folds.triangles[i]) {
-        weights[index(v)] = std::max(weights[index(v)], weight);
-        lacks[index(v)] = std::max(lacks[index(v)], lack);
-      }
-    }
-    const std::vector<Vec> towardsMean = laplacian(neighbors, at);
-    for (std::size_t v = 0; v < at.size(); ++v) {
-      if (borders[v] || weights[v] == 0.0) continue;
-      const Vec way = weights[v] * towardsMean[v];
-      const double share = std::min(1.0, 2.0 * lacks[v] / std::max(1e-300, length(way)));
-      at[v] = held(start[v], folds.patch[v], at[v] + 0.2 * share * way);
-    }
-  }
-}
-
 /// A triangle's moves towards q = 0.3, for its three corners: along the gradients of its area, as little as will do.
 /// @return  also the factor on the gradients: about the moves over the edges.
 std::pair<std::array<Vec, 3>, double> spreadOf(const Folds& folds, std::size_t i, double q,
@@ -128,7 +88,7 @@ std::pair<std::array<Vec, 3>, double> spreadOf(const Folds& folds, std::size_t i
 
 void spreadFolds(const Folds& folds, const Neighbors& neighbors, const std::vector<Vec>& start, std::vector<Vec>& at) {
   const std::vector<bool> borders = bordersOf(neighbors);
-  for (int round = 0; round < 16; ++round) {
+  for (int round = 0; round < 8; ++round) {
     std::vector<double> weights(at.size(), 0.0);
     std::vector<Vec> ways(at.size());
     for (std::size_t i = 0; i < folds.triangles.size(); ++i) {
@@ -235,7 +195,6 @@ Finished finish(const ControlMesh& mesh, const Surface& bindPatch, const Surface
   }
   const Neighbors neighbors = neighborsOf(triangles, projected.size());
   const std::vector<Vec> start = out.positions;
-  relaxFolds(folds, neighbors, start, out.positions);
   spreadFolds(folds, neighbors, start, out.positions);
   for (std::size_t v = 0; v < projected.size(); ++v) {
     out.guarded.push_back(length(out.positions[v] - projected[v]) > 0.0);

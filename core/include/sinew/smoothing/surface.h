@@ -44,7 +44,7 @@ struct SmoothingReport {
   int unresolved = 0;   ///< ... and none found: they lie on the patch.
   int uncertified = 0;  ///< ... by double precision because vectors could not vouch for the first; not in --report.
   int unwrapped = 0;    ///< `replace`: control vertices under muscles that do not wrap the body: they keep the skin.
-  int guarded = 0;      ///< Vertices moved again because a triangle had folded (fold_relaxation.h, fold_spread.h).
+  int guarded = 0;      ///< Vertices moved again because a triangle had folded (fold_spread.h).
   int anchorFallbacks = 0;   ///< `replace`: anchors outside the implicit surface; the normal served instead.
   Evaluations evaluations;   ///< Along all projection rays.
   double residualMax = 0.0;  ///< Largest |phi| at the found roots.
