@@ -67,9 +67,9 @@ void boundHeights(const Preparation& preparation, const SkinnedMesh& control, Wo
   const RefinedMesh& refined = *preparation.refined;
   const std::span<float> heights = out.displacement;
   w.rawHeights.assign(heights.begin(), heights.end());
-  w.creaseLift.lower({preparation.mesh(), preparation.tables->perBindFront, control.positions, control.normals,
-                      *refined.refinement, refined.rings},
-                     w.movedTriangles, heights);
+  w.creaseLift.lower(
+      {preparation.mesh(), preparation.tables->perBindFront, control.positions, control.normals, *refined.refinement},
+      w.movedTriangles, heights);
   w.liftedHeights.start(refined.rings, w.movedTriangles, w.patchPositions, out.positions, heights);
   for (const int vertex : w.slopeBound.lower(w.liftedHeights)) at(heights, vertex) = w.liftedHeights.height(vertex);
   placeLowered(w.liftedHeights.lifted(), w.rawHeights, w, out);
@@ -116,8 +116,7 @@ bool findMoved(const Preparation& preparation, const PosedField& posed, Workspac
   // A surface that wraps the body may lie across its patch; it has the paper's normals.
   if (!preparation.swells() && posed.bind->weights.wraps) return false;
   MovedTriangles& moved = workspace.movedTriangles;
-  moved.find(preparation.mesh(), preparation.refinement(), preparation.refined->rings, workspace.patchPositions,
-             out.positions);
+  moved.find(preparation.refinement(), workspace.patchPositions, out.positions);
   return !moved.refined.empty();
 }
 
@@ -151,8 +150,7 @@ void drape(const Preparation& preparation, bool moved, Workspace& w, Surface& ou
       preparation.character().height};
   if (!w.clothLift.apply(view, out) || !moved) return;
   // Normals are made anew around cloth as around skin.
-  w.movedTriangles.find(preparation.mesh(), preparation.refinement(), preparation.refined->rings, w.patchPositions,
-                        out.positions);
+  w.movedTriangles.find(preparation.refinement(), w.patchPositions, out.positions);
   w.pairs.fill(w.movedTriangles.corners, w.patchPositions, out.positions);
 }
 

@@ -14,7 +14,6 @@ constexpr float kFolded = -0.3f;      ///< rho up to which heights fall the most
 constexpr float kLevel = 0.4f;        ///< rho from which on they stay.
 constexpr float kLeft = 0.4f;         ///< What is left of them.
 constexpr float kLeastFront = 0.05f;  ///< In the bind pose.
-constexpr float kUnknown = 2.0f;
 
 /// How much of its height is left to a vertex.
 float leftOf(float rho) { return kLeft + (1.0f - kLeft) * smoothstep(kFolded, kLevel, rho); }
@@ -35,38 +34,21 @@ std::vector<float> bindFrontInverses(const ControlMesh& mesh) {
   return out;
 }
 
-void CreaseLift::start(const CarryingMesh& c) {
-  for (const int triangle : triangles_) at(fronts_, triangle) = kUnknown;
-  for (const int vertex : vertices_) at(rho_, vertex) = kUnknown;
-  for (const int edge : lowered_) at(isLowered_, edge) = 0;
-  triangles_.clear();
-  vertices_.clear();
-  lowered_.clear();
-  fronts_.resize(c.mesh.triangles.size(), kUnknown);
-  rho_.resize(c.mesh.positions.size(), kUnknown);
-  isLowered_.resize(c.mesh.edges.size(), 0);
-}
-
-float CreaseLift::frontOfTriangle(const CarryingMesh& c, int triangle) {
-  float& front = at(fronts_, triangle);
-  if (front != kUnknown) return front;
-  triangles_.push_back(triangle);
-  const float perBind = at(c.perBindFront, triangle);
-  if (perBind == 0.0f) return front = 1.0f;
-  const std::array<int, 3>& t = at(c.mesh.triangles, triangle).vertices;
-  front = std::clamp(perBind * ratioOf(t, c.positions, c.normals), -1.0f, 1.0f);
-  return front;
-}
-
-float CreaseLift::rhoAt(const CarryingMesh& c, int vertex) {
-  float& rho = at(rho_, vertex);
-  if (rho != kUnknown) return rho;
-  vertices_.push_back(vertex);
-  rho = 1.0f;
-  for (const int corner : c.rings.cornersOf(vertex)) {
-    rho = std::min(rho, frontOfTriangle(c, at(c.refinement.controlOf, corner / 3)));
+void CreaseLift::findRho(const CarryingMesh& c, const MovedTriangles& moved) {
+  rho_.assign(c.mesh.positions.size(), 1.0f);
+  isNear_.assign(c.mesh.positions.size(), 0);
+  for (std::size_t t = 0; t < moved.isControl.size(); ++t) {
+    if (moved.isControl[t] == 0) continue;
+    for (const int v : c.mesh.triangles[t].vertices) at(isNear_, v) = 1;
   }
-  return rho;
+  for (std::size_t t = 0; t < c.mesh.triangles.size(); ++t) {
+    const std::array<int, 3>& corners = c.mesh.triangles[t].vertices;
+    if ((at(isNear_, corners[0]) | at(isNear_, corners[1]) | at(isNear_, corners[2])) == 0) continue;
+    const float perBind = c.perBindFront[t];
+    if (perBind == 0.0f) continue;
+    const float front = std::clamp(perBind * ratioOf(corners, c.positions, c.normals), -1.0f, 1.0f);
+    for (const int v : corners) at(rho_, v) = std::min(at(rho_, v), front);
+  }
 }
 
 void CreaseLift::lowerEdge(const CarryingMesh& c, int edge, std::span<float> heights) {
@@ -83,12 +65,15 @@ void CreaseLift::lowerEdge(const CarryingMesh& c, int edge, std::span<float> hei
 }
 
 void CreaseLift::lower(const CarryingMesh& c, const MovedTriangles& moved, std::span<float> heights) {
-  start(c);
+  for (const int edge : lowered_) at(isLowered_, edge) = 0;
+  lowered_.clear();
+  isLowered_.resize(c.mesh.edges.size(), 0);
+  findRho(c, moved);
   for (std::size_t t = 0; t < moved.isControl.size(); ++t) {
     if (moved.isControl[t] == 0) continue;
     const ControlTriangle& triangle = c.mesh.triangles[t];
-    const std::array rho{rhoAt(c, triangle.vertices[0]), rhoAt(c, triangle.vertices[1]),
-                         rhoAt(c, triangle.vertices[2])};
+    const auto& [a, b, d] = triangle.vertices;
+    const std::array rho{at(rho_, a), at(rho_, b), at(rho_, d)};
     if (*std::ranges::min_element(rho) >= kLevel) continue;
     for (const int edge : triangle.edges) lowerEdge(c, edge, heights);
     for (int v = c.refinement.insideBegin[t]; v < c.refinement.insideBegin[t + 1]; ++v) {
@@ -96,7 +81,9 @@ void CreaseLift::lower(const CarryingMesh& c, const MovedTriangles& moved, std::
       at(heights, v) *= leftOf(rho[0] + place.x * (rho[1] - rho[0]) + place.y * (rho[2] - rho[0]));
     }
   }
-  for (const int vertex : vertices_) at(heights, vertex) *= leftOf(at(rho_, vertex));
+  for (std::size_t v = 0; v < isNear_.size(); ++v) {
+    if (isNear_[v] != 0 && rho_[v] < kLevel) heights[v] *= leftOf(rho_[v]);
+  }
 }
 
 }  // namespace sinew

@@ -8,7 +8,8 @@
 #include <glm/vec3.hpp>
 
 #include "core/smoothing/finish/moved_triangles.h"
-#include "core/smoothing/finish/vertex_rings.h"
+#include "sinew/mesh/control_mesh.h"
+#include "sinew/smoothing/refinement.h"
 
 namespace sinew {
 
@@ -19,7 +20,6 @@ struct CarryingMesh {
   std::span<const glm::vec3> positions;  ///< [V] world.
   std::span<const glm::vec3> normals;    ///< [V] unit.
   const Refinement& refinement;
-  const VertexRings& rings;  ///< Of the refinement.
 };
 
 /// [T] 1 / the front (fold.h) of each control triangle in the bind pose; 0 where that is below 0.05.
@@ -36,20 +36,13 @@ class CreaseLift {
   void lower(const CarryingMesh& carrying, const MovedTriangles& moved, std::span<float> heights);
 
  private:
-  void start(const CarryingMesh& carrying);
-  [[nodiscard]] float frontOfTriangle(const CarryingMesh& carrying, int triangle);
-  [[nodiscard]] float rhoAt(const CarryingMesh& carrying, int vertex);
+  void findRho(const CarryingMesh& carrying, const MovedTriangles& moved);
   void lowerEdge(const CarryingMesh& carrying, int edge, std::span<float> heights);
 
-  // Of this pose, or kUnknown.
-  std::vector<float> fronts_;  ///< [T] over those in the bind pose.
-  std::vector<float> rho_;     ///< [V]
-
-  // What is not to be found again.
-  std::vector<int> triangles_;
-  std::vector<int> vertices_;
+  std::vector<float> rho_;               ///< [V] of this pose; whole where isNear_.
+  std::vector<std::uint8_t> isNear_;     ///< [V] at a moved triangle.
   std::vector<std::uint8_t> isLowered_;  ///< [E]
-  std::vector<int> lowered_;
+  std::vector<int> lowered_;             ///< Those edges.
 };
 
 }  // namespace sinew

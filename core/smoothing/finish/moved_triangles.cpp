@@ -1,7 +1,7 @@
 // core/smoothing/finish/moved_triangles.cpp: from moved vertices to the triangles around them.
 #include "core/smoothing/finish/moved_triangles.h"
 
-#include <algorithm>
+#include <array>
 
 #include "core/base/at.h"
 
@@ -19,39 +19,65 @@ void list(const std::vector<std::uint8_t>& flags, std::vector<int>& out) {
   out.resize(count);
 }
 
-/// Flags vertices and their neighbors.
-void flagAround(std::span<const int> vertices, const VertexRings& rings, std::vector<std::uint8_t>& flags) {
-  flags.assign(rings.share.size(), 0);
-  for (const int v : vertices) {
-    at(flags, v) = 1;
-    for (const int neighbor : rings.at(v)) at(flags, neighbor) = 1;
+// Spans of their own: bytes may lie anywhere, so that a flag that is written has members of vectors read again.
+using Triangles = std::span<const std::array<int, 3>>;
+using Flags = std::span<std::uint8_t>;
+
+/// Whether one of a triangle's corners is flagged.
+bool isAny(Flags flags, const std::array<int, 3>& t) {
+  return (at(flags, t[0]) | at(flags, t[1]) | at(flags, t[2])) != 0;
+}
+
+void flag(const std::array<int, 3>& t, Flags flags) {
+  for (const int corner : t) at(flags, corner) = 1;
+}
+
+void findMoved(std::span<const glm::vec3> patch, std::span<const glm::vec3> positions, Flags isMoved) {
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    const glm::vec3& p = patch[v];
+    const glm::vec3& q = positions[v];
+    isMoved[v] = static_cast<std::uint8_t>((p.x != q.x) | (p.y != q.y) | (p.z != q.z));
   }
+}
+
+/// Control triangles with a moved vertex, and the vertices of their pieces that have one.
+void findNear(Triangles triangles, std::span<const int> begin, Flags isMoved, Flags isControl, Flags isNear) {
+  for (std::size_t t = 0; t < isControl.size(); ++t) {
+    std::uint8_t any = 0;
+    for (int i = begin[t]; i < begin[t + 1]; ++i) {
+      if (!isAny(isMoved, at(triangles, i))) continue;
+      any = 1;
+      flag(at(triangles, i), isNear);
+    }
+    isControl[t] = any;
+  }
+}
+
+/// Triangles at those vertices, and their corners. @return  how many
+std::size_t findRefined(Triangles triangles, Flags isNear, Flags isCorner, std::span<int> refined) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (!isAny(isNear, triangles[i])) continue;
+    refined[count++] = static_cast<int>(i);
+    flag(triangles[i], isCorner);
+  }
+  return count;
 }
 
 }  // namespace
 
-void MovedTriangles::find(const ControlMesh& mesh, const Refinement& refinement, const VertexRings& rings,
-                          std::span<const glm::vec3> patch, std::span<const glm::vec3> positions) {
+void MovedTriangles::find(const Refinement& refinement, std::span<const glm::vec3> patch,
+                          std::span<const glm::vec3> positions) {
   isMoved_.resize(positions.size());
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    const glm::vec3& p = patch[v];
-    const glm::vec3& q = positions[v];
-    isMoved_[v] = static_cast<std::uint8_t>((p.x != q.x) | (p.y != q.y) | (p.z != q.z));
-  }
-  list(isMoved_, moved_);
-  isControl.assign(mesh.triangles.size(), 0);
-  for (const int v : moved_) {
-    for (const int corner : rings.cornersOf(v)) at(isControl, at(refinement.controlOf, corner / 3)) = 1;
-  }
-  flagAround(moved_, rings, isNear);
+  findMoved(patch, positions, isMoved_);
+  isNear = isMoved_;
+  isControl.resize(refinement.triangleBegin.size() - 1);
+  findNear(refinement.triangles, refinement.triangleBegin, isMoved_, isControl, isNear);
   list(isNear, near);
-  flagAround(near, rings, isCorner_);
+  isCorner_ = isNear;
+  refined.resize(refinement.triangles.size());
+  refined.resize(findRefined(refinement.triangles, isNear, isCorner_, refined));
   list(isCorner_, corners);
-  isRefined_.assign(refinement.triangles.size(), 0);
-  for (const int v : near) {
-    for (const int corner : rings.cornersOf(v)) at(isRefined_, corner / 3) = 1;
-  }
-  list(isRefined_, refined);
 }
 
 }  // namespace sinew

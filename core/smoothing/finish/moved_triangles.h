@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/smoothing/finish/vertex_rings.h"
-#include "sinew/mesh/control_mesh.h"
+#include <glm/vec3.hpp>
+
 #include "sinew/smoothing/refinement.h"
 
 namespace sinew {
@@ -19,15 +19,12 @@ struct MovedTriangles {
   std::vector<int> near;                ///< Those vertices. Ascending.
   std::vector<int> corners;             ///< The vertices of `refined`, those among them. Ascending.
 
-  /// @param rings  of the refinement.  @param patch, positions [V'] world; a vertex has moved where they differ.
-  void find(const ControlMesh& mesh, const Refinement& refinement, const VertexRings& rings,
-            std::span<const glm::vec3> patch, std::span<const glm::vec3> positions);
+  /// @param patch, positions [V'] world; a vertex has moved where they differ.
+  void find(const Refinement& refinement, std::span<const glm::vec3> patch, std::span<const glm::vec3> positions);
 
  private:
-  std::vector<std::uint8_t> isMoved_;    ///< [V']
-  std::vector<int> moved_;               ///< Those vertices. Ascending.
-  std::vector<std::uint8_t> isRefined_;  ///< [T n^2] in `refined`.
-  std::vector<std::uint8_t> isCorner_;   ///< [V'] of a triangle in `refined`.
+  std::vector<std::uint8_t> isMoved_;   ///< [V']
+  std::vector<std::uint8_t> isCorner_;  ///< [V'] of a triangle in `refined`.
 };
 
 }  // namespace sinew

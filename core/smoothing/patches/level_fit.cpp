@@ -5,8 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include <glm/geometric.hpp>
+
+#include "sinew/rig/rig.h"
 
 namespace sinew {
 namespace {
@@ -54,61 +57,84 @@ bool isWithin(float most, const glm::vec3& sample, const std::array<glm::vec3, 3
   return !(glm::distance(sample, own) > most) || !(distanceFromPiece(sample, corners, shares) > most);
 }
 
-/// A triangle's samples by their row and place in it.
-class Lattice {
- public:
-  Lattice(const FineSamples& samples, int fine) : samples_(samples), fine_(fine) {}
+/// A triangle's samples: their numbers, by row and place in it.
+std::size_t indexOf(int fine, int j, int k) { return indexOf(j * (fine + 1) - j * (j - 1) / 2 + k); }
 
-  [[nodiscard]] std::size_t index(int j, int k) const { return indexOf(j * (fine_ + 1) - j * (j - 1) / 2 + k); }
-
-  [[nodiscard]] bool isSmoothAt(int j, int k) const {
-    const glm::vec3& own = samples_.normals[index(j, k)];
-    constexpr std::array<std::array<int, 2>, 6> kAround{{{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}}};
-    return std::ranges::all_of(kAround, [&](const std::array<int, 2>& way) {
-      const int row = j + way[0];
-      const int place = k + way[1];
-      if (row < 0 || place < 0 || row + place > fine_) return true;
-      return glm::dot(own, samples_.normals[index(row, place)]) > kCreaseCosine;
-    });
-  }
-
-  /// Whether a sample lies within the tolerance of the small triangle of the level's split that it belongs to.
-  [[nodiscard]] bool fits(int j, int k, int step, const LevelTolerance& tolerance) const {
-    const int row = std::min(j / step, (fine_ / step) - 1) * step;
-    const int place = std::min(k / step, (fine_ - row) / step - 1) * step;
-    const int fj = j - row;
-    const int fk = k - place;
-    const float s = static_cast<float>(step);
-    const bool up = fj + fk <= step;
-    const std::array<std::size_t, 3> corners =
-        up ? std::array{index(row, place), index(row + step, place), index(row, place + step)}
-           : std::array{index(row + step, place + step), index(row, place + step), index(row + step, place)};
-    const float x = static_cast<float>(up ? fj : step - fj) / s;
-    const float y = static_cast<float>(up ? fk : step - fk) / s;
-    const std::array<float, 3> share{1.0f - x - y, x, y};
-    const std::size_t at = index(j, k);
-    const auto corner = [&](std::size_t i) { return samples_.positions[corners[i]]; };
-    const std::array<glm::vec3, 3> piece{corner(0), corner(1), corner(2)};
-    if (!isWithin(tolerance.distance, samples_.positions[at], piece, share)) return false;
-    glm::vec3 between(0.0f);
-    for (std::size_t i = 0; i < 3; ++i) between += share[i] * samples_.normals[corners[i]];
-    return !turnsTooFar(between, samples_.normals[at], tolerance) || !isSmoothAt(j, k);
-  }
-
- private:
-  FineSamples samples_;
-  int fine_;
+/// A sample in the small triangle of a level's split that it belongs to.
+struct Place {
+  int j = 0;
+  int k = 0;
+  std::size_t at = 0;
+  std::array<std::size_t, 3> corners{};
+  std::array<float, 3> shares{};  ///< Barycentric.
 };
 
-bool triangleFits(const Lattice& lattice, int fine, int level, const LevelTolerance& tolerance) {
+Place placeIn(int fine, int step, int j, int k) {
+  const int row = std::min(j / step, (fine / step) - 1) * step;
+  const int place = std::min(k / step, (fine - row) / step - 1) * step;
+  const int fj = j - row;
+  const int fk = k - place;
+  const bool up = fj + fk <= step;
+  const auto index = [&](int down, int right) { return indexOf(fine, row + down, place + right); };
+  const auto s = static_cast<float>(step);
+  const float x = static_cast<float>(up ? fj : step - fj) / s;
+  const float y = static_cast<float>(up ? fk : step - fk) / s;
+  return {j,
+          k,
+          indexOf(fine, j, k),
+          up ? std::array{index(0, 0), index(step, 0), index(0, step)}
+             : std::array{index(step, step), index(0, step), index(step, 0)},
+          {1.0f - x - y, x, y}};
+}
+
+/// Of all samples but the corners of the split.
+std::vector<Place> placesOf(int fine, int level) {
   const int step = fine / level;
+  std::vector<Place> out;
   for (int j = 0; j <= fine; ++j) {
     for (int k = 0; k <= fine - j; ++k) {
-      if (j % step == 0 && k % step == 0) continue;
-      if (!lattice.fits(j, k, step, tolerance)) return false;
+      if (j % step != 0 || k % step != 0) out.push_back(placeIn(fine, step, j, k));
     }
   }
-  return true;
+  return out;
+}
+
+/// Found once: tens of thousands of triangles ask in every pose.
+const std::vector<Place>& knownPlaces(int fine, int level) {
+  static const auto kKnown = [] {
+    std::array<std::array<std::vector<Place>, kMaxDepth + 1>, kMaxDepth + 1> known;
+    for (int n = 1; n <= kMaxDepth; ++n) {
+      for (int divisor = 1; divisor < n; ++divisor) {
+        if (n % divisor == 0) known[indexOf(n)][indexOf(divisor)] = placesOf(n, divisor);
+      }
+    }
+    return known;
+  }();
+  return kKnown[indexOf(fine)][indexOf(level)];
+}
+
+bool isSmoothAt(const FineSamples& samples, int fine, int j, int k) {
+  const glm::vec3& own = samples.normals[indexOf(fine, j, k)];
+  constexpr std::array<std::array<int, 2>, 6> kAround{{{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}}};
+  return std::ranges::all_of(kAround, [&](const std::array<int, 2>& way) {
+    const int row = j + way[0];
+    const int place = k + way[1];
+    if (row < 0 || place < 0 || row + place > fine) return true;
+    return glm::dot(own, samples.normals[indexOf(fine, row, place)]) > kCreaseCosine;
+  });
+}
+
+bool triangleFits(const FineSamples& s, int fine, int level, const LevelTolerance& tolerance) {
+  return std::ranges::all_of(knownPlaces(fine, level), [&](const Place& own) {
+    const auto& [a, b, c] = own.corners;
+    if (!isWithin(tolerance.distance, s.positions[own.at], {s.positions[a], s.positions[b], s.positions[c]},
+                  own.shares)) {
+      return false;
+    }
+    const glm::vec3 between =
+        own.shares[0] * s.normals[a] + own.shares[1] * s.normals[b] + own.shares[2] * s.normals[c];
+    return !turnsTooFar(between, s.normals[own.at], tolerance) || !isSmoothAt(s, fine, own.j, own.k);
+  });
 }
 
 /// The least divisor of `fine` from `from` on that fits; `fine` itself always does.
@@ -137,8 +163,7 @@ int edgeLevel(const FineSamples& samples, int from, const LevelTolerance& tolera
 }
 
 int triangleLevel(const FineSamples& samples, int fine, int from, const LevelTolerance& tolerance) {
-  const Lattice lattice(samples, fine);
-  return leastDivisor(fine, from, [&](int level) { return triangleFits(lattice, fine, level, tolerance); });
+  return leastDivisor(fine, from, [&](int level) { return triangleFits(samples, fine, level, tolerance); });
 }
 
 }  // namespace sinew

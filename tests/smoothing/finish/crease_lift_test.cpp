@@ -19,12 +19,11 @@ namespace {
 struct CreasedSheet {
   ControlMesh mesh;
   Refinement refinement;
-  VertexRings rings;
   std::vector<glm::vec3> posed;
   MovedTriangles moved;
 
   explicit CreasedSheet(const std::function<Refinement(const ControlMesh&)>& refined, float stretch = 1.0f)
-      : mesh(sheet(stretch)), refinement(refined(mesh)), rings(vertexRings(refinement)), posed(mesh.positions) {
+      : mesh(sheet(stretch)), refinement(refined(mesh)), posed(mesh.positions) {
     moved.isControl.assign(mesh.triangles.size(), 1);
   }
 
@@ -34,7 +33,7 @@ struct CreasedSheet {
     posed = mesh.positions;
     for (glm::vec3& p : posed) p.x -= 2.0f * share * std::clamp(p.x, -0.1f, 0.1f);
     std::vector<float> heights(static_cast<std::size_t>(refinement.vertexCount), 1.0f);
-    crease_.lower({mesh, bindFrontInverses(mesh), posed, mesh.normals, refinement, rings}, moved, heights);
+    crease_.lower({mesh, bindFrontInverses(mesh), posed, mesh.normals, refinement}, moved, heights);
     return heights;
   }
 

@@ -35,7 +35,7 @@ struct Heights {
     heights = raw;
     positions = mesh.positions;
     for (std::size_t v = 0; v < raw.size(); ++v) positions[v].z += raw[v];
-    moved.find(mesh, refinement, rings, mesh.positions, positions);
+    moved.find(refinement, mesh.positions, positions);
     lifted.start(rings, moved, mesh.positions, positions, heights);
     const auto weights = filter.apply(lifted, mesh.positions, positions, heights);
     return {weights.begin(), weights.end()};

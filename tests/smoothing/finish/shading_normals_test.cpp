@@ -38,7 +38,7 @@ class Raised {
       positions[v].z += rise;
       fieldNormals[v] = glm::normalize(normal(mesh_.positions[v]));
     }
-    moved_.find(mesh_, refinement_, rings_, mesh_.positions, positions);
+    moved_.find(refinement_, mesh_.positions, positions);
     pairs_.fill(moved_.corners, mesh_.positions, positions);
     std::vector<glm::vec3> out = fieldNormals;
     shading_.apply(refinement_, rings_, moved_, pairs_, patchNormals_, {}, out);

@@ -6,6 +6,7 @@
 
 #include "core/smoothing/finish/fold.h"
 #include "core/smoothing/finish/moved_triangles.h"
+#include "core/smoothing/finish/vertex_rings.h"
 #include "tests/support/surface/sheets.h"
 
 namespace sinew::test {

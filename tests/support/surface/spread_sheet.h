@@ -15,7 +15,7 @@ struct SpreadSheet : LiftedSheet {
   /// The sheet's skin after the spread.
   [[nodiscard]] std::vector<glm::vec3> spread(std::vector<glm::vec3> positions) {
     rings = vertexRings(refinement);  // A test may have changed the triangles.
-    moved.find(mesh, refinement, rings, patch, positions);
+    moved.find(refinement, patch, positions);
     pairs_.fill(moved.corners, patch, positions);
     region_.find(mesh, refinement, rings, moved, view(), pairs_, positions, FoldSpread::kLeastArea);
     const std::vector<std::uint8_t> isBorder = borderVertices(mesh, refinement);
