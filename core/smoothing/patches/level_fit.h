@@ -28,8 +28,8 @@ struct LevelTolerance {
 /// along an edge.
 [[nodiscard]] int edgeLevel(const FineSamples& samples, int from, const LevelTolerance& tolerance);
 
-/// The same for the n^2 split of a triangle.  @param fine  R.  @param samples [(R+1)(R+2)/2] at barycentric
-/// (R-j-k, j, k) / R, row j = 0 first, k ascending.
+/// The same for the n^2 split of a triangle.  @param fine  R, at most kMaxDepth.  @param samples [(R+1)(R+2)/2] at
+/// barycentric (R-j-k, j, k) / R, row j = 0 first, k ascending.
 [[nodiscard]] int triangleLevel(const FineSamples& samples, int fine, int from, const LevelTolerance& tolerance);
 
 }  // namespace sinew
