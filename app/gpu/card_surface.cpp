@@ -100,7 +100,7 @@ void CardSurface::reserveBodies() {
   reserve(Buffer::kHeights, vertices * sizeof(float));
   reserve(Buffer::kFiltered, vertices * sizeof(float));
   reserve(Buffer::kFolded, vertices * sizeof(glm::vec4));
-  reserve(Buffer::kWanted, vertices * sizeof(glm::vec4));
+  reserve(Buffer::kBends, vertices * sizeof(glm::vec4));
   reserve(Buffer::kAsks, triangles * sizeof(float));
   reserve(Buffer::kWays, 3 * triangles * sizeof(glm::vec4));
   reserve(Buffer::kRoundsAsked, kRounds * sizeof(card::Round));
@@ -223,7 +223,6 @@ void CardSurface::boundHeights() const {
 void CardSurface::filterHeights() const {
   const int vertices = making_.refinedVertices;
   using enum Buffer;
-  constexpr Buffer kBends = kWanted;
   run(Stage::kBend, vertices, {kRings, kNeighbors, kPatches, kSurface, kMarks, kFiltered, kBends});
   run(Stage::kWeigh, vertices, {kRings, kNeighbors, kMarks, kBends});
   for (int round = 0; round < LiftFilter::kRounds; ++round) {
@@ -255,7 +254,7 @@ void CardSurface::makeNormals() const {
   const int vertices = making_.refinedVertices;
   using enum Buffer;
   constexpr Buffer kTurns = kFolded;
-  constexpr Buffer kTeeth = kWanted;
+  constexpr Buffer kTeeth = kBends;
   run(Stage::kHold, vertices, {kRings, kCorners, kTriangles, kPatches, kSurface, kMarks, kTurns});
   run(Stage::kTeeth, vertices, {kRings, kNeighbors, kMarks, kTurns, kTeeth});
   run(Stage::kEven, vertices, {kRings, kNeighbors, kPatches, kSurface, kTurns, kTeeth});

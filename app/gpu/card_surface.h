@@ -100,7 +100,7 @@ class CardSurface {
     kHeights,
     kFiltered,
     kFolded,  ///< Later the turns of normals.
-    kWanted,  ///< Later their teeth.
+    kBends,   ///< Later the teeth of normals.
     kAsks,
     kWays,
     kRoundsAsked,

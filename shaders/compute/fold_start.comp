@@ -4,7 +4,7 @@
 #include "compute/mesh.glsl"
 
 layout(std430, binding = 0) readonly buffer Surface { Vertex surface[]; };
-layout(std430, binding = 1) writeonly buffer Folded { vec4 folded[]; };  // w: the weight with which it moves.
+layout(std430, binding = 1) writeonly buffer Folded { vec4 folded[]; };  // w: 1 where the last round has moved it.
 
 void main() {
   int v = item();
