@@ -24,10 +24,6 @@ sinewTestPackages=("${sinewRunPackages[@]}" libgtest-dev libbenchmark-dev python
   parallel slurm-wlm  # jobs shared out
   git dpkg-dev binutils lintian desktop-file-utils appstream shared-mime-info man-db util-linux fish zsh)
 
-# What .ci/run needs besides: a second compiler, and its sanitizers.
-# shellcheck disable=SC2034  # .ci/run reads it
-sinewCiPackages=(clang-14 libclang-rt-14-dev)
-
 # Progress goes to stderr, so that a verb's result has stdout for itself.
 sinewSay() { printf 'sinew: %s\n' "$*" >&2; }
 

@@ -17,17 +17,7 @@ step() {
   echo "ci/sanitizers: $1: $((SECONDS - began)) s"
 }
 
-# All tests of core but those that would say nothing new: they run no code of core themselves, or take minutes here.
-# Indented, so that nobody takes these closing lines for those of the whole.
-runTests() {
-  local without
-  without=$(grep -v '^#' "$source/tests/ci/sanitizers_without.txt" | paste -sd '|')
-  # Where ctest cannot read the expression it complains, and runs everything.
-  if ctest --test-dir "$build" -N -E "$without" 2>&1 | grep RegularExpression; then return 1; fi
-  ctest --test-dir "$build" --output-on-failure -j "$(nproc)" -E "$without" 2>&1 | sed 's/^/    /'
-}
-
 step configure cmake -S "$source" --preset asan -B "$build" "${options[@]}"
 step build cmake --build "$build"
-step test runTests
+step test "$source/tests/ci/run_tests.sh" "$build/tests" tests
 step fuzz "$source/tests/fuzz/run.sh" "$build" "${SINEW_FUZZ:-2000runs}"

@@ -56,7 +56,7 @@ Ball ballOf(const Placement& placement) {
 }
 
 /// Level, from where the skin over the muscle looks to.
-struct Camera {
+struct PictureCamera {
   glm::vec3 right{1.0f, 0.0f, 0.0f};
   glm::vec3 up{0.0f, 1.0f, 0.0f};
   glm::vec3 towards{0.0f, 0.0f, 1.0f};  ///< The viewer.
@@ -89,8 +89,8 @@ glm::vec3 outwards(const ControlMesh& mesh, const Ball& ball) {
   return normalizeOr(sum, ofNearest);
 }
 
-Camera cameraFor(const Character& character, const Placement& muscle, float least, const glm::ivec2& pixels) {
-  Camera camera;
+PictureCamera cameraFor(const Character& character, const Placement& muscle, float least, const glm::ivec2& pixels) {
+  PictureCamera camera;
   glm::vec3 from = outwards(character.mesh, ballOf(muscle));
   from.y = std::clamp(from.y, -0.35f, 0.35f);  // Level, or nearly so.
   camera.towards = normalizeOr(from, {0.0f, 0.0f, 1.0f});
@@ -106,7 +106,7 @@ Camera cameraFor(const Character& character, const Placement& muscle, float leas
 
 class Painter {
  public:
-  Painter(const Character& character, const Camera& camera, std::vector<Ball> muscles, const glm::ivec2& size)
+  Painter(const Character& character, const PictureCamera& camera, std::vector<Ball> muscles, const glm::ivec2& size)
       : mesh_(character.mesh),
         camera_(camera),
         muscles_(std::move(muscles)),
@@ -168,7 +168,7 @@ class Painter {
   }
 
   const ControlMesh& mesh_;
-  const Camera& camera_;
+  const PictureCamera& camera_;
   std::vector<Ball> muscles_;
   glm::ivec2 size_;
   std::vector<float> near_;
@@ -188,7 +188,7 @@ Image musclePicture(const Character& character, std::span<const Primitive> muscl
     if (!first) first = placement;
   }
   const glm::ivec2 fine = kFiner * kMusclePicture;
-  const Camera camera = cameraFor(character, first.value_or(Placement{}), least, fine);
+  const PictureCamera camera = cameraFor(character, first.value_or(Placement{}), least, fine);
   const std::vector<glm::vec3> colors = Painter(character, camera, std::move(balls), fine).paint();
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
