@@ -80,8 +80,7 @@ void bindingMatrices(const Skeleton& skeleton, const Pose& pose, std::vector<glm
 glm::dvec3 skinPoint(std::span<const glm::dmat4> matrices, const FourWeights& weights, const glm::dvec3& point) {
   glm::dvec3 sum(0.0);
   for (std::size_t i = 0; i < kMostWeights && weights.binding[i] >= 0; ++i) {
-    const glm::dvec3 moved(at(matrices, weights.binding[i]) * glm::dvec4(point, 1.0));
-    sum += static_cast<double>(weights.weight[i]) * moved;
+    sum += static_cast<double>(weights.weight[i]) * carryPoint(at(matrices, weights.binding[i]), point);
   }
   return sum;
 }

@@ -42,6 +42,12 @@ struct Share {
 /// From the bind pose to a pose, one for each binding.
 void bindingMatrices(const Skeleton& skeleton, const Pose& pose, std::vector<glm::dmat4>& out);
 
+/// The matrix times (x, y, z, 1), but for the last row. Inline, where glm's product is a call.
+[[nodiscard]] inline glm::dvec3 carryPoint(const glm::dmat4& matrix, const glm::dvec3& point) {
+  return (glm::dvec3(matrix[0]) * point.x + glm::dvec3(matrix[1]) * point.y) +
+         (glm::dvec3(matrix[2]) * point.z + glm::dvec3(matrix[3]));
+}
+
 /// Linear blend skinning of a point of the bind pose.
 [[nodiscard]] glm::dvec3 skinPoint(std::span<const glm::dmat4> matrices, const FourWeights& weights,
                                    const glm::dvec3& point);

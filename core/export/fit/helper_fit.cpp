@@ -87,6 +87,33 @@ class HelperFit {
     });
   }
 
+  /// Calls use(poses) for all of them, in order.
+  template <class Use>
+  void forBlocks(const Use& use) const {
+    std::vector<PoseToFit> block;
+    for (std::size_t f = 0; f < task_.poses.size(); ++f) {
+      block.push_back({matrices_[f], task_.poses[f].live, task_.poses[f].further});
+      if (block.size() < kPosesAtOnce && f + 1 < task_.poses.size()) continue;
+      use(block);
+      block.clear();
+    }
+  }
+
+  /// Helpers' matrices as GainSums has them.
+  [[nodiscard]] std::vector<double> helperNumbers(std::span<const PoseToFit> poses, std::size_t stride) const {
+    std::vector<double> numbers(poses.size() * 12 * stride, 0.0);
+    double* row = numbers.data();
+    for (const PoseToFit& pose : poses) {
+      const auto own = pose.matrices.subspan(toIndex(first_));
+      for (int c = 0; c < 4; ++c) {
+        for (int r = 0; r < 3; ++r, row += stride) {
+          for (std::size_t h = 0; h < own.size(); ++h) row[h] = own[h][c][r];
+        }
+      }
+    }
+    return numbers;
+  }
+
   /// The least useful helpers go; what followed them follows what else it did.
   void drop(int many) {
     if (many <= 0) return;
@@ -130,7 +157,7 @@ class HelperFit {
       for (std::size_t i = 0; i < kMostWeights && w.binding[i] >= 0; ++i) {
         if (w.binding[i] < first_ || w.weight[i] > kAlmostAlone) continue;
         const auto share = static_cast<double>(w.weight[i]);
-        const glm::dvec3 own(matrices_[f][toIndex(w.binding[i])] * glm::dvec4(point, 1.0));
+        const glm::dvec3 own = carryPoint(matrices_[f][toIndex(w.binding[i])], point);
         const glm::dvec3 rest = (off - share * (own - live)) / (1.0 - share);
         shared[v][i] += counts * glm::dot(rest, rest);
       }
@@ -244,7 +271,7 @@ class HelperFit {
     const int bone = std::ranges::max_element(bones, {}, [](const auto& entry) { return entry.second; })->first;
     const glm::dmat4 intoBone(at(task_.skeleton.bones, bone).inverseBindInWorld);
     Trs rest;
-    rest.translation = glm::dvec3(intoBone * glm::dvec4(middle / all, 1.0));
+    rest.translation = carryPoint(intoBone, middle / all);
     rigid_.push_back(makeHelper({}, bone, rest, task_.skeleton));
     dropped_.push_back(false);
     const HelperJoint& helper = rigid_.back();
@@ -256,8 +283,8 @@ class HelperFit {
       if (!pose.further && intoPosed) {
         RigidMotion motion;
         for (const auto& [v, counts] : around) {
-          motion.add(glm::dvec3(intoBone * glm::dvec4(glm::dvec3(task_.rest[toIndex(v)]), 1.0)) - place,
-                     glm::dvec3(*intoPosed * glm::dvec4(glm::dvec3(pose.live[toIndex(v)]), 1.0)) - place, counts);
+          motion.add(carryPoint(intoBone, glm::dvec3(task_.rest[toIndex(v)])) - place,
+                     carryPoint(*intoPosed, glm::dvec3(pose.live[toIndex(v)])) - place, counts);
         }
         const RigidMotion::Motion best = motion.best();
         local = roundToFloats({place + best.translation, best.rotation, glm::dvec3(1.0)});
@@ -272,19 +299,14 @@ class HelperFit {
   [[nodiscard]] std::vector<std::vector<int>> choices() const {
     const std::size_t n = task_.rest.size();
     const std::size_t helpers = this->helpers();
-    std::vector<double> toward(n * helpers, 0.0);
-    std::vector<double> length(n * helpers, 0.0);
-    forEachInEachPose([&](std::size_t f, std::size_t v) {
-      if (task_.poses[f].further) return;
-      const glm::dvec4 point(glm::dvec3(task_.rest[v]), 1.0);
-      const glm::dvec3 now = skinPoint(matrices_[f], weights_[v], glm::dvec3(point));
-      const glm::dvec3 off = glm::dvec3(task_.poses[f].live[v]) - now;
-      for (std::size_t h = 0; h < helpers; ++h) {
-        if (dropped_[h]) continue;
-        const glm::dvec3 way = glm::dvec3(matrices_[f][toIndex(first_) + h] * point) - now;
-        toward[v * helpers + h] += glm::dot(off, way);
-        length[v * helpers + h] += glm::dot(way, way);
-      }
+    const std::size_t stride = (helpers + kHelperGroup - 1) / kHelperGroup * kHelperGroup;
+    std::vector<double> toward(n * stride, 0.0);
+    std::vector<double> length(n * stride, 0.0);
+    forBlocks([&](std::span<const PoseToFit> poses) {
+      const std::vector<double> numbers = helperNumbers(poses, stride);
+      const GainSums sums{task_.rest, weights_, poses, stride, numbers.data(), toward.data(), length.data()};
+      const FitKernels kernels = fitKernels(chosenVectorSet());
+      forRanges(n, kLeastHelperRange, [&](std::size_t first, std::size_t end) { kernels.addGains(sums, first, end); });
     });
     std::vector<std::vector<int>> result(n);
     for (std::size_t v = 0; v < n; ++v) {
@@ -296,8 +318,8 @@ class HelperFit {
       }
       std::vector<std::pair<double, int>> gains;
       for (std::size_t h = 0; h < helpers; ++h) {
-        const double t = toward[v * helpers + h];
-        if (t > 0.0 && !dropped_[h]) gains.emplace_back(-t * t / length[v * helpers + h], static_cast<int>(h));
+        const double t = toward[v * stride + h];
+        if (t > 0.0 && !dropped_[h]) gains.emplace_back(-t * t / length[v * stride + h], static_cast<int>(h));
       }
       std::ranges::sort(gains);
       for (std::size_t i = 0; i < std::min(kMostGains, gains.size()); ++i) add(first_ + gains[i].second);

@@ -27,7 +27,7 @@ HelperMotion::HelperMotion(const Skeleton& skeleton, std::span<const glm::vec3> 
       const int h = weights[v].binding[i] - first;
       Helper& helper = at(helpers_, h);
       const auto weight = static_cast<double>(weights[v].weight[i]);
-      const glm::dvec3 point(helper.intoBone * glm::dvec4(glm::dvec3(rest[v]), 1.0));
+      const glm::dvec3 point = carryPoint(helper.intoBone, glm::dvec3(rest[v]));
       helper.vertices.push_back(static_cast<int>(v));
       helper.spread += weight * weight * glm::distance(point, at(helpers, h).rest.translation);
       helper.hold += weight * weight;
@@ -59,16 +59,16 @@ void HelperMotion::solveOne(std::size_t helper, const Pose& pose, std::span<cons
   const int self = first_ + static_cast<int>(helper);
   for (const int v : own.vertices) {
     const FourWeights& weights = weights_[toIndex(v)];
-    const glm::dvec4 point(glm::dvec3{rest_[toIndex(v)]}, 1.0);
+    const glm::dvec3 point(rest_[toIndex(v)]);
     glm::dvec3 wanted(live[toIndex(v)]);
     double weight = 0.0;
     for (std::size_t i = 0; i < kMostWeights && weights.binding[i] >= 0; ++i) {
       const auto share = static_cast<double>(weights.weight[i]);
       if (weights.binding[i] == self) weight = share;
-      else wanted -= share * glm::dvec3(all[toIndex(weights.binding[i])] * point);
+      else wanted -= share * carryPoint(all[toIndex(weights.binding[i])], point);
     }
-    const glm::dvec3 from = glm::dvec3(own.intoBone * point) - place;
-    motion.add(from, glm::dvec3(*intoBone * glm::dvec4(wanted / weight, 1.0)) - place, weight * weight);
+    const glm::dvec3 from = carryPoint(own.intoBone, point) - place;
+    motion.add(from, carryPoint(*intoBone, wanted / weight) - place, weight * weight);
   }
   const RigidMotion::Motion best = motion.best();
   local = roundToFloats({place + best.translation, best.rotation, glm::dvec3(1.0)});

@@ -63,18 +63,22 @@ WeightFit::WeightFit(std::vector<glm::vec3> rest, std::vector<std::vector<int>> 
 
 void WeightFit::add(std::span<const glm::dmat4> matrices, std::span<const glm::vec3> live, bool further) {
   poses_ += 1.0;
-  std::vector<double>& sums = further ? further_ : own_;
-  forEachIndex(rest_.size(), kLeastWeightRange, [&](std::size_t v) {
-    std::array<glm::dvec3, kMostCandidates> way{};
-    const std::vector<int>& list = candidates_[v];
-    const glm::dvec4 point(glm::dvec3(rest_[v]), 1.0);
-    const glm::dvec3 target(live[v]);
-    for (std::size_t i = 0; i < list.size(); ++i) way[i] = glm::dvec3(at(matrices, list[i]) * point) - target;
-    double* sum = sums.data() + begin_[v];
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      for (std::size_t k = 0; k <= i; ++k) *sum++ += glm::dot(way[i], way[k]);
-    }
-  });
+  if (used_ == kept_.size()) kept_.emplace_back();
+  Kept& kept = kept_[used_++];
+  kept.matrices.assign(matrices.begin(), matrices.end());
+  kept.live.assign(live.begin(), live.begin() + static_cast<std::ptrdiff_t>(rest_.size()));
+  kept.further = further;
+  if (used_ == kPosesAtOnce) addKept();
+}
+
+void WeightFit::addKept() {
+  std::vector<PoseToFit> poses;
+  for (const Kept& kept : std::span(kept_).first(used_)) poses.push_back({kept.matrices, kept.live, kept.further});
+  used_ = 0;
+  const GramSums sums{rest_, candidates_, begin_, own_.data(), further_.data(), poses};
+  const FitKernels kernels = fitKernels(chosenVectorSet());
+  forRanges(rest_.size(), kLeastWeightRange,
+            [&](std::size_t first, std::size_t end) { kernels.addGrams(sums, first, end); });
 }
 
 /// What a vertex is solved with.
@@ -147,7 +151,8 @@ CandidateWeights WeightFit::notWorse(std::size_t index, const Vertex& vertex, co
 }
 
 std::vector<FourWeights> WeightFit::solve(std::span<const std::array<int, 3>> triangles, double furtherShare,
-                                          double tolerance, const StageProgress& progress) const {
+                                          double tolerance, const StageProgress& progress) {
+  addKept();
   const std::vector<std::vector<int>> neighbors = neighborsOf(rest_.size(), triangles);
   std::vector<FourWeights> current = start_;
   std::vector<FourWeights> next = start_;

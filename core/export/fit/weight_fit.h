@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/export/fit/best_weights.h"
+#include "core/export/fit/fit_kernel.h"
 #include "core/export/fit/four_weights.h"
 #include "core/export/fit/stage_progress.h"
 
@@ -33,10 +34,19 @@ class WeightFit {
   /// @param tolerance  a distance; vertices that come as near with the weights they start with keep them
   /// @param triangles  between the vertices; those with a corner beyond `count` are skipped
   [[nodiscard]] std::vector<FourWeights> solve(std::span<const std::array<int, 3>> triangles, double furtherShare,
-                                               double tolerance, const StageProgress& progress) const;
+                                               double tolerance, const StageProgress& progress);
 
  private:
   struct Vertex;
+
+  /// A pose's own copy: poses are added to the sums in blocks.
+  struct Kept {
+    std::vector<glm::dmat4> matrices;
+    std::vector<glm::vec3> live;
+    bool further = false;
+  };
+
+  void addKept();
   [[nodiscard]] Gram gramOf(std::size_t vertex, double ownShare, double furtherShare) const;
   [[nodiscard]] CandidateWeights solveAmong(const Vertex& vertex, const Gram& gram, const CandidateWeights& near) const;
   [[nodiscard]] CandidateWeights notWorse(std::size_t index, const Vertex& vertex, const CandidateWeights& near,
@@ -51,6 +61,8 @@ class WeightFit {
   std::vector<FourWeights> start_;
   std::vector<std::size_t> begin_;  ///< [count+1] into own_ and further_.
   double poses_ = 0.0;
+  std::vector<Kept> kept_;       ///< Up to kPosesAtOnce.
+  std::size_t used_ = 0;         ///< So many of them are not in the sums yet.
   std::vector<double> own_;      ///< Lower triangles of the Gram matrices, row by row.
   std::vector<double> further_;  ///< The same over further poses.
 };
