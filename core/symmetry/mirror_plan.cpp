@@ -35,15 +35,15 @@ class VertexGrid {
   /// Distance to the nearest vertex, or `cap` if there is none within.
   [[nodiscard]] double nearest(const glm::dvec3& point, double cap) const {
     const std::array<long long, 3> center = cellOf(point);
-    const auto rings = static_cast<long long>(std::ceil(cap / cell_));
+    const auto shells = static_cast<long long>(std::ceil(cap / cell_));
     double best = cap;
-    for (long long x = -rings; x <= rings; ++x) {
-      for (long long y = -rings; y <= rings; ++y) {
-        for (long long z = -rings; z <= rings; ++z) {
-          const auto found = cells_.find(keyOf({center[0] + x, center[1] + y, center[2] + z}));
-          if (found == cells_.end()) continue;
-          for (const int i : found->second) {
-            best = std::min(best, glm::distance(glm::dvec3(at(points_, i)), point));
+    // What lies in a shell of cells is at least all but one of the cells between away.
+    for (long long shell = 0; shell <= shells && best > cell_ * static_cast<double>(shell - 1); ++shell) {
+      for (long long x = -shell; x <= shell; ++x) {
+        for (long long y = -shell; y <= shell; ++y) {
+          const bool isSide = std::max(std::abs(x), std::abs(y)) == shell;
+          for (long long z = -shell; z <= shell; z += isSide ? 1 : std::max(2 * shell, 1LL)) {
+            best = std::min(best, nearestInCell({center[0] + x, center[1] + y, center[2] + z}, point));
           }
         }
       }
@@ -52,6 +52,13 @@ class VertexGrid {
   }
 
  private:
+  [[nodiscard]] double nearestInCell(const std::array<long long, 3>& cell, const glm::dvec3& point) const {
+    double best = std::numeric_limits<double>::infinity();
+    const auto found = cells_.find(keyOf(cell));
+    if (found == cells_.end()) return best;
+    for (const int i : found->second) best = std::min(best, glm::distance(glm::dvec3(at(points_, i)), point));
+    return best;
+  }
   [[nodiscard]] std::array<long long, 3> cellOf(const glm::dvec3& point) const {
     return {std::llround(point.x / cell_), std::llround(point.y / cell_), std::llround(point.z / cell_)};
   }
@@ -139,15 +146,16 @@ std::vector<double> offsets(const Finder& finder, const glm::dvec3& normal) {
 
 // Their fit -------------------------------------------------------------------------------------------------------
 
-double skinMisfit(const Finder& finder, const MirrorPlane& plane) {
+/// @param most  beyond it the figure is not finished: any that is as large will do.
+double skinMisfit(const Finder& finder, const MirrorPlane& plane, double most) {
   const std::vector<glm::vec3>& positions = finder.character.mesh.positions;
   if (positions.empty()) return 0.0;
   const std::size_t stride = (positions.size() + kSamples - 1) / kSamples;
+  const auto count = static_cast<int>((positions.size() + stride - 1) / stride);
   double sum = 0.0;
-  int count = 0;
   for (std::size_t i = 0; i < positions.size(); i += stride) {
     sum += finder.grid.nearest(reflected(plane, glm::dvec3(positions[i])), kMisfitCap * finder.height);
-    ++count;
+    if (sum / count / finder.height >= most) break;
   }
   return sum / count / finder.height;
 }
@@ -188,10 +196,14 @@ struct Found {
 Found bestPlane(const Finder& finder) {
   Found best;
   for (const glm::dvec3& normal : normals(finder)) {
+    std::vector<double> tried;
     for (const double offset : offsets(finder, normal)) {
+      if (std::ranges::find(tried, offset) != tried.end()) continue;
+      tried.push_back(offset);
       const MirrorPlane plane{normal, offset};
-      const double misfit = skinMisfit(finder, plane) + boneMisfit(finder, plane);
-      if (misfit < best.misfit - kNoticeable) best = {plane, misfit};
+      const double most = best.misfit - kNoticeable;
+      const double misfit = skinMisfit(finder, plane, most) + boneMisfit(finder, plane);
+      if (misfit < most) best = {plane, misfit};
     }
   }
   return best;
