@@ -100,7 +100,7 @@ class CardSurface {
     kHeights,
     kFiltered,
     kFolded,  ///< Later the turns of normals.
-    kBends,   ///< Later the teeth of normals.
+    kBends,   ///< Later normals softened at rims, then their teeth.
     kAsks,
     kWays,
     kRoundsAsked,

@@ -49,6 +49,15 @@ struct Blocks {
       return {{hn::Load(half, low), hn::Load(half, high)}};
     }
   }
+  /// The same from places that need not be aligned.
+  static HWY_INLINE Blocks joinRows(const float* low, const float* high) {
+    const hn::CappedTag<float, 2 * kCount> half;
+    if constexpr (kVectors == 1) {
+      return {{hn::Combine(Tag(), hn::LoadU(half, high), hn::LoadU(half, low))}};
+    } else {
+      return {{hn::LoadU(half, low), hn::LoadU(half, high)}};
+    }
+  }
   HWY_INLINE void store(float* to) const {
     for (std::size_t i = 0; i < kVectors; ++i) hn::Store(of[i], Tag(), to + i * kEach);
   }

@@ -94,6 +94,8 @@ struct Preparation {
   [[nodiscard]] bool swells() const { return mode == SurfaceMode::kSwell; }
   /// `replace` lies on the muscle itself; the edges of adaptive detail follow the heights.
   [[nodiscard]] bool filtersHeights() const { return swells() && !detail; }
+  /// Over an adaptive mesh a rim goes as the triangles lie (shading_normals.h).
+  [[nodiscard]] bool softensRims() const { return detail != nullptr; }
   [[nodiscard]] const MeshLayers* layers() const { return layered ? &layered->layers : nullptr; }
   [[nodiscard]] const std::vector<float>& inverseLimitsInBind() const {
     return layered ? layered->inverseLimitsInBind : tables->inverseLimitsInBind;

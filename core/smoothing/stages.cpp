@@ -157,7 +157,8 @@ void drape(const Preparation& preparation, bool moved, Workspace& w, Surface& ou
 void shade(const Preparation& preparation, bool moved, Workspace& workspace, Surface& out) {
   if (moved) {
     workspace.shadingNormals.apply(preparation.refinement(), preparation.refined->rings, workspace.movedTriangles,
-                                   workspace.pairs, workspace.patchNormals, workspace.filtered, out.normals);
+                                   workspace.pairs, workspace.patchNormals, workspace.filtered,
+                                   preparation.softensRims(), out.normals);
   }
   if (!out.shadingNormals.empty()) turnWithSurface(out, workspace.patchNormals, out.shadingNormals);
 }

@@ -1,5 +1,5 @@
-// core/smoothing/finish/normals_kernel.cpp: normals held to the faces and without teeth, compiled once per instruction
-// set.
+// core/smoothing/finish/normals_kernel.cpp: normals softened at rims, held to the faces and without teeth, compiled
+// once per instruction set.
 #include "core/smoothing/finish/normals_kernel.h"
 
 #include <algorithm>
@@ -18,6 +18,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
+constexpr float kSoftening = 0.8f;  ///< Largest share of the ring's mean in the field's normal.
+constexpr float kRimFrom = 0.2f;    ///< Difference between neighbors' normals from which they are softened.
+constexpr float kRimWhole = 0.45f;
 constexpr float kFreedom = 0.145f;       ///< About 8 degrees.
 constexpr float kRotationFrom = -0.95f;  ///< Cosine between face normals from which a rotation between them counts.
 constexpr float kRotationWhole = -0.7f;
@@ -179,6 +182,51 @@ void hold(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
 }
 
 using Vector = Blocks<1>;
+
+/// The fourth number, which is any in Rows, is 0.
+HWY_INLINE Pair twoRows(const Rows& rows, int a, int b) {
+  return xyzAndW(Pair::joinRows(rows.at(a), rows.at(b)), Pair::all(0.0f));
+}
+
+/// Vertices whose normals differ from a neighbor's by more than kRimFrom, and their normals softened.
+std::size_t findRims(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
+  const Rows normals(inputs.normals);
+  int* rims = inputs.teeth.data() + begin;
+  std::size_t count = 0;
+  for (std::size_t at = begin; at < end; ++at) {
+    const int vertex = inputs.moved->near[at];
+    const Pair own = twoRows(normals, vertex, vertex);
+    Pair sum = Pair::all(0.0f);
+    Pair most = sum;
+    const std::span<const int> ring = inputs.rings->at(vertex);
+    for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
+      const Pair a = twoRows(normals, ring[i], ring[i + 1]) - own;
+      const Pair b = twoRows(normals, ring[i + 2], ring[i + 3]) - own;
+      const Pair c = twoRows(normals, ring[i + 4], ring[i + 5]) - own;
+      sum = sum + ((a + b) + c);
+      most = max(most, sums(a * a, b * b, c * c, c * c));
+    }
+    const Vector furthest = max(lower(most), upper(most));
+    const float squared = first(max(max(furthest, spread<1>(furthest)), spread<2>(furthest)));
+    if (!(squared > kRimFrom * kRimFrom)) continue;
+    const float t = std::min((std::sqrt(squared) - kRimFrom) / (kRimWhole - kRimFrom), 1.0f);
+    const float share =
+        kSoftening * (t * t * (3.0f - 2.0f * t)) * inputs.rings->share[static_cast<std::size_t>(vertex)];
+    (lower(own) + Vector::all(share) * (lower(sum) + upper(sum))).store(inputs.vertices[vertex].first.data());
+    rims[count++] = vertex;
+  }
+  return count;
+}
+
+void softenRims(const NormalsInputs& inputs, std::size_t begin, std::size_t count) {
+  for (const int vertex : inputs.teeth.subspan(begin, count)) {
+    const std::array<float, 4>& n = inputs.vertices[vertex].first;
+    const float squared = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+    if (!(squared > 1e-12f)) continue;
+    inputs.normals[static_cast<std::size_t>(vertex)] = (1.0f / std::sqrt(squared)) * glm::vec3(n[0], n[1], n[2]);
+  }
+}
+
 using OfVertex = std::array<float, 4> NormalsVertex::*;
 
 template <OfVertex kWhat>
@@ -289,7 +337,7 @@ void removeTeeth(const NormalsInputs& inputs, std::size_t begin, std::size_t cou
   }
 }
 
-NormalsKernel kernelHere() { return {findFaces, hold, findTeeth, removeTeeth}; }
+NormalsKernel kernelHere() { return {findRims, softenRims, findFaces, hold, findTeeth, removeTeeth}; }
 
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -21,7 +21,7 @@ struct alignas(32) CornerNormals {
 /// Scratch of one vertex, 0 before and after. A fourth number that is 0 each.
 struct alignas(32) NormalsVertex {
   std::array<float, 4> delta{};  ///< Held to the faces.
-  std::array<float, 4> first{};  ///< (M - 1) delta.
+  std::array<float, 4> first{};  ///< (M - 1) delta; before, the softened normal.
 };
 
 /// What shading_normals.h passes to the kernel. Spans and arrays of vertices are [V']; all but `rings` are read and
@@ -37,13 +37,15 @@ struct NormalsInputs {
   CornerNormals* corners = nullptr;  ///< [3 T n^2] scratch, vertex by vertex as rings->corners: those of moved.refined.
   NormalsVertex* vertices = nullptr;
   float* turns = nullptr;    ///< Squared, the larger of what the field and the faces show; 0 before and after.
-  std::span<int> teeth;      ///< [moved.corners] scratch: vertices, those of a block from its place on.
+  std::span<int> teeth;      ///< [moved.corners] scratch: vertices, rims first, those of a block from its place on.
   std::span<float> weights;  ///< [moved.corners] theirs.
 };
 
 /// Stages, one after the other: each can be shared out, as its parts write to different places. Of the spans of
 /// `moved` from begin to end.
 struct NormalsKernel {
+  std::size_t (*findRims)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);   ///< moved.near
+  void (*softenRims)(const NormalsInputs& inputs, std::size_t begin, std::size_t count);      ///< Those found there.
   void (*faces)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);             ///< moved.refined
   void (*hold)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);              ///< moved.near
   std::size_t (*findTeeth)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);  ///< moved.corners

@@ -2,7 +2,6 @@
 #include "core/smoothing/finish/shading_normals.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "core/base/at.h"
 #include "core/base/parallel.h"
@@ -12,36 +11,51 @@ namespace {
 
 constexpr std::size_t kBlock = 512;  ///< Vertices that one thread looks at.
 
+/// Blocks of `size` vertices, each with its place and its end.
+template <class Use>
+void forBlocks(std::size_t size, const Use& use) {
+  forEachIndex((size + kBlock - 1) / kBlock, 1,
+               [&](std::size_t block) { use(block, block * kBlock, std::min((block + 1) * kBlock, size)); });
+}
+
 }  // namespace
 
 void ShadingNormals::apply(const Refinement& refinement, const VertexRings& rings, const MovedTriangles& moved,
                            const VertexPairs& pairs, std::span<const glm::vec3> patchNormals,
-                           std::span<const float> filtered, std::span<glm::vec3> normals) {
+                           std::span<const float> filtered, bool softensRims, std::span<glm::vec3> normals) {
   corners_.resize(rings.corners.size());
   vertices_.resize(normals.size());
   turns_.resize(normals.size());
   teeth_.resize(moved.corners.size());
   weights_.resize(moved.corners.size());
-  const std::size_t blocks = (moved.corners.size() + kBlock - 1) / kBlock;
-  teethOfBlock_.resize(blocks);
+  foundIn_.resize((moved.corners.size() + kBlock - 1) / kBlock);
   const NormalsInputs inputs{&refinement, &rings,          &moved,           pairs.data(),  patchNormals, filtered,
                              normals,     corners_.data(), vertices_.data(), turns_.data(), teeth_,       weights_};
   const NormalsKernel kernel = normalsKernel(chosenVectorSet());
-  const auto ofBlock = [&](std::size_t block) {
-    return std::pair{block * kBlock, std::min((block + 1) * kBlock, moved.corners.size())};
-  };
+  if (softensRims) this->softenRims(inputs, kernel);
   forRanges(moved.refined.size(), 2 * kBlock,
             [&](std::size_t begin, std::size_t end) { kernel.faces(inputs, begin, end); });
   forRanges(moved.near.size(), kBlock, [&](std::size_t begin, std::size_t end) { kernel.hold(inputs, begin, end); });
-  forEachIndex(blocks, 1, [&](std::size_t block) {
-    const auto [begin, end] = ofBlock(block);
-    teethOfBlock_[block] = kernel.findTeeth(inputs, begin, end);
+  forBlocks(moved.corners.size(), [&](std::size_t block, std::size_t begin, std::size_t end) {
+    foundIn_[block] = kernel.findTeeth(inputs, begin, end);
   });
-  forEachIndex(blocks, 1, [&](std::size_t block) { kernel.removeTeeth(inputs, block * kBlock, teethOfBlock_[block]); });
+  forBlocks(moved.corners.size(), [&](std::size_t block, std::size_t begin, std::size_t) {
+    kernel.removeTeeth(inputs, begin, foundIn_[block]);
+  });
   for (const int vertex : moved.corners) {
     at(vertices_, vertex) = {};
     at(turns_, vertex) = 0.0f;
   }
+}
+
+void ShadingNormals::softenRims(const NormalsInputs& inputs, const NormalsKernel& kernel) {
+  const std::size_t near = inputs.moved->near.size();
+  forBlocks(near, [&](std::size_t block, std::size_t begin, std::size_t end) {
+    foundIn_[block] = kernel.findRims(inputs, begin, end);
+  });
+  forBlocks(near, [&](std::size_t block, std::size_t begin, std::size_t) {
+    kernel.softenRims(inputs, begin, foundIn_[block]);
+  });
 }
 
 void turnWithSurface(const Surface& surface, std::span<const glm::vec3> patchNormals, std::vector<glm::vec3>& shading) {

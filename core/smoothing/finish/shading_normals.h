@@ -12,9 +12,12 @@
 
 namespace sinew {
 
-/// Holds the field's normals to what the mesh can show, in two steps on delta = normal - n_patch, the turn that the
-/// muscles give to the patch's normal.
+/// Holds the field's normals to what the mesh can show: with adaptive detail they are first softened at rims; then come
+/// two steps on delta = normal - n_patch, the turn that the muscles give to the patch's normal.
 ///
+/// 0. Where adaptive detail is as fine as it gets, a muscle's rim is a crease between two vertices, and its line over
+///    the mesh is jagged. A normal that differs much from a neighbor's is drawn towards the ring's mean, by a weight
+///    that grows with the largest difference.
 /// 1. The field knows more than the mesh: where a muscle's rim is narrower than an edge, its gradient turns between two
 ///    vertices while the triangle between them is flat, and interpolated shading shows saw teeth. With N the normal of
 ///    the faces around a vertex (weighted by the corners' angles) and delta' the turn that the least rotation from
@@ -34,19 +37,22 @@ class ShadingNormals {
   /// @param rings  of the refinement.  @param moved  of these positions.  @param pairs  of moved.corners.
   /// @param patchNormals [V'] unit.
   /// @param filtered [V'] 0..1, the weights of lift_filter.h; empty: all are 0.
+  /// @param softensRims  for adaptive detail.
   /// @param normals [V'] unit: in: the field's where a vertex has moved, else the patch's; out: for shading.
   void apply(const Refinement& refinement, const VertexRings& rings, const MovedTriangles& moved,
              const VertexPairs& pairs, std::span<const glm::vec3> patchNormals, std::span<const float> filtered,
-             std::span<glm::vec3> normals);
+             bool softensRims, std::span<glm::vec3> normals);
 
  private:
+  void softenRims(const NormalsInputs& inputs, const NormalsKernel& kernel);
+
   // Scratch of NormalsInputs. What no muscle reaches is never written, and takes no memory.
   ScratchArray<CornerNormals> corners_;
   std::vector<NormalsVertex> vertices_;
   std::vector<float> turns_;
   std::vector<int> teeth_;
   std::vector<float> weights_;
-  std::vector<std::size_t> teethOfBlock_;
+  std::vector<std::size_t> foundIn_;  ///< [blocks] rims, then teeth.
 };
 
 /// The same turns for creases. Where the patch is not creased, or not moved, this is exact.

@@ -41,7 +41,23 @@ class Raised {
     moved_.find(refinement_, mesh_.positions, positions);
     pairs_.fill(moved_.corners, mesh_.positions, positions);
     std::vector<glm::vec3> out = fieldNormals;
-    shading_.apply(refinement_, rings_, moved_, pairs_, patchNormals_, {}, out);
+    shading_.apply(refinement_, rings_, moved_, pairs_, patchNormals_, {}, softensRims, out);
+    return out;
+  }
+
+  /// The field's normals of what was last shaded, softened and no more.
+  [[nodiscard]] std::vector<glm::vec3> softened(InstructionSet set) const {
+    std::vector<glm::vec3> out = fieldNormals;
+    std::vector<NormalsVertex> vertices(out.size());
+    std::vector<int> rims(moved_.corners.size());
+    NormalsInputs inputs;
+    inputs.rings = &rings_;
+    inputs.moved = &moved_;
+    inputs.normals = out;
+    inputs.vertices = vertices.data();
+    inputs.teeth = rims;
+    const NormalsKernel kernel = normalsKernel(set);
+    kernel.softenRims(inputs, 0, kernel.findRims(inputs, 0, moved_.near.size()));
     return out;
   }
 
@@ -51,6 +67,7 @@ class Raised {
 
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> fieldNormals;
+  bool softensRims = false;
 
  private:
   static ControlMesh flat() {
@@ -201,8 +218,65 @@ TEST(ShadingNormals, OfARimAcrossTheMeshLoseTheirTeeth) {
   EXPECT_LT(roughness(shaded), 0.85 * roughness(faces));
 }
 
-TEST(ShadingNormals, AreContinuousInTheHeight) {
+/// As docs/design.md has it, in double precision: each neighbor once for every triangle shared.
+std::vector<glm::dvec3> softenedByDefinition(const Refinement& refinement, const std::vector<glm::vec3>& normals) {
+  std::vector<glm::dvec3> sums(normals.size(), glm::dvec3(0.0));
+  std::vector<double> counts(normals.size(), 0.0);
+  std::vector<double> most(normals.size(), 0.0);
+  for (const auto& t : refinement.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto own = static_cast<std::size_t>(t[i]);
+      for (const std::size_t other : {(i + 1) % 3, (i + 2) % 3}) {
+        const glm::dvec3 apart = glm::dvec3(normals[static_cast<std::size_t>(t[other])]) - glm::dvec3(normals[own]);
+        sums[own] += apart;
+        counts[own] += 1.0;
+        most[own] = std::max(most[own], glm::length(apart));
+      }
+    }
+  }
+  std::vector<glm::dvec3> out;
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    const double t = std::clamp((most[v] - 0.2) / 0.25, 0.0, 1.0);
+    const double share = 0.8 * t * t * (3.0 - 2.0 * t);
+    out.push_back(glm::normalize(glm::dvec3(normals[v]) + share / counts[v] * sums[v]));
+  }
+  return out;
+}
+
+TEST(ShadingNormals, AreSoftenedAtRimsAsDefinedAndNowhereElse) {
   Raised sheet;
+  const Bump bump{0.1f, 0.6f};
+  const auto turned = [&](const glm::vec3& p) {  // Smooth on one side, rough on the other.
+    if (p.x < 0.0f) return bump.normal(p);
+    return bump.normal(p) + glm::vec3(0.6f * std::sin(70.0f * p.x), 0.5f * std::sin(50.0f * p.y), 0.0f);
+  };
+  sheet.shaded([&](const glm::vec3& p) { return bump.at(p); }, turned);
+  const std::vector<bool> near = grown(sheet.refinement().triangles, movedBetween(sheet.patch(), sheet.positions), 1);
+  const std::vector<glm::dvec3> wanted = softenedByDefinition(sheet.refinement(), sheet.fieldNormals);
+  for (const InstructionSet set : availableInstructionSets()) {
+    if (set == InstructionSet::kScalar) continue;
+    const std::vector<glm::vec3> softened = sheet.softened(set);
+    EXPECT_TRUE(sameBytes(softened, sheet.softened(chosenVectorSet()))) << nameOf(set);
+    int changed = 0;
+    int kept = 0;
+    for (std::size_t v = 0; v < near.size(); ++v) {
+      const bool same = sameBits(softened[v], sheet.fieldNormals[v]);
+      changed += same ? 0 : 1;
+      kept += same && near[v] ? 1 : 0;
+      if (!near[v]) EXPECT_TRUE(same) << v;
+      else EXPECT_LT(glm::distance(glm::dvec3(softened[v]), wanted[v]), 2e-6) << v;
+    }
+    EXPECT_GT(changed, 50);
+    EXPECT_GT(kept, 20);
+  }
+}
+
+class ShadingNormalsContinuity : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(Softened, ShadingNormalsContinuity, testing::Bool());
+
+TEST_P(ShadingNormalsContinuity, AreContinuousInTheHeight) {
+  Raised sheet;
+  sheet.softensRims = GetParam();
   constexpr float kSteepest = 0.4f;
   std::vector<float> slopes;
   for (const int steps : {200, 800}) {
@@ -222,8 +296,9 @@ TEST(ShadingNormals, AreContinuousInTheHeight) {
 }
 
 // A second bump begins to rise beside a steep one: at its first stirring nothing may jump.
-TEST(ShadingNormals, AreContinuousWhereAVertexBeginsToMove) {
+TEST_P(ShadingNormalsContinuity, AreContinuousWhereAVertexBeginsToMove) {
   Raised sheet;
+  sheet.softensRims = GetParam();
   const Bump steep{0.3f, 0.2f};
   float worst = 0.0f;
   for (int column = -10; column <= 10; ++column) {
