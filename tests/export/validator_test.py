@@ -17,7 +17,7 @@ from simple_rig import simple_rig
 
 # Of every source with its shortest clip; with all clips the first kind, of ALL_CLIPS or where MORE is in the environment.
 # Weights are fitted vertex by vertex, and no count of vertices makes a file more or less valid: most are made with few. Fox and
-# face have the detail of their rig, and so have bundled rigs baked, which is quick.
+# face have the detail of their rig.
 MORE = "MORE" in os.environ
 DEPTHS = {} if MORE else {"humanoid-flex": "2", "horse": "2", "cesium_man": "1", "robot": "1"}
 BUNDLED = ("humanoid", "horse", "humanoid-flex", "horse-flex") if MORE else ("humanoid-flex", "horse")  # With lines, and without.
@@ -94,7 +94,7 @@ def main():
             for kind, (name, words) in enumerate(KINDS.items()):
                 out.append(folder / (name + ENDINGS[(number + kind) % 2]))
                 more = ["--clip", clip] if kind > 0 or not every else []
-                if depth and "original" not in name and (name != "baked" or depth == "1"):
+                if depth:
                     more += ["--depth", depth]
                 subprocess.run([program, "export", source, "--as", *words, *more, "-o", out[-1]], check=True, capture_output=True)
             found = issues([character, *out], modules)
