@@ -64,7 +64,7 @@ struct Limits {
 void expectGoodSkin(const CharacterPtr& character, const Rig& rig, double mostTeeth = 4.0,
                     double leastDefinition = 88.0) {
   const std::array<Limits, 3> all{
-      {{3, 1.0, mostTeeth, leastDefinition - 8.0}, {5, 1.0, mostTeeth, leastDefinition}, {0, 0.5, 2.5, 92.0}}};
+      {{3, 1.0, mostTeeth, leastDefinition - 8.0}, {5, 1.0, mostTeeth, leastDefinition}, {0, 0.5, 0.7, 92.0}}};
   ASSERT_GE(rig.primitives.size(), 12u) << character->name;
   for (const Limits& limits : all) {
     const SkinMetrics m = metricsOf(character, rig, limits.depth);
