@@ -40,17 +40,8 @@ struct Blocks {
   static HWY_INLINE Blocks load(const float* from) {
     return make([=](std::size_t i) HWY_ATTR { return hn::Load(Tag(), from + i * kEach); });
   }
-  /// Half of the blocks from each of two places.
+  /// Half of the blocks from each of two places, which need not be aligned.
   static HWY_INLINE Blocks join(const float* low, const float* high) {
-    const hn::CappedTag<float, 2 * kCount> half;
-    if constexpr (kVectors == 1) {
-      return {{hn::Combine(Tag(), hn::Load(half, high), hn::Load(half, low))}};
-    } else {
-      return {{hn::Load(half, low), hn::Load(half, high)}};
-    }
-  }
-  /// The same from places that need not be aligned.
-  static HWY_INLINE Blocks joinRows(const float* low, const float* high) {
     const hn::CappedTag<float, 2 * kCount> half;
     if constexpr (kVectors == 1) {
       return {{hn::Combine(Tag(), hn::LoadU(half, high), hn::LoadU(half, low))}};

@@ -37,12 +37,12 @@ class VertexGrid {
     const std::array<long long, 3> center = cellOf(point);
     const auto shells = static_cast<long long>(std::ceil(cap / cell_));
     double best = cap;
-    // What lies in a shell of cells is at least all but one of the cells between away.
+    // A vertex in shell n is at least n - 1 cells away.
     for (long long shell = 0; shell <= shells && best > cell_ * static_cast<double>(shell - 1); ++shell) {
       for (long long x = -shell; x <= shell; ++x) {
         for (long long y = -shell; y <= shell; ++y) {
           const bool isSide = std::max(std::abs(x), std::abs(y)) == shell;
-          for (long long z = -shell; z <= shell; z += isSide ? 1 : std::max(2 * shell, 1LL)) {
+          for (long long z = -shell; z <= shell; z += isSide ? 1 : 2 * shell) {
             best = std::min(best, nearestInCell({center[0] + x, center[1] + y, center[2] + z}, point));
           }
         }
@@ -146,7 +146,7 @@ std::vector<double> offsets(const Finder& finder, const glm::dvec3& normal) {
 
 // Their fit -------------------------------------------------------------------------------------------------------
 
-/// @param most  beyond it the figure is not finished: any that is as large will do.
+/// @param most  as soon as the sum reaches it, the plane has lost, and what there is so far is returned.
 double skinMisfit(const Finder& finder, const MirrorPlane& plane, double most) {
   const std::vector<glm::vec3>& positions = finder.character.mesh.positions;
   if (positions.empty()) return 0.0;

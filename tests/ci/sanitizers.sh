@@ -20,4 +20,5 @@ step() {
 step configure cmake -S "$source" --preset asan -B "$build" "${options[@]}"
 step build cmake --build "$build"
 step test "$source/tests/ci/run_tests.sh" "$build/tests" tests
+step found "$source/tests/ci/run_tests.sh" "$build/tests/fuzz" tests
 step fuzz "$source/tests/fuzz/run.sh" "$build" "${SINEW_FUZZ:-2000runs}"

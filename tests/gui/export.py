@@ -4,9 +4,10 @@ import sys
 
 import driver
 
-SHORT = 1  # Depth: joints are fitted sample by sample.
-MEDIUM = 2  # Long enough for an edit meanwhile.
-LONG = 12  # An export of many seconds, to be canceled.
+# Depths of exports that take so long.
+SHORT = 1
+MEDIUM = 2  # Time enough for an edit meanwhile.
+LONG = 12  # Many seconds: to be canceled.
 
 
 def open_dialog(editor):

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/smoothstep.h"
 #include "core/lanes/targets.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -183,9 +184,41 @@ void hold(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
 
 using Vector = Blocks<1>;
 
+/// What six neighbors differ by, two in each.
+struct SixNeighbors {
+  Pair a;
+  Pair b;
+  Pair c;
+};
+
+/// Over all neighbors of a vertex.
+struct Apart {
+  Vector sum;            ///< Of what they differ by.
+  float squared = 0.0f;  ///< Of the largest of that.
+};
+
+/// @param six  what the six from a place in the ring on differ by.
+template <class Six>
+HWY_INLINE Apart apartFrom(std::span<const int> ring, Six six) {
+  Pair sum = Pair::all(0.0f);
+  Pair most = sum;
+  for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
+    const SixNeighbors by = six(ring.data() + i);
+    sum = sum + ((by.a + by.b) + by.c);
+    most = max(most, sums(by.a * by.a, by.b * by.b, by.c * by.c, by.c * by.c));
+  }
+  const Vector furthest = max(lower(most), upper(most));
+  return {lower(sum) + upper(sum), first(max(max(furthest, spread<1>(furthest)), spread<2>(furthest)))};
+}
+
 /// The fourth number, which is any in Rows, is 0.
 HWY_INLINE Pair twoRows(const Rows& rows, int a, int b) {
-  return xyzAndW(Pair::joinRows(rows.at(a), rows.at(b)), Pair::all(0.0f));
+  return xyzAndW(Pair::join(rows.at(a), rows.at(b)), Pair::all(0.0f));
+}
+
+void setNormal(const NormalsInputs& inputs, int vertex, const glm::vec3& direction) {
+  const float squared = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+  if (squared > 1e-12f) inputs.normals[static_cast<std::size_t>(vertex)] = (1.0f / std::sqrt(squared)) * direction;
 }
 
 /// Vertices whose normals differ from a neighbor's by more than kRimFrom, and their normals softened.
@@ -196,23 +229,14 @@ std::size_t findRims(const NormalsInputs& inputs, std::size_t begin, std::size_t
   for (std::size_t at = begin; at < end; ++at) {
     const int vertex = inputs.moved->near[at];
     const Pair own = twoRows(normals, vertex, vertex);
-    Pair sum = Pair::all(0.0f);
-    Pair most = sum;
-    const std::span<const int> ring = inputs.rings->at(vertex);
-    for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
-      const Pair a = twoRows(normals, ring[i], ring[i + 1]) - own;
-      const Pair b = twoRows(normals, ring[i + 2], ring[i + 3]) - own;
-      const Pair c = twoRows(normals, ring[i + 4], ring[i + 5]) - own;
-      sum = sum + ((a + b) + c);
-      most = max(most, sums(a * a, b * b, c * c, c * c));
-    }
-    const Vector furthest = max(lower(most), upper(most));
-    const float squared = first(max(max(furthest, spread<1>(furthest)), spread<2>(furthest)));
-    if (!(squared > kRimFrom * kRimFrom)) continue;
-    const float t = std::min((std::sqrt(squared) - kRimFrom) / (kRimWhole - kRimFrom), 1.0f);
-    const float share =
-        kSoftening * (t * t * (3.0f - 2.0f * t)) * inputs.rings->share[static_cast<std::size_t>(vertex)];
-    (lower(own) + Vector::all(share) * (lower(sum) + upper(sum))).store(inputs.vertices[vertex].first.data());
+    const Apart apart = apartFrom(inputs.rings->at(vertex), [&](const int* ring) HWY_ATTR {
+      return SixNeighbors{twoRows(normals, ring[0], ring[1]) - own, twoRows(normals, ring[2], ring[3]) - own,
+                          twoRows(normals, ring[4], ring[5]) - own};
+    });
+    if (!(apart.squared > kRimFrom * kRimFrom)) continue;
+    const float share = kSoftening * smoothstep(kRimFrom, kRimWhole, std::sqrt(apart.squared)) *
+                        inputs.rings->share[static_cast<std::size_t>(vertex)];
+    (lower(own) + Vector::all(share) * apart.sum).store(inputs.vertices[vertex].first.data());
     rims[count++] = vertex;
   }
   return count;
@@ -220,10 +244,8 @@ std::size_t findRims(const NormalsInputs& inputs, std::size_t begin, std::size_t
 
 void softenRims(const NormalsInputs& inputs, std::size_t begin, std::size_t count) {
   for (const int vertex : inputs.teeth.subspan(begin, count)) {
-    const std::array<float, 4>& n = inputs.vertices[vertex].first;
-    const float squared = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-    if (!(squared > 1e-12f)) continue;
-    inputs.normals[static_cast<std::size_t>(vertex)] = (1.0f / std::sqrt(squared)) * glm::vec3(n[0], n[1], n[2]);
+    const std::array<float, 4>& softened = inputs.vertices[vertex].first;
+    setNormal(inputs, vertex, {softened[0], softened[1], softened[2]});
   }
 }
 
@@ -233,13 +255,6 @@ template <OfVertex kWhat>
 HWY_INLINE const float* placeOf(const NormalsInputs& inputs, int vertex) {
   return (inputs.vertices[vertex].*kWhat).data();
 }
-
-/// What six neighbors differ by, two in each.
-struct SixNeighbors {
-  Pair a;
-  Pair b;
-  Pair c;
-};
 
 template <OfVertex kWhat>
 HWY_INLINE SixNeighbors differences(const NormalsInputs& inputs, const int* ring, const Pair& own) {
@@ -259,19 +274,13 @@ std::size_t listTeeth(const NormalsInputs& inputs, std::size_t begin, std::size_
     const int vertex = inputs.moved->corners[at];
     const float* place = placeOf<&NormalsVertex::delta>(inputs, vertex);
     const Pair own = Pair::join(place, place);
-    Pair sum = Pair::all(0.0f);
-    Pair most = sum;
-    const std::span<const int> ring = inputs.rings->at(vertex);
-    for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
-      const SixNeighbors six = differences<&NormalsVertex::delta>(inputs, ring.data() + i, own);
-      sum = sum + ((six.a + six.b) + six.c);
-      most = max(most, sums(six.a * six.a, six.b * six.b, six.c * six.c, six.c * six.c));
-    }
+    const Apart apart = apartFrom(inputs.rings->at(vertex), [&](const int* ring) HWY_ATTR {
+      return differences<&NormalsVertex::delta>(inputs, ring, own);
+    });
     const Vector share = Vector::all(inputs.rings->share[static_cast<std::size_t>(vertex)]);
-    (share * (lower(sum) + upper(sum))).store(inputs.vertices[vertex].first.data());
-    const Vector apart = max(lower(most), upper(most));
+    (share * apart.sum).store(inputs.vertices[vertex].first.data());
     teeth[count] = vertex;
-    weights[count] = first(max(max(apart, spread<1>(apart)), spread<2>(apart)));
+    weights[count] = apart.squared;
     count += weights[count] > kTeethFrom * kTeethFrom ? 1 : 0;
   }
   return count;
@@ -331,9 +340,7 @@ void removeTeeth(const NormalsInputs& inputs, std::size_t begin, std::size_t cou
     const Vector second = Vector::all(inputs.weights[tooth] * inputs.rings->share[v]) * (lower(sum) + upper(sum));
     alignas(16) std::array<float, 4> delta;
     (Vector::load(placeOf<&NormalsVertex::delta>(inputs, vertex)) - second).store(delta.data());
-    const glm::vec3 normal = inputs.patchNormals[v] + glm::vec3(delta[0], delta[1], delta[2]);
-    const float squared = normal.x * normal.x + normal.y * normal.y + normal.z * normal.z;
-    if (squared > 1e-12f) inputs.normals[v] = (1.0f / std::sqrt(squared)) * normal;
+    setNormal(inputs, vertex, inputs.patchNormals[v] + glm::vec3(delta[0], delta[1], delta[2]));
   }
 }
 

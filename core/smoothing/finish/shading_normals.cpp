@@ -32,7 +32,7 @@ void ShadingNormals::apply(const Refinement& refinement, const VertexRings& ring
   const NormalsInputs inputs{&refinement, &rings,          &moved,           pairs.data(),  patchNormals, filtered,
                              normals,     corners_.data(), vertices_.data(), turns_.data(), teeth_,       weights_};
   const NormalsKernel kernel = normalsKernel(chosenVectorSet());
-  if (softensRims) this->softenRims(inputs, kernel);
+  if (softensRims) softenRims(inputs, kernel);
   forRanges(moved.refined.size(), 2 * kBlock,
             [&](std::size_t begin, std::size_t end) { kernel.faces(inputs, begin, end); });
   forRanges(moved.near.size(), kBlock, [&](std::size_t begin, std::size_t end) { kernel.hold(inputs, begin, end); });
